@@ -1,0 +1,271 @@
+"""The parameters of a scene: what the reader may change, within which range, starting where.
+
+A scene states each parameter once, here; sliders, defaults, validation and documentation
+are all drawn from it.
+"""
+
+import difflib
+import math
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
+
+type Value = float | int | str | bool
+
+
+class ControlError(ValueError):
+    """A value that a control cannot take. The message says what was given and what is legal."""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Slider:
+    """A number in a closed range (``input[type=range]``)."""
+
+    name: str
+    """The parameter's name: an identifier, unique in the scene."""
+    label: str
+    """What the reader sees."""
+    default: float
+    minimum: float
+    maximum: float
+    step: float
+    unit: str = ""
+    """Printed after the value: ``mm``, ``°``, ``px``."""
+    prefix: str = ""
+    """Printed before the value, as in ``f/2.8``."""
+
+    kind = "slider"
+
+    def __post_init__(self) -> None:
+        if not self.minimum <= self.default <= self.maximum:
+            raise ControlError(f"{self.name}: default {self.default} outside {self.legal}")
+        if not 0 < self.step <= self.maximum - self.minimum:
+            raise ControlError(f"{self.name}: step {self.step} does not fit {self.legal}")
+
+    @property
+    def legal(self) -> str:
+        return f"{self.minimum:g} to {self.maximum:g}"
+
+    @property
+    def decimals(self) -> int:
+        """Digits after the point that the step can change."""
+        text = f"{self.step:.10f}".rstrip("0")
+        return len(text.partition(".")[2])
+
+    def parse(self, raw: object) -> float:
+        """``raw`` as a finite number, not yet held to the range."""
+        if isinstance(raw, bool) or not isinstance(raw, int | float | str):
+            raise ControlError(f"{self.name}: {raw!r} is not a number; legal: {self.legal}")
+        try:
+            number = float(raw)
+        except ValueError:
+            raise ControlError(
+                f"{self.name}: {raw!r} is not a number; legal: {self.legal}"
+            ) from None
+        if not math.isfinite(number):
+            raise ControlError(f"{self.name}: {raw!r} is not finite; legal: {self.legal}")
+        return number
+
+    def check(self, raw: object) -> float:
+        """``raw`` as a number in range; an author's mistake raises."""
+        number = self.parse(raw)
+        if not self.minimum <= number <= self.maximum:
+            raise ControlError(f"{self.name}: {number:g} is out of range; legal: {self.legal}")
+        return number
+
+    def clamp(self, raw: object) -> float:
+        """``raw`` as a number, brought into range: what a reader's gesture gets."""
+        return min(max(self.parse(raw), self.minimum), self.maximum)
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Choice:
+    """One of several named options (``select``)."""
+
+    name: str
+    label: str
+    default: str
+    options: Mapping[str, str]
+    """Value to label, in the order shown."""
+
+    kind = "choice"
+
+    def __post_init__(self) -> None:
+        self.check(self.default)
+
+    @property
+    def legal(self) -> str:
+        return ", ".join(self.options)
+
+    def check(self, raw: object) -> str:
+        if not isinstance(raw, str) or raw not in self.options:
+            raise ControlError(
+                f"{self.name}: {raw!r} is not an option; legal: {self.legal}"
+                f"{suggestion(raw, self.options)}"
+            )
+        return raw
+
+    clamp = check
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Toggle:
+    """On or off (``input[type=checkbox]``)."""
+
+    name: str
+    label: str
+    default: bool = False
+
+    kind = "toggle"
+    legal = "true, false"
+
+    def check(self, raw: object) -> bool:
+        if isinstance(raw, bool):
+            return raw
+        if isinstance(raw, str) and raw.lower() in ("true", "false"):
+            return raw.lower() == "true"
+        raise ControlError(f"{self.name}: {raw!r} is not a switch position; legal: {self.legal}")
+
+    clamp = check
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Action:
+    """A button. Its value counts presses modulo the number of its labels.
+
+    A button with one label either moves another control (``drives``) or does nothing but
+    repaint; one with two is a switch whose label tells what the next press will do.
+    """
+
+    name: str
+    labels: tuple[str, ...]
+    """The button's text in each state; the state is the index."""
+    drives: str = ""
+    """Name of the slider that the button moves in the browser, if any."""
+    effect: str = ""
+    """``play`` (sweep that slider to its end; press again to pause), ``step`` or ``reset``."""
+    seconds: float = 8.0
+    """How long ``play`` takes from the slider's minimum to its maximum."""
+
+    kind = "action"
+    default = 0
+
+    def __post_init__(self) -> None:
+        if bool(self.drives) != (self.effect in ("play", "step", "reset")):
+            raise ControlError(
+                f"{self.name}: effect {self.effect!r} on {self.drives!r}; "
+                "legal: play, step or reset together with a slider's name"
+            )
+
+    @property
+    def label(self) -> str:
+        return self.labels[0]
+
+    @property
+    def legal(self) -> str:
+        return f"0 to {len(self.labels) - 1}"
+
+    def check(self, raw: object) -> int:
+        try:
+            state = int(raw) if isinstance(raw, int | float | str) else -1
+        except (ValueError, OverflowError):
+            state = -1
+        if not 0 <= state < len(self.labels):
+            raise ControlError(f"{self.name}: {raw!r} is not a state; legal: {self.legal}")
+        return state
+
+    clamp = check
+
+
+type Control = Slider | Choice | Toggle | Action
+
+
+@dataclass(frozen=True, slots=True)
+class Values(Mapping[str, Value]):
+    """Validated values of all controls of one scene, by name."""
+
+    items_by_name: Mapping[str, Value]
+
+    def __getitem__(self, name: str) -> Value:
+        return self.items_by_name[name]
+
+    def __iter__(self) -> Iterator[str]:
+        return iter(self.items_by_name)
+
+    def __len__(self) -> int:
+        return len(self.items_by_name)
+
+    def number(self, name: str) -> float:
+        return float(self.items_by_name[name])
+
+    def choice(self, name: str) -> str:
+        return str(self.items_by_name[name])
+
+    def toggle(self, name: str) -> bool:
+        return bool(self.items_by_name[name])
+
+    def state(self, name: str) -> int:
+        """State of an action: presses modulo its labels."""
+        return int(self.items_by_name[name])
+
+
+def check_values(controls: Sequence[Control], given: Mapping[str, object]) -> Values:
+    """Defaults overridden by what an author gave; anything illegal raises `ControlError`."""
+    return _resolve(controls, given, clamp=False)
+
+
+def clamp_values(controls: Sequence[Control], given: Mapping[str, object]) -> Values:
+    """Defaults overridden by a reader's gestures; numbers out of range are brought into it."""
+    return _resolve(controls, given, clamp=True)
+
+
+def _resolve(controls: Sequence[Control], given: Mapping[str, object], *, clamp: bool) -> Values:
+    by_name = {control.name: control for control in controls}
+    for name in given:
+        if name not in by_name:
+            raise ControlError(
+                f"unknown parameter {name!r}; legal: {', '.join(by_name)}"
+                f"{suggestion(name, by_name)}"
+            )
+    values: dict[str, Value] = {control.name: control.default for control in controls}
+    for name, raw in given.items():
+        control = by_name[name]
+        values[name] = control.clamp(raw) if clamp else control.check(raw)
+    return Values(values)
+
+
+def suggestion(given: object, legal: Mapping[str, object]) -> str:
+    """``; did you mean 'x'?`` where something legal is close, else nothing."""
+    near = difflib.get_close_matches(str(given), list(legal), n=1)
+    return f"; did you mean {near[0]!r}?" if near else ""
+
+
+def describe(control: Control) -> dict[str, object]:
+    """The control as plain data: the entry of ``book.json`` and of the page."""
+    entry: dict[str, object] = {
+        "name": control.name,
+        "kind": control.kind,
+        "label": control.label,
+        "default": control.default,
+    }
+    match control:
+        case Slider():
+            entry |= {
+                "min": control.minimum,
+                "max": control.maximum,
+                "step": control.step,
+                "unit": control.unit,
+                "prefix": control.prefix,
+                "decimals": control.decimals,
+            }
+        case Choice():
+            entry |= {"options": list(control.options), "labels": list(control.options.values())}
+        case Action():
+            entry |= {
+                "labels": list(control.labels),
+                "drives": control.drives,
+                "effect": control.effect,
+                "seconds": control.seconds,
+            }
+        case Toggle():
+            pass
+    return entry

@@ -1,0 +1,94 @@
+"""SVG markup for overlays: plain functions from coordinates to strings.
+
+Coordinates are view box units, x right, y down. ``style`` is a list of CSS classes: a colour
+role (world, camera, ray, image, light, error, muted) and, if wanted, a manner (dashed, thin,
+bold, fill, solid, faint). Numbers are rounded to 1/100 unit, so that two machines whose libm
+differ in the last place draw the same markup.
+"""
+
+import math
+from collections.abc import Iterable, Sequence
+from html import escape
+
+type Point = Sequence[float]
+
+
+def coordinate(value: float) -> str:
+    """A number for an SVG attribute; refuses what no renderer can draw."""
+    if not math.isfinite(value):
+        raise ValueError(f"cannot draw at {value!r}: clip or mask before drawing")
+    text = f"{value:.2f}".rstrip("0").rstrip(".")
+    return "0" if text in ("-0", "") else text
+
+
+def _points(points: Iterable[Point]) -> str:
+    return " ".join(f"{coordinate(point[0])},{coordinate(point[1])}" for point in points)
+
+
+def line(start: Point, end: Point, style: str = "") -> str:
+    x1, y1, x2, y2 = (coordinate(value) for value in (start[0], start[1], end[0], end[1]))
+    return f'<line class="{style}" x1="{x1}" y1="{y1}" x2="{x2}" y2="{y2}"/>'
+
+
+def polyline(points: Iterable[Point], style: str = "") -> str:
+    return f'<polyline class="{style}" points="{_points(points)}"/>'
+
+
+def polygon(points: Iterable[Point], style: str = "") -> str:
+    return f'<polygon class="{style}" points="{_points(points)}"/>'
+
+
+def path(subpaths: Iterable[Sequence[Point]], style: str = "") -> str:
+    """Many open polylines in one element: cheaper to paint than one element each."""
+    data = "".join("M" + "L".join(_points([point]) for point in points) for points in subpaths)
+    return f'<path class="{style}" d="{data}"/>'
+
+
+def circle(centre: Point, radius: float, style: str = "") -> str:
+    cx, cy, r = coordinate(centre[0]), coordinate(centre[1]), coordinate(radius)
+    return f'<circle class="{style}" cx="{cx}" cy="{cy}" r="{r}"/>'
+
+
+def ellipse(centre: Point, radii: Point, style: str = "") -> str:
+    cx, cy, rx, ry = (coordinate(value) for value in (centre[0], centre[1], radii[0], radii[1]))
+    return f'<ellipse class="{style}" cx="{cx}" cy="{cy}" rx="{rx}" ry="{ry}"/>'
+
+
+def rectangle(corner: Point, width: float, height: float, style: str = "") -> str:
+    x, y, w, h = (coordinate(value) for value in (corner[0], corner[1], width, height))
+    return f'<rect class="{style}" x="{x}" y="{y}" width="{w}" height="{h}"/>'
+
+
+def dot(centre: Point, style: str = "", radius: float = 4.0) -> str:
+    """A filled point."""
+    return circle(centre, radius, f"{style} solid".strip())
+
+
+def text(position: Point, content: str, style: str = "", anchor: str = "start") -> str:
+    """A label; ``anchor`` is start, middle or end. The content is escaped."""
+    x, y = coordinate(position[0]), coordinate(position[1])
+    return (
+        f'<text class="{style}" x="{x}" y="{y}" text-anchor="{anchor}">'
+        f"{escape(content, quote=False)}</text>"
+    )
+
+
+def arrow(start: Point, end: Point, style: str = "", head: float = 8.0) -> str:
+    """A line with a filled head at ``end``; only the line where it is shorter than its head."""
+    dx, dy = end[0] - start[0], end[1] - start[1]
+    length = math.hypot(dx, dy)
+    if length <= head:
+        return line(start, end, style)
+    ux, uy = dx / length, dy / length
+    neck = (end[0] - head * ux, end[1] - head * uy)
+    half = head * 0.38
+    corners = (
+        end,
+        (neck[0] - half * uy, neck[1] + half * ux),
+        (neck[0] + half * uy, neck[1] - half * ux),
+    )
+    return line(start, neck, style) + polygon(corners, f"{style} solid".strip())
+
+
+def group(children: Iterable[str], style: str = "") -> str:
+    return f'<g class="{style}">{"".join(children)}</g>'

@@ -1,0 +1,163 @@
+"""What a scene returns: pictures, drawings over them, numbers, and one sentence in words."""
+
+import json
+from collections.abc import Sequence
+from dataclasses import dataclass, field
+
+import numpy as np
+from numpy.typing import NDArray
+
+type Raster = NDArray[np.uint8]
+
+ROLES = ("", "world", "camera", "ray", "image", "light", "error")
+"""Colour roles, one per idea, the same in every figure, formula and sentence."""
+
+
+@dataclass(frozen=True, slots=True)
+class Panel:
+    """One drawing area. A figure's panels stand side by side, or stacked where space is short."""
+
+    name: str
+    """Identifier, unique in the frame and the same in every frame of a scene."""
+    title: str
+    """Caption above the panel, or nothing."""
+    width: float
+    """Width of the view box, in overlay units; near 400, so that 13-unit text always reads well."""
+    height: float
+    """Height of the view box, in overlay units."""
+    raster: Raster | None = None
+    """(H, W, 4) uint8 sRGB, straight alpha, C-contiguous; stretched over the view box."""
+    overlay: str = ""
+    """SVG markup in view box units; CSS classes only, so that themes and print work."""
+    pixelated: bool = False
+    """Show the raster's pixels as squares instead of smoothing them."""
+
+    def __post_init__(self) -> None:
+        raster = self.raster
+        if raster is not None and (
+            raster.ndim != 3
+            or raster.shape[2] != 4
+            or raster.dtype != np.uint8
+            or not raster.flags.c_contiguous
+        ):
+            raise ValueError(
+                f"panel {self.name!r}: raster {raster.shape} {raster.dtype}; "
+                "legal: C-contiguous (H, W, 4) uint8"
+            )
+        if not (0 < self.width < 1e4 and 0 < self.height < 1e4):
+            raise ValueError(f"panel {self.name!r}: view box {self.width} x {self.height}")
+
+
+@dataclass(frozen=True, slots=True)
+class Readout:
+    """A named number (or matrix) that the picture shows."""
+
+    name: str
+    """Identifier: the ``name`` of the page's ``<output>``."""
+    label: str
+    text: str
+    """The value as shown; rows of a matrix are separated by newlines, entries by spaces."""
+    unit: str = ""
+    role: str = ""
+    """One of `ROLES`: the colour of the idea that the number belongs to."""
+
+    def __post_init__(self) -> None:
+        if self.role not in ROLES:
+            raise ValueError(f"readout {self.name!r}: role {self.role!r}; legal: {ROLES}")
+
+
+@dataclass(frozen=True, slots=True)
+class StageReport:
+    """What became of one stage of the computation."""
+
+    name: str
+    status: str
+    """``computed``, ``reused`` or ``skipped``."""
+    reason: str
+
+
+@dataclass(frozen=True, slots=True)
+class Frame:
+    """Everything that a figure shows for one setting of its controls."""
+
+    panels: tuple[Panel, ...]
+    readouts: tuple[Readout, ...]
+    description: str
+    """One sentence that tells a reader who cannot see it what the picture now shows."""
+    stages: tuple[StageReport, ...] = field(default=())
+
+    def __post_init__(self) -> None:
+        for kind, names in (
+            ("panel", [panel.name for panel in self.panels]),
+            ("readout", [readout.name for readout in self.readouts]),
+        ):
+            if len(set(names)) != len(names):
+                raise ValueError(f"duplicate {kind} name in {names}")
+        if not self.description.strip():
+            raise ValueError("a frame needs a description")
+
+
+def readout(
+    name: str, label: str, value: float, unit: str = "", *, digits: int = 2, role: str = ""
+) -> Readout:
+    """A number with a fixed count of decimals, a true minus sign, and words for the infinite."""
+    return Readout(name, label, format_number(value, digits), unit, role)
+
+
+def matrix_readout(
+    name: str, label: str, rows: Sequence[Sequence[float]], *, digits: int = 2, role: str = ""
+) -> Readout:
+    """A matrix, shown in brackets."""
+    text = "\n".join(" ".join(format_number(float(entry), digits) for entry in row) for row in rows)
+    return Readout(name, label, text, "", role)
+
+
+def format_number(value: float, digits: int = 2) -> str:
+    """``value`` to ``digits`` decimals; no negative zero; ``∞`` and ``undefined`` in words."""
+    if np.isnan(value):
+        return "undefined"
+    if np.isinf(value):
+        return "∞" if value > 0 else "\u2212∞"
+    text = f"{value:.{digits}f}"
+    if not text.strip("-0."):
+        text = text.lstrip("-")
+    return text.replace("-", "\u2212")
+
+
+def to_json(frame: Frame) -> str:
+    """The frame without its pixels: panel ``i`` has a raster or not, in the panels' order."""
+    return json.dumps(
+        {
+            "panels": [
+                {
+                    "name": panel.name,
+                    "title": panel.title,
+                    "width": panel.width,
+                    "height": panel.height,
+                    "raster": None
+                    if panel.raster is None
+                    else {"width": panel.raster.shape[1], "height": panel.raster.shape[0]},
+                    "overlay": panel.overlay,
+                    "pixelated": panel.pixelated,
+                }
+                for panel in frame.panels
+            ],
+            "readouts": [
+                {
+                    "name": item.name,
+                    "label": item.label,
+                    "text": item.text,
+                    "unit": item.unit,
+                    "role": item.role,
+                }
+                for item in frame.readouts
+            ],
+            "description": frame.description,
+            "stages": [
+                {"name": stage.name, "status": stage.status, "reason": stage.reason}
+                for stage in frame.stages
+            ],
+        },
+        ensure_ascii=False,
+        allow_nan=False,
+    )

@@ -1,0 +1,98 @@
+"""Stages with declared inputs: computed when something they read changed, else reused or skipped.
+
+A stage at its neutral parameter hands on *the same object* it received, and its output keeps
+the identity of that input, so that everything downstream of it is reused as well.
+"""
+
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass, field
+from typing import Any
+
+from simulations.engine.controls import Value, Values
+from simulations.engine.frame import StageReport
+
+type Key = tuple[object, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Stage:
+    """One step of a simulation."""
+
+    name: str
+    reads: tuple[str, ...]
+    """Names of the parameters that the result depends on."""
+    compute: Callable[..., Any]
+    """Called with the outputs of ``inputs`` in order, then the read parameters as keywords."""
+    inputs: tuple[str, ...] = ()
+    """Names of earlier stages."""
+    neutral: Callable[[Values], str] | None = None
+    """Why the stage would change nothing at these values, or an empty string where it would."""
+
+
+@dataclass(slots=True)
+class StageCache:
+    """The last outputs of each stage. Belongs to one figure; dropping it loses only time."""
+
+    depth: int = 2
+    """Outputs kept per stage: the draft's and the settled one's."""
+    entries: dict[str, dict[Key, Any]] = field(default_factory=dict)
+
+    def get(self, name: str, key: Key) -> tuple[bool, Any]:
+        kept = self.entries.get(name, {})
+        return (True, kept[key]) if key in kept else (False, None)
+
+    def put(self, name: str, key: Key, output: Any) -> None:
+        kept = self.entries.setdefault(name, {})
+        kept[key] = output
+        while len(kept) > self.depth:
+            kept.pop(next(iter(kept)))
+
+
+@dataclass(frozen=True, slots=True)
+class Run:
+    """The outputs of all stages and what was done to get them."""
+
+    outputs: Mapping[str, Any]
+    reports: tuple[StageReport, ...]
+
+
+def run(
+    stages: Sequence[Stage],
+    values: Values,
+    cache: StageCache,
+    extra: Mapping[str, Value] | None = None,
+) -> Run:
+    """Evaluate ``stages`` in order.
+
+    ``extra`` holds parameters that are no controls, such as the accuracy tier. Raises
+    `KeyError` where a stage reads a parameter, or takes an input, that does not exist.
+    """
+    parameters: dict[str, Value] = {**values, **(extra or {})}
+    known = Values(parameters)
+    outputs: dict[str, Any] = {}
+    keys: dict[str, Key] = {}
+    reports: list[StageReport] = []
+    for stage in stages:
+        reason = stage.neutral(known) if stage.neutral else ""
+        if reason:
+            source = stage.inputs[0]
+            outputs[stage.name], keys[stage.name] = outputs[source], keys[source]
+            reports.append(StageReport(stage.name, "skipped", reason))
+            continue
+        read = {name: parameters[name] for name in stage.reads}
+        key: Key = (stage.name, tuple(read.items()), tuple(keys[name] for name in stage.inputs))
+        found, output = cache.get(stage.name, key)
+        if found:
+            reports.append(StageReport(stage.name, "reused", "nothing it reads has changed"))
+        else:
+            output = stage.compute(*(outputs[name] for name in stage.inputs), **read)
+            cache.put(stage.name, key, output)
+            reports.append(StageReport(stage.name, "computed", _why(stage)))
+        outputs[stage.name], keys[stage.name] = output, key
+    return Run(outputs, tuple(reports))
+
+
+def _why(stage: Stage) -> str:
+    read = ", ".join(stage.reads) or "no parameter"
+    upstream = f"; follows {', '.join(stage.inputs)}" if stage.inputs else ""
+    return f"reads {read}{upstream}"

@@ -1,0 +1,35 @@
+"""From float pictures to the bytes of a canvas."""
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+
+def to_rgba8(srgb: ArrayLike, alpha: ArrayLike | None = None) -> NDArray[np.uint8]:
+    """sRGB-encoded picture in [0, 1] as canvas bytes.
+
+    Parameters
+    ----------
+    srgb : (H, W) or (H, W, 3) floats
+        Out-of-range values are clipped; NaN becomes 0, because a cast of NaN is undefined
+        and differs between processors.
+    alpha : (H, W) floats in [0, 1], optional
+        Coverage; opaque when left out.
+
+    Returns
+    -------
+    (H, W, 4) uint8, C-contiguous.
+    """
+    picture = np.asarray(srgb)
+    if picture.ndim == 2:
+        picture = picture[..., None]
+    height, width = picture.shape[:2]
+    rgba = np.empty((height, width, 4), np.uint8)
+    rgba[..., :3] = _to_uint8(picture)
+    rgba[..., 3] = 255 if alpha is None else _to_uint8(np.asarray(alpha))
+    return rgba
+
+
+def _to_uint8(picture: NDArray[np.floating]) -> NDArray[np.uint8]:
+    finite = np.nan_to_num(picture, nan=0.0, posinf=1.0, neginf=0.0)
+    codes: NDArray[np.uint8] = np.rint(np.clip(finite, 0.0, 1.0) * 255.0).astype(np.uint8)
+    return codes

@@ -1,0 +1,1 @@
+"""One speed/accuracy ladder per file."""

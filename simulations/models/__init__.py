@@ -1,0 +1,1 @@
+"""Models of image formation: arrays in, arrays out, numpy only, no state."""

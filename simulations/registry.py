@@ -1,0 +1,34 @@
+"""The table of scenes: id to module. A scene is imported only when it is asked for."""
+
+from importlib import import_module
+
+from simulations.engine.controls import suggestion
+from simulations.engine.scene import Scene
+
+SCENE_MODULES = {
+    "formation-pipeline": "simulations.scenes.formation_pipeline",
+    "transform-2d": "simulations.scenes.transform_2d",
+    "perspective-projection": "simulations.scenes.perspective_projection",
+    "lens-distortion": "simulations.scenes.lens_distortion",
+    "lambertian-shading": "simulations.scenes.lambertian_shading",
+    "bayer-demosaic": "simulations.scenes.bayer_demosaic",
+    "camera": "simulations.scenes.camera",
+}
+
+
+class UnknownSceneError(KeyError):
+    """No scene of that id; the message names the legal ones."""
+
+    def __str__(self) -> str:
+        return str(self.args[0])
+
+
+def load_scene(scene_id: str) -> Scene:
+    """The scene ``scene_id``, from the ``SCENE`` of its module."""
+    if scene_id not in SCENE_MODULES:
+        raise UnknownSceneError(
+            f"unknown simulation {scene_id!r}"
+            f"{suggestion(scene_id, SCENE_MODULES) or '; legal: ' + ', '.join(SCENE_MODULES)}"
+        )
+    scene: Scene = import_module(SCENE_MODULES[scene_id]).SCENE
+    return scene

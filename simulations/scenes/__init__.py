@@ -1,0 +1,1 @@
+"""One widget per file: its controls and a pure render function."""
