@@ -1,0 +1,43 @@
+"""The exact third-party files that run in the reader's browser."""
+
+from dataclasses import dataclass
+
+PYODIDE_VERSION = "314.0.3"
+NUMPY_VERSION = "2.4.3"
+"""Equal to the native pin in ``pyproject.toml``, so that both sides compute alike."""
+
+
+@dataclass(frozen=True, slots=True)
+class RuntimeFile:
+    """A file that is known by its content, wherever it comes from."""
+
+    name: str
+    sha256: str
+
+
+NUMPY_WHEEL = RuntimeFile(
+    f"numpy-{NUMPY_VERSION}-cp314-cp314-pyemscripten_2026_0_wasm32.whl",
+    "0cad9c1b91f0082e4f959bc0e0bf5835a2efbba6ab3b1e9d1fe6e7e564cca98e",
+)
+
+RUNTIME_FILES = (
+    RuntimeFile("pyodide.mjs", "5cfc46f5dcbaf2a16f26e2363f441873eb424762609cc03db00d6a2ace4d00e5"),
+    RuntimeFile(
+        "pyodide.asm.mjs", "1a9775427ef6e8abaa7db88ece0515422d1886915ae5c9093776410c865dfd8d"
+    ),
+    RuntimeFile(
+        "pyodide.asm.wasm", "e7f8fac36f8bf11085309cbc5c829b3ec3057c18bf1d73b05a6741612d63cdbf"
+    ),
+    RuntimeFile(
+        "python_stdlib.zip", "444c770dfd75a32097fc0a7d5c1413fd3140601f49c3a1f2e9af0376fcd124b4"
+    ),
+    NUMPY_WHEEL,
+)
+
+LOCK_INFO = {
+    "abi_version": "2026_0",
+    "arch": "wasm32",
+    "platform": "emscripten_5_0_3",
+    "python": "3.14.0",
+}
+"""Header of the lock file that Pyodide's release carries: what the wheels must be built for."""

@@ -1,0 +1,48 @@
+"""A folder of files addressed by their content: ``<sha256>/<name>`` in the user's cache."""
+
+import hashlib
+import os
+import tempfile
+from pathlib import Path
+
+from platformdirs import user_cache_path
+
+from site_builder.runtime.pinned import RuntimeFile
+
+
+def default_store() -> Path:
+    """Where this user's runtime files are kept between builds."""
+    return user_cache_path("image-formation", appauthor=False) / "runtime"
+
+
+def sha256(content: bytes) -> str:
+    """Hexadecimal SHA-256 of ``content``."""
+    return hashlib.sha256(content).hexdigest()
+
+
+def location(store: Path, file: RuntimeFile) -> Path:
+    """The only place where ``file`` may lie."""
+    return store / file.sha256 / file.name
+
+
+def is_intact(store: Path, file: RuntimeFile) -> bool:
+    """Whether the stored copy exists and is byte for byte what its address says."""
+    try:
+        return sha256(location(store, file).read_bytes()) == file.sha256
+    except OSError:
+        return False
+
+
+def put(store: Path, name: str, content: bytes) -> Path:
+    """Store ``content``; readers see the whole file or none, even with several writers."""
+    target = location(store, RuntimeFile(name, sha256(content)))
+    target.parent.mkdir(parents=True, exist_ok=True)
+    handle, temporary = tempfile.mkstemp(dir=target.parent, prefix=".partial-")
+    try:
+        with os.fdopen(handle, "wb") as stream:
+            stream.write(content)
+        Path(temporary).chmod(0o644)
+        Path(temporary).replace(target)
+    finally:
+        Path(temporary).unlink(missing_ok=True)
+    return target
