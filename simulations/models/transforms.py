@@ -1,0 +1,142 @@
+"""The ladder of 2D transformations as (3, 3) matrices on homogeneous points (x, y, 1).
+
+Translation (2 degrees of freedom), rigid (3), similarity (4), affine (6), projective (8).
+Angles turn the x axis towards the y axis: counter-clockwise where y points up, clockwise where
+it points down.
+
+A projective matrix divides by w, and w may vanish: the points with w = 0 form a line that is
+sent to infinity. H and k H with k > 0 are the same map; the sign decides which side of that
+line counts as visible, namely w > 0. `projective` picks the side of the origin.
+
+Source: Szeliski, Computer Vision, 2nd ed., §2.1.1–2.1.2, table 2.1.
+"""
+
+import math
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+type Floats = NDArray[np.float64]
+type Mask = NDArray[np.bool_]
+
+W_MINIMUM = 1e-12
+"""Smallest w, relative to the terms it is the sum of, that still divides meaningfully."""
+
+
+def translation(tx: float, ty: float) -> Floats:
+    """Move by (tx, ty). Keeps orientation, lengths, angles."""
+    return affine(np.eye(2), (tx, ty))
+
+
+def rigid(angle_rad: float, tx: float, ty: float) -> Floats:
+    """Rotate about the origin, then move. Keeps lengths and angles."""
+    return similarity(1.0, angle_rad, tx, ty)
+
+
+def similarity(scale: float, angle_rad: float, tx: float, ty: float) -> Floats:
+    """Scale and rotate about the origin, then move. Keeps angles and ratios of lengths.
+
+    Raises `ValueError` unless the scale is positive and finite.
+    """
+    if not 0.0 < scale < math.inf:
+        raise ValueError(f"scale: {scale}; legal: positive and finite")
+    c, s = scale * math.cos(angle_rad), scale * math.sin(angle_rad)
+    return affine([[c, -s], [s, c]], (tx, ty))
+
+
+def affine(matrix: ArrayLike, offset: ArrayLike) -> Floats:
+    """x' = A x + t with any (2, 2) matrix A, singular ones included. Keeps parallel lines."""
+    H = np.eye(3)
+    H[:2, :2] = np.asarray(matrix, float)
+    H[:2, 2] = np.asarray(offset, float)
+    return _finite(H)
+
+
+def projective(h: ArrayLike) -> Floats:
+    """Any homography, from its (3, 3) matrix or its nine entries. Keeps straight lines only.
+
+    The result is scaled to h₃₃ = 1, so that the origin is on the visible side; where h₃₃ is
+    zero beside the other entries, to unit norm with the first non-zero entry of the last row
+    positive. Raises `ValueError` for the zero matrix and for entries that are not finite.
+    """
+    H = _finite(np.array(h, dtype=float).reshape(3, 3))
+    largest = float(np.abs(H).max())
+    if largest == 0.0:
+        raise ValueError("h: all entries are zero; legal: any other matrix")
+    H = H / largest
+    leading = next((float(entry) for entry in H[2] if entry != 0.0), 1.0)
+    norm = math.copysign(float(np.linalg.norm(H)), leading)
+    divisor = float(H[2, 2]) if abs(H[2, 2]) > W_MINIMUM else norm
+    return _finite(H / divisor)
+
+
+def _finite(H: Floats) -> Floats:
+    if not np.isfinite(H).all():
+        raise ValueError(f"transformation {H.tolist()}; legal: finite entries")
+    return H
+
+
+def apply_homography(H: ArrayLike, points: ArrayLike) -> tuple[Floats, Mask]:
+    """Images of points (..., 2) under H.
+
+    Returns
+    -------
+    images : (..., 2), NaN where invalid.
+    valid : (...,) bool, False on the line that is sent to infinity and beyond it, where
+        w ≤ W_MINIMUM · (|h₃₁ x| + |h₃₂ y| + |h₃₃|): there w is rounding or negative.
+    """
+    matrix = np.asarray(H, float)
+    xy = np.asarray(points, float)
+    w, size = _divisor(matrix, xy)
+    valid = (w > W_MINIMUM * size) & np.isfinite(xy).all(axis=-1)
+    numerator = xy @ matrix[:2, :2].T + matrix[:2, 2]
+    images = numerator / np.where(valid, w, 1.0)[..., None]
+    valid &= np.isfinite(images).all(axis=-1)
+    return np.where(valid[..., None], images, np.nan), valid
+
+
+def _divisor(H: Floats, xy: Floats) -> tuple[Floats, Floats]:
+    """w = h₃₁ x + h₃₂ y + h₃₃ and the sum of the sizes of its terms."""
+    terms = H[2] * np.concatenate([xy, np.ones((*xy.shape[:-1], 1))], axis=-1)
+    return terms.sum(axis=-1), np.abs(terms).sum(axis=-1)
+
+
+def clip_half_plane(polygon: ArrayLike, line: ArrayLike, closed: bool = True) -> Floats:
+    """The part of a polygon (N, 2) where a x + b y + c ≥ 0, for line = (a, b, c).
+
+    One pass of Sutherland–Hodgman, exact for convex polygons. With ``closed`` False the points
+    are a polyline: its end does not join its start. Returns (M, 2), M = 0 where nothing is left.
+    """
+    vertices = np.asarray(polygon, float).reshape(-1, 2)
+    coefficients = np.asarray(line, float)
+    side = vertices @ coefficients[:2] + coefficients[2]
+    kept: list[Floats] = []
+    for i in range(len(vertices)):
+        previous = i - 1
+        crosses = (side[previous] >= 0.0) != (side[i] >= 0.0)
+        if crosses and (closed or i > 0):
+            share = side[previous] / (side[previous] - side[i])
+            kept.append(vertices[previous] + share * (vertices[i] - vertices[previous]))
+        if side[i] >= 0.0:
+            kept.append(vertices[i])
+    return np.array(kept).reshape(-1, 2)
+
+
+def clip_to_visible(
+    H: ArrayLike, polygon: ArrayLike, w_minimum: float = 1e-6, closed: bool = True
+) -> Floats:
+    """The part of a polygon (N, 2), before the transformation, that H keeps in sight.
+
+    Vertices on two sides of the line w = 0 must never be joined after the division: the edge
+    would run the wrong way round infinity. Clipping where w ≥ ``w_minimum`` times the largest w
+    of the vertices, before the division, is exact and leaves only points that
+    `apply_homography` maps. Returns (M, 2), M = 0 where the polygon is wholly out of sight.
+    """
+    if not W_MINIMUM < w_minimum < 1.0:
+        raise ValueError(f"w_minimum: {w_minimum}; legal: {W_MINIMUM} to 1")
+    matrix = np.asarray(H, float)
+    vertices = np.asarray(polygon, float).reshape(-1, 2)
+    if not len(vertices):
+        return vertices
+    near = w_minimum * float(_divisor(matrix, vertices)[1].max())
+    return clip_half_plane(vertices, matrix[2] - [0.0, 0.0, near], closed)
