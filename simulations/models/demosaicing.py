@@ -1,0 +1,125 @@
+"""Demosaicing: guess the two colours that each pixel of a Bayer mosaic did not see.
+
+Four methods, cheap to dear. Szeliski, 2nd ed., section 10.3.1. The mosaic itself is in
+`simulations.models.bayer`; the two methods that let the colours help one another are in
+`simulations.models.malvar` and `simulations.models.menon`.
+"""
+
+from collections.abc import Callable
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from simulations.models.bayer import PATTERNS, Quads, filter_colours, from_quads, mosaic, to_quads
+from simulations.models.floats import as_floats
+
+__all__ = ["METHODS", "PATTERNS", "demosaic", "mosaic", "psnr_db"]
+
+type Array = NDArray[np.floating]
+
+
+def nearest(quads: Quads) -> Array:
+    """Copy the missing colours from within the quad: (3, 2, 2, h, w). Green comes from its row."""
+    q = quads
+    return np.array(
+        [
+            [[q.red, q.red], [q.red, q.red]],
+            [[q.green_red, q.green_red], [q.green_blue, q.green_blue]],
+            [[q.blue, q.blue], [q.blue, q.blue]],
+        ]
+    )
+
+
+def bilinear(quads: Quads) -> Array:
+    """Average the nearest two or four samples of the missing colour: (3, 2, 2, h, w)."""
+    r, gr, gb, b = quads.red, quads.green_red, quads.green_blue, quads.blue
+    green_at_red = (gr + _left(gr) + gb + _above(gb)) / 4
+    green_at_blue = (gb + _right(gb) + gr + _below(gr)) / 4
+    red_between = [(r + _right(r)) / 2, (r + _below(r)) / 2]
+    blue_between = [(b + _above(b)) / 2, (b + _left(b)) / 2]
+    red_at_blue = (red_between[0] + _below(red_between[0])) / 2
+    blue_at_red = (blue_between[0] + _left(blue_between[0])) / 2
+    return np.array(
+        [
+            [[r, red_between[0]], [red_between[1], red_at_blue]],
+            [[green_at_red, gr], [gb, green_at_blue]],
+            [[blue_at_red, blue_between[0]], [blue_between[1], b]],
+        ]
+    )
+
+
+METHODS: dict[str, Callable[[Quads], Array]] = {
+    "nearest": nearest,
+    "bilinear": bilinear,
+}
+"""From name to method, cheap to dear."""
+
+
+def demosaic(cfa: ArrayLike, pattern: str = "RGGB", method: str = "bilinear") -> Array:
+    """A full-colour picture (H, W, 3) from a mosaic (H, W).
+
+    The mosaic is mirrored at its borders, so that a flat colour survives exactly. The
+    gradient-corrected methods can overshoot: clip before showing. A mosaic of a single row
+    or column is interpolated along it; a colour that it does not hold at all is taken to
+    be the mean of those it holds, so that a single pixel comes out grey.
+
+    Raises
+    ------
+    ValueError
+        For a mosaic that is empty or not of two dimensions, an unknown pattern or method.
+    """
+    values = as_floats(cfa)
+    if values.ndim != 2 or 0 in values.shape:
+        raise ValueError(f"mosaic of shape {values.shape}; legal: (H, W), not empty")
+    if method not in METHODS:
+        raise ValueError(f"method {method!r}; legal: {', '.join(METHODS)}")
+    if min(values.shape) == 1:
+        return _demosaic_line(values, pattern, method)
+    return from_quads(METHODS[method](to_quads(values, pattern)), values.shape, pattern)
+
+
+def _demosaic_line(cfa: Array, pattern: str, method: str) -> Array:
+    """A mosaic one pixel high or wide, which holds at most two colours."""
+    filters = filter_colours(cfa.shape[0], cfa.shape[1], pattern).reshape(-1)
+    line, places = cfa.reshape(-1), np.arange(cfa.size)
+    rgb = np.empty((cfa.size, 3), cfa.dtype)
+    held = sorted(set(filters.tolist()))
+    for colour in held:
+        known = places[filters == colour]
+        at = known[np.abs(places[:, None] - known).argmin(1)] if method == "nearest" else places
+        rgb[:, colour] = np.interp(at, known, line[known])
+    for colour in set(range(3)).difference(held):
+        rgb[:, colour] = rgb[:, held].mean(axis=1)
+    return rgb.reshape(*cfa.shape, 3)
+
+
+def psnr_db(picture: ArrayLike, reference: ArrayLike, peak: float = 1.0, crop: int = 8) -> float:
+    """Peak signal to noise ratio in decibel, leaving out ``crop`` pixels at each border.
+
+    Equal pictures give infinity. Raises `ValueError` where nothing is left after the crop,
+    or the shapes differ.
+    """
+    a, b = np.asarray(picture, np.float64), np.asarray(reference, np.float64)
+    if a.shape != b.shape or a.ndim < 2:
+        raise ValueError(f"pictures of shapes {a.shape} and {b.shape}; legal: equal, (H, W, ...)")
+    if crop < 0 or 2 * crop >= min(a.shape[:2]):
+        raise ValueError(f"crop {crop} px of a picture {a.shape}; legal: less than half of it")
+    inner = (slice(crop, a.shape[0] - crop), slice(crop, a.shape[1] - crop))
+    mean_square = float(np.mean(np.square(a[inner] - b[inner])))
+    return float(10 * np.log10(peak**2 / mean_square)) if mean_square else float("inf")
+
+
+def _left(plane: Array) -> Array:
+    return np.roll(plane, 1, axis=1)
+
+
+def _right(plane: Array) -> Array:
+    return np.roll(plane, -1, axis=1)
+
+
+def _above(plane: Array) -> Array:
+    return np.roll(plane, 1, axis=0)
+
+
+def _below(plane: Array) -> Array:
+    return np.roll(plane, -1, axis=0)

@@ -1,0 +1,214 @@
+"""From light to numbers: exposure, electrons, noise, gain and quantisation.
+
+Szeliski, 2nd ed., section 2.3. The chain is: photons per second -> mean electrons (exposure,
+quantum efficiency, dark current) -> counted electrons (Poisson, full well) -> volts in units
+of codes (read noise, gain, black level) -> whole codes (ADC). DN is a code, a *digital number*.
+"""
+
+from dataclasses import dataclass, replace
+from typing import Literal
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from simulations.models.floats import as_floats
+
+type Array = NDArray[np.floating]
+type ShotModel = Literal["poisson", "skewed", "gaussian"]
+
+SHOT_MODELS: tuple[ShotModel, ...] = ("gaussian", "skewed", "poisson")
+"""Cheap to exact."""
+
+
+@dataclass(frozen=True, slots=True)
+class Sensor:
+    """One kind of pixel and its converter."""
+
+    full_well_e: float = 20_000.0
+    """Electrons that a pixel can hold; more spill over and are lost."""
+    read_noise_e: float = 3.0
+    """Standard deviation of the amplifier's noise, in electrons."""
+    dark_current_e_per_s: float = 0.1
+    """Electrons per second that warmth frees without any light."""
+    gain_e_per_dn: float = 5.0
+    """Electrons per code: a higher ISO means fewer."""
+    bits: int = 12
+    """Bits of the analogue-to-digital converter, 1 to 16."""
+    black_level_dn: float = 64.0
+    """Code of no light: above 0, so that noise below it is not cut off."""
+    quantum_efficiency: float = 0.5
+    """Electrons freed per photon, 0 to 1."""
+
+    def __post_init__(self) -> None:
+        _require("full_well_e", self.full_well_e, self.full_well_e > 0, "above 0")
+        _require("read_noise_e", self.read_noise_e, self.read_noise_e >= 0, "0 or more")
+        dark = self.dark_current_e_per_s
+        _require("dark_current_e_per_s", dark, dark >= 0, "0 or more")
+        _require("gain_e_per_dn", self.gain_e_per_dn, self.gain_e_per_dn > 0, "above 0")
+        if not isinstance(self.bits, int) or not 1 <= self.bits <= 16:
+            raise ValueError(f"bits {self.bits!r}; legal: whole numbers from 1 to 16")
+        black, top = self.black_level_dn, self.highest_dn
+        _require("black_level_dn", black, 0 <= black < top, f"0 to below {top}")
+        efficiency = self.quantum_efficiency
+        _require("quantum_efficiency", efficiency, 0 <= efficiency <= 1, "0 to 1")
+
+    @property
+    def highest_dn(self) -> int:
+        """The largest code."""
+        return int(2**self.bits - 1)
+
+
+def with_iso(sensor: Sensor, iso: float, base_iso: float = 100.0) -> Sensor:
+    """The sensor at another ISO: twice the ISO, half the electrons per code.
+
+    The well does not shrink, but the converter now tops out before it is full.
+    """
+    _require("iso", iso, iso > 0, "above 0")
+    return replace(sensor, gain_e_per_dn=sensor.gain_e_per_dn * base_iso / iso)
+
+
+def expose(photons_per_s: ArrayLike, exposure_s: float, sensor: Sensor) -> Array:
+    """Mean electrons (...) that each pixel frees: light and warmth, over the exposure.
+
+    Not yet held to the full well: see `shot_noise`. Raises `ValueError` for light that is
+    negative or undefined, and for an exposure that is negative or infinite.
+    """
+    _require("exposure_s", exposure_s, 0 <= exposure_s < np.inf, "0 or more, finite")
+    # Infinite light times no time would be undefined.
+    rate = np.minimum(_light("photons_per_s", photons_per_s), 1e30)
+    freed = rate * sensor.quantum_efficiency + sensor.dark_current_e_per_s
+    mean_e: Array = freed * exposure_s
+    return mean_e
+
+
+def shot_noise(
+    mean_e: ArrayLike,
+    rng: np.random.Generator,
+    full_well_e: float = np.inf,
+    model: ShotModel = "poisson",
+) -> Array:
+    """Electrons counted (...), where the mean is ``mean_e``: whole numbers, at most the full well.
+
+    ``poisson`` is exact: electrons arrive independently, the variance equals the mean.
+    ``gaussian`` rounds a normal of the same mean and variance, and is visibly wrong below
+    some 20 electrons; ``skewed`` adds the second term of the Cornish-Fisher expansion,
+    ``(z^2 - 1) / 6``, which gives the normal the Poisson's lean to the right.
+
+    The mean is capped ten standard deviations above the full well before it is sampled:
+    every sample from there spills anyhow, and a sampler fails for huge means. So a pixel in
+    any light, infinite light too, comes out full and free of noise.
+    """
+    cap = full_well_e + 10 * np.sqrt(full_well_e) + 100 if full_well_e < np.inf else 1e15
+    mean = np.minimum(_light("mean_e", mean_e), cap)
+    counted: Array
+    if model == "poisson":
+        counted = np.asarray(rng.poisson(mean), mean.dtype)
+    elif model in SHOT_MODELS:
+        z = rng.standard_normal(mean.shape, np.float32 if mean.dtype == np.float32 else np.float64)
+        lean = (z * z - 1) / 6 if model == "skewed" else 0.0
+        # No light frees no electron, whatever the approximation says of the tails.
+        counted = np.where(mean > 0, np.rint(np.maximum(mean + np.sqrt(mean) * z + lean, 0)), 0)
+    else:
+        raise ValueError(f"model {model!r}; legal: {', '.join(SHOT_MODELS)}")
+    held: Array = np.minimum(counted, full_well_e)
+    return held
+
+
+def read_out(electrons: ArrayLike, sensor: Sensor, rng: np.random.Generator) -> Array:
+    """The amplified signal (...) in codes, not yet rounded: gain, read noise, black level."""
+    e = as_floats(electrons)
+    if sensor.read_noise_e > 0:
+        kind = np.float32 if e.dtype == np.float32 else np.float64
+        e = e + sensor.read_noise_e * rng.standard_normal(e.shape, kind)
+    signal: Array = e / sensor.gain_e_per_dn + sensor.black_level_dn
+    return signal
+
+
+def quantise(signal_dn: ArrayLike, bits: int) -> NDArray[np.uint16]:
+    """Nearest whole code, held to the converter's range [0, 2^bits - 1].
+
+    NaN becomes 0: a cast of NaN is undefined and differs between processors. Rounding adds
+    an error of variance 1/12 to a signal that spans several codes.
+    """
+    if not isinstance(bits, int) or not 1 <= bits <= 16:
+        raise ValueError(f"bits {bits!r}; legal: whole numbers from 1 to 16")
+    top = 2**bits - 1
+    finite = np.nan_to_num(as_floats(signal_dn), nan=0.0, posinf=top, neginf=0.0)
+    codes: NDArray[np.uint16] = np.rint(np.clip(finite, 0, top)).astype(np.uint16)
+    return codes
+
+
+def capture(
+    photons_per_s: ArrayLike,
+    exposure_s: float,
+    sensor: Sensor,
+    rng: np.random.Generator,
+    model: ShotModel = "poisson",
+) -> NDArray[np.uint16]:
+    """A raw picture in codes: `expose`, `shot_noise`, `read_out`, `quantise` in turn."""
+    mean_e = expose(photons_per_s, exposure_s, sensor)
+    counted_e = shot_noise(mean_e, rng, sensor.full_well_e, model)
+    return quantise(read_out(counted_e, sensor, rng), sensor.bits)
+
+
+def develop(raw_dn: ArrayLike, sensor: Sensor) -> Array:
+    """Codes back to linear light: 0 at the black level, 1 at the top code; noise may dip below."""
+    span = sensor.highest_dn - sensor.black_level_dn
+    linear: Array = (as_floats(raw_dn) - sensor.black_level_dn) / span
+    return linear
+
+
+def signal_to_noise(mean_e: ArrayLike, sensor: Sensor) -> Array:
+    """Mean over standard deviation (...) of one pixel: shot, read and quantisation noise together.
+
+    Rises with the square root of the light once shot noise prevails. No light gives 0.
+    """
+    mean = _light("mean_e", mean_e)
+    fixed = sensor.read_noise_e**2 + sensor.gain_e_per_dn**2 / 12
+    ratio: Array = mean / np.sqrt(mean + fixed)
+    return ratio
+
+
+def photon_transfer(
+    mean_e: ArrayLike, sensor: Sensor, rng: np.random.Generator, samples: int = 20_000
+) -> tuple[Array, Array]:
+    """Mean and variance in codes of flat fields at each level (N,): the photon-transfer curve.
+
+    The variance is half of that of the difference of two exposures, as in a laboratory,
+    where it cancels the pattern that a real sensor has. In the part ruled by shot noise
+    ``variance = mean / gain``: see `estimate_gain`.
+    """
+    levels = _light("mean_e", mean_e).reshape(-1)
+    _require("samples", samples, samples >= 2, "2 or more")
+    fields = []
+    for _ in range(2):
+        counted = shot_noise(np.repeat(levels[:, None], samples, 1), rng, sensor.full_well_e)
+        fields.append(quantise(read_out(counted, sensor, rng), sensor.bits).astype(np.float64))
+    mean: Array = (fields[0] + fields[1]).mean(axis=1) / 2 - sensor.black_level_dn
+    variance: Array = (fields[0] - fields[1]).var(axis=1, ddof=1) / 2
+    return mean, variance
+
+
+def estimate_gain(mean_dn: ArrayLike, variance_dn: ArrayLike) -> float:
+    """Electrons per code from a photon-transfer curve: one over the slope of its straight part.
+
+    A line is fitted with weight 1 / variance^2 of each point, since a variance is known to
+    a fraction of itself. Leave saturated levels out. Raises `ValueError` for fewer than two.
+    """
+    mean, variance = as_floats(mean_dn), as_floats(variance_dn)
+    if mean.size < 2 or np.ptp(mean) == 0:
+        raise ValueError(f"{mean.size} levels; legal: two or more that differ")
+    slope, _ = np.polyfit(mean, variance, 1, w=1 / np.maximum(variance, 1e-12))
+    return float(1 / slope)
+
+
+def _light(name: str, values: ArrayLike) -> Array:
+    light = as_floats(values)
+    if not np.all(light >= 0):
+        raise ValueError(f"{name} has values below 0 or undefined; legal: 0 or more")
+    return light
+
+
+def _require(name: str, value: float, legal: bool, range_: str) -> None:
+    if not legal:
+        raise ValueError(f"{name} {value}; legal: {range_}")
