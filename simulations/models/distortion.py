@@ -1,0 +1,191 @@
+"""Lens distortion: where a real lens puts the point that a pinhole would image at (x, y).
+
+Brown's model in normalised coordinates (pixels relative to the principal point, divided by the
+focal length in pixels; x right, y down), with r² = x² + y²::
+
+    x_d = x g(r²) + 2 p₁ x y + p₂ (r² + 2 x²)
+    y_d = y g(r²) + p₁ (r² + 2 y²) + 2 p₂ x y
+    g(s) = (1 + k₁ s + k₂ s² + k₃ s³) / (1 + k₄ s + k₅ s² + k₆ s³)
+
+Negative k₁ pulls points inwards the more the further out they are (barrel); positive k₁ pushes
+them out (pincushion). Szeliski, 2nd ed., §2.1.5; D. C. Brown, *Decentering distortion of
+lenses*, 1966; the rational form is OpenCV's.
+"""
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from simulations.models import radial_profile
+from simulations.models.radial_profile import RadialProfile
+
+type Floats = NDArray[np.floating]
+type Mask = NDArray[np.bool_]
+
+SHEET_SAMPLES = 16
+"""Points between the axis and a solution at which the map must still keep its orientation."""
+
+
+@dataclass(frozen=True, slots=True)
+class Distortion:
+    """Distortion coefficients; all zero is an ideal lens."""
+
+    k1: float = 0.0
+    """Radial, of r²: negative barrel, positive pincushion."""
+    k2: float = 0.0
+    """Radial, of r⁴."""
+    k3: float = 0.0
+    """Radial, of r⁶."""
+    p1: float = 0.0
+    """Tangential: lens elements decentred along y."""
+    p2: float = 0.0
+    """Tangential: lens elements decentred along x."""
+    k4: float = 0.0
+    """Denominator, of r²."""
+    k5: float = 0.0
+    """Denominator, of r⁴."""
+    k6: float = 0.0
+    """Denominator, of r⁶."""
+
+    def __post_init__(self) -> None:
+        if not np.all(np.isfinite(self.opencv)):
+            raise ValueError(f"{self}: coefficients must be finite")
+
+    @property
+    def radial(self) -> RadialProfile:
+        """The part that depends on the radius alone."""
+        return RadialProfile((self.k1, self.k2, self.k3), (self.k4, self.k5, self.k6))
+
+    @property
+    def tangential(self) -> bool:
+        """Whether decentring breaks the symmetry about the axis."""
+        return self.p1 != 0.0 or self.p2 != 0.0
+
+    @property
+    def neutral(self) -> bool:
+        """Whether the lens moves no point."""
+        return self.radial.neutral and not self.tangential
+
+    @property
+    def opencv(self) -> tuple[float, ...]:
+        """The coefficients in OpenCV's order."""
+        return (self.k1, self.k2, self.p1, self.p2, self.k3, self.k4, self.k5, self.k6)
+
+
+def distort(xy: ArrayLike, d: Distortion) -> Floats:
+    """The distorted position of ideal points.
+
+    Parameters
+    ----------
+    xy : (..., 2) floats
+        Normalised coordinates. A neutral lens returns this very array, however large its
+        entries; with any coefficient set, points too far out for r² to be represented are
+        sent to infinity, with the sign the polynomial gives them.
+    d : Distortion
+
+    Returns
+    -------
+    (..., 2) floats. Beyond `fold_radius` several points share one image; see `undistort`.
+    """
+    ideal = np.asarray(xy, float)
+    if d.neutral:
+        return ideal
+    x, y = ideal[..., 0], ideal[..., 1]
+    with np.errstate(over="ignore", invalid="ignore"):
+        r2 = x * x + y * y
+        moved = ideal * radial_profile.scale(d.radial, r2)[..., None]
+        if d.tangential:
+            cross = 2.0 * x * y
+            moved[..., 0] += d.p1 * cross + d.p2 * (r2 + 2.0 * x * x)
+            moved[..., 1] += d.p1 * (r2 + 2.0 * y * y) + d.p2 * cross
+    on_axis_overflow = np.isinf(r2)[..., None] & (ideal == 0.0)
+    return np.where(on_axis_overflow, 0.0, moved) if on_axis_overflow.any() else moved
+
+
+def fold_radius(d: Distortion) -> float:
+    """Radius of ideal points where the radial map stops increasing; inf where it never does.
+
+    With k₁ < 0 alone: √(−1/(3 k₁)).
+    """
+    return radial_profile.fold_radius(d.radial)
+
+
+def largest_distorted_radius(d: Distortion) -> float:
+    """Radius in the image that the radial map cannot exceed; inf where there is no fold.
+
+    With k₁ < 0 alone: two thirds of the fold radius.
+    """
+    return radial_profile.largest_image_radius(d.radial)
+
+
+def undistort(xy: ArrayLike, d: Distortion) -> tuple[Floats, Mask]:
+    """The ideal position of distorted points: the inverse of `distort`.
+
+    Parameters
+    ----------
+    xy : (..., 2) floats
+        Normalised distorted coordinates.
+    d : Distortion
+
+    Returns
+    -------
+    xy : (..., 2) floats
+        Ideal coordinates, finite everywhere: invalid points are put on the fold circle (at the
+        origin where there is none, or where the input is not finite).
+    valid : (...) bools
+        False where no ideal point inside the fold has this image.
+    """
+    seen = np.asarray(xy, float)
+    finite = np.isfinite(seen).all(axis=-1)
+    if d.neutral and finite.all():
+        return seen, finite
+    seen = np.where(finite[..., None], seen, 0.0)
+    seen_radius = np.hypot(seen[..., 0], seen[..., 1])
+    radius, valid = radial_profile.invert(d.radial, seen_radius)
+    ratio = np.divide(radius, seen_radius, out=np.ones_like(radius), where=seen_radius > 0.0)
+    ideal = seen * ratio[..., None]
+    if d.tangential:
+        ideal, valid = _solve_tangential(seen, ideal, d)
+    return ideal, valid & finite
+
+
+def jacobian(xy: ArrayLike, d: Distortion) -> Floats:
+    """Derivatives of `distort`: (..., 2, 2), rows x_d, y_d and columns x, y."""
+    ideal = np.asarray(xy, float)
+    x, y = ideal[..., 0], ideal[..., 1]
+    r2 = x * x + y * y
+    g, g_slope = radial_profile.scale(d.radial, r2), radial_profile.scale_slope(d.radial, r2)
+    mixed = 2.0 * x * y * g_slope + 2.0 * d.p1 * x + 2.0 * d.p2 * y
+    rows = (
+        (g + 2.0 * x * x * g_slope + 2.0 * d.p1 * y + 6.0 * d.p2 * x, mixed),
+        (mixed, g + 2.0 * y * y * g_slope + 6.0 * d.p1 * y + 2.0 * d.p2 * x),
+    )
+    return np.stack([np.stack(row, axis=-1) for row in rows], axis=-2)
+
+
+def _solve_tangential(seen: Floats, start: Floats, d: Distortion) -> tuple[Floats, Mask]:
+    """Newton in the plane from the radial solution; the Jacobian is symmetric, as it happens."""
+    ideal = start
+    with np.errstate(over="ignore", invalid="ignore", divide="ignore"):
+        for _ in range(30):
+            excess = distort(ideal, d) - seen
+            j = jacobian(ideal, d)
+            determinant = j[..., 0, 0] * j[..., 1, 1] - j[..., 0, 1] ** 2
+            step_x = (j[..., 1, 1] * excess[..., 0] - j[..., 0, 1] * excess[..., 1]) / determinant
+            step_y = (j[..., 0, 0] * excess[..., 1] - j[..., 0, 1] * excess[..., 0]) / determinant
+            ideal = ideal - np.stack((step_x, step_y), axis=-1)
+            if np.nanmax(np.abs((step_x, step_y)), initial=0.0) < 1e-15:
+                break
+        residual = np.abs(distort(ideal, d) - seen).max(axis=-1)
+        valid = (residual <= 1e-11 * (1.0 + np.abs(seen).max(axis=-1))) & _same_sheet(ideal, d)
+    return np.where(valid[..., None], ideal, start), valid
+
+
+def _same_sheet(ideal: Floats, d: Distortion) -> Mask:
+    """Whether the map keeps its orientation all the way from the axis to each point."""
+    keeps = np.ones(ideal.shape[:-1], bool)
+    for fraction in np.linspace(0.0, 1.0, SHEET_SAMPLES + 1)[1:]:
+        j = jacobian(fraction * ideal, d)
+        keeps &= j[..., 0, 0] * j[..., 1, 1] - j[..., 0, 1] ** 2 > 0.0
+    return keeps

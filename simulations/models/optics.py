@@ -1,0 +1,139 @@
+"""The thin lens: where it focuses, and how blurred everything else is.
+
+Distances along the optical axis in millimetres, measured from the lens and positive; objects may
+be at infinity. Szeliski, 2nd ed., §2.2.3.
+"""
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from simulations.models.vignetting import vignetting_cos4
+
+__all__ = [
+    "circle_of_confusion_mm",
+    "depth_of_field",
+    "field_of_view_rad",
+    "hyperfocal",
+    "thin_lens_image_distance",
+    "vignetting_cos4",
+]
+
+type Floats = NDArray[np.floating]
+
+
+def thin_lens_image_distance(focal_mm: float, distance_mm: ArrayLike) -> Floats:
+    """Distance behind the lens at which an object is sharp: 1/f = 1/Z + 1/Z'.
+
+    Parameters
+    ----------
+    focal_mm : float
+        Focal length, positive and finite.
+    distance_mm : (...) floats
+        Object distance, at least the focal length. At infinity the image lies at f; at f
+        itself the rays leave parallel and the image distance is inf.
+
+    Raises
+    ------
+    ValueError
+        For objects inside the focal length: their image is virtual and no sensor can catch it.
+    """
+    _check_positive("focal_mm", focal_mm)
+    distance = np.asarray(distance_mm, float)
+    if not np.all(distance >= focal_mm):
+        raise ValueError(
+            f"distance_mm {_worst(distance)!r}: must be at least the focal length "
+            f"({focal_mm:g} mm); nearer objects have a virtual image"
+        )
+    with np.errstate(divide="ignore"):
+        image: Floats = focal_mm / (1.0 - focal_mm / distance)
+    return image
+
+
+def circle_of_confusion_mm(
+    focal_mm: float, f_number: float, focus_mm: float, depth_mm: ArrayLike
+) -> Floats:
+    """Diameter on the sensor of the disc that a point at ``depth_mm`` spreads into.
+
+    ``c = A f / (1 − f/Z_f) · |1/Z − 1/Z_f|`` with aperture diameter A = f/N. In dioptres the
+    formula is right at both infinities: Z → ∞ and Z_f → ∞.
+
+    Parameters
+    ----------
+    focal_mm : float
+        Focal length, positive and finite.
+    f_number : float
+        N, positive; inf is a pinhole and blurs nothing.
+    focus_mm : float
+        Distance in focus, beyond the focal length; may be inf.
+    depth_mm : (...) floats
+        Object distance, not negative; 0 (on the lens) gives inf, inf is legal.
+    """
+    _check_lens(focal_mm, f_number, focus_mm)
+    depth = np.asarray(depth_mm, float)
+    if not np.all(depth >= 0.0):
+        raise ValueError(f"depth_mm {_worst(depth)!r}: must not be negative (behind the lens)")
+    if f_number == np.inf:
+        return np.zeros_like(depth)
+    with np.errstate(divide="ignore", over="ignore"):
+        defocus_per_mm = np.abs(1.0 / depth - 1.0 / focus_mm)
+    aperture_mm = focal_mm / f_number
+    diameter: Floats = aperture_mm * focal_mm / (1.0 - focal_mm / focus_mm) * defocus_per_mm
+    return diameter
+
+
+def depth_of_field(
+    focal_mm: float, f_number: float, focus_mm: float, coc_mm: float
+) -> tuple[float, float]:
+    """Nearest and furthest distance whose circle of confusion does not exceed ``coc_mm``.
+
+    Exact, not the usual approximation for Z ≫ f. The far limit is inf from the `hyperfocal`
+    distance on; a pinhole (``f_number`` inf) has (0, inf).
+    """
+    _check_lens(focal_mm, f_number, focus_mm)
+    _check_positive("coc_mm", coc_mm)
+    tolerance_per_mm = coc_mm * f_number / focal_mm * (1.0 - focal_mm / focus_mm) / focal_mm
+    nearest = 1.0 / (1.0 / focus_mm + tolerance_per_mm)
+    # At the hyperfocal distance itself the difference is zero but for rounding.
+    far_vergence = 1.0 / focus_mm - tolerance_per_mm
+    furthest = 1.0 / far_vergence if far_vergence > 1e-15 * tolerance_per_mm else np.inf
+    return nearest, furthest
+
+
+def hyperfocal(focal_mm: float, f_number: float, coc_mm: float) -> float:
+    """The nearest focus that keeps infinity acceptably sharp: f²/(N c) + f.
+
+    Focused there, everything from half that distance on is sharp.
+    """
+    _check_positive("focal_mm", focal_mm)
+    _check_positive("coc_mm", coc_mm)
+    if not f_number > 0.0:
+        raise ValueError(f"f_number {f_number!r}: must be positive (inf is a pinhole)")
+    return focal_mm * (focal_mm / (f_number * coc_mm)) + focal_mm
+
+
+def field_of_view_rad(focal_mm: float, sensor_mm: float) -> float:
+    """Full angle that a sensor of this width sees when focused at infinity: 2 atan(w / 2f)."""
+    _check_positive("focal_mm", focal_mm)
+    _check_positive("sensor_mm", sensor_mm)
+    return float(2.0 * np.arctan2(0.5 * sensor_mm, focal_mm))
+
+
+def _check_lens(focal_mm: float, f_number: float, focus_mm: float) -> None:
+    _check_positive("focal_mm", focal_mm)
+    if not f_number > 0.0:
+        raise ValueError(f"f_number {f_number!r}: must be positive (inf is a pinhole)")
+    if not focus_mm > focal_mm:
+        raise ValueError(
+            f"focus_mm {focus_mm!r}: must exceed the focal length ({focal_mm:g} mm); "
+            "a nearer object has a virtual image, which no sensor can catch"
+        )
+
+
+def _check_positive(name: str, value: float) -> None:
+    if not 0.0 < value < np.inf:
+        raise ValueError(f"{name} {value!r}: must be positive and finite")
+
+
+def _worst(distances: Floats) -> float:
+    """The entry to name in an error: a NaN if there is one, else the smallest."""
+    return float(np.min(distances))
