@@ -10,7 +10,10 @@ import math
 from collections.abc import Iterable, Sequence
 from html import escape
 
-type Point = Sequence[float]
+import numpy as np
+from numpy.typing import NDArray
+
+type Point = Sequence[float] | NDArray[np.floating]
 
 
 def coordinate(value: float) -> str:
@@ -38,7 +41,7 @@ def polygon(points: Iterable[Point], style: str = "") -> str:
     return f'<polygon class="{style}" points="{_points(points)}"/>'
 
 
-def path(subpaths: Iterable[Sequence[Point]], style: str = "") -> str:
+def path(subpaths: Iterable[Iterable[Point]], style: str = "") -> str:
     """Many open polylines in one element: cheaper to paint than one element each."""
     data = "".join("M" + "L".join(_points([point]) for point in points) for points in subpaths)
     return f'<path class="{style}" d="{data}"/>'

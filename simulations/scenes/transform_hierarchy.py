@@ -1,0 +1,58 @@
+"""The ladder of 2D transformations drawn as nested sets, the current one highlighted."""
+
+from dataclasses import dataclass
+
+from simulations.engine import drawing
+from simulations.engine.frame import Panel
+
+WIDTH, HEIGHT = 400.0, 330.0
+
+
+@dataclass(frozen=True, slots=True)
+class Rung:
+    """A family of transformations."""
+
+    title: str
+    freedoms: int
+    """Degrees of freedom."""
+    keeps: str
+    """The property that it keeps and the next larger family gives up."""
+
+
+RUNGS = {
+    "translation": Rung("Translation", 2, "orientation"),
+    "rigid": Rung("Rigid (Euclidean)", 3, "lengths"),
+    "similarity": Rung("Similarity", 4, "angles"),
+    "affine": Rung("Affine", 6, "parallel lines"),
+    "projective": Rung("Projective", 8, "straight lines"),
+}
+"""Table 2.1 of Szeliski, 2nd ed., smallest family first."""
+
+
+def hierarchy_panel(current: str) -> Panel:
+    """Five nested frames; each holds the families that it contains."""
+    parts = []
+    for depth, (name, rung) in enumerate(reversed(RUNGS.items())):
+        chosen = name == current
+        left, top = 8.0 + 14.0 * depth, 8.0 + 50.0 * depth
+        parts.append(
+            drawing.rectangle(
+                (left, top),
+                WIDTH - 2.0 * left,
+                HEIGHT - 8.0 - 12.0 * depth - top,
+                "image fill" if chosen else "muted thin",
+            )
+        )
+        parts.append(rung_labels(rung, left, top, "image" if chosen else "muted"))
+    return Panel(
+        "hierarchy", "Each family contains the next", WIDTH, HEIGHT, overlay="".join(parts)
+    )
+
+
+def rung_labels(rung: Rung, left: float, top: float, role: str) -> str:
+    right = WIDTH - left - 12.0
+    return (
+        drawing.text((left + 12.0, top + 21.0), rung.title, f"{role} strong")
+        + drawing.text((left + 12.0, top + 38.0), f"also keeps {rung.keeps}", f"{role} small")
+        + drawing.text((right, top + 21.0), f"{rung.freedoms} DoF", role, "end")
+    )
