@@ -69,9 +69,9 @@ def encode_srgb_table(linear: ArrayLike) -> NDArray[np.float32]:
     Clips to [0, 1] and takes NaN as 0. The table is spaced evenly in the square root of the
     light, where the curve is nearly straight: it is off by less than 0.1 codes of 255.
     """
-    root = np.sqrt(np.clip(as_floats(linear), 0, 1))
-    index = np.nan_to_num(root * 4096 + 0.5, nan=0.0).astype(np.int32)
-    encoded: NDArray[np.float32] = _TABLE[index]
+    # fmax and fmin, unlike clip, replace NaN, whose cast to an index would be undefined.
+    root = np.sqrt(np.fmin(np.fmax(as_floats(linear), 0), 1))
+    encoded: NDArray[np.float32] = _TABLE[(root * 4096 + 0.5).astype(np.int32)]
     return encoded
 
 

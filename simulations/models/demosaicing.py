@@ -10,8 +10,11 @@ from collections.abc import Callable
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from simulations.models.bayer import PATTERNS, Quads, filter_colours, from_quads, mosaic, to_quads
+from simulations.models.bayer import PATTERNS, filter_colours, mosaic
 from simulations.models.floats import as_floats
+from simulations.models.malvar import malvar
+from simulations.models.menon import menon
+from simulations.models.quads import Quads, above, below, from_quads, left, right, to_quads
 
 __all__ = ["METHODS", "PATTERNS", "demosaic", "mosaic", "psnr_db"]
 
@@ -33,17 +36,17 @@ def nearest(quads: Quads) -> Array:
 def bilinear(quads: Quads) -> Array:
     """Average the nearest two or four samples of the missing colour: (3, 2, 2, h, w)."""
     r, gr, gb, b = quads.red, quads.green_red, quads.green_blue, quads.blue
-    green_at_red = (gr + _left(gr) + gb + _above(gb)) / 4
-    green_at_blue = (gb + _right(gb) + gr + _below(gr)) / 4
-    red_between = [(r + _right(r)) / 2, (r + _below(r)) / 2]
-    blue_between = [(b + _above(b)) / 2, (b + _left(b)) / 2]
-    red_at_blue = (red_between[0] + _below(red_between[0])) / 2
-    blue_at_red = (blue_between[0] + _left(blue_between[0])) / 2
+    red_at_gr, red_at_gb = (r + right(r)) / 2, (r + below(r)) / 2
+    red_at_blue = (red_at_gr + below(red_at_gr)) / 2
+    green_at_red = (left(gr) + gr + above(gb) + gb) / 4
+    green_at_blue = (gb + right(gb) + gr + below(gr)) / 4
+    blue_at_gr, blue_at_gb = (above(b) + b) / 2, (left(b) + b) / 2
+    blue_at_red = (left(blue_at_gr) + blue_at_gr) / 2
     return np.array(
         [
-            [[r, red_between[0]], [red_between[1], red_at_blue]],
+            [[r, red_at_gr], [red_at_gb, red_at_blue]],
             [[green_at_red, gr], [gb, green_at_blue]],
-            [[blue_at_red, blue_between[0]], [blue_between[1], b]],
+            [[blue_at_red, blue_at_gr], [blue_at_gb, b]],
         ]
     )
 
@@ -51,6 +54,8 @@ def bilinear(quads: Quads) -> Array:
 METHODS: dict[str, Callable[[Quads], Array]] = {
     "nearest": nearest,
     "bilinear": bilinear,
+    "malvar": malvar,
+    "menon": menon,
 }
 """From name to method, cheap to dear."""
 
@@ -107,19 +112,3 @@ def psnr_db(picture: ArrayLike, reference: ArrayLike, peak: float = 1.0, crop: i
     inner = (slice(crop, a.shape[0] - crop), slice(crop, a.shape[1] - crop))
     mean_square = float(np.mean(np.square(a[inner] - b[inner])))
     return float(10 * np.log10(peak**2 / mean_square)) if mean_square else float("inf")
-
-
-def _left(plane: Array) -> Array:
-    return np.roll(plane, 1, axis=1)
-
-
-def _right(plane: Array) -> Array:
-    return np.roll(plane, -1, axis=1)
-
-
-def _above(plane: Array) -> Array:
-    return np.roll(plane, 1, axis=0)
-
-
-def _below(plane: Array) -> Array:
-    return np.roll(plane, -1, axis=0)
