@@ -14,8 +14,8 @@ SCALE = 1.46
 """View box units per unit of the plane."""
 ORIGIN = np.array([100.0, 232.0])
 """Where the plane's origin lies in the view box; the plane's y axis points up."""
-FRAME = ((1, 0, 0), (-1, 0, WIDTH), (0, 1, 0), (0, -1, HEIGHT))
-"""The view box as half planes a x + b y + c ≥ 0."""
+FRAME = ((1, 0, 4), (-1, 0, WIDTH + 4), (0, 1, 4), (0, -1, HEIGHT + 4))
+"""The view box and a rim that hides cut edges, as half planes a x + b y + c ≥ 0."""
 HALF = 40.0
 """Half the side of the square, which is centred on the origin."""
 
@@ -135,16 +135,24 @@ def corner_labels(H: Floats) -> str:
     image = image_of(H, CORNER[None])
     after = in_frame(image.points, closed=False)
     if len(after):
-        x, y = (format_number(float(value), 1) for value in image.points[0])
-        middle, right = after[0][0] > WIDTH - 110, after[0][0] > WIDTH - 60
-        anchor = "end" if right else "middle" if middle else "start"
         marks.append(drawing.line(before, after[0], "image thin dashed"))
         marks.append(drawing.dot(after[0], "image", 4.5))
-        marks.append(
-            drawing.text(after[0] + [4, -9], f"P′ ({x}, {y})", "image halo strong", anchor)
-        )
+        marks.append(image_corner_label(image.points[0], after[0]))
     marks.append(drawing.text(label_at(CORNER, 2, -8), "P (40, 40)", "world halo strong", "end"))
     return "".join(marks)
+
+
+def image_corner_label(point: Floats, place: Floats) -> str:
+    """The coordinates of P′, on the side of it where there is room."""
+    x, y = (format_number(float(value), 1) for value in point)
+    right = 9.0 if place[1] < 26.0 else 4.0
+    down = 5.0 if place[1] < 26.0 else -9.0
+    anchor = "start"
+    if place[0] > WIDTH - 120.0:
+        right, anchor = (-right, "end")
+    return drawing.text(
+        place + np.array([right, down]), f"P′ ({x}, {y})", "image halo strong", anchor
+    )
 
 
 def lines_at_infinity(H: Floats) -> str:

@@ -1,0 +1,104 @@
+"""Perspective projection: one point, one camera, and the division by depth."""
+
+import math
+
+from simulations.engine.controls import Slider, Values
+from simulations.engine.frame import Frame, Readout, format_number, readout
+from simulations.engine.pipeline import StageCache
+from simulations.engine.scene import Scene
+from simulations.models.projection import field_of_view, intrinsics, project
+from simulations.scenes.projection_picture import HALF_WIDTH_PX, View, image_panel
+from simulations.scenes.projection_top_view import top_view_panel
+
+
+def render(values: Values, tier: str, cache: StageCache) -> Frame:
+    """The camera from above, and the picture it takes."""
+    del tier, cache
+    view = look(
+        X=values.number("point_x"),
+        Y=values.number("point_y"),
+        Z=values.number("depth"),
+        focal_px=values.number("focal_length"),
+    )
+    angle_deg = math.degrees(field_of_view(view.focal_px, 2.0 * HALF_WIDTH_PX))
+    return Frame(
+        panels=(top_view_panel(view), image_panel(view)),
+        readouts=(
+            readout("X", "X, right", view.X, "m", digits=1, role="world"),
+            readout("Y", "Y, down", view.Y, "m", digits=1, role="world"),
+            readout("Z", "Z, depth", view.Z, "m", digits=1, role="world"),
+            readout("f", "f, focal length", view.focal_px, "px", digits=0, role="camera"),
+            image_readout("x", "x = f X / Z", view, view.x),
+            image_readout("y", "y = f Y / Z", view, view.y),
+            readout("view", "Field of view", angle_deg, "°", digits=1, role="camera"),
+        ),
+        description=describe(view),
+    )
+
+
+def look(X: float, Y: float, Z: float, focal_px: float) -> View:
+    """Project the point (X, Y, Z) with the principal point at (0, 0).
+
+    Depth is taken to the millimetre, so that Z = 0 is met exactly.
+    """
+    Z = round(Z, 3)
+    pixels, valid = project([X, Y, Z], intrinsics(focal_px, (0.0, 0.0)))
+    return View(X, Y, Z, focal_px, float(pixels[0]), float(pixels[1]), bool(valid))
+
+
+def image_readout(name: str, label: str, view: View, value: float) -> Readout:
+    if view.visible:
+        return readout(name, label, value, "px", digits=1, role="image")
+    return Readout(name, label, "undefined" if view.Z == 0.0 else "behind", "", "image")
+
+
+def describe(view: View) -> str:
+    """One sentence for a reader who cannot see the picture."""
+    if view.Z == 0.0:
+        return (
+            "The point is in the plane of the camera centre, Z = 0, where f X / Z is undefined: "
+            "it has no image."
+        )
+    if not view.visible:
+        return (
+            f"The point is {format_number(-view.Z, 1)} m behind the camera: "
+            "light from it never meets the image plane, so it has no image."
+        )
+    outside = "" if view.in_picture else ", outside the picture"
+    return (
+        f"The point is {format_number(view.Z, 1)} m in front of the camera and projects to "
+        f"x = {format_number(view.x, 1)} px, y = {format_number(view.y, 1)} px{outside}."
+    )
+
+
+SCENE = Scene(
+    id="perspective-projection",
+    title="Perspective Projection",
+    controls=(
+        Slider(
+            name="depth", label="Depth (Z)", default=5.0, minimum=-2, maximum=20, step=0.1, unit="m"
+        ),
+        Slider(
+            name="focal_length",
+            label="Focal length",
+            default=80,
+            minimum=20,
+            maximum=200,
+            step=1,
+            unit="px",
+        ),
+        Slider(
+            name="point_x",
+            label="Right (X)",
+            default=1.0,
+            minimum=-3,
+            maximum=3,
+            step=0.1,
+            unit="m",
+        ),
+        Slider(
+            name="point_y", label="Down (Y)", default=0.5, minimum=-2, maximum=2, step=0.1, unit="m"
+        ),
+    ),
+    render=render,
+)

@@ -1,0 +1,196 @@
+"""The picture that the projection figure takes: the point, and the same point at other depths."""
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from simulations.engine import drawing
+from simulations.engine.frame import Panel, format_number
+from simulations.models.transforms import Floats
+
+WIDTH, HEIGHT = 400.0, 300.0
+HALF_WIDTH_PX, HALF_HEIGHT_PX = 100.0, 75.0
+"""Half the picture, in pixels from the principal point."""
+IMAGE_SCALE = 2.0
+"""View box units per pixel."""
+CENTRE = np.array([200.0, 150.0])
+"""Principal point in the image panel's view box."""
+
+COMPARED_DEPTHS = (1.0, 2.0, 3.0, 5.0, 10.0, 20.0)
+"""Depths in metres at which the point is drawn faintly, for comparison."""
+LABEL_HEIGHT = 14.0
+"""Line height of a label, in view box units."""
+
+
+@dataclass(frozen=True, slots=True)
+class View:
+    """A point in the camera frame and its image."""
+
+    X: float
+    """Metres to the right."""
+    Y: float
+    """Metres down."""
+    Z: float
+    """Metres along the optical axis; negative behind the camera."""
+    focal_px: float
+    x: float
+    """Pixels right of the principal point; NaN where there is no image."""
+    y: float
+    """Pixels below the principal point; NaN where there is no image."""
+    visible: bool
+    """Whether the point is in front of the camera."""
+
+    @property
+    def in_picture(self) -> bool:
+        """Whether the image falls within the edges of the picture."""
+        return self.visible and in_picture(self.x, self.y)
+
+    @property
+    def formula_only(self) -> tuple[float, float]:
+        """What x = f X / Z says without asking whether the point is in front; Z must not be 0."""
+        return self.focal_px * self.X / self.Z, self.focal_px * self.Y / self.Z
+
+
+def in_picture(x: float, y: float) -> bool:
+    """Whether pixel (x, y), counted from the principal point, lies in the picture."""
+    return abs(x) <= HALF_WIDTH_PX and abs(y) <= HALF_HEIGHT_PX
+
+
+def place(x: float, y: float) -> Floats:
+    """Pixel to view box."""
+    position: Floats = CENTRE + IMAGE_SCALE * np.array([x, y])
+    return position
+
+
+def image_panel(view: View) -> Panel:
+    overlay = axes() + comparison(view) + (point(view) if view.visible else no_image(view))
+    return Panel("image", "The picture", WIDTH, HEIGHT, overlay=overlay)
+
+
+def axes() -> str:
+    """Pixel axes through the principal point, and the edge of the picture."""
+    ticks = [
+        drawing.text(place(x, 0) + np.array([0, 14]), format_number(x, 0), "muted small", "middle")
+        for x in (-50, 50)
+    ] + [
+        drawing.text(place(0, y) + np.array([-6, 4]), format_number(y, 0), "muted small", "end")
+        for y in (-50, 50)
+    ]
+    marks = [[place(x, -1.5), place(x, 1.5)] for x in (-50, 50)]
+    marks += [[place(-1.5, y), place(1.5, y)] for y in (-50, 50)]
+    return (
+        drawing.rectangle((1.0, 1.0), WIDTH - 2.0, HEIGHT - 2.0, "image")
+        + drawing.arrow(place(-97, 0), place(97, 0), "muted thin")
+        + drawing.arrow(place(0, -72), place(0, 72), "muted thin")
+        + drawing.path(marks, "muted thin")
+        + drawing.text(place(97, 0) + np.array([0, 18]), "x, px", "muted small", "end")
+        + drawing.text(place(0, 72) + np.array([8, 0]), "y, px", "muted small")
+        + "".join(ticks)
+    )
+
+
+def comparison(view: View) -> str:
+    """The same point at other depths: all images lie on one line to the principal point."""
+    parts: list[str] = []
+    labels = [Label(CENTRE, 10.0)]
+    if view.in_picture:
+        labels += [Label(place(view.x, view.y), 18.0), point_label(view)]
+    for depth in COMPARED_DEPTHS:
+        x, y = view.focal_px * view.X / depth, view.focal_px * view.Y / depth
+        if not in_picture(x, y) or (view.X == 0.0 and view.Y == 0.0):
+            continue
+        spot = place(x, y)
+        parts.append(corner_rectangle(x, y, "world thin faint"))
+        parts.append(drawing.dot(spot, "world faint", 3.0))
+        label = depth_label(spot)
+        if not any(label.covers(other) for other in labels):
+            labels.append(label)
+            parts.append(label.draw(f"{depth:.0f} m", "world small halo"))
+    return "".join(parts)
+
+
+@dataclass(frozen=True, slots=True)
+class Label:
+    """Room that a line of text takes."""
+
+    middle: Floats
+    """Middle of the baseline in the view box."""
+    half_width: float
+
+    def covers(self, other: "Label") -> bool:
+        across, down = np.abs(self.middle - other.middle)
+        return bool(across < self.half_width + other.half_width and down < LABEL_HEIGHT)
+
+    def draw(self, words: str, style: str) -> str:
+        return drawing.text(self.middle, words, style, "middle")
+
+
+def outward(spot: Floats, half_width: float, gap: float) -> Label:
+    """A label beyond ``spot`` as seen from the principal point, moved into the picture."""
+    right, below = spot[0] >= CENTRE[0], spot[1] >= CENTRE[1]
+    x = spot[0] + (gap + half_width if right else -gap - half_width)
+    y = spot[1] + (LABEL_HEIGHT + 2.0 if below else -8.0)
+    low, high = np.array([half_width + 5.0, 18.0]), np.array([WIDTH - half_width - 5.0, HEIGHT - 8])
+    return Label(np.clip(np.array([x, y]), low, high), half_width)
+
+
+def depth_label(spot: Floats) -> Label:
+    return outward(spot, 14.0, -14.0)
+
+
+def point_label(view: View) -> Label:
+    return outward(place(view.x, view.y), 48.0, 4.0)
+
+
+def corner_rectangle(x: float, y: float, style: str) -> str:
+    """The rectangle between the principal point and (x, y): it shrinks with depth."""
+    return drawing.polygon([CENTRE, place(x, 0), place(x, y), place(0, y)], style)
+
+
+def point(view: View) -> str:
+    """The image of the point, or an arrow to where it lies outside the picture."""
+    numbers = f"({format_number(view.x, 1)}, {format_number(view.y, 1)}) px"
+    if view.in_picture:
+        spot = place(view.x, view.y)
+        return (
+            corner_rectangle(view.x, view.y, "image fill")
+            + drawing.line(CENTRE, spot, "ray")
+            + drawing.dot(spot, "image", 5.0)
+            + point_label(view).draw(numbers, "image strong halo")
+        )
+    reach = min(
+        limit / abs(value)
+        for limit, value in ((HALF_WIDTH_PX, view.x), (HALF_HEIGHT_PX, view.y))
+        if value != 0.0
+    )
+    tip, tail = (place(view.x * reach * s, view.y * reach * s) for s in (0.97, 0.82))
+    return drawing.arrow(tail, tip, "image bold", head=12.0) + message(
+        f"outside the picture: {numbers}", "image"
+    )
+
+
+def no_image(view: View) -> str:
+    """Why the point has no image, and what the bare formula would have claimed."""
+    if view.Z == 0.0:
+        return message("Z = 0: the ray never meets the image plane", "error")
+    x, y = view.formula_only
+    ghost = ""
+    if in_picture(x, y):
+        ghost = drawing.line(CENTRE, place(x, y), "error dashed") + drawing.circle(
+            place(x, y), 5.0, "error"
+        )
+    claim = f"({format_number(x, 1)}, {format_number(y, 1)})"
+    return (
+        ghost
+        + message("behind the camera: no image", "error")
+        + drawing.text(
+            (WIDTH / 2.0, 44.0),
+            f"the formula alone would say {claim}",
+            "error small halo",
+            "middle",
+        )
+    )
+
+
+def message(words: str, role: str) -> str:
+    return drawing.text((WIDTH / 2.0, 26.0), words, f"{role} strong halo", "middle")
