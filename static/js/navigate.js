@@ -1,0 +1,111 @@
+/**
+ * Turning to another chapter without leaving the page, so that the interpreter stays alive.
+ * The next page is fetched and its body takes the place of this one. On any doubt the browser
+ * loads the page itself.
+ */
+
+/** @type {AbortController | null} */
+let turning = null;
+let shownPath = location.pathname;
+let scrollTimer = 0;
+
+/** @param {() => void} turned Called when a new page has been put in place. */
+export function installNavigation(turned) {
+  history.scrollRestoration = "manual";
+  if (history.state?.scroll && !location.hash) scrollTo(0, history.state.scroll);
+  document.addEventListener("click", (event) => {
+    const url = pageLink(event);
+    if (!url) return;
+    event.preventDefault();
+    saveScroll();
+    turnTo(url, turned, () => history.pushState({}, "", url));
+  });
+  addEventListener("popstate", () => {
+    if (location.pathname === shownPath) restoreScroll();
+    else turnTo(new URL(location.href), turned, () => {});
+  });
+  addEventListener("scroll", () => {
+    clearTimeout(scrollTimer);
+    scrollTimer = setTimeout(saveScroll, 100);
+  });
+}
+
+/** Where a plain click on a link to another page of the book leads, or null. */
+function pageLink(/** @type {MouseEvent} */ event) {
+  const link = event.target.closest?.("a[href]");
+  if (!link || event.defaultPrevented || event.button !== 0) return null;
+  if (event.metaKey || event.ctrlKey || event.shiftKey || event.altKey) return null;
+  if (link.target || link.hasAttribute("download")) return null;
+  const url = new URL(link.href);
+  const root = siteRoot(document.body, location.href);
+  const inBook = root && url.href.startsWith(root) && /(\/|\.html)$/.test(url.pathname);
+  return inBook && url.pathname !== location.pathname ? url : null;
+}
+
+/** @param {HTMLElement} body @param {string} base @returns {string | null} */
+function siteRoot(body, base) {
+  const root = body.dataset.root;
+  return root === undefined ? null : new URL(root || "./", base).href;
+}
+
+/** @param {URL} url @param {() => void} turned @param {() => void} commit */
+async function turnTo(url, turned, commit) {
+  turning?.abort();
+  turning = new AbortController();
+  const { signal } = turning;
+  try {
+    const page = await fetchPage(url, signal);
+    if (signal.aborted) return;
+    commit();
+    putInPlace(page);
+    shownPath = location.pathname;
+    turned();
+    arrive();
+  } catch (error) {
+    if (error.name !== "AbortError") location.assign(url);
+  }
+}
+
+/** @returns {Promise<Document>} The page, if it belongs to the same build of the book. */
+async function fetchPage(/** @type {URL} */ url, /** @type {AbortSignal} */ signal) {
+  const reply = await fetch(url, { signal });
+  const isPage = reply.headers.get("content-type")?.startsWith("text/html");
+  if (!reply.ok || !isPage || reply.redirected) throw new Error("not a page of the book");
+  const page = new DOMParser().parseFromString(await reply.text(), "text/html");
+  if (!page.querySelector("main#main")) throw new Error("no text in the page");
+  const assets = (body, base) => new URL(body.dataset.assets ?? "", base).href;
+  if (assets(page.body, url.href) !== assets(document.body, location.href)) {
+    throw new Error("the book has been built anew");
+  }
+  return page;
+}
+
+/** Called when the address is already the new page's, so that relative links resolve. */
+function putInPlace(/** @type {Document} */ page) {
+  document.title = page.title;
+  const description = 'meta[name="description"]';
+  document.querySelector(description)?.replaceWith(page.querySelector(description) ?? "");
+  for (const name of Object.keys(document.body.dataset)) delete document.body.dataset[name];
+  Object.assign(document.body.dataset, page.body.dataset);
+  document.body.className = page.body.className;
+  document.body.replaceChildren(...page.body.childNodes);
+}
+
+/** Begin reading: at the link's target, where one left off, or at the top. */
+function arrive() {
+  document.getElementById("main").focus({ preventScroll: true });
+  restoreScroll();
+}
+
+function restoreScroll() {
+  const target = document.getElementById(decodeURIComponent(location.hash.slice(1)));
+  const kept = history.state?.scroll;
+  if (kept === undefined && target) target.scrollIntoView();
+  else scrollTo({ top: kept ?? 0, behavior: "instant" });
+}
+
+function saveScroll() {
+  clearTimeout(scrollTimer);
+  if (location.pathname !== shownPath) return;
+  history.replaceState({ ...history.state, scroll: Math.round(scrollY) }, "");
+}

@@ -1,0 +1,83 @@
+"""A static file server for tests: it can hand out a damaged file in place of the right one."""
+
+import sys
+import threading
+from collections.abc import Iterator
+from contextlib import contextmanager
+from functools import partial
+from http.server import SimpleHTTPRequestHandler, ThreadingHTTPServer
+from pathlib import Path
+
+TYPES = {
+    ".mjs": "text/javascript",
+    ".js": "text/javascript",
+    ".wasm": "application/wasm",
+    ".whl": "application/zip",
+    ".json": "application/json",
+    ".woff2": "font/woff2",
+    ".svg": "image/svg+xml",
+}
+
+
+class QuietServer(ThreadingHTTPServer):
+    """A browser that leaves a page drops its downloads; that is no error of the server's."""
+
+    daemon_threads = True
+
+    def handle_error(self, request: object, client_address: object) -> None:
+        if not isinstance(sys.exception(), ConnectionError):
+            super().handle_error(request, client_address)  # type: ignore[arg-type]
+
+
+class StaticServer:
+    """The folder ``root`` at ``url``; ``damaged`` maps ends of paths to other bytes."""
+
+    def __init__(self, root: Path) -> None:
+        self.damaged: dict[str, bytes] = {}
+        self.server = QuietServer(
+            ("127.0.0.1", 0), partial(Handler, owner=self, directory=str(root))
+        )
+        self.url = f"http://127.0.0.1:{self.server.server_address[1]}/book/"
+
+
+class Handler(SimpleHTTPRequestHandler):
+    """Serves below ``/book/``, so that a page which assumes the server's root fails its test."""
+
+    extensions_map = SimpleHTTPRequestHandler.extensions_map | TYPES
+    protocol_version = "HTTP/1.1"
+
+    def __init__(self, *arguments: object, owner: StaticServer, directory: str) -> None:
+        self.owner = owner
+        super().__init__(*arguments, directory=directory)  # type: ignore[arg-type]
+
+    def do_GET(self) -> None:
+        path = self.path.partition("?")[0]
+        for ending, content in self.owner.damaged.items():
+            if path.endswith(ending):
+                self.send_response(200)
+                self.send_header("Content-Type", self.guess_type(path))
+                self.send_header("Content-Length", str(len(content)))
+                self.end_headers()
+                self.wfile.write(content)
+                return
+        if not path.startswith("/book/"):
+            self.send_error(404)
+            return
+        self.path = self.path.removeprefix("/book")
+        super().do_GET()
+
+    def log_message(self, *_: object) -> None:
+        """Tests have their own words."""
+
+
+@contextmanager
+def serving(root: Path) -> Iterator[StaticServer]:
+    server = StaticServer(root)
+    thread = threading.Thread(target=server.server.serve_forever, daemon=True)
+    thread.start()
+    try:
+        yield server
+    finally:
+        server.server.shutdown()
+        server.server.server_close()
+        thread.join()
