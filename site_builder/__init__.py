@@ -1,0 +1,1 @@
+"""From Markdown and simulations to a static site. Start reading at `site_builder.build`."""

@@ -1,0 +1,65 @@
+"""``python -m site_builder build|check|serve``: prints diagnostics, sets the exit code."""
+
+import argparse
+import sys
+from pathlib import Path
+
+from site_builder.build import Options, build_site, check_site
+from site_builder.diagnostics import BuildError
+
+ROOT = Path(__file__).resolve().parent.parent
+
+
+def main(arguments: list[str] | None = None) -> int:
+    """0 where the book is in order, else 1."""
+    given = _parser().parse_args(arguments)
+    try:
+        match given.command:
+            case "build":
+                files = build_site(ROOT, given.out, runtime=given.runtime, reload=given.reload)
+                print(f"{given.out}: {len(files)} files")
+            case "check":
+                check_site(Options(ROOT))
+                print("no mistakes")
+            case "serve":
+                from site_builder.serve import serve  # its watcher is needed only here
+
+                serve(ROOT, given.out, given.port, runtime=given.runtime)
+    except BuildError as error:
+        print(error, file=sys.stderr)
+        count = len(error.diagnostics)
+        print(f"{count} mistake{'s' * (count != 1)}; nothing was written", file=sys.stderr)
+        return 1
+    except (OSError, ValueError, RuntimeError) as error:
+        print(error, file=sys.stderr)
+        return 1
+    return 0
+
+
+def _parser() -> argparse.ArgumentParser:
+    parser = argparse.ArgumentParser(prog="site_builder", description="Build the book.")
+    commands = parser.add_subparsers(dest="command", required=True)
+    for name, purpose in (
+        ("build", "check everything, then write the site"),
+        ("serve", "build, show, and build again on every change"),
+        ("check", "report the mistakes in the sources"),
+    ):
+        command = commands.add_parser(name, help=purpose)
+        if name == "check":
+            continue
+        command.add_argument("--out", type=Path, default=ROOT / "build" / "site", help="the site")
+        command.add_argument(
+            "--no-runtime",
+            dest="runtime",
+            action="store_false",
+            help="leave out Python: stills only",
+        )
+        if name == "build":
+            command.add_argument("--reload", action="store_true", help=argparse.SUPPRESS)
+        if name == "serve":
+            command.add_argument("--port", type=int, default=8000)
+    return parser
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,38 @@
+"""Files that pages load, in folders named by a hash of what is in them: cacheable for ever."""
+
+import hashlib
+from collections.abc import Mapping
+from pathlib import Path
+
+type Content = bytes | Path
+"""The bytes of a file, or where they lie."""
+
+
+def hashed_folder(kind: str, files: Mapping[str, Content]) -> tuple[str, dict[str, Content]]:
+    """The folder ``KIND/HASH/`` and the files under it.
+
+    One folder for all, not one hash per file: ES modules and style sheets keep referring to each
+    other by relative addresses.
+    """
+    digest = hashlib.sha256()
+    for name in sorted(files):
+        data = content_bytes(files[name])
+        digest.update(f"{name}\0{len(data)}\0".encode())
+        digest.update(data)
+    folder = f"{kind}/{digest.hexdigest()[:12]}/"
+    return folder, {folder + name: content for name, content in files.items()}
+
+
+def content_bytes(content: Content) -> bytes:
+    return content if isinstance(content, bytes) else content.read_bytes()
+
+
+def folder_files(folder: Path, prefix: str = "") -> dict[str, Content]:
+    """All files below ``folder``, by their path in it; hidden files left out."""
+    if not folder.is_dir():
+        return {}
+    return {
+        prefix + file.relative_to(folder).as_posix(): file
+        for file in sorted(folder.rglob("*"))
+        if file.is_file() and not any(part.startswith(".") for part in file.parts[-2:])
+    }

@@ -1,0 +1,107 @@
+"""The build, from sources to files: read, check, render, write. Start here.
+
+All pages are checked before one is written, so a mistake anywhere leaves the last good site as
+it was. `render_site` touches no output folder: it returns the site in memory.
+"""
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+from pathlib import Path
+
+from simulations.engine.scene import Scene
+from simulations.registry import load_scene
+from site_builder.assets import Content, folder_files, hashed_folder
+from site_builder.book import Book
+from site_builder.catalogue import Versions, catalogue
+from site_builder.checks import check_book
+from site_builder.diagnostics import BuildError, Diagnostics
+from site_builder.fonts import subset_fonts
+from site_builder.licences import gather_licences
+from site_builder.markdown.illustration import SUFFIXES
+from site_builder.render import Site, render_pages
+from site_builder.runtime.pack import pack_runtime
+from site_builder.source import read_book
+from site_builder.stills import Stills, render_stills
+from site_builder.writer import write_site
+
+type Files = Mapping[str, Content]
+type Write = Callable[[Files, Path], None]
+
+
+@dataclass(frozen=True, slots=True)
+class Options:
+    """What one build is made from and how."""
+
+    root: Path
+    """The project: holds ``content/``, ``simulations/``, ``static/``."""
+    runtime: bool = True
+    """Whether to ship Python for the browser; without it figures stay stills."""
+    reload: bool = False
+    """Whether pages reload themselves after a rebuild (``serve``)."""
+    load_scene: Callable[[str], Scene] = load_scene
+
+
+def build_site(
+    root: Path,
+    out: Path,
+    *,
+    runtime: bool = True,
+    reload: bool = False,
+    write: Write = write_site,
+) -> Files:
+    """Build the book at ``root`` into the folder ``out``. Raises `BuildError`."""
+    files = render_site(Options(root, runtime=runtime, reload=reload))
+    write(files, out)
+    return files
+
+
+def render_site(options: Options) -> Files:
+    """Every file of the site. Raises `BuildError` with all mistakes found."""
+    book, stills, pictures = check_site(options)
+    runtime, runtime_files, versions = _runtime(options)
+    assets, asset_files = _assets(options.root, pictures)
+    site = Site(book, stills, assets, runtime, options.reload)
+    licences = gather_licences(options.root, versions.pyodide, versions.python, versions.numpy)
+    return {
+        **render_pages(site, licences),
+        **asset_files,
+        **runtime_files,
+        "book.json": catalogue(book, versions),
+    }
+
+
+def check_site(options: Options) -> tuple[Book, Stills, dict[str, bytes]]:
+    """Read and check everything, figures drawn included. Raises `BuildError`."""
+    problems = Diagnostics()
+    book = read_book(options.root, problems, options.load_scene)
+    check_book(book, problems)
+    stills, pictures = render_stills(book, problems)
+    if problems:
+        raise BuildError(problems.found)
+    return book, stills, pictures
+
+
+def _assets(root: Path, pictures: Mapping[str, bytes]) -> tuple[str, dict[str, Content]]:
+    """Style sheets, scripts, fonts, stills and the author's pictures, in one folder."""
+    content = folder_files(root / "content")
+    return hashed_folder(
+        "assets",
+        {
+            **folder_files(root / "static"),
+            **{f"fonts/{name}": data for name, data in subset_fonts().items()},
+            **{f"stills/{name}": data for name, data in pictures.items()},
+            **{
+                f"content/{name}": file for name, file in content.items() if name.endswith(SUFFIXES)
+            },
+        },
+    )
+
+
+def _runtime(options: Options) -> tuple[str, dict[str, Content], Versions]:
+    """Python for the browser, with our simulations inside."""
+    if not options.runtime:
+        return "", {}, Versions()
+    bundle = pack_runtime(options.root / "simulations")
+    folder, files = hashed_folder("runtime", dict(bundle.files))
+    made_of = bundle.versions
+    return folder, files, Versions(made_of.pyodide, made_of.python, made_of.numpy)

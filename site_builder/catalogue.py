@@ -1,0 +1,60 @@
+"""``book.json``: chapters, simulations and quizzes as plain data, for readers that are programs."""
+
+import json
+from dataclasses import asdict, dataclass
+
+from simulations.engine.controls import describe
+from site_builder.book import Book
+
+
+@dataclass(frozen=True, slots=True)
+class Versions:
+    """What the reader's browser runs; empty texts for a site without a runtime."""
+
+    pyodide: str = ""
+    python: str = ""
+    numpy: str = ""
+
+
+def catalogue(book: Book, versions: Versions) -> bytes:
+    """The file's bytes."""
+    data = {
+        "title": book.title,
+        "runtime": asdict(versions),
+        "chapters": [
+            {
+                "number": chapter.number,
+                "id": chapter.id,
+                "title": chapter.title,
+                "url": chapter.url,
+                "simulations": list(
+                    dict.fromkeys(figure.scene.id for figure in chapter.simulations)
+                ),
+                "quizzes": [quiz.id for quiz in chapter.quizzes],
+            }
+            for chapter in book.chapters
+        ],
+        "simulations": [
+            {
+                "id": scene.id,
+                "title": scene.title,
+                "tiers": list(scene.tiers),
+                "controls": [describe(control) for control in scene.controls],
+            }
+            for scene in book.scenes
+        ],
+        "quizzes": [
+            {
+                "id": quiz.id,
+                "chapter": chapter.id,
+                "kind": quiz.kind,
+                "prompt": quiz.prompt_text,
+                "options": [
+                    {"text": option.text, "correct": option.correct} for option in quiz.options
+                ],
+            }
+            for chapter in book.chapters
+            for quiz in chapter.quizzes
+        ],
+    }
+    return (json.dumps(data, ensure_ascii=False, indent=1, allow_nan=False) + "\n").encode()

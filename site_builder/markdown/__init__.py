@@ -1,0 +1,1 @@
+"""Markdown to the page model: the parser, and one file per construct."""

@@ -1,0 +1,29 @@
+"""Code blocks, coloured by classes."""
+
+from html import escape
+
+from pygments import highlight
+from pygments.formatters import HtmlFormatter
+from pygments.lexers import get_lexer_by_name
+from pygments.util import ClassNotFound
+
+from site_builder.diagnostics import unknown
+
+LANGUAGES = ("python", "console", "text", "bash", "javascript", "json", "toml", "markdown")
+
+
+class UnknownLanguageError(ValueError):
+    """A code fence names a language that nothing can colour."""
+
+
+def code_html(code: str, language: str) -> str:
+    """``code`` as a ``<pre>``; plain where ``language`` is empty."""
+    if not language:
+        return f'<pre class="code"><code>{escape(code)}</code></pre>\n'
+    try:
+        lexer = get_lexer_by_name(language)
+    except ClassNotFound:
+        raise UnknownLanguageError(unknown("language", language, LANGUAGES)) from None
+    body = highlight(code, lexer, HtmlFormatter(nowrap=True))
+    opening = f'<pre class="code highlight"><code class="language-{escape(language)}">'
+    return f"{opening}{body}</code></pre>\n"

@@ -1,0 +1,114 @@
+"""One pass over a page's tokens: set formulae, gather links and headings, report the illegal."""
+
+from collections.abc import Iterator, Sequence
+from itertools import pairwise
+from pathlib import PurePosixPath
+
+from markdown_it.token import Token
+
+from site_builder.book import Heading, Link
+from site_builder.diagnostics import unknown
+from site_builder.markdown.code import UnknownLanguageError, code_html
+from site_builder.markdown.math import ROLES, UnsupportedTexError, to_mathml
+from site_builder.markdown.reading import Reading, slug
+
+
+def annotate(tokens: Sequence[Token], reading: Reading) -> None:
+    """Give formulae, code, links and headings what rendering needs; report what is illegal."""
+    for token, line in located(tokens):
+        match token.type:
+            case "math_inline" | "math_block":
+                _set_formula(token, line, reading)
+            case "fence":
+                _set_code(token, line, reading)
+            case "link_open":
+                _gather_link(token, line, reading)
+            case "role_open" if token.info not in ROLES:
+                reading.problem(line, unknown("colour role", token.info, ROLES))
+            case "image":
+                reading.problem(
+                    line, "picture in running text; legal: ':::{figure} file' with ':alt:'"
+                )
+            case "html_inline" | "html_block":
+                _drop_html(token, line, reading)
+    _name_headings(tokens, reading)
+
+
+def located(tokens: Sequence[Token]) -> Iterator[tuple[Token, int]]:
+    """All tokens, those inside paragraphs included, each with its line counted from 1."""
+    line = 1
+    for token in tokens:
+        line = token.map[0] + 1 if token.map else line
+        yield token, line
+        offset = 0
+        for child in token.children or ():
+            yield child, line + offset
+            is_break = child.type in ("softbreak", "hardbreak")
+            offset += 1 if is_break else child.content.count("\n")
+
+
+def _set_formula(token: Token, line: int, reading: Reading) -> None:
+    try:
+        token.meta["mathml"] = to_mathml(token.content.strip(), display=token.type == "math_block")
+    except UnsupportedTexError as error:
+        reading.problem(line, str(error))
+
+
+def _set_code(token: Token, line: int, reading: Reading) -> None:
+    try:
+        token.meta["html"] = code_html(token.content, token.info.strip())
+    except UnknownLanguageError as error:
+        reading.problem(line, str(error))
+
+
+def _gather_link(token: Token, line: int, reading: Reading) -> None:
+    """Record the author's target; point the token at the page that will be built from it."""
+    target = str(token.attrGet("href") or "")
+    if target.startswith(("https://", "http://")):
+        token.attrSet("rel", "external")
+        return
+    reading.links.append(Link(target, line))
+    file, mark, anchor = target.partition("#")
+    if file:
+        token.attrSet("href", f"../{chapter_id(file)}/{mark}{anchor}")
+
+
+def chapter_id(file: str) -> str:
+    """``lens-distortion`` for ``04-lens-distortion.md``."""
+    return PurePosixPath(file).stem.lstrip("0123456789").lstrip("-") or "unnamed"
+
+
+def _drop_html(token: Token, line: int, reading: Reading) -> None:
+    """Comments are the author's own; other HTML would escape every check."""
+    markup = token.content.strip()
+    if not markup.startswith("<!--"):
+        reading.problem(line, f"raw HTML {markup[:40]!r}; legal: Markdown and directives")
+    token.content = ""
+
+
+def _name_headings(tokens: Sequence[Token], reading: Reading) -> None:
+    for opening, inline in pairwise(tokens):
+        if opening.type != "heading_open":
+            continue
+        line, level = (opening.map or [0])[0] + 1, int(opening.tag[1])
+        text = plain_text(inline)
+        previous = reading.headings[-1].level if reading.headings else 1
+        if level == 1:
+            reading.problem(line, f"heading '# {text}'; legal: '##' and deeper, below the title")
+        elif level > previous + 1:
+            reading.problem(
+                line, f"heading of level {level} below one of level {previous}; legal: "
+                f"{'#' * (previous + 1)!r} or higher",
+            )  # fmt: skip
+        name = reading.take_id(slug(text), line, "heading")
+        opening.attrSet("id", name)
+        reading.headings.append(Heading(level, name, reading.html([inline])))
+
+
+def plain_text(inline: Token) -> str:
+    """The words of a paragraph or heading, without markup."""
+    parts = (
+        " " if child.type in ("softbreak", "hardbreak") else child.content
+        for child in inline.children or ()
+    )
+    return "".join(parts).strip()

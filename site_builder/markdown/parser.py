@@ -1,0 +1,129 @@
+"""One Markdown file to one `Chapter`: parse, annotate, split into blocks."""
+
+from collections.abc import Callable, Mapping, Sequence
+from pathlib import Path
+
+import yaml
+from markdown_it import MarkdownIt
+from markdown_it.renderer import RendererProtocol
+from markdown_it.token import Token
+from markdown_it.utils import EnvType, OptionsDict
+from mdit_py_plugins.dollarmath import dollarmath_plugin
+from mdit_py_plugins.footnote import footnote_plugin
+from mdit_py_plugins.front_matter import front_matter_plugin
+
+from simulations.engine.scene import Scene
+from site_builder.book import Chapter
+from site_builder.diagnostics import Diagnostics, unknown
+from site_builder.markdown.blocks import read_blocks
+from site_builder.markdown.callout import TITLES, read_callout
+from site_builder.markdown.directive import directive_plugin
+from site_builder.markdown.example import read_example
+from site_builder.markdown.illustration import read_illustration
+from site_builder.markdown.inline import annotate, chapter_id
+from site_builder.markdown.listing import read_listing
+from site_builder.markdown.quiz import read_quiz
+from site_builder.markdown.reading import Construct, Reading
+from site_builder.markdown.roles import roles_plugin
+from site_builder.markdown.simulation import read_simulation
+from site_builder.markdown.table import read_table, table_plugin
+from site_builder.markdown.typography import typography_plugin
+
+CONSTRUCTS: Mapping[str, Construct] = {
+    "simulation": read_simulation,
+    "quiz": read_quiz,
+    **dict.fromkeys(TITLES, read_callout),
+    "example": read_example,
+    "source": read_listing,
+    "figure": read_illustration,
+    "table": read_table,
+}
+"""Every directive, and what reads it."""
+
+FRONT_MATTER = ("title", "summary")
+"""Keys of the front matter, all required."""
+
+
+def make_parser() -> MarkdownIt:
+    """CommonMark with the book's additions."""
+    parser = MarkdownIt("commonmark", {"typographer": True, "html": True})
+    parser.enable("smartquotes")
+    parser.use(front_matter_plugin).use(footnote_plugin).use(directive_plugin)
+    parser.use(dollarmath_plugin, allow_labels=False, allow_space=False, allow_digits=False)
+    parser.use(table_plugin).use(roles_plugin).use(typography_plugin)
+    parser.add_render_rule("math_inline", _formula)
+    parser.add_render_rule("math_block", _equation)
+    parser.add_render_rule("fence", _code)
+    return parser
+
+
+def read_chapter(
+    text: str,
+    path: str,
+    number: int,
+    *,
+    root: Path,
+    problems: Diagnostics,
+    load_scene: Callable[[str], Scene],
+) -> Chapter:
+    """The chapter in ``text``; mistakes go to ``problems`` and reading goes on."""
+    parser = make_parser()
+    reading = Reading(path, root, problems, load_scene, parser, CONSTRUCTS)
+    tokens = parser.parse(text, reading.env)
+    for line, message in reading.env.pop("problems", ()):
+        reading.problem(line, message)
+    matter = _read_front_matter(tokens, reading)
+    annotate(tokens, reading)
+    body = read_blocks(tokens, reading)
+    return Chapter(
+        number=number,
+        id=chapter_id(path),
+        path=path,
+        title=matter["title"],
+        summary=matter["summary"],
+        body=body,
+        headings=tuple(reading.headings),
+        anchors=frozenset(reading.ids),
+        links=tuple(reading.links),
+    )
+
+
+def _read_front_matter(tokens: Sequence[Token], reading: Reading) -> dict[str, str]:
+    found: object = {}
+    if not tokens or tokens[0].type != "front_matter":
+        reading.problem(1, "no front matter; legal: '---', 'title: …', 'summary: …', '---'")
+        return dict.fromkeys(FRONT_MATTER, "")
+    try:
+        found = yaml.safe_load(tokens[0].content)
+    except yaml.MarkedYAMLError as error:
+        line = error.problem_mark.line + 2 if error.problem_mark else 1
+        reading.problem(line, f"malformed YAML: {error.problem}")
+        return dict.fromkeys(FRONT_MATTER, "")
+    if not isinstance(found, dict):
+        reading.problem(1, "front matter is no mapping; legal: 'title: …' and 'summary: …'")
+        return dict.fromkeys(FRONT_MATTER, "")
+    for key in found:
+        if key not in FRONT_MATTER:
+            reading.problem(1, unknown("front matter key", str(key), FRONT_MATTER))
+    for key in FRONT_MATTER:
+        if not isinstance(found.get(key), str) or not found[key].strip():
+            reading.problem(1, f"front matter without {key!r}; legal: '{key}: some text'")
+    return {key: str(found.get(key) or "").strip() for key in FRONT_MATTER}
+
+
+def _formula(
+    _renderer: RendererProtocol, tokens: Sequence[Token], index: int, _o: OptionsDict, _e: EnvType
+) -> str:
+    return str(tokens[index].meta.get("mathml", ""))
+
+
+def _equation(
+    renderer: RendererProtocol, tokens: Sequence[Token], index: int, o: OptionsDict, e: EnvType
+) -> str:
+    return f'<div class="equation">{_formula(renderer, tokens, index, o, e)}</div>\n'
+
+
+def _code(
+    _renderer: RendererProtocol, tokens: Sequence[Token], index: int, _o: OptionsDict, _e: EnvType
+) -> str:
+    return str(tokens[index].meta.get("html", ""))

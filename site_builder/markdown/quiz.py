@@ -1,0 +1,141 @@
+"""``{quiz} id``: a question; answers as a task list, each explained by a ``: …`` line below it."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+from markdown_it.token import Token
+
+from site_builder.book import Option, Quiz
+from site_builder.diagnostics import unknown
+from site_builder.markdown.blocks import check_options, read_html
+from site_builder.markdown.directive import Directive
+from site_builder.markdown.inline import plain_text
+from site_builder.markdown.reading import Reading
+
+KINDS = ("single", "multiple")
+MARKS = {"[ ]": False, "[x]": True, "[X]": True}
+
+
+@dataclass(frozen=True, slots=True)
+class _Answer:
+    """The tokens of one list item."""
+
+    paragraphs: tuple[Token, ...]
+    line: int
+
+
+def read_quiz(directive: Directive, body: Sequence[Token], reading: Reading) -> Quiz | None:
+    check_options(directive, ("kind",), reading)
+    if not directive.argument:
+        reading.problem(directive.line, "{quiz} has no id; legal: ':::{quiz} id'")
+        return None
+    kind = _read_kind(directive, reading)
+    prompt, answers = _split(body)
+    read_html(directive, body, reading)  # reports directives inside the quiz
+    if not prompt:
+        reading.problem(directive.line, f"quiz {directive.argument!r} asks no question")
+    options = tuple(option for answer in answers if (option := _read_option(answer, reading)))
+    _check_options_of_quiz(directive, kind, options, len(answers), reading)
+    return Quiz(
+        id=directive.argument,
+        kind=kind,
+        prompt_html=reading.html(prompt),
+        prompt_text=" ".join(plain_text(token) for token in prompt if token.type == "inline"),
+        options=options,
+        path=reading.path,
+        line=directive.line,
+    )
+
+
+def _read_kind(directive: Directive, reading: Reading) -> str:
+    option = directive.options.get("kind")
+    if option and option.text not in KINDS:
+        reading.problem(option.line, unknown("kind of quiz", option.text, KINDS))
+        return "single"
+    return option.text if option else "single"
+
+
+def _split(body: Sequence[Token]) -> tuple[list[Token], list[_Answer]]:
+    """The question, and the items of the last list at the margin: the answers."""
+    starts = [
+        index
+        for index, token in enumerate(body)
+        if token.type == "bullet_list_open" and token.level == body[0].level
+    ]
+    if not starts:
+        return list(body), []
+    answers: list[_Answer] = []
+    paragraphs: list[Token] = []
+    for token in body[starts[-1] + 1 :]:
+        if token.type == "list_item_open" and token.level == body[0].level + 1:
+            paragraphs, item = [], token
+        elif token.type == "inline":
+            paragraphs.append(token)
+        elif token.type == "list_item_close" and token.level == body[0].level + 1:
+            answers.append(_Answer(tuple(paragraphs), (item.map or [0])[0] + 1))
+    return list(body[: starts[-1]]), answers
+
+
+def _read_option(answer: _Answer, reading: Reading) -> Option | None:
+    lines = [line for paragraph in answer.paragraphs for line in _split_lines(paragraph)]
+    first = lines[0][0] if lines and lines[0] else None
+    mark = first.content[:3] if first and first.type == "text" else ""
+    if first is None or mark not in MARKS:
+        reading.problem(answer.line, "an answer without its mark; legal: '- [ ] …' or '- [x] …'")
+        return None
+    first.content = first.content[3:].lstrip()
+    texts: tuple[list[Token], list[Token]] = ([], [])
+    explaining = False
+    for line in lines:
+        if line and line[0].type == "text" and line[0].content.startswith(": "):
+            line[0].content = line[0].content[2:]
+            explaining = True
+        texts[explaining].extend([*line, Token("softbreak", "br", 0)])
+    option = [_inline(part[:-1]) for part in texts]
+    if not texts[0][:-1] or not plain_text(option[0]):
+        reading.problem(answer.line, "an answer without text; legal: '- [ ] some text'")
+    if not texts[1]:
+        reading.problem(
+            answer.line,
+            f"answer {plain_text(option[0])!r} is not explained; legal: a ': …' line below it",
+        )
+    return Option(
+        html=reading.html([option[0]]),
+        text=plain_text(option[0]),
+        correct=MARKS[mark],
+        explanation_html=reading.html([option[1]]),
+    )
+
+
+def _split_lines(inline: Token) -> list[list[Token]]:
+    lines: list[list[Token]] = [[]]
+    for child in inline.children or ():
+        if child.type == "softbreak":
+            lines.append([])
+        elif child.content or child.type != "text":
+            lines[-1].append(child)
+    return lines
+
+
+def _inline(children: list[Token]) -> Token:
+    return Token("inline", "", 0, children=children)
+
+
+def _check_options_of_quiz(
+    directive: Directive, kind: str, options: tuple[Option, ...], answers: int, reading: Reading
+) -> None:
+    name = directive.argument
+    right = sum(option.correct for option in options)
+    if answers < 2:
+        reading.problem(directive.line, f"quiz {name!r} has {answers} answers; legal: 2 or more")
+    elif len(options) < answers:
+        return  # a mistake already reported would be counted twice
+    elif right == 0:
+        reading.problem(directive.line, f"quiz {name!r} has no right answer; mark one with [x]")
+    elif right > 1 and kind == "single":
+        reading.problem(
+            directive.line,
+            f"quiz {name!r} has {right} right answers; legal: one, or ':kind: multiple'",
+        )
+    elif len({option.text for option in options}) < len(options):
+        reading.problem(directive.line, f"quiz {name!r} gives the same answer twice")

@@ -1,0 +1,79 @@
+"""What is at hand, and what is gathered, while one Markdown file is read."""
+
+import re
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import Any
+
+from markdown_it import MarkdownIt
+from markdown_it.token import Token
+
+from simulations.engine.scene import Scene
+from site_builder.book import Block, Heading, Link
+from site_builder.diagnostics import Diagnostics
+from site_builder.markdown.directive import Directive
+
+type Construct = Callable[[Directive, Sequence[Token], "Reading"], Block | None]
+"""Reads one directive and its body; None where mistakes leave nothing to show."""
+
+
+@dataclass(slots=True)
+class Reading:
+    """The state of reading one page; dropped once its `Chapter` is made."""
+
+    path: str
+    """The file, relative to the root of the project."""
+    root: Path
+    """The project: where listings and picture files are looked up."""
+    problems: Diagnostics
+    load_scene: Callable[[str], Scene]
+    parser: MarkdownIt
+    constructs: Mapping[str, Construct]
+    env: dict[str, Any] = field(default_factory=dict)
+    """What the parser keeps between parsing and rendering: link references, footnotes."""
+    headings: list[Heading] = field(default_factory=list)
+    links: list[Link] = field(default_factory=list)
+    ids: dict[str, int] = field(default_factory=dict)
+    """Element ids taken in the page, with their lines."""
+
+    def problem(self, line: int, message: str) -> None:
+        self.problems.add(self.path, line, message)
+
+    def html(self, tokens: Sequence[Token]) -> str:
+        """Tokens without directives, as HTML."""
+        return str(self.parser.renderer.render(list(tokens), self.parser.options, self.env)).strip()
+
+    def inline_html(self, markdown: str, line: int) -> str:
+        """One line of Markdown, such as a directive's title, as HTML without a paragraph."""
+        from site_builder.markdown.inline import annotate  # annotate takes a Reading
+
+        env = {"references": self.env.get("references", {})}
+        tokens = self.parser.parseInline(markdown, env)
+        for token in tokens:
+            token.map = [line - 1, line]
+        annotate(tokens, self)
+        return self.html(tokens)
+
+    def take_id(self, wanted: str, line: int, kind: str) -> str:
+        """Claim an element id; taking one twice is a mistake."""
+        if wanted in self.ids:
+            self.problem(
+                line, f"duplicate {kind} id {wanted!r}; first used on line {self.ids[wanted]}"
+            )
+        self.ids.setdefault(wanted, line)
+        return wanted
+
+    def free_id(self, wanted: str, line: int) -> str:
+        """Claim an element id, numbered where it is taken."""
+        number = 2
+        chosen = wanted
+        while chosen in self.ids:
+            chosen, number = f"{wanted}-{number}", number + 1
+        self.ids[chosen] = line
+        return chosen
+
+
+def slug(text: str) -> str:
+    """Words of a heading as an id: lower case, letters and digits, joined by hyphens."""
+    return re.sub(r"[^\w]+", "-", text.lower()).strip("-") or "section"

@@ -1,0 +1,67 @@
+"""``{simulation} scene-id``: a live figure. Options are the scene's controls, and ``tier``."""
+
+from collections.abc import Sequence
+
+from markdown_it.token import Token
+
+from simulations.engine.controls import ControlError, check_values
+from simulations.engine.scene import Scene
+from simulations.registry import UnknownSceneError
+from site_builder.book import Simulation
+from site_builder.diagnostics import unknown
+from site_builder.markdown.blocks import read_html
+from site_builder.markdown.directive import Directive
+from site_builder.markdown.reading import Reading
+
+
+def read_simulation(
+    directive: Directive, body: Sequence[Token], reading: Reading
+) -> Simulation | None:
+    scene = find_scene(directive.argument, directive.line, reading)
+    caption_html = read_html(directive, body, reading)
+    if scene is None:
+        return None
+    return Simulation(
+        scene=scene,
+        id=reading.free_id(f"figure-{scene.id}", directive.line),
+        values=_read_values(directive, scene, reading),
+        tier=_read_tier(directive, scene, reading),
+        caption_html=caption_html,
+        path=reading.path,
+        line=directive.line,
+    )
+
+
+def find_scene(scene_id: str, line: int, reading: Reading) -> Scene | None:
+    """The scene, or None and a diagnostic: unknown id, or a module that cannot be imported."""
+    if not scene_id:
+        reading.problem(line, "{simulation} names no scene; legal: ':::{simulation} scene-id'")
+        return None
+    try:
+        return reading.load_scene(scene_id)
+    except UnknownSceneError as error:
+        reading.problem(line, str(error))
+    except Exception as error:  # whatever a scene's own code may raise is the author's to see
+        reason = f"{type(error).__name__}: {error}"
+        reading.problem(line, f"simulation {scene_id!r} cannot be loaded: {reason}")
+    return None
+
+
+def _read_values(directive: Directive, scene: Scene, reading: Reading) -> dict[str, object]:
+    values: dict[str, object] = {}
+    for name, option in directive.options.items():
+        if name == "tier":
+            continue
+        try:
+            values[name] = check_values(scene.controls, {name: option.text})[name]
+        except ControlError as error:
+            reading.problem(option.line, f"{scene.id}: {error}")
+    return values
+
+
+def _read_tier(directive: Directive, scene: Scene, reading: Reading) -> str:
+    option = directive.options.get("tier")
+    if option and option.text not in scene.tiers:
+        reading.problem(option.line, unknown(f"tier of {scene.id}", option.text, scene.tiers))
+        return scene.default_tier
+    return option.text if option else scene.default_tier

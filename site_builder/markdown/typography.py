@@ -1,0 +1,25 @@
+"""Dashes and ellipses. (Quotation marks are markdown-it's ``smartquotes``; its ``replacements``
+rule is not used, because it would turn an enumeration's "(c)" into a copyright sign.)"""
+
+import re
+
+from markdown_it import MarkdownIt
+from markdown_it.rules_core import StateCore
+
+REPLACEMENTS = (
+    (re.compile(r"(?<!-)---(?!-)"), "—"),
+    (re.compile(r"(?<!-)--(?!-)"), "–"),
+    (re.compile(r"(?<!\.)\.\.\.(?!\.)"), "…"),
+)
+
+
+def typography_plugin(parser: MarkdownIt) -> None:
+    parser.core.ruler.before("smartquotes", "typography", _rule)
+
+
+def _rule(state: StateCore) -> None:
+    for block in state.tokens:
+        for token in block.children or ():
+            if token.type == "text":
+                for pattern, character in REPLACEMENTS:
+                    token.content = pattern.sub(character, token.content)

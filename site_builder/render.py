@@ -1,0 +1,146 @@
+"""From the page model to HTML, by templates. No markup is made here."""
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from pathlib import Path
+
+from jinja2 import Environment, FileSystemLoader, StrictUndefined
+from markupsafe import Markup
+
+from site_builder.book import (
+    Block,
+    Book,
+    Callout,
+    CaptionedTable,
+    Example,
+    Heading,
+    Illustration,
+    Listing,
+    Prose,
+    Quiz,
+    Simulation,
+)
+from site_builder.embedding import json_for_html
+from site_builder.figure_view import view_figure
+from site_builder.licences import Licence
+from site_builder.stills import Stills
+
+TEMPLATES = Path(__file__).parent / "templates"
+BLOCK_TEMPLATES: Mapping[type, str] = {
+    Prose: "prose",
+    Simulation: "simulation",
+    Quiz: "quiz",
+    Callout: "callout",
+    Example: "example",
+    Listing: "listing",
+    Illustration: "illustration",
+    CaptionedTable: "table",
+}
+
+
+@dataclass(frozen=True, slots=True)
+class Site:
+    """What all pages share."""
+
+    book: Book
+    stills: Stills
+    assets: str
+    """Folder of style sheets, scripts, fonts and stills, relative to the site's root."""
+    runtime: str
+    """Folder of the browser's Python, relative to the site's root; nothing without a runtime."""
+    reload: bool = False
+    """Whether pages reload themselves when the site has been built anew."""
+
+
+def render_pages(site: Site, licences: tuple[Licence, ...]) -> dict[str, bytes]:
+    """Every page of the site, by its path."""
+    pages = {
+        "index.html": _page(site, "landing.html", "./", counts=_counts(site.book)),
+        "404.html": _page(site, "not-found.html", "./"),
+        "licences/index.html": _page(site, "licences.html", "../", licences=licences),
+    }
+    chapters = site.book.chapters
+    for index, chapter in enumerate(chapters):
+        pages[f"{chapter.url}index.html"] = _page(
+            site,
+            "chapter.html",
+            "../",
+            chapter=chapter,
+            sections=nest_headings(chapter.headings),
+            previous=chapters[index - 1] if index else None,
+            following=chapters[index + 1] if index + 1 < len(chapters) else None,
+        )
+    return {path: page.encode() for path, page in pages.items()}
+
+
+def _page(site: Site, template: str, root: str, **context: object) -> str:
+    """One page. ``root`` is the site's root relative to it."""
+    environment = _environment()
+    assets = f"{root}{site.assets}"
+
+    def block_html(block: Block) -> Markup:
+        name = BLOCK_TEMPLATES[type(block)]
+        extra: dict[str, object] = {}
+        if isinstance(block, Simulation):
+            extra["view"] = view_figure(site.stills[block.path, block.line], assets)
+        if isinstance(block, Quiz):
+            extra["data"] = quiz_data(block)
+        return Markup(
+            environment.get_template(f"blocks/{name}.html").render(
+                block=block, block_html=block_html, assets=assets, **extra
+            )
+        )
+
+    return environment.get_template(template).render(
+        site=site,
+        book=site.book,
+        root=root,
+        assets=assets,
+        runtime=f"{root}{site.runtime}" if site.runtime else "",
+        block_html=block_html,
+        **{"chapter": None, **context},
+    )
+
+
+def _environment() -> Environment:
+    return Environment(
+        loader=FileSystemLoader(TEMPLATES),
+        autoescape=True,
+        undefined=StrictUndefined,
+        trim_blocks=True,
+        lstrip_blocks=True,
+        keep_trailing_newline=True,
+    )
+
+
+def _counts(book: Book) -> dict[str, int]:
+    return {
+        "chapters": len(book.chapters),
+        "simulations": len(book.scenes),
+        "questions": sum(len(chapter.quizzes) for chapter in book.chapters),
+    }
+
+
+def nest_headings(headings: tuple[Heading, ...]) -> list[tuple[Heading, list[Heading]]]:
+    """Sections of level 2, each with its subsections of level 3."""
+    sections: list[tuple[Heading, list[Heading]]] = []
+    for heading in headings:
+        if heading.level == 2:
+            sections.append((heading, []))
+        elif heading.level == 3 and sections:
+            sections[-1][1].append(heading)
+    return sections
+
+
+def quiz_data(quiz: Quiz) -> Markup:
+    """What the page's script needs to answer at once."""
+    return json_for_html(
+        {
+            "id": quiz.id,
+            "kind": quiz.kind,
+            "options": [
+                {"correct": option.correct, "explanation_html": option.explanation_html}
+                for option in quiz.options
+            ],
+        }
+    )

@@ -1,0 +1,136 @@
+"""Reading ``content/``: the outline in ``book.toml``, and the chapters it lists."""
+
+import re
+import tomllib
+from collections.abc import Callable
+from dataclasses import dataclass
+from pathlib import Path
+
+from simulations.engine.scene import Scene
+from site_builder.book import Book, Chapter, Simulation
+from site_builder.diagnostics import Diagnostics, unknown
+from site_builder.markdown.parser import CONSTRUCTS, make_parser, read_chapter
+from site_builder.markdown.reading import Reading
+from site_builder.markdown.simulation import find_scene
+
+OUTLINE = "content/book.toml"
+TEXTS = ("title", "subtitle", "prerequisites")
+KEYS = (*TEXTS, "chapters", "hero", "hero_caption")
+
+
+@dataclass(frozen=True, slots=True)
+class Outline:
+    """``book.toml``: what the book is called, and its chapters in order."""
+
+    title: str
+    subtitle: str
+    prerequisites: str
+    chapters: tuple[tuple[str, int], ...]
+    """File names without ``.md``, each with its line."""
+    hero: str
+    """Scene of the landing page's figure, or nothing."""
+    hero_caption: str
+    hero_line: int
+
+
+def read_book(root: Path, problems: Diagnostics, load_scene: Callable[[str], Scene]) -> Book:
+    """The whole book; mistakes go to ``problems`` and reading goes on."""
+    outline = _read_outline(root, problems)
+    chapters: list[Chapter] = []
+    for number, (name, line) in enumerate(outline.chapters):
+        file = root / "content" / f"{name}.md"
+        if not file.is_file():
+            problems.add(OUTLINE, line, unknown("chapter", name, _chapter_files(root)))
+            continue
+        _check_number(name, number, line, problems)
+        path = file.relative_to(root).as_posix()
+        text = file.read_text(encoding="utf-8")
+        chapters.append(
+            read_chapter(text, path, number, root=root, problems=problems, load_scene=load_scene)
+        )
+    _check_unlisted(root, outline, problems)
+    return Book(
+        title=outline.title,
+        subtitle=outline.subtitle,
+        prerequisites=outline.prerequisites,
+        hero=_read_hero(outline, root, problems, load_scene),
+        chapters=tuple(chapters),
+    )
+
+
+def _read_outline(root: Path, problems: Diagnostics) -> Outline:
+    file = root / OUTLINE
+    text = file.read_text(encoding="utf-8") if file.is_file() else ""
+    if not text:
+        problems.add(OUTLINE, 1, f"no outline; legal: a file with {', '.join(KEYS)}")
+    try:
+        table = tomllib.loads(text)
+    except tomllib.TOMLDecodeError as error:
+        place = re.search(r"line (\d+)", str(error))
+        problems.add(OUTLINE, int(place[1]) if place else 1, f"malformed TOML: {error}")
+        table, text = {}, ""
+    for key in table:
+        if key not in KEYS:
+            problems.add(OUTLINE, _line_of(key, text), unknown("key", key, KEYS))
+    for key in TEXTS:
+        if text and not isinstance(table.get(key), str):
+            problems.add(OUTLINE, _line_of(key, text), f'no {key!r}; legal: {key} = "some text"')
+    names = table.get("chapters", [])
+    if text and not (isinstance(names, list) and names and all(isinstance(n, str) for n in names)):
+        problems.add(OUTLINE, _line_of("chapters", text), 'no chapters; legal: ["00-slug", …]')
+        names = []
+    return Outline(
+        title=str(table.get("title", "")),
+        subtitle=str(table.get("subtitle", "")),
+        prerequisites=str(table.get("prerequisites", "")),
+        chapters=tuple((name, _line_of(f'"{name}"', text)) for name in names),
+        hero=str(table.get("hero", "")),
+        hero_caption=str(table.get("hero_caption", "")),
+        hero_line=_line_of("hero", text),
+    )
+
+
+def _line_of(fragment: str, text: str) -> int:
+    """First line that begins with ``fragment``; 1 where none does."""
+    for number, line in enumerate(text.splitlines(), start=1):
+        if line.strip().startswith(fragment):
+            return number
+    return 1
+
+
+def _chapter_files(root: Path) -> list[str]:
+    return sorted(file.stem for file in (root / "content").glob("*.md"))
+
+
+def _check_number(name: str, number: int, line: int, problems: Diagnostics) -> None:
+    if not re.match(rf"{number:02d}-[a-z0-9-]+$", name):
+        problems.add(
+            OUTLINE, line, f"chapter {name!r} stands at place {number}; legal: '{number:02d}-slug'"
+        )
+
+
+def _check_unlisted(root: Path, outline: Outline, problems: Diagnostics) -> None:
+    listed = {name for name, _ in outline.chapters}
+    for name in _chapter_files(root):
+        if listed and name not in listed:
+            problems.add(f"content/{name}.md", 1, f"not in {OUTLINE}; legal: listed in 'chapters'")
+
+
+def _read_hero(
+    outline: Outline, root: Path, problems: Diagnostics, load_scene: Callable[[str], Scene]
+) -> Simulation | None:
+    if not outline.hero:
+        return None
+    reading = Reading(OUTLINE, root, problems, load_scene, make_parser(), CONSTRUCTS)
+    scene = find_scene(outline.hero, outline.hero_line, reading)
+    if scene is None:
+        return None
+    return Simulation(
+        scene=scene,
+        id=f"figure-{scene.id}",
+        values={},
+        tier=scene.default_tier,
+        caption_html=reading.inline_html(outline.hero_caption, outline.hero_line),
+        path=OUTLINE,
+        line=outline.hero_line,
+    )
