@@ -1,0 +1,102 @@
+"""Light on the still life: one large distant lamp with soft shadows, and its echo from the room."""
+
+import math
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from simulations.models.depth_of_field import Layer, Planes
+from simulations.models.raycasting import Vector, shadow_bounds, visibility
+from simulations.models.reflectance import blinn_phong, lambert
+from simulations.pictures.still_life import THINGS, WALL_DISTANCE
+from simulations.pictures.still_life_surfaces import Surface, window_of, within
+
+type Floats = NDArray[np.floating]
+
+LAMP_ELEVATION_RAD = math.radians(48.0)
+LAMP_RADIUS_RAD = math.radians(5.0)
+"""Half of its angular diameter: the sun's is 0.27°, a photographer's soft box has several."""
+LAMP = np.array([0.86, 0.79, 0.68])
+"""Linear RGB that a white surface facing the lamp sends out."""
+ROOM = np.array([0.19, 0.22, 0.27])
+"""The same, from the surroundings above ..."""
+BOUNCE = np.array([0.13, 0.11, 0.085])
+"""... and from the floor below."""
+
+
+@dataclass(frozen=True, slots=True)
+class LitScene:
+    """Radiance that reaches the lens, in parts that lie at one depth each."""
+
+    base: Planes
+    """(3, H, W) wall and floor, linear RGB, nothing standing before them."""
+    base_depth: Floats
+    """(H, W) metres along the optical axis."""
+    layers: tuple[Layer, ...]
+    """The things, farthest first."""
+    depths: tuple[float, ...]
+    """Of the layers, metres."""
+
+
+def lamp_direction(light_angle_deg: float) -> Vector:
+    """Unit vector towards the lamp: 0° is from behind the camera, positive from the right."""
+    angle = math.radians(light_angle_deg)
+    level = math.cos(LAMP_ELEVATION_RAD)
+    return (level * math.sin(angle), -level * math.cos(angle), math.sin(LAMP_ELEVATION_RAD))
+
+
+def light(parts: tuple[Surface, ...], light_angle_deg: float) -> LitScene:
+    """Shade wall, floor and things."""
+    lamp = lamp_direction(light_angle_deg)
+    wall, floor, *things = parts
+    height = max(part.top + part.coverage.shape[0] for part in (wall, floor))
+    width = wall.coverage.shape[1]
+    base = np.zeros((3, height, width), np.float32)
+    depth = np.zeros((height, width))
+    for part in (wall, floor):
+        rows = slice(part.top, part.top + part.coverage.shape[0])
+        base[:, rows] += _premultiplied(part, lamp)[:3]
+        depth[rows] += part.depth * part.coverage
+    depth[depth == 0.0] = WALL_DISTANCE  # no ray reaches these pixels, which stay black
+    layers = tuple(Layer(_premultiplied(part, lamp), part.top, part.left) for part in things)
+    return LitScene(base, depth, layers, tuple(float(part.depth[0, 0]) for part in things))
+
+
+def _premultiplied(part: Surface, lamp: Vector) -> Planes:
+    """(4, h, w) radiance times coverage, then coverage."""
+    shaded = radiance(part, lamp) * part.coverage[..., None]
+    return np.concatenate((shaded, part.coverage[..., None]), axis=-1, dtype=np.float32).transpose(
+        2, 0, 1
+    )
+
+
+def radiance(part: Surface, lamp: Vector) -> Floats:
+    """(h, w, 3) linear RGB: Lambert and Blinn–Phong under the lamp, plus the room's glow."""
+    direct = lambert(part.normals, lamp) * _lamp_seen(part, lamp)
+    upward = 0.5 + 0.5 * part.normals[..., 2]
+    around = (BOUNCE + (ROOM - BOUNCE) * upward[..., None]) * part.openness[..., None]
+    shaded: Floats = part.albedo * (direct[..., None] * LAMP + around)
+    if part.thing is not None and part.thing.gloss > 0:
+        highlight = blinn_phong(
+            part.normals,
+            lamp,
+            part.to_eye,
+            albedo=0.0,
+            specular=part.thing.gloss,
+            shininess=part.thing.shininess,
+        )
+        shaded = shaded + highlight[..., None] * LAMP
+    return shaded
+
+
+def _lamp_seen(part: Surface, lamp: Vector) -> Floats:
+    """Share of the lamp that the other things leave visible."""
+    seen = np.ones(part.coverage.shape)
+    for thing in THINGS:
+        if thing is part.thing:
+            continue
+        near = window_of(within(part.points, *shadow_bounds(thing.solid, lamp, LAMP_RADIUS_RAD)))
+        if near is not None:
+            seen[near] *= visibility(thing.solid, part.points[near], lamp, LAMP_RADIUS_RAD)
+    return seen

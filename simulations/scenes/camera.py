@@ -1,0 +1,164 @@
+"""Interactive Camera Simulator: every stage of image formation at once, on a still life."""
+
+import math
+
+import numpy as np
+
+from simulations.engine.controls import Action, Slider, Toggle, Values
+from simulations.engine.frame import Frame, Panel, Raster, Readout, format_number, readout
+from simulations.engine.pipeline import StageCache, run
+from simulations.engine.scene import Scene
+from simulations.models import optics, projection
+from simulations.scenes.camera_plan import PLAN_HEIGHT, PLAN_WIDTH, draw_plan
+from simulations.scenes.camera_stages import (
+    PITCH_MM,
+    SENSOR_WIDTH_MM,
+    STAGES,
+    largest_blur_px,
+    shutter_s,
+)
+
+CONTROLS = (
+    Slider(
+        name="focal_length",
+        label="Focal length",
+        default=50.0,
+        minimum=24.0,
+        maximum=135.0,
+        step=1.0,
+        unit="mm",
+    ),
+    Slider(
+        name="aperture",
+        label="Aperture",
+        default=4.0,
+        minimum=1.4,
+        maximum=22.0,
+        step=0.1,
+        prefix="f/",
+    ),
+    Slider(
+        name="focus",
+        label="Focus distance",
+        default=3.2,
+        minimum=1.0,
+        maximum=10.0,
+        step=0.1,
+        unit="m",
+    ),
+    Slider(name="k1", label="Distortion k₁", default=0.0, minimum=-0.4, maximum=0.4, step=0.01),
+    Slider(
+        name="light_angle",
+        label="Light angle",
+        default=40.0,
+        minimum=-80.0,
+        maximum=80.0,
+        step=1.0,
+        unit="°",
+    ),
+    Slider(
+        name="exposure",
+        label="Exposure",
+        default=0.0,
+        minimum=-4.0,
+        maximum=3.0,
+        step=0.1,
+        unit="EV",
+    ),
+    Slider(
+        name="noise_sigma",
+        label="Read noise σ",
+        default=5.0,
+        minimum=0.0,
+        maximum=40.0,
+        step=1.0,
+        unit="codes",
+    ),
+    Toggle(name="shot_noise", label="Photon shot noise", default=True),
+    Action(name="new_noise", labels=("Take it again",) * 8),
+)
+
+
+def depth_of_field_m(values: Values) -> tuple[float, float]:
+    """Nearest and farthest depth whose blur is at most one pixel, metres."""
+    near, far = optics.depth_of_field(
+        values.number("focal_length"),
+        values.number("aperture"),
+        values.number("focus") * 1000.0,
+        PITCH_MM,
+    )
+    return near / 1000.0, far / 1000.0
+
+
+def psnr_db(picture: Raster, ideal: Raster) -> float:
+    """Peak signal-to-noise ratio of two pictures in 8-bit codes; ∞ where they are the same."""
+    error = picture[..., :3].astype(np.float32) - ideal[..., :3]
+    mean_square = float(np.mean(error * error))
+    return 10.0 * math.log10(255.0**2 / mean_square) if mean_square > 0 else math.inf
+
+
+def shutter_text(seconds: float) -> str:
+    """As on a camera's dial: ``1/60``, or seconds from a third upwards."""
+    return f"1/{round(1 / seconds)}" if seconds < 0.3 else format_number(seconds, 1)
+
+
+def render(values: Values, tier: str, cache: StageCache) -> Frame:  # noqa: ARG001
+    """A photograph of the still life, and the plan of where everything stood."""
+    result = run(STAGES, values, cache)
+    photograph: Raster = result.outputs["sRGB"]
+    view_rad = projection.field_of_view(values.number("focal_length"), SENSOR_WIDTH_MM)
+    near, far = depth_of_field_m(values)
+    quality = psnr_db(photograph, result.outputs["noiseless picture"])
+    return Frame(
+        panels=(
+            Panel("photograph", "Captured image", PLAN_WIDTH, PLAN_HEIGHT, photograph),
+            Panel(
+                "plan",
+                "From above",
+                PLAN_WIDTH,
+                PLAN_HEIGHT,
+                overlay=draw_plan(values, view_rad, near, far),
+            ),
+        ),
+        readouts=_readouts(values, view_rad, near, far, quality),
+        description=_describe(values, view_rad, near, far, quality),
+        stages=result.reports,
+    )
+
+
+def _readouts(
+    values: Values, view_rad: float, near: float, far: float, quality: float
+) -> tuple[Readout, ...]:
+    shutter = shutter_s(values.number("aperture"), values.number("exposure"))
+    return (
+        readout(
+            "field_of_view", "Field of view", math.degrees(view_rad), "°", digits=1, role="camera"
+        ),
+        Readout(
+            "depth_of_field", "Sharp from", f"{_metres(near)} to {_metres(far)}", "m", role="ray"
+        ),
+        readout(
+            "largest_blur", "Largest blur", largest_blur_px(values), "px", digits=1, role="ray"
+        ),
+        Readout("shutter", "Shutter", shutter_text(shutter), "s", role="light"),
+        readout("psnr", "PSNR against no noise", quality, "dB", digits=1, role="error"),
+    )
+
+
+def _metres(depth: float) -> str:
+    return format_number(depth, 1)
+
+
+def _describe(values: Values, view_rad: float, near: float, far: float, quality: float) -> str:
+    k1 = values.number("k1")
+    lines = "stay straight" if k1 == 0 else f"bow {'outwards' if k1 < 0 else 'inwards'}"
+    beyond = "onwards" if math.isinf(far) else f"to {_metres(far)} m"
+    noise = "no noise" if math.isinf(quality) else f"noise at {quality:.0f} dB PSNR"
+    return (
+        f"A {values.number('focal_length'):.0f} mm lens at f/{values.number('aperture'):.1f} sees "
+        f"{math.degrees(view_rad):.0f}° of a still life of balls and boxes; it is sharp from "
+        f"{_metres(near)} m {beyond}, straight lines {lines}, and the picture has {noise}."
+    )
+
+
+SCENE = Scene(id="camera", title="Interactive Camera Simulator", controls=CONTROLS, render=render)
