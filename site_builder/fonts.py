@@ -29,7 +29,7 @@ def _each(characters: str) -> frozenset[int]:
 
 LATIN = _span((0x20, 0x7E), (0xA0, 0x17F))
 GREEK = _span((0x391, 0x3A1), (0x3A3, 0x3C9)) | _each("ϑϕϵ")
-PUNCTUATION = _each("‐‑–—‘’‚“”„†‡•…‰′″‹›€№™")
+PUNCTUATION = _span((0x2002, 0x200A), (0x202F, 0x202F)) | _each("‐‑–—‘’‚“”„†‡•…‰′″‹›€№™")
 INLINE_MATHS = _each("←↑→↓↔⇒−×÷±·∙√∞≈≠≤≥∂∆∏∑∫∈∥⟂ℓ°⁻⁺ⁿ⁰¹²³⁴⁵⁶⁷⁸⁹₀₁₂₃₄₅₆₇₈₉½⅓⅔¼¾✓✗")
 TEXT = LATIN | GREEK | PUNCTUATION | INLINE_MATHS
 FORMULAE = (
@@ -38,7 +38,8 @@ FORMULAE = (
     | PUNCTUATION
     | INLINE_MATHS
     | _span(
-        (0x300, 0x308),  # combining accents: hat, tilde, bar, dot
+        (0x2C6, 0x2DD),  # accents: hat, caron, breve, dot, ring, tilde
+        (0x300, 0x308),  # the same, combining
         (0x2016, 0x2016),  # ‖
         (0x2032, 0x2037),  # primes
         (0x2061, 0x2064),  # invisible operators
