@@ -142,12 +142,13 @@ def resize(image: ArrayLike, height: int, width: int, kernel: str = "bilinear") 
     chosen = _kernel(kernel)
     if height < 1 or width < 1:
         raise ValueError(f"height {height}, width {width}: must be at least 1")
-    picture = np.asarray(image)
+    picture: Floats = np.asarray(image)
     dtype = np.float32 if picture.dtype == np.float32 else np.float64
     by_row = _resize_matrix(picture.shape[0], height, chosen).astype(dtype)
     by_column = _resize_matrix(picture.shape[1], width, chosen).astype(dtype)
     planes = picture.astype(dtype, copy=False).reshape(*picture.shape[:2], -1)
-    resized = by_row @ np.moveaxis(planes, 2, 0) @ by_column.T  # one plane per channel
+    # One plane per channel, rows first.
+    resized: Floats = np.matmul(np.matmul(by_row, np.moveaxis(planes, 2, 0)), by_column.T)
     return np.ascontiguousarray(np.moveaxis(resized, 0, 2)).reshape(
         height, width, *picture.shape[2:]
     )

@@ -1,0 +1,95 @@
+"""A test chart: chequered border, ruled grid, Siemens stars, line pairs, a slanted edge.
+
+Flat and parallel to the image plane, one metre away, so that its coordinates in metres equal
+normalised image coordinates. Linear luminance as grey RGB; the chart goes on for as far as the
+picture reaches.
+"""
+
+import numpy as np
+from numpy.typing import NDArray
+
+from simulations.pictures.coverage import band, blend, checker, stripes
+from simulations.pictures.patterns import siemens_star
+
+type Floats = NDArray[np.floating]
+
+PAPER, INK, RULE = (0.82, 0.81, 0.78), (0.025, 0.028, 0.035), (0.10, 0.22, 0.34)
+STAR_CENTRES = ((-0.57, -0.37), (0.57, -0.37), (-0.57, 0.37), (0.57, 0.37))
+STAR_RADIUS, STAR_SPOKES = 0.15, 18
+EDGE_SLOPE = 0.0875
+"""Tangent of the slanted edge's tilt, 5°: each row cuts it at another fraction of a pixel."""
+
+
+def resolution_chart(width: int, height: int, focal_px: float) -> Floats:
+    """The chart through a pinhole whose axis meets the centre of the picture.
+
+    Returns
+    -------
+    (height, width, 3) float32 linear RGB. Raises ValueError unless sizes and ``focal_px`` are
+    positive.
+    """
+    if width < 1 or height < 1 or not 0.0 < focal_px < np.inf:
+        raise ValueError(f"{width} x {height}, focal_px {focal_px!r}: must be positive and finite")
+    column = (np.arange(width) - 0.5 * (width - 1)) / focal_px
+    row = (np.arange(height) - 0.5 * (height - 1)) / focal_px
+    x, y = np.meshgrid(column.astype(np.float32), row.astype(np.float32))
+    pixel = np.float32(1.0 / focal_px)
+    picture = np.broadcast_to(np.asarray(PAPER, np.float32), (height, width, 3))
+    picture = _grid(picture, x, y, pixel)
+    picture = _border(picture, x, y, pixel)
+    picture = _stars(picture, x, y, pixel)
+    picture = _line_pairs(picture, x, y, pixel)
+    return _slanted_edge(picture, x, y, pixel).astype(np.float32)
+
+
+def _grid(picture: Floats, x: Floats, y: Floats, pixel: np.float32) -> Floats:
+    """Lines every 0.1, bolder every 0.2 from the centre."""
+    fine = np.maximum(stripes(x, 0.1, 0.003, pixel), stripes(y, 0.1, 0.003, pixel))
+    bold = np.maximum(stripes(x, 0.2, 0.009, pixel), stripes(y, 0.2, 0.009, pixel))
+    return blend(blend(picture, RULE, 0.45 * fine), RULE, bold)
+
+
+def _border(picture: Floats, x: Floats, y: Floats, pixel: np.float32) -> Floats:
+    """A frame of squares just inside |x| = 0.8, |y| = 0.6, and a wall of squares outside it."""
+    inner = _box(x, y, 0.75, 0.55, pixel)
+    squares = checker(x - 0.025, y - 0.025, 0.05, pixel, pixel)
+    wall = checker(x - 0.1, y - 0.1, 0.2, pixel, pixel)
+    outside = 1.0 - _box(x, y, 0.8, 0.6, pixel)
+    tiles = blend(blend(picture, PAPER, 1.0 - inner), INK, squares * (1.0 - inner))
+    muted = np.asarray(PAPER) * 0.55
+    return blend(tiles, blend(np.zeros_like(picture) + np.float32(0.05), muted, wall), outside)
+
+
+def _stars(picture: Floats, x: Floats, y: Floats, pixel: np.float32) -> Floats:
+    for centre_x, centre_y in STAR_CENTRES:
+        star = siemens_star(x - centre_x, y - centre_y, STAR_SPOKES)
+        radius = np.hypot(x - centre_x, y - centre_y)
+        disc = np.clip((STAR_RADIUS - radius) / pixel + 0.5, 0.0, 1.0)
+        picture = blend(blend(picture, PAPER, disc), INK, disc * (1.0 - star))
+    return picture
+
+
+def _line_pairs(picture: Floats, x: Floats, y: Floats, pixel: np.float32) -> Floats:
+    """Bars of five widths above and below the centre; the finest are one pixel at f = 200 px."""
+    for step, width in enumerate((0.025, 0.018, 0.012, 0.008, 0.005)):
+        left = -0.37 + 0.15 * step
+        for top, along in ((-0.48, x - left), (0.33, y - 0.33)):
+            field = band(x, left, left + 0.14, pixel) * band(y, top, top + 0.15, pixel)
+            bars = stripes(along - 0.5 * width, 2.0 * width, width, pixel)
+            picture = blend(blend(picture, PAPER, field), INK, field * bars)
+    return picture
+
+
+def _slanted_edge(picture: Floats, x: Floats, y: Floats, pixel: np.float32) -> Floats:
+    """A dark square tilted by 5° on a clear field around the axis."""
+    field = _box(x, y, 0.19, 0.19, pixel)
+    across, down = x + EDGE_SLOPE * y, y - EDGE_SLOPE * x
+    wide = pixel * np.float32(1.0 + EDGE_SLOPE)
+    square = _box(across, down, 0.12, 0.12, wide)
+    picture = blend(blend(picture, PAPER, field), INK, square)
+    hair = np.maximum(band(x, -0.002, 0.002, pixel), band(y, -0.002, 0.002, pixel))
+    return blend(picture, (0.75, 0.16, 0.08), hair * _box(x, y, 0.05, 0.05, pixel))
+
+
+def _box(x: Floats, y: Floats, half_width: float, half_height: float, pixel: np.float32) -> Floats:
+    return band(x, -half_width, half_width, pixel) * band(y, -half_height, half_height, pixel)

@@ -1,0 +1,145 @@
+"""What the lens-distortion figure computes: picture → map → through the lens → corrected → bytes.
+
+The photograph is 320 × 240 px with a focal length of 200 px, so that its half-diagonal is 200 px
+and its corners lie at the normalised radius r = 1, 45° from the axis.
+"""
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from simulations.engine.controls import Values
+from simulations.engine.pipeline import Stage
+from simulations.engine.raster import to_rgba8
+from simulations.models.color import encode_srgb
+from simulations.models.distortion import Distortion, distort, fold_radius, largest_distorted_radius
+from simulations.models.radial_profile import invert
+from simulations.models.resampling import GatherTable, gather, gather_table
+from simulations.pictures.checker_room import checker_room
+from simulations.pictures.resolution_chart import resolution_chart
+
+type Floats = NDArray[np.floating]
+
+WIDTH_PX, HEIGHT_PX = 320, 240
+FOCAL_PX = 200.0
+HALF_DIAGONAL = 0.5 * np.hypot(WIDTH_PX, HEIGHT_PX) / FOCAL_PX
+"""Normalised radius of the picture's corners: 1."""
+MARGIN_PX = (120, 90)
+"""The pinhole picture reaches this much further to each side: a barrel pulls it into view."""
+UNSEEN = (0.33, 0.34, 0.36)
+"""Linear grey where no light of the scene arrives according to the model."""
+
+
+@dataclass(frozen=True, slots=True)
+class Radii:
+    """The distinct radii among the pixel centres: a radial map is solved once for each."""
+
+    distinct: Floats
+    """Sorted normalised radii."""
+    of_pixel: NDArray[np.intp]
+    """(HEIGHT_PX · WIDTH_PX,) index into ``distinct``."""
+
+
+@dataclass(frozen=True, slots=True)
+class Warp:
+    """A gather table and how much of each pixel of its output has a source."""
+
+    table: GatherTable
+    coverage: Floats
+    """(HEIGHT_PX, WIDTH_PX) float32 in [0, 1]."""
+
+
+@dataclass(frozen=True, slots=True)
+class Photo:
+    """A picture in linear light, and where it shows the scene at all."""
+
+    linear: Floats
+    coverage: Floats
+
+
+def centred_pixels() -> Floats:
+    """(HEIGHT_PX, WIDTH_PX, 2) pixel centres relative to the principal point, in px."""
+    x = np.arange(WIDTH_PX) - 0.5 * (WIDTH_PX - 1)
+    y = np.arange(HEIGHT_PX) - 0.5 * (HEIGHT_PX - 1)
+    return np.stack(np.meshgrid(x, y), axis=-1)
+
+
+def _radii() -> Radii:
+    # Twice a coordinate is an odd whole number: equal radii are found without rounding.
+    doubled = np.rint(2.0 * centred_pixels()).astype(np.int64)
+    squares, of_pixel = np.unique((doubled**2).sum(axis=-1).ravel(), return_inverse=True)
+    return Radii(np.sqrt(squares) / (2.0 * FOCAL_PX), of_pixel.astype(np.intp))
+
+
+def _pinhole(picture: str) -> Floats:
+    width, height = WIDTH_PX + 2 * MARGIN_PX[0], HEIGHT_PX + 2 * MARGIN_PX[1]
+    draw = {"room": checker_room, "chart": resolution_chart}[picture]
+    return draw(width, height, FOCAL_PX)
+
+
+def _undistorted_frame(pinhole: Floats) -> Photo:
+    x, y = MARGIN_PX
+    shown = pinhole[y : y + HEIGHT_PX, x : x + WIDTH_PX]
+    return Photo(shown, np.ones((HEIGHT_PX, WIDTH_PX), np.float32))
+
+
+def _map(radii: Radii, k1: float, k2: float) -> Warp:
+    """For each pixel of the photograph, where in the pinhole picture its light comes from."""
+    lens = Distortion(k1=k1, k2=k2)
+    ideal, _ = invert(lens.radial, radii.distinct)
+    ratio = (ideal / radii.distinct)[radii.of_pixel].reshape(HEIGHT_PX, WIDTH_PX, 1)
+    centre = np.array((MARGIN_PX[0] + 0.5 * (WIDTH_PX - 1), MARGIN_PX[1] + 0.5 * (HEIGHT_PX - 1)))
+    shape = (HEIGHT_PX + 2 * MARGIN_PX[1], WIDTH_PX + 2 * MARGIN_PX[0])
+    table = gather_table(centre + centred_pixels() * ratio, shape)
+    # A soft edge, one pixel wide, where the image ends.
+    limit = min(largest_distorted_radius(lens), 1e6)
+    edge = np.clip((limit - radii.distinct) * FOCAL_PX + 0.5, 0.0, 1.0).astype(np.float32)
+    coverage = edge[radii.of_pixel].reshape(HEIGHT_PX, WIDTH_PX)
+    return Warp(table, coverage * table.inside.reshape(coverage.shape))
+
+
+def _through_lens(_undistorted: Photo, pinhole: Floats, warp: Warp) -> Photo:
+    return Photo(gather(warp.table, pinhole, fill=None), warp.coverage)
+
+
+def _corrected(photo: Photo, k1: float, k2: float) -> Photo:
+    """The photograph with its distortion taken out again.
+
+    For each pixel the forward formula tells where in the photograph its light went. Past the
+    fold it would fetch light from a wrong place: those pixels are sent off the picture.
+    """
+    lens = Distortion(k1=k1, k2=k2)
+    ideal = centred_pixels() / FOCAL_PX
+    folded = np.hypot(ideal[..., 0], ideal[..., 1]) >= fold_radius(lens)
+    centre = np.array((0.5 * (WIDTH_PX - 1), 0.5 * (HEIGHT_PX - 1)))
+    position = np.where(folded[..., None], -2.0, centre + distort(ideal, lens) * FOCAL_PX)
+    table = gather_table(position, (HEIGHT_PX, WIDTH_PX), "bicubic")
+    linear = np.maximum(gather(table, photo.linear), 0.0)  # bicubic undershoots at edges
+    return Photo(linear, np.clip(gather(table, photo.coverage), 0.0, 1.0))
+
+
+def _encoded(photo: Photo) -> NDArray[np.uint8]:
+    covered = photo.coverage[..., None]
+    unseen = np.asarray(UNSEEN, np.float32)
+    return to_rgba8(encode_srgb(unseen + (photo.linear - unseen) * covered))
+
+
+def _ideal_lens(values: Values) -> str:
+    return "k₁ = k₂ = 0: the lens is ideal" if not values["k1"] and not values["k2"] else ""
+
+
+def _not_corrected(values: Values) -> str:
+    return _ideal_lens(values) or ("" if values.toggle("correct") else "no correction is asked for")
+
+
+STAGES = (
+    Stage("radii", (), _radii),
+    Stage("pinhole", ("picture",), _pinhole),
+    Stage("undistorted", (), _undistorted_frame, ("pinhole",)),
+    Stage("map", ("k1", "k2"), _map, ("radii",), _ideal_lens),
+    Stage("through-lens", (), _through_lens, ("undistorted", "pinhole", "map"), _ideal_lens),
+    Stage("corrected", ("k1", "k2"), _corrected, ("through-lens",), _not_corrected),
+    Stage("encoded", (), _encoded, ("corrected",)),
+)
+"""In order; each is recomputed only when what it reads has changed."""
