@@ -1,5 +1,6 @@
 """One pass over a page's tokens: set formulae, gather links and headings, report the illegal."""
 
+import re
 from collections.abc import Iterator, Sequence
 from itertools import pairwise
 from pathlib import PurePosixPath
@@ -12,6 +13,8 @@ from site_builder.markdown.code import UnknownLanguageError, code_html
 from site_builder.markdown.math import ROLES, UnsupportedTexError, to_mathml
 from site_builder.markdown.reading import Reading, slug
 
+MISPLACED_OPTION = re.compile(r":[a-z_][\w-]*:[ \t]+\S+")
+
 
 def annotate(tokens: Sequence[Token], reading: Reading) -> None:
     """Give formulae, code, links and headings what rendering needs; report what is illegal."""
@@ -23,6 +26,12 @@ def annotate(tokens: Sequence[Token], reading: Reading) -> None:
                 _set_code(token, line, reading)
             case "link_open":
                 _gather_link(token, line, reading)
+            case "text" if MISPLACED_OPTION.fullmatch(token.content):
+                reading.problem(
+                    line,
+                    f"option {token.content!r} in running text; "
+                    "legal: directly below the line that opens the directive",
+                )
             case "role_open" if token.info not in ROLES:
                 reading.problem(line, unknown("colour role", token.info, ROLES))
             case "image":
@@ -102,7 +111,17 @@ def _name_headings(tokens: Sequence[Token], reading: Reading) -> None:
             )  # fmt: skip
         name = reading.take_id(slug(text), line, "heading")
         opening.attrSet("id", name)
-        reading.headings.append(Heading(level, name, reading.html([inline])))
+        reading.headings.append(Heading(level, name, reading.html(_without_links(inline))))
+
+
+def _without_links(inline: Token) -> list[Token]:
+    """A heading as it may stand inside a link of the table of contents."""
+    children = [
+        child
+        for child in inline.children or ()
+        if child.type not in ("link_open", "link_close", "footnote_ref")
+    ]
+    return [Token("inline", "", 0, children=children)]
 
 
 def plain_text(inline: Token) -> str:

@@ -36,7 +36,8 @@ def read_listing(directive: Directive, body: Sequence[Token], reading: Reading) 
     source = file.read_text(encoding="utf-8")
     definitions = _definitions(source)
     if name not in definitions:
-        reading.problem(directive.line, unknown(f"definition in {module}", name, definitions))
+        public = [known for known in definitions if not known.startswith("_")]
+        reading.problem(directive.line, unknown(f"definition in {module}", name, public))
         return None
     first, last = _span(definitions[name])
     code = "\n".join(source.splitlines()[first - 1 : last]) + "\n"

@@ -39,7 +39,7 @@ def read_quiz(directive: Directive, body: Sequence[Token], reading: Reading) -> 
     return Quiz(
         id=directive.argument,
         kind=kind,
-        prompt_html=reading.html(prompt),
+        prompt_html=_prompt_html(prompt, directive, reading),
         prompt_text=" ".join(plain_text(token) for token in prompt if token.type == "inline"),
         options=options,
         path=reading.path,
@@ -53,6 +53,24 @@ def _read_kind(directive: Directive, reading: Reading) -> str:
         reading.problem(option.line, unknown("kind of quiz", option.text, KINDS))
         return "single"
     return option.text if option else "single"
+
+
+def _prompt_html(prompt: Sequence[Token], directive: Directive, reading: Reading) -> str:
+    """The question as phrasing content: all that a ``legend`` may hold."""
+    parts: list[str] = []
+    for token in prompt:
+        if token.type == "inline":
+            parts.append(reading.html([token]))
+        elif token.type == "math_block":
+            parts.append(str(token.meta.get("mathml", "")))
+        elif token.type not in ("paragraph_open", "paragraph_close"):
+            reading.problem(
+                directive.line,
+                f"the question of quiz {directive.argument!r} holds more than text and formulae; "
+                "legal: put it above the quiz",
+            )
+            break
+    return "<br>".join(parts)
 
 
 def _split(body: Sequence[Token]) -> tuple[list[Token], list[_Answer]]:

@@ -18,6 +18,10 @@ type Construct = Callable[[Directive, Sequence[Token], "Reading"], Block | None]
 """Reads one directive and its body; None where mistakes leave nothing to show."""
 
 
+PAGE_IDS = ("main", "contents")
+"""Element ids of the frame around every chapter."""
+
+
 @dataclass(slots=True)
 class Reading:
     """The state of reading one page; dropped once its `Chapter` is made."""
@@ -34,8 +38,8 @@ class Reading:
     """What the parser keeps between parsing and rendering: link references, footnotes."""
     headings: list[Heading] = field(default_factory=list)
     links: list[Link] = field(default_factory=list)
-    ids: dict[str, int] = field(default_factory=dict)
-    """Element ids taken in the page, with their lines."""
+    ids: dict[str, int] = field(default_factory=lambda: dict.fromkeys(PAGE_IDS, 0))
+    """Element ids taken in the page, with their lines; 0 where the page itself took them."""
 
     def problem(self, line: int, message: str) -> None:
         self.problems.add(self.path, line, message)
@@ -58,9 +62,9 @@ class Reading:
     def take_id(self, wanted: str, line: int, kind: str) -> str:
         """Claim an element id; taking one twice is a mistake."""
         if wanted in self.ids:
-            self.problem(
-                line, f"duplicate {kind} id {wanted!r}; first used on line {self.ids[wanted]}"
-            )
+            first = self.ids[wanted]
+            place = f"first used on line {first}" if first else "the page itself uses it"
+            self.problem(line, f"duplicate {kind} id {wanted!r}; {place}")
         self.ids.setdefault(wanted, line)
         return wanted
 
