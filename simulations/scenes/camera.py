@@ -31,7 +31,7 @@ CONTROLS = (
     Slider(
         name="aperture",
         label="Aperture",
-        default=4.0,
+        default=5.6,
         minimum=1.4,
         maximum=22.0,
         step=0.1,
@@ -60,7 +60,7 @@ CONTROLS = (
         name="exposure",
         label="Exposure",
         default=0.0,
-        minimum=-4.0,
+        minimum=-3.0,
         maximum=3.0,
         step=0.1,
         unit="EV",
@@ -98,8 +98,8 @@ def psnr_db(picture: Raster, ideal: Raster) -> float:
 
 
 def shutter_text(seconds: float) -> str:
-    """As on a camera's dial: ``1/60``, or seconds from a third upwards."""
-    return f"1/{round(1 / seconds)}" if seconds < 0.3 else format_number(seconds, 1)
+    """As on a camera's dial: ``1/60`` to two digits, or seconds from a third upwards."""
+    return f"1/{float(f'{1 / seconds:.2g}'):.0f}" if seconds < 0.3 else format_number(seconds, 1)
 
 
 def render(values: Values, tier: str, cache: StageCache) -> Frame:  # noqa: ARG001
