@@ -59,7 +59,7 @@ def image_plane(view: View) -> str:
     """The plane at distance f in front of the centre, as wide as the picture, and its f."""
     distance, half = view.focal_px * METRES_PER_PX, HALF_WIDTH_PX * METRES_PER_PX
     left, right = above(distance, -half), above(distance, half)
-    level = right[1] + 9.0
+    level = HEIGHT - 10.0
     return (
         drawing.path([[left, CAMERA, right]], "camera thin faint dashed")
         + drawing.line(left, right, "image bold")

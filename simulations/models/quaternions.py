@@ -1,0 +1,117 @@
+"""Unit quaternions q = (w, x, y, z), scalar first, Hamilton's product: i j = k.
+
+The rotation by θ about the unit axis n is (cos θ/2, sin θ/2 · n); q and −q are the same
+rotation. Source: Szeliski, Computer Vision, 2nd ed., §2.1.3.
+"""
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+type Floats = NDArray[np.float64]
+
+
+def normalise(quaternion: ArrayLike) -> Floats:
+    """Quaternions (..., 4) scaled to unit norm.
+
+    The largest component is divided out first, so that neither 1e−300 nor 1e300 is lost when it
+    is squared. Raises `ValueError` for the zero quaternion and for entries that are not finite:
+    they stand for no rotation.
+    """
+    q = np.asarray(quaternion, float)
+    largest = np.abs(q).max(axis=-1, keepdims=True)
+    if not ((largest > 0.0) & np.isfinite(largest)).all():
+        raise ValueError(f"quaternion: {q.tolist()}; legal: finite and not all zero")
+    scaled = q / largest
+    unit: Floats = scaled / np.linalg.norm(scaled, axis=-1, keepdims=True)
+    return unit
+
+
+def canonical(quaternion: ArrayLike) -> Floats:
+    """Of q and −q, scaled to unit norm, the one with w > 0.
+
+    Half turns have w = 0: there the first component that is not zero is made positive.
+    """
+    q = normalise(quaternion)
+    leading = np.take_along_axis(q, (q != 0.0).argmax(axis=-1)[..., None], axis=-1)
+    return np.where(leading < 0.0, -q, q)
+
+
+def conjugate(quaternion: ArrayLike) -> Floats:
+    """(w, −x, −y, −z): the inverse of a unit quaternion."""
+    turned: Floats = np.asarray(quaternion, float) * np.array([1.0, -1.0, -1.0, -1.0])
+    return turned
+
+
+def multiply(second: ArrayLike, first: ArrayLike) -> Floats:
+    """The rotation ``first`` followed by ``second``, (..., 4)."""
+    a, b = np.asarray(second, float), np.asarray(first, float)
+    a_w, a_v, b_w, b_v = a[..., :1], a[..., 1:], b[..., :1], b[..., 1:]
+    w = a_w * b_w - (a_v * b_v).sum(axis=-1, keepdims=True)
+    return np.concatenate([w, a_w * b_v + b_w * a_v + np.cross(a_v, b_v)], axis=-1)
+
+
+def rotate(quaternion: ArrayLike, vectors: ArrayLike) -> Floats:
+    """Vectors (..., 3) turned by a unit quaternion: q v q*, without building a matrix."""
+    q, v = np.asarray(quaternion, float), np.asarray(vectors, float)
+    twice = 2.0 * np.cross(q[..., 1:], v)
+    turned: Floats = v + q[..., :1] * twice + np.cross(q[..., 1:], twice)
+    return turned
+
+
+def from_rotation_vector(rotation_vector: ArrayLike) -> Floats:
+    """Axis times angle in radians (..., 3) to unit quaternions (..., 4).
+
+    sin(θ/2)/θ is written with sinc, which is exact at θ = 0: no threshold is needed.
+    """
+    v = np.asarray(rotation_vector, float)
+    if not np.isfinite(v).all():
+        raise ValueError(f"rotation_vector: {v.tolist()}; legal: finite")
+    angle = np.linalg.norm(v, axis=-1, keepdims=True)
+    half_sinc = 0.5 * np.sinc(angle / (2.0 * np.pi))
+    return normalise(np.concatenate([np.cos(angle / 2.0), half_sinc * v], axis=-1))
+
+
+def to_rotation_vector(quaternion: ArrayLike) -> Floats:
+    """Quaternions (..., 4) to axis times angle (..., 3), with the angle in [0, π].
+
+    θ = 2 atan2(|v|, w) is accurate everywhere; acos(w) would lose half the digits near θ = 0.
+    """
+    q = canonical(quaternion)
+    w, v = q[..., :1], q[..., 1:]
+    sine = np.linalg.norm(v, axis=-1, keepdims=True)
+    angle = 2.0 * np.arctan2(sine, w)
+    per_sine = angle / np.where(sine > 0.0, sine, 1.0)
+    return np.where(sine > 0.0, per_sine, 2.0) * v
+
+
+def to_matrix(quaternion: ArrayLike) -> Floats:
+    """Quaternions (..., 4) of any norm to rotation matrices (..., 3, 3)."""
+    w, x, y, z = np.moveaxis(normalise(quaternion), -1, 0)
+    rows = [
+        [1.0 - 2.0 * (y * y + z * z), 2.0 * (x * y - z * w), 2.0 * (x * z + y * w)],
+        [2.0 * (x * y + z * w), 1.0 - 2.0 * (x * x + z * z), 2.0 * (y * z - x * w)],
+        [2.0 * (x * z - y * w), 2.0 * (y * z + x * w), 1.0 - 2.0 * (x * x + y * y)],
+    ]
+    return np.stack([np.stack(row, axis=-1) for row in rows], axis=-2)
+
+
+def from_matrix(R: ArrayLike) -> Floats:
+    """Rotation matrices (..., 3, 3) to quaternions (..., 4) with w ≥ 0.
+
+    The entries of R give all products of two components, 4 q qᵀ. Its row with the largest
+    diagonal entry is a multiple of q by at least 1, so nothing cancels (Shepperd 1978). The
+    matrix must be a rotation: see `simulations.models.rotations.check_rotation`.
+    """
+    m = np.asarray(R, float)
+    x, y, z = m[..., 0, 0], m[..., 1, 1], m[..., 2, 2]
+    wx, wy, wz = (m[..., j, i] - m[..., i, j] for i, j in ((1, 2), (2, 0), (0, 1)))
+    xy, xz, yz = (m[..., j, i] + m[..., i, j] for i, j in ((0, 1), (0, 2), (1, 2)))
+    rows = [
+        [1.0 + x + y + z, wx, wy, wz],
+        [wx, 1.0 + x - y - z, xy, xz],
+        [wy, xy, 1.0 - x + y - z, yz],
+        [wz, xz, yz, 1.0 - x - y + z],
+    ]
+    products = np.stack([np.stack(row, axis=-1) for row in rows], axis=-2)
+    largest = np.diagonal(products, axis1=-2, axis2=-1).argmax(axis=-1)
+    return canonical(np.take_along_axis(products, largest[..., None, None], axis=-2)[..., 0, :])

@@ -1,0 +1,202 @@
+"""Rotations: matrices, axis and angle, quaternions, and the paths between orientations."""
+
+import math
+
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+from scipy.spatial.transform import Rotation, Slerp
+
+from simulations.models import quaternions, rotations
+
+RNG = np.random.default_rng(1)
+RANDOM = Rotation.random(200, rng=RNG)
+components = st.floats(-1.0, 1.0, allow_subnormal=False)
+vectors = st.tuples(components, components, components)
+TINY_TO_TURN = [0.0, 1e-300, 1e-9, 1e-4, 1.0, math.pi - 1e-9, math.pi]
+
+
+def wxyz(rotation):
+    return np.roll(rotation.as_quat(), 1, axis=-1)
+
+
+def same_up_to_sign(a, b):
+    return np.minimum(np.abs(a - b).max(axis=-1), np.abs(a + b).max(axis=-1))
+
+
+def test_a_quarter_turn_about_z_takes_x_to_y():
+    R = rotations.from_axis_angle((0, 0, 1), math.pi / 2)
+    assert pytest.approx((0, 1, 0), abs=1e-15) == R @ (1, 0, 0)
+
+
+def test_a_third_of_a_turn_about_the_diagonal_permutes_the_axes():
+    R = rotations.from_axis_angle((1, 1, 1), 2 * math.pi / 3)
+    assert pytest.approx(np.array([[0, 0, 1], [1, 0, 0], [0, 1, 0]]), abs=1e-15) == R
+    assert quaternions.from_matrix(R) == pytest.approx([0.5] * 4)
+
+
+def test_the_cross_matrix_takes_the_cross_product():
+    a, b = RNG.normal(size=(2, 3))
+    assert rotations.cross_matrix(a) @ b == pytest.approx(np.cross(a, b))
+
+
+def test_exponential_and_logarithm_agree_with_scipy():
+    v = RANDOM.as_rotvec()
+    assert rotations.exponential(v) == pytest.approx(RANDOM.as_matrix(), abs=1e-14)
+    assert rotations.logarithm(RANDOM.as_matrix()) == pytest.approx(v, abs=1e-13)
+
+
+@given(vectors, st.floats(0.0, 1e6))
+def test_the_exponential_is_a_rotation(axis, size):
+    R = rotations.exponential(np.array(axis) * size)
+    assert pytest.approx(np.eye(3), abs=1e-14) == R.T @ R
+    assert np.linalg.det(R) == pytest.approx(1.0, abs=1e-14)
+
+
+@pytest.mark.parametrize("angle", TINY_TO_TURN)
+def test_the_logarithm_undoes_the_exponential_from_tiny_angles_to_half_a_turn(angle):
+    v = np.array([2.0, -1.0, 2.0]) / 3.0 * angle
+    assert rotations.logarithm(rotations.exponential(v)) == pytest.approx(v, abs=1e-14, rel=1e-14)
+
+
+def test_the_logarithm_of_an_exact_half_turn_has_a_positive_first_entry():
+    R = np.diag([1.0, -1.0, -1.0])
+    assert rotations.logarithm(R) == pytest.approx((math.pi, 0, 0))
+
+
+def test_whole_turns_vanish():
+    v = np.array([0.3, -0.2, 0.1])
+    # 6283 rad is known to about 1e-12 rad.
+    turns = v * (1 + 2 * math.pi * 1000 / np.linalg.norm(v))
+    assert rotations.exponential(turns) == pytest.approx(rotations.exponential(v), abs=5e-12)
+
+
+def test_the_length_of_an_axis_does_not_matter():
+    for size in (1e-300, 1.0, 1e300):
+        R = rotations.from_axis_angle(np.array([1.0, 2.0, 2.0]) * size, 0.7)
+        assert pytest.approx(rotations.exponential([0.7 / 3, 1.4 / 3, 1.4 / 3]), abs=1e-15) == R
+
+
+@pytest.mark.parametrize("axis", [(0, 0, 0), (math.nan, 0, 1), (math.inf, 0, 0)])
+def test_an_axis_without_direction_is_refused(axis):
+    with pytest.raises(ValueError, match="axis"):
+        rotations.from_axis_angle(axis, 1.0)
+
+
+@pytest.mark.parametrize(
+    ("matrix", "complaint"),
+    [
+        (np.diag([1.0, 1.0, -1.0]), "reflection"),
+        (np.diag([1.0, 1.0, 0.0]), "differs from I"),
+        (np.eye(3) * 1.001, "differs from I"),
+        (np.full((3, 3), math.nan), "differs from I"),
+        (np.eye(2), "shape"),
+    ],
+)
+def test_what_is_no_rotation_has_no_logarithm(matrix, complaint):
+    with pytest.raises(ValueError, match=complaint):
+        rotations.logarithm(matrix)
+
+
+def test_the_nearest_rotation_repairs_a_drifted_matrix():
+    R = RANDOM[0].as_matrix()
+    drifted = R + 1e-3 * RNG.normal(size=(3, 3))
+    repaired = rotations.nearest_rotation(drifted)
+    assert repaired == pytest.approx(Rotation.from_matrix(drifted).as_matrix(), abs=1e-5)
+    assert repaired.T @ repaired == pytest.approx(np.eye(3), abs=1e-14)
+    others = rotations.exponential(1e-3 * RNG.normal(size=(50, 3))) @ repaired
+    distances = np.linalg.norm(others - drifted, axis=(-2, -1))
+    assert (distances > np.linalg.norm(repaired - drifted)).all()
+
+
+@pytest.mark.parametrize("matrix", [-np.eye(3), np.diag([1.0, 0, 0]), np.zeros((3, 3))])
+def test_a_matrix_with_many_nearest_rotations_is_refused(matrix):
+    with pytest.raises(ValueError, match="no single nearest rotation"):
+        rotations.nearest_rotation(matrix)
+
+
+def test_quaternions_agree_with_scipy_both_ways():
+    q = quaternions.from_matrix(RANDOM.as_matrix())
+    assert same_up_to_sign(q, wxyz(RANDOM)).max() < 1e-15
+    assert quaternions.to_matrix(wxyz(RANDOM)) == pytest.approx(RANDOM.as_matrix(), abs=1e-15)
+
+
+@pytest.mark.parametrize("axis", np.eye(3))
+def test_half_turns_keep_every_digit_of_their_quaternion(axis):
+    R = rotations.from_axis_angle(axis, math.pi)
+    assert quaternions.from_matrix(R) == pytest.approx((0, *axis), abs=1e-15)
+
+
+def test_the_quaternion_product_composes_like_matrices():
+    a, b = wxyz(RANDOM[:100]), wxyz(RANDOM[100:])
+    expected = (RANDOM[:100] * RANDOM[100:]).as_matrix()
+    assert quaternions.to_matrix(quaternions.multiply(a, b)) == pytest.approx(expected, abs=1e-14)
+
+
+def test_rotating_by_quaternion_and_by_matrix_is_the_same_and_the_conjugate_undoes_it():
+    q, v = wxyz(RANDOM), RNG.normal(size=(200, 3))
+    turned = quaternions.rotate(q, v)
+    assert turned == pytest.approx(RANDOM.apply(v), abs=1e-14)
+    assert quaternions.rotate(quaternions.conjugate(q), turned) == pytest.approx(v, abs=1e-14)
+
+
+def test_q_and_minus_q_are_the_same_rotation():
+    q = wxyz(RANDOM)
+    assert np.array_equal(quaternions.to_matrix(q), quaternions.to_matrix(-q))
+    assert np.array_equal(quaternions.to_rotation_vector(q), quaternions.to_rotation_vector(-q))
+
+
+@pytest.mark.parametrize("size", [1e-320, 1e-300, 1.0, 1e300])
+def test_normalising_survives_tiny_and_huge_quaternions(size):
+    unit = quaternions.normalise(np.array([1.0, -1.0, 1.0, 1.0]) * size)
+    assert unit == pytest.approx((0.5, -0.5, 0.5, 0.5))
+
+
+@pytest.mark.parametrize("q", [(0, 0, 0, 0), (math.nan, 0, 0, 1), (math.inf, 0, 0, 0)])
+def test_a_quaternion_without_direction_is_refused(q):
+    with pytest.raises(ValueError, match="quaternion"):
+        quaternions.normalise(q)
+
+
+def test_not_a_number_is_no_rotation_vector():
+    for convert in (rotations.exponential, quaternions.from_rotation_vector):
+        with pytest.raises(ValueError, match="rotation_vector"):
+            convert((math.nan, 0, 0))
+
+
+def test_slerp_agrees_with_scipy():
+    shares = np.linspace(0, 1, 11)
+    for start, end in zip(RANDOM[:20], RANDOM[20:40], strict=True):
+        expected = Slerp([0, 1], Rotation.concatenate([start, end]))(shares)
+        ours = rotations.slerp(wxyz(start), wxyz(end), shares)
+        assert same_up_to_sign(ours, wxyz(expected)).max() < 1e-14
+
+
+def test_slerp_turns_at_constant_speed_and_nlerp_does_not():
+    start, end = quaternions.from_rotation_vector([(0, 0, 0), (0, 0, math.radians(170))])
+    quarter_deg = [
+        math.degrees(np.linalg.norm(quaternions.to_rotation_vector(blend(start, end, 0.25))))
+        for blend in (rotations.slerp, rotations.nlerp)
+    ]
+    # nlerp walks the chord: tan of the angle from its middle shrinks in proportion to the share.
+    on_the_chord = 85 - 2 * math.degrees(math.atan(0.5 * math.tan(math.radians(42.5))))
+    assert quarter_deg == pytest.approx([42.5, on_the_chord])
+
+
+@pytest.mark.parametrize("blend", [rotations.slerp, rotations.nlerp])
+def test_blending_takes_the_shorter_way_and_meets_both_ends(blend):
+    start, end = quaternions.from_rotation_vector([(0, 0, 0.1), (0, 0, 0.3)])
+    for sign in (1, -1):
+        assert quaternions.to_rotation_vector(blend(start, sign * end, 0.5))[2] == pytest.approx(
+            0.2
+        )
+        assert same_up_to_sign(blend(start, sign * end, 1.0), end) < 1e-15
+        assert same_up_to_sign(blend(start, sign * end, 0.0), start) < 1e-15
+
+
+@pytest.mark.parametrize("angle", [0.0, 1e-12, math.pi])
+def test_slerp_is_defined_for_equal_nearly_equal_and_opposite_orientations(angle):
+    start, end = quaternions.from_rotation_vector([(0, 0, 0), (angle, 0, 0)])
+    middle = quaternions.to_rotation_vector(rotations.slerp(start, end, 0.5))
+    assert middle == pytest.approx((angle / 2, 0, 0), abs=1e-16, rel=1e-12)
