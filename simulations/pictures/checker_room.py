@@ -99,14 +99,14 @@ def _floor(p: Hits) -> Floats:
 
 
 def _ceiling(p: Hits) -> Floats:
-    colour = _flat(CEILING, p.x) * _daylight(p, (0.0, 1.0, 0.0))[..., None]
+    colour: Floats = _flat(CEILING, p.x) * _daylight(p, (0.0, 1.0, 0.0))[..., None]
     beams = stripes(p.z - 0.45, 0.9, 0.17, p.size_z)
     colour = blend(colour, np.asarray(WOOD) * 1.3, beams)
     return _with_trim(colour, p, "xz")
 
 
 def _back_wall(p: Hits) -> Floats:
-    colour = _flat(PLASTER, p.x) * _daylight(p, (0.0, 0.0, -1.0))[..., None]
+    colour: Floats = _flat(PLASTER, p.x) * _daylight(p, (0.0, 0.0, -1.0))[..., None]
     colour = blend(colour, np.asarray(TEAL) * 0.8, band(p.y, 0.62, HIGH[1], p.size_y))
     panel = (1.0 - stripes(p.x - LOW[0], 0.85, 0.16, p.size_x)) * band(p.y, 0.76, 1.14, p.size_y)
     colour = blend(colour, np.asarray(TEAL) * 1.25, panel)

@@ -31,7 +31,9 @@ def stripes(u: Floats, period: float, width: float, footprint: ArrayLike) -> Flo
     return (covered_up_to(u + half) - covered_up_to(u - half)) / (2.0 * half)
 
 
-def checker(u: Floats, v: Floats, tile: float, footprint_u: Floats, footprint_v: Floats) -> Floats:
+def checker(
+    u: Floats, v: Floats, tile: float, footprint_u: ArrayLike, footprint_v: ArrayLike
+) -> Floats:
     """Mean over the footprint of a chequerboard that is 1 on one colour and 0 on the other."""
     along_u = 2.0 * stripes(u, 2.0 * tile, tile, footprint_u) - 1.0
     along_v = 2.0 * stripes(v, 2.0 * tile, tile, footprint_v) - 1.0

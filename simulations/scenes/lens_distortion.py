@@ -104,7 +104,8 @@ def _description(lens: Distortion, corrected: bool) -> str:
         )
     else:
         way = "inwards" if shift < 0 else "outwards"
-        sentence += f" and the corners move {format_number(abs(shift), 1)} px {way}"
+        moves = f"move {format_number(abs(shift), 1)} px {way}" if abs(shift) > 0.05 else "stay"
+        sentence += f" and the corners {moves}"
     return sentence + ("; the picture is corrected." if corrected else ".")
 
 

@@ -35,7 +35,8 @@ VIEW_WIDTH, VIEW_HEIGHT, UNITS_PER_RADIUS = 400.0, 300.0, 250.0
 CENTRE = (200.0, 150.0)
 SAMPLE = (0.4, -0.4)
 """The ideal point whose way is shown: a crossing of the grid, inside the fold at every setting."""
-HALF_DIAGONAL_UNITS = 250.0
+VISIBLE_RADIUS_UNITS = 238.0
+"""Larger circles show too little of themselves in the corners to be worth a label."""
 
 PLOT_LEFT, PLOT_RIGHT, PLOT_TOP, PLOT_BOTTOM = 44.0, 386.0, 16.0, 258.0
 PLOT_RADIUS = 1.25
@@ -106,14 +107,15 @@ def profile_overlay(lens: Distortion) -> str:
     parts += [
         line((here[0], PLOT_BOTTOM), here, "world thin"),
         line((PLOT_LEFT, here[1]), here, "image thin"),
-        dot(here, "ray"),
+        dot(here, "image"),
     ]
     return "".join(parts)
 
 
 def to_view(xy: Floats) -> Floats:
     """Normalised coordinates as view box units."""
-    return np.asarray(CENTRE) + UNITS_PER_RADIUS * np.asarray(xy)
+    view: Floats = np.asarray(CENTRE) + UNITS_PER_RADIUS * np.asarray(xy)
+    return view
 
 
 def runs(points: Floats, keep: Mask) -> list[Floats]:
@@ -142,7 +144,7 @@ def _limits(lens: Distortion, *, with_fold: bool, with_image: bool = True) -> st
     )
     for wanted, radius, style, label, place in shown:
         units = radius * UNITS_PER_RADIUS
-        if wanted and units < HALF_DIAGONAL_UNITS:
+        if wanted and units < VISIBLE_RADIUS_UNITS:
             parts.append(circle(CENTRE, units, style))
             parts.append(text(place(units), label, "error small halo", "middle"))
     return "".join(parts)
@@ -176,15 +178,15 @@ def _sample(lens: Distortion) -> str:
     moved = float(np.hypot(*(seen - ideal)))
     parts = [line(CENTRE, ideal, "world thin dashed"), dot(ideal, "world")]
     if moved < 0.5:
-        label = text((ideal[0] + 9, ideal[1] - 7), "ideal = image", "strong halo")
+        label = text((ideal[0] - 9, ideal[1] + 17), "ideal = image", "strong halo", "end")
         return "".join([*parts, label])
     outwards = float(np.hypot(*(seen - CENTRE))) > float(np.hypot(*(ideal - CENTRE)))
     right, left = (seen, ideal) if outwards else (ideal, seen)
     names = ("image", "ideal") if outwards else ("ideal", "image")
-    roles = ("ray", "world") if outwards else ("world", "ray")
+    roles = ("image", "world") if outwards else ("world", "image")
     parts += [
         arrow(ideal, seen, "ray bold"),
-        dot(seen, "ray"),
+        dot(seen, "image"),
         text((right[0] + 9, right[1] - 5), names[0], f"{roles[0]} strong halo"),
         text((left[0] - 9, left[1] + 13), names[1], f"{roles[1]} strong halo", "end"),
     ]
