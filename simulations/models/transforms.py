@@ -87,10 +87,13 @@ def apply_homography(H: ArrayLike, points: ArrayLike) -> tuple[Floats, Mask]:
     """
     matrix = np.asarray(H, float)
     xy = np.asarray(points, float)
+    finite = np.isfinite(xy).all(axis=-1)
+    xy = np.where(finite[..., None], xy, 0.0)
     w, size = _divisor(matrix, xy)
-    valid = (w > W_MINIMUM * size) & np.isfinite(xy).all(axis=-1)
-    numerator = xy @ matrix[:2, :2].T + matrix[:2, 2]
-    images = numerator / np.where(valid, w, 1.0)[..., None]
+    valid = finite & (w > W_MINIMUM * size)
+    with np.errstate(over="ignore", invalid="ignore"):
+        numerator = xy @ matrix[:2, :2].T + matrix[:2, 2]
+        images = numerator / np.where(valid, w, 1.0)[..., None]
     valid &= np.isfinite(images).all(axis=-1)
     return np.where(valid[..., None], images, np.nan), valid
 

@@ -1,0 +1,189 @@
+"""Pinhole projection, poses, rays and vanishing points."""
+
+import math
+
+import cv2
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from simulations.models import projection, rotations, vanishing
+
+K = projection.intrinsics((400.0, 410.0), (320.0, 240.0), skew=2.0)
+POSE = projection.look_at((3.0, -2.0, -6.0), (0.5, 0.2, 1.0), (0.0, -1.0, 0.0))
+RNG = np.random.default_rng(2)
+
+
+def test_the_example_of_the_book_projects_to_16_px():
+    pixels, valid = projection.project((1.0, 0.5, 5.0), projection.intrinsics(80, (0, 0)))
+    assert valid
+    assert pixels == pytest.approx((16.0, 8.0))
+
+
+def test_projection_agrees_with_opencv():
+    no_skew = projection.intrinsics((400.0, 410.0), (320.0, 240.0))
+    points = RNG.uniform(-2, 2, (100, 3))
+    expected, _ = cv2.projectPoints(
+        points, cv2.Rodrigues(POSE[:3, :3])[0], POSE[:3, 3], no_skew, None
+    )
+    pixels, valid = projection.project(projection.world_to_camera(points, POSE), no_skew)
+    assert valid.all()
+    assert pixels == pytest.approx(expected[:, 0], abs=1e-9)
+
+
+def test_the_camera_matrix_projects_like_pose_and_intrinsics():
+    points = RNG.uniform(-2, 2, (50, 3))
+    homogeneous = np.column_stack([points, np.ones(50)]) * RNG.choice([-3.0, 1.0, 7.0], (50, 1))
+    P = projection.camera_matrix(K, POSE)
+    pixels, valid = projection.project_homogeneous(homogeneous, P)
+    assert valid.all()
+    assert pixels == pytest.approx(
+        projection.project(projection.world_to_camera(points, POSE), K)[0]
+    )
+
+
+@pytest.mark.parametrize("Z", [0.0, -0.0, -1e-300, -5.0, -math.inf, math.nan])
+def test_points_on_and_behind_the_camera_plane_have_no_image(Z):
+    pixels, valid = projection.project((1.0, 1.0, Z), K)
+    assert not valid
+    assert np.isnan(pixels).all()
+
+
+@pytest.mark.parametrize("Z", [1e300, math.inf])
+def test_what_is_infinitely_far_straight_ahead_meets_the_principal_point(Z):
+    pixels, valid = projection.project((1.0, 1.0, Z), K)
+    assert valid
+    assert pixels == pytest.approx((320.0, 240.0))
+
+
+def test_an_image_too_far_off_to_be_a_number_is_invalid():
+    assert not projection.project((1e300, 0.0, 1e-300), K)[1]
+    assert projection.project((1e300, 0.0, 1.0), K)[1]
+
+
+def test_a_mask_goes_point_by_point():
+    points = np.array([[[0, 0, 1.0], [0, 0, -1.0]], [[0, 0, 0.0], [0, 0, 2.0]]])
+    pixels, valid = projection.project(points, K)
+    assert pixels.shape == (2, 2, 2)
+    assert valid.tolist() == [[True, False], [False, True]]
+
+
+def test_a_point_at_infinity_is_seen_only_in_front():
+    P = projection.camera_matrix(K, np.eye(4)[:, :])
+    pixels, valid = projection.project_homogeneous([(1, 0, 2, 0), (-1, 0, -2, 0), (0, 0, 0, 0)], P)
+    assert valid.tolist() == [True, False, False]
+    assert pixels[0] == pytest.approx((320 + 200, 240))
+
+
+@given(st.floats(-2, 2), st.floats(-2, 2), st.floats(0.1, 50), st.floats(1e-3, 1e3))
+def test_scaling_the_scene_leaves_the_picture_unchanged(X, Y, Z, scale):
+    point = np.array([X, Y, Z])
+    assert projection.project(point * scale, K)[0] == pytest.approx(projection.project(point, K)[0])
+
+
+@pytest.mark.parametrize(
+    ("focal", "centre", "skew", "complaint"),
+    [
+        (0.0, (0, 0), 0.0, "focal_px"),
+        ((5.0, -1.0), (0, 0), 0.0, "focal_px"),
+        (math.nan, (0, 0), 0.0, "focal_px"),
+        (math.inf, (0, 0), 0.0, "focal_px"),
+        (1.0, (math.nan, 0), 0.0, "principal_point"),
+        (1.0, (0, 0), math.inf, "skew"),
+    ],
+)
+def test_meaningless_intrinsics_are_refused(focal, centre, skew, complaint):
+    with pytest.raises(ValueError, match=complaint):
+        projection.intrinsics(focal, centre, skew)
+
+
+def test_a_ray_through_a_pixel_centre_projects_back_to_it():
+    rays = projection.pixel_rays(K, 7, 5)
+    pixels, valid = projection.project(3.0 * rays, K)
+    rows, columns = np.mgrid[:5, :7]
+    assert valid.all()
+    assert pixels == pytest.approx(np.stack([columns, rows], axis=-1), abs=1e-12)
+
+
+def test_look_at_puts_the_target_on_the_axis_and_up_upwards():
+    assert POSE[:3, :3].T @ POSE[:3, :3] == pytest.approx(np.eye(3), abs=1e-15)
+    assert np.linalg.det(POSE[:3, :3]) == pytest.approx(1.0)
+    target = projection.world_to_camera((0.5, 0.2, 1.0), POSE)
+    assert target[:2] == pytest.approx((0, 0), abs=1e-14)
+    assert target[2] == pytest.approx(math.dist((3, -2, -6), (0.5, 0.2, 1)))
+    assert (POSE[:3, :3] @ (0.0, -1.0, 0.0))[1] < 0
+    assert (POSE[:3, :3] @ (0.0, -1.0, 0.0))[0] == pytest.approx(0, abs=1e-15)
+
+
+@pytest.mark.parametrize(
+    ("target", "up", "complaint"),
+    [((1, 2, 3), (0, 1, 0), "target"), ((1, 2, 9), (0, 0, 1), "up"), ((1, 2, 9), (0, 0, 0), "up")],
+)
+def test_a_camera_needs_a_direction_and_an_up(target, up, complaint):
+    with pytest.raises(ValueError, match=complaint):
+        projection.look_at((1, 2, 3), target, up)
+
+
+def test_the_inverse_pose_holds_the_camera_centre():
+    back = projection.invert_pose(POSE)
+    assert back @ POSE == pytest.approx(np.eye(4), abs=1e-14)
+    assert back[:3, 3] == pytest.approx((3, -2, -6))
+
+
+def test_the_lamp_of_the_book_seen_from_the_side():
+    R = [[0, 0, 1], [0, 1, 0], [-1, 0, 0]]
+    pose = projection.rigid_pose(R, (0, 0, 10))
+    assert projection.world_to_camera((2, -1, 3), pose) == pytest.approx((3, -1, 8))
+    assert projection.relative_to_camera((2, -1, 3), R, (10, 0, 0)) == pytest.approx((3, -1, 8))
+
+
+def test_subtracting_the_centre_first_stays_exact_far_from_the_origin():
+    R = rotations.from_axis_angle((1, 2, 3), 0.7)
+    centre = np.array([4e12, -7e12, 1e12])
+    offset = np.array([1.5, -0.25, 8.0])  # exact in binary beside the centre
+    expected = R @ offset
+    subtracted = projection.relative_to_camera(centre + offset, R, centre)
+    added = projection.world_to_camera(centre + offset, projection.rigid_pose(R, -R @ centre))
+    assert subtracted == pytest.approx(expected, abs=1e-14)
+    assert 1e-6 < np.abs(added - expected).max() < 1e-1
+
+
+def test_fields_of_view():
+    normal_lens_deg = math.degrees(projection.field_of_view(50.0, 36.0))
+    assert normal_lens_deg == pytest.approx(39.6, abs=0.05)  # as printed on data sheets
+    assert projection.field_of_view(18.0, 36.0) == pytest.approx(math.pi / 2)
+    assert projection.field_of_view(math.inf, 36.0) == 0.0
+    for focal, sensor in ((0.0, 36.0), (-1.0, 36.0), (50.0, 0.0), (math.nan, 36.0)):
+        with pytest.raises(ValueError, match="focal_mm"):
+            projection.field_of_view(focal, sensor)
+
+
+def test_parallel_lines_meet_in_their_vanishing_point():
+    direction = np.array([1.0, -0.3, 2.0])
+    expected, valid = vanishing.vanishing_point(direction, K)
+    far = projection.project(np.array([[0, 0, 5.0], [3, 1, 5.0]]) + 1e12 * direction, K)[0]
+    assert valid
+    assert far == pytest.approx(np.array([expected, expected]), abs=1e-6)
+    assert vanishing.vanishing_point(-direction, K)[0] == pytest.approx(expected)
+
+
+def test_lines_parallel_to_the_picture_do_not_vanish():
+    _, valid = vanishing.vanishing_point([(1, 0, 0), (0, 0, 0), (0, 0, 1)], K)
+    assert valid.tolist() == [False, False, True]
+
+
+def test_all_directions_of_a_plane_vanish_on_its_horizon():
+    normal = np.array([0.1, 1.0, 0.2])
+    line, valid = vanishing.horizon(normal, K)
+    directions = np.cross(normal, RNG.normal(size=(20, 3)))
+    pixels, _ = vanishing.vanishing_point(directions, K)
+    assert valid
+    assert math.hypot(line[0], line[1]) == pytest.approx(1.0)
+    assert pixels @ line[:2] + line[2] == pytest.approx(np.zeros(20), abs=1e-8)
+
+
+def test_a_wall_parallel_to_the_picture_has_no_horizon():
+    line, valid = vanishing.horizon((0, 0, 1), K)
+    assert not valid
+    assert np.isnan(line).all()

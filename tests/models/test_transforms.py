@@ -1,0 +1,167 @@
+"""The ladder of 2D transformations: what each keeps, and where the division by w fails."""
+
+import math
+
+import cv2
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from simulations.models import transforms
+from simulations.models.preservation import measure_preservation
+from simulations.models.transforms import apply_homography, clip_half_plane, clip_to_visible
+
+RNG = np.random.default_rng(5)
+TILTED = transforms.projective([1, 0, 0, 0, 1, 0, 1, 0, 1])
+"""w = 1 + x: the line x = −1 goes to infinity."""
+SQUARE = np.array([(-2.0, 0.0), (2.0, 0.0), (2.0, 1.0), (-2.0, 1.0)])
+SEGMENTS = np.array(
+    [[(0, 0), (1, 0)], [(0, 1), (1, 1)], [(0, 0), (0, 1)], [(1, 0), (1, 1)], [(0, 0), (1, 1)]],
+    dtype=float,
+)
+angles = st.floats(-10, 10)
+offsets = st.floats(-1e3, 1e3)
+
+
+def test_each_rung_moves_a_point_as_its_equation_says():
+    quarter = math.pi / 2
+    for H, expected in (
+        (transforms.translation(3, -1), (5, 0)),
+        (transforms.rigid(quarter, 3, -1), (2, 1)),
+        (transforms.similarity(2, quarter, 3, -1), (1, 3)),
+        (transforms.affine([[2, 1], [0, 3]], (3, -1)), (8, 2)),
+        (TILTED, (2 / 3, 1 / 3)),
+    ):
+        image, valid = apply_homography(H, (2.0, 1.0))
+        assert valid
+        assert image == pytest.approx(expected)
+
+
+@given(angles, offsets, offsets)
+def test_rigid_motions_compose_by_adding_angles(angle, tx, ty):
+    H = transforms.rigid(angle, tx, ty) @ transforms.rigid(0.3, 0, 0)
+    assert transforms.rigid(angle + 0.3, tx, ty) == pytest.approx(H, abs=1e-12)
+
+
+def test_points_are_mapped_as_by_opencv():
+    H = transforms.projective([[1.1, 0.2, 30], [-0.1, 0.9, 5], [1e-3, 2e-3, 1]])
+    points = RNG.uniform(0, 100, (50, 2))
+    images, valid = apply_homography(H, points)
+    assert valid.all()
+    assert images == pytest.approx(cv2.perspectiveTransform(points[:, None], H)[:, 0])
+
+
+def test_nothing_on_or_beyond_the_line_sent_to_infinity_has_an_image():
+    images, valid = apply_homography(TILTED, [(-1 + 1e-9, 0), (-1, 0), (-1 - 1e-16, 0), (-2, 0)])
+    assert valid.tolist() == [True, False, False, False]
+    assert np.isnan(images[1:]).all()
+
+
+@pytest.mark.parametrize("factor", [1e-200, 1e-9, 1.0, 1e200])
+def test_a_positive_factor_of_the_matrix_changes_nothing(factor):
+    images, valid = apply_homography(TILTED * factor, SQUARE)
+    assert valid.tolist() == [False, True, True, False]
+    assert images[1:3] == pytest.approx(apply_homography(TILTED, SQUARE)[0][1:3])
+
+
+def test_points_that_are_not_finite_are_invalid():
+    _, valid = apply_homography(np.eye(3), [(math.nan, 0), (math.inf, 0), (1, 1)])
+    assert valid.tolist() == [False, False, True]
+
+
+def test_the_visible_side_is_that_of_the_origin():
+    assert np.array_equal(transforms.projective(-TILTED), TILTED)
+
+
+def test_a_homography_that_sends_the_origin_to_infinity_is_legal():
+    H = transforms.projective([[1, 0, 0], [0, 0, 1], [0, -2, 0]])
+    assert np.linalg.norm(H) == pytest.approx(1)
+    assert apply_homography(H, [(0, 0), (0, 1)])[1].tolist() == [False, True]
+
+
+@pytest.mark.parametrize("h", [np.zeros(9), [*[1.0] * 8, math.nan], [*[1.0] * 8, math.inf]])
+def test_a_matrix_that_is_no_transformation_is_refused(h):
+    with pytest.raises(ValueError, match="legal"):
+        transforms.projective(h)
+
+
+@pytest.mark.parametrize("scale", [0.0, -1.0, math.nan, math.inf])
+def test_a_scale_must_be_positive(scale):
+    with pytest.raises(ValueError, match="scale"):
+        transforms.similarity(scale, 0, 0, 0)
+
+
+def test_clipping_keeps_just_the_part_in_front():
+    visible = clip_to_visible(TILTED, SQUARE, w_minimum=0.1)
+    # The largest sum of terms is 3, at x = ±2, so the cut lies at w = 0.3.
+    expected = {(-0.7, 0), (2, 0), (2, 1), (-0.7, 1)}
+    assert set(map(tuple, visible.round(12))) == expected
+    assert apply_homography(TILTED, visible)[1].all()
+
+
+def test_clipping_leaves_a_visible_polygon_alone_and_nothing_of_a_hidden_one():
+    assert np.array_equal(clip_to_visible(TILTED, SQUARE + 5), SQUARE + 5)
+    assert clip_to_visible(TILTED, SQUARE - [5, 0]).shape == (0, 2)
+    assert clip_to_visible(TILTED, np.empty((0, 2))).shape == (0, 2)
+
+
+@given(st.lists(st.floats(-1, 1), min_size=9, max_size=9))
+def test_whatever_survives_clipping_has_an_image(entries):
+    H = np.array(entries).reshape(3, 3)
+    if np.abs(H[2]).max() > 1e-3:
+        assert apply_homography(H, clip_to_visible(H, SQUARE))[1].all()
+
+
+def test_the_margin_of_clipping_must_be_a_small_share():
+    with pytest.raises(ValueError, match="w_minimum"):
+        clip_to_visible(TILTED, SQUARE, w_minimum=0.0)
+
+
+def test_an_open_line_is_not_joined_at_its_ends():
+    ends = clip_half_plane([(-1, 0), (1, 0)], (1, 0, 0), closed=False)
+    assert ends == pytest.approx(np.array([(0, 0), (1, 0)]))
+
+
+RUNGS = {
+    "translation": (transforms.translation(3, 1), set()),
+    "rigid": (transforms.rigid(0.4, 3, 1), {"turn_rad"}),
+    "similarity": (transforms.similarity(1.5, 0.4, 3, 1), {"turn_rad", "length"}),
+    "affine": (
+        transforms.affine([[1.2, 0.3], [0.1, 0.8]], (3, 1)),
+        {"turn_rad", "length", "angle_rad"},
+    ),
+    "projective": (TILTED, {"turn_rad", "length", "angle_rad", "parallel_rad"}),
+}
+
+
+@pytest.mark.parametrize("rung", RUNGS)
+def test_every_rung_gives_up_one_more_property(rung):
+    H, lost = RUNGS[rung]
+    measured = measure_preservation(H, SEGMENTS)
+    changed = {name for name in measured.__slots__ if getattr(measured, name) > 1e-12}
+    assert changed == lost
+
+
+def test_the_measures_are_the_known_amounts():
+    measured = measure_preservation(transforms.similarity(1.5, 0.4, 3, 1), SEGMENTS)
+    assert (measured.turn_rad, measured.length) == pytest.approx((0.4, 0.5))
+    sheared = measure_preservation(transforms.affine([[1, 1], [0, 1]], (0, 0)), SEGMENTS)
+    assert sheared.angle_rad == pytest.approx(math.pi / 4)
+    assert sheared.length == pytest.approx(math.sqrt(5 / 2) - 1)
+
+
+def test_a_mirror_keeps_lengths_and_angles():
+    measured = measure_preservation(transforms.affine([[-1, 0], [0, 1]], (0, 0)), SEGMENTS)
+    assert (measured.length, measured.angle_rad) == (0.0, 0.0)
+
+
+def test_lengths_change_without_bound_where_the_figure_is_cut():
+    measured = measure_preservation(TILTED, SEGMENTS - [0.5 + 1, 0])
+    assert measured.length == math.inf
+    assert measured.bend < 1e-9
+
+
+def test_a_figure_out_of_sight_cannot_be_measured():
+    with pytest.raises(ValueError, match="segments: 0 of 5 visible"):
+        measure_preservation(TILTED, SEGMENTS - [9, 0])

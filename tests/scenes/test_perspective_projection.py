@@ -1,0 +1,123 @@
+"""The projection figure: the equation, the drawing and the words say the same."""
+
+import re
+from itertools import product
+
+import pytest
+
+from simulations.engine.controls import check_values
+from simulations.engine.frame import to_json
+from simulations.engine.pipeline import StageCache
+from simulations.scenes.perspective_projection import SCENE
+
+DEPTHS = (-2.0, -0.1, 0.0, 0.1, 1.0, 5.0, 20.0)
+ENDS = {control.name: (control.minimum, control.maximum) for control in SCENE.controls}
+
+
+def frame(**given):
+    return SCENE.render(check_values(SCENE.controls, given), "", StageCache())
+
+
+def texts(**given):
+    return {item.name: item.text for item in frame(**given).readouts}
+
+
+def picture(**given):
+    return frame(**given).panels[1].overlay
+
+
+def solid_dots(overlay, role):
+    dots = re.findall(rf'class="{role} solid" cx="([-\d.]+)" cy="([-\d.]+)"', overlay)
+    return [(float(x), float(y)) for x, y in dots]
+
+
+def test_the_example_of_the_book():
+    shown = frame()
+    assert texts() == {
+        "X": "1.0", "Y": "0.5", "Z": "5.0", "f": "80", "x": "16.0", "y": "8.0", "view": "102.7",
+    }  # fmt: skip
+    assert shown.description == (
+        "The point is 5.0 m in front of the camera and projects to x = 16.0 px, y = 8.0 px."
+    )
+    assert "= 80 · 1.0 / 5.0 = 16.0 px" in shown.panels[0].overlay
+
+
+@pytest.mark.parametrize(
+    ("depth", "focal_length", "point_x", "point_y"),
+    product(DEPTHS, (20, 200), (-3.0, 0.0, 3.0), (-2.0, 0.0, 2.0)),
+)
+def test_every_extreme_draws_finite_numbers_in_the_same_layout(
+    depth, focal_length, point_x, point_y
+):
+    shown = frame(depth=depth, focal_length=focal_length, point_x=point_x, point_y=point_y)
+    assert [(p.name, p.width, p.height) for p in shown.panels] == [
+        ("top", 400, 300),
+        ("image", 400, 300),
+    ]
+    assert [item.name for item in shown.readouts] == ["X", "Y", "Z", "f", "x", "y", "view"]
+    assert not re.search(r"\bnan\b|\binf\b|∞", to_json(shown))
+
+
+@pytest.mark.parametrize(("depth", "focal_length"), product((2.0, 5.0, 20.0), (20, 80, 200)))
+@pytest.mark.parametrize("point_x", [-1.0, 0.4])
+def test_the_dot_lies_where_the_readouts_say(depth, focal_length, point_x):
+    given = {"depth": depth, "focal_length": focal_length, "point_x": point_x}
+    x, y = focal_length * point_x / depth, focal_length * 0.5 / depth
+    (dot,) = solid_dots(picture(**given), "image")
+    assert dot == pytest.approx((200 + 2 * x, 150 + 2 * y), abs=0.006)
+    shown = texts(**given)
+    assert float(shown["x"].replace("−", "-")) == pytest.approx(x, abs=0.0501)
+    assert float(shown["y"]) == pytest.approx(y, abs=0.0501)
+
+
+@pytest.mark.parametrize(("depth", "focal_length"), product((3.0, 5.0, 20.0), (40, 80, 200)))
+def test_centre_image_and_point_are_on_one_line_in_the_top_view(depth, focal_length):
+    overlay = frame(depth=depth, focal_length=focal_length).panels[0].overlay
+    (centre,), (hit,) = solid_dots(overlay, "camera"), solid_dots(overlay, "image")
+    (point,) = solid_dots(overlay, "world")
+    cross = (hit[0] - centre[0]) * (point[1] - centre[1]) - (hit[1] - centre[1]) * (
+        point[0] - centre[0]
+    )
+    assert abs(cross) < 0.02 * max(point[0] - centre[0], 100)
+
+
+def test_twice_the_depth_halves_the_image_and_twice_the_focal_length_doubles_it():
+    assert texts(depth=10)["x"] == "8.0"
+    assert texts(focal_length=160)["x"] == "32.0"
+
+
+@pytest.mark.parametrize("depth", [-2.0, -0.1])
+def test_behind_the_camera_there_is_no_image(depth):
+    shown = texts(depth=depth)
+    assert shown["x"] == shown["y"] == "behind"
+    assert "behind the camera" in frame(depth=depth).description
+    assert "behind the camera: no image" in picture(depth=depth)
+    assert solid_dots(picture(depth=depth), "image") == []
+
+
+def test_the_picture_shows_what_the_bare_formula_would_claim():
+    assert "the formula alone would say (−40.0, −20.0)" in picture(depth=-2)
+    assert 'class="error" cx="120" cy="110"' in picture(depth=-2)
+
+
+def test_in_the_plane_of_the_centre_the_quotient_is_undefined():
+    shown = texts(depth=0)
+    assert shown["x"] == shown["y"] == "undefined"
+    assert "undefined" in frame(depth=0).description
+
+
+def test_a_depth_that_rounding_left_beside_zero_counts_as_zero():
+    assert texts(depth=1e-17)["x"] == "undefined"
+
+
+def test_a_point_outside_the_picture_is_pointed_at_and_told():
+    given = {"depth": 0.5, "focal_length": 200}
+    assert frame(**given).description.endswith("x = 400.0 px, y = 200.0 px, outside the picture.")
+    assert "outside the picture: (400.0, 200.0) px" in picture(**given)
+    assert solid_dots(picture(**given), "image") == []
+
+
+@pytest.mark.parametrize("name", ENDS)
+def test_both_ends_of_every_control_change_the_figure(name):
+    low, high = (to_json(frame(**{name: end})) for end in ENDS[name])
+    assert low != high
