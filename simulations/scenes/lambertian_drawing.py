@@ -127,7 +127,7 @@ def _plan_rays(light_rad: float) -> Iterator[str]:
             PLAN_CENTRE[0] + aside[0] * share * PLAN_RADIUS,
             PLAN_CENTRE[1] + aside[1] * share * PLAN_RADIUS,
         )
-        start = (foot[0] + towards[0] * 134, foot[1] + towards[1] * 134)
+        start = (foot[0] + towards[0] * 124, foot[1] + towards[1] * 124)
         end = (foot[0] + towards[0] * near, foot[1] + towards[1] * near)
         yield arrow(start, end, "light thin faint", head=7)
 
