@@ -23,7 +23,7 @@ from site_builder.markdown.illustration import read_illustration
 from site_builder.markdown.inline import annotate, chapter_id
 from site_builder.markdown.listing import read_listing
 from site_builder.markdown.quiz import read_quiz
-from site_builder.markdown.reading import Construct, Reading
+from site_builder.markdown.reading import PAGE_IDS, Construct, Reading
 from site_builder.markdown.roles import roles_plugin
 from site_builder.markdown.simulation import read_simulation
 from site_builder.markdown.table import read_table, table_plugin
@@ -83,7 +83,7 @@ def read_chapter(
         summary=matter["summary"],
         body=body,
         headings=tuple(reading.headings),
-        anchors=frozenset(reading.ids),
+        anchors=frozenset(reading.ids) - set(PAGE_IDS),
         links=tuple(reading.links),
     )
 

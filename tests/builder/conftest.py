@@ -1,0 +1,113 @@
+"""A small book in a temporary folder, with one small scene, so that no test needs the real one."""
+
+from collections.abc import Callable
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from simulations.engine.controls import Action, Choice, Slider, Toggle, Values
+from simulations.engine.drawing import line, text
+from simulations.engine.frame import Frame, Panel, matrix_readout, readout
+from simulations.engine.pipeline import StageCache
+from simulations.engine.scene import Scene
+from simulations.registry import UnknownSceneError
+from site_builder.build import Options
+
+FRONT_MATTER = "---\ntitle: First\nsummary: The first chapter.\n---\n"
+OUTLINE = """\
+title = "Small Book"
+subtitle = "A book for tests."
+prerequisites = "None."
+hero = "demo"
+hero_caption = "The *demo*."
+chapters = [
+  "00-first",
+  "01-second",
+]
+"""
+SECOND = "---\ntitle: Second\nsummary: The second chapter.\n---\n\n## A section\n\nText.\n"
+
+
+def render_demo(values: Values, tier: str, _cache: StageCache) -> Frame:
+    k1 = values.number("k1")
+    raster = np.full((4, 6, 4), 255, np.uint8)
+    return Frame(
+        panels=(
+            Panel("picture", "Picture", 400, 300, raster=raster, pixelated=True),
+            Panel("plan", "Plan", 400, 300, overlay=line((0, 0), (10, 10)) + text((1, 1), "a<b")),
+        ),
+        readouts=(
+            readout("k1", "k₁", k1, "px", role="ray"),
+            matrix_readout("H", "Matrix", [[1, 0], [0, 1]]),
+        ),
+        description=f"Shows k1 of {k1:g} in tier {tier}.",
+    )
+
+
+DEMO = Scene(
+    id="demo",
+    title="Demo",
+    controls=(
+        Slider(
+            name="k1", label="Distortion", default=0.0, minimum=-0.5, maximum=0.5, step=0.01,
+            unit="px",
+        ),
+        Choice(name="kind", label="Kind", default="a", options={"a": "First", "b": "Second"}),
+        Toggle(name="on", label="On"),
+        Action(name="play", labels=("Play", "Pause"), drives="k1", effect="play"),
+    ),
+    render=render_demo,
+    tiers=("fast", "exact"),
+    default_tier="exact",
+    draft_tier="fast",
+)  # fmt: skip
+
+
+def load_demo(scene_id: str) -> Scene:
+    if scene_id == "broken":
+        raise ImportError("no module")
+    if scene_id != "demo":
+        raise UnknownSceneError(f"unknown simulation {scene_id!r}; legal: demo")
+    return DEMO
+
+
+type MakeBook = Callable[..., Options]
+
+
+@pytest.fixture
+def make_book(tmp_path: Path) -> MakeBook:
+    """Writes a book whose first chapter is ``body``; other files by path override the defaults."""
+
+    def make(body: str = "Text.\n", files: dict[str, str | None] | None = None) -> Options:
+        sources: dict[str, str | None] = {
+            "content/book.toml": OUTLINE,
+            "content/00-first.md": FRONT_MATTER + body,
+            "content/01-second.md": SECOND,
+            "simulations/models/thing.py": 'def double(x):\n    """Twice."""\n    return 2 * x\n',
+            "static/css/book.css": "body {}\n",
+            **(files or {}),
+        }
+        for path, content in sources.items():
+            if content is not None:
+                (tmp_path / path).parent.mkdir(parents=True, exist_ok=True)
+                (tmp_path / path).write_text(content, encoding="utf-8")
+        return Options(tmp_path, runtime=False, load_scene=load_demo)
+
+    return make
+
+
+@pytest.fixture
+def mistakes(make_book: MakeBook) -> Callable[..., list[str]]:
+    """The diagnostics of a book, as printed."""
+    from site_builder.build import check_site
+    from site_builder.diagnostics import BuildError
+
+    def find(body: str = "Text.\n", files: dict[str, str | None] | None = None) -> list[str]:
+        try:
+            check_site(make_book(body, files))
+        except BuildError as error:
+            return [str(diagnostic) for diagnostic in error.diagnostics]
+        return []
+
+    return find

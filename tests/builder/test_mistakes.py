@@ -1,0 +1,95 @@
+"""Every mistake an author can make is named, with its place and with what would be legal.
+
+The Markdown files in ``fixtures/mistakes`` are whole chapters; beside each lies what must be
+reported. A mismatch leaves ``NAME-changed.txt`` there to compare, and to rename if it is right.
+"""
+
+from collections.abc import Callable
+from pathlib import Path
+
+import pytest
+
+FIXTURES = Path(__file__).parents[1] / "fixtures" / "mistakes"
+type Find = Callable[..., list[str]]
+
+
+@pytest.mark.parametrize("file", sorted(FIXTURES.glob("*.md")), ids=lambda file: file.stem)
+def test_mistakes_of_a_chapter_are_reported_as_recorded(file: Path, mistakes: Find) -> None:
+    found = mistakes(files={"content/00-first.md": file.read_text(encoding="utf-8")})
+    expected = file.with_suffix(".txt")
+    changed = file.with_name(f"{file.stem}-changed.txt")
+    report = "\n".join(found) + "\n"
+    if not expected.is_file() or report != expected.read_text(encoding="utf-8"):
+        changed.write_text(report, encoding="utf-8")
+        pytest.fail(f"see {changed.name}:\n{report}")
+    changed.unlink(missing_ok=True)
+
+
+def test_a_book_in_order_has_no_mistakes(mistakes: Find) -> None:
+    assert mistakes() == []
+
+
+def test_all_mistakes_of_all_files_are_reported_at_once(mistakes: Find) -> None:
+    found = mistakes(
+        ":::{nope}\n:::\n",
+        {"content/01-second.md": "---\ntitle: S\nsummary: s\n---\n\n[x](#nowhere)\n"},
+    )
+    assert [line.split(":")[0] for line in found] == ["content/00-first.md", "content/01-second.md"]
+
+
+def test_a_chapter_in_the_outline_without_a_file_is_reported_at_its_line(mistakes: Find) -> None:
+    outline = 'title = "T"\nsubtitle = "S"\nprerequisites = "P"\nchapters = [\n"00-frist",\n]\n'
+    found = mistakes(files={"content/book.toml": outline})
+    assert "content/book.toml:5: unknown chapter '00-frist'; did you mean '00-first'?" in found
+
+
+def test_a_chapter_file_outside_the_outline_is_reported(mistakes: Find) -> None:
+    found = mistakes(files={"content/02-third.md": "x"})
+    assert found == ["content/02-third.md:1: not in content/book.toml; legal: listed in 'chapters'"]
+
+
+def test_a_chapter_whose_number_is_not_its_place_is_reported(mistakes: Find) -> None:
+    outline = (
+        'title = "T"\nsubtitle = "S"\nprerequisites = "P"\nchapters = ["01-second", "00-first"]\n'
+    )
+    found = mistakes(files={"content/book.toml": outline})
+    assert any("'01-second' stands at place 0; legal: '00-slug'" in line for line in found)
+
+
+def test_malformed_toml_is_reported_at_its_line(mistakes: Find) -> None:
+    found = mistakes(files={"content/book.toml": 'title = "T"\nsubtitle = \n'})
+    assert found[0].startswith("content/book.toml:2: malformed TOML:")
+
+
+def test_a_missing_key_of_the_outline_is_reported(mistakes: Find) -> None:
+    outline = 'title = "T"\nsubtitel = "S"\nprerequisites = "P"\nchapters = ["00-first"]\n'
+    found = mistakes(files={"content/book.toml": outline})
+    assert "content/book.toml:2: unknown key 'subtitel'; did you mean 'subtitle'?" in found
+    assert any("no 'subtitle'" in line for line in found)
+
+
+def test_malformed_yaml_is_reported_at_its_line(mistakes: Find) -> None:
+    found = mistakes(files={"content/00-first.md": "---\ntitle: [\nsummary: s\n---\n\nText.\n"})
+    assert len(found) == 1
+    assert found[0].startswith("content/00-first.md:3: malformed YAML:")
+
+
+def test_a_chapter_without_front_matter_is_reported(mistakes: Find) -> None:
+    found = mistakes(files={"content/00-first.md": "Text.\n"})
+    assert found[0].startswith("content/00-first.md:1: no front matter; legal:")
+
+
+def test_a_scene_that_cannot_be_imported_is_reported_with_its_reason(mistakes: Find) -> None:
+    found = mistakes(":::{simulation} broken\n:::\n")
+    assert found == [
+        "content/00-first.md:5: simulation 'broken' cannot be loaded: ImportError: no module"
+    ]
+
+
+def test_quizzes_of_two_chapters_must_not_share_an_id(mistakes: Find) -> None:
+    quiz = ":::{quiz} same\nWhat?\n- [x] this\n  : yes\n- [ ] that\n  : no\n:::\n"
+    second = f"---\ntitle: S\nsummary: s\n---\n{quiz}"
+    found = mistakes(quiz, {"content/01-second.md": second})
+    assert found == [
+        "content/01-second.md:5: duplicate quiz id 'same'; first used at content/00-first.md:5"
+    ]
