@@ -1,0 +1,67 @@
+# make serve     read and edit the book: http://localhost:8000, rebuilt on every change
+# make site      build it into build/site/
+# make test      all tests; the first run may install a browser
+# make check     formatting, lint and types; edits nothing
+# make screenshot PAGE=lens-distortion/    a picture of a page, into build/
+# make lock      pin the newest packages that pyproject.toml allows
+# make clean     remove what was built; the packages in .venv stay
+
+PORT ?= 8000
+PAGE ?=
+VENV := .venv
+BIN := $(VENV)/bin
+
+# Any Python from 3.12 on; the newest that .python-version would choose first.
+PYTHONS := python3.13 python3 python3.14 python3.12
+IS_NEW := import sys, ensurepip, venv; raise SystemExit(sys.version_info < (3, 12))
+PYTHON ?= $(firstword $(foreach python,$(PYTHONS),\
+	$(shell command -v $(python) >/dev/null 2>&1 && $(python) -c '$(IS_NEW)' 2>/dev/null && echo $(python))))
+
+.DELETE_ON_ERROR:
+.PHONY: serve site test check lock screenshot clean
+
+serve: $(VENV)/book.stamp
+	@$(BIN)/python -m site_builder serve --port $(PORT)
+
+site: $(VENV)/book.stamp
+	@$(BIN)/python -m site_builder build
+
+test: $(VENV)/test.stamp $(VENV)/chromium.stamp
+	@$(BIN)/python -m pytest
+
+check: $(VENV)/test.stamp
+	@$(BIN)/ruff format --check
+	@$(BIN)/ruff check
+	@$(BIN)/mypy
+
+screenshot: $(VENV)/test.stamp $(VENV)/chromium.stamp site
+	@$(BIN)/python tests/support/screenshot.py "$(PAGE)"
+
+# Every pin carries its hashes, so a changed package cannot slip in.
+$(VENV)/book.stamp: .locks/book.txt | $(BIN)/python
+	$(BIN)/python -m pip install --quiet --disable-pip-version-check --require-hashes -r $<
+	@touch $@
+
+$(VENV)/test.stamp: .locks/test.txt | $(BIN)/python
+	$(BIN)/python -m pip install --quiet --disable-pip-version-check --require-hashes -r $<
+	@touch $@ $(VENV)/book.stamp
+
+$(VENV)/chromium.stamp: tests/support/chromium.py $(VENV)/test.stamp
+	@$(BIN)/python tests/support/chromium.py
+	@touch $@
+
+$(BIN)/python:
+	$(if $(PYTHON),,$(error the book needs Python 3.12 or newer with venv; found none of: $(PYTHONS) \
+	that is new enough. Install one, or say: make PYTHON=/path/to/python))
+	$(PYTHON) -m venv $(VENV)
+
+LOCK := $(BIN)/uv pip compile --quiet --upgrade --universal --python-version 3.12 \
+	--generate-hashes --no-header --no-annotate pyproject.toml
+
+lock: | $(BIN)/python
+	$(BIN)/python -m pip install --quiet --disable-pip-version-check uv
+	$(LOCK) --group book --output-file .locks/book.txt >/dev/null
+	$(LOCK) --group test --output-file .locks/test.txt >/dev/null
+
+clean:
+	rm -rf build .pytest_cache .mypy_cache .ruff_cache .hypothesis

@@ -1,0 +1,67 @@
+"""Fixtures that tests of several folders share."""
+
+import json
+import subprocess
+import sys
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+
+import pytest
+from playwright.sync_api import Browser, sync_playwright
+from support.chromium import HOW_TO, find_chromium, launch_arguments
+from support.reader import Reader
+from support.static_server import StaticServer, serving
+
+ROOT = Path(__file__).resolve().parents[1]
+
+
+@pytest.fixture(scope="session")
+def built_site(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """The whole book, built once by the command that everyone uses."""
+    out = tmp_path_factory.mktemp("book") / "site"
+    command = [sys.executable, "-m", "site_builder", "build", "--out", str(out)]
+    build = subprocess.run(command, cwd=ROOT, capture_output=True, text=True, check=False)
+    assert build.returncode == 0, build.stderr
+    return out
+
+
+@pytest.fixture(scope="session")
+def book(built_site: Path) -> Any:
+    """``book.json``: what the tests are driven by, so that new chapters and scenes are covered."""
+    return json.loads((built_site / "book.json").read_text(encoding="utf-8"))
+
+
+@pytest.fixture(scope="session")
+def site_server(built_site: Path) -> Iterator[StaticServer]:
+    with serving(built_site) as server:
+        yield server
+
+
+@pytest.fixture
+def server(site_server: StaticServer) -> Iterator[StaticServer]:
+    """The served book; what a test damages is whole again after it."""
+    yield site_server
+    site_server.damaged.clear()
+
+
+@pytest.fixture(scope="session")
+def chromium() -> Iterator[Browser]:
+    executable = find_chromium()
+    assert executable, HOW_TO
+    with sync_playwright() as playwright:
+        browser = playwright.chromium.launch(
+            executable_path=executable, args=launch_arguments()
+        )
+        yield browser
+        browser.close()
+
+
+@pytest.fixture
+def reader(chromium: Browser, server: StaticServer) -> Iterator[Reader]:
+    """A reader with a fresh browser profile. Complaints of the browser fail the test."""
+    context = chromium.new_context(viewport={"width": 1280, "height": 900})
+    someone = Reader(context, server.url)
+    yield someone
+    context.close()
+    assert not someone.complaints, "\n".join(someone.complaints)

@@ -1,0 +1,79 @@
+"""A reader in front of the book: opens chapters, waits for figures, notes every complaint."""
+
+from typing import Any
+
+from playwright.sync_api import BrowserContext, ConsoleMessage, Locator, Request
+
+FIGURES = "document.querySelectorAll('simulation-figure')"
+LIVE = f"[...{FIGURES}].every((figure) => figure.dataset.state === 'live')"
+START_MS = 60_000
+"""Longest wait for the interpreter on a busy machine."""
+
+WATCH_SHIFTS = """
+window.shifts = [];
+new PerformanceObserver((list) => window.shifts.push(...list.getEntries()
+    .filter((entry) => !entry.hadRecentInput)
+    .map((entry) => ({value: entry.value,
+                      moved: entry.sources.map((source) => source.node?.className ?? '')}))))
+  .observe({type: 'layout-shift', buffered: true});
+"""
+
+
+class Reader:
+    """One page of one browser profile, at the book's address ``root``."""
+
+    def __init__(self, context: BrowserContext, root: str) -> None:
+        self.root = root
+        self.complaints: list[str] = []
+        self.page = context.new_page()
+        self.page.add_init_script(WATCH_SHIFTS)
+        self.page.on("console", self._note_console)
+        self.page.on("pageerror", lambda error: self.complaints.append(f"uncaught: {error}"))
+        context.on("request", self._note_request)
+
+    def _note_console(self, message: ConsoleMessage) -> None:
+        if message.type == "error":
+            self.complaints.append(f"console: {message.text}")
+
+    def _note_request(self, request: Request) -> None:
+        if not request.url.startswith((self.root, "data:", "blob:")):
+            self.complaints.append(f"request outside the book: {request.url}")
+
+    def open(self, address: str = "", *, live: bool = True) -> None:
+        """Open a page of the book, and wait until its figures live if there are any."""
+        self.page.goto(self.root + address)
+        if live:
+            self.wait_live()
+
+    def wait_live(self) -> None:
+        self.page.wait_for_function(LIVE, timeout=START_MS)
+
+    def figure(self, scene: str) -> Locator:
+        """The first figure of a scene on this page."""
+        return self.page.locator(f'simulation-figure[data-simulation="{scene}"]').first
+
+    def frames(self, figure: Locator) -> int:
+        return int(figure.get_attribute("data-frames") or 0)
+
+    def shown(self, figure: Locator) -> Any:
+        """What the figure shows: pixels (as a checksum), drawings and readouts."""
+        return figure.evaluate(SHOWN)
+
+    def wait_frame(self, figure: Locator, after: int) -> None:
+        """Wait for a frame after number ``after``, and for no newer one to be on its way."""
+        self.page.wait_for_function(
+            "([figure, after]) => Number(figure.dataset.frames) > after",
+            arg=[figure.element_handle(), after],
+        )
+
+
+SHOWN = """(figure) => ({
+  pixels: [...figure.querySelectorAll('canvas.live')].map((canvas) => {
+    const {data} = canvas.getContext('2d').getImageData(0, 0, canvas.width, canvas.height);
+    let sum = 0;
+    for (let i = 0; i < data.length; i += 1) sum = (sum * 31 + data[i]) | 0;
+    return sum;
+  }),
+  drawings: [...figure.querySelectorAll('svg.overlay')].map((svg) => svg.innerHTML),
+  readouts: [...figure.querySelectorAll('output')].map((output) => output.textContent),
+})"""
