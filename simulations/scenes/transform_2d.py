@@ -115,9 +115,7 @@ def describe(kind: str, H: Floats, measured: Preservation) -> str:
         "straight lines": measured.bend,
     }
     kept = [name for name, change in changes.items() if change <= KEPT]
-    return f"The square under a {kind} transformation {size}; kept: {', '.join(kept)}.".replace(
-        "a affine", "an affine"
-    ).replace("translation transformation", "translation")
+    return f"The square under {RUNGS[kind].phrase} {size}; kept: {', '.join(kept)}."
 
 
 SCENE = Scene(

@@ -13,6 +13,8 @@ class Rung:
     """A family of transformations."""
 
     title: str
+    phrase: str
+    """Its name within a sentence."""
     freedoms: int
     """Degrees of freedom."""
     keeps: str
@@ -20,11 +22,11 @@ class Rung:
 
 
 RUNGS = {
-    "translation": Rung("Translation", 2, "orientation"),
-    "rigid": Rung("Rigid (Euclidean)", 3, "lengths"),
-    "similarity": Rung("Similarity", 4, "angles"),
-    "affine": Rung("Affine", 6, "parallel lines"),
-    "projective": Rung("Projective", 8, "straight lines"),
+    "translation": Rung("Translation", "a translation", 2, "orientation"),
+    "rigid": Rung("Rigid (Euclidean)", "a rigid transformation", 3, "lengths"),
+    "similarity": Rung("Similarity", "a similarity transformation", 4, "angles"),
+    "affine": Rung("Affine", "an affine transformation", 6, "parallel lines"),
+    "projective": Rung("Projective", "a projective transformation", 8, "straight lines"),
 }
 """Table 2.1 of Szeliski, 2nd ed., smallest family first."""
 

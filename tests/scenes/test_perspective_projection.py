@@ -44,7 +44,7 @@ def test_the_example_of_the_book():
 
 @pytest.mark.parametrize(
     ("depth", "focal_length", "point_x", "point_y"),
-    product(DEPTHS, (20, 200), (-3.0, 0.0, 3.0), (-2.0, 0.0, 2.0)),
+    [*product(DEPTHS, (20, 200), (-3.0, 0.0, 3.0), (-2.0, 0.0, 2.0))],
 )
 def test_every_extreme_draws_finite_numbers_in_the_same_layout(
     depth, focal_length, point_x, point_y
@@ -58,7 +58,7 @@ def test_every_extreme_draws_finite_numbers_in_the_same_layout(
     assert not re.search(r"\bnan\b|\binf\b|∞", to_json(shown))
 
 
-@pytest.mark.parametrize(("depth", "focal_length"), product((2.0, 5.0, 20.0), (20, 80, 200)))
+@pytest.mark.parametrize(("depth", "focal_length"), [*product((2.0, 5.0, 20.0), (20, 80, 200))])
 @pytest.mark.parametrize("point_x", [-1.0, 0.4])
 def test_the_dot_lies_where_the_readouts_say(depth, focal_length, point_x):
     given = {"depth": depth, "focal_length": focal_length, "point_x": point_x}
@@ -70,7 +70,7 @@ def test_the_dot_lies_where_the_readouts_say(depth, focal_length, point_x):
     assert float(shown["y"]) == pytest.approx(y, abs=0.0501)
 
 
-@pytest.mark.parametrize(("depth", "focal_length"), product((3.0, 5.0, 20.0), (40, 80, 200)))
+@pytest.mark.parametrize(("depth", "focal_length"), [*product((3.0, 5.0, 20.0), (40, 80, 200))])
 def test_centre_image_and_point_are_on_one_line_in_the_top_view(depth, focal_length):
     overlay = frame(depth=depth, focal_length=focal_length).panels[0].overlay
     (centre,), (hit,) = solid_dots(overlay, "camera"), solid_dots(overlay, "image")

@@ -35,7 +35,7 @@ def test_it_starts_with_a_translation_by_30_and_15():
     assert "P′ (70.0, 55.0)" in frame().panels[0].overlay
 
 
-@pytest.mark.parametrize(("transform", "amount"), product(RUNGS, AMOUNTS))
+@pytest.mark.parametrize(("transform", "amount"), [*product(RUNGS, AMOUNTS)])
 def test_every_setting_draws_finite_numbers_in_the_same_layout(transform, amount):
     shown = frame(transform=transform, amount=amount)
     assert [(p.name, p.width, p.height) for p in shown.panels] == [
@@ -89,7 +89,7 @@ def test_the_square_meets_infinity_between_57_and_58():
     assert texts(transform="projective", amount=58)["lengths"] == "changed without bound"
 
 
-@pytest.mark.parametrize(("transform", "amount"), product(RUNGS, (10, 50, 90)))
+@pytest.mark.parametrize(("transform", "amount"), [*product(RUNGS, (10, 50, 90))])
 def test_the_drawn_corner_is_the_image_of_the_corner(transform, amount):
     image, valid = apply_homography(transformation(transform, amount), (40.0, 40.0))
     x, y = to_view(image)
