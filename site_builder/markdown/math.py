@@ -11,6 +11,7 @@ from xml.etree import ElementTree
 from latex2mathml.converter import convert
 
 from site_builder.diagnostics import unknown
+from site_builder.markdown.math_spacing import space_formula
 
 NAMESPACE = "http://www.w3.org/1998/Math/MathML"
 ROLES = ("world", "camera", "ray", "image", "light", "error", "muted")
@@ -42,6 +43,7 @@ def to_mathml(tex: str, *, display: bool) -> str:
     _strip_namespace(tree)
     _check(tree, tex)
     _mend(tree, display=display)
+    space_formula(tree)
     return ElementTree.tostring(tree, encoding="unicode")
 
 

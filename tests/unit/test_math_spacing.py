@@ -1,0 +1,41 @@
+"""Spaces in formulae, by TeX's rules (The TeXbook, chapter 18)."""
+
+from xml.etree import ElementTree
+
+import pytest
+
+from site_builder.markdown.math import to_mathml
+
+
+def elements(tex: str) -> list[ElementTree.Element]:
+    return list(ElementTree.fromstring(to_mathml(tex, display=False)).iter())
+
+
+def forms_of_minus(tex: str) -> list[str | None]:
+    return [element.get("form") for element in elements(tex) if element.text == "−"]
+
+
+def thin_spaces(tex: str) -> int:
+    return sum(element.tag == "mspace" for element in elements(tex))
+
+
+@pytest.mark.parametrize("tex", ["(-x)", "(40, -40)", "a = -b", "2 \\cdot -3", "[-1]"])
+def test_a_minus_after_an_opening_or_an_operator_is_a_sign(tex: str) -> None:
+    assert forms_of_minus(tex) == ["prefix"]
+
+
+@pytest.mark.parametrize("tex", ["a - b", "(a) - b", "x_1 - 2", "\\frac{1}{2} - y", "x' - x"])
+def test_a_minus_between_operands_is_an_operator(tex: str) -> None:
+    assert forms_of_minus(tex) == [None]
+
+
+@pytest.mark.parametrize(
+    "tex", ["\\cos\\theta", "\\cos^2 x", "\\log 2", "a \\sin(x)", "\\arctan\\frac{y}{x}"]
+)
+def test_function_names_stand_apart_from_letters_and_numbers(tex: str) -> None:
+    assert thin_spaces(tex) == 1
+
+
+@pytest.mark.parametrize("tex", ["\\cos(x)", "1 - \\cos(x)", "x y", "\\mathrm{px} x"])
+def test_brackets_operators_and_plain_letters_get_no_space(tex: str) -> None:
+    assert thin_spaces(tex) == 0
