@@ -108,8 +108,17 @@ def matrix_readout(
     name: str, label: str, rows: Sequence[Sequence[float]], *, digits: int = 2, role: str = ""
 ) -> Readout:
     """A matrix, shown in brackets."""
-    text = "\n".join(" ".join(format_number(float(entry), digits) for entry in row) for row in rows)
+    text = matrix_text([[format_number(float(entry), digits) for entry in row] for row in rows])
     return Readout(name, label, text, "", role)
+
+
+def matrix_text(rows: Sequence[Sequence[str]]) -> str:
+    """Entries in columns: right-aligned by figure spaces, which are as wide as a digit."""
+    widths = [max(map(len, column)) for column in zip(*rows, strict=True)]
+    return "\n".join(
+        " ".join(entry.rjust(width, "\u2007") for entry, width in zip(row, widths, strict=True))
+        for row in rows
+    )
 
 
 def format_number(value: float, digits: int = 2) -> str:

@@ -5,7 +5,7 @@ import math
 import numpy as np
 
 from simulations.engine.controls import Choice, Slider, Values
-from simulations.engine.frame import Frame, Readout, format_number, readout
+from simulations.engine.frame import Frame, Readout, format_number, matrix_text, readout
 from simulations.engine.pipeline import StageCache
 from simulations.engine.scene import Scene
 from simulations.models import transforms
@@ -46,7 +46,7 @@ def render(values: Values, tier: str, cache: StageCache) -> Frame:
     return Frame(
         panels=(plane_panel(H), hierarchy_panel(kind)),
         readouts=(
-            Readout("matrix", "H", matrix_text(H), "", "image"),
+            Readout("matrix", "H", matrix_text(entries_of(H)), "", "image"),
             readout("freedoms", "Degrees of freedom", RUNGS[kind].freedoms, digits=0),
             readout("area", "Area, image : original", area_ratio(H), digits=3),
             *preservation_readouts(measured),
@@ -55,12 +55,12 @@ def render(values: Values, tier: str, cache: StageCache) -> Frame:
     )
 
 
-def matrix_text(H: Floats) -> str:
+def entries_of(H: Floats) -> list[list[str]]:
     """H with two decimals; four in the last row, whose entries divide by lengths."""
-    rows = [" ".join(format_number(float(entry), 2) for entry in row) for row in H[:2]]
+    rows = [[format_number(float(entry), 2) for entry in row] for row in H[:2]]
     affine = not H[2, :2].any()
-    rows.append("0 0 1" if affine else " ".join(format_number(float(entry), 4) for entry in H[2]))
-    return "\n".join(rows)
+    last = ["0", "0", "1"] if affine else [format_number(float(entry), 4) for entry in H[2]]
+    return [*rows, last]
 
 
 def area_ratio(H: Floats) -> float:
