@@ -120,7 +120,7 @@ def gather(table: GatherTable, image: ArrayLike, fill: float | None = 0.0) -> Fl
         result[:, channel] = total
     if fill is not None:
         result[~table.inside] = fill
-    return result.reshape(*table.shape, *picture.shape[2:])
+    return result.reshape((*table.shape, *picture.shape[2:]))
 
 
 def sample(

@@ -1,0 +1,80 @@
+"""Chromatic aberration of a thin lens: glass bends blue more than red.
+
+Wavelengths in micrometres, lengths in millimetres. Szeliski, 2nd ed., §2.2.3.
+"""
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+type Floats = NDArray[np.floating]
+
+LINE_F_UM, LINE_D_UM, LINE_C_UM = 0.4861, 0.5876, 0.6563
+"""Fraunhofer lines: blue hydrogen, yellow helium, red hydrogen."""
+
+
+@dataclass(frozen=True, slots=True)
+class Glass:
+    """Glass by its catalogue numbers; its index follows Cauchy's law ``n = A + B/λ²``."""
+
+    index_d: float = 1.5168
+    """Refractive index at the d line; the default is the common crown BK7."""
+    abbe_number: float = 64.2
+    """(n_d − 1) / (n_F − n_C): large is little dispersion; inf is none."""
+
+    def __post_init__(self) -> None:
+        if not 1.0 < self.index_d < np.inf:
+            raise ValueError(f"index_d {self.index_d!r}: must exceed 1 and be finite")
+        if not self.abbe_number > 0.0:
+            raise ValueError(f"abbe_number {self.abbe_number!r}: must be positive (inf: none)")
+
+
+def refractive_index(glass: Glass, wavelength_um: ArrayLike) -> Floats:
+    """Index at wavelengths (...); meets n_d and the Abbe number exactly."""
+    wavelength = np.asarray(wavelength_um, float)
+    if not np.all(wavelength > 0.0):
+        raise ValueError(f"wavelength_um {float(np.min(wavelength))!r}: must be positive")
+    dispersion = (glass.index_d - 1.0) / glass.abbe_number
+    b = dispersion / (LINE_F_UM**-2 - LINE_C_UM**-2)
+    index: Floats = glass.index_d + b * (wavelength**-2 - LINE_D_UM**-2)
+    return index
+
+
+def focal_length_mm(glass: Glass, focal_d_mm: float, wavelength_um: ArrayLike) -> Floats:
+    """Focal length at each wavelength of a thin lens that has ``focal_d_mm`` at the d line."""
+    if not 0.0 < focal_d_mm < np.inf:
+        raise ValueError(f"focal_d_mm {focal_d_mm!r}: must be positive and finite")
+    power = (refractive_index(glass, wavelength_um) - 1.0) / (glass.index_d - 1.0)
+    result: Floats = focal_d_mm / power
+    return result
+
+
+def axial_chromatic_mm(
+    glass: Glass, focal_d_mm: float, f_number: float, wavelength_um: ArrayLike
+) -> Floats:
+    """Blur diameter of a distant point at each wavelength, on a sensor focused for the d line.
+
+    ``A |f_d − f(λ)| / f(λ)`` with aperture A = f_d/N; a pinhole (N = inf) has none.
+    """
+    if not f_number > 0.0:
+        raise ValueError(f"f_number {f_number!r}: must be positive (inf is a pinhole)")
+    focal = focal_length_mm(glass, focal_d_mm, wavelength_um)
+    blur: Floats = focal_d_mm / f_number * np.abs(focal_d_mm - focal) / focal
+    return blur
+
+
+def lateral_chromatic_scale(
+    glass: Glass, focal_d_mm: float, stop_distance_mm: float, wavelength_um: ArrayLike
+) -> Floats:
+    """Size of a distant object's image at each wavelength, relative to the d line.
+
+    With the stop at distance t in front of the lens, the middle ray of each pencil meets the
+    glass off its centre and is deviated by dispersion: ``1 + t (1/f_d − 1/f(λ))``. With the stop
+    in the lens (t = 0) every colour has the same scale.
+    """
+    if not np.isfinite(stop_distance_mm):
+        raise ValueError(f"stop_distance_mm {stop_distance_mm!r}: must be finite")
+    focal = focal_length_mm(glass, focal_d_mm, wavelength_um)
+    scale: Floats = 1.0 + stop_distance_mm * (1.0 / focal_d_mm - 1.0 / focal)
+    return scale

@@ -1,0 +1,173 @@
+"""Lens distortion against OpenCV, against analysis, and against its own inverse."""
+
+import cv2
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from simulations.models.distortion import (
+    Distortion,
+    distort,
+    fold_radius,
+    jacobian,
+    largest_distorted_radius,
+    undistort,
+)
+from simulations.models.distortion_kind import classify, line_bow
+
+FOCAL_PX = 1000.0
+POINTS = np.random.default_rng(1).uniform(-0.7, 0.7, (200, 2))
+LENSES = [
+    Distortion(k1=-0.3, k2=0.1),
+    Distortion(k1=0.2, k2=-0.05, k3=0.01),
+    Distortion(k1=-0.25, p1=0.004, p2=-0.006),
+    Distortion(k1=0.1, k2=0.02, k3=0.01, p1=0.001, p2=0.002, k4=0.3, k5=0.05, k6=0.01),
+]
+radial_coefficient = st.floats(-2.0, 2.0)
+
+
+def opencv_distort(xy, lens):
+    scene = np.column_stack((xy, np.ones(len(xy))))
+    zero = np.zeros(3)
+    image, _ = cv2.projectPoints(scene, zero, zero, np.eye(3), np.array(lens.opencv))
+    return image[:, 0]
+
+
+@pytest.mark.parametrize("lens", LENSES)
+def test_distorting_agrees_with_opencv(lens):
+    np.testing.assert_allclose(distort(POINTS, lens), opencv_distort(POINTS, lens), atol=1e-14)
+
+
+@pytest.mark.parametrize("lens", LENSES)
+def test_undistorting_agrees_with_opencv(lens):
+    seen = distort(POINTS, lens)
+    criteria = (cv2.TERM_CRITERIA_COUNT + cv2.TERM_CRITERIA_EPS, 1000, 1e-14)
+    expected = cv2.undistortPoints(
+        seen[:, None], np.eye(3), np.array(lens.opencv), criteria=criteria
+    )[:, 0]
+    ideal, valid = undistort(seen, lens)
+    assert valid.all()
+    np.testing.assert_allclose(ideal, expected, atol=1e-9)
+
+
+def test_an_ideal_lens_returns_the_very_array_even_where_squares_overflow():
+    far = np.array([[1e300, -1e300], [3.0, 4.0]])
+    assert distort(far, Distortion()) is far
+    assert undistort(far, Distortion())[0] is far
+
+
+def test_points_whose_square_overflows_go_to_infinity_without_nan():
+    moved = distort(np.array([[1e200, 0.0], [-1e200, 1e200]]), Distortion(k1=0.1))
+    np.testing.assert_array_equal(moved, [[np.inf, 0.0], [-np.inf, np.inf]])
+
+
+def test_negative_k1_is_a_barrel_that_pulls_inwards():
+    np.testing.assert_allclose(distort([0.8, 0.5], Distortion(k1=-0.2)), [0.6576, 0.411])
+
+
+@pytest.mark.parametrize("k1", [-0.5, -0.1, -1e-6])
+def test_with_k1_alone_the_fold_and_its_image_are_known(k1):
+    fold = np.sqrt(-1.0 / (3.0 * k1))
+    assert fold_radius(Distortion(k1=k1)) == pytest.approx(fold, rel=1e-12)
+    assert largest_distorted_radius(Distortion(k1=k1)) == pytest.approx(2 * fold / 3, rel=1e-12)
+
+
+def test_a_pincushion_never_folds():
+    assert fold_radius(Distortion(k1=0.5, k2=0.2)) == np.inf
+    assert largest_distorted_radius(Distortion(k1=0.5)) == np.inf
+
+
+def test_a_vanishing_highest_coefficient_does_not_disturb_the_fold():
+    assert fold_radius(Distortion(k1=-0.3, k3=1e-320)) == pytest.approx(np.sqrt(1 / 0.9))
+
+
+def test_a_pole_of_the_rational_model_ends_the_lens():
+    lens = Distortion(k4=-0.25)  # 1 − r²/4 vanishes at r = 2
+    assert fold_radius(lens) == pytest.approx(2.0)
+    ideal, valid = undistort([100.0, 0.0], lens)
+    assert valid
+    np.testing.assert_allclose(distort(ideal, lens), [100.0, 0.0], rtol=1e-9)
+
+
+@given(radial_coefficient, radial_coefficient, radial_coefficient)
+@settings(max_examples=80, deadline=None)
+def test_the_radial_map_rises_up_to_the_fold_and_not_beyond(k1, k2, k3):
+    lens = Distortion(k1=k1, k2=k2, k3=k3)
+    fold = fold_radius(lens)
+    radius = np.linspace(0.0, min(fold, 10.0), 400)
+    image = distort(np.column_stack((radius, 0 * radius)), lens)[:, 0]
+    assert np.all(np.diff(image) > -1e-9 * (1 + np.abs(image[1:])))
+
+
+@given(radial_coefficient, radial_coefficient, radial_coefficient)
+@settings(max_examples=80, deadline=None)
+def test_the_inverse_is_exact_within_99_percent_of_the_fold(k1, k2, k3):
+    lens = Distortion(k1=k1, k2=k2, k3=k3)
+    radius = np.linspace(0.0, 0.99 * min(fold_radius(lens), 2.0), 101)
+    ideal = radius[:, None] * [np.cos(0.7), np.sin(0.7)]
+    back, valid = undistort(distort(ideal, lens), lens)
+    assert valid.all()
+    # Where the slope is s, a rounding error of the image comes back divided by s.
+    slope = np.linalg.det(jacobian(ideal, lens)) ** 0.5
+    error_px = FOCAL_PX * np.abs(back - ideal).max(axis=-1)
+    assert np.all(error_px <= 1e-6 / np.minimum(slope**2, 1.0))
+
+
+@pytest.mark.parametrize("k1", [-0.3, 0.5, 3.0])
+def test_the_inverse_is_good_to_a_millionth_of_a_pixel(k1):
+    lens = Distortion(k1=k1)
+    radius = np.linspace(0.0, 0.99 * min(fold_radius(lens), 3.0), 1001)
+    ideal = np.column_stack((radius, np.zeros_like(radius)))
+    back, valid = undistort(distort(ideal, lens), lens)
+    assert valid.all()
+    assert FOCAL_PX * np.abs(back - ideal).max() <= 1e-6
+
+
+def test_beyond_the_largest_image_radius_nothing_is_valid_and_all_is_finite():
+    lens = Distortion(k1=-0.3)
+    limit = largest_distorted_radius(lens)
+    ideal, valid = undistort([[0.999 * limit, 0], [1.001 * limit, 0], [np.nan, 0], [9e9, 0]], lens)
+    np.testing.assert_array_equal(valid, [True, False, False, False])
+    assert np.isfinite(ideal).all()
+    assert ideal[1, 0] == pytest.approx(fold_radius(lens))
+
+
+def test_tangential_distortion_beyond_its_own_fold_is_refused():
+    lens = Distortion(p2=0.1)  # x + 0.3 x² on the axis turns back at x = −1/0.6
+    _, valid = undistort([[-0.83, 0.0], [-0.84, 0.0]], lens)
+    np.testing.assert_array_equal(valid, [True, False])
+
+
+def test_the_jacobian_agrees_with_differences():
+    lens, step = LENSES[3], 1e-6
+    for axis in (0, 1):
+        shift = step * np.eye(2)[axis]
+        slope = (distort(POINTS + shift, lens) - distort(POINTS - shift, lens)) / (2 * step)
+        np.testing.assert_allclose(jacobian(POINTS, lens)[..., axis], slope, atol=1e-8)
+
+
+def test_coefficients_must_be_finite():
+    with pytest.raises(ValueError, match="finite"):
+        Distortion(k1=np.nan)
+
+
+@pytest.mark.parametrize(
+    ("lens", "kind"),
+    [
+        (Distortion(), "none"),
+        (Distortion(k1=-0.1), "barrel"),
+        (Distortion(k1=0.1), "pincushion"),
+        (Distortion(k1=-0.2, k2=0.2), "moustache"),
+        (Distortion(k1=-0.2, k2=0.05), "barrel"),  # turns only at r = 1.41, outside the picture
+    ],
+)
+def test_the_kind_follows_from_the_profile_inside_the_picture(lens, kind):
+    assert classify(lens, corner_radius=1.0, tolerance=1e-4) == kind
+
+
+def test_the_bow_of_an_arc_is_its_sagitta():
+    angle = np.linspace(-np.pi / 3, np.pi / 3, 101)
+    arc = np.column_stack((np.cos(angle), np.sin(angle)))
+    assert line_bow(arc) == pytest.approx(0.5)
+    assert line_bow([[0, 0], [1, 1], [2, 2]]) == 0.0

@@ -1,0 +1,121 @@
+"""The Lens Distortion Simulator: its numbers by hand, its stages, and every corner of its range."""
+
+import itertools
+
+import numpy as np
+import pytest
+
+from simulations.engine.controls import check_values
+from simulations.engine.pipeline import StageCache
+from simulations.models.distortion import Distortion, distort
+from simulations.pictures.checker_room import checker_room
+from simulations.scenes.lens_distortion import SCENE
+from simulations.scenes.lens_distortion_stages import _corrected, _map, _radii, _through_lens
+
+
+def render(cache=None, **given):
+    values = check_values(SCENE.controls, given)
+    return SCENE.render(values, "", StageCache() if cache is None else cache)
+
+
+def texts(frame):
+    return {item.name: item.text for item in frame.readouts}
+
+
+def statuses(frame):
+    return {stage.name: stage.status for stage in frame.stages}
+
+
+def picture(frame):
+    return next(panel.raster for panel in frame.panels if panel.name == "picture")
+
+
+def test_the_ideal_lens_hands_on_the_pinhole_picture_untouched():
+    frame = render()
+    assert texts(frame) == {"kind": "none", "bow": "0.0", "corner": "0.0", "fold": "none"}
+    assert {statuses(frame)[name] for name in ("map", "through-lens", "corrected")} == {"skipped"}
+
+
+@pytest.mark.parametrize(
+    ("k1", "kind", "corner"), [(-0.1, "barrel", "\u221220.0"), (0.1, "pincushion", "20.0")]
+)
+def test_corners_at_radius_one_move_by_k1_half_diagonals(k1, kind, corner):
+    shown = texts(render(k1=k1))
+    assert shown["kind"] == kind
+    assert shown["corner"] == corner  # 200 px · k₁
+
+
+def test_the_largest_bow_is_that_of_the_upper_edge():
+    # y = 0.6: the middle stays at 0.6 (1 − 0.1 · 0.36), the ends at 0.6 (1 − 0.1); times 200 px.
+    assert texts(render(k1=-0.1))["bow"] == f"{200 * 0.6 * 0.1 * (1 - 0.36):.1f}"
+
+
+def test_coefficients_that_cancel_in_the_corner_make_a_moustache():
+    shown = texts(render(k1=-0.2, k2=0.2))
+    assert (shown["kind"], shown["corner"]) == ("moustache", "0.0")
+
+
+def test_past_the_fold_the_figure_says_so_and_greys_the_picture():
+    frame = render(k1=-0.5)
+    assert texts(frame)["corner"] == "past the fold"
+    assert texts(frame)["fold"] == "0.816"
+    corners = picture(frame)[[0, 0, -1, -1], [0, -1, 0, -1], :3]
+    assert len(np.unique(corners, axis=0)) == 1
+    assert "images nothing" in frame.description
+
+
+def test_a_linear_ramp_through_the_lens_shows_the_ideal_coordinate():
+    y, x = np.mgrid[:420, :560].astype(np.float32)
+    ramp = np.stack((x, y), axis=-1)
+    warp = _map(_radii(), -0.2, 0.05)
+    seen = _through_lens(None, ramp, warp).linear
+    ideal = (seen - [279.5, 209.5]) / 200.0
+    rows, columns = np.mgrid[:240, :320]
+    expected = (np.stack((columns, rows), axis=-1) - [159.5, 119.5]) / 200.0
+    covered = warp.coverage == 1.0
+    assert covered.mean() > 0.99
+    image = distort(ideal[covered], Distortion(k1=-0.2, k2=0.05))
+    np.testing.assert_allclose(image, expected[covered], atol=2e-5)
+
+
+def test_the_correction_restores_the_picture_where_the_photograph_had_it():
+    pinhole = checker_room(560, 420, 200.0)
+    photo = _through_lens(None, pinhole, _map(_radii(), -0.1, 0.0))
+    restored = _corrected(photo, -0.1, 0.0)
+    truth = pinhole[90:330, 120:440]
+    error = np.abs(restored.linear - truth)[restored.coverage > 0.99]
+    distorted_error = np.abs(photo.linear - truth).mean()
+    assert error.mean() < 0.15 * distorted_error
+
+
+def test_only_what_a_control_touches_is_computed_again():
+    cache = StageCache()
+    render(cache, k1=-0.1)
+    again = statuses(render(cache, k1=-0.2))
+    assert (again["radii"], again["pinhole"], again["map"]) == ("reused", "reused", "computed")
+    other = statuses(render(cache, k1=-0.2, picture="chart"))
+    assert (other["pinhole"], other["map"]) == ("computed", "reused")
+
+
+def test_a_warm_cache_changes_no_bit():
+    cache = StageCache()
+    for k1 in (0.0, -0.3, 0.2):
+        render(cache, k1=k1)
+    warm, cold = render(cache, k1=-0.3, correct=True), render(k1=-0.3, correct=True)
+    np.testing.assert_array_equal(picture(warm), picture(cold))
+    assert warm.panels[0].overlay == cold.panels[0].overlay
+
+
+CACHE = StageCache()
+EXTREMES = list(
+    itertools.product((-0.5, 0.0, 0.5), (-0.2, 0.0, 0.2), ("room", "chart"), (False, True))
+)
+
+
+@pytest.mark.parametrize(("k1", "k2", "shown", "correct"), EXTREMES)
+def test_every_corner_of_the_controls_gives_a_whole_frame(k1, k2, shown, correct):
+    frame = render(CACHE, k1=k1, k2=k2, picture=shown, correct=correct)
+    assert [panel.name for panel in frame.panels] == ["grid", "picture", "profile"]
+    assert [item.name for item in frame.readouts] == ["kind", "bow", "corner", "fold"]
+    assert picture(frame).shape == (240, 320, 4)
+    assert (picture(frame)[..., 3] == 255).all()
