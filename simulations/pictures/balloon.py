@@ -1,0 +1,119 @@
+"""A balloon over rows of tulips: smooth sky, sharp coloured edges, detail that ends too fine.
+
+The picture that the Bayer mosaic is tried on. Its gores narrow towards the balloon's rim and
+its rows towards the horizon, so that somewhere in it every method must fail.
+"""
+
+import numpy as np
+from numpy.typing import NDArray
+
+from simulations.models.color import decode_srgb
+
+type Floats = NDArray[np.floating]
+
+WIDTH, HEIGHT = 240, 192
+SAMPLES = 3
+"""Samples per pixel along each side, averaged in linear light."""
+
+HORIZON = 128.0
+"""Row where the field ends; all lengths here are in pixels of the picture."""
+BALLOON, BALLOON_RADIUS = (150.0, 60.0), 46.0
+
+GORES = ("#e3262e", "#f7b51d", "#fff4dc", "#1f6fc4", "#1d9a6c", "#fff4dc")
+ROWS = ("#d81e3a", "#2f7d32", "#f4c20d", "#2f7d32", "#e8578f", "#2f7d32", "#f2efe6", "#2f7d32")
+
+
+def balloon() -> NDArray[np.float32]:
+    """The picture, (192, 240, 3) linear RGB in [0, 1]; the same on every machine."""
+    step = np.arange(WIDTH * SAMPLES, dtype=np.float64)
+    x, y = np.meshgrid((step + 0.5) / SAMPLES, (step[: HEIGHT * SAMPLES] + 0.5) / SAMPLES)
+    picture = _sky(x, y)
+    _paint(picture, _hills(x) < y, _colour("#5b7f95"))
+    field = y > HORIZON
+    picture[field] = _tulips(x[field], y[field])
+    _fence(picture, x, y)
+    _balloon(picture, x, y)
+    _basket(picture, x, y)
+    blocks = picture.reshape(HEIGHT, SAMPLES, WIDTH, SAMPLES, 3)
+    mean: NDArray[np.float32] = blocks.mean(axis=(1, 3)).astype(np.float32)
+    return mean
+
+
+def _sky(x: Floats, y: Floats) -> Floats:
+    """From deep blue to a warm haze, with the glow of a low sun at the left."""
+    down = np.clip(y / HORIZON, 0, 1)[..., None]
+    sky: Floats = (1 - down) * _colour("#3f7fc9") + down * _colour("#ffe3b8")
+    glow = np.exp(-((x - 42) ** 2 + (y - 96) ** 2) / 1100)[..., None]
+    sky += glow * (_colour("#fff3cf") - sky)
+    _paint(sky, np.hypot(x - 42, y - 96) < 13, _colour("#fffbe9"))
+    return sky
+
+
+def _hills(x: Floats) -> Floats:
+    """Upper edge of the far hills."""
+    ridge: Floats = 116 - 7 * np.sin(x / 31 + 0.6) - 3 * np.sin(x / 11)
+    return ridge
+
+
+def _tulips(x: Floats, y: Floats) -> Floats:
+    """Rows that meet at the horizon and blend into one another where they get too narrow."""
+    depth = 3 / np.maximum(y - HORIZON + 1.2, 1e-6)
+    row = (x - 96) * depth + 400
+    colours = _colours(ROWS)[np.floor(row).astype(np.int64) % len(ROWS)]
+    rows_per_pixel = depth * np.maximum(1, np.abs(x - 96) * depth / 3)
+    clear = np.clip((0.5 - rows_per_pixel) / 0.3, 0, 1)[:, None]
+    blended: Floats = clear * colours + (1 - clear) * _colours(ROWS).mean(axis=0)
+    return blended
+
+
+def _fence(picture: Floats, x: Floats, y: Floats) -> None:
+    """White pickets two pixels apart: as fine as a grey mosaic can hold, too fine for a colour."""
+    top = 121 + 1.5 * np.abs((x % 4) - 2)
+    _paint(picture, (x < 104) & (x % 4 < 2) & (y > top) & (y < 134), _colour("#fbf7ec"))
+    _paint(picture, (x < 104) & (np.abs(y - 128) < 0.8), _colour("#fbf7ec"))
+
+
+def _balloon(picture: Floats, x: Floats, y: Floats) -> None:
+    """A globe of coloured gores that tapers to its mouth, shaded from the left."""
+    across, down = (x - BALLOON[0]) / BALLOON_RADIUS, (y - BALLOON[1]) / BALLOON_RADIUS
+    half_width = np.where(
+        down < 0.35,
+        np.sqrt(np.maximum(1 - down**2, 0)),
+        np.sqrt(1 - 0.35**2) - 0.95 * (down - 0.35),
+    )
+    inside = (np.abs(across) < half_width) & (np.abs(down) < 1) | (
+        (np.abs(across) < half_width) & (down > 0) & (down < 1.16)
+    )
+    turn = np.arcsin(np.clip(across[inside] / half_width[inside], -1, 1))
+    gore = np.floor(turn / np.pi * 22 + 40).astype(np.int64)
+    cloth = _colours(GORES)[gore % len(GORES)]
+    band = (np.abs(down[inside] - 0.1) < 0.13) & (gore % 2 == 0)
+    cloth[band] = _colour("#6b2c91")
+    light = 0.42 + 0.58 * np.clip(0.8 * np.cos(turn + 0.55) - 0.25 * down[inside] + 0.1, 0, 1)
+    picture[inside] = cloth * light[:, None]
+
+
+def _basket(picture: Floats, x: Floats, y: Floats) -> None:
+    """Ropes a pixel wide and a woven basket."""
+    mouth, rim = BALLOON[1] + 1.12 * BALLOON_RADIUS, 123.0
+    between = (y > mouth) & (y < rim)
+    for foot in (-6.0, -2.0, 2.0, 6.0):
+        slant = BALLOON[0] + foot * (1.5 - 0.5 * (y - mouth) / (rim - mouth))
+        _paint(picture, between & (np.abs(x - slant) < 0.45), _colour("#3a2a1c"))
+    box = (np.abs(x - BALLOON[0]) < 7) & (y > rim) & (y < rim + 10)
+    weave = (np.floor(x / 2) + np.floor(y / 2)) % 2 == 0
+    _paint(picture, box, _colour("#8a5a2b"))
+    _paint(picture, box & weave, _colour("#c98f4e"))
+
+
+def _paint(picture: Floats, where: NDArray[np.bool_], colour: Floats) -> None:
+    picture[where] = colour
+
+
+def _colour(srgb: str) -> Floats:
+    """``#rrggbb`` as linear RGB (3,)."""
+    return decode_srgb([int(srgb[place : place + 2], 16) / 255 for place in (1, 3, 5)])
+
+
+def _colours(srgb: tuple[str, ...]) -> Floats:
+    return np.array([_colour(one) for one in srgb])
