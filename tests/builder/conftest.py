@@ -86,6 +86,8 @@ def make_book(tmp_path: Path) -> MakeBook:
             "content/01-second.md": SECOND,
             "simulations/models/thing.py": 'def double(x):\n    """Twice."""\n    return 2 * x\n',
             "static/css/book.css": "body {}\n",
+            "static/js/main.js": "export {};\n",
+            "static/images/favicon.svg": "<svg/>\n",
             **(files or {}),
         }
         for path, content in sources.items():

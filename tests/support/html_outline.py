@@ -30,7 +30,8 @@ class Page:
         return [
             element
             for element in self.elements
-            if element.tag == tag and (not name or name in (element.attributes.get("class") or "").split())
+            if element.tag == tag
+            and (not name or name in (element.attributes.get("class") or "").split())
         ]  # fmt: skip
 
     def addresses(self) -> list[str]:

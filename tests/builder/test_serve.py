@@ -1,0 +1,81 @@
+"""The development server: right types, right errors, news of builds."""
+
+import socket
+import urllib.error
+import urllib.request
+from collections.abc import Iterator
+from pathlib import Path
+
+import pytest
+
+from site_builder.serve import Builds, start_server
+
+
+@pytest.fixture
+def builds() -> Builds:
+    return Builds()
+
+
+@pytest.fixture
+def address(tmp_path: Path, builds: Builds) -> Iterator[str]:
+    for name in ("a.mjs", "a.wasm", "a.whl", "404.html", "book.json", "a.woff2"):
+        (tmp_path / name).write_text(f"<p>{name}</p>")
+    server = start_server(tmp_path, 0, builds)
+    yield f"http://localhost:{server.server_address[1]}"
+    server.shutdown()
+    server.server_close()
+
+
+@pytest.mark.parametrize(
+    ("name", "kind"),
+    [
+        ("a.mjs", "text/javascript"),
+        ("a.wasm", "application/wasm"),
+        ("a.whl", "application/zip"),
+        ("a.woff2", "font/woff2"),
+        ("book.json", "application/json"),
+    ],
+)
+def test_files_are_sent_with_the_type_that_browsers_insist_on(
+    address: str, name: str, kind: str
+) -> None:
+    with urllib.request.urlopen(f"{address}/{name}") as reply:
+        assert reply.headers["Content-Type"] == kind
+
+
+def test_an_unknown_address_gets_the_book_s_own_page(address: str) -> None:
+    with pytest.raises(urllib.error.HTTPError) as raised:
+        urllib.request.urlopen(f"{address}/nothing/here")
+    with raised.value as reply:
+        assert (reply.code, reply.read()) == (404, b"<p>404.html</p>")
+
+
+def test_a_page_is_told_of_the_next_build(address: str, builds: Builds) -> None:
+    with urllib.request.urlopen(f"{address}/.reload/events", timeout=5) as stream:
+        assert stream.readline() == b": \n"
+        builds.finish("")
+        lines = [stream.readline() for _ in range(3)]
+    assert lines == [b"\n", b"event: built\n", b"data: 1\n"]
+
+
+def test_a_port_in_use_is_named(tmp_path: Path, builds: Builds) -> None:
+    with socket.socket() as other:
+        other.bind(("", 0))
+        other.listen()
+        port = other.getsockname()[1]
+        with pytest.raises(OSError, match=f"port {port} is taken"):
+            start_server(tmp_path, port, builds)
+
+
+def test_before_the_first_good_build_the_page_waits_for_one(tmp_path: Path) -> None:
+    builds = Builds(mistakes="content/a.md:1: bad")
+    server = start_server(tmp_path / "none", 0, builds)
+    try:
+        with pytest.raises(urllib.error.HTTPError) as raised:
+            urllib.request.urlopen(f"http://localhost:{server.server_address[1]}/")
+        with raised.value as reply:
+            assert reply.code == 503
+            assert b"/.reload/client.js" in reply.read()
+    finally:
+        server.shutdown()
+        server.server_close()
