@@ -1,0 +1,104 @@
+"""Frames refuse what no page could show; numbers read the same on every machine."""
+
+import json
+
+import numpy as np
+import pytest
+
+from simulations.engine.frame import (
+    Frame,
+    Panel,
+    Readout,
+    StageReport,
+    format_number,
+    matrix_readout,
+    readout,
+    to_json,
+)
+from simulations.engine.raster import to_rgba8
+
+
+@pytest.mark.parametrize(
+    ("value", "digits", "text"),
+    [
+        (3.14159, 2, "3.14"),
+        (-0.25, 2, "\u22120.25"),
+        (-0.001, 2, "0.00"),
+        (-0.0, 0, "0"),
+        (10.0, 0, "10"),
+        (float("inf"), 2, "∞"),
+        (float("-inf"), 2, "\u2212∞"),
+        (float("nan"), 2, "undefined"),
+    ],
+)
+def test_numbers_have_fixed_decimals_and_a_true_minus_sign(
+    value: float, digits: int, text: str
+) -> None:
+    assert format_number(value, digits) == text
+
+
+def test_a_matrix_is_rows_of_entries_in_columns_of_one_width() -> None:
+    rows = matrix_readout("R", "Rotation", [[0, -1], [1, 0]], digits=0).text.split("\n")
+    assert [row.replace("\u2007", "").split(" ") for row in rows] == [["0", "\u22121"], ["1", "0"]]
+    assert len({len(row) for row in rows}) == 1
+
+
+def test_names_must_be_unique_in_a_frame() -> None:
+    panel = Panel("a", "", 400, 300)
+    with pytest.raises(ValueError, match="duplicate panel"):
+        Frame((panel, panel), (), "Shows.")
+    with pytest.raises(ValueError, match="duplicate readout"):
+        Frame((panel,), (readout("x", "x", 1), readout("x", "y", 2)), "Shows.")
+
+
+def test_a_frame_must_be_told_in_words() -> None:
+    with pytest.raises(ValueError, match="description"):
+        Frame((Panel("a", "", 400, 300),), (), "  ")
+
+
+@pytest.mark.parametrize(
+    "raster",
+    [
+        np.zeros((4, 4, 3), np.uint8),
+        np.zeros((4, 4), np.uint8),
+        np.zeros((4, 4, 4)),
+        np.zeros((4, 8, 4), np.uint8)[:, ::2],
+    ],
+    ids=["no alpha", "no channels", "floats", "strided"],
+)
+def test_a_raster_must_be_the_bytes_of_a_canvas(raster: np.ndarray) -> None:
+    with pytest.raises(ValueError, match="legal: C-contiguous"):
+        Panel("a", "", 400, 300, raster=raster)
+
+
+def test_an_unknown_role_is_refused() -> None:
+    with pytest.raises(ValueError, match="role 'violet'"):
+        Readout("x", "x", "1", role="violet")
+
+
+def test_the_frame_without_its_pixels_is_json() -> None:
+    frame = Frame(
+        (Panel("a", "A", 400, 300, raster=np.zeros((2, 3, 4), np.uint8)), Panel("b", "", 1, 1)),
+        (readout("x", "x", 1.5, "px", role="ray"),),
+        "Shows.",
+        (StageReport("blur", "skipped", "no blur"),),
+    )
+    data = json.loads(to_json(frame))
+    assert data["panels"][0]["raster"] == {"width": 3, "height": 2}
+    assert data["panels"][1]["raster"] is None
+    assert data["readouts"] == [
+        {"name": "x", "label": "x", "text": "1.50", "unit": "px", "role": "ray"}
+    ]
+    assert data["stages"] == [{"name": "blur", "status": "skipped", "reason": "no blur"}]
+
+
+def test_pixels_are_rounded_clipped_and_never_undefined() -> None:
+    rgba = to_rgba8(np.array([[0.0, 0.5, 1.0, -1.0, 2.0, np.nan, np.inf, -np.inf]]))
+    assert rgba[0, :, 0].tolist() == [0, 128, 255, 0, 255, 0, 255, 0]
+    assert (rgba[..., 3] == 255).all()
+    assert rgba.flags.c_contiguous
+
+
+def test_coverage_becomes_the_alpha_channel() -> None:
+    rgba = to_rgba8(np.ones((1, 2, 3)), alpha=np.array([[0.0, 1.0]]))
+    assert rgba[0].tolist() == [[255, 255, 255, 0], [255, 255, 255, 255]]

@@ -1,0 +1,102 @@
+"""Stages: computed when what they read has changed, else reused; skipped where they are neutral."""
+
+from collections import Counter
+from collections.abc import Callable
+from typing import Any
+
+import pytest
+
+from simulations.engine.controls import Values
+from simulations.engine.pipeline import Stage, StageCache, run
+
+
+class Counting:
+    """Two stages that count their calls: a source, and a gain that is neutral at one."""
+
+    def __init__(self) -> None:
+        self.calls: Counter[str] = Counter()
+
+    def counted(self, name: str, compute: Callable[..., Any]) -> Callable[..., Any]:
+        def wrapped(*inputs: Any, **parameters: Any) -> Any:
+            self.calls[name] += 1
+            return compute(*inputs, **parameters)
+
+        return wrapped
+
+    @property
+    def stages(self) -> tuple[Stage, ...]:
+        return (
+            Stage("source", ("size",), self.counted("source", lambda size: [1.0] * int(size))),
+            Stage(
+                "gain",
+                ("factor",),
+                self.counted("gain", lambda x, factor: [factor * item for item in x]),
+                inputs=("source",),
+                neutral=lambda v: "the factor is one" if v["factor"] == 1 else "",
+            ),
+            Stage("sum", (), self.counted("sum", sum), inputs=("gain",)),
+        )
+
+
+@pytest.fixture
+def counting() -> Counting:
+    return Counting()
+
+
+def values(**given: float) -> Values:
+    return Values({"size": 3.0, "factor": 2.0, **given})
+
+
+def statuses(*arguments: Any) -> list[str]:
+    return [report.status for report in run(*arguments).reports]
+
+
+def test_a_second_run_with_the_same_values_computes_nothing(counting: Counting) -> None:
+    cache = StageCache()
+    assert run(counting.stages, values(), cache).outputs["sum"] == 6.0
+    assert statuses(counting.stages, values(), cache) == ["reused"] * 3
+    assert counting.calls == {"source": 1, "gain": 1, "sum": 1}
+
+
+def test_only_what_follows_a_change_is_computed(counting: Counting) -> None:
+    cache = StageCache()
+    run(counting.stages, values(), cache)
+    assert statuses(counting.stages, values(factor=5), cache) == ["reused", "computed", "computed"]
+
+
+def test_a_neutral_stage_hands_on_the_same_object(counting: Counting) -> None:
+    outputs = run(counting.stages, values(factor=1), StageCache()).outputs
+    assert outputs["gain"] is outputs["source"]
+    assert counting.calls["gain"] == 0
+
+
+def test_a_skipped_stage_says_why(counting: Counting) -> None:
+    report = run(counting.stages, values(factor=1), StageCache()).reports[1]
+    assert (report.status, report.reason) == ("skipped", "the factor is one")
+
+
+def test_the_cache_changes_nothing_but_time(counting: Counting) -> None:
+    cache = StageCache()
+    for factor in (2, 1, 3, 2, 1, 7, 3):
+        warm = run(counting.stages, values(factor=factor), cache).outputs
+        cold = run(counting.stages, values(factor=factor), StageCache()).outputs
+        assert warm == cold
+
+
+def test_the_cache_keeps_no_more_than_its_depth(counting: Counting) -> None:
+    cache = StageCache(depth=2)
+    for factor in range(2, 8):
+        run(counting.stages, values(factor=factor), cache)
+    assert {name: len(kept) for name, kept in cache.entries.items()} == {
+        "source": 1, "gain": 2, "sum": 2,
+    }  # fmt: skip
+
+
+def test_extra_parameters_are_read_like_controls() -> None:
+    stage = Stage("tiered", ("tier",), lambda tier: tier)
+    assert run((stage,), values(), StageCache(), {"tier": "fast"}).outputs["tiered"] == "fast"
+
+
+def test_a_stage_that_reads_what_does_not_exist_raises() -> None:
+    with pytest.raises(KeyError, match="missing"):
+        run((Stage("a", ("missing",), lambda missing: missing),), values(), StageCache())
