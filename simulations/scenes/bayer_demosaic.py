@@ -130,7 +130,7 @@ def _cut(picture: Picture, close: bool) -> Picture:
 
 def _shares(cfa: Picture) -> tuple[Readout, ...]:
     """Share of the pixels that measure each colour."""
-    counts = np.bincount(filter_colours(*cfa.shape, PATTERN).reshape(-1)) / cfa.size
+    counts = np.bincount(filter_colours(cfa.shape[0], cfa.shape[1], PATTERN).reshape(-1)) / cfa.size
     red, green, blue = (round(100 * float(share)) for share in counts)
     return (
         Readout("samples", "Measured R / G / B", f"{red} / {green} / {blue}", "%"),

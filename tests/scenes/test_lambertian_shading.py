@@ -1,0 +1,59 @@
+"""The Lambertian figure shows what its formula says."""
+
+import numpy as np
+import pytest
+
+from simulations.engine.controls import check_values
+from simulations.engine.pipeline import StageCache
+from simulations.scenes.lambertian_shading import SCENE
+
+
+def frame(cache=None, **values):
+    return SCENE.render(check_values(SCENE.controls, values), "", cache or StageCache())
+
+
+def texts(shown):
+    return {item.name: item.text for item in shown.readouts}
+
+
+def test_the_worked_example_of_the_chapter():
+    assert texts(frame()) == {
+        "cosine": "0.866",
+        "theta": "30",
+        "albedo": "0.80",
+        "brightness": "0.693",
+        "code": "217",
+    }
+
+
+def test_the_pixel_at_the_probed_point_has_the_value_read_out():
+    raster = frame().panels[0].raster
+    height, width = raster.shape[:2]
+    assert abs(int(raster[height // 2, width // 2, 0]) - 217) <= 1
+
+
+def test_a_light_behind_leaves_the_disc_black():
+    raster = frame(light_angle=180).panels[0].raster
+    height, width = raster.shape[:2]
+    assert not raster[height // 2, width // 2 - 120 : width // 2 + 120, :3].any()
+
+
+def test_light_from_left_and_right_mirror_one_another():
+    left, right = (frame(light_angle=angle).panels[0].raster for angle in (-70, 70))
+    off = np.abs(left.astype(int) - right[:, ::-1].astype(int))
+    assert off.max() <= 1
+
+
+@pytest.mark.parametrize("angle", [-180, -90, 0, 90, 180])
+@pytest.mark.parametrize("albedo", [0, 1])
+def test_every_extreme_can_be_drawn_in_the_same_layout(angle, albedo):
+    shown = frame(light_angle=angle, albedo=albedo, probe=-90, normals=True)
+    assert [panel.name for panel in shown.panels] == ["camera", "above", "curve"]
+    assert "nan" not in "".join(panel.overlay for panel in shown.panels)
+
+
+def test_moving_the_probe_reuses_the_picture():
+    cache = StageCache()
+    frame(cache)
+    again = frame(cache, probe=20)
+    assert {stage.status for stage in again.stages} == {"reused"}
