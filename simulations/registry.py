@@ -1,8 +1,9 @@
-"""The table of scenes: id to module. A scene is imported only when it is asked for."""
+"""The tables of scenes and ladders: id to module. A module is imported only when asked for."""
 
 from importlib import import_module
 
 from simulations.engine.controls import suggestion
+from simulations.engine.ladder import Ladder
 from simulations.engine.scene import Scene
 
 SCENE_MODULES = {
@@ -13,6 +14,11 @@ SCENE_MODULES = {
     "lambertian-shading": "simulations.scenes.lambertian_shading",
     "bayer-demosaic": "simulations.scenes.bayer_demosaic",
     "camera": "simulations.scenes.camera",
+}
+
+LADDER_MODULES = {
+    "inverse-distortion": "simulations.ladders.inverse_distortion",
+    "srgb": "simulations.ladders.srgb",
 }
 
 
@@ -32,3 +38,21 @@ def load_scene(scene_id: str) -> Scene:
         )
     scene: Scene = import_module(SCENE_MODULES[scene_id]).SCENE
     return scene
+
+
+class UnknownLadderError(KeyError):
+    """No ladder of that id; the message names the legal ones."""
+
+    def __str__(self) -> str:
+        return str(self.args[0])
+
+
+def load_ladder(ladder_id: str) -> Ladder:
+    """The ladder ``ladder_id``, from the ``LADDER`` of its module."""
+    if ladder_id not in LADDER_MODULES:
+        raise UnknownLadderError(
+            f"unknown ladder {ladder_id!r}"
+            f"{suggestion(ladder_id, LADDER_MODULES) or '; legal: ' + ', '.join(LADDER_MODULES)}"
+        )
+    ladder: Ladder = import_module(LADDER_MODULES[ladder_id]).LADDER
+    return ladder
