@@ -91,7 +91,7 @@ def profile_overlay(lens: Distortion) -> str:
     parts = [
         _axes(),
         polyline((_plot(0, 0), _plot(PLOT_RADIUS, PLOT_RADIUS)), "muted thin dashed"),
-        text(_turned_label(), "no distortion", "muted small halo", "end"),
+        text(_identity_label(lens), "no distortion", "muted small halo", "end"),
         path(runs(curve, (radius >= fold) & visible), "error dashed") if fold < PLOT_RADIUS else "",
         path(runs(curve, (radius <= fold) & visible), "image bold"),
     ]
@@ -200,9 +200,11 @@ def _plot(radius: float, image: float) -> Point:
     return (PLOT_LEFT + across * float(radius), PLOT_BOTTOM - up * float(image))
 
 
-def _turned_label() -> Point:
-    x, y = _plot(PLOT_RADIUS, PLOT_RADIUS)
-    return (x - 34.0, y + 12.0)
+def _identity_label(lens: Distortion) -> Point:
+    """Beside the dashed line, on the side where the curve is not."""
+    inwards = float(evaluate(lens.radial, 1.0)) < 0.99
+    x, y = _plot(1.12, 1.19) if inwards else _plot(PLOT_RADIUS, 0.86)
+    return (x, y)
 
 
 def _axes() -> str:
