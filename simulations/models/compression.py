@@ -1,0 +1,107 @@
+"""JPEG's lossy core: 8x8 blocks, a cosine transform, and division by a table.
+
+Szeliski, 2nd ed., section 2.3.3; ITU-T T.81, annex K, and the scaling of the tables by
+quality of the Independent JPEG Group. Nothing here is entropy coded: a code that is 0 costs
+almost nothing to store, so the share of zeros stands for the size.
+"""
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from simulations.models.color import rgb_to_ycbcr, ycbcr_to_rgb
+from simulations.models.floats import as_floats
+
+type Array = NDArray[np.floating]
+
+BLOCK = 8
+
+LUMINANCE_TABLE = np.array(
+    [
+        [16, 11, 10, 16, 24, 40, 51, 61],
+        [12, 12, 14, 19, 26, 58, 60, 55],
+        [14, 13, 16, 24, 40, 57, 69, 56],
+        [14, 17, 22, 29, 51, 87, 80, 62],
+        [18, 22, 37, 56, 68, 109, 103, 77],
+        [24, 35, 55, 64, 81, 104, 113, 92],
+        [49, 64, 78, 87, 103, 121, 120, 101],
+        [72, 92, 95, 98, 112, 100, 103, 99],
+    ]
+)
+"""Steps for luma at quality 50; rows are vertical frequencies."""
+CHROMINANCE_TABLE = np.full((BLOCK, BLOCK), 99)
+"""Steps for the colour differences at quality 50."""
+CHROMINANCE_TABLE[:4, :4] = [[17, 18, 24, 47], [18, 21, 26, 66], [24, 26, 56, 99], [47, 66, 99, 99]]
+
+
+def _dct_matrix() -> Array:
+    """Orthonormal DCT-II: row k is the cosine of frequency k / 16 cycles per sample."""
+    k, n = np.mgrid[:BLOCK, :BLOCK]
+    matrix = np.sqrt(2 / BLOCK) * np.cos(np.pi * (2 * n + 1) * k / (2 * BLOCK))
+    matrix[0] = np.sqrt(1 / BLOCK)
+    basis: Array = matrix
+    return basis
+
+
+DCT = _dct_matrix()
+
+
+def block_dct(blocks: ArrayLike) -> Array:
+    """Cosine transform of (..., 8, 8) blocks; keeps the sum of squares."""
+    coefficients: Array = DCT @ as_floats(blocks) @ DCT.T
+    return coefficients
+
+
+def inverse_block_dct(coefficients: ArrayLike) -> Array:
+    """The inverse of `block_dct`."""
+    blocks: Array = DCT.T @ as_floats(coefficients) @ DCT
+    return blocks
+
+
+def quantisation_table(table: NDArray[np.integer], quality: int) -> NDArray[np.integer]:
+    """The table scaled for a quality of 1 (coarsest) to 100 (all steps 1)."""
+    if not 1 <= quality <= 100:
+        raise ValueError(f"quality {quality}; legal: 1 to 100")
+    percent = 5000 // quality if quality < 50 else 200 - 2 * quality
+    scaled: NDArray[np.integer] = np.clip((table * percent + 50) // 100, 1, 255)
+    return scaled
+
+
+def compress_plane(plane: ArrayLike, table: ArrayLike) -> tuple[Array, float]:
+    """One channel in codes, -128 to 127, through transform and rounding.
+
+    Parameters
+    ----------
+    plane : (H, W)
+        Any size from 1x1: the border is repeated to whole blocks, and cut off again.
+    table : (8, 8)
+        Quantisation steps.
+
+    Returns
+    -------
+    (H, W) the plane as decoded, and the share of its coefficients that became 0.
+    """
+    values = as_floats(plane)
+    if values.ndim != 2 or 0 in values.shape:
+        raise ValueError(f"plane of shape {values.shape}; legal: (H, W), not empty")
+    height, width = values.shape
+    padded = np.pad(values, ((0, -height % BLOCK), (0, -width % BLOCK)), mode="edge")
+    rows, columns = padded.shape[0] // BLOCK, padded.shape[1] // BLOCK
+    blocks = padded.reshape(rows, BLOCK, columns, BLOCK).swapaxes(1, 2)
+    steps = as_floats(table)
+    codes = np.rint(block_dct(blocks) / steps)
+    decoded = inverse_block_dct(codes * steps).swapaxes(1, 2).reshape(padded.shape)
+    return decoded[:height, :width], float(np.mean(codes == 0))
+
+
+def compress(srgb: ArrayLike, quality: int) -> tuple[Array, float]:
+    """A picture (H, W, 3) of sRGB values in [0, 1] as JPEG would give it back.
+
+    Colour differences are kept at full size (4:4:4). Returns the picture, clipped to [0, 1],
+    and the share of zero coefficients.
+    """
+    luma, *differences = np.moveaxis(255 * rgb_to_ycbcr(srgb), -1, 0)
+    coarse = quantisation_table(CHROMINANCE_TABLE, quality)
+    done = [compress_plane(np.rint(luma) - 128, quantisation_table(LUMINANCE_TABLE, quality))]
+    done += [compress_plane(np.rint(plane), coarse) for plane in differences]
+    ycbcr = np.stack([done[0][0] + 128, done[1][0], done[2][0]], axis=-1) / 255
+    return np.clip(ycbcr_to_rgb(ycbcr), 0, 1), float(np.mean([zeros for _, zeros in done]))

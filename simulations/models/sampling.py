@@ -1,0 +1,142 @@
+"""Sampling and aliasing: what a grid of samples makes of detail that is too fine for it.
+
+Frequencies are in cycles per sample spacing (or per whatever the rate is given in); Nyquist
+is half the rate. Szeliski, 2nd ed., sections 2.3.1 and 3.5.
+"""
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from simulations.models.floats import as_floats
+
+type Array = NDArray[np.floating]
+
+
+def alias_frequency(frequency: ArrayLike, rate: float = 1.0) -> Array:
+    """The signed frequency (...) in [-rate/2, rate/2) that has the same samples.
+
+    Negative means that the wave seems to run backwards. Exactly at Nyquist both signs have
+    the same samples; the tie goes to the negative one.
+    """
+    if not 0 < rate < np.inf:
+        raise ValueError(f"rate {rate}; legal: above 0, finite")
+    f = as_floats(frequency)
+    alias: Array = f - rate * np.floor(f / rate + 0.5)
+    return alias
+
+
+def apparent_wheel_speed(
+    turns_per_s: ArrayLike, spokes: int, frames_per_s: float
+) -> tuple[Array, NDArray[np.bool_]]:
+    """Turns per second that a filmed wheel seems to make, and whether its direction is certain.
+
+    A wheel looks the same after one spoke spacing, so that ``spokes * turns`` aliases at the
+    frame rate. A turn of exactly half a spacing per frame could be either way: not certain.
+    """
+    if spokes < 1:
+        raise ValueError(f"spokes {spokes}; legal: 1 or more")
+    spokes_per_s = alias_frequency(as_floats(turns_per_s) * spokes, frames_per_s)
+    certain = ~np.isclose(np.abs(spokes_per_s), frames_per_s / 2, rtol=1e-9, atol=0)
+    return spokes_per_s / spokes, certain
+
+
+def zone_plate(x: ArrayLike, y: ArrayLike, scale: float) -> Array:
+    """Rings that get finer outwards, in [0, 1]: ``(1 + cos(pi r^2 / scale)) / 2``.
+
+    At distance ``r`` from the centre their frequency is ``r / scale`` cycles per unit, so
+    that samples one unit apart start to alias at ``r = scale / 2``.
+    """
+    if not 0 < scale < np.inf:
+        raise ValueError(f"scale {scale}; legal: above 0, finite")
+    radius_squared = np.square(as_floats(x)) + np.square(as_floats(y))
+    rings: Array = 0.5 + 0.5 * np.cos(np.pi * radius_squared / scale)
+    return rings
+
+
+def box_filter(fine: ArrayLike, factor: int) -> Array:
+    """Mean of each ``factor`` x ``factor`` block of (H, W, ...): what a pixel's area does."""
+    image = _divisible(fine, factor)
+    height, width = image.shape[0] // factor, image.shape[1] // factor
+    blocks = image.reshape(height, factor, width, factor, *image.shape[2:])
+    mean: Array = blocks.mean(axis=(1, 3))
+    return mean
+
+
+def gaussian_kernel(sigma: float) -> Array:
+    """Normalised samples of a Gaussian out to 4 sigma; sigma 0 is the single tap 1."""
+    if not 0 <= sigma < np.inf:
+        raise ValueError(f"sigma {sigma}; legal: 0 or more, finite")
+    if sigma == 0:
+        return np.ones(1)
+    offsets = np.arange(-np.ceil(4 * sigma), np.ceil(4 * sigma) + 1)
+    taps = np.exp(-0.5 * (offsets / sigma) ** 2)
+    kernel: Array = taps / taps.sum()
+    return kernel
+
+
+def sinc_kernel(factor: int, lobes: int = 4) -> Array:
+    """A low-pass for keeping every ``factor``-th sample: sinc under a Lanczos window."""
+    if factor < 1 or lobes < 1:
+        raise ValueError(f"factor {factor}, lobes {lobes}; legal: 1 or more")
+    reach = factor * lobes
+    # Blocks of an even count of samples have their centre between two of them.
+    shift = 0.5 * (1 - factor % 2)
+    offsets = (np.arange(-reach, reach + 1) + shift) / factor
+    taps = np.sinc(offsets) * np.sinc(np.clip(offsets / lobes, -1, 1))
+    kernel: Array = taps / taps.sum()
+    return kernel
+
+
+def filter_and_sample(fine: ArrayLike, factor: int, kernel: ArrayLike) -> Array:
+    """Low-pass (H, W) by a separable kernel of odd length, then keep the centre of each block.
+
+    The border is mirrored. With an even factor the centre lies half a sample off the grid:
+    the kernel's samples must allow for it, as those of `sinc_kernel` do.
+    """
+    image, taps = _divisible(fine, factor), as_floats(kernel)
+    if taps.ndim != 1 or taps.size % 2 == 0:
+        raise ValueError(f"kernel of shape {taps.shape}; legal: one axis of odd length")
+    for axis in (0, 1):
+        image = _filter_axis(image, taps, factor, axis)
+    return image
+
+
+def _filter_axis(image: Array, taps: Array, factor: int, axis: int) -> Array:
+    """Filter along one axis, only at the samples that are kept."""
+    reach = taps.size // 2
+    pad = [(reach, reach) if at == axis else (0, 0) for at in range(image.ndim)]
+    padded = np.moveaxis(np.pad(image, pad, mode="symmetric"), axis, 0)
+    first, count = (factor - 1) // 2, image.shape[axis] // factor
+    total = np.zeros((count, *padded.shape[1:]), image.dtype)
+    for index, tap in enumerate(taps[::-1]):
+        start = first + index
+        total += tap * padded[start : start + (count - 1) * factor + 1 : factor]
+    return np.moveaxis(total, 0, axis)
+
+
+def box_mtf(frequency: ArrayLike, width: float = 1.0) -> Array:
+    """Contrast that a pixel so wide leaves of a sine: ``|sinc(f width)|``, 2/pi at Nyquist."""
+    contrast: Array = np.abs(np.sinc(as_floats(frequency) * width))
+    return contrast
+
+
+def gaussian_mtf(frequency: ArrayLike, sigma: float) -> Array:
+    """Contrast that a Gaussian blur leaves of a sine: ``exp(-2 (pi sigma f)^2)``."""
+    contrast: Array = np.exp(-2 * np.square(np.pi * sigma * as_floats(frequency)))
+    return contrast
+
+
+def contrast(signal: ArrayLike) -> float:
+    """Michelson's contrast, (max - min) / (max + min) of light; 0 for darkness."""
+    values = as_floats(signal)
+    low, high = float(values.min()), float(values.max())
+    if low < 0:
+        raise ValueError(f"signal with {low}; legal: light of 0 or more")
+    return (high - low) / (high + low) if high > 0 else 0.0
+
+
+def _divisible(image: ArrayLike, factor: int) -> Array:
+    values = as_floats(image)
+    if factor < 1 or values.ndim < 2 or values.shape[0] % factor or values.shape[1] % factor:
+        raise ValueError(f"factor {factor} of an image {values.shape}; legal: a divisor of both")
+    return values
