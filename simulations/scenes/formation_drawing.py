@@ -77,14 +77,14 @@ def draw_way(journey: Journey, distance_m: float, station: float) -> str:
 
 def _scene(point: Point) -> str:
     """The painted wall that the point is on, the lamp, and the world's axes."""
-    lamp = (point[0] - 26 if point[0] > 60 else point[0] + 26, 22.0)
+    lamp = (point[0] + 34, 20.0)  # on the side that the camera sees
     tip = (point[0] + 0.2 * (lamp[0] - point[0]), point[1] + 0.25 * (lamp[1] - point[1]))
     return "".join(
         (
             drawing.line((point[0], point[1] - 22), (point[0], AXIS_ROW + 28), "world bold faint"),
             drawing.arrow(lamp, tip, "light bold"),
             drawing.circle(lamp, 6, "light solid"),
-            drawing.text((lamp[0] + 11, lamp[1] + 4), "lamp", "light small halo"),
+            drawing.text((lamp[0] - 11, lamp[1] + 4), "lamp", "light small halo", "end"),
             drawing.arrow((24, 172), (50, 172), "world", 6),
             drawing.arrow((24, 172), (24, 146), "world", 6),
             drawing.text((56, 176), "world", "world small"),

@@ -1,0 +1,127 @@
+"""Discs of confusion and layered compositing."""
+
+import math
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+from scipy import ndimage
+
+from simulations.models.depth_of_field import (
+    Layer,
+    blur_by_depth,
+    blur_layer,
+    composite,
+    disc_blur,
+    disc_kernel,
+)
+
+
+def point_of_light(size=129):
+    planes = np.zeros((1, size, size), np.float32)
+    planes[0, size // 2, size // 2] = 1.0
+    return planes
+
+
+def second_moment(spread):
+    """Mean square distance from the centre along x, in pixels."""
+    columns = np.arange(spread.shape[-1]) - spread.shape[-1] // 2
+    return float((spread[0].sum(0) * columns**2).sum() / spread.sum())
+
+
+@settings(deadline=None)
+@given(radius=st.floats(0, 20))
+def test_disc_weights_sum_to_one_and_are_symmetric(radius):
+    kernel = disc_kernel(radius)
+    assert kernel.sum() == pytest.approx(1, abs=1e-5)
+    assert np.allclose(kernel, kernel[::-1, ::-1], atol=1e-7)
+    assert (kernel >= 0).all()
+
+
+def test_disc_weights_are_the_share_of_each_pixel_that_the_disc_covers():
+    """Against counting on a grid 64 times finer."""
+    radius, fine = 3.3, 64
+    reach = disc_kernel(radius).shape[0] // 2
+    line = (np.arange((2 * reach + 1) * fine) + 0.5) / fine - reach - 0.5
+    inside = np.hypot(line, line[:, None]) < radius
+    counted = inside.reshape(2 * reach + 1, fine, -1, fine).mean((1, 3))
+    assert np.abs(disc_kernel(radius) * (math.pi * radius**2) - counted).max() < 0.3
+    assert disc_kernel(radius)[reach, reach] == pytest.approx(1 / (math.pi * radius**2), rel=1e-3)
+
+
+@pytest.mark.parametrize("radius", [1.5, 2.9, 3.4, 3.6, 5.0, 7.1, 9.0, 15.0, 25.0])
+@pytest.mark.parametrize("offset", [0, 1, 3])
+def test_blur_keeps_light_and_place_and_has_the_moment_of_a_disc(radius, offset):
+    size = 161
+    planes = np.roll(point_of_light(size), offset, axis=2)
+    spread = disc_blur(planes, radius)[0].sum(0)
+    columns = np.arange(size) - size // 2 - offset
+    assert spread.sum() == pytest.approx(1, rel=1e-4)
+    assert (spread * columns).sum() == pytest.approx(0, abs=1e-3)
+    # r²/4 for the disc, and a little for the pixels, or the reduced pixels, it is drawn on.
+    moment = (spread * columns**2).sum()
+    assert moment == pytest.approx(radius**2 / 4, rel=0.06, abs=0.12)
+
+
+@settings(max_examples=30, deadline=None)
+@given(radius=st.floats(0, 40))
+def test_flat_light_stays_flat(radius):
+    flat = np.full((3, 23, 31), 0.4, np.float32)
+    assert disc_blur(flat, radius) == pytest.approx(0.4, abs=1e-5)
+
+
+def test_small_blur_agrees_with_a_plain_convolution():
+    picture = np.random.default_rng(0).random((2, 20, 24)).astype(np.float32)
+    expected = [ndimage.convolve(plane, disc_kernel(2.4), mode="nearest") for plane in picture]
+    assert disc_blur(picture, 2.4) == pytest.approx(np.array(expected), abs=1e-5)
+
+
+def test_disc_within_a_pixel_returns_the_very_picture():
+    picture = np.ones((3, 4, 4), np.float32)
+    assert disc_blur(picture, 0.5) is picture
+    assert blur_by_depth(picture, np.full((4, 4), 0.5)) is picture
+
+
+def test_blur_by_depth_is_the_disc_where_the_depth_is_uniform():
+    picture = np.random.default_rng(0).random((1, 30, 30)).astype(np.float32)
+    assert blur_by_depth(picture, np.full((30, 30), 2.0)) == pytest.approx(
+        disc_blur(picture, 2.0), abs=1e-6
+    )
+
+
+def test_blur_by_depth_between_levels_keeps_the_moment():
+    light = point_of_light(65)
+    spread = blur_by_depth(light, np.full((65, 65), 3.0))
+    assert second_moment(spread) == pytest.approx(9 / 4, rel=0.05, abs=0.12)
+
+
+def test_sharp_background_shows_through_the_soft_edge_of_a_near_layer():
+    background = np.zeros((3, 40, 40), np.float32)
+    background[:, :, ::2] = 1.0
+    near = Layer(np.ones((4, 20, 20), np.float32) * 0.5, 10, 10, radius_px=0.0)
+    near.planes[3] = 1.0
+    opaque = composite(background, [near])
+    assert (opaque[:, 12:28, 12:28] == 0.5).all()
+    assert (opaque[:, :9] == background[:, :9]).all()
+    assert (background[:, :, ::2] == 1.0).all()
+
+
+def test_blurred_layer_spreads_its_coverage_and_keeps_its_amount():
+    planes = np.zeros((4, 24, 24), np.float32)
+    planes[:, 8:16, 8:16] = 1.0
+    blurred = blur_layer(Layer(planes, 0, 0, radius_px=5.0))
+    assert blurred.planes[3].sum() == pytest.approx(64, rel=1e-3)
+    assert (blurred.top, blurred.left) == (-6, -6)
+    assert blurred.planes[3].max() <= 1.0
+
+
+def test_layer_outside_the_picture_changes_nothing():
+    background = np.random.default_rng(0).random((3, 5, 5)).astype(np.float32)
+    away = Layer(np.ones((4, 3, 3), np.float32), -3, 9)
+    assert np.array_equal(composite(background, [away]), background)
+
+
+def test_negative_radius_is_refused():
+    with pytest.raises(ValueError, match="radius_px -1"):
+        disc_kernel(-1.0)

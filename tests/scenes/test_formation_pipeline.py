@@ -1,0 +1,85 @@
+"""The formation pipeline: the numbers of the book's worked example, and the moving marker."""
+
+import itertools
+import math
+
+import numpy as np
+import pytest
+
+from simulations.engine.controls import check_values
+from simulations.engine.pipeline import StageCache
+from simulations.scenes.formation_drawing import place, route
+from simulations.scenes.formation_pipeline import CONTROLS, SCENE
+from simulations.scenes.formation_stations import stations, travel
+
+
+def frame(cache=None, **given):
+    return SCENE.render(check_values(CONTROLS, given), "", cache or StageCache())
+
+
+def test_default_journey_is_the_worked_example_of_the_first_chapter():
+    journey = travel(4.0, 0.6, seed=0)
+    assert journey.camera_m == pytest.approx((0.4, -0.3, 4.0))
+    assert journey.ideal == pytest.approx((0.1, -0.075))
+    assert journey.distorted == pytest.approx((0.09969, -0.07477), abs=5e-6)
+    assert journey.pixel == pytest.approx((399.75, 180.1875))
+    assert journey.mean_e == pytest.approx(3000)
+
+
+def test_electrons_scatter_around_their_mean_as_photons_do():
+    counted = np.array([travel(4.0, 0.6, seed).counted_e for seed in range(400)])
+    assert counted.mean() == pytest.approx(3000, abs=4 * math.sqrt(3000 / 400))
+    assert counted.var() == pytest.approx(3000, rel=0.3)
+
+
+def test_black_paint_is_black():
+    journey = travel(4.0, 0.0, seed=0)
+    assert journey.counted_e == 0
+    assert journey.code <= 30  # read noise alone
+
+
+def test_distance_moves_the_pixel_and_leaves_the_light():
+    near, far = travel(2.0, 0.6, 0), travel(8.0, 0.6, 0)
+    assert near.pixel[0] > far.pixel[0] > 320
+    assert near.mean_e == far.mean_e
+
+
+def test_marker_stands_on_each_station_at_whole_numbers():
+    legs = route(4.0)
+    for index, leg in enumerate(legs):
+        assert place(legs, index)[0] == pytest.approx(leg[0])
+    assert place(legs, len(legs))[0] == pytest.approx(legs[-1][-1])
+
+
+def test_marker_never_jumps():
+    legs = route(4.0)
+    way = [place(legs, step / 50)[0] for step in range(301)]
+    assert max(math.dist(a, b) for a, b in itertools.pairwise(way)) < 6
+
+
+def test_way_travelled_ends_at_the_marker():
+    marker, travelled = place(route(4.0), 3.3)
+    assert travelled[-1] == marker
+    assert len(travelled) == 5  # three whole legs, and a part of the fourth before its corner
+
+
+def test_moving_the_marker_computes_nothing():
+    cache = StageCache()
+    frame(cache, station=1)
+    assert [stage.status for stage in frame(cache, station=5).stages] == ["reused"]
+
+
+@pytest.mark.parametrize("station", range(7))
+def test_each_station_is_told_in_words(station):
+    entry = stations(travel(4.0, 0.6, 0))[station]
+    shown = frame(station=station)
+    assert shown.description == f"{entry.sentence}: {entry.numbers}."
+    assert shown.readouts[0].text == f"{station} · {entry.title}"
+
+
+def test_extremes_draw_cleanly_and_keep_their_readouts():
+    for station, distance, albedo in itertools.product((0, 3.5, 6), (2, 8), (0, 1)):
+        shown = frame(station=station, distance=distance, albedo=albedo)
+        assert [item.name for item in shown.readouts] == ["at", "electrons", "pixel_value"]
+        assert [panel.name for panel in shown.panels] == ["way", "ledger"]
+        assert 0 <= int(shown.readouts[2].text) <= 255
