@@ -144,8 +144,9 @@ def _angle(probed: Point, probe_rad: float, light_rad: float, theta_rad: float) 
     turn = math.remainder(light_rad - probe_rad, 2 * math.pi)
     arc = [_from(probed, probe_rad + turn * step / 24, 30) for step in range(25)]
     middle = probe_rad + turn / 2
-    # Beyond the tips where the arms leave no room between them, else just outside the arc.
-    label = _from(probed, middle, 44 + 26 * abs(math.sin(middle)) if theta_rad > 1.2 else 82)
+    # Just outside the arc, or across from it where the arms leave no room between them.
+    sideways = abs(math.sin(middle))
+    label = _from(probed, middle, 44 + 26 * sideways if theta_rad > 1.2 else -22 - 18 * sideways)
     degrees = format_number(math.degrees(theta_rad), 0)
     return polyline(arc, "ray") + text(
         (label[0], label[1] + 4), f"θ = {degrees}°", "ray strong halo", "middle"
@@ -186,7 +187,7 @@ def brightness_plot(albedo: float, theta_rad: float, brightness: float) -> str:
     curve = [_plot(t, albedo * max(0.0, math.cos(math.radians(t)))) for t in range(0, 181, 2)]
     white = [_plot(t, max(0.0, math.cos(math.radians(t)))) for t in range(0, 91, 2)]
     label = text(
-        (min(here[0] + 10, PLOT_RIGHT - 62), here[1] - 12),
+        (min(here[0] + 12, PLOT_RIGHT - 62), max(here[1] - 12, PLOT_TOP + 18)),
         f"I = {format_number(brightness, 3)}",
         "ray strong halo",
     )
@@ -212,7 +213,7 @@ def _axes() -> Iterator[str]:
         x, y = _plot(0, share)
         yield text((x - 9, y + 4.5), f"{share:g}", "muted", "end")
     yield text((PLOT_LEFT - 20, PLOT_TOP - 14), "brightness I", "image")
-    yield text((_plot(29, 0)[0], PLOT_TOP + 15), "white, ρ = 1", "muted small")
+    yield text((_plot(59, 0)[0], _plot(0, 0.56)[1]), "ρ = 1", "muted small halo")
     yield text(
         ((PLOT_LEFT + PLOT_RIGHT) / 2, PLOT_BOTTOM + 42),
         "angle θ between normal and light",

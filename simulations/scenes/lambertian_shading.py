@@ -174,11 +174,11 @@ def describe(values: Values, theta_rad: float, code: int) -> str:
         light = f"from {facing:.0f}° to the {side}, so that {share} % of the disc is lit"
     theta = math.degrees(theta_rad)
     point = (
-        f"makes {theta:.0f}° with the light and has the pixel value {code}"
+        f"makes {theta:.0f}° with the light, and its pixel value is {code}"
         if theta < 90
-        else f"is turned {theta:.0f}° from the light and is black"
+        else f"is turned {theta:.0f}° from the light, so that it is black"
     )
-    return f"A matte sphere is lit {light}; the normal of the probed point {point}."
+    return f"A matte sphere is lit {light}; the normal at the probed point {point}."
 
 
 SCENE = Scene(id="lambertian-shading", title="Lambertian Shading", controls=CONTROLS, render=render)
