@@ -60,7 +60,7 @@ def render_site(options: Options) -> Files:
     book, stills, pictures = check_site(options)
     runtime, runtime_files, versions = _runtime(options)
     assets, asset_files = _assets(options.root, pictures)
-    site = Site(book, stills, assets, runtime, options.reload)
+    site = Site(options.root, book, stills, assets, runtime, options.reload)
     licences = gather_licences(options.root, versions.pyodide, versions.python, versions.numpy)
     return {
         **render_pages(site, licences),

@@ -23,6 +23,7 @@ from site_builder.book import (
 from site_builder.embedding import json_for_html
 from site_builder.figure_view import view_figure
 from site_builder.licences import Licence
+from site_builder.markdown.code import highlighted_lines
 from site_builder.stills import Stills
 
 TEMPLATES = Path(__file__).parent / "templates"
@@ -42,6 +43,8 @@ BLOCK_TEMPLATES: Mapping[type, str] = {
 class Site:
     """What all pages share."""
 
+    root: Path
+    """The project: where quoted modules lie."""
     book: Book
     stills: Stills
     assets: str
@@ -70,7 +73,23 @@ def render_pages(site: Site, licences: tuple[Licence, ...]) -> dict[str, bytes]:
             previous=chapters[index - 1] if index else None,
             following=chapters[index + 1] if index + 1 < len(chapters) else None,
         )
-    return {path: page.encode() for path, page in pages.items()}
+    return {path: page.encode() for path, page in {**pages, **_source_pages(site)}.items()}
+
+
+def _source_pages(site: Site) -> dict[str, str]:
+    """The modules that chapters quote from, whole."""
+    pages = {}
+    for path in sorted({item.path for ch in site.book.chapters for item in ch.listings}):
+        address = f"source/{path.removesuffix('.py')}/index.html"
+        code = (site.root / path).read_text(encoding="utf-8")
+        pages[address] = _page(
+            site,
+            "source.html",
+            "../" * address.count("/"),
+            path=path,
+            lines=highlighted_lines(code, "python"),
+        )
+    return pages
 
 
 def _page(site: Site, template: str, root: str, **context: object) -> str:
@@ -87,7 +106,7 @@ def _page(site: Site, template: str, root: str, **context: object) -> str:
             extra["data"] = quiz_data(block)
         return Markup(
             environment.get_template(f"blocks/{name}.html").render(
-                block=block, block_html=block_html, assets=assets, **extra
+                block=block, block_html=block_html, assets=assets, root=root, **extra
             )
         )
 

@@ -20,10 +20,17 @@ def code_html(code: str, language: str) -> str:
     """``code`` as a ``<pre>``; plain where ``language`` is empty."""
     if not language:
         return f'<pre class="code"><code>{escape(code)}</code></pre>\n'
+    opening = f'<pre class="code highlight"><code class="language-{escape(language)}">'
+    body = "\n".join(highlighted_lines(code, language))
+    return f"{opening}{body}\n</code></pre>\n"
+
+
+def highlighted_lines(code: str, language: str) -> list[str]:
+    """Each line of ``code`` as HTML of its own. Raises `UnknownLanguageError`."""
     try:
         lexer = get_lexer_by_name(language)
     except ClassNotFound:
         raise UnknownLanguageError(unknown("language", language, LANGUAGES)) from None
-    body = highlight(code, lexer, HtmlFormatter(nowrap=True))
-    opening = f'<pre class="code highlight"><code class="language-{escape(language)}">'
-    return f"{opening}{body}</code></pre>\n"
+    # Pygments closes its spans at the end of each line.
+    lines: list[str] = highlight(code, lexer, HtmlFormatter(nowrap=True)).rstrip("\n").split("\n")
+    return lines
