@@ -59,6 +59,9 @@ FORMULAE = (
     | _each("ℂℎℏℐℒℕℙℚℛℝℤ□◦⊤⊥⋅⋆⟨⟩⟵⟶⟷⦅⦆")
 )
 
+RECIPE = 2
+"""Counts changes of `cut`, so that a cache filled by an earlier version is not used."""
+
 BASIC_FEATURES = ("ccmp", "kern", "liga", "lnum", "locl", "mark", "mkmk", "onum", "pnum", "tnum")
 SMALL_CAPITALS = ("c2sc", "smcp")
 FORMULA_FEATURES = ("ccmp", "dtls", "flac", "kern", "mark", "mkmk", "ssty")
@@ -146,7 +149,14 @@ def _cut_once(face: Face, cache: Path) -> bytes:
 
 
 def _fingerprint(face: Face, source: bytes) -> str:
-    recipe = (face.family, face.style, sorted(face.characters), face.features, fontTools.version)
+    recipe = (
+        RECIPE,
+        face.family,
+        face.style,
+        sorted(face.characters),
+        face.features,
+        fontTools.version,
+    )
     return hashlib.sha256(repr(recipe).encode() + source).hexdigest()[:32]
 
 
@@ -167,6 +177,7 @@ def cut(face: Face, source: bytes) -> bytes:
     subsetter.populate(unicodes=face.characters)
     subsetter.subset(font)
     _rename(font, face.family, face.style)
+    _offer_script_forms(font)
     packed = io.BytesIO()
     subset.save_font(font, packed, options)
     return packed.getvalue()
@@ -178,3 +189,18 @@ def _rename(font: TTFont, family: str, style: str) -> None:
     for record in font["name"].names:
         if record.nameID in names:
             record.string = names[record.nameID]
+
+
+def _offer_script_forms(font: TTFont) -> None:
+    """Let style sheets ask for ``ssty``, the forms of indices and primes, whatever the script.
+
+    The font offers it to the script ``math`` alone, which browsers do not set for MathML.
+    """
+    substitutions = font["GSUB"].table
+    features = substitutions.FeatureList.FeatureRecord
+    forms = [index for index, record in enumerate(features) if record.FeatureTag == "ssty"]
+    for record in substitutions.ScriptList.ScriptRecord:
+        system = record.Script.DefaultLangSys
+        if system is not None:
+            system.FeatureIndex = sorted({*system.FeatureIndex, *forms[:1]})
+            system.FeatureCount = len(system.FeatureIndex)

@@ -20,6 +20,7 @@ CHILDREN = {
     "msubsup": 3, "munderover": 3,
 }  # fmt: skip
 SPACES = {"negativethinmathspace": "-0.167em"}
+LETTERS = {"∞", "∅"}
 OPERATORS = {"~": "∼", "‖": "‖", "⌊": "⌊", "⌋": "⌋", "⌈": "⌈", "⌉": "⌉"}
 FUNCTIONS_WITH_LIMITS = {"max", "min", "argmax", "argmin", "sup", "inf", "lim"}
 
@@ -102,6 +103,8 @@ def _mend(tree: ElementTree.Element, *, display: bool) -> None:
             text = (element.text or "").strip()
             if element.tag == "mi" and text in OPERATORS:
                 element.tag, element.text = "mo", OPERATORS[text]
+            if element.tag == "mo" and text in LETTERS:
+                element.tag = "mi"
             if element.tag == "mo" and text.isalpha() and text.isascii():
                 _space_function(element, parent[index + 1 :])
             if element.tag == "mspace":

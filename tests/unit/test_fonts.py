@@ -82,8 +82,13 @@ def test_maths_face_stretches_brackets_and_roots(fonts: Mapping[str, bytes]) -> 
     assert font["MATH"].table.MathConstants.AxisHeight.Value > 0
 
 
-def test_maths_face_keeps_small_forms_for_indices(fonts: Mapping[str, bytes]) -> None:
-    assert "ssty" in features(opened(fonts, "maths.woff2"))
+def test_maths_face_offers_small_forms_for_indices_to_every_script(
+    fonts: Mapping[str, bytes],
+) -> None:
+    table = opened(fonts, "maths.woff2")["GSUB"].table
+    for record in table.ScriptList.ScriptRecord:
+        offered = record.Script.DefaultLangSys.FeatureIndex
+        assert "ssty" in {table.FeatureList.FeatureRecord[index].FeatureTag for index in offered}
 
 
 @pytest.mark.parametrize("file", [file for file in TEXT_FACES if file.startswith("serif")])
