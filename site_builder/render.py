@@ -86,7 +86,8 @@ def _source_pages(site: Site) -> dict[str, str]:
             site,
             "source.html",
             "../" * address.count("/"),
-            path=path,
+            folder=path.rpartition("/")[0],
+            file=path.rpartition("/")[2],
             lines=highlighted_lines(code, "python"),
         )
     return pages
