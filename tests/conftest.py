@@ -16,9 +16,16 @@ from support.static_server import StaticServer, serving
 ROOT = Path(__file__).resolve().parents[1]
 
 
+def pytest_addoption(parser: pytest.Parser) -> None:
+    parser.addoption("--site", type=Path, help="test this built site instead of building one")
+
+
 @pytest.fixture(scope="session")
-def built_site(tmp_path_factory: pytest.TempPathFactory) -> Path:
+def built_site(request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFactory) -> Path:
     """The whole book, built once by the command that everyone uses."""
+    given: Path | None = request.config.getoption("--site")
+    if given:
+        return given
     out = tmp_path_factory.mktemp("book") / "site"
     command = [sys.executable, "-m", "site_builder", "build", "--out", str(out)]
     build = subprocess.run(command, cwd=ROOT, capture_output=True, text=True, check=False)
@@ -50,9 +57,7 @@ def chromium() -> Iterator[Browser]:
     executable = find_chromium()
     assert executable, HOW_TO
     with sync_playwright() as playwright:
-        browser = playwright.chromium.launch(
-            executable_path=executable, args=launch_arguments()
-        )
+        browser = playwright.chromium.launch(executable_path=executable, args=launch_arguments())
         yield browser
         browser.close()
 
@@ -65,3 +70,10 @@ def reader(chromium: Browser, server: StaticServer) -> Iterator[Reader]:
     yield someone
     context.close()
     assert not someone.complaints, "\n".join(someone.complaints)
+
+
+@pytest.fixture
+def plain_reader(reader: Reader) -> Reader:
+    """A reader whose browser cannot run Python: pages open at once, all else must work."""
+    reader.page.add_init_script("delete globalThis.WebAssembly")
+    return reader

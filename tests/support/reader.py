@@ -45,6 +45,19 @@ class Reader:
         if live:
             self.wait_live()
 
+    def turn_to(self, address: str, *, live: bool = True) -> None:
+        """Follow a link to a page of the book, as a reader does; the interpreter stays alive."""
+        if self.page.url == "about:blank":
+            self.open(address, live=live)
+            return
+        self.page.evaluate(FOLLOW, self.root + address)
+        self.page.wait_for_function(
+            "url => location.href === url && document.activeElement?.id === 'main'",
+            arg=self.root + address,
+        )
+        if live:
+            self.wait_live()
+
     def wait_live(self) -> None:
         self.page.wait_for_function(LIVE, timeout=START_MS)
 
@@ -59,13 +72,36 @@ class Reader:
         """What the figure shows: pixels (as a checksum), drawings and readouts."""
         return figure.evaluate(SHOWN)
 
+    def settle(self, figure: Locator) -> None:
+        """Wait until the figure has painted nothing new for a while; stop what plays."""
+        figure.evaluate(SETTLE)
+
     def wait_frame(self, figure: Locator, after: int) -> None:
-        """Wait for a frame after number ``after``, and for no newer one to be on its way."""
+        """Wait for a frame later than number ``after``."""
         self.page.wait_for_function(
             "([figure, after]) => Number(figure.dataset.frames) > after",
             arg=[figure.element_handle(), after],
         )
 
+
+FOLLOW = """(url) => {
+  if (location.href === url) document.getElementById('main').focus();
+  else [...document.querySelectorAll('a[href]')].find((link) => link.href === url).click();
+}"""
+
+SETTLE = """async (figure) => {
+  const pause = (ms) => new Promise((resolve) => setTimeout(resolve, ms));
+  for (let quiet = 0, frames = -1; quiet < 3; ) {
+    for (const play of figure.querySelectorAll('button[data-state="1"]')) {
+      const effect = JSON.parse(figure.querySelector('script.schema').textContent).controls
+        .find((control) => control.name === play.name).effect;
+      if (effect === 'play') play.click();
+    }
+    await pause(40);
+    quiet = figure.dataset.frames === frames ? quiet + 1 : 0;
+    frames = figure.dataset.frames;
+  }
+}"""
 
 SHOWN = """(figure) => ({
   pixels: [...figure.querySelectorAll('canvas.live')].map((canvas) => {

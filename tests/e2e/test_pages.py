@@ -1,0 +1,88 @@
+"""Turning pages, finding one's place, narrow windows."""
+
+import pytest
+from support.reader import Reader
+
+pytestmark = pytest.mark.browser
+
+
+def test_turning_the_page_keeps_the_interpreter(reader: Reader, book: dict) -> None:
+    with_figures = [c for c in book["chapters"] if c["simulations"]][:2]
+    first, second = with_figures
+    reader.open(first["url"])
+    worker = reader.page.workers[0]
+    reader.turn_to(second["url"])
+    assert reader.page.workers == [worker]
+    assert reader.page.locator("h1").inner_text().strip() == second["title"]
+    assert second["title"] in reader.page.title()
+    current = reader.page.locator('#contents a[aria-current="page"]')
+    assert second["title"] in current.text_content()
+
+
+def test_back_returns_to_the_place_that_was_left(plain_reader: Reader, book: dict) -> None:
+    first, second = (chapter["url"] for chapter in book["chapters"][1:3])
+    plain_reader.open(first, live=False)
+    plain_reader.page.evaluate("scrollTo({top: 700, behavior: 'instant'})")
+    left_at = plain_reader.page.evaluate("scrollY")
+    plain_reader.turn_to(second, live=False)
+    assert plain_reader.page.evaluate("scrollY") == 0
+    plain_reader.page.go_back()
+    plain_reader.page.wait_for_function(
+        "url => location.href === url", arg=plain_reader.root + first
+    )
+    plain_reader.page.wait_for_function("top => Math.abs(scrollY - top) < 3", arg=left_at)
+
+
+def test_a_link_to_a_heading_arrives_at_it(plain_reader: Reader, book: dict) -> None:
+    chapter = book["chapters"][1]
+    plain_reader.open(chapter["url"], live=False)
+    link = plain_reader.page.locator('.on-this-page a[href^="#"]').last
+    target = link.get_attribute("href").removeprefix("#")
+    link.click()
+    plain_reader.page.wait_for_function(IN_VIEW, arg=target, timeout=5000)
+
+
+IN_VIEW = """(id) => {
+  const {top} = document.getElementById(id).getBoundingClientRect();
+  return top >= 0 && top < innerHeight;
+}"""
+
+
+def test_the_whole_book_is_read_by_next_links(plain_reader: Reader, book: dict) -> None:
+    chapters = book["chapters"]
+    plain_reader.open(chapters[0]["url"], live=False)
+    for chapter in chapters[1:]:
+        plain_reader.page.locator('a[rel="next"]').last.click()
+        plain_reader.page.wait_for_function(
+            "url => location.href === url", arg=plain_reader.root + chapter["url"]
+        )
+        assert plain_reader.page.evaluate("document.activeElement.id") == "main"
+
+
+def test_no_page_scrolls_sideways_on_a_narrow_screen(plain_reader: Reader, book: dict) -> None:
+    plain_reader.page.set_viewport_size({"width": 360, "height": 740})
+    for address in ["", *(chapter["url"] for chapter in book["chapters"])]:
+        plain_reader.open(address, live=False)
+        width = plain_reader.page.evaluate("document.documentElement.scrollWidth")
+        assert width <= 360, f"{address or 'landing page'} is {width} wide"
+
+
+def test_the_theme_is_remembered(plain_reader: Reader) -> None:
+    plain_reader.open(live=False)
+    plain_reader.page.locator(".theme-toggle").click()
+    plain_reader.page.locator(".theme-toggle").click()
+    assert plain_reader.page.locator("html").get_attribute("data-theme") == "dark"
+    plain_reader.open(live=False)
+    assert plain_reader.page.locator("html").get_attribute("data-theme") == "dark"
+
+
+def test_the_contents_open_and_close_by_keyboard(plain_reader: Reader) -> None:
+    plain_reader.page.set_viewport_size({"width": 800, "height": 800})
+    plain_reader.open(live=False)
+    button = plain_reader.page.locator(".contents-toggle")
+    button.focus()
+    plain_reader.page.keyboard.press("Enter")
+    assert plain_reader.page.locator("#contents").is_visible()
+    plain_reader.page.keyboard.press("Escape")
+    assert not plain_reader.page.locator("#contents").is_visible()
+    assert button.evaluate("button => button === document.activeElement")

@@ -1,0 +1,74 @@
+"""Every question takes right and wrong answers, explains both, and remembers."""
+
+import pytest
+from playwright.sync_api import Locator
+from support.reader import Reader
+
+pytestmark = pytest.mark.browser
+
+
+def test_every_quiz_judges_right_and_wrong_and_explains(plain_reader: Reader, book: dict) -> None:
+    for quiz, url in _quizzes(book):
+        form = _open(plain_reader, quiz, url)
+        for index, option in enumerate(quiz["options"]):
+            _answer(form, [index])
+            alone = option["correct"] and len(_right(quiz)) == 1
+            assert form.get_attribute("data-answered") == ("correct" if alone else "wrong")
+            assert form.locator(".feedback .explanation").inner_text().strip(), quiz["id"]
+        _answer(form, _right(quiz))
+        assert form.get_attribute("data-answered") == "correct", quiz["id"]
+
+
+def test_every_answer_is_remembered_on_the_next_visit(plain_reader: Reader, book: dict) -> None:
+    for quiz, url in _quizzes(book):
+        _answer(_open(plain_reader, quiz, url), _right(quiz))
+    plain_reader.open(live=False)
+    for quiz, url in _quizzes(book):
+        form = _open(plain_reader, quiz, url)
+        assert form.get_attribute("data-answered") == "correct", quiz["id"]
+        assert _checked(form) == _right(quiz)
+
+
+def test_a_quiz_is_answered_by_keyboard_alone(plain_reader: Reader, book: dict) -> None:
+    quiz, url = _quizzes(book)[0]
+    form = _open(plain_reader, quiz, url)
+    form.locator("input").first.focus()
+    plain_reader.page.keyboard.press("Space")
+    plain_reader.page.keyboard.press("Enter")
+    assert form.get_attribute("data-answered") in ("correct", "wrong")
+
+
+def test_checking_without_an_answer_asks_for_one(plain_reader: Reader, book: dict) -> None:
+    form = _open(plain_reader, *_quizzes(book)[0])
+    form.locator("button[type=submit]").click()
+    assert "Choose" in form.locator(".feedback").inner_text()
+    assert form.get_attribute("data-answered") is None
+
+
+def _quizzes(book: dict) -> list[tuple[dict, str]]:
+    urls = {chapter["id"]: chapter["url"] for chapter in book["chapters"]}
+    return [(quiz, urls[quiz["chapter"]]) for quiz in book["quizzes"]]
+
+
+def _right(quiz: dict) -> list[int]:
+    return [index for index, option in enumerate(quiz["options"]) if option["correct"]]
+
+
+def _open(reader: Reader, quiz: dict, url: str) -> Locator:
+    if not reader.page.url.endswith(url):
+        reader.open(url, live=False)
+    return reader.page.locator(f'form.quiz[data-quiz="{quiz["id"]}"]')
+
+
+def _answer(form: Locator, chosen: list[int]) -> None:
+    for index, box in enumerate(form.locator('input[name="answer"]').all()):
+        if index in chosen:
+            box.check()
+        elif box.get_attribute("type") == "checkbox":
+            box.uncheck()
+    form.locator("button[type=submit]").click()
+
+
+def _checked(form: Locator) -> list[int]:
+    boxes = form.locator('input[name="answer"]').all()
+    return [index for index, box in enumerate(boxes) if box.is_checked()]

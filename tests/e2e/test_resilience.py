@@ -1,0 +1,108 @@
+"""What the reader meets when something breaks: a message, a way on, and nothing lost."""
+
+import pytest
+from playwright.sync_api import Browser
+from support.reader import Reader
+from support.static_server import StaticServer
+
+pytestmark = pytest.mark.browser
+
+SHORT_LIMIT = """async (ms) => {
+  const url = new URL(document.body.dataset.assets + 'js/runtime.js', location.href);
+  (await import(url)).LIMITS.render = ms;
+}"""
+
+
+@pytest.fixture
+def chapter(book: dict) -> str:
+    """A chapter with a figure that has a slider."""
+    sliders = {
+        scene["id"]
+        for scene in book["simulations"]
+        if any(control["kind"] == "slider" for control in scene["controls"])
+    }
+    return next(c["url"] for c in book["chapters"] if sliders & set(c["simulations"]))
+
+
+@pytest.mark.parametrize(
+    "harm",
+    ["self.close()", "setTimeout(() => { for (;;); })"],
+    ids=["killed worker", "hung worker"],
+)
+def test_a_lost_worker_is_replaced_and_the_values_are_kept(
+    reader: Reader, chapter: str, harm: str
+) -> None:
+    reader.open(chapter)
+    figure = reader.page.locator("simulation-figure:has(input[type=range])").first
+    slider = figure.locator("input[type=range]").first
+    slider.focus()
+    reader.page.keyboard.press("PageUp")
+    reader.settle(figure)
+    kept = slider.input_value()
+    reader.page.evaluate(SHORT_LIMIT, 1500)
+    reader.page.workers[-1].evaluate(harm)
+    frames = reader.frames(figure)
+    slider.focus()
+    reader.page.keyboard.press("ArrowRight")
+    reader.wait_frame(figure, frames)
+    assert figure.get_attribute("data-state") == "live"
+    assert slider.input_value() != kept
+    reader.page.keyboard.press("ArrowLeft")
+    assert slider.input_value() == kept
+
+
+@pytest.mark.parametrize("name", ["pyodide.asm.wasm", "pyodide.mjs", "python_stdlib.zip", ".whl"])
+def test_a_damaged_runtime_file_is_told_and_can_be_tried_again(
+    reader: Reader, server: StaticServer, chapter: str, name: str
+) -> None:
+    server.damaged[name] = b"not what it should be"
+    reader.open(chapter, live=False)
+    figure = reader.page.locator("simulation-figure").first
+    figure.locator(".retry").wait_for(state="visible")
+    assert "Python did not start" in figure.locator(".figure-message").inner_text()
+    server.damaged.clear()
+    figure.locator(".retry").click()
+    reader.wait_live()
+    assert not figure.locator(".figure-status").is_visible()
+    reader.complaints.clear()  # Pyodide's own words about the damaged file
+
+
+def test_a_browser_without_webassembly_is_told_so_and_keeps_the_stills(
+    reader: Reader, chapter: str
+) -> None:
+    reader.page.add_init_script("delete globalThis.WebAssembly")
+    reader.open(chapter, live=False)
+    figure = reader.page.locator("simulation-figure").first
+    figure.locator(".figure-message").wait_for(state="visible")
+    assert "WebAssembly" in figure.locator(".figure-message").inner_text()
+    assert not figure.locator("form.controls").is_visible()
+    assert figure.locator("svg.overlay").first.is_visible()
+
+
+def test_without_script_the_page_is_whole(
+    chromium: Browser, server: StaticServer, book: dict
+) -> None:
+    context = chromium.new_context(java_script_enabled=False)
+    page = context.new_page()
+    for chapter in book["chapters"]:
+        page.goto(server.url + chapter["url"])
+        assert page.locator("article.chapter p").count() > 3, chapter["id"]
+        assert page.locator("simulation-figure svg.overlay").count() >= len(chapter["simulations"])
+        assert page.locator("form.controls:visible").count() == 0
+        for answer in page.locator("form.quiz details").all():
+            assert answer.is_visible()
+    context.close()
+
+
+def test_blocked_storage_breaks_nothing(plain_reader: Reader, book: dict) -> None:
+    plain_reader.page.add_init_script(
+        "Object.defineProperty(window, 'localStorage', {get() { throw new Error('blocked'); }})"
+    )
+    chapter = next(chapter for chapter in book["chapters"] if chapter["quizzes"])
+    plain_reader.open(chapter["url"], live=False)
+    form = plain_reader.page.locator("form.quiz").first
+    form.locator("input").first.check()
+    form.locator("button[type=submit]").click()
+    assert form.get_attribute("data-answered") in ("correct", "wrong")
+    plain_reader.page.locator(".theme-toggle").click()
+    assert plain_reader.page.locator("html").get_attribute("data-theme") == "light"
