@@ -1,0 +1,121 @@
+"""Undoing lens distortion: where each pixel of a barrel photograph would be without the lens."""
+
+from dataclasses import dataclass
+from functools import partial
+
+import numpy as np
+
+from simulations.engine.ladder import Ladder, Metric, Tier
+from simulations.models.distortion import Distortion, Floats
+from simulations.models.undistortion import (
+    undistort_first_order,
+    undistort_fixed_point,
+    undistort_newton,
+    undistort_table,
+)
+
+FOCAL_PX = 400.0
+WIDTH, HEIGHT = 640, 480
+
+
+@dataclass(frozen=True, slots=True)
+class Workload:
+    """Points to be undone, and the lens that bent them."""
+
+    seen: Floats
+    """(N, 2) normalised distorted coordinates."""
+    lens: Distortion
+
+
+def prepare() -> Workload:
+    """Every second pixel of every second row; the corners lie at r = 1."""
+    x = (np.arange(0, WIDTH, 2) + 0.5 - WIDTH / 2) / FOCAL_PX
+    y = (np.arange(0, HEIGHT, 2) + 0.5 - HEIGHT / 2) / FOCAL_PX
+    seen = np.stack(np.meshgrid(x, y), axis=-1).reshape(-1, 2)
+    return Workload(seen, Distortion(k1=-0.3, k2=0.1))
+
+
+def reference(workload: Workload) -> Floats:
+    """Bisection of the radius until floats run out: slow, and it cannot miss.
+
+    The polynomial is written out here, so that the tiers and their judge share no code. With
+    k₁ = −0.3 and k₂ = 0.1 the map increases everywhere, so the root is unique.
+    """
+    k1, k2 = workload.lens.k1, workload.lens.k2
+    seen_radius: Floats = np.linalg.norm(workload.seen, axis=-1)
+    low, high = np.zeros_like(seen_radius), np.full_like(seen_radius, 3.0)
+    for _ in range(60):
+        middle = (low + high) / 2
+        s = middle * middle
+        too_far = middle * (1 + k1 * s + k2 * s * s) > seen_radius
+        low, high = np.where(too_far, low, middle), np.where(too_far, middle, high)
+    ideal: Floats = workload.seen * (high / seen_radius)[:, None]
+    return ideal
+
+
+def _distance_px(result: Floats, truth: Floats) -> Floats:
+    distance: Floats = FOCAL_PX * np.linalg.norm(result - truth, axis=-1)
+    return distance
+
+
+def rms_px(result: Floats, truth: Floats, _workload: Workload) -> float:
+    return float(np.sqrt(np.mean(_distance_px(result, truth) ** 2)))
+
+
+def worst_px(result: Floats, truth: Floats, _workload: Workload) -> float:
+    return float(_distance_px(result, truth).max())
+
+
+def _fixed_point(workload: Workload, *, steps: int) -> Floats:
+    return undistort_fixed_point(workload.seen, workload.lens, steps)
+
+
+def _newton(workload: Workload, *, steps: int) -> Floats:
+    return undistort_newton(workload.seen, workload.lens, steps)
+
+
+LADDER = Ladder(
+    id="inverse-distortion",
+    title="Undoing lens distortion",
+    workload="76 800 points of a 640 × 480 picture, f = 400 px, k₁ = −0.3, k₂ = 0.1",
+    prepare=prepare,
+    tiers=(
+        Tier(
+            "first-order",
+            "First order",
+            "1 polynomial",
+            lambda work: undistort_first_order(work.seen, work.lens),
+        ),
+        Tier(
+            "lookup-table",
+            "Lookup table",
+            "1 table look-up",
+            lambda work: undistort_table(work.seen, work.lens),
+        ),
+        *(
+            Tier(
+                f"newton-{steps}",
+                f"Newton, {steps} steps",
+                f"{2 * steps} polynomials",
+                partial(_newton, steps=steps),
+            )
+            for steps in (3, 4)
+        ),
+        *(
+            Tier(
+                f"fixed-point-{steps}",
+                f"Fixed point, {steps} steps",
+                f"{steps} polynomials",
+                partial(_fixed_point, steps=steps),
+            )
+            for steps in (5, 10, 20)
+        ),
+    ),
+    reference=reference,
+    reference_label="bisection of the radius down to the last bit",
+    metrics=(
+        Metric("rms", "RMS error", "px", rms_px),
+        Metric("worst", "Largest error", "px", worst_px),
+    ),
+    default_tier="newton-4",
+)
