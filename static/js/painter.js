@@ -51,8 +51,12 @@ function paintOverlay(svg, panel) {
 /** @param {HTMLElement} figure @param {Readout} readout */
 function paintReadout(figure, readout) {
   const output = figure.querySelector(`output[name="${CSS.escape(readout.name)}"]`);
+  const box = output?.parentElement;
+  if (!box) return;
   setText(output, readout.text);
-  setText(output?.parentElement?.querySelector(".unit"), readout.unit);
+  setText(box.querySelector(".unit"), readout.unit);
+  const classes = readout.role ? `readout role-${readout.role}` : "readout";
+  if (box.className !== classes) box.className = classes;
 }
 
 /** @param {Element | null | undefined} element @param {string} text */

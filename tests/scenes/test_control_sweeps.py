@@ -1,0 +1,198 @@
+"""Every control of every scene, to its ends and beyond, alone and against every other control.
+
+A frame at the end of a slider must be as sound as the first one: no NaN or infinity in pixels,
+drawing or numbers, no warning (pytest turns those into errors), and the same panels and readouts,
+so that nothing in the page jumps.
+"""
+
+import itertools
+import json
+import math
+import re
+from collections.abc import Iterator, Mapping
+from xml.etree import ElementTree
+
+import numpy as np
+import pytest
+
+from simulations.engine.controls import Action, Choice, Control, Slider, Toggle, clamp_values
+from simulations.engine.frame import Frame, to_json
+from simulations.engine.pipeline import StageCache
+from simulations.engine.scene import Scene
+from simulations.registry import SCENE_MODULES, load_scene
+
+type Setting = dict[str, object]
+
+STEPS = 7
+"""Positions of a slider between and including its ends."""
+
+NOT_FINITE = re.compile(r"\b(nan|inf)\b", re.IGNORECASE)
+
+
+def ends(control: Control) -> list[object]:
+    """The extreme positions of a control: both ends of a slider, every state of the others."""
+    match control:
+        case Slider():
+            return [control.minimum, control.maximum]
+        case Choice():
+            return list(control.options)
+        case Toggle():
+            return [False, True]
+        case Action():
+            return list(range(len(control.labels)))
+
+
+def positions(control: Control) -> list[object]:
+    """The ends, and for a slider the way between them, its zero, and single steps from the ends."""
+    if not isinstance(control, Slider):
+        return ends(control)
+    low, high, step = control.minimum, control.maximum, control.step
+    between = np.linspace(low, high, STEPS).tolist()
+    zero = [0.0] if low < 0 < high else []
+    return [*between, low + step, high - step, *zero]
+
+
+def pairwise_settings(controls: tuple[Control, ...]) -> list[Setting]:
+    """Few settings in which every pair of ends of every two controls occurs together.
+
+    Greedy: each setting starts with a pair not yet met, and every further control takes the end
+    that meets most of the remaining pairs.
+    """
+    levels = {control.name: ends(control) for control in controls}
+    waiting = {
+        frozenset(((a, i), (b, j)))
+        for a, b in itertools.combinations(levels, 2)
+        for i in range(len(levels[a]))
+        for j in range(len(levels[b]))
+    }
+    settings: list[Setting] = []
+    while waiting:
+        chosen = dict(min(waiting, key=sorted))
+        for name in levels:
+            if name not in chosen:
+                chosen[name] = max(
+                    range(len(levels[name])),
+                    key=lambda i: sum(frozenset(((name, i), c)) in waiting for c in chosen.items()),  # noqa: B023
+                )
+        waiting -= {frozenset(pair) for pair in itertools.combinations(chosen.items(), 2)}
+        settings.append({name: levels[name][i] for name, i in chosen.items()})
+    return settings
+
+
+def overshoots(control: Slider) -> Iterator[tuple[float, float]]:
+    """Values past the ends, and the end that each stands for."""
+    span = control.maximum - control.minimum
+    for far in (control.step, span, 1e9 * span, 1e300):
+        yield control.maximum + far, control.maximum
+        yield control.minimum - far, control.minimum
+
+
+def shape_of(frame: Frame) -> object:
+    """All that must not change from frame to frame, lest the page jump."""
+    return (
+        [
+            (panel.name, panel.width, panel.height, None if panel.raster is None else "raster")
+            for panel in frame.panels
+        ],
+        [(item.name, item.label) for item in frame.readouts],
+    )
+
+
+def assert_sound(frame: Frame, setting: Mapping[str, object]) -> None:
+    """Everything that a frame holds can be drawn, read and sent."""
+    json.loads(to_json(frame))
+    for panel in frame.panels:
+        drawing = ElementTree.fromstring(f"<svg>{panel.overlay}</svg>")
+        for element in drawing.iter():
+            for name, value in element.attrib.items():
+                if name != "class":
+                    assert not NOT_FINITE.search(value), (setting, panel.name, element.attrib)
+        for label in drawing.iter("text"):
+            x, y = float(label.attrib["x"]), float(label.attrib["y"])
+            inside = 0 <= x <= panel.width and 0 <= y <= panel.height
+            assert inside, (setting, panel.name, label.text, x, y)
+        if panel.raster is not None:
+            opaque = panel.raster[..., 3].max()
+            assert opaque > 0, (setting, panel.name, "nothing to be seen")
+    for item in frame.readouts:
+        assert not NOT_FINITE.search(item.text), (setting, item)
+        assert item.text.strip(), (setting, item)
+    assert not NOT_FINITE.search(frame.description), (setting, frame.description)
+
+
+@pytest.fixture(params=sorted(SCENE_MODULES), scope="module")
+def scene(request: pytest.FixtureRequest) -> Scene:
+    return load_scene(request.param)
+
+
+def render(scene: Scene, setting: Setting, cache: StageCache, tier: str = "") -> Frame:
+    values = clamp_values(scene.controls, setting)
+    return scene.render(values, tier or scene.default_tier, cache)
+
+
+def test_each_control_is_sound_over_its_whole_range(scene: Scene) -> None:
+    cache = StageCache()
+    expected = shape_of(render(scene, {}, cache))
+    for control in scene.controls:
+        for value in positions(control):
+            setting = {control.name: value}
+            frame = render(scene, setting, cache)
+            assert_sound(frame, setting)
+            assert shape_of(frame) == expected, setting
+
+
+def test_every_pair_of_extremes_is_sound(scene: Scene) -> None:
+    cache = StageCache()
+    expected = shape_of(render(scene, {}, cache))
+    for setting in pairwise_settings(scene.controls):
+        frame = render(scene, setting, cache)
+        assert_sound(frame, setting)
+        assert shape_of(frame) == expected, setting
+
+
+def test_every_tier_is_sound_at_the_extremes(scene: Scene) -> None:
+    corners = [
+        {control.name: ends(control)[0] for control in scene.controls},
+        {control.name: ends(control)[-1] for control in scene.controls},
+    ]
+    for tier in scene.tiers:
+        cache = StageCache()
+        expected = shape_of(render(scene, {}, cache))
+        for setting in corners:
+            frame = render(scene, setting, cache, tier)
+            assert_sound(frame, {"tier": tier, **setting})
+            assert shape_of(frame) == expected, (tier, setting)
+
+
+def test_values_past_the_ends_are_brought_to_the_ends(scene: Scene) -> None:
+    for control in scene.controls:
+        if isinstance(control, Slider):
+            for beyond, end in overshoots(control):
+                values = clamp_values(scene.controls, {control.name: beyond})
+                assert values.number(control.name) == end
+                assert math.isfinite(values.number(control.name))
+
+
+def test_a_frame_does_not_depend_on_what_was_shown_before(scene: Scene) -> None:
+    """After a walk through the extremes, the cache gives the very frame that a cold start does."""
+    warm = StageCache()
+    for setting in pairwise_settings(scene.controls)[:4]:
+        render(scene, setting, warm)
+        again, cold = render(scene, {}, warm), render(scene, {}, StageCache())
+        assert again.readouts == cold.readouts
+        for one, other in zip(again.panels, cold.panels, strict=True):
+            assert one.overlay == other.overlay
+            assert one.raster is None or np.array_equal(one.raster, other.raster)
+
+
+def test_the_covering_settings_meet_every_pair() -> None:
+    controls = (
+        Slider(name="a", label="A", default=0, minimum=-1, maximum=1, step=0.1),
+        Choice(name="b", label="B", default="x", options={"x": "X", "y": "Y", "z": "Z"}),
+        Toggle(name="c", label="C"),
+    )
+    settings = pairwise_settings(controls)
+    for one, other in itertools.combinations(controls, 2):
+        met = {(setting[one.name], setting[other.name]) for setting in settings}
+        assert met == set(itertools.product(ends(one), ends(other)))
+    assert len(settings) < 12, "fewer than all combinations"
