@@ -1,12 +1,17 @@
 """The only functions that the browser's worker calls."""
 
 import json
-from dataclasses import dataclass
+import time
+from dataclasses import asdict, dataclass
+from functools import lru_cache
+from math import isfinite
+from typing import Any
 
 from simulations.engine.controls import clamp_values
 from simulations.engine.frame import Raster, to_json
+from simulations.engine.ladder import measure_tier
 from simulations.engine.pipeline import StageCache
-from simulations.registry import load_scene
+from simulations.registry import load_ladder, load_scene
 
 _caches: dict[str, StageCache] = {}
 
@@ -40,3 +45,26 @@ def render(figure: str, scene_id: str, values: str, tier: str) -> Reply:
 def forget(figure: str) -> None:
     """Drop the stage cache of a figure that left the page."""
     _caches.pop(figure, None)
+
+
+def measure(ladder_id: str, tier_id: str, budget_s: float = 0.4) -> str:
+    """Time and judge one tier of a ladder on this machine, as JSON of its `TierResult`.
+
+    Infinities become null: no error that the metric could see. Raises `UnknownLadderError`,
+    and `ValueError` for a tier that the ladder lacks.
+    """
+    ladder = load_ladder(ladder_id)
+    workload, reference = _prepared(ladder_id)
+    clock = time.perf_counter
+    result = asdict(measure_tier(ladder, tier_id, workload, reference, clock, budget_s=budget_s))
+    errors = result["errors"].items()
+    result["errors"] = {name: value if isfinite(value) else None for name, value in errors}
+    return json.dumps(result)
+
+
+@lru_cache(maxsize=1)
+def _prepared(ladder_id: str) -> tuple[Any, Any]:
+    """Workload and reference, kept while the tiers of one ladder are measured in turn."""
+    ladder = load_ladder(ladder_id)
+    workload = ladder.prepare()
+    return workload, ladder.reference(workload)

@@ -83,6 +83,7 @@ class TierResult:
     high_ms: float
     """Upper quartile."""
     repeats: int
+    """Samples taken."""
     errors: Mapping[str, float]
     """Metric id to value."""
 
@@ -95,23 +96,42 @@ def measure_tier(
     clock: Clock,
     *,
     budget_s: float = 0.4,
+    sample_s: float = 0.004,
     at_least: int = 5,
     at_most: int = 200,
 ) -> TierResult:
-    """Time and judge one tier: one warm-up run, then repeats until the budget is spent."""
+    """Time and judge one tier: one warm-up run, then samples until the budget is spent.
+
+    A sample is at least ``sample_s`` long, several runs where one is quicker: the clock of a
+    browser ticks in tenths of a millisecond.
+    """
     tier = ladder.tier(tier_id)
     result = tier.run(workload)
     errors = {
         metric.id: float(metric.measure(result, reference, workload)) for metric in ladder.metrics
     }
+    runs = _runs_in_a_sample(tier, workload, clock, sample_s)
     samples: list[float] = []
     begun = clock()
     while len(samples) < at_most and (len(samples) < at_least or clock() - begun < budget_s):
-        start = clock()
-        tier.run(workload)
-        samples.append((clock() - start) * 1e3)
+        samples.append(_time_runs(tier, workload, clock, runs) / runs * 1e3)
     low, _, high = statistics.quantiles(samples, n=4, method="inclusive")
     return TierResult(tier_id, statistics.median(samples), low, high, len(samples), errors)
+
+
+def _time_runs(tier: Tier, workload: Any, clock: Clock, runs: int) -> float:
+    start = clock()
+    for _ in range(runs):
+        tier.run(workload)
+    return clock() - start
+
+
+def _runs_in_a_sample(tier: Tier, workload: Any, clock: Clock, sample_s: float) -> int:
+    """The smallest power of two whose runs together last long enough; 4096 at most."""
+    runs = 1
+    while runs < 4096 and _time_runs(tier, workload, clock, runs) < sample_s:
+        runs *= 2
+    return runs
 
 
 def pareto_front(points: Sequence[tuple[float, float]]) -> tuple[bool, ...]:

@@ -7,7 +7,13 @@
  */
 
 /** Longest wait for an answer in milliseconds. Starting may include a slow download. */
-export const LIMITS = { start: 300_000, first: 30_000, render: 10_000, forget: 10_000 };
+export const LIMITS = {
+  start: 300_000,
+  first: 30_000,
+  render: 10_000,
+  forget: 10_000,
+  measure: 120_000,
+};
 
 /** Why a call failed: `python` (our code raised), `start` (no interpreter), `lost` (no answer). */
 export class RuntimeFailure extends Error {

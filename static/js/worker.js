@@ -18,7 +18,7 @@ const calls = {
     const options = { indexURL: url, packageBaseUrl: url, packages: ["simulations"] };
     const pyodide = await Promise.race([loadPyodide(options), webAssemblyFailure()]);
     const module = pyodide.pyimport("simulations.browser");
-    python = { render: module.render, forget: module.forget };
+    python = { render: module.render, forget: module.forget, measure: module.measure };
     return { reply: { version: pyodide.version } };
   },
 
@@ -41,6 +41,11 @@ const calls = {
   forget({ figure }) {
     python.forget(figure);
     return { reply: {} };
+  },
+
+  /** Time and error of one tier of a ladder, on this machine. */
+  measure({ ladder, tier, budget }) {
+    return { reply: { result: python.measure(ladder, tier, budget) } };
   },
 };
 
