@@ -13,7 +13,13 @@ from pyodide_lock.utils import add_wheels_to_spec
 
 from site_builder.runtime import store as stores
 from site_builder.runtime.fetch import fetch_runtime
-from site_builder.runtime.pinned import LOCK_INFO, NUMPY_VERSION, NUMPY_WHEEL, PYODIDE_VERSION
+from site_builder.runtime.pinned import (
+    LOCK_INFO,
+    NUMPY_VERSION,
+    NUMPY_WHEEL,
+    PYODIDE_VERSION,
+    PYTHON_VERSION,
+)
 
 LOCK_NAME = "pyodide-lock.json"
 
@@ -48,7 +54,7 @@ class RuntimeBundle:
     versions: RuntimeVersions
 
 
-VERSIONS = RuntimeVersions(PYODIDE_VERSION, LOCK_INFO["python"], NUMPY_VERSION)
+VERSIONS = RuntimeVersions(PYODIDE_VERSION, PYTHON_VERSION, NUMPY_VERSION)
 
 
 def pack_runtime(simulations: Path, store: Path | None = None) -> RuntimeBundle:

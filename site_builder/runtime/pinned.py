@@ -3,6 +3,8 @@
 from dataclasses import dataclass
 
 PYODIDE_VERSION = "314.0.3"
+PYTHON_VERSION = "3.14.2"
+"""What Pyodide's interpreter says of itself."""
 NUMPY_VERSION = "2.4.3"
 """Equal to the native pin in ``pyproject.toml``, so that both sides compute alike."""
 
