@@ -113,12 +113,17 @@ def matrix_readout(
 
 
 def matrix_text(rows: Sequence[Sequence[str]]) -> str:
-    """Entries in columns: right-aligned by figure spaces, which are as wide as a digit."""
-    widths = [max(map(len, column)) for column in zip(*rows, strict=True)]
+    """Entries in columns: right-aligned by spaces as wide as the digits and points they replace."""
+    widest = [max(column, key=len) for column in zip(*rows, strict=True)]
     return "\n".join(
-        " ".join(entry.rjust(width, "\u2007") for entry, width in zip(row, widths, strict=True))
+        " ".join(_pad(entry, model) for entry, model in zip(row, widest, strict=True))
         for row in rows
     )
+
+
+def _pad(entry: str, model: str) -> str:
+    replaced = model[: len(model) - len(entry)]
+    return "".join("\u2008" if sign == "." else "\u2007" for sign in replaced) + entry
 
 
 def format_number(value: float, digits: int = 2) -> str:
