@@ -1,0 +1,72 @@
+"""Pre-filters against closed forms and quadrature by SciPy."""
+
+import numpy as np
+import pytest
+from scipy.integrate import quad
+
+from simulations.models import prefilters, sampling
+
+FREQUENCIES = np.linspace(0, 1.2, 25)
+
+
+@pytest.mark.parametrize("kind", ["none", "box", "gaussian", "sinc"])
+def test_grey_stays_as_it_is(kind):
+    assert prefilters.transfer(prefilters.prefilter(kind), 0) == pytest.approx(1, abs=1e-14)
+
+
+def test_a_point_passes_everything():
+    np.testing.assert_array_equal(
+        prefilters.transfer(prefilters.prefilter("none"), FREQUENCIES), np.ones(25)
+    )
+
+
+def test_the_box_has_the_transfer_of_a_pixel():
+    found = prefilters.transfer(prefilters.prefilter("box"), FREQUENCIES)
+    np.testing.assert_allclose(found, np.sinc(FREQUENCIES), atol=1e-6)
+    np.testing.assert_allclose(np.abs(found), sampling.box_mtf(FREQUENCIES), atol=1e-6)
+
+
+def test_the_gaussian_has_a_gaussian_transfer():
+    found = prefilters.transfer(prefilters.prefilter("gaussian"), FREQUENCIES)
+    expected = sampling.gaussian_mtf(FREQUENCIES, prefilters.GAUSSIAN_SIGMA_PX)
+    np.testing.assert_allclose(found, expected, atol=2e-6)
+
+
+@pytest.mark.parametrize("frequency", [0.1, 0.37, 0.5, 0.8, 1.2])
+def test_the_windowed_sinc_is_integrated_well_enough(frequency):
+    def kernel(u):
+        return np.sinc(u) * np.sinc(u / prefilters.LOBES)
+
+    area = quad(kernel, -prefilters.LOBES, prefilters.LOBES)[0]
+    wave = quad(
+        kernel, -prefilters.LOBES, prefilters.LOBES, weight="cos", wvar=2 * np.pi * frequency
+    )
+    found = prefilters.transfer(prefilters.prefilter("sinc"), frequency)
+    assert found == pytest.approx(wave[0] / area, abs=1e-4)
+
+
+def test_the_windowed_sinc_parts_what_samples_hold_from_what_they_cannot():
+    passed = prefilters.transfer(prefilters.prefilter("sinc"), np.array([0.3, 0.5, 0.7, 1.0]))
+    np.testing.assert_allclose(passed, [1, 0.5, 0, 0], atol=0.04)
+
+
+def test_a_pure_wave_only_changes_its_amplitude():
+    kernel, x = prefilters.prefilter("box"), np.linspace(-3, 3, 40)
+    wave = prefilters.filtered_wave(kernel, x, 0.4)
+    expected = prefilters.transfer(kernel, 0.4) * np.exp(2j * np.pi * 0.4 * x)
+    np.testing.assert_allclose(wave, expected, atol=1e-12)
+
+
+def test_a_chirp_is_averaged_over_the_pixel():
+    def over_pixel(part, x):
+        return quad(lambda u: part(np.exp(1j * np.pi * 0.02 * u * u)), x - 0.5, x + 0.5)[0]
+
+    x = 31.0
+    wave = prefilters.filtered_wave(prefilters.prefilter("box"), x, 0.0, 0.02)
+    assert wave.real == pytest.approx(over_pixel(np.real, x), abs=1e-6)
+    assert wave.imag == pytest.approx(over_pixel(np.imag, x), abs=1e-6)
+
+
+def test_an_unknown_filter_is_refused():
+    with pytest.raises(ValueError, match=r"'median'; legal: none, box"):
+        prefilters.prefilter("median")
