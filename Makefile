@@ -2,12 +2,14 @@
 # make site      build it into build/site/
 # make test      all tests; the first run may install a browser
 # make check     formatting, lint and types; edits nothing
+# make bench     time and judge all ladders, here and in Chromium (LADDER=srgb: only one)
 # make screenshot PAGE=lens-distortion/    a picture of a page, into build/
 # make lock      pin the newest packages that pyproject.toml allows
 # make clean     remove what was built; the packages in .venv stay
 
 PORT ?= 8000
 PAGE ?=
+LADDER ?=
 VENV := .venv
 BIN := $(VENV)/bin
 
@@ -18,7 +20,7 @@ PYTHON ?= $(firstword $(foreach python,$(PYTHONS),\
 	$(shell command -v $(python) >/dev/null 2>&1 && $(python) -c '$(IS_NEW)' 2>/dev/null && echo $(python))))
 
 .DELETE_ON_ERROR:
-.PHONY: serve site test check lock screenshot clean
+.PHONY: serve site test check lock screenshot bench clean
 
 serve: $(VENV)/book.stamp
 	@$(BIN)/python -m site_builder serve --port $(PORT)
@@ -36,6 +38,10 @@ check: $(VENV)/test.stamp
 
 screenshot: $(VENV)/test.stamp $(VENV)/chromium.stamp site
 	@$(BIN)/python tests/support/screenshot.py "$(PAGE)"
+
+# One thread, as in the browser, so that the two sides can be compared.
+bench: $(VENV)/test.stamp $(VENV)/chromium.stamp
+	@OPENBLAS_NUM_THREADS=1 PYTHONPATH=tests $(BIN)/python -m bench $(LADDER:%=--ladder %)
 
 # Every pin carries its hashes, so a changed package cannot slip in.
 $(VENV)/book.stamp: .locks/book.txt | $(BIN)/python

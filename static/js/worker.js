@@ -44,7 +44,7 @@ const calls = {
   },
 
   /** Time and error of one tier of a ladder, on this machine. */
-  measure({ ladder, tier, budget }) {
+  measure({ ladder, tier, budget = 0.4 }) {
     return { reply: { result: python.measure(ladder, tier, budget) } };
   },
 };

@@ -1,0 +1,73 @@
+"""Measure every ladder in CPython and in Chromium: ``make bench``, or for one ladder
+``make bench LADDER=srgb``.
+
+The two sides take turns, tier by tier and round by round, so that a busy minute of the machine
+falls on both. What is found goes into ``content/measurements.json``, from which all numbers,
+tables and charts of the book are made.
+"""
+
+import argparse
+import sys
+import time
+from collections.abc import Callable, Iterable, Sequence
+from pathlib import Path
+from typing import Any
+
+from bench.browser_side import browser_meter
+from bench.machine import describe_machine
+from bench.record import disagreements, ladder_record, merge, write
+
+from simulations.engine.ladder import Ladder, TierResult, measure_tier
+from simulations.registry import LADDER_MODULES, load_ladder
+
+ROOT = Path(__file__).resolve().parents[2]
+DATA = ROOT / "content" / "measurements.json"
+ROUNDS = 3
+BUDGET_S = 0.12
+"""Time for the samples of one tier, on one side, in one round."""
+
+type Meter = Callable[[str, str, float], TierResult]
+"""Measures one tier of one ladder within a budget in seconds."""
+
+
+def native_meter(ladder: Ladder) -> Meter:
+    workload: Any = ladder.prepare()
+    reference = ladder.reference(workload)
+    return lambda _ladder_id, tier_id, budget_s: measure_tier(
+        ladder, tier_id, workload, reference, time.perf_counter, budget_s=budget_s
+    )
+
+
+def measure_ladder(ladder: Ladder, meters: Sequence[Meter]) -> list[list[list[TierResult]]]:
+    """Results by tier, meter and round; every other round goes from dear to cheap."""
+    results: list[list[list[TierResult]]] = [[[] for _ in meters] for _ in ladder.tiers]
+    indices = range(len(ladder.tiers))
+    for round_number in range(ROUNDS):
+        order: Iterable[int] = reversed(indices) if round_number % 2 else indices
+        for index in order:
+            for meter, found in zip(meters, results[index], strict=True):
+                found.append(meter(ladder.id, ladder.tiers[index].id, BUDGET_S))
+    return results
+
+
+def main() -> int:
+    parser = argparse.ArgumentParser(prog="make bench", description=__doc__)
+    parser.add_argument("--ladder", action="append", choices=[*LADDER_MODULES], default=[])
+    chosen = parser.parse_args().ladder or list(LADDER_MODULES)
+    began, ladders, differing = time.perf_counter(), {}, []
+    with browser_meter(ROOT) as side:
+        machine = describe_machine(side.browser, side.pyodide)
+        for ladder in map(load_ladder, chosen):
+            started = time.perf_counter()
+            results = measure_ladder(ladder, (native_meter(ladder), side.measure))
+            ladders[ladder.id] = ladder_record(ladder, results)
+            differing += disagreements(ladder, results)
+            print(f"{ladder.id:24} {time.perf_counter() - started:6.1f} s", flush=True)
+    write(merge(DATA, machine, ladders, list(LADDER_MODULES)), DATA)
+    print(f"{DATA.relative_to(ROOT)} written after {time.perf_counter() - began:.0f} s")
+    print("\n".join(differing), end="\n" if differing else "", file=sys.stderr)
+    return 1 if differing else 0
+
+
+if __name__ == "__main__":
+    raise SystemExit(main())

@@ -1,0 +1,95 @@
+"""From results to ``content/measurements.json``; what it holds is described in
+``site_builder/measurements.py``, which reads it."""
+
+import json
+import math
+import statistics
+from collections.abc import Mapping, Sequence
+from pathlib import Path
+from typing import Any
+
+from simulations.engine.ladder import Ladder, TierResult
+
+RELATIVE, ABSOLUTE = 0.1, 1e-9
+"""How far one error may differ between two machines. The last place of a power or a sine does,
+and where that is all that a tier gets wrong, it is a tenth of the error."""
+
+
+def ladder_record(ladder: Ladder, results: Sequence[Sequence[Sequence[TierResult]]]) -> Any:
+    """One ladder's entry. ``results`` goes by tier, side (native, browser) and round."""
+    return {
+        "workload": ladder.workload,
+        "metrics": {metric.id: metric.unit for metric in ladder.metrics},
+        "tiers": {
+            tier.id: {
+                "errors": {name: finite(value) for name, value in native[0].errors.items()},
+                "native": timing(native),
+                "browser": timing(browser),
+            }
+            for tier, (native, browser) in zip(ladder.tiers, results, strict=True)
+        },
+    }
+
+
+def timing(rounds: Sequence[TierResult]) -> dict[str, float]:
+    """The median round, between the lowest and the highest quartile of any round."""
+    return {
+        "ms": significant(statistics.median(one.milliseconds for one in rounds), 3),
+        "low": significant(min(one.low_ms for one in rounds), 3),
+        "high": significant(max(one.high_ms for one in rounds), 3),
+        "samples": sum(one.repeats for one in rounds),
+    }
+
+
+def significant(value: float, digits: int) -> float:
+    return float(f"{value:.{digits}g}")
+
+
+def finite(value: float | None) -> float | None:
+    """Six digits; null for an infinite ratio of signal to noise, that is: no error at all."""
+    if value is None or math.isinf(value):
+        return None
+    if math.isnan(value):
+        raise ValueError("an error is NaN; legal: a number, or infinity where there is no error")
+    return significant(value, 6)
+
+
+def disagreements(ladder: Ladder, results: Sequence[Sequence[Sequence[TierResult]]]) -> list[str]:
+    """Errors on which CPython and the browser do not agree: then one of them is not understood."""
+    found = []
+    for tier, (native, browser) in zip(ladder.tiers, results, strict=True):
+        for name, value in native[0].errors.items():
+            ours, theirs = finite(value), finite(browser[0].errors[name])
+            if not close(ours, theirs):
+                place = f"{ladder.id} {tier.id} {name}"
+                found.append(f"{place}: {ours} in CPython, {theirs} in the browser")
+    return found
+
+
+def close(one: float | None, other: float | None) -> bool:
+    if one is None or other is None:
+        return one is other
+    return math.isclose(one, other, rel_tol=RELATIVE, abs_tol=ABSOLUTE)
+
+
+def merge(
+    file: Path, machine: Mapping[str, object], ladders: Mapping[str, Any], order: Sequence[str]
+) -> dict[str, Any]:
+    """New measurements over old ones, in the order of the registry; the old must be of the same
+    machine, and those of ladders that no longer exist are dropped."""
+    old = json.loads(file.read_text(encoding="utf-8")) if file.is_file() else {}
+    kept = old.get("ladders", {})
+    if set(order) <= set(ladders):
+        kept = {}
+    elif kept and old["machine"] != machine:
+        raise SystemExit(f"{file.name} was measured on another machine: run `make bench` for all")
+    found = {**kept, **ladders}
+    return {
+        "machine": dict(machine),
+        "ladders": {name: found[name] for name in order if name in found},
+    }
+
+
+def write(data: Mapping[str, Any], file: Path) -> None:
+    text = json.dumps(data, ensure_ascii=False, indent=1, allow_nan=False)
+    file.write_text(text + "\n", encoding="utf-8")
