@@ -14,6 +14,7 @@ SCENE_MODULES = {
     "lambertian-shading": "simulations.scenes.lambertian_shading",
     "bayer-demosaic": "simulations.scenes.bayer_demosaic",
     "camera": "simulations.scenes.camera",
+    "phong": "simulations.scenes.phong",
 }
 
 LADDER_MODULES = {

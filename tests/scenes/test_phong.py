@@ -1,0 +1,121 @@
+"""The Phong figure shows what the two models say."""
+
+import math
+
+import numpy as np
+import pytest
+
+from simulations.engine.controls import check_values
+from simulations.engine.pipeline import StageCache
+from simulations.models.color import decode_srgb, encode_srgb
+from simulations.scenes.phong import ALBEDO, SCENE, angles_at, half_width_rad, highlight, lobe
+
+
+def values(**given):
+    return check_values(SCENE.controls, given)
+
+
+def frame(cache=None, **given):
+    return SCENE.render(values(**given), "", cache or StageCache())
+
+
+def texts(shown):
+    return {item.name: item.text for item in shown.readouts}
+
+
+def unit(angle_deg):
+    return np.array([math.sin(math.radians(angle_deg)), 0, math.cos(math.radians(angle_deg))])
+
+
+@pytest.mark.parametrize(("light", "probe"), [(60, 20), (-130, 45), (179, -90), (0, 0)])
+def test_cosines_are_those_of_the_vectors(light, probe):
+    n, to_light, v = unit(probe), unit(light), unit(0)
+    mirrored = 2 * (n @ to_light) * n - to_light
+    halfway = (to_light + v) / np.linalg.norm(to_light + v)
+    at = angles_at(light, probe)
+    assert at.n_dot_l == pytest.approx(n @ to_light, abs=1e-12)
+    assert at.r_dot_v == pytest.approx(mirrored @ v, abs=1e-12)
+    assert at.n_dot_h == pytest.approx(n @ halfway, abs=1e-9)
+
+
+def test_light_and_camera_opposed_have_no_halfway_direction():
+    shown = frame(light_angle=180)
+    assert texts(shown)["n_dot_h"] == "undefined"
+    assert "no highlight" in shown.description
+
+
+@pytest.mark.parametrize("model", ["phong", "blinn_phong"])
+@pytest.mark.parametrize("shininess", [5, 50, 500])
+def test_the_half_width_read_out_is_where_the_drawn_lobe_has_half_its_height(model, shininess):
+    """Normal and lamp in line, so that both models have the lobe's peak at the normal."""
+    given = values(light_angle=0, probe=0, shininess=shininess, model=model, specular=1)
+    highlight = lobe(given, model) - ALBEDO[0]
+    width_deg = np.interp(0.5, highlight[:89:-1], np.arange(0.0, 91.0)[::-1])
+    assert math.degrees(half_width_rad(model, shininess)) == pytest.approx(width_deg, abs=0.3)
+
+
+def test_blinn_needs_a_fourfold_exponent():
+    assert half_width_rad("blinn_phong", 80) == pytest.approx(half_width_rad("phong", 20), rel=0.02)
+
+
+@pytest.mark.parametrize("model", ["phong", "blinn_phong"])
+def test_the_highlight_peaks_halfway_between_lamp_and_camera(model):
+    given = {"light_angle": 60, "model": model, "shininess": 300}
+    shiny = frame(specular=1, **given).panels[0].raster[212, :, 1].astype(int)
+    matte = frame(specular=0, **given).panels[0].raster[212, :, 1].astype(int)
+    columns = np.flatnonzero(shiny - matte == (shiny - matte).max())
+    assert columns.mean() == pytest.approx(250 + 152.5 * math.sin(math.radians(30)), abs=2)
+
+
+def test_the_pixel_at_the_probed_point_has_the_brightness_read_out():
+    shown = frame(probe=0)
+    red = shown.panels[0].raster[212, 250, 0]
+    assert red == pytest.approx(255 * float(encode_srgb(float(texts(shown)["brightness"]))), abs=1)
+
+
+def test_the_highlight_adds_the_same_light_to_every_channel():
+    with_spot, without = (
+        decode_srgb(
+            frame(light_angle=0, probe=0, specular=strength).panels[0].raster[212, 250] / 255
+        )
+        for strength in (0.3, 0)
+    )
+    assert (with_spot - without)[:3] == pytest.approx([0.3] * 3, abs=0.006)
+    assert without[:3] == pytest.approx(ALBEDO, abs=0.004)
+
+
+@pytest.mark.parametrize(("model", "stretched"), [("phong", True), ("blinn_phong", False)])
+def test_grazing_light_stretches_phongs_highlight_and_not_blinns(model, stretched):
+    """Normals are scanned across and along the plane of light and camera, around their middle."""
+    turns = np.radians(np.arange(-80, 80.5, 0.5))
+    middle = math.radians(75)
+    along = np.stack([np.sin(middle + turns), 0 * turns, np.cos(middle + turns)], axis=-1)
+    across = np.stack(
+        [np.cos(turns) * math.sin(middle), np.sin(turns), np.cos(turns) * math.cos(middle)], axis=-1
+    )
+    counts = [
+        np.count_nonzero(highlight(n, 150, np.array([0, 0, 1.0]), model, 80) > 0.9)
+        for n in (along, across)
+    ]
+    assert (counts[1] > 1.5 * counts[0]) == stretched
+
+
+def test_a_point_that_faces_away_from_the_lamp_has_neither_part():
+    shown = texts(frame(light_angle=140, probe=-30, specular=1, shininess=1))
+    assert (shown["matte"], shown["highlight"]) == ("0.000", "0.000")
+
+
+@pytest.mark.parametrize("light", [-180, -90, 0, 90, 180])
+@pytest.mark.parametrize("probe", [-90, 90])
+@pytest.mark.parametrize("shininess", [1, 500])
+def test_every_extreme_can_be_drawn_in_the_same_layout(light, probe, shininess):
+    shown = frame(light_angle=light, probe=probe, shininess=shininess, model="blinn_phong")
+    assert [panel.name for panel in shown.panels] == ["camera", "lobe"]
+    assert list(texts(shown)) == list(texts(frame()))
+
+
+def test_strength_reuses_the_highlight():
+    cache = StageCache()
+    frame(cache)
+    again = frame(cache, specular=0.1)
+    assert [stage.name for stage in again.stages if stage.status == "computed"] == ["picture"]
