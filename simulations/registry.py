@@ -14,6 +14,7 @@ SCENE_MODULES = {
     "lambertian-shading": "simulations.scenes.lambertian_shading",
     "bayer-demosaic": "simulations.scenes.bayer_demosaic",
     "camera": "simulations.scenes.camera",
+    "rotation-3d": "simulations.scenes.rotation_3d",
     "phong": "simulations.scenes.phong",
 }
 

@@ -9,24 +9,32 @@ from collections.abc import Sequence
 import numpy as np
 from numpy.typing import ArrayLike
 
-from simulations.models import euler, quaternions
-from simulations.models.rotations import Floats
+from simulations.models import quaternions
+from simulations.models.rotations import Floats, from_axis_angle
 
 
 def euler_blend(
-    sequence: str, start_rad: Sequence[float], end_rad: Sequence[float], share: float
+    sequence: str, start_rad: Sequence[float], end_rad: Sequence[float], share: ArrayLike
 ) -> Floats:
-    """The rotation (3, 3) whose three angles are each ``share`` of the way from start to end."""
-    pairs = zip(start_rad, end_rad, strict=True)
-    return euler.to_matrix(sequence, [(1.0 - share) * a + share * b for a, b in pairs])
+    """Rotations (..., 3, 3) whose three angles are each ``share`` (...) of the way to the end."""
+    first, second, third = _axes(sequence)
+    s = np.asarray(share, float)[..., None]
+    angles = (1.0 - s) * np.asarray(start_rad, float) + s * np.asarray(end_rad, float)
+    R: Floats = (
+        from_axis_angle(first, angles[..., 0])
+        @ from_axis_angle(second, angles[..., 1])
+        @ from_axis_angle(third, angles[..., 2])
+    )
+    return R
 
 
-def matrix_blend(start: ArrayLike, end: ArrayLike, share: float) -> Floats:
-    """The weighted mean of two rotation matrices (3, 3), entry by entry: in general no rotation.
+def matrix_blend(start: ArrayLike, end: ArrayLike, share: ArrayLike) -> Floats:
+    """Weighted means (..., 3, 3) of two rotation matrices, entry by entry: in general no rotations.
 
     With θ the angle between the two, what lies across the axis shrinks to |cos θ/2| halfway.
     """
-    blend: Floats = (1.0 - share) * np.asarray(start, float) + share * np.asarray(end, float)
+    s = np.asarray(share, float)[..., None, None]
+    blend: Floats = (1.0 - s) * np.asarray(start, float) + s * np.asarray(end, float)
     return blend
 
 
@@ -50,16 +58,17 @@ def rate_axes(sequence: str, angles_rad: Sequence[float]) -> Floats:
     """Jacobian (3, 3) from the rates of the three angles to the angular velocity ω in the world.
 
     Column i is the axis about which a change of angle i turns the body, so that
-    ω = J (ȧ₁, ȧ₂, ȧ₃) in radians per second. ``sequence`` is of moving axes, as ``"ZYX"``.
+    ω = J (ȧ₁, ȧ₂, ȧ₃) in radians per second.
     """
-    if not sequence.isupper():
-        raise ValueError(f"sequence: {sequence!r}; legal: upper case, moving axes")
-    alone = [_without_others(angles_rad, index) for index in range(3)]
-    turns = [euler.to_matrix(sequence, angles) for angles in alone]
-    axes = [np.eye(3)["XYZ".index(letter)] for letter in sequence]
-    columns = [axes[0], turns[0] @ axes[1], turns[0] @ turns[1] @ axes[2]]
-    return np.stack(columns, axis=-1)
+    first, second, third = _axes(sequence)
+    turn = from_axis_angle(first, angles_rad[0])
+    both = turn @ from_axis_angle(second, angles_rad[1])
+    return np.stack([first, turn @ second, both @ third], axis=-1)
 
 
-def _without_others(angles_rad: Sequence[float], index: int) -> list[float]:
-    return [angle if place == index else 0.0 for place, angle in enumerate(angles_rad)]
+def _axes(sequence: str) -> Floats:
+    """Unit vectors (3, 3) of a sequence about moving axes, such as ``"ZYX"``, one a row."""
+    if len(sequence) != 3 or set(sequence) - set("XYZ"):
+        raise ValueError(f"sequence: {sequence!r}; legal: three of X, Y, Z (moving axes)")
+    axes: Floats = np.eye(3)[["XYZ".index(letter) for letter in sequence]]
+    return axes

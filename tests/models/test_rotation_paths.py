@@ -36,7 +36,7 @@ def test_the_jacobian_knows_every_sequence(sequence):
 
 
 def test_fixed_axes_are_refused():
-    with pytest.raises(ValueError, match="legal: upper case"):
+    with pytest.raises(ValueError, match="legal: three of X, Y, Z"):
         rotation_paths.rate_axes("xyz", (0, 0, 0))
 
 
@@ -86,3 +86,10 @@ def test_without_a_circle_the_distance_is_from_the_point():
 def test_one_angle_alone_takes_the_shortest_way():
     R = rotation_paths.euler_blend("ZYX", (0, 0, 0), (0, 1.2, 0), 0.25)
     np.testing.assert_allclose(R, rotations.from_axis_angle([0, 1, 0], 0.3), atol=1e-15)
+
+
+def test_blended_angles_give_the_matrix_of_those_angles():
+    start, end, shares = (0.1, -0.4, 2.0), (1.3, 0.8, -1.0), np.linspace(0, 1, 5)
+    found = rotation_paths.euler_blend("ZYX", start, end, shares)
+    angles = np.array(start) + shares[:, None] * np.subtract(end, start)
+    np.testing.assert_allclose(found, Rotation.from_euler("ZYX", angles).as_matrix(), atol=1e-14)

@@ -1,0 +1,106 @@
+"""The second panel of the rotation scene: three ways from level flight to the attitude set.
+
+The nose of the aircraft leaves a trace on a sphere. Along a slerp that is an arc of a circle
+about one fixed axis; blended Euler angles wander; blended matrices cut through the sphere.
+"""
+
+import math
+from collections.abc import Callable, Iterator, Mapping, Sequence
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from simulations.engine.drawing import circle, dot, line, path, text
+from simulations.models import quaternions
+from simulations.models.rotation_paths import euler_blend, matrix_blend
+from simulations.models.rotations import slerp
+from simulations.scenes import aircraft
+from simulations.scenes.aircraft import Floats
+from simulations.scenes.rotation_rings import pieces
+
+WIDTH, HEIGHT = 400.0, 400.0
+CENTRE, RADIUS = (200.0, 212.0), 150.0
+STEPS = 60
+LEVEL = np.array([1.0, 0.0, 0.0, 0.0])
+
+ROLES = {"slerp": "ray", "euler": "error", "matrix": "image"}
+LABELS = {"slerp": "quaternion slerp", "euler": "Euler angles", "matrix": "matrix entries"}
+MANNERS = {"slerp": "bold", "euler": "dashed", "matrix": "thin"}
+
+type Way = Callable[[ArrayLike], Floats]
+
+
+def ways(angles_rad: Sequence[float], R: Floats, q: Floats) -> dict[str, Way]:
+    """From shares (...), 0 at level flight and 1 at the attitude, to matrices (..., 3, 3)."""
+    return {
+        "slerp": lambda share: quaternions.to_matrix(slerp(LEVEL, q, share)),
+        "euler": lambda share: euler_blend("ZYX", (0.0, 0.0, 0.0), angles_rad, share),
+        "matrix": lambda share: matrix_blend(np.eye(3), R, share),
+    }
+
+
+def draw(all_ways: Mapping[str, Way], chosen: str, share: float) -> str:
+    """SVG markup of the panel: the traces, and the aircraft on the chosen way."""
+    # The place at the share comes along as one more point.
+    shares = np.append(np.linspace(0.0, 1.0, STEPS + 1), share)
+    noses = {name: _place(way(shares)[:, :, 0]) for name, way in all_ways.items()}
+    traces = {name: places[:-1] for name, places in noses.items()}
+    blend = all_ways[chosen](share)
+    beads = [dot(noses[name][-1], ROLES[name], 6.0 if name == chosen else 3.5) for name in all_ways]
+    return "".join(
+        (
+            *_globe(),
+            *(_trace(traces[name], name, front=False) for name in traces),
+            *_craft(blend, chosen),
+            *(_trace(traces[name], name, front=True) for name in traces),
+            *_ends(traces["slerp"]),
+            *beads,
+            *_legend(chosen),
+        )
+    )
+
+
+def _craft(blend: Floats, chosen: str) -> tuple[str, str]:
+    """The aircraft at the centre, with the line from its nose to the sphere, back to front."""
+    inner, nose = _place(np.stack([0.6 * blend[:, 0], blend[:, 0]]))
+    sight = line(inner, nose, f"{ROLES[chosen]} thin")
+    craft = aircraft.draw(blend, CENTRE, 0.58 * RADIUS, "camera")
+    return (sight, craft) if nose[2] > 0 else (craft, sight)
+
+
+def _globe() -> Iterator[str]:
+    """Outline, horizon and two meridians; only the near half of each."""
+    yield circle(CENTRE, RADIUS, "muted thin")
+    turns = np.linspace(0, 2 * math.pi, 73)
+    flat = np.zeros_like(turns)
+    around = (np.cos(turns), np.sin(turns))
+    rings = (
+        np.stack([*around, flat], axis=-1),
+        np.stack([around[0], flat, around[1]], axis=-1),
+        np.stack([flat, *around], axis=-1),
+    )
+    halves = [run for ring in rings for run in pieces(_place(ring), front=True)]
+    yield path(halves, "muted thin faint")
+
+
+def _trace(points: Floats, name: str, *, front: bool) -> str:
+    style = f"{ROLES[name]} {MANNERS[name]}" + ("" if front else " faint")
+    return path(pieces(points, front=front), style)
+
+
+def _ends(trace: Floats) -> Iterator[str]:
+    for point, label in ((trace[0], "level"), (trace[-1], "attitude")):
+        yield circle(point, 5.5, "camera")
+        yield text((point[0], point[1] - 11), label, "camera small halo", "middle")
+
+
+def _legend(chosen: str) -> Iterator[str]:
+    for row, (name, label) in enumerate(LABELS.items()):
+        y = 22.0 + 18.0 * row
+        yield line((14, y - 4.5), (40, y - 4.5), f"{ROLES[name]} {MANNERS[name]}")
+        weight = " strong" if name == chosen else ""
+        yield text((48, y), label, f"{ROLES[name]} halo{weight}")
+
+
+def _place(points: Floats) -> Floats:
+    return aircraft.screen(points, CENTRE, RADIUS)

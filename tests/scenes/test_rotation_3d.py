@@ -1,0 +1,114 @@
+"""The rotation figure: what its numbers claim, and that gimbal lock can be seen in the rings."""
+
+import numpy as np
+import pytest
+from scipy.spatial.transform import Rotation
+
+from simulations.engine.controls import check_values
+from simulations.engine.pipeline import StageCache
+from simulations.scenes import aircraft
+from simulations.scenes.rotation_3d import SCENE, attitude
+from simulations.scenes.rotation_rings import pieces, rings
+
+
+def frame(**values):
+    return SCENE.render(check_values(SCENE.controls, values), "", StageCache())
+
+
+def texts(shown):
+    return {item.name: item.text for item in shown.readouts}
+
+
+@pytest.mark.parametrize("angles", [(105, 40, -40), (-150, -20, 120), (30, 90, 10)])
+def test_the_matrix_is_that_of_moving_axes_z_y_x(angles):
+    R, q = attitude(tuple(np.radians(angles)))
+    expected = Rotation.from_euler("ZYX", angles, degrees=True)
+    np.testing.assert_allclose(R, expected.as_matrix(), atol=1e-14)
+    w_last = np.roll(q, -1)
+    assert abs(w_last @ expected.as_quat()) == pytest.approx(1)
+
+
+def test_the_chapters_example_of_lock_gives_the_same_attitude():
+    locked, other = texts(frame(yaw=10, pitch=90, roll=40)), texts(frame(yaw=0, pitch=90, roll=30))
+    assert locked["matrix"] == other["matrix"]
+    assert locked["quaternion"] == other["quaternion"]
+    assert locked["off"] != other["off"], "the blended angles take another way all the same"
+
+
+@pytest.mark.parametrize("pitch", [-90, 90])
+def test_locked_rings_lie_in_one_plane(pitch):
+    yaw_ring, _, roll_ring = rings(0.7, np.radians(pitch), -1.2)
+    assert abs(yaw_ring.axis @ roll_ring.axis) == pytest.approx(1)
+    shown = frame(pitch=pitch)
+    assert texts(shown)["rank"] == "2 of 3"
+    assert texts(shown)["smallest"] == "0.000"
+    assert "one degree of freedom is lost" in shown.description
+
+
+def test_one_degree_from_lock_all_directions_are_left():
+    assert texts(frame(pitch=89))["rank"] == "3 of 3"
+
+
+def test_the_nose_ends_where_the_beads_of_the_rings_say():
+    angles = np.radians([50, 25, -70])
+    yaw_ring, pitch_ring, roll_ring = rings(*angles)
+    R, _ = attitude(tuple(angles))
+    nose, wing = R[:, 0], R[:, 1]
+    np.testing.assert_allclose(pitch_ring.at(angles[1]) / pitch_ring.radius, nose, atol=1e-12)
+    np.testing.assert_allclose(roll_ring.at(angles[2]) / roll_ring.radius, wing, atol=1e-12)
+    np.testing.assert_allclose(
+        yaw_ring.at(angles[0]) / yaw_ring.radius, pitch_ring.zero, atol=1e-12
+    )
+
+
+@pytest.mark.parametrize("blend", ["slerp", "euler"])
+def test_blends_that_are_rotations_read_as_such(blend):
+    shown = texts(frame(blend=blend, t=0.37))
+    assert (shown["residual"], shown["determinant"]) == ("< 10⁻¹⁴", "1.000")
+
+
+def test_blending_the_entries_of_a_quarter_turn_halves_the_volume():
+    shown = texts(frame(yaw=90, pitch=0, roll=0, blend="matrix", t=0.5))
+    assert (shown["residual"], shown["determinant"]) == ("0.500", "0.500")
+
+
+@pytest.mark.parametrize("alone", ["yaw", "pitch", "roll"])
+def test_one_angle_alone_takes_the_shortest_way(alone):
+    angles = dict.fromkeys(("yaw", "pitch", "roll"), 0) | {alone: 80}
+    assert texts(frame(**angles))["off"] == "0.0"
+
+
+@pytest.mark.parametrize("yaw", [-180, 0, 180])
+@pytest.mark.parametrize("pitch", [-90, 0, 90])
+@pytest.mark.parametrize("blend", ["slerp", "euler", "matrix"])
+def test_every_extreme_can_be_drawn_in_the_same_layout(yaw, pitch, blend):
+    shown = frame(yaw=yaw, pitch=pitch, roll=180, blend=blend, t=1)
+    assert [panel.name for panel in shown.panels] == ["attitude", "blend"]
+    assert len(shown.readouts) == 8
+    assert not any("nan" in panel.overlay for panel in shown.panels)
+
+
+def test_the_right_half_turn_does_not_hang_on_rounding():
+    _, exact = attitude((np.pi, 0.0, 0.0))
+    _, rounded = attitude((np.nextafter(np.pi, 4), 0.0, 0.0))
+    np.testing.assert_array_equal(exact, [0, 0, 0, 1])
+    np.testing.assert_array_equal(rounded, [0, 0, 0, 1])
+
+
+def test_faces_are_painted_from_far_to_near():
+    """Seen from ahead, right and above, the right wing of a level aircraft hides no other part."""
+    drawn = aircraft.draw(np.eye(3), (0.0, 0.0), 100.0, "camera")
+    right_wing = np.array([[0.3, 0.12, 0.02]]) @ np.eye(3)
+    left_wing = right_wing * [1, -1, 1]
+    places = []
+    for wing in (left_wing, right_wing):
+        x, y, _ = aircraft.screen(wing, (0.0, 0.0), 100.0)[0]
+        places.append(drawn.index(f"{x:.2f}".rstrip("0") + "," + f"{y:.2f}".rstrip("0")))
+    assert places[0] < places[1]
+
+
+def test_a_ring_is_cut_where_it_passes_behind():
+    ring = np.array([[0, 0, -1], [1, 0, -1], [2, 0, 1], [3, 0, 1], [4, 0, -1], [5, 0, -2]], float)
+    near, far = pieces(ring, front=True), pieces(ring, front=False)
+    assert near == [[[0, 0], [1, 0], [2, 0]], [[3, 0], [4, 0], [5, 0]]]
+    assert far == [[[2, 0], [3, 0]]]
