@@ -15,12 +15,16 @@ SCENE_MODULES = {
     "bayer-demosaic": "simulations.scenes.bayer_demosaic",
     "camera": "simulations.scenes.camera",
     "rotation-3d": "simulations.scenes.rotation_3d",
+    "aliasing": "simulations.scenes.aliasing",
     "phong": "simulations.scenes.phong",
+    "sensor-noise": "simulations.scenes.sensor_noise",
 }
 
 LADDER_MODULES = {
     "inverse-distortion": "simulations.ladders.inverse_distortion",
     "srgb": "simulations.ladders.srgb",
+    "demosaicing": "simulations.ladders.demosaicing",
+    "resampling": "simulations.ladders.resampling",
 }
 
 

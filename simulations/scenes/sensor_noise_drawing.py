@@ -1,0 +1,145 @@
+"""The drawings of the sensor-noise scene: labels of the wedge, and the photon-transfer plot."""
+
+import math
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from simulations.engine.drawing import Point, circle, dot, line, path, polyline, rectangle, text
+
+type Floats = NDArray[np.floating]
+
+WIDTH, HEIGHT = 420.0, 280.0
+ROWS, COLUMNS = 4, 6
+LEFT, RIGHT, TOP, BOTTOM = 58.0, 408.0, 22.0, 232.0
+DECADES = 4.5
+"""Of the mean axis, below twice the saturation level."""
+LOWEST_DN2 = 0.01
+"""Foot of the variance axis; smaller variances are drawn on it."""
+
+
+@dataclass(frozen=True, slots=True)
+class Curve:
+    """What theory says of the plot."""
+
+    gain_e_per_dn: float
+    floor_dn2: float
+    """Variance without light."""
+    full_dn: float
+    """Level at which well or converter is full."""
+    dark_dn: float
+    """Mean dark signal, which fills the well as well but is taken off the means."""
+
+
+@dataclass(frozen=True, slots=True)
+class Axes:
+    """Logarithmic axes: the mean below, the variance at the left, both in decades."""
+
+    low_x: float
+    high_x: float
+    low_y: float
+    high_y: float
+
+    def place(self, mean: float, variance: float) -> Point:
+        """View box coordinates; what lies outside is drawn on the border."""
+        x = (math.log10(max(mean, 1e-12)) - self.low_x) / (self.high_x - self.low_x)
+        y = (math.log10(max(variance, 1e-12)) - self.low_y) / (self.high_y - self.low_y)
+        across, up = min(max(x, 0.0), 1.0), min(max(y, 0.0), 1.0)
+        return LEFT + (RIGHT - LEFT) * across, BOTTOM - (BOTTOM - TOP) * up
+
+
+def over_wedge(means_e: Floats, patch: int) -> str:
+    """Mean electrons on each patch, and a frame around the chosen one."""
+    width, height = WIDTH / COLUMNS, HEIGHT / ROWS
+    labels = [
+        text(
+            ((k % COLUMNS + 0.5) * width, (k // COLUMNS + 1) * height - 7),
+            _short(float(mean)),
+            "small halo",
+            "middle",
+        )
+        for k, mean in enumerate(means_e)
+    ]
+    corner = (patch % COLUMNS * width + 2, patch // COLUMNS * height + 2)
+    frame = [rectangle(corner, width - 4, height - 4, style) for style in ("casing", "image bold")]
+    return "".join((*frame, *labels))
+
+
+def _short(mean_e: float) -> str:
+    if mean_e >= 1000:
+        return f"{mean_e / 1000:.3g}k e⁻"
+    return f"{mean_e:.3g} e⁻"
+
+
+def transfer_plot(
+    curve: Curve, mean_dn: Floats, variance_dn: Floats, fitted: NDArray[np.bool_], patch: int
+) -> str:
+    """Measured patches over the theory's three parts."""
+    axes = _axes_for(curve)
+    parts = [*_frame(axes), *_theory(axes, curve)]
+    for k, (mean, variance) in enumerate(zip(mean_dn, variance_dn, strict=True)):
+        at = axes.place(float(mean), float(variance))
+        parts.append(dot(at, "image", 3.5) if fitted[k] else circle(at, 3.5, "image"))
+    chosen = axes.place(float(mean_dn[patch]), float(variance_dn[patch]))
+    parts += [circle(chosen, 8, "casing"), circle(chosen, 8, "image bold")]
+    return "".join(parts)
+
+
+def _axes_for(curve: Curve) -> Axes:
+    """Fixed by gain and converter, so that noise and exposure move the points and not the axes."""
+    high_x = math.log10(2 * curve.full_dn)
+    high_y = math.ceil(math.log10(max(5 * curve.full_dn / curve.gain_e_per_dn, 1.0)))
+    return Axes(high_x - DECADES, high_x, math.log10(LOWEST_DN2), high_y)
+
+
+def _frame(axes: Axes) -> Iterator[str]:
+    grid = []
+    for power in range(math.ceil(axes.low_x), math.floor(axes.high_x) + 1):
+        x = axes.place(10.0**power, 1)[0]
+        grid.append([(x, TOP), (x, BOTTOM)])
+        yield text((x, BOTTOM + 17), _power(power), "muted small", "middle")
+    for power in range(math.ceil(axes.low_y), math.floor(axes.high_y) + 1):
+        y = axes.place(1, 10.0**power)[1]
+        grid.append([(LEFT, y), (RIGHT, y)])
+        yield text((LEFT - 7, y + 4), _power(power), "muted small", "end")
+    yield path(grid, "muted thin faint")
+    yield path([[(LEFT, TOP), (LEFT, BOTTOM), (RIGHT, BOTTOM)]], "muted")
+    yield text(((LEFT + RIGHT) / 2, BOTTOM + 38), "mean, DN", "", "middle")
+    yield text((10, TOP - 8), "variance, DN²", "image")
+
+
+def _power(power: int) -> str:
+    return f"{10.0**power:g}" if -3 < power < 4 else f"10{_superscript(power)}"
+
+
+def _superscript(power: int) -> str:
+    return str(power).translate(str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹"))
+
+
+def _theory(axes: Axes, curve: Curve) -> Iterator[str]:
+    """Floor, shot noise, their sum up to saturation, and the level where all pixels are full."""
+    full = curve.full_dn - curve.dark_dn
+    low, high = 10.0**axes.low_x, 10.0**axes.high_x
+    means = np.geomspace(low, max(full, low), 60)
+    total = [axes.place(float(m), float(m) / curve.gain_e_per_dn + curve.floor_dn2) for m in means]
+    # The straight line starts where it enters the plot.
+    start = max(low, LOWEST_DN2 * curve.gain_e_per_dn)
+    yield line(
+        axes.place(start, start / curve.gain_e_per_dn),
+        axes.place(high, high / curve.gain_e_per_dn),
+        "light dashed",
+    )
+    yield line(axes.place(low, curve.floor_dn2), axes.place(high, curve.floor_dn2), "error dashed")
+    yield polyline(total, "ray bold")
+    if full > low:
+        x = axes.place(full, 1)[0]
+        yield line((x, TOP), (x, BOTTOM), "muted dashed")
+        yield text((x - 5, TOP + 12), "full", "muted small halo", "end")
+    floor = axes.place(low, curve.floor_dn2)
+    yield text((LEFT + 8, max(floor[1] - 6, TOP + 12)), "floor", "error small halo")
+    middle = math.sqrt(max(full, low) * start)
+    slope = axes.place(middle, middle / curve.gain_e_per_dn)
+    label = (min(slope[0] + 10, RIGHT - 112), min(slope[1] + 18, BOTTOM - 6))
+    yield text(label, "shot noise: mean / g", "light small halo")

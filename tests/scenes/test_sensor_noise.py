@@ -1,0 +1,116 @@
+"""The step wedge obeys the noise theory that the chapter states, and measures its own gain."""
+
+import math
+
+import numpy as np
+import pytest
+
+from simulations.engine.controls import check_values
+from simulations.engine.pipeline import StageCache, run
+from simulations.scenes.sensor_noise import SCENE, STAGES, patch_means_e, sensor_of
+
+
+def values(**given):
+    return check_values(SCENE.controls, given)
+
+
+def frame(cache=None, **given):
+    return SCENE.render(values(**given), "", cache or StageCache())
+
+
+def texts(**given):
+    return {item.name: item.text for item in frame(**given).readouts}
+
+
+def transfer(**given):
+    return run(STAGES, values(**given), StageCache()).outputs["transfer"]
+
+
+def test_neighbouring_patches_are_half_a_stop_apart():
+    means = patch_means_e(0)
+    assert means[::2] == pytest.approx(40_000 / 2.0 ** np.arange(12))
+    assert patch_means_e(-1) == pytest.approx(means / 2)
+
+
+@pytest.mark.parametrize(("iso", "bits"), [("100", 12), ("800", 12), ("100", 14), ("400", 10)])
+def test_the_slope_of_the_transfer_curve_is_the_gain(iso, bits):
+    """1600 pixels know a variance to 3.5 %; a line through a dozen patches to about 2 %."""
+    truth = sensor_of(bits, iso, 10).gain_e_per_dn
+    assert transfer(iso=iso, bits=bits).gain_e_per_dn == pytest.approx(truth, rel=0.06)
+
+
+def test_at_base_iso_the_top_code_is_a_full_well():
+    camera = sensor_of(12, "100", 0)
+    assert camera.gain_e_per_dn * (4095 - camera.black_level_dn) == pytest.approx(20_000)
+    assert sensor_of(12, "800", 0).gain_e_per_dn == pytest.approx(camera.gain_e_per_dn / 8)
+
+
+def test_patch_variances_are_shot_plus_read_plus_rounding():
+    measured = transfer(bits=14, read_noise=20)
+    gain = sensor_of(14, "100", 20).gain_e_per_dn
+    expected = (patch_means_e(0) + 20**2) / gain**2 + 1 / 12
+    inside = ~measured.clipped
+    assert np.count_nonzero(inside) > 18
+    # Four standard deviations of a variance from 1600 samples.
+    assert measured.variance_dn[inside] == pytest.approx(
+        expected[inside], rel=4 * math.sqrt(2 / 1600)
+    )
+
+
+def test_dark_signal_leaves_the_means_and_lifts_the_variances():
+    without, with_dark = transfer(bits=14), transfer(bits=14, dark=2000)
+    gain = sensor_of(14, "100", 10).gain_e_per_dn
+    dim = slice(12, 24)
+    assert with_dark.mean_dn[dim] == pytest.approx(without.mean_dn[dim], abs=5 / gain)
+    lift = (with_dark.variance_dn - without.variance_dn)[dim].mean() * gain**2
+    assert lift == pytest.approx(2000, rel=0.04)
+
+
+def test_raising_the_iso_leaves_the_signal_to_noise_ratio():
+    base, high = (float(texts(iso=iso, patch=13)["snr"]) for iso in ("100", "800"))
+    assert base == pytest.approx(23.2, rel=0.08)
+    assert high == pytest.approx(23.2, rel=0.08)
+    assert texts(patch=13)["theory"] == texts(patch=13, iso="800")["theory"] == "23.2"
+
+
+def test_saturated_patches_are_left_out_of_the_fit_and_named():
+    measured = transfer()
+    assert measured.clipped[:3].all()
+    assert not measured.fitted[:3].any()
+    assert texts(patch=1)["theory"] == "clipped"
+
+
+def test_too_few_bits_leave_patches_without_noise():
+    shown = texts(bits=4, patch=18, read_noise=0)
+    assert shown["snr"] == "one code only"
+    assert "one code only" in frame(bits=4, patch=18, read_noise=0).description
+
+
+def test_where_no_patch_has_noise_no_gain_is_claimed():
+    shown = frame(bits=4, exposure=-6, read_noise=0)
+    assert {item.name: item.text for item in shown.readouts}["gain"] == "undefined"
+    assert "too few patches" in shown.description
+
+
+def test_dynamic_range_is_the_chapters_example():
+    """20 000 electrons over 3: 12.7 stops, less what rounding at 14 bits takes."""
+    assert texts(read_noise=3, bits=14)["range"] == "12.7"
+
+
+def test_patches_of_the_picture_lie_where_their_labels_do():
+    raster = frame(read_noise=0).panels[0].raster[..., 0].astype(float)
+    tiles = raster.reshape(4, 40, 6, 40).mean(axis=(1, 3)).ravel()
+    assert (np.diff(tiles[2:]) < 0).all()
+    assert tiles[0] == 255
+
+
+def test_taking_it_again_draws_other_noise_of_the_same_light():
+    first, second = frame(), frame(new_noise=1)
+    assert not np.array_equal(first.panels[0].raster, second.panels[0].raster)
+    assert np.array_equal(first.panels[0].raster, frame().panels[0].raster)
+
+
+def test_another_patch_reuses_the_picture():
+    cache = StageCache()
+    frame(cache)
+    assert {stage.status for stage in frame(cache, patch=3).stages} == {"reused"}
