@@ -4,6 +4,7 @@ from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 
 from simulations.engine.scene import Scene
+from site_builder.measurements import MeasuredLadder
 
 
 @dataclass(frozen=True, slots=True)
@@ -102,7 +103,36 @@ class CaptionedTable:
     html: str
 
 
-type Block = Prose | Simulation | Quiz | Callout | Example | Listing | Illustration | CaptionedTable
+@dataclass(frozen=True, slots=True)
+class LadderFigure:
+    """A measured ladder: chart, table, and buttons to measure it where the page is read."""
+
+    measured: MeasuredLadder
+    id: str
+    """Element id: ``ladder-`` and the ladder's id, numbered where a page shows one twice."""
+    caption_html: str
+
+
+@dataclass(frozen=True, slots=True)
+class LadderTable:
+    """All measured ladders, a line each."""
+
+    rows: tuple[MeasuredLadder, ...]
+    caption_html: str
+
+
+type Block = (
+    Prose
+    | Simulation
+    | Quiz
+    | Callout
+    | Example
+    | Listing
+    | Illustration
+    | CaptionedTable
+    | LadderFigure
+    | LadderTable
+)
 
 
 @dataclass(frozen=True, slots=True)

@@ -8,8 +8,9 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from pathlib import Path
 
+from simulations.engine.ladder import Ladder
 from simulations.engine.scene import Scene
-from simulations.registry import load_scene
+from simulations.registry import load_ladder, load_scene
 from site_builder.assets import Content, folder_files, hashed_folder
 from site_builder.book import Book
 from site_builder.catalogue import Versions, catalogue
@@ -18,6 +19,7 @@ from site_builder.diagnostics import BuildError, Diagnostics
 from site_builder.fonts import subset_fonts
 from site_builder.licences import gather_licences
 from site_builder.markdown.illustration import SUFFIXES
+from site_builder.measurements import read_measurements
 from site_builder.render import Site, render_pages
 from site_builder.runtime.pack import pack_runtime
 from site_builder.source import read_book
@@ -39,6 +41,7 @@ class Options:
     reload: bool = False
     """Whether pages reload themselves after a rebuild (``serve``)."""
     load_scene: Callable[[str], Scene] = load_scene
+    load_ladder: Callable[[str], Ladder] = load_ladder
 
 
 def build_site(
@@ -73,7 +76,8 @@ def render_site(options: Options) -> Files:
 def check_site(options: Options) -> tuple[Book, Stills, dict[str, bytes]]:
     """Read and check everything, figures drawn included. Raises `BuildError`."""
     problems = Diagnostics()
-    book = read_book(options.root, problems, options.load_scene)
+    measurements = read_measurements(options.root, problems, options.load_ladder)
+    book = read_book(options.root, problems, options.load_scene, measurements)
     check_book(book, problems)
     stills, pictures = render_stills(book, problems)
     if problems:

@@ -15,6 +15,8 @@ from site_builder.book import (
     Example,
     Heading,
     Illustration,
+    LadderFigure,
+    LadderTable,
     Listing,
     Prose,
     Quiz,
@@ -22,6 +24,7 @@ from site_builder.book import (
 )
 from site_builder.embedding import json_for_html
 from site_builder.figure_view import view_figure
+from site_builder.ladder_view import summary_row, view_ladder
 from site_builder.licences import Licence
 from site_builder.markdown.code import highlighted_lines
 from site_builder.stills import Stills
@@ -36,6 +39,8 @@ BLOCK_TEMPLATES: Mapping[type, str] = {
     Listing: "listing",
     Illustration: "illustration",
     CaptionedTable: "table",
+    LadderFigure: "ladder",
+    LadderTable: "ladder-table",
 }
 
 
@@ -105,6 +110,11 @@ def _page(site: Site, template: str, root: str, **context: object) -> str:
             extra["view"] = view_figure(site.stills[block.path, block.line], assets)
         if isinstance(block, Quiz):
             extra["data"] = quiz_data(block)
+        if isinstance(block, LadderFigure):
+            extra["view"] = view_ladder(block)
+        if isinstance(block, LadderTable):
+            extra["rows"] = [summary_row(measured) for measured in block.rows]
+            extra["anchors"] = getattr(context.get("chapter"), "anchors", ())
         return Markup(
             environment.get_template(f"blocks/{name}.html").render(
                 block=block, block_html=block_html, assets=assets, root=root, **extra

@@ -12,6 +12,7 @@ from site_builder.diagnostics import Diagnostics, unknown
 from site_builder.markdown.parser import CONSTRUCTS, make_parser, read_chapter
 from site_builder.markdown.reading import Reading
 from site_builder.markdown.simulation import find_scene
+from site_builder.measurements import Measurements
 
 OUTLINE = "content/book.toml"
 TEXTS = ("title", "subtitle", "prerequisites")
@@ -33,7 +34,12 @@ class Outline:
     hero_line: int
 
 
-def read_book(root: Path, problems: Diagnostics, load_scene: Callable[[str], Scene]) -> Book:
+def read_book(
+    root: Path,
+    problems: Diagnostics,
+    load_scene: Callable[[str], Scene],
+    measurements: Measurements | None = None,
+) -> Book:
     """The whole book; mistakes go to ``problems`` and reading goes on."""
     outline = _read_outline(root, problems)
     chapters: list[Chapter] = []
@@ -46,7 +52,15 @@ def read_book(root: Path, problems: Diagnostics, load_scene: Callable[[str], Sce
         path = file.relative_to(root).as_posix()
         text = file.read_text(encoding="utf-8")
         chapters.append(
-            read_chapter(text, path, number, root=root, problems=problems, load_scene=load_scene)
+            read_chapter(
+                text,
+                path,
+                number,
+                root=root,
+                problems=problems,
+                load_scene=load_scene,
+                measurements=measurements or Measurements(),
+            )
         )
     _check_unlisted(root, outline, problems)
     return Book(

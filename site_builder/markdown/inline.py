@@ -11,7 +11,9 @@ from site_builder.book import Heading, Link
 from site_builder.diagnostics import unknown
 from site_builder.markdown.code import UnknownLanguageError, code_html
 from site_builder.markdown.math import ROLES, UnsupportedTexError, to_mathml
+from site_builder.markdown.measured import measured_text
 from site_builder.markdown.reading import Reading, slug
+from site_builder.measurements import MeasurementError
 
 MISPLACED_OPTION = re.compile(r":[a-z_][\w-]*:[ \t]+\S+")
 
@@ -32,6 +34,8 @@ def annotate(tokens: Sequence[Token], reading: Reading) -> None:
                     f"option {token.content!r} in running text; "
                     "legal: directly below the line that opens the directive",
                 )
+            case "measured":
+                _set_measured(token, line, reading)
             case "role_open" if token.info not in ROLES:
                 reading.problem(line, unknown("colour role", token.info, ROLES))
             case "image":
@@ -67,6 +71,13 @@ def _set_code(token: Token, line: int, reading: Reading) -> None:
     try:
         token.meta["html"] = code_html(token.content, token.info.strip())
     except UnknownLanguageError as error:
+        reading.problem(line, str(error))
+
+
+def _set_measured(token: Token, line: int, reading: Reading) -> None:
+    try:
+        token.content = measured_text(token.content, reading.measurements)
+    except MeasurementError as error:
         reading.problem(line, str(error))
 
 

@@ -21,13 +21,16 @@ from site_builder.markdown.directive import directive_plugin
 from site_builder.markdown.example import read_example
 from site_builder.markdown.illustration import read_illustration
 from site_builder.markdown.inline import annotate, chapter_id
+from site_builder.markdown.ladder import read_ladder, read_ladder_table
 from site_builder.markdown.listing import read_listing
+from site_builder.markdown.measured import measured_plugin
 from site_builder.markdown.quiz import read_quiz
 from site_builder.markdown.reading import PAGE_IDS, Construct, Reading
 from site_builder.markdown.roles import roles_plugin
 from site_builder.markdown.simulation import read_simulation
 from site_builder.markdown.table import read_table, table_plugin
 from site_builder.markdown.typography import typography_plugin
+from site_builder.measurements import Measurements
 
 CONSTRUCTS: Mapping[str, Construct] = {
     "simulation": read_simulation,
@@ -37,6 +40,8 @@ CONSTRUCTS: Mapping[str, Construct] = {
     "source": read_listing,
     "figure": read_illustration,
     "table": read_table,
+    "ladder": read_ladder,
+    "ladder-table": read_ladder_table,
 }
 """Every directive, and what reads it."""
 
@@ -50,7 +55,7 @@ def make_parser() -> MarkdownIt:
     parser.enable("smartquotes")
     parser.use(front_matter_plugin).use(footnote_plugin).use(directive_plugin)
     parser.use(dollarmath_plugin, allow_labels=False, allow_space=False, allow_digits=False)
-    parser.use(table_plugin).use(roles_plugin).use(typography_plugin)
+    parser.use(table_plugin).use(roles_plugin).use(measured_plugin).use(typography_plugin)
     parser.add_render_rule("math_inline", _formula)
     parser.add_render_rule("math_block", _equation)
     parser.add_render_rule("fence", _code)
@@ -65,10 +70,11 @@ def read_chapter(
     root: Path,
     problems: Diagnostics,
     load_scene: Callable[[str], Scene],
+    measurements: Measurements,
 ) -> Chapter:
     """The chapter in ``text``; mistakes go to ``problems`` and reading goes on."""
     parser = make_parser()
-    reading = Reading(path, root, problems, load_scene, parser, CONSTRUCTS)
+    reading = Reading(path, root, problems, load_scene, parser, CONSTRUCTS, measurements)
     tokens = parser.parse(text, reading.env)
     for line, message in reading.env.pop("problems", ()):
         reading.problem(line, message)

@@ -13,6 +13,7 @@ from simulations.engine.scene import Scene
 from site_builder.book import Block, Heading, Link
 from site_builder.diagnostics import Diagnostics
 from site_builder.markdown.directive import Directive
+from site_builder.measurements import Measurements
 
 type Construct = Callable[[Directive, Sequence[Token], "Reading"], Block | None]
 """Reads one directive and its body; None where mistakes leave nothing to show."""
@@ -34,6 +35,8 @@ class Reading:
     load_scene: Callable[[str], Scene]
     parser: MarkdownIt
     constructs: Mapping[str, Construct]
+    measurements: Measurements = field(default_factory=Measurements)
+    """Where numbers about speed and accuracy come from."""
     env: dict[str, Any] = field(default_factory=dict)
     """What the parser keeps between parsing and rendering: link references, footnotes."""
     headings: list[Heading] = field(default_factory=list)

@@ -1,0 +1,105 @@
+"""``{measured}`srgb exact native```: a measured number in running text, never typed.
+
+The words are a ladder, one of its tiers, and what is wanted: ``native`` or ``browser`` for the
+time with its unit, a metric for the error with its unit. ``TIER over TIER`` asks how many times
+as much the first is than the second, without a unit. A single word asks for something about
+all: ``ladders``, ``tiers`` or ``beaten`` (counts), ``processor``, ``python``, ``numpy``,
+``browser``, ``pyodide``.
+"""
+
+import re
+from collections.abc import Sequence
+from html import escape
+
+from markdown_it import MarkdownIt
+from markdown_it.renderer import RendererProtocol
+from markdown_it.rules_inline import StateInline
+from markdown_it.token import Token
+from markdown_it.utils import EnvType, OptionsDict
+
+from site_builder.diagnostics import unknown
+from site_builder.measurements import SIDES, MeasuredLadder, MeasurementError, Measurements
+from site_builder.quantities import error_text, milliseconds, quantity
+
+ROLE = re.compile(r"\{measured\}`([^`\n]+)`")
+COUNTS = ("ladders", "tiers", "beaten")
+NO_BREAK_SPACE = "\u00a0"
+LEGAL = "legal: 'LADDER TIER native|browser|METRIC', or 'LADDER TIER over TIER …'"
+
+
+def measured_plugin(parser: MarkdownIt) -> None:
+    """Must be used after the plugin of coloured roles, before which it looks."""
+    parser.inline.ruler.before("role", "measured", _rule)
+    parser.add_render_rule("measured", _render)
+
+
+def _rule(state: StateInline, silent: bool) -> bool:
+    match = ROLE.match(state.src, state.pos)
+    if not match:
+        return False
+    if not silent:
+        state.push("measured", "", 0).content = match[1]
+    state.pos = match.end()
+    return True
+
+
+def _render(
+    _renderer: RendererProtocol, tokens: Sequence[Token], index: int, _o: OptionsDict, _e: EnvType
+) -> str:
+    return escape(tokens[index].content)
+
+
+def measured_text(words: str, measurements: Measurements) -> str:
+    """What stands in the text for ``words``. Raises `MeasurementError`."""
+    match words.split():
+        case [name]:
+            return _about_all(name, measurements)
+        case [ladder, tier, wanted]:
+            return _one(measurements.find(ladder), tier, wanted)
+        case [ladder, tier, "over", other, wanted]:
+            return _ratio(measurements.find(ladder), tier, other, wanted)
+    raise MeasurementError(f"{{measured}} {words!r}; {LEGAL}")
+
+
+def _about_all(name: str, measurements: Measurements) -> str:
+    legal = (*COUNTS, *measurements.machine)
+    if name not in legal:
+        raise MeasurementError(unknown("measured thing", name, legal))
+    if name in measurements.machine:
+        return str(measurements.machine[name])
+    ladders = measurements.all()
+    if name == "ladders":
+        return str(len(ladders))
+    tiers = [(ladder, item) for ladder in ladders for item in ladder.tiers]
+    if name == "beaten":
+        tiers = [(ladder, item) for ladder, item in tiers if ladder.beaten_by(item, "browser")]
+    return str(len(tiers))
+
+
+def _one(measured: MeasuredLadder, tier: str, wanted: str) -> str:
+    value, unit = _value(measured, tier, wanted)
+    if wanted in SIDES:
+        return f"{milliseconds(value or 0.0)}{NO_BREAK_SPACE}ms"
+    text = error_text(value, unit)
+    return text if text == "none" else f"{text}{NO_BREAK_SPACE}{unit}"
+
+
+def _ratio(measured: MeasuredLadder, tier: str, other: str, wanted: str) -> str:
+    (one, _), (two, _) = (_value(measured, name, wanted) for name in (tier, other))
+    if one is None or not two:
+        raise MeasurementError(f"{wanted} of {tier!r} over {other!r}: the second has no error")
+    return quantity(one / two)
+
+
+def _value(measured: MeasuredLadder, tier: str, wanted: str) -> tuple[float | None, str]:
+    ladder = measured.ladder
+    legal = [item.id for item in ladder.tiers]
+    if tier not in legal:
+        raise MeasurementError(unknown(f"tier of {ladder.id}", tier, legal))
+    item = measured[tier]
+    if wanted in SIDES:
+        return item.times[wanted].ms, "ms"
+    units = {metric.id: metric.unit for metric in ladder.metrics}
+    if wanted not in units:
+        raise MeasurementError(unknown(f"number of {ladder.id}", wanted, (*SIDES, *units)))
+    return item.errors[wanted], units[wanted]

@@ -1,0 +1,38 @@
+"""Measured numbers as a reader wants them: two digits, decimals where short, else powers of ten."""
+
+import math
+
+SUPERSCRIPTS = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
+NARROW_SPACE = "\u202f"
+
+
+def quantity(value: float, digits: int = 2) -> str:
+    """``value`` to ``digits`` significant digits: 1400, 0.41, 6.2 × 10⁻⁵, −3."""
+    if not math.isfinite(value):
+        return "∞" if value > 0 else "−∞"
+    if value == 0.0:
+        return "0"
+    mantissa, _, exponent = f"{abs(value):.{digits - 1}e}".partition("e")
+    power = int(exponent)
+    if -3 <= power < 5:
+        text = f"{float(f'{mantissa}e{power}'):.{max(digits - 1 - power, 0)}f}"
+    else:
+        text = f"{mantissa}{NARROW_SPACE}×{NARROW_SPACE}{power_of_ten(power)}"
+    return f"−{text}" if value < 0 else text
+
+
+def power_of_ten(power: int) -> str:
+    return f"10{str(power).translate(SUPERSCRIPTS)}"
+
+
+def milliseconds(value: float) -> str:
+    return quantity(value, 2 if value < 100 else 3)
+
+
+def error_text(value: float | None, unit: str) -> str:
+    """An error without its unit; ratios in decibels to a tenth; ``none`` where there is none."""
+    if value is None:
+        return "∞" if unit == "dB" else "none"
+    if unit == "dB":
+        return f"{value:.1f}".replace("-", "−")
+    return "none" if value == 0.0 else quantity(value)
