@@ -25,6 +25,7 @@ LADDER_MODULES = {
     "srgb": "simulations.ladders.srgb",
     "demosaicing": "simulations.ladders.demosaicing",
     "resampling": "simulations.ladders.resampling",
+    "anti-aliasing": "simulations.ladders.anti_aliasing",
 }
 
 

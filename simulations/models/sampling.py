@@ -53,6 +53,19 @@ def zone_plate(x: ArrayLike, y: ArrayLike, scale: float) -> Array:
     return rings
 
 
+def zone_plate_area(x: ArrayLike, y: ArrayLike, scale: float) -> Array:
+    """Mean of the `zone_plate` over a pixel of unit size around (x, y), without supersampling.
+
+    Within a pixel the rings are nearly a plane wave of (x, y) / scale cycles, whose mean is its
+    value at the centre times ``sinc(x / scale) sinc(y / scale)``. What is left out is the change
+    of frequency across the pixel, a fraction of about ``pi / (12 scale)`` of the contrast.
+    """
+    across, down = as_floats(x), as_floats(y)
+    rings = zone_plate(across, down, scale) - 0.5
+    mean: Array = 0.5 + rings * (np.sinc(across / scale) * np.sinc(down / scale))
+    return mean
+
+
 def box_filter(fine: ArrayLike, factor: int) -> Array:
     """Mean of each ``factor`` x ``factor`` block of (H, W, ...): what a pixel's area does."""
     image = _divisible(fine, factor)
