@@ -16,6 +16,7 @@ SCENE_MODULES = {
     "camera": "simulations.scenes.camera",
     "rotation-3d": "simulations.scenes.rotation_3d",
     "aliasing": "simulations.scenes.aliasing",
+    "wagon-wheel": "simulations.scenes.wagon_wheel",
     "phong": "simulations.scenes.phong",
     "sensor-noise": "simulations.scenes.sensor_noise",
 }
@@ -25,6 +26,14 @@ LADDER_MODULES = {
     "srgb": "simulations.ladders.srgb",
     "demosaicing": "simulations.ladders.demosaicing",
     "resampling": "simulations.ladders.resampling",
+    "shot-noise": "simulations.ladders.shot_noise",
+    "rotation-interpolation": "simulations.ladders.rotation_interpolation",
+    "small-rotations": "simulations.ladders.small_rotations",
+    "shading": "simulations.ladders.shading",
+    "precision": "simulations.ladders.precision",
+    "vignetting": "simulations.ladders.vignetting",
+    "block-dct": "simulations.ladders.block_dct",
+    "homography-estimation": "simulations.ladders.homography_estimation",
     "anti-aliasing": "simulations.ladders.anti_aliasing",
 }
 

@@ -1,0 +1,142 @@
+"""Far from the origin: what float32 and float64 leave of a projection near the camera."""
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from functools import partial
+
+import numpy as np
+from numpy.typing import NDArray
+
+from simulations.engine.ladder import Ladder, Metric, Tier
+from simulations.models.projection import relative_to_camera, rigid_pose, world_to_camera
+
+type Floats = NDArray[np.floating]
+type Whole = NDArray[np.int64]
+
+COUNT = 20_000
+FOCAL_PX = 1000.0
+UNIT_M = 2.0**-20
+"""All coordinates are multiples of this (a micrometre), so that float64 holds them exactly."""
+TURN = np.array([[-11, -2, 10], [10, -5, 10], [2, 14, 5]])
+"""Fifteen times the rotation of the quaternion (1, 1, 2, 3)/√15: in whole numbers."""
+CENTRES_M = {"near": (3.0, -2.0, 5.0), "far": (2_710_000.0, -4_320_000.0, 3_890_000.0)}
+"""Camera centres in the world: 6 m from its origin, and on the earth with the origin inside."""
+
+
+@dataclass(frozen=True, slots=True)
+class Place:
+    """A camera, and points before it."""
+
+    centre: Floats
+    """(3,) metres, world frame."""
+    points: Floats
+    """(N, 3) metres, world frame, 2 m to 20 m in front of the camera."""
+
+
+@dataclass(frozen=True, slots=True)
+class Workload:
+    """The same view twice: near the origin, and far from it."""
+
+    steps: Whole
+    """(N, 3) from the camera centre to the points, in `UNIT_M`, world axes: exact."""
+    rotation: Floats
+    """(3, 3) world to camera."""
+    near: Place
+    far: Place
+
+
+def prepare() -> Workload:
+    rng = np.random.default_rng(11)
+    depth = rng.uniform(2.0, 20.0, COUNT)
+    slope = rng.uniform(-0.5, 0.5, (COUNT, 2))
+    camera_frame = np.column_stack([slope * depth[:, None], depth])
+    rotation = TURN / 15.0
+    steps = np.rint(camera_frame @ rotation / UNIT_M).astype(np.int64)
+    places = {
+        name: Place(np.array(centre), np.array(centre) + steps * UNIT_M)
+        for name, centre in CENTRES_M.items()
+    }
+    return Workload(steps, rotation, **places)
+
+
+def reference(workload: Workload) -> Floats:
+    """Pixels (N, 2) from whole numbers: only the last division and product are rounded."""
+    turned = workload.steps @ TURN.astype(np.int64).T
+    pixels: Floats = FOCAL_PX * (turned[:, :2] / turned[:, 2:])
+    return pixels
+
+
+def _pixels(camera: Floats) -> Floats:
+    pixels: Floats = camera[:, :2] / camera[:, 2:]
+    pixels *= FOCAL_PX  # in place: a float32 array stays one
+    return pixels
+
+
+def _float32(place: Place, rotation: Floats) -> Floats:
+    """As on graphics hardware: R p + t, all in float32."""
+    R = rotation.astype(np.float32)
+    t = (-rotation @ place.centre).astype(np.float32)
+    # Points so far off are rounded to half a metre: some land on the camera itself.
+    with np.errstate(divide="ignore", invalid="ignore"):
+        return _pixels(place.points.astype(np.float32) @ R.T + t)
+
+
+def _relative_float32(place: Place, rotation: Floats) -> Floats:
+    """One subtraction in float64; the rest in float32."""
+    near = (place.points - place.centre).astype(np.float32)
+    return _pixels(near @ rotation.astype(np.float32).T)
+
+
+def _float64(place: Place, rotation: Floats) -> Floats:
+    pose = rigid_pose(rotation, -rotation @ place.centre)
+    return _pixels(world_to_camera(place.points, pose))
+
+
+def _relative_float64(place: Place, rotation: Floats) -> Floats:
+    return _pixels(relative_to_camera(place.points, rotation, place.centre))
+
+
+def _both(
+    workload: Workload, *, project: Callable[[Place, Floats], Floats]
+) -> tuple[Floats, Floats]:
+    """Pixels (N, 2) near the origin, and far from it."""
+    return project(workload.near, workload.rotation), project(workload.far, workload.rotation)
+
+
+def _rms_px(pixels: Floats, truth: Floats) -> float:
+    """RMS distance. A point that is lost, or thrown out of the picture, counts as 1000 px off."""
+    distance = np.linalg.norm(pixels.astype(np.float64) - truth, axis=-1)
+    return float(np.sqrt(np.mean(np.fmin(distance, FOCAL_PX) ** 2)))
+
+
+def rms_far_px(result: tuple[Floats, Floats], truth: Floats, _workload: Workload) -> float:
+    return _rms_px(result[1], truth)
+
+
+def rms_near_px(result: tuple[Floats, Floats], truth: Floats, _workload: Workload) -> float:
+    return _rms_px(result[0], truth)
+
+
+TIERS = (
+    ("float32", "float32", "R p + t in 4 bytes a number", _float32),
+    ("relative-32", "Camera first, then float32", "3 subtractions in 8 bytes", _relative_float32),
+    ("float64", "float64", "R p + t in 8 bytes a number", _float64),
+    ("relative-64", "Camera first, float64", "R (p − c) in 8 bytes a number", _relative_float64),
+)
+LADDER = Ladder(
+    id="precision",
+    title="Far from the origin",
+    workload="20 000 points 2 m to 20 m before a camera, near the origin and 6414 km away",
+    prepare=prepare,
+    tiers=tuple(
+        Tier(name, label, cost, partial(_both, project=project))
+        for name, label, cost, project in TIERS
+    ),
+    reference=reference,
+    reference_label="whole-number arithmetic, one rounding at the end",
+    metrics=(
+        Metric("far", "RMS error, 6414 km from the origin", "px", rms_far_px),
+        Metric("near", "RMS error, 6 m from the origin", "px", rms_near_px),
+    ),
+    default_tier="relative-64",
+)

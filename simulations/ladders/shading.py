@@ -1,0 +1,128 @@
+"""A glossy dome: light computed at the corners of a grid and blended, or anew in every pixel."""
+
+from functools import partial
+
+import numpy as np
+from numpy.typing import NDArray
+
+from simulations.engine.ladder import Ladder, Metric, Tier
+from simulations.models.reflectance import blinn_phong, normalise, phong
+
+type Floats = NDArray[np.floating]
+
+INTERVALS = 256
+"""The picture has one pixel more each way, so that every grid's corners fall on pixels."""
+SHININESS, SPECULAR, ALBEDO = 32.0, 0.5, 0.5
+LIGHT = (0.48, -0.36, 0.8)
+"""Unit vector towards the light, 37° off the camera's axis."""
+VIEW = (0.0, 0.0, 1.0)
+"""Towards a camera far above."""
+GRIDS = (8, 16, 32, 64)
+
+
+def prepare() -> Floats:
+    """Unit normals (257, 257, 3), float32, of a cap of a ball; its corners tilt by 64°.
+
+    There the light falls at grazing angles or not at all, so the picture has smooth shading,
+    a highlight and the edge of a shadow.
+    """
+    x = np.linspace(-0.636, 0.636, INTERVALS + 1)
+    flat = np.stack(np.meshgrid(x, x), axis=-1)
+    height = np.sqrt(1.0 - (flat * flat).sum(axis=-1, keepdims=True))
+    return np.concatenate([flat, height], axis=-1).astype(np.float32)
+
+
+def reference(normals: Floats) -> Floats:
+    """Phong's formula by the angles alone: r·v = 2 (n·l)(n·v) − l·v; the power by squaring."""
+    n = normals.astype(np.float64)
+    n_dot_l = n @ np.array(LIGHT)
+    r_dot_v = np.maximum(2.0 * n_dot_l * n[..., 2] - LIGHT[2], 0.0)
+    power = r_dot_v
+    for _ in range(5):
+        power = power * power
+    lit = n_dot_l > 0.0
+    return np.where(lit, ALBEDO * n_dot_l + SPECULAR * power, 0.0)
+
+
+def phong_pixels(normals: Floats) -> Floats:
+    return phong(normals, LIGHT, VIEW, ALBEDO, specular=SPECULAR, shininess=SHININESS)
+
+
+def blinn_phong_pixels(normals: Floats) -> Floats:
+    """Four times the shininess gives a highlight of nearly the size of Phong's."""
+    return blinn_phong(normals, LIGHT, VIEW, ALBEDO, specular=SPECULAR, shininess=4 * SHININESS)
+
+
+def gouraud(normals: Floats, *, grid: int) -> Floats:
+    """Phong's light at the grid's corners, blended across each cell (Gouraud 1971)."""
+    corners = normals[:: INTERVALS // grid, :: INTERVALS // grid]
+    return _blend(phong_pixels(corners)[..., None])[..., 0]
+
+
+def blended_normals(normals: Floats, *, grid: int) -> Floats:
+    """Normals blended across each cell and lit in every pixel (Phong 1975)."""
+    corners = normals[:: INTERVALS // grid, :: INTERVALS // grid]
+    return phong_pixels(normalise(_blend(corners)))
+
+
+def _blend(corners: Floats) -> Floats:
+    """(grid + 1, grid + 1, C) to (257, 257, C), linear in rows and columns, dtype kept."""
+    pixels = np.arange(INTERVALS + 1, dtype=np.float32) * ((len(corners) - 1) / INTERVALS)
+    cell = np.minimum(pixels.astype(np.int32), len(corners) - 2)
+    share = (pixels - cell)[:, None, None]
+    rows = corners[cell] + share * (corners[cell + 1] - corners[cell])
+    columns = np.swapaxes(rows, 0, 1)
+    wide: Floats = columns[cell] + share * (columns[cell + 1] - columns[cell])
+    return np.swapaxes(wide, 0, 1)
+
+
+def rms(result: Floats, truth: Floats, _normals: Floats) -> float:
+    return float(np.sqrt(np.mean((result.astype(np.float64) - truth) ** 2)))
+
+
+def worst(result: Floats, truth: Floats, _normals: Floats) -> float:
+    return float(np.abs(result.astype(np.float64) - truth).max())
+
+
+LADDER = Ladder(
+    id="shading",
+    title="Shading a glossy surface",
+    workload="257 × 257 pixels of a dome, albedo 0.5, highlight of shininess 32",
+    prepare=prepare,
+    tiers=(
+        *(
+            Tier(
+                f"gouraud-{grid}",
+                f"Light at {grid} × {grid} cells",
+                f"{(grid + 1) ** 2} powers, 3 blends a pixel",
+                partial(gouraud, grid=grid),
+            )
+            for grid in GRIDS
+        ),
+        Tier(
+            "blinn-phong",
+            "Blinn–Phong in every pixel",
+            "2 cosines, 1 power a pixel",
+            blinn_phong_pixels,
+        ),
+        Tier(
+            "phong",
+            "Phong in every pixel",
+            "2 cosines, 1 mirrored ray, 1 power a pixel",
+            phong_pixels,
+        ),
+        Tier(
+            "blended-normals-16",
+            "Normals at 16 × 16 cells",
+            "9 blends, 1 norm, then as above",
+            partial(blended_normals, grid=16),
+        ),
+    ),
+    reference=reference,
+    reference_label="Phong's formula by angles, float64",
+    metrics=(
+        Metric("rms", "RMS error", "of white", rms),
+        Metric("worst", "Largest error", "of white", worst),
+    ),
+    default_tier="phong",
+)

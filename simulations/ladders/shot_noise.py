@@ -1,0 +1,103 @@
+"""Counting electrons: the Poisson distribution, and the bell curves that stand in for it."""
+
+import math
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from simulations.engine.ladder import Ladder, Metric, Tier
+from simulations.models.sensor import ShotModel, shot_noise
+
+type Floats = NDArray[np.floating]
+
+LEVELS_E = (1.0, 3.0, 10.0, 30.0)
+"""Mean electrons, from deep shadow to dark grey; above, the three are hard to tell apart."""
+SAMPLES = 65_536
+"""Pixels of each level. The exact sampler's own distance is about 0.87 / √65 536 = 0.003."""
+SEED = 20
+
+
+@dataclass(frozen=True, slots=True)
+class Workload:
+    """Flat fields to be counted."""
+
+    mean_e: Floats
+    """(levels, samples) float32, each row one of `LEVELS_E`."""
+
+
+def prepare() -> Workload:
+    rows = np.repeat(np.array(LEVELS_E, np.float32)[:, None], SAMPLES, axis=1)
+    return Workload(rows)
+
+
+def reference(_workload: Workload) -> Floats:
+    """P(N ≤ k), (levels, 128): the terms e^−λ λᵏ/k!, each added exactly to those before."""
+    cumulative = np.ones((len(LEVELS_E), 128))
+    for row, mean in enumerate(LEVELS_E):
+        terms = [
+            math.exp(k * math.log(mean) - mean - math.lgamma(k + 1))
+            for k in range(cumulative.shape[1])
+        ]
+        cumulative[row] = [math.fsum(terms[: k + 1]) for k in range(len(terms))]
+    return cumulative
+
+
+def distances(result: Floats, truth: Floats) -> Floats:
+    """Kolmogorov–Smirnov distance (levels,): the largest gap between the two cumulatives."""
+    bins = truth.shape[1]
+    gaps = []
+    for counted, cumulative in zip(result, truth, strict=True):
+        held = np.clip(counted, 0, bins - 1).astype(np.int64)
+        share = np.cumsum(np.bincount(held, minlength=bins)) / counted.size
+        gaps.append(np.abs(share - cumulative).max())
+    return np.array(gaps)
+
+
+def worst_distance(result: Floats, truth: Floats, _workload: Workload) -> float:
+    return float(distances(result, truth).max())
+
+
+def worst_bias_percent(result: Floats, _truth: Floats, _workload: Workload) -> float:
+    """The mean of a Poisson distribution is its parameter: what was asked for."""
+    means = result.mean(axis=1, dtype=np.float64)
+    return float(100.0 * np.abs(means / np.array(LEVELS_E) - 1.0).max())
+
+
+def _count(workload: Workload, model: ShotModel) -> Floats:
+    return shot_noise(workload.mean_e, np.random.default_rng(SEED), model=model)
+
+
+LADDER = Ladder(
+    id="shot-noise",
+    title="Shot noise",
+    workload="65 536 pixels each at 1, 3, 10 and 30 electrons, float32",
+    prepare=prepare,
+    tiers=(
+        Tier(
+            "gaussian",
+            "Rounded Gaussian",
+            "1 normal deviate",
+            lambda work: _count(work, "gaussian"),
+        ),
+        Tier(
+            "skewed",
+            "Skew-corrected Gaussian",
+            "1 normal deviate, 1 square",
+            lambda work: _count(work, "skewed"),
+        ),
+        Tier(
+            "poisson",
+            "Exact Poisson",
+            "up to λ + 1 uniform deviates below λ = 10, then about 2",
+            lambda work: _count(work, "poisson"),
+        ),
+    ),
+    reference=reference,
+    reference_label="sum of the Poisson probabilities, float64",
+    metrics=(
+        Metric("ks", "Largest gap between cumulatives", "probability", worst_distance),
+        Metric("bias", "Largest bias of the mean", "%", worst_bias_percent),
+    ),
+    default_tier="poisson",
+)
