@@ -35,6 +35,7 @@ LADDER_MODULES = {
     "block-dct": "simulations.ladders.block_dct",
     "homography-estimation": "simulations.ladders.homography_estimation",
     "anti-aliasing": "simulations.ladders.anti_aliasing",
+    "edge-coverage": "simulations.ladders.edge_coverage",
 }
 
 
