@@ -1,0 +1,122 @@
+"""A wooden wheel as a film frame records it: exact coverage, and exact blur of the turning spokes.
+
+Along a circle of radius r the spokes are a row of equal bars. What a pixel records of them is
+their mean over the pixel's width on that circle and over the angle swept while the shutter is
+open. Both means are differences of an integral that is known in closed form, so that a blur
+over many spokes costs as much as none.
+"""
+
+from dataclasses import dataclass
+from functools import lru_cache
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from simulations.engine.raster import to_rgba8
+from simulations.models.color import encode_srgb
+
+type Floats = NDArray[np.float64]
+
+WIDTH, HEIGHT = 320, 240
+RADIUS = 92.0
+"""Outer edge of the rim, pixels."""
+RIM, HUB, SPOKE = 12.0, 14.0, 6.5
+"""Width of the rim, radius of the hub, width of a spoke, pixels."""
+
+WOOD, DARK = np.array([0.62, 0.43, 0.24]), np.array([0.045, 0.05, 0.056])
+"""Linear light of the wheel and of the wall behind it."""
+
+LEVELS = 2048
+"""Steps of coverage that the colours are tabulated at: finer than the codes of the picture."""
+
+NARROWEST = 1e-5
+"""Width in spacings below which a mean is taken at a point; keeps the quotients finite."""
+
+
+@dataclass(frozen=True, slots=True)
+class Canvas:
+    """What of the picture depends on no parameter."""
+
+    between: NDArray[np.bool_]
+    """(H, W) pixels that lie, at least in part, between hub and rim."""
+    angle_rad: Floats
+    """(n,) of those pixels, clockwise from the right."""
+    radius: Floats
+    """(n,) in pixels, at least half a hub."""
+    solid: Floats
+    """(H, W) share of each pixel that rim or hub cover."""
+    colours: NDArray[np.uint8]
+    """(LEVELS + 1, 4) bytes of a pixel by the share of it that is wood."""
+
+
+@lru_cache(maxsize=1)
+def canvas() -> Canvas:
+    """Angles, radii and the parts that look the same however the wheel stands."""
+    x = np.arange(WIDTH) - 0.5 * (WIDTH - 1)
+    y = np.arange(HEIGHT)[:, None] - 0.5 * (HEIGHT - 1)
+    radius = np.hypot(x, y)
+    rim = _inside(radius, RADIUS) - _inside(radius, RADIUS - RIM)
+    solid = rim + _inside(radius, HUB)
+    between = (radius > HUB - 1) & (radius < RADIUS - RIM + 1)
+    angle = np.arctan2(y, x)
+    share = np.linspace(0.0, 1.0, LEVELS + 1)[None, :, None]
+    colours = to_rgba8(encode_srgb(DARK + share * (WOOD - DARK)))[0]
+    return Canvas(between, angle[between], np.maximum(radius[between], HUB / 2), solid, colours)
+
+
+def _inside(radius: Floats, edge: float) -> Floats:
+    """Share of each pixel within a circle, to the accuracy of a straight edge."""
+    return np.clip(edge - radius + 0.5, 0.0, 1.0)
+
+
+def render(spokes: int, first_angle_rad: float, swept_rad: float) -> NDArray[np.uint8]:
+    """Picture (H, W, 4) of the wheel, sRGB bytes. Wood and wall mix in linear light.
+
+    The first spoke starts at ``first_angle_rad``, clockwise from the right, and all turn by
+    ``swept_rad``, of either sign, while the shutter is open.
+    """
+    if spokes < 1:
+        raise ValueError(f"spokes {spokes}; legal: 1 or more")
+    base = canvas()
+    spacing = 2 * np.pi / spokes
+    middle = first_angle_rad + 0.5 * swept_rad
+    share = mean_coverage(
+        (base.angle_rad - middle) / spacing,
+        duty=SPOKE / (base.radius * spacing),
+        pixel=1.0 / (base.radius * spacing),
+        swept=abs(swept_rad) / spacing,
+    )
+    cover = base.solid.copy()
+    cover[base.between] += share * (1.0 - cover[base.between])
+    picture: NDArray[np.uint8] = base.colours[np.rint(cover * LEVELS).astype(np.intp)]
+    return picture
+
+
+def mean_coverage(place: Floats, duty: ArrayLike, pixel: ArrayLike, swept: float) -> Floats:
+    """Share (n,) of a pixel that bars cover, on average over the exposure.
+
+    All lengths are in spacings of the bars: ``place`` (n,) from the middle of a bar, ``duty``
+    the width of a bar, ``pixel`` that of a pixel, ``swept`` how far the bars move.
+    """
+    bar = np.minimum(np.asarray(duty, float), 1.0)
+    half_pixel = 0.5 * np.maximum(np.asarray(pixel, float), NARROWEST)
+    half_swept = 0.5 * max(swept, NARROWEST)
+    outer, inner = half_pixel + half_swept, half_pixel - half_swept
+    second_difference = (
+        _twice_integrated(place + outer, bar)
+        - _twice_integrated(place + inner, bar)
+        - _twice_integrated(place - inner, bar)
+        + _twice_integrated(place - outer, bar)
+    )
+    share: Floats = second_difference / (4.0 * half_pixel * half_swept)
+    return np.clip(share, 0.0, 1.0)
+
+
+def _twice_integrated(place: Floats, bar: Floats) -> Floats:
+    """Second antiderivative of bars of width ``bar`` about all whole numbers."""
+    whole = np.rint(place)
+    aside = place - whole
+    near = np.minimum(np.abs(aside), 0.5 * bar)
+    # Within a period: |v|²/2 on the bar, then on along the tangent.
+    within = near * (np.abs(aside) - 0.5 * near)
+    return bar * whole * (0.5 * whole + aside) + within

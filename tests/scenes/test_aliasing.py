@@ -1,0 +1,118 @@
+"""The aliasing figure: the picture is the sampled pattern, and the alias fits the same samples."""
+
+import numpy as np
+import pytest
+from scipy.integrate import quad
+
+from simulations.engine.controls import check_values
+from simulations.engine.pipeline import StageCache
+from simulations.models.color import decode_srgb
+from simulations.models.prefilters import prefilter
+from simulations.models.sampling import zone_plate
+from simulations.scenes.aliasing import FILTERS, SCENE
+from simulations.scenes.aliasing_pattern import SHOWN, pattern_of
+from simulations.scenes.aliasing_row import FINE, alias_curve
+
+
+def frame(cache=None, **values):
+    return SCENE.render(check_values(SCENE.controls, values), "", cache or StageCache())
+
+
+def texts(shown):
+    return {item.name: item.text for item in shown.readouts}
+
+
+def light(shown):
+    return decode_srgb(shown.panels[0].raster[..., 0] / 255.0)
+
+
+@pytest.mark.parametrize(
+    ("true", "seen"), [(0.3, "0.30"), (0.5, "0.50"), (0.7, "0.30"), (0.8, "0.20"), (1.2, "0.20")]
+)
+def test_frequencies_fold_at_one_half(true, seen):
+    assert texts(frame(frequency=true))["alias"] == seen
+
+
+def test_the_shirt_of_the_chapter_gets_a_false_stripe_every_five_pixels():
+    shown = frame(frequency=0.8)
+    assert texts(shown)["period"] == "5.0"
+    row = light(shown)[0]
+    np.testing.assert_allclose(row[5:], row[:-5], atol=0.01)
+    np.testing.assert_allclose(row, light(frame(frequency=0.2))[0], atol=0.01)
+
+
+@pytest.mark.parametrize(("phase", "kept"), [(0, "0.000"), (30, "0.500"), (90, "1.000")])
+def test_at_nyquist_the_phase_decides(phase, kept):
+    shown = frame(frequency=0.5, phase=phase)
+    assert texts(shown)["kept"] == kept
+    row = light(shown)[0]
+    assert (row.max() - row.min()) == pytest.approx(float(kept), abs=0.01)
+
+
+def test_one_cycle_a_pixel_is_flat():
+    shown = frame(frequency=1)
+    assert np.ptp(shown.panels[0].raster[..., 0].astype(int)) <= 1
+    assert (texts(shown)["kept"], texts(shown)["period"]) == ("0.000", "∞")
+
+
+def test_the_pixels_area_leaves_what_the_chapter_says():
+    passed = {f: texts(frame(frequency=f, prefilter="box"))["passed"] for f in (0.5, 0.8, 1.0)}
+    assert passed == {0.5: "0.637", 0.8: "0.234", 1.0: "0.000"}
+
+
+def test_the_zone_plate_is_that_of_the_model():
+    pattern = pattern_of("zone_plate", 0.9, 90.0)
+    x = pattern.first + np.arange(pattern.width)
+    y = np.arange(pattern.height) - 59.5
+    expected = zone_plate(x, y[:, None], 1 / pattern.chirp)
+    np.testing.assert_allclose(pattern.picture(prefilter("none")), expected, atol=1e-12)
+
+
+def test_a_filtered_pixel_of_the_zone_plate_is_its_mean_over_the_pixel():
+    pattern = pattern_of("zone_plate", 1.1, 40.0)
+    rows, columns = 20, 140
+    x, y = pattern.first + columns, rows - 59.5
+
+    def mean_along(centre, part):
+        def wave(u):
+            return part(np.exp(1j * np.pi * pattern.chirp * u * u))
+
+        return quad(wave, centre - 0.5, centre + 0.5)[0]
+
+    along, across = (mean_along(c, np.real) + 1j * mean_along(c, np.imag) for c in (x, y))
+    mean = 0.5 + 0.5 * (np.exp(1j * pattern.phase_rad) * along * across).imag
+    assert pattern.picture(prefilter("box"))[rows, columns] == pytest.approx(mean, abs=1e-5)
+
+
+@pytest.mark.parametrize("kind", ["stripes", "zone_plate"])
+@pytest.mark.parametrize("filtered", FILTERS)
+@pytest.mark.parametrize("frequency", [0.62, 0.85, 1.2])
+def test_the_alias_passes_through_the_samples(kind, filtered, frequency):
+    pattern, kernel = pattern_of(kind, frequency, 65.0), prefilter(filtered)
+    at = pattern.first + pattern.start
+    curve = alias_curve(pattern, kernel, at)
+    samples = pattern.wave(kernel, at + np.arange(SHOWN))
+    # On the zone plate the curve takes the wave for locally pure, and its middle row for all.
+    np.testing.assert_allclose(curve[::FINE], samples, atol=1e-9 if kind == "stripes" else 0.03)
+
+
+def test_a_true_wave_has_no_alias():
+    pattern = pattern_of("stripes", 0.45, 0.0)
+    assert alias_curve(pattern, prefilter("none"), 0.0) is None
+    assert "alias" not in frame(frequency=0.45).panels[1].overlay
+
+
+@pytest.mark.parametrize("pattern", ["stripes", "zone_plate"])
+@pytest.mark.parametrize("frequency", [0, 0.5, 1, 1.2])
+@pytest.mark.parametrize("filtered", FILTERS)
+def test_every_extreme_can_be_drawn_in_the_same_layout(pattern, frequency, filtered):
+    shown = frame(pattern=pattern, frequency=frequency, phase=0, prefilter=filtered)
+    assert [panel.name for panel in shown.panels] == ["picture", "row", "spectrum"]
+    assert len(shown.readouts) == 6
+    assert not any("nan" in panel.overlay for panel in shown.panels)
+
+
+def test_the_picture_is_kept_while_nothing_changes():
+    cache = StageCache()
+    first = frame(cache)
+    assert frame(cache).panels[0].raster is first.panels[0].raster
