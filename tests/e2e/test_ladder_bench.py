@@ -1,0 +1,137 @@
+"""A reader measures a ladder on the device at hand: points, numbers, a file; and can stop."""
+
+import csv
+import io
+import json
+from pathlib import Path
+
+import pytest
+from bench.record import close
+from playwright.sync_api import Locator
+from support.reader import START_MS, Reader
+
+pytestmark = pytest.mark.browser
+
+CHAPTER = "speed-and-accuracy/"
+LADDER = "srgb"
+"""A quick one."""
+DATA = Path(__file__).resolve().parents[2] / "content" / "measurements.json"
+
+
+@pytest.fixture
+def bench(reader: Reader) -> Locator:
+    reader.open(CHAPTER)
+    return reader.page.locator(f'ladder-bench[data-ladder="{LADDER}"]').first
+
+
+def wait_state(reader: Reader, bench: Locator, *states: str) -> None:
+    reader.page.wait_for_function(
+        "([bench, states]) => states.includes(bench.dataset.state)",
+        arg=[bench.element_handle(), list(states)],
+        timeout=START_MS,
+    )
+
+
+def measure(reader: Reader, bench: Locator) -> None:
+    bench.locator("button.run").click()
+    wait_state(reader, bench, "done", "failed")
+    assert bench.get_attribute("data-state") == "done", bench.locator(".ladder-status").inner_text()
+
+
+def read_csv(bench: Locator) -> list[dict[str, str]]:
+    text = bench.evaluate("async (b) => (await fetch(b.querySelector('a.download').href)).text()")
+    return list(csv.DictReader(io.StringIO(text)))
+
+
+def test_every_ladder_of_the_book_offers_to_be_measured(reader: Reader) -> None:
+    reader.open(CHAPTER)
+    benches = reader.page.locator("ladder-bench")
+    assert benches.count() >= len(json.loads(DATA.read_text(encoding="utf-8"))["ladders"])
+    for index in range(benches.count()):
+        assert benches.nth(index).get_attribute("data-state") == "idle"
+        assert benches.nth(index).locator("button.run").is_enabled()
+
+
+def test_measuring_adds_a_time_and_a_point_for_every_tier(reader: Reader, bench: Locator) -> None:
+    measure(reader, bench)
+    cells = bench.locator("td.own").all_inner_texts()
+    assert all(float(text) > 0.0 for text in cells)
+    assert bench.locator(".overlay .own polygon").count() == len(cells)
+    assert bench.get_attribute("data-measured") == str(len(cells))
+
+
+def test_a_point_of_ones_own_stands_level_with_the_tier_it_belongs_to(
+    reader: Reader, bench: Locator
+) -> None:
+    measure(reader, bench)
+    own = bench.evaluate(
+        "b => [...b.querySelectorAll('.own .spread')].map(s => Number(s.getAttribute('y1')))"
+    )
+    drawn = bench.evaluate(
+        "b => [...b.querySelectorAll('circle.hollow')].map(c => Number(c.getAttribute('cy')))"
+    )
+    assert own == pytest.approx(drawn, abs=2.0)
+
+
+def test_the_file_holds_what_was_measured_and_the_errors_of_the_book(
+    reader: Reader, bench: Locator
+) -> None:
+    measure(reader, bench)
+    rows = read_csv(bench)
+    entry = json.loads(DATA.read_text(encoding="utf-8"))["ladders"][LADDER]
+    assert [row["tier"] for row in rows] == list(entry["tiers"])
+    for row in rows:
+        low, middle, high = (
+            float(row[f"{name} (ms)"]) for name in ("lower quartile", "median", "upper quartile")
+        )
+        assert 0.0 < low <= middle <= high
+        for metric, unit in entry["metrics"].items():
+            recorded = entry["tiers"][row["tier"]]["errors"][metric]
+            assert close(float(row[f"{metric} ({unit})"]), recorded)
+
+
+def test_a_reader_who_stops_keeps_what_was_measured_and_can_begin_anew(
+    reader: Reader, bench: Locator
+) -> None:
+    bench.locator("button.run").click()
+    bench.locator("button.stop").click()
+    wait_state(reader, bench, "stopped")
+    rows = bench.locator("td.own").all_inner_texts()
+    measured = [text for text in rows if text != "–"]
+    assert len(measured) < len(rows)
+    assert str(len(measured)) in bench.locator(".ladder-status").inner_text()
+    measure(reader, bench)
+
+
+def test_measuring_moves_nothing_on_the_page(reader: Reader, bench: Locator) -> None:
+    measure(reader, bench)
+    moved = reader.page.evaluate("window.shifts")
+    assert sum(shift["value"] for shift in moved) < 0.01, moved
+
+
+def test_a_lost_worker_is_said_and_the_next_attempt_succeeds(
+    reader: Reader, bench: Locator
+) -> None:
+    reader.page.evaluate("""() => {
+      const send = Worker.prototype.postMessage;
+      Worker.prototype.postMessage = function (message, ...rest) {
+        if (message.call !== 'measure') return send.call(this, message, ...rest);
+        Worker.prototype.postMessage = send;
+        this.onerror(new ErrorEvent('error', {message: 'lost on purpose'}));
+      };
+    }""")
+    bench.locator("button.run").click()
+    wait_state(reader, bench, "failed")
+    assert "lost on purpose" in bench.locator(".ladder-status").inner_text()
+    measure(reader, bench)
+
+
+def test_leaving_the_chapter_ends_the_measurement(reader: Reader, bench: Locator) -> None:
+    page = reader.page
+    bench.locator("button.run").click()
+    wait_state(reader, bench, "running")
+    page.locator(".pager a[rel=prev]").click()
+    page.wait_for_selector(f'main .pager a[href$="{CHAPTER}"]')
+    reader.wait_live()
+    page.go_back()
+    page.wait_for_selector(f'ladder-bench[data-ladder="{LADDER}"][data-state="idle"]')
