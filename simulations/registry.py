@@ -36,6 +36,7 @@ LADDER_MODULES = {
     "homography-estimation": "simulations.ladders.homography_estimation",
     "anti-aliasing": "simulations.ladders.anti_aliasing",
     "edge-coverage": "simulations.ladders.edge_coverage",
+    "chromatic-aberration": "simulations.ladders.chromatic_aberration",
 }
 
 

@@ -1,0 +1,165 @@
+"""Lateral colour: how many wavelengths a picture needs before its fringes are smooth.
+
+Each wavelength forms its own picture, a little larger or smaller than the next. A pixel adds
+them up by its sensitivity. Three pictures give hard coloured ghosts; the truth is a smear.
+"""
+
+from dataclasses import dataclass
+from functools import partial
+
+import numpy as np
+from numpy.typing import NDArray
+
+from simulations.engine.ladder import Ladder, Metric, Tier
+from simulations.models.chromatic import Glass, lateral_chromatic_scale
+from simulations.pictures.coverage import checker
+
+type Floats = NDArray[np.floating]
+
+SIZE = 192
+TILE_PX = 14.0
+PIXEL = np.float32(1.0)
+LENS = Glass(index_d=1.62, abbe_number=36.4)
+"""Flint, F2."""
+FOCAL_MM, STOP_MM = 50.0, 60.0
+"""A magnifier with its stop far out: red and blue part by three pixels at the sides."""
+
+PEAKS_UM = (0.60, 0.54, 0.46)
+"""Of the red, green and blue sensitivities, bell curves on white light."""
+WIDTH_UM = 0.03
+"""Standard deviation of each."""
+FIRST_UM, LAST_UM = 0.345, 0.715
+"""Nearly four standard deviations beyond the outer peaks."""
+
+
+@dataclass(frozen=True, slots=True)
+class Workload:
+    """The target's coordinates at the d line."""
+
+    x: Floats
+    """(1, 192) pixels from the optical axis."""
+    y: Floats
+    """(192, 1)."""
+
+
+def prepare() -> Workload:
+    along = (np.arange(SIZE) - (SIZE - 1) / 2).astype(np.float32)
+    return Workload(along[None, :], along[:, None])
+
+
+def _chequers(workload: Workload, scale: float) -> Floats:
+    """The target as a lens of this magnification shows it, each pixel its mean: (192, 192)."""
+    zoom = np.float32(1.0 / scale)
+    x, y = workload.x * zoom, workload.y * zoom
+    return checker(x, y, TILE_PX, PIXEL * zoom, PIXEL * zoom)
+
+
+def _scale(wavelength_um: float) -> float:
+    return float(lateral_chromatic_scale(LENS, FOCAL_MM, STOP_MM, wavelength_um))
+
+
+def _per_channel(workload: Workload, *, nodes: int) -> Floats:
+    """Gauss–Hermite quadrature of each colour's bell curve, with its own few wavelengths."""
+    at, weights = np.polynomial.hermite_e.hermegauss(nodes)
+    shares = (weights / weights.sum()).astype(np.float32)
+    colours = np.zeros((3, SIZE, SIZE), np.float32)
+    for colour, peak in zip(colours, PEAKS_UM, strict=True):
+        for node, share in zip(at, shares, strict=True):
+            colour += share * _chequers(workload, _scale(peak + WIDTH_UM * node))
+    return colours
+
+
+def _spread(workload: Workload, *, count: int) -> Floats:
+    """``count`` wavelengths in even steps, each seen by all three colours."""
+    step = (LAST_UM - FIRST_UM) / count
+    wavelengths = FIRST_UM + (np.arange(count) + 0.5) * step
+    seen = np.exp(-0.5 * np.square((wavelengths - np.array(PEAKS_UM)[:, None]) / WIDTH_UM))
+    shares = (seen / seen.sum(axis=1, keepdims=True)).astype(np.float32)
+    colours = np.zeros((3, SIZE, SIZE), np.float32)
+    for wavelength, share in zip(wavelengths, shares.T, strict=True):
+        colours += share[:, None, None] * _chequers(workload, _scale(float(wavelength)))
+    return colours
+
+
+def reference(workload: Workload) -> Floats:
+    """Simpson's rule over ±6 standard deviations, 801 wavelengths a colour, in float64.
+
+    Cauchy's law, the lens and the target are written out here, and the target as an overlap of
+    intervals: x and y are judged apart, for all wavelengths at once.
+    """
+    steps = np.linspace(-6.0, 6.0, 801)
+    simpson = np.where(np.arange(801) % 2, 4.0, 2.0)
+    simpson[[0, -1]] = 1.0
+    weights = simpson * np.exp(-(steps**2) / 2)
+    colours = [
+        _weighted_chequers(workload.x.ravel().astype(float), _magnification(peak + 0.03 * steps), w)
+        for peak, w in ((peak, weights / weights.sum()) for peak in PEAKS_UM)
+    ]
+    return np.array(colours)
+
+
+def _magnification(wavelength_um: Floats) -> Floats:
+    """1 + t (1/f_d − 1/f): the lens's power follows n − 1, with n = A + B/λ²."""
+    slope = (1.62 - 1.0) / 36.4 / (0.4861**-2 - 0.6563**-2)
+    extra_power = slope * (wavelength_um**-2 - 0.5876**-2) / (1.62 - 1.0) / 50.0
+    magnification: Floats = 1.0 - 60.0 * extra_power
+    return magnification
+
+
+def _weighted_chequers(at: Floats, magnification: Floats, weights: Floats) -> Floats:
+    """Mean of chequers under each magnification: a product of light and dark along x and y."""
+    sign = _sign_along(at, magnification)
+    mean: Floats = 0.5 + 0.5 * np.einsum("w,wy,wx->yx", weights, sign, sign, optimize=True)
+    return mean
+
+
+def _sign_along(at: Floats, magnification: Floats) -> Floats:
+    """(W, N) mean over a pixel of +1 on tiles centred on even multiples of 14, −1 on odd."""
+    low, high = ((at + edge) / magnification[:, None] / 14.0 + 0.5 for edge in (-0.5, 0.5))
+    border = np.floor(high)  # no pixel holds more than one border
+    first = np.where(np.floor(low) % 2 == 0, 1.0, -1.0)
+    after = np.clip((high - border) / (high - low), 0.0, 1.0)
+    crossed = border > np.floor(low)
+    result: Floats = np.where(crossed, first * (1.0 - 2.0 * after), first)
+    return result
+
+
+def rms(result: Floats, truth: Floats, _workload: Workload) -> float:
+    return float(np.sqrt(np.mean(np.square(result - truth))))
+
+
+def worst(result: Floats, truth: Floats, _workload: Workload) -> float:
+    return float(np.abs(result - truth).max())
+
+
+def _gauss_tier(nodes: int) -> Tier:
+    label = f"{nodes} chosen wavelengths a colour" if nodes > 1 else "1 wavelength a colour"
+    return Tier(
+        f"gauss-{nodes}", label, f"{3 * nodes} pictures", partial(_per_channel, nodes=nodes)
+    )
+
+
+def _even_tier(count: int) -> Tier:
+    cost = f"{count} pictures, seen by 3 colours"
+    return Tier(f"even-{count}", f"{count} even wavelengths", cost, partial(_spread, count=count))
+
+
+LADDER = Ladder(
+    id="chromatic-aberration",
+    title="Colours of different size",
+    workload="chequers on 192 × 192 pixels in white light through a flint magnifier",
+    prepare=prepare,
+    tiers=(
+        *(_gauss_tier(nodes) for nodes in (1, 3)),
+        _even_tier(9),
+        _gauss_tier(5),
+        *(_even_tier(count) for count in (16, 31)),
+    ),
+    reference=reference,
+    reference_label="Simpson's rule with 801 wavelengths a colour, the optics written out",
+    metrics=(
+        Metric("rms", "RMS error", "of range", rms),
+        Metric("worst", "Largest error", "of range", worst),
+    ),
+    default_tier="even-16",
+)

@@ -1,0 +1,82 @@
+"""How many wavelengths make a smooth fringe."""
+
+import numpy as np
+import pytest
+from scipy.integrate import quad
+
+from simulations.engine.ladder import pareto_front
+from simulations.ladders.chromatic_aberration import (
+    LADDER,
+    LENS,
+    PEAKS_UM,
+    SIZE,
+    TILE_PX,
+    WIDTH_UM,
+    Workload,
+    prepare,
+    reference,
+    rms,
+)
+from simulations.models.chromatic import lateral_chromatic_scale
+
+WORK = prepare()
+TRUTH = reference(WORK)
+RMS = {tier.id: rms(tier.run(WORK), TRUTH, WORK) for tier in LADDER.tiers}
+PICTURES = {"gauss-1": 3, "gauss-3": 9, "even-9": 9, "gauss-5": 15, "even-16": 16, "even-31": 31}
+
+
+def test_the_reference_agrees_with_adaptive_quadrature_over_wavelengths() -> None:
+    blue, row, column = 2, SIZE // 2 + 3, 5
+    x, edges = float(WORK.x[0, column]), TILE_PX * (np.arange(-9, 9) + 0.5)
+
+    def light(wavelength_um: float) -> float:
+        scale = float(lateral_chromatic_scale(LENS, 50.0, 60.0, wavelength_um))
+        low, high = (x - 0.5) / scale, (x + 0.5) / scale
+        tiles = np.diff(np.clip(edges, low, high))
+        bell = np.exp(-0.5 * ((wavelength_um - PEAKS_UM[blue]) / WIDTH_UM) ** 2)
+        bright = tiles[::2].sum()  # in this row, which lies in tile 0, the even tiles are light
+        return float(bright / (high - low) * bell / (WIDTH_UM * np.sqrt(2 * np.pi)))
+
+    expected, _ = quad(light, 0.30, 0.62, limit=400)
+    assert TRUTH[blue, row, column] == pytest.approx(expected, abs=1e-4)
+
+
+def test_the_axis_has_no_fringe() -> None:
+    """On the axis every wavelength has the same scale; a step away it hardly differs."""
+    middle = slice(SIZE // 2 - 3, SIZE // 2 + 3)
+    np.testing.assert_allclose(TRUTH[:, middle, middle], 1.0, atol=1e-6)
+
+
+def test_more_wavelengths_of_one_kind_are_truer() -> None:
+    assert RMS["gauss-1"] > 2 * RMS["gauss-3"] > 3 * RMS["gauss-5"]
+    assert RMS["even-9"] > 2 * RMS["even-16"] > 4 * RMS["even-31"]
+
+
+def test_even_wavelengths_beat_as_many_chosen_ones() -> None:
+    """Gauss's rule is made for smooth functions; an edge that passes a pixel is none."""
+    assert RMS["even-9"] < RMS["gauss-3"] / 2
+    assert RMS["even-16"] < RMS["gauss-5"] / 2
+
+
+def test_three_pictures_leave_coloured_ghosts_and_many_leave_less_than_a_code() -> None:
+    assert RMS["gauss-1"] > 10 / 255
+    assert RMS["even-31"] < 0.5 / 255
+
+
+@pytest.mark.parametrize("tier", ["gauss-1", "even-9"])
+def test_without_its_corners_the_picture_has_nothing_to_err_on(tier: str) -> None:
+    middle = slice(SIZE // 2 - 3, SIZE // 2 + 3)
+    centre = Workload(WORK.x[:, middle], WORK.y[middle])
+    whole = LADDER.tier(tier).run(WORK)[:, middle, middle]
+    assert np.abs(whole - TRUTH[:, middle, middle]).max() < 1e-5
+    assert reference(centre).shape == (3, 6, 6)
+
+
+def test_the_metric_notices_a_target_that_is_a_thousandth_larger() -> None:
+    near = Workload(WORK.x * np.float32(1.001), WORK.y * np.float32(1.001))
+    assert rms(LADDER.tier("even-31").run(near), TRUTH, WORK) > 5 * RMS["even-31"]
+
+
+def test_the_default_is_not_beaten_in_both_work_and_error() -> None:
+    front = pareto_front([(pictures, RMS[tier]) for tier, pictures in PICTURES.items()])
+    assert front[list(PICTURES).index(LADDER.default_tier)]
