@@ -7,7 +7,6 @@ over many spokes costs as much as none.
 """
 
 from dataclasses import dataclass
-from functools import lru_cache
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -49,8 +48,7 @@ class Canvas:
     """(LEVELS + 1, 4) bytes of a pixel by the share of it that is wood."""
 
 
-@lru_cache(maxsize=1)
-def canvas() -> Canvas:
+def build_canvas() -> Canvas:
     """Angles, radii and the parts that look the same however the wheel stands."""
     x = np.arange(WIDTH) - 0.5 * (WIDTH - 1)
     y = np.arange(HEIGHT)[:, None] - 0.5 * (HEIGHT - 1)
@@ -69,7 +67,9 @@ def _inside(radius: Floats, edge: float) -> Floats:
     return np.clip(edge - radius + 0.5, 0.0, 1.0)
 
 
-def render(spokes: int, first_angle_rad: float, swept_rad: float) -> NDArray[np.uint8]:
+def render(
+    canvas: Canvas, spokes: int, first_angle_rad: float, swept_rad: float
+) -> NDArray[np.uint8]:
     """Picture (H, W, 4) of the wheel, sRGB bytes. Wood and wall mix in linear light.
 
     The first spoke starts at ``first_angle_rad``, clockwise from the right, and all turn by
@@ -77,18 +77,17 @@ def render(spokes: int, first_angle_rad: float, swept_rad: float) -> NDArray[np.
     """
     if spokes < 1:
         raise ValueError(f"spokes {spokes}; legal: 1 or more")
-    base = canvas()
     spacing = 2 * np.pi / spokes
     middle = first_angle_rad + 0.5 * swept_rad
     share = mean_coverage(
-        (base.angle_rad - middle) / spacing,
-        duty=SPOKE / (base.radius * spacing),
-        pixel=1.0 / (base.radius * spacing),
+        (canvas.angle_rad - middle) / spacing,
+        duty=SPOKE / (canvas.radius * spacing),
+        pixel=1.0 / (canvas.radius * spacing),
         swept=abs(swept_rad) / spacing,
     )
-    cover = base.solid.copy()
-    cover[base.between] += share * (1.0 - cover[base.between])
-    picture: NDArray[np.uint8] = base.colours[np.rint(cover * LEVELS).astype(np.intp)]
+    cover = canvas.solid.copy()
+    cover[canvas.between] += share * (1.0 - cover[canvas.between])
+    picture: NDArray[np.uint8] = canvas.colours[np.rint(cover * LEVELS).astype(np.intp)]
     return picture
 
 

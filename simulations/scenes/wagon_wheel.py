@@ -13,6 +13,7 @@ from simulations.engine.pipeline import Stage, StageCache, run
 from simulations.engine.scene import Scene
 from simulations.models.sampling import apparent_wheel_speed, box_mtf
 from simulations.pictures import spoked_wheel
+from simulations.pictures.spoked_wheel import Canvas
 from simulations.scenes import wagon_wheel_drawing as drawing
 
 STILL = 1e-9
@@ -52,17 +53,23 @@ CONTROLS = (
 )
 
 
-def film(spokes: float, speed: float, frame_rate: float, shutter: float, frame: int) -> Raster:
+def film(
+    canvas: Canvas, spokes: float, speed: float, frame_rate: float, shutter: float, frame: int
+) -> Raster:
     """The picture of film frame ``frame``, (H, W, 4) bytes."""
     turn_per_frame = 2 * math.pi * speed / frame_rate
     return spoked_wheel.render(
+        canvas,
         spokes=round(spokes),
         first_angle_rad=turn_per_frame * frame,
         swept_rad=turn_per_frame * shutter,
     )
 
 
-STAGES = (Stage("film", ("spokes", "speed", "frame_rate", "shutter", "frame"), film),)
+STAGES = (
+    Stage("canvas", (), spoked_wheel.build_canvas),
+    Stage("film", ("spokes", "speed", "frame_rate", "shutter", "frame"), film, ("canvas",)),
+)
 
 
 def frame_at(time: float) -> int:

@@ -7,6 +7,8 @@ from hypothesis import strategies as st
 
 from simulations.pictures import spoked_wheel
 
+CANVAS = spoked_wheel.build_canvas()
+
 
 def brute_force(place, duty, pixel, swept, steps=400):
     """Share of bars about whole numbers, by sampling pixel and exposure."""
@@ -33,17 +35,17 @@ def test_a_blur_over_whole_spacings_is_even():
 
 
 def test_a_wheel_looks_the_same_after_one_spacing():
-    now = spoked_wheel.render(8, 0.3, 0.1).astype(int)
-    later = spoked_wheel.render(8, 0.3 + 2 * np.pi / 8, 0.1).astype(int)
+    now = spoked_wheel.render(CANVAS, 8, 0.3, 0.1).astype(int)
+    later = spoked_wheel.render(CANVAS, 8, 0.3 + 2 * np.pi / 8, 0.1).astype(int)
     assert np.abs(now - later).max() <= 1
 
 
 def test_the_blur_starts_at_the_frame_and_follows_the_turn():
     """Where the spokes will be while the shutter is open, not where they were."""
-    sharp_later = spoked_wheel.render(4, 0.2, 0.0)[..., 0].astype(float)
+    sharp_later = spoked_wheel.render(CANVAS, 4, 0.2, 0.0)[..., 0].astype(float)
     dark = sharp_later.min()
-    forwards = spoked_wheel.render(4, 0.0, 0.4)[..., 0].astype(float)
-    backwards = spoked_wheel.render(4, 0.0, -0.4)[..., 0].astype(float)
+    forwards = spoked_wheel.render(CANVAS, 4, 0.0, 0.4)[..., 0].astype(float)
+    backwards = spoked_wheel.render(CANVAS, 4, 0.0, -0.4)[..., 0].astype(float)
     spoke = sharp_later > 0.9 * sharp_later.max()
     assert forwards[spoke].min() > dark + 5
     assert backwards[spoke].min() == dark
@@ -51,4 +53,4 @@ def test_the_blur_starts_at_the_frame_and_follows_the_turn():
 
 def test_no_spoke_is_refused():
     with pytest.raises(ValueError, match="spokes 0; legal: 1 or more"):
-        spoked_wheel.render(0, 0.0, 0.0)
+        spoked_wheel.render(CANVAS, 0, 0.0, 0.0)
