@@ -2,6 +2,9 @@
 
 Colours are arrays (..., 3). *Linear* values are proportional to light; *sRGB* values are
 encoded for a display (IEC 61966-2-1). Both lie in [0, 1] for colours that a display shows.
+
+What is beyond all numbers becomes infinite, and what is undefined NaN, without a warning: these
+functions run on pictures, and `simulations.engine.raster.to_rgba8` cleans those up at the end.
 Szeliski, 2nd ed., section 2.3.2.
 """
 
@@ -44,7 +47,8 @@ def decode_srgb(srgb: ArrayLike) -> Array:
     """sRGB values as linear light; the inverse of `encode_srgb`."""
     x = as_floats(srgb)
     size = np.abs(x)
-    curve = ((np.maximum(size, 0.04045) + 0.055) / 1.055) ** 2.4
+    with np.errstate(over="ignore"):
+        curve = ((np.maximum(size, 0.04045) + 0.055) / 1.055) ** 2.4
     linear: Array = np.copysign(np.where(size <= 0.04045, size / 12.92, curve), x)
     return linear
 
@@ -56,7 +60,8 @@ def encode_gamma(linear: ArrayLike, gamma: float = 2.2) -> Array:
     """
     if not 0 < gamma < np.inf:
         raise ValueError(f"gamma {gamma}; legal: above 0, finite")
-    encoded: Array = np.maximum(as_floats(linear), 0) ** (1 / gamma)
+    with np.errstate(over="ignore"):
+        encoded: Array = np.maximum(as_floats(linear), 0) ** (1 / gamma)
     return encoded
 
 
@@ -115,7 +120,8 @@ def xyz_to_linear_rgb(xyz: ArrayLike) -> Array:
 def luminance(linear_rgb: ArrayLike) -> Array:
     """Relative luminance Y (...) of linear RGB: 0.2126 R + 0.7152 G + 0.0722 B."""
     rgb = as_floats(linear_rgb)
-    y: Array = rgb @ _XYZ_FROM_RGB[1].astype(rgb.dtype)
+    with np.errstate(over="ignore", invalid="ignore"):
+        y: Array = rgb @ _XYZ_FROM_RGB[1].astype(rgb.dtype)
     return y
 
 
@@ -170,5 +176,6 @@ def _apply(matrix: Array, colours: ArrayLike) -> Array:
     values = as_floats(colours)
     if values.shape[-1:] != (3,):
         raise ValueError(f"colours of shape {values.shape}; legal: (..., 3)")
-    product: Array = values @ matrix.T.astype(values.dtype)
+    with np.errstate(over="ignore", invalid="ignore"):
+        product: Array = values @ matrix.T.astype(values.dtype)
     return product

@@ -15,6 +15,9 @@ type Array = NDArray[np.floating]
 
 BLOCK = 8
 
+LARGEST_CODE = 1e9
+"""Far beyond any code of a picture, and small enough for sums of 64 never to overflow."""
+
 LUMINANCE_TABLE = np.array(
     [
         [16, 11, 10, 16, 24, 40, 51, 61],
@@ -79,15 +82,27 @@ def compress_plane(plane: ArrayLike, table: ArrayLike) -> tuple[Array, float]:
     Returns
     -------
     (H, W) the plane as decoded, and the share of its coefficients that became 0.
+
+    Raises
+    ------
+    ValueError
+        For an empty plane, for values that are not finite or absurdly large (one would spoil
+        its whole block), and for steps that are not positive.
     """
     values = as_floats(plane)
     if values.ndim != 2 or 0 in values.shape:
         raise ValueError(f"plane of shape {values.shape}; legal: (H, W), not empty")
+    if not np.all(np.abs(values) <= LARGEST_CODE):
+        raise ValueError(
+            f"plane reaches {np.abs(values).max()}; legal: finite, to {LARGEST_CODE:g}"
+        )
+    steps = as_floats(table)
+    if not np.all((steps >= 1e-3) & np.isfinite(steps)):
+        raise ValueError(f"table has a step of {steps.min()}; legal: 0.001 or more, finite")
     height, width = values.shape
     padded = np.pad(values, ((0, -height % BLOCK), (0, -width % BLOCK)), mode="edge")
     rows, columns = padded.shape[0] // BLOCK, padded.shape[1] // BLOCK
     blocks = padded.reshape(rows, BLOCK, columns, BLOCK).swapaxes(1, 2)
-    steps = as_floats(table)
     codes = np.rint(block_dct(blocks) / steps)
     decoded = inverse_block_dct(codes * steps).swapaxes(1, 2).reshape(padded.shape)
     return decoded[:height, :width], float(np.mean(codes == 0))

@@ -43,11 +43,17 @@ type Light = DirectionalLight | PointLight
 def normalise(vectors: ArrayLike) -> Array:
     """Vectors (..., 3) scaled to length 1; a zero vector has no direction and stays zero.
 
-    The largest component is divided out first, so that huge and tiny vectors neither
-    overflow nor vanish when they are squared.
+    So does a vector with an entry that is infinite or NaN: nothing there is lit. The largest
+    component is divided out first, so that huge and tiny vectors neither overflow nor vanish
+    when they are squared.
     """
     v = as_floats(vectors)
     largest = np.abs(v).max(axis=-1, keepdims=True)
+    if not np.isfinite(largest).all():
+        v, largest = (
+            np.where(np.isfinite(largest), v, 0),
+            np.where(np.isfinite(largest), largest, 0),
+        )
     scaled = v / np.where(largest > 0, largest, 1)
     length = np.sqrt(np.sum(scaled * scaled, axis=-1, keepdims=True))
     unit: Array = scaled / np.where(length > 0, length, 1)
@@ -165,7 +171,8 @@ def attenuation(distance: ArrayLike, radius: float = 0.01) -> Array:
     d = as_floats(distance)
     if not np.all(d >= 0):
         raise ValueError(f"distance {d.min()}; legal: 0 or more")
-    falloff: Array = 1.0 / np.square(np.maximum(d, radius))
+    with np.errstate(over="ignore"):  # light from that far is 0 to all digits
+        falloff: Array = 1.0 / np.square(np.maximum(d, radius))
     return falloff
 
 
@@ -184,7 +191,8 @@ def irradiance(points: ArrayLike, normals: ArrayLike, lights: Sequence[Light]) -
                 colour = light.irradiance
             case PointLight():
                 to_light = np.asarray(light.position, n.dtype) - p
-                distance = np.sqrt(np.sum(np.square(to_light), axis=-1))
+                with np.errstate(over="ignore"):
+                    distance = np.sqrt(np.sum(np.square(to_light), axis=-1))
                 fall = attenuation(distance, light.radius)
                 strength = cosine(n, normalise(to_light)) * fall
                 colour = light.intensity

@@ -11,18 +11,27 @@ from simulations.models.floats import as_floats
 
 type Array = NDArray[np.floating]
 
+LARGEST_SIGMA = 1e6
+"""Eight million taps: wider than any picture."""
+
 
 def alias_frequency(frequency: ArrayLike, rate: float = 1.0) -> Array:
     """The signed frequency (...) in [-rate/2, rate/2) that has the same samples.
 
     Negative means that the wave seems to run backwards. Exactly at Nyquist both signs have
-    the same samples; the tie goes to the negative one.
+    the same samples; the tie goes to the negative one. The remainder of a division is exact
+    in floating point, so that the result is right however large the frequency. Raises
+    `ValueError` for a rate that is not positive and for values that are not finite.
     """
     if not 0 < rate < np.inf:
         raise ValueError(f"rate {rate}; legal: above 0, finite")
     f = as_floats(frequency)
-    alias: Array = f - rate * np.floor(f / rate + 0.5)
-    return alias
+    if not np.isfinite(f).all():
+        raise ValueError(f"frequency {f.tolist()}; legal: finite")
+    rest = np.fmod(f, rate)
+    # Half of the smallest number would round to zero: compare with the other part instead.
+    alias: Array = np.where(rest >= rate - rest, rest - rate, rest)
+    return np.where(alias < -rate - alias, alias + rate, alias)
 
 
 def apparent_wheel_speed(
@@ -44,12 +53,15 @@ def zone_plate(x: ArrayLike, y: ArrayLike, scale: float) -> Array:
     """Rings that get finer outwards, in [0, 1]: ``(1 + cos(pi r^2 / scale)) / 2``.
 
     At distance ``r`` from the centre their frequency is ``r / scale`` cycles per unit, so
-    that samples one unit apart start to alias at ``r = scale / 2``.
+    that samples one unit apart start to alias at ``r = scale / 2``. Where the phase is beyond
+    all numbers, the rings are infinitely fine and show their mean, 1/2.
     """
     if not 0 < scale < np.inf:
         raise ValueError(f"scale {scale}; legal: above 0, finite")
-    radius_squared = np.square(as_floats(x)) + np.square(as_floats(y))
-    rings: Array = 0.5 + 0.5 * np.cos(np.pi * radius_squared / scale)
+    with np.errstate(over="ignore"):
+        phase = np.pi * (np.square(as_floats(x)) + np.square(as_floats(y))) / scale
+    known = np.isfinite(phase)
+    rings: Array = np.where(known, 0.5 + 0.5 * np.cos(np.where(known, phase, 0)), 0.5)
     return rings
 
 
@@ -76,13 +88,17 @@ def box_filter(fine: ArrayLike, factor: int) -> Array:
 
 
 def gaussian_kernel(sigma: float) -> Array:
-    """Normalised samples of a Gaussian out to 4 sigma; sigma 0 is the single tap 1."""
-    if not 0 <= sigma < np.inf:
-        raise ValueError(f"sigma {sigma}; legal: 0 or more, finite")
+    """Normalised samples of a Gaussian out to 4 sigma; sigma 0 is the single tap 1.
+
+    Raises `ValueError` for a sigma that is negative or above `LARGEST_SIGMA`.
+    """
+    if not 0 <= sigma <= LARGEST_SIGMA:
+        raise ValueError(f"sigma {sigma}; legal: 0 to {LARGEST_SIGMA:g}")
     if sigma == 0:
         return np.ones(1)
     offsets = np.arange(-np.ceil(4 * sigma), np.ceil(4 * sigma) + 1)
-    taps = np.exp(-0.5 * (offsets / sigma) ** 2)
+    with np.errstate(over="ignore"):  # exp(−∞) is 0, as it should be
+        taps = np.exp(-0.5 * (offsets / sigma) ** 2)
     kernel: Array = taps / taps.sum()
     return kernel
 

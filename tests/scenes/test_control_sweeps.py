@@ -72,7 +72,7 @@ def pairwise_settings(controls: tuple[Control, ...]) -> list[Setting]:
             if name not in chosen:
                 chosen[name] = max(
                     range(len(levels[name])),
-                    key=lambda i: sum(frozenset(((name, i), c)) in waiting for c in chosen.items()),  # noqa: B023
+                    key=lambda i: sum(frozenset(((name, i), c)) in waiting for c in chosen.items()),
                 )
         waiting -= {frozenset(pair) for pair in itertools.combinations(chosen.items(), 2)}
         settings.append({name: levels[name][i] for name, i in chosen.items()})

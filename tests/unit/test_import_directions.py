@@ -12,6 +12,7 @@ LEGAL = {
     "models": {"models"},
     "engine": {"engine"},
     "pictures": {"pictures", "models", "engine"},
+    "extremes": {"extremes", "models", "engine"},
     "ladders": {"ladders", "pictures", "models", "engine"},
     "scenes": {"scenes", "ladders", "pictures", "models", "engine"},
     "registry": {"scenes", "ladders", "pictures", "models", "engine"},

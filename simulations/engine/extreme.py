@@ -1,0 +1,165 @@
+"""A hard case for a model: what is asked, what comes back, and what others would have said.
+
+A question is kept as the very expression that readers see, and it is evaluated from there: what
+the book prints and what the tests check cannot drift apart. Cases are for the book and for the
+tests; no scene and no page imports them.
+"""
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+type Check = Callable[[Any], bool]
+"""Whether an answer, or the `ValueError` raised in its stead, is what the case demands."""
+
+LONGEST_SHOWN = 12
+"""Arrays of more entries are shown by their shape and range."""
+
+ROUNDING = 1e-13
+"""Share of the largest entry of an array below which another one is shown as 0."""
+
+
+@dataclass(frozen=True, slots=True)
+class LibraryAnswer:
+    """What a widely used library says to the same question."""
+
+    call: str
+    """Expression in the library's own names; only the tests evaluate it."""
+    answer: str
+    """Its answer as `show` prints it, measured once; a test holds it true of the library today."""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class ExtremeCase:
+    """One question at the edge of what a model is made for."""
+
+    id: str
+    """Unique in its table, and the name of its test."""
+    call: str
+    """The question: an expression in the names of the table."""
+    why: str
+    """What makes it hard."""
+    returns: str
+    """What the model returns, and why that rather than something else."""
+    expected: Check
+    naive: str = ""
+    """The textbook formula on the same numbers, an expression in numpy and the same names."""
+    library: LibraryAnswer | None = None
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class ExtremeTable:
+    """The hard cases of one model."""
+
+    id: str
+    title: str
+    names: Mapping[str, Any]
+    """What the expressions may use: the functions of the model, and a few objects made for them."""
+    cases: tuple[ExtremeCase, ...]
+
+    def __post_init__(self) -> None:
+        ids = [case.id for case in self.cases]
+        if len(set(ids)) != len(ids):
+            raise ValueError(f"extremes of {self.id!r}: duplicate case in {sorted(ids)}")
+
+
+def answer(table: ExtremeTable, case: ExtremeCase) -> Any:
+    """What the model says: a value, or the `ValueError` with which it refuses.
+
+    Anything else that is raised, and any warning, is left to the caller: it is a defect.
+    """
+    try:
+        return _evaluate(case.call, table)
+    except ValueError as refusal:
+        return refusal
+
+
+def naive_answer(table: ExtremeTable, case: ExtremeCase) -> Any:
+    """What the textbook formula says, its warnings silenced: a value, or the exception raised."""
+    try:
+        with np.errstate(all="ignore"):
+            return _evaluate(case.naive, table)
+    except (ArithmeticError, ValueError, IndexError) as failure:
+        return failure
+
+
+def _evaluate(expression: str, table: ExtremeTable) -> Any:
+    return eval(expression, {"np": np, **table.names})
+
+
+def show(value: Any) -> str:
+    """An answer as the book prints it: five digits, a refusal with its message."""
+    match value:
+        case BaseException():
+            return type(value).__name__ if not isinstance(value, ValueError) else _refusal(value)
+        case tuple():
+            return ", ".join(show(item) for item in value)
+        case np.ndarray() if value.size > LONGEST_SHOWN:
+            low, high = show(value.min()), show(value.max())
+            extent = f"all {low}" if low == high else f"{low} to {high}"
+            return f"{' × '.join(map(str, value.shape))} values, {extent}"
+        case np.ndarray() if value.ndim == 0:
+            return show(value[()])
+        case np.ndarray():
+            return f"[{', '.join(show(item) for item in _without_rounding(value))}]"
+        case bool() | np.bool_():
+            return str(bool(value))
+        case int() | np.integer():
+            return str(int(value))
+        case float() | np.floating():
+            return f"{float(value) + 0.0:.5g}"  # adding 0 makes −0 a plain 0
+    return str(value)
+
+
+def _refusal(error: ValueError) -> str:
+    return f"{type(error).__name__}: {error}"
+
+
+def _without_rounding(array: Any) -> Any:
+    """Entries that are rounding beside the largest one are set to 0: they differ by machine."""
+    if array.dtype.kind != "f":
+        return array
+    size = np.abs(array)
+    largest = np.max(size, where=np.isfinite(array), initial=0.0)
+    return np.where(size < ROUNDING * largest, 0.0, array)
+
+
+def refused(*words: str) -> Check:
+    """The model refuses, and its message contains all ``words``: the parameter and its value."""
+    return lambda got: isinstance(got, ValueError) and all(word in str(got) for word in words)
+
+
+def near(value: Any, tolerance: float = 1e-12) -> Check:
+    """The answer is ``value`` to a relative (below 1, absolute) tolerance; infinities exactly."""
+    return lambda got: _is_near(got, value, tolerance)
+
+
+def _is_near(got: Any, value: Any, tolerance: float) -> bool:
+    if isinstance(got, Exception) or np.shape(got) != np.shape(value):
+        return False
+    if not np.all(np.isfinite(value)):
+        return bool(np.array_equal(got, value, equal_nan=True))
+    return bool(np.allclose(got, value, rtol=tolerance, atol=tolerance))
+
+
+def exactly(value: Any) -> Check:
+    """The answer is ``value`` to the last bit, NaN included."""
+    return lambda got: (
+        not isinstance(got, Exception)
+        and np.shape(got) == np.shape(value)
+        and bool(np.array_equal(got, value, equal_nan=np.asarray(value).dtype.kind == "f"))
+    )
+
+
+def valid(value: Any, tolerance: float = 1e-12) -> Check:
+    """Of a pair (values, mask): the mask is all True and the values are ``value``."""
+    return lambda got: (
+        isinstance(got, tuple) and bool(np.all(got[1])) and _is_near(got[0], value, tolerance)
+    )
+
+
+def invalid(got: Any) -> bool:
+    """Of a pair (values, mask): the mask is all False and every value is NaN."""
+    return isinstance(got, tuple) and not np.any(got[1]) and bool(np.all(np.isnan(got[0])))

@@ -1,0 +1,150 @@
+"""Colours out of gamut, brighter than white, darker than black, or not numbers."""
+
+import numpy as np
+
+from simulations.engine.extreme import (
+    ExtremeCase,
+    ExtremeTable,
+    LibraryAnswer,
+    exactly,
+    near,
+    refused,
+)
+from simulations.engine.raster import to_rgba8
+from simulations.models import color
+
+TABLE = ExtremeTable(
+    id="color",
+    title="Colour",
+    names={**vars(color), "to_rgba8": to_rgba8, "inf": np.inf, "nan": np.nan},
+    cases=(
+        ExtremeCase(
+            id="negative-light",
+            call="encode_srgb(-0.5)",
+            why="A colour outside the display's triangle has negative parts; their powers are NaN.",
+            returns="−0.735, by odd symmetry: converting there and back loses nothing.",
+            expected=near(-0.7353569830524495),
+            naive="1.055 * np.float64(-0.5) ** (1 / 2.4) - 0.055",
+            library=LibraryAnswer("np.power(-0.5, 1 / 2.4)", "nan"),
+        ),
+        ExtremeCase(
+            id="above-white",
+            call="decode_srgb(encode_srgb(8.0))",
+            why="A lamp in the picture, eight times as bright as white.",
+            returns="8: the curve goes on, and clipping is left to the display.",
+            expected=near(8.0),
+        ),
+        ExtremeCase(
+            id="joint",
+            call="encode_srgb(0.0031308) - encode_srgb(np.nextafter(0.0031308, 1))",
+            why="The toe and the power meet here, with rounded constants.",
+            returns="A step of 3e−8: far below a code, but not zero. It is in the standard.",
+            expected=lambda got: abs(got) < 1e-7,
+        ),
+        ExtremeCase(
+            id="black",
+            call="encode_srgb([0.0, -0.0])",
+            why="The slope of the power 1/2.4 is infinite at 0.",
+            returns="0: the toe is a straight line.",
+            expected=exactly([0.0, 0.0]),
+            naive="np.diff(np.array([0.0, 1e-6]) ** (1 / 2.4)) / 1e-6",
+        ),
+        ExtremeCase(
+            id="subnormal",
+            call="decode_srgb(encode_srgb(5e-324)) == 5e-324",
+            why="The smallest number there is.",
+            returns="True: it survives the round trip.",
+            expected=exactly(True),
+        ),
+        ExtremeCase(
+            id="infinite-light",
+            call="encode_srgb(inf)",
+            why="An overflow upstream.",
+            returns="∞: it will be clipped to white.",
+            expected=exactly(np.inf),
+        ),
+        ExtremeCase(
+            id="decode-huge",
+            call="decode_srgb(1e300)",
+            why="1e300 to the power 2.4 is beyond the largest number.",
+            returns="∞, without a warning.",
+            expected=exactly(np.inf),
+        ),
+        ExtremeCase(
+            id="table-nan",
+            call="encode_srgb_table([nan, -1.0, 2.0])",
+            why="NaN as an index into a table is undefined.",
+            returns="0, 0 and 1.",
+            expected=exactly(np.array([0.0, 0.0, 1.0])),
+        ),
+        ExtremeCase(
+            id="canvas-nan",
+            call="to_rgba8([[nan, inf, -inf]])[0, :, 0]",
+            why="What a canvas shows of NaN would depend on the reader's processor.",
+            returns="0, 255, 0: sanitised, clipped, rounded, and only then cast.",
+            expected=exactly(np.array([0, 255, 0])),
+        ),
+        ExtremeCase(
+            id="gamma-zero",
+            call="encode_gamma(0.5, 0.0)",
+            why="An exponent of 1/0.",
+            returns="Refused.",
+            expected=refused("gamma", "0.0"),
+            naive="np.float64(0.5) ** np.divide(1.0, 0.0)",
+        ),
+        ExtremeCase(
+            id="black-lab",
+            call="xyz_to_lab([0.0, 0.0, 0.0])",
+            why="The slope of the cube root is infinite at 0.",
+            returns="(0, 0, 0).",
+            expected=near([0.0, 0.0, 0.0], 1e-12),
+            naive="116 * np.cbrt(0.0) - 16",
+            library=LibraryAnswer("skimage.color.xyz2lab([[[0.0, 0.0, 0.0]]])[0, 0]", "[0, 0, 0]"),
+        ),
+        ExtremeCase(
+            id="negative-lab",
+            call="xyz_to_lab([-0.1, -0.1, -0.1])[0]",
+            why="Rounding of matrices can make XYZ slightly negative.",
+            returns="A negative lightness, by the straight part of the curve.",
+            expected=near(-90.33, 1e-3),
+            naive="116 * np.power(-0.1, 1 / 3) - 16",
+        ),
+        ExtremeCase(
+            id="collinear-primaries",
+            call="rgb_to_xyz_matrix([(0.6, 0.3), (0.4, 0.3), (0.2, 0.3)])",
+            why="Three primaries on one line span no triangle of colours.",
+            returns="Refused.",
+            expected=refused("primaries"),
+        ),
+        ExtremeCase(
+            id="red-light",
+            call="white_balance([0.5, 0.0, 0.0], [1.0, 0.0, 0.0])",
+            why="Under purely red light the other channels are 0/0.",
+            returns="Refused: no gain brings back what was never there.",
+            expected=refused("illuminant", "above 0"),
+            naive="np.divide([0.5, 0.0, 0.0], [1.0, 0.0, 0.0])",
+        ),
+        ExtremeCase(
+            id="grey-world-of-black",
+            call="white_balance([0.0, 0.0, 0.0], grey_world([[0.0, 0.0, 0.0]]))",
+            why="A black picture has no mean colour.",
+            returns="Refused.",
+            expected=refused("illuminant"),
+            naive="np.divide(np.zeros(3), np.zeros(3))",
+        ),
+        ExtremeCase(
+            id="four-channels",
+            call="rgb_to_ycbcr([0.5, 0.5, 0.5, 1.0])",
+            why="A colour with an alpha channel.",
+            returns="Refused: alpha is not a colour.",
+            expected=refused("(4,)"),
+        ),
+        ExtremeCase(
+            id="luminance-of-white",
+            call="luminance(np.float32([1.0, 1.0, 1.0]))",
+            why="Three rounded weights need not add up to 1.",
+            returns="1, to float32 precision.",
+            expected=near(np.float32(1.0), 1e-6),
+        ),
+    ),
+)

@@ -1,0 +1,125 @@
+"""Blocks that do not fit, qualities that do not exist, pictures out of range."""
+
+import numpy as np
+
+from simulations.engine.extreme import (
+    ExtremeCase,
+    ExtremeTable,
+    LibraryAnswer,
+    exactly,
+    near,
+    refused,
+)
+from simulations.models import compression
+
+JPEG = (
+    "max(max(t) for t in (lambda b: [Image.new('L', (8, 8)).save(b, 'JPEG', quality={}), "
+    "Image.open(b).quantization.values()][1])(__import__('io').BytesIO()))"
+)
+
+TABLE = ExtremeTable(
+    id="compression",
+    title="Compression",
+    names={**vars(compression), "inf": np.inf, "nan": np.nan},
+    cases=(
+        ExtremeCase(
+            id="single-pixel",
+            call="compress_plane([[100.0]], np.ones((8, 8)))[0]",
+            why="One pixel is not a block.",
+            returns="100: the border is repeated to a whole block and cut off again.",
+            expected=near([[100.0]], 1e-9),
+        ),
+        ExtremeCase(
+            id="nine-columns",
+            call="compress_plane(np.ones((8, 9)), LUMINANCE_TABLE)[0].shape",
+            why="The second block holds one column of picture and seven of nothing.",
+            returns="(8, 9) again.",
+            expected=exactly((8, 9)),
+        ),
+        ExtremeCase(
+            id="flat-block",
+            call="compress_plane(np.full((8, 8), 64.0), LUMINANCE_TABLE)",
+            why="63 of 64 coefficients are 0, up to the rounding of cosines.",
+            returns="Exactly flat, and 63/64 zeros.",
+            expected=lambda got: np.allclose(got[0], 64) and got[1] == 63 / 64,
+        ),
+        ExtremeCase(
+            id="black-block",
+            call="compress_plane(np.zeros((8, 8)), LUMINANCE_TABLE)[1]",
+            why="Nothing but zeros.",
+            returns="All of the coefficients are 0.",
+            expected=exactly(1.0),
+        ),
+        ExtremeCase(
+            id="quality-zero",
+            call="quantisation_table(LUMINANCE_TABLE, 0)",
+            why="5000 divided by the quality.",
+            returns="Refused; 1 is the coarsest.",
+            expected=refused("quality 0"),
+            naive="np.int64(5000) / 0",
+        ),
+        ExtremeCase(
+            id="quality-beyond",
+            call="quantisation_table(LUMINANCE_TABLE, 101)",
+            why="200 − 2·101 is negative: steps below 0.",
+            returns="Refused.",
+            expected=refused("quality 101"),
+            naive="(16 * (200 - 2 * 101) + 50) // 100",
+        ),
+        ExtremeCase(
+            id="coarsest",
+            call="quantisation_table(LUMINANCE_TABLE, 1).max()",
+            why="121 · 50 is 6050, but a step must fit into a byte.",
+            returns="255.",
+            expected=exactly(255),
+            naive="(121 * 5000 + 50) // 100",
+            library=LibraryAnswer(JPEG.format(1), "255"),
+        ),
+        ExtremeCase(
+            id="finest",
+            call="quantisation_table(LUMINANCE_TABLE, 100).min()",
+            why="0 % of 16: a step of zero divides by zero.",
+            returns="1.",
+            expected=exactly(1),
+            naive="(16 * 0 + 50) // 100",
+            library=LibraryAnswer(JPEG.format(100), "1"),
+        ),
+        ExtremeCase(
+            id="step-zero",
+            call="compress_plane(np.ones((8, 8)), np.zeros((8, 8)))",
+            why="A table with a step of zero.",
+            returns="Refused.",
+            expected=refused("table", "0.0"),
+            naive="np.rint(np.divide(1.0, 0.0)) * 0",
+        ),
+        ExtremeCase(
+            id="nan-pixel",
+            call="compress_plane([[nan]], np.ones((8, 8)))",
+            why="One NaN reaches all 64 coefficients of its block.",
+            returns="Refused: it would blot out a square of the picture.",
+            expected=refused("plane", "finite"),
+        ),
+        ExtremeCase(
+            id="out-of-range",
+            call="compress(np.full((8, 8, 3), 2.0), 90)[0].max()",
+            why="Brighter than white.",
+            returns="1: what is decoded is clipped.",
+            expected=exactly(1.0),
+        ),
+        ExtremeCase(
+            id="empty",
+            call="compress_plane(np.zeros((0, 8)), np.ones((8, 8)))",
+            why="No pixels.",
+            returns="Refused.",
+            expected=refused("(0, 8)"),
+        ),
+        ExtremeCase(
+            id="energy",
+            call="np.sum(block_dct(np.eye(8)) ** 2)",
+            why="Without the factor √½ for frequency 0 the transform changes the energy.",
+            returns="8, the sum of squares of the block: the basis is orthonormal.",
+            expected=near(8.0),
+            library=LibraryAnswer("np.sum(scipy.fft.dctn(np.eye(8), norm='ortho') ** 2)", "8"),
+        ),
+    ),
+)

@@ -1,0 +1,230 @@
+"""Lenses that fold the picture, coefficients that overflow, rays that a fisheye just catches."""
+
+import numpy as np
+
+from simulations.engine.extreme import (
+    ExtremeCase,
+    ExtremeTable,
+    LibraryAnswer,
+    exactly,
+    near,
+    refused,
+    valid,
+)
+from simulations.models import distortion, fisheye, undistortion
+from simulations.models.distortion import Distortion
+
+UNDO = (
+    "cv2.undistortPoints(np.array([[[{}]]]), np.eye(3), np.array([{}]), "
+    "criteria=(cv2.TERM_CRITERIA_COUNT + cv2.TERM_CRITERIA_EPS, {}, 1e-12))[0, 0]"
+)
+
+TABLE = ExtremeTable(
+    id="distortion",
+    title="Lens distortion and fisheyes",
+    names={
+        **vars(distortion),
+        **vars(fisheye),
+        **vars(undistortion),
+        "BARREL": Distortion(k1=-0.3),
+        "PINCUSHION": Distortion(k1=0.5),
+        "inf": np.inf,
+        "nan": np.nan,
+    },
+    cases=(
+        ExtremeCase(
+            id="optical-axis",
+            call="undistort([0.0, 0.0], BARREL)",
+            why="r/r at the axis itself, where every direction is equally good.",
+            returns="The axis, exactly.",
+            expected=valid([0.0, 0.0], 0.0),
+            naive="np.zeros(2) * (np.float64(0.0) / 0.0)",
+        ),
+        ExtremeCase(
+            id="beyond-the-fold",
+            call="undistort([0.75, 0.0], BARREL)",
+            why="No ideal point has this image: the map turns back at ⅔ of the fold radius, 0.703.",
+            returns="The fold circle, marked invalid: a border that can be drawn, never a guess.",
+            expected=lambda got: not got[1] and np.isclose(got[0][0], np.sqrt(1 / 0.9)),
+            naive="undistort_fixed_point([0.75, 0.0], BARREL, 100)",
+            library=LibraryAnswer(UNDO.format("0.75, 0.0", "-0.3, 0, 0, 0.0", 100), "[1.1409, 0]"),
+        ),
+        ExtremeCase(
+            id="just-inside-the-fold",
+            call="undistort([0.7027, 0.0], BARREL)",
+            why="The slope is almost zero, and Newton's step almost infinite.",
+            returns="The root on the near side, by steps that bisection keeps in bounds.",
+            expected=lambda got: (
+                got[1] and np.isclose(got[0][0] * (1 - 0.3 * got[0][0] ** 2), 0.7027)
+            ),
+            library=LibraryAnswer(UNDO.format("0.7027, 0.0", "-0.3, 0, 0, 0.0", 5), "[0.9561, 0]"),
+        ),
+        ExtremeCase(
+            id="two-answers",
+            call="distort([[0.8, 0.0], [1.2891, 0.0]], BARREL)[:, 0]",
+            why="Two ideal points, one on each side of the fold, share an image.",
+            returns="The same radius twice. Only the inner one comes back from undistort.",
+            expected=lambda got: abs(got[0] - got[1]) < 1e-4,
+        ),
+        ExtremeCase(
+            id="fold-radius",
+            call="fold_radius(BARREL)",
+            why="Where 1 + 3k₁r² is zero.",
+            returns="√(1/0.9).",
+            expected=near(np.sqrt(1 / 0.9)),
+        ),
+        ExtremeCase(
+            id="no-fold",
+            call="fold_radius(PINCUSHION)",
+            why="A pincushion grows for ever: the polynomial has no positive root.",
+            returns="∞, and the largest image radius is ∞ too.",
+            expected=exactly(np.inf),
+            naive="np.sqrt(-1 / (3 * np.float64(0.5)))",
+        ),
+        ExtremeCase(
+            id="vanishing-highest-term",
+            call="fold_radius(Distortion(k1=-0.3, k2=1e-300))",
+            why="A leading coefficient of 1e−300 sends the formula for quadratics to 0/0.",
+            returns="The fold of k₁ alone: roots are sought in 1/r², where the term does no harm.",
+            expected=near(np.sqrt(1 / 0.9)),
+            naive="(0.9 - np.sqrt(0.81 - 4 * 5e-300)) / (2 * 5e-300)",
+        ),
+        ExtremeCase(
+            id="strong-pincushion",
+            call="undistort([3.0, 0.0], PINCUSHION)",
+            why="A perfectly good inverse exists, but the fixed-point iteration runs from it.",
+            returns="The root, r = 1.456: bracketed Newton cannot diverge.",
+            expected=lambda got: got[1] and np.isclose(got[0][0] * (1 + 0.5 * got[0][0] ** 2), 3.0),
+            naive="undistort_fixed_point([3.0, 0.0], PINCUSHION, 100)",
+            library=LibraryAnswer(UNDO.format("3.0, 0.0", "0.5, 0, 0, 0.0", 5), "[1.4561, 0]"),
+        ),
+        ExtremeCase(
+            id="neutral-lens-far-out",
+            call="distort([1e200, 0.0], Distortion())",
+            why="r² overflows, although nothing needs it when all coefficients are zero.",
+            returns="The same point: a neutral lens touches nothing.",
+            expected=exactly([1e200, 0.0]),
+            naive="1e200 * (1 + 0.0 * np.float64(1e200) ** 2)",
+            library=LibraryAnswer(
+                "cv2.projectPoints(np.array([[[1e200, 0.0, 1.0]]]), np.zeros(3), np.zeros(3), "
+                "np.eye(3), np.zeros(4))[0][0, 0]",
+                "[nan, nan]",
+            ),
+        ),
+        ExtremeCase(
+            id="far-out-through-a-barrel",
+            call="distort([1e200, 0.0], BARREL)",
+            why="r² overflows, and so does the true answer.",
+            returns="−∞ along x, 0 along y: the sign that the polynomial gives, and no NaN.",
+            expected=exactly([-np.inf, 0.0]),
+            naive="np.array([1e200, 0.0]) * (1 - 0.3 * np.float64(1e200) ** 2)",
+        ),
+        ExtremeCase(
+            id="infinite-coefficient",
+            call="Distortion(k1=inf)",
+            why="A calibration that diverged.",
+            returns="Refused at once, before a picture is spoiled.",
+            expected=refused("finite"),
+        ),
+        ExtremeCase(
+            id="pole",
+            call="fold_radius(Distortion(k4=-1.0))",
+            why="The rational model has a pole where its denominator is zero: at r = 1.",
+            returns="1: the pole bounds what can be inverted, like a fold.",
+            expected=near(1.0),
+            naive="1.0 / (1.0 - np.float64(1.0))",
+        ),
+        ExtremeCase(
+            id="tangential-fold",
+            call="undistort([0.0, -30.0], Distortion(p1=0.1))",
+            why="Tangential terms alone can fold the plane: y + 0.3 y² never falls below −0.83.",
+            returns="Invalid.",
+            expected=lambda got: not got[1],
+            library=LibraryAnswer(UNDO.format("0.0, -30.0", "0, 0, 0.1, 0.0", 100), "[nan, nan]"),
+        ),
+        ExtremeCase(
+            id="undistort-nan",
+            call="undistort([nan, 0.2], BARREL)",
+            why="A corner that the detector did not find.",
+            returns="The origin, marked invalid.",
+            expected=lambda got: not got[1] and np.isfinite(got[0]).all(),
+        ),
+        ExtremeCase(
+            id="tiny-radius",
+            call="undistort([1e-200, 0.0], BARREL)",
+            why="Squared, the radius underflows.",
+            returns="The same point, to the last digit.",
+            expected=valid([1e-200, 0.0], 1e-210),
+        ),
+        ExtremeCase(
+            id="fisheye-side",
+            call="project_ideal([1.0, 0.0, 0.0], 'equidistant')",
+            why="At 90° to the axis a flat picture has no room; X/Z is 1/0.",
+            returns="π/2 focal lengths from the centre. That is what a fisheye is for.",
+            expected=valid([np.pi / 2, 0.0]),
+            naive="np.divide(1.0, 0.0)",
+            library=LibraryAnswer(
+                "cv2.fisheye.projectPoints(np.array([[[1.0, 0.0, 0.0]]]), np.zeros(3), "
+                "np.zeros(3), np.eye(3), np.zeros(4))[0][0, 0]",
+                "[0.7854, 0]",
+            ),
+        ),
+        ExtremeCase(
+            id="fisheye-behind",
+            call="project_ideal([1.0, 0.0, -1.0], 'equidistant')",
+            why="135° from the axis: behind the lens, yet some lenses see it.",
+            returns="¾π focal lengths out. OpenCV divides by a negative Z and turns it around.",
+            expected=valid([0.75 * np.pi, 0.0]),
+            naive="np.arctan(np.divide(1.0, -1.0))",
+            library=LibraryAnswer(
+                "cv2.fisheye.projectPoints(np.array([[[1.0, 0.0, -1.0]]]), np.zeros(3), "
+                "np.zeros(3), np.eye(3), np.zeros(4))[0][0, 0]",
+                "[-0.7854, 0]",
+            ),
+        ),
+        ExtremeCase(
+            id="exactly-backwards",
+            call="project_ideal([0.0, 0.0, -1.0], 'equidistant')",
+            why="180°: a whole circle of image points, none better than another.",
+            returns="Invalid.",
+            expected=lambda got: not got[1] and np.isfinite(got[0]).all(),
+        ),
+        ExtremeCase(
+            id="flat-lens-sideways",
+            call="project_ideal([1.0, 0.0, 0.0], 'perspective')",
+            why="tan 90° is not infinite in floating point, but 1.6e16.",
+            returns="Invalid: the limit of the model is its limit, whatever tan says.",
+            expected=lambda got: not got[1],
+            naive="np.tan(np.pi / 2)",
+        ),
+        ExtremeCase(
+            id="outside-the-image-circle",
+            call="unproject_ideal([1.5, 0.0], 'orthographic')",
+            why="r = sin θ cannot exceed 1: arcsin(1.5).",
+            returns="Invalid, looking along the axis.",
+            expected=lambda got: not got[1] and np.isfinite(got[0]).all(),
+            naive="np.arcsin(1.5)",
+        ),
+        ExtremeCase(
+            id="fisheye-fold",
+            call="project_fisheye([1.0, 0.0, 0.0], Fisheye(k1=-0.5))",
+            why="The polynomial θ − 0.5 θ³ turns back at 47°.",
+            returns="Invalid beyond: 90° would land at −0.37, on the opposite side.",
+            expected=lambda got: not got[1],
+            naive="np.pi / 2 * (1 - 0.5 * (np.pi / 2) ** 2)",
+            library=LibraryAnswer(
+                "cv2.fisheye.projectPoints(np.array([[[1.0, 0.0, 0.001]]]), np.zeros(3), "
+                "np.zeros(3), np.eye(3), np.array([-0.5, 0, 0, 0]))[0][0, 0]",
+                "[-0.3644, 0]",
+            ),
+        ),
+        ExtremeCase(
+            id="no-direction",
+            call="project_fisheye([0.0, 0.0, 0.0], Fisheye())",
+            why="atan2(0, 0) is 0 by convention, which would look like “straight ahead”.",
+            returns="Invalid.",
+            expected=lambda got: not got[1],
+            naive="np.arctan2(0.0, 0.0)",
+        ),
+    ),
+)

@@ -1,0 +1,33 @@
+"""All tables of hard cases, in the order of the book."""
+
+from simulations.extremes import (
+    color,
+    compression,
+    demosaicing,
+    distortion,
+    optics,
+    projection,
+    raycasting,
+    reflectance,
+    resampling,
+    rotations,
+    sampling,
+    sensor,
+    transforms,
+)
+
+TABLES = (
+    transforms.TABLE,
+    rotations.TABLE,
+    projection.TABLE,
+    distortion.TABLE,
+    resampling.TABLE,
+    reflectance.TABLE,
+    optics.TABLE,
+    raycasting.TABLE,
+    sensor.TABLE,
+    demosaicing.TABLE,
+    sampling.TABLE,
+    color.TABLE,
+    compression.TABLE,
+)
