@@ -1,0 +1,89 @@
+"""Bell curves for photon counts miss by what their own distributions say."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from scipy import stats
+
+from simulations.ladders.shot_noise import (
+    LADDER,
+    LEVELS_E,
+    SAMPLES,
+    distances,
+    prepare,
+    reference,
+    worst_bias_percent,
+    worst_distance,
+)
+
+WORK = prepare()
+TRUTH = reference(WORK)
+COUNTED = {tier.id: tier.run(WORK) for tier in LADDER.tiers}
+DISTANCE = {name: worst_distance(counted, TRUTH, WORK) for name, counted in COUNTED.items()}
+SAMPLING = 1.63 / np.sqrt(SAMPLES)
+"""What 99 of 100 samples of the right distribution stay below (Kolmogorov)."""
+
+
+def rounded_normal_cumulative(mean: float) -> np.ndarray:
+    k = np.arange(TRUTH.shape[1])
+    return stats.norm.cdf(k + 0.5, loc=mean, scale=np.sqrt(mean))
+
+
+@pytest.mark.parametrize(("row", "mean"), list(enumerate(LEVELS_E)))
+def test_the_reference_is_scipys_poisson(row: int, mean: float) -> None:
+    oracle = stats.poisson.cdf(np.arange(TRUTH.shape[1]), mean)
+    np.testing.assert_allclose(TRUTH[row], oracle, atol=1e-14)
+
+
+def test_exact_counts_are_no_farther_off_than_samples_must_be() -> None:
+    assert np.all(distances(COUNTED["poisson"], TRUTH) < SAMPLING)
+
+
+@pytest.mark.parametrize(("row", "mean"), list(enumerate(LEVELS_E)))
+def test_the_rounded_gaussian_is_as_far_off_as_its_own_distribution(row: int, mean: float) -> None:
+    theory = np.abs(rounded_normal_cumulative(mean) - TRUTH[row]).max()
+    measured = distances(COUNTED["gaussian"], TRUTH)[row]
+    assert measured == pytest.approx(theory, abs=SAMPLING)
+
+
+def test_the_gaussians_distance_falls_with_the_root_of_the_light() -> None:
+    many = np.array([10.0, 40.0])
+    k = np.arange(200)
+    gaps = [
+        np.abs(stats.norm.cdf(k + 0.5, mean, np.sqrt(mean)) - stats.poisson.cdf(k, mean)).max()
+        for mean in many
+    ]
+    np.testing.assert_allclose(gaps * np.sqrt(many), 0.0665, rtol=0.05)
+    row = LEVELS_E.index(10.0)
+    measured = distances(COUNTED["gaussian"], TRUTH)[row]
+    assert measured == pytest.approx(0.0665 / np.sqrt(10.0), abs=SAMPLING)
+
+
+def test_cutting_the_gaussian_at_zero_brightens_one_electron_by_seven_percent() -> None:
+    above = 1.0 - rounded_normal_cumulative(1.0)
+    theory = 100.0 * (above.sum() - 1.0)
+    assert theory == pytest.approx(7.0, abs=0.5)
+    assert worst_bias_percent(COUNTED["gaussian"], TRUTH, WORK) == pytest.approx(theory, abs=1.2)
+
+
+def test_skew_correction_takes_out_most_of_the_distance() -> None:
+    assert DISTANCE["gaussian"] > 5 * DISTANCE["skewed"] > 5 * DISTANCE["poisson"]
+
+
+def test_the_default_is_nearer_than_everything_cheaper() -> None:
+    default = [tier.id for tier in LADDER.tiers].index(LADDER.default_tier)
+    cheaper = LADDER.tiers[:default]
+    assert all(DISTANCE[tier.id] > DISTANCE[LADDER.default_tier] for tier in cheaper)
+
+
+def test_the_distance_of_counts_one_too_high_is_the_largest_probability() -> None:
+    shifted = distances(COUNTED["poisson"] + 1, TRUTH)
+    largest = [stats.poisson.pmf(int(mean), mean) for mean in LEVELS_E]
+    np.testing.assert_allclose(shifted, largest, atol=SAMPLING)
+
+
+def test_the_metrics_notice_two_percent_more_light() -> None:
+    brighter = LADDER.tier("poisson").run(replace(WORK, mean_e=WORK.mean_e * np.float32(1.02)))
+    assert worst_distance(brighter, TRUTH, WORK) > 2 * SAMPLING
+    assert worst_bias_percent(brighter, TRUTH, WORK) > 1.5
