@@ -10,9 +10,13 @@ from typing import Any
 
 from simulations.engine.ladder import Ladder, TierResult
 
-RELATIVE, ABSOLUTE = 0.1, 1e-9
-"""How far one error may differ between two machines. The last place of a power or a sine does,
-and where that is all that a tier gets wrong, it is a tenth of the error."""
+RELATIVE = 0.01
+"""How far one error may differ between two machines."""
+SMALL, FACTOR = 1e-3, 3.0
+"""Errors this small, in the units of any metric, come from rounding. They depend on the order in
+which a library adds, and on the last place of its powers and sines: up to this factor."""
+NOTHING = 1e-9
+"""Errors below this are alike, zero included."""
 
 
 def ladder_record(ladder: Ladder, results: Sequence[Sequence[Sequence[TierResult]]]) -> Any:
@@ -67,9 +71,13 @@ def disagreements(ladder: Ladder, results: Sequence[Sequence[Sequence[TierResult
 
 
 def close(one: float | None, other: float | None) -> bool:
+    """Whether two machines found the same error."""
     if one is None or other is None:
         return one is other
-    return math.isclose(one, other, rel_tol=RELATIVE, abs_tol=ABSOLUTE)
+    low, high = sorted((abs(one), abs(other)))
+    if high < SMALL:
+        return high < NOTHING or high < FACTOR * low
+    return math.isclose(one, other, rel_tol=RELATIVE)
 
 
 def merge(
