@@ -2,18 +2,21 @@
 
 import json
 import time
+from collections.abc import Iterator
 from dataclasses import asdict, dataclass
 from functools import lru_cache
 from math import isfinite
 from typing import Any
 
 from simulations.engine.controls import clamp_values
-from simulations.engine.frame import Raster, to_json
+from simulations.engine.frame import Raster, Readout, to_json
 from simulations.engine.ladder import measure_tier
 from simulations.engine.pipeline import StageCache
 from simulations.registry import load_ladder, load_scene
 
 _caches: dict[str, StageCache] = {}
+_judgements: dict[str, tuple[object, Iterator[Readout]]] = {}
+"""Of each figure: what is being judged, and the estimates that are still to come."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -42,9 +45,32 @@ def render(figure: str, scene_id: str, values: str, tier: str) -> Reply:
     return Reply(to_json(frame), rasters)
 
 
+def error(figure: str, scene_id: str, values: str, tier: str) -> str:
+    """The next, better estimate of how far the frame of these values is from the truth.
+
+    JSON of a `Readout`, or ``null`` where there is no better one. Asking for other values
+    drops what was begun. Raises `UnknownSceneError` and `ControlError`.
+    """
+    scene = load_scene(scene_id)
+    wanted = (scene_id, values, tier)
+    begun, estimates = _judgements.get(figure, (None, iter(())))
+    if begun != wanted:
+        estimates = iter(())
+        if scene.error is not None:
+            estimates = scene.error(
+                clamp_values(scene.controls, json.loads(values)),
+                tier if tier in scene.tiers else scene.default_tier,
+                _caches.setdefault(figure, StageCache()),
+            )
+        _judgements[figure] = (wanted, estimates)
+    estimate = next(estimates, None)
+    return json.dumps(None if estimate is None else asdict(estimate), ensure_ascii=False)
+
+
 def forget(figure: str) -> None:
-    """Drop the stage cache of a figure that left the page."""
+    """Drop what is kept for a figure that left the page."""
     _caches.pop(figure, None)
+    _judgements.pop(figure, None)
 
 
 def measure(ladder_id: str, tier_id: str, budget_s: float = 0.4) -> str:

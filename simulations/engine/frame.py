@@ -138,6 +138,24 @@ def format_number(value: float, digits: int = 2) -> str:
     return text.replace("-", "\u2212")
 
 
+def format_magnitude(value: float, floor: float) -> str:
+    """A positive number of unknown size to two digits: ``14.2``, ``0.035``, ``3.1 × 10⁻⁵``.
+
+    Below ``floor``, a power of ten, the number is noise: ``under 10⁻⁹``.
+    """
+    if value < floor:
+        return f"under {_power_of_ten(floor)}"
+    if value >= 0.01:
+        return format_number(value, 3 if value < 0.1 else 2 if value < 10 else 1)
+    mantissa, _, _ = f"{value:.1e}".partition("e")
+    return f"{mantissa}\u00a0×\u00a0{_power_of_ten(value)}"
+
+
+def _power_of_ten(value: float) -> str:
+    exponent = f"{value:.1e}".partition("e")[2]
+    return "10" + str(int(exponent)).translate(str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹"))
+
+
 def to_json(frame: Frame) -> str:
     """The frame without its pixels: panel ``i`` has a raster or not, in the panels' order."""
     return json.dumps(

@@ -1,13 +1,14 @@
 """The contract between a widget and everything that shows it."""
 
-from collections.abc import Callable
-from dataclasses import dataclass
+from collections.abc import Callable, Iterator, Mapping
+from dataclasses import dataclass, field
 
 from simulations.engine.controls import Control, Slider, Values
-from simulations.engine.frame import Frame
+from simulations.engine.frame import Frame, Readout
 from simulations.engine.pipeline import StageCache
 
 type Render = Callable[[Values, str, StageCache], Frame]
+type Judge = Callable[[Values, str, StageCache], Iterator[Readout]]
 
 
 @dataclass(frozen=True, slots=True)
@@ -25,7 +26,16 @@ class Scene:
     default_tier: str = ""
     """The tier a figure settles in."""
     draft_tier: str = ""
-    """The tier a figure uses while a control is being dragged."""
+    """The tier a figure uses while a control is being dragged, unless a cheaper one is chosen."""
+    drafted: tuple[str, ...] = ()
+    """The controls whose drags need the draft; all of them where none is named."""
+    ladder: str = ""
+    """The ladder that the tiers are rungs of: it labels them and tells what they cost."""
+    tier_labels: Mapping[str, str] = field(default_factory=dict)
+    """What the reader sees of tiers that belong to no ladder."""
+    error: Judge | None = None
+    """How far a frame in this tier is from the truth, with a unit. Asked only while nothing
+    moves, one step at a time: each step is short and yields a better estimate than the last."""
 
     def __post_init__(self) -> None:
         names = [control.name for control in self.controls]
@@ -39,3 +49,8 @@ class Scene:
         for tier in (self.default_tier, self.draft_tier):
             if tier not in (*self.tiers, "") or bool(self.tiers) != bool(tier):
                 raise ValueError(f"scene {self.id!r}: tier {tier!r}; legal: {self.tiers}")
+        for name in self.drafted:
+            if name not in names:
+                raise ValueError(f"scene {self.id!r}: drafted {name!r}; legal: {names}")
+        if self.tiers and not self.ladder and set(self.tier_labels) != set(self.tiers):
+            raise ValueError(f"scene {self.id!r}: tiers {self.tiers} have no ladder to label them")

@@ -6,7 +6,7 @@ from functools import partial
 import numpy as np
 
 from simulations.engine.ladder import Ladder, Metric, Tier
-from simulations.models.distortion import Distortion, Floats
+from simulations.models.distortion import Distortion, Floats, undistort
 from simulations.models.undistortion import (
     undistort_first_order,
     undistort_fixed_point,
@@ -109,6 +109,12 @@ LADDER = Ladder(
                 partial(_fixed_point, steps=steps),
             )
             for steps in (5, 10, 20)
+        ),
+        Tier(
+            "newton-bracketed",
+            "Newton in a bracket, to the end",
+            "1 table look-up, 7 polynomials, 12 choices",
+            lambda work: undistort(work.seen, work.lens)[0],
         ),
     ),
     reference=reference,

@@ -87,7 +87,7 @@ def disc_blur(planes: Planes, radius_px: float) -> Planes:
     rest = math.sqrt(radius_px**2 - 2.0 * (factor**2 - 1)) / factor
     small = _convolve(small, disc_kernel(rest))
     while small.shape[1] < height or small.shape[2] < width:
-        small = _double(small)
+        small = double(small)
     return np.ascontiguousarray(small[:, :height, :width])
 
 
@@ -105,7 +105,7 @@ def _convolve(planes: Planes, kernel: Planes) -> Planes:
 
 
 def _halve(planes: Planes) -> Planes:
-    """Half the grid by weights (1, 3, 3, 1) / 8 each way, the transpose of `_double`.
+    """Half the grid by weights (1, 3, 3, 1) / 8 each way, the transpose of `double`.
 
     Unlike means of 2 × 2 pixels these keep every point of light where it is.
     """
@@ -120,7 +120,7 @@ def _halve_last(planes: Planes) -> Planes:
     return half
 
 
-def _double(planes: Planes) -> Planes:
+def double(planes: Planes) -> Planes:
     """Linear interpolation onto twice the grid, the inverse placement of `_halve`."""
     return _double_last(_double_last(planes).swapaxes(1, 2)).swapaxes(1, 2)
 

@@ -73,14 +73,34 @@ class View:
     """(H, W, 3) unit vectors."""
     valid: NDArray[np.bool_]
     """(H, W) false where the lens sends no ray to the pixel."""
+    eye: Vector = EYE
+    """Where all of them start: the lens's centre, or another point of its opening."""
 
 
 def view(rays_camera: Floats, valid: NDArray[np.bool_] | None = None) -> View:
     """``rays_camera`` (H, W, 3) with z = 1, turned into the world and made unit length."""
-    length = np.sqrt(np.einsum("...i,...i", rays_camera, rays_camera))[..., None]
-    directions = (rays_camera / length) @ WORLD_TO_CAMERA[:3, :3]
-    legal = np.ones(directions.shape[:2], bool) if valid is None else valid
-    return View(directions, legal)
+    legal = np.ones(rays_camera.shape[:2], bool) if valid is None else valid
+    return View(_unit(rays_camera) @ WORLD_TO_CAMERA[:3, :3], legal)
+
+
+def view_through(
+    rays_camera: Floats, valid: NDArray[np.bool_], at: tuple[float, float], focus: float
+) -> View:
+    """The view from the point ``at`` = (right, down) of the lens, metres from its centre.
+
+    Every ray meets the one through the lens's centre at the depth ``focus``, metres: so a thin
+    lens sends both to the same pixel.
+    """
+    right, down = at
+    turned = rays_camera - np.array([right / focus, down / focus, 0.0])
+    across = WORLD_TO_CAMERA[:2, :3]
+    x, y, z = np.asarray(EYE) + right * across[0] + down * across[1]
+    return View(_unit(turned) @ WORLD_TO_CAMERA[:3, :3], valid, (float(x), float(y), float(z)))
+
+
+def _unit(vectors: Floats) -> Floats:
+    unit: Floats = vectors / np.sqrt(np.einsum("...i,...i", vectors, vectors))[..., None]
+    return unit
 
 
 def depth_along_axis(points: Floats) -> Floats:

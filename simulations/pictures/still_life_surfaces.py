@@ -20,7 +20,6 @@ from simulations.models.raycasting import (
 )
 from simulations.pictures import patterns
 from simulations.pictures.still_life import (
-    EYE,
     THINGS,
     WALL_DISTANCE,
     WALL_HEIGHT,
@@ -87,7 +86,7 @@ def _thing_surface(thing: Thing, seen: View) -> Surface | None:
     if window is None:
         return None
     directions = seen.directions[window]
-    hit = intersect(thing.solid, EYE, directions)
+    hit = intersect(thing.solid, seen.eye, directions)
     coverage = edge_coverage(hit.margin) * seen.valid[window]
     if not coverage.any():
         return None
@@ -108,7 +107,7 @@ def _thing_surface(thing: Thing, seen: View) -> Surface | None:
 
 def _window(thing: Thing, seen: View) -> tuple[slice, slice] | None:
     """Rows and columns, with a margin, of the pixels whose rays pass near the thing."""
-    to_centre = np.asarray(thing.solid.centre) - EYE
+    to_centre = np.asarray(thing.solid.centre) - seen.eye
     distance = float(np.linalg.norm(to_centre))
     spread = math.asin(min(1.0, bounding_radius(thing.solid) / distance))
     near = (seen.directions @ (to_centre / distance) > math.cos(spread)) & seen.valid
@@ -167,8 +166,8 @@ def within(points: Floats, low: Floats, high: Floats) -> NDArray[np.bool_]:
 
 
 def _wall_and_floor(seen: View) -> tuple[Surface, Surface]:
-    far, _ = intersect_plane((0, WALL_DISTANCE, 0), (0, -1, 0), EYE, seen.directions)
-    height = EYE[2] + seen.directions[..., 2] * far  # where the ray meets the wall
+    far, _ = intersect_plane((0, WALL_DISTANCE, 0), (0, -1, 0), seen.eye, seen.directions)
+    height = seen.eye[2] + seen.directions[..., 2] * far  # where the ray meets the wall
     above = edge_coverage(height)
     return _backdrop(seen, WALL_PLANE, above), _backdrop(seen, FLOOR_PLANE, 1.0 - above)
 
@@ -179,8 +178,8 @@ def _backdrop(seen: View, plane: tuple[Vector, Vector], share: Floats) -> Surfac
     top, bottom = (int(rows[0]), int(rows[-1]) + 1) if rows.size else (0, 0)
     top, bottom = max(top - 1, 0), max(bottom, top + 2)  # patterns need two rows
     directions = seen.directions[top:bottom]
-    distance, _ = intersect_plane(*plane, EYE, directions)
-    points = EYE + directions * distance[..., None]
+    distance, _ = intersect_plane(*plane, seen.eye, directions)
+    points = seen.eye + directions * distance[..., None]
     normals = np.broadcast_to(np.asarray(plane[1]), points.shape)
     openness = _sky_seen(points, normals)
     if plane is FLOOR_PLANE:  # the wall hides part of the sky from the floor before it

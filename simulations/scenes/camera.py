@@ -1,22 +1,31 @@
 """Interactive Camera Simulator: every stage of image formation at once, on a still life."""
 
 import math
+from collections.abc import Iterator
 
 import numpy as np
 
 from simulations.engine.controls import Action, Slider, Toggle, Values
 from simulations.engine.frame import Frame, Panel, Raster, Readout, format_number, readout
-from simulations.engine.pipeline import StageCache, run
+from simulations.engine.pipeline import Run, StageCache, run
 from simulations.engine.scene import Scene
 from simulations.models import optics, projection
+from simulations.models.aperture_grid import aperture_grid
 from simulations.scenes.camera_plan import PLAN_HEIGHT, PLAN_WIDTH, draw_plan
 from simulations.scenes.camera_stages import (
     PITCH_MM,
     SENSOR_WIDTH_MM,
     STAGES,
+    TIERS,
+    develop_ideal,
     largest_blur_px,
     shutter_s,
+    through_lens,
 )
+
+DEFAULT_TIER = "layers"
+REFERENCE_GRID = 7
+"""Points across the lens of the picture that errors are measured against: 37 in all."""
 
 CONTROLS = (
     Slider(
@@ -102,9 +111,14 @@ def shutter_text(seconds: float) -> str:
     return f"1/{float(f'{1 / seconds:.2g}'):.0f}" if seconds < 0.3 else format_number(seconds, 1)
 
 
-def render(values: Values, tier: str, cache: StageCache) -> Frame:  # noqa: ARG001
+def run_tier(values: Values, tier: str, cache: StageCache) -> Run:
+    """All stages, with the parameters that the tier sets."""
+    return run(STAGES, values, cache, TIERS[tier or DEFAULT_TIER])
+
+
+def render(values: Values, tier: str, cache: StageCache) -> Frame:
     """A photograph of the still life, and the plan of where everything stood."""
-    result = run(STAGES, values, cache)
+    result = run_tier(values, tier, cache)
     photograph: Raster = result.outputs["sRGB"]
     view_rad = projection.field_of_view(values.number("focal_length"), SENSOR_WIDTH_MM)
     near, far = depth_of_field_m(values)
@@ -124,6 +138,27 @@ def render(values: Values, tier: str, cache: StageCache) -> Frame:  # noqa: ARG0
         description=_describe(values, view_rad, near, far, quality),
         stages=result.reports,
     )
+
+
+def error(values: Values, tier: str, cache: StageCache) -> Iterator[Readout]:
+    """How far the noiseless picture is from one whose every pixel looks through the whole lens.
+
+    One ray a pixel more with each step; the rays stand on a grid that no tier uses.
+    """
+    outputs = run_tier(values, tier, cache).outputs
+    picture: Raster = outputs["noiseless picture"]
+    full = run_tier(values, "layers", cache).outputs["lens distortion"]
+    points = aperture_grid(REFERENCE_GRID)
+    setting = {n: values.number(n) for n in ("light_angle", "focal_length", "aperture", "focus")}
+    total = np.zeros((3, *picture.shape[:2]), np.float32)
+    for count, at in enumerate(points, start=1):
+        total += through_lens(full, at, **setting)
+        seen = np.asarray(total / count, np.float32)
+        truth = develop_ideal(seen, setting["focal_length"], values.number("exposure"))
+        difference = picture[..., :3].astype(np.float32) - truth[..., :3]
+        codes = format_number(math.sqrt(float(np.mean(difference * difference))), 2)
+        label = f"RMS error against {count} of {len(points)} rays through the lens"
+        yield Readout("error", label, codes, "codes of 255", "error")
 
 
 def _readouts(
@@ -161,4 +196,19 @@ def _describe(values: Values, view_rad: float, near: float, far: float, quality:
     )
 
 
-SCENE = Scene(id="camera", title="Interactive Camera Simulator", controls=CONTROLS, render=render)
+SCENE = Scene(
+    id="camera",
+    title="Interactive Camera Simulator",
+    controls=CONTROLS,
+    render=render,
+    tiers=tuple(TIERS),
+    default_tier=DEFAULT_TIER,
+    draft_tier="draft",
+    drafted=("focal_length", "k1", "light_angle"),
+    tier_labels={
+        "draft": "Draft: a ray for four pixels",
+        "layers": "A ray a pixel, blur by layers",
+        "aperture-rays": "12 rays a pixel through the lens",
+    },
+    error=error,
+)

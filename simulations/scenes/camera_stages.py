@@ -1,6 +1,7 @@
 """The complete camera, stage by stage: from rays through the lens to the bytes of a photograph."""
 
 import math
+from collections.abc import Mapping
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -11,8 +12,9 @@ from simulations.engine.frame import Raster
 from simulations.engine.pipeline import Stage
 from simulations.engine.raster import to_rgba8
 from simulations.models import optics, projection, sensor
+from simulations.models.aperture import fibonacci_disc
 from simulations.models.color import encode_srgb_table
-from simulations.models.depth_of_field import Planes, blur_by_depth, blur_layer, composite
+from simulations.models.depth_of_field import Planes, blur_by_depth, blur_layer, composite, double
 from simulations.models.distortion import Distortion, undistort
 from simulations.models.vignetting import vignetting_cos4
 from simulations.pictures import still_life, still_life_light, still_life_surfaces
@@ -42,14 +44,23 @@ BASE_SHUTTER_S, BASE_F_NUMBER = 1 / 60, 8.0
 """Shutter and aperture at which a white surface facing the lamp nearly fills the well, at 0 EV."""
 
 
+TIERS: Mapping[str, Mapping[str, int]] = {
+    "draft": {"reduction": 2, "lens_rays": 0},
+    "layers": {"reduction": 1, "lens_rays": 0},
+    "aperture-rays": {"reduction": 1, "lens_rays": 12},
+}
+"""Tier to the parameters that it sets: pixels per ray each way, and rays through the lens's opening
+in place of a blur (0: blur)."""
+
+
 @dataclass(frozen=True, slots=True)
 class Rays:
     """What each pixel looks along."""
 
     directions: Floats
-    """(ROWS, COLUMNS, 3) in the camera frame, z = 1."""
+    """(rows, columns, 3) in the camera frame, z = 1."""
     valid: NDArray[np.bool_]
-    """(ROWS, COLUMNS) false where the lens sends no ray to the pixel."""
+    """(rows, columns) false where the lens sends no ray to the pixel."""
 
 
 def shutter_s(aperture: float, exposure: float) -> float:
@@ -85,10 +96,11 @@ def largest_blur_px(values: Values) -> float:
     return float(blur_px(focal, values.number("aperture"), values.number("focus"), ends).max())
 
 
-def _pinhole(focal_length: float) -> Rays:
-    centre = ((COLUMNS - 1) / 2, (ROWS - 1) / 2)
-    K = projection.intrinsics(focal_length / PITCH_MM, centre)
-    return Rays(projection.pixel_rays(K, COLUMNS, ROWS), np.ones((ROWS, COLUMNS), bool))
+def _pinhole(focal_length: float, reduction: int) -> Rays:
+    columns, rows = COLUMNS // reduction, ROWS // reduction
+    centre = ((columns - 1) / 2, (rows - 1) / 2)
+    K = projection.intrinsics(focal_length / (PITCH_MM * reduction), centre)
+    return Rays(projection.pixel_rays(K, columns, rows), np.ones((rows, columns), bool))
 
 
 def _distort(rays: Rays, k1: float) -> Rays:
@@ -105,9 +117,13 @@ def _light(parts: tuple[Surface, ...], light_angle: float) -> LitScene:
     return still_life_light.light(parts, light_angle)
 
 
-def _defocus(lit: LitScene, focal_length: float, aperture: float, focus: float) -> LitScene:
-    base = blur_by_depth(lit.base, blur_px(focal_length, aperture, focus, lit.base_depth) / 2)
-    radii = (blur_px(focal_length, aperture, focus, depth) / 2 for depth in lit.depths)
+def _defocus(
+    lit: LitScene, focal_length: float, aperture: float, focus: float, reduction: int
+) -> LitScene:
+    per_radius = 2 * reduction
+    discs = blur_px(focal_length, aperture, focus, lit.base_depth)
+    base = blur_by_depth(lit.base, discs / per_radius)
+    radii = (blur_px(focal_length, aperture, focus, depth) / per_radius for depth in lit.depths)
     layers = tuple(
         blur_layer(replace(layer, radius_px=float(radius)))
         for layer, radius in zip(lit.layers, radii, strict=True)
@@ -117,6 +133,46 @@ def _defocus(lit: LitScene, focal_length: float, aperture: float, focus: float) 
 
 def _overlay(lit: LitScene) -> Planes:
     return composite(lit.base, lit.layers)
+
+
+def through_lens(
+    rays: Rays,
+    at: tuple[float, float],
+    light_angle: float,
+    focal_length: float,
+    aperture: float,
+    focus: float,
+) -> Planes:
+    """The picture seen through one point of the lens: ``at`` = (right, down) in the unit disc."""
+    # The picture keeps the scale of a lens focused at infinity; so must the discs of confusion.
+    scale = focus / (focus - focal_length / 1000.0)
+    radius = scale * focal_length / aperture / 2000.0
+    place = (radius * at[0], radius * at[1])
+    seen = still_life.view_through(rays.directions, rays.valid, place, focus)
+    return _overlay(_light(still_life_surfaces.surfaces(seen), light_angle))
+
+
+def _aperture_rays(
+    _overlaid: Planes,
+    rays: Rays,
+    light_angle: float,
+    focal_length: float,
+    aperture: float,
+    focus: float,
+    lens_rays: int,
+) -> Planes:
+    """The mean over the lens's opening: edges that hide less than they seem to, and no layers."""
+    setting = (light_angle, focal_length, aperture, focus)
+    total = np.zeros_like(_overlaid)
+    for right, down in fibonacci_disc(lens_rays):
+        total += through_lens(rays, (float(right), float(down)), *setting)
+    return np.asarray(total / np.float32(lens_rays), np.float32)
+
+
+def _enlarge(overlaid: Planes, reduction: int) -> Planes:
+    for _ in range(reduction.bit_length() - 1):
+        overlaid = double(overlaid)
+    return overlaid
 
 
 def _vignette(radiance: Planes, focal_length: float) -> Planes:
@@ -164,13 +220,26 @@ def _ideal(mean_e: Planes) -> Raster:
     return _encode(np.minimum(mean_e, FULL_WELL_E) / np.float32(FULL_WELL_E))
 
 
+def develop_ideal(radiance: Planes, focal_length: float, exposure: float) -> Raster:
+    """The noiseless picture of light that has passed the lens."""
+    return _ideal(_expose(_vignette(radiance, focal_length), exposure))
+
+
 def _in_focus(values: Values) -> str:
     largest = largest_blur_px(values)
     return "every circle of confusion is under a pixel" if largest <= 1.0 else ""
 
 
+def _no_blur(values: Values) -> str:
+    return _in_focus(values) or ("rays make the blur" if values["lens_rays"] else "")
+
+
+def _no_rays(values: Values) -> str:
+    return _in_focus(values) or ("" if values["lens_rays"] else "the blur stands in for rays")
+
+
 STAGES = (
-    Stage("pinhole rays", ("focal_length",), _pinhole),
+    Stage("pinhole rays", ("focal_length", "reduction"), _pinhole),
     Stage(
         "lens distortion",
         ("k1",),
@@ -180,9 +249,29 @@ STAGES = (
     ),
     Stage("surfaces", (), _surfaces, ("lens distortion",)),
     Stage("light", ("light_angle",), _light, ("surfaces",)),
-    Stage("defocus", ("focal_length", "aperture", "focus"), _defocus, ("light",), _in_focus),
+    Stage(
+        "defocus",
+        ("focal_length", "aperture", "focus", "reduction"),
+        _defocus,
+        ("light",),
+        _no_blur,
+    ),
     Stage("overlay", (), _overlay, ("defocus",)),
-    Stage("vignetting", ("focal_length",), _vignette, ("overlay",)),
+    Stage(
+        "aperture rays",
+        ("light_angle", "focal_length", "aperture", "focus", "lens_rays"),
+        _aperture_rays,
+        ("overlay", "lens distortion"),
+        _no_rays,
+    ),
+    Stage(
+        "enlargement",
+        ("reduction",),
+        _enlarge,
+        ("aperture rays",),
+        lambda values: "" if values["reduction"] != 1 else "each pixel has its own ray",
+    ),
+    Stage("vignetting", ("focal_length",), _vignette, ("enlargement",)),
     Stage("exposure", ("exposure",), _expose, ("vignetting",)),
     Stage(
         "shot noise",

@@ -1,9 +1,11 @@
 """Lens Distortion Simulator: a grid and a picture through a lens with k₁ and k₂."""
 
+from collections.abc import Iterator
+
 import numpy as np
 
 from simulations.engine.controls import Choice, Slider, Toggle, Values
-from simulations.engine.frame import Frame, Panel, Readout, format_number, readout
+from simulations.engine.frame import Frame, Panel, Readout, format_magnitude, format_number, readout
 from simulations.engine.pipeline import StageCache, run
 from simulations.engine.scene import Scene
 from simulations.models.distortion import (
@@ -22,17 +24,25 @@ from simulations.scenes.lens_distortion_drawing import (
     picture_overlay,
     profile_overlay,
 )
-from simulations.scenes.lens_distortion_stages import FOCAL_PX, HALF_DIAGONAL, STAGES
+from simulations.scenes.lens_distortion_stages import (
+    FOCAL_PX,
+    HALF_DIAGONAL,
+    STAGES,
+    TIERS,
+    inversion_error_px,
+)
 
+DIVERGED_PX = 1e4
+"""An iteration that ends this far off has found nothing."""
 INVISIBLE_PX = 0.1
 """Changes of the magnification that move no corner by more than this do not count."""
 
 
-def render(values: Values, _tier: str, cache: StageCache) -> Frame:
-    """The figure at one setting of its controls."""
+def render(values: Values, tier: str, cache: StageCache) -> Frame:
+    """The figure at one setting of its controls; the tier is how the picture's rays are found."""
     lens = Distortion(k1=values.number("k1"), k2=values.number("k2"))
     corrected = values.toggle("correct")
-    outcome = run(STAGES, values, cache)
+    outcome = run(STAGES, values, cache, {"tier": tier or TIERS[-1]})
     panels = (
         Panel("grid", "Grid", VIEW_WIDTH, VIEW_HEIGHT, overlay=grid_overlay(lens)),
         Panel(
@@ -68,6 +78,16 @@ def corner_shift_px(lens: Distortion) -> float:
     if fold_radius(lens) <= HALF_DIAGONAL:
         return float("nan")
     return float(evaluate(lens.radial, HALF_DIAGONAL) - HALF_DIAGONAL) * FOCAL_PX
+
+
+def error(values: Values, tier: str, _cache: StageCache) -> Iterator[Readout]:
+    """How far off, in the scene, the pixels are drawn from; found at once."""
+    wrong = inversion_error_px(Distortion(k1=values.number("k1"), k2=values.number("k2")), tier)
+    if wrong > DIVERGED_PX:
+        yield Readout("error", "RMS error of the inversion", "diverges", "", "error")
+    else:
+        text = format_magnitude(wrong, 1e-9)
+        yield Readout("error", "RMS error of the inversion", text, "px", "error")
 
 
 def _readouts(lens: Distortion) -> tuple[Readout, ...]:
@@ -124,4 +144,9 @@ SCENE = Scene(
         Toggle(name="correct", label="Correct the picture"),
     ),
     render=render,
+    tiers=TIERS,
+    default_tier="newton-bracketed",
+    draft_tier="newton-bracketed",
+    ladder="inverse-distortion",
+    error=error,
 )

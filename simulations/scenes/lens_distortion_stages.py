@@ -16,6 +16,12 @@ from simulations.models.color import encode_srgb
 from simulations.models.distortion import Distortion, distort, fold_radius, largest_distorted_radius
 from simulations.models.radial_profile import invert
 from simulations.models.resampling import GatherTable, gather, gather_table
+from simulations.models.undistortion import (
+    undistort_first_order,
+    undistort_fixed_point,
+    undistort_newton,
+    undistort_table,
+)
 from simulations.pictures.checker_room import checker_room
 from simulations.pictures.resolution_chart import resolution_chart
 
@@ -29,6 +35,18 @@ MARGIN_PX = (120, 90)
 """The pinhole picture reaches this much further to each side: a barrel pulls it into view."""
 UNSEEN = (0.33, 0.34, 0.36)
 """Linear grey where no light of the scene arrives according to the model."""
+
+
+TIERS = (
+    "first-order",
+    "lookup-table",
+    "newton-3",
+    "newton-4",
+    "fixed-point-5",
+    "fixed-point-10",
+    "newton-bracketed",
+)
+"""Ways to find where a pixel's light comes from: rungs of the ladder `inverse-distortion`."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -65,6 +83,60 @@ def centred_pixels() -> Floats:
     return np.stack(np.meshgrid(x, y), axis=-1)
 
 
+def ideal_radii(seen: Floats, lens: Distortion, tier: str) -> Floats:
+    """The radius without the lens of each radius in the photograph, as the tier computes it.
+
+    Only the bracketed one notices the fold; the others run on past it, or out of range.
+    """
+    if tier == "newton-bracketed":
+        return invert(lens.radial, seen)[0]
+    points = np.stack((seen, np.zeros_like(seen)), axis=-1)
+    with np.errstate(over="ignore", invalid="ignore", divide="ignore"):
+        match tier.rsplit("-", 1):
+            case ["first", "order"]:
+                ideal = undistort_first_order(points, lens)
+            case ["lookup", "table"]:
+                ideal = undistort_table(points, lens)
+            case ["fixed-point", steps]:
+                ideal = undistort_fixed_point(points, lens, int(steps))
+            case ["newton", steps]:
+                ideal = undistort_newton(points, lens, int(steps))
+            case _:
+                raise ValueError(f"tier {tier!r}; legal: {', '.join(TIERS)}")
+    radii: Floats = ideal[..., 0]
+    return radii
+
+
+def true_radii(seen: Floats, lens: Distortion) -> Floats:
+    """The same by bisection down to the last bit, sharing nothing with any tier; NaN past the fold.
+
+    The image radius is written out: r (1 + k₁ r² + k₂ r⁴).
+    """
+    fold = min(fold_radius(lens), 1e3)
+    low, high = np.zeros_like(seen), np.full_like(seen, fold)
+    for _ in range(64):
+        middle = 0.5 * (low + high)
+        s = middle * middle
+        beyond = middle * (1.0 + s * (lens.k1 + s * lens.k2)) > seen
+        low, high = np.where(beyond, low, middle), np.where(beyond, middle, high)
+    return np.where(seen < largest_distorted_radius(lens), high, np.nan)
+
+
+def inversion_error_px(lens: Distortion, tier: str) -> float:
+    """RMS over the photograph of how far off the scene point is that each pixel is drawn from.
+
+    In pixels of the pinhole picture; pixels that show nothing do not count.
+    """
+    radii = _radii()
+    wrong = ideal_radii(radii.distinct, lens, tier) - true_radii(radii.distinct, lens)
+    pixels = np.bincount(radii.of_pixel)
+    seen = ~np.isnan(wrong)
+    if np.isinf(wrong[seen]).any():
+        return float("inf")
+    square = np.average(np.square(wrong[seen]), weights=pixels[seen])
+    return float(np.sqrt(square)) * FOCAL_PX
+
+
 def _radii() -> Radii:
     # Twice a coordinate is an odd whole number: equal radii are found without rounding.
     doubled = np.rint(2.0 * centred_pixels()).astype(np.int64)
@@ -84,10 +156,10 @@ def _undistorted_frame(pinhole: Floats) -> Photo:
     return Photo(shown, np.ones((HEIGHT_PX, WIDTH_PX), np.float32))
 
 
-def _map(radii: Radii, k1: float, k2: float) -> Warp:
+def _map(radii: Radii, k1: float, k2: float, tier: str) -> Warp:
     """For each pixel of the photograph, where in the pinhole picture its light comes from."""
     lens = Distortion(k1=k1, k2=k2)
-    ideal, _ = invert(lens.radial, radii.distinct)
+    ideal = ideal_radii(radii.distinct, lens, tier)
     ratio = (ideal / radii.distinct)[radii.of_pixel].reshape(HEIGHT_PX, WIDTH_PX, 1)
     centre = np.array((MARGIN_PX[0] + 0.5 * (WIDTH_PX - 1), MARGIN_PX[1] + 0.5 * (HEIGHT_PX - 1)))
     shape = (HEIGHT_PX + 2 * MARGIN_PX[1], WIDTH_PX + 2 * MARGIN_PX[0])
@@ -137,7 +209,7 @@ STAGES = (
     Stage("radii", (), _radii),
     Stage("pinhole", ("picture",), _pinhole),
     Stage("undistorted", (), _undistorted_frame, ("pinhole",)),
-    Stage("map", ("k1", "k2"), _map, ("radii",), _ideal_lens),
+    Stage("map", ("k1", "k2", "tier"), _map, ("radii",), _ideal_lens),
     Stage("through-lens", (), _through_lens, ("undistorted", "pinhole", "map"), _ideal_lens),
     Stage("corrected", ("k1", "k2"), _corrected, ("through-lens",), _not_corrected),
     Stage("encoded", (), _encoded, ("corrected",)),

@@ -61,6 +61,7 @@ DEMO = Scene(
     tiers=("fast", "exact"),
     default_tier="exact",
     draft_tier="fast",
+    tier_labels={"fast": "Fast", "exact": "Exact"},
 )  # fmt: skip
 
 

@@ -7,12 +7,12 @@ import numpy as np
 import pytest
 
 from simulations.engine.controls import Slider, check_values
-from simulations.engine.pipeline import StageCache, run
+from simulations.engine.pipeline import StageCache
 from simulations.models import projection
 from simulations.models.color import decode_srgb
 from simulations.models.raycasting import Sphere
 from simulations.pictures import still_life
-from simulations.scenes.camera import CONTROLS, SCENE
+from simulations.scenes.camera import CONTROLS, SCENE, run_tier
 from simulations.scenes.camera_stages import (
     COLUMNS,
     FULL_WELL_E,
@@ -42,7 +42,7 @@ def computed_after(change, start=None):
 
 
 def outputs(**given):
-    return run(STAGES, values(**given), StageCache()).outputs
+    return run_tier(values(**given), "layers", StageCache()).outputs
 
 
 def test_nothing_is_computed_where_nothing_has_changed():
@@ -86,8 +86,10 @@ def test_skipped_defocus_would_have_changed_nothing():
     given = values(aperture=5.6)
     assert largest_blur_px(given) <= 1
     stages = {stage.name: stage for stage in STAGES}
-    lit = run(STAGES, given, StageCache()).outputs["light"]
-    blurred = stages["defocus"].compute(lit, focal_length=50.0, aperture=5.6, focus=3.2)
+    lit = run_tier(given, "layers", StageCache()).outputs["light"]
+    blurred = stages["defocus"].compute(
+        lit, focal_length=50.0, aperture=5.6, focus=3.2, reduction=1
+    )
     assert blurred.base is lit.base
     assert all(a.planes is b.planes for a, b in zip(blurred.layers, lit.layers, strict=True))
 

@@ -67,7 +67,7 @@ def test_past_the_fold_the_figure_says_so_and_greys_the_picture():
 def test_a_linear_ramp_through_the_lens_shows_the_ideal_coordinate():
     y, x = np.mgrid[:420, :560].astype(np.float32)
     ramp = np.stack((x, y), axis=-1)
-    warp = _map(_radii(), -0.2, 0.05)
+    warp = _map(_radii(), -0.2, 0.05, "newton-bracketed")
     seen = _through_lens(None, ramp, warp).linear
     ideal = (seen - [279.5, 209.5]) / 200.0
     rows, columns = np.mgrid[:240, :320]
@@ -80,7 +80,7 @@ def test_a_linear_ramp_through_the_lens_shows_the_ideal_coordinate():
 
 def test_the_correction_restores_the_picture_where_the_photograph_had_it():
     pinhole = checker_room(560, 420, 200.0)
-    photo = _through_lens(None, pinhole, _map(_radii(), -0.1, 0.0))
+    photo = _through_lens(None, pinhole, _map(_radii(), -0.1, 0.0, "newton-bracketed"))
     restored = _corrected(photo, -0.1, 0.0)
     truth = pinhole[90:330, 120:440]
     error = np.abs(restored.linear - truth)[restored.coverage > 0.99]

@@ -1,0 +1,27 @@
+"""A square grid of points on a lens: the rays of a reference picture, unlike those of any tier."""
+
+import math
+
+type Point = tuple[float, float]
+"""(right, down) in the unit disc."""
+
+GOLDEN_RATIO = (1.0 + math.sqrt(5.0)) / 2.0
+
+
+def aperture_grid(across: int) -> tuple[Point, ...]:
+    """The points of an ``across`` by ``across`` grid that lie in the unit disc.
+
+    Their order spreads over the disc at once, so that any beginning of it is a fair sample.
+    Raises `ValueError` for a grid of no points.
+    """
+    if across < 1:
+        raise ValueError(f"aperture_grid: across {across!r}; legal: 1 or more")
+    places = [(2 * index + 1) / across - 1 for index in range(across)]
+    inside = [(x, y) for y in places for x in places if x * x + y * y <= 1.0]
+    stride = _coprime_near(len(inside) / GOLDEN_RATIO, len(inside))
+    return tuple(inside[index * stride % len(inside)] for index in range(len(inside)))
+
+
+def _coprime_near(wanted: float, modulus: int) -> int:
+    candidates = (step for step in range(1, modulus + 1) if math.gcd(step, modulus) == 1)
+    return min(candidates, key=lambda step: abs(step - wanted))
