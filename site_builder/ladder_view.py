@@ -6,8 +6,8 @@ from simulations.engine.ladder import Metric
 from site_builder.book import LadderFigure
 from site_builder.charts import Chart, pareto_chart
 from site_builder.embedding import json_for_html
-from site_builder.measurements import MeasuredLadder, MeasuredTier
-from site_builder.quantities import error_text, milliseconds
+from site_builder.measurements import SIDES, MeasuredLadder, MeasuredTier
+from site_builder.quantities import error_text, milliseconds, quantity
 
 
 @dataclass(frozen=True, slots=True)
@@ -67,7 +67,7 @@ def _metrics(measured: MeasuredLadder) -> tuple[Metric, ...]:
 
 
 def _row(measured: MeasuredLadder, item: MeasuredTier) -> TierRow:
-    winners = [measured.beaten_by(item, side) for side in ("native", "browser")]
+    winners = [measured.beaten_by(item, side) for side in SIDES]
     return TierRow(
         id=item.tier.id,
         label=item.tier.label,
@@ -83,7 +83,7 @@ def _row(measured: MeasuredLadder, item: MeasuredTier) -> TierRow:
 
 def verdict(measured: MeasuredLadder, item: MeasuredTier) -> str:
     """What the numbers say of a tier, in a few words."""
-    native, browser = (measured.beaten_by(item, side) for side in ("native", "browser"))
+    native, browser = (measured.beaten_by(item, side) for side in SIDES)
     if native and browser:
         both = native.tier.id == browser.tier.id
         text = f"beaten by {native.tier.label}"
@@ -92,10 +92,15 @@ def verdict(measured: MeasuredLadder, item: MeasuredTier) -> str:
         return f"beaten by {native.tier.label} in CPython only"
     if browser:
         return f"beaten by {browser.tier.label} in the browser only"
-    on = [side for side in ("native", "browser") if item in measured.front(side)]
-    return {2: "on the front", 0: "close behind the front"}.get(
-        len(on), "on the front in CPython only" if "native" in on else "on the front in the browser"
-    )
+    match [side for side in SIDES if item in measured.front(side)]:
+        case [_, _]:
+            return "on the front"
+        case ["native"]:
+            return "on the front in CPython only"
+        case ["browser"]:
+            return "on the front in the browser only"
+        case _:
+            return "close behind the front"
 
 
 @dataclass(frozen=True, slots=True)
@@ -123,10 +128,9 @@ def summary_row(measured: MeasuredLadder) -> SummaryRow:
         id=measured.ladder.id,
         title=measured.ladder.title,
         tiers=len(measured.tiers),
-        span=f"{max(times) / min(times):.0f}×" if max(times) > 10 * min(times)
-        else f"{max(times) / min(times):.1f}×",
+        span=f"{quantity(max(times) / min(times))}×",
         default=default.tier.label,
         default_ms=milliseconds(default.times["browser"].ms),
         default_error=error if error == "none" else f"{error}\u00a0{unit}",
         beaten=", ".join(beaten) or "none",
-    )  # fmt: skip
+    )

@@ -4,12 +4,12 @@
 
     {"machine": {"processor", "cores", "system", "python", "numpy", "browser", "pyodide"},
      "ladders": {LADDER: {
-        "workload": str,                      as the ladder states it
+        "workload": str,   as the ladder states it
         "metrics": {METRIC: unit},
         "tiers": {TIER: {
-           "errors": {METRIC: number or null},  null: no error that the metric could see
-           "native":  {"ms", "low", "high", "samples"},   median and quartiles
-           "browser": {"ms", "low", "high", "samples"}}}}}}
+           "errors": {METRIC: number or null},   null: no error that the metric could see
+           "native": {"ms", "low", "high", "samples"},    median and quartiles of
+           "browser": {"ms", "low", "high", "samples"}}}}}}    the quietest round
 
 Every number about speed or accuracy in the book comes from here, through this page model. What
 no longer fits the ladders' code is refused when a page asks for it.

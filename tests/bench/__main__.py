@@ -22,8 +22,8 @@ from simulations.registry import LADDER_MODULES, load_ladder
 
 ROOT = Path(__file__).resolve().parents[2]
 DATA = ROOT / "content" / "measurements.json"
-ROUNDS = 3
-BUDGET_S = 0.12
+ROUNDS = 5
+BUDGET_S = 0.08
 """Time for the samples of one tier, on one side, in one round."""
 
 type Meter = Callable[[str, str, float], TierResult]

@@ -1,0 +1,110 @@
+"""Charts of ladders: honest axes, every point named, the front joined, the beaten grey."""
+
+import re
+from itertools import pairwise
+
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+from support.toy_ladder import toy_measurements
+
+from site_builder.axes import linear_axis, log_axis
+from site_builder.charts import pareto_chart
+from site_builder.label_placement import Box, place_labels
+from site_builder.quantities import error_text, quantity
+
+
+@pytest.mark.parametrize(
+    ("value", "text"),
+    [
+        (0.0, "0"), (1234.0, "1200"), (123456.0, "1.2\u202f×\u202f10⁵"), (9.96, "10"),
+        (0.00996, "0.010"), (6.23e-5, "6.2\u202f×\u202f10⁻⁵"), (-3.04, "−3.0"),
+    ],
+)  # fmt: skip
+def test_quantities_have_two_digits(value: float, text: str) -> None:
+    assert quantity(value) == text
+
+
+@given(st.floats(1e-300, 1e300))
+def test_a_quantity_is_within_half_a_unit_of_its_second_digit(value: float) -> None:
+    text = quantity(value).translate(str.maketrans("⁻⁰¹²³⁴⁵⁶⁷⁸⁹", "-0123456789", "\u202f"))
+    shown = float(re.sub(r"×10(?=[-\d])", "e", text))
+    assert shown == pytest.approx(value, rel=0.0501)
+
+
+def test_an_infinite_ratio_is_no_error() -> None:
+    assert (error_text(None, "dB"), error_text(None, "px"), error_text(0.0, "px")) == (
+        "∞", "none", "none",
+    )  # fmt: skip
+
+
+@given(st.lists(st.floats(1e-15, 1e6), min_size=1, max_size=9))
+def test_a_log_axis_holds_every_value_and_keeps_their_order(values: list[float]) -> None:
+    axis = log_axis(values, 50.0, 446.0)
+    places = [axis.position(value) for value in sorted(values)]
+    assert places == sorted(places)
+    assert all(50.0 < place < 446.0 for place in places)
+
+
+@given(st.lists(st.floats(1e-15, 1e6), min_size=1, max_size=9))
+def test_a_log_axis_has_a_readable_number_of_ticks_within_it(values: list[float]) -> None:
+    axis = log_axis(values, 50.0, 446.0)
+    ticks = [axis.position(value) for value, _ in axis.ticks()]
+    assert 2 <= len(ticks) <= 10
+    assert all(50.0 <= place <= 446.0 for place in ticks)
+    assert len({label for _, label in axis.ticks()}) == len(ticks)
+
+
+@given(st.lists(st.floats(-60.0, 120.0), min_size=1, max_size=9))
+def test_a_linear_axis_has_a_readable_number_of_ticks_within_it(values: list[float]) -> None:
+    axis = linear_axis(values, 270.0, 34.0)
+    assert 2 <= len(axis.ticks()) <= 8
+    assert all(34.0 <= axis.position(value) <= 270.0 for value, _ in axis.ticks())
+
+
+def test_a_decade_is_as_long_anywhere_on_a_log_axis() -> None:
+    axis = log_axis([0.01, 100.0], 0.0, 440.0)
+    places = [axis.position(10.0**power) for power in (-2, -1, 0, 1, 2)]
+    assert [b - a for a, b in pairwise(places)] == pytest.approx([100.0] * 4)
+
+
+def test_what_has_no_error_stands_in_a_row_of_its_own() -> None:
+    chart = pareto_chart(toy_measurements().find("toy"))
+    assert chart.error.none is not None
+    smallest = chart.error.position(0.02)
+    assert chart.error.position(0.0) == chart.error.none > smallest + 10.0
+
+
+def test_a_chart_joins_the_front_and_greys_what_is_beaten() -> None:
+    chart = pareto_chart(toy_measurements().find("toy"))
+    native, browser = re.findall(
+        r'<polyline class="image faint(?: dashed)?" points="([^"]*)"', chart.overlay
+    )
+    assert len(native.split()) == len(browser.split()) == 3
+    assert chart.overlay.count('class="muted solid"') == 1
+    assert chart.overlay.count('class="muted hollow"') == 1
+    assert "Clearly beaten: Waste." in chart.description
+
+
+@given(
+    st.lists(
+        st.tuples(st.floats(60, 400), st.floats(40, 260), st.integers(4, 22)),
+        min_size=1,
+        max_size=8,
+    )
+)
+def test_every_point_gets_one_name_inside_the_chart(points: list[tuple[float, float, int]]) -> None:
+    frame = Box(0, 0, 460, 320)
+    items = [("x" * length, Box(x, y, x + 9, y + 9)) for x, y, length in points]
+    labels = place_labels(items, frame)
+    assert [label.text for label in labels] == [name for name, _ in items]
+    for label in labels:
+        assert 0 <= label.x <= 460
+        assert 0 <= label.y <= 320
+
+
+def test_names_of_points_apart_do_not_overlap() -> None:
+    items = [("a long name", Box(100, y, 109, y + 9)) for y in (50, 54, 90)]
+    first, second, third = place_labels(items, Box(0, 0, 460, 320))
+    assert abs(first.y - second.y) >= 12 or abs(first.x - second.x) > 60
+    assert abs(second.y - third.y) >= 12 or abs(second.x - third.x) > 60

@@ -1,0 +1,242 @@
+"""Numbers about speed and accuracy: from the file, never typed, and refused once they are stale."""
+
+import json
+import re
+from collections.abc import Callable
+from dataclasses import replace
+from pathlib import Path
+from typing import Any
+
+import pytest
+from bench.record import close, finite
+from support.html_outline import read_html
+from support.toy_ladder import ERRORS, FILE, timing, toy_data, toy_ladder, toy_measurements
+
+from simulations.registry import LADDER_MODULES, load_ladder
+from site_builder.assets import content_bytes
+from site_builder.build import Options, check_site, render_site
+from site_builder.diagnostics import BuildError, Diagnostics
+from site_builder.ladder_view import verdict
+from site_builder.markdown.measured import LEGAL, measured_text
+from site_builder.measurements import Measurements, read_measurements, unmeasured
+
+ROOT = Path(__file__).resolve().parents[2]
+type Find = Callable[..., list[str]]
+
+
+@pytest.fixture
+def find(make_book: Callable[..., Options]) -> Find:
+    """Diagnostics of a page about the toy ladder."""
+
+    def find(body: str, data: object = None) -> list[str]:
+        text = data if isinstance(data, str) else json.dumps(data or toy_data())
+        options = replace(make_book(body, {FILE: text}), load_ladder=toy_ladder)
+        try:
+            check_site(options)
+        except BuildError as error:
+            return [str(diagnostic) for diagnostic in error.diagnostics]
+        return []
+
+    return find
+
+
+# What the file says of the real ladders
+
+
+@pytest.fixture(scope="module")
+def real() -> Measurements:
+    problems = Diagnostics()
+    found = read_measurements(ROOT, problems)
+    assert not problems, problems.found
+    return found
+
+
+def test_every_registered_ladder_is_measured(real: Measurements) -> None:
+    assert unmeasured(real) == (), "run `make bench`"
+
+
+@pytest.mark.parametrize("ladder_id", LADDER_MODULES)
+def test_the_recorded_errors_are_those_of_the_code(ladder_id: str, real: Measurements) -> None:
+    measured, ladder = real.find(ladder_id), load_ladder(ladder_id)
+    workload = ladder.prepare()
+    reference = ladder.reference(workload)
+    for item in measured.tiers:
+        result = item.tier.run(workload)
+        for metric in ladder.metrics:
+            now = finite(metric.measure(result, reference, workload))
+            then = item.errors[metric.id]
+            assert close(now, then), f"{ladder_id} {item.tier.id} {metric.id}: {now}, was {then}"
+
+
+def test_every_registered_ladder_is_shown_in_the_book() -> None:
+    chapters = "".join(file.read_text(encoding="utf-8") for file in (ROOT / "content").glob("*.md"))
+    shown = set(re.findall(r"^:{3,}\{ladder\} (\S+)", chapters, re.MULTILINE))
+    assert shown == set(LADDER_MODULES)
+
+
+def test_the_file_says_nothing_of_whose_machine_it_was(real: Measurements) -> None:
+    assert set(real.machine) == {
+        "processor", "cores", "system", "python", "numpy", "browser", "pyodide",
+    }  # fmt: skip
+
+
+def test_a_ladder_s_default_is_never_clearly_beaten_where_the_book_runs(
+    real: Measurements,
+) -> None:
+    for measured in real.all():
+        default = measured[measured.ladder.default_tier]
+        winner = measured.beaten_by(default, "browser")
+        assert winner is None, f"{measured.ladder.id}: {winner and winner.tier.id} is better"
+
+
+# The page model
+
+
+def test_a_tier_is_beaten_by_the_quickest_that_is_no_worse() -> None:
+    measured = toy_measurements().find("toy")
+    winners = {i.tier.id: measured.beaten_by(i, "native") for i in measured.tiers}
+    assert {name: winner and winner.tier.id for name, winner in winners.items()} == {
+        "rough": None, "fine": None, "waste": "fine", "exact": None,
+    }  # fmt: skip
+
+
+def test_a_tier_is_not_called_beaten_while_the_quartiles_overlap() -> None:
+    data = toy_data()["ladders"]["toy"]["tiers"]
+    data["waste"]["native"] = timing(2.2)
+    measured = toy_measurements(tiers=data).find("toy")
+    assert measured.beaten_by(measured["waste"], "native") is None
+    assert verdict(measured, measured["waste"]) == "beaten by Fine in the browser only"
+
+
+def test_the_verdict_names_the_winner_even_where_the_loser_is_ours() -> None:
+    measured = toy_measurements().find("toy")
+    assert verdict(measured, measured["waste"]) == "beaten by Fine"
+    assert verdict(measured, measured["exact"]) == "on the front"
+
+
+def test_another_metric_turns_what_is_better() -> None:
+    data = toy_data()["ladders"]["toy"]["tiers"]
+    data["waste"]["errors"]["psnr"] = 55.0
+    measured = toy_measurements(tiers=data).find("toy", "psnr")
+    assert measured.beaten_by(measured["waste"], "native") is None
+    assert [item.tier.id for item in measured.front("native")] == [
+        "rough",
+        "fine",
+        "waste",
+        "exact",
+    ]
+
+
+def test_errors_below_rounding_are_equally_good() -> None:
+    data = toy_data()["ladders"]["toy"]["tiers"]
+    data["fine"]["errors"]["rms"], data["exact"]["errors"]["rms"] = 2e-16, 1e-16
+    measured = toy_measurements(tiers=data).find("toy")
+    winner = measured.beaten_by(measured["exact"], "native")
+    assert winner is not None
+    assert winner.tier.id == "fine"
+
+
+# Diagnostics
+
+
+def test_a_page_in_order_has_no_mistakes(find: Find) -> None:
+    assert (
+        find("{measured}`toy fine native`\n\n:::{ladder} toy\n:::\n\n:::{ladder-table} All\n:::\n")
+        == []
+    )
+
+
+@pytest.mark.parametrize(
+    ("body", "message"),
+    [
+        (":::{ladder}\n:::\n", "{ladder} names no ladder; legal: ':::{ladder} id'"),
+        (":::{ladder} tyo\n:::\n", "unknown ladder 'tyo'; legal: toy"),
+        (":::{ladder} toy\n:metric: mrs\n:::\n", "unknown metric 'mrs' of 'toy'; legal: rms, psnr"),
+        ("{measured}`toy fnie native`\n", "unknown tier of toy 'fnie'; did you mean 'fine'?"),
+        ("{measured}`toy fine natvie`\n", "unknown number of toy 'natvie'; did you mean 'native'?"),
+        (
+            "{measured}`toy fine over exact rms`\n",
+            "rms of 'fine' over 'exact': the second has no error",
+        ),
+        ("{measured}`browsr`\n", "unknown measured thing 'browsr'; did you mean 'browser'?"),
+        ("{measured}`toy fine`\n", f"{{measured}} 'toy fine'; {LEGAL}"),
+        (":::{ladder-table}\n:::\n", "{ladder-table} has no caption; legal: some text after it"),
+        (
+            ":::{ladder-table} All\nMore.\n:::\n",
+            "{ladder-table} has a body; legal: a caption, no more",
+        ),
+    ],
+)  # fmt: skip
+def test_a_mistake_is_reported_at_its_line(find: Find, body: str, message: str) -> None:
+    assert find(body) == [f"content/00-first.md:5: {message}"]
+
+
+@pytest.mark.parametrize(
+    ("entry", "what"),
+    [
+        ({"workload": "two numbers"}, "the workload of ladder 'toy' was two numbers"),
+        ({"metrics": {"rms": "codes", "psnr": "dB"}}, "the metrics of ladder 'toy' was"),
+        ({"tiers": {}}, "the list of tiers of ladder 'toy' was []"),
+    ],
+)
+def test_what_has_changed_since_it_was_measured_is_refused(
+    find: Find, entry: dict[str, Any], what: str
+) -> None:
+    data = toy_data()
+    data["ladders"]["toy"] |= entry
+    (message,) = find(":::{ladder} toy\n:::\n", data)
+    assert message.startswith(f"content/00-first.md:5: {FILE} is out of date: {what}")
+    assert message.endswith("run `make bench LADDER=toy`")
+
+
+def test_a_ladder_without_measurements_is_reported_where_it_is_shown(find: Find) -> None:
+    found = find(":::{ladder} toy\n:::\n", {"machine": {}, "ladders": {}})
+    assert found == [
+        f"content/00-first.md:5: ladder 'toy' is not in {FILE}; run `make bench LADDER=toy`"
+    ]
+
+
+def test_a_malformed_file_is_reported_at_its_line(find: Find) -> None:
+    assert find("Text.\n", '{\n"machine": }') == [
+        f"{FILE}:2: malformed JSON: Expecting value; run `make bench`"
+    ]
+
+
+# Numbers in the text
+
+
+@pytest.mark.parametrize(
+    ("words", "text"),
+    [
+        ("toy fine native", "2.0\u00a0ms"),
+        ("toy exact browser", "27\u00a0ms"),
+        ("toy rough rms", "3.0\u00a0px"),
+        ("toy rough psnr", "27.0\u00a0dB"),
+        ("toy exact rms", "none"),
+        ("toy exact over fine native", "4.5"),
+        ("ladders", "1"),
+        ("tiers", "4"),
+        ("beaten", "1"),
+        ("processor", "abacus"),
+    ],
+)
+def test_a_measured_number_is_written_for_reading(words: str, text: str) -> None:
+    assert measured_text(words, toy_measurements()) == text
+
+
+def test_a_ladder_s_page_is_complete_without_scripts(make_book: Callable[..., Options]) -> None:
+    body = (
+        ":::{ladder-table} All\n:::\n\n:::{ladder} toy\nSee it.\n:::\n\n"
+        ":::{ladder} toy\n:metric: psnr\n:::\n"
+    )
+    options = make_book(body, {FILE: json.dumps(toy_data())})
+    site = render_site(replace(options, load_ladder=toy_ladder))
+    markup = content_bytes(site["first/index.html"])
+    page = read_html(markup)
+    rows = [e.attributes["data-tier"] for e in page.elements if "data-tier" in e.attributes]
+    assert rows == [*ERRORS] * 2
+    text = markup.decode()
+    assert 'id="ladder-toy-2"' in text
+    assert 'href="#ladder-toy"' in text
+    assert "Netscape 4" in text
+    assert "beaten by Fine" in text
