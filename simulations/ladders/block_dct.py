@@ -32,24 +32,23 @@ def prepare() -> Floats:
 
 def reference(blocks: Floats) -> Floats:
     """The double sum of the standard, in extended precision, with cosines from nested roots."""
-    cosines = _cosines()
+    cosine = cosines()
     n = np.arange(BLOCK)
-    basis = np.stack([cosines[(2 * n + 1) * k % (4 * BLOCK)] for k in range(BLOCK)])
+    basis = np.stack([cosine[(2 * n + 1) * k % (4 * BLOCK)] for k in range(BLOCK)])
     basis = basis / 2
-    basis[0] = basis[0] * cosines[4]
+    basis[0] = basis[0] * cosine[4]
     wide = blocks.astype(np.longdouble)
     rows = (basis[:, :, None] * wide[:, None, :, :]).sum(axis=2)
     both: Floats = (rows[:, :, None, :] * basis).sum(axis=3)
     return both
 
 
-def _cosines() -> Floats:
+def cosines() -> Floats:
     """cos(πj/16) for j = 0…31, by halving angles: cos(a/2) = √((1 + cos a)/2)."""
     quadrant = np.zeros(9, np.longdouble)
     quadrant[0] = 1
     for step in (8, 4, 2):
         for j in range(step // 2, 8, step):
-            # cos a cos b = (cos(a+b) + cos(a−b))/2 with a + b = 2j steps, a − b = 0.
             quadrant[j] = _root((1 + _extend(quadrant, 2 * j)) / 2)
     return np.array([_extend(quadrant, j) for j in range(32)])
 

@@ -134,7 +134,7 @@ LADDER = Ladder(
         Tier("paced-nlerp", "Straight line, paced", "1 norm, 2 polynomials", paced_nlerp),
         Tier(
             "slerp-threshold",
-            "Great circle, straight below 3.6°",
+            "Great circle, threshold",
             "2 sines, 1 arccosine, 1 norm",
             threshold_slerp,
         ),
