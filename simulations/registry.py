@@ -19,6 +19,7 @@ SCENE_MODULES = {
     "wagon-wheel": "simulations.scenes.wagon_wheel",
     "phong": "simulations.scenes.phong",
     "sensor-noise": "simulations.scenes.sensor_noise",
+    "depth-of-field": "simulations.scenes.depth_of_field",
 }
 
 LADDER_MODULES = {

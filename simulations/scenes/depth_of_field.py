@@ -1,0 +1,224 @@
+"""The thin lens: one distance is sharp, and the still life shows what becomes of the others.
+
+The picture uses the stages of the camera simulator up to the blur, without its sensor, so that
+nothing but the lens can soften it.
+"""
+
+import math
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from simulations.engine.controls import Slider, Values
+from simulations.engine.drawing import text
+from simulations.engine.frame import Frame, Panel, Readout, format_number
+from simulations.engine.pipeline import Stage, StageCache, run
+from simulations.engine.raster import to_rgba8
+from simulations.engine.scene import Scene
+from simulations.models import optics
+from simulations.models.color import encode_srgb_table
+from simulations.models.depth_of_field import Planes
+from simulations.pictures.still_life import THINGS, WALL_DISTANCE, thing_depth
+from simulations.scenes import camera_stages
+from simulations.scenes import depth_of_field_drawing as drawing
+
+NEAR_M, FAR_M = thing_depth(THINGS[0]), WALL_DISTANCE
+"""The red ball in front and the wall behind: the two ends of the still life."""
+FIXED = {"k1": 0.0, "light_angle": 40.0, "reduction": 1, "lens_rays": 0}
+"""Parameters of the camera's stages that this figure does not offer: a straight lens, a ray for
+each pixel, blur by layers."""
+LARGEST_DRAWN_PX = 48.0
+"""Wider discs leave nothing to recognise, and take seconds to draw: the picture stops here."""
+UNLIT = np.full((camera_stages.ROWS, camera_stages.COLUMNS), 0.35)
+"""What stands for a picture where the lens forms none."""
+
+CONTROLS = (
+    Slider(
+        name="focal_length",
+        label="Focal length",
+        default=50,
+        minimum=24,
+        maximum=135,
+        step=1,
+        unit="mm",
+    ),
+    Slider(
+        name="aperture",
+        label="Aperture",
+        default=1.4,
+        minimum=1.4,
+        maximum=22,
+        step=0.1,
+        prefix="f/",
+    ),
+    Slider(
+        name="focus",
+        label="Focus distance",
+        default=3.2,
+        minimum=0.05,
+        maximum=10,
+        step=0.05,
+        unit="m",
+    ),
+)
+
+
+def _encode(light: Planes) -> NDArray[np.uint8]:
+    return to_rgba8(encode_srgb_table(light.transpose(1, 2, 0)))
+
+
+CAMERA = {stage.name: stage for stage in camera_stages.STAGES}
+STAGES = (
+    *(
+        CAMERA[name]
+        for name in (
+            "pinhole rays",
+            "lens distortion",
+            "surfaces",
+            "light",
+            "defocus",
+            "overlay",
+        )
+    ),
+    Stage("encoded", (), _encode, ("overlay",)),
+)
+
+
+@dataclass(frozen=True, slots=True)
+class Sharpness:
+    """What the lens makes of the still life at one setting; lengths in millimetres."""
+
+    aperture_mm: float
+    """Diameter of the opening."""
+    image_mm: float
+    """From the lens to the sensor."""
+    near_blur_mm: float
+    """Disc of the red ball on the sensor."""
+    far_blur_mm: float
+    """Disc of the wall."""
+    near_limit_m: float
+    """Nearest distance whose disc is at most a pixel."""
+    far_limit_m: float
+    """Farthest; ∞ from the hyperfocal distance on."""
+
+
+def sharpness(focal_mm: float, f_number: float, focus_m: float) -> Sharpness:
+    """Raises ValueError for a focus at the focal length or nearer, which has no real image."""
+    focus_mm = 1000 * focus_m
+    blur = optics.circle_of_confusion_mm(
+        focal_mm, f_number, focus_mm, np.array([1000 * NEAR_M, 1000 * FAR_M])
+    )
+    limits = optics.depth_of_field(focal_mm, f_number, focus_mm, camera_stages.PITCH_MM)
+    return Sharpness(
+        focal_mm / f_number,
+        float(optics.thin_lens_image_distance(focal_mm, focus_mm)),
+        float(blur[0]),
+        float(blur[1]),
+        limits[0] / 1000,
+        limits[1] / 1000,
+    )
+
+
+def drawn_focus_m(focal_mm: float, f_number: float, focus_m: float) -> float:
+    """The focus, or the nearest one at which the wall's disc is not over `LARGEST_DRAWN_PX`.
+
+    Solves ``A f (1/s - 1/Z) / (1 - f/s) = c`` for the focus s, with Z the wall.
+    """
+    largest_mm = LARGEST_DRAWN_PX * camera_stages.PITCH_MM
+    per_mm = largest_mm * f_number / focal_mm**2
+    nearest_mm = (1 + per_mm * focal_mm) / (per_mm + 1 / (1000 * FAR_M))
+    return max(focus_m, nearest_mm / 1000)
+
+
+def render(values: Values, tier: str, cache: StageCache) -> Frame:  # noqa: ARG001 - no tiers
+    focal, f_number = values.number("focal_length"), values.number("aperture")
+    focus = values.number("focus")
+    hyperfocal_m = optics.hyperfocal(focal, f_number, camera_stages.PITCH_MM) / 1000
+    if 1000 * focus <= focal:
+        return _refuse(values, hyperfocal_m)
+    sharp = sharpness(focal, f_number, focus)
+    drawn_m = drawn_focus_m(focal, f_number, focus)
+    done = run(STAGES, Values({**values, "focus": drawn_m}), cache, FIXED)
+    lens = drawing.Lens(
+        aperture_mm=sharp.aperture_mm,
+        focus_m=focus,
+        near=drawing.Blurred("red ball", NEAR_M, sharp.near_blur_mm),
+        far=drawing.Blurred("wall", FAR_M, sharp.far_blur_mm),
+        sharp_m=(sharp.near_limit_m, sharp.far_limit_m),
+    )
+    texts = (
+        format_number(sharp.image_mm, 2),
+        format_number(sharp.near_blur_mm, 3),
+        format_number(sharp.near_blur_mm / camera_stages.PITCH_MM, 1),
+        format_number(sharp.far_blur_mm, 3),
+        format_number(sharp.far_blur_mm / camera_stages.PITCH_MM, 1),
+        format_number(sharp.near_limit_m, 2),
+        format_number(sharp.far_limit_m, 2),
+        format_number(hyperfocal_m, 2),
+    )
+    capped = f"discs drawn up to {LARGEST_DRAWN_PX:.0f} px only" if drawn_m > focus else ""
+    note = text((drawing.WIDTH / 2, drawing.HEIGHT - 12), capped, "halo", "middle")
+    panels = _panels(drawing.lens_diagram(lens), done.outputs["encoded"], note if capped else "")
+    return Frame(panels, _readouts(texts), describe(values, sharp), done.reports)
+
+
+def _panels(diagram: str, picture: NDArray[np.uint8], note: str) -> tuple[Panel, Panel]:
+    width, height = drawing.WIDTH, drawing.HEIGHT
+    return (
+        Panel("lens", "The cones of light, schematic", width, height, overlay=diagram),
+        Panel("picture", "The picture", width, height, picture, note),
+    )
+
+
+def _readouts(texts: tuple[str, ...]) -> tuple[Readout, ...]:
+    names = (
+        ("sensor", "Lens to sensor", "mm", "camera"),
+        ("near_mm", "Disc of the ball", "mm", "world"),
+        ("near_px", "Disc of the ball", "px", "world"),
+        ("far_mm", "Disc of the wall", "mm", "light"),
+        ("far_px", "Disc of the wall", "px", "light"),
+        ("near_limit", "Sharp from", "m", "ray"),
+        ("far_limit", "Sharp to", "m", "ray"),
+        ("hyperfocal", "Hyperfocal distance", "m", ""),
+    )
+    return tuple(
+        Readout(name, label, shown, unit, role)
+        for (name, label, unit, role), shown in zip(names, texts, strict=True)
+    )
+
+
+def _refuse(values: Values, hyperfocal_m: float) -> Frame:
+    """The frame for a focus at the focal length or nearer."""
+    focal, focus = values.number("focal_length"), values.number("focus")
+    reason = (
+        f"No picture: an object at {1000 * focus:.0f} mm lies "
+        f"{'at' if 1000 * focus == focal else 'inside'} the focal length of {focal:.0f} mm."
+    )
+    note = text((drawing.WIDTH / 2, drawing.HEIGHT / 2), "no real image", "strong halo", "middle")
+    texts = (*("—",) * 7, format_number(hyperfocal_m, 2))
+    panels = _panels(drawing.virtual_diagram(focus, focal / 1000), to_rgba8(UNLIT), note)
+    description = f"{reason} Its light leaves the lens spreading, and no sensor can catch an image."
+    return Frame(panels, _readouts(texts), description)
+
+
+def describe(values: Values, sharp: Sharpness) -> str:
+    """The picture in one sentence."""
+    reach = (
+        f"from {format_number(sharp.near_limit_m, 2)} m onwards"
+        if math.isinf(sharp.far_limit_m)
+        else f"from {format_number(sharp.near_limit_m, 2)} to "
+        f"{format_number(sharp.far_limit_m, 2)} m"
+    )
+    near, far = (
+        format_number(blur / camera_stages.PITCH_MM, 1)
+        for blur in (sharp.near_blur_mm, sharp.far_blur_mm)
+    )
+    return (
+        f"A {values.number('focal_length'):.0f} mm lens at f/{values.number('aperture'):.1f} is "
+        f"focused at {values.number('focus'):.2f} m and sharp {reach}; points of the red ball "
+        f"spread to discs of {near} pixels, those of the wall to {far}."
+    )
+
+
+SCENE = Scene(id="depth-of-field", title="Depth of Field", controls=CONTROLS, render=render)
