@@ -27,7 +27,7 @@ TABLE = ExtremeTable(
             id="no-turn",
             call="exponential([0.0, 0.0, 0.0])",
             why="sin θ/θ at θ = 0.",
-            returns="The identity, exactly. Written with sinc the quotient has no hole.",
+            returns="The identity, exactly: where nothing turns, no axis is needed.",
             expected=exactly(np.eye(3)),
             naive="np.sin(0.0) / np.float64(0.0)",
             library=LibraryAnswer(
@@ -71,6 +71,16 @@ TABLE = ExtremeTable(
             why="A million turns are none, but 2π itself is rounded.",
             returns="The identity to nine digits; only the rounding of the angle is left.",
             expected=near(np.eye(3), 1e-8),
+        ),
+        ExtremeCase(
+            id="absurdly-many-turns",
+            call="np.linalg.norm(exponential([1e17, 0.0, 0.0])[1])",
+            why="The angle is rounded by dozens of turns. Sine and cosine of two differently "
+            "rounded angles belong to no rotation.",
+            returns="1: both come from one half angle. Only the angle is lost.",
+            expected=near(1.0, 1e-14),
+            naive="np.hypot(1 - 5e33 * np.sinc(1e17 / (2 * np.pi)) ** 2, "
+            "1e17 * np.sinc(1e17 / np.pi))",
         ),
         ExtremeCase(
             id="infinite-turn",

@@ -18,6 +18,9 @@ from simulations.models.transforms import Floats, affine, apply_homography, simi
 DEGENERATE = 1e-9
 """Singular values below this share of the largest count as zero."""
 
+LARGEST, SMALLEST = 1e100, 1e-100
+"""Range of coordinates and of distances within which no product overflows or vanishes."""
+
 type Estimate = tuple[Floats, bool]
 
 
@@ -41,6 +44,7 @@ def estimate_homography(source: ArrayLike, target: ArrayLike) -> Estimate:
     if sizes[7] <= DEGENERATE * sizes[0] or is_singular(H_normalised):
         return _undetermined()
     H = np.linalg.solve(T_after, H_normalised @ T_before)
+    H = H / np.abs(H).max()
     w = before @ H[2, :2] + H[2, 2]
     H = H * math.copysign(1.0 / float(np.linalg.norm(H)), float(w.sum()))
     visible = bool((before @ H[2, :2] + H[2, 2] > 0.0).all())
@@ -99,7 +103,7 @@ def _procrustes(source: ArrayLike, target: ArrayLike, *, scaled: bool) -> Estima
     cross = float((a[:, 0] * b[:, 1] - a[:, 1] * b[:, 0]).sum())
     spread, spread_after = float((a * a).sum()), float((b * b).sum())
     overlap = math.hypot(dot, cross)
-    if not overlap > DEGENERATE * math.sqrt(spread * spread_after):
+    if not overlap > DEGENERATE * math.sqrt(spread) * math.sqrt(spread_after):
         return _undetermined()
     scale = overlap / spread if scaled else 1.0
     H = similarity(scale, math.atan2(cross, dot), 0.0, 0.0)
@@ -109,11 +113,11 @@ def _procrustes(source: ArrayLike, target: ArrayLike, *, scaled: bool) -> Estima
 def normalisation(points: Floats) -> Floats | None:
     """The similarity that moves the centroid to 0 and the mean distance from it to √2.
 
-    None where the points coincide, to rounding.
+    None where the points coincide, to rounding or within `SMALLEST`.
     """
     centre = points.mean(axis=0)
     distance = float(np.hypot(*(points - centre).T).mean())
-    if not distance > 1e-12 * float(np.abs(points).max()):
+    if not distance > max(1e-12 * float(np.abs(points).max()), SMALLEST):
         return None
     scale = math.sqrt(2.0) / distance
     return similarity(scale, 0.0, *(-scale * centre))
@@ -130,8 +134,8 @@ def _pairs(source: ArrayLike, target: ArrayLike) -> tuple[Floats, Floats]:
         raise ValueError(
             f"source {before.shape} and target {after.shape}; legal: both (N, 2), N at least 1"
         )
-    if not (np.isfinite(before).all() and np.isfinite(after).all()):
-        raise ValueError("source and target; legal: finite coordinates")
+    if not (np.all(np.abs(before) <= LARGEST) and np.all(np.abs(after) <= LARGEST)):
+        raise ValueError(f"source and target; legal: finite, at most {LARGEST:g} in size")
     return before, after
 
 

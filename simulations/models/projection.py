@@ -88,9 +88,12 @@ def project_homogeneous(points: ArrayLike, camera_matrix: ArrayLike) -> tuple[Fl
     Returns
     -------
     pixels : (..., 2), NaN where invalid.
-    valid : (...,) bool, False on and behind the camera plane and for (0, 0, 0, 0).
+    valid : (...,) bool, False on and behind the camera plane, for (0, 0, 0, 0), and where a
+        coordinate is not finite: a point at infinity is one with W = 0.
     """
     homogeneous = np.asarray(points, float)
+    finite = np.isfinite(homogeneous).all(axis=-1, keepdims=True)
+    homogeneous = np.where(finite, homogeneous, 0.0)
     largest = np.abs(homogeneous).max(axis=-1, keepdims=True)
     scaled = homogeneous / np.where(largest > 0.0, largest, 1.0)  # products cannot overflow
     oriented = np.where(scaled[..., 3:] < 0.0, -scaled, scaled)
@@ -116,24 +119,41 @@ def look_at(eye: ArrayLike, target: ArrayLike, up: ArrayLike) -> Floats:
     Raises
     ------
     ValueError
-        If eye and target coincide, or up is parallel to the line of sight.
+        If eye and target coincide, up is parallel to the line of sight or no direction at all,
+        or a number is not finite.
     """
     centre = np.asarray(eye, float)
-    forward = np.asarray(target, float) - centre
-    distance = float(np.linalg.norm(forward))
+    with np.errstate(over="ignore", invalid="ignore"):
+        distance, forward = _length_and_direction(np.asarray(target, float) - centre)
     if not 0.0 < distance < math.inf:
         raise ValueError(
             f"target: {target!r} is {distance} from eye {eye!r}; legal: positive, finite"
         )
-    forward = forward / distance
-    upward = np.asarray(up, float)
-    right = np.cross(forward, upward)
-    sine = float(np.linalg.norm(right))
-    if not sine > 1e-9 * float(np.linalg.norm(upward)):
+    height, upward = _length_and_direction(np.asarray(up, float))
+    if not 0.0 < height < math.inf:
+        raise ValueError(f"up: {up!r}; legal: finite, not zero")
+    sine, right = _length_and_direction(np.cross(forward, upward))
+    if not sine > 1e-9:
         raise ValueError(f"up: {up!r} is parallel to the line of sight {forward.tolist()}")
-    right = right / sine
     R = np.stack([right, np.cross(forward, right), forward])
-    return rigid_pose(R, -R @ centre)
+    with np.errstate(over="ignore", invalid="ignore"):
+        t = -R @ centre
+    if not np.isfinite(t).all():
+        raise ValueError(f"eye: {eye!r}; legal: nearer to the origin than the largest number")
+    return rigid_pose(R, t)
+
+
+def _length_and_direction(vector: Floats) -> tuple[float, Floats]:
+    """Length and unit vector; the largest entry is divided out, so that no square overflows.
+
+    What is zero or not finite has itself as its direction, and 0, ∞ or NaN as its length.
+    """
+    largest = float(np.abs(vector).max())
+    if not 0.0 < largest < math.inf:
+        return largest, vector
+    scaled = vector / largest
+    norm = float(np.linalg.norm(scaled))
+    return largest * norm, scaled / norm
 
 
 def rigid_pose(R: ArrayLike, t: ArrayLike) -> Floats:

@@ -58,17 +58,28 @@ def rotate(quaternion: ArrayLike, vectors: ArrayLike) -> Floats:
     return turned
 
 
-def from_rotation_vector(rotation_vector: ArrayLike) -> Floats:
-    """Axis times angle in radians (..., 3) to unit quaternions (..., 4).
+def angle_and_axis(rotation_vector: ArrayLike) -> tuple[Floats, Floats]:
+    """Angles (..., 1) and unit axes (..., 3) of rotation vectors; no turn has the axis 0.
 
-    sin(θ/2)/θ is written with sinc, which is exact at θ = 0: no threshold is needed.
+    Raises `ValueError` where the angle is not a finite number.
     """
     v = np.asarray(rotation_vector, float)
-    if not np.isfinite(v).all():
+    largest = np.abs(v).max(axis=-1, keepdims=True)
+    if not np.isfinite(largest).all():
         raise ValueError(f"rotation_vector: {v.tolist()}; legal: finite")
-    angle = np.linalg.norm(v, axis=-1, keepdims=True)
-    half_sinc = 0.5 * np.sinc(angle / (2.0 * np.pi))
-    return normalise(np.concatenate([np.cos(angle / 2.0), half_sinc * v], axis=-1))
+    scaled = v / np.where(largest > 0.0, largest, 1.0)
+    norm = np.linalg.norm(scaled, axis=-1, keepdims=True)
+    with np.errstate(over="ignore"):
+        angle = largest * norm
+    if not np.isfinite(angle).all():
+        raise ValueError(f"rotation_vector: {v.tolist()}; legal: of finite length")
+    return angle, scaled / np.where(norm > 0.0, norm, 1.0)
+
+
+def from_rotation_vector(rotation_vector: ArrayLike) -> Floats:
+    """Axis times angle in radians (..., 3) to unit quaternions (..., 4)."""
+    angle, axis = angle_and_axis(rotation_vector)
+    return np.concatenate([np.cos(0.5 * angle), np.sin(0.5 * angle) * axis], axis=-1)
 
 
 def to_rotation_vector(quaternion: ArrayLike) -> Floats:

@@ -14,6 +14,9 @@ type Floats = NDArray[np.float64]
 ORTHOGONAL = 1e-6
 """Largest entry of RᵀR − I that still passes for rounding."""
 
+LARGEST_SHARE = 1e6
+"""How far an interpolation may go on past its ends: beyond, rounding is all that is left."""
+
 
 def cross_matrix(vector: ArrayLike) -> Floats:
     """[v]ₓ, (..., 3, 3): the matrix for which [v]ₓ p = v × p."""
@@ -26,29 +29,38 @@ def cross_matrix(vector: ArrayLike) -> Floats:
 def exponential(rotation_vector: ArrayLike) -> Floats:
     """Rodrigues' formula: axis times angle (..., 3) to rotation matrices (..., 3, 3).
 
-    R = I + sin θ/θ [v]ₓ + (1 − cos θ)/θ² [v]ₓ², with both quotients written as sinc, which has
-    no singularity at θ = 0. Any finite angle is legal; beyond 2π it wraps, and past about 1e8
-    the rounding of θ itself is what limits the result.
+    R = I + sin θ [n]ₓ + (1 − cos θ) [n]ₓ² with v = θ n; at θ = 0 no axis is needed. Any finite
+    angle is legal; beyond 2π it wraps, and past about 1e8 the rounding of θ itself is what
+    limits the result, which is a rotation all the same.
     """
-    v = np.asarray(rotation_vector, float)
-    if not np.isfinite(v).all():
-        raise ValueError(f"rotation_vector: {v.tolist()}; legal: finite")
-    angle = np.linalg.norm(v, axis=-1)[..., None, None]
-    K = cross_matrix(v)
-    sine, versine = np.sinc(angle / np.pi), 0.5 * np.sinc(angle / (2.0 * np.pi)) ** 2
+    angle, axis = quaternions.angle_and_axis(rotation_vector)
+    return _turn(axis, angle[..., 0])
+
+
+def _turn(axis: Floats, angle_rad: Floats) -> Floats:
+    """The rotation about a unit axis (..., 3).
+
+    Sine and 1 − cosine are taken of one and the same half angle, so that rounding of the angle,
+    however large, cannot make them disagree: R stays orthogonal. And 2 sin²(θ/2) does not cancel
+    near θ = 0, where 1 − cos θ does.
+    """
+    half = 0.5 * angle_rad[..., None, None]
+    sine, versine = 2.0 * np.sin(half) * np.cos(half), 2.0 * np.sin(half) ** 2
+    K = cross_matrix(axis)
     R: Floats = np.eye(3) + sine * K + versine * (K @ K)
     return R
 
 
 def from_axis_angle(axis: ArrayLike, angle_rad: ArrayLike) -> Floats:
-    """The turn by ``angle_rad`` (...) about ``axis`` (..., 3) of any length but zero."""
-    direction = np.asarray(axis, float)
+    """The turn by ``angle_rad`` (...), finite, about ``axis`` (..., 3) of any length but zero."""
+    direction, angle = np.asarray(axis, float), np.asarray(angle_rad, float)
     largest = np.abs(direction).max(axis=-1, keepdims=True)
     if not ((largest > 0.0) & np.isfinite(largest)).all():
         raise ValueError(f"axis: {direction.tolist()}; legal: finite and not zero")
+    if not np.isfinite(angle).all():
+        raise ValueError(f"angle_rad: {angle.tolist()}; legal: finite")
     scaled = direction / largest
-    unit = scaled / np.linalg.norm(scaled, axis=-1, keepdims=True)
-    return exponential(unit * np.asarray(angle_rad, float)[..., None])
+    return _turn(scaled / np.linalg.norm(scaled, axis=-1, keepdims=True), angle)
 
 
 def logarithm(R: ArrayLike) -> Floats:
@@ -69,7 +81,8 @@ def check_rotation(R: ArrayLike) -> Floats:
     matrix = np.asarray(R, float)
     if matrix.shape[-2:] != (3, 3):
         raise ValueError(f"R: shape {matrix.shape}; legal: (..., 3, 3)")
-    drift = np.abs(np.swapaxes(matrix, -1, -2) @ matrix - np.eye(3)).max()
+    with np.errstate(over="ignore", invalid="ignore"):
+        drift = np.abs(np.swapaxes(matrix, -1, -2) @ matrix - np.eye(3)).max()
     if not drift <= ORTHOGONAL:
         raise ValueError(f"R: RᵀR differs from I by {drift:.2g}; legal: at most {ORTHOGONAL}")
     if not (np.linalg.det(matrix) > 0.0).all():
@@ -86,7 +99,7 @@ def nearest_rotation(matrix: ArrayLike) -> Floats:
     M = np.asarray(matrix, float)
     if M.shape != (3, 3) or not np.isfinite(M).all():
         raise ValueError(f"matrix: {M.tolist()}; legal: (3, 3), finite")
-    U, sizes, Vt = np.linalg.svd(M)
+    U, sizes, Vt = np.linalg.svd(M / max(float(np.abs(M).max()), np.finfo(float).tiny))
     handedness = 1.0 if np.linalg.det(U @ Vt) > 0.0 else -1.0
     if not sizes[1] + handedness * sizes[2] > 1e-12 * sizes[0]:
         raise ValueError(f"matrix: singular values {sizes.tolist()}; no single nearest rotation")
@@ -99,10 +112,10 @@ def slerp(start: ArrayLike, end: ArrayLike, share: ArrayLike) -> Floats:
 
     Takes the shorter way, since q and −q are the same rotation. Orientations half a turn apart
     have two ways of equal length; the quaternions' own signs then decide. ``share`` (...) runs
-    from 0 to 1; other values go on along the same great circle.
+    from 0 to 1; other values, up to `LARGEST_SHARE`, go on along the same great circle.
     """
     q0, q1 = _shorter_way(start, end)
-    s = np.asarray(share, float)[..., None]
+    s = _share(share)
     apart = np.linalg.norm(q1 - q0, axis=-1, keepdims=True)
     together = np.linalg.norm(q1 + q0, axis=-1, keepdims=True)
     angle = 2.0 * np.arctan2(apart, together)  # accurate where acos(q0 · q1) is not
@@ -116,8 +129,15 @@ def slerp(start: ArrayLike, end: ArrayLike, share: ArrayLike) -> Floats:
 def nlerp(start: ArrayLike, end: ArrayLike, share: ArrayLike) -> Floats:
     """Normalised linear interpolation: slerp's path at an uneven speed, without sines."""
     q0, q1 = _shorter_way(start, end)
-    s = np.asarray(share, float)[..., None]
+    s = _share(share)
     return quaternions.normalise((1.0 - s) * q0 + s * q1)
+
+
+def _share(share: ArrayLike) -> Floats:
+    s = np.asarray(share, float)[..., None]
+    if not np.all(np.abs(s) <= LARGEST_SHARE):
+        raise ValueError(f"share: {s[..., 0].tolist()}; legal: at most {LARGEST_SHARE:g} in size")
+    return s
 
 
 def _shorter_way(start: ArrayLike, end: ArrayLike) -> tuple[Floats, Floats]:

@@ -19,6 +19,9 @@ from numpy.typing import ArrayLike, NDArray
 type Floats = NDArray[np.float64]
 type Mask = NDArray[np.bool_]
 
+CLIP_RANGE = 1e150
+"""Largest coordinate that can be clipped: beyond, differences and products would overflow."""
+
 W_MINIMUM = 1e-12
 """Smallest w, relative to the terms it is the sum of, that still divides meaningfully."""
 
@@ -83,19 +86,28 @@ def apply_homography(H: ArrayLike, points: ArrayLike) -> tuple[Floats, Mask]:
     -------
     images : (..., 2), NaN where invalid.
     valid : (...,) bool, False on the line that is sent to infinity and beyond it, where
-        w ≤ W_MINIMUM · (|h₃₁ x| + |h₃₂ y| + |h₃₃|): there w is rounding or negative.
+        w ≤ W_MINIMUM · (|h₃₁ x| + |h₃₂ y| + |h₃₃|): there w is rounding or negative. False
+        also where an entry of H or of the point is not finite, or the image is too far off.
     """
-    matrix = np.asarray(H, float)
+    matrix = _scaled(H)
     xy = np.asarray(points, float)
     finite = np.isfinite(xy).all(axis=-1)
     xy = np.where(finite[..., None], xy, 0.0)
-    w, size = _divisor(matrix, xy)
-    valid = finite & (w > W_MINIMUM * size)
     with np.errstate(over="ignore", invalid="ignore"):
+        w, size = _divisor(matrix, xy)
+        valid = finite & (w > W_MINIMUM * size)
         numerator = xy @ matrix[:2, :2].T + matrix[:2, 2]
         images = numerator / np.where(valid, w, 1.0)[..., None]
     valid &= np.isfinite(images).all(axis=-1)
     return np.where(valid[..., None], images, np.nan), valid
+
+
+def _scaled(H: ArrayLike) -> Floats:
+    """H with entries below 1: the same map. A power of two is divided out, without rounding."""
+    matrix = np.asarray(H, float)
+    _, exponent = np.frexp(np.abs(matrix).max())
+    scaled: Floats = np.ldexp(matrix, -int(exponent))
+    return scaled
 
 
 def _divisor(H: Floats, xy: Floats) -> tuple[Floats, Floats]:
@@ -109,9 +121,10 @@ def clip_half_plane(polygon: ArrayLike, line: ArrayLike, closed: bool = True) ->
 
     One pass of Sutherland–Hodgman, exact for convex polygons. With ``closed`` False the points
     are a polyline: its end does not join its start. Returns (M, 2), M = 0 where nothing is left.
+    Raises `ValueError` for coordinates and coefficients that are not within `CLIP_RANGE`.
     """
-    vertices = np.asarray(polygon, float).reshape(-1, 2)
-    coefficients = np.asarray(line, float)
+    vertices = _in_range("polygon", np.asarray(polygon, float).reshape(-1, 2))
+    coefficients = _in_range("line", np.asarray(line, float))
     side = vertices @ coefficients[:2] + coefficients[2]
     kept: list[Floats] = []
     for i in range(len(vertices)):
@@ -137,9 +150,17 @@ def clip_to_visible(
     """
     if not W_MINIMUM < w_minimum < 1.0:
         raise ValueError(f"w_minimum: {w_minimum}; legal: {W_MINIMUM} to 1")
-    matrix = np.asarray(H, float)
-    vertices = np.asarray(polygon, float).reshape(-1, 2)
+    matrix = _in_range("H", _scaled(H))
+    vertices = _in_range("polygon", np.asarray(polygon, float).reshape(-1, 2))
     if not len(vertices):
         return vertices
     near = w_minimum * float(_divisor(matrix, vertices)[1].max())
     return clip_half_plane(vertices, matrix[2] - [0.0, 0.0, near], closed)
+
+
+def _in_range(name: str, values: Floats) -> Floats:
+    if not np.all(np.abs(values) <= CLIP_RANGE):
+        raise ValueError(
+            f"{name}: {values.tolist()}; legal: finite, at most {CLIP_RANGE:g} in size"
+        )
+    return values

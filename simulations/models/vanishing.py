@@ -21,9 +21,9 @@ def vanishing_point(direction_camera: ArrayLike, K: ArrayLike) -> tuple[Floats, 
     -------
     pixels : (..., 2), NaN where invalid.
     valid : (...,) bool, False for lines parallel to the image plane, which stay parallel in the
-        picture, and for the zero vector.
+        picture, for the zero vector, and where a component is not finite.
     """
-    image = np.asarray(direction_camera, float) @ np.asarray(K, float).T
+    image = _scaled(direction_camera) @ np.asarray(K, float).T
     with np.errstate(divide="ignore", invalid="ignore", over="ignore"):
         pixels = image[..., :2] / image[..., 2:]
     valid = np.isfinite(pixels).all(axis=-1)
@@ -41,10 +41,19 @@ def horizon(normal_camera: ArrayLike, K: ArrayLike) -> tuple[Floats, bool]:
     Returns
     -------
     line : (3,) scaled to a² + b² = 1, so that a x + b y + c is a distance in pixels.
-    valid : False for a plane parallel to the image, whose horizon is at infinity.
+    valid : False for a plane parallel to the image, whose horizon is at infinity, and for a
+        normal that is zero or not finite.
     """
-    line = np.linalg.solve(np.asarray(K, float).T, np.asarray(normal_camera, float))
+    line = np.linalg.solve(np.asarray(K, float).T, _scaled(normal_camera))
     length = float(np.hypot(line[0], line[1]))
     if not length > 1e-12 * float(np.abs(line).max()):
         return np.full(3, np.nan), False
     return line / length, True
+
+
+def _scaled(directions: ArrayLike) -> Floats:
+    """Directions (..., 3) by their largest component, lest products overflow; else zero."""
+    vectors = np.asarray(directions, float)
+    largest = np.abs(vectors).max(axis=-1, keepdims=True)
+    usable = (largest > 0.0) & np.isfinite(largest)
+    return np.where(usable, vectors, 0.0) / np.where(usable, largest, 1.0)
