@@ -8,8 +8,9 @@ from numpy.typing import ArrayLike, NDArray
 
 from simulations.engine.pipeline import Stage
 from simulations.engine.raster import to_rgba8
+from simulations.models import prefilters
 from simulations.models.color import encode_srgb
-from simulations.models.prefilters import Prefilter, filtered_wave, prefilter
+from simulations.models.prefilters import Prefilter, filtered_wave
 
 type Floats = NDArray[np.float64]
 
@@ -78,17 +79,10 @@ def pattern_of(kind: str, frequency: float, phase_deg: float) -> Pattern:
     return Pattern(kind, frequency, phase_rad, 160, 120, first=-79.5, start=160 - SHOWN)
 
 
-def _picture(
-    pattern: str, frequency: float, phase: float, prefilter_kind: str
-) -> NDArray[np.uint8]:
-    light = pattern_of(pattern, frequency, phase).picture(prefilter(prefilter_kind))
+def picture(pattern: str, frequency: float, phase: float, prefilter: str) -> NDArray[np.uint8]:
+    """The sampled picture as canvas bytes, from the values of the controls."""
+    light = pattern_of(pattern, frequency, phase).picture(prefilters.prefilter(prefilter))
     return to_rgba8(encode_srgb(np.clip(light, 0.0, 1.0)))
 
 
-STAGES = (
-    Stage(
-        "picture",
-        ("pattern", "frequency", "phase", "prefilter"),
-        lambda pattern, frequency, phase, prefilter: _picture(pattern, frequency, phase, prefilter),
-    ),
-)
+STAGES = (Stage("picture", ("pattern", "frequency", "phase", "prefilter"), picture),)

@@ -5,6 +5,7 @@ from level flight, R = I, to the attitude of the first.
 """
 
 import math
+from dataclasses import dataclass
 
 import numpy as np
 
@@ -17,13 +18,13 @@ from simulations.engine.frame import (
     matrix_readout,
     readout,
 )
-from simulations.engine.pipeline import StageCache
+from simulations.engine.pipeline import Stage, StageCache, run
 from simulations.engine.scene import Scene
 from simulations.models import euler, quaternions
-from simulations.models.rotation_paths import euler_blend, off_great_circle, rate_axes
+from simulations.models.rotation_paths import off_great_circle, rate_axes
 from simulations.scenes import rotation_rings, rotation_sphere
 from simulations.scenes.aircraft import Floats
-from simulations.scenes.rotation_sphere import LABELS, LEVEL
+from simulations.scenes.rotation_sphere import LABELS, LEVEL, Way
 
 LOST = 1e-6
 """Singular value below which a direction of turning counts as lost."""
@@ -40,26 +41,47 @@ CONTROLS = (
 )
 
 
-def attitude(angles_rad: tuple[float, float, float]) -> tuple[Floats, Floats]:
-    """R (3, 3) and the unit quaternion (4,) of the three angles."""
+@dataclass(frozen=True, slots=True)
+class Attitude:
+    """What follows from the three angles alone."""
+
+    angles_rad: tuple[float, float, float]
+    """Yaw, pitch, roll."""
+    R: Floats
+    """(3, 3) body to world."""
+    q: Floats
+    """(4,) the same as a unit quaternion."""
+    ways: dict[str, Way]
+    """From level flight to here, by name."""
+    smallest: float
+    """Smallest singular value of the Jacobian of the angles."""
+
+
+def attitude(yaw: float, pitch: float, roll: float) -> Attitude:
+    """The orientation of three angles in degrees."""
+    angles_rad = (math.radians(yaw), math.radians(pitch), math.radians(roll))
     R = euler.to_matrix("ZYX", angles_rad)
     q = quaternions.from_matrix(R)
     # Exactly half a turn has two shortest ways; rounding must not be what picks one.
     q = quaternions.canonical(np.where(np.abs(q) < 1e-12, 0.0, q))
-    return R, q
+    smallest = float(np.linalg.svd(rate_axes("ZYX", angles_rad))[1][2])
+    return Attitude(angles_rad, R, q, rotation_sphere.ways(angles_rad, R, q), smallest)
 
 
-def render(values: Values, tier: str, cache: StageCache) -> Frame:
+STAGES = (
+    Stage("attitude", ("yaw", "pitch", "roll"), attitude),
+    Stage("rings", (), lambda here: rotation_rings.draw(*here.angles_rad), ("attitude",)),
+    Stage("traces", (), lambda here: rotation_sphere.traces_of(here.ways), ("attitude",)),
+)
+
+
+def render(values: Values, tier: str, cache: StageCache) -> Frame:  # noqa: ARG001 - no tiers
     """The attitude in its rings, and the aircraft on its way there."""
-    del tier, cache
-    yaw, pitch, roll = (math.radians(values.number(name)) for name in ("yaw", "pitch", "roll"))
-    angles, share, chosen = (yaw, pitch, roll), values.number("t"), values.choice("blend")
-    R, q = attitude(angles)
-    ways = rotation_sphere.ways(angles, R, q)
-    smallest = float(np.linalg.svd(rate_axes("ZYX", angles))[1][2])
-    euler_q = quaternions.from_matrix(euler_blend("ZYX", (0.0, 0.0, 0.0), angles, share))
-    off_rad = off_great_circle(euler_q, LEVEL, q)
-    blend = ways[chosen](share)
+    done = run(STAGES, values, cache)
+    here: Attitude = done.outputs["attitude"]
+    share, chosen = values.number("t"), values.choice("blend")
+    blend = here.ways[chosen](share)
+    off_rad = off_great_circle(quaternions.from_matrix(here.ways["euler"](share)), LEVEL, here.q)
     return Frame(
         panels=(
             Panel(
@@ -67,34 +89,34 @@ def render(values: Values, tier: str, cache: StageCache) -> Frame:
                 "Yaw, pitch and roll, each on its ring",
                 rotation_rings.WIDTH,
                 rotation_rings.HEIGHT,
-                overlay=rotation_rings.draw(*angles),
+                overlay=done.outputs["rings"],
             ),
             Panel(
                 "blend",
                 "From level flight to that attitude: the way of the nose",
                 rotation_sphere.WIDTH,
                 rotation_sphere.HEIGHT,
-                overlay=rotation_sphere.draw(ways, chosen, share),
+                overlay=rotation_sphere.draw(here.ways, done.outputs["traces"], chosen, share),
             ),
         ),
-        readouts=(
-            matrix_readout("matrix", "R of the attitude", _rounded(R), role="camera"),
-            Readout("quaternion", "Its quaternion (w, x, y, z)", _quaternion(q), role="camera"),
-            readout("turn", "Turn θ from level flight", _turn_deg(q), "°", digits=1, role="ray"),
-            readout("smallest", "Smallest singular value of J", smallest, digits=3),
-            Readout("rank", "Rank of J", f"{3 if smallest > LOST else 2} of 3"),
-            readout(
-                "off", "Euler way off the arc", math.degrees(off_rad), "°", digits=1, role="error"
-            ),
-            Readout("residual", "Largest entry of RᵀR − I, blend", _residual(blend)),
-            readout("determinant", "det R, blend", float(np.linalg.det(blend)), digits=3),
-        ),
-        description=describe(values, smallest, off_rad, blend),
+        readouts=_readouts(here, blend, off_rad),
+        description=describe(values, here.smallest, off_rad, blend),
+        stages=done.reports,
     )
 
 
-def _rounded(R: Floats) -> list[list[float]]:
-    return [[float(entry) for entry in row] for row in R]
+def _readouts(here: Attitude, blend: Floats, off_rad: float) -> tuple[Readout, ...]:
+    rank = 3 if here.smallest > LOST else 2
+    return (
+        matrix_readout("matrix", "R of the attitude", here.R.tolist(), role="camera"),
+        Readout("quaternion", "Its quaternion (w, x, y, z)", _quaternion(here.q), role="camera"),
+        readout("turn", "Turn θ from level flight", _turn_deg(here.q), "°", digits=1, role="ray"),
+        readout("smallest", "Smallest singular value of J", here.smallest, digits=3),
+        Readout("rank", "Rank of J", f"{rank} of 3"),
+        readout("off", "Euler way off the arc", math.degrees(off_rad), "°", digits=1, role="error"),
+        Readout("residual", "RᵀR − I of the blend", _residual(blend)),
+        readout("determinant", "det R of the blend", float(np.linalg.det(blend)), digits=3),
+    )
 
 
 def _quaternion(q: Floats) -> str:
@@ -107,7 +129,7 @@ def _turn_deg(q: Floats) -> float:
 
 def _residual(blend: Floats) -> str:
     largest = float(np.abs(blend.T @ blend - np.eye(3)).max())
-    return "< 10⁻¹⁴" if largest < ROUNDING else format_number(largest, 3)
+    return "< 1e−14" if largest < ROUNDING else format_number(largest, 3)
 
 
 def describe(values: Values, smallest: float, off_rad: float, blend: Floats) -> str:

@@ -39,19 +39,26 @@ def ways(angles_rad: Sequence[float], R: Floats, q: Floats) -> dict[str, Way]:
     }
 
 
-def draw(all_ways: Mapping[str, Way], chosen: str, share: float) -> str:
+def traces_of(all_ways: Mapping[str, Way]) -> dict[str, Floats]:
+    """The nose's places (n, 3) on the whole of each way: view box x, y, and depth."""
+    shares = np.linspace(0.0, 1.0, STEPS + 1)
+    return {name: _place(way(shares)[:, :, 0]) for name, way in all_ways.items()}
+
+
+def draw(
+    all_ways: Mapping[str, Way], traces: Mapping[str, Floats], chosen: str, share: float
+) -> str:
     """SVG markup of the panel: the traces, and the aircraft on the chosen way."""
-    # The place at the share comes along as one more point.
-    shares = np.append(np.linspace(0.0, 1.0, STEPS + 1), share)
-    noses = {name: _place(way(shares)[:, :, 0]) for name, way in all_ways.items()}
-    traces = {name: places[:-1] for name, places in noses.items()}
-    blend = all_ways[chosen](share)
-    beads = [dot(noses[name][-1], ROLES[name], 6.0 if name == chosen else 3.5) for name in all_ways]
+    blends = {name: way(share) for name, way in all_ways.items()}
+    beads = [
+        dot(_place(blend[:, 0]), ROLES[name], 6.0 if name == chosen else 3.5)
+        for name, blend in blends.items()
+    ]
     return "".join(
         (
             *_globe(),
             *(_trace(traces[name], name, front=False) for name in traces),
-            *_craft(blend, chosen),
+            *_craft(blends[chosen], chosen),
             *(_trace(traces[name], name, front=True) for name in traces),
             *_ends(traces["slerp"]),
             *beads,

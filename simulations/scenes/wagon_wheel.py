@@ -121,7 +121,7 @@ def render(values: Values, tier: str, cache: StageCache) -> Frame:  # noqa: ARG0
             readout("nyquist", "Half the frame rate", rate / 2, "per s", digits=1, role="image"),
             readout("step", "Turn from frame to frame", per_frame, "spacings", role="image"),
             readout("blur", "Blur of a spoke", 360 * blur, "°", digits=1, role="light"),
-            readout("contrast", "Contrast that the blur leaves", contrast, role="light"),
+            readout("contrast", "Contrast left by blur", contrast, role="light"),
         ),
         description=describe(values, apparent, sure, contrast),
         stages=done.reports,

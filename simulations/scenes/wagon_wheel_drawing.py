@@ -57,10 +57,7 @@ def over_film(frame: int, apparent: float, certain: bool) -> str:
         parts += [_turning(1.0, 30.0, "error bold"), _turning(-1.0, 30.0, "error bold")]
     elif abs(apparent) > 1e-9:
         parts.append(_turning(apparent, _reach(apparent), "error bold"))
-    sign = "±" if not certain else "+" if apparent > 0.005 else ""
-    value = format_number(apparent if certain else abs(apparent))
-    label = f"seems {sign}{value} turns/s"
-    return "".join((*parts, text((WIDTH - 12, HEIGHT - 10), label, "error strong halo", "end")))
+    return "".join(parts)
 
 
 def _reach(speed: float) -> float:

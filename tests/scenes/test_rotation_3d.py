@@ -11,8 +11,8 @@ from simulations.scenes.rotation_3d import SCENE, attitude
 from simulations.scenes.rotation_rings import pieces, rings
 
 
-def frame(**values):
-    return SCENE.render(check_values(SCENE.controls, values), "", StageCache())
+def frame(cache=None, **values):
+    return SCENE.render(check_values(SCENE.controls, values), "", cache or StageCache())
 
 
 def texts(shown):
@@ -21,10 +21,10 @@ def texts(shown):
 
 @pytest.mark.parametrize("angles", [(105, 40, -40), (-150, -20, 120), (30, 90, 10)])
 def test_the_matrix_is_that_of_moving_axes_z_y_x(angles):
-    R, q = attitude(tuple(np.radians(angles)))
+    here = attitude(*angles)
     expected = Rotation.from_euler("ZYX", angles, degrees=True)
-    np.testing.assert_allclose(R, expected.as_matrix(), atol=1e-14)
-    w_last = np.roll(q, -1)
+    np.testing.assert_allclose(here.R, expected.as_matrix(), atol=1e-14)
+    w_last = np.roll(here.q, -1)
     assert abs(w_last @ expected.as_quat()) == pytest.approx(1)
 
 
@@ -52,7 +52,7 @@ def test_one_degree_from_lock_all_directions_are_left():
 def test_the_nose_ends_where_the_beads_of_the_rings_say():
     angles = np.radians([50, 25, -70])
     yaw_ring, pitch_ring, roll_ring = rings(*angles)
-    R, _ = attitude(tuple(angles))
+    R = attitude(50, 25, -70).R
     nose, wing = R[:, 0], R[:, 1]
     np.testing.assert_allclose(pitch_ring.at(angles[1]) / pitch_ring.radius, nose, atol=1e-12)
     np.testing.assert_allclose(roll_ring.at(angles[2]) / roll_ring.radius, wing, atol=1e-12)
@@ -64,7 +64,7 @@ def test_the_nose_ends_where_the_beads_of_the_rings_say():
 @pytest.mark.parametrize("blend", ["slerp", "euler"])
 def test_blends_that_are_rotations_read_as_such(blend):
     shown = texts(frame(blend=blend, t=0.37))
-    assert (shown["residual"], shown["determinant"]) == ("< 10⁻¹⁴", "1.000")
+    assert (shown["residual"], shown["determinant"]) == ("< 1e−14", "1.000")
 
 
 def test_blending_the_entries_of_a_quarter_turn_halves_the_volume():
@@ -89,8 +89,7 @@ def test_every_extreme_can_be_drawn_in_the_same_layout(yaw, pitch, blend):
 
 
 def test_the_right_half_turn_does_not_hang_on_rounding():
-    _, exact = attitude((np.pi, 0.0, 0.0))
-    _, rounded = attitude((np.nextafter(np.pi, 4), 0.0, 0.0))
+    exact, rounded = (attitude(yaw, 0.0, 0.0).q for yaw in (180.0, np.nextafter(180.0, 360.0)))
     np.testing.assert_array_equal(exact, [0, 0, 0, 1])
     np.testing.assert_array_equal(rounded, [0, 0, 0, 1])
 
@@ -112,3 +111,11 @@ def test_a_ring_is_cut_where_it_passes_behind():
     near, far = pieces(ring, front=True), pieces(ring, front=False)
     assert near == [[[0, 0], [1, 0], [2, 0]], [[3, 0], [4, 0], [5, 0]]]
     assert far == [[[2, 0], [3, 0]]]
+
+
+def test_moving_along_the_way_leaves_the_rings_alone():
+    cache = StageCache()
+    before, after = frame(cache, t=0.2), frame(cache, t=0.7)
+    assert after.panels[0].overlay is before.panels[0].overlay
+    assert {stage.status for stage in after.stages} == {"reused"}
+    assert after.panels[1].overlay != before.panels[1].overlay
