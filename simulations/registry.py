@@ -38,6 +38,7 @@ LADDER_MODULES = {
     "anti-aliasing": "simulations.ladders.anti_aliasing",
     "edge-coverage": "simulations.ladders.edge_coverage",
     "chromatic-aberration": "simulations.ladders.chromatic_aberration",
+    "depth-of-field": "simulations.ladders.depth_of_field",
 }
 
 
