@@ -1,0 +1,129 @@
+"""Motion blur: many instants averaged, one picture smeared, or the time integral itself."""
+
+from dataclasses import dataclass
+from functools import partial
+
+import numpy as np
+from numpy.typing import NDArray
+
+from simulations.engine.ladder import Ladder, Metric, Tier
+from simulations.pictures import moving_ball
+
+type Floats = NDArray[np.floating]
+
+
+@dataclass(frozen=True, slots=True)
+class Workload:
+    """Pixel centres."""
+
+    x: Floats
+    """(1, 160)."""
+    y: Floats
+    """(96, 1)."""
+
+
+@dataclass(frozen=True, slots=True)
+class Truth:
+    """The exposure, and where it is worth judging."""
+
+    picture: Floats
+    """(96, 160)."""
+    swept: NDArray[np.bool_]
+    """(96, 160) pixels that the ball covers at some time."""
+
+
+def prepare() -> Workload:
+    return Workload(*moving_ball.grid())
+
+
+def _instants(workload: Workload, *, count: int) -> Floats:
+    """Each stands for the middle of an equal share of the exposure."""
+    times = (np.arange(count) + 0.5) / count
+    total = np.zeros((moving_ball.HEIGHT, moving_ball.WIDTH))
+    for time in times.tolist():
+        total += moving_ball.instant(workload.x, workload.y, time)
+    return total / count
+
+
+def _random_instants(workload: Workload, *, count: int) -> Floats:
+    """Every pixel draws its own times, regardless of the others: grain instead of ghosts."""
+    total = np.zeros((moving_ball.HEIGHT, moving_ball.WIDTH))
+    for times in np.random.default_rng(11).random((count, *total.shape)):
+        total += moving_ball.instant(workload.x, workload.y, times)
+    return total / count
+
+
+def _smear(workload: Workload) -> Floats:
+    """The picture at half time, averaged along the motion wherever it shows the ball.
+
+    The mean of a stretch of pixels is a difference of running sums, taken between pixels too.
+    """
+    still = moving_ball.instant(workload.x, workload.y, 0.5)
+    sums = np.pad(np.cumsum(still, axis=1), ((0, 0), (1, 0)))
+    ends = workload.x[0] + 0.5 + np.array([[-0.5], [0.5]]) * moving_ball.TRAVEL
+    places = np.arange(moving_ball.WIDTH + 1)
+    first, last = (np.array([np.interp(end, places, row) for row in sums]) for end in ends)
+    moving = moving_ball.on_ball(workload.x, workload.y, 0.5)
+    return np.where(moving, (last - first) / moving_ball.TRAVEL, still)
+
+
+def _integral(workload: Workload) -> Floats:
+    return moving_ball.exposed(workload.x, workload.y)
+
+
+def reference(_workload: Workload) -> Truth:
+    """Every moment at which a pixel changes, in order; between two of them it is constant."""
+    x, y = (np.arange(size, dtype=float) for size in (moving_ball.WIDTH, moving_ball.HEIGHT))
+    offset, height = np.broadcast_arrays(x - 58.1, y[:, None] - 47.3)
+    half_chord = np.sqrt(np.clip(30.7**2 - height**2, 0.0, None))
+    borders = [np.full_like(offset, border) for border in np.arange(-28.0, 29.0, 8.0)]
+    places = np.array([half_chord, -half_chord, *borders])  # on the ball, from its centre
+    changes = np.clip((offset - places) / 37.3, 0.0, 1.0)
+    ends = np.array([np.zeros_like(offset), np.ones_like(offset)])
+    times = np.sort(np.concatenate([ends, changes]), axis=0)
+    along = offset - 37.3 * (times[1:] + times[:-1]) / 2
+    inside = np.abs(along) < half_chord
+    light_bar = np.abs((along + 4.0) % 16.0 - 4.0) < 4.0
+    light_tile = (x // 12 % 2) == (y[:, None] // 12 % 2)
+    value = np.where(inside, np.where(light_bar, 0.9, 0.25), np.where(light_tile, 0.55, 0.1))
+    lasting = np.diff(times, axis=0)
+    return Truth((value * lasting).sum(axis=0), (inside * lasting).sum(axis=0) > 0)
+
+
+def rms(result: Floats, truth: Truth, _workload: Workload) -> float:
+    return float(np.sqrt(np.mean(np.square(result - truth.picture)[truth.swept])))
+
+
+def worst(result: Floats, truth: Truth, _workload: Workload) -> float:
+    return float(np.abs(result - truth.picture).max())
+
+
+LADDER = Ladder(
+    id="exposure-blur",
+    title="Motion blur",
+    workload="160 × 96 pixels: a striped ball moves by 37.3 pixels before a still wall",
+    prepare=prepare,
+    tiers=(
+        Tier("instants-1", "One instant", "1 picture", partial(_instants, count=1)),
+        Tier("smear", "One instant, smeared", "1 picture, 1 running sum", _smear),
+        Tier("integral", "Integral over time", "1 interval a pixel", _integral),
+        Tier("instants-4", "4 instants", "4 pictures", partial(_instants, count=4)),
+        Tier("random-16", "16 random instants", "16 pictures", partial(_random_instants, count=16)),
+        *(
+            Tier(
+                f"instants-{count}",
+                f"{count} instants",
+                f"{count} pictures",
+                partial(_instants, count=count),
+            )
+            for count in (16, 64)
+        ),
+    ),
+    reference=reference,
+    reference_label="all moments of change of each pixel, sorted and summed",
+    metrics=(
+        Metric("rms", "RMS error where the ball passes", "of range", rms),
+        Metric("worst", "Largest error", "of range", worst),
+    ),
+    default_tier="integral",
+)

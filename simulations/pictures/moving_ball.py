@@ -1,0 +1,64 @@
+"""A striped ball that crosses a still, chequered wall while the shutter is open.
+
+Values are taken at pixel centres, so that all smoothness comes from the motion. Time runs from 0
+to 1, the exposure; coordinates are pixels, x to the right and y down. Linear light.
+"""
+
+import numpy as np
+from numpy.typing import NDArray
+
+from simulations.pictures.coverage import stripes
+
+type Floats = NDArray[np.floating]
+
+WIDTH, HEIGHT = 160, 96
+RADIUS, CENTRE_Y = 30.7, 47.3
+START_X, TRAVEL = 58.1, 37.3
+"""Where the ball's centre is as the shutter opens, and how far it then moves to the right."""
+BAR = 8.0
+"""Width of the ball's upright stripes; one is centred on it."""
+LIGHT_BAR, DARK_BAR = 0.9, 0.25
+TILE, LIGHT_TILE, DARK_TILE = 12.0, 0.55, 0.1
+
+
+def grid() -> tuple[Floats, Floats]:
+    """Pixel centres: x (1, 160), y (96, 1)."""
+    return np.arange(WIDTH, dtype=float)[None, :], np.arange(HEIGHT, dtype=float)[:, None]
+
+
+def wall(x: Floats, y: Floats) -> Floats:
+    """The chequers (H, W) behind the ball."""
+    light = (np.floor(x / TILE) + np.floor(y / TILE)) % 2 == 0
+    return np.where(light, LIGHT_TILE, DARK_TILE)
+
+
+def instant(x: Floats, y: Floats, time: Floats | float) -> Floats:
+    """The picture (H, W) at one moment, or at a moment (H, W) for each pixel."""
+    along = x - START_X - TRAVEL * time
+    light = np.floor(along / BAR + 0.5) % 2 == 0
+    ball = np.where(light, LIGHT_BAR, DARK_BAR)
+    return np.where(along**2 + (y - CENTRE_Y) ** 2 < RADIUS**2, ball, wall(x, y))
+
+
+def on_ball(x: Floats, y: Floats, time: float) -> NDArray[np.bool_]:
+    """Pixels (H, W) that show the ball at one moment."""
+    hidden: NDArray[np.bool_] = np.hypot(x - START_X - TRAVEL * time, y - CENTRE_Y) < RADIUS
+    return hidden
+
+
+def exposed(x: Floats, y: Floats) -> Floats:
+    """Mean of `instant` over the exposure (H, W), without taking a single one.
+
+    A pixel sees the ball from the time its leading edge arrives until the trailing one leaves,
+    and meanwhile a stretch of stripes, whose mean is known in closed form.
+    """
+    half_chord = np.sqrt(np.maximum(RADIUS**2 - (y - CENTRE_Y) ** 2, 0.0))
+    offset = x - START_X
+    arrives = np.clip((offset - half_chord) / TRAVEL, 0.0, 1.0)
+    leaves = np.clip((offset + half_chord) / TRAVEL, 0.0, 1.0)
+    share = leaves - arrives
+    middle = offset - TRAVEL * (arrives + leaves) / 2
+    light = stripes(middle, 2 * BAR, BAR, np.maximum(TRAVEL * share, 1e-6))
+    ball = DARK_BAR + (LIGHT_BAR - DARK_BAR) * light
+    picture: Floats = share * ball + (1.0 - share) * wall(x, y)
+    return picture
