@@ -8,7 +8,6 @@ import numpy as np
 from numpy.typing import NDArray
 
 from simulations.engine.ladder import Ladder, Metric, Tier
-from simulations.models.projection import relative_to_camera, rigid_pose, world_to_camera
 
 type Floats = NDArray[np.floating]
 type Whole = NDArray[np.int64]
@@ -72,28 +71,38 @@ def _pixels(camera: Floats) -> Floats:
     return pixels
 
 
+def _turned(rotation: Floats, points: Floats) -> Floats:
+    """R p of points (..., 3), in their own precision.
+
+    Products and sums are written out: a matrix library may fuse or reorder them, and here the
+    rounding is what is measured. It must not differ from one machine to the next.
+    """
+    x, y, z = points[..., 0], points[..., 1], points[..., 2]
+    rows = rotation.astype(points.dtype)
+    return np.stack([row[0] * x + row[1] * y + row[2] * z for row in rows], axis=-1)
+
+
 def _float32(place: Place, rotation: Floats) -> Floats:
     """As on graphics hardware: R p + t, all in float32."""
-    R = rotation.astype(np.float32)
-    t = (-rotation @ place.centre).astype(np.float32)
+    t = -_turned(rotation, place.centre).astype(np.float32)
     # Points so far off are rounded to half a metre: some land on the camera itself.
     with np.errstate(divide="ignore", invalid="ignore"):
-        return _pixels(place.points.astype(np.float32) @ R.T + t)
+        return _pixels(_turned(rotation, place.points.astype(np.float32)) + t)
 
 
 def _relative_float32(place: Place, rotation: Floats) -> Floats:
     """One subtraction in float64; the rest in float32."""
-    near = (place.points - place.centre).astype(np.float32)
-    return _pixels(near @ rotation.astype(np.float32).T)
+    return _pixels(_turned(rotation, (place.points - place.centre).astype(np.float32)))
 
 
 def _float64(place: Place, rotation: Floats) -> Floats:
-    pose = rigid_pose(rotation, -rotation @ place.centre)
-    return _pixels(world_to_camera(place.points, pose))
+    """R p + t, as `simulations.models.projection.world_to_camera`."""
+    return _pixels(_turned(rotation, place.points) - _turned(rotation, place.centre))
 
 
 def _relative_float64(place: Place, rotation: Floats) -> Floats:
-    return _pixels(relative_to_camera(place.points, rotation, place.centre))
+    """R (p − c), as `simulations.models.projection.relative_to_camera`."""
+    return _pixels(_turned(rotation, place.points - place.centre))
 
 
 def _both(

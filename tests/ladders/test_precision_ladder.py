@@ -18,6 +18,7 @@ from simulations.ladders.precision import (
     rms_far_px,
     rms_near_px,
 )
+from simulations.models.projection import relative_to_camera, rigid_pose, world_to_camera
 
 WORK = prepare()
 TRUTH = reference(WORK)
@@ -55,6 +56,17 @@ def test_float32_does_well_near_the_origin_and_fails_far_from_it() -> None:
 @pytest.mark.parametrize("tier", ["relative-32", "relative-64"])
 def test_a_camera_at_the_origin_feels_no_distance(tier: str) -> None:
     np.testing.assert_array_equal(RESULT[tier][0], RESULT[tier][1])
+
+
+def test_the_float64_tiers_do_as_the_projection_model_does() -> None:
+    for place, plain, relative in zip(
+        (WORK.near, WORK.far), RESULT["float64"], RESULT["relative-64"], strict=True
+    ):
+        pose = rigid_pose(WORK.rotation, -WORK.rotation @ place.centre)
+        moved = world_to_camera(place.points, pose)
+        np.testing.assert_allclose(plain, FOCAL_PX * moved[:, :2] / moved[:, 2:], atol=1e-5)
+        near = relative_to_camera(place.points, WORK.rotation, place.centre)
+        np.testing.assert_allclose(relative, FOCAL_PX * near[:, :2] / near[:, 2:], atol=1e-11)
 
 
 def test_one_subtraction_makes_float32_a_thousandth_of_a_pixel() -> None:
