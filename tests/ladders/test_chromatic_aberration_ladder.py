@@ -63,13 +63,13 @@ def test_three_pictures_leave_coloured_ghosts_and_many_leave_less_than_a_code() 
     assert RMS["even-31"] < 0.5 / 255
 
 
-@pytest.mark.parametrize("tier", ["gauss-1", "even-9"])
-def test_without_its_corners_the_picture_has_nothing_to_err_on(tier: str) -> None:
+@pytest.mark.parametrize("tier", list(PICTURES))
+def test_without_fringes_there_is_nothing_to_err_on(tier: str) -> None:
+    """Near the axis all wavelengths agree, so that any number of them is enough."""
     middle = slice(SIZE // 2 - 3, SIZE // 2 + 3)
-    centre = Workload(WORK.x[:, middle], WORK.y[middle])
+    axis = Workload(WORK.x[:, middle], WORK.y[middle])
     whole = LADDER.tier(tier).run(WORK)[:, middle, middle]
-    assert np.abs(whole - TRUTH[:, middle, middle]).max() < 1e-5
-    assert reference(centre).shape == (3, 6, 6)
+    np.testing.assert_allclose(whole, reference(axis), atol=1e-5)
 
 
 def test_the_metric_notices_a_target_that_is_a_thousandth_larger() -> None:
