@@ -121,6 +121,31 @@ class LadderTable:
     caption_html: str
 
 
+@dataclass(frozen=True, slots=True)
+class HardCase:
+    """A line of a table of hard cases, every answer computed and put into words."""
+
+    id: str
+    call: str
+    answer: str
+    why: str
+    returns: str
+    naive: str
+    naive_answer: str
+    library: str
+    library_answer: str
+
+
+@dataclass(frozen=True, slots=True)
+class HardCases:
+    """What a model answers at the edge of what it is made for."""
+
+    id: str
+    """Element id: ``extremes-`` and the model's."""
+    title: str
+    rows: tuple[HardCase, ...]
+
+
 type Block = (
     Prose
     | Simulation
@@ -132,6 +157,7 @@ type Block = (
     | CaptionedTable
     | LadderFigure
     | LadderTable
+    | HardCases
 )
 
 

@@ -13,6 +13,7 @@ from site_builder.book import (
     Callout,
     CaptionedTable,
     Example,
+    HardCases,
     Heading,
     Illustration,
     LadderFigure,
@@ -41,6 +42,7 @@ BLOCK_TEMPLATES: Mapping[type, str] = {
     CaptionedTable: "table",
     LadderFigure: "ladder",
     LadderTable: "ladder-table",
+    HardCases: "extremes",
 }
 
 

@@ -74,13 +74,11 @@ TABLE = ExtremeTable(
         ),
         ExtremeCase(
             id="absurdly-many-turns",
-            call="np.linalg.norm(exponential([1e17, 0.0, 0.0])[1])",
-            why="The angle is rounded by dozens of turns. Sine and cosine of two differently "
-            "rounded angles belong to no rotation.",
-            returns="1: both come from one half angle. Only the angle is lost.",
+            call="np.linalg.norm(exponential([1e200, 0.0, 0.0])[1])",
+            why="In (1 − cos θ)/θ² [v]ₓ² one factor overflows and the other underflows.",
+            returns="1: a rotation still, as axis and angle are parted first.",
             expected=near(1.0, 1e-14),
-            naive="np.hypot(1 - 5e33 * np.sinc(1e17 / (2 * np.pi)) ** 2, "
-            "1e17 * np.sinc(1e17 / np.pi))",
+            naive="0.5 * np.sinc(1e200 / (2 * np.pi)) ** 2 * np.float64(1e200) ** 2",
         ),
         ExtremeCase(
             id="infinite-turn",

@@ -19,6 +19,7 @@ from site_builder.markdown.blocks import read_blocks
 from site_builder.markdown.callout import TITLES, read_callout
 from site_builder.markdown.directive import directive_plugin
 from site_builder.markdown.example import read_example
+from site_builder.markdown.extremes import read_extremes
 from site_builder.markdown.illustration import read_illustration
 from site_builder.markdown.inline import annotate, chapter_id
 from site_builder.markdown.ladder import read_ladder, read_ladder_table
@@ -40,6 +41,7 @@ CONSTRUCTS: Mapping[str, Construct] = {
     "source": read_listing,
     "figure": read_illustration,
     "table": read_table,
+    "extremes": read_extremes,
     "ladder": read_ladder,
     "ladder-table": read_ladder_table,
 }

@@ -80,10 +80,15 @@ def pack_runtime(simulations: Path, store: Path | None = None) -> RuntimeBundle:
 
 
 def build_wheel(simulations: Path, scratch: Path) -> Path:
-    """The wheel of the package folder ``simulations``, built in ``scratch`` without network."""
+    """The wheel of the package folder ``simulations``, built in ``scratch`` without network.
+
+    Without the tables of hard cases: they are asked when the book is built, not when it is read.
+    """
     project = scratch / "project"
     shutil.copytree(
-        simulations, project / "simulations", ignore=shutil.ignore_patterns("__pycache__", ".*")
+        simulations,
+        project / "simulations",
+        ignore=shutil.ignore_patterns("__pycache__", ".*", "extremes"),
     )
     (project / "pyproject.toml").write_text(PROJECT, encoding="utf-8")
     builder = WheelBuilder(str(project))
