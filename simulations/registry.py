@@ -20,6 +20,7 @@ SCENE_MODULES = {
     "phong": "simulations.scenes.phong",
     "sensor-noise": "simulations.scenes.sensor_noise",
     "depth-of-field": "simulations.scenes.depth_of_field",
+    "lens-aberrations": "simulations.scenes.lens_aberrations",
 }
 
 LADDER_MODULES = {
