@@ -105,6 +105,11 @@ def contrast_loss(result: Floats, truth: Truth, _centres: Floats) -> float:
     return _rms((result - truth.plate)[truth.in_band])
 
 
+def _box_tier(factor: int) -> Tier:
+    cost = f"{factor**2} samples a pixel"
+    return Tier(f"box-{factor}", f"Box, {factor} × {factor}", cost, partial(_box, factor=factor))
+
+
 LADDER = Ladder(
     id="anti-aliasing",
     title="Filtering before sampling",
@@ -113,21 +118,15 @@ LADDER = Ladder(
     tiers=(
         Tier("point", "Point sample", "1 sample a pixel", partial(_samples, factor=1)),
         Tier("area", "Pixel area, by formula", "1 sample, 2 sines a pixel", _area),
-        *(
-            Tier(
-                f"box-{factor}",
-                f"Box, {factor} × {factor}",
-                f"{factor**2} samples a pixel",
-                partial(_box, factor=factor),
-            )
-            for factor in (2, 4, 8)
-        ),
+        _box_tier(2),
+        _box_tier(4),
         Tier(
             "sinc-4",
             "Windowed sinc on 4 × 4",
             "16 samples, 165 taps a pixel",
             partial(_sinc, factor=4),
         ),
+        _box_tier(8),
     ),
     reference=reference,
     reference_label="grey beyond Nyquist; pixel integrals by Gauss–Legendre quadrature",

@@ -123,36 +123,43 @@ def worst(result: Floats, truth: Floats, _workload: Workload) -> float:
     return float(100 * np.abs(result - truth).max())
 
 
+def _box_tier(factor: int) -> Tier:
+    run = partial(_supersample, factor=factor)
+    if factor == 1:
+        return Tier("point", "Point sample", "1 sample a pixel", run)
+    return Tier(f"box-{factor}", f"Box, {factor} × {factor}", f"{factor**2} samples a pixel", run)
+
+
+def _edge_box_tier(factor: int) -> Tier:
+    return Tier(
+        f"edge-box-{factor}",
+        f"Box, {factor} × {factor} on the edge",
+        f"{factor**2} samples an edge pixel",
+        partial(_supersample_edges, factor=factor),
+    )
+
+
 LADDER = Ladder(
     id="edge-coverage",
     title="Smooth edges",
     workload="a disc of radius 37.3 pixels on 96 × 96",
     prepare=prepare,
     tiers=(
-        Tier("point", "Point sample", "1 sample a pixel", partial(_supersample, factor=1)),
+        _box_tier(1),
         Tier("ramp", "Distance ramp", "1 distance a pixel", _ramp),
         Tier("straight", "Area behind a straight edge", "1 distance, 1 normal a pixel", _straight),
+        _box_tier(2),
+        _edge_box_tier(16),
         Tier(
-            "curved", "Area behind a curved edge", "1 distance, 1 normal, 1 chord a pixel", _curved
+            "curved",
+            "Area behind a curved edge",
+            "1 distance, 1 normal, 1 chord a pixel",
+            _curved,
         ),
-        *(
-            Tier(
-                f"edge-box-{factor}",
-                f"Box, {factor} × {factor} on the edge",
-                f"{factor**2} samples an edge pixel",
-                partial(_supersample_edges, factor=factor),
-            )
-            for factor in (16, 64)
-        ),
-        *(
-            Tier(
-                f"box-{factor}",
-                f"Box, {factor} × {factor}",
-                f"{factor**2} samples a pixel",
-                partial(_supersample, factor=factor),
-            )
-            for factor in (2, 4, 8, 16)
-        ),
+        _box_tier(4),
+        _box_tier(8),
+        _edge_box_tier(64),
+        _box_tier(16),
     ),
     reference=reference,
     reference_label="the area of the circle within each pixel, in closed form",

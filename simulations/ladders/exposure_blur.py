@@ -98,26 +98,25 @@ def worst(result: Floats, truth: Truth, _workload: Workload) -> float:
     return float(np.abs(result - truth.picture).max())
 
 
+def _instants_tier(count: int) -> Tier:
+    label = f"{count} instants" if count > 1 else "One instant"
+    cost = f"{count} picture{'s' if count > 1 else ''}"
+    return Tier(f"instants-{count}", label, cost, partial(_instants, count=count))
+
+
 LADDER = Ladder(
     id="exposure-blur",
     title="Motion blur",
     workload="160 × 96 pixels: a striped ball moves by 37.3 pixels before a still wall",
     prepare=prepare,
     tiers=(
-        Tier("instants-1", "One instant", "1 picture", partial(_instants, count=1)),
-        Tier("smear", "One instant, smeared", "1 picture, 1 running sum", _smear),
+        _instants_tier(1),
         Tier("integral", "Integral over time", "1 interval a pixel", _integral),
-        Tier("instants-4", "4 instants", "4 pictures", partial(_instants, count=4)),
+        _instants_tier(4),
+        Tier("smear", "One instant, smeared", "1 picture, 1 running sum", _smear),
+        _instants_tier(16),
         Tier("random-16", "16 random instants", "16 pictures", partial(_random_instants, count=16)),
-        *(
-            Tier(
-                f"instants-{count}",
-                f"{count} instants",
-                f"{count} pictures",
-                partial(_instants, count=count),
-            )
-            for count in (16, 64)
-        ),
+        _instants_tier(64),
     ),
     reference=reference,
     reference_label="all moments of change of each pixel, sorted and summed",

@@ -130,7 +130,12 @@ LADDER = Ladder(
     workload="128 × 128 pixels of waves up to 0.35 cycles a pixel, turned twelve times by 30°",
     prepare=prepare,
     tiers=tuple(
-        Tier(kernel, label, f"{taps} taps a pixel", partial(_turn, kernel=kernel))
+        Tier(
+            kernel,
+            label,
+            f"{taps} tap{'s' if taps > 1 else ''} a pixel",
+            partial(_turn, kernel=kernel),
+        )
         for kernel, label, taps in (
             ("nearest", "Nearest", 1),
             ("bilinear", "Bilinear", 4),
