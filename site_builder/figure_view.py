@@ -1,11 +1,18 @@
 """A still as its template needs it: addresses, texts and schema worked out, nothing left to do."""
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 from simulations.engine.controls import Action, Choice, Control, Slider, Value, describe
-from simulations.engine.frame import Panel, Readout, format_number
+from simulations.engine.frame import Panel, Readout, StageReport, format_number
+from simulations.engine.scene import Scene
+from simulations.registry import load_ladder
 from site_builder.embedding import json_for_html
 from site_builder.stills import Still
+
+
+SHOW_STAGES_FROM = 10
+"""A chain this long is worth seeing at once; a shorter one waits behind its summary."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -40,8 +47,16 @@ class FigureView:
     panels: tuple[PanelView, ...]
     readouts: tuple[Readout, ...]
     controls: tuple[ControlView, ...]
-    tiers: tuple[str, ...]
+    columns: tuple[int, int, int]
+    """Readouts in a row where space is narrow, middling and wide."""
+    tiers: tuple[tuple[str, str], ...]
+    """Id and label of each accuracy, cheap to dear."""
     tier: str
+    judged: bool
+    """Whether the error of a frame can be told."""
+    stages: tuple[StageReport, ...]
+    stages_text: str
+    stages_open: bool
     schema: str
     """JSON that is safe inside a script element."""
 
@@ -70,8 +85,17 @@ def view_figure(still: Still, assets: str) -> FigureView:
             )
             for control in scene.controls
         ),
-        tiers=scene.tiers,
+        columns=(
+            even_columns(len(frame.readouts), 2),
+            even_columns(len(frame.readouts), 4),
+            even_columns(len(frame.readouts), 6),
+        ),
+        tiers=tier_labels(scene),
         tier=figure.tier,
+        judged=scene.error is not None,
+        stages=frame.stages,
+        stages_text=count_stages(frame.stages),
+        stages_open=len(frame.stages) >= SHOW_STAGES_FROM,
         schema=json_for_html(schema(still)),
     )
 
@@ -86,7 +110,33 @@ def schema(still: Still) -> dict[str, object]:
         "tiers": list(scene.tiers),
         "default_tier": still.figure.tier,
         "draft_tier": scene.draft_tier,
+        "drafted": list(scene.drafted),
     }
+
+
+def tier_labels(scene: Scene) -> tuple[tuple[str, str], ...]:
+    """Each tier and what the reader sees of it: its ladder's words, or the scene's own."""
+    if scene.ladder:
+        ladder = load_ladder(scene.ladder)
+        return tuple((tier, ladder.tier(tier).label) for tier in scene.tiers)
+    return tuple((tier, scene.tier_labels[tier]) for tier in scene.tiers)
+
+
+def count_stages(stages: Sequence[StageReport]) -> str:
+    """``13 computed, 0 reused, 1 skipped``, as ``workings.js`` writes it."""
+    counts = {"computed": 0, "reused": 0, "skipped": 0}
+    for stage in stages:
+        counts[stage.status] += 1
+    return ", ".join(f"{count} {status}" for status, count in counts.items())
+
+
+def even_columns(count: int, most: int) -> int:
+    """Columns, at most ``most``, whose rows are few and whose last row is not a lonely item."""
+    legal = [n for n in range(2, most + 1) if n <= count and count % n != 1]
+    if not legal:
+        return min(max(count, 1), most)
+    fewest_rows = min(-(-count // n) for n in legal)
+    return min(n for n in legal if -(-count // n) == fewest_rows)
 
 
 def value_text(control: Control, value: Value) -> str:

@@ -10,7 +10,7 @@ from simulations.models.depth_of_field import Layer, Planes
 from simulations.models.raycasting import Vector, shadow_bounds, visibility
 from simulations.models.reflectance import blinn_phong, lambert
 from simulations.pictures.still_life import THINGS, WALL_DISTANCE
-from simulations.pictures.still_life_surfaces import Surface, window_of, within
+from simulations.pictures.still_life_surfaces import Surface, extent, window_of, within
 
 type Floats = NDArray[np.floating]
 
@@ -92,11 +92,14 @@ def radiance(part: Surface, lamp: Vector) -> Floats:
 
 def _lamp_seen(part: Surface, lamp: Vector) -> Floats:
     """Share of the lamp that the other things leave visible."""
-    seen = np.ones(part.coverage.shape)
+    seen, reached = np.ones(part.coverage.shape), extent(part.points)
     for thing in THINGS:
         if thing is part.thing:
             continue
-        near = window_of(within(part.points, *shadow_bounds(thing.solid, lamp, LAMP_RADIUS_RAD)))
+        low, high = shadow_bounds(thing.solid, lamp, LAMP_RADIUS_RAD)
+        if reached.misses(low, high):
+            continue
+        near = window_of(within(part.points, low, high))
         if near is not None:
             seen[near] *= visibility(thing.solid, part.points[near], lamp, LAMP_RADIUS_RAD)
     return seen

@@ -142,20 +142,41 @@ def _mix(first: Floats, second: Floats, share: Floats) -> Floats:
 
 def _sky_seen(points: Floats, normals: Floats, besides: Thing | None = None) -> Floats:
     """Share of the surroundings that the things leave open; boxes count as balls inside them."""
-    openness = np.ones(points.shape[:2])
+    openness, reached = np.ones(points.shape[:2]), extent(points)
     for thing in THINGS:
         if thing is besides:
             continue
         solid = thing.solid
         radius = solid.radius if isinstance(solid, Sphere) else 0.6 * min(solid.size)
         reach = OCCLUSION_REACH * radius
-        near = window_of(
-            within(points, np.subtract(solid.centre, reach), np.add(solid.centre, reach))
-        )
+        low, high = np.subtract(solid.centre, reach), np.add(solid.centre, reach)
+        if reached.misses(low, high):
+            continue
+        near = window_of(within(points, low, high))
         if near is not None:
             hidden = sphere_occlusion(solid.centre, radius, points[near], normals[near])
             openness[near] *= 1.0 - np.maximum(hidden - OCCLUSION_REACH**-2, 0.0)
     return openness
+
+
+@dataclass(frozen=True, slots=True)
+class Extent:
+    """The smallest upright box, seen from above, that holds all points of a surface."""
+
+    low: Floats
+    """(2,) x and y, metres."""
+    high: Floats
+
+    def misses(self, low: Floats, high: Floats) -> bool:
+        """Whether no point can lie between two corners: saves looking at each."""
+        return bool((self.high <= low[:2]).any() or (self.low >= high[:2]).any())
+
+
+def extent(points: Floats) -> Extent:
+    """Of the points (H, W, 3)."""
+    across, away = points[..., 0], points[..., 1]
+    low = np.array([across.min(), away.min()])
+    return Extent(low, np.array([across.max(), away.max()]))
 
 
 def within(points: Floats, low: Floats, high: Floats) -> NDArray[np.bool_]:

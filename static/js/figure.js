@@ -3,7 +3,7 @@
  *
  * States, in `data-state`: `still` as served; `starting` once a frame is asked for; `live` after
  * each painted frame; `failed` with a message and a button. `data-frames` counts frames after
- * their pixels are in the page.
+ * their pixels are in the page. `data-tier` is the accuracy of the frame that is shown.
  */
 
 import { announcer } from "./announce.js";
@@ -12,6 +12,7 @@ import { Motion } from "./motion.js";
 import { paint } from "./painter.js";
 import { Runtime, sharedRuntime } from "./runtime.js";
 import { LatestWins } from "./scheduler.js";
+import { Accuracy, showStages } from "./workings.js";
 
 /** A frame that the reader waits for goes before one that only should be ready. */
 const URGENCY = { far: 0, near: 1, touched: 2 };
@@ -43,6 +44,7 @@ export class SimulationFigure extends HTMLElement {
       return;
     }
     this.announce = announcer(this.querySelector(".description"));
+    this.accuracy = new Accuracy(this, (job, urgency) => this.#askError(job, urgency));
     this.motion = new Motion(this.form, this.schema, (moving, time) => this.#ask(time, moving));
     this.#listen();
     this.#startInView();
@@ -52,6 +54,7 @@ export class SimulationFigure extends HTMLElement {
     this.#observer?.disconnect();
     this.#listeners?.abort();
     this.motion?.stop();
+    this.accuracy?.stop();
     this.#scheduler.clear();
     this.runtime?.forget(this.key);
   }
@@ -62,6 +65,7 @@ export class SimulationFigure extends HTMLElement {
     this.#observer = new IntersectionObserver(
       ([entry]) => {
         this.#near = entry.isIntersecting;
+        this.accuracy.near = this.#near;
         if (!this.#asked) this.#ask(performance.now(), false, URGENCY.far);
       },
       { rootMargin: "50% 0px" },
@@ -91,7 +95,7 @@ export class SimulationFigure extends HTMLElement {
       this.motion.stop();
       showSliderValue(this.form, control);
     }
-    this.#ask(event.timeStamp, dragging && control?.kind === "slider");
+    this.#ask(event.timeStamp, dragging && this.#drafted(control));
   }
 
   #pressed(/** @type {Event} */ event) {
@@ -109,17 +113,25 @@ export class SimulationFigure extends HTMLElement {
   #ask(/** @type {number} */ time, /** @type {boolean} */ moving, urgency = URGENCY.touched) {
     if (!this.isConnected) return;
     const values = JSON.stringify(readValues(this.form, this.schema.controls));
-    const tier = moving ? this.schema.draft_tier : this.#chosenTier();
+    const tier = this.#tier(moving);
     const asked = `${values} ${tier}`;
     if (asked === this.#asked) return;
     this.#asked = asked;
     this.#scheduler.submit({ values, tier, time, urgency });
   }
 
-  #chosenTier() {
-    return this.schema.tiers.length > 0
-      ? controlElement(this.form, "tier").value
-      : this.schema.default_tier;
+  /** Whether a drag of this control is answered by drafts. */
+  #drafted(/** @type {import("./controls.js").Control | undefined} */ control) {
+    const { drafted } = this.schema;
+    return control?.kind === "slider" && (drafted.length === 0 || drafted.includes(control.name));
+  }
+
+  /** The tier that the reader chose, or the draft where that is cheaper and things are moving. */
+  #tier(/** @type {boolean} */ moving) {
+    const { tiers, draft_tier: draft, default_tier: settled } = this.schema;
+    if (tiers.length === 0) return settled;
+    const chosen = controlElement(this.form, "tier").value;
+    return moving && tiers.indexOf(draft) < tiers.indexOf(chosen) ? draft : chosen;
   }
 
   async #run(/** @type {Job} */ job) {
@@ -151,12 +163,20 @@ export class SimulationFigure extends HTMLElement {
     return this.runtime.call("render", payload, urgency);
   }
 
+  async #askError(job, urgency) {
+    const payload = { figure: this.key, scene: this.dataset.simulation, ...job };
+    return (await this.runtime.call("error", payload, urgency)).estimate;
+  }
+
   #show(meta, reply, /** @type {Job} */ job) {
     paint(this, meta, reply.rasters);
+    showStages(this, meta.stages);
+    this.accuracy.shown(job, reply.computeMs, job.tier === this.#tier(false));
     this.announce(meta.description);
     this.#say("");
     this.dataset.computeMs = reply.computeMs.toFixed(1);
     this.dataset.latencyMs = (performance.now() - job.time).toFixed(1);
+    this.dataset.tier = job.tier;
     this.dataset.frames = String(Number(this.dataset.frames ?? 0) + 1);
     this.dataset.state = "live";
   }

@@ -54,7 +54,9 @@ function paintReadout(figure, readout) {
   const box = output?.parentElement;
   if (!box) return;
   setText(output, readout.text);
-  setText(box.querySelector(".unit"), readout.unit);
+  const unit = box.querySelector(".unit");
+  setText(unit, readout.unit);
+  unit?.classList.toggle("close", readout.unit === "°");
   const classes = readout.role ? `readout role-${readout.role}` : "readout";
   if (box.className !== classes) box.className = classes;
 }

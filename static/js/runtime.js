@@ -11,6 +11,7 @@ export const LIMITS = {
   start: 300_000,
   first: 30_000,
   render: 10_000,
+  error: 10_000,
   forget: 10_000,
   measure: 120_000,
 };

@@ -18,7 +18,8 @@ const calls = {
     const options = { indexURL: url, packageBaseUrl: url, packages: ["simulations"] };
     const pyodide = await Promise.race([loadPyodide(options), webAssemblyFailure()]);
     const module = pyodide.pyimport("simulations.browser");
-    python = { render: module.render, forget: module.forget, measure: module.measure };
+    const { render, error, forget, measure } = module;
+    python = { render, error, forget, measure };
     return { reply: { version: pyodide.version } };
   },
 
@@ -36,6 +37,11 @@ const calls = {
     } finally {
       frame.destroy();
     }
+  },
+
+  /** The next estimate of a frame's error, as a readout; null where there is no better one. */
+  error({ figure, scene, values, tier }) {
+    return { reply: { estimate: JSON.parse(python.error(figure, scene, values, tier)) } };
   },
 
   forget({ figure }) {

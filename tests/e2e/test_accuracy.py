@@ -1,0 +1,121 @@
+"""Drafts while a hand moves, the chosen accuracy at rest, and the error once nothing moves."""
+
+from collections.abc import Callable
+from typing import Any
+
+import pytest
+from playwright.sync_api import Locator
+from support.reader import Reader
+
+pytestmark = pytest.mark.browser
+
+type OpenFigure = Callable[[str], Locator]
+
+
+@pytest.fixture
+def open_figure(reader: Reader, book: Any) -> OpenFigure:
+    """Open the first chapter that shows a scene, and bring its figure into view."""
+
+    def opened(scene: str) -> Locator:
+        reader.open(next(c["url"] for c in book["chapters"] if scene in c["simulations"]))
+        figure = reader.figure(scene)
+        figure.locator("form.controls").scroll_into_view_if_needed()
+        return figure
+
+    return opened
+
+
+def wait_judged(reader: Reader, figure: Locator) -> None:
+    reader.page.wait_for_function(
+        "figure => figure.querySelector('.accuracy').dataset.judged === 'true'",
+        arg=figure.element_handle(),
+        timeout=60_000,
+    )
+
+
+def set_slider(figure: Locator, name: str, value: float, *, release: bool) -> None:
+    """As a hand does: ``input`` events while it holds the knob, ``change`` when it lets go."""
+    figure.locator(f"input[name={name}]").evaluate(
+        """(input, [value, release]) => {
+          input.value = value;
+          input.dispatchEvent(new Event('input', {bubbles: true}));
+          if (release) input.dispatchEvent(new Event('change', {bubbles: true}));
+        }""",
+        [str(value), release],
+    )
+
+
+def test_a_drag_is_drafted_and_settles_in_the_chosen_tier(
+    reader: Reader, open_figure: OpenFigure
+) -> None:
+    figure = open_figure("camera")
+    reader.settle(figure)
+    assert figure.get_attribute("data-tier") == "layers"
+    frames = reader.frames(figure)
+    set_slider(figure, "k1", -0.2, release=False)
+    reader.wait_frame(figure, frames)
+    assert figure.get_attribute("data-tier") == "draft"
+    drafted, frames = reader.shown(figure), reader.frames(figure)
+    set_slider(figure, "k1", -0.2, release=True)
+    reader.wait_frame(figure, frames)
+    reader.settle(figure)
+    assert figure.get_attribute("data-tier") == "layers"
+    assert reader.shown(figure)["pixels"] != drafted["pixels"]
+
+
+def test_a_drag_that_leaves_geometry_alone_needs_no_draft(
+    reader: Reader, open_figure: OpenFigure
+) -> None:
+    figure = open_figure("camera")
+    frames = reader.frames(figure)
+    set_slider(figure, "noise_sigma", 20, release=False)
+    reader.wait_frame(figure, frames)
+    assert figure.get_attribute("data-tier") == "layers"
+    statuses = figure.locator(".stage").evaluate_all(
+        "stages => stages.map((stage) => [stage.firstElementChild.textContent,"
+        " stage.dataset.status])"
+    )
+    computed = [name for name, status in statuses if status == "computed"]
+    assert computed == ["read noise", "quantisation", "sRGB"]
+    assert figure.locator(".stages-count").inner_text().startswith("3 computed")
+
+
+def test_the_error_is_told_at_rest_and_differs_by_tier(
+    reader: Reader, open_figure: OpenFigure
+) -> None:
+    figure = open_figure("lens-distortion")
+    set_slider(figure, "k1", -0.3, release=True)
+    reader.settle(figure)
+    errors = {}
+    for tier in ("first-order", "newton-bracketed"):
+        frames = reader.frames(figure)
+        figure.locator("select[name=tier]").select_option(tier)
+        reader.wait_frame(figure, frames)
+        wait_judged(reader, figure)
+        errors[tier] = figure.locator(".accuracy-value").inner_text()
+    assert errors["newton-bracketed"] == "under 10⁻⁹\xa0px"
+    assert float(errors["first-order"].removesuffix("\xa0px")) > 1
+
+
+def test_a_tier_cheaper_than_the_draft_is_kept_while_dragging(
+    reader: Reader, open_figure: OpenFigure
+) -> None:
+    figure = open_figure("lens-distortion")
+    frames = reader.frames(figure)
+    figure.locator("select[name=tier]").select_option("first-order")
+    reader.wait_frame(figure, frames)
+    frames = reader.frames(figure)
+    set_slider(figure, "k1", 0.3, release=False)
+    reader.wait_frame(figure, frames)
+    assert figure.get_attribute("data-tier") == "first-order"
+
+
+def test_no_error_stands_beside_a_frame_that_it_does_not_belong_to(
+    reader: Reader, open_figure: OpenFigure
+) -> None:
+    figure = open_figure("lens-distortion")
+    wait_judged(reader, figure)
+    frames = reader.frames(figure)
+    set_slider(figure, "k1", 0.2, release=False)
+    reader.wait_frame(figure, frames)
+    assert figure.locator(".accuracy-value").inner_text() == "…"
