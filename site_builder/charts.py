@@ -12,7 +12,8 @@ from site_builder.axes import Axis, linear_axis, log_axis
 from site_builder.label_placement import Box, place_labels
 from site_builder.measurements import SIDES, MeasuredLadder, MeasuredTier
 
-type Place = Callable[[MeasuredTier, str], tuple[float, float]]
+type Point = tuple[float, float]
+type Place = Callable[[MeasuredTier, str], Point]
 """Where a tier stands on one side."""
 
 WIDTH, HEIGHT = 460, 320
@@ -55,7 +56,9 @@ def pareto_chart(measured: MeasuredLadder) -> Chart:
         for i in measured.tiers
     ]
     spreads = [_spread(i, side, at(i, side)[1], time) for i in measured.tiers for side in SIDES]
-    parts = [_grid(time, error, measured), *fronts, *spreads, *marks, *_names(measured, at, beaten)]
+    bars = [drawing.line(*bar, "image spread") for bar in spreads]
+    names = _names(measured, at, beaten, [Box(*a, *b).grown(3.0) for a, b in spreads])
+    parts = [_grid(time, error, measured), *fronts, *bars, *marks, *names]
     return Chart("".join(parts), time, error, describe(measured))
 
 
@@ -127,13 +130,15 @@ def _marks(native: tuple[float, float], browser: tuple[float, float], grey: Sequ
     )
 
 
-def _spread(item: MeasuredTier, side: str, y: float, time: Axis) -> str:
-    """The middle half of the runs, as a translucent bar."""
+def _spread(item: MeasuredTier, side: str, y: float, time: Axis) -> tuple[Point, Point]:
+    """Ends of the bar over the middle half of the samples."""
     low, high = (time.position(v) for v in (item.times[side].low, item.times[side].high))
-    return drawing.line((low, y), (high, y), "image spread") if high - low > 1.0 else ""
+    return (low, y), (high, y)
 
 
-def _names(measured: MeasuredLadder, at: Place, beaten: set[tuple[str, str]]) -> list[str]:
+def _names(
+    measured: MeasuredLadder, at: Place, beaten: set[tuple[str, str]], bars: Sequence[Box]
+) -> list[str]:
     boxes = []
     for item in measured.tiers:
         (x1, y), (x2, _) = (at(item, side) for side in SIDES)
@@ -146,5 +151,5 @@ def _names(measured: MeasuredLadder, at: Place, beaten: set[tuple[str, str]]) ->
     ]
     return [
         drawing.text((label.x, label.y), label.text, style)
-        for label, style in zip(place_labels(boxes, FRAME), styles, strict=True)
+        for label, style in zip(place_labels(boxes, FRAME, bars), styles, strict=True)
     ]

@@ -23,6 +23,9 @@ class Box:
         height = min(self.bottom, other.bottom) - max(self.top, other.top)
         return max(width, 0.0) * max(height, 0.0)
 
+    def grown(self, margin: float) -> "Box":
+        return Box(self.left - margin, self.top - margin, self.right + margin, self.bottom + margin)
+
     def outside(self, frame: "Box") -> float:
         """Area that sticks out of ``frame``."""
         return (self.right - self.left) * (self.bottom - self.top) - self.overlap(frame)

@@ -131,7 +131,7 @@ class Measurements:
             if declared != measured:
                 raise MeasurementError(
                     f"{DATA} is out of date: the {what} of ladder {ladder_id!r} "
-                    f"was {measured}, now it is {declared}; {again}"
+                    f"changed from {measured} to {declared}; {again}"
                 )
         return MeasuredLadder(
             ladder,
@@ -182,7 +182,7 @@ def _declarations(
     return (
         ("workload", ladder.workload, entry["workload"]),
         ("metrics", {metric.id: metric.unit for metric in ladder.metrics}, entry["metrics"]),
-        ("list of tiers", [tier.id for tier in ladder.tiers], list(entry["tiers"])),
+        ("tiers", sorted(tier.id for tier in ladder.tiers), sorted(entry["tiers"])),
     )
 
 

@@ -1,10 +1,11 @@
 """``{measured}`srgb exact native```: a measured number in running text, never typed.
 
 The words are a ladder, one of its tiers, and what is wanted: ``native`` or ``browser`` for the
-time with its unit, a metric for the error with its unit. ``TIER over TIER`` asks how many times
-as much the first is than the second, without a unit. A single word asks for something about
-all: ``ladders``, ``tiers`` or ``beaten`` (counts), ``processor``, ``python``, ``numpy``,
-``browser``, ``pyodide``.
+time with its unit, a metric for the error with its unit, ``verdict`` for what the table says,
+and ``bare`` after a metric for the error without its unit.
+``TIER over TIER`` asks how many times as much the first is than the second, without a unit. A
+single word asks for something about all: ``ladders``, ``tiers`` or ``beaten`` (counts), or what
+the machine was: ``processor``, ``python``, ``numpy``, ``browser``, ``pyodide``.
 """
 
 import re
@@ -18,13 +19,14 @@ from markdown_it.token import Token
 from markdown_it.utils import EnvType, OptionsDict
 
 from site_builder.diagnostics import unknown
+from site_builder.ladder_view import verdict
 from site_builder.measurements import SIDES, MeasuredLadder, MeasurementError, Measurements
 from site_builder.quantities import error_text, milliseconds, quantity
 
 ROLE = re.compile(r"\{measured\}`([^`\n]+)`")
 COUNTS = ("ladders", "tiers", "beaten")
 NO_BREAK_SPACE = "\u00a0"
-LEGAL = "legal: 'LADDER TIER native|browser|METRIC', or 'LADDER TIER over TIER …'"
+LEGAL = "legal: 'LADDER TIER native|browser|METRIC|verdict', or 'LADDER TIER over TIER …'"
 
 
 def measured_plugin(parser: MarkdownIt) -> None:
@@ -56,6 +58,9 @@ def measured_text(words: str, measurements: Measurements) -> str:
             return _about_all(name, measurements)
         case [ladder, tier, wanted]:
             return _one(measurements.find(ladder), tier, wanted)
+        case [ladder, tier, wanted, "bare"]:
+            measured = measurements.find(ladder)
+            return error_text(*_value(measured, tier, wanted))
         case [ladder, tier, "over", other, wanted]:
             return _ratio(measurements.find(ladder), tier, other, wanted)
     raise MeasurementError(f"{{measured}} {words!r}; {LEGAL}")
@@ -77,11 +82,16 @@ def _about_all(name: str, measurements: Measurements) -> str:
 
 
 def _one(measured: MeasuredLadder, tier: str, wanted: str) -> str:
-    value, unit = _value(measured, tier, wanted)
+    _check_tier(measured, tier)
+    if wanted == "verdict":
+        return verdict(measured, measured[tier])
     if wanted in SIDES:
-        return f"{milliseconds(value or 0.0)}{NO_BREAK_SPACE}ms"
+        return f"{milliseconds(measured[tier].times[wanted].ms)}{NO_BREAK_SPACE}ms"
+    value, unit = _value(measured, tier, wanted)
     text = error_text(value, unit)
-    return text if text == "none" else f"{text}{NO_BREAK_SPACE}{unit}"
+    if text == "none":
+        return text
+    return f"{text}{'' if unit == '°' else NO_BREAK_SPACE}{unit}"
 
 
 def _ratio(measured: MeasuredLadder, tier: str, other: str, wanted: str) -> str:
@@ -91,15 +101,19 @@ def _ratio(measured: MeasuredLadder, tier: str, other: str, wanted: str) -> str:
     return quantity(one / two)
 
 
-def _value(measured: MeasuredLadder, tier: str, wanted: str) -> tuple[float | None, str]:
-    ladder = measured.ladder
-    legal = [item.id for item in ladder.tiers]
+def _check_tier(measured: MeasuredLadder, tier: str) -> None:
+    legal = [item.tier.id for item in measured.tiers]
     if tier not in legal:
-        raise MeasurementError(unknown(f"tier of {ladder.id}", tier, legal))
-    item = measured[tier]
+        raise MeasurementError(unknown(f"tier of {measured.ladder.id}", tier, legal))
+
+
+def _value(measured: MeasuredLadder, tier: str, wanted: str) -> tuple[float | None, str]:
+    _check_tier(measured, tier)
+    ladder, item = measured.ladder, measured[tier]
     if wanted in SIDES:
         return item.times[wanted].ms, "ms"
     units = {metric.id: metric.unit for metric in ladder.metrics}
     if wanted not in units:
-        raise MeasurementError(unknown(f"number of {ladder.id}", wanted, (*SIDES, *units)))
+        legal = (*SIDES, "verdict", *units)
+        raise MeasurementError(unknown(f"number of {ladder.id}", wanted, legal))
     return item.errors[wanted], units[wanted]

@@ -174,9 +174,12 @@ def test_a_mistake_is_reported_at_its_line(find: Find, body: str, message: str) 
 @pytest.mark.parametrize(
     ("entry", "what"),
     [
-        ({"workload": "two numbers"}, "the workload of ladder 'toy' was two numbers"),
-        ({"metrics": {"rms": "codes", "psnr": "dB"}}, "the metrics of ladder 'toy' was"),
-        ({"tiers": {}}, "the list of tiers of ladder 'toy' was []"),
+        (
+            {"workload": "two numbers"},
+            "the workload of ladder 'toy' changed from two numbers to a number",
+        ),
+        ({"metrics": {"rms": "codes", "psnr": "dB"}}, "the metrics of ladder 'toy' changed from"),
+        ({"tiers": {}}, "the tiers of ladder 'toy' changed from [] to ['exact',"),
     ],
 )
 def test_what_has_changed_since_it_was_measured_is_refused(
@@ -213,6 +216,8 @@ def test_a_malformed_file_is_reported_at_its_line(find: Find) -> None:
         ("toy rough rms", "3.0\u00a0px"),
         ("toy rough psnr", "27.0\u00a0dB"),
         ("toy exact rms", "none"),
+        ("toy rough rms bare", "3.0"),
+        ("toy waste verdict", "beaten by Fine"),
         ("toy exact over fine native", "4.5"),
         ("ladders", "1"),
         ("tiers", "4"),
