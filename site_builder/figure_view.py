@@ -10,7 +10,6 @@ from simulations.registry import load_ladder
 from site_builder.embedding import json_for_html
 from site_builder.stills import Still
 
-
 SHOW_STAGES_FROM = 10
 """A chain this long is worth seeing at once; a shorter one waits behind its summary."""
 
