@@ -21,6 +21,7 @@ SCENE_MODULES = {
     "sensor-noise": "simulations.scenes.sensor_noise",
     "depth-of-field": "simulations.scenes.depth_of_field",
     "lens-aberrations": "simulations.scenes.lens_aberrations",
+    "jpeg": "simulations.scenes.jpeg",
 }
 
 LADDER_MODULES = {

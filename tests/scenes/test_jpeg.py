@@ -1,0 +1,156 @@
+"""The JPEG figure against Pillow's JPEG files, and its parts against what they promise."""
+
+import io
+import math
+
+import numpy as np
+import pytest
+from PIL import Image
+
+from simulations.engine.controls import check_values
+from simulations.engine.pipeline import StageCache, run
+from simulations.models.compression import compress
+from simulations.scenes.jpeg import BLOCK_COLUMNS, BLOCK_ROWS, SCENE, cut
+from simulations.scenes.jpeg_stages import (
+    STAGES,
+    ZIGZAG,
+    coarsen,
+    from_blocks,
+    symbol_bits,
+    to_blocks,
+)
+
+PIXELS = 240 * 192
+PILLOW_SUBSAMPLING = {"4:4:4": 0, "4:2:2": 1, "4:2:0": 2}
+
+
+def values(**given):
+    return check_values(SCENE.controls, given)
+
+
+def frame(cache=None, **given):
+    return SCENE.render(values(**given), "", cache or StageCache())
+
+
+def texts(**given):
+    return {item.name: item.text for item in frame(**given).readouts}
+
+
+def outputs(**given):
+    return run(STAGES, values(**given), StageCache()).outputs
+
+
+def pillow(picture, quality, subsampling):
+    """Decoded picture in [0, 1], and bits of entropy-coded data: the file without its headers."""
+    file = io.BytesIO()
+    Image.fromarray(np.rint(255 * picture).astype(np.uint8)).save(
+        file,
+        "JPEG",
+        quality=quality,
+        subsampling=PILLOW_SUBSAMPLING[subsampling],
+        optimize=True,
+    )
+    data = file.getvalue()
+    scan = data.index(b"\xff\xda")
+    header = 2 + int.from_bytes(data[scan + 2 : scan + 4])
+    coded = data[scan + header : -2].replace(b"\xff\x00", b"\xff")
+    return np.asarray(Image.open(file)) / 255, 8 * len(coded)
+
+
+@pytest.mark.parametrize("quality", [10, 50, 90])
+@pytest.mark.parametrize("subsampling", PILLOW_SUBSAMPLING)
+def test_the_estimated_size_is_that_of_pillows_file(quality, subsampling):
+    """Huffman's code spends whole bits on each symbol: a little more than its entropy."""
+    done = outputs(quality=quality, subsampling=subsampling)
+    _, bits = pillow(done["original"], quality, subsampling)
+    assert 0.96 * bits < done["size"].bits < 1.005 * bits
+
+
+@pytest.mark.parametrize("quality", [10, 50, 90])
+def test_the_decoded_picture_is_pillows_up_to_rounding(quality):
+    done = outputs(quality=quality, subsampling="4:4:4")
+    theirs, _ = pillow(done["original"], quality, "4:4:4")
+    assert np.abs(255 * (done["decoded"] - theirs)).mean() < 0.6
+
+
+def test_at_full_colour_the_stages_are_the_models_compression():
+    done = outputs(quality=40, subsampling="4:4:4")
+    picture, zeros = compress(done["original"], 40)
+    assert done["decoded"] == pytest.approx(picture)
+    assert done["size"].nonzero == round((1 - zeros) * 3 * PIXELS)
+
+
+def test_the_zigzag_starts_as_in_the_standard_and_visits_every_place():
+    assert ZIGZAG[:10].tolist() == [0, 1, 8, 16, 9, 2, 3, 10, 17, 24]
+    assert ZIGZAG[-3:].tolist() == [55, 62, 63]
+    assert sorted(ZIGZAG) == list(range(64))
+
+
+def test_a_plane_of_one_grey_costs_no_bits():
+    assert symbol_bits([np.zeros((3, 4, 8, 8), np.int64)]) == 0
+
+
+def test_symbols_are_counted_as_by_hand():
+    """One block: mean 5 (3 bits), then 17 zeros and a 1 (1 bit), then the end.
+
+    Its symbols are one length of the mean, which is certain and free, and three different others
+    at log2(3) bits each: sixteen zeros, one zero with length 1, end of block.
+    """
+    codes = np.zeros(64, np.int64)
+    codes[ZIGZAG[0]], codes[ZIGZAG[18]] = 5, 1
+    assert symbol_bits([codes.reshape(1, 1, 8, 8)]) == pytest.approx(3 + 1 + 3 * math.log2(3))
+
+
+@pytest.mark.parametrize("shape", [(8, 8), (13, 30), (1, 1)])
+def test_blocks_give_the_plane_back(shape):
+    plane = np.arange(math.prod(shape), dtype=float).reshape(shape)
+    assert np.array_equal(from_blocks(to_blocks(plane), *shape), plane)
+
+
+def test_coarsening_takes_means():
+    plane = np.array([[1.0, 3, 5, 7], [1, 3, 5, 7]])
+    assert coarsen(plane, (2, 2)).tolist() == [[2, 6]]
+    assert coarsen(plane, (1, 2)).tolist() == [[2, 6], [2, 6]]
+
+
+def test_size_and_psnr_rise_with_quality():
+    shown = [texts(quality=q, subsampling="4:4:4") for q in (1, 10, 50, 100)]
+    for name in ("psnr", "rate", "kept"):
+        numbers = [float(text[name]) for text in shown]
+        assert numbers == sorted(numbers)
+        assert numbers[0] < numbers[-1]
+
+
+def test_subsampled_colour_costs_less_and_loses_colour_even_at_quality_100():
+    full, coarse = (texts(quality=100, subsampling=s) for s in ("4:4:4", "4:2:0"))
+    assert float(coarse["rate"]) < 0.8 * float(full["rate"])
+    assert float(coarse["psnr"]) < float(full["psnr"]) - 10
+
+
+@pytest.mark.parametrize("row", [0, BLOCK_ROWS - 1])
+@pytest.mark.parametrize("column", [0, BLOCK_COLUMNS - 1])
+def test_the_close_up_holds_its_block_at_every_border(row, column):
+    picture = np.arange(PIXELS * 4, dtype=np.uint32).reshape(192, 240, 4)
+    window, (top, left) = cut(picture, row, column)
+    assert window.shape == (24, 30, 4)
+    block = picture[8 * row : 8 * row + 8, 8 * column : 8 * column + 8]
+    assert np.array_equal(window[top : top + 8, left : left + 8], block)
+
+
+@pytest.mark.parametrize("quality", [1, 100])
+@pytest.mark.parametrize("subsampling", PILLOW_SUBSAMPLING)
+def test_every_extreme_can_be_drawn_in_the_same_layout(quality, subsampling):
+    shown = frame(quality=quality, subsampling=subsampling, row=24, column=30)
+    assert [panel.name for panel in shown.panels] == ["picture", "block", "codes"]
+    assert shown.panels[2].overlay.count("<rect") == 64
+
+
+def test_the_original_is_shown_as_it_was():
+    raster = frame(original="true", quality=1).panels[0].raster
+    assert np.array_equal(raster[..., :3], np.rint(255 * outputs()["original"]))
+
+
+def test_another_block_reuses_everything():
+    cache = StageCache()
+    frame(cache)
+    assert {stage.status for stage in frame(cache, row=2).stages} == {"reused"}
