@@ -16,19 +16,22 @@ type Point = tuple[float, float]
 type Place = Callable[[MeasuredTier, str], Point]
 """Where a tier stands on one side."""
 
-WIDTH, HEIGHT = 460, 320
-LEFT, RIGHT, TOP, BOTTOM = 50.0, 446.0, 34.0, 270.0
+WIDTH, HEIGHT = 420, 320
+LEFT, RIGHT, TOP, BOTTOM = 48.0, 408.0, 34.0, 270.0
 NONE_ROW = 22.0
 """Height of the strip for tiers without any error."""
 RADIUS = 4.5
-FRAME = Box(LEFT, TOP - 6, RIGHT + 10, BOTTOM)
+FRAME = Box(LEFT, TOP - 6, RIGHT + 8, BOTTOM)
 
 
 @dataclass(frozen=True, slots=True)
 class Chart:
     """A drawn chart, and the axes with which the page's script adds points of its own."""
 
-    overlay: str
+    marks: str
+    """Everything but the names."""
+    names: str
+    """Drawn over the reader's own points, so that they stay readable."""
     time: Axis
     error: Axis
     description: str
@@ -58,8 +61,8 @@ def pareto_chart(measured: MeasuredLadder) -> Chart:
     spreads = [_spread(i, side, at(i, side)[1], time) for i in measured.tiers for side in SIDES]
     bars = [drawing.line(*bar, "image spread") for bar in spreads]
     names = _names(measured, at, beaten, [Box(*a, *b).grown(3.0) for a, b in spreads])
-    parts = [_grid(time, error, measured), *fronts, *bars, *marks, *names]
-    return Chart("".join(parts), time, error, describe(measured))
+    parts = [_grid(time, error, measured), *fronts, *bars, *marks]
+    return Chart("".join(parts), "".join(names), time, error, describe(measured))
 
 
 def describe(measured: MeasuredLadder) -> str:

@@ -131,6 +131,6 @@ def summary_row(measured: MeasuredLadder) -> SummaryRow:
         span=f"{quantity(max(times) / min(times))}×",
         default=default.tier.label,
         default_ms=milliseconds(default.times["browser"].ms),
-        default_error=error if error == "none" else f"{error}\u00a0{unit}",
-        beaten=", ".join(beaten) or "none",
+        default_error=error if error == "none" else f"{error} {unit}",
+        beaten="; ".join(beaten) or "none",
     )

@@ -123,5 +123,5 @@ LADDER = Ladder(
         Metric("rms", "RMS error", "px", rms_px),
         Metric("worst", "Largest error", "px", worst_px),
     ),
-    default_tier="newton-4",
+    default_tier="newton-bracketed",
 )

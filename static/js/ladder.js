@@ -140,8 +140,8 @@ export class LadderBench extends HTMLElement {
 
 /** Milliseconds as the table prints them: two digits, whole numbers from 100 on. */
 export function twoDigits(/** @type {number} */ value) {
-  if (value >= 100) return value.toFixed(0);
-  return value > 0 ? String(Number(value.toPrecision(2))) : "0";
+  if (value >= 99.5) return value.toFixed(0);
+  return value > 0 ? value.toPrecision(2) : "0";
 }
 
 /** @param {Result[]} results @param {Ladder} ladder */

@@ -78,11 +78,11 @@ def test_what_has_no_error_stands_in_a_row_of_its_own() -> None:
 def test_a_chart_joins_the_front_and_greys_what_is_beaten() -> None:
     chart = pareto_chart(toy_measurements().find("toy"))
     native, browser = re.findall(
-        r'<polyline class="image faint(?: dashed)?" points="([^"]*)"', chart.overlay
+        r'<polyline class="image faint(?: dashed)?" points="([^"]*)"', chart.marks
     )
     assert len(native.split()) == len(browser.split()) == 3
-    assert chart.overlay.count('class="muted solid"') == 1
-    assert chart.overlay.count('class="muted hollow"') == 1
+    assert chart.marks.count('class="muted solid"') == 1
+    assert chart.marks.count('class="muted hollow"') == 1
     assert "Clearly beaten: Waste." in chart.description
 
 
