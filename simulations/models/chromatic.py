@@ -13,6 +13,12 @@ type Floats = NDArray[np.floating]
 LINE_F_UM, LINE_D_UM, LINE_C_UM = 0.4861, 0.5876, 0.6563
 """Fraunhofer lines: blue hydrogen, yellow helium, red hydrogen."""
 
+SHORTEST_UM = 0.1
+"""Shortest wavelength that Cauchy's law is asked for: glass is opaque long before."""
+
+SHORTEST_FOCAL_MM, LONGEST_FOCAL_MM = 1e-9, 1e12
+"""Range of focal lengths within which reciprocals and products stay finite."""
+
 
 @dataclass(frozen=True, slots=True)
 class Glass:
@@ -24,17 +30,19 @@ class Glass:
     """(n_d − 1) / (n_F − n_C): large is little dispersion; inf is none."""
 
     def __post_init__(self) -> None:
-        if not 1.0 < self.index_d < np.inf:
-            raise ValueError(f"index_d {self.index_d!r}: must exceed 1 and be finite")
-        if not self.abbe_number > 0.0:
-            raise ValueError(f"abbe_number {self.abbe_number!r}: must be positive (inf: none)")
+        if not 1.0 < self.index_d <= 10.0:
+            raise ValueError(f"index_d {self.index_d!r}: must exceed 1, and not 10")
+        if not self.abbe_number >= 1.0:
+            raise ValueError(f"abbe_number {self.abbe_number!r}: must be at least 1 (inf: none)")
 
 
 def refractive_index(glass: Glass, wavelength_um: ArrayLike) -> Floats:
     """Index at wavelengths (...); meets n_d and the Abbe number exactly."""
     wavelength = np.asarray(wavelength_um, float)
-    if not np.all(wavelength > 0.0):
-        raise ValueError(f"wavelength_um {float(np.min(wavelength))!r}: must be positive")
+    if not np.all(wavelength >= SHORTEST_UM):
+        raise ValueError(
+            f"wavelength_um {float(np.min(wavelength))!r}: must be at least {SHORTEST_UM}"
+        )
     dispersion = (glass.index_d - 1.0) / glass.abbe_number
     b = dispersion / (LINE_F_UM**-2 - LINE_C_UM**-2)
     index: Floats = glass.index_d + b * (wavelength**-2 - LINE_D_UM**-2)
@@ -43,8 +51,10 @@ def refractive_index(glass: Glass, wavelength_um: ArrayLike) -> Floats:
 
 def focal_length_mm(glass: Glass, focal_d_mm: float, wavelength_um: ArrayLike) -> Floats:
     """Focal length at each wavelength of a thin lens that has ``focal_d_mm`` at the d line."""
-    if not 0.0 < focal_d_mm < np.inf:
-        raise ValueError(f"focal_d_mm {focal_d_mm!r}: must be positive and finite")
+    if not SHORTEST_FOCAL_MM <= focal_d_mm <= LONGEST_FOCAL_MM:
+        raise ValueError(
+            f"focal_d_mm {focal_d_mm!r}: must be {SHORTEST_FOCAL_MM:g} to {LONGEST_FOCAL_MM:g}"
+        )
     power = (refractive_index(glass, wavelength_um) - 1.0) / (glass.index_d - 1.0)
     result: Floats = focal_d_mm / power
     return result
@@ -73,8 +83,10 @@ def lateral_chromatic_scale(
     glass off its centre and is deviated by dispersion: ``1 + t (1/f_d − 1/f(λ))``. With the stop
     in the lens (t = 0) every colour has the same scale.
     """
-    if not np.isfinite(stop_distance_mm):
-        raise ValueError(f"stop_distance_mm {stop_distance_mm!r}: must be finite")
+    if not abs(stop_distance_mm) <= LONGEST_FOCAL_MM:
+        raise ValueError(
+            f"stop_distance_mm {stop_distance_mm!r}: must be at most {LONGEST_FOCAL_MM:g} in size"
+        )
     focal = focal_length_mm(glass, focal_d_mm, wavelength_um)
     scale: Floats = 1.0 + stop_distance_mm * (1.0 / focal_d_mm - 1.0 / focal)
     return scale

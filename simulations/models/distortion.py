@@ -18,10 +18,13 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from simulations.models import radial_profile
-from simulations.models.radial_profile import RadialProfile
+from simulations.models.radial_profile import LARGEST_COEFFICIENT, RadialProfile
 
 type Floats = NDArray[np.floating]
 type Mask = NDArray[np.bool_]
+
+FAR = 1e45
+"""Radius beyond which r⁶ and its products might overflow: only the direction counts there."""
 
 SHEET_SAMPLES = 16
 """Points between the axis and a solution at which the map must still keep its orientation."""
@@ -49,8 +52,10 @@ class Distortion:
     """Denominator, of r⁶."""
 
     def __post_init__(self) -> None:
-        if not np.all(np.isfinite(self.opencv)):
-            raise ValueError(f"{self}: coefficients must be finite")
+        if not np.all(np.abs(self.opencv) <= LARGEST_COEFFICIENT):
+            raise ValueError(
+                f"{self}: coefficients must be finite, at most {LARGEST_COEFFICIENT:g} in size"
+            )
 
     @property
     def radial(self) -> RadialProfile:
@@ -80,8 +85,8 @@ def distort(xy: ArrayLike, d: Distortion) -> Floats:
     ----------
     xy : (..., 2) floats
         Normalised coordinates. A neutral lens returns this very array, however large its
-        entries; with any coefficient set, points too far out for r² to be represented are
-        sent to infinity, with the sign the polynomial gives them.
+        entries; with any coefficient set, points beyond `FAR` are sent to infinity, with the
+        signs that the polynomial gives them.
     d : Distortion
 
     Returns
@@ -91,6 +96,12 @@ def distort(xy: ArrayLike, d: Distortion) -> Floats:
     ideal = np.asarray(xy, float)
     if d.neutral:
         return ideal
+    with np.errstate(over="ignore", invalid="ignore"):
+        far = ideal[..., 0] ** 2 + ideal[..., 1] ** 2 > FAR**2
+    return _distort_far(ideal, d, far) if far.any() else _distort_near(ideal, d)
+
+
+def _distort_near(ideal: Floats, d: Distortion) -> Floats:
     x, y = ideal[..., 0], ideal[..., 1]
     with np.errstate(over="ignore", invalid="ignore"):
         r2 = x * x + y * y
@@ -99,8 +110,16 @@ def distort(xy: ArrayLike, d: Distortion) -> Floats:
             cross = 2.0 * x * y
             moved[..., 0] += d.p1 * cross + d.p2 * (r2 + 2.0 * x * x)
             moved[..., 1] += d.p1 * (r2 + 2.0 * y * y) + d.p2 * cross
-    on_axis_overflow = np.isinf(r2)[..., None] & (ideal == 0.0)
-    return np.where(on_axis_overflow, 0.0, moved) if on_axis_overflow.any() else moved
+    return moved
+
+
+def _distort_far(ideal: Floats, d: Distortion, far: Mask) -> Floats:
+    """Far points are judged by where their direction is sent at the radius `FAR`."""
+    largest = np.abs(ideal).max(axis=-1, keepdims=True)
+    shrunk = np.where(far[..., None], FAR * (ideal / np.where(far[..., None], largest, 1.0)), ideal)
+    moved = _distort_near(shrunk, d)
+    beyond = far[..., None] & (np.abs(moved) > np.sqrt(FAR))
+    return np.where(beyond, np.copysign(np.inf, moved), moved)
 
 
 def fold_radius(d: Distortion) -> float:
@@ -141,7 +160,8 @@ def undistort(xy: ArrayLike, d: Distortion) -> tuple[Floats, Mask]:
     if d.neutral and finite.all():
         return seen, finite
     seen = np.where(finite[..., None], seen, 0.0)
-    seen_radius = np.hypot(seen[..., 0], seen[..., 1])
+    with np.errstate(over="ignore"):
+        seen_radius = np.hypot(seen[..., 0], seen[..., 1])
     radius, valid = radial_profile.invert(d.radial, seen_radius)
     ratio = np.divide(radius, seen_radius, out=np.ones_like(radius), where=seen_radius > 0.0)
     ideal = seen * ratio[..., None]
@@ -179,6 +199,7 @@ def _solve_tangential(seen: Floats, start: Floats, d: Distortion) -> tuple[Float
                 break
         residual = np.abs(distort(ideal, d) - seen).max(axis=-1)
         valid = (residual <= 1e-11 * (1.0 + np.abs(seen).max(axis=-1))) & _same_sheet(ideal, d)
+        valid &= np.isfinite(ideal).all(axis=-1)
     return np.where(valid[..., None], ideal, start), valid
 
 

@@ -57,6 +57,9 @@ class Fisheye:
     k3: float = 0.0
     k4: float = 0.0
 
+    def __post_init__(self) -> None:
+        _ = self.profile  # refuses coefficients that are not finite
+
     @property
     def profile(self) -> RadialProfile:
         """The same odd polynomial as radial distortion, in the angle instead of the radius."""
@@ -112,7 +115,9 @@ def _angles(directions: ArrayLike) -> tuple[Floats, Floats, Mask]:
     """Angle to the axis, azimuth, and whether the direction is one."""
     rays = np.asarray(directions, float)
     finite = np.isfinite(rays).all(axis=-1)
-    x, y, z = np.moveaxis(np.where(finite[..., None], rays, 0.0), -1, 0)
+    largest = np.abs(np.where(finite[..., None], rays, 0.0)).max(axis=-1, keepdims=True)
+    scaled = np.where(finite[..., None], rays, 0.0) / np.where(largest > 0.0, largest, 1.0)
+    x, y, z = np.moveaxis(scaled, -1, 0)
     across = np.hypot(x, y)
     valid = finite & ((across > 0.0) | (z > 0.0))
     return np.arctan2(across, z), np.arctan2(y, x), valid
@@ -122,7 +127,10 @@ def _polar(xy: ArrayLike) -> tuple[Floats, Floats, Mask]:
     points = np.asarray(xy, float)
     valid = np.isfinite(points).all(axis=-1)
     x, y = np.moveaxis(np.where(valid[..., None], points, 0.0), -1, 0)
-    return np.hypot(x, y), np.arctan2(y, x), valid
+    with np.errstate(over="ignore"):
+        radius = np.hypot(x, y)
+    valid &= np.isfinite(radius)
+    return np.where(valid, radius, 0.0), np.arctan2(y, x), valid
 
 
 def _on_image(radius: Floats, azimuth: Floats, valid: Mask) -> Floats:

@@ -74,11 +74,13 @@ def circle_of_confusion_mm(
         raise ValueError(f"depth_mm {_worst(depth)!r}: must not be negative (behind the lens)")
     if f_number == np.inf:
         return np.zeros_like(depth)
-    with np.errstate(divide="ignore", over="ignore"):
+    with np.errstate(divide="ignore", over="ignore", invalid="ignore"):
         defocus_per_mm = np.abs(1.0 / depth - 1.0 / focus_mm)
-    aperture_mm = focal_mm / f_number
-    diameter: Floats = aperture_mm * focal_mm / (1.0 - focal_mm / focus_mm) * defocus_per_mm
-    return diameter
+        aperture_mm = focal_mm / f_number
+        diameter = aperture_mm * focal_mm / (1.0 - focal_mm / focus_mm) * defocus_per_mm
+    # In focus is sharp and on the lens is blurred without end, however wide or narrow the lens.
+    blur: Floats = np.where(np.isinf(defocus_per_mm), np.inf, diameter)
+    return np.where(defocus_per_mm == 0.0, 0.0, blur)
 
 
 def depth_of_field(

@@ -17,6 +17,9 @@ type Floats = NDArray[np.floating]
 MAX_NEWTON_STEPS = 100
 """A bound on the work, not a tuning: two or three steps are usual, more occur near the fold."""
 
+LARGEST_COEFFICIENT = 1e9
+"""Far beyond any lens, and small enough for the products of two polynomials never to overflow."""
+
 GUESS_SAMPLES = 1025
 """Samples of f from which the first guess is interpolated."""
 
@@ -31,8 +34,10 @@ class RadialProfile:
     """b₁, b₂, …"""
 
     def __post_init__(self) -> None:
-        if not np.all(np.isfinite((*self.numerator, *self.denominator))):
-            raise ValueError(f"coefficients {self}: must be finite")
+        if not np.all(np.abs((*self.numerator, *self.denominator)) <= LARGEST_COEFFICIENT):
+            raise ValueError(
+                f"coefficients {self}: must be finite, at most {LARGEST_COEFFICIENT:g} in size"
+            )
 
     @property
     def neutral(self) -> bool:
@@ -55,28 +60,32 @@ def evaluate(profile: RadialProfile, radius: ArrayLike) -> Floats:
     r = np.asarray(radius, float)
     if profile.neutral:  # r² would overflow for |r| > 1e154 although f(r) = r does not
         return r
-    return r * scale(profile, r * r)
+    with np.errstate(over="ignore", invalid="ignore"):
+        image: Floats = r * scale(profile, r * r)
+    return image
 
 
 def scale_slope(profile: RadialProfile, radius_squared: ArrayLike) -> Floats:
     """Derivative of `scale` with respect to s = r²."""
     s = np.asarray(radius_squared, float)
     numerator, denominator = _polynomials(profile)
-    n, d = polynomial.polyval(s, numerator), polynomial.polyval(s, denominator)
-    n_slope = polynomial.polyval(s, polynomial.polyder(numerator))
-    d_slope = polynomial.polyval(s, polynomial.polyder(denominator))
-    result: Floats = (n_slope * d - n * d_slope) / (d * d)
+    with np.errstate(over="ignore", invalid="ignore", divide="ignore"):
+        n, d = polynomial.polyval(s, numerator), polynomial.polyval(s, denominator)
+        n_slope = polynomial.polyval(s, polynomial.polyder(numerator))
+        d_slope = polynomial.polyval(s, polynomial.polyder(denominator))
+        result: Floats = (n_slope * d - n * d_slope) / (d * d)
     return result
 
 
 def slope(profile: RadialProfile, radius: ArrayLike) -> Floats:
     """``f'(r)``: term by term for a polynomial, else ``g + 2 s g'`` with g = `scale`, s = r²."""
-    s = np.square(np.asarray(radius, float))
-    if any(profile.denominator):
-        result: Floats = scale(profile, s) + 2.0 * s * scale_slope(profile, s)
-        return result
-    odd = tuple((2 * i + 3) * a for i, a in enumerate(profile.numerator))
-    return _series(odd, s)
+    with np.errstate(over="ignore", invalid="ignore"):
+        s = np.square(np.asarray(radius, float))
+        if any(profile.denominator):
+            result: Floats = scale(profile, s) + 2.0 * s * scale_slope(profile, s)
+            return result
+        odd = tuple((2 * i + 3) * a for i, a in enumerate(profile.numerator))
+        return _series(odd, s)
 
 
 def fold_radius(profile: RadialProfile) -> float:

@@ -21,6 +21,11 @@ NEARLY_ZERO = 1e-12
 """Direction components smaller than this are taken as this: the slab test divides by them."""
 
 
+def _check_finite(name: str, numbers: tuple[float, ...]) -> None:
+    if not all(map(math.isfinite, numbers)):
+        raise ValueError(f"{name} {numbers!r}; legal: finite")
+
+
 @dataclass(frozen=True, slots=True)
 class Sphere:
     """A ball."""
@@ -33,6 +38,7 @@ class Sphere:
     def __post_init__(self) -> None:
         if not 0 < self.radius < math.inf:
             raise ValueError(f"Sphere: radius {self.radius!r}; legal: positive and finite")
+        _check_finite("Sphere: centre", self.centre)
 
 
 @dataclass(frozen=True, slots=True)
@@ -49,6 +55,8 @@ class Box:
     def __post_init__(self) -> None:
         if not all(0 < edge < math.inf for edge in self.size):
             raise ValueError(f"Box: size {self.size!r}; legal: three positive finite lengths")
+        _check_finite("Box: centre", self.centre)
+        _check_finite("Box: angle_rad", (self.angle_rad,))
 
     @property
     def world_to_box(self) -> Floats:
@@ -170,13 +178,15 @@ def intersect_plane(
     Returns
     -------
     distance : (...) metres, 0 where not valid
-    valid : (...) false where the ray runs along the plane or away from it.
+    valid : (...) false where the ray runs along the plane or away from it, and where the
+        distance is no finite number.
     """
-    facing = np.asarray(directions, float) @ np.asarray(normal, float)
-    height = (np.asarray(point, float) - np.asarray(origin, float)) @ np.asarray(normal, float)
-    crossing = np.abs(facing) > NEARLY_ZERO
-    distance = height / np.where(crossing, facing, 1.0)
-    valid = crossing & (distance > 0)
+    with np.errstate(over="ignore", invalid="ignore"):
+        facing = np.asarray(directions, float) @ np.asarray(normal, float)
+        height = (np.asarray(point, float) - np.asarray(origin, float)) @ np.asarray(normal, float)
+        crossing = np.abs(facing) > NEARLY_ZERO
+        distance = height / np.where(crossing, facing, 1.0)
+    valid = crossing & (distance > 0) & np.isfinite(distance)
     return np.where(valid, distance, 0.0), valid
 
 
@@ -191,8 +201,9 @@ def edge_coverage(margin: ArrayLike) -> Floats:
     signed = np.asarray(margin, float)
     if signed.ndim != 2 or min(signed.shape) < 2:
         raise ValueError(f"edge_coverage: margin {signed.shape}; legal: (H, W), both at least 2")
-    down, across = np.gradient(signed)
-    slope = np.maximum(np.hypot(down, across), NEARLY_ZERO)
+    with np.errstate(over="ignore"):
+        down, across = np.gradient(signed)
+        slope = np.maximum(np.hypot(down, across), NEARLY_ZERO)
     coverage: Floats = np.clip(0.5 + signed / slope, 0.0, 1.0)
     return coverage
 

@@ -57,19 +57,22 @@ def mechanical_vignetting(
     if not 0.0 <= separation_mm < np.inf:
         raise ValueError(f"separation_mm {separation_mm!r}: must be finite and not negative")
     with np.errstate(over="ignore"):
-        shift = np.abs(np.asarray(tan_field, float) * separation_mm)
-    overlap = disc_overlap_area(shift, pupil_radius_mm, rim_radius_mm)
-    result: Floats = overlap / (np.pi * pupil_radius_mm**2)
+        shift = np.abs(np.asarray(tan_field, float) * separation_mm) / pupil_radius_mm
+    # In units of the pupil, so that tiny and huge lenses neither vanish nor overflow when squared.
+    rim = min(max(rim_radius_mm / pupil_radius_mm, 1e-100), 1e100)
+    result: Floats = disc_overlap_area(shift, 1.0, rim) / np.pi
     return np.clip(result, 0.0, 1.0)
 
 
 def disc_overlap_area(distance: ArrayLike, radius_a: float, radius_b: float) -> Floats:
     """Area common to two discs whose centres are ``distance`` apart."""
     a, b = float(radius_a), float(radius_b)
-    # Outside [|a−b|, a+b] one disc contains the other, or they are apart: the formula's limits.
+    inside = np.asarray(distance, float) <= abs(a - b)  # one disc contains the other
+    # Outside [|a−b|, a+b] the formula is at its limits.
     d = np.clip(np.asarray(distance, float), max(abs(a - b), 1e-12 * min(a, b)), a + b)
     angle_a = np.arccos(np.clip((d * d + a * a - b * b) / (2.0 * d * a), -1.0, 1.0))
     angle_b = np.arccos(np.clip((d * d + b * b - a * a) / (2.0 * d * b), -1.0, 1.0))
     kite = (a + b - d) * (d + a - b) * (d - a + b) * (d + a + b)
-    area: Floats = a * a * angle_a + b * b * angle_b - 0.5 * np.sqrt(np.maximum(kite, 0.0))
+    lens = a * a * angle_a + b * b * angle_b - 0.5 * np.sqrt(np.maximum(kite, 0.0))
+    area: Floats = np.where(inside, np.pi * min(a, b) ** 2, lens)
     return area

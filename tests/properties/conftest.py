@@ -1,0 +1,8 @@
+"""Fewer examples than usual: there are many properties, and together they must stay quick."""
+
+from hypothesis import HealthCheck, settings
+
+settings.register_profile(
+    "properties", max_examples=60, deadline=None, suppress_health_check=[HealthCheck.too_slow]
+)
+settings.load_profile("properties")

@@ -1,0 +1,189 @@
+"""Lenses, resampling and ray casting for any floats at all.
+
+No warning (pytest turns them into errors), no exception but a `ValueError` with a reason, and
+nothing that is not finite where the mask says that it is valid.
+"""
+
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+from support.float_range import any_float, arrays, ask, assert_finite_where_valid, finite_float
+
+from simulations.models import (
+    chromatic,
+    distortion,
+    fisheye,
+    optics,
+    radial_profile,
+    raycasting,
+    resampling,
+    vignetting,
+)
+
+coefficients = st.lists(finite_float.filter(lambda c: abs(c) <= 1e9), min_size=8, max_size=8)
+sensible_coefficients = st.lists(st.floats(-2.0, 2.0), min_size=8, max_size=8)
+
+
+def lens(k):
+    return distortion.Distortion(k[0], k[1], k[2], k[3], k[4], k[5], k[6], k[7])
+
+
+@given(st.lists(any_float, min_size=8, max_size=8))
+def test_coefficients_of_no_lens_are_refused(k):
+    if not np.all(np.abs(k) <= radial_profile.LARGEST_COEFFICIENT):
+        assert ask(lens, k) is None
+        assert ask(radial_profile.RadialProfile, tuple(k)) is None
+
+
+@given(coefficients | sensible_coefficients)
+def test_every_lens_has_a_fold_radius_or_none(k):
+    fold = distortion.fold_radius(lens(k))
+    assert fold > 0.0
+    assert distortion.largest_distorted_radius(lens(k)) > 0.0
+
+
+@given(coefficients | sensible_coefficients, arrays(5, 2))
+def test_undistorted_points_are_finite_and_return_where_valid(k, points):
+    d = lens(k)
+    ideal, valid = distortion.undistort(points, d)
+    assert np.isfinite(ideal).all()
+    seen = distortion.distort(ideal[valid], d)
+    off = np.abs(seen - points[valid]).max(axis=-1)
+    assert (off <= 1e-9 * (1.0 + np.abs(points[valid]).max(axis=-1))).all()
+
+
+@given(coefficients | sensible_coefficients, arrays(5, 2, of=finite_float))
+def test_distorting_finite_points_gives_numbers(k, points):
+    assert not np.isnan(distortion.distort(points, lens(k))).any()
+
+
+@given(st.lists(any_float, min_size=4, max_size=4), arrays(5, 3), arrays(5, 2))
+def test_fisheyes_are_finite_where_valid(k, directions, points):
+    fish = ask(fisheye.Fisheye, *k)
+    if fish is None:
+        return
+    assert_finite_where_valid(fisheye.project_fisheye(directions, fish))
+    assert_finite_where_valid(fisheye.unproject_fisheye(points, fish))
+
+
+@pytest.mark.parametrize("model", fisheye.IDEAL_MODELS)
+@given(directions=arrays(5, 3), points=arrays(5, 2))
+def test_ideal_fisheyes_are_finite_everywhere(model, directions, points):
+    for values, valid in (
+        fisheye.project_ideal(directions, model),
+        fisheye.unproject_ideal(points, model),
+    ):
+        assert np.isfinite(values).all()
+        assert valid.shape == (5,)
+
+
+@given(any_float, arrays(3))
+def test_image_distances_are_beyond_the_focal_length_or_refused(focal_mm, distance_mm):
+    image = ask(optics.thin_lens_image_distance, focal_mm, distance_mm)
+    assert image is None or (image >= focal_mm * (1 - 1e-15)).all()
+
+
+@given(any_float, any_float, any_float, arrays(3))
+def test_circles_of_confusion_are_no_less_than_zero_or_refused(focal, f_number, focus, depth):
+    diameter = ask(optics.circle_of_confusion_mm, focal, f_number, focus, depth)
+    assert diameter is None or (diameter >= 0.0).all()
+
+
+@given(any_float, any_float, any_float, any_float)
+def test_depth_of_field_holds_the_focus_or_is_refused(focal, f_number, focus, coc):
+    limits = ask(optics.depth_of_field, focal, f_number, focus, coc)
+    assert limits is None or 0.0 <= limits[0] <= focus * (1 + 1e-12) <= limits[1] * (1 + 1e-9)
+    nearest = ask(optics.hyperfocal, focal, f_number, coc)
+    assert nearest is None or nearest >= focal
+
+
+@given(any_float, any_float)
+def test_lenses_see_an_angle_or_are_refused(focal_mm, sensor_mm):
+    angle = ask(optics.field_of_view_rad, focal_mm, sensor_mm)
+    assert angle is None or 0.0 <= angle <= np.pi
+
+
+@given(any_float.filter(lambda r: not np.isnan(r)))
+def test_vignetting_is_a_share(r_over_f):
+    assert 0.0 <= vignetting.vignetting_cos4(r_over_f) <= 1.0
+
+
+@given(finite_float, any_float, any_float, any_float)
+def test_mechanical_vignetting_is_a_share_or_refused(tangent, pupil, rim, separation):
+    share = ask(vignetting.mechanical_vignetting, tangent, pupil, rim, separation)
+    assert share is None or 0.0 <= share <= 1.0
+
+
+@given(any_float, any_float, any_float, any_float, any_float)
+def test_glass_is_refused_or_bends_light(index, abbe, focal, stop, wavelength):
+    glass = ask(chromatic.Glass, index, abbe)
+    if glass is not None:
+        for answer in (
+            ask(chromatic.refractive_index, glass, wavelength),
+            ask(chromatic.focal_length_mm, glass, focal, wavelength),
+            ask(chromatic.axial_chromatic_mm, glass, focal, 2.0, wavelength),
+            ask(chromatic.lateral_chromatic_scale, glass, focal, stop, wavelength),
+        ):
+            assert answer is None or not np.isnan(answer)
+
+
+@pytest.mark.parametrize("kernel", resampling.KERNELS)
+@given(positions=arrays(6, 2))
+def test_samples_of_a_finite_picture_are_finite_wherever_they_are_taken(kernel, positions):
+    picture = np.linspace(0.0, 1.0, 12).reshape(3, 4)
+    assert np.isfinite(resampling.sample(picture, positions, kernel)).all()
+    assert np.isfinite(resampling.sample(picture, positions, kernel, fill=None)).all()
+
+
+def unit(vector):
+    return vector / np.linalg.norm(vector)
+
+
+solids = st.sampled_from(
+    [
+        raycasting.Sphere((0.3, 5.0, 0.2), 1.0),
+        raycasting.Sphere((0.0, 0.0, 0.0), 1e-9),
+        raycasting.Box((0.0, 5.0, 0.0), (2.0, 1.0, 3.0), 0.7),
+        raycasting.Box((0.0, 0.0, 0.0), (1e-6, 1e6, 1.0)),
+    ]
+)
+metres = st.sampled_from([0.0, 1e-12, 1.0, 5.0, 1e6, -1e-12, -1.0]) | st.floats(-1e6, 1e6)
+directions = arrays(
+    3, of=st.sampled_from([0.0, 1e-300, 1e-12, 1.0, -1.0]) | st.floats(-1, 1)
+).filter(lambda v: np.linalg.norm(v) > 1e-6)
+
+
+@given(solids, arrays(3, of=metres), directions)
+def test_every_entry_of_a_hit_is_finite_also_where_rays_miss(solid, origin, direction):
+    hit = raycasting.intersect(solid, origin, unit(direction))
+    for part in (hit.distance, hit.points, hit.normals, hit.margin):
+        assert np.isfinite(part).all()
+
+
+@given(st.sampled_from(["Sphere", "Box"]), arrays(3), arrays(3), any_float)
+def test_solids_are_finite_or_refused(kind, centre, size, number):
+    if kind == "Sphere":
+        solid = ask(raycasting.Sphere, tuple(centre), number)
+    else:
+        solid = ask(raycasting.Box, tuple(centre), tuple(size), number)
+    if solid is not None:
+        assert np.isfinite(solid.centre).all()
+
+
+@given(arrays(3), arrays(3), arrays(3), arrays(4, 3))
+def test_distances_to_planes_are_finite_where_valid(point, normal, origin, rays):
+    assert_finite_where_valid(raycasting.intersect_plane(point, normal, origin, rays))
+
+
+@given(arrays(3, 4, of=finite_float))
+def test_coverage_is_a_share(margin):
+    coverage = raycasting.edge_coverage(margin)
+    assert ((coverage >= 0.0) & (coverage <= 1.0)).all()
+
+
+@given(coefficients, arrays(6))
+def test_profiles_invert_to_finite_radii(a, images):
+    radius, valid = radial_profile.invert(radial_profile.RadialProfile(tuple(a)), images)
+    assert np.isfinite(radius).all()
+    assert (radius[valid] >= 0.0).all()
