@@ -25,9 +25,10 @@ from simulations.scenes import depth_of_field_drawing as drawing
 
 NEAR_M, FAR_M = thing_depth(THINGS[0]), WALL_DISTANCE
 """The red ball in front and the wall behind: the two ends of the still life."""
-FIXED = {"k1": 0.0, "light_angle": 40.0, "reduction": 1, "lens_rays": 0}
-"""Parameters of the camera's stages that this figure does not offer: a straight lens, a ray for
-each pixel, blur by layers."""
+FIXED = {"k1": 0.0, "light_angle": 40.0}
+"""Parameters of the camera's stages that this figure does not offer."""
+TIERS = ("draft", "layers")
+"""Of the camera's: a ray for four pixels while the focal length is dragged, else one for each."""
 LARGEST_DRAWN_PX = 48.0
 """Wider discs leave nothing to recognise, and take seconds to draw: the picture stops here."""
 UNLIT = np.full((camera_stages.ROWS, camera_stages.COLUMNS), 0.35)
@@ -79,9 +80,11 @@ STAGES = (
             "light",
             "defocus",
             "overlay",
+            "aperture rays",
+            "enlargement",
         )
     ),
-    Stage("encoded", (), _encode, ("overlay",)),
+    Stage("encoded", (), _encode, ("enlargement",)),
 )
 
 
@@ -131,7 +134,7 @@ def drawn_focus_m(focal_mm: float, f_number: float, focus_m: float) -> float:
     return max(focus_m, nearest_mm / 1000)
 
 
-def render(values: Values, tier: str, cache: StageCache) -> Frame:  # noqa: ARG001 - no tiers
+def render(values: Values, tier: str, cache: StageCache) -> Frame:
     focal, f_number = values.number("focal_length"), values.number("aperture")
     focus = values.number("focus")
     hyperfocal_m = optics.hyperfocal(focal, f_number, camera_stages.PITCH_MM) / 1000
@@ -139,7 +142,8 @@ def render(values: Values, tier: str, cache: StageCache) -> Frame:  # noqa: ARG0
         return _refuse(values, hyperfocal_m)
     sharp = sharpness(focal, f_number, focus)
     drawn_m = drawn_focus_m(focal, f_number, focus)
-    done = run(STAGES, Values({**values, "focus": drawn_m}), cache, FIXED)
+    setting = {**FIXED, **camera_stages.TIERS[tier or "layers"]}
+    done = run(STAGES, Values({**values, "focus": drawn_m}), cache, setting)
     lens = drawing.Lens(
         aperture_mm=sharp.aperture_mm,
         focus_m=focus,
@@ -221,4 +225,17 @@ def describe(values: Values, sharp: Sharpness) -> str:
     )
 
 
-SCENE = Scene(id="depth-of-field", title="Depth of Field", controls=CONTROLS, render=render)
+SCENE = Scene(
+    id="depth-of-field",
+    title="Depth of Field",
+    controls=CONTROLS,
+    render=render,
+    tiers=TIERS,
+    default_tier="layers",
+    draft_tier="draft",
+    drafted=("focal_length",),
+    tier_labels={
+        "draft": "Draft: a ray for four pixels",
+        "layers": "A ray a pixel, blur by layers",
+    },
+)

@@ -114,3 +114,12 @@ def test_aperture_reuses_the_lit_scene():
         "overlay",
         "encoded",
     ]
+
+
+def test_the_draft_is_a_coarser_picture_of_the_same_size_with_the_same_numbers():
+    values = check_values(SCENE.controls, {"aperture": 16})
+    draft, settled = (SCENE.render(values, tier, StageCache()) for tier in ("draft", "layers"))
+    coarse, fine = (shown.panels[1].raster.astype(float) for shown in (draft, settled))
+    assert coarse.shape == fine.shape
+    assert 0 < np.abs(coarse - fine).mean() < 6
+    assert draft.readouts == settled.readouts
