@@ -62,3 +62,107 @@ def test_white_balance_makes_the_light_grey():
     np.testing.assert_allclose(color.white_balance(0.5 * lamp, lamp), [0.35] * 3)
     with pytest.raises(ValueError, match="illuminant"):
         color.white_balance(lamp, [1, 1, 0])
+
+
+@pytest.mark.parametrize(
+    ("linear", "encoded"),
+    [(0.001, 0.01292), (0.0031, 0.040052), (0.18, 0.461356), (0.5, 0.735357), (1.0, 1.0)],
+)
+def test_the_curve_has_the_values_of_the_standard(linear, encoded):
+    assert color.encode_srgb([linear, -linear]) == pytest.approx([encoded, -encoded], abs=1e-6)
+    assert color.decode_srgb([encoded, -encoded]) == pytest.approx([linear, -linear], abs=1e-6)
+
+
+def test_the_curve_does_not_break_where_its_pieces_meet():
+    """The line ends at 0.0031308; the standard's two pieces differ there by 3e-8 at most."""
+    around = np.array([0.0031308 * (1 - 1e-9), 0.0031308 * (1 + 1e-9)])
+    assert np.diff(color.encode_srgb(around))[0] == pytest.approx(0, abs=3e-8)
+    assert np.diff(color.decode_srgb(np.array([0.04045, 0.04045 + 1e-9]))) == pytest.approx(
+        0, abs=1e-8
+    )
+
+
+def test_dark_and_bright_colours_of_lab_agree_with_scikit_image():
+    dark = RGB * 0.08
+    theirs = skimage.color.rgb2lab(dark[None])[0]
+    np.testing.assert_allclose(color.linear_rgb_to_lab(color.decode_srgb(dark)), theirs, atol=0.02)
+    np.testing.assert_allclose(color.linear_rgb_to_lab([1.0, 1, 1]), [100, 0, 0], atol=1e-10)
+
+
+def test_lightness_starts_as_a_line_of_slope_903():
+    """CIE 15: L* = (29/3)³ Y up to Y = (6/29)³, and 116 Y^⅓ − 16 from there on."""
+    white = color.linear_rgb_to_xyz([1.0, 1, 1])
+    end = (6 / 29) ** 3
+    for y in (-0.01, 0.0, 0.5 * end, end):
+        assert color.xyz_to_lab(y * white)[0] == pytest.approx((29 / 3) ** 3 * y, abs=1e-9)
+    assert color.xyz_to_lab(1.1 * end * white)[0] == pytest.approx(
+        116 * (1.1 * end) ** (1 / 3) - 16
+    )
+    assert color.xyz_to_lab(0.9 * end * white)[0] == pytest.approx((29 / 3) ** 3 * 0.9 * end)
+
+
+def test_luminance_is_the_y_of_xyz():
+    picture = RGB.reshape(20, 25, 3)
+    np.testing.assert_allclose(color.luminance(picture), color.linear_rgb_to_xyz(picture)[..., 1])
+    assert color.luminance([0.0, 1.0, 0.0]) == pytest.approx(0.7152, abs=1e-4)
+
+
+def test_luma_and_differences_of_the_primaries_are_those_of_jfif():
+    primaries = color.rgb_to_ycbcr(np.eye(3))
+    expected = [
+        [0.299, -0.168736, 0.5],
+        [0.587, -0.331264, -0.418688],
+        [0.114, 0.5, -0.081312],
+    ]
+    np.testing.assert_allclose(primaries, expected, atol=1e-6)
+
+
+def test_gamma_is_a_plain_power_and_negative_light_is_none():
+    np.testing.assert_allclose(color.encode_gamma([0.25, -0.3], 2.0), [0.5, 0.0])
+    assert color.encode_gamma(0.5) == pytest.approx(0.5 ** (1 / 2.2))
+    for gamma in (0.0, -1.0, np.inf, np.nan):
+        with pytest.raises(ValueError, match="gamma"):
+            color.encode_gamma(0.5, gamma)
+
+
+def test_primaries_on_one_line_have_no_matrix():
+    with pytest.raises(ValueError, match="triangle"):
+        color.rgb_to_xyz_matrix(((0.2, 0.2), (0.3, 0.3), (0.4, 0.4)))
+
+
+def test_other_primaries_and_another_white_keep_their_promise():
+    """Adobe RGB (1998), annex B."""
+    adobe = color.rgb_to_xyz_matrix(((0.64, 0.33), (0.21, 0.71), (0.15, 0.06)))
+    published = [
+        [0.57667, 0.18556, 0.18823],
+        [0.29734, 0.62736, 0.07529],
+        [0.02703, 0.07069, 0.99134],
+    ]
+    np.testing.assert_allclose(adobe, published, atol=1e-4)
+    equal_energy = color.rgb_to_xyz_matrix(white_xy=(1 / 3, 1 / 3))
+    np.testing.assert_allclose(equal_energy.sum(axis=1), [1, 1, 1])
+
+
+def test_grey_world_takes_the_mean_of_each_channel():
+    picture = np.arange(4 * 6 * 3.0).reshape(4, 6, 3)
+    np.testing.assert_allclose(color.grey_world(picture), [34.5, 35.5, 36.5])
+
+
+@pytest.mark.parametrize(
+    "light", [[1.0, -0.5, 1], [1, np.nan, 1], [1, 1, np.inf], [1, 1], [[1] * 3]]
+)
+def test_what_is_no_light_is_refused(light):
+    with pytest.raises(ValueError, match="illuminant"):
+        color.white_balance([0.5, 0.5, 0.5], light)
+
+
+@pytest.mark.parametrize("shape", [(4,), (3, 4), ()])
+def test_what_is_no_colour_is_refused(shape):
+    with pytest.raises(ValueError, match=r"legal: \(\.\.\., 3\)"):
+        color.linear_rgb_to_xyz(np.zeros(shape))
+
+
+def test_single_precision_stays_and_whole_numbers_become_double():
+    assert color.decode_srgb(np.float32([0.1])).dtype == np.float32
+    assert color.luminance(np.float32([0.1, 0.2, 0.3])).dtype == np.float32
+    assert color.encode_srgb([1]).dtype == np.float64

@@ -7,6 +7,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from simulations.models.bayer import filter_colours, red_position, through_filters
 from simulations.models.demosaicing import METHODS, PATTERNS, demosaic, mosaic, psnr_db
 
 with warnings.catch_warnings():
@@ -92,3 +93,100 @@ def test_psnr_of_an_error_of_one_code_is_48_decibel():
     picture = np.zeros((32, 32, 3))
     assert psnr_db(picture + 1 / 255, picture) == pytest.approx(48.1308, abs=1e-4)
     assert psnr_db(picture, picture) == np.inf
+
+
+@pytest.mark.parametrize("pattern", PATTERNS)
+def test_each_pixel_has_the_filter_that_the_pattern_names(pattern):
+    expected = [["RGB".index(pattern[2 * (y % 2) + x % 2]) for x in range(7)] for y in range(5)]
+    assert filter_colours(5, 7, pattern).tolist() == expected
+    assert filter_colours(1, 1, pattern).tolist() == [expected[0][:1]]
+    assert expected[red_position(pattern)[0]][red_position(pattern)[1]] == 0
+
+
+@pytest.mark.parametrize("pattern", PATTERNS)
+def test_through_the_filters_only_the_measured_colour_is_seen(pattern):
+    picture = np.random.default_rng(4).uniform(0.1, 1, (5, 7, 3))
+    mask = filter_colours(5, 7, pattern)[..., None] == np.arange(3)
+    seen = through_filters(mosaic(picture, pattern), pattern)
+    np.testing.assert_array_equal(seen, np.where(mask, picture, 0))
+
+
+def test_red_first_is_the_default():
+    picture = np.random.default_rng(5).random((4, 6, 3))
+    cfa = mosaic(picture)
+    np.testing.assert_array_equal(cfa, mosaic(picture, "RGGB"))
+    np.testing.assert_array_equal(through_filters(cfa), through_filters(cfa, "RGGB"))
+    np.testing.assert_array_equal(demosaic(cfa), demosaic(cfa, "RGGB", "bilinear"))
+
+
+@pytest.mark.parametrize("shape", [(4, 4), (4, 4, 4), (3, 4), (0, 4, 3), (4, 0, 3), (2, 2, 2, 3)])
+def test_what_is_no_picture_has_no_mosaic(shape):
+    with pytest.raises(ValueError, match=r"legal: \(H, W, 3\), not empty"):
+        mosaic(np.zeros(shape))
+
+
+@pytest.mark.parametrize("shape", [(1, 1, 3), (1, 5, 3), (5, 1, 3)])
+def test_thin_pictures_have_mosaics_too(shape):
+    assert mosaic(np.ones(shape)).shape == shape[:2]
+
+
+@pytest.mark.parametrize("shape", [(4,), (4, 4, 3), (4, 0)])
+def test_what_is_no_mosaic_is_refused(shape):
+    with pytest.raises(ValueError, match=r"legal: \(H, W\), not empty"):
+        demosaic(np.zeros(shape))
+
+
+def test_nearest_copies_from_within_the_quad():
+    cfa = np.array([[1.0, 2, 5, 6], [3, 4, 7, 8]])
+    result = demosaic(cfa, "RGGB", "nearest")
+    np.testing.assert_array_equal(result[..., 0], [[1, 1, 5, 5], [1, 1, 5, 5]])
+    np.testing.assert_array_equal(result[..., 1], [[2, 2, 6, 6], [3, 3, 7, 7]])
+    np.testing.assert_array_equal(result[..., 2], [[4, 4, 8, 8], [4, 4, 8, 8]])
+
+
+def test_a_line_copies_the_nearest_sample_and_greys_what_it_lacks():
+    column = np.array([[0.8], [0.1], [0.6], [0.3], [0.2]])  # green and blue by turns
+    result = demosaic(column, "GRBG", "nearest")[:, 0]
+    np.testing.assert_allclose(result[:, 1], [0.8, 0.8, 0.6, 0.6, 0.2])
+    np.testing.assert_allclose(result[:, 2], [0.1, 0.1, 0.1, 0.3, 0.3])
+    np.testing.assert_allclose(result[:, 0], result[:, 1:].mean(axis=1))
+
+
+def test_psnr_leaves_out_just_the_border():
+    clean = np.zeros((20, 30))
+    for crop, inner in ((8, (slice(8, 12), slice(8, 22))), (3, (slice(3, 17), slice(3, 27)))):
+        spoilt = np.ones((20, 30))
+        spoilt[inner] = 0
+        assert psnr_db(spoilt, clean, crop=crop) == np.inf
+        for corner in ((inner[0].start, inner[1].start), (inner[0].stop - 1, inner[1].stop - 1)):
+            one = clean.copy()
+            one[corner] = 1
+            count = clean[inner].size
+            assert psnr_db(one, clean, crop=crop) == pytest.approx(10 * np.log10(count))
+    assert psnr_db(spoilt, clean, crop=8) == psnr_db(spoilt, clean)
+
+
+def test_psnr_counts_in_units_of_the_peak():
+    picture = np.zeros((20, 20))
+    assert psnr_db(picture + 1, picture, peak=255) == pytest.approx(20 * np.log10(255))
+    assert psnr_db(picture + 1, picture, crop=0) == pytest.approx(0)
+
+
+@pytest.mark.parametrize(
+    ("a", "b", "crop", "message"),
+    [
+        ((20, 20), (20, 21), 2, "shapes"),
+        ((20,), (20,), 2, "shapes"),
+        ((20, 20), (20, 20), -1, "crop -1"),
+        ((20, 40), (20, 40), 10, "crop 10"),
+        ((40, 20), (40, 20), 10, "crop 10"),
+        ((40, 40, 3), (40, 40, 3), 20, "crop 20"),
+    ],
+)
+def test_pictures_that_cannot_be_compared_are_refused(a, b, crop, message):
+    with pytest.raises(ValueError, match=message):
+        psnr_db(np.zeros(a), np.zeros(b), crop=crop)
+
+
+def test_a_crop_that_leaves_a_single_row_is_legal():
+    assert psnr_db(np.ones((7, 9, 3)), np.zeros((7, 9, 3)), crop=3) == pytest.approx(0)

@@ -1,0 +1,168 @@
+"""Small, plausible mistakes in a Python module: one changed constant, sign or comparison each.
+
+Numbers in messages, annotations and decorators are left alone: no test of a model is meant to
+see those. Source: DeMillo, Lipton, Sayward, *Hints on test data selection*, 1978.
+"""
+
+import ast
+from collections.abc import Iterator
+from dataclasses import dataclass
+from itertools import zip_longest
+
+UNTOUCHED = (ast.Raise, ast.JoinedStr, ast.TypeAlias, ast.Import, ast.ImportFrom)
+UNTOUCHED_FIELDS = ("annotation", "returns", "decorator_list", "type_params")
+
+BOUNDARY: dict[type, type] = {ast.Lt: ast.LtE, ast.LtE: ast.Lt, ast.Gt: ast.GtE, ast.GtE: ast.Gt}
+OPPOSITE: dict[type, type] = {
+    ast.Lt: ast.GtE,
+    ast.LtE: ast.Gt,
+    ast.Gt: ast.LtE,
+    ast.GtE: ast.Lt,
+    ast.Eq: ast.NotEq,
+    ast.NotEq: ast.Eq,
+    ast.Is: ast.IsNot,
+    ast.IsNot: ast.Is,
+    ast.In: ast.NotIn,
+    ast.NotIn: ast.In,
+}
+OPERATOR: dict[type, type] = {
+    ast.Add: ast.Sub,
+    ast.Sub: ast.Add,
+    ast.Mult: ast.Div,
+    ast.Div: ast.Mult,
+    ast.FloorDiv: ast.Mod,
+    ast.Mod: ast.FloorDiv,
+    ast.Pow: ast.Mult,
+    ast.BitAnd: ast.BitOr,
+    ast.BitOr: ast.BitAnd,
+}
+FUNCTION_PAIRS = (
+    "min max|minimum maximum|argmin argmax|fmin fmax|sin cos|arcsin arccos|asin acos|sinh cosh"
+    "|floor ceil|any all|zeros ones|exp log|zeros_like ones_like"
+)
+FUNCTION = {
+    name: other
+    for pair in FUNCTION_PAIRS.split("|")
+    for name, other in (pair.split(), pair.split()[::-1])
+} | {"tan": "sin", "rint": "floor", "round": "floor", "arctan": "sin", "atan": "sin"}
+
+
+@dataclass(frozen=True, slots=True)
+class Mutant:
+    """A module with one mistake in it."""
+
+    place: str
+    """The function in which the mistake is, as ``Class.method``; empty for the module itself."""
+    before: str
+    """The statement, on one line, as it should be."""
+    after: str
+    """The statement with the mistake: with `place`, the name of the mutant."""
+    source: str
+    """The whole mutated module."""
+
+
+def mutants(source: str) -> Iterator[Mutant]:
+    """Every mutant of a module, in the order of its text. Yields nothing that changes nothing."""
+    tree = ast.parse(source)
+    right = ast.unparse(tree)
+    for place, old, new in list(_mutations(tree, "")):
+        wrong = ast.unparse(_replaced(tree, old, new))
+        _replaced(tree, new, old)
+        if wrong != right:
+            yield Mutant(place, *_changed_line(right, wrong), wrong)
+
+
+def _replaced(tree: ast.Module, old: ast.AST, new: ast.AST) -> ast.Module:
+    """The tree with one node exchanged in place."""
+
+    class Exchange(ast.NodeTransformer):
+        def visit(self, node: ast.AST) -> ast.AST:
+            return new if node is old else self.generic_visit(node)
+
+    exchanged: ast.Module = Exchange().visit(tree)
+    return exchanged
+
+
+def _changed_line(right: str, wrong: str) -> tuple[str, str]:
+    pairs = zip_longest(right.splitlines(), wrong.splitlines(), fillvalue="")
+    before, after = next(pair for pair in pairs if pair[0] != pair[1])
+    return before.strip(), after.strip()
+
+
+def _mutations(node: ast.AST, place: str) -> Iterator[tuple[str, ast.AST, ast.AST]]:
+    """(function, node, what may stand in its place) for a node and all below it."""
+    if isinstance(node, UNTOUCHED):
+        return
+    if isinstance(node, ast.FunctionDef | ast.ClassDef):
+        place = f"{place}.{node.name}".lstrip(".")
+    for new in _alternatives(node):
+        yield place, node, new
+    for field, value in ast.iter_fields(node):
+        if field in UNTOUCHED_FIELDS:
+            continue
+        for child in value if isinstance(value, list) else [value]:
+            if isinstance(child, ast.AST):
+                yield from _mutations(child, place)
+
+
+def _alternatives(node: ast.AST) -> Iterator[ast.AST]:
+    match node:
+        case ast.Constant(value=bool() | int() | float() as value):
+            yield from (ast.Constant(number) for number in _other_numbers(value))
+        case ast.UnaryOp(op=ast.USub() | ast.Not() | ast.Invert()):
+            yield node.operand
+        case ast.BinOp(op=ast.MatMult()):
+            yield ast.BinOp(node.right, node.op, node.left)
+        case ast.BinOp() if type(node.op) in OPERATOR:
+            yield ast.BinOp(node.left, OPERATOR[type(node.op)](), node.right)
+        case ast.AugAssign() if type(node.op) in OPERATOR:
+            yield ast.AugAssign(node.target, OPERATOR[type(node.op)](), node.value)
+        case ast.BoolOp():
+            yield ast.BoolOp(ast.Or() if isinstance(node.op, ast.And) else ast.And(), node.values)
+        case ast.Compare():
+            yield from _other_comparisons(node)
+        case ast.Call():
+            yield from _other_calls(node)
+        case ast.Tuple(elts=[first, second, *rest], ctx=ast.Load()) if not _is_spread(node):
+            yield ast.Tuple([second, first, *rest], node.ctx)
+        case ast.List(elts=[first, second, *rest], ctx=ast.Load()):
+            yield ast.List([second, first, *rest], node.ctx)
+
+
+def _is_spread(node: ast.Tuple) -> bool:
+    """``[..., x]``: in another order it is rarely an index at all."""
+    return any(isinstance(item, ast.Constant) and item.value is ... for item in node.elts)
+
+
+def _other_numbers(value: bool | int | float) -> list[bool | int | float]:
+    """A tolerance moves by three decades, another quantity by a tenth, a count by one."""
+    if isinstance(value, bool):
+        return [not value]
+    if isinstance(value, int):
+        return [value + 1, value - 1] if value > 0 else [value + 1]
+    if value == 0.0:
+        return [1.0]
+    if value < 1e-4:
+        return [value * 1000.0]
+    return [value / 1000.0 if value > 1e6 else value * 1.1]
+
+
+def _other_comparisons(node: ast.Compare) -> Iterator[ast.AST]:
+    for index, operator in enumerate(node.ops):
+        for table in (BOUNDARY, OPPOSITE):
+            if other := table.get(type(operator)):
+                ops = [*node.ops[:index], other(), *node.ops[index + 1 :]]
+                yield ast.Compare(node.left, ops, node.comparators)
+
+
+def _other_calls(node: ast.Call) -> Iterator[ast.AST]:
+    match node.func:
+        case ast.Attribute(attr=name) if name in FUNCTION:
+            swapped = ast.Attribute(node.func.value, FUNCTION[name], ast.Load())
+            yield ast.Call(swapped, node.args, node.keywords)
+        case ast.Name(id=name) if name in FUNCTION:
+            yield ast.Call(ast.Name(FUNCTION[name], ast.Load()), node.args, node.keywords)
+        case ast.Attribute(attr="abs") | ast.Name(id="abs"):
+            yield node.args[0]
+        case ast.Attribute(attr="arctan2" | "atan2") if len(node.args) == 2:
+            yield ast.Call(node.func, node.args[::-1], node.keywords)
