@@ -39,7 +39,8 @@ def encode_srgb(linear: ArrayLike) -> Array:
     x = as_floats(linear)
     size = np.abs(x)
     curve = 1.055 * np.maximum(size, 0.0031308) ** (1 / 2.4) - 0.055
-    encoded: Array = np.copysign(np.where(size <= 0.0031308, 12.92 * size, curve), x)
+    toe = 12.92 * np.minimum(size, 0.0031308)
+    encoded: Array = np.copysign(np.where(size <= 0.0031308, toe, curve), x)
     return encoded
 
 
@@ -130,11 +131,12 @@ def xyz_to_lab(xyz: ArrayLike, white_xy: ArrayLike = D65_XY) -> Array:
 
     The cube root becomes a line below (6/29)^3, so that black and negative values are safe.
     """
-    ratio = as_floats(xyz) / _xyz_of(np.asarray(white_xy, np.float64))
     delta = 6 / 29
-    f = np.where(ratio > delta**3, np.cbrt(ratio), ratio / (3 * delta**2) + 4 / 29)
-    fx, fy, fz = f[..., 0], f[..., 1], f[..., 2]
-    lab: Array = np.stack([116 * fy - 16, 500 * (fx - fy), 200 * (fy - fz)], axis=-1)
+    with np.errstate(over="ignore", invalid="ignore"):
+        ratio = as_floats(xyz) / _xyz_of(np.asarray(white_xy, np.float64))
+        f = np.where(ratio > delta**3, np.cbrt(ratio), ratio / (3 * delta**2) + 4 / 29)
+        fx, fy, fz = f[..., 0], f[..., 1], f[..., 2]
+        lab: Array = np.stack([116 * fy - 16, 500 * (fx - fy), 200 * (fy - fz)], axis=-1)
     return lab
 
 
@@ -162,7 +164,8 @@ def white_balance(linear: ArrayLike, illuminant_rgb: ArrayLike) -> Array:
     if light.shape != (3,) or not np.all((light > 0) & np.isfinite(light)):
         raise ValueError(f"illuminant {light.tolist()}; legal: three finite numbers above 0")
     rgb = as_floats(linear)
-    balanced: Array = rgb * (light[1] / light).astype(rgb.dtype)
+    with np.errstate(over="ignore", invalid="ignore"):
+        balanced: Array = rgb * (light[1] / light).astype(rgb.dtype)
     return balanced
 
 

@@ -114,7 +114,8 @@ def compress(srgb: ArrayLike, quality: int) -> tuple[Array, float]:
     Colour differences are kept at full size (4:4:4). Returns the picture, clipped to [0, 1],
     and the share of zero coefficients.
     """
-    luma, *differences = np.moveaxis(255 * rgb_to_ycbcr(srgb), -1, 0)
+    with np.errstate(over="ignore"):  # what overflows is refused with its plane
+        luma, *differences = np.moveaxis(255 * rgb_to_ycbcr(srgb), -1, 0)
     coarse = quantisation_table(CHROMINANCE_TABLE, quality)
     done = [compress_plane(np.rint(luma) - 128, quantisation_table(LUMINANCE_TABLE, quality))]
     done += [compress_plane(np.rint(plane), coarse) for plane in differences]

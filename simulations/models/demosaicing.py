@@ -66,7 +66,8 @@ def demosaic(cfa: ArrayLike, pattern: str = "RGGB", method: str = "bilinear") ->
     The mosaic is mirrored at its borders, so that a flat colour survives exactly. The
     gradient-corrected methods can overshoot: clip before showing. A mosaic of a single row
     or column is interpolated along it; a colour that it does not hold at all is taken to
-    be the mean of those it holds, so that a single pixel comes out grey.
+    be the mean of those it holds, so that a single pixel comes out grey. Values that are not
+    finite spread to the pixels guessed from them, without a warning.
 
     Raises
     ------
@@ -80,7 +81,9 @@ def demosaic(cfa: ArrayLike, pattern: str = "RGGB", method: str = "bilinear") ->
         raise ValueError(f"method {method!r}; legal: {', '.join(METHODS)}")
     if min(values.shape) == 1:
         return _demosaic_line(values, pattern, method)
-    return from_quads(METHODS[method](to_quads(values, pattern)), values.shape, pattern)
+    with np.errstate(over="ignore", invalid="ignore"):
+        planes = METHODS[method](to_quads(values, pattern))
+    return from_quads(planes, values.shape, pattern)
 
 
 def _demosaic_line(cfa: Array, pattern: str, method: str) -> Array:

@@ -14,6 +14,9 @@ from simulations.models.floats import as_floats
 
 type Array = NDArray[np.floating]
 
+SMALLEST_RADIUS = 1e-15
+"""Of a lamp: its square, and one over it, are still numbers in float32 as well."""
+
 
 @dataclass(frozen=True, slots=True)
 class DirectionalLight:
@@ -166,8 +169,8 @@ def attenuation(distance: ArrayLike, radius: float = 0.01) -> Array:
     Raises `ValueError` for a negative or undefined distance and for a radius of 0, whose
     light would be infinite at the lamp.
     """
-    if not radius > 0:
-        raise ValueError(f"radius {radius}; legal: above 0")
+    if not radius >= SMALLEST_RADIUS:
+        raise ValueError(f"radius {radius}; legal: {SMALLEST_RADIUS:g} or more")
     d = as_floats(distance)
     if not np.all(d >= 0):
         raise ValueError(f"distance {d.min()}; legal: 0 or more")
@@ -190,8 +193,8 @@ def irradiance(points: ArrayLike, normals: ArrayLike, lights: Sequence[Light]) -
                 strength = cosine(n, _direction("light", light.direction, n.dtype))
                 colour = light.irradiance
             case PointLight():
-                to_light = np.asarray(light.position, n.dtype) - p
-                with np.errstate(over="ignore"):
+                with np.errstate(over="ignore", invalid="ignore"):
+                    to_light = np.asarray(light.position, n.dtype) - p
                     distance = np.sqrt(np.sum(np.square(to_light), axis=-1))
                 fall = attenuation(distance, light.radius)
                 strength = cosine(n, normalise(to_light)) * fall

@@ -44,7 +44,9 @@ def apparent_wheel_speed(
     """
     if spokes < 1:
         raise ValueError(f"spokes {spokes}; legal: 1 or more")
-    spokes_per_s = alias_frequency(as_floats(turns_per_s) * spokes, frames_per_s)
+    with np.errstate(over="ignore"):
+        passing_per_s = as_floats(turns_per_s) * spokes
+    spokes_per_s = alias_frequency(passing_per_s, frames_per_s)
     certain = ~np.isclose(np.abs(spokes_per_s), frames_per_s / 2, rtol=1e-9, atol=0)
     return spokes_per_s / spokes, certain
 
@@ -145,23 +147,37 @@ def _filter_axis(image: Array, taps: Array, factor: int, axis: int) -> Array:
 
 def box_mtf(frequency: ArrayLike, width: float = 1.0) -> Array:
     """Contrast that a pixel so wide leaves of a sine: ``|sinc(f width)|``, 2/pi at Nyquist."""
-    contrast: Array = np.abs(np.sinc(as_floats(frequency) * width))
+    # Clipped where the contrast is 0 to all digits, short of where the sine is undefined.
+    cycles = np.clip(_cycles(frequency, width), -1e300, 1e300)
+    contrast: Array = np.abs(np.sinc(cycles))
     return contrast
 
 
 def gaussian_mtf(frequency: ArrayLike, sigma: float) -> Array:
     """Contrast that a Gaussian blur leaves of a sine: ``exp(-2 (pi sigma f)^2)``."""
-    contrast: Array = np.exp(-2 * np.square(np.pi * sigma * as_floats(frequency)))
+    cycles = np.clip(_cycles(frequency, sigma), -1e100, 1e100)
+    contrast: Array = np.exp(-2 * np.square(np.pi * cycles))
     return contrast
+
+
+def _cycles(frequency: ArrayLike, width: float) -> Array:
+    """Cycles (...) over a width."""
+    f = as_floats(frequency)
+    if not (np.isfinite(f).all() and np.isfinite(width)):
+        raise ValueError(f"frequency {f.tolist()} and width {width}; legal: finite")
+    with np.errstate(over="ignore"):
+        cycles: Array = f * width
+    return cycles
 
 
 def contrast(signal: ArrayLike) -> float:
     """Michelson's contrast, (max - min) / (max + min) of light; 0 for darkness."""
     values = as_floats(signal)
     low, high = float(values.min()), float(values.max())
-    if low < 0:
-        raise ValueError(f"signal with {low}; legal: light of 0 or more")
-    return (high - low) / (high + low) if high > 0 else 0.0
+    if not 0 <= low <= high < np.inf:
+        raise ValueError(f"signal from {low} to {high}; legal: light of 0 or more, finite")
+    share = low / high if high > 0 else 1.0  # sums of the largest numbers would overflow
+    return (1 - share) / (1 + share)
 
 
 def _divisible(image: ArrayLike, factor: int) -> Array:

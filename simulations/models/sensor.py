@@ -98,6 +98,7 @@ def shot_noise(
     every sample from there spills anyhow, and a sampler fails for huge means. So a pixel in
     any light, infinite light too, comes out full and free of noise.
     """
+    _require("full_well_e", full_well_e, full_well_e > 0, "above 0")
     cap = full_well_e + 10 * np.sqrt(full_well_e) + 100 if full_well_e < np.inf else 1e15
     mean = np.minimum(_light("mean_e", mean_e), cap)
     counted: Array
@@ -117,10 +118,11 @@ def shot_noise(
 def read_out(electrons: ArrayLike, sensor: Sensor, rng: np.random.Generator) -> Array:
     """The amplified signal (...) in codes, not yet rounded: gain, read noise, black level."""
     e = as_floats(electrons)
-    if sensor.read_noise_e > 0:
-        kind = np.float32 if e.dtype == np.float32 else np.float64
-        e = e + sensor.read_noise_e * rng.standard_normal(e.shape, kind)
-    signal: Array = e / sensor.gain_e_per_dn + sensor.black_level_dn
+    with np.errstate(over="ignore"):  # the converter takes ∞ for its top code
+        if sensor.read_noise_e > 0:
+            kind = np.float32 if e.dtype == np.float32 else np.float64
+            e = e + sensor.read_noise_e * rng.standard_normal(e.shape, kind)
+        signal: Array = e / sensor.gain_e_per_dn + sensor.black_level_dn
     return signal
 
 
@@ -161,12 +163,14 @@ def develop(raw_dn: ArrayLike, sensor: Sensor) -> Array:
 def signal_to_noise(mean_e: ArrayLike, sensor: Sensor) -> Array:
     """Mean over standard deviation (...) of one pixel: shot, read and quantisation noise together.
 
-    Rises with the square root of the light once shot noise prevails. No light gives 0.
+    Rises with the square root of the light once shot noise prevails. No light gives 0, infinite
+    light ∞.
     """
     mean = _light("mean_e", mean_e)
     fixed = sensor.read_noise_e**2 + sensor.gain_e_per_dn**2 / 12
-    ratio: Array = mean / np.sqrt(mean + fixed)
-    return ratio
+    with np.errstate(invalid="ignore"):
+        ratio = mean / np.sqrt(mean + fixed)
+    return np.where(np.isinf(mean), np.inf, ratio)
 
 
 def photon_transfer(

@@ -1,0 +1,17 @@
+"""A table of hard cases in a page: all of them, with answers computed while the page is made."""
+
+from collections.abc import Callable
+
+from simulations.engine.extreme import answer, show
+from simulations.extremes import projection
+from site_builder.build import Options, render_site
+
+
+def test_a_table_shows_every_case_and_its_answer(make_book: Callable[..., Options]) -> None:
+    options = make_book(":::{extremes} projection\n:::\n")
+    page = render_site(options)["first/index.html"].decode()
+    for case in projection.TABLE.cases:
+        assert f'id="extremes-projection-{case.id}"' in page
+    first = projection.TABLE.cases[0]
+    assert show(answer(projection.TABLE, first)) in page
+    assert "[320, 240]" in page, "the library's answer"

@@ -1,0 +1,156 @@
+"""Reflectance, colour, sensor, mosaic, sampling and compression for any floats at all.
+
+No warning (pytest turns them into errors) and no exception but a `ValueError` with a reason.
+Pictures have no masks: there, NaN may come out only where NaN or infinity went in.
+"""
+
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+from support.float_range import any_float, arrays, ask, finite_float
+
+from simulations.engine.raster import to_rgba8
+from simulations.models import color, compression, demosaicing, reflectance, sampling, sensor
+
+light = st.floats(0.0, 1e30)
+
+
+@given(arrays(4, 3))
+def test_normalised_vectors_have_length_one_or_zero(vectors):
+    length = np.linalg.norm(reflectance.normalise(vectors), axis=-1)
+    assert (np.isclose(length, 1.0) | (length == 0.0)).all()
+
+
+@given(arrays(3), arrays(3), arrays(3), any_float, any_float)
+def test_shades_are_finite_or_refused(normal, to_light, to_eye, albedo, shininess):
+    n, l, v = (reflectance.normalise(vector) for vector in (normal, to_light, to_eye))  # noqa: E741
+    shade = ask(reflectance.lambert, n, l, albedo)
+    assert shade is None or 0.0 <= shade <= 1.0
+    for model in (reflectance.phong, reflectance.blinn_phong):
+        shade = ask(model, n, l, v, albedo, shininess=shininess)
+        assert shade is None or 0.0 <= shade <= 1.5
+
+
+@given(any_float, any_float)
+def test_light_thins_out_to_a_finite_share_or_is_refused(distance, radius):
+    falloff = ask(reflectance.attenuation, distance, radius)
+    assert falloff is None or falloff >= 0.0
+
+
+@given(arrays(3), arrays(3), arrays(3))
+def test_lamps_anywhere_light_points_anywhere(point, normal, position):
+    lamp = reflectance.PointLight(tuple(position))
+    lit = ask(reflectance.irradiance, point, reflectance.normalise(normal), [lamp])
+    assert lit is None or (np.isfinite(lit).all() and (lit >= 0.0).all())
+
+
+@given(arrays(4, 3))
+def test_the_srgb_curve_undefines_nothing(colours):
+    for curve in (color.encode_srgb, color.decode_srgb):
+        assert np.array_equal(np.isnan(curve(colours)), np.isnan(colours))
+    assert np.isfinite(color.encode_srgb_table(colours)).all()
+
+
+@given(arrays(4, 3, of=finite_float.map(lambda value: value / 10)))
+def test_srgb_there_and_back_is_where_it_was(colours):
+    assert np.allclose(color.decode_srgb(color.encode_srgb(colours)), colours, rtol=1e-9)
+
+
+@given(arrays(2, 3), any_float)
+def test_colour_spaces_take_any_number(colours, gamma):
+    color.linear_rgb_to_lab(colours)
+    color.ycbcr_to_rgb(color.rgb_to_ycbcr(colours))
+    color.luminance(colours)
+    ask(color.encode_gamma, colours, gamma)
+    ask(color.white_balance, colours, colours[0])
+
+
+@given(arrays(2, 3), arrays(2, 3))
+def test_a_canvas_takes_any_number(picture, alpha):
+    assert to_rgba8(picture, alpha).dtype == np.uint8
+
+
+@given(arrays(4), any_float)
+def test_exposures_are_finite_or_refused(photons, exposure_s):
+    mean_e = ask(sensor.expose, photons, exposure_s, sensor.Sensor())
+    assert mean_e is None or not np.isnan(mean_e).any()
+
+
+@pytest.mark.parametrize("model", sensor.SHOT_MODELS)
+@given(mean_e=arrays(4), full_well=any_float)
+def test_electrons_are_whole_and_fit_the_well_or_are_refused(model, mean_e, full_well):
+    rng = np.random.default_rng(0)
+    counted = ask(sensor.shot_noise, mean_e, rng, full_well, model)
+    if counted is not None:
+        assert (counted >= 0.0).all()
+        assert (counted <= full_well).all()
+
+
+@given(arrays(6), any_float, any_float, any_float, st.integers(-2, 40))
+def test_codes_fit_the_converter_or_the_sensor_is_refused(signal, well, noise, gain, bits):
+    made = ask(
+        sensor.Sensor, full_well_e=well, read_noise_e=noise, gain_e_per_dn=gain, bits=bits,
+        black_level_dn=0.0,
+    )  # fmt: skip
+    if made is not None:
+        dn = sensor.read_out(signal, made, np.random.default_rng(0))
+        assert sensor.quantise(dn, bits).max() <= made.highest_dn
+    codes = ask(sensor.quantise, signal, bits)
+    assert codes is None or codes.max() <= 2**bits - 1
+
+
+@given(arrays(4))
+def test_signal_to_noise_is_no_less_than_zero_or_refused(mean_e):
+    ratio = ask(sensor.signal_to_noise, mean_e, sensor.Sensor())
+    assert ratio is None or (ratio >= 0.0).all()
+
+
+@pytest.mark.parametrize("method", demosaicing.METHODS)
+@given(values=arrays(6, 6))
+def test_mosaics_of_any_numbers_become_pictures(method, values):
+    picture = ask(demosaicing.demosaic, values, "RGGB", method)
+    if picture is not None:
+        assert picture.shape == (6, 6, 3)
+        assert np.isfinite(picture).all() or not (np.abs(values) < 1e300).all()
+
+
+@given(arrays(3), any_float)
+def test_aliases_lie_between_the_nyquist_frequencies_or_are_refused(frequency, rate):
+    alias = ask(sampling.alias_frequency, frequency, rate)
+    assert alias is None or ((alias >= -rate / 2) & (alias <= rate / 2)).all()
+    if alias is not None:
+        ask(sampling.apparent_wheel_speed, frequency, 3, rate)
+
+
+@given(arrays(2, 4), any_float)
+def test_zone_plates_are_between_dark_and_light(xy, scale):
+    rings = ask(sampling.zone_plate, xy[0], xy[1], scale)
+    assert rings is None or ((rings >= 0.0) & (rings <= 1.0)).all()
+
+
+@given(st.one_of(any_float.filter(lambda s: not 100 < s <= 1e6), st.floats(0.0, 50.0)))
+def test_gaussian_kernels_sum_to_one_or_are_refused(sigma):
+    kernel = ask(sampling.gaussian_kernel, sigma)
+    assert kernel is None or np.isclose(kernel.sum(), 1.0)
+
+
+@given(arrays(4))
+def test_contrast_is_a_share_or_refused(values):
+    share = ask(sampling.contrast, values)
+    assert share is None or 0.0 <= share <= 1.0
+
+
+@given(any_float, any_float)
+def test_transfer_functions_are_shares_or_refused(frequency, width):
+    for mtf in (sampling.box_mtf, sampling.gaussian_mtf):
+        share = ask(mtf, frequency, width)
+        assert share is None or 0.0 <= share <= 1.0
+
+
+@given(arrays(3, 5), any_float)
+def test_planes_are_compressed_to_finite_values_or_refused(plane, step):
+    answer = ask(compression.compress_plane, plane, np.full((8, 8), step))
+    assert answer is None or np.isfinite(answer[0]).all()
+    picture = ask(compression.compress, np.repeat(plane[..., None], 3, axis=2), 75)
+    assert picture is None or ((picture[0] >= 0.0) & (picture[0] <= 1.0)).all()
