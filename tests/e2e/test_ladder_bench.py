@@ -3,12 +3,14 @@
 import csv
 import io
 import json
+from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
 from bench.record import close
-from playwright.sync_api import Locator
+from playwright.sync_api import Browser, Locator
 from support.reader import START_MS, Reader
+from support.static_server import StaticServer
 
 pytestmark = pytest.mark.browser
 
@@ -52,32 +54,38 @@ def test_every_ladder_of_the_book_offers_to_be_measured(reader: Reader) -> None:
         assert benches.nth(index).locator("button.run").is_enabled()
 
 
-def test_measuring_adds_a_time_and_a_point_for_every_tier(reader: Reader, bench: Locator) -> None:
-    measure(reader, bench)
-    cells = bench.locator("td.own").all_inner_texts()
+@pytest.fixture(scope="module")
+def measured(chromium: Browser, site_server: StaticServer) -> Iterator[Locator]:
+    """A ladder that has been measured; tests that only look at it share it."""
+    context = chromium.new_context(viewport={"width": 1280, "height": 900})
+    someone = Reader(context, site_server.url)
+    someone.open(CHAPTER)
+    bench = someone.page.locator(f'ladder-bench[data-ladder="{LADDER}"]').first
+    measure(someone, bench)
+    yield bench
+    context.close()
+    assert not someone.complaints, "\n".join(someone.complaints)
+
+
+def test_measuring_adds_a_time_and_a_point_for_every_tier(measured: Locator) -> None:
+    cells = measured.locator("td.own").all_inner_texts()
     assert all(float(text) > 0.0 for text in cells)
-    assert bench.locator(".overlay .own polygon").count() == len(cells)
-    assert bench.get_attribute("data-measured") == str(len(cells))
+    assert measured.locator(".overlay .own polygon").count() == len(cells)
+    assert measured.get_attribute("data-measured") == str(len(cells))
 
 
-def test_a_point_of_ones_own_stands_level_with_the_tier_it_belongs_to(
-    reader: Reader, bench: Locator
-) -> None:
-    measure(reader, bench)
-    own = bench.evaluate(
+def test_a_point_of_ones_own_stands_level_with_the_tier_it_belongs_to(measured: Locator) -> None:
+    own = measured.evaluate(
         "b => [...b.querySelectorAll('.own .spread')].map(s => Number(s.getAttribute('y1')))"
     )
-    drawn = bench.evaluate(
+    drawn = measured.evaluate(
         "b => [...b.querySelectorAll('circle.hollow')].map(c => Number(c.getAttribute('cy')))"
     )
     assert own == pytest.approx(drawn, abs=2.0)
 
 
-def test_the_file_holds_what_was_measured_and_the_errors_of_the_book(
-    reader: Reader, bench: Locator
-) -> None:
-    measure(reader, bench)
-    rows = read_csv(bench)
+def test_the_file_holds_what_was_measured_and_the_errors_of_the_book(measured: Locator) -> None:
+    rows = read_csv(measured)
     entry = json.loads(DATA.read_text(encoding="utf-8"))["ladders"][LADDER]
     assert [row["tier"] for row in rows] == list(entry["tiers"])
     for row in rows:
@@ -88,6 +96,11 @@ def test_the_file_holds_what_was_measured_and_the_errors_of_the_book(
         for metric, unit in entry["metrics"].items():
             recorded = entry["tiers"][row["tier"]]["errors"][metric]
             assert close(float(row[f"{metric} ({unit})"]), recorded)
+
+
+def test_measuring_moves_nothing_on_the_page(measured: Locator) -> None:
+    moved = measured.page.evaluate("window.shifts")
+    assert sum(shift["value"] for shift in moved) < 0.01, moved
 
 
 def test_a_reader_who_stops_keeps_what_was_measured_and_can_begin_anew(
@@ -101,12 +114,6 @@ def test_a_reader_who_stops_keeps_what_was_measured_and_can_begin_anew(
     assert len(measured) < len(rows)
     assert str(len(measured)) in bench.locator(".ladder-status").inner_text()
     measure(reader, bench)
-
-
-def test_measuring_moves_nothing_on_the_page(reader: Reader, bench: Locator) -> None:
-    measure(reader, bench)
-    moved = reader.page.evaluate("window.shifts")
-    assert sum(shift["value"] for shift in moved) < 0.01, moved
 
 
 def test_a_lost_worker_is_said_and_the_next_attempt_succeeds(
