@@ -28,3 +28,22 @@ def test_any_beginning_is_balanced_about_the_centre() -> None:
 def test_a_grid_of_no_points_is_refused() -> None:
     with pytest.raises(ValueError, match="across 0; legal: 1 or more"):
         aperture_grid(0)
+
+
+@pytest.mark.parametrize("across", [2, 5, 8])
+def test_the_points_are_the_centres_of_square_cells_and_x_comes_first(across: int) -> None:
+    centres = (np.arange(across) + 0.5) * 2 / across - 1
+    assert {round(x, 9) for point in aperture_grid(across) for x in point} <= {
+        round(float(c), 9) for c in centres
+    }
+    first = aperture_grid(across)[0]  # the upper left of those inside: left of the centre, above
+    assert first[1] == pytest.approx(centres[0])
+    assert first[0] < 0
+
+
+def test_the_order_steps_on_by_a_golden_section_of_all() -> None:
+    """Of the 32 points in six by six cells, 19 is the coprime number next to 32 / 1.618."""
+    points = aperture_grid(6)
+    places = sorted(points, key=lambda point: (point[1], point[0]))
+    assert len(points) == 32
+    assert [places.index(point) for point in points[:4]] == [0, 19, 38 - 32, 57 - 32]

@@ -54,3 +54,91 @@ def test_any_size_keeps_its_size_and_grey_stays_grey(shape):
 def test_quality_outside_its_range_is_refused():
     with pytest.raises(ValueError, match="1 to 100"):
         compression.quantisation_table(compression.LUMINANCE_TABLE, 0)
+
+
+@pytest.mark.parametrize("quality", [2, 3, 7, 20, 25, 33, 40, 49, 51, 75, 99])
+def test_the_scaling_of_the_tables_is_that_of_pillow_at_any_quality(quality):
+    test_tables_are_those_of_pillow(quality)
+
+
+def test_the_first_row_of_the_transform_is_the_mean_and_rows_are_orthonormal():
+    np.testing.assert_allclose(compression.DCT[0], np.full(8, 8**-0.5))
+    np.testing.assert_allclose(compression.DCT @ compression.DCT.T, np.eye(8), atol=1e-14)
+
+
+def test_a_flat_plane_is_rounded_to_an_eighth_of_the_first_step():
+    """The first coefficient of a flat block is 8 times its value, in steps of 16."""
+    flat = np.full((8, 8), 10.6)  # 84.8 / 16 = 5.3
+    decoded, zeros = compression.compress_plane(flat, compression.LUMINANCE_TABLE)
+    np.testing.assert_allclose(decoded, 5 * 16 / 8)
+    assert zeros == 63 / 64
+
+
+@pytest.mark.parametrize("shape", [(9, 12), (12, 9), (3, 16), (1, 5)])
+def test_fine_steps_keep_a_plane_of_any_size(shape):
+    plane = np.random.default_rng(1).normal(0, 40, shape)
+    decoded, zeros = compression.compress_plane(plane, np.full((8, 8), 1e-3))
+    assert decoded.shape == shape
+    np.testing.assert_allclose(decoded, plane, atol=0.5e-3 * 8)
+    assert zeros < 0.9
+
+
+def test_blocks_do_not_know_of_one_another():
+    planes = np.random.default_rng(2).normal(0, 40, (2, 16, 24))
+    planes[1, :8, 8:16] = planes[0, :8, 8:16]
+    first, second = (compression.compress_plane(p, compression.LUMINANCE_TABLE)[0] for p in planes)
+    np.testing.assert_array_equal(first[:8, 8:16], second[:8, 8:16])
+    alone = compression.compress_plane(planes[0, :8, 8:16], compression.LUMINANCE_TABLE)[0]
+    np.testing.assert_allclose(first[:8, 8:16], alone, atol=1e-10)
+
+
+def test_the_border_is_repeated_to_whole_blocks():
+    plane = np.random.default_rng(3).normal(0, 40, (10, 13))
+    whole = np.pad(plane, ((0, 6), (0, 3)), mode="edge")
+    table = compression.CHROMINANCE_TABLE
+    decoded, zeros = compression.compress_plane(plane, table)
+    theirs, theirs_zeros = compression.compress_plane(whole, table)
+    np.testing.assert_allclose(decoded, theirs[:10, :13], atol=1e-10)
+    assert zeros == theirs_zeros
+
+
+@pytest.mark.parametrize("shape", [(0, 8), (8, 0), (8,), (8, 8, 3)])
+def test_what_is_no_plane_is_refused(shape):
+    with pytest.raises(ValueError, match=r"legal: \(H, W\), not empty"):
+        compression.compress_plane(np.zeros(shape), np.ones((8, 8)))
+
+
+@pytest.mark.parametrize("bad", [np.nan, np.inf, 1.01e9, -1.01e9])
+def test_values_beyond_all_codes_are_refused(bad):
+    plane = np.zeros((8, 8))
+    plane[3, 4] = bad
+    with pytest.raises(ValueError, match="legal: finite, to"):
+        compression.compress_plane(plane, np.ones((8, 8)))
+    plane[3, 4] = 1e9
+    assert compression.compress_plane(plane, np.ones((8, 8)))[0].max() == pytest.approx(1e9)
+
+
+@pytest.mark.parametrize("step", [0.0, -1.0, 0.9e-3, np.inf, np.nan])
+def test_steps_that_are_none_are_refused(step):
+    table = np.ones((8, 8))
+    table[7, 7] = step
+    with pytest.raises(ValueError, match=r"legal: 0\.001 or more"):
+        compression.compress_plane(np.zeros((8, 8)), table)
+
+
+@pytest.mark.parametrize("quality", [-5, 0, 101])
+def test_only_a_quality_from_1_to_100_has_a_table(quality):
+    with pytest.raises(ValueError, match="1 to 100"):
+        compression.quantisation_table(compression.LUMINANCE_TABLE, quality)
+
+
+def test_the_picture_is_clipped_and_its_zeros_are_those_of_all_channels():
+    checks = np.zeros((8, 16, 3))
+    checks[::2, ::2] = 1
+    decoded, zeros = compression.compress(checks, 5)
+    assert decoded.min() >= 0
+    assert decoded.max() <= 1
+    luma = np.rint(255 * checks[..., 0]) - 128
+    coarse = compression.quantisation_table(compression.LUMINANCE_TABLE, 5)
+    # Grey has no colour differences: those two channels are zero throughout.
+    assert zeros == pytest.approx((compression.compress_plane(luma, coarse)[1] + 2) / 3)

@@ -20,7 +20,11 @@ from simulations.models.optics import (
     hyperfocal,
     thin_lens_image_distance,
 )
-from simulations.models.vignetting import mechanical_vignetting, vignetting_cos4
+from simulations.models.vignetting import (
+    disc_overlap_area,
+    mechanical_vignetting,
+    vignetting_cos4,
+)
 
 GLASS = Glass()
 
@@ -162,3 +166,119 @@ def test_the_lateral_scale_agrees_with_a_ray_traced_through_the_stop():
 def test_meaningless_parameters_are_refused_by_name(call, name):
     with pytest.raises(ValueError, match=name):
         call()
+
+
+def test_an_object_nearer_than_infinity_is_imaged_behind_the_focus():
+    """Newton's form of the thin lens: (Z − f)(Z' − f) = f²."""
+    distance = np.array([51.0, 80.0, 400.0])
+    image = thin_lens_image_distance(50, distance)
+    np.testing.assert_allclose((distance - 50) * (image - 50), 2500)
+
+
+@pytest.mark.parametrize("focal", [0.0, -1.0, np.inf, np.nan])
+def test_no_formula_takes_a_focal_length_that_is_none(focal):
+    for call in (
+        lambda: thin_lens_image_distance(focal, 1e3),
+        lambda: hyperfocal(focal, 2, 0.03),
+        lambda: field_of_view_rad(focal, 36),
+        lambda: depth_of_field(focal, 2, 1e3, 0.03),
+    ):
+        with pytest.raises(ValueError, match="focal_mm"):
+            call()
+
+
+@pytest.mark.parametrize("f_number", [0.0, -2.0, np.nan])
+def test_no_formula_takes_an_f_number_that_is_none(f_number):
+    for call in (
+        lambda: hyperfocal(50, f_number, 0.03),
+        lambda: depth_of_field(50, f_number, 1e3, 0.03),
+        lambda: axial_chromatic_mm(GLASS, 50, f_number, 0.5),
+    ):
+        with pytest.raises(ValueError, match="f_number"):
+            call()
+
+
+def test_a_tolerance_and_a_sensor_are_positive():
+    for call, name in (
+        (lambda: hyperfocal(50, 2, 0.0), "coc_mm"),
+        (lambda: depth_of_field(50, 2, 1e3, 0.0), "coc_mm"),
+        (lambda: field_of_view_rad(50, 0.0), "sensor_mm"),
+    ):
+        with pytest.raises(ValueError, match=name):
+            call()
+
+
+def test_on_the_lens_at_its_focus_and_focused_at_infinity_limits_are_legal():
+    assert circle_of_confusion_mm(50, 2, 2000, 2000.0) == 0
+    assert circle_of_confusion_mm(50, 2, np.inf, 0.0) == np.inf
+    near, far = depth_of_field(50, 8, np.inf, 0.03)
+    assert near == pytest.approx(50**2 / (8 * 0.03))
+    assert far == np.inf
+
+
+@pytest.mark.parametrize(("focal", "sensor"), [(50, 36), (24, 36), (18, 12)])
+def test_the_field_of_view_is_twice_the_angle_to_its_edge(focal, sensor):
+    assert np.tan(field_of_view_rad(focal, sensor) / 2) == pytest.approx(sensor / 2 / focal)
+
+
+def test_the_fraunhofer_lines_are_where_fraunhofer_saw_them():
+    """Micrometres, from any glass catalogue; BK7 has n_F 1.52238 and n_C 1.51432."""
+    assert (LINE_F_UM, LINE_D_UM, LINE_C_UM) == (0.4861, 0.5876, 0.6563)
+    f, c = refractive_index(GLASS, [0.4861, 0.6563])
+    assert f == pytest.approx(1.52238, abs=2e-4)
+    assert c == pytest.approx(1.51432, abs=2e-4)
+
+
+@pytest.mark.parametrize(
+    ("call", "name"),
+    [
+        (lambda: Glass(index_d=10.5), "index_d"),
+        (lambda: Glass(index_d=np.nan), "index_d"),
+        (lambda: Glass(abbe_number=0.99), "abbe_number"),
+        (lambda: Glass(abbe_number=np.nan), "abbe_number"),
+        (lambda: refractive_index(GLASS, 0.099), "wavelength_um"),
+        (lambda: focal_length_mm(GLASS, 0.0, 0.5), "focal_d_mm"),
+        (lambda: focal_length_mm(GLASS, 0.9e-9, 0.5), "focal_d_mm"),
+        (lambda: focal_length_mm(GLASS, 1.1e12, 0.5), "focal_d_mm"),
+        (lambda: lateral_chromatic_scale(GLASS, 50, 1.1e12, 0.5), "stop_distance_mm"),
+        (lambda: lateral_chromatic_scale(GLASS, 50, -1.1e12, 0.5), "stop_distance_mm"),
+        (lambda: lateral_chromatic_scale(GLASS, 50, np.nan, 0.5), "stop_distance_mm"),
+        (lambda: mechanical_vignetting(0.1, np.inf, 1.0, 1.0), "pupil_radius_mm"),
+        (lambda: mechanical_vignetting(0.1, 1.0, 0.0, 1.0), "rim_radius_mm"),
+        (lambda: mechanical_vignetting(0.1, 1.0, np.inf, 1.0), "rim_radius_mm"),
+        (lambda: mechanical_vignetting(0.1, 1.0, 1.0, np.inf), "separation_mm"),
+    ],
+)
+def test_what_lies_beyond_the_range_of_glass_and_lenses_is_refused(call, name):
+    with pytest.raises(ValueError, match=name):
+        call()
+
+
+def test_the_ends_of_the_range_of_glass_and_lenses_are_legal():
+    assert refractive_index(Glass(10.0, 1.0), LINE_D_UM) == 10.0
+    assert refractive_index(GLASS, 0.1) > 1.5168
+    for focal in (1e-9, 1e12):
+        assert focal_length_mm(GLASS, focal, LINE_D_UM) == pytest.approx(focal)
+    for stop in (-1e12, 1e12):
+        assert lateral_chromatic_scale(GLASS, 50, stop, LINE_D_UM) == pytest.approx(1)
+
+
+@pytest.mark.parametrize(("a", "b"), [(1.0, 1.0), (3.0, 2.0), (2.0, 3.0), (5.0, 0.5)])
+def test_two_discs_share_all_of_the_smaller_nothing_or_a_lens(a, b):
+    """The lens by the integral of the chords that both discs have."""
+    apart = np.array([0.0, 0.9 * abs(a - b), abs(a - b), a + b, 2 * (a + b)])
+    smaller = np.pi * min(a, b) ** 2
+    np.testing.assert_allclose(
+        disc_overlap_area(apart, a, b), [smaller, smaller, smaller, 0, 0], atol=1e-9
+    )
+    for d in (abs(a - b) + 0.1, 0.5 * (abs(a - b) + a + b), a + b - 0.1):
+        x = np.linspace(-a - b, a + 2 * b, 400_001)
+        half = [np.sqrt(np.maximum(r * r - (x - at) ** 2, 0)) for r, at in ((a, 0.0), (b, d))]
+        area = 2 * np.minimum(*half).sum() * (x[1] - x[0])
+        assert disc_overlap_area(d, a, b) == pytest.approx(area, rel=1e-5)
+
+
+def test_touching_discs_of_very_different_size_do_not_lose_digits():
+    assert disc_overlap_area(0.0, 1e6, 1e-6) == pytest.approx(np.pi * 1e-12)
+    assert mechanical_vignetting(0.1, 1e-40, 1.0, 1.0) == 1.0
+    assert mechanical_vignetting(0.1, 1e40, 1.0, 1.0) == pytest.approx(0, abs=1e-70)

@@ -70,3 +70,40 @@ def test_a_chirp_is_averaged_over_the_pixel():
 def test_an_unknown_filter_is_refused():
     with pytest.raises(ValueError, match=r"'median'; legal: none, box"):
         prefilters.prefilter("median")
+
+
+@pytest.mark.parametrize(("kind", "reach"), [("box", 0.5), ("gaussian", 2.5), ("sinc", 4.0)])
+def test_each_filter_reaches_as_far_as_it_says_on_both_sides(kind, reach):
+    kernel = prefilters.prefilter(kind)
+    np.testing.assert_allclose(kernel.offsets_px, np.linspace(-reach, reach, 129), atol=1e-14)
+    np.testing.assert_allclose(kernel.weights, kernel.weights[::-1], atol=1e-16)
+
+
+def test_the_gaussian_has_the_width_of_a_sharp_lens():
+    kernel = prefilters.prefilter("gaussian")
+    assert kernel.weights @ kernel.offsets_px**2 == pytest.approx(0.5**2, rel=1e-4)
+
+
+def test_the_weights_are_simpsons():
+    """One, four, two, four, ..., one thirds of the step: cubics are integrated exactly."""
+    weights = prefilters.prefilter("box").weights * 3 * 128
+    np.testing.assert_allclose(weights[[0, 1, 2, 3, -2, -1]], [1, 4, 2, 4, 4, 1])
+    np.testing.assert_allclose(weights[1::2], 4)
+    np.testing.assert_allclose(weights[2:-1:2], 2)
+
+
+def test_a_chirp_has_the_local_frequency_it_says():
+    point, x, step = prefilters.prefilter("none"), np.linspace(-3, 3, 7), 1e-5
+    after, before = (
+        prefilters.filtered_wave(point, x + sign * step, 0.2, 0.05) for sign in (1, -1)
+    )
+    turns = np.angle(after / before) / (2 * np.pi * 2 * step)
+    np.testing.assert_allclose(turns, 0.2 + 0.05 * x, atol=1e-7)
+
+
+def test_frequencies_and_places_may_have_any_shape():
+    kernel, table = prefilters.prefilter("sinc"), FREQUENCIES.reshape(5, 5)
+    each = [[prefilters.transfer(kernel, f) for f in row] for row in table]
+    np.testing.assert_allclose(prefilters.transfer(kernel, table), each, atol=1e-14)
+    waves = [[prefilters.filtered_wave(kernel, x, 0.3, 0.1) for x in row] for row in table]
+    np.testing.assert_allclose(prefilters.filtered_wave(kernel, table, 0.3, 0.1), waves, atol=1e-14)

@@ -107,3 +107,136 @@ def test_gaussian_mtf_is_what_the_blur_does():
 def test_meaningless_parameters_are_refused(call):
     with pytest.raises(ValueError, match="legal"):
         call()
+
+
+def test_aliasing_folds_at_any_rate():
+    found = sampling.alias_frequency([5.0, 7.9, 8.1, -5.0, -4.0, 4.0, 3.9, 1e17], 8.0)
+    np.testing.assert_allclose(found, [-3, -0.1, 0.1, 3, -4, -4, 3.9, 1e17 % 8], atol=1e-12)
+    smallest = 5e-324
+    assert sampling.alias_frequency(smallest, 3 * smallest) == smallest
+
+
+@pytest.mark.parametrize("rate", [0.0, -1.0, np.inf, np.nan])
+def test_a_rate_that_is_none_is_refused(rate):
+    with pytest.raises(ValueError, match="rate"):
+        sampling.alias_frequency(1.0, rate)
+
+
+@pytest.mark.parametrize("frequency", [np.nan, np.inf])
+def test_a_frequency_that_is_none_is_refused(frequency):
+    with pytest.raises(ValueError, match="frequency"):
+        sampling.alias_frequency([0.1, frequency])
+
+
+def test_a_wheel_of_one_spoke_is_legal_and_of_none_is_not():
+    speed, certain = sampling.apparent_wheel_speed([25.0, 12.0, 36.0, 12.1], 1, 24.0)
+    np.testing.assert_allclose(speed, [1, -12, -12, -11.9], atol=1e-12)
+    assert certain.tolist() == [True, False, False, True]
+    with pytest.raises(ValueError, match="spokes 0"):
+        sampling.apparent_wheel_speed(1.0, 0, 24.0)
+
+
+def test_half_a_spacing_per_frame_is_uncertain_to_a_billionth():
+    near, nearer = 12.0 * (1 - 1e-6), 12.0 * (1 - 1e-11)
+    certain = sampling.apparent_wheel_speed([near, nearer], 1, 24.0)[1]
+    assert certain.tolist() == [True, False]
+
+
+def test_the_zone_plate_is_its_formula():
+    x, y = np.array([0.0, 3.0, 0.0, 1.0]), np.array([0.0, 0.0, 2.0, 2.0])
+    expected = 0.5 + 0.5 * np.cos(np.pi * np.array([0, 9, 4, 5]) / 8.0)
+    np.testing.assert_allclose(sampling.zone_plate(x, y, 8.0), expected, atol=1e-15)
+    assert sampling.zone_plate(1e200, 0, 8.0) == 0.5
+    for scale in (0.0, -1.0, np.inf, np.nan):
+        with pytest.raises(ValueError, match="scale"):
+            sampling.zone_plate(0, 0, scale)
+
+
+@pytest.mark.parametrize(("x", "y"), [(0.0, 0.0), (7.3, -2.0), (-12.2, 20.1), (4.0, 33.0)])
+def test_the_mean_over_a_pixel_is_that_of_a_fine_grid(x, y):
+    scale, line = 40.0, (np.arange(100) + 0.5) / 100 - 0.5
+    fine = sampling.zone_plate(x + line, y + line[:, None], scale).mean()
+    assert sampling.zone_plate_area(x, y, scale) == pytest.approx(fine, abs=np.pi / 12 / scale)
+
+
+def test_box_filter_takes_every_block_and_every_channel():
+    image = np.arange(4 * 6 * 2.0).reshape(4, 6, 2)
+    expected = [
+        [image[2 * i : 2 * i + 2, 3 * 0 + 2 * j : 2 * j + 2].mean((0, 1)) for j in range(3)]
+        for i in range(2)
+    ]
+    np.testing.assert_allclose(sampling.box_filter(image, 2), expected)
+    np.testing.assert_array_equal(sampling.box_filter(image, 1), image)
+
+
+@pytest.mark.parametrize(("shape", "factor"), [((8, 9), 2), ((9, 8), 2), ((8,), 2), ((8, 8), 0)])
+def test_only_whole_blocks_are_filtered(shape, factor):
+    with pytest.raises(ValueError, match="legal: a divisor"):
+        sampling.box_filter(np.zeros(shape), factor)
+
+
+@pytest.mark.parametrize("sigma", [0.3, 0.8, 2.0])
+def test_the_gaussian_ends_after_four_sigma(sigma):
+    taps, reach = sampling.gaussian_kernel(sigma), int(np.ceil(4 * sigma))
+    offsets = np.arange(-reach, reach + 1)
+    expected = np.exp(-(offsets**2) / (2 * sigma**2))
+    np.testing.assert_allclose(taps, expected / expected.sum(), rtol=1e-12)
+
+
+@pytest.mark.parametrize("sigma", [-1e-9, 1.1e6, np.nan, np.inf])
+def test_a_sigma_that_is_none_is_refused(sigma):
+    with pytest.raises(ValueError, match="sigma"):
+        sampling.gaussian_kernel(sigma)
+
+
+def test_the_widest_gaussian_is_legal():
+    assert sampling.gaussian_kernel(1e6).size == 8_000_001
+
+
+@pytest.mark.parametrize(("factor", "lobes"), [(1, 4), (3, 2), (4, 3), (2, 1)])
+def test_the_sinc_is_windowed_by_its_own_widest_lobe(factor, lobes):
+    """Lanczos' window; for an even factor the samples lie half a step beside the centre."""
+    reach = factor * lobes
+    x = (np.arange(-reach, reach + 1) + (0 if factor % 2 else 0.5)) / factor
+    expected = np.where(np.abs(x) < lobes, np.sinc(x) * np.sinc(x / lobes), 0)
+    found = sampling.sinc_kernel(factor, lobes)
+    np.testing.assert_allclose(found, expected / expected.sum(), atol=1e-15)
+
+
+def test_four_lobes_unless_told_otherwise_and_at_least_one_of_each():
+    np.testing.assert_array_equal(sampling.sinc_kernel(3), sampling.sinc_kernel(3, 4))
+    for factor, lobes in ((0, 4), (1, 0)):
+        with pytest.raises(ValueError, match="legal: 1 or more"):
+            sampling.sinc_kernel(factor, lobes)
+
+
+@pytest.mark.parametrize("factor", [1, 2, 3, 4])
+def test_filtering_keeps_the_sample_at_or_before_the_centre_of_each_block(factor):
+    image = np.random.default_rng(5).random((12, 24))
+    first = (factor - 1) // 2
+    kept = sampling.filter_and_sample(image, factor, [1.0])
+    np.testing.assert_array_equal(kept, image[first::factor, first::factor])
+
+
+def test_filtering_is_a_convolution_with_its_kernel_turned_over():
+    """An uneven kernel tells convolution from correlation."""
+    image, taps = np.random.default_rng(6).random((9, 12)), np.array([0.7, 0.2, 0.1, 0.0, 0.0])
+    theirs = image
+    for axis in (0, 1):
+        theirs = scipy.ndimage.convolve1d(theirs, taps, axis=axis, mode="reflect")
+    np.testing.assert_allclose(sampling.filter_and_sample(image, 1, taps), theirs, atol=1e-12)
+
+
+@pytest.mark.parametrize("kernel", [[0.5, 0.5], [[1.0]], []])
+def test_only_a_kernel_of_odd_length_has_a_centre(kernel):
+    with pytest.raises(ValueError, match="legal: one axis of odd length"):
+        sampling.filter_and_sample(np.zeros((4, 4)), 1, kernel)
+
+
+def test_contrasts_are_those_of_the_textbook():
+    np.testing.assert_allclose(sampling.box_mtf([0.25, -0.25], 2.0), 2 / np.pi)
+    assert sampling.gaussian_mtf(0.25, 0.0) == 1
+    assert sampling.gaussian_mtf(0.3, 0.7) == pytest.approx(np.exp(-2 * (np.pi * 0.21) ** 2))
+    assert sampling.contrast([1.0, 3.0, 2.0]) == pytest.approx(0.5)
+    assert sampling.contrast([0.0, 0.0]) == 0
+    assert sampling.contrast([0.0, 2.0]) == 1

@@ -7,10 +7,12 @@ from scipy import stats
 from simulations.models.sensor import (
     Sensor,
     capture,
+    develop,
     estimate_gain,
     expose,
     photon_transfer,
     quantise,
+    read_out,
     shot_noise,
     signal_to_noise,
     with_iso,
@@ -100,3 +102,156 @@ def test_twice_the_iso_doubles_the_codes():
 def test_meaningless_parameters_are_refused_by_name(call, message):
     with pytest.raises(ValueError, match=message):
         call()
+
+
+@pytest.mark.parametrize(
+    ("field", "legal", "illegal"),
+    [
+        ("full_well_e", [1e-3, 1e9], [0.0, -1.0, np.nan]),
+        ("read_noise_e", [0.0, 5.0], [-1e-9, np.nan]),
+        ("dark_current_e_per_s", [0.0, 5.0], [-1e-9, np.nan]),
+        ("gain_e_per_dn", [1e-3], [0.0, -1.0, np.nan]),
+        ("bits", [7, 16], [0, 17, 12.0]),
+        ("black_level_dn", [0.0, 4094.9], [-1e-9, 4095.0, np.nan]),
+        ("quantum_efficiency", [0.0, 1.0], [-1e-9, 1.001, np.nan]),
+    ],
+)
+def test_each_property_of_a_sensor_has_its_range(field, legal, illegal):
+    for value in legal:
+        assert getattr(Sensor(**{field: value}), field) == value
+    for value in illegal:
+        with pytest.raises(ValueError, match=field):
+            Sensor(**{field: value})
+
+
+def test_one_bit_has_two_codes():
+    assert Sensor(bits=1, black_level_dn=0).highest_dn == 1
+    assert Sensor(bits=12).highest_dn == 4095
+
+
+def test_the_usual_sensor_is_that_of_the_chapter():
+    usual = Sensor()
+    assert (usual.full_well_e, usual.read_noise_e, usual.dark_current_e_per_s) == (20_000, 3, 0.1)
+    assert (usual.gain_e_per_dn, usual.bits, usual.black_level_dn) == (5, 12, 64)
+    assert usual.quantum_efficiency == 0.5
+
+
+def test_iso_divides_the_electrons_per_code():
+    assert with_iso(Sensor(gain_e_per_dn=6.0), 400).gain_e_per_dn == 1.5
+    assert with_iso(Sensor(gain_e_per_dn=6.0), 400, 200).gain_e_per_dn == 3.0
+    for iso in (0.0, -100.0):
+        with pytest.raises(ValueError, match="iso"):
+            with_iso(Sensor(), iso)
+
+
+def test_exposure_may_be_nothing_but_not_endless_and_light_may_be_endless():
+    assert expose(100.0, 0.0, Sensor()) == 0
+    assert expose(np.inf, 0.0, Sensor()) == 0
+    for exposure in (np.inf, np.nan):
+        with pytest.raises(ValueError, match="exposure_s"):
+            expose(1.0, exposure, Sensor())
+    with pytest.raises(ValueError, match="photons_per_s"):
+        expose([1.0, -1.0], 1.0, Sensor())
+
+
+@pytest.mark.parametrize("model", ["poisson", "skewed", "gaussian"])
+@pytest.mark.parametrize("mean", [30.0, 400.0])
+def test_every_model_of_shot_noise_has_the_mean_and_variance_of_poisson(model, mean):
+    counted = shot_noise(np.full(200_000, mean), rng(), model=model)
+    assert np.array_equal(counted, np.rint(counted))
+    assert counted.mean() == pytest.approx(mean, abs=5 * np.sqrt(mean / 200_000))
+    assert counted.var() == pytest.approx(mean, rel=0.02)
+
+
+def test_the_skewed_model_leans_as_poisson_does():
+    mean = 100.0
+    counted = shot_noise(np.full(1_000_000, mean), rng(), model="skewed")
+    skewness = np.mean((counted - mean) ** 3) / mean**1.5
+    assert skewness == pytest.approx(mean**-0.5, rel=0.1)
+
+
+@pytest.mark.parametrize("model", ["skewed", "gaussian"])
+def test_an_approximation_frees_no_negative_electrons_and_none_in_the_dark(model):
+    assert shot_noise(np.full(10_000, 0.05), rng(), model=model).min() == 0
+    assert shot_noise(np.zeros(10_000), rng(), model=model).max() == 0
+
+
+def test_a_well_spills_what_it_cannot_hold():
+    counted = shot_noise(np.full(50_000, 100.0), rng(), 100.0)
+    assert counted.max() == 100
+    assert np.mean(counted == 100) == pytest.approx(stats.poisson.sf(99, 100), abs=0.01)
+
+
+def test_the_cap_is_too_far_above_the_well_to_be_noticed():
+    for well in (1.0, 1000.0):
+        assert shot_noise(np.full(100_000, 1e9), rng(), well).min() == well
+
+
+def test_reading_out_divides_by_the_gain_and_adds_noise_and_black():
+    sensor = Sensor(read_noise_e=4.0, gain_e_per_dn=2.0, black_level_dn=64.0)
+    signal = read_out(np.full(200_000, 100.0), sensor, rng())
+    assert signal.mean() == pytest.approx(114.0, abs=0.03)
+    assert signal.std() == pytest.approx(2.0, rel=0.02)
+    silent = Sensor(read_noise_e=0.0, gain_e_per_dn=2.0)
+    np.testing.assert_array_equal(read_out([100.0, 0.0], silent, rng()), [114.0, 64.0])
+
+
+def test_single_precision_stays_single():
+    few = np.full(4, 10.0, np.float32)
+    assert shot_noise(few, rng(), model="skewed").dtype == np.float32
+    assert shot_noise(few, rng()).dtype == np.float32
+    assert read_out(few, Sensor(), rng()).dtype == np.float32
+    assert read_out(few.astype(float), Sensor(), rng()).dtype == np.float64
+
+
+@pytest.mark.parametrize("bits", [0, 17, 8.0])
+def test_a_converter_has_1_to_16_bits(bits):
+    with pytest.raises(ValueError, match="bits"):
+        quantise(1.0, bits)
+
+
+def test_rounding_goes_to_the_nearest_code_and_stops_at_the_ends():
+    np.testing.assert_array_equal(quantise([-np.inf, 2.4, 2.6, 6.7, 8.0], 3), [0, 2, 3, 7, 7])
+
+
+def test_developing_undoes_the_gain():
+    sensor = Sensor(bits=10, black_level_dn=23.0)
+    np.testing.assert_allclose(develop([23.0, 523.0, 1023.0, 0.0], sensor), [0, 0.5, 1, -0.023])
+
+
+def test_signal_to_noise_adds_all_variances():
+    """Of 400 + 3² + 6²/12 the root is √412."""
+    sensor = Sensor(read_noise_e=3.0, gain_e_per_dn=6.0)
+    assert signal_to_noise(400.0, sensor) == pytest.approx(400 / np.sqrt(412))
+
+
+def test_the_photon_transfer_curve_has_the_variances_of_its_sources():
+    sensor = Sensor(read_noise_e=10.0, gain_e_per_dn=2.0, full_well_e=1e6, black_level_dn=50)
+    levels = np.array([0.0, 100.0, 4000.0])
+    mean, variance = photon_transfer(levels, sensor, rng(), samples=100_000)
+    np.testing.assert_allclose(mean, levels / 2, atol=0.2)
+    np.testing.assert_allclose(variance, (levels + 100) / 4 + 1 / 12, rtol=0.02)
+    assert photon_transfer(5.0, sensor, rng(), samples=2)[0].shape == (1,)
+    with pytest.raises(ValueError, match="samples"):
+        photon_transfer(levels, sensor, rng(), samples=1)
+
+
+def test_the_gain_is_one_over_the_slope_whatever_the_offset():
+    mean = np.array([10.0, 20.0, 50.0])
+    assert estimate_gain(mean, 3.0 + mean / 4) == pytest.approx(4.0)
+    assert estimate_gain(mean[:2], mean[:2]) == pytest.approx(1.0)
+    for levels in ([5.0], [5.0, 5.0]):
+        with pytest.raises(ValueError, match="levels"):
+            estimate_gain(levels, levels)
+
+
+def test_a_fit_trusts_small_variances_more():
+    """Weights of one over the variance of each point: the residuals' weighted sums vanish."""
+    mean, variance = np.array([10.0, 20.0, 40.0, 80.0]), np.array([3.0, 4.0, 11.0, 19.0])
+    slope = 1 / estimate_gain(mean, variance)
+    weight = variance**-2
+    centre_x, centre_y = np.average(mean, weights=weight), np.average(variance, weights=weight)
+    expected = (weight * (mean - centre_x) * (variance - centre_y)).sum() / (
+        weight * (mean - centre_x) ** 2
+    ).sum()
+    assert slope == pytest.approx(expected)
