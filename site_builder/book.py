@@ -5,6 +5,7 @@ from dataclasses import dataclass
 
 from simulations.engine.scene import Scene
 from site_builder.measurements import MeasuredLadder
+from site_builder.stage_costs import StageCosts
 
 
 @dataclass(frozen=True, slots=True)
@@ -122,6 +123,14 @@ class LadderTable:
 
 
 @dataclass(frozen=True, slots=True)
+class StageCostTable:
+    """What each moved control costs of a whole frame of one scene."""
+
+    costs: StageCosts
+    caption_html: str
+
+
+@dataclass(frozen=True, slots=True)
 class HardCase:
     """A line of a table of hard cases, every answer computed and put into words."""
 
@@ -157,6 +166,7 @@ type Block = (
     | CaptionedTable
     | LadderFigure
     | LadderTable
+    | StageCostTable
     | HardCases
 )
 

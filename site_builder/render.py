@@ -22,6 +22,7 @@ from site_builder.book import (
     Prose,
     Quiz,
     Simulation,
+    StageCostTable,
 )
 from site_builder.embedding import json_for_html
 from site_builder.figure_view import view_figure
@@ -42,6 +43,7 @@ BLOCK_TEMPLATES: Mapping[type, str] = {
     CaptionedTable: "table",
     LadderFigure: "ladder",
     LadderTable: "ladder-table",
+    StageCostTable: "stage-costs",
     HardCases: "extremes",
 }
 

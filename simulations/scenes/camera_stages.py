@@ -3,6 +3,7 @@
 import math
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
+from functools import lru_cache
 
 import numpy as np
 from numpy.typing import NDArray
@@ -80,6 +81,7 @@ def blur_px(focal_length: float, aperture: float, focus: float, depth_m: Floats 
     return disc / PITCH_MM
 
 
+@lru_cache(maxsize=4)  # asked for several times a frame
 def nearest_depth(focal_length: float, k1: float) -> float:
     """Depth of the nearest thing or spot of floor that the sensor's corners can see, metres."""
     corner = np.array([SENSOR_WIDTH_MM, SENSOR_HEIGHT_MM]) / 2 / focal_length

@@ -29,6 +29,7 @@ from site_builder.markdown.quiz import read_quiz
 from site_builder.markdown.reading import PAGE_IDS, Construct, Reading
 from site_builder.markdown.roles import roles_plugin
 from site_builder.markdown.simulation import read_simulation
+from site_builder.markdown.stage_costs import read_stage_cost_table
 from site_builder.markdown.table import read_table, table_plugin
 from site_builder.markdown.typography import typography_plugin
 from site_builder.measurements import Measurements
@@ -44,6 +45,7 @@ CONSTRUCTS: Mapping[str, Construct] = {
     "extremes": read_extremes,
     "ladder": read_ladder,
     "ladder-table": read_ladder_table,
+    "stage-costs": read_stage_cost_table,
 }
 """Every directive, and what reads it."""
 

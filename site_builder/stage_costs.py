@@ -1,0 +1,93 @@
+"""What moving one control costs of a whole frame: measured times, and stages as they are now.
+
+The times come from ``content/stage-costs.json``, which ``tests/bench/stage_costs.py`` writes; which
+stages run again is found anew at every build, by moving the control.
+"""
+
+import json
+from collections.abc import Mapping
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+from simulations.engine.controls import ControlError, check_values
+from simulations.engine.frame import StageReport
+from simulations.engine.pipeline import StageCache
+from simulations.engine.scene import Scene
+
+DATA = Path("content") / "stage-costs.json"
+REMEASURE = "run `PYTHONPATH=tests python -m bench.stage_costs`"
+
+
+class StageCostError(ValueError):
+    """The data do not fit the scene; the message says how to measure again."""
+
+
+@dataclass(frozen=True, slots=True)
+class MoveCost:
+    """One control moved by a step."""
+
+    label: str
+    """Of the control."""
+    again: tuple[str, ...]
+    """Stages that are computed again."""
+    reused: int
+    skipped: int
+    milliseconds: float
+    share: float
+    """Of the time of a whole frame."""
+
+
+@dataclass(frozen=True, slots=True)
+class StageCosts:
+    """The moves of one scene, and what a whole frame costs."""
+
+    scene: Scene
+    stages: int
+    whole_ms: float
+    moves: tuple[MoveCost, ...]
+
+
+def read_stage_costs(root: Path, scene: Scene) -> StageCosts:
+    """Raises `StageCostError` where nothing, or something else, was measured."""
+    try:
+        entry = json.loads((root / DATA).read_text(encoding="utf-8"))[scene.id]
+    except (OSError, ValueError, KeyError):
+        raise StageCostError(f"{DATA} has no scene {scene.id!r}; {REMEASURE}") from None
+    moves = tuple(
+        _move(scene, entry["start"], control, cost) for control, cost in entry["moves"].items()
+    )
+    times = sorted(cost["whole_ms"] for cost in entry["moves"].values())
+    stages = len(after_move(scene, entry["start"], {}))
+    return StageCosts(scene, stages, times[len(times) // 2], moves)
+
+
+def _move(
+    scene: Scene, start: Mapping[str, object], control: str, cost: Mapping[str, Any]
+) -> MoveCost:
+    try:
+        reports = after_move(scene, start, {control: cost["to"]})
+    except ControlError as error:
+        raise StageCostError(f"{DATA}: {scene.id}: {error}; {REMEASURE}") from None
+    labels = {item.name: item.label for item in scene.controls}
+    status = [report.status for report in reports]
+    return MoveCost(
+        label=labels[control],
+        again=tuple(report.name for report in reports if report.status == "computed"),
+        reused=status.count("reused"),
+        skipped=status.count("skipped"),
+        milliseconds=cost["ms"],
+        share=cost["share"],
+    )
+
+
+def after_move(
+    scene: Scene, start: Mapping[str, object], moved: Mapping[str, object]
+) -> tuple[StageReport, ...]:
+    """What becomes of each stage when controls move from ``start``."""
+    cache = StageCache()
+    frame = scene.render(check_values(scene.controls, start), scene.default_tier, cache)
+    if moved:
+        values = check_values(scene.controls, {**start, **moved})
+        frame = scene.render(values, scene.default_tier, cache)
+    return frame.stages

@@ -1,0 +1,54 @@
+"""The table of what a moved control costs: measured shares, stages found anew at every build."""
+
+import json
+from pathlib import Path
+
+import pytest
+
+from simulations.registry import load_scene
+from site_builder.stage_costs import DATA, StageCostError, after_move, read_stage_costs
+
+ROOT = Path(__file__).resolve().parents[2]
+CAMERA = load_scene("camera")
+MOVE = {"to": 1, "ms": 1.0, "whole_ms": 2.0, "share": 0.5}
+
+
+def test_the_recorded_shares_are_what_the_book_promises() -> None:
+    """Times of another machine are not tested; that the recorded ones bear the claim is."""
+    costs = read_stage_costs(ROOT, CAMERA)
+    share = {move.label: move.share for move in costs.moves}
+    assert share["Read noise σ"] <= 0.10
+    assert max(share["Aperture"], share["Focus distance"]) <= 0.50
+    assert all(0 < each <= 1 for each in share.values())
+
+
+def test_a_move_far_upstream_runs_every_stage_that_would_change_something() -> None:
+    costs = read_stage_costs(ROOT, CAMERA)
+    by_label = {move.label: move for move in costs.moves}
+    assert by_label["Read noise σ"].again == ("read noise", "quantisation", "sRGB")
+    focal = by_label["Focal length"]
+    assert len(focal.again) + focal.skipped == costs.stages
+    assert focal.reused == 0
+
+
+def test_nothing_moved_from_nothing_computes_all_but_the_neutral() -> None:
+    statuses = {stage.status for stage in after_move(CAMERA, {}, {})}
+    assert statuses == {"computed", "skipped"}
+
+
+@pytest.mark.parametrize(
+    ("content", "said"),
+    [
+        (None, "has no scene 'camera'"),
+        ({"other": {}}, "has no scene 'camera'"),
+        ({"camera": {"start": {}, "moves": {"zoom": MOVE}}}, "unknown parameter 'zoom'"),
+    ],
+    ids=["no file", "another scene", "a control that has gone"],
+)
+def test_stale_data_say_how_to_measure_again(tmp_path: Path, content: object, said: str) -> None:
+    if content is not None:
+        (tmp_path / DATA).parent.mkdir()
+        (tmp_path / DATA).write_text(json.dumps(content))
+    with pytest.raises(StageCostError, match=said) as raised:
+        read_stage_costs(tmp_path, CAMERA)
+    assert "bench.stage_costs" in str(raised.value)
