@@ -171,3 +171,89 @@ def test_the_bow_of_an_arc_is_its_sagitta():
     arc = np.column_stack((np.cos(angle), np.sin(angle)))
     assert line_bow(arc) == pytest.approx(0.5)
     assert line_bow([[0, 0], [1, 1], [2, 2]]) == 0.0
+
+
+@pytest.mark.parametrize("name", ["k1", "k2", "k3", "p1", "p2", "k4", "k5", "k6"])
+def test_each_coefficient_stands_where_opencv_has_it_and_alone_is_not_neutral(name):
+    lens = Distortion(**{name: 0.05})
+    assert not lens.neutral
+    assert lens.tangential == name.startswith("p")
+    np.testing.assert_allclose(distort(POINTS, lens), opencv_distort(POINTS, lens), atol=1e-14)
+    ideal, valid = undistort(distort(POINTS, lens), lens)
+    assert valid.all()
+    np.testing.assert_allclose(ideal, POINTS, atol=1e-12)
+
+
+def test_a_lens_with_coefficients_undoes_single_points_and_fields_of_them():
+    lens = LENSES[2]
+    field = distort(POINTS.reshape(10, 20, 2), lens)
+    ideal, valid = undistort(field, lens)
+    assert valid.shape == (10, 20)
+    np.testing.assert_allclose(ideal, POINTS.reshape(10, 20, 2), atol=1e-12)
+    np.testing.assert_allclose(undistort(field[3, 4], lens)[0], ideal[3, 4], atol=1e-12)
+
+
+def test_the_axis_is_undone_and_bad_points_spoil_no_others():
+    points = [[0.0, 0.0], [np.nan, 0.1], [0.1, np.inf], [0.1, 0.0]]
+    for lens in (Distortion(), Distortion(k1=-0.1), Distortion(k1=0.1, p1=0.01)):
+        ideal, valid = undistort(points, lens)
+        assert valid.tolist() == [True, False, False, True]
+        np.testing.assert_allclose(ideal[0], [0, 0], atol=1e-15)
+        assert np.isfinite(ideal[3]).all()
+
+
+def test_far_points_go_to_infinity_each_with_the_signs_of_its_direction():
+    far = np.array([[3e200, -1e200], [-2e160, 5e160], [0.3, 0.4]])
+    for k1 in (0.1, -0.1):
+        moved = distort(far, Distortion(k1=k1))
+        np.testing.assert_array_equal(moved[:2], np.sign(k1) * np.inf * np.sign(far[:2]))
+        np.testing.assert_allclose(moved[2], far[2] * (1 + k1 * 0.25))
+
+
+def test_the_jacobian_of_the_tangential_terms_is_that_of_their_formula():
+    lens, (x, y) = Distortion(p1=0.03, p2=-0.02), (0.4, -0.7)
+    expected = np.eye(2) + np.array(
+        [
+            [2 * 0.03 * y + 6 * -0.02 * x, 2 * 0.03 * x + 2 * -0.02 * y],
+            [2 * 0.03 * x + 2 * -0.02 * y, 6 * 0.03 * y + 2 * -0.02 * x],
+        ]
+    )
+    np.testing.assert_allclose(jacobian([x, y], lens), expected, atol=1e-15)
+
+
+@pytest.mark.parametrize(
+    ("k1", "tolerance", "kind"),
+    [
+        (0.1, 0.099, "pincushion"),
+        (0.1, 0.101, "none"),
+        (-0.1, 0.099, "barrel"),
+        (-0.1, 0.101, "none"),
+    ],
+)
+def test_a_change_of_magnification_within_the_tolerance_is_none(k1, tolerance, kind):
+    """From 1 on the axis to 1 + k₁ at the corner."""
+    assert classify(Distortion(k1=k1), corner_radius=1.0, tolerance=tolerance) == kind
+
+
+def test_the_kind_is_judged_up_to_the_fold_and_up_to_the_corner():
+    turns = Distortion(k1=-0.2, k2=0.2)  # g = 1 − 0.2 s + 0.2 s² turns at s = 1/2
+    assert classify(turns, corner_radius=0.7, tolerance=1e-4) == "barrel"
+    assert classify(turns, corner_radius=0.75, tolerance=1e-4) == "moustache"
+    folds = Distortion(k1=-0.5, k2=0.03)  # at r = 0.83; g itself turns only at r = 2.9
+    assert classify(folds, corner_radius=4.0, tolerance=1e-4) == "barrel"
+
+
+def test_a_bow_is_the_same_to_either_side_and_turned_any_way():
+    angle = np.linspace(-np.pi / 3, np.pi / 3, 101)
+    arc = np.column_stack((np.cos(angle), np.sin(angle)))
+    for turn in np.linspace(0, 6, 7):
+        c, s = np.cos(turn), np.sin(turn)
+        turned = arc @ [[c, s], [-s, c]] + [5.0, -3.0]
+        np.testing.assert_allclose(line_bow([turned, turned[::-1], turned * [1, -1]]), 0.5)
+
+
+def test_a_closed_curve_is_measured_from_its_ends():
+    square = np.array([[1.0, 1], [4, 1], [4, 5], [1, 5], [1, 1]])
+    assert line_bow(square) == pytest.approx(5.0)
+    assert line_bow([square, square * 2]).tolist() == pytest.approx([5.0, 10.0])
+    assert line_bow([[3.0, 4.0], [5.0, 6.0]]) == 0

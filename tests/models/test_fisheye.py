@@ -88,3 +88,89 @@ def test_radii_outside_the_image_circle_have_no_direction(model, radius):
 def test_an_unknown_model_is_named():
     with pytest.raises(ValueError, match="fishy"):
         project_ideal([0, 0, 1], "fishy")
+
+
+@pytest.mark.parametrize("model", ["perspective", "orthographic"])
+def test_models_of_one_half_space_see_just_up_to_its_edge(model):
+    image, valid = project_ideal(rays(np.radians([89.0, 89.999, 90.001])), model)
+    assert valid.tolist() == [True, True, False]
+    expected = {"perspective": np.tan, "orthographic": np.sin}[model](np.radians(89.0))
+    assert np.hypot(*image[0]) == pytest.approx(expected)
+
+
+@pytest.mark.parametrize("model", ["stereographic", "equidistant", "equisolid"])
+def test_the_other_models_see_all_but_exactly_backwards(model):
+    image, valid = project_ideal(rays(np.radians([179.9, 120.0])), model)
+    half = np.radians([89.95, 60.0])
+    expected = {"stereographic": 2 * np.tan(half), "equisolid": 2 * np.sin(half)}
+    assert valid.all()
+    np.testing.assert_allclose(np.hypot(*image.T), expected.get(model, 2 * half))
+    assert not project_ideal([0.0, 0.0, -1.0], model)[1]
+
+
+def test_the_axis_and_the_directions_around_it_keep_their_azimuth():
+    directions = [[0, 0, 3.0], [1, 0, 1], [0, 2, 2], [-1, 0, 1], [0, -1, 1.0]]
+    image, valid = project_ideal(directions, "equidistant")
+    assert valid.all()
+    quarter = np.pi / 4
+    expected = [[0, 0], [quarter, 0], [0, quarter], [-quarter, 0], [0, -quarter]]
+    np.testing.assert_allclose(image, expected, atol=1e-15)
+
+
+@pytest.mark.parametrize("size", [1e-300, 1.0, 1e300])
+def test_the_length_of_a_direction_does_not_matter(size):
+    image, valid = project_ideal(size * np.array([3.0, 4.0, 5.0]), "perspective")
+    assert valid
+    np.testing.assert_allclose(image, [0.6, 0.8])
+
+
+def test_one_bad_direction_among_good_ones_spoils_no_other():
+    directions = np.array([[0, 0, 1.0], [np.inf, 0, 1], [0, 0, 0], [0, 1, 1]])
+    for image, valid in (
+        project_ideal(directions, "stereographic"),
+        project_fisheye(directions, LENS),
+    ):
+        assert valid.tolist() == [True, False, False, True]
+        assert image[:3].tolist() == [[0, 0]] * 3
+        assert image[3, 1] > 0.5
+    points = np.array([[0, 0.0], [np.nan, 0], [0.5, 0.0], [1e308, 1e308]])
+    for direction, valid in (
+        unproject_ideal(points, "orthographic"),
+        unproject_fisheye(points, LENS),
+    ):
+        assert valid.tolist() == [True, False, True, False]
+        assert direction[[0, 1, 3]].tolist() == [[0, 0, 1]] * 3
+        assert direction[2, 0] > 0.4
+        assert np.linalg.norm(direction[2]) == pytest.approx(1)
+
+
+def test_past_its_fold_a_lens_sees_nothing():
+    """θ (1 − θ²/3) turns back at 1, where its image radius is 2/3."""
+    lens = Fisheye(-1 / 3)
+    image, valid = project_fisheye(rays([0.5, 0.999, 1.001, 3.0]), lens)
+    assert valid.tolist() == [True, True, False, False]
+    assert np.hypot(*image[0]) == pytest.approx(0.5 - 0.125 / 3)
+    assert unproject_fisheye([[0.66, 0], [0.67, 0]], lens)[1].tolist() == [True, False]
+
+
+def test_a_lens_without_a_fold_sees_up_to_half_a_turn():
+    image, valid = project_fisheye(rays([3.14]), Fisheye())
+    assert valid.all()
+    assert np.hypot(*image[0]) == pytest.approx(3.14)
+    assert unproject_fisheye([[3.14, 0], [3.15, 0]], Fisheye())[1].tolist() == [True, False]
+    assert unproject_ideal([[3.14, 0], [3.15, 0]], "equidistant")[1].tolist() == [True, False]
+
+
+@pytest.mark.parametrize(("model", "edge"), [("equisolid", 2.0), ("orthographic", 1.0)])
+def test_a_radius_just_beyond_the_image_circle_is_told_from_one_within(model, edge):
+    points = [[edge * (1 - 1e-6), 0.0], [edge * (1 + 1e-7), 0.0]]
+    assert unproject_ideal(points, model)[1].tolist() == [True, False]
+
+
+def test_each_coefficient_is_of_its_own_power_and_must_be_finite():
+    angle = np.array([0.6])
+    for power, name in enumerate(("k1", "k2", "k3", "k4"), start=1):
+        image, _ = project_fisheye(rays(angle, 0.0), Fisheye(**{name: 0.01}))
+        assert image[0, 0] == pytest.approx(0.6 * (1 + 0.01 * 0.36**power), abs=1e-15)
+        with pytest.raises(ValueError, match="finite"):
+            Fisheye(**{name: np.inf})

@@ -187,3 +187,119 @@ def test_a_wall_parallel_to_the_picture_has_no_horizon():
     line, valid = vanishing.horizon((0, 0, 1), K)
     assert not valid
     assert np.isnan(line).all()
+
+
+def test_one_focal_length_serves_both_axes_and_the_matrix_is_upper_triangular():
+    assert projection.intrinsics(80.0, (3, 4)).tolist() == [[80, 0, 3], [0, 80, 4], [0, 0, 1]]
+    assert projection.intrinsics(80, (3, 4))[1, 1] == 80
+    assert projection.intrinsics((5.0, 6.0), (3, 4), 2.0).tolist() == [
+        [5, 2, 3],
+        [0, 6, 4],
+        [0, 0, 1],
+    ]
+    for focal in ((0.0, 5.0), (5.0, 0.0), (math.inf, 5.0), (5.0, math.inf)):
+        with pytest.raises(ValueError, match="focal_px"):
+            projection.intrinsics(focal, (0, 0))
+    with pytest.raises(ValueError, match="principal_point"):
+        projection.intrinsics(1.0, (0, math.inf))
+
+
+def test_skew_moves_x_with_y():
+    pixels, _ = projection.project((0.0, 2.0, 4.0), K)
+    assert pixels == pytest.approx((320 + 2 * 0.5, 240 + 410 * 0.5))
+
+
+def test_a_homogeneous_point_that_is_not_finite_spoils_no_other():
+    P = projection.camera_matrix(K, np.eye(4))
+    points = [
+        (0, 0, 1, 1),
+        (math.inf, 0, 1, 1),
+        (0, 0, math.nan, 1),
+        (0, 0, -2, -2.0),
+        (0, 0, 1, -1),
+    ]
+    pixels, valid = projection.project_homogeneous(points, P)
+    assert valid.tolist() == [True, False, False, True, False]
+    assert pixels[valid] == pytest.approx(np.array([(320, 240)] * 2))
+    assert np.isnan(pixels[~valid]).all()
+
+
+@pytest.mark.parametrize("size", [1e-300, 1e300])
+def test_the_size_of_homogeneous_coordinates_does_not_matter(size):
+    P = projection.camera_matrix(K, np.eye(4))
+    pixels, valid = projection.project_homogeneous(size * np.array([1.0, 0.5, 5.0, 1.0]), P)
+    assert valid
+    assert pixels == pytest.approx((320 + 80 + 2 * 0.1, 240 + 41))
+
+
+def test_a_camera_may_be_tiny_steps_or_huge_ones_from_its_target():
+    for size in (1e-200, 1e150):
+        pose = projection.look_at((0, 0, 0), np.array([0, 3.0, 4.0]) * size, (0, -1, 0))
+        assert pose[2, :3] == pytest.approx((0, 0.6, 0.8))
+
+
+@pytest.mark.parametrize(
+    ("eye", "target", "up", "complaint"),
+    [
+        ((0, 0, 0), (math.inf, 0, 0), (0, 1, 0), "target"),
+        ((0, 0, 0), (math.nan, 0, 0), (0, 1, 0), "target"),
+        ((0, 0, 0), (0, 0, 1), (0, math.inf, 0), "up"),
+        ((0, 0, 0), (0, 0, 1), (0, 1e-10, 1), "up"),
+        ((0, 0, 0), (0, 0, 1), (0, 0, -1), "up"),
+    ],
+)
+def test_directions_that_are_none_are_refused(eye, target, up, complaint):
+    with pytest.raises(ValueError, match=complaint):
+        projection.look_at(eye, target, up)
+
+
+def test_up_may_be_a_hair_beside_the_line_of_sight():
+    pose = projection.look_at((0, 0, 0), (0, 0, 1), (0, 1e-8, 1))
+    assert pose[:3, :3] == pytest.approx(np.array([[-1, 0, 0], [0, -1, 0], [0, 0, 1]]), abs=1e-12)
+
+
+def test_looking_along_the_axis_of_depth_with_y_down_changes_nothing():
+    assert projection.look_at((0, 0, 0), (0, 0, 5), (0, -1, 0)) == pytest.approx(np.eye(4))
+    assert projection.look_at((0, 0, -2), (0, 0, 5), (0, -1, 0))[:3, 3] == pytest.approx((0, 0, 2))
+
+
+def test_a_field_of_view_needs_a_finite_sensor():
+    for sensor in (-1.0, math.inf, math.nan):
+        with pytest.raises(ValueError, match="sensor_mm"):
+            projection.field_of_view(50.0, sensor)
+
+
+def test_the_horizon_of_the_ground_lies_level_through_the_principal_point():
+    line, valid = vanishing.horizon((0, 1, 0), K)
+    assert valid
+    assert line == pytest.approx((0, 1, -240))
+    tilted, _ = vanishing.horizon((0, math.cos(0.1), math.sin(0.1)), K)
+    assert tilted @ (320, 240 - 410 * math.tan(0.1), 1) == pytest.approx(0, abs=1e-9)
+
+
+@pytest.mark.parametrize("normal", [(0, 0, 0), (math.nan, 0, 1), (math.inf, 0, 1)])
+def test_what_is_no_plane_has_no_horizon(normal):
+    assert not vanishing.horizon(normal, K)[1]
+
+
+@pytest.mark.parametrize("size", [1e-300, 1e300])
+def test_the_length_of_directions_and_normals_does_not_matter(size):
+    direction, normal = np.array([1.0, -0.3, 2.0]), np.array([0.1, 1.0, 0.2])
+    assert vanishing.vanishing_point(size * direction, K)[0] == pytest.approx(
+        vanishing.vanishing_point(direction, K)[0]
+    )
+    assert vanishing.horizon(size * normal, K)[0] == pytest.approx(vanishing.horizon(normal, K)[0])
+
+
+def test_directions_vanish_each_on_their_own():
+    directions = [(1, 0, 1), (math.inf, 0, 1), (math.nan, 0, 1), (0, 1, 1), (0, 0, 0.0)]
+    pixels, valid = vanishing.vanishing_point(directions, K)
+    assert valid.tolist() == [True, False, False, True, False]
+    assert pixels[0] == pytest.approx((720, 240))
+    assert pixels[3] == pytest.approx((322, 650))
+    assert np.isnan(pixels[~valid]).all()
+
+
+@pytest.mark.parametrize(("slant", "valid"), [(1e-10, True), (1e-17, False)])
+def test_a_horizon_is_lost_where_only_rounding_is_left_of_it(slant, valid):
+    assert vanishing.horizon((slant, 0, 1), projection.intrinsics(1.0, (0, 0)))[1] is valid
