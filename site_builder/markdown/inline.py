@@ -10,6 +10,7 @@ from markdown_it.token import Token
 from site_builder.book import Heading, Link
 from site_builder.diagnostics import unknown
 from site_builder.markdown.code import UnknownLanguageError, code_html
+from site_builder.markdown.formula_breaks import displayed_parts, glue_formulae
 from site_builder.markdown.math import ROLES, UnsupportedTexError, to_mathml
 from site_builder.markdown.measured import measured_text
 from site_builder.markdown.reading import Reading, slug
@@ -45,6 +46,7 @@ def annotate(tokens: Sequence[Token], reading: Reading) -> None:
             case "html_inline" | "html_block":
                 _drop_html(token, line, reading)
     _name_headings(tokens, reading)
+    glue_formulae(tokens)
 
 
 def located(tokens: Sequence[Token]) -> Iterator[tuple[Token, int]]:
@@ -62,9 +64,14 @@ def located(tokens: Sequence[Token]) -> Iterator[tuple[Token, int]]:
 
 def _set_formula(token: Token, line: int, reading: Reading) -> None:
     try:
-        token.meta["mathml"] = to_mathml(token.content.strip(), display=token.type == "math_block")
+        token.meta["mathml"] = _mathml(token.content.strip(), display=token.type == "math_block")
     except UnsupportedTexError as error:
         reading.problem(line, str(error))
+
+
+def _mathml(tex: str, *, display: bool) -> str:
+    parts = displayed_parts(tex) if display else [tex]
+    return "".join(to_mathml(part, display=display) for part in parts or [tex])
 
 
 def _set_code(token: Token, line: int, reading: Reading) -> None:

@@ -11,7 +11,7 @@ SIGNS = {"−", "-", "+", "±", "∓"}
 CLOSING = {")", "]", "}", "⟩", "⌋", "⌉", "|", "‖", "!", "′", "″", "…", "⋯"}
 FUNCTIONS = {
     "sin", "cos", "tan", "cot", "arcsin", "arccos", "arctan", "sinh", "cosh", "tanh",
-    "exp", "log", "ln", "lg", "det", "dim", "ker", "deg", "arg",
+    "exp", "log", "ln", "lg", "det", "dim", "ker", "deg", "arg", "tr",
 }  # fmt: skip
 THIN = "0.167em"
 
@@ -21,6 +21,7 @@ def space_formula(tree: ElementTree.Element) -> None:
     for parent in list(tree.iter()):
         if parent.tag in ("math", "mrow", "mtd", "mstyle", "msqrt"):
             _mark_prefixes(parent)
+            _close_bars(parent)
             _space_functions(parent)
 
 
@@ -39,6 +40,14 @@ def _opens(element: ElementTree.Element | None) -> bool:
     return element is None or (element.tag == "mo" and _text(element) not in CLOSING)
 
 
+def _close_bars(row: ElementTree.Element) -> None:
+    """No space beside the bars of ``|x|``, which alone would be infix operators."""
+    for element in row:
+        if element.tag == "mo" and _text(element) in ("|", "∣", "‖"):
+            element.set("lspace", "0")
+            element.set("rspace", "0")
+
+
 def _space_functions(row: ElementTree.Element) -> None:
     elements = list(row)
     for element, following in pairwise(elements):
@@ -49,6 +58,8 @@ def _space_functions(row: ElementTree.Element) -> None:
 
 def _is_function(element: ElementTree.Element) -> bool:
     if element.tag in ("msub", "msup", "msubsup"):
+        element = element[0]
+    if element.tag == "mrow" and len(element) == 1:
         element = element[0]
     return element.tag == "mi" and _text(element) in FUNCTIONS
 

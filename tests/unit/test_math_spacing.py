@@ -30,7 +30,15 @@ def test_a_minus_between_operands_is_an_operator(tex: str) -> None:
 
 
 @pytest.mark.parametrize(
-    "tex", ["\\cos\\theta", "\\cos^2 x", "\\log 2", "a \\sin(x)", "\\arctan\\frac{y}{x}"]
+    "tex",
+    [
+        "\\cos\\theta",
+        "\\cos^2 x",
+        "\\log 2",
+        "\\mathrm{tr} R",
+        "a \\sin(x)",
+        "\\arctan\\frac{y}{x}",
+    ],
 )
 def test_function_names_stand_apart_from_letters_and_numbers(tex: str) -> None:
     assert thin_spaces(tex) == 1
@@ -39,3 +47,8 @@ def test_function_names_stand_apart_from_letters_and_numbers(tex: str) -> None:
 @pytest.mark.parametrize("tex", ["\\cos(x)", "1 - \\cos(x)", "x y", "\\mathrm{px} x"])
 def test_brackets_operators_and_plain_letters_get_no_space(tex: str) -> None:
     assert thin_spaces(tex) == 0
+
+
+def test_bars_stand_close_to_what_they_enclose() -> None:
+    bars = [element for element in elements("|x| = 1") if element.text == "|"]
+    assert [(bar.get("lspace"), bar.get("rspace")) for bar in bars] == [("0", "0")] * 2
