@@ -20,6 +20,8 @@ COMPARED_DEPTHS = (1.0, 2.0, 3.0, 5.0, 10.0, 20.0)
 """Depths in metres at which the point is drawn faintly, for comparison."""
 LABEL_HEIGHT = 14.0
 """Line height of a label, in view box units."""
+MESSAGE_Y, CLAIM_Y = 26.0, 44.0
+"""Baselines of what stands for a missing image."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -56,59 +58,6 @@ def in_picture(x: float, y: float) -> bool:
     return abs(x) <= HALF_WIDTH_PX and abs(y) <= HALF_HEIGHT_PX
 
 
-def place(x: float, y: float) -> Floats:
-    """Pixel to view box."""
-    position: Floats = CENTRE + IMAGE_SCALE * np.array([x, y])
-    return position
-
-
-def image_panel(view: View) -> Panel:
-    overlay = axes() + comparison(view) + (point(view) if view.visible else no_image(view))
-    return Panel("image", "The picture", WIDTH, HEIGHT, overlay=overlay)
-
-
-def axes() -> str:
-    """Pixel axes through the principal point, and the edge of the picture."""
-    ticks = [
-        drawing.text(place(x, 0) + np.array([0, 14]), format_number(x, 0), "muted small", "middle")
-        for x in (-50, 50)
-    ] + [
-        drawing.text(place(0, y) + np.array([-6, 4]), format_number(y, 0), "muted small", "end")
-        for y in (-50, 50)
-    ]
-    marks = [[place(x, -1.5), place(x, 1.5)] for x in (-50, 50)]
-    marks += [[place(-1.5, y), place(1.5, y)] for y in (-50, 50)]
-    return (
-        drawing.rectangle((1.0, 1.0), WIDTH - 2.0, HEIGHT - 2.0, "image")
-        + drawing.arrow(place(-97, 0), place(97, 0), "muted thin")
-        + drawing.arrow(place(0, -72), place(0, 72), "muted thin")
-        + drawing.path(marks, "muted thin")
-        + drawing.text(place(97, 0) + np.array([0, 18]), "x, px", "muted small", "end")
-        + drawing.text(place(0, 72) + np.array([8, 0]), "y, px", "muted small")
-        + "".join(ticks)
-    )
-
-
-def comparison(view: View) -> str:
-    """The same point at other depths: all images lie on one line to the principal point."""
-    parts: list[str] = []
-    labels = [Label(CENTRE, 10.0)]
-    if view.in_picture:
-        labels += [Label(place(view.x, view.y), 18.0), point_label(view)]
-    for depth in COMPARED_DEPTHS:
-        x, y = view.focal_px * view.X / depth, view.focal_px * view.Y / depth
-        if not in_picture(x, y) or (view.X == 0.0 and view.Y == 0.0):
-            continue
-        spot = place(x, y)
-        parts.append(corner_rectangle(x, y, "world thin faint"))
-        parts.append(drawing.dot(spot, "world faint", 3.0))
-        label = depth_label(spot)
-        if not any(label.covers(other) for other in labels):
-            labels.append(label)
-            parts.append(label.draw(f"{depth:.0f} m", "world small halo"))
-    return "".join(parts)
-
-
 @dataclass(frozen=True, slots=True)
 class Label:
     """Room that a line of text takes."""
@@ -123,6 +72,67 @@ class Label:
 
     def draw(self, words: str, style: str) -> str:
         return drawing.text(self.middle, words, style, "middle")
+
+
+def place(x: float, y: float) -> Floats:
+    """Pixel to view box."""
+    position: Floats = CENTRE + IMAGE_SCALE * np.array([x, y])
+    return position
+
+
+def image_panel(view: View) -> Panel:
+    overlay = axes(view) + comparison(view) + (point(view) if view.visible else no_image(view))
+    return Panel("image", "The picture", WIDTH, HEIGHT, overlay=overlay)
+
+
+def axes(view: View) -> str:
+    """Pixel axes through the principal point, and the edge of the picture."""
+    marks = [[place(x, -1.5), place(x, 1.5)] for x in (-50, 50)]
+    marks += [[place(-1.5, y), place(1.5, y)] for y in (-50, 50)]
+    return (
+        drawing.rectangle((1.0, 1.0), WIDTH - 2.0, HEIGHT - 2.0, "image")
+        + drawing.arrow(place(-97, 0), place(97, 0), "muted thin")
+        + drawing.arrow(place(0, -72), place(0, 72), "muted thin")
+        + drawing.path(marks, "muted thin")
+        + "".join(label.draw(words, "muted small") for words, label in axis_labels(view))
+    )
+
+
+def axis_labels(view: View) -> list[tuple[str, Label]]:
+    """Names and numbers of the axes, but for those where something more important is written."""
+    labels = [
+        ("x, px", Label(place(97, 0) + np.array([-12, 18]), 12.0)),
+        ("y, px", Label(place(0, 72) + np.array([20, 0]), 12.0)),
+    ]
+    for value in (-50, 50):
+        number = format_number(value, 0)
+        labels.append((number, Label(place(value, 0) + np.array([0, 14]), 9.0)))
+        labels.append((number, Label(place(0, value) + np.array([-14, 4]), 9.0)))
+    if view.in_picture:
+        taken = [point_label(view)]
+    else:
+        taken = [Label(np.array([WIDTH / 2.0, y]), 130.0) for y in (MESSAGE_Y, CLAIM_Y)]
+    return [(words, own) for words, own in labels if not any(own.covers(it) for it in taken)]
+
+
+def comparison(view: View) -> str:
+    """The same point at other depths: all images lie on one line to the principal point."""
+    parts: list[str] = []
+    labels = [Label(CENTRE, 10.0), *(label for _, label in axis_labels(view))]
+    if view.in_picture:
+        labels += [Label(place(view.x, view.y), 18.0), point_label(view)]
+    for depth in COMPARED_DEPTHS:
+        x, y = view.focal_px * view.X / depth, view.focal_px * view.Y / depth
+        if not in_picture(x, y) or (view.X == 0.0 and view.Y == 0.0):
+            continue
+        spot = place(x, y)
+        parts.append(corner_rectangle(x, y, "world thin faint"))
+        parts.append(drawing.dot(spot, "world faint", 3.0))
+        label = depth_label(spot)
+        if not any(label.covers(other) for other in labels):
+            labels.append(label)
+            parts.append(label.draw(f"{depth:.0f} m", "world small halo"))
+    return "".join(parts)
 
 
 def outward(spot: Floats, half_width: float, gap: float) -> Label:
@@ -184,7 +194,7 @@ def no_image(view: View) -> str:
         ghost
         + message("behind the camera: no image", "error")
         + drawing.text(
-            (WIDTH / 2.0, 44.0),
+            (WIDTH / 2.0, CLAIM_Y),
             f"the formula alone would say {claim}",
             "error small halo",
             "middle",
@@ -193,4 +203,4 @@ def no_image(view: View) -> str:
 
 
 def message(words: str, role: str) -> str:
-    return drawing.text((WIDTH / 2.0, 26.0), words, f"{role} strong halo", "middle")
+    return drawing.text((WIDTH / 2.0, MESSAGE_Y), words, f"{role} strong halo", "middle")

@@ -109,7 +109,7 @@ def axes() -> str:
         + drawing.arrow(to_view((-66, 0)), to_view((204, 0)), "muted thin")
         + drawing.arrow(to_view((0, -62)), to_view((0, 156)), "muted thin")
         + drawing.text(label_at((204, 0), 0, -8), "x", "muted italic", "end")
-        + drawing.text(label_at((0, 156), 9, 8), "y", "muted italic")
+        + drawing.text(label_at((0, 156), 9, 10), "y", "muted italic")
         + "".join(ticks)
     )
 
@@ -160,20 +160,27 @@ def lines_at_infinity(H: Floats) -> str:
     if not H[2, :2].any():
         return ""
     horizon = np.linalg.inv(H).T @ (0.0, 0.0, 1.0)
-    return labelled_line(H[2], "w = 0: sent to infinity", "error") + labelled_line(
-        horizon, "horizon: the image of infinity", "image"
+    return labelled_line(H[2], "w = 0: sent to infinity", "error", "end") + labelled_line(
+        horizon, "horizon: the image of infinity", "image", "start"
     )
 
 
-def labelled_line(line: Floats, label: str, role: str) -> str:
-    """A line a x + b y + c = 0 of the plane across the view, where it crosses it."""
+def labelled_line(line: Floats, label: str, role: str, anchor: str) -> str:
+    """A line a x + b y + c = 0 of the plane across the view, where it crosses it.
+
+    Its label stands at the left (``start``) above it or at the right (``end``) below it.
+    """
     normal = line[:2] / np.hypot(line[0], line[1])
     foot = -line[2] / np.hypot(line[0], line[1]) * normal
     along = np.array([-normal[1], normal[0]]) * 1e3
     ends = in_frame([foot - along, foot + along], closed=False)
     if len(ends) < 2 or np.hypot(*(ends[1] - ends[0])) < 160.0:
         return ""
-    left = ends[np.argmin(ends[:, 0])]
+    if anchor == "start":
+        x, y = ends[np.argmin(ends[:, 0])] + [6.0, -8.0]
+    else:
+        x, y = ends[np.argmax(ends[:, 0])] + [-6.0, 17.0]
+    place = (min(max(x, 6.0), WIDTH - 6.0), min(max(y, 16.0), HEIGHT - 8.0))
     return drawing.line(ends[0], ends[1], f"{role} dashed") + drawing.text(
-        (max(left[0] + 6, 6), min(max(left[1] - 8, 16), HEIGHT - 8)), label, f"{role} small halo"
+        place, label, f"{role} small halo", anchor
     )

@@ -14,11 +14,14 @@ const LEAST_URGENT = () => -1;
 export function showStages(figure, stages) {
   const list = figure.querySelector(".stages > ol");
   if (!list) return;
-  while (list.children.length > stages.length) list.lastElementChild.remove();
   while (list.children.length < stages.length) {
     list.append(list.firstElementChild.cloneNode(true));
   }
-  stages.forEach((stage, index) => showStage(list.children[index], stage));
+  // A frame that refuses its values has no stages: its items wait for the next one.
+  [...list.children].forEach((item, index) => {
+    item.hidden = index >= stages.length;
+    if (!item.hidden) showStage(item, stages[index]);
+  });
   setText(figure.querySelector(".stages-count"), countStages(stages));
 }
 
