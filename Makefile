@@ -42,6 +42,7 @@ screenshot: $(VENV)/test.stamp $(VENV)/chromium.stamp site
 # One thread, as in the browser, so that the two sides can be compared.
 bench: $(VENV)/test.stamp $(VENV)/chromium.stamp
 	@OPENBLAS_NUM_THREADS=1 PYTHONPATH=tests $(BIN)/python -m bench $(LADDER:%=--ladder %)
+	@$(if $(LADDER),,OPENBLAS_NUM_THREADS=1 PYTHONPATH=tests $(BIN)/python -m bench.stage_costs)
 
 # Every pin carries its hashes, so a changed package cannot slip in.
 $(VENV)/book.stamp: .locks/book.txt | $(BIN)/python
