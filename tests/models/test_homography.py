@@ -208,3 +208,128 @@ def test_a_mirror_has_a_negative_scale():
 def test_what_has_no_parts_is_refused(H):
     with pytest.raises(ValueError, match="h₃₃"):
         algebra.decompose(H)
+
+
+def test_the_condition_number_of_a_stretch_is_what_it_is_by_hand():
+    """Balanced, the stretch diag(s, 1, ·) has singular values s : 1 : √((s² + 1)/2)."""
+    for stretch in (1.0, 10.0, 1e6):
+        found = algebra.condition_number(np.diag([stretch, 1.0, 1.0]))
+        assert found == pytest.approx(stretch, rel=1e-9)
+
+
+@pytest.mark.parametrize(("squash", "singular"), [(2e12, True), (0.5e12, False)])
+def test_an_inverse_is_refused_from_a_condition_of_a_million_million_on(squash, singular):
+    H = np.diag([1.0, 1.0 / squash, 1.0])
+    assert algebra.is_singular(H) is singular
+    if not singular:
+        assert algebra.invert(H) == pytest.approx(np.diag([1, squash, 1]))
+
+
+@pytest.mark.parametrize("size", [1e-200, 1e200])
+def test_inverting_survives_tiny_and_huge_entries(size):
+    assert algebra.invert(KEYSTONE * size) @ (KEYSTONE * size) == pytest.approx(np.eye(3), abs=1e-9)
+
+
+def test_the_parts_are_taken_off_in_the_order_that_is_stated():
+    """Translation · rotation · stretch, and the vanishing terms first of all."""
+    parts = algebra.Parts(3.0, -2.0, 0.5, 2.0, -0.5, 0.3, (0.01, -0.02))
+    c, s = math.cos(0.5), math.sin(0.5)
+    by_hand = (
+        np.array([[1, 0, 3.0], [0, 1, -2], [0, 0, 1]])
+        @ np.array([[c, -s, 0], [s, c, 0], [0, 0, 1]])
+        @ np.array([[2.0, 2.0 * 0.3, 0], [0, -0.5, 0], [0, 0, 1]])
+        @ np.array([[1.0, 0, 0], [0, 1, 0], [0.01, -0.02, 1]])
+    )
+    assert algebra.compose(parts) == pytest.approx(by_hand, abs=1e-15)
+    found = algebra.decompose(7.0 * by_hand)
+    assert (found.tx, found.ty, found.angle_rad) == pytest.approx((3, -2, 0.5))
+    assert (found.scale_x, found.scale_y, found.shear) == pytest.approx((2, -0.5, 0.3))
+    assert found.vanishing == pytest.approx((0.01, -0.02))
+
+
+def test_normalised_points_have_their_centroid_at_zero_and_a_mean_distance_of_root_two():
+    points = RNG.uniform(0, 500, (30, 2)) + [1e4, 0]
+    T = estimation.normalisation(points)
+    moved = apply_homography(T, points)[0]
+    assert moved.mean(axis=0) == pytest.approx((0, 0), abs=1e-12)
+    assert np.hypot(*moved.T).mean() == pytest.approx(math.sqrt(2))
+    assert T[0, 1] == 0
+    assert T[0, 0] == T[1, 1] > 0
+
+
+@pytest.mark.parametrize(("apart", "usable"), [(1e-10, True), (1e-13, False)])
+def test_points_coincide_where_only_rounding_parts_them(apart, usable):
+    points = np.array([(1.0, 1.0), (1.0 + apart, 1.0)])
+    assert (estimation.normalisation(points) is not None) is usable
+    assert estimation.normalisation(np.array([(0.0, 0), (1e-110, 0)])) is None
+    assert estimation.normalisation(np.array([(0.0, 0), (1e-98, 0)])) is not None
+
+
+def test_what_is_not_determined_is_three_by_three_of_nothing():
+    H, valid = estimation.estimate_homography(CORNERS[:3], SEEN[:3])
+    assert valid is False
+    assert H.shape == (3, 3)
+
+
+def test_a_similarity_of_points_spread_unevenly_weighs_them_all():
+    """A closed form with complex numbers: the ratio of two sums."""
+    points, noise = RNG.uniform(-5, 5, (12, 2)) * [3, 1], RNG.normal(0, 0.2, (12, 2))
+    target = apply_homography(transforms.similarity(0.7, -1.2, 5, 2), points)[0] + noise
+    a, b = ((p - p.mean(0)) @ [1, 1j] for p in (points, target))
+    ratio = (b * a.conj()).sum() / (abs(a) ** 2).sum()
+    H, _ = estimation.estimate_similarity(points, target)
+    assert H[0, 0] + 1j * H[1, 0] == pytest.approx(ratio)
+    assert H @ [*points.mean(0), 1] == pytest.approx([*target.mean(0), 1])
+    R, _ = estimation.estimate_rigid(points, target)
+    assert R[0, 0] + 1j * R[1, 0] == pytest.approx(ratio / abs(ratio))
+
+
+def test_two_points_determine_a_similarity_three_an_affine_map_and_four_a_homography():
+    for estimate, count in (
+        (estimation.estimate_rigid, 2),
+        (estimation.estimate_similarity, 2),
+        (estimation.estimate_affine, 3),
+        (estimation.estimate_homography, 4),
+    ):
+        H, valid = estimate(CORNERS[:count], CORNERS[:count] + [7, -3])
+        assert valid
+        assert pytest.approx(transforms.translation(7, -3), abs=1e-9) == H
+        assert not estimate(CORNERS[: count - 1], CORNERS[: count - 1])[1]
+
+
+@pytest.mark.parametrize(("thin", "usable"), [(1e-7, True), (1e-11, False)])
+def test_points_nearly_on_one_line_determine_a_plane_as_long_as_digits_last(thin, usable):
+    points = np.array([(0.0, 0), (1, 0), (2, thin), (3, 0), (1.5, -thin)])
+    assert estimation.estimate_affine(points, points)[1] is usable
+
+
+def test_a_homography_whose_origin_lies_beyond_infinity_has_a_negative_last_entry():
+    """w = x − 1 is positive where the points are, and −1 at the origin."""
+    H = np.array([[1.0, 0, 0], [0, 1, 0], [1, 0, -1]])
+    points = np.array([(2.0, 0.0), (3.0, 0.0), (3.0, 1.0), (2.0, 1.5), (4.0, -1)])
+    found, valid = estimation.estimate_homography(points, apply_homography(H, points)[0])
+    assert valid
+    assert found == pytest.approx(H / np.linalg.norm(H))
+    at_zero = np.array([[0.0, 0, 1], [0, 1, 0], [1, 0, 0]])
+    found, _ = estimation.estimate_homography(points, apply_homography(at_zero, points)[0])
+    assert np.linalg.norm(found) == pytest.approx(1)
+
+
+@pytest.mark.parametrize("size", [1e99, 1e-90])
+def test_tiny_and_huge_coordinates_are_estimated_too(size):
+    H, valid = estimation.estimate_similarity(CORNERS / 640 * size, CORNERS / 640 * size)
+    assert valid
+    assert pytest.approx(np.eye(3), abs=size * 1e-9) == H
+
+
+@pytest.mark.parametrize("bad", [1.1e100, math.inf])
+def test_coordinates_beyond_the_range_are_refused(bad):
+    for source, target in ((CORNERS + [bad, 0], SEEN), (CORNERS, SEEN + [0, bad])):
+        with pytest.raises(ValueError, match="legal: finite, at most 1e"):
+            estimation.estimate_affine(source, target)
+
+
+@pytest.mark.parametrize("shape", [(0, 2), (4, 3), (2,), (1, 4, 2)])
+def test_pairs_have_two_columns_and_one_row_at_least(shape):
+    with pytest.raises(ValueError, match=r"legal: both \(N, 2\)"):
+        estimation.estimate_rigid(np.ones(shape), np.ones(shape))

@@ -88,3 +88,95 @@ def test_lights_add_up():
 def test_meaningless_parameters_are_refused_by_name(call, message):
     with pytest.raises(ValueError, match=message):
         call()
+
+
+def test_lamps_are_white_and_a_centimetre_wide_unless_told_otherwise():
+    sun, lamp = DirectionalLight((0, 0, 1)), PointLight((0, 0, 1))
+    assert irradiance([0, 0, 0], FRONT, [sun]).tolist() == [1, 1, 1]
+    assert irradiance([0, 0, 0], FRONT, [lamp]).tolist() == [1, 1, 1]
+    assert irradiance([0, 0, 0.999], FRONT, [lamp]) == pytest.approx([1e4] * 3)
+    assert attenuation(0.0) == pytest.approx(1e4)
+
+
+def test_light_of_a_lamp_comes_from_its_place_with_the_cosine_and_the_square():
+    """At (3, 0, 0) below a lamp at (0, 0, 4): distance 5, cosine 4/5."""
+    lamp = PointLight((0, 0, 4), (1.0, 2.0, 3.0))
+    points = np.array([[3.0, 0, 0], [0, 0, 0], [0, 0, 8.0]])
+    found = irradiance(points, np.broadcast_to(FRONT, (3, 3)), [lamp])
+    expected = np.outer([0.8 / 25, 1 / 16, 0], [1, 2, 3])
+    np.testing.assert_allclose(found, expected, atol=1e-15)
+
+
+def test_points_and_normals_are_paired_over_a_field():
+    normals = normalise(np.random.default_rng(1).normal(size=(4, 5, 3)))
+    found = irradiance([0, 0, 0], normals, [DirectionalLight((0.6, 0, 0.8), (0.5, 1, 2))])
+    assert found.shape == (4, 5, 3)
+    cosines = np.maximum(normals @ [0.6, 0, 0.8], 0)
+    np.testing.assert_allclose(found, cosines[..., None] * [0.5, 1, 2], atol=1e-15)
+
+
+def test_phong_is_the_sum_of_its_three_parts_by_hand():
+    """Light at 30° to the normal; the eye 10° beside its mirror image."""
+    light = [math.sin(math.radians(30)), 0, math.cos(math.radians(30))]
+    view = [-math.sin(math.radians(40)), 0, math.cos(math.radians(40))]
+    matte = 0.6 * (0.1 + math.cos(math.radians(30)))
+    shade = phong(FRONT, light, view, 0.6, specular=0.7, shininess=20, ambient=0.1)
+    assert shade == pytest.approx(matte + 0.7 * math.cos(math.radians(10)) ** 20)
+    halfway = blinn_phong(FRONT, light, view, 0.6, specular=0.7, shininess=20, ambient=0.1)
+    assert halfway == pytest.approx(matte + 0.7 * math.cos(math.radians(5)) ** 20)
+
+
+def test_the_usual_highlights_are_half_as_bright_as_white_and_fourfold_for_blinn():
+    view = [math.sin(0.2), 0, math.cos(0.2)]
+    assert phong(FRONT, FRONT, view) == pytest.approx(1 + 0.5 * math.cos(0.2) ** 32)
+    assert blinn_phong(FRONT, FRONT, view) == pytest.approx(1 + 0.5 * math.cos(0.1) ** 128)
+
+
+def test_shininess_zero_spreads_the_highlight_over_the_lit_side():
+    light, side = [math.sin(1), 0, math.cos(1)], [0, 1.0, 0]
+    for model in (phong, blinn_phong):
+        assert model(FRONT, light, side, 0.0, specular=0.3, shininess=0) == pytest.approx(0.3)
+
+
+def test_fields_of_normals_lights_and_eyes_are_shaded_one_by_one():
+    rng = np.random.default_rng(2)
+    normals, lights, views = normalise(rng.normal(size=(3, 4, 5, 3)))
+    for model in (phong, blinn_phong):
+        field = model(normals, lights, views, 0.5, ambient=0.1)
+        each = model(normals[2, 3], lights[2, 3], views[2, 3], 0.5, ambient=0.1)
+        assert field.shape == (4, 5)
+        assert field[2, 3] == pytest.approx(each)
+    np.testing.assert_allclose(
+        lambert(normals, lights), np.maximum((normals * lights).sum(-1), 0), atol=1e-15
+    )
+
+
+def test_vectors_without_direction_become_zero_and_spoil_no_other():
+    found = normalise([[0, 0, 0], [np.inf, 0, 0], [np.nan, 1, 0], [0, -3, 4]])
+    np.testing.assert_allclose(found, [[0, 0, 0], [0, 0, 0], [0, 0, 0], [0, -0.6, 0.8]])
+
+
+@pytest.mark.parametrize(("off", "legal"), [(0.9e-4, True), (1.1e-4, False), (-1.1e-4, False)])
+def test_a_direction_is_of_length_one_to_a_ten_thousandth(off, legal):
+    light = (1 + off) * FRONT
+    if legal:
+        assert lambert(FRONT, light) == pytest.approx(1)
+        return
+    with pytest.raises(ValueError, match="light"):
+        lambert(FRONT, light)
+    with pytest.raises(ValueError, match="view"):
+        phong(FRONT, FRONT, light)
+
+
+def test_the_ends_of_the_ranges_are_legal_and_what_is_beyond_is_not():
+    assert lambert(FRONT, FRONT, [0.0, 1.0]).tolist() == [0, 1]
+    assert attenuation(0.0, 1.0) == 1
+    for albedo in (-0.01, 1.01, math.nan):
+        with pytest.raises(ValueError, match="albedo"):
+            lambert(FRONT, FRONT, [0.5, albedo])
+    for shininess in (-0.1, math.inf, math.nan):
+        with pytest.raises(ValueError, match="shininess"):
+            blinn_phong(FRONT, FRONT, FRONT, shininess=shininess)
+    for distance in ([1.0, -0.1], [1.0, math.nan]):
+        with pytest.raises(ValueError, match="distance"):
+            attenuation(distance)

@@ -98,3 +98,113 @@ def test_shrinking_by_a_whole_factor_with_the_box_takes_means():
 def test_meaningless_requests_are_named(call, name):
     with pytest.raises(ValueError, match=name):
         call()
+
+
+@pytest.mark.parametrize(
+    ("kernel", "distances", "weights"),
+    [
+        ("nearest", [-0.5, 0.0, 0.49, 0.5], [1, 1, 1, 0]),
+        ("bilinear", [-1.0, -0.25, 0.0, 0.75, 1.2], [0, 0.75, 1, 0.25, 0]),
+        (
+            "bicubic",
+            [0.0, 0.5, -0.5, 1.0, 1.5, -1.5, 2.0],
+            [1, 9 / 16, 9 / 16, 0, -1 / 16, -1 / 16, 0],
+        ),
+        ("lanczos3", [0.0, 0.5, 1.0, -2.5, 3.0], [1, 6 / np.pi**2, 0, 0.0243171, 0]),
+    ],
+)
+def test_each_kernel_has_its_textbook_weights(kernel, distances, weights):
+    np.testing.assert_allclose(KERNELS[kernel].weigh(np.array(distances)), weights, atol=1e-7)
+
+
+def test_kernels_read_one_two_four_and_six_pixels_an_axis():
+    assert [kernel.taps for kernel in KERNELS.values()] == [1, 2, 4, 6]
+    assert [kernel.radius for kernel in KERNELS.values()] == [0.5, 1, 2, 3]
+
+
+@pytest.mark.parametrize("kernel", KERNELS)
+def test_a_value_is_the_weighted_sum_of_the_pixels_around_it(kernel):
+    x, y = 20.3, 17.8
+    chosen = KERNELS[kernel]
+    row, column = chosen.weigh(np.arange(40) - y), chosen.weigh(np.arange(50) - x)
+    if kernel == "nearest":  # half a pixel belongs to the pixel on its right
+        assert sample(PICTURE, [x, y], kernel) == PICTURE[18, 20]
+        assert sample(PICTURE, [20.5, 17.5], kernel) == PICTURE[18, 21]
+        return
+    expected = (row / row.sum()) @ PICTURE @ (column / column.sum())
+    assert sample(PICTURE, [x, y], kernel) == pytest.approx(expected, abs=1e-6)
+
+
+@pytest.mark.parametrize("kernel", KERNELS)
+def test_beyond_the_border_the_border_repeats(kernel):
+    wide = np.pad(PICTURE, 8, mode="edge")
+    places = np.array([[-0.4, 3.3], [49.3, 20.2], [10.1, -0.3], [30.7, 39.4], [0.2, 39.1]])
+    found = sample(PICTURE, places, kernel, fill=None)
+    np.testing.assert_allclose(found, sample(wide, places + 8, kernel), atol=1e-6)
+
+
+def test_inside_is_up_to_half_a_pixel_beyond_the_outer_centres():
+    places = [
+        [-0.5, 3],
+        [49.49, 3],
+        [3, -0.5],
+        [3, 39.49],
+        [-0.51, 3],
+        [49.5, 3],
+        [3, -0.51],
+        [3, 39.5],
+    ]
+    assert gather_table(places, (40, 50)).inside.tolist() == [True] * 4 + [False] * 4
+
+
+def test_a_table_holds_one_column_of_weights_for_each_place():
+    for kernel, taps in (("nearest", 1), ("bilinear", 4), ("bicubic", 16), ("lanczos3", 36)):
+        table = gather_table(INTERIOR.reshape(20, 15, 2), (40, 50), kernel)
+        assert table.index.shape == table.weight.shape == (taps, 300)
+        assert table.shape == (20, 15)
+        assert table.weight.dtype == np.float32
+        np.testing.assert_allclose(table.weight.sum(axis=0), 1, atol=1e-6)
+
+
+def test_off_the_picture_zero_stands_unless_the_border_is_asked_for():
+    far = [[-20.0, 3.0], [np.nan, 3.0]]
+    assert sample(PICTURE, far).tolist() == [0, 0]
+    assert sample(PICTURE, far[0], fill=None) == PICTURE[3, 0]
+    colour = np.stack((PICTURE, 1 - PICTURE), -1)
+    np.testing.assert_array_equal(sample(colour, far, fill=0.5), [[0.5, 0.5]] * 2)
+
+
+def test_only_float32_stays_single():
+    assert sample(PICTURE.astype(float), INTERIOR).dtype == np.float64
+    assert sample((255 * PICTURE).astype(np.uint8), INTERIOR).dtype == np.float64
+    assert resize(PICTURE, 5, 5).dtype == np.float32
+    assert resize((255 * PICTURE).astype(np.uint8), 5, 5).dtype == np.float64
+
+
+@pytest.mark.parametrize("shape", [(4, 6), (5, 5), (4,), (4, 5, 3, 1)])
+def test_a_table_fits_pictures_of_its_size_alone(shape):
+    with pytest.raises(ValueError, match="the table is for"):
+        gather(gather_table([0, 0], (4, 5)), np.zeros(shape))
+
+
+@pytest.mark.parametrize("shape", [(0, 5), (5, 0)])
+def test_an_empty_picture_has_no_table(shape):
+    with pytest.raises(ValueError, match="source_shape"):
+        gather_table([0, 0], shape)
+    with pytest.raises(ValueError, match="must be at least 1"):
+        resize(PICTURE, *shape)
+
+
+def test_a_picture_of_one_row_or_column_can_be_sampled():
+    assert gather_table([0, 0], (1, 1)).inside.all()
+    assert sample(np.array([[1.0, 3.0]]), [0.5, 0.0]) == pytest.approx(2)
+
+
+def test_channels_are_resized_each_on_its_own():
+    colour = np.stack((PICTURE, 1 - PICTURE, PICTURE**2), -1)
+    resized = resize(colour, 13, 17, "bicubic")
+    assert resized.shape == (13, 17, 3)
+    for channel in range(3):
+        np.testing.assert_allclose(
+            resized[..., channel], resize(colour[..., channel], 13, 17, "bicubic"), atol=1e-6
+        )

@@ -165,3 +165,141 @@ def test_lengths_change_without_bound_where_the_figure_is_cut():
 def test_a_figure_out_of_sight_cannot_be_measured():
     with pytest.raises(ValueError, match="segments: 0 of 5 visible"):
         measure_preservation(TILTED, SEGMENTS - [9, 0])
+
+
+def test_clipping_a_polygon_by_any_line_leaves_the_area_that_is_known():
+    """The unit square, cut by x + y ≤ 3/2, loses a triangle with legs of 1/2."""
+    square = [(0.0, 0.0), (1.0, 0.0), (1.0, 1.0), (0.0, 1.0)]
+    kept = clip_half_plane(square, (-1.0, -1.0, 1.5))
+    assert {tuple(p) for p in kept} == {(0, 0), (1, 0), (1, 0.5), (0.5, 1), (0, 1)}
+    x, y = kept.T
+    assert (x @ np.roll(y, -1) - y @ np.roll(x, -1)) / 2 == pytest.approx(7 / 8)
+
+
+def test_vertices_on_the_line_itself_stay():
+    square = [(0.0, 0.0), (1.0, 0.0), (1.0, 1.0), (0.0, 1.0)]
+    assert clip_half_plane(square, (1, 0, 0)).tolist() == [list(p) for p in square]
+    assert set(map(tuple, clip_half_plane(square, (-1, 0, 0)))) == {(0, 0), (0, 1)}
+
+
+def test_a_polyline_keeps_its_order_and_its_parts_in_front():
+    line = [(-1.0, 0.0), (1.0, 2.0), (3.0, 2.0), (-1.0, -2.0)]
+    kept = clip_half_plane(line, (1, 0, 0), closed=False)
+    assert kept.tolist() == [[0, 1], [1, 2], [3, 2], [0, -1]]
+    assert clip_half_plane(line, (1, 0, 0)).tolist() == [[0, 1], [1, 2], [3, 2], [0, -1]]
+    triangle = [(1.0, 0.0), (1.0, 2.0), (-1.0, 2.0)]
+    assert len(clip_half_plane(triangle, (1, 0, 0))) == 4
+    assert len(clip_half_plane(triangle, (1, 0, 0), closed=False)) == 3
+
+
+@pytest.mark.parametrize(
+    ("polygon", "line"),
+    [([(1.1e150, 0)], (1, 0, 0)), ([(math.nan, 0)], (1, 0, 0)), ([(0, 0)], (1, math.inf, 0))],
+)
+def test_only_coordinates_within_the_range_are_clipped(polygon, line):
+    with pytest.raises(ValueError, match="legal: finite, at most 1e"):
+        clip_half_plane(polygon, line)
+    assert clip_half_plane([(1e150, 0.0)], (1, 0, 0)).tolist() == [[1e150, 0]]
+
+
+@pytest.mark.parametrize("w_minimum", [1e-12, 1.0, -0.1, math.nan])
+def test_the_margin_lies_between_rounding_and_all(w_minimum):
+    with pytest.raises(ValueError, match="w_minimum"):
+        clip_to_visible(TILTED, SQUARE, w_minimum=w_minimum)
+
+
+def test_the_usual_margin_is_a_millionth():
+    kept = clip_to_visible(TILTED, SQUARE)
+    assert kept[:, 0].min() == pytest.approx(-1 + 3e-6, abs=1e-9)
+    open_line = clip_to_visible(TILTED, SQUARE[[1, 2, 3]], closed=False)
+    assert open_line == pytest.approx(np.array([(2, 0), (2, 1), (-1 + 3e-6, 1)]))
+
+
+def test_the_smallest_w_that_counts_is_relative_to_its_terms():
+    """At x = −1 + ε the terms are of size 1, and w = ε."""
+    for far in (1.0, 1e6):
+        H = np.array([[1.0, 0, 0], [0, 1, 0], [1 / far, 0, 1]])
+        _, valid = apply_homography(H, [(-far * (1 - 3e-12), 0), (-far * (1 - 1e-12), 0)])
+        assert valid.tolist() == [True, False]
+
+
+def test_a_homography_is_scaled_to_its_last_entry_or_else_to_unit_norm():
+    assert transforms.projective(2.0 * TILTED) == pytest.approx(TILTED)
+    H = transforms.projective([[1, 0, 0], [0, 0, 1], [0, -2, 0]])
+    assert H[2, 1] > 0
+    assert H == pytest.approx(np.array([[-1, 0, 0], [0, 0, -1], [0, 2, 0]]) / math.sqrt(6))
+    small = transforms.projective([[1, 0, 0], [0, 1, 0], [1, 0, 1e-11]])
+    assert small[2, 2] == 1
+    tiny = transforms.projective([[1, 0, 0], [0, 1, 0], [-1, 0, 1e-13]])
+    assert np.linalg.norm(tiny) == pytest.approx(1)
+    assert tiny[2, 0] > 0
+    flat = transforms.projective([[1, 0, 0], [0, 1, 0], [0, 0, 0]])  # its last row is zero
+    assert flat == pytest.approx(np.diag([1, 1, 0]) / math.sqrt(2))
+
+
+def test_a_projective_map_is_given_by_nine_entries_or_three_rows():
+    assert np.array_equal(
+        transforms.projective(np.arange(1.0, 10)),
+        transforms.projective(np.arange(1.0, 10).reshape(3, 3)),
+    )
+
+
+def test_an_image_too_far_off_is_invalid_and_spoils_no_other():
+    H = np.diag([1e300, 1.0, 1.0])
+    images, valid = apply_homography(H, [(1e300, 0), (1e-300, 3), (math.nan, 1)])
+    assert valid.tolist() == [False, True, False]
+    assert images[1] == pytest.approx((1, 3))
+    assert np.isnan(images[[0, 2]]).all()
+
+
+def test_points_of_any_shape_are_mapped_one_by_one():
+    points = RNG.uniform(0, 10, (3, 4, 2))
+    images, valid = apply_homography(TILTED, points)
+    assert valid.shape == (3, 4)
+    for place in np.ndindex(3, 4):
+        assert np.array_equal(images[place], apply_homography(TILTED, points[place])[0])
+
+
+def test_an_infinite_offset_is_no_transformation():
+    with pytest.raises(ValueError, match="legal: finite entries"):
+        transforms.translation(math.inf, 0)
+
+
+def test_a_projective_map_changes_what_is_known_of_a_rectangle():
+    """Under w = 1 + x the sides of the unit square at x = 0 and 1 become 1 and 1/2 long."""
+    square = np.array(
+        [[(0, 0), (1, 0)], [(1, 0), (1, 1)], [(0, 1), (1, 1)], [(0, 0), (0, 1)]], float
+    )
+    measured = measure_preservation(TILTED, square)
+    slant = math.hypot(0.5, 0.5)  # the upper side runs from (0, 1) to (1/2, 1/2)
+    assert measured.turn_rad == pytest.approx(math.pi / 4)
+    assert measured.length == pytest.approx(0.5)
+    assert abs(slant - 1) < 0.5
+    assert measured.angle_rad == pytest.approx(math.pi / 4)
+    assert measured.parallel_rad == pytest.approx(math.pi / 4)
+    assert measured.bend == pytest.approx(0, abs=1e-12)
+
+
+def test_a_shear_turns_only_what_does_not_lie_along_it():
+    sheared = transforms.affine([[1, 0.5], [0, 1]], (0, 0))
+    along, across = SEGMENTS[:2], SEGMENTS[2:4]
+    assert measure_preservation(sheared, along).turn_rad == pytest.approx(0)
+    assert measure_preservation(sheared, across).turn_rad == pytest.approx(math.atan(0.5))
+    assert measure_preservation(sheared, across).length == pytest.approx(math.sqrt(1.25) - 1)
+
+
+def test_one_visible_line_alone_cannot_be_compared_and_two_can():
+    two = np.array([[(0, 0), (1, 0)], [(0, 1), (1, 1.5)]], float)
+    hidden = [[(-5, 0), (-4, 0)]]
+    with pytest.raises(ValueError, match="segments: 1 of 2 visible"):
+        measure_preservation(TILTED, np.concatenate([two[:1], hidden]))
+    seen = measure_preservation(TILTED, np.concatenate([two, hidden]))
+    assert seen.length == math.inf
+    assert seen.turn_rad == measure_preservation(TILTED, two).turn_rad
+
+
+def test_lines_that_are_nearly_parallel_are_not_parallel():
+    """1e-6 rad apart: only lines that are parallel to a billionth are judged by that measure."""
+    for slant, changed in ((1e-6, False), (1e-10, True)):
+        two = np.array([[(0, 0), (1, 0)], [(0, 1), (1, 1 + slant)]], float)
+        assert (measure_preservation(TILTED, two).parallel_rad > 0.1) is changed

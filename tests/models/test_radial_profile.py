@@ -1,0 +1,134 @@
+"""Odd rational functions of the radius: their slope, fold and inverse against analysis."""
+
+import math
+
+import numpy as np
+import pytest
+
+from simulations.models.radial_profile import (
+    RadialProfile,
+    evaluate,
+    fold_radius,
+    invert,
+    largest_image_radius,
+    scale,
+    scale_slope,
+    slope,
+)
+
+RADII = np.linspace(0.0, 1.2, 25)
+PROFILES = [
+    RadialProfile((0.1,)),
+    RadialProfile((-0.05, 0.02, 0.01)),
+    RadialProfile((0.2, 0.1), (0.3, 0.05, 0.01)),
+    RadialProfile((), (0.1, 0.02)),
+]
+
+
+def by_hand(profile, r):
+    n = 1 + sum(a * r ** (2 * i) for i, a in enumerate(profile.numerator, start=1))
+    d = 1 + sum(b * r ** (2 * i) for i, b in enumerate(profile.denominator, start=1))
+    return r * n / d
+
+
+@pytest.mark.parametrize("profile", PROFILES)
+def test_the_function_is_its_quotient_of_sums(profile):
+    np.testing.assert_allclose(evaluate(profile, RADII), by_hand(profile, RADII), rtol=1e-14)
+    factors = by_hand(profile, RADII[1:]) / RADII[1:]
+    np.testing.assert_allclose(scale(profile, RADII[1:] ** 2), factors, rtol=1e-13)
+
+
+@pytest.mark.parametrize("profile", PROFILES)
+def test_slopes_agree_with_differences(profile):
+    step, radii = 1e-6, RADII[1:]
+    rise = by_hand(profile, radii + step) - by_hand(profile, radii - step)
+    np.testing.assert_allclose(slope(profile, radii), rise / (2 * step), atol=1e-8)
+    square = radii**2
+    rise = scale(profile, square + step) - scale(profile, square - step)
+    np.testing.assert_allclose(scale_slope(profile, square), rise / (2 * step), atol=1e-8)
+    assert slope(profile, 0.0) == 1.0
+
+
+def test_nothing_set_is_neutral_and_anything_set_is_not():
+    assert RadialProfile().neutral
+    assert RadialProfile((0.0, 0.0), (0.0,)).neutral
+    assert not RadialProfile((0.0, 1e-9)).neutral
+    assert not RadialProfile((), (1e-9,)).neutral
+    for bad in (((math.nan,), ()), ((), (math.inf,))):
+        with pytest.raises(ValueError, match="finite"):
+            RadialProfile(*bad)
+
+
+@pytest.mark.parametrize(
+    ("profile", "fold"),
+    [
+        (RadialProfile((-1 / 3,)), 1.0),  # r − r³/3
+        (RadialProfile((0.0, -0.2)), 1.0),  # r − r⁵/5
+        (RadialProfile((0.0, 0.0, -1 / 7)), 1.0),  # r − r⁷/7
+        (RadialProfile((), (1.0,)), 1.0),  # r / (1 + r²) peaks at 1
+        (RadialProfile((), (-0.25,)), 2.0),  # a pole
+        (RadialProfile((-2 / 3, 0.2)), 1.0),  # slope (1 − r²)² touches zero
+        (RadialProfile((-13 / 12, 0.45)), 2 / 3 * math.sqrt(1)),  # slope (1 − 9/4 r²)(1 − r²)
+    ],
+)
+def test_the_fold_is_where_the_slope_first_vanishes(profile, fold):
+    assert fold_radius(profile) == pytest.approx(fold, rel=1e-6)
+
+
+@pytest.mark.parametrize(
+    "profile", [RadialProfile(), PROFILES[0], RadialProfile((1.0, 1.0), (0.1,))]
+)
+def test_what_always_rises_has_no_fold_and_no_limit(profile):
+    assert fold_radius(profile) == math.inf
+    assert largest_image_radius(profile) == math.inf
+
+
+def test_the_largest_image_is_that_of_the_fold_unless_it_is_a_pole():
+    assert largest_image_radius(RadialProfile((-1 / 3,))) == pytest.approx(2 / 3)
+    assert largest_image_radius(RadialProfile((), (1.0,))) == pytest.approx(0.5)
+    assert largest_image_radius(RadialProfile((), (-0.25,))) == math.inf
+
+
+@pytest.mark.parametrize("profile", [*PROFILES, RadialProfile((-1 / 3,)), RadialProfile((3.0,))])
+@pytest.mark.parametrize("reach", [1e-6, 0.9, 40.0])
+def test_the_inverse_returns_the_radius_to_all_digits(profile, reach):
+    radii = np.linspace(0.0, min(reach, 0.95 * fold_radius(profile)), 201).reshape(3, 67)
+    found, valid = invert(profile, evaluate(profile, radii))
+    assert valid.all()
+    np.testing.assert_allclose(found, radii, rtol=1e-12, atol=1e-15)
+
+
+def test_images_that_no_radius_has_are_put_on_the_fold():
+    profile = RadialProfile((-1 / 3,))
+    found, valid = invert(profile, [0.66, 0.67, -0.1, math.nan, math.inf, 0.0])
+    assert valid.tolist() == [True, False, False, False, False, True]
+    np.testing.assert_allclose(found[1:5], 1.0)
+    assert found[5] == 0
+
+
+def test_without_a_fold_what_is_invalid_is_put_on_the_axis():
+    for profile in (RadialProfile(), PROFILES[0]):
+        found, valid = invert(profile, [-0.1, math.nan, math.inf, 5.0])
+        assert valid.tolist() == [False, False, False, True]
+        assert found[:3].tolist() == [0, 0, 0]
+
+
+def test_the_identity_is_inverted_however_far():
+    found, valid = invert(RadialProfile((0.0,)), [0.0, 1e-300, 1e300])
+    assert valid.all()
+    assert found.tolist() == [0, 1e-300, 1e300]
+    assert evaluate(RadialProfile(), 1e300) == 1e300
+
+
+def test_close_to_the_fold_the_inverse_is_as_exact_as_its_slope_allows():
+    profile = RadialProfile((-1 / 3,))
+    radius = 1 - 1e-5
+    found, valid = invert(profile, evaluate(profile, radius))
+    assert valid
+    assert found == pytest.approx(radius, abs=1e-10)
+
+
+def test_far_out_where_the_cubic_prevails_it_is_a_cube_root():
+    found, valid = invert(RadialProfile((2.0,)), [2e30, 2e60])
+    assert valid.all()
+    np.testing.assert_allclose(found, [1e10, 1e20], rtol=1e-12)
