@@ -3,7 +3,7 @@
 # make test      all tests; the first run may install a browser
 # make check     formatting, lint and types; edits nothing
 # make bench     time and judge all ladders, here and in Chromium (LADDER=srgb: only one)
-# make screenshot PAGE=lens-distortion/    a picture of a page, into build/
+# make screenshot            the README's picture (PAGE=lens-distortion/: that page, into build/)
 # make lock      pin the newest packages that pyproject.toml allows
 # make clean     remove what was built; the packages in .venv stay
 
