@@ -16,6 +16,10 @@ ORIGIN = np.array([100.0, 232.0])
 """Where the plane's origin lies in the view box; the plane's y axis points up."""
 FRAME = ((1, 0, 4), (-1, 0, WIDTH + 4), (0, 1, 4), (0, -1, HEIGHT + 4))
 """The view box and a rim that hides cut edges, as half planes a x + b y + c ≥ 0."""
+AXIS_LABELS_Y = (*(float(ORIGIN[1]) + 4 - y * SCALE for y in (-50, 50, 100, 150)), 247.0, 224.0)
+"""Baselines of the numbers beside the y axis, of those below the x axis, and of its name."""
+LABEL_HEIGHT = 12.0
+"""Line height of a small label, in view box units."""
 HALF = 40.0
 """Half the side of the square, which is centred on the origin."""
 
@@ -177,9 +181,12 @@ def labelled_line(line: Floats, label: str, role: str, anchor: str) -> str:
     if len(ends) < 2 or np.hypot(*(ends[1] - ends[0])) < 160.0:
         return ""
     if anchor == "start":
-        x, y = ends[np.argmin(ends[:, 0])] + [6.0, -8.0]
+        end, offset, step = ends[np.argmin(ends[:, 0])], (6.0, -8.0), -2.0
     else:
-        x, y = ends[np.argmax(ends[:, 0])] + [-6.0, 17.0]
+        end, offset, step = ends[np.argmax(ends[:, 0])], (-6.0, 17.0), 2.0
+    x, y = float(end[0]) + offset[0], float(end[1]) + offset[1]
+    while any(abs(y - taken) < LABEL_HEIGHT for taken in AXIS_LABELS_Y):
+        y += step
     place = (min(max(x, 6.0), WIDTH - 6.0), min(max(y, 16.0), HEIGHT - 8.0))
     return drawing.line(ends[0], ends[1], f"{role} dashed") + drawing.text(
         place, label, f"{role} small halo", anchor
