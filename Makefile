@@ -10,6 +10,8 @@
 PORT ?= 8000
 PAGE ?=
 LADDER ?=
+SAMPLE ?= 30
+MODULE ?=
 VENV := .venv
 BIN := $(VENV)/bin
 
@@ -20,7 +22,7 @@ PYTHON ?= $(firstword $(foreach python,$(PYTHONS),\
 	$(shell command -v $(python) >/dev/null 2>&1 && $(python) -c '$(IS_NEW)' 2>/dev/null && echo $(python))))
 
 .DELETE_ON_ERROR:
-.PHONY: serve site test check lock screenshot bench clean
+.PHONY: serve site test check lock screenshot bench mutants clean
 
 serve: $(VENV)/book.stamp
 	@$(BIN)/python -m site_builder serve --port $(PORT)
@@ -43,6 +45,10 @@ screenshot: $(VENV)/test.stamp $(VENV)/chromium.stamp site
 bench: $(VENV)/test.stamp $(VENV)/chromium.stamp
 	@OPENBLAS_NUM_THREADS=1 PYTHONPATH=tests $(BIN)/python -m bench $(LADDER:%=--ladder %)
 	@$(if $(LADDER),,OPENBLAS_NUM_THREADS=1 PYTHONPATH=tests $(BIN)/python -m bench.stage_costs)
+
+mutants: $(VENV)/test.stamp
+	@OPENBLAS_NUM_THREADS=1 PYTHONWARNINGS=ignore PYTHONPATH=tests $(BIN)/python -m mutation \
+		--sample $(SAMPLE) $(MODULE:%=--module %)
 
 # Every pin carries its hashes, so a changed package cannot slip in.
 $(VENV)/book.stamp: .locks/book.txt | $(BIN)/python

@@ -190,3 +190,13 @@ def test_pictures_that_cannot_be_compared_are_refused(a, b, crop, message):
 
 def test_a_crop_that_leaves_a_single_row_is_legal():
     assert psnr_db(np.ones((7, 9, 3)), np.zeros((7, 9, 3)), crop=3) == pytest.approx(0)
+
+
+def test_psnr_is_of_the_difference():
+    picture = np.random.default_rng(6).random((20, 20))
+    assert psnr_db(picture + 0.1, picture) == pytest.approx(20)
+
+
+@pytest.mark.parametrize("shape", [(1, 1), (1, 4), (4, 1), (3, 3), (2, 5)])
+def test_the_filters_of_a_sensor_of_any_size_have_that_size(shape):
+    assert filter_colours(*shape).shape == shape

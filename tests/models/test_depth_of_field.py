@@ -15,6 +15,7 @@ from simulations.models.depth_of_field import (
     composite,
     disc_blur,
     disc_kernel,
+    double,
 )
 
 
@@ -125,3 +126,92 @@ def test_layer_outside_the_picture_changes_nothing():
 def test_negative_radius_is_refused():
     with pytest.raises(ValueError, match="radius_px -1"):
         disc_kernel(-1.0)
+
+
+def test_layers_are_laid_over_one_another_by_their_coverage():
+    background = np.random.default_rng(1).random((3, 6, 7)).astype(np.float32)
+    planes = np.random.default_rng(2).random((2, 4, 3, 4)).astype(np.float32) * 0.5
+    for top, left in ((0, 0), (2, 3), (-1, -2), (4, 5), (1, -1), (-2, 4)):
+        layers = [Layer(planes[0], top, left), Layer(planes[1], top, left)]
+        expected = background.copy()
+        for y, x in np.ndindex(6, 7):
+            if 0 <= y - top < 3 and 0 <= x - left < 4:
+                for layer in planes:
+                    light = layer[:, y - top, x - left]
+                    expected[:, y, x] = expected[:, y, x] * (1 - light[3]) + light[:3]
+        np.testing.assert_allclose(composite(background, layers), expected, rtol=1e-6)
+
+
+@pytest.mark.parametrize(("top", "left"), [(-3, 0), (6, 0), (0, -4), (0, 7)])
+def test_layers_that_just_miss_the_picture_change_nothing_and_hide_no_other(top, left):
+    background = np.zeros((3, 6, 7), np.float32)
+    missing, seen = (
+        Layer(np.ones((4, 3, 4), np.float32), top, left),
+        Layer(np.ones((4, 1, 1), np.float32), 5, 6),
+    )
+    picture = composite(background, [missing, seen])
+    assert picture.sum() == 3
+    assert (picture[:, 5, 6] == 1).all()
+
+
+@pytest.mark.parametrize("radius", [0.0, 0.3, 0.5])
+def test_a_disc_within_a_pixel_is_a_point(radius):
+    assert disc_kernel(radius).tolist() == [[1.0]]
+
+
+@pytest.mark.parametrize(("radius", "width"), [(0.51, 3), (1.5, 3), (1.51, 5), (3.4, 7)])
+def test_a_kernel_is_just_wide_enough_for_its_disc(radius, width):
+    assert disc_kernel(radius).shape == (width, width)
+
+
+@pytest.mark.parametrize("radius", [0.8, 1.5, 2.2, 3.4])
+def test_each_row_of_a_disc_holds_the_area_of_its_strip(radius):
+    """The strip between y − ½ and y + ½ has the area of its chord's integral."""
+    kernel = disc_kernel(radius)
+    reach = kernel.shape[0] // 2
+    y = (np.arange(20_000 * kernel.shape[0]) + 0.5) / 20_000 - reach - 0.5
+    strips = 2 * np.sqrt(np.maximum(radius**2 - y**2, 0)).reshape(kernel.shape[0], -1).mean(1)
+    np.testing.assert_allclose(kernel.sum(1), strips / (math.pi * radius**2), atol=1e-5)
+
+
+@pytest.mark.parametrize("radius", [-0.1, math.inf, math.nan])
+def test_a_radius_that_is_none_is_refused(radius):
+    with pytest.raises(ValueError, match="radius_px"):
+        disc_kernel(radius)
+
+
+def test_a_flat_layer_grows_by_its_radius_and_a_pixel():
+    layer = Layer(np.ones((4, 5, 6), np.float32), 3, 4, radius_px=2.5)
+    blurred = blur_layer(layer)
+    assert (blurred.top, blurred.left) == (3 - 4, 4 - 4)
+    assert blurred.planes.shape == (4, 5 + 8, 6 + 8)
+    assert blurred.radius_px == 2.5
+    sharp = Layer(np.ones((4, 5, 6), np.float32), 3, 4, radius_px=0.5)
+    assert blur_layer(sharp) is sharp
+
+
+def test_a_wide_blur_of_an_uneven_picture_keeps_its_size_and_a_ramp():
+    ramp = np.broadcast_to(np.arange(61.0), (2, 45, 61)).astype(np.float32)
+    for radius in (3.0, 4.5, 9.0):
+        blurred = disc_blur(ramp, radius)
+        assert blurred.shape == (2, 45, 61)
+        inner = (slice(None), slice(20, 25), slice(25, 36))
+        np.testing.assert_allclose(blurred[inner], ramp[inner], atol=1e-3)
+
+
+def test_doubling_interpolates_and_holds_the_border():
+    planes = np.array([[[0.0, 4.0, 8.0]]], np.float32)
+    assert double(planes)[0].tolist() == [[0, 1, 3, 5, 7, 8]] * 2
+    assert double(planes.swapaxes(1, 2))[0].T.tolist() == [[0, 1, 3, 5, 7, 8]] * 2
+
+
+def test_each_place_is_blurred_by_the_two_levels_next_to_its_radius():
+    """Halfway between the squares of 1 and 2: half of each level's blur."""
+    picture = np.random.default_rng(3).random((1, 30, 34)).astype(np.float32)
+    radius = np.full((30, 34), math.sqrt(2.5))
+    expected = 0.5 * (disc_blur(picture, 1.0) + disc_blur(picture, 2.0))
+    assert blur_by_depth(picture, radius) == pytest.approx(expected, abs=1e-6)
+    split = np.where(np.arange(34) < 17, 0.0, 4.0) + np.zeros((30, 1))
+    mixed = blur_by_depth(picture, split)
+    assert mixed[..., :17] == pytest.approx(picture[..., :17], abs=1e-6)
+    assert mixed[..., 17:] == pytest.approx(disc_blur(picture, 4.0)[..., 17:], abs=1e-6)

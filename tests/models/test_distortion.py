@@ -257,3 +257,12 @@ def test_a_closed_curve_is_measured_from_its_ends():
     assert line_bow(square) == pytest.approx(5.0)
     assert line_bow([square, square * 2]).tolist() == pytest.approx([5.0, 10.0])
     assert line_bow([[3.0, 4.0], [5.0, 6.0]]) == 0
+
+
+def test_with_no_tolerance_at_all_an_ideal_lens_is_still_none():
+    assert classify(Distortion(), corner_radius=1.0, tolerance=0.0) == "none"
+
+
+@pytest.mark.parametrize("size", [1e-3, 1.0, 1e3])
+def test_a_bow_scales_with_its_curve(size):
+    assert line_bow(size * np.array([[0.0, 0], [1, 0.25], [2, 0]])) == pytest.approx(0.25 * size)

@@ -174,3 +174,17 @@ def test_each_coefficient_is_of_its_own_power_and_must_be_finite():
         assert image[0, 0] == pytest.approx(0.6 * (1 + 0.01 * 0.36**power), abs=1e-15)
         with pytest.raises(ValueError, match="finite"):
             Fisheye(**{name: np.inf})
+
+
+def test_the_very_edge_of_each_image_is_outside():
+    for model, radius in (("equisolid", 2.0), ("equidistant", np.pi), ("orthographic", 1.0)):
+        assert not unproject_ideal([radius, 0.0], model)[1]
+    assert not unproject_ideal([np.tan(np.pi / 2), 0.0], "perspective")[1]
+    assert not unproject_fisheye([np.pi, 0.0], Fisheye())[1]
+
+
+def test_a_direction_is_valid_if_its_radius_comes_back_to_a_billionth():
+    """So close to 90° that an angle in floating point cannot tell the radii apart."""
+    far = np.column_stack([np.linspace(1e8, 2e8, 100), np.zeros(100)])
+    assert unproject_ideal(far / 1e3, "perspective")[1].all()
+    assert not unproject_ideal(far, "perspective")[1].all()

@@ -248,7 +248,7 @@ def test_the_parts_are_taken_off_in_the_order_that_is_stated():
 
 
 def test_normalised_points_have_their_centroid_at_zero_and_a_mean_distance_of_root_two():
-    points = RNG.uniform(0, 500, (30, 2)) + [1e4, 0]
+    points = RNG.uniform(0, 500, (30, 2)) + np.array([1e4, 0])
     T = estimation.normalisation(points)
     moved = apply_homography(T, points)[0]
     assert moved.mean(axis=0) == pytest.approx((0, 0), abs=1e-12)
@@ -291,7 +291,7 @@ def test_two_points_determine_a_similarity_three_an_affine_map_and_four_a_homogr
         (estimation.estimate_affine, 3),
         (estimation.estimate_homography, 4),
     ):
-        H, valid = estimate(CORNERS[:count], CORNERS[:count] + [7, -3])
+        H, valid = estimate(CORNERS[:count], CORNERS[:count] + np.array([7, -3]))
         assert valid
         assert pytest.approx(transforms.translation(7, -3), abs=1e-9) == H
         assert not estimate(CORNERS[: count - 1], CORNERS[: count - 1])[1]
@@ -324,7 +324,10 @@ def test_tiny_and_huge_coordinates_are_estimated_too(size):
 
 @pytest.mark.parametrize("bad", [1.1e100, math.inf])
 def test_coordinates_beyond_the_range_are_refused(bad):
-    for source, target in ((CORNERS + [bad, 0], SEEN), (CORNERS, SEEN + [0, bad])):
+    for source, target in (
+        (CORNERS + np.array([bad, 0]), SEEN),
+        (CORNERS, SEEN + np.array([0, bad])),
+    ):
         with pytest.raises(ValueError, match="legal: finite, at most 1e"):
             estimation.estimate_affine(source, target)
 

@@ -282,3 +282,26 @@ def test_touching_discs_of_very_different_size_do_not_lose_digits():
     assert disc_overlap_area(0.0, 1e6, 1e-6) == pytest.approx(np.pi * 1e-12)
     assert mechanical_vignetting(0.1, 1e-40, 1.0, 1.0) == 1.0
     assert mechanical_vignetting(0.1, 1e40, 1.0, 1.0) == pytest.approx(0, abs=1e-70)
+
+
+def test_all_distances_must_be_legal_and_not_only_one():
+    with pytest.raises(ValueError, match="depth_mm"):
+        circle_of_confusion_mm(50, 2, 2000, [10.0, -1.0])
+
+
+def test_red_is_blurred_by_a_positive_disc_too():
+    red = focal_length_mm(GLASS, 50, 0.7)
+    assert axial_chromatic_mm(GLASS, 50, 2, 0.7) == pytest.approx(25 * (red - 50) / red)
+
+
+def test_glass_may_bend_ever_so_little():
+    assert refractive_index(Glass(1.05), LINE_D_UM) == 1.05
+
+
+def test_lenses_faster_than_f_1_exist():
+    assert depth_of_field(50, 0.95, 1e3, 0.03)[0] < 1e3
+    assert circle_of_confusion_mm(50, 0.95, 1e3, 1e3) == 0
+    assert hyperfocal(50, 0.5, 0.03) == pytest.approx(50**2 / 0.015 + 50)
+    assert axial_chromatic_mm(GLASS, 50, 0.95, LINE_D_UM) == 0
+    assert field_of_view_rad(0.5, 0.25) == pytest.approx(field_of_view_rad(50, 25))
+    assert depth_of_field(0.5, 2, 10, 1e-3)[0] < 10

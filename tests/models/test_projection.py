@@ -303,3 +303,28 @@ def test_directions_vanish_each_on_their_own():
 @pytest.mark.parametrize(("slant", "valid"), [(1e-10, True), (1e-17, False)])
 def test_a_horizon_is_lost_where_only_rounding_is_left_of_it(slant, valid):
     assert vanishing.horizon((slant, 0, 1), projection.intrinsics(1.0, (0, 0)))[1] is valid
+
+
+def test_directions_with_a_large_negative_entry_are_scaled_by_its_size():
+    pixels, valid = vanishing.vanishing_point([(-1e300, 0.5e300, 1e300), (-1e-300, 0, 2e-300)], K)
+    assert valid.all()
+    assert pixels == pytest.approx(np.array([(320 - 400 + 1, 240 + 205), (320 - 200, 240)]))
+    line, seen = vanishing.horizon((-1e300, -2e-10, 1.0), K)
+    assert seen
+    assert line == pytest.approx(vanishing.horizon((1, 0, 0), K)[0] * -1, abs=1e-9)
+
+
+def test_no_horizon_is_a_line_of_nothing():
+    line, valid = vanishing.horizon((0, 0, -1), K)
+    assert not valid
+    assert line.shape == (3,)
+
+
+def test_a_direction_of_which_one_pixel_coordinate_is_no_number_has_no_pixel():
+    assert not vanishing.vanishing_point((1e300, 0, 1e-20), K)[1]
+
+
+def test_a_field_of_view_is_the_same_in_any_unit():
+    for unit in (1e-3, 1.0, 1e3):
+        angle = projection.field_of_view(50.0 * unit, 36.0 * unit)
+        assert angle == pytest.approx(2 * math.atan(18 / 50))

@@ -22,6 +22,7 @@ PROFILES = [
     RadialProfile((-0.05, 0.02, 0.01)),
     RadialProfile((0.2, 0.1), (0.3, 0.05, 0.01)),
     RadialProfile((), (0.1, 0.02)),
+    RadialProfile((1.0,), (2.0,)),  # rises for ever, and tends to r/2
 ]
 
 
@@ -104,6 +105,7 @@ def test_images_that_no_radius_has_are_put_on_the_fold():
     assert valid.tolist() == [True, False, False, False, False, True]
     np.testing.assert_allclose(found[1:5], 1.0)
     assert found[5] == 0
+    assert not invert(profile, largest_image_radius(profile))[1]
 
 
 def test_without_a_fold_what_is_invalid_is_put_on_the_axis():

@@ -11,6 +11,7 @@ from simulations.models import projection
 from simulations.models.raycasting import (
     Box,
     Sphere,
+    bounding_radius,
     edge_coverage,
     intersect,
     intersect_plane,
@@ -167,3 +168,191 @@ def test_meaningless_solids_are_refused():
         Sphere((0, 0, 0), 0.0)
     with pytest.raises(ValueError, match="size"):
         Box((0, 0, 0), (1, -1, 1))
+
+
+def test_a_ray_past_a_sphere_is_measured_at_its_closest_approach():
+    hit = intersect(Sphere((0.0, 5.0, 3.0), 2.0), ORIGIN, AHEAD)
+    assert not hit.valid
+    assert hit.distance == pytest.approx(5.0)
+    assert hit.points == pytest.approx([0, 5, 0])
+    assert hit.margin == pytest.approx(2.0**2 - 3.0**2)
+    assert hit.normals == pytest.approx([0, 0, -1])
+
+
+def test_the_margin_of_a_sphere_is_the_square_of_half_the_chord():
+    hit = intersect(Sphere((0.0, 5.0, 1.0), 2.0), ORIGIN, AHEAD)
+    assert hit.margin == pytest.approx(2.0**2 - 1.0**2)
+    assert hit.distance == pytest.approx(5 - math.sqrt(3))
+    behind = intersect(Sphere((0.0, -5.0, 1.0), 2.0), ORIGIN, AHEAD)
+    assert behind.margin == pytest.approx(2.0**2 - 26.0)
+
+
+def test_a_box_is_met_where_its_edges_lie_along_each_axis():
+    """Sizes 2, 4 and 6 about (1, 10, −1): seen from in front, above and the side."""
+    box = Box((1.0, 10.0, -1.0), (2.0, 4.0, 6.0))
+    for eye, towards, point in (
+        ((1.5, 0.0, 0.0), (0, 1, 0), (1.5, 8, 0)),
+        ((0.5, 11.0, 9.0), (0, 0, -1), (0.5, 11, 2)),
+        ((-9.0, 9.0, -3.0), (1, 0, 0), (0, 9, -3)),
+        ((20.0, 9.0, -3.0), (-1, 0, 0), (2, 9, -3)),
+        ((1.5, 30.0, 0.0), (0, -1, 0), (1.5, 12, 0)),
+        ((0.5, 11.0, -9.0), (0, 0, 1), (0.5, 11, -4)),
+    ):
+        hit = intersect(box, eye, np.array(towards, float))
+        assert hit.valid
+        assert hit.points == pytest.approx(point)
+        assert hit.distance == pytest.approx(math.dist(eye, point))
+        assert hit.normals == pytest.approx(-np.array(towards))
+
+
+def test_from_inside_a_box_each_face_is_met_with_the_normal_that_points_out():
+    box = Box((0.0, 0.0, 0.0), (2.0, 4.0, 6.0))
+    directions = np.concatenate([np.eye(3), -np.eye(3)])
+    hit = intersect(box, (0.1, 0.2, 0.3), directions)
+    assert hit.valid.all()
+    assert hit.distance == pytest.approx([0.9, 1.8, 2.7, 1.1, 2.2, 3.3])
+    assert hit.normals == pytest.approx(directions)
+    assert hit.margin.tolist() == [1] * 6
+
+
+def test_the_margin_of_a_box_is_the_sine_of_the_angle_to_its_silhouette():
+    """The face at y = 4 reaches to x = ±1, so that the silhouette lies at atan 1/4."""
+    box = Box((0.0, 5.0, 0.0), (2.0, 2.0, 40.0))
+    angle = math.atan2(1, 4)
+    for off in (-0.1, -0.01, 0.01, 0.1):
+        for side in (-1, 1):
+            towards = (side * math.sin(angle + off), math.cos(angle + off), 0.0)
+            margin = intersect(box, ORIGIN, np.array(towards)).margin
+            assert margin == pytest.approx(-math.sin(off))
+
+
+@settings(deadline=None, max_examples=30)
+@given(angle=st.floats(-4, 4), x=st.floats(-3, 3), z=st.floats(-3, 3), seed=st.integers(0, 99))
+def test_a_box_is_the_crossing_of_six_half_spaces(angle, x, z, seed):
+    """By walking along the ray in small steps."""
+    box = Box((0.0, 5.0, 0.0), (1.0, 1.4, 0.6), angle)
+    eye = np.array([x, 0.0, z])
+    directions = unit(np.array([-x, 5.0, -z]) + np.random.default_rng(seed).uniform(-1, 1, (20, 3)))
+    hit = intersect(box, eye, directions)
+    steps = np.linspace(0, 12, 12_001)
+    local = (eye + directions[:, None] * steps[:, None] - box.centre) @ box.world_to_box.T
+    inside = (np.abs(local) <= np.array(box.size) / 2).all(-1)
+    clear = (inside.sum(1) > 5) | (inside.sum(1) == 0) & (hit.margin < -1e-3)
+    assert np.array_equal(hit.valid[clear], inside.any(1)[clear])
+    first = steps[inside.argmax(1)]
+    met = hit.valid & clear
+    assert np.abs(hit.distance - first)[met] == pytest.approx(0, abs=2e-3)
+
+
+def test_a_turned_box_turns_anticlockwise_seen_from_above():
+    quarter = Box((0, 0, 0), (2, 4, 6), math.pi / 2)
+    assert quarter.world_to_box @ (0, 1, 0) == pytest.approx((1, 0, 0))
+    eighth = Box((0, 5, 0), (2, 2, 2), math.pi / 4)
+    assert intersect(eighth, ORIGIN, AHEAD).distance == pytest.approx(5 - math.sqrt(2))
+
+
+def test_a_plane_is_met_at_the_distance_of_similar_triangles():
+    towards = unit([[0.0, 3, -4], [0, -3, -4], [0, 3, 4], [1, 0, 0]])
+    distance, valid = intersect_plane((5, 5, 1), (0, 0, 2), (0, 0, 9), towards)
+    assert valid.tolist() == [True, True, False, False]
+    assert distance == pytest.approx([10, 10, 0, 0])
+    assert not intersect_plane((0, 0, 1), (0, 0, 1), (0, 0, 1), [0.0, 0, -1])[1]
+
+
+@pytest.mark.parametrize(("slant", "valid"), [(1e-10, True), (1e-13, False)])
+def test_a_ray_runs_along_a_plane_to_rounding(slant, valid):
+    assert intersect_plane((0, 0, 0), (0, 0, 1), (0, 0, 1), [1.0, 0, -slant])[1] == valid
+
+
+def test_straight_edges_on_the_grid_are_covered_by_their_distance():
+    """x − 2.3 px is the distance itself; its rows and columns, and any multiple, are alike."""
+    x = np.arange(6.0)
+    expected = np.clip(0.5 + x - 2.3, 0, 1)
+    for factor in (1e-6, 1.0, 50.0):
+        margin = factor * (x - 2.3) + np.zeros((4, 1))
+        np.testing.assert_allclose(edge_coverage(margin), np.tile(expected, (4, 1)))
+        np.testing.assert_allclose(edge_coverage(margin.T), np.tile(expected, (4, 1)).T)
+    slanted = (3 * x + 4 * np.arange(5.0)[:, None] - 11) / 5
+    np.testing.assert_allclose(edge_coverage(slanted), np.clip(0.5 + slanted, 0, 1))
+
+
+@pytest.mark.parametrize("shape", [(1, 5), (5, 1), (5,), (2, 2, 2)])
+def test_coverage_needs_two_pixels_each_way(shape):
+    with pytest.raises(ValueError, match=r"legal: \(H, W\)"):
+        edge_coverage(np.ones(shape))
+    assert edge_coverage(np.ones((2, 2))).tolist() == [[1, 1], [1, 1]]
+
+
+@pytest.mark.parametrize(
+    ("offset", "share"), [(-1.0, 0.0), (-0.5, 0.15625), (0.5, 0.84375), (1.0, 1.0)]
+)
+def test_the_penumbra_of_a_sphere_is_a_smooth_ramp_as_wide_as_the_lamp(offset, share):
+    """At 2 m the lamp of 3° spreads over 2 tan 3°; s²(3 − 2 s) at a quarter is 5/32."""
+    width = 2.0 * math.tan(math.radians(3))
+    point = (0.5 + offset * width, 0, 0)
+    seen = visibility(Sphere((0, 0, 2), 0.5), point, (0, 0, 1.0), math.radians(3))
+    assert seen == pytest.approx(share, abs=1e-9)
+
+
+def test_the_shadow_of_a_box_deepens_with_the_chord_of_its_ray():
+    """Light from the side at 45°: near an edge the ray cuts off a corner."""
+    box, light, lamp = Box((0, 0, 2), (2, 2, 2)), unit([1.0, 0, 1]), math.radians(3)
+    for x in (-0.05, -0.2, -1.0):
+        start = (x - 0.0, 0.0, 0.0)  # meets the lower face z = 1 at x + 1, leaves at the side x = 1
+        entry = math.sqrt(2)
+        leave = math.sqrt(2) * min(1 - x, 3)
+        ramp = min((leave - entry) / (2 * entry * math.tan(lamp)), 1)
+        expected = 1 - ramp * ramp * (3 - 2 * ramp)
+        assert visibility(box, start, light, lamp) == pytest.approx(expected)
+    assert visibility(box, (0.05, 0.0, 0.0), light, lamp) == 1
+    just_below = visibility(box, (0.0, 0.0, 0.99), (0, 0, 1.0), lamp)
+    assert just_below == 0
+
+
+@pytest.mark.parametrize("angle", [0.0, -0.1, math.pi / 2, math.nan])
+def test_a_lamp_has_a_size_below_half_the_sky(angle):
+    with pytest.raises(ValueError, match="light_radius_rad"):
+        visibility(Sphere((0, 0, 2), 0.5), ORIGIN, (0, 0, 1.0), angle)
+
+
+def test_the_bounds_of_a_shadow_straight_below_are_those_of_a_cone():
+    """Ball of 0.5 at height 2: the shadow falls 2.5 m and widens by 2.5 tan α."""
+    spread = 2.5 * math.tan(math.radians(5))
+    low, high = shadow_bounds(Sphere((1, 3, 2), 0.5), (0.0, 0.0, 1.0), math.radians(5))
+    assert low == pytest.approx([0.5 - spread, 2.5 - spread, -0.5 - 0.5 - spread])
+    assert high == pytest.approx([1.5 + spread, 3.5 + spread, max(2.5, 0.0 + spread)])
+    box = Box((1, 3, 2), (1.0, 2.0, 2.0))
+    assert bounding_radius(box) == pytest.approx(1.5)
+    assert bounding_radius(Sphere((0, 0, 0), 0.7)) == 0.7
+    slanted = shadow_bounds(Sphere((0, 0, 1), 0.5), (0.6, 0.0, 0.8), math.radians(5))
+    length = 1.5 / 0.8
+    assert slanted[0][0] == pytest.approx(-0.6 * length - 0.5 - length * math.tan(math.radians(5)))
+    assert slanted[1][0] == pytest.approx(
+        max(0.5, -0.6 * length + 0.5 + length * math.tan(math.radians(5)))
+    )
+    for z in (0.0, -0.5):
+        with pytest.raises(ValueError, match="to_light"):
+            shadow_bounds(box, (1.0, 0.0, z), 0.1)
+
+
+def test_a_sphere_hides_its_form_factor_from_each_point():
+    points = np.array([[0, 0, 0], [0, 0, 1.0], [3, 0, 0], [0, 0, 9.0], [0, 0, 4.9]])
+    hidden = sphere_occlusion((0, 0, 5), 0.5, points, (0, 0, 1.0))
+    by_hand = [0.5**2 / 25, 0.5**2 / 16, 5 / math.sqrt(34) * 0.25 / 34, 0.0, 1.0]
+    assert hidden == pytest.approx(by_hand)
+
+
+@pytest.mark.parametrize(
+    ("make", "complaint"),
+    [
+        (lambda: Sphere((0, 0, 0), math.inf), "radius"),
+        (lambda: Sphere((0, math.nan, 0), 1.0), "centre"),
+        (lambda: Box((0, 0, 0), (0.0, 1, 1)), "size"),
+        (lambda: Box((0, 0, 0), (1, 1, math.inf)), "size"),
+        (lambda: Box((math.inf, 0, 0), (1, 1, 1)), "centre"),
+        (lambda: Box((0, 0, 0), (1, 1, 1), math.inf), "angle_rad"),
+    ],
+)
+def test_solids_are_finite_and_of_some_size(make, complaint):
+    with pytest.raises(ValueError, match=complaint):
+        make()

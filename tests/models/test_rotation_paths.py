@@ -93,3 +93,31 @@ def test_blended_angles_give_the_matrix_of_those_angles():
     found = rotation_paths.euler_blend("ZYX", start, end, shares)
     angles = np.array(start) + shares[:, None] * np.subtract(end, start)
     np.testing.assert_allclose(found, Rotation.from_euler("ZYX", angles).as_matrix(), atol=1e-14)
+
+
+@pytest.mark.parametrize("sequence", ["ZY", "ZYXZ", "ZYA", "zyx", ""])
+def test_only_three_moving_axes_make_a_sequence(sequence):
+    for call in (
+        lambda: rotation_paths.rate_axes(sequence, (0, 0, 0)),
+        lambda: rotation_paths.euler_blend(sequence, (0, 0, 0), (1, 1, 1), 0.5),
+    ):
+        with pytest.raises(ValueError, match="sequence"):
+            call()
+
+
+def test_matrices_are_blended_entry_by_entry_for_each_share():
+    start, end = np.arange(9.0).reshape(3, 3), np.ones((3, 3))
+    shares = np.array([[0.0, 0.25], [1.0, 2.0]])
+    found = rotation_paths.matrix_blend(start, end, shares)
+    assert found.shape == (2, 2, 3, 3)
+    np.testing.assert_allclose(found[0, 1], 0.75 * start + 0.25)
+    np.testing.assert_allclose(found[1, 1], 2 - start)
+
+
+@pytest.mark.parametrize("apart", [1e-9, 1e-3, 1.0])
+def test_off_a_short_arc_only_what_lies_across_counts(apart):
+    """From no turn to a turn about x: turns about y are off it by their whole angle."""
+    start, end = quaternions.from_rotation_vector([(0, 0, 0), (apart, 0, 0)])
+    along, across = quaternions.from_rotation_vector([(0.7, 0, 0), (0, 0.3, 0)])
+    assert rotation_paths.off_great_circle(along, start, end) == pytest.approx(0, abs=1e-6)
+    assert rotation_paths.off_great_circle(across, start, end) == pytest.approx(0.3)

@@ -200,3 +200,138 @@ def test_slerp_is_defined_for_equal_nearly_equal_and_opposite_orientations(angle
     start, end = quaternions.from_rotation_vector([(0, 0, 0), (angle, 0, 0)])
     middle = quaternions.to_rotation_vector(rotations.slerp(start, end, 0.5))
     assert middle == pytest.approx((angle / 2, 0, 0), abs=1e-16, rel=1e-12)
+
+
+def test_hamiltons_units_multiply_as_he_carved_them():
+    w, i, j, k = np.eye(4)
+    assert quaternions.multiply(i, j).tolist() == k.tolist()
+    assert quaternions.multiply(j, k).tolist() == i.tolist()
+    assert quaternions.multiply(k, i).tolist() == j.tolist()
+    for unit in (i, j, k):
+        assert quaternions.multiply(unit, unit).tolist() == (-w).tolist()
+        assert quaternions.conjugate(unit).tolist() == (-unit).tolist()
+
+
+def test_the_canonical_quaternion_has_its_first_entry_that_is_not_zero_positive():
+    for q in ([-0.5, 0.5, 0.5, 0.5], [0.0, -1.0, 0, 0], [0.0, 0, 0, -1.0], [0.0, 0, -0.6, 0.8]):
+        assert quaternions.canonical(q) == pytest.approx(-np.array(q))
+        assert quaternions.canonical(-np.array(q)) == pytest.approx(-np.array(q))
+    assert quaternions.canonical([[-2.0, 0, 0, 0], [0, 3.0, 0, 0]]).tolist() == [
+        [1, 0, 0, 0],
+        [0, 1, 0, 0],
+    ]
+
+
+def test_no_turn_has_the_angle_zero_and_no_axis():
+    angle, axis = quaternions.angle_and_axis([[0.0, 0, 0], [0, 3.0, -4.0], [1e-300, 0, 0]])
+    assert angle[:, 0].tolist() == pytest.approx([0, 5, 1e-300])
+    assert axis == pytest.approx(np.array([[0, 0, 0], [0, 0.6, -0.8], [1, 0, 0]]))
+    for bad in ([1.7e308, 1.7e308, 0], [0, math.inf, 0]):
+        with pytest.raises(ValueError, match="rotation_vector"):
+            quaternions.angle_and_axis([[0, 0, 1], bad])
+
+
+def test_tiny_turns_keep_their_digits_through_the_quaternion():
+    v = np.array([[1e-200, -2e-200, 0], [1e-9, 0, 1e-10], [0, 0, 0]])
+    q = quaternions.from_rotation_vector(v)
+    np.testing.assert_allclose(q[:, 1:], v / 2, rtol=1e-14)
+    np.testing.assert_allclose(quaternions.to_rotation_vector(q), v, rtol=1e-14)
+
+
+@pytest.mark.parametrize("bad", [[math.nan, 1, 0, 0], [0.0, 0, 0, 0]])
+def test_one_bad_quaternion_spoils_the_field(bad):
+    with pytest.raises(ValueError, match="quaternion"):
+        quaternions.normalise([[1.0, 0, 0, 0], bad])
+    with pytest.raises(ValueError, match="axis"):
+        rotations.from_axis_angle([[1.0, 0, 0], bad[1:] if bad[1] == 0 else [math.nan, 0, 0]], 0.1)
+
+
+def test_fields_of_rotations_keep_their_shape():
+    v = RNG.normal(size=(4, 5, 3))
+    matrices = rotations.exponential(v)
+    assert matrices.shape == (4, 5, 3, 3)
+    assert matrices[2, 3] == pytest.approx(Rotation.from_rotvec(v[2, 3]).as_matrix())
+    q = quaternions.from_matrix(matrices)
+    assert q.shape == (4, 5, 4)
+    assert rotations.logarithm(matrices)[1, 2] == pytest.approx(rotations.logarithm(matrices[1, 2]))
+    assert quaternions.rotate(q, v)[3, 4] == pytest.approx(v[3, 4])  # the axis stays
+    turned = rotations.from_axis_angle([0, 0, 1.0], np.array([[0.1, 0.2], [0.3, 0.4]]))
+    assert turned.shape == (2, 2, 3, 3)
+    assert np.arctan2(turned[..., 1, 0], turned[..., 0, 0]) == pytest.approx(
+        np.array([[0.1, 0.2], [0.3, 0.4]])
+    )
+
+
+def test_an_infinite_angle_is_refused():
+    for angle in (math.inf, math.nan):
+        with pytest.raises(ValueError, match="angle_rad"):
+            rotations.from_axis_angle((0, 0, 1), [0.1, angle])
+
+
+@pytest.mark.parametrize(("drift", "legal"), [(0.9e-6, True), (1.1e-6, False), (-1.1e-6, False)])
+def test_a_rotation_may_have_drifted_by_a_millionth(drift, legal):
+    matrix = np.eye(3)
+    matrix[0, 1] = drift  # enters RᵀR once
+    if legal:
+        assert rotations.check_rotation(matrix) is matrix
+        return
+    with pytest.raises(ValueError, match="differs from I"):
+        rotations.check_rotation(matrix)
+
+
+def test_one_reflection_or_one_drifted_matrix_spoils_the_field():
+    for bad in (np.diag([1.0, 1, -1]), np.eye(3) * 1.1):
+        with pytest.raises(ValueError, match="R: "):
+            rotations.check_rotation([np.eye(3), bad])
+    for shape in ((3, 2), (2, 3), (9,), (4, 4)):
+        with pytest.raises(ValueError, match="shape"):
+            rotations.check_rotation(np.ones(shape))
+
+
+def test_the_nearest_rotation_of_a_scaled_or_mirrored_one_is_known():
+    R = RANDOM[3].as_matrix()
+    for size in (1e-200, 1e-3, 1.0, 1e200):
+        assert rotations.nearest_rotation(size * R) == pytest.approx(R, abs=1e-14)
+    mirrored = np.diag([3.0, 2.0, -1.0])
+    assert rotations.nearest_rotation(mirrored) == pytest.approx(np.eye(3))
+    for bad in (np.full((3, 3), math.nan), np.eye(4), np.eye(3)[:2]):
+        with pytest.raises(ValueError, match="legal"):
+            rotations.nearest_rotation(bad)
+    flat = np.diag([1.0, 1.0, 0.0])
+    assert rotations.nearest_rotation(flat) == pytest.approx(np.eye(3))
+
+
+@pytest.mark.parametrize(("least", "legal"), [(1e-11, True), (1e-13, False)])
+def test_a_matrix_of_rank_two_to_rounding_has_a_nearest_rotation(least, legal):
+    matrix = np.diag([1.0, least, 0.0])
+    if legal:
+        assert rotations.nearest_rotation(matrix) == pytest.approx(np.eye(3))
+        return
+    with pytest.raises(ValueError, match="no single nearest rotation"):
+        rotations.nearest_rotation(matrix)
+
+
+@pytest.mark.parametrize("blend", [rotations.slerp, rotations.nlerp])
+def test_a_share_lies_within_a_million(blend):
+    start, end = quaternions.from_rotation_vector([(0, 0, 0), (0, 0, 1.0)])
+    assert np.isfinite(blend(start, end, [-1e6, 1e6])).all()
+    for share in (1.1e6, -1.1e6, math.nan):
+        with pytest.raises(ValueError, match="share"):
+            blend(start, end, [0.5, share])
+
+
+def test_slerp_goes_on_past_its_ends_at_the_same_speed():
+    start, end = quaternions.from_rotation_vector([(0, 0, 0.1), (0, 0, 0.4)])
+    shares = np.array([-1.0, -0.5, 1.5, 3.0])
+    angles = quaternions.to_rotation_vector(rotations.slerp(start, end, shares))[:, 2]
+    assert angles == pytest.approx(0.1 + 0.3 * shares)
+
+
+def test_fields_of_orientations_are_blended_pair_by_pair():
+    q0, q1 = wxyz(RANDOM[:6]).reshape(2, 3, 4), wxyz(RANDOM[6:12]).reshape(2, 3, 4)
+    share = RNG.random((2, 3))
+    for blend in (rotations.slerp, rotations.nlerp):
+        field = blend(q0, q1, share)
+        assert field.shape == (2, 3, 4)
+        for place in np.ndindex(2, 3):
+            assert field[place] == pytest.approx(blend(q0[place], q1[place], share[place]))

@@ -255,3 +255,11 @@ def test_a_fit_trusts_small_variances_more():
         weight * (mean - centre_x) ** 2
     ).sum()
     assert slope == pytest.approx(expected)
+
+
+def test_both_exposures_of_a_transfer_curve_count():
+    """The mean of two fields of two samples has a quarter of the variance of one sample."""
+    sensor = Sensor(read_noise_e=0.0, gain_e_per_dn=1.0, bits=16, full_well_e=1e5)
+    mean, variance = photon_transfer(np.full(20_000, 400.0), sensor, rng(), samples=2)
+    assert mean.var() == pytest.approx(400 / 4, rel=0.05)
+    assert variance.mean() == pytest.approx(400, rel=0.05)

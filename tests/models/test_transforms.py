@@ -8,7 +8,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from simulations.models import transforms
+from simulations.models import preservation, transforms
 from simulations.models.preservation import measure_preservation
 from simulations.models.transforms import apply_homography, clip_half_plane, clip_to_visible
 
@@ -227,7 +227,7 @@ def test_a_homography_is_scaled_to_its_last_entry_or_else_to_unit_norm():
     assert transforms.projective(2.0 * TILTED) == pytest.approx(TILTED)
     H = transforms.projective([[1, 0, 0], [0, 0, 1], [0, -2, 0]])
     assert H[2, 1] > 0
-    assert H == pytest.approx(np.array([[-1, 0, 0], [0, 0, -1], [0, 2, 0]]) / math.sqrt(6))
+    assert pytest.approx(np.array([[-1, 0, 0], [0, 0, -1], [0, 2, 0]]) / math.sqrt(6)) == H
     small = transforms.projective([[1, 0, 0], [0, 1, 0], [1, 0, 1e-11]])
     assert small[2, 2] == 1
     tiny = transforms.projective([[1, 0, 0], [0, 1, 0], [-1, 0, 1e-13]])
@@ -303,3 +303,24 @@ def test_lines_that_are_nearly_parallel_are_not_parallel():
     for slant, changed in ((1e-6, False), (1e-10, True)):
         two = np.array([[(0, 0), (1, 0)], [(0, 1), (1, 1 + slant)]], float)
         assert (measure_preservation(TILTED, two).parallel_rad > 0.1) is changed
+
+
+def test_parallel_lines_may_run_in_opposite_senses():
+    """Under w = 1 + y/2 the uprights at x = 0 and x = 1 lean by atan 1/2 towards one another."""
+    H = transforms.projective([1, 0, 0, 0, 1, 0, 0, 0.5, 1])
+    up = np.array([[(0, 0), (0, 1)], [(1, 0), (1, 1)]], float)
+    for two in (up, up[::-1], np.array([up[0], up[1, ::-1]])):
+        measured = measure_preservation(H, two)
+        assert measured.parallel_rad == pytest.approx(math.atan(0.5))
+        assert measured.turn_rad == pytest.approx(math.atan(0.5))
+
+
+def test_a_bend_is_found_on_either_side():
+    """No homography bends a line; images that do are made here from an arc."""
+    share = np.linspace(0, 1, 9)
+    arc = np.stack([share, 0.1 * 4 * share * (1 - share)], axis=-1)
+    for side in (1, -1):
+        bend = preservation._bend((arc * [1, side])[None], np.array([[1.0, 0.0]]), np.array([1.0]))
+        assert bend == pytest.approx(0.1)
+    sampled = preservation._sample(np.array([[[0.0, 0], [8, 4]]]))
+    assert sampled[0].tolist() == [[i, i / 2] for i in range(9)]

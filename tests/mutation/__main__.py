@@ -69,6 +69,9 @@ def judge(module: str, sample: int | None, seed: int, equivalent: set[str]) -> S
         order = list(range(len(everything)))
         random.Random(f"{seed} {module}").shuffle(order)  # a larger sample holds the smaller one
         chosen = [everything[index] for index in sorted(order[:sample])]
+    known = {name(module, mutant) for mutant in everything}
+    for line in sorted(line for line in equivalent - known if line.startswith(f"{module}.")):
+        print(f"equivalent.txt: no such mutant: {line}")
     warm_up(tests)
     before_s = used_s()
     if not tests or not survives(module, source, tests, 600):

@@ -6,6 +6,7 @@ Nothing is written to the working copy, so that one may go on editing it.
 
 import ast
 import contextlib
+import functools
 import gc
 import importlib
 import importlib.abc
@@ -40,7 +41,8 @@ class MutatedModule(importlib.abc.MetaPathFinder, importlib.abc.Loader):
         exec(compile(self.source, f"<mutant of {self.name}>", "exec"), module.__dict__)
 
 
-def imported_names(file: Path) -> set[str]:
+@functools.cache
+def imported_names(file: Path) -> frozenset[str]:
     """Modules that a file imports; ``from a import b`` counts as both a and a.b."""
     names: set[str] = set()
     for node in ast.walk(ast.parse(file.read_text("utf-8"))):
@@ -49,7 +51,7 @@ def imported_names(file: Path) -> set[str]:
         elif isinstance(node, ast.ImportFrom) and node.module:
             names.add(node.module)
             names.update(f"{node.module}.{alias.name}" for alias in node.names)
-    return names
+    return frozenset(names)
 
 
 def tests_of(module: str) -> list[Path]:
@@ -98,9 +100,11 @@ def _run_tests(module: str, source: str, tests: list[Path]) -> None:
     """Never returns: the child ends with the exit code of pytest."""
     code = 1
     try:
-        with Path(os.devnull).open("w") as nowhere:
-            os.dup2(nowhere.fileno(), 1)
-            os.dup2(nowhere.fileno(), 2)
+        sys.stdout = sys.stderr = nowhere = Path(os.devnull).open("w")  # noqa: SIM115
+        os.dup2(nowhere.fileno(), 1)
+        os.dup2(nowhere.fileno(), 2)
+        for name in [name for name in sys.modules if name.split(".")[0] == "simulations"]:
+            del sys.modules[name]
         settings.register_profile(
             "mutation",
             derandomize=True,  # the same mutant is judged alike by every run

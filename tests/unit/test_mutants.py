@@ -1,0 +1,82 @@
+"""The mutator of `make mutants`: which mistakes it makes, and that a weak test lets them live."""
+
+from pathlib import Path
+
+import pytest
+from mutation import trial
+from mutation.mutants import mutants
+from mutation.trial import MODELS, survives
+
+
+def after(line: str) -> set[str]:
+    return {mutant.after for mutant in mutants(line)}
+
+
+@pytest.mark.parametrize(
+    ("line", "mistakes"),
+    [
+        ("a + 2", {"a - 2", "a + 3", "a + 1"}),
+        ("-x * y", {"x * y", "-x / y"}),
+        ("a < b", {"a <= b", "a >= b"}),
+        ("a and (not b)", {"a or not b", "a and b"}),
+        ("f(x, axis=-1)", {"f(x, axis=1)", "f(x, axis=-2)", "f(x, axis=-0)"}),
+        ("x[1:]", {"x[2:]", "x[0:]"}),
+        ("x[i, j]", {"x[j, i]"}),
+        ("A @ B", {"B @ A"}),
+        ("np.sin(x)", {"np.cos(x)"}),
+        ("max(a, b)", {"min(a, b)"}),
+        ("math.floor(x)", {"math.ceil(x)"}),
+        ("np.arctan2(y, x)", {"np.arctan2(x, y)"}),
+        ("abs(x)", {"x"}),
+        ("1e-12", {"1e-09"}),
+        ("2.0", {"2.2"}),
+        ("0.0", {"1.0"}),
+        ("def f(closed=True): pass", {"def f(closed=False):"}),
+    ],
+)
+def test_every_small_mistake_is_made_once(line: str, mistakes: set[str]) -> None:
+    assert after(line) == mistakes
+
+
+@pytest.mark.parametrize(
+    "line",
+    ['"""1 + 1"""', "raise ValueError(f'{x + 1}')", "x: A[1]", "f'{a + 1}'", "zip(a, strict=True)"],
+)
+def test_words_types_and_messages_are_left_alone(line: str) -> None:
+    assert after(line) == set()
+
+
+def test_a_mutant_is_named_by_its_function_and_differs_in_one_line() -> None:
+    source = "class A:\n    def f(self):\n        return 1\nb = 2\n"
+    found = list(mutants(source))
+    assert [(m.place, m.before, m.after) for m in found] == [
+        ("A.f", "return 1", "return 2"),
+        ("A.f", "return 1", "return 0"),
+        ("", "b = 2", "b = 3"),
+        ("", "b = 2", "b = 1"),
+    ]
+    for mutant in found:
+        lines = zip(source.splitlines(), mutant.source.splitlines(), strict=False)
+        assert sum(a != b for a, b in lines if b) == 1 or "\n\n" in mutant.source
+
+
+def test_a_test_that_looks_notices_and_one_that_does_not_look_does_not(tmp_path: Path) -> None:
+    source = (MODELS / "floats.py").read_text("utf-8")
+    broken = source.replace('== "f"', '!= "f"')
+    looks, looks_away = tmp_path / "test_looks.py", tmp_path / "test_looks_away.py"
+    use = "from simulations.models.floats import as_floats\n\ndef test_it():\n    "
+    looks.write_text(use + "assert as_floats([1]).dtype == float\n", "utf-8")
+    looks_away.write_text(use + "assert len(as_floats([1])) == 1\n", "utf-8")
+    assert survives("floats", source, [looks], 30)
+    assert not survives("floats", broken, [looks], 30)
+    assert survives("floats", broken, [looks_away], 30)
+
+
+def test_an_endless_mutant_is_noticed(tmp_path: Path) -> None:
+    test = tmp_path / "test_floats.py"
+    test.write_text("import simulations.models.floats\n\ndef test_it(): pass\n", "utf-8")
+    assert not survives("floats", "while True: pass", [test], 1)
+
+
+def test_every_model_has_tests_of_its_own_or_of_a_model_that_uses_it() -> None:
+    assert [path.stem for path in MODELS.glob("[!_]*.py") if not trial.tests_of(path.stem)] == []
