@@ -18,6 +18,9 @@ THIN = "0.167em"
 
 def space_formula(tree: ElementTree.Element) -> None:
     """Mark signs as prefixes and set function names apart from their neighbours, in place."""
+    leaves = [element for element in tree.iter() if not len(element)]
+    if len(leaves) == 1 and leaves[0].tag == "mo":
+        _close(leaves[0])  # a sign that is spoken of
     for parent in list(tree.iter()):
         if parent.tag in ("math", "mrow", "mtd", "mstyle", "msqrt"):
             _mark_prefixes(parent)
@@ -44,8 +47,12 @@ def _close_bars(row: ElementTree.Element) -> None:
     """No space beside the bars of ``|x|``, which alone would be infix operators."""
     for element in row:
         if element.tag == "mo" and _text(element) in ("|", "∣", "‖"):
-            element.set("lspace", "0")
-            element.set("rspace", "0")
+            _close(element)
+
+
+def _close(operator: ElementTree.Element) -> None:
+    operator.set("lspace", "0")
+    operator.set("rspace", "0")
 
 
 def _space_functions(row: ElementTree.Element) -> None:

@@ -52,3 +52,8 @@ def test_brackets_operators_and_plain_letters_get_no_space(tex: str) -> None:
 def test_bars_stand_close_to_what_they_enclose() -> None:
     bars = [element for element in elements("|x| = 1") if element.text == "|"]
     assert [(bar.get("lspace"), bar.get("rspace")) for bar in bars] == [("0", "0")] * 2
+
+
+def test_a_sign_by_itself_has_no_operands_to_keep_away_from() -> None:
+    [sign] = [element for element in elements(">") if element.tag == "mo"]
+    assert (sign.get("lspace"), sign.get("rspace")) == ("0", "0")
