@@ -14,7 +14,11 @@ from markdown_it.token import Token
 from site_builder.markdown.typography import UNITS
 
 OPENING = re.compile(r"[(\[“‘]+$")
-CLOSING = re.compile(rf"^(?:[^\s\w(\[“‘]{{1,3}})?(?:[\u00a0\u202f][^\s]+|^ (?:{UNITS})\b)?")
+MARKS = r"^(?:[^\s\w(\[“‘]{1,3})?"
+CLOSING = re.compile(MARKS)
+CLOSING_AND_UNIT = re.compile(rf"{MARKS}(?:[\u00a0\u202f][^\s]+|^ (?:{UNITS})\b)?")
+LONG = 30
+"""Characters of TeX from which a formula may part from its unit: together they fill a phone."""
 
 
 def glue_formulae(tokens: Sequence[Token]) -> None:
@@ -26,7 +30,8 @@ def glue_formulae(tokens: Sequence[Token]) -> None:
                 _take(formula, text, OPENING)
         for formula, text in pairwise(children):
             if text.type == "text" and formula.type == "math_inline":
-                _take(formula, text, CLOSING)
+                long = len(formula.content) > LONG
+                _take(formula, text, CLOSING if long else CLOSING_AND_UNIT)
 
 
 def _take(formula: Token, text: Token, pattern: re.Pattern[str]) -> None:
@@ -37,7 +42,7 @@ def _take(formula: Token, text: Token, pattern: re.Pattern[str]) -> None:
     text.content = text.content[: found.start()] + text.content[found.end() :]
     found_html = escape(found[0].replace(" ", "\u00a0"))
     inner = formula.meta["mathml"].removeprefix('<span class="nowrap">').removesuffix("</span>")
-    outer = inner + found_html if pattern is CLOSING else found_html + inner
+    outer = inner + found_html if pattern is not OPENING else found_html + inner
     formula.meta["mathml"] = f'<span class="nowrap">{outer}</span>'
 
 

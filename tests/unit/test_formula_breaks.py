@@ -34,6 +34,12 @@ def test_closing_marks_brackets_and_units_stay_with_the_formula(source: str, exp
     assert glued(source) == expected
 
 
+def test_a_long_formula_keeps_its_stop_and_lets_its_unit_go() -> None:
+    formula = "x + " * 10 + "x"
+    assert glued(f"${formula}$ mm") == f"<p><math>{formula}</math> mm</p>"
+    assert ",</span>" in glued(f"${formula}$, and")
+
+
 def test_characters_that_mean_something_in_html_are_escaped() -> None:
     assert "&gt;" in glued("$x$> y")
 
