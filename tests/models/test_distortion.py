@@ -266,3 +266,13 @@ def test_with_no_tolerance_at_all_an_ideal_lens_is_still_none():
 @pytest.mark.parametrize("size", [1e-3, 1.0, 1e3])
 def test_a_bow_scales_with_its_curve(size):
     assert line_bow(size * np.array([[0.0, 0], [1, 0.25], [2, 0]])) == pytest.approx(0.25 * size)
+
+
+@pytest.mark.parametrize("axis", [0, 1])
+def test_a_far_point_on_an_axis_stays_on_it_beside_near_ones(axis):
+    far = np.zeros(2)
+    far[axis] = -1e200
+    moved = distort(np.array([far, [0.3, 0.4]]), Distortion(k1=0.1))
+    assert moved[0, axis] == -np.inf
+    assert moved[0, 1 - axis] == 0
+    np.testing.assert_allclose(moved[1], [0.3 * 1.025, 0.4 * 1.025])

@@ -336,3 +336,10 @@ def test_coordinates_beyond_the_range_are_refused(bad):
 def test_pairs_have_two_columns_and_one_row_at_least(shape):
     with pytest.raises(ValueError, match=r"legal: both \(N, 2\)"):
         estimation.estimate_rigid(np.ones(shape), np.ones(shape))
+
+
+def test_the_sign_of_all_entries_does_not_matter_to_inverse_or_condition():
+    assert algebra.condition_number(-np.eye(3)) == pytest.approx(1)
+    assert algebra.invert(-2.0 * np.eye(3)) == pytest.approx(-0.5 * np.eye(3))
+    for size in (1e-200, 1e200):
+        assert algebra.invert(-size * np.eye(3)) * size == pytest.approx(-np.eye(3))

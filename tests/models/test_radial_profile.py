@@ -22,6 +22,8 @@ PROFILES = [
     RadialProfile((-0.05, 0.02, 0.01)),
     RadialProfile((0.2, 0.1), (0.3, 0.05, 0.01)),
     RadialProfile((), (0.1, 0.02)),
+    RadialProfile((0.0, 0.2)),
+    RadialProfile((0.0, 0.0, 0.1), (0.0, 0.2)),
     RadialProfile((1.0,), (2.0,)),  # rises for ever, and tends to r/2
 ]
 
@@ -134,3 +136,18 @@ def test_far_out_where_the_cubic_prevails_it_is_a_cube_root():
     found, valid = invert(RadialProfile((2.0,)), [2e30, 2e60])
     assert valid.all()
     np.testing.assert_allclose(found, [1e10, 1e20], rtol=1e-12)
+
+
+@pytest.mark.parametrize("size", [1e-4, 1.0, 1e8])
+def test_a_pole_and_a_peak_are_told_apart_at_any_scale(size):
+    peak, pole = RadialProfile((-1 / 3 / size**2,)), RadialProfile((), (-1 / size**2,))
+    assert fold_radius(peak) == pytest.approx(size)
+    assert largest_image_radius(peak) == pytest.approx(2 / 3 * size)
+    assert fold_radius(pole) == pytest.approx(size)
+    assert largest_image_radius(pole) == math.inf
+
+
+def test_a_slope_that_stays_above_zero_is_no_fold_however_little():
+    """1 − 2 s + (1 + δ) s² is δ at its least."""
+    assert fold_radius(RadialProfile((-2 / 3, (1 + 1e-12) / 5))) == math.inf
+    assert fold_radius(RadialProfile((-2 / 3, (1 - 1e-12) / 5))) == pytest.approx(1, rel=1e-5)

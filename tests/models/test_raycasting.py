@@ -356,3 +356,16 @@ def test_a_sphere_hides_its_form_factor_from_each_point():
 def test_solids_are_finite_and_of_some_size(make, complaint):
     with pytest.raises(ValueError, match=complaint):
         make()
+
+
+@pytest.mark.parametrize("size", [1e-3, 1.0, 1e3])
+def test_scenes_of_any_size_are_seen_alike(size):
+    sphere = Sphere((0.0, 0.5 * size, 0.2 * size), 0.3 * size)
+    hit = intersect(sphere, ORIGIN, AHEAD)
+    assert hit.valid
+    assert hit.distance == pytest.approx((0.5 - math.sqrt(0.05)) * size)
+    box = intersect(Box((0, 0.5 * size, 0), (0.2 * size,) * 3), ORIGIN, AHEAD)
+    assert box.distance == pytest.approx(0.4 * size)
+    distance, valid = intersect_plane((0, 0.5 * size, 0), (0, -1, 0), ORIGIN, AHEAD)
+    assert valid
+    assert distance == pytest.approx(0.5 * size)
