@@ -69,6 +69,18 @@ def quantisation_table(table: NDArray[np.integer], quality: int) -> NDArray[np.i
     return scaled
 
 
+def quantise_coefficients(coefficients: ArrayLike, steps: ArrayLike) -> Array:
+    """Whole multiples of ``steps`` nearest to DCT coefficients (..., 8, 8); ties go outwards.
+
+    That is the rule of the JPEG group's library. A flat block of 8-bit values often lands
+    exactly between two multiples, where the last bit of a sum would decide. Quotients within
+    1e-9 of such a tie count as tied, so that every machine makes the same choice.
+    """
+    quotients = np.asarray(coefficients, float) / np.asarray(steps)
+    codes: Array = np.sign(quotients) * np.floor(np.abs(quotients) + (0.5 + 1e-9))
+    return codes
+
+
 def compress_plane(plane: ArrayLike, table: ArrayLike) -> tuple[Array, float]:
     """One channel in codes, -128 to 127, through transform and rounding.
 
@@ -103,7 +115,7 @@ def compress_plane(plane: ArrayLike, table: ArrayLike) -> tuple[Array, float]:
     padded = np.pad(values, ((0, -height % BLOCK), (0, -width % BLOCK)), mode="edge")
     rows, columns = padded.shape[0] // BLOCK, padded.shape[1] // BLOCK
     blocks = padded.reshape(rows, BLOCK, columns, BLOCK).swapaxes(1, 2)
-    codes = np.rint(block_dct(blocks) / steps)
+    codes = quantise_coefficients(block_dct(blocks), steps)
     decoded = inverse_block_dct(codes * steps).swapaxes(1, 2).reshape(padded.shape)
     return decoded[:height, :width], float(np.mean(codes == 0))
 

@@ -80,15 +80,21 @@ def decompose(H: ArrayLike) -> Parts:
     ------
     ValueError
         If h₃₃ = 0, so that the origin goes to infinity, or if H is singular: there the angle or
-        the shear means nothing.
+        the shear means nothing. Parts beyond 1e±75 are refused too, for their squares overflow.
     """
     matrix = np.array(H, dtype=float)
+    legal = f"H: {matrix.tolist()}; legal: invertible with h₃₃ ≠ 0, parts from 1e-75 to 1e75"
     if matrix[2, 2] == 0.0 or is_singular(matrix):
-        raise ValueError(f"H: {matrix.tolist()}; legal: invertible with h₃₃ ≠ 0")
-    matrix /= matrix[2, 2]
+        raise ValueError(legal)
+    with np.errstate(over="ignore"):
+        matrix /= matrix[2, 2]
+    if np.abs(matrix).max() > 1e75:
+        raise ValueError(legal)
     offset, vanishing = matrix[:2, 2], matrix[2, :2]
     A = matrix[:2, :2] - np.outer(offset, vanishing)
     scale_x = math.hypot(A[0, 0], A[1, 0])
+    if not 1e-75 < scale_x < 1e75:
+        raise ValueError(legal)
     angle_rad = math.atan2(A[1, 0], A[0, 0])
     scale_y = float(np.linalg.det(A)) / scale_x
     shear = float(A[:, 0] @ A[:, 1]) / scale_x**2

@@ -18,6 +18,7 @@ from simulations.models.compression import (
     block_dct,
     inverse_block_dct,
     quantisation_table,
+    quantise_coefficients,
 )
 from simulations.models.demosaicing import psnr_db
 from simulations.pictures.balloon import balloon
@@ -93,7 +94,7 @@ def encode(planes: Floats, quality: float, subsampling: str) -> Coded:
 
 
 def _codes(plane: Floats, table: NDArray[np.integer]) -> Codes:
-    return np.rint(block_dct(to_blocks(plane)) / table).astype(np.int64)
+    return quantise_coefficients(block_dct(to_blocks(plane)), table).astype(np.int64)
 
 
 def decode(coded: Coded, planes: Floats, quality: float, subsampling: str) -> Floats:

@@ -142,3 +142,10 @@ def test_the_picture_is_clipped_and_its_zeros_are_those_of_all_channels():
     coarse = compression.quantisation_table(compression.LUMINANCE_TABLE, 5)
     # Grey has no colour differences: those two channels are zero throughout.
     assert zeros == pytest.approx((compression.compress_plane(luma, coarse)[1] + 2) / 3)
+
+
+def test_a_coefficient_between_two_steps_goes_outwards_however_it_was_summed():
+    nearly = np.array([2.5 - 1e-12, 2.5, 2.5 + 1e-12, -2.5 + 1e-12, 2.4, 0.0])
+    np.testing.assert_array_equal(
+        compression.quantise_coefficients(16.0 * nearly, 16.0), [3, 3, 3, -3, 2, 0]
+    )
