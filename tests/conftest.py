@@ -8,12 +8,18 @@ from pathlib import Path
 from typing import Any
 
 import pytest
+from hypothesis import settings
 from playwright.sync_api import Browser, sync_playwright
 from support.chromium import HOW_TO, find_chromium, launch_arguments
 from support.reader import Reader
 from support.static_server import StaticServer, serving
 
 ROOT = Path(__file__).resolve().parents[1]
+
+# The same examples in every run: a change is judged by its own failures. To look for new ones,
+# run `pytest --hypothesis-profile=default`.
+settings.register_profile("repeatable", derandomize=True, deadline=None)
+settings.load_profile("repeatable")
 
 
 def pytest_addoption(parser: pytest.Parser) -> None:

@@ -3,6 +3,9 @@
 from hypothesis import HealthCheck, settings
 
 settings.register_profile(
-    "properties", max_examples=60, deadline=None, suppress_health_check=[HealthCheck.too_slow]
+    "properties",
+    parent=settings.get_profile("repeatable"),
+    max_examples=60,
+    suppress_health_check=[HealthCheck.too_slow],
 )
 settings.load_profile("properties")
