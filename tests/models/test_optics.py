@@ -305,3 +305,8 @@ def test_lenses_faster_than_f_1_exist():
     assert axial_chromatic_mm(GLASS, 50, 0.95, LINE_D_UM) == 0
     assert field_of_view_rad(0.5, 0.25) == pytest.approx(field_of_view_rad(50, 25))
     assert depth_of_field(0.5, 2, 10, 1e-3)[0] < 10
+
+
+def test_the_cats_eye_is_the_same_on_both_sides_of_the_axis():
+    left, right = mechanical_vignetting([-0.7, 0.7], 5.0, 6.0, 10.0)
+    assert left == right < 0.6

@@ -328,3 +328,10 @@ def test_a_field_of_view_is_the_same_in_any_unit():
     for unit in (1e-3, 1.0, 1e3):
         angle = projection.field_of_view(50.0 * unit, 36.0 * unit)
         assert angle == pytest.approx(2 * math.atan(18 / 50))
+
+
+def test_lines_and_planes_vanish_where_their_opposites_do():
+    assert vanishing.vanishing_point((-1.0, -2.0, -4.0), K)[0] == pytest.approx(
+        vanishing.vanishing_point((1.0, 2.0, 4.0), K)[0]
+    )
+    assert not vanishing.horizon((1e-17, 0, -1), projection.intrinsics(1.0, (0, 0)))[1]

@@ -324,3 +324,9 @@ def test_a_bend_is_found_on_either_side():
         assert bend == pytest.approx(0.1)
     sampled = preservation._sample(np.array([[[0.0, 0], [8, 4]]]))
     assert sampled[0].tolist() == [[i, i / 2] for i in range(9)]
+
+
+def test_the_margin_of_clipping_is_a_share_of_the_largest_terms_hidden_ones_too():
+    """At x = −5 the terms of w = 1 + x add up to 6 in size, so that the cut lies at w = 0.6."""
+    visible = clip_to_visible(TILTED, [(-5.0, 0), (1, 0), (1, 1), (-5, 1)], w_minimum=0.1)
+    assert visible[:, 0].min() == pytest.approx(-0.4)
