@@ -94,7 +94,8 @@ def depth_of_field(
     _check_lens(focal_mm, f_number, focus_mm)
     _check_positive("coc_mm", coc_mm)
     tolerance_per_mm = coc_mm * f_number / focal_mm * (1.0 - focal_mm / focus_mm) / focal_mm
-    nearest = 1.0 / (1.0 / focus_mm + tolerance_per_mm)
+    near_vergence = 1.0 / focus_mm + tolerance_per_mm
+    nearest = 1.0 / near_vergence if near_vergence > 0.0 else np.inf  # both may underflow
     # At the hyperfocal distance itself the difference is zero but for rounding.
     far_vergence = 1.0 / focus_mm - tolerance_per_mm
     furthest = 1.0 / far_vergence if far_vergence > 1e-15 * tolerance_per_mm else np.inf
@@ -110,7 +111,7 @@ def hyperfocal(focal_mm: float, f_number: float, coc_mm: float) -> float:
     _check_positive("coc_mm", coc_mm)
     if not f_number > 0.0:
         raise ValueError(f"f_number {f_number!r}: must be positive (inf is a pinhole)")
-    return focal_mm * (focal_mm / (f_number * coc_mm)) + focal_mm
+    return focal_mm * (focal_mm / f_number / coc_mm) + focal_mm  # the product may underflow
 
 
 def field_of_view_rad(focal_mm: float, sensor_mm: float) -> float:
