@@ -343,3 +343,14 @@ def test_the_sign_of_all_entries_does_not_matter_to_inverse_or_condition():
     assert algebra.invert(-2.0 * np.eye(3)) == pytest.approx(-0.5 * np.eye(3))
     for size in (1e-200, 1e200):
         assert algebra.invert(-size * np.eye(3)) * size == pytest.approx(-np.eye(3))
+
+
+@pytest.mark.parametrize("far", [1e74, -1e74])
+def test_parts_run_from_1e_minus_75_to_1e75(far):
+    assert algebra.decompose(transforms.translation(far, 0)).tx == far
+    with pytest.raises(ValueError, match="parts from"):
+        algebra.decompose(transforms.translation(100 * far, 0))
+    small = transforms.similarity(1e-74, 0.0, 0.0, 0.0)
+    assert algebra.decompose(small).scale_x == pytest.approx(1e-74)
+    with pytest.raises(ValueError, match="parts from"):
+        algebra.decompose(transforms.similarity(1e-76, 0.0, 0.0, 0.0))
