@@ -93,6 +93,10 @@ def run(
 
 
 def _why(stage: Stage) -> str:
-    read = ", ".join(stage.reads) or "no parameter"
-    upstream = f"; follows {', '.join(stage.inputs)}" if stage.inputs else ""
-    return f"reads {read}{upstream}"
+    """What the stage depends on, in words for the page."""
+    parts = []
+    if stage.reads:
+        parts.append("reads " + ", ".join(name.replace("_", " ") for name in stage.reads))
+    if stage.inputs:
+        parts.append("follows " + ", ".join(stage.inputs))
+    return "; ".join(parts) or "depends on nothing"
