@@ -69,16 +69,15 @@ def quantisation_table(table: NDArray[np.integer], quality: int) -> NDArray[np.i
     return scaled
 
 
-def quantise_coefficients(coefficients: ArrayLike, steps: ArrayLike) -> Array:
-    """Whole multiples of ``steps`` nearest to DCT coefficients (..., 8, 8); ties go outwards.
+def round_outwards(values: ArrayLike) -> Array:
+    """The nearest whole numbers; halves go away from zero, as in the JPEG group's library.
 
-    That is the rule of the JPEG group's library. A flat block of 8-bit values often lands
-    exactly between two multiples, where the last bit of a sum would decide. Quotients within
-    1e-9 of such a tie count as tied, so that every machine makes the same choice.
+    Sums of 8-bit values often land exactly between two whole numbers, where the last bit would
+    decide. What lies within 1e-9 of a half counts as one, so that every machine agrees.
     """
-    quotients = np.asarray(coefficients, float) / np.asarray(steps)
-    codes: Array = np.sign(quotients) * np.floor(np.abs(quotients) + (0.5 + 1e-9))
-    return codes
+    exact = np.asarray(values, float)
+    whole: Array = np.sign(exact) * np.floor(np.abs(exact) + (0.5 + 1e-9))
+    return whole
 
 
 def compress_plane(plane: ArrayLike, table: ArrayLike) -> tuple[Array, float]:
@@ -115,7 +114,7 @@ def compress_plane(plane: ArrayLike, table: ArrayLike) -> tuple[Array, float]:
     padded = np.pad(values, ((0, -height % BLOCK), (0, -width % BLOCK)), mode="edge")
     rows, columns = padded.shape[0] // BLOCK, padded.shape[1] // BLOCK
     blocks = padded.reshape(rows, BLOCK, columns, BLOCK).swapaxes(1, 2)
-    codes = quantise_coefficients(block_dct(blocks), steps)
+    codes = round_outwards(block_dct(blocks) / steps)
     decoded = inverse_block_dct(codes * steps).swapaxes(1, 2).reshape(padded.shape)
     return decoded[:height, :width], float(np.mean(codes == 0))
 
@@ -128,8 +127,9 @@ def compress(srgb: ArrayLike, quality: int) -> tuple[Array, float]:
     """
     with np.errstate(over="ignore"):  # what overflows is refused with its plane
         luma, *differences = np.moveaxis(255 * rgb_to_ycbcr(srgb), -1, 0)
+    fine = quantisation_table(LUMINANCE_TABLE, quality)
     coarse = quantisation_table(CHROMINANCE_TABLE, quality)
-    done = [compress_plane(np.rint(luma) - 128, quantisation_table(LUMINANCE_TABLE, quality))]
-    done += [compress_plane(np.rint(plane), coarse) for plane in differences]
+    done = [compress_plane(round_outwards(luma) - 128, fine)]
+    done += [compress_plane(round_outwards(plane), coarse) for plane in differences]
     ycbcr = np.stack([done[0][0] + 128, done[1][0], done[2][0]], axis=-1) / 255
     return np.clip(ycbcr_to_rgb(ycbcr), 0, 1), float(np.mean([zeros for _, zeros in done]))

@@ -18,7 +18,7 @@ from simulations.models.compression import (
     block_dct,
     inverse_block_dct,
     quantisation_table,
-    quantise_coefficients,
+    round_outwards,
 )
 from simulations.models.demosaicing import psnr_db
 from simulations.pictures.balloon import balloon
@@ -94,7 +94,7 @@ def encode(planes: Floats, quality: float, subsampling: str) -> Coded:
 
 
 def _codes(plane: Floats, table: NDArray[np.integer]) -> Codes:
-    return quantise_coefficients(block_dct(to_blocks(plane)), table).astype(np.int64)
+    return round_outwards(block_dct(to_blocks(plane)) / table).astype(np.int64)
 
 
 def decode(coded: Coded, planes: Floats, quality: float, subsampling: str) -> Floats:
@@ -163,12 +163,15 @@ def _entropy_bits(counts: Floats) -> float:
 
 
 def _original() -> Floats:
-    """(H, W, 3) sRGB of the balloon, in whole codes of 255."""
-    return np.asarray(np.rint(255 * encode_srgb(balloon())) / 255)
+    """(H, W, 3) sRGB of the balloon, in whole codes of 255.
+
+    Encoded in float64: powers of float32 differ between machines by enough to move a code.
+    """
+    return np.asarray(np.rint(255 * encode_srgb(balloon().astype(np.float64))) / 255)
 
 
 def _planes(original: Floats) -> Floats:
-    planes = np.rint(255 * np.moveaxis(rgb_to_ycbcr(original), -1, 0))
+    planes = round_outwards(255 * np.moveaxis(rgb_to_ycbcr(original), -1, 0))
     planes[0] -= 128
     return np.asarray(planes)
 

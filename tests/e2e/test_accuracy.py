@@ -119,3 +119,16 @@ def test_no_error_stands_beside_a_frame_that_it_does_not_belong_to(
     set_slider(figure, "k1", 0.2, release=False)
     reader.wait_frame(figure, frames)
     assert figure.locator(".accuracy-value").inner_text() == "…"
+
+
+def test_a_refused_setting_leaves_the_list_of_stages_ready_for_the_next(
+    reader: Reader, open_figure: OpenFigure
+) -> None:
+    """Focused nearer than its focal length a lens makes no picture, and no stage is run."""
+    figure = open_figure("depth-of-field")
+    for focus in (0.05, 3.0):
+        frames = reader.frames(figure)
+        set_slider(figure, "focus", focus, release=True)
+        reader.wait_frame(figure, frames)
+        assert figure.get_attribute("data-state") == "live"
+    assert figure.locator(".stages > ol > li:not([hidden])").count() > 5
