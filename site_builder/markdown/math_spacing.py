@@ -13,6 +13,7 @@ FUNCTIONS = {
     "sin", "cos", "tan", "cot", "arcsin", "arccos", "arctan", "sinh", "cosh", "tanh",
     "exp", "log", "ln", "lg", "det", "dim", "ker", "deg", "arg", "tr",
 }  # fmt: skip
+TIGHT = {"|", "∣", "‖", "/"}
 THIN = "0.167em"
 
 
@@ -24,7 +25,7 @@ def space_formula(tree: ElementTree.Element) -> None:
     for parent in list(tree.iter()):
         if parent.tag in ("math", "mrow", "mtd", "mstyle", "msqrt"):
             _mark_prefixes(parent)
-            _close_bars(parent)
+            _close_tight(parent)
             _space_functions(parent)
 
 
@@ -43,10 +44,11 @@ def _opens(element: ElementTree.Element | None) -> bool:
     return element is None or (element.tag == "mo" and _text(element) not in CLOSING)
 
 
-def _close_bars(row: ElementTree.Element) -> None:
-    """No space beside the bars of ``|x|``, which alone would be infix operators."""
+def _close_tight(row: ElementTree.Element) -> None:
+    """No space beside the bars of ``|x|``, a slash, or an operator that is alone, as ``max`` in a
+    subscript: browsers' own spaces differ there."""
     for element in row:
-        if element.tag == "mo" and _text(element) in ("|", "∣", "‖"):
+        if element.tag == "mo" and (_text(element) in TIGHT or len(row) == 1):
             _close(element)
 
 

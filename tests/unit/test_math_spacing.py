@@ -54,6 +54,12 @@ def test_bars_stand_close_to_what_they_enclose() -> None:
     assert [(bar.get("lspace"), bar.get("rspace")) for bar in bars] == [("0", "0")] * 2
 
 
+@pytest.mark.parametrize(("tex", "tight"), [("1/400", "/"), ("f_{\\max}", "max")])
+def test_slashes_and_operators_in_a_subscript_get_no_space(tex: str, tight: str) -> None:
+    spaces = [(e.get("lspace"), e.get("rspace")) for e in elements(tex) if e.text == tight]
+    assert spaces == [("0", "0")]
+
+
 def test_a_sign_by_itself_has_no_operands_to_keep_away_from() -> None:
     [sign] = [element for element in elements(">") if element.tag == "mo"]
     assert (sign.get("lspace"), sign.get("rspace")) == ("0", "0")
