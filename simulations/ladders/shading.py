@@ -6,7 +6,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from simulations.engine.ladder import Ladder, Metric, Tier
-from simulations.models.reflectance import blinn_phong, normalise, phong
+from simulations.models.cell_blending import blend_cells, blend_normals
+from simulations.models.reflectance import blinn_phong, phong
 
 type Floats = NDArray[np.floating]
 
@@ -56,24 +57,13 @@ def blinn_phong_pixels(normals: Floats) -> Floats:
 def gouraud(normals: Floats, *, grid: int) -> Floats:
     """Phong's light at the grid's corners, blended across each cell (Gouraud 1971)."""
     corners = normals[:: INTERVALS // grid, :: INTERVALS // grid]
-    return _blend(phong_pixels(corners)[..., None])[..., 0]
+    return blend_cells(phong_pixels(corners), *normals.shape[:2])
 
 
 def blended_normals(normals: Floats, *, grid: int) -> Floats:
     """Normals blended across each cell and lit in every pixel (Phong 1975)."""
     corners = normals[:: INTERVALS // grid, :: INTERVALS // grid]
-    return phong_pixels(normalise(_blend(corners)))
-
-
-def _blend(corners: Floats) -> Floats:
-    """(grid + 1, grid + 1, C) to (257, 257, C), linear in rows and columns, dtype kept."""
-    pixels = np.arange(INTERVALS + 1, dtype=np.float32) * ((len(corners) - 1) / INTERVALS)
-    cell = np.minimum(pixels.astype(np.int32), len(corners) - 2)
-    share = (pixels - cell)[:, None, None]
-    rows = corners[cell] + share * (corners[cell + 1] - corners[cell])
-    columns = np.swapaxes(rows, 0, 1)
-    wide: Floats = columns[cell] + share * (columns[cell + 1] - columns[cell])
-    return np.swapaxes(wide, 0, 1)
+    return phong_pixels(blend_normals(corners, *normals.shape[:2]))
 
 
 def rms(result: Floats, truth: Floats, _normals: Floats) -> float:
