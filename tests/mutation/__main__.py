@@ -2,7 +2,8 @@
 
 A seeded sample of each module's mutants (``SAMPLE=all`` for every one) is run against the tests
 of that module. Mutants that no test can notice are listed, with the reason, in
-``equivalent.txt``, and left out of the score. The scores go into ``score.txt``.
+``equivalent.txt``, and left out of the score. The score of all mutants goes into ``score.txt``;
+that of a sample is only printed, but for one that was drawn to be held out (``--held-out``).
 
 Why not a ready-made tool: those rewrite the working copy or start pytest anew for each mutant,
 and know nothing of axes, tolerances or trigonometry.
@@ -10,12 +11,11 @@ and know nothing of axes, tolerances or trigonometry.
 
 import argparse
 import random
-import re
-from collections.abc import Iterable
-from dataclasses import dataclass
+from dataclasses import replace
 from pathlib import Path
 
 from mutation.mutants import Mutant, mutants
+from mutation.scores import Row, Score, read_table, write_table
 from mutation.trial import MODELS, survives, tests_of, used_s, warm_up
 
 HERE = Path(__file__).parent
@@ -23,33 +23,6 @@ SCORES = HERE / "score.txt"
 EQUIVALENT = HERE / "equivalent.txt"
 SLOWDOWN = 10
 """A mutant may take this many times as long as the unchanged module, and 5 s more."""
-
-
-@dataclass(frozen=True, slots=True)
-class Score:
-    """What became of the mutants of one module."""
-
-    module: str
-    """Name of the module in `simulations.models`."""
-    mutants: int
-    """How many there are."""
-    equivalent: int
-    """How many of those tried are listed as equivalent."""
-    killed: int
-    """How many of those tried a test has noticed."""
-    survived: int
-    """How many no test has noticed."""
-
-    def line(self) -> str:
-        tried = self.killed + self.survived
-        share = f"{100 * self.killed / tried:.0f} %" if tried else "—"
-        return (
-            f"{self.module:22}{self.mutants:8}{self.equivalent + tried:8}{self.equivalent:12}"
-            f"{self.killed:8}{self.survived:10}{share:>8}"
-        )
-
-
-HEADING = f"{'module':22}{'mutants':>8}{'sample':>8}{'equivalent':>12}{'killed':>8}{'survived':>10}"
 
 
 def name(module: str, mutant: Mutant) -> str:
@@ -61,14 +34,17 @@ def read_equivalent() -> set[str]:
     return {line for line in lines if line and not line.startswith("#")}
 
 
+def sampled(module: str, everything: list[Mutant], sample: int | None, seed: int) -> list[Mutant]:
+    """So many of all mutants, in their order; a larger sample of a seed holds the smaller one."""
+    order = list(range(len(everything)))
+    random.Random(f"{seed} {module}").shuffle(order)
+    return [everything[index] for index in sorted(order[:sample])]
+
+
 def judge(module: str, sample: int | None, seed: int, equivalent: set[str]) -> Score | None:
     source = (MODELS / f"{module}.py").read_text("utf-8")
     everything, tests = list(mutants(source)), tests_of(module)
-    chosen = everything
-    if sample is not None and sample < len(everything):
-        order = list(range(len(everything)))
-        random.Random(f"{seed} {module}").shuffle(order)  # a larger sample holds the smaller one
-        chosen = [everything[index] for index in sorted(order[:sample])]
+    chosen = sampled(module, everything, sample, seed)
     known = {name(module, mutant) for mutant in everything}
     for line in sorted(line for line in equivalent - known if line.startswith(f"{module}.")):
         print(f"equivalent.txt: no such mutant: {line}")
@@ -82,18 +58,16 @@ def judge(module: str, sample: int | None, seed: int, equivalent: set[str]) -> S
     left = [mutant for mutant in counted if survives(module, mutant.source, tests, limit_s)]
     for mutant in left:
         print(f"\n  - {mutant.before}\n  + {name(module, mutant)}", flush=True)
-    skipped, killed = len(chosen) - len(counted), len(counted) - len(left)
-    return Score(module, len(everything), skipped, killed, len(left))
+    return Score(len(chosen), len(chosen) - len(counted), len(left))
 
 
-def write(lines: Iterable[str], how: str) -> None:
-    """Scores of the modules just judged replace theirs; those of others stay."""
-    old = SCORES.read_text("utf-8").splitlines() if SCORES.exists() else []
-    found = {line.split()[0]: line for line in old if re.match(r"[a-z]\w+ +\d", line)}
-    found |= {line.split()[0]: f"{line}   {how}" for line in lines}
-    title = "Mistakes in simulations/models that the tests notice; written by `make mutants`."
-    rows = [found[module] for module in sorted(found) if (MODELS / f"{module}.py").exists()]
-    SCORES.write_text("\n".join([title, "", f"{HEADING}   score", *rows]) + "\n", "utf-8")
+def record(module: str, score: Score, held_out: bool) -> None:
+    """Put one score into its half of the table; all others stay."""
+    rows = read_table(SCORES)
+    rows = {name: row for name, row in rows.items() if (MODELS / f"{name}.py").exists()}
+    half = {"held_out": score} if held_out else {"all": score}
+    rows[module] = replace(rows.get(module, Row()), **half)
+    write_table(SCORES, rows)
 
 
 def main() -> int:
@@ -102,19 +76,20 @@ def main() -> int:
     parser.add_argument("--sample", default="30", help="mutants per module, or: all")
     parser.add_argument("--seed", type=int, default=1)
     parser.add_argument("--module", action="append", choices=modules, default=[])
-    parser.add_argument("--dry", action="store_true", help="leave score.txt as it is")
+    parser.add_argument("--held-out", action="store_true", help="record this sample in score.txt")
     asked = parser.parse_args()
     sample = None if asked.sample == "all" else int(asked.sample)
-    how = "all" if sample is None else f"seed {asked.seed}"
-    equivalent, lines = read_equivalent(), []
-    print(HEADING + "   score")
+    equivalent = read_equivalent()
     for module in asked.module or modules:
         if not (score := judge(module, sample, asked.seed, equivalent)):
             continue
-        lines.append(score.line())
-        print(lines[-1], flush=True)
-        if not asked.dry:
-            write(lines, how)
+        print(
+            f"{module:22}{score.mutants:5} mutants{score.equivalent:4} equivalent"
+            f"{score.noticed:5} noticed{score.survived:4} survived{score.share:>8}",
+            flush=True,
+        )
+        if sample is None or asked.held_out:
+            record(module, score, asked.held_out)
     return 0
 
 

@@ -1,4 +1,4 @@
-"""Small, plausible mistakes in a Python module: one changed constant, sign or comparison each.
+"""Small, plausible mistakes in a Python module: one constant, sign, comparison, order or index.
 
 Numbers in messages, annotations and decorators are left alone: no test of a model is meant to
 see those. Source: DeMillo, Lipton, Sayward, *Hints on test data selection*, 1978.
@@ -8,6 +8,8 @@ import ast
 from collections.abc import Iterator
 from dataclasses import dataclass
 from itertools import zip_longest
+
+from mutation.calls import other_calls
 
 UNTOUCHED = (ast.Raise, ast.JoinedStr, ast.TypeAlias, ast.Import, ast.ImportFrom)
 UNTOUCHED_FIELDS = ("annotation", "returns", "decorator_list", "type_params")
@@ -36,15 +38,8 @@ OPERATOR: dict[type, type] = {
     ast.BitAnd: ast.BitOr,
     ast.BitOr: ast.BitAnd,
 }
-FUNCTION_PAIRS = (
-    "min max|minimum maximum|argmin argmax|fmin fmax|sin cos|arcsin arccos|asin acos|sinh cosh"
-    "|floor ceil|any all|zeros ones|exp log|zeros_like ones_like"
-)
-FUNCTION = {
-    name: other
-    for pair in FUNCTION_PAIRS.split("|")
-    for name, other in (pair.split(), pair.split()[::-1])
-} | {"tan": "sin", "rint": "floor", "round": "floor", "arctan": "sin", "atan": "sin"}
+TRANSPOSED = ("T", "mT")
+PRODUCT = (ast.Mult, ast.Div, ast.MatMult, ast.Pow)
 
 
 @dataclass(frozen=True, slots=True)
@@ -86,6 +81,8 @@ def _replaced(tree: ast.Module, old: ast.AST, new: ast.AST) -> ast.Module:
 def _changed_line(right: str, wrong: str) -> tuple[str, str]:
     pairs = zip_longest(right.splitlines(), wrong.splitlines(), fillvalue="")
     before, after = next(pair for pair in pairs if pair[0] != pair[1])
+    if after.strip() == "pass":
+        after = f"pass  # {before.strip()}"
     return before.strip(), after.strip()
 
 
@@ -97,6 +94,8 @@ def _mutations(node: ast.AST, place: str) -> Iterator[tuple[str, ast.AST, ast.AS
         place = f"{place}.{node.name}".lstrip(".")
     for new in _alternatives(node):
         yield place, node, new
+    for part, new in _alternatives_of_parts(node):
+        yield place, part, new
     for field, value in ast.iter_fields(node):
         if field in UNTOUCHED_FIELDS:
             continue
@@ -122,11 +121,53 @@ def _alternatives(node: ast.AST) -> Iterator[ast.AST]:
         case ast.Compare():
             yield from _other_comparisons(node)
         case ast.Call():
-            yield from _other_calls(node)
-        case ast.Tuple(elts=[first, second, *rest], ctx=ast.Load()) if not _is_spread(node):
-            yield ast.Tuple([second, first, *rest], node.ctx)
-        case ast.List(elts=[first, second, *rest], ctx=ast.Load()):
-            yield ast.List([second, first, *rest], node.ctx)
+            yield from other_calls(node)
+        case ast.Attribute(attr=name) if name in TRANSPOSED:
+            yield node.value
+        case ast.Slice():
+            yield from _other_slices(node)
+        case ast.Tuple(ctx=ast.Load()) if not _is_spread(node):
+            yield from (ast.Tuple(order, node.ctx) for order in _other_orders(node.elts))
+        case ast.List(ctx=ast.Load()):
+            yield from (ast.List(order, node.ctx) for order in _other_orders(node.elts))
+        case ast.Constant(value="xyz" | "XYZ" | "RGB" as axes):
+            yield ast.Constant(axes[1] + axes[0] + axes[2])
+
+
+def _alternatives_of_parts(node: ast.AST) -> Iterator[tuple[ast.AST, ast.AST]]:
+    """Mistakes that are seen only from above: (child, what may stand in its place)."""
+    match node:
+        case ast.If(test=ast.Name() | ast.Attribute() | ast.Call() as test):
+            yield test, ast.UnaryOp(ast.Not(), test)
+        case ast.IfExp(test=ast.Name() | ast.Attribute() | ast.Call() as test):
+            yield test, ast.UnaryOp(ast.Not(), test)
+    is_product = isinstance(node, ast.BinOp) and isinstance(node.op, PRODUCT)
+    for child in ast.iter_child_nodes(node):
+        match child:
+            case ast.BinOp(op=ast.Mult() | ast.Div()) if not is_product:
+                yield child, ast.UnaryOp(ast.USub(), child)
+            case ast.Expr(value=ast.Call()) | ast.Assign(targets=[ast.Subscript()]):
+                yield child, ast.Pass()
+
+
+def _other_orders(items: list[ast.expr]) -> Iterator[list[ast.expr]]:
+    """Neighbours exchanged: any two of a vector, the first two of a longer table."""
+    for index in range(len(items) - 1 if len(items) <= 4 else 1):
+        first, second = items[index : index + 2]
+        yield [*items[:index], second, first, *items[index + 2 :]]
+
+
+def _other_slices(node: ast.Slice) -> Iterator[ast.AST]:
+    """A bound forgotten. Constants in bounds are changed as constants elsewhere are."""
+    if node.lower and not _is_number(node.lower):
+        yield ast.Slice(None, node.upper, node.step)
+    if node.upper and not _is_number(node.upper):
+        yield ast.Slice(node.lower, None, node.step)
+
+
+def _is_number(node: ast.expr) -> bool:
+    bare = node.operand if isinstance(node, ast.UnaryOp) else node
+    return isinstance(bare, ast.Constant)
 
 
 def _is_spread(node: ast.Tuple) -> bool:
@@ -153,16 +194,3 @@ def _other_comparisons(node: ast.Compare) -> Iterator[ast.AST]:
             if other := table.get(type(operator)):
                 ops = [*node.ops[:index], other(), *node.ops[index + 1 :]]
                 yield ast.Compare(node.left, ops, node.comparators)
-
-
-def _other_calls(node: ast.Call) -> Iterator[ast.AST]:
-    match node.func:
-        case ast.Attribute(attr=name) if name in FUNCTION:
-            swapped = ast.Attribute(node.func.value, FUNCTION[name], ast.Load())
-            yield ast.Call(swapped, node.args, node.keywords)
-        case ast.Name(id=name) if name in FUNCTION:
-            yield ast.Call(ast.Name(FUNCTION[name], ast.Load()), node.args, node.keywords)
-        case ast.Attribute(attr="abs") | ast.Name(id="abs"):
-            yield node.args[0]
-        case ast.Attribute(attr="arctan2" | "atan2") if len(node.args) == 2:
-            yield ast.Call(node.func, node.args[::-1], node.keywords)

@@ -5,29 +5,50 @@ from pathlib import Path
 import pytest
 from mutation import trial
 from mutation.mutants import mutants
+from mutation.scores import Row, Score, read_table, write_table
 from mutation.trial import MODELS, survives
 
 
 def after(line: str) -> set[str]:
-    return {mutant.after for mutant in mutants(line)}
+    """What becomes of a statement; ``= …`` stands for an expression that is used."""
+    used = line.startswith("= ")
+    found = {mutant.after for mutant in mutants(f"used {line}" if used else line)}
+    return {after.removeprefix("used = ") for after in found} if used else found
 
 
 @pytest.mark.parametrize(
     ("line", "mistakes"),
     [
         ("a + 2", {"a - 2", "a + 3", "a + 1"}),
-        ("-x * y", {"x * y", "-x / y"}),
+        ("-x * y", {"x * y", "-x / y", "-(-x * y)"}),
+        ("(x * y / z) ** n", {"(x / y / z) ** n", "(x * y * z) ** n", "x * y / z * n"}),
         ("a < b", {"a <= b", "a >= b"}),
         ("a and (not b)", {"a or not b", "a and b"}),
-        ("f(x, axis=-1)", {"f(x, axis=1)", "f(x, axis=-2)", "f(x, axis=-0)"}),
+        ("= f(x, axis=-1)", {"f(x, axis=1)", "f(x, axis=-2)", "f(x, axis=-0)"}),
         ("x[1:]", {"x[2:]", "x[0:]"}),
+        ("x[a:b]", {"x[:b]", "x[a:]"}),
         ("x[i, j]", {"x[j, i]"}),
+        ("(a, b, c)", {"(b, a, c)", "(a, c, b)"}),
+        ("[a, b, c, d, e]", {"[b, a, c, d, e]"}),
         ("A @ B", {"B @ A"}),
-        ("np.sin(x)", {"np.cos(x)"}),
-        ("max(a, b)", {"min(a, b)"}),
-        ("math.floor(x)", {"math.ceil(x)"}),
-        ("np.arctan2(y, x)", {"np.arctan2(x, y)"}),
-        ("abs(x)", {"x"}),
+        ("R.T", {"R"}),
+        ("= np.moveaxis(x, a, b)", {"x", "np.moveaxis(x, b, a)"}),
+        ("= 'xyz'", {"'yxz'"}),
+        ("= project(a, b, c)", {"project(b, a, c)", "project(a, c, b)"}),
+        ("= np.cross(a, b)", {"np.cross(b, a)"}),
+        ("= np.where(c, a, b)", {"np.where(c, b, a)"}),
+        ("= np.add(a, b)", set()),
+        ("if neutral: a", {"if not neutral:"}),
+        ("a if neutral else b", {"a if not neutral else b"}),
+        ("check(x)", {"pass  # check(x)"}),
+        ("x[i] = y", {"pass  # x[i] = y"}),
+        ("= np.sin(x)", {"np.cos(x)"}),
+        ("= np.sqrt(x)", {"x"}),
+        ("= x.sum()", {"x.mean()"}),
+        ("= max(a, b)", {"min(a, b)"}),
+        ("= math.floor(x)", {"math.ceil(x)"}),
+        ("= np.arctan2(y, x)", {"np.arctan2(x, y)"}),
+        ("= abs(x)", {"x"}),
         ("1e-12", {"1e-09"}),
         ("2.0", {"2.2"}),
         ("0.0", {"1.0"}),
@@ -40,7 +61,13 @@ def test_every_small_mistake_is_made_once(line: str, mistakes: set[str]) -> None
 
 @pytest.mark.parametrize(
     "line",
-    ['"""1 + 1"""', "raise ValueError(f'{x + 1}')", "x: A[1]", "f'{a + 1}'", "zip(a, strict=True)"],
+    [
+        '"""1 + 1"""',
+        "raise ValueError(f'{x + 1}')",
+        "x: A[1]",
+        "f'{a + 1}'",
+        "= zip(a, strict=True)",
+    ],
 )
 def test_words_types_and_messages_are_left_alone(line: str) -> None:
     assert after(line) == set()
@@ -80,3 +107,17 @@ def test_an_endless_mutant_is_noticed(tmp_path: Path) -> None:
 
 def test_every_model_has_tests_of_its_own_or_of_a_model_that_uses_it() -> None:
     assert [path.stem for path in MODELS.glob("[!_]*.py") if not trial.tests_of(path.stem)] == []
+
+
+def test_scores_are_read_as_they_were_written_and_summed(tmp_path: Path) -> None:
+    file = tmp_path / "score.txt"
+    assert read_table(file) == {}
+    rows = {
+        "both": Row(Score(30, 0, 3), Score(200, 5, 1)),
+        "held_out_alone": Row(Score(10, 0, 1), None),
+        "all_alone": Row(None, Score(7, 7, 0)),
+    }
+    write_table(file, rows)
+    assert read_table(file) == rows
+    total = file.read_text("utf-8").splitlines()[-1].split()
+    assert total == ["total", "40", "36", "90.0%", "207", "12", "194", "1", "99.5%"]
