@@ -10,7 +10,7 @@ from simulations.engine.extreme import (
     near,
     refused,
 )
-from simulations.models import compression
+from simulations.models import chroma_subsampling, compression, jpeg, jpeg_size
 
 JPEG = (
     "max(max(t) for t in (lambda b: [Image.new('L', (8, 8)).save(b, 'JPEG', quality={}), "
@@ -20,7 +20,14 @@ JPEG = (
 TABLE = ExtremeTable(
     id="compression",
     title="Compression",
-    names={**vars(compression), "inf": np.inf, "nan": np.nan},
+    names={
+        **vars(compression),
+        **vars(chroma_subsampling),
+        **vars(jpeg),
+        **vars(jpeg_size),
+        "inf": np.inf,
+        "nan": np.nan,
+    },
     cases=(
         ExtremeCase(
             id="single-pixel",
@@ -120,6 +127,52 @@ TABLE = ExtremeTable(
             returns="8, the sum of squares of the block: the basis is orthonormal.",
             expected=near(8.0),
             library=LibraryAnswer("np.sum(scipy.fft.dctn(np.eye(8), norm='ortho') ** 2)", "8"),
+        ),
+        ExtremeCase(
+            id="odd-colour",
+            call="coarsen([[1.0, 3.0, 5.0]], (2, 2))",
+            why="Three columns and one row: the last cell of 2 × 2 holds one pixel of picture.",
+            returns="[2, 5]: the border is repeated, so that the mean is of pixels that exist.",
+            expected=exactly(np.array([[2.0, 5.0]])),
+            naive="np.array([[1.0, 3.0, 5.0]]).reshape(0, 2, 1, 2).mean(axis=(1, 3))",
+        ),
+        ExtremeCase(
+            id="one-pixel-of-colour",
+            call="decode(encode(np.full((3, 1, 1), 16.0), 100, '4:2:0')).shape",
+            why="A picture of one pixel, at a quarter of its colours.",
+            returns="One pixel again.",
+            expected=exactly((1, 1, 3)),
+        ),
+        ExtremeCase(
+            id="unknown-subsampling",
+            call="compress(np.zeros((8, 8, 3)), 50, '4:1:0')",
+            why="A name that some video formats use, but no JPEG of ours.",
+            returns="Refused, with the names there are.",
+            expected=refused("4:1:0", "4:2:0"),
+        ),
+        ExtremeCase(
+            id="stripes-of-colour",
+            call="np.ptp(to_planes(compress(np.where(np.arange(16)[:, None] % 2, [0.6, 0.4, 0.4], "
+            "[0.4, 0.4, 0.6]) * np.ones((16, 1, 1)), 100, '4:2:0')[0])[1:], axis=(1, 2))",
+            why="Columns of two colours in turns, finer than the cells, at the best quality.",
+            returns="Rounding is all that is left of differences of 35 and 30 codes: both get "
+            "their mean, and only luma still tells them apart.",
+            expected=lambda got: got.max() <= 2,
+        ),
+        ExtremeCase(
+            id="nothing-to-say",
+            call="symbol_bits([np.zeros((4, 4, 8, 8), int)])",
+            why="One symbol only: its rarity is 1, and 0 · log 0 is lost in all the others.",
+            returns="0 bits: what is certain need not be said.",
+            expected=exactly(0.0),
+            naive="-np.sum(np.array([1.0, 0.0]) * np.log2([1.0, 0.0]))",
+        ),
+        ExtremeCase(
+            id="code-without-symbol",
+            call="symbol_bits([np.full((1, 1, 8, 8), 2**15)])",
+            why="A symbol has four bits for the length of its coefficient, and this one has 16.",
+            returns="Refused: it would be counted as another symbol.",
+            expected=refused("32768", "legal"),
         ),
     ),
 )

@@ -1,17 +1,20 @@
-"""JPEG's lossy core: 8x8 blocks, a cosine transform, and division by a table.
+"""JPEG's lossy core, one plane: 8x8 blocks, a cosine transform, and division by a table.
 
-Szeliski, 2nd ed., section 2.3.3; ITU-T T.81, annex K, and the scaling of the tables by
-quality of the Independent JPEG Group. Nothing here is entropy coded: a code that is 0 costs
-almost nothing to store, so the share of zeros stands for the size.
+Whole pictures: `simulations.models.jpeg`. Szeliski, 2nd ed., section 2.3.3; ITU-T T.81, annex K,
+and the scaling of the tables by quality of the Independent JPEG Group.
 """
+
+from collections.abc import Callable
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from simulations.models.color import rgb_to_ycbcr, ycbcr_to_rgb
 from simulations.models.floats import as_floats
 
 type Array = NDArray[np.floating]
+type Codes = NDArray[np.int64]
+type Transform = Callable[[Array], Array]
+"""What takes blocks (..., 8, 8) to their 64 coefficients each."""
 
 BLOCK = 8
 
@@ -80,19 +83,38 @@ def round_outwards(values: ArrayLike) -> Array:
     return whole
 
 
-def compress_plane(plane: ArrayLike, table: ArrayLike) -> tuple[Array, float]:
-    """One channel in codes, -128 to 127, through transform and rounding.
+def to_blocks(plane: ArrayLike) -> Array:
+    """(H, W) as (rows, columns, 8, 8), the border repeated to whole blocks."""
+    values = as_floats(plane)
+    height, width = values.shape
+    padded = np.pad(values, ((0, -height % BLOCK), (0, -width % BLOCK)), mode="edge")
+    rows, columns = padded.shape[0] // BLOCK, padded.shape[1] // BLOCK
+    return padded.reshape(rows, BLOCK, columns, BLOCK).swapaxes(1, 2)
+
+
+def from_blocks(blocks: ArrayLike, height: int, width: int) -> Array:
+    """The inverse of `to_blocks`, cut to the plane's size."""
+    values = as_floats(blocks)
+    rows, columns = values.shape[:2]
+    plane = values.swapaxes(1, 2).reshape(rows * BLOCK, columns * BLOCK)
+    return plane[:height, :width]
+
+
+def quantise_plane(plane: ArrayLike, table: ArrayLike, transform: Transform = block_dct) -> Codes:
+    """The whole numbers that JPEG keeps of one channel in codes, -128 to 127.
 
     Parameters
     ----------
     plane : (H, W)
-        Any size from 1x1: the border is repeated to whole blocks, and cut off again.
+        Any size from 1x1: the border is repeated to whole blocks.
     table : (8, 8)
         Quantisation steps.
+    transform
+        The cosine transform, or a faster approximation of it.
 
     Returns
     -------
-    (H, W) the plane as decoded, and the share of its coefficients that became 0.
+    (rows, columns, 8, 8) coefficients of each block, divided by their steps and rounded.
 
     Raises
     ------
@@ -110,26 +132,18 @@ def compress_plane(plane: ArrayLike, table: ArrayLike) -> tuple[Array, float]:
     steps = as_floats(table)
     if not np.all((steps >= 1e-3) & np.isfinite(steps)):
         raise ValueError(f"table has a step of {steps.min()}; legal: 0.001 or more, finite")
-    height, width = values.shape
-    padded = np.pad(values, ((0, -height % BLOCK), (0, -width % BLOCK)), mode="edge")
-    rows, columns = padded.shape[0] // BLOCK, padded.shape[1] // BLOCK
-    blocks = padded.reshape(rows, BLOCK, columns, BLOCK).swapaxes(1, 2)
-    codes = round_outwards(block_dct(blocks) / steps)
-    decoded = inverse_block_dct(codes * steps).swapaxes(1, 2).reshape(padded.shape)
-    return decoded[:height, :width], float(np.mean(codes == 0))
+    return round_outwards(transform(to_blocks(values)) / steps).astype(np.int64)
 
 
-def compress(srgb: ArrayLike, quality: int) -> tuple[Array, float]:
-    """A picture (H, W, 3) of sRGB values in [0, 1] as JPEG would give it back.
+def restore_plane(codes: NDArray[np.integer], table: ArrayLike, height: int, width: int) -> Array:
+    """The plane (H, W) that a decoder makes of the codes of `quantise_plane`."""
+    return from_blocks(inverse_block_dct(codes * as_floats(table)), height, width)
 
-    Colour differences are kept at full size (4:4:4). Returns the picture, clipped to [0, 1],
-    and the share of zero coefficients.
+
+def compress_plane(plane: ArrayLike, table: ArrayLike) -> tuple[Array, float]:
+    """The plane (H, W) as decoded, and the share of its coefficients that became 0.
+
+    Parameters and errors as for `quantise_plane`.
     """
-    with np.errstate(over="ignore"):  # what overflows is refused with its plane
-        luma, *differences = np.moveaxis(255 * rgb_to_ycbcr(srgb), -1, 0)
-    fine = quantisation_table(LUMINANCE_TABLE, quality)
-    coarse = quantisation_table(CHROMINANCE_TABLE, quality)
-    done = [compress_plane(round_outwards(luma) - 128, fine)]
-    done += [compress_plane(round_outwards(plane), coarse) for plane in differences]
-    ycbcr = np.stack([done[0][0] + 128, done[1][0], done[2][0]], axis=-1) / 255
-    return np.clip(ycbcr_to_rgb(ycbcr), 0, 1), float(np.mean([zeros for _, zeros in done]))
+    codes = quantise_plane(plane, table)
+    return restore_plane(codes, table, *np.shape(plane)), float(np.mean(codes == 0))

@@ -8,11 +8,14 @@ from simulations.engine.frame import Frame, Panel, Readout, format_number, reado
 from simulations.engine.pipeline import StageCache, run
 from simulations.engine.raster import to_rgba8
 from simulations.engine.scene import Scene
+from simulations.models.chroma_subsampling import SUBSAMPLING
 from simulations.models.compression import BLOCK
+from simulations.models.jpeg import Coded
+from simulations.models.jpeg_size import Size
 from simulations.pictures.balloon import HEIGHT as ROWS_PX
 from simulations.pictures.balloon import WIDTH as COLUMNS_PX
 from simulations.scenes import jpeg_drawing as drawing
-from simulations.scenes.jpeg_stages import STAGES, SUBSAMPLING, Coded, Size
+from simulations.scenes.jpeg_stages import STAGES
 
 BLOCK_COLUMNS, BLOCK_ROWS = COLUMNS_PX // BLOCK, ROWS_PX // BLOCK
 

@@ -11,7 +11,16 @@ from hypothesis import strategies as st
 from support.float_range import any_float, arrays, ask, finite_float
 
 from simulations.engine.raster import to_rgba8
-from simulations.models import color, compression, demosaicing, reflectance, sampling, sensor
+from simulations.models import (
+    color,
+    compression,
+    demosaicing,
+    jpeg,
+    reflectance,
+    sampling,
+    sensor,
+)
+from simulations.models.chroma_subsampling import SUBSAMPLING
 
 light = st.floats(0.0, 1e30)
 
@@ -152,5 +161,6 @@ def test_transfer_functions_are_shares_or_refused(frequency, width):
 def test_planes_are_compressed_to_finite_values_or_refused(plane, step):
     answer = ask(compression.compress_plane, plane, np.full((8, 8), step))
     assert answer is None or np.isfinite(answer[0]).all()
-    picture = ask(compression.compress, np.repeat(plane[..., None], 3, axis=2), 75)
-    assert picture is None or ((picture[0] >= 0.0) & (picture[0] <= 1.0)).all()
+    for subsampling in SUBSAMPLING:
+        picture = ask(jpeg.compress, np.repeat(plane[..., None], 3, axis=2), 75, subsampling)
+        assert picture is None or ((picture[0] >= 0.0) & (picture[0] <= 1.0)).all()
