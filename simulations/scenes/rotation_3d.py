@@ -5,6 +5,7 @@ from level flight, R = I, to the attitude of the first.
 """
 
 import math
+from collections.abc import Iterator
 from dataclasses import dataclass
 
 import numpy as np
@@ -14,6 +15,7 @@ from simulations.engine.frame import (
     Frame,
     Panel,
     Readout,
+    format_magnitude,
     format_number,
     matrix_readout,
     readout,
@@ -21,6 +23,7 @@ from simulations.engine.frame import (
 from simulations.engine.pipeline import Stage, StageCache, run
 from simulations.engine.scene import Scene
 from simulations.models import euler, quaternions
+from simulations.models.quaternion_blends import BLENDS, bisected_arc, turn_between_rad
 from simulations.models.rotation_paths import off_great_circle, rate_axes
 from simulations.scenes import rotation_rings, rotation_sphere
 from simulations.scenes.aircraft import Floats
@@ -28,6 +31,7 @@ from simulations.scenes.rotation_sphere import LABELS, LEVEL, Way
 
 LOST = 1e-6
 """Singular value below which a direction of turning counts as lost."""
+DEFAULT_TIER = "slerp"
 ROUNDING = 1e-14
 """Departure from a rotation that rounding explains; the digits below differ by machine."""
 
@@ -51,8 +55,6 @@ class Attitude:
     """(3, 3) body to world."""
     q: Floats
     """(4,) the same as a unit quaternion."""
-    ways: dict[str, Way]
-    """From level flight to here, by name."""
     smallest: float
     """Smallest singular value of the Jacobian of the angles."""
 
@@ -65,23 +67,30 @@ def attitude(yaw: float, pitch: float, roll: float) -> Attitude:
     # Exactly half a turn has two shortest ways; rounding must not be what picks one.
     q = quaternions.canonical(np.where(np.abs(q) < 1e-12, 0.0, q))
     smallest = float(np.linalg.svd(rate_axes("ZYX", angles_rad))[1][2])
-    return Attitude(angles_rad, R, q, rotation_sphere.ways(angles_rad, R, q), smallest)
+    return Attitude(angles_rad, R, q, smallest)
+
+
+def ways(here: Attitude, tier: str) -> dict[str, Way]:
+    """From level flight to the attitude, by name."""
+    return rotation_sphere.ways(here.angles_rad, here.R, here.q, tier)
 
 
 STAGES = (
     Stage("attitude", ("yaw", "pitch", "roll"), attitude),
     Stage("rings", (), lambda here: rotation_rings.draw(*here.angles_rad), ("attitude",)),
-    Stage("traces", (), lambda here: rotation_sphere.traces_of(here.ways), ("attitude",)),
+    Stage("ways", ("tier",), ways, ("attitude",)),
+    Stage("traces", (), rotation_sphere.traces_of, ("ways",)),
 )
 
 
-def render(values: Values, tier: str, cache: StageCache) -> Frame:  # noqa: ARG001 - no tiers
+def render(values: Values, tier: str, cache: StageCache) -> Frame:
     """The attitude in its rings, and the aircraft on its way there."""
-    done = run(STAGES, values, cache)
+    done = run(STAGES, values, cache, {"tier": tier or DEFAULT_TIER})
     here: Attitude = done.outputs["attitude"]
+    there: dict[str, Way] = done.outputs["ways"]
     share, chosen = values.number("t"), values.choice("blend")
-    blend = here.ways[chosen](share)
-    off_rad = off_great_circle(quaternions.from_matrix(here.ways["euler"](share)), LEVEL, here.q)
+    blend = there[chosen](share)
+    off_rad = off_great_circle(quaternions.from_matrix(there["euler"](share)), LEVEL, here.q)
     return Frame(
         panels=(
             Panel(
@@ -96,13 +105,24 @@ def render(values: Values, tier: str, cache: StageCache) -> Frame:  # noqa: ARG0
                 "From level flight to that attitude: the way of the nose",
                 rotation_sphere.WIDTH,
                 rotation_sphere.HEIGHT,
-                overlay=rotation_sphere.draw(here.ways, done.outputs["traces"], chosen, share),
+                overlay=rotation_sphere.draw(there, done.outputs["traces"], chosen, share),
             ),
         ),
         readouts=_readouts(here, blend, off_rad),
         description=describe(values, here.smallest, off_rad, blend),
         stages=done.reports,
     )
+
+
+def error(values: Values, tier: str, cache: StageCache) -> Iterator[Readout]:
+    """How far the quaternions' way, as drawn, is from even speed on the arc; found at once."""
+    here: Attitude = run(STAGES[:1], values, cache).outputs["attitude"]
+    share = np.linspace(0.0, 1.0, rotation_sphere.STEPS + 1)
+    off_rad = turn_between_rad(
+        BLENDS[tier](LEVEL, here.q, share), bisected_arc(LEVEL, here.q, share)
+    )
+    text = format_magnitude(math.degrees(float(off_rad.max())), 1e-12)
+    yield Readout("error", "Largest error on the quaternions' way", text, "°", "error")
 
 
 def _readouts(here: Attitude, blend: Floats, off_rad: float) -> tuple[Readout, ...]:
@@ -156,4 +176,14 @@ def describe(values: Values, smallest: float, off_rad: float, blend: Floats) -> 
     )
 
 
-SCENE = Scene(id="rotation-3d", title="3D Rotation", controls=CONTROLS, render=render)
+SCENE = Scene(
+    id="rotation-3d",
+    title="3D Rotation",
+    controls=CONTROLS,
+    render=render,
+    tiers=tuple(BLENDS),
+    default_tier=DEFAULT_TIER,
+    draft_tier=DEFAULT_TIER,
+    ladder="rotation-interpolation",
+    error=error,
+)

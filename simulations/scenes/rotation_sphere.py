@@ -12,8 +12,8 @@ from numpy.typing import ArrayLike
 
 from simulations.engine.drawing import circle, dot, line, path, text
 from simulations.models import quaternions
+from simulations.models.quaternion_blends import BLENDS
 from simulations.models.rotation_paths import euler_blend, matrix_blend
-from simulations.models.rotations import slerp
 from simulations.scenes import aircraft
 from simulations.scenes.aircraft import Floats
 from simulations.scenes.rotation_rings import pieces
@@ -21,6 +21,8 @@ from simulations.scenes.rotation_rings import pieces
 WIDTH, HEIGHT = 400.0, 400.0
 CENTRE, RADIUS = (200.0, 212.0), 150.0
 STEPS = 60
+MARK_EVERY = 6
+"""Steps from one mark to the next on the quaternions' way: even marks are an even speed."""
 LEVEL = np.array([1.0, 0.0, 0.0, 0.0])
 
 ROLES = {"slerp": "ray", "euler": "error", "matrix": "image"}
@@ -30,10 +32,14 @@ MANNERS = {"slerp": "bold", "euler": "dashed", "matrix": "thin"}
 type Way = Callable[[ArrayLike], Floats]
 
 
-def ways(angles_rad: Sequence[float], R: Floats, q: Floats) -> dict[str, Way]:
-    """From shares (...), 0 at level flight and 1 at the attitude, to matrices (..., 3, 3)."""
+def ways(angles_rad: Sequence[float], R: Floats, q: Floats, tier: str) -> dict[str, Way]:
+    """From shares (...), 0 at level flight and 1 at the attitude, to matrices (..., 3, 3).
+
+    The tier, one of `BLENDS`, is how the quaternions are blended.
+    """
+    blend = BLENDS[tier]
     return {
-        "slerp": lambda share: quaternions.to_matrix(slerp(LEVEL, q, share)),
+        "slerp": lambda share: quaternions.to_matrix(blend(LEVEL, q, share)),
         "euler": lambda share: euler_blend("ZYX", (0.0, 0.0, 0.0), angles_rad, share),
         "matrix": lambda share: matrix_blend(np.eye(3), R, share),
     }
@@ -60,6 +66,7 @@ def draw(
             *(_trace(traces[name], name, front=False) for name in traces),
             *_craft(blends[chosen], chosen),
             *(_trace(traces[name], name, front=True) for name in traces),
+            *(dot(place, ROLES["slerp"], 2.0) for place in _marks(traces["slerp"])),
             *_ends(traces["slerp"]),
             *beads,
             *_legend(chosen),
@@ -93,6 +100,12 @@ def _globe() -> Iterator[str]:
 def _trace(points: Floats, name: str, *, front: bool) -> str:
     style = f"{ROLES[name]} {MANNERS[name]}" + ("" if front else " faint")
     return path(pieces(points, front=front), style)
+
+
+def _marks(trace: Floats) -> Floats:
+    """(n, 3) places between the ends, those on the near side."""
+    places = trace[MARK_EVERY:-1:MARK_EVERY]
+    return places[places[:, 2] >= 0]
 
 
 def _ends(trace: Floats) -> Iterator[str]:

@@ -6,13 +6,13 @@ from scipy.spatial.transform import Rotation, Slerp
 
 from simulations.ladders.rotation_interpolation import (
     LADDER,
-    STRAIGHT,
     errors_deg,
     prepare,
     reference,
     worst_deg,
     worst_small_deg,
 )
+from simulations.models.quaternion_blends import STRAIGHT
 
 WORK = prepare()
 TRUTH = reference(WORK)

@@ -6,13 +6,21 @@ from scipy.spatial.transform import Rotation
 
 from simulations.engine.controls import check_values
 from simulations.engine.pipeline import StageCache
+from simulations.ladders.rotation_interpolation import LADDER
 from simulations.scenes import aircraft
-from simulations.scenes.rotation_3d import SCENE, attitude
+from simulations.scenes.rotation_3d import SCENE, attitude, ways
 from simulations.scenes.rotation_rings import pieces, rings
 
 
-def frame(cache=None, **values):
-    return SCENE.render(check_values(SCENE.controls, values), "", cache or StageCache())
+def frame(cache=None, tier="", **values):
+    return SCENE.render(check_values(SCENE.controls, values), tier, cache or StageCache())
+
+
+def judged(tier, **values):
+    """The last estimate of the error, as shown."""
+    *_, last = SCENE.error(check_values(SCENE.controls, values), tier, StageCache())
+    assert last.unit == "°"
+    return last.text
 
 
 def texts(shown):
@@ -119,3 +127,49 @@ def test_moving_along_the_way_leaves_the_rings_alone():
     assert after.panels[0].overlay is before.panels[0].overlay
     assert {stage.status for stage in after.stages} == {"reused"}
     assert after.panels[1].overlay != before.panels[1].overlay
+
+
+def test_the_tiers_are_the_rungs_of_the_ladder_and_start_at_its_default():
+    assert SCENE.tiers == tuple(tier.id for tier in LADDER.tiers)
+    assert SCENE.default_tier == LADDER.default_tier == SCENE.draft_tier
+    assert frame().panels == frame(tier=LADDER.default_tier).panels
+
+
+@pytest.mark.parametrize("tier", SCENE.tiers)
+def test_the_aircraft_is_where_the_tier_puts_it(tier):
+    """Away from the middle, where all of them agree; at 170° a straight line errs by degrees."""
+    here = attitude(170.0, 0.0, 0.0)
+    turned = ways(here, tier)["slerp"](0.2)
+    angle_deg = np.degrees(np.arctan2(turned[1, 0], turned[0, 0]))
+    arc = np.radians(170 / 2)
+    chord_deg = np.degrees(2 * np.arctan2(0.2 * np.sin(arc), 0.8 + 0.2 * np.cos(arc)))
+    expected, within = {"nlerp": (chord_deg, 1e-9), "paced-nlerp": (34, 0.05)}.get(tier, (34, 1e-9))
+    assert angle_deg == pytest.approx(expected, abs=within)
+
+
+def test_the_straight_line_is_seen_to_hurry_and_the_paced_one_is_not():
+    default, straight = (
+        frame(tier=tier, yaw=170, pitch=0, roll=0, t=0.2).panels[1].overlay
+        for tier in ("slerp", "nlerp")
+    )
+    assert default != straight
+    angles = frame(blend="euler", tier="nlerp", t=0.2), frame(blend="euler", t=0.2)
+    assert texts(angles[0]) == texts(angles[1]), "another way's numbers are untouched"
+
+
+def test_the_error_of_a_straight_line_is_that_of_its_chord():
+    """Half a turn: the places at share s of the chord are seen at atan2(s, 1 - s) of the arc."""
+    shares = np.linspace(0, 1, 61)
+    off = np.degrees(2 * np.abs(np.arctan2(shares, 1 - shares) - shares * np.pi / 2))
+    assert judged("nlerp", yaw=180, pitch=0, roll=0) == f"{off.max():.2f}"
+
+
+def test_slerp_errs_by_rounding_alone():
+    for angles in ({}, {"yaw": 180, "pitch": 0, "roll": 0}, {"yaw": 0, "pitch": 0, "roll": 0}):
+        assert judged("slerp", **angles) == "under 10⁻¹²"
+
+
+def test_each_rung_errs_less_than_the_one_before():
+    errors = [judged(tier, yaw=3, pitch=0, roll=0) for tier in SCENE.tiers]
+    assert errors[0] == errors[2], "3° is below the threshold: the straight line"
+    assert [judged(tier, yaw=120) for tier in SCENE.tiers[2:]] == ["under 10⁻¹²"] * 2
