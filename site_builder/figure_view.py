@@ -114,11 +114,12 @@ def schema(still: Still) -> dict[str, object]:
 
 
 def tier_labels(scene: Scene) -> tuple[tuple[str, str], ...]:
-    """Each tier and what the reader sees of it: its ladder's words, or the scene's own."""
+    """Each tier and what the reader sees of it: the scene's own words, or its ladder's."""
+    labels = dict(scene.tier_labels)
     if scene.ladder:
         ladder = load_ladder(scene.ladder)
-        return tuple((tier, ladder.tier(tier).label) for tier in scene.tiers)
-    return tuple((tier, scene.tier_labels[tier]) for tier in scene.tiers)
+        labels = {tier: ladder.tier(tier).label for tier in scene.tiers} | labels
+    return tuple((tier, labels[tier]) for tier in scene.tiers)
 
 
 def count_stages(stages: Sequence[StageReport]) -> str:

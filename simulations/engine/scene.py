@@ -32,7 +32,7 @@ class Scene:
     ladder: str = ""
     """The ladder that the tiers are rungs of: it labels them and tells what they cost."""
     tier_labels: Mapping[str, str] = field(default_factory=dict)
-    """What the reader sees of tiers that belong to no ladder."""
+    """What the reader sees of tiers that belong to no ladder, or that its words do not fit here."""
     error: Judge | None = None
     """How far a frame in this tier is from the truth, with a unit. Asked only while nothing
     moves, one step at a time: each step is short and yields a better estimate than the last."""
@@ -52,5 +52,8 @@ class Scene:
         for name in self.drafted:
             if name not in names:
                 raise ValueError(f"scene {self.id!r}: drafted {name!r}; legal: {names}")
-        if self.tiers and not self.ladder and set(self.tier_labels) != set(self.tiers):
+        labelled = set(self.tier_labels)
+        if not labelled <= set(self.tiers):
+            raise ValueError(f"scene {self.id!r}: labels {labelled}; legal: {self.tiers}")
+        if self.tiers and not self.ladder and labelled != set(self.tiers):
             raise ValueError(f"scene {self.id!r}: tiers {self.tiers} have no ladder to label them")

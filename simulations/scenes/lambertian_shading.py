@@ -6,25 +6,31 @@ computed for every pixel in linear light and then encoded for the screen.
 """
 
 import math
-from dataclasses import dataclass
+from collections.abc import Iterator
 
 import numpy as np
-from numpy.typing import NDArray
 
 from simulations.engine.controls import Slider, Toggle, Values
-from simulations.engine.frame import Frame, Panel, readout
+from simulations.engine.frame import Frame, Panel, Readout, readout
 from simulations.engine.pipeline import Stage, StageCache, run
-from simulations.engine.raster import to_rgba8
 from simulations.engine.scene import Scene
-from simulations.models.color import encode_srgb, encode_srgb_table
+from simulations.models.color import encode_srgb
 from simulations.models.reflectance import lambert
 from simulations.scenes import lambertian_drawing as drawing
-
-type Picture = NDArray[np.float32]
-type Mask = NDArray[np.bool_]
-
-PIXELS_PER_UNIT = 1.25
-"""Raster pixels per unit of the view box."""
+from simulations.scenes.ball import (
+    DEFAULT_TIER,
+    TIER_LABELS,
+    TIERS,
+    Ball,
+    Floats,
+    build_ball,
+    judge,
+    light_direction,
+    light_of_pixels,
+    lit_normals,
+    paint,
+    true_cosine,
+)
 
 CONTROLS = (
     Slider(
@@ -44,88 +50,22 @@ CONTROLS = (
 )
 
 
-@dataclass(frozen=True, slots=True)
-class Ball:
-    """What of the picture does not depend on any control."""
-
-    normals: Picture
-    """(h, w, 3) unit normals in the square around the sphere; z towards the camera."""
-    inner: Mask
-    """(h, w) pixels that the sphere covers whole."""
-    rim: Mask
-    """(h, w) pixels that it covers in part."""
-    rim_coverage: Picture
-    """(rim pixels, 1) share that it covers."""
-    behind_rim: Picture
-    """(rim pixels, 3) linear light of the wall there."""
-    backdrop: NDArray[np.uint8]
-    """(H, W, 4) the wall alone."""
-    square: tuple[slice, slice]
-    """Where the square lies in the picture."""
-
-
-def build_ball() -> Ball:
-    """Normals, edge coverage and backdrop, once."""
-    scale, radius = PIXELS_PER_UNIT, drawing.RADIUS * PIXELS_PER_UNIT
-    height, width = round(drawing.HEIGHT * scale), round(drawing.WIDTH * scale)
-    x = np.arange(width, dtype=np.float32) + 0.5 - drawing.CENTRE[0] * scale
-    y = drawing.CENTRE[1] * scale - np.arange(height, dtype=np.float32) - 0.5
-    rows, columns = (np.flatnonzero(np.abs(axis) < radius + 1) for axis in (y, x))
-    square = (slice(rows[0], rows[-1] + 1), slice(columns[0], columns[-1] + 1))
-    across, up = np.meshgrid(x[square[1]], y[square[0]])
-    distance = np.hypot(across, up)
-    # Rim pixels whose centre is outside take the normal of the nearest point of the rim.
-    outer = np.maximum(distance, radius)
-    depth = np.sqrt(np.maximum(radius**2 - distance**2, 0))
-    normals = np.stack([across / outer, up / outer, depth / outer], axis=-1)
-    coverage = np.clip(radius - distance + 0.5, 0, 1).astype(np.float32)
-    rim = (coverage > 0) & (coverage < 1)
-    wall = _wall(x, y)
-    return Ball(
-        normals=normals.astype(np.float32),
-        inner=coverage == 1,
-        rim=rim,
-        rim_coverage=coverage[rim][:, None],
-        behind_rim=wall[square][rim],
-        backdrop=to_rgba8(encode_srgb(wall)),
-        square=square,
-    )
-
-
-def _wall(x: Picture, y: Picture) -> Picture:
-    """A slate wall in linear light, a little lighter behind the sphere."""
-    distance = np.hypot(x, y[:, None]) / (drawing.WIDTH * PIXELS_PER_UNIT)
-    level = 0.105 - 0.085 * np.minimum(distance, 0.8)
-    wall: Picture = (level[..., None] * np.array([0.92, 1.0, 1.12])).astype(np.float32)
-    return wall
-
-
-def shade(ball: Ball, light_angle: float, albedo: float) -> NDArray[np.uint8]:
-    """The picture, (H, W, 4) bytes. Only the rim mixes sphere and wall, in linear light."""
-    brightness = lambert(ball.normals, light_direction(light_angle), albedo)
-    picture = ball.backdrop.copy()
-    sphere = picture[ball.square]
-    sphere[ball.inner] = to_rgba8(encode_srgb_table(brightness))[ball.inner]
-    on_rim = brightness[ball.rim][:, None]
-    mixed = ball.behind_rim + ball.rim_coverage * (on_rim - ball.behind_rim)
-    sphere[ball.rim] = to_rgba8(encode_srgb_table(mixed)[None])[0]
-    return picture
-
-
-def light_direction(angle_deg: float) -> NDArray[np.float64]:
-    """Unit vector in the horizontal plane: 0° from the camera, 90° from the right."""
-    angle_rad = math.radians(angle_deg)
-    return np.array([math.sin(angle_rad), 0.0, math.cos(angle_rad)])
+def _shade(normals: Floats, ball: Ball, light_angle: float, albedo: float) -> Floats:
+    """(h, w) linear light of the ball's pixels."""
+    return light_of_pixels(lambert(normals, light_direction(light_angle), albedo), ball)
 
 
 STAGES = (
     Stage("ball", (), build_ball),
-    Stage("shade", ("light_angle", "albedo"), shade, ("ball",)),
+    Stage("normals", ("tier",), lit_normals, ("ball",)),
+    Stage("shade", ("light_angle", "albedo"), _shade, ("normals", "ball")),
+    Stage("picture", (), paint, ("ball", "shade")),
 )
 
 
-def render(values: Values, tier: str, cache: StageCache) -> Frame:  # noqa: ARG001 - no tiers
-    done = run(STAGES, values, cache)
+def render(values: Values, tier: str, cache: StageCache) -> Frame:
+    """The ball, its plan and the curve; the tier is where light is computed on the ball."""
+    done = run(STAGES, values, cache, {"tier": tier or DEFAULT_TIER})
     light_rad = math.radians(values.number("light_angle"))
     probe_rad = math.radians(values.number("probe"))
     albedo = values.number("albedo")
@@ -145,7 +85,7 @@ def render(values: Values, tier: str, cache: StageCache) -> Frame:  # noqa: ARG0
         for name, title, raster, overlay in zip(
             ("camera", "above", "curve"),
             titles,
-            (done.outputs["shade"], None, None),
+            (done.outputs["picture"], None, None),
             overlays,
             strict=True,
         )
@@ -158,6 +98,16 @@ def render(values: Values, tier: str, cache: StageCache) -> Frame:  # noqa: ARG0
         readout("code", "Pixel value (sRGB)", code, "of 255", digits=0, role="image"),
     )
     return Frame(panels, readouts, describe(values, theta_rad, code), done.reports)
+
+
+def error(values: Values, tier: str, cache: StageCache) -> Iterator[Readout]:
+    """How far the light of this picture is from Lambert's law in float64; found at once."""
+    done = run(STAGES, values, cache, {"tier": tier or DEFAULT_TIER})
+    ball: Ball = done.outputs["ball"]
+    truth = values.number("albedo") * np.maximum(
+        true_cosine(ball, values.number("light_angle")), 0.0
+    )
+    yield judge(ball, done.outputs["shade"], truth)
 
 
 def describe(values: Values, theta_rad: float, code: int) -> str:
@@ -181,4 +131,15 @@ def describe(values: Values, theta_rad: float, code: int) -> str:
     return f"A matte sphere is lit {light}; the normal at the probed point {point}."
 
 
-SCENE = Scene(id="lambertian-shading", title="Lambertian Shading", controls=CONTROLS, render=render)
+SCENE = Scene(
+    id="lambertian-shading",
+    title="Lambertian Shading",
+    controls=CONTROLS,
+    render=render,
+    tiers=TIERS,
+    default_tier=DEFAULT_TIER,
+    draft_tier=DEFAULT_TIER,
+    ladder="shading",
+    tier_labels=TIER_LABELS,
+    error=error,
+)

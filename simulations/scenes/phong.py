@@ -6,6 +6,7 @@ lamp's colour from the skin itself, so only the red part of a pixel holds both i
 """
 
 import math
+from collections.abc import Iterator
 from dataclasses import dataclass
 
 import numpy as np
@@ -14,13 +15,23 @@ from numpy.typing import NDArray
 from simulations.engine.controls import Choice, Slider, Values
 from simulations.engine.frame import Frame, Panel, Readout, readout
 from simulations.engine.pipeline import Stage, StageCache, run
-from simulations.engine.raster import to_rgba8
 from simulations.engine.scene import Scene
-from simulations.models.color import encode_srgb_table
 from simulations.models.reflectance import blinn_phong, lambert, phong
 from simulations.scenes import phong_drawing as drawing
+from simulations.scenes.ball import (
+    DEFAULT_TIER,
+    TIER_LABELS,
+    TIERS,
+    Ball,
+    build_ball,
+    judge,
+    light_direction,
+    light_of_pixels,
+    lit_normals,
+    paint,
+    true_cosine,
+)
 from simulations.scenes.lambertian_drawing import HEIGHT, WIDTH
-from simulations.scenes.lambertian_shading import Ball, build_ball, light_direction
 
 type Floats = NDArray[np.floating]
 
@@ -92,30 +103,26 @@ def half_width_rad(model: str, shininess: float) -> float:
     return 2 * half if model == "blinn_phong" else half
 
 
-def _shine(ball: Ball, light_angle: float, shininess: float, model: str) -> Floats:
-    return highlight(ball.normals, light_angle, np.array(VIEW), model, shininess)
+def _shine(normals: Floats, ball: Ball, light_angle: float, shininess: float, model: str) -> Floats:
+    """(h, w) the highlight, for a strength of 1."""
+    return light_of_pixels(highlight(normals, light_angle, np.array(VIEW), model, shininess), ball)
 
 
-def _matte(ball: Ball, light_angle: float) -> Floats:
-    """(h, w, 3) the ball without its highlight, linear RGB."""
-    return lambert(ball.normals, light_direction(light_angle))[..., None] * ALBEDO
+def _matte(normals: Floats, ball: Ball, light_angle: float) -> Floats:
+    """(h, w) the ball without its highlight, for an albedo of 1."""
+    return light_of_pixels(lambert(normals, light_direction(light_angle)), ball)
 
 
 def _picture(ball: Ball, matte: Floats, shine: Floats, specular: float) -> NDArray[np.uint8]:
-    """(H, W, 4) bytes. Only the rim mixes ball and wall, in linear light."""
-    linear = matte + np.float32(specular) * shine[..., None]
-    picture = ball.backdrop.copy()
-    square = picture[ball.square]
-    square[ball.inner] = to_rgba8(encode_srgb_table(linear))[ball.inner]
-    mixed = ball.behind_rim + ball.rim_coverage * (linear[ball.rim] - ball.behind_rim)
-    square[ball.rim] = to_rgba8(encode_srgb_table(mixed)[None])[0]
-    return picture
+    """(H, W, 4) bytes, mixed in linear light."""
+    return paint(ball, matte[..., None] * ALBEDO + np.float32(specular) * shine[..., None])
 
 
 STAGES = (
     Stage("ball", (), build_ball),
-    Stage("matte", ("light_angle",), _matte, ("ball",)),
-    Stage("highlight", ("light_angle", "shininess", "model"), _shine, ("ball",)),
+    Stage("normals", ("tier",), lit_normals, ("ball",)),
+    Stage("matte", ("light_angle",), _matte, ("normals", "ball")),
+    Stage("highlight", ("light_angle", "shininess", "model"), _shine, ("normals", "ball")),
     Stage("picture", ("specular",), _picture, ("ball", "matte", "highlight")),
 )
 
@@ -132,8 +139,9 @@ def lobe(values: Values, model: str) -> Floats:
     return brightness
 
 
-def render(values: Values, tier: str, cache: StageCache) -> Frame:  # noqa: ARG001 - no tiers
-    done = run(STAGES, values, cache)
+def render(values: Values, tier: str, cache: StageCache) -> Frame:
+    """The ball and the lobe; the tier is where light is computed on the ball."""
+    done = run(STAGES, values, cache, {"tier": tier or DEFAULT_TIER})
     model = values.choice("model")
     other = next(name for name in MODELS if name != model)
     light_rad = math.radians(values.number("light_angle"))
@@ -191,6 +199,31 @@ def brightness_at(values: Values) -> tuple[float, float]:
     return float(matte), values.number("specular") * float(shine)
 
 
+def error(values: Values, tier: str, cache: StageCache) -> Iterator[Readout]:
+    """How far the red light of this picture is from the chosen formula in float64."""
+    done = run(STAGES, values, cache, {"tier": tier or DEFAULT_TIER})
+    ball: Ball = done.outputs["ball"]
+    strength = values.number("specular")
+    light = ALBEDO[0] * done.outputs["matte"] + strength * done.outputs["highlight"]
+    yield judge(ball, light, true_light(ball, values))
+
+
+def true_light(ball: Ball, values: Values) -> NDArray[np.float64]:
+    """Red light (h, w) by the angles alone: r · v = 2 (n · l)(n · v) − l · v, and h lies halfway.
+
+    Light and camera exactly opposed light nothing that the camera sees.
+    """
+    angle = values.number("light_angle")
+    n_dot_l = true_cosine(ball, angle)
+    if values.choice("model") == "phong":
+        lobe = 2 * n_dot_l * true_cosine(ball, 0.0) - math.cos(math.radians(angle))
+    else:
+        lobe = true_cosine(ball, angle / 2)
+    shine = np.maximum(lobe, 0.0) ** values.number("shininess")
+    red = float(ALBEDO[0]) * n_dot_l + values.number("specular") * shine
+    return np.where((n_dot_l > 0) & (abs(angle) < 180), red, 0.0)
+
+
 def describe(values: Values, matte: float, shine: float) -> str:
     """The picture in one sentence."""
     angle = values.number("light_angle")
@@ -212,4 +245,15 @@ def describe(values: Values, matte: float, shine: float) -> str:
     )
 
 
-SCENE = Scene(id="phong", title="Phong Reflection", controls=CONTROLS, render=render)
+SCENE = Scene(
+    id="phong",
+    title="Phong Reflection",
+    controls=CONTROLS,
+    render=render,
+    tiers=TIERS,
+    default_tier=DEFAULT_TIER,
+    draft_tier="gouraud-64",
+    ladder="shading",
+    tier_labels=TIER_LABELS,
+    error=error,
+)

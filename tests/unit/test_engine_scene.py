@@ -46,6 +46,21 @@ def test_tiers_need_labels_or_a_ladder_that_has_them() -> None:
     Scene("s", "S", (SIZE,), frame_of, ("fast",), "fast", "fast", ladder="srgb")
 
 
+def test_words_for_a_tier_that_the_scene_lacks_are_refused() -> None:
+    with pytest.raises(ValueError, match=r"labels .'slow'.*legal: .'fast'"):
+        Scene(
+            "s",
+            "S",
+            (SIZE,),
+            frame_of,
+            ("fast",),
+            "fast",
+            "fast",
+            ladder="srgb",
+            tier_labels={"slow": "Slow"},
+        )
+
+
 def test_only_controls_of_the_scene_can_be_drafted() -> None:
     with pytest.raises(ValueError, match="drafted 'sise'"):
         Scene("s", "S", (SIZE,), frame_of, drafted=("sise",))

@@ -1,0 +1,53 @@
+"""What every scene with accuracy choices owes to its ladder and to the page."""
+
+import itertools
+
+import pytest
+
+from simulations.engine.controls import check_values
+from simulations.engine.pipeline import StageCache
+from simulations.registry import SCENE_MODULES, load_ladder, load_scene
+
+SCENES = {name: load_scene(name) for name in SCENE_MODULES}
+TIERED = [name for name, scene in SCENES.items() if scene.tiers]
+RUNGS = [name for name in TIERED if SCENES[name].ladder]
+JUDGED = [name for name, scene in SCENES.items() if scene.error is not None]
+
+
+@pytest.mark.parametrize("name", RUNGS)
+def test_a_scene_settles_where_its_ladder_does(name):
+    assert SCENES[name].default_tier == load_ladder(SCENES[name].ladder).default_tier
+
+
+@pytest.mark.parametrize("name", TIERED)
+def test_a_scene_drags_in_a_tier_no_dearer_than_the_one_it_settles_in(name):
+    scene = SCENES[name]
+    assert scene.tiers.index(scene.draft_tier) <= scene.tiers.index(scene.default_tier)
+
+
+@pytest.mark.parametrize("name", TIERED)
+def test_a_scene_with_tiers_can_be_judged(name):
+    assert name in JUDGED
+
+
+@pytest.mark.parametrize("name", JUDGED)
+def test_every_tier_tells_its_first_error_with_a_number_and_a_unit(name):
+    scene = SCENES[name]
+    given = check_values(scene.controls, {})
+    for tier in scene.tiers or ("",):
+        first = next(scene.error(given, tier, StageCache()))
+        assert first.label
+        assert first.unit
+        assert any(sign.isdigit() for sign in first.text), (tier, first.text)
+
+
+@pytest.mark.parametrize("name", TIERED)
+def test_no_two_tiers_paint_the_same_pixels_by_being_the_same_computation(name):
+    """Their stages read the tier: a choice that changes nothing would be no choice."""
+    scene, cache = SCENES[name], StageCache()
+    given = check_values(scene.controls, {})
+    for one, other in itertools.pairwise(scene.tiers):
+        scene.render(given, one, cache)
+        after = scene.render(given, other, cache)
+        statuses = {stage.status for stage in after.stages}
+        assert not after.stages or statuses != {"reused"}, (one, other)
