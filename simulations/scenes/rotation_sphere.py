@@ -66,7 +66,7 @@ def draw(
             *(_trace(traces[name], name, front=False) for name in traces),
             *_craft(blends[chosen], chosen),
             *(_trace(traces[name], name, front=True) for name in traces),
-            *(dot(place, ROLES["slerp"], 2.0) for place in _marks(traces["slerp"])),
+            *_marks(traces["slerp"]),
             *_ends(traces["slerp"]),
             *beads,
             *_legend(chosen),
@@ -102,10 +102,10 @@ def _trace(points: Floats, name: str, *, front: bool) -> str:
     return path(pieces(points, front=front), style)
 
 
-def _marks(trace: Floats) -> Floats:
-    """(n, 3) places between the ends, those on the near side."""
-    places = trace[MARK_EVERY:-1:MARK_EVERY]
-    return places[places[:, 2] >= 0]
+def _marks(trace: Floats) -> Iterator[str]:
+    for place in trace[MARK_EVERY:-1:MARK_EVERY]:
+        far = place[2] > 0
+        yield dot(place, ROLES["slerp"] + (" faint" if far else ""), 2.5)
 
 
 def _ends(trace: Floats) -> Iterator[str]:
