@@ -14,6 +14,7 @@ from site_builder.markdown.formula_breaks import displayed_parts, glue_formulae
 from site_builder.markdown.math import ROLES, UnsupportedTexError, to_mathml
 from site_builder.markdown.measured import measured_text
 from site_builder.markdown.reading import Reading, slug
+from site_builder.markdown.readout import ReadoutError
 from site_builder.measurements import MeasurementError
 
 MISPLACED_OPTION = re.compile(r":[a-z_][\w-]*:[ \t]+\S+")
@@ -35,8 +36,8 @@ def annotate(tokens: Sequence[Token], reading: Reading) -> None:
                     f"option {token.content!r} in running text; "
                     "legal: directly below the line that opens the directive",
                 )
-            case "measured":
-                _set_measured(token, line, reading)
+            case "measured" | "readout":
+                _set_number(token, line, reading)
             case "role_open" if token.info not in ROLES:
                 reading.problem(line, unknown("colour role", token.info, ROLES))
             case "image":
@@ -81,10 +82,13 @@ def _set_code(token: Token, line: int, reading: Reading) -> None:
         reading.problem(line, str(error))
 
 
-def _set_measured(token: Token, line: int, reading: Reading) -> None:
+def _set_number(token: Token, line: int, reading: Reading) -> None:
     try:
-        token.content = measured_text(token.content, reading.measurements)
-    except MeasurementError as error:
+        if token.type == "measured":
+            token.content = measured_text(token.content, reading.measurements)
+        else:
+            token.content = reading.readouts.text(token.content)
+    except (MeasurementError, ReadoutError) as error:
         reading.problem(line, str(error))
 
 

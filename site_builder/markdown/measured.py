@@ -8,47 +8,14 @@ single word asks for something about all: ``ladders``, ``tiers`` or ``beaten`` (
 the machine was: ``processor``, ``python``, ``numpy``, ``browser``, ``pyodide``.
 """
 
-import re
-from collections.abc import Sequence
-from html import escape
-
-from markdown_it import MarkdownIt
-from markdown_it.renderer import RendererProtocol
-from markdown_it.rules_inline import StateInline
-from markdown_it.token import Token
-from markdown_it.utils import EnvType, OptionsDict
-
 from site_builder.diagnostics import unknown
 from site_builder.ladder_view import verdict
+from site_builder.markdown.text_role import with_unit
 from site_builder.measurements import SIDES, MeasuredLadder, MeasurementError, Measurements
 from site_builder.quantities import error_text, milliseconds, quantity
 
-ROLE = re.compile(r"\{measured\}`([^`\n]+)`")
 COUNTS = ("ladders", "tiers", "beaten")
-NO_BREAK_SPACE = "\u00a0"
 LEGAL = "legal: 'LADDER TIER native|browser|METRIC|verdict', or 'LADDER TIER over TIER …'"
-
-
-def measured_plugin(parser: MarkdownIt) -> None:
-    """Must be used after the plugin of coloured roles, before which it looks."""
-    parser.inline.ruler.before("role", "measured", _rule)
-    parser.add_render_rule("measured", _render)
-
-
-def _rule(state: StateInline, silent: bool) -> bool:
-    match = ROLE.match(state.src, state.pos)
-    if not match:
-        return False
-    if not silent:
-        state.push("measured", "", 0).content = match[1]
-    state.pos = match.end()
-    return True
-
-
-def _render(
-    _renderer: RendererProtocol, tokens: Sequence[Token], index: int, _o: OptionsDict, _e: EnvType
-) -> str:
-    return escape(tokens[index].content)
 
 
 def measured_text(words: str, measurements: Measurements) -> str:
@@ -86,12 +53,10 @@ def _one(measured: MeasuredLadder, tier: str, wanted: str) -> str:
     if wanted == "verdict":
         return verdict(measured, measured[tier])
     if wanted in SIDES:
-        return f"{milliseconds(measured[tier].times[wanted].ms)}{NO_BREAK_SPACE}ms"
+        return with_unit(milliseconds(measured[tier].times[wanted].ms), "ms")
     value, unit = _value(measured, tier, wanted)
     text = error_text(value, unit)
-    if text == "none":
-        return text
-    return f"{text}{'' if unit == '°' else NO_BREAK_SPACE}{unit}"
+    return text if text == "none" else with_unit(text, unit)
 
 
 def _ratio(measured: MeasuredLadder, tier: str, other: str, wanted: str) -> str:

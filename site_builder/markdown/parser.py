@@ -24,13 +24,13 @@ from site_builder.markdown.illustration import read_illustration
 from site_builder.markdown.inline import annotate, chapter_id
 from site_builder.markdown.ladder import read_ladder, read_ladder_table
 from site_builder.markdown.listing import read_listing
-from site_builder.markdown.measured import measured_plugin
 from site_builder.markdown.quiz import read_quiz
 from site_builder.markdown.reading import PAGE_IDS, Construct, Reading
 from site_builder.markdown.roles import roles_plugin
 from site_builder.markdown.simulation import read_simulation
 from site_builder.markdown.stage_costs import read_stage_cost_table
 from site_builder.markdown.table import read_table, table_plugin
+from site_builder.markdown.text_role import text_role
 from site_builder.markdown.typography import typography_plugin
 from site_builder.measurements import Measurements
 
@@ -59,7 +59,9 @@ def make_parser() -> MarkdownIt:
     parser.enable("smartquotes")
     parser.use(front_matter_plugin).use(footnote_plugin).use(directive_plugin)
     parser.use(dollarmath_plugin, allow_labels=False, allow_space=False, allow_digits=False)
-    parser.use(table_plugin).use(roles_plugin).use(measured_plugin).use(typography_plugin)
+    parser.use(table_plugin).use(roles_plugin).use(typography_plugin)
+    for name in ("measured", "readout"):
+        parser.use(text_role, name)
     parser.add_render_rule("math_inline", _formula)
     parser.add_render_rule("math_block", _equation)
     parser.add_render_rule("fence", _code)

@@ -13,6 +13,7 @@ from simulations.engine.scene import Scene
 from site_builder.book import Block, Heading, Link
 from site_builder.diagnostics import Diagnostics
 from site_builder.markdown.directive import Directive
+from site_builder.markdown.readout import Readouts
 from site_builder.measurements import Measurements
 
 type Construct = Callable[[Directive, Sequence[Token], "Reading"], Block | None]
@@ -43,6 +44,11 @@ class Reading:
     links: list[Link] = field(default_factory=list)
     ids: dict[str, int] = field(default_factory=lambda: dict.fromkeys(PAGE_IDS, 0))
     """Element ids taken in the page, with their lines; 0 where the page itself took them."""
+    readouts: Readouts = field(init=False)
+    """Where numbers that figures show come from."""
+
+    def __post_init__(self) -> None:
+        self.readouts = Readouts(self.load_scene)
 
     def problem(self, line: int, message: str) -> None:
         self.problems.add(self.path, line, message)
