@@ -9,6 +9,7 @@ from hypothesis import given
 from support.float_range import any_float, arrays, ask, assert_finite_where_valid, finite_float
 
 from simulations.models import (
+    affine_cameras,
     euler,
     homography_algebra,
     homography_estimation,
@@ -58,6 +59,18 @@ def test_field_of_view_is_an_angle(focal_mm, sensor_mm):
 def test_a_camera_looks_somewhere_or_is_refused(eye, target, up):
     pose = ask(projection.look_at, eye, target, up)
     assert pose is None or (is_rotation(pose[:3, :3]) and np.isfinite(pose).all())
+
+
+@given(arrays(4, 3), arrays(3), any_float)
+def test_parallel_cameras_give_finite_pixels_or_are_refused(points, reference, scale):
+    for camera in (
+        ask(affine_cameras.paraperspective_camera, K, reference),
+        ask(affine_cameras.orthographic_camera, scale, (reference[0], reference[1])),
+    ):
+        if camera is not None:
+            pixels, valid = affine_cameras.project_affine(points, camera)
+            assert_finite_where_valid((pixels, valid))
+            assert np.isnan(pixels[~valid]).all()
 
 
 @given(arrays(2, 3))
