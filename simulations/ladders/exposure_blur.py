@@ -7,6 +7,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from simulations.engine.ladder import Ladder, Metric, Tier
+from simulations.models.exposure import mean_of_instants, mean_of_random_instants
 from simulations.pictures import moving_ball
 
 type Floats = NDArray[np.floating]
@@ -37,20 +38,14 @@ def prepare() -> Workload:
 
 
 def _instants(workload: Workload, *, count: int) -> Floats:
-    """Each stands for the middle of an equal share of the exposure."""
-    times = (np.arange(count) + 0.5) / count
-    total = np.zeros((moving_ball.HEIGHT, moving_ball.WIDTH))
-    for time in times.tolist():
-        total += moving_ball.instant(workload.x, workload.y, time)
-    return total / count
+    return mean_of_instants(partial(moving_ball.instant, workload.x, workload.y), count)
 
 
 def _random_instants(workload: Workload, *, count: int) -> Floats:
-    """Every pixel draws its own times, regardless of the others: grain instead of ghosts."""
-    total = np.zeros((moving_ball.HEIGHT, moving_ball.WIDTH))
-    for times in np.random.default_rng(11).random((count, *total.shape)):
-        total += moving_ball.instant(workload.x, workload.y, times)
-    return total / count
+    shape = (moving_ball.HEIGHT, moving_ball.WIDTH)
+    rng = np.random.default_rng(11)
+    picture_at = partial(moving_ball.instant, workload.x, workload.y)
+    return mean_of_random_instants(picture_at, count, shape, rng)
 
 
 def _smear(workload: Workload) -> Floats:

@@ -6,6 +6,7 @@ open. Both means are differences of an integral that is known in closed form, so
 over many spokes costs as much as none.
 """
 
+from collections.abc import Callable
 from dataclasses import dataclass
 
 import numpy as np
@@ -14,7 +15,7 @@ from numpy.typing import ArrayLike, NDArray
 from simulations.engine.raster import to_rgba8
 from simulations.models.color import encode_srgb
 
-type Floats = NDArray[np.float64]
+type Floats = NDArray[np.floating]
 
 WIDTH, HEIGHT = 320, 240
 RADIUS = 92.0
@@ -64,27 +65,68 @@ def build_canvas() -> Canvas:
 
 def _inside(radius: Floats, edge: float) -> Floats:
     """Share of each pixel within a circle, to the accuracy of a straight edge."""
-    return np.clip(edge - radius + 0.5, 0.0, 1.0)
+    share: Floats = np.clip(edge - radius + 0.5, 0.0, 1.0)
+    return share
+
+
+@dataclass(frozen=True, slots=True)
+class Bars:
+    """The spokes as each pixel between hub and rim sees them; lengths in spacings of two spokes."""
+
+    place: Floats
+    """(n,) from the middle of the first spoke as the shutter opens, clockwise."""
+    duty: Floats
+    """(n,) width of a spoke."""
+    pixel: Floats
+    """(n,) width of the pixel."""
+    swept: float
+    """How far the spokes turn while the shutter is open, of either sign."""
+
+
+type Exposure = Callable[[Bars], Floats]
+"""The share (n,) of each pixel that spokes cover, on average over the exposure."""
+
+
+def bars(canvas: Canvas, spokes: int, first_angle_rad: float, swept_rad: float) -> Bars:
+    """The first spoke starts at ``first_angle_rad``, clockwise from the right; all turn as far."""
+    if spokes < 1:
+        raise ValueError(f"spokes {spokes}; legal: 1 or more")
+    spacing = 2 * np.pi / spokes
+    arc = canvas.radius * spacing
+    place = (canvas.angle_rad - first_angle_rad) / spacing
+    return Bars(place, SPOKE / arc, 1.0 / arc, swept_rad / spacing)
+
+
+def throughout(row: Bars) -> Floats:
+    """The exact mean over the exposure."""
+    if row.swept == 0.0:
+        return at_moment(row, 0.0)
+    middle = row.place - 0.5 * row.swept
+    return mean_coverage(middle, row.duty, row.pixel, abs(row.swept))
+
+
+def at_moment(row: Bars, time: Floats | float) -> Floats:
+    """The spokes' share of each pixel at one moment, 0 to 1, or at a moment (n,) for each."""
+    place, half_pixel = row.place - row.swept * time, 0.5 * row.pixel
+    bar = np.minimum(row.duty, 1.0)
+    covered = _integrated(place + half_pixel, bar) - _integrated(place - half_pixel, bar)
+    share: Floats = covered / row.pixel
+    return share
 
 
 def render(
-    canvas: Canvas, spokes: int, first_angle_rad: float, swept_rad: float
+    canvas: Canvas,
+    spokes: int,
+    first_angle_rad: float,
+    swept_rad: float,
+    exposure: Exposure = throughout,
 ) -> NDArray[np.uint8]:
     """Picture (H, W, 4) of the wheel, sRGB bytes. Wood and wall mix in linear light.
 
     The first spoke starts at ``first_angle_rad``, clockwise from the right, and all turn by
     ``swept_rad``, of either sign, while the shutter is open.
     """
-    if spokes < 1:
-        raise ValueError(f"spokes {spokes}; legal: 1 or more")
-    spacing = 2 * np.pi / spokes
-    middle = first_angle_rad + 0.5 * swept_rad
-    share = mean_coverage(
-        (canvas.angle_rad - middle) / spacing,
-        duty=SPOKE / (canvas.radius * spacing),
-        pixel=1.0 / (canvas.radius * spacing),
-        swept=abs(swept_rad) / spacing,
-    )
+    share = exposure(bars(canvas, spokes, first_angle_rad, swept_rad))
     cover = canvas.solid.copy()
     cover[canvas.between] += share * (1.0 - cover[canvas.between])
     picture: NDArray[np.uint8] = canvas.colours[np.rint(cover * LEVELS).astype(np.intp)]
@@ -111,6 +153,13 @@ def mean_coverage(place: Floats, duty: ArrayLike, pixel: ArrayLike, swept: float
     return np.clip(share, 0.0, 1.0)
 
 
+def _integrated(place: Floats, bar: Floats) -> Floats:
+    """Antiderivative of bars of width ``bar`` about all whole numbers."""
+    whole = np.rint(place)
+    covered: Floats = bar * whole + np.clip(place - whole, -0.5 * bar, 0.5 * bar)
+    return covered
+
+
 def _twice_integrated(place: Floats, bar: Floats) -> Floats:
     """Second antiderivative of bars of width ``bar`` about all whole numbers."""
     whole = np.rint(place)
@@ -118,4 +167,5 @@ def _twice_integrated(place: Floats, bar: Floats) -> Floats:
     near = np.minimum(np.abs(aside), 0.5 * bar)
     # Within a period: |v|²/2 on the bar, then on along the tangent.
     within = near * (np.abs(aside) - 0.5 * near)
-    return bar * whole * (0.5 * whole + aside) + within
+    twice: Floats = bar * whole * (0.5 * whole + aside) + within
+    return twice

@@ -8,13 +8,14 @@ the frame time, and then shown until the next.
 import math
 
 from simulations.engine.controls import Action, Slider, Values
-from simulations.engine.frame import Frame, Panel, Raster, Readout, format_number, readout
-from simulations.engine.pipeline import Stage, StageCache, run
+from simulations.engine.frame import Frame, Panel, Readout, format_number, readout
+from simulations.engine.pipeline import StageCache, run
 from simulations.engine.scene import Scene
 from simulations.models.sampling import apparent_wheel_speed, box_mtf
-from simulations.pictures import spoked_wheel
-from simulations.pictures.spoked_wheel import Canvas
 from simulations.scenes import wagon_wheel_drawing as drawing
+from simulations.scenes.wagon_wheel_film import STAGES, TIERS, error, frame_at
+
+DEFAULT_TIER = "integral"
 
 STILL = 1e-9
 """Speed in turns per second below which the filmed wheel stands."""
@@ -53,35 +54,11 @@ CONTROLS = (
 )
 
 
-def film(
-    canvas: Canvas, spokes: float, speed: float, frame_rate: float, shutter: float, frame: int
-) -> Raster:
-    """The picture of film frame ``frame``, (H, W, 4) bytes."""
-    turn_per_frame = 2 * math.pi * speed / frame_rate
-    return spoked_wheel.render(
-        canvas,
-        spokes=round(spokes),
-        first_angle_rad=turn_per_frame * frame,
-        swept_rad=turn_per_frame * shutter,
-    )
-
-
-STAGES = (
-    Stage("canvas", (), spoked_wheel.build_canvas),
-    Stage("film", ("spokes", "speed", "frame_rate", "shutter", "frame"), film, ("canvas",)),
-)
-
-
-def frame_at(time: float) -> int:
-    """Number of the film frame on show; frame 0 starts at time 0."""
-    return math.floor(time + 1e-9)
-
-
-def render(values: Values, tier: str, cache: StageCache) -> Frame:  # noqa: ARG001 - no tiers
+def render(values: Values, tier: str, cache: StageCache) -> Frame:
     """The wheel now, the frame on show, and the spokes' positions against time."""
     spokes, rate = round(values.number("spokes")), values.number("frame_rate")
     speed, time = values.number("speed"), values.number("time")
-    done = run(STAGES, values, cache, {"frame": frame_at(time)})
+    done = run(STAGES, values, cache, {"frame": frame_at(time), "tier": tier or DEFAULT_TIER})
     seen, certain = apparent_wheel_speed(speed, spokes, rate)
     apparent, sure = float(seen), bool(certain)
     per_frame = spokes * speed / rate
@@ -171,4 +148,15 @@ def describe(values: Values, apparent: float, certain: bool, contrast: float) ->
     return f"{true}{shown}.{blurred}"
 
 
-SCENE = Scene(id="wagon-wheel", title="Wagon Wheel", controls=CONTROLS, render=render)
+SCENE = Scene(
+    id="wagon-wheel",
+    title="Wagon Wheel",
+    controls=CONTROLS,
+    render=render,
+    tiers=TIERS,
+    default_tier=DEFAULT_TIER,
+    # Fewer instants are a thing to look at while the wheel turns; more are too slow for that.
+    draft_tier="instants-16",
+    ladder="exposure-blur",
+    error=error,
+)

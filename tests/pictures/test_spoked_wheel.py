@@ -54,3 +54,34 @@ def test_the_blur_starts_at_the_frame_and_follows_the_turn():
 def test_no_spoke_is_refused():
     with pytest.raises(ValueError, match="spokes 0; legal: 1 or more"):
         spoked_wheel.render(CANVAS, 0, 0.0, 0.0)
+
+
+@given(
+    st.floats(-9, 9),
+    st.floats(0.02, 1.4),
+    st.floats(0.005, 0.4),
+    st.sampled_from([0.0, 0.4, -2.6]),
+    st.sampled_from([0.0, 0.25, 1.0]),
+)
+def test_the_mean_over_a_pixel_at_one_moment_is_exact(place, duty, pixel, swept, time):
+    row = spoked_wheel.Bars(*np.array([[place], [duty], [pixel]]), swept)
+    found = spoked_wheel.at_moment(row, time)
+    assert found[0] == pytest.approx(brute_force(place - swept * time, duty, pixel, 0.0), abs=6e-3)
+
+
+@pytest.mark.parametrize("swept", [-2.6, -0.03, 0.0, 0.5])
+def test_the_exposure_is_the_mean_of_its_moments(swept):
+    rng = np.random.default_rng(8)
+    place, duty, pixel = rng.uniform(-2, 2, 200), rng.uniform(0.05, 0.9, 200), np.full(200, 0.1)
+    row = spoked_wheel.Bars(place, duty, pixel, swept)
+    times = (np.arange(2000) + 0.5) / 2000
+    mean = np.mean([spoked_wheel.at_moment(row, time) for time in times], axis=0)
+    np.testing.assert_allclose(spoked_wheel.throughout(row), mean, atol=2e-5)
+
+
+def test_places_are_counted_clockwise_from_the_first_spoke_in_spacings():
+    row = spoked_wheel.bars(CANVAS, 8, 0.3, -0.1)
+    np.testing.assert_allclose(row.place, (CANVAS.angle_rad - 0.3) * 8 / (2 * np.pi))
+    np.testing.assert_allclose(row.duty, spoked_wheel.SPOKE * row.pixel)
+    np.testing.assert_allclose(row.pixel * CANVAS.radius, 8 / (2 * np.pi))
+    assert row.swept == pytest.approx(-0.1 * 8 / (2 * np.pi))

@@ -5,11 +5,21 @@ import pytest
 
 from simulations.engine.controls import check_values
 from simulations.engine.pipeline import StageCache
-from simulations.scenes.wagon_wheel import SCENE, frame_at
+from simulations.ladders.exposure_blur import LADDER
+from simulations.pictures import spoked_wheel
+from simulations.scenes.wagon_wheel import SCENE
+from simulations.scenes.wagon_wheel_film import by_changes, exposure_of, frame_at
 
 
-def frame(cache=None, **values):
-    return SCENE.render(check_values(SCENE.controls, values), "", cache or StageCache())
+def frame(cache=None, tier="", **values):
+    return SCENE.render(check_values(SCENE.controls, values), tier, cache or StageCache())
+
+
+def judged(tier, **values):
+    """All estimates of the error, as shown, the last for all pixels."""
+    estimates = list(SCENE.error(check_values(SCENE.controls, values), tier, StageCache()))
+    assert {each.unit for each in estimates} == {"of full contrast"}
+    return [each.text for each in estimates]
 
 
 def texts(shown):
@@ -35,6 +45,14 @@ def test_a_whole_spacing_stands_still():
         for time in (4, 17)
     ]
     assert np.abs(pictures[0] - pictures[1]).max() <= 1
+
+
+def number(text):
+    """``5.5 × 10⁻³`` as a number."""
+    mantissa, _, power = text.replace("\u00a0", "").partition("×10")
+    return float(mantissa) * 10.0 ** int(
+        power.translate(str.maketrans("⁻⁰¹²³⁴⁵⁶⁷⁸⁹", "-0123456789")) or 0
+    )
 
 
 @pytest.mark.parametrize("speed", [-4.5, -1.5, 1.5, 4.5])
@@ -85,3 +103,94 @@ def test_every_extreme_can_be_drawn_in_the_same_layout(speed, spokes, rate, time
     assert [panel.name for panel in shown.panels] == ["wheel", "film", "track"]
     assert len(shown.readouts) == 8
     assert not any("nan" in panel.overlay for panel in shown.panels)
+
+
+def test_the_tiers_are_the_rungs_of_the_ladder_but_for_the_smear():
+    assert SCENE.tiers == tuple(tier.id for tier in LADDER.tiers if tier.id != "smear")
+    assert SCENE.default_tier == LADDER.default_tier
+    assert SCENE.draft_tier == "instants-16"
+    np.testing.assert_array_equal(
+        frame().panels[1].raster, frame(tier=LADDER.default_tier).panels[1].raster
+    )
+
+
+def brute_force(row, steps=1500):
+    """Mean over the exposure of how much of each pixel nearby spokes cover."""
+    total = np.zeros_like(row.place)
+    for time in (np.arange(steps) + 0.5) / steps:
+        middle = row.place - row.swept * time
+        left, right = middle - row.pixel / 2, middle + row.pixel / 2
+        for spoke in range(int(left.min()) - 2, int(right.max()) + 3):
+            edges = spoke - row.duty / 2, spoke + row.duty / 2
+            total += np.clip(np.minimum(right, edges[1]) - np.maximum(left, edges[0]), 0, None)
+    return total / row.pixel / steps
+
+
+@pytest.mark.parametrize("swept", [0.0, 0.02, -0.7, 3.0, -3.3])
+def test_the_reference_is_the_mean_over_all_moments(swept):
+    rng = np.random.default_rng(2)
+    place, duty, pixel = (rng.uniform(*ends, 60) for ends in ((-1, 1), (0.05, 0.9), (0.01, 0.3)))
+    row = spoked_wheel.Bars(place, duty, pixel, swept)
+    np.testing.assert_allclose(by_changes(row), brute_force(row), atol=1e-3)
+
+
+def test_on_the_wheel_itself_the_closed_form_is_the_reference():
+    canvas = spoked_wheel.build_canvas()
+    for spokes, swept in ((2, 0.3), (16, -4.7)):
+        row = spoked_wheel.bars(canvas, spokes, 1.2, swept)
+        np.testing.assert_allclose(exposure_of("integral", 0)(row), by_changes(row), atol=1e-10)
+
+
+def test_the_integral_errs_by_rounding_alone():
+    for values in ({}, {"shutter": 0}, {"speed": 6, "frame_rate": 8, "spokes": 16, "shutter": 1}):
+        assert judged("integral", **values)[-1] == "under 10⁻¹²"
+
+
+def test_all_tiers_agree_while_the_wheel_stands():
+    pictures = [frame(tier=tier, speed=0).panels[1].raster for tier in SCENE.tiers]
+    for picture in pictures:
+        np.testing.assert_array_equal(picture, pictures[0])
+
+
+def test_one_instant_of_a_whole_spacing_errs_as_a_bar_does_from_its_mean():
+    """Wood for a share w of the time: off by √(w (1 − w)), softened by the pixels' width."""
+    canvas = spoked_wheel.build_canvas()
+    row = spoked_wheel.bars(canvas, 8, 0.0, 0.0)
+    share = np.minimum(row.duty, 1.0)
+    hard = np.sqrt(np.mean(share * (1 - share)))
+    (*_, last) = judged("instants-1", speed=3, spokes=8, frame_rate=24, shutter=1)
+    assert 0.85 * hard < float(last) < hard
+
+
+def test_more_instants_come_nearer_and_random_ones_only_by_the_root():
+    one, four, many = (number(judged(f"instants-{count}", shutter=0.5)[-1]) for count in (1, 4, 16))
+    assert one > 4 * four > 16 * many
+    canvas = spoked_wheel.build_canvas()
+    swept = 2 * np.pi * 2.9 / 24 * 0.5
+    row = spoked_wheel.bars(canvas, 8, 5 * 2 * np.pi * 2.9 / 24, swept)
+    times = (np.arange(200) + 0.5) / 200
+    moments = [spoked_wheel.at_moment(row, time) for time in times]
+    free = 1 - canvas.solid[canvas.between]
+    expected = np.sqrt(np.mean(np.var(moments, axis=0) * free**2) / 16)
+    assert float(judged("random-16", shutter=0.5)[-1]) == pytest.approx(expected, rel=0.05)
+
+
+def test_random_grain_is_new_on_each_frame_and_the_same_when_asked_again():
+    def picture(time):
+        return (
+            frame(tier="random-16", speed=3, frame_rate=24, shutter=1, time=time).panels[1].raster
+        )
+
+    assert not np.array_equal(picture(3), picture(4))
+    np.testing.assert_array_equal(picture(3), picture(3.4))
+
+
+def test_the_error_is_found_in_steps_that_agree():
+    estimates = [float(text) for text in judged("instants-1", shutter=1)]
+    assert len(estimates) > 4
+    assert estimates[0] == pytest.approx(estimates[-1], rel=0.1)
+
+
+def test_an_unknown_tier_is_refused():
+    with pytest.raises(ValueError, match="tier 'smear'; legal: instants-1, integral"):
+        exposure_of("smear", 0)
