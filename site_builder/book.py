@@ -112,6 +112,8 @@ class LadderFigure:
     id: str
     """Element id: ``ladder-`` and the ladder's id, numbered where a page shows one twice."""
     caption_html: str
+    default_html: str
+    """Why its default was chosen; nothing where another metric than the first judges."""
 
 
 @dataclass(frozen=True, slots=True)

@@ -6,6 +6,7 @@ from simulations.engine.ladder import Metric
 from site_builder.book import LadderFigure
 from site_builder.charts import Chart, pareto_chart
 from site_builder.embedding import json_for_html
+from site_builder.ladder_choice import Choice, default_choice
 from site_builder.measurements import SIDES, MeasuredLadder, MeasuredTier
 from site_builder.quantities import error_text, milliseconds, quantity
 
@@ -33,6 +34,8 @@ class LadderView:
     chart: Chart
     metrics: tuple[tuple[str, str], ...]
     """Label and unit, the one in the chart first."""
+    choice: Choice | None
+    """The default and its neighbours, where the chart is the one that decided."""
     rows: tuple[TierRow, ...]
     data: str
     """JSON for the page's script, safe inside a script element."""
@@ -45,6 +48,7 @@ def view_ladder(figure: LadderFigure) -> LadderView:
     return LadderView(
         chart=chart,
         metrics=tuple((metric.label, metric.unit) for metric in metrics),
+        choice=default_choice(measured) if figure.default_html else None,
         rows=tuple(_row(measured, item) for item in measured.tiers),
         data=json_for_html(
             {

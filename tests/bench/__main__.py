@@ -3,7 +3,8 @@
 
 The two sides take turns, tier by tier and round by round, so that a busy minute of the machine
 falls on both. What is found goes into ``content/measurements.json``, from which all numbers,
-tables and charts of the book are made.
+tables and charts of the book are made. A default that is no longer on the browser's front is
+named at the end.
 """
 
 import argparse
@@ -19,6 +20,9 @@ from bench.record import disagreements, ladder_record, merge, write
 
 from simulations.engine.ladder import Ladder, TierResult, measure_tier
 from simulations.registry import LADDER_MODULES, load_ladder
+from site_builder.diagnostics import Diagnostics
+from site_builder.ladder_choice import off_the_front
+from site_builder.measurements import read_measurements
 
 ROOT = Path(__file__).resolve().parents[2]
 DATA = ROOT / "content" / "measurements.json"
@@ -65,8 +69,15 @@ def main() -> int:
             print(f"{ladder.id:24} {time.perf_counter() - started:6.1f} s", flush=True)
     write(merge(DATA, machine, ladders, list(LADDER_MODULES)), DATA)
     print(f"{DATA.relative_to(ROOT)} written after {time.perf_counter() - began:.0f} s")
-    print("\n".join(differing), end="\n" if differing else "", file=sys.stderr)
-    return 1 if differing else 0
+    complaints = differing + misplaced_defaults(chosen)
+    print("\n".join(complaints), end="\n" if complaints else "", file=sys.stderr)
+    return 1 if complaints else 0
+
+
+def misplaced_defaults(ladder_ids: Sequence[str]) -> list[str]:
+    """What the new measurements say against the ladders' defaults."""
+    measured = read_measurements(ROOT, Diagnostics())
+    return [said for name in ladder_ids if (said := off_the_front(measured.find(name)))]
 
 
 if __name__ == "__main__":

@@ -16,6 +16,7 @@ from simulations.registry import LADDER_MODULES, load_ladder
 from site_builder.assets import content_bytes
 from site_builder.build import Options, check_site, render_site
 from site_builder.diagnostics import BuildError, Diagnostics
+from site_builder.ladder_choice import Neighbour, default_choice, off_the_front
 from site_builder.ladder_view import verdict
 from site_builder.markdown.measured import LEGAL, measured_text
 from site_builder.measurements import Measurements, read_measurements, unmeasured
@@ -80,13 +81,11 @@ def test_the_file_says_nothing_of_whose_machine_it_was(real: Measurements) -> No
     }  # fmt: skip
 
 
-def test_a_ladder_s_default_is_never_clearly_beaten_where_the_book_runs(
-    real: Measurements,
+@pytest.mark.parametrize("ladder_id", LADDER_MODULES)
+def test_a_ladder_s_default_is_on_the_front_where_the_book_runs(
+    ladder_id: str, real: Measurements
 ) -> None:
-    for measured in real.all():
-        default = measured[measured.ladder.default_tier]
-        winner = measured.beaten_by(default, "browser")
-        assert winner is None, f"{measured.ladder.id}: {winner and winner.tier.id} is better"
+    assert off_the_front(real.find(ladder_id)) == ""
 
 
 # The page model
@@ -127,6 +126,39 @@ def test_another_metric_turns_what_is_better() -> None:
     ]
 
 
+# Why the default is the default
+
+
+def test_a_default_stands_between_its_neighbours_on_the_browser_s_front() -> None:
+    choice = default_choice(toy_measurements().find("toy"))
+    assert (choice.label, choice.ms, choice.error) == ("Fine", "6.0", "0.020\u00a0px")
+    assert choice.cheaper == Neighbour("Rough", "0.25", "3.0\u00a0px")
+    assert choice.dearer == Neighbour("Exact", "4.5", "no error")
+
+
+def test_a_default_at_an_end_of_the_front_has_no_neighbour_there() -> None:
+    data = toy_data()["ladders"]["toy"]["tiers"]
+    data["fine"]["errors"]["rms"] = 0.0
+    data["rough"]["browser"] = timing(7.0)
+    choice = default_choice(toy_measurements(tiers=data).find("toy"))
+    assert (choice.cheaper, choice.dearer) == (None, None)
+
+
+def test_a_default_off_the_front_is_named_with_all_that_beat_it() -> None:
+    data = toy_data()["ladders"]["toy"]["tiers"]
+    data["exact"]["browser"] = timing(5.0)
+    assert off_the_front(toy_measurements(tiers=data).find("toy")) == (
+        "toy: the default 'fine' (6.0 ms, 0.020\u00a0px) is off the browser's front, "
+        "which has 'exact' (5.0 ms, no error)"
+    )
+
+
+def test_a_default_that_another_only_equals_in_time_and_error_is_on_the_front() -> None:
+    data = toy_data()["ladders"]["toy"]["tiers"]
+    data["waste"] = data["fine"]
+    assert off_the_front(toy_measurements(tiers=data).find("toy")) == ""
+
+
 def test_errors_below_rounding_are_equally_good() -> None:
     data = toy_data()["ladders"]["toy"]["tiers"]
     data["fine"]["errors"]["rms"], data["exact"]["errors"]["rms"] = 2e-16, 1e-16
@@ -141,7 +173,10 @@ def test_errors_below_rounding_are_equally_good() -> None:
 
 def test_a_page_in_order_has_no_mistakes(find: Find) -> None:
     assert (
-        find("{measured}`toy fine native`\n\n:::{ladder} toy\n:::\n\n:::{ladder-table} All\n:::\n")
+        find(
+            "{measured}`toy fine native`\n\n:::{ladder} toy\n:default: Good.\n:::\n\n"
+            ":::{ladder} toy\n:metric: psnr\n:::\n\n:::{ladder-table} All\n:::\n"
+        )
         == []
     )
 
@@ -152,6 +187,11 @@ def test_a_page_in_order_has_no_mistakes(find: Find) -> None:
         (":::{ladder}\n:::\n", "{ladder} names no ladder; legal: ':::{ladder} id'"),
         (":::{ladder} tyo\n:::\n", "unknown ladder 'tyo'; legal: toy"),
         (":::{ladder} toy\n:metric: mrs\n:::\n", "unknown metric 'mrs' of 'toy'; legal: rms, psnr"),
+        (
+            ":::{ladder} toy\n:::\n",
+            "ladder 'toy' judged by 'rms' does not explain its default; "
+            "legal: a line ':default: …', why its figures settle in 'fine'",
+        ),
         ("{measured}`toy fnie native`\n", "unknown tier of toy 'fnie'; did you mean 'fine'?"),
         ("{measured}`toy fine natvie`\n", "unknown number of toy 'natvie'; did you mean 'native'?"),
         (
@@ -187,13 +227,26 @@ def test_what_has_changed_since_it_was_measured_is_refused(
 ) -> None:
     data = toy_data()
     data["ladders"]["toy"] |= entry
-    (message,) = find(":::{ladder} toy\n:::\n", data)
+    (message,) = find(":::{ladder} toy\n:default: Good.\n:::\n", data)
     assert message.startswith(f"content/00-first.md:5: {FILE} is out of date: {what}")
     assert message.endswith("run `make bench LADDER=toy`")
 
 
+def test_a_mistake_in_the_reason_for_a_default_is_reported_at_its_own_line(find: Find) -> None:
+    assert find(":::{ladder} toy\n:default: {measured}`toy fnie rms`\n:::\n") == [
+        "content/00-first.md:6: unknown tier of toy 'fnie'; did you mean 'fine'?"
+    ]
+
+
+def test_a_default_is_explained_only_where_the_metric_judges_that_chose_it(find: Find) -> None:
+    assert find(":::{ladder} toy\n:metric: psnr\n:default: Good.\n:::\n") == [
+        "content/00-first.md:7: ladder 'toy' judged by 'psnr' explains its default; "
+        "legal: only where 'rms' judges"
+    ]
+
+
 def test_a_ladder_without_measurements_is_reported_where_it_is_shown(find: Find) -> None:
-    found = find(":::{ladder} toy\n:::\n", {"machine": {}, "ladders": {}})
+    found = find(":::{ladder} toy\n:default: Good.\n:::\n", {"machine": {}, "ladders": {}})
     assert found == [
         f"content/00-first.md:5: ladder 'toy' is not in {FILE}; run `make bench LADDER=toy`"
     ]
@@ -231,7 +284,7 @@ def test_a_measured_number_is_written_for_reading(words: str, text: str) -> None
 
 def test_a_ladder_s_page_is_complete_without_scripts(make_book: Callable[..., Options]) -> None:
     body = (
-        ":::{ladder-table} All\n:::\n\n:::{ladder} toy\nSee it.\n:::\n\n"
+        ":::{ladder-table} All\n:::\n\n:::{ladder} toy\n:default: It is *good*.\nSee it.\n:::\n\n"
         ":::{ladder} toy\n:metric: psnr\n:::\n"
     )
     options = make_book(body, {FILE: json.dumps(toy_data())})
@@ -243,5 +296,6 @@ def test_a_ladder_s_page_is_complete_without_scripts(make_book: Callable[..., Op
     text = markup.decode()
     assert 'id="ladder-toy-2"' in text
     assert 'href="#ladder-toy"' in text
+    assert text.count("It is <em>good</em>.") == 1
     assert "Netscape 4" in text
     assert "beaten by Fine" in text
