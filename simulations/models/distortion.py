@@ -17,7 +17,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from simulations.models import radial_profile
+from simulations.models import radial_inverse, radial_profile, radial_table
 from simulations.models.radial_profile import LARGEST_COEFFICIENT, RadialProfile
 
 type Floats = NDArray[np.floating]
@@ -156,18 +156,42 @@ def undistort(xy: ArrayLike, d: Distortion) -> tuple[Floats, Mask]:
         False where no ideal point inside the fold has this image.
     """
     seen = np.asarray(xy, float)
-    finite = np.isfinite(seen).all(axis=-1)
-    if d.neutral and finite.all():
-        return seen, finite
+    if d.neutral or d.tangential:
+        finite = np.isfinite(seen).all(axis=-1)
+        if d.neutral and finite.all():
+            return seen, finite
+        seen = np.where(finite[..., None], seen, 0.0)
+        ideal, valid = _undo_radial(seen, d.radial)
+        if d.tangential:
+            ideal, valid = _solve_tangential(seen, ideal, d)
+        return ideal, valid & finite
+    return _undo_radial(seen, d.radial)
+
+
+def _undo_radial(seen: Floats, profile: RadialProfile) -> tuple[Floats, Mask]:
+    """By the table of the profile, and point by point what the table does not know."""
+    if seen.size < 2 * radial_table.WORTH_A_TABLE:
+        return _undo_surely(seen, profile)
+    x, y = seen[..., 0], seen[..., 1]
+    with np.errstate(over="ignore", invalid="ignore"):
+        factor, valid = radial_table.shrinkage(profile, x * x + y * y)
+        ideal = np.empty_like(seen)
+        np.multiply(x, factor, out=ideal[..., 0])  # by columns: three times as quick as
+        np.multiply(y, factor, out=ideal[..., 1])  # seen * factor[..., None]
+    if not valid.all():
+        rest = ~valid
+        ideal[rest], valid[rest] = _undo_surely(seen[rest], profile)
+    return ideal, valid
+
+
+def _undo_surely(seen: Floats, profile: RadialProfile) -> tuple[Floats, Mask]:
+    finite = np.asarray(np.isfinite(seen).all(axis=-1))
     seen = np.where(finite[..., None], seen, 0.0)
     with np.errstate(over="ignore"):
         seen_radius = np.hypot(seen[..., 0], seen[..., 1])
-    radius, valid = radial_profile.invert(d.radial, seen_radius)
+    radius, valid = radial_inverse.invert_bracketed(profile, seen_radius)
     ratio = np.divide(radius, seen_radius, out=np.ones_like(radius), where=seen_radius > 0.0)
-    ideal = seen * ratio[..., None]
-    if d.tangential:
-        ideal, valid = _solve_tangential(seen, ideal, d)
-    return ideal, valid & finite
+    return seen * ratio[..., None], valid & finite
 
 
 def jacobian(xy: ArrayLike, d: Distortion) -> Floats:

@@ -11,7 +11,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from simulations.models import radial_profile
+from simulations.models import radial_profile, radial_table
 from simulations.models.radial_profile import RadialProfile
 
 type Floats = NDArray[np.floating]
@@ -106,7 +106,7 @@ def project_fisheye(directions: ArrayLike, lens: Fisheye) -> tuple[Floats, Mask]
 def unproject_fisheye(xy: ArrayLike, lens: Fisheye) -> tuple[Floats, Mask]:
     """Unit directions (..., 3) of image points (..., 2), the inverse of `project_fisheye`."""
     radius, azimuth, valid = _polar(xy)
-    angle, solved = radial_profile.invert(lens.profile, radius)
+    angle, solved = radial_table.invert(lens.profile, radius)
     valid &= solved & (angle < np.pi)
     return _direction(np.where(valid, angle, 0.0), azimuth), valid
 

@@ -1,15 +1,16 @@
-"""Cheaper ways to undo a radial lens, for those who can say how much error they accept.
+"""Other ways to undo a radial lens, to be compared with `distortion.undistort`.
 
-All take distorted points (..., 2) in normalised coordinates and return ideal ones, and all
-assume points well inside the fold: none of them notices when it fails. `distortion.undistort`
-does, and is what to use where the answer must be right. Tangential terms are not undone.
+All take distorted points (..., 2) in normalised coordinates and return ideal ones; tangential
+terms are not undone. All but the last assume points well inside the fold, and none of those
+notices when it fails. `distortion.undistort` does, and is what to use where the answer must be
+right.
 Szeliski, 2nd ed., section 2.1.5; the fixed point is the method of OpenCV's undistortPoints.
 """
 
 import numpy as np
 from numpy.typing import ArrayLike
 
-from simulations.models import radial_profile
+from simulations.models import radial_inverse, radial_profile
 from simulations.models.distortion import Distortion, Floats
 
 TABLE_ENTRIES = 1025
@@ -68,6 +69,13 @@ def undistort_table(xy: ArrayLike, d: Distortion, entries: int = TABLE_ENTRIES) 
     radii = np.linspace(0.0, reach, entries)
     radius = np.interp(seen_radius, radial_profile.evaluate(d.radial, radii), radii)
     return _scaled(seen, seen_radius, radius)
+
+
+def undistort_bracketed(xy: ArrayLike, d: Distortion) -> Floats:
+    """`radial_inverse.invert_bracketed` for every point: to the last digit, at its price."""
+    seen = np.asarray(xy, float)
+    seen_radius = np.hypot(seen[..., 0], seen[..., 1])
+    return _scaled(seen, seen_radius, radial_inverse.invert_bracketed(d.radial, seen_radius)[0])
 
 
 def _scaled(seen: Floats, seen_radius: Floats, radius: Floats) -> Floats:

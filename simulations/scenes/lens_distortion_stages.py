@@ -14,7 +14,7 @@ from simulations.engine.pipeline import Stage
 from simulations.engine.raster import to_rgba8
 from simulations.models.color import encode_srgb
 from simulations.models.distortion import Distortion, distort, fold_radius, largest_distorted_radius
-from simulations.models.radial_profile import invert
+from simulations.models.radial_table import invert
 from simulations.models.resampling import GatherTable, gather, gather_table
 from simulations.models.undistortion import (
     undistort_first_order,

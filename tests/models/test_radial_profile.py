@@ -9,12 +9,12 @@ from simulations.models.radial_profile import (
     RadialProfile,
     evaluate,
     fold_radius,
-    invert,
     largest_image_radius,
     scale,
     scale_slope,
     slope,
 )
+from simulations.models.radial_table import invert
 
 RADII = np.linspace(0.0, 1.2, 25)
 PROFILES = [
