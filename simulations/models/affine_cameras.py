@@ -40,8 +40,7 @@ def orthographic_camera(
     """
     if not 0.0 < pixels_per_unit < math.inf:
         raise ValueError(f"pixels_per_unit: {pixels_per_unit}; legal: positive and finite")
-    scaled = np.diag([pixels_per_unit, pixels_per_unit, 0.0])
-    return _affine(scaled[:2], np.asarray(principal_point, float))
+    return _affine(pixels_per_unit * np.eye(2, 3), np.asarray(principal_point, float))
 
 
 def scaled_orthographic_camera(K: ArrayLike, depth: float) -> Floats:

@@ -1,14 +1,21 @@
-"""Perspective projection: one point, one camera, and the division by depth."""
+"""Perspective projection: one point, one camera, and the division by depth, or none."""
 
 import math
 
-from simulations.engine.controls import Slider, Values
+from simulations.engine.controls import Choice, Slider, Values
 from simulations.engine.frame import Frame, Readout, format_number, readout
 from simulations.engine.pipeline import StageCache
 from simulations.engine.scene import Scene
-from simulations.models.projection import field_of_view, intrinsics, project
-from simulations.scenes.projection_picture import HALF_WIDTH_PX, View, image_panel
-from simulations.scenes.projection_top_view import top_view_panel
+from simulations.models.projection import field_of_view
+from simulations.scenes import projection_parallel, projection_picture, projection_top_view
+from simulations.scenes.projection_view import (
+    HALF_WIDTH_PX,
+    PARALLEL,
+    PERSPECTIVE,
+    SCALED,
+    View,
+    look,
+)
 
 
 def render(values: Values, tier: str, cache: StageCache) -> Frame:
@@ -19,31 +26,35 @@ def render(values: Values, tier: str, cache: StageCache) -> Frame:
         Y=values.number("point_y"),
         Z=values.number("depth"),
         focal_px=values.number("focal_length"),
+        camera=values.choice("camera"),
     )
+    through_centre = view.camera == PERSPECTIVE
     angle_deg = math.degrees(field_of_view(view.focal_px, 2.0 * HALF_WIDTH_PX))
+    if through_centre:
+        top, image = projection_top_view.top_view_panel(view), projection_picture.image_panel(view)
+    else:
+        top, image = projection_parallel.top_view_panel(view), projection_parallel.image_panel(view)
     return Frame(
-        panels=(top_view_panel(view), image_panel(view)),
+        panels=(top, image),
         readouts=(
             readout("X", "X, right", view.X, "m", digits=1, role="world"),
             readout("Y", "Y, down", view.Y, "m", digits=1, role="world"),
             readout("Z", "Z, depth", view.Z, "m", digits=1, role="world"),
             readout("f", "f, focal length", view.focal_px, "px", digits=0, role="camera"),
-            image_readout("x", "x = f X / Z", view, view.x),
-            image_readout("y", "y = f Y / Z", view, view.y),
-            readout("view", "Field of view", angle_deg, "°", digits=1, role="camera"),
+            image_readout("x", "x, right", view, view.x),
+            image_readout("y", "y, down", view, view.y),
+            # Parallel rays span no angle.
+            readout(
+                "view",
+                "Field of view",
+                angle_deg if through_centre else 0.0,
+                "°",
+                digits=1,
+                role="camera",
+            ),
         ),
-        description=describe(view),
+        description=describe(view) if through_centre else projection_parallel.describe(view),
     )
-
-
-def look(X: float, Y: float, Z: float, focal_px: float) -> View:
-    """Project the point (X, Y, Z) with the principal point at (0, 0).
-
-    Depth is taken to the millimetre, so that Z = 0 is met exactly.
-    """
-    Z = round(Z, 3)
-    pixels, valid = project([X, Y, Z], intrinsics(focal_px, (0.0, 0.0)))
-    return View(X, Y, Z, focal_px, float(pixels[0]), float(pixels[1]), bool(valid))
 
 
 def image_readout(name: str, label: str, view: View, value: float) -> Readout:
@@ -98,6 +109,16 @@ SCENE = Scene(
         ),
         Slider(
             name="point_y", label="Down (Y)", default=0.5, minimum=-2, maximum=2, step=0.1, unit="m"
+        ),
+        Choice(
+            name="camera",
+            label="Camera",
+            default=PERSPECTIVE,
+            options={
+                PERSPECTIVE: "Perspective",
+                SCALED: "Scaled orthography",
+                PARALLEL: "Orthography",
+            },
         ),
     ),
     render=render,

@@ -7,10 +7,16 @@ import numpy as np
 from simulations.engine import drawing
 from simulations.engine.frame import Panel, format_number
 from simulations.models.transforms import Floats
+from simulations.scenes.projection_view import (
+    HALF_HEIGHT_PX,
+    HALF_WIDTH_PX,
+    PERSPECTIVE,
+    View,
+    in_picture,
+)
 
 WIDTH, HEIGHT = 400.0, 300.0
-HALF_WIDTH_PX, HALF_HEIGHT_PX = 100.0, 75.0
-"""Half the picture, in pixels from the principal point."""
+TITLE = "The picture"
 IMAGE_SCALE = 2.0
 """View box units per pixel."""
 CENTRE = np.array([200.0, 150.0])
@@ -22,40 +28,6 @@ LABEL_HEIGHT = 14.0
 """Line height of a label, in view box units."""
 MESSAGE_Y, CLAIM_Y = 26.0, 44.0
 """Baselines of what stands for a missing image."""
-
-
-@dataclass(frozen=True, slots=True)
-class View:
-    """A point in the camera frame and its image."""
-
-    X: float
-    """Metres to the right."""
-    Y: float
-    """Metres down."""
-    Z: float
-    """Metres along the optical axis; negative behind the camera."""
-    focal_px: float
-    x: float
-    """Pixels right of the principal point; NaN where there is no image."""
-    y: float
-    """Pixels below the principal point; NaN where there is no image."""
-    visible: bool
-    """Whether the point is in front of the camera."""
-
-    @property
-    def in_picture(self) -> bool:
-        """Whether the image falls within the edges of the picture."""
-        return self.visible and in_picture(self.x, self.y)
-
-    @property
-    def formula_only(self) -> tuple[float, float]:
-        """What x = f X / Z says without asking whether the point is in front; Z must not be 0."""
-        return self.focal_px * self.X / self.Z, self.focal_px * self.Y / self.Z
-
-
-def in_picture(x: float, y: float) -> bool:
-    """Whether pixel (x, y), counted from the principal point, lies in the picture."""
-    return abs(x) <= HALF_WIDTH_PX and abs(y) <= HALF_HEIGHT_PX
 
 
 @dataclass(frozen=True, slots=True)
@@ -82,7 +54,7 @@ def place(x: float, y: float) -> Floats:
 
 def image_panel(view: View) -> Panel:
     overlay = axes(view) + comparison(view) + (point(view) if view.visible else no_image(view))
-    return Panel("image", "The picture", WIDTH, HEIGHT, overlay=overlay)
+    return Panel("image", TITLE, WIDTH, HEIGHT, overlay=overlay)
 
 
 def axes(view: View) -> str:
@@ -108,11 +80,19 @@ def axis_labels(view: View) -> list[tuple[str, Label]]:
         number = format_number(value, 0)
         labels.append((number, Label(place(value, 0) + np.array([0, 14]), 9.0)))
         labels.append((number, Label(place(0, value) + np.array([-14, 4]), 9.0)))
+    taken = [Label(np.array([WIDTH / 2.0, y]), 130.0) for y in message_rows(view)]
     if view.in_picture:
-        taken = [point_label(view)]
-    else:
-        taken = [Label(np.array([WIDTH / 2.0, y]), 130.0) for y in (MESSAGE_Y, CLAIM_Y)]
+        taken.append(point_label(view))
     return [(words, own) for words, own in labels if not any(own.covers(it) for it in taken)]
+
+
+def message_rows(view: View) -> tuple[float, ...]:
+    """Baselines of what is written across the picture, clear of the point's own label."""
+    if not view.in_picture:
+        return MESSAGE_Y, CLAIM_Y
+    if view.camera == PERSPECTIVE:
+        return ()
+    return (CLAIM_Y if view.y >= 0.0 else HEIGHT - 30.0,)
 
 
 def comparison(view: View) -> str:

@@ -5,8 +5,10 @@ import numpy as np
 from simulations.engine import drawing
 from simulations.engine.frame import Panel, format_number
 from simulations.models.transforms import Floats, clip_half_plane
-from simulations.scenes.projection_picture import COMPARED_DEPTHS, HALF_WIDTH_PX, View
+from simulations.scenes.projection_picture import COMPARED_DEPTHS
+from simulations.scenes.projection_view import HALF_WIDTH_PX, METRES_PER_PX, View
 
+TITLE = "From above (X drawn stretched)"
 WIDTH, HEIGHT = 400.0, 300.0
 CAMERA = np.array([58.0, 142.0])
 """Camera centre in the view box. Depth runs right; X runs down, as it does seen from above."""
@@ -14,8 +16,6 @@ DEPTH_SCALE = 16.0
 """View box units per metre of depth."""
 SIDE_SCALE = 38.0
 """View box units per metre of X: stretched, so that the triangles open up."""
-METRES_PER_PX = 0.03
-"""Size at which a pixel of the image plane is drawn; the triangles stay similar at any size."""
 RAY_LIMITS = ((1, 0, 0), (-1, 0, WIDTH), (0, 1, -4), (0, -1, 280))
 """Where rays may be drawn, as half planes a x + b y + c ≥ 0."""
 
@@ -39,7 +39,7 @@ def top_view_panel(view: View) -> Panel:
             equation(view),
         )
     )
-    return Panel("top", "From above (X drawn stretched)", WIDTH, HEIGHT, overlay=overlay)
+    return Panel("top", TITLE, WIDTH, HEIGHT, overlay=overlay)
 
 
 def depth_axis() -> str:

@@ -132,6 +132,17 @@ def test_what_is_nowhere_has_no_image(bad, axis):
     assert np.isnan(pixels[1]).all()
 
 
+def test_an_image_beyond_all_numbers_is_none():
+    points = [[1e300, 0.0, 1.0], [0.0, 1e300, 1.0]]
+    pixels, valid = project_affine(points, orthographic_camera(1e10))
+    assert not valid.any()
+    assert np.isnan(pixels).all()
+
+
+def test_without_a_principal_point_pixels_count_from_the_axis():
+    assert project_affine([0.0, 0.0, 3.0], orthographic_camera(30.0))[0].tolist() == [0.0, 0.0]
+
+
 @pytest.mark.parametrize("depth", [0.0, -1.0, np.inf, np.nan])
 def test_a_reference_that_is_not_in_front_is_refused(depth):
     with pytest.raises(ValueError, match="in front of the camera"):

@@ -5,13 +5,18 @@ from itertools import product
 
 import pytest
 
-from simulations.engine.controls import check_values
+from simulations.engine.controls import Slider, check_values
 from simulations.engine.frame import to_json
 from simulations.engine.pipeline import StageCache
 from simulations.scenes.perspective_projection import SCENE
 
 DEPTHS = (-2.0, -0.1, 0.0, 0.1, 1.0, 5.0, 20.0)
-ENDS = {control.name: (control.minimum, control.maximum) for control in SCENE.controls}
+ENDS = {
+    control.name: (control.minimum, control.maximum)
+    for control in SCENE.controls
+    if isinstance(control, Slider)
+}
+CAMERAS = ("perspective", "scaled-orthographic", "orthographic")
 
 
 def frame(**given):
@@ -42,14 +47,17 @@ def test_the_example_of_the_book():
     assert "= 80 · 1.0 / 5.0 = 16.0 px" in shown.panels[0].overlay
 
 
+@pytest.mark.parametrize("camera", CAMERAS)
 @pytest.mark.parametrize(
     ("depth", "focal_length", "point_x", "point_y"),
     [*product(DEPTHS, (20, 200), (-3.0, 0.0, 3.0), (-2.0, 0.0, 2.0))],
 )
 def test_every_extreme_draws_finite_numbers_in_the_same_layout(
-    depth, focal_length, point_x, point_y
+    depth, focal_length, point_x, point_y, camera
 ):
-    shown = frame(depth=depth, focal_length=focal_length, point_x=point_x, point_y=point_y)
+    shown = frame(
+        depth=depth, focal_length=focal_length, point_x=point_x, point_y=point_y, camera=camera
+    )
     assert [(p.name, p.width, p.height) for p in shown.panels] == [
         ("top", 400, 300),
         ("image", 400, 300),
@@ -121,3 +129,54 @@ def test_a_point_outside_the_picture_is_pointed_at_and_told():
 def test_both_ends_of_every_control_change_the_figure(name):
     low, high = (to_json(frame(**{name: end})) for end in ENDS[name])
     assert low != high
+
+
+def test_scaled_orthography_agrees_with_perspective_at_its_reference_depth_only():
+    for depth in (-2, 0, 1, 5, 20):
+        shown = texts(camera="scaled-orthographic", depth=depth)
+        assert (shown["x"], shown["y"]) == ("16.0", "8.0")
+    assert "in perspective at the same place" in picture(camera="scaled-orthographic")
+    assert "in perspective at (8.0, 4.0) px" in picture(camera="scaled-orthographic", depth=10)
+    assert texts(camera="scaled-orthographic", focal_length=160)["x"] == "32.0"
+
+
+def test_orthography_knows_neither_depth_nor_focal_length():
+    """100 px are 3 m wide at any distance: 33.3 px to the metre."""
+    for given in ({}, {"depth": 20}, {"depth": -2}, {"focal_length": 200}):
+        shown = texts(camera="orthographic", **given)
+        assert (shown["x"], shown["y"], shown["view"]) == ("33.3", "16.7", "0.0")
+
+
+@pytest.mark.parametrize("camera", CAMERAS[1:])
+def test_behind_a_camera_with_parallel_rays_there_is_an_image(camera):
+    shown = frame(camera=camera, depth=-2)
+    assert "in perspective it has no image" in shown.description
+    assert "in perspective it has no image" in shown.panels[1].overlay
+    assert len(solid_dots(shown.panels[1].overlay, "image")) == 1
+
+
+def test_the_ray_of_orthography_is_parallel_to_the_axis():
+    overlay = frame(camera="orthographic", depth=12).panels[0].overlay
+    (hit,), (point,) = solid_dots(overlay, "image"), solid_dots(overlay, "world")
+    assert hit[1] == point[1]
+    assert solid_dots(overlay, "camera") == []
+
+
+@pytest.mark.parametrize("depth", [1.0, 12.0])
+def test_the_ray_of_scaled_orthography_bends_at_the_reference_plane(depth):
+    overlay = frame(camera="scaled-orthographic", depth=depth).panels[0].overlay
+    (centre,), (hit,) = solid_dots(overlay, "camera"), solid_dots(overlay, "image")
+    (point,) = solid_dots(overlay, "world")
+    bend = re.search(r'<circle class="ray" cx="([-\d.]+)" cy="([-\d.]+)"', overlay)
+    x, y = map(float, bend.groups())
+    assert (x, y) == (centre[0] + 16 * 5, point[1])
+    assert (hit[1] - centre[1]) / (hit[0] - centre[0]) == pytest.approx(
+        (y - centre[1]) / (x - centre[0]), rel=1e-3
+    )
+
+
+def test_the_picture_shows_how_far_off_perspective_is():
+    """At 10 m, twice the reference: perspective is at half the distance from the middle."""
+    given = {"camera": "scaled-orthographic", "depth": 10}
+    assert 'class="error" cx="216" cy="158"' in picture(**given)
+    assert frame(**given).description.endswith("that is 8.9 px from where perspective has it.")
