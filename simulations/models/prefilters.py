@@ -14,6 +14,8 @@ from numpy.typing import ArrayLike, NDArray
 type Floats = NDArray[np.float64]
 type Complexes = NDArray[np.complex128]
 
+KINDS = ("none", "box", "box-2", "box-4", "box-8", "gaussian", "sinc")
+"""What `prefilter` knows."""
 GAUSSIAN_SIGMA_PX = 0.5
 """Blur of the Gaussian pre-filter: about that of a sharp lens."""
 LOBES = 4
@@ -33,12 +35,14 @@ class Prefilter:
 
 
 def prefilter(kind: str) -> Prefilter:
-    """``none`` (a point), ``box`` (the pixel's area), ``gaussian`` or ``sinc`` (windowed)."""
+    """One of `KINDS`: a point, the pixel's area or points that stand for it, and two bells."""
     match kind:
         case "none":
-            return Prefilter(np.zeros(1), np.ones(1))
+            return supersample(1)
         case "box":
             return _by_simpson(0.5, np.ones(INTERVALS + 1))
+        case "box-2" | "box-4" | "box-8":
+            return supersample(int(kind.removeprefix("box-")))
         case "gaussian":
             reach = 5 * GAUSSIAN_SIGMA_PX
             offsets = np.linspace(-reach, reach, INTERVALS + 1)
@@ -46,7 +50,19 @@ def prefilter(kind: str) -> Prefilter:
         case "sinc":
             offsets = np.linspace(-LOBES, LOBES, INTERVALS + 1)
             return _by_simpson(LOBES, np.sinc(offsets) * np.sinc(offsets / LOBES))
-    raise ValueError(f"prefilter: {kind!r}; legal: none, box, gaussian, sinc")
+    raise ValueError(f"prefilter: {kind!r}; legal: {', '.join(KINDS)}")
+
+
+def supersample(factor: int) -> Prefilter:
+    """The mean of ``factor`` points, each in the middle of an equal part of the pixel.
+
+    A stand-in for the box that is itself a sampling, ``factor`` times as dense: waves of
+    ``factor`` cycles per pixel pass it whole.
+    """
+    if factor < 1:
+        raise ValueError(f"supersample: factor {factor!r}; legal: 1 or more")
+    places = (np.arange(factor) + 0.5) / factor - 0.5
+    return Prefilter(places, np.full(factor, 1.0 / factor))
 
 
 def _by_simpson(reach: float, kernel: Floats) -> Prefilter:
@@ -76,5 +92,7 @@ def filtered_wave(
     Its local frequency is ``frequency + chirp * x`` cycles per pixel.
     """
     seen = np.asarray(x, float)[..., None] - kernel.offsets_px
-    wave: Complexes = np.exp(1j * np.pi * seen * (2 * frequency + chirp * seen)) @ kernel.weights
-    return wave
+    waves = np.exp(1j * np.pi * seen * (2 * frequency + chirp * seen))
+    # A matrix product would wake the threads of a linear algebra library for a few thousand sums.
+    mean: Complexes = np.einsum("...n,n->...", waves, kernel.weights)
+    return mean

@@ -6,22 +6,39 @@ the left and right edges of the picture.
 """
 
 import math
+from collections.abc import Iterator
+
+import numpy as np
+from numpy.typing import NDArray
 
 from simulations.engine.controls import Choice, Slider, Values
-from simulations.engine.frame import Frame, Panel, Readout, format_number, readout
+from simulations.engine.frame import (
+    Frame,
+    Panel,
+    Readout,
+    format_magnitude,
+    format_number,
+    readout,
+)
 from simulations.engine.pipeline import StageCache, run
 from simulations.engine.scene import Scene
 from simulations.models.prefilters import prefilter, transfer
 from simulations.models.sampling import alias_frequency
 from simulations.scenes import aliasing_row, aliasing_spectrum
-from simulations.scenes.aliasing_pattern import PATTERNS, STAGES, pattern_of
+from simulations.scenes.aliasing_pattern import PATTERNS, STAGES, Floats, Pattern, pattern_of
 
 NYQUIST = 0.5
 """Cycles per pixel, at one sample a pixel."""
 
+GUARD = 0.1
+"""Of the zone plate, parts whose frequency is as close to Nyquist as this are not judged."""
+
 FILTERS = {
     "none": "None: a point of each pixel",
     "box": "Box: the pixel's whole area",
+    "box-2": "Box, by 2 × 2 points",
+    "box-4": "Box, by 4 × 4 points",
+    "box-8": "Box, by 8 × 8 points",
     "gaussian": "Gaussian, σ = 0.5 px",
     "sinc": "Windowed sinc, 8 px wide",
 }
@@ -42,7 +59,7 @@ CONTROLS = (
 )
 
 
-def render(values: Values, tier: str, cache: StageCache) -> Frame:  # noqa: ARG001 - no tiers
+def render(values: Values, tier: str, cache: StageCache) -> Frame:  # noqa: ARG001 - see below
     """The picture, one row of it against the wave, and where the frequency folds to."""
     frequency, kind = values.number("frequency"), values.choice("prefilter")
     done = run(STAGES, values, cache)
@@ -138,4 +155,37 @@ def describe(values: Values, alias: float, passed: float, kept: float) -> str:
     )
 
 
-SCENE = Scene(id="aliasing", title="Sampling and Aliasing", controls=CONTROLS, render=render)
+def error(values: Values, tier: str, cache: StageCache) -> Iterator[Readout]:  # noqa: ARG001
+    """RMS of what the picture shows too much or too little of; found at once."""
+    pattern = pattern_of(
+        values.choice("pattern"), values.number("frequency"), values.number("phase")
+    )
+    truth, judged = ideal(pattern)
+    off = (pattern.picture(prefilter(values.choice("prefilter"))) - truth)[judged]
+    text = format_magnitude(math.sqrt(float(np.mean(off * off))), 1e-9)
+    yield Readout("error", "RMS off what pixels can show", text, "of range", "error")
+
+
+def ideal(pattern: Pattern) -> tuple[Floats, NDArray[np.bool_]]:
+    """The light (height, width) that pixels can show of a pattern, and where that is certain.
+
+    Waves below Nyquist along both axes as they are, without any filter; even grey in place of
+    all others. The pattern is written out here once more, from its definition.
+    """
+    x = pattern.first + np.arange(pattern.width)
+    y = (np.arange(pattern.height) - (pattern.height - 1) / 2)[:, None]
+    f = pattern.frequency
+    if pattern.kind == "stripes":
+        wave = np.sin(pattern.phase_rad + 2 * np.pi * f * (x + 0 * y))
+        held = np.full(wave.shape, f < NYQUIST)
+        return np.where(held, 0.5 + 0.5 * wave, 0.5), np.ones(wave.shape, bool)
+    highest = 2 * f / pattern.width * np.maximum(np.abs(x), np.abs(y))
+    wave = np.sin(pattern.phase_rad + 2 * np.pi * f / pattern.width * (x * x + y * y))
+    light: Floats = np.where(highest < NYQUIST, 0.5 + 0.5 * wave, 0.5)
+    return light, np.abs(highest - NYQUIST) > GUARD
+
+
+# The filter is the choice of method, and all its entries are quick: no tiers, no draft.
+SCENE = Scene(
+    id="aliasing", title="Sampling and Aliasing", controls=CONTROLS, render=render, error=error
+)

@@ -9,7 +9,7 @@ from simulations.models import prefilters, sampling
 FREQUENCIES = np.linspace(0, 1.2, 25)
 
 
-@pytest.mark.parametrize("kind", ["none", "box", "gaussian", "sinc"])
+@pytest.mark.parametrize("kind", prefilters.KINDS)
 def test_grey_stays_as_it_is(kind):
     assert prefilters.transfer(prefilters.prefilter(kind), 0) == pytest.approx(1, abs=1e-14)
 
@@ -107,3 +107,35 @@ def test_frequencies_and_places_may_have_any_shape():
     np.testing.assert_allclose(prefilters.transfer(kernel, table), each, atol=1e-14)
     waves = [[prefilters.filtered_wave(kernel, x, 0.3, 0.1) for x in row] for row in table]
     np.testing.assert_allclose(prefilters.filtered_wave(kernel, table, 0.3, 0.1), waves, atol=1e-14)
+
+
+@pytest.mark.parametrize("factor", [1, 2, 4, 8])
+def test_points_in_a_pixel_have_the_transfer_of_their_comb(factor):
+    """|sin πf / (n sin πf/n)|: the sum of n equal waves with a phase of 2πf/n between them."""
+    frequencies = np.linspace(0.05, 0.95, 19)
+    steps = np.sin(np.pi * frequencies / factor)
+    expected = np.sin(np.pi * frequencies) / (factor * steps)
+    found = prefilters.transfer(prefilters.supersample(factor), frequencies)
+    np.testing.assert_allclose(found, expected, atol=1e-14)
+
+
+@pytest.mark.parametrize("factor", [2, 4, 8])
+def test_a_wave_as_fine_as_the_points_passes_them_whole(factor):
+    kernel = prefilters.prefilter(f"box-{factor}")
+    assert abs(prefilters.transfer(kernel, factor)) == pytest.approx(1)
+    assert kernel.offsets_px.size == factor
+
+
+@pytest.mark.parametrize("factor", [2, 4, 8])
+def test_points_give_what_a_mean_over_blocks_of_samples_gives(factor):
+    centres = np.arange(16.0)
+    fine = (centres[:, None] + (np.arange(factor) + 0.5) / factor - 0.5).ravel()
+    waves = np.cos(np.pi * 0.02 * fine**2)
+    blocks = sampling.box_filter(np.tile(waves, (factor, 1)), factor)[0]
+    ours = prefilters.filtered_wave(prefilters.supersample(factor), centres, 0.0, 0.02).real
+    np.testing.assert_allclose(ours, blocks, atol=1e-13)
+
+
+def test_no_point_is_refused():
+    with pytest.raises(ValueError, match="factor 0; legal: 1 or more"):
+        prefilters.supersample(0)
