@@ -62,14 +62,26 @@ def symbol_bits(planes: Sequence[Codes]) -> float:
         ordered = codes.reshape(-1, BLOCK * BLOCK)[:, ZIGZAG]
         lengths = _bit_length(np.diff(ordered[:, 0], prepend=0))
         means += np.bincount(lengths, minlength=64)
-        symbols, extra = _run_symbols(ordered[:, 1:])
+        symbols, extra = run_symbols(ordered[:, 1:])
         others += symbols
         plain += float(lengths.sum()) + extra
     return plain + _entropy_bits(means) + _entropy_bits(others)
 
 
-def _run_symbols(codes: Codes) -> tuple[Array, float]:
-    """Counts (256,) of the symbols 16 run + length of (N, 63) codes, and the bits that follow."""
+def run_symbols(codes: Codes) -> tuple[Array, float]:
+    """Counts of the symbols of all coefficients but the means, and how many bits follow them.
+
+    Parameters
+    ----------
+    codes : (N, 63)
+        Blocks in zigzag order, without their means.
+
+    Returns
+    -------
+    counts : (256,) of the symbols 16 run + length; 0x00 is the end of a block whose last codes
+        are 0, and 0xF0 stands for sixteen zeros.
+    bits : those of the coefficients themselves.
+    """
     block, position = np.nonzero(codes)
     first = np.diff(block, prepend=-1) > 0
     before = np.where(first, -1, np.roll(position, 1))
@@ -82,7 +94,7 @@ def _run_symbols(codes: Codes) -> tuple[Array, float]:
 
 
 def _bit_length(codes: Codes) -> NDArray[np.intp]:
-    return np.asarray(np.frexp(np.abs(codes).astype(float))[1], np.intp)
+    return np.asarray(np.frexp(codes.astype(float))[1], np.intp)
 
 
 def _entropy_bits(counts: Array) -> float:

@@ -21,6 +21,9 @@ from simulations.scenes.projection_view import (
     in_picture,
 )
 
+SAME_PX = 0.05
+"""Distances below are 0.0 px in what is written."""
+
 
 def top_view_panel(view: View) -> Panel:
     drawn = scaled_rays(view) if view.camera == SCALED else parallel_rays(view)
@@ -98,23 +101,34 @@ def equation(view: View) -> str:
 
 
 def image_panel(view: View) -> Panel:
-    overlay = picture.axes(view) + picture.point(view) + through_a_centre(view)
+    overlay = (
+        picture.axes(view) + through_a_centre(view) + picture.point(view) + in_perspective(view)
+    )
     return Panel("image", picture.TITLE, picture.WIDTH, picture.HEIGHT, overlay=overlay)
 
 
 def through_a_centre(view: View) -> str:
-    """Where perspective has the point, joined to where this camera has it, and in words."""
-    words, ghost = "in perspective it has no image", ""
-    if view.Z > 0.0:
-        x, y = view.formula_only
-        words = f"in perspective at ({format_number(x, 1)}, {format_number(y, 1)}) px"
-        if off_px(view) < 0.05:
-            words = "in perspective at the same place"
-        elif in_picture(x, y) and view.in_picture:
-            ends = picture.place(view.x, view.y), picture.place(x, y)
-            ghost = drawing.line(*ends, "error dashed") + drawing.circle(ends[1], 5.0, "error")
+    """Where perspective has the point, joined to where this camera has it."""
+    if view.Z <= 0.0 or off_px(view) < SAME_PX or not view.in_picture:
+        return ""
+    x, y = view.formula_only
+    if not in_picture(x, y):
+        return ""
+    start, end = picture.place(view.x, view.y), picture.place(x, y)
+    return drawing.line(start, end, "error dashed") + drawing.circle(end, 5.0, "error")
+
+
+def in_perspective(view: View) -> str:
+    """The same in words."""
+    if view.Z <= 0.0:
+        words = "in perspective it has no image"
+    elif off_px(view) < SAME_PX:
+        words = "in perspective at the same place"
+    else:
+        x, y = (format_number(value, 1) for value in view.formula_only)
+        words = f"in perspective at ({x}, {y}) px"
     place = (picture.WIDTH / 2.0, picture.message_rows(view)[-1])
-    return ghost + drawing.text(place, words, "error small halo", "middle")
+    return drawing.text(place, words, "error small halo", "middle")
 
 
 def off_px(view: View) -> float:

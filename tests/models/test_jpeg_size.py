@@ -9,7 +9,7 @@ import skimage.data
 from PIL import Image
 
 from simulations.models import jpeg
-from simulations.models.jpeg_size import LARGEST, ZIGZAG, size, symbol_bits
+from simulations.models.jpeg_size import LARGEST, ZIGZAG, run_symbols, size, symbol_bits
 
 PHOTO = skimage.data.astronaut()[:192, 100:340]
 
@@ -59,6 +59,37 @@ def test_planes_that_share_their_tables_share_the_rarity_of_symbols():
     apart = symbol_bits([flat]) + symbol_bits([edge])
     assert apart == 1
     assert symbol_bits([flat, edge]) == pytest.approx(1 + 2 + 3 * math.log2(4 / 3))
+
+
+def symbols(codes):
+    """{symbol: count} and bits of blocks given as {place: code} of the 63 after the mean."""
+    blocks = np.zeros((len(codes), 63), np.int64)
+    for block, given in zip(blocks, codes, strict=True):
+        block[list(given)] = list(given.values())
+    counts, bits = run_symbols(blocks)
+    return {int(k): int(counts[k]) for k in np.flatnonzero(counts)}, bits
+
+
+@pytest.mark.parametrize(
+    ("codes", "expected", "bits"),
+    [
+        pytest.param({}, {0x00: 1}, 0, id="end-only"),
+        pytest.param({0: 1}, {0x01: 1, 0x00: 1}, 1, id="no-zeros-before"),
+        pytest.param({3: -6}, {0x33: 1, 0x00: 1}, 3, id="three-zeros-then-three-bits"),
+        pytest.param({0: 2, 4: 7}, {0x02: 1, 0x33: 1, 0x00: 1}, 5, id="run-from-the-last"),
+        pytest.param({15: 1}, {0xF1: 1, 0x00: 1}, 1, id="fifteen-zeros"),
+        pytest.param({16: 1}, {0xF0: 1, 0x01: 1, 0x00: 1}, 1, id="sixteen-zeros"),
+        pytest.param({34: 1}, {0xF0: 2, 0x21: 1, 0x00: 1}, 1, id="thirty-four-zeros"),
+        pytest.param({62: -1}, {0xF0: 3, 0xE1: 1}, 1, id="to-the-very-end"),
+        pytest.param({61: 1}, {0xF0: 3, 0xD1: 1, 0x00: 1}, 1, id="all-but-the-end"),
+    ],
+)
+def test_symbols_are_those_of_the_standard(codes, expected, bits):
+    assert symbols([codes]) == (expected, bits)
+
+
+def test_a_run_of_zeros_ends_with_its_block():
+    assert symbols([{62: 1}, {2: 1}]) == ({0xF0: 3, 0xE1: 1, 0x21: 1, 0x00: 1}, 2)
 
 
 @pytest.mark.parametrize("sign", [-1, 1])
