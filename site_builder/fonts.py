@@ -17,6 +17,7 @@ import fontTools
 import platformdirs
 from fontTools import subset
 from fontTools.ttLib import TTFont
+from fontTools.ttLib.tables._g_l_y_f import USE_MY_METRICS
 
 
 def _span(*bounds: tuple[int, int]) -> frozenset[int]:
@@ -59,7 +60,7 @@ FORMULAE = (
     | _each("ℂℎℏℐℒℕℙℚℛℝℤ□◦⊤⊥⋅⋆⟨⟩⟵⟶⟷⦅⦆")
 )
 
-RECIPE = 2
+RECIPE = 3
 """Counts changes of `cut`, so that a cache filled by an earlier version is not used."""
 
 BASIC_FEATURES = ("ccmp", "kern", "liga", "lnum", "locl", "mark", "mkmk", "onum", "pnum", "tnum")
@@ -178,6 +179,7 @@ def cut(face: Face, source: bytes) -> bytes:
     subsetter.subset(font)
     _rename(font, face.family, face.style)
     _offer_script_forms(font)
+    _keep_own_widths(font)
     packed = io.BytesIO()
     subset.save_font(font, packed, options)
     return packed.getvalue()
@@ -189,6 +191,18 @@ def _rename(font: TTFont, family: str, style: str) -> None:
     for record in font["name"].names:
         if record.nameID in names:
             record.string = names[record.nameID]
+
+
+def _keep_own_widths(font: TTFont) -> None:
+    """Give each glyph the width that its metrics state.
+
+    Some are marked to take the width of a part: a “ would be as narrow as a ‘ in browsers that
+    draw with FreeType, and tabular figures uneven.
+    """
+    outlines = font.get("glyf")
+    for name in font.getGlyphOrder() if outlines else ():
+        for part in getattr(outlines[name], "components", ()):
+            part.flags &= ~USE_MY_METRICS
 
 
 def _offer_script_forms(font: TTFont) -> None:

@@ -8,6 +8,7 @@ from pathlib import Path
 
 import pytest
 from fontTools.ttLib import TTFont
+from fontTools.ttLib.tables._g_l_y_f import USE_MY_METRICS
 
 from site_builder.fonts import FACES, Face, cut, subset_fonts
 
@@ -105,6 +106,14 @@ def test_figures_of_the_sans_have_one_width_with_the_minus(
     font = opened(fonts, file)
     names, widths = font.getBestCmap(), font["hmtx"]
     assert len({widths[names[ord(sign)]][0] for sign in "0123456789−\u2007"}) == 1
+
+
+@pytest.mark.parametrize("file", TEXT_FACES)
+def test_no_glyph_takes_the_width_of_its_parts(fonts: Mapping[str, bytes], file: str) -> None:
+    font = opened(fonts, file)
+    for name in font.getGlyphOrder():
+        for part in getattr(font["glyf"][name], "components", ()):
+            assert not part.flags & USE_MY_METRICS
 
 
 @pytest.mark.parametrize("face", FACES, ids=lambda face: face.file)
