@@ -5,6 +5,7 @@ from simulations.extremes import (
     compression,
     demosaicing,
     distortion,
+    lines_and_planes,
     optics,
     projection,
     raycasting,
@@ -18,6 +19,7 @@ from simulations.extremes import (
 
 TABLES = (
     transforms.TABLE,
+    lines_and_planes.TABLE,
     rotations.TABLE,
     projection.TABLE,
     distortion.TABLE,

@@ -109,8 +109,8 @@ def test_only_a_quality_from_1_to_100_has_a_table(quality):
 
 
 def test_halves_go_outwards_however_they_were_summed():
-    nearly = [2.5 - 1e-12, 2.5, 2.5 + 1e-12, -2.5 + 1e-12, 2.4, 0.0]
-    np.testing.assert_array_equal(compression.round_outwards(nearly), [3, 3, 3, -3, 2, 0])
+    nearly = [2.5 - 1e-12, 2.5, 2.5 + 1e-12, -2.5 + 1e-12, 2.5 - 1e-7, 2.4, 0.0]
+    np.testing.assert_array_equal(compression.round_outwards(nearly), [3, 3, 3, -3, 2, 2, 0])
 
 
 @pytest.mark.parametrize("shape", [(8, 8), (13, 30), (1, 1), (24, 7)])

@@ -13,6 +13,7 @@ from simulations.models import (
     euler,
     homography_algebra,
     homography_estimation,
+    lines_and_planes,
     projection,
     quaternions,
     rotations,
@@ -81,6 +82,20 @@ def test_vanishing_points_are_finite_where_valid(directions):
 @given(arrays(3))
 def test_horizons_are_finite_where_valid(normal):
     assert_finite_where_valid(vanishing.horizon(normal, K))
+
+
+@given(arrays(2, 2), arrays(2, 3))
+def test_lines_and_planes_are_finite_where_valid(points, corners):
+    assert_finite_where_valid(lines_and_planes.line_through(*points))
+    assert_finite_where_valid(lines_and_planes.plane_through(*corners, [0.0, 1.0, 0.0]))
+
+
+@given(arrays(2, 3), arrays(2))
+def test_lines_meet_in_finite_points_or_nowhere(lines, point):
+    meet, valid = lines_and_planes.intersection(*lines)
+    assert_finite_where_valid((meet, valid))
+    assert valid or np.isnan(meet).all()
+    assert lines_and_planes.signed_distance(point, lines).shape == (2,)
 
 
 @given(arrays(3, 3), arrays(4, 2))
