@@ -51,18 +51,16 @@ def disc_kernel(radius_px: float) -> Planes:
     if reach == 0:
         return np.ones((1, 1), np.float32)
     offsets = np.arange(-reach, reach + 1, dtype=float)
-    half_chord = 0.5 * np.diff(_disc_area_below(np.append(offsets - 0.5, reach + 0.5), radius_px))
+    half_chord = 0.5 * np.diff(_disc_area_up_to(np.append(offsets - 0.5, reach + 0.5), radius_px))
     reached = np.clip(half_chord[:, None] + 0.5 - np.abs(offsets), 0.0, 1.0)
     weights = np.where(half_chord[:, None] < 0.5, 2 * half_chord[:, None] * (offsets == 0), reached)
     return np.asarray(weights / weights.sum(), np.float32)
 
 
-def _disc_area_below(height: NDArray[np.floating], radius: float) -> NDArray[np.floating]:
-    """Area of a disc below a horizontal line at ``height`` from its centre."""
+def _disc_area_up_to(height: NDArray[np.floating], radius: float) -> NDArray[np.floating]:
+    """Area of a disc between its centre line and a parallel at ``height``; negative below it."""
     sine = np.clip(height / radius, -1.0, 1.0)
-    area: NDArray[np.floating] = radius**2 * (
-        np.arcsin(sine) + sine * np.sqrt(1.0 - sine**2) + math.pi / 2
-    )
+    area: NDArray[np.floating] = radius**2 * (np.arcsin(sine) + sine * np.sqrt(1.0 - sine**2))
     return area
 
 
@@ -79,14 +77,14 @@ def disc_blur(planes: Planes, radius_px: float) -> Planes:
     while radius_px / factor > LARGEST_KERNEL_RADIUS:
         factor *= 2
     height, width = planes.shape[1:]
-    small = planes
-    for _ in range(factor.bit_length() - 1):
+    small, halvings = planes, factor.bit_length() - 1
+    for _ in range(halvings):
         small = _halve(small)
     # Going down and up again is itself a blur, of variance (factor² - 1) / 2 per axis; a disc of
     # radius r has r² / 4.
     rest = math.sqrt(radius_px**2 - 2.0 * (factor**2 - 1)) / factor
     small = _convolve(small, disc_kernel(rest))
-    while small.shape[1] < height or small.shape[2] < width:
+    for _ in range(halvings):
         small = double(small)
     return np.ascontiguousarray(small[:, :height, :width])
 

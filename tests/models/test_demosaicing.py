@@ -33,6 +33,15 @@ def test_interior_equals_the_published_method(pattern, method, shape):
     np.testing.assert_allclose(ours[inner], theirs[inner], atol=1e-12)
 
 
+def test_where_rows_and_columns_are_equally_calm_menon_keeps_the_rows():
+    """Small whole numbers tie often, and are summed without rounding."""
+    cfa = np.random.default_rng(7).integers(0, 3, (60, 64)).astype(float)
+    theirs = oracle.demosaicing_CFA_Bayer_Menon2007(cfa, "RGGB")
+    np.testing.assert_allclose(
+        demosaic(cfa, "RGGB", "menon")[6:-6, 6:-6], theirs[6:-6, 6:-6], atol=1e-12
+    )
+
+
 @pytest.mark.parametrize("method", METHODS)
 @given(
     shape=st.tuples(st.integers(2, 9), st.integers(2, 9)),
@@ -163,7 +172,14 @@ def test_psnr_leaves_out_just_the_border():
             one[corner] = 1
             count = clean[inner].size
             assert psnr_db(one, clean, crop=crop) == pytest.approx(10 * np.log10(count))
-    assert psnr_db(spoilt, clean, crop=8) == psnr_db(spoilt, clean)
+
+
+def test_psnr_leaves_out_eight_pixels_unless_told_otherwise():
+    """Each ring is off by another amount, so that any other crop has another error."""
+    far = np.minimum(np.arange(30), np.arange(30)[::-1])
+    rings = np.minimum(far[:, None], far)
+    assert psnr_db(rings, np.zeros((30, 30))) == psnr_db(rings, np.zeros((30, 30)), crop=8)
+    assert psnr_db(rings, np.zeros((30, 30))) != psnr_db(rings, np.zeros((30, 30)), crop=7)
 
 
 def test_psnr_counts_in_units_of_the_peak():

@@ -84,6 +84,39 @@ def test_disc_within_a_pixel_returns_the_very_picture():
     assert blur_by_depth(picture, np.full((4, 4), 0.5)) is picture
 
 
+def test_disc_just_wider_than_a_pixel_blurs():
+    light = point_of_light(9)
+    column = disc_kernel(0.52)[:, 1]
+    assert column[0] > 0
+    assert disc_blur(light, 0.52)[0, 3:6, 4] == pytest.approx(column)
+    assert blur_by_depth(light, np.full((9, 9), 0.52))[0, 3, 4] > 0
+    assert blur_layer(Layer(light, 0, 0, 0.52)).planes[0, 5:8, 6] == pytest.approx(column)
+
+
+def test_a_layer_is_sharp_unless_told_otherwise():
+    layer = Layer(np.ones((4, 3, 3), np.float32), 0, 0)
+    assert blur_layer(layer) is layer
+
+
+def test_a_disc_is_drawn_exactly_up_to_a_radius_of_three_and_a_half_and_spread_wider_beyond():
+    light = point_of_light(31)
+    assert np.array_equal(disc_blur(light, 3.5)[0, 12:19, 12:19], disc_kernel(3.5))
+    for radius in (3.52, 3.8):
+        beyond = (disc_blur(light, radius)[0, 15] > 0).sum()
+        assert beyond > disc_kernel(radius).shape[1]
+
+
+@pytest.mark.parametrize("length", [1, 2, 3, 40])
+def test_a_line_of_pixels_is_blurred_as_a_picture_of_that_line_repeated(length):
+    line = np.random.default_rng(5).random((1, 1, length)).astype(np.float32)
+    repeated = disc_blur(np.repeat(line, 33, axis=1), 9.0)
+    assert disc_blur(line, 9.0)[0, 0] == pytest.approx(repeated[0, 16], abs=1e-6)
+    upright = np.repeat(line, 33, axis=1).swapaxes(1, 2)
+    assert disc_blur(line.swapaxes(1, 2), 9.0)[0, :, 0] == pytest.approx(
+        disc_blur(upright, 9.0)[0, :, 16], abs=1e-6
+    )
+
+
 def test_blur_by_depth_is_the_disc_where_the_depth_is_uniform():
     picture = np.random.default_rng(0).random((1, 30, 30)).astype(np.float32)
     assert blur_by_depth(picture, np.full((30, 30), 2.0)) == pytest.approx(
@@ -142,8 +175,10 @@ def test_layers_are_laid_over_one_another_by_their_coverage():
         np.testing.assert_allclose(composite(background, layers), expected, rtol=1e-6)
 
 
-@pytest.mark.parametrize(("top", "left"), [(-3, 0), (6, 0), (0, -4), (0, 7)])
-def test_layers_that_just_miss_the_picture_change_nothing_and_hide_no_other(top, left):
+@pytest.mark.parametrize(
+    ("top", "left"), [(-3, 0), (6, 0), (0, -4), (0, 7), (-5, 1), (9, 1), (1, -9), (1, 12)]
+)
+def test_layers_that_miss_the_picture_change_nothing_and_hide_no_other(top, left):
     background = np.zeros((3, 6, 7), np.float32)
     missing, seen = (
         Layer(np.ones((4, 3, 4), np.float32), top, left),
@@ -172,6 +207,17 @@ def test_each_row_of_a_disc_holds_the_area_of_its_strip(radius):
     y = (np.arange(20_000 * kernel.shape[0]) + 0.5) / 20_000 - reach - 0.5
     strips = 2 * np.sqrt(np.maximum(radius**2 - y**2, 0)).reshape(kernel.shape[0], -1).mean(1)
     np.testing.assert_allclose(kernel.sum(1), strips / (math.pi * radius**2), atol=1e-5)
+
+
+@pytest.mark.parametrize("radius", [0.6, 0.7, 1.2, 2.04, 2.98, 3.4])
+def test_a_strip_is_spread_over_the_pixels_that_its_chord_covers(radius):
+    """A chord of the strip's mean length, centred: its overlap with each pixel of the row."""
+    kernel = disc_kernel(radius)
+    left = np.arange(kernel.shape[1]) - kernel.shape[1] // 2 - 0.5
+    half = 0.5 * kernel.sum(1, keepdims=True) * math.pi * radius**2
+    overlap = np.minimum(half, left + 1) - np.maximum(-half, left)
+    expected = np.maximum(overlap, 0) / (math.pi * radius**2)
+    np.testing.assert_allclose(kernel, expected, atol=1e-6)
 
 
 @pytest.mark.parametrize("radius", [-0.1, math.inf, math.nan])

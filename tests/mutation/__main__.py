@@ -4,6 +4,8 @@ A seeded sample of each module's mutants (``SAMPLE=all`` for every one) is run a
 of that module. Mutants that no test can notice are listed, with the reason, in
 ``equivalent.txt``, and left out of the score. The score of all mutants goes into ``score.txt``;
 that of a sample is only printed, but for one that was drawn to be held out (``--held-out``).
+Who survived all tests is listed in ``survivors.txt``; once there are better tests,
+``SAMPLE=survivors`` tries those mutants alone: what one test notices, more tests notice too.
 
 Why not a ready-made tool: those rewrite the working copy or start pytest anew for each mutant,
 and know nothing of axes, tolerances or trigonometry.
@@ -21,6 +23,7 @@ from mutation.trial import MODELS, survives, tests_of, used_s, warm_up
 HERE = Path(__file__).parent
 SCORES = HERE / "score.txt"
 EQUIVALENT = HERE / "equivalent.txt"
+SURVIVORS = HERE / "survivors.txt"
 SLOWDOWN = 10
 """A mutant may take this many times as long as the unchanged module, and 5 s more."""
 
@@ -29,22 +32,28 @@ def name(module: str, mutant: Mutant) -> str:
     return f"{module}.{mutant.place}: {mutant.after}"
 
 
-def read_equivalent() -> set[str]:
-    lines = EQUIVALENT.read_text("utf-8").splitlines() if EQUIVALENT.exists() else []
+def read_names(file: Path) -> set[str]:
+    lines = file.read_text("utf-8").splitlines() if file.exists() else []
     return {line for line in lines if line and not line.startswith("#")}
 
 
-def sampled(module: str, everything: list[Mutant], sample: int | None, seed: int) -> list[Mutant]:
-    """So many of all mutants, in their order; a larger sample of a seed holds the smaller one."""
+def chosen_of(module: str, everything: list[Mutant], sample: str, seed: int) -> list[Mutant]:
+    """Those asked for, in their order; a larger sample of a seed holds the smaller one."""
+    if sample == "survivors":
+        left = read_names(SURVIVORS)
+        return [mutant for mutant in everything if name(module, mutant) in left]
     order = list(range(len(everything)))
     random.Random(f"{seed} {module}").shuffle(order)
-    return [everything[index] for index in sorted(order[:sample])]
+    return [
+        everything[index] for index in sorted(order[: None if sample == "all" else int(sample)])
+    ]
 
 
-def judge(module: str, sample: int | None, seed: int, equivalent: set[str]) -> Score | None:
+def judge(module: str, sample: str, seed: int) -> Score | None:
+    """Try the mutants of a module; None where its tests fail as they are."""
     source = (MODELS / f"{module}.py").read_text("utf-8")
-    everything, tests = list(mutants(source)), tests_of(module)
-    chosen = sampled(module, everything, sample, seed)
+    everything, tests, equivalent = list(mutants(source)), tests_of(module), read_names(EQUIVALENT)
+    chosen = chosen_of(module, everything, sample, seed)
     known = {name(module, mutant) for mutant in everything}
     for line in sorted(line for line in equivalent - known if line.startswith(f"{module}.")):
         print(f"equivalent.txt: no such mutant: {line}")
@@ -58,7 +67,18 @@ def judge(module: str, sample: int | None, seed: int, equivalent: set[str]) -> S
     left = [mutant for mutant in counted if survives(module, mutant.source, tests, limit_s)]
     for mutant in left:
         print(f"\n  - {mutant.before}\n  + {name(module, mutant)}", flush=True)
+    if sample in ("all", "survivors"):
+        write_survivors(module, [name(module, mutant) for mutant in left])
+        listed = [mutant for mutant in everything if name(module, mutant) in equivalent]
+        return Score(len(everything), len(listed), len(left))
     return Score(len(chosen), len(chosen) - len(counted), len(left))
+
+
+def write_survivors(module: str, names: list[str]) -> None:
+    """Those of one module replace its old ones."""
+    old = {line for line in read_names(SURVIVORS) if not line.startswith(f"{module}.")}
+    head = "# Mutants that no test notices, though one could; written by `make mutants SAMPLE=all`."
+    SURVIVORS.write_text("\n".join([head, *sorted(old | set(names))]) + "\n", "utf-8")
 
 
 def record(module: str, score: Score, held_out: bool) -> None:
@@ -73,22 +93,20 @@ def record(module: str, score: Score, held_out: bool) -> None:
 def main() -> int:
     modules = sorted(file.stem for file in MODELS.glob("[!_]*.py"))
     parser = argparse.ArgumentParser(prog="make mutants", description=__doc__)
-    parser.add_argument("--sample", default="30", help="mutants per module, or: all")
+    parser.add_argument("--sample", default="30", help="mutants per module, all, or survivors")
     parser.add_argument("--seed", type=int, default=1)
     parser.add_argument("--module", action="append", choices=modules, default=[])
     parser.add_argument("--held-out", action="store_true", help="record this sample in score.txt")
     asked = parser.parse_args()
-    sample = None if asked.sample == "all" else int(asked.sample)
-    equivalent = read_equivalent()
     for module in asked.module or modules:
-        if not (score := judge(module, sample, asked.seed, equivalent)):
+        if not (score := judge(module, asked.sample, asked.seed)):
             continue
         print(
             f"{module:22}{score.mutants:5} mutants{score.equivalent:4} equivalent"
             f"{score.noticed:5} noticed{score.survived:4} survived{score.share:>8}",
             flush=True,
         )
-        if sample is None or asked.held_out:
+        if asked.sample in ("all", "survivors") or asked.held_out:
             record(module, score, asked.held_out)
     return 0
 

@@ -13,6 +13,9 @@ FUNCTION = {
 FORGOTTEN = ("abs", "sqrt", "cbrt", "square", "sign", "moveaxis", "swapaxes", "copysign")
 """Functions that one may leave out: what remains is their first argument."""
 
+EVEN = ("abs", "cos", "hypot", "sinc", "square")
+"""Functions that do not see a sign."""
+
 ORDERED = {
     name: first
     for first, names in enumerate(
@@ -28,20 +31,22 @@ LIBRARIES = ("np", "math", "linalg")
 BUILTINS = ("zip", "isinstance", "slice", "range", "enumerate", "map", "min", "max", "float", "len")
 
 
+def called(node: ast.Call) -> str:
+    """Last part of the name of the function called; empty where it has none."""
+    match node.func:
+        case ast.Attribute(attr=name) | ast.Name(id=name):
+            return name
+    return ""
+
+
 def other_calls(node: ast.Call) -> Iterator[ast.Call | ast.expr]:
     """Every mistake in the function called and in the order of its arguments."""
-    match node.func:
-        case ast.Attribute(value=owner, attr=name):
-            same: ast.expr = owner
-        case ast.Name(id=name):
-            same = node.func
-        case _:
-            return
+    name = called(node)
     if name in FUNCTION:
         yield ast.Call(_renamed(node.func, FUNCTION[name]), node.args, node.keywords)
     if name in FORGOTTEN and node.args:
         yield node.args[0]
-    yield from _exchanged(node, name, _is_library(same))
+    yield from _exchanged(node, name)
 
 
 def _renamed(function: ast.expr, name: str) -> ast.expr:
@@ -50,25 +55,24 @@ def _renamed(function: ast.expr, name: str) -> ast.expr:
     return ast.Name(name, ast.Load())
 
 
-def _is_library(owner: ast.expr) -> bool:
-    """Whether the function, or what it is an attribute of, is not one of ours."""
-    match owner:
+def _is_ours(function: ast.expr) -> bool:
+    """Whether it is a function of a model: by its own name, or by that of its module."""
+    match function:
         case ast.Name(id=name):
-            return name in LIBRARIES or name in BUILTINS
-        case ast.Attribute(attr=name):
-            return name in LIBRARIES
-        case _:
-            return True  # a method of an array
+            return name not in BUILTINS
+        case ast.Attribute(value=ast.Name(id=owner)):
+            return owner not in LIBRARIES
+    return False  # a method of an array, or of a part of numpy
 
 
-def _exchanged(node: ast.Call, name: str, library: bool) -> Iterator[ast.Call]:
+def _exchanged(node: ast.Call, name: str) -> Iterator[ast.Call]:
     """Two neighbouring arguments exchanged: those that one can confuse."""
     if any(isinstance(argument, ast.Starred) for argument in node.args):
         return
     if name in ORDERED:
         places = [ORDERED[name]]
     else:
-        places = [] if library else list(range(len(node.args) - 1))
+        places = list(range(len(node.args) - 1)) if _is_ours(node.func) else []
     for place in places:
         if len(node.args) >= place + 2:
             args = list(node.args)

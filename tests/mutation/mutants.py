@@ -9,7 +9,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from itertools import zip_longest
 
-from mutation.calls import other_calls
+from mutation.calls import EVEN, called, other_calls
 
 UNTOUCHED = (ast.Raise, ast.JoinedStr, ast.TypeAlias, ast.Import, ast.ImportFrom)
 UNTOUCHED_FIELDS = ("annotation", "returns", "decorator_list", "type_params")
@@ -90,6 +90,8 @@ def _mutations(node: ast.AST, place: str) -> Iterator[tuple[str, ast.AST, ast.AS
     """(function, node, what may stand in its place) for a node and all below it."""
     if isinstance(node, UNTOUCHED) or (isinstance(node, ast.keyword) and node.arg == "strict"):
         return  # of zip: a check of the code, not a part of the model
+    if isinstance(node, ast.Assign) and ast.unparse(node.targets[0]) == "__all__":
+        return
     if isinstance(node, ast.FunctionDef | ast.ClassDef):
         place = f"{place}.{node.name}".lstrip(".")
     for new in _alternatives(node):
@@ -142,6 +144,7 @@ def _alternatives_of_parts(node: ast.AST) -> Iterator[tuple[ast.AST, ast.AST]]:
         case ast.IfExp(test=ast.Name() | ast.Attribute() | ast.Call() as test):
             yield test, ast.UnaryOp(ast.Not(), test)
     is_product = isinstance(node, ast.BinOp) and isinstance(node.op, PRODUCT)
+    is_product |= isinstance(node, ast.Call) and called(node) in EVEN
     for child in ast.iter_child_nodes(node):
         match child:
             case ast.BinOp(op=ast.Mult() | ast.Div()) if not is_product:

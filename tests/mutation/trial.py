@@ -117,7 +117,7 @@ def _run_tests(module: str, source: str, tests: list[Path]) -> None:
         sys.meta_path.insert(0, MutatedModule(f"{PACKAGE}.{module}", source))
         os.environ["PYTEST_DISABLE_PLUGIN_AUTOLOAD"] = "1"
         without = "cacheprovider unraisableexception threadexception doctest junitxml faulthandler"
-        options = ["-x", "-q", "--noconftest", "--assert=plain", f"--rootdir={ROOT}"]
+        options = ["-x", "-q", "--tb=native", "--noconftest", "--assert=plain", f"--rootdir={ROOT}"]
         options += [f"-pno:{plugin}" for plugin in without.split()]
         code = int(pytest.main([*options, *map(str, tests)]))
     finally:

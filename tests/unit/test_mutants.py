@@ -44,6 +44,7 @@ def after(line: str) -> set[str]:
         ("x[i] = y", {"pass  # x[i] = y"}),
         ("= np.sin(x)", {"np.cos(x)"}),
         ("= np.sqrt(x)", {"x"}),
+        ("= np.cos(x / y)", {"np.sin(x / y)", "np.cos(x * y)"}),
         ("= x.sum()", {"x.mean()"}),
         ("= max(a, b)", {"min(a, b)"}),
         ("= math.floor(x)", {"math.ceil(x)"}),
@@ -67,6 +68,7 @@ def test_every_small_mistake_is_made_once(line: str, mistakes: set[str]) -> None
         "x: A[1]",
         "f'{a + 1}'",
         "= zip(a, strict=True)",
+        "__all__ = ['a', 'b']",
     ],
 )
 def test_words_types_and_messages_are_left_alone(line: str) -> None:
