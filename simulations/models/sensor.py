@@ -5,6 +5,7 @@ quantum efficiency, dark current) -> counted electrons (Poisson, full well) -> v
 of codes (read noise, gain, black level) -> whole codes (ADC). DN is a code, a *digital number*.
 """
 
+import math
 from dataclasses import dataclass, replace
 from typing import Literal
 
@@ -98,21 +99,42 @@ def shot_noise(
     every sample from there spills anyhow, and a sampler fails for huge means. So a pixel in
     any light, infinite light too, comes out full and free of noise.
     """
-    _require("full_well_e", full_well_e, full_well_e > 0, "above 0")
-    cap = full_well_e + 10 * np.sqrt(full_well_e) + 100 if full_well_e < np.inf else 1e15
-    mean = np.minimum(_light("mean_e", mean_e), cap)
-    counted: Array
+    mean = _capped_mean(mean_e, full_well_e)
     if model == "poisson":
         counted = np.asarray(rng.poisson(mean), mean.dtype)
-    elif model in SHOT_MODELS:
-        z = rng.standard_normal(mean.shape, np.float32 if mean.dtype == np.float32 else np.float64)
-        lean = (z * z - 1) / 6 if model == "skewed" else 0.0
-        # No light frees no electron, whatever the approximation says of the tails.
-        counted = np.where(mean > 0, np.rint(np.maximum(mean + np.sqrt(mean) * z + lean, 0)), 0)
-    else:
+        held: Array = np.minimum(counted, full_well_e)
+        return held
+    if model not in SHOT_MODELS:
         raise ValueError(f"model {model!r}; legal: {', '.join(SHOT_MODELS)}")
-    held: Array = np.minimum(counted, full_well_e)
-    return held
+    z = rng.standard_normal(mean.shape, np.float32 if mean.dtype == np.float32 else np.float64)
+    return _normal_counts(mean, z, full_well_e, skewed=model == "skewed")
+
+
+def shot_noise_from_normal(mean_e: ArrayLike, z: ArrayLike, full_well_e: float = np.inf) -> Array:
+    """The ``skewed`` model of `shot_noise`, from standard normals ``z`` (...) drawn beforehand.
+
+    A picture whose light changes then keeps its grain, and nothing need be drawn again.
+    """
+    return _normal_counts(_capped_mean(mean_e, full_well_e), as_floats(z), full_well_e, skewed=True)
+
+
+def _capped_mean(mean_e: ArrayLike, full_well_e: float) -> Array:
+    _require("full_well_e", full_well_e, full_well_e > 0, "above 0")
+    # A plain float: a numpy one would widen float32 pictures.
+    cap = full_well_e + 10 * math.sqrt(full_well_e) + 100 if full_well_e < np.inf else 1e15
+    mean: Array = np.minimum(_light("mean_e", mean_e), cap)
+    return mean
+
+
+def _normal_counts(mean: Array, z: Array, full_well_e: float, *, skewed: bool) -> Array:
+    counted: Array = np.asarray(np.sqrt(mean) * z)
+    counted += mean
+    if skewed:
+        counted += (z * z - 1) / 6
+    np.clip(np.rint(counted, out=counted), 0, full_well_e, out=counted)
+    # No light frees no electron, whatever the approximation says of the tails.
+    counted[mean == 0] = 0
+    return counted
 
 
 def read_out(electrons: ArrayLike, sensor: Sensor, rng: np.random.Generator) -> Array:
@@ -135,8 +157,9 @@ def quantise(signal_dn: ArrayLike, bits: int) -> NDArray[np.uint16]:
     if not isinstance(bits, int) or not 1 <= bits <= 16:
         raise ValueError(f"bits {bits!r}; legal: whole numbers from 1 to 16")
     top = 2**bits - 1
-    finite = np.nan_to_num(as_floats(signal_dn), nan=0.0, posinf=top, neginf=0.0)
-    codes: NDArray[np.uint16] = np.rint(np.clip(finite, 0, top)).astype(np.uint16)
+    # fmax, unlike clip, replaces NaN.
+    held = np.minimum(np.fmax(as_floats(signal_dn), 0), top)
+    codes: NDArray[np.uint16] = np.rint(held).astype(np.uint16)
     return codes
 
 

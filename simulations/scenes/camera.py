@@ -11,17 +11,16 @@ from simulations.engine.pipeline import Run, StageCache, run
 from simulations.engine.scene import Scene
 from simulations.models import optics, projection
 from simulations.models.aperture_grid import aperture_grid
-from simulations.scenes.camera_plan import PLAN_HEIGHT, PLAN_WIDTH, draw_plan
-from simulations.scenes.camera_stages import (
+from simulations.scenes.camera_lens import (
     PITCH_MM,
     SENSOR_WIDTH_MM,
-    STAGES,
-    TIERS,
-    develop_ideal,
+    bend_rays,
     largest_blur_px,
-    shutter_s,
-    through_lens,
+    pinhole_rays,
 )
+from simulations.scenes.camera_plan import PLAN_HEIGHT, PLAN_WIDTH, draw_plan
+from simulations.scenes.camera_sensor import develop_ideal, expose, shutter_s, vignette
+from simulations.scenes.camera_stages import STAGES, TIERS, parameters, through_lens
 
 DEFAULT_TIER = "layers"
 REFERENCE_GRID = 7
@@ -113,7 +112,7 @@ def shutter_text(seconds: float) -> str:
 
 def run_tier(values: Values, tier: str, cache: StageCache) -> Run:
     """All stages, with the parameters that the tier sets."""
-    return run(STAGES, values, cache, TIERS[tier or DEFAULT_TIER])
+    return run(STAGES, values, cache, parameters(values, tier or DEFAULT_TIER))
 
 
 def render(values: Values, tier: str, cache: StageCache) -> Frame:
@@ -147,14 +146,15 @@ def error(values: Values, tier: str, cache: StageCache) -> Iterator[Readout]:
     """
     outputs = run_tier(values, tier, cache).outputs
     picture: Raster = outputs["noiseless picture"]
-    full = run_tier(values, "layers", cache).outputs["lens distortion"]
+    rays = bend_rays(pinhole_rays(values.number("focal_length")), values.number("k1"))
     points = aperture_grid(REFERENCE_GRID)
     setting = {n: values.number(n) for n in ("light_angle", "focal_length", "aperture", "focus")}
     total = np.zeros((3, *picture.shape[:2]), np.float32)
     for count, at in enumerate(points, start=1):
-        total += through_lens(full, at, **setting)
+        total += through_lens(rays, at, **setting)
         seen = np.asarray(total / count, np.float32)
-        truth = develop_ideal(seen, setting["focal_length"], values.number("exposure"))
+        light = vignette(seen, setting["focal_length"])
+        truth = develop_ideal(expose(light, values.number("exposure")))
         difference = picture[..., :3].astype(np.float32) - truth[..., :3]
         codes = format_number(math.sqrt(float(np.mean(difference * difference))), 2)
         label = f"RMS error against {count} of {len(points)} rays through the lens"
@@ -204,11 +204,12 @@ SCENE = Scene(
     tiers=tuple(TIERS),
     default_tier=DEFAULT_TIER,
     draft_tier="draft",
-    drafted=("focal_length", "k1", "light_angle"),
+    drafted=("focal_length", "light_angle"),
     tier_labels={
         "draft": "Draft: a ray for four pixels",
-        "layers": "A ray a pixel, blur by layers",
-        "aperture-rays": "12 rays a pixel through the lens",
+        "layers": "A ray a pixel; blur and distortion after",
+        "bent-rays": "A bent ray a pixel; blur after",
+        "aperture-rays": "12 bent rays a pixel through the lens",
     },
     error=error,
 )

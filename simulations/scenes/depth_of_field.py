@@ -22,16 +22,17 @@ from simulations.models.depth_of_field import Planes
 from simulations.pictures.still_life import THINGS, WALL_DISTANCE, thing_depth
 from simulations.scenes import camera_stages
 from simulations.scenes import depth_of_field_drawing as drawing
+from simulations.scenes.camera_lens import COLUMNS, PITCH_MM, ROWS
 
 NEAR_M, FAR_M = thing_depth(THINGS[0]), WALL_DISTANCE
 """The red ball in front and the wall behind: the two ends of the still life."""
-FIXED = {"k1": 0.0, "light_angle": 40.0}
+FIXED = {"k1": 0.0, "light_angle": 40.0, "margin_columns": 0, "margin_rows": 0}
 """Parameters of the camera's stages that this figure does not offer."""
 TIERS = ("draft", "layers")
 """Of the camera's: a ray for four pixels while the focal length is dragged, else one for each."""
 LARGEST_DRAWN_PX = 48.0
 """Wider discs leave nothing to recognise, and take seconds to draw: the picture stops here."""
-UNLIT = np.full((camera_stages.ROWS, camera_stages.COLUMNS), 0.35)
+UNLIT = np.full((ROWS, COLUMNS), 0.35)
 """What stands for a picture where the lens forms none."""
 
 CONTROLS = (
@@ -75,7 +76,7 @@ STAGES = (
         CAMERA[name]
         for name in (
             "pinhole rays",
-            "lens distortion",
+            "bent rays",
             "surfaces",
             "light",
             "defocus",
@@ -112,7 +113,7 @@ def sharpness(focal_mm: float, f_number: float, focus_m: float) -> Sharpness:
     blur = optics.circle_of_confusion_mm(
         focal_mm, f_number, focus_mm, np.array([1000 * NEAR_M, 1000 * FAR_M])
     )
-    limits = optics.depth_of_field(focal_mm, f_number, focus_mm, camera_stages.PITCH_MM)
+    limits = optics.depth_of_field(focal_mm, f_number, focus_mm, PITCH_MM)
     return Sharpness(
         focal_mm / f_number,
         float(optics.thin_lens_image_distance(focal_mm, focus_mm)),
@@ -128,7 +129,7 @@ def drawn_focus_m(focal_mm: float, f_number: float, focus_m: float) -> float:
 
     Solves ``A f (1/s - 1/Z) / (1 - f/s) = c`` for the focus s, with Z the wall.
     """
-    largest_mm = LARGEST_DRAWN_PX * camera_stages.PITCH_MM
+    largest_mm = LARGEST_DRAWN_PX * PITCH_MM
     per_mm = largest_mm * f_number / focal_mm**2
     nearest_mm = (1 + per_mm * focal_mm) / (per_mm + 1 / (1000 * FAR_M))
     return max(focus_m, nearest_mm / 1000)
@@ -137,7 +138,7 @@ def drawn_focus_m(focal_mm: float, f_number: float, focus_m: float) -> float:
 def render(values: Values, tier: str, cache: StageCache) -> Frame:
     focal, f_number = values.number("focal_length"), values.number("aperture")
     focus = values.number("focus")
-    hyperfocal_m = optics.hyperfocal(focal, f_number, camera_stages.PITCH_MM) / 1000
+    hyperfocal_m = optics.hyperfocal(focal, f_number, PITCH_MM) / 1000
     if 1000 * focus <= focal:
         return _refuse(values, hyperfocal_m)
     sharp = sharpness(focal, f_number, focus)
@@ -154,9 +155,9 @@ def render(values: Values, tier: str, cache: StageCache) -> Frame:
     texts = (
         format_number(sharp.image_mm, 2),
         format_number(sharp.near_blur_mm, 3),
-        format_number(sharp.near_blur_mm / camera_stages.PITCH_MM, 1),
+        format_number(sharp.near_blur_mm / PITCH_MM, 1),
         format_number(sharp.far_blur_mm, 3),
-        format_number(sharp.far_blur_mm / camera_stages.PITCH_MM, 1),
+        format_number(sharp.far_blur_mm / PITCH_MM, 1),
         format_number(sharp.near_limit_m, 2),
         format_number(sharp.far_limit_m, 2),
         format_number(hyperfocal_m, 2),
@@ -215,8 +216,7 @@ def describe(values: Values, sharp: Sharpness) -> str:
         f"{format_number(sharp.far_limit_m, 2)} m"
     )
     near, far = (
-        format_number(blur / camera_stages.PITCH_MM, 1)
-        for blur in (sharp.near_blur_mm, sharp.far_blur_mm)
+        format_number(blur / PITCH_MM, 1) for blur in (sharp.near_blur_mm, sharp.far_blur_mm)
     )
     return (
         f"A {values.number('focal_length'):.0f} mm lens at f/{values.number('aperture'):.1f} is "

@@ -52,11 +52,11 @@ def test_a_drag_is_drafted_and_settles_in_the_chosen_tier(
     reader.settle(figure)
     assert figure.get_attribute("data-tier") == "layers"
     frames = reader.frames(figure)
-    set_slider(figure, "k1", -0.2, release=False)
+    set_slider(figure, "focal_length", 60, release=False)
     reader.wait_frame(figure, frames)
     assert figure.get_attribute("data-tier") == "draft"
     drafted, frames = reader.shown(figure), reader.frames(figure)
-    set_slider(figure, "k1", -0.2, release=True)
+    set_slider(figure, "focal_length", 60, release=True)
     reader.wait_frame(figure, frames)
     reader.settle(figure)
     assert figure.get_attribute("data-tier") == "layers"

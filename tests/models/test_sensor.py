@@ -14,6 +14,7 @@ from simulations.models.sensor import (
     quantise,
     read_out,
     shot_noise,
+    shot_noise_from_normal,
     signal_to_noise,
     with_iso,
 )
@@ -263,3 +264,26 @@ def test_both_exposures_of_a_transfer_curve_count():
     mean, variance = photon_transfer(np.full(20_000, 400.0), sensor, rng(), samples=2)
     assert mean.var() == pytest.approx(400 / 4, rel=0.05)
     assert variance.mean() == pytest.approx(400, rel=0.05)
+
+
+def test_normals_drawn_beforehand_give_the_skewed_counts_of_the_same_draws():
+    mean = np.linspace(0, 1500, 4000, dtype=np.float32)
+    z = rng().standard_normal(mean.shape, np.float32)
+    counted = shot_noise_from_normal(mean, z, 1000.0)
+    np.testing.assert_array_equal(counted, shot_noise(mean, rng(), 1000.0, model="skewed"))
+    assert counted[0] == 0
+    assert counted.max() == 1000
+
+
+def test_counts_of_a_float32_picture_stay_float32():
+    mean = np.full((2, 3), 40, np.float32)
+    assert shot_noise(mean, rng(), 1000.0).dtype == np.float32
+    assert shot_noise_from_normal(mean, np.ones_like(mean), 1000.0).dtype == np.float32
+    assert shot_noise_from_normal(mean, np.zeros_like(mean)).dtype == np.float32
+
+
+def test_the_second_term_leans_counts_to_the_right():
+    """Cornish and Fisher: m + sqrt(m) z + (z^2 - 1) / 6, rounded."""
+    z = np.array([-2.0, 0.0, 1.0, 3.0])
+    expected = np.rint(100 + 10 * z + (z**2 - 1) / 6)
+    np.testing.assert_array_equal(shot_noise_from_normal(np.full(4, 100.0), z), expected)

@@ -9,22 +9,48 @@ import pytest
 from simulations.engine.controls import Slider, check_values
 from simulations.engine.pipeline import StageCache
 from simulations.models import projection
-from simulations.models.color import decode_srgb
+from simulations.models.color import decode_srgb, encode_srgb
 from simulations.models.raycasting import Sphere
 from simulations.pictures import still_life
 from simulations.scenes.camera import CONTROLS, SCENE, run_tier
-from simulations.scenes.camera_stages import (
-    COLUMNS,
+from simulations.scenes.camera_lens import COLUMNS, PITCH_MM, ROWS, largest_blur_px
+from simulations.scenes.camera_sensor import (
+    ADC,
+    BYTE_OF_CODE,
     FULL_WELL_E,
-    PITCH_MM,
-    ROWS,
-    STAGES,
-    largest_blur_px,
+    draw_grain,
+    encode,
+    quantise,
     read_noise_e,
 )
+from simulations.scenes.camera_stages import STAGES, TIERS
 
-DOWNSTREAM_OF_LIGHT = ("overlay", "vignetting", "exposure", "shot noise", "read noise")
-LAST = ("quantisation", "sRGB")
+LAST = ("quantisation", "sRGB", "noiseless picture")
+FROM_EXPOSURE = ("exposure", "shot noise", "read noise", *LAST)
+FROM_OVERLAY = ("overlay", "vignetting", *FROM_EXPOSURE)
+BENT = {"aperture": 2.0, "k1": -0.1}
+"""Where no stage of the default tier is neutral, but for those of other tiers."""
+AFTER_MOVING = {
+    "noise_sigma": (9, ("read noise", "quantisation", "sRGB")),
+    "shot_noise": (False, ("read noise", "quantisation", "sRGB")),
+    "new_noise": (1, ("grain", "shot noise", "read noise", "quantisation", "sRGB")),
+    "exposure": (1, FROM_EXPOSURE),
+    "k1": (-0.11, ("lens map", "lens distortion", "vignetting", *FROM_EXPOSURE)),
+    "focus": (5, ("defocus", "overlay", "lens distortion", "vignetting", *FROM_EXPOSURE)),
+    "aperture": (2.8, ("defocus", "overlay", "lens distortion", "vignetting", *FROM_EXPOSURE)),
+    "light_angle": (
+        0,
+        ("light", "defocus", "overlay", "lens distortion", "vignetting", *FROM_EXPOSURE),
+    ),
+    "focal_length": (
+        51,
+        (
+            *("pinhole rays", "surfaces", "light", "defocus", "overlay"),
+            *("lens map", "lens distortion", "vignetting", *FROM_EXPOSURE),
+        ),
+    ),
+}
+"""Control to another value, and to the stages that must run again and no other."""
 
 
 def values(**given):
@@ -49,34 +75,42 @@ def test_nothing_is_computed_where_nothing_has_changed():
     assert computed_after({}) == []
 
 
-def test_read_noise_recomputes_only_the_end_of_the_chain():
-    assert computed_after({"noise_sigma": 12}) == ["read noise", *LAST]
+def test_every_control_has_its_list_of_stages():
+    assert set(AFTER_MOVING) == {control.name for control in CONTROLS}
 
 
-def test_exposure_leaves_geometry_light_and_lens_alone():
-    after = computed_after({"exposure": 1})
-    assert after == ["exposure", "shot noise", "read noise", *LAST, "noiseless picture"]
+@pytest.mark.parametrize("control", AFTER_MOVING)
+def test_a_control_runs_its_own_stages_and_no_other(control):
+    value, expected = AFTER_MOVING[control]
+    assert tuple(computed_after({control: value}, BENT)) == expected
 
 
-def test_lamp_leaves_geometry_alone():
+def test_a_straight_and_sharp_picture_skips_blur_and_bending():
     after = computed_after({"light_angle": -20})
-    assert after == ["light", *DOWNSTREAM_OF_LIGHT, *LAST, "noiseless picture"]
+    assert tuple(after) == ("light", *FROM_OVERLAY)
 
 
-def test_aperture_reuses_the_lit_scene():
-    after = computed_after({"aperture": 1.4})
-    assert after == ["defocus", *DOWNSTREAM_OF_LIGHT, *LAST, "noiseless picture"]
+def test_the_straight_picture_serves_every_lens_of_the_same_margin():
+    """Until the margin no longer suffices: then the whole picture is drawn, once."""
+    cache, again = StageCache(), []
+    for hundredths in range(-1, -41, -1):
+        frame = SCENE.render(values(k1=hundredths / 100), "", cache)
+        again.append("surfaces" in computed(frame))
+    assert again[0]
+    assert sum(again) <= 6
 
 
-def test_distortion_reuses_the_pinhole_rays():
-    after = computed_after({"k1": -0.1})
-    assert "pinhole rays" not in after
-    assert after[:3] == ["lens distortion", "surfaces", "light"]
+def test_bent_rays_must_look_again_at_every_change_of_the_lens():
+    cache = StageCache()
+    SCENE.render(values(k1=-0.10), "bent-rays", cache)
+    after = computed(SCENE.render(values(k1=-0.11), "bent-rays", cache))
+    assert after[:3] == ["bent rays", "surfaces", "light"]
 
 
 def test_neutral_stages_hand_on_the_same_object():
     result = outputs(k1=0, aperture=22, noise_sigma=0, shot_noise=False)
-    assert result["lens distortion"] is result["pinhole rays"]
+    assert result["bent rays"] is result["pinhole rays"]
+    assert result["lens distortion"] is result["enlargement"] is result["overlay"]
     assert result["defocus"] is result["light"]
     assert result["read noise"] is result["shot noise"] is result["exposure"]
 
@@ -94,14 +128,18 @@ def test_skipped_defocus_would_have_changed_nothing():
     assert all(a.planes is b.planes for a, b in zip(blurred.layers, lit.layers, strict=True))
 
 
+@pytest.mark.parametrize("tier", [tier for tier in TIERS if tier != "aperture-rays"])
 @pytest.mark.parametrize(
-    "change", [{"noise_sigma": 9}, {"k1": 0.2}, {"aperture": 2}, {"light_angle": 0}, {"focus": 5}]
+    "change",
+    [{control: value} for control, (value, _) in AFTER_MOVING.items()]
+    + [{"k1": k1} for k1 in (-0.4, 0.0, 0.2)],
+    ids=str,
 )
-def test_cached_photograph_is_bit_equal_to_a_cold_one(change):
+def test_cached_photograph_is_bit_equal_to_a_cold_one(change, tier):
     cache = StageCache()
-    SCENE.render(values(), "", cache)
-    warm = SCENE.render(values(**change), "", cache)
-    cold = SCENE.render(values(**change), "", StageCache())
+    SCENE.render(values(**BENT), tier, cache)
+    warm = SCENE.render(values(**{**BENT, **change}), tier, cache)
+    cold = SCENE.render(values(**{**BENT, **change}), tier, StageCache())
     assert np.array_equal(warm.panels[0].raster, cold.panels[0].raster)
     assert warm.readouts == cold.readouts
 
@@ -180,10 +218,28 @@ def test_vignetting_darkens_a_wide_lens_by_cos4():
     assert ratio == pytest.approx(math.cos(math.atan(r / 24)) ** 4, rel=1e-4)
 
 
-def test_strong_barrel_leaves_corners_that_no_ray_reaches():
-    result = outputs(focal_length=24, k1=-0.4)
-    assert not result["lens distortion"].valid[0, 0]
-    assert (result["overlay"][:, 0, 0] == 0).all()
+def test_the_byte_of_each_code_is_that_of_its_light():
+    linear = (np.arange(4096) - ADC.black_level_dn) / (4095 - ADC.black_level_dn)
+    exact = 255 * encode_srgb(np.clip(linear, 0, 1))
+    assert np.abs(BYTE_OF_CODE - exact).max() < 0.5 + 0.1  # rounding, and the curve's table
+    assert BYTE_OF_CODE[[0, 512, 4095]].tolist() == [0, 0, 255]
+
+
+def test_more_than_a_full_well_is_white_and_less_than_nothing_black():
+    electrons = np.array([-1e4, 0.0, FULL_WELL_E, 1e6], np.float32).reshape(1, 2, 2)
+    electrons = np.repeat(electrons, 3, axis=0)
+    picture = encode(quantise(electrons))
+    assert picture[..., 0].ravel().tolist() == [0, 0, 255, 255]
+    assert (picture[..., 3] == 255).all()
+
+
+def test_the_grain_of_light_and_amplifier_is_normal_and_independent():
+    grain = draw_grain(3)
+    for noise in (grain.shot, grain.read):
+        assert noise.dtype == np.float32
+        assert noise.mean() == pytest.approx(0, abs=0.01)
+        assert noise.std() == pytest.approx(1, abs=0.01)
+    assert np.corrcoef(grain.shot.ravel(), grain.read.ravel())[0, 1] == pytest.approx(0, abs=0.02)
 
 
 SLIDERS = [control for control in CONTROLS if isinstance(control, Slider)]

@@ -8,7 +8,7 @@ import pytest
 from simulations.engine.controls import check_values
 from simulations.engine.pipeline import StageCache
 from simulations.models import optics
-from simulations.scenes.camera_stages import PITCH_MM
+from simulations.scenes.camera_lens import PITCH_MM
 from simulations.scenes.depth_of_field import (
     FAR_M,
     LARGEST_DRAWN_PX,

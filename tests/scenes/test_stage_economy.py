@@ -58,7 +58,7 @@ def show(scene: Scene, given: dict[str, object], cache: StageCache) -> Frame:
     return scene.render(check_values(scene.controls, given), scene.default_tier, cache)
 
 
-TIER_PARAMETERS = {"tier", "reduction", "lens_rays"}
+TIER_PARAMETERS = {"tier", "reduction", "bent_rays", "lens_rays"}
 """Set by the tier alone."""
 
 

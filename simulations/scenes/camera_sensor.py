@@ -1,0 +1,111 @@
+"""The camera's sensor: from light to electrons, codes and the bytes of a photograph."""
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from simulations.engine.frame import Raster
+from simulations.engine.raster import to_rgba8
+from simulations.models import sensor
+from simulations.models.color import encode_srgb_table
+from simulations.models.depth_of_field import Planes
+from simulations.models.vignetting import vignetting_cos4
+from simulations.scenes.camera_lens import COLUMNS, PITCH_MM, ROWS
+
+FULL_WELL_E = 10_000.0
+BLACK_DN = 512.0
+ADC = sensor.Sensor(
+    full_well_e=FULL_WELL_E,
+    read_noise_e=0.0,
+    dark_current_e_per_s=0.0,
+    gain_e_per_dn=FULL_WELL_E / (4095.0 - BLACK_DN),
+    bits=12,
+    black_level_dn=BLACK_DN,
+)
+"""A 12-bit converter whose top code is a full well."""
+
+BASE_SHUTTER_S, BASE_F_NUMBER = 1 / 60, 8.0
+"""Shutter and aperture at which a white surface facing the lamp nearly fills the well, at 0 EV."""
+
+
+def shutter_s(aperture: float, exposure: float) -> float:
+    """Exposure time that the automatic chooses: a wider aperture shortens it by the square."""
+    return float(BASE_SHUTTER_S * (aperture / BASE_F_NUMBER) ** 2 * 2.0**exposure)
+
+
+def read_noise_e(noise_sigma: float) -> float:
+    """Electrons for σ given in 8-bit codes of linear light: 255 codes are a full well."""
+    return noise_sigma / 255.0 * FULL_WELL_E
+
+
+@dataclass(frozen=True, slots=True)
+class Grain:
+    """Chance, drawn once: light and amplifier only decide how strongly it shows."""
+
+    shot: Planes
+    """(3, rows, columns) standard normal."""
+    read: Planes
+    """The same, of the amplifier."""
+
+
+def draw_grain(new_noise: int) -> Grain:
+    shot, read = (
+        np.random.default_rng((new_noise, stream)).standard_normal((3, ROWS, COLUMNS), np.float32)
+        for stream in (1, 2)
+    )
+    return Grain(shot, read)
+
+
+def vignette(radiance: Planes, focal_length: float) -> Planes:
+    x = (np.arange(COLUMNS) - (COLUMNS - 1) / 2) * PITCH_MM
+    y = (np.arange(ROWS) - (ROWS - 1) / 2) * PITCH_MM
+    falloff = vignetting_cos4(np.hypot(x, y[:, None]) / focal_length)
+    irradiance: Planes = radiance * falloff.astype(np.float32)
+    return irradiance
+
+
+def expose(irradiance: Planes, exposure: float) -> Planes:
+    """Mean electrons; the aperture is made good by the shutter and does not enter."""
+    mean_e: Planes = irradiance * np.float32(FULL_WELL_E * 2.0**exposure)
+    return mean_e
+
+
+def count(mean_e: Planes, grain: Grain) -> Planes:
+    """Electrons counted. The skewed normal keeps its grain as the light changes, as a Poisson
+    sampler would not; above 20 electrons the two are hard to tell apart."""
+    return np.asarray(sensor.shot_noise_from_normal(mean_e, grain.shot, FULL_WELL_E), np.float32)
+
+
+def read(electrons: Planes, grain: Grain, noise_sigma: float) -> Planes:
+    """Electrons as the amplifier reports them."""
+    reported: Planes = electrons + np.float32(read_noise_e(noise_sigma)) * grain.read
+    return reported
+
+
+def quantise(electrons: Planes) -> NDArray[np.uint16]:
+    """Codes of the converter."""
+    signal = sensor.read_out(electrons, ADC, np.random.default_rng(0))  # noiseless: gain and offset
+    return sensor.quantise(signal, ADC.bits)
+
+
+def _developed() -> NDArray[np.uint8]:
+    every_code = np.arange(2**ADC.bits, dtype=np.float32)
+    return to_rgba8(encode_srgb_table(sensor.develop(every_code, ADC))[None])[0, :, 0]
+
+
+BYTE_OF_CODE = _developed()
+"""(4096,) sRGB byte of each code, black level taken off: so few that no pixel needs arithmetic."""
+
+
+def encode(codes: NDArray[np.uint16]) -> Raster:
+    """The photograph."""
+    picture = np.full((*codes.shape[1:], 4), 255, np.uint8)
+    picture[..., :3] = BYTE_OF_CODE[codes].transpose(1, 2, 0)
+    return picture
+
+
+def develop_ideal(mean_e: Planes) -> Raster:
+    """The photograph of a sensor without noise and without steps: what PSNR is measured against."""
+    linear = np.minimum(mean_e, FULL_WELL_E) / np.float32(FULL_WELL_E)
+    return to_rgba8(encode_srgb_table(linear.transpose(1, 2, 0)))
