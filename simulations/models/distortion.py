@@ -18,6 +18,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from simulations.models import radial_inverse, radial_profile, radial_table
+from simulations.models.decentring import DecentredLens, undo_decentred
 from simulations.models.radial_profile import LARGEST_COEFFICIENT, RadialProfile
 
 type Floats = NDArray[np.floating]
@@ -25,9 +26,6 @@ type Mask = NDArray[np.bool_]
 
 FAR = 1e45
 """Radius beyond which r⁶ and its products might overflow: only the direction counts there."""
-
-SHEET_SAMPLES = 16
-"""Points between the axis and a solution at which the map must still keep its orientation."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -163,7 +161,7 @@ def undistort(xy: ArrayLike, d: Distortion) -> tuple[Floats, Mask]:
         seen = np.where(finite[..., None], seen, 0.0)
         ideal, valid = _undo_radial(seen, d.radial)
         if d.tangential:
-            ideal, valid = _solve_tangential(seen, ideal, d)
+            ideal, valid = undo_decentred(seen, ideal, DecentredLens(d.radial, d.p1, d.p2))
         return ideal, valid & finite
     return _undo_radial(seen, d.radial)
 
@@ -197,40 +195,6 @@ def _undo_surely(seen: Floats, profile: RadialProfile) -> tuple[Floats, Mask]:
 def jacobian(xy: ArrayLike, d: Distortion) -> Floats:
     """Derivatives of `distort`: (..., 2, 2), rows x_d, y_d and columns x, y."""
     ideal = np.asarray(xy, float)
-    x, y = ideal[..., 0], ideal[..., 1]
-    r2 = x * x + y * y
-    g, g_slope = radial_profile.scale(d.radial, r2), radial_profile.scale_slope(d.radial, r2)
-    mixed = 2.0 * x * y * g_slope + 2.0 * d.p1 * x + 2.0 * d.p2 * y
-    rows = (
-        (g + 2.0 * x * x * g_slope + 2.0 * d.p1 * y + 6.0 * d.p2 * x, mixed),
-        (mixed, g + 2.0 * y * y * g_slope + 6.0 * d.p1 * y + 2.0 * d.p2 * x),
-    )
-    return np.stack([np.stack(row, axis=-1) for row in rows], axis=-2)
-
-
-def _solve_tangential(seen: Floats, start: Floats, d: Distortion) -> tuple[Floats, Mask]:
-    """Newton in the plane from the radial solution; the Jacobian is symmetric, as it happens."""
-    ideal = start
-    with np.errstate(over="ignore", invalid="ignore", divide="ignore"):
-        for _ in range(30):
-            excess = distort(ideal, d) - seen
-            j = jacobian(ideal, d)
-            determinant = j[..., 0, 0] * j[..., 1, 1] - j[..., 0, 1] ** 2
-            step_x = (j[..., 1, 1] * excess[..., 0] - j[..., 0, 1] * excess[..., 1]) / determinant
-            step_y = (j[..., 0, 0] * excess[..., 1] - j[..., 0, 1] * excess[..., 0]) / determinant
-            ideal = ideal - np.stack((step_x, step_y), axis=-1)
-            if np.nanmax(np.abs((step_x, step_y)), initial=0.0) < 1e-15:
-                break
-        residual = np.abs(distort(ideal, d) - seen).max(axis=-1)
-        valid = (residual <= 1e-11 * (1.0 + np.abs(seen).max(axis=-1))) & _same_sheet(ideal, d)
-        valid &= np.isfinite(ideal).all(axis=-1)
-    return np.where(valid[..., None], ideal, start), valid
-
-
-def _same_sheet(ideal: Floats, d: Distortion) -> Mask:
-    """Whether the map keeps its orientation all the way from the axis to each point."""
-    keeps = np.ones(ideal.shape[:-1], bool)
-    for fraction in np.linspace(0.0, 1.0, SHEET_SAMPLES + 1)[1:]:
-        j = jacobian(fraction * ideal, d)
-        keeps &= j[..., 0, 0] * j[..., 1, 1] - j[..., 0, 1] ** 2 > 0.0
-    return keeps
+    lens = DecentredLens(d.radial, d.p1, d.p2)
+    _, _, xx, mixed, yy = lens.linearised(ideal[..., 0], ideal[..., 1])
+    return np.stack((np.stack((xx, mixed), axis=-1), np.stack((mixed, yy), axis=-1)), axis=-2)
