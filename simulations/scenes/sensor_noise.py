@@ -5,34 +5,34 @@ The variance of each patch against its mean is the photon-transfer curve; the sl
 part measures the gain without opening the camera.
 """
 
+import itertools
 import math
-from dataclasses import dataclass
+from collections.abc import Iterator
 
 import numpy as np
-from numpy.typing import NDArray
 
 from simulations.engine.controls import Action, Choice, Slider, Values
 from simulations.engine.frame import Frame, Panel, Readout, format_number, readout
-from simulations.engine.pipeline import Stage, StageCache, run
-from simulations.engine.raster import to_rgba8
+from simulations.engine.pipeline import Run, StageCache, run
 from simulations.engine.scene import Scene
 from simulations.models import sensor
-from simulations.models.color import encode_srgb
+from simulations.models.poisson import gap_from_poisson, largest_chance_gap
 from simulations.scenes import sensor_noise_drawing as drawing
+from simulations.scenes.sensor_noise_stages import (
+    FULL_WELL_E,
+    STAGES,
+    Floats,
+    Transfer,
+    count_patches,
+    floor_e2,
+    patch_means_e,
+    saturation_e,
+    sensor_of,
+)
 
-type Floats = NDArray[np.floating]
-
-FULL_WELL_E = 20_000.0
-BRIGHTEST_E = 2 * FULL_WELL_E
-"""Mean of the first patch at 0 EV: one stop more than a cell can hold."""
-PATCH_PX = 40
-"""Side of a patch: its 1600 pixels give the variance to about 3.5 %."""
-STOPS = np.arange(drawing.ROWS * drawing.COLUMNS) / 2
-"""How much darker than the first each patch is."""
-CLIPPED_SHARE = 0.001
-"""Patches with more of their pixels at the lowest or the highest code are left out of the fit."""
-NOISELESS_DN2 = 0.02
-"""A patch of less variance has nearly all of its pixels at one code and says nothing of noise."""
+DEFAULT_TIER = "poisson"
+EXPOSURES = 16
+"""Exposures of the patches by which a tier is judged."""
 
 CONTROLS = (
     Slider(
@@ -62,101 +62,14 @@ CONTROLS = (
 )
 
 
-@dataclass(frozen=True, slots=True)
-class Transfer:
-    """The photon-transfer curve of one picture; black level and mean dark signal taken off."""
-
-    mean_dn: Floats
-    """(24,)"""
-    variance_dn: Floats
-    """(24,)"""
-    fitted: NDArray[np.bool_]
-    """(24,) the patches that the gain was fitted to."""
-    clipped: NDArray[np.bool_]
-    """(24,) the patches with pixels at either end of the converter."""
-    gain_e_per_dn: float
-    """From the slope of the fitted part; nan with too few patches."""
+def run_tier(values: Values, tier: str, cache: StageCache) -> Run:
+    """All stages; the tier is the distribution that electrons are drawn from."""
+    return run(STAGES, values, cache, {"tier": tier or DEFAULT_TIER})
 
 
-def sensor_of(bits: int, iso: str, read_noise: float) -> sensor.Sensor:
-    """At ISO 100 the top code is a full well; a 64th of the codes lies below black."""
-    black = 2.0**bits / 64
-    base = sensor.Sensor(
-        full_well_e=FULL_WELL_E,
-        read_noise_e=read_noise,
-        dark_current_e_per_s=0.0,
-        gain_e_per_dn=FULL_WELL_E / (2**bits - 1 - black),
-        bits=bits,
-        black_level_dn=black,
-    )
-    return sensor.with_iso(base, float(iso))
-
-
-def saturation_e(camera: sensor.Sensor) -> float:
-    """Electrons above which a pixel no longer tells light apart: well or converter is full."""
-    top = (camera.highest_dn - camera.black_level_dn) * camera.gain_e_per_dn
-    return min(camera.full_well_e, top)
-
-
-def floor_e2(camera: sensor.Sensor, dark: float) -> float:
-    """Variance without light, in electrons squared: read noise, dark signal, rounding."""
-    return camera.read_noise_e**2 + dark + camera.gain_e_per_dn**2 / 12
-
-
-def _count(exposure: float, dark: float, new_noise: int) -> Floats:
-    """(24, 1600) electrons: light and warmth free them alike."""
-    mean_e = np.repeat((patch_means_e(exposure) + dark)[:, None], PATCH_PX**2, axis=1)
-    rng = np.random.default_rng((new_noise, 1))
-    return sensor.shot_noise(mean_e, rng, FULL_WELL_E)
-
-
-def patch_means_e(exposure: float) -> Floats:
-    """(24,) electrons that light frees in a cell of each patch."""
-    means: Floats = BRIGHTEST_E * 2.0 ** (exposure - STOPS)
-    return means
-
-
-def _read(
-    electrons: Floats, bits: float, iso: str, read_noise: float, new_noise: int
-) -> NDArray[np.uint16]:
-    camera = sensor_of(int(bits), iso, read_noise)
-    rng = np.random.default_rng((new_noise, 2))
-    return sensor.quantise(sensor.read_out(electrons, camera, rng), camera.bits)
-
-
-def _measure(
-    codes: NDArray[np.uint16], bits: float, iso: str, read_noise: float, dark: float
-) -> Transfer:
-    camera = sensor_of(int(bits), iso, read_noise)
-    mean = codes.mean(axis=1, dtype=np.float64) - camera.black_level_dn
-    mean -= dark / camera.gain_e_per_dn
-    variance = codes.var(axis=1, ddof=1, dtype=np.float64)
-    at_an_end = (codes == 0) | (codes == camera.highest_dn)
-    clipped = at_an_end.mean(axis=1) > CLIPPED_SHARE
-    fitted = ~clipped & (variance > NOISELESS_DN2)
-    enough = np.count_nonzero(fitted) >= 3
-    gain = sensor.estimate_gain(mean[fitted], variance[fitted]) if enough else math.nan
-    return Transfer(mean, variance, fitted, clipped, gain if gain > 0 else math.nan)
-
-
-def _picture(codes: NDArray[np.uint16], bits: float, iso: str) -> NDArray[np.uint8]:
-    """The patches in four rows of six, brightest first."""
-    linear = sensor.develop(codes, sensor_of(int(bits), iso, 0.0))
-    tiles = linear.reshape(drawing.ROWS, drawing.COLUMNS, PATCH_PX, PATCH_PX)
-    wedge = tiles.swapaxes(1, 2).reshape(drawing.ROWS * PATCH_PX, drawing.COLUMNS * PATCH_PX)
-    return to_rgba8(encode_srgb(np.clip(wedge, 0, 1)))
-
-
-STAGES = (
-    Stage("electrons", ("exposure", "dark", "new_noise"), _count),
-    Stage("codes", ("bits", "iso", "read_noise", "new_noise"), _read, ("electrons",)),
-    Stage("transfer", ("bits", "iso", "read_noise", "dark"), _measure, ("codes",)),
-    Stage("picture", ("bits", "iso"), _picture, ("codes",)),
-)
-
-
-def render(values: Values, tier: str, cache: StageCache) -> Frame:  # noqa: ARG001 - no tiers
-    done = run(STAGES, values, cache)
+def render(values: Values, tier: str, cache: StageCache) -> Frame:
+    """The wedge, and the variance of each of its patches against its mean."""
+    done = run_tier(values, tier, cache)
     transfer: Transfer = done.outputs["transfer"]
     dark, patch = values.number("dark"), int(values.number("patch")) - 1
     camera = sensor_of(
@@ -207,6 +120,28 @@ def render(values: Values, tier: str, cache: StageCache) -> Frame:  # noqa: ARG0
     return Frame(panels, readouts, describe(values, transfer, camera, measured), done.reports)
 
 
+def error(values: Values, tier: str, cache: StageCache) -> Iterator[Readout]:
+    """How far the electrons of the patches are from Poisson's distribution.
+
+    1600 pixels of a patch cannot tell much of a distribution: with each step another exposure
+    of the same patches is added to those before.
+    """
+    model = next(name for name in sensor.SHOT_MODELS if name == (tier or DEFAULT_TIER))
+    mean_e = patch_means_e(values.number("exposure")) + values.number("dark")
+    counted: Floats = run_tier(values, model, cache).outputs["electrons"]
+    rng = np.random.default_rng((values.state("new_noise"), 3))
+    for exposures in range(1, EXPOSURES + 1):
+        if exposures > 1:
+            counted = np.concatenate((counted, count_patches(mean_e, rng, model)), axis=1)
+        gap = max(map(gap_from_poisson, counted, mean_e, itertools.repeat(FULL_WELL_E)))
+        chance = largest_chance_gap(*counted.shape)
+        label = (
+            f"Largest gap to Poisson’s cumulative, {exposures} of {EXPOSURES} exposures "
+            f"(by chance alone {format_number(chance, 3)})"
+        )
+        yield Readout("error", label, format_number(gap, 3), "probability", "error")
+
+
 def describe(values: Values, transfer: Transfer, camera: sensor.Sensor, measured: str) -> str:
     """The picture in one sentence."""
     light_e = patch_means_e(values.number("exposure")) + values.number("dark")
@@ -227,4 +162,15 @@ def describe(values: Values, transfer: Transfer, camera: sensor.Sensor, measured
     )
 
 
-SCENE = Scene(id="sensor-noise", title="Sensor Noise", controls=CONTROLS, render=render)
+SCENE = Scene(
+    id="sensor-noise",
+    title="Sensor Noise",
+    controls=CONTROLS,
+    render=render,
+    tiers=sensor.SHOT_MODELS,
+    default_tier=DEFAULT_TIER,
+    draft_tier="skewed",
+    drafted=("exposure", "dark"),
+    ladder="shot-noise",
+    error=error,
+)

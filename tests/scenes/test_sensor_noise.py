@@ -4,10 +4,14 @@ import math
 
 import numpy as np
 import pytest
+from scipy import stats
 
 from simulations.engine.controls import check_values
-from simulations.engine.pipeline import StageCache, run
-from simulations.scenes.sensor_noise import SCENE, STAGES, patch_means_e, sensor_of
+from simulations.engine.pipeline import StageCache
+from simulations.models.poisson import gap_from_poisson, largest_chance_gap
+from simulations.models.sensor import SHOT_MODELS
+from simulations.scenes.sensor_noise import EXPOSURES, SCENE, run_tier
+from simulations.scenes.sensor_noise_stages import FULL_WELL_E, patch_means_e, sensor_of
 
 
 def values(**given):
@@ -23,7 +27,7 @@ def texts(**given):
 
 
 def transfer(**given):
-    return run(STAGES, values(**given), StageCache()).outputs["transfer"]
+    return run_tier(values(**given), "poisson", StageCache()).outputs["transfer"]
 
 
 def test_neighbouring_patches_are_half_a_stop_apart():
@@ -114,3 +118,81 @@ def test_another_patch_reuses_the_picture():
     cache = StageCache()
     frame(cache)
     assert {stage.status for stage in frame(cache, patch=3).stages} == {"reused"}
+
+
+def estimates(tier, **given):
+    return list(SCENE.error(values(**given), tier, StageCache()))
+
+
+def rounded_normal(mean, counts):
+    """P(N ≤ k) of a normal that is rounded and held at 0."""
+    return stats.norm.cdf((counts + 0.5 - mean) / np.sqrt(mean))
+
+
+def test_the_tiers_are_all_models_of_the_sensor():
+    assert SCENE.tiers == SHOT_MODELS
+
+
+@pytest.mark.parametrize("exposure", [0, -3, -6])
+def test_exact_electrons_are_as_far_from_poissons_law_as_chance_would_have_it(exposure):
+    told = float(estimates("poisson", exposure=exposure)[-1].text)
+    assert told < 1.6 * largest_chance_gap(24, 1600 * EXPOSURES)
+
+
+@pytest.mark.parametrize("exposure", [0, -3, -6])
+def test_the_error_of_rounded_normals_is_the_gap_of_the_two_laws(exposure):
+    """At the dim end the gap is known by formula; samples of 16 exposures scatter about it."""
+    counts = np.arange(200)
+    gap = max(
+        np.abs(rounded_normal(mean, counts) - stats.poisson.cdf(counts, mean)).max()
+        for mean in patch_means_e(exposure)[-10:]
+    )
+    told = float(estimates("gaussian", exposure=exposure)[-1].text)
+    assert told == pytest.approx(gap, abs=largest_chance_gap(24, 1600 * EXPOSURES))
+
+
+def test_the_lean_to_the_right_takes_most_of_the_error_away():
+    plain, leaning = (float(estimates(t, exposure=-3)[-1].text) for t in ("gaussian", "skewed"))
+    assert leaning < plain / 3
+
+
+def test_the_first_estimate_is_of_the_very_electrons_that_are_shown():
+    given = {"exposure": -4, "dark": 40}
+    for tier in SHOT_MODELS:
+        shown = run_tier(values(**given), tier, StageCache()).outputs["electrons"]
+        gap = max(
+            gap_from_poisson(counted, mean, FULL_WELL_E)
+            for counted, mean in zip(shown, patch_means_e(-4) + 40, strict=True)
+        )
+        first, *more = estimates(tier, **given)
+        assert first.text == f"{gap:.3f}"
+        assert f"1 of {EXPOSURES} exposures" in first.label
+        assert len(more) == EXPOSURES - 1
+
+
+def test_a_rounded_normal_is_too_bright_where_it_may_not_be_negative():
+    """The chapter's setting: 0.22 electrons in the darkest patch, and nothing but shot noise."""
+    given = {"exposure": -6, "iso": "6400", "bits": 14, "read_noise": 0, "patch": 24}
+    mean = patch_means_e(-6)[-1]
+    held = np.sum(1 - rounded_normal(mean, np.arange(50)))
+    assert held > 1.25 * mean
+    gain = sensor_of(14, "6400", 0).gain_e_per_dn
+    for tier, expected in (("gaussian", held), ("poisson", mean)):
+        shown = {r.name: r.text for r in SCENE.render(values(**given), tier, StageCache()).readouts}
+        scatter = 4 * math.sqrt(mean / 1600)
+        assert float(shown["mean"]) * gain == pytest.approx(expected, abs=scatter)
+
+
+def test_only_light_and_warmth_are_dragged_in_the_draft():
+    """The other controls reuse the electrons that are there: a draft would draw them anew."""
+    cache = StageCache()
+    frame(cache)
+    for name in set(SCENE.drafted) ^ {"exposure", "dark", "bits", "iso", "read_noise", "patch"}:
+        statuses = {s.name: s.status for s in frame(cache, **{name: MOVED[name]}).stages}
+        assert statuses["electrons"] == "reused", name
+    for name in SCENE.drafted:
+        statuses = {s.name: s.status for s in frame(cache, **{name: MOVED[name]}).stages}
+        assert statuses["electrons"] == "computed", name
+
+
+MOVED = {"exposure": -2, "dark": 100, "bits": 10, "iso": "400", "read_noise": 3, "patch": 2}

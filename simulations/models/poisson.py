@@ -1,0 +1,75 @@
+"""The Poisson distribution itself, to judge what is drawn from it.
+
+The probability of a count k where ``mean`` are expected is e^-mean mean^k / k!. Neither power
+nor factorial is ever formed: each probability is the one before times mean / k.
+"""
+
+import math
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+type Array = NDArray[np.floating]
+
+
+def poisson_cumulative(mean: float) -> tuple[int, Array]:
+    """P(N <= k) for k = first, first + 1, … and so on, as far as it rises.
+
+    Returns
+    -------
+    first : the lowest count; less than 1e-20 of the probability lies below it.
+    cumulative : (n,) float64, rising to 1.
+
+    Raises
+    ------
+    ValueError
+        If the mean is negative, undefined, or above 1e10, where the counts would fill a memory.
+    """
+    if not 0 <= mean <= 1e10:
+        raise ValueError(f"mean {mean}; legal: 0 to 1e10")
+    reach = 10 * np.sqrt(mean) + 30  # ten standard deviations, and more where the mean is small
+    first, last = max(0, int(mean - reach)), int(mean + reach)
+    if mean == 0:
+        return 0, np.ones(1)
+    with np.errstate(divide="ignore"):  # a mean that is hardly a number: nothing but 0 is counted
+        steps = np.log(mean / np.arange(first + 1, last + 1, dtype=float))
+    # Beside the first term the largest is e^155 at most, where the first count is still 0.
+    terms = np.exp(np.concatenate(([0.0], np.cumsum(steps))))
+    return first, np.cumsum(terms) / terms.sum()
+
+
+def gap_from_poisson(counted: ArrayLike, mean: float, full_well: float = np.inf) -> float:
+    """Kolmogorov-Smirnov distance: the largest gap between two cumulative distributions.
+
+    Parameters
+    ----------
+    counted : (n,)
+        Whole numbers, drawn with this mean and held to the full well, itself a whole number.
+    mean : float
+        Of the Poisson distribution that they are held against.
+
+    Returns
+    -------
+    A probability. See `largest_chance_gap` for what exact samples leave.
+    """
+    counts = np.asarray(counted)
+    if counts.size == 0:
+        raise ValueError("no counts; legal: one or more")
+    first, cumulative = poisson_cumulative(mean)
+    expected = np.where(first + np.arange(cumulative.size) >= full_well, 1.0, cumulative)
+    # What lies beyond either end is counted at it: the cumulatives differ by all of it there.
+    place = np.clip(counts - first, 0, cumulative.size - 1).astype(np.int64)
+    share = np.cumsum(np.bincount(place.ravel(), minlength=cumulative.size)) / counts.size
+    return float(np.abs(share - expected).max())
+
+
+def largest_chance_gap(distributions: int, samples: int) -> float:
+    """The largest gap that as many exact samples of each distribution show in half of all tries.
+
+    Kolmogorov's limit: sqrt(samples) times the gap exceeds x with probability 2 exp(-2 x^2), as
+    long as that is small. Whole numbers stay a little below it.
+    """
+    if min(distributions, samples) < 1:
+        raise ValueError(f"{distributions} distributions of {samples} samples; legal: 1 or more")
+    exceeded = 1 - 0.5 ** (1 / distributions)
+    return math.sqrt(math.log(2 / exceeded) / (2 * samples))
