@@ -8,6 +8,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from scipy import ndimage
 
+from simulations.models import depth_of_field
 from simulations.models.depth_of_field import (
     Layer,
     blur_by_depth,
@@ -249,6 +250,16 @@ def test_doubling_interpolates_and_holds_the_border():
     planes = np.array([[[0.0, 4.0, 8.0]]], np.float32)
     assert double(planes)[0].tolist() == [[0, 1, 3, 5, 7, 8]] * 2
     assert double(planes.swapaxes(1, 2))[0].T.tolist() == [[0, 1, 3, 5, 7, 8]] * 2
+
+
+def test_halving_is_the_transpose_of_doubling():
+    rng = np.random.default_rng(6)
+    coarse, fine = rng.random((2, 3, 5)), rng.random((2, 6, 10))
+    half = depth_of_field._halve(fine.astype(np.float32))
+    there = (double(coarse.astype(np.float32)) * fine).sum()
+    assert there == pytest.approx(4 * (coarse * half).sum(), rel=1e-6)
+    assert depth_of_field._halve(np.zeros((2, 7, 8), np.float32)).shape == (2, 4, 4)
+    assert depth_of_field._halve(np.zeros((2, 8, 7), np.float32)).shape == (2, 4, 4)
 
 
 def test_each_place_is_blurred_by_the_two_levels_next_to_its_radius():

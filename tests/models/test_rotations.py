@@ -128,6 +128,11 @@ def test_half_turns_keep_every_digit_of_their_quaternion(axis):
     assert quaternions.from_matrix(R) == pytest.approx((0, *axis), abs=1e-15)
 
 
+@pytest.mark.parametrize("axis", np.eye(3))
+def test_an_exact_half_turn_has_no_other_component(axis):
+    assert quaternions.from_matrix(np.diag(2 * axis - 1)).tolist() == [0, *axis]
+
+
 def test_the_quaternion_product_composes_like_matrices():
     a, b = wxyz(RANDOM[:100]), wxyz(RANDOM[100:])
     expected = (RANDOM[:100] * RANDOM[100:]).as_matrix()
@@ -253,6 +258,8 @@ def test_fields_of_rotations_keep_their_shape():
     assert matrices[2, 3] == pytest.approx(Rotation.from_rotvec(v[2, 3]).as_matrix())
     q = quaternions.from_matrix(matrices)
     assert q.shape == (4, 5, 4)
+    assert q == pytest.approx(quaternions.from_matrix(matrices.reshape(-1, 3, 3)).reshape(q.shape))
+    assert quaternions.to_matrix(q) == pytest.approx(matrices)
     assert rotations.logarithm(matrices)[1, 2] == pytest.approx(rotations.logarithm(matrices[1, 2]))
     assert quaternions.rotate(q, v)[3, 4] == pytest.approx(v[3, 4])  # the axis stays
     turned = rotations.from_axis_angle([0, 0, 1.0], np.array([[0.1, 0.2], [0.3, 0.4]]))

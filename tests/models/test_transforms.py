@@ -151,6 +151,14 @@ def test_the_measures_are_the_known_amounts():
     assert sheared.length == pytest.approx(math.sqrt(5 / 2) - 1)
 
 
+@pytest.mark.parametrize("size", [1e-100, 1e100])
+def test_the_measures_do_not_depend_on_the_unit_of_length(size):
+    sheared = transforms.affine([[1, 1], [0, 1]], (0, 0))
+    measured = measure_preservation(sheared, SEGMENTS * size)
+    assert measured.angle_rad == pytest.approx(math.pi / 4)
+    assert measured.turn_rad == pytest.approx(math.pi / 4)
+
+
 def test_a_mirror_keeps_lengths_and_angles():
     measured = measure_preservation(transforms.affine([[-1, 0], [0, 1]], (0, 0)), SEGMENTS)
     assert (measured.length, measured.angle_rad) == (0.0, 0.0)
@@ -322,6 +330,12 @@ def test_a_bend_is_found_on_either_side():
     for side in (1, -1):
         bend = preservation._bend((arc * [1, side])[None], np.array([[1.0, 0.0]]), np.array([1.0]))
         assert bend == pytest.approx(0.1)
+    share = np.linspace(0, 1, 9)[:, None]
+    straight, bent = share * [3.0, 0.0], arc * [2.0, 1.0]
+    bend = preservation._bend(
+        np.array([straight, bent]), np.array([[1.0, 0], [1.0, 0]]), np.array([3.0, 2.0])
+    )
+    assert bend == pytest.approx(0.1 / 2)
     sampled = preservation._sample(np.array([[[0.0, 0], [8, 4]]]))
     assert sampled[0].tolist() == [[i, i / 2] for i in range(9)]
 

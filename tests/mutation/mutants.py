@@ -157,6 +157,8 @@ def _other_orders(items: list[ast.expr]) -> Iterator[list[ast.expr]]:
     """Neighbours exchanged: any two of a vector, the first two of a longer table."""
     for index in range(len(items) - 1 if len(items) <= 4 else 1):
         first, second = items[index : index + 2]
+        if any(_is_new_axis(item) for item in (first, second)):
+            continue  # x[None, 0] and x[0, None] are the same
         yield [*items[:index], second, first, *items[index + 2 :]]
 
 
@@ -166,6 +168,10 @@ def _other_slices(node: ast.Slice) -> Iterator[ast.AST]:
         yield ast.Slice(None, node.upper, node.step)
     if node.upper and not _is_number(node.upper):
         yield ast.Slice(node.lower, None, node.step)
+
+
+def _is_new_axis(node: ast.expr) -> bool:
+    return isinstance(node, ast.Constant) and node.value is None
 
 
 def _is_number(node: ast.expr) -> bool:
