@@ -158,6 +158,7 @@ def test_one_point_makes_no_line(q):
         pytest.param([0.0, 0.0, 0.0], id="none"),
         pytest.param([np.nan, 1.0, 1.0], id="undefined"),
         pytest.param([0.0, 1e-300, 1e300], id="beyond-all-numbers"),
+        pytest.param([3.0, 4.0 + 1e-5, 1e308], id="beyond-all-numbers-on-one-axis"),
     ],
 )
 def test_lines_that_meet_nowhere(other):
@@ -167,9 +168,9 @@ def test_lines_that_meet_nowhere(other):
 
 
 def test_lines_that_are_nearly_parallel_meet_far_away():
-    meet, valid = intersection([0.0, 1.0, 0.0], [1e-9, 1.0, -1.0])
+    meet, valid = intersection([0.0, 1.0, 0.0], [1e-12, 1.0, -1.0])
     assert valid
-    np.testing.assert_allclose(meet, [1e9, 0.0], rtol=1e-12)
+    np.testing.assert_allclose(meet, [1e12, 0.0], rtol=1e-12)
 
 
 @pytest.mark.parametrize("r", [[2.0, 2.0, 2.0], [0.0, 0.0, 0.0], [np.inf, 0.0, 1.0]])
@@ -181,3 +182,23 @@ def test_points_on_one_line_span_no_plane(r):
 
 def test_a_line_without_a_normal_has_no_distance():
     assert np.isnan(signed_distance([1.0, 2.0], [0.0, 0.0, 1.0]))
+
+
+def test_among_many_points_only_those_on_one_line_span_no_plane():
+    third = [[0.0, 1.0, 0.0], [2.0, 0.0, 0.0]]
+    planes, valid = plane_through([0.0, 0.0, 0.0], [1.0, 0.0, 0.0], third)
+    assert valid.tolist() == [True, False]
+    assert planes[0].tolist() == [0.0, 0.0, 1.0, 0.0]
+
+
+@pytest.mark.parametrize("size", [1e-200, 1e200])
+def test_neither_tiny_nor_huge_points_lose_their_line(size):
+    line, valid = line_through([0.0, 0.0], [3 * size, 4 * size])
+    assert valid
+    np.testing.assert_allclose(line, [-0.8, 0.6, 0.0], rtol=1e-15)
+
+
+def test_a_line_further_off_than_all_numbers_is_none():
+    line, valid = line_through([-1.7e308, 1.7e308], [-1.69e308, 1.71e308])
+    assert not valid
+    assert np.isnan(line).all()
