@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 
 from simulations.engine.ladder import Ladder, Metric, Tier
 from simulations.models.chromatic import Glass, lateral_chromatic_scale
+from simulations.models.spectral_bands import chosen_wavelengths, even_wavelengths
 from simulations.pictures.coverage import checker
 
 type Floats = NDArray[np.floating]
@@ -59,24 +60,22 @@ def _scale(wavelength_um: float) -> float:
 
 
 def _per_channel(workload: Workload, *, nodes: int) -> Floats:
-    """Gauss–Hermite quadrature of each colour's bell curve, with its own few wavelengths."""
-    at, weights = np.polynomial.hermite_e.hermegauss(nodes)
-    shares = (weights / weights.sum()).astype(np.float32)
+    """Each colour with its own few wavelengths."""
     colours = np.zeros((3, SIZE, SIZE), np.float32)
     for colour, peak in zip(colours, PEAKS_UM, strict=True):
-        for node, share in zip(at, shares, strict=True):
-            colour += share * _chequers(workload, _scale(peak + WIDTH_UM * node))
+        band = chosen_wavelengths(peak, WIDTH_UM, nodes)
+        shares = band.shares.astype(np.float32)
+        for wavelength, share in zip(band.wavelengths_um, shares, strict=True):
+            colour += share * _chequers(workload, _scale(wavelength))
     return colours
 
 
 def _spread(workload: Workload, *, count: int) -> Floats:
     """``count`` wavelengths in even steps, each seen by all three colours."""
-    step = (LAST_UM - FIRST_UM) / count
-    wavelengths = FIRST_UM + (np.arange(count) + 0.5) * step
-    seen = np.exp(-0.5 * np.square((wavelengths - np.array(PEAKS_UM)[:, None]) / WIDTH_UM))
-    shares = (seen / seen.sum(axis=1, keepdims=True)).astype(np.float32)
+    bands = even_wavelengths(PEAKS_UM, WIDTH_UM, FIRST_UM, LAST_UM, count)
+    shares = np.stack([band.shares for band in bands]).astype(np.float32)
     colours = np.zeros((3, SIZE, SIZE), np.float32)
-    for wavelength, share in zip(wavelengths, shares.T, strict=True):
+    for wavelength, share in zip(bands[0].wavelengths_um, shares.T, strict=True):
         colours += share[:, None, None] * _chequers(workload, _scale(float(wavelength)))
     return colours
 

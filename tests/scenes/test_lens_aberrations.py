@@ -7,17 +7,23 @@ import pytest
 
 from simulations.engine.controls import check_values
 from simulations.engine.pipeline import StageCache, run
+from simulations.ladders.chromatic_aberration import LADDER
 from simulations.models.chromatic import LINE_D_UM
 from simulations.pictures.resolution_chart import resolution_chart
-from simulations.scenes.lens_aberrations import (
+from simulations.scenes.lens_aberrations import SCENE, colours, stops
+from simulations.scenes.lens_aberrations_stages import (
+    CLOSE_LEFT,
+    CLOSE_TOP,
+    FIRST_ROUND,
     FOCAL_MM,
     FOCAL_PX,
-    SCENE,
+    LINES_UM,
     STAGES,
-    colours,
+    WIDTH_UM,
+    bands,
     light,
     magnify,
-    stops,
+    reference_wavelengths,
 )
 
 
@@ -25,16 +31,26 @@ def values(**given):
     return check_values(SCENE.controls, given)
 
 
-def frame(cache=None, **given):
-    return SCENE.render(values(**given), "", cache or StageCache())
+def frame(cache=None, tier="", **given):
+    return SCENE.render(values(**given), tier, cache or StageCache())
+
+
+def judged(tier, cache=None, **given):
+    """All estimates of the error, as shown."""
+    return list(SCENE.error(values(**given), tier, cache or StageCache()))
+
+
+def final_error(tier, cache=None, **given):
+    text = judged(tier, cache, **given)[-1].text
+    return 0.0 if text.startswith("under") else float(text)
 
 
 def texts(**given):
     return {item.name: item.text for item in frame(**given).readouts}
 
 
-def outputs(**given):
-    return run(STAGES, values(**given), StageCache()).outputs
+def outputs(tier="gauss-1", **given):
+    return run(STAGES, values(**given), StageCache(), {"tier": tier}).outputs
 
 
 @pytest.mark.parametrize(("glass", "abbe"), [("crown", 64.2), ("flint", 36.4)])
@@ -92,7 +108,7 @@ def test_magnifying_keeps_a_straight_ramp_to_the_last_digit():
 
 def test_red_and_blue_edges_lie_apart_in_the_picture_by_the_shift_read_out():
     """An edge of the chart's border, 150 px right of the centre: where its area puts it."""
-    planes = outputs(glass="flint", stop=15, aperture=16)["lateral"]
+    planes = outputs(glass="flint", stop=15, aperture=16)["channels"]
     edges = []
     for channel in (0, 2):
         row = planes[channel, 116:124, 302:316].mean(axis=0)
@@ -105,7 +121,7 @@ def test_red_and_blue_edges_lie_apart_in_the_picture_by_the_shift_read_out():
 def test_an_ideal_lens_at_small_aperture_shows_the_chart_itself():
     planes = outputs(glass="ideal", aperture=16, rim=0, natural="false")
     chart = resolution_chart(336, 256, FOCAL_PX).transpose(2, 0, 1)[:, 8:-8, 8:-8]
-    assert np.array_equal(planes["axial"], chart)
+    assert np.array_equal(planes["channels"], chart)
     assert (planes["vignetting"] == 1).all()
 
 
@@ -122,3 +138,98 @@ def test_the_rim_leaves_the_colours_alone():
     frame(cache)
     again = frame(cache, rim=0)
     assert [s.name for s in again.stages if s.status == "computed"] == ["vignetting", "encoded"]
+
+
+def test_the_tiers_are_the_rungs_of_the_ladder_and_start_at_its_default():
+    assert SCENE.tiers == tuple(tier.id for tier in LADDER.tiers)
+    assert SCENE.default_tier == LADDER.default_tier
+    assert SCENE.draft_tier == "gauss-3"
+    one, other = (frame(tier=tier).panels[0].raster for tier in ("", LADDER.default_tier))
+    np.testing.assert_array_equal(one, other)
+
+
+def test_one_wavelength_a_colour_is_the_line_it_is_named_by():
+    for band, line in zip(bands("gauss-1", "crown"), LINES_UM, strict=True):
+        assert (band.wavelengths_um.tolist(), band.shares.tolist()) == ([line], [1.0])
+
+
+def test_even_wavelengths_leave_out_nothing_that_a_channel_sees():
+    for band, line in zip(bands("even-31", "flint"), LINES_UM, strict=True):
+        off = (band.wavelengths_um - line) / WIDTH_UM
+        assert off.min() < -3.5
+        assert off.max() > 3.5
+        assert band.shares @ off == pytest.approx(0, abs=0.01)
+        assert band.shares @ off**2 == pytest.approx(1, abs=0.03)
+
+
+@pytest.mark.parametrize("tier", SCENE.tiers)
+def test_glass_without_dispersion_needs_one_wavelength_in_every_tier(tier):
+    shown = frame(tier=tier, glass="ideal")
+    np.testing.assert_array_equal(shown.panels[0].raster, frame(glass="ideal").panels[0].raster)
+    assert judged(tier, glass="ideal")[-1].text == "under 10⁻³"
+
+
+def test_no_light_is_lost_among_the_wavelengths():
+    """A white wall has no edges: every tier gives the same light everywhere."""
+    one, many = (outputs(tier, aperture=16)["channels"] for tier in ("gauss-1", "even-16"))
+    assert many.mean() == pytest.approx(one.mean(), rel=1e-3)
+    middle = (slice(None), slice(112, 128), slice(188, 194))  # paper, far from any edge
+    np.testing.assert_allclose(many[middle], one[middle], rtol=1e-4)
+
+
+def test_the_edge_of_a_band_is_smeared_by_the_spread_of_its_sizes():
+    """The vertical edge 150 px from the centre: the variance of its place is that of the scales."""
+    ghosts = outputs("even-31", glass="flint", stop=15, aperture=16)
+    row = ghosts["channels"][2, 116:124, 302:314].mean(axis=0).astype(float)
+    plain = outputs("even-31", glass="ideal", aperture=16)["channels"][2, 116:124, 302:314]
+
+    def spread(profile):
+        steps = -np.diff(profile)
+        steps /= steps.sum()
+        at = np.arange(steps.size) + 302.5 - 159.5
+        return float(steps @ (at - steps @ at) ** 2), float(steps @ at)
+
+    (wide, radius), (sharp, _) = spread(row), spread(plain.mean(axis=0).astype(float))
+    band = bands("even-31", "flint")[2]
+    sizes = 15 / 24 * (1 / 36.4) / (0.4861**-2 - 0.6563**-2) * band.wavelengths_um**-2
+    expected = radius**2 * float(band.shares @ (sizes - band.shares @ sizes) ** 2)
+    assert wide - sharp == pytest.approx(expected, rel=0.15)
+
+
+def test_more_wavelengths_come_nearer_to_the_whole_spectrum():
+    cache = StageCache()
+    errors = [final_error(tier, cache, glass="flint") for tier in SCENE.tiers]
+    assert errors[0] > 3 * errors[1] > 3 * errors[4]
+    assert errors[-1] == min(errors)
+
+
+def test_the_reference_covers_the_spectrum_evenly_and_begins_with_all_of_it():
+    order = reference_wavelengths()
+    steps = np.diff(sorted(order))
+    np.testing.assert_allclose(steps, steps[0])
+    assert steps[0] < WIDTH_UM / 4.9
+    begun = order[:FIRST_ROUND]
+    assert min(begun) < LINES_UM[2] - 3 * WIDTH_UM
+    assert max(begun) > LINES_UM[0] + 3 * WIDTH_UM
+    assert max(np.diff(begun)) < 2 * WIDTH_UM
+
+
+def test_no_estimate_is_given_before_every_channel_has_light():
+    estimates = judged("gauss-1", glass="flint")
+    waiting, given = estimates[: FIRST_ROUND - 1], estimates[FIRST_ROUND - 1 :]
+    assert {(each.text, each.unit) for each in waiting} == {("…", "")}
+    assert {each.unit for each in given} == {"codes of 255"}
+    assert float(given[0].text) == pytest.approx(float(given[-1].text), rel=0.5)
+    assert estimates[-1].label.endswith(f"{len(estimates)} of {len(estimates)} wavelengths")
+
+
+def test_the_error_is_of_the_enlarged_corner_and_counts_its_vignetting():
+    """Ideal glass without a rim: nothing is left that could differ."""
+    assert final_error("even-16", glass="ideal", rim=0, natural="false") == 0
+    shown = frame(glass="crown").panels
+    np.testing.assert_array_equal(shown[1].raster, shown[0].raster[CLOSE_TOP:, CLOSE_LEFT:])
+
+
+def test_an_unknown_tier_is_refused():
+    with pytest.raises(ValueError, match="tier 'exact'; legal: gauss-1, gauss-3"):
+        bands("exact", "crown")

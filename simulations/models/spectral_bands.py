@@ -1,0 +1,51 @@
+"""The few wavelengths that stand for what a colour channel sees of the spectrum.
+
+A channel's sensitivity is a bell curve on white light: a peak and a standard deviation, both in
+micrometres. A quantity that depends on the wavelength is summed with the shares of `Band`, which
+add up to 1. Szeliski, 2nd ed., section 2.3.2.
+"""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+type Floats = NDArray[np.floating]
+
+
+@dataclass(frozen=True, slots=True)
+class Band:
+    """A channel as a quadrature rule."""
+
+    wavelengths_um: Floats
+    """(n,)."""
+    shares: Floats
+    """(n,) that add up to 1."""
+
+
+def chosen_wavelengths(peak_um: float, width_um: float, count: int) -> Band:
+    """Gauss–Hermite quadrature of the bell curve: exact for polynomials up to 2 count − 1."""
+    _check(width_um, count)
+    steps, weights = np.polynomial.hermite_e.hermegauss(count)
+    return Band(peak_um + width_um * steps, weights / weights.sum())
+
+
+def even_wavelengths(
+    peaks_um: Sequence[float], width_um: float, first_um: float, last_um: float, count: int
+) -> tuple[Band, ...]:
+    """The same ``count`` wavelengths for all channels, in the middles of even parts of a range.
+
+    One picture of each serves every channel; the shares of each follow its own bell curve.
+    """
+    _check(width_um, count)
+    step = (last_um - first_um) / count
+    wavelengths = first_um + (np.arange(count) + 0.5) * step
+    seen = np.exp(-0.5 * np.square((wavelengths - np.asarray(peaks_um)[:, None]) / width_um))
+    shares = seen / seen.sum(axis=1, keepdims=True)
+    return tuple(Band(wavelengths, each) for each in shares)
+
+
+def _check(width_um: float, count: int) -> None:
+    if count < 1 or not 0.0 < width_um < np.inf:
+        raise ValueError(f"count {count}, width_um {width_um!r}; legal: 1 or more, above 0")
