@@ -1,5 +1,6 @@
 """The camera's sensor: from light to electrons, codes and the bytes of a photograph."""
 
+import math
 from dataclasses import dataclass
 
 import numpy as np
@@ -8,7 +9,7 @@ from numpy.typing import NDArray
 from simulations.engine.frame import Raster
 from simulations.engine.raster import to_rgba8
 from simulations.models import sensor
-from simulations.models.color import encode_srgb_table
+from simulations.models.color import encode_srgb
 from simulations.models.depth_of_field import Planes
 from simulations.models.vignetting import vignetting_cos4
 from simulations.scenes.camera_lens import COLUMNS, PITCH_MM, ROWS
@@ -89,23 +90,32 @@ def quantise(electrons: Planes) -> NDArray[np.uint16]:
     return sensor.quantise(signal, ADC.bits)
 
 
-def _developed() -> NDArray[np.uint8]:
-    every_code = np.arange(2**ADC.bits, dtype=np.float32)
-    return to_rgba8(encode_srgb_table(sensor.develop(every_code, ADC))[None])[0, :, 0]
+def _srgb_bytes(linear: NDArray[np.floating]) -> NDArray[np.uint8]:
+    return to_rgba8(encode_srgb(linear)[None])[0, :, 0]
 
 
-BYTE_OF_CODE = _developed()
+BYTE_OF_CODE = _srgb_bytes(sensor.develop(np.arange(2.0**ADC.bits), ADC))
 """(4096,) sRGB byte of each code, black level taken off: so few that no pixel needs arithmetic."""
+
+ROOTS = 4096
+BYTE_OF_ROOT = _srgb_bytes((np.arange(ROOTS + 1) / ROOTS) ** 2)
+"""sRGB byte of light without steps, by its square root, in which the curve is nearly straight."""
 
 
 def encode(codes: NDArray[np.uint16]) -> Raster:
     """The photograph."""
-    picture = np.full((*codes.shape[1:], 4), 255, np.uint8)
-    picture[..., :3] = BYTE_OF_CODE[codes].transpose(1, 2, 0)
-    return picture
+    return _picture(BYTE_OF_CODE[codes])
 
 
 def develop_ideal(mean_e: Planes) -> Raster:
     """The photograph of a sensor without noise and without steps: what PSNR is measured against."""
-    linear = np.minimum(mean_e, FULL_WELL_E) / np.float32(FULL_WELL_E)
-    return to_rgba8(encode_srgb_table(linear.transpose(1, 2, 0)))
+    root = np.sqrt(np.minimum(mean_e, FULL_WELL_E)) * np.float32(ROOTS / math.sqrt(FULL_WELL_E))
+    return _picture(BYTE_OF_ROOT[np.rint(root).astype(np.uint16)])
+
+
+def _picture(planes: NDArray[np.uint8]) -> Raster:
+    """Opaque bytes of a canvas from (3, rows, columns)."""
+    picture = np.full((*planes.shape[1:], 4), 255, np.uint8)
+    for channel, plane in enumerate(planes):
+        picture[..., channel] = plane
+    return picture
