@@ -1,0 +1,78 @@
+"""Chapter 2: rotations and poses."""
+
+from math import radians
+
+import numpy as np
+from support.worked_numbers import Says
+
+from simulations.models import euler, quaternions, rotations
+from simulations.models.projection import look_at, rigid_pose, world_to_camera
+from simulations.models.rotation_paths import matrix_blend
+
+CHAPTER = "02-3d-transformations"
+GIVEN = "100 120 170 180 1775 4_000_000"
+
+
+def a_camera_that_looks_to_the_left() -> Says:
+    pose = look_at((10, 0, 0), (0, 0, 0), (0, -1, 0))
+    assert np.allclose(pose[:3, :3], [[0, 0, 1], [0, 1, 0], [-1, 0, 0]])
+    assert np.allclose(pose[:3, 3], [0, 0, 10])
+    lamp = np.array((2, -1, 3))
+    turned = pose[:3, :3] @ lamp
+    yield rf"Then $R\mathbf{{p}} = ({turned[0]:.0f}, {turned[1]:.0f}, {turned[2]:.0f})$"
+    seen = world_to_camera(lamp, rigid_pose(pose[:3, :3], pose[:3, 3]))
+    yield rf"+ (0, 0, 10) = ({seen[0]:.0f}, {seen[1]:.0f}, {seen[2]:.0f})\ \text{{m}}$$"
+    yield rf"$\sqrt{{9 + 1 + 64}} = {np.linalg.norm(seen):.2f}$ m"
+    assert np.isclose(np.linalg.norm(seen), np.linalg.norm(lamp - (10, 0, 0)))
+
+
+def the_shortcut_of_small_angles() -> Says:
+    p, angle = np.array((1.0, 0, 0)), radians(5)
+    short = p + angle * np.cross((0, 0, 1), p)
+    off = np.linalg.norm(short - rotations.exponential([0, 0, angle]) @ p)
+    yield rf"the error of that shortcut is about {off:.3f} of the length"
+
+
+def a_quaternion_by_hand() -> Says:
+    axis = np.ones(3) / np.sqrt(3)
+    turn = rotations.from_axis_angle(axis, radians(120))
+    assert np.allclose(quaternions.from_matrix(turn), 0.5)
+    assert np.allclose(turn, [[0, 0, 1], [1, 0, 0], [0, 1, 0]])
+    yield "three times 120° is a full turn"
+
+
+def gimbal_lock() -> Says:
+    locked = euler.to_matrix("ZYX", [radians(10), radians(90), radians(40)])
+    alike = euler.to_matrix("ZYX", [0, radians(90), radians(30)])
+    assert np.allclose(locked, alike)
+    yield "40° of roll with 10° of yaw gives exactly the matrix of 30° of roll with none"
+
+
+def the_average_of_two_matrices() -> Says:
+    turn = rotations.exponential([0, 0, radians(90)])
+    half = matrix_blend(np.eye(3), turn, 0.5)
+    assert np.isclose(np.linalg.det(half), 0.5)
+    across = np.linalg.norm(half[:, 0])
+    yield f"shrinks everything across the axis to {100 * across:.0f} %"
+    yield f"Its first two columns have length {across:.2f}."
+
+
+def a_rolling_shutter() -> Says:
+    yield f"has turned by {90 * 0.020:g}° between the first row and the last"
+
+
+def coordinates_far_from_the_origin() -> Says:
+    step = float(np.spacing(np.float32(4e6)))
+    yield f"neighbouring numbers there are {step:g} m apart"
+    yield f"in steps of {100 * step:.0f} cm"
+
+
+WORKED = (
+    a_camera_that_looks_to_the_left,
+    the_shortcut_of_small_angles,
+    a_quaternion_by_hand,
+    gimbal_lock,
+    the_average_of_two_matrices,
+    a_rolling_shutter,
+    coordinates_far_from_the_origin,
+)

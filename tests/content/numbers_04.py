@@ -1,0 +1,120 @@
+"""Chapter 4: the distortion of lenses."""
+
+from math import atan, degrees, pi, sqrt, tan
+
+import numpy as np
+from support.worked_numbers import Says
+
+from simulations.models.distortion import (
+    Distortion,
+    distort,
+    fold_radius,
+    largest_distorted_radius,
+    undistort,
+)
+from simulations.models.fisheye import project_ideal
+from simulations.models.undistortion import undistort_fixed_point, undistort_newton
+from simulations.models.vignetting import vignetting_cos4
+
+CHAPTER = "04-lens-distortion"
+GIVEN = "0.1 0.10 0.2 0.20 0.25 0.3 0.5 0.50 0.6 0.75 0.8 2.8 200 800 0.05 0.025 0.475"
+BARREL, PINCUSHION = Distortion(k1=-0.2), Distortion(k1=0.2)
+
+
+def opening_of_a_lens() -> Says:
+    wide = 50 / 2
+    yield f"A 50 mm lens at f/2 has an opening {wide:g} mm across"
+    pinhole = sqrt(2.44 * 550e-6 * 50)
+    assert 0.24 < pinhole < 0.27, "about a quarter of a millimetre"
+    assert 0.85e4 < (wide / pinhole) ** 2 < 1.15e4, "some ten thousand times as much light"
+    yield "about a quarter of a millimetre wide. The lens gathers some ten thousand times"
+
+
+def bending_a_line_by_hand() -> Says:
+    middle, end = np.array((0, 0.5)), np.array((0.8, 0.5))
+    for point, phrase in (
+        (middle, r"$r^2 = {0:g}$. The factor is $1 - 0.2 \cdot {0:g} = {1:g}$."),
+        (end, r"$r^2 = 0.64 + 0.25 = {0:.2f}$. The factor is $1 - 0.2 \cdot {0:.2f} = {1:.3f}$."),
+    ):
+        squared = float(point @ point)
+        yield phrase.format(squared, 1 - 0.2 * squared)
+    low, far = distort([middle, end], BARREL)
+    yield f"moves to $(0, {low[1]:.3f})$"
+    yield rf"move to $(\pm {far[0]:.4f}, {far[1]:.3f})$"
+    bow = round(low[1] - far[1], 3)
+    yield rf"The middle is now ${low[1]:.3f} - {far[1]:.3f} = {bow:.3f}$ farther"
+    yield rf"the bow is $800 \cdot {bow:.3f} = {800 * bow:.0f}$ px"
+    low, far = distort([middle, end], PINCUSHION)
+    yield f"the factors are {low[1] / 0.5:.2f} and {far[1] / 0.5:.3f}"
+    yield f"goes to {low[1]:.3f} and the ends to {far[1]:.3f}"
+
+
+def how_far_the_corner_moves() -> Says:
+    corner, half = (distort([r, 0], BARREL)[0] - r for r in (1.0, 0.5))
+    yield rf"$-0.2 \cdot 1 \cdot 200 = {200 * corner:.0f}$ px"
+    yield f"an eighth of that, {-200 * half:.0f} px"
+    both = distort([1, 0], Distortion(k1=-0.2, k2=0.1))[0] - 1
+    yield rf"$(-0.2 + 0.1) \cdot 200 = {200 * both:.0f}$ px"
+
+
+def where_two_coefficients_cancel() -> Says:
+    back, farthest = sqrt(0.2 / 0.2), sqrt(0.2 / (2 * 0.2))
+    assert distort([back, 0], Distortion(k1=-0.2, k2=0.2))[0] == back
+    yield f"these radii are {back:g} and {farthest:.2f}"
+
+
+def two_steps_back() -> Says:
+    one, two = (float(undistort_fixed_point([0.475, 0], BARREL, steps)[0]) for steps in (1, 2))
+    yield rf"$0.475/(1 - 0.2 \cdot 0.475^2) = {one:.6f}$"
+    yield rf"$0.475/(1 - 0.2 \cdot {one:.6f}^2) = {two:.6f}$"
+    assert 9 < (0.5 - one) / (0.5 - two) < 10, "each step divides the error by nearly ten"
+    one, two = (float(undistort_newton([0.475, 0], BARREL, steps)[0]) for steps in (1, 2))
+    yield f"the first step gives {one:.6f}, the second {two:.8f}"
+
+
+def where_the_map_folds() -> Says:
+    lens = Distortion(k1=-0.3)
+    fold, largest = fold_radius(lens), largest_distorted_radius(lens)
+    yield (
+        f"the fold lies at $r = {fold:.3f}$, about {degrees(atan(fold)):.1f}° from the axis, "
+        f"and the largest distorted radius is {largest:.3f}"
+    )
+    assert not undistort([0.75, 0], lens)[1]
+    yield f"the distorted radius {largest_distorted_radius(Distortion(k1=-0.5)):.3f} the photograph"
+
+
+def cos4_at_45_degrees() -> Says:
+    assert np.isclose(vignetting_cos4(1.0), 1 / 4), "two stops"
+    yield "its fourth power ¼, so the corners lose two stops"
+
+
+def the_fisheye_s_right_angle() -> Says:
+    assert tan(pi / 2) > 1e15
+    sideways, _ = project_ideal([1, 0, 0], "equidistant")
+    yield f"puts 90° at {sideways[0]:.3f}"
+
+
+def sign_of_k1() -> Says:
+    yield f"The factor is {0.475 / 0.5:g}, so"
+    yield f"$k_1 = {(0.475 / 0.5 - 1) / 0.5**2:.1f}$, a barrel"
+    yield f"0.475/0.5 = {0.475 / 0.5:g}, so $k_1 r^2 = {0.475 / 0.5 - 1:.2f}$"
+    yield f"so divide it by ${0.5**3:g}$"
+    assert np.isclose(0.475 - 0.5, -0.025)
+
+
+def cubic_growth() -> Says:
+    yield f"- [x] {2 * (0.6 / 0.3) ** 3:.0f} px"
+
+
+WORKED = (
+    opening_of_a_lens,
+    bending_a_line_by_hand,
+    how_far_the_corner_moves,
+    where_two_coefficients_cancel,
+    two_steps_back,
+    where_the_map_folds,
+    cos4_at_45_degrees,
+    the_fisheye_s_right_angle,
+    sign_of_k1,
+    cubic_growth,
+)

@@ -1,0 +1,64 @@
+"""Chapter 9: depth from two views."""
+
+from math import atan, degrees, isclose, sqrt
+
+from support.worked_numbers import Says
+
+from simulations.models.projection import intrinsics, project
+
+CHAPTER = "09-connections"
+GIVEN = "0.0 0.10 1.0 2.0 4.0 6.4 160 800"
+
+
+def disparity_px(depth_m: float, focal_px: float, baseline_m: float) -> float:
+    K = intrinsics(focal_px, (0.0, 0.0))
+    left, _ = project([1.0, 0.0, depth_m], K)
+    right, _ = project([1.0 - baseline_m, 0.0, depth_m], K)
+    return float(left[0] - right[0])
+
+
+def a_finger_and_two_eyes() -> Says:
+    yield rf"$6.4/25 = \tan {degrees(atan(6.4 / 25)):.1f}^\circ$"
+    yield f"At arm's length, 60 cm, it jumps by {degrees(atan(6.4 / 60)):.0f}°"
+
+
+def counting_equations() -> Says:
+    yield rf"$12 \cdot 50 \cdot 2 = {12 * 50 * 2}$"
+    yield rf"$12 \cdot 6 = {12 * 6}$"
+
+
+def how_well_depth_is_seen() -> Says:
+    for depth, shorter in ((4, 19.5), (20, 3.5)):
+        disparity = disparity_px(depth, 800, 0.10)
+        assert isclose(disparity - shorter, 0.5)
+        yield f"{disparity:.0f}$ px"
+        yield f"With $d = {disparity - 0.5:.1f}$ px"
+    near, far = 80 / 19.5, 80 / 3.5
+    yield f"at $80/19.5 = {near:.2f}$ m: an error of {100 * (near - 4):.0f} cm"
+    yield f"we would believe {far:.1f} m: an error of {far - 20:.1f} m"
+    assert 27 < (far - 20) / (near - 4) < 30, "nearly thirty times the error"
+
+
+def disparities_of_the_figure() -> Says:
+    yield r"These are $160 \cdot 1/4$ and $160 \cdot 1/2$"
+    assert (disparity_px(4, 160, 1), disparity_px(2, 160, 1)) == (40, 80)
+
+
+def disparity_and_depth() -> Says:
+    yield f"$Z = fb/d = 80/16 = {80 / 16:g}$ m"
+    yield f"- [ ] {80 * 16} m"
+    yield f"- [ ] {16 / 80:g} m"
+
+
+def averaging_frames() -> Says:
+    yield f"- [x] By a factor of {sqrt(16):.0f}."
+
+
+WORKED = (
+    a_finger_and_two_eyes,
+    counting_equations,
+    how_well_depth_is_seen,
+    disparities_of_the_figure,
+    disparity_and_depth,
+    averaging_frames,
+)
