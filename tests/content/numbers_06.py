@@ -30,7 +30,8 @@ def adding_noise_up() -> Says:
     variance = 1000 + 0.5 * 2 + 3**2
     sigma = sqrt(variance)
     yield f"$1000 + 1 + 9 = {variance:.0f}$, so"
-    yield rf"$\sigma = {sigma:.1f}$ electrons and the SNR is $1000 / {sigma:.1f} = {1000 / sigma:.1f}$"
+    yield rf"$\sigma = {sigma:.1f}$ electrons"
+    yield f"the SNR is $1000 / {sigma:.1f} = {1000 / sigma:.1f}$"
     yield f"Shot noise alone would give {sqrt(1000):.1f}."
     shadow = 4 + 1 + 9
     yield f"$4 + 1 + 9 = {shadow}$"

@@ -49,7 +49,8 @@ def what_the_pixel_counts() -> Says:
     gain = ADC.full_well_e / codes
     black = ADC.black_level_dn
     yield f"keeps {black:.0f} of its codes for the black level"
-    yield f"the other {codes:.0f}: ${mean:.0f} / {gain:.3f} + {black:.0f} = {mean / gain + black:.0f}$"
+    dn = mean / gain + black
+    yield f"the other {codes:.0f}: ${mean:.0f} / {gain:.3f} + {black:.0f} = {dn:.0f}$"
     encoded = float(encode_srgb(arrives))
     yield f"${arrives:.3f}$ becomes ${encoded:.3f}$"
     yield rf"${encoded:.3f} \times 255 = {255 * encoded:.0f}$"
