@@ -159,7 +159,7 @@ def _silhouette_margin(eye: Floats, directions: Floats, half: Floats) -> Floats:
 def _slabs(start: Floats, directions: Floats, half: Floats) -> tuple[Floats, Floats]:
     """Distances at which rays enter and leave each of the three slabs, (..., 3) each."""
     small = np.abs(directions) < NEARLY_ZERO
-    inverse = 1.0 / np.where(small, np.copysign(NEARLY_ZERO, directions), directions)
+    inverse = 1.0 / np.where(small, NEARLY_ZERO, directions)
     middle, reach = -start * inverse, np.abs(half * inverse)
     return middle - reach, middle + reach
 

@@ -78,8 +78,8 @@ def gather_table(
 ) -> GatherTable:
     """Indices and weights to sample pictures of ``source_shape`` = (H, W) at ``xy_px`` (..., 2).
 
-    Beyond the border the border pixels repeat. Coordinates off the picture, huge or NaN are
-    legal; ``inside`` tells which.
+    Beyond the border the border pixels repeat. Coordinates off the picture, huge or NaN (which
+    counts as 0) are legal; ``inside`` tells which.
     """
     chosen = _kernel(kernel)
     height, width = source_shape

@@ -183,8 +183,42 @@ def test_the_margin_of_a_sphere_is_the_square_of_half_the_chord():
     hit = intersect(Sphere((0.0, 5.0, 1.0), 2.0), ORIGIN, AHEAD)
     assert hit.margin == pytest.approx(2.0**2 - 1.0**2)
     assert hit.distance == pytest.approx(5 - math.sqrt(3))
-    behind = intersect(Sphere((0.0, -5.0, 1.0), 2.0), ORIGIN, AHEAD)
-    assert behind.margin == pytest.approx(2.0**2 - 26.0)
+    behind = intersect(Sphere((0.0, -5.0, 1.0), 3.0), ORIGIN, AHEAD)
+    assert behind.margin == pytest.approx(3.0**2 - 26.0)
+
+
+def test_a_ray_that_only_grazes_a_sphere_misses_it():
+    assert not intersect(Sphere((0.0, 5.0, 2.0), 2.0), ORIGIN, AHEAD).valid
+
+
+@pytest.mark.parametrize(
+    "solid", [Sphere((0.0, 2.0, 0.0), 2.0), Box((0.0, 2.0, 0.0), (2.0, 4.0, 2.0))]
+)
+def test_from_the_surface_inwards_the_far_side_is_met(solid):
+    assert intersect(solid, ORIGIN, AHEAD).distance == pytest.approx(4)
+
+
+@pytest.mark.parametrize("eye", [(0.0, 0.0, 0.0), (3.0, -2.0, 0.7)])
+def test_only_where_a_solid_lies_from_the_eye_matters(eye):
+    towards = rays_around(AHEAD, 0.3, 50)
+    for make in (lambda at: Sphere(at, 0.8), lambda at: Box(at, (1.0, 1.4, 0.6), 0.3)):
+        here = intersect(make((0.2, 4.0, -0.1)), ORIGIN, towards)
+        there = intersect(make(tuple(np.add((0.2, 4.0, -0.1), eye))), eye, towards)
+        assert there.margin == pytest.approx(here.margin)
+        assert there.distance == pytest.approx(here.distance)
+        assert there.points - eye == pytest.approx(here.points)
+
+
+def test_a_slanted_ray_has_the_normal_of_the_face_that_it_meets_first():
+    """It enters by the front face and leaves by the side; from within, by the side."""
+    box = Box((0.0, 5.0, 0.0), (2.0, 4.0, 2.0))
+    slanted = unit([0.9, 3.0, 0.0])
+    outside = intersect(box, ORIGIN, slanted)
+    assert outside.points == pytest.approx([0.9, 3, 0])
+    assert outside.normals == pytest.approx([0, -1, 0])
+    inside = intersect(box, (0.0, 6.0, 0.0), unit([2.0, 1.0, 0.5]))
+    assert inside.points == pytest.approx([1, 6.5, 0.25])
+    assert inside.normals == pytest.approx([1, 0, 0])
 
 
 def test_a_box_is_met_where_its_edges_lie_along_each_axis():
@@ -305,8 +339,32 @@ def test_the_shadow_of_a_box_deepens_with_the_chord_of_its_ray():
         expected = 1 - ramp * ramp * (3 - 2 * ramp)
         assert visibility(box, start, light, lamp) == pytest.approx(expected)
     assert visibility(box, (0.05, 0.0, 0.0), light, lamp) == 1
+    for z in (0.6, 0.995):  # the nearer the face, the sharper; but not nearer than 2 cm
+        entry = math.sqrt(2) * (1 - z)
+        width = 2 * max(entry, 0.02) * math.tan(lamp)
+        x = z - 0.3 * width / math.sqrt(2)  # so that the ray cuts off 0.3 of the width
+        assert visibility(box, (x, 0.0, z), light, lamp) == pytest.approx(1 - 0.09 * 2.4)
     just_below = visibility(box, (0.0, 0.0, 0.99), (0, 0, 1.0), lamp)
     assert just_below == 0
+
+
+@pytest.mark.parametrize("turn", [0.4, math.pi / 2, -2.0])
+def test_turning_box_points_and_lamp_together_changes_no_shadow(turn):
+    box, light = Box((0.3, -0.2, 2), (2, 1, 1.5), 0.2), unit([0.5, -0.7, 0.9])
+    points = np.random.default_rng(2).uniform([-3, -3, 0], [3, 3, 0], (200, 3))
+    seen = visibility(box, points, light, 0.05)
+    assert 0 < (seen < 1).sum() < 200
+    R = Box((0, 0, 0), (1, 1, 1), turn).world_to_box.T
+    turned = Box(tuple(R @ box.centre), box.size, 0.2 + turn)
+    assert visibility(turned, points @ R.T, R @ light, 0.05) == pytest.approx(seen, abs=1e-9)
+
+
+def test_a_ball_less_than_a_metre_away_casts_its_shadow_too():
+    assert visibility(Sphere((0, 0, 0.8), 0.3), ORIGIN, (0, 0, 1.0), 0.05) == 0
+
+
+def test_a_lamp_may_fill_almost_half_the_sky():
+    assert 0 < visibility(Sphere((0, 0, 2), 0.5), ORIGIN, (0, 0, 1.0), 1.5) < 1
 
 
 @pytest.mark.parametrize("angle", [0.0, -0.1, math.pi / 2, math.nan])

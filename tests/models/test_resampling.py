@@ -103,7 +103,7 @@ def test_meaningless_requests_are_named(call, name):
 @pytest.mark.parametrize(
     ("kernel", "distances", "weights"),
     [
-        ("nearest", [-0.5, 0.0, 0.49, 0.5], [1, 1, 1, 0]),
+        ("nearest", [-0.51, -0.5, 0.0, 0.49, 0.5], [0, 1, 1, 1, 0]),
         ("bilinear", [-1.0, -0.25, 0.0, 0.75, 1.2], [0, 0.75, 1, 0.25, 0]),
         (
             "bicubic",
@@ -130,6 +130,7 @@ def test_a_value_is_the_weighted_sum_of_the_pixels_around_it(kernel):
     if kernel == "nearest":  # half a pixel belongs to the pixel on its right
         assert sample(PICTURE, [x, y], kernel) == PICTURE[18, 20]
         assert sample(PICTURE, [20.5, 17.5], kernel) == PICTURE[18, 21]
+        assert sample(PICTURE, [20.49, 17.49], kernel) == PICTURE[17, 20]
         return
     expected = (row / row.sum()) @ PICTURE @ (column / column.sum())
     assert sample(PICTURE, [x, y], kernel) == pytest.approx(expected, abs=1e-6)
@@ -138,9 +139,26 @@ def test_a_value_is_the_weighted_sum_of_the_pixels_around_it(kernel):
 @pytest.mark.parametrize("kernel", KERNELS)
 def test_beyond_the_border_the_border_repeats(kernel):
     wide = np.pad(PICTURE, 8, mode="edge")
-    places = np.array([[-0.4, 3.3], [49.3, 20.2], [10.1, -0.3], [30.7, 39.4], [0.2, 39.1]])
+    places = np.array(
+        [[-0.4, 3.3], [49.3, 20.2], [49.49, 7.4], [10.1, -0.3], [30.7, 39.4], [0.2, 39.1]]
+    )
     found = sample(PICTURE, places, kernel, fill=None)
     np.testing.assert_allclose(found, sample(wide, places + 8, kernel), atol=1e-6)
+
+
+@pytest.mark.parametrize("kernel", KERNELS)
+def test_off_the_picture_the_value_at_its_edge_is_repeated(kernel):
+    away, edge = (
+        [[-20.0, 3.3], [70.0, 20.2], [10.1, -1e9]],
+        [[-0.5, 3.3], [49.5, 20.2], [10.1, -0.5]],
+    )
+    found, expected = (sample(PICTURE, places, kernel, fill=None) for places in (away, edge))
+    np.testing.assert_array_equal(found, expected)
+    assert sample(PICTURE, [np.nan, 3], kernel, fill=None) == sample(PICTURE, [0, 3], kernel)
+
+
+def test_half_a_pixel_belongs_to_the_right_also_when_a_picture_shrinks():
+    assert resize([[1.0, 4.0, 6.0]], 1, 2, "nearest").tolist() == [[1, 5]]
 
 
 def test_inside_is_up_to_half_a_pixel_beyond_the_outer_centres():
@@ -169,6 +187,7 @@ def test_a_table_holds_one_column_of_weights_for_each_place():
 def test_off_the_picture_zero_stands_unless_the_border_is_asked_for():
     far = [[-20.0, 3.0], [np.nan, 3.0]]
     assert sample(PICTURE, far).tolist() == [0, 0]
+    assert gather(gather_table(far, (40, 50)), PICTURE).tolist() == [0, 0]
     assert sample(PICTURE, far[0], fill=None) == PICTURE[3, 0]
     colour = np.stack((PICTURE, 1 - PICTURE), -1)
     np.testing.assert_array_equal(sample(colour, far, fill=0.5), [[0.5, 0.5]] * 2)
