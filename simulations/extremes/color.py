@@ -11,12 +11,19 @@ from simulations.engine.extreme import (
     refused,
 )
 from simulations.engine.raster import to_rgba8
-from simulations.models import color
+from simulations.models import chromatic_adaptation, chromaticity, color
 
 TABLE = ExtremeTable(
     id="color",
     title="Colour",
-    names={**vars(color), "to_rgba8": to_rgba8, "inf": np.inf, "nan": np.nan},
+    names={
+        **vars(color),
+        **vars(chromaticity),
+        **vars(chromatic_adaptation),
+        "to_rgba8": to_rgba8,
+        "inf": np.inf,
+        "nan": np.nan,
+    },
     cases=(
         ExtremeCase(
             id="negative-light",
@@ -145,6 +152,52 @@ TABLE = ExtremeTable(
             why="Three rounded weights need not add up to 1.",
             returns="1, to float32 precision.",
             expected=near(np.float32(1.0), 1e-6),
+        ),
+        ExtremeCase(
+            id="chromaticity-of-black",
+            call="xyz_to_xyy([0.0, 0.0, 0.0])",
+            why="X over the sum of all three is 0/0.",
+            returns="That of daylight, with no luminance: a scale of greys ends in grey.",
+            expected=near([0.3127, 0.3290, 0.0]),
+            naive="np.zeros(3) / 0.0",
+        ),
+        ExtremeCase(
+            id="chromaticity-of-a-glare",
+            call="xyz_to_xyy([1e308, 1e308, 1e308])[:2]",
+            why="The sum of the three overflows.",
+            returns="1/3 each: the largest is divided out first.",
+            expected=near([1 / 3, 1 / 3]),
+            naive="np.float64(1e308) / (np.float64(1e308) + 1e308 + 1e308)",
+        ),
+        ExtremeCase(
+            id="colour-without-luminance",
+            call="white_xyz([0.3, 0.0])",
+            why="y = 0 is a light that nobody sees, however strong it is.",
+            returns="Refused: at Y = 1 the other two would be infinite.",
+            expected=refused("chromaticity", "0.0"),
+            naive="np.array([0.3, 0.0]) / 0.0",
+        ),
+        ExtremeCase(
+            id="outside-the-triangle",
+            call="adaptation_matrix(D65_XY, (0.6, 0.5))",
+            why="x + y above 1 makes Z negative.",
+            returns="Refused: no light is there.",
+            expected=refused("x + y ≤ 1"),
+        ),
+        ExtremeCase(
+            id="adapting-to-pure-green",
+            call="adaptation_matrix((0.2, 0.8), D65_XY)",
+            why="Under green laser light the short receptors get nothing: their gain is infinite.",
+            returns="Refused: what is black in one response stays unknown.",
+            expected=refused("light", "above 0"),
+            naive="1.0 / np.float64(0.0)",
+        ),
+        ExtremeCase(
+            id="adapting-to-the-same-light",
+            call="adaptation_matrix((0.44758, 0.40745), (0.44758, 0.40745))",
+            why="Into other responses and back, with gains of 1.",
+            returns="The identity, to rounding.",
+            expected=near(np.eye(3), 1e-14),
         ),
     ),
 )

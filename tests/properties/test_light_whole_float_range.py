@@ -12,6 +12,8 @@ from support.float_range import any_float, arrays, ask, finite_float
 
 from simulations.engine.raster import to_rgba8
 from simulations.models import (
+    chromatic_adaptation,
+    chromaticity,
     color,
     compression,
     demosaicing,
@@ -155,6 +157,18 @@ def test_transfer_functions_are_shares_or_refused(frequency, width):
     for mtf in (sampling.box_mtf, sampling.gaussian_mtf):
         share = ask(mtf, frequency, width)
         assert share is None or 0.0 <= share <= 1.0
+
+
+@given(arrays(2, 3), arrays(2), st.tuples(st.floats(0.0, 1.0), st.floats(0.0, 1.0)))
+def test_colours_are_adapted_without_a_warning_or_refused(colours, any_xy, some_xy):
+    for method in chromatic_adaptation.RESPONSES:
+        ask(chromatic_adaptation.adapt, colours, any_xy, color.D65_XY, method)
+        ask(chromatic_adaptation.adapt, colours, color.D65_XY, some_xy, method)
+        matrix = ask(chromatic_adaptation.adaptation_matrix, some_xy, color.D65_XY, method)
+        assert matrix is None or np.isfinite(matrix).all()
+    assert not np.isnan(chromaticity.xyz_to_xyy(colours)[..., :2]).any()
+    chromaticity.xyy_to_xyz(colours)
+    chromaticity.lab_distance(*colours)
 
 
 @given(arrays(3, 5), any_float)
