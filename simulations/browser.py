@@ -11,8 +11,11 @@ from typing import Any
 from simulations.engine.controls import clamp_values
 from simulations.engine.frame import Raster, Readout, to_json
 from simulations.engine.ladder import measure_tier
+from simulations.engine.parts import fetch_missing
 from simulations.engine.pipeline import StageCache
 from simulations.registry import load_ladder, load_scene
+
+__all__ = ["Reply", "error", "fetch_missing", "forget", "measure", "render"]
 
 _caches: dict[str, StageCache] = {}
 _judgements: dict[str, tuple[object, Iterator[Readout]]] = {}

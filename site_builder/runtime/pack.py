@@ -1,39 +1,30 @@
-"""Everything that the browser loads to run our Python: pinned files, our wheel, a lock file."""
+"""Everything that the browser loads to run our Python, and the table of it: ``runtime.json``."""
 
+import base64
+import io
 import json
-import shutil
-import tempfile
+import zipfile
 from collections.abc import Mapping
 from dataclasses import dataclass
 from pathlib import Path
 
-from hatchling.builders.wheel import WheelBuilder
-from pyodide_lock import PyodideLockSpec
-from pyodide_lock.utils import add_wheels_to_spec
-
+from simulations.registry import LADDER_MODULES, SCENE_MODULES
 from site_builder.runtime import store as stores
 from site_builder.runtime.fetch import fetch_runtime
+from site_builder.runtime.freeze import INTERPRETER, LOCK, Frozen, freeze_libraries
+from site_builder.runtime.imports import Table, outside, reach, read_imports
 from site_builder.runtime.pinned import (
-    LOCK_INFO,
     NUMPY_VERSION,
     NUMPY_WHEEL,
     PYODIDE_VERSION,
+    PYTHON_LIBRARY,
     PYTHON_VERSION,
 )
 
-LOCK_NAME = "pyodide-lock.json"
-
-PROJECT = f"""\
-[project]
-name = "simulations"
-version = "1.0"
-requires-python = ">=3.12"
-dependencies = ["numpy=={NUMPY_VERSION}"]
-
-[tool.hatch.build.targets.wheel]
-packages = ["simulations"]
-"""
-"""The simulations as a package of their own: the browser needs none of the book's builder."""
+TABLE_NAME = "runtime.json"
+ENTRY = "simulations.browser"
+"""The module that the browser's worker imports."""
+EPOCH = (2020, 1, 1, 0, 0, 0)
 
 
 @dataclass(frozen=True, slots=True)
@@ -58,7 +49,7 @@ VERSIONS = RuntimeVersions(PYODIDE_VERSION, PYTHON_VERSION, NUMPY_VERSION)
 
 
 def pack_runtime(simulations: Path, store: Path | None = None) -> RuntimeBundle:
-    """Fetch what is pinned and pack the package folder ``simulations`` beside it.
+    """Fetch what is pinned, cut it into parts, and pack the folder ``simulations`` beside it.
 
     Equal sources give equal bytes, so a hash over the files names the runtime.
 
@@ -66,48 +57,80 @@ def pack_runtime(simulations: Path, store: Path | None = None) -> RuntimeBundle:
     ------
     RuntimeFetchError
         Where the pinned files are neither cached nor to be had.
+    FreezeError
+        Where the simulations import what the browser lacks.
     """
     folder = store or stores.default_store()
     fetched = fetch_runtime(folder)
-    with tempfile.TemporaryDirectory() as scratch:
-        wheel = build_wheel(simulations, Path(scratch))
-        lock = lock_file(wheel)
-        packed = {
-            wheel.name: stores.put(folder, wheel.name, wheel.read_bytes()),
-            LOCK_NAME: stores.put(folder, LOCK_NAME, lock.encode()),
-        }
-    return RuntimeBundle({**fetched, **packed}, VERSIONS)
+    imports = read_imports(simulations)
+    at_once = outside(imports, reach(imports, ENTRY))
+    frozen = freeze_libraries(
+        {name: fetched[name] for name in INTERPRETER},
+        fetched[PYTHON_LIBRARY.name],
+        fetched[NUMPY_WHEEL.name],
+        at_once,
+        outside(imports, imports),
+        folder,
+    )
+    ours = stores.put(folder, "simulations.zip", source_archive(simulations))
+    archives = {**{f"{part}.zip": file for part, file in frozen.archives.items()}, ours.name: ours}
+    table = json.dumps(runtime_table(archives, frozen, imports), indent=1, sort_keys=True)
+    return RuntimeBundle(
+        {
+            **{name: fetched[name] for name in INTERPRETER},
+            **archives,
+            TABLE_NAME: stores.put(folder, TABLE_NAME, table.encode()),
+        },
+        VERSIONS,
+    )
 
 
-def build_wheel(simulations: Path, scratch: Path) -> Path:
-    """The wheel of the package folder ``simulations``, built in ``scratch`` without network.
+def source_archive(package: Path) -> bytes:
+    """The modules in the folder ``package``; equal sources give equal bytes.
 
     Without the tables of hard cases: they are asked when the book is built, not when it is read.
+    As sources: their byte code is twice the size, and saves less time than the bytes take.
     """
-    project = scratch / "project"
-    shutil.copytree(
-        simulations,
-        project / "simulations",
-        ignore=shutil.ignore_patterns("__pycache__", ".*", "extremes"),
-    )
-    (project / "pyproject.toml").write_text(PROJECT, encoding="utf-8")
-    builder = WheelBuilder(str(project))
-    return Path(next(builder.build(directory=str(scratch / "dist"), versions=["standard"])))
+    buffer = io.BytesIO()
+    with zipfile.ZipFile(buffer, "w", zipfile.ZIP_DEFLATED, compresslevel=9) as archive:
+        for file in sorted(package.rglob("*.py")):
+            path = file.relative_to(package)
+            if path.parts[0] != "extremes" and not path.name.startswith("."):
+                entry = zipfile.ZipInfo((package.name / path).as_posix(), EPOCH)
+                entry.compress_type = zipfile.ZIP_DEFLATED
+                archive.writestr(entry, file.read_bytes())
+    return buffer.getvalue()
 
 
-def lock_file(wheel: Path) -> str:
-    """Pyodide's package table: numpy, as its release describes it, and our wheel."""
-    numpy_entry = {
-        "name": "numpy",
-        "version": NUMPY_VERSION,
-        "file_name": NUMPY_WHEEL.name,
-        "install_dir": "site",
-        "sha256": NUMPY_WHEEL.sha256,
-        "package_type": "package",
-        "imports": ["numpy"],
-        "depends": [],
-        "unvendored_tests": False,
+def runtime_table(
+    archives: Mapping[str, Path], frozen: Frozen, imports: Table
+) -> dict[str, object]:
+    """What the worker knows of the files beside it.
+
+    ``lock``: what Pyodide asks for. ``integrity``: hash of each archive. ``modules``: of each
+    part that is not loaded at once, the modules in it. ``scenes`` and ``ladders``: which of these
+    parts each of them imports.
+    """
+    later = {part: names for part, names in frozen.modules.items() if part not in AT_ONCE}
+    return {
+        "lock": LOCK,
+        "integrity": {name: integrity(file.read_bytes()) for name, file in archives.items()},
+        "modules": later,
+        "scenes": {key: parts_of(imports, name, later) for key, name in SCENE_MODULES.items()},
+        "ladders": {key: parts_of(imports, name, later) for key, name in LADDER_MODULES.items()},
     }
-    base = PyodideLockSpec.from_dict({"info": LOCK_INFO, "packages": {"numpy": numpy_entry}})
-    spec = add_wheels_to_spec(base, [wheel])
-    return json.dumps(spec.to_dict(), indent=1, sort_keys=True)
+
+
+AT_ONCE = ("python", "numpy")
+"""The parts that the interpreter starts with."""
+
+
+def parts_of(imports: Table, module: str, modules: Mapping[str, tuple[str, ...]]) -> list[str]:
+    """The parts that ``module`` imports from, itself or through others of its package."""
+    wanted = outside(imports, reach(imports, module)) if module in imports else {}
+    return sorted(part for part, names in modules.items() if not wanted.keys().isdisjoint(names))
+
+
+def integrity(content: bytes) -> str:
+    """As `fetch` takes it."""
+    return "sha256-" + base64.b64encode(bytes.fromhex(stores.sha256(content))).decode()

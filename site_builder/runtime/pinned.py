@@ -22,6 +22,10 @@ NUMPY_WHEEL = RuntimeFile(
     "0cad9c1b91f0082e4f959bc0e0bf5835a2efbba6ab3b1e9d1fe6e7e564cca98e",
 )
 
+PYTHON_LIBRARY = RuntimeFile(
+    "python_stdlib.zip", "444c770dfd75a32097fc0a7d5c1413fd3140601f49c3a1f2e9af0376fcd124b4"
+)
+
 RUNTIME_FILES = (
     RuntimeFile("pyodide.mjs", "5cfc46f5dcbaf2a16f26e2363f441873eb424762609cc03db00d6a2ace4d00e5"),
     RuntimeFile(
@@ -30,9 +34,7 @@ RUNTIME_FILES = (
     RuntimeFile(
         "pyodide.asm.wasm", "e7f8fac36f8bf11085309cbc5c829b3ec3057c18bf1d73b05a6741612d63cdbf"
     ),
-    RuntimeFile(
-        "python_stdlib.zip", "444c770dfd75a32097fc0a7d5c1413fd3140601f49c3a1f2e9af0376fcd124b4"
-    ),
+    PYTHON_LIBRARY,
     NUMPY_WHEEL,
 )
 
@@ -42,4 +44,4 @@ LOCK_INFO = {
     "platform": "emscripten_5_0_3",
     "python": "3.14.0",
 }
-"""Header of the lock file that Pyodide's release carries: what the wheels must be built for."""
+"""Header of the lock file that Pyodide's release carries: what it insists on."""

@@ -101,7 +101,7 @@ export class Runtime {
     this.#send({
       id: ++this.#lastId,
       name: "start",
-      payload: { url: this.url, fresh: this.#failedStarts > 0 },
+      payload: { url: this.url, fresh: this.#failedStarts > 0, scenes: scenesOfPage() },
       urgency: () => 0,
       resolve: () => (this.#failedStarts = 0),
       reject: (reason) => this.#giveUp(reason),
@@ -150,6 +150,12 @@ export class Runtime {
     this.#failedStarts += 1;
     for (const call of this.#waiting.splice(0)) call.reject(reason);
   }
+}
+
+/** @returns {string[]} What the page will ask for. */
+function scenesOfPage() {
+  const figures = document.querySelectorAll("simulation-figure");
+  return [...new Set(Array.from(figures, (figure) => figure.dataset.simulation))];
 }
 
 /** @type {Runtime | null} */

@@ -51,7 +51,13 @@ def test_a_lost_worker_is_replaced_and_the_values_are_kept(
     assert slider.input_value() == kept
 
 
-@pytest.mark.parametrize("name", ["pyodide.asm.wasm", "pyodide.mjs", "python_stdlib.zip", ".whl"])
+@pytest.mark.parametrize(
+    "name",
+    [
+        *("pyodide.mjs", "pyodide.asm.mjs", "pyodide.asm.wasm", "runtime.json"),
+        *("/python.zip", "/numpy.zip", "/simulations.zip"),
+    ],
+)
 def test_a_damaged_runtime_file_is_told_and_can_be_tried_again(
     reader: Reader, server: StaticServer, chapter: str, name: str
 ) -> None:

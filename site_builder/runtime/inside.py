@@ -1,0 +1,144 @@
+"""Trace and compile, inside the interpreter that will run the modules.
+
+Runs in Pyodide, started by ``interpreter.mjs``, with its standard library and nothing else. Reads
+``/work/order.json`` and writes ``/work/out/``: zip archives of modules, and ``modules.json`` with
+the names of the modules in each.
+"""
+
+import ast
+import importlib.util
+import json
+import sys
+import zipfile
+from collections.abc import Iterable, Mapping
+from importlib import import_module
+from importlib._bootstrap_external import _code_to_hash_pyc  # type: ignore[attr-defined]
+from pathlib import Path
+
+WORK = Path("/work")
+OUT = WORK / "out"
+SITE = Path("/lib/traced")
+ITS_OWN = ("_pyodide", "pyodide")
+"""Packages of the interpreter's own, which in a browser imports more of them than here."""
+EPOCH = (2020, 1, 1, 0, 0, 0)
+
+type Members = Mapping[str, bytes]
+"""The modules of an archive: path in it to content."""
+
+
+def main() -> None:
+    order = json.loads((WORK / "order.json").read_text())
+    OUT.mkdir()
+    parts = freeze_libraries(order["at_once"], order["later"])
+    for part, members in parts.items():
+        write(part, members)
+    modules = {part: sorted(map(module_name, members)) for part, members in parts.items()}
+    (OUT / "modules.json").write_text(json.dumps(modules, sort_keys=True))
+
+
+def freeze_libraries(at_once: list[str], later: list[str]) -> dict[str, Members]:
+    """Python's library and numpy, in parts.
+
+    ``python`` and ``numpy``: what the interpreter itself and the modules ``at_once`` import; of
+    Python's library also what the modules ``later`` import. ``numpy-PACKAGE``: each package that
+    is named in ``later`` only. These are compiled. ``python-rest`` and ``numpy-rest``: all else.
+    """
+    python, numpy = read(WORK / "python.zip"), read(WORK / "numpy.zip")
+    install(numpy)
+    trace(at_once)
+    core = set(sys.modules)
+    trace(later)
+    named = {top(name) for name in later} - core
+    parts: dict[str, dict[str, bytes]] = {}
+    for member, content in python.items():
+        part = "python" if is_needed(member, set(sys.modules)) else "python-rest"
+        parts.setdefault(part, {})[member] = content
+    for member, content in numpy.items():
+        package = top(module_name(member))
+        later_part = package.replace(".", "-") if package in named else "numpy-rest"
+        part = "numpy" if is_needed(member, core) else later_part
+        parts.setdefault(part, {})[member] = content
+    return {
+        part: members if part.endswith("-rest") else compiled(members)
+        for part, members in parts.items()
+    }
+
+
+def is_needed(member: str, imported: set[str]) -> bool:
+    name = module_name(member)
+    return name in imported or name.split(".")[0] in ITS_OWN
+
+
+def top(module: str) -> str:
+    """``numpy.fft.helper`` → ``numpy.fft``."""
+    return ".".join(module.split(".")[:2])
+
+
+def read(archive: Path) -> dict[str, bytes]:
+    """The modules in a zip archive, without their tests, in order."""
+    with zipfile.ZipFile(archive) as opened:
+        names = [name for name in sorted(opened.namelist()) if name.endswith((".py", ".so"))]
+        return {name: opened.read(name) for name in names if "/tests/" not in name}
+
+
+def install(members: Members) -> None:
+    """Make modules importable."""
+    for name, content in members.items():
+        (SITE / name).parent.mkdir(parents=True, exist_ok=True)
+        (SITE / name).write_bytes(content)
+    sys.path.append(str(SITE))
+
+
+def trace(names: Iterable[str]) -> None:
+    """Import modules. One that is not there is told in ``/work/missing`` and ends the program."""
+    for name in names:
+        try:
+            import_module(name)
+        except ModuleNotFoundError:
+            (WORK / "missing").write_text(name)
+            raise
+
+
+def module_name(member: str) -> str:
+    """``numpy/lib/__init__.py`` → ``numpy.lib``; what follows a first dot is the kind of file."""
+    return member.partition(".")[0].replace("/", ".").removesuffix(".__init__")
+
+
+def compiled(members: Members) -> dict[str, bytes]:
+    """Sources as byte code that is never checked against its source; the rest as it is."""
+    return {
+        (name + "c" if name.endswith(".py") else name): (
+            byte_code(name, content) if name.endswith(".py") else content
+        )
+        for name, content in members.items()
+    }
+
+
+def byte_code(name: str, source: bytes) -> bytes:
+    tree = ast.parse(source, name)
+    if name.split("/")[0] not in ITS_OWN:  # which read theirs
+        drop_docstrings(tree)
+    code = compile(tree, name, "exec", dont_inherit=True)
+    content: bytes = _code_to_hash_pyc(code, importlib.util.source_hash(source), False)
+    return content
+
+
+def drop_docstrings(tree: ast.Module) -> None:
+    """Nobody reads them in the page, and they are a good part of the bytes."""
+    for node in ast.walk(tree):
+        if isinstance(node, ast.Module | ast.ClassDef | ast.FunctionDef | ast.AsyncFunctionDef):
+            first = node.body[0] if node.body else None
+            if isinstance(first, ast.Expr) and isinstance(first.value, ast.Constant):
+                first.value.value = None
+
+
+def write(part: str, members: Members) -> None:
+    """A zip archive of which equal members give equal bytes."""
+    with zipfile.ZipFile(OUT / f"{part}.zip", "w") as archive:
+        for name, content in sorted(members.items()):
+            entry = zipfile.ZipInfo(name, EPOCH)
+            entry.compress_type = zipfile.ZIP_DEFLATED
+            archive.writestr(entry, content, compresslevel=9)
+
+
+main()

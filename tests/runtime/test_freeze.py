@@ -1,0 +1,99 @@
+"""Python's library and numpy, cut into parts and compiled by the browser's own interpreter."""
+
+import zipfile
+from collections.abc import Mapping
+from pathlib import Path
+
+import pytest
+
+from site_builder.runtime import store
+from site_builder.runtime.fetch import fetch_runtime
+from site_builder.runtime.freeze import INTERPRETER, FreezeError, Frozen, freeze_libraries
+from site_builder.runtime.pinned import NUMPY_WHEEL, PYTHON_LIBRARY
+
+FETCHED = fetch_runtime()
+AT_ONCE = {"numpy": "models/lens.py:1", "json": "browser.py:1"}
+LATER = {"numpy.fft": "scenes/waves.py:3", "html": "scenes/waves.py:1"}
+
+
+def freeze(
+    folder: Path, at_once: Mapping[str, str] = AT_ONCE, later: Mapping[str, str] = LATER
+) -> Frozen:
+    interpreter = {name: FETCHED[name] for name in INTERPRETER}
+    python, numpy = FETCHED[PYTHON_LIBRARY.name], FETCHED[NUMPY_WHEEL.name]
+    return freeze_libraries(interpreter, python, numpy, at_once, later, folder)
+
+
+@pytest.fixture(scope="module")
+def place(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    return tmp_path_factory.mktemp("store")
+
+
+@pytest.fixture(scope="module")
+def frozen(place: Path) -> Frozen:
+    return freeze(place)
+
+
+def members(archive: Path) -> list[str]:
+    with zipfile.ZipFile(archive) as opened:
+        assert opened.testzip() is None
+        return opened.namelist()
+
+
+def test_what_is_needed_at_once_is_told_from_what_can_wait(frozen: Frozen) -> None:
+    assert {"numpy", "numpy.linalg", "numpy._core._multiarray_umath"} <= {*frozen.modules["numpy"]}
+    assert {"numpy.fft", "numpy.fft._pocketfft_umath"} <= {*frozen.modules["numpy-fft"]}
+    assert {"numpy.ma", "numpy.random"} <= {*frozen.modules["numpy-rest"]}
+    assert {"os", "json", "html", "asyncio", "_pyodide._base"} <= {*frozen.modules["python"]}
+    assert "turtle" not in frozen.modules["python"]
+
+
+def test_nothing_is_lost_but_tests(frozen: Frozen) -> None:
+    with zipfile.ZipFile(FETCHED[NUMPY_WHEEL.name]) as wheel:
+        sources = {n for n in wheel.namelist() if n.endswith((".py", ".so")) and "/tests/" not in n}
+    parts = [part for part in frozen.archives if part.startswith("numpy")]
+    packed = [name for part in parts for name in members(frozen.archives[part])]
+    assert sorted(name.replace(".pyc", ".py") for name in packed) == sorted(sources)
+
+
+def test_what_the_page_waits_for_is_byte_code_of_the_browsers_python(frozen: Frozen) -> None:
+    for part in ("python", "numpy", "numpy-fft"):
+        with zipfile.ZipFile(frozen.archives[part]) as archive:
+            codes = [n for n in archive.namelist() if not n.endswith(".so")]
+            assert all(name.endswith(".pyc") for name in codes)
+            head = archive.read(codes[0])[:8]
+        magic, flags = int.from_bytes(head[:2], "little"), int.from_bytes(head[4:], "little")
+        assert 3600 <= magic < 3650, "the numbers of Python 3.14"
+        assert flags == 1, "by hash, and never checked: there is no source to check against"
+
+
+def test_what_is_kept_is_taken_again(
+    frozen: Frozen, place: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.delattr("site_builder.runtime.freeze.node")
+    assert freeze(place) == frozen
+
+
+def test_after_damage_the_same_bytes_are_made_again(frozen: Frozen, place: Path) -> None:
+    archive = frozen.archives["numpy-fft"]
+    archive.write_bytes(archive.read_bytes()[:-1])
+    assert freeze(place) == frozen, "every archive lies where its hash says"
+    assert store.sha256(archive.read_bytes()) == archive.parent.name
+
+
+def test_a_module_that_the_browser_lacks_is_told_with_its_place(tmp_path: Path) -> None:
+    with pytest.raises(FreezeError, match=r"scenes/waves\.py:2: imports scipy, which"):
+        freeze(tmp_path, later={"scipy": "scenes/waves.py:2"})
+
+
+def test_a_library_that_cannot_be_compiled_is_told(tmp_path: Path) -> None:
+    broken = tmp_path / "numpy.zip"
+    with zipfile.ZipFile(broken, "w") as archive:
+        archive.writestr("numpy/__init__.py", "")
+        archive.writestr("numpy/core.py", "def f(:")
+    interpreter = {name: FETCHED[name] for name in INTERPRETER}
+    with pytest.raises(FreezeError, match=r"SyntaxError"):
+        freeze_libraries(
+            interpreter, FETCHED[PYTHON_LIBRARY.name], broken,
+            AT_ONCE, {"numpy.core": "scenes/waves.py:2"}, tmp_path,
+        )  # fmt: skip
