@@ -1,0 +1,102 @@
+"""What the browser fetches: what the page's scenes import, the rest only when asked for."""
+
+import json
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+import pytest
+from playwright.sync_api import Request
+from support.reader import Reader
+from support.static_server import StaticServer
+
+from simulations.registry import LADDER_MODULES, load_ladder
+
+pytestmark = pytest.mark.browser
+
+AT_ONCE = {"python", "numpy", "simulations"}
+CALL = """async ([name, payload]) => {
+  const url = new URL(document.body.dataset.assets + 'js/runtime.js', location.href);
+  const {sharedRuntime} = await import(url);
+  return sharedRuntime().call(name, payload);
+}"""
+
+
+@pytest.fixture(scope="module")
+def table(built_site: Path) -> Any:
+    """``runtime.json``."""
+    return json.loads(next(built_site.glob("runtime/*/runtime.json")).read_text(encoding="utf-8"))
+
+
+@pytest.fixture
+def fetched(reader: Reader) -> list[str]:
+    """The parts that were asked for, in order."""
+    parts: list[str] = []
+
+    def note(request: Request) -> None:
+        if request.url.endswith(".zip"):
+            parts.append(request.url.rpartition("/")[2].removesuffix(".zip"))
+
+    reader.page.on("request", note)
+    return parts
+
+
+def a_chapter(book: Any, table: Any, wanted: Callable[[set[str]], bool]) -> tuple[str, set[str]]:
+    """Address of a chapter, and the parts that its scenes import, which are as ``wanted``."""
+    for chapter in book["chapters"]:
+        parts = {part for scene in chapter["simulations"] for part in table["scenes"][scene]}
+        if chapter["simulations"] and wanted(parts):
+            return chapter["url"], parts
+    raise AssertionError("no such chapter")
+
+
+def test_a_page_whose_scenes_need_no_more_fetches_no_more(
+    reader: Reader, book: Any, table: Any, fetched: list[str]
+) -> None:
+    address, _ = a_chapter(book, table, lambda parts: not parts)
+    reader.open(address)
+    assert sorted(fetched) == sorted(AT_ONCE)
+
+
+def test_a_page_fetches_what_its_scenes_import_and_a_later_page_what_is_still_missing(
+    reader: Reader, book: Any, table: Any, fetched: list[str]
+) -> None:
+    first, few = a_chapter(book, table, lambda parts: len(parts) == 1)
+    second, many = a_chapter(book, table, lambda parts: parts > few)
+    reader.open(first)
+    assert sorted(fetched) == sorted(AT_ONCE | few)
+    reader.turn_to(second)
+    assert sorted(fetched) == sorted(AT_ONCE | many), "each of them once"
+
+
+def test_every_ladder_finds_what_it_imports(reader: Reader, table: Any, fetched: list[str]) -> None:
+    reader.open("licences/", live=False)
+    named = set()
+    for ladder in LADDER_MODULES:
+        payload = {"ladder": ladder, "tier": load_ladder(ladder).default_tier, "budget": 0.001}
+        reply = reader.page.evaluate(CALL, ["measure", payload])
+        assert json.loads(reply["result"])["errors"], ladder
+        named.update(table["ladders"][ladder])
+    assert AT_ONCE | named <= set(fetched)
+    assert len(set(fetched)) == len(fetched), "nothing twice"
+    assert "python-rest" not in fetched
+
+
+def test_a_part_that_cannot_be_had_stops_only_the_figures_that_need_it(
+    reader: Reader, server: StaticServer, book: Any, table: Any
+) -> None:
+    address, parts = a_chapter(book, table, bool)
+    part = sorted(parts)[0]
+    server.damaged[f"/{part}.zip"] = b"not what it should be"
+    reader.open(address, live=False)
+    in_need = [scene for scene, needed in table["scenes"].items() if part in needed]
+    figure = reader.page.locator(
+        ", ".join(f'simulation-figure[data-simulation="{scene}"]' for scene in in_need)
+    ).first
+    figure.locator(".retry").wait_for(state="visible", timeout=60_000)
+    message = figure.locator(".figure-message").inner_text()
+    assert f"{part} could not be fetched" in message
+    server.damaged.clear()
+    figure.locator(".retry").click()
+    reader.wait_live()
+    reader.complaints.clear()  # the browser's own words about the damaged file
