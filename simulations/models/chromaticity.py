@@ -39,8 +39,7 @@ def xyz_to_xyy(xyz: ArrayLike) -> Array:
         scaled = colours / largest  # sums can neither overflow nor vanish
         total = scaled.sum(axis=-1, keepdims=True)
         pair = scaled[..., :2] / total
-    known = (total > 0) & np.isfinite(pair).all(axis=-1, keepdims=True)
-    pair = np.where(known, pair, np.asarray(D65_XY, colours.dtype))
+    pair = np.where(total > 0, pair, np.asarray(D65_XY, colours.dtype))
     return np.concatenate([pair, colours[..., 1:2]], axis=-1)
 
 

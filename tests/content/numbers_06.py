@@ -1,17 +1,26 @@
 """Chapter 6: the sensor."""
 
+import warnings
 from math import log2, log10, sqrt
 
 import numpy as np
 from support.worked_numbers import Says
 
-from simulations.models.color import rgb_to_xyz_matrix
+from simulations.models.chromatic_adaptation import adapt
+from simulations.models.chromaticity import ILLUMINANT_A_XY, lab_distance, white_xyz
+from simulations.models.color import (
+    D65_XY,
+    rgb_to_xyz_matrix,
+    white_balance,
+    xyz_to_lab,
+    xyz_to_linear_rgb,
+)
 from simulations.models.demosaicing import psnr_db
 from simulations.models.sensor import Sensor, signal_to_noise, with_iso
 from simulations.scenes.sensor_noise_stages import patch_means_e, saturation_e, sensor_of
 
 CHAPTER = "06-digital-sensor"
-GIVEN = "20_000 4095 100 400 625 800 1000 255 0.5 1.2 2004 2007 10_000"
+GIVEN = "20_000 4095 100 400 625 800 1000 255 0.5 1.2 2004 2007 10_000 1902 2856 1.10 0.80"
 WELL = 20_000.0
 
 
@@ -86,6 +95,53 @@ def iso_and_snr() -> Says:
         assert np.isclose(float(signal_to_noise(400, with_iso(camera, iso))), snr, rtol=1e-3)
 
 
+def paper_under_a_lamp() -> Says:
+    paper = 0.5 * xyz_to_linear_rgb(white_xyz(ILLUMINANT_A_XY))
+    red, green, blue = paper
+    yield f"$({red:.3f}, {green:.3f}, {blue:.3f})$"
+    yield f"$0.413/0.923 = {green / red:.2f}$ for red"
+    yield f"$0.413/0.117 = {green / blue:.1f}$ for blue"
+    balanced = white_balance(paper, paper)
+    yield f"the sheet is $({balanced[0]:.3f}, {balanced[1]:.3f}, {balanced[2]:.3f})$"
+    yield f"is multiplied by {green / blue:.1f} as well"
+
+
+def patches_by_lamplight_and_by_daylight() -> Says:
+    """From the measured spectra of the chart, by another library."""
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore")  # it interpolates, and misses packages for plotting
+        import colour
+
+        observer = colour.MSDS_CMFS["CIE 1931 2 Degree Standard Observer"]
+        patches = colour.SDS_COLOURCHECKERS["ColorChecker N Ohta"].values()
+        lamp, day = (
+            np.array(
+                [colour.sd_to_XYZ(p, observer, colour.SDS_ILLUMINANTS[light]) for p in patches]
+            )
+            / 100
+            for light in ("A", "D65")
+        )
+    assert len(lamp) == 24
+    rows = {"nothing": lamp}
+    for words, method in (
+        ("red, green and blue of linear sRGB", "rgb"),
+        ("the cones, after von Kries", "von-kries"),
+        ("Bradford's responses", "bradford"),
+    ):
+        rows[words] = adapt(lamp, ILLUMINANT_A_XY, D65_XY, method)
+    for words, xyz in rows.items():
+        yield f"| {words} | {lab_distance(xyz_to_lab(xyz), xyz_to_lab(day)).mean():.1f} |"
+
+
+def gains_for_a_grey_card() -> Says:
+    red, green, blue = white_balance([1, 1, 1], [0.3, 0.4, 0.6])
+    assert green == 1
+    yield f"- [ ] Red {0.3 / 0.4:.2f} and blue {0.6 / 0.4:.1f}"
+    yield f"Differences of {0.4 - 0.3:.2f} and {0.6 - 0.4:.2f}"
+    yield f"- [x] Red {red:.2f} and blue {blue:.2f}"
+    yield f"$0.40/0.30 = {0.4 / 0.3:.2f}$ and $0.40/0.60 = {0.4 / 0.6:.2f}$"
+
+
 WORKED = (
     choosing_a_gain,
     adding_noise_up,
@@ -95,4 +151,7 @@ WORKED = (
     an_error_of_one_code,
     sixteen_bits,
     iso_and_snr,
+    paper_under_a_lamp,
+    patches_by_lamplight_and_by_daylight,
+    gains_for_a_grey_card,
 )

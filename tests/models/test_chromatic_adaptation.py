@@ -133,9 +133,39 @@ def test_neither_tiny_nor_huge_colours_lose_their_chromaticity(size):
     np.testing.assert_allclose(xyz_to_xyy([size, size, size])[:2], [1 / 3, 1 / 3], rtol=1e-15)
 
 
-@pytest.mark.parametrize("xyz", [[np.nan, 1, 1], [np.inf, 1, 1], [1, -1, -1], [-1.0, 1.0, 0.0]])
+@pytest.mark.parametrize(
+    "xyz", [[np.nan, 1, 1], [np.inf, 1, 1], [1, -1, -1], [-1.0, 1.0, 0.0], [-1, -1, -1]]
+)
 def test_what_has_no_chromaticity_is_given_that_of_daylight(xyz):
     assert xyz_to_xyy(xyz)[:2].tolist() == [*D65_XY]
+
+
+def test_colours_of_one_part_and_imaginary_ones_have_a_chromaticity():
+    assert xyz_to_xyy([0.0, 0.5, 0.5]).tolist() == [0.0, 0.5, 0.5]
+    assert xyz_to_xyy([1.0, -0.25, -0.25]).tolist() == [2.0, -0.5, -0.25]
+
+
+def test_whole_pictures_keep_their_shape():
+    picture = COLOURS[:24].reshape(4, 6, 3)
+    np.testing.assert_array_equal(xyz_to_xyy(picture)[2, 3], xyz_to_xyy(picture[2, 3]))
+    np.testing.assert_array_equal(xyy_to_xyz(picture)[2, 3], xyy_to_xyz(picture[2, 3]))
+    np.testing.assert_allclose(
+        adapt(picture, D65_XY, D50_XY)[2, 3], adapt(picture[2, 3], D65_XY, D50_XY), rtol=1e-14
+    )
+    assert lab_distance(picture, picture[0, 0]).shape == (4, 6)
+
+
+def test_lights_at_the_edge_of_all_chromaticities_have_a_white():
+    np.testing.assert_allclose(white_xyz((0.0, 0.5)), [0.0, 1.0, 1.0])
+    np.testing.assert_allclose(white_xyz((0.5, 0.5)), [1.0, 1.0, 0.0])
+    np.testing.assert_allclose(white_xyz((0.1, 1e-5)), [1e4, 1.0, 89999.0], rtol=1e-10)
+
+
+def test_a_light_with_hardly_a_response_is_still_a_light():
+    """On the way from daylight to pure green, just before the short response is gone."""
+    faint = 0.116308 * np.array(D65_XY) + (1 - 0.116308) * np.array([0.2, 0.8])
+    matrix = adaptation_matrix(faint, D65_XY)
+    np.testing.assert_allclose(matrix @ white_xyz(faint), white_xyz(D65_XY), rtol=1e-9)
 
 
 def test_a_chromaticity_without_luminance_stands_for_no_colour():
@@ -164,6 +194,7 @@ def test_float32_stays_float32():
     [
         (0.3, 0.0),
         (0.3, 1e-7),
+        (0.3, 1e-6),
         (-0.1, 0.3),
         (0.6, 0.5),
         (np.nan, 0.3),
