@@ -13,7 +13,8 @@ FUNCTIONS = {
     "sin", "cos", "tan", "cot", "arcsin", "arccos", "arctan", "sinh", "cosh", "tanh",
     "exp", "log", "ln", "lg", "det", "dim", "ker", "deg", "arg", "tr",
 }  # fmt: skip
-TIGHT = {"|", "∣", "‖", "/"}
+BARS = {"|", "∣", "‖"}
+TIGHT = BARS | {"/"}
 THIN = "0.167em"
 
 
@@ -50,6 +51,8 @@ def _close_tight(row: ElementTree.Element) -> None:
     for element in row:
         if element.tag == "mo" and (_text(element) in TIGHT or len(row) == 1):
             _close(element)
+        if element.tag == "mo" and _text(element) in BARS:
+            element.attrib.setdefault("stretchy", "false")  # unless ``\left`` asked for it
 
 
 def _close(operator: ElementTree.Element) -> None:

@@ -54,6 +54,13 @@ def test_bars_stand_close_to_what_they_enclose() -> None:
     assert [(bar.get("lspace"), bar.get("rspace")) for bar in bars] == [("0", "0")] * 2
 
 
+@pytest.mark.parametrize(
+    ("tex", "stretchy"), [("\\lVert x \\rVert", "false"), ("\\left\\| x \\right\\|", "true")]
+)
+def test_bars_grow_only_when_asked_to(tex: str, stretchy: str) -> None:
+    assert {bar.get("stretchy") for bar in elements(tex) if bar.text == "‖"} == {stretchy}
+
+
 @pytest.mark.parametrize(("tex", "tight"), [("1/400", "/"), ("f_{\\max}", "max")])
 def test_slashes_and_operators_in_a_subscript_get_no_space(tex: str, tight: str) -> None:
     spaces = [(e.get("lspace"), e.get("rspace")) for e in elements(tex) if e.text == tight]
