@@ -1,22 +1,27 @@
 """A picture compressed by JPEG, one of its blocks enlarged, and the numbers kept of that block."""
 
+from collections.abc import Iterator
+
 import numpy as np
 from numpy.typing import NDArray
 
 from simulations.engine.controls import Choice, Slider, Toggle, Values
 from simulations.engine.frame import Frame, Panel, Readout, format_number, readout
-from simulations.engine.pipeline import StageCache, run
+from simulations.engine.pipeline import Run, StageCache, run
 from simulations.engine.raster import to_rgba8
 from simulations.engine.scene import Scene
 from simulations.models.chroma_subsampling import SUBSAMPLING
 from simulations.models.compression import BLOCK
+from simulations.models.cosine_transforms import TRANSFORMS
 from simulations.models.jpeg import Coded
 from simulations.models.jpeg_size import Size
 from simulations.pictures.balloon import HEIGHT as ROWS_PX
 from simulations.pictures.balloon import WIDTH as COLUMNS_PX
 from simulations.scenes import jpeg_drawing as drawing
+from simulations.scenes.jpeg_error import judge
 from simulations.scenes.jpeg_stages import STAGES
 
+DEFAULT_TIER = "separable"
 BLOCK_COLUMNS, BLOCK_ROWS = COLUMNS_PX // BLOCK, ROWS_PX // BLOCK
 
 CONTROLS = (
@@ -39,8 +44,14 @@ CONTROLS = (
 )
 
 
-def render(values: Values, tier: str, cache: StageCache) -> Frame:  # noqa: ARG001 - no tiers
-    done = run(STAGES, values, cache)
+def run_tier(values: Values, tier: str, cache: StageCache) -> Run:
+    """All stages; the tier is the way to the cosine transform."""
+    return run(STAGES, values, cache, {"tier": tier or DEFAULT_TIER})
+
+
+def render(values: Values, tier: str, cache: StageCache) -> Frame:
+    """The picture as JPEG gives it back, a block of it, and the numbers kept of that block."""
+    done = run_tier(values, tier, cache)
     coded: Coded = done.outputs["coded"]
     kept: Size = done.outputs["size"]
     row, column = int(values.number("row")) - 1, int(values.number("column")) - 1
@@ -89,6 +100,12 @@ def render(values: Values, tier: str, cache: StageCache) -> Frame:  # noqa: ARG0
     )
 
 
+def error(values: Values, tier: str, cache: StageCache) -> Iterator[Readout]:
+    """How far the coefficients of this picture are from the standard's sums."""
+    outputs = run_tier(values, tier, cache).outputs
+    yield from judge(outputs["planes"], outputs["coded"], tier or DEFAULT_TIER)
+
+
 def cut(
     picture: NDArray[np.uint8], row: int, column: int
 ) -> tuple[NDArray[np.uint8], tuple[int, int]]:
@@ -117,4 +134,14 @@ def describe(values: Values, psnr: float, rate: float, block_kept: int) -> str:
     )
 
 
-SCENE = Scene(id="jpeg", title="JPEG Compression", controls=CONTROLS, render=render)
+SCENE = Scene(
+    id="jpeg",
+    title="JPEG Compression",
+    controls=CONTROLS,
+    render=render,
+    tiers=tuple(TRANSFORMS),
+    default_tier=DEFAULT_TIER,
+    draft_tier=DEFAULT_TIER,
+    ladder="block-dct",
+    error=error,
+)

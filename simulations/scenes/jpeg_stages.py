@@ -6,6 +6,7 @@ from numpy.typing import NDArray
 from simulations.engine.pipeline import Stage
 from simulations.models import jpeg
 from simulations.models.color import encode_srgb
+from simulations.models.cosine_transforms import TRANSFORMS
 from simulations.models.demosaicing import psnr_db
 from simulations.models.jpeg_size import size
 from simulations.pictures.balloon import balloon
@@ -21,8 +22,8 @@ def _original() -> Floats:
     return np.asarray(np.rint(255 * encode_srgb(balloon().astype(np.float64))) / 255)
 
 
-def _coded(planes: Floats, quality: float, subsampling: str) -> jpeg.Coded:
-    return jpeg.encode(planes, int(quality), subsampling)
+def _coded(planes: Floats, quality: float, subsampling: str, tier: str) -> jpeg.Coded:
+    return jpeg.encode(planes, int(quality), subsampling, TRANSFORMS[tier])
 
 
 def _quality(decoded: Floats, original: Floats) -> float:
@@ -32,7 +33,7 @@ def _quality(decoded: Floats, original: Floats) -> float:
 STAGES = (
     Stage("original", (), _original),
     Stage("planes", (), jpeg.to_planes, ("original",)),
-    Stage("coded", ("quality", "subsampling"), _coded, ("planes",)),
+    Stage("coded", ("quality", "subsampling", "tier"), _coded, ("planes",)),
     Stage("decoded", (), jpeg.decode, ("coded",)),
     Stage("size", (), size, ("coded",)),
     Stage("psnr", (), _quality, ("decoded", "original")),

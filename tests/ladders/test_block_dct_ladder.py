@@ -7,23 +7,15 @@ from scipy.fft import dctn
 from simulations.ladders.block_dct import (
     LADDER,
     changed_per_million,
-    cosines,
     prepare,
-    reference,
     worst_codes,
 )
 from simulations.models.compression import LUMINANCE_TABLE
 
 BLOCKS = prepare()
-TRUTH = reference(BLOCKS)
+TRUTH = LADDER.reference(BLOCKS)
 RESULT = {tier.id: tier.run(BLOCKS) for tier in LADDER.tiers}
 WORST = {name: worst_codes(result, TRUTH, BLOCKS) for name, result in RESULT.items()}
-
-
-def test_nested_roots_arecosines() -> None:
-    np.testing.assert_allclose(
-        cosines().astype(float), np.cos(np.pi * np.arange(32) / 16), atol=2e-16
-    )
 
 
 def test_the_reference_is_scipys_transform() -> None:

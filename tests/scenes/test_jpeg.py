@@ -1,16 +1,21 @@
 """The JPEG figure against Pillow's JPEG files, and its parts against what they promise."""
 
 import io
+import re
 
 import numpy as np
 import pytest
 from PIL import Image
+from scipy.fft import dctn
 
 from simulations.engine.controls import check_values
-from simulations.engine.pipeline import StageCache, run
-from simulations.models.jpeg import compress
-from simulations.scenes.jpeg import BLOCK_COLUMNS, BLOCK_ROWS, SCENE, cut
-from simulations.scenes.jpeg_stages import STAGES
+from simulations.engine.pipeline import StageCache
+from simulations.models.chroma_subsampling import SUBSAMPLING, coarsen
+from simulations.models.compression import round_outwards, to_blocks
+from simulations.models.cosine_transforms import TRANSFORMS
+from simulations.models.jpeg import compress, tables
+from simulations.scenes.jpeg import BLOCK_COLUMNS, BLOCK_ROWS, SCENE, cut, run_tier
+from simulations.scenes.jpeg_error import BLOCKS_A_STEP
 
 PIXELS = 240 * 192
 PILLOW_SUBSAMPLING = {"4:4:4": 0, "4:2:2": 1, "4:2:0": 2}
@@ -29,7 +34,7 @@ def texts(**given):
 
 
 def outputs(**given):
-    return run(STAGES, values(**given), StageCache()).outputs
+    return run_tier(values(**given), "separable", StageCache()).outputs
 
 
 def pillow(picture, quality, subsampling):
@@ -113,3 +118,63 @@ def test_another_block_reuses_everything():
     cache = StageCache()
     frame(cache)
     assert {stage.status for stage in frame(cache, row=2).stages} == {"reused"}
+
+
+def judged(tier, **given):
+    """The last estimate: error in codes, and how many coefficients it has rounded otherwise."""
+    last = list(SCENE.error(values(**given), tier, StageCache()))[-1]
+    found = re.search(r"in (\d+) of (\d+) blocks \((\d+) round otherwise\)", last.label)
+    judged_blocks, blocks, changed = map(int, found.groups())
+    assert judged_blocks == blocks
+    digits = last.text.replace("\u00a0×\u00a010", "e").translate(
+        str.maketrans("⁻⁰¹²³⁴⁵⁶⁷⁸⁹", "-0123456789")
+    )
+    return float(digits), changed, blocks
+
+
+def test_the_tiers_are_all_transforms_of_the_model():
+    assert SCENE.tiers == tuple(TRANSFORMS)
+
+
+@pytest.mark.parametrize(
+    ("tier", "subsampling"),
+    [*zip(TRANSFORMS, ["4:2:0"] * 6, strict=True), ("fixed-point", "4:2:2")],
+)
+def test_the_error_told_is_that_against_scipys_transform(tier, subsampling):
+    given = {"quality": 95, "subsampling": subsampling}
+    outputs = run_tier(values(**given), tier, StageCache()).outputs
+    coded, worst, changed = outputs["coded"], 0.0, 0
+    factor = SUBSAMPLING[subsampling]
+    planes = [outputs["planes"][0], *(coarsen(p, factor) for p in outputs["planes"][1:])]
+    for plane, steps, codes in zip(planes, (0, 1, 1), coded.planes, strict=True):
+        blocks = to_blocks(plane)
+        truth = dctn(blocks, type=2, norm="ortho", axes=(-2, -1))
+        worst = max(worst, np.abs(TRANSFORMS[tier](blocks) - truth).max())
+        changed += np.count_nonzero(round_outwards(truth / tables(95)[steps]) != codes)
+    error, otherwise, blocks = judged(tier, **given)
+    # Float64 against float64: both are wrong in the thirteenth digit.
+    assert error == pytest.approx(worst, rel=0.06, abs=3e-12)
+    assert otherwise == changed
+    assert blocks == sum(codes.size for codes in coded.planes) // 64
+
+
+def test_double_precision_decides_every_code_as_the_standard_does():
+    for tier in ("separable", "direct", "fourier"):
+        error, changed, _ = judged(tier, quality=100)
+        assert error < 1e-11
+        assert changed == 0
+
+
+def test_integers_change_thousands_of_codes_at_the_highest_quality_and_hardly_any_at_low():
+    """The chapter's comparison: steps of 1 feel what steps of 16 do not."""
+    _, fine, _ = judged("fixed-point", quality=100)
+    _, coarse, _ = judged("fixed-point", quality=30)
+    assert fine > 1000
+    assert coarse < fine / 50
+
+
+def test_every_step_judges_more_blocks_and_is_short():
+    told = list(SCENE.error(values(), "separable", StageCache()))
+    counts = [int(re.search(r"in (\d+) of", item.label).group(1)) for item in told]
+    assert np.all(np.diff([0, *counts]) > 0)
+    assert np.diff([0, *counts]).max() <= BLOCKS_A_STEP
