@@ -51,7 +51,7 @@ def _taps(name: str, position: Floats, size: int) -> tuple[NDArray[np.intp], Pla
     low, high = position.min(initial=1.0), position.max(initial=1.0)
     if not (low >= 1.0 and high <= size - 2):
         raise ValueError(f"{name} from {low} to {high}; legal: 1 to {size - 2}, of {size} pixels")
-    before = np.minimum(position.astype(np.intp), size - 3)
+    before = position.astype(np.intp)
     t = (position - before).astype(np.float32)
     weights = np.empty((TAPS, *t.shape), np.float32)
     weights[0] = t * (t * (1 - t / 2) - np.float32(0.5))
