@@ -6,7 +6,7 @@ found once, here; its inverse in `radial_table` and `radial_inverse`.
 """
 
 from dataclasses import dataclass
-from math import inf, sqrt
+from math import inf, isfinite, sqrt
 
 import numpy as np
 from numpy.polynomial import polynomial
@@ -126,8 +126,10 @@ def nearest_turning_image(profile: RadialProfile) -> float:
     if abs(furthest) <= 1e-300:
         return inf
     s = np.asarray(1.0 / furthest)
-    g = _series(profile.numerator, s) / _series(profile.denominator, s)
-    return float(np.abs(s * g * g))
+    with np.errstate(divide="ignore", invalid="ignore"):
+        g = _series(profile.numerator, s) / _series(profile.denominator, s)
+        image = float(np.abs(s * g * g))
+    return image if isfinite(image) else inf  # a pole that a zero cancels
 
 
 def _series(coefficients: tuple[float, ...], s: Floats) -> Floats:

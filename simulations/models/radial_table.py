@@ -13,7 +13,7 @@ that lie past the fold or out of reach, are left to `radial_inverse.invert_brack
 
 from dataclasses import dataclass
 from functools import lru_cache
-from math import frexp, inf, sqrt
+from math import frexp, sqrt
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -31,7 +31,8 @@ from simulations.models.radial_profile import (
 
 type Mask = NDArray[np.bool_]
 
-CELLS = 256
+CELLS = (256, 2048)
+"""The first number does for most lenses, the second for some that have bends close together."""
 DEGREE = 4
 """Of the polynomial in each cell."""
 TOLERANCE = 1e-12
@@ -40,12 +41,16 @@ WORTH_A_TABLE = 2048
 """For fewer points, solving each is quicker than solving for the nodes of a table."""
 LARGEST_REACH_LOG2 = 6
 """Squared image radius up to which a profile without a fold is tabulated, at most: 2⁶."""
+FAR_FOLD = 64.0
+"""A fold whose squared image is this many times the wanted reach bends nothing within it."""
 GUESS_SAMPLES = 513
 NEWTON_STEPS = 3
 """From a guess by linear interpolation: each step squares the error."""
 
 NODES = -0.5 * np.cos(np.pi * (np.arange(DEGREE + 1) + 0.5) / (DEGREE + 1))
-"""Chebyshev's, in cells: a polynomial through them errs most at the edges of its cell."""
+"""Chebyshev's, in cells."""
+CHECKS = -0.5 * np.cos(np.pi * np.arange(DEGREE + 2) / (DEGREE + 1))
+"""Where a polynomial through the nodes errs most: the edges of the cell, and between nodes."""
 TO_POWERS = np.linalg.inv(np.vander(NODES, increasing=True))
 """From values at the nodes to coefficients of rising powers."""
 
@@ -69,7 +74,7 @@ class InverseTable:
 
     grid: Grid
     coefficients: Floats
-    """(DEGREE + 1, CELLS + 1) rising powers of the distance from the cell's centre, in cells."""
+    """(DEGREE + 1, cells + 1) rising powers of the distance from the cell's centre, in cells."""
     reach: float
     """The squared image radius up to which every cell from the axis outwards has been checked."""
 
@@ -103,7 +108,10 @@ def shrinkage(profile: RadialProfile, image_squared: Floats) -> tuple[Floats, Ma
     known = image_squared < table.reach  # false for NaN
     if known.all():
         return _look_up(table, image_squared), known
-    return np.where(known, _look_up(table, np.where(known, image_squared, 0.0)), 1.0), known
+    factor = np.ones_like(image_squared)
+    if known.any():
+        factor[known] = _look_up(table, image_squared[known])
+    return factor, known
 
 
 @lru_cache(maxsize=32)
@@ -113,12 +121,17 @@ def inverse_table(profile: RadialProfile, wanted_reach: float) -> InverseTable:
     Pictures through one lens share a table: the reaches asked for are a few powers of two.
     """
     fold = fold_radius(profile)
+    limit = image_of_fold(profile, fold)
     with np.errstate(all="ignore"):  # a cell that overflows is not trusted
-        grid = _grid(profile, image_of_fold(profile, fold), wanted_reach)
-        nodes = _image_squared(grid, np.arange(CELLS + 1) + NODES[:, None])
-        ideal_squared = _solve(profile, grid, nodes, _furthest_square(profile, fold, wanted_reach))
-        coefficients = TO_POWERS @ (1.0 / scale(profile, ideal_squared))
-        reach = _checked_reach(profile, fold, grid, coefficients)
+        furthest = _furthest_square(profile, fold, wanted_reach)
+        for cells in CELLS:
+            grid = _grid(profile, limit, wanted_reach, cells)
+            nodes = _image_squared(grid, np.arange(cells + 1) + NODES[:, None])
+            ideal_squared = _solve(profile, grid, nodes, furthest)
+            coefficients = TO_POWERS @ (1.0 / scale(profile, ideal_squared))
+            reach = _checked_reach(profile, fold, grid, coefficients)
+            if reach >= 0.999 * min(wanted_reach, limit * limit):
+                break
     coefficients.flags.writeable = False
     return InverseTable(grid, coefficients, reach)
 
@@ -157,13 +170,15 @@ def _image_squared(grid: Grid, cell: Floats) -> Floats:
     return grid.bend * (u * u - 1.0)
 
 
-def _grid(profile: RadialProfile, limit: float, wanted_reach: float) -> Grid:
-    if limit < inf:
-        return Grid(limit * limit, True, 0.0, float(CELLS))
-    # A bend far beyond the picture is none, and √(1 + t/t₀) would hardly change.
+def _grid(profile: RadialProfile, limit: float, wanted_reach: float, cells: int) -> Grid:
+    """Cells from the axis to the wanted reach, or to the fold where that comes first."""
+    if limit * limit < FAR_FOLD * wanted_reach:
+        first = sqrt(max(1.0 - wanted_reach / (limit * limit), 0.0))
+        return Grid(limit * limit, True, first, cells / (1.0 - first))
+    # A bend far beyond the picture is none, and √(1 + t/|t₀|) would hardly change.
     bend = max(min(nearest_turning_image(profile), wanted_reach), 1e-30)
     first, last = sqrt(2.0), sqrt(1.0 + sqrt(1.0 + wanted_reach / bend))
-    return Grid(bend, False, first, CELLS / (last - first))
+    return Grid(bend, False, first, cells / (last - first))
 
 
 def _solve(profile: RadialProfile, grid: Grid, image_squared: Floats, furthest: float) -> Floats:
@@ -185,22 +200,20 @@ def _excess(profile: RadialProfile, s: Floats, image_squared: Floats) -> Floats:
 
 def _furthest_square(profile: RadialProfile, fold: float, wanted_reach: float) -> float:
     """A squared ideal radius whose image lies at the fold, or beyond the wanted reach."""
-    if fold < inf:
-        return fold * fold
     s = wanted_reach
-    while s < 1e9 and s * float(scale(profile, s)) ** 2 <= wanted_reach:
+    while s < min(fold * fold, 1e9) and s * float(scale(profile, s)) ** 2 <= wanted_reach:
         s *= 2.0
-    return s
+    return min(s, fold * fold)
 
 
 def _checked_reach(profile: RadialProfile, fold: float, grid: Grid, coefficients: Floats) -> float:
     """The squared image radius up to which all cells, counted from the axis, hold `TOLERANCE`.
 
-    The forward formula is asked at both edges of each cell; inside the fold a root is *the* root.
+    The forward formula is the judge; inside the fold a root of it is *the* root.
     """
-    sides = np.array((-0.5, 0.5))
-    image_squared = _image_squared(grid, np.arange(CELLS + 1) + sides[:, None])
-    factor = np.vander(sides, DEGREE + 1, increasing=True) @ coefficients
+    cells = np.arange(coefficients.shape[1])
+    image_squared = _image_squared(grid, cells + CHECKS[:, None])
+    factor = np.vander(CHECKS, DEGREE + 1, increasing=True) @ coefficients
     s = image_squared * factor * factor
     off = np.abs(_excess(profile, s, image_squared))
     good = np.all((off <= 2.0 * TOLERANCE * np.abs(s)) & (s < fold * fold), axis=0)
