@@ -65,18 +65,18 @@ def light(parts: tuple[Surface, ...], light_angle_deg: float) -> LitScene:
 
 def _premultiplied(part: Surface, lamp: Vector) -> Planes:
     """(4, h, w) radiance times coverage, then coverage."""
-    shaded = radiance(part, lamp) * part.coverage[..., None]
-    return np.concatenate((shaded, part.coverage[..., None]), axis=-1, dtype=np.float32).transpose(
-        2, 0, 1
-    )
+    planes = np.empty((4, *part.coverage.shape), np.float32)
+    planes[3] = part.coverage
+    np.multiply(radiance(part, lamp), planes[3], out=planes[:3])
+    return planes
 
 
-def radiance(part: Surface, lamp: Vector) -> Floats:
-    """(h, w, 3) linear RGB: Lambert and Blinn–Phong under the lamp, plus the room's glow."""
-    direct = lambert(part.normals, lamp) * _lamp_seen(part, lamp)
-    upward = 0.5 + 0.5 * part.normals[..., 2]
-    around = (BOUNCE + (ROOM - BOUNCE) * upward[..., None]) * part.openness[..., None]
-    shaded: Floats = part.albedo * (direct[..., None] * LAMP + around)
+def radiance(part: Surface, lamp: Vector) -> Planes:
+    """(3, h, w) linear RGB: Lambert and Blinn–Phong under the lamp, plus the room's glow."""
+    direct = (lambert(part.normals, lamp) * _lamp_seen(part, lamp)).astype(np.float32)
+    from_above = (0.5 + 0.5 * part.normals[..., 2]) * part.openness
+    around = _tinted(BOUNCE, part.openness) + _tinted(ROOM - BOUNCE, from_above)
+    shaded = part.albedo * (_tinted(LAMP, direct) + around)
     if part.thing is not None and part.thing.gloss > 0:
         highlight = blinn_phong(
             part.normals,
@@ -86,8 +86,14 @@ def radiance(part: Surface, lamp: Vector) -> Floats:
             specular=part.thing.gloss,
             shininess=part.thing.shininess,
         )
-        shaded = shaded + highlight[..., None] * LAMP
+        shaded += _tinted(LAMP, highlight)
     return shaded
+
+
+def _tinted(colour: Floats, strength: Floats) -> Planes:
+    """Light (3, h, w) of one colour, as strong as (h, w)."""
+    tinted: Planes = colour.astype(np.float32)[:, None, None] * strength.astype(np.float32)
+    return tinted
 
 
 def _lamp_seen(part: Surface, lamp: Vector) -> Floats:

@@ -30,6 +30,7 @@ from simulations.pictures.still_life import (
 )
 
 type Floats = NDArray[np.floating]
+type Planes = NDArray[np.float32]
 
 TILE = 0.5
 """Edge of a floor tile, metres."""
@@ -66,8 +67,8 @@ class Surface:
     """(h, w, 3) unit."""
     coverage: Floats
     """(h, w) in [0, 1]."""
-    albedo: Floats
-    """(h, w, 3) linear RGB."""
+    albedo: Planes
+    """(3, h, w) linear RGB."""
     openness: Floats
     """(h, w) share of the surroundings' light that is not hidden by other things."""
     depth: Floats
@@ -125,9 +126,10 @@ def window_of(mask: NDArray[np.bool_], margin: int = 1) -> tuple[slice, slice] |
     return slice(top, bottom), slice(left, right)
 
 
-def _thing_albedo(thing: Thing, normals: Floats) -> Floats:
+def _thing_albedo(thing: Thing, normals: Floats) -> Planes:
     if thing.second_albedo is None:
-        return np.broadcast_to(np.asarray(thing.albedo), normals.shape)
+        colour = np.array(thing.albedo, np.float32)
+        return np.broadcast_to(colour[:, None, None], (3, *normals.shape[:2]))
     axis = np.array([0.42, -0.25, 0.87])  # of the stripes, leaning towards the camera
     latitude = np.arcsin(np.clip(normals @ (axis / np.linalg.norm(axis)), -1.0, 1.0))
     phase = latitude * (thing.stripe_count / math.pi) + 0.5
@@ -135,9 +137,11 @@ def _thing_albedo(thing: Thing, normals: Floats) -> Floats:
     return _mix(np.asarray(thing.albedo), np.asarray(thing.second_albedo), share)
 
 
-def _mix(first: Floats, second: Floats, share: Floats) -> Floats:
-    """``first`` where ``share`` (H, W) is 0, ``second`` where it is 1."""
-    return first + (second - first) * share[..., None]
+def _mix(first: Floats, second: Floats, share: Floats) -> Planes:
+    """(3, H, W): the colour ``first`` where ``share`` (H, W) is 0, ``second`` where it is 1."""
+    start, change = first.astype(np.float32), (second - first).astype(np.float32)
+    mixed: Planes = start[:, None, None] + change[:, None, None] * share.astype(np.float32)
+    return mixed
 
 
 def _sky_seen(points: Floats, normals: Floats, besides: Thing | None = None) -> Floats:
@@ -220,18 +224,17 @@ def _backdrop(seen: View, plane: tuple[Vector, Vector], share: Floats) -> Surfac
     )
 
 
-def _floor_albedo(points: Floats) -> Floats:
+def _floor_albedo(points: Floats) -> Planes:
     share = patterns.chequer(points[..., 0] / TILE + 0.37, points[..., 1] / TILE)
     return _mix(FLOOR_DARK, FLOOR_LIGHT, share)
 
 
-def _wall_albedo(points: Floats) -> Floats:
+def _wall_albedo(points: Floats) -> Planes:
     x, z = points[..., 0], points[..., 2]
     across, up = _to_nearest(x, PANEL), _to_nearest(z - 0.15, PANEL)
     grooves = np.maximum(patterns.band(across, 0.025), patterns.band(up, 0.025))
     skirting = patterns.band(z, 0.15)
-    plain = 1.0 - skirting
-    wall = _mix(WALL, GROOVE, grooves) * plain[..., None] + SKIRTING * skirting[..., None]
+    wall = _lay_over(_mix(WALL, GROOVE, grooves), SKIRTING, skirting)
     return _with_chart(wall, x - CHART[0], z - CHART[1])
 
 
@@ -241,7 +244,13 @@ def _to_nearest(coordinate: Floats, spacing: float) -> Floats:
     return distance
 
 
-def _with_chart(wall: Floats, x: Floats, z: Floats) -> Floats:
+def _lay_over(picture: Planes, colour: Floats, share: Floats) -> Planes:
+    """``picture`` (3, H, W) with ``share`` (H, W) of each pixel covered by a colour."""
+    covered, ink = share.astype(np.float32), colour.astype(np.float32)
+    return picture * (1 - covered) + ink[:, None, None] * covered
+
+
+def _with_chart(wall: Planes, x: Floats, z: Floats) -> Planes:
     """A framed sheet with a Siemens star between two columns of bars, hung on ``wall`` in place."""
     near = (np.abs(x) < CHART[2] / 2 + 0.1) & (np.abs(z) < CHART[3] / 2 + 0.1)
     window = window_of(near)
@@ -254,6 +263,7 @@ def _with_chart(wall: Floats, x: Floats, z: Floats) -> Floats:
     columns = patterns.band(np.abs(x) - 0.74, 0.13) * patterns.band(z, 0.48)
     bars = 0.5 - 0.5 * patterns.stripes(z / 0.08, patterns.pixel_width(z / 0.08))
     ink = np.maximum(disc * patterns.siemens_star(x, z, 18), columns * bars)
-    framed = wall[window] * (1.0 - frame[..., None]) + INK * (frame - sheet)[..., None]
-    wall[window] = framed + _mix(PAPER, INK, ink) * sheet[..., None]
+    framed, part = wall[:, *window], sheet.astype(np.float32)
+    framed[:] = _lay_over(framed, INK, frame)
+    framed += (_mix(PAPER, INK, ink) - INK.astype(np.float32)[:, None, None]) * part
     return wall
