@@ -1,0 +1,154 @@
+"""Newton's method in the plane, and lenses whose elements are off centre."""
+
+import numpy as np
+import pytest
+from numpy.testing import assert_allclose
+
+from simulations.models import decentring
+from simulations.models.decentring import DecentredLens, undo_decentred
+from simulations.models.distortion import Distortion, distort, jacobian, undistort
+from simulations.models.plane_newton import MOST_STEPS, solve_in_plane
+from simulations.models.radial_profile import RadialProfile
+
+PLANE = np.random.default_rng(3).uniform(-0.6, 0.6, (300, 2))
+
+
+def shear_and_square(x, y):
+    """The gradient of x²+ xy/2 + y³/3 + y²: (2x + y/2, x/2 + y² + 2y)."""
+    return 2 * x + y / 2, x / 2 + y * y + 2 * y, 2 + 0 * x, 0.5 + 0 * x, 2 * y + 2
+
+
+def test_points_are_found_that_a_map_sends_to_where_they_are_wanted():
+    wanted = np.stack(shear_and_square(*PLANE.T)[:2], axis=-1)
+    assert_allclose(solve_in_plane(shear_and_square, wanted, PLANE + 0.1), PLANE, atol=1e-14)
+
+
+def test_a_linear_map_is_solved_in_one_step_and_confirmed_in_another():
+    sizes = []
+
+    def linear(x, y):
+        sizes.append(x.size)
+        return 3 * x + y, x + 2 * y, 3 + 0 * x, 1 + 0 * x, 2 + 0 * x
+
+    wanted = PLANE @ [[3.0, 1.0], [1.0, 2.0]]
+    assert_allclose(solve_in_plane(linear, wanted, np.zeros_like(wanted)), PLANE, atol=1e-15)
+    assert sizes == [300, 300]
+
+
+def test_points_that_have_settled_are_not_asked_for_again():
+    sizes = []
+
+    def counted(x, y):
+        sizes.append(x.size)
+        return shear_and_square(x, y)
+
+    wanted = np.stack(shear_and_square(*PLANE.T)[:2], axis=-1)
+    start = PLANE.copy()
+    start[:40] += 0.2  # the others are where they belong
+    solve_in_plane(counted, wanted, start)
+    assert sizes[0] == 300
+    assert 0 < sizes[1] <= 40
+
+
+def test_a_point_without_a_solution_is_given_up_and_spoils_no_other():
+    """y² + 2 y is never below −1."""
+    wanted = np.array([[0.0, -3.0], [2.5, 3.5]])
+    calls = []
+
+    def counted(x, y):
+        calls.append(x.size)
+        return shear_and_square(x, y)
+
+    found = solve_in_plane(counted, wanted, wanted)
+    assert len(calls) == MOST_STEPS
+    assert_allclose(found[1], [1, 1], atol=1e-14)
+
+
+def test_a_point_that_runs_off_to_nan_is_left_there():
+    with np.errstate(all="ignore"):
+        found = solve_in_plane(
+            lambda x, y: (x * x, y, 2 * x, 0 * x, 1 + 0 * x),
+            np.array([[1.0, 2.0]]),
+            np.zeros((1, 2)),
+        )
+    assert not np.isfinite(found[0, 0])
+
+
+def test_far_out_a_step_is_judged_against_the_distance():
+    """One that is a billionth of a million is worth no further one, though it is 0.001 long."""
+    calls = []
+
+    def parabola(x, y):
+        calls.append(x.size)
+        return x * x, y, 2 * x, 0 * x, 1 + 0 * x
+
+    found = solve_in_plane(parabola, np.array([[1e12, 0.0]]), np.array([[1e6 + 3e-4, 0.0]]))
+    assert found[0, 0] == pytest.approx(1e6, rel=1e-15)
+    assert len(calls) == 1
+
+
+@pytest.mark.parametrize("p", [(0.02, 0.0), (0.0, 0.02), (-0.01, 0.015)])
+@pytest.mark.parametrize("k1", [-0.2, 0.5])
+def test_a_large_field_of_decentred_points_comes_back(k1, p):
+    lens = Distortion(k1=k1, p1=p[0], p2=p[1])
+    ideal = np.random.default_rng(4).uniform(-0.5, 0.5, (60, 50, 2))
+    back, valid = undistort(distort(ideal, lens), lens)
+    assert valid.shape == (60, 50)
+    assert valid.all()
+    assert_allclose(back, ideal, atol=1e-14)
+
+
+def test_the_derivatives_are_those_of_differences():
+    lens, step = DecentredLens(RadialProfile((0.1, -0.02), (0.05,)), 0.02, -0.03), 1e-6
+    x, y = PLANE.T
+    _, _, by_x, mixed, by_y = lens.linearised(x, y)
+    right, left = lens.linearised(x + step, y), lens.linearised(x - step, y)
+    down, up = lens.linearised(x, y + step), lens.linearised(x, y - step)
+    assert_allclose(by_x, (right[0] - left[0]) / (2 * step), atol=1e-9)
+    assert_allclose(mixed, (right[1] - left[1]) / (2 * step), atol=1e-9)
+    assert_allclose(mixed, (down[0] - up[0]) / (2 * step), atol=1e-9)
+    assert_allclose(by_y, (down[1] - up[1]) / (2 * step), atol=1e-9)
+
+
+@pytest.mark.parametrize("p", [(0.03, 0.0), (0.0, 0.05), (0.03, 0.04)])
+def test_without_radial_terms_the_map_first_turns_over_at_one_sixth_of_p(p):
+    """1 − 6 |p| r along p: the sure radius touches it, and no direction turns over before."""
+    first = 1 / (6 * np.hypot(*p))
+    lens = DecentredLens(RadialProfile(), *p)
+    sure = decentring._sure_radius(1.1 * first, lens)
+    assert 0.99 * first < sure < first
+    assert decentring._sure_radius(0.99 * first, lens) == 0.99 * first
+    turn = np.linspace(0, 2 * np.pi, 721)
+    ring = sure * np.stack((np.cos(turn), np.sin(turn)), axis=-1)
+    least = np.linalg.eigvalsh(jacobian(ring, Distortion(p1=p[0], p2=p[1])))[:, 0].min()
+    assert 0 < least < 0.01
+
+
+@pytest.mark.parametrize("k1", [-0.3, 0.3])
+def test_within_the_sure_radius_no_direction_turns_over_with_radial_terms_either(k1):
+    lens = DecentredLens(RadialProfile((k1,)), 0.05, 0.02)
+    sure = decentring._sure_radius(5.0, lens)
+    steepness = 3 if k1 < 0 else 1  # f' is least in a barrel, g in a pincushion
+    gap = 1 + steepness * k1 * sure**2 - 6 * np.hypot(0.05, 0.02) * sure
+    assert 0 < gap < 0.05 or sure == 5.0
+
+
+def test_points_behind_a_turning_are_not_on_the_sheet_of_the_axis():
+    """y + 0.3 y² turns at y = −1.67 and comes back: −3.0 is sent where −0.33 is."""
+    lens = DecentredLens(RadialProfile(), 0.1, 0.0)
+    far, near = np.array([[0.0, -3.0]]), np.array([[0.0, -1 / 3]])
+    assert_allclose(lens.linearised(*far.T)[1], lens.linearised(*near.T)[1])
+    points = np.concatenate((far, near, [[0.0, 3.0]]))
+    assert decentring._same_sheet(points, lens).tolist() == [False, True, True]
+
+
+def test_what_cannot_be_undone_stays_at_its_start():
+    lens = DecentredLens(RadialProfile(), 0.1, 0.0)
+    seen, start = np.array([[0.0, -5.0], [0.0, 0.13]]), np.array([[0.2, -4.0], [0.0, 0.13]])
+    ideal, valid = undo_decentred(seen, start, lens)
+    assert valid.tolist() == [False, True]
+    assert ideal[0].tolist() == [0.2, -4.0]
+    assert_allclose(ideal[1] + [0.0, 0.3 * ideal[1, 1] ** 2], seen[1], atol=1e-15)
+    single, ok = undo_decentred(seen[1], start[1], lens)
+    assert ok
+    assert_allclose(single, ideal[1])
