@@ -287,3 +287,17 @@ def test_the_second_term_leans_counts_to_the_right():
     z = np.array([-2.0, 0.0, 1.0, 3.0])
     expected = np.rint(100 + 10 * z + (z**2 - 1) / 6)
     np.testing.assert_array_equal(shot_noise_from_normal(np.full(4, 100.0), z), expected)
+
+
+def test_a_pixel_that_never_fills_counts_any_light_up_to_what_a_sampler_can_draw():
+    for model in ("poisson", "skewed", "gaussian"):
+        counted = shot_noise([1e300, np.inf], rng(), model=model)
+        assert counted == pytest.approx([1e15, 1e15], rel=1e-6)
+
+
+@pytest.mark.parametrize("well", [0.0, -1.0, np.nan])
+def test_a_well_that_holds_nothing_is_refused(well):
+    with pytest.raises(ValueError, match=f"^full_well_e {well}; legal: above 0$"):
+        shot_noise([1.0], rng(), well)
+    with pytest.raises(ValueError, match="^full_well_e"):
+        shot_noise_from_normal([1.0], [0.0], well)
