@@ -299,5 +299,5 @@ def test_a_pixel_that_never_fills_counts_any_light_up_to_what_a_sampler_can_draw
 def test_a_well_that_holds_nothing_is_refused(well):
     with pytest.raises(ValueError, match=f"^full_well_e {well}; legal: above 0$"):
         shot_noise([1.0], rng(), well)
-    with pytest.raises(ValueError, match="^full_well_e"):
+    with pytest.raises(ValueError, match=r"^full_well_e"):
         shot_noise_from_normal([1.0], [0.0], well)
