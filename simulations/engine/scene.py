@@ -30,7 +30,8 @@ class Scene:
     drafted: tuple[str, ...] = ()
     """The controls whose drags need the draft; all of them where none is named."""
     ladder: str = ""
-    """The ladder that the tiers are rungs of: it labels them and tells what they cost."""
+    """The ladder that the tiers are rungs of: it labels them and tells what they cost. Without
+    tiers, a control of the scene's own chooses between its rungs."""
     tier_labels: Mapping[str, str] = field(default_factory=dict)
     """What the reader sees of tiers that belong to no ladder, or that its words do not fit here."""
     error: Judge | None = None

@@ -4,13 +4,14 @@ The mosaic is taken from sRGB-encoded values, so that errors count in codes that
 shows. Each stage is in `simulations.models`: picture -> mosaic -> demosaic -> error.
 """
 
+from collections.abc import Iterator
 from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
 
 from simulations.engine.controls import Action, Choice, Values
-from simulations.engine.frame import Frame, Panel, Readout, readout
+from simulations.engine.frame import Frame, Panel, Readout, format_number, readout
 from simulations.engine.pipeline import Run, Stage, StageCache, run
 from simulations.engine.raster import to_rgba8
 from simulations.engine.scene import Scene
@@ -86,13 +87,34 @@ STAGES = (
 )
 
 
-def render(values: Values, tier: str, cache: StageCache) -> Frame:  # noqa: ARG001 - no tiers
+def render(values: Values, _tier: str, cache: StageCache) -> Frame:
+    """The mosaic or its reconstruction by the chosen method, and what is wrong with it."""
     demosaiced = values.state("demosaic") == 1
     done = run(STAGES if demosaiced else STAGES[:2], values, cache)
     close = values.choice("view") == "close"
     shown = _reconstruction(done, close) if demosaiced else _mosaic(done, close)
     readouts = (*_shares(done.outputs["mosaic"]), *_merits(done, values, demosaiced))
     return Frame(shown, readouts, describe(done, values, demosaiced), done.reports)
+
+
+def error(values: Values, _tier: str, cache: StageCache) -> Iterator[Readout]:
+    """How far each colour of the reconstruction is from the picture that the mosaic was taken from.
+
+    The method is a control of this figure: it stands for the tier.
+    """
+    if values.state("demosaic") == 0:
+        yield Readout("error", "Error", "none to tell before the mosaic is demosaiced")
+        return
+    outputs = run(STAGES, values, cache).outputs
+    text = ", ".join(format_number(codes, 1) for codes in rms_codes(outputs["error"]))
+    yield Readout("error", "RMS error of red, green, blue", text, "codes of 255", "error")
+
+
+def rms_codes(errors: Errors) -> Picture:
+    """Of each colour (3,), inside the border."""
+    inner = errors.absolute[CROP:-CROP, CROP:-CROP].astype(np.float64)
+    rms: Picture = 255.0 * np.sqrt(np.mean(inner * inner, axis=(0, 1)))
+    return rms
 
 
 def _mosaic(done: Run, close: bool) -> tuple[Panel, Panel]:
@@ -170,4 +192,11 @@ def describe(done: Run, values: Values, demosaiced: bool) -> str:
     )
 
 
-SCENE = Scene(id="bayer-demosaic", title="Bayer Pattern", controls=CONTROLS, render=render)
+SCENE = Scene(
+    id="bayer-demosaic",
+    title="Bayer Pattern",
+    controls=CONTROLS,
+    render=render,
+    ladder="demosaicing",
+    error=error,
+)

@@ -6,7 +6,8 @@ import pytest
 from simulations.engine.controls import check_values
 from simulations.engine.pipeline import StageCache
 from simulations.models.demosaicing import METHODS
-from simulations.scenes.bayer_demosaic import SCENE
+from simulations.registry import load_ladder
+from simulations.scenes.bayer_demosaic import METHOD_LABELS, SCENE
 
 
 @pytest.fixture(scope="module")
@@ -60,3 +61,46 @@ def test_changing_the_method_keeps_picture_and_mosaic():
     frame(cache, demosaic=1)
     reports = frame(cache, demosaic=1, method="menon").stages
     assert [report.status for report in reports] == ["reused", "reused", "computed", "computed"]
+
+
+def told(cache, **given):
+    (estimate,) = SCENE.error(check_values(SCENE.controls, given), "", cache)
+    return estimate
+
+
+def test_the_method_is_the_rung_of_the_ladder_and_so_no_second_menu_is_offered():
+    assert list(METHOD_LABELS) == [tier.id for tier in load_ladder(SCENE.ladder).tiers]
+    assert SCENE.tiers == ()
+
+
+@pytest.mark.parametrize("method", METHODS)
+def test_the_error_by_colour_adds_up_to_the_psnr_read_out(cache, method):
+    """PSNR is 10 log₁₀ of 255² over the mean of the three squared errors."""
+    estimate = told(cache, demosaic=1, method=method)
+    red, green, blue = (float(part) for part in estimate.text.split(", "))
+    mean_square = (red**2 + green**2 + blue**2) / 3
+    psnr = float(texts(frame(cache, demosaic=1, method=method))["psnr"])
+    assert 10 * np.log10(255**2 / mean_square) == pytest.approx(psnr, abs=0.15)
+
+
+def test_green_is_measured_twice_as_often_and_errs_least(cache):
+    red, green, blue = (
+        float(part) for part in told(cache, demosaic=1, method="bilinear").text.split(", ")
+    )
+    assert green < min(red, blue)
+
+
+def test_the_error_of_a_colour_is_that_of_the_bytes_shown(cache):
+    """The error picture shows four times the error, cut off at white."""
+    given = {"demosaic": 1, "method": "malvar"}
+    errors = frame(cache, **given).panels[1].raster[8:-8, 8:-8, :3] / 4.0
+    seen = np.sqrt(np.mean(errors**2, axis=(0, 1)))
+    parts = [float(part) for part in told(cache, **given).text.split(", ")]
+    assert (seen <= np.array(parts) + 0.1).all()
+    assert seen == pytest.approx(parts, rel=0.1)
+
+
+def test_a_mosaic_has_no_error_to_tell(cache):
+    estimate = told(cache, demosaic=0)
+    assert estimate.text.startswith("none to tell")
+    assert estimate.unit == ""

