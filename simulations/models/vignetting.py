@@ -61,11 +61,15 @@ def mechanical_vignetting(
     # In units of the pupil, so that tiny and huge lenses neither vanish nor overflow when squared.
     rim = min(max(rim_radius_mm / pupil_radius_mm, 1e-100), 1e100)
     result: Floats = disc_overlap_area(shift, 1.0, rim) / np.pi
-    return np.clip(result, 0.0, 1.0)
+    return result
 
 
 def disc_overlap_area(distance: ArrayLike, radius_a: float, radius_b: float) -> Floats:
-    """Area common to two discs whose centres are ``distance`` apart."""
+    """Area (...) common to two discs whose centres are ``distance`` (...) apart.
+
+    At most that of the smaller, and never negative, also where they just touch and the formula
+    has lost half of its digits.
+    """
     a, b = float(radius_a), float(radius_b)
     inside = np.asarray(distance, float) <= abs(a - b)  # one disc contains the other
     # Outside [|a−b|, a+b] the formula is at its limits.
@@ -74,5 +78,6 @@ def disc_overlap_area(distance: ArrayLike, radius_a: float, radius_b: float) -> 
     angle_b = np.arccos(np.clip((d * d + b * b - a * a) / (2.0 * d * b), -1.0, 1.0))
     kite = (a + b - d) * (d + a - b) * (d - a + b) * (d + a + b)
     lens = a * a * angle_a + b * b * angle_b - 0.5 * np.sqrt(np.maximum(kite, 0.0))
-    area: Floats = np.where(inside, np.pi * min(a, b) ** 2, lens)
+    smaller = np.pi * min(a, b) ** 2
+    area: Floats = np.where(inside, smaller, np.clip(lens, 0.0, smaller))
     return area

@@ -34,7 +34,7 @@ def test_an_object_at_twice_the_focal_length_is_imaged_there_too():
 
 
 def test_an_object_inside_the_focal_length_has_no_real_image():
-    with pytest.raises(ValueError, match="virtual"):
+    with pytest.raises(ValueError, match=r"distance_mm 49\.9: .* virtual"):
         thin_lens_image_distance(50, [1000, 49.9])
 
 
@@ -51,6 +51,11 @@ def test_blur_is_right_at_both_infinities():
     assert circle_of_confusion_mm(50, 2, np.inf, 5000) == pytest.approx(25 * 50 / 5000)
     assert circle_of_confusion_mm(50, 2, 2000, np.inf) == pytest.approx(25 * 50 / 1950)
     assert circle_of_confusion_mm(50, 2, 2000, 0.0) == np.inf
+    assert circle_of_confusion_mm(50, 2, np.inf, 1.0) == pytest.approx(25 * 50)
+
+
+def test_in_focus_even_an_endless_aperture_is_sharp():
+    assert circle_of_confusion_mm(50, 1e-310, 2000, 2000) == 0.0
 
 
 def test_a_pinhole_blurs_nothing():
@@ -70,7 +75,13 @@ def test_focused_at_the_hyperfocal_distance_sharpness_runs_from_half_of_it_to_in
     near, far = depth_of_field(50, 8, distance, 0.03)
     assert near == pytest.approx(distance / 2)
     assert far == np.inf
-    assert depth_of_field(50, 8, 0.99 * distance, 0.03)[1] < np.inf
+    for short in (1e-2, 1e-9):
+        far = depth_of_field(50, 8, (1 - short) * distance, 0.03)[1]
+        assert far == pytest.approx((distance - 50) / short, rel=0.02)
+
+
+def test_a_tolerance_too_small_for_a_number_leaves_only_infinity_sharp():
+    assert depth_of_field(1e200, 1.0, np.inf, 1e-300) == (np.inf, np.inf)
 
 
 @pytest.mark.parametrize(
@@ -305,6 +316,30 @@ def test_lenses_faster_than_f_1_exist():
     assert axial_chromatic_mm(GLASS, 50, 0.95, LINE_D_UM) == 0
     assert field_of_view_rad(0.5, 0.25) == pytest.approx(field_of_view_rad(50, 25))
     assert depth_of_field(0.5, 2, 10, 1e-3)[0] < 10
+
+
+@pytest.mark.parametrize("separation", [0.0, 0.5])
+def test_a_rim_may_lie_close_to_the_pupil_or_in_it(separation):
+    free = mechanical_vignetting([0.0, 0.5], 5.0, 6.0, separation)
+    np.testing.assert_array_equal(free, 1.0)
+
+
+@pytest.mark.parametrize("unit", [1e-6, 1e6])
+def test_the_share_of_two_discs_does_not_depend_on_the_unit(unit):
+    for apart in (0.0, 0.1, 1.0, 1.9):
+        assert disc_overlap_area(apart * unit, unit, unit) == pytest.approx(
+            disc_overlap_area(apart, 1.0, 1.0) * unit**2
+        )
+
+
+def test_discs_that_just_touch_from_within_or_without_share_a_finite_area():
+    """Where rounding can take a cosine or a share beyond 1."""
+    for a, b in np.random.default_rng(0).uniform(0.1, 3, (500, 2)):
+        ends = np.array([np.nextafter(abs(a - b), 9), a + b, np.nextafter(a + b, 0)])
+        area = disc_overlap_area(ends, a, b) / (np.pi * min(a, b) ** 2)
+        np.testing.assert_allclose(area, [1, 0, 0], atol=1e-5)
+        assert (area >= 0).all()
+        assert (area <= 1).all()
 
 
 def test_the_cats_eye_is_the_same_on_both_sides_of_the_axis():

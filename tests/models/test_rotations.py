@@ -78,6 +78,15 @@ def test_the_length_of_an_axis_does_not_matter():
         assert pytest.approx(rotations.exponential([0.7 / 3, 1.4 / 3, 1.4 / 3]), abs=1e-15) == R
 
 
+def test_each_axis_of_a_field_is_scaled_on_its_own_whatever_its_signs():
+    axes = np.array([[-1.0, -2, -2], [1e-200, 0, -1e-100], [0, 5e100, 0]])
+    turns = rotations.from_axis_angle(axes, 0.7)
+    for axis, turn in zip(axes, turns, strict=True):
+        exact = axis / np.abs(axis).max()
+        exact /= np.linalg.norm(exact)
+        assert turn == pytest.approx(Rotation.from_rotvec(0.7 * exact).as_matrix(), abs=1e-15)
+
+
 @pytest.mark.parametrize("axis", [(0, 0, 0), (math.nan, 0, 1), (math.inf, 0, 0)])
 def test_an_axis_without_direction_is_refused(axis):
     with pytest.raises(ValueError, match="axis"):
@@ -286,6 +295,14 @@ def test_a_rotation_may_have_drifted_by_a_millionth(drift, legal):
         rotations.check_rotation(matrix)
 
 
+def test_drift_is_counted_between_the_columns():
+    """RᵀR = I + S with entries of 0.9e-6 at most; R Rᵀ has one of 2.7e-6."""
+    to_x = rotations.nearest_rotation([[1.0, 1, 1], [-1, 1, 0], [-1, -1, 2]])
+    drifted = to_x @ (np.eye(3) + 0.45e-6 * np.ones((3, 3)))
+    assert np.abs(drifted @ drifted.T - np.eye(3)).max() > 1.1e-6
+    assert rotations.check_rotation(drifted) is drifted
+
+
 def test_one_reflection_or_one_drifted_matrix_spoils_the_field():
     for bad in (np.diag([1.0, 1, -1]), np.eye(3) * 1.1):
         with pytest.raises(ValueError, match="R: "):
@@ -301,11 +318,21 @@ def test_the_nearest_rotation_of_a_scaled_or_mirrored_one_is_known():
         assert rotations.nearest_rotation(size * R) == pytest.approx(R, abs=1e-14)
     mirrored = np.diag([3.0, 2.0, -1.0])
     assert rotations.nearest_rotation(mirrored) == pytest.approx(np.eye(3))
-    for bad in (np.full((3, 3), math.nan), np.eye(4), np.eye(3)[:2]):
+    one_unknown = np.eye(3)
+    one_unknown[1, 2] = math.nan
+    for bad in (np.full((3, 3), math.nan), one_unknown, np.eye(4), np.eye(3)[:2]):
         with pytest.raises(ValueError, match="legal"):
             rotations.nearest_rotation(bad)
     flat = np.diag([1.0, 1.0, 0.0])
     assert rotations.nearest_rotation(flat) == pytest.approx(np.eye(3))
+
+
+@pytest.mark.parametrize(
+    "matrix", [np.eye(3), np.array([[-3.0, -1, -2], [-1, -3, -1], [-1, -1, -4]])]
+)
+def test_the_nearest_rotation_does_not_depend_on_the_unit(matrix):
+    R = rotations.nearest_rotation(matrix)
+    assert rotations.nearest_rotation(1e200 * matrix) == pytest.approx(R)
 
 
 @pytest.mark.parametrize(("least", "legal"), [(1e-11, True), (1e-13, False)])
@@ -325,6 +352,12 @@ def test_a_share_lies_within_a_million(blend):
     for share in (1.1e6, -1.1e6, math.nan):
         with pytest.raises(ValueError, match="share"):
             blend(start, end, [0.5, share])
+
+
+@pytest.mark.parametrize("sign", [1, -1])
+def test_of_two_ways_of_equal_length_the_signs_of_the_quaternions_decide(sign):
+    middle = rotations.slerp([1.0, 0, 0, 0], [0, sign * 1.0, 0, 0], 0.5)
+    assert middle == pytest.approx(np.array([1, sign, 0, 0]) / math.sqrt(2))
 
 
 def test_slerp_goes_on_past_its_ends_at_the_same_speed():

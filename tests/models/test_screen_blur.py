@@ -20,11 +20,16 @@ def test_a_single_gaussian_agrees_with_scipy():
 
 def test_each_pixel_takes_the_nearest_of_evenly_spaced_blurs():
     radius = np.zeros((40, 50))
-    radius[:, 10:20], radius[:, 20:30], radius[:, 30:] = 0.9, 2.2, 4.0
+    radius[:, 10:20], radius[:, 20:30], radius[:, 30:] = 0.9, 1.7, 4.0
     blurred = binned_gaussian(NOISE, radius, bins=3)  # of radius 0, 2 and 4
     np.testing.assert_array_equal(blurred[..., :20], NOISE[..., :20])
     np.testing.assert_allclose(blurred[..., 20:30], gaussian(NOISE, 1.0)[..., 20:30], atol=1e-5)
     np.testing.assert_allclose(blurred[..., 30:], gaussian(NOISE, 2.0)[..., 30:], atol=1e-5)
+
+
+def test_a_blur_of_less_than_a_pixel_is_its_own_widest():
+    blurred = binned_gaussian(NOISE, np.full((40, 50), 0.8), bins=2)
+    np.testing.assert_allclose(blurred, gaussian(NOISE, 0.4), atol=2e-5)
 
 
 def test_there_are_six_blurs_unless_told_otherwise():

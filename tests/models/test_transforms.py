@@ -296,6 +296,32 @@ def test_a_shear_turns_only_what_does_not_lie_along_it():
     assert measure_preservation(sheared, across).length == pytest.approx(math.sqrt(1.25) - 1)
 
 
+@pytest.mark.parametrize("size", [1e-200, -1e200])
+def test_a_homography_of_any_size_is_the_same(size):
+    matrix = np.array([[1.0, 2, 3], [0, 1, 4], [1, 0, 2]])
+    assert transforms.projective(size * matrix) == pytest.approx(matrix / 2)
+
+
+def test_huge_negative_entries_are_scaled_as_huge_positive_ones_are():
+    H = np.array([[-1e300, 0, 0], [0, -1e300, 0], [-1e300, 0, -1e300]])
+    image, valid = apply_homography(H, [-1e10, 5.0])
+    assert valid
+    assert image == pytest.approx([1e10 / (1e10 - 1), -5 / (1e10 - 1)])
+
+
+def test_a_figure_is_closed_unless_told_otherwise():
+    """Of the three edges of this triangle the second and the closing one reach the line w = 0."""
+    triangle = [(0.0, 0.0), (0.0, 1.0), (-3.0, 0.5)]
+    assert len(clip_to_visible(TILTED, triangle)) == 4
+    assert len(clip_to_visible(TILTED, triangle, closed=False)) == 3
+
+
+def test_coordinates_beyond_the_range_are_refused_on_either_side():
+    for far in (1.1e150, -1.1e150):
+        with pytest.raises(ValueError, match="polygon"):
+            clip_half_plane([(0.0, 0.0), (far, 0.0)], (1, 0, 0))
+
+
 def test_one_visible_line_alone_cannot_be_compared_and_two_can():
     two = np.array([[(0, 0), (1, 0)], [(0, 1), (1, 1.5)]], float)
     hidden = [[(-5, 0), (-4, 0)]]
