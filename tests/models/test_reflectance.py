@@ -152,8 +152,12 @@ def test_fields_of_normals_lights_and_eyes_are_shaded_one_by_one():
 
 
 def test_vectors_without_direction_become_zero_and_spoil_no_other():
-    found = normalise([[0, 0, 0], [np.inf, 0, 0], [np.nan, 1, 0], [0, -3, 4]])
+    found = normalise([[0, 0, 0], [np.inf, 0, 0], [np.nan, 1, 0], [0, -3e200, 4e200]])
     np.testing.assert_allclose(found, [[0, 0, 0], [0, 0, 0], [0, 0, 0], [0, -0.6, 0.8]])
+
+
+def test_huge_vectors_keep_their_direction_into_the_negative():
+    np.testing.assert_allclose(normalise([-3e200, 0, -4e200]), [-0.6, 0, -0.8])
 
 
 @pytest.mark.parametrize(("off", "legal"), [(0.9e-4, True), (1.05e-4, False), (-1.05e-4, False)])
@@ -171,6 +175,9 @@ def test_a_direction_is_of_length_one_to_a_ten_thousandth(off, legal):
 def test_the_ends_of_the_ranges_are_legal_and_what_is_beyond_is_not():
     assert lambert(FRONT, FRONT, [0.0, 1.0]).tolist() == [0, 1]
     assert attenuation(0.0, 1.0) == 1
+    assert attenuation(1.0, 1e-15) == 1
+    with pytest.raises(ValueError, match="radius"):
+        attenuation(1.0, 0.9e-15)
     for albedo in (-0.01, 1.01, math.nan):
         with pytest.raises(ValueError, match="albedo"):
             lambert(FRONT, FRONT, [0.5, albedo])

@@ -240,3 +240,20 @@ def test_contrasts_are_those_of_the_textbook():
     assert sampling.contrast([1.0, 3.0, 2.0]) == pytest.approx(0.5)
     assert sampling.contrast([0.0, 0.0]) == 0
     assert sampling.contrast([0.0, 2.0]) == 1
+
+
+def test_one_frequency_without_a_number_spoils_the_field_and_so_does_such_a_width():
+    for mtf in (sampling.box_mtf, sampling.gaussian_mtf):
+        for frequency, width in (([0.5, np.nan], 1.0), ([0.5], np.inf), ([0.5], np.nan)):
+            with pytest.raises(ValueError, match="legal: finite"):
+                mtf(frequency, width)
+
+
+def test_endless_light_has_no_contrast():
+    with pytest.raises(ValueError, match="legal: light of 0 or more, finite"):
+        sampling.contrast([0.1, np.inf])
+
+
+def test_the_rings_of_a_zone_plate_may_be_finer_than_a_sample():
+    """Scale 1/2: the phase at r = 1/2 is half a turn."""
+    assert sampling.zone_plate([0.0, 0.5], [0.0, 0.0], 0.5) == pytest.approx([1.0, 0.5])
