@@ -25,6 +25,7 @@ from simulations.scenes.lens_distortion_drawing import (
     profile_overlay,
 )
 from simulations.scenes.lens_distortion_stages import (
+    DEFAULT_TIER,
     FOCAL_PX,
     HALF_DIAGONAL,
     STAGES,
@@ -42,7 +43,7 @@ def render(values: Values, tier: str, cache: StageCache) -> Frame:
     """The figure at one setting of its controls; the tier is how the picture's rays are found."""
     lens = Distortion(k1=values.number("k1"), k2=values.number("k2"))
     corrected = values.toggle("correct")
-    outcome = run(STAGES, values, cache, {"tier": tier or TIERS[-1]})
+    outcome = run(STAGES, values, cache, {"tier": tier or DEFAULT_TIER})
     panels = (
         Panel("grid", "Grid", VIEW_WIDTH, VIEW_HEIGHT, overlay=grid_overlay(lens)),
         Panel(
@@ -145,8 +146,8 @@ SCENE = Scene(
     ),
     render=render,
     tiers=TIERS,
-    default_tier="newton-bracketed",
-    draft_tier="newton-bracketed",
+    default_tier=DEFAULT_TIER,
+    draft_tier=DEFAULT_TIER,
     ladder="inverse-distortion",
     error=error,
 )

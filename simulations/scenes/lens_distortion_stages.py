@@ -14,6 +14,7 @@ from simulations.engine.pipeline import Stage
 from simulations.engine.raster import to_rgba8
 from simulations.models.color import encode_srgb
 from simulations.models.distortion import Distortion, distort, fold_radius, largest_distorted_radius
+from simulations.models.radial_inverse import invert_bracketed
 from simulations.models.radial_table import invert
 from simulations.models.resampling import GatherTable, gather, gather_table
 from simulations.models.undistortion import (
@@ -44,9 +45,11 @@ TIERS = (
     "newton-4",
     "fixed-point-5",
     "fixed-point-10",
+    "checked-table",
     "newton-bracketed",
 )
 """Ways to find where a pixel's light comes from: rungs of the ladder `inverse-distortion`."""
+DEFAULT_TIER = "checked-table"
 
 
 @dataclass(frozen=True, slots=True)
@@ -86,10 +89,12 @@ def centred_pixels() -> Floats:
 def ideal_radii(seen: Floats, lens: Distortion, tier: str) -> Floats:
     """The radius without the lens of each radius in the photograph, as the tier computes it.
 
-    Only the bracketed one notices the fold; the others run on past it, or out of range.
+    Only the last two notice the fold; the others run on past it, or out of range.
     """
-    if tier == "newton-bracketed":
+    if tier == "checked-table":
         return invert(lens.radial, seen)[0]
+    if tier == "newton-bracketed":
+        return invert_bracketed(lens.radial, seen)[0]
     points = np.stack((seen, np.zeros_like(seen)), axis=-1)
     with np.errstate(over="ignore", invalid="ignore", divide="ignore"):
         match tier.rsplit("-", 1):

@@ -10,7 +10,15 @@ from simulations.engine.pipeline import StageCache
 from simulations.models.distortion import Distortion, distort
 from simulations.pictures.checker_room import checker_room
 from simulations.scenes.lens_distortion import SCENE
-from simulations.scenes.lens_distortion_stages import _corrected, _map, _radii, _through_lens
+from simulations.scenes.lens_distortion_stages import (
+    DEFAULT_TIER,
+    TIERS,
+    _corrected,
+    _map,
+    _radii,
+    _through_lens,
+    inversion_error_px,
+)
 
 
 def render(cache=None, **given):
@@ -67,7 +75,7 @@ def test_past_the_fold_the_figure_says_so_and_greys_the_picture():
 def test_a_linear_ramp_through_the_lens_shows_the_ideal_coordinate():
     y, x = np.mgrid[:420, :560].astype(np.float32)
     ramp = np.stack((x, y), axis=-1)
-    warp = _map(_radii(), -0.2, 0.05, "newton-bracketed")
+    warp = _map(_radii(), -0.2, 0.05, DEFAULT_TIER)
     seen = _through_lens(None, ramp, warp).linear
     ideal = (seen - [279.5, 209.5]) / 200.0
     rows, columns = np.mgrid[:240, :320]
@@ -78,9 +86,20 @@ def test_a_linear_ramp_through_the_lens_shows_the_ideal_coordinate():
     np.testing.assert_allclose(image, expected[covered], atol=2e-5)
 
 
+@pytest.mark.parametrize("tier", ["checked-table", "newton-bracketed"])
+@pytest.mark.parametrize("k1", [-0.5, -0.3, 0.2, 0.5])
+def test_the_careful_tiers_err_by_less_than_a_billionth_of_a_pixel_past_the_fold_too(tier, k1):
+    assert inversion_error_px(Distortion(k1=k1, k2=-0.1 * k1), tier) < 1e-9
+
+
+@pytest.mark.parametrize("tier", [tier for tier in TIERS if tier.startswith(("fixed", "first"))])
+def test_the_fixed_point_is_told_by_its_error(tier):
+    assert inversion_error_px(Distortion(k1=0.5), tier) > 1e-3
+
+
 def test_the_correction_restores_the_picture_where_the_photograph_had_it():
     pinhole = checker_room(560, 420, 200.0)
-    photo = _through_lens(None, pinhole, _map(_radii(), -0.1, 0.0, "newton-bracketed"))
+    photo = _through_lens(None, pinhole, _map(_radii(), -0.1, 0.0, DEFAULT_TIER))
     restored = _corrected(photo, -0.1, 0.0)
     truth = pinhole[90:330, 120:440]
     error = np.abs(restored.linear - truth)[restored.coverage > 0.99]
