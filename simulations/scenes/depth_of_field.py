@@ -1,10 +1,11 @@
 """The thin lens: one distance is sharp, and the still life shows what becomes of the others.
 
-The picture uses the stages of the camera simulator up to the blur, without its sensor, so that
-nothing but the lens can soften it.
+The picture is the camera simulator's without its sensor, so that nothing but the lens can soften
+it.
 """
 
 import math
+from collections.abc import Iterator
 from dataclasses import dataclass
 
 import numpy as np
@@ -13,23 +14,18 @@ from numpy.typing import NDArray
 from simulations.engine.controls import Slider, Values
 from simulations.engine.drawing import text
 from simulations.engine.frame import Frame, Panel, Readout, format_number
-from simulations.engine.pipeline import Stage, StageCache, run
+from simulations.engine.pipeline import StageCache, run
 from simulations.engine.raster import to_rgba8
 from simulations.engine.scene import Scene
 from simulations.models import optics
-from simulations.models.color import encode_srgb_table
-from simulations.models.depth_of_field import Planes
 from simulations.pictures.still_life import THINGS, WALL_DISTANCE, thing_depth
-from simulations.scenes import camera_stages
 from simulations.scenes import depth_of_field_drawing as drawing
 from simulations.scenes.camera_lens import COLUMNS, PITCH_MM, ROWS
+from simulations.scenes.depth_of_field_stages import FIXED, STAGES, TIERS, judge
 
 NEAR_M, FAR_M = thing_depth(THINGS[0]), WALL_DISTANCE
 """The red ball in front and the wall behind: the two ends of the still life."""
-FIXED = {"k1": 0.0, "light_angle": 40.0, "margin_columns": 0, "margin_rows": 0}
-"""Parameters of the camera's stages that this figure does not offer."""
-TIERS = ("draft", "layers")
-"""Of the camera's: a ray for four pixels while the focal length is dragged, else one for each."""
+DEFAULT_TIER = "layered"
 LARGEST_DRAWN_PX = 48.0
 """Wider discs leave nothing to recognise, and take seconds to draw: the picture stops here."""
 UNLIT = np.full((ROWS, COLUMNS), 0.35)
@@ -63,29 +59,6 @@ CONTROLS = (
         step=0.05,
         unit="m",
     ),
-)
-
-
-def _encode(light: Planes) -> NDArray[np.uint8]:
-    return to_rgba8(encode_srgb_table(light.transpose(1, 2, 0)))
-
-
-CAMERA = {stage.name: stage for stage in camera_stages.STAGES}
-STAGES = (
-    *(
-        CAMERA[name]
-        for name in (
-            "pinhole rays",
-            "bent rays",
-            "surfaces",
-            "light",
-            "defocus",
-            "overlay",
-            "aperture rays",
-            "enlargement",
-        )
-    ),
-    Stage("encoded", (), _encode, ("enlargement",)),
 )
 
 
@@ -143,7 +116,7 @@ def render(values: Values, tier: str, cache: StageCache) -> Frame:
         return _refuse(values, hyperfocal_m)
     sharp = sharpness(focal, f_number, focus)
     drawn_m = drawn_focus_m(focal, f_number, focus)
-    setting = {**FIXED, **camera_stages.TIERS[tier or "layers"]}
+    setting = {**FIXED, "tier": tier or DEFAULT_TIER}
     done = run(STAGES, Values({**values, "focus": drawn_m}), cache, setting)
     lens = drawing.Lens(
         aperture_mm=sharp.aperture_mm,
@@ -225,17 +198,25 @@ def describe(values: Values, sharp: Sharpness) -> str:
     )
 
 
+def error(values: Values, tier: str, cache: StageCache) -> Iterator[Readout]:
+    """How far the picture is from one of rays through the whole lens; of no picture, nothing."""
+    focal, focus = values.number("focal_length"), values.number("focus")
+    if 1000 * focus <= focal:
+        yield Readout("error", "Error", "no picture", "", "error")
+        return
+    drawn_m = drawn_focus_m(focal, values.number("aperture"), focus)
+    yield from judge(Values({**values, "focus": drawn_m}), tier, cache)
+
+
 SCENE = Scene(
     id="depth-of-field",
     title="Depth of Field",
     controls=CONTROLS,
     render=render,
     tiers=TIERS,
-    default_tier="layers",
-    draft_tier="draft",
-    drafted=("focal_length",),
-    tier_labels={
-        "draft": "Draft: a ray for four pixels",
-        "layers": "A ray a pixel, blur by layers",
-    },
+    default_tier=DEFAULT_TIER,
+    # A coarse picture would look like defocus; the dearer tiers are what needs a draft.
+    draft_tier=DEFAULT_TIER,
+    ladder="depth-of-field",
+    error=error,
 )

@@ -6,9 +6,14 @@ import numpy as np
 import pytest
 
 from simulations.engine.controls import check_values
-from simulations.engine.pipeline import StageCache
+from simulations.engine.pipeline import StageCache, run
+from simulations.ladders.depth_of_field import LADDER
 from simulations.models import optics
+from simulations.models.aperture_grid import aperture_grid
+from simulations.models.depth_of_field import Layer
+from simulations.pictures.still_life_light import LitScene
 from simulations.scenes.camera_lens import PITCH_MM
+from simulations.scenes.camera_stages import through_lens
 from simulations.scenes.depth_of_field import (
     FAR_M,
     LARGEST_DRAWN_PX,
@@ -17,6 +22,7 @@ from simulations.scenes.depth_of_field import (
     sharpness,
 )
 from simulations.scenes.depth_of_field_drawing import disc_scale, half_opening
+from simulations.scenes.depth_of_field_stages import FIXED, STAGES, depth_of, encode
 
 
 def frame(cache=None, **given):
@@ -116,10 +122,114 @@ def test_aperture_reuses_the_lit_scene():
     ]
 
 
-def test_the_draft_is_a_coarser_picture_of_the_same_size_with_the_same_numbers():
-    values = check_values(SCENE.controls, {"aperture": 16})
-    draft, settled = (SCENE.render(values, tier, StageCache()) for tier in ("draft", "layers"))
-    coarse, fine = (shown.panels[1].raster.astype(float) for shown in (draft, settled))
-    assert coarse.shape == fine.shape
-    assert 0 < np.abs(coarse - fine).mean() < 6
-    assert draft.readouts == settled.readouts
+def picture(tier, **given):
+    return SCENE.render(check_values(SCENE.controls, given), tier, StageCache()).panels[1].raster
+
+
+def judged(tier, **given):
+    return list(SCENE.error(check_values(SCENE.controls, given), tier, StageCache()))
+
+
+def test_the_tiers_are_rungs_of_the_ladder_and_start_at_its_default():
+    assert set(SCENE.tiers) < {tier.id for tier in LADDER.tiers}
+    order = [tier.id for tier in LADDER.tiers if tier.id in SCENE.tiers]
+    assert list(SCENE.tiers) == order
+    assert SCENE.default_tier == LADDER.default_tier == SCENE.draft_tier
+    np.testing.assert_array_equal(picture(""), picture(LADDER.default_tier))
+
+
+@pytest.mark.parametrize("tier", SCENE.tiers)
+def test_a_lens_that_is_a_pinhole_needs_none_of_the_ways(tier):
+    values = check_values(SCENE.controls, {"aperture": 22})
+    shown = SCENE.render(values, tier, StageCache())
+    np.testing.assert_array_equal(shown.panels[1].raster, picture("pinhole", aperture=22))
+    assert sum(stage.status == "skipped" for stage in shown.stages) == 3
+
+
+@pytest.mark.parametrize(
+    ("tier", "stage"),
+    [
+        ("pinhole", None),
+        ("discs", "filter"),
+        ("layered", "defocus"),
+        ("binned", "filter"),
+        ("gather", "filter"),
+        ("fibonacci-16", "rays through the lens"),
+    ],
+)
+def test_each_tier_blurs_in_its_own_stage_and_in_no_other(tier, stage):
+    shown = SCENE.render(check_values(SCENE.controls, {}), tier, StageCache())
+    blurring = {"filter", "defocus", "rays through the lens"}
+    computed = {item.name for item in shown.stages if item.status == "computed"} & blurring
+    assert computed == ({stage} if stage else set())
+
+
+def test_the_tiers_differ_in_the_picture_and_in_nothing_else():
+    frames = {
+        tier: SCENE.render(check_values(SCENE.controls, {}), tier, StageCache())
+        for tier in SCENE.tiers
+    }
+    pictures = {frame.panels[1].raster.tobytes() for frame in frames.values()}
+    assert len(pictures) == len(SCENE.tiers)
+    assert len({frame.readouts for frame in frames.values()}) == 1
+
+
+def test_blur_is_measured_against_rays_through_the_whole_lens():
+    """A pinhole is off by all of the blur, filters by edges only, and rays by least."""
+    cache, values = StageCache(), check_values(SCENE.controls, {})
+    rays = run(STAGES[:1], values, cache, {**FIXED, "tier": ""}).outputs["pinhole rays"]
+    through = (through_lens(rays, at, 40.0, 50.0, 1.4, 3.2) for at in aperture_grid(7))
+    truth = encode(np.mean(list(through), axis=0)).astype(float)
+
+    def off(tier):
+        shown = SCENE.render(values, tier, cache).panels[1].raster
+        return math.sqrt(np.mean((shown - truth)[..., :3] ** 2))
+
+    final = {tier: off(tier) for tier in SCENE.tiers}
+    filters = [final[tier] for tier in ("discs", "binned", "gather")]
+    assert final["pinhole"] > 2.5 * max(filters)
+    assert min(filters) > final["layered"] > 2 * final["fibonacci-16"]
+    *_, last = SCENE.error(values, "layered", cache)
+    assert float(last.text) == pytest.approx(final["layered"], abs=0.01)
+
+
+def test_each_estimate_counts_one_ray_more_and_wide_discs_are_given_more_of_them():
+    estimates = judged("pinhole", aperture=4)
+    assert [each.label.split()[3] for each in estimates[:3]] == ["1", "2", "3"]
+    assert len(estimates) == 37
+    first = next(iter(SCENE.error(check_values(SCENE.controls, {"focus": 0.3}), "", StageCache())))
+    assert "of 177 rays" in first.label
+    assert first.unit == "codes of 255"
+
+
+def test_where_no_picture_is_formed_no_error_is_claimed():
+    (estimate,) = judged("layered", focal_length=100, focus=0.1)
+    assert (estimate.text, estimate.unit) == ("no picture", "")
+
+
+def test_the_depth_of_a_pixel_is_that_of_the_foremost_thing():
+    ones = np.ones((4, 3, 4), np.float32)
+    half = ones * np.float32(0.5)
+    lit = LitScene(
+        base=np.zeros((3, 6, 8), np.float32),
+        base_depth=np.full((6, 8), 9.0),
+        layers=(Layer(ones, 1, 2), Layer(ones, -1, 6), Layer(half, 0, 0), Layer(ones, 5, -2)),
+        depths=(5.0, 4.0, 3.0, 2.0),
+    )
+    expected = np.full((6, 8), 9.0)
+    expected[1:4, 2:6] = 5
+    expected[0:2, 6:8] = 4
+    expected[5, 0:2] = 2
+    np.testing.assert_array_equal(depth_of(lit), expected)
+
+
+def test_a_layer_beside_the_picture_changes_no_depth():
+    ones = np.ones((4, 3, 4), np.float32)
+    places = [(-3, 0), (6, 0), (0, -4), (0, 8)]
+    lit = LitScene(
+        base=np.zeros((3, 6, 8), np.float32),
+        base_depth=np.full((6, 8), 9.0),
+        layers=tuple(Layer(ones, top, left) for top, left in places),
+        depths=(1.0, 2.0, 3.0, 4.0),
+    )
+    np.testing.assert_array_equal(depth_of(lit), lit.base_depth)
