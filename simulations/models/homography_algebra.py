@@ -93,7 +93,7 @@ def decompose(H: ArrayLike) -> Parts:
     offset, vanishing = matrix[:2, 2], matrix[2, :2]
     A = matrix[:2, :2] - np.outer(offset, vanishing)
     scale_x = math.hypot(A[0, 0], A[1, 0])
-    if not 1e-75 < scale_x < 1e75:
+    if not 1e-75 <= scale_x <= 1e75:
         raise ValueError(legal)
     angle_rad = math.atan2(A[1, 0], A[0, 0])
     scale_y = float(np.linalg.det(A)) / scale_x

@@ -95,8 +95,6 @@ def estimate_rigid(source: ArrayLike, target: ArrayLike) -> Estimate:
 def _procrustes(source: ArrayLike, target: ArrayLike, *, scaled: bool) -> Estimate:
     """In the plane, the best rotation is the angle of a sum of dot and cross products."""
     before, after = _pairs(source, target)
-    if len(before) < 2:
-        return _undetermined()
     centre_before, centre_after = before.mean(axis=0), after.mean(axis=0)
     a, b = before - centre_before, after - centre_after
     dot = float((a * b).sum())

@@ -89,3 +89,8 @@ def test_outer_angles_of_half_a_turn_are_positive():
 def test_a_sequence_needs_three_angles():
     with pytest.raises(ValueError, match="zip"):
         euler.to_matrix("ZYX", (0.1, 0.2))
+
+
+@pytest.mark.parametrize("angle", [-math.pi, math.pi])
+def test_half_a_turn_is_counted_as_positive(angle):
+    assert euler._wrapped(angle) == math.pi

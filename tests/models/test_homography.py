@@ -68,6 +68,33 @@ def test_points_that_do_not_determine_a_homography_are_reported(source):
     assert np.isnan(H).all()
 
 
+@pytest.mark.parametrize(
+    ("source", "target"),
+    [
+        ([(0, 0), (1, 0), (2, 0), (0, 1)], [(0, 0), (1, 0), (2, 0), (0, 1)]),
+        ([(0, 0), (1, 0), (2, 1), (0, 1), (3, 5)], [(0, 0), (1, 0), (2, 0), (0, 0), (3, 0)]),
+    ],
+    ids=["many maps keep a line and a point", "the only map squashes the plane"],
+)
+def test_points_that_many_maps_or_only_a_singular_one_would_fit_are_reported(source, target):
+    assert not estimation.estimate_homography(np.array(source, float), np.array(target, float))[1]
+
+
+@pytest.mark.parametrize(
+    ("before", "after"), [(1e-9, 1e9), (1e9, 1e-9), (1e-90, 1e-90), (1e90, 1e90)]
+)
+def test_source_and_target_may_be_in_any_units(before, after):
+    source, target = CORNERS * before, SEEN * after
+    H, valid = estimation.estimate_homography(source, target)
+    assert valid
+    assert apply_homography(H, source)[0] / after == pytest.approx(SEEN, rel=1e-9)
+
+
+def test_a_long_way_off_the_last_entry_is_still_one():
+    H, _ = estimation.estimate_homography(CORNERS, CORNERS + 1e7)
+    assert H[2, 2] == 1
+
+
 def test_points_seen_from_both_sides_of_infinity_are_reported():
     source = np.array([(-3.0, 0.0), (-2.0, 1.0), (1.0, 0.0), (2.0, 1.0), (3.0, -1.0)])
     w = 1 + source[:, :1]
@@ -261,6 +288,9 @@ def test_normalised_points_have_their_centroid_at_zero_and_a_mean_distance_of_ro
 def test_points_coincide_where_only_rounding_parts_them(apart, usable):
     points = np.array([(1.0, 1.0), (1.0 + apart, 1.0)])
     assert (estimation.normalisation(points) is not None) is usable
+    far = np.array([(1e6, 1.0), (1e6 + 1e-7, 1.0)])
+    assert estimation.normalisation(far) is None
+    assert estimation.normalisation(-far) is None
     assert estimation.normalisation(np.array([(0.0, 0), (1e-110, 0)])) is None
     assert estimation.normalisation(np.array([(0.0, 0), (1e-98, 0)])) is not None
 
@@ -322,7 +352,7 @@ def test_tiny_and_huge_coordinates_are_estimated_too(size):
     assert pytest.approx(np.eye(3), abs=size * 1e-9) == H
 
 
-@pytest.mark.parametrize("bad", [1.1e100, math.inf])
+@pytest.mark.parametrize("bad", [1.1e100, -1.1e100, math.inf])
 def test_coordinates_beyond_the_range_are_refused(bad):
     for source, target in (
         (CORNERS + np.array([bad, 0]), SEEN),
@@ -330,6 +360,11 @@ def test_coordinates_beyond_the_range_are_refused(bad):
     ):
         with pytest.raises(ValueError, match="legal: finite, at most 1e"):
             estimation.estimate_affine(source, target)
+
+
+def test_the_ends_of_the_range_of_coordinates_are_legal():
+    ends = np.array([(0.0, 0), (1e100, 0), (0, -1e100)])
+    assert estimation.estimate_affine(ends, ends)[1]
 
 
 @pytest.mark.parametrize("shape", [(0, 2), (4, 3), (2,), (1, 4, 2)])
@@ -345,12 +380,25 @@ def test_the_sign_of_all_entries_does_not_matter_to_inverse_or_condition():
         assert algebra.invert(-size * np.eye(3)) * size == pytest.approx(-np.eye(3))
 
 
+def test_one_entry_without_a_number_leaves_no_condition():
+    H = np.eye(3)
+    H[0, 1] = math.nan
+    assert algebra.condition_number(H) == math.inf
+
+
+def test_a_condition_is_told_as_long_as_a_number_has_digits_for_it():
+    assert algebra.condition_number(np.diag([1.0, 1e-14, 1.0])) == pytest.approx(1e14, rel=0.1)
+    assert algebra.condition_number(np.diag([1.0, 1e-17, 1.0])) == math.inf
+
+
 @pytest.mark.parametrize("far", [1e74, -1e74])
 def test_parts_run_from_1e_minus_75_to_1e75(far):
     assert algebra.decompose(transforms.translation(far, 0)).tx == far
     with pytest.raises(ValueError, match="parts from"):
         algebra.decompose(transforms.translation(100 * far, 0))
-    small = transforms.similarity(1e-74, 0.0, 0.0, 0.0)
-    assert algebra.decompose(small).scale_x == pytest.approx(1e-74)
+    assert algebra.decompose(transforms.translation(1e75, 0)).tx == 1e75
+    for size in (1e-75, 1e-74, 1e74, 1e75):
+        scaled = transforms.similarity(size, 0.0, 0.0, 0.0)
+        assert algebra.decompose(scaled).scale_x == pytest.approx(size)
     with pytest.raises(ValueError, match="parts from"):
         algebra.decompose(transforms.similarity(1e-76, 0.0, 0.0, 0.0))
