@@ -3,16 +3,13 @@
  * `{id, ok: true, ...}` or `{id, ok: false, error, fatal}`; nothing goes unanswered.
  */
 
-/** Pyodide's own files; `runtime.json` names the rest. */
-const CORE_FILES = ["pyodide.mjs", "pyodide.asm.mjs", "pyodide.asm.wasm"];
-/** What the interpreter starts with; `numpy.zip` holds machine code, which must be unpacked. */
-const PYTHON = "python.zip";
-const NUMPY = "numpy.zip";
-const SIMULATIONS = "simulations.zip";
+import { NUMPY, PYTHON, Parts, SIMULATIONS, TABLE } from "./parts.js";
+
+const PYODIDE = ["pyodide.mjs", "pyodide.asm.mjs", "pyodide.asm.wasm"];
 
 /** @type {any} Proxies of `simulations.browser`, held for the life of the worker. */
 let python = null;
-/** @type {Parts} */
+/** @type {Parts} What there is to load. */
 let parts;
 
 const calls = {
@@ -22,11 +19,9 @@ const calls = {
    */
   async start({ url, fresh, scenes }) {
     if (fresh) await refetch(url);
-    const [table, { loadPyodide }] = await Promise.all([
-      fetch(`${url}runtime.json`).then(read("json")),
-      import(/* @vite-ignore */ `${url}pyodide.mjs`),
-    ]);
-    parts = new Parts(url, table);
+    const pyodideScript = import(/* @vite-ignore */ `${url}pyodide.mjs`);
+    parts = await Parts.listed(url);
+    const { table } = parts;
     const [numpy, simulations] = [parts.fetch(NUMPY), parts.fetch(SIMULATIONS)];
     for (const scene of scenes) parts.expect(table.scenes[scene]);
     const options = {
@@ -34,9 +29,10 @@ const calls = {
       stdLibURL: url + PYTHON,
       lockFileContents: JSON.stringify(table.lock),
     };
+    const { loadPyodide } = await pyodideScript;
     const pyodide = await Promise.race([loadPyodide(options), webAssemblyFailure()]);
-    parts.unpackInto(pyodide);
-    parts.unpack(await numpy);
+    parts.pyodide = pyodide;
+    parts.unpack(await numpy); // its machine code cannot be loaded from within an archive
     pyodide.FS.writeFile(`/lib/${SIMULATIONS}`, await simulations);
     pyodide.pyimport("sys").path.append(`/lib/${SIMULATIONS}`);
     const module = pyodide.pyimport("simulations.browser");
@@ -88,91 +84,6 @@ self.onmessage = async ({ data }) => {
     self.postMessage({ id: data.id, ok: false, ...explain(error) });
   }
 };
-
-/**
- * Parts of Python's library and of numpy, beyond those that every scene needs. What the scenes of
- * the page import is fetched while the interpreter starts; anything else when Python asks for it.
- */
-class Parts {
-  /** @type {Map<string, Promise<Uint8Array>>} */
-  #coming = new Map();
-  #here = new Set();
-  #damaged = new Set();
-  /** @type {any} */
-  #pyodide = null;
-
-  constructor(/** @type {string} */ url, table) {
-    this.url = url;
-    this.table = table;
-  }
-
-  /** @returns {Promise<Uint8Array>} The file, if it is whole. */
-  async fetch(/** @type {string} */ name) {
-    const cache = this.#damaged.has(name) ? "reload" : "default";
-    try {
-      const reply = await fetch(this.url + name, { cache, integrity: this.table.integrity[name] });
-      return new Uint8Array(await read("arrayBuffer")(reply));
-    } catch (error) {
-      this.#damaged.add(name);
-      throw new Error(`${name}: ${error.message}`);
-    }
-  }
-
-  /** Begin to fetch parts. */
-  expect(/** @type {string[]} */ names = []) {
-    for (const name of names) {
-      if (this.#here.has(name) || this.#coming.has(name)) continue;
-      const coming = this.fetch(`${name}.zip`);
-      coming.catch(() => {}); // told to whoever provides it
-      this.#coming.set(name, coming);
-    }
-  }
-
-  /** Have parts in place; one that cannot be had is asked for again by whoever imports it. */
-  async provide(/** @type {string[]} */ names = []) {
-    this.expect(names);
-    for (const name of names) {
-      const coming = this.#coming.get(name);
-      const archive = await coming?.catch(() => null);
-      this.#coming.delete(name);
-      if (archive && !this.#here.has(name)) this.#place(name, archive);
-    }
-  }
-
-  /** Have a part in place at once: Python is in the midst of importing from it. */
-  fetchNow(/** @type {string} */ name) {
-    if (this.#here.has(name)) return;
-    const request = new XMLHttpRequest();
-    request.open("GET", `${this.url}${name}.zip`, false);
-    request.responseType = "arraybuffer";
-    request.send();
-    if (request.status !== 200) throw new Error(`${request.responseURL}: ${request.status}`);
-    this.#place(name, new Uint8Array(request.response));
-  }
-
-  unpackInto(pyodide) {
-    this.#pyodide = pyodide;
-    const site = pyodide.pyimport("site");
-    this.folder = site.getsitepackages().get(0);
-  }
-
-  unpack(/** @type {Uint8Array} */ archive) {
-    this.#pyodide.unpackArchive(archive, "zip", { extractDir: this.folder });
-  }
-
-  #place(/** @type {string} */ name, /** @type {Uint8Array} */ archive) {
-    this.unpack(archive);
-    this.#here.add(name);
-  }
-}
-
-/** @returns {(reply: Response) => Promise<any>} The body of a reply, which must be a good one. */
-function read(/** @type {"json" | "arrayBuffer"} */ kind) {
-  return (reply) => {
-    if (!reply.ok) throw new Error(`${reply.url}: ${reply.status}`);
-    return reply[kind]();
-  };
-}
 
 /** Copies of the pixels, out of the interpreter's memory. @returns {ArrayBuffer[]} */
 function takeRasters(frame) {
@@ -235,6 +146,6 @@ function webAssemblyFailure() {
 /** Replace what the HTTP cache holds: a damaged file must not come back on a second try. */
 async function refetch(url) {
   const reload = (name) => fetch(url + name, { cache: "reload" });
-  const names = [...CORE_FILES, PYTHON, NUMPY, SIMULATIONS, "runtime.json"];
+  const names = [...PYODIDE, PYTHON, NUMPY, SIMULATIONS, TABLE];
   await Promise.all(names.map(reload));
 }
