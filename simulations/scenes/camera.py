@@ -12,7 +12,9 @@ from simulations.engine.scene import Scene
 from simulations.models import optics, projection
 from simulations.models.aperture_grid import aperture_grid
 from simulations.scenes.camera_lens import (
+    COLUMNS,
     PITCH_MM,
+    ROWS,
     SENSOR_WIDTH_MM,
     bend_rays,
     largest_blur_px,
@@ -100,9 +102,8 @@ def depth_of_field_m(values: Values) -> tuple[float, float]:
 
 def psnr_db(picture: Raster, ideal: Raster) -> float:
     """Peak signal-to-noise ratio of two pictures in 8-bit codes; ∞ where they are the same."""
-    error = np.subtract(picture, ideal, dtype=np.float32)  # nothing where both are opaque
-    mean_square = float(np.vdot(error, error)) / (0.75 * error.size)
-    return 10.0 * math.log10(255.0**2 / mean_square) if mean_square > 0 else math.inf
+    error = rms_codes(picture, ideal)
+    return 20.0 * math.log10(255.0 / error) if error > 0 else math.inf
 
 
 def shutter_text(seconds: float) -> str:
@@ -144,21 +145,29 @@ def error(values: Values, tier: str, cache: StageCache) -> Iterator[Readout]:
 
     One ray a pixel more with each step; the rays stand on a grid that no tier uses.
     """
-    outputs = run_tier(values, tier, cache).outputs
-    picture: Raster = outputs["noiseless picture"]
-    rays = bend_rays(pinhole_rays(values.number("focal_length")), values.number("k1"))
-    points = aperture_grid(REFERENCE_GRID)
-    setting = {n: values.number(n) for n in ("light_angle", "focal_length", "aperture", "focus")}
-    total = np.zeros((3, *picture.shape[:2]), np.float32)
-    for count, at in enumerate(points, start=1):
-        total += through_lens(rays, at, **setting)
-        seen = np.asarray(total / count, np.float32)
-        light = vignette(seen, setting["focal_length"])
-        truth = develop_ideal(expose(light, values.number("exposure")))
-        difference = picture[..., :3].astype(np.float32) - truth[..., :3]
-        codes = format_number(math.sqrt(float(np.mean(difference * difference))), 2)
-        label = f"RMS error against {count} of {len(points)} rays through the lens"
+    picture: Raster = run_tier(values, tier, cache).outputs["noiseless picture"]
+    rays = len(aperture_grid(REFERENCE_GRID))
+    for count, truth in enumerate(references(values), start=1):
+        codes = format_number(rms_codes(picture, truth), 2)
+        label = f"RMS error against {count} of {rays} rays through the lens"
         yield Readout("error", label, codes, "codes of 255", "error")
+
+
+def references(values: Values) -> Iterator[Raster]:
+    """The noiseless picture seen through more and more points of the lens."""
+    setting = {n: values.number(n) for n in ("light_angle", "focal_length", "aperture", "focus")}
+    rays = bend_rays(pinhole_rays(setting["focal_length"]), values.number("k1"))
+    total = np.zeros((3, ROWS, COLUMNS), np.float32)
+    for count, at in enumerate(aperture_grid(REFERENCE_GRID), start=1):
+        total += through_lens(rays, at, **setting)
+        light = vignette(total / np.float32(count), setting["focal_length"])
+        yield develop_ideal(expose(light, values.number("exposure")))
+
+
+def rms_codes(picture: Raster, truth: Raster) -> float:
+    """Root mean square of the difference in 8-bit codes; both are opaque."""
+    error = np.subtract(picture, truth, dtype=np.float32)
+    return math.sqrt(float(np.vdot(error, error)) / (0.75 * error.size))
 
 
 def _readouts(

@@ -1,17 +1,24 @@
 """Chapter 8: the whole camera."""
 
+from functools import cache
+from itertools import pairwise
 from math import hypot, isclose, sqrt, tan
 
 from support.worked_numbers import Says
 
+from simulations.engine.controls import check_values
+from simulations.engine.pipeline import StageCache
 from simulations.models.color import encode_srgb
 from simulations.models.distortion import Distortion, distort, largest_distorted_radius
 from simulations.models.optics import circle_of_confusion_mm, field_of_view_rad, hyperfocal
 from simulations.models.vignetting import vignetting_cos4
+from simulations.scenes import camera
+from simulations.scenes.camera_lens import margin_px
 from simulations.scenes.camera_sensor import ADC
+from simulations.scenes.camera_stages import STAGES
 
 CHAPTER = "08-full-camera-model"
-GIVEN = """0.1 0.2 0.30 0.40 0.6 0.8 1.4 1.85 1.90 2.8 3.2 5.6 100 135 176 264 3200 10_000"""
+GIVEN = """0.01 0.1 0.2 0.30 0.4 0.40 0.6 0.8 1.4 1.85 1.9 1.90 2.8 3.2 5.6 100 135 176 264 3200 10_000"""
 PIXEL_MM = 36 / 264
 
 
@@ -103,6 +110,44 @@ def a_code_in_electrons() -> Says:
     yield f"a code is about {ADC.full_well_e / 255:.0f} electrons here"
 
 
+def what_bending_the_picture_costs() -> Says:
+    picture, rays = errors_in_codes(aperture=8, k1=-0.1)
+    yield f"At f/8 and $k_1 = -0.1$ the picture is {picture:.1f} codes of 255 from one"
+    yield f"With bent rays it is {rays:.1f}."
+    picture, rays = errors_in_codes(focal_length=135, aperture=1.4, k1=0.4)
+    yield f"{picture:.1f} codes from the truth and the one of bent rays {rays:.1f}."
+    assert picture < rays
+
+
+@cache
+def errors_in_codes(**setting: float) -> tuple[float, float]:
+    """Of the bent picture and of that of bent rays, against rays through the whole lens."""
+    values = check_values(camera.CONTROLS, setting)
+    *_, truth = camera.references(values)
+    bent_picture, bent_rays = (
+        camera.run_tier(values, tier, StageCache()).outputs["noiseless picture"]
+        for tier in ("layers", "bent-rays")
+    )
+    return camera.rms_codes(bent_picture, truth), camera.rms_codes(bent_rays, truth)
+
+
+def how_seldom_the_straight_picture_is_drawn_again() -> Says:
+    again = []
+    for lens in range(24, 136, 10):
+        sweep = [
+            margin_px(check_values(camera.CONTROLS, {"focal_length": lens, "k1": k1 / 100}))
+            for k1 in range(-40, 41)
+        ]
+        again += [before != after for before, after in pairwise(sweep)]
+    assert 0.05 < sum(again) / len(again) < 0.15
+    yield "only one in ten or so has to draw the straight picture again"
+
+
+def how_many_stages_there_are() -> Says:
+    assert len(STAGES) == 18
+    yield "A photograph here takes eighteen stages"
+
+
 WORKED = (
     the_camera_s_pixels,
     where_a_point_lands,
@@ -113,4 +158,7 @@ WORKED = (
     past_the_fold,
     wide_lens_distortion,
     a_code_in_electrons,
+    what_bending_the_picture_costs,
+    how_seldom_the_straight_picture_is_drawn_again,
+    how_many_stages_there_are,
 )
