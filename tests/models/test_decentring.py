@@ -74,17 +74,37 @@ def test_a_point_that_runs_off_to_nan_is_left_there():
     assert not np.isfinite(found[0, 0])
 
 
-def test_far_out_a_step_is_judged_against_the_distance():
-    """One that is a billionth of a million is worth no further one, though it is 0.001 long."""
+def squares(x, y):
+    return x * x, y * y, 2 * x, 0 * x, 2 * y
+
+
+@pytest.mark.parametrize("axis", [0, 1])
+@pytest.mark.parametrize("offset", [-0.2, 0.2])
+def test_a_step_in_either_sense_of_either_axis_calls_for_another(axis, offset):
+    root = np.array([[0.7, 0.9]])
+    start = root + offset * np.eye(2)[axis]
+    assert_allclose(solve_in_plane(squares, root**2, start), root, atol=1e-15)
+
+
+@pytest.mark.parametrize("axis", [0, 1])
+@pytest.mark.parametrize("place", [-1e6, 1e6])
+def test_far_out_a_step_is_judged_against_the_distance(place, axis):
+    """One of 0.0003 at a million is worth no further one; at 0.1 it would be."""
     calls = []
 
-    def parabola(x, y):
+    def counted(x, y):
         calls.append(x.size)
-        return x * x, y, 2 * x, 0 * x, 1 + 0 * x
+        return squares(x, y)
 
-    found = solve_in_plane(parabola, np.array([[1e12, 0.0]]), np.array([[1e6 + 3e-4, 0.0]]))
-    assert found[0, 0] == pytest.approx(1e6, rel=1e-15)
+    root = np.ones((1, 2))
+    root[0, axis] = place
+    start = root.copy()
+    start[0, axis] += 3e-4
+    assert_allclose(solve_in_plane(counted, root**2, start), root, rtol=1e-15)
     assert len(calls) == 1
+    start[0, axis] += 0.1
+    assert_allclose(solve_in_plane(counted, root**2, start), root, rtol=1e-15)
+    assert len(calls) == 3
 
 
 @pytest.mark.parametrize("p", [(0.02, 0.0), (0.0, 0.02), (-0.01, 0.015)])
@@ -140,6 +160,37 @@ def test_points_behind_a_turning_are_not_on_the_sheet_of_the_axis():
     assert_allclose(lens.linearised(*far.T)[1], lens.linearised(*near.T)[1])
     points = np.concatenate((far, near, [[0.0, 3.0]]))
     assert decentring._same_sheet(points, lens).tolist() == [False, True, True]
+
+
+@pytest.mark.parametrize("k1", [-0.2, 0.0, 0.02])
+def test_the_sheet_is_that_of_points_towards_which_the_determinant_stays_positive(k1):
+    lens, plain = (
+        DecentredLens(RadialProfile((k1,)), 0.06, -0.09),
+        Distortion(k1, p1=0.06, p2=-0.09),
+    )
+    points = np.random.default_rng(5).uniform(-3.0, 3.0, (4000, 2))
+    fractions = np.arange(1, 17)[:, None, None] / 16
+    expected = (np.linalg.det(jacobian(fractions * points, plain)) > 0).all(axis=0)
+    assert 0.1 < expected.mean() < 0.9
+    np.testing.assert_array_equal(decentring._same_sheet(points, lens), expected)
+
+
+def test_a_solution_on_another_sheet_is_none():
+    lens = DecentredLens(RadialProfile(), 0.1, 0.0)
+    behind = np.array([[0.0, -3.0]])
+    seen = np.stack(lens.linearised(*behind.T)[:2], axis=-1)
+    assert not undo_decentred(seen, behind, lens)[1].any()
+    assert undo_decentred(seen, seen, lens)[1].all()
+
+
+@pytest.mark.parametrize("direction", [(1, 0), (-1, 0), (0, 1), (0, -1)])
+def test_far_out_a_solution_may_miss_by_the_rounding_of_its_place(direction):
+    lens = DecentredLens(RadialProfile(), 1e-9, 1e-9)
+    distances = 1e6 * np.linspace(1.0, 1.1, 400)[:, None]
+    seen = distances * np.asarray(direction, float)
+    ideal, valid = undo_decentred(seen, seen, lens)
+    assert valid.all()
+    assert_allclose(np.stack(lens.linearised(*ideal.T)[:2], -1), seen, rtol=1e-14, atol=1e-8)
 
 
 def test_what_cannot_be_undone_stays_at_its_start():
