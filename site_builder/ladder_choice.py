@@ -34,13 +34,14 @@ class Choice:
     cheaper: Neighbour | None
     """None where nothing on the front is quicker."""
     dearer: Neighbour | None
-    """None where nothing measured is more accurate."""
+    """None where nothing that takes longer is clearly more accurate."""
 
 
 def default_choice(measured: MeasuredLadder) -> Choice:
     """The default of a ladder that is judged by its first metric."""
     default = measured[measured.ladder.default_tier]
-    front = measured.front(SIDE)
+    # What only rounding puts on the front is no alternative.
+    front = [item for item in measured.front(SIDE) if not measured.beaten_by(item, SIDE)]
     ms = default.times[SIDE].ms
     cheaper = [item for item in front if item.times[SIDE].ms < ms]
     dearer = [item for item in front if item.times[SIDE].ms > ms]

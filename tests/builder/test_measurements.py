@@ -144,6 +144,14 @@ def test_a_default_at_an_end_of_the_front_has_no_neighbour_there() -> None:
     assert (choice.cheaper, choice.dearer) == (None, None)
 
 
+def test_a_neighbour_that_only_rounding_puts_on_the_front_is_passed_over() -> None:
+    data = toy_data()["ladders"]["toy"]["tiers"]
+    data["fine"]["errors"]["rms"], data["exact"]["errors"]["rms"] = 2e-16, 1e-16
+    measured = toy_measurements(tiers=data).find("toy")
+    assert [item.tier.id for item in measured.front("browser")] == ["rough", "fine", "exact"]
+    assert default_choice(measured).dearer is None
+
+
 def test_a_default_off_the_front_is_named_with_all_that_beat_it() -> None:
     data = toy_data()["ladders"]["toy"]["tiers"]
     data["exact"]["browser"] = timing(5.0)
