@@ -213,7 +213,7 @@ TABLE = ExtremeTable(
             call="euler.from_matrix(np.eye(3), 'ZXZ')[1]",
             why="In z-x-z angles the identity itself is locked.",
             returns="True: for this sequence the trouble lies at 0, not at 90°.",
-            expected=lambda got: got is True,
+            expected=exactly(True),
         ),
         ExtremeCase(
             id="reflection",

@@ -11,35 +11,54 @@ zero and ``locked`` is True.
 """
 
 import math
-from collections.abc import Sequence
 
 import numpy as np
-from numpy.typing import ArrayLike
+from numpy.typing import ArrayLike, NDArray
 
 from simulations.models import quaternions
 from simulations.models.rotations import Floats, check_rotation, from_axis_angle
+
+type Mask = NDArray[np.bool_]
 
 LOCK_RAD = 1e-7
 """Distance of the middle angle from the locked position below which the outer angles are noise."""
 
 
-def to_matrix(sequence: str, angles_rad: Sequence[float]) -> Floats:
-    """Rotation matrix (3, 3) of three turns, ``angles_rad`` in the order of the letters."""
-    axes = _axes(sequence)
-    turns = [
-        from_axis_angle(np.eye(3)[a], angle) for a, angle in zip(axes, angles_rad, strict=True)
-    ]
+def to_matrix(sequence: str, angles_rad: ArrayLike) -> Floats:
+    """Rotation matrices (..., 3, 3) of three turns each.
+
+    ``angles_rad`` (..., 3), finite, in the order of the letters.
+    """
+    axes, angles = _axes(sequence), np.asarray(angles_rad, float)
+    if angles.shape[-1:] != (3,):
+        raise ValueError(f"angles_rad of shape {angles.shape}; legal: (..., 3)")
+    turns = [from_axis_angle(np.eye(3)[axis], angles[..., at]) for at, axis in enumerate(axes)]
     first, second, third = turns if sequence.isupper() else reversed(turns)
     R: Floats = first @ second @ third
     return R
 
 
-def from_matrix(R: ArrayLike, sequence: str) -> tuple[tuple[float, float, float], bool]:
-    """The three angles in radians of a rotation matrix (3, 3), and whether they are locked.
+def from_matrix(R: ArrayLike, sequence: str) -> tuple[Floats, Mask]:
+    """The three angles of rotation matrices, and whether they are locked.
 
-    The middle angle is in [−π/2, π/2] for three different axes, else in [0, π]; the others are
-    in (−π, π]. Goes through the quaternion (Bernardes and Viollet, PLOS ONE 2022), which treats
-    all sequences alike. Raises `ValueError` where R is no rotation.
+    Goes through the quaternion (Bernardes and Viollet, PLOS ONE 2022), which treats all
+    sequences alike.
+
+    Parameters
+    ----------
+    R : (..., 3, 3)
+    sequence : such as "ZYX" or "xyz"
+
+    Returns
+    -------
+    angles_rad : (..., 3), in the order of the letters. The middle one is in [−π/2, π/2] for three
+        different axes, else in [0, π]; the others are in (−π, π].
+    locked : (...,) bool
+
+    Raises
+    ------
+    ValueError
+        Where R is no rotation, or the sequence none.
     """
     axes = _axes(sequence)
     intrinsic = sequence.isupper()
@@ -48,20 +67,20 @@ def from_matrix(R: ArrayLike, sequence: str) -> tuple[tuple[float, float, float]
     k = 3 - i - j if proper else k
     sign = (i - j) * (j - k) * (k - i) // 2
     q = quaternions.from_matrix(check_rotation(R))
-    w, qi, qj, qk = float(q[0]), float(q[1 + i]), float(q[1 + j]), float(q[1 + k]) * sign
+    w, qi, qj, qk = q[..., 0], q[..., 1 + i], q[..., 1 + j], q[..., 1 + k] * sign
     a, b, c, d = (w, qi, qj, qk) if proper else (w - qj, qi + qk, qj + w, qk - qi)
-    middle = 2.0 * math.atan2(math.hypot(c, d), math.hypot(a, b))
-    half_sum, half_difference = math.atan2(b, a), math.atan2(d, c)
-    first, third = half_sum - half_difference, half_sum + half_difference
-    locked = min(middle, math.pi - middle) < LOCK_RAD
-    if locked:
-        known = 2.0 * half_sum if middle < 1.0 else 2.0 * half_difference
-        first_known = known if middle < 1.0 else -known
-        first, third = (0.0, known) if intrinsic else (first_known, 0.0)
+    middle = 2.0 * np.arctan2(np.hypot(c, d), np.hypot(a, b))
+    half_sum, half_difference = np.arctan2(b, a), np.arctan2(d, c)
+    locked = np.minimum(middle, math.pi - middle) < LOCK_RAD
+    low = middle < 1.0
+    known = 2.0 * np.where(low, half_sum, half_difference)
+    lone = (0.0, known) if intrinsic else (np.where(low, known, -known), 0.0)
+    first = np.where(locked, lone[0], half_sum - half_difference)
+    third = np.where(locked, lone[1], half_sum + half_difference)
     if not proper:
         third, middle = third * sign, middle - math.pi / 2.0
     first, third = (third, first) if intrinsic else (first, third)
-    return (_wrapped(first), middle, _wrapped(third)), locked
+    return np.stack([_wrapped(first), middle, _wrapped(third)], axis=-1), locked
 
 
 def _axes(sequence: str) -> list[int]:
@@ -75,6 +94,7 @@ def _axes(sequence: str) -> list[int]:
     return ["xyz".index(letter) for letter in letters]
 
 
-def _wrapped(angle_rad: float) -> float:
-    wrapped = math.remainder(angle_rad, 2.0 * math.pi)
-    return math.pi if wrapped == -math.pi else wrapped
+def _wrapped(angle_rad: Floats) -> Floats:
+    """The same direction in (−π, π]; angles of less than two turns lose nothing."""
+    wrapped = angle_rad - 2.0 * math.pi * np.rint(angle_rad / (2.0 * math.pi))
+    return np.where(wrapped == -math.pi, math.pi, wrapped)
