@@ -26,6 +26,7 @@ SCENE_MODULES = {
 
 LADDER_MODULES = {
     "inverse-distortion": "simulations.ladders.inverse_distortion",
+    "inverse-pincushion": "simulations.ladders.inverse_pincushion",
     "srgb": "simulations.ladders.srgb",
     "demosaicing": "simulations.ladders.demosaicing",
     "resampling": "simulations.ladders.resampling",

@@ -7,7 +7,8 @@ import numpy as np
 import pytest
 
 from simulations.engine.ladder import pareto_front
-from simulations.ladders.inverse_distortion import FOCAL_PX, LADDER, prepare, reference, rms_px
+from simulations.ladders import inverse_pincushion
+from simulations.ladders.inverse_distortion import LADDER, prepare, reference, rms_px, worst_px
 from simulations.models.distortion import Distortion, distort
 from simulations.models.undistortion import (
     undistort_first_order,
@@ -24,14 +25,14 @@ RADII = np.stack((np.linspace(0.01, 0.9, 50), np.zeros(50)), axis=-1)
 
 def test_the_reference_is_imaged_back_onto_the_pixels() -> None:
     image = distort(TRUTH, WORK.lens)
-    assert FOCAL_PX * np.abs(image - WORK.seen).max() < 1e-12
+    assert WORK.focal_px * np.abs(image - WORK.seen).max() < 1e-12
 
 
 def test_the_reference_agrees_with_opencv() -> None:
     coefficients = np.array([-0.3, 0.1, 0.0, 0.0])
     until = (cv2.TERM_CRITERIA_COUNT + cv2.TERM_CRITERIA_EPS, 100, 1e-16)
     oracle = cv2.undistortPoints(WORK.seen[:, None], np.eye(3), coefficients, criteria=until)
-    assert FOCAL_PX * np.abs(oracle[:, 0, :] - TRUTH).max() < 1e-9
+    assert WORK.focal_px * np.abs(oracle[:, 0, :] - TRUTH).max() < 1e-9
 
 
 @pytest.mark.parametrize(
@@ -111,3 +112,32 @@ def test_the_metric_notices_another_lens() -> None:
     other = replace(WORK, lens=Distortion(k1=-0.3001, k2=0.1))
     moved = LADDER.tier("newton-4").run(other)
     assert rms_px(moved, TRUTH, WORK) > 1e-3
+
+
+STRONG = inverse_pincushion.prepare()
+STRONG_TRUTH = reference(STRONG)
+
+
+def strong_worst_px(tier: str) -> float:
+    run = inverse_pincushion.LADDER.tier(tier).run
+    return worst_px(run(STRONG), STRONG_TRUTH, STRONG)
+
+
+def test_the_reference_of_the_pincushion_is_imaged_back_onto_the_pixels() -> None:
+    assert STRONG.focal_px * np.abs(distort(STRONG_TRUTH, STRONG.lens) - STRONG.seen).max() < 1e-12
+
+
+def test_in_the_strong_pincushion_more_fixed_point_steps_make_it_worse() -> None:
+    assert strong_worst_px("fixed-point-20") > strong_worst_px("fixed-point-5") > 100.0
+
+
+@pytest.mark.parametrize("tier", ["checked-table", "newton-bracketed"])
+def test_in_the_strong_pincushion_the_careful_tiers_lose_nothing(tier: str) -> None:
+    assert strong_worst_px(tier) < 1e-11
+
+
+def test_both_ladders_climb_the_same_tiers_over_as_many_points() -> None:
+    assert inverse_pincushion.LADDER.tiers == LADDER.tiers
+    assert STRONG.seen.shape == WORK.seen.shape == (76_800, 2)
+    assert np.abs(WORK.seen).max(axis=0) == pytest.approx([319.5 / 400, 239.5 / 400])
+    assert np.abs(STRONG.seen).max(axis=0) == pytest.approx([319.5 / 200, 239.5 / 200])
