@@ -5,6 +5,7 @@ import pytest
 from scipy import stats
 
 from simulations.models.sensor import (
+    SHOT_MODELS,
     Sensor,
     capture,
     develop,
@@ -301,3 +302,41 @@ def test_a_well_that_holds_nothing_is_refused(well):
         shot_noise([1.0], rng(), well)
     with pytest.raises(ValueError, match=r"^full_well_e"):
         shot_noise_from_normal([1.0], [0.0], well)
+
+
+@pytest.mark.parametrize(
+    ("name", "wrong"),
+    [
+        ("full_well_e", 0.0),
+        ("read_noise_e", -1.0),
+        ("dark_current_e_per_s", -0.1),
+        ("gain_e_per_dn", 0.0),
+        ("black_level_dn", 4095.0),
+        ("quantum_efficiency", 1.1),
+    ],
+)
+def test_a_sensor_says_which_of_its_numbers_is_illegal(name, wrong):
+    with pytest.raises(ValueError, match=rf"^{name} {wrong}; legal: "):
+        Sensor(**{name: wrong})
+
+
+def test_what_is_asked_of_a_sensor_is_refused_by_name():
+    with pytest.raises(ValueError, match=r"^iso 0; legal: above 0$"):
+        with_iso(Sensor(), 0)
+    with pytest.raises(ValueError, match=r"^exposure_s inf; legal: "):
+        expose(1.0, np.inf, Sensor())
+    with pytest.raises(ValueError, match=r"^samples 1; legal: 2 or more$"):
+        photon_transfer([1.0], Sensor(), rng(), samples=1)
+
+
+def test_an_iso_below_one_is_a_slow_film_and_legal():
+    assert with_iso(Sensor(gain_e_per_dn=2.0), 0.5).gain_e_per_dn == 400.0
+
+
+def test_read_noise_below_one_electron_is_noise_as_well():
+    quiet = Sensor(read_noise_e=0.5, gain_e_per_dn=1.0, black_level_dn=0.0)
+    assert read_out(np.zeros(20_000), quiet, rng()).std() == pytest.approx(0.5, rel=0.02)
+
+
+def test_the_models_of_shot_noise_are_listed_from_cheap_to_exact():
+    assert SHOT_MODELS == ("gaussian", "skewed", "poisson")
