@@ -216,9 +216,9 @@ SCENE = Scene(
     drafted=("focal_length", "light_angle"),
     tier_labels={
         "draft": "Draft: a ray for four pixels",
-        "layers": "A ray a pixel; blur and distortion after",
-        "bent-rays": "A bent ray a pixel; blur after",
-        "aperture-rays": "12 bent rays a pixel through the lens",
+        "layers": "Bent picture, blurred layers",
+        "bent-rays": "Bent rays, blurred layers",
+        "aperture-rays": "12 bent rays a pixel",
     },
     error=error,
 )
