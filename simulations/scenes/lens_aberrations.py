@@ -161,7 +161,7 @@ SCENE = Scene(
     tiers=TIERS,
     default_tier=DEFAULT_TIER,
     draft_tier="gauss-3",
-    drafted=("stop", "aperture"),
+    drafted=("stop",),
     ladder="chromatic-aberration",
     error=error,
 )

@@ -106,7 +106,8 @@ def magnify(plane: NDArray[np.float32], scale: float) -> NDArray[np.float32]:
     """A plane (H, W) scaled about its centre by bicubic interpolation, one axis after the other."""
     if scale == 1.0:
         return plane
-    return _magnify_rows(_magnify_rows(plane, scale).T, scale).T
+    turned = np.ascontiguousarray(_magnify_rows(plane, scale).T)  # rows are quick to gather
+    return np.ascontiguousarray(_magnify_rows(turned, scale).T)
 
 
 def _magnify_rows(plane: NDArray[np.float32], scale: float) -> NDArray[np.float32]:

@@ -47,6 +47,8 @@ export class Accuracy {
   #waiting = null;
   #timer = 0;
   #near = false;
+  /** A figure's first frame also waits for its code to be loaded, and says so. */
+  #frames = 0;
 
   /**
    * @param {HTMLElement} figure
@@ -62,6 +64,8 @@ export class Accuracy {
   shown(/** @type {{values: string, tier: string}} */ job, ms, settled) {
     if (!this.line) return;
     this.stop();
+    this.#frames += 1;
+    setText(this.line.querySelector(".accuracy-frame"), this.#frames > 1 ? "frame" : "first frame");
     setText(this.line.querySelector(".accuracy-ms"), `${ms.toFixed(ms < 10 ? 1 : 0)}\u00a0ms`);
     setText(this.line.querySelector(".accuracy-value"), "…");
     delete this.line.dataset.judged;
@@ -110,7 +114,8 @@ export class Accuracy {
 
   #write({ label, text, unit }) {
     setText(this.line.querySelector(".accuracy-label"), label);
-    setText(this.line.querySelector(".accuracy-value"), unit ? `${text}\u00a0${unit}` : text);
+    const gap = unit === "" || unit === "°" ? "" : "\u00a0";
+    setText(this.line.querySelector(".accuracy-value"), text + gap + unit);
   }
 }
 
