@@ -19,7 +19,14 @@ from simulations.models.radial_profile import (
     fold_radius,
     largest_image_radius,
 )
-from simulations.models.radial_table import TOLERANCE, inverse_table, invert, shrinkage
+from simulations.models.radial_table import (
+    CHECKS,
+    NODES,
+    TOLERANCE,
+    inverse_table,
+    invert,
+    shrinkage,
+)
 
 LONGEST_FOCAL_PX = 2000.0
 FURTHEST = 1.2
@@ -146,13 +153,31 @@ def test_in_a_large_picture_bad_points_spoil_no_others(k1):
     np.testing.assert_allclose(distort(ideal[good], lens), seen[good], rtol=2e-12)
 
 
-def test_past_the_fold_points_are_put_on_its_circle_without_being_solved_for(monkeypatch):
-    lens = Distortion(k1=-0.5)
-    solved = []
+@pytest.fixture
+def solved(monkeypatch):
+    """How many points each call of the bracket was asked to solve."""
+    sizes = []
     solve = radial_inverse._solve
     monkeypatch.setattr(
-        radial_inverse, "_solve", lambda *args: (solved.append(args[1].size), solve(*args))[1]
+        radial_inverse, "_solve", lambda *args: (sizes.append(args[1].size), solve(*args))[1]
     )
+    return sizes
+
+
+def test_radii_within_the_table_are_not_solved_for(solved):
+    invert(RadialProfile((0.5,)), np.linspace(0.0, 2.0, 3000))
+    assert solved == []
+
+
+def test_a_fold_far_out_does_not_coarsen_the_table_of_a_picture():
+    """The last term folds the curve beyond r = 10⁸; those before make a wiggle at r = 0.3."""
+    profile = RadialProfile((0.0, 1.0, 1000.0, -1e-14), (0.0, 0.0, 1000.0))
+    assert 1e8 < fold_radius(profile) < 1e9
+    assert shrinkage(profile, np.linspace(0.0, 0.99, 3000) ** 2)[1].all()
+
+
+def test_past_the_fold_points_are_put_on_its_circle_without_being_solved_for(solved):
+    lens = Distortion(k1=-0.5)
     seen = np.linspace((-0.9, -0.9), (0.9, 0.9), 5000)
     ideal, valid = undistort(seen, lens)
     radius = np.hypot(*seen.T)
@@ -173,18 +198,41 @@ def test_where_a_curve_is_nearly_flat_the_table_ends_and_the_answer_is_right_all
     np.testing.assert_allclose(evaluate(profile, radius), image_radius, rtol=1e-12)
 
 
-def test_a_cell_that_is_off_ends_the_table_before_it():
+@pytest.mark.parametrize(("error", "held"), [(0.95e-12, True), (1.05e-12, False)])
+def test_a_cell_that_is_off_by_more_than_a_trillionth_ends_the_table_before_it(error, held):
     profile = RadialProfile((-0.3,))
     table = inverse_table(profile, 1.0)
-    doctored = table.coefficients.copy()
-    doctored[0, 100] *= 1.0 + 5e-12
     grid, fold = table.grid, fold_radius(profile)
+    doctored = table.coefficients.copy()
+    doctored[:, 100] *= 1.0 + error
     reach = radial_table._checked_reach(profile, fold, grid, doctored)
     # Cells are counted from the fold, u = 0, to the axis, u = 1; this one's edge is at 100.5.
-    edge = 4 / 9 * fold**2 * (1.0 - (100.5 / radial_table.CELLS[0]) ** 2)
-    assert reach == pytest.approx(edge, rel=1e-12)
-    doctored[0, -1] *= 1.0 + 5e-12
-    assert radial_table._checked_reach(profile, fold, grid, doctored) == 0.0
+    edge = 4 / 9 * fold**2 * (1.0 - (100.5 / 256) ** 2)
+    assert reach == pytest.approx(table.reach if held else edge, rel=1e-12)
+    doctored[:, -1] *= 1.0 + error
+    at_the_axis = radial_table._checked_reach(profile, fold, grid, doctored)
+    assert at_the_axis == (table.reach if held else 0.0)
+
+
+def test_cells_are_checked_where_a_polynomial_through_the_nodes_errs_most():
+    """There the product of the distances to the nodes is 2 (1/4)⁵, and less in between."""
+    anywhere = np.linspace(-0.5, 0.5, 2001)
+    product = [np.prod(np.subtract.outer(at, NODES), axis=1) for at in (CHECKS, anywhere)]
+    np.testing.assert_allclose(np.abs(product[0]), 2 / 4**5, rtol=1e-12)
+    assert CHECKS.size == NODES.size + 1
+    assert np.abs(product[1]).max() <= 2 / 4**5 * (1 + 1e-12)
+
+
+@pytest.mark.parametrize(("count", "tables"), [(2047, 0), (2048, 1)])
+def test_a_table_is_made_for_2048_points_and_more(count, tables):
+    images = np.linspace(0.0, 0.5, count)
+    for undo in (
+        lambda: invert(RadialProfile((0.3,)), images),
+        lambda: undistort(np.stack((images, images), -1), Distortion(k1=0.3)),
+    ):
+        inverse_table.cache_clear()
+        undo()
+        assert inverse_table.cache_info().misses == tables
 
 
 def test_pictures_of_one_lens_share_a_table_and_its_answers():
@@ -200,7 +248,9 @@ def test_pictures_of_one_lens_share_a_table_and_its_answers():
         inverse_table(profile, 1.0).coefficients[0, 0] = 1.0
 
 
-@pytest.mark.parametrize(("furthest", "reach"), [(1e-3, 1.0), (1.1, 2.0), (2.5, 8.0), (50.0, 64.0)])
+@pytest.mark.parametrize(
+    ("furthest", "reach"), [(1e-3, 1.0), (1.1, 2.0), (2.5, 8.0), (8.0, 64.0), (50.0, 64.0)]
+)
 def test_a_table_without_a_fold_reaches_the_next_power_of_two_beyond_the_furthest_point(
     furthest, reach
 ):
