@@ -137,7 +137,7 @@ def error(values: Values, tier: str, cache: StageCache) -> Iterator[Readout]:
         chance = largest_chance_gap(*counted.shape)
         label = (
             f"Largest gap to Poisson’s cumulative, {exposures} of {EXPOSURES} exposures "
-            f"(by chance alone {format_number(chance, 3)})"
+            f"(chance: {format_number(chance, 3)})"
         )
         yield Readout("error", label, format_number(gap, 3), "probability", "error")
 
