@@ -12,12 +12,14 @@ from simulations.engine.extreme import (
     valid,
 )
 from simulations.models import distortion, fisheye, undistortion
-from simulations.models.distortion import Distortion
+from simulations.models.distortion import Distortion, distort
 
 UNDO = (
     "cv2.undistortPoints(np.array([[[{}]]]), np.eye(3), np.array([{}]), "
     "criteria=(cv2.TERM_CRITERIA_COUNT + cv2.TERM_CRITERIA_EPS, {}, 1e-12))[0, 0]"
 )
+
+NEARLY_FLAT = Distortion(k1=-0.3, k2=0.04050002)
 
 TABLE = ExtremeTable(
     id="distortion",
@@ -97,6 +99,19 @@ TABLE = ExtremeTable(
             expected=lambda got: got[1] and np.isclose(got[0][0] * (1 + 0.5 * got[0][0] ** 2), 3.0),
             naive="undistort_fixed_point([3.0, 0.0], PINCUSHION, 100)",
             library=LibraryAnswer(UNDO.format("3.0, 0.0", "0.5, 0, 0, 0.0", 5), "[1.4561, 0]"),
+        ),
+        ExtremeCase(
+            id="nearly-flat",
+            call="undistort([0.795, 0.0], Distortion(k1=-0.3, k2=0.04050002))",
+            why="The slope comes within 4e−7 of zero and rises again: no fold, but almost one.",
+            returns="The root, r = 1.4478. A hundred divisions end 31 px short at f = 1000 px.",
+            expected=lambda got: (
+                got[1] and np.isclose(distort(got[0], NEARLY_FLAT)[0], 0.795, rtol=1e-15, atol=0.0)
+            ),
+            naive="undistort_fixed_point([0.795, 0.0], Distortion(k1=-0.3, k2=0.04050002), 100)",
+            library=LibraryAnswer(
+                UNDO.format("0.795, 0.0", "-0.3, 0.04050002, 0, 0.0", 100), "[1.4168, 0]"
+            ),
         ),
         ExtremeCase(
             id="neutral-lens-far-out",
