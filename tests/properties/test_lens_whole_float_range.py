@@ -188,3 +188,16 @@ def test_profiles_invert_to_finite_radii(a, images):
     radius, valid = radial_table.invert(radial_profile.RadialProfile(tuple(a)), images)
     assert np.isfinite(radius).all()
     assert (radius[valid] >= 0.0).all()
+
+
+@given(coefficients | sensible_coefficients, arrays(7, 2))
+def test_pictures_are_undistorted_as_points_are(k, points):
+    """By the table where it holds: enough points for one to be made, however wild they are."""
+    d = lens([*k[:3], 0.0, 0.0, *k[5:]])
+    few_valid = distortion.undistort(points, d)[1]
+    ideal, valid = distortion.undistort(np.tile(points, (300, 1)), d)
+    assert np.isfinite(ideal).all()
+    np.testing.assert_array_equal(valid, np.tile(valid[:7], 300))
+    assert not (few_valid & ~valid[:7]).any()
+    seen = distortion.distort(ideal[:7][valid[:7]], d)
+    np.testing.assert_allclose(seen, points[valid[:7]], rtol=1e-9, atol=1e-300)
