@@ -23,9 +23,11 @@ def binned_gaussian(planes: Planes, radius_px: Floats, bins: int = 6) -> Planes:
     largest = float(radius_px.max(initial=0.0))
     chosen = np.rint(radius_px / max(largest, 1e-9) * (bins - 1)).astype(np.intp)
     result = np.empty_like(planes)
-    for index in np.unique(chosen):
-        kernel = gaussian_kernel(0.5 * largest * index / (bins - 1)).astype(np.float32)
+    for index in range(bins):
         here = chosen == index
+        if not here.any():
+            continue
+        kernel = gaussian_kernel(0.5 * largest * index / (bins - 1)).astype(np.float32)
         for plane, out in zip(planes, result, strict=True):
             out[here] = filter_and_sample(plane, 1, kernel)[here]
     return result
