@@ -2,6 +2,7 @@
 
 import warnings
 from math import log2, log10, sqrt
+from statistics import NormalDist
 
 import numpy as np
 from support.worked_numbers import Says
@@ -20,7 +21,7 @@ from simulations.models.sensor import Sensor, signal_to_noise, with_iso
 from simulations.scenes.sensor_noise_stages import patch_means_e, saturation_e, sensor_of
 
 CHAPTER = "06-digital-sensor"
-GIVEN = "20_000 4095 100 400 625 800 1000 255 0.5 1.2 2004 2007 10_000 1902 2856 1.10 0.80"
+GIVEN = "6400 20_000 4095 100 400 625 800 1000 255 0.5 1.2 2004 2007 10_000 1902 2856 1.10 0.80"
 WELL = 20_000.0
 
 
@@ -63,6 +64,13 @@ def patches_burnt_out_at_iso_800() -> Says:
     burnt = patch_means_e(0.0) > saturation_e(sensor_of(12, "800", 10))
     assert burnt.sum() == 8
     yield "eight patches are burnt out"
+
+
+def too_dark_for_a_gaussian() -> Says:
+    mean = float(patch_means_e(-6.0)[23])
+    yield f"Light frees {mean:.2f} electrons in a cell there"
+    below_zero = NormalDist(mean, sqrt(mean)).cdf(0.0)
+    assert 0.31 < below_zero < 0.34, "a third of its area"
 
 
 def what_green_is_worth() -> Says:
@@ -147,6 +155,7 @@ WORKED = (
     adding_noise_up,
     the_thirteenth_patch,
     patches_burnt_out_at_iso_800,
+    too_dark_for_a_gaussian,
     what_green_is_worth,
     an_error_of_one_code,
     sixteen_bits,
