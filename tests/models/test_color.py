@@ -166,3 +166,29 @@ def test_single_precision_stays_and_whole_numbers_become_double():
     assert color.decode_srgb(np.float32([0.1])).dtype == np.float32
     assert color.luminance(np.float32([0.1, 0.2, 0.3])).dtype == np.float32
     assert color.encode_srgb([1]).dtype == np.float64
+
+
+def test_the_ends_of_the_straight_piece_belong_to_it_and_what_is_beyond_to_the_curve():
+    assert color.encode_srgb(0.0031308) == 12.92 * 0.0031308
+    assert color.decode_srgb(0.04045) == 0.04045 / 12.92
+    assert color.decode_srgb(0.042) == pytest.approx(((0.042 + 0.055) / 1.055) ** 2.4, rel=1e-14)
+
+
+def test_the_table_takes_the_nearest_of_its_entries():
+    """Entry k stands for light (k/4096)²; halfway in the root, the next one begins."""
+    for k in (0, 1, 700, 4095):
+        entry = np.float32(color.encode_srgb((k / 4096) ** 2))
+        assert color.encode_srgb_table(((k + 0.49) / 4096) ** 2) == entry
+        assert color.encode_srgb_table(((k + 0.51) / 4096) ** 2) > entry
+
+
+def test_a_gamma_below_one_brightens_as_well_as_any():
+    np.testing.assert_allclose(color.encode_gamma([0.25, 0.5], 0.5), [0.0625, 0.25])
+
+
+def test_primaries_may_be_given_in_any_order_and_lie_close_together():
+    red, green, blue = color.SRGB_PRIMARIES_XY
+    swapped = color.rgb_to_xyz_matrix((green, red, blue))
+    np.testing.assert_allclose(swapped[:, [1, 0, 2]], color.rgb_to_xyz_matrix(), rtol=1e-12)
+    close = color.rgb_to_xyz_matrix(((0.3, 0.3), (0.3002, 0.3), (0.3, 0.3002)), (0.30005, 0.30005))
+    assert close.sum(axis=1)[1] == pytest.approx(1)

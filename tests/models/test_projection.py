@@ -335,3 +335,30 @@ def test_lines_and_planes_vanish_where_their_opposites_do():
         vanishing.vanishing_point((1.0, 2.0, 4.0), K)[0]
     )
     assert not vanishing.horizon((1e-17, 0, -1), projection.intrinsics(1.0, (0, 0)))[1]
+
+
+@pytest.mark.parametrize("size", [1e306, -1e306])
+def test_products_of_huge_homogeneous_coordinates_do_not_overflow(size):
+    P = projection.camera_matrix(projection.intrinsics(400.0, (320, 240)), np.eye(4))
+    points = [(size, 0.5 * size, 2 * size, size), (1e306, 0.5e306, 2e306, 1.0)]
+    pixels, valid = projection.project_homogeneous(points, P)
+    assert valid.all()
+    assert pixels == pytest.approx(np.array([[520, 340]] * 2))
+
+
+def test_a_point_with_one_pixel_coordinate_beyond_all_numbers_is_not_seen():
+    P = projection.camera_matrix(projection.intrinsics(1.0, (0, 0)), np.eye(4))
+    assert not projection.project_homogeneous((1.0, 0.0, 1e-310, 0.0), P)[1]
+
+
+@pytest.mark.parametrize(
+    ("eye", "target", "up", "message"),
+    [
+        ((0, 0, 0), (0, 0, 1), (0, 0, 0), "up: .* legal: finite, not zero"),
+        ((0, 0, 0), (1.7e308, 1.7e308, 0), (0, 0, 1), "target: .* legal: positive, finite"),
+        ((1.7e308, 1.7e308, 0), (0.85e308, 0.85e308, 0), (0, 0, 1), "eye: .* largest number"),
+    ],
+)
+def test_what_is_wrong_with_a_point_of_view_is_named(eye, target, up, message):
+    with pytest.raises(ValueError, match=message):
+        projection.look_at(eye, target, up)
