@@ -52,7 +52,7 @@ def invert_bracketed(
     wanted = target[valid]
     found = _solve(profile, wanted, fold if fold < inf else _upper_bound(profile, wanted))
     residual = np.abs(evaluate(profile, found) - wanted)
-    solved = (residual <= 1e-10 * np.maximum(wanted, 1e-300)) | (wanted == 0.0)
+    solved = residual <= 1e-10 * np.maximum(wanted, 1e-300)
     radius[valid] = np.where(solved, found, radius[valid])
     valid[valid] = solved
     return radius, valid

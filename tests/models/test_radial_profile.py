@@ -1,4 +1,4 @@
-"""Odd rational functions of the radius: their slope, fold and inverse against analysis."""
+"""Odd rational functions of the radius: their slope and fold against analysis."""
 
 import math
 
@@ -14,7 +14,6 @@ from simulations.models.radial_profile import (
     scale_slope,
     slope,
 )
-from simulations.models.radial_table import invert
 
 RADII = np.linspace(0.0, 1.2, 25)
 PROFILES = [
@@ -90,52 +89,6 @@ def test_the_largest_image_is_that_of_the_fold_unless_it_is_a_pole():
     assert largest_image_radius(RadialProfile((-1 / 3,))) == pytest.approx(2 / 3)
     assert largest_image_radius(RadialProfile((), (1.0,))) == pytest.approx(0.5)
     assert largest_image_radius(RadialProfile((), (-0.25,))) == math.inf
-
-
-@pytest.mark.parametrize("profile", [*PROFILES, RadialProfile((-1 / 3,)), RadialProfile((3.0,))])
-@pytest.mark.parametrize("reach", [1e-6, 0.9, 40.0])
-def test_the_inverse_returns_the_radius_to_all_digits(profile, reach):
-    radii = np.linspace(0.0, min(reach, 0.95 * fold_radius(profile)), 201).reshape(3, 67)
-    found, valid = invert(profile, evaluate(profile, radii))
-    assert valid.all()
-    np.testing.assert_allclose(found, radii, rtol=1e-12, atol=1e-15)
-
-
-def test_images_that_no_radius_has_are_put_on_the_fold():
-    profile = RadialProfile((-1 / 3,))
-    found, valid = invert(profile, [0.66, 0.67, -0.1, math.nan, math.inf, 0.0])
-    assert valid.tolist() == [True, False, False, False, False, True]
-    np.testing.assert_allclose(found[1:5], 1.0)
-    assert found[5] == 0
-    assert not invert(profile, largest_image_radius(profile))[1]
-
-
-def test_without_a_fold_what_is_invalid_is_put_on_the_axis():
-    for profile in (RadialProfile(), PROFILES[0]):
-        found, valid = invert(profile, [-0.1, math.nan, math.inf, 5.0])
-        assert valid.tolist() == [False, False, False, True]
-        assert found[:3].tolist() == [0, 0, 0]
-
-
-def test_the_identity_is_inverted_however_far():
-    found, valid = invert(RadialProfile((0.0,)), [0.0, 1e-300, 1e300])
-    assert valid.all()
-    assert found.tolist() == [0, 1e-300, 1e300]
-    assert evaluate(RadialProfile(), 1e300) == 1e300
-
-
-def test_close_to_the_fold_the_inverse_is_as_exact_as_its_slope_allows():
-    profile = RadialProfile((-1 / 3,))
-    radius = 1 - 1e-5
-    found, valid = invert(profile, evaluate(profile, radius))
-    assert valid
-    assert found == pytest.approx(radius, abs=1e-10)
-
-
-def test_far_out_where_the_cubic_prevails_it_is_a_cube_root():
-    found, valid = invert(RadialProfile((2.0,)), [2e30, 2e60])
-    assert valid.all()
-    np.testing.assert_allclose(found, [1e10, 1e20], rtol=1e-12)
 
 
 @pytest.mark.parametrize("size", [1e-4, 1.0, 1e8])

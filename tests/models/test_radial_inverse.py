@@ -1,0 +1,125 @@
+"""The slow and sure inverse of a radial profile: to all digits, and knowing where there is none."""
+
+import math
+
+import numpy as np
+import pytest
+
+from simulations.models import radial_inverse
+from simulations.models.radial_inverse import invert_bracketed
+from simulations.models.radial_profile import (
+    RadialProfile,
+    evaluate,
+    fold_radius,
+    largest_image_radius,
+)
+
+PROFILES = [
+    RadialProfile((0.1,)),
+    RadialProfile((-0.05, 0.02, 0.01)),
+    RadialProfile((0.2, 0.1), (0.3, 0.05, 0.01)),
+    RadialProfile((), (0.1, 0.02)),
+    RadialProfile((0.0, 0.2)),
+    RadialProfile((0.0, 0.0, 0.1), (0.0, 0.2)),
+    RadialProfile((1.0,), (2.0,)),  # rises for ever, and tends to r/2
+]
+
+
+@pytest.mark.parametrize("profile", [*PROFILES, RadialProfile((-1 / 3,)), RadialProfile((3.0,))])
+@pytest.mark.parametrize("reach", [1e-6, 0.9, 40.0])
+def test_the_inverse_returns_the_radius_to_all_digits(profile, reach):
+    radii = np.linspace(0.0, min(reach, 0.95 * fold_radius(profile)), 201).reshape(3, 67)
+    found, valid = invert_bracketed(profile, evaluate(profile, radii))
+    assert valid.all()
+    np.testing.assert_allclose(found, radii, rtol=1e-12, atol=1e-15)
+
+
+def test_images_that_no_radius_has_are_put_on_the_fold():
+    profile = RadialProfile((-1 / 3,))
+    found, valid = invert_bracketed(profile, [0.66, 0.67, -0.1, math.nan, math.inf, 0.0])
+    assert valid.tolist() == [True, False, False, False, False, True]
+    np.testing.assert_allclose(found[1:5], 1.0)
+    assert found[5] == 0
+    assert not invert_bracketed(profile, largest_image_radius(profile))[1]
+
+
+def test_without_a_fold_what_is_invalid_is_put_on_the_axis():
+    for profile in (RadialProfile(), PROFILES[0]):
+        found, valid = invert_bracketed(profile, [-0.1, math.nan, math.inf, 5.0])
+        assert valid.tolist() == [False, False, False, True]
+        assert found[:3].tolist() == [0, 0, 0]
+
+
+def test_the_identity_is_inverted_however_far():
+    found, valid = invert_bracketed(RadialProfile((0.0,)), [0.0, 1e-300, 1e300])
+    assert valid.all()
+    assert found.tolist() == [0, 1e-300, 1e300]
+    assert evaluate(RadialProfile(), 1e300) == 1e300
+
+
+def test_close_to_the_fold_the_inverse_is_as_exact_as_its_slope_allows():
+    profile = RadialProfile((-1 / 3,))
+    radius = 1 - 1e-5
+    found, valid = invert_bracketed(profile, evaluate(profile, radius))
+    assert valid
+    assert found == pytest.approx(radius, abs=1e-10)
+
+
+def test_far_out_where_the_cubic_prevails_it_is_a_cube_root():
+    found, valid = invert_bracketed(RadialProfile((2.0,)), [2e30, 2e60])
+    assert valid.all()
+    np.testing.assert_allclose(found, [1e10, 1e20], rtol=1e-12)
+
+
+@pytest.fixture
+def evaluations(monkeypatch):
+    """One entry for each time that the forward formula is asked."""
+    asked = []
+    monkeypatch.setattr(
+        radial_inverse, "evaluate", lambda *args: (asked.append(1), evaluate(*args))[1]
+    )
+    return asked
+
+
+def test_where_the_curve_is_mild_two_steps_are_enough(evaluations):
+    """Once more for the first guess, and once for the residual."""
+    invert_bracketed(RadialProfile((-1 / 3,)), np.linspace(0.0, 0.6, 50))
+    assert len(evaluations) == 4
+
+
+@pytest.mark.parametrize("size", [1e-3, 1.0, 1e4])
+@pytest.mark.parametrize("short_of_it", [1e-9, 1e-12, 1e-14, 1e-15, 3e-16])
+def test_up_to_the_last_digits_before_the_fold_it_ends_after_a_few_steps(
+    evaluations, size, short_of_it
+):
+    profile = RadialProfile((-1 / 3 / size**2,))
+    radius, valid = invert_bracketed(profile, 2 / 3 * size * (1.0 - short_of_it))
+    if valid:  # the largest image is known up to rounding, and so is what lies before it
+        # 2/3 − f(r) is (1 − r)² near the fold of r − r³/3.
+        expected = size * (1.0 - np.sqrt(2 / 3 * short_of_it))
+        assert radius == pytest.approx(expected, abs=size * max(1e-8, short_of_it))
+    assert valid or short_of_it < 1e-15
+    assert len(evaluations) <= 16
+
+
+@pytest.mark.parametrize("level", [1e-12, 1e-6])
+def test_on_a_nearly_level_stretch_it_ends_after_a_few_steps_more(evaluations, level):
+    """The slope 1 − 2 s + (1 + δ) s² is δ at its least, at s = 1."""
+    profile = RadialProfile((-2 / 3, (1 + level) / 5))
+    middle = float(evaluate(profile, 1.0))
+    for image in (middle, np.nextafter(middle, 0), middle * (1 + 1e-9)):
+        evaluations.clear()
+        radius, valid = invert_bracketed(profile, image)
+        assert valid
+        assert evaluate(profile, radius) == pytest.approx(image, rel=1e-14)
+        assert len(evaluations) <= 24
+
+
+def test_close_to_a_pole_valid_means_that_the_image_is_right_to_ten_digits():
+    """One bit of the radius is more than that there."""
+    profile, images = RadialProfile((), (-0.25,)), np.logspace(3, 9, 600)
+    radius, valid = invert_bracketed(profile, images)
+    off = np.abs(evaluate(profile, radius[valid]) / images[valid] - 1.0)
+    assert off.max() <= 1e-10
+    assert 0.3 < valid.mean() < 0.9
+    np.testing.assert_allclose(radius[~valid], 2.0, rtol=1e-6)
