@@ -3,9 +3,24 @@
 import json
 import sys
 from collections.abc import Callable, Mapping, Sequence
-from importlib.machinery import ModuleSpec, PathFinder
+from importlib.machinery import (
+    BYTECODE_SUFFIXES,
+    EXTENSION_SUFFIXES,
+    SOURCE_SUFFIXES,
+    ExtensionFileLoader,
+    FileFinder,
+    ModuleSpec,
+    SourceFileLoader,
+    SourcelessFileLoader,
+)
 from pathlib import Path
 from types import ModuleType
+
+LOADERS = (
+    (ExtensionFileLoader, EXTENSION_SUFFIXES),
+    (SourceFileLoader, SOURCE_SUFFIXES),
+    (SourcelessFileLoader, BYTECODE_SUFFIXES),
+)
 
 
 class PartFinder:
@@ -19,6 +34,7 @@ class PartFinder:
         self._part_of = part_of
         self._fetch = fetch
         self._folder = folder
+        self._fetching: set[str] = set()
 
     def find_spec(
         self, name: str, _path: Sequence[str] | None, target: ModuleType | None = None, /
@@ -28,15 +44,18 @@ class PartFinder:
         Raises `ImportError` where the part cannot be had.
         """
         part = self._part_of.get(name)
-        if part is None:
+        if part is None or part in self._fetching:
             return None
+        self._fetching.add(part)  # what unpacking imports cannot come out of the same archive
         try:
             self._fetch(part)
         except Exception as error:  # whatever keeps the page from having it
             raise ImportError(f"{part} could not be fetched: {error}", name=name) from error
-        PathFinder.invalidate_caches()
+        finally:
+            self._fetching.remove(part)
         parent = name.rpartition(".")[0].replace(".", "/")
-        return PathFinder.find_spec(name, [str(Path(self._folder) / parent)], target)
+        # A new finder, for those in use may not have noticed yet that there are new files.
+        return FileFinder(str(Path(self._folder) / parent), *LOADERS).find_spec(name, target)
 
 
 def fetch_missing(modules: str, fetch: Callable[[str], None], folder: str) -> None:

@@ -82,6 +82,16 @@ def test_every_ladder_finds_what_it_imports(reader: Reader, table: Any, fetched:
     assert "python-rest" not in fetched
 
 
+def test_a_part_that_nobody_foresaw_is_fetched_when_python_asks_for_it(
+    reader: Reader, server: StaticServer, book: Any, table: Any, fetched: list[str]
+) -> None:
+    address, parts = a_chapter(book, table, bool)
+    foreseen = {scene: [] for scene in table["scenes"]}
+    server.damaged["/runtime.json"] = json.dumps({**table, "scenes": foreseen}).encode()
+    reader.open(address)
+    assert sorted(fetched) == sorted(AT_ONCE | parts)
+
+
 def test_a_part_that_cannot_be_had_stops_only_the_figures_that_need_it(
     reader: Reader, server: StaticServer, book: Any, table: Any
 ) -> None:
