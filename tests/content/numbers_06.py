@@ -1,12 +1,15 @@
 """Chapter 6: the sensor."""
 
+import re
 import warnings
-from math import log2, log10, sqrt
+from math import erf, log2, log10, sqrt
 from statistics import NormalDist
 
 import numpy as np
 from support.worked_numbers import Says
 
+from simulations.engine.controls import check_values
+from simulations.engine.pipeline import StageCache
 from simulations.models.chromatic_adaptation import adapt
 from simulations.models.chromaticity import ILLUMINANT_A_XY, lab_distance, white_xyz
 from simulations.models.color import (
@@ -18,6 +21,7 @@ from simulations.models.color import (
 )
 from simulations.models.demosaicing import psnr_db
 from simulations.models.sensor import Sensor, signal_to_noise, with_iso
+from simulations.scenes import jpeg
 from simulations.scenes.sensor_noise_stages import patch_means_e, saturation_e, sensor_of
 
 CHAPTER = "06-digital-sensor"
@@ -71,6 +75,34 @@ def too_dark_for_a_gaussian() -> Says:
     yield f"Light frees {mean:.2f} electrons in a cell there"
     below_zero = NormalDist(mean, sqrt(mean)).cdf(0.0)
     assert 0.31 < below_zero < 0.34, "a third of its area"
+
+
+def a_gaussian_of_hardly_an_electron() -> Says:
+    mean = float(patch_means_e(-6.0)[-1])
+    yield f"Light frees {mean:.2f} electrons in a cell there"
+    below_zero = (1 - erf(sqrt(mean / 2))) / 2
+    assert 0.3 < below_zero < 0.36
+    yield "has a third of its area below zero"
+
+
+def transforms_that_round_otherwise() -> Says:
+    def changed(tier: str, **given: object) -> tuple[float, int]:
+        values = check_values(jpeg.CONTROLS, given)
+        *_, last = jpeg.error(values, tier, StageCache())
+        found = re.search(r"\((\d+) round otherwise\)", last.label)
+        assert found is not None
+        return float(last.text) if tier == "fixed-point" else 0.0, int(found[1])
+
+    best = {"quality": 100, "subsampling": "4:4:4"}
+    error, at_low = changed("fixed-point", quality=30)
+    assert 1 / 3 < error < 0.5
+    yield "may be more than a third of a code off"
+    assert 12 <= at_low <= 28
+    yield "At quality 30 that moves some twenty of the numbers kept."
+    assert changed("fixed-point", **best)[1] > 2000
+    yield "it moves thousands of them"
+    assert 150 < max(changed(tier, **best)[1] for tier in ("separable-32", "direct-32")) < 500
+    yield "Single precision moves a few hundred at most"
 
 
 def what_green_is_worth() -> Says:
@@ -155,6 +187,8 @@ WORKED = (
     adding_noise_up,
     the_thirteenth_patch,
     patches_burnt_out_at_iso_800,
+    a_gaussian_of_hardly_an_electron,
+    transforms_that_round_otherwise,
     too_dark_for_a_gaussian,
     what_green_is_worth,
     an_error_of_one_code,
