@@ -31,6 +31,7 @@ from simulations.models import (
     vignetting,
 )
 from simulations.models.affine_cameras import project_affine, scaled_orthographic_camera
+from simulations.models.chromaticity import xyy_to_xyz, xyz_to_xyy
 from simulations.models.demosaicing import demosaic, mosaic
 from simulations.models.optics import thin_lens_image_distance
 
@@ -175,6 +176,17 @@ def test_rotations_survive_euler_angles(sequence):
     angles, locked = euler.from_matrix(R, sequence)
     assert not locked.any()
     assert np.abs(euler.to_matrix(sequence, angles) - R).max() <= 1e-14
+
+
+def test_colours_survive_every_conversion_and_its_way_back():
+    colours = np.concatenate([RNG.uniform(0.0, 1.0, (500, 3)), [[0, 0, 0], [1, 1, 1]]])
+    for there, back in (
+        (color.encode_srgb, color.decode_srgb),
+        (color.linear_rgb_to_xyz, color.xyz_to_linear_rgb),
+        (color.rgb_to_ycbcr, color.ycbcr_to_rgb),
+        (xyz_to_xyy, xyy_to_xyz),
+    ):
+        assert np.abs(back(there(colours)) - colours).max() <= 1e-14
 
 
 @pytest.mark.parametrize(
