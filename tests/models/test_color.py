@@ -190,5 +190,5 @@ def test_primaries_may_be_given_in_any_order_and_lie_close_together():
     red, green, blue = color.SRGB_PRIMARIES_XY
     swapped = color.rgb_to_xyz_matrix((green, red, blue))
     np.testing.assert_allclose(swapped[:, [1, 0, 2]], color.rgb_to_xyz_matrix(), rtol=1e-12)
-    close = color.rgb_to_xyz_matrix(((0.3, 0.3), (0.3002, 0.3), (0.3, 0.3002)), (0.30005, 0.30005))
+    close = color.rgb_to_xyz_matrix(((0.3, 0.3), (0.3001, 0.3), (0.3, 0.3001)), (0.30003, 0.30003))
     assert close.sum(axis=1)[1] == pytest.approx(1)
