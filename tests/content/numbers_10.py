@@ -1,15 +1,22 @@
-"""Chapter 10: speed and accuracy. Its results are measured; these few are worked out."""
+"""Chapter 10: speed and accuracy. Its results are measured; a few are worked out.
+
+What the text says of the measurements in words is held to them as well.
+"""
+
+from functools import cache
 
 import numpy as np
-from support.worked_numbers import Says
+from support.worked_numbers import CONTENT, Says
 
 from simulations.ladders import inverse_pincushion
 from simulations.ladders.inverse_distortion import LADDER
 from simulations.models import radial_profile
 from simulations.models.distortion import undistort
+from site_builder.diagnostics import Diagnostics
+from site_builder.measurements import Measurements, read_measurements
 
 CHAPTER = "10-speed-and-accuracy"
-GIVEN = "0.001 0.1 2.2 100 255"
+GIVEN = "0.001 0.1 2.2 100"
 
 
 def the_slope_of_the_fixed_point_s_map() -> Says:
@@ -36,4 +43,64 @@ def samples_of_a_box() -> Says:
     yield f"or about {16**2}?"
 
 
-WORKED = (the_slope_of_the_fixed_point_s_map, a_corner_of_the_pincushion, samples_of_a_box)
+@cache
+def measurements() -> Measurements:
+    return read_measurements(CONTENT.parent, Diagnostics())
+
+
+def error(ladder: str, tier: str, metric: str) -> float:
+    value = measurements().find(ladder)[tier].errors[metric]
+    return np.inf if value is None else value
+
+
+def browser_ms(ladder: str, tier: str) -> float:
+    return measurements().find(ladder)[tier].times["browser"].ms
+
+
+def what_is_said_in_words_of_errors() -> Says:
+    yield "worst`, many codes of 255."
+    assert error("edge-coverage", "ramp", "worst") / 100 * 255 > 5
+    yield "worst`, a fraction of one code"
+    assert error("edge-coverage", "straight", "worst") / 100 * 255 < 1
+    yield "bare` of white, more than a code"
+    assert error("shading", "gouraud-64", "worst") * 255 > 1
+    yield "a box of any size leaves about a third"
+    point = error("anti-aliasing", "point", "alias")
+    for box in ("box-4", "box-8", "area"):
+        assert 0.3 < error("anti-aliasing", box, "alias") / point < 0.36
+    yield "more than four times as many random ones do"
+    assert error("depth-of-field", "fibonacci-16", "psnr") > error(
+        "depth-of-field", "random-64", "psnr"
+    )
+    yield "Now the nearest pixel is ahead of bilinear"
+    nearest, bilinear = (
+        [error("resampling", tier, metric) for metric in ("psnr-once", "psnr-round")]
+        for tier in ("nearest", "bilinear")
+    )
+    assert nearest[0] < bilinear[0]
+    assert nearest[1] > bilinear[1]
+    yield "Its error is rounding, far below half a code"
+    assert error("block-dct", "separable", "worst") < 1e-9
+
+
+def what_is_said_in_words_of_times() -> Says:
+    yield "in the browser it would cost next to nothing more"
+    assert browser_ms("srgb", "exact") < 1.25 * browser_ms("srgb", "table")
+    yield "the longer format costs nothing that can be measured in the browser"
+    assert browser_ms("precision", "relative-64") < 1.15 * browser_ms("precision", "relative-32")
+    yield "half the digits would save too little time"
+    assert browser_ms("vignetting", "algebraic") < 1.3 * browser_ms("vignetting", "algebraic-32")
+    yield "every other tier that blurs at all takes longer"
+    tiers = measurements().find("exposure-blur").tiers
+    blurring = {item.tier.id for item in tiers} - {"instants-1", "integral"}
+    for tier in blurring:
+        assert browser_ms("exposure-blur", tier) > browser_ms("exposure-blur", "integral")
+
+
+WORKED = (
+    the_slope_of_the_fixed_point_s_map,
+    a_corner_of_the_pincushion,
+    samples_of_a_box,
+    what_is_said_in_words_of_errors,
+    what_is_said_in_words_of_times,
+)
