@@ -1,11 +1,14 @@
 """Drafts while a hand moves, the chosen accuracy at rest, and the error once nothing moves."""
 
+import re
 from collections.abc import Callable
 from typing import Any
 
 import pytest
 from playwright.sync_api import Locator
 from support.reader import Reader
+
+from simulations.registry import SCENE_MODULES, load_scene
 
 pytestmark = pytest.mark.browser
 
@@ -80,6 +83,22 @@ def test_a_drag_that_leaves_geometry_alone_needs_no_draft(
     assert figure.locator(".stages-count").inner_text().startswith("3 computed")
 
 
+def test_a_drag_may_need_the_draft_in_a_dear_tier_only(
+    reader: Reader, open_figure: OpenFigure
+) -> None:
+    figure = open_figure("camera")
+    for chosen, while_dragging in (("layers", "layers"), ("bent-rays", "draft")):
+        frames = reader.frames(figure)
+        if figure.get_attribute("data-tier") != chosen:
+            figure.locator("select[name=tier]").select_option(chosen)
+            reader.wait_frame(figure, frames)
+        reader.settle(figure)
+        frames = reader.frames(figure)
+        set_slider(figure, "k1", -0.2 if chosen == "layers" else -0.3, release=False)
+        reader.wait_frame(figure, frames)
+        assert figure.get_attribute("data-tier") == while_dragging
+
+
 def test_the_error_is_told_at_rest_and_differs_by_tier(
     reader: Reader, open_figure: OpenFigure
 ) -> None:
@@ -132,3 +151,22 @@ def test_a_refused_setting_leaves_the_list_of_stages_ready_for_the_next(
         reader.wait_frame(figure, frames)
         assert figure.get_attribute("data-state") == "live"
     assert figure.locator(".stages > ol > li:not([hidden])").count() > 5
+
+
+JUDGED = [name for name in SCENE_MODULES if load_scene(name).error is not None]
+
+
+@pytest.mark.parametrize("scene", JUDGED)
+def test_a_figure_with_a_reference_settles_in_its_default_tier_and_tells_its_error(
+    reader: Reader, open_figure: OpenFigure, scene: str
+) -> None:
+    figure, known = open_figure(scene), load_scene(scene)
+    wait_judged(reader, figure)
+    assert figure.get_attribute("data-tier") == known.default_tier
+    offered = figure.locator("select[name=tier] option").evaluate_all(
+        "options => options.map((option) => option.value)"
+    )
+    assert offered == list(known.tiers)
+    value = figure.locator(".accuracy-value").inner_text()
+    assert re.search(r"[0-9⁰-⁹]|none", value), value
+    assert "not measured" not in value
