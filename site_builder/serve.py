@@ -91,7 +91,6 @@ class Handler(SimpleHTTPRequestHandler):
         ".mjs": "text/javascript",
         ".js": "text/javascript",
         ".wasm": "application/wasm",
-        ".whl": "application/zip",
         ".json": "application/json",
         ".svg": "image/svg+xml",
         ".woff2": "font/woff2",

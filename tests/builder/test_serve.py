@@ -18,7 +18,7 @@ def builds() -> Builds:
 
 @pytest.fixture
 def address(tmp_path: Path, builds: Builds) -> Iterator[str]:
-    for name in ("a.mjs", "a.wasm", "a.whl", "404.html", "book.json", "a.woff2"):
+    for name in ("a.mjs", "a.wasm", "a.zip", "404.html", "book.json", "a.woff2"):
         (tmp_path / name).write_text(f"<p>{name}</p>")
     server = start_server(tmp_path, 0, builds)
     yield f"http://localhost:{server.server_address[1]}"
@@ -31,7 +31,7 @@ def address(tmp_path: Path, builds: Builds) -> Iterator[str]:
     [
         ("a.mjs", "text/javascript"),
         ("a.wasm", "application/wasm"),
-        ("a.whl", "application/zip"),
+        ("a.zip", "application/zip"),
         ("a.woff2", "font/woff2"),
         ("book.json", "application/json"),
     ],

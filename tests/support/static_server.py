@@ -12,7 +12,6 @@ TYPES = {
     ".mjs": "text/javascript",
     ".js": "text/javascript",
     ".wasm": "application/wasm",
-    ".whl": "application/zip",
     ".json": "application/json",
     ".woff2": "font/woff2",
     ".svg": "image/svg+xml",
