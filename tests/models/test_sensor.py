@@ -340,3 +340,12 @@ def test_read_noise_below_one_electron_is_noise_as_well():
 
 def test_the_models_of_shot_noise_are_listed_from_cheap_to_exact():
     assert SHOT_MODELS == ("gaussian", "skewed", "poisson")
+
+
+def test_a_transfer_curve_has_twenty_thousand_samples_a_level_unless_told_otherwise():
+    levels = [50.0, 400.0]
+    usual, stated = (
+        photon_transfer(levels, Sensor(), rng()),
+        photon_transfer(levels, Sensor(), rng(), 20_000),
+    )
+    np.testing.assert_array_equal(usual, stated)
