@@ -5,6 +5,7 @@ import pytest
 
 from simulations.models.distortion import Distortion, distort
 from simulations.models.undistortion import (
+    undistort_bracketed,
     undistort_first_order,
     undistort_fixed_point,
     undistort_newton,
@@ -44,6 +45,7 @@ def test_a_newton_step_squares_the_error():
         (lambda xy, lens: undistort_fixed_point(xy, lens, 60), 1e-12),
         (lambda xy, lens: undistort_newton(xy, lens, 6), 1e-12),
         (undistort_table, 1e-6),
+        (undistort_bracketed, 1e-14),
     ],
 )
 def test_points_all_over_the_picture_come_back(undo, within, k1, k2):
@@ -81,6 +83,7 @@ def test_a_table_ends_at_the_fold():
 def test_the_axis_stays_where_it_is(run):
     assert run(np.zeros(2), Distortion(k1=-0.3), 3).tolist() == [0.0, 0.0]
     assert undistort_table(np.zeros((1, 2)), Distortion(k1=0.3)).tolist() == [[0.0, 0.0]]
+    assert undistort_bracketed(np.zeros((1, 2)), Distortion(k1=0.3)).tolist() == [[0.0, 0.0]]
     assert undistort_table(np.zeros((0, 2)), Distortion(k1=0.3)).shape == (0, 2)
 
 
