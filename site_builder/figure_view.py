@@ -110,6 +110,7 @@ def schema(still: Still) -> dict[str, object]:
         "default_tier": still.figure.tier,
         "draft_tier": scene.draft_tier,
         "drafted": list(scene.drafted),
+        "drafted_in": {tier: list(names) for tier, names in scene.drafted_in.items()},
     }
 
 

@@ -1,5 +1,6 @@
 """The contract between a widget and everything that shows it."""
 
+import itertools
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, field
 
@@ -29,6 +30,8 @@ class Scene:
     """The tier a figure uses while a control is being dragged, unless a cheaper one is chosen."""
     drafted: tuple[str, ...] = ()
     """The controls whose drags need the draft; all of them where none is named."""
+    drafted_in: Mapping[str, tuple[str, ...]] = field(default_factory=dict)
+    """Further controls by tier, where a dear one must redo what the default keeps at hand."""
     ladder: str = ""
     """The ladder that the tiers are rungs of: it labels them and tells what they cost. Without
     tiers, a control of the scene's own chooses between its rungs."""
@@ -50,7 +53,11 @@ class Scene:
         for tier in (self.default_tier, self.draft_tier):
             if tier not in (*self.tiers, "") or bool(self.tiers) != bool(tier):
                 raise ValueError(f"scene {self.id!r}: tier {tier!r}; legal: {self.tiers}")
-        for name in self.drafted:
+        if not set(self.drafted_in) <= set(self.tiers):
+            raise ValueError(
+                f"scene {self.id!r}: drafted_in {self.drafted_in}; legal: {self.tiers}"
+            )
+        for name in itertools.chain(self.drafted, *self.drafted_in.values()):
             if name not in names:
                 raise ValueError(f"scene {self.id!r}: drafted {name!r}; legal: {names}")
         labelled = set(self.tier_labels)

@@ -214,6 +214,7 @@ SCENE = Scene(
     default_tier=DEFAULT_TIER,
     draft_tier="draft",
     drafted=("focal_length", "light_angle"),
+    drafted_in={"bent-rays": ("k1",), "aperture-rays": ("aperture", "focus", "k1")},
     tier_labels={
         "draft": "Draft: a ray for four pixels",
         "layers": "Bent picture, blurred layers",

@@ -6,7 +6,8 @@
  *   decimals?: number, labels?: string[], drives?: string, effect?: string,
  *   seconds?: number}} Control
  * @typedef {{title: string, controls: Control[], values: Record<string, any>, tiers: string[],
- *   default_tier: string, draft_tier: string, drafted: string[]}} Schema
+ *   default_tier: string, draft_tier: string, drafted: string[],
+ *   drafted_in: Record<string, string[]>}} Schema
  */
 
 /** @param {HTMLFormElement} form @param {Control[]} controls @returns {Record<string, any>} */

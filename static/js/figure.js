@@ -122,15 +122,22 @@ export class SimulationFigure extends HTMLElement {
 
   /** Whether a drag of this control is answered by drafts. */
   #drafted(/** @type {import("./controls.js").Control | undefined} */ control) {
-    const { drafted } = this.schema;
-    return control?.kind === "slider" && (drafted.length === 0 || drafted.includes(control.name));
+    const { drafted, drafted_in: byTier } = this.schema;
+    if (control?.kind !== "slider") return false;
+    if (drafted.length === 0 || drafted.includes(control.name)) return true;
+    return byTier[this.#chosen()]?.includes(control.name) ?? false;
   }
 
-  /** The tier that the reader chose, or the draft where that is cheaper and things are moving. */
+  /** The tier that the reader chose. */
+  #chosen() {
+    const { tiers, default_tier: settled } = this.schema;
+    return tiers.length === 0 ? settled : controlElement(this.form, "tier").value;
+  }
+
+  /** The tier chosen, or the draft where that is cheaper and things are moving. */
   #tier(/** @type {boolean} */ moving) {
-    const { tiers, draft_tier: draft, default_tier: settled } = this.schema;
-    if (tiers.length === 0) return settled;
-    const chosen = controlElement(this.form, "tier").value;
+    const { tiers, draft_tier: draft } = this.schema;
+    const chosen = this.#chosen();
     return moving && tiers.indexOf(draft) < tiers.indexOf(chosen) ? draft : chosen;
   }
 

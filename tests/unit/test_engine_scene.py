@@ -13,6 +13,8 @@ from simulations.engine.scene import Scene
 from simulations.registry import SCENE_MODULES, UnknownSceneError, load_ladder, load_scene
 
 SIZE = Slider(name="size", label="Size", default=1, minimum=0, maximum=2, step=1)
+TIERS = (("coarse", "fine"), "fine", "coarse")
+"""All of them, the default, the draft."""
 
 
 def frame_of(values, tier, _cache):  # type: ignore[no-untyped-def]
@@ -64,6 +66,13 @@ def test_words_for_a_tier_that_the_scene_lacks_are_refused() -> None:
 def test_only_controls_of_the_scene_can_be_drafted() -> None:
     with pytest.raises(ValueError, match="drafted 'sise'"):
         Scene("s", "S", (SIZE,), frame_of, drafted=("sise",))
+    with pytest.raises(ValueError, match="drafted 'sise'"):
+        Scene("s", "S", (SIZE,), frame_of, *TIERS, ladder="srgb", drafted_in={"fine": ("sise",)})
+
+
+def test_only_tiers_of_the_scene_can_have_drags_of_their_own() -> None:
+    with pytest.raises(ValueError, match=r"drafted_in .*'finer'.*legal: \('coarse', 'fine'\)"):
+        Scene("s", "S", (SIZE,), frame_of, *TIERS, ladder="srgb", drafted_in={"finer": ("size",)})
 
 
 @pytest.mark.parametrize("scene_id", SCENE_MODULES)
