@@ -39,6 +39,10 @@ CHROMINANCE_TABLE = np.full((BLOCK, BLOCK), 99)
 CHROMINANCE_TABLE[:4, :4] = [[17, 18, 24, 47], [18, 21, 26, 66], [24, 26, 56, 99], [47, 66, 99, 99]]
 
 
+TIE, TIE_FLOAT32 = 1e-9, 5e-4
+"""How far from a half sums of 64 products may come out that are halves, in either precision."""
+
+
 def _dct_matrix() -> Array:
     """Orthonormal DCT-II: row k is the cosine of frequency k / 16 cycles per sample."""
     k, n = np.mgrid[:BLOCK, :BLOCK]
@@ -72,14 +76,14 @@ def quantisation_table(table: NDArray[np.integer], quality: int) -> NDArray[np.i
     return scaled
 
 
-def round_outwards(values: ArrayLike) -> Array:
+def round_outwards(values: ArrayLike, tie: float = TIE) -> Array:
     """The nearest whole numbers; halves go away from zero, as in the JPEG group's library.
 
     Sums of 8-bit values often land exactly between two whole numbers, where the last bit would
-    decide. What lies within 1e-9 of a half counts as one, so that every machine agrees.
+    decide. What lies within ``tie`` of a half counts as one, so that every machine agrees.
     """
     exact = np.asarray(values, float)
-    whole: Array = np.sign(exact) * np.floor(np.abs(exact) + (0.5 + 1e-9))
+    whole: Array = np.sign(exact) * np.floor(np.abs(exact) + (0.5 + tie))
     return whole
 
 
@@ -132,7 +136,9 @@ def quantise_plane(plane: ArrayLike, table: ArrayLike, transform: Transform = bl
     steps = as_floats(table)
     if not np.all((steps >= 1e-3) & np.isfinite(steps)):
         raise ValueError(f"table has a step of {steps.min()}; legal: 0.001 or more, finite")
-    return round_outwards(transform(to_blocks(values)) / steps).astype(np.int64)
+    coefficients = transform(to_blocks(values))
+    tie = TIE_FLOAT32 if coefficients.dtype == np.float32 else TIE
+    return round_outwards(coefficients / steps, tie).astype(np.int64)
 
 
 def restore_plane(codes: NDArray[np.integer], table: ArrayLike, height: int, width: int) -> Array:

@@ -101,8 +101,9 @@ def transforms_that_round_otherwise() -> Says:
     yield "At quality 30 that moves some twenty of the numbers kept."
     assert changed("fixed-point", **best)[1] > 2000
     yield "it moves thousands of them"
-    assert 150 < max(changed(tier, **best)[1] for tier in ("separable-32", "direct-32")) < 500
-    yield "Single precision moves a few hundred at most"
+    for tier in ("separable-32", "direct-32"):
+        assert 25 <= changed(tier, **best)[1] <= 35
+    yield "moves some thirty"
 
 
 def what_green_is_worth() -> Says:

@@ -113,6 +113,30 @@ def test_halves_go_outwards_however_they_were_summed():
     np.testing.assert_array_equal(compression.round_outwards(nearly), [3, 3, 3, -3, 2, 2, 0])
 
 
+def test_a_wider_tie_is_rounded_outwards_as_well():
+    nearly = np.array([2.5 - 4e-4, -2.5 + 4e-4, 2.5 - 6e-4, 0.5 - 4e-4])
+    np.testing.assert_array_equal(compression.round_outwards(nearly, 5e-4), [3, -3, 2, 1])
+
+
+@pytest.mark.parametrize(
+    ("dtype", "off", "kept"),
+    [
+        (np.float32, -4e-4, 3),
+        (np.float32, -6e-4, 2),
+        (np.float64, -4e-4, 2),
+        (np.float64, -5e-10, 3),
+    ],
+)
+def test_halves_are_told_as_well_as_the_transforms_numbers_can(dtype, off, kept):
+    """A transform that comes out ``off`` from the half of 2.5 that it should."""
+
+    def transform(blocks):
+        return np.full(blocks.shape, 2.5 + off, dtype)
+
+    codes = compression.quantise_plane(np.zeros((8, 8)), np.ones((8, 8)), transform)
+    assert (codes == kept).all()
+
+
 @pytest.mark.parametrize("shape", [(8, 8), (13, 30), (1, 1), (24, 7)])
 def test_blocks_give_the_plane_back(shape):
     plane = np.arange(np.prod(shape), dtype=float).reshape(shape)
