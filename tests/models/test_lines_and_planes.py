@@ -202,3 +202,9 @@ def test_a_line_further_off_than_all_numbers_is_none():
     line, valid = line_through([-1.7e308, 1.7e308], [-1.69e308, 1.71e308])
     assert not valid
     assert np.isnan(line).all()
+
+
+def test_a_meeting_point_further_off_than_all_numbers_in_one_coordinate_is_none():
+    meet, valid = intersection([0.0, 1.0, 0.0], [1e-5, 1.0, -1e306])
+    assert not valid
+    assert np.isnan(meet).all()
