@@ -13,18 +13,18 @@ that lie past the fold or out of reach, are left to `radial_inverse.invert_brack
 
 from dataclasses import dataclass
 from functools import lru_cache
-from math import frexp, sqrt
+from math import frexp
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from simulations.models.radial_grid import Grid, cell_of, grid_for, image_squared_at
 from simulations.models.radial_inverse import invert_bracketed
 from simulations.models.radial_profile import (
     Floats,
     RadialProfile,
     fold_radius,
     image_of_fold,
-    nearest_turning_image,
     scale,
     scale_and_slope,
 )
@@ -41,8 +41,6 @@ WORTH_A_TABLE = 2048
 """For fewer points, solving each is quicker than solving for the nodes of a table."""
 LARGEST_REACH_LOG2 = 6
 """Squared image radius up to which a profile without a fold is tabulated, at most: 2⁶."""
-FAR_FOLD = 64.0
-"""A fold whose squared image is this many times the wanted reach bends nothing within it."""
 GUESS_SAMPLES = 513
 NEWTON_STEPS = 3
 """From a guess by linear interpolation: each step squares the error."""
@@ -53,19 +51,6 @@ CHECKS = -0.5 * np.cos(np.pi * np.arange(DEGREE + 2) / (DEGREE + 1))
 """Where a polynomial through the nodes errs most: the edges of the cell, and between nodes."""
 TO_POWERS = np.linalg.inv(np.vander(NODES, increasing=True))
 """From values at the nodes to coefficients of rising powers."""
-
-
-@dataclass(frozen=True, slots=True)
-class Grid:
-    """Cells of equal width in a variable x of t: cell j is centred on ``first + j / density``."""
-
-    bend: float
-    """|t₀|."""
-    folds: bool
-    """If so, ``x = √(1 − t/t₀)``, from fold to axis; if not, ``x = √(1 + √(1 + t/|t₀|))``."""
-    first: float
-    density: float
-    """Cells in a unit of x."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -125,8 +110,8 @@ def inverse_table(profile: RadialProfile, wanted_reach: float) -> InverseTable:
     with np.errstate(all="ignore"):  # a cell that overflows is not trusted
         furthest = _furthest_square(profile, fold, wanted_reach)
         for cells in CELLS:
-            grid = _grid(profile, limit, wanted_reach, cells)
-            nodes = _image_squared(grid, np.arange(cells + 1) + NODES[:, None])
+            grid = grid_for(profile, limit, wanted_reach, cells)
+            nodes = image_squared_at(grid, np.arange(cells + 1) + NODES[:, None])
             ideal_squared = _solve(profile, grid, nodes, furthest)
             coefficients = TO_POWERS @ (1.0 / scale(profile, ideal_squared))
             reach = _checked_reach(profile, fold, grid, coefficients)
@@ -137,7 +122,7 @@ def inverse_table(profile: RadialProfile, wanted_reach: float) -> InverseTable:
 
 
 def _look_up(table: InverseTable, image_squared: Floats) -> Floats:
-    cell = _cell(table.grid, image_squared)
+    cell = cell_of(table.grid, image_squared)
     nearest = np.rint(cell)
     cell -= nearest
     index = nearest.astype(np.intp)
@@ -148,45 +133,12 @@ def _look_up(table: InverseTable, image_squared: Floats) -> Floats:
     return factor
 
 
-def _cell(grid: Grid, image_squared: Floats) -> Floats:
-    """Position on the grid, in cells: x · density − first · density, in few passes."""
-    unit = grid.density**2 if grid.folds else grid.density**4
-    cell: Floats = image_squared * ((-unit if grid.folds else unit) / grid.bend)
-    cell += unit
-    np.sqrt(cell, out=cell)
-    if not grid.folds:
-        cell += grid.density**2
-        np.sqrt(cell, out=cell)
-    cell -= grid.first * grid.density
-    return cell
-
-
-def _image_squared(grid: Grid, cell: Floats) -> Floats:
-    """The inverse of `_cell`."""
-    x = grid.first + cell / grid.density
-    if grid.folds:
-        return grid.bend * (1.0 - x * x)
-    u = x * x - 1.0
-    return grid.bend * (u * u - 1.0)
-
-
-def _grid(profile: RadialProfile, limit: float, wanted_reach: float, cells: int) -> Grid:
-    """Cells from the axis to the wanted reach, or to the fold where that comes first."""
-    if limit * limit < FAR_FOLD * wanted_reach:
-        first = sqrt(max(1.0 - wanted_reach / (limit * limit), 0.0))
-        return Grid(limit * limit, True, first, cells / (1.0 - first))
-    # A bend far beyond the picture is none, and √(1 + t/|t₀|) would hardly change.
-    bend = max(min(nearest_turning_image(profile), wanted_reach), 1e-30)
-    first, last = sqrt(2.0), sqrt(1.0 + sqrt(1.0 + wanted_reach / bend))
-    return Grid(bend, False, first, cells / (last - first))
-
-
 def _solve(profile: RadialProfile, grid: Grid, image_squared: Floats, furthest: float) -> Floats:
     """The squared ideal radius s for each t: Newton's method for ``s g(s)² = t``."""
     s = np.linspace(0.0, furthest, GUESS_SAMPLES)[:-1]
     outwards = -1.0 if grid.folds else 1.0
-    cell_of_s = _cell(grid, s * scale(profile, s) ** 2)
-    guess: Floats = np.interp(outwards * _cell(grid, image_squared), outwards * cell_of_s, s)
+    cell_of_s = cell_of(grid, s * scale(profile, s) ** 2)
+    guess: Floats = np.interp(outwards * cell_of(grid, image_squared), outwards * cell_of_s, s)
     for _ in range(NEWTON_STEPS):
         guess = guess - _excess(profile, guess, image_squared)
     return guess
@@ -212,7 +164,7 @@ def _checked_reach(profile: RadialProfile, fold: float, grid: Grid, coefficients
     The forward formula is the judge; inside the fold a root of it is *the* root.
     """
     cells = np.arange(coefficients.shape[1])
-    image_squared = _image_squared(grid, cells + CHECKS[:, None])
+    image_squared = image_squared_at(grid, cells + CHECKS[:, None])
     factor = np.vander(CHECKS, DEGREE + 1, increasing=True) @ coefficients
     s = image_squared * factor * factor
     off = np.abs(_excess(profile, s, image_squared))

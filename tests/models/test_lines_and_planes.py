@@ -208,3 +208,8 @@ def test_a_meeting_point_further_off_than_all_numbers_in_one_coordinate_is_none(
     meet, valid = intersection([0.0, 1.0, 0.0], [1e-5, 1.0, -1e306])
     assert not valid
     assert np.isnan(meet).all()
+
+
+def test_lines_that_meet_beyond_all_numbers_along_one_axis_alone_do_not_meet():
+    """y = 1 and a line that rises by 1e-13 a unit towards it from 1e300 below."""
+    assert not intersection((0.0, 1.0, -1.0), (1e-13, -1.0, -1e300))[1]

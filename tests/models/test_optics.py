@@ -75,7 +75,7 @@ def test_focused_at_the_hyperfocal_distance_sharpness_runs_from_half_of_it_to_in
     near, far = depth_of_field(50, 8, distance, 0.03)
     assert near == pytest.approx(distance / 2)
     assert far == np.inf
-    for short in (1e-2, 1e-9):
+    for short in (1e-2, 1e-9, 1e-13):
         far = depth_of_field(50, 8, (1 - short) * distance, 0.03)[1]
         assert far == pytest.approx((distance - 50) / short, rel=0.02)
 
@@ -345,3 +345,8 @@ def test_discs_that_just_touch_from_within_or_without_share_a_finite_area():
 def test_the_cats_eye_is_the_same_on_both_sides_of_the_axis():
     left, right = mechanical_vignetting([-0.7, 0.7], 5.0, 6.0, 10.0)
     assert left == right < 0.6
+
+
+@pytest.mark.parametrize("apart", [1e-5, 1e-10])
+def test_discs_of_one_size_a_little_apart_share_all_but_a_strip(apart):
+    assert disc_overlap_area(apart, 1.0, 1.0) == pytest.approx(np.pi - 2 * apart, abs=1e-13)

@@ -129,3 +129,9 @@ def test_the_turn_between_two_orientations_is_its_angle(angle_rad):
 def test_a_turn_too_small_for_an_arccosine_is_seen():
     start, end = pair(1e-10)
     assert np.degrees(turn_between_rad(start, end)) == pytest.approx(1e-10, rel=1e-4)
+
+
+@pytest.mark.parametrize("sign", [1, -1])
+def test_half_a_turn_apart_the_signs_of_the_quaternions_decide_the_way(sign):
+    middle = threshold_slerp([1.0, 0, 0, 0], [0, sign * 1.0, 0, 0], 0.5)
+    assert middle == pytest.approx(np.array([1, sign, 0, 0]) / np.sqrt(2))
