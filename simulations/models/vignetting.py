@@ -73,9 +73,10 @@ def disc_overlap_area(distance: ArrayLike, radius_a: float, radius_b: float) -> 
     a, b = float(radius_a), float(radius_b)
     inside = np.asarray(distance, float) <= abs(a - b)  # one disc contains the other
     # Outside [|a−b|, a+b] the formula is at its limits.
-    d = np.clip(np.asarray(distance, float), max(abs(a - b), 1e-12 * min(a, b)), a + b)
-    angle_a = np.arccos(np.clip((d * d + a * a - b * b) / (2.0 * d * a), -1.0, 1.0))
-    angle_b = np.arccos(np.clip((d * d + b * b - a * a) / (2.0 * d * b), -1.0, 1.0))
+    d = np.clip(np.asarray(distance, float), max(abs(a - b), 1e-16 * min(a, b)), a + b)
+    gap = (a - b) * ((a + b) / d)  # (a² − b²)/d, which squares would lose where discs are alike
+    angle_a = np.arccos(np.clip((d + gap) / (2.0 * a), -1.0, 1.0))
+    angle_b = np.arccos(np.clip((d - gap) / (2.0 * b), -1.0, 1.0))
     kite = (a + b - d) * (d + a - b) * (d - a + b) * (d + a + b)
     lens = a * a * angle_a + b * b * angle_b - 0.5 * np.sqrt(np.maximum(kite, 0.0))
     smaller = np.pi * min(a, b) ** 2
