@@ -4,6 +4,9 @@ import difflib
 from collections.abc import Iterable
 from dataclasses import dataclass, field
 
+MOST_LISTED = 20
+"""Legal names that a message lists before it only counts them."""
+
 
 @dataclass(frozen=True, slots=True, order=True)
 class Diagnostic:
@@ -42,8 +45,18 @@ class BuildError(Exception):
 
 
 def unknown(kind: str, given: str, legal: Iterable[str]) -> str:
-    """``unknown KIND 'given'``, then the nearest legal name or, where none is near, all of them."""
+    """``unknown KIND 'given'``, then the nearest legal name or, where none is near, the legal ones:
+    all of them, or the first of many."""
     names = list(legal)
     near = difflib.get_close_matches(given, names, n=1)
-    hint = f"did you mean {near[0]!r}?" if near else f"legal: {', '.join(names) or 'none'}"
-    return f"unknown {kind} {given!r}; {hint}"
+    listed = ", ".join(names[:MOST_LISTED]) or "none"
+    rest = len(names) - MOST_LISTED
+    every = f"{listed} and {rest} more" if rest > 0 else listed
+    return f"unknown {kind} {given!r}; " + (
+        f"did you mean {near[0]!r}?" if near else f"legal: {every}"
+    )
+
+
+def cause(error: Exception) -> str:
+    """``ZeroDivisionError: division by zero``: what stopped code that is not the builder's own."""
+    return f"{type(error).__name__}: {error}"

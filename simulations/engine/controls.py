@@ -40,6 +40,8 @@ class Slider:
             raise ControlError(f"{self.name}: default {self.default} outside {self.legal}")
         if not 0 < self.step <= self.maximum - self.minimum:
             raise ControlError(f"{self.name}: step {self.step} does not fit {self.legal}")
+        if not self.reaches(self.default):
+            raise ControlError(f"{self.name}: no step of {self.step} leads to {self.default}")
 
     @property
     def legal(self) -> str:
@@ -51,13 +53,18 @@ class Slider:
         text = f"{self.step:.10f}".rstrip("0")
         return len(text.partition(".")[2])
 
+    def reaches(self, number: float) -> bool:
+        """Whether whole steps from the minimum lead to ``number``: browsers show nothing else."""
+        steps = (number - self.minimum) / self.step
+        return abs(steps - round(steps)) < 1e-6
+
     def parse(self, raw: object) -> float:
         """``raw`` as a finite number, not yet held to the range."""
         if isinstance(raw, bool) or not isinstance(raw, int | float | str):
             raise ControlError(f"{self.name}: {raw!r} is not a number; legal: {self.legal}")
         try:
             number = float(raw)
-        except ValueError:
+        except (ValueError, OverflowError):
             raise ControlError(
                 f"{self.name}: {raw!r} is not a number; legal: {self.legal}"
             ) from None

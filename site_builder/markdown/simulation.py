@@ -4,11 +4,11 @@ from collections.abc import Sequence
 
 from markdown_it.token import Token
 
-from simulations.engine.controls import ControlError, check_values
+from simulations.engine.controls import ControlError, Slider, check_values
 from simulations.engine.scene import Scene
 from simulations.registry import UnknownSceneError
 from site_builder.book import Simulation
-from site_builder.diagnostics import unknown
+from site_builder.diagnostics import cause, unknown
 from site_builder.markdown.blocks import read_html
 from site_builder.markdown.directive import Directive
 from site_builder.markdown.reading import Reading
@@ -42,8 +42,7 @@ def find_scene(scene_id: str, line: int, reading: Reading) -> Scene | None:
     except UnknownSceneError as error:
         reading.problem(line, str(error))
     except Exception as error:  # whatever a scene's own code may raise is the author's to see
-        reason = f"{type(error).__name__}: {error}"
-        reading.problem(line, f"simulation {scene_id!r} cannot be loaded: {reason}")
+        reading.problem(line, f"simulation {scene_id!r} cannot be loaded: {cause(error)}")
     return None
 
 
@@ -53,9 +52,16 @@ def _read_values(directive: Directive, scene: Scene, reading: Reading) -> dict[s
         if name == "tier":
             continue
         try:
-            values[name] = check_values(scene.controls, {name: option.text})[name]
+            value = values[name] = check_values(scene.controls, {name: option.text})[name]
         except ControlError as error:
             reading.problem(option.line, f"{scene.id}: {error}")
+            continue
+        control = next(control for control in scene.controls if control.name == name)
+        if isinstance(control, Slider) and not control.reaches(float(value)):
+            legal = f"{control.minimum:g} and steps of {control.step:g}"
+            reading.problem(
+                option.line, f"{scene.id}: {name}: {value:g} is between two steps; legal: {legal}"
+            )
     return values
 
 

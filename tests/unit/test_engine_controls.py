@@ -49,6 +49,7 @@ def test_texts_of_a_page_are_read_as_values() -> None:
         ("depth", "far", "'far' is not a number; legal: 0.5 to 20"),
         ("depth", "nan", "'nan' is not finite; legal: 0.5 to 20"),
         ("depth", True, "True is not a number"),
+        ("depth", 10**400, "is not a number; legal: 0.5 to 20"),
         ("kind", "rigit", "legal: rigid, affine; did you mean 'rigid'?"),
         ("show", "perhaps", "'perhaps' is not a switch position; legal: true, false"),
         ("play", 2, "2 is not a state; legal: 0 to 1"),
@@ -79,6 +80,13 @@ def test_a_reader_s_nonsense_is_refused_even_when_clamping() -> None:
         clamp_values(CONTROLS, {"kind": "projective"})
 
 
+@pytest.mark.parametrize(
+    ("number", "reached"), [(0.5, True), (0.75, True), (20.0, True), (0.6, False), (0.5001, False)]
+)
+def test_a_slider_reaches_whole_steps_from_its_minimum(number: float, reached: bool) -> None:
+    assert DEPTH.reaches(number) is reached
+
+
 @pytest.mark.parametrize(("step", "decimals"), [(1, 0), (0.5, 1), (0.25, 2), (0.01, 2), (10, 0)])
 def test_decimals_are_those_that_the_step_can_change(step: float, decimals: int) -> None:
     slider = Slider(name="x", label="x", default=0, minimum=0, maximum=100, step=step)
@@ -90,6 +98,8 @@ def test_a_control_that_contradicts_itself_cannot_be_made() -> None:
         Slider(name="x", label="x", default=3, minimum=0, maximum=1, step=0.1)
     with pytest.raises(ControlError, match="step"):
         Slider(name="x", label="x", default=0, minimum=0, maximum=1, step=0)
+    with pytest.raises(ControlError, match="no step of 1 leads"):
+        Slider(name="x", label="x", default=0.5, minimum=0, maximum=3, step=1)
     with pytest.raises(ControlError, match="not an option"):
         Choice(name="x", label="x", default="c", options={"a": "A"})
     with pytest.raises(ControlError, match="effect"):
