@@ -29,6 +29,7 @@ from site_builder.markdown.reading import PAGE_IDS, Construct, Reading
 from site_builder.markdown.roles import roles_plugin
 from site_builder.markdown.simulation import read_simulation
 from site_builder.markdown.stage_costs import read_stage_cost_table
+from site_builder.markdown.stray_marks import stray_marks_plugin
 from site_builder.markdown.table import read_table, table_plugin
 from site_builder.markdown.text_role import text_role
 from site_builder.markdown.typography import typography_plugin
@@ -59,7 +60,7 @@ def make_parser() -> MarkdownIt:
     parser.enable("smartquotes")
     parser.use(front_matter_plugin).use(footnote_plugin).use(directive_plugin)
     parser.use(dollarmath_plugin, allow_labels=False, allow_space=False, allow_digits=False)
-    parser.use(table_plugin).use(roles_plugin).use(typography_plugin)
+    parser.use(table_plugin).use(roles_plugin).use(typography_plugin).use(stray_marks_plugin)
     for name in ("measured", "readout"):
         parser.use(text_role, name)
     parser.add_render_rule("math_inline", _formula)
@@ -107,9 +108,10 @@ def _read_front_matter(tokens: Sequence[Token], reading: Reading) -> dict[str, s
         return dict.fromkeys(FRONT_MATTER, "")
     try:
         found = yaml.safe_load(tokens[0].content)
-    except yaml.MarkedYAMLError as error:
-        line = error.problem_mark.line + 2 if error.problem_mark else 1
-        reading.problem(line, f"malformed YAML: {error.problem}")
+    except yaml.YAMLError as error:
+        mark = getattr(error, "problem_mark", None)  # a character that YAML forbids has none
+        reason = getattr(error, "problem", None) or str(error).partition("\n")[0]
+        reading.problem(mark.line + 2 if mark else 1, f"malformed YAML: {reason}")
         return dict.fromkeys(FRONT_MATTER, "")
     if not isinstance(found, dict):
         reading.problem(1, "front matter is no mapping; legal: 'title: …' and 'summary: …'")

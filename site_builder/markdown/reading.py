@@ -63,6 +63,8 @@ class Reading:
 
         env = {"references": self.env.get("references", {})}
         tokens = self.parser.parseInline(markdown, env)
+        for _, message in env.pop("problems", ()):
+            self.problem(line, message)
         for token in tokens:
             token.map = [line - 1, line]
         annotate(tokens, self)
