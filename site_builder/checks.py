@@ -2,7 +2,7 @@
 
 from pathlib import PurePosixPath
 
-from site_builder.book import Book, Chapter, Link
+from site_builder.book import Book, Chapter, Link, Quiz
 from site_builder.diagnostics import Diagnostics, unknown
 
 
@@ -17,17 +17,14 @@ def check_book(book: Book, problems: Diagnostics) -> None:
 
 
 def _check_quiz_ids(book: Book, problems: Diagnostics) -> None:
-    first: dict[str, str] = {}
+    first: dict[str, Quiz] = {}
     for chapter in book.chapters:
         for quiz in chapter.quizzes:
-            place = f"{quiz.path}:{quiz.line}"
-            if quiz.id in first:
-                problems.add(
-                    quiz.path,
-                    quiz.line,
-                    f"duplicate quiz id {quiz.id!r}; first used at {first[quiz.id]}",
-                )
-            first.setdefault(quiz.id, place)
+            other = first.setdefault(quiz.id, quiz)
+            if other.path != quiz.path:  # within a page its reading tells
+                place = f"{other.path}:{other.line}"
+                message = f"duplicate quiz id {quiz.id!r}; first used at {place}"
+                problems.add(quiz.path, quiz.line, message)
 
 
 def _fault_of(link: Link, chapter: Chapter, by_file: dict[str, Chapter]) -> str:

@@ -1,5 +1,6 @@
 """``{quiz} id``: a question; answers as a task list, each explained by a ``: …`` line below it."""
 
+import re
 from collections.abc import Sequence
 from dataclasses import dataclass
 
@@ -13,6 +14,7 @@ from site_builder.markdown.inline import plain_text
 from site_builder.markdown.reading import Reading
 
 KINDS = ("single", "multiple")
+ID = re.compile(r"[a-z0-9]+(-[a-z0-9]+)*")
 MARKS = {"[ ]": False, "[x]": True, "[X]": True}
 
 
@@ -29,11 +31,23 @@ def read_quiz(directive: Directive, body: Sequence[Token], reading: Reading) -> 
     if not directive.argument:
         reading.problem(directive.line, "{quiz} has no id; legal: ':::{quiz} id'")
         return None
+    if not ID.fullmatch(directive.argument):
+        reading.problem(
+            directive.line,
+            f"quiz id {directive.argument!r}; legal: small letters, digits and hyphens",
+        )
+    reading.take_id(f"quiz-{directive.argument}", directive.line, "quiz")
     kind = _read_kind(directive, reading)
-    prompt, answers = _split(body)
+    prompt, answers, rest = _split(body)
     read_html(directive, body, reading)  # reports directives inside the quiz
     if not prompt:
         reading.problem(directive.line, f"quiz {directive.argument!r} asks no question")
+    if rest:
+        line = (rest[0].map or [directive.line - 1])[0] + 1
+        legal = "nothing after the answers, each explained by a ': …' line below it"
+        reading.problem(
+            line, f"text below the answers of quiz {directive.argument!r}; legal: {legal}"
+        )
     options = tuple(option for answer in answers if (option := _read_option(answer, reading)))
     _check_options_of_quiz(directive, kind, options, len(answers), reading)
     return Quiz(
@@ -73,25 +87,30 @@ def _prompt_html(prompt: Sequence[Token], directive: Directive, reading: Reading
     return "<br>".join(parts)
 
 
-def _split(body: Sequence[Token]) -> tuple[list[Token], list[_Answer]]:
-    """The question, and the items of the last list at the margin: the answers."""
+def _split(body: Sequence[Token]) -> tuple[list[Token], list[_Answer], list[Token]]:
+    """The question, the items of the last list at the margin: the answers, and what follows."""
     starts = [
         index
         for index, token in enumerate(body)
         if token.type == "bullet_list_open" and token.level == body[0].level
     ]
     if not starts:
-        return list(body), []
+        return list(body), [], []
+    end = next(
+        index
+        for index in range(starts[-1], len(body))
+        if body[index].type == "bullet_list_close" and body[index].level == body[0].level
+    )
     answers: list[_Answer] = []
     paragraphs: list[Token] = []
-    for token in body[starts[-1] + 1 :]:
+    for token in body[starts[-1] + 1 : end]:
         if token.type == "list_item_open" and token.level == body[0].level + 1:
             paragraphs, item = [], token
         elif token.type == "inline":
             paragraphs.append(token)
         elif token.type == "list_item_close" and token.level == body[0].level + 1:
             answers.append(_Answer(tuple(paragraphs), (item.map or [0])[0] + 1))
-    return list(body[: starts[-1]]), answers
+    return list(body[: starts[-1]]), answers, list(body[end + 1 :])
 
 
 def _read_option(answer: _Answer, reading: Reading) -> Option | None:
@@ -145,7 +164,10 @@ def _check_options_of_quiz(
     name = directive.argument
     right = sum(option.correct for option in options)
     if answers < 2:
-        reading.problem(directive.line, f"quiz {name!r} has {answers} answers; legal: 2 or more")
+        reading.problem(
+            directive.line,
+            f"quiz {name!r} has {answers} answers; legal: a list of 2 or more '- [ ] …'",
+        )
     elif len(options) < answers:
         return  # a mistake already reported would be counted twice
     elif right == 0:
