@@ -10,11 +10,17 @@ from xml.etree import ElementTree
 
 from latex2mathml.converter import convert
 
+from simulations.engine import frame
 from site_builder.diagnostics import unknown
 from site_builder.markdown.math_spacing import space_formula
 
 NAMESPACE = "http://www.w3.org/1998/Math/MathML"
-ROLES = ("world", "camera", "ray", "image", "light", "error", "muted")
+ROLES = (*frame.ROLES[1:], "muted")
+"""Colours of ideas, and of what steps back; frames also know the empty role."""
+ENVIRONMENTS = (
+    "aligned", "array", "cases", "matrix", "pmatrix", "bmatrix", "Bmatrix", "vmatrix", "Vmatrix",
+    "smallmatrix",
+)  # fmt: skip
 CHILDREN = {
     "mfrac": 2, "mroot": 2, "msub": 2, "msup": 2, "mover": 2, "munder": 2,
     "msubsup": 3, "munderover": 3,
@@ -39,13 +45,23 @@ def to_mathml(tex: str, *, display: bool) -> str:
     except UnsupportedTexError:
         raise
     except Exception as error:  # the converter raises a dozen unrelated types
-        reason = str(error) or type(error).__name__
-        raise UnsupportedTexError(f"cannot set {tex!r}: {reason}") from error
+        raise UnsupportedTexError(f"cannot set {quoted(tex)}: {_in_words(error)}") from error
     _strip_namespace(tree)
     _check(tree, tex)
     _mend(tree, display=display)
     space_formula(tree)
     return ElementTree.tostring(tree, encoding="unicode")
+
+
+def quoted(tex: str) -> str:
+    r"""TeX as its author wrote it, on one line: ``'\frac{a}{b}'``, its backslashes single."""
+    return f"'{' '.join(tex.split())}'"
+
+
+def _in_words(error: Exception) -> str:
+    """``double subscripts`` for a `DoubleSubscriptsError`, which says no more than its name."""
+    name = type(error).__name__.removesuffix("Error")
+    return str(error) or re.sub(r"(?<=[a-z])(?=[A-Z])", " ", name).lower()
 
 
 def _rewrite(tex: str) -> str:
@@ -72,10 +88,13 @@ def _check_balance(tex: str) -> None:
         if depth < 0:
             break
     if depth:
-        raise UnsupportedTexError(f"unbalanced braces in {tex!r}")
+        raise UnsupportedTexError(f"unbalanced braces in {quoted(tex)}")
     begun, ended = (re.findall(rf"\\{word}\{{([^}}]*)\}}", tex) for word in ("begin", "end"))
     if sorted(begun) != sorted(ended):
-        raise UnsupportedTexError(f"\\begin and \\end do not match in {tex!r}")
+        raise UnsupportedTexError(f"\\begin and \\end do not match in {quoted(tex)}")
+    for name in begun:
+        if name not in ENVIRONMENTS:
+            raise UnsupportedTexError(unknown("environment", name, ENVIRONMENTS))
 
 
 def _strip_namespace(tree: ElementTree.Element) -> None:
@@ -88,12 +107,14 @@ def _check(tree: ElementTree.Element, tex: str) -> None:
     for element in tree.iter():
         text = element.text or ""
         if element.tag != "mtext" and (command := re.search(r"\\\w*", text)):
-            raise UnsupportedTexError(f"unsupported TeX command {command[0]!r} in {tex!r}")
+            message = f"unsupported TeX command '{command[0]}' in {quoted(tex)}"
+            raise UnsupportedTexError(message)
         if element.tag != "mtext" and "&" in text:
-            raise UnsupportedTexError(f"'&' outside of a table in {tex!r}")
+            raise UnsupportedTexError(f"'&' outside of a table in {quoted(tex)}")
         wanted = CHILDREN.get(element.tag)
         if wanted is not None and len(element) != wanted:
-            raise UnsupportedTexError(f"a part of a fraction, root or script is missing in {tex!r}")
+            part = "a part of a fraction, root or script"
+            raise UnsupportedTexError(f"{part} is missing in {quoted(tex)}")
 
 
 def _mend(tree: ElementTree.Element, *, display: bool) -> None:

@@ -70,8 +70,8 @@ def test_limits_of_max_stand_below_it_in_display() -> None:
 @pytest.mark.parametrize(
     ("tex", "reason"),
     [
-        (r"\foo{x}", r"unsupported TeX command '\\foo'"),
-        (r"a \nonumber", r"unsupported TeX command '\\nonumber'"),
+        (r"\foo{x}", r"unsupported TeX command '\foo'"),
+        (r"a \nonumber", r"unsupported TeX command '\nonumber'"),
         (r"\frac{a", "unbalanced braces"),
         (r"a}b{", "unbalanced braces"),
         (r"\frac{a}", "is missing"),
