@@ -22,8 +22,8 @@ from pathlib import Path
 from typing import Any
 
 from simulations.engine.ladder import Ladder, Metric, Tier, pareto_front
-from simulations.registry import LADDER_MODULES, UnknownLadderError, load_ladder
-from site_builder.diagnostics import Diagnostics
+from simulations.registry import UnknownLadderError, load_ladder
+from site_builder.diagnostics import Diagnostics, cause
 
 DATA = "content/measurements.json"
 SIDES = ("native", "browser")
@@ -127,18 +127,21 @@ class Measurements:
         entry = self.ladders.get(ladder_id)
         if entry is None:
             raise MeasurementError(f"ladder {ladder_id!r} is not in {DATA}; {again}")
-        for what, declared, measured in _declarations(ladder, entry):
-            if declared != measured:
-                raise MeasurementError(
-                    f"{DATA} is out of date: the {what} of ladder {ladder_id!r} "
-                    f"changed from {measured} to {declared}; {again}"
-                )
-        return MeasuredLadder(
-            ladder,
-            tuple(_read_tier(tier, entry["tiers"][tier.id]) for tier in ladder.tiers),
-            _find_metric(ladder, metric_id),
-            self.machine,
-        )
+        metric = _find_metric(ladder, metric_id)
+        try:
+            for what, declared, measured in _declarations(ladder, entry):
+                if declared != measured:
+                    raise MeasurementError(
+                        f"{DATA} is out of date: the {what} of ladder {ladder_id!r} "
+                        f"changed from {measured} to {declared}; {again}"
+                    )
+            tiers = tuple(_read_tier(ladder, tier, entry["tiers"]) for tier in ladder.tiers)
+        except (KeyError, TypeError) as error:
+            raise MeasurementError(
+                f"{DATA}: ladder {ladder_id!r} is not as `make bench` writes it "
+                f"({cause(error)}); {again}"
+            ) from error
+        return MeasuredLadder(ladder, tiers, metric, self.machine)
 
     def _load(self, ladder_id: str) -> Ladder:
         try:
@@ -146,8 +149,8 @@ class Measurements:
         except UnknownLadderError as error:
             raise MeasurementError(str(error)) from error
         except Exception as error:  # whatever a ladder's own code may raise
-            reason = f"{type(error).__name__}: {error}"
-            raise MeasurementError(f"ladder {ladder_id!r} cannot be loaded: {reason}") from error
+            message = f"ladder {ladder_id!r} cannot be loaded: {cause(error)}"
+            raise MeasurementError(message) from error
 
     def all(self) -> tuple[MeasuredLadder, ...]:
         """Every ladder of the file, in its order."""
@@ -161,18 +164,14 @@ def read_measurements(
     file = root / DATA
     if not file.is_file():
         return Measurements(load_ladder=load)
-    text = file.read_text(encoding="utf-8")
     try:
-        data = json.loads(text)
+        data = json.loads(file.read_text(encoding="utf-8"))
+        return Measurements(data["machine"], data["ladders"], load)
     except json.JSONDecodeError as error:
         problems.add(DATA, error.lineno, f"malformed JSON: {error.msg}; run `make bench`")
-        return Measurements(load_ladder=load)
-    return Measurements(data["machine"], data["ladders"], load)
-
-
-def unmeasured(measurements: Measurements) -> tuple[str, ...]:
-    """Registered ladders that the file lacks."""
-    return tuple(name for name in LADDER_MODULES if name not in measurements.ladders)
+    except (KeyError, TypeError):
+        problems.add(DATA, 1, "no 'machine' or no 'ladders'; run `make bench`")
+    return Measurements(load_ladder=load)
 
 
 def _declarations(
@@ -186,8 +185,10 @@ def _declarations(
     )
 
 
-def _read_tier(tier: Tier, entry: Mapping[str, Any]) -> MeasuredTier:
-    return MeasuredTier(tier, entry["errors"], {side: Timing(**entry[side]) for side in SIDES})
+def _read_tier(ladder: Ladder, tier: Tier, entries: Mapping[str, Any]) -> MeasuredTier:
+    entry = entries[tier.id]
+    errors = {metric.id: entry["errors"][metric.id] for metric in ladder.metrics}
+    return MeasuredTier(tier, errors, {side: Timing(**entry[side]) for side in SIDES})
 
 
 def _find_metric(ladder: Ladder, metric_id: str) -> Metric:

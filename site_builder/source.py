@@ -9,6 +9,7 @@ from pathlib import Path
 from simulations.engine.scene import Scene
 from site_builder.book import Book, Chapter, Simulation
 from site_builder.diagnostics import Diagnostics, unknown
+from site_builder.markdown.inline import chapter_id
 from site_builder.markdown.parser import CONSTRUCTS, make_parser, read_chapter
 from site_builder.markdown.reading import Reading
 from site_builder.markdown.simulation import find_scene
@@ -17,6 +18,8 @@ from site_builder.measurements import Measurements
 OUTLINE = "content/book.toml"
 TEXTS = ("title", "subtitle", "prerequisites")
 KEYS = (*TEXTS, "chapters", "hero", "hero_caption")
+OWN_FOLDERS = ("assets", "licences", "runtime", "source")
+"""Folders of the site beside those of its chapters."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -50,7 +53,7 @@ def read_book(
             continue
         _check_number(name, number, line, problems)
         path = file.relative_to(root).as_posix()
-        text = file.read_text(encoding="utf-8")
+        text = _read_text(root, path, problems)
         chapters.append(
             read_chapter(
                 text,
@@ -62,6 +65,7 @@ def read_book(
                 measurements=measurements or Measurements(),
             )
         )
+    _check_addresses(outline, problems)
     _check_unlisted(root, outline, problems)
     return Book(
         title=outline.title,
@@ -73,8 +77,7 @@ def read_book(
 
 
 def _read_outline(root: Path, problems: Diagnostics) -> Outline:
-    file = root / OUTLINE
-    text = file.read_text(encoding="utf-8") if file.is_file() else ""
+    text = _read_text(root, OUTLINE, problems) if (root / OUTLINE).is_file() else ""
     if not text:
         problems.add(OUTLINE, 1, f"no outline; legal: a file with {', '.join(KEYS)}")
     try:
@@ -87,7 +90,8 @@ def _read_outline(root: Path, problems: Diagnostics) -> Outline:
         if key not in KEYS:
             problems.add(OUTLINE, _line_of(key, text), unknown("key", key, KEYS))
     for key in TEXTS:
-        if text and not isinstance(table.get(key), str):
+        value = table.get(key)
+        if text and not (isinstance(value, str) and value.strip()):
             problems.add(OUTLINE, _line_of(key, text), f'no {key!r}; legal: {key} = "some text"')
     names = table.get("chapters", [])
     if text and not (isinstance(names, list) and names and all(isinstance(n, str) for n in names)):
@@ -102,6 +106,18 @@ def _read_outline(root: Path, problems: Diagnostics) -> Outline:
         hero_caption=str(table.get("hero_caption", "")),
         hero_line=_line_of("hero", text),
     )
+
+
+def _read_text(root: Path, path: str, problems: Diagnostics) -> str:
+    """The file below ``root``, with or without the mark that some editors put before the text."""
+    data = (root / path).read_bytes()
+    try:
+        text = data.decode("utf-8-sig")
+    except UnicodeDecodeError as error:
+        line = data.count(b"\n", 0, error.start) + 1
+        problems.add(path, line, f"byte 0x{data[error.start]:02x} is not UTF-8; legal: UTF-8")
+        text = data.decode("utf-8-sig", errors="replace")
+    return text.replace("\r\n", "\n")
 
 
 def _line_of(fragment: str, text: str) -> int:
@@ -123,6 +139,17 @@ def _check_number(name: str, number: int, line: int, problems: Diagnostics) -> N
         )
 
 
+def _check_addresses(outline: Outline, problems: Diagnostics) -> None:
+    """Two pages at one address: one would silently take the other's place."""
+    taken = dict.fromkeys(OWN_FOLDERS, "a folder of the site's own")
+    for name, line in outline.chapters:
+        slug = chapter_id(name)
+        if slug in taken:
+            message = f"chapter {name!r} has the address {slug}/, as {taken[slug]} has"
+            problems.add(OUTLINE, line, f"{message}; legal: one of its own")
+        taken.setdefault(slug, f"chapter {name!r}")
+
+
 def _check_unlisted(root: Path, outline: Outline, problems: Diagnostics) -> None:
     listed = {name for name, _ in outline.chapters}
     for name in _chapter_files(root):
@@ -137,6 +164,11 @@ def _read_hero(
         return None
     reading = Reading(OUTLINE, root, problems, load_scene, make_parser(), CONSTRUCTS)
     scene = find_scene(outline.hero, outline.hero_line, reading)
+    caption_html = reading.inline_html(outline.hero_caption, outline.hero_line)
+    for link in reading.links:
+        problems.add(
+            OUTLINE, link.line, f"link {link.target!r} in the cover's caption; legal: 'https://…'"
+        )
     if scene is None:
         return None
     return Simulation(
@@ -144,7 +176,7 @@ def _read_hero(
         id=f"figure-{scene.id}",
         values={},
         tier=scene.default_tier,
-        caption_html=reading.inline_html(outline.hero_caption, outline.hero_line),
+        caption_html=caption_html,
         path=OUTLINE,
         line=outline.hero_line,
     )

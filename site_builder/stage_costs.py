@@ -5,6 +5,7 @@ stages run again is found anew at every build, by moving the control.
 """
 
 import json
+import statistics
 from collections.abc import Mapping
 from dataclasses import dataclass
 from pathlib import Path
@@ -14,6 +15,7 @@ from simulations.engine.controls import ControlError, check_values
 from simulations.engine.frame import StageReport
 from simulations.engine.pipeline import StageCache
 from simulations.engine.scene import Scene
+from site_builder.diagnostics import cause
 
 DATA = Path("content") / "stage-costs.json"
 REMEASURE = "run `PYTHONPATH=tests python -m bench.stage_costs`"
@@ -52,23 +54,22 @@ def read_stage_costs(root: Path, scene: Scene) -> StageCosts:
     """Raises `StageCostError` where nothing, or something else, was measured."""
     try:
         entry = json.loads((root / DATA).read_text(encoding="utf-8"))[scene.id]
-    except (OSError, ValueError, KeyError):
+    except (OSError, ValueError, KeyError, TypeError):
         raise StageCostError(f"{DATA} has no scene {scene.id!r}; {REMEASURE}") from None
-    moves = tuple(
-        _move(scene, entry["start"], control, cost) for control, cost in entry["moves"].items()
-    )
-    times = sorted(cost["whole_ms"] for cost in entry["moves"].values())
-    stages = len(after_move(scene, entry["start"], {}))
-    return StageCosts(scene, stages, times[len(times) // 2], moves)
+    try:
+        start, costs = entry["start"], entry["moves"]
+        moves = tuple(_move(scene, start, control, cost) for control, cost in costs.items())
+        whole_ms = statistics.median_high(cost["whole_ms"] for cost in costs.values())
+        return StageCosts(scene, len(after_move(scene, start, {})), whole_ms, moves)
+    except (ControlError, KeyError, TypeError, statistics.StatisticsError) as error:
+        reason = str(error) if isinstance(error, ControlError) else cause(error)
+        raise StageCostError(f"{DATA}: {scene.id}: {reason}; {REMEASURE}") from None
 
 
 def _move(
     scene: Scene, start: Mapping[str, object], control: str, cost: Mapping[str, Any]
 ) -> MoveCost:
-    try:
-        reports = after_move(scene, start, {control: cost["to"]})
-    except ControlError as error:
-        raise StageCostError(f"{DATA}: {scene.id}: {error}; {REMEASURE}") from None
+    reports = after_move(scene, start, {control: cost["to"]})
     labels = {item.name: item.label for item in scene.controls}
     status = [report.status for report in reports]
     return MoveCost(

@@ -10,7 +10,7 @@ from simulations.engine.controls import Values, check_values
 from simulations.engine.frame import Frame, Raster
 from simulations.engine.pipeline import StageCache
 from site_builder.book import Book, Simulation
-from site_builder.diagnostics import Diagnostics
+from site_builder.diagnostics import Diagnostics, cause
 
 
 @dataclass(frozen=True, slots=True)
@@ -41,12 +41,8 @@ def render_stills(book: Book, problems: Diagnostics) -> tuple[Stills, dict[str, 
         try:
             frame = figure.scene.render(values, figure.tier, StageCache())
         except Exception as error:  # whatever a scene's own code may raise is the author's to see
-            reason = f"{type(error).__name__}: {error}"
-            problems.add(
-                figure.path,
-                figure.line,
-                f"simulation {figure.scene.id!r} cannot be drawn: {reason}",
-            )
+            message = f"simulation {figure.scene.id!r} cannot be drawn: {cause(error)}"
+            problems.add(figure.path, figure.line, message)
             continue
         pictures = {}
         for panel in frame.panels:

@@ -27,7 +27,11 @@ def read_illustration(
     inside = (
         file and not PurePosixPath(file).is_absolute() and ".." not in PurePosixPath(file).parts
     )
-    if not inside or not (content / file).is_file() or not file.endswith(SUFFIXES):
+    if inside and (content / file).is_file() and not file.endswith(SUFFIXES):
+        message = f"picture file {file!r}; legal: a name that ends in {', '.join(SUFFIXES)}"
+        reading.problem(directive.line, message)
+        return None
+    if not inside or not (content / file).is_file():
         pictures = (
             path.relative_to(content).as_posix()
             for path in sorted(content.rglob("*"))

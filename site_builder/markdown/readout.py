@@ -14,7 +14,7 @@ from simulations.engine.frame import Frame, Readout
 from simulations.engine.pipeline import StageCache
 from simulations.engine.scene import Scene
 from simulations.registry import UnknownSceneError
-from site_builder.diagnostics import unknown
+from site_builder.diagnostics import cause, unknown
 from site_builder.markdown.text_role import with_unit
 
 LEGAL = "legal: 'SCENE READOUT [CONTROL=VALUE …] [tier=ID] [bare]', each control once"
@@ -50,8 +50,8 @@ class Readouts:
         except UnknownSceneError as error:
             raise ReadoutError(str(error)) from error
         except Exception as error:  # whatever a scene's own code may raise
-            reason = f"{type(error).__name__}: {error}"
-            raise ReadoutError(f"simulation {scene_id!r} cannot be loaded: {reason}") from error
+            message = f"simulation {scene_id!r} cannot be loaded: {cause(error)}"
+            raise ReadoutError(message) from error
 
     def _frame(self, scene: Scene, tier: str, settings: Mapping[str, str]) -> Frame:
         try:
@@ -63,8 +63,8 @@ class Readouts:
             try:
                 self.frames[key] = scene.render(values, tier, StageCache())
             except Exception as error:  # whatever a scene's own code may raise
-                reason = f"{type(error).__name__}: {error}"
-                raise ReadoutError(f"simulation {scene.id!r} cannot be drawn: {reason}") from error
+                message = f"simulation {scene.id!r} cannot be drawn: {cause(error)}"
+                raise ReadoutError(message) from error
         return self.frames[key]
 
 

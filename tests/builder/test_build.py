@@ -13,6 +13,7 @@ from site_builder.diagnostics import BuildError
 from site_builder.markdown.parser import CONSTRUCTS
 from site_builder.render import BLOCK_TEMPLATES, TEMPLATES
 from site_builder.serve import Builds
+from site_builder.source import OWN_FOLDERS
 from site_builder.writer import write_site
 
 type MakeBook = Callable[..., Options]
@@ -108,6 +109,12 @@ def test_the_folder_of_assets_is_named_by_names_and_contents() -> None:
     assert hashed_folder("assets", {"a": b"1"})[1].keys() == {
         hashed_folder("assets", {"a": b"1"})[0] + "a"
     }
+
+
+def test_no_chapter_may_take_the_place_of_the_site_s_own_folders(make_book: MakeBook) -> None:
+    body = ":::{source} simulations.models.thing:double\n:::\n"
+    folders = {path.split("/")[0] for path in render_site(make_book(body)) if "/" in path}
+    assert folders - {"first", "second"} | {"runtime"} == set(OWN_FOLDERS)
 
 
 def test_every_construct_has_a_template() -> None:

@@ -9,7 +9,14 @@ from pathlib import Path
 
 import pytest
 
+from site_builder.build import Options
+from site_builder.diagnostics import unknown
+
 FIXTURES = Path(__file__).parents[1] / "fixtures" / "mistakes"
+OUTLINE = (
+    'title = "T"\nsubtitle = "S"\nprerequisites = "P"\nhero = "demo"\n'
+    'hero_caption = "The *demo*."\nchapters = [\n  "00-first",\n  "01-second",\n]\n'
+)
 type Find = Callable[..., list[str]]
 
 
@@ -56,6 +63,69 @@ def test_a_chapter_whose_number_is_not_its_place_is_reported(mistakes: Find) -> 
     assert any("'01-second' stands at place 0; legal: '00-slug'" in line for line in found)
 
 
+@pytest.mark.parametrize(
+    ("name", "holder"),
+    [
+        ("01-first", "chapter '00-first'"),
+        ("01-licences", "a folder of the site's own"),
+    ],
+)
+def test_two_pages_at_one_address_are_reported(mistakes: Find, name: str, holder: str) -> None:
+    chapter = "---\ntitle: S\nsummary: s\n---\n\nText.\n"
+    outline = OUTLINE.replace("01-second", name)
+    found = mistakes(
+        files={
+            "content/book.toml": outline,
+            "content/01-second.md": None,
+            f"content/{name}.md": chapter,
+        }
+    )
+    slug = name.removeprefix("01-")
+    assert found == [
+        f"content/book.toml:8: chapter {name!r} has the address {slug}/, as {holder} has; "
+        "legal: one of its own"
+    ]
+
+
+def test_a_file_in_another_encoding_is_reported_at_its_line(
+    mistakes: Find, tmp_path: Path, make_book: Callable[..., Options]
+) -> None:
+    make_book()
+    text = "---\ntitle: T\nsummary: s\n---\n\nA café.\n"
+    (tmp_path / "content/00-first.md").write_bytes(text.encode("latin-1"))
+    found = mistakes(files={"content/00-first.md": None})
+    assert found == ["content/00-first.md:6: byte 0xe9 is not UTF-8; legal: UTF-8"]
+
+
+def test_the_mark_that_some_editors_put_before_a_text_is_no_mistake(mistakes: Find) -> None:
+    text = "\ufeff---\r\ntitle: T\r\nsummary: s\r\n---\r\n\r\nText.\r\n"
+    assert mistakes(files={"content/00-first.md": text}) == []
+
+
+def test_a_link_that_would_lead_out_of_the_cover_is_reported(mistakes: Find) -> None:
+    outline = OUTLINE.replace("The *demo*.", "As in [here](00-first.md).")
+    found = mistakes(files={"content/book.toml": outline})
+    assert found == [
+        "content/book.toml:4: link '00-first.md' in the cover's caption; legal: 'https://…'"
+    ]
+
+
+def test_a_picture_of_a_kind_that_is_not_published_is_reported(mistakes: Find) -> None:
+    body = ":::{figure} images/plan.PNG\n:alt: A plan\n:::\n"
+    found = mistakes(body, {"content/images/plan.PNG": "x"})
+    assert found == [
+        "content/00-first.md:5: picture file 'images/plan.PNG'; "
+        "legal: a name that ends in .svg, .png, .jpg, .jpeg, .webp"
+    ]
+
+
+def test_of_many_legal_names_the_first_are_listed_and_the_rest_counted() -> None:
+    names = [f"n{number}" for number in range(30)]
+    assert unknown("name", "zzz", names) == (
+        f"unknown name 'zzz'; legal: {', '.join(names[:20])} and 10 more"
+    )
+
+
 def test_malformed_toml_is_reported_at_its_line(mistakes: Find) -> None:
     found = mistakes(files={"content/book.toml": 'title = "T"\nsubtitle = \n'})
     assert found[0].startswith("content/book.toml:2: malformed TOML:")
@@ -66,6 +136,14 @@ def test_a_missing_key_of_the_outline_is_reported(mistakes: Find) -> None:
     found = mistakes(files={"content/book.toml": outline})
     assert "content/book.toml:2: unknown key 'subtitel'; did you mean 'subtitle'?" in found
     assert any("no 'subtitle'" in line for line in found)
+
+
+def test_a_character_that_yaml_forbids_is_reported(mistakes: Find) -> None:
+    found = mistakes(files={"content/00-first.md": "---\ntitle: a\x07\nsummary: s\n---\n"})
+    assert found == [
+        "content/00-first.md:1: malformed YAML: unacceptable character #x0007: "
+        "special characters are not allowed"
+    ]
 
 
 def test_malformed_yaml_is_reported_at_its_line(mistakes: Find) -> None:

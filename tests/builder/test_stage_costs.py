@@ -42,9 +42,19 @@ def test_nothing_moved_from_nothing_computes_all_but_the_neutral() -> None:
     [
         (None, "has no scene 'camera'"),
         ({"other": {}}, "has no scene 'camera'"),
+        ([], "has no scene 'camera'"),
+        ({"camera": {"start": {}}}, "KeyError: 'moves'"),
+        ({"camera": {"start": {}, "moves": {}}}, "no median for empty data"),
         ({"camera": {"start": {}, "moves": {"zoom": MOVE}}}, "unknown parameter 'zoom'"),
     ],
-    ids=["no file", "another scene", "a control that has gone"],
+    ids=[
+        "no file",
+        "another scene",
+        "a list",
+        "no moves",
+        "empty moves",
+        "a control that has gone",
+    ],
 )
 def test_stale_data_say_how_to_measure_again(tmp_path: Path, content: object, said: str) -> None:
     if content is not None:
