@@ -27,12 +27,11 @@ def content_bytes(content: Content) -> bytes:
     return content if isinstance(content, bytes) else content.read_bytes()
 
 
-def folder_files(folder: Path, prefix: str = "") -> dict[str, Content]:
-    """All files below ``folder``, by their path in it; hidden files left out."""
-    if not folder.is_dir():
-        return {}
+def folder_files(folder: Path) -> dict[str, Content]:
+    """All files below ``folder``, by their path in it; what is hidden is left out."""
+    paths = (file.relative_to(folder) for file in sorted(folder.rglob("*")) if file.is_file())
     return {
-        prefix + file.relative_to(folder).as_posix(): file
-        for file in sorted(folder.rglob("*"))
-        if file.is_file() and not any(part.startswith(".") for part in file.parts[-2:])
+        path.as_posix(): folder / path
+        for path in paths
+        if not any(part.startswith(".") for part in path.parts)
     }

@@ -3,6 +3,7 @@
 import json
 from collections.abc import Sequence
 from dataclasses import dataclass, field
+from typing import Literal
 
 import numpy as np
 from numpy.typing import NDArray
@@ -45,7 +46,10 @@ class Panel:
                 "legal: C-contiguous (H, W, 4) uint8"
             )
         if not (0 < self.width < 1e4 and 0 < self.height < 1e4):
-            raise ValueError(f"panel {self.name!r}: view box {self.width} x {self.height}")
+            raise ValueError(
+                f"panel {self.name!r}: view box {self.width} × {self.height}; "
+                "legal: sides above 0 and below 10000 units"
+            )
 
 
 @dataclass(frozen=True, slots=True)
@@ -71,8 +75,7 @@ class StageReport:
     """What became of one stage of the computation."""
 
     name: str
-    status: str
-    """``computed``, ``reused`` or ``skipped``."""
+    status: Literal["computed", "reused", "skipped"]
     reason: str
 
 
@@ -92,9 +95,9 @@ class Frame:
             ("readout", [readout.name for readout in self.readouts]),
         ):
             if len(set(names)) != len(names):
-                raise ValueError(f"duplicate {kind} name in {names}")
+                raise ValueError(f"duplicate {kind} name in {names}; legal: each once")
         if not self.description.strip():
-            raise ValueError("a frame needs a description")
+            raise ValueError("no description; legal: a sentence on what the frame shows")
 
 
 def readout(

@@ -61,7 +61,10 @@ class Ladder:
     def __post_init__(self) -> None:
         ids = [tier.id for tier in self.tiers]
         if len(set(ids)) != len(ids) or self.default_tier not in ids:
-            raise ValueError(f"ladder {self.id!r}: tiers {ids}, default {self.default_tier!r}")
+            raise ValueError(
+                f"ladder {self.id!r}: tiers {ids}, default {self.default_tier!r}; "
+                "legal: ids that differ, and a default among them"
+            )
 
     def tier(self, tier_id: str) -> Tier:
         for tier in self.tiers:
@@ -142,10 +145,3 @@ def pareto_front(points: Sequence[tuple[float, float]]) -> tuple[bool, ...]:
         )
         for point in points
     )
-
-
-def loss(ladder: Ladder, result: TierResult) -> float:
-    """The first metric, turned so that smaller is better."""
-    metric = ladder.metrics[0]
-    value = result.errors[metric.id]
-    return -value if metric.higher_is_better else value

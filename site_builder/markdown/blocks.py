@@ -56,14 +56,6 @@ def check_options(directive: Directive, legal: Iterable[str], reading: Reading) 
             reading.problem(value.line, unknown(f"option of {{{directive.name}}}", name, names))
 
 
-def check_no_argument(directive: Directive, reading: Reading) -> None:
-    if directive.argument:
-        reading.problem(
-            directive.line,
-            f"{{{directive.name}}} {directive.argument!r}; legal: no argument",
-        )
-
-
 def _end_of_element(tokens: Sequence[Token], start: int) -> int:
     depth = 0
     for index in range(start, len(tokens)):

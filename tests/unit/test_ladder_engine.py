@@ -9,7 +9,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from simulations import browser
-from simulations.engine.ladder import Ladder, Metric, Tier, loss, measure_tier, pareto_front
+from simulations.engine.ladder import Ladder, Metric, Tier, measure_tier, pareto_front
 from simulations.registry import LADDER_MODULES, UnknownLadderError, load_ladder
 
 
@@ -36,8 +36,8 @@ class WoundClock:
         return run
 
 
-def ladder(run: Any, *, higher_is_better: bool = False) -> Ladder:
-    metric = Metric("gap", "Gap", "px", lambda r, ref, _w: abs(r - ref), higher_is_better)
+def ladder(run: Any) -> Ladder:
+    metric = Metric("gap", "Gap", "px", lambda r, ref, _w: abs(r - ref))
     return Ladder(
         id="toy",
         title="Toy",
@@ -97,24 +97,13 @@ def test_the_error_is_the_metric_of_result_and_reference() -> None:
     assert measure(clock, clock.worker(0.01)).errors == {"gap": 2.0}
 
 
-def test_preparing_is_not_timed() -> None:
+def test_workload_and_reference_are_taken_as_given_and_never_timed() -> None:
+    def again(*_: object) -> float:
+        raise AssertionError("prepared anew")
+
     clock = WoundClock()
-    toy = ladder(clock.worker(0.01))
-
-    def prepare() -> float:
-        clock.now += 99.0
-        return 1.0
-
-    workload = replace(toy, prepare=prepare).prepare()
-    result = measure_tier(toy, "only", workload, 4.0, clock, budget_s=0.0)
-    assert result.high_ms == pytest.approx(10.0)
-
-
-def test_loss_turns_a_metric_so_that_smaller_is_better() -> None:
-    clock = WoundClock()
-    result = measure(clock, clock.worker(0.01))
-    assert loss(ladder(None), result) == 2.0
-    assert loss(ladder(None, higher_is_better=True), result) == -2.0
+    toy = replace(ladder(clock.worker(0.01)), prepare=again, reference=again)
+    assert measure_tier(toy, "only", 1.0, 4.0, clock).errors == {"gap": 2.0}
 
 
 def test_the_front_leaves_out_what_is_slower_and_worse() -> None:
