@@ -135,7 +135,7 @@ def describe(values: Values, alias: float, passed: float, kept: float) -> str:
     strength = f"{format_number(100 * kept, 0)} % of their amplitude"
     if frequency == 0:
         return (
-            f"{what} of no frequency: the picture is an even grey."
+            f"{what} of no frequency: the picture has the same tone everywhere."
             if stripes
             else ("Rings without an end: the whole picture is the centre of the zone plate.")
         )

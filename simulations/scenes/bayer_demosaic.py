@@ -122,11 +122,18 @@ def _mosaic(done: Run, close: bool) -> tuple[Panel, Panel]:
     seen = through_filters(done.outputs["mosaic"], PATTERN)
     frame = drawing.close_up_frame(CLOSE_TOP, CLOSE_LEFT, UNITS_PER_PIXEL)
     truth = done.outputs["picture"]
-    left = _panel("picture", "The mosaic", _cut(seen, close), "" if close else frame)
     if close:
-        return left, _panel("error", "The truth, which no cell saw", _cut(truth, close), "")
+        return (
+            _panel("picture", "The mosaic", _cut(seen, True), "", close=True),
+            _panel("error", "The truth, which no cell saw", _cut(truth, True), "", close=True),
+        )
+    # The finest pattern there is would beat with the screen's own pixels: two samples a cell.
+    seen_twice = seen.repeat(2, axis=0).repeat(2, axis=1)
     letters = drawing.filter_letters(PATTERN)
-    return left, _panel("error", "Enlarged: one filter per cell", _cut(seen, True), letters)
+    return (
+        _panel("picture", "The mosaic", seen_twice, frame, close=False),
+        _panel("error", "Enlarged: one filter per cell", _cut(seen, True), letters, close=True),
+    )
 
 
 def _reconstruction(done: Run, close: bool) -> tuple[Panel, Panel]:
@@ -134,14 +141,15 @@ def _reconstruction(done: Run, close: bool) -> tuple[Panel, Panel]:
     errors: Errors = done.outputs["error"]
     mark = "" if close else drawing.worst_pixel(*errors.worst_at, UNITS_PER_PIXEL)
     return (
-        _panel("picture", "The reconstruction", _cut(done.outputs["demosaic"], close), mark),
-        _panel("error", f"Error × {AMPLIFY}", _cut(AMPLIFY * errors.absolute, close), mark),
+        _panel("picture", "The reconstruction", _cut(done.outputs["demosaic"], close), mark, close),
+        _panel("error", f"Error × {AMPLIFY}", _cut(AMPLIFY * errors.absolute, close), mark, close),
     )
 
 
-def _panel(name: str, title: str, picture: Picture, overlay: str) -> Panel:
+def _panel(name: str, title: str, picture: Picture, overlay: str, close: bool) -> Panel:
+    """A close-up shows its pixels as squares; a whole picture is smoothed to the screen's."""
     raster = to_rgba8(picture)
-    return Panel(name, title, drawing.WIDTH, drawing.HEIGHT, raster, overlay, pixelated=True)
+    return Panel(name, title, drawing.WIDTH, drawing.HEIGHT, raster, overlay, pixelated=close)
 
 
 def _cut(picture: Picture, close: bool) -> Picture:
@@ -185,8 +193,9 @@ def describe(done: Run, values: Values, demosaiced: bool) -> str:
             "and blue, green at half of them."
         )
     errors: Errors = done.outputs["error"]
+    method = METHOD_LABELS[values.choice("method")]
     return (
-        f"The picture of {scene}, demosaiced with {METHOD_LABELS[values.choice('method')]}: "
+        f"The picture of {scene}, demosaiced by the method {method}: "
         f"{errors.psnr_db:.1f} dB, with errors of up to {errors.worst_codes} codes along "
         "sharp edges and fine stripes and almost none in the sky."
     )

@@ -198,9 +198,10 @@ def _describe(values: Values, view_rad: float, near: float, far: float, quality:
     lines = "stay straight" if k1 == 0 else f"bow {'outwards' if k1 < 0 else 'inwards'}"
     beyond = "onwards" if math.isinf(far) else f"to {_metres(far)} m"
     noise = "no noise" if math.isinf(quality) else f"noise at {quality:.0f} dB PSNR"
+    focal, f_number = values.number("focal_length"), values.number("aperture")
     return (
-        f"A {values.number('focal_length'):.0f} mm lens at f/{values.number('aperture'):.1f} sees "
-        f"{math.degrees(view_rad):.0f}° of a still life of balls and boxes; it is sharp from "
+        f"At {focal:.0f} mm and f/{f_number:.1f} the camera sees {math.degrees(view_rad):.0f}° of "
+        "a still life of balls and boxes; it is sharp from "
         f"{_metres(near)} m {beyond}, straight lines {lines}, and the picture has {noise}."
     )
 

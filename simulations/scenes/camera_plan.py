@@ -62,10 +62,14 @@ def _in_focus(focus: float, near: float, far: float, half_tan: float) -> str:
     if focus <= WALL_DISTANCE:
         left, right = _slice(focus, half_tan)
         parts.append(drawing.line(left, right, "ray bold"))
-    row = on_plan(0, min(focus, WALL_DISTANCE - 0.5))[1]
-    label = f"focus {format_number(focus, 1)} m"
-    parts.append(drawing.line((4, row), (PLAN_WIDTH - 4, row), "ray thin dashed faint"))
-    parts.append(drawing.text((PLAN_WIDTH - 6, row - 5), label, "ray halo", "end"))
+    wall = on_plan(0, WALL_DISTANCE)[1]
+    row, label = on_plan(0, focus)[1], f"focus {format_number(focus, 1)} m"
+    baseline = row - 5 if row > wall + 20 else row + 15  # clear of the wall's line
+    if focus <= WALL_DISTANCE:
+        parts.append(drawing.line((4, row), (PLAN_WIDTH - 4, row), "ray thin dashed faint"))
+    else:
+        label, baseline = f"{label}, behind the wall", wall - 7
+    parts.append(drawing.text((PLAN_WIDTH - 6, baseline), label, "ray halo", "end"))
     return "".join(parts)
 
 

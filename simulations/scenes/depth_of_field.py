@@ -126,11 +126,11 @@ def render(values: Values, tier: str, cache: StageCache) -> Frame:
         sharp_m=(sharp.near_limit_m, sharp.far_limit_m),
     )
     texts = (
-        format_number(sharp.image_mm, 2),
         format_number(sharp.near_blur_mm, 3),
         format_number(sharp.near_blur_mm / PITCH_MM, 1),
         format_number(sharp.far_blur_mm, 3),
         format_number(sharp.far_blur_mm / PITCH_MM, 1),
+        format_number(sharp.image_mm, 2),
         format_number(sharp.near_limit_m, 2),
         format_number(sharp.far_limit_m, 2),
         format_number(hyperfocal_m, 2),
@@ -151,11 +151,11 @@ def _panels(diagram: str, picture: NDArray[np.uint8], note: str) -> tuple[Panel,
 
 def _readouts(texts: tuple[str, ...]) -> tuple[Readout, ...]:
     names = (
-        ("sensor", "Lens to sensor", "mm", "camera"),
         ("near_mm", "Disc of the ball", "mm", "world"),
         ("near_px", "Disc of the ball", "px", "world"),
         ("far_mm", "Disc of the wall", "mm", "light"),
         ("far_px", "Disc of the wall", "px", "light"),
+        ("sensor", "Lens to sensor", "mm", "camera"),
         ("near_limit", "Sharp from", "m", "ray"),
         ("far_limit", "Sharp to", "m", "ray"),
         ("hyperfocal", "Hyperfocal distance", "m", ""),
@@ -169,14 +169,14 @@ def _readouts(texts: tuple[str, ...]) -> tuple[Readout, ...]:
 def _refuse(values: Values, hyperfocal_m: float) -> Frame:
     """The frame for a focus at the focal length or nearer."""
     focal, focus = values.number("focal_length"), values.number("focus")
-    reason = (
-        f"No picture: an object at {1000 * focus:.0f} mm lies "
-        f"{'at' if 1000 * focus == focal else 'inside'} the focal length of {focal:.0f} mm."
-    )
+    place, way = ("at", "parallel") if 1000 * focus == focal else ("inside", "spreading")
     note = text((drawing.WIDTH / 2, drawing.HEIGHT / 2), "no real image", "strong halo", "middle")
     texts = (*("—",) * 7, format_number(hyperfocal_m, 2))
     panels = _panels(drawing.virtual_diagram(focus, focal / 1000), to_rgba8(UNLIT), note)
-    description = f"{reason} Its light leaves the lens spreading, and no sensor can catch an image."
+    description = (
+        f"No picture: an object at {1000 * focus:.0f} mm lies {place} the focal length of "
+        f"{focal:.0f} mm. Its light leaves the lens {way}, and no sensor can catch an image."
+    )
     return Frame(panels, _readouts(texts), description)
 
 
@@ -191,10 +191,11 @@ def describe(values: Values, sharp: Sharpness) -> str:
     near, far = (
         format_number(blur / PITCH_MM, 1) for blur in (sharp.near_blur_mm, sharp.far_blur_mm)
     )
+    focal, f_number = values.number("focal_length"), values.number("aperture")
     return (
-        f"A {values.number('focal_length'):.0f} mm lens at f/{values.number('aperture'):.1f} is "
-        f"focused at {values.number('focus'):.2f} m and sharp {reach}; points of the red ball "
-        f"spread to discs of {near} pixels, those of the wall to {far}."
+        f"At {focal:.0f} mm and f/{f_number:.1f} the lens is focused at "
+        f"{values.number('focus'):.2f} m and sharp {reach}; points of the red ball spread to "
+        f"discs of {near} pixels, those of the wall to {far}."
     )
 
 

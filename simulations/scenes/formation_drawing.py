@@ -85,9 +85,9 @@ def _scene(point: Point) -> str:
             drawing.arrow(lamp, tip, "light bold"),
             drawing.circle(lamp, 6, "light solid"),
             drawing.text((lamp[0] - 11, lamp[1] + 4), "lamp", "light small halo", "end"),
-            drawing.arrow((24, 172), (50, 172), "world", 6),
-            drawing.arrow((24, 172), (24, 146), "world", 6),
-            drawing.text((56, 176), "world", "world small"),
+            drawing.arrow((24, 146), (54, 146), "world", 6),
+            drawing.arrow((24, 146), (24, 176), "world", 6),
+            drawing.text((34, 164), "world", "world small"),
         )
     )
 

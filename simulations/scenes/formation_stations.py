@@ -125,7 +125,7 @@ def stations(journey: Journey) -> tuple[Station, ...]:
         ),
         Station(
             "Lens",
-            f"{_numbers(journey.ideal, 4)} bent to {_numbers(journey.distorted, 4)}",
+            f"{_numbers(journey.ideal, 5)} bent to {_numbers(journey.distorted, 5)}",
             "Division by depth leaves two numbers, and the lens bends them",
             "ray",
         ),

@@ -68,7 +68,6 @@ def render(values: Values, tier: str, cache: StageCache) -> Frame:
             height,
             shown,
             drawing.block_in_picture(row, column, width / COLUMNS_PX),
-            pixelated=True,
         ),
         Panel(
             "block",

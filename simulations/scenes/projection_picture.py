@@ -60,13 +60,26 @@ def image_panel(view: View) -> Panel:
 def axes(view: View) -> str:
     """Pixel axes through the principal point, and the edge of the picture."""
     marks = [[place(x, -1.5), place(x, 1.5)] for x in (-50, 50)]
-    marks += [[place(-1.5, y), place(1.5, y)] for y in (-50, 50)]
     return (
         drawing.rectangle((1.0, 1.0), WIDTH - 2.0, HEIGHT - 2.0, "image")
         + drawing.arrow(place(-97, 0), place(97, 0), "muted thin")
-        + drawing.arrow(place(0, -72), place(0, 72), "muted thin")
+        + y_axis(view)
         + drawing.path(marks, "muted thin")
         + "".join(label.draw(words, "muted small") for words, label in axis_labels(view))
+    )
+
+
+def y_axis(view: View) -> str:
+    """The axis downwards and its ticks, with a gap where words stand across it."""
+    top, bottom = place(0, -72), place(0, 72)
+    rows = message_rows(view) or (0.0,)
+    gap = (min(rows) - LABEL_HEIGHT, max(rows) + 6.0)
+    ticks = [
+        [place(-1.5, y), place(1.5, y)] for y in (-50, 50) if not gap[0] < place(0, y)[1] < gap[1]
+    ]
+    above = [[top, (top[0], gap[0])]] if gap[0] - top[1] > LABEL_HEIGHT else []
+    return drawing.path([*ticks, *above], "muted thin") + drawing.arrow(
+        (top[0], max(top[1], gap[1])), bottom, "muted thin"
     )
 
 

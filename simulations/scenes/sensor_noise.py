@@ -86,7 +86,7 @@ def render(values: Values, tier: str, cache: StageCache) -> Frame:
     panels = (
         Panel(
             "wedge",
-            "The picture of 24 patches",
+            "24 patches, and the mean electrons in each",
             drawing.WIDTH,
             drawing.HEIGHT,
             done.outputs["picture"],
@@ -106,8 +106,13 @@ def render(values: Values, tier: str, cache: StageCache) -> Frame:
     span = math.log2(saturation_e(camera) / math.sqrt(floor_e2(camera, dark)))
     theory = float(means_e[patch]) / math.sqrt(float(means_e[patch]) + floor_e2(camera, dark))
     sigma = math.sqrt(transfer.variance_dn[patch])
-    measured = format_number(transfer.mean_dn[patch] / sigma, 1) if sigma > 0 else "one code only"
     expected = "clipped" if transfer.clipped[patch] else format_number(theory, 1)
+    if sigma == 0:
+        measured = "one code only"
+    elif transfer.clipped[patch]:  # part of the noise is cut off, and the ratio would flatter
+        measured = "clipped"
+    else:
+        measured = format_number(transfer.mean_dn[patch] / sigma, 1)
     readouts = (
         readout("mean", "Patch mean", transfer.mean_dn[patch], "DN", digits=1, role="image"),
         readout("sigma", "Patch σ", sigma, "DN", digits=2, role="image"),
@@ -147,7 +152,8 @@ def describe(values: Values, transfer: Transfer, camera: sensor.Sensor, measured
     light_e = patch_means_e(values.number("exposure")) + values.number("dark")
     full = int(np.count_nonzero(light_e > saturation_e(camera)))
     burnt = f"{full} of 24 patches are burnt out" if full else "no patch is burnt out"
-    shown = "shows one code only" if measured == "one code only" else f"has an SNR of {measured}"
+    words = {"one code only": "shows one code only", "clipped": "is clipped"}
+    shown = words.get(measured, f"has an SNR of {measured}")
     floor_dn = math.sqrt(floor_e2(camera, values.number("dark"))) / camera.gain_e_per_dn
     if math.isnan(transfer.gain_e_per_dn):
         fit = "too few patches are left to measure the gain"

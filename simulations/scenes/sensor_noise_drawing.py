@@ -57,7 +57,7 @@ def over_wedge(means_e: Floats, patch: int) -> str:
         text(
             ((k % COLUMNS + 0.5) * width, (k // COLUMNS + 1) * height - 7),
             _short(float(mean)),
-            "small halo",
+            "halo",
             "middle",
         )
         for k, mean in enumerate(means_e)
@@ -69,8 +69,8 @@ def over_wedge(means_e: Floats, patch: int) -> str:
 
 def _short(mean_e: float) -> str:
     if mean_e >= 1000:
-        return f"{mean_e / 1000:.3g}k e⁻"
-    return f"{mean_e:.3g} e⁻"
+        return f"{mean_e / 1000:.3g}k"
+    return f"{mean_e:.3g}"
 
 
 def transfer_plot(

@@ -147,7 +147,7 @@ def _axes(now: float) -> Iterator[str]:
         x, y = _at(-BEFORE, row)
         yield text((x - 8, y + 4.5), str(row), "muted", "end")
     yield line(_at(0, -0.02), _at(0, ROWS), "muted dashed")
-    yield text((_at(0, 0)[0] + 5, TOP + 12), "now", "muted small halo")
+    yield text((_at(0, 0)[0], TOP - 9), "now", "muted small halo", "middle")
     yield text((RIGHT, BOTTOM + 42), "time, frames", "", "end")
     yield text((LEFT - 34, BOTTOM + 42), "↑ turn, in spoke spacings")
 

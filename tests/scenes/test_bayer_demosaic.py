@@ -24,9 +24,17 @@ def texts(shown):
 
 
 def test_each_pixel_of_the_mosaic_shows_one_colour(cache):
-    raster = frame(cache).panels[0].raster
-    assert np.count_nonzero(raster[..., :3], axis=2).max() == 1
-    assert not raster[::2, ::2, 1:3].any()  # RGGB: red stands first
+    cells = frame(cache).panels[0].raster[::2, ::2]
+    assert np.count_nonzero(cells[..., :3], axis=2).max() == 1
+    assert not cells[::2, ::2, 1:3].any()  # RGGB: red stands first
+
+
+def test_the_whole_mosaic_has_two_samples_a_cell_and_is_smoothed(cache):
+    """Any other scale than a whole number would beat with the pattern, seen on a screen."""
+    whole, close = (frame(cache, view=view).panels[0] for view in ("whole", "close"))
+    cells = whole.raster[::2, ::2]
+    np.testing.assert_array_equal(cells.repeat(2, axis=0).repeat(2, axis=1), whole.raster)
+    assert (whole.pixelated, close.pixelated) == (False, True)
 
 
 def test_a_quarter_a_half_and_a_quarter_are_measured(cache):

@@ -63,10 +63,13 @@ def test_from_the_hyperfocal_distance_on_infinity_is_sharp():
     assert texts(focal_length=24, aperture=8, focus=2)["far_limit"] == "∞"
 
 
-@pytest.mark.parametrize(("focus", "word"), [(0.05, "inside"), (0.10, "at")])
-def test_focus_at_or_inside_the_focal_length_is_refused_with_the_reason(focus, word):
+@pytest.mark.parametrize(
+    ("focus", "word", "way"), [(0.05, "inside", "spreading"), (0.10, "at", "parallel")]
+)
+def test_focus_at_or_inside_the_focal_length_is_refused_with_the_reason(focus, word, way):
     shown = frame(focal_length=100, focus=focus)
     assert f"lies {word} the focal length of 100 mm" in shown.description
+    assert f"leaves the lens {way}," in shown.description
     assert {item.text for item in shown.readouts[:7]} == {"—"}
     assert [panel.name for panel in shown.panels] == ["lens", "picture"]
 

@@ -81,7 +81,8 @@ def test_saturated_patches_are_left_out_of_the_fit_and_named():
     measured = transfer()
     assert measured.clipped[:3].all()
     assert not measured.fitted[:3].any()
-    assert texts(patch=1)["theory"] == "clipped"
+    assert texts(patch=1)["theory"] == texts(patch=1)["snr"] == "clipped"
+    assert "patch 1 is clipped" in frame(patch=1).description
 
 
 def test_too_few_bits_leave_patches_without_noise():
