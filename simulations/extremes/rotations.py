@@ -209,6 +209,19 @@ TABLE = ExtremeTable(
             ),
         ),
         ExtremeCase(
+            id="a-hair-from-the-lock",
+            call="euler.from_matrix(euler.to_matrix('ZYX', (0.3, np.pi / 2 - 1e-8, 0.1)), 'ZYX')",
+            why="Pitch 10⁻⁸ short of 90°: yaw and roll each keep about eight digits.",
+            returns="All three, so that the matrix comes back to the last digits, and True: locked.",
+            expected=lambda got: (
+                got[1] and np.allclose(got[0], (0.3, np.pi / 2 - 1e-8, 0.1), rtol=0, atol=1e-7)
+            ),
+            library=LibraryAnswer(
+                "Rotation.from_euler('ZYX', [0.3, math.pi / 2 - 1e-8, 0.1]).as_euler('ZYX')",
+                "[0.2, 1.5708, 0]",
+            ),
+        ),
+        ExtremeCase(
             id="proper-lock",
             call="euler.from_matrix(np.eye(3), 'ZXZ')[1]",
             why="In z-x-z angles the identity itself is locked.",

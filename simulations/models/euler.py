@@ -7,7 +7,8 @@ yaw) is that same matrix.
 
 Gimbal lock: at a middle angle of ±π/2 (three different axes) or 0 and π (first and third the
 same) only the sum or difference of the other two angles is determined. The third is then set to
-zero and ``locked`` is True.
+zero and ``locked`` is True. It is True near the lock as well, where two angles still say all of
+the rotation between them, but each of them alone is known to fewer and fewer digits.
 """
 
 import math
@@ -21,7 +22,10 @@ from simulations.models.rotations import Floats, check_rotation, from_axis_angle
 type Mask = NDArray[np.bool_]
 
 LOCK_RAD = 1e-7
-"""Distance of the middle angle from the locked position below which the outer angles are noise."""
+"""Distance of the middle angle from the locked position below which we call it locked: the outer
+angles have nine digits left at most."""
+ROUNDING_RAD = 4e-15
+"""Distance below which they have none: one of them may as well be zero."""
 
 
 def to_matrix(sequence: str, angles_rad: ArrayLike) -> Floats:
@@ -53,7 +57,8 @@ def from_matrix(R: ArrayLike, sequence: str) -> tuple[Floats, Mask]:
     -------
     angles_rad : (..., 3), in the order of the letters. The middle one is in [−π/2, π/2] for three
         different axes, else in [0, π]; the others are in (−π, π].
-    locked : (...,) bool
+    locked : (...,) bool, within `LOCK_RAD` of the lock. The angles give R back all the same, to
+        rounding; within `ROUNDING_RAD` the third is zero.
 
     Raises
     ------
@@ -71,16 +76,17 @@ def from_matrix(R: ArrayLike, sequence: str) -> tuple[Floats, Mask]:
     a, b, c, d = (w, qi, qj, qk) if proper else (w - qj, qi + qk, qj + w, qk - qi)
     middle = 2.0 * np.arctan2(np.hypot(c, d), np.hypot(a, b))
     half_sum, half_difference = np.arctan2(b, a), np.arctan2(d, c)
-    locked = np.minimum(middle, math.pi - middle) < LOCK_RAD
+    from_lock = np.minimum(middle, math.pi - middle)
+    lost = from_lock < ROUNDING_RAD
     low = middle < 1.0
     known = 2.0 * np.where(low, half_sum, half_difference)
     lone = (0.0, known) if intrinsic else (np.where(low, known, -known), 0.0)
-    first = np.where(locked, lone[0], half_sum - half_difference)
-    third = np.where(locked, lone[1], half_sum + half_difference)
+    first = np.where(lost, lone[0], half_sum - half_difference)
+    third = np.where(lost, lone[1], half_sum + half_difference)
     if not proper:
         third, middle = third * sign, middle - math.pi / 2.0
     first, third = (third, first) if intrinsic else (first, third)
-    return np.stack([_wrapped(first), middle, _wrapped(third)], axis=-1), locked
+    return np.stack([_wrapped(first), middle, _wrapped(third)], axis=-1), from_lock < LOCK_RAD
 
 
 def _axes(sequence: str) -> list[int]:

@@ -43,7 +43,7 @@ def test_gimbal_lock_is_reported_and_the_matrix_still_comes_back(sequence, upper
     angles, locked = euler.from_matrix(R, sequence)
     assert locked
     assert angles[2] == pytest.approx(0.0, abs=1e-15)
-    assert euler.to_matrix(sequence, angles) == pytest.approx(R, abs=1e-7)
+    assert euler.to_matrix(sequence, angles) == pytest.approx(R, abs=1e-14)
 
 
 def test_in_the_lock_40_of_roll_with_10_of_yaw_is_30_of_roll():
@@ -77,6 +77,20 @@ def test_the_lock_begins_a_ten_millionth_of_a_radian_from_the_end(sequence, off,
     middle = off if sequence.lower() == "zxz" else np.pi / 2 - off
     R = euler.to_matrix(sequence, (0.4, middle, 0.3))
     assert euler.from_matrix(R, sequence)[1] == locked
+
+
+@pytest.mark.parametrize("sequence", SEQUENCES)
+@pytest.mark.parametrize("upper_end", [False, True])
+def test_the_matrix_comes_back_to_rounding_however_near_the_lock(sequence, upper_end):
+    middle = np.full((9, 3), [0.5, 0.0, 0.2])
+    off = 10.0 ** -np.arange(4, 13)
+    if sequence.lower() in PROPER:
+        middle[:, 1] = math.pi - off if upper_end else off
+    else:
+        middle[:, 1] = math.pi / 2 - off if upper_end else off - math.pi / 2
+    R = euler.to_matrix(sequence, middle)
+    angles, _ = euler.from_matrix(R, sequence)
+    np.testing.assert_allclose(euler.to_matrix(sequence, angles), R, atol=1e-14, rtol=0)
 
 
 def test_outer_angles_of_half_a_turn_are_positive():

@@ -35,7 +35,7 @@ def test_only_those_that_are_locked_are_told_so(sequence):
     angles, locked = euler.from_matrix(R, sequence)
     assert locked.tolist() == [False, True, False]
     assert angles[1, 2] == 0.0
-    np.testing.assert_allclose(euler.to_matrix(sequence, angles), R, atol=1e-7)
+    np.testing.assert_allclose(euler.to_matrix(sequence, angles), R, atol=1e-14)
 
 
 @pytest.mark.parametrize("angles", [0.3, [0.1, 0.2], np.zeros((3, 2))])
