@@ -212,7 +212,7 @@ TABLE = ExtremeTable(
             id="a-hair-from-the-lock",
             call="euler.from_matrix(euler.to_matrix('ZYX', (0.3, np.pi / 2 - 1e-8, 0.1)), 'ZYX')",
             why="Pitch 10⁻⁸ short of 90°: yaw and roll each keep about eight digits.",
-            returns="All three, so that the matrix comes back to the last digits, and True: locked.",
+            returns="All three, so that the matrix comes back to rounding, and True: locked.",
             expected=lambda got: (
                 got[1] and np.allclose(got[0], (0.3, np.pi / 2 - 1e-8, 0.1), rtol=0, atol=1e-7)
             ),
