@@ -8,11 +8,12 @@ from functools import lru_cache
 from math import isfinite
 from typing import Any
 
-from simulations.engine.controls import clamp_values
+from simulations.engine.controls import Values, clamp_values
 from simulations.engine.frame import Raster, Readout, to_json
 from simulations.engine.ladder import measure_tier
 from simulations.engine.parts import fetch_missing
 from simulations.engine.pipeline import StageCache
+from simulations.engine.scene import Scene
 from simulations.registry import load_ladder, load_scene
 
 __all__ = ["Reply", "error", "fetch_missing", "forget", "measure", "render"]
@@ -36,14 +37,10 @@ def render(figure: str, scene_id: str, values: str, tier: str) -> Reply:
     """One frame of ``scene_id`` for the figure named ``figure``.
 
     ``values`` is a JSON object of control values; what is left out takes its default and
-    numbers out of range are clamped. Raises `UnknownSceneError` and `ControlError`.
+    numbers out of range are clamped. Raises `UnknownIdError` and `ControlError`.
     """
     scene = load_scene(scene_id)
-    frame = scene.render(
-        clamp_values(scene.controls, json.loads(values)),
-        tier if tier in scene.tiers else scene.default_tier,
-        _caches.setdefault(figure, StageCache()),
-    )
+    frame = scene.render(*_setting(scene, figure, values, tier))
     rasters = tuple(panel.raster for panel in frame.panels if panel.raster is not None)
     return Reply(to_json(frame), rasters)
 
@@ -52,7 +49,7 @@ def error(figure: str, scene_id: str, values: str, tier: str) -> str:
     """The next, better estimate of how far the frame of these values is from the truth.
 
     JSON of a `Readout`, or ``null`` where there is no better one. Asking for other values
-    drops what was begun. Raises `UnknownSceneError` and `ControlError`.
+    drops what was begun. Raises `UnknownIdError` and `ControlError`.
     """
     scene = load_scene(scene_id)
     wanted = (scene_id, values, tier)
@@ -60,14 +57,19 @@ def error(figure: str, scene_id: str, values: str, tier: str) -> str:
     if begun != wanted:
         estimates = iter(())
         if scene.error is not None:
-            estimates = scene.error(
-                clamp_values(scene.controls, json.loads(values)),
-                tier if tier in scene.tiers else scene.default_tier,
-                _caches.setdefault(figure, StageCache()),
-            )
+            estimates = scene.error(*_setting(scene, figure, values, tier))
         _judgements[figure] = (wanted, estimates)
     estimate = next(estimates, None)
     return json.dumps(None if estimate is None else asdict(estimate), ensure_ascii=False)
+
+
+def _setting(scene: Scene, figure: str, values: str, tier: str) -> tuple[Values, str, StageCache]:
+    """What a scene is called with; a tier that it lacks stands for its default."""
+    return (
+        clamp_values(scene.controls, json.loads(values)),
+        tier if tier in scene.tiers else scene.default_tier,
+        _caches.setdefault(figure, StageCache()),
+    )
 
 
 def forget(figure: str) -> None:
@@ -76,10 +78,10 @@ def forget(figure: str) -> None:
     _judgements.pop(figure, None)
 
 
-def measure(ladder_id: str, tier_id: str, budget_s: float = 0.4) -> str:
+def measure(ladder_id: str, tier_id: str, budget_s: float) -> str:
     """Time and judge one tier of a ladder on this machine, as JSON of its `TierResult`.
 
-    Infinities become null: no error that the metric could see. Raises `UnknownLadderError`,
+    Infinities become null: no error that the metric could see. Raises `UnknownIdError`,
     and `ValueError` for a tier that the ladder lacks.
     """
     ladder = load_ladder(ladder_id)

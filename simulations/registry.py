@@ -1,6 +1,8 @@
 """The tables of scenes and ladders: id to module. A module is imported only when asked for."""
 
+from collections.abc import Mapping
 from importlib import import_module
+from types import ModuleType
 
 from simulations.engine.controls import suggestion
 from simulations.engine.ladder import Ladder
@@ -46,37 +48,27 @@ LADDER_MODULES = {
 }
 
 
-class UnknownSceneError(KeyError):
-    """No scene of that id; the message names the legal ones."""
+class UnknownIdError(KeyError):
+    """No scene or no ladder of that id; the message names the nearest legal one, or all."""
 
     def __str__(self) -> str:
         return str(self.args[0])
 
 
 def load_scene(scene_id: str) -> Scene:
-    """The scene ``scene_id``, from the ``SCENE`` of its module."""
-    if scene_id not in SCENE_MODULES:
-        raise UnknownSceneError(
-            f"unknown simulation {scene_id!r}"
-            f"{suggestion(scene_id, SCENE_MODULES) or '; legal: ' + ', '.join(SCENE_MODULES)}"
-        )
-    scene: Scene = import_module(SCENE_MODULES[scene_id]).SCENE
+    """The scene ``scene_id``: the ``SCENE`` of its module. Raises `UnknownIdError`."""
+    scene: Scene = _module("simulation", scene_id, SCENE_MODULES).SCENE
     return scene
 
 
-class UnknownLadderError(KeyError):
-    """No ladder of that id; the message names the legal ones."""
-
-    def __str__(self) -> str:
-        return str(self.args[0])
-
-
 def load_ladder(ladder_id: str) -> Ladder:
-    """The ladder ``ladder_id``, from the ``LADDER`` of its module."""
-    if ladder_id not in LADDER_MODULES:
-        raise UnknownLadderError(
-            f"unknown ladder {ladder_id!r}"
-            f"{suggestion(ladder_id, LADDER_MODULES) or '; legal: ' + ', '.join(LADDER_MODULES)}"
-        )
-    ladder: Ladder = import_module(LADDER_MODULES[ladder_id]).LADDER
+    """The ladder ``ladder_id``: the ``LADDER`` of its module. Raises `UnknownIdError`."""
+    ladder: Ladder = _module("ladder", ladder_id, LADDER_MODULES).LADDER
     return ladder
+
+
+def _module(kind: str, wanted: str, modules: Mapping[str, str]) -> ModuleType:
+    if wanted not in modules:
+        hint = suggestion(wanted, modules) or f"; legal: {', '.join(modules)}"
+        raise UnknownIdError(f"unknown {kind} {wanted!r}{hint}")
+    return import_module(modules[wanted])

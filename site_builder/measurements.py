@@ -22,7 +22,7 @@ from pathlib import Path
 from typing import Any
 
 from simulations.engine.ladder import Ladder, Metric, Tier, pareto_front
-from simulations.registry import UnknownLadderError, load_ladder
+from simulations.registry import UnknownIdError, load_ladder
 from site_builder.diagnostics import Diagnostics, cause
 
 DATA = "content/measurements.json"
@@ -146,7 +146,7 @@ class Measurements:
     def _load(self, ladder_id: str) -> Ladder:
         try:
             return self.load_ladder(ladder_id)
-        except UnknownLadderError as error:
+        except UnknownIdError as error:
             raise MeasurementError(str(error)) from error
         except Exception as error:  # whatever a ladder's own code may raise
             message = f"ladder {ladder_id!r} cannot be loaded: {cause(error)}"

@@ -13,7 +13,7 @@ from simulations.engine.controls import ControlError, check_values
 from simulations.engine.frame import Frame, Readout
 from simulations.engine.pipeline import StageCache
 from simulations.engine.scene import Scene
-from simulations.registry import UnknownSceneError
+from simulations.registry import UnknownIdError
 from site_builder.diagnostics import cause, unknown
 from site_builder.markdown.text_role import with_unit
 
@@ -47,7 +47,7 @@ class Readouts:
     def _load(self, scene_id: str) -> Scene:
         try:
             return self.load_scene(scene_id)
-        except UnknownSceneError as error:
+        except UnknownIdError as error:
             raise ReadoutError(str(error)) from error
         except Exception as error:  # whatever a scene's own code may raise
             message = f"simulation {scene_id!r} cannot be loaded: {cause(error)}"

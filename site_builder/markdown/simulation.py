@@ -6,7 +6,7 @@ from markdown_it.token import Token
 
 from simulations.engine.controls import ControlError, Slider, check_values
 from simulations.engine.scene import Scene
-from simulations.registry import UnknownSceneError
+from simulations.registry import UnknownIdError
 from site_builder.book import Simulation
 from site_builder.diagnostics import cause, unknown
 from site_builder.markdown.blocks import read_html
@@ -39,7 +39,7 @@ def find_scene(scene_id: str, line: int, reading: Reading) -> Scene | None:
         return None
     try:
         return reading.load_scene(scene_id)
-    except UnknownSceneError as error:
+    except UnknownIdError as error:
         reading.problem(line, str(error))
     except Exception as error:  # whatever a scene's own code may raise is the author's to see
         reading.problem(line, f"simulation {scene_id!r} cannot be loaded: {cause(error)}")

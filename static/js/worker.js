@@ -70,7 +70,7 @@ const calls = {
   },
 
   /** Time and error of one tier of a ladder, on this machine. */
-  async measure({ ladder, tier, budget = 0.4 }) {
+  async measure({ ladder, tier, budget }) {
     await parts.provide(parts.table.ladders[ladder]);
     return { reply: { result: python.measure(ladder, tier, budget) } };
   },

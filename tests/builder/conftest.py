@@ -11,7 +11,7 @@ from simulations.engine.drawing import line, text
 from simulations.engine.frame import Frame, Panel, matrix_readout, readout
 from simulations.engine.pipeline import StageCache
 from simulations.engine.scene import Scene
-from simulations.registry import UnknownSceneError
+from simulations.registry import UnknownIdError
 from site_builder.build import Options
 
 FRONT_MATTER = "---\ntitle: First\nsummary: The first chapter.\n---\n"
@@ -69,7 +69,7 @@ def load_demo(scene_id: str) -> Scene:
     if scene_id == "broken":
         raise ImportError("no module")
     if scene_id != "demo":
-        raise UnknownSceneError(f"unknown simulation {scene_id!r}; legal: demo")
+        raise UnknownIdError(f"unknown simulation {scene_id!r}; legal: demo")
     return DEMO
 
 

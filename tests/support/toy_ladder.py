@@ -3,7 +3,7 @@
 from typing import Any
 
 from simulations.engine.ladder import Ladder, Metric, Tier
-from simulations.registry import UnknownLadderError
+from simulations.registry import UnknownIdError
 from site_builder.measurements import Measurements
 
 FILE = "content/measurements.json"
@@ -13,7 +13,7 @@ NATIVE_MS = {"rough": 0.5, "fine": 2.0, "waste": 4.0, "exact": 9.0}
 
 def toy_ladder(ladder_id: str = "toy") -> Ladder:
     if ladder_id != "toy":
-        raise UnknownLadderError(f"unknown ladder {ladder_id!r}; legal: toy")
+        raise UnknownIdError(f"unknown ladder {ladder_id!r}; legal: toy")
     return Ladder(
         id="toy",
         title="Toy",

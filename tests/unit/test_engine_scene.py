@@ -10,7 +10,7 @@ from simulations.engine.controls import Action, Slider, Values
 from simulations.engine.frame import Frame, Panel, Readout
 from simulations.engine.pipeline import StageCache
 from simulations.engine.scene import Scene
-from simulations.registry import SCENE_MODULES, UnknownSceneError, load_ladder, load_scene
+from simulations.registry import SCENE_MODULES, UnknownIdError, load_ladder, load_scene
 
 SIZE = Slider(name="size", label="Size", default=1, minimum=0, maximum=2, step=1)
 TIERS = (("coarse", "fine"), "fine", "coarse")
@@ -113,7 +113,7 @@ def test_a_scene_without_a_reference_has_no_error(monkeypatch: pytest.MonkeyPatc
 
 
 def test_an_unknown_scene_is_named_with_the_nearest_legal_one() -> None:
-    with pytest.raises(UnknownSceneError) as raised:
+    with pytest.raises(UnknownIdError) as raised:
         load_scene("lens-distorsion")
     assert str(raised.value) == (
         "unknown simulation 'lens-distorsion'; did you mean 'lens-distortion'?"

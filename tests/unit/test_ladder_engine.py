@@ -10,7 +10,7 @@ from hypothesis import strategies as st
 
 from simulations import browser
 from simulations.engine.ladder import Ladder, Metric, Tier, measure_tier, pareto_front
-from simulations.registry import LADDER_MODULES, UnknownLadderError, load_ladder
+from simulations.registry import LADDER_MODULES, UnknownIdError, load_ladder
 
 
 class WoundClock:
@@ -146,7 +146,7 @@ def test_every_registered_ladder_is_found_under_its_own_id(ladder_id: str) -> No
 
 
 def test_an_unknown_ladder_is_answered_with_the_nearest_name() -> None:
-    with pytest.raises(UnknownLadderError, match=r"unknown ladder 'sgrb'.*srgb"):
+    with pytest.raises(UnknownIdError, match=r"unknown ladder 'sgrb'.*srgb"):
         load_ladder("sgrb")
 
 
