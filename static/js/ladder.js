@@ -104,7 +104,7 @@ export class LadderBench extends HTMLElement {
     this.dataset.measured = String(results.length);
     addPoint(this.querySelector(".overlay .own"), result, this.ladder);
     const row = this.querySelector(`tr[data-tier="${CSS.escape(result.tier)}"]`);
-    row.querySelector("td.own").textContent = twoDigits(result.milliseconds);
+    row.querySelector("td.own").textContent = milliseconds(result.milliseconds);
     this.#progress(results.length);
     this.#offer(results);
   }
@@ -138,10 +138,12 @@ export class LadderBench extends HTMLElement {
   }
 }
 
-/** Milliseconds as the table prints them: two digits, whole numbers from 100 on. */
-export function twoDigits(/** @type {number} */ value) {
-  if (value >= 99.5) return value.toFixed(0);
-  return value > 0 ? value.toPrecision(2) : "0";
+/** Two digits, three from 100 on: as `milliseconds` of site_builder/quantities.py prints them. */
+export function milliseconds(/** @type {number} */ value) {
+  const digits = value < 100 ? 2 : 3;
+  const rounded = Number(value.toPrecision(digits));
+  const power = rounded > 0 ? Math.floor(Math.log10(rounded)) : digits;
+  return rounded.toFixed(Math.max(digits - 1 - power, 0));
 }
 
 /** @param {Result[]} results @param {Ladder} ladder */

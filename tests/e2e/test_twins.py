@@ -1,0 +1,86 @@
+"""What is written twice, in Python for the page as served and in JavaScript for the page as used,
+says the same."""
+
+from dataclasses import asdict
+from math import inf
+from typing import Any
+
+import pytest
+from support.reader import Reader
+
+from simulations.engine.controls import Slider, describe
+from simulations.engine.frame import StageReport
+from simulations.registry import SCENE_MODULES, load_scene
+from site_builder.axes import linear_axis, log_axis
+from site_builder.figure_view import count_stages, value_text
+from site_builder.quantities import milliseconds
+
+pytestmark = pytest.mark.browser
+
+CALL = """async ([module, name, calls]) => {
+  const url = new URL(`${document.body.dataset.assets}js/${module}.js`, location.href);
+  const twin = (await import(url))[name];
+  return calls.map((given) => twin(...given));
+}"""
+
+
+def ask(reader: Reader, module: str, name: str, calls: list[list[Any]]) -> list[Any]:
+    """What the function ``name`` of a script answers to each list of arguments."""
+    reader.open(live=False)
+    return list(reader.page.evaluate(CALL, [module, name, calls]))
+
+
+def test_the_value_beside_a_slider(plain_reader: Reader) -> None:
+    calls, texts = [], []
+    for scene_id in SCENE_MODULES:
+        for control in load_scene(scene_id).controls:
+            if isinstance(control, Slider):
+                nearest = control.minimum + control.step
+                for value in (control.minimum, nearest, control.default, control.maximum):
+                    calls.append([describe(control), value])
+                    texts.append(value_text(control, value))
+    assert ask(plain_reader, "controls", "formatValue", calls) == texts
+
+
+def test_milliseconds_in_the_table_of_a_ladder(plain_reader: Reader) -> None:
+    times = [
+        0.0,
+        0.00123,
+        0.0996,
+        0.41,
+        0.999,
+        9.94,
+        9.97,
+        42.4,
+        99.4,
+        99.7,
+        100.0,
+        1234.0,
+        56789.0,
+    ]
+    texts = [milliseconds(time) for time in times]
+    assert ask(plain_reader, "ladder", "milliseconds", [[time] for time in times]) == texts
+
+
+@pytest.mark.parametrize(
+    "statuses", [[], ["computed"], ["reused", "computed", "skipped", "reused"]]
+)
+def test_the_count_of_stages(plain_reader: Reader, statuses: list[Any]) -> None:
+    stages = [StageReport("stage", status, "") for status in statuses]
+    calls = [[[asdict(stage) for stage in stages]]]
+    assert ask(plain_reader, "workings", "countStages", calls) == [count_stages(stages)]
+
+
+@pytest.mark.parametrize(
+    "axis",
+    [
+        log_axis([0.02, 30.0], 48.0, 408.0),
+        log_axis([1e-9, 1e-3], 270.0, 34.0, none=290.0),
+        linear_axis([12.0, 55.5], 270.0, 34.0, none=20.0),
+    ],
+    ids=["time", "error", "decibels"],
+)
+def test_the_place_of_a_point_on_an_axis(plain_reader: Reader, axis: Any) -> None:
+    values = [1e-12, 1e-6, 0.5, 20.0, 1e4] + ([0.0 if axis.log else inf] if axis.none else [])
+    places = ask(plain_reader, "ladder-chart", "position", [[asdict(axis), v] for v in values])
+    assert places == pytest.approx([axis.position(value) for value in values])
