@@ -10,6 +10,7 @@ import queue
 import subprocess
 import sys
 import threading
+from collections.abc import Collection, Iterator
 from dataclasses import dataclass, field
 from http.server import SimpleHTTPRequestHandler, ThreadingHTTPServer
 from pathlib import Path
@@ -19,13 +20,18 @@ from watchfiles import DefaultFilter, watch
 WATCHED = ("content", "simulations", "static", "site_builder")
 CLIENT = Path(__file__).with_name("reload.js")
 KEEP_ALIVE_S = 15.0
+LOOK_MS = 200
+"""Longest wait for a change before the watcher says that there was none."""
 
 
 @dataclass(slots=True)
 class Builds:
     """The state of the last build, and the pages that wait to hear of the next."""
 
+    count: int = 0
+    """Builds so far, good or bad."""
     number: int = 0
+    """Of the last good one."""
     mistakes: str = ""
     """What the last build printed where it failed."""
     listeners: list["queue.SimpleQueue[str]"] = field(default_factory=list)
@@ -33,6 +39,7 @@ class Builds:
     def finish(self, mistakes: str) -> None:
         """Take note of a build and tell every open page."""
         self.mistakes = mistakes
+        self.count += 1
         self.number += not mistakes
         for listener in list(self.listeners):
             listener.put(self.event())
@@ -49,15 +56,26 @@ def serve(root: Path, out: Path, port: int, *, runtime: bool) -> None:
     builds = Builds()
     server = start_server(out, port, builds)
     print(f"http://localhost:{server.server_address[1]}/", flush=True)
-    rebuild(root, out, builds, runtime=runtime)
-    folders = [root / name for name in WATCHED if (root / name).is_dir()]
-    ignore = DefaultFilter(ignore_entity_patterns=(*DefaultFilter.ignore_entity_patterns, r"^\."))
     try:
-        for _ in watch(*folders, watch_filter=ignore, raise_interrupt=False):
-            rebuild(root, out, builds, runtime=runtime)
+        for changes in _rounds([root / name for name in WATCHED if (root / name).is_dir()]):
+            # The first build, too, is made under watch: what is saved meanwhile makes a second.
+            if changes or not builds.count:
+                rebuild(root, out, builds, runtime=runtime)
     finally:
         server.shutdown()
         server.server_close()
+
+
+def _rounds(folders: list[Path]) -> Iterator[Collection[object]]:
+    """The changes of each round, mostly none, until interrupted."""
+    ignore = DefaultFilter(ignore_entity_patterns=(*DefaultFilter.ignore_entity_patterns, r"^\."))
+    return watch(
+        *folders,
+        watch_filter=ignore,
+        rust_timeout=LOOK_MS,
+        yield_on_timeout=True,
+        raise_interrupt=False,
+    )
 
 
 def rebuild(root: Path, out: Path, builds: Builds, *, runtime: bool) -> None:

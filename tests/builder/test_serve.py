@@ -1,6 +1,8 @@
 """The development server: right types, right errors, news of builds."""
 
+import _thread
 import socket
+import threading
 import urllib.error
 import urllib.request
 from collections.abc import Iterator
@@ -8,7 +10,7 @@ from pathlib import Path
 
 import pytest
 
-from site_builder.serve import Builds, start_server
+from site_builder.serve import Builds, serve, start_server
 
 
 @pytest.fixture
@@ -56,6 +58,27 @@ def test_a_page_is_told_of_the_next_build(address: str, builds: Builds) -> None:
         builds.finish("")
         lines = [stream.readline() for _ in range(3)]
     assert lines == [b"\n", b"event: built\n", b"data: 1\n"]
+
+
+def test_what_is_saved_during_the_first_build_makes_a_second(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    chapter = tmp_path / "content" / "00-first.md"
+    chapter.parent.mkdir()
+
+    def rebuild(_root: Path, _out: Path, builds: Builds, *, runtime: bool) -> None:
+        assert not runtime
+        builds.finish("")
+        if builds.count == 2:
+            raise InterruptedError  # as good as the reader's Ctrl-C
+        chapter.write_text("Saved meanwhile.")
+
+    monkeypatch.setattr("site_builder.serve.rebuild", rebuild)
+    watchdog = threading.Timer(20.0, _thread.interrupt_main)
+    watchdog.start()
+    with pytest.raises(InterruptedError):
+        serve(tmp_path, tmp_path / "site", 0, runtime=False)
+    watchdog.cancel()
 
 
 def test_a_port_in_use_is_named(tmp_path: Path, builds: Builds) -> None:
