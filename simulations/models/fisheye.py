@@ -75,7 +75,7 @@ def project_ideal(directions: ArrayLike, model: str) -> tuple[Floats, Mask]:
     chosen = _ideal(model)
     angle, azimuth, valid = _angles(directions)
     valid &= angle < chosen.largest_angle_rad
-    return _on_image(chosen.radius(np.where(valid, angle, 0.0)), azimuth, valid), valid
+    return _on_image(chosen.radius(angle), azimuth, valid), valid
 
 
 def unproject_ideal(xy: ArrayLike, model: str) -> tuple[Floats, Mask]:
@@ -99,8 +99,7 @@ def project_fisheye(directions: ArrayLike, lens: Fisheye) -> tuple[Floats, Mask]
     """
     angle, azimuth, valid = _angles(directions)
     valid &= angle < min(np.pi, radial_profile.fold_radius(lens.profile))
-    radius = radial_profile.evaluate(lens.profile, np.where(valid, angle, 0.0))
-    return _on_image(radius, azimuth, valid), valid
+    return _on_image(radial_profile.evaluate(lens.profile, angle), azimuth, valid), valid
 
 
 def unproject_fisheye(xy: ArrayLike, lens: Fisheye) -> tuple[Floats, Mask]:
@@ -128,9 +127,7 @@ def _polar(xy: ArrayLike) -> tuple[Floats, Floats, Mask]:
     valid = np.isfinite(points).all(axis=-1)
     x, y = np.moveaxis(np.where(valid[..., None], points, 0.0), -1, 0)
     with np.errstate(over="ignore"):
-        radius = np.hypot(x, y)
-    valid &= np.isfinite(radius)
-    return np.where(valid, radius, 0.0), np.arctan2(y, x), valid
+        return np.hypot(x, y), np.arctan2(y, x), valid
 
 
 def _on_image(radius: Floats, azimuth: Floats, valid: Mask) -> Floats:

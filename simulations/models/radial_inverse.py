@@ -50,29 +50,36 @@ def invert_bracketed(
         return np.where(valid, target, 0.0), valid
     radius = np.full(target.shape, fold if fold < inf else 0.0)
     wanted = target[valid]
-    found = _solve(profile, wanted, fold if fold < inf else _upper_bound(profile, wanted))
+    found = _solve(profile, wanted, furthest_radius(profile, fold, wanted))
     residual = np.abs(evaluate(profile, found) - wanted)
-    solved = residual <= 1e-10 * np.maximum(wanted, 1e-300)
+    solved = residual <= 1e-10 * wanted
     radius[valid] = np.where(solved, found, radius[valid])
     valid[valid] = solved
     return radius, valid
 
 
+def furthest_radius(profile: RadialProfile, fold: float, wanted: Floats | float) -> float:
+    """The fold, or a radius nearer to the axis whose image lies beyond all that are wanted."""
+    radius = 1.0
+    while radius < min(fold, 1e150) and np.any(evaluate(profile, radius) <= wanted):
+        radius *= 2.0
+    return min(radius, fold)
+
+
 def _solve(profile: RadialProfile, wanted: Floats, upper: float) -> Floats:
     low, high = np.zeros_like(wanted), np.full_like(wanted, upper)
-    radius = np.minimum(_first_guess(profile, wanted, upper), 0.999999 * upper)
+    radius = _first_guess(profile, wanted, upper)
     for _ in range(MAX_NEWTON_STEPS):
         with np.errstate(over="ignore", invalid="ignore", divide="ignore"):
             excess = evaluate(profile, radius) - wanted
             step = radius - excess / slope(profile, radius)
-        low = np.where(excess < 0.0, radius, low)
-        high = np.where(excess > 0.0, radius, high)
+        low = np.where(excess <= 0.0, radius, low)
+        high = np.where(excess >= 0.0, radius, high)  # so that what is exact stays
         inside = (step >= low) & (step <= high)  # false for NaN
         following = np.where(inside, step, 0.5 * (low + high))
         # Newton squares the error: after a step of 1e-8 nothing is left to gain.
-        settled = inside & (np.abs(following - radius) <= 1e-8 * following)
-        settled |= (excess == 0.0) | (high - low <= 4e-16 * high)
-        radius = np.where(excess == 0.0, radius, following)
+        settled = np.abs(following - radius) <= np.where(inside, 1e-8, 4e-16) * following
+        radius = following
         if np.all(settled):
             break
     return radius
@@ -87,11 +94,3 @@ def _first_guess(profile: RadialProfile, wanted: Floats, upper: float) -> Floats
     usable = np.isfinite(images)
     guess: Floats = np.interp(wanted, np.maximum.accumulate(images[usable]), radii[usable])
     return guess
-
-
-def _upper_bound(profile: RadialProfile, wanted: Floats) -> float:
-    """A radius whose image lies beyond all ``wanted``; f grows without bound where no fold is."""
-    furthest, upper = float(wanted.max(initial=0.0)), 1.0
-    while upper < 1e150 and evaluate(profile, upper) <= furthest:
-        upper *= 2.0
-    return upper

@@ -9,7 +9,7 @@ from dataclasses import dataclass
 from math import inf, isfinite, sqrt
 
 import numpy as np
-from numpy.polynomial import polynomial
+from numpy.polynomial import Polynomial
 from numpy.typing import ArrayLike, NDArray
 
 type Floats = NDArray[np.floating]
@@ -121,15 +121,12 @@ def nearest_turning_image(profile: RadialProfile) -> float:
     Where that r² is real and positive, it is the fold. Elsewhere no radius is imaged twice, but
     the inverse, as a function of f², has its nearest singularity at this distance.
     """
-    inverse_roots = _inverse_roots(_slope_numerator(profile))
-    furthest = inverse_roots[np.argmax(np.abs(inverse_roots))] if inverse_roots.size else 0.0
-    if abs(furthest) <= 1e-300:
-        return inf
-    s = np.asarray(1.0 / furthest)
-    with np.errstate(divide="ignore", invalid="ignore"):
+    furthest = max(_inverse_roots(_slope_numerator(profile)), key=abs, default=0.0)
+    with np.errstate(over="ignore", divide="ignore", invalid="ignore"):
+        s = np.asarray(1.0) / furthest
         g = _series(profile.numerator, s) / _series(profile.denominator, s)
         image = float(np.abs(s * g * g))
-    return image if isfinite(image) else inf  # a pole that a zero cancels
+    return image if isfinite(image) else inf  # no zero, or a pole that it cancels
 
 
 def _series(coefficients: tuple[float, ...], s: Floats) -> Floats:
@@ -166,10 +163,9 @@ def _slope_numerator(profile: RadialProfile) -> Floats:
     """Coefficients, in rising powers of s, of what vanishes where f' does."""
     if not any(profile.denominator):
         return np.array([1.0, *((2 * i + 3) * a for i, a in enumerate(profile.numerator))])
-    n, d = np.array((1.0, *profile.numerator)), np.array((1.0, *profile.denominator))
-    n_slope, d_slope = polynomial.polyder(n), polynomial.polyder(d)
-    turning = polynomial.polysub(polynomial.polymul(n_slope, d), polynomial.polymul(n, d_slope))
-    return polynomial.polyadd(polynomial.polymul(n, d), 2.0 * polynomial.polymulx(turning))
+    s = Polynomial((0.0, 1.0))
+    n, d = Polynomial((1.0, *profile.numerator)), Polynomial((1.0, *profile.denominator))
+    return np.asarray((n * d + 2.0 * s * (n.deriv() * d - n * d.deriv())).coef, float)
 
 
 def _inverse_roots(coefficients: Floats) -> NDArray[np.inexact]:
@@ -183,6 +179,6 @@ def _inverse_roots(coefficients: Floats) -> NDArray[np.inexact]:
 
 def _smallest_positive(inverse_roots: NDArray[np.inexact]) -> float:
     """The smallest real s > 0 among those whose inverses are given, or inf."""
-    real = np.abs(inverse_roots.imag) <= 1e-9 * np.abs(inverse_roots)
+    real = np.abs(inverse_roots.imag) <= 1e-9 * inverse_roots.real
     largest = max((root for root in inverse_roots.real[real] if root > 1e-300), default=0.0)
     return 1.0 / largest if largest else inf

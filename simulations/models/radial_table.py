@@ -13,13 +13,13 @@ that lie past the fold or out of reach, are left to `radial_inverse.invert_brack
 
 from dataclasses import dataclass
 from functools import lru_cache
-from math import frexp
+from math import frexp, sqrt
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from simulations.models.radial_grid import Grid, cell_of, grid_for, image_squared_at
-from simulations.models.radial_inverse import invert_bracketed
+from simulations.models.radial_inverse import furthest_radius, invert_bracketed
 from simulations.models.radial_profile import (
     Floats,
     RadialProfile,
@@ -45,9 +45,9 @@ GUESS_SAMPLES = 513
 NEWTON_STEPS = 3
 """From a guess by linear interpolation: each step squares the error."""
 
-NODES = -0.5 * np.cos(np.pi * (np.arange(DEGREE + 1) + 0.5) / (DEGREE + 1))
+NODES = 0.5 * np.cos(np.pi * (np.arange(DEGREE + 1) + 0.5) / (DEGREE + 1))
 """Chebyshev's, in cells."""
-CHECKS = -0.5 * np.cos(np.pi * np.arange(DEGREE + 2) / (DEGREE + 1))
+CHECKS = 0.5 * np.cos(np.pi * np.arange(DEGREE + 2) / (DEGREE + 1))
 """Where a polynomial through the nodes errs most: the edges of the cell, and between nodes."""
 TO_POWERS = np.linalg.inv(np.vander(NODES, increasing=True))
 """From values at the nodes to coefficients of rising powers."""
@@ -108,11 +108,11 @@ def inverse_table(profile: RadialProfile, wanted_reach: float) -> InverseTable:
     fold = fold_radius(profile)
     limit = image_of_fold(profile, fold)
     with np.errstate(all="ignore"):  # a cell that overflows is not trusted
-        furthest = _furthest_square(profile, fold, wanted_reach)
+        furthest = furthest_radius(profile, fold, sqrt(wanted_reach))
         for cells in CELLS:
             grid = grid_for(profile, limit, wanted_reach, cells)
             nodes = image_squared_at(grid, np.arange(cells + 1) + NODES[:, None])
-            ideal_squared = _solve(profile, grid, nodes, furthest)
+            ideal_squared = _solve(profile, grid, nodes, furthest**2)
             coefficients = TO_POWERS @ (1.0 / scale(profile, ideal_squared))
             reach = _checked_reach(profile, fold, grid, coefficients)
             if reach >= 0.999 * min(wanted_reach, limit * limit):
@@ -148,14 +148,6 @@ def _excess(profile: RadialProfile, s: Floats, image_squared: Floats) -> Floats:
     """How far s is from the root of ``s g² = t``, to first order: (s g² − t) / (g f')."""
     g, g_slope = scale_and_slope(profile, s)
     return (s * g * g - image_squared) / (g * (g + 2.0 * s * g_slope))
-
-
-def _furthest_square(profile: RadialProfile, fold: float, wanted_reach: float) -> float:
-    """A squared ideal radius whose image lies at the fold, or beyond the wanted reach."""
-    s = wanted_reach
-    while s < min(fold * fold, 1e9) and s * float(scale(profile, s)) ** 2 <= wanted_reach:
-        s *= 2.0
-    return min(s, fold * fold)
 
 
 def _checked_reach(profile: RadialProfile, fold: float, grid: Grid, coefficients: Floats) -> float:

@@ -71,6 +71,21 @@ def test_models_of_one_half_space_refuse_what_lies_beside_the_camera(model):
     np.testing.assert_array_equal(image, [0.0, 0.0])
 
 
+@pytest.mark.parametrize(
+    ("model", "edge"),
+    [
+        ("perspective", [1.0, 0.0, 0.0]),
+        ("orthographic", [0.0, 1.0, 0.0]),
+        ("stereographic", [1e-300, 0.0, -1.0]),
+        ("equidistant", [0.0, -1e-300, -1.0]),
+        ("equisolid", [1e-300, 0.0, -1.0]),
+    ],
+)
+def test_a_model_does_not_see_its_largest_angle_itself(model, edge):
+    assert not project_ideal(edge, model)[1]
+    assert project_fisheye(edge, Fisheye())[1] == (edge[2] == 0.0)
+
+
 @pytest.mark.parametrize("bad", [[0, 0, 0], [0, 0, -1], [np.nan, 0, 1]])
 def test_what_is_no_direction_has_no_image(bad):
     image, valid = project_fisheye(np.array(bad, float), Fisheye())
@@ -122,6 +137,31 @@ def test_the_length_of_a_direction_does_not_matter(size):
     image, valid = project_ideal(size * np.array([3.0, 4.0, 5.0]), "perspective")
     assert valid
     np.testing.assert_allclose(image, [0.6, 0.8])
+
+
+@pytest.mark.parametrize("sign", [1, -1])
+def test_the_longest_directions_do_not_overflow(sign):
+    image, valid = project_ideal(sign * np.array([1.5e308, 1e308, 1e-300]), "equidistant")
+    assert valid
+    azimuth = np.arctan2(sign * 2, sign * 3)
+    np.testing.assert_allclose(image, np.pi / 2 * np.array([np.cos(azimuth), np.sin(azimuth)]))
+
+
+def test_the_shortest_direction_is_as_good_as_any():
+    image, valid = project_ideal([5e-324] * 3, "perspective")
+    assert valid
+    np.testing.assert_allclose(image, [1, 1])
+
+
+@pytest.mark.parametrize("model", IDEAL_MODELS)
+def test_stacks_of_directions_and_of_points_are_those_of_each_alone(model):
+    stack = rays([[0.1, 0.3], [0.5, 0.7], [1.1, 1.3]], [[0.0, 1.0], [2.0, 3.0], [4.0, 5.0]])
+    image, back = project_ideal(stack, model)[0], project_fisheye(stack, LENS)[0]
+    for index in np.ndindex(3, 2):
+        np.testing.assert_array_equal(image[index], project_ideal(stack[index], model)[0])
+        np.testing.assert_array_equal(back[index], project_fisheye(stack[index], LENS)[0])
+    np.testing.assert_allclose(unproject_ideal(image, model)[0], stack, atol=1e-12)
+    np.testing.assert_allclose(unproject_fisheye(back, LENS)[0], stack, atol=1e-12)
 
 
 def test_one_bad_direction_among_good_ones_spoils_no_other():

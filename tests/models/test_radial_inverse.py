@@ -6,12 +6,13 @@ import numpy as np
 import pytest
 
 from simulations.models import radial_inverse
-from simulations.models.radial_inverse import invert_bracketed
+from simulations.models.radial_inverse import furthest_radius, invert_bracketed
 from simulations.models.radial_profile import (
     RadialProfile,
     evaluate,
     fold_radius,
     largest_image_radius,
+    slope,
 )
 
 PROFILES = [
@@ -71,27 +72,52 @@ def test_far_out_where_the_cubic_prevails_it_is_a_cube_root():
     np.testing.assert_allclose(found, [1e10, 1e20], rtol=1e-12)
 
 
+@pytest.mark.parametrize(
+    ("profile", "wanted", "radius"),
+    [
+        (RadialProfile((0.5,)), [], 1.0),
+        (RadialProfile((0.5,)), [0.3, 1.4], 1.0),
+        (RadialProfile((0.5,)), [1.5], 2.0),  # the image of 1 itself
+        (RadialProfile((0.5,)), [50.0, 0.3], 8.0),  # 4 + 32 falls short, 8 + 256 does not
+        (RadialProfile((-1 / 300,)), [0.5, 0.99], 1.0),  # folds at 10
+        (RadialProfile((-1 / 300,)), [6.0], 8.0),
+        (RadialProfile((-1 / 300,)), [6.66], 10.0),
+        (RadialProfile((-100 / 3,)), [0.01], 0.1),
+    ],
+)
+def test_the_search_ends_at_the_fold_or_at_a_power_of_two_whose_image_lies_beyond(
+    profile, wanted, radius
+):
+    assert furthest_radius(profile, fold_radius(profile), wanted) == pytest.approx(radius)
+
+
+def test_the_search_goes_as_far_as_the_squares_of_radii_are_numbers():
+    """The curve tends to r/2."""
+    found, valid = invert_bracketed(RadialProfile((1.0,), (2.0,)), [1e120, 1e149])
+    assert valid.all()
+    np.testing.assert_allclose(found, [2e120, 2e149], rtol=1e-14)
+
+
+def test_it_ends_where_a_pole_lies_further_out_than_it_can_be_found():
+    assert not invert_bracketed(RadialProfile((), (-1e-301,)), [1e155])[1]
+
+
 @pytest.fixture
-def evaluations(monkeypatch):
-    """One entry for each time that the forward formula is asked."""
-    asked = []
-    monkeypatch.setattr(
-        radial_inverse, "evaluate", lambda *args: (asked.append(1), evaluate(*args))[1]
-    )
-    return asked
+def steps(monkeypatch):
+    """One entry for each step of Newton's: it is those that need a slope."""
+    made = []
+    monkeypatch.setattr(radial_inverse, "slope", lambda *args: (made.append(1), slope(*args))[1])
+    return made
 
 
-def test_where_the_curve_is_mild_two_steps_are_enough(evaluations):
-    """Once more for the first guess, and once for the residual."""
+def test_where_the_curve_is_mild_two_steps_are_enough(steps):
     invert_bracketed(RadialProfile((-1 / 3,)), np.linspace(0.0, 0.6, 50))
-    assert len(evaluations) == 4
+    assert len(steps) == 2
 
 
 @pytest.mark.parametrize("size", [1e-3, 1.0, 1e4])
 @pytest.mark.parametrize("short_of_it", [1e-9, 1e-12, 1e-14, 1e-15, 3e-16])
-def test_up_to_the_last_digits_before_the_fold_it_ends_after_a_few_steps(
-    evaluations, size, short_of_it
-):
+def test_up_to_the_last_digits_before_the_fold_it_ends_after_a_few_steps(steps, size, short_of_it):
     profile = RadialProfile((-1 / 3 / size**2,))
     radius, valid = invert_bracketed(profile, 2 / 3 * size * (1.0 - short_of_it))
     if valid:  # the largest image is known up to rounding, and so is what lies before it
@@ -99,20 +125,20 @@ def test_up_to_the_last_digits_before_the_fold_it_ends_after_a_few_steps(
         expected = size * (1.0 - np.sqrt(2 / 3 * short_of_it))
         assert radius == pytest.approx(expected, abs=size * max(1e-8, short_of_it))
     assert valid or short_of_it < 1e-15
-    assert len(evaluations) <= 16
+    assert len(steps) <= 14
 
 
 @pytest.mark.parametrize("level", [1e-12, 1e-6])
-def test_on_a_nearly_level_stretch_it_ends_after_a_few_steps_more(evaluations, level):
+def test_on_a_nearly_level_stretch_it_ends_after_a_few_steps_more(steps, level):
     """The slope 1 − 2 s + (1 + δ) s² is δ at its least, at s = 1."""
     profile = RadialProfile((-2 / 3, (1 + level) / 5))
     middle = float(evaluate(profile, 1.0))
     for image in (middle, np.nextafter(middle, 0), middle * (1 + 1e-9)):
-        evaluations.clear()
+        steps.clear()
         radius, valid = invert_bracketed(profile, image)
         assert valid
         assert evaluate(profile, radius) == pytest.approx(image, rel=1e-14)
-        assert len(evaluations) <= 24
+        assert len(steps) <= 22
 
 
 def test_close_to_a_pole_valid_means_that_the_image_is_right_to_ten_digits():

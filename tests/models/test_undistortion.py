@@ -62,6 +62,25 @@ def test_a_table_reads_from_1025_entries_and_errs_a_quarter_with_twice_as_many()
     np.testing.assert_array_equal(undistort_table(seen, lens), undistort_table(seen, lens, 1025))
 
 
+@pytest.mark.parametrize(
+    ("lens", "furthest", "reach"),
+    [
+        (Distortion(k1=0.5), 1.2, 1.0),  # the image of 1 is 1.5 ...
+        (Distortion(k1=0.5), 1.5, 1.0),
+        (Distortion(k1=0.5), 1.6, 1.25),
+        (Distortion(k1=0.5), 4.0, 1.25**3),  # ... that of 1.25³ is 5.7, that of 1.25² is 3.5
+        (Distortion(k1=1.0, k4=2.0), 0.6, 1.0),  # that of 1 is 2/3
+    ],
+)
+def test_without_a_fold_the_entries_end_at_1_or_a_power_of_five_quarters(lens, furthest, reach):
+    """What is read right at the entries is exact."""
+    radii = np.linspace(0.0, reach, 1025)[1:]
+    images = distort(np.stack((radii, 0 * radii), -1), lens)
+    seen = np.concatenate((images[images[:, 0] < furthest], [[furthest, 0.0]]))
+    found = undistort_table(seen, lens)[:-1, 0]
+    np.testing.assert_allclose(found, radii[: found.size], rtol=1e-14)
+
+
 def test_a_table_without_a_fold_ends_a_quarter_beyond_the_furthest_point_at_most():
     """The step of interpolation is then known, and so is its error: step² f″ / (8 f′)."""
     lens, seen = Distortion(k1=0.05), np.array([[30.0, 0.0]])
