@@ -26,13 +26,14 @@ SAME_PX = 0.05
 
 
 def top_view_panel(view: View) -> Panel:
-    drawn = scaled_rays(view) if view.camera == SCALED else parallel_rays(view)
+    scaled = view.camera == SCALED
     overlay = "".join(
         (
+            reference_plane() if scaled else "",
             top.depth_axis(),
-            top.image_plane(view) if view.camera == SCALED else parallel_view(view),
+            top.image_plane(view) if scaled else parallel_view(view),
             top.other_depths(view),
-            drawn,
+            scaled_rays(view) if scaled else parallel_rays(view),
             top.point(view),
             equation(view),
         )
@@ -58,16 +59,21 @@ def parallel_rays(view: View) -> str:
     return drawing.line(top.above(view.Z, view.X), hit, "ray") + drawing.dot(hit, "image", 4.0)
 
 
-def scaled_rays(view: View) -> str:
-    """Along the axis to the reference plane, and from there through the centre."""
+def reference_plane() -> str:
+    """The plane at the one depth that scaled orthography divides by."""
     half = top.HEIGHT / 2.0 / top.SIDE_SCALE - 0.4
     high, low = (top.above(REFERENCE_DEPTH_M, side) for side in (-half, half))
+    return drawing.line(high, low, "world thin dashed") + drawing.text(
+        high + np.array([6.0, 6.0]), "Z₀ = 5 m", "world small halo"
+    )
+
+
+def scaled_rays(view: View) -> str:
+    """Along the axis to the reference plane, and from there through the centre."""
     moved = top.above(REFERENCE_DEPTH_M, view.X)
     distance = view.focal_px * METRES_PER_PX
     end = moved if distance < REFERENCE_DEPTH_M else top.above(distance, _image_x_m(view))
     parts = [
-        drawing.line(high, low, "world thin dashed"),
-        drawing.text(high + np.array([6.0, 6.0]), "Z₀ = 5 m", "world small halo"),
         drawing.line(top.above(view.Z, view.X), moved, "ray"),
         _within(np.array([top.CAMERA, end]), "ray"),
         drawing.circle(moved, 4.0, "ray"),
@@ -148,6 +154,8 @@ def describe(view: View) -> str:
     outside = "" if view.in_picture else ", outside the picture"
     if view.Z <= 0.0:
         return f"{how} and projects it to {shown}{outside}; in perspective it has no image."
+    if off_px(view) < SAME_PX:
+        return f"{how} and projects it to {shown}{outside}, just where perspective has it."
     off = format_number(off_px(view), 1)
     return (
         f"{how} and projects it to {shown}{outside}; at its true depth of "

@@ -72,15 +72,13 @@ def axes(view: View) -> str:
 def y_axis(view: View) -> str:
     """The axis downwards and its ticks, with a gap where words stand across it."""
     top, bottom = place(0, -72), place(0, 72)
-    rows = message_rows(view) or (0.0,)
-    gap = (min(rows) - LABEL_HEIGHT, max(rows) + 6.0)
-    ticks = [
-        [place(-1.5, y), place(1.5, y)] for y in (-50, 50) if not gap[0] < place(0, y)[1] < gap[1]
-    ]
-    above = [[top, (top[0], gap[0])]] if gap[0] - top[1] > LABEL_HEIGHT else []
-    return drawing.path([*ticks, *above], "muted thin") + drawing.arrow(
-        (top[0], max(top[1], gap[1])), bottom, "muted thin"
-    )
+    rows = message_rows(view)
+    low, high = (min(rows) - LABEL_HEIGHT, max(rows) + 6.0) if rows else (0.0, 0.0)
+    parts = [[place(-1.5, y), place(1.5, y)] for y in (-50, 50) if not low < place(0, y)[1] <= high]
+    if low - top[1] > LABEL_HEIGHT:
+        parts.append([top, np.array([top[0], low])])
+    start = (top[0], max(top[1], high))
+    return drawing.path(parts, "muted thin") + drawing.arrow(start, bottom, "muted thin")
 
 
 def axis_labels(view: View) -> list[tuple[str, Label]]:
@@ -129,12 +127,19 @@ def comparison(view: View) -> str:
 
 
 def outward(spot: Floats, half_width: float, gap: float) -> Label:
-    """A label beyond ``spot`` as seen from the principal point, moved into the picture."""
+    """A label beyond ``spot`` as seen from the principal point, moved into the picture.
+
+    Where there is no room beyond it stands on the near side of ``spot``, clear of the ray.
+    """
     right, below = spot[0] >= CENTRE[0], spot[1] >= CENTRE[1]
+    under, over = spot[1] + LABEL_HEIGHT + 2.0, spot[1] - 8.0
+    room = under <= HEIGHT - 8.0 if below else over >= 18.0
     x = spot[0] + (gap + half_width if right else -gap - half_width)
-    y = spot[1] + (LABEL_HEIGHT + 2.0 if below else -8.0)
-    low, high = np.array([half_width + 5.0, 18.0]), np.array([WIDTH - half_width - 5.0, HEIGHT - 8])
-    return Label(np.clip(np.array([x, y]), low, high), half_width)
+    margin = half_width + (5.0 if room else 36.0)
+    return Label(
+        np.array([np.clip(x, margin, WIDTH - margin), under if below == room else over]),
+        half_width,
+    )
 
 
 def depth_label(spot: Floats) -> Label:

@@ -6,7 +6,13 @@ from simulations.engine import drawing
 from simulations.engine.frame import Panel, format_number
 from simulations.models.transforms import Floats, clip_half_plane
 from simulations.scenes.projection_picture import COMPARED_DEPTHS
-from simulations.scenes.projection_view import HALF_WIDTH_PX, METRES_PER_PX, View
+from simulations.scenes.projection_view import (
+    HALF_WIDTH_PX,
+    METRES_PER_PX,
+    REFERENCE_DEPTH_M,
+    SCALED,
+    View,
+)
 
 TITLE = "From above (X drawn stretched)"
 WIDTH, HEIGHT = 400.0, 300.0
@@ -16,6 +22,8 @@ DEPTH_SCALE = 16.0
 """View box units per metre of depth."""
 SIDE_SCALE = 38.0
 """View box units per metre of X: stretched, so that the triangles open up."""
+PLANE_LABEL_WIDTH, POINT_LABEL_HALF_WIDTH = 62.0, 58.0
+"""Room that the names of the image plane and of the point take, in view box units."""
 RAY_LIMITS = ((1, 0, 0), (-1, 0, WIDTH), (0, 1, -4), (0, -1, 280))
 """Where rays may be drawn, as half planes a x + b y + c ≥ 0."""
 
@@ -63,12 +71,20 @@ def image_plane(view: View) -> str:
     return (
         drawing.path([[left, CAMERA, right]], "camera thin faint dashed")
         + drawing.line(left, right, "image bold")
-        + drawing.text(left + np.array([7.0, 8.0]), "image plane", "image small halo")
+        + plane_label(view, left)
         + drawing.line((CAMERA[0], level), (right[0], level), "camera")
         + drawing.text(
             (CAMERA[0] - 4.0, level + 4.0), f"f = {view.focal_px:.0f} px", "camera small", "end"
         )
     )
+
+
+def plane_label(view: View, edge: Floats) -> str:
+    """The name on the right of the plane's edge, or on its left where another plane is near."""
+    other = above(REFERENCE_DEPTH_M, 0.0)[0]
+    crossed = view.camera == SCALED and edge[0] < other < edge[0] + 7.0 + PLANE_LABEL_WIDTH
+    right, anchor = (-7.0, "end") if crossed else (7.0, "start")
+    return drawing.text(edge + np.array([right, 13.0]), "image plane", "image small halo", anchor)
 
 
 def other_depths(view: View) -> str:
@@ -114,13 +130,15 @@ def centre() -> str:
 
 
 def point(view: View) -> str:
-    """The point, labelled on the side away from the axis."""
+    """The point, labelled on the side away from the axis and beyond the image plane."""
     spot = above(view.Z, view.X)
-    down = 19.0 if view.X >= 0.0 else -10.0
-    anchor = "end" if view.Z > 14.0 else "start" if view.Z < 1.0 else "middle"
+    y = spot[1] + (19.0 if view.X >= 0.0 else -10.0)
+    beyond = above(view.focal_px * METRES_PER_PX, 0.0)[0] + 7.0 if view.Z >= 0.0 else 4.0
+    half = POINT_LABEL_HALF_WIDTH
+    x = np.clip(spot[0], min(beyond, WIDTH / 2.0) + half, WIDTH - 4.0 - half)
     label = f"X = {format_number(view.X, 1)} m, Z = {format_number(view.Z, 1)} m"
     return drawing.dot(spot, "world", 5.5) + drawing.text(
-        spot + np.array([0.0, down]), label, "world strong halo", anchor
+        (x, y), label, "world strong halo", "middle"
     )
 
 

@@ -16,8 +16,8 @@ ORIGIN = np.array([100.0, 232.0])
 """Where the plane's origin lies in the view box; the plane's y axis points up."""
 FRAME = ((1, 0, 4), (-1, 0, WIDTH + 4), (0, 1, 4), (0, -1, HEIGHT + 4))
 """The view box and a rim that hides cut edges, as half planes a x + b y + c ≥ 0."""
-AXIS_LABELS_Y = (*(float(ORIGIN[1]) + 4 - y * SCALE for y in (-50, 50, 100, 150)), 247.0, 224.0)
-"""Baselines of the numbers beside the y axis, of those below the x axis, and of its name."""
+TAKEN_Y = {"start": 247.0, "end": 224.0}
+"""Baselines, at the left and the right end, of the numbers below the x axis and of its name."""
 LABEL_HEIGHT = 12.0
 """Line height of a small label, in view box units."""
 HALF = 40.0
@@ -164,15 +164,15 @@ def lines_at_infinity(H: Floats) -> str:
     if not H[2, :2].any():
         return ""
     horizon = np.linalg.inv(H).T @ (0.0, 0.0, 1.0)
-    return labelled_line(H[2], "w = 0: sent to infinity", "error", "end") + labelled_line(
-        horizon, "horizon: the image of infinity", "image", "start"
+    return labelled_line(H[2], "w = 0", "error", "end") + labelled_line(
+        horizon, "horizon", "image", "start"
     )
 
 
 def labelled_line(line: Floats, label: str, role: str, anchor: str) -> str:
     """A line a x + b y + c = 0 of the plane across the view, where it crosses it.
 
-    Its label stands at the left (``start``) above it or at the right (``end``) below it.
+    Its label stands at its left end (``start``) or its right end, on the side that the line leaves.
     """
     normal = line[:2] / np.hypot(line[0], line[1])
     foot = -line[2] / np.hypot(line[0], line[1]) * normal
@@ -180,14 +180,17 @@ def labelled_line(line: Floats, label: str, role: str, anchor: str) -> str:
     ends = in_frame([foot - along, foot + along], closed=False)
     if len(ends) < 2 or np.hypot(*(ends[1] - ends[0])) < 160.0:
         return ""
-    if anchor == "start":
-        end, offset, step = ends[np.argmin(ends[:, 0])], (6.0, -8.0), -2.0
-    else:
-        end, offset, step = ends[np.argmax(ends[:, 0])], (-6.0, 17.0), 2.0
-    x, y = float(end[0]) + offset[0], float(end[1]) + offset[1]
-    while any(abs(y - taken) < LABEL_HEIGHT for taken in AXIS_LABELS_Y):
-        y += step
-    place = (min(max(x, 6.0), WIDTH - 6.0), min(max(y, 16.0), HEIGHT - 8.0))
-    return drawing.line(ends[0], ends[1], f"{role} dashed") + drawing.text(
-        place, label, f"{role} small halo", anchor
+    left, right = ends[np.argsort(ends[:, 0])]
+    rises = right[1] < left[1]
+    y = (left[1] if anchor == "start" else right[1]) + (
+        18.0 if rises == (anchor == "start") else -9.0
+    )
+    y = min(max(y, 16.0), HEIGHT - 8.0)
+    taken = TAKEN_Y[anchor]
+    if abs(y - taken) < LABEL_HEIGHT:
+        y = taken + (LABEL_HEIGHT if rises == (anchor == "start") else -LABEL_HEIGHT)
+    on_line = left[0] + (y - left[1]) * (right[0] - left[0]) / (right[1] - left[1])
+    x = max(left[0], on_line) + 8.0 if anchor == "start" else min(right[0], on_line) - 8.0
+    return drawing.line(left, right, f"{role} dashed") + drawing.text(
+        (x, y), label, f"{role} small halo", anchor
     )
