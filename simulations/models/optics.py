@@ -44,9 +44,20 @@ def thin_lens_image_distance(focal_mm: float, distance_mm: ArrayLike) -> Floats:
             f"distance_mm {_worst(distance)!r}: must be at least the focal length "
             f"({focal_mm:g} mm); nearer objects have a virtual image"
         )
-    with np.errstate(divide="ignore"):
-        image: Floats = focal_mm / (1.0 - focal_mm / distance)
+    with np.errstate(divide="ignore", over="ignore"):
+        image: Floats = focal_mm / _share_beyond(distance, focal_mm)
     return image
+
+
+def _share_beyond(far: ArrayLike, near: ArrayLike) -> Floats:
+    """1 − near / far, for far ≥ near > 0: 1 at infinity.
+
+    The difference of the distances comes first. It is exact where they are close, and there a
+    quotient rounded to a number near 1 would have lost the digits that count.
+    """
+    with np.errstate(invalid="ignore"):
+        share = np.subtract(far, near) / far
+    return np.where(np.isinf(far), 1.0, share)
 
 
 def circle_of_confusion_mm(
@@ -74,10 +85,11 @@ def circle_of_confusion_mm(
         raise ValueError(f"depth_mm {_worst(depth)!r}: must not be negative (behind the lens)")
     if f_number == np.inf:
         return np.zeros_like(depth)
+    near, far = np.minimum(depth, focus_mm), np.maximum(depth, focus_mm)
     with np.errstate(divide="ignore", over="ignore", invalid="ignore"):
-        defocus_per_mm = np.abs(1.0 / depth - 1.0 / focus_mm)
+        defocus_per_mm = _share_beyond(far, near) / near
         aperture_mm = focal_mm / f_number
-        diameter = aperture_mm * focal_mm / (1.0 - focal_mm / focus_mm) * defocus_per_mm
+        diameter = aperture_mm * focal_mm / _share_beyond(focus_mm, focal_mm) * defocus_per_mm
     # In focus is sharp and on the lens is blurred without end, however wide or narrow the lens.
     blur: Floats = np.where(np.isinf(defocus_per_mm), np.inf, diameter)
     return np.where(defocus_per_mm == 0.0, 0.0, blur)
@@ -93,7 +105,8 @@ def depth_of_field(
     """
     _check_lens(focal_mm, f_number, focus_mm)
     _check_positive("coc_mm", coc_mm)
-    tolerance_per_mm = coc_mm * f_number / focal_mm * (1.0 - focal_mm / focus_mm) / focal_mm
+    share = float(_share_beyond(focus_mm, focal_mm))
+    tolerance_per_mm = coc_mm * f_number / focal_mm * share / focal_mm
     near_vergence = 1.0 / focus_mm + tolerance_per_mm
     nearest = 1.0 / near_vergence if near_vergence > 0.0 else np.inf  # both may underflow
     # At the hyperfocal distance itself the difference is zero but for rounding.

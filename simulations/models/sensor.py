@@ -20,13 +20,16 @@ type ShotModel = Literal["poisson", "skewed", "gaussian"]
 SHOT_MODELS: tuple[ShotModel, ...] = ("gaussian", "skewed", "poisson")
 """Cheap to exact."""
 
+LARGEST_WELL_E = 1e15
+"""Electrons up to which float64 counts every single one, and samplers work."""
+
 
 @dataclass(frozen=True, slots=True)
 class Sensor:
     """One kind of pixel and its converter."""
 
     full_well_e: float = 20_000.0
-    """Electrons that a pixel can hold; more spill over and are lost."""
+    """Electrons that a pixel can hold; more spill over and are lost. Inf: no limit."""
     read_noise_e: float = 3.0
     """Standard deviation of the amplifier's noise, in electrons."""
     dark_current_e_per_s: float = 0.1
@@ -41,13 +44,13 @@ class Sensor:
     """Electrons freed per photon, 0 to 1."""
 
     def __post_init__(self) -> None:
-        _require("full_well_e", self.full_well_e, self.full_well_e > 0, "above 0")
-        _require("read_noise_e", self.read_noise_e, self.read_noise_e >= 0, "0 or more")
-        dark = self.dark_current_e_per_s
-        _require("dark_current_e_per_s", dark, dark >= 0, "0 or more")
-        _require("gain_e_per_dn", self.gain_e_per_dn, self.gain_e_per_dn > 0, "above 0")
-        if not isinstance(self.bits, int) or not 1 <= self.bits <= 16:
-            raise ValueError(f"bits {self.bits!r}; legal: whole numbers from 1 to 16")
+        _check_well(self.full_well_e)
+        noise, dark, gain = self.read_noise_e, self.dark_current_e_per_s, self.gain_e_per_dn
+        _require("read_noise_e", noise, 0 <= noise <= 1e15, "0 to 1e15")
+        _require("dark_current_e_per_s", dark, 0 <= dark <= 1e30, "0 to 1e30")
+        # Also in float32 its reciprocal is a number.
+        _require("gain_e_per_dn", gain, 1e-30 <= gain <= 1e30, "1e-30 to 1e30")
+        _check_bits(self.bits)
         black, top = self.black_level_dn, self.highest_dn
         _require("black_level_dn", black, 0 <= black < top, f"0 to below {top}")
         efficiency = self.quantum_efficiency
@@ -56,7 +59,7 @@ class Sensor:
     @property
     def highest_dn(self) -> int:
         """The largest code."""
-        return int(2**self.bits - 1)
+        return (1 << int(self.bits)) - 1
 
 
 def with_iso(sensor: Sensor, iso: float, base_iso: float = 100.0) -> Sensor:
@@ -78,7 +81,8 @@ def expose(photons_per_s: ArrayLike, exposure_s: float, sensor: Sensor) -> Array
     # Infinite light times no time would be undefined.
     rate = np.minimum(_light("photons_per_s", photons_per_s), 1e30)
     freed = rate * sensor.quantum_efficiency + sensor.dark_current_e_per_s
-    mean_e: Array = freed * exposure_s
+    with np.errstate(over="ignore"):  # infinite light is legal, and fills every well
+        mean_e: Array = freed * exposure_s
     return mean_e
 
 
@@ -119,9 +123,10 @@ def shot_noise_from_normal(mean_e: ArrayLike, z: ArrayLike, full_well_e: float =
 
 
 def _capped_mean(mean_e: ArrayLike, full_well_e: float) -> Array:
-    _require("full_well_e", full_well_e, full_well_e > 0, "above 0")
+    _check_well(full_well_e)
     # A plain float: a numpy one would widen float32 pictures.
-    cap = full_well_e + 10 * math.sqrt(full_well_e) + 100 if full_well_e < np.inf else 1e15
+    well = min(float(full_well_e), LARGEST_WELL_E)
+    cap = well + 10 * math.sqrt(well) + 100
     mean: Array = np.minimum(_light("mean_e", mean_e), cap)
     return mean
 
@@ -154,9 +159,8 @@ def quantise(signal_dn: ArrayLike, bits: int) -> NDArray[np.uint16]:
     NaN becomes 0: a cast of NaN is undefined and differs between processors. Rounding adds
     an error of variance 1/12 to a signal that spans several codes.
     """
-    if not isinstance(bits, int) or not 1 <= bits <= 16:
-        raise ValueError(f"bits {bits!r}; legal: whole numbers from 1 to 16")
-    top = 2**bits - 1
+    _check_bits(bits)
+    top = 2 ** int(bits) - 1
     # fmax, unlike clip, replaces NaN.
     held = np.minimum(np.fmax(as_floats(signal_dn), 0), top)
     codes: NDArray[np.uint16] = np.rint(held).astype(np.uint16)
@@ -190,9 +194,9 @@ def signal_to_noise(mean_e: ArrayLike, sensor: Sensor) -> Array:
     light ∞.
     """
     mean = _light("mean_e", mean_e)
-    fixed = sensor.read_noise_e**2 + sensor.gain_e_per_dn**2 / 12
+    fixed = math.hypot(sensor.read_noise_e, sensor.gain_e_per_dn / math.sqrt(12))
     with np.errstate(invalid="ignore"):
-        ratio = mean / np.sqrt(mean + fixed)
+        ratio = mean / np.hypot(np.sqrt(mean), fixed)
     return np.where(np.isinf(mean), np.inf, ratio)
 
 
@@ -220,13 +224,35 @@ def estimate_gain(mean_dn: ArrayLike, variance_dn: ArrayLike) -> float:
     """Electrons per code from a photon-transfer curve: one over the slope of its straight part.
 
     A line is fitted with weight 1 / variance^2 of each point, since a variance is known to
-    a fraction of itself. Leave saturated levels out. Raises `ValueError` for fewer than two.
+    a fraction of itself. Leave saturated levels out.
+
+    Raises
+    ------
+    ValueError
+        For fewer than two levels, numbers that are not finite, and a variance that does not
+        rise with the mean: no shot noise is seen there.
     """
     mean, variance = as_floats(mean_dn), as_floats(variance_dn)
+    if mean.ndim != 1 or mean.shape != variance.shape:
+        raise ValueError(f"mean {mean.shape} and variance {variance.shape}; legal: both (N,)")
+    if not (np.isfinite(mean).all() and np.isfinite(variance).all()):
+        raise ValueError("a mean or a variance is not finite; legal: finite")
     if mean.size < 2 or np.ptp(mean) == 0:
         raise ValueError(f"{mean.size} levels; legal: two or more that differ")
     slope, _ = np.polyfit(mean, variance, 1, w=1 / np.maximum(variance, 1e-12))
+    if not slope * np.ptp(mean) > 1e-9 * np.abs(variance).max():
+        raise ValueError(f"variance falls or stays, slope {slope:.3g}; legal: rises with the mean")
     return float(1 / slope)
+
+
+def _check_well(full_well_e: float) -> None:
+    legal = 0 < full_well_e <= LARGEST_WELL_E or full_well_e == math.inf
+    _require("full_well_e", full_well_e, legal, f"above 0, to {LARGEST_WELL_E:g}, or inf")
+
+
+def _check_bits(bits: int) -> None:
+    if not isinstance(bits, int | np.integer) or not 1 <= bits <= 16:
+        raise ValueError(f"bits {bits!r}; legal: whole numbers from 1 to 16")
 
 
 def _light(name: str, values: ArrayLike) -> Array:

@@ -59,7 +59,7 @@ def mechanical_vignetting(
     with np.errstate(over="ignore"):
         shift = np.abs(np.asarray(tan_field, float) * separation_mm) / pupil_radius_mm
     # In units of the pupil, so that tiny and huge lenses neither vanish nor overflow when squared.
-    rim = min(max(rim_radius_mm / pupil_radius_mm, 1e-100), 1e100)
+    rim = min(max(rim_radius_mm / pupil_radius_mm, 1e-70), 1e70)
     result: Floats = disc_overlap_area(shift, 1.0, rim) / np.pi
     return result
 
@@ -67,18 +67,29 @@ def mechanical_vignetting(
 def disc_overlap_area(distance: ArrayLike, radius_a: float, radius_b: float) -> Floats:
     """Area (...) common to two discs whose centres are ``distance`` (...) apart.
 
-    At most that of the smaller, and never negative, also where they just touch and the formula
-    has lost half of its digits.
+    Two sectors less the kite between the centres and the points where the circles meet. Its area
+    is taken from the three lengths as Kahan does for needle-like triangles, and the angles from
+    it: an arccosine would lose half of the digits where the discs just touch.
+
+    Parameters
+    ----------
+    distance : (...) floats; the sign does not matter.
+    radius_a, radius_b : float, 1e-70 to 1e70, so that no product of four lengths overflows.
     """
-    a, b = float(radius_a), float(radius_b)
-    inside = np.asarray(distance, float) <= abs(a - b)  # one disc contains the other
-    # Outside [|a−b|, a+b] the formula is at its limits.
-    d = np.clip(np.asarray(distance, float), max(abs(a - b), 1e-16 * min(a, b)), a + b)
-    gap = (a - b) * ((a + b) / d)  # (a² − b²)/d, which squares would lose where discs are alike
-    angle_a = np.arccos(np.clip((d + gap) / (2.0 * a), -1.0, 1.0))
-    angle_b = np.arccos(np.clip((d - gap) / (2.0 * b), -1.0, 1.0))
-    kite = (a + b - d) * (d + a - b) * (d - a + b) * (d + a + b)
-    lens = a * a * angle_a + b * b * angle_b - 0.5 * np.sqrt(np.maximum(kite, 0.0))
-    smaller = np.pi * min(a, b) ** 2
-    area: Floats = np.where(inside, smaller, np.clip(lens, 0.0, smaller))
-    return area
+    small, large = sorted((float(radius_a), float(radius_b)))
+    if not (small >= 1e-70 and large <= 1e70):
+        raise ValueError(f"radii {radius_a!r} and {radius_b!r}: must be 1e-70 to 1e70")
+    apart = np.abs(np.asarray(distance, float))
+    d = np.clip(apart, large - small, large + small)  # outside, the formula is at its limits
+    longest, middle, shortest = np.maximum(d, large), np.clip(d, small, large), np.minimum(d, small)
+    excess = longest - middle
+    kite = np.sqrt(
+        (longest + (middle + shortest))
+        * np.maximum(shortest - excess, 0.0)
+        * (shortest + excess)
+        * (longest + (middle - shortest))
+    )  # twice its area
+    lead = (large - small) * (large + small)
+    sectors = small**2 * np.arctan2(kite, d * d - lead) + large**2 * np.arctan2(kite, d * d + lead)
+    area = np.clip(sectors - 0.5 * kite, 0.0, np.pi * small**2)
+    return np.where(apart <= large - small, np.pi * small**2, area)

@@ -1,5 +1,8 @@
 """The thin lens, vignetting and colour errors: textbook values, limits, and rays traced here."""
 
+from fractions import Fraction
+from math import factorial
+
 import numpy as np
 import pytest
 
@@ -337,9 +340,65 @@ def test_discs_that_just_touch_from_within_or_without_share_a_finite_area():
     for a, b in np.random.default_rng(0).uniform(0.1, 3, (500, 2)):
         ends = np.array([np.nextafter(abs(a - b), 9), a + b, np.nextafter(a + b, 0)])
         area = disc_overlap_area(ends, a, b) / (np.pi * min(a, b) ** 2)
-        np.testing.assert_allclose(area, [1, 0, 0], atol=1e-5)
+        np.testing.assert_allclose(area, [1, 0, 0], atol=1e-12)
         assert (area >= 0).all()
         assert (area <= 1).all()
+
+
+def segment(sine_of_half):
+    """x − sin x cos x, the area of a unit disc beyond a chord, from sin x/2; as a series."""
+    turn = 4 * np.arcsin(sine_of_half)
+    return sum(
+        (-1) ** (k + 1) * turn ** (2 * k + 1) / (2 * factorial(2 * k + 1)) for k in range(1, 9)
+    )
+
+
+@pytest.mark.parametrize("overlap", [1e-3, 1e-5, 1e-8])
+@pytest.mark.parametrize(("a", "b"), [(1.0, 1.0), (1.0, 1.3), (1.0, 0.2)])
+def test_a_sliver_that_discs_share_keeps_its_digits(a, b, overlap):
+    d = a + b - overlap
+    exact_overlap = float(Fraction(a) + Fraction(b) - Fraction(d))
+    halves = [
+        np.sqrt(exact_overlap * (other - mine + d) / (4 * d * mine))
+        for mine, other in ((a, b), (b, a))
+    ]
+    exact = a * a * segment(halves[0]) + b * b * segment(halves[1])
+    assert disc_overlap_area(d, a, b) == pytest.approx(exact, rel=1e-14 / overlap, abs=1e-16)
+
+
+@pytest.mark.parametrize("out", [1e-3, 1e-6])
+def test_a_disc_that_hardly_sticks_out_of_another_loses_a_sliver(out):
+    """The crescent: what the small disc has beyond the chord, less what the large one has."""
+    d = 0.8 + out
+    exact_out = float(Fraction(d) + Fraction(0.2) - 1)
+    of_small = np.sqrt(exact_out * (d + 1.2) / (4 * d * 0.2))
+    of_large = np.sqrt(exact_out * (1.2 - d) / (4 * d))
+    crescent = 0.04 * segment(of_small) - segment(of_large)
+    lost = np.pi * 0.04 - disc_overlap_area(d, 1.0, 0.2)
+    assert lost == pytest.approx(crescent, abs=1e-15)
+
+
+@pytest.mark.parametrize(("a", "b"), [(0.0, 1.0), (1.0, np.inf), (np.nan, 1.0), (1.0, -1.0)])
+def test_discs_of_no_size_are_refused(a, b):
+    with pytest.raises(ValueError, match="must be 1e-70 to 1e70"):
+        disc_overlap_area(0.5, a, b)
+
+
+@pytest.mark.parametrize("beyond", [1e-3, 1e-6, 1e-10])
+def test_an_object_near_the_focal_point_is_imaged_as_far_off_as_it_should(beyond):
+    distance = 50.0 * (1.0 + beyond)
+    exact = 50 * Fraction(distance) / (Fraction(distance) - 50)
+    assert thin_lens_image_distance(50.0, distance) == pytest.approx(float(exact), rel=1e-15)
+
+
+@pytest.mark.parametrize("focus", [50.001, 1000.0, 1e6])
+@pytest.mark.parametrize("off", [-1e-6, 1e-9, 1e-3])
+def test_the_blur_of_what_is_nearly_in_focus_keeps_its_digits(focus, off):
+    depth = focus * (1 + off)
+    f, z, zf = Fraction(50), Fraction(depth), Fraction(focus)
+    exact = f / 2 * f * zf / (zf - f) * abs(1 / z - 1 / zf)
+    blur = circle_of_confusion_mm(50.0, 2.0, focus, depth)
+    assert blur == pytest.approx(float(exact), rel=1e-14)
 
 
 def test_the_cats_eye_is_the_same_on_both_sides_of_the_axis():

@@ -109,11 +109,11 @@ def test_meaningless_parameters_are_refused_by_name(call, message):
 @pytest.mark.parametrize(
     ("field", "legal", "illegal"),
     [
-        ("full_well_e", [1e-3, 1e9], [0.0, -1.0, np.nan]),
-        ("read_noise_e", [0.0, 5.0], [-1e-9, np.nan]),
-        ("dark_current_e_per_s", [0.0, 5.0], [-1e-9, np.nan]),
-        ("gain_e_per_dn", [1e-3], [0.0, -1.0, np.nan]),
-        ("bits", [7, 16], [0, 17, 12.0]),
+        ("full_well_e", [1e-3, 1e9, 1e15, np.inf], [0.0, -1.0, np.nan, 1.1e15]),
+        ("read_noise_e", [0.0, 5.0, 1e15], [-1e-9, np.nan, 1.1e15, np.inf]),
+        ("dark_current_e_per_s", [0.0, 5.0, 1e30], [-1e-9, np.nan, 1.1e30, np.inf]),
+        ("gain_e_per_dn", [1e-30, 1e30], [0.0, -1.0, np.nan, 9e-31, 1.1e30]),
+        ("bits", [7, 16, np.int64(12)], [0, 17, 12.0]),
         ("black_level_dn", [0.0, 4094.9], [-1e-9, 4095.0, np.nan]),
         ("quantum_efficiency", [0.0, 1.0], [-1e-9, 1.001, np.nan]),
     ],
@@ -296,9 +296,9 @@ def test_a_pixel_that_never_fills_counts_any_light_up_to_what_a_sampler_can_draw
         assert counted == pytest.approx([1e15, 1e15], rel=1e-6)
 
 
-@pytest.mark.parametrize("well", [0.0, -1.0, np.nan])
-def test_a_well_that_holds_nothing_is_refused(well):
-    with pytest.raises(ValueError, match=f"^full_well_e {well}; legal: above 0$"):
+@pytest.mark.parametrize("well", [0.0, -1.0, np.nan, 2e15])
+def test_a_well_that_holds_nothing_or_more_than_can_be_counted_is_refused(well):
+    with pytest.raises(ValueError, match=f"^full_well_e {well}; legal: above 0, to 1e\\+15, or"):
         shot_noise([1.0], rng(), well)
     with pytest.raises(ValueError, match=r"^full_well_e"):
         shot_noise_from_normal([1.0], [0.0], well)
@@ -349,3 +349,41 @@ def test_a_transfer_curve_has_twenty_thousand_samples_a_level_unless_told_otherw
         photon_transfer(levels, Sensor(), rng(), 20_000),
     )
     np.testing.assert_array_equal(usual, stated)
+
+
+@pytest.mark.parametrize("kind", [np.float32, np.float64])
+def test_light_beyond_all_numbers_is_infinite_and_fills_the_well(kind):
+    mean = expose(np.full(3, 1e30, kind), 1e300, Sensor())
+    assert mean.dtype == kind
+    assert np.isinf(mean).all()
+    assert (shot_noise(mean, rng(), 20_000.0) == 20_000).all()
+
+
+@pytest.mark.parametrize("gain", [1e-30, 1e30])
+def test_any_gain_amplifies_single_precision_as_well(gain):
+    sensor = Sensor(gain_e_per_dn=gain, read_noise_e=0.0)
+    signal = read_out(np.array([0.0, 100.0], np.float32), sensor, rng())
+    assert signal == pytest.approx([64.0, 64.0 + 100.0 / gain])
+
+
+def test_noise_beyond_all_light_leaves_no_signal():
+    assert signal_to_noise(1.0, Sensor(read_noise_e=1e15)) == pytest.approx(1e-15)
+    assert signal_to_noise(9.0, Sensor(read_noise_e=4.0, gain_e_per_dn=0.1)) == pytest.approx(
+        1.8, rel=1e-4
+    )
+
+
+@pytest.mark.parametrize(
+    ("mean", "variance", "message"),
+    [
+        ([1.0, 2.0], [3.0, 3.0], "rises with the mean"),
+        ([1.0, 2.0], [3.0, 2.0], "rises with the mean"),
+        ([1.0, np.nan], [1.0, 2.0], "not finite"),
+        ([1.0, 2.0], [1.0, np.inf], "not finite"),
+        ([1.0, 2.0, 3.0], [1.0, 2.0], r"both \(N,\)"),
+        ([[1.0, 2.0]], [[1.0, 2.0]], r"both \(N,\)"),
+    ],
+)
+def test_a_curve_without_shot_noise_has_no_gain(mean, variance, message):
+    with pytest.raises(ValueError, match=message):
+        estimate_gain(mean, variance)
