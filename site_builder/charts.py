@@ -6,13 +6,14 @@ The front is the line through tiers that nothing equals in both; what is clearly
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
+from itertools import pairwise
 
 from simulations.engine import drawing
 from site_builder.axes import Axis, linear_axis, log_axis
-from site_builder.label_placement import Box, place_labels
+from site_builder.boxes import Box, Point, Segment
+from site_builder.label_placement import Label, place_labels
 from site_builder.measurements import SIDES, MeasuredLadder, MeasuredTier
 
-type Point = tuple[float, float]
 type Place = Callable[[MeasuredTier, str], Point]
 """Where a tier stands on one side."""
 
@@ -50,9 +51,10 @@ def pareto_chart(measured: MeasuredLadder) -> Chart:
 
     beaten = {(i.tier.id, side) for i in measured.tiers for side in SIDES
               if measured.beaten_by(i, side)}  # fmt: skip
-    fronts = [
-        drawing.polyline([at(i, side) for i in measured.front(side)], manner)
-        for side, manner in zip(SIDES, ("image faint", "image faint dashed"), strict=True)
+    fronts = [[at(i, side) for i in measured.front(side)] for side in SIDES]
+    curves = [
+        drawing.polyline(front, manner)
+        for front, manner in zip(fronts, ("image faint", "image faint dashed"), strict=True)
     ]
     marks = [
         _marks(at(i, "native"), at(i, "browser"), [(i.tier.id, side) in beaten for side in SIDES])
@@ -60,9 +62,13 @@ def pareto_chart(measured: MeasuredLadder) -> Chart:
     ]
     spreads = [_spread(i, side, at(i, side)[1], time) for i in measured.tiers for side in SIDES]
     bars = [drawing.line(*bar, "image spread") for bar in spreads]
-    names = _names(measured, at, beaten, [Box(*a, *b).grown(3.0) for a, b in spreads])
-    parts = [_grid(time, error, measured), *fronts, *bars, *marks]
-    return Chart("".join(parts), "".join(names), time, error, describe(measured))
+    joins = [(at(i, "native"), at(i, "browser")) for i in measured.tiers]
+    lines = [*spreads, *joins, *(step for front in fronts for step in pairwise(front))]
+    labels = _place_names(measured, at, lines)
+    leaders = [drawing.line(*label.leader, "muted thin") for label in labels if label.leader]
+    parts = [_grid(time, error, measured), *curves, *bars, *leaders, *marks]
+    names = _names(measured, labels, {tier for tier, side in beaten if side == "browser"})
+    return Chart("".join(parts), names, time, error, describe(measured))
 
 
 def describe(measured: MeasuredLadder) -> str:
@@ -139,20 +145,22 @@ def _spread(item: MeasuredTier, side: str, y: float, time: Axis) -> tuple[Point,
     return (low, y), (high, y)
 
 
-def _names(
-    measured: MeasuredLadder, at: Place, beaten: set[tuple[str, str]], bars: Sequence[Box]
-) -> list[str]:
-    boxes = []
-    for item in measured.tiers:
-        (x1, y), (x2, _) = (at(item, side) for side in SIDES)
-        reach = RADIUS + 1.0
-        box = Box(min(x1, x2) - reach, y - reach, max(x1, x2) + reach, y + reach)
-        boxes.append((item.tier.label, box))
-    styles = [
-        "halo chart-name" + (" muted" if (i.tier.id, "browser") in beaten else "")
-        for i in measured.tiers
+def _place_names(measured: MeasuredLadder, at: Place, lines: Sequence[Segment]) -> Sequence[Label]:
+    reach = RADIUS + 1.0
+    dots = [
+        [
+            Box(x - reach, y - reach, x + reach, y + reach)
+            for x, y in (at(item, side) for side in SIDES)
+        ]
+        for item in measured.tiers
     ]
-    return [
-        drawing.text((label.x, label.y), label.text, style)
-        for label, style in zip(place_labels(boxes, FRAME, bars), styles, strict=True)
-    ]
+    names = [item.tier.label for item in measured.tiers]
+    return place_labels(list(zip(names, dots, strict=True)), FRAME, lines)
+
+
+def _names(measured: MeasuredLadder, labels: Sequence[Label], grey: set[str]) -> str:
+    styles = ["halo chart-name" + (" muted" if i.tier.id in grey else "") for i in measured.tiers]
+    return "".join(
+        drawing.text((label.x, label.y), label.text, style, label.anchor)
+        for label, style in zip(labels, styles, strict=True)
+    )

@@ -1,34 +1,32 @@
-"""Names beside the points of a chart: each where it covers least."""
+"""Names beside the points of a chart: each where it covers least, tied to its point where far."""
 
-from collections.abc import Sequence
+import math
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
+from site_builder.boxes import Box, Segment, hull
+
 SIZE = 13.0
-LETTER = 0.5 * SIZE
-"""Mean width of a letter of the sans face."""
+NARROW, WIDE = frozenset("fijlrt,.;:'|() I"), frozenset("mwMW")
+HEIGHT = SIZE + 2.0
 
+COVERED_DOT = 6.0
+"""Cost of each unit of area of a dot, or of another name, under a name."""
+COVERED_LINE = 8.0
+"""Cost of each unit of length of a line that a name interrupts."""
+AWAY = 5.0
+"""Cost of each unit of distance between a name and its own dots."""
+CROSSED = 20.0
+"""Cost of each unit of length of another's dot or name under the line between name and dot."""
+MISTAKEN = 100.0
+"""Cost of standing nearer to another's dot than to one's own."""
+OUTSIDE = 20.0
+"""Cost of each unit of area outside the frame."""
 
-@dataclass(frozen=True, slots=True)
-class Box:
-    """A rectangle in view box units."""
-
-    left: float
-    top: float
-    right: float
-    bottom: float
-
-    def overlap(self, other: "Box") -> float:
-        """Common area."""
-        width = min(self.right, other.right) - max(self.left, other.left)
-        height = min(self.bottom, other.bottom) - max(self.top, other.top)
-        return max(width, 0.0) * max(height, 0.0)
-
-    def grown(self, margin: float) -> "Box":
-        return Box(self.left - margin, self.top - margin, self.right + margin, self.bottom + margin)
-
-    def outside(self, frame: "Box") -> float:
-        """Area that sticks out of ``frame``."""
-        return (self.right - self.left) * (self.bottom - self.top) - self.overlap(frame)
+NEAR = 7.0
+"""Gap up to which a name needs no line to its dot."""
+SWEEPS = 3
+"""How often every name may move again once all have a place."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -37,56 +35,129 @@ class Label:
 
     text: str
     x: float
-    """Left edge."""
     y: float
     """Baseline."""
+    anchor: str
+    """Which end of the text is at ``x``: the one beside the dot, as widths are estimates."""
+    leader: Segment | None
+    """A line from the name to its dot, where they are apart or another's dot is nearer."""
+
+
+@dataclass(frozen=True, slots=True)
+class _Surroundings:
+    """The dots of a chart, as one name sees them."""
+
+    own: Sequence[Box]
+    others: Sequence[Box]
+    hulls: Sequence[Box]
+    """Around the dots of each of the others."""
 
 
 def place_labels(
-    items: Sequence[tuple[str, Box]], frame: Box, obstacles: Sequence[Box] = ()
+    items: Sequence[tuple[str, Sequence[Box]]], frame: Box, lines: Sequence[Segment] = ()
 ) -> tuple[Label, ...]:
-    """One label for each (name, box of its marks), the crowded ones last.
+    """One label for each (name, boxes of its dots).
 
-    Greedy: of some fifteen places around its own marks a name takes the one that covers least,
-    the first of equals. Names already placed weigh most, then other marks, then ``obstacles``.
+    Every name in turn takes the cheapest of the places around its dots, given where the others
+    are, until no name gains by moving.
     """
-    marks = [box for _, box in items]
-    placed: list[Box] = []
-    labels: dict[int, Label] = {}
-    order = sorted(range(len(items)), key=lambda index: _crowding(marks, index))
-    for index in order:
-        name, own = items[index]
-        others = [box for other, box in enumerate(marks) if other != index]
-        candidates = _candidates(name, own)
-
-        def cost(box: Box, marks: Sequence[Box] = others) -> float:
-            covered = ((1.0, marks), (4.0, placed), (0.3, obstacles))
-            hidden = sum(weight * box.overlap(item) for weight, items in covered for item in items)
-            return hidden + 20.0 * box.outside(frame)
-
-        best = min(candidates, key=cost)
-        placed.append(best)
-        labels[index] = Label(name, best.left, best.bottom - 3.0)
-    return tuple(labels[index] for index in range(len(items)))
+    places: dict[int, Box] = {}
+    around = [_surroundings(items, index) for index in range(len(items))]
+    for _ in range(SWEEPS):
+        before = dict(places)
+        for index, (name, _) in enumerate(items):
+            taken = [box for other, box in places.items() if other != index]
+            places[index] = _cheapest(name, around[index], taken, frame, lines)
+        if places == before:
+            break
+    return tuple(
+        _label(name, places[index], near)
+        for index, ((name, _), near) in enumerate(zip(items, around, strict=True))
+    )
 
 
-def _crowding(marks: Sequence[Box], index: int) -> float:
-    own = marks[index]
-    near = Box(own.left - 60, own.top - 30, own.right + 60, own.bottom + 30)
-    return sum(near.overlap(box) for box in marks)
+def _label(name: str, box: Box, near: _Surroundings) -> Label:
+    dot = min(near.own, key=box.gap)
+    ends = {
+        abs(box.left - dot.right): (box.left, "start"),
+        abs(box.right - dot.left): (box.right, "end"),
+        abs(box.left + box.right - dot.left - dot.right) / 2: (
+            (box.left + box.right) / 2,
+            "middle",
+        ),
+    }
+    x, anchor = ends[min(ends)]
+    return Label(name, x, box.bottom - 3.0, anchor, _leader(box, near))
 
 
-def _candidates(name: str, own: Box) -> list[Box]:
-    width, height, gap = LETTER * len(name), SIZE + 2.0, 3.0
-    middle = (own.top + own.bottom) / 2
-    centre = (own.left + own.right) / 2
-    right, left = own.right + gap, own.left - gap - width
-    above, below = own.top - gap - height + 2.0, own.bottom + gap - 2.0
-    beside = [(right, middle - height / 2), (left, middle - height / 2)]
-    corners = [
-        (x, y)
-        for y in (above, below)
-        for x in (own.right - 6.0, centre - width / 2, own.left - width + 6.0, own.left)
-    ]
-    farther = [(x, y) for y in (above - height, below + height) for x in (own.right, left)]
-    return [Box(x, y, x + width, y + height) for x, y in (*beside, *corners, *farther)]
+def _surroundings(items: Sequence[tuple[str, Sequence[Box]]], index: int) -> _Surroundings:
+    others = [dots for other, (_, dots) in enumerate(items) if other != index]
+    flat = [dot for dots in others for dot in dots]
+    return _Surroundings(items[index][1], flat, [hull(dots) for dots in others])
+
+
+def _cheapest(
+    name: str, near: _Surroundings, taken: Sequence[Box], frame: Box, lines: Sequence[Segment]
+) -> Box:
+    places = [(_away(box, near), box) for box in _candidates(name, near.own)]
+    places.sort(key=lambda place: place[0])
+    best, least = places[0][1], math.inf
+    for away, box in places:
+        if away >= least:
+            break
+        cost = away + OUTSIDE * box.outside(frame) + _hidden(box, near, taken, lines)
+        if cost < least:
+            best, least = box, cost
+    return best
+
+
+def _away(box: Box, near: _Surroundings) -> float:
+    return AWAY * min(box.gap(dot) for dot in near.own)
+
+
+def _hidden(box: Box, near: _Surroundings, taken: Sequence[Box], lines: Sequence[Segment]) -> float:
+    """What a name there covers, and what the line to its dot would cross."""
+    cost = COVERED_DOT * sum(box.overlap(item) for item in (*near.own, *near.others, *taken))
+    cost += COVERED_LINE * sum(box.length_inside(line) for line in lines)
+    leader = _leader(box, near)
+    if leader:
+        crossed = sum(item.length_inside(leader) for item in (*near.others, *taken))
+        cost += CROSSED * crossed
+    return cost + MISTAKEN * _is_mistaken(box, near)
+
+
+def _is_mistaken(box: Box, near: _Surroundings) -> bool:
+    """Whether another tier, from dot to dot, is as near."""
+    return any(box.gap(other) < box.gap(hull(near.own)) + 2.0 for other in near.hulls)
+
+
+def _leader(place: Box, near: _Surroundings) -> Segment | None:
+    own = min(near.own, key=place.gap)
+    if place.gap(own) <= NEAR and not _is_mistaken(place, near):
+        return None
+    start = place.nearest(((own.left + own.right) / 2, (own.top + own.bottom) / 2))
+    return start, own.nearest(start)
+
+
+def _candidates(name: str, own: Sequence[Box]) -> Iterator[Box]:
+    """Beside and around each dot, then in rings farther out; in no particular order."""
+    width, gap = _width(name), 3.0
+    for dot in own:
+        x, y = (dot.left + dot.right) / 2, (dot.top + dot.bottom) / 2
+        lefts = (dot.right + gap, dot.left - gap - width)
+        yield from (Box(a, y - HEIGHT / 2, a + width, y + HEIGHT / 2) for a in lefts)
+        for out in (0.0, 12.0, 26.0, 44.0):
+            tops = (dot.top - HEIGHT - out + 1.0, dot.bottom + out - 1.0)
+            starts = (x - width / 2, dot.left, dot.right - width, dot.right, dot.left - width)
+            shifts = (0.0,) if out == 0 else (-24.0, 0.0, 24.0)
+            yield from (
+                Box(a + shift, top, a + shift + width, top + HEIGHT)
+                for top in tops
+                for a in starts
+                for shift in shifts
+            )
+
+
+def _width(name: str) -> float:
+    """About as wide as the sans face sets it."""
+    return sum(3.4 if sign in NARROW else 10.0 if sign in WIDE else 6.6 for sign in name)

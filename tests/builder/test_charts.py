@@ -1,7 +1,7 @@
 """Charts of ladders: honest axes, every point named, the front joined, the beaten grey."""
 
 import re
-from itertools import pairwise
+from itertools import combinations, pairwise, product
 
 import pytest
 from hypothesis import given
@@ -9,8 +9,9 @@ from hypothesis import strategies as st
 from support.toy_ladder import toy_measurements
 
 from site_builder.axes import linear_axis, log_axis
+from site_builder.boxes import Box
 from site_builder.charts import pareto_chart
-from site_builder.label_placement import Box, place_labels
+from site_builder.label_placement import Label, place_labels
 from site_builder.quantities import error_text, quantity
 
 
@@ -86,6 +87,18 @@ def test_a_chart_joins_the_front_and_greys_what_is_beaten() -> None:
     assert "Clearly beaten: Waste." in chart.description
 
 
+FRAME = Box(0, 0, 460, 320)
+
+
+def dot(x: float, y: float) -> Box:
+    return Box(x - 5, y - 5, x + 5, y + 5)
+
+
+def box_of(label: Label, name_width: float) -> Box:
+    left = label.x - {"start": 0.0, "middle": 0.5, "end": 1.0}[label.anchor] * name_width
+    return Box(left, label.y - 11, left + name_width, label.y + 2)
+
+
 @given(
     st.lists(
         st.tuples(st.floats(60, 400), st.floats(40, 260), st.integers(4, 22)),
@@ -94,9 +107,8 @@ def test_a_chart_joins_the_front_and_greys_what_is_beaten() -> None:
     )
 )
 def test_every_point_gets_one_name_inside_the_chart(points: list[tuple[float, float, int]]) -> None:
-    frame = Box(0, 0, 460, 320)
-    items = [("x" * length, Box(x, y, x + 9, y + 9)) for x, y, length in points]
-    labels = place_labels(items, frame)
+    items = [("x" * length, [dot(x, y)]) for x, y, length in points]
+    labels = place_labels(items, FRAME)
     assert [label.text for label in labels] == [name for name, _ in items]
     for label in labels:
         assert 0 <= label.x <= 460
@@ -104,7 +116,52 @@ def test_every_point_gets_one_name_inside_the_chart(points: list[tuple[float, fl
 
 
 def test_names_of_points_apart_do_not_overlap() -> None:
-    items = [("a long name", Box(100, y, 109, y + 9)) for y in (50, 54, 90)]
-    first, second, third = place_labels(items, Box(0, 0, 460, 320))
-    assert abs(first.y - second.y) >= 12 or abs(first.x - second.x) > 60
-    assert abs(second.y - third.y) >= 12 or abs(second.x - third.x) > 60
+    items = [("a long name", [dot(100, y)]) for y in (50, 54, 90)]
+    boxes = [box_of(label, 65.0) for label in place_labels(items, FRAME)]
+    assert all(a.overlap(b) == 0.0 for a, b in combinations(boxes, 2))
+
+
+def test_no_name_covers_a_dot_where_the_chart_has_room() -> None:
+    """Three tiers from the same start, nearly equal in error, as for a strong pincushion."""
+    pairs = [(150, 60), (230, 61), (260, 66)]
+    items = [("Fixed point", [dot(x, y), dot(x + 60, y)]) for x, y in pairs]
+    labels = place_labels(items, FRAME)
+    for label, other in product(labels, [dot for _, dots in items for dot in dots]):
+        assert box_of(label, 62.0).overlap(other) == 0.0
+
+
+def test_a_lone_name_stands_beside_its_dot_without_a_line() -> None:
+    (label,) = place_labels([("name", [dot(200, 100)])], FRAME)
+    assert box_of(label, 30.0).gap(dot(200, 100)) < 7.0
+    assert label.leader is None
+
+
+def test_a_name_crowded_away_from_its_dot_is_tied_to_it() -> None:
+    crowd = [("y" * 20, [dot(200 + x, 100 + y)]) for x in (-14, 0, 14) for y in (-14, 0, 14)]
+    tied = [label.leader for label in place_labels(crowd, FRAME)]
+    assert any(tied)
+    for leader, (_, (own,)) in zip(tied, crowd, strict=True):
+        assert leader is None or own.nearest(leader[1]) == leader[1]
+
+
+def test_a_name_keeps_off_a_line_where_there_is_room_beside_it() -> None:
+    across = [((100.0, 100.0), (460.0, 100.0))]
+    (label,) = place_labels([("name", [dot(100, 100)])], FRAME, across)
+    assert box_of(label, 30.0).length_inside(across[0]) == 0.0
+
+
+@pytest.mark.parametrize(
+    ("segment", "length"),
+    [
+        (((-5.0, 5.0), (15.0, 5.0)), 10.0),
+        (((2.0, 5.0), (4.0, 5.0)), 2.0),
+        (((5.0, -5.0), (5.0, 5.0)), 5.0),
+        (((-5.0, 20.0), (15.0, 20.0)), 0.0),
+        (((0.0, -10.0), (20.0, 10.0)), 0.0),
+        (((-5.0, -5.0), (15.0, 15.0)), 10.0 * 2**0.5),
+    ],
+)
+def test_a_box_tells_how_much_of_a_line_it_hides(
+    segment: tuple[tuple[float, float], tuple[float, float]], length: float
+) -> None:
+    assert Box(0, 0, 10, 10).length_inside(segment) == pytest.approx(length)
