@@ -11,7 +11,7 @@ ROOT = Path(__file__).resolve().parent.parent
 
 
 def main(arguments: list[str] | None = None) -> int:
-    """0 where the book is in order, else 1."""
+    """0 where the book is in order, 1 where it is not, 130 where the reader interrupted."""
     given = _parser().parse_args(arguments)
     try:
         match given.command:
@@ -33,6 +33,8 @@ def main(arguments: list[str] | None = None) -> int:
     except (OSError, ValueError, RuntimeError) as error:
         print(error, file=sys.stderr)
         return 1
+    except KeyboardInterrupt:
+        return 130
     return 0
 
 

@@ -61,20 +61,21 @@ def serve(root: Path, out: Path, port: int, *, runtime: bool) -> None:
             # The first build, too, is made under watch: what is saved meanwhile makes a second.
             if changes or not builds.count:
                 rebuild(root, out, builds, runtime=runtime)
+    except KeyboardInterrupt:
+        print()  # the usual way to end
     finally:
         server.shutdown()
         server.server_close()
 
 
 def _rounds(folders: list[Path]) -> Iterator[Collection[object]]:
-    """The changes of each round, mostly none, until interrupted."""
+    """The changes of each round, mostly none."""
     ignore = DefaultFilter(ignore_entity_patterns=(*DefaultFilter.ignore_entity_patterns, r"^\."))
     return watch(
         *folders,
         watch_filter=ignore,
         rust_timeout=LOOK_MS,
         yield_on_timeout=True,
-        raise_interrupt=False,
     )
 
 
