@@ -25,6 +25,9 @@ MAX_NEWTON_STEPS = 100
 GUESS_SAMPLES = 1025
 """Samples of f from which the first guess is interpolated."""
 
+FURTHEST = 2.0**149
+"""Radius, 7e44, up to which is searched: r⁶ and its products are still numbers there."""
+
 
 def invert_bracketed(
     profile: RadialProfile, image_radius: ArrayLike
@@ -40,7 +43,7 @@ def invert_bracketed(
     radius : (...) floats
         The fold radius (0 where there is none) for entries that are not valid.
     valid : (...) bools
-        False where no such radius exists (past the fold, negative or not finite).
+        False where no such radius exists (past the fold or `FURTHEST`, negative or not finite).
     """
     target = np.asarray(image_radius, float)
     fold = fold_radius(profile)
@@ -61,7 +64,7 @@ def invert_bracketed(
 def furthest_radius(profile: RadialProfile, fold: float, wanted: Floats | float) -> float:
     """The fold, or a radius nearer to the axis whose image lies beyond all that are wanted."""
     radius = 1.0
-    while radius < min(fold, 1e150) and np.any(evaluate(profile, radius) <= wanted):
+    while radius < min(fold, FURTHEST) and np.any(evaluate(profile, radius) <= wanted):
         radius *= 2.0
     return min(radius, fold)
 
