@@ -23,15 +23,19 @@ class Licence:
 
 def gather_licences(root: Path, pyodide: str, python: str, numpy: str) -> tuple[Licence, ...]:
     """Licences of the book and of what it ships; the versions are the browser runtime's."""
+    book = Licence(
+        "Image Formation",
+        "",
+        "MIT (code) and CC BY 4.0 (text and figures)",
+        "This book.",
+        "",
+        _text_of(root / "LICENSE"),
+    )
+    return (book, *_of_the_runtime(pyodide, python, numpy), *_of_the_fonts())
+
+
+def _of_the_runtime(pyodide: str, python: str, numpy: str) -> tuple[Licence, ...]:
     return (
-        Licence(
-            "Image Formation",
-            "",
-            "MIT (code) and CC BY 4.0 (text and figures)",
-            "This book.",
-            "",
-            _first_text(root / "LICENSE", root / "LICENSE.md", root / "LICENCE"),
-        ),
         Licence(
             "Pyodide",
             pyodide,
@@ -46,7 +50,7 @@ def gather_licences(root: Path, pyodide: str, python: str, numpy: str) -> tuple[
             "PSF License 2.0",
             "Inside Pyodide. Cut down to what the book imports, and compiled.",
             "https://www.python.org/",
-            _first_text(Path(os.__file__).parent / "LICENSE.txt")
+            _text_of(Path(os.__file__).parent / "LICENSE.txt")
             or _packaged_text("typing_extensions", "LICENSE"),
         ),
         Licence(
@@ -57,6 +61,11 @@ def gather_licences(root: Path, pyodide: str, python: str, numpy: str) -> tuple[
             "https://numpy.org/",
             _packaged_text("numpy", "licenses/LICENSE.txt"),
         ),
+    )
+
+
+def _of_the_fonts() -> tuple[Licence, ...]:
+    return (
         Licence(
             "Source Serif and Source Sans",
             "",
@@ -87,8 +96,9 @@ def _packaged_text(package: str, ending: str) -> str:
     return found[0].read_text(encoding="utf-8") if found else ""
 
 
-def _first_text(*candidates: Path) -> str:
-    return next((file.read_text(encoding="utf-8") for file in candidates if file.is_file()), "")
+def _text_of(file: Path) -> str:
+    """The file; nothing where there is none."""
+    return file.read_text(encoding="utf-8") if file.is_file() else ""
 
 
 def _open_font_licence() -> str:

@@ -10,7 +10,8 @@ import pytest
 from fontTools.ttLib import TTFont
 from fontTools.ttLib.tables._g_l_y_f import USE_MY_METRICS
 
-from site_builder.fonts import FACES, Face, cut, subset_fonts
+from site_builder.font_faces import FACES, Face
+from site_builder.fonts import cut, subset_fonts
 
 FONTS_CSS = Path(__file__).parents[2] / "static" / "css" / "fonts.css"
 TEXT_FACES = [face.file for face in FACES if face.file != "maths.woff2"]

@@ -1,0 +1,104 @@
+"""The faces of the book: where their outlines come from, and what of each is kept.
+
+Source Serif and Source Sans (Adobe) for text and controls, STIX Two Math for formulae; all under
+the SIL Open Font License, from installed packages. A subset is a modified version, and ``Source``
+is a reserved name, so the cut faces are called ``Book …`` while copyright and licence stay in them.
+"""
+
+from dataclasses import dataclass
+
+
+def _span(*bounds: tuple[int, int]) -> frozenset[int]:
+    return frozenset(code for first, last in bounds for code in range(first, last + 1))
+
+
+def _each(characters: str) -> frozenset[int]:
+    return frozenset(map(ord, characters))
+
+
+LATIN = _span((0x20, 0x7E), (0xA0, 0x17F))
+GREEK = _span((0x391, 0x3A1), (0x3A3, 0x3C9)) | _each("ϑϕϵ")
+PUNCTUATION = _span((0x2002, 0x200A), (0x202F, 0x202F)) | _each("‐‑–—‘’‚“”„†‡•…‰′″‹›€№™")
+INLINE_MATHS = _each("←↑→↓↔⇒−×÷±·∙√∞≈≠≤≥∂∆∏∑∫∈∥⟂ℓ°⁻⁺ⁿ⁰¹²³⁴⁵⁶⁷⁸⁹₀₁₂₃₄₅₆₇₈₉½⅓⅔¼¾✓✗")
+TEXT = LATIN | GREEK | PUNCTUATION | INLINE_MATHS
+FORMULAE = (
+    _span((0x20, 0x7E), (0xA0, 0xFF))
+    | GREEK
+    | PUNCTUATION
+    | INLINE_MATHS
+    | _span(
+        (0x2C6, 0x2DD),  # accents: hat, caron, breve, dot, ring, tilde
+        (0x300, 0x308),  # the same, combining
+        (0x2016, 0x2016),  # ‖
+        (0x2032, 0x2037),  # primes
+        (0x2061, 0x2064),  # invisible operators
+        (0x20D7, 0x20D7),  # vector arrow
+        (0x2190, 0x21FF),  # arrows
+        (0x2200, 0x22FF),  # operators
+        (0x2308, 0x230B),  # ceiling and floor
+        (0x23B4, 0x23B5),
+        (0x23DC, 0x23E1),  # braces over and under
+        (0x27E6, 0x27EB),  # angle brackets
+        (0x27F5, 0x27FC),  # long arrows
+        (0x1D400, 0x1D503),  # alphabets: bold, italic, bold italic, script
+        (0x1D538, 0x1D56B),  # double-struck
+        (0x1D6A4, 0x1D755),  # dotless; Greek bold, italic, bold italic
+        (0x1D7CE, 0x1D7D7),  # bold digits
+    )
+    | _each("ℂℎℏℐℒℕℙℚℛℝℤ□◦⊤⊥⋅⋆⟨⟩⟵⟶⟷⦅⦆")
+)
+
+BASIC_FEATURES = ("ccmp", "kern", "liga", "lnum", "locl", "mark", "mkmk", "onum", "pnum", "tnum")
+SMALL_CAPITALS = ("c2sc", "smcp")
+FORMULA_FEATURES = ("ccmp", "dtls", "flac", "kern", "mark", "mkmk", "ssty")
+
+
+@dataclass(frozen=True, slots=True)
+class Face:
+    """One web font: where its outlines come from and what is kept of them."""
+
+    file: str
+    """Name of the woff2 file, as the style sheet refers to it."""
+    package: str
+    """Installed package that carries the source."""
+    source: str
+    """Path of the source inside the package."""
+    family: str
+    """Family name written into the cut face."""
+    style: str
+    """Style name written into the cut face."""
+    characters: frozenset[int] = TEXT
+    """Code points to keep, where the source has them."""
+    features: tuple[str, ...] = BASIC_FEATURES
+    """OpenType features to keep."""
+
+
+def _serif(file: str, source: str, style: str, *extra_features: str) -> Face:
+    source_path = f"files/SourceSerifPro-{source}.ttf"
+    features = BASIC_FEATURES + extra_features
+    return Face(file, "font_source_serif_pro", source_path, "Book Serif", style, TEXT, features)
+
+
+def _sans(file: str, source: str, style: str) -> Face:
+    source_path = f"files/SourceSansPro-{source}.ttf"
+    return Face(file, "font_source_sans_pro", source_path, "Book Sans", style)
+
+
+FACES = (
+    _serif("serif-regular.woff2", "Regular", "Regular", *SMALL_CAPITALS),
+    _serif("serif-italic.woff2", "It", "Italic"),
+    _serif("serif-semibold.woff2", "Semibold", "Semibold"),
+    _serif("serif-semibold-italic.woff2", "SemiboldIt", "Semibold Italic"),
+    _sans("sans-regular.woff2", "Regular", "Regular"),
+    _sans("sans-italic.woff2", "It", "Italic"),
+    _sans("sans-semibold.woff2", "Semibold", "Semibold"),
+    Face(
+        "maths.woff2",
+        "ziamath",
+        "fonts/STIXTwoMath-Regular.ttf",
+        "Book Maths",
+        "Regular",
+        FORMULAE,
+        FORMULA_FEATURES,
+    ),
+)
