@@ -1,27 +1,19 @@
 """Numbers about speed and accuracy: from the file, never typed, and refused once they are stale."""
 
 import json
-import re
 from collections.abc import Callable
 from dataclasses import replace
-from pathlib import Path
 from typing import Any
 
 import pytest
-from bench.record import close, finite
 from support.html_outline import read_html
-from support.toy_ladder import ERRORS, FILE, timing, toy_data, toy_ladder, toy_measurements
+from support.toy_ladder import ERRORS, FILE, toy_data, toy_ladder, toy_measurements
 
-from simulations.registry import LADDER_MODULES, load_ladder
 from site_builder.assets import content_bytes
 from site_builder.build import Options, check_site, render_site
-from site_builder.diagnostics import BuildError, Diagnostics
-from site_builder.ladder_choice import Neighbour, default_choice, off_the_front
-from site_builder.ladder_view import verdict
+from site_builder.diagnostics import BuildError
 from site_builder.markdown.measured import LEGAL, measured_text
-from site_builder.measurements import Measurements, read_measurements
 
-ROOT = Path(__file__).resolve().parents[2]
 type Find = Callable[..., list[str]]
 
 
@@ -39,144 +31,6 @@ def find(make_book: Callable[..., Options]) -> Find:
         return []
 
     return find
-
-
-# What the file says of the real ladders
-
-
-@pytest.fixture(scope="module")
-def real() -> Measurements:
-    problems = Diagnostics()
-    found = read_measurements(ROOT, problems)
-    assert not problems, problems.found
-    return found
-
-
-def test_every_registered_ladder_is_measured(real: Measurements) -> None:
-    assert set(LADDER_MODULES) <= set(real.ladders), "run `make bench`"
-
-
-@pytest.mark.parametrize("ladder_id", LADDER_MODULES)
-def test_the_recorded_errors_are_those_of_the_code(ladder_id: str, real: Measurements) -> None:
-    measured, ladder = real.find(ladder_id), load_ladder(ladder_id)
-    workload = ladder.prepare()
-    reference = ladder.reference(workload)
-    for item in measured.tiers:
-        result = item.tier.run(workload)
-        for metric in ladder.metrics:
-            now = finite(metric.measure(result, reference, workload))
-            then = item.errors[metric.id]
-            assert close(now, then), f"{ladder_id} {item.tier.id} {metric.id}: {now}, was {then}"
-
-
-def test_every_registered_ladder_is_shown_in_the_book() -> None:
-    chapters = "".join(file.read_text(encoding="utf-8") for file in (ROOT / "content").glob("*.md"))
-    shown = set(re.findall(r"^:{3,}\{ladder\} (\S+)", chapters, re.MULTILINE))
-    assert shown == set(LADDER_MODULES)
-
-
-def test_the_file_says_nothing_of_whose_machine_it_was(real: Measurements) -> None:
-    assert set(real.machine) == {
-        "processor", "cores", "system", "python", "numpy", "browser", "pyodide",
-    }  # fmt: skip
-
-
-@pytest.mark.parametrize("ladder_id", LADDER_MODULES)
-def test_a_ladder_s_default_is_on_the_front_where_the_book_runs(
-    ladder_id: str, real: Measurements
-) -> None:
-    assert off_the_front(real.find(ladder_id)) == ""
-
-
-# The page model
-
-
-def test_a_tier_is_beaten_by_the_quickest_that_is_no_worse() -> None:
-    measured = toy_measurements().find("toy")
-    winners = {i.tier.id: measured.beaten_by(i, "native") for i in measured.tiers}
-    assert {name: winner and winner.tier.id for name, winner in winners.items()} == {
-        "rough": None, "fine": None, "waste": "fine", "exact": None,
-    }  # fmt: skip
-
-
-def test_a_tier_is_not_called_beaten_while_the_quartiles_overlap() -> None:
-    data = toy_data()["ladders"]["toy"]["tiers"]
-    data["waste"]["native"] = timing(2.2)
-    measured = toy_measurements(tiers=data).find("toy")
-    assert measured.beaten_by(measured["waste"], "native") is None
-    assert verdict(measured, measured["waste"]) == "beaten by Fine in the browser only"
-
-
-def test_the_verdict_names_the_winner_even_where_the_loser_is_ours() -> None:
-    measured = toy_measurements().find("toy")
-    assert verdict(measured, measured["waste"]) == "beaten by Fine"
-    assert verdict(measured, measured["exact"]) == "on the front"
-
-
-def test_another_metric_turns_what_is_better() -> None:
-    data = toy_data()["ladders"]["toy"]["tiers"]
-    data["waste"]["errors"]["psnr"] = 55.0
-    measured = toy_measurements(tiers=data).find("toy", "psnr")
-    assert measured.beaten_by(measured["waste"], "native") is None
-    assert [item.tier.id for item in measured.front("native")] == [
-        "rough",
-        "fine",
-        "waste",
-        "exact",
-    ]
-
-
-# Why the default is the default
-
-
-def test_a_default_stands_between_its_neighbours_on_the_browser_s_front() -> None:
-    choice = default_choice(toy_measurements().find("toy"))
-    assert (choice.label, choice.ms, choice.error) == ("Fine", "6.0", "0.020\u00a0px")
-    assert choice.cheaper == Neighbour("Rough", "0.25", "3.0\u00a0px")
-    assert choice.dearer == Neighbour("Exact", "4.5", "no error")
-
-
-def test_a_default_at_an_end_of_the_front_has_no_neighbour_there() -> None:
-    data = toy_data()["ladders"]["toy"]["tiers"]
-    data["fine"]["errors"]["rms"] = 0.0
-    data["rough"]["browser"] = timing(7.0)
-    choice = default_choice(toy_measurements(tiers=data).find("toy"))
-    assert (choice.cheaper, choice.dearer) == (None, None)
-
-
-def test_a_neighbour_that_only_rounding_puts_on_the_front_is_passed_over() -> None:
-    data = toy_data()["ladders"]["toy"]["tiers"]
-    data["fine"]["errors"]["rms"], data["exact"]["errors"]["rms"] = 2e-16, 1e-16
-    measured = toy_measurements(tiers=data).find("toy")
-    assert [item.tier.id for item in measured.front("browser")] == ["rough", "fine", "exact"]
-    assert default_choice(measured).dearer is None
-
-
-def test_a_default_off_the_front_is_named_with_all_that_beat_it() -> None:
-    data = toy_data()["ladders"]["toy"]["tiers"]
-    data["exact"]["browser"] = timing(5.0)
-    assert off_the_front(toy_measurements(tiers=data).find("toy")) == (
-        "toy: the default 'fine' (6.0 ms, 0.020\u00a0px) is off the browser's front, "
-        "which has 'exact' (5.0 ms, no error)"
-    )
-
-
-def test_a_default_that_another_only_equals_in_time_and_error_is_on_the_front() -> None:
-    data = toy_data()["ladders"]["toy"]["tiers"]
-    data["waste"] = data["fine"]
-    assert off_the_front(toy_measurements(tiers=data).find("toy")) == ""
-
-
-def test_errors_below_rounding_are_equally_good() -> None:
-    data = toy_data()["ladders"]["toy"]["tiers"]
-    data["fine"]["errors"]["rms"], data["exact"]["errors"]["rms"] = 2e-16, 1e-16
-    measured = toy_measurements(tiers=data).find("toy")
-    winner = measured.beaten_by(measured["exact"], "native")
-    assert winner is not None
-    assert winner.tier.id == "fine"
-
-
-# Diagnostics
 
 
 def test_a_page_in_order_has_no_mistakes(find: Find) -> None:
@@ -279,9 +133,6 @@ def test_an_entry_that_lacks_a_part_says_how_to_measure_again(find: Find, lost: 
         f"content/00-first.md:5: {FILE}: ladder 'toy' is not as `make bench` writes it "
         f"(KeyError: '{lost}'); run `make bench LADDER=toy`"
     ]
-
-
-# Numbers in the text
 
 
 @pytest.mark.parametrize(
