@@ -16,6 +16,7 @@ import math
 import numpy as np
 from numpy.typing import ArrayLike
 
+from simulations.models.floats import as_vectors
 from simulations.models.projection import Floats, Mask
 
 
@@ -84,7 +85,7 @@ def paraperspective_camera(K: ArrayLike, reference: ArrayLike) -> Floats:
         If the reference is not in front of the camera, or so near to its plane or so far to the
         side that an entry is not finite.
     """
-    matrix, point = np.asarray(K, float), np.asarray(reference, float)
+    matrix, point = np.asarray(K, float), as_vectors("reference", reference, 3)
     depth = float(point[2])
     if not 0.0 < depth < math.inf:
         raise ValueError(f"reference at depth {depth}; legal: in front of the camera, finite")
@@ -123,6 +124,6 @@ def project_affine(points: ArrayLike, camera: ArrayLike) -> tuple[Floats, Mask]:
     if matrix.shape != (3, 4) or matrix[2].tolist() != [0.0, 0.0, 0.0, 1.0]:
         raise ValueError(f"camera {matrix.tolist()}; legal: (3, 4) with last row 0, 0, 0, 1")
     with np.errstate(over="ignore", invalid="ignore"):
-        pixels = np.asarray(points, float) @ matrix[:2, :3].T + matrix[:2, 3]
+        pixels = as_vectors("points", points, 3) @ matrix[:2, :3].T + matrix[:2, 3]
     valid = np.isfinite(pixels).all(axis=-1)
     return np.where(valid[..., None], pixels, np.nan), valid

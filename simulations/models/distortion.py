@@ -19,6 +19,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from simulations.models import radial_inverse, radial_profile, radial_table
 from simulations.models.decentring import DecentredLens, undo_decentred
+from simulations.models.floats import as_vectors
 from simulations.models.radial_profile import LARGEST_COEFFICIENT, RadialProfile
 
 type Floats = NDArray[np.floating]
@@ -91,7 +92,7 @@ def distort(xy: ArrayLike, d: Distortion) -> Floats:
     -------
     (..., 2) floats. Beyond `fold_radius` several points share one image; see `undistort`.
     """
-    ideal = np.asarray(xy, float)
+    ideal = as_vectors("xy", xy, 2)
     if d.neutral:
         return ideal
     with np.errstate(over="ignore", invalid="ignore"):
@@ -114,7 +115,11 @@ def _distort_near(ideal: Floats, d: Distortion) -> Floats:
 def _distort_far(ideal: Floats, d: Distortion, far: Mask) -> Floats:
     """Far points are judged by where their direction is sent at the radius `FAR`."""
     largest = np.abs(ideal).max(axis=-1, keepdims=True)
-    shrunk = np.where(far[..., None], FAR * (ideal / np.where(far[..., None], largest, 1.0)), ideal)
+    with np.errstate(invalid="ignore"):
+        direction = ideal / np.where(far[..., None], largest, 1.0)
+    endless = np.isinf(largest)
+    direction = np.where(endless, np.sign(ideal) * np.isinf(ideal), direction)
+    shrunk = np.where(far[..., None], FAR * direction, ideal)
     moved = _distort_near(shrunk, d)
     beyond = far[..., None] & (np.abs(moved) > np.sqrt(FAR))
     return np.where(beyond, np.copysign(np.inf, moved), moved)
@@ -153,7 +158,7 @@ def undistort(xy: ArrayLike, d: Distortion) -> tuple[Floats, Mask]:
     valid : (...) bools
         False where no ideal point inside the fold has this image.
     """
-    seen = np.asarray(xy, float)
+    seen = as_vectors("xy", xy, 2)
     if d.neutral or d.tangential:
         finite = np.isfinite(seen).all(axis=-1)
         if d.neutral and finite.all():
@@ -193,8 +198,12 @@ def _undo_surely(seen: Floats, profile: RadialProfile) -> tuple[Floats, Mask]:
 
 
 def jacobian(xy: ArrayLike, d: Distortion) -> Floats:
-    """Derivatives of `distort`: (..., 2, 2), rows x_d, y_d and columns x, y."""
-    ideal = np.asarray(xy, float)
+    """Derivatives of `distort`: (..., 2, 2), rows x_d, y_d and columns x, y.
+
+    Infinite or NaN where the squares of the coordinates overflow.
+    """
+    ideal = as_vectors("xy", xy, 2)
     lens = DecentredLens(d.radial, d.p1, d.p2)
-    _, _, xx, mixed, yy = lens.linearised(ideal[..., 0], ideal[..., 1])
+    with np.errstate(over="ignore", invalid="ignore"):
+        _, _, xx, mixed, yy = lens.linearised(ideal[..., 0], ideal[..., 1])
     return np.stack((np.stack((xx, mixed), axis=-1), np.stack((mixed, yy), axis=-1)), axis=-2)

@@ -7,6 +7,8 @@ shape; normals are unit vectors, of either sign. Szeliski, 2nd ed., section 2.3.
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from simulations.models.floats import as_vectors
+
 type Floats = NDArray[np.floating]
 
 
@@ -64,5 +66,5 @@ def chord_length(distance_px: ArrayLike, normal: ArrayLike) -> Floats:
 
 def _projected_sides(normal: ArrayLike) -> tuple[Floats, Floats]:
     """The pixel's two sides seen along the edge: the longer and the shorter."""
-    sides = np.abs(np.asarray(normal, float))
+    sides = np.minimum(np.abs(as_vectors("normal", normal, 2)), 1.0)
     return np.maximum(sides[..., 0], sides[..., 1]), np.minimum(sides[..., 0], sides[..., 1])

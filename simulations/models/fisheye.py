@@ -12,6 +12,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from simulations.models import radial_profile, radial_table
+from simulations.models.floats import as_vectors
 from simulations.models.radial_profile import RadialProfile
 
 type Floats = NDArray[np.floating]
@@ -112,7 +113,7 @@ def unproject_fisheye(xy: ArrayLike, lens: Fisheye) -> tuple[Floats, Mask]:
 
 def _angles(directions: ArrayLike) -> tuple[Floats, Floats, Mask]:
     """Angle to the axis, azimuth, and whether the direction is one."""
-    rays = np.asarray(directions, float)
+    rays = as_vectors("directions", directions, 3)
     finite = np.isfinite(rays).all(axis=-1)
     largest = np.abs(np.where(finite[..., None], rays, 0.0)).max(axis=-1, keepdims=True)
     scaled = np.where(finite[..., None], rays, 0.0) / np.where(largest > 0.0, largest, 1.0)
@@ -123,7 +124,7 @@ def _angles(directions: ArrayLike) -> tuple[Floats, Floats, Mask]:
 
 
 def _polar(xy: ArrayLike) -> tuple[Floats, Floats, Mask]:
-    points = np.asarray(xy, float)
+    points = as_vectors("xy", xy, 2)
     valid = np.isfinite(points).all(axis=-1)
     x, y = np.moveaxis(np.where(valid[..., None], points, 0.0), -1, 0)
     with np.errstate(over="ignore"):

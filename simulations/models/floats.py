@@ -1,11 +1,31 @@
-"""The one conversion that every model starts with."""
+"""The conversions that every model starts with."""
+
+from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 
 def as_floats(values: ArrayLike) -> NDArray[np.floating]:
-    """As an array of floats: float32 stays float32 (pictures), whole numbers become float64."""
+    """As an array of floats: float32 stays float32 (pictures), whole numbers become float64.
+
+    Half precision, in which some pictures are stored, becomes float32: it is none to compute in.
+    Raises `ValueError` for complex numbers, whose imaginary part would be lost.
+    """
     array = np.asarray(values)
-    floats: NDArray[np.floating] = array if array.dtype.kind == "f" else array.astype(np.float64)
-    return floats
+    if array.dtype.kind == "c":
+        raise ValueError(f"values of type {array.dtype}; legal: real numbers")
+    if array.dtype.kind == "f":
+        floats: NDArray[np.floating] = (
+            array.astype(np.float32) if array.dtype == np.float16 else array
+        )
+        return floats
+    return array.astype(np.float64)
+
+
+def as_vectors(name: str, values: ArrayLike, length: int) -> NDArray[Any]:
+    """As an array (..., length) of float64; raises `ValueError` with the name for other shapes."""
+    vectors = np.asarray(values, float)
+    if vectors.shape[-1:] != (length,):
+        raise ValueError(f"{name} of shape {vectors.shape}; legal: (..., {length})")
+    return vectors

@@ -16,6 +16,8 @@ import math
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from simulations.models.floats import as_vectors
+
 type Floats = NDArray[np.float64]
 type Mask = NDArray[np.bool_]
 
@@ -38,7 +40,7 @@ def intrinsics(
     ValueError
         If a focal length is not positive and finite, or another entry is not finite.
     """
-    fx, fy = (focal_px, focal_px) if isinstance(focal_px, int | float) else focal_px
+    fx, fy = map(float, np.broadcast_to(focal_px, 2))
     if not (0.0 < fx < math.inf and 0.0 < fy < math.inf):
         raise ValueError(f"focal_px: {focal_px}; legal: positive and finite")
     cx, cy = principal_point
@@ -62,7 +64,7 @@ def project(points_camera: ArrayLike, K: ArrayLike) -> tuple[Floats, Mask]:
         not a finite number. A finite point at Z = ∞ is valid: it meets the principal point.
         Points at infinity in other directions go through `project_homogeneous`.
     """
-    X, Y, Z = np.moveaxis(np.asarray(points_camera, float), -1, 0)
+    X, Y, Z = np.moveaxis(as_vectors("points_camera", points_camera, 3), -1, 0)
     matrix = np.asarray(K, float)
     with np.errstate(divide="ignore", invalid="ignore", over="ignore"):
         x, y = X / Z, Y / Z
@@ -91,7 +93,7 @@ def project_homogeneous(points: ArrayLike, camera_matrix: ArrayLike) -> tuple[Fl
     valid : (...,) bool, False on and behind the camera plane, for (0, 0, 0, 0), and where a
         coordinate is not finite: a point at infinity is one with W = 0.
     """
-    homogeneous = np.asarray(points, float)
+    homogeneous = as_vectors("points", points, 4)
     finite = np.isfinite(homogeneous).all(axis=-1, keepdims=True)
     homogeneous = np.where(finite, homogeneous, 0.0)
     largest = np.abs(homogeneous).max(axis=-1, keepdims=True)
@@ -122,7 +124,7 @@ def look_at(eye: ArrayLike, target: ArrayLike, up: ArrayLike) -> Floats:
         If eye and target coincide, up is parallel to the line of sight or no direction at all,
         or a number is not finite.
     """
-    centre = np.asarray(eye, float)
+    centre = as_vectors("eye", eye, 3)
     with np.errstate(over="ignore", invalid="ignore"):
         distance, forward = _length_and_direction(np.asarray(target, float) - centre)
     if not 0.0 < distance < math.inf:
@@ -175,10 +177,11 @@ def world_to_camera(points: ArrayLike, pose: ArrayLike) -> Floats:
     """Camera coordinates R p + t of world points (..., 3), in float64.
 
     Rounding is about 1e-16 of the distance from the world's origin, not from the camera. Far
-    from the origin use `relative_to_camera`.
+    from the origin use `relative_to_camera`. Points that are not finite come back so, or as NaN.
     """
     matrix = np.asarray(pose, float)
-    moved: Floats = np.asarray(points, float) @ matrix[:3, :3].T + matrix[:3, 3]
+    with np.errstate(over="ignore", invalid="ignore"):
+        moved: Floats = as_vectors("points", points, 3) @ matrix[:3, :3].T + matrix[:3, 3]
     return moved
 
 
@@ -188,8 +191,9 @@ def relative_to_camera(points: ArrayLike, R: ArrayLike, centre: ArrayLike) -> Fl
     In R p + t two large numbers cancel. Subtracting first, in float64, loses nothing: the
     difference of two nearby floating-point numbers is exact.
     """
-    offset = np.asarray(points, float) - np.asarray(centre, float)
-    moved: Floats = offset @ np.asarray(R, float).T
+    with np.errstate(over="ignore", invalid="ignore"):
+        offset = as_vectors("points", points, 3) - np.asarray(centre, float)
+        moved: Floats = offset @ np.asarray(R, float).T
     return moved
 
 

@@ -7,6 +7,8 @@ rotation. Source: Szeliski, Computer Vision, 2nd ed., §2.1.3.
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from simulations.models.floats import as_vectors
+
 type Floats = NDArray[np.float64]
 
 
@@ -17,7 +19,7 @@ def normalise(quaternion: ArrayLike) -> Floats:
     is squared. Raises `ValueError` for the zero quaternion and for entries that are not finite:
     they stand for no rotation.
     """
-    q = np.asarray(quaternion, float)
+    q = as_vectors("quaternion", quaternion, 4)
     largest = np.abs(q).max(axis=-1, keepdims=True)
     if not ((largest > 0.0) & np.isfinite(largest)).all():
         raise ValueError(f"quaternion: {q.tolist()}; legal: finite and not all zero")
@@ -38,23 +40,26 @@ def canonical(quaternion: ArrayLike) -> Floats:
 
 def conjugate(quaternion: ArrayLike) -> Floats:
     """(w, −x, −y, −z): the inverse of a unit quaternion."""
-    turned: Floats = np.asarray(quaternion, float) * np.array([1.0, -1.0, -1.0, -1.0])
+    turned: Floats = as_vectors("quaternion", quaternion, 4) * np.array([1.0, -1.0, -1.0, -1.0])
     return turned
 
 
 def multiply(second: ArrayLike, first: ArrayLike) -> Floats:
     """The rotation ``first`` followed by ``second``, (..., 4)."""
-    a, b = np.asarray(second, float), np.asarray(first, float)
+    a, b = as_vectors("second", second, 4), as_vectors("first", first, 4)
     a_w, a_v, b_w, b_v = a[..., :1], a[..., 1:], b[..., :1], b[..., 1:]
-    w = a_w * b_w - (a_v * b_v).sum(axis=-1, keepdims=True)
-    return np.concatenate([w, a_w * b_v + b_w * a_v + np.cross(a_v, b_v)], axis=-1)
+    with np.errstate(over="ignore", invalid="ignore"):
+        w = a_w * b_w - (a_v * b_v).sum(axis=-1, keepdims=True)
+        v = a_w * b_v + b_w * a_v + np.cross(a_v, b_v)
+    return np.concatenate([w, v], axis=-1)
 
 
 def rotate(quaternion: ArrayLike, vectors: ArrayLike) -> Floats:
     """Vectors (..., 3) turned by a unit quaternion: q v q*, without building a matrix."""
-    q, v = np.asarray(quaternion, float), np.asarray(vectors, float)
-    twice = 2.0 * np.cross(q[..., 1:], v)
-    turned: Floats = v + q[..., :1] * twice + np.cross(q[..., 1:], twice)
+    q, v = as_vectors("quaternion", quaternion, 4), as_vectors("vectors", vectors, 3)
+    with np.errstate(over="ignore", invalid="ignore"):
+        twice = 2.0 * np.cross(q[..., 1:], v)
+        turned: Floats = v + q[..., :1] * twice + np.cross(q[..., 1:], twice)
     return turned
 
 
@@ -63,7 +68,7 @@ def angle_and_axis(rotation_vector: ArrayLike) -> tuple[Floats, Floats]:
 
     Raises `ValueError` where the angle is not a finite number.
     """
-    v = np.asarray(rotation_vector, float)
+    v = as_vectors("rotation_vector", rotation_vector, 3)
     largest = np.abs(v).max(axis=-1, keepdims=True)
     if not np.isfinite(largest).all():
         raise ValueError(f"rotation_vector: {v.tolist()}; legal: finite")

@@ -11,6 +11,8 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from simulations.models.floats import as_vectors
+
 type Floats = NDArray[np.floating]
 
 
@@ -85,13 +87,13 @@ def gather_table(
     height, width = source_shape
     if height < 1 or width < 1:
         raise ValueError(f"source_shape {source_shape}: must be at least 1 x 1")
-    positions = np.asarray(xy_px, float)
+    positions = as_vectors("xy_px", xy_px, 2)
     x, y = positions[..., 0].ravel(), positions[..., 1].ravel()
     inside = (x >= -0.5) & (x < width - 0.5) & (y >= -0.5) & (y < height - 0.5)
     columns, x_weights = _axis_taps(x, width, chosen)
     rows, y_weights = _axis_taps(y, height, chosen)
-    index = (rows[:, None] * width + columns[None]).reshape(-1, x.size)
-    weight = (y_weights[:, None] * x_weights[None]).reshape(-1, x.size)
+    index = (rows[:, None] * width + columns[None]).reshape(chosen.taps**2, x.size)
+    weight = (y_weights[:, None] * x_weights[None]).reshape(chosen.taps**2, x.size)
     return GatherTable(positions.shape[:-1], source_shape, index, weight, inside)
 
 
@@ -143,6 +145,8 @@ def resize(image: ArrayLike, height: int, width: int, kernel: str = "bilinear") 
     if height < 1 or width < 1:
         raise ValueError(f"height {height}, width {width}: must be at least 1")
     picture: Floats = np.asarray(image)
+    if picture.ndim not in (2, 3) or 0 in picture.shape:
+        raise ValueError(f"image of shape {picture.shape}: must be (H, W) or (H, W, C), not empty")
     dtype = np.float32 if picture.dtype == np.float32 else np.float64
     by_row = _resize_matrix(picture.shape[0], height, chosen).astype(dtype)
     by_column = _resize_matrix(picture.shape[1], width, chosen).astype(dtype)

@@ -8,6 +8,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from simulations.models import quaternions
+from simulations.models.floats import as_vectors
 
 type Floats = NDArray[np.float64]
 
@@ -20,7 +21,7 @@ LARGEST_SHARE = 1e6
 
 def cross_matrix(vector: ArrayLike) -> Floats:
     """[v]ₓ, (..., 3, 3): the matrix for which [v]ₓ p = v × p."""
-    x, y, z = np.moveaxis(np.asarray(vector, float), -1, 0)
+    x, y, z = np.moveaxis(as_vectors("vector", vector, 3), -1, 0)
     zero = np.zeros_like(x)
     rows = ([zero, -z, y], [z, zero, -x], [-y, x, zero])
     return np.stack([np.stack(row, axis=-1) for row in rows], axis=-2)
@@ -53,7 +54,7 @@ def _turn(axis: Floats, angle_rad: Floats) -> Floats:
 
 def from_axis_angle(axis: ArrayLike, angle_rad: ArrayLike) -> Floats:
     """The turn by ``angle_rad`` (...), finite, about ``axis`` (..., 3) of any length but zero."""
-    direction, angle = np.asarray(axis, float), np.asarray(angle_rad, float)
+    direction, angle = as_vectors("axis", axis, 3), np.asarray(angle_rad, float)
     largest = np.abs(direction).max(axis=-1, keepdims=True)
     if not ((largest > 0.0) & np.isfinite(largest)).all():
         raise ValueError(f"axis: {direction.tolist()}; legal: finite and not zero")
@@ -82,7 +83,7 @@ def check_rotation(R: ArrayLike) -> Floats:
     if matrix.shape[-2:] != (3, 3):
         raise ValueError(f"R: shape {matrix.shape}; legal: (..., 3, 3)")
     with np.errstate(over="ignore", invalid="ignore"):
-        drift = np.abs(np.swapaxes(matrix, -1, -2) @ matrix - np.eye(3)).max()
+        drift = np.abs(np.swapaxes(matrix, -1, -2) @ matrix - np.eye(3)).max(initial=0.0)
     if not drift <= ORTHOGONAL:
         raise ValueError(f"R: RᵀR differs from I by {drift:.2g}; legal: at most {ORTHOGONAL}")
     if not (np.linalg.det(matrix) > 0.0).all():

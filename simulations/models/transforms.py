@@ -16,6 +16,8 @@ import math
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from simulations.models.floats import as_vectors
+
 type Floats = NDArray[np.float64]
 type Mask = NDArray[np.bool_]
 
@@ -90,7 +92,7 @@ def apply_homography(H: ArrayLike, points: ArrayLike) -> tuple[Floats, Mask]:
         also where an entry of H or of the point is not finite, or the image is too far off.
     """
     matrix = _scaled(H)
-    xy = np.asarray(points, float)
+    xy = as_vectors("points", points, 2)
     finite = np.isfinite(xy).all(axis=-1)
     xy = np.where(finite[..., None], xy, 0.0)
     with np.errstate(over="ignore", invalid="ignore"):
@@ -123,7 +125,7 @@ def clip_half_plane(polygon: ArrayLike, line: ArrayLike, closed: bool = True) ->
     are a polyline: its end does not join its start. Returns (M, 2), M = 0 where nothing is left.
     Raises `ValueError` for coordinates and coefficients that are not within `CLIP_RANGE`.
     """
-    vertices = _in_range("polygon", np.asarray(polygon, float).reshape(-1, 2))
+    vertices = _in_range("polygon", _vertices(polygon))
     coefficients = _in_range("line", np.asarray(line, float))
     side = vertices @ coefficients[:2] + coefficients[2]
     kept: list[Floats] = []
@@ -151,11 +153,16 @@ def clip_to_visible(
     if not W_MINIMUM < w_minimum < 1.0:
         raise ValueError(f"w_minimum: {w_minimum}; legal: {W_MINIMUM} to 1")
     matrix = _in_range("H", _scaled(H))
-    vertices = _in_range("polygon", np.asarray(polygon, float).reshape(-1, 2))
+    vertices = _in_range("polygon", _vertices(polygon))
     if not len(vertices):
         return vertices
     near = w_minimum * float(_divisor(matrix, vertices)[1].max())
     return clip_half_plane(vertices, matrix[2] - [0.0, 0.0, near], closed)
+
+
+def _vertices(polygon: ArrayLike) -> Floats:
+    """(N, 2), also where there are none."""
+    return as_vectors("polygon", polygon, 2) if np.size(polygon) else np.empty((0, 2))
 
 
 def _in_range(name: str, values: Floats) -> Floats:

@@ -6,6 +6,7 @@ Camera frame as in `simulations.models.projection`. Source: Szeliski, 2nd ed., Â
 import numpy as np
 from numpy.typing import ArrayLike
 
+from simulations.models.floats import as_vectors
 from simulations.models.projection import Floats, Mask
 
 
@@ -53,7 +54,7 @@ def horizon(normal_camera: ArrayLike, K: ArrayLike) -> tuple[Floats, bool]:
 
 def _scaled(directions: ArrayLike) -> Floats:
     """Directions (..., 3) by their largest component, lest products overflow; else zero."""
-    vectors = np.asarray(directions, float)
+    vectors = as_vectors("directions", directions, 3)
     largest = np.abs(vectors).max(axis=-1, keepdims=True)
     usable = (largest > 0.0) & np.isfinite(largest)
     return np.where(usable, vectors, 0.0) / np.where(usable, largest, 1.0)

@@ -105,8 +105,16 @@ def _measure(
     clipped = at_an_end.mean(axis=1) > CLIPPED_SHARE
     fitted = ~clipped & (variance > NOISELESS_DN2)
     enough = np.count_nonzero(fitted) >= 3
-    gain = sensor.estimate_gain(mean[fitted], variance[fitted]) if enough else math.nan
-    return Transfer(mean, variance, fitted, clipped, gain if gain > 0 else math.nan)
+    gain = _gain_e_per_dn(mean[fitted], variance[fitted]) if enough else math.nan
+    return Transfer(mean, variance, fitted, clipped, gain)
+
+
+def _gain_e_per_dn(mean: Floats, variance: Floats) -> float:
+    """NaN where other noise hides how the variance rises with the light."""
+    try:
+        return sensor.estimate_gain(mean, variance)
+    except ValueError:
+        return math.nan
 
 
 def _picture(codes: NDArray[np.uint16], bits: float, iso: str) -> NDArray[np.uint8]:

@@ -1,0 +1,143 @@
+"""What all models of geometry do alike with vectors of a wrong length, with none, and with ∞."""
+
+import numpy as np
+import pytest
+
+from simulations.models import (
+    affine_cameras,
+    distortion,
+    edge_coverage,
+    euler,
+    fisheye,
+    projection,
+    quaternions,
+    resampling,
+    rotations,
+    transforms,
+    vanishing,
+)
+from simulations.models.floats import as_floats, as_vectors
+
+K = projection.intrinsics(800.0, (320.0, 240.0))
+POSE = projection.rigid_pose(rotations.exponential([0.1, 0.2, 0.3]), [1.0, 2.0, 3.0])
+LENS = distortion.Distortion(k1=-0.1, p1=0.01)
+AFFINE = affine_cameras.orthographic_camera(100.0)
+Q = [1.0, 0.0, 0.0, 0.0]
+
+FUNCTIONS = [
+    ("points", 2, lambda v: transforms.apply_homography(np.eye(3), v)),
+    ("points_camera", 3, lambda v: projection.project(v, K)),
+    ("points", 4, lambda v: projection.project_homogeneous(v, K @ POSE[:3])),
+    ("points", 3, lambda v: projection.world_to_camera(v, POSE)),
+    ("points", 3, lambda v: projection.relative_to_camera(v, POSE[:3, :3], [1.0, 2.0, 3.0])),
+    ("points", 3, lambda v: affine_cameras.project_affine(v, AFFINE)),
+    ("directions", 3, lambda v: vanishing.vanishing_point(v, K)),
+    ("xy", 2, lambda v: distortion.distort(v, LENS)),
+    ("xy", 2, lambda v: distortion.undistort(v, LENS)),
+    ("xy", 2, lambda v: distortion.jacobian(v, LENS)),
+    ("directions", 3, lambda v: fisheye.project_fisheye(v, fisheye.Fisheye())),
+    ("xy", 2, lambda v: fisheye.unproject_ideal(v, "equidistant")),
+    ("vector", 3, rotations.cross_matrix),
+    ("rotation_vector", 3, rotations.exponential),
+    ("axis", 3, lambda v: rotations.from_axis_angle(v, 0.3)),
+    ("quaternion", 4, quaternions.normalise),
+    ("quaternion", 4, quaternions.conjugate),
+    ("second", 4, lambda v: quaternions.multiply(v, Q)),
+    ("first", 4, lambda v: quaternions.multiply(Q, v)),
+    ("vectors", 3, lambda v: quaternions.rotate(Q, v)),
+    ("quaternion", 4, lambda v: quaternions.rotate(v, [1.0, 2.0, 3.0])),
+    ("normal", 2, lambda v: edge_coverage.straight_edge_coverage(0.1, v)),
+    ("xy_px", 2, lambda v: resampling.sample(np.ones((4, 5, 3)), v)),
+]
+EACH = pytest.mark.parametrize(("length", "function"), [entry[1:] for entry in FUNCTIONS])
+
+
+@pytest.mark.parametrize(("name", "length", "function"), FUNCTIONS)
+def test_vectors_of_another_length_are_refused_by_name(name, length, function):
+    for wrong in (0.5, np.ones(length - 1), np.ones((7, length + 1))):
+        shape = str(np.shape(wrong)).replace("(", r"\(").replace(")", r"\)")
+        with pytest.raises(
+            ValueError, match=rf"^{name} of shape {shape}; legal: \(\.\.\., {length}"
+        ):
+            function(wrong)
+
+
+@EACH
+def test_of_no_vectors_there_are_no_answers(length, function):
+    one, none = function(np.ones((2, 1, length))), function(np.ones((2, 0, length)))
+    pairs = zip(one, none, strict=True) if isinstance(one, tuple) else [(one, none)]
+    for some, nothing in pairs:
+        assert nothing.shape == (2, 0, *some.shape[2:])
+        assert nothing.dtype == some.dtype
+
+
+def test_of_no_rotations_there_are_no_angles():
+    none = np.empty((0, 3, 3))
+    assert rotations.logarithm(none).shape == (0, 3)
+    angles, locked = euler.from_matrix(none, "ZYX")
+    assert (angles.shape, locked.shape) == ((0, 3), (0,))
+
+
+@pytest.mark.parametrize("polygon", [[], np.empty((0, 2)), np.empty((0, 5))])
+def test_of_no_polygon_nothing_is_left(polygon):
+    assert transforms.clip_half_plane(polygon, (1.0, 0.0, 0.0)).shape == (0, 2)
+    assert transforms.clip_to_visible(np.eye(3), polygon).shape == (0, 2)
+
+
+@pytest.mark.parametrize("polygon", [np.ones((4, 3)), np.ones(4)])
+def test_a_polygon_has_corners_in_the_plane(polygon):
+    with pytest.raises(ValueError, match=r"^polygon of shape"):
+        transforms.clip_half_plane(polygon, (1.0, 0.0, 0.0))
+
+
+def test_vectors_become_double_precision_and_keep_their_shape():
+    vectors = as_vectors("x", np.ones((2, 3), np.float32), 3)
+    assert (vectors.dtype, vectors.shape) == (np.float64, (2, 3))
+
+
+def test_pictures_stay_single_and_half_precision_becomes_single():
+    kinds = {np.float16: np.float32, np.float32: np.float32, np.float64: np.float64}
+    for given, kept in {**kinds, np.uint8: np.float64, bool: np.float64}.items():
+        assert as_floats(np.ones(2, given)).dtype == kept
+
+
+def test_complex_numbers_are_refused_and_not_cut():
+    with pytest.raises(ValueError, match="complex128; legal: real"):
+        as_floats([1j])
+
+
+HUGE = [1e200, -1e308, np.inf, -np.inf, np.nan]
+
+
+@pytest.mark.parametrize("huge", HUGE)
+@EACH
+def test_one_wild_vector_neither_warns_nor_spoils_its_neighbours(length, function, huge):
+    calm = np.full((3, length), 0.25)
+    wild = calm.copy()
+    wild[1] = huge
+    try:
+        answer = function(wild)
+    except ValueError:
+        return
+    expected = function(calm)
+    pairs = (
+        zip(answer, expected, strict=True) if isinstance(answer, tuple) else [(answer, expected)]
+    )
+    for ours, theirs in pairs:
+        np.testing.assert_array_equal(ours[[0, 2]], theirs[[0, 2]])
+
+
+def test_a_point_at_infinity_goes_through_a_lens_to_infinity():
+    pincushion, barrel = distortion.Distortion(k1=0.1), distortion.Distortion(k1=-0.1)
+    np.testing.assert_array_equal(distortion.distort([np.inf, 0.3], pincushion)[0], np.inf)
+    np.testing.assert_array_equal(
+        distortion.distort([np.inf, -np.inf], pincushion), [np.inf, -np.inf]
+    )
+    np.testing.assert_array_equal(distortion.distort([-np.inf, np.inf], barrel), [np.inf, -np.inf])
+
+
+@pytest.mark.parametrize(
+    "focal", [np.float32(800.0), np.int64(800), np.array(800.0), [800.0, 800.0]]
+)
+def test_a_focal_length_may_be_any_kind_of_number(focal):
+    np.testing.assert_array_equal(projection.intrinsics(focal, (320.0, 240.0)), K)
