@@ -76,12 +76,12 @@ def _solve(profile: RadialProfile, wanted: Floats, upper: float) -> Floats:
         with np.errstate(over="ignore", invalid="ignore", divide="ignore"):
             excess = evaluate(profile, radius) - wanted
             step = radius - excess / slope(profile, radius)
-        low = np.where(excess <= 0.0, radius, low)
-        high = np.where(excess >= 0.0, radius, high)  # so that what is exact stays
+        short = excess < 0.0
+        low, high = np.where(short, radius, low), np.where(short, high, radius)
         inside = (step >= low) & (step <= high)  # false for NaN
         following = np.where(inside, step, 0.5 * (low + high))
         # Newton squares the error: after a step of 1e-8 nothing is left to gain.
-        settled = np.abs(following - radius) <= np.where(inside, 1e-8, 4e-16) * following
+        settled = inside & (np.abs(following - radius) <= 1e-8 * following)
         radius = following
         if np.all(settled):
             break

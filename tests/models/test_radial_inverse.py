@@ -129,12 +129,13 @@ def test_up_to_the_last_digits_before_the_fold_it_ends_after_a_few_steps(steps, 
     assert len(steps) <= 14
 
 
-@pytest.mark.parametrize("level", [1e-12, 1e-6])
+@pytest.mark.parametrize("level", [1e-12, 1e-8, 1e-6])
 def test_on_a_nearly_level_stretch_it_ends_after_a_few_steps_more(steps, level):
     """The slope 1 − 2 s + (1 + δ) s² is δ at its least, at s = 1."""
     profile = RadialProfile((-2 / 3, (1 + level) / 5))
     middle = float(evaluate(profile, 1.0))
-    for image in (middle, np.nextafter(middle, 0), middle * (1 + 1e-9)):
+    nearest = middle * (1 + np.finfo(float).eps * np.arange(-13, 14))
+    for image in (*nearest, middle * (1 + 1e-9)):
         steps.clear()
         radius, valid = invert_bracketed(profile, image)
         assert valid
