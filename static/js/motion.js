@@ -7,8 +7,10 @@ import { controlElement, setActionState, writeSlider } from "./controls.js";
 
 /** @typedef {import("./controls.js").Control} Control */
 
-/** Shortest pause on a whole number where the reader asked for less motion, in seconds. */
+/** Shortest pause between two pictures where the reader asked for less motion, in seconds. */
 const CALM_PAUSE = 1;
+/** Pictures on a way that is too short for whole numbers. */
+const CALM_PICTURES = 4;
 
 export class Motion {
   /** @type {{button: HTMLButtonElement, action: Control, stop: () => void} | null} */
@@ -35,7 +37,7 @@ export class Motion {
       return;
     }
     const target =
-      action.effect === "step" ? this.#nextWhole(slider) : this.schema.values[slider.name];
+      action.effect === "step" ? this.#next(slider, 1) : this.schema.values[slider.name];
     writeSlider(this.form, slider, target);
     this.moved(false, time);
   }
@@ -50,11 +52,12 @@ export class Motion {
     this.moved(false, performance.now());
   }
 
-  /** The whole number after the slider's value; past the end it starts over. */
-  #nextWhole(/** @type {Control} */ slider) {
+  /** The place after the slider's value, of those a stride apart; past the end it starts over. */
+  #next(/** @type {Control} */ slider, /** @type {number} */ stride) {
     const value = controlElement(this.form, slider.name).valueAsNumber;
     if (value >= slider.max) return slider.min;
-    return Math.min(Math.floor(value + 1e-9) + 1, slider.max);
+    const passed = Math.floor((value - slider.min) / stride + 1e-9);
+    return Math.min(slider.min + (passed + 1) * stride, slider.max);
   }
 
   #play(/** @type {Control} */ action, /** @type {Control} */ slider) {
@@ -81,12 +84,17 @@ export class Motion {
     return () => cancelAnimationFrame(request);
   }
 
-  /** One whole number after another, with time to look. @returns {() => void} */
+  /** One picture after another, the first at once, with time to look. @returns {() => void} */
   #walk(action, slider) {
-    const pause = Math.max(CALM_PAUSE, action.seconds / (slider.max - slider.min));
-    const advance = () => this.#moveTo(slider, this.#nextWhole(slider), performance.now());
-    const timer = setInterval(advance, pause * 1000);
-    return () => clearInterval(timer);
+    const way = slider.max - slider.min;
+    const stride = Math.min(1, way / CALM_PICTURES);
+    const pause = Math.max(CALM_PAUSE, (action.seconds * stride) / way);
+    let timer = setTimeout(function tick() {
+      timer = setTimeout(tick, pause * 1000);
+      advance();
+    });
+    const advance = () => this.#moveTo(slider, this.#next(slider, stride), performance.now());
+    return () => clearTimeout(timer);
   }
 
   #moveTo(slider, value, time) {

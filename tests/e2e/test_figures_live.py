@@ -134,3 +134,28 @@ def _click(reader: Reader, element: Locator, control: dict, attempt: int) -> Non
             element.select_option(options[(now + 1) % len(options)])
         case _:
             element.click()
+
+
+@pytest.mark.parametrize(
+    ("scene", "slider", "places"),
+    [("formation-pipeline", "station", ["1", "2"]), ("rotation-3d", "t", ["0.25", "0.5"])],
+)
+def test_a_reader_who_asked_for_less_motion_sees_one_picture_after_another(
+    reader: Reader, book: dict, scene: str, slider: str, places: list[str]
+) -> None:
+    reader.page.emulate_media(reduced_motion="reduce")
+    reader.open(next(c["url"] for c in book["chapters"] if scene in c["simulations"]))
+    figure = reader.figure(scene)
+    figure.evaluate(NOTE_PLACES, slider)
+    figure.locator("button[name=play]").click()
+    reader.page.wait_for_function("count => window.places.length >= count", arg=len(places))
+    assert reader.page.evaluate("window.places")[: len(places)] == places
+
+
+NOTE_PLACES = """(figure, slider) => {
+  const input = figure.querySelector(`input[name="${slider}"]`);
+  input.value = input.min;
+  window.places = [];
+  new MutationObserver(() => window.places.push(input.value))
+    .observe(figure, {attributeFilter: ['data-frames']});
+}"""
