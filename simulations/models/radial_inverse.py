@@ -80,8 +80,9 @@ def _solve(profile: RadialProfile, wanted: Floats, upper: float) -> Floats:
         low, high = np.where(short, radius, low), np.where(short, high, radius)
         inside = (step >= low) & (step <= high)  # false for NaN
         following = np.where(inside, step, 0.5 * (low + high))
-        # Newton squares the error: after a step of 1e-8 nothing is left to gain.
-        settled = inside & (np.abs(following - radius) <= 1e-8 * following)
+        # Newton squares the error: after a step of 1e-8 nothing is left to gain. Bisection
+        # that has run out of floats has found the end of the bracket, and no root.
+        settled = np.abs(following - radius) <= np.where(inside, 1e-8, 4e-16) * following
         radius = following
         if np.all(settled):
             break

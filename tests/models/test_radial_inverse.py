@@ -129,6 +129,11 @@ def test_up_to_the_last_digits_before_the_fold_it_ends_after_a_few_steps(steps, 
     assert len(steps) <= 14
 
 
+def test_a_search_for_what_lies_too_far_out_ends_when_halving_has_run_out_of_floats(steps):
+    assert not invert_bracketed(RadialProfile((0.5,)), 1e200)[1]
+    assert len(steps) <= np.finfo(float).nmant + 2
+
+
 @pytest.mark.parametrize("level", [1e-12, 1e-8, 1e-6])
 def test_on_a_nearly_level_stretch_it_ends_after_a_few_steps_more(steps, level):
     """The slope 1 − 2 s + (1 + δ) s² is δ at its least, at s = 1."""
