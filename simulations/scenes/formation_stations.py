@@ -120,7 +120,7 @@ def stations(journey: Journey) -> tuple[Station, ...]:
         Station(
             "Pose",
             f"R X + t = {_numbers(journey.camera_m, 2)} m",
-            "The camera's pose turns world coordinates into camera coordinates",
+            "The camera’s pose turns world coordinates into camera coordinates",
             "camera",
         ),
         Station(

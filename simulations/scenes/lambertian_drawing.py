@@ -46,13 +46,22 @@ def over_sphere(light_rad: float, probe_rad: float, show_normals: bool) -> str:
 
 
 def terminator(light_rad: float) -> list[Point]:
-    """The visible half of the circle where the light grazes the sphere, in view box units."""
+    """The visible half of the circle where the light grazes the sphere, in view box units.
+
+    With the light in front or behind it is the rim, all of which is visible.
+    """
+    if abs(math.sin(light_rad)) < 1e-9:
+        return [_on_rim(math.pi * step / 48) for step in range(97)]
     side = 1 if math.cos(light_rad) * math.sin(light_rad) <= 0 else -1
     reach = abs(math.cos(light_rad)) * side * RADIUS
     turns = [math.pi * (step / 48 - 0.5) for step in range(49)]
     return [
         (CENTRE[0] + reach * math.cos(turn), CENTRE[1] + RADIUS * math.sin(turn)) for turn in turns
     ]
+
+
+def _on_rim(turn_rad: float) -> Point:
+    return CENTRE[0] + RADIUS * math.cos(turn_rad), CENTRE[1] + RADIUS * math.sin(turn_rad)
 
 
 def _picture_rays(light_rad: float) -> Iterator[str]:

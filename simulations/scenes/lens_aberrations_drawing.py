@@ -73,8 +73,9 @@ def _shifts(corner_px: tuple[float, float]) -> Iterator[str]:
         end = (_x(1.0), SHIFT_MIDDLE - y_of * shift)
         yield line((_x(0.0), SHIFT_MIDDLE), end, style)
         if abs(corner_px[1] - corner_px[0]) > 0.8:
-            side = -7 if shift > 0 else 16
-            place = (_x(0.86), SHIFT_MIDDLE - y_of * 0.86 * shift + side)
+            y = SHIFT_MIDDLE - y_of * 0.86 * shift
+            below = shift < 0 and y + 20 < SHIFT_MIDDLE + SHIFT_HALF
+            place = (_x(0.86), y + (16 if below else -7))
             yield text(place, name, f"{style.partition(' ')[0]} halo", "middle")
 
 

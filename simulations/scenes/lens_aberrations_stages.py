@@ -191,7 +191,7 @@ def _all_sharp(values: Values) -> str:
         for band in bands(values.choice("tier"), glass)
         for wavelength in band.wavelengths_um[band.shares >= SMALLEST_SHARE].tolist()
     )
-    return "" if widest > 1 else "no colour's disc is wider than a pixel"
+    return "" if widest > 1 else "no colour’s disc is wider than a pixel"
 
 
 STAGES = (

@@ -110,7 +110,7 @@ def _description(lens: Distortion, corrected: bool) -> str:
     kind, bow, shift = kind_of(lens), largest_bow_px(lens), corner_shift_px(lens)
     setting = f"k₁ = {format_number(lens.k1)}, k₂ = {format_number(lens.k2)}"
     if lens.neutral:
-        return f"No distortion ({setting}): the grid is straight and the picture is a pinhole's."
+        return f"No distortion ({setting}): the grid is straight and the picture is a pinhole’s."
     what = {
         "none": "Distortion too small to see",
         "barrel": "Barrel distortion",

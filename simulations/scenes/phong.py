@@ -181,7 +181,7 @@ def render(values: Values, tier: str, cache: StageCache) -> Frame:
 
 def _width(model: str, shininess: float) -> Readout:
     degrees = math.degrees(half_width_rad(model, shininess))
-    return readout("half_width", "Lobe's half-width", degrees, "°", digits=1, role="ray")
+    return readout("half_width", "Lobe’s half-width", degrees, "°", digits=1, role="ray")
 
 
 def brightness_at(values: Values) -> tuple[float, float]:

@@ -29,6 +29,8 @@ type Direction = tuple[str, float, str]
 FOOT = (WIDTH / 2, 214.0)
 VECTOR = 104.0
 """Length of a unit vector, and of a brightness of 1."""
+AROUND_HIGHLIGHT = 15.0
+"""Radius of the mark of a highlight: a sharp one shows inside it."""
 SAME_RAD = math.radians(9.0)
 """Directions nearer than this share one label."""
 
@@ -38,7 +40,7 @@ def over_ball(light_rad: float, probe_rad: float) -> str:
     parts = [polyline(terminator(light_rad), style) for style in ("casing", "light dashed")]
     if abs(abs(light_rad) - math.pi) > 1e-9:
         spot = (CENTRE[0] + RADIUS * math.sin(light_rad / 2), CENTRE[1])
-        parts += [circle(spot, 8, "casing"), circle(spot, 8, "ray")]
+        parts += [circle(spot, AROUND_HIGHLIGHT, style) for style in ("casing", "ray")]
     probed = (CENTRE[0] + RADIUS * math.sin(probe_rad), CENTRE[1])
     parts += [circle(probed, 5.5, "casing"), dot(probed, "world", 5.5)]
     return "".join(parts)
@@ -61,14 +63,16 @@ def lobe_plot(
         line((24, FOOT[1]), (WIDTH - 24, FOOT[1]), "world bold"),
         text((26, FOOT[1] + 20), "surface", "world small"),
     ]
+    seen = VECTOR * float(brightness[round(math.degrees(view_rad)) + 90])
     if brightness.max() > 0:
+        at = _towards(view_rad, seen)
         parts += [
             polyline(_outline(other), "muted thin dashed"),
             polygon(_outline(brightness), "ray fill"),
             polyline(_outline(np.full(181, matte)), "world dashed"),
+            *(circle(at, 5.5, "casing"), dot(at, "image", 5.5)),  # what the camera's pixel shows
         ]
-        parts.append(_seen(view_rad, brightness))
-    parts += _vectors(light_rad, view_rad)
+    parts += _vectors(light_rad, view_rad, seen)
     return "".join(parts)
 
 
@@ -86,15 +90,11 @@ def _outline(brightness: NDArray[np.floating]) -> list[Point]:
     return list(zip(x, y - VECTOR * brightness * np.cos(around), strict=True))
 
 
-def _seen(view_rad: float, brightness: NDArray[np.floating]) -> str:
-    """Where the camera's direction cuts the lobe: what the pixel shows."""
-    nearest = round(math.degrees(view_rad)) + 90
-    at = _towards(view_rad, VECTOR * float(brightness[nearest]))
-    return circle(at, 5.5, "casing") + dot(at, "image", 5.5)
+def _vectors(light_rad: float, view_rad: float, seen: float) -> list[str]:
+    """n, l, v, the mirrored r and the halfway h; a label where two coincide names both.
 
-
-def _vectors(light_rad: float, view_rad: float) -> list[str]:
-    """n, l, v, the mirrored r and the halfway h; a label where two coincide names both."""
+    ``seen`` is the distance from the foot of the dot on v, which no label may cover.
+    """
     vectors = [("n", 0.0, "world"), ("l", light_rad, "light"), ("v", view_rad, "camera")]
     lit = math.cos(light_rad) > 0
     if lit:
@@ -106,7 +106,7 @@ def _vectors(light_rad: float, view_rad: float) -> list[str]:
     parts.append(dot(FOOT, "world", 4.5))
     if lit:
         parts.append(_equal_angles(light_rad))
-    return parts + list(_labels(vectors))
+    return parts + list(_labels(vectors, seen))
 
 
 def _equal_angles(light_rad: float) -> str:
@@ -118,7 +118,7 @@ def _equal_angles(light_rad: float) -> str:
     return path(arcs, "muted thin")
 
 
-def _labels(vectors: list[Direction]) -> Iterator[str]:
+def _labels(vectors: list[Direction], seen: float) -> Iterator[str]:
     """One label for each group of directions that lie within a few degrees of one another."""
     groups: list[list[Direction]] = []
     for vector in sorted(vectors, key=lambda item: math.remainder(item[1], 2 * math.pi)):
@@ -128,10 +128,14 @@ def _labels(vectors: list[Direction]) -> Iterator[str]:
             groups.append([vector])
     for group in groups:
         middle = group[len(group) // 2][1]
-        place = _towards(middle, VECTOR + 15 + 5 * (len(group) - 1))
+        length = VECTOR + 15 + 5 * (len(group) - 1)
+        if any(name == "v" for name, _, _ in group) and abs(seen - length) < 18:
+            length = seen + 18
+        place = _towards(middle, length)
         names = " = " if _coincide(group) else ", "
         label = names.join(name for name, _, _ in group)
-        yield text((place[0], place[1] + 4.5), label, f"{group[0][2]} strong halo", "middle")
+        level = -9.0 if abs(math.cos(middle)) < 0.12 else 4.5  # clear of the surface's own line
+        yield text((place[0], place[1] + level), label, f"{group[0][2]} strong halo", "middle")
 
 
 def _coincide(group: list[Direction]) -> bool:
