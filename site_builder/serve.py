@@ -95,8 +95,9 @@ def start_server(out: Path, port: int, builds: Builds) -> ThreadingHTTPServer:
     handler = functools.partial(Handler, directory=str(out), builds=builds)
     try:
         server = ThreadingHTTPServer(("", port), handler)
-    except OSError as error:
-        raise OSError(f"port {port} is taken or refused; try another: PORT={port + 1}") from error
+    except (OSError, OverflowError) as error:
+        another = port + 1 if 0 < port < 65535 else 8000
+        raise OSError(f"port {port} is taken or refused; try another: PORT={another}") from error
     server.daemon_threads = True
     threading.Thread(target=server.serve_forever, daemon=True).start()
     return server

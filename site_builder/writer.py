@@ -15,7 +15,8 @@ def write_site(files: Mapping[str, Content], out: Path) -> None:
     keep their modification time. Raises `ValueError` where ``out`` holds something else than a
     site, which would be lost.
     """
-    if out.exists() and any(out.iterdir()) and not (out / "book.json").is_file():
+    filled = any(out.iterdir()) if out.is_dir() else out.exists()
+    if filled and not (out / "book.json").is_file():
         raise ValueError(f"{out} is not empty and holds no site; legal: an empty folder or a site")
     out.parent.mkdir(parents=True, exist_ok=True)
     fresh = out.with_name(f".{out.name}-{os.getpid()}-new")

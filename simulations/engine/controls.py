@@ -140,7 +140,8 @@ class Action:
     """A button. Its value counts presses modulo the number of its labels.
 
     A button with one label either moves another control (``drives``) or does nothing but
-    repaint; one with two is a switch whose label tells what the next press will do.
+    repaint; one with two is a switch whose label tells what the next press will do. One that
+    draws noise anew repeats its label as often as there are draws: the state seeds the noise.
     """
 
     name: str

@@ -100,6 +100,12 @@ def test_a_folder_that_holds_something_else_is_never_replaced(tmp_path: Path) ->
     assert (tmp_path / "thesis.tex").is_file()
 
 
+def test_a_file_is_never_replaced_by_a_site(tmp_path: Path) -> None:
+    (tmp_path / "thesis.tex").write_text("years of work")
+    with pytest.raises(ValueError, match="holds no site"):
+        write_site({"book.json": b"{}"}, tmp_path / "thesis.tex")
+
+
 def test_the_folder_of_assets_is_named_by_names_and_contents() -> None:
     folders = {
         hashed_folder("assets", files)[0]

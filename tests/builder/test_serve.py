@@ -88,8 +88,13 @@ def test_a_port_in_use_is_named(tmp_path: Path, builds: Builds) -> None:
         other.bind(("", 0))
         other.listen()
         port = other.getsockname()[1]
-        with pytest.raises(OSError, match=f"port {port} is taken"):
+        with pytest.raises(OSError, match=f"port {port} is taken or refused; try .*={port + 1}"):
             start_server(tmp_path, port, builds)
+
+
+def test_a_number_that_is_no_port_is_named(tmp_path: Path, builds: Builds) -> None:
+    with pytest.raises(OSError, match="port 99999 is taken or refused; try another: PORT=8000"):
+        start_server(tmp_path, 99999, builds)
 
 
 def test_before_the_first_good_build_the_page_waits_for_one(tmp_path: Path) -> None:
