@@ -48,7 +48,7 @@ def default_choice(measured: MeasuredLadder) -> Choice:
     return Choice(
         label=default.tier.label,
         ms=milliseconds(ms),
-        metric=measured.metric.label,
+        metric=_in_a_sentence(measured.metric.label),
         error=_error(measured, default),
         cheaper=_neighbour(measured, default, cheaper[-1]) if cheaper else None,
         dearer=_neighbour(measured, default, dearer[0]) if dearer else None,
@@ -76,6 +76,11 @@ def off_the_front(measured: MeasuredLadder) -> str:
 def _neighbour(measured: MeasuredLadder, default: MeasuredTier, item: MeasuredTier) -> Neighbour:
     ratio = item.times[SIDE].ms / default.times[SIDE].ms
     return Neighbour(item.tier.label, quantity(ratio), _error(measured, item))
+
+
+def _in_a_sentence(label: str) -> str:
+    """A label without its capital; abbreviations keep theirs."""
+    return label if label[:2].isupper() else label[:1].lower() + label[1:]
 
 
 def _numbers(measured: MeasuredLadder, item: MeasuredTier) -> str:

@@ -94,7 +94,7 @@ LADDER = Ladder(
         ),
     ),
     reference=reference,
-    reference_label="sum of the Poisson probabilities, float64",
+    reference_label="the sum of the Poisson probabilities, float64",
     metrics=(
         Metric("ks", "Largest gap between cumulatives", "probability", worst_distance),
         Metric("bias", "Largest bias of the mean", "%", worst_bias_percent),

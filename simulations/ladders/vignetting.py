@@ -94,7 +94,7 @@ LADDER = Ladder(
         Tier("by-angle", "By the angle", "1 arctangent, 1 cosine, 1 power", by_angle),
     ),
     reference=reference,
-    reference_label="double-angle formula in extended precision",
+    reference_label="the double-angle formula in extended precision",
     metrics=(
         Metric("worst", "Largest error", "of full light", worst_error),
         Metric("stops", "Largest error", "stops", worst_stops),

@@ -5,6 +5,7 @@ from math import pi, radians, sin
 import numpy as np
 from support.worked_numbers import Says
 
+from simulations.models.resampling import KERNELS
 from simulations.models.sampling import alias_frequency, apparent_wheel_speed, box_mtf
 
 CHAPTER = "07-sampling-and-aliasing"
@@ -51,6 +52,12 @@ def what_a_cell_s_width_lets_through() -> Says:
     assert abs(float(box_mtf(1.0))) < 1e-15
 
 
+def the_cubic_s_weights_halfway() -> Says:
+    far, near = 16 * KERNELS["bicubic"].weigh(np.array([1.5, 0.5]))
+    assert np.isclose(2 * (far + near), 16), "they add up to one"
+    yield rf"$-\frac{{{-far:g}}}{{16}}$, $\frac{{{near:g}}}{{16}}$, $\frac{{{near:g}}}{{16}}$ and"
+
+
 def wagon_wheels() -> Says:
     speed, _ = apparent_wheel_speed(2.9, 8, 24.0)
     yield f"brings {2.9 * 8:.1f} spokes a second"
@@ -69,6 +76,7 @@ WORKED = (
     the_shirt_at_twenty_metres,
     folded_frequencies,
     what_a_cell_s_width_lets_through,
+    the_cubic_s_weights_halfway,
     wagon_wheels,
     at_nyquist,
 )

@@ -121,6 +121,13 @@ def what_bending_the_picture_costs() -> Says:
     assert picture < rays
 
 
+def a_lens_that_hardly_bends() -> Says:
+    picture, rays = errors_in_codes(k1=0.01)
+    yield f"the bent picture is {picture:.2f} codes from the truth, the one of bent rays {rays:.2f}"
+    picture, rays = errors_in_codes(k1=0.4)
+    yield f"At 0.40 they are {picture:.2f} and {rays:.2f} codes off."
+
+
 @cache
 def errors_in_codes(**setting: float) -> tuple[float, float]:
     """Of the bent picture and of that of bent rays, against rays through the whole lens."""
@@ -161,6 +168,7 @@ WORKED = (
     wide_lens_distortion,
     a_code_in_electrons,
     what_bending_the_picture_costs,
+    a_lens_that_hardly_bends,
     how_seldom_the_straight_picture_is_drawn_again,
     how_many_stages_there_are,
 )

@@ -33,7 +33,7 @@ def a_corner_of_the_pincushion() -> Says:
     work = inverse_pincushion.LADDER.prepare()
     lens = work.lens
     corner, _ = undistort([2.0, 0.0], lens)
-    yield f"$k_1 = {lens.k1:g}$, so that a corner which belongs at $r = {corner[0]:.2f}$ is drawn"
+    yield f"with $k_1 = {lens.k1:g}$ a corner which belongs at $r = {corner[0]:.2f}$ is drawn"
     assert np.isclose(np.hypot(*np.moveaxis(work.seen, -1, 0)).max(), 2.0, rtol=0.01)
     yield f"where $k_1r^2 = 1$, and the corner lies beyond, at {lens.k1 * corner[0] ** 2:.1f}"
 
