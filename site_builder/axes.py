@@ -4,7 +4,8 @@ import math
 from collections.abc import Iterable
 from dataclasses import dataclass
 
-from site_builder.quantities import power_of_ten, quantity
+from simulations.engine.frame import format_number, power_of_ten
+from site_builder.quantities import quantity
 
 
 @dataclass(frozen=True, slots=True)
@@ -73,6 +74,4 @@ def _linear_ticks(axis: Axis) -> tuple[tuple[float, str], ...]:
     step = next(s * power for s in (1, 2, 5, 10) if s * power >= rough)
     first, last = math.ceil(axis.low / step), math.floor(axis.high / step)
     decimals = max(0, -math.floor(math.log10(step)))
-    return tuple(
-        (n * step, f"{n * step:.{decimals}f}".replace("-", "−")) for n in range(first, last + 1)
-    )
+    return tuple((n * step, format_number(n * step, decimals)) for n in range(first, last + 1))

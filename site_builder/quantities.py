@@ -2,7 +2,8 @@
 
 import math
 
-SUPERSCRIPTS = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
+from simulations.engine.frame import format_number, power_of_ten
+
 NARROW_SPACE = "\u202f"
 
 
@@ -21,11 +22,8 @@ def quantity(value: float, digits: int = 2) -> str:
     return f"−{text}" if value < 0 else text
 
 
-def power_of_ten(power: int) -> str:
-    return f"10{str(power).translate(SUPERSCRIPTS)}"
-
-
 def milliseconds(value: float) -> str:
+    """A time without its unit: two digits, three from 100 on."""
     return quantity(value, 2 if value < 100 else 3)
 
 
@@ -34,5 +32,5 @@ def error_text(value: float | None, unit: str) -> str:
     if value is None:
         return "∞" if unit == "dB" else "none"
     if unit == "dB":
-        return f"{value:.1f}".replace("-", "−")
+        return format_number(value, 1)
     return "none" if value == 0.0 else quantity(value)

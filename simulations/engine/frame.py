@@ -147,16 +147,21 @@ def format_magnitude(value: float, floor: float) -> str:
     Below ``floor``, a power of ten, the number is noise: ``under 10⁻⁹``.
     """
     if value < floor:
-        return f"under {_power_of_ten(floor)}"
+        return f"under {power_of_ten(_exponent(floor))}"
     if value >= 0.01:
         return format_number(value, 3 if value < 0.1 else 2 if value < 10 else 1)
     mantissa, _, _ = f"{value:.1e}".partition("e")
-    return f"{mantissa}\u00a0×\u00a0{_power_of_ten(value)}"
+    return f"{mantissa}\u00a0×\u00a0{power_of_ten(_exponent(value))}"
 
 
-def _power_of_ten(value: float) -> str:
-    exponent = f"{value:.1e}".partition("e")[2]
-    return "10" + str(int(exponent)).translate(str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹"))
+def _exponent(value: float) -> int:
+    """Power of ten of the first digit, once rounded to two."""
+    return int(f"{value:.1e}".partition("e")[2])
+
+
+def power_of_ten(exponent: int) -> str:
+    """``10⁻⁵``."""
+    return "10" + str(exponent).translate(str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹"))
 
 
 def to_json(frame: Frame) -> str:

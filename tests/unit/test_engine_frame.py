@@ -10,6 +10,7 @@ from simulations.engine.frame import (
     Panel,
     Readout,
     StageReport,
+    format_magnitude,
     format_number,
     matrix_readout,
     readout,
@@ -35,6 +36,21 @@ def test_numbers_have_fixed_decimals_and_a_true_minus_sign(
     value: float, digits: int, text: str
 ) -> None:
     assert format_number(value, digits) == text
+
+
+@pytest.mark.parametrize(
+    ("value", "text"),
+    [
+        (14.23, "14.2"),
+        (3.456, "3.46"),
+        (0.0351, "0.035"),
+        (3.14e-5, "3.1\u00a0×\u00a010⁻⁵"),
+        (9.97e-5, "1.0\u00a0×\u00a010⁻⁴"),
+        (9e-10, "under 10⁻⁹"),
+    ],
+)
+def test_a_number_of_unknown_size_has_two_digits_at_least(value: float, text: str) -> None:
+    assert format_magnitude(value, 1e-9) == text
 
 
 def test_a_matrix_is_rows_of_entries_in_columns_of_one_width() -> None:
