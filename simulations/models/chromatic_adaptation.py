@@ -13,7 +13,7 @@ from numpy.typing import ArrayLike
 
 from simulations.models.chromaticity import white_xyz
 from simulations.models.color import Array, rgb_to_xyz_matrix
-from simulations.models.floats import as_floats
+from simulations.models.floats import as_colours
 
 BRADFORD = np.array(
     [[0.8951, 0.2664, -0.1614], [-0.7502, 1.7135, 0.0367], [0.0389, -0.0685, 1.0296]]
@@ -63,9 +63,7 @@ def adaptation_matrix(from_xy: ArrayLike, to_xy: ArrayLike, method: str = "bradf
 
 def adapt(xyz: ArrayLike, from_xy: ArrayLike, to_xy: ArrayLike, method: str = "bradford") -> Array:
     """Colours (..., 3) in XYZ as they would look under another light: see `adaptation_matrix`."""
-    colours = as_floats(xyz)
-    if colours.shape[-1:] != (3,):
-        raise ValueError(f"colours of shape {colours.shape}; legal: (..., 3)")
+    colours = as_colours(xyz)
     matrix = adaptation_matrix(from_xy, to_xy, method).astype(colours.dtype)
     with np.errstate(over="ignore", invalid="ignore"):
         adapted: Array = colours @ matrix.T

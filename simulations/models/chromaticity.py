@@ -7,7 +7,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from simulations.models.color import D65_XY, Array
-from simulations.models.floats import as_floats
+from simulations.models.floats import as_colours
 
 D50_XY = (0.3457, 0.3585)
 """Warm daylight: the white of printed paper, and of colour profiles."""
@@ -33,7 +33,7 @@ def xyz_to_xyy(xyz: ArrayLike) -> Array:
     Black has no chromaticity. Like other colours whose sum is not positive and finite, it is
     given that of D65, so that grey scales end in grey.
     """
-    colours = _colours(xyz)
+    colours = as_colours(xyz)
     largest = np.abs(colours).max(axis=-1, keepdims=True)
     with np.errstate(over="ignore", invalid="ignore", divide="ignore"):
         scaled = colours / largest  # sums can neither overflow nor vanish
@@ -45,7 +45,7 @@ def xyz_to_xyy(xyz: ArrayLike) -> Array:
 
 def xyy_to_xyz(xyy: ArrayLike) -> Array:
     """The inverse of `xyz_to_xyy`; infinite or NaN where y is 0."""
-    x, y, luminance = np.moveaxis(_colours(xyy), -1, 0)
+    x, y, luminance = np.moveaxis(as_colours(xyy), -1, 0)
     with np.errstate(over="ignore", invalid="ignore", divide="ignore"):
         share = luminance / y
         xyz: Array = np.stack([x * share, luminance, (1 - x - y) * share], axis=-1)
@@ -55,13 +55,7 @@ def xyy_to_xyz(xyy: ArrayLike) -> Array:
 def lab_distance(lab: ArrayLike, other: ArrayLike) -> Array:
     """ΔE*ab of 1976 (...) between L*a*b* colours (..., 3): about 2 is just noticeable."""
     with np.errstate(over="ignore", invalid="ignore"):
-        difference = _colours(lab) - _colours(other)
+        difference = as_colours(lab) - as_colours(other)
         distance: Array = np.sqrt(np.square(difference).sum(axis=-1))
     return distance
 
-
-def _colours(values: ArrayLike) -> Array:
-    colours = as_floats(values)
-    if colours.shape[-1:] != (3,):
-        raise ValueError(f"colours of shape {colours.shape}; legal: (..., 3)")
-    return colours

@@ -11,7 +11,7 @@ Szeliski, 2nd ed., section 2.3.2.
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from simulations.models.floats import as_floats
+from simulations.models.floats import as_colours, as_floats
 
 type Array = NDArray[np.floating]
 
@@ -89,7 +89,10 @@ def rgb_to_xyz_matrix(
     The columns are the primaries, each scaled so that RGB = (1, 1, 1) is the white with
     Y = 1. Raises `ValueError` where the three primaries lie on one line.
     """
-    columns = np.stack([_xyz_of(xy) for xy in np.asarray(primaries_xy, np.float64)], axis=1)
+    primaries = np.asarray(primaries_xy, np.float64)
+    if primaries.shape != (3, 2):
+        raise ValueError(f"primaries of shape {primaries.shape}; legal: (3, 2)")
+    columns = np.stack([_xyz_of(xy) for xy in primaries], axis=1)
     if abs(np.linalg.det(columns)) < 1e-9:
         raise ValueError(f"primaries {primaries_xy!r}; legal: three that span a triangle")
     scale = np.linalg.solve(columns, _xyz_of(np.asarray(white_xy, np.float64)))
@@ -98,7 +101,9 @@ def rgb_to_xyz_matrix(
 
 
 def _xyz_of(xy: Array) -> Array:
-    """XYZ of a chromaticity at Y = 1."""
+    """XYZ of a chromaticity at Y = 1. Primaries may lie outside all colours, at a negative y."""
+    if xy.shape != (2,) or not (np.isfinite(xy).all() and abs(xy[1]) > 1e-6):
+        raise ValueError(f"chromaticity {xy.tolist()}; legal: x, y finite, y not 0")
     x, y = xy
     return np.array([x / y, 1.0, (1 - x - y) / y])
 
@@ -120,7 +125,7 @@ def xyz_to_linear_rgb(xyz: ArrayLike) -> Array:
 
 def luminance(linear_rgb: ArrayLike) -> Array:
     """Relative luminance Y (...) of linear RGB: 0.2126 R + 0.7152 G + 0.0722 B."""
-    rgb = as_floats(linear_rgb)
+    rgb = as_colours(linear_rgb)
     with np.errstate(over="ignore", invalid="ignore"):
         y: Array = rgb @ _XYZ_FROM_RGB[1].astype(rgb.dtype)
     return y
@@ -132,8 +137,11 @@ def xyz_to_lab(xyz: ArrayLike, white_xy: ArrayLike = D65_XY) -> Array:
     The cube root becomes a line below (6/29)^3, so that black and negative values are safe.
     """
     delta = 6 / 29
+    white = _xyz_of(np.asarray(white_xy, np.float64))
+    if not (white > 0).all():
+        raise ValueError(f"white {np.asarray(white_xy).tolist()}; legal: x, y, 1 − x − y above 0")
     with np.errstate(over="ignore", invalid="ignore"):
-        ratio = as_floats(xyz) / _xyz_of(np.asarray(white_xy, np.float64))
+        ratio = as_colours(xyz) / white
         f = np.where(ratio > delta**3, np.cbrt(ratio), ratio / (3 * delta**2) + 4 / 29)
         fx, fy, fz = f[..., 0], f[..., 1], f[..., 2]
         lab: Array = np.stack([116 * fy - 16, 500 * (fx - fy), 200 * (fy - fz)], axis=-1)
@@ -163,7 +171,7 @@ def white_balance(linear: ArrayLike, illuminant_rgb: ArrayLike) -> Array:
     light = np.asarray(illuminant_rgb, np.float64)
     if light.shape != (3,) or not np.all((light > 0) & np.isfinite(light)):
         raise ValueError(f"illuminant {light.tolist()}; legal: three finite numbers above 0")
-    rgb = as_floats(linear)
+    rgb = as_colours(linear)
     with np.errstate(over="ignore", invalid="ignore"):
         balanced: Array = rgb * (light[1] / light).astype(rgb.dtype)
     return balanced
@@ -171,14 +179,17 @@ def white_balance(linear: ArrayLike, illuminant_rgb: ArrayLike) -> Array:
 
 def grey_world(linear: ArrayLike) -> Array:
     """Estimate of the light's colour, (3,): the mean of the picture, were the world grey."""
-    mean: Array = as_floats(linear).reshape(-1, 3).mean(axis=0)
+    colours = as_colours(linear)
+    if not colours.size:
+        raise ValueError(f"picture of shape {colours.shape}; legal: one pixel or more")
+    with np.errstate(over="ignore", invalid="ignore"):
+        mean: Array = colours.reshape(-1, 3).mean(axis=0)
     return mean
 
 
 def _apply(matrix: Array, colours: ArrayLike) -> Array:
-    values = as_floats(colours)
-    if values.shape[-1:] != (3,):
-        raise ValueError(f"colours of shape {values.shape}; legal: (..., 3)")
+    values = as_colours(colours)
     with np.errstate(over="ignore", invalid="ignore"):
         product: Array = values @ matrix.T.astype(values.dtype)
     return product
+

@@ -5,6 +5,7 @@ Four methods, cheap to dear. Szeliski, 2nd ed., section 10.3.1. The mosaic itsel
 `simulations.models.malvar` and `simulations.models.menon`.
 """
 
+import math
 from collections.abc import Callable
 
 import numpy as np
@@ -104,8 +105,8 @@ def _demosaic_line(cfa: Array, pattern: str, method: str) -> Array:
 def psnr_db(picture: ArrayLike, reference: ArrayLike, peak: float = 1.0, crop: int = 8) -> float:
     """Peak signal to noise ratio in decibel, leaving out ``crop`` pixels at each border.
 
-    Equal pictures give infinity. Raises `ValueError` where nothing is left after the crop,
-    or the shapes differ.
+    Equal pictures give infinity, and pictures infinitely apart minus infinity. Raises
+    `ValueError` where nothing is left after the crop, or the shapes differ.
     """
     a, b = np.asarray(picture, np.float64), np.asarray(reference, np.float64)
     if a.shape != b.shape or a.ndim < 2:
@@ -113,5 +114,10 @@ def psnr_db(picture: ArrayLike, reference: ArrayLike, peak: float = 1.0, crop: i
     if crop < 0 or 2 * crop >= min(a.shape[:2]):
         raise ValueError(f"crop {crop} px of a picture {a.shape}; legal: less than half of it")
     inner = (slice(crop, a.shape[0] - crop), slice(crop, a.shape[1] - crop))
-    mean_square = float(np.mean(np.square(a[inner] - b[inner])))
-    return float(10 * np.log10(peak**2 / mean_square)) if mean_square else float("inf")
+    if not 0 < peak < math.inf:
+        raise ValueError(f"peak {peak}; legal: above 0, finite")
+    with np.errstate(over="ignore", invalid="ignore"):
+        mean_square = float(np.mean(np.square((a[inner] - b[inner]) / peak)))
+    if mean_square == 0.0:
+        return math.inf
+    return -math.inf if mean_square == math.inf else -10 * math.log10(mean_square)

@@ -4,7 +4,8 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from simulations.models import radial_profile
-from simulations.models.distortion import Distortion, fold_radius
+from simulations.models.distortion import FAR, Distortion, fold_radius
+from simulations.models.floats import as_vectors
 
 type Floats = NDArray[np.floating]
 
@@ -31,6 +32,8 @@ def classify(d: Distortion, corner_radius: float, tolerance: float) -> str:
     -------
     One of `KINDS`.
     """
+    if not 0.0 <= corner_radius <= FAR:
+        raise ValueError(f"corner_radius {corner_radius}; legal: 0 to {FAR:g}")
     radius = np.linspace(0.0, min(corner_radius, fold_radius(d)), 257)
     change = np.diff(radial_profile.scale(d.radial, radius * radius))
     rises = float(np.maximum(change, 0.0).sum()) > tolerance
@@ -42,8 +45,11 @@ def line_bow(points: ArrayLike) -> Floats:
     """How far curves (..., N, 2) leave their chords: the largest distance from it, (...).
 
     A curve whose ends coincide is measured from that point; fewer than three points are straight.
+    Raises `ValueError` for a curve without points, and where one is not finite, or beyond 1e150.
     """
-    curve = np.asarray(points, float)
+    curve = as_vectors("points", points, 2)
+    if curve.ndim < 2 or not curve.shape[-2] or not np.all(np.abs(curve) <= 1e150):
+        raise ValueError(f"points of shape {curve.shape}; legal: (..., N, 2), finite, to 1e150")
     chord = curve[..., -1, :] - curve[..., 0, :]
     offset = curve - curve[..., :1, :]
     length = np.hypot(chord[..., 0], chord[..., 1])[..., None]

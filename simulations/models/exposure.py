@@ -9,6 +9,8 @@ from collections.abc import Callable
 import numpy as np
 from numpy.typing import NDArray
 
+from simulations.models.floats import as_floats
+
 type Floats = NDArray[np.floating]
 
 
@@ -38,7 +40,7 @@ def mean_of_random_instants(
 
 
 def _mean(pictures: list[Floats]) -> Floats:
-    total = np.zeros_like(pictures[0])
+    total = np.zeros_like(as_floats(pictures[0]))  # sums of whole codes would wrap around
     for picture in pictures:
         total += picture
     return total / len(pictures)

@@ -29,3 +29,11 @@ def as_vectors(name: str, values: ArrayLike, length: int) -> NDArray[Any]:
     if vectors.shape[-1:] != (length,):
         raise ValueError(f"{name} of shape {vectors.shape}; legal: (..., {length})")
     return vectors
+
+
+def as_colours(values: ArrayLike) -> NDArray[np.floating]:
+    """As `as_floats`, (..., 3); raises `ValueError` for other shapes, such as RGB with alpha."""
+    colours = as_floats(values)
+    if colours.shape[-1:] != (3,):
+        raise ValueError(f"colours of shape {colours.shape}; legal: (..., 3)")
+    return colours

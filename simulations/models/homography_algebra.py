@@ -70,7 +70,11 @@ def invert(H: ArrayLike) -> Floats:
     if condition > SINGULAR:
         raise ValueError(f"H: condition number {condition:.3g}; legal: at most {SINGULAR:g}")
     largest = float(np.abs(matrix).max())
-    return np.asarray(np.linalg.inv(matrix / largest) / largest, float)
+    with np.errstate(over="ignore"):
+        inverse = np.asarray(np.linalg.inv(matrix / largest) / largest, float)
+    if not np.isfinite(inverse).all():
+        raise ValueError(f"H: entries up to {largest:g} only; legal: with a finite inverse")
+    return inverse
 
 
 def decompose(H: ArrayLike) -> Parts:

@@ -53,8 +53,8 @@ def gap_from_poisson(counted: ArrayLike, mean: float, full_well: float = np.inf)
     A probability. See `largest_chance_gap` for what exact samples leave.
     """
     counts = np.asarray(counted)
-    if counts.size == 0:
-        raise ValueError("no counts; legal: one or more")
+    if counts.size == 0 or np.isnan(counts).any():
+        raise ValueError("no counts, or undefined ones; legal: one number or more")
     first, cumulative = poisson_cumulative(mean)
     expected = np.where(first + np.arange(cumulative.size) >= full_well, 1.0, cumulative)
     # What lies beyond either end is counted at it: the cumulatives differ by all of it there.

@@ -77,9 +77,14 @@ def _by_simpson(reach: float, kernel: Floats) -> Prefilter:
 def transfer(kernel: Prefilter, frequency: ArrayLike) -> Floats:
     """Factor (...) on the amplitude of waves of ``frequency`` (...) cycles per pixel.
 
-    Negative where the filter turns crests into troughs, as the box does between 1 and 2.
+    Negative where the filter turns crests into troughs, as the box does between 1 and 2. See
+    `INTERVALS` for how far the kernels that are held as a quadrature can be trusted. Raises
+    `ValueError` for frequencies above 1e9, whose phase is lost to rounding.
     """
-    turns = np.asarray(frequency, float)[..., None] * kernel.offsets_px
+    cycles = np.asarray(frequency, float)
+    if not np.all(np.abs(cycles) <= 1e9):
+        raise ValueError(f"transfer: frequency {cycles.tolist()}; legal: at most 1e9 in size")
+    turns = cycles[..., None] * kernel.offsets_px
     factor: Floats = np.cos(2 * np.pi * turns) @ kernel.weights
     return factor
 

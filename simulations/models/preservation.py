@@ -38,7 +38,8 @@ def measure_preservation(H: ArrayLike, segments: ArrayLike) -> Preservation:
     Raises
     ------
     ValueError
-        If fewer than two segments are visible, so that there is nothing to compare.
+        If fewer than two segments are visible, so that there is nothing to compare; and where
+        a segment or its image is a single point, which has no direction.
     """
     before = [clip_to_visible(H, segment, closed=False) for segment in np.asarray(segments, float)]
     visible = np.array([piece for piece in before if len(piece) == 2])
@@ -46,6 +47,8 @@ def measure_preservation(H: ArrayLike, segments: ArrayLike) -> Preservation:
         raise ValueError(f"segments: {len(visible)} of {len(before)} visible; legal: 2 or more")
     images, _ = apply_homography(H, _sample(visible))
     chords, chords_image = visible[:, 1] - visible[:, 0], images[:, -1] - images[:, 0]
+    if not (chords.any(axis=1).all() and chords_image.any(axis=1).all()):
+        raise ValueError("segments; legal: longer than a point, also in the image")
     directions, lengths = _unit(chords)
     directions_image, lengths_image = _unit(chords_image)
     whole = len(visible) == len(before) and np.allclose(visible, np.asarray(segments, float))

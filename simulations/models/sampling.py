@@ -25,7 +25,7 @@ def alias_frequency(frequency: ArrayLike, rate: float = 1.0) -> Array:
     """
     if not 0 < rate < np.inf:
         raise ValueError(f"rate {rate}; legal: above 0, finite")
-    f = as_floats(frequency)
+    f = np.asarray(frequency, float)  # in float32 the rate itself would be rounded
     if not np.isfinite(f).all():
         raise ValueError(f"frequency {f.tolist()}; legal: finite")
     rest = np.fmod(f, rate)
@@ -45,7 +45,7 @@ def apparent_wheel_speed(
     if spokes < 1:
         raise ValueError(f"spokes {spokes}; legal: 1 or more")
     with np.errstate(over="ignore"):
-        passing_per_s = as_floats(turns_per_s) * spokes
+        passing_per_s = np.asarray(turns_per_s, float) * spokes
     spokes_per_s = alias_frequency(passing_per_s, frames_per_s)
     certain = ~np.isclose(np.abs(spokes_per_s), frames_per_s / 2, rtol=1e-9, atol=0)
     return spokes_per_s / spokes, certain
@@ -76,7 +76,10 @@ def zone_plate_area(x: ArrayLike, y: ArrayLike, scale: float) -> Array:
     """
     across, down = as_floats(x), as_floats(y)
     rings = zone_plate(across, down, scale) - 0.5
-    mean: Array = 0.5 + rings * (np.sinc(across / scale) * np.sinc(down / scale))
+    with np.errstate(over="ignore"):
+        # Clipped where the rings average out to all digits, short of where a sine is undefined.
+        turns, turns_down = (np.clip(part / scale, -1e30, 1e30) for part in (across, down))
+    mean: Array = 0.5 + rings * (np.sinc(turns) * np.sinc(turns_down))
     return mean
 
 
@@ -85,7 +88,8 @@ def box_filter(fine: ArrayLike, factor: int) -> Array:
     image = _divisible(fine, factor)
     height, width = image.shape[0] // factor, image.shape[1] // factor
     blocks = image.reshape(height, factor, width, factor, *image.shape[2:])
-    mean: Array = blocks.mean(axis=(1, 3))
+    with np.errstate(over="ignore", invalid="ignore"):
+        mean: Array = blocks.mean(axis=(1, 3))
     return mean
 
 
@@ -127,8 +131,9 @@ def filter_and_sample(fine: ArrayLike, factor: int, kernel: ArrayLike) -> Array:
     image, taps = _divisible(fine, factor), as_floats(kernel)
     if taps.ndim != 1 or taps.size % 2 == 0:
         raise ValueError(f"kernel of shape {taps.shape}; legal: one axis of odd length")
-    for axis in (0, 1):
-        image = _filter_axis(image, taps, factor, axis)
+    with np.errstate(over="ignore", invalid="ignore"):
+        for axis in (0, 1):
+            image = _filter_axis(image, taps, factor, axis)
     return image
 
 
@@ -162,7 +167,7 @@ def gaussian_mtf(frequency: ArrayLike, sigma: float) -> Array:
 
 def _cycles(frequency: ArrayLike, width: float) -> Array:
     """Cycles (...) over a width."""
-    f = as_floats(frequency)
+    f = np.asarray(frequency, float)
     if not (np.isfinite(f).all() and np.isfinite(width)):
         raise ValueError(f"frequency {f.tolist()} and width {width}; legal: finite")
     with np.errstate(over="ignore"):

@@ -13,6 +13,9 @@ from numpy.typing import NDArray
 
 type Floats = NDArray[np.floating]
 
+MOST_CHOSEN = 100
+"""Up to which numpy vouches for the places and weights of Gauss–Hermite quadrature."""
+
 
 @dataclass(frozen=True, slots=True)
 class Band:
@@ -26,7 +29,9 @@ class Band:
 
 def chosen_wavelengths(peak_um: float, width_um: float, count: int) -> Band:
     """Gauss–Hermite quadrature of the bell curve: exact for polynomials up to 2 count − 1."""
-    _check(width_um, count)
+    _check(width_um, count, peak_um)
+    if count > MOST_CHOSEN:
+        raise ValueError(f"count {count}; legal: at most {MOST_CHOSEN}")
     steps, weights = np.polynomial.hermite_e.hermegauss(count)
     return Band(peak_um + width_um * steps, weights / weights.sum())
 
@@ -36,16 +41,21 @@ def even_wavelengths(
 ) -> tuple[Band, ...]:
     """The same ``count`` wavelengths for all channels, in the middles of even parts of a range.
 
-    One picture of each serves every channel; the shares of each follow its own bell curve.
+    One picture of each serves every channel; the shares of each follow its own bell curve. A
+    curve so narrow or so far off that it is 0 at all of them is taken at the nearest ones.
     """
-    _check(width_um, count)
+    _check(width_um, count, *peaks_um, first_um, last_um)
     step = (last_um - first_um) / count
     wavelengths = first_um + (np.arange(count) + 0.5) * step
-    seen = np.exp(-0.5 * np.square((wavelengths - np.asarray(peaks_um)[:, None]) / width_um))
+    off = np.square((wavelengths - np.asarray(peaks_um, float)[:, None]) / width_um)
+    # Beside the nearest wavelength: of that one something is left for any width.
+    seen = np.exp(-0.5 * (off - off.min(axis=1, keepdims=True)))
     shares = seen / seen.sum(axis=1, keepdims=True)
     return tuple(Band(wavelengths, each) for each in shares)
 
 
-def _check(width_um: float, count: int) -> None:
-    if count < 1 or not 0.0 < width_um < np.inf:
-        raise ValueError(f"count {count}, width_um {width_um!r}; legal: 1 or more, above 0")
+def _check(width_um: float, count: int, *wavelengths_um: float) -> None:
+    if count < 1 or not 1e-9 <= width_um < np.inf:
+        raise ValueError(f"count {count}, width_um {width_um!r}; legal: 1 or more, 1e-9 or more")
+    if not all(abs(wavelength) <= 1e9 for wavelength in wavelengths_um):
+        raise ValueError(f"wavelengths {wavelengths_um}; legal: finite, at most 1e9 in size")

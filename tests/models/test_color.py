@@ -192,3 +192,55 @@ def test_primaries_may_be_given_in_any_order_and_lie_close_together():
     np.testing.assert_allclose(swapped[:, [1, 0, 2]], color.rgb_to_xyz_matrix(), rtol=1e-12)
     close = color.rgb_to_xyz_matrix(((0.3, 0.3), (0.3001, 0.3), (0.3, 0.3001)), (0.30003, 0.30003))
     assert close.sum(axis=1)[1] == pytest.approx(1)
+
+
+@pytest.mark.parametrize("white", [(0.3, 0.0), (0.0, 0.3), (-0.3, 0.3), (0.7, 0.4), (0.3, np.nan)])
+def test_lightness_is_measured_against_a_white_that_there_is(white):
+    with pytest.raises(ValueError, match=r"(white|chromaticity) \[.*legal: x, y"):
+        color.xyz_to_lab([0.1, 0.2, 0.3], white)
+
+
+@pytest.mark.parametrize(
+    ("primaries", "message"),
+    [
+        (((0.6, 0.3), (0.3, 0.6), (0.1, 0.0)), r"\[0.1, 0.0\]; legal: x, y finite, y not 0"),
+        (((0.6, 0.3), (0.3, 0.6), (np.nan, 0.1)), "y not 0"),
+        (((0.6, 0.3), (0.3, 0.6)), r"shape \(2, 2\); legal: \(3, 2\)"),
+    ],
+)
+def test_primaries_without_luminance_are_refused(primaries, message):
+    with pytest.raises(ValueError, match=message):
+        color.rgb_to_xyz_matrix(primaries)
+
+
+def test_a_primary_may_lie_beyond_all_colours():
+    """ACES AP0 (SMPTE ST 2065-1): its blue has a negative y. The matrix is printed there."""
+    primaries = ((0.7347, 0.2653), (0.0, 1.0), (0.0001, -0.077))
+    published = [
+        [0.9525523959, 0.0, 0.0000936786],
+        [0.3439664498, 0.7281660966, -0.0721325464],
+        [0.0, 0.0, 1.0088251844],
+    ]
+    matrix = color.rgb_to_xyz_matrix(primaries, (0.32168, 0.33767))
+    np.testing.assert_allclose(matrix, published, atol=1e-9)
+
+
+@pytest.mark.parametrize(
+    "function",
+    [
+        color.grey_world,
+        color.luminance,
+        color.xyz_to_lab,
+        lambda rgb: color.white_balance(rgb, (1.0, 1.0, 1.0)),
+    ],
+)
+def test_three_channels_are_asked_for_and_no_alpha(function):
+    for shape in ((5, 5, 4), (5, 1)):
+        with pytest.raises(ValueError, match=r"legal: \(\.\.\., 3\)"):
+            function(np.ones(shape))
+
+
+def test_a_picture_without_pixels_has_no_mean_colour_and_a_glaring_one_an_infinite_one():
+    with pytest.raises(ValueError, match="one pixel or more"):
+        color.grey_world(np.ones((0, 3)))
+    assert (color.grey_world(np.full((9, 3), 1e308)) == np.inf).all()

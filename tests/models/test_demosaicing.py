@@ -216,3 +216,19 @@ def test_psnr_is_of_the_difference():
 @pytest.mark.parametrize("shape", [(1, 1), (1, 4), (4, 1), (3, 3), (2, 5)])
 def test_the_filters_of_a_sensor_of_any_size_have_that_size(shape):
     assert filter_colours(*shape).shape == shape
+
+
+@pytest.mark.parametrize(("far", "score"), [(np.inf, -np.inf), (1e200, -np.inf), (1e100, -2000.0)])
+def test_pictures_however_far_apart_have_a_score(far, score):
+    assert psnr_db(np.full((20, 20), far), np.zeros((20, 20))) == pytest.approx(score)
+
+
+@pytest.mark.parametrize("peak", [0.0, -1.0, np.inf, np.nan])
+def test_a_score_needs_a_peak(peak):
+    with pytest.raises(ValueError, match=r"peak .*; legal: above 0, finite"):
+        psnr_db(np.ones((20, 20)), np.zeros((20, 20)), peak)
+
+
+def test_a_higher_peak_scores_higher():
+    a, b = np.full((20, 20), 100.0), np.full((20, 20), 98.0)
+    assert psnr_db(a, b, 255.0) == pytest.approx(10 * np.log10(255**2 / 4))

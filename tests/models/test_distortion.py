@@ -298,3 +298,17 @@ def test_a_far_point_on_an_axis_stays_on_it_beside_near_ones(axis):
     assert moved[0, axis] == -np.inf
     assert moved[0, 1 - axis] == 0
     np.testing.assert_allclose(moved[1], [0.3 * 1.025, 0.4 * 1.025])
+
+
+@pytest.mark.parametrize(
+    "points", [np.empty((0, 2)), [1.0, 2.0], [[0, 0], [np.nan, 1], [1, 1]], [[0, 0], [1e200, 1]]]
+)
+def test_a_curve_that_is_none_has_no_bow(points):
+    with pytest.raises(ValueError, match=r"legal: \(\.\.\., N, 2\), finite"):
+        line_bow(points)
+
+
+@pytest.mark.parametrize("corner", [-1.0, np.nan, np.inf])
+def test_a_kind_is_told_over_a_picture_with_corners(corner):
+    with pytest.raises(ValueError, match=r"corner_radius .*; legal: 0 to"):
+        classify(Distortion(k1=0.1), corner, 1e-3)

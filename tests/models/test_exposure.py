@@ -52,3 +52,8 @@ def test_no_instant_is_refused():
             mean_of_instants(ramp, refused)
         with pytest.raises(ValueError, match="legal: 1 or more"):
             mean_of_random_instants(ramp, refused, (2, 3), np.random.default_rng(1))
+
+
+def test_pictures_in_whole_codes_do_not_wrap_around():
+    bright = np.full(2, 200, np.uint8)
+    np.testing.assert_array_equal(mean_of_instants(lambda _: bright, 3), 200.0)

@@ -402,3 +402,9 @@ def test_parts_run_from_1e_minus_75_to_1e75(far):
         assert algebra.decompose(scaled).scale_x == pytest.approx(size)
     with pytest.raises(ValueError, match="parts from"):
         algebra.decompose(transforms.similarity(1e-76, 0.0, 0.0, 0.0))
+
+
+def test_a_map_too_small_for_an_inverse_in_numbers_is_refused():
+    with pytest.raises(ValueError, match="legal: with a finite inverse"):
+        algebra.invert(np.eye(3) * 5e-324)
+    np.testing.assert_array_equal(algebra.invert(np.eye(3) * 1e-308), np.eye(3) * 1e308)

@@ -117,3 +117,9 @@ def test_exact_samples_of_many_distributions_stay_about_the_chance_gap():
 def test_no_samples_leave_no_chance(distributions, samples):
     with pytest.raises(ValueError, match="legal: 1 or more"):
         largest_chance_gap(distributions, samples)
+
+
+@pytest.mark.parametrize("counts", [[], [1.0, np.nan]])
+def test_counts_must_be_there_and_be_numbers(counts):
+    with pytest.raises(ValueError, match="legal: one number or more"):
+        gap_from_poisson(counts, 3.0)

@@ -139,3 +139,9 @@ def test_points_give_what_a_mean_over_blocks_of_samples_gives(factor):
 def test_no_point_is_refused():
     with pytest.raises(ValueError, match="factor 0; legal: 1 or more"):
         prefilters.supersample(0)
+
+
+@pytest.mark.parametrize("frequency", [np.inf, np.nan, 2e9])
+def test_frequencies_without_a_phase_are_refused(frequency):
+    with pytest.raises(ValueError, match=r"legal: at most 1e9"):
+        prefilters.transfer(prefilters.prefilter("box"), [0.5, frequency])

@@ -257,3 +257,28 @@ def test_endless_light_has_no_contrast():
 def test_the_rings_of_a_zone_plate_may_be_finer_than_a_sample():
     """Scale 1/2: the phase at r = 1/2 is half a turn."""
     assert sampling.zone_plate([0.0, 0.5], [0.0, 0.0], 0.5) == pytest.approx([1.0, 0.5])
+
+
+@pytest.mark.parametrize("frequency", [0.25, 2.0, 23.5])
+def test_single_precision_frequencies_are_treated_as_double_ones(frequency):
+    single = np.array([frequency], np.float32)
+    for function in (
+        sampling.box_mtf,
+        lambda f: sampling.gaussian_mtf(f, 0.4),
+        lambda f: sampling.alias_frequency(f, 24000 / 1001),
+        lambda f: sampling.apparent_wheel_speed(f, 7, 24000 / 1001)[0],
+    ):
+        np.testing.assert_array_equal(function(single), function([frequency]))
+
+
+@pytest.mark.parametrize("scale", [5e-324, 9.0])
+def test_rings_finer_than_all_numbers_are_grey_also_over_a_pixel(scale):
+    np.testing.assert_array_equal(
+        sampling.zone_plate_area([np.inf, -np.inf, 1e300], 0.0, scale), 0.5
+    )
+
+
+def test_sums_beyond_all_numbers_are_infinite_without_a_warning():
+    bright = np.full((4, 4), 1e308)
+    assert (sampling.box_filter(bright, 4) == np.inf).all()
+    assert (sampling.filter_and_sample(bright, 2, np.ones(3)) == np.inf).all()

@@ -56,7 +56,27 @@ def test_shares_fall_off_as_the_bell_does():
 
 @pytest.mark.parametrize(("width", "count"), [(0.03, 0), (0.0, 3), (-1.0, 3), (np.inf, 3)])
 def test_no_wavelength_and_no_width_are_refused(width, count):
-    with pytest.raises(ValueError, match=f"count {count}, width_um .*; legal: 1 or more, above 0"):
+    with pytest.raises(ValueError, match=f"count {count}, width_um .*; legal: 1 or more, 1e-9"):
         chosen_wavelengths(0.5, width, count)
     with pytest.raises(ValueError, match="legal: 1 or more"):
         even_wavelengths(PEAKS, width, 0.4, 0.7, count)
+
+
+def test_a_curve_between_two_wavelengths_is_taken_at_the_nearest():
+    narrow, far = even_wavelengths((0.6, 60.0), 1e-5, 0.38, 0.72, 3)
+    np.testing.assert_array_equal(narrow.shares, [0, 1, 0])
+    np.testing.assert_array_equal(far.shares, [0, 0, 1])
+
+
+@pytest.mark.parametrize("peak", [np.nan, np.inf, 2e9])
+def test_a_peak_that_is_no_wavelength_is_refused(peak):
+    with pytest.raises(ValueError, match="legal: finite, at most 1e9"):
+        even_wavelengths((0.5, peak), 0.03, 0.38, 0.72, 3)
+    with pytest.raises(ValueError, match="legal: finite, at most 1e9"):
+        chosen_wavelengths(peak, 0.03, 3)
+
+
+def test_a_hundred_wavelengths_can_be_chosen_and_no_more():
+    assert chosen_wavelengths(0.5, 0.03, 100).shares.sum() == pytest.approx(1)
+    with pytest.raises(ValueError, match="count 101; legal: at most 100"):
+        chosen_wavelengths(0.5, 0.03, 101)

@@ -370,3 +370,15 @@ def test_the_margin_of_clipping_is_a_share_of_the_largest_terms_hidden_ones_too(
     """At x = −5 the terms of w = 1 + x add up to 6 in size, so that the cut lies at w = 0.6."""
     visible = clip_to_visible(TILTED, [(-5.0, 0), (1, 0), (1, 1), (-5, 1)], w_minimum=0.1)
     assert visible[:, 0].min() == pytest.approx(-0.4)
+
+
+@pytest.mark.parametrize(
+    ("H", "segments"),
+    [
+        (np.eye(3), [[[0, 0], [0, 0]], [[0, 0], [1, 1]]]),
+        (np.diag([1.0, 0.0, 1.0]), [[[0, 0], [0, 1]], [[0, 0], [1, 1]]]),
+    ],
+)
+def test_a_point_has_no_direction_to_be_kept(H, segments):
+    with pytest.raises(ValueError, match="longer than a point"):
+        measure_preservation(H, segments)
