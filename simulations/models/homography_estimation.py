@@ -18,6 +18,9 @@ from simulations.models.transforms import Floats, affine, apply_homography, simi
 DEGENERATE = 1e-9
 """Singular values below this share of the largest count as zero."""
 
+MOST_LOST = 1e-6
+"""Share of the spread of the points by which the entries of a homography may be too short."""
+
 LARGEST, SMALLEST = 1e100, 1e-100
 """Range of coordinates and of distances within which no product overflows or vanishes."""
 
@@ -31,10 +34,17 @@ def estimate_homography(source: ArrayLike, target: ArrayLike) -> Estimate:
     minimises an algebraic error in coordinates normalised to the spread of the points, without
     which the squares of pixel coordinates would drown the rest. All source points are on the
     visible side, w > 0.
+
+    Also invalid where nine numbers cannot hold the answer. Far from the origin w is a small
+    difference of large terms, and rounding H moves the images by ε · (distance / spread) of the
+    one picture times that of the other, as a share of their spread. Where that is more than
+    `MOST_LOST`, subtract a point near the middle of each picture first.
     """
     before, after = _pairs(source, target)
     T_before, T_after = normalisation(before), normalisation(after)
     if len(before) < 4 or T_before is None or T_after is None:
+        return _undetermined()
+    if np.finfo(float).eps * _remoteness(T_before) * _remoteness(T_after) > MOST_LOST:
         return _undetermined()
     system = _direct_linear_system(
         apply_homography(T_before, before)[0], apply_homography(T_after, after)[0]
@@ -51,6 +61,11 @@ def estimate_homography(source: ArrayLike, target: ArrayLike) -> Estimate:
     if not visible:
         return _undetermined()
     return (H / H[2, 2] if H[2, 2] > 1e-9 else H), True
+
+
+def _remoteness(normalising: Floats) -> float:
+    """How far off the origin points are, in units of their spread; at least 1."""
+    return 1.0 + math.hypot(normalising[0, 2], normalising[1, 2])
 
 
 def _direct_linear_system(before: Floats, after: Floats) -> Floats:

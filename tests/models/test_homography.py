@@ -408,3 +408,26 @@ def test_a_map_too_small_for_an_inverse_in_numbers_is_refused():
     with pytest.raises(ValueError, match="legal: with a finite inverse"):
         algebra.invert(np.eye(3) * 5e-324)
     np.testing.assert_array_equal(algebra.invert(np.eye(3) * 1e-308), np.eye(3) * 1e308)
+
+
+KEYSTONE_NEAR = np.array([[1.1, 0.1, 0.0], [-0.2, 0.9, 0.0], [0.1, -0.05, 1.0]])
+
+
+@pytest.mark.parametrize("far", [1e3, 1e4, 3e4])
+def test_far_from_both_origins_a_homography_is_as_right_as_its_entries_can_be(far):
+    points = np.random.default_rng(2).uniform(-1, 1, (20, 2))
+    images = apply_homography(KEYSTONE_NEAR, points)[0]
+    H, valid = estimation.estimate_homography(points + far, images - far)
+    assert valid
+    assert apply_homography(H, points + far)[0] + far == pytest.approx(images, abs=2e-15 * far**2)
+
+
+@pytest.mark.parametrize("far", [1e6, 1e9])
+def test_what_nine_numbers_cannot_hold_is_not_called_valid(far):
+    points = np.random.default_rng(2).uniform(-1, 1, (20, 2))
+    images = apply_homography(KEYSTONE_NEAR, points)[0]
+    H, valid = estimation.estimate_homography(points + far, images - far)
+    assert not valid
+    assert np.isnan(H).all()
+    assert estimation.estimate_homography(points + far, images)[1], "near one of the origins"
+    assert estimation.estimate_affine(points + far, points - far)[1], "six numbers can"
