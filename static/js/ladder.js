@@ -78,8 +78,7 @@ export class LadderBench extends HTMLElement {
   #begin() {
     this.#stopped = false;
     this.dataset.state = "running";
-    this.#button("run").disabled = true;
-    this.#button("stop").disabled = false;
+    this.#enable("stop", "run");
     this.querySelector(".overlay .own").replaceChildren();
     for (const cell of this.querySelectorAll("td.own")) cell.textContent = "–";
     this.#progress(0);
@@ -87,15 +86,21 @@ export class LadderBench extends HTMLElement {
 
   #stop() {
     this.#stopped = true;
-    this.#button("stop").disabled = true;
     this.#say("Stopping after this tier …");
   }
 
   #end(/** @type {string} */ state, /** @type {string} */ message) {
     this.dataset.state = state;
-    this.#button("run").disabled = false;
-    this.#button("stop").disabled = true;
+    this.#enable("run", "stop");
     this.#say(message);
+  }
+
+  /** One of the two buttons in place of the other; who stood on that one is led over. */
+  #enable(/** @type {string} */ name, /** @type {string} */ other) {
+    const [button, left] = [this.#button(name), this.#button(other)];
+    button.disabled = false;
+    if (document.activeElement === left) button.focus({ preventScroll: true });
+    left.disabled = true;
   }
 
   /** Chart, table, progress and file, after the newest of `results`. */
@@ -153,14 +158,17 @@ export function toCsv(results, ladder) {
   const rows = results.map((result) => [
     ladder.ladder,
     result.tier,
-    result.milliseconds,
-    result.low_ms,
-    result.high_ms,
+    ...[result.milliseconds, result.low_ms, result.high_ms].map(sixDigits),
     result.repeats,
     ...ladder.metrics.map((metric) => result.errors[metric.id] ?? (metric.higher ? "inf" : 0)),
   ]);
   const lines = [[...head, "samples", ...errors], ...rows];
   return lines.map((line) => `${line.map(csvField).join(",")}\r\n`).join("");
+}
+
+/** More than a clock can tell, and without the noise of binary fractions. */
+function sixDigits(/** @type {number} */ value) {
+  return Number(value.toPrecision(6));
 }
 
 function csvField(/** @type {string | number} */ value) {

@@ -116,6 +116,17 @@ def test_a_reader_who_stops_keeps_what_was_measured_and_can_begin_anew(
     measure(reader, bench)
 
 
+def test_a_reader_with_a_keyboard_is_never_left_on_a_dead_button(
+    reader: Reader, bench: Locator
+) -> None:
+    focused = "() => document.activeElement.className"
+    bench.locator("button.run").press("Enter")
+    assert reader.page.evaluate(focused) == "stop"
+    reader.page.keyboard.press("Enter")
+    wait_state(reader, bench, "stopped")
+    assert reader.page.evaluate(focused) == "run"
+
+
 def test_a_lost_worker_is_said_and_the_next_attempt_succeeds(
     reader: Reader, bench: Locator
 ) -> None:
