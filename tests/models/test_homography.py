@@ -413,13 +413,13 @@ def test_a_map_too_small_for_an_inverse_in_numbers_is_refused():
 KEYSTONE_NEAR = np.array([[1.1, 0.1, 0.0], [-0.2, 0.9, 0.0], [0.1, -0.05, 1.0]])
 
 
-@pytest.mark.parametrize("far", [1e3, 1e4, 3e4])
+@pytest.mark.parametrize("far", [1e3, 1e4, 2e4])
 def test_far_from_both_origins_a_homography_is_as_right_as_its_entries_can_be(far):
     points = np.random.default_rng(2).uniform(-1, 1, (20, 2))
     images = apply_homography(KEYSTONE_NEAR, points)[0]
     H, valid = estimation.estimate_homography(points + far, images - far)
     assert valid
-    assert apply_homography(H, points + far)[0] + far == pytest.approx(images, abs=2e-15 * far**2)
+    assert apply_homography(H, points + far)[0] + far == pytest.approx(images, abs=4e-16 * far**2)
 
 
 @pytest.mark.parametrize("far", [1e6, 1e9])
