@@ -151,10 +151,11 @@ def _check_addresses(outline: Outline, problems: Diagnostics) -> None:
 
 
 def _check_unlisted(root: Path, outline: Outline, problems: Diagnostics) -> None:
-    listed = {name for name, _ in outline.chapters}
-    for name in _chapter_files(root):
-        if listed and name not in listed:
-            problems.add(f"content/{name}.md", 1, f"not in {OUTLINE}; legal: listed in 'chapters'")
+    listed = {f"content/{name}.md" for name, _ in outline.chapters}
+    for file in sorted((root / "content").rglob("*.md")):
+        path = file.relative_to(root).as_posix()
+        if listed and path not in listed:
+            problems.add(path, 1, f"not in {OUTLINE}; legal: listed in 'chapters'")
 
 
 def _read_hero(

@@ -15,5 +15,8 @@ def read_example(directive: Directive, body: Sequence[Token], reading: Reading) 
     if not directive.argument:
         reading.problem(directive.line, "{example} has no title; legal: ':::{example} Title'")
         return None
+    if not body:
+        reading.problem(directive.line, "{example} is empty; legal: some text")
+        return None
     title_html = reading.inline_html(directive.argument, directive.line)
     return Example(title_html, read_blocks(body, reading))

@@ -112,8 +112,12 @@ def chapter_id(file: str) -> str:
 def _drop_html(token: Token, line: int, reading: Reading) -> None:
     """Comments are the author's own; other HTML would escape every check."""
     markup = token.content.strip()
+    start = markup.partition("\n")[0][:40]
     if not markup.startswith("<!--"):
-        reading.problem(line, f"raw HTML {markup[:40]!r}; legal: Markdown and directives")
+        reading.problem(line, f"raw HTML {start!r}; legal: Markdown and directives")
+    elif not markup.endswith("-->"):
+        message = "a comment that is not closed, or not at the end of a line"
+        reading.problem(line, f"{start!r} begins {message}; legal: '<!-- … -->'")
     token.content = ""
 
 
@@ -123,6 +127,8 @@ def _name_headings(tokens: Sequence[Token], reading: Reading) -> None:
             continue
         line, level = (opening.map or [0])[0] + 1, int(opening.tag[1])
         text = plain_text(inline)
+        if not text:
+            reading.problem(line, "heading without words; legal: '## Some words'")
         previous = reading.headings[-1].level if reading.headings else 1
         if level == 1:
             reading.problem(line, f"heading '# {text}'; legal: '##' and deeper, below the title")

@@ -3,7 +3,6 @@
 from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
 
-import yaml
 from markdown_it import MarkdownIt
 from markdown_it.renderer import RendererProtocol
 from markdown_it.token import Token
@@ -14,12 +13,13 @@ from mdit_py_plugins.front_matter import front_matter_plugin
 
 from simulations.engine.scene import Scene
 from site_builder.book import Chapter
-from site_builder.diagnostics import Diagnostics, unknown
+from site_builder.diagnostics import Diagnostics
 from site_builder.markdown.blocks import read_blocks
 from site_builder.markdown.callout import TITLES, read_callout
 from site_builder.markdown.directive import directive_plugin
 from site_builder.markdown.example import read_example
 from site_builder.markdown.extremes import read_extremes
+from site_builder.markdown.front_matter import read_front_matter
 from site_builder.markdown.illustration import read_illustration
 from site_builder.markdown.inline import annotate, chapter_id
 from site_builder.markdown.ladder import read_ladder, read_ladder_table
@@ -49,9 +49,6 @@ CONSTRUCTS: Mapping[str, Construct] = {
     "stage-costs": read_stage_cost_table,
 }
 """Every directive, and what reads it."""
-
-FRONT_MATTER = ("title", "summary")
-"""Keys of the front matter, all required."""
 
 
 def make_parser() -> MarkdownIt:
@@ -85,7 +82,7 @@ def read_chapter(
     tokens = parser.parse(text, reading.env)
     for line, message in reading.env.pop("problems", ()):
         reading.problem(line, message)
-    matter = _read_front_matter(tokens, reading)
+    matter = read_front_matter(tokens, reading)
     annotate(tokens, reading)
     body = read_blocks(tokens, reading)
     return Chapter(
@@ -99,30 +96,6 @@ def read_chapter(
         anchors=frozenset(reading.ids) - set(PAGE_IDS),
         links=tuple(reading.links),
     )
-
-
-def _read_front_matter(tokens: Sequence[Token], reading: Reading) -> dict[str, str]:
-    found: object = {}
-    if not tokens or tokens[0].type != "front_matter":
-        reading.problem(1, "no front matter; legal: '---', 'title: …', 'summary: …', '---'")
-        return dict.fromkeys(FRONT_MATTER, "")
-    try:
-        found = yaml.safe_load(tokens[0].content)
-    except yaml.YAMLError as error:
-        mark = getattr(error, "problem_mark", None)  # a character that YAML forbids has none
-        reason = getattr(error, "problem", None) or str(error).partition("\n")[0]
-        reading.problem(mark.line + 2 if mark else 1, f"malformed YAML: {reason}")
-        return dict.fromkeys(FRONT_MATTER, "")
-    if not isinstance(found, dict):
-        reading.problem(1, "front matter is no mapping; legal: 'title: …' and 'summary: …'")
-        return dict.fromkeys(FRONT_MATTER, "")
-    for key in found:
-        if key not in FRONT_MATTER:
-            reading.problem(1, unknown("front matter key", str(key), FRONT_MATTER))
-    for key in FRONT_MATTER:
-        if not isinstance(found.get(key), str) or not found[key].strip():
-            reading.problem(1, f"front matter without {key!r}; legal: '{key}: some text'")
-    return {key: str(found.get(key) or "").strip() for key in FRONT_MATTER}
 
 
 def _formula(

@@ -1,5 +1,6 @@
 """``{simulation} scene-id``: a live figure. Options are the scene's controls, and ``tier``."""
 
+import re
 from collections.abc import Sequence
 
 from markdown_it.token import Token
@@ -13,6 +14,8 @@ from site_builder.markdown.blocks import read_html
 from site_builder.markdown.directive import Directive
 from site_builder.markdown.reading import Reading
 
+MAIMED_OPTION = re.compile(r":(\w+)[ =].*|(\w+)[:=].*")
+
 
 def read_simulation(
     directive: Directive, body: Sequence[Token], reading: Reading
@@ -21,6 +24,7 @@ def read_simulation(
     caption_html = read_html(directive, body, reading)
     if scene is None:
         return None
+    _check_caption(body, scene, reading)
     return Simulation(
         scene=scene,
         id=reading.free_id(f"figure-{scene.id}", directive.line),
@@ -63,6 +67,17 @@ def _read_values(directive: Directive, scene: Scene, reading: Reading) -> dict[s
                 option.line, f"{scene.id}: {name}: {value:g} is between two steps; legal: {legal}"
             )
     return values
+
+
+def _check_caption(body: Sequence[Token], scene: Scene, reading: Reading) -> None:
+    """An option without one of its colons would be taken for the first words of the caption."""
+    names = ("tier", *(control.name for control in scene.controls))
+    for token in body:
+        slip = MAIMED_OPTION.match(token.content) if token.type == "inline" else None
+        if slip and (slip[1] or slip[2]) in names:
+            line = (token.map or [0])[0] + 1
+            legal = f"':{slip[1] or slip[2]}: value'"
+            reading.problem(line, f"{slip[0]!r} in the caption; legal: as an option, {legal}")
 
 
 def _read_tier(directive: Directive, scene: Scene, reading: Reading) -> str:

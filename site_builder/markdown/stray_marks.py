@@ -16,10 +16,11 @@ STRAY = (
     (r"((?:\{[\w-]+\})?`+)", "is never closed; legal: a second '`' in the same paragraph"),
     (r"(\*\*)", r"opens or closes no bold text; legal: '**…**', or '\*\*' for the stars"),
     (r"(\[\^[^\]\n]*\])", "has no footnote; legal: a line '[^…]: the note' in this file"),
-    (r"(\[[^\]\n]*\]\[[^\]\n]*\])", "leads nowhere; legal: '[words](NN-slug.md)'"),
+    (r"(\[[^\]\n]*\][(\[][^\n]*?[)\]])", "leads nowhere; legal: '[words](NN-slug.md)'"),
     (r"^(::?\{[\w-]+\}.*)", "is no directive; legal: ':::{name} argument'"),
 )
 """What stands in running text only by mistake, and what would be legal."""
+FOOTNOTE = re.compile(r"[ >]*\[\^([^\]]+)\]:")
 PATTERNS = tuple((re.compile(pattern), legal) for pattern, legal in STRAY)
 
 
@@ -46,7 +47,7 @@ def _rule(state: StateCore) -> None:
                 problems.append((line, message))
             case "table_open":
                 problems += _in_table(token, lines)
-    problems += _unused_footnotes(state, lines)
+    problems += _lost_footnotes(state, lines)
 
 
 def _in_text(text: str) -> Iterator[str]:
@@ -75,9 +76,18 @@ def _cells(line: str) -> list[str]:
     return escapedSplit(line.strip().removeprefix("|").removesuffix("|"))
 
 
-def _unused_footnotes(state: StateCore, lines: Sequence[str]) -> Iterator[tuple[int, str]]:
+def _lost_footnotes(state: StateCore, lines: Sequence[str]) -> Iterator[tuple[int, str]]:
+    """Notes that nothing in the text leads to, and all but the first of one label."""
     uses = state.env.get("footnotes", {}).get("refs", {})
-    for label in (key.removeprefix(":") for key, first_use in uses.items() if first_use < 0):
-        start = f"[^{label}]:"
-        number = next(n for n, line in enumerate(lines, 1) if line.lstrip(" >").startswith(start))
-        yield number, f"footnote {start[:-1]!r} is not used; legal: {start[:-1]!r} in the text"
+    places: dict[str, int] = {}
+    for number, line in enumerate(lines, start=1):
+        note = FOOTNOTE.match(line)
+        if note and f":{note[1]}" in uses:
+            if note[1] in places:
+                yield number, f"footnote '[^{note[1]}]' is written twice; legal: once"
+            elif uses[f":{note[1]}"] < 0:
+                yield (
+                    number,
+                    f"footnote '[^{note[1]}]' is not used; legal: '[^{note[1]}]' in the text",
+                )
+            places.setdefault(note[1], number)

@@ -42,7 +42,10 @@ def read_table(
         "table_open",
         "table_close",
     ]:
-        reading.problem(directive.line, "{table} holds no table; legal: one table, nothing else")
+        found = (
+            "more than a table" if any(token.type == "table_open" for token in body) else "no table"
+        )
+        reading.problem(directive.line, f"{{table}} holds {found}; legal: one table, nothing else")
         return None
     return CaptionedTable(
         reading.inline_html(directive.argument, directive.line),
