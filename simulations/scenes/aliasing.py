@@ -59,7 +59,7 @@ CONTROLS = (
 )
 
 
-def render(values: Values, tier: str, cache: StageCache) -> Frame:  # noqa: ARG001 - see below
+def render(values: Values, _tier: str, cache: StageCache) -> Frame:
     """The picture, one row of it against the wave, and where the frequency folds to."""
     frequency, kind = values.number("frequency"), values.choice("prefilter")
     done = run(STAGES, values, cache)
@@ -155,7 +155,7 @@ def describe(values: Values, alias: float, passed: float, kept: float) -> str:
     )
 
 
-def error(values: Values, tier: str, cache: StageCache) -> Iterator[Readout]:  # noqa: ARG001
+def error(values: Values, _tier: str, _cache: StageCache) -> Iterator[Readout]:
     """RMS of what the picture shows too much or too little of; found at once."""
     pattern = pattern_of(
         values.choice("pattern"), values.number("frequency"), values.number("phase")

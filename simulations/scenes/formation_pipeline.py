@@ -43,7 +43,7 @@ STAGES = (Stage("journey", ("distance", "albedo", "again"), _travel),)
 """Moving the marker computes nothing anew: the numbers do not depend on where it is."""
 
 
-def render(values: Values, tier: str, cache: StageCache) -> Frame:  # noqa: ARG001
+def render(values: Values, _tier: str, cache: StageCache) -> Frame:
     """The way of the point and the ledger of its numbers, up to the current station."""
     result = run(STAGES, values, cache)
     journey: Journey = result.outputs["journey"]

@@ -18,9 +18,8 @@ from simulations.scenes.projection_view import (
 )
 
 
-def render(values: Values, tier: str, cache: StageCache) -> Frame:
+def render(values: Values, _tier: str, _cache: StageCache) -> Frame:
     """The camera from above, and the picture it takes."""
-    del tier, cache
     view = look(
         X=values.number("point_x"),
         Y=values.number("point_y"),

@@ -106,13 +106,8 @@ def render(values: Values, tier: str, cache: StageCache) -> Frame:
     span = math.log2(saturation_e(camera) / math.sqrt(floor_e2(camera, dark)))
     theory = float(means_e[patch]) / math.sqrt(float(means_e[patch]) + floor_e2(camera, dark))
     sigma = math.sqrt(transfer.variance_dn[patch])
+    measured = measured_ratio(transfer, patch)
     expected = "clipped" if transfer.clipped[patch] else format_number(theory, 1)
-    if sigma == 0:
-        measured = "one code only"
-    elif transfer.clipped[patch]:  # part of the noise is cut off, and the ratio would flatter
-        measured = "clipped"
-    else:
-        measured = format_number(transfer.mean_dn[patch] / sigma, 1)
     readouts = (
         readout("mean", "Patch mean", transfer.mean_dn[patch], "DN", digits=1, role="image"),
         readout("sigma", "Patch σ", sigma, "DN", digits=2, role="image"),
@@ -123,6 +118,16 @@ def render(values: Values, tier: str, cache: StageCache) -> Frame:
         readout("range", "Dynamic range", span, "stops", digits=1),
     )
     return Frame(panels, readouts, describe(values, transfer, camera, measured), done.reports)
+
+
+def measured_ratio(transfer: Transfer, patch: int) -> str:
+    """Signal to noise of a patch, or why it has none to tell."""
+    sigma = math.sqrt(transfer.variance_dn[patch])
+    if sigma == 0:
+        return "one code only"
+    if transfer.clipped[patch]:  # part of the noise is cut off, and the ratio would flatter
+        return "clipped"
+    return format_number(transfer.mean_dn[patch] / sigma, 1)
 
 
 def error(values: Values, tier: str, cache: StageCache) -> Iterator[Readout]:

@@ -37,9 +37,8 @@ def transformation(kind: str, amount: float) -> Floats:
     return transforms.projective(H @ tilt)
 
 
-def render(values: Values, tier: str, cache: StageCache) -> Frame:
+def render(values: Values, _tier: str, _cache: StageCache) -> Frame:
     """The square before and after, the ladder, and what the transformation measurably keeps."""
-    del tier, cache
     kind = values.choice("transform")
     H = transformation(kind, values.number("amount"))
     measured = measure_preservation(H, grid_segments())
