@@ -24,6 +24,9 @@ LARGEST_KERNEL_RADIUS = 3.5
 """Pixels. Wider discs are drawn on a grid reduced by a power of two: the same picture, as a disc
 that wide has no finer detail to lose, at a cost that falls with the square of the reduction."""
 
+LARGEST_RADIUS = 1024.0
+"""Pixels. The reduced grid reaches as far beyond the picture as the disc: memory sets the limit."""
+
 
 @dataclass(frozen=True, slots=True)
 class Layer:
@@ -45,8 +48,7 @@ def disc_kernel(radius_px: float) -> Planes:
     Each row holds the exact area of the disc's strip, spread over the row's chord, so that the
     kernel changes smoothly with the radius; at 0 it is a single 1.
     """
-    if not 0 <= radius_px < math.inf:
-        raise ValueError(f"disc_kernel: radius_px {radius_px!r}; legal: 0 or more, finite")
+    _check_radius("disc_kernel", radius_px)
     reach = math.ceil(radius_px - 0.5) if radius_px > 0.5 else 0
     if reach == 0:
         return np.ones((1, 1), np.float32)
@@ -55,6 +57,11 @@ def disc_kernel(radius_px: float) -> Planes:
     reached = np.clip(half_chord[:, None] + 0.5 - np.abs(offsets), 0.0, 1.0)
     weights = np.where(half_chord[:, None] < 0.5, 2 * half_chord[:, None] * (offsets == 0), reached)
     return np.asarray(weights / weights.sum(), np.float32)
+
+
+def _check_radius(function: str, radius_px: float) -> None:
+    if not 0 <= radius_px <= LARGEST_RADIUS:
+        raise ValueError(f"{function}: radius_px {radius_px!r}; legal: 0 to {LARGEST_RADIUS:g}")
 
 
 def _disc_area_up_to(height: NDArray[np.floating], radius: float) -> NDArray[np.floating]:
@@ -71,6 +78,7 @@ def disc_blur(planes: Planes, radius_px: float) -> Planes:
     `LARGEST_KERNEL_RADIUS` the disc is drawn on a reduced grid; its radius is then shortened so
     that the second moment, the blur's strength, still comes out right.
     """
+    _check_radius("disc_blur", radius_px)
     if radius_px <= 0.5:
         return planes
     factor = 1
@@ -143,6 +151,7 @@ def blur_by_depth(planes: Planes, radius_px: NDArray[np.floating]) -> Planes:
     its second moment is right. Returns the same object where no radius exceeds half a pixel.
     """
     largest = float(radius_px.max(initial=0.0))
+    _check_radius("blur_by_depth", largest)
     if largest <= 0.5:
         return planes
     levels = [0.0, *(2.0**k for k in range(max(0, math.ceil(math.log2(largest))) + 1))]
@@ -164,6 +173,7 @@ def _hat(value: NDArray[np.float32], knots: list[float], index: int) -> NDArray[
 
 def blur_layer(layer: Layer) -> Layer:
     """The layer with its disc applied, on a window grown to hold the spread."""
+    _check_radius("blur_layer", layer.radius_px)
     if layer.radius_px <= 0.5:
         return layer
     grow = math.ceil(layer.radius_px) + 1

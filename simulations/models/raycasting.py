@@ -8,11 +8,14 @@ Source: Szeliski, 2nd ed., section 2.1 (geometric primitives); slab test after K
 """
 
 import math
+from collections.abc import Sequence
 from dataclasses import dataclass
 from itertools import product
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
+
+from simulations.models.floats import as_vectors
 
 type Floats = NDArray[np.floating]
 type Vector = tuple[float, float, float]
@@ -21,9 +24,13 @@ NEARLY_ZERO = 1e-12
 """Direction components smaller than this are taken as this: the slab test divides by them."""
 
 
-def _check_finite(name: str, numbers: tuple[float, ...]) -> None:
-    if not all(map(math.isfinite, numbers)):
-        raise ValueError(f"{name} {numbers!r}; legal: finite")
+LARGEST_M = 1e100
+"""Of any coordinate and length: so that the squares of distances are numbers."""
+
+
+def _check_place(name: str, numbers: Sequence[float]) -> None:
+    if len(numbers) != 3 or not all(abs(number) <= LARGEST_M for number in numbers):
+        raise ValueError(f"{name} {numbers!r}; legal: three, finite, at most {LARGEST_M:g} in size")
 
 
 @dataclass(frozen=True, slots=True)
@@ -36,9 +43,9 @@ class Sphere:
     """Metres, positive."""
 
     def __post_init__(self) -> None:
-        if not 0 < self.radius < math.inf:
-            raise ValueError(f"Sphere: radius {self.radius!r}; legal: positive and finite")
-        _check_finite("Sphere: centre", self.centre)
+        if not 0 < self.radius <= LARGEST_M:
+            raise ValueError(f"Sphere: radius {self.radius!r}; legal: above 0, to {LARGEST_M:g}")
+        _check_place("Sphere: centre", self.centre)
 
 
 @dataclass(frozen=True, slots=True)
@@ -53,10 +60,12 @@ class Box:
     """Turn about world z, anticlockwise seen from above."""
 
     def __post_init__(self) -> None:
-        if not all(0 < edge < math.inf for edge in self.size):
-            raise ValueError(f"Box: size {self.size!r}; legal: three positive finite lengths")
-        _check_finite("Box: centre", self.centre)
-        _check_finite("Box: angle_rad", (self.angle_rad,))
+        _check_place("Box: size", self.size)
+        if not min(self.size) > 0:
+            raise ValueError(f"Box: size {self.size!r}; legal: three positive lengths")
+        _check_place("Box: centre", self.centre)
+        if not math.isfinite(self.angle_rad):
+            raise ValueError(f"Box: angle_rad {self.angle_rad!r}; legal: finite")
 
     @property
     def world_to_box(self) -> Floats:
@@ -95,8 +104,10 @@ def intersect(solid: Sphere | Box, origin: ArrayLike, directions: ArrayLike) -> 
     directions : (..., 3) unit vectors
 
     A solid wholly behind the origin is missed; from inside, the ray meets the far side.
+    Raises `ValueError` for an origin that is not finite or beyond `LARGEST_M`.
     """
-    start, towards = np.asarray(origin, float), np.asarray(directions, float)
+    start, towards = np.asarray(origin, float), as_vectors("directions", directions, 3)
+    _check_place("intersect: origin", start.tolist())
     match solid:
         case Sphere():
             return _intersect_sphere(solid, start, towards)
@@ -280,7 +291,10 @@ def sphere_occlusion(
 
     Exact where the whole sphere stands above the point's horizon: ``cos θ (radius / d)²``, the
     form factor of a sphere (Howell's catalogue, B-43). Below the horizon 0. Never more than 1.
+    Raises `ValueError` unless the radius is above 0, and `LARGEST_M` at most.
     """
+    if not 0 < radius <= LARGEST_M:
+        raise ValueError(f"sphere_occlusion: radius {radius!r}; legal: above 0, to {LARGEST_M:g}")
     to_centre = np.asarray(centre, float) - np.asarray(points, float)
     square = np.maximum(np.einsum("...i,...i", to_centre, to_centre), NEARLY_ZERO)
     cosine = np.einsum("...i,...i", to_centre, np.asarray(normals, float)) / np.sqrt(square)

@@ -17,6 +17,9 @@ type Array = NDArray[np.floating]
 SMALLEST_RADIUS = 1e-15
 """Of a lamp: its square, and one over it, are still numbers in float32 as well."""
 
+BRIGHTEST = 1e30
+"""Of a light's colour: still a number in float32, also times that of a pixel."""
+
 
 @dataclass(frozen=True, slots=True)
 class DirectionalLight:
@@ -26,6 +29,9 @@ class DirectionalLight:
     """Unit vector towards the light."""
     irradiance: tuple[float, float, float] = (1.0, 1.0, 1.0)
     """Linear RGB on a surface that faces the light."""
+
+    def __post_init__(self) -> None:
+        _check_colour("irradiance", self.irradiance)
 
 
 @dataclass(frozen=True, slots=True)
@@ -38,6 +44,9 @@ class PointLight:
     """Linear RGB on a surface that faces the lamp at distance 1."""
     radius: float = 0.01
     """Radius of the lamp: no point is lit from nearer than this."""
+
+    def __post_init__(self) -> None:
+        _check_colour("intensity", self.intensity)
 
 
 type Light = DirectionalLight | PointLight
@@ -70,6 +79,8 @@ def cosine(a: ArrayLike, b: ArrayLike) -> Array:
     by an ulp, which a large shininess would blow up. A zero vector gives 0.
     """
     u, v = as_floats(a), as_floats(b)
+    if u.shape[-1:] != (3,) or v.shape[-1:] != (3,):
+        raise ValueError(f"vectors of shapes {u.shape} and {v.shape}; legal: both (..., 3)")
     product = u[..., 0] * v[..., 0] + u[..., 1] * v[..., 1] + u[..., 2] * v[..., 2]
     clamped: Array = np.clip(product, 0.0, 1.0)
     return clamped
@@ -134,7 +145,7 @@ def phong(
     mirrored = 2 * n_dot_l[..., None] * n - to_light
     to_eye = _direction("view", view, n.dtype)
     highlight = _highlight(cosine(mirrored, to_eye), n_dot_l, specular, shininess)
-    shade: Array = _albedo(albedo, n.dtype) * (ambient + n_dot_l) + highlight
+    shade: Array = _matte(albedo, n_dot_l, ambient) + highlight
     return shade
 
 
@@ -159,7 +170,7 @@ def blinn_phong(
     n_dot_l = cosine(n, to_light)
     halfway = normalise(to_light + _direction("view", view, n.dtype))
     highlight = _highlight(cosine(n, halfway), n_dot_l, specular, shininess)
-    shade: Array = _albedo(albedo, n.dtype) * (ambient + n_dot_l) + highlight
+    shade: Array = _matte(albedo, n_dot_l, ambient) + highlight
     return shade
 
 
@@ -203,9 +214,22 @@ def irradiance(points: ArrayLike, normals: ArrayLike, lights: Sequence[Light]) -
     return total
 
 
+def _check_colour(name: str, rgb: tuple[float, float, float]) -> None:
+    if len(rgb) != 3 or not all(0 <= part <= BRIGHTEST for part in rgb):
+        raise ValueError(f"{name} {rgb}; legal: three numbers from 0 to {BRIGHTEST:g}")
+
+
+def _matte(albedo: ArrayLike, n_dot_l: Array, ambient: float) -> Array:
+    if not 0 <= ambient < np.inf:
+        raise ValueError(f"ambient {ambient}; legal: 0 or more, finite")
+    matte: Array = _albedo(albedo, n_dot_l.dtype) * (ambient + n_dot_l)
+    return matte
+
+
 def _highlight(cosines: Array, n_dot_l: Array, specular: float, shininess: float) -> Array:
-    if not 0 <= shininess < np.inf:
-        raise ValueError(f"shininess {shininess}; legal: 0 or more, finite")
+    for name, value in (("shininess", shininess), ("specular", specular)):
+        if not 0 <= value < np.inf:
+            raise ValueError(f"{name} {value}; legal: 0 or more, finite")
     lit: Array = np.where(n_dot_l > 0, specular * cosines**shininess, 0)
     return lit
 

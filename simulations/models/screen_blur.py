@@ -7,7 +7,7 @@ none of these can show it through the object's soft edge. Potmesil and Chakravar
 import numpy as np
 from numpy.typing import NDArray
 
-from simulations.models.depth_of_field import Planes
+from simulations.models.depth_of_field import LARGEST_RADIUS, Planes
 from simulations.models.sampling import filter_and_sample, gaussian_kernel
 
 type Floats = NDArray[np.floating]
@@ -20,7 +20,7 @@ def binned_gaussian(planes: Planes, radius_px: Floats, bins: int = 6) -> Planes:
     """
     if bins < 2:
         raise ValueError(f"bins {bins}; legal: 2 or more")
-    largest = float(radius_px.max(initial=0.0))
+    largest = _largest(radius_px)
     chosen = np.rint(radius_px / max(largest, 1e-9) * (bins - 1)).astype(np.intp)
     result = np.empty_like(planes)
     for index in range(bins):
@@ -40,7 +40,7 @@ def gather_discs(planes: Planes, radius_px: Floats, depth: Floats) -> Planes:
     the pixel's disc, so that a blurred background does not leak onto sharp things before it.
     """
     radius = np.maximum(radius_px, 0.5).astype(np.float32)
-    largest = float(radius.max(initial=0.5)) + 0.5
+    largest = max(_largest(radius_px), 0.5) + 0.5
     reach = int(np.ceil(largest)) - 1
     height, width = radius.shape
     border = ((reach, reach), (reach, reach))
@@ -63,3 +63,12 @@ def gather_discs(planes: Planes, radius_px: Floats, depth: Floats) -> Planes:
             total += weight * wide[:, rows, columns]
     gathered: Planes = total / weights
     return gathered
+
+
+def _largest(radius_px: Floats) -> float:
+    """Of the radii (H, W); raises `ValueError` where one is NaN, negative or beyond any picture."""
+    if not np.all((radius_px >= 0) & (radius_px <= LARGEST_RADIUS)):
+        raise ValueError(
+            f"radius_px from {radius_px.min()} to {radius_px.max()}; legal: 0 to {LARGEST_RADIUS:g}"
+        )
+    return float(radius_px.max(initial=0.0))

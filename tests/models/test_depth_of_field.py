@@ -272,3 +272,22 @@ def test_each_place_is_blurred_by_the_two_levels_next_to_its_radius():
     mixed = blur_by_depth(picture, split)
     assert mixed[..., :17] == pytest.approx(picture[..., :17], abs=1e-6)
     assert mixed[..., 17:] == pytest.approx(disc_blur(picture, 4.0)[..., 17:], abs=1e-6)
+
+
+@pytest.mark.parametrize("radius", [-1.0, 1025.0, np.inf, np.nan])
+def test_discs_that_no_picture_can_hold_are_refused(radius):
+    planes = np.ones((4, 8, 8), np.float32)
+    for call in (
+        lambda: disc_kernel(radius),
+        lambda: disc_blur(planes, radius),
+        lambda: blur_layer(Layer(planes, 0, 0, radius)),
+    ):
+        with pytest.raises(ValueError, match=r"radius_px .*; legal: 0 to 1024"):
+            call()
+    if not radius < 0:
+        with pytest.raises(ValueError, match="blur_by_depth: radius_px"):
+            blur_by_depth(planes, np.full((8, 8), radius))
+
+
+def test_the_widest_disc_is_drawn_without_a_grid_as_large():
+    assert disc_blur(np.ones((1, 8, 8), np.float32), 1024.0) == pytest.approx(1.0, abs=1e-5)

@@ -427,3 +427,40 @@ def test_scenes_of_any_size_are_seen_alike(size):
     distance, valid = intersect_plane((0, 0.5 * size, 0), (0, -1, 0), ORIGIN, AHEAD)
     assert valid
     assert distance == pytest.approx(0.5 * size)
+
+
+@pytest.mark.parametrize("size", [1e-60, 1.0, 1e60, 1e100])
+def test_a_ball_of_any_size_is_met_at_its_surface(size):
+    ball = Sphere((0.0, 0.0, 3.0 * size) if size < 1e100 else (0.0, 0.0, 0.0), size)
+    start = (0.0, 0.0, 0.0) if size < 1e100 else (0.0, 0.0, -size)
+    hit = intersect(ball, start, [[0.0, 0.0, 1.0]])
+    assert hit.distance == pytest.approx([2.0 * size])
+    assert hit.margin == pytest.approx([size * size])
+
+
+@pytest.mark.parametrize(
+    "place", [(2e100, 0.0, 0.0), (0.0, np.inf, 0.0), (0.0, 0.0, np.nan), (0.0, 1.0)]
+)
+def test_places_beyond_all_squares_are_refused(place):
+    ball = Sphere((0.0, 0.0, 3.0), 1.0)
+    for call in (
+        lambda: intersect(ball, place, [[0.0, 0.0, 1.0]]),
+        lambda: Sphere(place, 1.0),
+        lambda: Box(place, (1.0, 1.0, 1.0)),
+        lambda: Box((0.0, 0.0, 0.0), place),
+    ):
+        with pytest.raises(ValueError, match=r"legal: three, finite, at most 1e\+100"):
+            call()
+
+
+@pytest.mark.parametrize("radius", [0.0, -1.0, np.inf, np.nan, 1.1e100])
+def test_a_ball_and_what_hides_the_sky_have_a_radius(radius):
+    with pytest.raises(ValueError, match=r"legal: above 0, to 1e\+100"):
+        Sphere((0.0, 0.0, 0.0), radius)
+    with pytest.raises(ValueError, match=r"legal: above 0, to 1e\+100"):
+        sphere_occlusion((0.0, 0.0, 9.0), radius, [[0.0, 0.0, 0.0]], [[0.0, 0.0, 1.0]])
+
+
+def test_a_ray_has_three_components():
+    with pytest.raises(ValueError, match=r"directions of shape \(4, 2\)"):
+        intersect(Sphere((0.0, 0.0, 3.0), 1.0), (0.0, 0.0, 0.0), np.ones((4, 2)))

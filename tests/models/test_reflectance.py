@@ -12,6 +12,7 @@ from simulations.models.reflectance import (
     PointLight,
     attenuation,
     blinn_phong,
+    cosine,
     irradiance,
     lambert,
     normalise,
@@ -187,3 +188,43 @@ def test_the_ends_of_the_ranges_are_legal_and_what_is_beyond_is_not():
     for distance in ([1.0, -0.1], [1.0, math.nan]):
         with pytest.raises(ValueError, match="distance"):
             attenuation(distance)
+
+
+UP = (0.0, 0.0, 1.0)
+
+
+@pytest.mark.parametrize("model", [phong, blinn_phong])
+@pytest.mark.parametrize("name", ["specular", "shininess", "ambient"])
+def test_shares_of_light_are_finite_and_not_negative(model, name):
+    assert np.isfinite(model(UP, UP, UP, **{name: 0.0}))
+    for wrong in (-0.1, np.inf, np.nan):
+        with pytest.raises(ValueError, match=f"^{name} .*; legal: 0 or more, finite"):
+            model(UP, UP, UP, **{name: wrong})
+
+
+@pytest.mark.parametrize(
+    "colour", [(1.0, np.nan, 1.0), (np.inf, 1.0, 1.0), (1.0, -1.0, 1.0), (1.0, 1.0)]
+)
+def test_light_has_three_colours_that_are_amounts(colour):
+    with pytest.raises(ValueError, match=r"^irradiance .*; legal: three numbers from 0 to 1e\+30"):
+        DirectionalLight(UP, colour)
+    with pytest.raises(ValueError, match=r"^intensity .*; legal: three numbers from 0 to 1e\+30"):
+        PointLight(UP, colour)
+
+
+def test_the_brightest_lights_still_have_a_number_for_every_pixel():
+    lights = [
+        DirectionalLight(UP, (1e30, 0.0, 1.0)),
+        PointLight(UP, (1e30,) * 3),
+    ]
+    for kind in (np.float32, np.float64):
+        light = irradiance(np.zeros((2, 3), kind), np.tile(np.array(UP, kind), (2, 1)), lights)
+        assert light[0] == pytest.approx([2e30, 1e30, 1e30])
+
+
+@pytest.mark.parametrize("shape", [(4, 2), (4, 4)])
+def test_directions_have_three_components(shape):
+    with pytest.raises(ValueError, match=r"legal: both \(\.\.\., 3\)"):
+        cosine(np.ones(shape), np.ones(shape))
+    with pytest.raises(ValueError, match=r"legal: both \(\.\.\., 3\)"):
+        lambert(np.ones(shape), UP)

@@ -95,3 +95,15 @@ def test_a_blurred_background_does_not_leak_onto_a_sharp_thing_before_it():
     radius = np.where(left, 4.0, 0.0) + np.zeros((20, 1))
     np.testing.assert_array_equal(gather_discs(bright_left, radius, depth)[..., 15:], 0)
     np.testing.assert_array_equal(binned_gaussian(bright_left, radius)[..., 15:], 0)
+
+
+@pytest.mark.parametrize("radius", [-1.0, 1025.0, np.inf, np.nan])
+def test_a_disc_that_is_none_is_refused_wherever_it_is(radius):
+    planes, radii = np.ones((1, 8, 8), np.float32), np.ones((8, 8))
+    radii[3, 4] = radius
+    for call in (
+        lambda: binned_gaussian(planes, radii),
+        lambda: gather_discs(planes, radii, radii),
+    ):
+        with pytest.raises(ValueError, match=r"^radius_px from .*; legal: 0 to 1024"):
+            call()
