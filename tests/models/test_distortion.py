@@ -224,6 +224,13 @@ def test_a_lens_that_halves_the_furthest_radii_sends_far_points_to_infinity_too(
     np.testing.assert_allclose(moved, [[5e43, 0.0], [-np.inf, np.inf]])
 
 
+@pytest.mark.parametrize("k1", [0.1, -0.1])
+def test_points_at_infinity_stay_there_with_the_signs_of_the_lens(k1):
+    endless = np.array([[np.inf, 1.0], [-np.inf, np.inf]])
+    moved = distort(endless, Distortion(k1=k1))
+    np.testing.assert_array_equal(moved, np.sign(k1) * np.array([[np.inf, 0], [-np.inf, np.inf]]))
+
+
 def test_stacks_of_far_points_are_moved_as_each_alone():
     far = np.array([[[1e200, -1e100], [0.3, 0.4]], [[-1e100, 1e200], [0.0, 1e160]]])
     lens = Distortion(k1=0.1, p1=0.01)

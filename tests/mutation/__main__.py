@@ -4,8 +4,9 @@ A seeded sample of each module's mutants (``SAMPLE=all`` for every one) is run a
 of that module. Mutants that no test can notice are listed, with the reason, in
 ``equivalent.txt``, and left out of the score. The score of all mutants goes into ``score.txt``;
 that of a sample is only printed, but for one that was drawn to be held out (``--held-out``).
-Who survived all tests is listed in ``survivors.txt``; once there are better tests,
+Who survived all tests is listed in ``build/survivors.txt``; once there are better tests,
 ``SAMPLE=survivors`` tries those mutants alone: what one test notices, more tests notice too.
+``SAMPLE=equivalent`` tries those that are left out, and names the ones that a test notices.
 
 Why not a ready-made tool: those rewrite the working copy or start pytest anew for each mutant,
 and know nothing of axes, tolerances or trigonometry.
@@ -18,12 +19,12 @@ from pathlib import Path
 
 from mutation.mutants import Mutant, mutants
 from mutation.scores import Row, Score, read_table, write_table
-from mutation.trial import MODELS, survives, tests_of, used_s, warm_up
+from mutation.trial import MODELS, ROOT, survives, tests_of, used_s, warm_up
 
 HERE = Path(__file__).parent
 SCORES = HERE / "score.txt"
 EQUIVALENT = HERE / "equivalent.txt"
-SURVIVORS = HERE / "survivors.txt"
+SURVIVORS = ROOT / "build" / "survivors.txt"
 SLOWDOWN = 10
 """A mutant may take this many times as long as the unchanged module, and 5 s more."""
 
@@ -49,27 +50,36 @@ def chosen_of(module: str, everything: list[Mutant], sample: str, seed: int) -> 
     ]
 
 
-def judge(module: str, sample: str, seed: int) -> Score | None:
-    """Try the mutants of a module; None where its tests fail as they are."""
-    source = (MODELS / f"{module}.py").read_text("utf-8")
-    everything, tests, equivalent = list(mutants(source)), tests_of(module), read_names(EQUIVALENT)
-    chosen = chosen_of(module, everything, sample, seed)
-    known = {name(module, mutant) for mutant in everything}
-    for line in sorted(line for line in equivalent - known if line.startswith(f"{module}.")):
-        print(f"equivalent.txt: no such mutant: {line}")
-    warm_up(tests)
+def prepare(module: str, source: str) -> tuple[list[Path], int]:
+    """The tests of a module and a mutant's limit in seconds; no tests if they fail as they are."""
+    warm_up(tests := tests_of(module))
     before_s = used_s()
     if not tests or not survives(module, source, tests, 600):
         print(f"{module}: no test, or one that fails as it is: {[file.name for file in tests]}")
+        return [], 0
+    return tests, 5 + int(SLOWDOWN * (used_s() - before_s))
+
+
+def judge(module: str, sample: str, seed: int) -> Score | None:
+    """Try the mutants of a module; None where there is no score."""
+    source, equivalent = (MODELS / f"{module}.py").read_text("utf-8"), read_names(EQUIVALENT)
+    everything = list(mutants(source))
+    listed = [mutant for mutant in everything if name(module, mutant) in equivalent]
+    tests, limit_s = prepare(module, source)
+    if not tests:
         return None
-    limit_s = 5 + int(SLOWDOWN * (used_s() - before_s))
-    counted = [mutant for mutant in chosen if name(module, mutant) not in equivalent]
+    if sample == "equivalent":
+        for mutant in listed:
+            if not survives(module, mutant.source, tests, limit_s):
+                print(f"equivalent.txt: noticed: {name(module, mutant)}", flush=True)
+        return None
+    chosen = chosen_of(module, everything, sample, seed)
+    counted = [mutant for mutant in chosen if mutant not in listed]
     left = [mutant for mutant in counted if survives(module, mutant.source, tests, limit_s)]
     for mutant in left:
         print(f"\n  - {mutant.before}\n  + {name(module, mutant)}", flush=True)
     if sample in ("all", "survivors"):
         write_survivors(module, [name(module, mutant) for mutant in left])
-        listed = [mutant for mutant in everything if name(module, mutant) in equivalent]
         return Score(len(everything), len(listed), len(left))
     return Score(len(chosen), len(chosen) - len(counted), len(left))
 
@@ -77,8 +87,8 @@ def judge(module: str, sample: str, seed: int) -> Score | None:
 def write_survivors(module: str, names: list[str]) -> None:
     """Those of one module replace its old ones."""
     old = {line for line in read_names(SURVIVORS) if not line.startswith(f"{module}.")}
-    head = "# Mutants that no test notices, though one could; written by `make mutants SAMPLE=all`."
-    SURVIVORS.write_text("\n".join([head, *sorted(old | set(names))]) + "\n", "utf-8")
+    SURVIVORS.parent.mkdir(exist_ok=True)
+    SURVIVORS.write_text("\n".join(sorted(old | set(names))) + "\n", "utf-8")
 
 
 def record(module: str, score: Score, held_out: bool) -> None:
@@ -93,7 +103,9 @@ def record(module: str, score: Score, held_out: bool) -> None:
 def main() -> int:
     modules = sorted(file.stem for file in MODELS.glob("[!_]*.py"))
     parser = argparse.ArgumentParser(prog="make mutants", description=__doc__)
-    parser.add_argument("--sample", default="30", help="mutants per module, all, or survivors")
+    parser.add_argument(
+        "--sample", default="30", help="number a module, all, survivors, equivalent"
+    )
     parser.add_argument("--seed", type=int, default=1)
     parser.add_argument("--module", action="append", choices=modules, default=[])
     parser.add_argument("--held-out", action="store_true", help="record this sample in score.txt")

@@ -5,6 +5,7 @@ see those. Source: DeMillo, Lipton, Sayward, *Hints on test data selection*, 197
 """
 
 import ast
+import copy
 from collections.abc import Iterator
 from dataclasses import dataclass
 from itertools import zip_longest
@@ -59,23 +60,60 @@ class Mutant:
 def mutants(source: str) -> Iterator[Mutant]:
     """Every mutant of a module, in the order of its text. Yields nothing that changes nothing."""
     tree = ast.parse(source)
-    right = ast.unparse(tree)
-    for place, old, new in list(_mutations(tree, "")):
-        wrong = ast.unparse(_replaced(tree, old, new))
-        _replaced(tree, new, old)
+    for mistake in list(_mistakes(tree)):
+        _exchange(tree, mistake.old, mistake.new)
+        wrong = ast.unparse(tree)
+        _exchange(tree, mistake.new, mistake.old)
+        yield Mutant(mistake.place, mistake.before, mistake.after, wrong)
+
+
+def names(source: str) -> Iterator[tuple[str, str]]:
+    """(place, after) of every mutant of a module, in a tenth of the time."""
+    for mistake in _mistakes(ast.parse(source)):
+        yield mistake.place, mistake.after
+
+
+@dataclass(frozen=True, slots=True)
+class _Mistake:
+    """One node of a tree, and what may stand in its place; the rest as in `Mutant`."""
+
+    old: ast.AST
+    new: ast.AST
+    place: str
+    before: str
+    after: str
+
+
+def _mistakes(tree: ast.Module) -> Iterator[_Mistake]:
+    for place, statement, old, new in list(_mutations(tree, "", tree.body[0])):
+        alone = ast.Module([_without_body(statement)], [])
+        right = ast.unparse(alone)
+        _exchange(alone, old, new)
+        wrong = ast.unparse(alone)
+        _exchange(alone, new, old)
         if wrong != right:
-            yield Mutant(place, *_changed_line(right, wrong), wrong)
+            yield _Mistake(old, new, place, *_changed_line(right, wrong))
 
 
-def _replaced(tree: ast.Module, old: ast.AST, new: ast.AST) -> ast.Module:
-    """The tree with one node exchanged in place."""
+def _without_body(statement: ast.stmt) -> ast.stmt:
+    """The statement itself, or the head alone, made of the same nodes, if it holds others."""
+    if not hasattr(statement, "body"):
+        return statement
+    head = copy.copy(statement)
+    for field, empty in (("body", [ast.Pass()]), ("orelse", [])):
+        if hasattr(head, field):
+            setattr(head, field, empty)
+    return head
+
+
+def _exchange(tree: ast.AST, old: ast.AST, new: ast.AST) -> None:
+    """One node for another, in place."""
 
     class Exchange(ast.NodeTransformer):
         def visit(self, node: ast.AST) -> ast.AST:
             return new if node is old else self.generic_visit(node)
 
-    exchanged: ast.Module = Exchange().visit(tree)
-    return exchanged
+    Exchange().visit(tree)
 
 
 def _changed_line(right: str, wrong: str) -> tuple[str, str]:
@@ -86,24 +124,28 @@ def _changed_line(right: str, wrong: str) -> tuple[str, str]:
     return before.strip(), after.strip()
 
 
-def _mutations(node: ast.AST, place: str) -> Iterator[tuple[str, ast.AST, ast.AST]]:
-    """(function, node, what may stand in its place) for a node and all below it."""
+def _mutations(
+    node: ast.AST, place: str, statement: ast.stmt
+) -> Iterator[tuple[str, ast.stmt, ast.AST, ast.AST]]:
+    """(function, statement, node, what may stand in its place) for a node and all below it."""
     if isinstance(node, UNTOUCHED) or (isinstance(node, ast.keyword) and node.arg == "strict"):
         return  # of zip: a check of the code, not a part of the model
     if isinstance(node, ast.Assign) and ast.unparse(node.targets[0]) == "__all__":
         return
     if isinstance(node, ast.FunctionDef | ast.ClassDef):
         place = f"{place}.{node.name}".lstrip(".")
+    if isinstance(node, ast.stmt):
+        statement = node
     for new in _alternatives(node):
-        yield place, node, new
+        yield place, statement, node, new
     for part, new in _alternatives_of_parts(node):
-        yield place, part, new
+        yield place, part if isinstance(part, ast.stmt) else statement, part, new
     for field, value in ast.iter_fields(node):
         if field in UNTOUCHED_FIELDS:
             continue
         for child in value if isinstance(value, list) else [value]:
             if isinstance(child, ast.AST):
-                yield from _mutations(child, place)
+                yield from _mutations(child, place, statement)
 
 
 def _alternatives(node: ast.AST) -> Iterator[ast.AST]:

@@ -4,7 +4,8 @@ from pathlib import Path
 
 import pytest
 from mutation import trial
-from mutation.mutants import mutants
+from mutation.__main__ import EQUIVALENT, read_names
+from mutation.mutants import mutants, names
 from mutation.scores import Row, Score, read_table, write_table
 from mutation.trial import MODELS, survives
 
@@ -87,6 +88,20 @@ def test_a_mutant_is_named_by_its_function_and_differs_in_one_line() -> None:
     for mutant in found:
         lines = zip(source.splitlines(), mutant.source.splitlines(), strict=False)
         assert sum(a != b for a, b in lines if b) == 1 or "\n\n" in mutant.source
+
+
+def test_mutants_have_their_names_without_being_made() -> None:
+    source = (MODELS / "color.py").read_text("utf-8")
+    assert list(names(source)) == [(mutant.place, mutant.after) for mutant in mutants(source)]
+
+
+def test_what_is_listed_as_equivalent_is_a_mutant_of_the_models_as_they_are() -> None:
+    known = {
+        f"{file.stem}.{place}: {after}"
+        for file in MODELS.glob("[!_]*.py")
+        for place, after in names(file.read_text("utf-8"))
+    }
+    assert sorted(read_names(EQUIVALENT) - known) == []
 
 
 def test_a_test_that_looks_notices_and_one_that_does_not_look_does_not(tmp_path: Path) -> None:
