@@ -38,8 +38,10 @@ def cubic_warp(x_px: ArrayLike, y_px: ArrayLike, source_shape: tuple[int, int]) 
     """The warp that reads pictures of ``source_shape`` = (H, W) at ``x_px``, ``y_px`` (h, w).
 
     All 4 x 4 neighbours must lie on the picture: x from 1 to W − 2, and y likewise. Raises
-    `ValueError` elsewhere, for NaN too.
+    `ValueError` elsewhere, for NaN too, and for pictures that have not so many pixels.
     """
+    if min(source_shape) < TAPS:
+        raise ValueError(f"source_shape {source_shape}; legal: {TAPS} x {TAPS} or more")
     height, width = source_shape
     column, across = _taps("x_px", np.asarray(x_px, float), width)
     row, down = _taps("y_px", np.asarray(y_px, float), height)

@@ -50,6 +50,14 @@ def test_the_last_legal_place_is_a_pixel_of_the_picture():
     np.testing.assert_array_equal(read(PLANES, x, y)[:, 0], expected)
 
 
+def test_the_smallest_picture_has_as_many_pixels_as_the_kernel():
+    picture = np.arange(16, dtype=np.float32).reshape(1, 4, 4)
+    assert warp(cubic_warp([[1.0, 2.0]], [[1.0, 2.0]], (4, 4)), picture).tolist() == [[[5, 10]]]
+    for shape in ((3, 4), (4, 3)):
+        with pytest.raises(ValueError, match="legal: 4 x 4 or more"):
+            cubic_warp([[1.0]], [[1.0]], shape)
+
+
 def test_one_table_serves_any_number_of_planes_and_any_layout():
     table = cubic_warp(X, Y, (HEIGHT, WIDTH))
     interleaved = np.ascontiguousarray(PLANES.transpose(1, 2, 0)).transpose(2, 0, 1)
