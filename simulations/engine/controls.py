@@ -70,7 +70,7 @@ class Slider:
             ) from None
         if not math.isfinite(number):
             raise ControlError(f"{self.name}: {raw!r} is not finite; legal: {self.legal}")
-        return number
+        return number + 0.0  # −0 would be written with its sign
 
     def check(self, raw: object) -> float:
         """``raw`` as a number in range; an author's mistake raises."""

@@ -199,5 +199,27 @@ TABLE = ExtremeTable(
             returns="The identity, to rounding.",
             expected=near(np.eye(3), 1e-14),
         ),
+        ExtremeCase(
+            id="white-without-luminance",
+            call="xyz_to_lab([0.1, 0.2, 0.3], (0.3, 0.0))",
+            why="A white of y = 0: its X and Z are infinite.",
+            returns="Refused.",
+            expected=refused("chromaticity", "0.0"),
+        ),
+        ExtremeCase(
+            id="mean-with-alpha",
+            call="grey_world(np.ones((2, 3, 4)))",
+            why="24 numbers fall into eight triples as well, of mixed channels.",
+            returns="Refused: three channels.",
+            expected=refused("(2, 3, 4)", "(..., 3)"),
+            naive="np.ones((2, 3, 4)).reshape(-1, 3).mean(axis=0)",
+        ),
+        ExtremeCase(
+            id="half-precision",
+            call="decode_srgb(encode_srgb(np.float16(1e-3))) / 1e-3",
+            why="Pictures are stored in half precision. Its eleven bits are too few to compute in.",
+            returns="1 to the four digits that were stored: computed in float32.",
+            expected=lambda got: got.dtype == np.float32 and abs(got - 1.0) < 5e-4,
+        ),
     ),
 )

@@ -164,5 +164,12 @@ TABLE = ExtremeTable(
             expected=refused("crop 5"),
             naive="np.float64(0.0) / 0",
         ),
+        ExtremeCase(
+            id="score-of-a-glare",
+            call="psnr_db(np.full((20, 20), inf), np.zeros((20, 20)))",
+            why="The logarithm of 1/∞.",
+            returns="−∞ dB.",
+            expected=exactly(-np.inf),
+        ),
     ),
 )

@@ -241,5 +241,20 @@ TABLE = ExtremeTable(
             expected=lambda got: not got[1],
             naive="np.arctan2(0.0, 0.0)",
         ),
+        ExtremeCase(
+            id="infinite-point",
+            call="distort([inf, 0.0], PINCUSHION)",
+            why="∞ divided by ∞ on the way.",
+            returns="The horizon stays on its side.",
+            expected=exactly(np.array([np.inf, 0.0])),
+            naive="np.array([np.inf, 0.0]) * (1 + 0.5 * np.inf)",
+        ),
+        ExtremeCase(
+            id="three-coordinates",
+            call="distort([0.1, 0.2, 1.0], BARREL)",
+            why="A homogeneous point: its first two entries alone would seem to do.",
+            returns="Refused.",
+            expected=refused("(3,)", "(..., 2)"),
+        ),
     ),
 )

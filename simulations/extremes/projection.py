@@ -291,5 +291,19 @@ TABLE = ExtremeTable(
             expected=refused("last row"),
             naive="(P @ [1.0, 2.0, 4.0, 1.0])[:2]",
         ),
+        ExtremeCase(
+            id="focal-length-of-another-kind",
+            call="intrinsics(np.int64(800), (320.0, 240.0))[0, 0]",
+            why="Neither a Python number nor a pair of them.",
+            returns="800, for both axes.",
+            expected=exactly(800.0),
+        ),
+        ExtremeCase(
+            id="homogeneous-by-mistake",
+            call="project([1.0, 2.0, 4.0, 1.0], K)",
+            why="Four numbers where three are asked for.",
+            returns="Refused.",
+            expected=refused("(4,)", "(..., 3)"),
+        ),
     ),
 )

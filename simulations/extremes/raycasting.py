@@ -170,5 +170,19 @@ TABLE = ExtremeTable(
             expected=exactly(0.0),
             naive="(1.0 / np.float64(0.0)) ** 2",
         ),
+        ExtremeCase(
+            id="beyond-all-squares",
+            call="Sphere((0.0, 0.0, 0.0), 1e200)",
+            why="Its squared radius is no number.",
+            returns="Refused.",
+            expected=refused("radius", "1e+200"),
+        ),
+        ExtremeCase(
+            id="eye-nowhere",
+            call="intersect(BALL, (inf, 0.0, 0.0), AHEAD)",
+            why="From infinity every ray misses and every distance is infinite.",
+            returns="Refused: what a hit holds is finite.",
+            expected=refused("origin", "inf"),
+        ),
     ),
 )

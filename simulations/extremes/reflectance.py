@@ -176,5 +176,19 @@ TABLE = ExtremeTable(
             returns="Darkness.",
             expected=exactly([0.0, 0.0, 0.0]),
         ),
+        ExtremeCase(
+            id="undefined-highlight",
+            call="phong((0.0, 0.0, 1.0), (0.0, 0.0, 1.0), (0.0, 0.0, 1.0), specular=nan)",
+            why="A single undefined parameter would blacken or blanch the whole picture.",
+            returns="Refused, by name.",
+            expected=refused("specular", "nan"),
+        ),
+        ExtremeCase(
+            id="negative-lamp",
+            call="PointLight((0.0, 0.0, 1.0), (1.0, -1.0, 1.0))",
+            why="A lamp that takes light away.",
+            returns="Refused.",
+            expected=refused("intensity", "-1.0"),
+        ),
     ),
 )

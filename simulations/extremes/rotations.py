@@ -266,5 +266,12 @@ TABLE = ExtremeTable(
             returns="Refused, listing what is legal.",
             expected=refused("xyY", "upper case"),
         ),
+        ExtremeCase(
+            id="no-rotations-at-all",
+            call="logarithm(np.empty((0, 3, 3))).shape",
+            why="The largest of no numbers is undefined.",
+            returns="No rotation vectors.",
+            expected=lambda got: got == (0, 3),
+        ),
     ),
 )

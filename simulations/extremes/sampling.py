@@ -191,5 +191,21 @@ TABLE = ExtremeTable(
             expected=refused("-0.5"),
             naive="np.divide(1.0, 0.0)",
         ),
+        ExtremeCase(
+            id="rings-finer-than-numbers",
+            call="zone_plate_area(inf, 0.0, 9.0)",
+            why="The mean over a pixel contains sin(∞).",
+            returns="1/2: the rings average out.",
+            expected=exactly(0.5),
+            naive="np.sinc(np.inf)",
+        ),
+        ExtremeCase(
+            id="film-of-23.976",
+            call="alias_frequency(np.float32(47.952), 24000 / 1001)",
+            why="In single precision the rate of film for television is not the same number.",
+            returns="The small difference from two turns a frame, in double precision.",
+            expected=near(float(np.float32(47.952)) - 48000 / 1001, 1e-15),
+            naive="float(np.fmod(np.float32(47.952), np.float32(24000 / 1001)))",
+        ),
     ),
 )

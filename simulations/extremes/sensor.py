@@ -189,5 +189,33 @@ TABLE = ExtremeTable(
             expected=refused("levels"),
             naive="np.divide(20.0 - 20.0, 100.0 - 100.0)",
         ),
+        ExtremeCase(
+            id="light-beyond-all-numbers",
+            call="expose(1e30, 1e300, SENSOR)",
+            why="The product overflows.",
+            returns="∞, which is legal light: it fills every well.",
+            expected=exactly(np.inf),
+        ),
+        ExtremeCase(
+            id="endless-warmth",
+            call="Sensor(dark_current_e_per_s=inf)",
+            why="In an exposure of no time, ∞ · 0 electrons.",
+            returns="Refused.",
+            expected=refused("dark_current_e_per_s", "inf"),
+        ),
+        ExtremeCase(
+            id="a-well-too-deep-to-count",
+            call="shot_noise(1.0, rng(), 1e20)",
+            why="Above 9 · 10¹⁵ neighbouring whole numbers are the same float.",
+            returns="Refused, and ∞, a well without an end, is legal.",
+            expected=refused("full_well_e", "1e+20"),
+        ),
+        ExtremeCase(
+            id="curve-without-noise",
+            call="estimate_gain([100.0, 200.0], [3.0, 3.0])",
+            why="A slope of 0 but for rounding, of which one over is the gain.",
+            returns="Refused: where the variance does not rise, no shot noise is seen.",
+            expected=refused("variance", "does not rise"),
+        ),
     ),
 )

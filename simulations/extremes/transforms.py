@@ -213,5 +213,12 @@ TABLE = ExtremeTable(
             expected=invalid,
             naive="np.arctan2(0.0, 0.0)",
         ),
+        ExtremeCase(
+            id="far-from-both-origins",
+            call="estimate_homography(SQUARE + 1e6, SQUARE + 1e6)",
+            why="In a land survey w is a difference of numbers a million times as large.",
+            returns="Invalid: rounding the nine entries would move the corners too far.",
+            expected=invalid,
+        ),
     ),
 )

@@ -241,7 +241,10 @@ def estimate_gain(mean_dn: ArrayLike, variance_dn: ArrayLike) -> float:
         raise ValueError(f"{mean.size} levels; legal: two or more that differ")
     slope, _ = np.polyfit(mean, variance, 1, w=1 / np.maximum(variance, 1e-12))
     if not slope * np.ptp(mean) > 1e-9 * np.abs(variance).max():
-        raise ValueError(f"variance falls or stays, slope {slope:.3g}; legal: rises with the mean")
+        low, high = float(variance.min()), float(variance.max())
+        raise ValueError(
+            f"variance of {low:g} to {high:g} does not rise with the mean; legal: shot noise seen"
+        )
     return float(1 / slope)
 
 

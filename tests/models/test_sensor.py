@@ -376,8 +376,8 @@ def test_noise_beyond_all_light_leaves_no_signal():
 @pytest.mark.parametrize(
     ("mean", "variance", "message"),
     [
-        ([1.0, 2.0], [3.0, 3.0], "rises with the mean"),
-        ([1.0, 2.0], [3.0, 2.0], "rises with the mean"),
+        ([1.0, 2.0], [3.0, 3.0], "does not rise with the mean"),
+        ([1.0, 2.0], [3.0, 2.0], "does not rise with the mean"),
         ([1.0, np.nan], [1.0, 2.0], "not finite"),
         ([1.0, 2.0], [1.0, np.inf], "not finite"),
         ([1.0, 2.0, 3.0], [1.0, 2.0], r"both \(N,\)"),

@@ -117,3 +117,8 @@ def test_a_description_is_plain_data_with_the_contract_s_keys(control: Control) 
         assert (entry["min"], entry["max"], entry["step"]) == (0.5, 20.0, 0.25)
     if control is KIND:
         assert entry["options"] == ["rigid", "affine"]
+
+
+def test_minus_zero_is_zero() -> None:
+    tilt = Slider(name="tilt", label="Tilt", default=0, minimum=-1, maximum=1, step=0.5)
+    assert str(tilt.clamp(-0.0)) == str(tilt.check("-0")) == "0.0"
