@@ -58,4 +58,3 @@ def lab_distance(lab: ArrayLike, other: ArrayLike) -> Array:
         difference = as_colours(lab) - as_colours(other)
         distance: Array = np.sqrt(np.square(difference).sum(axis=-1))
     return distance
-

@@ -192,4 +192,3 @@ def _apply(matrix: Array, colours: ArrayLike) -> Array:
     with np.errstate(over="ignore", invalid="ignore"):
         product: Array = values @ matrix.T.astype(values.dtype)
     return product
-
