@@ -8,6 +8,7 @@ from simulations.engine.frame import Panel, Readout, StageReport, format_number
 from simulations.engine.scene import Scene
 from simulations.registry import load_ladder
 from site_builder.embedding import json_for_html
+from site_builder.quantities import with_unit
 from site_builder.stills import Still
 
 SHOW_STAGES_FROM = 10
@@ -144,9 +145,8 @@ def value_text(control: Control, value: Value) -> str:
     """The value as ``controls.js`` writes it: ``f/2.8``, ``5.0 m``, ``30°``."""
     match control:
         case Slider():
-            space = "" if control.unit in ("", "°") else "\u00a0"
             number = format_number(float(value), control.decimals)
-            return f"{control.prefix}{number}{space}{control.unit}"
+            return with_unit(f"{control.prefix}{number}", control.unit)
         case Action():
             return control.labels[int(value)]
         case Choice():

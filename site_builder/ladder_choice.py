@@ -6,7 +6,7 @@ The front is the browser's, where the book runs, by the ladder's first metric.
 from dataclasses import dataclass
 
 from site_builder.measurements import MeasuredLadder, MeasuredTier
-from site_builder.quantities import error_text, milliseconds, quantity
+from site_builder.quantities import error_text, milliseconds, quantity, with_unit
 
 SIDE = "browser"
 
@@ -90,4 +90,4 @@ def _numbers(measured: MeasuredLadder, item: MeasuredTier) -> str:
 def _error(measured: MeasuredLadder, item: MeasuredTier) -> str:
     unit = measured.metric.unit
     text = error_text(item.errors[measured.metric.id], unit)
-    return "no error" if text == "none" else f"{text}{'' if unit == '°' else '\u00a0'}{unit}"
+    return "no error" if text == "none" else with_unit(text, unit)

@@ -34,3 +34,9 @@ def error_text(value: float | None, unit: str) -> str:
     if unit == "dB":
         return format_number(value, 1)
     return "none" if value == 0.0 else quantity(value)
+
+
+def with_unit(text: str, unit: str) -> str:
+    """``16.0 px``, on one line; degrees stand close, and what has no unit stands alone."""
+    space = "" if unit in ("", "°") else "\u00a0"
+    return f"{text}{space}{unit}"

@@ -10,9 +10,8 @@ the machine was: ``processor``, ``python``, ``numpy``, ``browser``, ``pyodide``.
 
 from site_builder.diagnostics import unknown
 from site_builder.ladder_view import verdict
-from site_builder.markdown.text_role import with_unit
 from site_builder.measurements import SIDES, MeasuredLadder, MeasurementError, Measurements
-from site_builder.quantities import error_text, milliseconds, quantity
+from site_builder.quantities import error_text, milliseconds, quantity, with_unit
 
 COUNTS = ("ladders", "tiers", "beaten")
 LEGAL = "legal: 'LADDER TIER native|browser|METRIC|verdict', or 'LADDER TIER over TIER …'"

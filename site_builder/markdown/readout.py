@@ -15,7 +15,7 @@ from simulations.engine.pipeline import StageCache
 from simulations.engine.scene import Scene
 from simulations.registry import UnknownIdError
 from site_builder.diagnostics import cause, unknown
-from site_builder.markdown.text_role import with_unit
+from site_builder.quantities import with_unit
 
 LEGAL = "legal: 'SCENE READOUT [CONTROL=VALUE …] [tier=ID] [bare]', each control once"
 

@@ -12,8 +12,6 @@ from markdown_it.rules_inline import StateInline
 from markdown_it.token import Token
 from markdown_it.utils import EnvType, OptionsDict
 
-NO_BREAK_SPACE = "\u00a0"
-
 
 def text_role(parser: MarkdownIt, name: str) -> None:
     """``{name}`words``` becomes a token ``name`` that holds the words, until annotation replaces
@@ -21,12 +19,6 @@ def text_role(parser: MarkdownIt, name: str) -> None:
     pattern = re.compile(rf"\{{{name}\}}`([^`\n]+)`")
     parser.inline.ruler.before("role", name, partial(_rule, name, pattern))
     parser.add_render_rule(name, _render)
-
-
-def with_unit(text: str, unit: str) -> str:
-    """``16.0 px``, on one line; degrees stand close, and what has no unit stands alone."""
-    space = "" if unit in ("", "°") else NO_BREAK_SPACE
-    return f"{text}{space}{unit}"
 
 
 def _rule(name: str, pattern: re.Pattern[str], state: StateInline, silent: bool) -> bool:

@@ -1,3 +1,5 @@
+import { setText } from "./text.js";
+
 /** Milliseconds of rest after which a changed description is read out. */
 const REST = 500;
 
@@ -13,8 +15,6 @@ export function announcer(element) {
   let timer = 0;
   return (text) => {
     clearTimeout(timer);
-    timer = setTimeout(() => {
-      if (element.textContent !== text) element.textContent = text;
-    }, REST);
+    timer = setTimeout(() => setText(element, text), REST);
   };
 }

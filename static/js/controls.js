@@ -10,6 +10,8 @@
  *   drafted_in: Record<string, string[]>}} Schema
  */
 
+import { setText, withUnit } from "./text.js";
+
 /** @param {HTMLFormElement} form @param {Control[]} controls @returns {Record<string, any>} */
 export function readValues(form, controls) {
   return Object.fromEntries(controls.map((control) => [control.name, read(form, control)]));
@@ -49,8 +51,7 @@ export function showSliderValue(form, control) {
   const input = controlElement(form, control.name);
   const text = formatValue(control, input.valueAsNumber);
   input.setAttribute("aria-valuetext", text);
-  const shown = input.closest(".control")?.querySelector(".control-value");
-  if (shown && shown.textContent !== text) shown.textContent = text;
+  setText(input.closest(".control")?.querySelector(".control-value"), text);
 }
 
 /** The button's next label. */
@@ -69,6 +70,5 @@ export function setActionState(button, control, state) {
 export function formatValue(control, value) {
   const number = value.toFixed(control.decimals ?? 0);
   const signed = Number(number) === 0 ? number.replace("-", "") : number.replace("-", "\u2212");
-  const unit = control.unit ? (control.unit === "°" ? "°" : `\u00a0${control.unit}`) : "";
-  return `${control.prefix ?? ""}${signed}${unit}`;
+  return withUnit(`${control.prefix ?? ""}${signed}`, control.unit ?? "");
 }

@@ -8,6 +8,8 @@
  * @typedef {{panels: Panel[], readouts: Readout[], description: string}} Meta
  */
 
+import { setText } from "./text.js";
+
 /** @param {HTMLElement} figure @param {Meta} meta @param {ArrayBuffer[]} rasters */
 export function paint(figure, meta, rasters) {
   let next = 0;
@@ -59,9 +61,4 @@ function paintReadout(figure, readout) {
   unit?.classList.toggle("close", readout.unit === "°");
   const classes = readout.role ? `readout role-${readout.role}` : "readout";
   if (box.className !== classes) box.className = classes;
-}
-
-/** @param {Element | null | undefined} element @param {string} text */
-function setText(element, text) {
-  if (element && element.textContent !== text) element.textContent = text;
 }

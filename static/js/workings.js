@@ -5,6 +5,8 @@
  * @typedef {{name: string, status: "computed" | "reused" | "skipped", reason: string}} Stage
  */
 
+import { setText, withUnit } from "./text.js";
+
 /** Milliseconds without a new frame after which the error is measured. */
 const REST = 400;
 /** Anything that the reader waits for goes before it. */
@@ -66,7 +68,7 @@ export class Accuracy {
     this.stop();
     this.#frames += 1;
     setText(this.line.querySelector(".accuracy-frame"), this.#frames > 1 ? "frame" : "first frame");
-    setText(this.line.querySelector(".accuracy-ms"), `${ms.toFixed(ms < 10 ? 1 : 0)}\u00a0ms`);
+    setText(this.line.querySelector(".accuracy-ms"), withUnit(ms.toFixed(ms < 10 ? 1 : 0), "ms"));
     setText(this.line.querySelector(".accuracy-value"), "…");
     delete this.line.dataset.judged;
     if (!settled) return;
@@ -114,12 +116,6 @@ export class Accuracy {
 
   #write({ label, text, unit }) {
     setText(this.line.querySelector(".accuracy-label"), label);
-    const gap = unit === "" || unit === "°" ? "" : "\u00a0";
-    setText(this.line.querySelector(".accuracy-value"), text + gap + unit);
+    setText(this.line.querySelector(".accuracy-value"), withUnit(text, unit));
   }
-}
-
-/** @param {Element | null} element @param {string} text */
-function setText(element, text) {
-  if (element && element.textContent !== text) element.textContent = text;
 }

@@ -13,7 +13,7 @@ from simulations.engine.frame import StageReport
 from simulations.registry import SCENE_MODULES, load_scene
 from site_builder.axes import linear_axis, log_axis
 from site_builder.figure_view import count_stages, value_text
-from site_builder.quantities import milliseconds
+from site_builder.quantities import milliseconds, with_unit
 
 pytestmark = pytest.mark.browser
 
@@ -40,6 +40,12 @@ def test_the_value_beside_a_slider(plain_reader: Reader) -> None:
                     calls.append([describe(control), value])
                     texts.append(value_text(control, value))
     assert ask(plain_reader, "controls", "formatValue", calls) == texts
+
+
+def test_a_number_and_its_unit(plain_reader: Reader) -> None:
+    calls = [["16.0", "px"], ["30", "°"], ["none", ""], ["0.3", "codes of 255"]]
+    texts = [with_unit(text, unit) for text, unit in calls]
+    assert ask(plain_reader, "text", "withUnit", calls) == texts
 
 
 def test_milliseconds_in_the_table_of_a_ladder(plain_reader: Reader) -> None:
