@@ -2,12 +2,10 @@
 
 import numpy as np
 import pytest
-import scipy.ndimage
 
 from simulations.engine.ladder import pareto_front
 from simulations.ladders.depth_of_field import LADDER, LENS_RADIUS, prepare, psnr_db, reference
 from simulations.models.aperture import fibonacci_disc, random_disc
-from simulations.models.screen_blur import binned_gaussian, gather_discs
 from simulations.models.vignetting import disc_overlap_area
 from simulations.pictures import cards
 
@@ -15,7 +13,6 @@ WORK = prepare()
 TRUTH = reference(WORK)
 PSNR = {tier.id: psnr_db(tier.run(WORK), TRUTH, WORK) for tier in LADDER.tiers}
 FILTERS = ("discs", "binned", "gather")
-NOISE = np.random.default_rng(1).random((3, 40, 50)).astype(np.float32)
 
 
 def test_filters_improve_on_a_pinhole_and_layers_on_filters() -> None:
@@ -94,37 +91,3 @@ def test_no_points_at_all_are_refused() -> None:
         fibonacci_disc(0)
     with pytest.raises(ValueError, match=r"count 0; legal: 1 or more"):
         random_disc(0, (), np.random.default_rng(0))
-
-
-def test_a_single_gaussian_agrees_with_scipy() -> None:
-    ours = binned_gaussian(NOISE, np.full((40, 50), 3.0))
-    theirs = [scipy.ndimage.gaussian_filter(plane, 1.5, truncate=4) for plane in NOISE]
-    np.testing.assert_allclose(ours, theirs, atol=1e-5)
-
-
-def test_gathering_within_one_depth_is_a_convolution_with_the_disc() -> None:
-    impulse = np.zeros((1, 21, 21), np.float32)
-    impulse[0, 10, 10] = 1
-    spread = gather_discs(impulse, np.full((21, 21), 4.0), np.ones((21, 21)))
-    reached = np.hypot(*(np.mgrid[:21, :21] - 10)) < 4.5
-    assert spread.sum() == pytest.approx(1, abs=1e-5)
-    assert spread[0][~reached].max() == 0
-    assert spread[0, 10, 10] == pytest.approx(1 / (np.pi * 16), rel=0.05)
-
-
-def test_a_blurred_background_does_not_leak_onto_a_sharp_thing_before_it() -> None:
-    bright_left = np.zeros((1, 20, 30), np.float32)
-    bright_left[..., :15] = 1
-    left = np.arange(30) < 15
-    depth = np.where(left, 9.0, 3.0) + np.zeros((20, 1))
-    radius = np.where(left, 4.0, 0.0) + np.zeros((20, 1))
-    gathered = gather_discs(bright_left, radius, depth)
-    np.testing.assert_array_equal(gathered[..., 15:], 0)
-    filtered = binned_gaussian(bright_left, radius)
-    np.testing.assert_array_equal(filtered[..., 15:], 0)
-
-
-@pytest.mark.parametrize("bins", [0, 1])
-def test_fewer_than_two_bins_are_refused(bins: int) -> None:
-    with pytest.raises(ValueError, match=f"bins {bins}; legal: 2 or more"):
-        binned_gaussian(NOISE, np.ones((40, 50)), bins)

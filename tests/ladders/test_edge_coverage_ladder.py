@@ -2,18 +2,10 @@
 
 import numpy as np
 import pytest
-from hypothesis import given
-from hypothesis import strategies as st
 from scipy.integrate import quad
 
 from simulations.engine.ladder import pareto_front
 from simulations.ladders.edge_coverage import LADDER, RADIUS_PX, prepare, reference
-from simulations.models.edge_coverage import (
-    chord_length,
-    curved_edge_coverage,
-    ramp_coverage,
-    straight_edge_coverage,
-)
 
 WORK = prepare()
 TRUTH = reference(WORK)
@@ -23,11 +15,6 @@ MEASURED = {
     for metric in LADDER.metrics
 }
 RMS = MEASURED["rms"]
-ANGLES = st.floats(0, 2 * np.pi)
-
-
-def normal_at(angle: float) -> np.ndarray:
-    return np.array([np.cos(angle), np.sin(angle)])
 
 
 def test_the_reference_adds_up_to_the_area_of_the_disc() -> None:
@@ -47,54 +34,6 @@ def test_the_reference_agrees_with_adaptive_quadrature() -> None:
 
         area, _ = quad(covered, x - 0.5, x + 0.5, limit=200)
         assert TRUTH[row, column] == pytest.approx(area, abs=1e-7)
-
-
-@given(ANGLES, st.floats(-1, 1))
-def test_a_straight_edge_covers_what_a_fine_grid_of_points_counts(angle, distance) -> None:
-    line = (np.arange(200) + 0.5) / 200 - 0.5
-    n = normal_at(angle)
-    counted = np.mean(distance - n[0] * line - n[1] * line[:, None] > 0)
-    assert straight_edge_coverage(distance, n) == pytest.approx(counted, abs=0.006)
-
-
-@given(ANGLES, st.floats(-2, 2))
-def test_coverage_and_what_is_left_make_a_whole_pixel(angle, distance) -> None:
-    n = normal_at(angle)
-    both = straight_edge_coverage(distance, n) + straight_edge_coverage(-distance, -n)
-    assert both == pytest.approx(1, abs=1e-12)
-
-
-@given(ANGLES, st.floats(-0.7, 0.7))
-def test_the_chord_is_the_slope_of_the_coverage(angle, distance) -> None:
-    n, step = normal_at(angle), 1e-6
-    rise = straight_edge_coverage(distance + step, n) - straight_edge_coverage(distance - step, n)
-    corners = (abs(n[0]) + abs(n[1])) / 2, abs(abs(n[0]) - abs(n[1])) / 2
-    if min(abs(abs(distance) - corner) for corner in corners) > 1e-4:
-        assert chord_length(distance, n) == pytest.approx(rise / (2 * step), abs=1e-4)
-
-
-@pytest.mark.parametrize("distance", [-0.6, -0.5, -0.2, 0.0, 0.3, 0.5, 2.0])
-def test_on_an_edge_along_the_grid_the_ramp_is_exact(distance: float) -> None:
-    expected = ramp_coverage(distance)
-    assert straight_edge_coverage(distance, [1.0, 0.0]) == pytest.approx(expected, abs=1e-12)
-    assert straight_edge_coverage(distance, [0.0, -1.0]) == pytest.approx(expected, abs=1e-12)
-
-
-def test_a_diagonal_edge_cuts_off_a_triangle() -> None:
-    diagonal = np.array([1.0, 1.0]) / np.sqrt(2)
-    legs = 0.4
-    distance = np.sqrt(0.5) - legs / np.sqrt(2)
-    assert straight_edge_coverage(distance, diagonal) == pytest.approx(1 - legs**2 / 2)
-
-
-def test_an_edge_far_away_covers_all_or_nothing_even_at_infinity() -> None:
-    far = [np.inf, 1e300, 3.0, -3.0, -np.inf]
-    for coverage in (
-        ramp_coverage(far),
-        straight_edge_coverage(far, [0.6, 0.8]),
-        curved_edge_coverage(far, [0.6, 0.8], 0.1),
-    ):
-        assert coverage.tolist() == [1, 1, 1, 0, 0]
 
 
 def test_counting_errs_with_the_power_minus_three_halves_of_the_samples_along_a_side() -> None:

@@ -10,17 +10,11 @@ from simulations.engine.ladder import pareto_front
 from simulations.ladders import inverse_pincushion
 from simulations.ladders.inverse_distortion import LADDER, prepare, reference, rms_px, worst_px
 from simulations.models.distortion import Distortion, distort
-from simulations.models.undistortion import (
-    undistort_first_order,
-    undistort_fixed_point,
-    undistort_newton,
-    undistort_table,
-)
+from simulations.models.undistortion import undistort_table
 
 WORK = prepare()
 TRUTH = reference(WORK)
 RMS_PX = {tier.id: rms_px(tier.run(WORK), TRUTH, WORK) for tier in LADDER.tiers}
-RADII = np.stack((np.linspace(0.01, 0.9, 50), np.zeros(50)), axis=-1)
 
 
 def test_the_reference_is_imaged_back_onto_the_pixels() -> None:
@@ -48,28 +42,6 @@ def test_more_steps_buy_orders_of_magnitude(better: str, worse: str, at_least: f
     assert RMS_PX[worse] > at_least * RMS_PX[better]
 
 
-def test_first_order_errs_by_twice_k1_squared_times_the_fifth_power_of_the_radius() -> None:
-    lens = Distortion(k1=1e-3)
-    error = RADII - undistort_first_order(distort(RADII, lens), lens)
-    np.testing.assert_allclose(error[:, 0], 2e-6 * RADII[:, 0] ** 5, rtol=0.01)
-
-
-def test_a_fixed_point_step_shrinks_the_error_by_the_slope_of_its_map() -> None:
-    lens, radius = Distortion(k1=-0.2), 0.7
-    seen = distort(np.array([radius, 0.0]), lens)
-    errors = [undistort_fixed_point(seen, lens, steps)[0] - radius for steps in (11, 12)]
-    slope = 2 * lens.k1 * radius**2 / (1 + lens.k1 * radius**2)
-    assert abs(errors[1] / errors[0]) == pytest.approx(abs(slope), rel=1e-2)
-
-
-def test_a_newton_step_squares_the_error() -> None:
-    lens = Distortion(k1=-0.2)
-    seen = distort(np.array([0.9, 0.0]), lens)
-    errors = [abs(undistort_newton(seen, lens, steps)[0] - 0.9) for steps in (1, 2, 3)]
-    ratios = np.log(errors[1:]) / np.log(errors[:-1])
-    assert np.all(ratios > 1.7)
-
-
 def test_a_table_twice_as_long_errs_a_quarter_as_much() -> None:
     errors = [
         rms_px(undistort_table(WORK.seen, WORK.lens, entries), TRUTH, WORK)
@@ -77,25 +49,6 @@ def test_a_table_twice_as_long_errs_a_quarter_as_much() -> None:
     ]
     assert errors[0] / errors[1] == pytest.approx(4.0, rel=0.1)
     assert errors[1] / errors[2] == pytest.approx(4.0, rel=0.1)
-
-
-def test_a_table_ends_at_the_fold() -> None:
-    lens = Distortion(k1=-0.5)  # folds at r = 0.816
-    inside = RADII[RADII[:, 0] < 0.75]
-    result = undistort_table(distort(inside, lens), lens)
-    np.testing.assert_allclose(result, inside, atol=1e-5)
-
-
-@pytest.mark.parametrize("run", [undistort_newton, undistort_fixed_point])
-def test_the_axis_stays_where_it_is(run) -> None:
-    assert run(np.zeros(2), Distortion(k1=-0.3), 3).tolist() == [0.0, 0.0]
-
-
-def test_fixed_point_diverges_in_strong_pincushion_where_newton_does_not() -> None:
-    lens, ideal = Distortion(k1=1.0), np.array([1.5, 0.0])
-    seen = distort(ideal, lens)
-    assert abs(undistort_fixed_point(seen, lens, 200)[0] - 1.5) > 0.1
-    assert undistort_newton(seen, lens, 12)[0] == pytest.approx(1.5, abs=1e-12)
 
 
 def test_the_default_is_not_beaten_in_both_work_and_error() -> None:
