@@ -118,23 +118,17 @@ def test_a_wider_tie_is_rounded_outwards_as_well():
     np.testing.assert_array_equal(compression.round_outwards(nearly, 5e-4), [3, -3, 2, 1])
 
 
-@pytest.mark.parametrize(
-    ("dtype", "off", "kept"),
-    [
-        (np.float32, -4e-4, 3),
-        (np.float32, -6e-4, 2),
-        (np.float64, -4e-4, 2),
-        (np.float64, -5e-10, 3),
-    ],
-)
-def test_halves_are_told_as_well_as_the_transforms_numbers_can(dtype, off, kept):
-    """A transform that comes out ``off`` from the half of 2.5 that it should."""
+@pytest.mark.parametrize(("dtype", "tie"), [(np.float32, 5e-4), (np.float64, 1e-9)])
+@pytest.mark.parametrize("sign", [1, -1])
+@pytest.mark.parametrize(("ties_off", "kept"), [(-1.05, 2), (-0.95, 3), (0, 3), (0.95, 3)])
+def test_halves_are_told_as_well_as_the_transforms_numbers_can(dtype, tie, sign, ties_off, kept):
+    """A transform that comes out so many ties from the half of 2.5 that it should."""
 
     def transform(blocks):
-        return np.full(blocks.shape, 2.5 + off, dtype)
+        return np.full(blocks.shape, sign * (2.5 + ties_off * tie), dtype)
 
     codes = compression.quantise_plane(np.zeros((8, 8)), np.ones((8, 8)), transform)
-    assert (codes == kept).all()
+    assert (codes == sign * kept).all()
 
 
 @pytest.mark.parametrize("shape", [(8, 8), (13, 30), (1, 1), (24, 7)])
