@@ -2,6 +2,7 @@
 
 from collections.abc import Mapping
 from dataclasses import dataclass
+from functools import cache
 from pathlib import Path
 
 from jinja2 import Environment, FileSystemLoader, StrictUndefined
@@ -136,7 +137,9 @@ def _page(site: Site, template: str, root: str, **context: object) -> str:
     )
 
 
+@cache
 def _environment() -> Environment:
+    """Kept, so that each template is compiled once a build and not once a page."""
     return Environment(
         loader=FileSystemLoader(TEMPLATES),
         autoescape=True,
