@@ -117,6 +117,14 @@ def test_the_folder_of_assets_is_named_by_names_and_contents() -> None:
     }
 
 
+def test_what_is_hidden_is_not_published(make_book: MakeBook) -> None:
+    hidden = {"static/css/.book.css.swp": "x", "static/.git/hooks/x.js": "x", "static/a.js": "x"}
+    published = render_site(make_book(files=hidden))
+    names = {path.split("/", 2)[2] for path in published if path.startswith("assets/")}
+    assert "a.js" in names
+    assert not any("swp" in name or ".git" in name for name in names)
+
+
 def test_no_chapter_may_take_the_place_of_the_site_s_own_folders(make_book: MakeBook) -> None:
     body = ":::{source} simulations.models.thing:double\n:::\n"
     folders = {path.split("/")[0] for path in render_site(make_book(body)) if "/" in path}
