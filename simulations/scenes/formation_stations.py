@@ -108,7 +108,7 @@ class Station:
 def stations(journey: Journey) -> tuple[Station, ...]:
     """The ledger: seven stations, in the order of the light."""
     column, row = journey.pixel
-    percent = f"{format_number(100 * journey.relative_light, 1)} %"
+    percent = f"{format_number(100 * journey.relative_light, 1)}\u00a0%"
     counted = f"{journey.counted_e:.0f}"
     return (
         Station(

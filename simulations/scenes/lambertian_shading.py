@@ -121,7 +121,7 @@ def describe(values: Values, theta_rad: float, code: int) -> str:
         light = "from behind, so that the visible half is dark"
     else:
         share = round(50 * (1 + math.cos(math.radians(angle))))
-        light = f"from {facing:.0f}° to the {side}, so that {share} % of the disc is lit"
+        light = f"from {facing:.0f}° to the {side}, so that {share}\u00a0% of the disc is lit"
     theta = math.degrees(theta_rad)
     point = (
         f"makes {theta:.0f}° with the light, and its pixel value is {code}"

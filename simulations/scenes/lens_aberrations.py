@@ -149,7 +149,7 @@ def describe(values: Values, lens: Colours, corner: tuple[float, float]) -> str:
     share = corner[0] * corner[1]
     return (
         f"A test chart through a simple lens at f/{values.number('aperture'):.1f}: {fringe}, "
-        f"{soft}, and {100 * share:.0f} % of the centre’s light in the corners."
+        f"{soft}, and {100 * share:.0f}\u00a0% of the centre’s light in the corners."
     )
 
 

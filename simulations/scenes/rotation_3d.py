@@ -166,13 +166,12 @@ def describe(values: Values, smallest: float, off_rad: float, blend: Floats) -> 
         )
     chosen, share = values.choice("blend"), format_number(100 * values.number("t"), 0)
     volume = float(np.linalg.det(blend))
-    fault = (
-        f", shrunk to {format_number(100 * volume, 0)} % of its volume" if volume < 0.995 else ""
-    )
+    shrunk = f", shrunk to {format_number(100 * volume, 0)}\u00a0% of its volume"
+    fault = shrunk if volume < 0.995 else ""
     return (
         f"An aircraft at yaw {yaw}°, pitch {pitch}°, roll {roll}°. {locked}. On the way there by "
-        f"{LABELS[chosen]} it is at {share} %{fault}; the Euler angles miss the shortest way by "
-        f"{format_number(math.degrees(off_rad), 1)}°."
+        f"{LABELS[chosen]} it is at {share}\u00a0%{fault}; the Euler angles miss the shortest way "
+        f"by {format_number(math.degrees(off_rad), 1)}°."
     )
 
 

@@ -95,7 +95,7 @@ def share_verdict(change: float) -> str:
         return "kept"
     if math.isinf(change):
         return "changed without bound"
-    return f"changed by up to {format_number(100.0 * change, 1)} %"
+    return f"changed by up to {format_number(100.0 * change, 1)}\u00a0%"
 
 
 def describe(kind: str, H: Floats, measured: Preservation) -> str:

@@ -82,7 +82,7 @@ def test_the_area_ratio_is_the_determinant(transform):
 def test_a_similarity_by_half_as_much_again_has_two_and_a_quarter_times_the_area():
     shown = texts(transform="similarity", amount=100)
     assert shown["area"] == "2.250"
-    assert shown["lengths"] == "changed by up to 50.0 %"
+    assert shown["lengths"] == "changed by up to 50.0\u00a0%"
     assert shown["orientation"] == "changed by up to 50.0°"
 
 
