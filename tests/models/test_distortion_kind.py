@@ -76,7 +76,14 @@ def test_a_bow_scales_with_its_curve(size):
 
 
 @pytest.mark.parametrize(
-    "points", [np.empty((0, 2)), [1.0, 2.0], [[0, 0], [np.nan, 1], [1, 1]], [[0, 0], [1e200, 1]]]
+    "points",
+    [
+        np.empty((0, 2)),
+        [1.0, 2.0],
+        [[0, 0], [np.nan, 1], [1, 1]],
+        [[0, 0], [1.001e150, 1]],
+        [[0, 0], [1, -1.001e150]],
+    ],
 )
 def test_a_curve_that_is_none_has_no_bow(points):
     with pytest.raises(ValueError, match=r"legal: \(\.\.\., N, 2\), finite"):
@@ -87,3 +94,9 @@ def test_a_curve_that_is_none_has_no_bow(points):
 def test_a_kind_is_told_over_a_picture_with_corners(corner):
     with pytest.raises(ValueError, match=r"corner_radius .*; legal: 0 to"):
         classify(Distortion(k1=0.1), corner, 1e-3)
+
+
+def test_a_curve_may_reach_to_1e150_and_a_picture_from_the_axis_to_1e45():
+    assert line_bow([[-1e150, 0.0], [0.0, 1e150], [1e150, 0.0]]) == pytest.approx(1e150)
+    assert classify(Distortion(k1=0.1), 0.0, 1e-3) == "none"
+    assert classify(Distortion(k1=0.1), 1e45, 1e-3) == "pincushion"

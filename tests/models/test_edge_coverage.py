@@ -96,3 +96,9 @@ def test_each_pixel_of_a_picture_has_its_own_normal():
     normals = np.stack((np.cos(angles), np.sin(angles)), axis=-1)
     one_by_one = [[straight_edge_coverage(0.3, n) for n in row] for row in normals]
     np.testing.assert_array_equal(straight_edge_coverage(0.3, normals), one_by_one)
+
+
+def test_no_side_of_a_pixel_is_longer_than_itself_however_long_the_normal():
+    for length in (1.0, 3.0, np.inf):
+        assert straight_edge_coverage(0.2, [length, 0.0]) == pytest.approx(0.7)
+        assert chord_length(0.2, [length, 0.0]) == 1.0

@@ -16,7 +16,7 @@ from simulations.models import (
     transforms,
     vanishing,
 )
-from simulations.models.floats import as_floats, as_vectors
+from simulations.models.floats import as_colours, as_floats, as_vectors
 
 K = projection.intrinsics(800.0, (320.0, 240.0))
 POSE = projection.rigid_pose(rotations.exponential([0.1, 0.2, 0.3]), [1.0, 2.0, 3.0])
@@ -141,3 +141,16 @@ def test_a_point_at_infinity_goes_through_a_lens_to_infinity():
 )
 def test_a_focal_length_may_be_any_kind_of_number(focal):
     np.testing.assert_array_equal(projection.intrinsics(focal, (320.0, 240.0)), K)
+
+
+@pytest.mark.parametrize("shape", [(3,), (1, 3), (4, 2, 3), (0, 3)])
+def test_colours_have_three_components_in_any_layout(shape):
+    colours = np.ones(shape, np.float32)
+    assert as_colours(colours).shape == shape
+    assert as_colours(colours).dtype == np.float32
+
+
+@pytest.mark.parametrize("shape", [(), (4,), (2,), (3, 4), (3, 1), (0,)])
+def test_grey_levels_and_colours_with_alpha_are_not_taken_for_colours(shape):
+    with pytest.raises(ValueError, match=r"colours of shape .*; legal: \(\.\.\., 3\)"):
+        as_colours(np.ones(shape))
