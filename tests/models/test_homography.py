@@ -431,3 +431,16 @@ def test_what_nine_numbers_cannot_hold_is_not_called_valid(far):
     assert np.isnan(H).all()
     assert estimation.estimate_homography(points + far, images)[1], "near one of the origins"
     assert estimation.estimate_affine(points + far, points - far)[1], "six numbers can"
+
+
+@pytest.mark.parametrize("axis", [0, 1])
+@pytest.mark.parametrize("far_picture", [0, 1])
+def test_a_homography_is_held_until_rounding_moves_images_by_a_millionth_of_their_spread(
+    far_picture, axis
+):
+    """The spread of this square is 1: its corners are √2 from its middle, on the mean."""
+    square = np.array([[-1.0, -1.0], [1.0, -1.0], [1.0, 1.0], [-1.0, 1.0]])
+    for share, held in ((0.97, True), (1.03, False)):
+        pictures = [square, square.copy()]
+        pictures[far_picture][:, axis] += share * 1e-6 / np.finfo(float).eps
+        assert estimation.estimate_homography(*pictures)[1] is held
