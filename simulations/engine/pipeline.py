@@ -28,6 +28,10 @@ class Stage:
     neutral: Callable[[Values], str] | None = None
     """Why the stage would change nothing at these values, or an empty string where it would."""
 
+    def __post_init__(self) -> None:
+        if self.neutral and not self.inputs:
+            raise ValueError(f"stage {self.name!r} is neutral; legal: with an input to hand on")
+
 
 @dataclass(slots=True)
 class StageCache:
@@ -74,6 +78,8 @@ def run(
     reports: list[StageReport] = []
     for stage in stages:
         reason = stage.neutral(known) if stage.neutral else ""
+        _require(stage.inputs, outputs, f"stage {stage.name!r} follows")
+        _require(stage.reads, parameters, f"stage {stage.name!r} reads")
         if reason:
             source = stage.inputs[0]
             outputs[stage.name], keys[stage.name] = outputs[source], keys[source]
@@ -90,6 +96,12 @@ def run(
             reports.append(StageReport(stage.name, "computed", _why(stage)))
         outputs[stage.name], keys[stage.name] = output, key
     return Run(outputs, tuple(reports))
+
+
+def _require(names: Sequence[str], known: Mapping[str, object], who: str) -> None:
+    for name in names:
+        if name not in known:
+            raise KeyError(f"{who} {name!r}; legal: {', '.join(known)}")
 
 
 def _why(stage: Stage) -> str:

@@ -49,7 +49,10 @@ class Scene:
         for control in self.controls:
             driven = getattr(control, "drives", "")
             if driven and driven not in sliders:
-                raise ValueError(f"scene {self.id!r}: {control.name!r} drives no slider {driven!r}")
+                raise ValueError(
+                    f"scene {self.id!r}: {control.name!r} drives no slider {driven!r}; "
+                    f"legal: {', '.join(sliders) or 'none'}"
+                )
         for tier in (self.default_tier, self.draft_tier):
             if tier not in (*self.tiers, "") or bool(self.tiers) != bool(tier):
                 raise ValueError(f"scene {self.id!r}: tier {tier!r}; legal: {self.tiers}")

@@ -97,6 +97,19 @@ def test_extra_parameters_are_read_like_controls() -> None:
     assert run((stage,), values(), StageCache(), {"tier": "fast"}).outputs["tiered"] == "fast"
 
 
-def test_a_stage_that_reads_what_does_not_exist_raises() -> None:
-    with pytest.raises(KeyError, match="missing"):
-        run((Stage("a", ("missing",), lambda missing: missing),), values(), StageCache())
+@pytest.mark.parametrize(
+    ("stage", "message"),
+    [
+        (Stage("a", ("sise",), lambda sise: sise), "stage 'a' reads 'sise'; legal: size, factor"),
+        (Stage("b", (), lambda x: x, ("source",)), "stage 'b' follows 'source'; legal: first"),
+    ],
+)
+def test_a_stage_that_asks_for_what_does_not_exist_is_named(stage: Stage, message: str) -> None:
+    first = Stage("first", (), lambda: 1)
+    with pytest.raises(KeyError, match=message):
+        run((first, stage), values(), StageCache())
+
+
+def test_a_stage_without_inputs_has_nothing_to_hand_on() -> None:
+    with pytest.raises(ValueError, match="stage 'a' is neutral; legal: with an input"):
+        Stage("a", (), lambda: 1, neutral=lambda _values: "always")
