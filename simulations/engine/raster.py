@@ -30,6 +30,7 @@ def to_rgba8(srgb: ArrayLike, alpha: ArrayLike | None = None) -> NDArray[np.uint
 
 
 def _to_uint8(picture: NDArray[np.floating]) -> NDArray[np.uint8]:
-    finite = np.nan_to_num(picture, nan=0.0, posinf=1.0, neginf=0.0)
-    codes: NDArray[np.uint8] = np.rint(np.clip(finite, 0.0, 1.0) * 255.0).astype(np.uint8)
+    held = np.asarray(np.fmax(picture, 0.0))  # unlike maximum, takes NaN as the other
+    np.minimum(held, 1.0, out=held)
+    codes: NDArray[np.uint8] = np.rint(held * 255.0).astype(np.uint8)
     return codes

@@ -46,7 +46,7 @@ LADDER = Ladder(
     prepare=prepare,
     tiers=(
         Tier("power-1/2.2", "Power 1/2.2", "1 power", encode_gamma),
-        Tier("table", "Table of 4097 entries", "1 square root, 1 look-up", encode_srgb_table),
+        Tier("table", "Table of 65\u202f536 entries", "1 look-up", encode_srgb_table),
         Tier("exact", "Exact curve", "1 power, 1 choice", encode_srgb),
     ),
     reference=reference,

@@ -66,18 +66,22 @@ def encode_gamma(linear: ArrayLike, gamma: float = 2.2) -> Array:
     return encoded
 
 
-_TABLE = encode_srgb(np.linspace(0.0, 1.0, 4097) ** 2).astype(np.float32)
+_TABLE = encode_srgb(np.linspace(0.0, 1.0, 65536)).astype(np.float32)
 
 
 def encode_srgb_table(linear: ArrayLike) -> NDArray[np.float32]:
-    """`encode_srgb` from a table of 4097 entries: several times faster, for pictures.
+    """`encode_srgb` from a table of 65 536 entries: quicker, for pictures.
 
-    Clips to [0, 1] and takes NaN as 0. The table is spaced evenly in the square root of the
-    light, where the curve is nearly straight: it is off by less than 0.1 codes of 255.
+    Clips to [0, 1] and takes NaN as 0. In the shadows, where the curve is steepest, an entry
+    stands for 0.05 codes of 255: the table is off by half of that at most.
     """
-    # fmax and fmin, unlike clip, replace NaN, whose cast to an index would be undefined.
-    root = np.sqrt(np.fmin(np.fmax(as_floats(linear), 0), 1))
-    encoded: NDArray[np.float32] = _TABLE[(root * 4096 + 0.5).astype(np.int32)]
+    place = np.asarray(np.maximum(as_floats(linear), 0))  # from here on in place: a new array
+    if np.isnan(np.max(place, initial=0)):  # a cast of NaN to an index would be undefined
+        np.fmax(place, 0, out=place)
+    np.minimum(place, 1, out=place)
+    place *= len(_TABLE) - 1
+    place += 0.5
+    encoded: NDArray[np.float32] = _TABLE[place.astype(np.intp)]  # int32 would be converted
     return encoded
 
 
