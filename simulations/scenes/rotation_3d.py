@@ -122,7 +122,7 @@ def error(values: Values, tier: str, cache: StageCache) -> Iterator[Readout]:
         BLENDS[tier](LEVEL, here.q, share), bisected_arc(LEVEL, here.q, share)
     )
     text = format_magnitude(math.degrees(float(off_rad.max())), 1e-12)
-    yield Readout("error", "Largest error on the quaternions' way", text, "°", "error")
+    yield Readout("error", "Largest error on the quaternions’ way", text, "°", "error")
 
 
 def _readouts(here: Attitude, blend: Floats, off_rad: float) -> tuple[Readout, ...]:
@@ -149,7 +149,7 @@ def _turn_deg(q: Floats) -> float:
 
 def _residual(blend: Floats) -> str:
     largest = float(np.abs(blend.T @ blend - np.eye(3)).max())
-    return "< 1e−14" if largest < ROUNDING else format_number(largest, 3)
+    return "under 10⁻¹⁴" if largest < ROUNDING else format_number(largest, 3)
 
 
 def describe(values: Values, smallest: float, off_rad: float, blend: Floats) -> str:
