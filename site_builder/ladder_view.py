@@ -135,6 +135,6 @@ def summary_row(measured: MeasuredLadder) -> SummaryRow:
         span=f"{quantity(max(times) / min(times))}×",
         default=default.tier.label,
         default_ms=milliseconds(default.times["browser"].ms),
-        default_error=error if error == "none" else f"{error} {unit}",
+        default_error=error if error == "none" else f"{error}{'' if unit == '°' else ' '}{unit}",
         beaten="; ".join(beaten) or "none",
     )

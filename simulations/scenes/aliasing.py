@@ -98,10 +98,12 @@ def render(values: Values, _tier: str, cache: StageCache) -> Frame:
         readouts=(
             readout("frequency", "True frequency f", frequency, "cycles/px", role="world"),
             readout("nyquist", "Nyquist frequency", NYQUIST, "cycles/px"),
-            readout("alias", "Frequency in the picture", alias, "cycles/px", role="error"),
+            readout("alias", "Frequency shown", alias, "cycles/px", role="error"),
             readout("period", "One stripe every", _period(alias), "px", digits=1, role="error"),
-            readout("passed", "Amplitude past the filter", abs(left), digits=3, role="light"),
-            Readout("kept", "Amplitude in the samples", format_number(kept, 3), role="image"),
+            readout(
+                "passed", "The filter passes", abs(left), "of the wave", digits=3, role="light"
+            ),
+            Readout("kept", "The samples keep", format_number(kept, 3), "of the wave", "image"),
         ),
         description=describe(values, alias, abs(left), kept),
         stages=done.reports,

@@ -55,7 +55,8 @@ def what_a_cell_s_width_lets_through() -> Says:
 def the_cubic_s_weights_halfway() -> Says:
     far, near = 16 * KERNELS["bicubic"].weigh(np.array([1.5, 0.5]))
     assert np.isclose(2 * (far + near), 16), "they add up to one"
-    yield rf"$-\frac{{{-far:g}}}{{16}}$, $\frac{{{near:g}}}{{16}}$, $\frac{{{near:g}}}{{16}}$ and"
+    yield "are 1.5, 0.5, 0.5 and 1.5 pixels away"
+    yield f"are ${far:g}/16$, ${near:g}/16$, ${near:g}/16$ and ${far:g}/16$"
 
 
 def wagon_wheels() -> Says:
