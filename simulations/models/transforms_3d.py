@@ -1,0 +1,122 @@
+"""The ladder of 3D transformations as (4, 4) matrices on homogeneous points (X, Y, Z, 1).
+
+Translation (3 degrees of freedom), rigid (6), similarity (7), affine (12), projective (15). They
+compose as matrices do, ``second @ first``. The convention for w is that of the plane, in
+`simulations.models.transforms`: points with w = 0 form a plane that is sent to infinity, and
+w > 0 is the visible side of it.
+
+Source: Szeliski, Computer Vision, 2nd ed., §2.1.3, table 2.2; §8.1.5 for the estimate (Umeyama,
+Least-squares estimation of transformation parameters, 1991).
+"""
+
+import math
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from simulations.models.floats import as_vectors
+from simulations.models.rotations import check_rotation
+from simulations.models.transforms import W_MINIMUM, Floats, Mask
+
+DEGENERATE = 1e-9
+"""Singular values below this share of the largest count as zero."""
+
+LARGEST = 1e100
+"""Of a coordinate of points to be aligned: so that squares of distances are numbers."""
+
+
+def translation(offset: ArrayLike) -> Floats:
+    """Move by (tx, ty, tz). Keeps orientation, lengths, angles."""
+    return affine(np.eye(3), offset)
+
+
+def rigid(R: ArrayLike, offset: ArrayLike) -> Floats:
+    """Rotate about the origin by R (3, 3), then move. Keeps lengths and angles.
+
+    Raises `ValueError` where R is no rotation; see `rotations.check_rotation`.
+    """
+    return similarity(1.0, R, offset)
+
+
+def similarity(scale: float, R: ArrayLike, offset: ArrayLike) -> Floats:
+    """Scale and rotate about the origin, then move. Keeps angles and ratios of lengths.
+
+    Raises `ValueError` unless the scale is positive and finite and R a rotation.
+    """
+    if not 0.0 < scale < math.inf:
+        raise ValueError(f"scale: {scale}; legal: positive and finite")
+    return affine(scale * check_rotation(R), offset)
+
+
+def affine(matrix: ArrayLike, offset: ArrayLike) -> Floats:
+    """X' = A X + t with any (3, 3) matrix A, singular ones included. Keeps parallels."""
+    H = np.eye(4)
+    H[:3, :3] = np.asarray(matrix, float)
+    H[:3, 3] = as_vectors("offset", offset, 3)
+    if not np.isfinite(H).all():
+        raise ValueError(f"transformation {H.tolist()}; legal: finite entries")
+    return H
+
+
+def apply_transform(H: ArrayLike, points: ArrayLike) -> tuple[Floats, Mask]:
+    """Images of points (..., 3) under any (4, 4) matrix H, projective ones included.
+
+    Returns
+    -------
+    images : (..., 3), NaN where invalid.
+    valid : (...,) bool, False where w ≤ W_MINIMUM · Σ|terms of w|: on the plane that is sent to
+        infinity and beyond it. False also where a number is not finite, or the image too far.
+    """
+    matrix = np.asarray(H, float)
+    if matrix.shape != (4, 4):
+        raise ValueError(f"H of shape {matrix.shape}; legal: (4, 4)")
+    given = as_vectors("points", points, 3)
+    finite = np.isfinite(given).all(axis=-1)
+    place = np.where(finite[..., None], given, 0.0)
+    with np.errstate(over="ignore", invalid="ignore"):
+        w = place @ matrix[3, :3] + matrix[3, 3]
+        size = np.abs(place) @ np.abs(matrix[3, :3]) + np.abs(matrix[3, 3])
+        valid = finite & (w > W_MINIMUM * size)
+        moved = place @ matrix[:3, :3].T + matrix[:3, 3]
+        images = moved / np.where(valid, w, 1.0)[..., None]
+    valid &= np.isfinite(images).all(axis=-1)
+    return np.where(valid[..., None], images, np.nan), valid
+
+
+def estimate_similarity(
+    source: ArrayLike, target: ArrayLike, *, scaled: bool = True
+) -> tuple[Floats, bool]:
+    """Rotation, translation and, if ``scaled``, scale that bring points nearest to others.
+
+    The sum of squared distances is least, and never by a mirror image.
+
+    Parameters
+    ----------
+    source, target : (N, 3), N ≥ 3, pairs in the same order.
+
+    Returns
+    -------
+    H : (4, 4), NaN where invalid.
+    valid : False where the points do not determine a rotation: on a line, or mirrored so evenly
+        that several rotations are equally near.
+    """
+    before, after = _points("source", source), _points("target", target)
+    if before.shape != after.shape:
+        raise ValueError(f"source {before.shape} and target {after.shape}; legal: equal")
+    a, b = before - before.mean(axis=0), after - after.mean(axis=0)
+    U, sizes, Vt = np.linalg.svd(b.T @ a)
+    signs = np.array([1.0, 1.0, math.copysign(1.0, float(np.linalg.det(U @ Vt)))])
+    if not sizes[1] + signs[2] * sizes[2] > DEGENERATE * sizes[0]:
+        return np.full((4, 4), np.nan), False
+    R = (U * signs) @ Vt
+    scale = float((sizes * signs).sum() / (a * a).sum()) if scaled else 1.0
+    return similarity(scale, R, after.mean(axis=0) - scale * R @ before.mean(axis=0)), True
+
+
+def _points(name: str, points: ArrayLike) -> Floats:
+    found = as_vectors(name, points, 3)
+    if found.ndim != 2 or len(found) < 3 or not np.all(np.abs(found) <= LARGEST):
+        raise ValueError(
+            f"{name} of shape {found.shape}; legal: (N, 3), N at least 3, to {LARGEST:g} in size"
+        )
+    return found

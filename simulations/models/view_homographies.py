@@ -1,0 +1,60 @@
+"""From the pixels of one picture to those of another: where one homography says it all.
+
+It does for a camera that only turns about its centre, whatever it sees, and for a scene that is
+flat, however the camera moves. For anything else the depth of each pixel decides.
+
+Pixels and frames as in `simulations.models.projection`. The matrices go through
+`transforms.apply_homography`, whose ``valid`` then tells what lies before the second camera.
+
+Source: Szeliski, Computer Vision, 2nd ed., §2.1.4 (mapping from one camera to another), §8.2.3.
+"""
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from simulations.models.floats import as_vectors
+from simulations.models.projection import Floats
+from simulations.models.rotations import check_rotation
+
+
+def turned_camera(K_first: ArrayLike, K_second: ArrayLike, R: ArrayLike) -> Floats:
+    """H = K₂ R K₁⁻¹, (3, 3): both pictures from the same place, at any depth.
+
+    ``R`` (3, 3) takes directions in the first camera's frame to the second's. With R = I it is
+    what a change of the lens or of the sensor does to the pixels.
+    """
+    return _between(K_first, K_second, check_rotation(R))
+
+
+def plane_between_views(
+    K_first: ArrayLike, K_second: ArrayLike, first_to_second: ArrayLike, plane: ArrayLike
+) -> Floats:
+    """H = K₂ (R − t nᵀ/d) K₁⁻¹, (3, 3): two pictures of one plane.
+
+    Parameters
+    ----------
+    K_first, K_second : (3, 3) from `projection.intrinsics`.
+    first_to_second : (4, 4), the motion [R t; 0 1] from the first camera's frame to the second's.
+    plane : (4,) n and d with n·X + d = 0 in the first camera's frame, of any scale.
+
+    Raises
+    ------
+    ValueError
+        Where the plane passes through the first camera's centre, so that it is seen as a line,
+        or is none.
+    """
+    pose = np.asarray(first_to_second, float)
+    normal, offset = np.split(as_vectors("plane", plane, 4), [3])
+    length = float(np.linalg.norm(normal))
+    if not (np.isfinite(length) and np.isfinite(offset).all() and abs(offset[0]) > 1e-12 * length):
+        raise ValueError(f"plane {[*normal, *offset]}; legal: finite, beside the first camera")
+    R = check_rotation(pose[:3, :3])
+    return _between(K_first, K_second, R - np.outer(pose[:3, 3], normal / offset))
+
+
+def _between(K_first: ArrayLike, K_second: ArrayLike, motion: Floats) -> Floats:
+    before, after = np.asarray(K_first, float), np.asarray(K_second, float)
+    if before.shape != (3, 3) or after.shape != (3, 3):
+        raise ValueError(f"K of shapes {before.shape} and {after.shape}; legal: (3, 3)")
+    H: Floats = np.linalg.solve(before.T, (after @ motion).T).T
+    return H
