@@ -123,11 +123,15 @@ def describe(values: Values, psnr: float, rate: float, block_kept: int) -> str:
     colour = (
         f"one colour value for {rows * columns} pixels" if rows * columns > 1 else "full colour"
     )
-    visible = "blocks and fringes show plainly" if psnr < 27 else "few traces show"
-    if 27 <= psnr < 33:
-        visible = "edges are surrounded by ripples"
+    quality = values.number("quality")
+    if psnr >= 33:
+        visible = "few traces show"
+    elif quality >= 75 and rows * columns > 1:
+        visible = "colours run over the edges"
+    else:
+        visible = "edges are surrounded by ripples" if psnr >= 27 else "blocks and fringes show"
     return (
-        f"A striped balloon over tulips at JPEG quality {values.number('quality'):.0f} with "
+        f"A striped balloon over tulips at JPEG quality {quality:.0f} with "
         f"{colour}: {rate:.2f} bits a pixel, {psnr:.1f} dB, and {visible}; {block_kept} of the "
         "chosen block's 64 luma coefficients are kept."
     )

@@ -178,3 +178,16 @@ def test_every_step_judges_more_blocks_and_is_short():
     counts = [int(re.search(r"in (\d+) of", item.label).group(1)) for item in told]
     assert np.all(np.diff([0, *counts]) > 0)
     assert np.diff([0, *counts]).max() <= BLOCKS_A_STEP
+
+
+@pytest.mark.parametrize(
+    ("given", "words"),
+    [
+        ({"quality": 30}, "blocks and fringes show"),
+        ({"quality": 75, "subsampling": "4:4:4"}, "edges are surrounded by ripples"),
+        ({"quality": 100, "subsampling": "4:2:0"}, "colours run over the edges"),
+        ({"quality": 100, "subsampling": "4:4:4"}, "few traces show"),
+    ],
+)
+def test_the_sentence_names_what_is_lost(given, words):
+    assert words in frame(**given).description
