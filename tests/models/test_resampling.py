@@ -91,6 +91,9 @@ def test_shrinking_by_a_whole_factor_with_the_box_takes_means():
     [
         (lambda: sample(PICTURE, [0, 0], "cubic"), "cubic"),
         (lambda: resize(PICTURE, 0, 5), "height 0"),
+        (lambda: resize(np.ones((2, 2, 3, 1)), 5, 5), r"image of shape \(2, 2, 3, 1\)"),
+        (lambda: resize(np.ones(4), 5, 5), r"image of shape \(4,\)"),
+        (lambda: resize(np.ones((0, 3)), 5, 5), r"image of shape \(0, 3\)"),
         (lambda: gather_table([0, 0], (0, 5)), "source_shape"),
         (lambda: gather(gather_table([0, 0], (4, 5)), PICTURE), "shape"),
     ],

@@ -1,4 +1,4 @@
-"""Rotations: matrices, axis and angle, quaternions, and the paths between orientations."""
+"""Rotations: matrices, axis and angle, and what is none."""
 
 import math
 
@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
-from scipy.spatial.transform import Rotation, Slerp
+from scipy.spatial.transform import Rotation
 
 from simulations.models import quaternions, rotations
 
@@ -15,14 +15,6 @@ RANDOM = Rotation.random(200, rng=RNG)
 components = st.floats(-1.0, 1.0, allow_subnormal=False)
 vectors = st.tuples(components, components, components)
 TINY_TO_TURN = [0.0, 1e-300, 1e-9, 1e-4, 1.0, math.pi - 1e-9, math.pi]
-
-
-def wxyz(rotation):
-    return np.roll(rotation.as_quat(), 1, axis=-1)
-
-
-def same_up_to_sign(a, b):
-    return np.minimum(np.abs(a - b).max(axis=-1), np.abs(a + b).max(axis=-1))
 
 
 def test_a_quarter_turn_about_z_takes_x_to_y():
@@ -125,139 +117,10 @@ def test_a_matrix_with_many_nearest_rotations_is_refused(matrix):
         rotations.nearest_rotation(matrix)
 
 
-def test_quaternions_agree_with_scipy_both_ways():
-    q = quaternions.from_matrix(RANDOM.as_matrix())
-    assert same_up_to_sign(q, wxyz(RANDOM)).max() < 1e-15
-    assert quaternions.to_matrix(wxyz(RANDOM)) == pytest.approx(RANDOM.as_matrix(), abs=1e-15)
-
-
-@pytest.mark.parametrize("axis", np.eye(3))
-def test_half_turns_keep_every_digit_of_their_quaternion(axis):
-    R = rotations.from_axis_angle(axis, math.pi)
-    assert quaternions.from_matrix(R) == pytest.approx((0, *axis), abs=1e-15)
-
-
-@pytest.mark.parametrize("axis", np.eye(3))
-def test_an_exact_half_turn_has_no_other_component(axis):
-    assert quaternions.from_matrix(np.diag(2 * axis - 1)).tolist() == [0, *axis]
-
-
-def test_the_quaternion_product_composes_like_matrices():
-    a, b = wxyz(RANDOM[:100]), wxyz(RANDOM[100:])
-    expected = (RANDOM[:100] * RANDOM[100:]).as_matrix()
-    assert quaternions.to_matrix(quaternions.multiply(a, b)) == pytest.approx(expected, abs=1e-14)
-
-
-def test_rotating_by_quaternion_and_by_matrix_is_the_same_and_the_conjugate_undoes_it():
-    q, v = wxyz(RANDOM), RNG.normal(size=(200, 3))
-    turned = quaternions.rotate(q, v)
-    assert turned == pytest.approx(RANDOM.apply(v), abs=1e-14)
-    assert quaternions.rotate(quaternions.conjugate(q), turned) == pytest.approx(v, abs=1e-14)
-
-
-def test_q_and_minus_q_are_the_same_rotation():
-    q = wxyz(RANDOM)
-    assert np.array_equal(quaternions.to_matrix(q), quaternions.to_matrix(-q))
-    assert np.array_equal(quaternions.to_rotation_vector(q), quaternions.to_rotation_vector(-q))
-
-
-@pytest.mark.parametrize("size", [1e-320, 1e-300, 1.0, 1e300])
-def test_normalising_survives_tiny_and_huge_quaternions(size):
-    unit = quaternions.normalise(np.array([1.0, -1.0, 1.0, 1.0]) * size)
-    assert unit == pytest.approx((0.5, -0.5, 0.5, 0.5))
-
-
-@pytest.mark.parametrize("q", [(0, 0, 0, 0), (math.nan, 0, 0, 1), (math.inf, 0, 0, 0)])
-def test_a_quaternion_without_direction_is_refused(q):
-    with pytest.raises(ValueError, match="quaternion"):
-        quaternions.normalise(q)
-
-
 def test_not_a_number_is_no_rotation_vector():
     for convert in (rotations.exponential, quaternions.from_rotation_vector):
         with pytest.raises(ValueError, match="rotation_vector"):
             convert((math.nan, 0, 0))
-
-
-def test_slerp_agrees_with_scipy():
-    shares = np.linspace(0, 1, 11)
-    for start, end in zip(RANDOM[:20], RANDOM[20:40], strict=True):
-        expected = Slerp([0, 1], Rotation.concatenate([start, end]))(shares)
-        ours = rotations.slerp(wxyz(start), wxyz(end), shares)
-        assert same_up_to_sign(ours, wxyz(expected)).max() < 1e-14
-
-
-def test_slerp_turns_at_constant_speed_and_nlerp_does_not():
-    start, end = quaternions.from_rotation_vector([(0, 0, 0), (0, 0, math.radians(170))])
-    quarter_deg = [
-        math.degrees(np.linalg.norm(quaternions.to_rotation_vector(blend(start, end, 0.25))))
-        for blend in (rotations.slerp, rotations.nlerp)
-    ]
-    # nlerp walks the chord: tan of the angle from its middle shrinks in proportion to the share.
-    on_the_chord = 85 - 2 * math.degrees(math.atan(0.5 * math.tan(math.radians(42.5))))
-    assert quarter_deg == pytest.approx([42.5, on_the_chord])
-
-
-@pytest.mark.parametrize("blend", [rotations.slerp, rotations.nlerp])
-def test_blending_takes_the_shorter_way_and_meets_both_ends(blend):
-    start, end = quaternions.from_rotation_vector([(0, 0, 0.1), (0, 0, 0.3)])
-    for sign in (1, -1):
-        assert quaternions.to_rotation_vector(blend(start, sign * end, 0.5))[2] == pytest.approx(
-            0.2
-        )
-        assert same_up_to_sign(blend(start, sign * end, 1.0), end) < 1e-15
-        assert same_up_to_sign(blend(start, sign * end, 0.0), start) < 1e-15
-
-
-@pytest.mark.parametrize("angle", [0.0, 1e-12, math.pi])
-def test_slerp_is_defined_for_equal_nearly_equal_and_opposite_orientations(angle):
-    start, end = quaternions.from_rotation_vector([(0, 0, 0), (angle, 0, 0)])
-    middle = quaternions.to_rotation_vector(rotations.slerp(start, end, 0.5))
-    assert middle == pytest.approx((angle / 2, 0, 0), abs=1e-16, rel=1e-12)
-
-
-def test_hamiltons_units_multiply_as_he_carved_them():
-    w, i, j, k = np.eye(4)
-    assert quaternions.multiply(i, j).tolist() == k.tolist()
-    assert quaternions.multiply(j, k).tolist() == i.tolist()
-    assert quaternions.multiply(k, i).tolist() == j.tolist()
-    for unit in (i, j, k):
-        assert quaternions.multiply(unit, unit).tolist() == (-w).tolist()
-        assert quaternions.conjugate(unit).tolist() == (-unit).tolist()
-
-
-def test_the_canonical_quaternion_has_its_first_entry_that_is_not_zero_positive():
-    for q in ([-0.5, 0.5, 0.5, 0.5], [0.0, -1.0, 0, 0], [0.0, 0, 0, -1.0], [0.0, 0, -0.6, 0.8]):
-        assert quaternions.canonical(q) == pytest.approx(-np.array(q))
-        assert quaternions.canonical(-np.array(q)) == pytest.approx(-np.array(q))
-    assert quaternions.canonical([[-2.0, 0, 0, 0], [0, 3.0, 0, 0]]).tolist() == [
-        [1, 0, 0, 0],
-        [0, 1, 0, 0],
-    ]
-
-
-def test_no_turn_has_the_angle_zero_and_no_axis():
-    angle, axis = quaternions.angle_and_axis([[0.0, 0, 0], [0, 3.0, -4.0], [1e-300, 0, 0]])
-    assert angle[:, 0].tolist() == pytest.approx([0, 5, 1e-300])
-    assert axis == pytest.approx(np.array([[0, 0, 0], [0, 0.6, -0.8], [1, 0, 0]]))
-    for bad in ([1.7e308, 1.7e308, 0], [0, math.inf, 0]):
-        with pytest.raises(ValueError, match="rotation_vector"):
-            quaternions.angle_and_axis([[0, 0, 1], bad])
-
-
-def test_tiny_turns_keep_their_digits_through_the_quaternion():
-    v = np.array([[1e-200, -2e-200, 0], [1e-9, 0, 1e-10], [0, 0, 0]])
-    q = quaternions.from_rotation_vector(v)
-    np.testing.assert_allclose(q[:, 1:], v / 2, rtol=1e-14)
-    np.testing.assert_allclose(quaternions.to_rotation_vector(q), v, rtol=1e-14)
-
-
-@pytest.mark.parametrize("bad", [[math.nan, 1, 0, 0], [0.0, 0, 0, 0]])
-def test_one_bad_quaternion_spoils_the_field(bad):
-    with pytest.raises(ValueError, match="quaternion"):
-        quaternions.normalise([[1.0, 0, 0, 0], bad])
-    with pytest.raises(ValueError, match="axis"):
-        rotations.from_axis_angle([[1.0, 0, 0], bad[1:] if bad[1] == 0 else [math.nan, 0, 0]], 0.1)
 
 
 def test_fields_of_rotations_keep_their_shape():
@@ -343,35 +206,3 @@ def test_a_matrix_of_rank_two_to_rounding_has_a_nearest_rotation(least, legal):
         return
     with pytest.raises(ValueError, match="no single nearest rotation"):
         rotations.nearest_rotation(matrix)
-
-
-@pytest.mark.parametrize("blend", [rotations.slerp, rotations.nlerp])
-def test_a_share_lies_within_a_million(blend):
-    start, end = quaternions.from_rotation_vector([(0, 0, 0), (0, 0, 1.0)])
-    assert np.isfinite(blend(start, end, [-1e6, 1e6])).all()
-    for share in (1.1e6, -1.1e6, math.nan):
-        with pytest.raises(ValueError, match="share"):
-            blend(start, end, [0.5, share])
-
-
-@pytest.mark.parametrize("sign", [1, -1])
-def test_of_two_ways_of_equal_length_the_signs_of_the_quaternions_decide(sign):
-    middle = rotations.slerp([1.0, 0, 0, 0], [0, sign * 1.0, 0, 0], 0.5)
-    assert middle == pytest.approx(np.array([1, sign, 0, 0]) / math.sqrt(2))
-
-
-def test_slerp_goes_on_past_its_ends_at_the_same_speed():
-    start, end = quaternions.from_rotation_vector([(0, 0, 0.1), (0, 0, 0.4)])
-    shares = np.array([-1.0, -0.5, 1.5, 3.0])
-    angles = quaternions.to_rotation_vector(rotations.slerp(start, end, shares))[:, 2]
-    assert angles == pytest.approx(0.1 + 0.3 * shares)
-
-
-def test_fields_of_orientations_are_blended_pair_by_pair():
-    q0, q1 = wxyz(RANDOM[:6]).reshape(2, 3, 4), wxyz(RANDOM[6:12]).reshape(2, 3, 4)
-    share = RNG.random((2, 3))
-    for blend in (rotations.slerp, rotations.nlerp):
-        field = blend(q0, q1, share)
-        assert field.shape == (2, 3, 4)
-        for place in np.ndindex(2, 3):
-            assert field[place] == pytest.approx(blend(q0[place], q1[place], share[place]))
