@@ -103,7 +103,7 @@ def error(values: Values, _tier: str, cache: StageCache) -> Iterator[Readout]:
     The method is a control of this figure: it stands for the tier.
     """
     if values.state("demosaic") == 0:
-        yield Readout("error", "Error", "none to tell before the mosaic is demosaiced")
+        yield Readout("error", "Error", "none yet: nothing is demosaiced")
         return
     outputs = run(STAGES, values, cache).outputs
     text = ", ".join(format_number(codes, 1) for codes in rms_codes(outputs["error"]))

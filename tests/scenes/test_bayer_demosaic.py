@@ -110,5 +110,5 @@ def test_the_error_of_a_colour_is_that_of_the_bytes_shown(cache):
 
 def test_a_mosaic_has_no_error_to_tell(cache):
     estimate = told(cache, demosaic=0)
-    assert estimate.text.startswith("none to tell")
+    assert estimate.text.startswith("none yet")
     assert estimate.unit == ""
