@@ -29,7 +29,7 @@ def top_view_panel(view: View) -> Panel:
     scaled = view.camera == SCALED
     overlay = "".join(
         (
-            reference_plane() if scaled else "",
+            reference_plane(view) if scaled else "",
             top.depth_axis(),
             top.image_plane(view) if scaled else parallel_view(view),
             top.other_depths(view),
@@ -59,12 +59,13 @@ def parallel_rays(view: View) -> str:
     return drawing.line(top.above(view.Z, view.X), hit, "ray") + drawing.dot(hit, "image", 4.0)
 
 
-def reference_plane() -> str:
-    """The plane at the one depth that scaled orthography divides by."""
+def reference_plane(view: View) -> str:
+    """The plane at the one depth that scaled orthography divides by, named far from the point."""
     half = top.HEIGHT / 2.0 / top.SIDE_SCALE - 0.4
     high, low = (top.above(REFERENCE_DEPTH_M, side) for side in (-half, half))
+    place = high + np.array([6.0, 6.0]) if view.X >= 0.0 else low + np.array([6.0, -1.0])
     return drawing.line(high, low, "world thin dashed") + drawing.text(
-        high + np.array([6.0, 6.0]), "Z₀ = 5 m", "world small halo"
+        place, "Z₀ = 5 m", "world small halo"
     )
 
 
