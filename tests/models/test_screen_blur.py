@@ -107,3 +107,10 @@ def test_a_disc_that_is_none_is_refused_wherever_it_is(radius):
     ):
         with pytest.raises(ValueError, match=r"^radius_px from .*; legal: 0 to 1024"):
             call()
+
+
+def test_the_widest_blur_is_legal_and_leaves_one_grey():
+    """So wide that of a picture reflected at its borders only the mean is left."""
+    plane = np.linspace(0.0, 1.0, 64, dtype=np.float32).reshape(1, 8, 8)
+    blurred = binned_gaussian(plane, np.full((8, 8), 1024.0))
+    np.testing.assert_allclose(blurred, 0.5, atol=1e-5)
