@@ -2,6 +2,7 @@
 
 import re
 from collections.abc import Callable
+from functools import partial
 from typing import Any
 
 import pytest
@@ -17,23 +18,7 @@ type OpenFigure = Callable[[str], Locator]
 
 @pytest.fixture
 def open_figure(reader: Reader, book: Any) -> OpenFigure:
-    """Open the first chapter that shows a scene, and bring its figure into view."""
-
-    def opened(scene: str) -> Locator:
-        reader.open(next(c["url"] for c in book["chapters"] if scene in c["simulations"]))
-        figure = reader.figure(scene)
-        figure.locator("form.controls").scroll_into_view_if_needed()
-        return figure
-
-    return opened
-
-
-def wait_judged(reader: Reader, figure: Locator) -> None:
-    reader.page.wait_for_function(
-        "figure => figure.querySelector('.accuracy').dataset.judged === 'true'",
-        arg=figure.element_handle(),
-        timeout=60_000,
-    )
+    return partial(reader.open_figure, book)
 
 
 def set_slider(figure: Locator, name: str, value: float, *, release: bool) -> None:
@@ -88,10 +73,8 @@ def test_a_drag_may_need_the_draft_in_a_dear_tier_only(
 ) -> None:
     figure = open_figure("camera")
     for chosen, while_dragging in (("layers", "layers"), ("bent-rays", "draft")):
-        frames = reader.frames(figure)
         if figure.get_attribute("data-tier") != chosen:
-            figure.locator("select[name=tier]").select_option(chosen)
-            reader.wait_frame(figure, frames)
+            reader.choose(figure, "tier", chosen)
         reader.settle(figure)
         frames = reader.frames(figure)
         set_slider(figure, "k1", -0.2 if chosen == "layers" else -0.3, release=False)
@@ -107,11 +90,8 @@ def test_the_error_is_told_at_rest_and_differs_by_tier(
     reader.settle(figure)
     errors = {}
     for tier in ("first-order", "newton-bracketed"):
-        frames = reader.frames(figure)
-        figure.locator("select[name=tier]").select_option(tier)
-        reader.wait_frame(figure, frames)
-        wait_judged(reader, figure)
-        errors[tier] = figure.locator(".accuracy-value").inner_text()
+        reader.choose(figure, "tier", tier)
+        errors[tier] = reader.judged(figure)
     assert errors["newton-bracketed"] == "under 10⁻⁹\xa0px"
     assert float(errors["first-order"].removesuffix("\xa0px")) > 1
 
@@ -120,9 +100,7 @@ def test_a_tier_cheaper_than_the_draft_is_kept_while_dragging(
     reader: Reader, open_figure: OpenFigure
 ) -> None:
     figure = open_figure("lens-distortion")
-    frames = reader.frames(figure)
-    figure.locator("select[name=tier]").select_option("first-order")
-    reader.wait_frame(figure, frames)
+    reader.choose(figure, "tier", "first-order")
     frames = reader.frames(figure)
     set_slider(figure, "k1", 0.3, release=False)
     reader.wait_frame(figure, frames)
@@ -133,7 +111,7 @@ def test_no_error_stands_beside_a_frame_that_it_does_not_belong_to(
     reader: Reader, open_figure: OpenFigure
 ) -> None:
     figure = open_figure("lens-distortion")
-    wait_judged(reader, figure)
+    reader.judged(figure)
     frames = reader.frames(figure)
     set_slider(figure, "k1", 0.2, release=False)
     reader.wait_frame(figure, frames)
@@ -161,12 +139,11 @@ def test_a_figure_with_a_reference_settles_in_its_default_tier_and_tells_its_err
     reader: Reader, open_figure: OpenFigure, scene: str
 ) -> None:
     figure, known = open_figure(scene), load_scene(scene)
-    wait_judged(reader, figure)
+    value = reader.judged(figure)
     assert figure.get_attribute("data-tier") == known.default_tier
     offered = figure.locator("select[name=tier] option").evaluate_all(
         "options => options.map((option) => option.value)"
     )
     assert offered == list(known.tiers)
-    value = figure.locator(".accuracy-value").inner_text()
     assert re.search(r"[0-9⁰-⁹]|none", value), value
     assert "not measured" not in value

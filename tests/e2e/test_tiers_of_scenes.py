@@ -4,7 +4,6 @@ import re
 from typing import Any
 
 import pytest
-from playwright.sync_api import Locator
 from support.reader import Reader
 
 pytestmark = pytest.mark.browser
@@ -19,40 +18,17 @@ COARSE = {
 DIGITS = str.maketrans("⁻⁰¹²³⁴⁵⁶⁷⁸⁹", "-0123456789")
 
 
-def open_figure(reader: Reader, book: Any, scene: str) -> Locator:
-    reader.open(next(c["url"] for c in book["chapters"] if scene in c["simulations"]))
-    figure: Locator = reader.figure(scene)
-    figure.locator("form.controls").scroll_into_view_if_needed()
-    reader.settle(figure)
-    return figure
-
-
-def judged(reader: Reader, figure: Locator) -> str:
-    reader.page.wait_for_function(
-        "figure => figure.querySelector('.accuracy').dataset.judged === 'true'",
-        arg=figure.element_handle(),
-        timeout=60_000,
-    )
-    return figure.locator(".accuracy-value").inner_text()
-
-
-def choose(reader: Reader, figure: Locator, name: str, option: str) -> None:
-    frames = reader.frames(figure)
-    figure.locator(f"select[name={name}]").select_option(option)
-    reader.wait_frame(figure, frames)
-
-
 @pytest.mark.parametrize("scene", COARSE)
 def test_a_coarser_tier_paints_another_picture_and_admits_a_larger_error(
     reader: Reader, book: Any, scene: str
 ) -> None:
-    figure = open_figure(reader, book, scene)
-    fine, fine_pixels = magnitude(judged(reader, figure)), reader.shown(figure)["pixels"]
+    figure = reader.open_figure(book, scene)
+    fine, fine_pixels = magnitude(reader.judged(figure)), reader.shown(figure)["pixels"]
     assert figure.locator(".accuracy-frame").inner_text() == "first frame"
-    choose(reader, figure, "tier", COARSE[scene])
+    reader.choose(figure, "tier", COARSE[scene])
     assert figure.locator(".accuracy-frame").inner_text() == "frame"
     assert re.fullmatch(r"[\d.]+\sms", figure.locator(".accuracy-ms").inner_text())
-    assert magnitude(judged(reader, figure)) > 1.5 * fine
+    assert magnitude(reader.judged(figure)) > 1.5 * fine
     if scene != "jpeg":  # at its default quality the few codes that change may leave every pixel
         assert reader.shown(figure)["pixels"] != fine_pixels
 
@@ -60,15 +36,15 @@ def test_a_coarser_tier_paints_another_picture_and_admits_a_larger_error(
 def test_the_method_of_demosaicing_is_judged_without_a_second_menu(
     reader: Reader, book: Any
 ) -> None:
-    figure = open_figure(reader, book, "bayer-demosaic")
+    figure = reader.open_figure(book, "bayer-demosaic")
     assert figure.locator("select[name=tier]").count() == 0
     frames = reader.frames(figure)
     figure.locator("button[name=demosaic]").click()
     reader.wait_frame(figure, frames)
     errors = {}
     for method in ("nearest", "malvar"):
-        choose(reader, figure, "method", method)
-        errors[method] = judged(reader, figure)
+        reader.choose(figure, "method", method)
+        errors[method] = reader.judged(figure)
     greens = {method: float(text.split(", ")[1]) for method, text in errors.items()}
     assert greens["malvar"] < greens["nearest"]
     assert all(text.endswith("codes of 255") for text in errors.values())

@@ -65,6 +65,28 @@ class Reader:
         """The first figure of a scene on this page."""
         return self.page.locator(f'simulation-figure[data-simulation="{scene}"]').first
 
+    def open_figure(self, book: Any, scene: str) -> Locator:
+        """Open the first chapter that shows a scene, and bring its figure into view."""
+        self.open(next(c["url"] for c in book["chapters"] if scene in c["simulations"]))
+        figure = self.figure(scene)
+        figure.locator("form.controls").scroll_into_view_if_needed()
+        return figure
+
+    def choose(self, figure: Locator, name: str, option: str) -> None:
+        """Choose an option of a menu, and wait for the frame that it makes."""
+        frames = self.frames(figure)
+        figure.locator(f"select[name={name}]").select_option(option)
+        self.wait_frame(figure, frames)
+
+    def judged(self, figure: Locator) -> str:
+        """The error of what the figure shows, once there is no better estimate to come."""
+        self.page.wait_for_function(
+            "figure => figure.querySelector('.accuracy').dataset.judged === 'true'",
+            arg=figure.element_handle(),
+            timeout=START_MS,
+        )
+        return figure.locator(".accuracy-value").inner_text()
+
     def frames(self, figure: Locator) -> int:
         return int(figure.get_attribute("data-frames") or 0)
 
