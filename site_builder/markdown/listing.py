@@ -3,6 +3,7 @@
 import ast
 from collections.abc import Sequence
 from pathlib import Path
+from textwrap import dedent
 
 from markdown_it.token import Token
 
@@ -40,7 +41,7 @@ def read_listing(directive: Directive, body: Sequence[Token], reading: Reading) 
         reading.problem(directive.line, unknown(f"definition in {module}", name, public))
         return None
     first, last = _span(definitions[name])
-    code = "\n".join(source.splitlines()[first - 1 : last]) + "\n"
+    code = dedent("\n".join(source.splitlines()[first - 1 : last])) + "\n"
     return Listing(module, name, path, first, code_html(code, "python"), caption_html)
 
 

@@ -41,7 +41,10 @@ def read_quiz(directive: Directive, body: Sequence[Token], reading: Reading) -> 
     prompt, answers, rest = _split(body)
     read_html(directive, body, reading)  # reports directives inside the quiz
     if not prompt:
-        reading.problem(directive.line, f"quiz {directive.argument!r} asks no question")
+        message = (
+            f"quiz {directive.argument!r} asks no question; legal: some text above its answers"
+        )
+        reading.problem(directive.line, message)
     if rest:
         line = (rest[0].map or [directive.line - 1])[0] + 1
         legal = "nothing after the answers, each explained by a ': …' line below it"
@@ -178,4 +181,5 @@ def _check_options_of_quiz(
             f"quiz {name!r} has {right} right answers; legal: one, or ':kind: multiple'",
         )
     elif len({option.text for option in options}) < len(options):
-        reading.problem(directive.line, f"quiz {name!r} gives the same answer twice")
+        message = f"quiz {name!r} gives the same answer twice; legal: answers that differ"
+        reading.problem(directive.line, message)

@@ -26,6 +26,16 @@ chapters = [
   "01-second",
 ]
 """
+THING = '''\
+def double(x):
+    """Twice."""
+    return 2 * x
+
+
+class Doubler:
+    def apply(self, x):
+        return double(x)
+'''
 SECOND = "---\ntitle: Second\nsummary: The second chapter.\n---\n\n## A section\n\nText.\n"
 
 
@@ -85,10 +95,11 @@ def make_book(tmp_path: Path) -> MakeBook:
             "content/book.toml": OUTLINE,
             "content/00-first.md": FRONT_MATTER + body,
             "content/01-second.md": SECOND,
-            "simulations/models/thing.py": 'def double(x):\n    """Twice."""\n    return 2 * x\n',
+            "simulations/models/thing.py": THING,
             "static/css/book.css": "body {}\n",
             "static/js/main.js": "export {};\n",
             "static/images/favicon.svg": "<svg/>\n",
+            "content/images/plan.svg": "<svg/>\n",
             **(files or {}),
         }
         for path, content in sources.items():

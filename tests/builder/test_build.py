@@ -83,6 +83,25 @@ def test_a_write_that_fails_leaves_the_last_site(tmp_path: Path) -> None:
     assert [path.name for path in tmp_path.iterdir()] == ["site"]
 
 
+def test_a_swap_that_fails_brings_the_last_site_back(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    out = tmp_path / "site"
+    write_site({"book.json": b"{}"}, out)
+    rename = Path.rename
+
+    def refuse_the_new(self: Path, target: Path) -> Path:
+        if self.name.endswith("-new"):
+            raise PermissionError("in use")
+        return rename(self, target)
+
+    monkeypatch.setattr(Path, "rename", refuse_the_new)
+    with pytest.raises(PermissionError):
+        write_site({"book.json": b"new"}, out)
+    assert (out / "book.json").read_bytes() == b"{}"
+    assert [path.name for path in tmp_path.iterdir()] == ["site"]
+
+
 def test_unchanged_files_keep_their_modification_time(tmp_path: Path) -> None:
     out = tmp_path / "site"
     write_site({"book.json": b"{}", "a.html": b"a"}, out)

@@ -1,5 +1,6 @@
 """What measurements say of a tier: beaten, on the front, or chosen, and over what."""
 
+import pytest
 from support.toy_ladder import timing, toy_data, toy_measurements
 
 from site_builder.ladder_choice import Neighbour, default_choice, off_the_front
@@ -35,6 +36,25 @@ def test_errors_below_rounding_are_equally_good() -> None:
     winner = measured.beaten_by(measured["exact"], "native")
     assert winner is not None
     assert winner.tier.id == "fine"
+
+
+@pytest.mark.parametrize(
+    ("waste", "words"),
+    [
+        ({"native": 9.0, "browser": 1.0}, "beaten by Fine in CPython only"),
+        ({"native": 0.5, "browser": 27.0}, "beaten by Fine in the browser only"),
+        ({"native": 1.95, "browser": 6.1}, "on the front in CPython only"),
+        ({"native": 2.1, "browser": 5.9}, "on the front in the browser only"),
+        ({"native": 2.1, "browser": 6.1}, "close behind the front"),
+    ],
+)
+def test_the_verdict_tells_the_sides_apart(waste: dict[str, float], words: str) -> None:
+    """Fine takes 2 ms natively and 6 ms in the browser, and errs as much."""
+    data = toy_data()["ladders"]["toy"]["tiers"]
+    data["waste"] |= {side: timing(ms) for side, ms in waste.items()}
+    data["waste"]["errors"] = data["fine"]["errors"]
+    measured = toy_measurements(tiers=data).find("toy")
+    assert verdict(measured, measured["waste"]) == words
 
 
 def test_another_metric_turns_what_is_better() -> None:

@@ -114,6 +114,14 @@ def test_a_ladder_without_measurements_is_reported_where_it_is_shown(find: Find)
     ]
 
 
+def test_a_table_of_ladders_needs_them_all_to_be_measured(find: Find) -> None:
+    data = toy_data()
+    data["ladders"]["lost"] = data["ladders"]["toy"]
+    assert find(":::{ladder-table} All\n:::\n", data) == [
+        "content/00-first.md:5: unknown ladder 'lost'; legal: toy"
+    ]
+
+
 def test_a_malformed_file_is_reported_at_its_line(find: Find) -> None:
     assert find("Text.\n", '{\n"machine": }') == [
         f"{FILE}:2: malformed JSON: Expecting value; run `make bench`"

@@ -47,6 +47,11 @@ Twice two is four.[^note]
 It doubles.
 :::
 
+:::{figure} images/plan.svg
+:alt: A plan
+A *plan*.
+:::
+
 :::{table} Two columns
 | a | b |
 |---|---|
@@ -211,7 +216,16 @@ def test_a_listing_leads_to_its_line_in_the_whole_module(
     code = chapter.all("pre", "code")[0]
     assert "figure" in code.inside
     module = read_html(site["source/simulations/models/thing/index.html"])
-    assert [line.attributes["id"] for line in module.all("span", "line")] == ["L1", "L2", "L3"]
+    lines = [line.attributes["id"] for line in module.all("span", "line")]
+    assert lines == [f"L{number}" for number in range(1, 9)]
+
+
+def test_a_picture_stands_with_its_words_and_its_file(
+    chapter: Page, site: Mapping[str, bytes]
+) -> None:
+    (picture,) = (item for item in chapter.all("img") if item.attributes["alt"] == "A plan")
+    assert "figure" in picture.inside
+    assert site[_resolve("first/index.html", picture.attributes["src"] or "")] == b"<svg/>\n"
 
 
 def test_licences_of_what_is_shipped_are_given_in_full(site: Mapping[str, bytes]) -> None:

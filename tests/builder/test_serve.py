@@ -2,6 +2,7 @@
 
 import _thread
 import socket
+import subprocess
 import threading
 import urllib.error
 import urllib.request
@@ -10,7 +11,7 @@ from pathlib import Path
 
 import pytest
 
-from site_builder.serve import Builds, serve, start_server
+from site_builder.serve import Builds, rebuild, serve, start_server
 
 
 @pytest.fixture
@@ -81,6 +82,32 @@ def test_what_is_saved_during_the_first_build_makes_a_second(
     serve(tmp_path, tmp_path / "site", 0, runtime=False)
     watchdog.cancel()
     assert rebuilt == [1, 2]
+
+
+@pytest.mark.parametrize(
+    ("code", "printed", "event"),
+    [
+        (0, ("site: 9 files\n", ""), "event: built\ndata: 1\n\n"),
+        (1, ("", "a.md:1: bad\n"), 'event: failed\ndata: "a.md:1: bad\\n"\n\n'),
+        (-9, ("", ""), 'event: failed\ndata: "the build failed"\n\n'),
+    ],
+    ids=["good", "bad", "killed"],
+)
+def test_a_rebuild_tells_what_the_build_said(
+    tmp_path: Path,
+    builds: Builds,
+    monkeypatch: pytest.MonkeyPatch,
+    code: int,
+    printed: tuple[str, str],
+    event: str,
+) -> None:
+    def build(command: list[str], **_options: object) -> subprocess.CompletedProcess[str]:
+        assert command[-1] == "--no-runtime"
+        return subprocess.CompletedProcess(command, code, *printed)
+
+    monkeypatch.setattr(subprocess, "run", build)
+    rebuild(tmp_path, tmp_path / "site", builds, runtime=False)
+    assert builds.event() == event
 
 
 def test_a_port_in_use_is_named(tmp_path: Path, builds: Builds) -> None:

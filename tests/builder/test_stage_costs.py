@@ -1,11 +1,17 @@
 """The table of what a moved control costs: measured shares, stages found anew at every build."""
 
 import json
+from collections.abc import Callable
+from dataclasses import replace
 from pathlib import Path
 
 import pytest
+from support.html_outline import read_html
 
+from simulations.engine.scene import Scene
 from simulations.registry import load_scene
+from site_builder.assets import content_bytes
+from site_builder.build import Options, render_site
 from site_builder.stage_costs import DATA, StageCostError, after_move, read_stage_costs
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -35,6 +41,29 @@ def test_a_move_far_upstream_runs_every_stage_that_would_change_something() -> N
 def test_nothing_moved_from_nothing_computes_all_but_the_neutral() -> None:
     statuses = {stage.status for stage in after_move(CAMERA, {}, {})}
     assert statuses == {"computed", "skipped"}
+
+
+def test_a_page_lists_every_move_and_a_frame_with_nothing_at_hand(
+    make_book: Callable[..., Options],
+) -> None:
+    recorded = {"camera": {"start": {}, "moves": {"exposure": {**MOVE, "to": 1}}}}
+    options = make_book(":::{stage-costs} camera\nMoves.\n:::\n", {str(DATA): json.dumps(recorded)})
+
+    def load(name: str) -> Scene:
+        return CAMERA if name == "camera" else options.load_scene(name)
+
+    page = content_bytes(render_site(replace(options, load_scene=load))["first/index.html"])
+    table = read_html(page).all("figure", "stage-costs")
+    assert len(table) == 1
+    assert "Exposure" in page.decode()
+    assert "Nothing at hand" in page.decode()
+
+
+def test_a_table_of_an_unmeasured_scene_is_reported(mistakes: Callable[..., list[str]]) -> None:
+    assert mistakes(":::{stage-costs} demo\n:::\n") == [
+        "content/00-first.md:5: content/stage-costs.json has no scene 'demo'; "
+        "run `PYTHONPATH=tests python -m bench.stage_costs`"
+    ]
 
 
 @pytest.mark.parametrize(

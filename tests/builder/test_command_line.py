@@ -1,0 +1,72 @@
+"""What the command says and with which number it ends."""
+
+from collections.abc import Callable
+from pathlib import Path
+
+import pytest
+
+from site_builder.__main__ import main
+from site_builder.build import Options
+
+OUTLINE = 'title = "T"\nsubtitle = "S"\nprerequisites = "P"\nchapters = ["00-first", "01-second"]\n'
+type Run = Callable[..., int]
+
+
+@pytest.fixture
+def run(make_book: Callable[..., Options], monkeypatch: pytest.MonkeyPatch) -> Run:
+    """The command on a small book whose first chapter is ``body``."""
+
+    def command(*words: str, body: str = "Text.\n") -> int:
+        options = make_book(body, {"content/book.toml": OUTLINE})
+        monkeypatch.setattr("site_builder.__main__.ROOT", options.root)
+        return main(list(words))
+
+    return command
+
+
+def test_a_book_in_order_is_said_to_be(run: Run, capsys: pytest.CaptureFixture[str]) -> None:
+    assert run("check") == 0
+    assert capsys.readouterr().out == "no mistakes\n"
+
+
+@pytest.mark.parametrize(("body", "count"), [("# A\n", "1 mistake"), ("# A\n\n$b\n", "2 mistakes")])
+def test_mistakes_are_listed_and_counted(
+    run: Run, capsys: pytest.CaptureFixture[str], body: str, count: str
+) -> None:
+    assert run("check", body=body) == 1
+    first, *_, last = capsys.readouterr().err.splitlines()
+    assert first.startswith("content/00-first.md:5: heading '# A'")
+    assert last == f"{count}; nothing was written"
+
+
+def test_a_site_is_built_where_it_is_wanted(run: Run, tmp_path: Path) -> None:
+    out = tmp_path / "elsewhere"
+    assert run("build", "--no-runtime", "--out", str(out)) == 0
+    assert (out / "second" / "index.html").is_file()
+
+
+def test_after_a_mistake_the_last_good_site_is_as_it_was(run: Run, tmp_path: Path) -> None:
+    out = tmp_path / "elsewhere"
+    words = ("build", "--no-runtime", "--out", str(out))
+    run(*words, body="Good.\n")
+    before = {path: path.read_bytes() for path in out.rglob("*.html")}
+    assert run(*words, body=":::{note}\nNever closed.\n") == 1
+    assert {path: path.read_bytes() for path in out.rglob("*.html")} == before
+
+
+def test_a_folder_that_is_no_site_is_refused_in_words(
+    run: Run, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    (tmp_path / "thesis.tex").write_text("years of work")
+    assert run("build", "--no-runtime", "--out", str(tmp_path)) == 1
+    assert "is not empty and holds no site" in capsys.readouterr().err
+
+
+def test_an_interrupted_command_ends_without_a_traceback(
+    run: Run, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def interrupted(_options: Options) -> None:
+        raise KeyboardInterrupt
+
+    monkeypatch.setattr("site_builder.__main__.check_site", interrupted)
+    assert run("check") == 130
