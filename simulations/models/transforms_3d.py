@@ -70,16 +70,14 @@ def apply_transform(H: ArrayLike, points: ArrayLike) -> tuple[Floats, Mask]:
     matrix = np.asarray(H, float)
     if matrix.shape != (4, 4):
         raise ValueError(f"H of shape {matrix.shape}; legal: (4, 4)")
-    given = as_vectors("points", points, 3)
-    finite = np.isfinite(given).all(axis=-1)
-    place = np.where(finite[..., None], given, 0.0)
+    place = as_vectors("points", points, 3)
     with np.errstate(over="ignore", invalid="ignore"):
         w = place @ matrix[3, :3] + matrix[3, 3]
         size = np.abs(place) @ np.abs(matrix[3, :3]) + np.abs(matrix[3, 3])
-        valid = finite & (w > W_MINIMUM * size)
+        valid = np.asarray(w > W_MINIMUM * size)  # false for NaN
         moved = place @ matrix[:3, :3].T + matrix[:3, 3]
         images = moved / np.where(valid, w, 1.0)[..., None]
-    valid &= np.isfinite(images).all(axis=-1)
+        valid &= np.isfinite(images).all(axis=-1)
     return np.where(valid[..., None], images, np.nan), valid
 
 

@@ -44,10 +44,10 @@ def plane_between_views(
         or is none.
     """
     pose = np.asarray(first_to_second, float)
-    normal, offset = np.split(as_vectors("plane", plane, 4), [3])
-    length = float(np.linalg.norm(normal))
-    if not (np.isfinite(length) and np.isfinite(offset).all() and abs(offset[0]) > 1e-12 * length):
-        raise ValueError(f"plane {[*normal, *offset]}; legal: finite, beside the first camera")
+    numbers = as_vectors("plane", plane, 4)
+    normal, offset = numbers[:3], float(numbers[3])
+    if not (np.isfinite(numbers).all() and abs(offset) > 1e-12 * float(np.linalg.norm(normal))):
+        raise ValueError(f"plane {numbers.tolist()}; legal: finite, beside the first camera")
     R = check_rotation(pose[:3, :3])
     return _between(K_first, K_second, R - np.outer(pose[:3, 3], normal / offset))
 

@@ -65,6 +65,22 @@ def test_w_that_is_rounding_is_no_w():
     assert apply_transform(H, [[1.0, 1.0, 0.0], [1.0, 0.5, 0.0]])[1].tolist() == [False, True]
 
 
+@pytest.mark.parametrize("sign", [1.0, -1.0])
+def test_w_is_judged_beside_all_the_terms_that_it_is_the_sum_of(sign):
+    """1 − (1 − 1.5e−12) is rounding beside 2, though not beside 1."""
+    H = np.eye(4)
+    H[3] = [sign, 0.0, 0.0, -1.0 + 1.5e-12]
+    assert not apply_transform(H, [sign, 0.0, 0.0])[1]
+    H[3, 3] = -1.0 + 3e-12
+    assert apply_transform(H, [sign, 0.0, 0.0])[1]
+
+
+def test_an_image_beyond_all_numbers_in_one_coordinate_is_invalid():
+    images, valid = apply_transform(np.diag([1e200, 1.0, 1.0, 1.0]), [1e200, 1.0, 1.0])
+    assert not valid
+    assert np.isnan(images).all()
+
+
 def test_maps_compose_as_their_matrices_do():
     one, two = transforms_3d.similarity(2.0, R, [1, 0, 0]), transforms_3d.rigid(R.T, [0, 5, 0])
     in_turn = apply_transform(two, apply_transform(one, POINTS)[0])[0]
@@ -140,9 +156,26 @@ def test_points_that_determine_no_rotation_are_told(source, target):
     found, valid = estimate_similarity(source, target)
     assert not valid
     assert np.isnan(found).all()
+    assert found.shape == (4, 4)
 
 
-@pytest.mark.parametrize("points", [POINTS[:2], POINTS[0], POINTS * np.nan, POINTS * 1e101])
+@pytest.mark.parametrize(("off", "enough"), [(1e-4, True), (1e-5, False)])
+def test_points_a_hair_off_a_line_determine_a_rotation(off, enough):
+    """Products of deviations count: a share of 1e−4 is one of 1e−8."""
+    line = np.array([[-1.0, off, 0.0], [0.0, -2 * off, 0.0], [1.0, off, 0.0]])
+    assert estimate_similarity(line, line @ R.T)[1] == enough
+
+
+def test_points_as_far_off_as_squares_allow_are_aligned():
+    far = POINTS / np.abs(POINTS).max() * 1e100
+    found, valid = estimate_similarity(far, far @ R.T * 0.5)
+    assert valid
+    np.testing.assert_allclose(found[:3, :3], 0.5 * R, atol=1e-14)
+
+
+@pytest.mark.parametrize(
+    "points", [POINTS[:2], POINTS[0], POINTS * np.nan, -np.abs(POINTS) * 1e101]
+)
 def test_too_few_or_endless_points_are_refused(points):
     with pytest.raises(ValueError, match=r"source of shape .+; legal: \(N, 3\)"):
         estimate_similarity(points, points)

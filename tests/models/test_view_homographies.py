@@ -68,6 +68,12 @@ def test_a_plane_through_the_camera_is_seen_as_a_line(plane):
         plane_between_views(FIRST, SECOND, POSE, plane)
 
 
+def test_a_plane_hardly_beside_the_camera_is_still_one():
+    near = plane_between_views(FIRST, SECOND, POSE, [0.0, 0.6, 0.8, -1e-11])
+    larger = plane_between_views(FIRST, SECOND, POSE, [0.0, 60.0, 80.0, -1e-9])
+    np.testing.assert_allclose(near, larger, rtol=1e-12)
+
+
 def test_a_mirror_is_no_turn_and_a_camera_matrix_no_calibration():
     with pytest.raises(ValueError, match="reflection"):
         turned_camera(FIRST, SECOND, np.diag([1.0, 1.0, -1.0]))
