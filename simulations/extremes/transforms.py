@@ -11,7 +11,13 @@ from simulations.engine.extreme import (
     refused,
     valid,
 )
-from simulations.models import homography_algebra, homography_estimation, transforms
+from simulations.models import (
+    homography_algebra,
+    homography_estimation,
+    transforms,
+    transforms_3d,
+)
+from simulations.models.view_homographies import plane_between_views
 
 HORIZON = np.array([[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [1.0, 0.0, -1.0]])
 SQUARE = np.array([[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]])
@@ -25,6 +31,9 @@ TABLE = ExtremeTable(
         **vars(transforms),
         **vars(homography_algebra),
         **vars(homography_estimation),
+        "transforms_3d": transforms_3d,
+        "plane_between_views": plane_between_views,
+        "LINE": np.outer([0.0, 1.0, 3.0], [1.0, 2.0, 3.0]),
         "HORIZON": HORIZON,
         "SQUARE": SQUARE,
         "inf": np.inf,
@@ -219,6 +228,29 @@ TABLE = ExtremeTable(
             why="In a land survey w is a difference of numbers a million times as large.",
             returns="Invalid: rounding the nine entries would move the corners too far.",
             expected=invalid,
+        ),
+        ExtremeCase(
+            id="beyond-infinity-in-space",
+            call="transforms_3d.apply_transform(np.eye(4)[[0, 1, 2, 2]], [1.0, 2.0, -4.0])",
+            why="w = −4: the division mirrors what lies beyond the plane that is sent to infinity.",
+            returns="Invalid.",
+            expected=invalid,
+            naive="np.array([1.0, 2.0, -4.0]) / -4.0",
+        ),
+        ExtremeCase(
+            id="three-points-on-a-line-in-space",
+            call="transforms_3d.estimate_similarity(LINE, LINE)[1]",
+            why="Any turn about the line brings them into place.",
+            returns="False.",
+            expected=exactly(False),
+        ),
+        ExtremeCase(
+            id="plane-through-the-eye",
+            call="plane_between_views(np.eye(3), np.eye(3), np.eye(4), [0.0, 1.0, 0.0, 0.0])",
+            why="A plane through the centre of the first camera is seen as a line: n/d divides by 0.",
+            returns="Refused.",
+            expected=refused("plane", "beside the first camera"),
+            naive="np.divide([0.0, 1.0, 0.0], 0.0)",
         ),
     ),
 )
