@@ -147,13 +147,13 @@ def _axes(now: float) -> Iterator[str]:
         x, y = _at(-BEFORE, row)
         yield text((x - 8, y + 4.5), str(row), "muted", "end")
     yield line(_at(0, -0.02), _at(0, ROWS), "muted dashed")
-    yield text((_at(0, 0)[0], TOP - 9), "now", "muted small halo", "middle")
+    yield text((_at(0, 0)[0], TOP - 7), "now", "muted small halo", "middle")
     yield text((RIGHT, BOTTOM + 42), "time, frames", "", "end")
     yield text((LEFT - 34, BOTTOM + 42), "↑ turn, in spoke spacings")
 
 
 def _legend() -> Iterator[str]:
-    y = 24.0
+    y = 17.0
     yield line((LEFT, y - 4.5), (LEFT + 20, y - 4.5), "world")
     yield text((LEFT + 26, y), "spokes", "world")
     yield dot((LEFT + 94, y - 4.5), "image", 4.0)
