@@ -31,7 +31,7 @@ YCBCR_FROM_RGB = np.array(
 
 
 def encode_srgb(linear: ArrayLike) -> Array:
-    """Linear light as sRGB values: a straight toe, then the power 1/2.4.
+    """Linear light (...) as sRGB values: a straight toe, then the power 1/2.4.
 
     Exact on [0, 1]. Values outside are extended: above 1 by the same power, below 0 by odd
     symmetry, so that out-of-gamut colours survive a round trip. NaN stays NaN.

@@ -7,8 +7,10 @@ yaw) is that same matrix.
 
 Gimbal lock: at a middle angle of ±π/2 (three different axes) or 0 and π (first and third the
 same) only the sum or difference of the other two angles is determined. The third is then set to
-zero and ``locked`` is True. It is True near the lock as well, where two angles still say all of
-the rotation between them, but each of them alone is known to fewer and fewer digits.
+zero and ``locked`` is True. It is True near the lock as well, where the three angles together
+still give the rotation back, but each of the outer ones alone is known to fewer and fewer digits.
+
+Source: Szeliski, Computer Vision, 2nd ed., §2.1.3; Diebel, Representing attitude, 2006.
 """
 
 import math

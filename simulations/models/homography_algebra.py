@@ -33,7 +33,7 @@ class Parts:
 
 
 def condition_number(H: ArrayLike) -> float:
-    """How close H is to singular, whatever the units: 1 at best, ∞ where it is singular.
+    """How close H (3, 3) is to singular, whatever the units: 1 at best, ∞ where it is singular.
 
     The plain condition number of a translation by 1000 px is a million, though nothing is wrong
     with it. The units of length before and after are free, so they are first chosen to balance
@@ -56,7 +56,7 @@ def condition_number(H: ArrayLike) -> float:
 
 
 def is_singular(H: ArrayLike) -> bool:
-    """Whether H squashes the plane onto a line or a point, to rounding."""
+    """Whether H (3, 3) squashes the plane onto a line or a point, to rounding."""
     return condition_number(H) > SINGULAR
 
 
@@ -78,7 +78,7 @@ def invert(H: ArrayLike) -> Floats:
 
 
 def decompose(H: ArrayLike) -> Parts:
-    """Translation, rotation, scales, shear and vanishing terms of a homography.
+    """Translation, rotation, scales, shear and vanishing terms of a homography (3, 3).
 
     Raises
     ------

@@ -81,7 +81,7 @@ def _direct_linear_system(before: Floats, after: Floats) -> Floats:
 
 
 def estimate_affine(source: ArrayLike, target: ArrayLike) -> Estimate:
-    """The affine map with the least sum of squared distances; N ≥ 3 points not on one line."""
+    """The affine map with the least sum of squared distances; (N, 2), N ≥ 3, not on one line."""
     before, after = _pairs(source, target)
     T = normalisation(before)
     if len(before) < 3 or T is None:
@@ -103,7 +103,7 @@ def estimate_similarity(source: ArrayLike, target: ArrayLike) -> Estimate:
 
 
 def estimate_rigid(source: ArrayLike, target: ArrayLike) -> Estimate:
-    """Rotation and translation with the least squared distances; N ≥ 2."""
+    """Rotation and translation with the least squared distances; (N, 2), N ≥ 2."""
     return _procrustes(source, target, scaled=False)
 
 

@@ -29,7 +29,7 @@ def normalise(quaternion: ArrayLike) -> Floats:
 
 
 def canonical(quaternion: ArrayLike) -> Floats:
-    """Of q and −q, scaled to unit norm, the one with w > 0.
+    """Of q and −q (..., 4), scaled to unit norm, the one with w > 0.
 
     Half turns have w = 0: there the first component that is not zero is made positive.
     """

@@ -154,7 +154,7 @@ def read_out(electrons: ArrayLike, sensor: Sensor, rng: np.random.Generator) -> 
 
 
 def quantise(signal_dn: ArrayLike, bits: int) -> NDArray[np.uint16]:
-    """Nearest whole code, held to the converter's range [0, 2^bits - 1].
+    """Nearest whole code (...), held to the converter's range [0, 2^bits - 1].
 
     NaN becomes 0: a cast of NaN is undefined and differs between processors. Rounding adds
     an error of variance 1/12 to a signal that spans several codes.
@@ -181,7 +181,7 @@ def capture(
 
 
 def develop(raw_dn: ArrayLike, sensor: Sensor) -> Array:
-    """Codes back to linear light: 0 at the black level, 1 at the top code; noise may dip below."""
+    """Codes (...) back to linear light: 0 at the black level, 1 at the top; noise may dip below."""
     span = sensor.highest_dn - sensor.black_level_dn
     linear: Array = (as_floats(raw_dn) - sensor.black_level_dn) / span
     return linear
@@ -221,7 +221,7 @@ def photon_transfer(
 
 
 def estimate_gain(mean_dn: ArrayLike, variance_dn: ArrayLike) -> float:
-    """Electrons per code from a photon-transfer curve: one over the slope of its straight part.
+    """Electrons per code from a transfer curve (N,): one over the slope of its straight part.
 
     A line is fitted with weight 1 / variance^2 of each point, since a variance is known to
     a fraction of itself. Leave saturated levels out.
