@@ -1,16 +1,12 @@
 """Measured numbers as a reader wants them: two digits, decimals where short, else powers of ten."""
 
-import math
-
 from simulations.engine.frame import format_number, power_of_ten
 
 NARROW_SPACE = "\u202f"
 
 
 def quantity(value: float, digits: int = 2) -> str:
-    """``value`` to ``digits`` significant digits: 1400, 0.41, 6.2 × 10⁻⁵, −3."""
-    if not math.isfinite(value):
-        return "∞" if value > 0 else "−∞"
+    """A finite ``value`` to ``digits`` significant digits: 1400, 0.41, 6.2 × 10⁻⁵, −3."""
     if value == 0.0:
         return "0"
     mantissa, _, exponent = f"{abs(value):.{digits - 1}e}".partition("e")

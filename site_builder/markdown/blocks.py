@@ -1,6 +1,7 @@
 """A flat list of tokens to a tree of blocks: runs of prose, and directives read by constructs."""
 
 from collections.abc import Iterable, Sequence
+from itertools import accumulate
 
 from markdown_it.token import Token
 
@@ -57,12 +58,8 @@ def check_options(directive: Directive, legal: Iterable[str], reading: Reading) 
 
 
 def _end_of_element(tokens: Sequence[Token], start: int) -> int:
-    depth = 0
-    for index in range(start, len(tokens)):
-        depth += tokens[index].nesting
-        if depth <= 0:
-            return index + 1
-    return len(tokens)
+    depths = accumulate(token.nesting for token in tokens[start:])
+    return start + next(count for count, depth in enumerate(depths, start=1) if depth == 0)
 
 
 def _read_directive(element: Sequence[Token], reading: Reading) -> Block | None:

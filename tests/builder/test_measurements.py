@@ -9,6 +9,7 @@ import pytest
 from support.html_outline import read_html
 from support.toy_ladder import ERRORS, FILE, toy_data, toy_ladder, toy_measurements
 
+from simulations.engine.ladder import Ladder
 from site_builder.assets import content_bytes
 from site_builder.build import Options, check_site, render_site
 from site_builder.diagnostics import BuildError
@@ -119,6 +120,20 @@ def test_a_table_of_ladders_needs_them_all_to_be_measured(find: Find) -> None:
     data["ladders"]["lost"] = data["ladders"]["toy"]
     assert find(":::{ladder-table} All\n:::\n", data) == [
         "content/00-first.md:5: unknown ladder 'lost'; legal: toy"
+    ]
+
+
+def test_a_ladder_whose_own_code_fails_is_reported_with_its_reason(
+    make_book: Callable[..., Options],
+) -> None:
+    def load(_ladder_id: str) -> Ladder:
+        raise ImportError("no module")
+
+    options = make_book(":::{ladder} toy\n:::\n", {FILE: json.dumps(toy_data())})
+    with pytest.raises(BuildError) as raised:
+        check_site(replace(options, load_ladder=load))
+    assert [str(found) for found in raised.value.diagnostics] == [
+        "content/00-first.md:5: ladder 'toy' cannot be loaded: ImportError: no module"
     ]
 
 

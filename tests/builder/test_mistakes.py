@@ -5,18 +5,21 @@ reported. A mismatch leaves ``NAME-changed.txt`` there to compare, and to rename
 """
 
 from collections.abc import Callable
+from dataclasses import replace
 from pathlib import Path
 
 import pytest
 
-from site_builder.build import Options
-from site_builder.diagnostics import unknown
+from simulations.engine.scene import Scene
+from site_builder.build import Options, check_site
+from site_builder.diagnostics import BuildError, unknown
 
 FIXTURES = Path(__file__).parents[1] / "fixtures" / "mistakes"
 OUTLINE = (
     'title = "T"\nsubtitle = "S"\nprerequisites = "P"\nhero = "demo"\n'
     'hero_caption = "The *demo*."\nchapters = [\n  "00-first",\n  "01-second",\n]\n'
 )
+OUTLINE_WITHOUT_COVER = OUTLINE.replace('hero = "demo"\n', "")
 type Find = Callable[..., list[str]]
 
 
@@ -150,6 +153,40 @@ def test_malformed_yaml_is_reported_at_its_line(mistakes: Find) -> None:
     found = mistakes(files={"content/00-first.md": "---\ntitle: [\nsummary: s\n---\n\nText.\n"})
     assert len(found) == 1
     assert found[0].startswith("content/00-first.md:3: malformed YAML:")
+
+
+def test_front_matter_that_is_no_mapping_is_reported(mistakes: Find) -> None:
+    found = mistakes(files={"content/00-first.md": "---\n- title\n---\n\nText.\n"})
+    assert found[0].startswith("content/00-first.md:1: front matter is no mapping; legal:")
+
+
+def test_a_book_without_an_outline_is_told_what_one_holds(mistakes: Find) -> None:
+    assert mistakes(files={"content/book.toml": None}) == [
+        "content/book.toml:1: no outline; legal: a file with "
+        "title, subtitle, prerequisites, chapters, hero, hero_caption"
+    ]
+
+
+def test_an_outline_without_chapters_is_reported_at_its_line(mistakes: Find) -> None:
+    outline = OUTLINE.partition("chapters")[0] + "chapters = []\n"
+    found = mistakes(files={"content/book.toml": outline})
+    assert found == ['content/book.toml:6: no chapters; legal: ["00-slug", …]']
+
+
+def test_a_number_of_a_figure_that_cannot_be_drawn_is_reported_with_its_reason(
+    make_book: Callable[..., Options],
+) -> None:
+    options = make_book("{readout}`demo k1`\n", {"content/book.toml": OUTLINE_WITHOUT_COVER})
+
+    def load(scene_id: str) -> Scene:
+        return replace(options.load_scene(scene_id), render=lambda *_: 1 / 0)
+
+    with pytest.raises(BuildError) as raised:
+        check_site(replace(options, load_scene=load))
+    assert [str(found) for found in raised.value.diagnostics] == [
+        "content/00-first.md:5: simulation 'demo' cannot be drawn: ZeroDivisionError: "
+        "division by zero"
+    ]
 
 
 def test_a_chapter_without_front_matter_is_reported(mistakes: Find) -> None:
