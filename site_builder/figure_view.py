@@ -9,10 +9,12 @@ from simulations.engine.scene import Scene
 from simulations.registry import load_ladder
 from site_builder.embedding import json_for_html
 from site_builder.quantities import with_unit
+from site_builder.source import OUTLINE
 from site_builder.stills import Still
 
 SHOW_STAGES_FROM = 10
-"""A chain this long is worth seeing at once; a shorter one waits behind its summary."""
+"""A chain this long is worth seeing at once in a chapter; shorter ones, and that of the cover's
+figure, wait behind their summary."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -95,7 +97,7 @@ def view_figure(still: Still, assets: str) -> FigureView:
         judged=scene.error is not None,
         stages=frame.stages,
         stages_text=count_stages(frame.stages),
-        stages_open=len(frame.stages) >= SHOW_STAGES_FROM,
+        stages_open=len(frame.stages) >= SHOW_STAGES_FROM and figure.path != OUTLINE,
         schema=json_for_html(schema(still)),
     )
 
