@@ -76,8 +76,10 @@ def test_a_transfer_curve_has_twenty_thousand_samples_a_level_unless_told_otherw
 @pytest.mark.parametrize(
     ("mean", "variance", "message"),
     [
-        ([1.0, 2.0], [3.0, 3.0], "does not rise with the mean"),
-        ([1.0, 2.0], [3.0, 2.0], "does not rise with the mean"),
+        ([1.0, 2.0], [3.0, 3.0], "variance of 3 to 3 does not rise with the mean"),
+        ([1.0, 2.0], [3.0, 2.0], "variance of 2 to 3 does not rise with the mean"),
+        ([1.0, 2.0], [-3.0, -3.0 + 2e-9], "variance of -3 to -3 does not rise with the mean"),
+        ([0.0, 1.0, 2.0], [1e-3, 1e3, 1e-3 + 1e-8], "does not rise with the mean"),
         ([1.0, np.nan], [1.0, 2.0], "not finite"),
         ([1.0, 2.0], [1.0, np.inf], "not finite"),
         ([1.0, 2.0, 3.0], [1.0, 2.0], r"both \(N,\)"),
@@ -87,3 +89,10 @@ def test_a_transfer_curve_has_twenty_thousand_samples_a_level_unless_told_otherw
 def test_a_curve_without_shot_noise_has_no_gain(mean, variance, message):
     with pytest.raises(ValueError, match=message):
         estimate_gain(mean, variance)
+
+
+def test_a_variance_rises_if_it_does_so_by_a_billionth_of_itself():
+    mean = np.array([1.0, 11.0])
+    assert estimate_gain(mean, [3.0, 3.0 + 3.1e-9]) == pytest.approx(10 / 3.1e-9, rel=1e-5)
+    with pytest.raises(ValueError, match="does not rise"):
+        estimate_gain(mean, [3.0, 3.0 + 2.9e-9])

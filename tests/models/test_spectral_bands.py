@@ -54,7 +54,7 @@ def test_shares_fall_off_as_the_bell_does():
     assert band.shares[1] / band.shares[0] == pytest.approx(np.exp(-2))
 
 
-@pytest.mark.parametrize(("width", "count"), [(0.03, 0), (0.0, 3), (-1.0, 3), (np.inf, 3)])
+@pytest.mark.parametrize(("width", "count"), [(0.03, 0), (0.99e-9, 3), (-1.0, 3), (np.inf, 3)])
 def test_no_wavelength_and_no_width_are_refused(width, count):
     with pytest.raises(ValueError, match=f"count {count}, width_um .*; legal: 1 or more, 1e-9"):
         chosen_wavelengths(0.5, width, count)
@@ -68,12 +68,19 @@ def test_a_curve_between_two_wavelengths_is_taken_at_the_nearest():
     np.testing.assert_array_equal(far.shares, [0, 0, 1])
 
 
-@pytest.mark.parametrize("peak", [np.nan, np.inf, 2e9])
+@pytest.mark.parametrize("peak", [np.nan, np.inf, 1.001e9, -1.001e9])
 def test_a_peak_that_is_no_wavelength_is_refused(peak):
     with pytest.raises(ValueError, match="legal: finite, at most 1e9"):
         even_wavelengths((0.5, peak), 0.03, 0.38, 0.72, 3)
     with pytest.raises(ValueError, match="legal: finite, at most 1e9"):
         chosen_wavelengths(peak, 0.03, 3)
+
+
+def test_the_narrowest_band_and_the_longest_wave_are_legal():
+    band = chosen_wavelengths(1.0, 1e-9, 3)
+    np.testing.assert_allclose((band.wavelengths_um - 1) * 1e9, np.sqrt(3) * np.arange(-1, 2), 1e-6)
+    for peak in (-1e9, 1e9):
+        assert chosen_wavelengths(peak, 0.03, 1).wavelengths_um == [peak]
 
 
 def test_a_hundred_wavelengths_can_be_chosen_and_no_more():

@@ -159,7 +159,19 @@ def test_a_disc_that_hardly_sticks_out_of_another_loses_a_sliver(out):
     assert lost == pytest.approx(crescent, abs=1e-15)
 
 
-@pytest.mark.parametrize(("a", "b"), [(0.0, 1.0), (1.0, np.inf), (np.nan, 1.0), (1.0, -1.0)])
+def test_discs_may_be_from_1e_minus_70_to_1e70_wide():
+    shared = disc_overlap_area([0.0, 2e70], 1e-70, 1e70)
+    np.testing.assert_allclose(shared / (np.pi * 1e-140), [1, 0])
+
+
+def test_discs_share_as_much_to_either_side_of_each_other():
+    left, right = disc_overlap_area([-0.7, 0.7], 1.0, 0.8)
+    assert left == right < np.pi * 0.64
+
+
+@pytest.mark.parametrize(
+    ("a", "b"), [(0.99e-70, 1.0), (1.0, 1.01e70), (1.0, np.inf), (np.nan, 1.0), (1.0, -1.0)]
+)
 def test_discs_of_no_size_are_refused(a, b):
     with pytest.raises(ValueError, match="must be 1e-70 to 1e70"):
         disc_overlap_area(0.5, a, b)
