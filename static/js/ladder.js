@@ -152,7 +152,7 @@ export function milliseconds(/** @type {number} */ value) {
 }
 
 /** @param {Result[]} results @param {Ladder} ladder */
-export function toCsv(results, ladder) {
+function toCsv(results, ladder) {
   const errors = ladder.metrics.map((metric) => `${metric.id} (${metric.unit})`);
   const head = ["ladder", "tier", "median (ms)", "lower quartile (ms)", "upper quartile (ms)"];
   const rows = results.map((result) => [

@@ -17,7 +17,7 @@ export const LIMITS = {
 };
 
 /** Why a call failed: `python` (our code raised), `start` (no interpreter), `lost` (no answer). */
-export class RuntimeFailure extends Error {
+class RuntimeFailure extends Error {
   /** @param {"python" | "start" | "lost"} kind @param {string} message */
   constructor(kind, message) {
     super(message);
