@@ -61,7 +61,7 @@ def test_a_plane_infinitely_far_off_moves_as_for_a_camera_that_only_turned():
 
 
 @pytest.mark.parametrize(
-    "plane", [[0, 0, 1, 0], [1, 1, 0, 1e-13], [0, 0, 0, 0], [np.nan, 0, 1, 1], [0, 0, np.inf, 1]]
+    "plane", [[0, 0, 1, 0], [1, 1, 0, 1e-13], [0, 0, 0, 0], [np.nan, 0, 1, 1], [0, 0, 1, np.inf]]
 )
 def test_a_plane_through_the_camera_is_seen_as_a_line(plane):
     with pytest.raises(ValueError, match="legal: finite, beside the first camera"):
