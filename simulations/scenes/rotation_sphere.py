@@ -105,7 +105,7 @@ def _trace(points: Floats, name: str, *, front: bool) -> str:
 def _marks(trace: Floats) -> Iterator[str]:
     for place in trace[MARK_EVERY:-1:MARK_EVERY]:
         far = place[2] > 0
-        yield dot(place, ROLES["slerp"] + (" faint" if far else ""), 2.5)
+        yield dot(place, ROLES["slerp"] + (" faint" if far else ""), 3.4)
 
 
 def _ends(trace: Floats) -> Iterator[str]:
