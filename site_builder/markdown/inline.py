@@ -15,6 +15,7 @@ from site_builder.markdown.math import ROLES, UnsupportedTexError, to_mathml
 from site_builder.markdown.measured import measured_text
 from site_builder.markdown.reading import Reading, slug
 from site_builder.markdown.readout import ReadoutError
+from site_builder.markdown.text_role import TEXT_ROLES
 from site_builder.measurements import MeasurementError
 
 MISPLACED_OPTION = re.compile(r":[a-z_][\w-]*:[ \t]+\S+")
@@ -36,10 +37,10 @@ def annotate(tokens: Sequence[Token], reading: Reading) -> None:
                     f"option {token.content!r} in running text; "
                     "legal: directly below the line that opens the directive",
                 )
-            case "measured" | "readout":
+            case kind if kind in TEXT_ROLES:
                 _set_number(token, line, reading)
             case "role_open" if token.info not in ROLES:
-                reading.problem(line, unknown("colour role", token.info, ROLES))
+                reading.problem(line, unknown("role", token.info, (*ROLES, *TEXT_ROLES)))
             case "image":
                 reading.problem(
                     line, "picture in running text; legal: ':::{figure} file' with ':alt:'"
@@ -129,6 +130,9 @@ def _name_headings(tokens: Sequence[Token], reading: Reading) -> None:
         text = plain_text(inline)
         if not text:
             reading.problem(line, "heading without words; legal: '## Some words'")
+        if opening.markup in ("-", "="):
+            legal = f"'## {text}', or an empty line above the rule"
+            reading.problem(line, f"{text!r} underlined is a heading; legal: {legal}")
         previous = reading.headings[-1].level if reading.headings else 1
         if level == 1:
             reading.problem(line, f"heading '# {text}'; legal: '##' and deeper, below the title")

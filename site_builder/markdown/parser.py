@@ -31,7 +31,7 @@ from site_builder.markdown.simulation import read_simulation
 from site_builder.markdown.stage_costs import read_stage_cost_table
 from site_builder.markdown.stray_marks import stray_marks_plugin
 from site_builder.markdown.table import read_table, table_plugin
-from site_builder.markdown.text_role import text_role
+from site_builder.markdown.text_role import TEXT_ROLES, text_role
 from site_builder.markdown.typography import typography_plugin
 from site_builder.measurements import Measurements
 
@@ -58,7 +58,7 @@ def make_parser() -> MarkdownIt:
     parser.use(front_matter_plugin).use(footnote_plugin).use(directive_plugin)
     parser.use(dollarmath_plugin, allow_labels=False, allow_space=False, allow_digits=False)
     parser.use(table_plugin).use(roles_plugin).use(typography_plugin).use(stray_marks_plugin)
-    for name in ("measured", "readout"):
+    for name in TEXT_ROLES:
         parser.use(text_role, name)
     parser.add_render_rule("math_inline", _formula)
     parser.add_render_rule("math_block", _equation)

@@ -12,6 +12,9 @@ from markdown_it.rules_inline import StateInline
 from markdown_it.token import Token
 from markdown_it.utils import EnvType, OptionsDict
 
+TEXT_ROLES = ("measured", "readout")
+"""All of them; what their words ask for is found in `inline`."""
+
 
 def text_role(parser: MarkdownIt, name: str) -> None:
     """``{name}`words``` becomes a token ``name`` that holds the words, until annotation replaces
