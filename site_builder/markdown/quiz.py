@@ -31,26 +31,11 @@ def read_quiz(directive: Directive, body: Sequence[Token], reading: Reading) -> 
     if not directive.argument:
         reading.problem(directive.line, "{quiz} has no id; legal: ':::{quiz} id'")
         return None
-    if not ID.fullmatch(directive.argument):
-        reading.problem(
-            directive.line,
-            f"quiz id {directive.argument!r}; legal: small letters, digits and hyphens",
-        )
-    reading.take_id(f"quiz-{directive.argument}", directive.line, "quiz")
+    _take_id(directive, reading)
     kind = _read_kind(directive, reading)
     prompt, answers, rest = _split(body)
     read_html(directive, body, reading)  # reports directives inside the quiz
-    if not prompt:
-        message = (
-            f"quiz {directive.argument!r} asks no question; legal: some text above its answers"
-        )
-        reading.problem(directive.line, message)
-    if rest:
-        line = (rest[0].map or [directive.line - 1])[0] + 1
-        legal = "nothing after the answers, each explained by a ': …' line below it"
-        reading.problem(
-            line, f"text below the answers of quiz {directive.argument!r}; legal: {legal}"
-        )
+    _check_parts(directive, prompt, rest, reading)
     options = tuple(option for answer in answers if (option := _read_option(answer, reading)))
     _check_options_of_quiz(directive, kind, options, len(answers), reading)
     return Quiz(
@@ -62,6 +47,28 @@ def read_quiz(directive: Directive, body: Sequence[Token], reading: Reading) -> 
         path=reading.path,
         line=directive.line,
     )
+
+
+def _take_id(directive: Directive, reading: Reading) -> None:
+    name = directive.argument
+    if not ID.fullmatch(name):
+        legal = "small letters, digits and hyphens"
+        reading.problem(directive.line, f"quiz id {name!r}; legal: {legal}")
+    reading.take_id(f"quiz-{name}", directive.line, "quiz")
+
+
+def _check_parts(
+    directive: Directive, prompt: Sequence[Token], rest: Sequence[Token], reading: Reading
+) -> None:
+    """There is something above the answers, and nothing below: it would not be shown."""
+    name = directive.argument
+    if not prompt:
+        legal = "some text above its answers"
+        reading.problem(directive.line, f"quiz {name!r} asks no question; legal: {legal}")
+    if rest:
+        line = (rest[0].map or [directive.line - 1])[0] + 1
+        legal = "nothing after the answers, each explained by a ': …' line below it"
+        reading.problem(line, f"text below the answers of quiz {name!r}; legal: {legal}")
 
 
 def _read_kind(directive: Directive, reading: Reading) -> str:

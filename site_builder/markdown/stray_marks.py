@@ -30,7 +30,7 @@ def stray_marks_plugin(parser: MarkdownIt) -> None:
 
 
 def _rule(state: StateCore) -> None:
-    lines = state.src.splitlines()
+    lines = state.src.split("\n")
     problems = state.env.setdefault("problems", [])
     for token, line in located(state.tokens):
         match token.type:
