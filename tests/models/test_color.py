@@ -248,3 +248,11 @@ def test_a_picture_without_pixels_has_no_mean_colour_and_a_glaring_one_an_infini
     with pytest.raises(ValueError, match="one pixel or more"):
         color.grey_world(np.ones((0, 3)))
     assert (color.grey_world(np.full((9, 3), 1e308)) == np.inf).all()
+
+
+def test_the_widest_of_all_displays_has_a_blue_of_hardly_any_light():
+    """ROMM RGB, ISO 22028-2, whose blue has y = 0.0001; the matrix as B. Lindbloom tabulates it."""
+    primaries = [(0.7347, 0.2653), (0.1596, 0.8404), (0.0366, 0.0001)]
+    expected = [[0.7977, 0.1352, 0.0314], [0.2880, 0.7119, 0.0001], [0.0, 0.0, 0.8252]]
+    found = color.rgb_to_xyz_matrix(primaries, (0.3457, 0.3585))
+    np.testing.assert_allclose(found, expected, atol=3e-4)

@@ -111,8 +111,19 @@ def steps(monkeypatch):
     return made
 
 
-def test_where_the_curve_is_mild_two_steps_are_enough(steps):
-    invert_bracketed(RadialProfile((-1 / 3,)), np.linspace(0.0, 0.6, 50))
+@pytest.mark.parametrize(
+    ("profile", "images"),
+    [
+        (RadialProfile((-1 / 3,)), np.linspace(0.0, 0.6, 50)),
+        (RadialProfile((-1 / 3,)), 2 / 3 * (1 - np.logspace(-7, -1, 50))),
+        (RadialProfile((1.0,)), np.linspace(0.0, 5.0, 50)),
+        (PROFILES[2], np.linspace(0.0, 2.0, 50)),
+    ],
+    ids=["mild", "up to the fold", "strong", "rational"],
+)
+def test_from_the_first_guess_two_steps_are_enough(steps, profile, images):
+    """Samples crowd where a fold flattens the curve, so that the guess is as good there."""
+    assert invert_bracketed(profile, images)[1].all()
     assert len(steps) == 2
 
 
