@@ -112,3 +112,33 @@ def test_blocked_storage_breaks_nothing(plain_reader: Reader, book: dict) -> Non
     assert form.get_attribute("data-answered") in ("correct", "wrong")
     plain_reader.page.locator(".theme-toggle").click()
     assert plain_reader.page.locator("html").get_attribute("data-theme") == "light"
+
+
+ANSWERS = """async (calls) => {
+  const url = new URL(document.body.dataset.assets + 'js/runtime.js', location.href);
+  const runtime = (await import(url)).sharedRuntime();
+  const answers = [];
+  for (const [name, payload] of calls) {
+    answers.push(await runtime.call(name, payload)
+      .then(() => 'answered', (error) => `${error.kind}: ${error.message}`));
+  }
+  return answers;
+}"""
+
+
+def test_what_python_refuses_is_told_and_the_next_call_is_answered(reader: Reader) -> None:
+    reader.open("licences/", live=False)
+    frame = {"figure": "figure-x", "scene": "lens-distortion", "values": "{}", "tier": ""}
+    calls = [
+        ("render", frame | {"scene": "lens-distorsion"}),
+        ("render", frame | {"values": '{"k1": "NaN"}'}),
+        ("render", frame | {"values": '{"picture": "sunset"}'}),
+        ("measure", {"ladder": "srgb", "tier": "perfect", "budget": 0.01}),
+        ("render", frame | {"values": '{"k1": 1e300}'}),
+    ]
+    answers = reader.page.evaluate(ANSWERS, calls)
+    told = ["did you mean 'lens-distortion'?", "'NaN' is not finite", "'sunset' is not an option"]
+    for answer, words in zip(answers, [*told, "has no tier 'perfect'"], strict=False):
+        assert answer.startswith("python: "), answer
+        assert words in answer
+    assert answers[-1] == "answered", "a slider past its end is at its end"
