@@ -95,28 +95,28 @@ def _run(
 
     Moves the folder ``numpy`` to where the program looks for it.
     """
-    pyodide, work = scratch / "pyodide", scratch / "work"
+    pyodide, freezer = scratch / "pyodide", scratch / "freezer"
     pyodide.mkdir()
-    work.mkdir()
+    freezer.mkdir()
     for name in INTERPRETER:
         shutil.copyfile(interpreter[name], pyodide / name)
-    for folder in (pyodide, work):
+    for folder in (pyodide, freezer):
         shutil.copyfile(python, folder / "python.zip")
-    numpy.rename(work / "numpy")
-    (work / "lock.json").write_text(json.dumps(LOCK), encoding="utf-8")
-    (work / "order.json").write_text(json.dumps(order), encoding="utf-8")
+    numpy.rename(freezer / "numpy")
+    (freezer / "lock.json").write_text(json.dumps(LOCK), encoding="utf-8")
+    (freezer / "order.json").write_text(json.dumps(order), encoding="utf-8")
     done = node(
-        [str(DRIVER), str(pyodide), str(PROGRAM), str(work)],
+        [str(DRIVER), str(pyodide), str(PROGRAM), str(freezer)],
         return_completed_process=True, capture_output=True, text=True, check=False,
     )  # fmt: skip
-    missing = work / "missing"
+    missing = freezer / "missing"
     if missing.is_file():
         name = missing.read_text(encoding="utf-8")
         raise FreezeError(f"{places[name]}: imports {name}, which the browser's Python lacks")
     if done.returncode:
         lines = [line for line in str(done.stderr).splitlines() if line.strip()]
         raise FreezeError("compiling for the browser failed:\n" + "\n".join(lines[-15:]))
-    return work / "out"
+    return freezer / "out"
 
 
 def _keep(out: Path, record: Path, store: Path) -> Frozen:

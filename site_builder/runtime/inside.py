@@ -1,8 +1,8 @@
 """Trace and compile, inside the interpreter that will run the modules.
 
 Runs in Pyodide, started by ``interpreter.mjs``, with its standard library and nothing else. Reads
-``/work/order.json`` and writes ``/work/out/``: zip archives of modules, and ``modules.json`` with
-the names of the modules in each.
+``/freezer/order.json`` and writes ``/freezer/out/``: zip archives of modules, and
+``modules.json`` with the names of the modules in each.
 """
 
 import ast
@@ -15,8 +15,8 @@ from importlib import import_module
 from importlib._bootstrap_external import _code_to_hash_pyc  # type: ignore[attr-defined]
 from pathlib import Path
 
-WORK = Path("/work")
-OUT = WORK / "out"
+FREEZER = Path("/freezer")
+OUT = FREEZER / "out"
 SITE = Path("/lib/traced")
 ITS_OWN = ("_pyodide", "pyodide")
 """Packages of the interpreter's own, which in a browser imports more of them than here."""
@@ -27,7 +27,7 @@ type Members = Mapping[str, bytes]
 
 
 def main() -> None:
-    order = json.loads((WORK / "order.json").read_text())
+    order = json.loads((FREEZER / "order.json").read_text())
     OUT.mkdir()
     parts = freeze_libraries(order["at_once"], order["later"])
     for part, members in parts.items():
@@ -43,7 +43,7 @@ def freeze_libraries(at_once: list[str], later: list[str]) -> dict[str, Members]
     Python's library also what the modules ``later`` import. ``numpy-PACKAGE``: each package that
     is named in ``later`` only. These are compiled. ``python-rest`` and ``numpy-rest``: all else.
     """
-    python, numpy = read_archive(WORK / "python.zip"), read_folder(WORK / "numpy")
+    python, numpy = read_archive(FREEZER / "python.zip"), read_folder(FREEZER / "numpy")
     install(numpy)
     trace(at_once)
     core = set(sys.modules)
@@ -99,12 +99,12 @@ def install(members: Members) -> None:
 
 
 def trace(names: Iterable[str]) -> None:
-    """Import modules. One that is not there is told in ``/work/missing`` and ends the program."""
+    """Import modules. One that is not there is named in ``/freezer/missing``: the program ends."""
     for name in names:
         try:
             import_module(name)
         except ModuleNotFoundError:
-            (WORK / "missing").write_text(name)
+            (FREEZER / "missing").write_text(name)
             raise
 
 
