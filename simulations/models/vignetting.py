@@ -57,7 +57,7 @@ def mechanical_vignetting(
     if not 0.0 <= separation_mm < np.inf:
         raise ValueError(f"separation_mm {separation_mm!r}: must be finite and not negative")
     with np.errstate(over="ignore"):
-        shift = np.abs(np.asarray(tan_field, float) * separation_mm) / pupil_radius_mm
+        shift = np.asarray(tan_field, float) * separation_mm / pupil_radius_mm
     # In units of the pupil, so that tiny and huge lenses neither vanish nor overflow when squared.
     rim = min(max(rim_radius_mm / pupil_radius_mm, 1e-70), 1e70)
     result: Floats = disc_overlap_area(shift, 1.0, rim) / np.pi
@@ -68,8 +68,8 @@ def disc_overlap_area(distance: ArrayLike, radius_a: float, radius_b: float) -> 
     """Area (...) common to two discs whose centres are ``distance`` (...) apart.
 
     Two sectors less the kite between the centres and the points where the circles meet. Its area
-    is taken from the three lengths as Kahan does for needle-like triangles, and the angles from
-    it: an arccosine would lose half of the digits where the discs just touch.
+    is taken from the three lengths by Heron's formula, and the angles from it: an arccosine would
+    lose half of the digits where the discs just touch.
 
     Parameters
     ----------
@@ -79,17 +79,18 @@ def disc_overlap_area(distance: ArrayLike, radius_a: float, radius_b: float) -> 
     small, large = sorted((float(radius_a), float(radius_b)))
     if not (small >= 1e-70 and large <= 1e70):
         raise ValueError(f"radii {radius_a!r} and {radius_b!r}: must be 1e-70 to 1e70")
+    gap, full = large - small, np.pi * small**2
     apart = np.abs(np.asarray(distance, float))
-    d = np.clip(apart, large - small, large + small)  # outside, the formula is at its limits
-    longest, middle, shortest = np.maximum(d, large), np.clip(d, small, large), np.minimum(d, small)
-    excess = longest - middle
-    kite = np.sqrt(
-        (longest + (middle + shortest))
-        * np.maximum(shortest - excess, 0.0)
-        * (shortest + excess)
-        * (longest + (middle - shortest))
-    )  # twice its area
-    lead = (large - small) * (large + small)
-    sectors = small**2 * np.arctan2(kite, d * d - lead) + large**2 * np.arctan2(kite, d * d + lead)
-    area = np.clip(sectors - 0.5 * kite, 0.0, np.pi * small**2)
-    return np.where(apart <= large - small, np.pi * small**2, area)
+    d = np.clip(apart, gap, large + small)  # outside, the formula is at its limits
+    # The difference of neighbouring numbers first: it is exact.
+    beyond = d - large
+    product = small - beyond
+    product *= small + beyond
+    product *= d + gap
+    product *= d + (large + small)
+    kite = np.sqrt(np.maximum(product, 0.0))  # twice its area
+    square, lead = d * d, gap * (large + small)
+    area = small**2 * np.arctan2(kite, square - lead)
+    area += large**2 * np.arctan2(kite, square + lead)
+    area -= 0.5 * kite
+    return np.where(apart <= gap, full, np.clip(area, 0.0, full))
