@@ -101,7 +101,7 @@ def _read_outline(root: Path, problems: Diagnostics) -> Outline:
         title=str(table.get("title", "")),
         subtitle=str(table.get("subtitle", "")),
         prerequisites=str(table.get("prerequisites", "")),
-        chapters=tuple((name, _line_of(f'"{name}"', text)) for name in names),
+        chapters=tuple((name, _line_of_name(name, text)) for name in names),
         hero=str(table.get("hero", "")),
         hero_caption=str(table.get("hero_caption", "")),
         hero_line=_line_of("hero", text),
@@ -120,12 +120,18 @@ def _read_text(root: Path, path: str, problems: Diagnostics) -> str:
     return text.replace("\r\n", "\n")
 
 
-def _line_of(fragment: str, text: str) -> int:
-    """First line that begins with ``fragment``; 1 where none does."""
-    for number, line in enumerate(text.splitlines(), start=1):
-        if line.strip().startswith(fragment):
-            return number
-    return 1
+def _line_of(key: str, text: str) -> int:
+    """Where ``key = …`` stands; 1 where it does not."""
+    return _line_with(rf"\s*{re.escape(key)}\s*=", text)
+
+
+def _line_of_name(name: str, text: str) -> int:
+    return _line_with(rf".*[\"']{re.escape(name)}[\"']", text)
+
+
+def _line_with(pattern: str, text: str) -> int:
+    lines = enumerate(text.splitlines(), start=1)
+    return next((number for number, line in lines if re.match(pattern, line)), 1)
 
 
 def _chapter_files(root: Path) -> list[str]:

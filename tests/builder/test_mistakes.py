@@ -48,9 +48,13 @@ def test_all_mistakes_of_all_files_are_reported_at_once(mistakes: Find) -> None:
 
 
 def test_a_chapter_in_the_outline_without_a_file_is_reported_at_its_line(mistakes: Find) -> None:
-    outline = 'title = "T"\nsubtitle = "S"\nprerequisites = "P"\nchapters = [\n"00-frist",\n]\n'
-    found = mistakes(files={"content/book.toml": outline})
-    assert "content/book.toml:5: unknown chapter '00-frist'; did you mean '00-first'?" in found
+    for chapters, line in (("[\n'00-frist',\n]", 5), ('["00-frist"]', 4)):
+        outline = f'title = "T"\nsubtitle = "S"\nprerequisites = "P"\nchapters = {chapters}\n'
+        found = mistakes(files={"content/book.toml": outline})
+        assert (
+            f"content/book.toml:{line}: unknown chapter '00-frist'; did you mean '00-first'?"
+            in found
+        )
 
 
 def test_a_chapter_file_outside_the_outline_is_reported(mistakes: Find) -> None:
@@ -103,6 +107,14 @@ def test_a_file_in_another_encoding_is_reported_at_its_line(
 def test_the_mark_that_some_editors_put_before_a_text_is_no_mistake(mistakes: Find) -> None:
     text = "\ufeff---\r\ntitle: T\r\nsummary: s\r\n---\r\n\r\nText.\r\n"
     assert mistakes(files={"content/00-first.md": text}) == []
+
+
+def test_an_unknown_cover_is_reported_at_its_own_line(mistakes: Find) -> None:
+    caption, cover = 'hero_caption = "The *demo*."\n', 'hero = "demmo"\n'
+    outline = OUTLINE.replace('hero = "demo"\n' + caption, caption + cover)
+    assert mistakes(files={"content/book.toml": outline}) == [
+        "content/book.toml:5: unknown simulation 'demmo'; legal: demo"
+    ]
 
 
 def test_a_link_that_would_lead_out_of_the_cover_is_reported(mistakes: Find) -> None:
