@@ -98,10 +98,19 @@ function arrive() {
 }
 
 function restoreScroll() {
-  const target = document.getElementById(decodeURIComponent(location.hash.slice(1)));
+  const target = hashTarget();
   const kept = history.state?.scroll;
   if (kept === undefined && target) target.scrollIntoView();
   else scrollTo({ top: kept ?? 0, behavior: "instant" });
+}
+
+/** The element that the address points to; none where its end is mangled. */
+function hashTarget() {
+  try {
+    return document.getElementById(decodeURIComponent(location.hash.slice(1)));
+  } catch {
+    return null;
+  }
 }
 
 function saveScroll() {
