@@ -49,5 +49,6 @@ def _blend_rows(values: Array, count: int) -> Array:
     place = np.arange(count, dtype=values.dtype) * (cells / (count - 1))
     cell = np.minimum(place.astype(np.int32), cells - 1)
     share = (place - cell).astype(values.dtype).reshape(-1, *(1,) * (values.ndim - 1))
-    blended: Array = values[cell] + share * (values[cell + 1] - values[cell])
+    with np.errstate(over="ignore", invalid="ignore"):
+        blended: Array = values[cell] + share * (values[cell + 1] - values[cell])
     return blended

@@ -96,6 +96,8 @@ def filtered_wave(
 
     Its local frequency is ``frequency + chirp * x`` cycles per pixel.
     """
+    if not (abs(frequency) <= 1e9 and abs(chirp) <= 1e9):
+        raise ValueError(f"filtered_wave: {frequency}, {chirp}; legal: at most 1e9 in size")
     seen = np.asarray(x, float)[..., None] - kernel.offsets_px
     waves = np.exp(1j * np.pi * seen * (2 * frequency + chirp * seen))
     # A matrix product would wake the threads of a linear algebra library for a few thousand sums.

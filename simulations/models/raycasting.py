@@ -212,10 +212,10 @@ def edge_coverage(margin: ArrayLike) -> Floats:
     signed = np.asarray(margin, float)
     if signed.ndim != 2 or min(signed.shape) < 2:
         raise ValueError(f"edge_coverage: margin {signed.shape}; legal: (H, W), both at least 2")
-    with np.errstate(over="ignore"):
+    with np.errstate(over="ignore", invalid="ignore"):
         down, across = np.gradient(signed)
         slope = np.maximum(np.hypot(down, across), NEARLY_ZERO)
-    coverage: Floats = np.clip(0.5 + signed / slope, 0.0, 1.0)
+        coverage: Floats = np.clip(0.5 + signed / slope, 0.0, 1.0)
     return coverage
 
 

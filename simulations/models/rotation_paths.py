@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from simulations.models import quaternions
-from simulations.models.rotations import Floats, from_axis_angle
+from simulations.models.rotations import Floats, checked_share, from_axis_angle
 
 
 def euler_blend(
@@ -18,7 +18,7 @@ def euler_blend(
 ) -> Floats:
     """Rotations (..., 3, 3) whose three angles are each ``share`` (...) of the way to the end."""
     first, second, third = _axes(sequence)
-    s = np.asarray(share, float)[..., None]
+    s = checked_share(share)[..., None]
     angles = (1.0 - s) * np.asarray(start_rad, float) + s * np.asarray(end_rad, float)
     R: Floats = (
         from_axis_angle(first, angles[..., 0])
@@ -33,7 +33,7 @@ def matrix_blend(start: ArrayLike, end: ArrayLike, share: ArrayLike) -> Floats:
 
     With θ the angle between the two, what lies across the axis shrinks to |cos θ/2| halfway.
     """
-    s = np.asarray(share, float)[..., None, None]
+    s = checked_share(share)[..., None, None]
     blend: Floats = (1.0 - s) * np.asarray(start, float) + s * np.asarray(end, float)
     return blend
 

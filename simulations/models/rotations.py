@@ -116,7 +116,7 @@ def slerp(start: ArrayLike, end: ArrayLike, share: ArrayLike) -> Floats:
     from 0 to 1; other values, up to `LARGEST_SHARE`, go on along the same great circle.
     """
     q0, q1 = _shorter_way(start, end)
-    s = _share(share)
+    s = checked_share(share)[..., None]
     apart = np.linalg.norm(q1 - q0, axis=-1, keepdims=True)
     together = np.linalg.norm(q1 + q0, axis=-1, keepdims=True)
     angle = 2.0 * np.arctan2(apart, together)  # accurate where acos(q0 · q1) is not
@@ -130,14 +130,15 @@ def slerp(start: ArrayLike, end: ArrayLike, share: ArrayLike) -> Floats:
 def nlerp(start: ArrayLike, end: ArrayLike, share: ArrayLike) -> Floats:
     """Normalised linear interpolation: slerp's path at an uneven speed, without sines."""
     q0, q1 = _shorter_way(start, end)
-    s = _share(share)
+    s = checked_share(share)[..., None]
     return quaternions.normalise((1.0 - s) * q0 + s * q1)
 
 
-def _share(share: ArrayLike) -> Floats:
-    s = np.asarray(share, float)[..., None]
+def checked_share(share: ArrayLike) -> Floats:
+    """Shares (...) of a way, if none is NaN or beyond `LARGEST_SHARE`; else `ValueError`."""
+    s = np.asarray(share, float)
     if not np.all(np.abs(s) <= LARGEST_SHARE):
-        raise ValueError(f"share: {s[..., 0].tolist()}; legal: at most {LARGEST_SHARE:g} in size")
+        raise ValueError(f"share: {s.tolist()}; legal: at most {LARGEST_SHARE:g} in size")
     return s
 
 

@@ -73,3 +73,12 @@ def test_fewer_corners_than_a_cell_has_are_refused(shape):
 def test_fewer_pixels_than_corners_of_a_cell_are_refused(size):
     with pytest.raises(ValueError, match="pixels; legal: two or more each way"):
         blend_cells(np.zeros((3, 3)), *size)
+
+
+@pytest.mark.parametrize("wild", [np.inf, np.nan, 1e308])
+def test_a_wild_corner_stays_in_its_own_cells(wild):
+    corners = np.ones((3, 3))
+    corners[0, 0] = wild
+    corners[0, 1] = -1e308
+    picture = blend_cells(corners, 5, 5)
+    np.testing.assert_array_equal(picture[2:, :], 1.0)

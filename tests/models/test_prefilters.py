@@ -149,3 +149,9 @@ def test_a_point_passes_all_waves_that_have_a_phase():
 def test_frequencies_without_a_phase_are_refused(frequency):
     with pytest.raises(ValueError, match=r"legal: at most 1e9"):
         prefilters.transfer(prefilters.prefilter("box"), [0.5, frequency])
+
+
+@pytest.mark.parametrize(("frequency", "chirp"), [(np.inf, 0.0), (0.1, np.nan), (2e9, 0.0)])
+def test_a_wave_has_a_frequency(frequency, chirp):
+    with pytest.raises(ValueError, match=r"^filtered_wave: .+; legal: at most 1e9"):
+        prefilters.filtered_wave(prefilters.prefilter("box"), 0.0, frequency, chirp)

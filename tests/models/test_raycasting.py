@@ -329,3 +329,11 @@ def test_places_beyond_all_squares_are_refused(place):
 def test_a_ray_has_three_components():
     with pytest.raises(ValueError, match=r"directions of shape \(4, 2\)"):
         intersect(Sphere((0.0, 0.0, 3.0), 1.0), (0.0, 0.0, 0.0), np.ones((4, 2)))
+
+
+def test_an_endless_margin_covers_its_pixel_or_is_unknown_without_a_warning():
+    margin = np.full((4, 5), np.inf)
+    margin[:, :2] = -1.0
+    coverage = edge_coverage(margin)
+    assert coverage[0, 0] == 0
+    assert np.isnan(coverage[0, 4])

@@ -121,3 +121,11 @@ def test_off_a_short_arc_only_what_lies_across_counts(apart):
     along, across = quaternions.from_rotation_vector([(0.7, 0, 0), (0, 0.3, 0)])
     assert rotation_paths.off_great_circle(along, start, end) == pytest.approx(0, abs=1e-6)
     assert rotation_paths.off_great_circle(across, start, end) == pytest.approx(0.3)
+
+
+@pytest.mark.parametrize("share", [np.nan, np.inf, [0.5, 2e6]])
+def test_a_share_that_is_none_leads_nowhere(share):
+    with pytest.raises(ValueError, match=r"^share: .+; legal: at most 1e\+06 in size"):
+        rotation_paths.euler_blend("ZYX", (0.0, 0.1, 0.2), (1.0, 0.5, 0.3), share)
+    with pytest.raises(ValueError, match=r"^share: .+; legal: at most 1e\+06 in size"):
+        rotation_paths.matrix_blend(np.eye(3), np.eye(3), share)
