@@ -6,7 +6,7 @@ from support.worked_numbers import Says
 from simulations.models.transforms import apply_homography, rigid, translation
 
 CHAPTER = "01-2d-transformations"
-GIVEN = "100 0.5 1.5 3000 10000"
+GIVEN = r"100 0.5 1.5 3000 10\,000"
 
 
 def a_square_becomes_a_road() -> Says:

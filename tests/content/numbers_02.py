@@ -1,6 +1,6 @@
 """Chapter 2: rotations and poses."""
 
-from math import radians
+from math import cos, radians
 
 import numpy as np
 from support.worked_numbers import Says
@@ -39,6 +39,13 @@ def a_quaternion_by_hand() -> Says:
     assert np.allclose(quaternions.from_matrix(turn), 0.5)
     assert np.allclose(turn, [[0, 0, 1], [1, 0, 0], [0, 1, 0]])
     yield "three times 120° is a full turn"
+    yield rf"$\cos 60^\circ = {cos(radians(60)):g}$"
+    yield rf"$1 - \cos\theta = {1 - cos(radians(120)):g}$"
+
+
+def the_determinant_of_an_average() -> Says:
+    half = matrix_blend(np.eye(3), rotations.exponential([0, 0, radians(90)]), 0.5)
+    yield f"the plain average of the two matrices has the determinant {np.linalg.det(half):.1f}"
 
 
 def gimbal_lock() -> Says:
@@ -71,6 +78,7 @@ WORKED = (
     a_camera_that_looks_to_the_left,
     the_shortcut_of_small_angles,
     a_quaternion_by_hand,
+    the_determinant_of_an_average,
     gimbal_lock,
     the_average_of_two_matrices,
     a_rolling_shutter,

@@ -9,7 +9,7 @@ from simulations.models.color import encode_srgb
 from simulations.models.reflectance import lambert, phong
 
 CHAPTER = "05-lighting-and-reflectance"
-GIVEN = "0.2 0.4 0.5 0.8 0.9 150 300 1000 1971 1975 1977"
+GIVEN = "0.2 0.4 0.5 0.8 0.9 150 1000 1971 1975 1977"
 
 
 def a_number_to_check_by_hand() -> Says:
@@ -48,7 +48,15 @@ def halfway_exponent() -> Says:
     yield rf"Four times the exponent, $\alpha = {4 * 20}$"
 
 
+def a_cosine_just_above_one() -> Says:
+    above = 1.0 + float(np.finfo(np.float32).eps)
+    yield f"may come out as {above:.7f}"
+    yield f"Raised to the power 1000 that is {above**1000:.4f}"
+    yield f"a shininess of a million makes it {above**1e6:.2f}"
+
+
 WORKED = (
+    a_cosine_just_above_one,
     a_number_to_check_by_hand,
     how_wide_a_highlight_is,
     negative_dot_product,
