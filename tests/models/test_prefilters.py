@@ -151,7 +151,15 @@ def test_frequencies_without_a_phase_are_refused(frequency):
         prefilters.transfer(prefilters.prefilter("box"), [0.5, frequency])
 
 
-@pytest.mark.parametrize(("frequency", "chirp"), [(np.inf, 0.0), (0.1, np.nan), (2e9, 0.0)])
+@pytest.mark.parametrize(("frequency", "chirp"), [(1e9, -1e9), (-1e9, 1e9)])
+def test_any_wave_of_up_to_a_billion_cycles_is_1_where_it_starts(frequency, chirp):
+    assert prefilters.filtered_wave(prefilters.supersample(1), 0.0, frequency, chirp) == 1
+
+
+@pytest.mark.parametrize(
+    ("frequency", "chirp"),
+    [(np.inf, 0.0), (0.1, np.nan), (1.001e9, 0.0), (-1.001e9, 0.0), (0.1, 1.001e9), (0.1, -2e9)],
+)
 def test_a_wave_has_a_frequency(frequency, chirp):
     with pytest.raises(ValueError, match=r"^filtered_wave: .+; legal: at most 1e9"):
         prefilters.filtered_wave(prefilters.prefilter("box"), 0.0, frequency, chirp)
