@@ -11,7 +11,8 @@ from typing import Any
 from simulations.engine.controls import Value, Values
 from simulations.engine.frame import StageReport
 
-type Key = tuple[object, ...]
+type Key = tuple[str, tuple[tuple[str, Value], ...], tuple[Key, ...]]
+"""A stage's name, the parameters that it read, and the keys of its inputs."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -92,8 +93,8 @@ def run(
             reports.append(StageReport(stage.name, "reused", "nothing it reads has changed"))
         else:
             output = stage.compute(*(outputs[name] for name in stage.inputs), **read)
+            reports.append(StageReport(stage.name, "computed", _why(stage, key, cache)))
             cache.put(stage.name, key, output)
-            reports.append(StageReport(stage.name, "computed", _why(stage)))
         outputs[stage.name], keys[stage.name] = output, key
     return Run(outputs, tuple(reports))
 
@@ -104,11 +105,25 @@ def _require(names: Sequence[str], known: Mapping[str, object], who: str) -> Non
             raise KeyError(f"{who} {name!r}; legal: {', '.join(known)}")
 
 
-def _why(stage: Stage) -> str:
-    """What the stage depends on, in words for the page."""
-    parts = []
-    if stage.reads:
-        parts.append("reads " + ", ".join(name.replace("_", " ") for name in stage.reads))
-    if stage.inputs:
-        parts.append("follows " + ", ".join(stage.inputs))
-    return "; ".join(parts) or "depends on nothing"
+def _why(stage: Stage, key: Key, cache: StageCache) -> str:
+    """What has changed since the most similar result that is kept, in words for the page.
+
+    Where none is kept, what the stage depends on.
+    """
+    depends = {"reads": stage.reads, "follows": stage.inputs}
+    kept = cache.entries.get(stage.name, {})
+    if kept:
+        depends = {"changed:": min((_changes(stage, key, old) for old in kept), key=len)}
+    words = (f"{verb} {_in_words(names)}" for verb, names in depends.items() if names)
+    return "; ".join(words) or "depends on nothing"
+
+
+def _changes(stage: Stage, key: Key, kept: Key) -> tuple[str, ...]:
+    """Names of the parameters and inputs that are not what they were."""
+    now, then = ((*reads, *inputs) for _, reads, inputs in (key, kept))
+    names = (*stage.reads, *stage.inputs)
+    return tuple(n for n, new, old in zip(names, now, then, strict=True) if new != old)
+
+
+def _in_words(names: Sequence[str]) -> str:
+    return ", ".join(name.replace("_", " ") for name in names)

@@ -113,3 +113,33 @@ def test_a_stage_that_asks_for_what_does_not_exist_is_named(stage: Stage, messag
 def test_a_stage_without_inputs_has_nothing_to_hand_on() -> None:
     with pytest.raises(ValueError, match="stage 'a' is neutral; legal: with an input"):
         Stage("a", (), lambda: 1, neutral=lambda _values: "always")
+
+
+def reasons(*arguments: Any) -> list[str]:
+    return [report.reason for report in run(*arguments).reports]
+
+
+def test_what_is_computed_for_the_first_time_says_what_it_depends_on(counting: Counting) -> None:
+    assert reasons(counting.stages, values(), StageCache()) == [
+        *("reads size", "reads factor; follows source", "follows gain"),
+    ]
+
+
+def test_what_is_computed_again_says_what_has_changed(counting: Counting) -> None:
+    cache = StageCache()
+    run(counting.stages, values(), cache)
+    nothing = "nothing it reads has changed"
+    assert reasons(counting.stages, values(factor=5), cache) == [
+        *(nothing, "changed: factor", "changed: gain"),
+    ]
+    assert reasons(counting.stages, values(factor=5, size=2), cache) == [
+        *("changed: size", "changed: source", "changed: gain"),
+    ]
+
+
+def test_a_change_is_told_against_the_most_similar_result_that_is_kept(counting: Counting) -> None:
+    """After a reference of another size and factor, only the moved control is named."""
+    cache = StageCache()
+    run(counting.stages, values(factor=5), cache)
+    run(counting.stages, values(factor=7, size=90), cache)
+    assert reasons(counting.stages, values(factor=6), cache)[1] == "changed: factor"
