@@ -203,3 +203,18 @@ def test_what_cannot_be_undone_stays_at_its_start():
     single, ok = undo_decentred(seen[1], start[1], lens)
     assert ok
     assert_allclose(single, ideal[1])
+
+
+@pytest.mark.parametrize("axis", [0, 1])
+@pytest.mark.parametrize("sign", [1, -1])
+@pytest.mark.parametrize(("off", "valid"), [(1.25e-11, True), (1.35e-11, False)])
+def test_a_solution_is_valid_if_the_lens_sends_it_where_it_was_seen(
+    monkeypatch, axis, sign, off, valid
+):
+    """To 1e-11 of 1 and of its larger coordinate, which is 0.3 here."""
+    lens, ideal = DecentredLens(RadialProfile((1e-9,)), 1e-9, 1e-9), np.array([[0.3, -0.2]])
+    seen = np.stack(lens.linearised(*ideal.T)[:2], axis=-1)
+    found = ideal.copy()
+    found[0, axis] += sign * off
+    monkeypatch.setattr(decentring, "solve_in_plane", lambda *_: found)
+    assert undo_decentred(seen, np.zeros_like(seen), lens)[1].tolist() == [valid]
