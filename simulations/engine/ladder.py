@@ -1,6 +1,6 @@
 """A speed/accuracy ladder: the ways to compute one phenomenon, from cheap to dear.
 
-A ladder states its tiers, a workload, a reference that shares no code with any tier, and
+A ladder states its tiers, a workload, a reference that comes by a route of its own, and
 metrics with units. Measuring one takes a clock from outside, so that this module stays pure
 and the same code measures in CPython and in the reader's browser.
 """
