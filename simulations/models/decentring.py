@@ -11,6 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from simulations.models.plane_newton import Linearisation, solve_in_plane
+from simulations.models.radial_inverse import FURTHEST
 from simulations.models.radial_profile import RadialProfile, scale_and_slope
 
 type Floats = NDArray[np.floating]
@@ -49,8 +50,8 @@ def undo_decentred(seen: Floats, start: Floats, lens: DecentredLens) -> tuple[Fl
     """Ideal points (..., 2) of seen ones, by Newton's method in the plane; and validity.
 
     ``start`` is what the radial part alone makes of them, and what invalid points are left at.
-    Valid are points that the lens sends where they were seen, on the sheet of the axis: between
-    it and them the map nowhere turns over.
+    Valid are points within `FURTHEST` that the lens sends where they were seen, on the sheet of
+    the axis: between it and them the map nowhere turns over.
     """
     wanted = seen.reshape(-1, 2)
     with np.errstate(over="ignore", invalid="ignore", divide="ignore"):
@@ -59,6 +60,7 @@ def undo_decentred(seen: Floats, start: Floats, lens: DecentredLens) -> tuple[Fl
         off = np.maximum(np.abs(x - wanted[:, 0]), np.abs(y - wanted[:, 1]))
         size = np.maximum(np.abs(wanted[:, 0]), np.abs(wanted[:, 1]))
         valid = off <= 1e-11 * (1.0 + size)  # false for NaN
+        valid &= np.hypot(ideal[:, 0], ideal[:, 1]) < FURTHEST
         valid[valid] = _same_sheet(ideal[valid], lens)
     ideal = np.where(valid[:, None], ideal, start.reshape(-1, 2))
     return ideal.reshape(seen.shape), np.asarray(valid.reshape(seen.shape[:-1]))

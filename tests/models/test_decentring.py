@@ -218,3 +218,11 @@ def test_a_solution_is_valid_if_the_lens_sends_it_where_it_was_seen(
     found[0, axis] += sign * off
     monkeypatch.setattr(decentring, "solve_in_plane", lambda *_: found)
     assert undo_decentred(seen, np.zeros_like(seen), lens)[1].tolist() == [valid]
+
+
+def test_solutions_are_looked_for_as_far_out_as_a_lens_is_defined():
+    """Beyond, `distort` sends all points to infinity: k₁ r³ takes 6e44 to 2e134, 8e44 further."""
+    lens = Distortion(k1=1.0, p1=0.25)
+    near, far = (np.array([[0.6 * r, 0.8 * r]]) for r in (6e44, 8e44))
+    assert undistort(distort(near, lens), lens)[1].all()
+    assert not undistort(distort(far, lens), lens)[1].any()
