@@ -220,9 +220,12 @@ def test_a_solution_is_valid_if_the_lens_sends_it_where_it_was_seen(
     assert undo_decentred(seen, np.zeros_like(seen), lens)[1].tolist() == [valid]
 
 
-def test_solutions_are_looked_for_as_far_out_as_a_lens_is_defined():
-    """Beyond, `distort` sends all points to infinity: k₁ r³ takes 6e44 to 2e134, 8e44 further."""
-    lens = Distortion(k1=1.0, p1=0.25)
-    near, far = (np.array([[0.6 * r, 0.8 * r]]) for r in (6e44, 8e44))
-    assert undistort(distort(near, lens), lens)[1].all()
-    assert not undistort(distort(far, lens), lens)[1].any()
+@pytest.mark.parametrize("axis", [0, 1])
+@pytest.mark.parametrize(("far", "valid"), [(7.1e44, True), (7.2e44, False)])
+def test_a_solution_lies_no_further_out_than_lenses_are_defined(monkeypatch, axis, far, valid):
+    """As far as the radial part is solved for: to 2¹⁴⁹, which is 7.14e44."""
+    lens, found = DecentredLens(RadialProfile((1e-99,)), 1e-60, 1e-60), np.zeros((1, 2))
+    found[0, axis] = far
+    seen = np.stack(lens.linearised(*found.T)[:2], axis=-1)
+    monkeypatch.setattr(decentring, "solve_in_plane", lambda *_: found)
+    assert undo_decentred(seen, np.zeros_like(seen), lens)[1].tolist() == [valid]
