@@ -110,19 +110,21 @@ def _why(stage: Stage, key: Key, cache: StageCache) -> str:
 
     Where none is kept, what the stage depends on.
     """
-    depends = {"reads": stage.reads, "follows": stage.inputs}
     kept = cache.entries.get(stage.name, {})
-    if kept:
-        depends = {"changed:": min((_changes(stage, key, old) for old in kept), key=len)}
-    words = (f"{verb} {_in_words(names)}" for verb, names in depends.items() if names)
+    changes = min((_changes(stage, key, old) for old in kept), key=len, default=())
+    told = {"changed:": changes} if changes else {"reads": stage.reads, "follows": stage.inputs}
+    words = (f"{verb} {_in_words(names)}" for verb, names in told.items() if names)
     return "; ".join(words) or "depends on nothing"
 
 
 def _changes(stage: Stage, key: Key, kept: Key) -> tuple[str, ...]:
     """Names of the parameters and inputs that are not what they were."""
-    now, then = ((*reads, *inputs) for _, reads, inputs in (key, kept))
-    names = (*stage.reads, *stage.inputs)
-    return tuple(n for n, new, old in zip(names, now, then, strict=True) if new != old)
+    (_, reads, inputs), (_, old_reads, old_inputs) = key, kept
+    named_inputs = zip(stage.inputs, inputs, strict=True)
+    return (
+        *(name for name, value in reads if (name, value) not in old_reads),
+        *(name for name, made_from in named_inputs if made_from not in old_inputs),
+    )
 
 
 def _in_words(names: Sequence[str]) -> str:

@@ -27,7 +27,7 @@ LARGEST_SHARE_OF_DIFFERENT_CODES = 1e-3
 RENDER = """async ([scene, values, tier]) => {
   const url = new URL(document.body.dataset.assets + 'js/runtime.js', location.href);
   const {sharedRuntime} = await import(url);
-  const reply = await sharedRuntime().call('render', {figure: 'parity', scene, values, tier});
+  const reply = await sharedRuntime().call('render', {figure: scene, scene, values, tier});
   const encode = (buffer) => new Promise((resolve) => {
     const reader = new FileReader();
     reader.onload = () => resolve(reader.result.split(',')[1] ?? '');
@@ -51,7 +51,7 @@ def page(chromium: Browser, site_server: StaticServer) -> Iterator[Page]:
 def test_scene_is_the_same_in_the_browser(page: Page, scene_id: str) -> None:
     for values, tier in settings(load_scene(scene_id)):
         given = json.dumps(values)
-        ours = native.render("parity", scene_id, given, tier)
+        ours = native.render(scene_id, scene_id, given, tier)
         theirs = page.evaluate(RENDER, [scene_id, given, tier])
         where = f"{scene_id} {given} {tier}"
         assert json.loads(theirs["meta"]) == json.loads(ours.meta), where

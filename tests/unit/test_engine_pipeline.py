@@ -143,3 +143,11 @@ def test_a_change_is_told_against_the_most_similar_result_that_is_kept(counting:
     run(counting.stages, values(factor=5), cache)
     run(counting.stages, values(factor=7, size=90), cache)
     assert reasons(counting.stages, values(factor=6), cache)[1] == "changed: factor"
+
+
+def test_a_stage_may_read_less_than_one_of_its_name_did_before() -> None:
+    """As where a tier computes the same thing from other parameters."""
+    cache = StageCache()
+    run((Stage("source", ("size", "factor"), lambda size, factor: size * factor),), values(), cache)
+    report = run((Stage("source", ("size",), lambda size: size),), values(), cache).reports[0]
+    assert (report.status, report.reason) == ("computed", "reads size")
