@@ -3,7 +3,7 @@
 import numpy as np
 
 from simulations.engine.extreme import ExtremeCase, ExtremeTable, exactly, near, refused, valid
-from simulations.models import raycasting
+from simulations.models import raycasting, soft_shadows
 from simulations.models.raycasting import Box, Sphere
 
 TABLE = ExtremeTable(
@@ -11,6 +11,7 @@ TABLE = ExtremeTable(
     title="Ray casting",
     names={
         **vars(raycasting),
+        **vars(soft_shadows),
         "BALL": Sphere((0.0, 5.0, 0.0), 1.0),
         "CUBE": Box((0.0, 5.0, 0.0), (2.0, 2.0, 2.0)),
         "EYE": (0.0, 0.0, 0.0),

@@ -7,8 +7,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from simulations.models.depth_of_field import Layer, Planes
-from simulations.models.raycasting import Vector, shadow_bounds, visibility
+from simulations.models.raycasting import Vector
 from simulations.models.reflectance import blinn_phong, lambert
+from simulations.models.soft_shadows import shadow_bounds, visibility
 from simulations.pictures.still_life import THINGS, WALL_DISTANCE
 from simulations.pictures.still_life_surfaces import Surface, extent, window_of, within
 

@@ -12,12 +12,11 @@ from numpy.typing import NDArray
 from simulations.models.raycasting import (
     Sphere,
     Vector,
-    bounding_radius,
     edge_coverage,
     intersect,
     intersect_plane,
-    sphere_occlusion,
 )
+from simulations.models.soft_shadows import bounding_radius, sphere_occlusion
 from simulations.pictures import patterns
 from simulations.pictures.still_life import (
     THINGS,

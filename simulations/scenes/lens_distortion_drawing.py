@@ -214,7 +214,7 @@ def _axes() -> str:
         line((PLOT_LEFT, PLOT_BOTTOM), (PLOT_LEFT, PLOT_TOP), "muted"),
         line((corner_x, PLOT_BOTTOM), (corner_x, PLOT_TOP), "muted thin faint"),
         line((PLOT_LEFT, corner_y), (PLOT_RIGHT, corner_y), "muted thin faint"),
-        text((corner_x, PLOT_TOP + 212), "corner", "muted small halo", "middle"),
+        text((corner_x - 5, PLOT_TOP + 212), "corner", "muted small halo", "end"),
         text((0.5 * (PLOT_LEFT + PLOT_RIGHT), VIEW_HEIGHT - 8), "ideal radius", "world", "middle"),
         text((PLOT_LEFT + 8, PLOT_TOP + 8), "radius in the image", "image halo"),
     ]

@@ -1,4 +1,4 @@
-"""Rays against spheres, boxes and planes; edges and shadows."""
+"""Rays against spheres, boxes and planes; and the edges of what is seen."""
 
 import math
 

@@ -5,11 +5,9 @@ import math
 import numpy as np
 import pytest
 
-from simulations.models.raycasting import (
-    Box,
-    Sphere,
+from simulations.models.raycasting import Box, Sphere, intersect
+from simulations.models.soft_shadows import (
     bounding_radius,
-    intersect,
     shadow_bounds,
     sphere_occlusion,
     visibility,
