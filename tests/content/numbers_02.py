@@ -1,11 +1,11 @@
 """Chapter 2: rotations and poses."""
 
-from math import cos, radians
+from math import cos, exp, radians
 
 import numpy as np
 from support.worked_numbers import Says
 
-from simulations.models import euler, quaternions, rotations
+from simulations.models import euler, quaternions, rotations, transforms_3d
 from simulations.models.projection import look_at, rigid_pose, world_to_camera
 from simulations.models.rotation_paths import matrix_blend
 
@@ -74,6 +74,27 @@ def coordinates_far_from_the_origin() -> Says:
     yield f"in steps of {100 * step:.0f} cm"
 
 
+def the_ladder_in_space() -> Says:
+    """As many freedoms as independent directions in which the matrix can start to move."""
+
+    def projective(p: np.ndarray) -> np.ndarray:
+        H = np.eye(4) + p.reshape(4, 4)
+        return H / np.linalg.norm(H)  # a factor changes nothing
+
+    turned = rotations.exponential
+    rungs = {
+        "Translation": (3, transforms_3d.translation),
+        "Rigid": (6, lambda p: transforms_3d.rigid(turned(p[:3]), p[3:])),
+        "Similarity": (7, lambda p: transforms_3d.similarity(exp(p[6]), turned(p[:3]), p[3:6])),
+        "Affine": (12, lambda p: transforms_3d.affine(np.eye(3) + p[:9].reshape(3, 3), p[9:])),
+        "Projective": (16, projective),
+    }
+    for rung, (parameters, matrix) in rungs.items():
+        steps = 1e-5 * np.eye(parameters)
+        moves = [(matrix(step) - matrix(-step)).ravel() / 2e-5 for step in steps]
+        yield f"| {rung} | {np.linalg.matrix_rank(moves, tol=1e-6)} |"
+
+
 WORKED = (
     a_camera_that_looks_to_the_left,
     the_shortcut_of_small_angles,
@@ -82,5 +103,6 @@ WORKED = (
     gimbal_lock,
     the_average_of_two_matrices,
     a_rolling_shutter,
+    the_ladder_in_space,
     coordinates_far_from_the_origin,
 )
