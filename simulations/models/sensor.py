@@ -99,13 +99,15 @@ def shot_noise(
     some 20 electrons; ``skewed`` adds the second term of the Cornish-Fisher expansion,
     ``(z^2 - 1) / 6``, which gives the normal the Poisson's lean to the right.
 
-    The mean is capped ten standard deviations above the full well before it is sampled:
-    every sample from there spills anyhow, and a sampler fails for huge means. So a pixel in
-    any light, infinite light too, comes out full and free of noise.
+    Nothing is drawn where the mean lies ten standard deviations above the full well: every
+    sample from there spills anyhow, and a sampler fails for huge means. So a pixel in any
+    light, infinite light too, comes out full and free of noise.
     """
-    mean = _capped_mean(mean_e, full_well_e)
+    cap = _brightest_mean(full_well_e)
+    mean = np.minimum(_light("mean_e", mean_e), cap)
     if model == "poisson":
-        counted = np.asarray(rng.poisson(mean), mean.dtype)
+        counted, drawn = np.array(mean), mean < cap
+        counted[drawn] = rng.poisson(mean[drawn])
         held: Array = np.minimum(counted, full_well_e)
         return held
     if model not in SHOT_MODELS:
@@ -119,16 +121,16 @@ def shot_noise_from_normal(mean_e: ArrayLike, z: ArrayLike, full_well_e: float =
 
     A picture whose light changes then keeps its grain, and nothing need be drawn again.
     """
-    return _normal_counts(_capped_mean(mean_e, full_well_e), as_floats(z), full_well_e, skewed=True)
+    mean = np.minimum(_light("mean_e", mean_e), _brightest_mean(full_well_e))
+    return _normal_counts(mean, as_floats(z), full_well_e, skewed=True)
 
 
-def _capped_mean(mean_e: ArrayLike, full_well_e: float) -> Array:
+def _brightest_mean(full_well_e: float) -> float:
+    """The mean from which on every sample fills the well."""
     _check_well(full_well_e)
     # A plain float: a numpy one would widen float32 pictures.
     well = min(float(full_well_e), LARGEST_WELL_E)
-    cap = well + 10 * math.sqrt(well) + 100
-    mean: Array = np.minimum(_light("mean_e", mean_e), cap)
-    return mean
+    return well + 10 * math.sqrt(well) + 100
 
 
 def _normal_counts(mean: Array, z: Array, full_well_e: float, *, skewed: bool) -> Array:
