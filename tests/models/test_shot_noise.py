@@ -167,3 +167,9 @@ def test_nothing_is_drawn_for_wells_that_are_sure_to_be_full():
     np.testing.assert_array_equal(counted[:, 0], [10_000, 10_000])
     np.testing.assert_array_equal(counted[:, 1], shot_noise([9.0, 80.0], dim))
     assert mixed.bit_generator.state == dim.bit_generator.state
+
+
+def test_a_well_that_overflows_on_average_is_not_always_full():
+    """One standard deviation above a well of a million: a sixth of the samples lie below it."""
+    counted = shot_noise(np.full(20_000, 1_001_000.0), rng(), 1e6)
+    assert np.mean(counted < 1e6) == pytest.approx(stats.norm.cdf(-1), abs=0.01)
