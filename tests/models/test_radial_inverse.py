@@ -4,6 +4,7 @@ import math
 
 import numpy as np
 import pytest
+from support.radial_profiles import PROFILES
 
 from simulations.models import radial_inverse
 from simulations.models.radial_inverse import furthest_radius, invert_bracketed
@@ -14,16 +15,6 @@ from simulations.models.radial_profile import (
     largest_image_radius,
     slope,
 )
-
-PROFILES = [
-    RadialProfile((0.1,)),
-    RadialProfile((-0.05, 0.02, 0.01)),
-    RadialProfile((0.2, 0.1), (0.3, 0.05, 0.01)),
-    RadialProfile((), (0.1, 0.02)),
-    RadialProfile((0.0, 0.2)),
-    RadialProfile((0.0, 0.0, 0.1), (0.0, 0.2)),
-    RadialProfile((1.0,), (2.0,)),  # rises for ever, and tends to r/2
-]
 
 
 @pytest.mark.parametrize("profile", [*PROFILES, RadialProfile((-1 / 3,)), RadialProfile((3.0,))])

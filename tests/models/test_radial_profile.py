@@ -4,6 +4,7 @@ import math
 
 import numpy as np
 import pytest
+from support.radial_profiles import PROFILES
 
 from simulations.models.radial_profile import (
     RadialProfile,
@@ -17,15 +18,6 @@ from simulations.models.radial_profile import (
 )
 
 RADII = np.linspace(0.0, 1.2, 25)
-PROFILES = [
-    RadialProfile((0.1,)),
-    RadialProfile((-0.05, 0.02, 0.01)),
-    RadialProfile((0.2, 0.1), (0.3, 0.05, 0.01)),
-    RadialProfile((), (0.1, 0.02)),
-    RadialProfile((0.0, 0.2)),
-    RadialProfile((0.0, 0.0, 0.1), (0.0, 0.2)),
-    RadialProfile((1.0,), (2.0,)),  # rises for ever, and tends to r/2
-]
 
 
 def by_hand(profile, r):

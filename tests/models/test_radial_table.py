@@ -1,13 +1,10 @@
-"""The table that undoes lenses: against bisection in longer floats, and where it must not be used.
-
-Bisection in 80-bit floats shares no code with the model; where those are 64 bits long, as with
-some compilers, the bounds below still hold.
-"""
+"""The table that undoes lenses: against bisection, and where it must not be used."""
 
 import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
+from support.radial_profiles import bisect
 
 from simulations.models import radial_inverse, radial_table
 from simulations.models.distortion import Distortion, distort, undistort
@@ -51,26 +48,6 @@ LENSES = {
     "hardly any": Distortion(k1=1e-13),
     "hardly any barrel": Distortion(k1=-1e-13),
 }
-
-
-def series(coefficients, s):
-    total = np.longdouble(0)
-    for coefficient in (*reversed(coefficients), 1.0):
-        total = total * s + np.longdouble(coefficient)
-    return total
-
-
-def bisect(profile, image_radius):
-    """The ideal radius, by halving an interval that holds it until floats run out."""
-    wanted = np.asarray(image_radius).astype(np.longdouble)
-    low = np.zeros_like(wanted)
-    high = np.full_like(wanted, min(fold_radius(profile), 100.0))
-    for _ in range(80):
-        middle = (low + high) / 2
-        s = middle * middle
-        beyond = middle * series(profile.numerator, s) > wanted * series(profile.denominator, s)
-        low, high = np.where(beyond, low, middle), np.where(beyond, middle, high)
-    return low
 
 
 def images_up_to_99_percent(profile):
