@@ -10,7 +10,6 @@ from simulations.models.distortion import Distortion, distort
 from simulations.models.projection import intrinsics, project
 
 CHAPTER = "00-why-image-formation"
-GIVEN = "0.3 0.4 3.0 4.0 8.0 100 151 10_000 4095 240 320 400 800 3000 0.2"
 K = intrinsics(800.0, (320.0, 240.0))
 LENS = Distortion(k1=-0.2)
 

@@ -6,7 +6,6 @@ from support.worked_numbers import Says
 from simulations.models.transforms import apply_homography, rigid, translation
 
 CHAPTER = "01-2d-transformations"
-GIVEN = r"100 0.5 1.5 3000 10\,000"
 
 
 def a_square_becomes_a_road() -> Says:

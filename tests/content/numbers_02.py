@@ -10,7 +10,6 @@ from simulations.models.projection import look_at, rigid_pose, world_to_camera
 from simulations.models.rotation_paths import matrix_blend
 
 CHAPTER = "02-3d-transformations"
-GIVEN = "100 120 170 180 1775 4_000_000"
 
 
 def a_camera_that_looks_to_the_left() -> Says:

@@ -10,8 +10,6 @@ from simulations.models.optics import field_of_view_rad
 from simulations.models.projection import intrinsics, project
 
 CHAPTER = "03-perspective-projection"
-GIVEN = """1.8 1.0 5.0 135 6000 2.44 550 120 7.5 800 320 240 640 480
-100 300 250 540 390 0.1 0.2 1.9 100.0 100.2 1992"""
 
 
 def image_px(x_m: float, depth_m: float, focal_px: float) -> float:

@@ -17,7 +17,6 @@ from simulations.models.undistortion import undistort_fixed_point, undistort_new
 from simulations.models.vignetting import vignetting_cos4
 
 CHAPTER = "04-lens-distortion"
-GIVEN = "0.1 0.10 0.2 0.20 0.25 0.3 0.5 0.50 0.6 0.75 0.8 2.8 200 800 0.05 0.025 0.475"
 BARREL, PINCUSHION = Distortion(k1=-0.2), Distortion(k1=0.2)
 
 

@@ -9,7 +9,6 @@ from simulations.models.color import encode_srgb
 from simulations.models.reflectance import lambert, phong
 
 CHAPTER = "05-lighting-and-reflectance"
-GIVEN = "0.2 0.4 0.5 0.8 0.9 150 1000 1971 1975 1977"
 
 
 def a_number_to_check_by_hand() -> Says:

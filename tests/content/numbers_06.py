@@ -25,7 +25,6 @@ from simulations.scenes import jpeg
 from simulations.scenes.sensor_noise_stages import patch_means_e, saturation_e, sensor_of
 
 CHAPTER = "06-digital-sensor"
-GIVEN = "6400 20_000 4095 100 400 625 800 1000 255 0.5 1.2 2004 2007 10_000 1902 2856 1.10 0.80"
 WELL = 20_000.0
 
 

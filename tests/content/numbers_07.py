@@ -9,7 +9,6 @@ from simulations.models.resampling import KERNELS
 from simulations.models.sampling import alias_frequency, apparent_wheel_speed, box_mtf
 
 CHAPTER = "07-sampling-and-aliasing"
-GIVEN = "0.25 0.30 0.5 0.50 0.7 0.70 0.8 1.0 1.00 2.9"
 
 
 def seen(cycles: float) -> float:

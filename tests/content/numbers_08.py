@@ -18,9 +18,6 @@ from simulations.scenes.camera_sensor import ADC
 from simulations.scenes.camera_stages import STAGES
 
 CHAPTER = "08-full-camera-model"
-GIVEN = (
-    """0.01 0.1 0.2 0.30 0.4 0.40 0.6 0.8 1.4 1.85 1.90 2.8 3.2 5.6 100 135 176 264 3200 10_000"""
-)
 PIXEL_MM = 36 / 264
 
 

@@ -7,7 +7,6 @@ from support.worked_numbers import Says
 from simulations.models.projection import intrinsics, project
 
 CHAPTER = "09-connections"
-GIVEN = "0.0 0.10 1.0 2.0 4.0 6.4 160 800"
 
 
 def disparity_px(depth_m: float, focal_px: float, baseline_m: float) -> float:

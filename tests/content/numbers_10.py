@@ -16,7 +16,6 @@ from site_builder.diagnostics import Diagnostics
 from site_builder.measurements import Measurements, read_measurements
 
 CHAPTER = "10-speed-and-accuracy"
-GIVEN = "0.001 0.1 2.2 100"
 
 
 def the_slope_of_the_fixed_point_s_map() -> Says:

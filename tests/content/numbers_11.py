@@ -9,7 +9,6 @@ from simulations.models.distortion import Distortion, fold_radius, largest_disto
 from simulations.models.optics import circle_of_confusion_mm
 
 CHAPTER = "11-where-the-models-break"
-GIVEN = "0.3 0.75 1.1409 100 200 240 255 255.6 256 320 800"
 LARGEST, SMALLEST = np.finfo(float).max, np.nextafter(0.0, 1.0)
 
 

@@ -1,12 +1,10 @@
 """How many plausible mistakes in the models do their tests notice: ``make mutants``.
 
 A seeded sample of each module's mutants (``SAMPLE=all`` for every one) is run against the tests
-of that module. Mutants that no test can notice are listed, with the reason, in
-``equivalent.txt``, and left out of the score. The score of all mutants goes into ``score.txt``;
-that of a sample is only printed, but for one that was drawn to be held out (``--held-out``).
-Who survived all tests is listed in ``build/survivors.txt``; once there are better tests,
-``SAMPLE=survivors`` tries those mutants alone: what one test notices, more tests notice too.
-``SAMPLE=equivalent`` tries those that are left out, and names the ones that a test notices.
+of that module. The score of all mutants goes into ``score.txt``; that of a sample is only printed,
+but for one that was drawn to be held out (``--held-out``). Who survived all tests is listed in
+``build/survivors.txt``; once there are better tests, ``SAMPLE=survivors`` tries those mutants
+alone: what one test notices, more tests notice too.
 
 Why not a ready-made tool: those rewrite the working copy or start pytest anew for each mutant,
 and know nothing of axes, tolerances or trigonometry.
@@ -23,7 +21,6 @@ from mutation.trial import MODELS, ROOT, survives, tests_of, used_s, warm_up
 
 HERE = Path(__file__).parent
 SCORES = HERE / "score.txt"
-EQUIVALENT = HERE / "equivalent.txt"
 SURVIVORS = ROOT / "build" / "survivors.txt"
 SLOWDOWN = 10
 """A mutant may take this many times as long as the unchanged module, and 5 s more."""
@@ -62,26 +59,19 @@ def prepare(module: str, source: str) -> tuple[list[Path], int]:
 
 def judge(module: str, sample: str, seed: int) -> Score | None:
     """Try the mutants of a module; None where there is no score."""
-    source, equivalent = (MODELS / f"{module}.py").read_text("utf-8"), read_names(EQUIVALENT)
-    everything = list(mutants(source))
-    listed = [mutant for mutant in everything if name(module, mutant) in equivalent]
+    source = (MODELS / f"{module}.py").read_text("utf-8")
     tests, limit_s = prepare(module, source)
     if not tests:
         return None
-    if sample == "equivalent":
-        for mutant in listed:
-            if not survives(module, mutant.source, tests, limit_s):
-                print(f"equivalent.txt: noticed: {name(module, mutant)}", flush=True)
-        return None
+    everything = list(mutants(source))
     chosen = chosen_of(module, everything, sample, seed)
-    counted = [mutant for mutant in chosen if mutant not in listed]
-    left = [mutant for mutant in counted if survives(module, mutant.source, tests, limit_s)]
+    left = [mutant for mutant in chosen if survives(module, mutant.source, tests, limit_s)]
     for mutant in left:
         print(f"\n  - {mutant.before}\n  + {name(module, mutant)}", flush=True)
-    if sample in ("all", "survivors"):
+    if sample in ("all", "survivors"):  # of the others it is known that a test notices them
         write_survivors(module, [name(module, mutant) for mutant in left])
-        return Score(len(everything), len(listed), len(left))
-    return Score(len(chosen), len(chosen) - len(counted), len(left))
+        return Score(len(everything), len(left))
+    return Score(len(chosen), len(left))
 
 
 def write_survivors(module: str, names: list[str]) -> None:
@@ -103,9 +93,7 @@ def record(module: str, score: Score, held_out: bool) -> None:
 def main() -> int:
     modules = sorted(file.stem for file in MODELS.glob("[!_]*.py"))
     parser = argparse.ArgumentParser(prog="make mutants", description=__doc__)
-    parser.add_argument(
-        "--sample", default="30", help="number a module, all, survivors, equivalent"
-    )
+    parser.add_argument("--sample", default="30", help="number a module, all, survivors")
     parser.add_argument("--seed", type=int, default=1)
     parser.add_argument("--module", action="append", choices=modules, default=[])
     parser.add_argument("--held-out", action="store_true", help="record this sample in score.txt")
@@ -114,7 +102,7 @@ def main() -> int:
         if not (score := judge(module, asked.sample, asked.seed)):
             continue
         print(
-            f"{module:22}{score.mutants:5} mutants{score.equivalent:4} equivalent"
+            f"{module:22}{score.mutants:5} mutants"
             f"{score.noticed:5} noticed{score.survived:4} survived{score.share:>8}",
             flush=True,
         )

@@ -7,12 +7,13 @@ TITLE = """\
 Mistakes in simulations/models that the tests notice; written by `make mutants`.
 
 Held out: a sample drawn after the tests were written, as first found, and not judged again since.
-All: every mutant but the equivalent ones, after tests were added for those that had survived.
+All: every mutant, after tests were added for those that had survived. What still survives are
+mistakes that change nothing anyone can see; 100% is not to be had.
 """
-HEADING = f"{'':22}{'held out':>26}{'all':>43}"
+HEADING = f"{'':22}{'held out':>26}{'all':>32}"
 COLUMNS = (
     f"{'module':22}{'tried':>10}{'noticed':>8}{'score':>8}"
-    f"{'mutants':>10}{'equivalent':>11}{'noticed':>8}{'survived':>9}{'score':>8}"
+    f"{'mutants':>10}{'noticed':>8}{'survived':>9}{'score':>8}"
 )
 
 
@@ -22,26 +23,19 @@ class Score:
 
     mutants: int
     """How many were chosen."""
-    equivalent: int
-    """How many of those are listed as equivalent; they were not tried."""
     survived: int
-    """How many of those tried no test has noticed."""
+    """How many of those no test has noticed."""
 
     @property
     def noticed(self) -> int:
-        return self.mutants - self.equivalent - self.survived
+        return self.mutants - self.survived
 
     @property
     def share(self) -> str:
-        tried = self.noticed + self.survived
-        return f"{100 * self.noticed / tried:.1f}%" if tried else "—"
+        return f"{100 * self.noticed / self.mutants:.1f}%" if self.mutants else "—"
 
     def __add__(self, other: "Score") -> "Score":
-        return Score(
-            self.mutants + other.mutants,
-            self.equivalent + other.equivalent,
-            self.survived + other.survived,
-        )
+        return Score(self.mutants + other.mutants, self.survived + other.survived)
 
 
 @dataclass(frozen=True, slots=True)
@@ -56,10 +50,10 @@ class Row:
     def line(self, module: str) -> str:
         left = right = ""
         if held := self.held_out:
-            left = f"{held.noticed + held.survived:10}{held.noticed:8}{held.share:>8}"
+            left = f"{held.mutants:10}{held.noticed:8}{held.share:>8}"
         if a := self.all:
-            right = f"{a.mutants:10}{a.equivalent:11}{a.noticed:8}{a.survived:9}{a.share:>8}"
-        return f"{module:22}{left or '—':>26}{right or '—':>46}"
+            right = f"{a.mutants:10}{a.noticed:8}{a.survived:9}{a.share:>8}"
+        return f"{module:22}{left or '—':>26}{right or '—':>35}"
 
 
 def read_table(file: Path) -> dict[str, Row]:
@@ -74,10 +68,10 @@ def _row(cells: list[str]) -> Row:
     """Inverse of `Row.line`: a half that was not measured is one dash."""
     held = everything = None
     if cells[0] != "—":
-        held = Score(int(cells[0]), 0, int(cells[0]) - int(cells[1]))
+        held = Score(int(cells[0]), int(cells[0]) - int(cells[1]))
     right = cells[3 if held else 1 :]
     if right[0] != "—":
-        everything = Score(int(right[0]), int(right[1]), int(right[3]))
+        everything = Score(int(right[0]), int(right[2]))
     return Row(held, everything)
 
 
@@ -86,7 +80,7 @@ def write_table(file: Path, rows: dict[str, Row]) -> None:
     lines = [rows[module].line(module) for module in sorted(rows)]
     held = [row.held_out for row in rows.values() if row.held_out]
     everything = [row.all for row in rows.values() if row.all]
-    none = Score(0, 0, 0)
+    none = Score(0, 0)
     total = Row(sum(held, none) if held else None, sum(everything, none) if everything else None)
     text = [TITLE, HEADING, COLUMNS, *lines, total.line("total")]
     file.write_text("\n".join(text) + "\n", "utf-8")
