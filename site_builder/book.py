@@ -4,8 +4,8 @@ from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 
 from simulations.engine.scene import Scene
-from site_builder.measurements import MeasuredLadder
-from site_builder.stage_costs import StageCosts
+from site_builder.measured.measurements import MeasuredLadder
+from site_builder.measured.stage_costs import StageCosts
 
 
 @dataclass(frozen=True, slots=True)

@@ -11,20 +11,20 @@ from pathlib import Path
 from simulations.engine.ladder import Ladder
 from simulations.engine.scene import Scene
 from simulations.registry import load_ladder, load_scene
-from site_builder.assets import Content, folder_files, hashed_folder
 from site_builder.book import Book
-from site_builder.catalogue import Versions, catalogue
 from site_builder.checks import check_book
 from site_builder.diagnostics import BuildError, Diagnostics
-from site_builder.fonts import subset_fonts
-from site_builder.licences import gather_licences
-from site_builder.markdown.illustration import SUFFIXES
-from site_builder.measurements import read_measurements
-from site_builder.render import Site, render_pages
+from site_builder.markdown.directives.figure import SUFFIXES
+from site_builder.measured.measurements import read_measurements
+from site_builder.output.assets import Content, folder_files, hashed_folder
+from site_builder.output.fonts import subset_fonts
+from site_builder.output.writer import write_site
+from site_builder.pages.catalogue import Versions, catalogue
+from site_builder.pages.licences import gather_licences
+from site_builder.pages.render import Site, render_pages
+from site_builder.pages.stills import Stills, render_stills
 from site_builder.runtime.pack import pack_runtime
 from site_builder.source import read_book
-from site_builder.stills import Stills, render_stills
-from site_builder.writer import write_site
 
 type Files = Mapping[str, Content]
 type Write = Callable[[Files, Path], None]

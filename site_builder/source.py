@@ -9,11 +9,11 @@ from pathlib import Path
 from simulations.engine.scene import Scene
 from site_builder.book import Book, Chapter, Simulation
 from site_builder.diagnostics import Diagnostics, unknown
+from site_builder.markdown.directives.simulation import find_scene
 from site_builder.markdown.inline import chapter_id
 from site_builder.markdown.parser import CONSTRUCTS, make_parser, read_chapter
 from site_builder.markdown.reading import Reading
-from site_builder.markdown.simulation import find_scene
-from site_builder.measurements import Measurements
+from site_builder.measured.measurements import Measurements
 
 OUTLINE = "content/book.toml"
 TEXTS = ("title", "subtitle", "prerequisites")

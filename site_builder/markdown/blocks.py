@@ -7,7 +7,7 @@ from markdown_it.token import Token
 
 from site_builder.book import Block, Prose
 from site_builder.diagnostics import unknown
-from site_builder.markdown.directive import Directive
+from site_builder.markdown.fences import Directive
 from site_builder.markdown.reading import Reading
 
 

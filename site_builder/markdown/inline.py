@@ -9,14 +9,14 @@ from markdown_it.token import Token
 
 from site_builder.book import Heading, Link
 from site_builder.diagnostics import unknown
-from site_builder.markdown.code import UnknownLanguageError, code_html
-from site_builder.markdown.formula_breaks import displayed_parts, glue_formulae
-from site_builder.markdown.math import ROLES, UnsupportedTexError, to_mathml
-from site_builder.markdown.measured import measured_text
 from site_builder.markdown.reading import Reading, slug
-from site_builder.markdown.readout import ReadoutError
+from site_builder.markdown.roles.measured import measured_text
+from site_builder.markdown.roles.readout import ReadoutError
+from site_builder.markdown.text.code import UnknownLanguageError, code_html
+from site_builder.markdown.text.formula_breaks import displayed_parts, glue_formulae
+from site_builder.markdown.text.math import ROLES, UnsupportedTexError, to_mathml
 from site_builder.markdown.text_role import TEXT_ROLES
-from site_builder.measurements import MeasurementError
+from site_builder.measured.measurements import MeasurementError
 
 MISPLACED_OPTION = re.compile(r":[a-z_][\w-]*:[ \t]+\S+")
 

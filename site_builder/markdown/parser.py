@@ -15,25 +15,25 @@ from simulations.engine.scene import Scene
 from site_builder.book import Chapter
 from site_builder.diagnostics import Diagnostics
 from site_builder.markdown.blocks import read_blocks
-from site_builder.markdown.callout import TITLES, read_callout
-from site_builder.markdown.directive import directive_plugin
-from site_builder.markdown.example import read_example
-from site_builder.markdown.extremes import read_extremes
+from site_builder.markdown.directives.callout import TITLES, read_callout
+from site_builder.markdown.directives.example import read_example
+from site_builder.markdown.directives.extremes import read_extremes
+from site_builder.markdown.directives.figure import read_illustration
+from site_builder.markdown.directives.ladder import read_ladder, read_ladder_table
+from site_builder.markdown.directives.quiz import read_quiz
+from site_builder.markdown.directives.simulation import read_simulation
+from site_builder.markdown.directives.source import read_listing
+from site_builder.markdown.directives.stage_costs import read_stage_cost_table
+from site_builder.markdown.directives.table import read_table, table_plugin
+from site_builder.markdown.fences import directive_plugin
 from site_builder.markdown.front_matter import read_front_matter
-from site_builder.markdown.illustration import read_illustration
 from site_builder.markdown.inline import annotate, chapter_id
-from site_builder.markdown.ladder import read_ladder, read_ladder_table
-from site_builder.markdown.listing import read_listing
-from site_builder.markdown.quiz import read_quiz
 from site_builder.markdown.reading import PAGE_IDS, Construct, Reading
-from site_builder.markdown.roles import roles_plugin
-from site_builder.markdown.simulation import read_simulation
-from site_builder.markdown.stage_costs import read_stage_cost_table
-from site_builder.markdown.stray_marks import stray_marks_plugin
-from site_builder.markdown.table import read_table, table_plugin
+from site_builder.markdown.role import roles_plugin
+from site_builder.markdown.text.stray_marks import stray_marks_plugin
+from site_builder.markdown.text.typography import typography_plugin
 from site_builder.markdown.text_role import TEXT_ROLES, text_role
-from site_builder.markdown.typography import typography_plugin
-from site_builder.measurements import Measurements
+from site_builder.measured.measurements import Measurements
 
 CONSTRUCTS: Mapping[str, Construct] = {
     "simulation": read_simulation,

@@ -12,9 +12,9 @@ from markdown_it.token import Token
 from simulations.engine.scene import Scene
 from site_builder.book import Block, Heading, Link
 from site_builder.diagnostics import Diagnostics
-from site_builder.markdown.directive import Directive
-from site_builder.markdown.readout import Readouts
-from site_builder.measurements import Measurements
+from site_builder.markdown.fences import Directive
+from site_builder.markdown.roles.readout import Readouts
+from site_builder.measured.measurements import Measurements
 
 type Construct = Callable[[Directive, Sequence[Token], "Reading"], Block | None]
 """Reads one directive and its body; None where mistakes leave nothing to show."""

@@ -7,14 +7,14 @@ from pathlib import Path
 import pytest
 
 from site_builder import build
-from site_builder.assets import content_bytes, hashed_folder
 from site_builder.build import Options, render_site
 from site_builder.diagnostics import BuildError
 from site_builder.markdown.parser import CONSTRUCTS
-from site_builder.render import BLOCK_TEMPLATES, TEMPLATES
+from site_builder.output.assets import content_bytes, hashed_folder
+from site_builder.output.writer import write_site
+from site_builder.pages.render import BLOCK_TEMPLATES, TEMPLATES
 from site_builder.serve import Builds
 from site_builder.source import OWN_FOLDERS
-from site_builder.writer import write_site
 
 type MakeBook = Callable[..., Options]
 

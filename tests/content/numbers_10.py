@@ -13,7 +13,7 @@ from simulations.ladders.inverse_distortion import LADDER
 from simulations.models import radial_profile
 from simulations.models.distortion import undistort
 from site_builder.diagnostics import Diagnostics
-from site_builder.measurements import Measurements, read_measurements
+from site_builder.measured.measurements import Measurements, read_measurements
 
 CHAPTER = "10-speed-and-accuracy"
 

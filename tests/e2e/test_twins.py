@@ -11,9 +11,9 @@ from support.reader import Reader
 from simulations.engine.controls import Slider, describe
 from simulations.engine.frame import StageReport
 from simulations.registry import SCENE_MODULES, load_scene
-from site_builder.axes import linear_axis, log_axis
-from site_builder.figure_view import count_stages, value_text
-from site_builder.quantities import milliseconds, with_unit
+from site_builder.charts.axes import linear_axis, log_axis
+from site_builder.measured.quantities import milliseconds, with_unit
+from site_builder.pages.simulation_view import count_stages, value_text
 
 pytestmark = pytest.mark.browser
 

@@ -1,0 +1,1 @@
+"""Every directive, one file each."""

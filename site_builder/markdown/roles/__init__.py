@@ -1,0 +1,1 @@
+"""Every role that asks for a number, one file each."""
