@@ -1,7 +1,7 @@
 # make serve     read and edit the book: http://localhost:8000, rebuilt on every change
 # make site      build it into build/site/
 # make test      all tests; the first run may install a browser
-# make check     formatting, lint and types; edits nothing
+# make check     formatting, lint and types of Python, scripts and style sheets; edits nothing
 # make bench     time and judge all ladders, here and in Chromium (LADDER=srgb: only one)
 # make screenshot            the README's picture (PAGE=lens-distortion/: that page, into build/)
 # make lock      pin the newest packages that pyproject.toml allows
@@ -37,6 +37,7 @@ check: $(VENV)/test.stamp
 	@$(BIN)/ruff format --check
 	@$(BIN)/ruff check
 	@$(BIN)/mypy
+	@$(BIN)/python tests/support/web_checks.py
 
 screenshot: $(VENV)/test.stamp $(VENV)/chromium.stamp site
 	@$(BIN)/python tests/support/screenshot.py "$(PAGE)"

@@ -1,74 +1,143 @@
 /**
  * Values of a figure's form, by the schema that Python wrote.
  *
- * @typedef {{name: string, kind: "slider" | "choice" | "toggle" | "action", label: string,
- *   default: any, min?: number, max?: number, step?: number, unit?: string, prefix?: string,
- *   decimals?: number, labels?: string[], drives?: string, effect?: string,
- *   seconds?: number}} Control
- * @typedef {{title: string, controls: Control[], values: Record<string, any>, tiers: string[],
+ * @typedef {{kind: "slider", name: string, label: string, default: number, min: number,
+ *   max: number, step: number, unit: string, prefix: string, decimals: number}} Slider
+ * @typedef {{kind: "choice", name: string, label: string, default: string}} Choice
+ * @typedef {{kind: "toggle", name: string, label: string, default: boolean}} Toggle
+ * @typedef {{kind: "action", name: string, label: string, default: number, labels: string[],
+ *   drives: string, effect: string, seconds: number}} Action
+ * @typedef {Slider | Choice | Toggle | Action} Control
+ * @typedef {number | string | boolean} Value
+ * @typedef {{title: string, controls: Control[], values: Record<string, Value>, tiers: string[],
  *   default_tier: string, draft_tier: string, drafted: string[],
  *   drafted_in: Record<string, string[]>}} Schema
  */
 
-import { setText, withUnit } from "./text.js";
+import { one } from "../page/dom.js";
+import { setText, withUnit } from "../page/text.js";
 
-/** @param {HTMLFormElement} form @param {Control[]} controls @returns {Record<string, any>} */
+/**
+ * @param {HTMLFormElement} form
+ * @param {Control[]} controls
+ * @returns {Record<string, Value>}
+ */
 export function readValues(form, controls) {
   return Object.fromEntries(controls.map((control) => [control.name, read(form, control)]));
 }
 
-/** @param {HTMLFormElement} form @param {Control} control */
+/**
+ * @param {HTMLFormElement} form
+ * @param {Control} control
+ * @returns {Value}
+ */
 function read(form, control) {
-  const element = controlElement(form, control.name);
   switch (control.kind) {
     case "slider":
-      return element.valueAsNumber;
+      return input(form, control.name).valueAsNumber;
     case "toggle":
-      return element.checked;
+      return input(form, control.name).checked;
     case "action":
-      return Number(element.dataset.state ?? 0);
-    default:
-      return element.value;
+      return actionState(button(form, control.name));
+    case "choice":
+      return choice(form, control.name).value;
   }
 }
 
-/** @param {HTMLFormElement} form @param {string} name @returns {any} */
-export function controlElement(form, name) {
-  const element = form.querySelector(`[name="${CSS.escape(name)}"]`);
-  if (!element) throw new Error(`the figure has no control "${name}"`);
-  return element;
+/**
+ * The slider or check box of that name.
+ *
+ * @param {HTMLFormElement} form
+ * @param {string} name
+ */
+export function input(form, name) {
+  return one(form, named(name), HTMLInputElement);
 }
 
-/** Move a slider from a script and show its value. */
-export function writeSlider(form, control, value) {
-  const input = controlElement(form, control.name);
-  input.value = String(value);
-  showSliderValue(form, control);
+/**
+ * The menu of that name.
+ *
+ * @param {HTMLFormElement} form
+ * @param {string} name
+ */
+export function choice(form, name) {
+  return one(form, named(name), HTMLSelectElement);
 }
 
-/** Write the value beside a slider, and into what a screen reader says of it. */
-export function showSliderValue(form, control) {
-  const input = controlElement(form, control.name);
-  const text = formatValue(control, input.valueAsNumber);
-  input.setAttribute("aria-valuetext", text);
-  setText(input.closest(".control")?.querySelector(".control-value"), text);
+/**
+ * The button of that name.
+ *
+ * @param {HTMLFormElement} form
+ * @param {string} name
+ */
+export function button(form, name) {
+  return one(form, named(name), HTMLButtonElement);
 }
 
-/** The button's next label. */
-export function pressAction(form, control) {
-  const button = controlElement(form, control.name);
-  setActionState(button, control, (Number(button.dataset.state ?? 0) + 1) % control.labels.length);
+/** @param {string} name */
+function named(name) {
+  return `[name="${CSS.escape(name)}"]`;
 }
 
-/** @param {HTMLButtonElement} button @param {Control} control @param {number} state */
-export function setActionState(button, control, state) {
-  button.dataset.state = String(state);
-  button.textContent = control.labels[state];
+/**
+ * Move a slider from a script and show its value.
+ *
+ * @param {HTMLFormElement} form
+ * @param {Slider} slider
+ * @param {number} value
+ */
+export function writeSlider(form, slider, value) {
+  input(form, slider.name).value = String(value);
+  showSliderValue(form, slider);
 }
 
-/** `f/2.8`, `5.0 m`, `30°`, with a true minus sign. */
-export function formatValue(control, value) {
-  const number = value.toFixed(control.decimals ?? 0);
+/**
+ * Write the value beside a slider, and into what a screen reader says of it.
+ *
+ * @param {HTMLFormElement} form
+ * @param {Slider} slider
+ */
+export function showSliderValue(form, slider) {
+  const range = input(form, slider.name);
+  const text = formatValue(slider, range.valueAsNumber);
+  range.setAttribute("aria-valuetext", text);
+  setText(range.closest(".control")?.querySelector(".control-value"), text);
+}
+
+/**
+ * The button's next label.
+ *
+ * @param {HTMLFormElement} form
+ * @param {Action} action
+ */
+export function pressAction(form, action) {
+  const pressed = button(form, action.name);
+  setActionState(pressed, action, (actionState(pressed) + 1) % action.labels.length);
+}
+
+/**
+ * @param {HTMLButtonElement} pressed
+ * @param {Action} action
+ * @param {number} state
+ */
+export function setActionState(pressed, action, state) {
+  pressed.dataset.state = String(state);
+  pressed.textContent = action.labels[state];
+}
+
+/** @param {HTMLButtonElement} pressed */
+function actionState(pressed) {
+  return Number(pressed.dataset.state ?? 0);
+}
+
+/**
+ * `f/2.8`, `5.0 m`, `30°`, with a true minus sign.
+ *
+ * @param {{decimals?: number, prefix?: string, unit?: string}} slider
+ * @param {number} value
+ */
+export function formatValue(slider, value) {
+  const number = value.toFixed(slider.decimals ?? 0);
   const signed = Number(number) === 0 ? number.replace("-", "") : number.replace("-", "\u2212");
-  return withUnit(`${control.prefix ?? ""}${signed}`, control.unit ?? "");
+  return withUnit(`${slider.prefix ?? ""}${signed}`, slider.unit ?? "");
 }

@@ -3,9 +3,9 @@
  * reset returns it to where the page put it.
  */
 
-import { controlElement, setActionState, writeSlider } from "./controls.js";
+import { button, input, setActionState, writeSlider } from "./controls.js";
 
-/** @typedef {import("./controls.js").Control} Control */
+/** @import { Action, Schema, Slider } from "./controls.js" */
 
 /** Shortest pause between two pictures where the reader asked for less motion, in seconds. */
 const CALM_PAUSE = 1;
@@ -13,12 +13,12 @@ const CALM_PAUSE = 1;
 const CALM_PICTURES = 4;
 
 export class Motion {
-  /** @type {{button: HTMLButtonElement, action: Control, stop: () => void} | null} */
+  /** @type {{action: Action, stop: () => void} | null} */
   #playing = null;
 
   /**
    * @param {HTMLFormElement} form
-   * @param {import("./controls.js").Schema} schema
+   * @param {Schema} schema
    * @param {(moving: boolean, time: number) => void} moved Called after each move of a slider.
    */
   constructor(form, schema, moved) {
@@ -27,81 +27,124 @@ export class Motion {
     this.moved = moved;
   }
 
-  /** @param {Control} action The button that was pressed. @param {number} time */
+  /**
+   * @param {Action} action The button that was pressed.
+   * @param {number} time
+   */
   press(action, time) {
-    const slider = this.schema.controls.find((control) => control.name === action.drives);
+    const slider = this.#driven(action);
     const wasPlaying = this.#playing?.action === action;
     this.stop();
     if (action.effect === "play") {
       if (!wasPlaying) this.#play(action, slider);
       return;
     }
-    const target =
-      action.effect === "step" ? this.#next(slider, 1) : this.schema.values[slider.name];
-    writeSlider(this.form, slider, target);
+    const first = Number(this.schema.values[slider.name]);
+    writeSlider(this.form, slider, action.effect === "step" ? this.#next(slider, 1) : first);
     this.moved(false, time);
   }
 
   /** Stop playing, if it is. */
   stop() {
     if (!this.#playing) return;
-    const { button, action, stop } = this.#playing;
+    const { action, stop } = this.#playing;
     this.#playing = null;
     stop();
-    setActionState(button, action, 0);
+    setActionState(button(this.form, action.name), action, 0);
     this.moved(false, performance.now());
   }
 
-  /** The place after the slider's value, of those a stride apart; past the end it starts over. */
-  #next(/** @type {Control} */ slider, /** @type {number} */ stride) {
-    const value = controlElement(this.form, slider.name).valueAsNumber;
+  /**
+   * The slider that a button moves.
+   *
+   * @param {Action} action
+   * @returns {Slider}
+   */
+  #driven(action) {
+    const control = this.schema.controls.find(({ name }) => name === action.drives);
+    if (control?.kind !== "slider") throw new Error(`${action.name} drives no slider`);
+    return control;
+  }
+
+  /**
+   * The place after the slider's value, of those a stride apart; past the end it starts over.
+   *
+   * @param {Slider} slider
+   * @param {number} stride
+   */
+  #next(slider, stride) {
+    const value = this.#value(slider);
     if (value >= slider.max) return slider.min;
     const passed = Math.floor((value - slider.min) / stride + 1e-9);
     return Math.min(slider.min + (passed + 1) * stride, slider.max);
   }
 
-  #play(/** @type {Control} */ action, /** @type {Control} */ slider) {
-    const button = controlElement(this.form, action.name);
-    const input = controlElement(this.form, slider.name);
-    if (input.valueAsNumber >= slider.max) writeSlider(this.form, slider, slider.min);
-    setActionState(button, action, action.labels.length > 1 ? 1 : 0);
+  /**
+   * @param {Action} action
+   * @param {Slider} slider
+   */
+  #play(action, slider) {
+    if (this.#value(slider) >= slider.max) writeSlider(this.form, slider, slider.min);
+    setActionState(button(this.form, action.name), action, action.labels.length > 1 ? 1 : 0);
     const calm = matchMedia("(prefers-reduced-motion: reduce)").matches;
     const stop = calm ? this.#walk(action, slider) : this.#sweep(action, slider);
-    this.#playing = { button, action, stop };
+    this.#playing = { action, stop };
   }
 
-  /** Continuous motion, a step of the slider at a time. @returns {() => void} */
+  /**
+   * Continuous motion, a step of the slider at a time.
+   *
+   * @param {Action} action
+   * @param {Slider} slider
+   * @returns {() => void} Ends it.
+   */
   #sweep(action, slider) {
-    const start = controlElement(this.form, slider.name).valueAsNumber;
+    const start = this.#value(slider);
     const perMs = (slider.max - slider.min) / (action.seconds * 1000);
     let begun = 0;
-    let request = requestAnimationFrame(function tick(now) {
+    const tick = (/** @type {number} */ now) => {
       begun ||= now;
       request = requestAnimationFrame(tick);
-      advance(start + (now - begun) * perMs, now);
-    });
-    const advance = (value, now) => this.#moveTo(slider, value, now);
+      this.#moveTo(slider, start + (now - begun) * perMs, now);
+    };
+    let request = requestAnimationFrame(tick);
     return () => cancelAnimationFrame(request);
   }
 
-  /** One picture after another, the first at once, with time to look. @returns {() => void} */
+  /**
+   * One picture after another, the first at once, with time to look.
+   *
+   * @param {Action} action
+   * @param {Slider} slider
+   * @returns {() => void} Ends it.
+   */
   #walk(action, slider) {
     const way = slider.max - slider.min;
     const stride = Math.min(1, way / CALM_PICTURES);
     const pause = Math.max(CALM_PAUSE, (action.seconds * stride) / way);
-    let timer = setTimeout(function tick() {
+    const tick = () => {
       timer = setTimeout(tick, pause * 1000);
-      advance();
-    });
-    const advance = () => this.#moveTo(slider, this.#next(slider, stride), performance.now());
+      this.#moveTo(slider, this.#next(slider, stride), performance.now());
+    };
+    let timer = setTimeout(tick);
     return () => clearTimeout(timer);
   }
 
+  /**
+   * @param {Slider} slider
+   * @param {number} value
+   * @param {number} time
+   */
   #moveTo(slider, value, time) {
-    const input = controlElement(this.form, slider.name);
-    const before = input.value;
+    const before = this.#value(slider);
     writeSlider(this.form, slider, Math.min(value, slider.max));
-    if (input.valueAsNumber >= slider.max) this.stop();
-    else if (input.value !== before) this.moved(true, time);
+    const now = this.#value(slider);
+    if (now >= slider.max) this.stop();
+    else if (now !== before) this.moved(true, time);
+  }
+
+  /** @param {Slider} slider */
+  #value(slider) {
+    return input(this.form, slider.name).valueAsNumber;
   }
 }

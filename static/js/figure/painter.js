@@ -8,36 +8,49 @@
  * @typedef {{panels: Panel[], readouts: Readout[], description: string}} Meta
  */
 
-import { setText } from "./text.js";
+import { maybe, one } from "../page/dom.js";
+import { setText } from "../page/text.js";
 
-/** @param {HTMLElement} figure @param {Meta} meta @param {ArrayBuffer[]} rasters */
+/**
+ * @param {HTMLElement} figure
+ * @param {Meta} meta
+ * @param {ArrayBuffer[]} rasters The pixels of the panels that have any, in their order.
+ */
 export function paint(figure, meta, rasters) {
-  let next = 0;
+  const pixels = rasters.values();
   for (const panel of meta.panels) {
-    const box = figure.querySelector(`.panel[data-panel="${CSS.escape(panel.name)}"]`);
-    if (!box) throw new Error(`the page has no panel "${panel.name}"`);
-    if (panel.raster) paintRaster(box.querySelector(".panel-view"), panel, rasters[next++]);
-    paintOverlay(box.querySelector("svg.overlay"), panel);
+    const box = one(figure, `.panel[data-panel="${CSS.escape(panel.name)}"]`, HTMLElement);
+    const view = one(box, ".panel-view", HTMLElement);
+    if (panel.raster) paintRaster(view, panel, panel.raster, pixels.next().value);
+    paintOverlay(view.querySelector("svg.overlay"), panel);
     setText(box.querySelector(".panel-title"), panel.title);
   }
   for (const readout of meta.readouts) paintReadout(figure, readout);
 }
 
-/** @param {Element} view @param {Panel} panel @param {ArrayBuffer} pixels */
-function paintRaster(view, panel, pixels) {
-  const { width, height } = panel.raster;
+/**
+ * @param {HTMLElement} view
+ * @param {Panel} panel
+ * @param {{width: number, height: number}} size
+ * @param {ArrayBuffer | undefined} pixels
+ */
+function paintRaster(view, panel, { width, height }, pixels) {
+  if (!pixels) throw new Error(`the frame has no pixels for the panel "${panel.name}"`);
   const image = new ImageData(new Uint8ClampedArray(pixels), width, height);
-  const canvas = view.querySelector("canvas.live") ?? document.createElement("canvas");
+  const canvas = maybe(view, "canvas.live", HTMLCanvasElement) ?? document.createElement("canvas");
   if (canvas.width !== width || canvas.height !== height) {
     canvas.width = width;
     canvas.height = height;
   }
-  canvas.getContext("2d").putImageData(image, 0, 0);
+  canvas.getContext("2d")?.putImageData(image, 0, 0);
   canvas.classList.toggle("pixelated", panel.pixelated);
   if (!canvas.isConnected) putInPlace(view, canvas);
 }
 
-/** @param {Element} view @param {HTMLCanvasElement} canvas */
+/**
+ * @param {HTMLElement} view
+ * @param {HTMLCanvasElement} canvas
+ */
 function putInPlace(view, canvas) {
   canvas.classList.add("live");
   const still = view.querySelector("img.still");
@@ -45,12 +58,18 @@ function putInPlace(view, canvas) {
   else view.prepend(canvas);
 }
 
-/** @param {Element | null} svg @param {Panel} panel */
+/**
+ * @param {Element | null} svg
+ * @param {Panel} panel
+ */
 function paintOverlay(svg, panel) {
   if (svg) svg.innerHTML = panel.overlay;
 }
 
-/** @param {HTMLElement} figure @param {Readout} readout */
+/**
+ * @param {HTMLElement} figure
+ * @param {Readout} readout
+ */
 function paintReadout(figure, readout) {
   const output = figure.querySelector(`output[name="${CSS.escape(readout.name)}"]`);
   const box = output?.parentElement;

@@ -5,29 +5,39 @@
  * @typedef {{name: string, status: "computed" | "reused" | "skipped", reason: string}} Stage
  */
 
-import { setText, withUnit } from "./text.js";
+import { message } from "../errors.js";
+import { all, maybe } from "../page/dom.js";
+import { setText, withUnit } from "../page/text.js";
+
+/** @import { Readout } from "./painter.js" */
+/** @typedef {{values: string, tier: string}} Judged */
 
 /** Milliseconds without a new frame after which the error is measured. */
 const REST = 400;
 /** Anything that the reader waits for goes before it. */
 const LEAST_URGENT = () => -1;
 
-/** @param {HTMLElement} figure @param {Stage[]} stages */
+/**
+ * @param {HTMLElement} figure
+ * @param {Stage[]} stages
+ */
 export function showStages(figure, stages) {
-  const list = figure.querySelector(".stages > ol");
-  if (!list) return;
-  while (list.children.length < stages.length) {
-    list.append(list.firstElementChild.cloneNode(true));
-  }
+  const list = maybe(figure, ".stages > ol", HTMLOListElement);
+  const first = list?.firstElementChild;
+  if (!list || !first) return;
+  while (list.children.length < stages.length) list.append(first.cloneNode(true));
   // A frame that refuses its values has no stages: its items wait for the next one.
-  [...list.children].forEach((item, index) => {
+  for (const [index, item] of all(list, ":scope > li", HTMLLIElement).entries()) {
     item.hidden = index >= stages.length;
     if (!item.hidden) showStage(item, stages[index]);
-  });
+  }
   setText(figure.querySelector(".stages-count"), countStages(stages));
 }
 
-/** @param {Element} item @param {Stage} stage */
+/**
+ * @param {HTMLElement} item
+ * @param {Stage} stage
+ */
 function showStage(item, stage) {
   item.dataset.status = stage.status;
   setText(item.querySelector(".stage-name"), stage.name);
@@ -35,35 +45,47 @@ function showStage(item, stage) {
   setText(item.querySelector(".stage-reason"), stage.reason);
 }
 
-/** `4 computed, 8 reused, 1 skipped`, as `figure_view.py` writes it. */
-export function countStages(/** @type {Stage[]} */ stages) {
-  const count = (status) => stages.filter((stage) => stage.status === status).length;
-  return ["computed", "reused", "skipped"]
-    .map((status) => `${count(status)} ${status}`)
-    .join(", ");
+/**
+ * `4 computed, 8 reused, 1 skipped`, as `figure_view.py` writes it.
+ *
+ * @param {Stage[]} stages
+ */
+export function countStages(stages) {
+  const counted = ["computed", "reused", "skipped"].map((status) => {
+    const count = stages.filter((stage) => stage.status === status).length;
+    return `${count} ${status}`;
+  });
+  return counted.join(", ");
 }
 
 /** The line with error and time under a figure that has a reference. */
 export class Accuracy {
-  /** @type {{values: string, tier: string} | null} What is shown and not yet judged. */
+  /** @type {Judged | null} What is shown and not yet judged. */
   #waiting = null;
-  #timer = 0;
+  /** @type {ReturnType<typeof setTimeout> | undefined} */
+  #timer;
   #near = false;
   /** A figure's first frame also waits for its code to be loaded, and says so. */
   #frames = 0;
 
   /**
    * @param {HTMLElement} figure
-   * @param {(job: {values: string, tier: string}, urgency: () => number) => Promise<any>} ask
+   * @param {(job: Judged, urgency: () => number) => Promise<Readout | null>} ask
    *   The next estimate for a frame: a readout, or null where there is no better one.
    */
   constructor(figure, ask) {
-    this.line = figure.querySelector(".accuracy");
+    this.line = maybe(figure, ".accuracy", HTMLElement);
     this.ask = ask;
   }
 
-  /** A frame was painted. `settled` is false for drafts: those are not judged. */
-  shown(/** @type {{values: string, tier: string}} */ job, ms, settled) {
+  /**
+   * A frame was painted.
+   *
+   * @param {Judged} job
+   * @param {number} ms
+   * @param {boolean} settled False for drafts: those are not judged.
+   */
+  shown(job, ms, settled) {
     if (!this.line) return;
     this.stop();
     this.#frames += 1;
@@ -76,7 +98,11 @@ export class Accuracy {
     this.#rest();
   }
 
-  /** Figures far from view are not judged until the reader comes near. */
+  /**
+   * Figures far from view are not judged until the reader comes near.
+   *
+   * @param {boolean} near
+   */
   set near(near) {
     this.#near = near;
     if (near) this.#rest();
@@ -94,7 +120,11 @@ export class Accuracy {
     this.#timer = setTimeout(() => this.#judge(job), REST);
   }
 
-  /** One estimate after another, each a call of its own, so that a drag never waits for all. */
+  /**
+   * One estimate after another, each a call of its own, so that a drag never waits for all.
+   *
+   * @param {Judged} job
+   */
   async #judge(job) {
     try {
       while (this.#waiting === job && this.#near) {
@@ -102,7 +132,7 @@ export class Accuracy {
         if (this.#waiting !== job) return;
         if (estimate === null) {
           this.#waiting = null;
-          this.line.dataset.judged = "true";
+          if (this.line) this.line.dataset.judged = "true";
           return;
         }
         this.#write(estimate);
@@ -110,12 +140,13 @@ export class Accuracy {
     } catch (error) {
       if (this.#waiting !== job) return;
       this.#waiting = null;
-      this.#write({ label: "Error", text: `not measured (${error.message})`, unit: "" });
+      this.#write({ label: "Error", text: `not measured (${message(error)})`, unit: "" });
     }
   }
 
+  /** @param {Pick<Readout, "label" | "text" | "unit">} estimate */
   #write({ label, text, unit }) {
-    setText(this.line.querySelector(".accuracy-label"), label);
-    setText(this.line.querySelector(".accuracy-value"), withUnit(text, unit));
+    setText(this.line?.querySelector(".accuracy-label"), label);
+    setText(this.line?.querySelector(".accuracy-value"), withUnit(text, unit));
   }
 }

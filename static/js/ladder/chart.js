@@ -1,6 +1,6 @@
 /**
  * The reader's own points in the chart of a ladder. The axes come from the builder, which drew
- * the rest: `position` is `Axis.position` of site_builder/axes.py.
+ * the rest: `position` is `Axis.position` of the builder's axes.py.
  *
  * @typedef {{low: number, high: number, start: number, end: number, log: boolean,
  *   none: number | null}} Axis
@@ -9,11 +9,15 @@
 const SVG = "http://www.w3.org/2000/svg";
 const HALF = 5.5;
 
+/** @import { Ladder, Result } from "./bench.js" */
+
 /**
  * A diamond at the median, on a bar over the middle half of the samples. Where the chart ends
  * before the value does, an arrow at its border.
- * @param {Element} group @param {import("./ladder.js").Result} result
- * @param {import("./ladder.js").Ladder} ladder
+ *
+ * @param {Element} group
+ * @param {Result} result
+ * @param {Ladder} ladder
  */
 export function addPoint(group, result, { time, error, metrics }) {
   const [metric] = metrics;
@@ -27,7 +31,10 @@ export function addPoint(group, result, { time, error, metrics }) {
   );
 }
 
-/** @param {Axis} axis @param {number} value */
+/**
+ * @param {Axis} axis
+ * @param {number} value
+ */
 export function position(axis, value) {
   const isNone = axis.log ? value <= 0 : !Number.isFinite(value);
   if (isNone && axis.none !== null) return axis.none;
@@ -36,22 +43,46 @@ export function position(axis, value) {
   return axis.start + ((inside - axis.low) / (axis.high - axis.low)) * (axis.end - axis.start);
 }
 
-/** −1 or 1 where the value lies before or beyond the axis. */
-function sideOf(/** @type {Axis} */ axis, /** @type {number} */ value) {
+/**
+ * −1 or 1 where the value lies before or beyond the axis.
+ *
+ * @param {Axis} axis
+ * @param {number} value
+ */
+function sideOf(axis, value) {
   const scaled = axis.log ? Math.log10(value) : value;
   return scaled < axis.low ? -1 : scaled > axis.high ? 1 : 0;
 }
 
-/** Corners of a diamond, or of an arrow that points off the chart. */
+/**
+ * Corners of a diamond, or of an arrow that points off the chart.
+ *
+ * @param {number} x
+ * @param {number} y
+ * @param {number} side
+ */
 function marker(x, y, side) {
   const corners = side
-    ? [[side * HALF, 0], [-side * HALF, HALF], [-side * HALF, -HALF]]
-    : [[0, -HALF], [HALF, 0], [0, HALF], [-HALF, 0]];
+    ? [
+        [side * HALF, 0],
+        [-side * HALF, HALF],
+        [-side * HALF, -HALF],
+      ]
+    : [
+        [0, -HALF],
+        [HALF, 0],
+        [0, HALF],
+        [-HALF, 0],
+      ];
   return corners.map(([dx, dy]) => `${(x + dx).toFixed(2)},${(y + dy).toFixed(2)}`).join(" ");
 }
 
-function element(/** @type {string} */ name, /** @type {Record<string, any>} */ attributes) {
+/**
+ * @param {string} name
+ * @param {Record<string, string | number>} attributes
+ */
+function element(name, attributes) {
   const made = document.createElementNS(SVG, name);
-  for (const [key, value] of Object.entries(attributes)) made.setAttribute(key, value);
+  for (const [key, value] of Object.entries(attributes)) made.setAttribute(key, String(value));
   return made;
 }

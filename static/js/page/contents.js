@@ -1,27 +1,36 @@
 /** The list of chapters behind its button, where the window has no room beside the text. */
 
+import { maybe, within } from "./dom.js";
+
 /** Listen for the contents button on any page. */
 export function installContents() {
   document.addEventListener("click", (event) => {
-    const button = document.querySelector(".contents-toggle");
+    const button = toggle();
     if (!button) return;
-    if (event.target.closest?.(".contents-toggle")) setOpen(button, !isOpen(button));
-    else if (isOpen(button) && !event.target.closest?.("#contents")) setOpen(button, false);
+    if (within(event, ".contents-toggle", Element)) setOpen(button, !isOpen(button));
+    else if (isOpen(button) && !within(event, "#contents", Element)) setOpen(button, false);
   });
   document.addEventListener("keydown", (event) => {
-    const button = document.querySelector(".contents-toggle");
+    const button = toggle();
     if (event.key !== "Escape" || !button || !isOpen(button)) return;
     setOpen(button, false);
     button.focus();
   });
 }
 
-/** @param {Element} button */
+function toggle() {
+  return maybe(document, ".contents-toggle", HTMLButtonElement);
+}
+
+/** @param {HTMLButtonElement} button */
 function isOpen(button) {
   return button.getAttribute("aria-expanded") === "true";
 }
 
-/** @param {Element} button @param {boolean} open */
+/**
+ * @param {HTMLButtonElement} button
+ * @param {boolean} open
+ */
 function setOpen(button, open) {
   button.setAttribute("aria-expanded", String(open));
   document.getElementById("contents")?.classList.toggle("open", open);

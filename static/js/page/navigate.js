@@ -4,12 +4,18 @@
  * loads the page itself.
  */
 
+import { within } from "./dom.js";
+
 /** @type {AbortController | null} */
 let turning = null;
 let shownPath = location.pathname;
 let scrollTimer = 0;
 
-/** @param {() => void} turned Called when a new page has been put in place. */
+/**
+ * Listen for links to other pages of the book.
+ *
+ * @param {() => void} turned Called when a new page has been put in place.
+ */
 export function installNavigation(turned) {
   history.scrollRestoration = "manual";
   if (history.state?.scroll && !location.hash) scrollTo(0, history.state.scroll);
@@ -30,9 +36,13 @@ export function installNavigation(turned) {
   });
 }
 
-/** Where a plain click on a link to another page of the book leads, or null. */
-function pageLink(/** @type {MouseEvent} */ event) {
-  const link = event.target.closest?.("a[href]");
+/**
+ * Where a plain click on a link to another page of the book leads, or null.
+ *
+ * @param {MouseEvent} event
+ */
+function pageLink(event) {
+  const link = within(event, "a[href]", HTMLAnchorElement);
   if (!link || event.defaultPrevented || event.button !== 0) return null;
   if (event.metaKey || event.ctrlKey || event.shiftKey || event.altKey) return null;
   if (link.target || link.hasAttribute("download")) return null;
@@ -42,13 +52,23 @@ function pageLink(/** @type {MouseEvent} */ event) {
   return inBook && url.pathname !== location.pathname ? url : null;
 }
 
-/** @param {HTMLElement} body @param {string} base @returns {string | null} */
+/**
+ * The address of the book that a page belongs to.
+ *
+ * @param {HTMLElement} body
+ * @param {string} base
+ * @returns {string | null}
+ */
 function siteRoot(body, base) {
   const root = body.dataset.root;
   return root === undefined ? null : new URL(root || "./", base).href;
 }
 
-/** @param {URL} url @param {() => void} turned @param {() => void} commit */
+/**
+ * @param {URL} url
+ * @param {() => void} turned
+ * @param {() => void} commit
+ */
 async function turnTo(url, turned, commit) {
   turning?.abort();
   turning = new AbortController();
@@ -61,27 +81,44 @@ async function turnTo(url, turned, commit) {
     shownPath = location.pathname;
     turned();
     arrive();
-  } catch (error) {
-    if (error.name !== "AbortError") location.assign(url);
+  } catch {
+    if (!signal.aborted) location.assign(url);
   }
 }
 
-/** @returns {Promise<Document>} The page, if it belongs to the same build of the book. */
-async function fetchPage(/** @type {URL} */ url, /** @type {AbortSignal} */ signal) {
+/**
+ * The page, if it belongs to the same build of the book.
+ *
+ * @param {URL} url
+ * @param {AbortSignal} signal
+ * @returns {Promise<Document>}
+ */
+async function fetchPage(url, signal) {
   const reply = await fetch(url, { signal });
   const isPage = reply.headers.get("content-type")?.startsWith("text/html");
   if (!reply.ok || !isPage || reply.redirected) throw new Error("not a page of the book");
   const page = new DOMParser().parseFromString(await reply.text(), "text/html");
   if (!page.querySelector("main#main")) throw new Error("no text in the page");
-  const assets = (body, base) => new URL(body.dataset.assets ?? "", base).href;
-  if (assets(page.body, url.href) !== assets(document.body, location.href)) {
+  if (assetsOf(page.body, url.href) !== assetsOf(document.body, location.href)) {
     throw new Error("the book has been built anew");
   }
   return page;
 }
 
-/** Called when the address is already the new page's, so that relative links resolve. */
-function putInPlace(/** @type {Document} */ page) {
+/**
+ * @param {HTMLElement} body
+ * @param {string} base
+ */
+function assetsOf(body, base) {
+  return new URL(body.dataset.assets ?? "", base).href;
+}
+
+/**
+ * Called when the address is already the new page's, so that relative links resolve.
+ *
+ * @param {Document} page
+ */
+function putInPlace(page) {
   document.title = page.title;
   const description = 'meta[name="description"]';
   document.querySelector(description)?.replaceWith(page.querySelector(description) ?? "");
@@ -93,7 +130,7 @@ function putInPlace(/** @type {Document} */ page) {
 
 /** Begin reading: at the link's target, where one left off, or at the top. */
 function arrive() {
-  document.getElementById("main").focus({ preventScroll: true });
+  document.getElementById("main")?.focus({ preventScroll: true });
   restoreScroll();
 }
 

@@ -6,12 +6,13 @@
  * @typedef {{id: string, kind: "single" | "multiple", options: Option[]}} Quiz
  */
 
+import { all, data, one, within } from "./dom.js";
 import { recall, remember } from "./storage.js";
 
 /** Listen for answers on any page, now and after a change of chapter. */
 export function installQuizzes() {
   document.addEventListener("submit", (event) => {
-    const form = event.target.closest("form.quiz");
+    const form = within(event, "form.quiz", HTMLFormElement);
     if (!form) return;
     event.preventDefault();
     answer(form);
@@ -21,44 +22,53 @@ export function installQuizzes() {
 
 /** Show the answers given on an earlier visit. */
 export function restoreQuizzes() {
-  for (const form of document.querySelectorAll("form.quiz")) {
+  for (const form of all(document, "form.quiz", HTMLFormElement)) {
     const chosen = recall(`quiz:${form.dataset.quiz}`);
-    const boxes = [...form.querySelectorAll('input[name="answer"]')];
+    const boxes = all(form, 'input[name="answer"]', HTMLInputElement);
     if (!Array.isArray(chosen) || chosen.some((index) => !boxes[index])) continue;
-    boxes.forEach((box, index) => (box.checked = chosen.includes(index)));
+    for (const [index, box] of boxes.entries()) box.checked = chosen.includes(index);
     judge(form, chosen);
   }
 }
 
 /** @param {HTMLFormElement} form */
 function answer(form) {
-  const chosen = [...form.querySelectorAll('input[name="answer"]:checked')].map((box) =>
-    Number(box.value),
-  );
+  const checked = all(form, 'input[name="answer"]:checked', HTMLInputElement);
+  const chosen = checked.map((box) => Number(box.value));
   if (chosen.length === 0) {
     delete form.dataset.answered;
-    form.querySelector(".feedback").textContent = "Choose an answer first.";
+    one(form, ".feedback", HTMLElement).textContent = "Choose an answer first.";
     return;
   }
   judge(form, chosen);
   remember(`quiz:${form.dataset.quiz}`, chosen);
 }
 
-/** @param {HTMLFormElement} form @param {number[]} chosen */
+/**
+ * @param {HTMLFormElement} form
+ * @param {number[]} chosen
+ */
 function judge(form, chosen) {
   /** @type {Quiz} */
-  const quiz = JSON.parse(form.querySelector("script.quiz-data").textContent);
+  const quiz = data(form, "script.quiz-data");
   const right = quiz.options.every((option, index) => option.correct === chosen.includes(index));
   form.dataset.answered = right ? "correct" : "wrong";
-  form.querySelectorAll("label.option").forEach((label, index) => {
+  for (const [index, label] of all(form, "label.option", HTMLElement).entries()) {
+    const { correct } = quiz.options[index];
     label.classList.toggle("chosen", chosen.includes(index));
-    label.classList.toggle("correct", chosen.includes(index) && quiz.options[index].correct);
-    label.classList.toggle("wrong", chosen.includes(index) && !quiz.options[index].correct);
-  });
-  form.querySelector(".feedback").innerHTML = feedback(quiz, chosen, right);
+    label.classList.toggle("correct", chosen.includes(index) && correct);
+    label.classList.toggle("wrong", chosen.includes(index) && !correct);
+  }
+  one(form, ".feedback", HTMLElement).innerHTML = feedback(quiz, chosen, right);
 }
 
-/** The verdict and, for each chosen option, its own explanation. */
+/**
+ * The verdict and, for each chosen option, its own explanation.
+ *
+ * @param {Quiz} quiz
+ * @param {number[]} chosen
+ * @param {boolean} right
+ */
 function feedback(quiz, chosen, right) {
   const explanations = chosen.map((index) => {
     const { correct, explanation_html: html } = quiz.options[index];
@@ -67,9 +77,15 @@ function feedback(quiz, chosen, right) {
   return `<p class="verdict">${verdict(quiz, chosen, right)}</p>${explanations.join("")}`;
 }
 
+/**
+ * @param {Quiz} quiz
+ * @param {number[]} chosen
+ * @param {boolean} right
+ */
 function verdict(quiz, chosen, right) {
   if (right) return "Right.";
-  const wrong = chosen.some((index) => !quiz.options[index].correct);
-  if (wrong) return quiz.kind === "multiple" ? "Not all of these. Try again." : "Not quite. Try again.";
-  return "Right so far, but something is missing.";
+  if (chosen.every((index) => quiz.options[index].correct)) {
+    return "Right so far, but something is missing.";
+  }
+  return quiz.kind === "multiple" ? "Not all of these. Try again." : "Not quite. Try again.";
 }

@@ -2,7 +2,12 @@
 
 const PREFIX = "image-formation:";
 
-/** @param {string} key @returns {any} What was kept, or null. */
+/**
+ * What was kept under `key`, or null.
+ *
+ * @param {string} key
+ * @returns {any}
+ */
 export function recall(key) {
   try {
     return JSON.parse(localStorage.getItem(PREFIX + key) ?? "null");
@@ -11,7 +16,12 @@ export function recall(key) {
   }
 }
 
-/** @param {string} key @param {any} value Null forgets. */
+/**
+ * Keep `value` under `key`; null forgets.
+ *
+ * @param {string} key
+ * @param {unknown} value
+ */
 export function remember(key, value) {
   try {
     if (value === null) localStorage.removeItem(PREFIX + key);

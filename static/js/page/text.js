@@ -1,11 +1,21 @@
 /** Words and numbers in the page. */
 
-/** Write only what differs: an unchanged text is not laid out, selected or read out anew. */
-export function setText(/** @type {Element | null | undefined} */ element, /** @type {string} */ text) {
+/**
+ * Write only what differs: an unchanged text is not laid out, selected or read out anew.
+ *
+ * @param {Element | null | undefined} element
+ * @param {string} text
+ */
+export function setText(element, text) {
   if (element && element.textContent !== text) element.textContent = text;
 }
 
-/** `16.0 px`, on one line; degrees stand close: as `with_unit` of site_builder/quantities.py. */
-export function withUnit(/** @type {string} */ text, /** @type {string} */ unit) {
+/**
+ * `16.0 px`, on one line; degrees stand close: as `with_unit` of the builder's quantities.py.
+ *
+ * @param {string} text
+ * @param {string} unit
+ */
+export function withUnit(text, unit) {
   return text + (unit === "" || unit === "°" ? "" : "\u00a0") + unit;
 }

@@ -3,14 +3,19 @@
  * applies the remembered theme before the first paint.
  */
 
+import { all, within } from "./dom.js";
+
+/** @typedef {"system" | "light" | "dark"} Theme */
+
 const KEY = "theme";
 const NAMES = { system: "System", light: "Light", dark: "Dark" };
+/** @type {Record<Theme, Theme>} */
 const NEXT = { system: "light", light: "dark", dark: "system" };
 
 /** Listen for the theme button on any page. */
 export function installTheme() {
   document.addEventListener("click", (event) => {
-    if (!event.target.closest?.(".theme-toggle")) return;
+    if (!within(event, ".theme-toggle", Element)) return;
     setTheme(NEXT[currentTheme()]);
     showTheme();
   });
@@ -20,20 +25,20 @@ export function installTheme() {
 /** Let every theme button say which theme is on. */
 export function showTheme() {
   const name = NAMES[currentTheme()];
-  for (const button of document.querySelectorAll(".theme-toggle")) {
+  for (const button of all(document, ".theme-toggle", HTMLButtonElement)) {
     button.dataset.choice = currentTheme();
     button.setAttribute("aria-label", `Theme: ${name}. Press to change.`);
     button.title = `Theme: ${name}`;
   }
 }
 
-/** @returns {"system" | "light" | "dark"} */
+/** @returns {Theme} */
 function currentTheme() {
   const theme = document.documentElement.dataset.theme;
   return theme === "light" || theme === "dark" ? theme : "system";
 }
 
-/** @param {"system" | "light" | "dark"} theme */
+/** @param {Theme} theme */
 function setTheme(theme) {
   if (theme === "system") delete document.documentElement.dataset.theme;
   else document.documentElement.dataset.theme = theme;

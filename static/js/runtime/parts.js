@@ -4,51 +4,88 @@
  * interpreter starts; anything else when Python asks for it.
  */
 
+import { message } from "../errors.js";
+
 /** What the interpreter starts with; the other parts wait until something imports from them. */
 export const PYTHON = "python.zip";
 export const NUMPY = "numpy.zip";
 export const SIMULATIONS = "simulations.zip";
 export const TABLE = "runtime.json";
 
+/**
+ * What `runtime.json` says.
+ *
+ * @typedef {{integrity: Record<string, string>, scenes: Record<string, string[]>,
+ *   ladders: Record<string, string[]>, modules: Record<string, string>, lock: object}} Table
+ */
+
 export class Parts {
   /** @type {Map<string, Promise<Uint8Array>>} */
   #coming = new Map();
+  /** @type {Set<string>} */
   #here = new Set();
+  /** @type {Set<string>} */
   #damaged = new Set();
-  /** @type {any} */
+  /**
+   * The interpreter; any, since Pyodide's own types are not at hand.
+   *
+   * @type {any}
+   */
   #pyodide = null;
+  /** Where parts are unpacked. */
+  folder = "";
 
-  /** @param {string} url The runtime's folder. @param {any} table What `runtime.json` says. */
+  /**
+   * @param {string} url The runtime's folder.
+   * @param {Table} table
+   */
   constructor(url, table) {
     this.url = url;
     this.table = table;
   }
 
-  /** @returns {Promise<Parts>} */
-  static async listed(/** @type {string} */ url) {
-    return new Parts(url, await read("json")(await fetch(url + TABLE)));
+  /**
+   * @param {string} url The runtime's folder.
+   * @returns {Promise<Parts>}
+   */
+  static async listed(url) {
+    const reply = good(await fetch(url + TABLE));
+    return new Parts(url, await reply.json());
   }
 
-  /** Where parts are unpacked from now on. */
+  /**
+   * The interpreter into which parts are unpacked from now on.
+   *
+   * @param {any} pyodide
+   */
   set pyodide(pyodide) {
     this.#pyodide = pyodide;
     this.folder = pyodide.pyimport("site").getsitepackages().get(0);
   }
 
-  /** @returns {Promise<Uint8Array>} The file, if it is whole. */
-  async fetch(/** @type {string} */ name) {
+  /**
+   * The file, if it is whole.
+   *
+   * @param {string} name
+   * @returns {Promise<Uint8Array>}
+   */
+  async fetch(name) {
     const cache = this.#damaged.has(name) ? "reload" : "default";
     try {
       const reply = await fetch(this.url + name, { cache, integrity: this.table.integrity[name] });
-      return new Uint8Array(await read("arrayBuffer")(reply));
+      return new Uint8Array(await good(reply).arrayBuffer());
     } catch (error) {
       this.#damaged.add(name);
-      throw new Error(`${name}: ${error.message}`);
+      throw new Error(`${name}: ${message(error)}`, { cause: error });
     }
   }
 
-  /** Begin to fetch parts. */
-  expect(/** @type {string[]} */ names = []) {
+  /**
+   * Begin to fetch parts.
+   *
+   * @param {string[]} [names]
+   */
+  expect(names = []) {
     for (const name of names) {
       if (this.#here.has(name) || this.#coming.has(name)) continue;
       const coming = this.fetch(`${name}.zip`);
@@ -57,8 +94,12 @@ export class Parts {
     }
   }
 
-  /** Have parts in place; one that cannot be had is asked for again by whoever imports it. */
-  async provide(/** @type {string[]} */ names = []) {
+  /**
+   * Have parts in place; one that cannot be had is asked for again by whoever imports it.
+   *
+   * @param {string[]} [names]
+   */
+  async provide(names = []) {
     this.expect(names);
     for (const name of names) {
       const coming = this.#coming.get(name);
@@ -68,8 +109,12 @@ export class Parts {
     }
   }
 
-  /** Have a part in place at once: Python is in the midst of importing from it. */
-  fetchNow(/** @type {string} */ name) {
+  /**
+   * Have a part in place at once: Python is in the midst of importing from it.
+   *
+   * @param {string} name
+   */
+  fetchNow(name) {
     if (this.#here.has(name)) return;
     const request = new XMLHttpRequest();
     request.open("GET", `${this.url}${name}.zip`, false);
@@ -79,20 +124,27 @@ export class Parts {
     this.#place(name, new Uint8Array(request.response));
   }
 
-  unpack(/** @type {Uint8Array} */ archive) {
+  /** @param {Uint8Array} archive */
+  unpack(archive) {
     this.#pyodide.unpackArchive(archive, "zip", { extractDir: this.folder });
   }
 
-  #place(/** @type {string} */ name, /** @type {Uint8Array} */ archive) {
+  /**
+   * @param {string} name
+   * @param {Uint8Array} archive
+   */
+  #place(name, archive) {
     this.unpack(archive);
     this.#here.add(name);
   }
 }
 
-/** @returns {(reply: Response) => Promise<any>} The body of a reply, which must be a good one. */
-function read(/** @type {"json" | "arrayBuffer"} */ kind) {
-  return (reply) => {
-    if (!reply.ok) throw new Error(`${reply.url}: ${reply.status}`);
-    return reply[kind]();
-  };
+/**
+ * A reply, which must be a good one.
+ *
+ * @param {Response} reply
+ */
+function good(reply) {
+  if (!reply.ok) throw new Error(`${reply.url}: ${reply.status}`);
+  return reply;
 }

@@ -6,7 +6,13 @@
  * ended and started anew; what waits is kept.
  */
 
-/** Longest wait for an answer in milliseconds. Starting may include a slow download. */
+import { all } from "../page/dom.js";
+
+/**
+ * Longest wait for an answer in milliseconds. Starting may include a slow download.
+ *
+ * @type {Record<string, number>}
+ */
 export const LIMITS = {
   start: 300_000,
   first: 30_000,
@@ -17,8 +23,11 @@ export const LIMITS = {
 };
 
 /** Why a call failed: `python` (our code raised), `start` (no interpreter), `lost` (no answer). */
-class RuntimeFailure extends Error {
-  /** @param {"python" | "start" | "lost"} kind @param {string} message */
+export class RuntimeFailure extends Error {
+  /**
+   * @param {"python" | "start" | "lost"} kind
+   * @param {string} message
+   */
   constructor(kind, message) {
     super(message);
     this.kind = kind;
@@ -26,12 +35,16 @@ class RuntimeFailure extends Error {
 }
 
 /**
+ * @typedef {{figure?: string, scene?: string} & Record<string, unknown>} Payload
+ */
+
+/**
  * @typedef {object} Call
  * @property {number} id
  * @property {string} name
- * @property {object} payload
- * @property {() => number} urgency  Asked when the worker is free: the highest goes first.
- * @property {(reply: object) => void} resolve
+ * @property {Payload} payload
+ * @property {() => number} urgency Asked when the worker is free: the highest goes first.
+ * @property {(reply: any) => void} resolve
  * @property {(reason: RuntimeFailure) => void} reject
  */
 
@@ -42,10 +55,15 @@ export class Runtime {
   #active = null;
   /** @type {Worker | null} */
   #worker = null;
-  #watchdog = 0;
+  /** @type {ReturnType<typeof setTimeout> | undefined} */
+  #watchdog;
   #lastId = 0;
   #failedStarts = 0;
-  /** Scenes that this worker has imported: their first frame takes longer. */
+  /**
+   * Scenes that this worker has imported: their first frame takes longer.
+   *
+   * @type {Set<string>}
+   */
   #seen = new Set();
 
   /** @param {string} url Absolute address of the runtime folder. */
@@ -60,8 +78,11 @@ export class Runtime {
 
   /**
    * Answer of the worker to `name`, whenever its turn comes.
-   * @param {string} name @param {object} payload @param {() => number} [urgency]
-   * @returns {Promise<object>}
+   *
+   * @param {string} name
+   * @param {Payload} payload
+   * @param {() => number} [urgency]
+   * @returns {Promise<any>}
    */
   call(name, payload, urgency = () => 0) {
     return new Promise((resolve, reject) => {
@@ -70,8 +91,12 @@ export class Runtime {
     });
   }
 
-  /** Drop what belongs to a figure that left the page, here and in the worker. */
-  forget(/** @type {string} */ figure) {
+  /**
+   * Drop what belongs to a figure that left the page, here and in the worker.
+   *
+   * @param {string} figure
+   */
+  forget(figure) {
     const leaving = this.#waiting.filter((call) => call.payload.figure === figure);
     this.#waiting = this.#waiting.filter((call) => !leaving.includes(call));
     for (const call of leaving) call.reject(new RuntimeFailure("lost", "the figure has gone"));
@@ -108,16 +133,18 @@ export class Runtime {
     });
   }
 
-  #send(/** @type {Call} */ call) {
+  /** @param {Call} call */
+  #send(call) {
     this.#active = call;
     const { scene } = call.payload;
     const limit = scene && !this.#seen.has(scene) ? LIMITS.first : LIMITS[call.name];
     if (scene) this.#seen.add(scene);
     this.#watchdog = setTimeout(() => this.#lose("the computation did not end in time"), limit);
-    this.#worker.postMessage({ id: call.id, call: call.name, ...call.payload });
+    this.#worker?.postMessage({ id: call.id, call: call.name, ...call.payload });
   }
 
-  #receive(/** @type {any} */ reply) {
+  /** @param {any} reply */
+  #receive(reply) {
     const call = this.#active;
     if (!call || call.id !== reply.id) return;
     if (!reply.ok && (reply.fatal || call.name === "start")) {
@@ -130,8 +157,12 @@ export class Runtime {
     this.#next();
   }
 
-  /** The worker is of no more use: end it, tell its caller, and go on with a new one. */
-  #lose(/** @type {string} */ message) {
+  /**
+   * The worker is of no more use: end it, tell its caller, and go on with a new one.
+   *
+   * @param {string} message
+   */
+  #lose(message) {
     const call = this.#active;
     this.#settle();
     this.#worker?.terminate();
@@ -145,17 +176,21 @@ export class Runtime {
     this.#active = null;
   }
 
-  /** No interpreter: everyone who waits hears why; the next call tries again. */
-  #giveUp(/** @type {RuntimeFailure} */ reason) {
+  /**
+   * No interpreter: everyone who waits hears why; the next call tries again.
+   *
+   * @param {RuntimeFailure} reason
+   */
+  #giveUp(reason) {
     this.#failedStarts += 1;
     for (const call of this.#waiting.splice(0)) call.reject(reason);
   }
 }
 
-/** @returns {string[]} What the page will ask for. */
+/** The scenes that the page will ask for. */
 function scenesOfPage() {
-  const figures = document.querySelectorAll("simulation-figure");
-  return [...new Set(Array.from(figures, (figure) => figure.dataset.simulation))];
+  const figures = all(document, "simulation-figure", HTMLElement);
+  return [...new Set(figures.map((figure) => figure.dataset.simulation))];
 }
 
 /** @type {Runtime | null} */
