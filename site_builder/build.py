@@ -18,6 +18,7 @@ from site_builder.markdown.directives.figure import SUFFIXES
 from site_builder.measured.measurements import read_measurements
 from site_builder.output.assets import Content, folder_files, hashed_folder
 from site_builder.output.fonts import subset_fonts
+from site_builder.output.style_sheets import join_style_sheets
 from site_builder.output.writer import write_site
 from site_builder.pages.catalogue import Versions, catalogue
 from site_builder.pages.licences import gather_licences
@@ -25,6 +26,9 @@ from site_builder.pages.render import Site, render_pages
 from site_builder.pages.stills import Stills, render_stills
 from site_builder.runtime.pack import pack_runtime
 from site_builder.source import read_book
+
+STYLE_SHEET = "css/book.css"
+"""The one that pages link to, below ``static/``."""
 
 type Files = Mapping[str, Content]
 type Write = Callable[[Files, Path], None]
@@ -91,7 +95,7 @@ def _assets(root: Path, pictures: Mapping[str, bytes]) -> tuple[str, dict[str, C
     return hashed_folder(
         "assets",
         {
-            **folder_files(root / "static"),
+            **join_style_sheets(folder_files(root / "static"), STYLE_SHEET),
             **{f"fonts/{name}": data for name, data in subset_fonts().items()},
             **{f"stills/{name}": data for name, data in pictures.items()},
             **{
