@@ -9,6 +9,7 @@ from simulations.engine.scene import Scene
 from simulations.registry import load_ladder
 from site_builder.measured.quantities import with_unit
 from site_builder.pages.embedding import json_for_html
+from site_builder.pages.figure_grid import IN_A_ROW, control_cells, even_columns, spans
 from site_builder.pages.stills import Still
 from site_builder.source import OUTLINE
 
@@ -38,6 +39,16 @@ class ControlView:
 
 
 @dataclass(frozen=True, slots=True)
+class CellView:
+    """What stands in one cell of the grid of controls."""
+
+    controls: tuple[ControlView, ...]
+    """One, or buttons in a run; none in the cell of the accuracy."""
+    spans: str
+    """Columns that it takes, by the room that there is, as CSS variables."""
+
+
+@dataclass(frozen=True, slots=True)
 class FigureView:
     """A figure, ready for ``blocks/simulation.html``."""
 
@@ -48,7 +59,7 @@ class FigureView:
     caption_html: str
     panels: tuple[PanelView, ...]
     readouts: tuple[Readout, ...]
-    controls: tuple[ControlView, ...]
+    cells: tuple[CellView, ...]
     columns: tuple[int, int, int]
     """Readouts in a row where space is narrow, middling and wide."""
     tiers: tuple[tuple[str, str], ...]
@@ -78,15 +89,7 @@ def view_figure(still: Still, assets: str) -> FigureView:
             for name in (still.pictures.get(panel.name, ""),)
         ),
         readouts=frame.readouts,
-        controls=tuple(
-            ControlView(
-                control,
-                f"{figure.id}-{control.name}",
-                still.values[control.name],
-                value_text(control, still.values[control.name]),
-            )
-            for control in scene.controls
-        ),
+        cells=_cells(still),
         columns=(
             even_columns(len(frame.readouts), 2),
             even_columns(len(frame.readouts), 4),
@@ -99,6 +102,29 @@ def view_figure(still: Still, assets: str) -> FigureView:
         stages_text=count_stages(frame.stages),
         stages_open=len(frame.stages) >= SHOW_STAGES_FROM and figure.path != OUTLINE,
         schema=json_for_html(schema(still)),
+    )
+
+
+def _cells(still: Still) -> tuple[CellView, ...]:
+    """The grid of controls; its last cell is the accuracy's, where there is a choice of it."""
+    scene = still.figure.scene
+    cells = [*control_cells(scene.controls), *([()] if scene.tiers else [])]
+    # Three buttons need the room of two other controls.
+    places = [2 if len(cell) > 2 else 1 for cell in cells]
+    by_room = zip(*(spans(places, most) for most in IN_A_ROW.values()), strict=True)
+    return tuple(
+        CellView(
+            tuple(_control(still, control) for control in cell),
+            "; ".join(f"--{room}: {span}" for room, span in zip(IN_A_ROW, taken, strict=True)),
+        )
+        for cell, taken in zip(cells, by_room, strict=True)
+    )
+
+
+def _control(still: Still, control: Control) -> ControlView:
+    value = still.values[control.name]
+    return ControlView(
+        control, f"{still.figure.id}-{control.name}", value, value_text(control, value)
     )
 
 
@@ -132,15 +158,6 @@ def count_stages(stages: Sequence[StageReport]) -> str:
     for stage in stages:
         counts[stage.status] += 1
     return ", ".join(f"{count} {status}" for status, count in counts.items())
-
-
-def even_columns(count: int, most: int) -> int:
-    """Columns, at most ``most``, whose rows are few and whose last row is not a lonely item."""
-    legal = [n for n in range(2, most + 1) if n <= count and count % n != 1]
-    if not legal:
-        return min(max(count, 1), most)
-    fewest_rows = min(-(-count // n) for n in legal)
-    return min(n for n in legal if -(-count // n) == fewest_rows)
 
 
 def value_text(control: Control, value: Value) -> str:

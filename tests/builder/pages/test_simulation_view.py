@@ -7,7 +7,7 @@ from simulations.engine.frame import Frame, StageReport
 from simulations.engine.scene import Scene
 from simulations.registry import load_ladder
 from site_builder.book import Simulation
-from site_builder.pages.simulation_view import even_columns, tier_labels, view_figure
+from site_builder.pages.simulation_view import tier_labels, view_figure
 from site_builder.pages.stills import Still
 
 
@@ -55,13 +55,3 @@ def test_a_long_chain_of_stages_is_shown_at_once_but_not_on_the_cover(
     )
     figure = Simulation(scene, "figure-s", {}, "", "", path, 1)
     assert view_figure(Still(figure, Values({}), frame, {}), "").stages_open is open_
-
-
-@pytest.mark.parametrize(
-    ("count", "most", "columns"),
-    [(0, 4, 1), (1, 4, 1), (2, 2, 2), (3, 2, 2), (4, 4, 4), (5, 4, 3), (6, 4, 3), (7, 6, 4)],
-)
-def test_numbers_stand_in_few_rows_and_none_alone_where_that_can_be(
-    count: int, most: int, columns: int
-) -> None:
-    assert even_columns(count, most) == columns
