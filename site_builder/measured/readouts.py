@@ -1,10 +1,4 @@
-"""``{readout}`lens-distortion corner k1=-0.2```: a number that a figure shows, never typed.
-
-The words are a scene, one of its readouts, and the controls that differ from their defaults;
-``tier=ID`` chooses an accuracy. What stands in the text is what the figure says at that setting,
-with its unit; ``bare`` at the end leaves the unit out. The scene is drawn while the book is
-built, once for each setting.
-"""
+"""Numbers that figures show: asked of the scenes, drawn once for each setting."""
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
@@ -16,8 +10,6 @@ from simulations.engine.scene import Scene
 from simulations.registry import UnknownIdError
 from site_builder.diagnostics import cause, unknown
 from site_builder.measured.quantities import with_unit
-
-LEGAL = "legal: 'SCENE READOUT [CONTROL=VALUE …] [tier=ID] [bare]', each control once"
 
 
 class ReadoutError(LookupError):
@@ -32,14 +24,15 @@ class Readouts:
     frames: dict[tuple[object, ...], Frame] = field(default_factory=dict)
     """By scene, tier and the values of all controls."""
 
-    def text(self, words: str) -> str:
-        """What stands in the text for ``words``. Raises `ReadoutError`."""
-        scene_id, name, settings, bare = _parse(words)
+    def text(self, scene_id: str, name: str, settings: Mapping[str, str], *, bare: bool) -> str:
+        """What the figure says at ``settings``: its controls, and ``tier``; with its unit unless
+        ``bare``. Raises `ReadoutError`."""
         scene = self._load(scene_id)
-        tier = settings.pop("tier", scene.default_tier)
+        tier = settings.get("tier", scene.default_tier)
         if tier not in scene.tiers and tier != scene.default_tier:
             raise ReadoutError(unknown(f"tier of {scene_id}", tier, scene.tiers))
-        shown = _find(scene_id, name, self._frame(scene, tier, settings))
+        controls = {control: value for control, value in settings.items() if control != "tier"}
+        shown = _find(scene_id, name, self._frame(scene, tier, controls))
         if "\n" in shown.text:
             raise ReadoutError(f"{scene_id} {name!r} is a matrix; legal: a readout of one line")
         return shown.text if bare else with_unit(shown.text, shown.unit)
@@ -66,16 +59,6 @@ class Readouts:
                 message = f"simulation {scene.id!r} cannot be drawn: {cause(error)}"
                 raise ReadoutError(message) from error
         return self.frames[key]
-
-
-def _parse(words: str) -> tuple[str, str, dict[str, str], bool]:
-    scene_id, _, rest = words.partition(" ")
-    name, *pairs = rest.split() or [""]
-    bare = pairs[-1:] == ["bare"]
-    settings = dict(pair.split("=", 1) for pair in pairs[: len(pairs) - bare] if "=" in pair)
-    if not name or "=" in name or len(settings) + bare < len(pairs):
-        raise ReadoutError(f"{{readout}} {words!r}; {LEGAL}")
-    return scene_id, name, settings, bare
 
 
 def _find(scene_id: str, name: str, frame: Frame) -> Readout:

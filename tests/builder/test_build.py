@@ -9,10 +9,8 @@ import pytest
 from site_builder import build
 from site_builder.build import Options, render_site
 from site_builder.diagnostics import BuildError
-from site_builder.markdown.parser import CONSTRUCTS
 from site_builder.output.assets import content_bytes, hashed_folder
 from site_builder.output.writer import write_site
-from site_builder.pages.render import BLOCK_TEMPLATES, TEMPLATES
 from site_builder.serve import Builds
 from site_builder.source import OWN_FOLDERS
 
@@ -148,13 +146,6 @@ def test_no_chapter_may_take_the_place_of_the_site_s_own_folders(make_book: Make
     body = ":::{source} simulations.models.thing:double\n:::\n"
     folders = {path.split("/")[0] for path in render_site(make_book(body)) if "/" in path}
     assert folders - {"first", "second"} | {"runtime"} == set(OWN_FOLDERS)
-
-
-def test_every_construct_has_a_template() -> None:
-    assert {f"{name}.html" for name in BLOCK_TEMPLATES.values()} == {
-        file.name for file in (TEMPLATES / "blocks").iterdir()
-    }
-    assert {"simulation", "quiz", "tip", "note", "warning", "key-idea", "predict"} < set(CONSTRUCTS)
 
 
 def test_open_pages_hear_of_good_and_of_bad_builds() -> None:
