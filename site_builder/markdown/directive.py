@@ -49,6 +49,10 @@ class Argument:
     kind: str = ""
     """What it is one of, where ``legal`` says: ``table of extremes``."""
 
+    @property
+    def required(self) -> bool:
+        return bool(self.lacks or self.legal)
+
 
 @dataclass(frozen=True, slots=True)
 class OptionLine:

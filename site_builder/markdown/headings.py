@@ -8,7 +8,7 @@ from markdown_it.token import Token
 
 from site_builder.book import Heading
 from site_builder.markdown.reading import Reading
-from site_builder.markdown.tokens import plain_text
+from site_builder.markdown.text.tokens import plain_text
 
 
 def name_headings(tokens: Sequence[Token], reading: Reading) -> None:

@@ -14,7 +14,7 @@ from site_builder.markdown.roles import ROLES
 from site_builder.markdown.text.code import UnknownLanguageError, code_html
 from site_builder.markdown.text.formula_breaks import displayed_parts, glue_formulae
 from site_builder.markdown.text.math import UnsupportedTexError, to_mathml
-from site_builder.markdown.tokens import located
+from site_builder.markdown.text.tokens import located
 
 ROLE_NAMES = tuple(role.name for role in ROLES)
 MISPLACED_OPTION = re.compile(r":[a-z_][\w-]*:[ \t]+\S+")

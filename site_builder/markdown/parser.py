@@ -13,11 +13,11 @@ from mdit_py_plugins.dollarmath import dollarmath_plugin
 from mdit_py_plugins.footnote import footnote_plugin
 from mdit_py_plugins.front_matter import front_matter_plugin
 
-from site_builder.markdown import rendering
 from site_builder.markdown.directives import DIRECTIVES
 from site_builder.markdown.fences import directive_rule
 from site_builder.markdown.role import role_rule
 from site_builder.markdown.roles import ROLES
+from site_builder.markdown.text import rendering
 from site_builder.markdown.text.stray_marks import stray_marks_rule
 from site_builder.markdown.text.typography import typography_rule
 

@@ -10,7 +10,7 @@ from site_builder.book import Option, Quiz
 from site_builder.markdown.bodies import plain_tokens
 from site_builder.markdown.directive import Argument, Body, Directive, OptionLine, Use
 from site_builder.markdown.reading import Reading
-from site_builder.markdown.tokens import plain_text
+from site_builder.markdown.text.tokens import plain_text
 
 KINDS = ("single", "multiple")
 ID = re.compile(r"[a-z0-9]+(-[a-z0-9]+)*")

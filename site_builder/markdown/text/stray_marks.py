@@ -8,7 +8,7 @@ from markdown_it.rules_block.table import escapedSplit
 from markdown_it.rules_core import StateCore
 from markdown_it.token import Token
 
-from site_builder.markdown.tokens import located
+from site_builder.markdown.text.tokens import located
 
 STRAY = (
     (r"(\$\$?)", r"opens or closes no formula; legal: '$…$', or '\$' for the sign itself"),
