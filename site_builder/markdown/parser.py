@@ -30,7 +30,7 @@ class Rule:
     """``block`` finds paragraphs, lists, …; ``inline`` works in each; ``core`` on all tokens."""
     name: str
     before: str
-    """The rule in whose way it would be any later."""
+    """The rule that would otherwise take, or change, what is meant for this one."""
     run: Callable[..., Any]
     ends: tuple[str, ...] = ()
     """Blocks that it ends without an empty line before it."""
@@ -63,6 +63,7 @@ RULES = (
     # Before escaped characters, which are meant, are joined with the text around them.
     Rule("core", "stray_marks", before="text_join", run=stray_marks_rule),
 )
+"""``make_parser().get_all_rules()`` shows them among all others."""
 
 HTML: Mapping[str, Callable[[Token], str]] = {
     "math_inline": rendering.formula,
