@@ -10,14 +10,14 @@ from site_builder.markdown.directive import Body, Use
 from site_builder.markdown.reading import Reading
 
 
-def plain_tokens(use: Use, tokens: Sequence[Token], reading: Reading) -> list[Token]:
-    """The tokens, without those of a directive among them, which is reported."""
+def plain_tokens(use: Use, tokens: Sequence[Token], reading: Reading) -> Sequence[Token]:
+    """The tokens as they are; a directive among them, which would not be shown, is reported."""
     inner = next((token for token in tokens if token.type == "directive_open"), None)
     if inner is not None:
         found: Use = inner.meta["use"]
         where = f"directive {{{found.name}}} inside {{{use.name}}}"
         reading.problem(found.line, f"{where}; legal: plain Markdown")
-    return [token for token in tokens if token.type not in ("directive_open", "directive_close")]
+    return tokens
 
 
 def _html(use: Use, tokens: Sequence[Token], reading: Reading) -> str:
