@@ -16,8 +16,7 @@ from site_builder.measured.quantities import error_text, milliseconds, quantity,
 from site_builder.measured.verdicts import verdict
 
 COUNTS = ("ladders", "tiers", "beaten")
-FORM = "LADDER TIER native|browser|METRIC|verdict"
-LEGAL = f"legal: '{FORM}', or 'LADDER TIER over TIER …'"
+LEGAL = "legal: 'LADDER TIER native|browser|METRIC|verdict', or 'LADDER TIER over TIER …'"
 
 
 def measured_text(words: str, measurements: Measurements) -> str:
@@ -92,7 +91,7 @@ def _text(words: str, reading: Reading) -> str:
 
 MEASURED = Role(
     name="measured",
-    form=FORM,
+    form="LADDER TIER [over TIER] native|browser|METRIC|verdict [bare]",
     says="a number from the file that `make bench` writes",
     text=_text,
     refuses=MeasurementError,
