@@ -20,11 +20,12 @@ from site_builder.output.assets import Content, folder_files, hashed_folder
 from site_builder.output.fonts import subset_fonts
 from site_builder.output.style_sheets import join_style_sheets
 from site_builder.output.writer import write_site
-from site_builder.pages.catalogue import Versions, catalogue
+from site_builder.pages.catalogue import catalogue
 from site_builder.pages.licences import gather_licences
 from site_builder.pages.render import Site, render_pages
 from site_builder.pages.stills import Stills, render_stills
 from site_builder.runtime.pack import pack_runtime
+from site_builder.runtime.pinned import Versions
 from site_builder.source import read_book
 
 STYLE_SHEET = "css/book.css"
@@ -68,7 +69,7 @@ def render_site(options: Options) -> Files:
     runtime, runtime_files, versions = _runtime(options)
     assets, asset_files = _assets(options.root, pictures)
     site = Site(options.root, book, stills, assets, runtime, options.reload)
-    licences = gather_licences(options.root, versions.pyodide, versions.python, versions.numpy)
+    licences = gather_licences(options.root, versions)
     return {
         **render_pages(site, licences),
         **asset_files,
@@ -111,5 +112,4 @@ def _runtime(options: Options) -> tuple[str, dict[str, Content], Versions]:
         return "", {}, Versions()
     bundle = pack_runtime(options.root / "simulations")
     folder, files = hashed_folder("runtime", dict(bundle.files))
-    made_of = bundle.versions
-    return folder, files, Versions(made_of.pyodide, made_of.python, made_of.numpy)
+    return folder, files, bundle.versions

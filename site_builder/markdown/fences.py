@@ -6,10 +6,13 @@ A directive ends at the ``:::`` that matches it, counting those opened inside; l
 """
 
 import re
-from dataclasses import dataclass
+from collections.abc import Mapping
+from typing import Any
 
-from markdown_it import MarkdownIt
 from markdown_it.rules_block import StateBlock
+
+from site_builder.diagnostics import unknown
+from site_builder.markdown.directive import Directive, OptionValue, Use
 
 OPENING = re.compile(r"(:{3,})\{([\w-]+)\}[ \t]*(.*)")
 CLOSING = re.compile(r"(:{3,})[ \t]*")
@@ -17,39 +20,15 @@ OPTION = re.compile(r":([A-Za-z_][\w-]*):[ \t]*(.*)")
 CODE_FENCE = re.compile(r"`{3,}|~{3,}")
 
 
-@dataclass(frozen=True, slots=True)
-class OptionValue:
-    """The value of an option line."""
-
-    text: str
-    line: int
-
-
-@dataclass(frozen=True, slots=True)
-class Directive:
-    """The head of a directive."""
-
-    name: str
-    argument: str
-    options: dict[str, OptionValue]
-    line: int
-    """Line of the opening fence, counted from 1."""
-
-
-def directive_plugin(parser: MarkdownIt) -> None:
-    parser.block.ruler.before(
-        "fence",
-        "directive",
-        _rule,
-        {"alt": ["paragraph", "reference", "blockquote", "list", "footnote_def"]},
-    )
-
-
 def _line(state: StateBlock, line: int) -> str:
     return state.src[state.bMarks[line] + state.tShift[line] : state.eMarks[line]].rstrip()
 
 
-def _rule(state: StateBlock, start: int, end: int, silent: bool) -> bool:
+def directive_rule(
+    directives: Mapping[str, Directive[Any]], state: StateBlock, start: int, end: int, silent: bool
+) -> bool:
+    """Tokens ``directive_open`` and ``directive_close`` around the body; the former carries the
+    `Directive`, or None where the name is unknown, and its `Use`."""
     text = _line(state, start)
     if state.is_code_block(start) or not text.startswith(":::"):
         return False
@@ -64,9 +43,11 @@ def _rule(state: StateBlock, start: int, end: int, silent: bool) -> bool:
     last = _find_end(state, start, end, len(fence))
     if last == end:
         _complain(state, start, f"directive {{{name}}} is never closed; close it with {fence!r}")
+    if name not in directives:
+        _complain(state, start, unknown("directive", name, directives))
     options, body = _read_options(state, start + 1, last)
-    directive = Directive(name, argument.strip(), options, start + 1)
-    _push(state, directive, body, last)
+    use = Use(name, argument.strip(), options, start + 1)
+    _push(state, directives.get(name), use, body, last)
     state.line = min(last + 1, end)
     return True
 
@@ -113,11 +94,13 @@ def _read_options(state: StateBlock, start: int, end: int) -> tuple[dict[str, Op
     return options, end
 
 
-def _push(state: StateBlock, directive: Directive, body: int, last: int) -> None:
+def _push(
+    state: StateBlock, directive: Directive[Any] | None, use: Use, body: int, last: int
+) -> None:
     token = state.push("directive_open", "", 1)
     token.block = True
-    token.map = [directive.line - 1, last]
-    token.meta = {"directive": directive}
+    token.map = [use.line - 1, last]
+    token.meta = {"directive": directive, "use": use}
     parent, limit = state.parentType, state.lineMax
     state.parentType, state.lineMax = "container", last
     state.md.block.tokenize(state, body, last)

@@ -1,20 +1,12 @@
 """``book.json``: chapters, simulations and quizzes as plain data, for readers that are programs."""
 
 import json
-from dataclasses import asdict, dataclass
+from dataclasses import asdict
 
 from simulations.engine.controls import describe
 from simulations.engine.scene import Scene
 from site_builder.book import Book, Chapter, Quiz
-
-
-@dataclass(frozen=True, slots=True)
-class Versions:
-    """What the reader's browser runs; empty texts for a site without a runtime."""
-
-    pyodide: str = ""
-    python: str = ""
-    numpy: str = ""
+from site_builder.runtime.pinned import Versions
 
 
 def catalogue(book: Book, versions: Versions) -> bytes:

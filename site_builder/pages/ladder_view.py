@@ -3,11 +3,12 @@
 from dataclasses import asdict, dataclass
 
 from simulations.engine.ladder import Metric
-from site_builder.book import LadderFigure
 from site_builder.charts.pareto import Chart, pareto_chart
+from site_builder.markdown.directives.ladder import LadderFigure
 from site_builder.measured.ladder_choice import Choice, default_choice
 from site_builder.measured.measurements import SIDES, MeasuredLadder, MeasuredTier
 from site_builder.measured.quantities import error_text, milliseconds, quantity
+from site_builder.measured.verdicts import verdict
 from site_builder.pages.embedding import json_for_html
 
 
@@ -83,28 +84,6 @@ def _row(measured: MeasuredLadder, item: MeasuredTier) -> TierRow:
         verdict=verdict(measured, item),
         beaten=any(winners),
     )
-
-
-def verdict(measured: MeasuredLadder, item: MeasuredTier) -> str:
-    """What the numbers say of a tier, in a few words."""
-    native, browser = (measured.beaten_by(item, side) for side in SIDES)
-    if native and browser:
-        both = native.tier.id == browser.tier.id
-        text = f"beaten by {native.tier.label}"
-        return text if both else f"{text}; in the browser by {browser.tier.label}"
-    if native:
-        return f"beaten by {native.tier.label} in CPython only"
-    if browser:
-        return f"beaten by {browser.tier.label} in the browser only"
-    match [side for side in SIDES if item in measured.front(side)]:
-        case [_, _]:
-            return "on the front"
-        case ["native"]:
-            return "on the front in CPython only"
-        case ["browser"]:
-            return "on the front in the browser only"
-        case _:
-            return "close behind the front"
 
 
 @dataclass(frozen=True, slots=True)

@@ -5,6 +5,8 @@ from dataclasses import dataclass
 from importlib.metadata import PackageNotFoundError, distribution
 from pathlib import Path
 
+from site_builder.runtime.pinned import Versions
+
 
 @dataclass(frozen=True, slots=True)
 class Licence:
@@ -21,7 +23,7 @@ class Licence:
     text: str
 
 
-def gather_licences(root: Path, pyodide: str, python: str, numpy: str) -> tuple[Licence, ...]:
+def gather_licences(root: Path, versions: Versions) -> tuple[Licence, ...]:
     """Licences of the book and of what it ships; the versions are the browser runtime's."""
     book = Licence(
         "Image Formation",
@@ -31,14 +33,14 @@ def gather_licences(root: Path, pyodide: str, python: str, numpy: str) -> tuple[
         "",
         _text_of(root / "LICENSE"),
     )
-    return (book, *_of_the_runtime(pyodide, python, numpy), *_of_the_fonts())
+    return (book, *_of_the_runtime(versions), *_of_the_fonts())
 
 
-def _of_the_runtime(pyodide: str, python: str, numpy: str) -> tuple[Licence, ...]:
+def _of_the_runtime(versions: Versions) -> tuple[Licence, ...]:
     return (
         Licence(
             "Pyodide",
-            pyodide,
+            versions.pyodide,
             "MPL 2.0",
             "Python in the browser. Unmodified.",
             "https://github.com/pyodide/pyodide",
@@ -46,7 +48,7 @@ def _of_the_runtime(pyodide: str, python: str, numpy: str) -> tuple[Licence, ...
         ),
         Licence(
             "CPython and its standard library",
-            python,
+            versions.python,
             "PSF License 2.0",
             "Inside Pyodide. Cut down to what the book imports, and compiled.",
             "https://www.python.org/",
@@ -55,7 +57,7 @@ def _of_the_runtime(pyodide: str, python: str, numpy: str) -> tuple[Licence, ...
         ),
         Licence(
             "NumPy",
-            numpy,
+            versions.numpy,
             "BSD 3-Clause, with parts under compatible licences",
             "Arrays, in the browser and when the book is built. Cut down and compiled as well.",
             "https://numpy.org/",

@@ -1,6 +1,6 @@
 """From the page model to HTML, by templates. No markup is made here."""
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from functools import cache
 from pathlib import Path
@@ -8,45 +8,22 @@ from pathlib import Path
 from jinja2 import Environment, FileSystemLoader, StrictUndefined
 from markupsafe import Markup
 
-from site_builder.book import (
-    Block,
-    Book,
-    Callout,
-    CaptionedTable,
-    Example,
-    HardCases,
-    Heading,
-    Illustration,
-    LadderFigure,
-    LadderTable,
-    Listing,
-    Prose,
-    Quiz,
-    Simulation,
-    StageCostTable,
-)
+from site_builder.book import Block, Book, Chapter, Heading, Simulation
+from site_builder.markdown.directives.simulation import SIMULATION
 from site_builder.markdown.text.code import highlighted_lines
-from site_builder.pages.embedding import json_for_html
 from site_builder.pages.ladder_view import summary_row, view_ladder
 from site_builder.pages.licences import Licence
-from site_builder.pages.simulation_view import view_figure
+from site_builder.pages.quiz_view import quiz_data
+from site_builder.pages.simulation_view import SimulationView, view_simulation
 from site_builder.pages.stills import Stills
 
 TEMPLATES = Path(__file__).parents[1] / "templates"
-BLOCK_TEMPLATES: Mapping[type, str] = {
-    Prose: "prose",
-    Simulation: "simulation",
-    Quiz: "quiz",
-    Callout: "callout",
-    Example: "example",
-    Listing: "source",
-    Illustration: "figure",
-    CaptionedTable: "table",
-    LadderFigure: "ladder",
-    LadderTable: "ladder-table",
-    StageCostTable: "stage-costs",
-    HardCases: "extremes",
+FILTERS: Mapping[str, Callable[..., object]] = {
+    "quiz_data": quiz_data,
+    "view_ladder": view_ladder,
+    "summary_row": summary_row,
 }
+"""What templates ask for where they show more than lies ready in the page model."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -68,7 +45,9 @@ class Site:
 def render_pages(site: Site, licences: tuple[Licence, ...]) -> dict[str, bytes]:
     """Every page of the site, by its path."""
     pages = {
-        "index.html": _page(site, "landing.html", "./", counts=_counts(site.book)),
+        "index.html": _page(
+            site, "landing.html", "./", counts=_counts(site.book), cover=_cover(site)
+        ),
         "404.html": _page(site, "not-found.html", "./"),
         "licences/index.html": _page(site, "licences.html", "../", licences=licences),
     }
@@ -89,7 +68,7 @@ def render_pages(site: Site, licences: tuple[Licence, ...]) -> dict[str, bytes]:
 def _source_pages(site: Site) -> dict[str, str]:
     """The modules that chapters quote from, whole."""
     pages = {}
-    for path in sorted({item.path for ch in site.book.chapters for item in ch.listings}):
+    for path in sorted({item.path for ch in site.book.chapters for item in ch.sources}):
         address = f"source/{path.removesuffix('.py')}/index.html"
         code = (site.root / path).read_text(encoding="utf-8")
         pages[address] = _page(
@@ -107,32 +86,27 @@ def _page(site: Site, template: str, root: str, **context: object) -> str:
     """One page. ``root`` is the site's root relative to it."""
     environment = _environment()
     assets = f"{root}{site.assets}"
+    chapter = context.get("chapter")
+
+    def simulation_view(figure: Simulation) -> SimulationView:
+        return view_simulation(site.stills[figure.path, figure.line], assets)
 
     def block_html(block: Block) -> Markup:
-        name = BLOCK_TEMPLATES[type(block)]
-        extra: dict[str, object] = {}
-        if isinstance(block, Simulation):
-            extra["view"] = view_figure(site.stills[block.path, block.line], assets)
-        if isinstance(block, Quiz):
-            extra["data"] = quiz_data(block)
-        if isinstance(block, LadderFigure):
-            extra["view"] = view_ladder(block)
-        if isinstance(block, LadderTable):
-            extra["rows"] = [summary_row(measured) for measured in block.rows]
-            extra["anchors"] = getattr(context.get("chapter"), "anchors", ())
-        return Markup(
-            environment.get_template(f"blocks/{name}.html").render(
-                block=block, block_html=block_html, assets=assets, root=root, **extra
-            )
-        )
+        template = environment.get_template(f"blocks/{block.template}.html")
+        return Markup(template.render(shared, block=block.content, inside=block.inside))
 
+    shared = {
+        "root": root,
+        "assets": assets,
+        "anchors": chapter.anchors if isinstance(chapter, Chapter) else (),
+        "block_html": block_html,
+        "simulation_view": simulation_view,
+    }
     return environment.get_template(template).render(
+        shared,
         site=site,
         book=site.book,
-        root=root,
-        assets=assets,
         runtime=f"{root}{site.runtime}" if site.runtime else "",
-        block_html=block_html,
         **{"chapter": None, **context},
     )
 
@@ -140,7 +114,7 @@ def _page(site: Site, template: str, root: str, **context: object) -> str:
 @cache
 def _environment() -> Environment:
     """Kept, so that each template is compiled once a build and not once a page."""
-    return Environment(
+    environment = Environment(
         loader=FileSystemLoader(TEMPLATES),
         autoescape=True,
         undefined=StrictUndefined,
@@ -148,6 +122,14 @@ def _environment() -> Environment:
         lstrip_blocks=True,
         keep_trailing_newline=True,
     )
+    environment.filters.update(FILTERS)
+    return environment
+
+
+def _cover(site: Site) -> Block | None:
+    """The figure of the landing page."""
+    hero = site.book.hero
+    return Block(SIMULATION.template, hero) if hero else None
 
 
 def _counts(book: Book) -> dict[str, int]:
@@ -167,17 +149,3 @@ def nest_headings(headings: tuple[Heading, ...]) -> list[tuple[Heading, list[Hea
         elif heading.level == 3 and sections:
             sections[-1][1].append(heading)
     return sections
-
-
-def quiz_data(quiz: Quiz) -> Markup:
-    """What the page's script needs to answer at once."""
-    return json_for_html(
-        {
-            "id": quiz.id,
-            "kind": quiz.kind,
-            "options": [
-                {"correct": option.correct, "explanation_html": option.explanation_html}
-                for option in quiz.options
-            ],
-        }
-    )

@@ -7,11 +7,11 @@ from simulations.engine.controls import Action, Choice, Control, Slider, Value, 
 from simulations.engine.frame import Panel, Readout, StageReport, format_number
 from simulations.engine.scene import Scene
 from simulations.registry import load_ladder
+from site_builder.book import OUTLINE
 from site_builder.measured.quantities import with_unit
 from site_builder.pages.embedding import json_for_html
 from site_builder.pages.figure_grid import IN_A_ROW, control_cells, even_columns, spans
 from site_builder.pages.stills import Still
-from site_builder.source import OUTLINE
 
 SHOW_STAGES_FROM = 10
 """A chain this long is worth seeing at once in a chapter; shorter ones, and that of the cover's
@@ -49,7 +49,7 @@ class CellView:
 
 
 @dataclass(frozen=True, slots=True)
-class FigureView:
+class SimulationView:
     """A figure, ready for ``blocks/simulation.html``."""
 
     id: str
@@ -74,10 +74,10 @@ class FigureView:
     """JSON that is safe inside a script element."""
 
 
-def view_figure(still: Still, assets: str) -> FigureView:
+def view_simulation(still: Still, assets: str) -> SimulationView:
     """``assets`` is the address of the assets folder, relative to the page."""
     figure, scene, frame = still.figure, still.figure.scene, still.frame
-    return FigureView(
+    return SimulationView(
         id=figure.id,
         scene_id=scene.id,
         title=scene.title,

@@ -1,12 +1,12 @@
 """``{tip}``, ``{note}``, ``{warning}``, ``{key-idea}``, ``{predict}``: asides, with a title."""
 
 from collections.abc import Sequence
+from dataclasses import dataclass
 
-from markdown_it.token import Token
-
-from site_builder.book import Callout
-from site_builder.markdown.blocks import check_options, read_blocks
-from site_builder.markdown.fences import Directive
+from site_builder.book import Block
+from site_builder.markdown.bodies import BLOCKS
+from site_builder.markdown.directive import Argument, Directive, Use
+from site_builder.markdown.inline import inline_html
 from site_builder.markdown.reading import Reading
 
 TITLES = {
@@ -19,11 +19,34 @@ TITLES = {
 """Kinds of callout, and the title of each where the author gives none."""
 
 
-def read_callout(directive: Directive, body: Sequence[Token], reading: Reading) -> Callout | None:
-    check_options(directive, (), reading)
-    if not body:
-        reading.problem(directive.line, f"{{{directive.name}}} is empty; legal: some text")
-        return None
-    title = directive.argument or TITLES[directive.name]
-    title_html = reading.inline_html(title, directive.line)
-    return Callout(directive.name, title_html, read_blocks(body, reading))
+@dataclass(frozen=True, slots=True)
+class Callout:
+    """An aside; what it says is in the blocks inside."""
+
+    kind: str
+    """The name of its directive."""
+    title_html: str
+
+
+def read_callout(use: Use, _body: Sequence[Block], reading: Reading) -> Callout:
+    return Callout(use.name, inline_html(use.argument or TITLES[use.name], use.line, reading))
+
+
+def _callout(name: str, says: str) -> Directive[tuple[Block, ...]]:
+    return Directive(
+        name=name,
+        says=says,
+        argument=Argument("Title"),
+        body=BLOCKS,
+        read=read_callout,
+        template="callout",
+    )
+
+
+CALLOUTS = (
+    _callout("tip", "an aside that helps"),
+    _callout("note", "an aside that adds"),
+    _callout("warning", "an aside that warns"),
+    _callout("key-idea", "what to remember"),
+    _callout("predict", "a question before a figure"),
+)

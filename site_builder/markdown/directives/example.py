@@ -1,22 +1,31 @@
 """``{example} Title``: a worked example."""
 
 from collections.abc import Sequence
+from dataclasses import dataclass
 
-from markdown_it.token import Token
-
-from site_builder.book import Example
-from site_builder.markdown.blocks import check_options, read_blocks
-from site_builder.markdown.fences import Directive
+from site_builder.book import Block
+from site_builder.markdown.bodies import BLOCKS
+from site_builder.markdown.directive import Argument, Directive, Use
+from site_builder.markdown.inline import inline_html
 from site_builder.markdown.reading import Reading
 
 
-def read_example(directive: Directive, body: Sequence[Token], reading: Reading) -> Example | None:
-    check_options(directive, (), reading)
-    if not directive.argument:
-        reading.problem(directive.line, "{example} has no title; legal: ':::{example} Title'")
-        return None
-    if not body:
-        reading.problem(directive.line, "{example} is empty; legal: some text")
-        return None
-    title_html = reading.inline_html(directive.argument, directive.line)
-    return Example(title_html, read_blocks(body, reading))
+@dataclass(frozen=True, slots=True)
+class Example:
+    """A worked example; what it says is in the blocks inside."""
+
+    title_html: str
+
+
+def read_example(use: Use, _body: Sequence[Block], reading: Reading) -> Example:
+    return Example(inline_html(use.argument, use.line, reading))
+
+
+EXAMPLE = Directive(
+    name="example",
+    says="a worked number",
+    argument=Argument("Title", lacks="has no title"),
+    body=BLOCKS,
+    read=read_example,
+    template="example",
+)

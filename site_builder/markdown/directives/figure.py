@@ -1,42 +1,56 @@
 """``{figure} images/file.svg``: a picture from ``content/``, with ``:alt:`` and a caption."""
 
-from collections.abc import Sequence
-from pathlib import PurePosixPath
+from dataclasses import dataclass
+from pathlib import Path, PurePosixPath
 
-from markdown_it.token import Token
-
-from site_builder.book import Illustration
 from site_builder.diagnostics import unknown
-from site_builder.markdown.blocks import check_options, read_html
-from site_builder.markdown.fences import Directive
+from site_builder.markdown.bodies import CAPTION
+from site_builder.markdown.directive import Argument, Directive, OptionLine, Use
 from site_builder.markdown.reading import Reading
 
 SUFFIXES = (".svg", ".png", ".jpg", ".jpeg", ".webp")
 
 
-def read_illustration(
-    directive: Directive, body: Sequence[Token], reading: Reading
-) -> Illustration | None:
-    check_options(directive, ("alt",), reading)
-    caption_html = read_html(directive, body, reading)
-    alt = directive.options.get("alt")
-    if alt is None or not alt.text:
-        reading.problem(directive.line, "{figure} has no ':alt:'; legal: what the picture shows")
-    content = reading.root / "content"
-    file = directive.argument
-    inside = (
-        file and not PurePosixPath(file).is_absolute() and ".." not in PurePosixPath(file).parts
-    )
-    if inside and (content / file).is_file() and not file.endswith(SUFFIXES):
-        message = f"picture file {file!r}; legal: a name that ends in {', '.join(SUFFIXES)}"
-        reading.problem(directive.line, message)
+@dataclass(frozen=True, slots=True)
+class Figure:
+    """A picture file with a caption."""
+
+    file: str
+    """Path below ``content/``."""
+    alt: str
+    caption_html: str
+
+
+def read_figure(use: Use, caption_html: str, reading: Reading) -> Figure | None:
+    fault = _fault_of(use.argument, reading.root / "content")
+    if fault:
+        reading.problem(use.line, fault)
         return None
+    return Figure(use.argument, use.text("alt"), caption_html)
+
+
+def _fault_of(file: str, content: Path) -> str:
+    """What is wrong with the picture ``file``; nothing where it can be shown."""
+    path = PurePosixPath(file)
+    inside = file and not path.is_absolute() and ".." not in path.parts
     if not inside or not (content / file).is_file():
         pictures = (
-            path.relative_to(content).as_posix()
-            for path in sorted(content.rglob("*"))
-            if path.suffix in SUFFIXES
+            picture.relative_to(content).as_posix()
+            for picture in sorted(content.rglob("*"))
+            if picture.suffix in SUFFIXES
         )
-        reading.problem(directive.line, unknown("picture file", file, pictures))
-        return None
-    return Illustration(file, alt.text if alt else "", caption_html)
+        return unknown("picture file", file, pictures)
+    if not file.endswith(SUFFIXES):
+        return f"picture file {file!r}; legal: a name that ends in {', '.join(SUFFIXES)}"
+    return ""
+
+
+FIGURE = Directive(
+    name="figure",
+    says="a picture of yours",
+    argument=Argument("images/file.svg", lacks="names no picture"),
+    options=(OptionLine("alt", says="what the picture shows", required=True),),
+    body=CAPTION,
+    read=read_figure,
+    template="figure",
+)

@@ -1,61 +1,60 @@
-"""``{ladder} id``: a measured ladder. ``{ladder-table} Caption``: all of them, a line each."""
+"""``{ladder} id``: a measured ladder: chart, table, and buttons to measure it in the browser."""
 
-from collections.abc import Sequence
+from dataclasses import dataclass
 
-from markdown_it.token import Token
-
-from site_builder.book import LadderFigure, LadderTable
-from site_builder.markdown.blocks import check_options, read_html
-from site_builder.markdown.fences import Directive
+from site_builder.markdown.bodies import CAPTION
+from site_builder.markdown.directive import Argument, Directive, OptionLine, Use
+from site_builder.markdown.inline import inline_html
 from site_builder.markdown.reading import Reading
 from site_builder.measured.measurements import MeasuredLadder, MeasurementError
 
 
-def read_ladder(
-    directive: Directive, body: Sequence[Token], reading: Reading
-) -> LadderFigure | None:
-    """Option ``:default:`` says why its default was chosen; ``:metric:`` judges the ladder by
-    another of its metrics, where no default was chosen and none is explained."""
-    check_options(directive, ("metric", "default"), reading)
-    caption_html = read_html(directive, body, reading)
-    metric = directive.options.get("metric")
-    if not directive.argument:
-        reading.problem(directive.line, "{ladder} names no ladder; legal: ':::{ladder} id'")
-        return None
+@dataclass(frozen=True, slots=True)
+class LadderFigure:
+    """A measured ladder: chart, table, and buttons to measure it where the page is read."""
+
+    measured: MeasuredLadder
+    id: str
+    """Element id: ``ladder-`` and the ladder's id, numbered where a page shows one twice."""
+    caption_html: str
+    default_html: str
+    """Why its default was chosen; nothing where another metric than the first judges."""
+
+
+def read_ladder(use: Use, caption_html: str, reading: Reading) -> LadderFigure | None:
     try:
-        measured = reading.measurements.find(directive.argument, metric.text if metric else "")
+        measured = reading.measurements.find(use.argument, use.text("metric"))
     except MeasurementError as error:
-        reading.problem(directive.line, str(error))
+        reading.problem(use.line, str(error))
         return None
-    name = reading.free_id(f"ladder-{measured.ladder.id}", directive.line)
-    return LadderFigure(measured, name, caption_html, _read_default(directive, measured, reading))
+    name = reading.free_id(f"ladder-{measured.ladder.id}", use.line)
+    return LadderFigure(measured, name, caption_html, _read_default(use, measured, reading))
 
 
-def _read_default(directive: Directive, measured: MeasuredLadder, reading: Reading) -> str:
-    ladder, option = measured.ladder, directive.options.get("default")
-    if (measured.metric is ladder.metrics[0]) != bool(option and option.text):
-        which = f"ladder {ladder.id!r} judged by {measured.metric.id!r}"
+def _read_default(use: Use, measured: MeasuredLadder, reading: Reading) -> str:
+    """Explained where the metric judges that chose the default, and there always."""
+    ladder, option = measured.ladder, use.options.get("default")
+    chosen, explained = measured.metric is ladder.metrics[0], bool(use.text("default"))
+    which = f"ladder {ladder.id!r} judged by {measured.metric.id!r}"
+    line = option.line if option else use.line
+    if explained and not chosen:
+        legal = f"only where {ladder.metrics[0].id!r} judges"
+        reading.problem(line, f"{which} explains its default; legal: {legal}")
+    if chosen and not explained:
         legal = f"a line ':default: …', why its figures settle in {ladder.default_tier!r}"
-        reading.problem(
-            option.line if option else directive.line,
-            f"{which} explains its default; legal: only where {ladder.metrics[0].id!r} judges"
-            if option and option.text
-            else f"{which} does not explain its default; legal: {legal}",
-        )
-    return reading.inline_html(option.text, option.line) if option else ""
+        reading.problem(line, f"{which} does not explain its default; legal: {legal}")
+    return inline_html(option.text, option.line, reading) if option else ""
 
 
-def read_ladder_table(
-    directive: Directive, body: Sequence[Token], reading: Reading
-) -> LadderTable | None:
-    check_options(directive, (), reading)
-    if body:
-        reading.problem(directive.line, "{ladder-table} has a body; legal: a caption, no more")
-    if not directive.argument:
-        reading.problem(directive.line, "{ladder-table} has no caption; legal: some text after it")
-    try:
-        rows = reading.measurements.all()
-    except MeasurementError as error:
-        reading.problem(directive.line, str(error))
-        return None
-    return LadderTable(rows, reading.inline_html(directive.argument, directive.line))
+LADDER = Directive(
+    name="ladder",
+    says="a measured speed/accuracy ladder",
+    argument=Argument("id", lacks="names no ladder"),
+    options=(
+        OptionLine("default", says="why its default was chosen"),
+        OptionLine("metric", says="another of its metrics to judge by"),
+    ),
+    body=CAPTION,
+    read=read_ladder,
+    template="ladder",
+)

@@ -7,11 +7,10 @@ from dataclasses import dataclass
 from markdown_it.token import Token
 
 from site_builder.book import Option, Quiz
-from site_builder.diagnostics import unknown
-from site_builder.markdown.blocks import check_options, read_html
-from site_builder.markdown.fences import Directive
-from site_builder.markdown.inline import plain_text
+from site_builder.markdown.bodies import plain_tokens
+from site_builder.markdown.directive import Argument, Body, Directive, OptionLine, Use
 from site_builder.markdown.reading import Reading
+from site_builder.markdown.text.tokens import plain_text
 
 KINDS = ("single", "multiple")
 ID = re.compile(r"[a-z0-9]+(-[a-z0-9]+)*")
@@ -26,60 +25,47 @@ class _Answer:
     line: int
 
 
-def read_quiz(directive: Directive, body: Sequence[Token], reading: Reading) -> Quiz | None:
-    check_options(directive, ("kind",), reading)
-    if not directive.argument:
-        reading.problem(directive.line, "{quiz} has no id; legal: ':::{quiz} id'")
-        return None
-    _take_id(directive, reading)
-    kind = _read_kind(directive, reading)
+def read_quiz(use: Use, body: Sequence[Token], reading: Reading) -> Quiz:
+    _take_id(use, reading)
+    kind = use.text("kind")
     prompt, answers, rest = _split(body)
-    read_html(directive, body, reading)  # reports directives inside the quiz
-    _check_parts(directive, prompt, rest, reading)
+    _check_parts(use, prompt, rest, reading)
     options = tuple(option for answer in answers if (option := _read_option(answer, reading)))
-    _check_options_of_quiz(directive, kind, options, len(answers), reading)
+    _check_options_of_quiz(use, kind, options, len(answers), reading)
     return Quiz(
-        id=directive.argument,
+        id=use.argument,
         kind=kind,
-        prompt_html=_prompt_html(prompt, directive, reading),
+        prompt_html=_prompt_html(prompt, use, reading),
         prompt_text=" ".join(plain_text(token) for token in prompt if token.type == "inline"),
         options=options,
         path=reading.path,
-        line=directive.line,
+        line=use.line,
     )
 
 
-def _take_id(directive: Directive, reading: Reading) -> None:
-    name = directive.argument
+def _take_id(use: Use, reading: Reading) -> None:
+    name = use.argument
     if not ID.fullmatch(name):
         legal = "small letters, digits and hyphens"
-        reading.problem(directive.line, f"quiz id {name!r}; legal: {legal}")
-    reading.take_id(f"quiz-{name}", directive.line, "quiz")
+        reading.problem(use.line, f"quiz id {name!r}; legal: {legal}")
+    reading.take_id(f"quiz-{name}", use.line, "quiz")
 
 
 def _check_parts(
-    directive: Directive, prompt: Sequence[Token], rest: Sequence[Token], reading: Reading
+    use: Use, prompt: Sequence[Token], rest: Sequence[Token], reading: Reading
 ) -> None:
     """There is something above the answers, and nothing below: it would not be shown."""
-    name = directive.argument
+    name = use.argument
     if not prompt:
         legal = "some text above its answers"
-        reading.problem(directive.line, f"quiz {name!r} asks no question; legal: {legal}")
+        reading.problem(use.line, f"quiz {name!r} asks no question; legal: {legal}")
     if rest:
-        line = (rest[0].map or [directive.line - 1])[0] + 1
+        line = (rest[0].map or [use.line - 1])[0] + 1
         legal = "nothing after the answers, each explained by a ': …' line below it"
         reading.problem(line, f"text below the answers of quiz {name!r}; legal: {legal}")
 
 
-def _read_kind(directive: Directive, reading: Reading) -> str:
-    option = directive.options.get("kind")
-    if option and option.text not in KINDS:
-        reading.problem(option.line, unknown("kind of quiz", option.text, KINDS))
-        return "single"
-    return option.text if option else "single"
-
-
-def _prompt_html(prompt: Sequence[Token], directive: Directive, reading: Reading) -> str:
+def _prompt_html(prompt: Sequence[Token], use: Use, reading: Reading) -> str:
     """The question as phrasing content: all that a ``legend`` may hold."""
     parts: list[str] = []
     for token in prompt:
@@ -89,8 +75,8 @@ def _prompt_html(prompt: Sequence[Token], directive: Directive, reading: Reading
             parts.append(str(token.meta.get("mathml", "")))
         elif token.type not in ("paragraph_open", "paragraph_close"):
             reading.problem(
-                directive.line,
-                f"the question of quiz {directive.argument!r} holds more than text and formulae; "
+                use.line,
+                f"the question of quiz {use.argument!r} holds more than text and formulae; "
                 "legal: put it above the quiz",
             )
             break
@@ -169,24 +155,35 @@ def _inline(children: list[Token]) -> Token:
 
 
 def _check_options_of_quiz(
-    directive: Directive, kind: str, options: tuple[Option, ...], answers: int, reading: Reading
+    use: Use, kind: str, options: tuple[Option, ...], answers: int, reading: Reading
 ) -> None:
-    name = directive.argument
+    name = use.argument
     right = sum(option.correct for option in options)
     if answers < 2:
         reading.problem(
-            directive.line,
+            use.line,
             f"quiz {name!r} has {answers} answers; legal: a list of 2 or more '- [ ] …'",
         )
     elif len(options) < answers:
         return  # a mistake already reported would be counted twice
     elif right == 0:
-        reading.problem(directive.line, f"quiz {name!r} has no right answer; mark one with [x]")
+        reading.problem(use.line, f"quiz {name!r} has no right answer; mark one with [x]")
     elif right > 1 and kind == "single":
         reading.problem(
-            directive.line,
+            use.line,
             f"quiz {name!r} has {right} right answers; legal: one, or ':kind: multiple'",
         )
     elif len({option.text for option in options}) < len(options):
         message = f"quiz {name!r} gives the same answer twice; legal: answers that differ"
-        reading.problem(directive.line, message)
+        reading.problem(use.line, message)
+
+
+QUIZ = Directive(
+    name="quiz",
+    says="a question with explained answers",
+    argument=Argument("id", lacks="has no id"),
+    options=(OptionLine("kind", says="how many answers are right", legal=KINDS),),
+    body=Body("the question, and its answers as a list", plain_tokens),
+    read=read_quiz,
+    template="quiz",
+)

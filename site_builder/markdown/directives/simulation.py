@@ -7,52 +7,35 @@ from markdown_it.token import Token
 
 from simulations.engine.controls import ControlError, Slider, check_values
 from simulations.engine.scene import Scene
-from simulations.registry import UnknownIdError
 from site_builder.book import Simulation
-from site_builder.diagnostics import cause, unknown
-from site_builder.markdown.blocks import read_html
-from site_builder.markdown.fences import Directive
+from site_builder.diagnostics import unknown
+from site_builder.markdown.bodies import plain_tokens
+from site_builder.markdown.directive import Argument, Body, Directive, OptionLine, Use
 from site_builder.markdown.reading import Reading
+from site_builder.markdown.scenes import find_scene
 
 MAIMED_OPTION = re.compile(r":(\w+)[ =].*|(\w+)[:=].*")
 
 
-def read_simulation(
-    directive: Directive, body: Sequence[Token], reading: Reading
-) -> Simulation | None:
-    scene = find_scene(directive.argument, directive.line, reading)
-    caption_html = read_html(directive, body, reading)
+def read_simulation(use: Use, body: Sequence[Token], reading: Reading) -> Simulation | None:
+    scene = find_scene(use.argument, use.line, reading)
     if scene is None:
         return None
     _check_caption(body, scene, reading)
     return Simulation(
         scene=scene,
-        id=reading.free_id(f"figure-{scene.id}", directive.line),
-        values=_read_values(directive, scene, reading),
-        tier=_read_tier(directive, scene, reading),
-        caption_html=caption_html,
+        id=reading.free_id(f"figure-{scene.id}", use.line),
+        values=_read_values(use, scene, reading),
+        tier=_read_tier(use, scene, reading),
+        caption_html=reading.html(body),
         path=reading.path,
-        line=directive.line,
+        line=use.line,
     )
 
 
-def find_scene(scene_id: str, line: int, reading: Reading) -> Scene | None:
-    """The scene, or None and a diagnostic: unknown id, or a module that cannot be imported."""
-    if not scene_id:
-        reading.problem(line, "{simulation} names no scene; legal: ':::{simulation} scene-id'")
-        return None
-    try:
-        return reading.load_scene(scene_id)
-    except UnknownIdError as error:
-        reading.problem(line, str(error))
-    except Exception as error:  # whatever a scene's own code may raise is the author's to see
-        reading.problem(line, f"simulation {scene_id!r} cannot be loaded: {cause(error)}")
-    return None
-
-
-def _read_values(directive: Directive, scene: Scene, reading: Reading) -> dict[str, object]:
+def _read_values(use: Use, scene: Scene, reading: Reading) -> dict[str, object]:
     values: dict[str, object] = {}
-    for name, option in directive.options.items():
+    for name, option in use.options.items():
         if name == "tier":
             continue
         try:
@@ -80,9 +63,21 @@ def _check_caption(body: Sequence[Token], scene: Scene, reading: Reading) -> Non
             reading.problem(line, f"{slip[0]!r} in the caption; legal: as an option, {legal}")
 
 
-def _read_tier(directive: Directive, scene: Scene, reading: Reading) -> str:
-    option = directive.options.get("tier")
+def _read_tier(use: Use, scene: Scene, reading: Reading) -> str:
+    option = use.options.get("tier")
     if option and option.text not in scene.tiers:
         reading.problem(option.line, unknown(f"tier of {scene.id}", option.text, scene.tiers))
         return scene.default_tier
     return option.text if option else scene.default_tier
+
+
+SIMULATION = Directive(
+    name="simulation",
+    says="a live figure",
+    argument=Argument("scene-id", lacks="names no scene"),
+    options=(OptionLine("tier", says="its accuracy at first"),),
+    more_options="the starting value of any control",
+    body=Body("a caption", plain_tokens),
+    read=read_simulation,
+    template="simulation",
+)

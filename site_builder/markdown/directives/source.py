@@ -1,48 +1,48 @@
 """``{source} package.module:function``: the real code, read from its file, never a copy."""
 
 import ast
-from collections.abc import Sequence
 from pathlib import Path
 from textwrap import dedent
 
-from markdown_it.token import Token
-
-from site_builder.book import Listing
+from site_builder.book import Source
 from site_builder.diagnostics import unknown
-from site_builder.markdown.blocks import check_options, read_html
-from site_builder.markdown.fences import Directive
+from site_builder.markdown.bodies import CAPTION
+from site_builder.markdown.directive import Argument, Directive, Use
 from site_builder.markdown.reading import Reading
 from site_builder.markdown.text.code import code_html
 
+FORM = "package.module:function"
 type Definition = ast.FunctionDef | ast.ClassDef
 
 
-def read_listing(directive: Directive, body: Sequence[Token], reading: Reading) -> Listing | None:
-    check_options(directive, (), reading)
-    caption_html = read_html(directive, body, reading)
-    module, colon, name = directive.argument.partition(":")
-    if not (module and colon and name):
-        reading.problem(
-            directive.line,
-            f"{{source}} {directive.argument!r}; legal: ':::{{source}} package.module:function'",
-        )
-        return None
+def read_source(use: Use, caption_html: str, reading: Reading) -> Source | None:
+    module, _, name = use.argument.partition(":")
     path = f"{module.replace('.', '/')}.py"
-    file = reading.root / path
-    if not file.is_file() or not module.startswith("simulations."):
-        reading.problem(
-            directive.line, unknown("module", module, _modules(reading.root / "simulations"))
-        )
+    source = _text_of(module, name, path, use, reading)
+    if source is None:
         return None
-    source = file.read_text(encoding="utf-8")
     definitions = _definitions(source)
     if name not in definitions:
         public = [known for known in definitions if not known.startswith("_")]
-        reading.problem(directive.line, unknown(f"definition in {module}", name, public))
+        reading.problem(use.line, unknown(f"definition in {module}", name, public))
         return None
     first, last = _span(definitions[name])
     code = dedent("\n".join(source.splitlines()[first - 1 : last])) + "\n"
-    return Listing(module, name, path, first, code_html(code, "python"), caption_html)
+    return Source(module, name, path, first, code_html(code, "python"), caption_html)
+
+
+def _text_of(module: str, name: str, path: str, use: Use, reading: Reading) -> str | None:
+    """The module's file, or None and a diagnostic."""
+    if not (module and name):
+        legal = f"':::{{source}} {FORM}'"
+        reading.problem(use.line, f"{{source}} {use.argument!r}; legal: {legal}")
+        return None
+    file = reading.root / path
+    if not file.is_file() or not module.startswith("simulations."):
+        modules = _modules(reading.root / "simulations")
+        reading.problem(use.line, unknown("module", module, modules))
+        return None
+    return file.read_text(encoding="utf-8")
 
 
 def _definitions(source: str) -> dict[str, Definition]:
@@ -70,3 +70,13 @@ def _modules(package: Path) -> list[str]:
         for file in files
         if file.stem != "__init__"
     ]
+
+
+SOURCE = Directive(
+    name="source",
+    says="the real code of a function",
+    argument=Argument(FORM, lacks="names no function"),
+    body=CAPTION,
+    read=read_source,
+    template="source",
+)

@@ -1,27 +1,38 @@
 """``{stage-costs} scene-id``: a table of what each moved control costs; the body is its caption."""
 
-from collections.abc import Sequence
+from dataclasses import dataclass
 
-from markdown_it.token import Token
-
-from site_builder.book import StageCostTable
-from site_builder.markdown.blocks import check_options, read_html
-from site_builder.markdown.directives.simulation import find_scene
-from site_builder.markdown.fences import Directive
+from site_builder.markdown.bodies import CAPTION
+from site_builder.markdown.directive import Argument, Directive, Use
 from site_builder.markdown.reading import Reading
-from site_builder.measured.stage_costs import StageCostError, read_stage_costs
+from site_builder.markdown.scenes import find_scene
+from site_builder.measured.stage_costs import StageCostError, StageCosts, read_stage_costs
 
 
-def read_stage_cost_table(
-    directive: Directive, body: Sequence[Token], reading: Reading
-) -> StageCostTable | None:
-    check_options(directive, (), reading)
-    caption_html = read_html(directive, body, reading)
-    scene = find_scene(directive.argument, directive.line, reading)
+@dataclass(frozen=True, slots=True)
+class StageCostTable:
+    """What each moved control costs of a whole frame of one scene."""
+
+    costs: StageCosts
+    caption_html: str
+
+
+def read_stage_cost_table(use: Use, caption_html: str, reading: Reading) -> StageCostTable | None:
+    scene = find_scene(use.argument, use.line, reading)
     if scene is None:
         return None
     try:
         return StageCostTable(read_stage_costs(reading.root, scene), caption_html)
     except StageCostError as error:
-        reading.problem(directive.line, str(error))
+        reading.problem(use.line, str(error))
         return None
+
+
+STAGE_COSTS = Directive(
+    name="stage-costs",
+    says="what each control of a scene costs",
+    argument=Argument("scene-id", lacks="names no scene"),
+    body=CAPTION,
+    read=read_stage_cost_table,
+    template="stage-costs",
+)

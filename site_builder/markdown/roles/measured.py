@@ -9,9 +9,11 @@ the machine was: ``processor``, ``python``, ``numpy``, ``browser``, ``pyodide``.
 """
 
 from site_builder.diagnostics import unknown
+from site_builder.markdown.reading import Reading
+from site_builder.markdown.role import Role
 from site_builder.measured.measurements import SIDES, MeasuredLadder, MeasurementError, Measurements
 from site_builder.measured.quantities import error_text, milliseconds, quantity, with_unit
-from site_builder.pages.ladder_view import verdict
+from site_builder.measured.verdicts import verdict
 
 COUNTS = ("ladders", "tiers", "beaten")
 LEGAL = "legal: 'LADDER TIER native|browser|METRIC|verdict', or 'LADDER TIER over TIER …'"
@@ -81,3 +83,16 @@ def _value(measured: MeasuredLadder, tier: str, wanted: str) -> tuple[float | No
         legal = (*SIDES, "verdict", *units)
         raise MeasurementError(unknown(f"number of {ladder.id}", wanted, legal))
     return item.errors[wanted], units[wanted]
+
+
+def _text(words: str, reading: Reading) -> str:
+    return measured_text(words, reading.measurements)
+
+
+MEASURED = Role(
+    name="measured",
+    form="LADDER TIER [over TIER] native|browser|METRIC|verdict [bare]",
+    says="a number from the file that `make bench` writes",
+    text=_text,
+    refuses=MeasurementError,
+)

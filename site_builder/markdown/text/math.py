@@ -15,7 +15,7 @@ from site_builder.diagnostics import unknown
 from site_builder.markdown.text.math_spacing import space_formula
 
 NAMESPACE = "http://www.w3.org/1998/Math/MathML"
-ROLES = (*frame.ROLES[1:], "muted")
+COLOURS = (*frame.ROLES[1:], "muted")
 """Colours of ideas, and of what steps back; frames also know the empty role."""
 ENVIRONMENTS = (
     "aligned", "array", "cases", "matrix", "pmatrix", "bmatrix", "Bmatrix", "vmatrix", "Vmatrix",
@@ -76,8 +76,8 @@ def _rewrite(tex: str) -> str:
 
 
 def _role(match: re.Match[str]) -> str:
-    if match[1] not in ROLES:
-        raise UnsupportedTexError(unknown("colour role", match[1], ROLES))
+    if match[1] not in COLOURS:
+        raise UnsupportedTexError(unknown("colour role", match[1], COLOURS))
     return rf"\class{{role-{match[1]}}}"
 
 

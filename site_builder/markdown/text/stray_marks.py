@@ -4,12 +4,11 @@ in a book either is a slip of the author's."""
 import re
 from collections.abc import Iterator, Sequence
 
-from markdown_it import MarkdownIt
 from markdown_it.rules_block.table import escapedSplit
 from markdown_it.rules_core import StateCore
 from markdown_it.token import Token
 
-from site_builder.markdown.inline import located
+from site_builder.markdown.text.tokens import located
 
 STRAY = (
     (r"(\$\$?)", r"opens or closes no formula; legal: '$…$', or '\$' for the sign itself"),
@@ -24,12 +23,8 @@ FOOTNOTE = re.compile(r"[ >]*\[\^([^\]]+)\]:")
 PATTERNS = tuple((re.compile(pattern), legal) for pattern, legal in STRAY)
 
 
-def stray_marks_plugin(parser: MarkdownIt) -> None:
-    # Before escaped characters, which are meant, are joined with the text around them.
-    parser.core.ruler.before("text_join", "stray_marks", _rule)
-
-
-def _rule(state: StateCore) -> None:
+def stray_marks_rule(state: StateCore) -> None:
+    """Report what looks as if it were missing its other half."""
     lines = state.src.split("\n")
     problems = state.env.setdefault("problems", [])
     for token, line in located(state.tokens):

@@ -4,7 +4,6 @@
 
 import re
 
-from markdown_it import MarkdownIt
 from markdown_it.rules_core import StateCore
 
 UNITS = "nm|µm|mm|cm|m|km|px|dB|rad|ms|s|Hz|EV|DN|kB|MB"
@@ -18,11 +17,8 @@ REPLACEMENTS = (
 )
 
 
-def typography_plugin(parser: MarkdownIt) -> None:
-    parser.core.ruler.before("smartquotes", "typography", _rule)
-
-
-def _rule(state: StateCore) -> None:
+def typography_rule(state: StateCore) -> None:
+    """Replace in running text; code and formulae stay as they are."""
     for block in state.tokens:
         for token in block.children or ():
             if token.type == "text":

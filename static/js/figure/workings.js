@@ -46,7 +46,7 @@ function showStage(item, stage) {
 }
 
 /**
- * `4 computed, 8 reused, 1 skipped`, as `figure_view.py` writes it.
+ * `4 computed, 8 reused, 1 skipped`, as `simulation_view.py` writes it.
  *
  * @param {Stage[]} stages
  */

@@ -63,10 +63,13 @@ def test_a_page_in_order_has_no_mistakes(find: Find) -> None:
         ),
         ("{measured}`browsr`\n", "unknown measured thing 'browsr'; did you mean 'browser'?"),
         ("{measured}`toy fine`\n", f"{{measured}} 'toy fine'; {LEGAL}"),
-        (":::{ladder-table}\n:::\n", "{ladder-table} has no caption; legal: some text after it"),
+        (
+            ":::{ladder-table}\n:::\n",
+            "{ladder-table} has no caption; legal: ':::{ladder-table} Caption'",
+        ),
         (
             ":::{ladder-table} All\nMore.\n:::\n",
-            "{ladder-table} has a body; legal: a caption, no more",
+            "{ladder-table} with a body; legal: a caption behind its name, no more",
         ),
     ],
 )  # fmt: skip

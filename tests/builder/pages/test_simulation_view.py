@@ -7,7 +7,7 @@ from simulations.engine.frame import Frame, StageReport
 from simulations.engine.scene import Scene
 from simulations.registry import load_ladder
 from site_builder.book import Simulation
-from site_builder.pages.simulation_view import tier_labels, view_figure
+from site_builder.pages.simulation_view import tier_labels, view_simulation
 from site_builder.pages.stills import Still
 
 
@@ -54,4 +54,4 @@ def test_a_long_chain_of_stages_is_shown_at_once_but_not_on_the_cover(
         (), (), "Nothing.", tuple(StageReport("a", "computed", "") for _ in range(stages))
     )
     figure = Simulation(scene, "figure-s", {}, "", "", path, 1)
-    assert view_figure(Still(figure, Values({}), frame, {}), "").stages_open is open_
+    assert view_simulation(Still(figure, Values({}), frame, {}), "").stages_open is open_

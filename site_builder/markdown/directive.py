@@ -1,0 +1,96 @@
+"""What a directive is: one value that says how it is written, what reads it and what shows it.
+
+The parser, the checks, the table of templates and the author's guide all follow from these
+values; ``directives/__init__.py`` lists them.
+"""
+
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass
+
+from markdown_it.token import Token
+
+from site_builder.markdown.reading import Reading
+
+
+@dataclass(frozen=True, slots=True)
+class OptionValue:
+    """What an author wrote in an option line."""
+
+    text: str
+    line: int
+
+
+@dataclass(frozen=True, slots=True)
+class Use:
+    """A directive as an author wrote it; its reader finds only legal options here."""
+
+    name: str
+    argument: str
+    options: Mapping[str, OptionValue]
+    line: int
+    """Line of the opening fence, counted from 1."""
+
+    def text(self, option: str) -> str:
+        """The option's value; its default, or nothing, where the author gave none."""
+        given = self.options.get(option)
+        return given.text if given else ""
+
+
+@dataclass(frozen=True, slots=True)
+class Argument:
+    """The words behind the name of a directive."""
+
+    form: str
+    """As the author's guide shows it: ``scene-id``."""
+    lacks: str = ""
+    """What is said of a directive without it: ``names no scene``. Nothing: it may be left out."""
+    legal: tuple[str, ...] = ()
+    """All that it may be; any text, for the reader to judge, where there are none."""
+    kind: str = ""
+    """What it is one of, where ``legal`` says: ``table of extremes``."""
+
+    @property
+    def required(self) -> bool:
+        return bool(self.lacks or self.legal)
+
+
+@dataclass(frozen=True, slots=True)
+class OptionLine:
+    """A line ``:name: value`` below the opening fence."""
+
+    name: str
+    says: str
+    """What an author gives with it: ``what the picture shows``."""
+    legal: tuple[str, ...] = ()
+    """All that it may be, its default first; any text where there are none."""
+    required: bool = False
+
+
+@dataclass(frozen=True, slots=True)
+class Body[B]:
+    """What may stand between the fences."""
+
+    says: str
+    """In the author's guide: ``a caption``."""
+    read: Callable[[Use, Sequence[Token], Reading], B]
+    """Its tokens as the directive's reader gets them; reports what may not stand there."""
+    nests: bool = False
+    """Whether it is made of blocks, which the page keeps with the directive's own."""
+
+
+@dataclass(frozen=True, slots=True)
+class Directive[B]:
+    """One directive, ``:::{name} argument``."""
+
+    name: str
+    says: str
+    """What it makes, in the author's guide: ``a live figure``."""
+    argument: Argument | None
+    body: Body[B]
+    read: Callable[[Use, B, Reading], object | None]
+    """What the template shows; None, and a report, where mistakes leave nothing to show."""
+    template: str
+    """Its file below ``templates/blocks/``, without ``.html``."""
+    options: tuple[OptionLine, ...] = ()
+    more_options: str = ""
+    """Options that only the reader can judge, in words: ``the controls of the scene``."""
