@@ -200,7 +200,8 @@ def _readouts(
 
 
 def _metres(depth: float) -> str:
-    return format_number(depth, 1)
+    """To a centimetre where that may be as much as the depth of field."""
+    return format_number(depth, 2 if depth < 10 else 1)
 
 
 def _describe(values: Values, view_rad: float, near: float, far: float, quality: float) -> str:
