@@ -127,7 +127,7 @@ def half_the_field_of_view() -> Says:
     angle = field_of_view_rad(50, 36, 3200)
     half = 18 / tan(angle / 4)
     yield f"half the angle takes {half / sensor:.2f} times the distance"
-    yield f"Twice the focal length gives {longer / sensor:.2f} times"
+    yield f"Twice the focal length gives only {longer / sensor:.2f} times"
     focal = 1 / (1 / half + 1 / 3200)
     yield f"Half is reached at {focal:.0f} mm."
     assert isclose(2 * field_of_view_rad(focal, 36, 3200), angle)
