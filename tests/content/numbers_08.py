@@ -64,9 +64,9 @@ def what_the_pixel_counts() -> Says:
     corner = float(vignetting_cos4(float(distort([ASIDE, 0], LENS)[0])))
     light = 0.6 * 0.8
     yield rf"$0.6 \times 0.8 = {light:.2f}$ of what a white surface"
-    yield f"$1/(1 + r'^2)^2 = {corner:.3f}$ here"
+    yield f"$1/(1 + r'^2)^2 = {corner:.4f}$ here"
     arrives = light * corner
-    yield rf"${light:.2f} \times {corner:.3f} = {arrives:.3f}$"
+    yield rf"${light:.2f} \times {corner:.4f} = {arrives:.4f}$"
     mean = 10_000 * arrives
     yield f"the mean count is {mean:.0f}. Shot noise is $\\sqrt{{{mean:.0f}}} = {sqrt(mean):.1f}$"
     read = 5 / 255 * 10_000
@@ -81,8 +81,8 @@ def what_the_pixel_counts() -> Says:
     dn = mean / gain + black
     yield f"the {codes:.0f} above: ${mean:.0f} / {gain:.3f} + {black:.0f} = {dn:.0f}$"
     encoded = float(encode_srgb(arrives))
-    yield f"${arrives:.3f}$ becomes ${encoded:.3f}$"
-    yield rf"${encoded:.3f} \times 255 = {255 * encoded:.0f}$"
+    yield f"${arrives:.4f}$ becomes ${encoded:.4f}$"
+    yield rf"${encoded:.4f} \times 255 = {255 * encoded:.0f}$"
     spread = 255 * float(encode_srgb((mean + noise) / 10_000) - encoded)
     yield f"give or take about {spread:.0f} codes of noise"
 
