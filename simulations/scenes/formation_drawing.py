@@ -170,6 +170,6 @@ def draw_ledger(entries: tuple[Station, ...], station: float) -> str:
         bullet = f"{style} solid" if index <= reached else style
         parts.append(drawing.circle((18, top + ROW_HEIGHT / 2), 5.0, bullet))
         weight = "strong" if index == reached else "muted" if index > reached else ""
-        parts.append(drawing.text((34, top + 15), entry.title, f"{style} strong"))
-        parts.append(drawing.text((34, top + 31), entry.numbers, weight))
+        parts.append(drawing.text((34, top + 14), entry.title, f"{style} strong"))
+        parts.append(drawing.text((34, top + 29.5), entry.numbers, weight))
     return "".join(parts)
