@@ -127,11 +127,18 @@ def paint(ball: Ball, linear: Floats) -> NDArray[np.uint8]:
     """(H, W, 4) bytes of (h, w) or (h, w, 3) light. Only the rim mixes ball and wall."""
     picture = ball.backdrop.copy()
     square = picture[ball.square]
-    square[ball.inner] = to_rgba8(encode_srgb_table(linear))[ball.inner]
+    shown = to_rgba8(encode_srgb_table(linear))
+    # Four bytes are one number here: picked and laid down at once, not row by row of a mask.
+    np.copyto(_whole_pixels(square), _whole_pixels(shown), where=ball.inner)
     on_rim = linear[ball.rim].reshape(len(ball.behind_rim), -1)
     mixed = ball.behind_rim + ball.rim_coverage * (on_rim - ball.behind_rim)
     square[ball.rim] = to_rgba8(encode_srgb_table(mixed)[None])[0]
     return picture
+
+
+def _whole_pixels(rgba: NDArray[np.uint8]) -> NDArray[np.uint32]:
+    """The same bytes (h, w, 4), each pixel as one number (h, w)."""
+    return rgba.view(np.uint32)[..., 0]
 
 
 def true_cosine(ball: Ball, angle_deg: float) -> NDArray[np.float64]:

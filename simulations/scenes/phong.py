@@ -98,7 +98,8 @@ def highlight(
 def half_width_rad(model: str, shininess: float) -> float:
     """Turn of the camera, in the plane of n and l, that halves the highlight.
 
-    A turn of the camera turns ``h`` by only half as much. Above 180° the lobe has no half.
+    A turn of the camera turns ``h`` by only half as much, so that Blinn's lobe is twice as wide:
+    at a shininess of 1, the least that there is here, 120°.
     """
     half = math.acos(2 ** (-1 / shininess))
     return 2 * half if model == "blinn_phong" else half
