@@ -162,7 +162,7 @@ def _how_much(journey: Journey) -> tuple[Station, ...]:
     return (
         Station(
             "Light",
-            f"ρ cos 60° = {light} of white, so {journey.mean_e:.0f} e⁻ are due",
+            f"ρ cos 60° = {light} of white: {journey.mean_e:.0f} e⁻ expected",
             "Lamp and paint decide how many electrons are to be expected",
             "light",
         ),

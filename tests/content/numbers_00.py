@@ -57,10 +57,10 @@ def from_light_to_a_code() -> Says:
     """The example is the figure's first exposure."""
     light = 0.6 * cos(radians(60))
     yield rf"$0.6 \cdot \cos 60^\circ = {light:.2f}$ of the light of a white wall"
-    yield f"then {10_000 * light:.0f} are due from ours"
+    yield f"Then {10_000 * light:.0f} are to be expected from our speck."
     first = travel(4.0, 0.6, 0)
     yield f"this time {first.counted_e:.0f} electrons are counted"
-    yield f"as much as {first.read_e:.2f} electrons would make"
+    yield f"this time worth {first.read_e:.2f} electrons"
     reported = round((round(first.counted_e) + round(first.read_e, 2)) * 4095 / 10_000)
     assert reported == first.raw_dn
     yield rf"$({first.counted_e:.0f} + {first.read_e:.2f}) \cdot 4095/10\,000 = {reported}$"
@@ -77,7 +77,7 @@ def how_wide_a_step_of_the_file_is() -> Says:
     below, above = (10_000 * float(decode_srgb(code / 255)) for code in (148.5, 149.5))
     yield f"about {above - below:.0f} electrons wide"
     yield rf"$\sqrt{{3000}} \approx {sqrt(3000):.0f}$"
-    assert 0.8 < sqrt(3000) / (above - below) < 1.3, "worth one step"
+    assert 0.8 < sqrt(3000) / (above - below) < 1.3, "about one"
 
 
 def stripes_finer_than_the_grid() -> Says:
