@@ -79,6 +79,18 @@ def test_light_opposite_to_the_eye_gives_no_highlight(shininess, slant_deg):
     assert fields.tolist() == [0.5 if math.cos(slant) > 0 else 0, 0]
 
 
+def test_as_much_as_both_lengths_may_be_off_is_no_halfway_direction_and_twice_that_is_one():
+    """Light and eye along one line differ by their lengths alone; turned, by a true direction."""
+    longer, shorter = (1 + 9e-5) * FRONT, -(1 - 9e-5) * FRONT
+    assert blinn_phong(FRONT, longer, shorter, 0.0, shininess=3) == 0
+    turned = [math.sin(4e-4), 0, math.cos(4e-4)]
+    halfway = [math.cos(2e-4), 0, -math.sin(2e-4)]
+    lit = normalise(np.add(halfway, [0, 0, 1e-3]))
+    assert blinn_phong(lit, turned, -FRONT, 0.0, specular=0.3, shininess=3) == pytest.approx(
+        0.3 * float(lit @ halfway) ** 3, rel=1e-6
+    )
+
+
 def test_a_degree_beside_the_opposite_direction_blinn_has_its_highlight():
     """Lamp at 179°: h at 89.5°, where the surface is both lit and seen."""
     light = [math.sin(math.radians(179)), 0, math.cos(math.radians(179))]
