@@ -71,7 +71,7 @@ def the_links_of_the_first_chapter() -> Says:
 
 def the_least_noisy_mean() -> Says:
     """Weights of one over the variance: no others do better, here among 201 for two exposures."""
-    yield "give each a weight of one over the variance that it now has. Of all weighted means, that one has"
+    yield "one over the variance that it now has. Of all weighted means, that one has the least"
     variances = np.array([9.0, 2.0])
     inverse = 1 / variances
     best = np.sum((inverse / inverse.sum()) ** 2 * variances)
