@@ -79,12 +79,12 @@ def test_light_opposite_to_the_eye_gives_no_highlight(shininess, slant_deg):
     assert fields.tolist() == [0.5 if math.cos(slant) > 0 else 0, 0]
 
 
-def test_as_much_as_both_lengths_may_be_off_is_no_halfway_direction_and_twice_that_is_one():
+def test_what_both_lengths_may_be_off_is_no_halfway_direction_and_a_little_more_is_one():
     """Light and eye along one line differ by their lengths alone; turned, by a true direction."""
     longer, shorter = (1 + 9e-5) * FRONT, -(1 - 9e-5) * FRONT
     assert blinn_phong(FRONT, longer, shorter, 0.0, shininess=3) == 0
-    turned = [math.sin(4e-4), 0, math.cos(4e-4)]
-    halfway = [math.cos(2e-4), 0, -math.sin(2e-4)]
+    turned = [math.sin(2.2e-4), 0, math.cos(2.2e-4)]
+    halfway = [math.cos(1.1e-4), 0, -math.sin(1.1e-4)]
     lit = normalise(np.add(halfway, [0, 0, 1e-3]))
     assert blinn_phong(lit, turned, -FRONT, 0.0, specular=0.3, shininess=3) == pytest.approx(
         0.3 * float(lit @ halfway) ** 3, rel=1e-6
@@ -97,6 +97,13 @@ def test_a_degree_beside_the_opposite_direction_blinn_has_its_highlight():
     halfway = [math.sin(math.radians(89.5)), 0, math.cos(math.radians(89.5))]
     shade = blinn_phong(halfway, light, FRONT, 0.0, specular=0.4, shininess=1e4)
     assert shade == pytest.approx(0.4)
+
+
+@pytest.mark.parametrize("model", [phong, blinn_phong])
+def test_an_ulp_above_one_is_not_blown_up_by_a_large_shininess(model):
+    above = np.float32([1 + np.finfo(np.float32).eps, 0, 0])
+    along = np.array([1.0, 0, 0])
+    assert model(above, along, along, 0.0, specular=0.25, shininess=1e7) == 0.25
 
 
 @pytest.mark.parametrize("model", [phong, blinn_phong])
