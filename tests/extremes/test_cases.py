@@ -1,5 +1,8 @@
 """The hard cases that the book prints: each is asked, and its answer judged."""
 
+from typing import Any
+
+import numpy as np
 import pytest
 
 from simulations.engine.extreme import ExtremeCase, ExtremeTable, answer, naive_answer, show
@@ -22,6 +25,30 @@ def test_model_answers_as_decided(table: ExtremeTable, case: ExtremeCase) -> Non
 def test_textbook_formula_can_be_shown_beside_it(table: ExtremeTable, case: ExtremeCase) -> None:
     """What it says is not what the model says: else the case would teach nothing."""
     assert show(naive_answer(table, case)) != show(answer(table, case))
+
+
+SECOND_IS_NO_VALIDITY = ("euler.from_matrix(", "apparent_wheel_speed(")
+"""Of these, the angles and speeds hold whatever the mask says of them: locked, certain."""
+BORDER = "undistort_clamped("
+"""Finite on purpose, as its name says."""
+
+
+def pairs() -> list[Any]:
+    """Answers that come with a mask, of all tables."""
+    asked = [(case.call, answer(table, case)) for table in TABLES for case in table.cases]
+    return [
+        pytest.param(got[0], got[1], id=call)
+        for call, got in asked
+        if isinstance(got, tuple) and len(got) == 2 and np.asarray(got[1]).dtype == bool
+        if not call.startswith((*SECOND_IS_NO_VALIDITY, BORDER))
+    ]
+
+
+@pytest.mark.parametrize(("values", "valid"), pairs())
+def test_what_a_mask_calls_invalid_is_nan_and_the_rest_is_not(values: Any, valid: Any) -> None:
+    values, valid = np.asarray(values), np.asarray(valid)
+    assert np.isnan(values[~valid]).all()
+    assert not np.isnan(values[valid]).any()
 
 
 def test_there_are_enough_cases_to_mean_something() -> None:
