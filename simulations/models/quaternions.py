@@ -7,7 +7,7 @@ rotation. Source: Szeliski, Computer Vision, 2nd ed., §2.1.3.
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from simulations.models.floats import as_vectors
+from simulations.models.floats import as_matrices, as_vectors
 
 type Floats = NDArray[np.float64]
 
@@ -118,7 +118,7 @@ def from_matrix(R: ArrayLike) -> Floats:
     diagonal entry is a multiple of q by at least 1, so nothing cancels (Shepperd 1978). The
     matrix must be a rotation: see `simulations.models.rotations.check_rotation`.
     """
-    m = np.asarray(R, float)
+    m = as_matrices("R", R, 3, 3)
     x, y, z = m[..., 0, 0], m[..., 1, 1], m[..., 2, 2]
     wx, wy, wz = (m[..., j, i] - m[..., i, j] for i, j in ((1, 2), (2, 0), (0, 1)))
     xy, xz, yz = (m[..., j, i] + m[..., i, j] for i, j in ((0, 1), (0, 2), (1, 2)))

@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from simulations.models import quaternions
-from simulations.models.floats import as_vectors
+from simulations.models.floats import as_array, as_matrices, as_vectors
 
 type Floats = NDArray[np.float64]
 
@@ -79,9 +79,7 @@ def check_rotation(R: ArrayLike) -> Floats:
 
     A matrix that has drifted further goes through `nearest_rotation` first.
     """
-    matrix = np.asarray(R, float)
-    if matrix.shape[-2:] != (3, 3):
-        raise ValueError(f"R: shape {matrix.shape}; legal: (..., 3, 3)")
+    matrix = as_matrices("R", R, 3, 3)
     with np.errstate(over="ignore", invalid="ignore"):
         drift = np.abs(np.swapaxes(matrix, -1, -2) @ matrix - np.eye(3)).max(initial=0.0)
     if not drift <= ORTHOGONAL:
@@ -97,8 +95,8 @@ def nearest_rotation(matrix: ArrayLike) -> Floats:
     Raises `ValueError` where several rotations are equally close: rank below 2, or a matrix
     such as −I that is as far from being a rotation as can be.
     """
-    M = np.asarray(matrix, float)
-    if M.shape != (3, 3) or not np.isfinite(M).all():
+    M = as_array("matrix", matrix, 3, 3)
+    if not np.isfinite(M).all():
         raise ValueError(f"matrix: {M.tolist()}; legal: (3, 3), finite")
     U, sizes, Vt = np.linalg.svd(M / max(float(np.abs(M).max()), np.finfo(float).tiny))
     handedness = 1.0 if np.linalg.det(U @ Vt) > 0.0 else -1.0
