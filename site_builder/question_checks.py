@@ -19,6 +19,8 @@ STANDS_OUT = 1.4
 the key: lines of one paragraph differ as much, so up to there nobody sees it at a glance."""
 FEW_LETTERS = 12
 """Two words: among short answers a smaller difference has no meaning, whatever its ratio."""
+SEEN = 1.1
+"""How many times as long as the next an answer must be to be seen as the longest."""
 FEWEST_ALIKE = 3
 """Keys in one place of a chapter that make a habit; two are a coincidence."""
 CHANCE = 0.01
@@ -117,7 +119,7 @@ def _lengths(quiz: Quiz) -> list[int]:
 
 def _is_longest(quiz: Quiz) -> bool:
     key, *wrong = _lengths(quiz)
-    return key > max(wrong)
+    return key > SEEN * max(wrong)
 
 
 def _place(quiz: Quiz) -> int:
