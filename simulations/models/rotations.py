@@ -8,6 +8,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from simulations.models import quaternions
+from simulations.models.cross_products import cross_polynomial
 from simulations.models.floats import as_array, as_matrices, as_vectors
 
 type Floats = NDArray[np.float64]
@@ -17,14 +18,6 @@ ORTHOGONAL = 1e-6
 
 LARGEST_SHARE = 1e6
 """How far an interpolation may go on past its ends: beyond, rounding is all that is left."""
-
-
-def cross_matrix(vector: ArrayLike) -> Floats:
-    """[v]ₓ, (..., 3, 3): the matrix for which [v]ₓ p = v × p."""
-    x, y, z = np.moveaxis(as_vectors("vector", vector, 3), -1, 0)
-    zero = np.zeros_like(x)
-    rows = ([zero, -z, y], [z, zero, -x], [-y, x, zero])
-    return np.stack([np.stack(row, axis=-1) for row in rows], axis=-2)
 
 
 def exponential(rotation_vector: ArrayLike) -> Floats:
@@ -45,11 +38,8 @@ def _turn(axis: Floats, angle_rad: Floats) -> Floats:
     however large, cannot make them disagree: R stays orthogonal. And 2 sin²(θ/2) does not cancel
     near θ = 0, where 1 − cos θ does.
     """
-    half = 0.5 * angle_rad[..., None, None]
-    sine, versine = 2.0 * np.sin(half) * np.cos(half), 2.0 * np.sin(half) ** 2
-    K = cross_matrix(axis)
-    R: Floats = np.eye(3) + sine * K + versine * (K @ K)
-    return R
+    sine, cosine = np.sin(0.5 * angle_rad), np.cos(0.5 * angle_rad)
+    return cross_polynomial(axis, 2.0 * sine * cosine, 2.0 * sine * sine)
 
 
 def from_axis_angle(axis: ArrayLike, angle_rad: ArrayLike) -> Floats:

@@ -17,6 +17,7 @@ from simulations.models import (
     transforms,
     vanishing,
 )
+from simulations.models.cross_products import cross_polynomial
 from simulations.models.floats import as_array, as_colours, as_floats, as_vectors
 
 K = projection.intrinsics(800.0, (320.0, 240.0))
@@ -45,7 +46,7 @@ FUNCTIONS = [
     ("p", 3, lambda v: lines_and_planes.plane_through(v, [1.0, 0.0, 0.0], [0.0, 2.0, 0.0])),
     ("r", 3, lambda v: lines_and_planes.plane_through([1.0, 0.0, 0.0], [0.0, 2.0, 0.0], v)),
     ("points", 3, lambda v: lines_and_planes.signed_distance(v, [1.0, 2.0, 3.0, 4.0])),
-    ("vector", 3, rotations.cross_matrix),
+    ("vector", 3, lambda v: cross_polynomial(v, 0.3, 0.2)),
     ("angles_rad", 3, lambda v: euler.to_matrix("ZYX", v)),
     ("rotation_vector", 3, rotations.exponential),
     ("axis", 3, lambda v: rotations.from_axis_angle(v, 0.3)),
