@@ -89,9 +89,9 @@ LADDER = Ladder(
     tiers=(
         Tier("first-order", "I + K", "3 entries", first_order),
         Tier("second-order", "I + K + K²/2", "18 products", second_order),
-        Tier("cayley", "Cayley", "24 products, 1 division", cayley),
+        Tier("cayley", "Cayley", "23 products, 1 division", cayley),
         Tier("exact", "Rodrigues", "18 products, 2 sines, 1 norm", exponential),
-        Tier("quaternion", "By quaternion", "2 sines, 2 norms", by_quaternion),
+        Tier("quaternion", "By quaternion", "18 products, 2 sines, 2 norms", by_quaternion),
     ),
     reference=reference,
     reference_label="twenty terms of the exponential series in extended precision",
