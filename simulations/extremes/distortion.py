@@ -26,9 +26,9 @@ TABLE = ExtremeTable(
     id="distortion",
     title="Lens distortion and fisheyes",
     names={
-        **vars(distortion),
-        **vars(fisheye),
         **vars(undistortion),
+        **vars(fisheye),
+        **vars(distortion),  # last: its fold_radius is a lens's, not a profile's
         "BARREL": Distortion(k1=-0.3),
         "PINCUSHION": Distortion(k1=0.5),
         "inf": np.inf,
