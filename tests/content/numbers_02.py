@@ -64,6 +64,14 @@ def to_pan_tilt_and_roll_a_camera() -> Says:
     yield f"looks up by only {up:.1f}°, with a horizon that slants by {slant:.1f}°"
 
 
+def the_axes_of_an_aircraft() -> Says:
+    """Body axes, x forward, as columns: the nose of one that pitches up rises, −z of the world."""
+    R = euler.to_matrix("ZYX", [0, radians(30), 0])
+    assert np.allclose(R[:, 0], R @ [1, 0, 0])
+    assert R[2, 0] < 0
+    yield "The columns of this $R$ are the aircraft's axes as seen from the world"
+
+
 def a_camera_that_looks_straight_up() -> Says:
     up = [radians(angle) for angle in (30, 90, 0)]
     rolled = [radians(angle) for angle in (0, 90, -30)]
@@ -154,6 +162,7 @@ WORKED = (
     a_camera_that_looks_to_the_left,
     the_shortcut_of_small_angles,
     to_pan_tilt_and_roll_a_camera,
+    the_axes_of_an_aircraft,
     a_camera_that_looks_straight_up,
     two_frames_of_a_film,
     a_camera_centre_that_is_none,
