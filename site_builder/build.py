@@ -13,7 +13,7 @@ from simulations.engine.scene import Scene
 from simulations.registry import load_ladder, load_scene
 from site_builder.book import Book
 from site_builder.checks import check_book
-from site_builder.diagnostics import BuildError, Diagnostics
+from site_builder.diagnostics import BuildError, Diagnostic, Diagnostics
 from site_builder.markdown.directives.figure import SUFFIXES
 from site_builder.measured.measurements import read_measurements
 from site_builder.output.assets import Content, folder_files, hashed_folder
@@ -33,6 +33,11 @@ STYLE_SHEET = "css/book.css"
 
 type Files = Mapping[str, Content]
 type Write = Callable[[Files, Path], None]
+type Warn = Callable[[Diagnostic], None]
+
+
+def ignore(_warning: Diagnostic) -> None:
+    """Where nobody reads warnings."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -47,6 +52,8 @@ class Options:
     """Whether pages reload themselves after a rebuild (``serve``)."""
     load_scene: Callable[[str], Scene] = load_scene
     load_ladder: Callable[[str], Ladder] = load_ladder
+    warn: Warn = ignore
+    """Told each warning once, in the order of files and lines."""
 
 
 def build_site(
@@ -55,10 +62,11 @@ def build_site(
     *,
     runtime: bool = True,
     reload: bool = False,
+    warn: Warn = ignore,
     write: Write = write_site,
 ) -> Files:
     """Build the book at ``root`` into the folder ``out``. Raises `BuildError`."""
-    files = render_site(Options(root, runtime=runtime, reload=reload))
+    files = render_site(Options(root, runtime=runtime, reload=reload, warn=warn))
     write(files, out)
     return files
 
@@ -85,6 +93,8 @@ def check_site(options: Options) -> tuple[Book, Stills, dict[str, bytes]]:
     book = read_book(options.root, problems, options.load_scene, measurements)
     check_book(book, problems)
     stills, pictures = render_stills(book, problems)
+    for warning in sorted(set(problems.doubts)):
+        options.warn(warning)
     if problems:
         raise BuildError(problems.found)
     return book, stills, pictures

@@ -1,7 +1,7 @@
 """The chart of a ladder: what each tier costs in time against what it gets wrong.
 
 A filled dot is CPython, a hollow one the browser, joined because they are the same computation.
-The front is the line through tiers that nothing equals in both; what is clearly beaten is grey.
+The line runs through the tiers of the front; what is clearly beaten is grey.
 """
 
 from collections.abc import Callable, Sequence

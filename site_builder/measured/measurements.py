@@ -84,7 +84,7 @@ class MeasuredLadder:
         return -value if self.metric.higher_is_better else value
 
     def front(self, side: str) -> tuple[MeasuredTier, ...]:
-        """Tiers that no other equals in both time and error, quickest first."""
+        """Tiers that no other matches in both time and error and beats in one, quickest first."""
         points = [(item.times[side].ms, self.loss(item)) for item in self.tiers]
         chosen = zip(self.tiers, pareto_front(points), strict=True)
         return tuple(sorted((i for i, on in chosen if on), key=lambda i: i.times[side].ms))

@@ -94,7 +94,7 @@ class SummaryRow:
     title: str
     tiers: int
     span: str
-    """How much longer the dearest tier takes than the cheapest, in the browser."""
+    """How many times as long the slowest tier takes as the quickest, in the browser."""
     default: str
     default_ms: str
     default_error: str

@@ -24,7 +24,7 @@ LEGAL = {
 
 BUILDER = (
     "diagnostics", "runtime", "output", "measured", "charts", "book", "markdown", "source",
-    "checks", "pages", "build", "serve", "__main__",
+    "question_checks", "checks", "pages", "build", "serve", "__main__",
 )  # fmt: skip
 """Parts of ``site_builder``: each imports itself and what stands before it."""
 MARKDOWN = (
