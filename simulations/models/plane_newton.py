@@ -37,11 +37,7 @@ def solve_in_plane(
     moving = np.arange(len(start))
     for _ in range(MOST_STEPS):
         x, y = points[:, moving]
-        seen_x, seen_y, x_by_x, mixed, y_by_y = linearised(x, y)
-        right, down = seen_x - wanted[moving, 0], seen_y - wanted[moving, 1]
-        determinant = x_by_x * y_by_y - mixed * mixed
-        step_x = (y_by_y * right - mixed * down) / determinant
-        step_y = (x_by_x * down - mixed * right) / determinant
+        step_x, step_y = _step(linearised, x, y, wanted[moving, 0], wanted[moving, 1])
         points[0, moving], points[1, moving] = x - step_x, y - step_y
         # The error was squared: at the next step nothing would be left to gain. NaN stops too.
         size = np.maximum(np.maximum(np.abs(x), np.abs(y)), 1.0)
@@ -50,3 +46,26 @@ def solve_in_plane(
             break
         moving = moving[going]
     return points.T
+
+
+def newton_step(
+    linearised: Callable[[Floats, Floats], Linearisation], points: Floats, wanted: Floats
+) -> Floats:
+    """What one step of Newton's method subtracts from points (N, 2)."""
+    return np.stack(_step(linearised, *points.T, *wanted.T), axis=-1)
+
+
+def _step(
+    linearised: Callable[[Floats, Floats], Linearisation],
+    x: Floats,
+    y: Floats,
+    wanted_x: Floats,
+    wanted_y: Floats,
+) -> tuple[Floats, Floats]:
+    """By Cramer's rule; all (N,)."""
+    seen_x, seen_y, x_by_x, mixed, y_by_y = linearised(x, y)
+    right, down = seen_x - wanted_x, seen_y - wanted_y
+    determinant = x_by_x * y_by_y - mixed * mixed
+    return (y_by_y * right - mixed * down) / determinant, (
+        x_by_x * down - mixed * right
+    ) / determinant
