@@ -48,15 +48,14 @@ def sheet_of(radial: RadialProfile, p1: float, p2: float) -> Sheet:
     n, d = Polynomial((1.0, *radial.numerator)), Polynomial((1.0, *radial.denominator))
     slope = n * d + 2.0 * s * (n.deriv() * d - n * d.deriv())  # f' D²
     n, d, slope = (_of_squares(polynomial) for polynomial in (n, d, slope))
-    pole = smallest_positive_root(d.coef)
+    pole = smallest_positive_root(_coefficients(d))
     most = 6.0 * float(np.hypot(p1, p2)) * r
-    sure = min(
-        pole, *(smallest_positive_root(q.coef) for q in (n - most * d, slope - most * d * d))
-    )
+    sure = [smallest_positive_root(_coefficients(q)) for q in (n - most * d, slope - most * d * d)]
     parts = (n * slope, 2.0 * r * d * (slope + 3.0 * d * n), 4.0 * r**2 * d**3)
-    size = max(part.coef.size for part in parts)
-    plain, tilted, bent = (np.pad(part.coef, (0, size - part.coef.size)) for part in parts)
-    return Sheet(plain, tilted, bent, pole, sure)
+    plain, tilted, bent = (_coefficients(part) for part in parts)
+    size = max(plain.size, tilted.size, bent.size)
+    plain, tilted, bent = (np.pad(part, (0, size - part.size)) for part in (plain, tilted, bent))
+    return Sheet(plain, tilted, bent, pole, min(pole, *sure))
 
 
 def on_sheet_of_axis(ideal: Floats, radial: RadialProfile, p1: float, p2: float) -> Mask:
@@ -81,6 +80,12 @@ def on_sheet_of_axis(ideal: Floats, radial: RadialProfile, p1: float, p2: float)
 
 def _of_squares(polynomial: Polynomial) -> Polynomial:
     """P(r²) from P(s)."""
-    spread = np.zeros(2 * polynomial.coef.size - 1)
-    spread[::2] = polynomial.coef
+    coefficients = _coefficients(polynomial)
+    spread = np.zeros(2 * coefficients.size - 1)
+    spread[::2] = coefficients
     return Polynomial(spread)
+
+
+def _coefficients(polynomial: Polynomial) -> Floats:
+    """(n + 1,) of rising powers."""
+    return np.asarray(polynomial.coef, float)

@@ -32,7 +32,7 @@ def stay_positive(coefficients: Floats) -> Mask:
     -------
     (N,) bools; False also where a coefficient is not finite, and where a polynomial touches zero.
     """
-    positive = np.isfinite(coefficients).all(axis=1)
+    positive: Mask = np.asarray(np.isfinite(coefficients).all(axis=1))
     owner = np.flatnonzero(positive)
     from_powers, left, right = _changes_of_basis(coefficients.shape[1] - 1)
     pieces = coefficients[owner] @ from_powers
