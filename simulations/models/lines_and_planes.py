@@ -79,7 +79,8 @@ def plane_through(p: ArrayLike, q: ArrayLike, r: ArrayLike) -> tuple[Floats, Mas
 def signed_distance(points: ArrayLike, hyperplane: ArrayLike) -> Floats:
     """Distances (...) of points (..., 2) to lines, or of points (..., 3) to planes.
 
-    ``hyperplane`` (..., 3) or (..., 4) may have any scale. NaN where it has no normal.
+    ``hyperplane`` (..., 3) or (..., 4) may have any scale; a negative one turns the sign of the
+    distance, as it turns the normal. NaN where it has no normal.
     """
     unit, position = _unit_normal(hyperplane), np.asarray(points, float)
     with np.errstate(over="ignore", invalid="ignore"):
