@@ -17,7 +17,6 @@ from simulations.models import (
     transforms,
     transforms_3d,
 )
-from simulations.models.transforms import apply_homography
 from simulations.models.view_homographies import in_front, plane_between_views, turned_camera
 
 HORIZON = np.array([[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [1.0, 0.0, -1.0]])

@@ -107,7 +107,8 @@ def _kept_on_sheet(wanted: Floats, start: Floats, lens: DecentredLens) -> Floats
     off = _residual(points, wanted, lens)
     moving = np.arange(len(points))
     for _ in range(CAREFUL_STEPS):
-        step = newton_step(lens.linearised, points[moving], wanted[moving])
+        places = (*points[moving].T, *wanted[moving].T)
+        step = np.stack(newton_step(lens.linearised, *places), axis=-1)
         stuck = np.ones(len(moving), bool)
         for halvings in range(MOST_HALVINGS):
             tried = points[moving[stuck]] - step[stuck] / 2.0**halvings

@@ -77,9 +77,15 @@ def scale_and_slope(profile: RadialProfile, radius_squared: ArrayLike) -> tuple[
 
 
 def slope(profile: RadialProfile, radius: ArrayLike) -> Floats:
-    """``f'(r)``: term by term for a polynomial, else ``g + 2 s g'`` with g = `scale`, s = r²."""
+    """``f'(r)``."""
+    with np.errstate(over="ignore"):
+        return slope_at_squared(profile, np.square(np.asarray(radius, float)))
+
+
+def slope_at_squared(profile: RadialProfile, radius_squared: ArrayLike) -> Floats:
+    """``f'(r)`` from s = r²: term by term for a polynomial, else ``g + 2 s g'``."""
+    s = np.asarray(radius_squared, float)
     with np.errstate(over="ignore", invalid="ignore"):
-        s = np.square(np.asarray(radius, float))
         if any(profile.denominator):
             result: Floats = scale(profile, s) + 2.0 * s * scale_slope(profile, s)
             return result

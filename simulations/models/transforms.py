@@ -178,7 +178,7 @@ def clip_to_visible(
         raise ValueError(f"w_minimum: {w_minimum}; legal: {W_MINIMUM} to 1")
     side = float(sign_of_w(_in_range("H", np.asarray(H, float)), seen))
     if side == 0.0:
-        raise ValueError(f"seen: {seen}; legal: beside the line that H sends to infinity")
+        raise ValueError(f"seen: {seen!r}; legal: beside the line that H sends to infinity")
     matrix = side * _scaled(H)
     vertices = _in_range("polygon", _vertices(polygon))
     if not len(vertices):

@@ -148,6 +148,6 @@ SCENE = Scene(
     tiers=TIERS,
     default_tier=DEFAULT_TIER,
     draft_tier=DEFAULT_TIER,
-    ladder="inverse-distortion",
+    ladder="inverse-strong",
     error=error,
 )

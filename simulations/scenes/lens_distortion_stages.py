@@ -43,12 +43,13 @@ TIERS = (
     "lookup-table",
     "newton-3",
     "newton-4",
+    "newton-5",
     "fixed-point-5",
     "fixed-point-10",
     "checked-table",
     "newton-bracketed",
 )
-"""Ways to find where a pixel's light comes from: rungs of the ladder `inverse-distortion`."""
+"""Ways to find where a pixel's light comes from: rungs of the ladder `inverse-strong`."""
 DEFAULT_TIER = "checked-table"
 
 
