@@ -16,14 +16,9 @@ from collections.abc import Callable
 import numpy as np
 from numpy.typing import ArrayLike
 
-from simulations.models import radial_inverse
+from simulations.models import radial_inverse, radial_profile
 from simulations.models.distortion import Distortion, Floats
-from simulations.models.radial_profile import (
-    RadialProfile,
-    fold_radius,
-    scale,
-    slope_at_squared,
-)
+from simulations.models.radial_profile import RadialProfile
 
 TABLE_ENTRIES = 1025
 """Enough for linear interpolation to err by ten-thousandths of a pixel."""
@@ -52,7 +47,7 @@ def undistort_fixed_point(xy: ArrayLike, d: Distortion, steps: int) -> Floats:
 def _fixed_point(profile: RadialProfile, t: Floats, steps: int) -> Floats:
     factor, s = np.ones_like(t), t
     for _ in range(steps):
-        factor = 1.0 / scale(profile, s)
+        factor = 1.0 / radial_profile.scale(profile, s)
         s = factor * factor * t
     return factor
 
@@ -68,7 +63,9 @@ def undistort_newton(xy: ArrayLike, d: Distortion, steps: int) -> Floats:
 def _newton(profile: RadialProfile, t: Floats, steps: int) -> Floats:
     factor, s = np.ones_like(t), t
     for _ in range(steps):
-        factor = factor - (factor * scale(profile, s) - 1.0) / slope_at_squared(profile, s)
+        factor = factor - (
+            factor * radial_profile.scale(profile, s) - 1.0
+        ) / radial_profile.slope_at_squared(profile, s)
         s = factor * factor * t
     return factor
 
@@ -84,13 +81,13 @@ def undistort_table(xy: ArrayLike, d: Distortion, entries: int = TABLE_ENTRIES) 
 
 def _table(profile: RadialProfile, furthest: float, entries: int) -> tuple[Floats, float]:
     """ρ at evenly spaced t, and the largest t, which is ``furthest`` or the fold's."""
-    reach = fold_radius(profile) ** 2
+    reach = radial_profile.fold_radius(profile) ** 2
     if reach == np.inf:
         reach = 1.0
-        while reach * scale(profile, reach) ** 2 < furthest:
+        while reach * radial_profile.scale(profile, reach) ** 2 < furthest:
             reach *= 1.5
     s = np.linspace(0.0, reach, SAMPLES_PER_ENTRY * entries)
-    g = scale(profile, s)
+    g = radial_profile.scale(profile, s)
     images = s * g * g
     limit = min(furthest, float(images[-1]))
     return np.interp(np.linspace(0.0, limit, entries), images, 1.0 / g), limit
