@@ -28,7 +28,8 @@ SCENE_MODULES = {
 
 LADDER_MODULES = {
     "inverse-distortion": "simulations.ladders.inverse_distortion",
-    "inverse-pincushion": "simulations.ladders.inverse_pincushion",
+    "inverse-strong": "simulations.ladders.inverse_strong",
+    "inverse-decentring": "simulations.ladders.inverse_decentring",
     "srgb": "simulations.ladders.srgb",
     "demosaicing": "simulations.ladders.demosaicing",
     "resampling": "simulations.ladders.resampling",

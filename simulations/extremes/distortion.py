@@ -31,6 +31,7 @@ TABLE = ExtremeTable(
         **vars(distortion),  # last: its fold_radius is a lens's, not a profile's
         "BARREL": Distortion(k1=-0.3),
         "PINCUSHION": Distortion(k1=0.5),
+        "NARROW": Distortion(k1=-0.3, k2=0.0404, p1=1e-4),
         "inf": np.inf,
         "nan": np.nan,
     },
@@ -164,6 +165,13 @@ TABLE = ExtremeTable(
             returns="No point.",
             expected=invalid,
             library=LibraryAnswer(UNDO.format("0.0, -30.0", "0, 0, 0.1, 0.0", 100), "[nan, nan]"),
+        ),
+        ExtremeCase(
+            id="narrow-fold-off-centre",
+            call="undistort(distort([0.0, 2.1], NARROW), NARROW)",
+            why="The map turns back at 1.455 and forth again at 1.529: 1.3° of the view.",
+            returns="Invalid: whether it turns over on the way is decided, and not sampled.",
+            expected=lambda got: not got[1],
         ),
         ExtremeCase(
             id="undistort-nan",

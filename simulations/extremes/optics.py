@@ -246,6 +246,14 @@ TABLE = ExtremeTable(
             naive="2 * np.arccos(1.9999999 / 2) - 1.9999999 * np.sqrt(1 - (1.9999999 / 2) ** 2)",
         ),
         ExtremeCase(
+            id="disc-on-the-rim-of-a-huge-one",
+            call="disc_overlap_area(1e20, 1.0, 1e20)",
+            why="Its sector and its kite are 1e20 each; their difference, the answer, is below 2.",
+            returns="π/2, to rounding: segments are added, and sectors never subtracted.",
+            expected=near(np.pi / 2, 1e-15),
+            naive="1e40 * np.arcsin(1e-20) - 1e20 * 1.0",
+        ),
+        ExtremeCase(
             id="disc-beyond-memory",
             call="disc_blur(np.ones((3, 8, 8), np.float32), 1e6)",
             why="A grid coarse enough for such a disc, brought back to pixels, is a million wide.",

@@ -17,9 +17,10 @@ from simulations.models import (
     transforms,
     transforms_3d,
 )
-from simulations.models.view_homographies import plane_between_views
+from simulations.models.view_homographies import in_front, plane_between_views, turned_camera
 
 HORIZON = np.array([[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [1.0, 0.0, -1.0]])
+PICTURE = np.array([[-400.0, -300.0], [400.0, -300.0], [400.0, 300.0], [-400.0, 300.0]])
 SQUARE = np.array([[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]])
 IN_CV2 = "cv2.perspectiveTransform(np.array([[[{}]]]), np.array([{}]))[0, 0]"
 ROWS = "[1.0, 0, 0], [0, 1, 0], [1, 0, -1]"
@@ -33,6 +34,11 @@ TABLE = ExtremeTable(
         **vars(homography_estimation),
         "transforms_3d": transforms_3d,
         "plane_between_views": plane_between_views,
+        "turned_camera": turned_camera,
+        "in_front": in_front,
+        "K": np.array([[800.0, 0.0, 320.0], [0.0, 800.0, 240.0], [0.0, 0.0, 1.0]]),
+        "ABOUT": np.diag([-1.0, 1.0, -1.0]),
+        "PICTURE": PICTURE,
         "LINE": np.outer([0.0, 1.0, 3.0], [1.0, 2.0, 3.0]),
         "CORNERS": np.array([[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]]),
         "HORIZON": HORIZON,
@@ -51,13 +57,22 @@ TABLE = ExtremeTable(
             library=LibraryAnswer(IN_CV2.format("1.0, 2.0", ROWS), "[0, 0]"),
         ),
         ExtremeCase(
-            id="beyond-the-horizon",
-            call="apply_homography(HORIZON, [0.0, 2.0])",
-            why="w is negative: the formula maps the point, to the wrong side of infinity.",
-            returns="No image. In a picture of a plane such a point is behind the camera.",
-            expected=invalid,
-            naive="np.array([0.0, 2.0]) / -1.0",
-            library=LibraryAnswer(IN_CV2.format("0.0, 2.0", ROWS), "[0, -2]"),
+            id="all-signs-turned",
+            call="apply_homography(-np.eye(3), [3.0, 4.0])",
+            why="−H is the same map as H, but its w is negative everywhere.",
+            returns="The point itself: w is judged by its size and not by its sign.",
+            expected=valid([3.0, 4.0]),
+            library=LibraryAnswer(
+                IN_CV2.format("3.0, 4.0", "[-1.0, 0, 0], [0, -1, 0], [0, 0, -1]"), "[3, 4]"
+            ),
+        ),
+        ExtremeCase(
+            id="behind-the-second-camera",
+            call="in_front(turned_camera(K, K, ABOUT), [340.0, 240.0])",
+            why="The camera has turned its back, yet division by a negative depth gives a pixel.",
+            returns="False. Only of a matrix made from two cameras does the sign of w say so.",
+            expected=lambda got: not got,
+            naive="apply_homography(turned_camera(K, K, ABOUT), [340.0, 240.0])[0]",
         ),
         ExtremeCase(
             id="w-is-rounding",
@@ -117,8 +132,8 @@ TABLE = ExtremeTable(
         ),
         ExtremeCase(
             id="nothing-in-sight",
-            call="clip_to_visible(HORIZON, [[-3, 0], [-2, 0], [-2, 1]]).shape",
-            why="The whole polygon lies beyond the line.",
+            call="clip_to_visible(HORIZON, [[3, 0], [2, 0], [2, 1]]).shape",
+            why="The whole polygon lies beyond the line, seen from the origin.",
             returns="An empty polygon of shape (0, 2).",
             expected=near((0, 2)),
         ),
@@ -192,6 +207,14 @@ TABLE = ExtremeTable(
             expected=invalid,
         ),
         ExtremeCase(
+            id="far-off-pictures",
+            call="apply_homography(estimate_homography(PICTURE + 1e6, PICTURE - 1e6)[0], "
+            "PICTURE + 1e6)[0] + 1e6",
+            why="Two pictures, 800 px wide, each a million px away from its origin.",
+            returns="The corners again, to a millionth of a pixel: as good as nine numbers can be.",
+            expected=lambda got: np.allclose(got, PICTURE, rtol=0.0, atol=1e-6),
+        ),
+        ExtremeCase(
             id="far-off-points",
             call="estimate_homography(SQUARE + 1e6, SQUARE)[0] @ [1e6 + 0.5, 1e6 + 0.5, 1.0]",
             why="A unit square a million units away: unnormalised, its equations span 1e12.",
@@ -231,12 +254,12 @@ TABLE = ExtremeTable(
             expected=invalid,
         ),
         ExtremeCase(
-            id="beyond-infinity-in-space",
-            call="transforms_3d.apply_transform(np.eye(4)[[0, 1, 2, 2]], [1.0, 2.0, -4.0])",
-            why="w = −4: the division mirrors what lies beyond the plane that is sent to infinity.",
+            id="on-the-plane-at-infinity-in-space",
+            call="transforms_3d.apply_transform(np.eye(4)[[0, 1, 2, 2]], [1.0, 2.0, 0.0])",
+            why="w = Z = 0: the plane Z = 0 is sent to infinity.",
             returns="Invalid.",
             expected=invalid,
-            naive="np.array([1.0, 2.0, -4.0]) / -4.0",
+            naive="np.array([1.0, 2.0, 0.0]) / 0.0",
         ),
         ExtremeCase(
             id="three-points-on-a-line-in-space",

@@ -46,10 +46,12 @@ def reference(workload: Workload) -> Floats:
 
     The polynomial is written out here, so that the tiers and their judge share no code. With
     k₁ = −0.3 and k₂ = 0.1, as with k₁ > 0 alone, the map increases everywhere: the root is unique.
+    With k₁ < 0 alone it does so up to r = √(−1/(3 k₁)), where the search ends.
     """
     k1, k2 = workload.lens.k1, workload.lens.k2
     seen_radius: Floats = np.linalg.norm(workload.seen, axis=-1)
-    low, high = np.zeros_like(seen_radius), np.full_like(seen_radius, 3.0)
+    furthest = np.sqrt(-1.0 / (3.0 * k1)) if k1 < 0.0 and not k2 else 3.0
+    low, high = np.zeros_like(seen_radius), np.full_like(seen_radius, furthest)
     for _ in range(60):
         middle = (low + high) / 2
         s = middle * middle
@@ -106,7 +108,7 @@ TIERS = (
             f"{2 * steps} polynomials",
             partial(_newton, steps=steps),
         )
-        for steps in (3, 4)
+        for steps in (3, 4, 5)
     ),
     *(
         Tier(
@@ -146,5 +148,5 @@ LADDER = Ladder(
     reference=reference,
     reference_label="bisection of the radius down to the last bit",
     metrics=METRICS,
-    default_tier="checked-table",
+    default_tier="newton-5",
 )

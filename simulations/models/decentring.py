@@ -10,18 +10,20 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from simulations.models.plane_newton import Linearisation, solve_in_plane
+from simulations.models.decentred_sheet import on_sheet_of_axis, sheet_of
+from simulations.models.plane_newton import Linearisation, newton_step, solve_in_plane
 from simulations.models.radial_inverse import FURTHEST
 from simulations.models.radial_profile import RadialProfile, scale_and_slope
 
 type Floats = NDArray[np.floating]
 type Mask = NDArray[np.bool_]
 
-SHEET_SAMPLES = 16
-"""Points between the axis and a solution at which the map must still keep its orientation."""
 
-SURE_SAMPLES = 257
-"""Radii at which it is asked how far out it keeps it in every direction."""
+CAREFUL_STEPS = 40
+"""For points that whole steps lose: halved ones that crawl along a fold are many."""
+
+MOST_HALVINGS = 12
+"""Of a step: one that does not help at a four-thousandth of its length will not help."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -45,50 +47,80 @@ class DecentredLens:
         mixed = y * (steepening + 2.0 * self.p2) + 2.0 * self.p1 * x
         return x * along + self.p2 * r2, y * along + self.p1 * r2, x_by_x, mixed, y_by_y
 
+    def on_sheet(self, ideal: Floats) -> Mask:
+        """Whether the map keeps its orientation all the way from the axis to points (N, 2)."""
+        return on_sheet_of_axis(ideal, self.radial, self.p1, self.p2)
+
+    @property
+    def sure_radius(self) -> float:
+        """Up to which it keeps it whatever the direction."""
+        return sheet_of(self.radial, self.p1, self.p2).sure
+
 
 def undo_decentred(seen: Floats, start: Floats, lens: DecentredLens) -> tuple[Floats, Mask]:
     """Ideal points (..., 2) of seen ones, by Newton's method in the plane; and validity.
 
     ``start`` is what the radial part alone makes of them, and what invalid points are left at.
     Valid are points within `FURTHEST` that the lens sends where they were seen, on the sheet of
-    the axis: between it and them the map nowhere turns over.
+    the axis: on the straight way from it to them the map nowhere turns over. What lies in the
+    shadow of a fold is refused even where the fold ends at its side: some of those points share
+    their image with one on the sheet.
+
+    Whole steps find nearly all points. The others are sought anew, by steps that never leave the
+    sheet.
     """
-    wanted = seen.reshape(-1, 2)
+    wanted, begin = seen.reshape(-1, 2), start.reshape(-1, 2)
     with np.errstate(over="ignore", invalid="ignore", divide="ignore"):
-        ideal = solve_in_plane(lens.linearised, wanted, start.reshape(-1, 2))
-        x, y, *_ = lens.linearised(ideal[:, 0], ideal[:, 1])
-        off = np.maximum(np.abs(x - wanted[:, 0]), np.abs(y - wanted[:, 1]))
-        size = np.maximum(np.abs(wanted[:, 0]), np.abs(wanted[:, 1]))
-        valid = off <= 1e-11 * (1.0 + size)  # false for NaN
-        valid &= np.hypot(ideal[:, 0], ideal[:, 1]) < FURTHEST
-        valid[valid] = _same_sheet(ideal[valid], lens)
-    ideal = np.where(valid[:, None], ideal, start.reshape(-1, 2))
+        ideal = solve_in_plane(lens.linearised, wanted, begin)
+        valid = _solved(ideal, wanted, lens)
+        lost = np.flatnonzero(~valid & np.isfinite(wanted).all(axis=1))
+        if lost.size:
+            ideal[lost] = _kept_on_sheet(wanted[lost], begin[lost], lens)
+            valid[lost] = _solved(ideal[lost], wanted[lost], lens)
+    ideal = np.where(valid[:, None], ideal, begin)
     return ideal.reshape(seen.shape), np.asarray(valid.reshape(seen.shape[:-1]))
 
 
-def _same_sheet(ideal: Floats, lens: DecentredLens) -> Mask:
-    """Whether the map keeps its orientation all the way from the axis to each point (N, 2)."""
-    radius = np.hypot(ideal[:, 0], ideal[:, 1])
-    keeps = radius <= _sure_radius(float(radius.max(initial=0.0)), lens)
-    doubtful = ideal[~keeps]
-    kept = np.ones(len(doubtful), bool)
-    for fraction in np.linspace(0.0, 1.0, SHEET_SAMPLES + 1)[1:]:
-        _, _, x_by_x, mixed, y_by_y = lens.linearised(
-            fraction * doubtful[:, 0], fraction * doubtful[:, 1]
-        )
-        kept &= x_by_x * y_by_y > mixed * mixed
-    keeps[~keeps] = kept
-    return keeps
+def _solved(ideal: Floats, wanted: Floats, lens: DecentredLens) -> Mask:
+    """Which of the points (N, 2) are sent where they are wanted, from the sheet of the axis."""
+    size = np.abs(wanted).max(axis=1, initial=0.0)
+    solved = _residual(ideal, wanted, lens) <= 1e-11 * (1.0 + size)  # false for NaN
+    solved &= np.hypot(ideal[:, 0], ideal[:, 1]) < FURTHEST
+    solved[solved] = lens.on_sheet(ideal[solved])
+    return np.asarray(solved)
 
 
-def _sure_radius(furthest: float, lens: DecentredLens) -> float:
-    """The radius, ``furthest`` at most, within which the map turns over in no direction.
+def _residual(ideal: Floats, wanted: Floats, lens: DecentredLens) -> Floats:
+    """How far from where they are wanted the lens sends points (N, 2): the larger coordinate."""
+    x, y, *_ = lens.linearised(ideal[:, 0], ideal[:, 1])
+    off: Floats = np.maximum(np.abs(x - wanted[:, 0]), np.abs(y - wanted[:, 1]))
+    return off
 
-    The radial part stretches by g across the radius and by f' along it; the tangential part
-    adds ``2 (p·x I + p xᵀ + x pᵀ)``, whose norm is 6 |p| r at most.
+
+def _kept_on_sheet(wanted: Floats, start: Floats, lens: DecentredLens) -> Floats:
+    """Newton's method from well within the sheet, each step halved until it stays there and helps.
+
+    Whole steps can jump over a fold and settle behind it. A point that no step helps is left.
     """
-    radius = np.linspace(0.0, furthest, SURE_SAMPLES)
-    g, g_slope = scale_and_slope(lens.radial, radius * radius)
-    least = np.minimum(g, g + 2.0 * radius * radius * g_slope)
-    sure = least > 6.0 * np.hypot(lens.p1, lens.p2) * radius
-    return furthest if sure.all() else float(radius[np.argmin(sure) - 1])
+    radius = np.hypot(start[:, 0], start[:, 1])
+    points = start * np.minimum(1.0, 0.9 * lens.sure_radius / np.maximum(radius, 1e-300))[:, None]
+    off = _residual(points, wanted, lens)
+    moving = np.arange(len(points))
+    for _ in range(CAREFUL_STEPS):
+        places = (*points[moving].T, *wanted[moving].T)
+        step = np.stack(newton_step(lens.linearised, *places), axis=-1)
+        stuck = np.ones(len(moving), bool)
+        for halvings in range(MOST_HALVINGS):
+            tried = points[moving[stuck]] - step[stuck] / 2.0**halvings
+            nearer = _residual(tried, wanted[moving[stuck]], lens)
+            helps = nearer < off[moving[stuck]]
+            helps[helps] = lens.on_sheet(tried[helps])
+            taken = np.flatnonzero(stuck)[helps]
+            points[moving[taken]], off[moving[taken]] = tried[helps], nearer[helps]
+            stuck[taken] = False
+            if not stuck.any():
+                break
+        moving = moving[~stuck]
+        if not moving.size:
+            break
+    return points

@@ -61,7 +61,7 @@ def is_singular(H: ArrayLike) -> bool:
 
 
 def invert(H: ArrayLike) -> Floats:
-    """H⁻¹, with its sign: what is visible, w > 0, before is visible after.
+    """H⁻¹, with its sign: where w > 0 before, it is after.
 
     Raises `ValueError` where H is singular in any units.
     """

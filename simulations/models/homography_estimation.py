@@ -32,13 +32,19 @@ def estimate_homography(source: ArrayLike, target: ArrayLike) -> Estimate:
 
     Exact for four points, no three of them collinear. For more, the direct linear transform: it
     minimises an algebraic error in coordinates normalised to the spread of the points, without
-    which the squares of pixel coordinates would drown the rest. All source points are on the
-    visible side, w > 0.
+    which the squares of pixel coordinates would drown the rest. Of the multiples of H that one is
+    returned of which w is positive at the source points, with h₃₃ = 1 where that has a meaning.
 
-    Also invalid where nine numbers cannot hold the answer. Far from the origin w is a small
-    difference of large terms, and rounding H moves the images by ε · (distance / spread) of the
-    one picture times that of the other, as a share of their spread. Where that is more than
-    `MOST_LOST`, subtract a point near the middle of each picture first.
+    Returns
+    -------
+    H : (3, 3). Its nine rounded numbers move the images by less than ε · (distance / spread) of
+        the one picture times that of the other, as a share of their spread, where ε = 2.2e-16 and
+        the distances are those from the origins. Two pictures 800 px wide, both a million px
+        away from theirs, come out to 1e-7 px, and to 2e-6 px for certain.
+    valid : also False where that bound exceeds `MOST_LOST`, so that nine numbers cannot hold the
+        answer: subtract a point near the middle of each picture first. And False where the
+        source points lie on both sides of the line that is sent to infinity, as those of no
+        picture do.
     """
     before, after = _pairs(source, target)
     T_before, T_after = normalisation(before), normalisation(after)
@@ -49,7 +55,8 @@ def estimate_homography(source: ArrayLike, target: ArrayLike) -> Estimate:
     system = _direct_linear_system(
         apply_homography(T_before, before)[0], apply_homography(T_after, after)[0]
     )
-    _, sizes, Vt = np.linalg.svd(system)
+    # The rows of V alone matter. Eight equations have a ninth row only where V is asked for whole.
+    _, sizes, Vt = np.linalg.svd(system, full_matrices=len(system) < 9)
     H_normalised = Vt[8].reshape(3, 3)
     if sizes[7] <= DEGENERATE * sizes[0] or is_singular(H_normalised):
         return _undetermined()

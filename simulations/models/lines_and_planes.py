@@ -83,7 +83,8 @@ def plane_through(p: ArrayLike, q: ArrayLike, r: ArrayLike) -> tuple[Floats, Mas
 def signed_distance(points: ArrayLike, hyperplane: ArrayLike) -> Floats:
     """Distances (...) of points (..., 2) to lines, or of points (..., 3) to planes.
 
-    ``hyperplane`` (..., 3) or (..., 4) may have any scale. NaN where it has no normal.
+    ``hyperplane`` (..., 3) or (..., 4) may have any scale; a negative one turns the sign of the
+    distance, as it turns the normal. NaN where it has no normal.
     """
     entries = np.asarray(hyperplane, float)
     dimensions = 3 if entries.shape[-1:] == (4,) else 2

@@ -33,20 +33,35 @@ def solve_in_plane(
     (N, 2) floats. Whoever calls asks the map whether they are solutions: a point may have run
     off, to NaN even. A point that has settled costs nothing more while others go on.
     """
-    points = start.T.copy()
-    moving = np.arange(len(start))
+    found = np.empty_like(start)
+    places = np.arange(len(start))
+    (x, y), (wanted_x, wanted_y) = start.T.copy(), wanted.T.copy()
     for _ in range(MOST_STEPS):
-        x, y = points[:, moving]
-        seen_x, seen_y, x_by_x, mixed, y_by_y = linearised(x, y)
-        right, down = seen_x - wanted[moving, 0], seen_y - wanted[moving, 1]
-        determinant = x_by_x * y_by_y - mixed * mixed
-        step_x = (y_by_y * right - mixed * down) / determinant
-        step_y = (x_by_x * down - mixed * right) / determinant
-        points[0, moving], points[1, moving] = x - step_x, y - step_y
+        step_x, step_y = newton_step(linearised, x, y, wanted_x, wanted_y)
         # The error was squared: at the next step nothing would be left to gain. NaN stops too.
         size = np.maximum(np.maximum(np.abs(x), np.abs(y)), 1.0)
         going = np.maximum(np.abs(step_x), np.abs(step_y)) > SETTLED * size
-        if not going.any():
+        x, y = x - step_x, y - step_y
+        if going.all():
+            continue
+        found[places[~going]] = np.stack((x[~going], y[~going]), axis=-1)
+        places, x, y = places[going], x[going], y[going]
+        wanted_x, wanted_y = wanted_x[going], wanted_y[going]
+        if not places.size:
             break
-        moving = moving[going]
-    return points.T
+    found[places] = np.stack((x, y), axis=-1)
+    return found
+
+
+def newton_step(
+    linearised: Callable[[Floats, Floats], Linearisation],
+    x: Floats,
+    y: Floats,
+    wanted_x: Floats,
+    wanted_y: Floats,
+) -> tuple[Floats, Floats]:
+    """What one step of Newton's method subtracts from x and y, by Cramer's rule; all (...)."""
+    seen_x, seen_y, x_by_x, mixed, y_by_y = linearised(x, y)
+    right, down = seen_x - wanted_x, seen_y - wanted_y
+    inverse = 1.0 / (x_by_x * y_by_y - mixed * mixed)
+    return (y_by_y * right - mixed * down) * inverse, (x_by_x * down - mixed * right) * inverse

@@ -78,7 +78,7 @@ def project(points_camera: ArrayLike, K: ArrayLike) -> tuple[Floats, Mask]:
 
 
 def project_homogeneous(points: ArrayLike, camera_matrix: ArrayLike) -> tuple[Floats, Mask]:
-    """Pixels of homogeneous world points (X, Y, Z, W) through P = K [R | t].
+    """Pixels of homogeneous world points (X, Y, Z, W) through P = K [R | t], or any c P, c ≠ 0.
 
     With W = 0 the point lies at infinity in direction (X, Y, Z): its pixel is where parallel
     lines of that direction meet. (X, Y, Z, W) and its negative are the same point when W ≠ 0,
@@ -87,7 +87,8 @@ def project_homogeneous(points: ArrayLike, camera_matrix: ArrayLike) -> tuple[Fl
     Parameters
     ----------
     points : (..., 4)
-    camera_matrix : (3, 4) from `camera_matrix`, whose last row measures depth.
+    camera_matrix : (3, 4) from `camera_matrix`, whose last row measures depth. That of c P does
+        so in other units; where c is negative, det(K R) is, and the sign is turned back.
 
     Returns
     -------
@@ -101,7 +102,9 @@ def project_homogeneous(points: ArrayLike, camera_matrix: ArrayLike) -> tuple[Fl
     largest = np.abs(homogeneous).max(axis=-1, keepdims=True)
     scaled = homogeneous / np.where(largest > 0.0, largest, 1.0)  # products cannot overflow
     oriented = np.where(scaled[..., 3:] < 0.0, -scaled, scaled)
-    image = oriented @ np.asarray(camera_matrix, float).T
+    P = np.asarray(camera_matrix, float)
+    size = max(float(np.abs(P).max()), 1e-300)
+    image = oriented @ (-P if np.linalg.det(P[:, :3] / size) < 0.0 else P).T
     depth = image[..., 2:]
     with np.errstate(divide="ignore", invalid="ignore", over="ignore"):
         pixels = image[..., :2] / depth

@@ -77,9 +77,15 @@ def scale_and_slope(profile: RadialProfile, radius_squared: ArrayLike) -> tuple[
 
 
 def slope(profile: RadialProfile, radius: ArrayLike) -> Floats:
-    """``f'(r)``: term by term for a polynomial, else ``g + 2 s g'`` with g = `scale`, s = r²."""
+    """``f'(r)``."""
+    with np.errstate(over="ignore"):
+        return slope_at_squared(profile, np.square(np.asarray(radius, float)))
+
+
+def slope_at_squared(profile: RadialProfile, radius_squared: ArrayLike) -> Floats:
+    """``f'(r)`` from s = r²: term by term for a polynomial, else ``g + 2 s g'``."""
+    s = np.asarray(radius_squared, float)
     with np.errstate(over="ignore", invalid="ignore"):
-        s = np.square(np.asarray(radius, float))
         if any(profile.denominator):
             result: Floats = scale(profile, s) + 2.0 * s * scale_slope(profile, s)
             return result
@@ -95,10 +101,9 @@ def fold_radius(profile: RadialProfile) -> float:
     f where that comes first. A slope that touches zero without changing sign counts: an
     inverse exists there but cannot be computed stably.
     """
-    first = _smallest_positive(_inverse_roots(_slope_numerator(profile)))
+    first = smallest_positive_root(_slope_numerator(profile))
     if any(profile.denominator):
-        poles = _inverse_roots(np.array((1.0, *profile.denominator)))
-        first = min(first, _smallest_positive(poles))
+        first = min(first, smallest_positive_root(np.array((1.0, *profile.denominator))))
     return sqrt(first)
 
 
@@ -177,8 +182,12 @@ def _inverse_roots(coefficients: Floats) -> NDArray[np.inexact]:
     return np.roots(coefficients)
 
 
-def _smallest_positive(inverse_roots: NDArray[np.inexact]) -> float:
-    """The smallest real s > 0 among those whose inverses are given, or inf."""
+def smallest_positive_root(coefficients: Floats) -> float:
+    """The smallest s > 0 with ``1 + c₁s + c₂s² + … = 0``, or inf where there is none.
+
+    ``coefficients`` (n + 1,) of rising powers, the first of them 1. A double root counts.
+    """
+    inverse_roots = _inverse_roots(coefficients)
     real = np.abs(inverse_roots.imag) <= 1e-9 * inverse_roots.real
     largest = max((root for root in inverse_roots.real[real] if root > 1e-300), default=0.0)
     return 1.0 / largest if largest else inf

@@ -5,8 +5,11 @@ Angles turn the x axis towards the y axis: counter-clockwise where y points up, 
 it points down.
 
 A projective matrix divides by w, and w may vanish: the points with w = 0 form a line that is
-sent to infinity. H and k H with k > 0 are the same map; the sign decides which side of that
-line counts as visible, namely w > 0. `projective` picks the side of the origin.
+sent to infinity. H and c H are the same map for every c ≠ 0, so the sign of w alone says nothing.
+That two points have w of unlike sign does: the line parts them, and the segment between them is
+torn. Whoever draws says on which side of the line the reader stands, by a point of it:
+`clip_to_visible`. Only of a matrix made from two cameras does the sign itself have a meaning; see
+`simulations.models.view_homographies`.
 
 Source: Szeliski, Computer Vision, 2nd ed., §2.1.1–2.1.2, table 2.1.
 """
@@ -60,9 +63,9 @@ def affine(matrix: ArrayLike, offset: ArrayLike) -> Floats:
 def projective(h: ArrayLike) -> Floats:
     """Any homography, from its (3, 3) matrix or its nine entries. Keeps straight lines only.
 
-    The result is scaled to h₃₃ = 1, so that the origin is on the visible side; where h₃₃ is
-    zero beside the other entries, to unit norm with the first non-zero entry of the last row
-    positive. Raises `ValueError` for the zero matrix and for entries that are not finite.
+    The result is scaled to h₃₃ = 1, so that w > 0 on the side of the origin; where h₃₃ is zero
+    beside the other entries, to unit norm with the first non-zero entry of the last row positive.
+    Raises `ValueError` for the zero matrix and for entries that are not finite.
     """
     H = _finite(np.array(h, dtype=float).reshape(3, 3))
     largest = float(np.abs(H).max())
@@ -82,14 +85,15 @@ def _finite(H: Floats) -> Floats:
 
 
 def apply_homography(H: ArrayLike, points: ArrayLike) -> tuple[Floats, Mask]:
-    """Images of points (..., 2) under H.
+    """Images of points (..., 2) under H; c H has the same for every c ≠ 0.
 
     Returns
     -------
-    images : (..., 2), NaN where invalid.
-    valid : (...,) bool, False on the line that is sent to infinity and beyond it, where
-        w ≤ W_MINIMUM · (|h₃₁ x| + |h₃₂ y| + |h₃₃|): there w is rounding or negative. False
-        also where an entry of H or of the point is not finite, or the image is too far off.
+    images : (..., 2), NaN where invalid. Points on the two sides of the line that is sent to
+        infinity both have images, but no figure that crosses the line has a connected one.
+    valid : (...,) bool, False on that line, where |w| ≤ W_MINIMUM · (|h₃₁ x| + |h₃₂ y| + |h₃₃|):
+        there w is rounding. False also where an entry of H or of the point is not finite, or
+        the image is too far off.
     """
     matrix = _scaled(H)
     xy = as_vectors("points", points, 2)
@@ -97,11 +101,23 @@ def apply_homography(H: ArrayLike, points: ArrayLike) -> tuple[Floats, Mask]:
     xy = np.where(finite[..., None], xy, 0.0)
     with np.errstate(over="ignore", invalid="ignore"):
         w, size = _divisor(matrix, xy)
-        valid = finite & (w > W_MINIMUM * size)
+        valid = finite & (np.abs(w) > W_MINIMUM * size)
         numerator = xy @ matrix[:2, :2].T + matrix[:2, 2]
         images = numerator / np.where(valid, w, 1.0)[..., None]
     valid &= np.isfinite(images).all(axis=-1)
     return np.where(valid[..., None], images, np.nan), valid
+
+
+def sign_of_w(H: ArrayLike, points: ArrayLike) -> Floats:
+    """On which side of the line that H sends to infinity points (..., 2) lie: −1, 0 or 1, (...).
+
+    0 also where w is rounding or not finite. −H has the opposite signs.
+    """
+    xy = as_vectors("points", points, 2)
+    with np.errstate(over="ignore", invalid="ignore"):
+        w, size = _divisor(_scaled(H), xy)
+        beside = np.isfinite(w) & (np.abs(w) > W_MINIMUM * size)
+    return np.where(beside, np.sign(w), 0.0)
 
 
 def _scaled(H: ArrayLike) -> Floats:
@@ -141,18 +157,29 @@ def clip_half_plane(polygon: ArrayLike, line: ArrayLike, closed: bool = True) ->
 
 
 def clip_to_visible(
-    H: ArrayLike, polygon: ArrayLike, w_minimum: float = 1e-6, closed: bool = True
+    H: ArrayLike,
+    polygon: ArrayLike,
+    w_minimum: float = 1e-6,
+    closed: bool = True,
+    *,
+    seen: ArrayLike = (0.0, 0.0),
 ) -> Floats:
     """The part of a polygon (N, 2), before the transformation, that H keeps in sight.
 
-    Vertices on two sides of the line w = 0 must never be joined after the division: the edge
-    would run the wrong way round infinity. Clipping where w ≥ ``w_minimum`` times the largest w
-    of the vertices, before the division, is exact and leaves only points that
-    `apply_homography` maps. Returns (M, 2), M = 0 where the polygon is wholly out of sight.
+    In sight is the side on which the point ``seen`` (2,) lies of the line that H sends to
+    infinity. Vertices on the two sides must never be joined after the division: the edge would
+    run the wrong way round infinity. Clipping where |w| ≥ ``w_minimum`` times the largest w of
+    the vertices, before the division, is exact and leaves only points that `apply_homography`
+    maps. Returns (M, 2), M = 0 where the polygon is wholly out of sight.
+
+    Raises `ValueError` where ``seen`` lies on that line, and for numbers beyond `CLIP_RANGE`.
     """
     if not W_MINIMUM < w_minimum < 1.0:
         raise ValueError(f"w_minimum: {w_minimum}; legal: {W_MINIMUM} to 1")
-    matrix = _in_range("H", _scaled(H))
+    side = float(sign_of_w(_in_range("H", np.asarray(H, float)), seen))
+    if side == 0.0:
+        raise ValueError(f"seen: {seen!r}; legal: beside the line that H sends to infinity")
+    matrix = side * _scaled(H)
     vertices = _in_range("polygon", _vertices(polygon))
     if not len(vertices):
         return vertices

@@ -1,9 +1,8 @@
 """The ladder of 3D transformations as (4, 4) matrices on homogeneous points (X, Y, Z, 1).
 
 Translation (3 degrees of freedom), rigid (6), similarity (7), affine (12), projective (15). They
-compose as matrices do, ``second @ first``. The convention for w is that of the plane, in
-`simulations.models.transforms`: points with w = 0 form a plane that is sent to infinity, and
-w > 0 is the visible side of it.
+compose as matrices do, ``second @ first``. As in the plane (`simulations.models.transforms`), the
+points with w = 0 form a plane that is sent to infinity, and H and c H are the same map, c ≠ 0.
 
 Source: Szeliski, Computer Vision, 2nd ed., §2.1.3, table 2.2; §8.1.5 for the estimate (Umeyama,
 Least-squares estimation of transformation parameters, 1991).
@@ -59,20 +58,20 @@ def affine(matrix: ArrayLike, offset: ArrayLike) -> Floats:
 
 
 def apply_transform(H: ArrayLike, points: ArrayLike) -> tuple[Floats, Mask]:
-    """Images of points (..., 3) under any (4, 4) matrix H, projective ones included.
+    """Images of points (..., 3) under any (4, 4) matrix H; c H has the same for every c ≠ 0.
 
     Returns
     -------
     images : (..., 3), NaN where invalid.
-    valid : (...,) bool, False where w ≤ W_MINIMUM · Σ|terms of w|: on the plane that is sent to
-        infinity and beyond it. False also where a number is not finite, or the image too far.
+    valid : (...,) bool, False where |w| ≤ W_MINIMUM · Σ|terms of w|: on the plane that is sent
+        to infinity. False also where a number is not finite, or the image too far.
     """
     matrix = as_array("H", H, 4, 4)
     place = as_vectors("points", points, 3)
     with np.errstate(over="ignore", invalid="ignore"):
         w = place @ matrix[3, :3] + matrix[3, 3]
         size = np.abs(place) @ np.abs(matrix[3, :3]) + np.abs(matrix[3, 3])
-        valid = np.asarray(w > W_MINIMUM * size)  # false for NaN
+        valid = np.asarray(np.abs(w) > W_MINIMUM * size)  # false for NaN
         moved = place @ matrix[:3, :3].T + matrix[:3, 3]
         images = moved / np.where(valid, w, 1.0)[..., None]
         valid &= np.isfinite(images).all(axis=-1)

@@ -4,7 +4,9 @@ It does for a camera that only turns about its centre, whatever it sees, and for
 flat, however the camera moves. For anything else the depth of each pixel decides.
 
 Pixels and frames as in `simulations.models.projection`. The matrices go through
-`transforms.apply_homography`, whose ``valid`` then tells what lies before the second camera.
+`transforms.apply_homography`. It would map what lies behind the second camera too, as any multiple
+of H would. The two made here are scaled so that w is the depth before the second camera over the
+depth before the first, whose sign is what `in_front` asks for.
 
 Source: Szeliski, Computer Vision, 2nd ed., §2.1.4 (mapping from one camera to another), §8.2.3.
 """
@@ -13,8 +15,9 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from simulations.models.floats import as_vectors
-from simulations.models.projection import Floats
+from simulations.models.projection import Floats, Mask
 from simulations.models.rotations import check_rotation
+from simulations.models.transforms import sign_of_w
 
 
 def turned_camera(K_first: ArrayLike, K_second: ArrayLike, R: ArrayLike) -> Floats:
@@ -50,6 +53,14 @@ def plane_between_views(
         raise ValueError(f"plane {numbers.tolist()}; legal: finite, beside the first camera")
     R = check_rotation(pose[:3, :3])
     return _between(K_first, K_second, R - np.outer(pose[:3, 3], normal / offset))
+
+
+def in_front(H: ArrayLike, pixels: ArrayLike) -> Mask:
+    """Whether what the first picture has at pixels (..., 2) is before the second camera, (...).
+
+    ``H`` (3, 3) is one of this module, with its sign: −H maps alike and would say the opposite.
+    """
+    return np.asarray(sign_of_w(H, pixels) > 0.0)
 
 
 def _between(K_first: ArrayLike, K_second: ArrayLike, motion: Floats) -> Floats:

@@ -70,9 +70,10 @@ def mechanical_vignetting(
 def disc_overlap_area(distance: ArrayLike, radius_a: float, radius_b: float) -> Floats:
     """Area (...) common to two discs whose centres are ``distance`` (...) apart.
 
-    Two sectors less the kite between the centres and the points where the circles meet. Its area
-    is taken from the three lengths by Heron's formula, and the angles from it: an arccosine would
-    lose half of the digits where the discs just touch.
+    The chord through the points where the circles meet cuts it into two segments. The chord comes
+    from the three lengths by Heron's formula, and the angles from the chord: an arccosine would
+    lose half of the digits where the discs just touch, and sectors less the kite between them all
+    of the digits where one disc is many times as large as the other.
 
     Parameters
     ----------
@@ -86,14 +87,23 @@ def disc_overlap_area(distance: ArrayLike, radius_a: float, radius_b: float) -> 
     apart = np.abs(np.asarray(distance, float))
     d = np.clip(apart, gap, large + small)  # outside, the formula is at its limits
     # The difference of neighbouring numbers first: it is exact.
-    beyond = d - large
-    product = small - beyond
-    product *= small + beyond
-    product *= d + gap
-    product *= d + (large + small)
-    kite = np.sqrt(np.maximum(product, 0.0))  # twice its area
-    square, lead = d * d, gap * (large + small)
-    area = small**2 * np.arctan2(kite, square - lead)
-    area += large**2 * np.arctan2(kite, square + lead)
-    area -= 0.5 * kite
-    return np.where(apart <= gap, full, np.clip(area, 0.0, full))
+    beyond = np.clip(apart - large, -small, small)
+    chord = np.sqrt((small - beyond) * (small + beyond))
+    chord *= np.sqrt((d + gap) * (d + (large + small)))  # times the distance, d
+    squares = gap * (large + small)
+    lead = np.where(d < small, d * d - squares, beyond * (d + large) + small * small)
+    area = _segment(small, np.arctan2(chord, lead))
+    area += _segment(large, np.arctan2(chord, d * d + squares))
+    return np.where(apart - large <= -small, full, np.clip(area, 0.0, full))
+
+
+def _segment(radius: float, half_angle: Floats) -> Floats:
+    """Area of a disc beyond a chord that subtends twice the angle: R² (α − sin α cos α)."""
+    turn = 2.0 * half_angle
+    square = np.minimum(turn * turn, 1.0)
+    series = np.zeros_like(turn)
+    for k in range(15, 1, -2):  # turn − sin turn = turn³/3! − turn⁵/5! + … , for small turns
+        series = square / (k * (k - 1)) * (1.0 - series)
+    lens = np.where(turn < 1.0, series * turn, turn - np.sin(turn))
+    result: Floats = 0.5 * (radius * lens) * radius
+    return result

@@ -5,6 +5,8 @@ normalised image coordinates. Linear luminance as grey RGB; the chart goes on fo
 picture reaches.
 """
 
+from dataclasses import dataclass
+
 import numpy as np
 from numpy.typing import NDArray
 
@@ -32,14 +34,44 @@ def resolution_chart(width: int, height: int, focal_px: float) -> Floats:
         raise ValueError(f"{width} x {height}, focal_px {focal_px!r}: must be positive and finite")
     column = (np.arange(width) - 0.5 * (width - 1)) / focal_px
     row = (np.arange(height) - 0.5 * (height - 1)) / focal_px
-    x, y = np.meshgrid(column.astype(np.float32), row.astype(np.float32))
+    x, y = column.astype(np.float32)[None], row.astype(np.float32)[:, None]
     pixel = np.float32(1.0 / focal_px)
     picture = np.broadcast_to(np.asarray(PAPER, np.float32), (height, width, 3))
-    picture = _grid(picture, x, y, pixel)
-    picture = _border(picture, x, y, pixel)
-    picture = _stars(picture, x, y, pixel)
-    picture = _line_pairs(picture, x, y, pixel)
-    return _slanted_edge(picture, x, y, pixel).astype(np.float32)
+    picture = _border(_grid(picture, x, y, pixel), x, y, pixel)
+    chart = Part(np.ascontiguousarray(picture, np.float32), x, y, pixel)
+    _stars(chart)
+    _line_pairs(chart)
+    _slanted_edge(chart)
+    return chart.picture
+
+
+@dataclass(frozen=True, slots=True)
+class Part:
+    """A piece of the chart, to be painted in place: what is small is drawn where it is."""
+
+    picture: Floats
+    """(h, w, 3)"""
+    x: Floats
+    """(1, w) coordinates of its columns; with ``y`` they broadcast to all of its pixels."""
+    y: Floats
+    """(h, 1) coordinates of its rows."""
+    pixel: np.float32
+    """Width of a pixel."""
+
+    def around(self, centre: tuple[float, float], half_size: tuple[float, float]) -> "Part":
+        """The pixels that a rectangle touches, and a pixel more on each side."""
+        columns, rows = (
+            slice(
+                *np.searchsorted(
+                    along.ravel(), (at - half - 2 * self.pixel, at + half + 2 * self.pixel)
+                )
+            )
+            for along, at, half in zip((self.x, self.y), centre, half_size, strict=True)
+        )
+        return Part(self.picture[rows, columns], self.x[:, columns], self.y[rows], self.pixel)
+
+    def paint(self, colour: tuple[float, ...], amount: Floats) -> None:
+        self.picture[:] = blend(self.picture, colour, amount)
 
 
 def _grid(picture: Floats, x: Floats, y: Floats, pixel: np.float32) -> Floats:
@@ -60,35 +92,43 @@ def _border(picture: Floats, x: Floats, y: Floats, pixel: np.float32) -> Floats:
     return blend(tiles, blend(np.zeros_like(picture) + np.float32(0.05), muted, wall), outside)
 
 
-def _stars(picture: Floats, x: Floats, y: Floats, pixel: np.float32) -> Floats:
+def _stars(chart: Part) -> None:
     for centre_x, centre_y in STAR_CENTRES:
-        star = siemens_star(x - centre_x, y - centre_y, STAR_SPOKES)
-        radius = np.hypot(x - centre_x, y - centre_y)
-        disc = np.clip((STAR_RADIUS - radius) / pixel + 0.5, 0.0, 1.0)
-        picture = blend(blend(picture, PAPER, disc), INK, disc * (1.0 - star))
-    return picture
+        part = chart.around((centre_x, centre_y), (STAR_RADIUS, STAR_RADIUS))
+        if min(part.picture.shape[:2]) < 2:  # hardly in view: a star has no slope to go by
+            continue
+        x, y = np.broadcast_arrays(part.x - centre_x, part.y - centre_y)
+        star = siemens_star(x, y, STAR_SPOKES)
+        disc = np.clip((STAR_RADIUS - np.hypot(x, y)) / part.pixel + 0.5, 0.0, 1.0)
+        part.paint(PAPER, disc)
+        part.paint(INK, disc * (1.0 - star))
 
 
-def _line_pairs(picture: Floats, x: Floats, y: Floats, pixel: np.float32) -> Floats:
+def _line_pairs(chart: Part) -> None:
     """Bars of five widths above and below the centre; the finest are one pixel at f = 200 px."""
     for step, width in enumerate((0.025, 0.018, 0.012, 0.008, 0.005)):
         left = -0.37 + 0.15 * step
-        for top, along in ((-0.48, x - left), (0.33, y - 0.33)):
-            field = band(x, left, left + 0.14, pixel) * band(y, top, top + 0.15, pixel)
-            bars = stripes(along - 0.5 * width, 2.0 * width, width, pixel)
-            picture = blend(blend(picture, PAPER, field), INK, field * bars)
-    return picture
+        for top, upright in ((-0.48, True), (0.33, False)):
+            part = chart.around((left + 0.07, top + 0.075), (0.07, 0.075))
+            along = part.x - left if upright else part.y - 0.33
+            field = band(part.x, left, left + 0.14, part.pixel) * band(
+                part.y, top, top + 0.15, part.pixel
+            )
+            bars = stripes(along - 0.5 * width, 2.0 * width, width, part.pixel)
+            part.paint(PAPER, field)
+            part.paint(INK, field * bars)
 
 
-def _slanted_edge(picture: Floats, x: Floats, y: Floats, pixel: np.float32) -> Floats:
+def _slanted_edge(chart: Part) -> None:
     """A dark square tilted by 5° on a clear field around the axis."""
-    field = _box(x, y, 0.19, 0.19, pixel)
+    part = chart.around((0.0, 0.0), (0.19, 0.19))
+    x, y, pixel = part.x, part.y, part.pixel
     across, down = x + EDGE_SLOPE * y, y - EDGE_SLOPE * x
     wide = pixel * np.float32(1.0 + EDGE_SLOPE)
-    square = _box(across, down, 0.12, 0.12, wide)
-    picture = blend(blend(picture, PAPER, field), INK, square)
+    part.paint(PAPER, _box(x, y, 0.19, 0.19, pixel))
+    part.paint(INK, _box(across, down, 0.12, 0.12, wide))
     hair = np.maximum(band(x, -0.002, 0.002, pixel), band(y, -0.002, 0.002, pixel))
-    return blend(picture, (0.75, 0.16, 0.08), hair * _box(x, y, 0.05, 0.05, pixel))
+    part.paint((0.75, 0.16, 0.08), hair * _box(x, y, 0.05, 0.05, pixel))
 
 
 def _box(x: Floats, y: Floats, half_width: float, half_height: float, pixel: np.float32) -> Floats:

@@ -4,7 +4,7 @@ from collections.abc import Iterator
 
 import numpy as np
 
-from simulations.engine.controls import Choice, Slider, Toggle, Values
+from simulations.engine.controls import Choice, Slider, Toggle, Value, Values
 from simulations.engine.frame import Frame, Panel, Readout, format_magnitude, format_number, readout
 from simulations.engine.pipeline import StageCache, run
 from simulations.engine.scene import Scene
@@ -19,10 +19,8 @@ from simulations.models.radial_profile import evaluate
 from simulations.scenes.lens_distortion_drawing import (
     VIEW_HEIGHT,
     VIEW_WIDTH,
+    Drawings,
     grid_lines,
-    grid_overlay,
-    picture_overlay,
-    profile_overlay,
 )
 from simulations.scenes.lens_distortion_stages import (
     DEFAULT_TIER,
@@ -31,6 +29,7 @@ from simulations.scenes.lens_distortion_stages import (
     STAGES,
     TIERS,
     inversion_error_px,
+    needs_margin,
 )
 
 DIVERGED_PX = 1e4
@@ -43,20 +42,18 @@ def render(values: Values, tier: str, cache: StageCache) -> Frame:
     """The figure at one setting of its controls; the tier is how the picture's rays are found."""
     lens = Distortion(k1=values.number("k1"), k2=values.number("k2"))
     corrected = values.toggle("correct")
-    outcome = run(STAGES, values, cache, {"tier": tier or DEFAULT_TIER})
+    extra: dict[str, Value] = {"tier": tier or DEFAULT_TIER, "margin": needs_margin(values)}
+    outcome = run(STAGES, values, cache, extra)
+    drawn: Drawings = outcome.outputs["drawings"]
+    over = drawn.corrected if corrected else drawn.photograph
+    raster = outcome.outputs["encoded"]
     panels = (
-        Panel("grid", "Grid", VIEW_WIDTH, VIEW_HEIGHT, overlay=grid_overlay(lens)),
-        Panel(
-            "picture",
-            "Picture",
-            VIEW_WIDTH,
-            VIEW_HEIGHT,
-            raster=outcome.outputs["encoded"],
-            overlay=picture_overlay(lens, corrected=corrected),
-        ),
-        Panel("profile", "Radius", VIEW_WIDTH, VIEW_HEIGHT, overlay=profile_overlay(lens)),
+        Panel("grid", "Grid", VIEW_WIDTH, VIEW_HEIGHT, overlay=drawn.grid),
+        Panel("picture", "Picture", VIEW_WIDTH, VIEW_HEIGHT, raster=raster, overlay=over),
+        Panel("profile", "Radius", VIEW_WIDTH, VIEW_HEIGHT, overlay=drawn.profile),
     )
-    return Frame(panels, _readouts(lens), _description(lens, corrected), outcome.reports)
+    bow = largest_bow_px(lens)
+    return Frame(panels, _readouts(lens, bow), _description(lens, bow, corrected), outcome.reports)
 
 
 def kind_of(lens: Distortion) -> str:
@@ -91,7 +88,7 @@ def error(values: Values, tier: str, _cache: StageCache) -> Iterator[Readout]:
         yield Readout("error", "RMS error of the inversion", text, "px", "error")
 
 
-def _readouts(lens: Distortion) -> tuple[Readout, ...]:
+def _readouts(lens: Distortion, bow: float) -> tuple[Readout, ...]:
     shift, fold = corner_shift_px(lens), fold_radius(lens)
     corner = (
         Readout("corner", "Corners move", "past the fold", "", "error")
@@ -100,14 +97,14 @@ def _readouts(lens: Distortion) -> tuple[Readout, ...]:
     )
     return (
         Readout("kind", "Kind", kind_of(lens)),
-        readout("bow", "Largest bow", largest_bow_px(lens), "px", digits=1, role="image"),
+        readout("bow", "Largest bow", bow, "px", digits=1, role="image"),
         corner,
         Readout("fold", "Fold radius", "none" if np.isinf(fold) else format_number(fold, 3)),
     )
 
 
-def _description(lens: Distortion, corrected: bool) -> str:
-    kind, bow, shift = kind_of(lens), largest_bow_px(lens), corner_shift_px(lens)
+def _description(lens: Distortion, bow: float, corrected: bool) -> str:
+    kind, shift = kind_of(lens), corner_shift_px(lens)
     setting = f"k₁ = {format_number(lens.k1)}, k₂ = {format_number(lens.k2)}"
     if lens.neutral:
         return f"No distortion ({setting}): the grid is straight and the picture is a pinhole’s."
@@ -148,6 +145,6 @@ SCENE = Scene(
     tiers=TIERS,
     default_tier=DEFAULT_TIER,
     draft_tier=DEFAULT_TIER,
-    ladder="inverse-distortion",
+    ladder="inverse-strong",
     error=error,
 )

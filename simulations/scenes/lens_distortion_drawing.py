@@ -5,6 +5,7 @@ The view box is 400 × 300 for the photograph's 320 × 240 px, so that r = 1 is 
 
 import math
 from collections.abc import Callable
+from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
@@ -41,6 +42,28 @@ VISIBLE_RADIUS_UNITS = 238.0
 PLOT_LEFT, PLOT_RIGHT, PLOT_TOP, PLOT_BOTTOM = 44.0, 386.0, 16.0, 258.0
 PLOT_RADIUS = 1.25
 """Largest radius of the profile's axes."""
+
+
+@dataclass(frozen=True, slots=True)
+class Drawings:
+    """The SVG of all three panels: what depends on the lens alone."""
+
+    grid: str
+    photograph: str
+    """Over the photograph as the lens makes it ..."""
+    corrected: str
+    """... and as the correction leaves it."""
+    profile: str
+
+
+def drawings(k1: float, k2: float) -> Drawings:
+    lens = Distortion(k1=k1, k2=k2)
+    return Drawings(
+        grid_overlay(lens),
+        picture_overlay(lens, corrected=False),
+        picture_overlay(lens, corrected=True),
+        profile_overlay(lens),
+    )
 
 
 def grid_lines() -> list[Floats]:

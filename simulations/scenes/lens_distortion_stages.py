@@ -25,6 +25,7 @@ from simulations.models.undistortion import (
 )
 from simulations.pictures.checker_room import checker_room
 from simulations.pictures.resolution_chart import resolution_chart
+from simulations.scenes.lens_distortion_drawing import drawings
 
 type Floats = NDArray[np.floating]
 
@@ -33,7 +34,7 @@ FOCAL_PX = 200.0
 HALF_DIAGONAL = 0.5 * np.hypot(WIDTH_PX, HEIGHT_PX) / FOCAL_PX
 """Normalised radius of the picture's corners: 1."""
 MARGIN_PX = (120, 90)
-"""The pinhole picture reaches this much further to each side: a barrel pulls it into view."""
+"""A barrel pulls into view what lies so far beyond the sides of the pinhole picture, at most."""
 UNSEEN = (0.33, 0.34, 0.36)
 """Linear grey where no light of the scene arrives according to the model."""
 
@@ -43,12 +44,13 @@ TIERS = (
     "lookup-table",
     "newton-3",
     "newton-4",
+    "newton-5",
     "fixed-point-5",
     "fixed-point-10",
     "checked-table",
     "newton-bracketed",
 )
-"""Ways to find where a pixel's light comes from: rungs of the ladder `inverse-distortion`."""
+"""Ways to find where a pixel's light comes from: rungs of the ladder `inverse-strong`."""
 DEFAULT_TIER = "checked-table"
 
 
@@ -149,25 +151,39 @@ def _radii() -> Radii:
     return Radii(np.sqrt(squares) / (2.0 * FOCAL_PX), of_pixel.astype(np.intp))
 
 
-def _pinhole(picture: str) -> Floats:
-    width, height = WIDTH_PX + 2 * MARGIN_PX[0], HEIGHT_PX + 2 * MARGIN_PX[1]
+def needs_margin(values: Values) -> bool:
+    """Whether light from beyond the sides of the pinhole picture may come into view.
+
+    With k₁ and k₂ not negative, no point is drawn further in than it lies.
+    """
+    return min(values.number("k1"), values.number("k2")) < 0.0
+
+
+def _margin_px(margin: bool) -> tuple[int, int]:
+    return MARGIN_PX if margin else (0, 0)
+
+
+def _pinhole(picture: str, margin: bool) -> Floats:
+    beyond_x, beyond_y = _margin_px(margin)
+    width, height = WIDTH_PX + 2 * beyond_x, HEIGHT_PX + 2 * beyond_y
     draw = {"room": checker_room, "chart": resolution_chart}[picture]
     return draw(width, height, FOCAL_PX)
 
 
-def _undistorted_frame(pinhole: Floats) -> Photo:
-    x, y = MARGIN_PX
+def _undistorted_frame(pinhole: Floats, margin: bool) -> Photo:
+    x, y = _margin_px(margin)
     shown = pinhole[y : y + HEIGHT_PX, x : x + WIDTH_PX]
     return Photo(shown, np.ones((HEIGHT_PX, WIDTH_PX), np.float32))
 
 
-def _map(radii: Radii, k1: float, k2: float, tier: str) -> Warp:
+def _map(radii: Radii, k1: float, k2: float, tier: str, margin: bool) -> Warp:
     """For each pixel of the photograph, where in the pinhole picture its light comes from."""
     lens = Distortion(k1=k1, k2=k2)
     ideal = ideal_radii(radii.distinct, lens, tier)
     ratio = (ideal / radii.distinct)[radii.of_pixel].reshape(HEIGHT_PX, WIDTH_PX, 1)
-    centre = np.array((MARGIN_PX[0] + 0.5 * (WIDTH_PX - 1), MARGIN_PX[1] + 0.5 * (HEIGHT_PX - 1)))
-    shape = (HEIGHT_PX + 2 * MARGIN_PX[1], WIDTH_PX + 2 * MARGIN_PX[0])
+    beyond_x, beyond_y = _margin_px(margin)
+    centre = np.array((beyond_x + 0.5 * (WIDTH_PX - 1), beyond_y + 0.5 * (HEIGHT_PX - 1)))
+    shape = (HEIGHT_PX + 2 * beyond_y, WIDTH_PX + 2 * beyond_x)
     table = gather_table(centre + centred_pixels() * ratio, shape)
     # A soft edge, one pixel wide, where the image ends.
     limit = min(largest_distorted_radius(lens), 1e6)
@@ -211,12 +227,13 @@ def _not_corrected(values: Values) -> str:
 
 
 STAGES = (
+    Stage("drawings", ("k1", "k2"), drawings),
     Stage("radii", (), _radii),
-    Stage("pinhole", ("picture",), _pinhole),
-    Stage("undistorted", (), _undistorted_frame, ("pinhole",)),
-    Stage("map", ("k1", "k2", "tier"), _map, ("radii",), _ideal_lens),
+    Stage("pinhole", ("picture", "margin"), _pinhole),
+    Stage("undistorted", ("margin",), _undistorted_frame, ("pinhole",)),
+    Stage("map", ("k1", "k2", "tier", "margin"), _map, ("radii",), _ideal_lens),
     Stage("through-lens", (), _through_lens, ("undistorted", "pinhole", "map"), _ideal_lens),
     Stage("corrected", ("k1", "k2"), _corrected, ("through-lens",), _not_corrected),
     Stage("encoded", (), _encoded, ("corrected",)),
 )
-"""In order; each is recomputed only when what it reads has changed."""
+"""In order; each is recomputed only when what it reads has changed. ``margin``: `needs_margin`."""

@@ -3,7 +3,11 @@
 import numpy as np
 from support.worked_numbers import Says
 
-from simulations.models.transforms import apply_homography, rigid, translation
+from simulations.models.projection import intrinsics, rigid_pose, world_to_camera
+from simulations.models.rotations import exponential
+from simulations.models.transforms import apply_homography, rigid, sign_of_w, translation
+from simulations.models.view_homographies import plane_between_views
+from simulations.scenes.transform_2d import transformation
 
 CHAPTER = "01-2d-transformations"
 
@@ -33,7 +37,12 @@ def the_figure_s_scale_and_shift() -> Says:
 
 def where_the_corner_runs_off() -> Says:
     per_amount = 40 / 10000 + 40 / 3000
-    yield rf"$w = 1 - {per_amount:.5f}\,a$, which is zero at $a = {1 / per_amount:.1f}$"
+    yield rf"$w = 1 - {per_amount:.5f}\,m$, which is zero at $m = {1 / per_amount:.1f}$"
+    H = transformation("projective", 30.0)
+    x, y = 7.0, -11.0  # anywhere
+    w = (H[2] @ [x, y, 1.0]) / H[2, 2]
+    assert np.isclose(w, 1 - 30 * x / 10000 + 30 * y / 3000)
+    yield r"$w = 1 - mx/10\,000 + my/3000$"
 
 
 def turn_and_shift() -> Says:
@@ -44,9 +53,60 @@ def turn_and_shift() -> Says:
     yield "then to $({:.0f}, {:.0f})$.".format(*second)
 
 
+def the_same_map_with_the_opposite_sign() -> Says:
+    H, point = np.array([[1, 0, 0], [0, 1, 0], [0.5, 0, 1]]), [3.0, 4.0]
+    assert np.array_equal(apply_homography(-H, point)[0], apply_homography(H, point)[0])
+    assert apply_homography(-H, point)[1]
+    yield "$H$ and $-H$ are the same map"
+
+
+def depths_before_two_cameras() -> Says:
+    """A table 2 m below, seen by two cameras: w is the quotient of the depths."""
+    K = intrinsics(800.0, (320.0, 240.0))
+    pose = rigid_pose(exponential([0.2, -0.4, 0.1]), [0.5, -0.2, 0.3])
+    H = plane_between_views(K, K, pose, [0.0, 1.0, 0.2, -2.0])
+    X = np.array([0.4, 1.2, 4.0])
+    assert X @ [0.0, 1.0, 0.2] == 2.0
+    w = (H @ [*(K @ X)[:2] / X[2], 1.0])[2]
+    assert np.isclose(w, world_to_camera(X, pose)[2] / X[2])
+    yield "$w$ is the depth of the point before the second camera divided by its depth before"
+
+
+def the_numbers_of_the_direct_linear_transform() -> Says:
+    x, y = 4000.0, 3000.0  # the far corner of a picture of 12 Mpx, in both pictures
+    assert max(x * x, x * y) > 1e7
+    yield "range from 1 to more than ten million"
+
+
+def dividing_by_a_negative_w() -> Says:
+    u, v, w = 6, -4, -2
+    yield f"- [x] $({u / w:g}, {v / w:g})$"
+
+
+def which_segment_is_torn() -> Says:
+    H = np.array([[1, 0, 0], [0, 1, 0], [0.5, 0, 1]])
+    for answer, (start, end), torn in (
+        ("- [ ] From $(0, 0)$ to $(9, 0)$", ((0, 0), (9, 0)), False),
+        ("- [ ] From $(-5, 0)$ to $(-3, 2)$", ((-5, 0), (-3, 2)), False),
+        ("- [ ] From $(-1, -9)$ to $(-1, 9)$", ((-1, -9), (-1, 9)), False),
+        ("- [x] From $(-3, 1)$ to $(1, 1)$", ((-3, 1), (1, 1)), True),
+    ):
+        signs = sign_of_w(H, [start, end])
+        assert (signs[0] * signs[1] < 0) == torn
+        yield answer
+    yield f"$w$ is ${0.5 * -5 + 1:g}$ at one end and ${0.5 * -3 + 1:g}$ at the other"
+    yield f"$w$ goes from ${0.5 * -3 + 1:g}$ to ${0.5 * 1 + 1:g}$ and is zero at $x = -2$"
+    yield f"$w$ grows from 1 to {0.5 * 9 + 1:g}"
+
+
 WORKED = (
     a_square_becomes_a_road,
     the_figure_s_scale_and_shift,
     where_the_corner_runs_off,
+    the_same_map_with_the_opposite_sign,
+    depths_before_two_cameras,
+    the_numbers_of_the_direct_linear_transform,
+    dividing_by_a_negative_w,
+    which_segment_is_torn,
     turn_and_shift,
 )

@@ -30,10 +30,29 @@ def test_clipping_leaves_a_visible_polygon_alone_and_nothing_of_a_hidden_one():
 
 
 @given(st.lists(st.floats(-1, 1), min_size=9, max_size=9))
-def test_whatever_survives_clipping_has_an_image(entries):
+def test_whatever_survives_clipping_has_an_image_and_lies_with_the_point_that_is_seen(entries):
     H = np.array(entries).reshape(3, 3)
-    if np.abs(H[2]).max() > 1e-3:
-        assert apply_homography(H, clip_to_visible(H, SQUARE))[1].all()
+    if abs(H[2, 2]) > 1e-3:
+        kept = clip_to_visible(H, SQUARE)
+        assert apply_homography(H, kept)[1].all()
+        assert (transforms.sign_of_w(H, kept) == np.sign(H[2, 2])).all()
+
+
+def test_the_two_sides_of_the_line_make_up_the_figure():
+    origin_s, beyond = (
+        clip_to_visible(TILTED, SQUARE),
+        clip_to_visible(TILTED, SQUARE, seen=(-5, 0)),
+    )
+    assert origin_s[:, 0].min() == pytest.approx(-1, abs=1e-5)
+    assert beyond[:, 0].max() == pytest.approx(-1, abs=1e-5)
+    assert {(2, 0), (2, 1)} < set(map(tuple, origin_s))
+    assert {(-2, 0), (-2, 1)} < set(map(tuple, beyond))
+
+
+@pytest.mark.parametrize("seen", [(-1.0, 3.0), (math.nan, 0.0)])
+def test_whoever_stands_on_the_line_sees_nothing(seen):
+    with pytest.raises(ValueError, match=r"seen: .*; legal: beside the line"):
+        clip_to_visible(TILTED, SQUARE, seen=seen)
 
 
 def test_the_margin_of_clipping_must_be_a_small_share():

@@ -1,6 +1,7 @@
 """Transformations estimated from pairs of points: homographies and the simpler families."""
 
 import math
+import tracemalloc
 
 import cv2
 import numpy as np
@@ -178,6 +179,30 @@ def test_points_coincide_where_only_rounding_parts_them(apart, usable):
     assert estimation.normalisation(-far) is None
     assert estimation.normalisation(np.array([(0.0, 0), (1e-110, 0)])) is None
     assert estimation.normalisation(np.array([(0.0, 0), (1e-98, 0)])) is not None
+
+
+@pytest.mark.parametrize("far", [1e5, 1e6, 3e6])
+def test_far_from_both_origins_four_points_meet_as_nearly_as_is_promised(far):
+    for _ in range(20):
+        target = SEEN + RNG.uniform(-20, 20, (4, 2))
+        H, valid = estimation.estimate_homography(CORNERS + far, target + far)
+        assert valid
+        T, U = (estimation.normalisation(points + far) for points in (CORNERS, target))
+        share = 2.2e-16 * (1 + np.hypot(*T[:2, 2])) * (1 + np.hypot(*U[:2, 2]))
+        off = np.abs(apply_homography(H, CORNERS + far)[0] - (target + far)).max()
+        assert off < share * math.sqrt(2) / U[0, 0]
+
+
+def test_many_points_need_no_more_room_than_their_equations():
+    """Two thousand: the unused left half of the decomposition would take 128 MB."""
+    points = RNG.uniform(0, 500, (2000, 2))
+    target = apply_homography(KEYSTONE, points)[0]
+    tracemalloc.start()
+    H, _ = estimation.estimate_homography(points, target)
+    _, peak = tracemalloc.get_traced_memory()
+    tracemalloc.stop()
+    assert peak < 8e6
+    assert pytest.approx(KEYSTONE, rel=1e-9, abs=1e-12) == H
 
 
 def test_what_is_not_determined_is_three_by_three_of_nothing():

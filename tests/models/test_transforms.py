@@ -47,17 +47,17 @@ def test_points_are_mapped_as_by_opencv():
     assert images == pytest.approx(cv2.perspectiveTransform(points[:, None], H)[:, 0])
 
 
-def test_nothing_on_or_beyond_the_line_sent_to_infinity_has_an_image():
-    images, valid = apply_homography(TILTED, [(-1 + 1e-9, 0), (-1, 0), (-1 - 1e-16, 0), (-2, 0)])
-    assert valid.tolist() == [True, False, False, False]
-    assert np.isnan(images[1:]).all()
+def test_nothing_on_the_line_sent_to_infinity_has_an_image():
+    images, valid = apply_homography(TILTED, [(-1 + 1e-9, 0), (-1, 0), (-1 - 1e-16, 0), (-2, 3)])
+    assert valid.tolist() == [True, False, False, True]
+    assert np.isnan(images[1:3]).all()
+    assert images[3] == pytest.approx((2, -3))
 
 
-@pytest.mark.parametrize("factor", [1e-200, 1e-9, 1.0, 1e200])
-def test_a_positive_factor_of_the_matrix_changes_nothing(factor):
-    images, valid = apply_homography(TILTED * factor, SQUARE)
-    assert valid.tolist() == [False, True, True, False]
-    assert images[1:3] == pytest.approx(apply_homography(TILTED, SQUARE)[0][1:3])
+def test_the_sign_of_w_tells_the_two_sides_of_that_line():
+    points = [(0, 0), (-2, 0), (-1, 5), (-1 + 1e-13, 0), (math.inf, 0), (math.nan, 0)]
+    assert transforms.sign_of_w(TILTED, points).tolist() == [1, -1, 0, 0, 0, 0]
+    assert transforms.sign_of_w(-1e200 * TILTED, points).tolist() == [-1, 1, 0, 0, 0, 0]
 
 
 def test_points_that_are_not_finite_are_invalid():

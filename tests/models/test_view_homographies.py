@@ -5,7 +5,7 @@ import pytest
 
 from simulations.models import projection, rotations
 from simulations.models.transforms import apply_homography
-from simulations.models.view_homographies import plane_between_views, turned_camera
+from simulations.models.view_homographies import in_front, plane_between_views, turned_camera
 
 FIRST = projection.intrinsics((800.0, 780.0), (320.0, 240.0), 1.5)
 SECOND = projection.intrinsics(500.0, (300.0, 200.0))
@@ -33,10 +33,23 @@ def test_without_a_turn_only_the_lens_changes():
     np.testing.assert_allclose(turned_camera(FIRST, FIRST, np.eye(3)), np.eye(3), atol=1e-15)
 
 
-def test_what_the_turned_camera_has_behind_it_is_invalid():
+def test_what_the_turned_camera_has_behind_it_is_not_in_front():
+    """A pixel there is given by the map; the camera would see nothing in it."""
     about = rotations.exponential([0.0, np.pi / 2 + 0.3, 0.0])
-    middle = [[320.0, 240.0]]
-    assert not apply_homography(turned_camera(FIRST, SECOND, about), middle)[1].any()
+    H, middle = turned_camera(FIRST, SECOND, about), [[320.0, 240.0]]
+    assert apply_homography(H, middle)[1].all()
+    assert not in_front(H, middle).any()
+    assert in_front(turned_camera(FIRST, SECOND, R), middle).all()
+
+
+def test_in_front_is_where_points_of_the_plane_project_to_in_the_second_camera():
+    """The floor, 1.5 below a camera that is turned sideways: half of what is seen falls behind."""
+    pose = projection.rigid_pose(rotations.exponential([0.0, 1.3, 0.0]), [0.2, 0.1, -3.0])
+    points = RNG.uniform((-6, 1.5, 0.5), (6, 1.5, 9), (300, 3))
+    H = plane_between_views(FIRST, SECOND, pose, [0.0, 1.0, 0.0, -1.5])
+    _, before = projection.project(projection.world_to_camera(points, pose), SECOND)
+    assert 0.2 < before.mean() < 0.8
+    assert in_front(H, seen(points, np.eye(4), FIRST)).tolist() == before.tolist()
 
 
 @pytest.mark.parametrize("scale", [1.0, -3.0, 1e-6])

@@ -164,6 +164,20 @@ def test_discs_may_be_from_1e_minus_70_to_1e70_wide():
     np.testing.assert_allclose(shared / (np.pi * 1e-140), [1, 0])
 
 
+@pytest.mark.parametrize("large", [1e6, 1e12, 1e20, 1e60])
+def test_a_disc_on_the_rim_of_one_that_is_many_times_as_large_is_halved(large):
+    """The rim is a straight line, but for a strip of area 1/(3 R) that it bends away from."""
+    halved = np.pi / 2 - 1 / (3 * large)
+    assert disc_overlap_area(large, 1.0, large) == pytest.approx(halved, abs=1e-15)
+
+
+@pytest.mark.parametrize("cut", [-0.96875, -0.5, 0.25, 0.9375])
+def test_a_very_large_disc_cuts_another_as_a_straight_edge_does(cut):
+    """What of a unit disc lies to the left of x = −cut: acos(cut) − cut √(1 − cut²)."""
+    straight = np.arccos(cut) - cut * np.sqrt(1 - cut * cut)
+    assert disc_overlap_area(2.0**46 + cut, 1.0, 2.0**46) == pytest.approx(straight, abs=1e-14)
+
+
 def test_discs_share_as_much_to_either_side_of_each_other():
     left, right = disc_overlap_area([-0.7, 0.7], 1.0, 0.8)
     assert left == right < np.pi * 0.64

@@ -6,18 +6,20 @@ import numpy as np
 import pytest
 
 from simulations.engine.controls import check_values
-from simulations.engine.pipeline import StageCache
+from simulations.engine.pipeline import StageCache, run
 from simulations.models.distortion import Distortion, distort
 from simulations.pictures.checker_room import checker_room
 from simulations.scenes.lens_distortion import SCENE
 from simulations.scenes.lens_distortion_stages import (
     DEFAULT_TIER,
+    STAGES,
     TIERS,
     _corrected,
     _map,
     _radii,
     _through_lens,
     inversion_error_px,
+    needs_margin,
 )
 
 
@@ -75,7 +77,7 @@ def test_past_the_fold_the_figure_says_so_and_greys_the_picture():
 def test_a_linear_ramp_through_the_lens_shows_the_ideal_coordinate():
     y, x = np.mgrid[:420, :560].astype(np.float32)
     ramp = np.stack((x, y), axis=-1)
-    warp = _map(_radii(), -0.2, 0.05, DEFAULT_TIER)
+    warp = _map(_radii(), -0.2, 0.05, DEFAULT_TIER, margin=True)
     seen = _through_lens(None, ramp, warp).linear
     ideal = (seen - [279.5, 209.5]) / 200.0
     rows, columns = np.mgrid[:240, :320]
@@ -99,7 +101,7 @@ def test_the_fixed_point_is_told_by_its_error(tier):
 
 def test_the_correction_restores_the_picture_where_the_photograph_had_it():
     pinhole = checker_room(560, 420, 200.0)
-    photo = _through_lens(None, pinhole, _map(_radii(), -0.1, 0.0, DEFAULT_TIER))
+    photo = _through_lens(None, pinhole, _map(_radii(), -0.1, 0.0, DEFAULT_TIER, margin=True))
     restored = _corrected(photo, -0.1, 0.0)
     truth = pinhole[90:330, 120:440]
     error = np.abs(restored.linear - truth)[restored.coverage > 0.99]
@@ -114,6 +116,35 @@ def test_only_what_a_control_touches_is_computed_again():
     assert (again["radii"], again["pinhole"], again["map"]) == ("reused", "reused", "computed")
     other = statuses(render(cache, k1=-0.2, picture="chart"))
     assert (other["pinhole"], other["map"]) == ("computed", "reused")
+
+
+def test_what_does_not_bend_lines_does_not_draw_them_anew():
+    cache = StageCache()
+    render(cache, k1=-0.1)
+    for given in ({"correct": True}, {"picture": "chart"}):
+        assert statuses(render(cache, k1=-0.1, **given))["drawings"] == "reused"
+    assert statuses(render(cache, k1=-0.2))["drawings"] == "computed"
+
+
+@pytest.mark.parametrize("shown", ["room", "chart"])
+@pytest.mark.parametrize(("k1", "k2"), [(0.0, 0.0), (0.01, 0.0), (0.0, 0.01), (0.5, 0.2)])
+def test_without_a_barrel_the_margin_would_change_nothing(shown, k1, k2):
+    values = check_values(SCENE.controls, {"picture": shown, "k1": k1, "k2": k2})
+    assert not needs_margin(values)
+    tight, wide = (
+        run(STAGES, values, StageCache(), {"tier": DEFAULT_TIER, "margin": margin}).outputs
+        for margin in (False, True)
+    )
+    assert tight["pinhole"].shape == (240, 320, 3)
+    assert wide["pinhole"].shape == (420, 560, 3)
+    difference = np.abs(tight["encoded"].astype(int) - wide["encoded"])
+    assert difference.max() <= 1
+    assert (difference > 0).mean() < 1e-3
+
+
+@pytest.mark.parametrize(("k1", "k2"), [(-0.01, 0.2), (0.5, -0.01)])
+def test_with_a_little_of_a_barrel_in_it_the_margin_is_drawn(k1, k2):
+    assert needs_margin(check_values(SCENE.controls, {"k1": k1, "k2": k2}))
 
 
 def test_a_warm_cache_changes_no_bit():
