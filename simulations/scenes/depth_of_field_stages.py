@@ -18,7 +18,8 @@ from simulations.engine.raster import to_rgba8
 from simulations.models.aperture import fibonacci_disc
 from simulations.models.aperture_grid import aperture_grid
 from simulations.models.color import encode_srgb_table
-from simulations.models.depth_of_field import Planes, blur_by_depth
+from simulations.models.depth_of_field import blur_by_depth
+from simulations.models.disc_blur import Planes
 from simulations.models.screen_blur import binned_gaussian, gather_discs
 from simulations.pictures.still_life_light import LitScene
 from simulations.scenes import camera_stages
