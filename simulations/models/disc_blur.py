@@ -72,12 +72,15 @@ def disc_blur(planes: Planes, radius_px: float) -> Planes:
     check_radius("disc_blur", radius_px)
     if radius_px <= 0.5:
         return planes
-    by = _summed if radius_px <= LARGEST_SUMMED_RADIUS else _transformed
-    return by(planes, disc_kernel(radius_px))
+    convolve = summed if radius_px <= LARGEST_SUMMED_RADIUS else transformed
+    return convolve(planes, disc_kernel(radius_px))
 
 
-def _summed(planes: Planes, kernel: Planes) -> Planes:
-    """Convolution tap by tap, one plane at a time: what is worked on stays in the cache."""
+def summed(planes: Planes, kernel: Planes) -> Planes:
+    """``planes`` convolved with a symmetric kernel tap by tap.
+
+    One plane at a time: what is worked on stays in the processor's cache.
+    """
     reach = kernel.shape[0] // 2
     return np.stack([_summed_plane(plane, kernel[reach:, reach:]) for plane in planes])
 
@@ -102,8 +105,8 @@ def _summed_plane(plane: Planes, quarter: Planes) -> Planes:
     return total
 
 
-def _transformed(planes: Planes, kernel: Planes) -> Planes:
-    """Convolution as a product of spectra, on a grid wide enough that nothing wraps around."""
+def transformed(planes: Planes, kernel: Planes) -> Planes:
+    """``planes`` convolved by a product of spectra, on a grid so wide that nothing wraps around."""
     reach = kernel.shape[0] // 2
     height, width = planes.shape[1:]
     grid = (fast_length(height + 2 * reach), fast_length(width + 2 * reach))
