@@ -1,7 +1,8 @@
 """Stages with declared inputs: computed when something they read changed, else reused or skipped.
 
 A stage at its neutral parameter hands on *the same object* it received, and its output keeps
-the identity of that input, so that everything downstream of it is reused as well.
+the identity of that input, so that everything downstream of it is reused as well. What a neutral
+stage does not take, and nothing else does, is not computed either.
 """
 
 from collections.abc import Callable, Mapping, Sequence
@@ -28,23 +29,45 @@ class Stage:
     """Names of earlier stages."""
     neutral: Callable[[Values], str] | None = None
     """Why the stage would change nothing at these values, or an empty string where it would."""
+    hands_on: str = ""
+    """Earlier stage whose output a neutral stage hands on, also one that ``compute`` does not
+    take; the first of ``inputs`` where none is named."""
 
     def __post_init__(self) -> None:
-        if self.neutral and not self.inputs:
+        if self.neutral and not self.source:
             raise ValueError(f"stage {self.name!r} is neutral; legal: with an input to hand on")
+        if self.hands_on and not self.neutral:
+            raise ValueError(
+                f"stage {self.name!r} hands on {self.hands_on!r}; legal: where it can be neutral"
+            )
+
+    @property
+    def source(self) -> str:
+        """The stage whose output this one hands on while it is neutral; empty for none."""
+        return self.hands_on or next(iter(self.inputs), "")
+
+    def takes(self, neutral: bool) -> tuple[str, ...]:
+        """Names of the stages whose outputs are needed now."""
+        return (self.source,) if neutral else self.inputs
 
 
 @dataclass(slots=True)
 class StageCache:
-    """The last outputs of each stage. Belongs to one figure; dropping it loses only time."""
+    """Outputs of each stage, those asked for last. Belongs to one figure; dropping it loses only
+    time."""
 
     depth: int = 2
     """Outputs kept per stage: the draft's and the settled one's."""
     entries: dict[str, dict[Key, Any]] = field(default_factory=dict)
+    """Stage to key to output; what was asked for last comes last."""
 
     def get(self, name: str, key: Key) -> tuple[bool, Any]:
+        """Whether the output is kept, and it."""
         kept = self.entries.get(name, {})
-        return (True, kept[key]) if key in kept else (False, None)
+        if key not in kept:
+            return False, None
+        kept[key] = kept.pop(key)
+        return True, kept[key]
 
     def put(self, name: str, key: Key, output: Any) -> None:
         kept = self.entries.setdefault(name, {})
@@ -55,7 +78,7 @@ class StageCache:
 
 @dataclass(frozen=True, slots=True)
 class Run:
-    """The outputs of all stages and what was done to get them."""
+    """The outputs of all stages that were needed, and what was done to get them."""
 
     outputs: Mapping[str, Any]
     reports: tuple[StageReport, ...]
@@ -69,21 +92,28 @@ def run(
 ) -> Run:
     """Evaluate ``stages`` in order.
 
+    A stage that another one names is evaluated only where one that is not neutral takes it, or a
+    neutral one hands it on; what no other stage names is always wanted.
+
     ``extra`` holds parameters that are no controls, such as the accuracy tier. Raises
     `KeyError` where a stage reads a parameter, or takes an input, that does not exist.
     """
     parameters: dict[str, Value] = {**values, **(extra or {})}
     known = Values(parameters)
+    reasons = {stage.name: stage.neutral(known) if stage.neutral else "" for stage in stages}
+    needed = _needed(stages, reasons)
     outputs: dict[str, Any] = {}
     keys: dict[str, Key] = {}
     reports: list[StageReport] = []
     for stage in stages:
-        reason = stage.neutral(known) if stage.neutral else ""
-        _require(stage.inputs, outputs, f"stage {stage.name!r} follows")
         _require(stage.reads, parameters, f"stage {stage.name!r} reads")
+        reason = reasons[stage.name]
+        if stage.name not in needed:
+            reports.append(StageReport(stage.name, "skipped", reason or "nothing takes it"))
+            continue
+        _require(stage.takes(bool(reason)), outputs, f"stage {stage.name!r} follows")
         if reason:
-            source = stage.inputs[0]
-            outputs[stage.name], keys[stage.name] = outputs[source], keys[source]
+            outputs[stage.name], keys[stage.name] = outputs[stage.source], keys[stage.source]
             reports.append(StageReport(stage.name, "skipped", reason))
             continue
         read = {name: parameters[name] for name in stage.reads}
@@ -97,6 +127,16 @@ def run(
             cache.put(stage.name, key, output)
         outputs[stage.name], keys[stage.name] = output, key
     return Run(outputs, tuple(reports))
+
+
+def _needed(stages: Sequence[Stage], reasons: Mapping[str, str]) -> set[str]:
+    """Names of the stages that no other one names, and backwards of all that these take."""
+    named = {name for stage in stages for name in (*stage.inputs, stage.source)}
+    needed = {stage.name for stage in stages if stage.name not in named}
+    for stage in reversed(stages):
+        if stage.name in needed:
+            needed.update(stage.takes(bool(reasons[stage.name])))
+    return needed
 
 
 def _require(names: Sequence[str], known: Mapping[str, object], who: str) -> None:

@@ -23,11 +23,11 @@ from simulations.models.projection import Floats, Mask
 def orthographic_camera(
     pixels_per_unit: float, principal_point: tuple[float, float] = (0.0, 0.0)
 ) -> Floats:
-    """x = s X + cx, y = s Y + cy: the depth is dropped.
+    """x = a X + cx, y = a Y + cy: the depth is dropped.
 
     Parameters
     ----------
-    pixels_per_unit : s, such as pixels per metre; the same at every depth.
+    pixels_per_unit : a, such as pixels per metre; the same at every depth.
     principal_point : (cx, cy), the pixel of the optical axis.
 
     Returns

@@ -14,8 +14,10 @@ __all__ = [
     "depth_of_field",
     "field_of_view_rad",
     "hyperfocal",
+    "principal_distance_mm",
     "thin_lens_image_distance",
     "vignetting_cos4",
+    "working_f_number",
 ]
 
 type Floats = NDArray[np.floating]
@@ -47,6 +49,35 @@ def thin_lens_image_distance(focal_mm: float, distance_mm: ArrayLike) -> Floats:
     with np.errstate(divide="ignore", over="ignore"):
         image: Floats = focal_mm / _share_beyond(distance, focal_mm)
     return image
+
+
+def principal_distance_mm(focal_mm: float, focus_mm: float) -> float:
+    """From the lens to a sensor that sees ``focus_mm`` sharp: z = f s / (s − f), at least f.
+
+    It, and not the focal length, is what a focused camera projects with: x = z X / Z. So its
+    picture grows a little as the focus comes nearer, which is called focus breathing. The two
+    agree at infinity only. Photogrammetry's other name for it is the camera constant.
+
+    Parameters
+    ----------
+    focal_mm : float
+        Focal length, positive and finite.
+    focus_mm : float
+        Distance in focus, beyond the focal length; may be inf.
+    """
+    _check_focus(focal_mm, focus_mm)
+    return float(thin_lens_image_distance(focal_mm, focus_mm))
+
+
+def working_f_number(focal_mm: float, f_number: float, focus_mm: float) -> float:
+    """N z / f: how far the sensor stands from the lens, in diameters of its opening.
+
+    The light on the axis falls with its square. At infinity it is N, which the lens is marked
+    with; nearer the sensor has moved away and gets less. Parameters as in
+    `circle_of_confusion_mm`.
+    """
+    _check_lens(focal_mm, f_number, focus_mm)
+    return f_number / float(_share_beyond(focus_mm, focal_mm))  # may overflow to inf
 
 
 def _share_beyond(far: ArrayLike, near: ArrayLike) -> Floats:
@@ -127,17 +158,23 @@ def hyperfocal(focal_mm: float, f_number: float, coc_mm: float) -> float:
     return focal_mm * (focal_mm / f_number / coc_mm) + focal_mm  # the product may underflow
 
 
-def field_of_view_rad(focal_mm: float, sensor_mm: float) -> float:
-    """Full angle that a sensor of this width sees when focused at infinity: 2 atan(w / 2f)."""
-    _check_positive("focal_mm", focal_mm)
+def field_of_view_rad(focal_mm: float, sensor_mm: float, focus_mm: float = np.inf) -> float:
+    """Full angle that a sensor of this width sees: 2 atan(w / 2z), z from `principal_distance_mm`.
+
+    Focused at infinity, z is the focal length.
+    """
     _check_positive("sensor_mm", sensor_mm)
-    return float(2.0 * np.arctan2(0.5 * sensor_mm, focal_mm))
+    return float(2.0 * np.arctan2(0.5 * sensor_mm, principal_distance_mm(focal_mm, focus_mm)))
 
 
 def _check_lens(focal_mm: float, f_number: float, focus_mm: float) -> None:
-    _check_positive("focal_mm", focal_mm)
+    _check_focus(focal_mm, focus_mm)
     if not f_number > 0.0:
         raise ValueError(f"f_number {f_number!r}: must be positive (inf is a pinhole)")
+
+
+def _check_focus(focal_mm: float, focus_mm: float) -> None:
+    _check_positive("focal_mm", focal_mm)
     if not focus_mm > focal_mm:
         raise ValueError(
             f"focus_mm {focus_mm!r}: must exceed the focal length ({focal_mm:g} mm); "

@@ -9,7 +9,7 @@ from simulations.engine.controls import Action, Slider, Toggle, Values
 from simulations.engine.frame import Frame, Panel, Raster, Readout, format_number, readout
 from simulations.engine.pipeline import Run, StageCache, run
 from simulations.engine.scene import Scene
-from simulations.models import optics, projection
+from simulations.models import optics
 from simulations.models.aperture_grid import aperture_grid
 from simulations.scenes.camera_lens import (
     COLUMNS,
@@ -19,6 +19,7 @@ from simulations.scenes.camera_lens import (
     bend_rays,
     largest_blur_px,
     pinhole_rays,
+    principal_mm_of,
 )
 from simulations.scenes.camera_plan import PLAN_HEIGHT, PLAN_WIDTH, draw_plan
 from simulations.scenes.camera_sensor import develop_ideal, expose, shutter_s, vignette
@@ -100,6 +101,12 @@ def depth_of_field_m(values: Values) -> tuple[float, float]:
     return near / 1000.0, far / 1000.0
 
 
+def view_of(values: Values) -> float:
+    """Angle that the sensor sees from left to right, radians."""
+    focal_mm, focus_mm = values.number("focal_length"), values.number("focus") * 1000.0
+    return optics.field_of_view_rad(focal_mm, SENSOR_WIDTH_MM, focus_mm)
+
+
 def psnr_db(picture: Raster, ideal: Raster) -> float:
     """Peak signal-to-noise ratio of two pictures in 8-bit codes; ∞ where they are the same."""
     error = rms_codes(picture, ideal)
@@ -120,7 +127,7 @@ def render(values: Values, tier: str, cache: StageCache) -> Frame:
     """A photograph of the still life, and the plan of where everything stood."""
     result = run_tier(values, tier, cache)
     photograph: Raster = result.outputs["sRGB"]
-    view_rad = projection.field_of_view(values.number("focal_length"), SENSOR_WIDTH_MM)
+    view_rad = view_of(values)
     near, far = depth_of_field_m(values)
     quality = psnr_db(photograph, result.outputs["noiseless picture"])
     return Frame(
@@ -156,11 +163,11 @@ def error(values: Values, tier: str, cache: StageCache) -> Iterator[Readout]:
 def references(values: Values) -> Iterator[Raster]:
     """The noiseless picture seen through more and more points of the lens."""
     setting = {n: values.number(n) for n in ("light_angle", "focal_length", "aperture", "focus")}
-    rays = bend_rays(pinhole_rays(setting["focal_length"]), values.number("k1"))
+    rays = bend_rays(pinhole_rays(setting["focal_length"], setting["focus"]), values.number("k1"))
     total = np.zeros((3, ROWS, COLUMNS), np.float32)
     for count, at in enumerate(aperture_grid(REFERENCE_GRID), start=1):
         total += through_lens(rays, at, **setting)
-        light = vignette(total / np.float32(count), setting["focal_length"])
+        light = vignette(total / np.float32(count), setting["focal_length"], setting["focus"])
         yield develop_ideal(expose(light, values.number("exposure")))
 
 
@@ -173,8 +180,11 @@ def rms_codes(picture: Raster, truth: Raster) -> float:
 def _readouts(
     values: Values, view_rad: float, near: float, far: float, quality: float
 ) -> tuple[Readout, ...]:
-    shutter = shutter_s(values.number("aperture"), values.number("exposure"))
+    setting = (values.number(n) for n in ("focal_length", "aperture", "focus", "exposure"))
+    shutter = shutter_s(*setting)
+    sensor_mm = principal_mm_of(values)
     return (
+        readout("sensor_distance", "Lens to sensor", sensor_mm, "mm", digits=1, role="camera"),
         readout(
             "field_of_view", "Field of view", math.degrees(view_rad), "°", digits=1, role="camera"
         ),
@@ -190,7 +200,8 @@ def _readouts(
 
 
 def _metres(depth: float) -> str:
-    return format_number(depth, 1)
+    """To a centimetre where that may be as much as the depth of field."""
+    return format_number(depth, 2 if depth < 10 else 1)
 
 
 def _describe(values: Values, view_rad: float, near: float, far: float, quality: float) -> str:
@@ -214,6 +225,7 @@ SCENE = Scene(
     tiers=tuple(TIERS),
     default_tier=DEFAULT_TIER,
     draft_tier="draft",
+    # Not the focus: a coarse picture would look out of focus everywhere.
     drafted=("focal_length", "light_angle"),
     drafted_in={"bent-rays": ("k1",), "aperture-rays": ("aperture", "focus", "k1")},
     tier_labels={

@@ -1,4 +1,8 @@
-"""The camera's lens: which ray it bends onto each pixel, and how wide it blurs each depth."""
+"""The camera's lens: which ray it bends onto each pixel, and how wide it blurs each depth.
+
+Settings are those of the controls: ``focal_length`` in millimetres and ``focus`` in metres. Places
+on the sensor are measured in ``principal_mm``, the distance from lens to sensor.
+"""
 
 import math
 from dataclasses import dataclass
@@ -22,7 +26,8 @@ PITCH_MM = SENSOR_WIDTH_MM / COLUMNS
 """A pixel of this picture is as wide as some twenty of a real sensor: coarse enough to be seen."""
 
 MARGINS_PX = (4, 8, 16, 24, 32, 48, 72)
-"""Widths of a margin: few, so that most changes of k₁ leave the straight picture as it is."""
+"""Widths of a margin: few, so that most changes of k₁ leave the straight picture as it is. The
+least is drawn for k₁ = 0 too, where nothing reads it: so the first touch finds it there."""
 WARP_REACH_PX = 2
 """Pixels that a cubic reads beyond the place that is asked for."""
 
@@ -54,14 +59,24 @@ def blur_px(focal_length: float, aperture: float, focus: float, depth_m: Floats 
     return disc / PITCH_MM
 
 
+def principal_mm(focal_length: float, focus: float) -> float:
+    """From the lens to the sensor: what the picture is projected with, and f only at infinity."""
+    return optics.principal_distance_mm(focal_length, focus * 1000.0)
+
+
+def principal_mm_of(values: Values) -> float:
+    """The same, for a setting of the controls."""
+    return principal_mm(values.number("focal_length"), values.number("focus"))
+
+
 @lru_cache(maxsize=4)  # asked for several times a frame
-def ideal_reach(focal_length: float, k1: float) -> tuple[float, float]:
+def ideal_reach(principal: float, k1: float) -> tuple[float, float]:
     """How far right and down of the axis the sensor sees: the largest of x/z and of y/z.
 
     It is found where the picture reaches farthest: in the corner, on the fold where that comes
     first, or, with pincushion, in the middle of a side.
     """
-    lens, half = Distortion(k1=k1), np.array([SENSOR_WIDTH_MM, SENSOR_HEIGHT_MM]) / 2 / focal_length
+    lens, half = Distortion(k1=k1), np.array([SENSOR_WIDTH_MM, SENSOR_HEIGHT_MM]) / 2 / principal
     farthest = min(math.hypot(*half), largest_distorted_radius(lens))
     ideal, _ = undistort([(farthest, 0.0), (half[0], 0.0), (half[1], 0.0)], lens)
     across, down = np.maximum(ideal[1:, 0], ideal[0, 0] * np.minimum(half / farthest, 1.0))
@@ -70,21 +85,19 @@ def ideal_reach(focal_length: float, k1: float) -> tuple[float, float]:
 
 def margin_px(values: Values) -> tuple[int, int]:
     """Columns and rows by which the straight picture must exceed each side of the sensor."""
-    focal_length, k1 = values.number("focal_length"), values.number("k1")
-    if k1 == 0:
-        return 0, 0
-    reach = ideal_reach(focal_length, k1)
-    return _margin(reach[0], focal_length, COLUMNS), _margin(reach[1], focal_length, ROWS)
+    principal = principal_mm_of(values)
+    across, down = ideal_reach(principal, values.number("k1"))
+    return _margin(across * principal, COLUMNS), _margin(down * principal, ROWS)
 
 
-def _margin(reach: float, focal_length: float, size: int) -> int:
-    needed = reach * focal_length / PITCH_MM - size / 2 + WARP_REACH_PX
+def _margin(reach_mm: float, size: int) -> int:
+    needed = reach_mm / PITCH_MM - size / 2 + WARP_REACH_PX
     return next(margin for margin in MARGINS_PX if margin >= needed)
 
 
-def nearest_depth(focal_length: float, k1: float) -> float:
+def nearest_depth(principal: float, k1: float) -> float:
     """Depth of the nearest thing or spot of floor that the sensor sees, metres."""
-    _, down = ideal_reach(focal_length, k1)
+    _, down = ideal_reach(principal, k1)
     falling = still_life.WORLD_TO_CAMERA[:3, 2] @ (0.0, -down, -1.0)
     floor = still_life.EYE[2] / falling if falling > 0 else math.inf
     return float(min(floor, *(still_life.thing_depth(thing) for thing in still_life.THINGS)))
@@ -92,19 +105,24 @@ def nearest_depth(focal_length: float, k1: float) -> float:
 
 def largest_blur_px(values: Values) -> float:
     """The widest disc of confusion in the picture; blur grows to both sides of the focus."""
-    focal, k1 = values.number("focal_length"), values.number("k1")
-    ends = np.array([nearest_depth(focal, k1), still_life.WALL_DISTANCE])
-    return float(blur_px(focal, values.number("aperture"), values.number("focus"), ends).max())
+    focal, focus = values.number("focal_length"), values.number("focus")
+    nearest = nearest_depth(principal_mm(focal, focus), values.number("k1"))
+    ends = np.array([nearest, still_life.WALL_DISTANCE])
+    return float(blur_px(focal, values.number("aperture"), focus, ends).max())
 
 
 def pinhole_rays(
-    focal_length: float, reduction: int = 1, margin_columns: int = 0, margin_rows: int = 0
+    focal_length: float,
+    focus: float,
+    reduction: int = 1,
+    margin_columns: int = 0,
+    margin_rows: int = 0,
 ) -> Rays:
     """Straight rays through the pixels of the sensor and of a margin on each of its sides."""
     columns = (COLUMNS + 2 * margin_columns) // reduction
     rows = (ROWS + 2 * margin_rows) // reduction
     centre = ((columns - 1) / 2, (rows - 1) / 2)
-    K = projection.intrinsics(focal_length / (PITCH_MM * reduction), centre)
+    K = projection.intrinsics(principal_mm(focal_length, focus) / (PITCH_MM * reduction), centre)
     return Rays(projection.pixel_rays(K, columns, rows), np.ones((rows, columns), bool))
 
 
@@ -114,10 +132,12 @@ def bend_rays(rays: Rays, k1: float) -> Rays:
     return Rays(np.concatenate((ideal, rays.directions[..., 2:]), axis=-1), valid)
 
 
-def lens_map(straight: Rays, focal_length: float, k1: float, reduction: int) -> LensMap:
+def lens_map(
+    straight: Rays, focal_length: float, focus: float, k1: float, reduction: int
+) -> LensMap:
     """Where each pixel of the sensor finds its light in the picture that ``straight`` rays make."""
     rows, columns = (size * reduction for size in straight.valid.shape)
-    pitch = PITCH_MM / focal_length
+    pitch = PITCH_MM / principal_mm(focal_length, focus)
     x, y = (np.arange(COLUMNS // 2) + 0.5) * pitch, (np.arange(ROWS // 2) + 0.5) * pitch
     seen = np.stack(np.broadcast_arrays(x, y[:, None]), axis=-1)
     ideal, _ = undistort(seen, Distortion(k1=k1))
@@ -142,3 +162,9 @@ def distort_picture(straight: Planes, lens: LensMap) -> Planes:
     # Cubics dip a little below the dark side of an edge, but no light is negative.
     distorted: Planes = np.maximum(warp(lens.table, straight), 0.0) * lens.reached
     return distorted
+
+
+def trim(straight: Planes, margin_columns: int, margin_rows: int) -> Planes:
+    """What of the straight picture falls on the sensor, where the lens bends nothing."""
+    rows, columns = straight.shape[1:]
+    return straight[:, margin_rows : rows - margin_rows, margin_columns : columns - margin_columns]

@@ -8,11 +8,11 @@ from numpy.typing import NDArray
 
 from simulations.engine.frame import Raster
 from simulations.engine.raster import to_rgba8
-from simulations.models import sensor
+from simulations.models import optics, sensor
 from simulations.models.color import encode_srgb
 from simulations.models.disc_blur import Planes
 from simulations.models.vignetting import vignetting_cos4
-from simulations.scenes.camera_lens import COLUMNS, PITCH_MM, ROWS
+from simulations.scenes.camera_lens import COLUMNS, PITCH_MM, ROWS, principal_mm
 
 FULL_WELL_E = 10_000.0
 BLACK_DN = 512.0
@@ -27,12 +27,18 @@ ADC = sensor.Sensor(
 """A 12-bit converter whose top code is a full well."""
 
 BASE_SHUTTER_S, BASE_F_NUMBER = 1 / 60, 8.0
-"""Shutter and aperture at which a white surface facing the lamp nearly fills the well, at 0 EV."""
+"""Shutter and aperture at which a white surface facing the lamp nearly fills the well, at 0 EV and
+focused at infinity."""
 
 
-def shutter_s(aperture: float, exposure: float) -> float:
-    """Exposure time that the automatic chooses: a wider aperture shortens it by the square."""
-    return float(BASE_SHUTTER_S * (aperture / BASE_F_NUMBER) ** 2 * 2.0**exposure)
+def shutter_s(focal_length: float, aperture: float, focus: float, exposure: float) -> float:
+    """Exposure time that the automatic chooses, which measures the light through the lens.
+
+    A wider aperture shortens it by the square, and a nearer focus, for which the sensor stands
+    farther from the aperture, lengthens it.
+    """
+    working = optics.working_f_number(focal_length, aperture, focus * 1000.0)
+    return float(BASE_SHUTTER_S * (working / BASE_F_NUMBER) ** 2 * 2.0**exposure)
 
 
 def read_noise_e(noise_sigma: float) -> float:
@@ -58,16 +64,17 @@ def draw_grain(new_noise: int) -> Grain:
     return Grain(shot, read)
 
 
-def vignette(radiance: Planes, focal_length: float) -> Planes:
+def vignette(radiance: Planes, focal_length: float, focus: float) -> Planes:
+    """Light on the sensor, relative to that of the same surface on the axis."""
     x = (np.arange(COLUMNS) - (COLUMNS - 1) / 2) * PITCH_MM
     y = (np.arange(ROWS) - (ROWS - 1) / 2) * PITCH_MM
-    falloff = vignetting_cos4(np.hypot(x, y[:, None]) / focal_length)
+    falloff = vignetting_cos4(np.hypot(x, y[:, None]) / principal_mm(focal_length, focus))
     irradiance: Planes = radiance * falloff.astype(np.float32)
     return irradiance
 
 
 def expose(irradiance: Planes, exposure: float) -> Planes:
-    """Mean electrons; the aperture is made good by the shutter and does not enter."""
+    """Mean electrons; what aperture and focus take away is made good by the shutter."""
     mean_e: Planes = irradiance * np.float32(FULL_WELL_E * 2.0**exposure)
     return mean_e
 

@@ -69,16 +69,13 @@ def through_lens(
     focus: float,
 ) -> Planes:
     """The picture seen through one point of the lens: ``at`` = (right, down) in the unit disc."""
-    # The picture keeps the scale of a lens focused at infinity; so must the discs of confusion.
-    scale = focus / (focus - focal_length / 1000.0)
-    radius = scale * focal_length / aperture / 2000.0
+    radius = focal_length / aperture / 2000.0  # metres
     place = (radius * at[0], radius * at[1])
     seen = still_life.view_through(rays.directions, rays.valid, place, focus)
     return _overlay(_light(still_life_surfaces.surfaces(seen), light_angle))
 
 
 def _aperture_rays(
-    _overlaid: Planes,
     rays: Rays,
     light_angle: float,
     focal_length: float,
@@ -88,7 +85,7 @@ def _aperture_rays(
 ) -> Planes:
     """The mean over the lens's opening: edges that hide less than they seem to, and no layers."""
     setting = (light_angle, focal_length, aperture, focus)
-    total = np.zeros_like(_overlaid)
+    total = np.zeros((3, *rays.valid.shape), np.float32)
     for right, down in fibonacci_disc(lens_rays):
         total += through_lens(rays, (float(right), float(down)), *setting)
     return np.asarray(total / np.float32(lens_rays), np.float32)
@@ -103,10 +100,6 @@ def _enlarge(overlaid: Planes, reduction: int) -> Planes:
 def _in_focus(values: Values) -> str:
     largest = largest_blur_px(values)
     return "every circle of confusion is under a pixel" if largest <= 1.0 else ""
-
-
-def _no_blur(values: Values) -> str:
-    return _in_focus(values) or ("rays make the blur" if values["lens_rays"] else "")
 
 
 def _no_rays(values: Values) -> str:
@@ -125,10 +118,16 @@ def _no_warp(values: Values) -> str:
     return "the rays are bent already" if values["bent_rays"] else ""
 
 
+def _no_trim(values: Values) -> str:
+    if values["bent_rays"]:
+        return "the picture has no margin"
+    return "" if values.number("k1") == 0 else "the lens has fetched what the sensor holds"
+
+
 STAGES = (
     Stage(
         "pinhole rays",
-        ("focal_length", "reduction", "margin_columns", "margin_rows"),
+        ("focal_length", "focus", "reduction", "margin_columns", "margin_rows"),
         camera_lens.pinhole_rays,
     ),
     Stage("bent rays", ("k1",), camera_lens.bend_rays, ("pinhole rays",), _no_bending),
@@ -139,15 +138,16 @@ STAGES = (
         ("focal_length", "aperture", "focus", "reduction"),
         _defocus,
         ("light",),
-        _no_blur,
+        _in_focus,
     ),
     Stage("overlay", (), _overlay, ("defocus",)),
     Stage(
         "aperture rays",
         ("light_angle", "focal_length", "aperture", "focus", "lens_rays"),
         _aperture_rays,
-        ("overlay", "bent rays"),
+        ("bent rays",),
         _no_rays,
+        hands_on="overlay",
     ),
     Stage(
         "enlargement",
@@ -158,7 +158,7 @@ STAGES = (
     ),
     Stage(
         "lens map",
-        ("focal_length", "k1", "reduction"),
+        ("focal_length", "focus", "k1", "reduction"),
         camera_lens.lens_map,
         ("pinhole rays",),
         _no_warp,
@@ -166,7 +166,14 @@ STAGES = (
     Stage(
         "lens distortion", (), camera_lens.distort_picture, ("enlargement", "lens map"), _no_warp
     ),
-    Stage("vignetting", ("focal_length",), camera_sensor.vignette, ("lens distortion",)),
+    Stage(
+        "trimming",
+        ("margin_columns", "margin_rows"),
+        camera_lens.trim,
+        ("lens distortion",),
+        _no_trim,
+    ),
+    Stage("vignetting", ("focal_length", "focus"), camera_sensor.vignette, ("trimming",)),
     Stage("exposure", ("exposure",), camera_sensor.expose, ("vignetting",)),
     Stage("grain", ("new_noise",), camera_sensor.draw_grain),
     Stage(

@@ -102,7 +102,7 @@ def equation(view: View) -> str:
     if view.camera == SCALED:
         words = f"x = f X / Z₀ = {view.focal_px:.0f} · {X} / {REFERENCE_DEPTH_M:.1f} = {x} px"
     else:
-        words = f"x = s X = {format_number(view.scale, 1)} px/m · {X} m = {x} px"
+        words = f"x = a X = {format_number(view.scale, 1)} px/m · {X} m = {x} px"
     place = (top.WIDTH - 4.0, top.HEIGHT - 6.0)
     return drawing.text(place, words, "image halo", "end")
 

@@ -23,14 +23,14 @@ MOVES: dict[str, dict[str, Value]] = {
     "camera": {
         "noise_sigma": 6.0,
         "exposure": 0.1,
-        "focus": 3.3,
+        "k1": -0.11,
         "aperture": 2.1,
         "light_angle": 41.0,
-        "k1": -0.11,
+        "focus": 3.3,
         "focal_length": 51.0,
     }
 }
-"""One step of each slider, from the cheapest to the dearest."""
+"""One step of each slider, from the cheapest to the costliest."""
 
 
 def time_frame(scene: Scene, given: dict[str, Value], cache: StageCache) -> float:

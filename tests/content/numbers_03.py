@@ -1,13 +1,14 @@
 """Chapter 3: perspective projection."""
 
-from math import atan, cos, degrees, radians, sqrt
+from math import atan, cos, degrees, inf, isclose, radians, sqrt
 
 import numpy as np
 from support.worked_numbers import Says
 
 from simulations.models.affine_cameras import project_affine, scaled_orthographic_camera
-from simulations.models.optics import field_of_view_rad
-from simulations.models.projection import intrinsics, project
+from simulations.models.optics import field_of_view_rad, principal_distance_mm
+from simulations.models.projection import intrinsics, look_at, project
+from simulations.models.vanishing import vanishing_point
 
 CHAPTER = "03-perspective-projection"
 
@@ -41,6 +42,18 @@ def focal_length_in_pixels() -> Says:
     yield rf"2\arctan {36 / (2 * 50):g} = {angle:.1f}^\circ$"
 
 
+def focusing_makes_the_picture_larger() -> Says:
+    sensor = principal_distance_mm(50, 3200)
+    yield rf"$50 \cdot 3200/3150 = {sensor:.2f}$ mm behind it"
+    yield rf"$f_x = {sensor:.2f} \cdot 6000/36 = {sensor * 6000 / 36:.0f}$ px"
+    share = f"{100 * (sensor / 50 - 1):.1f} %"
+    yield f"That is {share} more than before, and everything in the picture is {share} larger."
+    far, near = (degrees(field_of_view_rad(50, 36, focus)) for focus in (inf, 3200))
+    yield rf"has shrunk from ${far:.1f}^\circ$ to ${near:.1f}^\circ$"
+    face = principal_distance_mm(135, 1000) / 135 - 1
+    yield f"With a 135 mm lens and a face at 1 m it is {100 * face:.0f} %."
+
+
 def photographing_the_lamp() -> Says:
     K = intrinsics(800, (320, 240))
     u, v, w = K @ (3, -1, 8)
@@ -65,8 +78,12 @@ def where_two_rails_meet() -> Says:
     u, v = meet[:2] / meet[2]
     yield rf"\sim \begin{{bmatrix}} {u:.0f} \\ {v:.0f} \\ 1 \end{{bmatrix}}"
     yield f"The rails meet at $({u:.0f}, {v:.0f})$."
-    yield rf"it lies {240 - v:.0f} px above"
+    yield f"There the rails meet {240 - v:.0f} px above it"
     yield rf"$\arctan(24/800) = {degrees(atan(24 / 800)):.1f}^\circ$"
+    down = look_at([0, 0, 0], [0, -24 / 800, 1], [0, 1, 0])  # heights upwards, z along the track
+    seen, valid = vanishing_point(down[:3, :3] @ (0, 0, 1), intrinsics(800, (320, 240)))
+    assert valid
+    yield f"the horizon is row {seen[1]:.0f}."
 
 
 def what_one_depth_for_all_costs() -> Says:
@@ -88,7 +105,22 @@ def a_ball_near_the_border() -> Says:
     yield r"At $\theta = 60^\circ$ it is about twice as long as it is wide"
 
 
+def how_tall_the_tree_is() -> Says:
+    assert isclose(image_px(1, 20, 80) / image_px(1, 10, 80), 1 / 2)
+    yield "A tree is 200 px tall"
+    yield f"- [x] {200 / 2:.0f} px"
+    yield f"- [ ] {200 / sqrt(2):.0f} px\n  : Halving the area would do that."
+
+
+def the_share_that_is_lost() -> Says:
+    assert isclose((100.1 - 100) / 100, 1e-3, rel_tol=1e-6)
+    assert isclose(0.1 / 0.6, 1 / 6)
+    yield "that is a thousandth: a tenth of a pixel for a nose that is 100 px"
+
+
 def focal_against_depth() -> Says:
+    yield "- [x] Focal length 120 px, depth 5 m\n  : $x$ is proportional to $f$"
+    assert isclose(image_px(1, 10, 160), image_px(1, 5, 80))
     yield f"$x$ is 16/1.5 = {16 / 1.5:.1f} px"
     yield rf"120/80 = {120 / 80:g}. With $X = 1$ m: $120 \cdot 1/5 = {image_px(1, 5, 120):g}$ px"
     yield rf"only $8 \cdot 1/5 = {image_px(1, 5, 8):g}$ px"
@@ -99,10 +131,13 @@ WORKED = (
     five_metres_away,
     unequal_steps,
     focal_length_in_pixels,
+    focusing_makes_the_picture_larger,
     photographing_the_lamp,
     the_sharpest_pinhole,
     where_two_rails_meet,
     what_one_depth_for_all_costs,
+    the_share_that_is_lost,
+    how_tall_the_tree_is,
     a_ball_near_the_border,
     focal_against_depth,
 )

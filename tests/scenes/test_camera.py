@@ -22,33 +22,32 @@ from simulations.scenes.camera_sensor import (
     encode,
     quantise,
     read_noise_e,
+    shutter_s,
 )
 from simulations.scenes.camera_stages import STAGES, TIERS
 
 LAST = ("quantisation", "sRGB", "noiseless picture")
 FROM_EXPOSURE = ("exposure", "shot noise", "read noise", *LAST)
-FROM_OVERLAY = ("overlay", "vignetting", *FROM_EXPOSURE)
+FROM_OVERLAY = ("overlay", "trimming", "vignetting", *FROM_EXPOSURE)
 BENT = {"aperture": 2.0, "k1": -0.1}
 """Where no stage of the default tier is neutral, but for those of other tiers."""
+FROM_RAYS = (
+    *("pinhole rays", "surfaces", "light", "defocus", "overlay"),
+    *("lens map", "lens distortion", "vignetting", *FROM_EXPOSURE),
+)
 AFTER_MOVING = {
     "noise_sigma": (9, ("read noise", "quantisation", "sRGB")),
     "shot_noise": (False, ("read noise", "quantisation", "sRGB")),
     "new_noise": (1, ("grain", "shot noise", "read noise", "quantisation", "sRGB")),
     "exposure": (1, FROM_EXPOSURE),
     "k1": (-0.11, ("lens map", "lens distortion", "vignetting", *FROM_EXPOSURE)),
-    "focus": (5, ("defocus", "overlay", "lens distortion", "vignetting", *FROM_EXPOSURE)),
     "aperture": (2.8, ("defocus", "overlay", "lens distortion", "vignetting", *FROM_EXPOSURE)),
     "light_angle": (
         0,
         ("light", "defocus", "overlay", "lens distortion", "vignetting", *FROM_EXPOSURE),
     ),
-    "focal_length": (
-        51,
-        (
-            *("pinhole rays", "surfaces", "light", "defocus", "overlay"),
-            *("lens map", "lens distortion", "vignetting", *FROM_EXPOSURE),
-        ),
-    ),
+    "focal_length": (51, FROM_RAYS),
+    "focus": (5, FROM_RAYS),
 }
 """Control to another value, and to the stages that must run again and no other."""
 
@@ -93,11 +92,48 @@ def test_a_straight_and_sharp_picture_skips_blur_and_bending():
 def test_the_straight_picture_serves_every_lens_of_the_same_margin():
     """Until the margin no longer suffices: then the whole picture is drawn, once."""
     cache, again = StageCache(), []
+    SCENE.render(values(k1=0), "", cache)
     for hundredths in range(-1, -41, -1):
         frame = SCENE.render(values(k1=hundredths / 100), "", cache)
         again.append("surfaces" in computed(frame))
-    assert again[0]
-    assert sum(again) <= 6
+    assert not again[0], "the first margin is there before the lens bends anything"
+    assert 0 < sum(again) <= 5
+
+
+@pytest.mark.parametrize("focal_length", [24, 50, 135])
+@pytest.mark.parametrize("k1", [-0.01, 0.01])
+def test_the_first_touch_of_k1_finds_its_margin_drawn(focal_length, k1):
+    after = computed_after({"k1": k1}, {"focal_length": focal_length})
+    assert tuple(after) == ("lens map", "lens distortion", "vignetting", *FROM_EXPOSURE)
+
+
+def test_a_margin_that_nothing_reads_changes_nothing():
+    """The picture of a straight lens, cut out of a larger one, is that of rays of its own size."""
+    cut, whole = outputs(k1=0), run_tier(values(k1=0), "bent-rays", StageCache()).outputs
+    assert cut["surfaces"][0].coverage.shape != whole["surfaces"][0].coverage.shape
+    inner = (slice(None), slice(2, -2), slice(2, -2))  # patterns of the last rows lack a neighbour
+    np.testing.assert_allclose(
+        cut["vignetting"][inner], whole["vignetting"][inner], rtol=1e-4, atol=1e-5
+    )
+
+
+@pytest.mark.parametrize(
+    ("noise", "drawn"),
+    [
+        ({"noise_sigma": 0, "shot_noise": False}, False),
+        ({"noise_sigma": 0, "shot_noise": True}, True),
+        ({"noise_sigma": 5, "shot_noise": False}, True),
+    ],
+)
+def test_grain_is_drawn_only_where_it_shows(noise, drawn):
+    frame = SCENE.render(values(**noise), "", StageCache())
+    assert ("grain" in computed(frame)) is drawn
+
+
+def test_rays_through_the_lens_need_no_picture_of_its_centre():
+    frame = SCENE.render(values(aperture=8, focal_length=135), "aperture-rays", StageCache())
+    assert "aperture rays" in computed(frame)
+    assert not {"surfaces", "light", "defocus", "overlay"} & set(computed(frame))
 
 
 def test_bent_rays_must_look_again_at_every_change_of_the_lens():
@@ -111,6 +147,7 @@ def test_neutral_stages_hand_on_the_same_object():
     result = outputs(k1=0, aperture=22, noise_sigma=0, shot_noise=False)
     assert result["bent rays"] is result["pinhole rays"]
     assert result["lens distortion"] is result["enlargement"] is result["overlay"]
+    assert result["trimming"].base is result["overlay"]
     assert result["defocus"] is result["light"]
     assert result["read noise"] is result["shot noise"] is result["exposure"]
 
@@ -144,12 +181,15 @@ def test_cached_photograph_is_bit_equal_to_a_cold_one(change, tier):
     assert warm.readouts == cold.readouts
 
 
-def test_silhouettes_of_balls_lie_where_projection_puts_them():
+@pytest.mark.parametrize("focus", [1.0, 10.0])
+def test_silhouettes_of_balls_lie_where_projection_puts_them(focus):
     """Centroid of each ball's coverage against the centre of its projected outline."""
-    focal_px = 24.0 / PITCH_MM
-    K = projection.intrinsics(focal_px, ((COLUMNS - 1) / 2, (ROWS - 1) / 2))
+    sensor_mm = 24.0 * focus / (focus - 0.024)
+    done = outputs(focal_length=24, focus=focus)
+    rows, columns = done["pinhole rays"].valid.shape
+    K = projection.intrinsics(sensor_mm / PITCH_MM, ((columns - 1) / 2, (rows - 1) / 2))
     seen = 0
-    for surface in outputs(focal_length=24)["surfaces"]:
+    for surface in done["surfaces"]:
         if surface.thing is None or not isinstance(surface.thing.solid, Sphere):
             continue
         ball = surface.thing.solid
@@ -211,11 +251,39 @@ def test_without_noise_the_photograph_is_that_of_an_ideal_sensor():
 
 
 def test_vignetting_darkens_a_wide_lens_by_cos4():
-    result = outputs(focal_length=24)
-    lit = result["overlay"][:, 0, 0] > 0
-    ratio = (result["vignetting"] / np.maximum(result["overlay"], 1e-6))[lit, 0, 0]
-    r = math.hypot((COLUMNS - 1) / 2, (ROWS - 1) / 2) * PITCH_MM
-    assert ratio == pytest.approx(math.cos(math.atan(r / 24)) ** 4, rel=1e-4)
+    """By the angle at which the sensor's corner sees the lens, from where the focus puts it."""
+    for focal_length, focus in ((24, 10.0), (135, 1.0)):
+        result = outputs(focal_length=focal_length, focus=focus)
+        lit = result["trimming"][:, 0, 0] > 0
+        ratio = (result["vignetting"] / np.maximum(result["trimming"], 1e-6))[lit, 0, 0]
+        r = math.hypot((COLUMNS - 1) / 2, (ROWS - 1) / 2) * PITCH_MM
+        sensor_mm = 1 / (1 / focal_length - 1 / (1000 * focus))
+        assert ratio == pytest.approx(math.cos(math.atan(r / sensor_mm)) ** 4, rel=1e-4)
+
+
+def readouts(**given):
+    frame = SCENE.render(values(**given), "", StageCache())
+    return {item.name: item.text for item in frame.readouts}
+
+
+def test_the_picture_breathes_with_the_focus():
+    """The field of view is that of the sensor's distance, and the plan shows the same."""
+    near, far = readouts(focal_length=135, focus=1), readouts(focal_length=135, focus=10)
+    assert (near["sensor_distance"], far["sensor_distance"]) == ("156.1", "136.8")
+    for told, sensor_mm in ((near, 135 / 0.865), (far, 135 / 0.9865)):
+        angle = 2 * math.degrees(math.atan(18 / sensor_mm))
+        assert told["field_of_view"] == f"{angle:.1f}"
+
+
+def test_the_automatic_makes_good_what_focus_and_aperture_take_away():
+    """Light on the axis goes as the solid angle of the opening seen from the sensor."""
+    for focal_length, aperture, focus in ((50, 8, 10.0), (135, 8, 1.0), (135, 2, 1.0)):
+        sensor_mm = 1 / (1 / focal_length - 1 / (1000 * focus))
+        gathered = (focal_length / aperture / sensor_mm) ** 2
+        assert shutter_s(focal_length, aperture, focus, 0.0) * gathered == pytest.approx(
+            shutter_s(50, 8, math.inf, 0.0) / 8**2
+        )
+    assert readouts(focal_length=135, focus=1)["shutter"] != readouts(focal_length=135)["shutter"]
 
 
 def test_the_byte_of_each_code_is_that_of_its_light():

@@ -18,6 +18,8 @@ from simulations.scenes.camera_lens import COLUMNS, PITCH_MM, ROWS
 
 FOCAL_MM = st.integers(24, 135)
 K1 = st.integers(-40, 40).map(lambda hundredths: hundredths / 100)
+FOCUS_M = 3.2
+NEAR_OR_FAR = st.sampled_from([1.0, FOCUS_M, 10.0])
 FOLDS = [(24.0, -0.4), (24.0, -0.2), (30.0, -0.3), (33.0, -0.4)]
 """Settings whose fold lies in the picture."""
 
@@ -26,40 +28,74 @@ def values(**given):
     return check_values(CONTROLS, given)
 
 
-def rays_of(focal_length, k1):
-    return camera_lens.bend_rays(camera_lens.pinhole_rays(focal_length), k1)
+def rays_of(focal_length, k1, focus=FOCUS_M):
+    return camera_lens.bend_rays(camera_lens.pinhole_rays(focal_length, focus), k1)
 
 
-def lens_map_of(focal_length, k1):
-    margin = camera_lens.margin_px(values(focal_length=focal_length, k1=k1))
-    straight = camera_lens.pinhole_rays(focal_length, 1, *margin)
-    return camera_lens.lens_map(straight, focal_length, k1, 1), straight.valid.shape
+def sensor_mm(focal_length, focus=FOCUS_M):
+    return 1.0 / (1.0 / focal_length - 1e-3 / focus)
+
+
+def lens_map_of(focal_length, k1, focus=FOCUS_M):
+    margin = camera_lens.margin_px(values(focal_length=focal_length, k1=k1, focus=focus))
+    straight = camera_lens.pinhole_rays(focal_length, focus, 1, *margin)
+    return camera_lens.lens_map(straight, focal_length, focus, k1, 1), straight.valid.shape
 
 
 def outputs(tier="layers", **given):
     return run_tier(values(**given), tier, StageCache()).outputs
 
 
-@given(FOCAL_MM, K1.filter(bool))
-@settings(max_examples=40, deadline=None)
-def test_the_margin_holds_every_pixel_that_the_warp_reads(focal_length, k1):
+@given(FOCAL_MM, K1, NEAR_OR_FAR)
+@settings(max_examples=60, deadline=None)
+def test_the_margin_holds_every_pixel_that_the_warp_reads(focal_length, k1, focus):
     """`cubic_warp` refuses a place whose neighbours are missing."""
-    lens, (rows, columns) = lens_map_of(float(focal_length), k1)
+    lens, (rows, columns) = lens_map_of(float(focal_length), k1, focus)
     assert lens.table.source_shape == (rows, columns)
     assert lens.table.corner.shape == (ROWS, COLUMNS)
 
 
-@given(FOCAL_MM, K1)
+@given(FOCAL_MM, K1, NEAR_OR_FAR)
 @settings(max_examples=40, deadline=None)
-def test_the_margin_is_no_wider_than_its_next_step(focal_length, k1):
-    """A straight picture is as wide as its farthest ray, to a step; k₁ = 0 needs no margin."""
-    reach = camera_lens.ideal_reach(float(focal_length), k1)
-    margins = camera_lens.margin_px(values(focal_length=focal_length, k1=k1))
+def test_the_margin_is_no_wider_than_its_next_step(focal_length, k1, focus):
+    """A straight picture is as wide as its farthest ray, to a step."""
+    principal = sensor_mm(focal_length, focus)
+    reach = camera_lens.ideal_reach(principal, k1)
+    margins = camera_lens.margin_px(values(focal_length=focal_length, k1=k1, focus=focus))
     for margin, far, size in zip(margins, reach, (COLUMNS, ROWS), strict=True):
-        needed = max(far * focal_length / PITCH_MM - size / 2 + camera_lens.WARP_REACH_PX, 0.0)
+        needed = far * principal / PITCH_MM - size / 2 + camera_lens.WARP_REACH_PX
         smaller = [step for step in camera_lens.MARGINS_PX if step < margin]
-        assert margin == 0 if k1 == 0 else margin >= needed
+        assert margin >= needed - 1e-9
         assert not smaller or smaller[-1] < needed
+
+
+PLACES = [(0.0, 0.0), (0.7, 0.0), (-0.5, 0.5), (0.2, -0.97)]
+"""On the lens, in units of its radius."""
+
+
+@pytest.mark.parametrize("at", PLACES)
+@pytest.mark.parametrize("focus", [1.0, FOCUS_M, 10.0])
+@pytest.mark.parametrize(("focal_length", "aperture"), [(24.0, 8.0), (50.0, 1.4), (135.0, 2.0)])
+def test_a_thin_lens_sends_each_ray_that_is_looked_along_to_its_pixel(
+    focal_length, aperture, focus, at
+):
+    """Rays as `through_lens` casts them, traced on through the lens to a sensor in focus."""
+    radius = focal_length / aperture / 2000
+    place = np.array(at) * radius
+    straight = camera_lens.pinhole_rays(focal_length, focus)
+    seen = still_life.view_through(straight.directions, straight.valid, tuple(place), focus)
+    into_camera = still_life.WORLD_TO_CAMERA[:3, :3]
+    start = into_camera @ (np.array(seen.eye) - still_life.EYE)
+    assert start == pytest.approx([*place, 0.0], abs=1e-12)
+    forward = seen.directions @ into_camera.T
+    slopes = forward[..., :2] / forward[..., 2:]
+    behind_mm = sensor_mm(focal_length, focus)
+    place_mm = 1000 * start[:2]
+    # Into the camera light runs backwards; what it meets is upside down.
+    upright = -(place_mm + behind_mm * (-slopes - place_mm / focal_length))
+    down, across = np.mgrid[:ROWS, :COLUMNS]
+    pixels = np.stack([across - (COLUMNS - 1) / 2, down - (ROWS - 1) / 2], axis=-1)
+    np.testing.assert_allclose(upright / PITCH_MM, pixels, atol=1e-9)
 
 
 @pytest.mark.parametrize("focal_length", [24, 50, 135])
@@ -76,9 +112,10 @@ def test_the_reach_is_that_of_the_farthest_ray(focal_length, k1):
     """Against all rays of the sensor, which stop half a pixel short of its edge."""
     rays = rays_of(focal_length, k1)
     seen = np.abs(rays.directions[rays.valid][:, :2]).max(axis=0)
-    reach = np.array(camera_lens.ideal_reach(focal_length, k1))
+    reach = np.array(camera_lens.ideal_reach(sensor_mm(focal_length), k1))
     assert (seen <= reach).all()
-    folded = largest_distorted_radius(Distortion(k1=k1)) < math.hypot(18, 12) / focal_length
+    corner = math.hypot(18, 12) / sensor_mm(focal_length)
+    folded = largest_distorted_radius(Distortion(k1=k1)) < corner
     assert seen == pytest.approx(reach, rel=0.06 if folded else 0.02)
 
 
@@ -89,7 +126,7 @@ def test_no_ray_meets_the_floor_before_the_nearest_depth(focal_length, k1):
     floor = falling < 0
     nearest = (-still_life.EYE[2] / falling[floor & rays.valid]).min()
     things = min(still_life.thing_depth(thing) for thing in still_life.THINGS)
-    depth = camera_lens.nearest_depth(focal_length, k1)
+    depth = camera_lens.nearest_depth(sensor_mm(focal_length), k1)
     assert depth <= min(nearest, things)
     assert depth == pytest.approx(min(nearest, things), rel=0.06)
 
@@ -99,14 +136,15 @@ def test_no_ray_meets_the_floor_before_the_nearest_depth(focal_length, k1):
 def test_a_point_of_light_lands_where_the_model_of_distortion_puts_it(focal_length, k1, place):
     """Centroid of a soft dot, to a twentieth of a pixel."""
     lens, (rows, columns) = lens_map_of(focal_length, k1)
-    x, y = np.array(place) * focal_length / PITCH_MM
+    pixels = sensor_mm(focal_length) / PITCH_MM
+    x, y = np.array(place) * pixels
     down, across = np.mgrid[:rows, :columns].astype(float)
     square = (across - (columns - 1) / 2 - x) ** 2 + (down - (rows - 1) / 2 - y) ** 2
     dot = np.exp(-square / (2 * 1.2**2)).astype(np.float32)
     seen = camera_lens.distort_picture(np.stack([dot] * 3), lens)[0].astype(float)
     down, across = np.mgrid[:ROWS, :COLUMNS]
     found = [(seen * axis).sum() / seen.sum() for axis in (across, down)]
-    moved = distort(place, Distortion(k1=k1)) * focal_length / PITCH_MM
+    moved = distort(place, Distortion(k1=k1)) * pixels
     expected = moved + np.array([(COLUMNS - 1) / 2, (ROWS - 1) / 2])
     assert found == pytest.approx(list(expected), abs=0.05)
 
@@ -124,7 +162,7 @@ def test_the_black_beyond_the_fold_is_where_no_ray_is_valid(focal_length, k1):
 
 def test_the_edge_of_the_fold_covers_the_area_of_its_circle():
     lens, _ = lens_map_of(24.0, -0.4)
-    radius = largest_distorted_radius(Distortion(k1=-0.4)) * 24.0 / PITCH_MM
+    radius = largest_distorted_radius(Distortion(k1=-0.4)) * sensor_mm(24.0) / PITCH_MM
     half = ROWS / 2  # the circle is cut off above and below
     area = 2 * (half * math.sqrt(radius**2 - half**2) + radius**2 * math.asin(half / radius))
     assert lens.reached.sum() == pytest.approx(area, rel=1e-3)

@@ -92,6 +92,72 @@ def test_the_cache_keeps_no_more_than_its_depth(counting: Counting) -> None:
     }  # fmt: skip
 
 
+def test_what_was_asked_for_last_is_kept_longest(counting: Counting) -> None:
+    """A B A C A computes A once: the setting that a reader keeps coming back to."""
+    cache = StageCache(depth=2)
+    for factor in (2, 3, 2, 4, 2):
+        run(counting.stages, values(factor=factor), cache)
+    assert counting.calls["gain"] == 3
+    assert statuses(counting.stages, values(factor=4), cache)[1] == "reused"
+    assert statuses(counting.stages, values(factor=3), cache)[1] == "computed"
+
+
+def noisy_stages(calls: Counter[str]) -> tuple[Stage, ...]:
+    """Grain that two stages may take, and a stage that can do without those before it."""
+
+    def called(name: str, output: Any) -> Any:
+        calls[name] += 1
+        return output
+
+    return (
+        Stage("rays", (), lambda: called("rays", 1.0)),
+        Stage("surfaces", (), lambda rays: called("surfaces", rays + 1.0), ("rays",)),
+        Stage(
+            "lens",
+            ("lens_rays",),
+            lambda rays, lens_rays: called("lens", rays * lens_rays),
+            ("rays",),
+            lambda v: "" if v["lens_rays"] else "one ray",
+            hands_on="surfaces",
+        ),
+        Stage("grain", (), lambda: called("grain", 0.25)),
+        Stage(
+            "noise",
+            ("sigma",),
+            lambda light, grain, sigma: called("noise", light + sigma * grain),
+            ("lens", "grain"),
+            lambda v: "" if v["sigma"] else "no noise",
+        ),
+    )
+
+
+@pytest.mark.parametrize(
+    ("sigma", "lens_rays", "made", "result"),
+    [
+        (0.0, 0.0, ("rays", "surfaces"), 2.0),
+        (2.0, 0.0, ("rays", "surfaces", "grain", "noise"), 2.5),
+        (0.0, 3.0, ("rays", "lens"), 3.0),
+        (2.0, 3.0, ("rays", "lens", "grain", "noise"), 3.5),
+    ],
+)
+def test_what_nothing_takes_is_not_computed(
+    sigma: float, lens_rays: float, made: tuple[str, ...], result: float
+) -> None:
+    calls: Counter[str] = Counter()
+    stages, given = noisy_stages(calls), values(sigma=sigma, lens_rays=lens_rays)
+    done = run(stages, given, StageCache())
+    assert tuple(calls) == made
+    assert done.outputs["noise"] == result
+    idle = {report.name: report.reason for report in done.reports if report.status == "skipped"}
+    own = {"lens": "one ray", "noise": "no noise"}
+    assert idle == {
+        stage.name: own.get(stage.name, "nothing takes it")
+        for stage in stages
+        if stage.name not in made
+    }
+    assert set(done.outputs) == {"noise", "lens", *made}
+
+
 def test_extra_parameters_are_read_like_controls() -> None:
     stage = Stage("tiered", ("tier",), lambda tier: tier)
     assert run((stage,), values(), StageCache(), {"tier": "fast"}).outputs["tiered"] == "fast"
@@ -113,6 +179,15 @@ def test_a_stage_that_asks_for_what_does_not_exist_is_named(stage: Stage, messag
 def test_a_stage_without_inputs_has_nothing_to_hand_on() -> None:
     with pytest.raises(ValueError, match="stage 'a' is neutral; legal: with an input"):
         Stage("a", (), lambda: 1, neutral=lambda _values: "always")
+
+
+def test_what_is_handed_on_is_handed_on_by_a_stage_that_can_be_neutral() -> None:
+    with pytest.raises(ValueError, match="stage 'a' hands on 'b'; legal: where it can be neutral"):
+        Stage("a", (), lambda: 1, hands_on="b")
+    first = Stage("first", (), lambda: 1)
+    lost = Stage("a", (), lambda: 1, neutral=lambda _values: "always", hands_on="b")
+    with pytest.raises(KeyError, match="stage 'a' follows 'b'; legal: first"):
+        run((first, lost), values(), StageCache())
 
 
 def reasons(*arguments: Any) -> list[str]:
