@@ -75,7 +75,6 @@ def _filter(
 
 
 def _rays(
-    _sharp: Planes,
     rays: Rays,
     light_angle: float,
     focal_length: float,
@@ -86,7 +85,7 @@ def _rays(
     """The mean of pictures through points spread over the lens."""
     points = fibonacci_disc(int(tier.removeprefix("fibonacci-")))
     setting = (light_angle, focal_length, aperture, focus)
-    total = np.zeros_like(_sharp)
+    total = np.zeros((3, *rays.valid.shape), np.float32)
     for right, down in points.tolist():
         total += camera_stages.through_lens(rays, (right, down), *setting)
     return total / np.float32(len(points))
@@ -125,8 +124,9 @@ STAGES = (
         "rays through the lens",
         ("light_angle", "focal_length", "aperture", "focus", "tier"),
         _rays,
-        ("filter", "pinhole rays"),
+        ("pinhole rays",),
         lambda values: _unless(values, ("fibonacci-16",), "every pixel has one ray"),
+        hands_on="filter",
     ),
     Stage("encoded", (), encode, ("rays through the lens",)),
 )
