@@ -95,7 +95,7 @@ def _counted(x: Floats, y: Floats, _distance: Floats, radius: float, *, factor: 
     squares_x = np.square(x[:, None] + _sub_pixels(factor))
     squares_y = np.square(y[:, None] + _sub_pixels(factor))
     inside = squares_x[:, None, :] < radius**2 - squares_y[:, :, None]
-    counted = np.einsum("ps->p", inside.reshape(x.size, -1).view(np.uint8), dtype=np.int32)
+    counted = np.einsum("ps->p", inside.reshape(x.size, factor**2).view(np.uint8), dtype=np.int32)
     share: Floats = counted / factor**2
     return share
 
@@ -184,6 +184,7 @@ LADDER = Ladder(
             "1 distance a pixel",
             _each(lambda disc: ramp_coverage(_distance(disc))),
         ),
+        _box_tier(2),
         _edge_tier(
             "straight",
             "Area behind a straight edge",
@@ -196,11 +197,10 @@ LADDER = Ladder(
             "1 distance a pixel, 1 normal and 1 chord on the edge",
             _curved,
         ),
-        _edge_box_tier(16),
-        _box_tier(2),
         _box_tier(4),
-        _edge_box_tier(64),
         _box_tier(8),
+        _edge_box_tier(16),
+        _edge_box_tier(64),
         _box_tier(16),
     ),
     reference=reference,
@@ -211,5 +211,5 @@ LADDER = Ladder(
         Metric("rms-small", "The same, radius 5", "% of a pixel", partial(rms, which=1)),
         Metric("worst-small", "Largest, radius 5", "% of a pixel", partial(worst, which=1)),
     ),
-    default_tier="curved",
+    default_tier="straight",
 )

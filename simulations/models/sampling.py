@@ -62,9 +62,11 @@ def zone_plate(x: ArrayLike, y: ArrayLike, scale: float) -> Array:
         raise ValueError(f"scale {scale}; legal: above 0, finite")
     with np.errstate(over="ignore"):
         phase = np.pi * (np.square(as_floats(x)) + np.square(as_floats(y))) / scale
+    if np.isfinite(phase).all():
+        rings: Array = 0.5 + 0.5 * np.cos(phase)
+        return rings
     known = np.isfinite(phase)
-    rings: Array = np.where(known, 0.5 + 0.5 * np.cos(np.where(known, phase, 0)), 0.5)
-    return rings
+    return np.where(known, 0.5 + 0.5 * np.cos(np.where(known, phase, 0)), 0.5)
 
 
 def zone_plate_area(x: ArrayLike, y: ArrayLike, scale: float) -> Array:
@@ -86,11 +88,15 @@ def zone_plate_area(x: ArrayLike, y: ArrayLike, scale: float) -> Array:
 def box_filter(fine: ArrayLike, factor: int) -> Array:
     """Mean of each ``factor`` x ``factor`` block of (H, W, ...): what a pixel's area does."""
     image = _divisible(fine, factor)
-    height, width = image.shape[0] // factor, image.shape[1] // factor
-    blocks = image.reshape(height, factor, width, factor, *image.shape[2:])
+    height, width, *rest = image.shape
     with np.errstate(over="ignore", invalid="ignore"):
-        mean: Array = blocks.mean(axis=(1, 3))
-    return mean
+        # Along whole rows, then column by column: many times as quick as both axes at once.
+        rows = image.reshape(height // factor, factor, width, *rest).mean(axis=1)
+        total = rows[:, ::factor].copy()
+        for column in range(1, factor):
+            total += rows[:, column::factor]
+        total /= factor
+    return total
 
 
 def gaussian_kernel(sigma: float) -> Array:
