@@ -41,7 +41,8 @@ def picture(width: int, lens_radius: float, rays: int) -> Floats:
         y = seen.y + (down - 0.5) / seen.focal_px
         shades += shades_along(x, y, radius * np.cos(angle), radius * np.sin(angle))
     colours = np.array([TINT, *(card.colour for card in CARDS)])
-    return np.einsum("sc,shw->chw", colours, shades / rays)
+    mean: Floats = np.einsum("sc,shw->chw", colours, shades / rays)
+    return mean
 
 
 def spread_evenly(count: int) -> Floats:

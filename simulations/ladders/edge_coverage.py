@@ -102,7 +102,8 @@ def _counted(x: Floats, y: Floats, _distance: Floats, radius: float, *, factor: 
 
 def _normal(x: Floats, y: Floats, distance: Floats, radius: float) -> Floats:
     """Unit vectors (m, 2) away from the disc's centre, (0, 0) at the centre itself."""
-    return np.stack([x, y], axis=-1) / np.maximum(radius - distance, 1e-12)[:, None]
+    unit: Floats = np.stack([x, y], axis=-1) / np.maximum(radius - distance, 1e-12)[:, None]
+    return unit
 
 
 def _straight(x: Floats, y: Floats, distance: Floats, radius: float) -> Floats:
@@ -121,12 +122,13 @@ def reference(workload: Workload) -> Result:
 def _exact(disc: Disc) -> Floats:
     left, right = disc.x - 0.5, disc.x + 0.5
     top, bottom = (disc.y - 0.5)[:, None], (disc.y + 0.5)[:, None]
-    return (
+    area: Floats = (
         _area_to(right, bottom, disc.radius)
         - _area_to(left, bottom, disc.radius)
         - _area_to(right, top, disc.radius)
         + _area_to(left, top, disc.radius)
     )
+    return area
 
 
 def _area_to(x: Floats, y: Floats, radius: float) -> Floats:

@@ -41,10 +41,10 @@ def mean_of_random_instants(
 
 def _mean(pictures: Iterator[Floats]) -> Floats:
     """Of one picture or more, of which only one is kept at a time."""
-    total = as_floats(next(pictures)).copy()  # sums of whole codes would wrap around
-    count = 1
-    for count, picture in enumerate(pictures, start=2):
+    total, count = as_floats(next(pictures)).copy(), 1  # sums of whole codes would wrap around
+    for picture in pictures:
         total += picture
+        count += 1
     return total / count
 
 

@@ -63,8 +63,7 @@ def zone_plate(x: ArrayLike, y: ArrayLike, scale: float) -> Array:
     with np.errstate(over="ignore"):
         phase = np.pi * (np.square(as_floats(x)) + np.square(as_floats(y))) / scale
     if np.isfinite(phase).all():
-        rings: Array = 0.5 + 0.5 * np.cos(phase)
-        return rings
+        return np.asarray(0.5 + 0.5 * np.cos(phase))
     known = np.isfinite(phase)
     return np.where(known, 0.5 + 0.5 * np.cos(np.where(known, phase, 0)), 0.5)
 
@@ -92,7 +91,7 @@ def box_filter(fine: ArrayLike, factor: int) -> Array:
     with np.errstate(over="ignore", invalid="ignore"):
         # Along whole rows, then column by column: many times as quick as both axes at once.
         rows = image.reshape(height // factor, factor, width, *rest).mean(axis=1)
-        total = rows[:, ::factor].copy()
+        total: Array = rows[:, ::factor].copy()
         for column in range(1, factor):
             total += rows[:, column::factor]
         total /= factor
@@ -132,9 +131,9 @@ def _ratio_of_neighbours(sigma: float) -> float:
     weights = 2 * (squares - sigma**2)
     ratio = 0.61  # exp(-1/2), the answer for sigma 1, is a little less
     for _ in range(12):
-        excess = weights @ ratio**squares - sigma**2
-        ratio -= excess / (weights @ (squares * ratio ** (squares - 1)))
-    return float(max(ratio, 0.0))
+        excess = float(weights @ ratio**squares) - sigma**2
+        ratio -= excess / float(weights @ (squares * ratio ** (squares - 1)))
+    return max(ratio, 0.0)
 
 
 def sinc_kernel(factor: int, lobes: int = 4) -> Array:

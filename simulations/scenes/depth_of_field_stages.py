@@ -88,7 +88,7 @@ def _rays(
     total = np.zeros((3, *rays.valid.shape), np.float32)
     for right, down in points.tolist():
         total += camera_stages.through_lens(rays, (right, down), *setting)
-    return total / np.float32(len(points))
+    return np.asarray(total / np.float32(len(points)), np.float32)
 
 
 def encode(light: Planes) -> Raster:
