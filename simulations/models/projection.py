@@ -31,7 +31,9 @@ def intrinsics(
 
     Parameters
     ----------
-    focal_px : focal length in pixels, or (fx, fy) where pixels are not square.
+    focal_px : distance from the centre of projection to the image plane in pixels, or (fx, fy)
+        where pixels are not square. A lens's focal length is that only when it is focused at
+        infinity; see `optics.principal_distance_mm`.
     principal_point : (cx, cy), where the optical axis meets the image, in pixels.
     skew : pixels that x gains per unit of normalised y; 0 where the pixel axes are orthogonal.
 
@@ -209,6 +211,8 @@ def pixel_rays(K: ArrayLike, width: int, height: int) -> Floats:
 
 def field_of_view(focal_mm: float, sensor_mm: float) -> float:
     """Angle in radians that a sensor of ``sensor_mm`` sees: 2 atan(sensor / 2 focal).
+
+    ``focal_mm`` is its distance from the centre of projection, as in `intrinsics`.
 
     An infinite focal length sees angle 0. Any one unit of length does, pixels included.
     """

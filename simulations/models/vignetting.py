@@ -12,11 +12,14 @@ type Floats = NDArray[np.floating]
 def vignetting_cos4(r_over_f: ArrayLike) -> Floats:
     """Natural vignetting: relative irradiance cos⁴α at image radius r, with tan α = r/f.
 
+    f is the distance from lens to sensor: the focal length where the lens is focused at infinity,
+    and else `optics.principal_distance_mm`.
+
     Parameters
     ----------
     r_over_f : (...) floats
-        Distance from the principal point divided by the focal length; the sign does not
-        matter, and infinitely far out the light is 0.
+        Distance from the principal point divided by f; the sign does not matter, and
+        infinitely far out the light is 0.
 
     Returns
     -------

@@ -28,7 +28,6 @@ def render(values: Values, _tier: str, _cache: StageCache) -> Frame:
         camera=values.choice("camera"),
     )
     through_centre = view.camera == PERSPECTIVE
-    angle_deg = math.degrees(field_of_view(view.focal_px, 2.0 * HALF_WIDTH_PX))
     if through_centre:
         top, image = projection_top_view.top_view_panel(view), projection_picture.image_panel(view)
     else:
@@ -42,18 +41,20 @@ def render(values: Values, _tier: str, _cache: StageCache) -> Frame:
             readout("f", "f, focal length", view.focal_px, "px", digits=0, role="camera"),
             image_readout("x", "x, right", view, view.x),
             image_readout("y", "y, down", view, view.y),
-            # Parallel rays span no angle.
-            readout(
-                "view",
-                "Field of view",
-                angle_deg if through_centre else 0.0,
-                "°",
-                digits=1,
-                role="camera",
-            ),
+            extent_readout(view),
         ),
         description=describe(view) if through_centre else projection_parallel.describe(view),
     )
+
+
+def extent_readout(view: View) -> Readout:
+    """What the picture is wide enough for: an angle, or for parallel rays a strip of the world."""
+    width_px = 2.0 * HALF_WIDTH_PX
+    if view.camera == PERSPECTIVE:
+        seen, unit = math.degrees(field_of_view(view.focal_px, width_px)), "°"
+    else:
+        seen, unit = width_px / view.scale, "m wide"
+    return readout("view", "Field of view", seen, unit, digits=1, role="camera")
 
 
 def image_readout(name: str, label: str, view: View, value: float) -> Readout:

@@ -4,18 +4,26 @@ from functools import cache
 from itertools import pairwise
 from math import hypot, isclose, sqrt, tan
 
+from numpy import arange, interp
 from support.worked_numbers import Says
 
 from simulations.engine.controls import check_values
 from simulations.engine.pipeline import StageCache
+from simulations.models.aperture_grid import aperture_grid
 from simulations.models.color import encode_srgb
 from simulations.models.distortion import Distortion, distort, largest_distorted_radius
-from simulations.models.optics import circle_of_confusion_mm, field_of_view_rad, hyperfocal
+from simulations.models.optics import (
+    circle_of_confusion_mm,
+    field_of_view_rad,
+    hyperfocal,
+    principal_distance_mm,
+    working_f_number,
+)
 from simulations.models.vignetting import vignetting_cos4
 from simulations.scenes import camera
-from simulations.scenes.camera_lens import margin_px
+from simulations.scenes.camera_lens import COLUMNS, ROWS, bend_rays, margin_px, pinhole_rays
 from simulations.scenes.camera_sensor import ADC
-from simulations.scenes.camera_stages import STAGES
+from simulations.scenes.camera_stages import STAGES, TIERS
 
 CHAPTER = "08-full-camera-model"
 PIXEL_MM = 36 / 264
@@ -25,25 +33,40 @@ def the_camera_s_pixels() -> Says:
     yield f"$36/264 = {PIXEL_MM:.3f}$ mm wide"
 
 
+ASIDE = 0.30 / 1.90
+"""Of the point whose way is told: its tangent to the optical axis."""
+LENS = Distortion(k1=-0.2)
+
+
 def where_a_point_lands() -> Says:
-    focal = 50 / PIXEL_MM
-    yield rf"$50 \cdot 264/36 = {focal:.1f}$ pixels"
-    yield rf"$x = {focal:.1f} \times 0.30/1.90 = {focal * 0.30 / 1.90:.1f}$ pixels"
-    squared = (0.30 / 1.90) ** 2
-    yield f"$r^2 = (0.30/1.90)^2 = {squared:.4f}$"
-    yield rf"$1 - 0.2 \times {squared:.4f} = {1 - 0.2 * squared:.4f}$"
-    bent = distort([0.30 / 1.90, 0], Distortion(k1=-0.2))[0]
-    yield f"The point moves inwards to {focal * bent:.1f} pixels."
+    sensor = principal_distance_mm(50, 3200)
+    yield rf"$50 \cdot 3200/3150 = {sensor:.2f}$ mm behind the lens"
+    focal = sensor / PIXEL_MM
+    yield rf"${sensor:.2f} \cdot 264/36 = {focal:.1f}$ pixels"
+    yield rf"$x = {focal:.1f} \times 0.30/1.90 = {focal * ASIDE:.1f}$ pixels"
+    yield f"at $r = 0.30/1.90 = {ASIDE:.4f}$ from the centre"
+    yield rf"$1 - 0.2\,r^2 = {1 - 0.2 * ASIDE**2:.4f}$"
+    bent = float(distort([ASIDE, 0], LENS)[0])
+    yield f"It moves inwards to $r' = {bent:.4f}$, which is {focal * bent:.1f} pixels."
+
+
+def the_same_place_in_the_simulator() -> Says:
+    """Its rays say the same: the one that the lens bends onto that pixel points at the point."""
+    sensor = principal_distance_mm(50, 3200)
+    column = (COLUMNS - 1) / 2 + sensor / PIXEL_MM * float(distort([ASIDE, 0], LENS)[0])
+    rays = bend_rays(pinhole_rays(50.0, 3.2), LENS.k1).directions
+    row = (rays[ROWS // 2 - 1] + rays[ROWS // 2]) / 2
+    assert isclose(float(interp(column, arange(COLUMNS), row[:, 0])), ASIDE, rel_tol=1e-4)
+    yield "This is the [principal distance]"
 
 
 def what_the_pixel_counts() -> Says:
-    squared = (0.30 / 1.90) ** 2
-    corner = float(vignetting_cos4(sqrt(squared)))
+    corner = float(vignetting_cos4(float(distort([ASIDE, 0], LENS)[0])))
     light = 0.6 * 0.8
-    yield f"so $I = {light:.2f}$"
-    yield f"$1/(1 + r^2)^2 = {corner:.3f}$ here"
+    yield rf"$0.6 \times 0.8 = {light:.2f}$ of what a white surface"
+    yield f"$1/(1 + r'^2)^2 = {corner:.4f}$ here"
     arrives = light * corner
-    yield rf"${light:.2f} \times {corner:.3f} = {arrives:.3f}$"
+    yield rf"${light:.2f} \times {corner:.4f} = {arrives:.4f}$"
     mean = 10_000 * arrives
     yield f"the mean count is {mean:.0f}. Shot noise is $\\sqrt{{{mean:.0f}}} = {sqrt(mean):.1f}$"
     read = 5 / 255 * 10_000
@@ -54,12 +77,12 @@ def what_the_pixel_counts() -> Says:
     codes = 4095 - ADC.black_level_dn
     gain = ADC.full_well_e / codes
     black = ADC.black_level_dn
-    yield f"keeps {black:.0f} of its codes for the black level"
+    yield f"It gives {black:.0f} to no light at all, its *black level*"
     dn = mean / gain + black
-    yield f"the other {codes:.0f}: ${mean:.0f} / {gain:.3f} + {black:.0f} = {dn:.0f}$"
+    yield f"the {codes:.0f} above: ${mean:.0f} / {gain:.3f} + {black:.0f} = {dn:.0f}$"
     encoded = float(encode_srgb(arrives))
-    yield f"${arrives:.3f}$ becomes ${encoded:.3f}$"
-    yield rf"${encoded:.3f} \times 255 = {255 * encoded:.0f}$"
+    yield f"${arrives:.4f}$ becomes ${encoded:.4f}$"
+    yield rf"${encoded:.4f} \times 255 = {255 * encoded:.0f}$"
     spread = 255 * float(encode_srgb((mean + noise) / 10_000) - encoded)
     yield f"give or take about {spread:.0f} codes of noise"
 
@@ -82,21 +105,53 @@ def when_the_lens_is_a_pinhole() -> Says:
     yield f"{wall:.2f} and {near:.2f} pixels. No disc is as wide as a pixel"
 
 
+def focus_breathing() -> Says:
+    share, much = (
+        100 * (principal_distance_mm(focal, focus) / focal - 1)
+        for focal, focus in ((50, 3200), (135, 1000))
+    )
+    yield f"by {share:.1f} % at 50 mm and 3.2 m, by {much:.0f} % at 135 mm and 1 m"
+    left = (1 / working_f_number(135, 1.0, 1000)) ** 2
+    yield f"a share of $(f/z_s)^2$ is left, {100 * left:.0f} % in the second case"
+    near, far = (principal_distance_mm(135, focus) for focus in (1000, 10_000))
+    yield f"everything grows by {100 * (near / far - 1):.0f} %"
+
+
 def the_hyperfocal_distance() -> Says:
     distance = hyperfocal(50, 2.8, PIXEL_MM)
     yield rf"$2500/(2.8 \times {PIXEL_MM:.4f}) + 50 \approx {round(distance, -2):.0f}$ mm"
 
 
 def half_the_field_of_view() -> Says:
-    half = 18 / tan(field_of_view_rad(50, 36) / 4)
-    yield f"Half is reached at {half:.0f} mm."
-    assert isclose(2 * field_of_view_rad(half, 36), field_of_view_rad(50, 36))
+    sensor, longer = (principal_distance_mm(focal, 3200) for focal in (50, 100))
+    angle = field_of_view_rad(50, 36, 3200)
+    half = 18 / tan(angle / 4)
+    yield f"half the angle takes {half / sensor:.2f} times the distance"
+    yield f"Twice the focal length gives only {longer / sensor:.2f} times"
+    focal = 1 / (1 / half + 1 / 3200)
+    yield f"Half is reached at {focal:.0f} mm."
+    assert isclose(2 * field_of_view_rad(focal, 36, 3200), angle)
+    assert isclose(camera.view_of(check_values(camera.CONTROLS, {})), angle)
+
+
+def a_quarter_as_deep() -> Says:
+    limits = [
+        camera.depth_of_field_m(check_values(camera.CONTROLS, {"aperture": 1.4, "focal_length": f}))
+        for f in (50, 100)
+    ]
+    (near, far), (near_long, far_long) = limits
+    assert 0.23 < (far_long - near_long) / (far - near) < 0.27
+    assert all(behind - 3.2 > 3.2 - before for before, behind in limits)
+    yield "About a quarter as deep"
+    yield "In both cases the band reaches farther behind the focus than in front of it."
 
 
 def past_the_fold() -> Says:
     largest = largest_distorted_radius(Distortion(k1=-0.4))
     yield f"past the largest distorted radius, {largest:.2f} for this $k_1$"
-    assert hypot(18, 12) / 24 > largest
+    wide, long = (hypot(18, 12) / principal_distance_mm(focal, 3200) for focal in (24, 135))
+    yield f"at $r = {wide:.2f}$ with the wide lens and at {long:.2f} with the long one"
+    assert wide > largest
 
 
 def wide_lens_distortion() -> Says:
@@ -111,18 +166,20 @@ def a_code_in_electrons() -> Says:
 
 def what_bending_the_picture_costs() -> Says:
     picture, rays = errors_in_codes(aperture=8, k1=-0.1)
-    yield f"At f/8 and $k_1 = -0.1$ the picture is {picture:.1f} codes of 255 from one"
-    yield f"With bent rays it is {rays:.1f}."
+    yield f"through the lens by {picture:.1f} codes of 255"
+    assert 0.85 < rays < 1.15
+    yield "With bent rays it is about one code."
     picture, rays = errors_in_codes(focal_length=135, aperture=1.4, k1=0.4)
-    yield f"{picture:.1f} codes from the truth and the one of bent rays {rays:.1f}."
-    assert picture < rays
+    assert 2 < picture < 0.98 * rays
+    assert rays < 3
+    yield "both pictures are between two and three codes from the truth, and the bent one"
 
 
 def a_lens_that_hardly_bends() -> Says:
     picture, rays = errors_in_codes(k1=0.01)
-    yield f"the bent picture is {picture:.2f} codes from the truth, the one of bent rays {rays:.2f}"
+    yield f"the bent picture is {picture:.1f} codes from the truth, the one of bent rays {rays:.1f}"
     picture, rays = errors_in_codes(k1=0.4)
-    yield f"At 0.40 they are {picture:.2f} and {rays:.2f} codes off."
+    yield f"At 0.40 they are {picture:.1f} and {rays:.1f} codes off."
 
 
 @cache
@@ -145,22 +202,43 @@ def how_seldom_the_straight_picture_is_drawn_again() -> Says:
             for k1 in range(-40, 41)
         ]
         again += [before != after for before, after in pairwise(sweep)]
-    assert 0.05 < sum(again) / len(again) < 0.15
-    yield "only one in ten or so has to draw the straight picture again"
+    assert 20 < len(again) / sum(again) < 30
+    yield "about one step in twenty-five has to draw the straight picture again"
+    yield "the first of them, four pixels, is always there"
+    assert margin_px(check_values(camera.CONTROLS, {})) == (4, 4)
 
 
 def how_many_stages_there_are() -> Says:
-    assert len(STAGES) == 18
-    yield "A photograph here takes eighteen stages"
+    assert len(STAGES) == 19
+    yield "A photograph here takes nineteen stages"
+
+
+def what_the_truth_is() -> Says:
+    yield f"sends {len(aperture_grid(camera.REFERENCE_GRID))} rays per pixel through the whole"
+    yield f"differs from one that sends {len(aperture_grid(camera.REFERENCE_GRID))} rays per pixel"
+    rays = TIERS["aperture-rays"]["lens_rays"]
+    yield f"*{rays} bent rays a pixel*"
+    assert rays == 12
+    yield "twelve rays per pixel come nearer to the truth"
+
+
+def a_draft_is_for_what_moves_everything() -> Says:
+    assert camera.SCENE.drafted == ("focal_length", "light_angle")
+    assert TIERS["draft"]["reduction"] ** 2 == 4
+    yield "For the focal length and the lamp, the simulator sends one ray for four pixels"
+    yield "The focus has no draft."
 
 
 WORKED = (
     the_camera_s_pixels,
     where_a_point_lands,
+    the_same_place_in_the_simulator,
     what_the_pixel_counts,
     when_the_lens_is_a_pinhole,
+    focus_breathing,
     the_hyperfocal_distance,
     half_the_field_of_view,
+    a_quarter_as_deep,
     past_the_fold,
     wide_lens_distortion,
     a_code_in_electrons,
@@ -168,4 +246,6 @@ WORKED = (
     a_lens_that_hardly_bends,
     how_seldom_the_straight_picture_is_drawn_again,
     how_many_stages_there_are,
+    what_the_truth_is,
+    a_draft_is_for_what_moves_everything,
 )

@@ -140,11 +140,20 @@ def test_scaled_orthography_agrees_with_perspective_at_its_reference_depth_only(
     assert texts(camera="scaled-orthographic", focal_length=160)["x"] == "32.0"
 
 
+@pytest.mark.parametrize(("camera", "metres"), [(CAMERAS[1], 12.5), (CAMERAS[2], 6.0)])
+@pytest.mark.parametrize("depth", [-2.0, 5.0, 20.0])
+def test_parallel_rays_see_a_strip_of_the_same_width_at_every_depth(camera, metres, depth):
+    """At its edge, 100 px from the middle, half of it is to one side."""
+    shown = texts(camera=camera, depth=depth, point_x=2.5)
+    assert float(shown["view"]) == metres
+    assert float(shown["x"]) == pytest.approx(100 * 2.5 / (metres / 2), abs=0.05)
+
+
 def test_orthography_knows_neither_depth_nor_focal_length():
     """100 px are 3 m wide at any distance: 33.3 px to the metre."""
     for given in ({}, {"depth": 20}, {"depth": -2}, {"focal_length": 200}):
         shown = texts(camera="orthographic", **given)
-        assert (shown["x"], shown["y"], shown["view"]) == ("33.3", "16.7", "0.0")
+        assert (shown["x"], shown["y"], shown["view"]) == ("33.3", "16.7", "6.0")
 
 
 @pytest.mark.parametrize("camera", CAMERAS[1:])
