@@ -139,7 +139,7 @@ METRICS = (
 LADDER = Ladder(
     id="depth-of-field",
     title="Depth of field",
-    workload="80 × 60 pixels: three cards, floor and wall, discs of confusion up to 9 pixels wide",
+    workload="80 × 60 pixels: three cards, floor and wall, discs of confusion up to 8 pixels wide",
     prepare=prepare,
     tiers=(
         Tier("pinhole", "Pinhole", "1 ray a pixel", pinhole),
