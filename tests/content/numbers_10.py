@@ -70,7 +70,7 @@ def what_is_said_in_words_of_errors() -> Says:
     assert error("edge-coverage", "straight", "worst") / 100 * 255 < 0.9
     yield "worst-small` at worst, which is more than four codes"
     assert error("edge-coverage", "straight", "worst-small") / 100 * 255 > 4.3
-    yield "Now the box of 16\u00a0×\u00a016 is the better one"
+    yield "Now the box of 16 × 16 is the better one"
     assert error("edge-coverage", "box-16", "rms-small") < 0.6 * error(
         "edge-coverage", "straight", "rms-small"
     )
