@@ -116,7 +116,7 @@ def what_is_said_of_wide_discs() -> Says:
     narrow = 2 * float(radius_px(depth_of_field.prepare(), 1.6))
     assert round(narrow) == 8
     yield "Discs eight pixels wide flatter layers"
-    yield f"until a disc is {near:.0f} pixels wide"
+    yield f"until they are {near:.0f} pixels wide"
     yield f"Such a disc covers {round(np.pi * near**2 / 4, -2):.0f} pixels"
     assert round(near / narrow) == 6
     yield "With discs six times as wide"
@@ -130,7 +130,7 @@ def what_is_said_of_wide_discs() -> Says:
     }
     yield "Sixteen rays fall most"
     assert lost.pop("fibonacci-16") > 3 + max(lost.values())
-    yield "and filters trail them still"
+    yield "and the filters stay behind them"
     filters = [error("wide-discs", tier, "psnr") for tier in ("discs", "binned", "gather")]
     assert max(filters) < error("wide-discs", "layered", "psnr") - 3
     yield "comes as near the truth"

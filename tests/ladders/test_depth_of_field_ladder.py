@@ -86,7 +86,7 @@ def test_places_in_pixel_and_lens_are_spread_as_evenly_as_they_are_many() -> Non
     places = depth_of_field_truth.spread_evenly(2048)
     for along in places.T:
         assert np.abs(np.histogram(along, 64, (0, 1))[0] - 32).max() <= 8
-    assert np.abs(np.corrcoef(places.T) - np.eye(4)).max() < 0.01
+    assert np.abs(np.corrcoef(places.T) - np.eye(4)).max() < 0.02
 
 
 def test_wide_discs_cost_layers_their_lead() -> None:
