@@ -163,7 +163,7 @@ def test_a_light_has_a_direction_of_unit_length(light):
 
 @pytest.mark.parametrize("angle", [0.0, -0.1, 1.6, math.nan])
 def test_the_bounds_of_a_shadow_need_a_lamp_of_some_width(angle):
-    with pytest.raises(ValueError, match="shadow_bounds: light_radius_rad .*; legal: 0 to pi/2"):
+    with pytest.raises(ValueError, match=r"shadow_bounds: light_radius_rad .*; legal: 0 to pi/2"):
         shadow_bounds(Sphere((0, 0, 2), 0.5), (0, 0, 1.0), angle)
 
 
@@ -173,5 +173,5 @@ def test_points_that_are_nowhere_are_refused(far):
         lambda: visibility(Sphere((0, 0, 2), 0.5), [[0, 0, 0], [far, 0, 0]], (0, 0, 1.0), 0.1),
         lambda: sphere_occlusion((0, 0, 2.0), 0.5, [0, far, 0], (0, 0, 1.0)),
     ):
-        with pytest.raises(ValueError, match="points as far as .*; legal: to 1e\\+100"):
+        with pytest.raises(ValueError, match=r"points as far as .*; legal: to 1e\+100"):
             call()
