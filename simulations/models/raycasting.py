@@ -221,7 +221,8 @@ def edge_coverage(margin: ArrayLike) -> Floats:
         slope = np.maximum(np.hypot(down, across), NEARLY_ZERO)
         distance = signed / slope
     coverage = ramp_coverage(distance)  # all or nothing, but for the pixels that the edge crosses
-    edge = (np.abs(distance) < HALF_DIAGONAL) & np.isfinite(slope)
-    normal = np.stack((across[edge], down[edge]), axis=-1) / slope[edge][:, None]
-    coverage[edge] = straight_edge_coverage(distance[edge], normal)
+    edge = np.flatnonzero(np.abs(distance) < HALF_DIAGONAL)
+    edge = edge[np.isfinite(slope.flat[edge])]
+    normal = np.stack((across.flat[edge], down.flat[edge]), axis=-1) / slope.flat[edge][:, None]
+    coverage.flat[edge] = straight_edge_coverage(distance.flat[edge], normal)
     return coverage
