@@ -1,7 +1,8 @@
 # make serve     read and edit the book: http://localhost:8000, rebuilt on every change
 # make site      build it into build/site/
 # make test      all tests; the first run may install a browser
-# make check     formatting, lint and types; edits nothing
+# make test-quick            those that need no browser
+# make check     formatting, lint and types of Python, scripts and style sheets; edits nothing
 # make bench     time and judge all ladders, here and in Chromium (LADDER=srgb: only one)
 # make screenshot            the README's picture (PAGE=lens-distortion/: that page, into build/)
 # make lock      pin the newest packages that pyproject.toml allows
@@ -12,6 +13,7 @@ PAGE ?=
 LADDER ?=
 SAMPLE ?= 30
 MODULE ?=
+PARALLEL := --numprocesses=auto --maxprocesses=4 --dist=worksteal
 VENV := .venv
 BIN := $(VENV)/bin
 
@@ -22,7 +24,7 @@ PYTHON ?= $(firstword $(foreach python,$(PYTHONS),\
 	$(shell command -v $(python) >/dev/null 2>&1 && $(python) -c '$(IS_NEW)' 2>/dev/null && echo $(python))))
 
 .DELETE_ON_ERROR:
-.PHONY: serve site test check lock screenshot bench mutants clean
+.PHONY: serve site test test-quick check lock screenshot bench mutants clean
 
 serve: $(VENV)/book.stamp
 	@$(BIN)/python -m site_builder serve --port $(PORT)
@@ -31,12 +33,16 @@ site: $(VENV)/book.stamp
 	@$(BIN)/python -m site_builder build
 
 test: $(VENV)/test.stamp $(VENV)/chromium.stamp
-	@$(BIN)/python -m pytest
+	@$(BIN)/python -m pytest $(PARALLEL)
+
+test-quick: $(VENV)/test.stamp
+	@$(BIN)/python -m pytest $(PARALLEL) -m "not browser"
 
 check: $(VENV)/test.stamp
 	@$(BIN)/ruff format --check
 	@$(BIN)/ruff check
 	@$(BIN)/mypy
+	@$(BIN)/python tests/support/web_checks.py
 
 screenshot: $(VENV)/test.stamp $(VENV)/chromium.stamp site
 	@$(BIN)/python tests/support/screenshot.py "$(PAGE)"

@@ -2,33 +2,45 @@
 
 import argparse
 import sys
+from collections.abc import Sequence
 from pathlib import Path
 
 from site_builder.build import Options, build_site, check_site
-from site_builder.diagnostics import BuildError
+from site_builder.diagnostics import BuildError, Diagnostic
 
 ROOT = Path(__file__).resolve().parent.parent
 
 
 def main(arguments: list[str] | None = None) -> int:
-    """0 where the book is in order, 1 where it is not, 130 where the reader interrupted."""
+    """0 where the book is in order, 1 where it is not, 130 where the reader interrupted.
+
+    Warnings are printed and change nothing else.
+    """
     given = _parser().parse_args(arguments)
+    warnings: list[Diagnostic] = []
+
+    def warn(warning: Diagnostic) -> None:
+        warnings.append(warning)
+        print(warning, file=sys.stderr)
+
     try:
         match given.command:
             case "build":
-                files = build_site(ROOT, given.out, runtime=given.runtime, reload=given.reload)
-                print(f"{given.out}: {len(files)} files")
+                files = build_site(
+                    ROOT, given.out, runtime=given.runtime, reload=given.reload, warn=warn
+                )
+                print(f"{given.out}: {len(files)} files{_and_count(warnings)}")
             case "check":
-                check_site(Options(ROOT))
-                print("no mistakes")
+                check_site(Options(ROOT, warn=warn))
+                print(f"no mistakes{_and_count(warnings)}")
             case "serve":
                 from site_builder.serve import serve  # its watcher is needed only here
 
                 serve(ROOT, given.out, given.port, runtime=given.runtime)
     except BuildError as error:
         print(error, file=sys.stderr)
-        count = len(error.diagnostics)
-        print(f"{count} mistake{'s' * (count != 1)}; nothing was written", file=sys.stderr)
+        mistakes = _counted(error.diagnostics, "mistake")
+        print(f"{mistakes}; nothing was written", file=sys.stderr)
         return 1
     except (OSError, ValueError, RuntimeError) as error:
         print(error, file=sys.stderr)
@@ -36,6 +48,14 @@ def main(arguments: list[str] | None = None) -> int:
     except KeyboardInterrupt:
         return 130
     return 0
+
+
+def _counted(found: Sequence[Diagnostic], name: str) -> str:
+    return f"{len(found)} {name}{'s' * (len(found) != 1)}"
+
+
+def _and_count(warnings: Sequence[Diagnostic]) -> str:
+    return f"; {_counted(warnings, 'warning')}" if warnings else ""
 
 
 def _parser() -> argparse.ArgumentParser:

@@ -1,11 +1,37 @@
-"""The page model: what a checked book is, before it becomes HTML. Frozen all the way down."""
+"""The page model: what a checked book is, before it becomes HTML. Frozen all the way down.
 
-from collections.abc import Iterator, Mapping
+A directive keeps the class of what it shows in its own file. Here are those that other parts of
+the builder ask for: simulations are drawn, quizzes catalogued, quoted modules get a page.
+"""
+
+from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass
+from pathlib import PurePosixPath
 
 from simulations.engine.scene import Scene
-from site_builder.measurements import MeasuredLadder
-from site_builder.stage_costs import StageCosts
+
+OUTLINE = "content/book.toml"
+"""The file that names the book, its chapters and the figure on its cover."""
+
+
+@dataclass(frozen=True, slots=True)
+class Block:
+    """A part of a page: a run of plain Markdown, or what one directive says."""
+
+    template: str
+    """Its file below ``templates/blocks/``, without ``.html``."""
+    content: object
+    """What the template shows; most directives have a class of their own for it."""
+    inside: "tuple[Block, ...]" = ()
+    """The blocks in it, as a callout has them."""
+
+
+def contents[T](blocks: Iterable[Block], kind: type[T]) -> Iterator[T]:
+    """What the blocks of one kind show, those inside other blocks included."""
+    for block in blocks:
+        if isinstance(block.content, kind):
+            yield block.content
+        yield from contents(block.inside, kind)
 
 
 @dataclass(frozen=True, slots=True)
@@ -57,24 +83,7 @@ class Quiz:
 
 
 @dataclass(frozen=True, slots=True)
-class Callout:
-    """An aside: a tip, a note, a warning, a key idea, a prediction to make."""
-
-    kind: str
-    title_html: str
-    body: "tuple[Block, ...]"
-
-
-@dataclass(frozen=True, slots=True)
-class Example:
-    """A worked example."""
-
-    title_html: str
-    body: "tuple[Block, ...]"
-
-
-@dataclass(frozen=True, slots=True)
-class Listing:
+class Source:
     """The real source of a function of the book's own code."""
 
     module: str
@@ -84,93 +93,6 @@ class Listing:
     first_line: int
     html: str
     caption_html: str
-
-
-@dataclass(frozen=True, slots=True)
-class Illustration:
-    """A picture file with a caption."""
-
-    file: str
-    """Path below ``content/``."""
-    alt: str
-    caption_html: str
-
-
-@dataclass(frozen=True, slots=True)
-class CaptionedTable:
-    """A table that has a caption."""
-
-    caption_html: str
-    html: str
-
-
-@dataclass(frozen=True, slots=True)
-class LadderFigure:
-    """A measured ladder: chart, table, and buttons to measure it where the page is read."""
-
-    measured: MeasuredLadder
-    id: str
-    """Element id: ``ladder-`` and the ladder's id, numbered where a page shows one twice."""
-    caption_html: str
-    default_html: str
-    """Why its default was chosen; nothing where another metric than the first judges."""
-
-
-@dataclass(frozen=True, slots=True)
-class LadderTable:
-    """All measured ladders, a line each."""
-
-    rows: tuple[MeasuredLadder, ...]
-    caption_html: str
-
-
-@dataclass(frozen=True, slots=True)
-class StageCostTable:
-    """What each moved control costs of a whole frame of one scene."""
-
-    costs: StageCosts
-    caption_html: str
-
-
-@dataclass(frozen=True, slots=True)
-class HardCase:
-    """A line of a table of hard cases, every answer computed and put into words."""
-
-    id: str
-    call: str
-    answer: str
-    why: str
-    returns: str
-    naive: str
-    naive_answer: str
-    library: str
-    library_answer: str
-
-
-@dataclass(frozen=True, slots=True)
-class HardCases:
-    """What a model answers at the edge of what it is made for."""
-
-    id: str
-    """Element id: ``extremes-`` and the model's."""
-    title: str
-    rows: tuple[HardCase, ...]
-
-
-type Block = (
-    Prose
-    | Simulation
-    | Quiz
-    | Callout
-    | Example
-    | Listing
-    | Illustration
-    | CaptionedTable
-    | LadderFigure
-    | LadderTable
-    | StageCostTable
-    | HardCases
-)
 
 
 @dataclass(frozen=True, slots=True)
@@ -188,6 +110,11 @@ class Link:
 
     target: str
     line: int
+
+
+def chapter_id(file: str) -> str:
+    """``lens-distortion`` for ``04-lens-distortion.md``."""
+    return PurePosixPath(file).stem.lstrip("0123456789").lstrip("-") or "unnamed"
 
 
 @dataclass(frozen=True, slots=True)
@@ -214,15 +141,15 @@ class Chapter:
 
     @property
     def simulations(self) -> tuple[Simulation, ...]:
-        return tuple(block for block in walk(self.body) if isinstance(block, Simulation))
+        return tuple(contents(self.body, Simulation))
 
     @property
     def quizzes(self) -> tuple[Quiz, ...]:
-        return tuple(block for block in walk(self.body) if isinstance(block, Quiz))
+        return tuple(contents(self.body, Quiz))
 
     @property
-    def listings(self) -> tuple[Listing, ...]:
-        return tuple(block for block in walk(self.body) if isinstance(block, Listing))
+    def sources(self) -> tuple[Source, ...]:
+        return tuple(contents(self.body, Source))
 
 
 @dataclass(frozen=True, slots=True)
@@ -243,11 +170,3 @@ class Book:
         if self.hero:
             figures.append(self.hero)
         return tuple({figure.scene.id: figure.scene for figure in figures}.values())
-
-
-def walk(blocks: tuple[Block, ...]) -> Iterator[Block]:
-    """All blocks, those inside callouts and examples included."""
-    for block in blocks:
-        yield block
-        if isinstance(block, Callout | Example):
-            yield from walk(block.body)

@@ -11,23 +11,33 @@ from pathlib import Path
 from simulations.engine.ladder import Ladder
 from simulations.engine.scene import Scene
 from simulations.registry import load_ladder, load_scene
-from site_builder.assets import Content, folder_files, hashed_folder
 from site_builder.book import Book
-from site_builder.catalogue import Versions, catalogue
 from site_builder.checks import check_book
-from site_builder.diagnostics import BuildError, Diagnostics
-from site_builder.fonts import subset_fonts
-from site_builder.licences import gather_licences
-from site_builder.markdown.illustration import SUFFIXES
-from site_builder.measurements import read_measurements
-from site_builder.render import Site, render_pages
+from site_builder.diagnostics import BuildError, Diagnostic, Diagnostics
+from site_builder.markdown.directives.figure import SUFFIXES
+from site_builder.measured.measurements import read_measurements
+from site_builder.output.assets import Content, folder_files, hashed_folder
+from site_builder.output.fonts import subset_fonts
+from site_builder.output.style_sheets import join_style_sheets
+from site_builder.output.writer import write_site
+from site_builder.pages.catalogue import catalogue
+from site_builder.pages.licences import gather_licences
+from site_builder.pages.render import Site, render_pages
+from site_builder.pages.stills import Stills, render_stills
 from site_builder.runtime.pack import pack_runtime
+from site_builder.runtime.pinned import Versions
 from site_builder.source import read_book
-from site_builder.stills import Stills, render_stills
-from site_builder.writer import write_site
+
+STYLE_SHEET = "css/book.css"
+"""The one that pages link to, below ``static/``."""
 
 type Files = Mapping[str, Content]
 type Write = Callable[[Files, Path], None]
+type Warn = Callable[[Diagnostic], None]
+
+
+def ignore(_warning: Diagnostic) -> None:
+    """Where nobody reads warnings."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -42,6 +52,8 @@ class Options:
     """Whether pages reload themselves after a rebuild (``serve``)."""
     load_scene: Callable[[str], Scene] = load_scene
     load_ladder: Callable[[str], Ladder] = load_ladder
+    warn: Warn = ignore
+    """Told each warning once, in the order of files and lines."""
 
 
 def build_site(
@@ -50,10 +62,11 @@ def build_site(
     *,
     runtime: bool = True,
     reload: bool = False,
+    warn: Warn = ignore,
     write: Write = write_site,
 ) -> Files:
     """Build the book at ``root`` into the folder ``out``. Raises `BuildError`."""
-    files = render_site(Options(root, runtime=runtime, reload=reload))
+    files = render_site(Options(root, runtime=runtime, reload=reload, warn=warn))
     write(files, out)
     return files
 
@@ -64,7 +77,7 @@ def render_site(options: Options) -> Files:
     runtime, runtime_files, versions = _runtime(options)
     assets, asset_files = _assets(options.root, pictures)
     site = Site(options.root, book, stills, assets, runtime, options.reload)
-    licences = gather_licences(options.root, versions.pyodide, versions.python, versions.numpy)
+    licences = gather_licences(options.root, versions)
     return {
         **render_pages(site, licences),
         **asset_files,
@@ -80,6 +93,8 @@ def check_site(options: Options) -> tuple[Book, Stills, dict[str, bytes]]:
     book = read_book(options.root, problems, options.load_scene, measurements)
     check_book(book, problems)
     stills, pictures = render_stills(book, problems)
+    for warning in sorted(set(problems.doubts)):
+        options.warn(warning)
     if problems:
         raise BuildError(problems.found)
     return book, stills, pictures
@@ -91,7 +106,7 @@ def _assets(root: Path, pictures: Mapping[str, bytes]) -> tuple[str, dict[str, C
     return hashed_folder(
         "assets",
         {
-            **folder_files(root / "static"),
+            **join_style_sheets(folder_files(root / "static"), STYLE_SHEET),
             **{f"fonts/{name}": data for name, data in subset_fonts().items()},
             **{f"stills/{name}": data for name, data in pictures.items()},
             **{
@@ -107,5 +122,4 @@ def _runtime(options: Options) -> tuple[str, dict[str, Content], Versions]:
         return "", {}, Versions()
     bundle = pack_runtime(options.root / "simulations")
     folder, files = hashed_folder("runtime", dict(bundle.files))
-    made_of = bundle.versions
-    return folder, files, Versions(made_of.pyodide, made_of.python, made_of.numpy)
+    return folder, files, bundle.versions

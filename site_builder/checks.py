@@ -4,11 +4,13 @@ from pathlib import PurePosixPath
 
 from site_builder.book import Book, Chapter, Link, Quiz
 from site_builder.diagnostics import Diagnostics, unknown
+from site_builder.question_checks import check_questions
 
 
 def check_book(book: Book, problems: Diagnostics) -> None:
-    """Report links that lead nowhere, and quizzes that share an id."""
+    """Report links that lead nowhere and quizzes that share an id; warn of keys that show."""
     _check_quiz_ids(book, problems)
+    check_questions(book, problems)
     by_file = {PurePosixPath(chapter.path).name: chapter for chapter in book.chapters}
     for chapter in book.chapters:
         for link in chapter.links:

@@ -1,4 +1,7 @@
-"""Mistakes in the sources, each with its place: collected, printed together, failing once."""
+"""Mistakes and warnings about the sources, each with its place: collected, printed together.
+
+A mistake fails the build, once, when all are found. A warning is of something that may be meant.
+"""
 
 import difflib
 from collections.abc import Iterable
@@ -10,29 +13,39 @@ MOST_LISTED = 20
 
 @dataclass(frozen=True, slots=True, order=True)
 class Diagnostic:
-    """One mistake."""
+    """One mistake, or one warning."""
 
     path: str
     """File, relative to the root of the project."""
     line: int
     """Line, counted from 1."""
     message: str
-    """What was found; what is legal."""
+    """What was found; what is legal, or what would be better."""
+    fails: bool = True
+    """Whether the book cannot be built with it; else it is a warning."""
 
     def __str__(self) -> str:
-        return f"{self.path}:{self.line}: {self.message}"
+        word = "" if self.fails else "warning: "
+        return f"{self.path}:{self.line}: {word}{self.message}"
 
 
 @dataclass(slots=True)
 class Diagnostics:
-    """The mistakes found so far. Checks add to it and go on, so that one run shows them all."""
+    """What was found so far. Checks add to it and go on, so that one run shows it all."""
 
     found: list[Diagnostic] = field(default_factory=list)
+    """Mistakes."""
+    doubts: list[Diagnostic] = field(default_factory=list)
+    """Warnings."""
 
     def add(self, path: str, line: int, message: str) -> None:
         self.found.append(Diagnostic(path, line, message))
 
+    def warn(self, path: str, line: int, message: str) -> None:
+        self.doubts.append(Diagnostic(path, line, message, fails=False))
+
     def __bool__(self) -> bool:
+        """Whether a mistake was found; warnings do not count."""
         return bool(self.found)
 
 

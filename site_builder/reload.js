@@ -1,6 +1,7 @@
 // Sent only by `site_builder serve`: reloads the page after a good build, shows the mistakes of
 // a bad one over it.
 const events = new EventSource("/.reload/events");
+/** @type {string | null} */
 let shown = null;
 
 events.addEventListener("built", (event) => {

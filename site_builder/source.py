@@ -7,15 +7,15 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from simulations.engine.scene import Scene
-from site_builder.book import Book, Chapter, Simulation
+from site_builder.book import OUTLINE, Book, Chapter, Simulation, chapter_id
 from site_builder.diagnostics import Diagnostics, unknown
-from site_builder.markdown.inline import chapter_id
-from site_builder.markdown.parser import CONSTRUCTS, make_parser, read_chapter
+from site_builder.markdown.chapter import read_chapter
+from site_builder.markdown.inline import inline_html
+from site_builder.markdown.parser import make_parser
 from site_builder.markdown.reading import Reading
-from site_builder.markdown.simulation import find_scene
-from site_builder.measurements import Measurements
+from site_builder.markdown.scenes import find_scene
+from site_builder.measured.measurements import Measurements
 
-OUTLINE = "content/book.toml"
 TEXTS = ("title", "subtitle", "prerequisites")
 KEYS = (*TEXTS, "chapters", "hero", "hero_caption")
 OWN_FOLDERS = ("assets", "licences", "runtime", "source")
@@ -45,6 +45,7 @@ def read_book(
 ) -> Book:
     """The whole book; mistakes go to ``problems`` and reading goes on."""
     outline = _read_outline(root, problems)
+    numbers = measurements or Measurements()
     chapters: list[Chapter] = []
     for number, (name, line) in enumerate(outline.chapters):
         file = root / "content" / f"{name}.md"
@@ -54,17 +55,8 @@ def read_book(
         _check_number(name, number, line, problems)
         path = file.relative_to(root).as_posix()
         text = _read_text(root, path, problems)
-        chapters.append(
-            read_chapter(
-                text,
-                path,
-                number,
-                root=root,
-                problems=problems,
-                load_scene=load_scene,
-                measurements=measurements or Measurements(),
-            )
-        )
+        reading = Reading(path, root, problems, load_scene, make_parser(), numbers)
+        chapters.append(read_chapter(text, number, reading))
     _check_addresses(outline, problems)
     _check_unlisted(root, outline, problems)
     return Book(
@@ -169,9 +161,9 @@ def _read_hero(
 ) -> Simulation | None:
     if not outline.hero:
         return None
-    reading = Reading(OUTLINE, root, problems, load_scene, make_parser(), CONSTRUCTS)
+    reading = Reading(OUTLINE, root, problems, load_scene, make_parser())
     scene = find_scene(outline.hero, outline.hero_line, reading)
-    caption_html = reading.inline_html(outline.hero_caption, outline.hero_line)
+    caption_html = inline_html(outline.hero_caption, outline.hero_line, reading)
     for link in reading.links:
         problems.add(
             OUTLINE, link.line, f"link {link.target!r} in the cover's caption; legal: 'https://…'"

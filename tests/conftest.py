@@ -8,6 +8,7 @@ from pathlib import Path
 from typing import Any
 
 import pytest
+from filelock import FileLock
 from hypothesis import settings
 from playwright.sync_api import Browser, sync_playwright
 from support.chromium import HOW_TO, find_chromium, launch_arguments
@@ -27,15 +28,20 @@ def pytest_addoption(parser: pytest.Parser) -> None:
 
 
 @pytest.fixture(scope="session")
-def built_site(request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """The whole book, built once by the command that everyone uses."""
+def built_site(
+    request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFactory, worker_id: str
+) -> Path:
+    """The whole book, built once for all workers by the command that everyone uses."""
     given: Path | None = request.config.getoption("--site")
     if given:
         return given
-    out = tmp_path_factory.mktemp("book") / "site"
-    command = [sys.executable, "-m", "site_builder", "build", "--out", str(out)]
-    build = subprocess.run(command, cwd=ROOT, capture_output=True, text=True, check=False)
-    assert build.returncode == 0, build.stderr
+    own = tmp_path_factory.getbasetemp()
+    out = (own if worker_id == "master" else own.parent) / "book" / "site"
+    with FileLock(f"{out.parent}.lock"):
+        if not out.exists():
+            command = [sys.executable, "-m", "site_builder", "build", "--out", str(out)]
+            build = subprocess.run(command, cwd=ROOT, capture_output=True, text=True, check=False)
+            assert build.returncode == 0, build.stderr
     return out
 
 

@@ -117,6 +117,25 @@ TABLE = ExtremeTable(
             naive="(np.zeros(3) / np.linalg.norm(np.zeros(3)))[2]",
         ),
         ExtremeCase(
+            id="opposed-without-shininess",
+            call="blinn_phong([0.0, 0.0, 1.0], [0.0, 0.0, 1.0], [0.0, 0.0, -1.0], 0.0, "
+            "shininess=0.0)",
+            why="No halfway direction, and no shininess: the cosine that is not there, to the "
+            "power 0, is 0⁰ = 1.",
+            returns="0: what no direction mirrors into the eye has no highlight, of any shape.",
+            expected=exactly(0.0),
+            naive="0.5 * np.float64(0.0) ** 0.0",
+        ),
+        ExtremeCase(
+            id="opposed-but-for-rounding",
+            call="blinn_phong([0.0, 0.0, 1.0], [0.0, 0.0, 1.00005], [0.0, 0.0, -1.0], 0.0)",
+            why="A length that is off by 5e−5 leaves a halfway vector of (0, 0, 5e−5), which "
+            "normalises to n itself.",
+            returns="0: shorter than the lengths are known, it points nowhere.",
+            expected=exactly(0.0),
+            naive="0.5 * (np.float64(1.00005 - 1.0) / abs(1.00005 - 1.0)) ** 128",
+        ),
+        ExtremeCase(
             id="light-of-wrong-length",
             call="lambert([0.0, 0.0, 1.0], [0.0, 0.0, 2.0])",
             why="A direction that was never normalised would make the wall twice as bright.",

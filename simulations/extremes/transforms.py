@@ -34,6 +34,7 @@ TABLE = ExtremeTable(
         "transforms_3d": transforms_3d,
         "plane_between_views": plane_between_views,
         "LINE": np.outer([0.0, 1.0, 3.0], [1.0, 2.0, 3.0]),
+        "CORNERS": np.array([[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]]),
         "HORIZON": HORIZON,
         "SQUARE": SQUARE,
         "inf": np.inf,
@@ -243,6 +244,14 @@ TABLE = ExtremeTable(
             why="Any turn about the line brings them into place.",
             returns="False.",
             expected=lambda got: got is False,
+        ),
+        ExtremeCase(
+            id="points-too-close-to-square",
+            call="transforms_3d.estimate_similarity(1e-200 * CORNERS, CORNERS)[0][0, 0]",
+            why="The sum of the squared distances, which the scale is divided by, underflows to 0.",
+            returns="1e200: both sets are brought to the size 1 before anything is squared.",
+            expected=near(1e200),
+            naive="np.divide(1.0, np.square(1e-200))",
         ),
         ExtremeCase(
             id="plane-through-the-eye",

@@ -7,7 +7,8 @@ from numpy.typing import NDArray
 
 from simulations.engine.ladder import Ladder, Metric, Tier
 from simulations.models import quaternions
-from simulations.models.rotations import cross_matrix, exponential
+from simulations.models.cross_products import CYCLES, cross_polynomial
+from simulations.models.rotations import exponential
 
 type Floats = NDArray[np.floating]
 
@@ -42,15 +43,16 @@ def reference(vectors: Floats) -> Floats:
 
 def first_order(vectors: Floats) -> Floats:
     """I + K: turns by atan θ, and stretches by 1/cos of that; errs by θ²/2 per direction."""
-    R: Floats = np.eye(3) + cross_matrix(vectors)
+    R = np.empty((len(vectors), 3, 3))
+    for i, j, k in CYCLES:
+        R[:, i, j], R[:, j, i] = -vectors[:, k], vectors[:, k]
+        R[:, k, k] = 1.0
     return R
 
 
 def second_order(vectors: Floats) -> Floats:
     """I + K + K²/2: the sine is still taken as the angle, which errs by θ³/6."""
-    K = cross_matrix(vectors)
-    R: Floats = np.eye(3) + K + 0.5 * (K @ K)
-    return R
+    return cross_polynomial(vectors, 1.0, 0.5)
 
 
 def cayley(vectors: Floats) -> Floats:
@@ -58,10 +60,9 @@ def cayley(vectors: Floats) -> Floats:
 
     Short of θ by θ³/12, half of what `second_order` misses, for one more division.
     """
-    K = cross_matrix(vectors)
-    quarter_square = 0.25 * (vectors * vectors).sum(axis=-1)[:, None, None]
-    R: Floats = np.eye(3) + (K + 0.5 * (K @ K)) / (1.0 + quarter_square)
-    return R
+    x, y, z = vectors.T
+    shrink = 1.0 / (1.0 + 0.25 * (x * x + y * y + z * z))
+    return cross_polynomial(vectors, shrink, 0.5 * shrink)
 
 
 def by_quaternion(vectors: Floats) -> Floats:
@@ -87,10 +88,10 @@ LADDER = Ladder(
     prepare=prepare,
     tiers=(
         Tier("first-order", "I + K", "3 entries", first_order),
-        Tier("second-order", "I + K + K²/2", "1 matrix product", second_order),
-        Tier("cayley", "Cayley", "1 matrix product, 1 division", cayley),
-        Tier("exact", "Rodrigues", "1 matrix product, 2 sines, 1 norm", exponential),
-        Tier("quaternion", "By quaternion", "2 sines, 2 norms", by_quaternion),
+        Tier("second-order", "I + K + K²/2", "18 products", second_order),
+        Tier("cayley", "Cayley", "23 products, 1 division", cayley),
+        Tier("exact", "Rodrigues", "18 products, 2 sines, 1 norm", exponential),
+        Tier("quaternion", "By quaternion", "18 products, 2 sines, 2 norms", by_quaternion),
     ),
     reference=reference,
     reference_label="twenty terms of the exponential series in extended precision",

@@ -31,7 +31,10 @@ def reference(radius: Floats) -> Floats:
 
 
 def by_angle(radius: Floats) -> Floats:
-    light: Floats = np.cos(np.arctan(radius)) ** 4
+    """The formula as written. Two products make the fourth power: `**` would take longer."""
+    cos = np.cos(np.arctan(radius))
+    cos2 = cos * cos
+    light: Floats = cos2 * cos2
     return light
 
 
@@ -91,7 +94,7 @@ LADDER = Ladder(
         Tier("table", "Table of 1025 entries", "1 look-up", table),
         Tier("algebraic-32", "Without angle, float32", "1 division", algebraic_float32),
         Tier("algebraic", "Without angle", "1 division", vignetting_cos4),
-        Tier("by-angle", "By the angle", "1 arctangent, 1 cosine, 1 power", by_angle),
+        Tier("by-angle", "By the angle", "1 arctangent, 1 cosine, 2 products", by_angle),
     ),
     reference=reference,
     reference_label="the double-angle formula in extended precision",

@@ -153,10 +153,21 @@ def undistort(xy: ArrayLike, d: Distortion) -> tuple[Floats, Mask]:
     Returns
     -------
     xy : (..., 2) floats
-        Ideal coordinates, finite everywhere: invalid points are put on the fold circle (at the
-        origin where there is none, or where the input is not finite).
+        Ideal coordinates, NaN where invalid.
     valid : (...) bools
         False where no ideal point inside the fold has this image.
+    """
+    ideal, valid = undistort_clamped(xy, d)
+    if valid.all():
+        return ideal, valid
+    return np.where(valid[..., None], ideal, np.nan), valid
+
+
+def undistort_clamped(xy: ArrayLike, d: Distortion) -> tuple[Floats, Mask]:
+    """`undistort` for those who draw the border of a lens: finite where it has no answer.
+
+    Invalid points are put on the fold circle (at the origin where there is none, or where the
+    input is not finite). They are no answers, and the mask says which they are.
     """
     seen = as_vectors("xy", xy, 2)
     if d.neutral or d.tangential:

@@ -19,6 +19,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from simulations.models import quaternions
+from simulations.models.floats import as_vectors
 from simulations.models.rotations import Floats, check_rotation, from_axis_angle
 
 type Mask = NDArray[np.bool_]
@@ -35,10 +36,8 @@ def to_matrix(sequence: str, angles_rad: ArrayLike) -> Floats:
 
     ``angles_rad`` (..., 3), finite, in the order of the letters.
     """
-    axes, angles = _axes(sequence), np.asarray(angles_rad, float)
-    if angles.shape[-1:] != (3,):
-        raise ValueError(f"angles_rad of shape {angles.shape}; legal: (..., 3)")
-    turns = [from_axis_angle(np.eye(3)[axis], angles[..., at]) for at, axis in enumerate(axes)]
+    angles = as_vectors("angles_rad", angles_rad, 3)
+    turns = [from_axis_angle(axis, angles[..., at]) for at, axis in enumerate(axes(sequence))]
     first, second, third = turns if sequence.isupper() else reversed(turns)
     R: Floats = first @ second @ third
     return R
@@ -67,9 +66,9 @@ def from_matrix(R: ArrayLike, sequence: str) -> tuple[Floats, Mask]:
     ValueError
         Where R is no rotation, or the sequence none.
     """
-    axes = _axes(sequence)
+    letters = _indices(sequence)
     intrinsic = sequence.isupper()
-    i, j, k = reversed(axes) if intrinsic else axes
+    i, j, k = reversed(letters) if intrinsic else letters
     proper = i == k
     k = 3 - i - j if proper else k
     sign = (i - j) * (j - k) * (k - i) // 2
@@ -91,7 +90,13 @@ def from_matrix(R: ArrayLike, sequence: str) -> tuple[Floats, Mask]:
     return np.stack([_wrapped(first), middle, _wrapped(third)], axis=-1), from_lock < LOCK_RAD
 
 
-def _axes(sequence: str) -> list[int]:
+def axes(sequence: str) -> Floats:
+    """Unit vectors (3, 3) of the three axes, one a row, in the order of the letters."""
+    vectors: Floats = np.eye(3)[_indices(sequence)]
+    return vectors
+
+
+def _indices(sequence: str) -> list[int]:
     letters = sequence.lower()
     distinct = len(letters) == 3 and letters[0] != letters[1] != letters[2]
     if not distinct or set(letters) - set("xyz") or not (sequence.isupper() or sequence.islower()):

@@ -70,8 +70,8 @@ class Fisheye:
 def project_ideal(directions: ArrayLike, model: str) -> tuple[Floats, Mask]:
     """Image points (..., 2) of directions (..., 3) by one of `IDEAL_MODELS`; and validity.
 
-    Invalid, and put at the origin: a zero or non-finite direction, an angle at or beyond the
-    model's limit, among them exactly backwards, which has no azimuth.
+    Invalid, and NaN: a zero or non-finite direction, an angle at or beyond the model's limit,
+    among them exactly backwards, which has no azimuth.
     """
     chosen = _ideal(model)
     angle, azimuth, valid = _angles(directions)
@@ -82,7 +82,7 @@ def project_ideal(directions: ArrayLike, model: str) -> tuple[Floats, Mask]:
 def unproject_ideal(xy: ArrayLike, model: str) -> tuple[Floats, Mask]:
     """Unit directions (..., 3) of image points (..., 2), the inverse of `project_ideal`.
 
-    Radii outside the model's image are invalid and look along the axis.
+    Radii outside the model's image are invalid, and NaN.
     """
     chosen = _ideal(model)
     radius, azimuth, valid = _polar(xy)
@@ -90,7 +90,7 @@ def unproject_ideal(xy: ArrayLike, model: str) -> tuple[Floats, Mask]:
     with np.errstate(invalid="ignore"):
         returns = np.isclose(chosen.radius(angle), radius, rtol=1e-9, atol=1e-300)
     valid &= (angle < chosen.largest_angle_rad) & returns
-    return _direction(np.where(valid, angle, 0.0), azimuth), valid
+    return _direction(np.where(valid, angle, np.nan), azimuth), valid
 
 
 def project_fisheye(directions: ArrayLike, lens: Fisheye) -> tuple[Floats, Mask]:
@@ -104,11 +104,14 @@ def project_fisheye(directions: ArrayLike, lens: Fisheye) -> tuple[Floats, Mask]
 
 
 def unproject_fisheye(xy: ArrayLike, lens: Fisheye) -> tuple[Floats, Mask]:
-    """Unit directions (..., 3) of image points (..., 2), the inverse of `project_fisheye`."""
+    """Unit directions (..., 3) of image points (..., 2), the inverse of `project_fisheye`.
+
+    Invalid as in `unproject_ideal`.
+    """
     radius, azimuth, valid = _polar(xy)
     angle, solved = radial_table.invert(lens.profile, radius)
     valid &= solved & (angle < np.pi)
-    return _direction(np.where(valid, angle, 0.0), azimuth), valid
+    return _direction(np.where(valid, angle, np.nan), azimuth), valid
 
 
 def _angles(directions: ArrayLike) -> tuple[Floats, Floats, Mask]:
@@ -132,7 +135,7 @@ def _polar(xy: ArrayLike) -> tuple[Floats, Floats, Mask]:
 
 
 def _on_image(radius: Floats, azimuth: Floats, valid: Mask) -> Floats:
-    shown = np.where(valid, radius, 0.0)
+    shown = np.where(valid, radius, np.nan)
     return np.stack((shown * np.cos(azimuth), shown * np.sin(azimuth)), axis=-1)
 
 

@@ -25,10 +25,34 @@ def as_floats(values: ArrayLike) -> NDArray[np.floating]:
 
 def as_vectors(name: str, values: ArrayLike, length: int) -> NDArray[Any]:
     """As an array (..., length) of float64; raises `ValueError` with the name for other shapes."""
-    vectors = np.asarray(values, float)
+    vectors = _as_doubles(name, values)
     if vectors.shape[-1:] != (length,):
         raise ValueError(f"{name} of shape {vectors.shape}; legal: (..., {length})")
     return vectors
+
+
+def as_array(name: str, values: ArrayLike, *shape: int) -> NDArray[Any]:
+    """As an array of float64 of just that shape: none is broadcast to it."""
+    array = _as_doubles(name, values)
+    if array.shape != shape:
+        raise ValueError(f"{name} of shape {array.shape}; legal: {shape}")
+    return array
+
+
+def as_matrices(name: str, values: ArrayLike, *shape: int) -> NDArray[Any]:
+    """As an array (..., rows, columns) of float64; raises `ValueError` for other shapes."""
+    matrices = _as_doubles(name, values)
+    if matrices.shape[-2:] != shape:
+        legal = ", ".join(map(str, shape))
+        raise ValueError(f"{name} of shape {matrices.shape}; legal: (..., {legal})")
+    return matrices
+
+
+def _as_doubles(name: str, values: ArrayLike) -> NDArray[Any]:
+    array = np.asarray(values)
+    if array.dtype.kind == "c":
+        raise ValueError(f"{name} of type {array.dtype}; legal: real numbers")
+    return np.asarray(array, float)
 
 
 def as_colours(values: ArrayLike) -> NDArray[np.floating]:

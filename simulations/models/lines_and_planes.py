@@ -10,6 +10,7 @@ Source: Szeliski, Computer Vision, 2nd ed., §2.1.1.
 import numpy as np
 from numpy.typing import ArrayLike
 
+from simulations.models.floats import as_vectors
 from simulations.models.transforms import Floats, Mask
 
 PARALLEL = 1e-14
@@ -32,7 +33,7 @@ def line_through(p: ArrayLike, q: ArrayLike) -> tuple[Floats, Mask]:
         up, to its right where y points down. NaN where invalid.
     valid : (...,) bool, False where the points coincide or are not finite.
     """
-    start, end = np.broadcast_arrays(np.asarray(p, float), np.asarray(q, float))
+    start, end = np.broadcast_arrays(as_vectors("p", p, 2), as_vectors("q", q, 2))
     with np.errstate(over="ignore", invalid="ignore"):
         step = end - start
     return _with_normal(np.stack([-step[..., 1], step[..., 0]], axis=-1), start)
@@ -51,7 +52,8 @@ def intersection(lines: ArrayLike, others: ArrayLike) -> tuple[Floats, Mask]:
     valid : (...,) bool, False for parallel lines, which meet at infinity, for the line at
         infinity itself, and for what is no line.
     """
-    first, second = _unit_normal(lines), _unit_normal(others)
+    first = _unit_normal(as_vectors("lines", lines, 3))
+    second = _unit_normal(as_vectors("others", others, 3))
     with np.errstate(over="ignore", invalid="ignore", divide="ignore"):
         meet = np.cross(first, second)
         points = meet[..., :2] / meet[..., 2:]
@@ -68,7 +70,9 @@ def plane_through(p: ArrayLike, q: ArrayLike, r: ArrayLike) -> tuple[Floats, Mas
         counter-clockwise (in right-handed axes). NaN where invalid.
     valid : (...,) bool, False where the points are on one line or not finite.
     """
-    points = np.broadcast_arrays(*(np.asarray(point, float) for point in (p, q, r)))
+    points = np.broadcast_arrays(
+        as_vectors("p", p, 3), as_vectors("q", q, 3), as_vectors("r", r, 3)
+    )
     with np.errstate(over="ignore", invalid="ignore"):
         along, aside = (_direction(other - points[0]) for other in points[1:])
         normal = np.cross(along, aside)
@@ -81,7 +85,10 @@ def signed_distance(points: ArrayLike, hyperplane: ArrayLike) -> Floats:
 
     ``hyperplane`` (..., 3) or (..., 4) may have any scale. NaN where it has no normal.
     """
-    unit, position = _unit_normal(hyperplane), np.asarray(points, float)
+    entries = np.asarray(hyperplane, float)
+    dimensions = 3 if entries.shape[-1:] == (4,) else 2
+    unit = _unit_normal(as_vectors("hyperplane", entries, dimensions + 1))
+    position = as_vectors("points", points, dimensions)
     with np.errstate(over="ignore", invalid="ignore"):
         distance: Floats = (unit[..., :-1] * position).sum(axis=-1) + unit[..., -1]
     return distance
@@ -97,9 +104,8 @@ def _with_normal(normal: Floats, point: Floats) -> tuple[Floats, Mask]:
     return np.where(valid[..., None], found, np.nan), valid
 
 
-def _unit_normal(hyperplane: ArrayLike) -> Floats:
+def _unit_normal(entries: Floats) -> Floats:
     """Scaled so that all entries but the last are a unit vector; NaN where they are none."""
-    entries = np.asarray(hyperplane, float)
     largest = np.abs(entries[..., :-1]).max(axis=-1, keepdims=True)
     with np.errstate(over="ignore", invalid="ignore", divide="ignore"):
         scaled = entries / largest

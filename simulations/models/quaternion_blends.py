@@ -46,8 +46,9 @@ def threshold_slerp(start: ArrayLike, end: ArrayLike, share: ArrayLike) -> Float
     q1, dot = np.where(dot < 0.0, -q1, q1), np.abs(dot)
     straight = dot > STRAIGHT
     arc = np.arccos(np.where(straight, 0.0, dot))
-    weight0 = np.where(straight, 1.0 - s, np.sin((1.0 - s) * arc) / np.sin(arc))
-    weight1 = np.where(straight, s, np.sin(s * arc) / np.sin(arc))
+    per_sine = 1.0 / np.sin(arc)
+    weight0 = np.where(straight, 1.0 - s, np.sin((1.0 - s) * arc) * per_sine)
+    weight1 = np.where(straight, s, np.sin(s * arc) * per_sine)
     return quaternions.normalise(weight0 * q0 + weight1 * q1)
 
 

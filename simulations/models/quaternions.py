@@ -7,7 +7,8 @@ rotation. Source: Szeliski, Computer Vision, 2nd ed., §2.1.3.
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from simulations.models.floats import as_vectors
+from simulations.models.cross_products import cross_polynomial
+from simulations.models.floats import as_matrices, as_vectors
 
 type Floats = NDArray[np.float64]
 
@@ -20,12 +21,10 @@ def normalise(quaternion: ArrayLike) -> Floats:
     they stand for no rotation.
     """
     q = as_vectors("quaternion", quaternion, 4)
-    largest = np.abs(q).max(axis=-1, keepdims=True)
+    largest, scaled, norm = _measured(q)
     if not ((largest > 0.0) & np.isfinite(largest)).all():
         raise ValueError(f"quaternion: {q.tolist()}; legal: finite and not all zero")
-    scaled = q / largest
-    unit: Floats = scaled / np.linalg.norm(scaled, axis=-1, keepdims=True)
-    return unit
+    return np.moveaxis(scaled / norm, 0, -1)
 
 
 def canonical(quaternion: ArrayLike) -> Floats:
@@ -69,16 +68,29 @@ def angle_and_axis(rotation_vector: ArrayLike) -> tuple[Floats, Floats]:
     Raises `ValueError` where the angle is not a finite number.
     """
     v = as_vectors("rotation_vector", rotation_vector, 3)
-    largest = np.abs(v).max(axis=-1, keepdims=True)
+    largest, scaled, norm = _measured(v)
     if not np.isfinite(largest).all():
         raise ValueError(f"rotation_vector: {v.tolist()}; legal: finite")
-    scaled = v / np.where(largest > 0.0, largest, 1.0)
-    norm = np.linalg.norm(scaled, axis=-1, keepdims=True)
     with np.errstate(over="ignore"):
         angle = largest * norm
     if not np.isfinite(angle).all():
         raise ValueError(f"rotation_vector: {v.tolist()}; legal: of finite length")
-    return angle, scaled / np.where(norm > 0.0, norm, 1.0)
+    axis = np.moveaxis(scaled / np.where(norm > 0.0, norm, 1.0), 0, -1)
+    return angle[..., None], axis
+
+
+def _measured(vectors: Floats) -> tuple[Floats, Floats, Floats]:
+    """Largest components (...), vectors (n, ...) in units of these, and their norms (...).
+
+    Components first, which is several times quicker than reductions over so short a last axis.
+    A zero vector stays zero.
+    """
+    parts = np.ascontiguousarray(np.moveaxis(vectors, -1, 0))
+    largest = np.abs(parts).max(axis=0)
+    with np.errstate(over="ignore", invalid="ignore"):
+        scaled = parts / np.where(largest > 0.0, largest, 1.0)
+        norm = np.sqrt((scaled * scaled).sum(axis=0))
+    return largest, scaled, norm
 
 
 def from_rotation_vector(rotation_vector: ArrayLike) -> Floats:
@@ -101,14 +113,9 @@ def to_rotation_vector(quaternion: ArrayLike) -> Floats:
 
 
 def to_matrix(quaternion: ArrayLike) -> Floats:
-    """Quaternions (..., 4) of any norm to rotation matrices (..., 3, 3)."""
-    w, x, y, z = np.moveaxis(normalise(quaternion), -1, 0)
-    rows = [
-        [1.0 - 2.0 * (y * y + z * z), 2.0 * (x * y - z * w), 2.0 * (x * z + y * w)],
-        [2.0 * (x * y + z * w), 1.0 - 2.0 * (x * x + z * z), 2.0 * (y * z - x * w)],
-        [2.0 * (x * z - y * w), 2.0 * (y * z + x * w), 1.0 - 2.0 * (x * x + y * y)],
-    ]
-    return np.stack([np.stack(row, axis=-1) for row in rows], axis=-2)
+    """Quaternions (..., 4) of any norm to rotation matrices (..., 3, 3): I + 2w [v]ₓ + 2 [v]ₓ²."""
+    q = normalise(quaternion)
+    return cross_polynomial(q[..., 1:], 2.0 * q[..., 0], 2.0)
 
 
 def from_matrix(R: ArrayLike) -> Floats:
@@ -118,7 +125,7 @@ def from_matrix(R: ArrayLike) -> Floats:
     diagonal entry is a multiple of q by at least 1, so nothing cancels (Shepperd 1978). The
     matrix must be a rotation: see `simulations.models.rotations.check_rotation`.
     """
-    m = np.asarray(R, float)
+    m = as_matrices("R", R, 3, 3)
     x, y, z = m[..., 0, 0], m[..., 1, 1], m[..., 2, 2]
     wx, wy, wz = (m[..., j, i] - m[..., i, j] for i, j in ((1, 2), (2, 0), (0, 1)))
     xy, xz, yz = (m[..., j, i] + m[..., i, j] for i, j in ((0, 1), (0, 2), (1, 2)))

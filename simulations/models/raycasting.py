@@ -192,7 +192,7 @@ def intersect_plane(
 
     Returns
     -------
-    distance : (...) metres, 0 where not valid
+    distance : (...) metres, NaN where not valid
     valid : (...) false where the ray runs along the plane or away from it, and where the
         distance is no finite number.
     """
@@ -202,7 +202,7 @@ def intersect_plane(
         crossing = np.abs(facing) > NEARLY_ZERO
         distance = height / np.where(crossing, facing, 1.0)
     valid = crossing & (distance > 0) & np.isfinite(distance)
-    return np.where(valid, distance, 0.0), valid
+    return np.where(valid, distance, np.nan), valid
 
 
 def edge_coverage(margin: ArrayLike) -> Floats:

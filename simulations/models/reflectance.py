@@ -17,6 +17,9 @@ type Array = NDArray[np.floating]
 SMALLEST_RADIUS = 1e-15
 """Of a lamp: its square, and one over it, are still numbers in float32 as well."""
 
+UNIT_TOLERANCE = 1e-4
+"""How far the length of a direction may be from 1."""
+
 BRIGHTEST = 1e30
 """Of a light's colour: still a number in float32, also times that of a pixel."""
 
@@ -60,15 +63,13 @@ def normalise(vectors: ArrayLike) -> Array:
     when they are squared.
     """
     v = as_floats(vectors)
-    largest = np.abs(v).max(axis=-1, keepdims=True)
+    largest = _largest(v)
     if not np.isfinite(largest).all():
-        v, largest = (
-            np.where(np.isfinite(largest), v, 0),
-            np.where(np.isfinite(largest), largest, 0),
-        )
-    scaled = v / np.where(largest > 0, largest, 1)
-    length = np.sqrt(np.sum(scaled * scaled, axis=-1, keepdims=True))
-    unit: Array = scaled / np.where(length > 0, length, 1)
+        v = np.where(np.isfinite(largest)[..., None], v, 0)
+        largest = _largest(v)
+    scaled = v / np.where(largest > 0, largest, 1)[..., None]
+    length = np.sqrt(_dot(scaled, scaled))
+    unit: Array = scaled / np.where(length > 0, length, 1)[..., None]
     return unit
 
 
@@ -81,8 +82,7 @@ def cosine(a: ArrayLike, b: ArrayLike) -> Array:
     u, v = as_floats(a), as_floats(b)
     if u.shape[-1:] != (3,) or v.shape[-1:] != (3,):
         raise ValueError(f"vectors of shapes {u.shape} and {v.shape}; legal: both (..., 3)")
-    product = u[..., 0] * v[..., 0] + u[..., 1] * v[..., 1] + u[..., 2] * v[..., 2]
-    clamped: Array = np.clip(product, 0.0, 1.0)
+    clamped: Array = np.clip(_dot(u, v), 0.0, 1.0)
     return clamped
 
 
@@ -124,9 +124,11 @@ def phong(
 ) -> Array:
     """Phong's model: ambient, matte, and a highlight about the mirrored light direction.
 
-    ``I = albedo (ambient + max(0, n . l)) + specular max(0, r . v)^shininess`` with
-    ``r = 2 (n . l) n - l``. The highlight is cut where the light is below the horizon.
-    Shininess 0 spreads it evenly over the lit side; a very large one shrinks it to a point.
+    ``I = albedo (ambient + max(0, n . l)) + specular max(0, r . v)^shininess`` where
+    ``n . l > 0``, with ``r = 2 (n . l) n - l``. Where ``n . l <= 0`` the light is below the
+    horizon, and the ambient part alone is left. Shininess 0 spreads the highlight evenly over
+    the lit side; a very large one shrinks it to a point. An eye in no direction (a zero vector
+    in a field of them) sees no highlight.
 
     Parameters
     ----------
@@ -141,12 +143,13 @@ def phong(
     """
     n = as_floats(normals)
     to_light = _direction("light", light, n.dtype)
-    n_dot_l = cosine(n, to_light)
-    mirrored = 2 * n_dot_l[..., None] * n - to_light
     to_eye = _direction("view", view, n.dtype)
-    highlight = _highlight(cosine(mirrored, to_eye), n_dot_l, specular, shininess)
-    shade: Array = _matte(albedo, n_dot_l, ambient) + highlight
-    return shade
+    n_dot_l = cosine(n, to_light)
+    # r . v by its parts: no picture of mirrored rays is made.
+    r_dot_v = np.clip(2 * n_dot_l * _dot(n, to_eye) - _dot(to_light, to_eye), 0.0, 1.0)
+    lit = (n_dot_l > 0) & to_eye.any(axis=-1)
+    shade: Array = _matte(albedo, n_dot_l, ambient)
+    return shade + _highlight(r_dot_v, lit, specular, shininess)
 
 
 def blinn_phong(
@@ -161,17 +164,23 @@ def blinn_phong(
 ) -> Array:
     """Blinn's variant: the highlight follows ``n . h``, with ``h`` halfway between light and eye.
 
+    ``I = albedo (ambient + max(0, n . l)) + specular max(0, n . h)^shininess`` where
+    ``n . l > 0``, with ``h = (l + v) / |l + v|``; elsewhere as for `phong`.
+
     The angle to ``h`` is about half of the angle to the mirrored light, so that a fourfold
-    shininess gives a highlight of about Phong's size. Light and eye exactly opposed have no
-    halfway direction, and no highlight. Parameters and return as for `phong`.
+    shininess gives a highlight of about Phong's size. Light and eye opposed, to the hundredth
+    of a degree to which directions are told apart (`UNIT_TOLERANCE`), have no halfway direction
+    and no highlight, at any shininess. Parameters and return as for `phong`.
     """
     n = as_floats(normals)
     to_light = _direction("light", light, n.dtype)
+    to_eye = _direction("view", view, n.dtype)
     n_dot_l = cosine(n, to_light)
-    halfway = normalise(to_light + _direction("view", view, n.dtype))
-    highlight = _highlight(cosine(n, halfway), n_dot_l, specular, shininess)
-    shade: Array = _matte(albedo, n_dot_l, ambient) + highlight
-    return shade
+    between = to_light + to_eye
+    halfway = normalise(between)
+    lit = (n_dot_l > 0) & to_eye.any(axis=-1) & (_dot(between, between) > (2 * UNIT_TOLERANCE) ** 2)
+    shade: Array = _matte(albedo, n_dot_l, ambient)
+    return shade + _highlight(cosine(n, halfway), lit, specular, shininess)
 
 
 def attenuation(distance: ArrayLike, radius: float = 0.01) -> Array:
@@ -214,6 +223,19 @@ def irradiance(points: ArrayLike, normals: ArrayLike, lights: Sequence[Light]) -
     return total
 
 
+def _dot(u: Array, v: Array) -> Array:
+    """(...) from (..., 3): component by component, which NumPy does faster than a short sum."""
+    product: Array = u[..., 0] * v[..., 0] + u[..., 1] * v[..., 1] + u[..., 2] * v[..., 2]
+    return product
+
+
+def _largest(v: Array) -> Array:
+    """(...) the largest magnitude of the components of (..., 3); NaN where one is NaN."""
+    size = np.abs(v)
+    largest: Array = np.maximum(np.maximum(size[..., 0], size[..., 1]), size[..., 2])
+    return largest
+
+
 def _check_colour(name: str, rgb: tuple[float, float, float]) -> None:
     if len(rgb) != 3 or not all(0 <= part <= BRIGHTEST for part in rgb):
         raise ValueError(f"{name} {rgb}; legal: three numbers from 0 to {BRIGHTEST:g}")
@@ -226,18 +248,19 @@ def _matte(albedo: ArrayLike, n_dot_l: Array, ambient: float) -> Array:
     return matte
 
 
-def _highlight(cosines: Array, n_dot_l: Array, specular: float, shininess: float) -> Array:
+def _highlight(cosines: Array, lit: NDArray[np.bool_], specular: float, shininess: float) -> Array:
+    """Only where ``lit``: elsewhere the cosine is 0, whose power 0 would be 1."""
     for name, value in (("shininess", shininess), ("specular", specular)):
         if not 0 <= value < np.inf:
             raise ValueError(f"{name} {value}; legal: 0 or more, finite")
-    lit: Array = np.where(n_dot_l > 0, specular * cosines**shininess, 0)
-    return lit
+    highlight: Array = np.where(lit, specular * cosines**shininess, 0)
+    return highlight
 
 
 def _direction(name: str, direction: ArrayLike, dtype: np.dtype[np.floating]) -> Array:
     """A direction in the dtype of the normals; one alone is checked, a field of them is trusted."""
     v = np.asarray(direction, dtype)
-    if v.ndim == 1 and not abs(float(np.sqrt(np.sum(v * v))) - 1) < 1e-4:
+    if v.ndim == 1 and not abs(float(np.sqrt(np.sum(v * v))) - 1) < UNIT_TOLERANCE:
         raise ValueError(f"{name} {v.tolist()}; legal: a vector of length 1")
     return v
 

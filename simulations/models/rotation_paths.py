@@ -9,7 +9,8 @@ from collections.abc import Sequence
 import numpy as np
 from numpy.typing import ArrayLike
 
-from simulations.models import quaternions
+from simulations.models import euler, quaternions
+from simulations.models.floats import as_array
 from simulations.models.rotations import Floats, checked_share, from_axis_angle
 
 
@@ -17,15 +18,9 @@ def euler_blend(
     sequence: str, start_rad: Sequence[float], end_rad: Sequence[float], share: ArrayLike
 ) -> Floats:
     """Rotations (..., 3, 3) whose three angles are each ``share`` (...) of the way to the end."""
-    first, second, third = _axes(sequence)
+    start, end = _angles("start_rad", start_rad), _angles("end_rad", end_rad)
     s = checked_share(share)[..., None]
-    angles = (1.0 - s) * np.asarray(start_rad, float) + s * np.asarray(end_rad, float)
-    R: Floats = (
-        from_axis_angle(first, angles[..., 0])
-        @ from_axis_angle(second, angles[..., 1])
-        @ from_axis_angle(third, angles[..., 2])
-    )
-    return R
+    return euler.to_matrix(sequence, (1.0 - s) * start + s * end)
 
 
 def matrix_blend(start: ArrayLike, end: ArrayLike, share: ArrayLike) -> Floats:
@@ -34,7 +29,7 @@ def matrix_blend(start: ArrayLike, end: ArrayLike, share: ArrayLike) -> Floats:
     With θ the angle between the two, what lies across the axis shrinks to |cos θ/2| halfway.
     """
     s = checked_share(share)[..., None, None]
-    blend: Floats = (1.0 - s) * np.asarray(start, float) + s * np.asarray(end, float)
+    blend: Floats = (1.0 - s) * as_array("start", start, 3, 3) + s * as_array("end", end, 3, 3)
     return blend
 
 
@@ -45,7 +40,10 @@ def off_great_circle(quaternion: ArrayLike, start: ArrayLike, end: ArrayLike) ->
     quaternions is half the angle of the rotation between them. Where start and end are the same
     rotation there is no circle: then the angle from that rotation.
     """
-    q, q0, q1 = (quaternions.normalise(each) for each in (quaternion, start, end))
+    q, q0, q1 = (
+        quaternions.normalise(as_array(name, each, 4))
+        for name, each in (("quaternion", quaternion), ("start", start), ("end", end))
+    )
     across = q1 - (q0 @ q1) * q0
     length = float(np.linalg.norm(across))
     along = [q0, across / length] if length > 1e-12 else [q0]
@@ -60,15 +58,17 @@ def rate_axes(sequence: str, angles_rad: Sequence[float]) -> Floats:
     Column i is the axis about which a change of angle i turns the body, so that
     ω = J (ȧ₁, ȧ₂, ȧ₃) in radians per second.
     """
-    first, second, third = _axes(sequence)
-    turn = from_axis_angle(first, angles_rad[0])
-    both = turn @ from_axis_angle(second, angles_rad[1])
+    if not sequence.isupper():
+        raise ValueError(f"sequence: {sequence!r}; legal: of moving axes, all upper case")
+    first, second, third = euler.axes(sequence)
+    angles = _angles("angles_rad", angles_rad)
+    turn = from_axis_angle(first, angles[0])
+    both = turn @ from_axis_angle(second, angles[1])
     return np.stack([first, turn @ second, both @ third], axis=-1)
 
 
-def _axes(sequence: str) -> Floats:
-    """Unit vectors (3, 3) of a sequence about moving axes, such as ``"ZYX"``, one a row."""
-    if len(sequence) != 3 or set(sequence) - set("XYZ"):
-        raise ValueError(f"sequence: {sequence!r}; legal: three of X, Y, Z (moving axes)")
-    axes: Floats = np.eye(3)[["XYZ".index(letter) for letter in sequence]]
-    return axes
+def _angles(name: str, angles_rad: ArrayLike) -> Floats:
+    angles: Floats = as_array(name, angles_rad, 3)
+    if not np.isfinite(angles).all():
+        raise ValueError(f"{name}: {angles.tolist()}; legal: finite")
+    return angles

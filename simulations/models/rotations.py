@@ -8,7 +8,8 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from simulations.models import quaternions
-from simulations.models.floats import as_vectors
+from simulations.models.cross_products import cross_polynomial
+from simulations.models.floats import as_array, as_matrices, as_vectors
 
 type Floats = NDArray[np.float64]
 
@@ -17,14 +18,6 @@ ORTHOGONAL = 1e-6
 
 LARGEST_SHARE = 1e6
 """How far an interpolation may go on past its ends: beyond, rounding is all that is left."""
-
-
-def cross_matrix(vector: ArrayLike) -> Floats:
-    """[v]ₓ, (..., 3, 3): the matrix for which [v]ₓ p = v × p."""
-    x, y, z = np.moveaxis(as_vectors("vector", vector, 3), -1, 0)
-    zero = np.zeros_like(x)
-    rows = ([zero, -z, y], [z, zero, -x], [-y, x, zero])
-    return np.stack([np.stack(row, axis=-1) for row in rows], axis=-2)
 
 
 def exponential(rotation_vector: ArrayLike) -> Floats:
@@ -45,11 +38,8 @@ def _turn(axis: Floats, angle_rad: Floats) -> Floats:
     however large, cannot make them disagree: R stays orthogonal. And 2 sin²(θ/2) does not cancel
     near θ = 0, where 1 − cos θ does.
     """
-    half = 0.5 * angle_rad[..., None, None]
-    sine, versine = 2.0 * np.sin(half) * np.cos(half), 2.0 * np.sin(half) ** 2
-    K = cross_matrix(axis)
-    R: Floats = np.eye(3) + sine * K + versine * (K @ K)
-    return R
+    sine, cosine = np.sin(0.5 * angle_rad), np.cos(0.5 * angle_rad)
+    return cross_polynomial(axis, 2.0 * sine * cosine, 2.0 * sine * sine)
 
 
 def from_axis_angle(axis: ArrayLike, angle_rad: ArrayLike) -> Floats:
@@ -79,9 +69,7 @@ def check_rotation(R: ArrayLike) -> Floats:
 
     A matrix that has drifted further goes through `nearest_rotation` first.
     """
-    matrix = np.asarray(R, float)
-    if matrix.shape[-2:] != (3, 3):
-        raise ValueError(f"R: shape {matrix.shape}; legal: (..., 3, 3)")
+    matrix = as_matrices("R", R, 3, 3)
     with np.errstate(over="ignore", invalid="ignore"):
         drift = np.abs(np.swapaxes(matrix, -1, -2) @ matrix - np.eye(3)).max(initial=0.0)
     if not drift <= ORTHOGONAL:
@@ -97,8 +85,8 @@ def nearest_rotation(matrix: ArrayLike) -> Floats:
     Raises `ValueError` where several rotations are equally close: rank below 2, or a matrix
     such as −I that is as far from being a rotation as can be.
     """
-    M = np.asarray(matrix, float)
-    if M.shape != (3, 3) or not np.isfinite(M).all():
+    M = as_array("matrix", matrix, 3, 3)
+    if not np.isfinite(M).all():
         raise ValueError(f"matrix: {M.tolist()}; legal: (3, 3), finite")
     U, sizes, Vt = np.linalg.svd(M / max(float(np.abs(M).max()), np.finfo(float).tiny))
     handedness = 1.0 if np.linalg.det(U @ Vt) > 0.0 else -1.0

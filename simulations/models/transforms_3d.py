@@ -14,7 +14,7 @@ import math
 import numpy as np
 from numpy.typing import ArrayLike
 
-from simulations.models.floats import as_vectors
+from simulations.models.floats import as_array, as_vectors
 from simulations.models.rotations import check_rotation
 from simulations.models.transforms import W_MINIMUM, Floats, Mask
 
@@ -45,14 +45,14 @@ def similarity(scale: float, R: ArrayLike, offset: ArrayLike) -> Floats:
     """
     if not 0.0 < scale < math.inf:
         raise ValueError(f"scale: {scale}; legal: positive and finite")
-    return affine(scale * check_rotation(R), offset)
+    return affine(scale * check_rotation(as_array("R", R, 3, 3)), offset)
 
 
 def affine(matrix: ArrayLike, offset: ArrayLike) -> Floats:
     """X' = A X + t with any (3, 3) matrix A, singular ones included. Keeps parallels."""
     H = np.eye(4)
-    H[:3, :3] = np.asarray(matrix, float)
-    H[:3, 3] = as_vectors("offset", offset, 3)
+    H[:3, :3] = as_array("matrix", matrix, 3, 3)
+    H[:3, 3] = as_array("offset", offset, 3)
     if not np.isfinite(H).all():
         raise ValueError(f"transformation {H.tolist()}; legal: finite entries")
     return H
@@ -67,9 +67,7 @@ def apply_transform(H: ArrayLike, points: ArrayLike) -> tuple[Floats, Mask]:
     valid : (...,) bool, False where w ≤ W_MINIMUM · Σ|terms of w|: on the plane that is sent to
         infinity and beyond it. False also where a number is not finite, or the image too far.
     """
-    matrix = np.asarray(H, float)
-    if matrix.shape != (4, 4):
-        raise ValueError(f"H of shape {matrix.shape}; legal: (4, 4)")
+    matrix = as_array("H", H, 4, 4)
     place = as_vectors("points", points, 3)
     with np.errstate(over="ignore", invalid="ignore"):
         w = place @ matrix[3, :3] + matrix[3, 3]
@@ -96,19 +94,35 @@ def estimate_similarity(
     -------
     H : (4, 4), NaN where invalid.
     valid : False where the points do not determine a rotation: on a line, or mirrored so evenly
-        that several rotations are equally near.
+        that several rotations are equally near. False also where the scale or the translation is
+        no number.
     """
     before, after = _points("source", source), _points("target", target)
     if before.shape != after.shape:
         raise ValueError(f"source {before.shape} and target {after.shape}; legal: equal")
-    a, b = before - before.mean(axis=0), after - after.mean(axis=0)
+    (a, size_a), (b, size_b) = _spread(before), _spread(after)
     U, sizes, Vt = np.linalg.svd(b.T @ a)
     signs = np.array([1.0, 1.0, math.copysign(1.0, float(np.linalg.det(U @ Vt)))])
     if not sizes[1] + signs[2] * sizes[2] > DEGENERATE * sizes[0]:
         return np.full((4, 4), np.nan), False
     R = (U * signs) @ Vt
     scale = float((sizes * signs).sum() / (a * a).sum()) if scaled else 1.0
-    return similarity(scale, R, after.mean(axis=0) - scale * R @ before.mean(axis=0)), True
+    with np.errstate(over="ignore", invalid="ignore"):
+        scale = scale * size_b / size_a if scaled else 1.0
+        offset = after.mean(axis=0) - scale * R @ before.mean(axis=0)
+    if not (0.0 < scale < math.inf and np.isfinite(offset).all()):
+        return np.full((4, 4), np.nan), False
+    return similarity(scale, R, offset), True
+
+
+def _spread(points: Floats) -> tuple[Floats, float]:
+    """Points about their mean, the largest coordinate brought to 1, and what it was.
+
+    Their squares can then neither overflow nor vanish.
+    """
+    centred = points - points.mean(axis=0)
+    largest = float(np.abs(centred).max())
+    return centred / largest if largest > 0.0 else centred, largest
 
 
 def _points(name: str, points: ArrayLike) -> Floats:

@@ -190,10 +190,16 @@ def within(points: Floats, low: Floats, high: Floats) -> NDArray[np.bool_]:
 
 
 def _wall_and_floor(seen: View) -> tuple[Surface, Surface]:
-    far, _ = intersect_plane((0, WALL_DISTANCE, 0), (0, -1, 0), seen.eye, seen.directions)
+    far = _distance((0, WALL_DISTANCE, 0), (0, -1, 0), seen, seen.directions)
     height = seen.eye[2] + seen.directions[..., 2] * far  # where the ray meets the wall
     above = edge_coverage(height)
     return _backdrop(seen, WALL_PLANE, above), _backdrop(seen, FLOOR_PLANE, 1.0 - above)
+
+
+def _distance(point: Vector, normal: Vector, seen: View, directions: Floats) -> Floats:
+    """To a plane, metres (...); 0, a number to go on with, where nothing of the plane is seen."""
+    distance, meets = intersect_plane(point, normal, seen.eye, directions)
+    return np.where(meets, distance, 0.0)
 
 
 def _backdrop(seen: View, plane: tuple[Vector, Vector], share: Floats) -> Surface:
@@ -202,7 +208,7 @@ def _backdrop(seen: View, plane: tuple[Vector, Vector], share: Floats) -> Surfac
     top, bottom = (int(rows[0]), int(rows[-1]) + 1) if rows.size else (0, 0)
     top, bottom = max(top - 1, 0), max(bottom, top + 2)  # patterns need two rows
     directions = seen.directions[top:bottom]
-    distance, _ = intersect_plane(*plane, seen.eye, directions)
+    distance = _distance(*plane, seen, directions)
     points = seen.eye + directions * distance[..., None]
     normals = np.broadcast_to(np.asarray(plane[1]), points.shape)
     openness = _sky_seen(points, normals)

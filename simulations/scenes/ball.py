@@ -98,9 +98,14 @@ def _wall(x: Picture, y: Picture) -> Picture:
 
 
 def light_direction(angle_deg: float) -> NDArray[np.float64]:
-    """Unit vector in the horizontal plane: 0° from the camera, 90° from the right."""
-    angle_rad = math.radians(angle_deg)
-    return np.array([math.sin(angle_rad), 0.0, math.cos(angle_rad)])
+    """Unit vector in the horizontal plane: 0° from the camera, 90° from the right.
+
+    At ±90° and ±180° its zeros are exact. With sin 180° = 1.2e-16 a light from behind would
+    light the rim on one side.
+    """
+    off_axis = angle_deg if abs(angle_deg) <= 90 else math.copysign(180, angle_deg) - angle_deg
+    across, along = math.sin(math.radians(off_axis)), math.sin(math.radians(90 - abs(angle_deg)))
+    return np.array([across, 0.0, along])
 
 
 def lit_normals(ball: Ball, tier: str) -> Floats:
@@ -122,21 +127,30 @@ def paint(ball: Ball, linear: Floats) -> NDArray[np.uint8]:
     """(H, W, 4) bytes of (h, w) or (h, w, 3) light. Only the rim mixes ball and wall."""
     picture = ball.backdrop.copy()
     square = picture[ball.square]
-    square[ball.inner] = to_rgba8(encode_srgb_table(linear))[ball.inner]
+    shown = to_rgba8(encode_srgb_table(linear))
+    # Four bytes are one number here: picked and laid down at once, not row by row of a mask.
+    np.copyto(_whole_pixels(square), _whole_pixels(shown), where=ball.inner)
     on_rim = linear[ball.rim].reshape(len(ball.behind_rim), -1)
     mixed = ball.behind_rim + ball.rim_coverage * (on_rim - ball.behind_rim)
     square[ball.rim] = to_rgba8(encode_srgb_table(mixed)[None])[0]
     return picture
 
 
+def _whole_pixels(rgba: NDArray[np.uint8]) -> NDArray[np.uint32]:
+    """The same bytes (h, w, 4), each pixel as one number (h, w)."""
+    return rgba.view(np.uint32)[..., 0]
+
+
 def true_cosine(ball: Ball, angle_deg: float) -> NDArray[np.float64]:
     """n · d (h, w) with the direction at that angle, from the equation of the sphere, float64."""
-    x, y = np.meshgrid(*(axis.astype(np.float64) / RADIUS_PX for axis in (ball.x, ball.y)))
-    z = np.sqrt(np.maximum(1.0 - x * x - y * y, 0.0))
-    cosine: NDArray[np.float64] = (
-        math.sin(math.radians(angle_deg)) * x + math.cos(math.radians(angle_deg)) * z
-    )
+    cosine: NDArray[np.float64] = true_normals(ball) @ light_direction(angle_deg)
     return cosine
+
+
+def true_normals(ball: Ball) -> NDArray[np.float64]:
+    """(h, w, 3) from the equation of the sphere, float64; z is 0 beside the ball."""
+    x, y = np.meshgrid(*(axis.astype(np.float64) / RADIUS_PX for axis in (ball.x, ball.y)))
+    return np.stack([x, y, np.sqrt(np.maximum(1.0 - x * x - y * y, 0.0))], axis=-1)
 
 
 def judge(ball: Ball, light: ArrayLike, truth: Floats) -> Readout:

@@ -15,7 +15,7 @@ from simulations.engine.controls import Values
 from simulations.models import optics, projection
 from simulations.models.cubic_warp import CubicWarp, cubic_warp, warp
 from simulations.models.disc_blur import Planes
-from simulations.models.distortion import Distortion, largest_distorted_radius, undistort
+from simulations.models.distortion import Distortion, largest_distorted_radius, undistort_clamped
 from simulations.pictures import still_life
 
 type Floats = NDArray[np.floating]
@@ -78,7 +78,7 @@ def ideal_reach(principal: float, k1: float) -> tuple[float, float]:
     """
     lens, half = Distortion(k1=k1), np.array([SENSOR_WIDTH_MM, SENSOR_HEIGHT_MM]) / 2 / principal
     farthest = min(math.hypot(*half), largest_distorted_radius(lens))
-    ideal, _ = undistort([(farthest, 0.0), (half[0], 0.0), (half[1], 0.0)], lens)
+    ideal, _ = undistort_clamped([(farthest, 0.0), (half[0], 0.0), (half[1], 0.0)], lens)
     across, down = np.maximum(ideal[1:, 0], ideal[0, 0] * np.minimum(half / farthest, 1.0))
     return float(across), float(down)
 
@@ -128,7 +128,7 @@ def pinhole_rays(
 
 def bend_rays(rays: Rays, k1: float) -> Rays:
     """The ray that the lens bends onto each pixel: nothing is resampled, nothing lost."""
-    ideal, valid = undistort(rays.directions[..., :2], Distortion(k1=k1))
+    ideal, valid = undistort_clamped(rays.directions[..., :2], Distortion(k1=k1))
     return Rays(np.concatenate((ideal, rays.directions[..., 2:]), axis=-1), valid)
 
 
@@ -140,7 +140,7 @@ def lens_map(
     pitch = PITCH_MM / principal_mm(focal_length, focus)
     x, y = (np.arange(COLUMNS // 2) + 0.5) * pitch, (np.arange(ROWS // 2) + 0.5) * pitch
     seen = np.stack(np.broadcast_arrays(x, y[:, None]), axis=-1)
-    ideal, _ = undistort(seen, Distortion(k1=k1))
+    ideal, _ = undistort_clamped(seen, Distortion(k1=k1))
     table = cubic_warp(
         _four_quarters(ideal[..., 0] / pitch, -1, 1) + (columns - 1) / 2,
         _four_quarters(ideal[..., 1] / pitch, 1, -1) + (rows - 1) / 2,

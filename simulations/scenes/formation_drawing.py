@@ -4,7 +4,7 @@ import math
 from itertools import pairwise
 
 from simulations.engine import drawing
-from simulations.scenes.formation_stations import Journey, Station
+from simulations.scenes.formation_stations import WHITE_E, Journey, Station
 
 WIDTH, HEIGHT = 400.0, 300.0
 
@@ -15,13 +15,15 @@ LENS_COLUMN, IMAGE_COLUMN = 232.0, 304.0
 UNITS_PER_METRE = 24.0
 POINT_RISE = 42.0
 """Height of the point above the axis; drawn larger than true, like the camera."""
-CELL, WELL, CODE = (352.0, 236.0), (222.0, 236.0), (84.0, 236.0)
-"""Centres of the three boxes on the lower row, where light becomes a number."""
-ROW_HEIGHT = 42.0
+CELL, LIGHT, WELL, CODE = (352.0, 236.0), (284.0, 236.0), (200.0, 236.0), (84.0, 236.0)
+"""Centres of the boxes on the lower row, and of the light between, which becomes a number."""
+SHEAF = 24.0
+"""Radius of the disc whose area stands for the light of a white wall that faces the lamp."""
+ROW_HEIGHT = 36.5
 
 
 def route(distance_m: float) -> tuple[tuple[Point, ...], ...]:
-    """The legs between stations 0 to 6, each a polyline."""
+    """The legs between stations 0 to 7, each a polyline."""
     lens = (LENS_COLUMN, AXIS_ROW)
     start = (LENS_COLUMN - UNITS_PER_METRE * distance_m, AXIS_ROW - POINT_RISE)
     slope = POINT_RISE / (LENS_COLUMN - start[0])
@@ -32,7 +34,8 @@ def route(distance_m: float) -> tuple[tuple[Point, ...], ...]:
         (middle, lens),
         (lens, hit),
         (hit, (CELL[0], hit[1]), CELL),
-        (CELL, WELL),
+        (CELL, LIGHT),
+        (LIGHT, WELL),
         (WELL, CODE),
     )
 
@@ -109,29 +112,39 @@ def _camera() -> str:
 
 
 def _boxes(journey: Journey, reached: int) -> str:
-    """The lit cell, the well with its electrons, and the pixel value."""
+    """The cell, the light that falls into it, the well with its electrons, the pixel value."""
     return "".join(
         (
             _cell(),
-            _level(WELL, journey.counted_e / 10_000.0, "error", reached >= 5),
+            _sheaf(journey.relative_light, reached >= 5),
+            drawing.text((LIGHT[0], 290), "light", "light small", "middle"),
+            _level(WELL, journey.counted_e / WHITE_E, "error", reached >= 6),
             drawing.text((WELL[0], 290), "electrons", "error small", "middle"),
-            _level(CODE, journey.code / 255.0, "image", reached >= 6),
+            _level(CODE, journey.code / 255.0, "image", reached >= 7),
             drawing.text((CODE[0], 290), "pixel value", "image small", "middle"),
-            drawing.text((CELL[0], 290), "sensor cell", "light small", "middle"),
+            drawing.text((CELL[0], 290), "sensor cell", "image small", "middle"),
             drawing.text((CODE[0] - 32, CODE[1] + 6), str(journey.code), "image strong", "end")
-            if reached >= 6
+            if reached >= 7
             else "",
         )
     )
 
 
+def _sheaf(share: float, known: bool) -> str:
+    """White's light as a disc, and inside it, once that is known, the part that arrives."""
+    outline = drawing.circle(LIGHT, SHEAF, "light")
+    if not known or share <= 0:
+        return outline
+    return drawing.circle(LIGHT, SHEAF * math.sqrt(share), "light fill") + outline
+
+
 def _cell() -> str:
-    """Nine cells of the sensor, the middle one lit."""
+    """Nine cells of the sensor, the middle one chosen."""
     x, y = CELL[0] - 30, CELL[1] - 30
     lines = [((x + 20 * i, y), (x + 20 * i, y + 60)) for i in range(4)]
     lines += [((x, y + 20 * i), (x + 60, y + 20 * i)) for i in range(4)]
     return drawing.path(lines, "image thin") + drawing.rectangle(
-        (x + 20, y + 20), 20, 20, "light fill"
+        (x + 20, y + 20), 20, 20, "image fill"
     )
 
 
@@ -157,6 +170,6 @@ def draw_ledger(entries: tuple[Station, ...], station: float) -> str:
         bullet = f"{style} solid" if index <= reached else style
         parts.append(drawing.circle((18, top + ROW_HEIGHT / 2), 5.0, bullet))
         weight = "strong" if index == reached else "muted" if index > reached else ""
-        parts.append(drawing.text((34, top + 17), entry.title, f"{style} strong"))
-        parts.append(drawing.text((34, top + 34), entry.numbers, weight))
+        parts.append(drawing.text((34, top + 14), entry.title, f"{style} strong"))
+        parts.append(drawing.text((34, top + 29.5), entry.numbers, weight))
     return "".join(parts)

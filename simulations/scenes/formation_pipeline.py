@@ -7,7 +7,7 @@ from simulations.engine.scene import Scene
 from simulations.scenes.formation_drawing import HEIGHT, WIDTH, draw_ledger, draw_way
 from simulations.scenes.formation_stations import Journey, stations, travel
 
-LAST_STATION = 6.0
+LAST_STATION = 7.0
 
 CONTROLS = (
     Slider(
@@ -18,7 +18,7 @@ CONTROLS = (
         maximum=LAST_STATION,
         step=0.02,
     ),
-    Action(name="play", labels=("Play", "Pause"), drives="station", effect="play", seconds=12.0),
+    Action(name="play", labels=("Play", "Pause"), drives="station", effect="play", seconds=14.0),
     Action(name="step", labels=("Step",), drives="station", effect="step"),
     Action(name="reset", labels=("Reset",), drives="station", effect="reset"),
     Slider(
@@ -36,7 +36,7 @@ CONTROLS = (
 
 
 def _travel(distance: float, albedo: float, again: int) -> Journey:
-    return travel(distance, albedo, again)
+    return travel(distance, albedo, exposure=again)
 
 
 STAGES = (Stage("journey", ("distance", "albedo", "again"), _travel),)

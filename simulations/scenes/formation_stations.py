@@ -1,4 +1,4 @@
-"""One point's numbers at the seven stations from the scene to the pixel value."""
+"""One point's numbers: the scene, and the seven links of the chain to the pixel value."""
 
 import math
 from dataclasses import dataclass
@@ -21,6 +21,9 @@ LAMP_ANGLE_RAD = math.radians(60.0)
 """Of the lamp from the wall's normal."""
 WHITE_E = 10_000.0
 """Electrons from a white wall that faces the lamp: a full well."""
+FIRST_EXPOSURE = 16
+"""Its seed. The ledger rounds to two digits; in this series of exposures what it prints leads to
+the code that it prints, at every albedo."""
 PIXEL = sensor.Sensor(
     full_well_e=WHITE_E,
     read_noise_e=5.0,
@@ -49,14 +52,16 @@ class Journey:
     """Electrons to be expected."""
     counted_e: float
     """Electrons that came this time."""
+    read_e: float
+    """What reading them added, in electrons."""
     raw_dn: int
-    """12-bit code of the converter, read noise included."""
+    """12-bit code of the converter for the sum of both."""
     code: int
     """8-bit sRGB."""
 
 
-def travel(distance_m: float, albedo: float, seed: int) -> Journey:
-    """Follow a point ``distance_m`` in front of the camera; ``seed`` picks one exposure."""
+def travel(distance_m: float, albedo: float, exposure: int) -> Journey:
+    """Follow a point ``distance_m`` in front of the camera; ``exposure`` counts from 0."""
     world = np.array([POINT_RIGHT_M, POINT_DOWN_M, CAMERA_AHEAD_M + distance_m])
     pose = projection.rigid_pose(np.eye(3), np.array([0.0, 0.0, -CAMERA_AHEAD_M]))
     camera = projection.world_to_camera(world, pose)
@@ -67,9 +72,10 @@ def travel(distance_m: float, albedo: float, seed: int) -> Journey:
     lamp = (math.sin(LAMP_ANGLE_RAD), 0.0, -math.cos(LAMP_ANGLE_RAD))
     light = float(lambert(np.array([0.0, 0.0, -1.0]), np.array(lamp), albedo))
     mean_e = light * WHITE_E
-    rng = np.random.default_rng(seed)
-    counted = sensor.shot_noise(np.array([mean_e]), rng, WHITE_E, model="skewed")
-    raw = sensor.quantise(sensor.read_out(counted, PIXEL, rng), PIXEL.bits)
+    rng = np.random.default_rng(FIRST_EXPOSURE + exposure)
+    counted = sensor.shot_noise(np.array([mean_e]), rng, WHITE_E)
+    signal_dn = sensor.read_out(counted, PIXEL, rng)
+    raw = sensor.quantise(signal_dn, PIXEL.bits)
     encoded = encode_srgb(sensor.develop(raw, PIXEL))
     return Journey(
         world_m=_triple(world),
@@ -80,6 +86,7 @@ def travel(distance_m: float, albedo: float, seed: int) -> Journey:
         relative_light=light,
         mean_e=mean_e,
         counted_e=float(counted[0]),
+        read_e=float(signal_dn[0] * PIXEL.gain_e_per_dn - counted[0]),
         raw_dn=int(raw[0]),
         code=round(255.0 * float(np.clip(encoded[0], 0.0, 1.0))),
     )
@@ -106,51 +113,70 @@ class Station:
 
 
 def stations(journey: Journey) -> tuple[Station, ...]:
-    """The ledger: seven stations, in the order of the light."""
+    """The ledger: the scene and the seven links, in the chapter's order and by its names."""
+    return (*_where(journey), *_how_much(journey))
+
+
+def _where(journey: Journey) -> tuple[Station, ...]:
+    """Geometry: from a place in the scene to a cell of the sensor."""
     column, row = journey.pixel
-    percent = f"{format_number(100 * journey.relative_light, 1)}\u00a0%"
-    counted = f"{journey.counted_e:.0f}"
     return (
         Station(
             "Scene",
-            f"X = {_numbers(journey.world_m, 2)} m",
+            f"{_numbers(journey.world_m, 2)} m in the room",
             "The point waits in the scene, in world coordinates",
             "world",
         ),
         Station(
             "Pose",
-            f"R X + t = {_numbers(journey.camera_m, 2)} m",
+            f"{_numbers(journey.camera_m, 2)} m from the camera",
             "The camera’s pose turns world coordinates into camera coordinates",
             "camera",
         ),
         Station(
+            "Projection",
+            f"divided by depth: {_numbers(journey.ideal, 5)}",
+            "Division by the depth leaves two numbers",
+            "camera",
+        ),
+        Station(
             "Lens",
-            f"{_numbers(journey.ideal, 5)} bent to {_numbers(journey.distorted, 5)}",
-            "Division by depth leaves two numbers, and the lens bends them",
+            f"times 1 − 0.2 r²: {_numbers(journey.distorted, 5)}",
+            "The lens bends the ray, and moves the point of the image",
             "ray",
         ),
         Station(
-            "Image plane",
+            "Pixel grid",
             f"{_numbers(journey.pixel, 2)} px, in cell ({round(column)}, {round(row)})",
-            "The intrinsic matrix turns them into pixel coordinates",
+            "Focal length and centre in pixels turn them into a place on the grid of cells",
             "image",
         ),
+    )
+
+
+def _how_much(journey: Journey) -> tuple[Station, ...]:
+    """Light and electronics: from the paint to the number in the file."""
+    light = format_number(journey.relative_light, 3)
+    sign = "−" if journey.read_e < 0 else "+"
+    electrons = f"({journey.counted_e:.0f} {sign} {abs(journey.read_e):.2f}) e⁻"
+    return (
         Station(
             "Light",
-            f"ρ cos 60° = {percent} of white: {journey.mean_e:.0f} e⁻ due",
+            f"ρ cos 60° = {light} of white: {journey.mean_e:.0f} e⁻ expected",
             "Lamp and paint decide how many electrons are to be expected",
             "light",
         ),
         Station(
             "Sensor",
-            f"{counted} e⁻ counted, read as {journey.raw_dn} DN",
-            "Chance decides how many come, and the converter rounds them to a code",
+            f"{electrons} · 4095 / 10 000 e⁻ = {journey.raw_dn} DN",
+            "Chance decides how many come, reading adds an error of its own, and the converter "
+            "rounds the sum to a code",
             "error",
         ),
         Station(
-            "Pixel value",
-            f"sRGB({journey.raw_dn} / 4095) = {journey.code} of 255",
-            "The sRGB curve gives the number in the file",
+            "File",
+            f"255 · sRGB({journey.raw_dn} / 4095) = {journey.code}",
+            "The sRGB curve and 8 bits give the pixel value in the file",
             "image",
         ),
     )

@@ -50,15 +50,25 @@ CONTROLS = (
 )
 
 
-def _shade(normals: Floats, ball: Ball, light_angle: float, albedo: float) -> Floats:
-    """(h, w) linear light of the ball's pixels."""
-    return light_of_pixels(lambert(normals, light_direction(light_angle), albedo), ball)
+def _white(normals: Floats, ball: Ball, light_angle: float) -> Floats:
+    """(h, w) linear light of the ball's pixels, were it white."""
+    return light_of_pixels(lambert(normals, light_direction(light_angle)), ball)
+
+
+def _shade(white: Floats, ball: Ball, albedo: float) -> Floats:
+    """(h, w) linear light of the ball as painted. Black paint needs no light computed."""
+    return np.float32(albedo) * white if albedo > 0 else np.zeros_like(ball.inner, np.float32)
+
+
+def _black(values: Values) -> str:
+    return "black paint returns no light" if values.number("albedo") == 0 else ""
 
 
 STAGES = (
     Stage("ball", (), build_ball),
     Stage("normals", ("tier",), lit_normals, ("ball",)),
-    Stage("shade", ("light_angle", "albedo"), _shade, ("normals", "ball")),
+    Stage("white", ("light_angle",), _white, ("normals", "ball"), _black),
+    Stage("shade", ("albedo",), _shade, ("white", "ball")),
     Stage("picture", (), paint, ("ball", "shade")),
 )
 

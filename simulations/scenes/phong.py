@@ -30,6 +30,7 @@ from simulations.scenes.ball import (
     lit_normals,
     paint,
     true_cosine,
+    true_normals,
 )
 from simulations.scenes.lambertian_drawing import HEIGHT, WIDTH
 
@@ -97,7 +98,8 @@ def highlight(
 def half_width_rad(model: str, shininess: float) -> float:
     """Turn of the camera, in the plane of n and l, that halves the highlight.
 
-    A turn of the camera turns ``h`` by only half as much. Above 180° the lobe has no half.
+    A turn of the camera turns ``h`` by only half as much, so that Blinn's lobe is twice as wide:
+    at a shininess of 1, the least that there is here, 120°.
     """
     half = math.acos(2 ** (-1 / shininess))
     return 2 * half if model == "blinn_phong" else half
@@ -109,21 +111,32 @@ def _shine(normals: Floats, ball: Ball, light_angle: float, shininess: float, mo
 
 
 def _matte(normals: Floats, ball: Ball, light_angle: float) -> Floats:
-    """(h, w) the ball without its highlight, for an albedo of 1."""
-    return light_of_pixels(lambert(normals, light_direction(light_angle)), ball)
+    """(h, w, 3) linear light of the ball without its highlight."""
+    cosines = light_of_pixels(lambert(normals, light_direction(light_angle)), ball)
+    return cosines[..., None] * ALBEDO
 
 
-def _picture(ball: Ball, matte: Floats, shine: Floats, specular: float) -> NDArray[np.uint8]:
-    """(H, W, 4) bytes, mixed in linear light."""
-    return paint(ball, matte[..., None] * ALBEDO + np.float32(specular) * shine[..., None])
+def _add(matte: Floats, shine: Floats, specular: float) -> Floats:
+    """(h, w, 3) linear light of both."""
+    return matte + np.float32(specular) * shine[..., None]
+
+
+def _dull(values: Values) -> str:
+    """Why the ball has no highlight, if it has none."""
+    if values.number("specular") == 0:
+        return "a highlight of strength 0 adds nothing"
+    opposed = abs(values.number("light_angle")) == 180
+    return "from exactly behind, the light makes no highlight" if opposed else ""
 
 
 STAGES = (
     Stage("ball", (), build_ball),
     Stage("normals", ("tier",), lit_normals, ("ball",)),
     Stage("matte", ("light_angle",), _matte, ("normals", "ball")),
-    Stage("highlight", ("light_angle", "shininess", "model"), _shine, ("normals", "ball")),
-    Stage("picture", ("specular",), _picture, ("ball", "matte", "highlight")),
+    # Where it is left out, so is the sum, and nothing looks at what it hands on.
+    Stage("highlight", ("light_angle", "shininess", "model"), _shine, ("normals", "ball"), _dull),
+    Stage("light", ("specular",), _add, ("matte", "highlight"), _dull),
+    Stage("picture", (), paint, ("ball", "light")),
 )
 
 
@@ -203,20 +216,20 @@ def error(values: Values, tier: str, cache: StageCache) -> Iterator[Readout]:
     """How far the red light of this picture is from the chosen formula in float64."""
     done = run(STAGES, values, cache, {"tier": tier or DEFAULT_TIER})
     ball: Ball = done.outputs["ball"]
-    strength = values.number("specular")
-    light = ALBEDO[0] * done.outputs["matte"] + strength * done.outputs["highlight"]
-    yield judge(ball, light, true_light(ball, values))
+    yield judge(ball, done.outputs["light"][..., 0], true_light(ball, values))
 
 
 def true_light(ball: Ball, values: Values) -> NDArray[np.float64]:
-    """Red light (h, w) by the angles alone: r · v = 2 (n · l)(n · v) − l · v, and h lies halfway.
+    """Red light (h, w): Phong's with the camera mirrored in place of the light, Blinn's by half
+    the light's angle.
 
     Light and camera exactly opposed light nothing that the camera sees.
     """
     angle = values.number("light_angle")
     n_dot_l = true_cosine(ball, angle)
     if values.choice("model") == "phong":
-        lobe = 2 * n_dot_l * true_cosine(ball, 0.0) - math.cos(math.radians(angle))
+        normals = true_normals(ball)
+        lobe = (2 * normals[..., 2:] * normals - np.array(VIEW)) @ light_direction(angle)
     else:
         lobe = true_cosine(ball, angle / 2)
     shine = np.maximum(lobe, 0.0) ** values.number("shininess")

@@ -6,6 +6,7 @@ right, and the length from the foot to the curve is the brightness seen from tha
 
 import math
 from collections.abc import Iterator
+from functools import cache
 
 import numpy as np
 from numpy.typing import NDArray
@@ -59,7 +60,7 @@ def lobe_plot(
     by the other one; ``matte`` is the part that all of them see.
     """
     parts = [
-        *_scale(),
+        _scale(),
         line((24, FOOT[1]), (WIDTH - 24, FOOT[1]), "world bold"),
         text((26, FOOT[1] + 20), "surface", "world small"),
     ]
@@ -76,12 +77,13 @@ def lobe_plot(
     return "".join(parts)
 
 
-def _scale() -> Iterator[str]:
-    """Half circles of brightness 0.5 and 1."""
-    for level in (0.5, 1.0):
-        yield polyline(_outline(np.full(181, level)), "muted thin faint")
-    yield text((FOOT[0] + VECTOR + 4, FOOT[1] + 15), "I = 1", "muted small", "middle")
-    yield text((FOOT[0] + VECTOR / 2, FOOT[1] + 15), "0.5", "muted small", "middle")
+@cache
+def _scale() -> str:
+    """Half circles of brightness 0.5 and 1: the same in every frame, so drawn once."""
+    circles = [polyline(_outline(np.full(181, level)), "muted thin faint") for level in (0.5, 1.0)]
+    white = text((FOOT[0] + VECTOR + 4, FOOT[1] + 15), "I = 1", "muted small", "middle")
+    half = text((FOOT[0] + VECTOR / 2, FOOT[1] + 15), "0.5", "muted small", "middle")
+    return "".join((*circles, white, half))
 
 
 def _outline(brightness: NDArray[np.floating]) -> list[Point]:

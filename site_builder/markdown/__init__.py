@@ -1,1 +1,2 @@
-"""Markdown to the page model: the parser, and one file per construct."""
+"""Markdown to the page model. Start at ``chapter.py``; ``parser.py`` lists the rules, and
+``directives/`` and ``roles/`` what authors may write beyond Markdown."""

@@ -1,14 +1,15 @@
-"""A flat list of tokens to a tree of blocks: runs of prose, and directives read by constructs."""
+"""A flat list of tokens to a tree of blocks: runs of prose, and what directives make."""
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Sequence
 from itertools import accumulate
+from typing import Any
 
 from markdown_it.token import Token
 
 from site_builder.book import Block, Prose
-from site_builder.diagnostics import unknown
-from site_builder.markdown.directive import Directive
+from site_builder.markdown.directive import Directive, Use
 from site_builder.markdown.reading import Reading
+from site_builder.markdown.usage import checked
 
 
 def read_blocks(tokens: Sequence[Token], reading: Reading) -> tuple[Block, ...]:
@@ -18,7 +19,7 @@ def read_blocks(tokens: Sequence[Token], reading: Reading) -> tuple[Block, ...]:
 
     def end_prose() -> None:
         if prose and (html := reading.html(prose)):
-            blocks.append(Prose(html))
+            blocks.append(Block("prose", Prose(html)))
         prose.clear()
 
     position = 0
@@ -36,25 +37,17 @@ def read_blocks(tokens: Sequence[Token], reading: Reading) -> tuple[Block, ...]:
     return tuple(blocks)
 
 
-def read_html(directive: Directive, tokens: Sequence[Token], reading: Reading) -> str:
-    """The body of a directive that may hold only plain Markdown, as HTML."""
-    for token in tokens:
-        if token.type == "directive_open":
-            inner: Directive = token.meta["directive"]
-            reading.problem(
-                inner.line,
-                f"directive {{{inner.name}}} inside {{{directive.name}}}; legal: plain Markdown",
-            )
-            return ""
-    return reading.html(tokens)
-
-
-def check_options(directive: Directive, legal: Iterable[str], reading: Reading) -> None:
-    """Report options that the directive does not have."""
-    names = list(legal)
-    for name, value in directive.options.items():
-        if name not in names:
-            reading.problem(value.line, unknown(f"option of {{{directive.name}}}", name, names))
+def _read_directive(element: Sequence[Token], reading: Reading) -> Block | None:
+    directive: Directive[Any] | None = element[0].meta["directive"]
+    use: Use = element[0].meta["use"]
+    if directive is None:  # of an unknown name, which is reported
+        return None
+    legal = checked(directive, use, reading)
+    body = directive.body.read(use, element[1:-1], reading)
+    content = directive.read(legal, body, reading) if legal else None
+    if content is None:
+        return None
+    return Block(directive.template, content, body if directive.body.nests else ())
 
 
 def _end_of_element(tokens: Sequence[Token], start: int) -> int:
@@ -62,23 +55,14 @@ def _end_of_element(tokens: Sequence[Token], start: int) -> int:
     return start + next(count for count, depth in enumerate(depths, start=1) if depth == 0)
 
 
-def _read_directive(element: Sequence[Token], reading: Reading) -> Block | None:
-    directive: Directive = element[0].meta["directive"]
-    construct = reading.constructs.get(directive.name)
-    if construct is None:
-        reading.problem(directive.line, unknown("directive", directive.name, reading.constructs))
-        return None
-    return construct(directive, element[1:-1], reading)
-
-
 def _without_directives(element: Sequence[Token], reading: Reading) -> list[Token]:
     """Directives inside lists and quotations would be lost in a run of prose: report them."""
     for token in element:
         if token.type == "directive_open":
-            directive: Directive = token.meta["directive"]
+            use: Use = token.meta["use"]
             reading.problem(
-                directive.line,
-                f"directive {{{directive.name}}} inside a list or quotation; "
+                use.line,
+                f"directive {{{use.name}}} inside a list or quotation; "
                 "legal: at the margin, or inside a callout or example",
             )
             return []

@@ -1,129 +1,96 @@
-"""``:::{name} argument`` … ``:::``: the block rule, and options as ``:name: value`` lines.
+"""What a directive is: one value that says how it is written, what reads it and what shows it.
 
-The body is parsed in place, so line numbers in it are those of the file and directives nest.
-A directive ends at the ``:::`` that matches it, counting those opened inside; longer fences
-(``::::``) may be used for clarity.
+The parser, the checks, the table of templates and the author's guide all follow from these
+values; ``directives/__init__.py`` lists them.
 """
 
-import re
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 
-from markdown_it import MarkdownIt
-from markdown_it.rules_block import StateBlock
+from markdown_it.token import Token
 
-OPENING = re.compile(r"(:{3,})\{([\w-]+)\}[ \t]*(.*)")
-CLOSING = re.compile(r"(:{3,})[ \t]*")
-OPTION = re.compile(r":([A-Za-z_][\w-]*):[ \t]*(.*)")
-CODE_FENCE = re.compile(r"`{3,}|~{3,}")
+from site_builder.markdown.reading import Reading
 
 
 @dataclass(frozen=True, slots=True)
 class OptionValue:
-    """The value of an option line."""
+    """What an author wrote in an option line."""
 
     text: str
     line: int
 
 
 @dataclass(frozen=True, slots=True)
-class Directive:
-    """The head of a directive."""
+class Use:
+    """A directive as an author wrote it; its reader finds only legal options here."""
 
     name: str
     argument: str
-    options: dict[str, OptionValue]
+    options: Mapping[str, OptionValue]
     line: int
     """Line of the opening fence, counted from 1."""
 
-
-def directive_plugin(parser: MarkdownIt) -> None:
-    parser.block.ruler.before(
-        "fence",
-        "directive",
-        _rule,
-        {"alt": ["paragraph", "reference", "blockquote", "list", "footnote_def"]},
-    )
+    def text(self, option: str) -> str:
+        """The option's value; its default, or nothing, where the author gave none."""
+        given = self.options.get(option)
+        return given.text if given else ""
 
 
-def _line(state: StateBlock, line: int) -> str:
-    return state.src[state.bMarks[line] + state.tShift[line] : state.eMarks[line]].rstrip()
+@dataclass(frozen=True, slots=True)
+class Argument:
+    """The words behind the name of a directive."""
+
+    form: str
+    """As the author's guide shows it: ``scene-id``."""
+    lacks: str = ""
+    """What is said of a directive without it: ``names no scene``. Nothing: it may be left out."""
+    legal: tuple[str, ...] = ()
+    """All that it may be; any text, for the reader to judge, where there are none."""
+    kind: str = ""
+    """What it is one of, where ``legal`` says: ``table of extremes``."""
+
+    @property
+    def required(self) -> bool:
+        return bool(self.lacks or self.legal)
 
 
-def _rule(state: StateBlock, start: int, end: int, silent: bool) -> bool:
-    text = _line(state, start)
-    if state.is_code_block(start) or not text.startswith(":::"):
-        return False
-    if silent:
-        return True
-    opening = OPENING.fullmatch(text)
-    if not opening:
-        _complain(state, start, _stray(text))
-        state.line = start + 1
-        return True
-    fence, name, argument = opening.groups()
-    last = _find_end(state, start, end, len(fence))
-    if last == end:
-        _complain(state, start, f"directive {{{name}}} is never closed; close it with {fence!r}")
-    options, body = _read_options(state, start + 1, last)
-    directive = Directive(name, argument.strip(), options, start + 1)
-    _push(state, directive, body, last)
-    state.line = min(last + 1, end)
-    return True
+@dataclass(frozen=True, slots=True)
+class OptionLine:
+    """A line ``:name: value`` below the opening fence."""
+
+    name: str
+    says: str
+    """What an author gives with it: ``what the picture shows``."""
+    legal: tuple[str, ...] = ()
+    """All that it may be, its default first; any text where there are none."""
+    required: bool = False
 
 
-def _stray(text: str) -> str:
-    if CLOSING.fullmatch(text):
-        return f"{text!r} closes no directive; legal: after an opening like ':::{{note}}'"
-    return f"{text!r} is no directive; legal: ':::{{name}} argument'"
+@dataclass(frozen=True, slots=True)
+class Body[B]:
+    """What may stand between the fences."""
+
+    says: str
+    """In the author's guide: ``a caption``."""
+    read: Callable[[Use, Sequence[Token], Reading], B]
+    """Its tokens as the directive's reader gets them; reports what may not stand there."""
+    nests: bool = False
+    """Whether it is made of blocks, which the page keeps with the directive's own."""
 
 
-def _find_end(state: StateBlock, start: int, end: int, length: int) -> int:
-    """Line of the matching closing fence, or ``end`` where there is none."""
-    open_fences = [length]
-    code = ""
-    for line in range(start + 1, end):
-        text = _line(state, line)
-        if fence := CODE_FENCE.match(text):
-            marker = fence.group()
-            code = "" if code and marker.startswith(code) else code or marker
-        elif code:
-            continue
-        elif opening := OPENING.fullmatch(text):
-            open_fences.append(len(opening.group(1)))
-        elif closing := CLOSING.fullmatch(text):
-            while open_fences and open_fences[-1] < len(closing.group(1)):
-                open_fences.pop()
-            if open_fences and open_fences[-1] == len(closing.group(1)):
-                open_fences.pop()
-        if not open_fences:
-            return line
-    return end
+@dataclass(frozen=True, slots=True)
+class Directive[B]:
+    """One directive, ``:::{name} argument``."""
 
-
-def _read_options(state: StateBlock, start: int, end: int) -> tuple[dict[str, OptionValue], int]:
-    options: dict[str, OptionValue] = {}
-    for line in range(start, end):
-        match = OPTION.fullmatch(_line(state, line))
-        if not match:
-            return options, line
-        name, value = match.groups()
-        if name in options:
-            _complain(state, line, f"option {name!r} is given twice; legal: once")
-        options[name] = OptionValue(value.strip(), line + 1)
-    return options, end
-
-
-def _push(state: StateBlock, directive: Directive, body: int, last: int) -> None:
-    token = state.push("directive_open", "", 1)
-    token.block = True
-    token.map = [directive.line - 1, last]
-    token.meta = {"directive": directive}
-    parent, limit = state.parentType, state.lineMax
-    state.parentType, state.lineMax = "container", last
-    state.md.block.tokenize(state, body, last)
-    state.parentType, state.lineMax = parent, limit
-    state.push("directive_close", "", -1).block = True
-
-
-def _complain(state: StateBlock, line: int, message: str) -> None:
-    state.env.setdefault("problems", []).append((line + 1, message))
+    name: str
+    says: str
+    """What it makes, in the author's guide: ``a live figure``."""
+    argument: Argument | None
+    body: Body[B]
+    read: Callable[[Use, B, Reading], object | None]
+    """What the template shows; None, and a report, where mistakes leave nothing to show."""
+    template: str
+    """Its file below ``templates/blocks/``, without ``.html``."""
+    options: tuple[OptionLine, ...] = ()
+    more_options: str = ""
+    """Options that only the reader can judge, in words: ``the controls of the scene``."""

@@ -1,7 +1,9 @@
-"""One Markdown file to one `Chapter`: parse, annotate, split into blocks."""
+"""The Markdown of the book: CommonMark and what is added to it, in order. Each rule has a file."""
 
 from collections.abc import Callable, Mapping, Sequence
-from pathlib import Path
+from dataclasses import dataclass
+from functools import partial
+from typing import Any
 
 from markdown_it import MarkdownIt
 from markdown_it.renderer import RendererProtocol
@@ -11,106 +13,94 @@ from mdit_py_plugins.dollarmath import dollarmath_plugin
 from mdit_py_plugins.footnote import footnote_plugin
 from mdit_py_plugins.front_matter import front_matter_plugin
 
-from simulations.engine.scene import Scene
-from site_builder.book import Chapter
-from site_builder.diagnostics import Diagnostics
-from site_builder.markdown.blocks import read_blocks
-from site_builder.markdown.callout import TITLES, read_callout
-from site_builder.markdown.directive import directive_plugin
-from site_builder.markdown.example import read_example
-from site_builder.markdown.extremes import read_extremes
-from site_builder.markdown.front_matter import read_front_matter
-from site_builder.markdown.illustration import read_illustration
-from site_builder.markdown.inline import annotate, chapter_id
-from site_builder.markdown.ladder import read_ladder, read_ladder_table
-from site_builder.markdown.listing import read_listing
-from site_builder.markdown.quiz import read_quiz
-from site_builder.markdown.reading import PAGE_IDS, Construct, Reading
-from site_builder.markdown.roles import roles_plugin
-from site_builder.markdown.simulation import read_simulation
-from site_builder.markdown.stage_costs import read_stage_cost_table
-from site_builder.markdown.stray_marks import stray_marks_plugin
-from site_builder.markdown.table import read_table, table_plugin
-from site_builder.markdown.text_role import TEXT_ROLES, text_role
-from site_builder.markdown.typography import typography_plugin
-from site_builder.measurements import Measurements
+from site_builder.markdown.directives import DIRECTIVES
+from site_builder.markdown.fences import directive_rule
+from site_builder.markdown.role import role_rule
+from site_builder.markdown.roles import ROLES
+from site_builder.markdown.text import rendering
+from site_builder.markdown.text.stray_marks import stray_marks_rule
+from site_builder.markdown.text.typography import typography_rule
 
-CONSTRUCTS: Mapping[str, Construct] = {
-    "simulation": read_simulation,
-    "quiz": read_quiz,
-    **dict.fromkeys(TITLES, read_callout),
-    "example": read_example,
-    "source": read_listing,
-    "figure": read_illustration,
-    "table": read_table,
-    "extremes": read_extremes,
-    "ladder": read_ladder,
-    "ladder-table": read_ladder_table,
-    "stage-costs": read_stage_cost_table,
+
+@dataclass(frozen=True, slots=True)
+class Rule:
+    """One rule of ours and its place among those of the parser."""
+
+    chain: str
+    """``block`` finds paragraphs, lists, …; ``inline`` works in each; ``core`` on all tokens."""
+    name: str
+    before: str
+    """The rule that would otherwise take, or change, what is meant for this one."""
+    run: Callable[..., Any]
+    ends: tuple[str, ...] = ()
+    """Blocks that it ends without an empty line before it."""
+
+
+STANDARD = ("table", "smartquotes")
+"""Rules of the parser's own that CommonMark leaves out."""
+
+PLUGINS: tuple[Callable[[MarkdownIt], None], ...] = (
+    front_matter_plugin,
+    footnote_plugin,
+    partial(dollarmath_plugin, allow_labels=False, allow_space=False, allow_digits=False),
+)
+
+RULES = (
+    Rule(
+        "block",
+        "directive",
+        before="math_block",
+        run=partial(directive_rule, {directive.name: directive for directive in DIRECTIVES}),
+        ends=("paragraph", "reference", "blockquote", "list", "footnote_def"),
+    ),
+    Rule(
+        "inline",
+        "role",
+        before="backticks",
+        run=partial(role_rule, {role.name: role for role in ROLES}),
+    ),
+    Rule("core", "typography", before="smartquotes", run=typography_rule),
+    # Before escaped characters, which are meant, are joined with the text around them.
+    Rule("core", "stray_marks", before="text_join", run=stray_marks_rule),
+)
+"""``make_parser().get_all_rules()`` shows them among all others."""
+
+HTML: Mapping[str, Callable[[Token], str]] = {
+    "math_inline": rendering.formula,
+    "math_block": rendering.equation,
+    "fence": rendering.code,
+    "table_open": rendering.table_open,
+    "table_close": rendering.table_close,
+    "role": rendering.words,
 }
-"""Every directive, and what reads it."""
+"""Kinds of token that we render, each by itself."""
 
 
 def make_parser() -> MarkdownIt:
     """CommonMark with the book's additions."""
     parser = MarkdownIt("commonmark", {"typographer": True, "html": True})
-    parser.enable("smartquotes")
-    parser.use(front_matter_plugin).use(footnote_plugin).use(directive_plugin)
-    parser.use(dollarmath_plugin, allow_labels=False, allow_space=False, allow_digits=False)
-    parser.use(table_plugin).use(roles_plugin).use(typography_plugin).use(stray_marks_plugin)
-    for name in TEXT_ROLES:
-        parser.use(text_role, name)
-    parser.add_render_rule("math_inline", _formula)
-    parser.add_render_rule("math_block", _equation)
-    parser.add_render_rule("fence", _code)
+    parser.enable(list(STANDARD))
+    for plugin in PLUGINS:
+        parser.use(plugin)
+    for rule in RULES:
+        ruler = getattr(parser, rule.chain).ruler
+        ruler.before(rule.before, rule.name, rule.run, {"alt": list(rule.ends)})
+    parser.inline.add_terminator_char("{")  # where a run of text stops, since a role may begin
+    for kind, html in HTML.items():
+        parser.add_render_rule(kind, _render_rule(html))
     return parser
 
 
-def read_chapter(
-    text: str,
-    path: str,
-    number: int,
-    *,
-    root: Path,
-    problems: Diagnostics,
-    load_scene: Callable[[str], Scene],
-    measurements: Measurements,
-) -> Chapter:
-    """The chapter in ``text``; mistakes go to ``problems`` and reading goes on."""
-    parser = make_parser()
-    reading = Reading(path, root, problems, load_scene, parser, CONSTRUCTS, measurements)
-    tokens = parser.parse(text, reading.env)
-    for line, message in reading.env.pop("problems", ()):
-        reading.problem(line, message)
-    matter = read_front_matter(tokens, reading)
-    annotate(tokens, reading)
-    body = read_blocks(tokens, reading)
-    return Chapter(
-        number=number,
-        id=chapter_id(path),
-        path=path,
-        title=matter["title"],
-        summary=matter["summary"],
-        body=body,
-        headings=tuple(reading.headings),
-        anchors=frozenset(reading.ids) - set(PAGE_IDS),
-        links=tuple(reading.links),
-    )
+def _render_rule(html: Callable[[Token], str]) -> Callable[..., str]:
+    """``html`` with the signature that the renderer wants."""
 
+    def rule(
+        _renderer: RendererProtocol,
+        tokens: Sequence[Token],
+        index: int,
+        _o: OptionsDict,
+        _e: EnvType,
+    ) -> str:
+        return html(tokens[index])
 
-def _formula(
-    _renderer: RendererProtocol, tokens: Sequence[Token], index: int, _o: OptionsDict, _e: EnvType
-) -> str:
-    return str(tokens[index].meta.get("mathml", ""))
-
-
-def _equation(
-    renderer: RendererProtocol, tokens: Sequence[Token], index: int, o: OptionsDict, e: EnvType
-) -> str:
-    return f'<div class="equation">{_formula(renderer, tokens, index, o, e)}</div>\n'
-
-
-def _code(
-    _renderer: RendererProtocol, tokens: Sequence[Token], index: int, _o: OptionsDict, _e: EnvType
-) -> str:
-    return str(tokens[index].meta.get("html", ""))
+    return rule

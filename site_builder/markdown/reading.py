@@ -1,7 +1,6 @@
 """What is at hand, and what is gathered, while one Markdown file is read."""
 
-import re
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
@@ -10,15 +9,10 @@ from markdown_it import MarkdownIt
 from markdown_it.token import Token
 
 from simulations.engine.scene import Scene
-from site_builder.book import Block, Heading, Link
+from site_builder.book import Heading, Link
 from site_builder.diagnostics import Diagnostics
-from site_builder.markdown.directive import Directive
-from site_builder.markdown.readout import Readouts
-from site_builder.measurements import Measurements
-
-type Construct = Callable[[Directive, Sequence[Token], "Reading"], Block | None]
-"""Reads one directive and its body; None where mistakes leave nothing to show."""
-
+from site_builder.measured.measurements import Measurements
+from site_builder.measured.readouts import Readouts
 
 PAGE_IDS = ("main", "contents")
 """Element ids of the frame around every chapter."""
@@ -31,11 +25,10 @@ class Reading:
     path: str
     """The file, relative to the root of the project."""
     root: Path
-    """The project: where listings and picture files are looked up."""
+    """The project: where quoted modules and picture files are looked up."""
     problems: Diagnostics
     load_scene: Callable[[str], Scene]
     parser: MarkdownIt
-    constructs: Mapping[str, Construct]
     measurements: Measurements = field(default_factory=Measurements)
     """Where numbers about speed and accuracy come from."""
     env: dict[str, Any] = field(default_factory=dict)
@@ -57,19 +50,6 @@ class Reading:
         """Tokens without directives, as HTML."""
         return str(self.parser.renderer.render(list(tokens), self.parser.options, self.env)).strip()
 
-    def inline_html(self, markdown: str, line: int) -> str:
-        """One line of Markdown, such as a directive's title, as HTML without a paragraph."""
-        from site_builder.markdown.inline import annotate  # annotate takes a Reading
-
-        env = {"references": self.env.get("references", {})}
-        tokens = self.parser.parseInline(markdown, env)
-        for _, message in env.pop("problems", ()):
-            self.problem(line, message)
-        for token in tokens:
-            token.map = [line - 1, line]
-        annotate(tokens, self)
-        return self.html(tokens)
-
     def take_id(self, wanted: str, line: int, kind: str) -> str:
         """Claim an element id; taking one twice is a mistake."""
         if wanted in self.ids:
@@ -87,8 +67,3 @@ class Reading:
             chosen, number = f"{wanted}-{number}", number + 1
         self.ids[chosen] = line
         return chosen
-
-
-def slug(text: str) -> str:
-    """Words of a heading as an id: lower case, letters and digits, joined by hyphens."""
-    return re.sub(r"[^\w]+", "-", text.lower()).strip("-") or "section"

@@ -13,13 +13,7 @@ from site_builder.runtime import store as stores
 from site_builder.runtime.fetch import fetch_runtime
 from site_builder.runtime.freeze import INTERPRETER, LOCK, Frozen, freeze_libraries
 from site_builder.runtime.imports import Table, outside, reach, read_imports
-from site_builder.runtime.pinned import (
-    NUMPY_VERSION,
-    NUMPY_WHEEL,
-    PYODIDE_VERSION,
-    PYTHON_LIBRARY,
-    PYTHON_VERSION,
-)
+from site_builder.runtime.pinned import NUMPY_WHEEL, PYTHON_LIBRARY, VERSIONS, Versions
 
 TABLE_NAME = "runtime.json"
 ENTRY = "simulations.browser"
@@ -28,24 +22,12 @@ EPOCH = (2020, 1, 1, 0, 0, 0)
 
 
 @dataclass(frozen=True, slots=True)
-class RuntimeVersions:
-    """What the reader's browser runs."""
-
-    pyodide: str
-    python: str
-    numpy: str
-
-
-@dataclass(frozen=True, slots=True)
 class RuntimeBundle:
     """The files of the site's runtime folder."""
 
     files: Mapping[str, Path]
     """Name in the site's runtime folder to where the file lies now."""
-    versions: RuntimeVersions
-
-
-VERSIONS = RuntimeVersions(PYODIDE_VERSION, PYTHON_VERSION, NUMPY_VERSION)
+    versions: Versions
 
 
 def pack_runtime(simulations: Path, store: Path | None = None) -> RuntimeBundle:

@@ -10,6 +10,18 @@ NUMPY_VERSION = "2.4.3"
 
 
 @dataclass(frozen=True, slots=True)
+class Versions:
+    """What the reader's browser runs; empty texts for a site without a runtime."""
+
+    pyodide: str = ""
+    python: str = ""
+    numpy: str = ""
+
+
+VERSIONS = Versions(PYODIDE_VERSION, PYTHON_VERSION, NUMPY_VERSION)
+
+
+@dataclass(frozen=True, slots=True)
 class RuntimeFile:
     """A file that is known by its content, wherever it comes from."""
 

@@ -3,12 +3,12 @@
  * Listeners sit on the document, so that they outlive a change of chapter.
  */
 
-import { installContents } from "./contents.js";
-import { SimulationFigure } from "./figure.js";
-import { LadderBench } from "./ladder.js";
-import { installNavigation } from "./navigate.js";
-import { installQuizzes, restoreQuizzes } from "./quiz.js";
-import { installTheme, showTheme } from "./theme.js";
+import { SimulationFigure } from "./figure/element.js";
+import { LadderBench } from "./ladder/bench.js";
+import { installContents } from "./page/contents.js";
+import { installNavigation } from "./page/navigate.js";
+import { installQuizzes, restoreQuizzes } from "./page/quiz.js";
+import { installTheme, showTheme } from "./page/theme.js";
 
 customElements.define("simulation-figure", SimulationFigure);
 customElements.define("ladder-bench", LadderBench);

@@ -21,8 +21,8 @@ from bench.record import disagreements, ladder_record, merge, write
 from simulations.engine.ladder import Ladder, TierResult, measure_tier
 from simulations.registry import LADDER_MODULES, load_ladder
 from site_builder.diagnostics import Diagnostics
-from site_builder.ladder_choice import off_the_front
-from site_builder.measurements import read_measurements
+from site_builder.measured.ladder_choice import off_the_front
+from site_builder.measured.measurements import read_measurements
 
 ROOT = Path(__file__).resolve().parents[2]
 DATA = ROOT / "content" / "measurements.json"

@@ -29,6 +29,29 @@ def test_a_book_in_order_is_said_to_be(run: Run, capsys: pytest.CaptureFixture[s
     assert capsys.readouterr().out == "no mistakes\n"
 
 
+WARNED = ":::{{quiz}} q\nWhich?\n- [x] {}\n  : Yes.\n- [ ] That\n  : No.\n:::\n".format("long " * 9)
+
+
+def test_warnings_are_listed_and_counted_and_fail_nothing(
+    run: Run, capsys: pytest.CaptureFixture[str], tmp_path: Path
+) -> None:
+    assert run("check", body=WARNED) == 0
+    said = capsys.readouterr()
+    assert said.err.startswith("content/00-first.md:5: warning: the key of quiz 'q' stands out")
+    assert said.out == "no mistakes; 1 warning\n"
+    assert run("build", "--no-runtime", "--out", str(tmp_path / "site"), body=WARNED) == 0
+    said = capsys.readouterr()
+    assert said.err.count("warning:") == 1
+    assert said.out.endswith(" files; 1 warning\n")
+
+
+def test_warnings_are_not_counted_as_mistakes(run: Run, capsys: pytest.CaptureFixture[str]) -> None:
+    assert run("check", body=f"# A\n\n{WARNED}") == 1
+    said = capsys.readouterr().err
+    assert said.count("warning:") == 1
+    assert said.endswith("1 mistake; nothing was written\n")
+
+
 @pytest.mark.parametrize(("body", "count"), [("# A\n", "1 mistake"), ("# A\n\n$b\n", "2 mistakes")])
 def test_mistakes_are_listed_and_counted(
     run: Run, capsys: pytest.CaptureFixture[str], body: str, count: str

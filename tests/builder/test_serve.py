@@ -136,3 +136,13 @@ def test_before_the_first_good_build_the_page_waits_for_one(tmp_path: Path) -> N
     finally:
         server.shutdown()
         server.server_close()
+
+
+def test_open_pages_hear_of_good_and_of_bad_builds() -> None:
+    builds = Builds()
+    builds.finish("")
+    assert builds.event() == "event: built\ndata: 1\n\n"
+    builds.finish('content/a.md:1: "bad"\nmore')
+    assert builds.event() == 'event: failed\ndata: "content/a.md:1: \\"bad\\"\\nmore"\n\n'
+    builds.finish("")
+    assert builds.event() == "event: built\ndata: 2\n\n"

@@ -3,21 +3,36 @@
 from math import cos, hypot, radians, sqrt
 
 import numpy as np
-from support.worked_numbers import Says
+from support.worked_numbers import CONTENT, Says
 
-from simulations.models.color import encode_srgb
+from simulations.models.color import decode_srgb, encode_srgb
 from simulations.models.distortion import Distortion, distort
 from simulations.models.projection import intrinsics, project
+from simulations.models.sampling import alias_frequency, box_mtf
+from simulations.scenes.formation_stations import stations, travel
 
 CHAPTER = "00-why-image-formation"
 K = intrinsics(800.0, (320.0, 240.0))
 LENS = Distortion(k1=-0.2)
+SPELT = {4: "four", 7: "Seven"}
 
 
 def pixel_of(x_m: float, y_m: float, depth_m: float) -> tuple[float, float]:
     bent = distort(np.array([x_m, y_m]) / depth_m, LENS)
     pixel, _ = project([*bent, 1.0], K)
     return float(pixel[0]), float(pixel[1])
+
+
+def one_list_of_links() -> Says:
+    """Prose, table, worked example and figure have the same links in the same order."""
+    scene, *links = [station.title for station in stations(travel(4.0, 0.6, 0))]
+    assert scene == "Scene"
+    yield f"{SPELT[len(links)]} links lie between"
+    text = (CONTENT / f"{CHAPTER}.md").read_text(encoding="utf-8").replace("&shy;", "")
+    prose, example = text.split(":::{example}")
+    for part, mark in ((prose, "\n\n**{}.** "), (prose, "\n| {} | "), (example, "\n**{}.** ")):
+        places = [part.index(mark.format(link)) for link in links]
+        assert places == sorted(places), mark
 
 
 def from_a_speck_to_its_place() -> Says:
@@ -39,31 +54,72 @@ def from_a_speck_to_its_place() -> Says:
 
 
 def from_light_to_a_code() -> Says:
+    """The example is the figure's first exposure."""
     light = 0.6 * cos(radians(60))
     yield rf"$0.6 \cdot \cos 60^\circ = {light:.2f}$ of the light of a white wall"
-    yield f"Our cell expects {10_000 * light:.0f}. Photons are random; say it gets 3007 this time."
-    reported = round(3007 * 4095 / 10_000)
-    yield rf"$3007 \cdot 4095/10\,000 = {reported}$"
+    yield f"Then {10_000 * light:.0f} are to be expected from our speck."
+    first = travel(4.0, 0.6, 0)
+    yield f"this time {first.counted_e:.0f} electrons are counted"
+    yield f"this time worth {first.read_e:.2f} electrons"
+    reported = round((round(first.counted_e) + round(first.read_e, 2)) * 4095 / 10_000)
+    assert reported == first.raw_dn
+    yield rf"$({first.counted_e:.0f} + {first.read_e:.2f}) \cdot 4095/10\,000 = {reported}$"
     linear = reported / 4095
     encoded = float(encode_srgb(linear))
     yield rf"${reported}/4095 = {linear:.4f}$"
-    yield rf"turns this into {encoded:.3f}, and ${encoded:.3f} \cdot 255 = {encoded * 255:.0f}$"
+    yield f"It turns {linear:.4f} into {encoded:.3f}"
+    yield rf"${encoded:.3f} \cdot 255 = {encoded * 255:.0f}$"
+    assert round(encoded * 255) == first.code
+
+
+def how_wide_a_step_of_the_file_is() -> Says:
     assert round(255 * float(encode_srgb(0.3))) == 149, "3000 electrons give 149 as well"
+    below, above = (10_000 * float(decode_srgb(code / 255)) for code in (148.5, 149.5))
+    yield f"about {above - below:.0f} electrons wide"
+    yield rf"$\sqrt{{3000}} \approx {sqrt(3000):.0f}$"
+    assert 0.8 < sqrt(3000) / (above - below) < 1.3, "about one"
+
+
+def stripes_finer_than_the_grid() -> Says:
+    """Five on four pixels: the average over a cell, and what the grid makes of the rest."""
+    frequency = 5 / 4
+    yield f"{100 * float(box_mtf(frequency, 1.0)):.0f} % of their contrast gets through"
+    period = 1 / abs(float(alias_frequency(frequency, 1.0)))
+    yield f"one broad stripe every {SPELT[period]} pixels"
 
 
 def the_point_at_twice_the_distance() -> Says:
     u, v = pixel_of(0.4, -0.3, 8.0)
     yield f"The place moves to $({u:.2f}, {v:.2f})$"
     yield f"rather than to {149 / 2 + 0.5:.0f}: that is the sRGB curve"
+    near, far = (hypot(x - 320, y - 240) for x, y in (pixel_of(0.4, -0.3, 4.0), (u, v)))
+    assert 0.49 < far / near < 0.51, "about half as far from the centre"
 
 
-def shot_noise_of_3000_electrons() -> Says:
-    yield rf"$\sqrt{{3000}} \approx {sqrt(3000):.0f}$"
+def differences_that_prove_an_edge() -> Says:
+    """Two neighbours of 3000 electrons each differ by √2 times what one varies by."""
+    yield "A difference of 40 electrons between neighbours is no evidence of an edge"
+    spread = sqrt(2 * 3000)
+    assert 40 / spread < 1
+    assert 400 / spread > 5
+
+
+def where_models_break() -> Says:
+    yield "Every chapter up to chapter 9 has a section on where its model breaks."
+    for file in sorted(CONTENT.glob("0*.md")):
+        headings = [
+            line for line in file.read_text(encoding="utf-8").splitlines() if line[:3] == "## "
+        ]
+        assert any("breaks" in heading for heading in headings), file.name
 
 
 WORKED = (
+    one_list_of_links,
     from_a_speck_to_its_place,
     from_light_to_a_code,
+    how_wide_a_step_of_the_file_is,
+    stripes_finer_than_the_grid,
     the_point_at_twice_the_distance,
-    shot_noise_of_3000_electrons,
+    differences_that_prove_an_edge,
+    where_models_break,
 )

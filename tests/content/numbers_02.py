@@ -1,12 +1,13 @@
 """Chapter 2: rotations and poses."""
 
-from math import cos, exp, radians
+from math import cos, exp, radians, sin
 
 import numpy as np
 from support.worked_numbers import Says
 
 from simulations.models import euler, quaternions, rotations, transforms_3d
 from simulations.models.projection import look_at, rigid_pose, world_to_camera
+from simulations.models.quaternion_blends import bisected_arc, turn_between_rad
 from simulations.models.rotation_paths import matrix_blend
 
 CHAPTER = "02-3d-transformations"
@@ -29,7 +30,70 @@ def the_shortcut_of_small_angles() -> Says:
     p, angle = np.array((1.0, 0, 0)), radians(5)
     short = p + angle * np.cross((0, 0, 1), p)
     off = np.linalg.norm(short - rotations.exponential([0, 0, angle]) @ p)
-    yield rf"the error of that shortcut is about {off:.3f} of the length"
+    yield rf"At 5° that shortcut is off by at most {off:.3f} of the length"
+
+
+def to_pan_tilt_and_roll_a_camera() -> Says:
+    """The camera's axes as columns, in a world whose axes are right, down and ahead."""
+    x, y, z = np.eye(3)
+    pan, tilt, roll = radians(30), radians(20), radians(10)
+    assert (rotations.from_axis_angle(y, pan) @ z)[0] > 0
+    yield r"A positive pan $\psi$ turns the camera to the right"
+    assert (rotations.from_axis_angle(x, tilt) @ z)[1] < 0
+    yield r"a positive tilt $\tau$ makes it look up"
+    assert (rotations.from_axis_angle(z, roll) @ x)[1] > 0
+    yield r"a positive roll $\rho$ leans it over to the right"
+    yield r"\cos\psi & 0 & \sin\psi \\ 0 & 1 & 0 \\ -\sin\psi & 0 & \cos\psi"
+    c, s = cos(pan), sin(pan)
+    assert np.allclose(rotations.from_axis_angle(y, pan), [[c, 0, s], [0, 1, 0], [-s, 0, c]])
+    yield r"1 & 0 & 0 \\ 0 & \cos\tau & -\sin\tau \\ 0 & \sin\tau & \cos\tau"
+    c, s = cos(tilt), sin(tilt)
+    assert np.allclose(rotations.from_axis_angle(x, tilt), [[1, 0, 0], [0, c, -s], [0, s, c]])
+    yield r"\cos\rho & -\sin\rho & 0 \\ \sin\rho & \cos\rho & 0 \\ 0 & 0 & 1"
+    c, s = cos(roll), sin(roll)
+    assert np.allclose(rotations.from_axis_angle(z, roll), [[c, -s, 0], [s, c, 0], [0, 0, 1]])
+    camera = euler.to_matrix("YXZ", [pan, tilt, 0])
+    yield r"= \begin{bmatrix} " + r" \\ ".join(f"{part:.3f}" for part in camera[:, 2])
+    aims = [sin(pan) * cos(tilt), -sin(tilt), cos(pan) * cos(tilt)]
+    assert np.allclose(camera[:, 2], aims)
+    seen = world_to_camera([0, 0, 10], rigid_pose(camera.T, [0, 0, 0]))
+    yield f"$R\\,(0, 0, 10)^\\top = ({', '.join(f'{part:.2f}' for part in seen)})$ m"
+    assert np.isclose(np.linalg.norm(seen), 10)
+    other = euler.to_matrix("XYZ", [tilt, pan, 0])
+    _, up, slant = np.degrees(euler.from_matrix(other, "YXZ")[0])
+    yield f"looks up by only {up:.1f}°, with a horizon that slants by {slant:.1f}°"
+
+
+def the_axes_of_an_aircraft() -> Says:
+    """Body axes, x forward, as columns: the nose of one that pitches up rises, −z of the world."""
+    R = euler.to_matrix("ZYX", [0, radians(30), 0])
+    assert np.allclose(R[:, 0], R @ [1, 0, 0])
+    assert R[2, 0] < 0
+    yield "The columns of this $R$ are the aircraft's axes as seen from the world"
+
+
+def a_camera_that_looks_straight_up() -> Says:
+    up = [radians(angle) for angle in (30, 90, 0)]
+    rolled = [radians(angle) for angle in (0, 90, -30)]
+    assert np.allclose(euler.to_matrix("YXZ", up), euler.to_matrix("YXZ", rolled))
+    yield "to pan is then to roll"
+
+
+def two_frames_of_a_film() -> Says:
+    start, end = quaternions.from_rotation_vector(np.radians([(0, 0, 0), (0, 0, 2)]))
+    share = np.linspace(0, 1, 101)
+    off = turn_between_rad(rotations.nlerp(start, end, share), bisected_arc(start, end, share))
+    assert 0.9e-5 < np.degrees(off.max()) < 1e-5
+    yield "a degree or two apart, by less than 0.00001°"
+
+
+def a_camera_centre_that_is_none() -> Says:
+    R, t = np.array([[0, 0, 1], [0, 1, 0], [-1, 0, 0]]), np.array([0, 0, 10])
+    assert np.allclose(-R.T @ t, [10, 0, 0])
+    assert np.allclose(R.T @ t, [-10, 0, 0])
+    assert np.allclose(-R @ t, [-10, 0, 0])
+    yield "with the wrong sign. In the example this would be $(-10, 0, 0)$"
+    yield "instead of being undone. In the example this would be $(-10, 0, 0)$"
 
 
 def a_quaternion_by_hand() -> Says:
@@ -64,7 +128,7 @@ def the_average_of_two_matrices() -> Says:
 
 
 def a_rolling_shutter() -> Says:
-    yield f"has turned by {90 * 0.020:g}° between the first row and the last"
+    yield f"turns by {90 * 0.020:g}° between the first row and the last"
 
 
 def coordinates_far_from_the_origin() -> Says:
@@ -97,6 +161,11 @@ def the_ladder_in_space() -> Says:
 WORKED = (
     a_camera_that_looks_to_the_left,
     the_shortcut_of_small_angles,
+    to_pan_tilt_and_roll_a_camera,
+    the_axes_of_an_aircraft,
+    a_camera_that_looks_straight_up,
+    two_frames_of_a_film,
+    a_camera_centre_that_is_none,
     a_quaternion_by_hand,
     the_determinant_of_an_average,
     gimbal_lock,

@@ -1,14 +1,80 @@
 """Chapter 5: light on surfaces."""
 
-from math import acos, cos, degrees, radians, sin
+from math import acos, cos, degrees, pi, radians, sin
 
 import numpy as np
 from support.worked_numbers import Says
 
+from simulations.engine.controls import check_values
+from simulations.engine.pipeline import StageCache
 from simulations.models.color import encode_srgb
-from simulations.models.reflectance import lambert, phong
+from simulations.models.reflectance import attenuation, blinn_phong, lambert, phong
+from simulations.scenes.phong import SCENE
 
 CHAPTER = "05-lighting-and-reflectance"
+FRONT = np.array((0.0, 0, 1))
+
+
+def light_that_falls_off() -> Says:
+    yield "a surface receives a quarter of the light: the light falls off as $1/d^2$"
+    assert np.allclose(attenuation([2.0, 3.0, 10.0]), [1 / 4, 1 / 9, 1 / 100])
+
+
+def light_sent_into_the_hemisphere(shade: np.ndarray, seen_from_rad: np.ndarray) -> float:
+    """Share of head-on light: brightness times cosine, over all directions, by midpoints."""
+    ring = 2 * pi * np.sin(seen_from_rad) * (seen_from_rad[1] - seen_from_rad[0])
+    return float(np.sum(shade * np.cos(seen_from_rad) * ring)) / pi
+
+
+def what_a_surface_returns() -> Says:
+    """Over π, because a white surface of brightness 1 from all sides returns all the light."""
+    around = (np.arange(4000) + 0.5) / 4000 * pi / 2
+    views = np.stack([np.sin(around), 0 * around, np.cos(around)], axis=-1)
+    normals = np.broadcast_to(FRONT, views.shape)
+    matte = np.full(around.shape, float(lambert(FRONT, FRONT, 0.8)))
+    assert np.isclose(light_sent_into_the_hemisphere(matte, around), 0.8), "adds up to the albedo"
+    for strength, shininess in ((0.6, 1), (0.3, 20)):
+        shade = phong(normals, FRONT, views, 0.8, specular=strength, shininess=shininess)
+        returned = light_sent_into_the_hemisphere(shade, around)
+        assert np.isclose(returned, 0.8 + 2 * strength / (shininess + 2), atol=1e-5)
+    yield r"sends out $\rho + 2k_s/(\alpha + 2)$ times the light that it received"
+    yield rf"$k_s = 0.6$ and $\alpha = 1$ that is {0.8 + 2 * 0.6 / 3:.1f}"
+
+
+def the_printed_formulae() -> Says:
+    """Written out as the chapter prints them, for directions all round; the models say the same."""
+    yield (
+        r"I = \begin{cases} \rho \, \mathbf{n} \cdot \mathbf{l} + "
+        r"k_s \, \max(0, \mathbf{r} \cdot \mathbf{v})^{\alpha} & "
+        r"\text{where } \mathbf{n} \cdot \mathbf{l} > 0 , \\ 0 & \text{elsewhere.}"
+    )
+    yield r"\mathbf{r} = 2 (\mathbf{n} \cdot \mathbf{l}) \, \mathbf{n} - \mathbf{l}"
+    yield r"\mathbf{h} = \frac{\mathbf{l} + \mathbf{v}}{\lVert \mathbf{l} + \mathbf{v} \rVert}"
+    vectors = np.random.default_rng(0).normal(size=(500, 3, 3))
+    sides = []
+    for n, l, v in vectors / np.linalg.norm(vectors, axis=-1, keepdims=True):  # noqa: E741
+        r, h = 2 * (n @ l) * n - l, (l + v) / np.linalg.norm(l + v)
+        for model, lobe in ((phong, r @ v), (blinn_phong, n @ h)):
+            printed = 0.7 * (n @ l) + 0.4 * max(0, lobe) ** 3 if n @ l > 0 else 0
+            assert np.isclose(model(n, l, v, 0.7, specular=0.4, shininess=3), printed)
+            sides.append((bool(n @ l > 0), bool(lobe > 0)))
+    assert len(set(sides)) == 4, "lit and unlit, with the lobe in front and behind"
+
+
+def a_highlight_between_corners() -> Says:
+    """Green light, of which the ball itself returns next to none."""
+    yield "set **Light angle** to 75° and **Shininess** to 100"
+    yield "Move the light slowly to 60°, and it flares up as a square at a corner."
+    brightest = {}
+    for tier in ("gouraud-8", "phong", "blended-normals-16"):
+        for angle in (75, 60):
+            given = check_values(SCENE.controls, {"light_angle": angle, "shininess": 100})
+            picture = SCENE.render(given, tier, StageCache()).panels[0].raster
+            assert picture is not None
+            brightest[tier, angle] = int(picture[..., 1].max())
+    # The wall behind has 85, so has the ball's own green.
+    assert brightest["gouraud-8", 75] < 90 < 200 < brightest["gouraud-8", 60]
+    assert min(brightest[tier, 75] for tier in ("phong", "blended-normals-16")) > 200
 
 
 def a_number_to_check_by_hand() -> Says:
@@ -38,6 +104,8 @@ def how_wide_a_highlight_is() -> Says:
 
 def negative_dot_product() -> Says:
     cosine = -0.4
+    yield f"- [ ] {0.5 * (1 + cosine) / 2:g}\n"
+    yield f"- [ ] {0.5 * abs(cosine):g}\n"
     light = np.array((0, np.sqrt(1 - cosine**2), cosine))
     yield f"- [x] {float(lambert(np.array((0.0, 0, 1)), light, 0.5)):g}\n"
 
@@ -56,6 +124,10 @@ def a_cosine_just_above_one() -> Says:
 
 WORKED = (
     a_cosine_just_above_one,
+    light_that_falls_off,
+    what_a_surface_returns,
+    the_printed_formulae,
+    a_highlight_between_corners,
     a_number_to_check_by_hand,
     how_wide_a_highlight_is,
     negative_dot_product,

@@ -213,6 +213,18 @@ def how_many_stages_there_are() -> Says:
     yield "A photograph here takes nineteen stages"
 
 
+def what_a_step_of_the_focus_leaves() -> Says:
+    cache = StageCache()
+    for focus in (3.2, 3.3):
+        values = check_values(camera.CONTROLS, {"aperture": 2.0, "focus": focus})
+        reports = camera.run_tier(values, "", cache).reports
+    reused = [report.name for report in reports if report.status == "reused"]
+    again = {report.name for report in reports if report.status == "computed"}
+    assert reused == ["grain"]
+    assert {"surfaces", "defocus", "vignetting"} <= again
+    yield "- [x] How the grain of noise is drawn"
+
+
 def what_the_truth_is() -> Says:
     yield f"sends {len(aperture_grid(camera.REFERENCE_GRID))} rays per pixel through the whole"
     yield f"differs from one that sends {len(aperture_grid(camera.REFERENCE_GRID))} rays per pixel"
@@ -246,6 +258,7 @@ WORKED = (
     a_lens_that_hardly_bends,
     how_seldom_the_straight_picture_is_drawn_again,
     how_many_stages_there_are,
+    what_a_step_of_the_focus_leaves,
     what_the_truth_is,
     a_draft_is_for_what_moves_everything,
 )

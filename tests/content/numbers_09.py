@@ -2,9 +2,11 @@
 
 from math import atan, degrees, isclose, sqrt
 
-from support.worked_numbers import Says
+import numpy as np
+from support.worked_numbers import Says, source
 
 from simulations.models.projection import intrinsics, project
+from simulations.scenes.formation_stations import stations, travel
 
 CHAPTER = "09-connections"
 
@@ -47,10 +49,41 @@ def disparity_and_depth() -> Says:
     yield f"$Z = fb/d = 80/16 = {80 / 16:g}$ m"
     yield f"- [ ] {80 * 16} m"
     yield f"- [ ] {16 / 80:g} m"
+    yield f"- [ ] {80 / (16 / 2):g} m"
 
 
 def averaging_frames() -> Says:
-    yield f"- [x] By a factor of {sqrt(16):.0f}."
+    yield f"- [x] By a factor of {sqrt(16):.0f}\n"
+    frames = np.random.default_rng(0).standard_normal((16, 20_000))
+    assert isclose(frames.mean(axis=0).std(), 1 / sqrt(16), rel_tol=0.02)
+
+
+def the_links_of_the_first_chapter() -> Says:
+    """Chain and table have the figure's links, in its order."""
+    _, *links = [station.title for station in stations(travel(4.0, 0.6, 0))]
+    yield from (rf"\to \text{{{link.lower()}}}" for link in links)
+    text = source(CHAPTER)
+    rows = [text.index(f"\n| {link} | ") for link in links]
+    assert rows == sorted(rows)
+    assert len(links) == 7
+    yield "Five of the seven lose information"
+
+
+def the_least_noisy_mean() -> Says:
+    """Weights of one over the variance: no others do better, here among 201 for two exposures."""
+    yield "one over the variance that it now has. Of all weighted means, that one has the least"
+    variances = np.array([9.0, 2.0])
+    inverse = 1 / variances
+    best = np.sum((inverse / inverse.sum()) ** 2 * variances)
+    share = np.linspace(0, 1, 201)
+    assert np.all(share**2 * variances[0] + (1 - share) ** 2 * variances[1] >= best - 1e-12)
+
+
+def a_focal_length_off_by_five_percent() -> Says:
+    yield "A focal length that is 5 % too long makes all depths 5 % too large."
+    for depth in (2.0, 4.0, 20.0):
+        disparity = disparity_px(depth, 800, 0.10)
+        assert isclose(1.05 * 800 * 0.10 / disparity, 1.05 * depth)
 
 
 WORKED = (
@@ -60,4 +93,7 @@ WORKED = (
     disparities_of_the_figure,
     disparity_and_depth,
     averaging_frames,
+    the_links_of_the_first_chapter,
+    the_least_noisy_mean,
+    a_focal_length_off_by_five_percent,
 )

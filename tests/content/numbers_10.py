@@ -8,17 +8,19 @@ from functools import cache
 import numpy as np
 from support.worked_numbers import CONTENT, Says
 
+from simulations.engine.ladder import pareto_front
 from simulations.ladders import depth_of_field, inverse_pincushion, wide_discs
 from simulations.ladders.depth_of_field import radius_px
 from simulations.ladders.inverse_distortion import LADDER
-from simulations.models import radial_profile
+from simulations.models import radial_profile, rotations
+from simulations.models.demosaicing import psnr_db
 from simulations.models.distortion import undistort
 from simulations.models.raycasting import Sphere
 from simulations.pictures.still_life import THINGS, thing_depth
 from simulations.scenes import camera
 from simulations.scenes.camera_lens import PITCH_MM
 from site_builder.diagnostics import Diagnostics
-from site_builder.measurements import Measurements, read_measurements
+from site_builder.measured.measurements import Measurements, read_measurements
 
 CHAPTER = "10-speed-and-accuracy"
 
@@ -65,6 +67,44 @@ def browser_ms(ladder: str, tier: str) -> float:
     return ms(ladder, tier, "browser")
 
 
+def metrics_of_pictures() -> Says:
+    """PSNR is −20 lg of the RMS error as a share of the range."""
+    picture = np.linspace(0.0, 0.5, 400).reshape(20, 20)
+    for decibels, share, word in ((20, 0.1, "a tenth of it"), (40, 0.01, "a hundredth")):
+        assert np.isclose(psnr_db(picture + share, picture), decibels)
+        yield f"{decibels} dB is {word}" if decibels == 20 else f"{decibels} dB {word}"
+
+
+def a_front_of_four() -> Says:
+    """The four methods of the first question."""
+    times, errors = (2.0, 3.0, 9.0, 12.0), (0.1, 0.1, 0.001, 0.002)
+    front = pareto_front(list(zip(times, errors, strict=True)))
+    told = [
+        f"{name} takes {time:g} ms and errs by {error:g} px"
+        for name, time, error in zip("ABCD", times, errors, strict=True)
+    ]
+    yield f"Method {', '.join(told)}."
+    yield " and ".join(name for name, on in zip("ABCD", front, strict=True) if on) + ", for nothing"
+    assert pareto_front([(1.0, 1.0), (1.0, 1.0)]) == (True, True)
+    yield "at least as quick and at least as accurate, and better in one of the two"
+
+
+def the_norm_of_a_rotation() -> Says:
+    assert np.isclose(np.linalg.norm(rotations.exponential([0.3, -1.0, 0.2])), np.sqrt(3))
+    yield r"which for a whole rotation is $\sqrt{3}$"
+
+
+def what_the_opening_says() -> Says:
+    tiers = measurements().find("inverse-distortion").tiers
+    assert len(tiers) >= 9
+    yield "at least nine ways"
+    times = {item.tier.id: item.times["browser"].ms for item in tiers}
+    assert min(times, key=times.__getitem__) == "first-order"
+    yield "The quickest puts a corner"
+    assert error("inverse-distortion", "newton-bracketed", "worst") < 1e-9
+    yield "The most careful is right to the last rounding"
+
+
 def what_is_said_in_words_of_errors() -> Says:
     yield "worst`, less than one code of 255; the ramp is by up to"
     assert error("edge-coverage", "straight", "worst") / 100 * 255 < 0.9
@@ -96,6 +136,11 @@ def what_is_said_in_words_of_errors() -> Says:
 
 
 def what_is_said_in_words_of_times() -> Says:
+    shortened, exact = (browser_ms("small-rotations", tier) for tier in ("second-order", "exact"))
+    assert exact > 1.2 * shortened
+    yield "Leaving the sines out still saves something"
+    assert exact < 33 / 10 / 1.5
+    yield "less than a tenth of the 33 ms"
     yield "Its error vanishes in the rounding to bytes"
     assert error("srgb", "table", "worst") < 0.1
     assert browser_ms("srgb", "exact") > 1.1 * browser_ms("srgb", "table")
@@ -152,6 +197,10 @@ WORKED = (
     the_slope_of_the_fixed_point_s_map,
     a_corner_of_the_pincushion,
     samples_of_a_box,
+    metrics_of_pictures,
+    a_front_of_four,
+    the_norm_of_a_rotation,
+    what_the_opening_says,
     what_is_said_in_words_of_errors,
     what_is_said_in_words_of_times,
     what_is_said_of_wide_discs,

@@ -5,7 +5,14 @@ from math import acos, cos, sqrt
 import numpy as np
 from support.worked_numbers import Says
 
-from simulations.models.distortion import Distortion, fold_radius, largest_distorted_radius
+from simulations.models import quaternions, rotations
+from simulations.models.distortion import (
+    Distortion,
+    fold_radius,
+    largest_distorted_radius,
+    undistort,
+    undistort_clamped,
+)
 from simulations.models.optics import circle_of_confusion_mm
 
 CHAPTER = "11-where-the-models-break"
@@ -25,15 +32,15 @@ def three_points_for_a_library() -> Says:
 
 
 def squares_that_overflow() -> Says:
-    yield r"reaches $1.8\cdot 10^{308}$"
+    yield r"as large as $1.8\cdot 10^{308}$"
     assert power(LARGEST) == r"1.8\cdot 10^{308}"
     yield rf"$\sqrt{{1.8\cdot 10^{{308}}}} = {power(sqrt(LARGEST))}$ is infinite"
     below = 1.5e-162
     assert below**2 == 0.0 < (1.05 * below) ** 2 < 2 * SMALLEST
     yield r"any below $1.5\cdot 10^{-162}$ is zero"
     single = float(np.finfo(np.float32).max)
-    yield rf"beyond ${power(sqrt(single))}$, and after two squarings"
-    yield rf"beyond $4\cdot 10^{{{np.floor(np.log10(single**0.25)):.0f}}}$"
+    yield rf"beyond ${power(sqrt(single))}$, and where something is squared twice"
+    yield rf"in $r^4$, beyond $4\cdot 10^{{{np.floor(np.log10(single**0.25)):.0f}}}$"
     assert 4e9 < single**0.25 < 4.5e9
 
 
@@ -43,8 +50,50 @@ def cosines_that_are_flat() -> Says:
     yield rf"\frac{{\theta^2}}{{2}} \approx {power(spacing / 2)} "
     yield rf"\theta \approx {power(sqrt(spacing), 2)}$$"
     assert acos(cos(1.04e-8)) == 0 < acos(cos(1.07e-8))
-    assert np.isclose(3e-9**2 / 8, 1.1e-18, rtol=0.03)
-    yield rf"$1 - {power(3e-9**2 / 8)}$ rounds to 1"
+    yield "and of an angle ten times as large two digits are left"
+    larger = np.linspace(0.95e-7, 1.05e-7, 1001)
+    assert 0.002 < np.abs(np.arccos(np.cos(larger)) / larger - 1).max() < 0.01
+    yield "it can also come out a little above 3"
+    turns = rotations.exponential(np.random.default_rng(1).standard_normal((1000, 3)))
+    traces = np.trace(np.swapaxes(turns, 1, 2) @ turns, axis1=1, axis2=2)
+    assert 3 < traces.max() < 3 + 1e-14
+    small = rotations.logarithm(rotations.exponential([1e-10, 0, 0]))
+    assert np.allclose(small, [1e-10, 0, 0], rtol=1e-15)
+    yield "It recovers $10^{-10}$ to all digits"
+
+
+def a_dot_product_that_rounds_to_one() -> Says:
+    """acos of the dot product of unit quaternions that are 1.5e-9 rad apart, over random pairs."""
+    apart, pairs = 3e-9, 200_000
+    rng = np.random.default_rng(0)
+    axes = rng.standard_normal((pairs, 3))
+    turn = apart * axes / np.linalg.norm(axes, axis=-1, keepdims=True)
+    start = quaternions.normalise(rng.standard_normal((pairs, 4)))
+    end = quaternions.multiply(quaternions.from_rotation_vector(turn), start)
+    end = quaternions.normalise(end)
+    with np.errstate(invalid="ignore"):
+        found = np.arccos((start * end).sum(axis=-1))
+    some = found[found > 0]
+    zero, nan, more = (100 * np.mean(each) for each in (found == 0, np.isnan(found), found > 0))
+    yield rf"{zero:.0f} % gave 0, {more:.0f} % at least ${power(some.min(), 2)}$"
+    yield f"and {nan:.0f} % NaN"
+    assert some.min() > 0.99 * 10 * apart / 2
+    yield "0, or at least ten times too much"
+    yield rf"differs from 1 by ${power((apart / 2) ** 2 / 2)}$"
+    spacing = 1 - np.nextafter(1.0, 0.0)
+    assert 90 < spacing / ((apart / 2) ** 2 / 2) < 110
+    yield "just below 1 are a hundred times as far apart"
+    lengths = (np.linalg.norm(end + sign * start, axis=-1) for sign in (-1, 1))
+    assert np.abs(4 * np.arctan2(*lengths) / apart - 1).max() < 5e-7
+    yield "all come out right to six digits"
+
+
+def a_value_that_does_not_fit_a_byte() -> Says:
+    yield "A pixel's value is 255.6."
+    value = 255.6
+    assert np.uint8(np.rint(np.clip(value, 0, 255))) == 255
+    assert np.rint(value) == np.rint(value % 256) == 256
+    yield "Take it modulo 256, round"
 
 
 def a_tree_with_the_lens_at_infinity() -> Says:
@@ -55,17 +104,28 @@ def a_tree_with_the_lens_at_infinity() -> Says:
 def past_the_fold() -> Says:
     lens = Distortion(k1=-0.3)
     fold = fold_radius(lens)
-    yield f"folds at $r = {fold:.3f}$"
-    yield f"farther out than {largest_distorted_radius(lens):.3f}"
+    yield f"folds at the ideal radius $r = {fold:.3f}$"
+    yield f"farther out than $r_d = {largest_distorted_radius(lens):.3f}$"
     squared = 1.1409**2
     yield rf"$1.1409\cdot(1 - 0.3\cdot {squared:.4f}) = {1.1409 * (1 - 0.3 * squared):.3f}$"
-    yield f"Ours returns the fold circle, {fold:.3f}"
+    ideal, valid = undistort([0.75, 0.0], lens)
+    assert not valid
+    assert np.isnan(ideal).all()
+    yield "`undistort` returns NaN, with the mask False"
+    border, valid = undistort_clamped([0.75, 0.0], lens)
+    assert not valid
+    yield f"it puts the point on the fold, at {border[0]:.3f}, and its mask is False as well"
+    radii = np.linspace(0, np.sqrt(1 / 0.3), 10_001)
+    assert (radii * (1 - 0.3 * radii**2)).max() < 0.75
+    yield "No ideal radius gives 0.75"
 
 
 WORKED = (
     three_points_for_a_library,
     squares_that_overflow,
     cosines_that_are_flat,
+    a_dot_product_that_rounds_to_one,
+    a_value_that_does_not_fit_a_byte,
     a_tree_with_the_lens_at_infinity,
     past_the_fold,
 )

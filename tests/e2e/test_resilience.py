@@ -8,7 +8,7 @@ from support.static_server import StaticServer
 pytestmark = pytest.mark.browser
 
 SHORT_LIMIT = """async (ms) => {
-  const url = new URL(document.body.dataset.assets + 'js/runtime.js', location.href);
+  const url = new URL(document.body.dataset.assets + 'js/runtime/runtime.js', location.href);
   (await import(url)).LIMITS.render = ms;
 }"""
 
@@ -115,7 +115,7 @@ def test_blocked_storage_breaks_nothing(plain_reader: Reader, book: dict) -> Non
 
 
 ANSWERS = """async (calls) => {
-  const url = new URL(document.body.dataset.assets + 'js/runtime.js', location.href);
+  const url = new URL(document.body.dataset.assets + 'js/runtime/runtime.js', location.href);
   const runtime = (await import(url)).sharedRuntime();
   const answers = [];
   for (const [name, payload] of calls) {

@@ -16,7 +16,7 @@ pytestmark = pytest.mark.browser
 
 AT_ONCE = {"python", "numpy", "simulations"}
 CALL = """async ([name, payload]) => {
-  const url = new URL(document.body.dataset.assets + 'js/runtime.js', location.href);
+  const url = new URL(document.body.dataset.assets + 'js/runtime/runtime.js', location.href);
   const {sharedRuntime} = await import(url);
   return sharedRuntime().call(name, payload);
 }"""

@@ -11,9 +11,9 @@ from support.reader import Reader
 from simulations.engine.controls import Slider, describe
 from simulations.engine.frame import StageReport
 from simulations.registry import SCENE_MODULES, load_scene
-from site_builder.axes import linear_axis, log_axis
-from site_builder.figure_view import count_stages, value_text
-from site_builder.quantities import milliseconds, with_unit
+from site_builder.charts.axes import linear_axis, log_axis
+from site_builder.measured.quantities import milliseconds, with_unit
+from site_builder.pages.simulation_view import count_stages, value_text
 
 pytestmark = pytest.mark.browser
 
@@ -39,13 +39,13 @@ def test_the_value_beside_a_slider(plain_reader: Reader) -> None:
                 for value in (control.minimum, nearest, control.default, control.maximum):
                     calls.append([describe(control), value])
                     texts.append(value_text(control, value))
-    assert ask(plain_reader, "controls", "formatValue", calls) == texts
+    assert ask(plain_reader, "figure/controls", "formatValue", calls) == texts
 
 
 def test_a_number_and_its_unit(plain_reader: Reader) -> None:
     calls = [["16.0", "px"], ["30", "°"], ["none", ""], ["0.3", "codes of 255"]]
     texts = [with_unit(text, unit) for text, unit in calls]
-    assert ask(plain_reader, "text", "withUnit", calls) == texts
+    assert ask(plain_reader, "page/text", "withUnit", calls) == texts
 
 
 def test_milliseconds_in_the_table_of_a_ladder(plain_reader: Reader) -> None:
@@ -65,7 +65,7 @@ def test_milliseconds_in_the_table_of_a_ladder(plain_reader: Reader) -> None:
         56789.0,
     ]
     texts = [milliseconds(time) for time in times]
-    assert ask(plain_reader, "ladder", "milliseconds", [[time] for time in times]) == texts
+    assert ask(plain_reader, "ladder/bench", "milliseconds", [[time] for time in times]) == texts
 
 
 @pytest.mark.parametrize(
@@ -74,7 +74,7 @@ def test_milliseconds_in_the_table_of_a_ladder(plain_reader: Reader) -> None:
 def test_the_count_of_stages(plain_reader: Reader, statuses: list[Any]) -> None:
     stages = [StageReport("stage", status, "") for status in statuses]
     calls = [[[asdict(stage) for stage in stages]]]
-    assert ask(plain_reader, "workings", "countStages", calls) == [count_stages(stages)]
+    assert ask(plain_reader, "figure/workings", "countStages", calls) == [count_stages(stages)]
 
 
 @pytest.mark.parametrize(
@@ -88,5 +88,5 @@ def test_the_count_of_stages(plain_reader: Reader, statuses: list[Any]) -> None:
 )
 def test_the_place_of_a_point_on_an_axis(plain_reader: Reader, axis: Any) -> None:
     values = [1e-12, 1e-6, 0.5, 20.0, 1e4] + ([0.0 if axis.log else inf] if axis.none else [])
-    places = ask(plain_reader, "ladder-chart", "position", [[asdict(axis), v] for v in values])
+    places = ask(plain_reader, "ladder/chart", "position", [[asdict(axis), v] for v in values])
     assert places == pytest.approx([axis.position(value) for value in values])

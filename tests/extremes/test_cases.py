@@ -1,5 +1,6 @@
 """The hard cases that the book prints: each is asked, and its answer judged."""
 
+import numpy as np
 import pytest
 
 from simulations.engine.extreme import ExtremeCase, ExtremeTable, answer, naive_answer, show
@@ -22,6 +23,26 @@ def test_model_answers_as_decided(table: ExtremeTable, case: ExtremeCase) -> Non
 def test_textbook_formula_can_be_shown_beside_it(table: ExtremeTable, case: ExtremeCase) -> None:
     """What it says is not what the model says: else the case would teach nothing."""
     assert show(naive_answer(table, case)) != show(answer(table, case))
+
+
+SECOND_IS_NO_VALIDITY = ("euler.from_matrix(", "apparent_wheel_speed(")
+"""Of these, the angles and speeds hold whatever the mask says of them: locked, certain."""
+BORDER = "undistort_clamped("
+"""Finite on purpose, as its name says."""
+
+
+def test_what_a_mask_calls_invalid_is_nan_and_the_rest_is_not() -> None:
+    asked = [(case.call, answer(table, case)) for table in TABLES for case in table.cases]
+    pairs = {
+        call: (np.asarray(got[0]), np.asarray(got[1]))
+        for call, got in asked
+        if isinstance(got, tuple) and len(got) == 2 and np.asarray(got[1]).dtype == bool
+        if not call.startswith((*SECOND_IS_NO_VALIDITY, BORDER))
+    }
+    assert len(pairs) > 50
+    for call, (values, valid) in pairs.items():
+        assert np.isnan(values[~valid]).all(), call
+        assert not np.isnan(values[valid]).any(), call
 
 
 def test_there_are_enough_cases_to_mean_something() -> None:

@@ -13,6 +13,7 @@ from simulations.models.distortion import (
     jacobian,
     largest_distorted_radius,
     undistort,
+    undistort_clamped,
 )
 
 FOCAL_PX = 1000.0
@@ -123,13 +124,18 @@ def test_the_inverse_is_good_to_a_millionth_of_a_pixel(k1):
     assert FOCAL_PX * np.abs(back - ideal).max() <= 1e-6
 
 
-def test_beyond_the_largest_image_radius_nothing_is_valid_and_all_is_finite():
+def test_beyond_the_largest_image_radius_nothing_is_valid_and_only_the_border_is_finite():
     lens = Distortion(k1=-0.3)
     limit = largest_distorted_radius(lens)
-    ideal, valid = undistort([[0.999 * limit, 0], [1.001 * limit, 0], [np.nan, 0], [9e9, 0]], lens)
+    seen = [[0.999 * limit, 0], [1.001 * limit, 0], [np.nan, 0], [9e9, 0]]
+    ideal, valid = undistort(seen, lens)
     np.testing.assert_array_equal(valid, [True, False, False, False])
-    assert np.isfinite(ideal).all()
-    assert ideal[1, 0] == pytest.approx(fold_radius(lens))
+    assert np.isnan(ideal[1:]).all()
+    border, alike = undistort_clamped(seen, lens)
+    np.testing.assert_array_equal(alike, valid)
+    np.testing.assert_array_equal(border[0], ideal[0])
+    fold = fold_radius(lens)
+    np.testing.assert_allclose(border[1:], [[fold, 0], [0, 0], [fold, 0]], rtol=1e-12)
 
 
 def test_tangential_distortion_beyond_its_own_fold_is_refused():
@@ -178,7 +184,8 @@ def test_the_axis_is_undone_and_bad_points_spoil_no_others():
     for lens in (Distortion(), Distortion(k1=-0.1), Distortion(k1=0.1, p1=0.01)):
         ideal, valid = undistort(points, lens)
         assert valid.tolist() == [True, False, False, True]
-        np.testing.assert_allclose(ideal[:3], 0, atol=1e-15)
+        np.testing.assert_allclose(ideal[0], 0, atol=1e-15)
+        assert np.isnan(ideal[1:3]).all()
         assert ideal[3, 0] == pytest.approx(0.1, rel=0.05)
 
 

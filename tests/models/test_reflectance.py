@@ -62,8 +62,73 @@ def test_no_highlight_where_the_light_is_below_the_horizon(model, shininess):
     assert model(FRONT, -FRONT, FRONT, shininess=shininess) == 0
 
 
-def test_light_opposite_to_the_eye_gives_no_highlight():
-    assert blinn_phong([1.0, 0, 0], FRONT, -FRONT) == 0
+@pytest.mark.parametrize("shininess", [0, 0.5, 128, 1e6])
+@pytest.mark.parametrize("slant_deg", [0, 45, 89, 90])
+def test_light_opposite_to_the_eye_gives_no_highlight(shininess, slant_deg):
+    """Whatever faces the light turns its back on the eye; no power of a missing cosine is 1."""
+    slant = math.radians(slant_deg)
+    normal = [math.sin(slant), 0, math.cos(slant)]
+    for light in (
+        [0, 0, 1.0],
+        [0, 0, 1 + 9e-5],
+        [9e-5, 0, 1.0],
+    ):  # as far off as a direction may be
+        shade = blinn_phong(normal, light, -FRONT, 0.0, shininess=shininess)
+        assert shade == 0
+    fields = blinn_phong(np.array([normal] * 2), [FRONT, FRONT], [FRONT, -FRONT], 0.0, shininess=0)
+    assert fields.tolist() == [0.5 if math.cos(slant) > 0 else 0, 0]
+
+
+def test_what_both_lengths_may_be_off_is_no_halfway_direction_and_a_little_more_is_one():
+    """Light and eye along one line differ by their lengths alone; turned, by a true direction."""
+    longer, shorter = (1 + 9e-5) * FRONT, -(1 - 9e-5) * FRONT
+    assert blinn_phong(FRONT, longer, shorter, 0.0, shininess=3) == 0
+    turned = [math.sin(2.2e-4), 0, math.cos(2.2e-4)]
+    halfway = [math.cos(1.1e-4), 0, -math.sin(1.1e-4)]
+    lit = normalise(np.add(halfway, [0, 0, 1e-3]))
+    assert blinn_phong(lit, turned, -FRONT, 0.0, specular=0.3, shininess=3) == pytest.approx(
+        0.3 * float(lit @ halfway) ** 3, rel=1e-6
+    )
+
+
+def test_a_degree_beside_the_opposite_direction_blinn_has_its_highlight():
+    """Lamp at 179°: h at 89.5°, where the surface is both lit and seen."""
+    light = [math.sin(math.radians(179)), 0, math.cos(math.radians(179))]
+    halfway = [math.sin(math.radians(89.5)), 0, math.cos(math.radians(89.5))]
+    shade = blinn_phong(halfway, light, FRONT, 0.0, specular=0.4, shininess=1e4)
+    assert shade == pytest.approx(0.4)
+
+
+@pytest.mark.parametrize("model", [phong, blinn_phong])
+def test_an_ulp_above_one_is_not_blown_up_by_a_large_shininess(model):
+    above = np.float32([1 + np.finfo(np.float32).eps, 0, 0])
+    along = np.array([1.0, 0, 0])
+    assert model(above, along, along, 0.0, specular=0.25, shininess=1e7) == 0.25
+
+
+@pytest.mark.parametrize("model", [phong, blinn_phong])
+@pytest.mark.parametrize("shininess", [0, 1, 64])
+def test_what_has_no_direction_adds_no_highlight(model, shininess):
+    nothing = np.zeros(3)
+    normals, lights, views = (np.array(each) for each in ([FRONT] * 3, [FRONT] * 3, [FRONT] * 3))
+    normals[0], lights[1], views[2] = nothing, nothing, nothing
+    shade = model(normals, lights, views, 0.0, shininess=shininess)
+    assert shade.tolist() == [0, 0, 0]
+
+
+@given(
+    st.tuples(*[st.floats(-1, 1)] * 9).map(lambda v: np.reshape(v, (3, 3))),
+    st.floats(1, 200),
+)
+def test_phong_is_its_formula_with_the_mirrored_ray_made(vectors, shininess):
+    n, l, v = normalise(vectors)  # noqa: E741
+    if min(np.linalg.norm((n, l, v), axis=-1)) < 0.5:
+        return
+    mirrored = 2 * (n @ l) * n - l
+    expected = max(0.0, mirrored @ v) ** shininess if n @ l > 0 else 0.0
+    assert phong(n, l, v, 0.0, specular=1.0, shininess=shininess) == pytest.approx(
+        expected, abs=1e-12
+    )
 
 
 def test_twice_the_distance_a_quarter_of_the_light():

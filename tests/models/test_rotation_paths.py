@@ -35,8 +35,8 @@ def test_the_jacobian_knows_every_sequence(sequence):
     )
 
 
-def test_fixed_axes_are_refused():
-    with pytest.raises(ValueError, match="legal: three of X, Y, Z"):
+def test_rates_are_about_axes_that_turn_along():
+    with pytest.raises(ValueError, match="sequence: 'xyz'; legal: of moving axes"):
         rotation_paths.rate_axes("xyz", (0, 0, 0))
 
 
@@ -95,14 +95,40 @@ def test_blended_angles_give_the_matrix_of_those_angles():
     np.testing.assert_allclose(found, Rotation.from_euler("ZYX", angles).as_matrix(), atol=1e-14)
 
 
-@pytest.mark.parametrize("sequence", ["ZY", "ZYXZ", "ZYA", "zyx", ""])
-def test_only_three_moving_axes_make_a_sequence(sequence):
+def test_angles_about_axes_that_stay_are_blended_as_well():
+    start, end = (0.1, -0.4, 2.0), (1.3, 0.8, -1.0)
+    half = rotation_paths.euler_blend("xyz", start, end, 0.5)
+    expected = Rotation.from_euler("xyz", np.add(start, end) / 2).as_matrix()
+    np.testing.assert_allclose(half, expected, atol=1e-15)
+
+
+@pytest.mark.parametrize("sequence", ["ZY", "ZYXZ", "ZYA", "ZZX", "zYX", ""])
+def test_only_three_axes_with_different_neighbours_make_a_sequence(sequence):
     for call in (
         lambda: rotation_paths.rate_axes(sequence, (0, 0, 0)),
         lambda: rotation_paths.euler_blend(sequence, (0, 0, 0), (1, 1, 1), 0.5),
     ):
         with pytest.raises(ValueError, match="sequence"):
             call()
+
+
+@pytest.mark.parametrize("angles", [(0.0, 0.0), (0.0, np.inf, 0.0), (np.nan,) * 3, 1.0])
+def test_angles_are_three_and_finite(angles):
+    good = (0.1, 0.2, 0.3)
+    for name, call in {
+        "start_rad": lambda: rotation_paths.euler_blend("ZYX", angles, good, [0.0, 0.5]),
+        "end_rad": lambda: rotation_paths.euler_blend("ZYX", good, angles, [0.0, 0.5]),
+        "angles_rad": lambda: rotation_paths.rate_axes("ZYX", angles),
+    }.items():
+        with pytest.raises(ValueError, match=rf"^{name}.+; legal: "):
+            call()
+
+
+def test_what_is_no_single_matrix_or_quaternion_is_refused_by_name():
+    with pytest.raises(ValueError, match=r"^end of shape \(2, 2\); legal: \(3, 3\)"):
+        rotation_paths.matrix_blend(np.eye(3), np.eye(2), 0.5)
+    with pytest.raises(ValueError, match=r"^start of shape \(3, 4\); legal: \(4,\)"):
+        rotation_paths.off_great_circle(np.eye(4)[0], np.eye(3, 4), np.eye(4)[1])
 
 
 def test_matrices_are_blended_entry_by_entry_for_each_share():

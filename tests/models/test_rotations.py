@@ -9,6 +9,7 @@ from hypothesis import strategies as st
 from scipy.spatial.transform import Rotation
 
 from simulations.models import quaternions, rotations
+from simulations.models.cross_products import cross_polynomial
 
 RNG = np.random.default_rng(1)
 RANDOM = Rotation.random(200, rng=RNG)
@@ -28,9 +29,15 @@ def test_a_third_of_a_turn_about_the_diagonal_permutes_the_axes():
     assert quaternions.from_matrix(R) == pytest.approx([0.5] * 4)
 
 
-def test_the_cross_matrix_takes_the_cross_product():
-    a, b = RNG.normal(size=(2, 3))
-    assert rotations.cross_matrix(a) @ b == pytest.approx(np.cross(a, b))
+def test_polynomials_of_the_cross_product_are_what_cross_products_make_of_a_vector():
+    a, b = RNG.normal(size=(2, 50, 3))
+    linear, square = RNG.normal(size=(2, 50))
+    once = np.cross(a, b)
+    expected = b + linear[:, None] * once + square[:, None] * np.cross(a, once)
+    found = cross_polynomial(a, linear, square)
+    np.testing.assert_allclose((found @ b[..., None])[..., 0], expected, atol=1e-13)
+    np.testing.assert_array_equal(cross_polynomial(a[3], linear[3], square[3]), found[3])
+    assert cross_polynomial(a[:4, None], linear[:5], 0.5).shape == (4, 5, 3, 3)
 
 
 def test_exponential_and_logarithm_agree_with_scipy():

@@ -173,6 +173,29 @@ def test_points_as_far_off_as_squares_allow_are_aligned():
     np.testing.assert_allclose(found[:3, :3], 0.5 * R, atol=1e-14)
 
 
+@pytest.mark.parametrize(("small", "large"), [(1e-200, 1.0), (1e-300, 1e-300), (1e-100, 1e99)])
+def test_points_whose_squares_vanish_are_aligned(small, large):
+    found, valid = estimate_similarity(POINTS * small, POINTS @ R.T * large)
+    assert valid
+    np.testing.assert_allclose(found[:3, :3] / (large / small), R, atol=1e-12)
+
+
+def test_a_scale_beyond_all_numbers_is_told():
+    found, valid = estimate_similarity(POINTS * 1e-300, POINTS * 1e50)
+    assert not valid
+    assert np.isnan(found).all()
+
+
+@pytest.mark.parametrize("wrong", [2.0, [1.0, 2.0, 3.0], np.eye(2), np.ones((2, 3, 3))])
+def test_nothing_is_stretched_to_a_matrix(wrong):
+    with pytest.raises(ValueError, match=r"^matrix of shape .+; legal: \(3, 3\)"):
+        transforms_3d.affine(wrong, [0.0, 0.0, 0.0])
+    with pytest.raises(ValueError, match=r"^R of shape .+; legal: \(3, 3\)"):
+        transforms_3d.rigid(wrong, [0.0, 0.0, 0.0])
+    with pytest.raises(ValueError, match=r"^offset of shape .+; legal: \(3,\)"):
+        transforms_3d.translation(np.ones((1, 3)) * np.ravel(wrong)[0])
+
+
 @pytest.mark.parametrize(
     "points", [POINTS[:2], POINTS[0], POINTS * np.nan, -np.abs(POINTS) * 1e101]
 )

@@ -9,6 +9,7 @@ from simulations.models import (
     edge_coverage,
     euler,
     fisheye,
+    lines_and_planes,
     projection,
     quaternions,
     resampling,
@@ -16,7 +17,8 @@ from simulations.models import (
     transforms,
     vanishing,
 )
-from simulations.models.floats import as_colours, as_floats, as_vectors
+from simulations.models.cross_products import cross_polynomial
+from simulations.models.floats import as_array, as_colours, as_floats, as_vectors
 
 K = projection.intrinsics(800.0, (320.0, 240.0))
 POSE = projection.rigid_pose(rotations.exponential([0.1, 0.2, 0.3]), [1.0, 2.0, 3.0])
@@ -37,7 +39,15 @@ FUNCTIONS = [
     ("xy", 2, lambda v: distortion.jacobian(v, LENS)),
     ("directions", 3, lambda v: fisheye.project_fisheye(v, fisheye.Fisheye())),
     ("xy", 2, lambda v: fisheye.unproject_ideal(v, "equidistant")),
-    ("vector", 3, rotations.cross_matrix),
+    ("p", 2, lambda v: lines_and_planes.line_through(v, [3.0, 4.0])),
+    ("q", 2, lambda v: lines_and_planes.line_through([3.0, 4.0], v)),
+    ("lines", 3, lambda v: lines_and_planes.intersection(v, [1.0, 2.0, 3.0])),
+    ("others", 3, lambda v: lines_and_planes.intersection([1.0, 2.0, 3.0], v)),
+    ("p", 3, lambda v: lines_and_planes.plane_through(v, [1.0, 0.0, 0.0], [0.0, 2.0, 0.0])),
+    ("r", 3, lambda v: lines_and_planes.plane_through([1.0, 0.0, 0.0], [0.0, 2.0, 0.0], v)),
+    ("points", 3, lambda v: lines_and_planes.signed_distance(v, [1.0, 2.0, 3.0, 4.0])),
+    ("vector", 3, lambda v: cross_polynomial(v, 0.3, 0.2)),
+    ("angles_rad", 3, lambda v: euler.to_matrix("ZYX", v)),
     ("rotation_vector", 3, rotations.exponential),
     ("axis", 3, lambda v: rotations.from_axis_angle(v, 0.3)),
     ("quaternion", 4, quaternions.normalise),
@@ -101,9 +111,21 @@ def test_pictures_stay_single_and_half_precision_becomes_single():
         assert as_floats(np.ones(2, given)).dtype == kept
 
 
-def test_complex_numbers_are_refused_and_not_cut():
+@pytest.mark.parametrize("given", [[1j], np.array([1.0 + 0j])])
+def test_complex_numbers_are_refused_and_not_cut(given):
     with pytest.raises(ValueError, match="complex128; legal: real"):
-        as_floats([1j])
+        as_floats(given)
+    with pytest.raises(ValueError, match="x of type complex128; legal: real"):
+        as_vectors("x", given, 1)
+    with pytest.raises(ValueError, match="x of type complex128; legal: real"):
+        as_array("x", given, 1)
+
+
+@pytest.mark.parametrize("shape", [(), (3,), (3, 2), (4, 4), (9,)])
+def test_what_is_no_stack_of_matrices_is_refused_by_name(shape):
+    for function in (quaternions.from_matrix, rotations.logarithm):
+        with pytest.raises(ValueError, match=r"^R of shape .+; legal: \(\.\.\., 3, 3\)"):
+            function(np.ones(shape))
 
 
 HUGE = [1e200, -1e308, np.inf, -np.inf, np.nan]

@@ -25,7 +25,7 @@ pytestmark = pytest.mark.browser
 LARGEST_SHARE_OF_DIFFERENT_CODES = 1e-3
 
 RENDER = """async ([scene, values, tier]) => {
-  const url = new URL(document.body.dataset.assets + 'js/runtime.js', location.href);
+  const url = new URL(document.body.dataset.assets + 'js/runtime/runtime.js', location.href);
   const {sharedRuntime} = await import(url);
   const reply = await sharedRuntime().call('render', {figure: scene, scene, values, tier});
   const encode = (buffer) => new Promise((resolve) => {

@@ -161,6 +161,22 @@ def test_a_highlight_between_two_corners_is_lost_and_blended_normals_keep_it():
     assert brightest["gouraud-8"] == pytest.approx(float(glossy.ALBEDO[0]), abs=0.03)
 
 
+@pytest.mark.parametrize(
+    ("angle", "expected"),
+    [(0, [0, 0, 1]), (90, [1, 0, 0]), (-90, [-1, 0, 0]), (180, [0, 0, -1]), (-180, [0, 0, -1])],
+)
+def test_quarter_turns_of_the_light_have_exact_zeros(angle, expected):
+    assert light_direction(angle).tolist() == expected
+
+
+@pytest.mark.parametrize("angle", [-179, -135, -91, -45, 1, 30, 89, 120, 179])
+def test_the_light_goes_round_by_sine_and_cosine(angle):
+    turn = math.radians(angle)
+    np.testing.assert_allclose(
+        light_direction(angle), [math.sin(turn), 0, math.cos(turn)], atol=1e-15
+    )
+
+
 @pytest.mark.parametrize("scene", [lambertian_shading, glossy])
 def test_another_tier_leaves_the_ball_as_it_is(scene):
     cache, given = StageCache(), check_values(scene.CONTROLS, {})

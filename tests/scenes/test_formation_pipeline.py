@@ -2,12 +2,14 @@
 
 import itertools
 import math
+import re
 
 import numpy as np
 import pytest
 
 from simulations.engine.controls import check_values
 from simulations.engine.pipeline import StageCache
+from simulations.models.color import encode_srgb
 from simulations.scenes.formation_drawing import place, route
 from simulations.scenes.formation_pipeline import CONTROLS, SCENE
 from simulations.scenes.formation_stations import stations, travel
@@ -18,7 +20,7 @@ def frame(cache=None, **given):
 
 
 def test_default_journey_is_the_worked_example_of_the_first_chapter():
-    journey = travel(4.0, 0.6, seed=0)
+    journey = travel(4.0, 0.6, exposure=0)
     assert journey.camera_m == pytest.approx((0.4, -0.3, 4.0))
     assert journey.ideal == pytest.approx((0.1, -0.075))
     assert journey.distorted == pytest.approx((0.09969, -0.07477), abs=5e-6)
@@ -27,13 +29,54 @@ def test_default_journey_is_the_worked_example_of_the_first_chapter():
 
 
 def test_electrons_scatter_around_their_mean_as_photons_do():
-    counted = np.array([travel(4.0, 0.6, seed).counted_e for seed in range(400)])
+    counted = np.array([travel(4.0, 0.6, exposure).counted_e for exposure in range(400)])
     assert counted.mean() == pytest.approx(3000, abs=4 * math.sqrt(3000 / 400))
     assert counted.var() == pytest.approx(3000, rel=0.3)
 
 
+def test_reading_adds_an_error_of_five_electrons():
+    read = np.array([travel(4.0, 0.6, exposure).read_e for exposure in range(400)])
+    assert read.mean() == pytest.approx(0, abs=4 * 5 / math.sqrt(400))
+    assert read.std() == pytest.approx(5, rel=0.15)
+
+
+@pytest.mark.parametrize("exposure", range(8))
+def test_each_line_of_the_ledger_follows_from_the_line_above_as_printed(exposure):
+    """At every albedo, and in every exposure that the button deals."""
+    for percent in range(101):
+        *_, light, sensor, file = (
+            item.numbers for item in stations(travel(4.0, percent / 100, exposure))
+        )
+        share, due = re.findall(r"[\d.]+", light)[1:]
+        assert float(share) == pytest.approx(percent / 100 * 0.5, abs=5e-4)
+        assert float(due) == pytest.approx(percent / 100 * 5000, abs=0.5)
+        counted, sign, read, raw = re.match(
+            r"\((\d+) ([+−]) ([\d.]+)\) .* = (\d+) DN", sensor
+        ).groups()
+        electrons = float(counted) + float(sign.replace("−", "-") + read)
+        assert min(max(round(electrons * 4095 / 10_000), 0), 4095) == int(raw)
+        again, code = re.fullmatch(r"255 · sRGB\((\d+) / 4095\) = (\d+)", file).groups()
+        assert again == raw
+        assert round(255 * float(encode_srgb(int(raw) / 4095))) == int(code)
+
+
+@pytest.mark.parametrize("distance", [2.0, 4.0, 5.3, 8.0])
+def test_the_places_in_the_ledger_follow_from_one_another(distance):
+    """As printed: each number is good to half of its last digit."""
+    lines = [item.numbers.replace("−", "-") for item in stations(travel(distance, 0.6, 0))[:5]]
+    room, camera, ideal, bent, pixel = (
+        [float(each) for each in re.search(r"\(([^)]*)\)", line)[1].split(",")] for line in lines
+    )
+    assert camera == pytest.approx([room[0], room[1], room[2] + 1], abs=1e-9)
+    assert ideal == pytest.approx([camera[0] / camera[2], camera[1] / camera[2]], abs=6e-6)
+    factor = 1 - 0.2 * (ideal[0] ** 2 + ideal[1] ** 2)
+    assert bent == pytest.approx([factor * each for each in ideal], abs=2e-5)
+    assert pixel == pytest.approx([320 + 800 * bent[0], 240 + 800 * bent[1]], abs=0.01)
+    assert lines[4].endswith(f"in cell ({round(pixel[0])}, {round(pixel[1])})")
+
+
 def test_black_paint_is_black():
-    journey = travel(4.0, 0.0, seed=0)
+    journey = travel(4.0, 0.0, exposure=0)
     assert journey.counted_e == 0
     assert journey.code <= 30  # read noise alone
 
@@ -53,7 +96,7 @@ def test_marker_stands_on_each_station_at_whole_numbers():
 
 def test_marker_never_jumps():
     legs = route(4.0)
-    way = [place(legs, step / 50)[0] for step in range(301)]
+    way = [place(legs, step / 50)[0] for step in range(50 * len(legs) + 1)]
     assert max(math.dist(a, b) for a, b in itertools.pairwise(way)) < 6
 
 
@@ -69,7 +112,7 @@ def test_moving_the_marker_computes_nothing():
     assert [stage.status for stage in frame(cache, station=5).stages] == ["reused"]
 
 
-@pytest.mark.parametrize("station", range(7))
+@pytest.mark.parametrize("station", range(8))
 def test_each_station_is_told_in_words(station):
     entry = stations(travel(4.0, 0.6, 0))[station]
     shown = frame(station=station)
@@ -78,7 +121,7 @@ def test_each_station_is_told_in_words(station):
 
 
 def test_extremes_draw_cleanly_and_keep_their_readouts():
-    for station, distance, albedo in itertools.product((0, 3.5, 6), (2, 8), (0, 1)):
+    for station, distance, albedo in itertools.product((0, 3.5, 7), (2, 8), (0, 1)):
         shown = frame(station=station, distance=distance, albedo=albedo)
         assert [item.name for item in shown.readouts] == ["at", "electrons", "pixel_value"]
         assert [panel.name for panel in shown.panels] == ["way", "ledger"]

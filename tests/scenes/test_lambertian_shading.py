@@ -52,6 +52,24 @@ def test_every_extreme_can_be_drawn_in_the_same_layout(angle, albedo):
     assert "nan" not in "".join(panel.overlay for panel in shown.panels)
 
 
+def test_black_paint_needs_no_light():
+    cache = StageCache()
+    before = frame(cache, albedo=0)
+    after = frame(cache, albedo=0, light_angle=-80)
+    assert {stage.status for stage in after.stages} == {"reused", "skipped"}
+    assert after.panels[0].raster is before.panels[0].raster
+
+
+def test_the_albedo_scales_light_that_is_there():
+    cache = StageCache()
+    frame(cache)
+    again = frame(cache, albedo=0.3)
+    assert [stage.name for stage in again.stages if stage.status == "computed"] == [
+        "shade",
+        "picture",
+    ]
+
+
 def test_moving_the_probe_reuses_the_picture():
     cache = StageCache()
     frame(cache)

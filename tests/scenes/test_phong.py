@@ -8,7 +8,10 @@ import pytest
 from simulations.engine.controls import check_values
 from simulations.engine.pipeline import StageCache
 from simulations.models.color import decode_srgb, encode_srgb
+from simulations.scenes.ball import build_ball, light_direction
 from simulations.scenes.phong import ALBEDO, SCENE, angles_at, half_width_rad, highlight, lobe
+
+BALL = build_ball()
 
 
 def values(**given):
@@ -118,4 +121,46 @@ def test_strength_reuses_the_highlight():
     cache = StageCache()
     frame(cache)
     again = frame(cache, specular=0.1)
-    assert [stage.name for stage in again.stages if stage.status == "computed"] == ["picture"]
+    assert [stage.name for stage in again.stages if stage.status == "computed"] == [
+        "light",
+        "picture",
+    ]
+
+
+@pytest.mark.parametrize("without", [{"specular": 0}, {"light_angle": 180}, {"light_angle": -180}])
+@pytest.mark.parametrize("moved", [{"shininess": 300}, {"model": "blinn_phong"}])
+def test_without_a_highlight_what_would_shape_it_computes_nothing(without, moved):
+    cache = StageCache()
+    before = frame(cache, **without)
+    after = frame(cache, **without, **moved)
+    assert {stage.status for stage in after.stages} == {"reused", "skipped"}
+    assert after.panels[0].raster is before.panels[0].raster
+
+
+@pytest.mark.parametrize("model", ["phong", "blinn_phong"])
+@pytest.mark.parametrize("angle", [180, -180])
+def test_light_from_exactly_behind_leaves_ball_and_rim_black(model, angle):
+    """As `lobe`, readouts and description say, and as the models answer for these directions."""
+    behind = light_direction(angle)
+    assert not highlight(BALL.normals, angle, np.array([0, 0, 1.0]), model, 1).any()
+    assert behind.tolist() == [0, 0, -1]
+    shown = frame(light_angle=angle, model=model, specular=1, shininess=1)
+    assert not shown.panels[0].raster[BALL.square][BALL.inner][:, :3].any()
+    matte = frame(light_angle=angle, model=model, specular=0)
+    np.testing.assert_array_equal(shown.panels[0].raster, matte.panels[0].raster)
+
+
+@pytest.mark.parametrize("model", ["phong", "blinn_phong"])
+@pytest.mark.parametrize(("light_angle", "probe"), [(60, 20), (100, 5), (150, 50), (-170, 40)])
+def test_plot_readouts_and_chapter_have_one_formula(model, light_angle, probe):
+    """The chapter's, by angles: the highlight only where the light is above the horizon."""
+    given = {"light_angle": light_angle, "probe": probe, "model": model, "shininess": 3}
+    turn = math.radians(light_angle - probe)
+    view = math.radians(-probe)
+    lobe_cosine = math.cos(-turn - view if model == "phong" else (turn + view) / 2)
+    matte = ALBEDO[0] * max(0, math.cos(turn))
+    shine = max(0, lobe_cosine) ** 3 if math.cos(turn) > 0 else 0
+    shown = texts(frame(specular=0.5, **given))
+    assert float(shown["brightness"]) == pytest.approx(matte + 0.5 * shine, abs=6e-4)
+    seen = lobe(values(specular=0.5, **given), model)[90 - probe]
+    assert seen == pytest.approx(matte + 0.5 * shine, abs=1e-6)

@@ -39,7 +39,9 @@ def ask(function: Callable[..., Any], *args: Any, **kwargs: Any) -> Any:
 
 
 def assert_finite_where_valid(answer: tuple[Any, Any]) -> None:
+    """And NaN everywhere else: a number there would pass for an answer."""
     values, valid = answer
     values, valid = np.asarray(values), np.asarray(valid)
     assert values.shape[: valid.ndim] == valid.shape
     assert np.isfinite(values[valid]).all()
+    assert np.isnan(values[~valid]).all()

@@ -1,8 +1,10 @@
-"""Imports run downwards only: models, engine ← pictures ← ladders, scenes ← registry ← browser."""
+"""Imports run downwards only: models, engine ← pictures ← ladders, scenes ← registry ← browser;
+inside the builder from its sources to its pages. Nowhere do files import each other in a circle."""
 
 import ast
 import sys
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
+from graphlib import CycleError, TopologicalSorter
 from pathlib import Path
 
 import pytest
@@ -20,6 +22,17 @@ LEGAL = {
 }
 """Part of ``simulations`` to the parts that it may import."""
 
+BUILDER = (
+    "diagnostics", "runtime", "output", "measured", "charts", "book", "markdown", "source",
+    "question_checks", "checks", "pages", "build", "serve", "__main__",
+)  # fmt: skip
+"""Parts of ``site_builder``: each imports itself and what stands before it."""
+MARKDOWN = (
+    "text", "reading", "scenes", "front_matter", "headings", "role", "roles", "inline",
+    "directive", "usage", "blocks", "bodies", "fences", "directives", "guide", "parser", "chapter",
+)  # fmt: skip
+"""Parts of ``site_builder/markdown``, likewise."""
+
 
 def imported_modules(file: Path) -> Iterator[str]:
     for node in ast.walk(ast.parse(file.read_text(encoding="utf-8"))):
@@ -28,8 +41,7 @@ def imported_modules(file: Path) -> Iterator[str]:
         elif isinstance(node, ast.ImportFrom):
             assert node.level == 0, f"{file.name}: relative import"
             yield str(node.module)
-            if node.module == "simulations":
-                yield from (f"simulations.{alias.name}" for alias in node.names)
+            yield from (f"{node.module}.{alias.name}" for alias in node.names)
 
 
 def part_of(file: Path) -> str:
@@ -57,3 +69,43 @@ def test_simulations_need_only_numpy_and_the_standard_library() -> None:
     for file in FILES:
         for module in imported_modules(file):
             assert module.split(".")[0] in legal, f"{file.relative_to(ROOT)} imports {module}"
+
+
+def modules_of(package: Path) -> dict[str, Path]:
+    """Every file of ``package`` by the name of its module; a package's is its ``__init__``."""
+    files = sorted(package.rglob("*.py"))
+    names = [file.relative_to(ROOT).with_suffix("").parts for file in files]
+    return {
+        ".".join(name).removesuffix(".__init__"): f for name, f in zip(names, files, strict=True)
+    }
+
+
+def test_no_files_import_each_other_in_a_circle() -> None:
+    modules = modules_of(ROOT / "simulations") | modules_of(ROOT / "site_builder")
+    graph = {
+        name: {other for other in imported_modules(file) if other in modules}
+        for name, file in modules.items()
+    }
+    try:
+        TopologicalSorter(graph).prepare()
+    except CycleError as error:
+        pytest.fail(" → ".join(reversed(error.args[1])))
+
+
+@pytest.mark.parametrize(
+    ("room", "order"), [("site_builder", BUILDER), ("site_builder.markdown", MARKDOWN)]
+)
+def test_a_part_of_the_builder_imports_only_what_stands_before_it(
+    room: str, order: Sequence[str]
+) -> None:
+    prefix = f"{room}."
+    for module, file in modules_of(ROOT.joinpath(*room.split("."))).items():
+        if module == room:
+            continue
+        part = module.removeprefix(prefix).partition(".")[0]
+        assert part in order, f"{file.relative_to(ROOT)} has no place in the order of {room}"
+        for other in imported_modules(file):
+            below = other.removeprefix(prefix).partition(".")[0]
+            if other.startswith(prefix) and below in order:
+                fault = f"{file.relative_to(ROOT)} imports {other}"
+                assert order.index(below) <= order.index(part), fault

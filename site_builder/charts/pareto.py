@@ -1,0 +1,166 @@
+"""The chart of a ladder: what each tier costs in time against what it gets wrong.
+
+A filled dot is CPython, a hollow one the browser, joined because they are the same computation.
+The line runs through the tiers of the front; what is clearly beaten is grey.
+"""
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from itertools import pairwise
+
+from simulations.engine import drawing
+from site_builder.charts.axes import Axis, linear_axis, log_axis
+from site_builder.charts.boxes import Box, Point, Segment
+from site_builder.charts.label_placement import Label, place_labels
+from site_builder.measured.measurements import SIDES, MeasuredLadder, MeasuredTier
+
+type Place = Callable[[MeasuredTier, str], Point]
+"""Where a tier stands on one side."""
+
+WIDTH, HEIGHT = 420, 320
+LEFT, RIGHT, TOP, BOTTOM = 48.0, 408.0, 34.0, 270.0
+NONE_ROW = 22.0
+"""Height of the strip for tiers without any error."""
+RADIUS = 4.5
+FRAME = Box(LEFT, TOP - 6, RIGHT + 8, BOTTOM)
+
+
+@dataclass(frozen=True, slots=True)
+class Chart:
+    """A drawn chart, and the axes with which the page's script adds points of its own."""
+
+    marks: str
+    """Everything but the names."""
+    names: str
+    """Drawn over the reader's own points, so that they stay readable."""
+    time: Axis
+    error: Axis
+    description: str
+    width: float = WIDTH
+    height: float = HEIGHT
+
+
+def pareto_chart(measured: MeasuredLadder) -> Chart:
+    time, error = _time_axis(measured), _error_axis(measured)
+
+    def at(item: MeasuredTier, side: str) -> tuple[float, float]:
+        value = item.errors[measured.metric.id]
+        free = float("inf") if measured.metric.higher_is_better else 0.0
+        y = error.position(free if value is None else value)
+        return time.position(item.times[side].ms), y
+
+    beaten = {(i.tier.id, side) for i in measured.tiers for side in SIDES
+              if measured.beaten_by(i, side)}  # fmt: skip
+    fronts = [[at(i, side) for i in measured.front(side)] for side in SIDES]
+    curves = [
+        drawing.polyline(front, manner)
+        for front, manner in zip(fronts, ("image faint", "image faint dashed"), strict=True)
+    ]
+    marks = [
+        _marks(at(i, "native"), at(i, "browser"), [(i.tier.id, side) in beaten for side in SIDES])
+        for i in measured.tiers
+    ]
+    spreads = [_spread(i, side, at(i, side)[1], time) for i in measured.tiers for side in SIDES]
+    bars = [drawing.line(*bar, "image spread") for bar in spreads]
+    joins = [(at(i, "native"), at(i, "browser")) for i in measured.tiers]
+    lines = [*spreads, *joins, *(step for front in fronts for step in pairwise(front))]
+    labels = _place_names(measured, at, lines)
+    leaders = [drawing.line(*label.leader, "muted thin") for label in labels if label.leader]
+    parts = [_grid(time, error, measured), *curves, *bars, *leaders, *marks]
+    names = _names(measured, labels, {tier for tier, side in beaten if side == "browser"})
+    return Chart("".join(parts), names, time, error, describe(measured))
+
+
+def describe(measured: MeasuredLadder) -> str:
+    """The chart in a sentence."""
+    names = ", ".join(item.tier.label for item in measured.front("browser"))
+    losers = [i.tier.label for i in measured.tiers if measured.beaten_by(i, "browser")]
+    sentence = (
+        f"{measured.metric.label} against time for {len(measured.tiers)} tiers. "
+        f"On the front in the browser, quickest first: {names}."
+    )
+    return f"{sentence} Clearly beaten: {', '.join(losers)}." if losers else sentence
+
+
+def _time_axis(measured: MeasuredLadder) -> Axis:
+    spans = (i.times[side] for i in measured.tiers for side in SIDES)
+    return log_axis((value for t in spans for value in (t.low, t.ms, t.high)), LEFT, RIGHT)
+
+
+def _error_axis(measured: MeasuredLadder) -> Axis:
+    """Errors grow upwards, so that low is good; ratios of signal to noise too: there high is."""
+    higher = measured.metric.higher_is_better
+    values = [item.errors[measured.metric.id] for item in measured.tiers]
+    some_free = any(value is None or (value == 0.0 and not higher) for value in values)
+    finite = [value for value in values if value is not None]
+    if higher or min(finite, default=0.0) < 0.0:
+        low = TOP + NONE_ROW if some_free else TOP
+        return linear_axis(finite, BOTTOM, low, TOP + 6.0 if some_free else None)
+    high = BOTTOM - NONE_ROW if some_free else BOTTOM
+    return log_axis(finite, high, TOP, BOTTOM - 6.0 if some_free else None)
+
+
+def _grid(time: Axis, error: Axis, measured: MeasuredLadder) -> str:
+    metric = measured.metric
+    better = "higher is better" if metric.higher_is_better else "lower is better"
+    rules, labels = [], []
+    for value, label in time.ticks():
+        x = time.position(value)
+        rules.append([(x, TOP), (x, BOTTOM)])
+        labels.append(drawing.text((x, BOTTOM + 17), label, "muted", "middle"))
+    for value, label in error.ticks():
+        y = error.position(value)
+        rules.append([(LEFT, y), (RIGHT, y)])
+        labels.append(drawing.text((LEFT - 7, y + 4.5), label, "muted", "end"))
+    if error.none is not None:
+        word = "∞" if metric.higher_is_better else "none"
+        labels.append(drawing.text((LEFT - 7, error.none + 4.5), word, "muted", "end"))
+    titles = (
+        drawing.text((4, 14), f"{metric.label} ({metric.unit}), {better}"),
+        drawing.text((RIGHT, HEIGHT - 10), "Time (ms)", "", "end"),
+    )
+    return "".join(
+        (
+            drawing.path(rules, "muted thin grid"),
+            drawing.line((LEFT, BOTTOM), (RIGHT, BOTTOM), "muted"),
+            *labels,
+            *titles,
+        )
+    )
+
+
+def _marks(native: tuple[float, float], browser: tuple[float, float], grey: Sequence[bool]) -> str:
+    """Both dots of a tier, joined."""
+    first, second = ("muted" if is_beaten else "image" for is_beaten in grey)
+    return (
+        drawing.line(native, browser, f"{second} thin")
+        + drawing.circle(native, RADIUS, f"{first} solid")
+        + drawing.circle(browser, RADIUS, f"{second} hollow")
+    )
+
+
+def _spread(item: MeasuredTier, side: str, y: float, time: Axis) -> tuple[Point, Point]:
+    """Ends of the bar over the middle half of the samples."""
+    low, high = (time.position(v) for v in (item.times[side].low, item.times[side].high))
+    return (low, y), (high, y)
+
+
+def _place_names(measured: MeasuredLadder, at: Place, lines: Sequence[Segment]) -> Sequence[Label]:
+    reach = RADIUS + 1.0
+    dots = [
+        [
+            Box(x - reach, y - reach, x + reach, y + reach)
+            for x, y in (at(item, side) for side in SIDES)
+        ]
+        for item in measured.tiers
+    ]
+    names = [item.tier.label for item in measured.tiers]
+    return place_labels(list(zip(names, dots, strict=True)), FRAME, lines)
+
+
+def _names(measured: MeasuredLadder, labels: Sequence[Label], grey: set[str]) -> str:
+    styles = ["halo chart-name" + (" muted" if i.tier.id in grey else "") for i in measured.tiers]
+    return "".join(
+        drawing.text((label.x, label.y), label.text, style, label.anchor)
+        for label, style in zip(labels, styles, strict=True)
+    )

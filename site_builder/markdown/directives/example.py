@@ -1,0 +1,31 @@
+"""``{example} Title``: a worked example."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+from site_builder.book import Block
+from site_builder.markdown.bodies import BLOCKS
+from site_builder.markdown.directive import Argument, Directive, Use
+from site_builder.markdown.inline import inline_html
+from site_builder.markdown.reading import Reading
+
+
+@dataclass(frozen=True, slots=True)
+class Example:
+    """A worked example; what it says is in the blocks inside."""
+
+    title_html: str
+
+
+def read_example(use: Use, _body: Sequence[Block], reading: Reading) -> Example:
+    return Example(inline_html(use.argument, use.line, reading))
+
+
+EXAMPLE = Directive(
+    name="example",
+    says="a worked number",
+    argument=Argument("Title", lacks="has no title"),
+    body=BLOCKS,
+    read=read_example,
+    template="example",
+)

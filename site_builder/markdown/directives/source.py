@@ -1,0 +1,82 @@
+"""``{source} package.module:function``: the real code, read from its file, never a copy."""
+
+import ast
+from pathlib import Path
+from textwrap import dedent
+
+from site_builder.book import Source
+from site_builder.diagnostics import unknown
+from site_builder.markdown.bodies import CAPTION
+from site_builder.markdown.directive import Argument, Directive, Use
+from site_builder.markdown.reading import Reading
+from site_builder.markdown.text.code import code_html
+
+FORM = "package.module:function"
+type Definition = ast.FunctionDef | ast.ClassDef
+
+
+def read_source(use: Use, caption_html: str, reading: Reading) -> Source | None:
+    module, _, name = use.argument.partition(":")
+    path = f"{module.replace('.', '/')}.py"
+    source = _text_of(module, name, path, use, reading)
+    if source is None:
+        return None
+    definitions = _definitions(source)
+    if name not in definitions:
+        public = [known for known in definitions if not known.startswith("_")]
+        reading.problem(use.line, unknown(f"definition in {module}", name, public))
+        return None
+    first, last = _span(definitions[name])
+    code = dedent("\n".join(source.splitlines()[first - 1 : last])) + "\n"
+    return Source(module, name, path, first, code_html(code, "python"), caption_html)
+
+
+def _text_of(module: str, name: str, path: str, use: Use, reading: Reading) -> str | None:
+    """The module's file, or None and a diagnostic."""
+    if not (module and name):
+        legal = f"':::{{source}} {FORM}'"
+        reading.problem(use.line, f"{{source}} {use.argument!r}; legal: {legal}")
+        return None
+    file = reading.root / path
+    if not file.is_file() or not module.startswith("simulations."):
+        modules = _modules(reading.root / "simulations")
+        reading.problem(use.line, unknown("module", module, modules))
+        return None
+    return file.read_text(encoding="utf-8")
+
+
+def _definitions(source: str) -> dict[str, Definition]:
+    """Functions and classes of a module, and methods as ``Class.method``."""
+    found: dict[str, Definition] = {}
+    for node in ast.parse(source).body:
+        if isinstance(node, ast.FunctionDef | ast.ClassDef):
+            found[node.name] = node
+        if isinstance(node, ast.ClassDef):
+            methods = (item for item in node.body if isinstance(item, ast.FunctionDef))
+            found |= {f"{node.name}.{method.name}": method for method in methods}
+    return found
+
+
+def _span(definition: Definition) -> tuple[int, int]:
+    """First and last line, decorators included."""
+    first = min([definition.lineno, *(item.lineno for item in definition.decorator_list)])
+    return first, definition.end_lineno or first
+
+
+def _modules(package: Path) -> list[str]:
+    files = sorted(package.rglob("*.py")) if package.is_dir() else []
+    return [
+        ".".join(file.relative_to(package.parent).with_suffix("").parts)
+        for file in files
+        if file.stem != "__init__"
+    ]
+
+
+SOURCE = Directive(
+    name="source",
+    says="the real code of a function",
+    argument=Argument(FORM, lacks="names no function"),
+    body=CAPTION,
+    read=read_source,
+    template="source",
+)

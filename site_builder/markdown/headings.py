@@ -1,0 +1,55 @@
+"""Headings: an id and a place in the table of contents for each; those out of order reported."""
+
+import re
+from collections.abc import Sequence
+from itertools import pairwise
+
+from markdown_it.token import Token
+
+from site_builder.book import Heading
+from site_builder.markdown.reading import Reading
+from site_builder.markdown.text.tokens import plain_text
+
+
+def name_headings(tokens: Sequence[Token], reading: Reading) -> None:
+    """Give every heading its id, in place, and the page its list of them."""
+    for opening, inline in pairwise(tokens):
+        if opening.type != "heading_open":
+            continue
+        line, level = (opening.map or [0])[0] + 1, int(opening.tag[1])
+        text = plain_text(inline)
+        if not text:
+            reading.problem(line, "heading without words; legal: '## Some words'")
+        if opening.markup in ("-", "="):
+            legal = f"'## {text}', or an empty line above the rule"
+            reading.problem(line, f"{text!r} underlined is a heading; legal: {legal}")
+        _check_level(level, text, line, reading)
+        name = reading.take_id(slug(text), line, "heading")
+        opening.attrSet("id", name)
+        reading.headings.append(Heading(level, name, reading.html(_without_links(inline))))
+
+
+def _check_level(level: int, text: str, line: int, reading: Reading) -> None:
+    previous = reading.headings[-1].level if reading.headings else 1
+    if level == 1:
+        reading.problem(line, f"heading '# {text}'; legal: '##' and deeper, below the title")
+    elif level > previous + 1:
+        legal = f"{'#' * (previous + 1)!r} or higher"
+        reading.problem(
+            line, f"heading of level {level} below one of level {previous}; legal: {legal}"
+        )
+
+
+def _without_links(inline: Token) -> list[Token]:
+    """A heading as it may stand inside a link of the table of contents."""
+    children = [
+        child
+        for child in inline.children or ()
+        if child.type not in ("link_open", "link_close", "footnote_ref")
+    ]
+    return [Token("inline", "", 0, children=children)]
+
+
+def slug(text: str) -> str:
+    """Words of a heading as an id: lower case, letters and digits, joined by hyphens."""
+    return re.sub(r"[^\w]+", "-", text.lower()).strip("-") or "section"

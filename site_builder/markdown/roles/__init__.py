@@ -1,0 +1,7 @@
+"""Every role, one file each or one for a family: ``{name}`words``` in running text."""
+
+from site_builder.markdown.roles.colours import COLOURS
+from site_builder.markdown.roles.measured import MEASURED
+from site_builder.markdown.roles.readout import READOUT
+
+ROLES = (*COLOURS, MEASURED, READOUT)

@@ -1,0 +1,98 @@
+"""``{measured}`srgb exact native```: a measured number in running text, never typed.
+
+The words are a ladder, one of its tiers, and what is wanted: ``native`` or ``browser`` for the
+time with its unit, a metric for the error with its unit, ``verdict`` for what the table says,
+and ``bare`` after a metric for the error without its unit.
+``TIER over TIER`` asks how many times as much the first is than the second, without a unit. A
+single word asks for something about all: ``ladders``, ``tiers`` or ``beaten`` (counts), or what
+the machine was: ``processor``, ``python``, ``numpy``, ``browser``, ``pyodide``.
+"""
+
+from site_builder.diagnostics import unknown
+from site_builder.markdown.reading import Reading
+from site_builder.markdown.role import Role
+from site_builder.measured.measurements import SIDES, MeasuredLadder, MeasurementError, Measurements
+from site_builder.measured.quantities import error_text, milliseconds, quantity, with_unit
+from site_builder.measured.verdicts import verdict
+
+COUNTS = ("ladders", "tiers", "beaten")
+LEGAL = "legal: 'LADDER TIER native|browser|METRIC|verdict', or 'LADDER TIER over TIER …'"
+
+
+def measured_text(words: str, measurements: Measurements) -> str:
+    """What stands in the text for ``words``. Raises `MeasurementError`."""
+    match words.split():
+        case [name]:
+            return _about_all(name, measurements)
+        case [ladder, tier, wanted]:
+            return _one(measurements.find(ladder), tier, wanted)
+        case [ladder, tier, wanted, "bare"]:
+            measured = measurements.find(ladder)
+            return error_text(*_value(measured, tier, wanted))
+        case [ladder, tier, "over", other, wanted]:
+            return _ratio(measurements.find(ladder), tier, other, wanted)
+    raise MeasurementError(f"{{measured}} {words!r}; {LEGAL}")
+
+
+def _about_all(name: str, measurements: Measurements) -> str:
+    legal = (*COUNTS, *measurements.machine)
+    if name not in legal:
+        raise MeasurementError(unknown("measured thing", name, legal))
+    if name in measurements.machine:
+        return str(measurements.machine[name])
+    ladders = measurements.all()
+    if name == "ladders":
+        return str(len(ladders))
+    tiers = [(ladder, item) for ladder in ladders for item in ladder.tiers]
+    if name == "beaten":
+        tiers = [(ladder, item) for ladder, item in tiers if ladder.beaten_by(item, "browser")]
+    return str(len(tiers))
+
+
+def _one(measured: MeasuredLadder, tier: str, wanted: str) -> str:
+    _check_tier(measured, tier)
+    if wanted == "verdict":
+        return verdict(measured, measured[tier])
+    if wanted in SIDES:
+        return with_unit(milliseconds(measured[tier].times[wanted].ms), "ms")
+    value, unit = _value(measured, tier, wanted)
+    text = error_text(value, unit)
+    return text if text == "none" else with_unit(text, unit)
+
+
+def _ratio(measured: MeasuredLadder, tier: str, other: str, wanted: str) -> str:
+    (one, _), (two, _) = (_value(measured, name, wanted) for name in (tier, other))
+    if one is None or not two:
+        raise MeasurementError(f"{wanted} of {tier!r} over {other!r}: the second has no error")
+    return quantity(one / two)
+
+
+def _check_tier(measured: MeasuredLadder, tier: str) -> None:
+    legal = [item.tier.id for item in measured.tiers]
+    if tier not in legal:
+        raise MeasurementError(unknown(f"tier of {measured.ladder.id}", tier, legal))
+
+
+def _value(measured: MeasuredLadder, tier: str, wanted: str) -> tuple[float | None, str]:
+    _check_tier(measured, tier)
+    ladder, item = measured.ladder, measured[tier]
+    if wanted in SIDES:
+        return item.times[wanted].ms, "ms"
+    units = {metric.id: metric.unit for metric in ladder.metrics}
+    if wanted not in units:
+        legal = (*SIDES, "verdict", *units)
+        raise MeasurementError(unknown(f"number of {ladder.id}", wanted, legal))
+    return item.errors[wanted], units[wanted]
+
+
+def _text(words: str, reading: Reading) -> str:
+    return measured_text(words, reading.measurements)
+
+
+MEASURED = Role(
+    name="measured",
+    form="LADDER TIER [over TIER] native|browser|METRIC|verdict [bare]",
+    says="a number from the file that `make bench` writes",
+    text=_text,
+    refuses=MeasurementError,
+)

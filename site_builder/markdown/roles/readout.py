@@ -1,0 +1,33 @@
+"""``{readout}`lens-distortion corner k1=-0.2```: a number that a figure shows, never typed.
+
+The words are a scene, one of its readouts, and the controls that differ from their defaults;
+``tier=ID`` chooses an accuracy. What stands in the text is what the figure says at that setting,
+with its unit; ``bare`` at the end leaves the unit out. The scene is drawn while the book is
+built, once for each setting.
+"""
+
+from site_builder.markdown.reading import Reading
+from site_builder.markdown.role import Role
+from site_builder.measured.readouts import ReadoutError
+
+FORM = "SCENE READOUT [CONTROL=VALUE …] [tier=ID] [bare]"
+
+
+def readout_text(words: str, reading: Reading) -> str:
+    """What stands in the text for ``words``. Raises `ReadoutError`."""
+    scene_id, _, rest = words.partition(" ")
+    name, *pairs = rest.split() or [""]
+    bare = pairs[-1:] == ["bare"]
+    settings = dict(pair.split("=", 1) for pair in pairs[: len(pairs) - bare] if "=" in pair)
+    if not name or "=" in name or len(settings) + bare < len(pairs):
+        raise ReadoutError(f"{{readout}} {words!r}; legal: '{FORM}', each control once")
+    return reading.readouts.text(scene_id, name, settings, bare=bare)
+
+
+READOUT = Role(
+    name="readout",
+    form=FORM,
+    says="a number that a figure shows at that setting",
+    text=readout_text,
+    refuses=ReadoutError,
+)

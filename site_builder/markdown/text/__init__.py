@@ -1,0 +1,1 @@
+"""What running text is made of: formulae, code, typography."""

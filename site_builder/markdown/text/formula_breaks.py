@@ -1,0 +1,62 @@
+"""Where a line may break beside a formula, and where a displayed row may become two.
+
+Browsers take a formula for a picture: they break the line between it and the comma that follows,
+or its unit, even at a no-break space.
+"""
+
+import re
+from collections.abc import Sequence
+from html import escape
+from itertools import pairwise
+
+from markdown_it.token import Token
+
+from site_builder.markdown.text.typography import UNITS
+
+OPENING = re.compile(r"[(\[“‘]+$")
+MARKS = r"^(?:[^\s\w(\[“‘]{1,3})?"
+CLOSING = re.compile(MARKS)
+CLOSING_AND_UNIT = re.compile(rf"{MARKS}(?:[\u00a0\u202f][^\s]+|^ (?:{UNITS})\b)?")
+LONG = 30
+"""Characters of TeX from which a formula may part from its unit: together they fill a phone."""
+
+
+def glue_formulae(tokens: Sequence[Token]) -> None:
+    """Keep brackets, stops and units on the line of their formula, in place."""
+    for token in tokens:
+        children = [child for child in token.children or () if child.content or child.tag]
+        for text, formula in pairwise(children):
+            if text.type == "text" and formula.type == "math_inline":
+                _take(formula, text, OPENING)
+        for formula, text in pairwise(children):
+            if text.type == "text" and formula.type == "math_inline":
+                long = len(formula.content) > LONG
+                _take(formula, text, CLOSING if long else CLOSING_AND_UNIT)
+
+
+def _take(formula: Token, text: Token, pattern: re.Pattern[str]) -> None:
+    """Move what ``pattern`` finds in the neighbouring text into the formula's own span."""
+    found = pattern.search(text.content)
+    if not found or not found[0] or "mathml" not in formula.meta:
+        return
+    text.content = text.content[: found.start()] + text.content[found.end() :]
+    found_html = escape(found[0].replace(" ", "\u00a0"))
+    inner = formula.meta["mathml"].removeprefix('<span class="nowrap">').removesuffix("</span>")
+    outer = inner + found_html if pattern is not OPENING else found_html + inner
+    formula.meta["mathml"] = f'<span class="nowrap">{outer}</span>'
+
+
+def displayed_parts(tex: str) -> list[str]:
+    r"""The formulae of one displayed row, which the author sets apart by ``\qquad``.
+
+    A space inside of braces or of an environment parts nothing.
+    """
+    parts, depth = [""], 0
+    for piece in re.split(r"(\\begin\b|\\end\b|\\left\b|\\right\b|\\[{}]|[{}]|\\qquad\b)", tex):
+        if piece == r"\qquad" and depth == 0:
+            parts.append("")
+            continue
+        depth += piece in ("{", r"\begin", r"\left")
+        depth -= piece in ("}", r"\end", r"\right")
+        parts[-1] += piece
+    return [part.strip() for part in parts if part.strip()]

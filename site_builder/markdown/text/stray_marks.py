@@ -1,0 +1,88 @@
+"""Marks without their partner. CommonMark prints them, or drops what it cannot place, in silence;
+in a book either is a slip of the author's."""
+
+import re
+from collections.abc import Iterator, Sequence
+
+from markdown_it.rules_block.table import escapedSplit
+from markdown_it.rules_core import StateCore
+from markdown_it.token import Token
+
+from site_builder.markdown.text.tokens import located
+
+STRAY = (
+    (r"(\$\$?)", r"opens or closes no formula; legal: '$…$', or '\$' for the sign itself"),
+    (r"((?:\{[\w-]+\})?`+)", "is never closed; legal: a second '`' in the same paragraph"),
+    (r"(\*\*)", r"opens or closes no bold text; legal: '**…**', or '\*\*' for the stars"),
+    (r"(\[\^[^\]\n]*\])", "has no footnote; legal: a line '[^…]: the note' in this file"),
+    (r"(\[[^\]\n]*\][(\[][^\n]*?[)\]])", "leads nowhere; legal: '[words](NN-slug.md)'"),
+    (r"^(::?\{[\w-]+\}.*)", "is no directive; legal: ':::{name} argument'"),
+)
+"""What stands in running text only by mistake, and what would be legal."""
+FOOTNOTE = re.compile(r"[ >]*\[\^([^\]]+)\]:")
+PATTERNS = tuple((re.compile(pattern), legal) for pattern, legal in STRAY)
+
+
+def stray_marks_rule(state: StateCore) -> None:
+    """Report what looks as if it were missing its other half."""
+    lines = state.src.split("\n")
+    problems = state.env.setdefault("problems", [])
+    for token, line in located(state.tokens):
+        match token.type:
+            case "text":
+                problems += ((line, message) for message in _in_text(token.content))
+            case "inline" if token.content.startswith("|"):
+                head = token.content.partition("\n")[0]
+                message = f"{head!r} begins no table; legal: one '---' below each of its heads"
+                problems.append((line, message))
+            case "code_block":
+                problems.append((line, "indented text; legal: at the margin, or between '```'"))
+            case "fence" if not _is_closed(token, lines):
+                message = f"code is never closed; close it with {token.markup!r}"
+                problems.append((line, message))
+            case "table_open":
+                problems += _in_table(token, lines)
+    problems += _lost_footnotes(state, lines)
+
+
+def _in_text(text: str) -> Iterator[str]:
+    for pattern, legal in PATTERNS:
+        if found := pattern.search(text):
+            yield f"{found[1]!r} {legal}"
+
+
+def _is_closed(fence: Token, lines: Sequence[str]) -> bool:
+    first, end = fence.map or [0, 0]
+    return end - first > 1 and lines[end - 1].strip(" >").startswith(fence.markup)
+
+
+def _in_table(table: Token, lines: Sequence[str]) -> Iterator[tuple[int, str]]:
+    """Rows of more cells than the table has heads: the rest would not be shown."""
+    first, end = table.map or [0, 0]
+    heads = len(_cells(lines[first]))
+    for number in range(first + 2, end):
+        count = len(_cells(lines[number]))
+        if count > heads:
+            message = f"a row of {count} cells below {heads} heads; legal: as many, or '\\|'"
+            yield number + 1, message
+
+
+def _cells(line: str) -> list[str]:
+    return escapedSplit(line.strip().removeprefix("|").removesuffix("|"))
+
+
+def _lost_footnotes(state: StateCore, lines: Sequence[str]) -> Iterator[tuple[int, str]]:
+    """Notes that nothing in the text leads to, and all but the first of one label."""
+    uses = state.env.get("footnotes", {}).get("refs", {})
+    places: dict[str, int] = {}
+    for number, line in enumerate(lines, start=1):
+        note = FOOTNOTE.match(line)
+        if note and f":{note[1]}" in uses:
+            if note[1] in places:
+                yield number, f"footnote '[^{note[1]}]' is written twice; legal: once"
+            elif uses[f":{note[1]}"] < 0:
+                yield (
+                    number,
+                    f"footnote '[^{note[1]}]' is not used; legal: '[^{note[1]}]' in the text",
+                )
+            places.setdefault(note[1], number)

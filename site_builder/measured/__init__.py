@@ -1,0 +1,1 @@
+"""Numbers that are looked up or computed, never typed."""

@@ -1,0 +1,93 @@
+"""Why a ladder's default stands where it does: its neighbours on the front, in numbers.
+
+The front is the browser's, where the book runs, by the ladder's first metric.
+"""
+
+from dataclasses import dataclass
+
+from site_builder.measured.measurements import MeasuredLadder, MeasuredTier
+from site_builder.measured.quantities import error_text, milliseconds, quantity, with_unit
+
+SIDE = "browser"
+
+
+@dataclass(frozen=True, slots=True)
+class Neighbour:
+    """The next tier along the front."""
+
+    label: str
+    times: str
+    """How many times as long it takes as the default."""
+    error: str
+    """With its unit."""
+
+
+@dataclass(frozen=True, slots=True)
+class Choice:
+    """The default and what it was chosen over."""
+
+    label: str
+    ms: str
+    metric: str
+    """What its error is called."""
+    error: str
+    cheaper: Neighbour | None
+    """None where nothing on the front is quicker."""
+    dearer: Neighbour | None
+    """None where nothing that takes longer is clearly more accurate."""
+
+
+def default_choice(measured: MeasuredLadder) -> Choice:
+    """The default of a ladder that is judged by its first metric."""
+    default = measured[measured.ladder.default_tier]
+    # What only rounding puts on the front is no alternative.
+    front = [item for item in measured.front(SIDE) if not measured.beaten_by(item, SIDE)]
+    ms = default.times[SIDE].ms
+    cheaper = [item for item in front if item.times[SIDE].ms < ms]
+    dearer = [item for item in front if item.times[SIDE].ms > ms]
+    return Choice(
+        label=default.tier.label,
+        ms=milliseconds(ms),
+        metric=_in_a_sentence(measured.metric.label),
+        error=_error(measured, default),
+        cheaper=_neighbour(measured, default, cheaper[-1]) if cheaper else None,
+        dearer=_neighbour(measured, default, dearer[0]) if dearer else None,
+    )
+
+
+def off_the_front(measured: MeasuredLadder) -> str:
+    """What keeps the default off the browser's front, or nothing where it is on it."""
+    default = measured[measured.ladder.default_tier]
+    ms, loss = default.times[SIDE].ms, measured.loss(default)
+    winners = [
+        item
+        for item in measured.front(SIDE)
+        if item.times[SIDE].ms <= ms and measured.loss(item) <= loss and item is not default
+    ]
+    if not winners or default in measured.front(SIDE):
+        return ""
+    named = ", ".join(f"{item.tier.id!r} ({_numbers(measured, item)})" for item in winners)
+    return (
+        f"{measured.ladder.id}: the default {default.tier.id!r} ({_numbers(measured, default)}) "
+        f"is off the {SIDE}'s front, which has {named}"
+    )
+
+
+def _neighbour(measured: MeasuredLadder, default: MeasuredTier, item: MeasuredTier) -> Neighbour:
+    ratio = item.times[SIDE].ms / default.times[SIDE].ms
+    return Neighbour(item.tier.label, quantity(ratio), _error(measured, item))
+
+
+def _in_a_sentence(label: str) -> str:
+    """A label without its capital; abbreviations keep theirs."""
+    return label if label[:2].isupper() else label[:1].lower() + label[1:]
+
+
+def _numbers(measured: MeasuredLadder, item: MeasuredTier) -> str:
+    return f"{milliseconds(item.times[SIDE].ms)} ms, {_error(measured, item)}"
+
+
+def _error(measured: MeasuredLadder, item: MeasuredTier) -> str:
+    unit = measured.metric.unit
+    text = error_text(item.errors[measured.metric.id], unit)
+    return "no error" if text == "none" else with_unit(text, unit)

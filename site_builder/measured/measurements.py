@@ -1,0 +1,199 @@
+"""What the ladders were measured to cost and to get wrong: ``content/measurements.json``.
+
+``make bench`` writes the file::
+
+    {"machine": {"processor", "cores", "system", "python", "numpy", "browser", "pyodide"},
+     "ladders": {LADDER: {
+        "workload": str,   as the ladder states it
+        "metrics": {METRIC: unit},
+        "tiers": {TIER: {
+           "errors": {METRIC: number or null},   null: no error that the metric could see
+           "native": {"ms", "low", "high", "samples"},    median and quartiles of
+           "browser": {"ms", "low", "high", "samples"}}}}}}    the quietest round
+
+Every number about speed or accuracy in the book comes from here, through this page model. What
+no longer fits the ladders' code is refused when a page asks for it.
+"""
+
+import json
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import Any
+
+from simulations.engine.ladder import Ladder, Metric, Tier, pareto_front
+from simulations.registry import UnknownIdError, load_ladder
+from site_builder.diagnostics import Diagnostics, cause
+
+DATA = "content/measurements.json"
+SIDES = ("native", "browser")
+ROUNDING = 1e-12
+"""Errors below this, in the units of any metric, are rounding: none is better than another."""
+EQUAL = 0.01
+"""Errors that differ by less than this share are equally good."""
+
+
+class MeasurementError(LookupError):
+    """A ladder is unknown, not measured, or has changed since; the message says what to do."""
+
+
+@dataclass(frozen=True, slots=True)
+class Timing:
+    """How long a tier takes on one side, in milliseconds."""
+
+    ms: float
+    """Median."""
+    low: float
+    """Lower quartile."""
+    high: float
+    """Upper quartile."""
+    samples: int
+
+
+@dataclass(frozen=True, slots=True)
+class MeasuredTier:
+    """One tier with its numbers."""
+
+    tier: Tier
+    errors: Mapping[str, float | None]
+    """By metric; None where the metric sees no error at all."""
+    times: Mapping[str, Timing]
+    """By side: ``native`` is CPython, ``browser`` the book's own Python in a browser."""
+
+
+@dataclass(frozen=True, slots=True)
+class MeasuredLadder:
+    """A ladder as one page shows it, judged by one of its metrics."""
+
+    ladder: Ladder
+    tiers: tuple[MeasuredTier, ...]
+    """Cheap to dear, as declared."""
+    metric: Metric
+    """The one that the chart shows and that decides what is beaten."""
+    machine: Mapping[str, object] = field(default_factory=dict)
+    """What the times are of."""
+
+    def __getitem__(self, tier_id: str) -> MeasuredTier:
+        return next(item for item in self.tiers if item.tier.id == self.ladder.tier(tier_id).id)
+
+    def loss(self, item: MeasuredTier) -> float:
+        """The metric turned so that smaller is better; the least possible where it is None."""
+        value = item.errors[self.metric.id]
+        if value is None:
+            return float("-inf") if self.metric.higher_is_better else 0.0
+        return -value if self.metric.higher_is_better else value
+
+    def front(self, side: str) -> tuple[MeasuredTier, ...]:
+        """Tiers that no other matches in both time and error and beats in one, quickest first."""
+        points = [(item.times[side].ms, self.loss(item)) for item in self.tiers]
+        chosen = zip(self.tiers, pareto_front(points), strict=True)
+        return tuple(sorted((i for i, on in chosen if on), key=lambda i: i.times[side].ms))
+
+    def beaten_by(self, item: MeasuredTier, side: str) -> MeasuredTier | None:
+        """The quickest tier that is no worse and clearly faster, or None.
+
+        Clearly: three quarters of its runs take less time than three quarters of this one's.
+        """
+        winners = [
+            other
+            for other in self.tiers
+            if other.times[side].high < item.times[side].low and self._no_worse(other, item)
+        ]
+        return min(winners, key=lambda other: other.times[side].ms, default=None)
+
+    def _no_worse(self, one: MeasuredTier, other: MeasuredTier) -> bool:
+        ours, theirs = self.loss(one), self.loss(other)
+        if not self.metric.higher_is_better and max(ours, theirs) < ROUNDING:
+            return True
+        return ours <= theirs + EQUAL * abs(theirs)
+
+
+@dataclass(frozen=True, slots=True)
+class Measurements:
+    """The file's content, matched with the ladders' code when a page asks."""
+
+    machine: Mapping[str, object] = field(default_factory=dict)
+    ladders: Mapping[str, Any] = field(default_factory=dict)
+    """Raw entries by ladder."""
+    load_ladder: Callable[[str], Ladder] = load_ladder
+
+    def find(self, ladder_id: str, metric_id: str = "") -> MeasuredLadder:
+        """The measured ladder, judged by ``metric_id`` or its first metric.
+
+        Raises `MeasurementError` if it is unknown, not measured or no longer as it was.
+        """
+        ladder = self._load(ladder_id)
+        again = f"run `make bench LADDER={ladder_id}`"
+        entry = self.ladders.get(ladder_id)
+        if entry is None:
+            raise MeasurementError(f"ladder {ladder_id!r} is not in {DATA}; {again}")
+        metric = _find_metric(ladder, metric_id)
+        try:
+            for what, declared, measured in _declarations(ladder, entry):
+                if declared != measured:
+                    raise MeasurementError(
+                        f"{DATA} is out of date: the {what} of ladder {ladder_id!r} "
+                        f"changed from {measured} to {declared}; {again}"
+                    )
+            tiers = tuple(_read_tier(ladder, tier, entry["tiers"]) for tier in ladder.tiers)
+        except (KeyError, TypeError) as error:
+            raise MeasurementError(
+                f"{DATA}: ladder {ladder_id!r} is not as `make bench` writes it "
+                f"({cause(error)}); {again}"
+            ) from error
+        return MeasuredLadder(ladder, tiers, metric, self.machine)
+
+    def _load(self, ladder_id: str) -> Ladder:
+        try:
+            return self.load_ladder(ladder_id)
+        except UnknownIdError as error:
+            raise MeasurementError(str(error)) from error
+        except Exception as error:  # whatever a ladder's own code may raise
+            message = f"ladder {ladder_id!r} cannot be loaded: {cause(error)}"
+            raise MeasurementError(message) from error
+
+    def all(self) -> tuple[MeasuredLadder, ...]:
+        """Every ladder of the file, in its order."""
+        return tuple(self.find(ladder_id) for ladder_id in self.ladders)
+
+
+def read_measurements(
+    root: Path, problems: Diagnostics, load: Callable[[str], Ladder] = load_ladder
+) -> Measurements:
+    """The file below ``root``; none where it does not exist. Mistakes go to ``problems``."""
+    file = root / DATA
+    if not file.is_file():
+        return Measurements(load_ladder=load)
+    try:
+        data = json.loads(file.read_text(encoding="utf-8"))
+        return Measurements(data["machine"], data["ladders"], load)
+    except json.JSONDecodeError as error:
+        problems.add(DATA, error.lineno, f"malformed JSON: {error.msg}; run `make bench`")
+    except (KeyError, TypeError):
+        problems.add(DATA, 1, "no 'machine' or no 'ladders'; run `make bench`")
+    return Measurements(load_ladder=load)
+
+
+def _declarations(
+    ladder: Ladder, entry: Mapping[str, Any]
+) -> tuple[tuple[str, object, object], ...]:
+    """What the code says, beside what the file says."""
+    return (
+        ("workload", ladder.workload, entry["workload"]),
+        ("metrics", {metric.id: metric.unit for metric in ladder.metrics}, entry["metrics"]),
+        ("tiers", sorted(tier.id for tier in ladder.tiers), sorted(entry["tiers"])),
+    )
+
+
+def _read_tier(ladder: Ladder, tier: Tier, entries: Mapping[str, Any]) -> MeasuredTier:
+    entry = entries[tier.id]
+    errors = {metric.id: entry["errors"][metric.id] for metric in ladder.metrics}
+    return MeasuredTier(tier, errors, {side: Timing(**entry[side]) for side in SIDES})
+
+
+def _find_metric(ladder: Ladder, metric_id: str) -> Metric:
+    for metric in ladder.metrics:
+        if metric.id == metric_id or not metric_id:
+            return metric
+    legal = ", ".join(metric.id for metric in ladder.metrics)
+    raise MeasurementError(f"unknown metric {metric_id!r} of {ladder.id!r}; legal: {legal}")

@@ -1,0 +1,68 @@
+"""Numbers that figures show: asked of the scenes, drawn once for each setting."""
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, field
+
+from simulations.engine.controls import ControlError, check_values
+from simulations.engine.frame import Frame, Readout
+from simulations.engine.pipeline import StageCache
+from simulations.engine.scene import Scene
+from simulations.registry import UnknownIdError
+from site_builder.diagnostics import cause, unknown
+from site_builder.measured.quantities import with_unit
+
+
+class ReadoutError(LookupError):
+    """No such readout; the message says what is legal."""
+
+
+@dataclass(frozen=True, slots=True)
+class Readouts:
+    """Asks scenes for their readouts, and remembers the frames."""
+
+    load_scene: Callable[[str], Scene]
+    frames: dict[tuple[object, ...], Frame] = field(default_factory=dict)
+    """By scene, tier and the values of all controls."""
+
+    def text(self, scene_id: str, name: str, settings: Mapping[str, str], *, bare: bool) -> str:
+        """What the figure says at ``settings``: its controls, and ``tier``; with its unit unless
+        ``bare``. Raises `ReadoutError`."""
+        scene = self._load(scene_id)
+        tier = settings.get("tier", scene.default_tier)
+        if tier not in scene.tiers and tier != scene.default_tier:
+            raise ReadoutError(unknown(f"tier of {scene_id}", tier, scene.tiers))
+        controls = {control: value for control, value in settings.items() if control != "tier"}
+        shown = _find(scene_id, name, self._frame(scene, tier, controls))
+        if "\n" in shown.text:
+            raise ReadoutError(f"{scene_id} {name!r} is a matrix; legal: a readout of one line")
+        return shown.text if bare else with_unit(shown.text, shown.unit)
+
+    def _load(self, scene_id: str) -> Scene:
+        try:
+            return self.load_scene(scene_id)
+        except UnknownIdError as error:
+            raise ReadoutError(str(error)) from error
+        except Exception as error:  # whatever a scene's own code may raise
+            message = f"simulation {scene_id!r} cannot be loaded: {cause(error)}"
+            raise ReadoutError(message) from error
+
+    def _frame(self, scene: Scene, tier: str, settings: Mapping[str, str]) -> Frame:
+        try:
+            values = check_values(scene.controls, settings)
+        except ControlError as error:
+            raise ReadoutError(f"{scene.id}: {error}") from error
+        key = (scene.id, tier, *values.values())
+        if key not in self.frames:
+            try:
+                self.frames[key] = scene.render(values, tier, StageCache())
+            except Exception as error:  # whatever a scene's own code may raise
+                message = f"simulation {scene.id!r} cannot be drawn: {cause(error)}"
+                raise ReadoutError(message) from error
+        return self.frames[key]
+
+
+def _find(scene_id: str, name: str, frame: Frame) -> Readout:
+    readouts = {readout.name: readout for readout in frame.readouts}
+    if name not in readouts:
+        raise ReadoutError(unknown(f"readout of {scene_id}", name, readouts))
+    return readouts[name]

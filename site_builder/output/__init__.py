@@ -1,0 +1,1 @@
+"""Files that are no pages, and the writing of all."""

@@ -1,0 +1,34 @@
+"""One style sheet in place of a tree of imports: a browser fetches each ``@import`` in turn."""
+
+import re
+from collections.abc import Mapping
+from pathlib import PurePosixPath
+
+from site_builder.diagnostics import BuildError, Diagnostic
+from site_builder.output.assets import Content, content_bytes
+
+IMPORT = re.compile(r'^@import "([^"]+)";\n', re.MULTILINE)
+
+
+def join_style_sheets(files: Mapping[str, Content], entry: str) -> dict[str, Content]:
+    """``files`` with the sheet ``entry`` holding, in order, what it imports from its own folder.
+
+    What it has taken in is left out. Raises `BuildError` where an imported sheet is missing or
+    lies elsewhere: its relative addresses would then lead astray.
+    """
+    sheet = content_bytes(files[entry]).decode("utf-8")
+    folder = PurePosixPath(entry).parent
+    taken = {found[1]: str(folder / found[1]) for found in IMPORT.finditer(sheet)}
+    wrong = [name for name, path in taken.items() if "/" in name or path not in files]
+    if wrong:
+        raise BuildError(_mistake(sheet, name, entry) for name in wrong)
+    rest = {path: content for path, content in files.items() if path not in taken.values()}
+    joined = IMPORT.sub(lambda found: content_bytes(files[taken[found[1]]]).decode("utf-8"), sheet)
+    return {**rest, entry: joined.encode("utf-8")}
+
+
+def _mistake(sheet: str, name: str, entry: str) -> Diagnostic:
+    line = sheet[: sheet.index(f'"{name}"')].count("\n") + 1
+    return Diagnostic(
+        f"static/{entry}", line, f"cannot import {name!r}; legal: a style sheet beside this one"
+    )

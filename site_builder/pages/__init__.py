@@ -1,0 +1,1 @@
+"""From the page model to HTML and `book.json`."""

@@ -1,0 +1,51 @@
+"""What stands side by side below a figure's panels, by the room that there is."""
+
+from collections.abc import Sequence
+from itertools import groupby
+
+from simulations.engine.controls import Control
+
+COLUMNS = 12
+"""Of the grid of controls: divisible by all numbers of controls in a row."""
+IN_A_ROW = {"narrow": 1, "small": 2, "middle": 3, "wide": 4}
+"""Controls in a row at most, by the room that there is."""
+
+
+def even_columns(count: int, most: int) -> int:
+    """Columns, at most ``most``, whose rows are few and whose last row is not a lonely item."""
+    legal = [n for n in range(2, most + 1) if n <= count and count % n != 1]
+    if not legal:
+        return min(max(count, 1), most)
+    fewest_rows = min(-(-count // n) for n in legal)
+    return min(n for n in legal if -(-count // n) == fewest_rows)
+
+
+def control_cells(controls: Sequence[Control]) -> list[tuple[Control, ...]]:
+    """Each control by itself, but buttons that follow each other together."""
+    cells: list[tuple[Control, ...]] = []
+    for is_action, run in groupby(controls, key=lambda control: control.kind == "action"):
+        together = tuple(run)
+        cells += [together] if is_action else [(control,) for control in together]
+    return cells
+
+
+def spans(places: Sequence[int], most: int) -> list[int]:
+    """Columns of each cell, with rows as few and as even as can be, the fuller ones below.
+
+    ``places`` tells how many controls' places each cell takes; none takes more than ``most``.
+    """
+    rows = _rows([min(place, most) for place in places], most)
+    widths = [(row, max(sum(row), min(most, 2) if len(rows) == 1 else 0)) for row in rows]
+    return [COLUMNS * place // width for row, width in widths for place in row]
+
+
+def _rows(places: Sequence[int], most: int) -> list[list[int]]:
+    """The fewest rows, and of those the most even; found from the last row upwards."""
+    best: list[list[list[int]]] = [[]]  # of the first n cells
+    for end in range(1, len(places) + 1):
+        starts = [start for start in range(end) if sum(places[start:end]) <= most]
+        candidates = [[*best[start], list(places[start:end])] for start in starts]
+        best.append(
+            min(candidates, key=lambda rows: (len(rows), sum(sum(row) ** 2 for row in rows)))
+        )
+    return best[-1]

@@ -1,0 +1,110 @@
+"""The licences of everything that reaches the reader, gathered from the installed packages."""
+
+import os
+from dataclasses import dataclass
+from importlib.metadata import PackageNotFoundError, distribution
+from pathlib import Path
+
+from site_builder.runtime.pinned import Versions
+
+
+@dataclass(frozen=True, slots=True)
+class Licence:
+    """One part of the site, and under which terms it is there."""
+
+    part: str
+    version: str
+    name: str
+    """Short name of the licence."""
+    use: str
+    """What the book does with it."""
+    address: str
+    """Where its source is."""
+    text: str
+
+
+def gather_licences(root: Path, versions: Versions) -> tuple[Licence, ...]:
+    """Licences of the book and of what it ships; the versions are the browser runtime's."""
+    book = Licence(
+        "Image Formation",
+        "",
+        "MIT (code) and CC BY 4.0 (text and figures)",
+        "This book.",
+        "",
+        _text_of(root / "LICENSE"),
+    )
+    return (book, *_of_the_runtime(versions), *_of_the_fonts())
+
+
+def _of_the_runtime(versions: Versions) -> tuple[Licence, ...]:
+    return (
+        Licence(
+            "Pyodide",
+            versions.pyodide,
+            "MPL 2.0",
+            "Python in the browser. Unmodified.",
+            "https://github.com/pyodide/pyodide",
+            _packaged_text("pathspec", "licenses/LICENSE"),
+        ),
+        Licence(
+            "CPython and its standard library",
+            versions.python,
+            "PSF License 2.0",
+            "Inside Pyodide. Cut down to what the book imports, and compiled.",
+            "https://www.python.org/",
+            _text_of(Path(os.__file__).parent / "LICENSE.txt")
+            or _packaged_text("typing_extensions", "LICENSE"),
+        ),
+        Licence(
+            "NumPy",
+            versions.numpy,
+            "BSD 3-Clause, with parts under compatible licences",
+            "Arrays, in the browser and when the book is built. Cut down and compiled as well.",
+            "https://numpy.org/",
+            _packaged_text("numpy", "licenses/LICENSE.txt"),
+        ),
+    )
+
+
+def _of_the_fonts() -> tuple[Licence, ...]:
+    return (
+        Licence(
+            "Source Serif and Source Sans",
+            "",
+            "SIL Open Font License 1.1",
+            "Text and labels. Cut down to the characters used, and renamed.",
+            "https://github.com/adobe-fonts",
+            _packaged_text("font-source-serif-pro", "files/LICENSE.txt"),
+        ),
+        Licence(
+            "STIX Two Math",
+            "",
+            "SIL Open Font License 1.1",
+            "Formulae. Cut down to the characters used. Copyright 2001–2021 the STIX Fonts "
+            "Project Authors.",
+            "https://github.com/stipub/stixfonts",
+            _open_font_licence(),
+        ),
+    )
+
+
+def _packaged_text(package: str, ending: str) -> str:
+    """A licence file of an installed package; nothing where it carries none."""
+    try:
+        files = distribution(package).files or []
+    except PackageNotFoundError:
+        return ""
+    found = [file for file in files if file.as_posix().endswith(ending)]
+    return found[0].read_text(encoding="utf-8") if found else ""
+
+
+def _text_of(file: Path) -> str:
+    """The file; nothing where there is none."""
+    return file.read_text(encoding="utf-8") if file.is_file() else ""
+
+
+def _open_font_licence() -> str:
+    """The licence's body, without another font's copyright line at its head."""
+    text = _packaged_text("font-source-serif-pro", "files/LICENSE.txt")
+    start = text.find("This Font Software is licensed under")
+    return text[start:] if start >= 0 else text

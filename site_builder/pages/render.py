@@ -1,0 +1,151 @@
+"""From the page model to HTML, by templates. No markup is made here."""
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+from functools import cache
+from pathlib import Path
+
+from jinja2 import Environment, FileSystemLoader, StrictUndefined
+from markupsafe import Markup
+
+from site_builder.book import Block, Book, Chapter, Heading, Simulation
+from site_builder.markdown.directives.simulation import SIMULATION
+from site_builder.markdown.text.code import highlighted_lines
+from site_builder.pages.ladder_view import summary_row, view_ladder
+from site_builder.pages.licences import Licence
+from site_builder.pages.quiz_view import quiz_data
+from site_builder.pages.simulation_view import SimulationView, view_simulation
+from site_builder.pages.stills import Stills
+
+TEMPLATES = Path(__file__).parents[1] / "templates"
+FILTERS: Mapping[str, Callable[..., object]] = {
+    "quiz_data": quiz_data,
+    "view_ladder": view_ladder,
+    "summary_row": summary_row,
+}
+"""What templates ask for where they show more than lies ready in the page model."""
+
+
+@dataclass(frozen=True, slots=True)
+class Site:
+    """What all pages share."""
+
+    root: Path
+    """The project: where quoted modules lie."""
+    book: Book
+    stills: Stills
+    assets: str
+    """Folder of style sheets, scripts, fonts and stills, relative to the site's root."""
+    runtime: str
+    """Folder of the browser's Python, relative to the site's root; nothing without a runtime."""
+    reload: bool = False
+    """Whether pages reload themselves when the site has been built anew."""
+
+
+def render_pages(site: Site, licences: tuple[Licence, ...]) -> dict[str, bytes]:
+    """Every page of the site, by its path."""
+    pages = {
+        "index.html": _page(
+            site, "landing.html", "./", counts=_counts(site.book), cover=_cover(site)
+        ),
+        "404.html": _page(site, "not-found.html", "./"),
+        "licences/index.html": _page(site, "licences.html", "../", licences=licences),
+    }
+    chapters = site.book.chapters
+    for index, chapter in enumerate(chapters):
+        pages[f"{chapter.url}index.html"] = _page(
+            site,
+            "chapter.html",
+            "../",
+            chapter=chapter,
+            sections=nest_headings(chapter.headings),
+            previous=chapters[index - 1] if index else None,
+            following=chapters[index + 1] if index + 1 < len(chapters) else None,
+        )
+    return {path: page.encode() for path, page in {**pages, **_source_pages(site)}.items()}
+
+
+def _source_pages(site: Site) -> dict[str, str]:
+    """The modules that chapters quote from, whole."""
+    pages = {}
+    for path in sorted({item.path for ch in site.book.chapters for item in ch.sources}):
+        address = f"source/{path.removesuffix('.py')}/index.html"
+        code = (site.root / path).read_text(encoding="utf-8")
+        pages[address] = _page(
+            site,
+            "source.html",
+            "../" * address.count("/"),
+            folder=path.rpartition("/")[0],
+            file=path.rpartition("/")[2],
+            lines=highlighted_lines(code, "python"),
+        )
+    return pages
+
+
+def _page(site: Site, template: str, root: str, **context: object) -> str:
+    """One page. ``root`` is the site's root relative to it."""
+    environment = _environment()
+    assets = f"{root}{site.assets}"
+    chapter = context.get("chapter")
+
+    def simulation_view(figure: Simulation) -> SimulationView:
+        return view_simulation(site.stills[figure.path, figure.line], assets)
+
+    def block_html(block: Block) -> Markup:
+        template = environment.get_template(f"blocks/{block.template}.html")
+        return Markup(template.render(shared, block=block.content, inside=block.inside))
+
+    shared = {
+        "root": root,
+        "assets": assets,
+        "anchors": chapter.anchors if isinstance(chapter, Chapter) else (),
+        "block_html": block_html,
+        "simulation_view": simulation_view,
+    }
+    return environment.get_template(template).render(
+        shared,
+        site=site,
+        book=site.book,
+        runtime=f"{root}{site.runtime}" if site.runtime else "",
+        **{"chapter": None, **context},
+    )
+
+
+@cache
+def _environment() -> Environment:
+    """Kept, so that each template is compiled once a build and not once a page."""
+    environment = Environment(
+        loader=FileSystemLoader(TEMPLATES),
+        autoescape=True,
+        undefined=StrictUndefined,
+        trim_blocks=True,
+        lstrip_blocks=True,
+        keep_trailing_newline=True,
+    )
+    environment.filters.update(FILTERS)
+    return environment
+
+
+def _cover(site: Site) -> Block | None:
+    """The figure of the landing page."""
+    hero = site.book.hero
+    return Block(SIMULATION.template, hero) if hero else None
+
+
+def _counts(book: Book) -> dict[str, int]:
+    return {
+        "chapters": len(book.chapters),
+        "simulations": len(book.scenes),
+        "questions": sum(len(chapter.quizzes) for chapter in book.chapters),
+    }
+
+
+def nest_headings(headings: tuple[Heading, ...]) -> list[tuple[Heading, list[Heading]]]:
+    """Sections of level 2, each with its subsections of level 3."""
+    sections: list[tuple[Heading, list[Heading]]] = []
+    for heading in headings:
+        if heading.level == 2:
+            sections.append((heading, []))
+        elif heading.level == 3 and sections:
+            sections[-1][1].append(heading)
+    return sections

@@ -1,0 +1,174 @@
+"""A still as its template needs it: addresses, texts and schema worked out, nothing left to do."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+from simulations.engine.controls import Action, Choice, Control, Slider, Value, describe
+from simulations.engine.frame import Panel, Readout, StageReport, format_number
+from simulations.engine.scene import Scene
+from simulations.registry import load_ladder
+from site_builder.book import OUTLINE
+from site_builder.measured.quantities import with_unit
+from site_builder.pages.embedding import json_for_html
+from site_builder.pages.figure_grid import IN_A_ROW, control_cells, even_columns, spans
+from site_builder.pages.stills import Still
+
+SHOW_STAGES_FROM = 10
+"""A chain this long is worth seeing at once in a chapter; shorter ones, and that of the cover's
+figure, wait behind their summary."""
+
+
+@dataclass(frozen=True, slots=True)
+class PanelView:
+    """A panel and the address of its picture."""
+
+    panel: Panel
+    src: str
+    """Relative to the page; nothing for a pure diagram."""
+
+
+@dataclass(frozen=True, slots=True)
+class ControlView:
+    """A control and its starting state."""
+
+    control: Control
+    id: str
+    value: Value
+    text: str
+    """A slider's value with its unit; a button's present label."""
+
+
+@dataclass(frozen=True, slots=True)
+class CellView:
+    """What stands in one cell of the grid of controls."""
+
+    controls: tuple[ControlView, ...]
+    """One, or buttons in a run; none in the cell of the accuracy."""
+    spans: str
+    """Columns that it takes, by the room that there is, as CSS variables."""
+
+
+@dataclass(frozen=True, slots=True)
+class SimulationView:
+    """A figure, ready for ``blocks/simulation.html``."""
+
+    id: str
+    scene_id: str
+    title: str
+    description: str
+    caption_html: str
+    panels: tuple[PanelView, ...]
+    readouts: tuple[Readout, ...]
+    cells: tuple[CellView, ...]
+    columns: tuple[int, int, int]
+    """Readouts in a row where space is narrow, middling and wide."""
+    tiers: tuple[tuple[str, str], ...]
+    """Id and label of each accuracy, cheap to dear."""
+    tier: str
+    judged: bool
+    """Whether the error of a frame can be told."""
+    stages: tuple[StageReport, ...]
+    stages_text: str
+    stages_open: bool
+    schema: str
+    """JSON that is safe inside a script element."""
+
+
+def view_simulation(still: Still, assets: str) -> SimulationView:
+    """``assets`` is the address of the assets folder, relative to the page."""
+    figure, scene, frame = still.figure, still.figure.scene, still.frame
+    return SimulationView(
+        id=figure.id,
+        scene_id=scene.id,
+        title=scene.title,
+        description=frame.description,
+        caption_html=figure.caption_html,
+        panels=tuple(
+            PanelView(panel, f"{assets}stills/{name}" if name else "")
+            for panel in frame.panels
+            for name in (still.pictures.get(panel.name, ""),)
+        ),
+        readouts=frame.readouts,
+        cells=_cells(still),
+        columns=(
+            even_columns(len(frame.readouts), 2),
+            even_columns(len(frame.readouts), 4),
+            even_columns(len(frame.readouts), 6),
+        ),
+        tiers=tier_labels(scene),
+        tier=figure.tier,
+        judged=scene.error is not None,
+        stages=frame.stages,
+        stages_text=count_stages(frame.stages),
+        stages_open=len(frame.stages) >= SHOW_STAGES_FROM and figure.path != OUTLINE,
+        schema=json_for_html(schema(still)),
+    )
+
+
+def _cells(still: Still) -> tuple[CellView, ...]:
+    """The grid of controls; its last cell is the accuracy's, where there is a choice of it."""
+    scene = still.figure.scene
+    cells = [*control_cells(scene.controls), *([()] if scene.tiers else [])]
+    # Three buttons need the room of two other controls.
+    places = [2 if len(cell) > 2 else 1 for cell in cells]
+    by_room = zip(*(spans(places, most) for most in IN_A_ROW.values()), strict=True)
+    return tuple(
+        CellView(
+            tuple(_control(still, control) for control in cell),
+            "; ".join(f"--{room}: {span}" for room, span in zip(IN_A_ROW, taken, strict=True)),
+        )
+        for cell, taken in zip(cells, by_room, strict=True)
+    )
+
+
+def _control(still: Still, control: Control) -> ControlView:
+    value = still.values[control.name]
+    return ControlView(
+        control, f"{still.figure.id}-{control.name}", value, value_text(control, value)
+    )
+
+
+def schema(still: Still) -> dict[str, object]:
+    """What the page's script must know of the figure: controls, starting values, tiers."""
+    scene = still.figure.scene
+    return {
+        "title": scene.title,
+        "controls": [describe(control) for control in scene.controls],
+        "values": dict(still.values),
+        "tiers": list(scene.tiers),
+        "default_tier": still.figure.tier,
+        "draft_tier": scene.draft_tier,
+        "drafted": list(scene.drafted),
+        "drafted_in": {tier: list(names) for tier, names in scene.drafted_in.items()},
+    }
+
+
+def tier_labels(scene: Scene) -> tuple[tuple[str, str], ...]:
+    """Each tier and what the reader sees of it: the scene's own words, or its ladder's."""
+    labels = dict(scene.tier_labels)
+    if scene.ladder:
+        ladder = load_ladder(scene.ladder)
+        labels = {tier: ladder.tier(tier).label for tier in scene.tiers} | labels
+    return tuple((tier, labels[tier]) for tier in scene.tiers)
+
+
+def count_stages(stages: Sequence[StageReport]) -> str:
+    """``13 computed, 0 reused, 1 skipped``, as ``workings.js`` writes it."""
+    counts = {"computed": 0, "reused": 0, "skipped": 0}
+    for stage in stages:
+        counts[stage.status] += 1
+    return ", ".join(f"{count} {status}" for status, count in counts.items())
+
+
+def value_text(control: Control, value: Value) -> str:
+    """The value as ``controls.js`` writes it: ``f/2.8``, ``5.0 m``, ``30°``."""
+    match control:
+        case Slider():
+            number = format_number(float(value), control.decimals)
+            return with_unit(f"{control.prefix}{number}", control.unit)
+        case Action():
+            return control.labels[int(value)]
+        case Choice():
+            return control.options[str(value)]
+        case _:
+            return ""

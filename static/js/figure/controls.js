@@ -1,0 +1,143 @@
+/**
+ * Values of a figure's form, by the schema that Python wrote.
+ *
+ * @typedef {{kind: "slider", name: string, label: string, default: number, min: number,
+ *   max: number, step: number, unit: string, prefix: string, decimals: number}} Slider
+ * @typedef {{kind: "choice", name: string, label: string, default: string}} Choice
+ * @typedef {{kind: "toggle", name: string, label: string, default: boolean}} Toggle
+ * @typedef {{kind: "action", name: string, label: string, default: number, labels: string[],
+ *   drives: string, effect: string, seconds: number}} Action
+ * @typedef {Slider | Choice | Toggle | Action} Control
+ * @typedef {number | string | boolean} Value
+ * @typedef {{title: string, controls: Control[], values: Record<string, Value>, tiers: string[],
+ *   default_tier: string, draft_tier: string, drafted: string[],
+ *   drafted_in: Record<string, string[]>}} Schema
+ */
+
+import { one } from "../page/dom.js";
+import { setText, withUnit } from "../page/text.js";
+
+/**
+ * @param {HTMLFormElement} form
+ * @param {Control[]} controls
+ * @returns {Record<string, Value>}
+ */
+export function readValues(form, controls) {
+  return Object.fromEntries(controls.map((control) => [control.name, read(form, control)]));
+}
+
+/**
+ * @param {HTMLFormElement} form
+ * @param {Control} control
+ * @returns {Value}
+ */
+function read(form, control) {
+  switch (control.kind) {
+    case "slider":
+      return input(form, control.name).valueAsNumber;
+    case "toggle":
+      return input(form, control.name).checked;
+    case "action":
+      return actionState(button(form, control.name));
+    case "choice":
+      return choice(form, control.name).value;
+  }
+}
+
+/**
+ * The slider or check box of that name.
+ *
+ * @param {HTMLFormElement} form
+ * @param {string} name
+ */
+export function input(form, name) {
+  return one(form, named(name), HTMLInputElement);
+}
+
+/**
+ * The menu of that name.
+ *
+ * @param {HTMLFormElement} form
+ * @param {string} name
+ */
+export function choice(form, name) {
+  return one(form, named(name), HTMLSelectElement);
+}
+
+/**
+ * The button of that name.
+ *
+ * @param {HTMLFormElement} form
+ * @param {string} name
+ */
+export function button(form, name) {
+  return one(form, named(name), HTMLButtonElement);
+}
+
+/** @param {string} name */
+function named(name) {
+  return `[name="${CSS.escape(name)}"]`;
+}
+
+/**
+ * Move a slider from a script and show its value.
+ *
+ * @param {HTMLFormElement} form
+ * @param {Slider} slider
+ * @param {number} value
+ */
+export function writeSlider(form, slider, value) {
+  input(form, slider.name).value = String(value);
+  showSliderValue(form, slider);
+}
+
+/**
+ * Write the value beside a slider, and into what a screen reader says of it.
+ *
+ * @param {HTMLFormElement} form
+ * @param {Slider} slider
+ */
+export function showSliderValue(form, slider) {
+  const range = input(form, slider.name);
+  const text = formatValue(slider, range.valueAsNumber);
+  range.setAttribute("aria-valuetext", text);
+  setText(range.closest(".control")?.querySelector(".control-value"), text);
+}
+
+/**
+ * The button's next label.
+ *
+ * @param {HTMLFormElement} form
+ * @param {Action} action
+ */
+export function pressAction(form, action) {
+  const pressed = button(form, action.name);
+  setActionState(pressed, action, (actionState(pressed) + 1) % action.labels.length);
+}
+
+/**
+ * @param {HTMLButtonElement} pressed
+ * @param {Action} action
+ * @param {number} state
+ */
+export function setActionState(pressed, action, state) {
+  pressed.dataset.state = String(state);
+  pressed.textContent = action.labels[state];
+}
+
+/** @param {HTMLButtonElement} pressed */
+function actionState(pressed) {
+  return Number(pressed.dataset.state ?? 0);
+}
+
+/**
+ * `f/2.8`, `5.0 m`, `30°`, with a true minus sign.
+ *
+ * @param {{decimals?: number, prefix?: string, unit?: string}} slider
+ * @param {number} value
+ */
+export function formatValue(slider, value) {
+  const number = value.toFixed(slider.decimals ?? 0);
+  const signed = Number(number) === 0 ? number.replace("-", "") : number.replace("-", "\u2212");
+  return withUnit(`${slider.prefix ?? ""}${signed}`, slider.unit ?? "");
+}

@@ -1,0 +1,264 @@
+/**
+ * The life of a figure: its controls ask for frames, the worker draws them, the page shows them.
+ *
+ * States, in `data-state`: `still` as served; `starting` once a frame is asked for; `live` after
+ * each painted frame; `failed` with a message and a button. `data-frames` counts frames after
+ * their pixels are in the page. `data-tier` is the accuracy of the frame that is shown.
+ */
+
+import { message } from "../errors.js";
+import { all, data, one, within } from "../page/dom.js";
+import { RuntimeFailure } from "../runtime/runtime.js";
+import { announcer } from "./announce.js";
+import { choice, pressAction, readValues, showSliderValue } from "./controls.js";
+import { Motion } from "./motion.js";
+import { paint } from "./painter.js";
+import { LatestWins } from "./scheduler.js";
+import { say } from "./status.js";
+import { Accuracy, showStages } from "./workings.js";
+
+/** @import { Runtime } from "../runtime/runtime.js" */
+/** @import { Control, Schema } from "./controls.js" */
+/** @import { Readout } from "./painter.js" */
+/** @import { Judged } from "./workings.js" */
+/** @typedef {{values: string, tier: string, time: number, urgency: number}} Job */
+
+/** A frame that the reader waits for goes before one that only should be ready. */
+const URGENCY = { far: 0, near: 1, touched: 2 };
+/** How often a frame is asked for again, by itself, after the worker was lost. */
+const RESTARTS = 1;
+/** What a figure says of a frame that it did not get. */
+const REASONS = {
+  start: "Python did not start, so the figure stands still.",
+  lost: "The computation did not end, so the figure shows the frame before.",
+  python: "This setting could not be computed.",
+  page: "The frame could not be drawn.",
+};
+
+let figures = 0;
+
+export class LiveFigure {
+  #key = `figure-${++figures}`;
+  /** @type {LatestWins<Job>} */
+  #scheduler = new LatestWins((job) => this.#run(job));
+  #listeners = new AbortController();
+  /** @type {IntersectionObserver} */
+  #observer;
+  #near = false;
+  #asked = "";
+
+  /**
+   * @param {HTMLElement} figure
+   * @param {Runtime} runtime
+   */
+  constructor(figure, runtime) {
+    this.figure = figure;
+    this.runtime = runtime;
+    /** @type {Schema} */
+    this.schema = data(figure, "script.schema");
+    this.form = one(figure, "form.controls", HTMLFormElement);
+    this.announce = announcer(one(figure, ".description", HTMLElement));
+    this.accuracy = new Accuracy(figure, (job, urgency) => this.#askError(job, urgency));
+    this.motion = new Motion(this.form, this.schema, (moving, time) => this.#ask(time, moving));
+    this.#listen();
+    this.#observer = this.#startInView();
+  }
+
+  /** The figure has left the page. */
+  leave() {
+    this.#observer.disconnect();
+    this.#listeners.abort();
+    this.motion.stop();
+    this.accuracy.stop();
+    this.#scheduler.clear();
+    this.runtime.forget(this.#key);
+  }
+
+  /** Try again what failed; the figure keeps its values. */
+  retry() {
+    this.figure.dataset.state = "starting";
+    say(this.figure, "");
+    this.#ask(performance.now(), false);
+  }
+
+  /** Ask for the first frame as soon as it is known whether the figure is in view. */
+  #startInView() {
+    this.figure.dataset.state = "starting";
+    const observer = new IntersectionObserver(
+      ([entry]) => {
+        this.#near = entry.isIntersecting;
+        this.accuracy.near = this.#near;
+        if (!this.#asked) this.#ask(performance.now(), false, URGENCY.far);
+      },
+      { rootMargin: "50% 0px" },
+    );
+    observer.observe(this.figure);
+    return observer;
+  }
+
+  #listen() {
+    const { signal } = this.#listeners;
+    this.form.addEventListener("submit", (event) => event.preventDefault(), { signal });
+    this.form.addEventListener("input", (event) => this.#changed(event, true), { signal });
+    this.form.addEventListener("change", (event) => this.#changed(event, false), { signal });
+    this.form.addEventListener("click", (event) => this.#pressed(event), { signal });
+    one(this.figure, ".retry", HTMLButtonElement).addEventListener("click", retryAll, { signal });
+  }
+
+  /**
+   * @param {Event} event
+   * @returns {Control | undefined}
+   */
+  #control(event) {
+    const name = within(event, "[name]", Element)?.getAttribute("name");
+    return this.schema.controls.find((control) => control.name === name);
+  }
+
+  /**
+   * @param {Event} event
+   * @param {boolean} dragging
+   */
+  #changed(event, dragging) {
+    const control = this.#control(event);
+    if (control?.kind === "slider") {
+      this.motion.stop();
+      showSliderValue(this.form, control);
+    }
+    this.#ask(event.timeStamp, dragging && this.#drafted(control));
+  }
+
+  /** @param {Event} event */
+  #pressed(event) {
+    const control = this.#control(event);
+    if (control?.kind !== "action") return;
+    if (control.drives) {
+      this.motion.press(control, event.timeStamp);
+    } else {
+      pressAction(this.form, control);
+      this.#ask(event.timeStamp, false);
+    }
+  }
+
+  /**
+   * Ask for the frame of the form's present values, unless it is the one asked for last.
+   *
+   * @param {number} time
+   * @param {boolean} moving
+   * @param {number} [urgency]
+   */
+  #ask(time, moving, urgency = URGENCY.touched) {
+    if (!this.figure.isConnected) return;
+    const values = JSON.stringify(readValues(this.form, this.schema.controls));
+    const tier = this.#tier(moving);
+    const asked = `${values} ${tier}`;
+    if (asked === this.#asked) return;
+    this.#asked = asked;
+    this.#scheduler.submit({ values, tier, time, urgency });
+  }
+
+  /**
+   * Whether a drag of this control is answered by drafts.
+   *
+   * @param {Control | undefined} control
+   */
+  #drafted(control) {
+    const { drafted, drafted_in: byTier } = this.schema;
+    if (control?.kind !== "slider") return false;
+    if (drafted.length === 0 || drafted.includes(control.name)) return true;
+    return byTier[this.#chosen()]?.includes(control.name) ?? false;
+  }
+
+  /** The tier that the reader chose. */
+  #chosen() {
+    const { tiers, default_tier: settled } = this.schema;
+    return tiers.length === 0 ? settled : choice(this.form, "tier").value;
+  }
+
+  /**
+   * The tier chosen, or the draft where that is cheaper and things are moving.
+   *
+   * @param {boolean} moving
+   */
+  #tier(moving) {
+    const { tiers, draft_tier: draft } = this.schema;
+    const chosen = this.#chosen();
+    return moving && tiers.indexOf(draft) < tiers.indexOf(chosen) ? draft : chosen;
+  }
+
+  /** @param {Job} job */
+  async #run(job) {
+    for (let attempt = 0; ; attempt += 1) {
+      try {
+        const reply = await this.#call(job);
+        if (this.figure.isConnected) this.#show(reply, job);
+        return;
+      } catch (error) {
+        if (!this.figure.isConnected) return;
+        const lost = error instanceof RuntimeFailure && error.kind === "lost";
+        if (!lost || attempt >= RESTARTS) {
+          this.#fail(error);
+          return;
+        }
+        this.figure.dataset.state = "starting";
+        if (this.#scheduler.stale) return;
+      }
+    }
+  }
+
+  /** @param {Job} job */
+  #call({ values, tier, urgency }) {
+    const payload = { figure: this.#key, scene: this.#scene, values, tier };
+    return this.runtime.call("render", payload, () =>
+      Math.max(urgency, this.#near ? URGENCY.near : URGENCY.far),
+    );
+  }
+
+  /**
+   * @param {Judged} judged
+   * @param {() => number} urgency
+   * @returns {Promise<Readout | null>}
+   */
+  async #askError({ values, tier }, urgency) {
+    const payload = { figure: this.#key, scene: this.#scene, values, tier };
+    return (await this.runtime.call("error", payload, urgency)).estimate;
+  }
+
+  get #scene() {
+    return this.figure.dataset.simulation ?? "";
+  }
+
+  /**
+   * @param {{meta: string, rasters: ArrayBuffer[], computeMs: number}} reply
+   * @param {Job} job
+   */
+  #show(reply, job) {
+    const { figure } = this;
+    const meta = JSON.parse(reply.meta);
+    paint(figure, meta, reply.rasters);
+    showStages(figure, meta.stages);
+    this.accuracy.shown(job, reply.computeMs, job.tier === this.#tier(false));
+    this.announce(meta.description);
+    say(figure, "");
+    figure.dataset.computeMs = reply.computeMs.toFixed(1);
+    figure.dataset.latencyMs = (performance.now() - job.time).toFixed(1);
+    figure.dataset.tier = job.tier;
+    figure.dataset.frames = String(Number(figure.dataset.frames ?? 0) + 1);
+    figure.dataset.state = "live";
+  }
+
+  /** @param {unknown} error */
+  #fail(error) {
+    this.motion.stop();
+    this.#asked = "";
+    this.figure.dataset.state = "failed";
+    const reason = error instanceof RuntimeFailure ? error.kind : "page";
+    say(this.figure, `${REASONS[reason]} (${message(error)})`, true);
+  }
+}
+
+/** What kept one figure from its frame has most often kept them all. */
+function retryAll() {
+  for (const figure of all(document, 'simulation-figure[data-state="failed"]', HTMLElement)) {
+    if ("retry" in figure && typeof figure.retry === "function") figure.retry();
+  }
+}

@@ -1,0 +1,150 @@
+/**
+ * Buttons that move a slider: play sweeps it to its end, step goes to the next whole number,
+ * reset returns it to where the page put it.
+ */
+
+import { button, input, setActionState, writeSlider } from "./controls.js";
+
+/** @import { Action, Schema, Slider } from "./controls.js" */
+
+/** Shortest pause between two pictures where the reader asked for less motion, in seconds. */
+const CALM_PAUSE = 1;
+/** Pictures on a way that is too short for whole numbers. */
+const CALM_PICTURES = 4;
+
+export class Motion {
+  /** @type {{action: Action, stop: () => void} | null} */
+  #playing = null;
+
+  /**
+   * @param {HTMLFormElement} form
+   * @param {Schema} schema
+   * @param {(moving: boolean, time: number) => void} moved Called after each move of a slider.
+   */
+  constructor(form, schema, moved) {
+    this.form = form;
+    this.schema = schema;
+    this.moved = moved;
+  }
+
+  /**
+   * @param {Action} action The button that was pressed.
+   * @param {number} time
+   */
+  press(action, time) {
+    const slider = this.#driven(action);
+    const wasPlaying = this.#playing?.action === action;
+    this.stop();
+    if (action.effect === "play") {
+      if (!wasPlaying) this.#play(action, slider);
+      return;
+    }
+    const first = Number(this.schema.values[slider.name]);
+    writeSlider(this.form, slider, action.effect === "step" ? this.#next(slider, 1) : first);
+    this.moved(false, time);
+  }
+
+  /** Stop playing, if it is. */
+  stop() {
+    if (!this.#playing) return;
+    const { action, stop } = this.#playing;
+    this.#playing = null;
+    stop();
+    setActionState(button(this.form, action.name), action, 0);
+    this.moved(false, performance.now());
+  }
+
+  /**
+   * The slider that a button moves.
+   *
+   * @param {Action} action
+   * @returns {Slider}
+   */
+  #driven(action) {
+    const control = this.schema.controls.find(({ name }) => name === action.drives);
+    if (control?.kind !== "slider") throw new Error(`${action.name} drives no slider`);
+    return control;
+  }
+
+  /**
+   * The place after the slider's value, of those a stride apart; past the end it starts over.
+   *
+   * @param {Slider} slider
+   * @param {number} stride
+   */
+  #next(slider, stride) {
+    const value = this.#value(slider);
+    if (value >= slider.max) return slider.min;
+    const passed = Math.floor((value - slider.min) / stride + 1e-9);
+    return Math.min(slider.min + (passed + 1) * stride, slider.max);
+  }
+
+  /**
+   * @param {Action} action
+   * @param {Slider} slider
+   */
+  #play(action, slider) {
+    if (this.#value(slider) >= slider.max) writeSlider(this.form, slider, slider.min);
+    setActionState(button(this.form, action.name), action, action.labels.length > 1 ? 1 : 0);
+    const calm = matchMedia("(prefers-reduced-motion: reduce)").matches;
+    const stop = calm ? this.#walk(action, slider) : this.#sweep(action, slider);
+    this.#playing = { action, stop };
+  }
+
+  /**
+   * Continuous motion, a step of the slider at a time.
+   *
+   * @param {Action} action
+   * @param {Slider} slider
+   * @returns {() => void} Ends it.
+   */
+  #sweep(action, slider) {
+    const start = this.#value(slider);
+    const perMs = (slider.max - slider.min) / (action.seconds * 1000);
+    let begun = 0;
+    const tick = (/** @type {number} */ now) => {
+      begun ||= now;
+      request = requestAnimationFrame(tick);
+      this.#moveTo(slider, start + (now - begun) * perMs, now);
+    };
+    let request = requestAnimationFrame(tick);
+    return () => cancelAnimationFrame(request);
+  }
+
+  /**
+   * One picture after another, the first at once, with time to look.
+   *
+   * @param {Action} action
+   * @param {Slider} slider
+   * @returns {() => void} Ends it.
+   */
+  #walk(action, slider) {
+    const way = slider.max - slider.min;
+    const stride = Math.min(1, way / CALM_PICTURES);
+    const pause = Math.max(CALM_PAUSE, (action.seconds * stride) / way);
+    const tick = () => {
+      timer = setTimeout(tick, pause * 1000);
+      this.#moveTo(slider, this.#next(slider, stride), performance.now());
+    };
+    let timer = setTimeout(tick);
+    return () => clearTimeout(timer);
+  }
+
+  /**
+   * @param {Slider} slider
+   * @param {number} value
+   * @param {number} time
+   */
+  #moveTo(slider, value, time) {
+    const before = this.#value(slider);
+    writeSlider(this.form, slider, Math.min(value, slider.max));
+    const now = this.#value(slider);
+    if (now >= slider.max) this.stop();
+    else if (now !== before) this.moved(true, time);
+  }
+
+  /** @param {Slider} slider */
+  #value(slider) {
+    return input(this.form, slider.name).valueAsNumber;
+  }
+}

@@ -1,0 +1,157 @@
+/**
+ * Turning to another chapter without leaving the page, so that the interpreter stays alive.
+ * The next page is fetched and its body takes the place of this one. On any doubt the browser
+ * loads the page itself.
+ */
+
+import { within } from "./dom.js";
+
+/** @type {AbortController | null} */
+let turning = null;
+let shownPath = location.pathname;
+let scrollTimer = 0;
+
+/**
+ * Listen for links to other pages of the book.
+ *
+ * @param {() => void} turned Called when a new page has been put in place.
+ */
+export function installNavigation(turned) {
+  history.scrollRestoration = "manual";
+  if (history.state?.scroll && !location.hash) scrollTo(0, history.state.scroll);
+  document.addEventListener("click", (event) => {
+    const url = pageLink(event);
+    if (!url) return;
+    event.preventDefault();
+    saveScroll();
+    turnTo(url, turned, () => history.pushState({}, "", url));
+  });
+  addEventListener("popstate", () => {
+    if (location.pathname === shownPath) restoreScroll();
+    else turnTo(new URL(location.href), turned, () => {});
+  });
+  addEventListener("scroll", () => {
+    clearTimeout(scrollTimer);
+    scrollTimer = setTimeout(saveScroll, 100);
+  });
+}
+
+/**
+ * Where a plain click on a link to another page of the book leads, or null.
+ *
+ * @param {MouseEvent} event
+ */
+function pageLink(event) {
+  const link = within(event, "a[href]", HTMLAnchorElement);
+  if (!link || event.defaultPrevented || event.button !== 0) return null;
+  if (event.metaKey || event.ctrlKey || event.shiftKey || event.altKey) return null;
+  if (link.target || link.hasAttribute("download")) return null;
+  const url = new URL(link.href);
+  const root = siteRoot(document.body, location.href);
+  const inBook = root && url.href.startsWith(root) && /(\/|\.html)$/.test(url.pathname);
+  return inBook && url.pathname !== location.pathname ? url : null;
+}
+
+/**
+ * The address of the book that a page belongs to.
+ *
+ * @param {HTMLElement} body
+ * @param {string} base
+ * @returns {string | null}
+ */
+function siteRoot(body, base) {
+  const root = body.dataset.root;
+  return root === undefined ? null : new URL(root || "./", base).href;
+}
+
+/**
+ * @param {URL} url
+ * @param {() => void} turned
+ * @param {() => void} commit
+ */
+async function turnTo(url, turned, commit) {
+  turning?.abort();
+  turning = new AbortController();
+  const { signal } = turning;
+  try {
+    const page = await fetchPage(url, signal);
+    if (signal.aborted) return;
+    commit();
+    putInPlace(page);
+    shownPath = location.pathname;
+    turned();
+    arrive();
+  } catch {
+    if (!signal.aborted) location.assign(url);
+  }
+}
+
+/**
+ * The page, if it belongs to the same build of the book.
+ *
+ * @param {URL} url
+ * @param {AbortSignal} signal
+ * @returns {Promise<Document>}
+ */
+async function fetchPage(url, signal) {
+  const reply = await fetch(url, { signal });
+  const isPage = reply.headers.get("content-type")?.startsWith("text/html");
+  if (!reply.ok || !isPage || reply.redirected) throw new Error("not a page of the book");
+  const page = new DOMParser().parseFromString(await reply.text(), "text/html");
+  if (!page.querySelector("main#main")) throw new Error("no text in the page");
+  if (assetsOf(page.body, url.href) !== assetsOf(document.body, location.href)) {
+    throw new Error("the book has been built anew");
+  }
+  return page;
+}
+
+/**
+ * @param {HTMLElement} body
+ * @param {string} base
+ */
+function assetsOf(body, base) {
+  return new URL(body.dataset.assets ?? "", base).href;
+}
+
+/**
+ * Called when the address is already the new page's, so that relative links resolve.
+ *
+ * @param {Document} page
+ */
+function putInPlace(page) {
+  document.title = page.title;
+  const description = 'meta[name="description"]';
+  document.querySelector(description)?.replaceWith(page.querySelector(description) ?? "");
+  for (const name of Object.keys(document.body.dataset)) delete document.body.dataset[name];
+  Object.assign(document.body.dataset, page.body.dataset);
+  document.body.className = page.body.className;
+  document.body.replaceChildren(...page.body.childNodes);
+}
+
+/** Begin reading: at the link's target, where one left off, or at the top. */
+function arrive() {
+  document.getElementById("main")?.focus({ preventScroll: true });
+  restoreScroll();
+}
+
+function restoreScroll() {
+  const target = hashTarget();
+  const kept = history.state?.scroll;
+  if (kept === undefined && target) target.scrollIntoView();
+  else scrollTo({ top: kept ?? 0, behavior: "instant" });
+}
+
+/** The element that the address points to; none where its end is mangled. */
+function hashTarget() {
+  try {
+    return document.getElementById(decodeURIComponent(location.hash.slice(1)));
+  } catch {
+    return null;
+  }
+}
+
+function saveScroll() {
+  clearTimeout(scrollTimer);
+  if (location.pathname !== shownPath) return;
+  history.replaceState({ ...history.state, scroll: Math.round(scrollY) }, "");
+}

@@ -1,0 +1,51 @@
+/**
+ * Light, dark, or as the system says; remembered. The inline script at the top of each page
+ * applies the remembered theme before the first paint.
+ */
+
+import { all, within } from "./dom.js";
+
+/** @typedef {"system" | "light" | "dark"} Theme */
+
+const KEY = "theme";
+const NAMES = { system: "System", light: "Light", dark: "Dark" };
+/** @type {Record<Theme, Theme>} */
+const NEXT = { system: "light", light: "dark", dark: "system" };
+
+/** Listen for the theme button on any page. */
+export function installTheme() {
+  document.addEventListener("click", (event) => {
+    if (!within(event, ".theme-toggle", Element)) return;
+    setTheme(NEXT[currentTheme()]);
+    showTheme();
+  });
+  showTheme();
+}
+
+/** Let every theme button say which theme is on. */
+export function showTheme() {
+  const name = NAMES[currentTheme()];
+  for (const button of all(document, ".theme-toggle", HTMLButtonElement)) {
+    button.dataset.choice = currentTheme();
+    button.setAttribute("aria-label", `Theme: ${name}. Press to change.`);
+    button.title = `Theme: ${name}`;
+  }
+}
+
+/** @returns {Theme} */
+function currentTheme() {
+  const theme = document.documentElement.dataset.theme;
+  return theme === "light" || theme === "dark" ? theme : "system";
+}
+
+/** @param {Theme} theme */
+function setTheme(theme) {
+  if (theme === "system") delete document.documentElement.dataset.theme;
+  else document.documentElement.dataset.theme = theme;
+  try {
+    if (theme === "system") localStorage.removeItem(KEY);
+    else localStorage.setItem(KEY, theme);
+  } catch {
+    // Storage is blocked: the choice lasts until the page is left.
+  }
+}

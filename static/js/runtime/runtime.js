@@ -1,0 +1,204 @@
+/**
+ * The page's side of the worker that runs Python.
+ *
+ * One call is in the worker at a time; the rest wait here, so that the most urgent goes next
+ * and a silent worker can be told from a busy one. A worker that does not answer in time is
+ * ended and started anew; what waits is kept.
+ */
+
+import { all } from "../page/dom.js";
+
+/**
+ * Longest wait for an answer in milliseconds. Starting may include a slow download.
+ *
+ * @type {Record<string, number>}
+ */
+export const LIMITS = {
+  start: 300_000,
+  first: 30_000,
+  render: 10_000,
+  error: 10_000,
+  forget: 10_000,
+  measure: 120_000,
+};
+
+/** Why a call failed: `python` (our code raised), `start` (no interpreter), `lost` (no answer). */
+export class RuntimeFailure extends Error {
+  /**
+   * @param {"python" | "start" | "lost"} kind
+   * @param {string} message
+   */
+  constructor(kind, message) {
+    super(message);
+    this.kind = kind;
+  }
+}
+
+/**
+ * @typedef {{figure?: string, scene?: string} & Record<string, unknown>} Payload
+ */
+
+/**
+ * @typedef {object} Call
+ * @property {number} id
+ * @property {string} name
+ * @property {Payload} payload
+ * @property {() => number} urgency Asked when the worker is free: the highest goes first.
+ * @property {(reply: any) => void} resolve
+ * @property {(reason: RuntimeFailure) => void} reject
+ */
+
+export class Runtime {
+  /** @type {Call[]} */
+  #waiting = [];
+  /** @type {Call | null} */
+  #active = null;
+  /** @type {Worker | null} */
+  #worker = null;
+  /** @type {ReturnType<typeof setTimeout> | undefined} */
+  #watchdog;
+  #lastId = 0;
+  #failedStarts = 0;
+  /**
+   * Scenes that this worker has imported: their first frame takes longer.
+   *
+   * @type {Set<string>}
+   */
+  #seen = new Set();
+
+  /** @param {string} url Absolute address of the runtime folder. */
+  constructor(url) {
+    this.url = url;
+  }
+
+  /** Whether this browser can run the interpreter at all. */
+  static get supported() {
+    return typeof WebAssembly === "object" && typeof Worker === "function";
+  }
+
+  /**
+   * Answer of the worker to `name`, whenever its turn comes.
+   *
+   * @param {string} name
+   * @param {Payload} payload
+   * @param {() => number} [urgency]
+   * @returns {Promise<any>}
+   */
+  call(name, payload, urgency = () => 0) {
+    return new Promise((resolve, reject) => {
+      this.#waiting.push({ id: ++this.#lastId, name, payload, urgency, resolve, reject });
+      this.#next();
+    });
+  }
+
+  /**
+   * Drop what belongs to a figure that left the page, here and in the worker.
+   *
+   * @param {string} figure
+   */
+  forget(figure) {
+    const leaving = this.#waiting.filter((call) => call.payload.figure === figure);
+    this.#waiting = this.#waiting.filter((call) => !leaving.includes(call));
+    for (const call of leaving) call.reject(new RuntimeFailure("lost", "the figure has gone"));
+    if (this.#worker) this.call("forget", { figure }).catch(() => {});
+  }
+
+  #next() {
+    if (this.#active || this.#waiting.length === 0) return;
+    if (!this.#worker) {
+      this.#boot();
+      return;
+    }
+    const urgencies = this.#waiting.map((call) => call.urgency());
+    const chosen = urgencies.indexOf(Math.max(...urgencies));
+    this.#send(this.#waiting.splice(chosen, 1)[0]);
+  }
+
+  #boot() {
+    this.#seen.clear();
+    this.#worker = new Worker(new URL("./worker.js", import.meta.url), { type: "module" });
+    this.#worker.onmessage = (event) => this.#receive(event.data);
+    this.#worker.onerror = (event) => {
+      event.preventDefault();
+      this.#lose(event.message || "the worker could not be loaded");
+    };
+    this.#worker.onmessageerror = () => this.#lose("an answer could not be read");
+    this.#send({
+      id: ++this.#lastId,
+      name: "start",
+      payload: { url: this.url, fresh: this.#failedStarts > 0, scenes: scenesOfPage() },
+      urgency: () => 0,
+      resolve: () => (this.#failedStarts = 0),
+      reject: (reason) => this.#giveUp(reason),
+    });
+  }
+
+  /** @param {Call} call */
+  #send(call) {
+    this.#active = call;
+    const { scene } = call.payload;
+    const limit = scene && !this.#seen.has(scene) ? LIMITS.first : LIMITS[call.name];
+    if (scene) this.#seen.add(scene);
+    this.#watchdog = setTimeout(() => this.#lose("the computation did not end in time"), limit);
+    this.#worker?.postMessage({ id: call.id, call: call.name, ...call.payload });
+  }
+
+  /** @param {any} reply */
+  #receive(reply) {
+    const call = this.#active;
+    if (!call || call.id !== reply.id) return;
+    if (!reply.ok && (reply.fatal || call.name === "start")) {
+      this.#lose(reply.error);
+      return;
+    }
+    this.#settle();
+    if (reply.ok) call.resolve(reply);
+    else call.reject(new RuntimeFailure("python", reply.error));
+    this.#next();
+  }
+
+  /**
+   * The worker is of no more use: end it, tell its caller, and go on with a new one.
+   *
+   * @param {string} message
+   */
+  #lose(message) {
+    const call = this.#active;
+    this.#settle();
+    this.#worker?.terminate();
+    this.#worker = null;
+    call?.reject(new RuntimeFailure(call.name === "start" ? "start" : "lost", message));
+    this.#next();
+  }
+
+  #settle() {
+    clearTimeout(this.#watchdog);
+    this.#active = null;
+  }
+
+  /**
+   * No interpreter: everyone who waits hears why; the next call tries again.
+   *
+   * @param {RuntimeFailure} reason
+   */
+  #giveUp(reason) {
+    this.#failedStarts += 1;
+    for (const call of this.#waiting.splice(0)) call.reject(reason);
+  }
+}
+
+/** The scenes that the page will ask for. */
+function scenesOfPage() {
+  const figures = all(document, "simulation-figure", HTMLElement);
+  return [...new Set(figures.map((figure) => figure.dataset.simulation))];
+}
+
+/** @type {Runtime | null} */
+let shared = null;
+
+/** The page's only interpreter, or null where the book was built without one. */
+export function sharedRuntime() {
+  const address = document.body.dataset.runtime;
+  if (!shared && address) shared = new Runtime(new URL(address, location.href).href);
+  return shared;
+}

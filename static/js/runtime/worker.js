@@ -1,0 +1,208 @@
+/**
+ * The worker that holds the Python interpreter. Takes `{id, call, ...}`, answers
+ * `{id, ok: true, ...}` or `{id, ok: false, error, fatal}`; nothing goes unanswered.
+ */
+
+import { message } from "../errors.js";
+import { NUMPY, Parts, PYTHON, SIMULATIONS, TABLE } from "./parts.js";
+
+const PYODIDE = ["pyodide.mjs", "pyodide.asm.mjs", "pyodide.asm.wasm"];
+
+/**
+ * Proxies of `simulations.browser`, held for the life of the worker.
+ *
+ * @type {any}
+ */
+let python = null;
+/**
+ * What there is to load.
+ *
+ * @type {Parts}
+ */
+let parts;
+
+/** @typedef {{figure: string, scene: string, values: string, tier: string}} FrameCall */
+
+const calls = {
+  /**
+   * Start the interpreter from the folder `url`, past the HTTP cache if `fresh`, and fetch what
+   * `scenes` will import.
+   *
+   * @param {{url: string, fresh: boolean, scenes: string[]}} call
+   */
+  async start({ url, fresh, scenes }) {
+    if (fresh) await refetch(url);
+    const pyodideScript = import(`${url}pyodide.mjs`);
+    parts = await Parts.listed(url);
+    const { table } = parts;
+    const [numpy, simulations] = [parts.fetch(NUMPY), parts.fetch(SIMULATIONS)];
+    for (const scene of scenes) parts.expect(table.scenes[scene]);
+    const options = {
+      indexURL: url,
+      stdLibURL: url + PYTHON,
+      lockFileContents: JSON.stringify(table.lock),
+    };
+    const { loadPyodide } = await pyodideScript;
+    const pyodide = await Promise.race([loadPyodide(options), webAssemblyFailure()]);
+    parts.pyodide = pyodide;
+    parts.unpack(await numpy); // its machine code cannot be loaded from within an archive
+    pyodide.FS.writeFile(`/lib/${SIMULATIONS}`, await simulations);
+    pyodide.pyimport("sys").path.append(`/lib/${SIMULATIONS}`);
+    const module = pyodide.pyimport("simulations.browser");
+    const { render, error, forget, measure, fetch_missing: fetchMissing } = module;
+    const fetchNow = (/** @type {string} */ part) => parts.fetchNow(part);
+    fetchMissing(JSON.stringify(table.modules), fetchNow, parts.folder);
+    python = { render, error, forget, measure };
+    return { reply: { version: pyodide.version } };
+  },
+
+  /**
+   * One frame: its description as JSON and the pixels of its panels, handed over.
+   *
+   * @param {FrameCall} call
+   */
+  async render({ figure, scene, values, tier }) {
+    await parts.provide(parts.table.scenes[scene]);
+    const begun = performance.now();
+    const frame = python.render(figure, scene, values, tier);
+    try {
+      const rasters = takeRasters(frame);
+      const meta = frame.meta;
+      return {
+        reply: { meta, rasters, computeMs: performance.now() - begun },
+        transfer: rasters,
+      };
+    } finally {
+      frame.destroy();
+    }
+  },
+
+  /**
+   * The next estimate of a frame's error, as a readout; null where there is no better one.
+   *
+   * @param {FrameCall} call
+   */
+  error({ figure, scene, values, tier }) {
+    return { reply: { estimate: JSON.parse(python.error(figure, scene, values, tier)) } };
+  },
+
+  /** @param {{figure: string}} call */
+  forget({ figure }) {
+    python.forget(figure);
+    return { reply: {} };
+  },
+
+  /**
+   * Time and error of one tier of a ladder, on this machine.
+   *
+   * @param {{ladder: string, tier: string, budget: number}} call
+   */
+  async measure({ ladder, tier, budget }) {
+    await parts.provide(parts.table.ladders[ladder]);
+    return { reply: { result: python.measure(ladder, tier, budget) } };
+  },
+};
+
+/**
+ * @param {{id: number, call: keyof typeof calls} & Record<string, any>} request
+ * @returns {Promise<{reply: object, transfer?: Transferable[]}>}
+ */
+async function answer(request) {
+  /** @type {(request: any) => any} */
+  const call = calls[request.call];
+  return await call(request);
+}
+
+self.onmessage = async ({ data }) => {
+  try {
+    const { reply, transfer = [] } = await answer(data);
+    self.postMessage({ id: data.id, ok: true, ...reply }, { transfer });
+  } catch (error) {
+    self.postMessage({ id: data.id, ok: false, ...explain(error) });
+  }
+};
+
+/**
+ * Copies of the pixels, out of the interpreter's memory.
+ *
+ * @param {any} frame
+ * @returns {ArrayBuffer[]}
+ */
+function takeRasters(frame) {
+  const rasters = frame.rasters;
+  try {
+    return Array.from({ length: rasters.length }, (_, index) => takeRaster(rasters.get(index)));
+  } finally {
+    rasters.destroy();
+  }
+}
+
+/**
+ * @param {any} array
+ * @returns {ArrayBuffer}
+ */
+function takeRaster(array) {
+  const view = array.getBuffer("u8");
+  try {
+    return view.data.slice().buffer;
+  } finally {
+    view.release();
+    array.destroy();
+  }
+}
+
+/**
+ * A Python exception leaves the interpreter sound; anything else does not.
+ *
+ * @param {unknown} error
+ */
+function explain(error) {
+  const text = message(error).trim();
+  const raised = error instanceof Error && error.name === "PythonError";
+  return { error: raised ? lastException(text) : text, fatal: !raised };
+}
+
+/**
+ * The line of a traceback that names the exception; what it says may run on below.
+ *
+ * @param {string} traceback
+ */
+function lastException(traceback) {
+  const named = traceback.split("\n").filter((line) => /^[\w.]+(:|$)/.test(line));
+  return named.at(-1) ?? traceback;
+}
+
+/**
+ * Rejects if the interpreter's WebAssembly cannot be had: Pyodide itself would only warn, and
+ * wait for ever. A host that sends it with another type than `application/wasm` is served too.
+ *
+ * @returns {Promise<never>}
+ */
+function webAssemblyFailure() {
+  return new Promise((_, reject) => {
+    const streaming = WebAssembly.instantiateStreaming;
+    WebAssembly.instantiateStreaming = async (source, imports) => {
+      try {
+        const response = await source;
+        if (!response.ok) throw new Error(`${response.url}: ${response.status}`);
+        const typed = response.headers.get("content-type")?.startsWith("application/wasm");
+        return typed
+          ? await streaming(response, imports)
+          : await WebAssembly.instantiate(await response.arrayBuffer(), imports);
+      } catch (error) {
+        reject(error);
+        throw error;
+      }
+    };
+  });
+}
+
+/**
+ * Replace what the HTTP cache holds: a damaged file must not come back on a second try.
+ *
+ * @param {string} url
+ */
+async function refetch(url) {
+  const names = [...PYODIDE, PYTHON, NUMPY, SIMULATIONS, TABLE];
+  await Promise.all(names.map((name) => fetch(url + name, { cache: "reload" })));
+}

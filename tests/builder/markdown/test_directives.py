@@ -1,0 +1,151 @@
+"""What follows from the values that declare directives and roles: checks, templates, the guide."""
+
+from collections import Counter
+from pathlib import Path
+from typing import Any
+
+import pytest
+from markdown_it.token import Token
+
+from simulations.registry import load_scene
+from site_builder.diagnostics import Diagnostics
+from site_builder.markdown.bodies import CAPTION, no_body
+from site_builder.markdown.directive import Argument, Directive, OptionLine, OptionValue, Use
+from site_builder.markdown.directives import DIRECTIVES
+from site_builder.markdown.fences import OPENING
+from site_builder.markdown.guide import directive_table, guide
+from site_builder.markdown.parser import RULES, make_parser
+from site_builder.markdown.reading import Reading
+from site_builder.markdown.role import USE
+from site_builder.markdown.roles import ROLES
+from site_builder.markdown.usage import checked
+from site_builder.pages.render import TEMPLATES
+
+README = Path(__file__).parents[3] / "README.md"
+
+
+@pytest.fixture
+def reading(tmp_path: Path) -> Reading:
+    return Reading("a.md", tmp_path, Diagnostics(), load_scene, make_parser())
+
+
+def film(**fields: Any) -> Directive[str]:
+    """A directive that the book does not have."""
+    declared = {
+        "name": "film",
+        "says": "a moving picture",
+        "argument": Argument("file"),
+        "body": CAPTION,
+        "read": lambda _use, caption, _reading: caption,
+        "template": "film",
+    }
+    return Directive(**{**declared, **fields})
+
+
+def use(argument: str = "", **options: str) -> Use:
+    values = {name: OptionValue(text, 2) for name, text in options.items()}
+    return Use("film", argument, values, 1)
+
+
+def reported(reading: Reading) -> list[str]:
+    return [str(diagnostic) for diagnostic in reading.problems.found]
+
+
+def test_every_template_of_a_block_belongs_to_a_directive_or_to_prose() -> None:
+    files = {file.stem for file in (TEMPLATES / "blocks").iterdir()}
+    assert files == {"prose"} | {directive.template for directive in DIRECTIVES}
+
+
+def test_names_are_given_once_and_can_be_written() -> None:
+    directives = Counter(directive.name for directive in DIRECTIVES)
+    roles = Counter(role.name for role in ROLES)
+    assert max(*directives.values(), *roles.values()) == 1
+    assert all(OPENING.fullmatch(f":::{{{name}}} words") for name in directives)
+    assert all(USE.fullmatch(f"{{{name}}}`words`") for name in roles)
+
+
+def test_the_author_s_guide_lists_every_directive_and_role() -> None:
+    again = "write what `python -m site_builder.markdown.guide` prints into README.md"
+    assert guide() in README.read_text(encoding="utf-8"), again
+
+
+def test_the_guide_shows_what_may_be_left_out_and_what_must_not_be() -> None:
+    options = (
+        OptionLine("speed", says="how fast", legal=("slow", "fast")),
+        OptionLine("alt", says="what it shows", required=True),
+    )
+    table = directive_table([film(options=options, more_options="more"), film(argument=None)])
+    assert table.splitlines()[2:] == [
+        "| `:::{film} [file]` | a moving picture | `:speed:` how fast, `slow` or `fast`; "
+        "`:alt:` what it shows (required); more | a caption |",
+        "| `:::{film}` | a moving picture |  | a caption |",
+    ]
+
+
+def test_each_of_our_rules_stands_before_the_one_it_names() -> None:
+    order = make_parser().get_all_rules()
+    for rule in RULES:
+        chain = order[rule.chain]
+        assert chain.index(rule.name) + 1 == chain.index(rule.before), rule.name
+
+
+@pytest.mark.parametrize(
+    ("argument", "given", "report"),
+    [
+        (Argument("file"), "", None),
+        (Argument("file", lacks="names no file"), "a.webm", None),
+        (
+            Argument("file", lacks="names no file"),
+            "",
+            "{film} names no file; legal: ':::{film} file'",
+        ),
+        (Argument("kind", legal=("dots", "bars"), kind="film"), "dots", None),
+        (
+            Argument("kind", legal=("dots", "bars"), kind="film"),
+            "bras",
+            "unknown film 'bras'; did you mean 'bars'?",
+        ),
+        (Argument("kind", legal=("dots",), kind="film"), "", "unknown film ''; legal: dots"),
+        (None, "", None),
+        (None, "a", "{film} with an argument, 'a'; legal: ':::{film}', no more"),
+    ],
+)
+def test_an_argument_is_what_its_directive_says(
+    reading: Reading, argument: Argument | None, given: str, report: str | None
+) -> None:
+    legal = checked(film(argument=argument), use(given), reading)
+    assert (legal is None) is (report is not None)
+    assert reported(reading) == ([f"a.md:1: {report}"] if report else [])
+
+
+def test_options_are_what_their_directive_says(reading: Reading) -> None:
+    declared = film(
+        options=(
+            OptionLine("speed", says="how fast", legal=("slow", "fast")),
+            OptionLine("alt", says="what it shows", required=True),
+        )
+    )
+    legal = checked(declared, use(alt="Dots."), reading)
+    assert legal is not None
+    assert (legal.text("speed"), legal.text("alt"), legal.text("other")) == ("slow", "Dots.", "")
+    assert reported(reading) == []
+    legal = checked(declared, use(speed="fsat", spede="fast"), reading)
+    assert legal is not None
+    assert legal.text("speed") == "slow"
+    assert reported(reading) == [
+        "a.md:2: unknown speed of film 'fsat'; did you mean 'fast'?",
+        "a.md:2: unknown option of {film} 'spede'; did you mean 'speed'?",
+        "a.md:1: {film} has no ':alt:'; legal: what it shows",
+    ]
+
+
+def test_options_that_only_the_reader_can_judge_are_left_to_it(reading: Reading) -> None:
+    legal = checked(film(more_options="any"), use(anything="x"), reading)
+    assert legal is not None
+    assert legal.text("anything") == "x"
+    assert reported(reading) == []
+
+
+def test_a_directive_without_a_body_says_what_is_legal_instead(reading: Reading) -> None:
+    no_body("an argument").read(use(), [Token("inline", "", 0)], reading)
+    assert reported(reading) == ["a.md:1: {film} with a body; legal: an argument"]

@@ -1,0 +1,29 @@
+"""Dropping a chapter into ``fixtures/pages`` makes a test: beside it lies the HTML of its text.
+
+A mismatch leaves ``NAME-changed.html`` there to compare, and to rename if it is right.
+"""
+
+from collections.abc import Callable
+from pathlib import Path
+
+import pytest
+from support.html_outline import read_html
+
+from site_builder.build import Options, render_site
+from site_builder.output.assets import content_bytes
+
+FIXTURES = Path(__file__).parents[2] / "fixtures" / "pages"
+
+
+@pytest.mark.parametrize("file", sorted(FIXTURES.glob("*.md")), ids=lambda file: file.stem)
+def test_a_chapter_becomes_the_recorded_html(file: Path, make_book: Callable[..., Options]) -> None:
+    options = make_book(files={"content/00-first.md": file.read_text(encoding="utf-8")})
+    page = content_bytes(render_site(options)["first/index.html"])
+    read_html(page)
+    text = page.decode().partition("</header>\n")[2].partition('<article class="chapter">')[2]
+    text = text.partition("</header>")[2].partition("</article>")[0].strip() + "\n"
+    expected, changed = file.with_suffix(".html"), file.with_name(f"{file.stem}-changed.html")
+    if not expected.is_file() or text != expected.read_text(encoding="utf-8"):
+        changed.write_text(text, encoding="utf-8")
+        pytest.fail(f"see {changed.name}:\n{text}")
+    changed.unlink(missing_ok=True)

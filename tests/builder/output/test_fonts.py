@@ -1,0 +1,160 @@
+"""The cut web fonts: they show what the book prints, keep what formulae need, and stay small."""
+
+import io
+import re
+from collections.abc import Mapping
+from importlib.resources import files
+from pathlib import Path
+
+import pytest
+from fontTools.ttLib import TTFont
+from fontTools.ttLib.tables._g_l_y_f import USE_MY_METRICS
+
+from site_builder.output.font_faces import FACES, Face
+from site_builder.output.fonts import cut, subset_fonts
+
+FONTS_CSS = Path(__file__).parents[3] / "static" / "css" / "fonts.css"
+TEXT_FACES = [face.file for face in FACES if face.file != "maths.woff2"]
+
+
+@pytest.fixture(scope="module")
+def fonts() -> Mapping[str, bytes]:
+    return subset_fonts()
+
+
+def opened(fonts: Mapping[str, bytes], file: str) -> TTFont:
+    return TTFont(io.BytesIO(fonts[file]))
+
+
+def missing(font: TTFont, text: str) -> set[str]:
+    covered = font.getBestCmap()
+    return {character for character in text if ord(character) not in covered}
+
+
+def features(font: TTFont) -> set[str]:
+    tables = [font[tag].table for tag in ("GSUB", "GPOS") if tag in font]
+    return {record.FeatureTag for table in tables for record in table.FeatureList.FeatureRecord}
+
+
+def descriptors(family: str) -> list[dict[str, str]]:
+    """The declarations of every @font-face of a family."""
+    faces = re.findall(r"@font-face \{(.*?)\}", FONTS_CSS.read_text(encoding="utf-8"))
+    parsed = [dict(re.findall(r"([\w-]+): ([^;]+);", face)) for face in faces]
+    return [face for face in parsed if face["font-family"] == f'"{family}"']
+
+
+def test_the_style_sheet_names_exactly_the_files_that_are_cut(fonts: Mapping[str, bytes]) -> None:
+    named = re.findall(r'url\("\.\./fonts/([^"]+)"\)', FONTS_CSS.read_text(encoding="utf-8"))
+    assert sorted(named) == sorted(fonts)
+
+
+@pytest.mark.parametrize("file", TEXT_FACES)
+def test_text_faces_stay_below_40_kb(fonts: Mapping[str, bytes], file: str) -> None:
+    assert len(fonts[file]) < 40_000
+
+
+def test_maths_face_stays_below_250_kb(fonts: Mapping[str, bytes]) -> None:
+    assert len(fonts["maths.woff2"]) < 250_000
+
+
+@pytest.mark.parametrize("file", TEXT_FACES)
+def test_text_faces_show_western_text(fonts: Mapping[str, bytes], file: str) -> None:
+    text = "AÀÉÎÕÜßæçéñøœšž 0123456789 “‘–—…’” −×±°·²≈≠≤≥"
+    assert missing(opened(fonts, file), text) == set()
+
+
+@pytest.mark.parametrize("file", ["serif-regular.woff2", "sans-regular.woff2"])
+def test_upright_faces_show_greek_and_signs_of_the_labels(
+    fonts: Mapping[str, bytes], file: str
+) -> None:
+    text = "αβγδεθκλμνπρστφψω ΔΣΩ ∞∂∑√→←↑↓ ½ ₀₁₂ ⁰¹²³"
+    assert missing(opened(fonts, file), text) == set()
+
+
+def test_maths_face_shows_the_alphabets_of_the_formulae(fonts: Mapping[str, bytes]) -> None:
+    text = "𝑥𝐱𝜃𝛼𝐀𝐑ℝℓ𝒪 ⊤⋅∥⟨⟩∑∫√∂∇∞≤≥≈≠→⇒⋯⋮⋱′ˆ"
+    assert missing(opened(fonts, "maths.woff2"), text.replace(" ", "")) == set()
+
+
+def test_maths_face_stretches_brackets_and_roots(fonts: Mapping[str, bytes]) -> None:
+    font = opened(fonts, "maths.woff2")
+    vertical = font["MATH"].table.MathVariants.VertGlyphCoverage.glyphs
+    names = font.getBestCmap()
+    assert {names[ord(sign)] for sign in "()[]{}|√∫"} <= set(vertical)
+    assert font["MATH"].table.MathConstants.AxisHeight.Value > 0
+
+
+def test_maths_face_offers_small_forms_for_indices_to_every_script(
+    fonts: Mapping[str, bytes],
+) -> None:
+    table = opened(fonts, "maths.woff2")["GSUB"].table
+    for record in table.ScriptList.ScriptRecord:
+        offered = record.Script.DefaultLangSys.FeatureIndex
+        assert "ssty" in {table.FeatureList.FeatureRecord[index].FeatureTag for index in offered}
+
+
+@pytest.mark.parametrize("file", [file for file in TEXT_FACES if file.startswith("serif")])
+def test_serif_faces_keep_figures_kerning_and_ligatures(
+    fonts: Mapping[str, bytes], file: str
+) -> None:
+    assert {"tnum", "onum", "lnum", "kern", "liga"} <= features(opened(fonts, file))
+
+
+@pytest.mark.parametrize("file", [file for file in TEXT_FACES if file.startswith("sans")])
+def test_figures_of_the_sans_have_one_width_with_the_minus(
+    fonts: Mapping[str, bytes], file: str
+) -> None:
+    font = opened(fonts, file)
+    names, widths = font.getBestCmap(), font["hmtx"]
+    assert len({widths[names[ord(sign)]][0] for sign in "0123456789−\u2007"}) == 1
+
+
+@pytest.mark.parametrize("file", TEXT_FACES)
+def test_no_glyph_takes_the_width_of_its_parts(fonts: Mapping[str, bytes], file: str) -> None:
+    font = opened(fonts, file)
+    for name in font.getGlyphOrder():
+        for part in getattr(font["glyf"][name], "components", ()):
+            assert not part.flags & USE_MY_METRICS
+
+
+@pytest.mark.parametrize("face", FACES, ids=lambda face: face.file)
+def test_cut_faces_are_renamed_and_keep_their_licence(
+    fonts: Mapping[str, bytes], face: Face
+) -> None:
+    name = opened(fonts, face.file)["name"]
+    assert name.getDebugName(1) == face.family
+    assert "Source" not in name.getDebugName(4)  # reserved by the licence for uncut fonts
+    assert "SIL Open Font License" in name.getDebugName(13)
+    assert name.getDebugName(0)
+
+
+@pytest.mark.parametrize(
+    ("family", "regular"),
+    [("Book Serif Fallback", "serif-regular.woff2"), ("Book Sans Fallback", "sans-regular.woff2")],
+)
+def test_fallbacks_take_the_same_height_of_line(
+    fonts: Mapping[str, bytes], family: str, regular: str
+) -> None:
+    header = opened(fonts, regular)["hhea"]
+    for face in descriptors(family):
+        scale, ascent, descent = (
+            float(face[name].rstrip("%")) / 100
+            for name in ("size-adjust", "ascent-override", "descent-override")
+        )
+        # Per mille of an em; the percentages have one decimal.
+        assert scale * ascent * 1000 == pytest.approx(header.ascent, abs=1.5)
+        assert scale * descent * 1000 == pytest.approx(-header.descent, abs=1.5)
+
+
+def test_cutting_twice_gives_the_same_bytes() -> None:
+    face = next(face for face in FACES if face.file == "sans-italic.woff2")
+    source = files(face.package).joinpath(face.source).read_bytes()
+    assert cut(face, source) == cut(face, source)
+
+
+def test_a_second_call_reads_what_the_first_one_kept(tmp_path: Path) -> None:
+    fonts = subset_fonts(tmp_path)
+    kept = sorted(tmp_path.iterdir())
+    assert len(kept) == len(fonts)
+    kept[0].write_bytes(b"kept")
+    assert b"kept" in subset_fonts(tmp_path).values()

@@ -1,0 +1,75 @@
+"""What the simulations import, read from their sources; and whether running them agrees."""
+
+import json
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+from simulations.registry import SCENE_MODULES
+from site_builder.runtime.imports import outside, reach, read_imports
+
+ROOT = Path(__file__).resolve().parents[3]
+TABLE = read_imports(ROOT / "simulations")
+
+
+@pytest.fixture
+def package(tmp_path: Path) -> Path:
+    folder = tmp_path / "toy"
+    (folder / "models").mkdir(parents=True)
+    (folder / "__init__.py").write_text("")
+    (folder / "scene.py").write_text("import math\nfrom toy.models import lens\n")
+    (folder / "other.py").write_text("import json\n")
+    (folder / "models" / "__init__.py").write_text("")
+    (folder / "models" / "lens.py").write_text(
+        "from collections.abc import Sequence\n"
+        "import numpy as np\n"
+        "def noise(): return np.random.default_rng(np.pi)\n"
+        "def late():\n    import statistics\n"
+    )
+    return folder
+
+
+def test_a_module_reaches_what_it_imports_however_indirectly(package: Path) -> None:
+    table = read_imports(package)
+    assert reach(table, "toy.scene") == {"toy.scene", "toy.models", "toy.models.lens"}
+
+
+def test_imports_from_outside_are_found_with_their_place(package: Path) -> None:
+    table = read_imports(package)
+    found = outside(table, reach(table, "toy.scene"))
+    assert found == {
+        "math": "toy/scene.py:1",
+        "collections.abc": "toy/models/lens.py:1",
+        "numpy": "toy/models/lens.py:2",
+        "numpy.random": "toy/models/lens.py:3",
+        "statistics": "toy/models/lens.py:5",
+    }
+
+
+def test_a_package_that_is_not_installed_here_is_found_too(package: Path) -> None:
+    (package / "other.py").write_text("import no_such_package\n")
+    assert outside(read_imports(package), ["toy.other"]) == {"no_such_package": "toy/other.py:1"}
+
+
+RENDER = """
+import json, sys
+from simulations.browser import render
+render("figure", sys.argv[1], "{}", "")
+print(json.dumps([name for name in sys.modules if name.startswith(("simulations.", "numpy."))]))
+"""
+
+
+@pytest.mark.parametrize("scene", SCENE_MODULES)
+def test_rendering_a_scene_imports_nothing_beyond_what_its_sources_tell(scene: str) -> None:
+    command = [sys.executable, "-c", RENDER, scene]
+    done = subprocess.run(command, cwd=ROOT, capture_output=True, text=True, check=True)
+    imported = set(json.loads(done.stdout))
+    known = reach(TABLE, "simulations.browser") | reach(TABLE, SCENE_MODULES[scene])
+    parents = {name.rpartition(".")[0] for name in known}
+    assert {name for name in imported if name.startswith("simulations.")} <= known | parents
+    at_once = "import numpy, numpy.typing, sys; print(*sys.modules)"
+    numpy = subprocess.run([sys.executable, "-c", at_once], capture_output=True, text=True)
+    packages = {".".join(name.split(".")[:2]) for name in imported if name.startswith("numpy.")}
+    assert packages <= set(numpy.stdout.split()) | set(outside(TABLE, known))

@@ -1,0 +1,96 @@
+"""The archive of the simulations and the table of the runtime: complete, reproducible, exact."""
+
+import base64
+import hashlib
+import json
+import os
+import shutil
+import zipfile
+from io import BytesIO
+from pathlib import Path
+
+import pytest
+
+from site_builder.runtime.freeze import Frozen
+from site_builder.runtime.imports import read_imports
+from site_builder.runtime.pack import pack_runtime, parts_of, runtime_table, source_archive
+from site_builder.runtime.pinned import NUMPY_VERSION
+
+ROOT = Path(__file__).resolve().parents[3]
+
+
+@pytest.fixture
+def package(tmp_path: Path) -> Path:
+    """A small package of that name, with what an editor and an interpreter leave in it."""
+    folder = tmp_path / "simulations"
+    (folder / "models").mkdir(parents=True)
+    (folder / "__init__.py").write_text("")
+    (folder / "models" / "__init__.py").write_text("ANSWER = 42\n")
+    (folder / "models" / "noise.py").write_text("import numpy as np\nnp.random.default_rng(1)\n")
+    (folder / "__pycache__").mkdir()
+    (folder / "__pycache__" / "x.pyc").write_bytes(b"compiled")
+    (folder / ".draft.py").write_text("unfinished")
+    return folder
+
+
+def names(archive: bytes) -> list[str]:
+    with zipfile.ZipFile(BytesIO(archive)) as opened:
+        return opened.namelist()
+
+
+def test_equal_sources_give_equal_bytes(package: Path, tmp_path: Path) -> None:
+    copy = tmp_path / "elsewhere" / "simulations"
+    shutil.copytree(package, copy)
+    for file in copy.rglob("*"):
+        os.utime(file, (1_000_000_000, 1_000_000_000))
+    assert source_archive(package) == source_archive(copy)
+
+
+def test_a_changed_source_changes_the_archive(package: Path) -> None:
+    before = source_archive(package)
+    (package / "models" / "__init__.py").write_text("ANSWER = 43\n")
+    assert source_archive(package) != before
+
+
+def test_the_archive_holds_the_package_and_no_leftovers(package: Path) -> None:
+    assert names(source_archive(package)) == [
+        *("simulations/__init__.py", "simulations/models/__init__.py"),
+        "simulations/models/noise.py",
+    ]
+
+
+def test_the_real_archive_holds_every_module_that_a_page_can_ask_for() -> None:
+    modules = {path.relative_to(ROOT).as_posix() for path in (ROOT / "simulations").rglob("*.py")}
+    printed_only = {name for name in modules if name.startswith("simulations/extremes/")}
+    assert set(names(source_archive(ROOT / "simulations"))) == modules - printed_only
+
+
+def test_the_table_tells_the_hash_of_each_archive(package: Path, tmp_path: Path) -> None:
+    archive = tmp_path / "simulations.zip"
+    archive.write_bytes(b"modules")
+    table = runtime_table({archive.name: archive}, Frozen({}, {}), read_imports(package))
+    digest = base64.b64encode(hashlib.sha256(b"modules").digest()).decode()
+    assert table["integrity"] == {"simulations.zip": f"sha256-{digest}"}
+
+
+def test_a_module_needs_the_parts_that_it_imports_from(package: Path) -> None:
+    modules = {"numpy-random": ("numpy.random", "numpy.random.mtrand"), "numpy-fft": ("numpy.fft",)}
+    imports = read_imports(package)
+    assert parts_of(imports, "simulations.models.noise", modules) == ["numpy-random"]
+    assert parts_of(imports, "simulations.models", modules) == []
+
+
+def test_the_runtime_folder_holds_every_file_that_its_table_names() -> None:
+    bundle = pack_runtime(ROOT / "simulations")
+    table = json.loads(bundle.files["runtime.json"].read_text())
+    assert set(table["integrity"]) == {name for name in bundle.files if name.endswith(".zip")}
+    assert {f"{part}.zip" for part in table["modules"]} <= set(bundle.files)
+    wanted = set().union(*table["scenes"].values(), *table["ladders"].values())
+    assert wanted <= set(table["modules"])
+    assert wanted, "some scene draws random numbers"
+
+
+def test_browser_and_host_run_the_same_numpy() -> None:
+    import numpy as np
+
+    assert np.__version__ == NUMPY_VERSION

@@ -1,0 +1,118 @@
+"""What may be meant, and had better not be: printed with its place, and nothing fails.
+
+The Markdown files in ``fixtures/warnings`` are whole chapters; beside each lies what must be
+warned of. A mismatch leaves ``NAME-changed.txt`` there to compare, and to rename if it is right.
+"""
+
+from collections.abc import Callable
+from dataclasses import replace
+from itertools import product
+from math import prod
+from pathlib import Path
+
+import numpy as np
+import pytest
+from scipy.stats import binom
+
+from site_builder.build import Options, check_site
+from site_builder.diagnostics import BuildError, Diagnostic
+from site_builder.question_checks import chance_of
+
+FIXTURES = Path(__file__).parents[1] / "fixtures" / "warnings"
+FRONT_MATTER = "---\ntitle: T\nsummary: s\n---\n"
+type Find = Callable[..., list[str]]
+
+
+@pytest.fixture
+def warnings_of(make_book: Callable[..., Options]) -> Find:
+    """The warnings of a book, as printed."""
+
+    def find(body: str = "Text.\n", files: dict[str, str | None] | None = None) -> list[str]:
+        found: list[Diagnostic] = []
+        check_site(replace(make_book(body, files), warn=found.append))
+        return [str(warning) for warning in found]
+
+    return find
+
+
+@pytest.mark.parametrize("file", sorted(FIXTURES.glob("*.md")), ids=lambda file: file.stem)
+def test_warnings_of_a_chapter_are_as_recorded(file: Path, warnings_of: Find) -> None:
+    found = warnings_of(files={"content/00-first.md": file.read_text(encoding="utf-8")})
+    expected = file.with_suffix(".txt")
+    changed = file.with_name(f"{file.stem}-changed.txt")
+    report = "".join(f"{line}\n" for line in found)
+    if not expected.is_file() or report != expected.read_text(encoding="utf-8"):
+        changed.write_text(report, encoding="utf-8")
+        pytest.fail(f"see {changed.name}:\n{report}")
+    changed.unlink(missing_ok=True)
+
+
+def test_warnings_are_told_even_where_mistakes_fail_the_check(
+    make_book: Callable[..., Options],
+) -> None:
+    text = (FIXTURES / "places.md").read_text(encoding="utf-8")
+    found: list[Diagnostic] = []
+    options = make_book(files={"content/00-first.md": f"{text}\n[x](#nowhere)\n"})
+    with pytest.raises(BuildError) as raised:
+        check_site(replace(options, warn=found.append))
+    assert len(raised.value.diagnostics) == len(found) == 1
+    assert raised.value.diagnostics[0].fails
+    assert not found[0].fails
+
+
+def quiz(name: str, key: int, words: list[str]) -> str:
+    answers = (
+        f"- [{'x' if at == key else ' '}] {word}\n  : Because.\n" for at, word in enumerate(words)
+    )
+    return f":::{{quiz}} {name}\nWhich?\n{''.join(answers)}:::\n\n"
+
+
+def questions(start: int, keys: list[int], lengths: list[int]) -> str:
+    words = ["ABCD"[at] * length for at, length in enumerate(lengths)]
+    return "".join(quiz(f"q{start + i}", key, words) for i, key in enumerate(keys))
+
+
+def in_two_chapters(warnings_of: Find, keys: list[int], lengths: list[int]) -> list[str]:
+    half = len(keys) // 2
+    first, second = questions(0, keys[:half], lengths), questions(half, keys[half:], lengths)
+    return warnings_of(first, {"content/01-second.md": FRONT_MATTER + second})
+
+
+def test_a_habit_that_only_the_whole_book_shows_is_warned_of(warnings_of: Find) -> None:
+    """No place holds more than half of a chapter's keys."""
+    assert in_two_chapters(warnings_of, [1, 2, 1, 2, 2, 1, 1, 2], [3, 3, 3, 3]) == [
+        "content/book.toml:1: warning: the key is neither the first nor the last answer in 8 of "
+        "the 8 questions of the book; better: about 4, as by chance"
+    ]
+
+
+def test_keys_that_are_longest_too_often_are_warned_of(warnings_of: Find) -> None:
+    """None stands out alone: each is little longer than the next."""
+    always = [0, 0, 0, 0, 0, 0]
+    found = in_two_chapters(warnings_of, always, [23, 20, 20, 20])
+    assert any("the key is the longest answer in 6 of the 6" in line for line in found)
+    for keys, lengths in (([0, 1, 2, 3, 0, 1], [23, 20, 20, 20]), (always, [21, 20, 20, 20])):
+        found = in_two_chapters(warnings_of, keys, lengths)
+        assert not any("longest" in line for line in found)
+
+
+def test_keys_at_both_ends_are_told_apart(warnings_of: Find) -> None:
+    for key, word in ((0, "first"), (3, "last")):
+        found = in_two_chapters(warnings_of, [key] * 5, [3, 3, 3, 3])
+        assert any(f"the key is the {word} answer in 5 of the 5" in line for line in found)
+
+
+@pytest.mark.parametrize("hits", range(7))
+def test_the_chance_of_a_habit_is_the_binomial_s_where_all_are_alike(hits: int) -> None:
+    assert np.isclose(chance_of(hits, [0.25] * 6), binom.sf(hits - 1, 6, 0.25))
+
+
+@pytest.mark.parametrize("hits", range(5))
+def test_the_chance_of_a_habit_is_the_sum_over_all_outcomes(hits: int) -> None:
+    chances = (0.25, 1 / 3, 0.5, 0.0)
+    outcomes = [
+        prod(p if happened else 1 - p for p, happened in zip(chances, outcome, strict=True))
+        for outcome in product((False, True), repeat=4)
+        if sum(outcome) >= hits
+    ]
+    assert np.isclose(chance_of(hits, chances), sum(outcomes))
