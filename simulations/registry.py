@@ -45,6 +45,7 @@ LADDER_MODULES = {
     "edge-coverage": "simulations.ladders.edge_coverage",
     "chromatic-aberration": "simulations.ladders.chromatic_aberration",
     "depth-of-field": "simulations.ladders.depth_of_field",
+    "wide-discs": "simulations.ladders.wide_discs",
     "exposure-blur": "simulations.ladders.exposure_blur",
 }
 

@@ -3,13 +3,13 @@
 import numpy as np
 
 from simulations.engine.extreme import ExtremeCase, ExtremeTable, exactly, near, refused
-from simulations.models import chromatic, depth_of_field, optics, vignetting
+from simulations.models import chromatic, disc_blur, optics, vignetting
 
 TABLE = ExtremeTable(
     id="optics",
     title="Optics",
     names={
-        **vars(depth_of_field),
+        **vars(disc_blur),
         **vars(chromatic),
         **vars(vignetting),
         **vars(optics),
@@ -256,7 +256,7 @@ TABLE = ExtremeTable(
         ExtremeCase(
             id="disc-beyond-memory",
             call="disc_blur(np.ones((3, 8, 8), np.float32), 1e6)",
-            why="A grid coarse enough for such a disc, brought back to pixels, is a million wide.",
+            why="The picture must go on beyond its edge as far as the disc reaches: terabytes.",
             returns="Refused.",
             expected=refused("radius_px", "1000000.0"),
         ),

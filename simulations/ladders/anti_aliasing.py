@@ -61,11 +61,13 @@ def _box(centres: Floats, *, factor: int) -> Floats:
 
 
 def _sinc(centres: Floats, *, factor: int) -> Floats:
-    return filter_and_sample(_samples(centres, factor), factor, sinc_kernel(factor))
+    taps = sinc_kernel(factor).astype(np.float32)  # in the format of the samples
+    return filter_and_sample(_samples(centres, factor), factor, taps)
 
 
 def _area(centres: Floats) -> Floats:
-    return zone_plate_area(centres, centres[:, None], SCALE)
+    along = centres.astype(np.float32)
+    return zone_plate_area(along, along[:, None], SCALE)
 
 
 def reference(centres: Floats) -> Truth:

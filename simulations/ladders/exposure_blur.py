@@ -38,14 +38,19 @@ def prepare() -> Workload:
 
 
 def _instants(workload: Workload, *, count: int) -> Floats:
-    return mean_of_instants(partial(moving_ball.instant, workload.x, workload.y), count)
+    behind = moving_ball.wall(workload.x, workload.y)
+    return mean_of_instants(
+        lambda time: moving_ball.instant(workload.x, workload.y, time, behind), count
+    )
 
 
 def _random_instants(workload: Workload, *, count: int) -> Floats:
     shape = (moving_ball.HEIGHT, moving_ball.WIDTH)
     rng = np.random.default_rng(11)
-    picture_at = partial(moving_ball.instant, workload.x, workload.y)
-    return mean_of_random_instants(picture_at, count, shape, rng)
+    behind = moving_ball.wall(workload.x, workload.y)
+    return mean_of_random_instants(
+        lambda times: moving_ball.instant(workload.x, workload.y, times, behind), count, shape, rng
+    )
 
 
 def _smear(workload: Workload) -> Floats:
@@ -53,13 +58,24 @@ def _smear(workload: Workload) -> Floats:
 
     The mean of a stretch of pixels is a difference of running sums, taken between pixels too.
     """
-    still = moving_ball.instant(workload.x, workload.y, 0.5)
+    behind = moving_ball.wall(workload.x, workload.y)
+    still = moving_ball.instant(workload.x, workload.y, 0.5, behind)
     sums = np.pad(np.cumsum(still, axis=1), ((0, 0), (1, 0)))
-    ends = workload.x[0] + 0.5 + np.array([[-0.5], [0.5]]) * moving_ball.TRAVEL
-    places = np.arange(moving_ball.WIDTH + 1)
-    first, last = (np.array([np.interp(end, places, row) for row in sums]) for end in ends)
+    first, last = (
+        _between_columns(sums, workload.x[0] + 0.5 + side * 0.5 * moving_ball.TRAVEL)
+        for side in (-1, 1)
+    )
     moving = moving_ball.on_ball(workload.x, workload.y, 0.5)
     return np.where(moving, (last - first) / moving_ball.TRAVEL, still)
+
+
+def _between_columns(rows: Floats, places: Floats) -> Floats:
+    """Every row (H, W) at the same ``places`` (n,) along it, by linear interpolation."""
+    at = np.clip(places, 0, rows.shape[1] - 1)
+    left = np.minimum(at.astype(np.intp), rows.shape[1] - 2)
+    share = at - left
+    between: Floats = rows[:, left] * (1 - share) + rows[:, left + 1] * share
+    return between
 
 
 def _integral(workload: Workload) -> Floats:

@@ -45,7 +45,8 @@ def curved_edge_coverage(
     runs through the pixel for a length L.
     """
     length = chord_length(distance_px, normal)
-    bulge = np.asarray(curvature_per_px, float) * length**3 / 24.0
+    with np.errstate(over="ignore"):  # more than a pixel is clipped below
+        bulge = np.asarray(curvature_per_px, float) * length**3 / 24.0
     tangent = straight_edge_coverage(distance_px, normal)
     return np.clip(tangent - bulge, 0.0, 1.0)
 

@@ -4,7 +4,7 @@ Time runs from 0 to 1, the exposure. Where a closed form of the mean is known it
 exact; these need nothing but the picture at one moment. Szeliski, 2nd ed., section 2.3.1.
 """
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 
 import numpy as np
 from numpy.typing import NDArray
@@ -21,7 +21,7 @@ def mean_of_instants(picture_at: Callable[[float], Floats], count: int) -> Float
     """
     _check(count)
     times = (np.arange(count) + 0.5) / count
-    return _mean([picture_at(time) for time in times.tolist()])
+    return _mean(picture_at(time) for time in times.tolist())
 
 
 def mean_of_random_instants(
@@ -36,14 +36,16 @@ def mean_of_random_instants(
     the count only, and shows as grain instead of ghosts.
     """
     _check(count)
-    return _mean([picture_at(times) for times in rng.random((count, *shape))])
+    return _mean(picture_at(rng.random(shape)) for _ in range(count))
 
 
-def _mean(pictures: list[Floats]) -> Floats:
-    total = np.zeros_like(as_floats(pictures[0]))  # sums of whole codes would wrap around
+def _mean(pictures: Iterator[Floats]) -> Floats:
+    """Of one picture or more, of which only one is kept at a time."""
+    total, count = as_floats(next(pictures)).copy(), 1  # sums of whole codes would wrap around
     for picture in pictures:
         total += picture
-    return total / len(pictures)
+        count += 1
+    return total / count
 
 
 def _check(count: int) -> None:

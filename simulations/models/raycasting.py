@@ -15,6 +15,7 @@ from itertools import product
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from simulations.models.edge_coverage import ramp_coverage, straight_edge_coverage
 from simulations.models.floats import as_vectors
 
 type Floats = NDArray[np.floating]
@@ -23,6 +24,9 @@ type Vector = tuple[float, float, float]
 NEARLY_ZERO = 1e-12
 """Direction components smaller than this are taken as this: the slab test divides by them."""
 
+
+HALF_DIAGONAL = math.sqrt(0.5)
+"""Pixels from the middle of one to its corner: an edge farther away passes it by."""
 
 LARGEST_M = 1e100
 """Of any coordinate and length: so that the squares of distances are numbers."""
@@ -205,9 +209,9 @@ def edge_coverage(margin: ArrayLike) -> Floats:
     """Share of each pixel that a silhouette covers, from its signed margin on the pixel grid.
 
     ``margin`` (H, W) divided by the length of its own gradient is, to first order, the distance
-    to the silhouette in pixels; a straight edge at that distance covers ``distance + 1/2`` of the
-    pixel. Right for edges that are straight over a pixel; solids under about two pixels wide
-    come out too faint. Needs at least two pixels each way.
+    to the silhouette in pixels, and the gradient points along its normal: together they tell the
+    area behind a straight edge. Right for edges that are straight over a pixel; solids under about
+    two pixels wide come out too faint. Needs at least two pixels each way.
     """
     signed = np.asarray(margin, float)
     if signed.ndim != 2 or min(signed.shape) < 2:
@@ -215,5 +219,10 @@ def edge_coverage(margin: ArrayLike) -> Floats:
     with np.errstate(over="ignore", invalid="ignore"):
         down, across = np.gradient(signed)
         slope = np.maximum(np.hypot(down, across), NEARLY_ZERO)
-        coverage: Floats = np.clip(0.5 + signed / slope, 0.0, 1.0)
+        distance = signed / slope
+    coverage = ramp_coverage(distance)  # all or nothing, but for the pixels that the edge crosses
+    edge = np.flatnonzero(np.abs(distance) < HALF_DIAGONAL)
+    edge = edge[np.isfinite(slope.flat[edge])]
+    normal = np.stack((across.flat[edge], down.flat[edge]), axis=-1) / slope.flat[edge][:, None]
+    coverage.flat[edge] = straight_edge_coverage(distance.flat[edge], normal)
     return coverage

@@ -62,9 +62,10 @@ def zone_plate(x: ArrayLike, y: ArrayLike, scale: float) -> Array:
         raise ValueError(f"scale {scale}; legal: above 0, finite")
     with np.errstate(over="ignore"):
         phase = np.pi * (np.square(as_floats(x)) + np.square(as_floats(y))) / scale
+    if np.isfinite(phase).all():
+        return np.asarray(0.5 + 0.5 * np.cos(phase))
     known = np.isfinite(phase)
-    rings: Array = np.where(known, 0.5 + 0.5 * np.cos(np.where(known, phase, 0)), 0.5)
-    return rings
+    return np.where(known, 0.5 + 0.5 * np.cos(np.where(known, phase, 0)), 0.5)
 
 
 def zone_plate_area(x: ArrayLike, y: ArrayLike, scale: float) -> Array:
@@ -86,15 +87,24 @@ def zone_plate_area(x: ArrayLike, y: ArrayLike, scale: float) -> Array:
 def box_filter(fine: ArrayLike, factor: int) -> Array:
     """Mean of each ``factor`` x ``factor`` block of (H, W, ...): what a pixel's area does."""
     image = _divisible(fine, factor)
-    height, width = image.shape[0] // factor, image.shape[1] // factor
-    blocks = image.reshape(height, factor, width, factor, *image.shape[2:])
+    height, width, *rest = image.shape
     with np.errstate(over="ignore", invalid="ignore"):
-        mean: Array = blocks.mean(axis=(1, 3))
-    return mean
+        # Along whole rows, then column by column: many times as quick as both axes at once.
+        rows = image.reshape(height // factor, factor, width, *rest).mean(axis=1)
+        total: Array = rows[:, ::factor].copy()
+        for column in range(1, factor):
+            total += rows[:, column::factor]
+        total /= factor
+    return total
 
 
 def gaussian_kernel(sigma: float) -> Array:
     """Normalised samples of a Gaussian out to 4 sigma; sigma 0 is the single tap 1.
+
+    Convention: ``sigma`` is the standard deviation of the taps themselves, as weights on whole
+    numbers; what is cut off leaves them 0.1 % short of it at most. From 1 on these are the samples
+    of the Gaussian of that sigma. Narrower ones fall between the samples: at 0.3 theirs would have
+    a standard deviation of 0.09. Their place is taken by samples of a Gaussian wide enough.
 
     Raises `ValueError` for a sigma that is negative or above `LARGEST_SIGMA`.
     """
@@ -103,10 +113,27 @@ def gaussian_kernel(sigma: float) -> Array:
     if sigma == 0:
         return np.ones(1)
     offsets = np.arange(-np.ceil(4 * sigma), np.ceil(4 * sigma) + 1)
-    with np.errstate(over="ignore"):  # exp(−∞) is 0, as it should be
+    if sigma < 1:
+        taps = _ratio_of_neighbours(sigma) ** np.square(offsets)
+    else:
         taps = np.exp(-0.5 * (offsets / sigma) ** 2)
     kernel: Array = taps / taps.sum()
     return kernel
+
+
+def _ratio_of_neighbours(sigma: float) -> float:
+    """The q for which taps q^(n²), samples of a Gaussian, have the variance sigma² below 1.
+
+    Newton's method on ``2 Σ (n² − σ²) q^(n²) = σ²``, which is convex in q: from a start that is
+    too large it comes down to the root and never passes it.
+    """
+    squares = np.arange(1.0, 7.0) ** 2
+    weights = 2 * (squares - sigma**2)
+    ratio = 0.61  # exp(-1/2), the answer for sigma 1, is a little less
+    for _ in range(12):
+        excess = float(weights @ ratio**squares) - sigma**2
+        ratio -= excess / float(weights @ (squares * ratio ** (squares - 1)))
+    return max(ratio, 0.0)
 
 
 def sinc_kernel(factor: int, lobes: int = 4) -> Array:

@@ -7,7 +7,7 @@ none of these can show it through the object's soft edge. Potmesil and Chakravar
 import numpy as np
 from numpy.typing import NDArray
 
-from simulations.models.depth_of_field import LARGEST_RADIUS, Planes
+from simulations.models.disc_blur import LARGEST_RADIUS, Planes
 from simulations.models.sampling import filter_and_sample, gaussian_kernel
 
 type Floats = NDArray[np.floating]

@@ -4,6 +4,7 @@ Axes and units are those of `raycasting`.
 """
 
 import math
+from collections.abc import Sequence
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -34,10 +35,11 @@ def visibility(
     The penumbra is as wide as the light's disc seen from the edge that casts it. For a sphere the
     share is a smooth ramp across that width; for a box it is the ramp of the chord that the
     shadow ray cuts out of it, which keeps the penumbra inside the exact shadow of a point light.
+    Raises `ValueError` for a light that is none, and for points beyond `LARGEST_M`.
     """
-    if not 0 < light_radius_rad < math.pi / 2:
-        raise ValueError(f"visibility: light_radius_rad {light_radius_rad!r}; legal: 0 to pi/2")
     at, light = np.asarray(points, float), np.asarray(to_light, float)
+    _check_light("visibility", light.tolist(), light_radius_rad)
+    _check_points("visibility", at)
     spread = math.tan(light_radius_rad)
     match solid:
         case Sphere():
@@ -65,6 +67,7 @@ def shadow_bounds(
 
     Raises `ValueError` where the light is not above the horizon: the shadow has no end.
     """
+    _check_light("shadow_bounds", to_light, light_radius_rad)
     if not to_light[2] > 0:
         raise ValueError(f"shadow_bounds: to_light {to_light!r}; legal: z above 0")
     centre, radius = np.asarray(solid.centre), bounding_radius(solid)
@@ -72,6 +75,19 @@ def shadow_bounds(
     end = centre - length * np.asarray(to_light)
     wide = radius + length * math.tan(light_radius_rad)
     return np.minimum(centre - radius, end - wide), np.maximum(centre + radius, end + wide)
+
+
+def _check_light(function: str, to_light: Sequence[float], light_radius_rad: float) -> None:
+    if not 0 < light_radius_rad < math.pi / 2:
+        raise ValueError(f"{function}: light_radius_rad {light_radius_rad!r}; legal: 0 to pi/2")
+    if not math.isclose(math.hypot(*to_light), 1.0, rel_tol=1e-6):
+        raise ValueError(f"{function}: to_light {to_light!r}; legal: a unit vector")
+
+
+def _check_points(function: str, points: Floats) -> None:
+    farthest = np.abs(points).max(initial=0.0)
+    if not farthest <= LARGEST_M:
+        raise ValueError(f"{function}: points as far as {farthest}; legal: to {LARGEST_M:g}")
 
 
 def bounding_radius(solid: Sphere | Box) -> float:
@@ -92,11 +108,12 @@ def sphere_occlusion(
 
     Exact where the whole sphere stands above the point's horizon: ``cos θ (radius / d)²``, the
     form factor of a sphere (Howell's catalogue, B-43). Below the horizon 0. Never more than 1.
-    Raises `ValueError` unless the radius is above 0, and `LARGEST_M` at most.
+    Raises `ValueError` unless the radius is above 0, and it and all places `LARGEST_M` at most.
     """
     if not 0 < radius <= LARGEST_M:
         raise ValueError(f"sphere_occlusion: radius {radius!r}; legal: above 0, to {LARGEST_M:g}")
     to_centre = np.asarray(centre, float) - np.asarray(points, float)
+    _check_points("sphere_occlusion", to_centre)
     square = np.maximum(np.einsum("...i,...i", to_centre, to_centre), NEARLY_ZERO)
     cosine = np.einsum("...i,...i", to_centre, np.asarray(normals, float)) / np.sqrt(square)
     hidden: Floats = np.clip(np.maximum(cosine, 0.0) * (radius**2 / square), 0.0, 1.0)

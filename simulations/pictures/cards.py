@@ -13,11 +13,24 @@ from numpy.typing import NDArray
 from simulations.pictures.coverage import checker, stripes
 
 type Floats = NDArray[np.floating]
+type Place = Floats | float
+"""A point of the lens, the same for all pixels or one (H, W) for each; metres from its centre."""
 
-WIDTH, HEIGHT, FOCAL_PX = 80, 60, 75.0
-HORIZON_ROW = 18.0
+HORIZON = 0.3
+"""Of the picture's height, from its top."""
+FOCAL_WIDTHS = 75 / 80
+"""From lens to sensor, in widths of the picture."""
 FLOOR_Y, WALL_Z = 0.8, 8.0
+TILE, BAR_PERIOD, BAR = 0.5, 1.2, 0.6
+"""Of the floor's chequers and the wall's upright bars."""
+TINT = (1.0, 0.95, 0.85)
+"""Linear RGB of floor and wall where they are white."""
+DARK_TILE, LIGHT_TILE, DARK_BAR, LIGHT_BAR = 0.15, 0.75, 0.3, 0.8
 FOCUS_Z = 3.0
+STRIPE_SLOPE = 0.4
+"""How far the stripes of a card lean: a step down moves them by this much to the left."""
+SUBROWS = 3
+"""Of a pixel on the floor, whose tiles recede so fast that no one depth stands for all of it."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -30,7 +43,7 @@ class Card:
     """Depth along the optical axis."""
     radius: float
     colour: tuple[float, float, float]
-    """Linear RGB, and of the stripes half as much."""
+    """Linear RGB, and between the stripes half as much."""
 
 
 CARDS = (
@@ -41,56 +54,92 @@ CARDS = (
 """Farthest first: behind the focus, in it, before it."""
 
 
-def normalised_pixels(dtype: type[np.floating]) -> tuple[Floats, Floats]:
-    """Directions of the pixels: x (1, 80) and y (60, 1), at z = 1."""
-    x = (np.arange(WIDTH, dtype=dtype) - (WIDTH - 1) / 2) / FOCAL_PX
-    y = (np.arange(HEIGHT, dtype=dtype) - HORIZON_ROW) / FOCAL_PX
-    return x[None, :].astype(dtype), y[:, None].astype(dtype)
+@dataclass(frozen=True, slots=True)
+class Pixels:
+    """A sensor of square pixels, four wide for three high."""
+
+    x: Floats
+    """(1, W) directions of the pixels at z = 1."""
+    y: Floats
+    """(H, 1)."""
+    focal_px: float
+    """From lens to sensor, in pixels."""
+
+    @property
+    def shape(self) -> tuple[int, int]:
+        """Rows and columns."""
+        return self.y.shape[0], self.x.shape[1]
 
 
-def radiance(x: Floats, y: Floats, lens_x: Floats | float, lens_y: Floats | float) -> Floats:
-    """Light (3, H, W) that reaches the pixels ``x``, ``y`` through the point (lens_x, lens_y).
+def pixels(width: int, dtype: type[np.floating]) -> Pixels:
+    """A picture of ``width`` columns; its directions as ``dtype``, in which all is computed."""
+    height, focal_px = width * 3 // 4, FOCAL_WIDTHS * width
+    x = (np.arange(width) - (width - 1) / 2) / focal_px
+    y = (np.arange(height) - HORIZON * height) / focal_px
+    return Pixels(x[None, :].astype(dtype), y[:, None].astype(dtype), focal_px)
 
-    The lens bends every ray of a pixel through the same point at `FOCUS_Z`; metres.
+
+def radiance(seen: Pixels, lens_x: Place, lens_y: Place) -> Floats:
+    """Light (3, H, W) that reaches the pixels through the point (lens_x, lens_y) of the lens.
+
+    The lens bends every ray of a pixel through the same point at `FOCUS_Z`.
     """
-    picture, _ = background(x, y, lens_x, lens_y)
+    picture, _ = background(seen, lens_x, lens_y)
     for card in CARDS:
-        colour, cover = card_light(card, x, y, lens_x, lens_y)
+        colour, cover = card_light(card, seen, lens_x, lens_y)
         picture += (colour - picture) * cover
     return picture
 
 
-def background(
-    x: Floats, y: Floats, lens_x: Floats | float = 0.0, lens_y: Floats | float = 0.0
-) -> tuple[Floats, Floats]:
+def background(seen: Pixels, lens_x: Place = 0.0, lens_y: Place = 0.0) -> tuple[Floats, Floats]:
     """Floor and wall: light (3, H, W), and the depth (H, W) of what is seen."""
-    wall_x, wall_y = _at_depth(x, y, lens_x, lens_y, WALL_Z)
-    falling = np.maximum(y - lens_y / FOCUS_Z, FLOOR_Y / 50.0)
-    depth = np.clip((FLOOR_Y - lens_y) / falling, 0.1, WALL_Z)
-    floor_x, _ = _at_depth(x, y, lens_x, lens_y, depth)
-    tiles = checker(floor_x, depth, 0.5, depth / FOCAL_PX, depth**2 / (FLOOR_Y * FOCAL_PX))
-    pixel = x.dtype.type(WALL_Z / FOCAL_PX)
-    bars = stripes(wall_x, 1.2, 0.6, pixel) + 0 * wall_y
+    wall_x, wall_y = _at_depth(seen.x, seen.y, lens_x, lens_y, WALL_Z)
+    pixel = seen.x.dtype.type(WALL_Z / seen.focal_px)
+    bars = stripes(wall_x, BAR_PERIOD, BAR, pixel) + 0 * wall_y
     floor = np.clip(0.5 + (wall_y - FLOOR_Y) / pixel, 0.0, 1.0)
-    shade = floor * (0.15 + 0.6 * tiles) + (1.0 - floor) * (0.3 + 0.5 * bars)
-    picture = np.stack([shade, 0.95 * shade, 0.85 * shade])
-    return picture, depth + 0 * shade
+    on_floor = DARK_TILE + (LIGHT_TILE - DARK_TILE) * _tiles(seen, lens_x, lens_y)
+    on_wall = DARK_BAR + (LIGHT_BAR - DARK_BAR) * bars
+    shade = floor * on_floor + (1.0 - floor) * on_wall
+    picture = np.stack([part * shade for part in TINT])
+    return picture, _floor_depth(seen.y, lens_y) + 0 * shade
+
+
+def _tiles(seen: Pixels, lens_x: Place, lens_y: Place) -> Floats:
+    """Share (H, W) of light tiles in each pixel of the floor, as if it went on behind the wall."""
+    step = 1.0 / (SUBROWS * seen.focal_px)
+    middle = (SUBROWS - 1) / 2
+    total = np.zeros((), seen.x.dtype)
+    for index in range(SUBROWS):
+        y = seen.y + seen.y.dtype.type((index - middle) * step)
+        depth = _floor_depth(y, lens_y)
+        x, _ = _at_depth(seen.x, y, lens_x, lens_y, depth)
+        rising = (FLOOR_Y - lens_y) / depth  # of the rays, down per forward
+        total = total + checker(x, depth, TILE, depth / seen.focal_px, depth * step / rising)
+    return total / SUBROWS
+
+
+def _floor_depth(y: Floats, lens_y: Place) -> Floats:
+    """Where the rays meet the floor, but the wall's depth where that comes first."""
+    falling = np.maximum(y - lens_y / FOCUS_Z, FLOOR_Y / 50.0)
+    depth: Floats = np.clip((FLOOR_Y - lens_y) / falling, 0.1, WALL_Z)
+    return depth
 
 
 def card_light(
-    card: Card, x: Floats, y: Floats, lens_x: Floats | float = 0.0, lens_y: Floats | float = 0.0
+    card: Card, seen: Pixels, lens_x: Place = 0.0, lens_y: Place = 0.0
 ) -> tuple[Floats, Floats]:
     """Light of the card's plane (3, H, W), and how much of each pixel the card covers (H, W)."""
-    at_x, at_y = _at_depth(x, y, lens_x, lens_y, card.z)
-    pixel = x.dtype.type(card.z / FOCAL_PX)
+    at_x, at_y = _at_depth(seen.x, seen.y, lens_x, lens_y, card.z)
+    pixel = seen.x.dtype.type(card.z / seen.focal_px)
     from_centre = np.sqrt((at_x - card.x) ** 2 + (at_y - card.y) ** 2)
     cover = np.clip(0.5 + (card.radius - from_centre) / pixel, 0.0, 1.0)
-    shade = 0.5 + 0.5 * stripes(at_x + 0.4 * at_y, card.radius / 2, card.radius / 4, pixel)
+    along = at_x + STRIPE_SLOPE * at_y
+    shade = 0.5 + 0.5 * stripes(along, card.radius / 2, card.radius / 4, pixel)
     return np.stack([shade * part for part in card.colour]), cover
 
 
 def _at_depth(
-    x: Floats, y: Floats, lens_x: Floats | float, lens_y: Floats | float, z: Floats | float
+    x: Floats, y: Floats, lens_x: Place, lens_y: Place, z: Floats | float
 ) -> tuple[Floats, Floats]:
     """Where the pixel's rays pass the depth ``z``: all meet at the depth in focus."""
     off = 1.0 - z / FOCUS_Z

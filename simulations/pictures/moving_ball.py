@@ -32,12 +32,15 @@ def wall(x: Floats, y: Floats) -> Floats:
     return np.where(light, LIGHT_TILE, DARK_TILE)
 
 
-def instant(x: Floats, y: Floats, time: Floats | float) -> Floats:
-    """The picture (H, W) at one moment, or at a moment (H, W) for each pixel."""
+def instant(x: Floats, y: Floats, time: Floats | float, behind: Floats) -> Floats:
+    """The picture (H, W) at one moment, or at a moment (H, W) for each pixel.
+
+    ``behind`` is the `wall`, which stands still and need not be drawn anew for every moment.
+    """
     along = x - START_X - TRAVEL * time
     light = np.floor(along / BAR + 0.5) % 2 == 0
     ball = np.where(light, LIGHT_BAR, DARK_BAR)
-    return np.where(along**2 + (y - CENTRE_Y) ** 2 < RADIUS**2, ball, wall(x, y))
+    return np.where(along**2 < RADIUS**2 - (y - CENTRE_Y) ** 2, ball, behind)
 
 
 def on_ball(x: Floats, y: Floats, time: float) -> NDArray[np.bool_]:

@@ -6,7 +6,8 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from simulations.models.depth_of_field import Layer, Planes
+from simulations.models.depth_of_field import Layer
+from simulations.models.disc_blur import Planes
 from simulations.models.raycasting import Vector
 from simulations.models.reflectance import blinn_phong, lambert
 from simulations.models.soft_shadows import shadow_bounds, visibility

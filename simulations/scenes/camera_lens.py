@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 from simulations.engine.controls import Values
 from simulations.models import optics, projection
 from simulations.models.cubic_warp import CubicWarp, cubic_warp, warp
-from simulations.models.depth_of_field import Planes
+from simulations.models.disc_blur import Planes
 from simulations.models.distortion import Distortion, largest_distorted_radius, undistort_clamped
 from simulations.pictures import still_life
 

@@ -10,7 +10,7 @@ from simulations.engine.frame import Raster
 from simulations.engine.raster import to_rgba8
 from simulations.models import optics, sensor
 from simulations.models.color import encode_srgb
-from simulations.models.depth_of_field import Planes
+from simulations.models.disc_blur import Planes
 from simulations.models.vignetting import vignetting_cos4
 from simulations.scenes.camera_lens import COLUMNS, PITCH_MM, ROWS, principal_mm
 

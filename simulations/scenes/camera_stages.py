@@ -8,7 +8,9 @@ import numpy as np
 from simulations.engine.controls import Value, Values
 from simulations.engine.pipeline import Stage
 from simulations.models.aperture import fibonacci_disc
-from simulations.models.depth_of_field import Planes, blur_by_depth, blur_layer, composite, double
+from simulations.models.depth_of_field import blur_by_depth, blur_layer, composite
+from simulations.models.disc_blur import Planes
+from simulations.models.disc_pyramid import double
 from simulations.pictures import still_life, still_life_light, still_life_surfaces
 from simulations.pictures.still_life_light import LitScene
 from simulations.pictures.still_life_surfaces import Surface

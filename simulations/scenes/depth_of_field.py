@@ -1,7 +1,7 @@
 """The thin lens: one distance is sharp, and the still life shows what becomes of the others.
 
 The picture is the camera simulator's without its sensor, so that nothing but the lens can soften
-it.
+it. Like the camera's it grows as the focus comes nearer and the sensor moves away from the lens.
 """
 
 import math
@@ -20,7 +20,7 @@ from simulations.engine.scene import Scene
 from simulations.models import optics
 from simulations.pictures.still_life import THINGS, WALL_DISTANCE, thing_depth
 from simulations.scenes import depth_of_field_drawing as drawing
-from simulations.scenes.camera_lens import COLUMNS, PITCH_MM, ROWS
+from simulations.scenes.camera_lens import COLUMNS, PITCH_MM, ROWS, largest_blur_px
 from simulations.scenes.depth_of_field_stages import FIXED, STAGES, TIERS, judge
 
 NEAR_M, FAR_M = thing_depth(THINGS[0]), WALL_DISTANCE
@@ -97,15 +97,15 @@ def sharpness(focal_mm: float, f_number: float, focus_m: float) -> Sharpness:
     )
 
 
-def drawn_focus_m(focal_mm: float, f_number: float, focus_m: float) -> float:
-    """The focus, or the nearest one at which the wall's disc is not over `LARGEST_DRAWN_PX`.
+def as_drawn(values: Values) -> Values:
+    """The same, or stopped down until no disc in the picture is over `LARGEST_DRAWN_PX`.
 
-    Solves ``A f (1/s - 1/Z) / (1 - f/s) = c`` for the focus s, with Z the wall.
+    Every disc is as wide as the aperture, so all of them shrink alike, and what is sharp and how
+    large things are stays as it is.
     """
-    largest_mm = LARGEST_DRAWN_PX * PITCH_MM
-    per_mm = largest_mm * f_number / focal_mm**2
-    nearest_mm = (1 + per_mm * focal_mm) / (per_mm + 1 / (1000 * FAR_M))
-    return max(focus_m, nearest_mm / 1000)
+    excess = largest_blur_px(Values({**values, **FIXED})) / LARGEST_DRAWN_PX
+    f_number = values.number("aperture") * max(excess, 1.0)
+    return Values({**values, "aperture": f_number})
 
 
 def render(values: Values, tier: str, cache: StageCache) -> Frame:
@@ -115,9 +115,8 @@ def render(values: Values, tier: str, cache: StageCache) -> Frame:
     if 1000 * focus <= focal:
         return _refuse(values, hyperfocal_m)
     sharp = sharpness(focal, f_number, focus)
-    drawn_m = drawn_focus_m(focal, f_number, focus)
-    setting = {**FIXED, "tier": tier or DEFAULT_TIER}
-    done = run(STAGES, Values({**values, "focus": drawn_m}), cache, setting)
+    drawn = as_drawn(values)
+    done = run(STAGES, drawn, cache, {**FIXED, "tier": tier or DEFAULT_TIER})
     lens = drawing.Lens(
         aperture_mm=sharp.aperture_mm,
         focus_m=focus,
@@ -135,9 +134,10 @@ def render(values: Values, tier: str, cache: StageCache) -> Frame:
         format_number(sharp.far_limit_m, 2),
         format_number(hyperfocal_m, 2),
     )
-    capped = f"discs drawn up to {LARGEST_DRAWN_PX:.0f} px only" if drawn_m > focus else ""
+    capped = f"drawn at f/{drawn.number('aperture'):.3g}: no disc over {LARGEST_DRAWN_PX:.0f} px"
     note = text((drawing.WIDTH / 2, drawing.HEIGHT - 12), capped, "halo", "middle")
-    panels = _panels(drawing.lens_diagram(lens), done.outputs["encoded"], note if capped else "")
+    is_capped = drawn.number("aperture") > f_number
+    panels = _panels(drawing.lens_diagram(lens), done.outputs["encoded"], note if is_capped else "")
     return Frame(panels, _readouts(texts), describe(values, sharp), done.reports)
 
 
@@ -205,8 +205,7 @@ def error(values: Values, tier: str, cache: StageCache) -> Iterator[Readout]:
     if 1000 * focus <= focal:
         yield Readout("error", "Error", "no picture", "", "error")
         return
-    drawn_m = drawn_focus_m(focal, values.number("aperture"), focus)
-    yield from judge(Values({**values, "focus": drawn_m}), tier, cache)
+    yield from judge(as_drawn(values), tier, cache)
 
 
 SCENE = Scene(

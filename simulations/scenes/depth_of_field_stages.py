@@ -18,7 +18,8 @@ from simulations.engine.raster import to_rgba8
 from simulations.models.aperture import fibonacci_disc
 from simulations.models.aperture_grid import aperture_grid
 from simulations.models.color import encode_srgb_table
-from simulations.models.depth_of_field import Planes, blur_by_depth
+from simulations.models.depth_of_field import blur_by_depth
+from simulations.models.disc_blur import Planes
 from simulations.models.screen_blur import binned_gaussian, gather_discs
 from simulations.pictures.still_life_light import LitScene
 from simulations.scenes import camera_stages
@@ -74,7 +75,6 @@ def _filter(
 
 
 def _rays(
-    _sharp: Planes,
     rays: Rays,
     light_angle: float,
     focal_length: float,
@@ -85,10 +85,10 @@ def _rays(
     """The mean of pictures through points spread over the lens."""
     points = fibonacci_disc(int(tier.removeprefix("fibonacci-")))
     setting = (light_angle, focal_length, aperture, focus)
-    total = np.zeros_like(_sharp)
+    total = np.zeros((3, *rays.valid.shape), np.float32)
     for right, down in points.tolist():
         total += camera_stages.through_lens(rays, (right, down), *setting)
-    return total / np.float32(len(points))
+    return np.asarray(total / np.float32(len(points)), np.float32)
 
 
 def encode(light: Planes) -> Raster:
@@ -124,8 +124,9 @@ STAGES = (
         "rays through the lens",
         ("light_angle", "focal_length", "aperture", "focus", "tier"),
         _rays,
-        ("filter", "pinhole rays"),
+        ("pinhole rays",),
         lambda values: _unless(values, ("fibonacci-16",), "every pixel has one ray"),
+        hands_on="filter",
     ),
     Stage("encoded", (), encode, ("rays through the lens",)),
 )

@@ -24,7 +24,7 @@ from simulations.models.chromatic import (
     lateral_chromatic_scale,
 )
 from simulations.models.color import encode_srgb_table
-from simulations.models.depth_of_field import Planes, disc_blur
+from simulations.models.disc_blur import Planes, disc_blur
 from simulations.models.resampling import KERNELS
 from simulations.models.spectral_bands import Band, chosen_wavelengths, even_wavelengths
 from simulations.models.vignetting import mechanical_vignetting, vignetting_cos4

@@ -9,12 +9,17 @@ import numpy as np
 from support.worked_numbers import CONTENT, Says
 
 from simulations.engine.ladder import pareto_front
-from simulations.ladders import inverse_strong
+from simulations.ladders import depth_of_field, inverse_strong, wide_discs
+from simulations.ladders.depth_of_field import radius_px
 from simulations.ladders.inverse_distortion import LADDER
 from simulations.models import radial_profile, rotations
 from simulations.models.demosaicing import psnr_db
 from simulations.models.distortion import largest_distorted_radius, undistort
+from simulations.models.raycasting import Sphere
 from simulations.models.undistortion import undistort_newton
+from simulations.pictures.still_life import THINGS, thing_depth
+from simulations.scenes import camera
+from simulations.scenes.camera_lens import PITCH_MM
 from site_builder.diagnostics import Diagnostics
 from site_builder.measured.measurements import Measurements, read_measurements
 
@@ -81,8 +86,12 @@ def error(ladder: str, tier: str, metric: str) -> float:
     return np.inf if value is None else value
 
 
+def ms(ladder: str, tier: str, side: str) -> float:
+    return measurements().find(ladder)[tier].times[side].ms
+
+
 def browser_ms(ladder: str, tier: str) -> float:
-    return measurements().find(ladder)[tier].times["browser"].ms
+    return ms(ladder, tier, "browser")
 
 
 def metrics_of_pictures() -> Says:
@@ -124,10 +133,14 @@ def what_the_opening_says() -> Says:
 
 
 def what_is_said_in_words_of_errors() -> Says:
-    yield "worst`, many codes of 255."
-    assert error("edge-coverage", "ramp", "worst") / 100 * 255 > 5
-    yield "worst`, a fraction of one code"
-    assert error("edge-coverage", "straight", "worst") / 100 * 255 < 1
+    yield "worst`, less than one code of 255; the ramp is by up to"
+    assert error("edge-coverage", "straight", "worst") / 100 * 255 < 0.9
+    yield "worst-small` at worst, which is more than four codes"
+    assert error("edge-coverage", "straight", "worst-small") / 100 * 255 > 4.3
+    yield "Now the box of 16 × 16 is the better one"
+    assert error("edge-coverage", "box-16", "rms-small") < 0.6 * error(
+        "edge-coverage", "straight", "rms-small"
+    )
     yield "bare` of white, more than a code"
     assert error("shading", "gouraud-64", "worst") * 255 > 1
     yield "a box of any size leaves about a third"
@@ -187,11 +200,49 @@ def what_is_said_in_words_of_times() -> Says:
     assert eight < 1.25 * browser_ms("inverse-strong", "checked-table")
     yield "half the digits would save too little time"
     assert browser_ms("vignetting", "algebraic") < 1.3 * browser_ms("vignetting", "algebraic-32")
-    yield "every other tier that blurs at all takes longer"
-    tiers = measurements().find("exposure-blur").tiers
-    blurring = {item.tier.id for item in tiers} - {"instants-1", "integral"}
-    for tier in blurring:
-        assert browser_ms("exposure-blur", tier) > browser_ms("exposure-blur", "integral")
+    yield "It leaves only rounding, and sixteen instants, which leave"
+    for side in ("native", "browser"):
+        assert ms("exposure-blur", "instants-16", side) > 1.4 * ms(
+            "exposure-blur", "integral", side
+        )
+
+
+def what_is_said_of_wide_discs() -> Says:
+    near, wall = (2 * float(radius_px(wide_discs.prepare(), z)) for z in (1.6, 8.0))
+    assert near > wall
+    narrow = 2 * float(radius_px(depth_of_field.prepare(), 1.6))
+    assert round(narrow) == 8
+    yield "Discs eight pixels wide flatter layers"
+    yield f"until they are {near:.0f} pixels wide"
+    yield f"Such a disc covers {round(np.pi * near**2 / 4, -2):.0f} pixels"
+    assert round(near / narrow) == 6
+    yield "With discs six times as wide"
+    wide, before = wide_discs.prepare(), depth_of_field.prepare()
+    assert round(wide.lens_radius / before.lens_radius) == 3
+    assert wide.seen.shape == (2 * before.seen.shape[0], 2 * before.seen.shape[1])
+    yield "a lens three times as wide, on twice as many pixels each way"
+    lost = {
+        tier: error("depth-of-field", tier, "psnr") - error("wide-discs", tier, "psnr")
+        for tier in ("fibonacci-16", "layered", "discs", "binned", "gather")
+    }
+    yield "Sixteen rays fall most"
+    assert lost.pop("fibonacci-16") > 3 + max(lost.values())
+    yield "and the filters stay behind them"
+    filters = [error("wide-discs", tier, "psnr") for tier in ("discs", "binned", "gather")]
+    assert max(filters) < error("wide-discs", "layered", "psnr") - 3
+    yield "comes as near the truth"
+    drawn = [error("wide-discs", f"layered{how}", "psnr") for how in ("", "-taps", "-pyramid")]
+    assert max(drawn) - min(drawn) < 0.1
+    yield "How a disc is drawn hardly matters to the error"
+
+
+def how_round_the_outlines_of_the_book_are() -> Says:
+    """The smallest ball, through the widest lens, focused at infinity."""
+    balls = [thing for thing in THINGS if isinstance(thing.solid, Sphere)]
+    widest = next(item for item in camera.CONTROLS if item.name == "focal_length").minimum
+    focal_px = widest / PITCH_MM
+    smallest = min(focal_px * ball.solid.radius / thing_depth(ball) for ball in balls)
+    yield f"curve with radii of {int(smallest)} pixels or more"
 
 
 WORKED = (
@@ -206,4 +257,6 @@ WORKED = (
     what_the_opening_says,
     what_is_said_in_words_of_errors,
     what_is_said_in_words_of_times,
+    what_is_said_of_wide_discs,
+    how_round_the_outlines_of_the_book_are,
 )

@@ -11,6 +11,7 @@ from simulations.pictures import moving_ball
 
 WORK = prepare()
 TRUTH = reference(WORK)
+WALL = moving_ball.wall(WORK.x, WORK.y)
 RMS = {tier.id: rms(tier.run(WORK), TRUTH, WORK) for tier in LADDER.tiers}
 
 
@@ -18,7 +19,7 @@ RMS = {tier.id: rms(tier.run(WORK), TRUTH, WORK) for tier in LADDER.tiers}
 def brute_force(power: int = 1, count: int = 400) -> np.ndarray:
     """Mean over many instants of the picture, or of its square."""
     times = (np.arange(count) + 0.5) / count
-    pictures = (moving_ball.instant(WORK.x, WORK.y, time) ** power for time in times)
+    pictures = (moving_ball.instant(WORK.x, WORK.y, time, WALL) ** power for time in times)
     return np.asarray(sum(pictures) / count)
 
 
@@ -29,8 +30,7 @@ def test_the_reference_agrees_with_four_hundred_instants() -> None:
 
 
 def test_where_the_ball_never_passes_the_wall_is_untouched() -> None:
-    wall = moving_ball.wall(WORK.x, WORK.y)
-    np.testing.assert_allclose(TRUTH.picture[~TRUTH.swept], wall[~TRUTH.swept], atol=1e-15)
+    np.testing.assert_allclose(TRUTH.picture[~TRUTH.swept], WALL[~TRUTH.swept], atol=1e-15)
     length = 2 * moving_ball.RADIUS * moving_ball.TRAVEL
     assert TRUTH.swept.sum() == pytest.approx(length + np.pi * moving_ball.RADIUS**2, rel=0.01)
 
@@ -39,7 +39,7 @@ def test_light_is_neither_made_nor_lost_by_motion() -> None:
     """The ball covers the same area at every moment: its share of the exposure adds up to it."""
     ball = np.where(TRUTH.swept, TRUTH.picture, 0).sum()
     instants = [
-        np.where(TRUTH.swept, moving_ball.instant(WORK.x, WORK.y, time), 0).sum()
+        np.where(TRUTH.swept, moving_ball.instant(WORK.x, WORK.y, time, WALL), 0).sum()
         for time in np.linspace(0.01, 0.99, 50)
     ]
     assert np.mean(instants) == pytest.approx(ball, rel=2e-3)
@@ -66,8 +66,7 @@ def test_random_instants_err_by_the_spread_of_the_light_over_the_root_of_their_n
 def test_a_smear_stays_within_the_outline_that_the_ball_has_at_half_time() -> None:
     smeared = LADDER.tier("smear").run(WORK)
     outside = ~moving_ball.on_ball(WORK.x, WORK.y, 0.5)
-    wall = moving_ball.wall(WORK.x, WORK.y)
-    np.testing.assert_array_equal(smeared[outside], wall[outside])
+    np.testing.assert_array_equal(smeared[outside], WALL[outside])
     assert RMS["instants-4"] < RMS["smear"] < RMS["instants-1"] / 2
 
 

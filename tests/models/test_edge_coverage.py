@@ -79,6 +79,7 @@ def test_a_hollow_edge_covers_more_and_never_more_than_all():
     straight = straight_edge_coverage(0.1, [1.0, 0.0])
     assert curved_edge_coverage(0.1, [1.0, 0.0], -0.24) == pytest.approx(straight + 0.01)
     assert curved_edge_coverage([0.49, -0.49], [1.0, 0.0], [-5.0, 5.0]).tolist() == [1, 0]
+    assert curved_edge_coverage(0.1, [0.6, 0.8], [-1e308, 1e308]).tolist() == [1, 0]
 
 
 def test_an_edge_far_away_covers_all_or_nothing_even_at_infinity():

@@ -175,12 +175,28 @@ def test_only_whole_blocks_are_filtered(shape, factor):
         sampling.box_filter(np.zeros(shape), factor)
 
 
-@pytest.mark.parametrize("sigma", [0.3, 0.8, 2.0])
-def test_the_gaussian_ends_after_four_sigma(sigma):
+@pytest.mark.parametrize("sigma", [0.3, 0.8, 1.0, 2.0])
+def test_the_gaussian_ends_after_four_sigma_and_has_the_ratios_of_one(sigma):
+    """The logarithm of the taps is a parabola; from 1 on that of sigma itself."""
     taps, reach = sampling.gaussian_kernel(sigma), int(np.ceil(4 * sigma))
-    offsets = np.arange(-reach, reach + 1)
-    expected = np.exp(-(offsets**2) / (2 * sigma**2))
-    np.testing.assert_allclose(taps, expected / expected.sum(), rtol=1e-12)
+    squares = np.arange(-reach, reach + 1) ** 2
+    fall = np.log(taps[reach] / taps)
+    np.testing.assert_allclose(fall, squares * fall[reach + 1], rtol=1e-9)
+    if sigma >= 1:
+        assert fall[reach + 1] == pytest.approx(1 / (2 * sigma**2), rel=1e-12)
+
+
+@given(st.one_of(st.floats(1e-6, 1.0), st.floats(1.0, 300.0)))
+def test_the_gaussian_has_the_standard_deviation_asked_for(sigma):
+    taps = sampling.gaussian_kernel(sigma)
+    squares = (np.arange(taps.size) - taps.size // 2) ** 2
+    assert np.sqrt(taps @ squares) == pytest.approx(sigma, rel=1e-3)
+    np.testing.assert_allclose(taps, taps[::-1])
+
+
+def test_the_gaussian_changes_with_sigma_without_a_jump():
+    below, above = (sampling.gaussian_kernel(1.0 + step) for step in (-1e-9, 0.0))
+    np.testing.assert_allclose(below, above, atol=1e-6)
 
 
 @pytest.mark.parametrize("sigma", [-1e-9, 1.1e6, np.nan, np.inf])

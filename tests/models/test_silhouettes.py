@@ -8,6 +8,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from simulations.models import projection
+from simulations.models.edge_coverage import straight_edge_coverage
 from simulations.models.raycasting import Box, Sphere, edge_coverage, intersect
 
 ORIGIN = np.zeros(3)
@@ -101,7 +102,25 @@ def test_straight_edges_on_the_grid_are_covered_by_their_distance():
         np.testing.assert_allclose(edge_coverage(margin), np.tile(expected, (4, 1)))
         np.testing.assert_allclose(edge_coverage(margin.T), np.tile(expected, (4, 1)).T)
     slanted = (3 * x + 4 * np.arange(5.0)[:, None] - 11) / 5
-    np.testing.assert_allclose(edge_coverage(slanted), np.clip(0.5 + slanted, 0, 1))
+    behind = straight_edge_coverage(slanted, [0.6, 0.8])
+    np.testing.assert_allclose(edge_coverage(slanted), behind, atol=1e-12)
+
+
+@pytest.mark.parametrize("radius", [0.15, 0.35, 0.8])
+def test_each_pixel_of_a_ball_s_outline_is_covered_as_far_as_many_rays_say(radius):
+    """14 to 80 pixels across. A distance alone would be off by 4 % where the edge is slanted."""
+    size, fine = 96, 16
+
+    def rays(n):
+        middle = (size * n - 1) / 2
+        K = projection.intrinsics(200.0 * n, (middle, middle))
+        return unit(projection.pixel_rays(K, size * n, size * n))
+
+    ball = Sphere((0.013, -0.021, 4.0), radius)
+    ours = edge_coverage(intersect(ball, ORIGIN, rays(1)).margin)
+    hits = intersect(ball, ORIGIN, rays(fine)).valid
+    counted = hits.reshape(size, fine, size, fine).mean(axis=(1, 3))
+    assert np.abs(ours - counted).max() < 0.03
 
 
 @pytest.mark.parametrize("shape", [(1, 5), (5, 1), (5,), (2, 2, 2)])

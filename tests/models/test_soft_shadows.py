@@ -149,3 +149,29 @@ def test_a_ball_and_what_hides_the_sky_have_a_radius(radius):
 
 def test_a_ball_as_large_as_all_space_hides_the_whole_sky():
     assert sphere_occlusion((0.0, 0.0, 1.0), 1e100, [[0.0, 0.0, 0.0]], [[0.0, 0.0, 1.0]]) == 1
+
+
+@pytest.mark.parametrize("light", [(0, 0, 2.0), (0, 0, 0.0), (math.nan, 0, 1), (0, math.inf, 1)])
+def test_a_light_has_a_direction_of_unit_length(light):
+    for call in (
+        lambda: visibility(Sphere((0, 0, 2), 0.5), ORIGIN, light, 0.1),
+        lambda: shadow_bounds(Box((0, 0, 2), (1, 1, 1)), light, 0.1),
+    ):
+        with pytest.raises(ValueError, match=r"to_light .*; legal: a unit vector"):
+            call()
+
+
+@pytest.mark.parametrize("angle", [0.0, -0.1, 1.6, math.nan])
+def test_the_bounds_of_a_shadow_need_a_lamp_of_some_width(angle):
+    with pytest.raises(ValueError, match=r"shadow_bounds: light_radius_rad .*; legal: 0 to pi/2"):
+        shadow_bounds(Sphere((0, 0, 2), 0.5), (0, 0, 1.0), angle)
+
+
+@pytest.mark.parametrize("far", [math.nan, math.inf, 1e101])
+def test_points_that_are_nowhere_are_refused(far):
+    for call in (
+        lambda: visibility(Sphere((0, 0, 2), 0.5), [[0, 0, 0], [far, 0, 0]], (0, 0, 1.0), 0.1),
+        lambda: sphere_occlusion((0, 0, 2.0), 0.5, [0, far, 0], (0, 0, 1.0)),
+    ):
+        with pytest.raises(ValueError, match=r"points as far as .*; legal: to 1e\+100"):
+            call()

@@ -17,8 +17,9 @@ from simulations.scenes.camera_stages import through_lens
 from simulations.scenes.depth_of_field import (
     FAR_M,
     LARGEST_DRAWN_PX,
+    NEAR_M,
     SCENE,
-    drawn_focus_m,
+    as_drawn,
     sharpness,
 )
 from simulations.scenes.depth_of_field_drawing import disc_scale, half_opening
@@ -87,14 +88,59 @@ def test_stopping_down_sharpens_what_is_out_of_focus():
     assert detail(narrow, *chart) > 1.5 * detail(wide, *chart)
 
 
-@pytest.mark.parametrize("focal", [24, 135])
-def test_the_drawn_blur_stops_at_its_limit(focal):
-    drawn = drawn_focus_m(focal, 1.4, 0.15)
-    disc = optics.circle_of_confusion_mm(focal, 1.4, 1000 * drawn, 1000 * FAR_M) / PITCH_MM
-    assert disc <= LARGEST_DRAWN_PX + 1e-9
-    if drawn > 0.15:
-        assert disc == pytest.approx(LARGEST_DRAWN_PX)
-    assert drawn_focus_m(focal, 1.4, 3.2) == 3.2
+@pytest.mark.parametrize("focal", [24, 49, 135])
+@pytest.mark.parametrize("focus", [0.05, 0.15, 0.5, 3.2, 10])
+def test_the_drawn_blur_stops_at_its_limit_by_stopping_down(focal, focus):
+    if 1000 * focus <= focal:
+        return
+    asked = check_values(SCENE.controls, {"focal_length": focal, "focus": focus})
+    drawn = as_drawn(asked)
+    ends_mm = [1000 * NEAR_M, 1000 * FAR_M]
+    discs = optics.circle_of_confusion_mm(focal, drawn["aperture"], 1000 * focus, ends_mm)
+    assert max(discs) / PITCH_MM <= LARGEST_DRAWN_PX + 1e-9
+    assert drawn["aperture"] >= asked["aperture"]
+    assert {**drawn, "aperture": 0} == {**asked, "aperture": 0}
+    if 1000 * focus < 500:  # all is behind the focus, and the wall is blurred most
+        wall = optics.circle_of_confusion_mm(focal, 1.4, 1000 * focus, 1000 * FAR_M) / PITCH_MM
+        assert drawn["aperture"] == pytest.approx(1.4 * max(1, wall / LARGEST_DRAWN_PX))
+
+
+def test_a_picture_that_is_stopped_down_to_be_drawn_says_so():
+    capped, whole = (frame(focus=focus).panels[1].overlay for focus in (0.25, 0.4))
+    assert "drawn at f/1.85: no disc over 48 px" in capped
+    assert whole == ""
+
+
+def width_of_the_red_ball(raster):
+    """Columns of the widest row of pixels that are red, and not one of the other colours."""
+    red, green, blue = (raster[..., part].astype(int) for part in range(3))
+    return ((red > 2 * green) & (red > 2 * blue)).sum(axis=1).max()
+
+
+def test_the_picture_grows_with_the_sensor_s_distance_from_the_lens():
+    """Not with the focal length: 1/f = 1/s + 1/z puts the sensor at z, and x = z X / Z."""
+    near, far = (picture("pinhole", focus=focus) for focus in (0.25, 10))
+    z_near, z_far = (1 / (1 / 50 - 1 / mm) for mm in (250, 10_000))
+    assert z_near / z_far > 1.2
+    wider = width_of_the_red_ball(near) / width_of_the_red_ball(far)
+    assert wider == pytest.approx(z_near / z_far, rel=0.03)
+
+
+@pytest.mark.parametrize("tier", ["discs", "layered", "fibonacci-16"])
+def test_every_tier_and_what_it_is_judged_by_have_the_same_scale(tier):
+    """The sensor stands 12 % farther off than the focal length: any mix of the two is far off."""
+    *_, last = judged(tier, focal_length=135, aperture=22, focus=1.25)
+    assert float(last.text) < 3
+
+
+def test_rays_through_the_lens_draw_no_picture_of_a_pinhole_first():
+    shown = SCENE.render(check_values(SCENE.controls, {}), "fibonacci-16", StageCache())
+    status = {stage.name: stage.status for stage in shown.stages}
+    assert {name for name, what in status.items() if what == "computed"} == {
+        "pinhole rays",
+        "rays through the lens",
+        "encoded",
+    }
 
 
 @pytest.mark.parametrize("largest_mm", [1e-12, 0.03, 0.4, 7, 900])

@@ -1,0 +1,105 @@
+"""The cards through a whole lens by rays of no width: what the ladders of depth of field call true.
+
+Shares with the tiers what stands where, and no line of how it is seen. A ray hits a card, the
+floor or the wall at one point, which is light or dark. Means over a pixel and over the lens come
+from many rays, each through a place of its own in both.
+"""
+
+import numpy as np
+from numpy.typing import NDArray
+
+from simulations.pictures.cards import (
+    BAR,
+    BAR_PERIOD,
+    CARDS,
+    DARK_BAR,
+    DARK_TILE,
+    FLOOR_Y,
+    FOCUS_Z,
+    LIGHT_BAR,
+    LIGHT_TILE,
+    STRIPE_SLOPE,
+    TILE,
+    TINT,
+    WALL_Z,
+    Card,
+    pixels,
+)
+
+type Floats = NDArray[np.floating]
+type Ray = tuple[Floats, Floats, Floats, Floats]
+"""Where rays leave the lens, and how far right and down they go per metre forward."""
+
+
+def picture(width: int, lens_radius: float, rays: int) -> Floats:
+    """Mean light (3, H, W) over each pixel and over the lens."""
+    seen = pixels(width, np.float64)
+    shades = np.zeros((1 + len(CARDS), *seen.shape))
+    for right, down, square, turn in spread_evenly(rays).tolist():
+        radius, angle = lens_radius * np.sqrt(square), 2 * np.pi * turn
+        x = seen.x + (right - 0.5) / seen.focal_px
+        y = seen.y + (down - 0.5) / seen.focal_px
+        shades += shades_along(x, y, radius * np.cos(angle), radius * np.sin(angle))
+    colours = np.array([TINT, *(card.colour for card in CARDS)])
+    mean: Floats = np.einsum("sc,shw->chw", colours, shades / rays)
+    return mean
+
+
+def spread_evenly(count: int) -> Floats:
+    """(count, 4) places in the unit cube of four dimensions, each as far from the others as can be.
+
+    Multiples of powers of 1/g, without their whole part, where g⁵ = g + 1: M. Roberts, *The
+    unreasonable effectiveness of quasirandom sequences*, 2018.
+    """
+    g = 1.1673039782614187
+    places: Floats = (0.5 + np.arange(1, count + 1)[:, None] * g ** -np.arange(1.0, 5.0)) % 1.0
+    return places
+
+
+def shades_along(x: Floats, y: Floats, lens_x: float, lens_y: float) -> Floats:
+    """Brightness (1 + cards, H, W) of the room and of each card, 0 for all but the one that is hit.
+
+    The rays leave the lens at one point, for those of directions (x, y) on the plane in focus.
+    """
+    ray = (np.array(lens_x), np.array(lens_y), x - lens_x / FOCUS_Z, y - lens_y / FOCUS_Z)
+    shades = [_room(ray)]
+    for card in CARDS:
+        hit = _hits(card, ray)
+        shades = [np.where(hit, 0.0, behind) for behind in shades]
+        shades.append(np.where(hit, _on_card(card, ray), 0.0))
+    return np.array(shades)
+
+
+def _place(ray: Ray, z: Floats | float) -> tuple[Floats, Floats]:
+    return ray[0] + ray[2] * z, ray[1] + ray[3] * z
+
+
+def _room(ray: Ray) -> Floats:
+    """Floor where the ray falls below it before the wall, else the wall: brightness (H, W)."""
+    wall_x, wall_y = _place(ray, WALL_Z)
+    on_floor = wall_y > FLOOR_Y
+    z = (FLOOR_Y - ray[1]) / np.where(on_floor, ray[3], 1.0)
+    x, _ = _place(ray, z)
+    # Counted from the middle of a tile, which is light; light are those even or odd both ways.
+    same = np.rint(x / TILE) % 2 == np.rint(z / TILE) % 2
+    floor = np.where(same, LIGHT_TILE, DARK_TILE)
+    wall = np.where(_striped(wall_x, BAR_PERIOD, BAR), LIGHT_BAR, DARK_BAR)
+    return np.where(on_floor, floor, wall)
+
+
+def _hits(card: Card, ray: Ray) -> NDArray[np.bool_]:
+    x, y = _place(ray, card.z)
+    hit: NDArray[np.bool_] = np.hypot(x - card.x, y - card.y) < card.radius
+    return hit
+
+
+def _on_card(card: Card, ray: Ray) -> Floats:
+    x, y = _place(ray, card.z)
+    light = _striped(x + STRIPE_SLOPE * y, card.radius / 2, card.radius / 4)
+    return np.where(light, 1.0, 0.5)
+
+
+def _striped(along: Floats, period: float, width: float) -> NDArray[np.bool_]:
+    """Whether a place lies on a stripe; one is centred on 0."""
+    on: NDArray[np.bool_] = np.abs(along - period * np.rint(along / period)) < width / 2
+    return on

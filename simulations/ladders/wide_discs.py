@@ -1,0 +1,65 @@
+"""The same ways to a picture out of focus, with discs as wide as the book's figures draw any."""
+
+from functools import partial
+
+from simulations.engine.ladder import Ladder, Tier
+from simulations.ladders.depth_of_field import (
+    METRICS,
+    Floats,
+    Workload,
+    binned,
+    discs,
+    gather,
+    layered,
+    pinhole,
+    ray_tiers,
+    reference,
+    workload_of,
+)
+from simulations.models.disc_blur import Planes, disc_kernel, summed
+from simulations.models.disc_pyramid import pyramid_blur
+
+
+def prepare() -> Workload:
+    """Discs of 24 pixels' radius for the nearest card, of 17 for the wall."""
+    return workload_of(160, lens_radius=0.55, crop=24)
+
+
+def _by_taps(planes: Planes, radius_px: float) -> Planes:
+    return summed(planes, disc_kernel(radius_px)) if radius_px > 0.5 else planes
+
+
+def _reference(workload: Workload) -> Floats:
+    return reference(workload, rays=2048)
+
+
+LADDER = Ladder(
+    id="wide-discs",
+    title="Depth of field, wide discs",
+    workload="160 × 120 pixels: the same cards, discs of confusion up to 48 pixels wide",
+    prepare=prepare,
+    tiers=(
+        Tier("pinhole", "Pinhole", "1 ray a pixel", pinhole),
+        Tier(
+            "layered-pyramid",
+            "Layers, discs on a coarser grid",
+            "4 layers, 113 taps at most",
+            partial(layered, blur=pyramid_blur),
+        ),
+        Tier("layered", "Layers, discs by spectrum", "4 layers, 2 transforms a blur", layered),
+        Tier("discs", "Discs chosen by depth", "1 ray, 6 blurred pictures", discs),
+        Tier("binned", "Gaussians chosen by depth", "1 ray, 6 blurred pictures", binned),
+        Tier(
+            "layered-taps",
+            "Layers, discs tap by tap",
+            "4 layers, up to 2700 taps a pixel",
+            partial(layered, blur=_by_taps),
+        ),
+        *ray_tiers(),
+        Tier("gather", "Gather from neighbours", "1 ray, 2700 taps a pixel", gather),
+    ),
+    reference=_reference,
+    reference_label="2048 rays a pixel that hit or miss, by code of their own, in float64",
+    metrics=METRICS,
+    default_tier="layered",
+)
