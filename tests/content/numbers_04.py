@@ -84,7 +84,8 @@ def five_steps_of_newton_near_a_fold() -> Says:
     assert fold_radius(nearly) == np.inf
     slope = min(jacobian([[r, 0.0] for r in np.linspace(0, 2, 2001)], nearly)[:, 0, 0])
     assert 0 < slope < 0.1, "close to folding"
-    yield f"they too are off by more than a pixel, {inversion_error_px(nearly, 'newton-5'):.1f} px in the RMS"
+    off_px = inversion_error_px(nearly, "newton-5")
+    yield f"they too are off by more than a pixel, {off_px:.1f} px in the RMS"
 
 
 def the_table_close_to_the_fold() -> Says:
