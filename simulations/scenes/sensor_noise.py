@@ -30,7 +30,7 @@ from simulations.scenes.sensor_noise_stages import (
     sensor_of,
 )
 
-DEFAULT_TIER = "poisson"
+DEFAULT_TIER = "quantile"
 EXPOSURES = 16
 """Exposures of the patches by which a tier is judged."""
 
@@ -180,7 +180,7 @@ SCENE = Scene(
     render=render,
     tiers=sensor.SHOT_MODELS,
     default_tier=DEFAULT_TIER,
-    draft_tier="skewed",
+    draft_tier=DEFAULT_TIER,
     drafted=("exposure", "dark"),
     ladder="shot-noise",
     error=error,

@@ -8,6 +8,7 @@ from scipy import stats
 
 from simulations.engine.controls import check_values
 from simulations.engine.pipeline import StageCache
+from simulations.ladders.shot_noise import LADDER
 from simulations.models.poisson import gap_from_poisson, largest_chance_gap
 from simulations.models.sensor import SHOT_MODELS
 from simulations.scenes.sensor_noise import EXPOSURES, SCENE, run_tier
@@ -134,9 +135,24 @@ def test_the_tiers_are_all_models_of_the_sensor():
     assert SCENE.tiers == SHOT_MODELS
 
 
+def test_more_light_adds_to_the_grain_that_is_there_and_does_not_reshuffle_it():
+    """Half a stop: a new draw of the electrons would leave no correlation."""
+    shown = {
+        tier: [
+            run_tier(values(exposure=ev), tier, StageCache()).outputs["electrons"][20]
+            for ev in (-2, -1.5)
+        ]
+        for tier in ("quantile", "poisson")
+    }
+    kept, drawn_anew = (np.corrcoef(*pair)[0, 1] for pair in shown.values())
+    assert kept > 0.99
+    assert abs(drawn_anew) < 0.5
+
+
+@pytest.mark.parametrize("tier", ["quantile", "poisson"])
 @pytest.mark.parametrize("exposure", [0, -3, -6])
-def test_exact_electrons_are_as_far_from_poissons_law_as_chance_would_have_it(exposure):
-    told = float(estimates("poisson", exposure=exposure)[-1].text)
+def test_exact_electrons_are_as_far_from_poissons_law_as_chance_would_have_it(exposure, tier):
+    told = float(estimates(tier, exposure=exposure)[-1].text)
     assert told < 1.6 * largest_chance_gap(24, 1600 * EXPOSURES)
 
 
@@ -178,14 +194,18 @@ def test_a_rounded_normal_is_too_bright_where_it_may_not_be_negative():
     held = np.sum(1 - rounded_normal(mean, np.arange(50)))
     assert held > 1.25 * mean
     gain = sensor_of(14, "6400", 0).gain_e_per_dn
-    for tier, expected in (("gaussian", held), ("poisson", mean)):
+    for tier, expected in (("gaussian", held), ("quantile", mean), ("poisson", mean)):
         shown = {r.name: r.text for r in SCENE.render(values(**given), tier, StageCache()).readouts}
         scatter = 4 * math.sqrt(mean / 1600)
         assert float(shown["mean"]) * gain == pytest.approx(expected, abs=scatter)
 
 
 def test_only_light_and_warmth_are_dragged_in_the_draft():
-    """The other controls reuse the electrons that are there: a draft would draw them anew."""
+    """The other controls reuse the electrons that are there: a draft would draw them anew.
+
+    Only whoever chose the exact sampler gets a draft, one whose grain stays while it is dragged.
+    """
+    assert SCENE.default_tier == SCENE.draft_tier == LADDER.default_tier
     cache = StageCache()
     frame(cache)
     for name in set(SCENE.drafted) ^ {"exposure", "dark", "bits", "iso", "read_noise", "patch"}:
