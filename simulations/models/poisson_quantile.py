@@ -28,8 +28,8 @@ TAIL = (
 def poisson_from_normal(mean: Array, z: Array) -> Array:
     """Whole numbers (...), 0 or more, for means ``mean`` (...) of 0 or more and deviates ``z``.
 
-    In float32 for two arrays of float32. Below `FEW` the probabilities are summed; above, the quantile is
-    expanded in powers of 1 / sqrt(mean).
+    In float32 for two arrays of float32. Below `FEW` the probabilities are summed; above, the
+    quantile is expanded in powers of 1 / sqrt(mean).
     """
     shape, kind = np.broadcast_shapes(np.shape(mean), np.shape(z)), np.result_type(mean, z)
     mean, z = (np.atleast_1d(part).astype(kind, copy=False) for part in (mean, z))

@@ -127,7 +127,8 @@ def gather(table: GatherTable, image: ArrayLike, fill: float | None = 0.0) -> Fl
     dtype = np.float32 if picture.dtype == np.float32 else np.float64
     if table.across.dtype.itemsize < np.dtype(dtype).itemsize:
         raise ValueError(f"image of {picture.dtype}; legal: float32, since the table's weights are")
-    across, down = table.across.astype(dtype, copy=False), table.down.astype(dtype, copy=False)
+    across: Floats = table.across.astype(dtype, copy=False)
+    down: Floats = table.down.astype(dtype, copy=False)
     planes = picture.astype(dtype, copy=False).reshape(*table.source_shape, -1)
     result = np.empty((table.corner.size, planes.shape[2]), dtype)
     for channel in range(planes.shape[2]):  # each from a plane of its own, in one piece
