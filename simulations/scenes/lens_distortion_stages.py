@@ -168,7 +168,7 @@ def _map(radii: Radii, k1: float, k2: float, tier: str) -> Warp:
     ratio = (ideal / radii.distinct)[radii.of_pixel].reshape(HEIGHT_PX, WIDTH_PX, 1)
     centre = np.array((MARGIN_PX[0] + 0.5 * (WIDTH_PX - 1), MARGIN_PX[1] + 0.5 * (HEIGHT_PX - 1)))
     shape = (HEIGHT_PX + 2 * MARGIN_PX[1], WIDTH_PX + 2 * MARGIN_PX[0])
-    table = gather_table(centre + centred_pixels() * ratio, shape)
+    table = gather_table(centre + centred_pixels() * ratio, shape, dtype=np.float32)
     # A soft edge, one pixel wide, where the image ends.
     limit = min(largest_distorted_radius(lens), 1e6)
     edge = np.clip((limit - radii.distinct) * FOCAL_PX + 0.5, 0.0, 1.0).astype(np.float32)
@@ -191,8 +191,8 @@ def _corrected(photo: Photo, k1: float, k2: float) -> Photo:
     folded = np.hypot(ideal[..., 0], ideal[..., 1]) >= fold_radius(lens)
     centre = np.array((0.5 * (WIDTH_PX - 1), 0.5 * (HEIGHT_PX - 1)))
     position = np.where(folded[..., None], -2.0, centre + distort(ideal, lens) * FOCAL_PX)
-    table = gather_table(position, (HEIGHT_PX, WIDTH_PX), "bicubic")
-    linear = np.maximum(gather(table, photo.linear), 0.0)  # bicubic undershoots at edges
+    table = gather_table(position, (HEIGHT_PX, WIDTH_PX), "spline", np.float32)
+    linear = np.maximum(gather(table, photo.linear), 0.0)  # splines undershoot at edges
     return Photo(linear, np.clip(gather(table, photo.coverage), 0.0, 1.0))
 
 
