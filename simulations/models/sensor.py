@@ -209,54 +209,6 @@ def signal_to_noise(mean_e: ArrayLike, sensor: Sensor) -> Array:
     return np.where(np.isinf(mean), np.inf, ratio)
 
 
-def photon_transfer(
-    mean_e: ArrayLike, sensor: Sensor, rng: np.random.Generator, samples: int = 20_000
-) -> tuple[Array, Array]:
-    """Mean and variance in codes of flat fields at each level (N,): the photon-transfer curve.
-
-    The variance is half of that of the difference of two exposures, as in a laboratory,
-    where it cancels the pattern that a real sensor has. In the part ruled by shot noise
-    ``variance = mean / gain``: see `estimate_gain`.
-    """
-    levels = _light("mean_e", mean_e).reshape(-1)
-    _require("samples", samples, samples >= 2, "2 or more")
-    fields = []
-    for _ in range(2):
-        counted = shot_noise(np.repeat(levels[:, None], samples, 1), rng, sensor.full_well_e)
-        fields.append(quantise(read_out(counted, sensor, rng), sensor.bits).astype(np.float64))
-    mean: Array = (fields[0] + fields[1]).mean(axis=1) / 2 - sensor.black_level_dn
-    variance: Array = (fields[0] - fields[1]).var(axis=1, ddof=1) / 2
-    return mean, variance
-
-
-def estimate_gain(mean_dn: ArrayLike, variance_dn: ArrayLike) -> float:
-    """Electrons per code from a transfer curve (N,): one over the slope of its straight part.
-
-    A line is fitted with weight 1 / variance^2 of each point, since a variance is known to
-    a fraction of itself. Leave saturated levels out.
-
-    Raises
-    ------
-    ValueError
-        For fewer than two levels, numbers that are not finite, and a variance that does not
-        rise with the mean: no shot noise is seen there.
-    """
-    mean, variance = as_floats(mean_dn), as_floats(variance_dn)
-    if mean.ndim != 1 or mean.shape != variance.shape:
-        raise ValueError(f"mean {mean.shape} and variance {variance.shape}; legal: both (N,)")
-    if not (np.isfinite(mean).all() and np.isfinite(variance).all()):
-        raise ValueError("a mean or a variance is not finite; legal: finite")
-    if mean.size < 2 or np.ptp(mean) == 0:
-        raise ValueError(f"{mean.size} levels; legal: two or more that differ")
-    slope, _ = np.polyfit(mean, variance, 1, w=1 / np.maximum(variance, 1e-12))
-    if not slope * np.ptp(mean) > 1e-9 * np.abs(variance).max():
-        low, high = float(variance.min()), float(variance.max())
-        raise ValueError(
-            f"variance of {low:g} to {high:g} does not rise with the mean; legal: shot noise seen"
-        )
-    return float(1 / slope)
-
-
 def _check_well(full_well_e: float) -> None:
     legal = 0 < full_well_e <= LARGEST_WELL_E or full_well_e == math.inf
     _require("full_well_e", full_well_e, legal, f"above 0, to {LARGEST_WELL_E:g}, or inf")

@@ -1,6 +1,5 @@
 """What the sensor-noise figure computes: electrons → codes → transfer curve and picture."""
 
-import math
 from dataclasses import dataclass
 
 import numpy as np
@@ -10,6 +9,7 @@ from simulations.engine.pipeline import Stage
 from simulations.engine.raster import to_rgba8
 from simulations.models import sensor
 from simulations.models.color import encode_srgb
+from simulations.models.photon_transfer import Gain, estimate_gain, straight_part
 from simulations.scenes import sensor_noise_drawing as drawing
 
 type Floats = NDArray[np.floating]
@@ -23,8 +23,6 @@ STOPS = np.arange(drawing.ROWS * drawing.COLUMNS) / 2
 """How much darker than the first each patch is."""
 CLIPPED_SHARE = 0.001
 """Patches with more of their pixels at the lowest or the highest code are left out of the fit."""
-NOISELESS_DN2 = 0.02
-"""A patch of less variance has nearly all of its pixels at one code and says nothing of noise."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -39,8 +37,8 @@ class Transfer:
     """(24,) the patches that the gain was fitted to."""
     clipped: NDArray[np.bool_]
     """(24,) the patches with pixels at either end of the converter."""
-    gain_e_per_dn: float
-    """From the slope of the fitted part; nan with too few patches."""
+    gain: Gain | None
+    """From the slope of the fitted part; None where that does not tell it."""
 
 
 def sensor_of(bits: int, iso: str, read_noise: float) -> sensor.Sensor:
@@ -103,18 +101,17 @@ def _measure(
     variance = codes.var(axis=1, ddof=1, dtype=np.float64)
     at_an_end = (codes == 0) | (codes == camera.highest_dn)
     clipped = at_an_end.mean(axis=1) > CLIPPED_SHARE
-    fitted = ~clipped & (variance > NOISELESS_DN2)
-    enough = np.count_nonzero(fitted) >= 3
-    gain = _gain_e_per_dn(mean[fitted], variance[fitted]) if enough else math.nan
-    return Transfer(mean, variance, fitted, clipped, gain)
+    fitted = ~clipped
+    fitted[fitted] = straight_part(mean[fitted], variance[fitted])
+    return Transfer(mean, variance, fitted, clipped, _gain(mean[~clipped], variance[~clipped]))
 
 
-def _gain_e_per_dn(mean: Floats, variance: Floats) -> float:
-    """NaN where other noise hides how the variance rises with the light."""
+def _gain(mean: Floats, variance: Floats) -> Gain | None:
+    """None where other noise hides how the variance rises with the light, or rounding does."""
     try:
-        return sensor.estimate_gain(mean, variance)
+        return estimate_gain(mean, variance, PATCH_PX**2)
     except ValueError:
-        return math.nan
+        return None
 
 
 def _picture(codes: NDArray[np.uint16], bits: float, iso: str) -> NDArray[np.uint8]:

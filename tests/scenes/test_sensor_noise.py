@@ -1,5 +1,6 @@
 """The step wedge obeys the noise theory that the chapter states, and measures its own gain."""
 
+import itertools
 import math
 
 import numpy as np
@@ -41,7 +42,7 @@ def test_neighbouring_patches_are_half_a_stop_apart():
 def test_the_slope_of_the_transfer_curve_is_the_gain(iso, bits):
     """1600 pixels know a variance to 3.5 %; a line through a dozen patches to about 2 %."""
     truth = sensor_of(bits, iso, 10).gain_e_per_dn
-    assert transfer(iso=iso, bits=bits).gain_e_per_dn == pytest.approx(truth, rel=0.06)
+    assert transfer(iso=iso, bits=bits).gain.e_per_dn == pytest.approx(truth, rel=0.06)
 
 
 def test_at_base_iso_the_top_code_is_a_full_well():
@@ -94,8 +95,38 @@ def test_too_few_bits_leave_patches_without_noise():
 
 def test_where_no_patch_has_noise_no_gain_is_claimed():
     shown = frame(bits=4, exposure=-6, read_noise=0)
-    assert {item.name: item.text for item in shown.readouts}["gain"] == "undefined"
+    assert {item.name: item.text for item in shown.readouts}["gain"] == "not to be told"
     assert "too few patches" in shown.description
+
+
+@pytest.mark.parametrize("iso", ["100", "800", "6400"])
+@pytest.mark.parametrize("bits", [4, 6, 8, 10, 12, 14])
+def test_a_gain_is_told_to_within_a_few_of_its_standard_errors_or_not_at_all(iso, bits):
+    """Coarse codes, hot sensors and full wells once gave gains up to twice the truth, or none."""
+    for exposure, dark, read_noise in itertools.product((0, -3, -6), (0, 2000), (0, 10, 60)):
+        given = {"iso": iso, "bits": bits, "exposure": exposure}
+        measured = transfer(**given, dark=dark, read_noise=read_noise)
+        if measured.gain is None:
+            continue
+        off = measured.gain.e_per_dn - sensor_of(bits, iso, read_noise).gain_e_per_dn
+        assert abs(off) < 3.5 * measured.gain.error_e_per_dn, (given, dark, read_noise)
+        assert measured.gain.error_e_per_dn < 0.1 * measured.gain.e_per_dn
+
+
+def test_the_gain_is_shown_with_two_digits_of_its_error():
+    shown = texts()["gain"]
+    told, error = (float(part) for part in shown.split(" ± "))
+    assert told == pytest.approx(float(texts()["truth"]), abs=3 * error)
+    assert shown.split(" ± ")[1].replace(".", "").lstrip("0").isdigit()
+    assert 0.005 < error / told < 0.05
+
+
+def test_a_well_that_heat_has_filled_is_left_out_of_the_fit_although_no_code_is_the_last():
+    """The light of a full cell stops 2000 electrons below the top code, nearly without noise."""
+    hot = transfer(dark=2000)
+    assert not hot.clipped[3]
+    full = np.flatnonzero(patch_means_e(0) + 2000 > FULL_WELL_E)
+    assert not hot.fitted[full].any()
 
 
 def test_dynamic_range_is_the_chapters_example():
