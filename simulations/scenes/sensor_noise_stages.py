@@ -1,6 +1,7 @@
 """What the sensor-noise figure computes: electrons → codes → transfer curve and picture."""
 
 from dataclasses import dataclass
+from functools import cache, partial
 
 import numpy as np
 from numpy.typing import NDArray
@@ -14,6 +15,8 @@ from simulations.scenes import sensor_noise_drawing as drawing
 
 type Floats = NDArray[np.floating]
 
+SHOT, READ = 1, 2
+"""Streams of chance, of the electrons and of the amplifier."""
 FULL_WELL_E = 20_000.0
 BRIGHTEST_E = 2 * FULL_WELL_E
 """Mean of the first patch at 0 EV: one stop more than a cell can hold."""
@@ -66,16 +69,30 @@ def floor_e2(camera: sensor.Sensor, dark: float) -> float:
     return camera.read_noise_e**2 + dark + camera.gain_e_per_dn**2 / 12
 
 
-def _count(exposure: float, dark: float, new_noise: int, tier: sensor.ShotModel) -> Floats:
+def _grain(stream: int, new_noise: int) -> Floats:
+    """(24, 1600) standard normals, drawn once: the controls only decide how strongly they show."""
+    rng = np.random.default_rng((new_noise, stream))
+    return rng.standard_normal((STOPS.size, PATCH_PX**2), np.float32)
+
+
+def _count(
+    grain: Floats, exposure: float, dark: float, new_noise: int, tier: sensor.ShotModel
+) -> Floats:
     """(24, 1600) electrons: light and warmth free them alike."""
-    rng = np.random.default_rng((new_noise, 1))
-    return count_patches(patch_means_e(exposure) + dark, rng, tier)
+    mean_e = patch_means_e(exposure) + dark
+    if tier == "quantile":
+        return sensor.shot_noise_from_normal(_flat(mean_e), grain, FULL_WELL_E)
+    return count_patches(mean_e, np.random.default_rng((new_noise, SHOT)), tier)
 
 
 def count_patches(mean_e: Floats, rng: np.random.Generator, model: sensor.ShotModel) -> Floats:
     """(24, 1600) electrons counted where ``mean_e`` (24,) are expected."""
-    flat = np.repeat(mean_e[:, None], PATCH_PX**2, axis=1)
-    return sensor.shot_noise(flat, rng, FULL_WELL_E, model)
+    return sensor.shot_noise(_flat(mean_e), rng, FULL_WELL_E, model)
+
+
+def _flat(mean_e: Floats) -> Floats:
+    """(24, 1600) of the same mean in each patch, float32."""
+    return np.repeat(mean_e[:, None].astype(np.float32), PATCH_PX**2, axis=1)
 
 
 def patch_means_e(exposure: float) -> Floats:
@@ -85,11 +102,12 @@ def patch_means_e(exposure: float) -> Floats:
 
 
 def _read(
-    electrons: Floats, bits: float, iso: str, read_noise: float, new_noise: int
+    electrons: Floats, grain: Floats, bits: float, iso: str, read_noise: float
 ) -> NDArray[np.uint16]:
-    camera = sensor_of(int(bits), iso, read_noise)
-    rng = np.random.default_rng((new_noise, 2))
-    return sensor.quantise(sensor.read_out(electrons, camera, rng), camera.bits)
+    quiet = sensor_of(int(bits), iso, 0.0)  # the read noise is in the grain already
+    reported = electrons + np.float32(read_noise) * grain if read_noise else electrons
+    signal = sensor.read_out(reported, quiet, np.random.default_rng(0))
+    return sensor.quantise(signal, quiet.bits)
 
 
 def _measure(
@@ -114,17 +132,27 @@ def _gain(mean: Floats, variance: Floats) -> Gain | None:
         return None
 
 
-def _picture(codes: NDArray[np.uint16], bits: float, iso: str) -> NDArray[np.uint8]:
+def _picture(codes: NDArray[np.uint16], bits: float) -> NDArray[np.uint8]:
     """The patches in four rows of six, brightest first."""
-    linear = sensor.develop(codes, sensor_of(int(bits), iso, 0.0))
-    tiles = linear.reshape(drawing.ROWS, drawing.COLUMNS, PATCH_PX, PATCH_PX)
-    wedge = tiles.swapaxes(1, 2).reshape(drawing.ROWS * PATCH_PX, drawing.COLUMNS * PATCH_PX)
-    return to_rgba8(encode_srgb(np.clip(wedge, 0, 1)))
+    tiles = _colour_of_code(int(bits))[codes]
+    rows = tiles.reshape(drawing.ROWS, drawing.COLUMNS, PATCH_PX, PATCH_PX, 4).swapaxes(1, 2)
+    return rows.reshape(drawing.ROWS * PATCH_PX, drawing.COLUMNS * PATCH_PX, 4)
+
+
+@cache
+def _colour_of_code(bits: int) -> NDArray[np.uint8]:
+    """(codes, 4) canvas bytes of each code; fewer than there are pixels, at any ISO the same."""
+    linear = sensor.develop(np.arange(2.0**bits), sensor_of(bits, "100", 0.0))
+    colours: NDArray[np.uint8] = to_rgba8(encode_srgb(np.clip(linear, 0, 1))[None])[0]
+    colours.flags.writeable = False
+    return colours
 
 
 STAGES = (
-    Stage("electrons", ("exposure", "dark", "new_noise", "tier"), _count),
-    Stage("codes", ("bits", "iso", "read_noise", "new_noise"), _read, ("electrons",)),
+    Stage("shot grain", ("new_noise",), partial(_grain, SHOT)),
+    Stage("read grain", ("new_noise",), partial(_grain, READ)),
+    Stage("electrons", ("exposure", "dark", "new_noise", "tier"), _count, ("shot grain",)),
+    Stage("codes", ("bits", "iso", "read_noise"), _read, ("electrons", "read grain")),
     Stage("transfer", ("bits", "iso", "read_noise", "dark"), _measure, ("codes",)),
-    Stage("picture", ("bits", "iso"), _picture, ("codes",)),
+    Stage("picture", ("bits",), _picture, ("codes",)),
 )

@@ -10,8 +10,9 @@ from scipy import stats
 from simulations.engine.controls import check_values
 from simulations.engine.pipeline import StageCache
 from simulations.ladders.shot_noise import LADDER
+from simulations.models.color import encode_srgb
 from simulations.models.poisson import gap_from_poisson, largest_chance_gap
-from simulations.models.sensor import SHOT_MODELS
+from simulations.models.sensor import SHOT_MODELS, develop
 from simulations.scenes.sensor_noise import EXPOSURES, SCENE, run_tier
 from simulations.scenes.sensor_noise_stages import FULL_WELL_E, patch_means_e, sensor_of
 
@@ -151,6 +152,33 @@ def test_another_patch_reuses_the_picture():
     cache = StageCache()
     frame(cache)
     assert {stage.status for stage in frame(cache, patch=3).stages} == {"reused"}
+
+
+@pytest.mark.parametrize(
+    ("moved", "computed"),
+    [
+        ({"exposure": -2}, ("electrons", "codes", "transfer", "picture")),
+        ({"dark": 100}, ("electrons", "codes", "transfer", "picture")),
+        ({"read_noise": 3}, ("codes", "transfer", "picture")),
+        ({"iso": "400"}, ("codes", "transfer", "picture")),
+        ({"bits": 10}, ("codes", "transfer", "picture")),
+        ({"patch": 2}, ()),
+    ],
+)
+def test_chance_is_drawn_once_and_every_control_only_scales_it(moved, computed):
+    cache = StageCache()
+    frame(cache)
+    statuses = {stage.name: stage.status for stage in frame(cache, **moved).stages}
+    assert tuple(name for name, status in statuses.items() if status == "computed") == computed
+
+
+@pytest.mark.parametrize("bits", [4, 12, 14])
+def test_the_picture_is_the_codes_developed_and_encoded(bits):
+    done = run_tier(values(bits=bits), "", StageCache()).outputs
+    linear = develop(done["codes"], sensor_of(bits, "100", 0))
+    expected = np.rint(255 * encode_srgb(np.clip(linear, 0, 1)))
+    shown = done["picture"][..., 0].reshape(4, 40, 6, 40).swapaxes(1, 2).reshape(24, 1600)
+    np.testing.assert_array_equal(shown, expected)
 
 
 def estimates(tier, **given):
