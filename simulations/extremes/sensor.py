@@ -47,6 +47,14 @@ TABLE = ExtremeTable(
             expected=exactly(0.0),
         ),
         ExtremeCase(
+            id="hardly-any-light-from-normals",
+            call="shot_noise(np.full(100_000, 1e-12), rng(), model='quantile').max()",
+            why="A rounded normal with a lean frees 0.047 electrons a pixel here, out of nothing.",
+            returns="0: the count is the quantile of the Poisson distribution at every mean.",
+            expected=exactly(0.0),
+            naive="np.rint((np.random.default_rng(7).standard_normal(100_000) ** 2 - 1) / 6).max()",
+        ),
+        ExtremeCase(
             id="negative-light",
             call="shot_noise(-1.0, rng())",
             why="A filter that overshot upstream.",
