@@ -168,3 +168,8 @@ def test_no_scale_of_the_mean_overflows(scale):
 def test_a_variance_of_one_sample_is_refused():
     with pytest.raises(ValueError, match="samples 1; legal: 2 or more"):
         estimate_gain([10.0, 20.0, 50.0], [10.0, 20.0, 50.0], samples=1)
+
+
+def test_two_samples_a_level_are_legal_and_tell_nothing():
+    with pytest.raises(ValueError, match=r"tell the gain to \d+ % only"):
+        estimate_gain([10.0, 20.0, 50.0], [10.0, 20.0, 50.0], samples=2)
