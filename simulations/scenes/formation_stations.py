@@ -68,7 +68,7 @@ def travel(distance_m: float, albedo: float, seed: int) -> Journey:
     light = float(lambert(np.array([0.0, 0.0, -1.0]), np.array(lamp), albedo))
     mean_e = light * WHITE_E
     rng = np.random.default_rng(seed)
-    counted = sensor.shot_noise(np.array([mean_e]), rng, WHITE_E, model="quantile")
+    counted = sensor.shot_noise(np.array([mean_e]), rng, WHITE_E, model="skewed")
     raw = sensor.quantise(sensor.read_out(counted, PIXEL, rng), PIXEL.bits)
     encoded = encode_srgb(sensor.develop(raw, PIXEL))
     return Journey(

@@ -168,7 +168,7 @@ def _map(radii: Radii, k1: float, k2: float, tier: str) -> Warp:
     ratio = (ideal / radii.distinct)[radii.of_pixel].reshape(HEIGHT_PX, WIDTH_PX, 1)
     centre = np.array((MARGIN_PX[0] + 0.5 * (WIDTH_PX - 1), MARGIN_PX[1] + 0.5 * (HEIGHT_PX - 1)))
     shape = (HEIGHT_PX + 2 * MARGIN_PX[1], WIDTH_PX + 2 * MARGIN_PX[0])
-    table = gather_table(centre + centred_pixels() * ratio, shape, dtype=np.float32)
+    table = gather_table(centre + centred_pixels() * ratio, shape)
     # A soft edge, one pixel wide, where the image ends.
     limit = min(largest_distorted_radius(lens), 1e6)
     edge = np.clip((limit - radii.distinct) * FOCAL_PX + 0.5, 0.0, 1.0).astype(np.float32)
