@@ -108,6 +108,15 @@ TABLE = ExtremeTable(
             ),
         ),
         ExtremeCase(
+            id="large-values",
+            call="sample(RAMP + 1e7, [[0.3, 0.6]]) - 1e7",
+            why="In float32 the four weights do not add up to 1 by 3 · 10⁻⁸, which is 0.3 here.",
+            returns="2.7: pictures of float64 are weighed in float64.",
+            expected=near([2.7], 1e-8),
+            naive="np.sum(np.outer(np.float32([0.4, 0.6]), np.float32([0.7, 0.3])) "
+            "* (1e7 + np.array([[0.0, 1.0], [4.0, 5.0]]))) - 1e7",
+        ),
+        ExtremeCase(
             id="shrink-to-one",
             call="resize(RAMP, 1, 1)",
             why="All pixels into one; reading the few nearest would forget the rest.",

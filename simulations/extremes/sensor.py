@@ -9,7 +9,7 @@ from simulations.engine.extreme import (
     exactly,
     refused,
 )
-from simulations.models import sensor
+from simulations.models import photon_transfer, sensor
 from simulations.models.sensor import Sensor
 
 TABLE = ExtremeTable(
@@ -17,6 +17,7 @@ TABLE = ExtremeTable(
     title="The sensor",
     names={
         **vars(sensor),
+        **vars(photon_transfer),
         "SENSOR": Sensor(),
         "rng": lambda: np.random.default_rng(7),
         "inf": np.inf,
@@ -44,6 +45,14 @@ TABLE = ExtremeTable(
             why="One electron in a billion exposures of a thousand pixels.",
             returns="0 in this exposure.",
             expected=exactly(0.0),
+        ),
+        ExtremeCase(
+            id="hardly-any-light-from-normals",
+            call="shot_noise(np.full(100_000, 1e-12), rng(), model='quantile').max()",
+            why="A rounded normal with a lean frees 0.047 electrons a pixel here, out of nothing.",
+            returns="0: the count is the quantile of the Poisson distribution at every mean.",
+            expected=exactly(0.0),
+            naive="np.rint((np.random.default_rng(7).standard_normal(100_000) ** 2 - 1) / 6).max()",
         ),
         ExtremeCase(
             id="negative-light",
@@ -212,10 +221,26 @@ TABLE = ExtremeTable(
         ),
         ExtremeCase(
             id="curve-without-noise",
-            call="estimate_gain([100.0, 200.0], [3.0, 3.0])",
+            call="estimate_gain([100.0, 150.0, 300.0], [3.0, 3.0, 3.1])",
             why="A slope of 0 but for rounding, of which one over is the gain.",
             returns="Refused: where the variance does not rise, no shot noise is seen.",
             expected=refused("variance", "does not rise"),
+        ),
+        ExtremeCase(
+            id="gain-of-coarse-codes",
+            call="estimate_gain(*photon_transfer([10.0, 100.0, 1000.0, 9000.0], "
+            "Sensor(gain_e_per_dn=400.0), rng()))",
+            why="With 400 electrons to a code nearly all pixels of a field have the same one.",
+            returns="Refused: below 0.5 DN² a variance is mostly rounding.",
+            expected=refused("levels on the straight part", "0.5 DN²"),
+            naive="1 / np.polyfit([0, 0, 2.5, 22.5], [1e-12, 1e-12, 0.25, 0.12], 1)[0]",
+        ),
+        ExtremeCase(
+            id="gain-from-a-brimming-well",
+            call="estimate_gain(*photon_transfer(np.linspace(15e3, 20e3, 20), Sensor(), rng()))",
+            why="A well that spills cuts the brighter half of the noise off.",
+            returns="Refused: no level is safely below the one of largest variance.",
+            expected=refused("levels on the straight part"),
         ),
     ),
 )

@@ -84,9 +84,19 @@ def transfer(kernel: Prefilter, frequency: ArrayLike) -> Floats:
     cycles = np.asarray(frequency, float)
     if not np.all(np.abs(cycles) <= 1e9):
         raise ValueError(f"transfer: frequency {cycles.tolist()}; legal: at most 1e9 in size")
-    turns = cycles[..., None] * kernel.offsets_px
-    factor: Floats = np.cos(2 * np.pi * turns) @ kernel.weights
+    offsets, weights = _half(kernel)
+    factor: Floats = np.cos(2 * np.pi * cycles[..., None] * offsets) @ weights
     return factor
+
+
+def _half(kernel: Prefilter) -> tuple[Floats, Floats]:
+    """Places of 0 or more and weights for both sides: opposite ones add up to a cosine."""
+    count = kernel.offsets_px.size
+    offsets = kernel.offsets_px[count // 2 :]
+    weights = 2 * kernel.weights[count // 2 :]
+    if count % 2:
+        weights[0] /= 2  # the middle is there once
+    return offsets, weights
 
 
 def filtered_wave(
@@ -94,12 +104,19 @@ def filtered_wave(
 ) -> Complexes:
     """The wave exp(iπ(2 f x + c x²)) after the filter, at places ``x`` (...) in pixels.
 
-    Its local frequency is ``frequency + chirp * x`` cycles per pixel.
+    Its local frequency is ``frequency + chirp * x`` cycles per pixel. What the filter does to it
+    is a factor: `transfer` where there is no chirp, one number for all places, and otherwise
+    the same sum with weights that are turned by exp(iπ c o²) at the offset o.
     """
     if not (abs(frequency) <= 1e9 and abs(chirp) <= 1e9):
         raise ValueError(f"filtered_wave: {frequency}, {chirp}; legal: at most 1e9 in size")
-    seen = np.asarray(x, float)[..., None] - kernel.offsets_px
-    waves = np.exp(1j * np.pi * seen * (2 * frequency + chirp * seen))
+    place = np.asarray(x, float)
+    wave: Complexes = np.exp(1j * np.pi * place * (2 * frequency + chirp * place))
+    if chirp == 0:
+        return wave * transfer(kernel, frequency)
+    offsets, weights = _half(kernel)
+    cosines = np.cos(2 * np.pi * (frequency + chirp * place)[..., None] * offsets)
     # A matrix product would wake the threads of a linear algebra library for a few thousand sums.
-    mean: Complexes = np.einsum("...n,n->...", waves, kernel.weights)
-    return mean
+    turned = weights * np.exp(1j * np.pi * chirp * offsets * offsets)
+    wave *= np.einsum("...n,n->...", cosines, turned)
+    return wave

@@ -13,12 +13,13 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from simulations.models.floats import as_floats
+from simulations.models.poisson_quantile import poisson_from_normal
 
 type Array = NDArray[np.floating]
-type ShotModel = Literal["poisson", "skewed", "gaussian"]
+type ShotModel = Literal["poisson", "quantile", "skewed", "gaussian"]
 
-SHOT_MODELS: tuple[ShotModel, ...] = ("gaussian", "skewed", "poisson")
-"""Cheap to exact."""
+SHOT_MODELS: tuple[ShotModel, ...] = ("gaussian", "skewed", "quantile", "poisson")
+"""Rough to exact."""
 
 LARGEST_WELL_E = 1e15
 """Electrons up to which float64 counts every single one, and samplers work."""
@@ -95,9 +96,12 @@ def shot_noise(
     """Electrons counted (...), where the mean is ``mean_e``: whole numbers, at most the full well.
 
     ``poisson`` is exact: electrons arrive independently, the variance equals the mean.
+    ``quantile`` makes each count of one normal deviate, see `poisson_from_normal`: nobody can
+    tell its counts from exact ones, and the same deviates keep their grain in any light.
     ``gaussian`` rounds a normal of the same mean and variance, and is visibly wrong below
     some 20 electrons; ``skewed`` adds the second term of the Cornish-Fisher expansion,
-    ``(z^2 - 1) / 6``, which gives the normal the Poisson's lean to the right.
+    ``(z^2 - 1) / 6``, which gives the normal the Poisson's lean to the right. Below one
+    electron it invents light: 0.047 electrons where next to none are expected.
 
     Nothing is drawn where the mean lies ten standard deviations above the full well: every
     sample from there spills anyhow, and a sampler fails for huge means. So a pixel in any
@@ -113,16 +117,19 @@ def shot_noise(
     if model not in SHOT_MODELS:
         raise ValueError(f"model {model!r}; legal: {', '.join(SHOT_MODELS)}")
     z = rng.standard_normal(mean.shape, np.float32 if mean.dtype == np.float32 else np.float64)
+    if model == "quantile":
+        return shot_noise_from_normal(mean, z, full_well_e)
     return _normal_counts(mean, z, full_well_e, skewed=model == "skewed")
 
 
 def shot_noise_from_normal(mean_e: ArrayLike, z: ArrayLike, full_well_e: float = np.inf) -> Array:
-    """The ``skewed`` model of `shot_noise`, from standard normals ``z`` (...) drawn beforehand.
+    """The ``quantile`` model of `shot_noise`, from standard normals ``z`` (...) drawn beforehand.
 
     A picture whose light changes then keeps its grain, and nothing need be drawn again.
     """
     mean = np.minimum(_light("mean_e", mean_e), _brightest_mean(full_well_e))
-    return _normal_counts(mean, as_floats(z), full_well_e, skewed=True)
+    counted = poisson_from_normal(mean, as_floats(z))
+    return np.minimum(counted, float(full_well_e), out=counted)
 
 
 def _brightest_mean(full_well_e: float) -> float:
@@ -200,54 +207,6 @@ def signal_to_noise(mean_e: ArrayLike, sensor: Sensor) -> Array:
     with np.errstate(invalid="ignore"):
         ratio = mean / np.hypot(np.sqrt(mean), fixed)
     return np.where(np.isinf(mean), np.inf, ratio)
-
-
-def photon_transfer(
-    mean_e: ArrayLike, sensor: Sensor, rng: np.random.Generator, samples: int = 20_000
-) -> tuple[Array, Array]:
-    """Mean and variance in codes of flat fields at each level (N,): the photon-transfer curve.
-
-    The variance is half of that of the difference of two exposures, as in a laboratory,
-    where it cancels the pattern that a real sensor has. In the part ruled by shot noise
-    ``variance = mean / gain``: see `estimate_gain`.
-    """
-    levels = _light("mean_e", mean_e).reshape(-1)
-    _require("samples", samples, samples >= 2, "2 or more")
-    fields = []
-    for _ in range(2):
-        counted = shot_noise(np.repeat(levels[:, None], samples, 1), rng, sensor.full_well_e)
-        fields.append(quantise(read_out(counted, sensor, rng), sensor.bits).astype(np.float64))
-    mean: Array = (fields[0] + fields[1]).mean(axis=1) / 2 - sensor.black_level_dn
-    variance: Array = (fields[0] - fields[1]).var(axis=1, ddof=1) / 2
-    return mean, variance
-
-
-def estimate_gain(mean_dn: ArrayLike, variance_dn: ArrayLike) -> float:
-    """Electrons per code from a transfer curve (N,): one over the slope of its straight part.
-
-    A line is fitted with weight 1 / variance^2 of each point, since a variance is known to
-    a fraction of itself. Leave saturated levels out.
-
-    Raises
-    ------
-    ValueError
-        For fewer than two levels, numbers that are not finite, and a variance that does not
-        rise with the mean: no shot noise is seen there.
-    """
-    mean, variance = as_floats(mean_dn), as_floats(variance_dn)
-    if mean.ndim != 1 or mean.shape != variance.shape:
-        raise ValueError(f"mean {mean.shape} and variance {variance.shape}; legal: both (N,)")
-    if not (np.isfinite(mean).all() and np.isfinite(variance).all()):
-        raise ValueError("a mean or a variance is not finite; legal: finite")
-    if mean.size < 2 or np.ptp(mean) == 0:
-        raise ValueError(f"{mean.size} levels; legal: two or more that differ")
-    slope, _ = np.polyfit(mean, variance, 1, w=1 / np.maximum(variance, 1e-12))
-    if not slope * np.ptp(mean) > 1e-9 * np.abs(variance).max():
-        low, high = float(variance.min()), float(variance.max())
-        raise ValueError(
-            f"variance of {low:g} to {high:g} does not rise with the mean; legal: shot noise seen"
-        )
-    return float(1 / slope)
 
 
 def _check_well(full_well_e: float) -> None:

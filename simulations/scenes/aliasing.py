@@ -149,7 +149,8 @@ def describe(values: Values, alias: float, passed: float, kept: float) -> str:
     if stripes and alias < 0.005:
         return f"{true}: every sample falls on the same place of the wave, and the picture is flat."
     if frequency <= NYQUIST:
-        return f"{true}, below Nyquist: the picture shows them truly, with {strength}."
+        side = "below Nyquist" if frequency < NYQUIST else "which is Nyquist"
+        return f"{true}, {side}: the picture shows them truly, with {strength}."
     where = "" if stripes else " there"
     return (
         f"{true}, above Nyquist: the picture shows false ones of {format_number(alias)} cycles "

@@ -6,7 +6,7 @@ from collections.abc import Iterator
 import numpy as np
 
 from simulations.engine.drawing import Point, dot, line, path, polyline, rectangle, text
-from simulations.models.prefilters import Prefilter, prefilter
+from simulations.models.prefilters import Prefilter, prefilter, transfer
 from simulations.scenes.aliasing_pattern import SHOWN, Floats, Pattern
 
 WIDTH, HEIGHT = 400.0, 300.0
@@ -56,17 +56,10 @@ def alias_curve(pattern: Pattern, kernel: Prefilter, at: float) -> Floats | None
         return None
     # exp(-2πi k x) moves the filtered wave's spectrum: exact for pure waves, and for the slow
     # chirp of the zone plate as good as the eye can tell.
-    strength = _envelope(pattern, kernel, at + x)
+    local = pattern.local_frequency(at + x) if pattern.chirp else pattern.base
     phase = pattern.phase_rad + math.pi * (at + x) * (2 * pattern.base + pattern.chirp * (at + x))
-    curve: Floats = strength * np.sin(phase - 2 * math.pi * whole * x)
+    curve: Floats = transfer(kernel, local) * np.sin(phase - 2 * math.pi * whole * x)
     return curve
-
-
-def _envelope(pattern: Pattern, kernel: Prefilter, x: Floats) -> Floats:
-    """Signed amplitude past the filter at places of the row."""
-    local = pattern.local_frequency(x)
-    envelope: Floats = np.cos(2 * math.pi * local[:, None] * kernel.offsets_px) @ kernel.weights
-    return envelope
 
 
 def _axis() -> Iterator[str]:

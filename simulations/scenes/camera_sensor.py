@@ -80,8 +80,8 @@ def expose(irradiance: Planes, exposure: float) -> Planes:
 
 
 def count(mean_e: Planes, grain: Grain) -> Planes:
-    """Electrons counted. The skewed normal keeps its grain as the light changes, as a Poisson
-    sampler would not; above 20 electrons the two are hard to tell apart."""
+    """Electrons counted: quantiles of the Poisson distribution at the grain's probabilities. The
+    grain stays as the light changes, which that of a Poisson sampler would not."""
     return np.asarray(sensor.shot_noise_from_normal(mean_e, grain.shot, FULL_WELL_E), np.float32)
 
 

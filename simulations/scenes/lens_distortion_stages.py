@@ -207,8 +207,8 @@ def _corrected(photo: Photo, k1: float, k2: float) -> Photo:
     folded = np.hypot(ideal[..., 0], ideal[..., 1]) >= fold_radius(lens)
     centre = np.array((0.5 * (WIDTH_PX - 1), 0.5 * (HEIGHT_PX - 1)))
     position = np.where(folded[..., None], -2.0, centre + distort(ideal, lens) * FOCAL_PX)
-    table = gather_table(position, (HEIGHT_PX, WIDTH_PX), "bicubic")
-    linear = np.maximum(gather(table, photo.linear), 0.0)  # bicubic undershoots at edges
+    table = gather_table(position, (HEIGHT_PX, WIDTH_PX), "spline", np.float32)
+    linear = np.maximum(gather(table, photo.linear), 0.0)  # splines undershoot at edges
     return Photo(linear, np.clip(gather(table, photo.coverage), 0.0, 1.0))
 
 

@@ -16,6 +16,7 @@ from simulations.engine.frame import Frame, Panel, Readout, format_number, reado
 from simulations.engine.pipeline import Run, StageCache, run
 from simulations.engine.scene import Scene
 from simulations.models import sensor
+from simulations.models.photon_transfer import Gain
 from simulations.models.poisson import gap_from_poisson, largest_chance_gap
 from simulations.scenes import sensor_noise_drawing as drawing
 from simulations.scenes.sensor_noise_stages import (
@@ -30,7 +31,7 @@ from simulations.scenes.sensor_noise_stages import (
     sensor_of,
 )
 
-DEFAULT_TIER = "poisson"
+DEFAULT_TIER = "quantile"
 EXPOSURES = 16
 """Exposures of the patches by which a tier is judged."""
 
@@ -113,7 +114,7 @@ def render(values: Values, tier: str, cache: StageCache) -> Frame:
         readout("sigma", "Patch σ", sigma, "DN", digits=2, role="image"),
         Readout("snr", "SNR, measured", measured, role="image"),
         Readout("theory", "SNR, theory", expected, role="ray"),
-        readout("gain", "Gain, measured", transfer.gain_e_per_dn, "e⁻/DN", digits=3, role="image"),
+        Readout("gain", "Gain, measured", measured_gain(transfer.gain), "e⁻/DN", "image"),
         readout("truth", "Gain, true", gain, "e⁻/DN", digits=3, role="light"),
         readout("range", "Dynamic range", span, "stops", digits=1),
     )
@@ -128,6 +129,17 @@ def measured_ratio(transfer: Transfer, patch: int) -> str:
     if transfer.clipped[patch]:  # part of the noise is cut off, and the ratio would flatter
         return "clipped"
     return format_number(transfer.mean_dn[patch] / sigma, 1)
+
+
+def measured_gain(gain: Gain | None) -> str:
+    """With its standard error, of which two digits count."""
+    if gain is None:
+        return "not to be told"
+    digits = min(max(1 - math.floor(math.log10(gain.error_e_per_dn)), 0), 5)
+    shown, error_shown = (
+        format_number(part, digits) for part in (gain.e_per_dn, gain.error_e_per_dn)
+    )
+    return f"{shown} ± {error_shown}"
 
 
 def error(values: Values, tier: str, cache: StageCache) -> Iterator[Readout]:
@@ -160,12 +172,12 @@ def describe(values: Values, transfer: Transfer, camera: sensor.Sensor, measured
     words = {"one code only": "shows one code only", "clipped": "is clipped"}
     shown = words.get(measured, f"has an SNR of {measured}")
     floor_dn = math.sqrt(floor_e2(camera, values.number("dark"))) / camera.gain_e_per_dn
-    if math.isnan(transfer.gain_e_per_dn):
-        fit = "too few patches are left to measure the gain"
+    if transfer.gain is None:
+        fit = "too few patches with noise of their own are left to measure the gain"
     elif floor_dn < 0.5:
         fit = "the dark patches vary by less than a code and fall into flat steps"
     else:
-        off = abs(transfer.gain_e_per_dn / camera.gain_e_per_dn - 1)
+        off = abs(transfer.gain.e_per_dn / camera.gain_e_per_dn - 1)
         fit = f"the variances give the gain to within {math.ceil(100 * off)} %"
     return (
         f"A step wedge at ISO {values.choice('iso')} and {values.number('bits'):.0f} bits: "
@@ -180,7 +192,7 @@ SCENE = Scene(
     render=render,
     tiers=sensor.SHOT_MODELS,
     default_tier=DEFAULT_TIER,
-    draft_tier="skewed",
+    draft_tier=DEFAULT_TIER,
     drafted=("exposure", "dark"),
     ladder="shot-noise",
     error=error,

@@ -1,7 +1,7 @@
 """What the sensor-noise figure computes: electrons → codes → transfer curve and picture."""
 
-import math
 from dataclasses import dataclass
+from functools import cache, partial
 
 import numpy as np
 from numpy.typing import NDArray
@@ -10,10 +10,13 @@ from simulations.engine.pipeline import Stage
 from simulations.engine.raster import to_rgba8
 from simulations.models import sensor
 from simulations.models.color import encode_srgb
+from simulations.models.photon_transfer import Gain, estimate_gain, straight_part
 from simulations.scenes import sensor_noise_drawing as drawing
 
 type Floats = NDArray[np.floating]
 
+SHOT, READ = 1, 2
+"""Streams of chance, of the electrons and of the amplifier."""
 FULL_WELL_E = 20_000.0
 BRIGHTEST_E = 2 * FULL_WELL_E
 """Mean of the first patch at 0 EV: one stop more than a cell can hold."""
@@ -23,8 +26,6 @@ STOPS = np.arange(drawing.ROWS * drawing.COLUMNS) / 2
 """How much darker than the first each patch is."""
 CLIPPED_SHARE = 0.001
 """Patches with more of their pixels at the lowest or the highest code are left out of the fit."""
-NOISELESS_DN2 = 0.02
-"""A patch of less variance has nearly all of its pixels at one code and says nothing of noise."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -39,8 +40,8 @@ class Transfer:
     """(24,) the patches that the gain was fitted to."""
     clipped: NDArray[np.bool_]
     """(24,) the patches with pixels at either end of the converter."""
-    gain_e_per_dn: float
-    """From the slope of the fitted part; nan with too few patches."""
+    gain: Gain | None
+    """From the slope of the fitted part; None where that does not tell it."""
 
 
 def sensor_of(bits: int, iso: str, read_noise: float) -> sensor.Sensor:
@@ -68,16 +69,30 @@ def floor_e2(camera: sensor.Sensor, dark: float) -> float:
     return camera.read_noise_e**2 + dark + camera.gain_e_per_dn**2 / 12
 
 
-def _count(exposure: float, dark: float, new_noise: int, tier: sensor.ShotModel) -> Floats:
+def _grain(stream: int, new_noise: int) -> Floats:
+    """(24, 1600) standard normals, drawn once: the controls only decide how strongly they show."""
+    rng = np.random.default_rng((new_noise, stream))
+    return rng.standard_normal((STOPS.size, PATCH_PX**2), np.float32)
+
+
+def _count(
+    grain: Floats, exposure: float, dark: float, new_noise: int, tier: sensor.ShotModel
+) -> Floats:
     """(24, 1600) electrons: light and warmth free them alike."""
-    rng = np.random.default_rng((new_noise, 1))
-    return count_patches(patch_means_e(exposure) + dark, rng, tier)
+    mean_e = patch_means_e(exposure) + dark
+    if tier == "quantile":
+        return sensor.shot_noise_from_normal(_flat(mean_e), grain, FULL_WELL_E)
+    return count_patches(mean_e, np.random.default_rng((new_noise, SHOT)), tier)
 
 
 def count_patches(mean_e: Floats, rng: np.random.Generator, model: sensor.ShotModel) -> Floats:
     """(24, 1600) electrons counted where ``mean_e`` (24,) are expected."""
-    flat = np.repeat(mean_e[:, None], PATCH_PX**2, axis=1)
-    return sensor.shot_noise(flat, rng, FULL_WELL_E, model)
+    return sensor.shot_noise(_flat(mean_e), rng, FULL_WELL_E, model)
+
+
+def _flat(mean_e: Floats) -> Floats:
+    """(24, 1600) of the same mean in each patch, float32."""
+    return np.repeat(mean_e[:, None].astype(np.float32), PATCH_PX**2, axis=1)
 
 
 def patch_means_e(exposure: float) -> Floats:
@@ -87,11 +102,12 @@ def patch_means_e(exposure: float) -> Floats:
 
 
 def _read(
-    electrons: Floats, bits: float, iso: str, read_noise: float, new_noise: int
+    electrons: Floats, grain: Floats, bits: float, iso: str, read_noise: float
 ) -> NDArray[np.uint16]:
-    camera = sensor_of(int(bits), iso, read_noise)
-    rng = np.random.default_rng((new_noise, 2))
-    return sensor.quantise(sensor.read_out(electrons, camera, rng), camera.bits)
+    quiet = sensor_of(int(bits), iso, 0.0)  # the read noise is in the grain already
+    reported = electrons + np.float32(read_noise) * grain if read_noise else electrons
+    signal = sensor.read_out(reported, quiet, np.random.default_rng(0))
+    return sensor.quantise(signal, quiet.bits)
 
 
 def _measure(
@@ -103,31 +119,40 @@ def _measure(
     variance = codes.var(axis=1, ddof=1, dtype=np.float64)
     at_an_end = (codes == 0) | (codes == camera.highest_dn)
     clipped = at_an_end.mean(axis=1) > CLIPPED_SHARE
-    fitted = ~clipped & (variance > NOISELESS_DN2)
-    enough = np.count_nonzero(fitted) >= 3
-    gain = _gain_e_per_dn(mean[fitted], variance[fitted]) if enough else math.nan
-    return Transfer(mean, variance, fitted, clipped, gain)
+    fitted = ~clipped
+    fitted[fitted] = straight_part(mean[fitted], variance[fitted])
+    return Transfer(mean, variance, fitted, clipped, _gain(mean[~clipped], variance[~clipped]))
 
 
-def _gain_e_per_dn(mean: Floats, variance: Floats) -> float:
-    """NaN where other noise hides how the variance rises with the light."""
+def _gain(mean: Floats, variance: Floats) -> Gain | None:
+    """None where other noise hides how the variance rises with the light, or rounding does."""
     try:
-        return sensor.estimate_gain(mean, variance)
+        return estimate_gain(mean, variance, PATCH_PX**2)
     except ValueError:
-        return math.nan
+        return None
 
 
-def _picture(codes: NDArray[np.uint16], bits: float, iso: str) -> NDArray[np.uint8]:
+def _picture(codes: NDArray[np.uint16], bits: float) -> NDArray[np.uint8]:
     """The patches in four rows of six, brightest first."""
-    linear = sensor.develop(codes, sensor_of(int(bits), iso, 0.0))
-    tiles = linear.reshape(drawing.ROWS, drawing.COLUMNS, PATCH_PX, PATCH_PX)
-    wedge = tiles.swapaxes(1, 2).reshape(drawing.ROWS * PATCH_PX, drawing.COLUMNS * PATCH_PX)
-    return to_rgba8(encode_srgb(np.clip(wedge, 0, 1)))
+    tiles = _colour_of_code(int(bits))[codes]
+    rows = tiles.reshape(drawing.ROWS, drawing.COLUMNS, PATCH_PX, PATCH_PX, 4).swapaxes(1, 2)
+    return rows.reshape(drawing.ROWS * PATCH_PX, drawing.COLUMNS * PATCH_PX, 4)
+
+
+@cache
+def _colour_of_code(bits: int) -> NDArray[np.uint8]:
+    """(codes, 4) canvas bytes of each code; fewer than there are pixels, at any ISO the same."""
+    linear = sensor.develop(np.arange(2.0**bits), sensor_of(bits, "100", 0.0))
+    colours: NDArray[np.uint8] = to_rgba8(encode_srgb(np.clip(linear, 0, 1))[None])[0]
+    colours.flags.writeable = False
+    return colours
 
 
 STAGES = (
-    Stage("electrons", ("exposure", "dark", "new_noise", "tier"), _count),
-    Stage("codes", ("bits", "iso", "read_noise", "new_noise"), _read, ("electrons",)),
+    Stage("shot grain", ("new_noise",), partial(_grain, SHOT)),
+    Stage("read grain", ("new_noise",), partial(_grain, READ)),
+    Stage("electrons", ("exposure", "dark", "new_noise", "tier"), _count, ("shot grain",)),
+    Stage("codes", ("bits", "iso", "read_noise"), _read, ("electrons", "read grain")),
     Stage("transfer", ("bits", "iso", "read_noise", "dark"), _measure, ("codes",)),
-    Stage("picture", ("bits", "iso"), _picture, ("codes",)),
+    Stage("picture", ("bits",), _picture, ("codes",)),
 )

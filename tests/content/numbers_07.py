@@ -3,10 +3,14 @@
 from math import pi, radians, sin
 
 import numpy as np
-from support.worked_numbers import Says
+from support.worked_numbers import Says, source
 
+from simulations.models.demosaicing import demosaic, mosaic
+from simulations.models.prefilters import prefilter
 from simulations.models.resampling import KERNELS
 from simulations.models.sampling import alias_frequency, apparent_wheel_speed, box_mtf
+from simulations.pictures import spoked_wheel
+from simulations.scenes.aliasing_pattern import pattern_of
 
 CHAPTER = "07-sampling-and-aliasing"
 
@@ -44,11 +48,78 @@ def folded_frequencies() -> Says:
     yield f"- [ ] {0.7 - 0.5:.1f} cycles per pixel"
 
 
+def the_border_belongs_to_neither_side() -> Says:
+    """Exactly twice the frequency is not enough: at the zero crossings nothing is recorded."""
+    yield r"f_{\text{sample}} > 2\, f_{\max}"
+    assert np.allclose(np.sin(pi * np.arange(9)), 0)
+    assert r"\ge 2" not in source(CHAPTER)
+    assert "at least twice as fast" not in source(CHAPTER)
+    spacings_um = (1000 / 30, 1000 / 60, 16.0, 3.3)
+    shown = ("33 µm", "16⅔ µm", "16 µm", "3.3 µm")
+    for spacing, text in zip(spacings_um, shown, strict=True):
+        key = spacing == max(s for s in spacings_um if 1000 / s > 2 * 30)
+        yield f"- [{'x' if key else ' '}] {text}\n"
+    yield f": {1000 / 16:g} samples per millimetre, *more than* twice 30."
+
+
+def the_same_picture_at_two_frequencies() -> Says:
+    """With the phase of the figure, 90°: a cosine."""
+    yield "At 0.70 the picture is the one you saw at 0.30, dot for dot."
+    one, other = (pattern_of("stripes", f, 90.0).picture(prefilter("none")) for f in (0.3, 0.7))
+    assert np.allclose(one, other, atol=1e-12)
+
+
 def what_a_cell_s_width_lets_through() -> Says:
     yield rf"At the Nyquist frequency that is $2/\pi = {2 / pi:.2f}$"
     assert np.isclose(box_mtf(0.5), 2 / pi)
     yield f"at 0.8 cycles per pixel it is {float(box_mtf(0.8)):.2f}; at 1 it is exactly zero"
     assert abs(float(box_mtf(1.0))) < 1e-15
+    beyond = np.linspace(1, 3, 2001)
+    highest = beyond[np.argmax(box_mtf(beyond))]
+    most, still = float(box_mtf(highest)), float(box_mtf(1.5))
+    yield f"{most:.2f} near {highest:.1f}, still {still:.2f} at 1.5"
+    assert np.sinc(1.2) < 0, "crests and troughs exchanged"
+
+
+def what_cell_and_plate_let_through() -> Says:
+    f = np.linspace(0, 4, 4001)
+    both = box_mtf(f) * np.abs(np.cos(pi * f))
+    assert np.allclose(both, np.abs(np.sinc(2 * f)), atol=1e-12)
+    yield f"From Nyquist on that never exceeds {both[f >= 0.5].max():.2f}"
+    yield f"and {np.interp(0.8, f, both):.2f} of the shirt's stripes are left"
+    yield "at 0.4 cycles per pixel, which the grid could hold, the cell and the plate leave "
+    yield f"the cell and the plate leave {np.interp(0.4, f, both):.2f}"
+
+
+def red_and_blue_contradict_each_other_at_the_fence() -> Says:
+    """Grey pickets two pixels wide, each colour interpolated by itself."""
+    yield "Its pickets are two pixels wide and two pixels apart: 0.25 cycles per pixel"
+    yield "one half of each cycle turns reddish, the other bluish"
+    fence = np.tile((np.arange(64) % 4 < 2).astype(float), (32, 1))
+    seen = demosaic(mosaic(np.repeat(fence[..., None], 3, axis=2)), method="bilinear")
+    tint = (seen[..., 0] - seen[..., 2])[8:24, 8:56].mean(axis=0)
+    assert np.allclose(np.abs(tint), 0.5, atol=1e-6), "nowhere is the white left white"
+    assert np.array_equal(np.sign(tint).reshape(-1, 4), np.tile([1, -1, -1, 1], (12, 1)))
+
+
+def the_ghosts_of_four_instants() -> Says:
+    yield "towards the rim every spoke turns into four ghosts"
+    spacing = 2 * pi * (spoked_wheel.RADIUS - spoked_wheel.RIM) / 8
+    apart = 2.9 * 8 / 24 * 0.5 / 4 * spacing
+    assert apart > 1.1 * spoked_wheel.SPOKE, "there they do not touch"
+
+
+def a_lens_as_the_filter() -> Says:
+    per_um = 1 / (0.55 * 4)
+    yield f"of 0.55 µm at $f/4$ that is {per_um:.2f} cycles per µm"
+    assert per_um < 0.5
+    yield f"On cells of 4 µm the same lens passes {4 * per_um:.1f} cycles per pixel"
+
+
+def a_shutter_open_for_more_than_a_spacing() -> Says:
+    yield rf"$|\mathrm{{sinc}}(1.25)| = {float(box_mtf(1.25)):.2f}$ of the contrast"
+    assert np.isclose(float(alias_frequency(1.25)), 0.25), "forwards"
+    assert abs(float(box_mtf(2.0))) < 1e-15, "even grey at two spacings as well"
 
 
 def the_cubic_s_weights_halfway() -> Says:
@@ -58,6 +129,14 @@ def the_cubic_s_weights_halfway() -> Says:
     yield f"are ${far:g}/16$, ${near:g}/16$, ${near:g}/16$ and ${far:g}/16$"
 
 
+def the_spline_s_weights() -> Says:
+    far, near = 48 * KERNELS["spline"].weigh(np.array([1.5, 0.5]))
+    assert np.isclose(2 * (far + near), 48)
+    yield f"are ${far:g}/48$, ${near:g}/48$, ${near:.0f}/48$ and ${far:g}/48$"
+    own, beside = 6 * KERNELS["spline"].weigh(np.array([0.0, 1.0]))
+    yield f"it has ${own:g}/6$ on its own and ${beside:g}/6$ on each"
+
+
 def wagon_wheels() -> Says:
     speed, _ = apparent_wheel_speed(2.9, 8, 24.0)
     yield f"brings {2.9 * 8:.1f} spokes a second"
@@ -65,7 +144,7 @@ def wagon_wheels() -> Says:
     assert np.isclose(speed, -0.1), "a tenth of a turn a second, backwards"
     yield f"at 12 spokes a second, which is half the frame rate: {12 / 8:g} turns a second"
     speed, _ = apparent_wheel_speed(5.0, 6, 24.0)
-    yield f"- [x] A wheel turning forwards at {float(speed):.0f} turn a second."
+    yield f"- [x] A wheel turning forwards at {float(speed):.0f} turn a second\n"
 
 
 def at_nyquist() -> Says:
@@ -75,8 +154,16 @@ def at_nyquist() -> Says:
 WORKED = (
     the_shirt_at_twenty_metres,
     folded_frequencies,
+    the_border_belongs_to_neither_side,
+    the_same_picture_at_two_frequencies,
     what_a_cell_s_width_lets_through,
+    what_cell_and_plate_let_through,
+    red_and_blue_contradict_each_other_at_the_fence,
+    the_ghosts_of_four_instants,
+    a_lens_as_the_filter,
+    a_shutter_open_for_more_than_a_spacing,
     the_cubic_s_weights_halfway,
+    the_spline_s_weights,
     wagon_wheels,
     at_nyquist,
 )

@@ -36,8 +36,15 @@ def test_the_reference_is_scipys_poisson(row: int, mean: float) -> None:
     np.testing.assert_allclose(TRUTH[row], oracle, atol=1e-14)
 
 
-def test_exact_counts_are_no_farther_off_than_samples_must_be() -> None:
-    assert np.all(distances(COUNTED["poisson"], TRUTH) < SAMPLING)
+@pytest.mark.parametrize("tier", ["quantile", "poisson"])
+def test_exact_counts_and_quantiles_are_no_farther_off_than_samples_must_be(tier: str) -> None:
+    assert np.all(distances(COUNTED[tier], TRUTH) < SAMPLING)
+
+
+def test_the_workload_holds_light_below_one_electron_and_light_where_all_tiers_agree() -> None:
+    assert LEVELS_E[0] == 0.1
+    brightest = {name: distances(counted, TRUTH)[-1] for name, counted in COUNTED.items()}
+    assert all(distance < SAMPLING for distance in brightest.values())
 
 
 @pytest.mark.parametrize(("row", "mean"), list(enumerate(LEVELS_E)))
@@ -64,17 +71,34 @@ def test_cutting_the_gaussian_at_zero_brightens_one_electron_by_seven_percent() 
     above = 1.0 - rounded_normal_cumulative(1.0)
     theory = 100.0 * (above.sum() - 1.0)
     assert theory == pytest.approx(7.0, abs=0.5)
-    assert worst_bias_percent(COUNTED["gaussian"], TRUTH, WORK) == pytest.approx(theory, abs=1.2)
+    measured = COUNTED["gaussian"][LEVELS_E.index(1.0)].mean(dtype=float)
+    assert 100 * (measured - 1) == pytest.approx(theory, abs=1.2)
 
 
-def test_skew_correction_takes_out_most_of_the_distance() -> None:
-    assert DISTANCE["gaussian"] > 5 * DISTANCE["skewed"] > 5 * DISTANCE["poisson"]
+def test_the_lean_invents_light_where_there_is_least() -> None:
+    """At 0.1 electrons 45 % too many, by the normal's own probabilities."""
+    z = np.linspace(-9, 9, 2_000_001)
+    held = np.clip(np.rint(0.1 + np.sqrt(0.1) * z + (z * z - 1) / 6), 0, None)
+    theory = 100 * (np.trapezoid(held * stats.norm.pdf(z), z) / 0.1 - 1)
+    assert theory == pytest.approx(45, abs=1)
+    chance = 100 * 4 * np.sqrt(0.15 / SAMPLES) / 0.1
+    measured = worst_bias_percent(COUNTED["skewed"], TRUTH, WORK)
+    assert measured == pytest.approx(theory, abs=chance)
+    for tier in ("quantile", "poisson"):
+        assert worst_bias_percent(COUNTED[tier], TRUTH, WORK) < 400 / np.sqrt(0.1 * SAMPLES)
 
 
-def test_the_default_is_nearer_than_everything_cheaper() -> None:
+def test_skew_correction_takes_out_most_of_the_distance_from_one_electron_on() -> None:
+    from_one = slice(LEVELS_E.index(1.0), LEVELS_E.index(30.0))
+    plain, leaning = (distances(COUNTED[t], TRUTH)[from_one] for t in ("gaussian", "skewed"))
+    assert np.all(leaning < plain / 4)
+    assert DISTANCE["gaussian"] > 2 * DISTANCE["skewed"] > 10 * DISTANCE["poisson"]
+
+
+def test_the_default_is_nearer_than_everything_rougher() -> None:
     default = [tier.id for tier in LADDER.tiers].index(LADDER.default_tier)
-    cheaper = LADDER.tiers[:default]
-    assert all(DISTANCE[tier.id] > DISTANCE[LADDER.default_tier] for tier in cheaper)
+    rougher = LADDER.tiers[:default]
+    assert all(DISTANCE[tier.id] > 5 * DISTANCE[LADDER.default_tier] for tier in rougher)
 
 
 def test_the_distance_of_counts_one_too_high_is_the_largest_probability() -> None:

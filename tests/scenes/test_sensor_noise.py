@@ -1,5 +1,6 @@
 """The step wedge obeys the noise theory that the chapter states, and measures its own gain."""
 
+import itertools
 import math
 
 import numpy as np
@@ -8,8 +9,10 @@ from scipy import stats
 
 from simulations.engine.controls import check_values
 from simulations.engine.pipeline import StageCache
+from simulations.ladders.shot_noise import LADDER
+from simulations.models.color import encode_srgb
 from simulations.models.poisson import gap_from_poisson, largest_chance_gap
-from simulations.models.sensor import SHOT_MODELS
+from simulations.models.sensor import SHOT_MODELS, develop
 from simulations.scenes.sensor_noise import EXPOSURES, SCENE, run_tier
 from simulations.scenes.sensor_noise_stages import FULL_WELL_E, patch_means_e, sensor_of
 
@@ -40,7 +43,7 @@ def test_neighbouring_patches_are_half_a_stop_apart():
 def test_the_slope_of_the_transfer_curve_is_the_gain(iso, bits):
     """1600 pixels know a variance to 3.5 %; a line through a dozen patches to about 2 %."""
     truth = sensor_of(bits, iso, 10).gain_e_per_dn
-    assert transfer(iso=iso, bits=bits).gain_e_per_dn == pytest.approx(truth, rel=0.06)
+    assert transfer(iso=iso, bits=bits).gain.e_per_dn == pytest.approx(truth, rel=0.06)
 
 
 def test_at_base_iso_the_top_code_is_a_full_well():
@@ -93,8 +96,38 @@ def test_too_few_bits_leave_patches_without_noise():
 
 def test_where_no_patch_has_noise_no_gain_is_claimed():
     shown = frame(bits=4, exposure=-6, read_noise=0)
-    assert {item.name: item.text for item in shown.readouts}["gain"] == "undefined"
+    assert {item.name: item.text for item in shown.readouts}["gain"] == "not to be told"
     assert "too few patches" in shown.description
+
+
+@pytest.mark.parametrize("iso", ["100", "800", "6400"])
+@pytest.mark.parametrize("bits", [4, 6, 8, 10, 12, 14])
+def test_a_gain_is_told_to_within_a_few_of_its_standard_errors_or_not_at_all(iso, bits):
+    """Coarse codes, hot sensors and full wells once gave gains up to twice the truth, or none."""
+    for exposure, dark, read_noise in itertools.product((0, -3, -6), (0, 2000), (0, 10, 60)):
+        given = {"iso": iso, "bits": bits, "exposure": exposure}
+        measured = transfer(**given, dark=dark, read_noise=read_noise)
+        if measured.gain is None:
+            continue
+        off = measured.gain.e_per_dn - sensor_of(bits, iso, read_noise).gain_e_per_dn
+        assert abs(off) < 3.5 * measured.gain.error_e_per_dn, (given, dark, read_noise)
+        assert measured.gain.error_e_per_dn < 0.1 * measured.gain.e_per_dn
+
+
+def test_the_gain_is_shown_with_two_digits_of_its_error():
+    shown = texts()["gain"]
+    told, error = (float(part) for part in shown.split(" ± "))
+    assert told == pytest.approx(float(texts()["truth"]), abs=3 * error)
+    assert shown.split(" ± ")[1].replace(".", "").lstrip("0").isdigit()
+    assert 0.005 < error / told < 0.05
+
+
+def test_a_well_that_heat_has_filled_is_left_out_of_the_fit_although_no_code_is_the_last():
+    """The light of a full cell stops 2000 electrons below the top code, nearly without noise."""
+    hot = transfer(dark=2000)
+    assert not hot.clipped[3]
+    full = np.flatnonzero(patch_means_e(0) + 2000 > FULL_WELL_E)
+    assert not hot.fitted[full].any()
 
 
 def test_dynamic_range_is_the_chapters_example():
@@ -121,6 +154,33 @@ def test_another_patch_reuses_the_picture():
     assert {stage.status for stage in frame(cache, patch=3).stages} == {"reused"}
 
 
+@pytest.mark.parametrize(
+    ("moved", "computed"),
+    [
+        ({"exposure": -2}, ("electrons", "codes", "transfer", "picture")),
+        ({"dark": 100}, ("electrons", "codes", "transfer", "picture")),
+        ({"read_noise": 3}, ("codes", "transfer", "picture")),
+        ({"iso": "400"}, ("codes", "transfer", "picture")),
+        ({"bits": 10}, ("codes", "transfer", "picture")),
+        ({"patch": 2}, ()),
+    ],
+)
+def test_chance_is_drawn_once_and_every_control_only_scales_it(moved, computed):
+    cache = StageCache()
+    frame(cache)
+    statuses = {stage.name: stage.status for stage in frame(cache, **moved).stages}
+    assert tuple(name for name, status in statuses.items() if status == "computed") == computed
+
+
+@pytest.mark.parametrize("bits", [4, 12, 14])
+def test_the_picture_is_the_codes_developed_and_encoded(bits):
+    done = run_tier(values(bits=bits), "", StageCache()).outputs
+    linear = develop(done["codes"], sensor_of(bits, "100", 0))
+    expected = np.rint(255 * encode_srgb(np.clip(linear, 0, 1)))
+    shown = done["picture"][..., 0].reshape(4, 40, 6, 40).swapaxes(1, 2).reshape(24, 1600)
+    np.testing.assert_array_equal(shown, expected)
+
+
 def estimates(tier, **given):
     return list(SCENE.error(values(**given), tier, StageCache()))
 
@@ -134,9 +194,24 @@ def test_the_tiers_are_all_models_of_the_sensor():
     assert SCENE.tiers == SHOT_MODELS
 
 
+def test_more_light_adds_to_the_grain_that_is_there_and_does_not_reshuffle_it():
+    """Half a stop: a new draw of the electrons would leave no correlation."""
+    shown = {
+        tier: [
+            run_tier(values(exposure=ev), tier, StageCache()).outputs["electrons"][20]
+            for ev in (-2, -1.5)
+        ]
+        for tier in ("quantile", "poisson")
+    }
+    kept, drawn_anew = (np.corrcoef(*pair)[0, 1] for pair in shown.values())
+    assert kept > 0.99
+    assert abs(drawn_anew) < 0.5
+
+
+@pytest.mark.parametrize("tier", ["quantile", "poisson"])
 @pytest.mark.parametrize("exposure", [0, -3, -6])
-def test_exact_electrons_are_as_far_from_poissons_law_as_chance_would_have_it(exposure):
-    told = float(estimates("poisson", exposure=exposure)[-1].text)
+def test_exact_electrons_are_as_far_from_poissons_law_as_chance_would_have_it(exposure, tier):
+    told = float(estimates(tier, exposure=exposure)[-1].text)
     assert told < 1.6 * largest_chance_gap(24, 1600 * EXPOSURES)
 
 
@@ -178,14 +253,18 @@ def test_a_rounded_normal_is_too_bright_where_it_may_not_be_negative():
     held = np.sum(1 - rounded_normal(mean, np.arange(50)))
     assert held > 1.25 * mean
     gain = sensor_of(14, "6400", 0).gain_e_per_dn
-    for tier, expected in (("gaussian", held), ("poisson", mean)):
+    for tier, expected in (("gaussian", held), ("quantile", mean), ("poisson", mean)):
         shown = {r.name: r.text for r in SCENE.render(values(**given), tier, StageCache()).readouts}
         scatter = 4 * math.sqrt(mean / 1600)
         assert float(shown["mean"]) * gain == pytest.approx(expected, abs=scatter)
 
 
 def test_only_light_and_warmth_are_dragged_in_the_draft():
-    """The other controls reuse the electrons that are there: a draft would draw them anew."""
+    """The other controls reuse the electrons that are there: a draft would draw them anew.
+
+    Only whoever chose the exact sampler gets a draft, one whose grain stays while it is dragged.
+    """
+    assert SCENE.default_tier == SCENE.draft_tier == LADDER.default_tier
     cache = StageCache()
     frame(cache)
     for name in set(SCENE.drafted) ^ {"exposure", "dark", "bits", "iso", "read_noise", "patch"}:
