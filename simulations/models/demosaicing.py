@@ -20,6 +20,7 @@ from simulations.models.floats import as_floats
 from simulations.models.malvar import malvar
 from simulations.models.menon import menon, menon_unrefined
 from simulations.models.quads import Quads, above, below, from_quads, left, right, to_quads
+from simulations.models.whole_numbers import as_whole
 
 __all__ = ["METHODS", "PATTERNS", "demosaic", "mosaic", "psnr_db"]
 
@@ -131,7 +132,8 @@ def psnr_db(picture: ArrayLike, reference: ArrayLike, peak: float = 1.0, crop: i
     a, b = np.asarray(picture, np.float64), np.asarray(reference, np.float64)
     if a.shape != b.shape or a.ndim < 2:
         raise ValueError(f"pictures of shapes {a.shape} and {b.shape}; legal: equal, (H, W, ...)")
-    if crop < 0 or 2 * crop >= min(a.shape[:2]):
+    crop = as_whole("crop", crop, 0)
+    if 2 * crop >= min(a.shape[:2]):
         raise ValueError(f"crop {crop} px of a picture {a.shape}; legal: less than half of it")
     inner = (slice(crop, a.shape[0] - crop), slice(crop, a.shape[1] - crop))
     if not 0 < peak < math.inf:

@@ -36,6 +36,18 @@ CONTROLS = (
             "4:2:0": "4:2:0, once in 2 × 2 pixels",
         },
     ),
+    Choice(
+        name="upsampling",
+        label="Colour filled in by",
+        default="triangle",
+        options={
+            "repeated": "Repetition",
+            "triangle": "Triangle",
+            "parabola": "Parabola",
+            "cubic": "Cubic",
+            "guided": "Following luma",
+        },
+    ),
     Slider(
         name="column", label="Block, column", default=25, minimum=1, maximum=BLOCK_COLUMNS, step=1
     ),

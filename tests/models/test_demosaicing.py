@@ -225,6 +225,7 @@ def test_psnr_counts_in_units_of_the_peak():
         ((20, 20), (20, 21), 2, "shapes"),
         ((20,), (20,), 2, "shapes"),
         ((20, 20), (20, 20), -1, "crop -1"),
+        ((20, 20), (20, 20), 2.5, "crop 2.5; legal: whole numbers"),
         ((20, 40), (20, 40), 10, "crop 10"),
         ((40, 20), (40, 20), 10, "crop 10"),
         ((40, 40, 3), (40, 40, 3), 20, "crop 20"),
@@ -247,6 +248,12 @@ def test_psnr_is_of_the_difference():
 @pytest.mark.parametrize("shape", [(1, 1), (1, 4), (4, 1), (3, 3), (2, 5)])
 def test_the_filters_of_a_sensor_of_any_size_have_that_size(shape):
     assert filter_colours(*shape).shape == shape
+
+
+@pytest.mark.parametrize("shape", [(0, 4), (4, 0), (2.5, 4), (4, np.nan)])
+def test_a_sensor_has_whole_rows_and_columns(shape):
+    with pytest.raises(ValueError, match=r"(height|width) .*; legal: whole numbers, 1 or more"):
+        filter_colours(*shape)
 
 
 @pytest.mark.parametrize(("far", "score"), [(np.inf, -np.inf), (1e200, -np.inf), (1e100, -2000.0)])
