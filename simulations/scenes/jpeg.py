@@ -98,9 +98,13 @@ def render(values: Values, tier: str, cache: StageCache) -> Frame:
     block_kept = int(np.count_nonzero(codes))
     readouts = (
         readout("psnr", "PSNR", done.outputs["psnr"], "dB", digits=1, role="error"),
-        readout("kept", "Coefficients kept", 100 * kept.nonzero / (3 * pixels), "%", digits=1),
+        readout("kept", "Kept, of three a pixel", 100 * kept.nonzero / (3 * pixels), "%", digits=1),
         readout("rate", "Size", kept.bits / pixels, "bits a pixel", role="image"),
-        Readout("ratio", "Against 24 bits", f"{format_number(24 * pixels / kept.bits, 1)} : 1"),
+        Readout(
+            "ratio",
+            "24 bits a pixel against it",
+            f"{format_number(24 * pixels / kept.bits, 1)} : 1",
+        ),
         readout("block_kept", "Kept in the block", block_kept, "of 64", digits=0, role="image"),
     )
     return Frame(

@@ -129,7 +129,10 @@ def what_is_said_in_words_of_times() -> Says:
     assert browser_ms("srgb", "exact") > 1.1 * browser_ms("srgb", "table")
     yield "single precision would save too little time to be worth a second number format"
     assert browser_ms("block-dct", "separable") < 1.3 * browser_ms("block-dct", "separable-32")
-    yield "they are the least accurate and not the quickest"
+    yield "but not in light, which the steps that follow in a camera need, and it takes"
+    tiers = ("menon-encoded", "menon-unrefined")
+    assert browser_ms("demosaicing", tiers[0]) > 1.5 * browser_ms("demosaicing", tiers[1])
+    yield "Here they are the least accurate and not the quickest"
     assert browser_ms("block-dct", "fixed-point") > 1.3 * browser_ms("block-dct", "separable")
     worst = {item.tier.id: item.errors["worst"] for item in measurements().find("block-dct").tiers}
     assert max(worst, key=lambda tier: worst[tier] or 0.0) == "fixed-point"
