@@ -98,7 +98,13 @@ def render(values: Values, tier: str, cache: StageCache) -> Frame:
     block_kept = int(np.count_nonzero(codes))
     readouts = (
         readout("psnr", "PSNR", done.outputs["psnr"], "dB", digits=1, role="error"),
-        readout("kept", "Kept, of three a pixel", 100 * kept.nonzero / (3 * pixels), "%", digits=1),
+        readout(
+            "kept",
+            "Coefficients kept, of 3 a pixel",
+            100 * kept.nonzero / (3 * pixels),
+            "%",
+            digits=1,
+        ),
         readout("rate", "Size", kept.bits / pixels, "bits a pixel", role="image"),
         Readout(
             "ratio",
