@@ -30,6 +30,9 @@ KERNELS: Mapping[str, tuple[float, float, float, float]] = MappingProxyType(
 The parabola is the one that has the three nearest means, averaged over the pixel's half of its
 cell: the two halves keep the mean of the cell. The cubic is Catmull and Rom's, at a quarter.
 """
+LARGEST = 1e12
+"""Far beyond any code, and small enough for every sum and square to stay finite."""
+
 METHODS = (*KERNELS, "guided")
 """In the order of their work."""
 
@@ -56,7 +59,8 @@ def refine(
     Raises
     ------
     ValueError
-        For another method or factor, and for a plane that does not fit the luma.
+        For another method or factor, for a plane that does not fit the luma, and for values
+        that are not finite or absurdly large.
     """
     values, light = as_floats(plane), as_floats(luma)
     if method not in METHODS:
@@ -69,6 +73,9 @@ def refine(
             f"plane of shape {values.shape} for luma of shape {light.shape}, factor {factor}; "
             "legal: one sample for each cell of a luma (H, W), not empty"
         )
+    for name, codes in (("plane", values), ("luma", light)):
+        if not np.all(np.abs(codes) <= LARGEST):
+            raise ValueError(f"{name} reaches {np.abs(codes).max()}; legal: finite, to {LARGEST:g}")
     if method == "guided":
         return _guided(values, factor, light)
     return _interpolate(values, factor, light.shape, method)

@@ -30,12 +30,15 @@ def shared_detail(linear: ArrayLike) -> tuple[float, float]:
     Raises
     ------
     ValueError
-        For another shape.
+        For another shape, and for values that are not finite.
     """
     picture = as_colours(linear)
     if picture.ndim != 3 or min(picture.shape[:2]) < 3:
         raise ValueError(f"picture of shape {picture.shape}; legal: (H, W, 3), 3 x 3 or more")
-    wide = picture.astype(np.float64)
+    largest = float(np.abs(picture).max())
+    if not np.isfinite(largest):
+        raise ValueError(f"picture reaches {largest}; legal: finite")
+    wide = picture.astype(np.float64) / (largest or 1.0)  # squares neither overflow nor vanish
     sides = wide[:-2, 1:-1] + wide[2:, 1:-1] + wide[1:-1, :-2] + wide[1:-1, 2:]
     red, green, blue = (wide[1:-1, 1:-1] - sides / 4).reshape(-1, 3).T
     return _correlation(red, green), _correlation(blue, green)

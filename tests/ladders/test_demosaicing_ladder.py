@@ -78,7 +78,7 @@ def test_the_refinement_gains_next_to_nothing_on_the_room_and_loses_elsewhere() 
 
 
 def photograph(name: str) -> np.ndarray:
-    """A photograph in linear light, at half size: its own camera's mosaic is averaged away."""
+    """A photograph in linear light, at half size, since its own camera has demosaiced it."""
     linear = decode_srgb(getattr(skimage.data, name)() / 255)
     rows, columns = (2 * (side // 2) for side in linear.shape[:2])
     halves = linear[:rows, :columns].reshape(rows // 2, 2, columns // 2, 2, 3)

@@ -127,6 +127,18 @@ def test_the_triangle_is_the_default_and_float32_stays_float32():
         assert refine(plane, (2, 2), luma, method).dtype == np.float32
 
 
+@pytest.mark.parametrize("method", METHODS)
+@pytest.mark.parametrize("bad", [np.nan, np.inf, -1.01e12])
+def test_values_beyond_all_codes_are_refused(bad, method):
+    plane, luma = np.zeros((2, 2)), np.zeros((4, 4))
+    plane[1, 0] = bad
+    with pytest.raises(ValueError, match=r"plane reaches .*legal: finite"):
+        refine(plane, (2, 2), luma, method)
+    luma[3, 2] = bad
+    with pytest.raises(ValueError, match=r"luma reaches .*legal: finite"):
+        refine(np.zeros((2, 2)), (2, 2), luma, method)
+
+
 @pytest.mark.parametrize(
     ("plane", "factor", "luma", "method", "message"),
     [

@@ -39,6 +39,20 @@ def test_a_colour_without_detail_shares_an_undefined_amount():
     assert np.isfinite(blue)
 
 
+@pytest.mark.parametrize("scale", [1e-300, 1e300])
+def test_the_unit_of_light_does_not_matter(scale):
+    picture = np.random.default_rng(4).random((9, 9, 3))
+    assert shared_detail(scale * picture) == pytest.approx(shared_detail(picture), abs=1e-12)
+
+
+@pytest.mark.parametrize("bad", [np.nan, np.inf])
+def test_light_that_is_not_finite_is_refused(bad):
+    picture = np.zeros((5, 5, 3))
+    picture[2, 2, 1] = bad
+    with pytest.raises(ValueError, match="legal: finite"):
+        shared_detail(picture)
+
+
 @pytest.mark.parametrize("shape", [(2, 9, 3), (9, 2, 3), (9, 9, 4), (9, 3)])
 def test_what_is_no_picture_is_refused(shape):
     with pytest.raises(ValueError, match="legal: "):
