@@ -73,7 +73,7 @@ LADDER = Ladder(
         for method, label, cost in (
             ("repeated", "Repetition", "1 tap along each axis"),
             ("triangle", "Triangle", "2 taps along each axis"),
-            ("parabola", "Parabola through means", "3 taps along each axis"),
+            ("parabola", "Parabola", "3 taps along each axis"),
             ("cubic", "Cubic (Catmull–Rom)", "4 taps along each axis"),
             ("guided", "Following luma", "3 parabolas, 4 means of 3 × 3"),
         )
@@ -81,10 +81,10 @@ LADDER = Ladder(
     reference=reference,
     reference_label="the colour differences of every pixel, before they were averaged",
     metrics=(
-        Metric("room", "RMS, room, quality 75", "codes", _rms(0)),
-        Metric("balloon", "RMS, balloon, quality 75", "codes", _rms(1)),
-        Metric("room-means", "RMS, room, not rounded", "codes", _rms(2)),
-        Metric("balloon-means", "RMS, balloon, not rounded", "codes", _rms(3)),
+        Metric("room", "RMS, room, file", "codes", _rms(0)),
+        Metric("balloon", "RMS, balloon, file", "codes", _rms(1)),
+        Metric("room-means", "RMS, room, means", "codes", _rms(2)),
+        Metric("balloon-means", "RMS, balloon, means", "codes", _rms(3)),
     ),
     default_tier="triangle",
 )
