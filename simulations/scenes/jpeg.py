@@ -31,9 +31,9 @@ CONTROLS = (
         label="Colour",
         default="4:2:0",
         options={
-            "4:4:4": "4:4:4, in every pixel",
-            "4:2:2": "4:2:2, in every second column",
             "4:2:0": "4:2:0, once in 2 × 2 pixels",
+            "4:2:2": "4:2:2, in every second column",
+            "4:4:4": "4:4:4, in every pixel",
         },
     ),
     Choice(
