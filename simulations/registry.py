@@ -40,6 +40,7 @@ LADDER_MODULES = {
     "precision": "simulations.ladders.precision",
     "vignetting": "simulations.ladders.vignetting",
     "block-dct": "simulations.ladders.block_dct",
+    "chroma-upsampling": "simulations.ladders.chroma_upsampling",
     "homography-estimation": "simulations.ladders.homography_estimation",
     "anti-aliasing": "simulations.ladders.anti_aliasing",
     "edge-coverage": "simulations.ladders.edge_coverage",

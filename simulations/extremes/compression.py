@@ -10,7 +10,13 @@ from simulations.engine.extreme import (
     near,
     refused,
 )
-from simulations.models import chroma_subsampling, compression, jpeg, jpeg_size
+from simulations.models import (
+    chroma_subsampling,
+    chroma_upsampling,
+    compression,
+    jpeg,
+    jpeg_size,
+)
 
 JPEG = (
     "max(max(t) for t in (lambda b: [Image.new('L', (8, 8)).save(b, 'JPEG', quality={}), "
@@ -23,6 +29,7 @@ TABLE = ExtremeTable(
     names={
         **vars(compression),
         **vars(chroma_subsampling),
+        **vars(chroma_upsampling),
         **vars(jpeg),
         **vars(jpeg_size),
         "inf": np.inf,
@@ -72,6 +79,14 @@ TABLE = ExtremeTable(
             returns="Refused.",
             expected=refused("quality 101"),
             naive="(16 * (200 - 2 * 101) + 50) // 100",
+        ),
+        ExtremeCase(
+            id="quality-between",
+            call="quantisation_table(LUMINANCE_TABLE, 50.5)",
+            why="A quality between two: its steps would be fractions, and no file holds them.",
+            returns="Refused.",
+            expected=refused("quality 50.5", "whole numbers"),
+            naive="np.clip((16 * (200 - 2 * 50.5) + 50) // 100, 1, 255)",
         ),
         ExtremeCase(
             id="coarsest",
@@ -142,6 +157,21 @@ TABLE = ExtremeTable(
             why="A picture of one pixel, at a quarter of its colours.",
             returns="One pixel again.",
             expected=exactly((1, 1, 3)),
+        ),
+        ExtremeCase(
+            id="colour-beyond-the-border",
+            call="refine([[10.0, 20.0]], (2, 2), np.zeros((1, 3)), 'triangle')",
+            why="Three pixels, the last of which has its cell to itself and no next one.",
+            returns="[10, 12.5, 17.5]: the border is repeated, and what is beyond it cut off.",
+            expected=near([[10.0, 12.5, 17.5]]),
+        ),
+        ExtremeCase(
+            id="colour-without-luma",
+            call="refine([[10.0, 20.0]], (2, 2), np.zeros((1, 4)), 'guided')",
+            why="Luma does not vary at all: a regression on it divides 0 by 0.",
+            returns="The slope is 0, and colour is filled in without luma.",
+            expected=near([[8.75, 11.25, 18.75, 21.25]]),
+            naive="np.divide(0.0, 0.0)",
         ),
         ExtremeCase(
             id="unknown-subsampling",

@@ -1,7 +1,9 @@
-"""Demosaicing: four ways to guess the missing colours, tried on three kinds of picture.
+"""Demosaicing: six ways to guess the missing colours, tried on three kinds of picture.
 
-The methods that let the colours help one another win where edges lie at the same place in all
-three, as they do in most photographs, and lose where they do not.
+The mosaics hold linear light, as a sensor's do. The pictures made of them are judged as a display
+shows them, and one also in light. The methods that let the colours help one another win where
+edges lie at the same place in all three, as they do in most photographs, and lose where they do
+not.
 """
 
 from collections.abc import Callable
@@ -12,15 +14,14 @@ import numpy as np
 from numpy.typing import NDArray
 
 from simulations.engine.ladder import Ladder, Metric, Tier
+from simulations.models.color import encode_srgb
 from simulations.models.demosaicing import demosaic, mosaic, psnr_db
-from simulations.pictures.balloon import balloon
-from simulations.pictures.checker_room import checker_room
+from simulations.pictures.balloon import WHOLE
+from simulations.pictures.mosaic_subjects import SUBJECTS
 
 type Floats = NDArray[np.floating]
 
-WIDTH, HEIGHT, FOCAL_PX = 240, 192, 170.0
-SOFT_PERIOD_PX = 12.0
-ROOM, BALLOON, SOFT = 0, 1, 2
+PICTURES = ("room", "balloon", "soft")
 
 
 @dataclass(frozen=True, slots=True)
@@ -28,28 +29,18 @@ class Workload:
     """The pictures, and what a Bayer sensor kept of them."""
 
     pictures: tuple[Floats, ...]
-    """Each (192, 240, 3), linear, float32: the room, the balloon, soft colours."""
+    """Each (192, 240, 3), linear, float32, in the order of `PICTURES`."""
     mosaics: tuple[Floats, ...]
     """Each (192, 240)."""
 
 
 def prepare() -> Workload:
-    pictures = (checker_room(WIDTH, HEIGHT, FOCAL_PX), balloon(), _soft_colours())
+    pictures = tuple(SUBJECTS[name].draw(WHOLE) for name in PICTURES)
     return Workload(pictures, tuple(mosaic(picture) for picture in pictures))
 
 
-def _soft_colours() -> Floats:
-    """Smooth waves that run another way in each colour: nothing to be learnt from the others."""
-    x, y = np.meshgrid(np.arange(WIDTH, dtype=float), np.arange(HEIGHT, dtype=float))
-    waves = [
-        0.5 + 0.35 * np.cos(2 * np.pi * (x * np.cos(way) + y * np.sin(way)) / SOFT_PERIOD_PX + lag)
-        for way, lag in ((0.2, 0.0), (1.3, 2.1), (2.2, 4.2))
-    ]
-    return np.stack(waves, axis=-1).astype(np.float32)
-
-
 def _reconstruct(workload: Workload, *, method: str) -> tuple[Floats, ...]:
-    """Each mosaic in full colour, clipped to what a display can show."""
+    """Each mosaic in full colour, in linear light, clipped to what a display can show."""
     return tuple(np.clip(demosaic(cfa, method=method), 0.0, 1.0) for cfa in workload.mosaics)
 
 
@@ -57,38 +48,53 @@ def reference(workload: Workload) -> tuple[Floats, ...]:
     return workload.pictures
 
 
-def _fidelity(
-    picture: int,
-) -> Callable[[tuple[Floats, ...], tuple[Floats, ...], Workload], float]:
-    def measure(
-        result: tuple[Floats, ...], truth: tuple[Floats, ...], _workload: Workload
-    ) -> float:
-        return psnr_db(result[picture], truth[picture])
+def _fidelity(name: str) -> Callable[[tuple[Floats, ...], tuple[Floats, ...], Workload], float]:
+    """PSNR of one picture as a display shows it."""
+    place = PICTURES.index(name)
+
+    def measure(result: tuple[Floats, ...], truth: tuple[Floats, ...], _work: Workload) -> float:
+        return psnr_db(encode_srgb(result[place]), encode_srgb(truth[place]))
 
     return measure
+
+
+def _fidelity_in_light(
+    result: tuple[Floats, ...], truth: tuple[Floats, ...], _work: Workload
+) -> float:
+    """PSNR of the balloon before the display's curve."""
+    place = PICTURES.index("balloon")
+    return psnr_db(result[place], truth[place])
 
 
 LADDER = Ladder(
     id="demosaicing",
     title="Demosaicing",
-    workload="three mosaics of 240 × 192 pixels: a room, a balloon with very fine detail, "
-    "and soft colours that have nothing in common",
+    workload="three mosaics of linear light, 240 × 192 pixels: a room, a balloon with very fine "
+    "detail, and soft colours that have nothing in common",
     prepare=prepare,
     tiers=tuple(
         Tier(method, label, cost, partial(_reconstruct, method=method))
         for method, label, cost in (
-            ("nearest", "Nearest", "1 tap a missing colour"),
+            ("nearest", "Nearest, for contrast", "1 tap a missing colour"),
             ("bilinear", "Bilinear", "2 or 4 taps a missing colour"),
             ("malvar", "Malvar–He–Cutler", "9 or 11 taps a missing colour"),
+            ("menon-unrefined", "Menon, unrefined", "2 directions of green, choice"),
             ("menon", "Menon", "2 directions of green, choice, refinement"),
+            (
+                "menon-encoded",
+                "Menon, unrefined, on encoded values",
+                "2 directions, choice, 4 powers a pixel",
+            ),
         )
     ),
     reference=reference,
     reference_label="the picture before two of its three colours were taken away",
     metrics=(
-        Metric("psnr-room", "PSNR, room", "dB", _fidelity(ROOM), higher_is_better=True),
-        Metric("psnr-balloon", "PSNR, balloon", "dB", _fidelity(BALLOON), higher_is_better=True),
-        Metric("psnr-soft", "PSNR, soft colours", "dB", _fidelity(SOFT), higher_is_better=True),
+        *(
+            Metric(f"psnr-{name}", f"PSNR, {words}", "dB", _fidelity(name), higher_is_better=True)
+            for name, words in zip(PICTURES, ("room", "balloon", "soft colours"), strict=True)
+        ),
+        Metric("light", "PSNR, balloon, in light", "dB", _fidelity_in_light, higher_is_better=True),
     ),
-    default_tier="malvar",
+    default_tier="menon-unrefined",
 )

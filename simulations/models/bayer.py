@@ -7,13 +7,19 @@ section 2.3.2 (colour filter arrays).
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from simulations.models.whole_numbers import as_whole
+
 type Array = NDArray[np.floating]
 
 PATTERNS = ("RGGB", "BGGR", "GRBG", "GBRG")
 
 
 def filter_colours(height: int, width: int, pattern: str = "RGGB") -> NDArray[np.uint8]:
-    """Index of the filter's colour (H, W): 0 red, 1 green, 2 blue."""
+    """Index of the filter's colour (H, W): 0 red, 1 green, 2 blue.
+
+    Raises `ValueError` for an unknown pattern and unless both sizes are whole and above 0.
+    """
+    height, width = as_whole("height", height, 1), as_whole("width", width, 1)
     quad = np.array(["RGB".index(letter) for letter in _checked(pattern)], np.uint8).reshape(2, 2)
     tiled = np.tile(quad, ((height + 1) // 2, (width + 1) // 2))
     colours: NDArray[np.uint8] = tiled[:height, :width]

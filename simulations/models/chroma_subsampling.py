@@ -2,13 +2,15 @@
 
 The eye resolves differences of colour worse than differences of light. Of the three numbers of
 the name the first is a row of four luma samples; the second counts the colour samples along it,
-and the third how many of them are new in the next row. Szeliski, 2nd ed., section 2.3.3.
+and the third how many of them are new in the next row. Szeliski, 2nd ed., section 2.3.3. The way
+back is in `simulations.models.chroma_upsampling`.
 """
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from simulations.models.floats import as_floats
+from simulations.models.whole_numbers import as_whole
 
 type Array = NDArray[np.floating]
 
@@ -28,23 +30,14 @@ def coarsen(plane: ArrayLike, factor: tuple[int, int]) -> Array:
 
     A cell that reaches over the border is filled up by repeating it, so that the result has
     ``ceil(H / rows)`` rows and likewise columns. Raises `ValueError` for an empty plane and for
-    factors below 1.
+    factors that are not whole numbers of 1 or more.
     """
-    values, (rows, columns) = as_floats(plane), factor
-    if values.ndim != 2 or 0 in values.shape or rows < 1 or columns < 1:
-        raise ValueError(
-            f"plane of shape {values.shape}, factor {factor}; legal: (H, W), not empty, "
-            "and two factors of 1 or more"
-        )
+    values = as_floats(plane)
+    if values.ndim != 2 or 0 in values.shape:
+        raise ValueError(f"plane of shape {values.shape}; legal: (H, W), not empty")
+    rows, columns = (as_whole("factor", each, 1) for each in factor)
     height, width = values.shape
     whole = np.pad(values, ((0, -height % rows), (0, -width % columns)), mode="edge")
     cells = whole.reshape(whole.shape[0] // rows, rows, whole.shape[1] // columns, columns)
     with np.errstate(over="ignore", invalid="ignore"):
         return np.asarray(cells.mean(axis=(1, 3)))
-
-
-def refine(plane: ArrayLike, factor: tuple[int, int], height: int, width: int) -> Array:
-    """Each sample repeated over its cell, cut to (H, W): what a plain decoder does."""
-    rows, columns = factor
-    full: Array = np.repeat(np.repeat(as_floats(plane), rows, axis=0), columns, axis=1)
-    return full[:height, :width]

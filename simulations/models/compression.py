@@ -10,6 +10,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from simulations.models.floats import as_floats
+from simulations.models.whole_numbers import as_whole
 
 type Array = NDArray[np.floating]
 type Codes = NDArray[np.int64]
@@ -44,9 +45,17 @@ TIE, TIE_FLOAT32 = 1e-9, 5e-4
 
 
 def _dct_matrix() -> Array:
-    """Orthonormal DCT-II: row k is the cosine of frequency k / 16 cycles per sample."""
+    """Orthonormal DCT-II: row k is the cosine of frequency k / 16 cycles per sample.
+
+    The angles, in sixteenths of a half turn, are brought into the first quarter turn as whole
+    numbers. As floats of up to 20 they would have lost a digit and a half before the cosine.
+    """
     k, n = np.mgrid[:BLOCK, :BLOCK]
-    matrix = np.sqrt(2 / BLOCK) * np.cos(np.pi * (2 * n + 1) * k / (2 * BLOCK))
+    sixteenths = (2 * n + 1) * k % (4 * BLOCK)
+    folded = np.minimum(sixteenths, 4 * BLOCK - sixteenths)
+    quarter = np.minimum(folded, 2 * BLOCK - folded)
+    cosine = np.where(folded > BLOCK, -1.0, 1.0) * np.cos(np.pi * quarter / (2 * BLOCK))
+    matrix = np.sqrt(2 / BLOCK) * cosine
     matrix[0] = np.sqrt(1 / BLOCK)
     basis: Array = matrix
     return basis
@@ -68,10 +77,12 @@ def inverse_block_dct(coefficients: ArrayLike) -> Array:
 
 
 def quantisation_table(table: NDArray[np.integer], quality: int) -> NDArray[np.integer]:
-    """The table scaled for a quality of 1 (coarsest) to 100 (all steps 1)."""
-    if not 1 <= quality <= 100:
-        raise ValueError(f"quality {quality}; legal: 1 to 100")
-    percent = 5000 // quality if quality < 50 else 200 - 2 * quality
+    """The table scaled for a quality of 1 (coarsest) to 100 (all steps 1).
+
+    Raises `ValueError` unless the quality is one of these whole numbers.
+    """
+    whole = as_whole("quality", quality, 1, 100)
+    percent = 5000 // whole if whole < 50 else 200 - 2 * whole
     scaled: NDArray[np.integer] = np.clip((table * percent + 50) // 100, 1, 255)
     return scaled
 
@@ -142,7 +153,12 @@ def quantise_plane(plane: ArrayLike, table: ArrayLike, transform: Transform = bl
 
 
 def restore_plane(codes: NDArray[np.integer], table: ArrayLike, height: int, width: int) -> Array:
-    """The plane (H, W) that a decoder makes of the codes of `quantise_plane`."""
+    """The plane (H, W) that a decoder makes of the codes of `quantise_plane`.
+
+    Raises `ValueError` for codes that are not whole numbers: no file holds others.
+    """
+    if codes.dtype.kind not in "iu":
+        raise ValueError(f"codes of type {codes.dtype}; legal: whole numbers")
     return from_blocks(inverse_block_dct(codes * as_floats(table)), height, width)
 
 

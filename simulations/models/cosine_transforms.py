@@ -47,14 +47,16 @@ def by_fourier(blocks: Floats) -> Floats:
     """Rows, then columns, each as the Fourier transform of its eight samples reordered.
 
     Even samples forwards, then odd ones backwards; a turn by a sixteenth of the frequency
-    leaves the cosines (Makhoul 1980).
+    leaves the cosines (Makhoul 1980). Frequencies above the fourth mirror those below it.
     """
     order = np.array([0, 2, 4, 6, 7, 5, 3, 1])
     turn = 0.5 * np.exp(-0.5j * np.pi * np.arange(BLOCK) / BLOCK)
     turn[0] = np.sqrt(1 / BLOCK)
     done = blocks
     for _ in range(2):
-        done = np.swapaxes((np.fft.fft(done[..., order]) * turn).real, -1, -2)
+        half = np.fft.rfft(done[..., order])
+        whole = np.concatenate([half, half[..., 3:0:-1].conj()], axis=-1)
+        done = np.swapaxes((whole * turn).real, -1, -2)
     return done
 
 

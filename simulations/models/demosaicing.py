@@ -1,8 +1,11 @@
 """Demosaicing: guess the two colours that each pixel of a Bayer mosaic did not see.
 
-Four methods, cheap to dear. Szeliski, 2nd ed., section 10.3.1. The mosaic itself is in
-`simulations.models.bayer`; the two methods that let the colours help one another are in
+Six methods, cheap to costly. Szeliski, 2nd ed., section 10.3.1. The mosaic itself is in
+`simulations.models.bayer`; the methods that let the colours help one another are in
 `simulations.models.malvar` and `simulations.models.menon`.
+
+A sensor counts light, so a mosaic is linear, and so is what comes out. `encode_srgb` of the result
+is what a display is sent.
 """
 
 import math
@@ -12,10 +15,12 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from simulations.models.bayer import PATTERNS, filter_colours, mosaic
+from simulations.models.color import decode_srgb, encode_srgb
 from simulations.models.floats import as_floats
 from simulations.models.malvar import malvar
-from simulations.models.menon import menon
+from simulations.models.menon import menon, menon_unrefined
 from simulations.models.quads import Quads, above, below, from_quads, left, right, to_quads
+from simulations.models.whole_numbers import as_whole
 
 __all__ = ["METHODS", "PATTERNS", "demosaic", "mosaic", "psnr_db"]
 
@@ -52,13 +57,29 @@ def bilinear(quads: Quads) -> Array:
     )
 
 
+def menon_encoded(quads: Quads) -> Array:
+    """`menon_unrefined` of the values as a display would be sent them: (3, 2, 2, h, w).
+
+    Where the light on one surface changes, its three colours change by a common *factor*. The
+    curve makes such edges more nearly alike in all three than they are in linear light, whose
+    differences the methods compare.
+    """
+    r, gr, gb, b = quads.red, quads.green_red, quads.green_blue, quads.blue
+    guessed = decode_srgb(menon_unrefined(Quads(*(encode_srgb(each) for each in (r, gr, gb, b)))))
+    # What was measured need not go through the curve and back.
+    guessed[0, 0, 0], guessed[1, 0, 1], guessed[1, 1, 0], guessed[2, 1, 1] = r, gr, gb, b
+    return guessed
+
+
 METHODS: dict[str, Callable[[Quads], Array]] = {
     "nearest": nearest,
     "bilinear": bilinear,
     "malvar": malvar,
+    "menon-unrefined": menon_unrefined,
     "menon": menon,
+    "menon-encoded": menon_encoded,
 }
-"""From name to method, cheap to dear."""
+"""From name to method, in the order of their work."""
 
 
 def demosaic(cfa: ArrayLike, pattern: str = "RGGB", method: str = "bilinear") -> Array:
@@ -111,7 +132,8 @@ def psnr_db(picture: ArrayLike, reference: ArrayLike, peak: float = 1.0, crop: i
     a, b = np.asarray(picture, np.float64), np.asarray(reference, np.float64)
     if a.shape != b.shape or a.ndim < 2:
         raise ValueError(f"pictures of shapes {a.shape} and {b.shape}; legal: equal, (H, W, ...)")
-    if crop < 0 or 2 * crop >= min(a.shape[:2]):
+    crop = as_whole("crop", crop, 0)
+    if 2 * crop >= min(a.shape[:2]):
         raise ValueError(f"crop {crop} px of a picture {a.shape}; legal: less than half of it")
     inner = (slice(crop, a.shape[0] - crop), slice(crop, a.shape[1] - crop))
     if not 0 < peak < math.inf:

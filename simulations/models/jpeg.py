@@ -11,7 +11,8 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from simulations.models.chroma_subsampling import coarsen, refine, subsampling_factor
+from simulations.models.chroma_subsampling import coarsen, subsampling_factor
+from simulations.models.chroma_upsampling import refine
 from simulations.models.color import rgb_to_ycbcr, ycbcr_to_rgb
 from simulations.models.compression import (
     CHROMINANCE_TABLE,
@@ -25,6 +26,9 @@ from simulations.models.compression import (
     restore_plane,
     round_outwards,
 )
+
+type Planes = tuple[Array, Array, Array]
+"""Luma, blue difference, red difference, in codes about 0."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -88,20 +92,41 @@ def encode(
     return Coded(codes, (blue, red), luma.shape[0], luma.shape[1], quality, subsampling)
 
 
-def decode(coded: Coded) -> Array:
-    """(H, W, 3) sRGB in [0, 1]; a coarse colour difference is repeated over its pixels."""
+def restore(coded: Coded) -> Planes:
+    """Luma (H, W) and the two colour differences on their coarser grid, in codes about 0."""
     height, width = coded.height, coded.width
-    rows, columns = factor = subsampling_factor(coded.subsampling)
+    rows, columns = subsampling_factor(coded.subsampling)
     fine, coarse = tables(coded.quality)
     luma = restore_plane(coded.luma, fine, height, width)
-    differences = (
+    blue, red = (
         restore_plane(codes, coarse, -(-height // rows), -(-width // columns))
         for codes in coded.differences
     )
-    full = [refine(plane, factor, height, width) for plane in differences]
-    ycbcr = np.stack([luma + 128, *full], axis=-1) / 255
+    return luma, blue, red
+
+
+def fill_in_colour(planes: Planes, subsampling: str, upsampling: str) -> Planes:
+    """What `restore` gives, with the differences at every pixel: all three (H, W).
+
+    ``upsampling`` is one of `chroma_upsampling.METHODS`; at 4:4:4 all of them change nothing.
+    """
+    luma, *differences = planes
+    factor = subsampling_factor(subsampling)
+    blue, red = (refine(plane, factor, luma, upsampling) for plane in differences)
+    return luma, blue, red
+
+
+def from_planes(planes: Planes) -> Array:
+    """(H, W, 3) sRGB, clipped to [0, 1]: back from `to_planes`."""
+    luma, blue, red = planes
+    ycbcr = np.stack([luma + 128, blue, red], axis=-1) / 255
     picture: Array = np.clip(ycbcr_to_rgb(ycbcr), 0, 1)
     return picture
+
+
+def decode(coded: Coded, upsampling: str = "triangle") -> Array:
+    """(H, W, 3) sRGB in [0, 1]; see `fill_in_colour`."""
+    return from_planes(fill_in_colour(restore(coded), coded.subsampling, upsampling))
 
 
 def compress(srgb: ArrayLike, quality: int, subsampling: str = "4:4:4") -> tuple[Array, float]:

@@ -49,9 +49,11 @@ def size(coded: Coded) -> Size:
 def symbol_bits(planes: Sequence[Codes]) -> float:
     """Bits of planes that share one table for their means and one for all other coefficients.
 
-    Raises `ValueError` for codes beyond ``LARGEST``, for which JPEG has no symbol.
+    Raises `ValueError` for codes that JPEG has no symbol for: beyond ``LARGEST``, and fractions.
     """
     for codes in planes:
+        if codes.dtype.kind not in "iu":
+            raise ValueError(f"codes of type {codes.dtype}; legal: whole numbers")
         if not np.all((codes >= -LARGEST) & (codes <= LARGEST)):
             raise ValueError(
                 f"codes from {codes.min()} to {codes.max()}; legal: -{LARGEST} to {LARGEST}"

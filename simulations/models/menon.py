@@ -3,12 +3,13 @@
 Menon, Andriani and Calvagno: Demosaicing with directional filtering and a posteriori
 decision, IEEE Transactions on Image Processing 16(1), 2007 (DDFAPD). Green is estimated twice,
 along rows and along columns; where the colour differences are calmer, that direction is kept.
-Red and blue follow from green, and a last pass smooths the colour differences.
+Red and blue follow from green, and a last pass, the refinement, smooths the colour differences.
 
 Names: ``g_r`` is green at the red pixels, ``r_gb`` is red at the green pixels of blue rows.
 """
 
 from collections.abc import Callable
+from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
@@ -20,8 +21,36 @@ type Mask = NDArray[np.bool_]
 type Step = Callable[[Array], Array]
 
 
+@dataclass(frozen=True, slots=True)
+class Estimate:
+    """The eight guessed planes, each (h, w), and the direction that was kept."""
+
+    g_r: Array
+    g_b: Array
+    r_gr: Array
+    r_gb: Array
+    b_gr: Array
+    b_gb: Array
+    r_b: Array
+    b_r: Array
+    by_row_r: Mask
+    """Whether rows were kept at the red pixels."""
+    by_row_b: Mask
+    """Likewise at the blue pixels."""
+
+
 def menon(quads: Quads) -> Array:
     """Directional interpolation with refinement: (3, 2, 2, h, w). May overshoot the range."""
+    return _planes(quads, _refined(quads, _estimate(quads)))
+
+
+def menon_unrefined(quads: Quads) -> Array:
+    """`menon` without its last pass: (3, 2, 2, h, w). May overshoot the range."""
+    return _planes(quads, _estimate(quads))
+
+
+def _estimate(quads: Quads) -> Estimate:
+    """Green in the calmer direction, then red and blue from their differences to green."""
     r, gr, gb, b = quads.red, quads.green_red, quads.green_blue, quads.blue
     along_rows, along_columns = _green_along_rows(quads), _green_along_columns(quads)
     by_row_r, by_row_b = _calmer_along_rows(r, b, along_rows, along_columns)
@@ -32,16 +61,28 @@ def menon(quads: Quads) -> Array:
     at_gr, at_gb = r_gr - b_gr, r_gb - b_gb
     r_b = b + np.where(by_row_b, at_gb + right(at_gb), at_gr + below(at_gr)) / 2
     b_r = r - np.where(by_row_r, at_gr + left(at_gr), at_gb + above(at_gb)) / 2
+    return Estimate(g_r, g_b, r_gr, r_gb, b_gr, b_gb, r_b, b_r, by_row_r, by_row_b)
 
-    # Refinement: smooth the differences from green, at the pixels where green was guessed ...
-    g_r = r - _mean_of_3(r - g_r, r_gr - gr, left, r_gb - gb, above, by_row_r)
-    g_b = b - _mean_of_3(b - g_b, b_gb - gb, right, b_gr - gr, below, by_row_b)
+
+def _refined(quads: Quads, first: Estimate) -> Estimate:
+    """Smooth the differences from green, at the pixels where green was guessed ..."""
+    r, gr, gb, b = quads.red, quads.green_red, quads.green_blue, quads.blue
+    by_row_r, by_row_b = first.by_row_r, first.by_row_b
+    g_r = r - _mean_of_3(r - first.g_r, first.r_gr - gr, left, first.r_gb - gb, above, by_row_r)
+    g_b = b - _mean_of_3(b - first.g_b, first.b_gb - gb, right, first.b_gr - gr, below, by_row_b)
     # ... which moves red and blue at the green pixels, and then at one another's.
     r_gr, r_gb, b_gr, b_gb = _at_greens(r - g_r, b - g_b, gr, gb)
     at_gr, at_gb = r_gr - b_gr, r_gb - b_gb
-    r_b = b + _mean_of_3(r_b - b, at_gb, right, at_gr, below, by_row_b)
-    b_r = r - _mean_of_3(r - b_r, at_gr, left, at_gb, above, by_row_r)
-    return np.array([[[r, r_gr], [r_gb, r_b]], [[g_r, gr], [gb, g_b]], [[b_r, b_gr], [b_gb, b]]])
+    r_b = b + _mean_of_3(first.r_b - b, at_gb, right, at_gr, below, by_row_b)
+    b_r = r - _mean_of_3(r - first.b_r, at_gr, left, at_gb, above, by_row_r)
+    return Estimate(g_r, g_b, r_gr, r_gb, b_gr, b_gb, r_b, b_r, by_row_r, by_row_b)
+
+
+def _planes(quads: Quads, e: Estimate) -> Array:
+    r, gr, gb, b = quads.red, quads.green_red, quads.green_blue, quads.blue
+    return np.array(
+        [[[r, e.r_gr], [e.r_gb, e.r_b]], [[e.g_r, gr], [gb, e.g_b]], [[e.b_r, e.b_gr], [e.b_gb, b]]]
+    )
 
 
 def _green_along_rows(quads: Quads) -> tuple[Array, Array]:

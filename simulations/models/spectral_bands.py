@@ -11,6 +11,8 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from simulations.models.whole_numbers import as_whole
+
 type Floats = NDArray[np.floating]
 
 MOST_CHOSEN = 100
@@ -55,7 +57,8 @@ def even_wavelengths(
 
 
 def _check(width_um: float, count: int, *wavelengths_um: float) -> None:
-    if count < 1 or not 1e-9 <= width_um < np.inf:
-        raise ValueError(f"count {count}, width_um {width_um!r}; legal: 1 or more, 1e-9 or more")
+    as_whole("count", count, 1)
+    if not 1e-9 <= width_um < np.inf:
+        raise ValueError(f"width_um {width_um!r}; legal: 1e-9 or more, finite")
     if not all(abs(wavelength) <= 1e9 for wavelength in wavelengths_um):
         raise ValueError(f"wavelengths {wavelengths_um}; legal: finite, at most 1e9 in size")

@@ -4,10 +4,10 @@ import math
 from collections.abc import Iterator
 
 from simulations.engine.drawing import line, polygon, rectangle, text
+from simulations.pictures.mosaic_subjects import CLOSE_COLUMNS, CLOSE_ROWS
 
 WIDTH, HEIGHT = 400, 320
-CLOSE_ROWS, CLOSE_COLUMNS = 16, 20
-"""Pixels in the close-up: squares of 20 units, large enough for a letter each."""
+"""A pixel of the close-up is a square of 20 units, large enough for a letter."""
 
 
 def close_up_frame(top: int, left: int, pixel: float) -> str:

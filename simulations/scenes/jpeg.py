@@ -31,9 +31,21 @@ CONTROLS = (
         label="Colour",
         default="4:2:0",
         options={
-            "4:4:4": "4:4:4, in every pixel",
-            "4:2:2": "4:2:2, in every second column",
             "4:2:0": "4:2:0, once in 2 × 2 pixels",
+            "4:2:2": "4:2:2, in every second column",
+            "4:4:4": "4:4:4, in every pixel",
+        },
+    ),
+    Choice(
+        name="upsampling",
+        label="Colour filled in by",
+        default="triangle",
+        options={
+            "repeated": "Repetition",
+            "triangle": "Triangle",
+            "parabola": "Parabola",
+            "cubic": "Cubic",
+            "guided": "Following luma",
         },
     ),
     Slider(
@@ -86,9 +98,19 @@ def render(values: Values, tier: str, cache: StageCache) -> Frame:
     block_kept = int(np.count_nonzero(codes))
     readouts = (
         readout("psnr", "PSNR", done.outputs["psnr"], "dB", digits=1, role="error"),
-        readout("kept", "Coefficients kept", 100 * kept.nonzero / (3 * pixels), "%", digits=1),
+        readout(
+            "kept",
+            "Coefficients kept, of 3 a pixel",
+            100 * kept.nonzero / (3 * pixels),
+            "%",
+            digits=1,
+        ),
         readout("rate", "Size", kept.bits / pixels, "bits a pixel", role="image"),
-        Readout("ratio", "Against 24 bits", f"{format_number(24 * pixels / kept.bits, 1)} : 1"),
+        Readout(
+            "ratio",
+            "24 bits a pixel against it",
+            f"{format_number(24 * pixels / kept.bits, 1)} : 1",
+        ),
         readout("block_kept", "Kept in the block", block_kept, "of 64", digits=0, role="image"),
     )
     return Frame(

@@ -1,8 +1,9 @@
-"""What the JPEG figure computes: planes → blocks → whole-number codes → picture, and bits."""
+"""What the JPEG figure computes: planes → blocks → whole numbers → planes → picture, and bits."""
 
 import numpy as np
 from numpy.typing import NDArray
 
+from simulations.engine.controls import Values
 from simulations.engine.pipeline import Stage
 from simulations.models import jpeg
 from simulations.models.color import encode_srgb
@@ -30,11 +31,24 @@ def _quality(decoded: Floats, original: Floats) -> float:
     return psnr_db(np.rint(255 * decoded) / 255, original, crop=0)
 
 
+def _nothing_to_fill_in(values: Values) -> str:
+    full = values.choice("subsampling") == "4:4:4"
+    return "every pixel has kept its own colour" if full else ""
+
+
 STAGES = (
     Stage("original", (), _original),
     Stage("planes", (), jpeg.to_planes, ("original",)),
     Stage("coded", ("quality", "subsampling", "tier"), _coded, ("planes",)),
-    Stage("decoded", (), jpeg.decode, ("coded",)),
+    Stage("restored", (), jpeg.restore, ("coded",)),
+    Stage(
+        "full colour",
+        ("subsampling", "upsampling"),
+        jpeg.fill_in_colour,
+        ("restored",),
+        neutral=_nothing_to_fill_in,
+    ),
+    Stage("decoded", (), jpeg.from_planes, ("full colour",)),
     Stage("size", (), size, ("coded",)),
     Stage("psnr", (), _quality, ("decoded", "original")),
 )

@@ -196,6 +196,51 @@ def what_is_said_in_words_of_errors() -> Says:
     assert error("block-dct", "separable", "worst") < 1e-9
 
 
+def what_is_said_in_words_of_demosaicing() -> Says:
+    def better(one: str, other: str, metric: str, margin_db: float) -> bool:
+        return error("demosaicing", one, metric) > error("demosaicing", other, metric) + margin_db
+
+    default = "menon-unrefined"
+    yield "the best or close to the best of the methods that work on light itself"
+    for other in ("nearest", "bilinear", "malvar", "menon"):
+        assert better(default, other, "psnr-room", -0.3)
+        assert better(default, other, "light", 0.3)
+    yield "and loses on the balloon"
+    assert better(default, "menon", "psnr-balloon", 0.3)
+    yield "The last tier is better on a screen, but not in light"
+    assert better("menon-encoded", default, "psnr-room", 1.5)
+    assert better("menon-encoded", default, "psnr-balloon", 1.0)
+    assert better(default, "menon-encoded", "light", 1.0)
+    yield "plain bilinear interpolation wins with"
+    for other in ("nearest", "malvar", default, "menon", "menon-encoded"):
+        assert better("bilinear", other, "psnr-soft", 4)
+    yield "There Malvar's method is ahead of bilinear interpolation"
+    assert better("malvar", "bilinear", "light", 2)
+    yield "On the screen it is not"
+    assert better("bilinear", "malvar", "psnr-balloon", 0.3)
+
+
+def what_is_said_in_words_of_filling_in_colour() -> Says:
+    def ranking(metric: str) -> list[str]:
+        tiers = ("repeated", "triangle", "parabola", "cubic", "guided")
+        return sorted(tiers, key=lambda tier: error("chroma-upsampling", tier, metric))
+
+    yield "The triangle has fallen from second place to fourth"
+    assert ranking("room")[:2] == ["guided", "triangle"]
+    assert ranking("room-means").index("triangle") == 3
+    yield "it is the best in the room and close to the best on the balloon"
+    balloon = {tier: error("chroma-upsampling", tier, "balloon") for tier in ranking("balloon")}
+    best_of_colour = min(value for tier, value in balloon.items() if tier != "guided")
+    assert balloon["triangle"] < 1.05 * best_of_colour
+    yield "Following luma improves little on it in a file of this quality"
+    file, means = (
+        [error("chroma-upsampling", tier, metric) for tier in ("guided", "triangle")]
+        for metric in ("room", "room-means")
+    )
+    assert 0.95 < file[0] / file[1] < 1
+    assert means[0] / means[1] < 0.7
+
+
 def what_is_said_in_words_of_times() -> Says:
     shortened, exact = (browser_ms("small-rotations", tier) for tier in ("second-order", "exact"))
     assert exact > 1.2 * shortened
@@ -219,6 +264,15 @@ def what_is_said_in_words_of_times() -> Says:
     yield "That buys every digit"
     assert error("precision", "relative-64", "far") < 1e-9
     assert browser_ms("precision", "relative-64") < 2 * browser_ms("precision", "relative-32")
+    yield "single precision would save too little time to be worth a second number format"
+    assert browser_ms("block-dct", "separable") < 1.3 * browser_ms("block-dct", "separable-32")
+    yield "but not in light, which the steps that follow in a camera need, and it takes"
+    tiers = ("menon-encoded", "menon-unrefined")
+    assert browser_ms("demosaicing", tiers[0]) > 1.5 * browser_ms("demosaicing", tiers[1])
+    yield "Here they are the least accurate and not the quickest"
+    assert browser_ms("block-dct", "fixed-point") > 1.3 * browser_ms("block-dct", "separable")
+    worst = {item.tier.id: item.errors["worst"] for item in measurements().find("block-dct").tiers}
+    assert max(worst, key=lambda tier: worst[tier] or 0.0) == "fixed-point"
     yield "half the digits would save too little time"
     assert browser_ms("vignetting", "algebraic") < 1.3 * browser_ms("vignetting", "algebraic-32")
     yield "It leaves only rounding, and sixteen instants, which leave"
@@ -277,6 +331,8 @@ WORKED = (
     the_norm_of_a_rotation,
     what_the_opening_says,
     what_is_said_in_words_of_errors,
+    what_is_said_in_words_of_demosaicing,
+    what_is_said_in_words_of_filling_in_colour,
     what_is_said_in_words_of_times,
     what_is_said_of_wide_discs,
     how_round_the_outlines_of_the_book_are,

@@ -8,6 +8,7 @@ import scipy.fft
 from PIL import Image
 
 from simulations.models import compression
+from simulations.models.cosine_transforms import exact_cosines
 
 
 def test_block_dct_agrees_with_scipy_and_comes_back():
@@ -40,6 +41,15 @@ def test_the_scaling_of_the_tables_is_that_of_pillow_at_any_quality(quality):
 def test_the_first_row_of_the_transform_is_the_mean_and_rows_are_orthonormal():
     np.testing.assert_allclose(compression.DCT[0], np.full(8, 8**-0.5))
     np.testing.assert_allclose(compression.DCT @ compression.DCT.T, np.eye(8), atol=1e-14)
+
+
+def test_cosines_of_many_turns_keep_all_their_digits():
+    """As floats the angles reach 20.6, whose own last digit is twenty times that of a cosine."""
+    exact = exact_cosines()
+    k, n = np.mgrid[:8, :8]
+    truth = exact[(2 * n + 1) * k % 32] / 2
+    truth[0] *= exact[4]
+    assert np.abs(compression.DCT - truth).max() < 1.2e-16
 
 
 def test_a_flat_plane_is_rounded_to_an_eighth_of_the_first_step():
@@ -102,10 +112,21 @@ def test_steps_that_are_none_are_refused(step):
         compression.compress_plane(np.zeros((8, 8)), table)
 
 
-@pytest.mark.parametrize("quality", [-5, 0, 101])
+@pytest.mark.parametrize("quality", [-5, 0, 101, 50.5, 99.999, np.nan, np.inf])
 def test_only_a_quality_from_1_to_100_has_a_table(quality):
-    with pytest.raises(ValueError, match="1 to 100"):
+    with pytest.raises(ValueError, match=f"quality {quality}; legal: whole numbers, 1 to 100"):
         compression.quantisation_table(compression.LUMINANCE_TABLE, quality)
+
+
+def test_a_whole_quality_may_come_as_a_float():
+    tables = [compression.quantisation_table(compression.LUMINANCE_TABLE, q) for q in (30, 30.0)]
+    np.testing.assert_array_equal(*tables)
+    assert tables[1].dtype.kind == "i"
+
+
+def test_codes_that_are_no_whole_numbers_are_refused():
+    with pytest.raises(ValueError, match="codes of type float64; legal: whole numbers"):
+        compression.restore_plane(np.zeros((1, 1, 8, 8)), np.ones((8, 8)), 8, 8)
 
 
 def test_halves_go_outwards_however_they_were_summed():

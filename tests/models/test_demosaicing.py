@@ -1,6 +1,7 @@
 """Demosaicing against colour_demosaicing, and what must hold of any method."""
 
 import warnings
+from functools import partial
 
 import numpy as np
 import pytest
@@ -8,18 +9,29 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from simulations.models.bayer import filter_colours, red_position, through_filters
+from simulations.models.color import encode_srgb
 from simulations.models.demosaicing import METHODS, PATTERNS, demosaic, mosaic, psnr_db
 
 with warnings.catch_warnings():
     warnings.simplefilter("ignore")  # the oracle warns that it cannot plot
+    import colour
     import colour_demosaicing as oracle
+
+
+def menon_on_encoded_values(cfa, pattern):
+    encoded = colour.cctf_encoding(cfa, "sRGB")
+    guessed = oracle.demosaicing_CFA_Bayer_Menon2007(encoded, pattern, refining_step=False)
+    return colour.cctf_decoding(guessed, "sRGB")
+
 
 ORACLES = {
     "bilinear": oracle.demosaicing_CFA_Bayer_bilinear,
     "malvar": oracle.demosaicing_CFA_Bayer_Malvar2004,
+    "menon-unrefined": partial(oracle.demosaicing_CFA_Bayer_Menon2007, refining_step=False),
     "menon": oracle.demosaicing_CFA_Bayer_Menon2007,
+    "menon-encoded": menon_on_encoded_values,
 }
-BORDER = {"bilinear": 1, "malvar": 2, "menon": 6}
+BORDER = {"bilinear": 1, "malvar": 2, "menon-unrefined": 6, "menon": 6, "menon-encoded": 6}
 """Pixels at the border where conventions differ."""
 
 
@@ -30,16 +42,35 @@ def test_interior_equals_the_published_method(pattern, method, shape):
     cfa = mosaic(np.random.default_rng(1).random((*shape, 3)), pattern)
     inner = (slice(BORDER[method], -BORDER[method]),) * 2
     ours, theirs = demosaic(cfa, pattern, method), ORACLES[method](cfa, pattern)
+    if (
+        method == "menon-encoded"
+    ):  # the oracle continues the curve's toe below 0, where we mirror it
+        ours, theirs = np.maximum(ours, 0), np.maximum(theirs, 0)
     np.testing.assert_allclose(ours[inner], theirs[inner], atol=1e-12)
 
 
-def test_where_rows_and_columns_are_equally_calm_menon_keeps_the_rows():
+@pytest.mark.parametrize("method", ["menon-unrefined", "menon"])
+def test_where_rows_and_columns_are_equally_calm_menon_keeps_the_rows(method):
     """Small whole numbers tie often, and are summed without rounding."""
     cfa = np.random.default_rng(7).integers(0, 3, (60, 64)).astype(float)
-    theirs = oracle.demosaicing_CFA_Bayer_Menon2007(cfa, "RGGB")
+    theirs = ORACLES[method](cfa, "RGGB")
     np.testing.assert_allclose(
-        demosaic(cfa, "RGGB", "menon")[6:-6, 6:-6], theirs[6:-6, 6:-6], atol=1e-12
+        demosaic(cfa, "RGGB", method)[6:-6, 6:-6], theirs[6:-6, 6:-6], atol=1e-12
     )
+
+
+def test_edges_of_a_shadow_are_better_guessed_after_the_curve():
+    """A shadow multiplies all colours alike: its edge differs between them in linear light."""
+    y, x = np.mgrid[:64, :64]
+    shadow = np.where(x + 2 * y > 96, 1.0, 0.1)[..., None] * np.array([0.8, 0.5, 0.2])
+    shadow = (shadow + np.roll(shadow, 1, 1) + np.roll(shadow, -1, 1)) / 3
+    linear, curved = (
+        psnr_db(
+            encode_srgb(np.clip(demosaic(mosaic(shadow), "RGGB", m), 0, 1)), encode_srgb(shadow)
+        )
+        for m in ("menon-unrefined", "menon-encoded")
+    )
+    assert curved > linear + 2
 
 
 @pytest.mark.parametrize("method", METHODS)
@@ -194,6 +225,7 @@ def test_psnr_counts_in_units_of_the_peak():
         ((20, 20), (20, 21), 2, "shapes"),
         ((20,), (20,), 2, "shapes"),
         ((20, 20), (20, 20), -1, "crop -1"),
+        ((20, 20), (20, 20), 2.5, "crop 2.5; legal: whole numbers"),
         ((20, 40), (20, 40), 10, "crop 10"),
         ((40, 20), (40, 20), 10, "crop 10"),
         ((40, 40, 3), (40, 40, 3), 20, "crop 20"),
@@ -216,6 +248,12 @@ def test_psnr_is_of_the_difference():
 @pytest.mark.parametrize("shape", [(1, 1), (1, 4), (4, 1), (3, 3), (2, 5)])
 def test_the_filters_of_a_sensor_of_any_size_have_that_size(shape):
     assert filter_colours(*shape).shape == shape
+
+
+@pytest.mark.parametrize("shape", [(0, 4), (4, 0), (2.5, 4), (4, np.nan)])
+def test_a_sensor_has_whole_rows_and_columns(shape):
+    with pytest.raises(ValueError, match=r"(height|width) .*; legal: whole numbers, 1 or more"):
+        filter_colours(*shape)
 
 
 @pytest.mark.parametrize(("far", "score"), [(np.inf, -np.inf), (1e200, -np.inf), (1e100, -2000.0)])

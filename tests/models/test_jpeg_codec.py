@@ -9,6 +9,9 @@ import skimage.data
 from PIL import Image
 
 from simulations.models import compression, jpeg
+from simulations.models.chroma_upsampling import METHODS
+from simulations.models.color import encode_srgb
+from simulations.pictures.balloon import balloon
 
 PILLOW_SUBSAMPLING = {"4:4:4": 0, "4:2:2": 1, "4:2:0": 2}
 PHOTO = skimage.data.astronaut()[:128, 160:288]
@@ -54,15 +57,19 @@ def test_coarse_colour_is_that_of_pillow(quality):
         assert np.sqrt(np.mean((restored - plane) ** 2)) < 1.0
 
 
+@pytest.mark.parametrize("quality", [30, 75, 95])
 @pytest.mark.parametrize("subsampling", ["4:2:2", "4:2:0"])
-def test_a_picture_with_slow_colours_comes_out_as_from_pillow(subsampling):
-    """Pillow interpolates coarse colours where we repeat them: the same, if they change slowly."""
-    y, x = np.mgrid[:64, :64] / 64
-    grey = 128 + 60 * np.sin(20 * x * y)
-    slow = np.stack([grey + 20 * x, grey, grey - 20 * y], axis=-1).astype(np.uint8)
-    theirs = np.asarray(by_pillow(slow, 90, subsampling), float)
-    ours = 255 * jpeg.compress(slow / 255, 90, subsampling)[0]
-    assert np.sqrt(np.mean((ours - theirs) ** 2)) < 1.0
+def test_strong_colours_are_filled_in_as_by_pillow(subsampling, quality):
+    """By the triangle, and to about a code. Repetition is twice as far from that."""
+    picture = np.rint(255 * encode_srgb(balloon())).astype(np.uint8)
+    theirs = np.asarray(by_pillow(picture, quality, subsampling), float)
+    coded = jpeg.encode(jpeg.to_planes(picture / 255), quality, subsampling)
+    off = {
+        name: np.sqrt(np.mean((255 * jpeg.decode(coded, name) - theirs) ** 2))
+        for name in ("triangle", "repeated")
+    }
+    assert off["triangle"] < 1.5
+    assert off["repeated"] > 2 * off["triangle"]
 
 
 def test_lower_quality_leaves_more_zeros():
@@ -86,6 +93,14 @@ def test_coarse_colour_halves_the_numbers_to_be_kept():
         for name in PILLOW_SUBSAMPLING
     }
     assert sizes == {"4:4:4": 3, "4:2:2": 2, "4:2:0": 1.5}
+
+
+def test_grey_does_not_depend_on_how_colour_is_filled_in():
+    grey = np.repeat(np.random.default_rng(8).random((16, 16, 1)), 3, axis=2)
+    coded = jpeg.encode(jpeg.to_planes(grey), 75, "4:2:0")
+    first, *others = (jpeg.decode(coded, name) for name in METHODS)
+    for other in others:
+        np.testing.assert_allclose(other, first, atol=1e-12)
 
 
 def test_colours_that_share_a_cell_come_back_as_their_mean():

@@ -99,6 +99,11 @@ def test_codes_that_no_symbol_can_hold_are_refused(sign):
         symbol_bits([one_block({1: sign * (LARGEST + 1)})])
 
 
+def test_fractions_have_no_symbol():
+    with pytest.raises(ValueError, match="codes of type float64; legal: whole numbers"):
+        symbol_bits([np.zeros((1, 1, 8, 8))])
+
+
 @pytest.mark.parametrize("quality", [50, 75, 90])
 @pytest.mark.parametrize("subsampling", ["4:4:4", "4:2:0"])
 def test_the_bits_of_a_photograph_are_those_of_pillows_file(quality, subsampling):

@@ -56,9 +56,9 @@ def test_shares_fall_off_as_the_bell_does():
 
 @pytest.mark.parametrize(("width", "count"), [(0.03, 0), (0.99e-9, 3), (-1.0, 3), (np.inf, 3)])
 def test_no_wavelength_and_no_width_are_refused(width, count):
-    with pytest.raises(ValueError, match=f"count {count}, width_um .*; legal: 1 or more, 1e-9"):
+    with pytest.raises(ValueError, match=r"(count 0|width_um .*); legal: .*(1 or more|1e-9)"):
         chosen_wavelengths(0.5, width, count)
-    with pytest.raises(ValueError, match="legal: 1 or more"):
+    with pytest.raises(ValueError, match=r"(count 0|width_um .*); legal: .*(1 or more|1e-9)"):
         even_wavelengths(PEAKS, width, 0.4, 0.7, count)
 
 

@@ -12,6 +12,7 @@ from support.float_range import any_float, arrays, ask, finite_float
 
 from simulations.engine.raster import to_rgba8
 from simulations.models import (
+    chroma_upsampling,
     chromatic_adaptation,
     chromaticity,
     color,
@@ -21,6 +22,7 @@ from simulations.models import (
     reflectance,
     sampling,
     sensor,
+    shared_detail,
 )
 from simulations.models.chroma_subsampling import SUBSAMPLING
 
@@ -124,6 +126,20 @@ def test_mosaics_of_any_numbers_become_pictures(method, values):
     if picture is not None:
         assert picture.shape == (6, 6, 3)
         assert np.isfinite(picture).all() or not (np.abs(values) < 1e300).all()
+
+
+@given(arrays(3, 3, 3))
+def test_detail_is_shared_between_minus_all_and_all_or_refused(picture):
+    shared = ask(shared_detail.shared_detail, picture)
+    for part in shared or ():
+        assert np.isnan(part) or abs(part) <= 1 + 1e-9
+
+
+@pytest.mark.parametrize("method", chroma_upsampling.METHODS)
+@given(plane=arrays(2, 3), luma=arrays(4, 6))
+def test_colours_are_filled_in_with_finite_values_or_refused(method, plane, luma):
+    full = ask(chroma_upsampling.refine, plane, (2, 2), luma, method)
+    assert full is None or np.isfinite(full).all()
 
 
 @given(arrays(3), any_float)

@@ -11,9 +11,11 @@ from scipy.fft import dctn
 from simulations.engine.controls import check_values
 from simulations.engine.pipeline import StageCache
 from simulations.models.chroma_subsampling import SUBSAMPLING, coarsen
+from simulations.models.chroma_upsampling import METHODS
 from simulations.models.compression import round_outwards, to_blocks
 from simulations.models.cosine_transforms import TRANSFORMS
-from simulations.models.jpeg import compress, tables
+from simulations.models.jpeg import compress, decode, tables
+from simulations.registry import load_ladder
 from simulations.scenes.jpeg import BLOCK_COLUMNS, BLOCK_ROWS, SCENE, cut, run_tier
 from simulations.scenes.jpeg_error import BLOCKS_A_STEP
 
@@ -112,6 +114,34 @@ def test_every_extreme_can_be_drawn_in_the_same_layout(quality, subsampling):
 def test_the_original_is_shown_as_it_was():
     raster = frame(original="true", quality=1).panels[0].raster
     assert np.array_equal(raster[..., :3], np.rint(255 * outputs()["original"]))
+
+
+def test_the_ways_to_fill_in_colour_are_the_models_and_the_ladders():
+    (choice,) = (control for control in SCENE.controls if control.name == "upsampling")
+    ladder = load_ladder("chroma-upsampling")
+    assert tuple(choice.options) == METHODS == tuple(tier.id for tier in ladder.tiers)
+    assert choice.default == ladder.default_tier
+
+
+@pytest.mark.parametrize("upsampling", METHODS)
+def test_colour_is_filled_in_as_chosen(upsampling):
+    done = outputs(quality=80, upsampling=upsampling)
+    assert np.array_equal(done["decoded"], decode(done["coded"], upsampling))
+
+
+def test_where_colour_was_kept_nothing_is_filled_in():
+    cache = StageCache()
+    first = frame(cache, subsampling="4:4:4")
+    after = frame(cache, subsampling="4:4:4", upsampling="guided")
+    assert {stage.status for stage in after.stages} == {"reused", "skipped"}
+    np.testing.assert_array_equal(first.panels[0].raster, after.panels[0].raster)
+
+
+def test_at_4_2_0_the_decoded_picture_is_pillows_up_to_rounding():
+    """With the triangle, libjpeg's own; its coarse differences are rounded to whole codes."""
+    done = outputs(quality=75, subsampling="4:2:0")
+    theirs, _ = pillow(done["original"], 75, "4:2:0")
+    assert np.abs(255 * (done["decoded"] - theirs)).mean() < 0.9
 
 
 def test_another_block_reuses_everything():

@@ -1,0 +1,64 @@
+"""What a Bayer mosaic is tried on: three pictures whose colours have more or less in common."""
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+from types import MappingProxyType
+
+import numpy as np
+from numpy.typing import NDArray
+
+from simulations.pictures.balloon import HEIGHT, WIDTH, Window, balloon
+from simulations.pictures.checker_room import checker_room
+from simulations.pictures.soft_colours import soft_colours
+
+type Floats = NDArray[np.floating]
+
+ROOM_FOCAL_PX = 170.0
+CLOSE_ROWS, CLOSE_COLUMNS = 16, 20
+"""Pixels of a close-up."""
+
+
+@dataclass(frozen=True, slots=True)
+class Subject:
+    """A picture and the place to look at closely."""
+
+    label: str
+    words: str
+    """What is seen, for a sentence."""
+    draw: Callable[[Window], Floats]
+    """A part of the picture, (h, w, 3) linear RGB in [0, 1], float32."""
+    close_up: Window
+    """Starts on an even row and column, so that its mosaic begins like that of the whole."""
+
+
+def _room(window: Window) -> Floats:
+    return _cut(checker_room(WIDTH, HEIGHT, ROOM_FOCAL_PX), window)
+
+
+def _soft(window: Window) -> Floats:
+    return _cut(soft_colours(WIDTH, HEIGHT), window)
+
+
+def _cut(picture: Floats, window: Window) -> Floats:
+    rows = slice(window.top, window.top + window.height)
+    return picture[rows, window.left : window.left + window.width]
+
+
+def _close(top: int, left: int) -> Window:
+    return Window(top, left, CLOSE_ROWS, CLOSE_COLUMNS)
+
+
+SUBJECTS: Mapping[str, Subject] = MappingProxyType(
+    {
+        "balloon": Subject(
+            "Balloon", "a striped balloon over rows of tulips", balloon, _close(56, 130)
+        ),
+        "room": Subject(
+            "Room", "a room with a chequered floor and a window", _room, _close(70, 52)
+        ),
+        "soft": Subject(
+            "Soft colours", "soft waves that run another way in each colour", _soft, _close(80, 110)
+        ),
+    }
+)
+"""By name: strong colours and very fine detail; edges common to all colours; nothing common."""
