@@ -35,6 +35,8 @@ class Preservation:
 def measure_preservation(H: ArrayLike, segments: ArrayLike) -> Preservation:
     """Compare line segments (N, 2, 2) with their images under H, as far as they are visible.
 
+    Visible is what lies on the origin's side of the line that H sends to infinity.
+
     Raises
     ------
     ValueError

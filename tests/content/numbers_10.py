@@ -49,7 +49,7 @@ def a_corner_of_the_pincushion() -> Says:
 def how_near_the_fold_the_barrel_is_seen() -> Says:
     work = inverse_strong.prepare()[inverse_strong.BARREL]
     share = np.hypot(*work.seen.T).max() / largest_distorted_radius(work.lens)
-    yield f"to {100 * share:.1f} % of the radius at which"
+    yield f"to {100 * share:.1f} % of the largest distorted radius there is"
 
 
 def how_many_steps_of_newton_would_do() -> Says:
