@@ -11,9 +11,9 @@ from typing import Any
 from simulations.engine.controls import Values, clamp_values
 from simulations.engine.frame import Raster, Readout, to_json
 from simulations.engine.ladder import measure_tier
-from simulations.engine.parts import fetch_missing
 from simulations.engine.pipeline import StageCache
 from simulations.engine.scene import Scene
+from simulations.late_imports import fetch_missing
 from simulations.registry import load_ladder, load_scene
 
 __all__ = ["Reply", "error", "fetch_missing", "forget", "measure", "render"]

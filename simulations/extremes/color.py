@@ -11,13 +11,13 @@ from simulations.engine.extreme import (
     refused,
 )
 from simulations.engine.raster import to_rgba8
-from simulations.models import chromatic_adaptation, chromaticity, color
+from simulations.models.color import chromatic_adaptation, chromaticity, srgb
 
 TABLE = ExtremeTable(
     id="color",
     title="Colour",
     names={
-        **vars(color),
+        **vars(srgb),
         **vars(chromaticity),
         **vars(chromatic_adaptation),
         "to_rgba8": to_rgba8,

@@ -10,12 +10,12 @@ from simulations.engine.extreme import (
     near,
     refused,
 )
-from simulations.models import (
+from simulations.models.compression import (
+    blocks,
     chroma_subsampling,
     chroma_upsampling,
-    compression,
+    entropy,
     jpeg,
-    jpeg_size,
 )
 
 JPEG = (
@@ -27,11 +27,11 @@ TABLE = ExtremeTable(
     id="compression",
     title="Compression",
     names={
-        **vars(compression),
+        **vars(blocks),
         **vars(chroma_subsampling),
         **vars(chroma_upsampling),
         **vars(jpeg),
-        **vars(jpeg_size),
+        **vars(entropy),
         "inf": np.inf,
         "nan": np.nan,
     },

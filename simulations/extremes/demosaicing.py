@@ -10,7 +10,7 @@ from simulations.engine.extreme import (
     near,
     refused,
 )
-from simulations.models import bayer, demosaicing
+from simulations.models.sensor import bayer, demosaicing
 
 ORANGE = np.array([1.0, 0.5, 0.1])
 

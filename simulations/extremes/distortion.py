@@ -12,8 +12,8 @@ from simulations.engine.extreme import (
     refused,
     valid,
 )
-from simulations.models import distortion, fisheye, undistortion
-from simulations.models.distortion import Distortion, distort
+from simulations.models.distortion import fisheye, lens_model, undistortion
+from simulations.models.distortion.lens_model import Distortion, distort
 
 UNDO = (
     "cv2.undistortPoints(np.array([[[{}]]]), np.eye(3), np.array([{}]), "
@@ -28,7 +28,7 @@ TABLE = ExtremeTable(
     names={
         **vars(undistortion),
         **vars(fisheye),
-        **vars(distortion),  # last: its fold_radius is a lens's, not a profile's
+        **vars(lens_model),  # last: its fold_radius is a lens's, not a profile's
         "BARREL": Distortion(k1=-0.3),
         "PINCUSHION": Distortion(k1=0.5),
         "NARROW": Distortion(k1=-0.3, k2=0.0404, p1=1e-4),

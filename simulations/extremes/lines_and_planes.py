@@ -10,7 +10,7 @@ from simulations.engine.extreme import (
     near,
     valid,
 )
-from simulations.models import lines_and_planes
+from simulations.models.geometry import lines_and_planes
 
 TABLE = ExtremeTable(
     id="lines-and-planes",

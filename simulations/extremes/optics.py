@@ -3,17 +3,17 @@
 import numpy as np
 
 from simulations.engine.extreme import ExtremeCase, ExtremeTable, exactly, near, refused
-from simulations.models import chromatic, disc_blur, optics, vignetting
+from simulations.models.lens import chromatic_aberration, disc_blur, thin_lens, vignetting
 
 TABLE = ExtremeTable(
     id="optics",
     title="Optics",
     names={
         **vars(disc_blur),
-        **vars(chromatic),
+        **vars(chromatic_aberration),
         **vars(vignetting),
-        **vars(optics),
-        "BK7": chromatic.Glass(),
+        **vars(thin_lens),
+        "BK7": chromatic_aberration.Glass(),
         "inf": np.inf,
         "nan": np.nan,
     },

@@ -12,20 +12,20 @@ from simulations.engine.extreme import (
     refused,
     valid,
 )
-from simulations.models import affine_cameras, projection, vanishing
+from simulations.models.projection import affine_cameras, pinhole, vanishing
 
-K = projection.intrinsics(800.0, (320.0, 240.0))
+K = pinhole.intrinsics(800.0, (320.0, 240.0))
 PIXEL_OF = "cv2.projectPoints(np.array([[{}]]), np.zeros(3), np.zeros(3), K, None)[0][0, 0]"
 
 TABLE = ExtremeTable(
     id="projection",
     title="Perspective projection",
     names={
-        **vars(projection),
+        **vars(pinhole),
         **vars(vanishing),
         **vars(affine_cameras),
         "K": K,
-        "P": projection.camera_matrix(K, np.eye(4)),
+        "P": pinhole.camera_matrix(K, np.eye(4)),
         "inf": np.inf,
         "nan": np.nan,
     },

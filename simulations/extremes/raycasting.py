@@ -11,8 +11,8 @@ from simulations.engine.extreme import (
     refused,
     valid,
 )
-from simulations.models import raycasting, soft_shadows
-from simulations.models.raycasting import Box, Sphere
+from simulations.models.light import raycasting, soft_shadows
+from simulations.models.light.raycasting import Box, Sphere
 
 TABLE = ExtremeTable(
     id="raycasting",

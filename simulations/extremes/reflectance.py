@@ -10,7 +10,7 @@ from simulations.engine.extreme import (
     near,
     refused,
 )
-from simulations.models import reflectance
+from simulations.models.light import reflectance
 
 TABLE = ExtremeTable(
     id="reflectance",

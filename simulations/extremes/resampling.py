@@ -10,7 +10,7 @@ from simulations.engine.extreme import (
     near,
     refused,
 )
-from simulations.models import resampling
+from simulations.models.sampling import resampling
 
 RAMP = np.arange(12.0).reshape(3, 4)
 EDGE = np.repeat([[0.0, 0.0, 0.0, 1.0, 1.0, 1.0]], 6, axis=0)

@@ -10,7 +10,7 @@ from simulations.engine.extreme import (
     near,
     refused,
 )
-from simulations.models import euler, quaternions, rotations
+from simulations.models.geometry import euler, quaternions, rotations
 
 TABLE = ExtremeTable(
     id="rotations",

@@ -12,12 +12,12 @@ from simulations.engine.extreme import (
     near,
     refused,
 )
-from simulations.models import sampling
+from simulations.models.sampling import aliasing
 
 TABLE = ExtremeTable(
     id="sampling",
     title="Sampling and aliasing",
-    names={**vars(sampling), "inf": np.inf, "nan": np.nan},
+    names={**vars(aliasing), "inf": np.inf, "nan": np.nan},
     cases=(
         ExtremeCase(
             id="at-nyquist",

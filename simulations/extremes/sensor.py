@@ -9,14 +9,14 @@ from simulations.engine.extreme import (
     exactly,
     refused,
 )
-from simulations.models import photon_transfer, sensor
-from simulations.models.sensor import Sensor
+from simulations.models.sensor import photon_counting, photon_transfer
+from simulations.models.sensor.photon_counting import Sensor
 
 TABLE = ExtremeTable(
     id="sensor",
     title="The sensor",
     names={
-        **vars(sensor),
+        **vars(photon_counting),
         **vars(photon_transfer),
         "SENSOR": Sensor(),
         "rng": lambda: np.random.default_rng(7),

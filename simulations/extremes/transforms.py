@@ -11,13 +11,17 @@ from simulations.engine.extreme import (
     refused,
     valid,
 )
-from simulations.models import (
+from simulations.models.geometry import (
     homography_algebra,
     homography_estimation,
     transforms,
     transforms_3d,
 )
-from simulations.models.view_homographies import in_front, plane_between_views, turned_camera
+from simulations.models.projection.view_homographies import (
+    in_front,
+    plane_between_views,
+    turned_camera,
+)
 
 HORIZON = np.array([[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [1.0, 0.0, -1.0]])
 PICTURE = np.array([[-400.0, -300.0], [400.0, -300.0], [400.0, 300.0], [-400.0, 300.0]])

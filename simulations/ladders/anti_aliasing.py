@@ -12,7 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from simulations.engine.ladder import Ladder, Metric, Tier
-from simulations.models.sampling import (
+from simulations.models.sampling.aliasing import (
     box_filter,
     filter_and_sample,
     sinc_kernel,

@@ -4,8 +4,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from simulations.engine.ladder import Ladder, Metric, Tier
-from simulations.models.compression import BLOCK, LUMINANCE_TABLE
-from simulations.models.cosine_transforms import TRANSFORMS, exact_block_dct
+from simulations.models.compression.blocks import BLOCK, LUMINANCE_TABLE
+from simulations.models.compression.cosine_transforms import TRANSFORMS, exact_block_dct
 
 type Floats = NDArray[np.floating]
 

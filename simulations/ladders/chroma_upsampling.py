@@ -12,10 +12,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from simulations.engine.ladder import Ladder, Metric, Tier
-from simulations.models import jpeg
-from simulations.models.chroma_subsampling import coarsen
-from simulations.models.chroma_upsampling import refine
-from simulations.models.color import encode_srgb
+from simulations.models.color.srgb import encode_srgb
+from simulations.models.compression import jpeg
+from simulations.models.compression.chroma_subsampling import coarsen
+from simulations.models.compression.chroma_upsampling import refine
 from simulations.pictures.balloon import WHOLE
 from simulations.pictures.mosaic_subjects import SUBJECTS
 

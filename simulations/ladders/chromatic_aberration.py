@@ -11,8 +11,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from simulations.engine.ladder import Ladder, Metric, Tier
-from simulations.models.chromatic import Glass, lateral_chromatic_scale
-from simulations.models.spectral_bands import chosen_wavelengths, even_wavelengths
+from simulations.models.lens.chromatic_aberration import Glass, lateral_chromatic_scale
+from simulations.models.lens.spectral_bands import chosen_wavelengths, even_wavelengths
 from simulations.pictures.coverage import checker
 
 type Floats = NDArray[np.floating]

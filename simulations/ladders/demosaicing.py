@@ -14,8 +14,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from simulations.engine.ladder import Ladder, Metric, Tier
-from simulations.models.color import encode_srgb
-from simulations.models.demosaicing import demosaic, mosaic, psnr_db
+from simulations.models.color.srgb import encode_srgb
+from simulations.models.sensor.demosaicing import demosaic, mosaic, psnr_db
 from simulations.pictures.balloon import WHOLE
 from simulations.pictures.mosaic_subjects import SUBJECTS
 

@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from simulations.engine.ladder import Ladder, Metric, Tier
-from simulations.models.edge_coverage import (
+from simulations.models.light.edge_coverage import (
     curved_edge_coverage,
     ramp_coverage,
     straight_edge_coverage,

@@ -7,7 +7,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from simulations.engine.ladder import Ladder, Metric, Tier
-from simulations.models.exposure import mean_of_instants, mean_of_random_instants
+from simulations.models.sensor.exposure import mean_of_instants, mean_of_random_instants
 from simulations.pictures import moving_ball
 
 type Floats = NDArray[np.floating]

@@ -13,13 +13,13 @@ from simulations.ladders.inverse_distortion import (
     workload_of,
     worst_px,
 )
-from simulations.models.decentred_undistortion import (
+from simulations.models.distortion.decentred_undistortion import (
     undistort_decentred_fixed_point,
     undistort_decentred_newton,
 )
-from simulations.models.distortion import Distortion, Floats, undistort
-from simulations.models.radial_table import inverse_table
-from simulations.models.undistortion import undistort_newton
+from simulations.models.distortion.lens_model import Distortion, Floats, undistort
+from simulations.models.distortion.radial_table import inverse_table
+from simulations.models.distortion.undistortion import undistort_newton
 
 LENS = Distortion(k1=-0.3, k2=0.1, p1=1e-3, p2=-5e-4)
 FOCAL_PX = 400.0

@@ -6,9 +6,9 @@ from functools import partial
 import numpy as np
 
 from simulations.engine.ladder import Ladder, Metric, Tier
-from simulations.models.distortion import Distortion, Floats, undistort
-from simulations.models.radial_table import inverse_table
-from simulations.models.undistortion import (
+from simulations.models.distortion.lens_model import Distortion, Floats, undistort
+from simulations.models.distortion.radial_table import inverse_table
+from simulations.models.distortion.undistortion import (
     undistort_bracketed,
     undistort_first_order,
     undistort_fixed_point,

@@ -96,12 +96,12 @@ def _relative_float32(place: Place, rotation: Floats) -> Floats:
 
 
 def _float64(place: Place, rotation: Floats) -> Floats:
-    """R p + t, as `simulations.models.projection.world_to_camera`."""
+    """R p + t, as `simulations.models.projection.pinhole.world_to_camera`."""
     return _pixels(_turned(rotation, place.points) - _turned(rotation, place.centre))
 
 
 def _relative_float64(place: Place, rotation: Floats) -> Floats:
-    """R (p − c), as `simulations.models.projection.relative_to_camera`."""
+    """R (p − c), as `simulations.models.projection.pinhole.relative_to_camera`."""
     return _pixels(_turned(rotation, place.points - place.centre))
 
 

@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from simulations.engine.ladder import Ladder, Metric, Tier
-from simulations.models.resampling import gather, gather_table
+from simulations.models.sampling.resampling import gather, gather_table
 
 type Floats = NDArray[np.floating]
 

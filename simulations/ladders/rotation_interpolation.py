@@ -6,8 +6,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from simulations.engine.ladder import Ladder, Metric, Tier
-from simulations.models import quaternions
-from simulations.models.quaternion_blends import BLENDS, bisected_arc, turn_between_rad
+from simulations.models.geometry import quaternions
+from simulations.models.geometry.quaternion_blends import BLENDS, bisected_arc, turn_between_rad
 
 type Floats = NDArray[np.floating]
 

@@ -6,8 +6,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from simulations.engine.ladder import Ladder, Metric, Tier
-from simulations.models.cell_blending import blend_cells, blend_normals
-from simulations.models.reflectance import blinn_phong, phong
+from simulations.models.light.cell_blending import blend_cells, blend_normals
+from simulations.models.light.reflectance import blinn_phong, phong
 
 type Floats = NDArray[np.floating]
 

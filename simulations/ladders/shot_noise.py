@@ -7,7 +7,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from simulations.engine.ladder import Ladder, Metric, Tier
-from simulations.models.sensor import ShotModel, shot_noise
+from simulations.models.sensor.photon_counting import ShotModel, shot_noise
 
 type Floats = NDArray[np.floating]
 

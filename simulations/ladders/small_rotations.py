@@ -6,9 +6,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from simulations.engine.ladder import Ladder, Metric, Tier
-from simulations.models import quaternions
-from simulations.models.cross_products import CYCLES, cross_polynomial
-from simulations.models.rotations import exponential
+from simulations.models.geometry import quaternions
+from simulations.models.geometry.cross_products import CYCLES, cross_polynomial
+from simulations.models.geometry.rotations import exponential
 
 type Floats = NDArray[np.floating]
 

@@ -4,7 +4,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from simulations.engine.ladder import Ladder, Metric, Tier
-from simulations.models.color import encode_gamma, encode_srgb, encode_srgb_table
+from simulations.models.color.srgb import encode_gamma, encode_srgb, encode_srgb_table
 
 type Floats = NDArray[np.floating]
 

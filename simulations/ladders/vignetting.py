@@ -4,7 +4,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from simulations.engine.ladder import Ladder, Metric, Tier
-from simulations.models.vignetting import vignetting_cos4
+from simulations.models.lens.vignetting import vignetting_cos4
 
 type Floats = NDArray[np.floating]
 

@@ -3,7 +3,7 @@
 from functools import partial
 
 from simulations.engine.ladder import Ladder, Tier
-from simulations.ladders.depth_of_field import (
+from simulations.ladders.depth_of_field.ladder import (
     METRICS,
     Floats,
     Workload,
@@ -16,8 +16,8 @@ from simulations.ladders.depth_of_field import (
     reference,
     workload_of,
 )
-from simulations.models.disc_blur import Planes, disc_kernel, summed
-from simulations.models.disc_pyramid import pyramid_blur
+from simulations.models.lens.disc_blur import Planes, disc_kernel, summed
+from simulations.models.lens.disc_pyramid import pyramid_blur
 
 
 def prepare() -> Workload:

@@ -11,7 +11,7 @@ from functools import cache
 import numpy as np
 from numpy.typing import NDArray
 
-from simulations.models.color import decode_srgb
+from simulations.models.color.srgb import decode_srgb
 
 type Floats = NDArray[np.floating]
 

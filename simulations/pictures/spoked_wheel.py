@@ -13,7 +13,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from simulations.engine.raster import to_rgba8
-from simulations.models.color import encode_srgb
+from simulations.models.color.srgb import encode_srgb
 
 type Floats = NDArray[np.floating]
 

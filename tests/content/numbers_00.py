@@ -5,11 +5,11 @@ from math import cos, hypot, radians, sqrt
 import numpy as np
 from support.worked_numbers import CONTENT, Says
 
-from simulations.models.color import decode_srgb, encode_srgb
-from simulations.models.distortion import Distortion, distort
-from simulations.models.projection import intrinsics, project
-from simulations.models.sampling import alias_frequency, box_mtf
-from simulations.scenes.formation_stations import stations, travel
+from simulations.models.color.srgb import decode_srgb, encode_srgb
+from simulations.models.distortion.lens_model import Distortion, distort
+from simulations.models.projection.pinhole import intrinsics, project
+from simulations.models.sampling.aliasing import alias_frequency, box_mtf
+from simulations.scenes.formation_pipeline.stations import stations, travel
 
 CHAPTER = "00-why-image-formation"
 K = intrinsics(800.0, (320.0, 240.0))

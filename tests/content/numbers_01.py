@@ -3,11 +3,11 @@
 import numpy as np
 from support.worked_numbers import Says
 
-from simulations.models.projection import intrinsics, rigid_pose, world_to_camera
-from simulations.models.rotations import exponential
-from simulations.models.transforms import apply_homography, rigid, sign_of_w, translation
-from simulations.models.view_homographies import plane_between_views
-from simulations.scenes.transform_2d import transformation
+from simulations.models.geometry.rotations import exponential
+from simulations.models.geometry.transforms import apply_homography, rigid, sign_of_w, translation
+from simulations.models.projection.pinhole import intrinsics, rigid_pose, world_to_camera
+from simulations.models.projection.view_homographies import plane_between_views
+from simulations.scenes.transform_2d.scene import transformation
 
 CHAPTER = "01-2d-transformations"
 

@@ -5,10 +5,10 @@ from math import cos, exp, radians, sin
 import numpy as np
 from support.worked_numbers import Says
 
-from simulations.models import euler, quaternions, rotations, transforms_3d
-from simulations.models.projection import look_at, rigid_pose, world_to_camera
-from simulations.models.quaternion_blends import bisected_arc, turn_between_rad
-from simulations.models.rotation_paths import matrix_blend
+from simulations.models.geometry import euler, quaternions, rotations, transforms_3d
+from simulations.models.geometry.quaternion_blends import bisected_arc, turn_between_rad
+from simulations.models.geometry.rotation_paths import matrix_blend
+from simulations.models.projection.pinhole import look_at, rigid_pose, world_to_camera
 
 CHAPTER = "02-3d-transformations"
 

@@ -5,10 +5,10 @@ from math import atan, cos, degrees, inf, isclose, radians, sqrt
 import numpy as np
 from support.worked_numbers import Says
 
-from simulations.models.affine_cameras import project_affine, scaled_orthographic_camera
-from simulations.models.optics import field_of_view_rad, principal_distance_mm
-from simulations.models.projection import intrinsics, look_at, project
-from simulations.models.vanishing import vanishing_point
+from simulations.models.lens.thin_lens import field_of_view_rad, principal_distance_mm
+from simulations.models.projection.affine_cameras import project_affine, scaled_orthographic_camera
+from simulations.models.projection.pinhole import intrinsics, look_at, project
+from simulations.models.projection.vanishing import vanishing_point
 
 CHAPTER = "03-perspective-projection"
 

@@ -5,7 +5,8 @@ from math import atan, degrees, pi, sqrt, tan
 import numpy as np
 from support.worked_numbers import Says
 
-from simulations.models.distortion import (
+from simulations.models.distortion.fisheye import project_ideal
+from simulations.models.distortion.lens_model import (
     Distortion,
     distort,
     fold_radius,
@@ -13,11 +14,10 @@ from simulations.models.distortion import (
     largest_distorted_radius,
     undistort,
 )
-from simulations.models.fisheye import project_ideal
-from simulations.models.undistortion import undistort_fixed_point, undistort_newton
-from simulations.models.vignetting import vignetting_cos4
-from simulations.scenes.lens_aberrations_stages import RIM_MM, light
-from simulations.scenes.lens_distortion_stages import FOCAL_PX, inversion_error_px
+from simulations.models.distortion.undistortion import undistort_fixed_point, undistort_newton
+from simulations.models.lens.vignetting import vignetting_cos4
+from simulations.scenes.lens_aberrations.stages import RIM_MM, light
+from simulations.scenes.lens_distortion.stages import FOCAL_PX, inversion_error_px
 
 CHAPTER = "04-lens-distortion"
 BARREL, PINCUSHION = Distortion(k1=-0.2), Distortion(k1=0.2)

@@ -7,9 +7,9 @@ from support.worked_numbers import Says
 
 from simulations.engine.controls import check_values
 from simulations.engine.pipeline import StageCache
-from simulations.models.color import encode_srgb
-from simulations.models.reflectance import attenuation, blinn_phong, lambert, phong
-from simulations.scenes.phong import SCENE
+from simulations.models.color.srgb import encode_srgb
+from simulations.models.light.reflectance import attenuation, blinn_phong, lambert, phong
+from simulations.scenes.reflection.phong import SCENE
 
 CHAPTER = "05-lighting-and-reflectance"
 FRONT = np.array((0.0, 0, 1))

@@ -14,10 +14,9 @@ from support.worked_numbers import Says
 
 from simulations.engine.controls import check_values
 from simulations.engine.pipeline import StageCache
-from simulations.models.chroma_upsampling import METHODS as UPSAMPLING
-from simulations.models.chromatic_adaptation import adapt
-from simulations.models.chromaticity import ILLUMINANT_A_XY, lab_distance, white_xyz
-from simulations.models.color import (
+from simulations.models.color.chromatic_adaptation import adapt
+from simulations.models.color.chromaticity import ILLUMINANT_A_XY, lab_distance, white_xyz
+from simulations.models.color.srgb import (
     D65_XY,
     encode_srgb,
     rgb_to_xyz_matrix,
@@ -25,13 +24,14 @@ from simulations.models.color import (
     xyz_to_lab,
     xyz_to_linear_rgb,
 )
-from simulations.models.compression import round_outwards
-from simulations.models.demosaicing import METHODS, demosaic, mosaic, psnr_db
-from simulations.models.sensor import Sensor, signal_to_noise, with_iso
+from simulations.models.compression.blocks import round_outwards
+from simulations.models.compression.chroma_upsampling import METHODS as UPSAMPLING
+from simulations.models.sensor.demosaicing import METHODS, demosaic, mosaic, psnr_db
+from simulations.models.sensor.photon_counting import Sensor, signal_to_noise, with_iso
 from simulations.pictures.balloon import WHOLE
 from simulations.pictures.mosaic_subjects import SUBJECTS
-from simulations.scenes import jpeg
-from simulations.scenes.sensor_noise_stages import patch_means_e, saturation_e, sensor_of
+from simulations.scenes.jpeg import scene as jpeg
+from simulations.scenes.sensor_noise.stages import patch_means_e, saturation_e, sensor_of
 
 CHAPTER = "06-digital-sensor"
 WELL = 20_000.0

@@ -5,12 +5,12 @@ from math import pi, radians, sin
 import numpy as np
 from support.worked_numbers import Says, source
 
-from simulations.models.demosaicing import demosaic, mosaic
-from simulations.models.prefilters import prefilter
-from simulations.models.resampling import KERNELS
-from simulations.models.sampling import alias_frequency, apparent_wheel_speed, box_mtf
+from simulations.models.sampling.aliasing import alias_frequency, apparent_wheel_speed, box_mtf
+from simulations.models.sampling.prefilters import prefilter
+from simulations.models.sampling.resampling import KERNELS
+from simulations.models.sensor.demosaicing import demosaic, mosaic
 from simulations.pictures import spoked_wheel
-from simulations.scenes.aliasing_pattern import pattern_of
+from simulations.scenes.aliasing.pattern import pattern_of
 
 CHAPTER = "07-sampling-and-aliasing"
 

@@ -9,21 +9,21 @@ from support.worked_numbers import Says
 
 from simulations.engine.controls import check_values
 from simulations.engine.pipeline import StageCache
-from simulations.models.aperture_grid import aperture_grid
-from simulations.models.color import encode_srgb
-from simulations.models.distortion import Distortion, distort, largest_distorted_radius
-from simulations.models.optics import (
+from simulations.models.color.srgb import encode_srgb
+from simulations.models.distortion.lens_model import Distortion, distort, largest_distorted_radius
+from simulations.models.lens.aperture_grid import aperture_grid
+from simulations.models.lens.thin_lens import (
     circle_of_confusion_mm,
     field_of_view_rad,
     hyperfocal,
     principal_distance_mm,
     working_f_number,
 )
-from simulations.models.vignetting import vignetting_cos4
-from simulations.scenes import camera
-from simulations.scenes.camera_lens import COLUMNS, ROWS, bend_rays, margin_px, pinhole_rays
-from simulations.scenes.camera_sensor import ADC
-from simulations.scenes.camera_stages import STAGES, TIERS
+from simulations.models.lens.vignetting import vignetting_cos4
+from simulations.scenes.camera import scene as camera
+from simulations.scenes.camera.lens import COLUMNS, ROWS, bend_rays, margin_px, pinhole_rays
+from simulations.scenes.camera.sensor import ADC
+from simulations.scenes.camera.stages import STAGES, TIERS
 
 CHAPTER = "08-full-camera-model"
 PIXEL_MM = 36 / 264

@@ -5,8 +5,8 @@ from math import atan, degrees, isclose, sqrt
 import numpy as np
 from support.worked_numbers import Says, source
 
-from simulations.models.projection import intrinsics, project
-from simulations.scenes.formation_stations import stations, travel
+from simulations.models.projection.pinhole import intrinsics, project
+from simulations.scenes.formation_pipeline.stations import stations, travel
 
 CHAPTER = "09-connections"
 

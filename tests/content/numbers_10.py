@@ -9,17 +9,19 @@ import numpy as np
 from support.worked_numbers import CONTENT, Says
 
 from simulations.engine.ladder import pareto_front
-from simulations.ladders import depth_of_field, inverse_strong, shot_noise, wide_discs
-from simulations.ladders.depth_of_field import radius_px
+from simulations.ladders import inverse_strong, shot_noise, wide_discs
+from simulations.ladders.depth_of_field import ladder as depth_of_field
+from simulations.ladders.depth_of_field.ladder import radius_px
 from simulations.ladders.inverse_distortion import LADDER
-from simulations.models import radial_profile, rotations
-from simulations.models.demosaicing import psnr_db
-from simulations.models.distortion import largest_distorted_radius, undistort
-from simulations.models.raycasting import Sphere
-from simulations.models.undistortion import undistort_newton
-from simulations.pictures.still_life import THINGS, thing_depth
-from simulations.scenes import camera
-from simulations.scenes.camera_lens import PITCH_MM
+from simulations.models.distortion import radial_profile
+from simulations.models.distortion.lens_model import largest_distorted_radius, undistort
+from simulations.models.distortion.undistortion import undistort_newton
+from simulations.models.geometry import rotations
+from simulations.models.light.raycasting import Sphere
+from simulations.models.sensor.demosaicing import psnr_db
+from simulations.pictures.still_life.things import THINGS, thing_depth
+from simulations.scenes.camera import scene as camera
+from simulations.scenes.camera.lens import PITCH_MM
 from site_builder.diagnostics import Diagnostics
 from site_builder.measured.measurements import Measurements, read_measurements
 

@@ -5,15 +5,15 @@ from math import acos, cos, sqrt
 import numpy as np
 from support.worked_numbers import Says
 
-from simulations.models import quaternions, rotations
-from simulations.models.distortion import (
+from simulations.models.distortion.lens_model import (
     Distortion,
     fold_radius,
     largest_distorted_radius,
     undistort,
     undistort_clamped,
 )
-from simulations.models.optics import circle_of_confusion_mm
+from simulations.models.geometry import quaternions, rotations
+from simulations.models.lens.thin_lens import circle_of_confusion_mm
 
 CHAPTER = "11-where-the-models-break"
 LARGEST, SMALLEST = np.finfo(float).max, np.nextafter(0.0, 1.0)

@@ -6,7 +6,7 @@ from scipy.special import fresnel
 
 from simulations.engine.ladder import pareto_front
 from simulations.ladders.anti_aliasing import LADDER, SCALE, SIZE, prepare, reference
-from simulations.models.sampling import zone_plate_area
+from simulations.models.sampling.aliasing import zone_plate_area
 
 CENTRES = prepare()
 TRUTH = reference(CENTRES)

@@ -10,7 +10,7 @@ from simulations.ladders.block_dct import (
     prepare,
     worst_codes,
 )
-from simulations.models.compression import LUMINANCE_TABLE
+from simulations.models.compression.blocks import LUMINANCE_TABLE
 
 BLOCKS = prepare()
 TRUTH = LADDER.reference(BLOCKS)

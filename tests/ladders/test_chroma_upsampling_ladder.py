@@ -6,7 +6,7 @@ import pytest
 
 from simulations.engine.ladder import pareto_front
 from simulations.ladders.chroma_upsampling import LADDER, prepare, reference
-from simulations.models.chroma_upsampling import METHODS
+from simulations.models.compression.chroma_upsampling import METHODS
 
 WORK = prepare()
 TRUTH = reference(WORK)

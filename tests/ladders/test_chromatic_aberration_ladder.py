@@ -17,7 +17,7 @@ from simulations.ladders.chromatic_aberration import (
     reference,
     rms,
 )
-from simulations.models.chromatic import lateral_chromatic_scale
+from simulations.models.lens.chromatic_aberration import lateral_chromatic_scale
 
 WORK = prepare()
 TRUTH = reference(WORK)

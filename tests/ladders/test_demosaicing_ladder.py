@@ -9,9 +9,9 @@ import skimage.data
 
 from simulations.engine.ladder import pareto_front
 from simulations.ladders.demosaicing import LADDER, PICTURES, prepare, reference
-from simulations.models.color import decode_srgb, encode_srgb
-from simulations.models.demosaicing import demosaic, mosaic, psnr_db
-from simulations.models.shared_detail import shared_detail
+from simulations.models.color.srgb import decode_srgb, encode_srgb
+from simulations.models.sensor.demosaicing import demosaic, mosaic, psnr_db
+from simulations.models.sensor.shared_detail import shared_detail
 
 with warnings.catch_warnings():
     warnings.simplefilter("ignore")  # the oracle warns that it cannot plot

@@ -6,8 +6,9 @@ import numpy as np
 import pytest
 
 from simulations.engine.ladder import pareto_front
-from simulations.ladders import depth_of_field_truth, wide_discs
-from simulations.ladders.depth_of_field import (
+from simulations.ladders import wide_discs
+from simulations.ladders.depth_of_field import truth as depth_of_field_truth
+from simulations.ladders.depth_of_field.ladder import (
     LADDER,
     layered,
     prepare,
@@ -15,8 +16,8 @@ from simulations.ladders.depth_of_field import (
     radius_px,
     reference,
 )
-from simulations.models.aperture import fibonacci_disc, random_disc
-from simulations.models.vignetting import disc_overlap_area
+from simulations.models.lens.aperture import fibonacci_disc, random_disc
+from simulations.models.lens.vignetting import disc_overlap_area
 from simulations.pictures import cards
 
 WORK = prepare()

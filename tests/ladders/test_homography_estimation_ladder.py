@@ -5,9 +5,9 @@ import numpy as np
 import pytest
 from scipy.optimize import least_squares
 
-from simulations.ladders.homography_estimation import LADDER, reference, rms_px
-from simulations.ladders.homography_estimators import one_sided, two_sided
-from simulations.ladders.homography_matches import (
+from simulations.ladders.homography_estimation.estimators import one_sided, two_sided
+from simulations.ladders.homography_estimation.ladder import LADDER, reference, rms_px
+from simulations.ladders.homography_estimation.matches import (
     NOISE_PX,
     VIEWS,
     Matches,
@@ -16,7 +16,7 @@ from simulations.ladders.homography_matches import (
     prepare,
     true_map,
 )
-from simulations.models.homography_estimation import estimate_homography
+from simulations.models.geometry.homography_estimation import estimate_homography
 
 WORK = prepare()
 TRUTH = reference(WORK)

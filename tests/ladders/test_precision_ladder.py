@@ -18,7 +18,7 @@ from simulations.ladders.precision import (
     rms_far_px,
     rms_near_px,
 )
-from simulations.models.projection import relative_to_camera, rigid_pose, world_to_camera
+from simulations.models.projection.pinhole import relative_to_camera, rigid_pose, world_to_camera
 
 WORK = prepare()
 TRUTH = reference(WORK)

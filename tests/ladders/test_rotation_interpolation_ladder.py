@@ -12,7 +12,7 @@ from simulations.ladders.rotation_interpolation import (
     worst_deg,
     worst_small_deg,
 )
-from simulations.models.quaternion_blends import STRAIGHT
+from simulations.models.geometry.quaternion_blends import STRAIGHT
 
 WORK = prepare()
 TRUTH = reference(WORK)

@@ -3,40 +3,31 @@
 import numpy as np
 import pytest
 
-from simulations.models import (
-    affine_cameras,
-    distortion,
-    edge_coverage,
-    euler,
-    fisheye,
-    lines_and_planes,
-    projection,
-    quaternions,
-    resampling,
-    rotations,
-    transforms,
-    vanishing,
-)
-from simulations.models.cross_products import cross_polynomial
-from simulations.models.floats import as_array, as_colours, as_floats, as_vectors
+from simulations.models.arrays import as_array, as_colours, as_floats, as_vectors
+from simulations.models.distortion import fisheye, lens_model
+from simulations.models.geometry import euler, lines_and_planes, quaternions, rotations, transforms
+from simulations.models.geometry.cross_products import cross_polynomial
+from simulations.models.light import edge_coverage
+from simulations.models.projection import affine_cameras, pinhole, vanishing
+from simulations.models.sampling import resampling
 
-K = projection.intrinsics(800.0, (320.0, 240.0))
-POSE = projection.rigid_pose(rotations.exponential([0.1, 0.2, 0.3]), [1.0, 2.0, 3.0])
-LENS = distortion.Distortion(k1=-0.1, p1=0.01)
+K = pinhole.intrinsics(800.0, (320.0, 240.0))
+POSE = pinhole.rigid_pose(rotations.exponential([0.1, 0.2, 0.3]), [1.0, 2.0, 3.0])
+LENS = lens_model.Distortion(k1=-0.1, p1=0.01)
 AFFINE = affine_cameras.orthographic_camera(100.0)
 Q = [1.0, 0.0, 0.0, 0.0]
 
 FUNCTIONS = [
     ("points", 2, lambda v: transforms.apply_homography(np.eye(3), v)),
-    ("points_camera", 3, lambda v: projection.project(v, K)),
-    ("points", 4, lambda v: projection.project_homogeneous(v, K @ POSE[:3])),
-    ("points", 3, lambda v: projection.world_to_camera(v, POSE)),
-    ("points", 3, lambda v: projection.relative_to_camera(v, POSE[:3, :3], [1.0, 2.0, 3.0])),
+    ("points_camera", 3, lambda v: pinhole.project(v, K)),
+    ("points", 4, lambda v: pinhole.project_homogeneous(v, K @ POSE[:3])),
+    ("points", 3, lambda v: pinhole.world_to_camera(v, POSE)),
+    ("points", 3, lambda v: pinhole.relative_to_camera(v, POSE[:3, :3], [1.0, 2.0, 3.0])),
     ("points", 3, lambda v: affine_cameras.project_affine(v, AFFINE)),
     ("directions", 3, lambda v: vanishing.vanishing_point(v, K)),
-    ("xy", 2, lambda v: distortion.distort(v, LENS)),
-    ("xy", 2, lambda v: distortion.undistort(v, LENS)),
-    ("xy", 2, lambda v: distortion.jacobian(v, LENS)),
+    ("xy", 2, lambda v: lens_model.distort(v, LENS)),
+    ("xy", 2, lambda v: lens_model.undistort(v, LENS)),
+    ("xy", 2, lambda v: lens_model.jacobian(v, LENS)),
     ("directions", 3, lambda v: fisheye.project_fisheye(v, fisheye.Fisheye())),
     ("xy", 2, lambda v: fisheye.unproject_ideal(v, "equidistant")),
     ("p", 2, lambda v: lines_and_planes.line_through(v, [3.0, 4.0])),
@@ -150,19 +141,19 @@ def test_one_wild_vector_neither_warns_nor_spoils_its_neighbours(length, functio
 
 
 def test_a_point_at_infinity_goes_through_a_lens_to_infinity():
-    pincushion, barrel = distortion.Distortion(k1=0.1), distortion.Distortion(k1=-0.1)
-    np.testing.assert_array_equal(distortion.distort([np.inf, 0.3], pincushion)[0], np.inf)
+    pincushion, barrel = lens_model.Distortion(k1=0.1), lens_model.Distortion(k1=-0.1)
+    np.testing.assert_array_equal(lens_model.distort([np.inf, 0.3], pincushion)[0], np.inf)
     np.testing.assert_array_equal(
-        distortion.distort([np.inf, -np.inf], pincushion), [np.inf, -np.inf]
+        lens_model.distort([np.inf, -np.inf], pincushion), [np.inf, -np.inf]
     )
-    np.testing.assert_array_equal(distortion.distort([-np.inf, np.inf], barrel), [np.inf, -np.inf])
+    np.testing.assert_array_equal(lens_model.distort([-np.inf, np.inf], barrel), [np.inf, -np.inf])
 
 
 @pytest.mark.parametrize(
     "focal", [np.float32(800.0), np.int64(800), np.array(800.0), [800.0, 800.0]]
 )
 def test_a_focal_length_may_be_any_kind_of_number(focal):
-    np.testing.assert_array_equal(projection.intrinsics(focal, (320.0, 240.0)), K)
+    np.testing.assert_array_equal(pinhole.intrinsics(focal, (320.0, 240.0)), K)
 
 
 @pytest.mark.parametrize("shape", [(3,), (1, 3), (4, 2, 3), (0, 3)])

@@ -17,7 +17,7 @@ from pathlib import Path
 
 from mutation.mutants import Mutant, mutants
 from mutation.scores import Row, Score, read_table, write_table
-from mutation.trial import MODELS, ROOT, survives, tests_of, used_s, warm_up
+from mutation.trial import ROOT, file_of, modules, survives, tests_of, used_s, warm_up
 
 HERE = Path(__file__).parent
 SCORES = HERE / "score.txt"
@@ -59,7 +59,7 @@ def prepare(module: str, source: str) -> tuple[list[Path], int]:
 
 def judge(module: str, sample: str, seed: int) -> Score | None:
     """Try the mutants of a module; None where there is no score."""
-    source = (MODELS / f"{module}.py").read_text("utf-8")
+    source = file_of(module).read_text("utf-8")
     tests, limit_s = prepare(module, source)
     if not tests:
         return None
@@ -84,25 +84,24 @@ def write_survivors(module: str, names: list[str]) -> None:
 def record(module: str, score: Score, held_out: bool) -> None:
     """Put one score into its half of the table; all others stay."""
     rows = read_table(SCORES)
-    rows = {name: row for name, row in rows.items() if (MODELS / f"{name}.py").exists()}
+    rows = {name: row for name, row in rows.items() if file_of(name).exists()}
     half = {"held_out": score} if held_out else {"all": score}
     rows[module] = replace(rows.get(module, Row()), **half)
     write_table(SCORES, rows)
 
 
 def main() -> int:
-    modules = sorted(file.stem for file in MODELS.glob("[!_]*.py"))
     parser = argparse.ArgumentParser(prog="make mutants", description=__doc__)
     parser.add_argument("--sample", default="30", help="number a module, all, survivors")
     parser.add_argument("--seed", type=int, default=1)
-    parser.add_argument("--module", action="append", choices=modules, default=[])
+    parser.add_argument("--module", action="append", choices=modules(), default=[])
     parser.add_argument("--held-out", action="store_true", help="record this sample in score.txt")
     asked = parser.parse_args()
-    for module in asked.module or modules:
+    for module in asked.module or modules():
         if not (score := judge(module, asked.sample, asked.seed)):
             continue
         print(
-            f"{module:22}{score.mutants:5} mutants"
+            f"{module:38}{score.mutants:5} mutants"
             f"{score.noticed:5} noticed{score.survived:4} survived{score.share:>8}",
             flush=True,
         )

@@ -10,9 +10,9 @@ Held out: a sample drawn after the tests were written, as first found, and not j
 All: every mutant, after tests were added for those that had survived. What still survives are
 mistakes that change nothing anyone can see; 100% is not to be had.
 """
-HEADING = f"{'':22}{'held out':>26}{'all':>32}"
+HEADING = f"{'':38}{'held out':>26}{'all':>32}"
 COLUMNS = (
-    f"{'module':22}{'tried':>10}{'noticed':>8}{'score':>8}"
+    f"{'module':38}{'tried':>10}{'noticed':>8}{'score':>8}"
     f"{'mutants':>10}{'noticed':>8}{'survived':>9}{'score':>8}"
 )
 
@@ -53,7 +53,7 @@ class Row:
             left = f"{held.mutants:10}{held.noticed:8}{held.share:>8}"
         if a := self.all:
             right = f"{a.mutants:10}{a.noticed:8}{a.survived:9}{a.share:>8}"
-        return f"{module:22}{left or '—':>26}{right or '—':>35}"
+        return f"{module:38}{left or '—':>26}{right or '—':>35}"
 
 
 def read_table(file: Path) -> dict[str, Row]:

@@ -54,12 +54,22 @@ def imported_names(file: Path) -> frozenset[str]:
     return frozenset(names)
 
 
+def modules() -> list[str]:
+    """Names of all model modules below ``simulations.models``: ``lens.thin_lens``."""
+    files = (file.relative_to(MODELS) for file in MODELS.rglob("[!_]*.py"))
+    return sorted(".".join(file.with_suffix("").parts) for file in files)
+
+
+def file_of(module: str) -> Path:
+    return MODELS.joinpath(*module.split(".")).with_suffix(".py")
+
+
 def tests_of(module: str) -> list[Path]:
     """The test files of a model: those that import it, or else those nearest above it."""
     wanted = {f"{PACKAGE}.{module}"}
-    tests = sorted((ROOT / "tests" / "models").glob("test_*.py"))
+    tests = sorted((ROOT / "tests" / "models").rglob("test_*.py"))
     while not (found := [file for file in tests if wanted & imported_names(file)]):
-        users = {f"{PACKAGE}.{f.stem}" for f in MODELS.glob("*.py") if wanted & imported_names(f)}
+        users = {f"{PACKAGE}.{m}" for m in modules() if wanted & imported_names(file_of(m))}
         if users <= wanted:
             break
         wanted |= users

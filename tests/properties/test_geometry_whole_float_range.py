@@ -8,21 +8,19 @@ import numpy as np
 from hypothesis import given
 from support.float_range import any_float, arrays, ask, assert_finite_where_valid, finite_float
 
-from simulations.models import (
-    affine_cameras,
+from simulations.models.geometry import (
     euler,
     homography_algebra,
     homography_estimation,
     lines_and_planes,
-    projection,
     quaternions,
     rotations,
     transforms,
-    vanishing,
 )
+from simulations.models.projection import affine_cameras, pinhole, vanishing
 
-K = projection.intrinsics((800.0, 790.0), (320.0, 240.0), 0.5)
-P = projection.camera_matrix(K, projection.look_at([1.0, 2.0, -3.0], [0, 0, 0], [0, 1, 0]))
+K = pinhole.intrinsics((800.0, 790.0), (320.0, 240.0), 0.5)
+P = pinhole.camera_matrix(K, pinhole.look_at([1.0, 2.0, -3.0], [0, 0, 0], [0, 1, 0]))
 
 
 def is_rotation(R, tolerance=1e-9):
@@ -31,7 +29,7 @@ def is_rotation(R, tolerance=1e-9):
 
 @given(arrays(4, 3))
 def test_projected_points_are_finite_where_valid_and_nan_elsewhere(points):
-    pixels, valid = projection.project(points, K)
+    pixels, valid = pinhole.project(points, K)
     assert_finite_where_valid((pixels, valid))
     assert np.isnan(pixels[~valid]).all()
     assert (points[valid, 2] > 0).all()
@@ -39,26 +37,26 @@ def test_projected_points_are_finite_where_valid_and_nan_elsewhere(points):
 
 @given(arrays(4, 4))
 def test_homogeneous_points_project_to_finite_pixels_or_none(points):
-    pixels, valid = projection.project_homogeneous(points, P)
+    pixels, valid = pinhole.project_homogeneous(points, P)
     assert_finite_where_valid((pixels, valid))
     assert np.isnan(pixels[~valid]).all()
 
 
 @given(arrays(5))
 def test_intrinsics_are_finite_or_refused(v):
-    matrix = ask(projection.intrinsics, (v[0], v[1]), (v[2], v[3]), v[4])
+    matrix = ask(pinhole.intrinsics, (v[0], v[1]), (v[2], v[3]), v[4])
     assert matrix is None or np.isfinite(matrix).all()
 
 
 @given(any_float, any_float)
 def test_field_of_view_is_an_angle(focal_mm, sensor_mm):
-    angle = ask(projection.field_of_view, focal_mm, sensor_mm)
+    angle = ask(pinhole.field_of_view, focal_mm, sensor_mm)
     assert angle is None or 0.0 <= angle <= np.pi
 
 
 @given(arrays(3), arrays(3), arrays(3))
 def test_a_camera_looks_somewhere_or_is_refused(eye, target, up):
-    pose = ask(projection.look_at, eye, target, up)
+    pose = ask(pinhole.look_at, eye, target, up)
     assert pose is None or (is_rotation(pose[:3, :3]) and np.isfinite(pose).all())
 
 
@@ -195,4 +193,4 @@ def test_three_angles_make_a_rotation_or_are_refused(angles_rad):
 
 @given(arrays(3, of=finite_float))
 def test_the_camera_centre_is_its_own_origin_wherever_it_is(centre):
-    assert np.array_equal(projection.relative_to_camera(centre, np.eye(3), centre), np.zeros(3))
+    assert np.array_equal(pinhole.relative_to_camera(centre, np.eye(3), centre), np.zeros(3))

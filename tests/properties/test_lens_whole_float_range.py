@@ -10,24 +10,17 @@ from hypothesis import given
 from hypothesis import strategies as st
 from support.float_range import any_float, arrays, ask, assert_finite_where_valid, finite_float
 
-from simulations.models import (
-    chromatic,
-    distortion,
-    fisheye,
-    optics,
-    radial_profile,
-    radial_table,
-    raycasting,
-    resampling,
-    vignetting,
-)
+from simulations.models.distortion import fisheye, lens_model, radial_profile, radial_table
+from simulations.models.lens import chromatic_aberration, thin_lens, vignetting
+from simulations.models.light import raycasting
+from simulations.models.sampling import resampling
 
 coefficients = st.lists(finite_float.filter(lambda c: abs(c) <= 1e9), min_size=8, max_size=8)
 sensible_coefficients = st.lists(st.floats(-2.0, 2.0), min_size=8, max_size=8)
 
 
 def lens(k):
-    return distortion.Distortion(k[0], k[1], k[2], k[3], k[4], k[5], k[6], k[7])
+    return lens_model.Distortion(k[0], k[1], k[2], k[3], k[4], k[5], k[6], k[7])
 
 
 @given(st.lists(any_float, min_size=8, max_size=8))
@@ -39,27 +32,27 @@ def test_coefficients_of_no_lens_are_refused(k):
 
 @given(coefficients | sensible_coefficients)
 def test_every_lens_has_a_fold_radius_or_none(k):
-    fold = distortion.fold_radius(lens(k))
+    fold = lens_model.fold_radius(lens(k))
     assert fold > 0.0
-    assert distortion.largest_distorted_radius(lens(k)) > 0.0
+    assert lens_model.largest_distorted_radius(lens(k)) > 0.0
 
 
 @given(coefficients | sensible_coefficients, arrays(5, 2))
 def test_undistorted_points_are_finite_and_return_where_valid(k, points):
     d = lens(k)
-    ideal, valid = distortion.undistort(points, d)
+    ideal, valid = lens_model.undistort(points, d)
     assert_finite_where_valid((ideal, valid))
-    border, _ = distortion.undistort_clamped(points, d)
+    border, _ = lens_model.undistort_clamped(points, d)
     assert np.isfinite(border).all()
     np.testing.assert_array_equal(border[valid], ideal[valid])
-    seen = distortion.distort(ideal[valid], d)
+    seen = lens_model.distort(ideal[valid], d)
     off = np.abs(seen - points[valid]).max(axis=-1)
     assert (off <= 1e-9 * (1.0 + np.abs(points[valid]).max(axis=-1))).all()
 
 
 @given(coefficients | sensible_coefficients, arrays(5, 2, of=finite_float))
 def test_distorting_finite_points_gives_numbers(k, points):
-    assert not np.isnan(distortion.distort(points, lens(k))).any()
+    assert not np.isnan(lens_model.distort(points, lens(k))).any()
 
 
 @given(st.lists(any_float, min_size=4, max_size=4), arrays(5, 3), arrays(5, 2))
@@ -80,38 +73,38 @@ def test_ideal_fisheyes_are_finite_where_valid(model, directions, points):
 
 @given(any_float, arrays(3))
 def test_image_distances_are_beyond_the_focal_length_or_refused(focal_mm, distance_mm):
-    image = ask(optics.thin_lens_image_distance, focal_mm, distance_mm)
+    image = ask(thin_lens.thin_lens_image_distance, focal_mm, distance_mm)
     assert image is None or (image >= focal_mm * (1 - 1e-15)).all()
 
 
 @given(any_float, any_float, any_float, arrays(3))
 def test_circles_of_confusion_are_no_less_than_zero_or_refused(focal, f_number, focus, depth):
-    diameter = ask(optics.circle_of_confusion_mm, focal, f_number, focus, depth)
+    diameter = ask(thin_lens.circle_of_confusion_mm, focal, f_number, focus, depth)
     assert diameter is None or (diameter >= 0.0).all()
 
 
 @given(any_float, any_float, any_float, any_float)
 def test_depth_of_field_holds_the_focus_or_is_refused(focal, f_number, focus, coc):
-    limits = ask(optics.depth_of_field, focal, f_number, focus, coc)
+    limits = ask(thin_lens.depth_of_field, focal, f_number, focus, coc)
     assert limits is None or 0.0 <= limits[0] <= focus * (1 + 1e-12) <= limits[1] * (1 + 1e-9)
-    nearest = ask(optics.hyperfocal, focal, f_number, coc)
+    nearest = ask(thin_lens.hyperfocal, focal, f_number, coc)
     assert nearest is None or nearest >= focal
 
 
 @given(any_float, any_float, any_float)
 def test_lenses_see_an_angle_or_are_refused(focal_mm, sensor_mm, focus_mm):
     for angle in (
-        ask(optics.field_of_view_rad, focal_mm, sensor_mm),
-        ask(optics.field_of_view_rad, focal_mm, sensor_mm, focus_mm),
+        ask(thin_lens.field_of_view_rad, focal_mm, sensor_mm),
+        ask(thin_lens.field_of_view_rad, focal_mm, sensor_mm, focus_mm),
     ):
         assert angle is None or 0.0 <= angle <= np.pi
 
 
 @given(any_float, any_float, any_float)
 def test_sensors_stand_at_the_focal_length_or_beyond_or_are_refused(focal_mm, f_number, focus_mm):
-    sensor_mm = ask(optics.principal_distance_mm, focal_mm, focus_mm)
+    sensor_mm = ask(thin_lens.principal_distance_mm, focal_mm, focus_mm)
     assert sensor_mm is None or sensor_mm >= focal_mm * (1 - 1e-15)
-    working = ask(optics.working_f_number, focal_mm, f_number, focus_mm)
+    working = ask(thin_lens.working_f_number, focal_mm, f_number, focus_mm)
     assert working is None or working >= f_number
 
 
@@ -128,13 +121,13 @@ def test_mechanical_vignetting_is_a_share_or_refused(tangent, pupil, rim, separa
 
 @given(any_float, any_float, any_float, any_float, any_float)
 def test_glass_is_refused_or_bends_light(index, abbe, focal, stop, wavelength):
-    glass = ask(chromatic.Glass, index, abbe)
+    glass = ask(chromatic_aberration.Glass, index, abbe)
     if glass is not None:
         for answer in (
-            ask(chromatic.refractive_index, glass, wavelength),
-            ask(chromatic.focal_length_mm, glass, focal, wavelength),
-            ask(chromatic.axial_chromatic_mm, glass, focal, 2.0, wavelength),
-            ask(chromatic.lateral_chromatic_scale, glass, focal, stop, wavelength),
+            ask(chromatic_aberration.refractive_index, glass, wavelength),
+            ask(chromatic_aberration.focal_length_mm, glass, focal, wavelength),
+            ask(chromatic_aberration.axial_chromatic_mm, glass, focal, 2.0, wavelength),
+            ask(chromatic_aberration.lateral_chromatic_scale, glass, focal, stop, wavelength),
         ):
             assert answer is None or not np.isnan(answer)
 
@@ -204,8 +197,8 @@ def test_profiles_invert_to_finite_radii(a, images):
 def test_pictures_are_undistorted_as_points_are(k, points):
     """By the table where it holds: enough points for one to be made, however wild they are."""
     d = lens([*k[:3], 0.0, 0.0, *k[5:]])
-    few_valid = distortion.undistort(points, d)[1]
-    ideal, valid = distortion.undistort(np.tile(points, (300, 1)), d)
+    few_valid = lens_model.undistort(points, d)[1]
+    ideal, valid = lens_model.undistort(np.tile(points, (300, 1)), d)
     assert_finite_where_valid((ideal, valid))
     np.testing.assert_array_equal(valid, np.tile(valid[:7], 300))
     assert not (few_valid & ~valid[:7]).any()

@@ -11,20 +11,12 @@ from hypothesis import strategies as st
 from support.float_range import any_float, arrays, ask, finite_float
 
 from simulations.engine.raster import to_rgba8
-from simulations.models import (
-    chroma_upsampling,
-    chromatic_adaptation,
-    chromaticity,
-    color,
-    compression,
-    demosaicing,
-    jpeg,
-    reflectance,
-    sampling,
-    sensor,
-    shared_detail,
-)
-from simulations.models.chroma_subsampling import SUBSAMPLING
+from simulations.models.color import chromatic_adaptation, chromaticity, srgb
+from simulations.models.compression import blocks, chroma_upsampling, jpeg
+from simulations.models.compression.chroma_subsampling import SUBSAMPLING
+from simulations.models.light import reflectance
+from simulations.models.sampling import aliasing
+from simulations.models.sensor import demosaicing, photon_counting, shared_detail
 
 light = st.floats(0.0, 1e30)
 
@@ -60,23 +52,23 @@ def test_lamps_anywhere_light_points_anywhere(point, normal, position):
 
 @given(arrays(4, 3))
 def test_the_srgb_curve_undefines_nothing(colours):
-    for curve in (color.encode_srgb, color.decode_srgb):
+    for curve in (srgb.encode_srgb, srgb.decode_srgb):
         assert np.array_equal(np.isnan(curve(colours)), np.isnan(colours))
-    assert np.isfinite(color.encode_srgb_table(colours)).all()
+    assert np.isfinite(srgb.encode_srgb_table(colours)).all()
 
 
 @given(arrays(4, 3, of=finite_float.map(lambda value: value / 10)))
 def test_srgb_there_and_back_is_where_it_was(colours):
-    assert np.allclose(color.decode_srgb(color.encode_srgb(colours)), colours, rtol=1e-9)
+    assert np.allclose(srgb.decode_srgb(srgb.encode_srgb(colours)), colours, rtol=1e-9)
 
 
 @given(arrays(2, 3), any_float)
 def test_colour_spaces_take_any_number(colours, gamma):
-    color.linear_rgb_to_lab(colours)
-    color.ycbcr_to_rgb(color.rgb_to_ycbcr(colours))
-    color.luminance(colours)
-    ask(color.encode_gamma, colours, gamma)
-    ask(color.white_balance, colours, colours[0])
+    srgb.linear_rgb_to_lab(colours)
+    srgb.ycbcr_to_rgb(srgb.rgb_to_ycbcr(colours))
+    srgb.luminance(colours)
+    ask(srgb.encode_gamma, colours, gamma)
+    ask(srgb.white_balance, colours, colours[0])
 
 
 @given(arrays(2, 3), arrays(2, 3))
@@ -86,15 +78,15 @@ def test_a_canvas_takes_any_number(picture, alpha):
 
 @given(arrays(4), any_float)
 def test_exposures_are_finite_or_refused(photons, exposure_s):
-    mean_e = ask(sensor.expose, photons, exposure_s, sensor.Sensor())
+    mean_e = ask(photon_counting.expose, photons, exposure_s, photon_counting.Sensor())
     assert mean_e is None or not np.isnan(mean_e).any()
 
 
-@pytest.mark.parametrize("model", sensor.SHOT_MODELS)
+@pytest.mark.parametrize("model", photon_counting.SHOT_MODELS)
 @given(mean_e=arrays(4), full_well=any_float)
 def test_electrons_are_whole_and_fit_the_well_or_are_refused(model, mean_e, full_well):
     rng = np.random.default_rng(0)
-    counted = ask(sensor.shot_noise, mean_e, rng, full_well, model)
+    counted = ask(photon_counting.shot_noise, mean_e, rng, full_well, model)
     if counted is not None:
         assert (counted >= 0.0).all()
         assert (counted <= full_well).all()
@@ -103,19 +95,19 @@ def test_electrons_are_whole_and_fit_the_well_or_are_refused(model, mean_e, full
 @given(arrays(6), any_float, any_float, any_float, st.integers(-2, 40))
 def test_codes_fit_the_converter_or_the_sensor_is_refused(signal, well, noise, gain, bits):
     made = ask(
-        sensor.Sensor, full_well_e=well, read_noise_e=noise, gain_e_per_dn=gain, bits=bits,
+        photon_counting.Sensor, full_well_e=well, read_noise_e=noise, gain_e_per_dn=gain, bits=bits,
         black_level_dn=0.0,
     )  # fmt: skip
     if made is not None:
-        dn = sensor.read_out(signal, made, np.random.default_rng(0))
-        assert sensor.quantise(dn, bits).max() <= made.highest_dn
-    codes = ask(sensor.quantise, signal, bits)
+        dn = photon_counting.read_out(signal, made, np.random.default_rng(0))
+        assert photon_counting.quantise(dn, bits).max() <= made.highest_dn
+    codes = ask(photon_counting.quantise, signal, bits)
     assert codes is None or codes.max() <= 2**bits - 1
 
 
 @given(arrays(4))
 def test_signal_to_noise_is_no_less_than_zero_or_refused(mean_e):
-    ratio = ask(sensor.signal_to_noise, mean_e, sensor.Sensor())
+    ratio = ask(photon_counting.signal_to_noise, mean_e, photon_counting.Sensor())
     assert ratio is None or (ratio >= 0.0).all()
 
 
@@ -144,33 +136,33 @@ def test_colours_are_filled_in_with_finite_values_or_refused(method, plane, luma
 
 @given(arrays(3), any_float)
 def test_aliases_lie_between_the_nyquist_frequencies_or_are_refused(frequency, rate):
-    alias = ask(sampling.alias_frequency, frequency, rate)
+    alias = ask(aliasing.alias_frequency, frequency, rate)
     assert alias is None or ((alias >= -rate / 2) & (alias <= rate / 2)).all()
     if alias is not None:
-        ask(sampling.apparent_wheel_speed, frequency, 3, rate)
+        ask(aliasing.apparent_wheel_speed, frequency, 3, rate)
 
 
 @given(arrays(2, 4), any_float)
 def test_zone_plates_are_between_dark_and_light(xy, scale):
-    rings = ask(sampling.zone_plate, xy[0], xy[1], scale)
+    rings = ask(aliasing.zone_plate, xy[0], xy[1], scale)
     assert rings is None or ((rings >= 0.0) & (rings <= 1.0)).all()
 
 
 @given(st.one_of(any_float.filter(lambda s: not 100 < s <= 1e6), st.floats(0.0, 50.0)))
 def test_gaussian_kernels_sum_to_one_or_are_refused(sigma):
-    kernel = ask(sampling.gaussian_kernel, sigma)
+    kernel = ask(aliasing.gaussian_kernel, sigma)
     assert kernel is None or np.isclose(kernel.sum(), 1.0)
 
 
 @given(arrays(4))
 def test_contrast_is_a_share_or_refused(values):
-    share = ask(sampling.contrast, values)
+    share = ask(aliasing.contrast, values)
     assert share is None or 0.0 <= share <= 1.0
 
 
 @given(any_float, any_float)
 def test_transfer_functions_are_shares_or_refused(frequency, width):
-    for mtf in (sampling.box_mtf, sampling.gaussian_mtf):
+    for mtf in (aliasing.box_mtf, aliasing.gaussian_mtf):
         share = ask(mtf, frequency, width)
         assert share is None or 0.0 <= share <= 1.0
 
@@ -178,9 +170,9 @@ def test_transfer_functions_are_shares_or_refused(frequency, width):
 @given(arrays(2, 3), arrays(2), st.tuples(st.floats(0.0, 1.0), st.floats(0.0, 1.0)))
 def test_colours_are_adapted_without_a_warning_or_refused(colours, any_xy, some_xy):
     for method in chromatic_adaptation.RESPONSES:
-        ask(chromatic_adaptation.adapt, colours, any_xy, color.D65_XY, method)
-        ask(chromatic_adaptation.adapt, colours, color.D65_XY, some_xy, method)
-        matrix = ask(chromatic_adaptation.adaptation_matrix, some_xy, color.D65_XY, method)
+        ask(chromatic_adaptation.adapt, colours, any_xy, srgb.D65_XY, method)
+        ask(chromatic_adaptation.adapt, colours, srgb.D65_XY, some_xy, method)
+        matrix = ask(chromatic_adaptation.adaptation_matrix, some_xy, srgb.D65_XY, method)
         assert matrix is None or np.isfinite(matrix).all()
     assert not np.isnan(chromaticity.xyz_to_xyy(colours)[..., :2]).any()
     chromaticity.xyy_to_xyz(colours)
@@ -189,7 +181,7 @@ def test_colours_are_adapted_without_a_warning_or_refused(colours, any_xy, some_
 
 @given(arrays(3, 5), any_float)
 def test_planes_are_compressed_to_finite_values_or_refused(plane, step):
-    answer = ask(compression.compress_plane, plane, np.full((8, 8), step))
+    answer = ask(blocks.compress_plane, plane, np.full((8, 8), step))
     assert answer is None or np.isfinite(answer[0]).all()
     for subsampling in SUBSAMPLING:
         picture = ask(jpeg.compress, np.repeat(plane[..., None], 3, axis=2), 75, subsampling)

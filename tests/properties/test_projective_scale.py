@@ -8,9 +8,10 @@ import pytest
 from hypothesis import assume, given
 from hypothesis import strategies as st
 
-from simulations.models import homography_algebra, lines_and_planes, projection, transforms_3d
-from simulations.models.preservation import measure_preservation
-from simulations.models.transforms import apply_homography, clip_to_visible
+from simulations.models.geometry import homography_algebra, lines_and_planes, transforms_3d
+from simulations.models.geometry.preserved_properties import measure_preservation
+from simulations.models.geometry.transforms import apply_homography, clip_to_visible
+from simulations.models.projection import pinhole
 
 factors = st.sampled_from([-1.0, -3e-200, 7e-9, -0.3, 2.0, -1e12, 1e100])
 entries = st.floats(-2, 2).map(lambda value: round(value, 3))
@@ -18,9 +19,9 @@ RNG = np.random.default_rng(12)
 POINTS = RNG.uniform(-3, 3, (60, 2))
 SPACE = RNG.uniform(-3, 3, (60, 3))
 SQUARE = np.array([(-2.0, -1.0), (2.0, -1.0), (2.0, 1.0), (-2.0, 1.0)])
-P = projection.camera_matrix(
-    projection.intrinsics(500.0, (320.0, 240.0)),
-    projection.look_at((0.5, 1.0, -4.0), (0.0, 0.0, 0.0), (0.0, 1.0, 0.0)),
+P = pinhole.camera_matrix(
+    pinhole.intrinsics(500.0, (320.0, 240.0)),
+    pinhole.look_at((0.5, 1.0, -4.0), (0.0, 0.0, 0.0), (0.0, 1.0, 0.0)),
 )
 
 
@@ -57,9 +58,9 @@ def test_a_projective_map_of_space(h, factor):
 @given(factors)
 def test_a_camera(factor):
     points = np.column_stack((RNG.uniform(-9, 9, (60, 3)), RNG.choice([0.0, 1.0, -2.0], 60)))
-    expected = projection.project_homogeneous(points, P)
+    expected = pinhole.project_homogeneous(points, P)
     assert 0.2 < expected[1].mean() < 0.9
-    agree(projection.project_homogeneous(points, factor * P), expected)
+    agree(pinhole.project_homogeneous(points, factor * P), expected)
 
 
 @given(factors, factors)

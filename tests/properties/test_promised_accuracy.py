@@ -17,24 +17,18 @@ import scipy.fft
 from scipy import stats
 from scipy.spatial.transform import Rotation, Slerp
 
-from simulations.models import (
-    color,
-    compression,
-    distortion,
-    euler,
-    photon_transfer,
-    projection,
-    quaternions,
-    reflectance,
-    rotations,
-    sensor,
-    transforms,
-    vignetting,
-)
-from simulations.models.affine_cameras import project_affine, scaled_orthographic_camera
-from simulations.models.chromaticity import xyy_to_xyz, xyz_to_xyy
-from simulations.models.demosaicing import demosaic, mosaic
-from simulations.models.optics import thin_lens_image_distance
+from simulations.models.color import srgb
+from simulations.models.color.chromaticity import xyy_to_xyz, xyz_to_xyy
+from simulations.models.compression import blocks as compression
+from simulations.models.distortion import lens_model
+from simulations.models.geometry import euler, quaternions, rotations, transforms
+from simulations.models.lens import vignetting
+from simulations.models.lens.thin_lens import thin_lens_image_distance
+from simulations.models.light import reflectance
+from simulations.models.projection import pinhole
+from simulations.models.projection.affine_cameras import project_affine, scaled_orthographic_camera
+from simulations.models.sensor import photon_counting, photon_transfer
+from simulations.models.sensor.demosaicing import demosaic, mosaic
 
 with warnings.catch_warnings():
     warnings.simplefilter("ignore")  # they miss packages for plotting
@@ -42,7 +36,7 @@ with warnings.catch_warnings():
     import colour_demosaicing
 
 RNG = np.random.default_rng(11)
-POSE = projection.look_at([3.0, -1.0, -6.0], [0.2, 0.1, 0.3], [0.0, -1.0, 0.1])
+POSE = pinhole.look_at([3.0, -1.0, -6.0], [0.2, 0.1, 0.3], [0.0, -1.0, 0.1])
 POINTS = RNG.uniform(-2.0, 2.0, (500, 3))
 NEAR_HALF_A_TURN = math.pi - np.geomspace(1e-12, 1.0, 25)
 ANGLES = np.concatenate([np.geomspace(1e-12, 3.0, 50), NEAR_HALF_A_TURN])
@@ -61,21 +55,21 @@ def by_opencv(points, pose, K, coefficients=None):
 
 
 def test_projection_is_opencvs():
-    K = projection.intrinsics((800.0, 815.0), (320.0, 240.0))
-    ours, valid = projection.project(projection.world_to_camera(POINTS, POSE), K)
+    K = pinhole.intrinsics((800.0, 815.0), (320.0, 240.0))
+    ours, valid = pinhole.project(pinhole.world_to_camera(POINTS, POSE), K)
     assert valid.all()
     assert relative_error(ours, by_opencv(POINTS, POSE, K)) < 1e-12
 
 
 def test_homogeneous_projection_is_opencvs():
-    K = projection.intrinsics((800.0, 815.0), (320.0, 240.0))
+    K = pinhole.intrinsics((800.0, 815.0), (320.0, 240.0))
     homogeneous = np.column_stack([POINTS, np.ones(len(POINTS))]) * RNG.uniform(0.1, 9, (500, 1))
-    ours, _ = projection.project_homogeneous(homogeneous, projection.camera_matrix(K, POSE))
+    ours, _ = pinhole.project_homogeneous(homogeneous, pinhole.camera_matrix(K, POSE))
     assert relative_error(ours, by_opencv(POINTS, POSE, K)) < 1e-12
 
 
 def test_scaled_orthography_is_opencvs_projection_of_flattened_points():
-    K = projection.intrinsics((800.0, 815.0), (320.0, 240.0))
+    K = pinhole.intrinsics((800.0, 815.0), (320.0, 240.0))
     camera_points = POINTS + np.array([0.0, 0.0, 6.0])
     flat = camera_points.copy()
     flat[:, 2] = 6.0
@@ -86,11 +80,11 @@ def test_scaled_orthography_is_opencvs_projection_of_flattened_points():
 def test_distortion_is_opencvs():
     coefficients = np.array([-0.3, 0.12, 1e-3, -2e-3, -0.02, 0.05, 0.01, 0.002])
     k1, k2, p1, p2, k3, k4, k5, k6 = coefficients
-    lens = distortion.Distortion(k1=k1, k2=k2, p1=p1, p2=p2, k3=k3, k4=k4, k5=k5, k6=k6)
+    lens = lens_model.Distortion(k1=k1, k2=k2, p1=p1, p2=p2, k3=k3, k4=k4, k5=k5, k6=k6)
     ideal = RNG.uniform(-0.7, 0.7, (500, 2))
     rays = np.column_stack([ideal, np.ones(500)])
     theirs = by_opencv(rays, np.eye(4), np.eye(3), coefficients)
-    assert relative_error(distortion.distort(ideal, lens), theirs) < 1e-12
+    assert relative_error(lens_model.distort(ideal, lens), theirs) < 1e-12
 
 
 def test_homographies_are_opencvs():
@@ -143,11 +137,11 @@ def test_lenses_are_those_of_similar_triangles():
 def test_colours_are_those_of_colour_science():
     colours = RNG.uniform(0.0, 1.0, (500, 3))
     theirs = colour.cctf_encoding(colours, function="sRGB")
-    assert relative_error(color.encode_srgb(colours), theirs) < 1e-12
-    theirs = colour.normalised_primary_matrix(color.SRGB_PRIMARIES_XY, color.D65_XY)
-    assert relative_error(color.rgb_to_xyz_matrix(), theirs) < 1e-12
-    theirs = colour.XYZ_to_Lab(colours, np.array(color.D65_XY))
-    assert relative_error(color.xyz_to_lab(colours), theirs) < 1e-12
+    assert relative_error(srgb.encode_srgb(colours), theirs) < 1e-12
+    theirs = colour.normalised_primary_matrix(srgb.SRGB_PRIMARIES_XY, srgb.D65_XY)
+    assert relative_error(srgb.rgb_to_xyz_matrix(), theirs) < 1e-12
+    theirs = colour.XYZ_to_Lab(colours, np.array(srgb.D65_XY))
+    assert relative_error(srgb.xyz_to_lab(colours), theirs) < 1e-12
 
 
 def test_the_cosine_transform_is_scipys():
@@ -182,9 +176,9 @@ def test_rotations_survive_euler_angles(sequence):
 def test_colours_survive_every_conversion_and_its_way_back():
     colours = np.concatenate([RNG.uniform(0.0, 1.0, (500, 3)), [[0, 0, 0], [1, 1, 1]]])
     for there, back in (
-        (color.encode_srgb, color.decode_srgb),
-        (color.linear_rgb_to_xyz, color.xyz_to_linear_rgb),
-        (color.rgb_to_ycbcr, color.ycbcr_to_rgb),
+        (srgb.encode_srgb, srgb.decode_srgb),
+        (srgb.linear_rgb_to_xyz, srgb.xyz_to_linear_rgb),
+        (srgb.rgb_to_ycbcr, srgb.ycbcr_to_rgb),
         (xyz_to_xyy, xyy_to_xyz),
     ):
         assert np.abs(back(there(colours)) - colours).max() <= 1e-14
@@ -206,13 +200,15 @@ def test_linear_demosaicing_is_the_published_one_in_the_interior(method, theirs,
     assert np.abs(np.clip(ours, 0.0, 1.0) - expected).max() <= 1e-6
 
 
-FULL_WELL_E = sensor.Sensor().full_well_e
+FULL_WELL_E = photon_counting.Sensor().full_well_e
 
 
 @pytest.mark.parametrize("mean_e", [0.1, 0.3, 1.0, 3.0, 10.0, 100.0, 3000.0, FULL_WELL_E])
 def test_shot_noise_passes_kolmogorov_and_smirnov_from_a_tenth_of_an_electron_to_the_well(mean_e):
     """Up to the well, where the samples stop; their distribution function is compared below."""
-    samples = sensor.shot_noise(np.full(40_000, mean_e), np.random.default_rng(15), FULL_WELL_E)
+    samples = photon_counting.shot_noise(
+        np.full(40_000, mean_e), np.random.default_rng(15), FULL_WELL_E
+    )
     counts = np.arange(min(samples.max() + 1, FULL_WELL_E))
     share = np.searchsorted(np.sort(samples), counts, side="right") / samples.size
     distance = np.abs(share - stats.poisson.cdf(counts, mean_e)).max()
@@ -222,7 +218,7 @@ def test_shot_noise_passes_kolmogorov_and_smirnov_from_a_tenth_of_an_electron_to
 @pytest.mark.parametrize("gain_e_per_dn", [0.5, 2.0, 5.0])
 @pytest.mark.parametrize("seed", range(5))
 def test_photon_transfer_tells_the_gain_within_one_per_cent(gain_e_per_dn, seed):
-    camera = sensor.Sensor(full_well_e=15_000.0, gain_e_per_dn=gain_e_per_dn, bits=16)
+    camera = photon_counting.Sensor(full_well_e=15_000.0, gain_e_per_dn=gain_e_per_dn, bits=16)
     levels = np.linspace(300.0, 12_000.0, 24)
     mean, variance = photon_transfer.photon_transfer(levels, camera, np.random.default_rng(seed))
     gain = photon_transfer.estimate_gain(mean, variance)
@@ -236,7 +232,7 @@ def test_geometry_is_as_good_far_from_the_origin_as_near_it(far):
     away = np.array([far, -far, 2 * far])
     grid = np.round(POINTS * 256) / 256  # exact wherever it is carried to here
     centre = np.array([0.5, -0.25, -6.0])
-    K = projection.intrinsics(800.0, (320.0, 240.0))
-    near = projection.project(projection.relative_to_camera(grid, POSE[:3, :3], centre), K)[0]
-    carried = projection.relative_to_camera(grid + away, POSE[:3, :3], centre + away)
-    np.testing.assert_array_equal(projection.project(carried, K)[0], near)
+    K = pinhole.intrinsics(800.0, (320.0, 240.0))
+    near = pinhole.project(pinhole.relative_to_camera(grid, POSE[:3, :3], centre), K)[0]
+    carried = pinhole.relative_to_camera(grid + away, POSE[:3, :3], centre + away)
+    np.testing.assert_array_equal(pinhole.project(carried, K)[0], near)

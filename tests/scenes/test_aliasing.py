@@ -7,12 +7,12 @@ from scipy.integrate import quad
 from simulations.engine.controls import check_values
 from simulations.engine.pipeline import StageCache
 from simulations.ladders.anti_aliasing import LADDER
-from simulations.models.color import decode_srgb
-from simulations.models.prefilters import prefilter
-from simulations.models.sampling import zone_plate
-from simulations.scenes.aliasing import FILTERS, SCENE, ideal
-from simulations.scenes.aliasing_pattern import SHOWN, pattern_of
-from simulations.scenes.aliasing_row import FINE, alias_curve
+from simulations.models.color.srgb import decode_srgb
+from simulations.models.sampling.aliasing import zone_plate
+from simulations.models.sampling.prefilters import prefilter
+from simulations.scenes.aliasing.pattern import SHOWN, pattern_of
+from simulations.scenes.aliasing.row import FINE, alias_curve
+from simulations.scenes.aliasing.scene import FILTERS, SCENE, ideal
 
 
 def frame(cache=None, **values):

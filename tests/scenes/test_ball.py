@@ -7,12 +7,12 @@ import pytest
 
 from simulations.engine.controls import check_values
 from simulations.engine.pipeline import StageCache
-from simulations.models.color import decode_srgb
-from simulations.models.reflectance import blinn_phong, lambert, phong
-from simulations.scenes import ball as the_ball
-from simulations.scenes import lambertian_shading
-from simulations.scenes import phong as glossy
-from simulations.scenes.ball import RADIUS_PX, TIERS, build_ball, judge, light_direction
+from simulations.models.color.srgb import decode_srgb
+from simulations.models.light.reflectance import blinn_phong, lambert, phong
+from simulations.scenes.reflection import ball as the_ball
+from simulations.scenes.reflection import lambertian
+from simulations.scenes.reflection import phong as glossy
+from simulations.scenes.reflection.ball import RADIUS_PX, TIERS, build_ball, judge, light_direction
 
 BALL = build_ball()
 CELLS = {tier: int(tier.rpartition("-")[2]) for tier in TIERS if tier.startswith("gouraud")}
@@ -69,7 +69,7 @@ def test_blended_light_misses_no_more_than_the_curvature_of_the_cosine_allows(ti
     """Lit from the camera, I = z: a cell of width h misses at most h²/8 (|z_xx| + |z_yy|)."""
     x, y = np.meshgrid(BALL.x, BALL.y)
     middle = (np.hypot(x, y) < RADIUS_PX / 2)[BALL.inner]
-    shown = frame(lambertian_shading.SCENE, tier, light_angle=0, albedo=1)
+    shown = frame(lambertian.SCENE, tier, light_angle=0, albedo=1)
     wrong = np.abs(red(shown) - normals_64()[BALL.inner][:, 2])[middle]
     width = (BALL.x[-1] - BALL.x[0]) / cells / RADIUS_PX
     # Cells that reach out of the middle see the curvature at a radius of 0.5 + h at most.
@@ -81,13 +81,13 @@ def test_blended_light_misses_no_more_than_the_curvature_of_the_cosine_allows(ti
 
 @pytest.mark.parametrize("light_angle", [0, 70, -140])
 def test_light_in_every_pixel_errs_by_the_rounding_of_float32(light_angle):
-    assert told(lambertian_shading.SCENE, "phong", light_angle=light_angle) < 2**-22
+    assert told(lambertian.SCENE, "phong", light_angle=light_angle) < 2**-22
     # A power of 300 multiplies a relative error by 300.
     shiny = told(glossy.SCENE, "phong", light_angle=light_angle, shininess=300)
     assert shiny < 300 * 2**-23
 
 
-@pytest.mark.parametrize("scene", [lambertian_shading.SCENE, glossy.SCENE])
+@pytest.mark.parametrize("scene", [lambertian.SCENE, glossy.SCENE])
 @pytest.mark.parametrize("light_angle", [0, 60, 150])
 def test_finer_cells_are_nearer_to_the_truth(scene, light_angle):
     errors = [told(scene, tier, light_angle=light_angle) for tier in (*CELLS, "phong")]
@@ -177,7 +177,7 @@ def test_the_light_goes_round_by_sine_and_cosine(angle):
     )
 
 
-@pytest.mark.parametrize("scene", [lambertian_shading, glossy])
+@pytest.mark.parametrize("scene", [lambertian, glossy])
 def test_another_tier_leaves_the_ball_as_it_is(scene):
     cache, given = StageCache(), check_values(scene.CONTROLS, {})
     scene.SCENE.render(given, "phong", cache)

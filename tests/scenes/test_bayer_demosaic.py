@@ -5,13 +5,13 @@ import pytest
 
 from simulations.engine.controls import check_values
 from simulations.engine.pipeline import StageCache
-from simulations.models.bayer import mosaic
-from simulations.models.color import decode_srgb
-from simulations.models.demosaicing import METHODS
+from simulations.models.color.srgb import decode_srgb
+from simulations.models.sensor.bayer import mosaic
+from simulations.models.sensor.demosaicing import METHODS
 from simulations.pictures.balloon import WHOLE, balloon
 from simulations.pictures.mosaic_subjects import SUBJECTS
 from simulations.registry import load_ladder
-from simulations.scenes.bayer_demosaic import METHOD_LABELS, SCENE
+from simulations.scenes.bayer_demosaic.scene import METHOD_LABELS, SCENE
 
 
 @pytest.fixture(scope="module")

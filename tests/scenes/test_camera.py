@@ -8,13 +8,13 @@ import pytest
 
 from simulations.engine.controls import Slider, check_values
 from simulations.engine.pipeline import StageCache
-from simulations.models import projection
-from simulations.models.color import decode_srgb, encode_srgb
-from simulations.models.raycasting import Sphere
-from simulations.pictures import still_life
-from simulations.scenes.camera import CONTROLS, SCENE, run_tier
-from simulations.scenes.camera_lens import COLUMNS, PITCH_MM, ROWS, largest_blur_px
-from simulations.scenes.camera_sensor import (
+from simulations.models.color.srgb import decode_srgb, encode_srgb
+from simulations.models.light.raycasting import Sphere
+from simulations.models.projection import pinhole
+from simulations.pictures.still_life import things as still_life
+from simulations.scenes.camera.lens import COLUMNS, PITCH_MM, ROWS, largest_blur_px
+from simulations.scenes.camera.scene import CONTROLS, SCENE, run_tier
+from simulations.scenes.camera.sensor import (
     ADC,
     BYTE_OF_CODE,
     FULL_WELL_E,
@@ -24,7 +24,7 @@ from simulations.scenes.camera_sensor import (
     read_noise_e,
     shutter_s,
 )
-from simulations.scenes.camera_stages import STAGES, TIERS
+from simulations.scenes.camera.stages import STAGES, TIERS
 
 LAST = ("quantisation", "sRGB", "noiseless picture")
 FROM_EXPOSURE = ("exposure", "shot noise", "read noise", *LAST)
@@ -187,13 +187,13 @@ def test_silhouettes_of_balls_lie_where_projection_puts_them(focus):
     sensor_mm = 24.0 * focus / (focus - 0.024)
     done = outputs(focal_length=24, focus=focus)
     rows, columns = done["pinhole rays"].valid.shape
-    K = projection.intrinsics(sensor_mm / PITCH_MM, ((columns - 1) / 2, (rows - 1) / 2))
+    K = pinhole.intrinsics(sensor_mm / PITCH_MM, ((columns - 1) / 2, (rows - 1) / 2))
     seen = 0
     for surface in done["surfaces"]:
         if surface.thing is None or not isinstance(surface.thing.solid, Sphere):
             continue
         ball = surface.thing.solid
-        centre = projection.world_to_camera(ball.centre, still_life.WORLD_TO_CAMERA)
+        centre = pinhole.world_to_camera(ball.centre, still_life.WORLD_TO_CAMERA)
         dual = K @ (np.outer(centre, centre) - ball.radius**2 * np.eye(3)) @ K.T
         column, row = dual[:2, 2] / dual[2, 2]
         rows, columns = np.indices(surface.coverage.shape)

@@ -10,11 +10,11 @@ from hypothesis import strategies as st
 
 from simulations.engine.controls import check_values
 from simulations.engine.pipeline import StageCache
-from simulations.models.distortion import Distortion, distort, largest_distorted_radius
-from simulations.pictures import still_life
-from simulations.scenes import camera_lens
-from simulations.scenes.camera import CONTROLS, run_tier
-from simulations.scenes.camera_lens import COLUMNS, PITCH_MM, ROWS
+from simulations.models.distortion.lens_model import Distortion, distort, largest_distorted_radius
+from simulations.pictures.still_life import things as still_life
+from simulations.scenes.camera import lens as camera_lens
+from simulations.scenes.camera.lens import COLUMNS, PITCH_MM, ROWS
+from simulations.scenes.camera.scene import CONTROLS, run_tier
 
 FOCAL_MM = st.integers(24, 135)
 K1 = st.integers(-40, 40).map(lambda hundredths: hundredths / 100)

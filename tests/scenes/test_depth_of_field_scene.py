@@ -7,14 +7,15 @@ import pytest
 
 from simulations.engine.controls import check_values
 from simulations.engine.pipeline import StageCache, run
-from simulations.ladders.depth_of_field import LADDER
-from simulations.models import optics
-from simulations.models.aperture_grid import aperture_grid
-from simulations.models.depth_of_field import Layer
-from simulations.pictures.still_life_light import LitScene
-from simulations.scenes.camera_lens import PITCH_MM
-from simulations.scenes.camera_stages import through_lens
-from simulations.scenes.depth_of_field import (
+from simulations.ladders.depth_of_field.ladder import LADDER
+from simulations.models.lens import thin_lens
+from simulations.models.lens.aperture_grid import aperture_grid
+from simulations.models.lens.depth_of_field import Layer
+from simulations.pictures.still_life.light import LitScene
+from simulations.scenes.camera.lens import PITCH_MM
+from simulations.scenes.camera.stages import through_lens
+from simulations.scenes.depth_of_field.drawing import disc_scale, half_opening
+from simulations.scenes.depth_of_field.scene import (
     FAR_M,
     LARGEST_DRAWN_PX,
     NEAR_M,
@@ -22,8 +23,7 @@ from simulations.scenes.depth_of_field import (
     as_drawn,
     sharpness,
 )
-from simulations.scenes.depth_of_field_drawing import disc_scale, half_opening
-from simulations.scenes.depth_of_field_stages import FIXED, STAGES, depth_of, encode
+from simulations.scenes.depth_of_field.stages import FIXED, STAGES, depth_of, encode
 
 
 def frame(cache=None, **given):
@@ -53,12 +53,12 @@ def test_the_sensor_stands_where_the_thin_lens_equation_puts_it():
 def test_at_the_limits_of_depth_of_field_the_disc_is_one_pixel():
     sharp = sharpness(85, 2.8, 3.0)
     for limit_m in (sharp.near_limit_m, sharp.far_limit_m):
-        disc = optics.circle_of_confusion_mm(85, 2.8, 3000, 1000 * limit_m)
+        disc = thin_lens.circle_of_confusion_mm(85, 2.8, 3000, 1000 * limit_m)
         assert disc == pytest.approx(PITCH_MM)
 
 
 def test_from_the_hyperfocal_distance_on_infinity_is_sharp():
-    hyperfocal_m = optics.hyperfocal(24, 8, PITCH_MM) / 1000
+    hyperfocal_m = thin_lens.hyperfocal(24, 8, PITCH_MM) / 1000
     assert math.isfinite(sharpness(24, 8, 0.99 * hyperfocal_m).far_limit_m)
     assert math.isinf(sharpness(24, 8, 1.01 * hyperfocal_m).far_limit_m)
     assert texts(focal_length=24, aperture=8, focus=2)["far_limit"] == "∞"
@@ -96,12 +96,12 @@ def test_the_drawn_blur_stops_at_its_limit_by_stopping_down(focal, focus):
     asked = check_values(SCENE.controls, {"focal_length": focal, "focus": focus})
     drawn = as_drawn(asked)
     ends_mm = [1000 * NEAR_M, 1000 * FAR_M]
-    discs = optics.circle_of_confusion_mm(focal, drawn["aperture"], 1000 * focus, ends_mm)
+    discs = thin_lens.circle_of_confusion_mm(focal, drawn["aperture"], 1000 * focus, ends_mm)
     assert max(discs) / PITCH_MM <= LARGEST_DRAWN_PX + 1e-9
     assert drawn["aperture"] >= asked["aperture"]
     assert {**drawn, "aperture": 0} == {**asked, "aperture": 0}
     if 1000 * focus < 500:  # all is behind the focus, and the wall is blurred most
-        wall = optics.circle_of_confusion_mm(focal, 1.4, 1000 * focus, 1000 * FAR_M) / PITCH_MM
+        wall = thin_lens.circle_of_confusion_mm(focal, 1.4, 1000 * focus, 1000 * FAR_M) / PITCH_MM
         assert drawn["aperture"] == pytest.approx(1.4 * max(1, wall / LARGEST_DRAWN_PX))
 
 

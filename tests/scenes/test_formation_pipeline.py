@@ -9,10 +9,10 @@ import pytest
 
 from simulations.engine.controls import check_values
 from simulations.engine.pipeline import StageCache
-from simulations.models.color import encode_srgb
-from simulations.scenes.formation_drawing import place, route
-from simulations.scenes.formation_pipeline import CONTROLS, SCENE
-from simulations.scenes.formation_stations import stations, travel
+from simulations.models.color.srgb import encode_srgb
+from simulations.scenes.formation_pipeline.drawing import place, route
+from simulations.scenes.formation_pipeline.scene import CONTROLS, SCENE
+from simulations.scenes.formation_pipeline.stations import stations, travel
 
 
 def frame(cache=None, **given):

@@ -10,14 +10,14 @@ from scipy.fft import dctn
 
 from simulations.engine.controls import check_values
 from simulations.engine.pipeline import StageCache
-from simulations.models.chroma_subsampling import SUBSAMPLING, coarsen
-from simulations.models.chroma_upsampling import METHODS
-from simulations.models.compression import round_outwards, to_blocks
-from simulations.models.cosine_transforms import TRANSFORMS
-from simulations.models.jpeg import compress, decode, tables
+from simulations.models.compression.blocks import round_outwards, to_blocks
+from simulations.models.compression.chroma_subsampling import SUBSAMPLING, coarsen
+from simulations.models.compression.chroma_upsampling import METHODS
+from simulations.models.compression.cosine_transforms import TRANSFORMS
+from simulations.models.compression.jpeg import compress, decode, tables
 from simulations.registry import load_ladder
-from simulations.scenes.jpeg import BLOCK_COLUMNS, BLOCK_ROWS, SCENE, cut, run_tier
-from simulations.scenes.jpeg_error import BLOCKS_A_STEP
+from simulations.scenes.jpeg.error import BLOCKS_A_STEP
+from simulations.scenes.jpeg.scene import BLOCK_COLUMNS, BLOCK_ROWS, SCENE, cut, run_tier
 
 PIXELS = 240 * 192
 PILLOW_SUBSAMPLING = {"4:4:4": 0, "4:2:2": 1, "4:2:0": 2}

@@ -5,7 +5,7 @@ import pytest
 
 from simulations.engine.controls import check_values
 from simulations.engine.pipeline import StageCache
-from simulations.scenes.lambertian_shading import SCENE
+from simulations.scenes.reflection.lambertian import SCENE
 
 
 def frame(cache=None, **values):

@@ -8,10 +8,10 @@ import pytest
 from simulations.engine.controls import check_values
 from simulations.engine.pipeline import StageCache, run
 from simulations.ladders.chromatic_aberration import LADDER
-from simulations.models.chromatic import LINE_D_UM
+from simulations.models.lens.chromatic_aberration import LINE_D_UM
 from simulations.pictures.resolution_chart import resolution_chart
-from simulations.scenes.lens_aberrations import SCENE, colours, stops
-from simulations.scenes.lens_aberrations_stages import (
+from simulations.scenes.lens_aberrations.scene import SCENE, colours, stops
+from simulations.scenes.lens_aberrations.stages import (
     CLOSE_LEFT,
     CLOSE_TOP,
     FIRST_ROUND,

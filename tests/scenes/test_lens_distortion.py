@@ -7,10 +7,10 @@ import pytest
 
 from simulations.engine.controls import check_values
 from simulations.engine.pipeline import StageCache, run
-from simulations.models.distortion import Distortion, distort
+from simulations.models.distortion.lens_model import Distortion, distort
 from simulations.pictures.checker_room import checker_room
-from simulations.scenes.lens_distortion import SCENE
-from simulations.scenes.lens_distortion_stages import (
+from simulations.scenes.lens_distortion.scene import SCENE
+from simulations.scenes.lens_distortion.stages import (
     DEFAULT_TIER,
     STAGES,
     TIERS,

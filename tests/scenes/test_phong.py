@@ -7,9 +7,16 @@ import pytest
 
 from simulations.engine.controls import check_values
 from simulations.engine.pipeline import StageCache
-from simulations.models.color import decode_srgb, encode_srgb
-from simulations.scenes.ball import build_ball, light_direction
-from simulations.scenes.phong import ALBEDO, SCENE, angles_at, half_width_rad, highlight, lobe
+from simulations.models.color.srgb import decode_srgb, encode_srgb
+from simulations.scenes.reflection.ball import build_ball, light_direction
+from simulations.scenes.reflection.phong import (
+    ALBEDO,
+    SCENE,
+    angles_at,
+    half_width_rad,
+    highlight,
+    lobe,
+)
 
 BALL = build_ball()
 

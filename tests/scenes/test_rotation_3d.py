@@ -7,9 +7,9 @@ from scipy.spatial.transform import Rotation
 from simulations.engine.controls import check_values
 from simulations.engine.pipeline import StageCache
 from simulations.ladders.rotation_interpolation import LADDER
-from simulations.scenes import aircraft
-from simulations.scenes.rotation_3d import SCENE, attitude, ways
-from simulations.scenes.rotation_rings import pieces, rings
+from simulations.scenes.rotation_3d import aircraft
+from simulations.scenes.rotation_3d.rings import pieces, rings
+from simulations.scenes.rotation_3d.scene import SCENE, attitude, ways
 
 
 def frame(cache=None, tier="", **values):

@@ -10,11 +10,11 @@ from scipy import stats
 from simulations.engine.controls import check_values
 from simulations.engine.pipeline import StageCache
 from simulations.ladders.shot_noise import LADDER
-from simulations.models.color import encode_srgb
-from simulations.models.poisson import gap_from_poisson, largest_chance_gap
-from simulations.models.sensor import SHOT_MODELS, develop
-from simulations.scenes.sensor_noise import EXPOSURES, SCENE, run_tier
-from simulations.scenes.sensor_noise_stages import FULL_WELL_E, patch_means_e, sensor_of
+from simulations.models.color.srgb import encode_srgb
+from simulations.models.sensor.photon_counting import SHOT_MODELS, develop
+from simulations.models.sensor.poisson import gap_from_poisson, largest_chance_gap
+from simulations.scenes.sensor_noise.scene import EXPOSURES, SCENE, run_tier
+from simulations.scenes.sensor_noise.stages import FULL_WELL_E, patch_means_e, sensor_of
 
 
 def values(**given):

@@ -11,7 +11,8 @@ from simulations.engine.frame import Frame
 from simulations.engine.pipeline import Stage, StageCache
 from simulations.engine.scene import Scene
 from simulations.registry import SCENE_MODULES, load_scene
-from simulations.scenes import camera, camera_stages
+from simulations.scenes.camera import scene as camera
+from simulations.scenes.camera import stages as camera_stages
 
 
 def chain_of(scene_id: str) -> tuple[Stage, ...]:

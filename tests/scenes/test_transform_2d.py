@@ -10,9 +10,9 @@ import pytest
 from simulations.engine.controls import check_values
 from simulations.engine.frame import to_json
 from simulations.engine.pipeline import StageCache
-from simulations.models.transforms import apply_homography
-from simulations.scenes.transform_2d import RUNGS, SCENE, transformation
-from simulations.scenes.transform_plane import to_view
+from simulations.models.geometry.transforms import apply_homography
+from simulations.scenes.transform_2d.plane import to_view
+from simulations.scenes.transform_2d.scene import RUNGS, SCENE, transformation
 
 AMOUNTS = (0, 1, 30, 57, 58, 70, 99, 100)
 PROPERTIES = ("orientation", "lengths", "angles", "parallels", "lines")

@@ -7,8 +7,8 @@ from simulations.engine.controls import check_values
 from simulations.engine.pipeline import StageCache
 from simulations.ladders.exposure_blur import LADDER
 from simulations.pictures import spoked_wheel
-from simulations.scenes.wagon_wheel import SCENE
-from simulations.scenes.wagon_wheel_film import by_changes, exposure_of, frame_at
+from simulations.scenes.wagon_wheel.film import by_changes, exposure_of, frame_at
+from simulations.scenes.wagon_wheel.scene import SCENE
 
 
 def frame(cache=None, tier="", **values):

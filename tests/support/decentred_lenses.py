@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from simulations.models.distortion import Distortion, jacobian
+from simulations.models.distortion.lens_model import Distortion, jacobian
 
 
 def least_determinant(points: np.ndarray, lens: Distortion, steps: int = 2000) -> np.ndarray:

@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from simulations.models.radial_profile import RadialProfile, fold_radius
+from simulations.models.distortion.radial_profile import RadialProfile, fold_radius
 
 PROFILES = [
     RadialProfile((0.1,)),

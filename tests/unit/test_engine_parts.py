@@ -9,7 +9,7 @@ from pathlib import Path
 
 import pytest
 
-from simulations.engine.parts import fetch_missing
+from simulations.late_imports import fetch_missing
 
 MODULES = {"tools-far": ["far_tools", "far_tools.saw"], "near-rest": ["near_tools.plane"]}
 CONTENT = {

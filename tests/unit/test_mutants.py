@@ -6,7 +6,7 @@ import pytest
 from mutation import trial
 from mutation.mutants import mutants, names
 from mutation.scores import Row, Score, read_table, write_table
-from mutation.trial import MODELS, survives
+from mutation.trial import file_of, modules, survives
 
 
 def after(line: str) -> set[str]:
@@ -90,30 +90,30 @@ def test_a_mutant_is_named_by_its_function_and_differs_in_one_line() -> None:
 
 
 def test_mutants_have_their_names_without_being_made() -> None:
-    source = (MODELS / "color.py").read_text("utf-8")
+    source = file_of("color.srgb").read_text("utf-8")
     assert list(names(source)) == [(mutant.place, mutant.after) for mutant in mutants(source)]
 
 
 def test_a_test_that_looks_notices_and_one_that_does_not_look_does_not(tmp_path: Path) -> None:
-    source = (MODELS / "floats.py").read_text("utf-8")
+    source = file_of("arrays").read_text("utf-8")
     broken = source.replace('== "f"', '!= "f"')
     looks, looks_away = tmp_path / "test_looks.py", tmp_path / "test_looks_away.py"
-    use = "from simulations.models.floats import as_floats\n\ndef test_it():\n    "
+    use = "from simulations.models.arrays import as_floats\n\ndef test_it():\n    "
     looks.write_text(use + "assert as_floats([1]).dtype == float\n", "utf-8")
     looks_away.write_text(use + "assert len(as_floats([1])) == 1\n", "utf-8")
-    assert survives("floats", source, [looks], 30)
-    assert not survives("floats", broken, [looks], 30)
-    assert survives("floats", broken, [looks_away], 30)
+    assert survives("arrays", source, [looks], 30)
+    assert not survives("arrays", broken, [looks], 30)
+    assert survives("arrays", broken, [looks_away], 30)
 
 
 def test_an_endless_mutant_is_noticed(tmp_path: Path) -> None:
-    test = tmp_path / "test_floats.py"
-    test.write_text("import simulations.models.floats\n\ndef test_it(): pass\n", "utf-8")
-    assert not survives("floats", "while True: pass", [test], 1)
+    test = tmp_path / "test_arrays.py"
+    test.write_text("import simulations.models.arrays\n\ndef test_it(): pass\n", "utf-8")
+    assert not survives("arrays", "while True: pass", [test], 1)
 
 
 def test_every_model_has_tests_of_its_own_or_of_a_model_that_uses_it() -> None:
-    assert [path.stem for path in MODELS.glob("[!_]*.py") if not trial.tests_of(path.stem)] == []
+    assert [module for module in modules() if not trial.tests_of(module)] == []
 
 
 def test_scores_are_read_as_they_were_written_and_summed(tmp_path: Path) -> None:

@@ -1,0 +1,156 @@
+"""Depth of field: filters on one sharp picture, blurred layers, or rays through the whole lens."""
+
+from dataclasses import dataclass
+from functools import partial
+
+import numpy as np
+from numpy.typing import NDArray
+
+from simulations.engine.ladder import Ladder, Metric, Tier
+from simulations.ladders.depth_of_field import truth as depth_of_field_truth
+from simulations.models.lens.aperture import fibonacci_disc, random_disc
+from simulations.models.lens.depth_of_field import Blur, Layer, blur_by_depth, blur_layer, composite
+from simulations.models.lens.disc_blur import Planes, disc_blur
+from simulations.models.lens.screen_blur import binned_gaussian, gather_discs
+from simulations.pictures import cards
+
+type Floats = NDArray[np.floating]
+
+
+@dataclass(frozen=True, slots=True)
+class Workload:
+    """A picture to take, and what to take it through."""
+
+    seen: cards.Pixels
+    """In float32."""
+    lens_radius: float
+    """Metres: large, as the cards are as large as plates and stand metres away."""
+    crop: int
+    """Pixels of border left out: no filter can know what lies beyond it."""
+
+
+def workload_of(width: int, lens_radius: float, crop: int) -> Workload:
+    """The cards on a sensor of ``width`` columns."""
+    return Workload(cards.pixels(width, np.float32), lens_radius, crop)
+
+
+def prepare() -> Workload:
+    """Discs of confusion of 4 pixels' radius for the nearest card, 2.8 for the wall."""
+    return workload_of(80, lens_radius=0.18, crop=8)
+
+
+def radius_px(workload: Workload, depth: Floats | float) -> Floats:
+    """Of the disc of confusion."""
+    defocus = np.abs(1.0 / np.asarray(depth) - 1.0 / cards.FOCUS_Z)
+    radius: Floats = workload.seen.focal_px * workload.lens_radius * defocus
+    return radius
+
+
+def pinhole(workload: Workload) -> Planes:
+    return cards.radiance(workload.seen, 0.0, 0.0).astype(np.float32)
+
+
+def _depth(workload: Workload) -> Floats:
+    """Depth (H, W) of what the pinhole sees."""
+    _, depth = cards.background(workload.seen)
+    for card in cards.CARDS:
+        _, cover = cards.card_light(card, workload.seen)
+        depth = np.where(cover > 0.5, card.z, depth)
+    return depth
+
+
+def binned(workload: Workload) -> Planes:
+    return binned_gaussian(pinhole(workload), radius_px(workload, _depth(workload)))
+
+
+def discs(workload: Workload) -> Planes:
+    return blur_by_depth(pinhole(workload), radius_px(workload, _depth(workload)))
+
+
+def gather(workload: Workload) -> Planes:
+    depth = _depth(workload)
+    return gather_discs(pinhole(workload), radius_px(workload, depth), depth)
+
+
+def layered(workload: Workload, blur: Blur = disc_blur) -> Planes:
+    """Each card on a layer of its own, complete also where another hides it."""
+    picture, depth = cards.background(workload.seen)
+    base = blur_by_depth(picture.astype(np.float32), radius_px(workload, depth), blur)
+    layers = []
+    for card in cards.CARDS:
+        colour, cover = cards.card_light(card, workload.seen)
+        planes = np.concatenate([colour * cover, cover[None]]).astype(np.float32)
+        layers.append(blur_layer(Layer(planes, 0, 0, float(radius_px(workload, card.z))), blur))
+    return composite(base, layers)
+
+
+def _fibonacci(workload: Workload, *, rays: int) -> Planes:
+    """Every pixel looks through the same points."""
+    total = np.zeros((3, *workload.seen.shape), np.float32)
+    for x, y in (workload.lens_radius * fibonacci_disc(rays)).tolist():
+        total += cards.radiance(workload.seen, x, y)
+    return total / np.float32(rays)
+
+
+def _random(workload: Workload, *, rays: int) -> Planes:
+    """Every pixel looks through points of its own: the error is grain."""
+    total = np.zeros((3, *workload.seen.shape), np.float32)
+    points = random_disc(rays, workload.seen.shape, np.random.default_rng(7))
+    for x, y in np.float32(workload.lens_radius) * points:
+        total += cards.radiance(workload.seen, x, y)
+    return total / np.float32(rays)
+
+
+def reference(workload: Workload, rays: int = 4096) -> Floats:
+    """Rays of no width that hit or miss, in float64, with code of their own."""
+    _, width = workload.seen.shape
+    return depth_of_field_truth.picture(width, workload.lens_radius, rays)
+
+
+def _errors(result: Planes, truth: Floats, crop: int) -> Floats:
+    inner = (slice(None), slice(crop, -crop), slice(crop, -crop))
+    errors: Floats = result[inner].astype(np.float64) - truth[inner]
+    return errors
+
+
+def psnr_db(result: Planes, truth: Floats, workload: Workload) -> float:
+    return float(-10 * np.log10(np.mean(np.square(_errors(result, truth, workload.crop)))))
+
+
+def worst(result: Planes, truth: Floats, workload: Workload) -> float:
+    return float(np.abs(_errors(result, truth, workload.crop)).max())
+
+
+def ray_tiers() -> tuple[Tier, ...]:
+    """Sixteen and 64 rays, thrown at random and laid on a spiral."""
+    kinds = (("random", "random rays", _random), ("fibonacci", "rays on a spiral", _fibonacci))
+    return tuple(
+        Tier(f"{kind}-{rays}", f"{rays} {label}", f"{rays} rays a pixel", partial(run, rays=rays))
+        for rays in (16, 64)
+        for kind, label, run in kinds
+    )
+
+
+METRICS = (
+    Metric("psnr", "PSNR", "dB", psnr_db, higher_is_better=True),
+    Metric("worst", "Largest error", "of range", worst),
+)
+
+LADDER = Ladder(
+    id="depth-of-field",
+    title="Depth of field",
+    workload="80 × 60 pixels: three cards, floor and wall, discs of confusion up to 8 pixels wide",
+    prepare=prepare,
+    tiers=(
+        Tier("pinhole", "Pinhole", "1 ray a pixel", pinhole),
+        Tier("discs", "Discs chosen by depth", "1 ray, 4 blurred pictures", discs),
+        Tier("layered", "Layers blurred and laid over", "4 layers, 1 to 4 blurs each", layered),
+        Tier("binned", "Gaussians chosen by depth", "1 ray, 6 blurred pictures", binned),
+        Tier("gather", "Gather from neighbours", "1 ray, 89 taps a pixel", gather),
+        *ray_tiers(),
+    ),
+    reference=reference,
+    reference_label="4096 rays a pixel that hit or miss, by code of their own, in float64",
+    metrics=METRICS,
+    default_tier="layered",
+)

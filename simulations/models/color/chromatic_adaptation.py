@@ -1,0 +1,70 @@
+"""What a colour seen in one light would be in another, as our eyes discount the light.
+
+The eye turns down each of its receptors by what the light gives it. So does a chromatic
+adaptation: into three responses, each divided by that of the old white and multiplied by that of
+the new one, and back. The methods differ in the responses they take.
+
+Colours are CIE XYZ, lights their chromaticities (x, y). Szeliski, 2nd ed., §2.3.2; Lam,
+Metamerism and colour constancy, 1985 (Bradford); Hunt, Measuring Colour, 1987 (the cones).
+"""
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from simulations.models.arrays import as_colours
+from simulations.models.color.chromaticity import white_xyz
+from simulations.models.color.srgb import Array, rgb_to_xyz_matrix
+
+BRADFORD = np.array(
+    [[0.8951, 0.2664, -0.1614], [-0.7502, 1.7135, 0.0367], [0.0389, -0.0685, 1.0296]]
+)
+"""Responses sharper than those of the cones, fitted to how people matched dyed wool."""
+CONES = np.array([[0.40024, 0.7076, -0.08081], [-0.2263, 1.16532, 0.0457], [0.0, 0.0, 0.91822]])
+"""The eye's long, middle and short receptors (Hunt, Pointer and Estévez), equal under D65."""
+
+RESPONSES = {
+    "bradford": BRADFORD,
+    "von-kries": CONES,
+    "rgb": np.linalg.inv(rgb_to_xyz_matrix()),
+}
+"""From XYZ to what is scaled; "rgb" are the gains of `color.white_balance` on linear sRGB."""
+
+
+def adaptation_matrix(from_xy: ArrayLike, to_xy: ArrayLike, method: str = "bradford") -> Array:
+    """The (3, 3) matrix that takes XYZ under one light to XYZ under another.
+
+    It takes the first light's white exactly to the second's; its inverse goes the other way.
+
+    Parameters
+    ----------
+    from_xy, to_xy : (2,) chromaticities of the two lights.
+    method : "bradford", "von-kries" or "rgb".
+
+    Raises
+    ------
+    ValueError
+        For another method, for a chromaticity that is none, and for a light that leaves one of
+        the responses without any signal: no gain could restore it.
+    """
+    if method not in RESPONSES:
+        raise ValueError(f"method {method!r}; legal: {', '.join(RESPONSES)}")
+    responses = RESPONSES[method]
+    before, after = (responses @ white_xyz(xy) for xy in (from_xy, to_xy))
+    for xy, signal in ((from_xy, before), (to_xy, after)):
+        if not (signal > 1e-6).all():
+            raise ValueError(
+                f"light {np.asarray(xy).tolist()} gives {method} responses "
+                f"{np.round(signal, 4).tolist()}; legal: all above 0"
+            )
+    gains = (after / before)[:, None]
+    matrix: Array = np.linalg.solve(responses, gains * responses)
+    return matrix
+
+
+def adapt(xyz: ArrayLike, from_xy: ArrayLike, to_xy: ArrayLike, method: str = "bradford") -> Array:
+    """Colours (..., 3) in XYZ as they would look under another light: see `adaptation_matrix`."""
+    colours = as_colours(xyz)
+    matrix = adaptation_matrix(from_xy, to_xy, method).astype(colours.dtype)
+    with np.errstate(over="ignore", invalid="ignore"):
+        adapted: Array = colours @ matrix.T
+    return adapted

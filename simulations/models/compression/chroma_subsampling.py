@@ -1,0 +1,43 @@
+"""Colour kept more coarsely than brightness, as in JPEG and in video: 4:2:2 and 4:2:0.
+
+The eye resolves differences of colour worse than differences of light. Of the three numbers of
+the name the first is a row of four luma samples; the second counts the colour samples along it,
+and the third how many of them are new in the next row. Szeliski, 2nd ed., section 2.3.3. The way
+back is in `simulations.models.compression.chroma_upsampling`.
+"""
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from simulations.models.arrays import as_floats
+from simulations.models.whole_numbers import as_whole
+
+type Array = NDArray[np.floating]
+
+SUBSAMPLING = {"4:4:4": (1, 1), "4:2:2": (1, 2), "4:2:0": (2, 2)}
+"""Rows and columns of luma to one colour difference."""
+
+
+def subsampling_factor(name: str) -> tuple[int, int]:
+    """Rows and columns of pixels that share one colour; raises `ValueError` for other names."""
+    if name not in SUBSAMPLING:
+        raise ValueError(f"subsampling {name!r}; legal: {', '.join(SUBSAMPLING)}")
+    return SUBSAMPLING[name]
+
+
+def coarsen(plane: ArrayLike, factor: tuple[int, int]) -> Array:
+    """Means over cells of ``factor`` (rows, columns) samples of a plane (H, W).
+
+    A cell that reaches over the border is filled up by repeating it, so that the result has
+    ``ceil(H / rows)`` rows and likewise columns. Raises `ValueError` for an empty plane and for
+    factors that are not whole numbers of 1 or more.
+    """
+    values = as_floats(plane)
+    if values.ndim != 2 or 0 in values.shape:
+        raise ValueError(f"plane of shape {values.shape}; legal: (H, W), not empty")
+    rows, columns = (as_whole("factor", each, 1) for each in factor)
+    height, width = values.shape
+    whole = np.pad(values, ((0, -height % rows), (0, -width % columns)), mode="edge")
+    cells = whole.reshape(whole.shape[0] // rows, rows, whole.shape[1] // columns, columns)
+    with np.errstate(over="ignore", invalid="ignore"):
+        return np.asarray(cells.mean(axis=(1, 3)))

@@ -1,0 +1,105 @@
+"""The bits that JPEG's entropy coder must spend at least on the codes of a picture.
+
+A symbol is the number of zeros before a coefficient together with its length in bits; the bits
+of the coefficient follow as they are. Luma has its tables of symbols, the two differences share
+theirs. Each symbol is charged its entropy, what an ideal coder would need; Huffman's whole bits
+and the headers of a file come on top. ITU-T T.81, annex F.
+"""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from simulations.models.compression.blocks import BLOCK, Array, Codes
+from simulations.models.compression.jpeg import Coded
+
+
+def _zigzag() -> NDArray[np.intp]:
+    """Flat indices of a block along its antidiagonals: low frequencies first, by turns."""
+    row, column = np.divmod(np.arange(BLOCK * BLOCK), BLOCK)
+    diagonal = row + column
+    along = np.where(diagonal % 2, row, column)
+    return np.lexsort((along, diagonal))
+
+
+ZIGZAG = _zigzag()
+
+LARGEST = 2**15 - 1
+"""At most 15 bits: a symbol has four of its eight for the length of its coefficient."""
+
+
+@dataclass(frozen=True, slots=True)
+class Size:
+    """What keeping a picture costs."""
+
+    bits: float
+    """Of an ideal entropy coder for JPEG's symbols, without headers."""
+    nonzero: int
+    """Coefficients other than 0, in all three planes."""
+
+
+def size(coded: Coded) -> Size:
+    """Bits and coefficients of a picture."""
+    nonzero = sum(int(np.count_nonzero(codes)) for codes in coded.planes)
+    return Size(symbol_bits([coded.luma]) + symbol_bits(coded.differences), nonzero)
+
+
+def symbol_bits(planes: Sequence[Codes]) -> float:
+    """Bits of planes that share one table for their means and one for all other coefficients.
+
+    Raises `ValueError` for codes that JPEG has no symbol for: beyond ``LARGEST``, and fractions.
+    """
+    for codes in planes:
+        if codes.dtype.kind not in "iu":
+            raise ValueError(f"codes of type {codes.dtype}; legal: whole numbers")
+        if not np.all((codes >= -LARGEST) & (codes <= LARGEST)):
+            raise ValueError(
+                f"codes from {codes.min()} to {codes.max()}; legal: -{LARGEST} to {LARGEST}"
+            )
+    means, others = np.zeros(64), np.zeros(256)
+    plain = 0.0
+    for codes in planes:
+        ordered = codes.reshape(-1, BLOCK * BLOCK)[:, ZIGZAG]
+        lengths = _bit_length(np.diff(ordered[:, 0], prepend=0))
+        means += np.bincount(lengths, minlength=64)
+        symbols, extra = run_symbols(ordered[:, 1:])
+        others += symbols
+        plain += float(lengths.sum()) + extra
+    return plain + _entropy_bits(means) + _entropy_bits(others)
+
+
+def run_symbols(codes: Codes) -> tuple[Array, float]:
+    """Counts of the symbols of all coefficients but the means, and how many bits follow them.
+
+    Parameters
+    ----------
+    codes : (N, 63)
+        Blocks in zigzag order, without their means.
+
+    Returns
+    -------
+    counts : (256,) of the symbols 16 run + length; 0x00 is the end of a block whose last codes
+        are 0, and 0xF0 stands for sixteen zeros.
+    bits : those of the coefficients themselves.
+    """
+    block, position = np.nonzero(codes)
+    first = np.diff(block, prepend=-1) > 0
+    before = np.where(first, -1, np.roll(position, 1))
+    runs = position - before - 1
+    lengths = _bit_length(codes[block, position])
+    counts = np.bincount(16 * (runs % 16) + lengths, minlength=256).astype(float)
+    counts[0xF0] += (runs // 16).sum()  # sixteen zeros, with more to come
+    counts[0] += np.count_nonzero(codes[:, -1] == 0)  # nothing but zeros to the end
+    return counts, float(lengths.sum())
+
+
+def _bit_length(codes: Codes) -> NDArray[np.intp]:
+    return np.asarray(np.frexp(codes.astype(float))[1], np.intp)
+
+
+def _entropy_bits(counts: Array) -> float:
+    """Bits of that many symbols when each costs the logarithm of its rarity."""
+    seen = counts[counts > 0]
+    return float(np.sum(seen * np.log2(seen.sum() / seen)))

@@ -1,0 +1,60 @@
+"""What a distortion does to a picture, in words and numbers: its kind and how far lines bow."""
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from simulations.models.arrays import as_vectors
+from simulations.models.distortion import radial_profile
+from simulations.models.distortion.lens_model import FAR, Distortion, fold_radius
+
+type Floats = NDArray[np.floating]
+
+KINDS = ("none", "barrel", "pincushion", "moustache")
+
+
+def classify(d: Distortion, corner_radius: float, tolerance: float) -> str:
+    """The kind of a radial distortion, from its profile over the picture and not from one sign.
+
+    Magnification ``g(r) = f(r) / r`` that falls all the way from the axis to the corner is a
+    barrel, one that rises a pincushion, one that does both a moustache.
+
+    Parameters
+    ----------
+    d : Distortion
+        Only its radial part counts.
+    corner_radius : float
+        Normalised radius of the picture's corners; past a fold nothing is judged.
+    tolerance : float
+        Changes of g not above this are nothing: a fraction, so that ``tolerance · r`` is the
+        displacement they amount to.
+
+    Returns
+    -------
+    One of `KINDS`.
+    """
+    if not 0.0 <= corner_radius <= FAR:
+        raise ValueError(f"corner_radius {corner_radius}; legal: 0 to {FAR:g}")
+    radius = np.linspace(0.0, min(corner_radius, fold_radius(d)), 257)
+    change = np.diff(radial_profile.scale(d.radial, radius * radius))
+    rises = float(np.maximum(change, 0.0).sum()) > tolerance
+    falls = float(np.maximum(-change, 0.0).sum()) > tolerance
+    return KINDS[falls + 2 * rises]
+
+
+def line_bow(points: ArrayLike) -> Floats:
+    """How far curves (..., N, 2) leave their chords: the largest distance from it, (...).
+
+    A curve whose ends coincide is measured from that point; fewer than three points are straight.
+    Raises `ValueError` for a curve without points, and where one is not finite, or beyond 1e150.
+    """
+    curve = as_vectors("points", points, 2)
+    if curve.ndim < 2 or not curve.shape[-2] or not np.all(np.abs(curve) <= 1e150):
+        raise ValueError(f"points of shape {curve.shape}; legal: (..., N, 2), finite, to 1e150")
+    chord = curve[..., -1, :] - curve[..., 0, :]
+    offset = curve - curve[..., :1, :]
+    length = np.hypot(chord[..., 0], chord[..., 1])[..., None]
+    across = np.abs(chord[..., 1, None] * offset[..., 0] - chord[..., 0, None] * offset[..., 1])
+    away = np.hypot(offset[..., 0], offset[..., 1])
+    distance = np.divide(across, length, out=away, where=length > 0.0)
+    result: Floats = distance.max(axis=-1)
+    return result

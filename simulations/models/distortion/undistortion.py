@@ -1,0 +1,127 @@
+"""Other ways to undo a radial lens, to be compared with `distortion.undistort`.
+
+All take distorted points (..., 2) in normalised coordinates and return ideal ones; tangential
+terms are not undone. All but the last assume points well inside the fold, and none of those
+notices when it fails. `distortion.undistort` does, and is what to use where the answer must be
+right.
+
+All but the last look for the factor ρ = r / r_d as a function of t = r_d², and none of them takes
+a root: the lens's polynomials are in r² = ρ² t, and a point is multiplied by its factor.
+
+Szeliski, 2nd ed., section 2.1.5; the fixed point is the method of OpenCV's undistortPoints.
+"""
+
+from collections.abc import Callable
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from simulations.models.distortion import radial_inverse, radial_profile
+from simulations.models.distortion.lens_model import Distortion, Floats
+from simulations.models.distortion.radial_profile import RadialProfile
+
+TABLE_ENTRIES = 1025
+"""Enough for linear interpolation to err by ten-thousandths of a pixel."""
+
+SAMPLES_PER_ENTRY = 4
+"""Of the forward map: entries read from so many err by a sixteenth of what lies between them."""
+
+
+def undistort_first_order(xy: ArrayLike, d: Distortion) -> Floats:
+    """One division by the factor at the distorted radius instead of the ideal one.
+
+    Off by about 2 k₁² r⁵ for small k₁.
+    """
+    return undistort_fixed_point(xy, d, steps=1)
+
+
+def undistort_fixed_point(xy: ArrayLike, d: Distortion, steps: int) -> Floats:
+    """Divide by the lens's factor at the latest guess, ``steps`` times: ρ ← 1 / g(ρ² t).
+
+    Each step multiplies the error by about |2 s g'(s) / g(s)| with s = r²; where that exceeds
+    1, as it does in strong pincushion, the iteration diverges although an inverse exists.
+    """
+    return _along_radius(xy, lambda t: _fixed_point(d.radial, t, steps))
+
+
+def _fixed_point(profile: RadialProfile, t: Floats, steps: int) -> Floats:
+    factor, s = np.ones_like(t), t
+    for _ in range(steps):
+        factor = 1.0 / radial_profile.scale(profile, s)
+        s = factor * factor * t
+    return factor
+
+
+def undistort_newton(xy: ArrayLike, d: Distortion, steps: int) -> Floats:
+    """Newton's method for ρ g(ρ² t) = 1, from ρ = 1: that for the radius, in units of r_d.
+
+    Each step squares the relative error. The whole plane needs one unknown a point, not two.
+    """
+    return _along_radius(xy, lambda t: _newton(d.radial, t, steps))
+
+
+def _newton(profile: RadialProfile, t: Floats, steps: int) -> Floats:
+    factor, s = np.ones_like(t), t
+    for _ in range(steps):
+        factor = factor - (
+            factor * radial_profile.scale(profile, s) - 1.0
+        ) / radial_profile.slope_at_squared(profile, s)
+        s = factor * factor * t
+    return factor
+
+
+def undistort_table(xy: ArrayLike, d: Distortion, entries: int = TABLE_ENTRIES) -> Floats:
+    """Linear interpolation in a table of ρ over t, whose entries are evenly spaced.
+
+    Needs no iteration: the entries are read from the forward map, which is monotone up to the
+    fold, and a place in the table is a multiplication. Off by O(entries⁻²).
+    """
+    return _along_radius(xy, lambda t: _look_up(t, *_table(d.radial, float(t.max()), entries)))
+
+
+def _table(profile: RadialProfile, furthest: float, entries: int) -> tuple[Floats, float]:
+    """ρ at evenly spaced t, and the largest t, which is ``furthest`` or the fold's."""
+    reach = radial_profile.fold_radius(profile) ** 2
+    if reach == np.inf:
+        reach = 1.0
+        while reach * radial_profile.scale(profile, reach) ** 2 < furthest:
+            reach *= 1.5
+    s = np.linspace(0.0, reach, SAMPLES_PER_ENTRY * entries)
+    g = radial_profile.scale(profile, s)
+    images = s * g * g
+    limit = min(furthest, float(images[-1]))
+    return np.interp(np.linspace(0.0, limit, entries), images, 1.0 / g), limit
+
+
+def _look_up(t: Floats, values: Floats, limit: float) -> Floats:
+    last = len(values) - 1
+    place = t * (last / limit if limit > 0.0 else 0.0)
+    index = np.minimum(place.astype(np.intp), last - 1)
+    place -= index
+    place *= np.diff(values).take(index)
+    factor: Floats = values.take(index)
+    factor += place
+    return factor
+
+
+def _along_radius(xy: ArrayLike, factor_of: Callable[[Floats], Floats]) -> Floats:
+    """Points moved along their own radius, each by the factor of its squared radius."""
+    seen = np.asarray(xy, float)
+    if not seen.size:
+        return seen
+    x, y = seen[..., 0], seen[..., 1]
+    factor = factor_of(x * x + y * y)
+    ideal = np.empty_like(seen)
+    np.multiply(x, factor, out=ideal[..., 0])  # by columns: three times as quick as
+    np.multiply(y, factor, out=ideal[..., 1])  # seen * factor[..., None]
+    return ideal
+
+
+def undistort_bracketed(xy: ArrayLike, d: Distortion) -> Floats:
+    """`radial_inverse.invert_bracketed` for every point: to the last digit, at its price."""
+    seen = np.asarray(xy, float)
+    seen_radius = np.hypot(seen[..., 0], seen[..., 1])
+    radius, _ = radial_inverse.invert_bracketed(d.radial, seen_radius)
+    ratio = np.divide(radius, seen_radius, out=np.ones_like(radius), where=seen_radius > 0.0)
+    ideal: Floats = seen * ratio[..., None]
+    return ideal

@@ -1,0 +1,140 @@
+"""Unit quaternions q = (w, x, y, z), scalar first, Hamilton's product: i j = k.
+
+The rotation by θ about the unit axis n is (cos θ/2, sin θ/2 · n); q and −q are the same
+rotation. Source: Szeliski, Computer Vision, 2nd ed., §2.1.3.
+"""
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from simulations.models.arrays import as_matrices, as_vectors
+from simulations.models.geometry.cross_products import cross_polynomial
+
+type Floats = NDArray[np.float64]
+
+
+def normalise(quaternion: ArrayLike) -> Floats:
+    """Quaternions (..., 4) scaled to unit norm.
+
+    The largest component is divided out first, so that neither 1e−300 nor 1e300 is lost when it
+    is squared. Raises `ValueError` for the zero quaternion and for entries that are not finite:
+    they stand for no rotation.
+    """
+    q = as_vectors("quaternion", quaternion, 4)
+    largest, scaled, norm = _measured(q)
+    if not ((largest > 0.0) & np.isfinite(largest)).all():
+        raise ValueError(f"quaternion: {q.tolist()}; legal: finite and not all zero")
+    return np.moveaxis(scaled / norm, 0, -1)
+
+
+def canonical(quaternion: ArrayLike) -> Floats:
+    """Of q and −q (..., 4), scaled to unit norm, the one with w > 0.
+
+    Half turns have w = 0: there the first component that is not zero is made positive.
+    """
+    q = normalise(quaternion)
+    leading = np.take_along_axis(q, (q != 0.0).argmax(axis=-1)[..., None], axis=-1)
+    return np.where(leading < 0.0, -q, q)
+
+
+def conjugate(quaternion: ArrayLike) -> Floats:
+    """(w, −x, −y, −z): the inverse of a unit quaternion."""
+    turned: Floats = as_vectors("quaternion", quaternion, 4) * np.array([1.0, -1.0, -1.0, -1.0])
+    return turned
+
+
+def multiply(second: ArrayLike, first: ArrayLike) -> Floats:
+    """The rotation ``first`` followed by ``second``, (..., 4)."""
+    a, b = as_vectors("second", second, 4), as_vectors("first", first, 4)
+    a_w, a_v, b_w, b_v = a[..., :1], a[..., 1:], b[..., :1], b[..., 1:]
+    with np.errstate(over="ignore", invalid="ignore"):
+        w = a_w * b_w - (a_v * b_v).sum(axis=-1, keepdims=True)
+        v = a_w * b_v + b_w * a_v + np.cross(a_v, b_v)
+    return np.concatenate([w, v], axis=-1)
+
+
+def rotate(quaternion: ArrayLike, vectors: ArrayLike) -> Floats:
+    """Vectors (..., 3) turned by a unit quaternion: q v q*, without building a matrix."""
+    q, v = as_vectors("quaternion", quaternion, 4), as_vectors("vectors", vectors, 3)
+    with np.errstate(over="ignore", invalid="ignore"):
+        twice = 2.0 * np.cross(q[..., 1:], v)
+        turned: Floats = v + q[..., :1] * twice + np.cross(q[..., 1:], twice)
+    return turned
+
+
+def angle_and_axis(rotation_vector: ArrayLike) -> tuple[Floats, Floats]:
+    """Angles (..., 1) and unit axes (..., 3) of rotation vectors; no turn has the axis 0.
+
+    Raises `ValueError` where the angle is not a finite number.
+    """
+    v = as_vectors("rotation_vector", rotation_vector, 3)
+    largest, scaled, norm = _measured(v)
+    if not np.isfinite(largest).all():
+        raise ValueError(f"rotation_vector: {v.tolist()}; legal: finite")
+    with np.errstate(over="ignore"):
+        angle = largest * norm
+    if not np.isfinite(angle).all():
+        raise ValueError(f"rotation_vector: {v.tolist()}; legal: of finite length")
+    axis = np.moveaxis(scaled / np.where(norm > 0.0, norm, 1.0), 0, -1)
+    return angle[..., None], axis
+
+
+def _measured(vectors: Floats) -> tuple[Floats, Floats, Floats]:
+    """Largest components (...), vectors (n, ...) in units of these, and their norms (...).
+
+    Components first, which is several times quicker than reductions over so short a last axis.
+    A zero vector stays zero.
+    """
+    parts = np.ascontiguousarray(np.moveaxis(vectors, -1, 0))
+    largest = np.abs(parts).max(axis=0)
+    with np.errstate(over="ignore", invalid="ignore"):
+        scaled = parts / np.where(largest > 0.0, largest, 1.0)
+        norm = np.sqrt((scaled * scaled).sum(axis=0))
+    return largest, scaled, norm
+
+
+def from_rotation_vector(rotation_vector: ArrayLike) -> Floats:
+    """Axis times angle in radians (..., 3) to unit quaternions (..., 4)."""
+    angle, axis = angle_and_axis(rotation_vector)
+    return np.concatenate([np.cos(0.5 * angle), np.sin(0.5 * angle) * axis], axis=-1)
+
+
+def to_rotation_vector(quaternion: ArrayLike) -> Floats:
+    """Quaternions (..., 4) to axis times angle (..., 3), with the angle in [0, π].
+
+    θ = 2 atan2(|v|, w) is accurate everywhere; acos(w) would lose half the digits near θ = 0.
+    """
+    q = canonical(quaternion)
+    w, v = q[..., :1], q[..., 1:]
+    sine = np.linalg.norm(v, axis=-1, keepdims=True)
+    angle = 2.0 * np.arctan2(sine, w)
+    per_sine = angle / np.where(sine > 0.0, sine, 1.0)
+    return np.where(sine > 0.0, per_sine, 2.0) * v
+
+
+def to_matrix(quaternion: ArrayLike) -> Floats:
+    """Quaternions (..., 4) of any norm to rotation matrices (..., 3, 3): I + 2w [v]ₓ + 2 [v]ₓ²."""
+    q = normalise(quaternion)
+    return cross_polynomial(q[..., 1:], 2.0 * q[..., 0], 2.0)
+
+
+def from_matrix(R: ArrayLike) -> Floats:
+    """Rotation matrices (..., 3, 3) to quaternions (..., 4) with w ≥ 0.
+
+    The entries of R give all products of two components, 4 q qᵀ. Its row with the largest
+    diagonal entry is a multiple of q by at least 1, so nothing cancels (Shepperd 1978). The
+    matrix must be a rotation: see `simulations.models.geometry.rotations.check_rotation`.
+    """
+    m = as_matrices("R", R, 3, 3)
+    x, y, z = m[..., 0, 0], m[..., 1, 1], m[..., 2, 2]
+    wx, wy, wz = (m[..., j, i] - m[..., i, j] for i, j in ((1, 2), (2, 0), (0, 1)))
+    xy, xz, yz = (m[..., j, i] + m[..., i, j] for i, j in ((0, 1), (0, 2), (1, 2)))
+    rows = [
+        [1.0 + x + y + z, wx, wy, wz],
+        [wx, 1.0 + x - y - z, xy, xz],
+        [wy, xy, 1.0 - x + y - z, yz],
+        [wz, xz, yz, 1.0 - x - y + z],
+    ]
+    products = np.stack([np.stack(row, axis=-1) for row in rows], axis=-2)
+    largest = np.diagonal(products, axis1=-2, axis2=-1).argmax(axis=-1)
+    return canonical(np.take_along_axis(products, largest[..., None, None], axis=-2)[..., 0, :])

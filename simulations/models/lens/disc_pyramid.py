@@ -1,0 +1,77 @@
+"""Discs drawn on a coarser grid: quicker than `disc_blur` where they are wide, and softer-edged.
+
+Pictures are planar: (C, H, W) float32. Burt, "Fast filter transforms for image processing",
+Computer Graphics and Image Processing 16, 1981.
+"""
+
+import math
+
+import numpy as np
+
+from simulations.models.lens.disc_blur import Planes, check_radius, disc_blur
+
+LARGEST_REDUCED_RADIUS = 8.0
+"""Pixels of the coarse grid. At least half as many remain, or a disc's outline would get lost."""
+
+
+def pyramid_blur(planes: Planes, radius_px: float) -> Planes:
+    """``planes`` (C, H, W) convolved with about a disc; the picture goes on beyond its edge.
+
+    Up to `LARGEST_REDUCED_RADIUS` the same as `disc_blur`. Wider discs are drawn on a grid reduced
+    by a power of two, at a cost that hardly depends on the radius. Going down and up again is
+    itself a blur, so the disc drawn there is smaller: the variance of both together is right, and
+    the fourth moment up to an eighth too large: the outline is softer.
+    """
+    check_radius("pyramid_blur", radius_px)
+    halvings = max(0, math.ceil(math.log2(max(radius_px, 1.0) / LARGEST_REDUCED_RADIUS)))
+    height, width = planes.shape[1:]
+    small = planes
+    for _ in range(halvings):
+        small = halve(small)
+    small = disc_blur(small, _reduced_radius(radius_px, 2**halvings))
+    for _ in range(halvings):
+        small = double(small)
+    return small if halvings == 0 else np.ascontiguousarray(small[:, :height, :width])
+
+
+def _reduced_radius(radius_px: float, factor: int) -> float:
+    """Radius in coarse pixels for which the whole has the variance ``R²/4 + 1/12`` of `disc_blur`.
+
+    Along each axis the way down and up again has (factor² − 1) / 2, the disc r²/4 + 1/12 of its
+    own, coarser, pixels.
+    """
+    return math.sqrt((radius_px**2 + 1 / 3 - 2 * (factor**2 - 1)) / factor**2 - 1 / 3)
+
+
+def halve(planes: Planes) -> Planes:
+    """Half the grid by weights (1, 3, 3, 1) / 8 each way, the transpose of `double`.
+
+    Unlike means of 2 × 2 pixels these keep every point of light where it is.
+    """
+    return _halve_last(_halve_last(planes).swapaxes(1, 2)).swapaxes(1, 2)
+
+
+def _halve_last(planes: Planes) -> Planes:
+    padded = np.pad(planes, ((0, 0), (0, 0), (1, 1 + planes.shape[2] % 2)), mode="edge")
+    outer = padded[..., 0:-3:2] + padded[..., 3::2]
+    inner = padded[..., 1:-2:2] + padded[..., 2:-1:2]
+    half: Planes = np.float32(0.125) * outer + np.float32(0.375) * inner
+    return half
+
+
+def double(planes: Planes) -> Planes:
+    """Linear interpolation onto twice the grid, the inverse placement of `halve`."""
+    return _double_last(_double_last(planes).swapaxes(1, 2)).swapaxes(1, 2)
+
+
+def _double_last(planes: Planes) -> Planes:
+    near = np.float32(0.75) * planes
+    far = np.float32(0.25) * planes
+    doubled = np.empty((*planes.shape[:2], 2 * planes.shape[2]), np.float32)
+    doubled[..., 0::2] = near
+    doubled[..., 1::2] = near
+    doubled[..., 2::2] += far[..., :-1]
+    doubled[..., 1:-1:2] += far[..., 1:]
+    doubled[..., 0] += far[..., 0]
+    doubled[..., -1] += far[..., -1]
+    return doubled

@@ -1,0 +1,192 @@
+"""The thin lens: where it focuses, and how blurred everything else is.
+
+Distances along the optical axis in millimetres, measured from the lens and positive; objects may
+be at infinity. Szeliski, 2nd ed., §2.2.3.
+"""
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from simulations.models.lens.vignetting import vignetting_cos4
+
+__all__ = [
+    "circle_of_confusion_mm",
+    "depth_of_field",
+    "field_of_view_rad",
+    "hyperfocal",
+    "principal_distance_mm",
+    "thin_lens_image_distance",
+    "vignetting_cos4",
+    "working_f_number",
+]
+
+type Floats = NDArray[np.floating]
+
+
+def thin_lens_image_distance(focal_mm: float, distance_mm: ArrayLike) -> Floats:
+    """Distance behind the lens at which an object is sharp: 1/f = 1/Z + 1/Z'.
+
+    Parameters
+    ----------
+    focal_mm : float
+        Focal length, positive and finite.
+    distance_mm : (...) floats
+        Object distance, at least the focal length. At infinity the image lies at f; at f
+        itself the rays leave parallel and the image distance is inf.
+
+    Raises
+    ------
+    ValueError
+        For objects inside the focal length: their image is virtual and no sensor can catch it.
+    """
+    _check_positive("focal_mm", focal_mm)
+    distance = np.asarray(distance_mm, float)
+    if not np.all(distance >= focal_mm):
+        raise ValueError(
+            f"distance_mm {_worst(distance)!r}: must be at least the focal length "
+            f"({focal_mm:g} mm); nearer objects have a virtual image"
+        )
+    with np.errstate(divide="ignore", over="ignore"):
+        image: Floats = focal_mm / _share_beyond(distance, focal_mm)
+    return image
+
+
+def principal_distance_mm(focal_mm: float, focus_mm: float) -> float:
+    """From the lens to a sensor that sees ``focus_mm`` sharp: z = f s / (s − f), at least f.
+
+    It, and not the focal length, is what a focused camera projects with: x = z X / Z. So its
+    picture grows a little as the focus comes nearer, which is called focus breathing. The two
+    agree at infinity only. Photogrammetry's other name for it is the camera constant.
+
+    Parameters
+    ----------
+    focal_mm : float
+        Focal length, positive and finite.
+    focus_mm : float
+        Distance in focus, beyond the focal length; may be inf.
+    """
+    _check_focus(focal_mm, focus_mm)
+    return float(thin_lens_image_distance(focal_mm, focus_mm))
+
+
+def working_f_number(focal_mm: float, f_number: float, focus_mm: float) -> float:
+    """N z / f: how far the sensor stands from the lens, in diameters of its opening.
+
+    The light on the axis falls with its square. At infinity it is N, which the lens is marked
+    with; nearer the sensor has moved away and gets less. Parameters as in
+    `circle_of_confusion_mm`.
+    """
+    _check_lens(focal_mm, f_number, focus_mm)
+    return f_number / float(_share_beyond(focus_mm, focal_mm))  # may overflow to inf
+
+
+def _share_beyond(far: ArrayLike, near: ArrayLike) -> Floats:
+    """1 − near / far, for far ≥ near > 0: 1 at infinity.
+
+    The difference of the distances comes first. It is exact where they are close, and there a
+    quotient rounded to a number near 1 would have lost the digits that count.
+    """
+    with np.errstate(invalid="ignore"):
+        share = np.subtract(far, near) / far
+    return np.where(np.isinf(far), 1.0, share)
+
+
+def circle_of_confusion_mm(
+    focal_mm: float, f_number: float, focus_mm: float, depth_mm: ArrayLike
+) -> Floats:
+    """Diameter on the sensor of the disc that a point at ``depth_mm`` spreads into.
+
+    ``c = A f / (1 − f/Z_f) · |1/Z − 1/Z_f|`` with aperture diameter A = f/N. In dioptres the
+    formula is right at both infinities: Z → ∞ and Z_f → ∞.
+
+    Parameters
+    ----------
+    focal_mm : float
+        Focal length, positive and finite.
+    f_number : float
+        N, positive; inf is a pinhole and blurs nothing.
+    focus_mm : float
+        Distance in focus, beyond the focal length; may be inf.
+    depth_mm : (...) floats
+        Object distance, not negative; 0 (on the lens) gives inf, inf is legal.
+    """
+    _check_lens(focal_mm, f_number, focus_mm)
+    depth = np.asarray(depth_mm, float)
+    if not np.all(depth >= 0.0):
+        raise ValueError(f"depth_mm {_worst(depth)!r}: must not be negative (behind the lens)")
+    if f_number == np.inf:
+        return np.zeros_like(depth)
+    near, far = np.minimum(depth, focus_mm), np.maximum(depth, focus_mm)
+    with np.errstate(divide="ignore", over="ignore", invalid="ignore"):
+        defocus_per_mm = _share_beyond(far, near) / near
+        aperture_mm = focal_mm / f_number
+        diameter = aperture_mm * focal_mm / _share_beyond(focus_mm, focal_mm) * defocus_per_mm
+    # In focus is sharp and on the lens is blurred without end, however wide or narrow the lens.
+    blur: Floats = np.where(np.isinf(defocus_per_mm), np.inf, diameter)
+    return np.where(defocus_per_mm == 0.0, 0.0, blur)
+
+
+def depth_of_field(
+    focal_mm: float, f_number: float, focus_mm: float, coc_mm: float
+) -> tuple[float, float]:
+    """Nearest and furthest distance whose circle of confusion does not exceed ``coc_mm``.
+
+    Exact, not the usual approximation for Z ≫ f. The far limit is inf from the `hyperfocal`
+    distance on; a pinhole (``f_number`` inf) has (0, inf).
+    """
+    _check_lens(focal_mm, f_number, focus_mm)
+    _check_positive("coc_mm", coc_mm)
+    share = float(_share_beyond(focus_mm, focal_mm))
+    tolerance_per_mm = coc_mm * f_number / focal_mm * share / focal_mm
+    near_vergence = 1.0 / focus_mm + tolerance_per_mm
+    nearest = 1.0 / near_vergence if near_vergence > 0.0 else np.inf  # both may underflow
+    # At the hyperfocal distance itself the difference is zero but for rounding.
+    far_vergence = 1.0 / focus_mm - tolerance_per_mm
+    furthest = 1.0 / far_vergence if far_vergence > 1e-15 * tolerance_per_mm else np.inf
+    return nearest, furthest
+
+
+def hyperfocal(focal_mm: float, f_number: float, coc_mm: float) -> float:
+    """The nearest focus that keeps infinity acceptably sharp: f²/(N c) + f.
+
+    Focused there, everything from half that distance on is sharp.
+    """
+    _check_positive("focal_mm", focal_mm)
+    _check_positive("coc_mm", coc_mm)
+    if not f_number > 0.0:
+        raise ValueError(f"f_number {f_number!r}: must be positive (inf is a pinhole)")
+    return focal_mm * (focal_mm / f_number / coc_mm) + focal_mm  # the product may underflow
+
+
+def field_of_view_rad(focal_mm: float, sensor_mm: float, focus_mm: float = np.inf) -> float:
+    """Full angle that a sensor of this width sees: 2 atan(w / 2z), z from `principal_distance_mm`.
+
+    Focused at infinity, z is the focal length.
+    """
+    _check_positive("sensor_mm", sensor_mm)
+    return float(2.0 * np.arctan2(0.5 * sensor_mm, principal_distance_mm(focal_mm, focus_mm)))
+
+
+def _check_lens(focal_mm: float, f_number: float, focus_mm: float) -> None:
+    _check_focus(focal_mm, focus_mm)
+    if not f_number > 0.0:
+        raise ValueError(f"f_number {f_number!r}: must be positive (inf is a pinhole)")
+
+
+def _check_focus(focal_mm: float, focus_mm: float) -> None:
+    _check_positive("focal_mm", focal_mm)
+    if not focus_mm > focal_mm:
+        raise ValueError(
+            f"focus_mm {focus_mm!r}: must exceed the focal length ({focal_mm:g} mm); "
+            "a nearer object has a virtual image, which no sensor can catch"
+        )
+
+
+def _check_positive(name: str, value: float) -> None:
+    if not 0.0 < value < np.inf:
+        raise ValueError(f"{name} {value!r}: must be positive and finite")
+
+
+def _worst(distances: Floats) -> float:
+    """The entry to name in an error: a NaN if there is one, else the smallest."""
+    return float(np.min(distances))

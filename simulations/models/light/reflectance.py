@@ -1,0 +1,272 @@
+"""How bright a surface looks: Lambert, Phong and Blinn-Phong reflection, and several lights.
+
+Szeliski, 2nd ed., section 2.2.2. All light is linear. Directions are unit vectors that point
+*away* from the surface: towards the light, towards the eye.
+"""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from simulations.models.arrays import as_floats
+
+type Array = NDArray[np.floating]
+
+SMALLEST_RADIUS = 1e-15
+"""Of a lamp: its square, and one over it, are still numbers in float32 as well."""
+
+UNIT_TOLERANCE = 1e-4
+"""How far the length of a direction may be from 1."""
+
+BRIGHTEST = 1e30
+"""Of a light's colour: still a number in float32, also times that of a pixel."""
+
+
+@dataclass(frozen=True, slots=True)
+class DirectionalLight:
+    """A light so far away that its rays are parallel, such as the sun."""
+
+    direction: tuple[float, float, float]
+    """Unit vector towards the light."""
+    irradiance: tuple[float, float, float] = (1.0, 1.0, 1.0)
+    """Linear RGB on a surface that faces the light."""
+
+    def __post_init__(self) -> None:
+        _check_colour("irradiance", self.irradiance)
+
+
+@dataclass(frozen=True, slots=True)
+class PointLight:
+    """A small lamp, whose light thins out with the square of the distance."""
+
+    position: tuple[float, float, float]
+    """In the same frame and unit as the points that it lights."""
+    intensity: tuple[float, float, float] = (1.0, 1.0, 1.0)
+    """Linear RGB on a surface that faces the lamp at distance 1."""
+    radius: float = 0.01
+    """Radius of the lamp: no point is lit from nearer than this."""
+
+    def __post_init__(self) -> None:
+        _check_colour("intensity", self.intensity)
+
+
+type Light = DirectionalLight | PointLight
+
+
+def normalise(vectors: ArrayLike) -> Array:
+    """Vectors (..., 3) scaled to length 1; a zero vector has no direction and stays zero.
+
+    So does a vector with an entry that is infinite or NaN: nothing there is lit. The largest
+    component is divided out first, so that huge and tiny vectors neither overflow nor vanish
+    when they are squared.
+    """
+    v = as_floats(vectors)
+    largest = _largest(v)
+    if not np.isfinite(largest).all():
+        v = np.where(np.isfinite(largest)[..., None], v, 0)
+        largest = _largest(v)
+    scaled = v / np.where(largest > 0, largest, 1)[..., None]
+    length = np.sqrt(_dot(scaled, scaled))
+    unit: Array = scaled / np.where(length > 0, length, 1)[..., None]
+    return unit
+
+
+def cosine(a: ArrayLike, b: ArrayLike) -> Array:
+    """max(0, a . b) of unit vectors (..., 3), held to at most 1.
+
+    The upper clamp matters: in float32 the product of a unit vector with itself can exceed 1
+    by an ulp, which a large shininess would blow up. A zero vector gives 0.
+    """
+    u, v = as_floats(a), as_floats(b)
+    if u.shape[-1:] != (3,) or v.shape[-1:] != (3,):
+        raise ValueError(f"vectors of shapes {u.shape} and {v.shape}; legal: both (..., 3)")
+    clamped: Array = np.clip(_dot(u, v), 0.0, 1.0)
+    return clamped
+
+
+def lambert(normals: ArrayLike, light: ArrayLike, albedo: ArrayLike = 1.0) -> Array:
+    """Matte reflection, ``I = albedo * max(0, n . l)``: the same from every side.
+
+    Parameters
+    ----------
+    normals : (..., 3)
+        Unit normals. Where there is none, a zero vector gives darkness.
+    light : (3,) or (..., 3)
+        Unit direction towards the light. Below the horizon of a surface it lights nothing.
+    albedo : broadcastable to (...)
+        Fraction of the light that is reflected, 0 to 1.
+
+    Returns
+    -------
+    (...) relative radiance; 1 is a white surface that faces the light.
+
+    Raises
+    ------
+    ValueError
+        If a single light is no unit vector, or the albedo is outside [0, 1].
+    """
+    n = as_floats(normals)
+    shade: Array = _albedo(albedo, n.dtype) * cosine(n, _direction("light", light, n.dtype))
+    return shade
+
+
+def phong(
+    normals: ArrayLike,
+    light: ArrayLike,
+    view: ArrayLike,
+    albedo: ArrayLike = 1.0,
+    *,
+    specular: float = 0.5,
+    shininess: float = 32.0,
+    ambient: float = 0.0,
+) -> Array:
+    """Phong's model: ambient, matte, and a highlight about the mirrored light direction.
+
+    ``I = albedo (ambient + max(0, n . l)) + specular max(0, r . v)^shininess`` where
+    ``n . l > 0``, with ``r = 2 (n . l) n - l``. Where ``n . l <= 0`` the light is below the
+    horizon, and the ambient part alone is left. Shininess 0 spreads the highlight evenly over
+    the lit side; a very large one shrinks it to a point. An eye in no direction (a zero vector
+    in a field of them) sees no highlight.
+
+    Parameters
+    ----------
+    normals, light, albedo
+        As for `lambert`.
+    view : (3,) or (..., 3)
+        Unit direction towards the eye.
+
+    Returns
+    -------
+    (...) relative radiance, which may exceed 1 in the highlight.
+    """
+    n = as_floats(normals)
+    to_light = _direction("light", light, n.dtype)
+    to_eye = _direction("view", view, n.dtype)
+    n_dot_l = cosine(n, to_light)
+    # r . v by its parts: no picture of mirrored rays is made.
+    r_dot_v = np.clip(2 * n_dot_l * _dot(n, to_eye) - _dot(to_light, to_eye), 0.0, 1.0)
+    lit = (n_dot_l > 0) & to_eye.any(axis=-1)
+    shade: Array = _matte(albedo, n_dot_l, ambient)
+    return shade + _highlight(r_dot_v, lit, specular, shininess)
+
+
+def blinn_phong(
+    normals: ArrayLike,
+    light: ArrayLike,
+    view: ArrayLike,
+    albedo: ArrayLike = 1.0,
+    *,
+    specular: float = 0.5,
+    shininess: float = 128.0,
+    ambient: float = 0.0,
+) -> Array:
+    """Blinn's variant: the highlight follows ``n . h``, with ``h`` halfway between light and eye.
+
+    ``I = albedo (ambient + max(0, n . l)) + specular max(0, n . h)^shininess`` where
+    ``n . l > 0``, with ``h = (l + v) / |l + v|``; elsewhere as for `phong`.
+
+    The angle to ``h`` is about half of the angle to the mirrored light, so that a fourfold
+    shininess gives a highlight of about Phong's size. Light and eye opposed, to the hundredth
+    of a degree to which directions are told apart (`UNIT_TOLERANCE`), have no halfway direction
+    and no highlight, at any shininess. Parameters and return as for `phong`.
+    """
+    n = as_floats(normals)
+    to_light = _direction("light", light, n.dtype)
+    to_eye = _direction("view", view, n.dtype)
+    n_dot_l = cosine(n, to_light)
+    between = to_light + to_eye
+    halfway = normalise(between)
+    lit = (n_dot_l > 0) & to_eye.any(axis=-1) & (_dot(between, between) > (2 * UNIT_TOLERANCE) ** 2)
+    shade: Array = _matte(albedo, n_dot_l, ambient)
+    return shade + _highlight(cosine(n, halfway), lit, specular, shininess)
+
+
+def attenuation(distance: ArrayLike, radius: float = 0.01) -> Array:
+    """Inverse-square law, ``1 / max(distance, radius)^2``: 1 at distance 1, 0 at infinity.
+
+    Raises `ValueError` for a negative or undefined distance and for a radius of 0, whose
+    light would be infinite at the lamp.
+    """
+    if not radius >= SMALLEST_RADIUS:
+        raise ValueError(f"radius {radius}; legal: {SMALLEST_RADIUS:g} or more")
+    d = as_floats(distance)
+    if not np.all(d >= 0):
+        raise ValueError(f"distance {d.min()}; legal: 0 or more")
+    with np.errstate(over="ignore"):  # light from that far is 0 to all digits
+        falloff: Array = 1.0 / np.square(np.maximum(d, radius))
+    return falloff
+
+
+def irradiance(points: ArrayLike, normals: ArrayLike, lights: Sequence[Light]) -> Array:
+    """Light that falls on a surface from several lights, which simply add: (..., 3) linear RGB.
+
+    ``points`` and ``normals`` (..., 3) are in the frame of the lights. Multiply by the
+    albedo to get what a matte surface reflects. No light casts a shadow here.
+    """
+    p, n = as_floats(points), as_floats(normals)
+    total: Array = np.zeros(np.broadcast_shapes(p.shape, n.shape), n.dtype)
+    for light in lights:
+        match light:
+            case DirectionalLight():
+                strength = cosine(n, _direction("light", light.direction, n.dtype))
+                colour = light.irradiance
+            case PointLight():
+                with np.errstate(over="ignore", invalid="ignore"):
+                    to_light = np.asarray(light.position, n.dtype) - p
+                    distance = np.sqrt(np.sum(np.square(to_light), axis=-1))
+                fall = attenuation(distance, light.radius)
+                strength = cosine(n, normalise(to_light)) * fall
+                colour = light.intensity
+        total += strength[..., None] * np.asarray(colour, n.dtype)
+    return total
+
+
+def _dot(u: Array, v: Array) -> Array:
+    """(...) from (..., 3): component by component, which NumPy does faster than a short sum."""
+    product: Array = u[..., 0] * v[..., 0] + u[..., 1] * v[..., 1] + u[..., 2] * v[..., 2]
+    return product
+
+
+def _largest(v: Array) -> Array:
+    """(...) the largest magnitude of the components of (..., 3); NaN where one is NaN."""
+    size = np.abs(v)
+    largest: Array = np.maximum(np.maximum(size[..., 0], size[..., 1]), size[..., 2])
+    return largest
+
+
+def _check_colour(name: str, rgb: tuple[float, float, float]) -> None:
+    if len(rgb) != 3 or not all(0 <= part <= BRIGHTEST for part in rgb):
+        raise ValueError(f"{name} {rgb}; legal: three numbers from 0 to {BRIGHTEST:g}")
+
+
+def _matte(albedo: ArrayLike, n_dot_l: Array, ambient: float) -> Array:
+    if not 0 <= ambient < np.inf:
+        raise ValueError(f"ambient {ambient}; legal: 0 or more, finite")
+    matte: Array = _albedo(albedo, n_dot_l.dtype) * (ambient + n_dot_l)
+    return matte
+
+
+def _highlight(cosines: Array, lit: NDArray[np.bool_], specular: float, shininess: float) -> Array:
+    """Only where ``lit``: elsewhere the cosine is 0, whose power 0 would be 1."""
+    for name, value in (("shininess", shininess), ("specular", specular)):
+        if not 0 <= value < np.inf:
+            raise ValueError(f"{name} {value}; legal: 0 or more, finite")
+    highlight: Array = np.where(lit, specular * cosines**shininess, 0)
+    return highlight
+
+
+def _direction(name: str, direction: ArrayLike, dtype: np.dtype[np.floating]) -> Array:
+    """A direction in the dtype of the normals; one alone is checked, a field of them is trusted."""
+    v = np.asarray(direction, dtype)
+    if v.ndim == 1 and not abs(float(np.sqrt(np.sum(v * v))) - 1) < UNIT_TOLERANCE:
+        raise ValueError(f"{name} {v.tolist()}; legal: a vector of length 1")
+    return v
+
+
+def _albedo(albedo: ArrayLike, dtype: np.dtype[np.floating]) -> Array:
+    a = np.asarray(albedo, dtype)
+    if not np.all((a >= 0) & (a <= 1)):
+        raise ValueError(f"albedo {a.min()} to {a.max()}; legal: 0 to 1")
+    return a

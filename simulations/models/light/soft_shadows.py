@@ -1,0 +1,120 @@
+"""Soft shadows and contact shadows of spheres and boxes, without sampling the light.
+
+Axes and units are those of `raycasting`.
+"""
+
+import math
+from collections.abc import Sequence
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from simulations.models.light.raycasting import (
+    LARGEST_M,
+    NEARLY_ZERO,
+    Box,
+    Floats,
+    Sphere,
+    Vector,
+    largest_component,
+    slab_crossings,
+)
+
+
+def visibility(
+    solid: Sphere | Box, points: ArrayLike, to_light: ArrayLike, light_radius_rad: float
+) -> Floats:
+    """Share of a distant round light that ``solid`` leaves visible from each point: a soft shadow.
+
+    Parameters
+    ----------
+    points : (..., 3) metres; not on ``solid`` itself, which shades itself by its normals
+    to_light : (3,) unit vector
+    light_radius_rad : half of the light's angular diameter, in (0, pi/2)
+
+    The penumbra is as wide as the light's disc seen from the edge that casts it. For a sphere the
+    share is a smooth ramp across that width; for a box it is the ramp of the chord that the
+    shadow ray cuts out of it, which keeps the penumbra inside the exact shadow of a point light.
+    Raises `ValueError` for a light that is none, and for points beyond `LARGEST_M`.
+    """
+    at, light = np.asarray(points, float), np.asarray(to_light, float)
+    _check_light("visibility", light.tolist(), light_radius_rad)
+    _check_points("visibility", at)
+    spread = math.tan(light_radius_rad)
+    match solid:
+        case Sphere():
+            to_centre = np.asarray(solid.centre) - at
+            along = to_centre @ light
+            square = np.einsum("...i,...i", to_centre, to_centre) - along**2
+            clearance = np.sqrt(np.maximum(square, 0.0)) - solid.radius
+            width = np.maximum(along, NEARLY_ZERO) * spread
+            lit = _smooth(0.5 + 0.5 * clearance / width)
+            return np.where(along > 0, lit, 1.0)
+        case Box():
+            start = (at - solid.centre) @ solid.world_to_box.T
+            direction = solid.world_to_box @ light
+            entries, exits = slab_crossings(start, direction, np.asarray(solid.size) / 2)
+            entry = np.maximum(largest_component(entries), 0.0)
+            chord = -largest_component(-exits) - entry
+            width = 2.0 * np.maximum(entry, 0.02) * spread
+            return 1.0 - _smooth(chord / width)
+
+
+def shadow_bounds(
+    solid: Sphere | Box, to_light: Vector, light_radius_rad: float
+) -> tuple[Floats, Floats]:
+    """Corners (3,) of a cuboid that holds the solid and all of its shadow above the floor z = 0.
+
+    Raises `ValueError` where the light is not above the horizon: the shadow has no end.
+    """
+    _check_light("shadow_bounds", to_light, light_radius_rad)
+    if not to_light[2] > 0:
+        raise ValueError(f"shadow_bounds: to_light {to_light!r}; legal: z above 0")
+    centre, radius = np.asarray(solid.centre), bounding_radius(solid)
+    length = (centre[2] + radius) / to_light[2]
+    end = centre - length * np.asarray(to_light)
+    wide = radius + length * math.tan(light_radius_rad)
+    return np.minimum(centre - radius, end - wide), np.maximum(centre + radius, end + wide)
+
+
+def _check_light(function: str, to_light: Sequence[float], light_radius_rad: float) -> None:
+    if not 0 < light_radius_rad < math.pi / 2:
+        raise ValueError(f"{function}: light_radius_rad {light_radius_rad!r}; legal: 0 to pi/2")
+    if not math.isclose(math.hypot(*to_light), 1.0, rel_tol=1e-6):
+        raise ValueError(f"{function}: to_light {to_light!r}; legal: a unit vector")
+
+
+def _check_points(function: str, points: Floats) -> None:
+    farthest = np.abs(points).max(initial=0.0)
+    if not farthest <= LARGEST_M:
+        raise ValueError(f"{function}: points as far as {farthest}; legal: to {LARGEST_M:g}")
+
+
+def bounding_radius(solid: Sphere | Box) -> float:
+    """Of the ball around the solid's centre that just holds it, metres."""
+    return solid.radius if isinstance(solid, Sphere) else 0.5 * math.hypot(*solid.size)
+
+
+def _smooth(ramp: Floats) -> Floats:
+    """0 below 0, 1 above 1, a cubic with level ends between."""
+    held = np.clip(ramp, 0.0, 1.0)
+    return held * held * (3.0 - 2.0 * held)
+
+
+def sphere_occlusion(
+    centre: ArrayLike, radius: float, points: ArrayLike, normals: ArrayLike
+) -> Floats:
+    """Share of the cosine-weighted hemisphere over each point that a sphere hides.
+
+    Exact where the whole sphere stands above the point's horizon: ``cos θ (radius / d)²``, the
+    form factor of a sphere (Howell's catalogue, B-43). Below the horizon 0. Never more than 1.
+    Raises `ValueError` unless the radius is above 0, and it and all places `LARGEST_M` at most.
+    """
+    if not 0 < radius <= LARGEST_M:
+        raise ValueError(f"sphere_occlusion: radius {radius!r}; legal: above 0, to {LARGEST_M:g}")
+    to_centre = np.asarray(centre, float) - np.asarray(points, float)
+    _check_points("sphere_occlusion", to_centre)
+    square = np.maximum(np.einsum("...i,...i", to_centre, to_centre), NEARLY_ZERO)
+    cosine = np.einsum("...i,...i", to_centre, np.asarray(normals, float)) / np.sqrt(square)
+    hidden: Floats = np.clip(np.maximum(cosine, 0.0) * (radius**2 / square), 0.0, 1.0)
+    return hidden

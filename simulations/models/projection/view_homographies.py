@@ -1,0 +1,71 @@
+"""From the pixels of one picture to those of another: where one homography says it all.
+
+It does for a camera that only turns about its centre, whatever it sees, and for a scene that is
+flat, however the camera moves. For anything else the depth of each pixel decides.
+
+Pixels and frames as in `simulations.models.projection.pinhole`. The matrices go through
+`transforms.apply_homography`. It would map what lies behind the second camera too, as any multiple
+of H would. The two made here are scaled so that w is the depth before the second camera over the
+depth before the first, whose sign is what `in_front` asks for.
+
+Source: Szeliski, Computer Vision, 2nd ed., §2.1.4 (mapping from one camera to another), §8.2.3.
+"""
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from simulations.models.arrays import as_vectors
+from simulations.models.geometry.rotations import check_rotation
+from simulations.models.geometry.transforms import sign_of_w
+from simulations.models.projection.pinhole import Floats, Mask
+
+
+def turned_camera(K_first: ArrayLike, K_second: ArrayLike, R: ArrayLike) -> Floats:
+    """H = K₂ R K₁⁻¹, (3, 3): both pictures from the same place, at any depth.
+
+    ``R`` (3, 3) takes directions in the first camera's frame to the second's. With R = I it is
+    what a change of the lens or of the sensor does to the pixels.
+    """
+    return _between(K_first, K_second, check_rotation(R))
+
+
+def plane_between_views(
+    K_first: ArrayLike, K_second: ArrayLike, first_to_second: ArrayLike, plane: ArrayLike
+) -> Floats:
+    """H = K₂ (R − t nᵀ/d) K₁⁻¹, (3, 3): two pictures of one plane.
+
+    Parameters
+    ----------
+    K_first, K_second : (3, 3) from `projection.intrinsics`.
+    first_to_second : (4, 4), the motion [R t; 0 1] from the first camera's frame to the second's.
+    plane : (4,) n and d with n·X + d = 0 in the first camera's frame, of any scale.
+
+    Raises
+    ------
+    ValueError
+        Where the plane passes through the first camera's centre, so that it is seen as a line,
+        or is none.
+    """
+    pose = np.asarray(first_to_second, float)
+    numbers = as_vectors("plane", plane, 4)
+    normal, offset = numbers[:3], float(numbers[3])
+    if not (np.isfinite(numbers).all() and abs(offset) > 1e-12 * float(np.linalg.norm(normal))):
+        raise ValueError(f"plane {numbers.tolist()}; legal: finite, beside the first camera")
+    R = check_rotation(pose[:3, :3])
+    return _between(K_first, K_second, R - np.outer(pose[:3, 3], normal / offset))
+
+
+def in_front(H: ArrayLike, pixels: ArrayLike) -> Mask:
+    """Whether what the first picture has at pixels (..., 2) is before the second camera, (...).
+
+    ``H`` (3, 3) is one of this module, with its sign: −H maps alike and would say the opposite.
+    """
+    return np.asarray(sign_of_w(H, pixels) > 0.0)
+
+
+def _between(K_first: ArrayLike, K_second: ArrayLike, motion: Floats) -> Floats:
+    before, after = np.asarray(K_first, float), np.asarray(K_second, float)
+    if before.shape != (3, 3) or after.shape != (3, 3):
+        raise ValueError(f"K of shapes {before.shape} and {after.shape}; legal: (3, 3)")
+    H: Floats = np.linalg.solve(before.T, (after @ motion).T).T
+    return H

@@ -1,0 +1,230 @@
+"""Values of a picture between its pixels, and at another size.
+
+Pixel (column, row) is centred at x = column, y = row; a picture of width W covers x from −0.5 to
+W − 0.5. Coordinates are (x, y) = (right, down), while arrays are indexed [row, column].
+Szeliski, 2nd ed., §3.5.1–3.5.2; R. G. Keys, *Cubic convolution interpolation*, 1981.
+"""
+
+from collections.abc import Callable
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from simulations.models.arrays import as_vectors
+from simulations.models.sampling import bspline
+
+type Floats = NDArray[np.floating]
+
+
+@dataclass(frozen=True, slots=True)
+class Kernel:
+    """An interpolation kernel: the weight of a pixel at a signed distance, in pixels."""
+
+    weigh: Callable[[Floats], Floats]
+    radius: float
+    """The weight is zero from this distance on."""
+    prefiltered: bool = False
+    """Whether it weighs not the pixels but `bspline.coefficients` made of them."""
+
+    @property
+    def taps(self) -> int:
+        """Pixels per axis that take part."""
+        return round(2.0 * self.radius)
+
+
+def _box(x: Floats) -> Floats:
+    return np.where((x >= -0.5) & (x < 0.5), 1.0, 0.0)
+
+
+def _triangle(x: Floats) -> Floats:
+    return np.maximum(1.0 - np.abs(x), 0.0)
+
+
+def _keys(x: Floats) -> Floats:
+    """Cubic convolution with a = −1/2: exact for quadratics."""
+    t = np.abs(x)
+    inner = (1.5 * t - 2.5) * t * t + 1.0
+    outer = ((-0.5 * t + 2.5) * t - 4.0) * t + 2.0
+    return np.where(t < 1.0, inner, np.where(t < 2.0, outer, 0.0))
+
+
+def _lanczos3(x: Floats) -> Floats:
+    return np.where(np.abs(x) < 3.0, np.sinc(x) * np.sinc(x / 3.0), 0.0)
+
+
+KERNELS = {
+    "nearest": Kernel(_box, 0.5),
+    "bilinear": Kernel(_triangle, 1.0),
+    "bicubic": Kernel(_keys, 2.0),
+    "spline": Kernel(bspline.weigh, 2.0, prefiltered=True),
+    "lanczos3": Kernel(_lanczos3, 3.0),
+}
+"""Cheap to dear: 1, 4, 16, 16 and 36 pixels are read for each value."""
+
+
+@dataclass(frozen=True, slots=True)
+class GatherTable:
+    """Where each output value comes from: computed once per map, applied to any picture."""
+
+    shape: tuple[int, ...]
+    """Shape of the output, without channels."""
+    source_shape: tuple[int, int]
+    """(H, W) of the pictures that it fits."""
+    kernel: Kernel
+    corner: NDArray[np.intp]
+    """(N,) flat index of the first of taps × taps pixels, in a picture with `margin` around it."""
+    across: Floats
+    """(taps, N) weights of the columns; those of each output sum to 1."""
+    down: Floats
+    """(taps, N) weights of the rows, as precise: float32 or float64."""
+    inside: NDArray[np.bool_]
+    """(N,) whether the output lies on the picture at all."""
+
+    @property
+    def margin(self) -> int:
+        """Pixels around the picture that a kernel at its edge reaches."""
+        return self.kernel.taps // 2
+
+
+def gather_table(
+    xy_px: ArrayLike,
+    source_shape: tuple[int, int],
+    kernel: str = "bilinear",
+    dtype: type[np.floating] = np.float64,
+) -> GatherTable:
+    """Indices and weights to sample pictures of ``source_shape`` = (H, W) at ``xy_px`` (..., 2).
+
+    Weights of float64 are right for any picture, those of float32 for pictures of float32 alone,
+    and quicker for them. Beyond the border the border pixels repeat. Coordinates off the picture,
+    huge or NaN (which counts as 0) are legal; ``inside`` tells which.
+    """
+    chosen = _kernel(kernel)
+    height, width = source_shape
+    if height < 1 or width < 1:
+        raise ValueError(f"source_shape {source_shape}: must be at least 1 x 1")
+    positions = as_vectors("xy_px", xy_px, 2)
+    x, y = positions[..., 0].ravel(), positions[..., 1].ravel()
+    inside = (x >= -0.5) & (x < width - 0.5) & (y >= -0.5) & (y < height - 0.5)
+    column, across = _axis_taps(x, width, chosen, dtype)
+    row, down = _axis_taps(y, height, chosen, dtype)
+    corner = row * (width + 2 * (chosen.taps // 2)) + column
+    return GatherTable(positions.shape[:-1], source_shape, chosen, corner, across, down, inside)
+
+
+def gather(table: GatherTable, image: ArrayLike, fill: float | None = 0.0) -> Floats:
+    """Apply a table to a picture (H, W) or (H, W, C).
+
+    ``fill`` is the value off the picture; None repeats the border. float32 pictures stay
+    float32, everything else is weighed in float64.
+    """
+    picture = np.asarray(image)
+    if picture.shape[:2] != table.source_shape or picture.ndim not in (2, 3):
+        raise ValueError(
+            f"image of shape {picture.shape}: the table is for {table.source_shape} or "
+            f"{table.source_shape} + (channels,)"
+        )
+    dtype = np.float32 if picture.dtype == np.float32 else np.float64
+    if table.across.dtype.itemsize < np.dtype(dtype).itemsize:
+        raise ValueError(f"image of {picture.dtype}; legal: float32, since the table's weights are")
+    across: Floats = table.across.astype(dtype, copy=False)
+    down: Floats = table.down.astype(dtype, copy=False)
+    planes = picture.astype(dtype, copy=False).reshape(*table.source_shape, -1)
+    result = np.empty((table.corner.size, planes.shape[2]), dtype)
+    for channel in range(planes.shape[2]):  # each from a plane of its own, in one piece
+        framed = np.pad(planes[..., channel], table.margin, mode="edge")
+        if table.kernel.prefiltered:
+            framed = bspline.coefficients(framed)
+        result[:, channel] = _weighed(framed, table.corner, across, down)
+    if fill is not None:
+        result[~table.inside] = fill
+    return result.reshape((*table.shape, *picture.shape[2:]))
+
+
+def _weighed(framed: Floats, corner: NDArray[np.intp], across: Floats, down: Floats) -> Floats:
+    """Values (N,): each row of taps is summed first, which takes taps more products, not taps²."""
+    width, flat = framed.shape[1], np.ascontiguousarray(framed).reshape(-1)
+    if len(across) == 1:  # a single tap has weight 1
+        return flat[corner]
+    total = np.zeros(corner.shape, flat.dtype)
+    row, tap = np.empty_like(total), np.empty_like(total)
+    for first, row_weight in zip(range(0, len(down) * width, width), down, strict=True):
+        row[:] = 0
+        for column, weight in enumerate(across):
+            # Shifting the picture instead of the indices needs one index per output. It is never
+            # out of range; "clip" only spares a copy that "raise" makes to be safe.
+            np.take(flat[first + column :], corner, out=tap, mode="clip")
+            tap *= weight
+            row += tap
+        row *= row_weight
+        total += row
+    return total
+
+
+def sample(
+    image: ArrayLike, xy_px: ArrayLike, kernel: str = "bilinear", fill: float | None = 0.0
+) -> Floats:
+    """Values of a picture (H, W[, C]) at positions ``xy_px`` (..., 2): `gather_table`, `gather`."""
+    picture = np.asarray(image)
+    kind = np.float32 if picture.dtype == np.float32 else np.float64
+    table = gather_table(xy_px, (picture.shape[0], picture.shape[1]), kernel, kind)
+    return gather(table, picture, fill)
+
+
+def resize(image: ArrayLike, height: int, width: int, kernel: str = "bilinear") -> Floats:
+    """A picture (H, W[, C]) at another size, low-pass filtered where it shrinks.
+
+    Both sizes cover the same area. Shrinking widens the kernel by the same factor, so that
+    every input pixel counts and nothing aliases; at the border the kernel is cut off and its
+    weights brought back to a sum of 1.
+    """
+    chosen = _kernel(kernel)
+    if chosen.prefiltered:
+        legal = ", ".join(name for name, other in KERNELS.items() if not other.prefiltered)
+        raise ValueError(f"kernel {kernel!r} smooths what it has not filtered; legal: {legal}")
+    if height < 1 or width < 1:
+        raise ValueError(f"height {height}, width {width}: must be at least 1")
+    picture: Floats = np.asarray(image)
+    if picture.ndim not in (2, 3) or 0 in picture.shape:
+        raise ValueError(f"image of shape {picture.shape}: must be (H, W) or (H, W, C), not empty")
+    dtype = np.float32 if picture.dtype == np.float32 else np.float64
+    by_row = _resize_matrix(picture.shape[0], height, chosen).astype(dtype)
+    by_column = _resize_matrix(picture.shape[1], width, chosen).astype(dtype)
+    planes = picture.astype(dtype, copy=False).reshape(*picture.shape[:2], -1)
+    # One plane per channel, rows first.
+    resized: Floats = np.matmul(np.matmul(by_row, np.moveaxis(planes, 2, 0)), by_column.T)
+    return np.ascontiguousarray(np.moveaxis(resized, 0, 2)).reshape(
+        height, width, *picture.shape[2:]
+    )
+
+
+def _axis_taps(
+    position: Floats, size: int, kernel: Kernel, dtype: type[np.floating]
+) -> tuple[NDArray[np.intp], Floats]:
+    """First of the taps (N,) along one axis, counted with the margin, and weights (taps, N)."""
+    bounded = np.clip(np.nan_to_num(position, nan=0.0), -0.5, size - 0.5)
+    if kernel.taps == 1:
+        nearest = np.floor(bounded + 0.5).astype(np.intp)
+        return np.minimum(nearest, size - 1), np.ones((1, nearest.size), dtype)
+    base = np.floor(bounded)
+    weights = np.empty((kernel.taps, bounded.size))
+    for row, offset in zip(weights, range(1 - kernel.taps // 2, 1 + kernel.taps // 2), strict=True):
+        row[:] = kernel.weigh((base - bounded) + offset)
+    weights /= weights.sum(axis=0)  # Lanczos alone does not quite sum to 1
+    return base.astype(np.intp) + 1, weights.astype(dtype, copy=False)
+
+
+def _resize_matrix(size: int, new_size: int, kernel: Kernel) -> Floats:
+    """(new_size, size) weights of the old pixels in each new one."""
+    ratio = size / new_size
+    widening = max(ratio, 1.0)
+    centre = (np.arange(new_size)[:, None] + 0.5) * ratio - 0.5
+    weights = kernel.weigh((np.arange(size) - centre) / widening)
+    result: Floats = weights / weights.sum(axis=1, keepdims=True)
+    return result
+
+
+def _kernel(name: str) -> Kernel:
+    if name not in KERNELS:
+        raise ValueError(f"kernel {name!r}: legal: {', '.join(KERNELS)}")
+    return KERNELS[name]

@@ -1,0 +1,81 @@
+"""A Bayer mosaic as four planes, one per place in the quad of 2x2 pixels.
+
+Whatever the pattern, the red pixels lie on every second row and column. Mirrored outwards
+until it starts with a red pixel, every mosaic is the same: one formula per missing colour
+serves all four patterns, and a plane has a quarter of the pixels.
+"""
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from simulations.models.sensor.bayer import red_position
+
+type Array = NDArray[np.floating]
+
+MARGIN = 8
+"""Quads of mirrored mosaic on each side: more than any demosaicing method looks out."""
+
+
+@dataclass(frozen=True, slots=True)
+class Quads:
+    """A mosaic cut into its four colours, each a plane of one value per quad of 2x2 pixels.
+
+    Within a quad: ``red`` top left, ``green_red`` beside it in the red row, ``green_blue``
+    below it in the blue row, ``blue`` bottom right. The planes reach `MARGIN` quads beyond
+    the mosaic on every side.
+    """
+
+    red: Array
+    green_red: Array
+    green_blue: Array
+    blue: Array
+
+
+def to_quads(cfa: Array, pattern: str) -> Quads:
+    """Mirror the mosaic (H, W >= 2) outwards until it starts and ends with whole quads.
+
+    Mirroring about the edge pixel keeps the order of the filters, so that a flat colour
+    stays flat up to the border.
+    """
+    top, left = red_position(pattern)
+    height, width = cfa.shape
+    pad = 2 * MARGIN
+    padded = np.pad(
+        cfa,
+        ((pad + top, pad + (top + height) % 2), (pad + left, pad + (left + width) % 2)),
+        mode="reflect",
+    )
+    planes = [np.ascontiguousarray(padded[y::2, x::2]) for y in (0, 1) for x in (0, 1)]
+    return Quads(*planes)
+
+
+def from_quads(planes: NDArray[np.floating], shape: tuple[int, int], pattern: str) -> Array:
+    """Interleave (3, 2, 2, h, w) planes, indexed by colour and place in the quad, to (H, W, 3)."""
+    top, left = red_position(pattern)
+    colours, _, _, rows, columns = planes.shape
+    whole = planes.transpose(3, 1, 4, 2, 0).reshape(2 * rows, 2 * columns, colours)
+    pad = 2 * MARGIN
+    inner = whole[pad + top : pad + top + shape[0], pad + left : pad + left + shape[1]]
+    return np.ascontiguousarray(inner)
+
+
+def left(plane: Array) -> Array:
+    """At each quad, the value of the quad to its left. What wraps around ends in the margin."""
+    return np.roll(plane, 1, axis=1)
+
+
+def right(plane: Array) -> Array:
+    """At each quad, the value of the quad to its right."""
+    return np.roll(plane, -1, axis=1)
+
+
+def above(plane: Array) -> Array:
+    """At each quad, the value of the quad above."""
+    return np.roll(plane, 1, axis=0)
+
+
+def below(plane: Array) -> Array:
+    """At each quad, the value of the quad below."""
+    return np.roll(plane, -1, axis=0)

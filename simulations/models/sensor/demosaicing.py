@@ -1,0 +1,153 @@
+"""Demosaicing: guess the two colours that each pixel of a Bayer mosaic did not see.
+
+Six methods, cheap to costly. Szeliski, 2nd ed., section 10.3.1. The mosaic itself is in
+`simulations.models.sensor.bayer`; the methods that let the colours help one another are in
+`simulations.models.sensor.malvar` and `simulations.models.sensor.menon`.
+
+A sensor counts light, so a mosaic is linear, and so is what comes out. `encode_srgb` of the result
+is what a display is sent.
+"""
+
+import math
+from collections.abc import Callable
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from simulations.models.arrays import as_floats
+from simulations.models.color.srgb import decode_srgb, encode_srgb
+from simulations.models.sensor.bayer import PATTERNS, filter_colours, mosaic
+from simulations.models.sensor.bayer_quads import (
+    Quads,
+    above,
+    below,
+    from_quads,
+    left,
+    right,
+    to_quads,
+)
+from simulations.models.sensor.malvar import malvar
+from simulations.models.sensor.menon import menon, menon_unrefined
+from simulations.models.whole_numbers import as_whole
+
+__all__ = ["METHODS", "PATTERNS", "demosaic", "mosaic", "psnr_db"]
+
+type Array = NDArray[np.floating]
+
+
+def nearest(quads: Quads) -> Array:
+    """Copy the missing colours from within the quad: (3, 2, 2, h, w). Green comes from its row."""
+    q = quads
+    return np.array(
+        [
+            [[q.red, q.red], [q.red, q.red]],
+            [[q.green_red, q.green_red], [q.green_blue, q.green_blue]],
+            [[q.blue, q.blue], [q.blue, q.blue]],
+        ]
+    )
+
+
+def bilinear(quads: Quads) -> Array:
+    """Average the nearest two or four samples of the missing colour: (3, 2, 2, h, w)."""
+    r, gr, gb, b = quads.red, quads.green_red, quads.green_blue, quads.blue
+    red_at_gr, red_at_gb = (r + right(r)) / 2, (r + below(r)) / 2
+    red_at_blue = (red_at_gr + below(red_at_gr)) / 2
+    green_at_red = (left(gr) + gr + above(gb) + gb) / 4
+    green_at_blue = (gb + right(gb) + gr + below(gr)) / 4
+    blue_at_gr, blue_at_gb = (above(b) + b) / 2, (left(b) + b) / 2
+    blue_at_red = (left(blue_at_gr) + blue_at_gr) / 2
+    return np.array(
+        [
+            [[r, red_at_gr], [red_at_gb, red_at_blue]],
+            [[green_at_red, gr], [gb, green_at_blue]],
+            [[blue_at_red, blue_at_gr], [blue_at_gb, b]],
+        ]
+    )
+
+
+def menon_encoded(quads: Quads) -> Array:
+    """`menon_unrefined` of the values as a display would be sent them: (3, 2, 2, h, w).
+
+    Where the light on one surface changes, its three colours change by a common *factor*. The
+    curve makes such edges more nearly alike in all three than they are in linear light, whose
+    differences the methods compare.
+    """
+    r, gr, gb, b = quads.red, quads.green_red, quads.green_blue, quads.blue
+    guessed = decode_srgb(menon_unrefined(Quads(*(encode_srgb(each) for each in (r, gr, gb, b)))))
+    # What was measured need not go through the curve and back.
+    guessed[0, 0, 0], guessed[1, 0, 1], guessed[1, 1, 0], guessed[2, 1, 1] = r, gr, gb, b
+    return guessed
+
+
+METHODS: dict[str, Callable[[Quads], Array]] = {
+    "nearest": nearest,
+    "bilinear": bilinear,
+    "malvar": malvar,
+    "menon-unrefined": menon_unrefined,
+    "menon": menon,
+    "menon-encoded": menon_encoded,
+}
+"""From name to method, in the order of their work."""
+
+
+def demosaic(cfa: ArrayLike, pattern: str = "RGGB", method: str = "bilinear") -> Array:
+    """A full-colour picture (H, W, 3) from a mosaic (H, W).
+
+    The mosaic is mirrored at its borders, so that a flat colour survives exactly. The
+    gradient-corrected methods can overshoot: clip before showing. A mosaic of a single row
+    or column is interpolated along it; a colour that it does not hold at all is taken to
+    be the mean of those it holds, so that a single pixel comes out grey. Values that are not
+    finite spread to the pixels guessed from them, without a warning.
+
+    Raises
+    ------
+    ValueError
+        For a mosaic that is empty or not of two dimensions, an unknown pattern or method.
+    """
+    values = as_floats(cfa)
+    if values.ndim != 2 or 0 in values.shape:
+        raise ValueError(f"mosaic of shape {values.shape}; legal: (H, W), not empty")
+    if method not in METHODS:
+        raise ValueError(f"method {method!r}; legal: {', '.join(METHODS)}")
+    if min(values.shape) == 1:
+        return _demosaic_line(values, pattern, method)
+    with np.errstate(over="ignore", invalid="ignore"):
+        planes = METHODS[method](to_quads(values, pattern))
+    return from_quads(planes, values.shape, pattern)
+
+
+def _demosaic_line(cfa: Array, pattern: str, method: str) -> Array:
+    """A mosaic one pixel high or wide, which holds at most two colours."""
+    filters = filter_colours(cfa.shape[0], cfa.shape[1], pattern).reshape(-1)
+    line, places = cfa.reshape(-1), np.arange(cfa.size)
+    rgb = np.empty((cfa.size, 3), cfa.dtype)
+    held = sorted(set(filters.tolist()))
+    for colour in held:
+        known = places[filters == colour]
+        at = known[np.abs(places[:, None] - known).argmin(1)] if method == "nearest" else places
+        rgb[:, colour] = np.interp(at, known, line[known])
+    for colour in set(range(3)).difference(held):
+        rgb[:, colour] = rgb[:, held].mean(axis=1)
+    return rgb.reshape(*cfa.shape, 3)
+
+
+def psnr_db(picture: ArrayLike, reference: ArrayLike, peak: float = 1.0, crop: int = 8) -> float:
+    """Peak signal to noise ratio in decibel, leaving out ``crop`` pixels at each border.
+
+    Equal pictures give infinity, and pictures infinitely apart minus infinity. Raises
+    `ValueError` where nothing is left after the crop, or the shapes differ.
+    """
+    a, b = np.asarray(picture, np.float64), np.asarray(reference, np.float64)
+    if a.shape != b.shape or a.ndim < 2:
+        raise ValueError(f"pictures of shapes {a.shape} and {b.shape}; legal: equal, (H, W, ...)")
+    crop = as_whole("crop", crop, 0)
+    if 2 * crop >= min(a.shape[:2]):
+        raise ValueError(f"crop {crop} px of a picture {a.shape}; legal: less than half of it")
+    inner = (slice(crop, a.shape[0] - crop), slice(crop, a.shape[1] - crop))
+    if not 0 < peak < math.inf:
+        raise ValueError(f"peak {peak}; legal: above 0, finite")
+    with np.errstate(over="ignore", invalid="ignore"):
+        mean_square = float(np.mean(np.square((a[inner] - b[inner]) / peak)))
+    if mean_square == 0.0:
+        return math.inf
+    return -math.inf if mean_square == math.inf else -10 * math.log10(mean_square)

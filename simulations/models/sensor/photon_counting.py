@@ -1,0 +1,231 @@
+"""From light to numbers: exposure, electrons, noise, gain and quantisation.
+
+Szeliski, 2nd ed., section 2.3. The chain is: photons per second -> mean electrons (exposure,
+quantum efficiency, dark current) -> counted electrons (Poisson, full well) -> volts in units
+of codes (read noise, gain, black level) -> whole codes (ADC). DN is a code, a *digital number*.
+"""
+
+import math
+from dataclasses import dataclass, replace
+from typing import Literal
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from simulations.models.arrays import as_floats
+from simulations.models.sensor.poisson_quantile import poisson_from_normal
+
+type Array = NDArray[np.floating]
+type ShotModel = Literal["poisson", "quantile", "skewed", "gaussian"]
+
+SHOT_MODELS: tuple[ShotModel, ...] = ("gaussian", "skewed", "quantile", "poisson")
+"""Rough to exact."""
+
+LARGEST_WELL_E = 1e15
+"""Electrons up to which float64 counts every single one, and samplers work."""
+
+
+@dataclass(frozen=True, slots=True)
+class Sensor:
+    """One kind of pixel and its converter."""
+
+    full_well_e: float = 20_000.0
+    """Electrons that a pixel can hold; more spill over and are lost. Inf: no limit."""
+    read_noise_e: float = 3.0
+    """Standard deviation of the amplifier's noise, in electrons."""
+    dark_current_e_per_s: float = 0.1
+    """Electrons per second that warmth frees without any light."""
+    gain_e_per_dn: float = 5.0
+    """Electrons per code: a higher ISO means fewer."""
+    bits: int = 12
+    """Bits of the analogue-to-digital converter, 1 to 16."""
+    black_level_dn: float = 64.0
+    """Code of no light: above 0, so that noise below it is not cut off."""
+    quantum_efficiency: float = 0.5
+    """Electrons freed per photon, 0 to 1."""
+
+    def __post_init__(self) -> None:
+        _check_well(self.full_well_e)
+        noise, dark, gain = self.read_noise_e, self.dark_current_e_per_s, self.gain_e_per_dn
+        _require("read_noise_e", noise, 0 <= noise <= 1e15, "0 to 1e15")
+        _require("dark_current_e_per_s", dark, 0 <= dark <= 1e30, "0 to 1e30")
+        # Also in float32 its reciprocal is a number.
+        _require("gain_e_per_dn", gain, 1e-30 <= gain <= 1e30, "1e-30 to 1e30")
+        _check_bits(self.bits)
+        black, top = self.black_level_dn, self.highest_dn
+        _require("black_level_dn", black, 0 <= black < top, f"0 to below {top}")
+        efficiency = self.quantum_efficiency
+        _require("quantum_efficiency", efficiency, 0 <= efficiency <= 1, "0 to 1")
+
+    @property
+    def highest_dn(self) -> int:
+        """The largest code."""
+        return (1 << int(self.bits)) - 1
+
+
+def with_iso(sensor: Sensor, iso: float, base_iso: float = 100.0) -> Sensor:
+    """The sensor at another ISO: twice the ISO, half the electrons per code.
+
+    The well does not shrink, but the converter now tops out before it is full.
+    """
+    _require("iso", iso, iso > 0, "above 0")
+    return replace(sensor, gain_e_per_dn=sensor.gain_e_per_dn * base_iso / iso)
+
+
+def expose(photons_per_s: ArrayLike, exposure_s: float, sensor: Sensor) -> Array:
+    """Mean electrons (...) that each pixel frees: light and warmth, over the exposure.
+
+    Not yet held to the full well: see `shot_noise`. Raises `ValueError` for light that is
+    negative or undefined, and for an exposure that is negative or infinite.
+    """
+    _require("exposure_s", exposure_s, 0 <= exposure_s < np.inf, "0 or more, finite")
+    # Infinite light times no time would be undefined.
+    rate = np.minimum(_light("photons_per_s", photons_per_s), 1e30)
+    freed = rate * sensor.quantum_efficiency + sensor.dark_current_e_per_s
+    with np.errstate(over="ignore"):  # infinite light is legal, and fills every well
+        mean_e: Array = freed * exposure_s
+    return mean_e
+
+
+def shot_noise(
+    mean_e: ArrayLike,
+    rng: np.random.Generator,
+    full_well_e: float = np.inf,
+    model: ShotModel = "poisson",
+) -> Array:
+    """Electrons counted (...), where the mean is ``mean_e``: whole numbers, at most the full well.
+
+    ``poisson`` is exact: electrons arrive independently, the variance equals the mean.
+    ``quantile`` makes each count of one normal deviate, see `poisson_from_normal`: nobody can
+    tell its counts from exact ones, and the same deviates keep their grain in any light.
+    ``gaussian`` rounds a normal of the same mean and variance, and is visibly wrong below
+    some 20 electrons; ``skewed`` adds the second term of the Cornish-Fisher expansion,
+    ``(z^2 - 1) / 6``, which gives the normal the Poisson's lean to the right. Below one
+    electron it invents light: 0.047 electrons where next to none are expected.
+
+    Nothing is drawn where the mean lies ten standard deviations above the full well: every
+    sample from there spills anyhow, and a sampler fails for huge means. So a pixel in any
+    light, infinite light too, comes out full and free of noise.
+    """
+    cap = _brightest_mean(full_well_e)
+    mean = np.minimum(_light("mean_e", mean_e), cap)
+    if model == "poisson":
+        counted, drawn = np.array(mean), mean < cap
+        counted[drawn] = rng.poisson(mean[drawn])
+        held: Array = np.minimum(counted, full_well_e)
+        return held
+    if model not in SHOT_MODELS:
+        raise ValueError(f"model {model!r}; legal: {', '.join(SHOT_MODELS)}")
+    z = rng.standard_normal(mean.shape, np.float32 if mean.dtype == np.float32 else np.float64)
+    if model == "quantile":
+        return shot_noise_from_normal(mean, z, full_well_e)
+    return _normal_counts(mean, z, full_well_e, skewed=model == "skewed")
+
+
+def shot_noise_from_normal(mean_e: ArrayLike, z: ArrayLike, full_well_e: float = np.inf) -> Array:
+    """The ``quantile`` model of `shot_noise`, from standard normals ``z`` (...) drawn beforehand.
+
+    A picture whose light changes then keeps its grain, and nothing need be drawn again.
+    """
+    mean = np.minimum(_light("mean_e", mean_e), _brightest_mean(full_well_e))
+    counted = poisson_from_normal(mean, as_floats(z))
+    return np.minimum(counted, float(full_well_e), out=counted)
+
+
+def _brightest_mean(full_well_e: float) -> float:
+    """The mean from which on every sample fills the well."""
+    _check_well(full_well_e)
+    # A plain float: a numpy one would widen float32 pictures.
+    well = min(float(full_well_e), LARGEST_WELL_E)
+    return well + 10 * math.sqrt(well) + 100
+
+
+def _normal_counts(mean: Array, z: Array, full_well_e: float, *, skewed: bool) -> Array:
+    counted: Array = np.asarray(np.sqrt(mean) * z)
+    counted += mean
+    if skewed:
+        counted += (z * z - 1) / 6
+    np.clip(np.rint(counted, out=counted), 0, full_well_e, out=counted)
+    # No light frees no electron, whatever the approximation says of the tails.
+    counted[mean == 0] = 0
+    return counted
+
+
+def read_out(electrons: ArrayLike, sensor: Sensor, rng: np.random.Generator) -> Array:
+    """The amplified signal (...) in codes, not yet rounded: gain, read noise, black level."""
+    e = as_floats(electrons)
+    with np.errstate(over="ignore"):  # the converter takes ∞ for its top code
+        if sensor.read_noise_e > 0:
+            kind = np.float32 if e.dtype == np.float32 else np.float64
+            e = e + sensor.read_noise_e * rng.standard_normal(e.shape, kind)
+        signal: Array = e / sensor.gain_e_per_dn + sensor.black_level_dn
+    return signal
+
+
+def quantise(signal_dn: ArrayLike, bits: int) -> NDArray[np.uint16]:
+    """Nearest whole code (...), held to the converter's range [0, 2^bits - 1].
+
+    NaN becomes 0: a cast of NaN is undefined and differs between processors. Rounding adds
+    an error of variance 1/12 to a signal that spans several codes.
+    """
+    _check_bits(bits)
+    top = 2 ** int(bits) - 1
+    # fmax, unlike clip, replaces NaN.
+    held = np.minimum(np.fmax(as_floats(signal_dn), 0), top)
+    codes: NDArray[np.uint16] = np.rint(held).astype(np.uint16)
+    return codes
+
+
+def capture(
+    photons_per_s: ArrayLike,
+    exposure_s: float,
+    sensor: Sensor,
+    rng: np.random.Generator,
+    model: ShotModel = "poisson",
+) -> NDArray[np.uint16]:
+    """A raw picture in codes: `expose`, `shot_noise`, `read_out`, `quantise` in turn."""
+    mean_e = expose(photons_per_s, exposure_s, sensor)
+    counted_e = shot_noise(mean_e, rng, sensor.full_well_e, model)
+    return quantise(read_out(counted_e, sensor, rng), sensor.bits)
+
+
+def develop(raw_dn: ArrayLike, sensor: Sensor) -> Array:
+    """Codes (...) back to linear light: 0 at the black level, 1 at the top; noise may dip below."""
+    span = sensor.highest_dn - sensor.black_level_dn
+    linear: Array = (as_floats(raw_dn) - sensor.black_level_dn) / span
+    return linear
+
+
+def signal_to_noise(mean_e: ArrayLike, sensor: Sensor) -> Array:
+    """Mean over standard deviation (...) of one pixel: shot, read and quantisation noise together.
+
+    Rises with the square root of the light once shot noise prevails. No light gives 0, infinite
+    light ∞.
+    """
+    mean = _light("mean_e", mean_e)
+    fixed = math.hypot(sensor.read_noise_e, sensor.gain_e_per_dn / math.sqrt(12))
+    with np.errstate(invalid="ignore"):
+        ratio = mean / np.hypot(np.sqrt(mean), fixed)
+    return np.where(np.isinf(mean), np.inf, ratio)
+
+
+def _check_well(full_well_e: float) -> None:
+    legal = 0 < full_well_e <= LARGEST_WELL_E or full_well_e == math.inf
+    _require("full_well_e", full_well_e, legal, f"above 0, to {LARGEST_WELL_E:g}, or inf")
+
+
+def _check_bits(bits: int) -> None:
+    if not isinstance(bits, int | np.integer) or not 1 <= bits <= 16:
+        raise ValueError(f"bits {bits!r}; legal: whole numbers from 1 to 16")
+
+
+def _light(name: str, values: ArrayLike) -> Array:
+    light = as_floats(values)
+    if not np.all(light >= 0):
+        raise ValueError(f"{name} has values below 0 or undefined; legal: 0 or more")
+    return light
+
+
+def _require(name: str, value: float, legal: bool, range_: str) -> None:
+    if not legal:
+        raise ValueError(f"{name} {value}; legal: {range_}")

@@ -1,0 +1,113 @@
+"""Light on the still life: one large distant lamp with soft shadows, and its echo from the room."""
+
+import math
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from simulations.models.lens.depth_of_field import Layer
+from simulations.models.lens.disc_blur import Planes
+from simulations.models.light.raycasting import Vector
+from simulations.models.light.reflectance import blinn_phong, lambert
+from simulations.models.light.soft_shadows import shadow_bounds, visibility
+from simulations.pictures.still_life.surfaces import Surface, extent, window_of, within
+from simulations.pictures.still_life.things import THINGS, WALL_DISTANCE
+
+type Floats = NDArray[np.floating]
+
+LAMP_ELEVATION_RAD = math.radians(48.0)
+LAMP_RADIUS_RAD = math.radians(5.0)
+"""Half of its angular diameter: the sun's is 0.27°, a photographer's soft box has several."""
+LAMP = np.array([0.86, 0.79, 0.68])
+"""Linear RGB that a white surface facing the lamp sends out."""
+ROOM = np.array([0.19, 0.22, 0.27])
+"""The same, from the surroundings above ..."""
+BOUNCE = np.array([0.13, 0.11, 0.085])
+"""... and from the floor below."""
+
+
+@dataclass(frozen=True, slots=True)
+class LitScene:
+    """Radiance that reaches the lens, in parts that lie at one depth each."""
+
+    base: Planes
+    """(3, H, W) wall and floor, linear RGB, nothing standing before them."""
+    base_depth: Floats
+    """(H, W) metres along the optical axis."""
+    layers: tuple[Layer, ...]
+    """The things, farthest first."""
+    depths: tuple[float, ...]
+    """Of the layers, metres."""
+
+
+def lamp_direction(light_angle_deg: float) -> Vector:
+    """Unit vector towards the lamp: 0° is from behind the camera, positive from the right."""
+    angle = math.radians(light_angle_deg)
+    level = math.cos(LAMP_ELEVATION_RAD)
+    return (level * math.sin(angle), -level * math.cos(angle), math.sin(LAMP_ELEVATION_RAD))
+
+
+def light(parts: tuple[Surface, ...], light_angle_deg: float) -> LitScene:
+    """Shade wall, floor and things."""
+    lamp = lamp_direction(light_angle_deg)
+    wall, floor, *things = parts
+    height = max(part.top + part.coverage.shape[0] for part in (wall, floor))
+    width = wall.coverage.shape[1]
+    base = np.zeros((3, height, width), np.float32)
+    depth = np.zeros((height, width))
+    for part in (wall, floor):
+        rows = slice(part.top, part.top + part.coverage.shape[0])
+        base[:, rows] += _premultiplied(part, lamp)[:3]
+        depth[rows] += part.depth * part.coverage
+    depth[depth == 0.0] = WALL_DISTANCE  # no ray reaches these pixels, which stay black
+    layers = tuple(Layer(_premultiplied(part, lamp), part.top, part.left) for part in things)
+    return LitScene(base, depth, layers, tuple(float(part.depth[0, 0]) for part in things))
+
+
+def _premultiplied(part: Surface, lamp: Vector) -> Planes:
+    """(4, h, w) radiance times coverage, then coverage."""
+    planes = np.empty((4, *part.coverage.shape), np.float32)
+    planes[3] = part.coverage
+    np.multiply(radiance(part, lamp), planes[3], out=planes[:3])
+    return planes
+
+
+def radiance(part: Surface, lamp: Vector) -> Planes:
+    """(3, h, w) linear RGB: Lambert and Blinn–Phong under the lamp, plus the room's glow."""
+    direct = (lambert(part.normals, lamp) * _lamp_seen(part, lamp)).astype(np.float32)
+    from_above = (0.5 + 0.5 * part.normals[..., 2]) * part.openness
+    around = _tinted(BOUNCE, part.openness) + _tinted(ROOM - BOUNCE, from_above)
+    shaded = part.albedo * (_tinted(LAMP, direct) + around)
+    if part.thing is not None and part.thing.gloss > 0:
+        highlight = blinn_phong(
+            part.normals,
+            lamp,
+            part.to_eye,
+            albedo=0.0,
+            specular=part.thing.gloss,
+            shininess=part.thing.shininess,
+        )
+        shaded += _tinted(LAMP, highlight)
+    return shaded
+
+
+def _tinted(colour: Floats, strength: Floats) -> Planes:
+    """Light (3, h, w) of one colour, as strong as (h, w)."""
+    tinted: Planes = colour.astype(np.float32)[:, None, None] * strength.astype(np.float32)
+    return tinted
+
+
+def _lamp_seen(part: Surface, lamp: Vector) -> Floats:
+    """Share of the lamp that the other things leave visible."""
+    seen, reached = np.ones(part.coverage.shape), extent(part.points)
+    for thing in THINGS:
+        if thing is part.thing:
+            continue
+        low, high = shadow_bounds(thing.solid, lamp, LAMP_RADIUS_RAD)
+        if reached.misses(low, high):
+            continue
+        near = window_of(within(part.points, low, high))
+        if near is not None:
+            seen[near] *= visibility(thing.solid, part.points[near], lamp, LAMP_RADIUS_RAD)
+    return seen

@@ -1,0 +1,274 @@
+"""What each ray of the still life meets: places, normals, reflectances, edge coverage.
+
+Nothing here depends on where the light stands.
+"""
+
+import math
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from simulations.models.light.raycasting import (
+    Sphere,
+    Vector,
+    edge_coverage,
+    intersect,
+    intersect_plane,
+)
+from simulations.models.light.soft_shadows import bounding_radius, sphere_occlusion
+from simulations.pictures import patterns
+from simulations.pictures.still_life.things import (
+    THINGS,
+    WALL_DISTANCE,
+    WALL_HEIGHT,
+    Thing,
+    View,
+    depth_along_axis,
+    thing_depth,
+)
+
+type Floats = NDArray[np.floating]
+type Planes = NDArray[np.float32]
+
+TILE = 0.5
+"""Edge of a floor tile, metres."""
+PANEL = 1.0
+"""Spacing of the grooves of the wall panelling, metres."""
+CHART = (0.35, 1.12, 1.9, 1.3)
+"""Test chart on the wall: x and z of its centre, width, height; metres."""
+
+OCCLUSION_REACH = 6.0
+"""In radii: from farther off, a ball hides less than 1/36 of the surroundings, which is let go."""
+
+FLOOR_LIGHT, FLOOR_DARK = np.array([0.60, 0.55, 0.47]), np.array([0.17, 0.13, 0.11])
+WALL, GROOVE = np.array([0.33, 0.42, 0.43]), np.array([0.20, 0.26, 0.27])
+SKIRTING = np.array([0.62, 0.60, 0.56])
+WALL_PLANE = ((0.0, WALL_DISTANCE, 0.0), (0.0, -1.0, 0.0))
+FLOOR_PLANE = ((0.0, 0.0, 0.0), (0.0, 0.0, 1.0))
+"""A point of the plane and its normal."""
+INK, PAPER = np.array([0.03, 0.03, 0.035]), np.array([0.80, 0.79, 0.76])
+
+
+@dataclass(frozen=True, slots=True)
+class Surface:
+    """The visible side of one thing on a window of the picture."""
+
+    thing: Thing | None
+    """None for the floor and the wall."""
+    top: int
+    left: int
+    points: Floats
+    """(h, w, 3) metres, world frame."""
+    normals: Floats
+    """(h, w, 3) unit."""
+    to_eye: Floats
+    """(h, w, 3) unit."""
+    coverage: Floats
+    """(h, w) in [0, 1]."""
+    albedo: Planes
+    """(3, h, w) linear RGB."""
+    openness: Floats
+    """(h, w) share of the surroundings' light that is not hidden by other things."""
+    depth: Floats
+    """(h, w) metres along the optical axis; one value for a whole thing."""
+
+
+def surfaces(seen: View) -> tuple[Surface, ...]:
+    """Wall and floor, then the things in view from the farthest to the nearest."""
+    ordered = sorted(THINGS, key=thing_depth, reverse=True)
+    found = (_thing_surface(thing, seen) for thing in ordered)
+    return (*_wall_and_floor(seen), *(surface for surface in found if surface is not None))
+
+
+def _thing_surface(thing: Thing, seen: View) -> Surface | None:
+    window = _window(thing, seen)
+    if window is None:
+        return None
+    directions = seen.directions[window]
+    hit = intersect(thing.solid, seen.eye, directions)
+    coverage = edge_coverage(hit.margin) * seen.valid[window]
+    if not coverage.any():
+        return None
+    openness = _sky_seen(hit.points, hit.normals, besides=thing)
+    return Surface(
+        thing=thing,
+        top=window[0].start,
+        left=window[1].start,
+        points=hit.points,
+        normals=hit.normals,
+        to_eye=-directions,
+        coverage=coverage,
+        albedo=_thing_albedo(thing, hit.normals),
+        openness=openness,
+        depth=np.full(coverage.shape, thing_depth(thing)),
+    )
+
+
+def _window(thing: Thing, seen: View) -> tuple[slice, slice] | None:
+    """Rows and columns, with a margin, of the pixels whose rays pass near the thing."""
+    to_centre = np.asarray(thing.solid.centre) - seen.eye
+    distance = float(np.linalg.norm(to_centre))
+    spread = math.asin(min(1.0, bounding_radius(thing.solid) / distance))
+    near = (seen.directions @ (to_centre / distance) > math.cos(spread)) & seen.valid
+    return window_of(near, margin=2)
+
+
+def window_of(mask: NDArray[np.bool_], margin: int = 1) -> tuple[slice, slice] | None:
+    """Rows and columns that hold every true pixel, ``margin`` more and at least two each way."""
+    rows, columns = np.flatnonzero(mask.any(1)), np.flatnonzero(mask.any(0))
+    if not rows.size:
+        return None
+    top, left = max(int(rows[0]) - margin, 0), max(int(columns[0]) - margin, 0)
+    bottom = min(int(rows[-1]) + 1 + margin, mask.shape[0])
+    right = min(int(columns[-1]) + 1 + margin, mask.shape[1])
+    return slice(top, bottom), slice(left, right)
+
+
+def _thing_albedo(thing: Thing, normals: Floats) -> Planes:
+    if thing.second_albedo is None:
+        colour = np.array(thing.albedo, np.float32)
+        return np.broadcast_to(colour[:, None, None], (3, *normals.shape[:2]))
+    axis = np.array([0.42, -0.25, 0.87])  # of the stripes, leaning towards the camera
+    latitude = np.arcsin(np.clip(normals @ (axis / np.linalg.norm(axis)), -1.0, 1.0))
+    phase = latitude * (thing.stripe_count / math.pi) + 0.5
+    share = 0.5 + 0.5 * patterns.stripes(phase, patterns.pixel_width(phase))
+    return _mix(np.asarray(thing.albedo), np.asarray(thing.second_albedo), share)
+
+
+def _mix(first: Floats, second: Floats, share: Floats) -> Planes:
+    """(3, H, W): the colour ``first`` where ``share`` (H, W) is 0, ``second`` where it is 1."""
+    start, change = first.astype(np.float32), (second - first).astype(np.float32)
+    mixed: Planes = start[:, None, None] + change[:, None, None] * share.astype(np.float32)
+    return mixed
+
+
+def _sky_seen(points: Floats, normals: Floats, besides: Thing | None = None) -> Floats:
+    """Share of the surroundings that the things leave open; boxes count as balls inside them."""
+    openness, reached = np.ones(points.shape[:2]), extent(points)
+    for thing in THINGS:
+        if thing is besides:
+            continue
+        solid = thing.solid
+        radius = solid.radius if isinstance(solid, Sphere) else 0.6 * min(solid.size)
+        reach = OCCLUSION_REACH * radius
+        low, high = np.subtract(solid.centre, reach), np.add(solid.centre, reach)
+        if reached.misses(low, high):
+            continue
+        near = window_of(within(points, low, high))
+        if near is not None:
+            hidden = sphere_occlusion(solid.centre, radius, points[near], normals[near])
+            openness[near] *= 1.0 - np.maximum(hidden - OCCLUSION_REACH**-2, 0.0)
+    return openness
+
+
+@dataclass(frozen=True, slots=True)
+class Extent:
+    """The smallest upright box, seen from above, that holds all points of a surface."""
+
+    low: Floats
+    """(2,) x and y, metres."""
+    high: Floats
+
+    def misses(self, low: Floats, high: Floats) -> bool:
+        """Whether no point can lie between two corners: saves looking at each."""
+        return bool((self.high <= low[:2]).any() or (self.low >= high[:2]).any())
+
+
+def extent(points: Floats) -> Extent:
+    """Of the points (H, W, 3)."""
+    across, away = points[..., 0], points[..., 1]
+    low = np.array([across.min(), away.min()])
+    return Extent(low, np.array([across.max(), away.max()]))
+
+
+def within(points: Floats, low: Floats, high: Floats) -> NDArray[np.bool_]:
+    """(H, W) true where x and y of the points (H, W, 3) lie between two corners."""
+    x, y = points[..., 0], points[..., 1]
+    inside: NDArray[np.bool_] = (x > low[0]) & (x < high[0]) & (y > low[1]) & (y < high[1])
+    return inside
+
+
+def _wall_and_floor(seen: View) -> tuple[Surface, Surface]:
+    far = _distance((0, WALL_DISTANCE, 0), (0, -1, 0), seen, seen.directions)
+    height = seen.eye[2] + seen.directions[..., 2] * far  # where the ray meets the wall
+    above = edge_coverage(height)
+    return _backdrop(seen, WALL_PLANE, above), _backdrop(seen, FLOOR_PLANE, 1.0 - above)
+
+
+def _distance(point: Vector, normal: Vector, seen: View, directions: Floats) -> Floats:
+    """To a plane, metres (...); 0, a number to go on with, where nothing of the plane is seen."""
+    distance, meets = intersect_plane(point, normal, seen.eye, directions)
+    return np.where(meets, distance, 0.0)
+
+
+def _backdrop(seen: View, plane: tuple[Vector, Vector], share: Floats) -> Surface:
+    """A plane, given by a point and its normal, on the band of rows where it covers anything."""
+    rows = np.flatnonzero((share > 0).any(1))
+    top, bottom = (int(rows[0]), int(rows[-1]) + 1) if rows.size else (0, 0)
+    top, bottom = max(top - 1, 0), max(bottom, top + 2)  # patterns need two rows
+    directions = seen.directions[top:bottom]
+    distance = _distance(*plane, seen, directions)
+    points = seen.eye + directions * distance[..., None]
+    normals = np.broadcast_to(np.asarray(plane[1]), points.shape)
+    openness = _sky_seen(points, normals)
+    if plane is FLOOR_PLANE:  # the wall hides part of the sky from the floor before it
+        away = np.maximum(WALL_DISTANCE - points[..., 1], 0.0)
+        openness = openness * (0.5 + 0.5 * away / np.hypot(away, WALL_HEIGHT))
+    return Surface(
+        thing=None,
+        top=top,
+        left=0,
+        points=points,
+        normals=normals,
+        to_eye=-directions,
+        coverage=share[top:bottom] * seen.valid[top:bottom],
+        albedo=_floor_albedo(points) if plane is FLOOR_PLANE else _wall_albedo(points),
+        openness=openness,
+        depth=depth_along_axis(points),
+    )
+
+
+def _floor_albedo(points: Floats) -> Planes:
+    share = patterns.chequer(points[..., 0] / TILE + 0.37, points[..., 1] / TILE)
+    return _mix(FLOOR_DARK, FLOOR_LIGHT, share)
+
+
+def _wall_albedo(points: Floats) -> Planes:
+    x, z = points[..., 0], points[..., 2]
+    across, up = _to_nearest(x, PANEL), _to_nearest(z - 0.15, PANEL)
+    grooves = np.maximum(patterns.band(across, 0.025), patterns.band(up, 0.025))
+    skirting = patterns.band(z, 0.15)
+    wall = _lay_over(_mix(WALL, GROOVE, grooves), SKIRTING, skirting)
+    return _with_chart(wall, x - CHART[0], z - CHART[1])
+
+
+def _to_nearest(coordinate: Floats, spacing: float) -> Floats:
+    """Signed distance to the nearest multiple of ``spacing``."""
+    distance: Floats = coordinate - spacing * np.round(coordinate / spacing)
+    return distance
+
+
+def _lay_over(picture: Planes, colour: Floats, share: Floats) -> Planes:
+    """``picture`` (3, H, W) with ``share`` (H, W) of each pixel covered by a colour."""
+    covered, ink = share.astype(np.float32), colour.astype(np.float32)
+    return picture * (1 - covered) + ink[:, None, None] * covered
+
+
+def _with_chart(wall: Planes, x: Floats, z: Floats) -> Planes:
+    """A framed sheet with a Siemens star between two columns of bars, hung on ``wall`` in place."""
+    near = (np.abs(x) < CHART[2] / 2 + 0.1) & (np.abs(z) < CHART[3] / 2 + 0.1)
+    window = window_of(near)
+    if window is None:
+        return wall
+    x, z = x[window], z[window]
+    frame = patterns.band(x, CHART[2] / 2 + 0.05) * patterns.band(z, CHART[3] / 2 + 0.05)
+    sheet = patterns.band(x, CHART[2] / 2) * patterns.band(z, CHART[3] / 2)
+    disc = patterns.band(np.hypot(x, z), 0.52)
+    columns = patterns.band(np.abs(x) - 0.74, 0.13) * patterns.band(z, 0.48)
+    bars = 0.5 - 0.5 * patterns.stripes(z / 0.08, patterns.pixel_width(z / 0.08))
+    ink = np.maximum(disc * patterns.siemens_star(x, z, 18), columns * bars)
+    framed, part = wall[:, *window], sheet.astype(np.float32)
+    framed[:] = _lay_over(framed, INK, frame)
+    framed += (_mix(PAPER, INK, ink) - INK.astype(np.float32)[:, None, None]) * part
+    return wall

@@ -1,0 +1,114 @@
+"""The still life: balls and boxes on a chequered floor, from 1.7 to 8 metres away.
+
+World axes: x right, y away from the camera, z up, metres; the floor is z = 0. Each thing is ray
+cast and lit on its own, without regard to what stands before it, so that a lens may later blur
+it and show what it hides.
+"""
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from simulations.models.light.raycasting import Box, Sphere, Vector
+from simulations.models.projection import pinhole
+
+type Floats = NDArray[np.floating]
+
+
+@dataclass(frozen=True, slots=True)
+class Thing:
+    """An object of the still life."""
+
+    name: str
+    solid: Sphere | Box
+    albedo: Vector
+    """Linear RGB reflectance."""
+    second_albedo: Vector | None = None
+    """Of the stripes, where the thing has any."""
+    stripe_count: int = 0
+    gloss: float = 0.0
+    """Strength of the highlight."""
+    shininess: float = 60.0
+
+
+def resting(x: float, y: float, radius: float) -> Sphere:
+    """A ball on the floor."""
+    return Sphere((x, y, radius), radius)
+
+
+THINGS = (
+    Thing("red ball", resting(-0.30, 1.85, 0.15), (0.62, 0.05, 0.045), gloss=0.35),
+    Thing("blue box", Box((0.52, 2.55, 0.17), (0.34, 0.34, 0.34), 0.5), (0.06, 0.19, 0.46)),
+    Thing(
+        "striped ball",
+        resting(-0.10, 3.25, 0.33),
+        (0.80, 0.40, 0.04),
+        second_albedo=(0.80, 0.74, 0.62),
+        stripe_count=9,
+        gloss=0.12,
+    ),
+    Thing("green ball", resting(-1.15, 4.4, 0.44), (0.10, 0.36, 0.15), gloss=0.15, shininess=25),
+    Thing("pearl", resting(1.15, 5.1, 0.55), (0.74, 0.71, 0.69), gloss=0.4, shininess=90),
+    Thing("plum box", Box((-1.75, 6.5, 0.6), (0.8, 0.7, 1.2), -0.35), (0.33, 0.10, 0.26)),
+)
+"""Nearest first. No two overlap, and each keeps its place in depth order from the camera."""
+
+WALL_DISTANCE = 8.0
+"""Of the back wall, metres along y."""
+WALL_HEIGHT = 4.0
+"""How high the wall hides the sky from the floor, metres; it is drawn without end."""
+
+EYE: Vector = (0.0, 0.0, 0.5)
+TARGET: Vector = (0.0, 4.0, 0.32)
+WORLD_TO_CAMERA = pinhole.look_at(EYE, TARGET, (0.0, 0.0, 1.0))
+"""(4, 4) pose; camera axes x right, y down, z forward."""
+
+
+@dataclass(frozen=True, slots=True)
+class View:
+    """The rays of all pixels, in the world."""
+
+    directions: Floats
+    """(H, W, 3) unit vectors."""
+    valid: NDArray[np.bool_]
+    """(H, W) false where the lens sends no ray to the pixel."""
+    eye: Vector = EYE
+    """Where all of them start: the lens's centre, or another point of its opening."""
+
+
+def view(rays_camera: Floats, valid: NDArray[np.bool_] | None = None) -> View:
+    """``rays_camera`` (H, W, 3) with z = 1, turned into the world and made unit length."""
+    legal = np.ones(rays_camera.shape[:2], bool) if valid is None else valid
+    return View(_unit(rays_camera) @ WORLD_TO_CAMERA[:3, :3], legal)
+
+
+def view_through(
+    rays_camera: Floats, valid: NDArray[np.bool_], at: tuple[float, float], focus: float
+) -> View:
+    """The view from the point ``at`` = (right, down) of the lens, metres from its centre.
+
+    Every ray meets the one through the lens's centre at the depth ``focus``, metres: so a thin
+    lens sends both to the same pixel.
+    """
+    right, down = at
+    turned = rays_camera - np.array([right / focus, down / focus, 0.0])
+    across = WORLD_TO_CAMERA[:2, :3]
+    x, y, z = np.asarray(EYE) + right * across[0] + down * across[1]
+    return View(_unit(turned) @ WORLD_TO_CAMERA[:3, :3], valid, (float(x), float(y), float(z)))
+
+
+def _unit(vectors: Floats) -> Floats:
+    unit: Floats = vectors / np.sqrt(np.einsum("...i,...i", vectors, vectors))[..., None]
+    return unit
+
+
+def depth_along_axis(points: Floats) -> Floats:
+    """Distance (...) of world points (..., 3) from the camera, along the optical axis: metres."""
+    depth: Floats = points @ WORLD_TO_CAMERA[2, :3] + WORLD_TO_CAMERA[2, 3]
+    return depth
+
+
+def thing_depth(thing: Thing) -> float:
+    """Depth of the thing's centre along the optical axis, metres."""
+    return float(depth_along_axis(np.asarray(thing.solid.centre)))

@@ -1,0 +1,194 @@
+"""Sampling and Aliasing: a pattern on a grid of pixels, one row of it, and its spectrum.
+
+Light is 0.5 + 0.5 sin(phase), so that at exactly Nyquist the samples keep |sin φ| of the wave.
+Stripes have one frequency everywhere; the rings of the zone plate reach the frequency set at
+the left and right edges of the picture.
+"""
+
+import math
+from collections.abc import Iterator
+
+import numpy as np
+from numpy.typing import NDArray
+
+from simulations.engine.controls import Choice, Slider, Values
+from simulations.engine.frame import (
+    Frame,
+    Panel,
+    Readout,
+    format_magnitude,
+    format_number,
+    readout,
+)
+from simulations.engine.pipeline import StageCache, run
+from simulations.engine.scene import Scene
+from simulations.models.sampling.aliasing import alias_frequency
+from simulations.models.sampling.prefilters import prefilter, transfer
+from simulations.scenes.aliasing import row, spectrum
+from simulations.scenes.aliasing.pattern import PATTERNS, STAGES, Floats, Pattern, pattern_of
+
+NYQUIST = 0.5
+"""Cycles per pixel, at one sample a pixel."""
+
+GUARD = 0.1
+"""Of the zone plate, parts whose frequency is as close to Nyquist as this are not judged."""
+
+FILTERS = {
+    "none": "None: a point of each pixel",
+    "box": "Box: the pixel's whole area",
+    "box-2": "Box, by 2 × 2 points",
+    "box-4": "Box, by 4 × 4 points",
+    "box-8": "Box, by 8 × 8 points",
+    "gaussian": "Gaussian, σ = 0.5 px",
+    "sinc": "Windowed sinc, 8 px wide",
+}
+
+CONTROLS = (
+    Choice(name="pattern", label="Pattern", default="stripes", options=PATTERNS),
+    Slider(
+        name="frequency",
+        label="Frequency f",
+        default=0.3,
+        minimum=0,
+        maximum=1.2,
+        step=0.01,
+        unit="cycles/px",
+    ),
+    Slider(name="phase", label="Phase φ", default=90, minimum=0, maximum=360, step=5, unit="°"),
+    Choice(name="prefilter", label="Filter before sampling", default="none", options=FILTERS),
+)
+
+
+def render(values: Values, _tier: str, cache: StageCache) -> Frame:
+    """The picture, one row of it against the wave, and where the frequency folds to."""
+    frequency, kind = values.number("frequency"), values.choice("prefilter")
+    done = run(STAGES, values, cache)
+    kernel = prefilter(kind)
+    left = float(transfer(kernel, frequency))
+    alias = abs(float(alias_frequency(frequency)))
+    kept = amplitude_in_samples(values, left)
+    pattern = pattern_of(values.choice("pattern"), frequency, values.number("phase"))
+    width, height = row.WIDTH, row.HEIGHT
+    return Frame(
+        panels=(
+            Panel(
+                "picture",
+                "The sampled picture",
+                width,
+                height,
+                done.outputs["picture"],
+                row.mark(pattern),
+                pixelated=True,
+            ),
+            Panel(
+                "row",
+                "The marked pixels: the wave and its samples",
+                width,
+                height,
+                overlay=row.draw(pattern, kernel),
+            ),
+            Panel(
+                "spectrum",
+                "Where its frequency ends up",
+                width,
+                height,
+                overlay=spectrum.draw(pattern, kernel, kept),
+            ),
+        ),
+        readouts=(
+            readout("frequency", "True frequency f", frequency, "cycles/px", role="world"),
+            readout("nyquist", "Nyquist frequency", NYQUIST, "cycles/px"),
+            readout("alias", "Frequency shown", alias, "cycles/px", role="error"),
+            readout("period", "One stripe every", _period(alias), "px", digits=1, role="error"),
+            readout(
+                "passed", "The filter passes", abs(left), "of the wave", digits=3, role="light"
+            ),
+            Readout("kept", "The samples keep", format_number(kept, 3), "of the wave", "image"),
+        ),
+        description=describe(values, alias, abs(left), kept),
+        stages=done.reports,
+    )
+
+
+def _period(frequency: float) -> float:
+    return 1.0 / frequency if frequency > 0.005 else math.inf
+
+
+def amplitude_in_samples(values: Values, left: float) -> float:
+    """What the samples hold of the wave's amplitude; exactly at a fold the phase decides.
+
+    At whole numbers of cycles per pixel every sample of the stripes is the same: no wave is
+    left. The zone plate has each of its frequencies at one place only, so there is no such
+    special case.
+    """
+    twice = 2.0 * values.number("frequency")
+    if values.choice("pattern") == "stripes" and math.isclose(twice, round(twice), abs_tol=1e-9):
+        odd = round(twice) % 2 == 1
+        return abs(left * math.sin(math.radians(values.number("phase")))) if odd else 0.0
+    return abs(left)
+
+
+def describe(values: Values, alias: float, passed: float, kept: float) -> str:
+    """What the picture shows instead of what, and how strongly."""
+    frequency = values.number("frequency")
+    stripes = values.choice("pattern") == "stripes"
+    what = "Stripes" if stripes else "Rings that at the left and right edges reach"
+    true = f"{what} {'of ' if stripes else ''}{format_number(frequency)} cycles per pixel"
+    strength = f"{format_number(100 * kept, 0)} % of their amplitude"
+    if frequency == 0:
+        return (
+            f"{what} of no frequency: the picture has the same tone everywhere."
+            if stripes
+            else ("Rings without an end: the whole picture is the centre of the zone plate.")
+        )
+    if stripes and math.isclose(frequency, NYQUIST):
+        return (
+            f"{true}, exactly at Nyquist: two samples a cycle keep |sin φ| of what the filter "
+            f"passes, here {strength} (φ = {format_number(values.number('phase'), 0)}°)."
+        )
+    if stripes and alias < 0.005:
+        return f"{true}: every sample falls on the same place of the wave, and the picture is flat."
+    if frequency <= NYQUIST:
+        side = "below Nyquist" if frequency < NYQUIST else "which is Nyquist"
+        return f"{true}, {side}: the picture shows them truly, with {strength}."
+    where = "" if stripes else " there"
+    return (
+        f"{true}, above Nyquist: the picture shows false ones of {format_number(alias)} cycles "
+        f"per pixel{where} instead, with {format_number(100 * passed, 0)} % of the amplitude."
+    )
+
+
+def error(values: Values, _tier: str, _cache: StageCache) -> Iterator[Readout]:
+    """RMS of what the picture shows too much or too little of; found at once."""
+    pattern = pattern_of(
+        values.choice("pattern"), values.number("frequency"), values.number("phase")
+    )
+    truth, judged = ideal(pattern)
+    off = (pattern.picture(prefilter(values.choice("prefilter"))) - truth)[judged]
+    text = format_magnitude(math.sqrt(float(np.mean(off * off))), 1e-9)
+    yield Readout("error", "RMS off what pixels can show", text, "of range", "error")
+
+
+def ideal(pattern: Pattern) -> tuple[Floats, NDArray[np.bool_]]:
+    """The light (height, width) that pixels can show of a pattern, and where that is certain.
+
+    Waves below Nyquist along both axes as they are, without any filter; even grey in place of
+    all others. The pattern is written out here once more, from its definition.
+    """
+    x = pattern.first + np.arange(pattern.width)
+    y = (np.arange(pattern.height) - (pattern.height - 1) / 2)[:, None]
+    f = pattern.frequency
+    if pattern.kind == "stripes":
+        wave = np.sin(pattern.phase_rad + 2 * np.pi * f * (x + 0 * y))
+        held = np.full(wave.shape, f < NYQUIST)
+        return np.where(held, 0.5 + 0.5 * wave, 0.5), np.ones(wave.shape, bool)
+    highest = 2 * f / pattern.width * np.maximum(np.abs(x), np.abs(y))
+    wave = np.sin(pattern.phase_rad + 2 * np.pi * f / pattern.width * (x * x + y * y))
+    light: Floats = np.where(highest < NYQUIST, 0.5 + 0.5 * wave, 0.5)
+    return light, np.abs(highest - NYQUIST) > GUARD
+
+
+# The filter is the choice of method, and all its entries are quick: no tiers, no draft.
+SCENE = Scene(
+    id="aliasing", title="Sampling and Aliasing", controls=CONTROLS, render=render, error=error
+)

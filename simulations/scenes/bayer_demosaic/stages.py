@@ -1,0 +1,89 @@
+"""What the Bayer figure computes: picture → mosaic → demosaic → display → error.
+
+Picture, mosaic and reconstruction are in linear light, since that is what a sensor counts. The
+error is that of the codes a display is sent, since that is what is seen.
+"""
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from simulations.engine.pipeline import Stage
+from simulations.models.color.srgb import encode_srgb
+from simulations.models.sensor.bayer import mosaic
+from simulations.models.sensor.demosaicing import demosaic, psnr_db
+from simulations.models.sensor.shared_detail import shared_detail
+from simulations.pictures.balloon import WHOLE, Window
+from simulations.pictures.mosaic_subjects import SUBJECTS
+
+type Picture = NDArray[np.floating]
+
+PATTERN = "RGGB"
+CROP = 8
+"""Border, in pixels, that the figures of merit leave out."""
+
+
+@dataclass(frozen=True, slots=True)
+class Errors:
+    """How far a reconstruction is from the truth."""
+
+    absolute: Picture
+    """(H, W, 3) in [0, 1], of encoded values."""
+    psnr_db: float
+    """As displayed."""
+    light_psnr_db: float
+    """Before the display's curve."""
+    worst_codes: int
+    """Largest error in codes of 255, the border left out."""
+    worst_at: tuple[int, int]
+    """Row and column of it."""
+
+
+def compare(truth: Picture, guess: Picture, shown_truth: Picture, shown: Picture) -> Errors:
+    """Errors of a picture in linear light (H, W, 3), and of the same picture encoded."""
+    absolute = np.abs(shown - shown_truth)
+    inner = absolute[CROP:-CROP, CROP:-CROP].max(axis=2)
+    row, column = divmod(int(inner.argmax()), inner.shape[1])
+    return Errors(
+        absolute,
+        psnr_db(shown, shown_truth, crop=CROP),
+        psnr_db(guess, truth, crop=CROP),
+        round(255 * float(inner.max())),
+        (row + CROP, column + CROP),
+    )
+
+
+def rms_codes(errors: Errors) -> Picture:
+    """RMS error of each colour (3,) in codes of 255, inside the border."""
+    inner = errors.absolute[CROP:-CROP, CROP:-CROP].astype(np.float64)
+    rms: Picture = 255.0 * np.sqrt(np.mean(inner * inner, axis=(0, 1)))
+    return rms
+
+
+def _reconstruct(cfa: Picture, method: str) -> Picture:
+    """The full picture in linear light, held to the range that a screen shows."""
+    picture: Picture = np.clip(demosaic(cfa, PATTERN, method), 0, 1)
+    return picture
+
+
+def _draw(window: Window, picture: str) -> Picture:
+    return SUBJECTS[picture].draw(window)
+
+
+STAGES = (
+    Stage("picture", ("picture",), lambda picture: _draw(WHOLE, picture)),
+    Stage("mosaic", (), lambda picture: mosaic(picture, PATTERN), ("picture",)),
+    Stage("shown picture", (), encode_srgb, ("picture",)),
+    Stage("shared detail", (), shared_detail, ("picture",)),
+    Stage("demosaic", ("method",), _reconstruct, ("mosaic",)),
+    Stage("display", (), encode_srgb, ("demosaic",)),
+    Stage("error", (), compare, ("picture", "demosaic", "shown picture", "display")),
+)
+MOSAIC_STAGES = STAGES[:2]
+
+CLOSE_STAGES = (
+    Stage("close-up", ("picture",), lambda picture: _draw(SUBJECTS[picture].close_up, picture)),
+    Stage("close-up mosaic", (), lambda picture: mosaic(picture, PATTERN), ("close-up",)),
+)
+"""For a mosaic of which nothing else is shown."""

@@ -1,0 +1,153 @@
+"""The blur of the depth-of-field figure: one picture, and as many ways as there are tiers to it.
+
+The still life and its light are the camera simulator's; its sensor is left out, so that nothing
+but the lens can soften the picture.
+"""
+
+import math
+from collections.abc import Iterator, Mapping
+from dataclasses import replace
+
+import numpy as np
+from numpy.typing import NDArray
+
+from simulations.engine.controls import Value, Values
+from simulations.engine.frame import Raster, Readout, format_number
+from simulations.engine.pipeline import Stage, StageCache, run
+from simulations.engine.raster import to_rgba8
+from simulations.models.color.srgb import encode_srgb_table
+from simulations.models.lens.aperture import fibonacci_disc
+from simulations.models.lens.aperture_grid import aperture_grid
+from simulations.models.lens.depth_of_field import blur_by_depth
+from simulations.models.lens.disc_blur import Planes
+from simulations.models.lens.screen_blur import binned_gaussian, gather_discs
+from simulations.pictures.still_life.light import LitScene
+from simulations.scenes.camera import stages as camera_stages
+from simulations.scenes.camera.lens import Rays, blur_px, largest_blur_px
+
+type Floats = NDArray[np.floating]
+
+TIERS = ("pinhole", "discs", "layered", "binned", "gather", "fibonacci-16")
+"""Rungs of the ladder `depth-of-field`; its random rays are left out, and 64 would take seconds."""
+FILTERS = ("discs", "binned", "gather")
+"""Those that blur a finished picture by its depth."""
+LIGHT_ANGLE_DEG = 40.0
+FIXED: Mapping[str, Value] = {
+    "k1": 0.0,
+    "light_angle": LIGHT_ANGLE_DEG,
+    "reduction": 1,
+    "margin_columns": 0,
+    "margin_rows": 0,
+}
+"""Parameters of the camera's stages that this figure does not offer."""
+FEWEST_ACROSS, MOST_ACROSS = 7, 15
+"""Points across the lens of the picture that errors are measured against: 37 to 177 in all."""
+
+
+def depth_of(lit: LitScene) -> Floats:
+    """Depth (H, W) of the foremost thing that covers more than half of the pixel, metres."""
+    depth = lit.base_depth.copy()
+    height, width = depth.shape
+    for layer, layer_depth in zip(lit.layers, lit.depths, strict=True):
+        rows, columns = layer.planes.shape[1:]
+        top, left = max(layer.top, 0), max(layer.left, 0)
+        bottom, right = min(layer.top + rows, height), min(layer.left + columns, width)
+        cover = layer.planes[3, top - layer.top :, left - layer.left :]
+        covered = cover[: max(bottom - top, 0), : max(right - left, 0)] > 0.5
+        depth[top:bottom, left:right][covered] = layer_depth
+    return depth
+
+
+def _filter(
+    sharp: Planes, lit: LitScene, focal_length: float, aperture: float, focus: float, tier: str
+) -> Planes:
+    """The finished picture, blurred by what the depth of each pixel deserves."""
+    depth = depth_of(lit)
+    radius = blur_px(focal_length, aperture, focus, depth) / 2
+    match tier:
+        case "discs":
+            return blur_by_depth(sharp, radius)
+        case "binned":
+            return binned_gaussian(sharp, radius)
+        case "gather":
+            return gather_discs(sharp, radius, depth)
+    raise ValueError(f"tier {tier!r}; legal: {', '.join(FILTERS)}")
+
+
+def _rays(
+    rays: Rays,
+    light_angle: float,
+    focal_length: float,
+    aperture: float,
+    focus: float,
+    tier: str,
+) -> Planes:
+    """The mean of pictures through points spread over the lens."""
+    points = fibonacci_disc(int(tier.removeprefix("fibonacci-")))
+    setting = (light_angle, focal_length, aperture, focus)
+    total = np.zeros((3, *rays.valid.shape), np.float32)
+    for right, down in points.tolist():
+        total += camera_stages.through_lens(rays, (right, down), *setting)
+    return np.asarray(total / np.float32(len(points)), np.float32)
+
+
+def encode(light: Planes) -> Raster:
+    """Canvas bytes of linear light (3, H, W)."""
+    return to_rgba8(encode_srgb_table(light.transpose(1, 2, 0)))
+
+
+def _unless(values: Values, tiers: tuple[str, ...], otherwise: str) -> str:
+    """Why a stage of ``tiers`` would change nothing."""
+    if largest_blur_px(values) <= 1.0:
+        return "every circle of confusion is under a pixel"
+    return "" if values.choice("tier") in tiers else otherwise
+
+
+CAMERA = {stage.name: stage for stage in camera_stages.STAGES}
+STAGES = (
+    CAMERA["pinhole rays"],
+    replace(CAMERA["surfaces"], inputs=("pinhole rays",)),
+    CAMERA["light"],
+    replace(
+        CAMERA["defocus"],
+        neutral=lambda values: _unless(values, ("layered",), "no layer is blurred by itself"),
+    ),
+    CAMERA["overlay"],
+    Stage(
+        "filter",
+        ("focal_length", "aperture", "focus", "tier"),
+        _filter,
+        ("overlay", "light"),
+        lambda values: _unless(values, FILTERS, "the finished picture is not filtered"),
+    ),
+    Stage(
+        "rays through the lens",
+        ("light_angle", "focal_length", "aperture", "focus", "tier"),
+        _rays,
+        ("pinhole rays",),
+        lambda values: _unless(values, ("fibonacci-16",), "every pixel has one ray"),
+        hands_on="filter",
+    ),
+    Stage("encoded", (), encode, ("rays through the lens",)),
+)
+
+
+def judge(values: Values, tier: str, cache: StageCache) -> Iterator[Readout]:
+    """RMS against a picture whose every pixel looks through the whole lens, one ray more each step.
+
+    The rays stand on a grid that no tier uses, the finer the wider the widest disc.
+    """
+    outputs = run(STAGES, values, cache, {**FIXED, "tier": tier}).outputs
+    shown = outputs["encoded"][..., :3].astype(np.float32)
+    setting = {n: values.number(n) for n in ("focal_length", "aperture", "focus")}
+    across = math.ceil(1.5 * largest_blur_px(Values({**values, **FIXED})))
+    points = aperture_grid(min(max(across, FEWEST_ACROSS), MOST_ACROSS))
+    total = np.zeros((3, *shown.shape[:2]), np.float32)
+    for count, at in enumerate(points, start=1):
+        total += camera_stages.through_lens(
+            outputs["pinhole rays"], at, light_angle=LIGHT_ANGLE_DEG, **setting
+        )
+        off = shown - encode(np.asarray(total / count, np.float32))[..., :3]
+        codes = format_number(math.sqrt(float(np.mean(off * off))), 2)
+        label = f"RMS error against {count} of {len(points)} rays through the lens"
+        yield Readout("error", label, codes, "codes of 255", "error")

@@ -1,0 +1,175 @@
+"""Drawings of the formation pipeline: the way of the point, and the ledger of its numbers."""
+
+import math
+from itertools import pairwise
+
+from simulations.engine import drawing
+from simulations.scenes.formation_pipeline.stations import WHITE_E, Journey, Station
+
+WIDTH, HEIGHT = 400.0, 300.0
+
+type Point = tuple[float, float]
+
+AXIS_ROW = 100.0
+LENS_COLUMN, IMAGE_COLUMN = 232.0, 304.0
+UNITS_PER_METRE = 24.0
+POINT_RISE = 42.0
+"""Height of the point above the axis; drawn larger than true, like the camera."""
+CELL, LIGHT, WELL, CODE = (352.0, 236.0), (284.0, 236.0), (200.0, 236.0), (84.0, 236.0)
+"""Centres of the boxes on the lower row, and of the light between, which becomes a number."""
+SHEAF = 24.0
+"""Radius of the disc whose area stands for the light of a white wall that faces the lamp."""
+ROW_HEIGHT = 36.5
+
+
+def route(distance_m: float) -> tuple[tuple[Point, ...], ...]:
+    """The legs between stations 0 to 7, each a polyline."""
+    lens = (LENS_COLUMN, AXIS_ROW)
+    start = (LENS_COLUMN - UNITS_PER_METRE * distance_m, AXIS_ROW - POINT_RISE)
+    slope = POINT_RISE / (LENS_COLUMN - start[0])
+    hit = (IMAGE_COLUMN, AXIS_ROW + slope * (IMAGE_COLUMN - LENS_COLUMN))
+    middle = ((start[0] + lens[0]) / 2, (start[1] + lens[1]) / 2)
+    return (
+        (start, middle),
+        (middle, lens),
+        (lens, hit),
+        (hit, (CELL[0], hit[1]), CELL),
+        (CELL, LIGHT),
+        (LIGHT, WELL),
+        (WELL, CODE),
+    )
+
+
+def place(legs: tuple[tuple[Point, ...], ...], station: float) -> tuple[Point, list[Point]]:
+    """The marker at ``station`` (0 to the number of legs) and the way it has come."""
+    travelled = [legs[0][0]]
+    for index, leg in enumerate(legs):
+        share = min(max(station - index, 0.0), 1.0)
+        if share <= 0:
+            break
+        remaining = share * sum(math.dist(a, b) for a, b in pairwise(leg))
+        for a, b in pairwise(leg):
+            length = math.dist(a, b)
+            part = min(remaining / length, 1.0) if length > 0 else 1.0
+            travelled.append((a[0] + part * (b[0] - a[0]), a[1] + part * (b[1] - a[1])))
+            remaining -= part * length
+            if remaining <= 0:
+                break
+    return travelled[-1], travelled
+
+
+def draw_way(journey: Journey, distance_m: float, station: float) -> str:
+    """SVG markup of the first panel."""
+    legs = route(distance_m)
+    marker, travelled = place(legs, station)
+    ahead = drawing.path(legs, "muted thin dashed")
+    come = drawing.polyline(travelled, "ray bold") if len(travelled) > 1 else ""
+    return "".join(
+        (
+            _scene(legs[0][0]),
+            _camera(),
+            _boxes(journey, int(station)),
+            ahead,
+            come,
+            drawing.dot(legs[0][0], "world", 4.5),
+            drawing.dot(legs[2][-1], "image", 3.0),
+            drawing.dot(marker, "ray", 6.5),
+        )
+    )
+
+
+def _scene(point: Point) -> str:
+    """The painted wall that the point is on, the lamp, and the world's axes."""
+    lamp = (point[0] + 34, 20.0)  # on the side that the camera sees
+    tip = (point[0] + 0.2 * (lamp[0] - point[0]), point[1] + 0.25 * (lamp[1] - point[1]))
+    return "".join(
+        (
+            drawing.line((point[0], point[1] - 22), (point[0], AXIS_ROW + 28), "world bold faint"),
+            drawing.arrow(lamp, tip, "light bold"),
+            drawing.circle(lamp, 6, "light solid"),
+            drawing.text((lamp[0] - 11, lamp[1] + 4), "lamp", "light small halo", "end"),
+            drawing.arrow((24, 146), (54, 146), "world", 6),
+            drawing.arrow((24, 146), (24, 176), "world", 6),
+            drawing.text((34, 164), "world", "world small"),
+        )
+    )
+
+
+def _camera() -> str:
+    """Optical axis, lens, camera axes and image plane."""
+    lens, plane = LENS_COLUMN, IMAGE_COLUMN
+    return "".join(
+        (
+            drawing.line((14, AXIS_ROW), (plane + 10, AXIS_ROW), "camera thin dashed faint"),
+            drawing.ellipse((lens, AXIS_ROW), (7, 34), "camera fill"),
+            drawing.text((lens, AXIS_ROW - 42), "lens", "camera", "middle"),
+            drawing.arrow((lens, AXIS_ROW), (lens + 30, AXIS_ROW), "camera", 6),
+            drawing.arrow((lens, AXIS_ROW), (lens, AXIS_ROW + 30), "camera", 6),
+            drawing.line((plane, AXIS_ROW - 60), (plane, AXIS_ROW + 76), "image bold"),
+            drawing.text((plane, AXIS_ROW - 68), "image plane", "image", "middle"),
+        )
+    )
+
+
+def _boxes(journey: Journey, reached: int) -> str:
+    """The cell, the light that falls into it, the well with its electrons, the pixel value."""
+    return "".join(
+        (
+            _cell(),
+            _sheaf(journey.relative_light, reached >= 5),
+            drawing.text((LIGHT[0], 290), "light", "light small", "middle"),
+            _level(WELL, journey.counted_e / WHITE_E, "error", reached >= 6),
+            drawing.text((WELL[0], 290), "electrons", "error small", "middle"),
+            _level(CODE, journey.code / 255.0, "image", reached >= 7),
+            drawing.text((CODE[0], 290), "pixel value", "image small", "middle"),
+            drawing.text((CELL[0], 290), "sensor cell", "image small", "middle"),
+            drawing.text((CODE[0] - 32, CODE[1] + 6), str(journey.code), "image strong", "end")
+            if reached >= 7
+            else "",
+        )
+    )
+
+
+def _sheaf(share: float, known: bool) -> str:
+    """White's light as a disc, and inside it, once that is known, the part that arrives."""
+    outline = drawing.circle(LIGHT, SHEAF, "light")
+    if not known or share <= 0:
+        return outline
+    return drawing.circle(LIGHT, SHEAF * math.sqrt(share), "light fill") + outline
+
+
+def _cell() -> str:
+    """Nine cells of the sensor, the middle one chosen."""
+    x, y = CELL[0] - 30, CELL[1] - 30
+    lines = [((x + 20 * i, y), (x + 20 * i, y + 60)) for i in range(4)]
+    lines += [((x, y + 20 * i), (x + 60, y + 20 * i)) for i in range(4)]
+    return drawing.path(lines, "image thin") + drawing.rectangle(
+        (x + 20, y + 20), 20, 20, "image fill"
+    )
+
+
+def _level(centre: Point, share: float, role: str, known: bool) -> str:
+    """A box filled up to ``share``, once that is known."""
+    left, top, side = centre[0] - 24, centre[1] - 34, 68.0
+    outline = drawing.rectangle((left, top), 48, side, role)
+    if not known or share <= 0:
+        return outline
+    height = side * min(share, 1.0)
+    return drawing.rectangle((left, top + side - height), 48, height, f"{role} fill") + outline
+
+
+def draw_ledger(entries: tuple[Station, ...], station: float) -> str:
+    """SVG markup of the second panel: what is known, the current line framed."""
+    reached = int(station)
+    parts = []
+    for index, entry in enumerate(entries):
+        top = 3 + index * ROW_HEIGHT
+        style = entry.role if index <= reached else "muted"
+        if index == reached:
+            parts.append(drawing.rectangle((2, top), WIDTH - 4, ROW_HEIGHT, f"{style} fill"))
+        bullet = f"{style} solid" if index <= reached else style
+        parts.append(drawing.circle((18, top + ROW_HEIGHT / 2), 5.0, bullet))
+        weight = "strong" if index == reached else "muted" if index > reached else ""
+        parts.append(drawing.text((34, top + 14), entry.title, f"{style} strong"))
+        parts.append(drawing.text((34, top + 29.5), entry.numbers, weight))
+    return "".join(parts)

@@ -1,0 +1,187 @@
+"""One point's numbers: the scene, and the seven links of the chain to the pixel value."""
+
+import math
+from dataclasses import dataclass
+
+import numpy as np
+
+from simulations.engine.frame import format_number
+from simulations.models.color.srgb import encode_srgb
+from simulations.models.distortion.lens_model import Distortion, distort
+from simulations.models.light.reflectance import lambert
+from simulations.models.projection import pinhole
+from simulations.models.sensor import photon_counting
+
+POINT_RIGHT_M, POINT_DOWN_M = 0.4, -0.3
+"""Of the point, in the world; world axes are right, down, ahead."""
+CAMERA_AHEAD_M = -1.0
+"""The camera stands this far behind the world's origin and looks straight ahead."""
+FOCAL_PX, CENTRE_PX = 800.0, (320.0, 240.0)
+LENS = Distortion(k1=-0.2)
+LAMP_ANGLE_RAD = math.radians(60.0)
+"""Of the lamp from the wall's normal."""
+WHITE_E = 10_000.0
+"""Electrons from a white wall that faces the lamp: a full well."""
+FIRST_EXPOSURE = 16
+"""Its seed. The ledger rounds to two digits; in this series of exposures what it prints leads to
+the code that it prints, at every albedo."""
+PIXEL = photon_counting.Sensor(
+    full_well_e=WHITE_E,
+    read_noise_e=5.0,
+    dark_current_e_per_s=0.0,
+    gain_e_per_dn=WHITE_E / 4095.0,
+    bits=12,
+    black_level_dn=0.0,
+)
+
+
+@dataclass(frozen=True, slots=True)
+class Journey:
+    """Everything known about the point, in the order in which it becomes known."""
+
+    world_m: tuple[float, float, float]
+    camera_m: tuple[float, float, float]
+    ideal: tuple[float, float]
+    """x, y where a pinhole would image it, in units of the focal length."""
+    distorted: tuple[float, float]
+    """The same, through the lens."""
+    pixel: tuple[float, float]
+    """Column and row, in pixels."""
+    relative_light: float
+    """Of a white wall that faces the lamp."""
+    mean_e: float
+    """Electrons to be expected."""
+    counted_e: float
+    """Electrons that came this time."""
+    read_e: float
+    """What reading them added, in electrons."""
+    raw_dn: int
+    """12-bit code of the converter for the sum of both."""
+    code: int
+    """8-bit sRGB."""
+
+
+def travel(distance_m: float, albedo: float, exposure: int) -> Journey:
+    """Follow a point ``distance_m`` in front of the camera; ``exposure`` counts from 0."""
+    world = np.array([POINT_RIGHT_M, POINT_DOWN_M, CAMERA_AHEAD_M + distance_m])
+    pose = pinhole.rigid_pose(np.eye(3), np.array([0.0, 0.0, -CAMERA_AHEAD_M]))
+    camera = pinhole.world_to_camera(world, pose)
+    ideal, _ = pinhole.project(camera, np.eye(3))
+    distorted = distort(ideal, LENS)
+    K = pinhole.intrinsics(FOCAL_PX, CENTRE_PX)
+    pixel, _ = pinhole.project(np.append(distorted, 1.0), K)
+    lamp = (math.sin(LAMP_ANGLE_RAD), 0.0, -math.cos(LAMP_ANGLE_RAD))
+    light = float(lambert(np.array([0.0, 0.0, -1.0]), np.array(lamp), albedo))
+    mean_e = light * WHITE_E
+    rng = np.random.default_rng(FIRST_EXPOSURE + exposure)
+    counted = photon_counting.shot_noise(np.array([mean_e]), rng, WHITE_E)
+    signal_dn = photon_counting.read_out(counted, PIXEL, rng)
+    raw = photon_counting.quantise(signal_dn, PIXEL.bits)
+    encoded = encode_srgb(photon_counting.develop(raw, PIXEL))
+    return Journey(
+        world_m=_triple(world),
+        camera_m=_triple(camera),
+        ideal=_pair(ideal),
+        distorted=_pair(distorted),
+        pixel=_pair(pixel),
+        relative_light=light,
+        mean_e=mean_e,
+        counted_e=float(counted[0]),
+        read_e=float(signal_dn[0] * PIXEL.gain_e_per_dn - counted[0]),
+        raw_dn=int(raw[0]),
+        code=round(255.0 * float(np.clip(encoded[0], 0.0, 1.0))),
+    )
+
+
+def _pair(values: np.ndarray) -> tuple[float, float]:
+    return float(values[0]), float(values[1])
+
+
+def _triple(values: np.ndarray) -> tuple[float, float, float]:
+    return float(values[0]), float(values[1]), float(values[2])
+
+
+@dataclass(frozen=True, slots=True)
+class Station:
+    """One entry of the ledger."""
+
+    title: str
+    numbers: str
+    """What is known here, with units."""
+    sentence: str
+    """What happened on the way here, for a reader who cannot see the drawing."""
+    role: str
+
+
+def stations(journey: Journey) -> tuple[Station, ...]:
+    """The ledger: the scene and the seven links, in the chapter's order and by its names."""
+    return (*_where(journey), *_how_much(journey))
+
+
+def _where(journey: Journey) -> tuple[Station, ...]:
+    """Geometry: from a place in the scene to a cell of the sensor."""
+    column, row = journey.pixel
+    return (
+        Station(
+            "Scene",
+            f"{_numbers(journey.world_m, 2)} m in the room",
+            "The point waits in the scene, in world coordinates",
+            "world",
+        ),
+        Station(
+            "Pose",
+            f"{_numbers(journey.camera_m, 2)} m from the camera",
+            "The camera’s pose turns world coordinates into camera coordinates",
+            "camera",
+        ),
+        Station(
+            "Projection",
+            f"divided by depth: {_numbers(journey.ideal, 5)}",
+            "Division by the depth leaves two numbers",
+            "camera",
+        ),
+        Station(
+            "Lens",
+            f"times 1 − 0.2 r²: {_numbers(journey.distorted, 5)}",
+            "The lens bends the ray, and moves the point of the image",
+            "ray",
+        ),
+        Station(
+            "Pixel grid",
+            f"{_numbers(journey.pixel, 2)} px, in cell ({round(column)}, {round(row)})",
+            "Focal length and centre in pixels turn them into a place on the grid of cells",
+            "image",
+        ),
+    )
+
+
+def _how_much(journey: Journey) -> tuple[Station, ...]:
+    """Light and electronics: from the paint to the number in the file."""
+    light = format_number(journey.relative_light, 3)
+    sign = "−" if journey.read_e < 0 else "+"
+    electrons = f"({journey.counted_e:.0f} {sign} {abs(journey.read_e):.2f}) e⁻"
+    return (
+        Station(
+            "Light",
+            f"ρ cos 60° = {light} of white: {journey.mean_e:.0f} e⁻ expected",
+            "Lamp and paint decide how many electrons are to be expected",
+            "light",
+        ),
+        Station(
+            "Sensor",
+            f"{electrons} · 4095 / 10 000 e⁻ = {journey.raw_dn} DN",
+            "Chance decides how many come, reading adds an error of its own, and the converter "
+            "rounds the sum to a code",
+            "error",
+        ),
+        Station(
+            "File",
+            f"255 · sRGB({journey.raw_dn} / 4095) = {journey.code}",
+            "The sRGB curve and 8 bits give the pixel value in the file",
+            "image",
+        ),
+    )
+
+
+def _numbers(values: tuple[float, ...], digits: int) -> str:
+    return f"({', '.join(format_number(value, digits) for value in values)})"

@@ -1,0 +1,48 @@
+"""How far the coefficients of a picture are from the standard's sums, and what that changes."""
+
+from collections.abc import Iterator
+
+import numpy as np
+from numpy.typing import NDArray
+
+from simulations.engine.frame import Readout, format_magnitude
+from simulations.models.compression.blocks import round_outwards, to_blocks
+from simulations.models.compression.chroma_subsampling import coarsen, subsampling_factor
+from simulations.models.compression.cosine_transforms import TRANSFORMS, exact_block_dct
+from simulations.models.compression.jpeg import Coded, tables
+
+type Floats = NDArray[np.floating]
+
+BLOCKS_A_STEP = 120
+"""Extended precision is slow in a browser: so many blocks are judged at a time."""
+
+
+def judge(planes: Floats, coded: Coded, tier: str) -> Iterator[Readout]:
+    """The largest error met so far, and how many codes it has changed; more blocks each step.
+
+    ``planes`` (3, H, W) are what was coded, by the transform named ``tier``.
+    """
+    worst, changed, judged = 0.0, 0, 0
+    total = sum(codes.size // 64 for codes in coded.planes)
+    for blocks, steps, codes in _parts(planes, coded):
+        truth = exact_block_dct(blocks)
+        worst = max(worst, float(np.abs(TRANSFORMS[tier](blocks) - truth).max()))
+        changed += int(np.count_nonzero(round_outwards(truth / steps) != codes))
+        judged += len(blocks)
+        label = (
+            f"Largest error of a coefficient in {judged} of {total} blocks "
+            f"({changed} round otherwise)"
+        )
+        yield Readout("error", label, format_magnitude(worst, 1e-15), "codes", "error")
+
+
+def _parts(planes: Floats, coded: Coded) -> Iterator[tuple[Floats, Floats, NDArray[np.int64]]]:
+    """Blocks (n, 8, 8) of samples, the steps of their plane, and what was kept of them."""
+    factor = subsampling_factor(coded.subsampling)
+    fine, coarse = tables(coded.quality)
+    samples = (planes[0], *(coarsen(plane, factor) for plane in planes[1:]))
+    for plane, steps, codes in zip(samples, (fine, coarse, coarse), coded.planes, strict=True):
+        blocks, kept = to_blocks(plane).reshape(-1, 8, 8), codes.reshape(-1, 8, 8)
+        for start in range(0, len(blocks), BLOCKS_A_STEP):
+            part = slice(start, start + BLOCKS_A_STEP)
+            yield blocks[part], steps.astype(float), kept[part]

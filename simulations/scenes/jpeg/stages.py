@@ -1,0 +1,54 @@
+"""What the JPEG figure computes: planes → blocks → whole numbers → planes → picture, and bits."""
+
+import numpy as np
+from numpy.typing import NDArray
+
+from simulations.engine.controls import Values
+from simulations.engine.pipeline import Stage
+from simulations.models.color.srgb import encode_srgb
+from simulations.models.compression import jpeg
+from simulations.models.compression.cosine_transforms import TRANSFORMS
+from simulations.models.compression.entropy import size
+from simulations.models.sensor.demosaicing import psnr_db
+from simulations.pictures.balloon import balloon
+
+type Floats = NDArray[np.floating]
+
+
+def _original() -> Floats:
+    """(H, W, 3) sRGB of the balloon, in whole codes of 255.
+
+    Encoded in float64: powers of float32 differ between machines by enough to move a code.
+    """
+    return np.asarray(np.rint(255 * encode_srgb(balloon().astype(np.float64))) / 255)
+
+
+def _coded(planes: Floats, quality: float, subsampling: str, tier: str) -> jpeg.Coded:
+    return jpeg.encode(planes, int(quality), subsampling, TRANSFORMS[tier])
+
+
+def _quality(decoded: Floats, original: Floats) -> float:
+    return psnr_db(np.rint(255 * decoded) / 255, original, crop=0)
+
+
+def _nothing_to_fill_in(values: Values) -> str:
+    full = values.choice("subsampling") == "4:4:4"
+    return "every pixel has kept its own colour" if full else ""
+
+
+STAGES = (
+    Stage("original", (), _original),
+    Stage("planes", (), jpeg.to_planes, ("original",)),
+    Stage("coded", ("quality", "subsampling", "tier"), _coded, ("planes",)),
+    Stage("restored", (), jpeg.restore, ("coded",)),
+    Stage(
+        "full colour",
+        ("subsampling", "upsampling"),
+        jpeg.fill_in_colour,
+        ("restored",),
+        neutral=_nothing_to_fill_in,
+    ),
+    Stage("decoded", (), jpeg.from_planes, ("full colour",)),
+    Stage("size", (), size, ("coded",)),
+    Stage("psnr", (), _quality, ("decoded", "original")),
+)

@@ -1,0 +1,167 @@
+"""A simple lens in front of a test chart: colours of unlike size and sharpness, dark corners.
+
+A single element of 24 mm focal length, focused at infinity for the d line. The three channels
+are bands about the Fraunhofer lines C, d and F. Corners lie 45° from the axis, 200 px from the
+centre.
+"""
+
+import math
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from simulations.engine.controls import Choice, Slider, Toggle, Values
+from simulations.engine.frame import Frame, Panel, format_number, readout
+from simulations.engine.pipeline import StageCache, run
+from simulations.engine.scene import Scene
+from simulations.models.lens.chromatic_aberration import axial_chromatic_mm, lateral_chromatic_scale
+from simulations.scenes.lens_aberrations import drawing as drawing
+from simulations.scenes.lens_aberrations.stages import (
+    CLOSE_LEFT,
+    CLOSE_TOP,
+    FOCAL_MM,
+    GLASSES,
+    HEIGHT_PX,
+    LINES_UM,
+    PITCH_MM,
+    STAGES,
+    TIERS,
+    WIDTH_PX,
+    error,
+    light,
+)
+
+type Floats = NDArray[np.floating]
+
+CORNER_PX = 200.0
+"""From the centre to the corners."""
+
+CONTROLS = (
+    Choice(
+        name="glass",
+        label="Glass",
+        default="crown",
+        options={
+            "ideal": "Without dispersion",
+            "crown": "Crown, V = 64.2",
+            "flint": "Flint, V = 36.4",
+        },
+    ),
+    Slider(
+        name="stop",
+        label="Stop before the lens",
+        default=12,
+        minimum=-15,
+        maximum=15,
+        step=1,
+        unit="mm",
+    ),
+    Slider(
+        name="aperture",
+        label="Aperture",
+        default=2.8,
+        minimum=1.4,
+        maximum=16,
+        step=0.1,
+        prefix="f/",
+    ),
+    Slider(
+        name="rim",
+        label="Rim before the stop",
+        default=6,
+        minimum=0,
+        maximum=12,
+        step=0.5,
+        unit="mm",
+    ),
+    Toggle(name="natural", label="Natural vignetting, cos⁴", default=True),
+)
+
+
+DEFAULT_TIER = "even-16"
+
+
+@dataclass(frozen=True, slots=True)
+class Colours:
+    """What the middle of each channel suffers; three entries for red, green, blue."""
+
+    scale: Floats
+    """Size of the image relative to the green one."""
+    disc_px: Floats
+    """Diameter of the disc that a point becomes."""
+
+
+def colours(glass: str, stop_mm: float, f_number: float) -> Colours:
+    """Lateral and axial chromatic aberration of the lens at the three lines."""
+    kind, lines = GLASSES[glass], np.array(LINES_UM)
+    return Colours(
+        lateral_chromatic_scale(kind, FOCAL_MM, stop_mm, lines),
+        axial_chromatic_mm(kind, FOCAL_MM, f_number, lines) / PITCH_MM,
+    )
+
+
+def render(values: Values, tier: str, cache: StageCache) -> Frame:
+    """The chart through the lens, its corner, and the two profiles."""
+    done = run(STAGES, values, cache, {"tier": tier or DEFAULT_TIER})
+    picture: NDArray[np.uint8] = done.outputs["encoded"]
+    f_number, rim = values.number("aperture"), values.number("rim")
+    lens = colours(values.choice("glass"), values.number("stop"), f_number)
+    tangents = np.linspace(0.0, 1.0, 61)
+    cos4, open_share = light(tangents, f_number, rim, values.toggle("natural"))
+    shifts_px = CORNER_PX * (lens.scale - 1)
+    close = np.ascontiguousarray(picture[CLOSE_TOP:, CLOSE_LEFT:])
+    width, height = drawing.WIDTH, drawing.HEIGHT
+    frame = drawing.close_up_frame(CLOSE_LEFT / WIDTH_PX, CLOSE_TOP / HEIGHT_PX)
+    plot = drawing.profile(tangents, cos4, open_share, (float(shifts_px[0]), float(shifts_px[2])))
+    panels = (
+        Panel("picture", "Through the lens", width, height, picture, frame),
+        Panel("corner", "The corner, enlarged", width, height, close, pixelated=True),
+        Panel("profile", "From the centre to the corner", width, height, overlay=plot),
+    )
+    corner = (float(cos4[-1]), float(open_share[-1]))
+    readouts = (
+        readout("lateral", "Red to blue, corner", shifts_px[2] - shifts_px[0], "px", role="error"),
+        readout("red_disc", "Red disc", lens.disc_px[0], "px"),
+        readout("blue_disc", "Blue disc", lens.disc_px[2], "px"),
+        readout("natural_stops", "Natural falloff", stops(corner[0]), "stops", role="light"),
+        readout("rim_stops", "Cut by the rim", stops(corner[1]), "stops", role="camera"),
+        readout("corner_stops", "Corner, together", stops(corner[0] * corner[1]), "stops"),
+    )
+    return Frame(panels, readouts, describe(values, lens, corner), done.reports)
+
+
+def stops(factor: float) -> float:
+    """A factor of light in powers of two; no light is −∞ stops."""
+    return math.log2(factor) if factor > 0 else -math.inf
+
+
+def describe(values: Values, lens: Colours, corner: tuple[float, float]) -> str:
+    """The picture in one sentence."""
+    apart = CORNER_PX * float(lens.scale[2] - lens.scale[0])
+    if abs(apart) < 0.005:
+        fringe = "no coloured fringes in the corners"
+    else:
+        larger = "blue larger than red" if apart > 0 else "red larger than blue"
+        fringe = f"{larger}, {format_number(abs(apart), 1)} pixels apart in the corners"
+    widest = float(lens.disc_px.max())
+    soft = f"discs of up to {widest:.1f} pixels" if widest > 1 else "all colours sharp"
+    share = corner[0] * corner[1]
+    return (
+        f"A test chart through a simple lens at f/{values.number('aperture'):.1f}: {fringe}, "
+        f"{soft}, and {100 * share:.0f}\u00a0% of the centre’s light in the corners."
+    )
+
+
+SCENE = Scene(
+    id="lens-aberrations",
+    title="Lens Aberrations",
+    controls=CONTROLS,
+    render=render,
+    tiers=TIERS,
+    default_tier=DEFAULT_TIER,
+    draft_tier="gauss-3",
+    drafted=("stop",),
+    ladder="chromatic-aberration",
+    error=error,
+)

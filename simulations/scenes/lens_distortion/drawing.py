@@ -1,0 +1,248 @@
+"""Drawings of the lens-distortion figure: the bent grid, the limits, and the radial profile.
+
+The view box is 400 × 300 for the photograph's 320 × 240 px, so that r = 1 is 250 units.
+"""
+
+import math
+from collections.abc import Callable
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from simulations.engine.drawing import (
+    Point,
+    arrow,
+    circle,
+    dot,
+    line,
+    path,
+    polyline,
+    rectangle,
+    text,
+)
+from simulations.models.distortion.lens_model import (
+    Distortion,
+    distort,
+    fold_radius,
+    largest_distorted_radius,
+)
+from simulations.models.distortion.radial_profile import evaluate
+
+type Floats = NDArray[np.floating]
+type Mask = NDArray[np.bool_]
+
+VIEW_WIDTH, VIEW_HEIGHT, UNITS_PER_RADIUS = 400.0, 300.0, 250.0
+CENTRE = (200.0, 150.0)
+SAMPLE = (0.4, -0.4)
+"""The ideal point whose way is shown: a crossing of the grid, inside the fold at every setting."""
+VISIBLE_RADIUS_UNITS = 238.0
+"""Larger circles show too little of themselves in the corners to be worth a label."""
+
+PLOT_LEFT, PLOT_RIGHT, PLOT_TOP, PLOT_BOTTOM = 44.0, 386.0, 16.0, 258.0
+PLOT_RADIUS = 1.25
+"""Largest radius of the profile's axes."""
+
+
+@dataclass(frozen=True, slots=True)
+class Drawings:
+    """The SVG of all three panels: what depends on the lens alone."""
+
+    grid: str
+    photograph: str
+    """Over the photograph as the lens makes it ..."""
+    corrected: str
+    """... and as the correction leaves it."""
+    profile: str
+
+
+def drawings(k1: float, k2: float) -> Drawings:
+    lens = Distortion(k1=k1, k2=k2)
+    return Drawings(
+        grid_overlay(lens),
+        picture_overlay(lens, corrected=False),
+        picture_overlay(lens, corrected=True),
+        profile_overlay(lens),
+    )
+
+
+def grid_lines() -> list[Floats]:
+    """Straight lines of the grid, (65, 2) points each, 0.2 apart in normalised coordinates."""
+    along_x, along_y = np.linspace(-0.8, 0.8, 65), np.linspace(-0.6, 0.6, 65)
+    upright = [np.stack((np.full(65, x), along_y), -1) for x in np.linspace(-0.8, 0.8, 9)]
+    level = [np.stack((along_x, np.full(65, y)), -1) for y in np.linspace(-0.6, 0.6, 7)]
+    return upright + level
+
+
+def grid_overlay(lens: Distortion) -> str:
+    """The straight grid, its image, the limits, and one point on its way."""
+    fold = fold_radius(lens)
+    straight, bent, folded = [], [], []
+    for ideal in grid_lines():
+        straight.append(to_view(ideal[[0, -1]]))
+        seen = to_view(distort(ideal, lens))
+        inside = np.hypot(ideal[:, 0], ideal[:, 1]) < fold
+        visible = np.all(np.abs(seen - CENTRE) <= (220.0, 170.0), axis=-1)
+        bent += runs(seen, inside & visible)
+        folded += runs(seen, grown(~inside) & visible)
+    parts = [
+        rectangle((0.5, 0.5), VIEW_WIDTH - 1, VIEW_HEIGHT - 1, "muted thin faint"),
+        path(straight, "world thin faint"),
+        path(folded, "error thin dashed faint") if folded else "",
+        path(bent, "image"),
+        _limits(lens, with_fold=True),
+        _cross(CENTRE),
+        _sample(lens),
+    ]
+    return "".join(parts)
+
+
+def picture_overlay(lens: Distortion, *, corrected: bool) -> str:
+    """The limit of the photograph, or of what the correction can know."""
+    return _limits(lens, with_fold=corrected, with_image=not corrected)
+
+
+def profile_overlay(lens: Distortion) -> str:
+    """Image radius against ideal radius: the curve that the coefficients describe."""
+    fold = fold_radius(lens)
+    radius = np.linspace(0.0, PLOT_RADIUS, 101)
+    if fold < PLOT_RADIUS:
+        radius = np.sort(np.append(radius, fold))
+    image = evaluate(lens.radial, radius)
+    curve = np.stack([_plot(r, f) for r, f in zip(radius, image, strict=True)])
+    visible = (image <= PLOT_RADIUS) & (image >= 0.0)
+    parts = [
+        _axes(),
+        polyline((_plot(0, 0), _plot(PLOT_RADIUS, PLOT_RADIUS)), "muted thin dashed"),
+        text(_identity_label(lens), "no distortion", "muted small halo", "end"),
+        path(runs(curve, (radius >= fold) & visible), "error dashed") if fold < PLOT_RADIUS else "",
+        path(runs(curve, (radius <= fold) & visible), "image bold"),
+    ]
+    if fold < PLOT_RADIUS:
+        peak = _plot(fold, largest_distorted_radius(lens))
+        parts += [
+            line(peak, (peak[0], PLOT_BOTTOM), "error thin dashed"),
+            dot(peak, "error"),
+            text((peak[0], peak[1] - 10.0), "fold", "error small halo", "middle"),
+        ]
+    ideal = math.hypot(*SAMPLE)
+    here = _plot(ideal, float(evaluate(lens.radial, ideal)))
+    parts += [
+        line((here[0], PLOT_BOTTOM), here, "world thin"),
+        line((PLOT_LEFT, here[1]), here, "image thin"),
+        dot(here, "image"),
+    ]
+    return "".join(parts)
+
+
+def to_view(xy: Floats) -> Floats:
+    """Normalised coordinates as view box units."""
+    view: Floats = np.asarray(CENTRE) + UNITS_PER_RADIUS * np.asarray(xy)
+    return view
+
+
+def runs(points: Floats, keep: Mask) -> list[Floats]:
+    """The stretches of a curve (N, 2) where ``keep`` (N,) holds, of two points or more."""
+    if keep.all():
+        return [points]
+    edges = np.flatnonzero(np.diff(np.concatenate(([False], keep, [False])).astype(np.int8)))
+    return [points[start:end] for start, end in edges.reshape(-1, 2) if end - start > 1]
+
+
+def grown(mask: Mask) -> Mask:
+    """``mask`` with the neighbours of its members: stretches drawn from both meet."""
+    result = mask.copy()
+    result[:-1] |= mask[1:]
+    result[1:] |= mask[:-1]
+    return result
+
+
+def _limits(lens: Distortion, *, with_fold: bool, with_image: bool = True) -> str:
+    """Circles of the fold (on ideal points) and of its image, where they lie in view."""
+    fold, limit = fold_radius(lens), largest_distorted_radius(lens)
+    parts = []
+    shown: tuple[tuple[bool, float, str, str, Callable[[float], Point]], ...] = (
+        (with_fold, fold, "error thin dashed", "fold", _above),
+        (with_image, limit, "error", "limit of the image", _below),
+    )
+    for wanted, radius, style, label, place in shown:
+        units = radius * UNITS_PER_RADIUS
+        if wanted and units < VISIBLE_RADIUS_UNITS:
+            parts.append(circle(CENTRE, units, style))
+            parts.append(text(place(units), label, "error small halo", "middle"))
+    return "".join(parts)
+
+
+def _above(radius: float) -> Point:
+    """On the circle's upper left, or where the frame cuts it off."""
+    y = max(CENTRE[1] - 0.82 * radius, 16.0)
+    return (CENTRE[0] - math.sqrt(max(radius**2 - (CENTRE[1] - y) ** 2, 0.0)), y)
+
+
+def _below(radius: float) -> Point:
+    """Just inside the circle's lowest point, or the frame's lower left."""
+    if radius <= 140.0:
+        return (CENTRE[0], CENTRE[1] + radius - 8.0)
+    y = VIEW_HEIGHT - 14.0
+    x = CENTRE[0] - math.sqrt(radius**2 - (y - CENTRE[1]) ** 2)
+    return (max(x + 52.0, 56.0), y)
+
+
+def _cross(centre: Point) -> str:
+    x, y = centre
+    return path([[(x - 6, y), (x + 6, y)], [(x, y - 6), (x, y + 6)]], "camera") + text(
+        (x + 8, y + 16), "principal point", "camera small halo"
+    )
+
+
+def _sample(lens: Distortion) -> str:
+    ideal = to_view(np.asarray(SAMPLE))
+    seen = to_view(distort(np.asarray(SAMPLE), lens))
+    moved = float(np.hypot(*(seen - ideal)))
+    parts = [line(CENTRE, ideal, "world thin dashed"), dot(ideal, "world")]
+    if moved < 0.5:
+        label = text((ideal[0] - 9, ideal[1] + 17), "ideal = image", "strong halo", "end")
+        return "".join([*parts, label])
+    outwards = float(np.hypot(*(seen - CENTRE))) > float(np.hypot(*(ideal - CENTRE)))
+    right, left = (seen, ideal) if outwards else (ideal, seen)
+    names = ("image", "ideal") if outwards else ("ideal", "image")
+    roles = ("image", "world") if outwards else ("world", "image")
+    parts += [
+        arrow(ideal, seen, "ray bold"),
+        dot(seen, "image"),
+        text((right[0] + 9, right[1] - 5), names[0], f"{roles[0]} strong halo"),
+        text((left[0] - 9, left[1] + 13), names[1], f"{roles[1]} strong halo", "end"),
+    ]
+    return "".join(parts)
+
+
+def _plot(radius: float, image: float) -> Point:
+    """A point of the profile as view box units."""
+    across = (PLOT_RIGHT - PLOT_LEFT) / PLOT_RADIUS
+    up = (PLOT_BOTTOM - PLOT_TOP) / PLOT_RADIUS
+    return (PLOT_LEFT + across * float(radius), PLOT_BOTTOM - up * float(image))
+
+
+def _identity_label(lens: Distortion) -> Point:
+    """Beside the dashed line, on the side where the curve is not."""
+    inwards = float(evaluate(lens.radial, 1.0)) < 0.99
+    x, y = _plot(1.12, 1.19) if inwards else _plot(PLOT_RADIUS, 0.86)
+    return (x, y)
+
+
+def _axes() -> str:
+    corner_x, corner_y = _plot(1.0, 0.0)[0], _plot(0.0, 1.0)[1]
+    parts = [
+        line((PLOT_LEFT, PLOT_BOTTOM), (PLOT_RIGHT, PLOT_BOTTOM), "muted"),
+        line((PLOT_LEFT, PLOT_BOTTOM), (PLOT_LEFT, PLOT_TOP), "muted"),
+        line((corner_x, PLOT_BOTTOM), (corner_x, PLOT_TOP), "muted thin faint"),
+        line((PLOT_LEFT, corner_y), (PLOT_RIGHT, corner_y), "muted thin faint"),
+        text((corner_x - 5, PLOT_TOP + 212), "corner", "muted small halo", "end"),
+        text((0.5 * (PLOT_LEFT + PLOT_RIGHT), VIEW_HEIGHT - 8), "ideal radius", "world", "middle"),
+        text((PLOT_LEFT + 8, PLOT_TOP + 8), "radius in the image", "image halo"),
+    ]
+    for value in (0.0, 0.5, 1.0):
+        x, y = _plot(value, 0.0)[0], _plot(0.0, value)[1]
+        parts.append(text((x, PLOT_BOTTOM + 16), f"{value:g}", "muted small", "middle"))
+        parts.append(text((PLOT_LEFT - 8, y + 4), f"{value:g}", "muted small", "end"))
+    return "".join(parts)

@@ -1,0 +1,79 @@
+"""What the projection figure looks at, and through which of its three cameras."""
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from simulations.models.projection.affine_cameras import (
+    orthographic_camera,
+    project_affine,
+    scaled_orthographic_camera,
+)
+from simulations.models.projection.pinhole import intrinsics, project
+
+PERSPECTIVE, SCALED, PARALLEL = "perspective", "scaled-orthographic", "orthographic"
+"""The cameras: through a centre; along the axis to a plane, then through the centre; along it."""
+
+HALF_WIDTH_PX, HALF_HEIGHT_PX = 100.0, 75.0
+"""Half the picture, in pixels from the principal point."""
+METRES_PER_PX = 0.03
+"""Size at which a pixel of the image plane is drawn, and which it has for parallel rays."""
+REFERENCE_DEPTH_M = 5.0
+"""The one depth by which scaled orthography divides."""
+
+
+@dataclass(frozen=True, slots=True)
+class View:
+    """A point in the camera frame and its image."""
+
+    X: float
+    """Metres to the right."""
+    Y: float
+    """Metres down."""
+    Z: float
+    """Metres along the optical axis; negative behind the camera."""
+    focal_px: float
+    x: float
+    """Pixels right of the principal point; NaN where there is no image."""
+    y: float
+    """Pixels below the principal point; NaN where there is no image."""
+    visible: bool
+    """Whether the point has an image: whether it is in front, for the camera with a centre."""
+    camera: str = PERSPECTIVE
+
+    @property
+    def in_picture(self) -> bool:
+        """Whether the image falls within the edges of the picture."""
+        return self.visible and in_picture(self.x, self.y)
+
+    @property
+    def formula_only(self) -> tuple[float, float]:
+        """What x = f X / Z says without asking whether the point is in front; Z must not be 0."""
+        return self.focal_px * self.X / self.Z, self.focal_px * self.Y / self.Z
+
+    @property
+    def scale(self) -> float:
+        """Pixels per metre of the cameras with parallel rays."""
+        return self.focal_px / REFERENCE_DEPTH_M if self.camera == SCALED else 1.0 / METRES_PER_PX
+
+
+def in_picture(x: float, y: float) -> bool:
+    """Whether pixel (x, y), counted from the principal point, lies in the picture."""
+    return abs(x) <= HALF_WIDTH_PX and abs(y) <= HALF_HEIGHT_PX
+
+
+def look(X: float, Y: float, Z: float, focal_px: float, camera: str = PERSPECTIVE) -> View:
+    """Project the point (X, Y, Z) with the principal point at (0, 0).
+
+    Depth is taken to the millimetre, so that Z = 0 is met exactly.
+    """
+    Z = round(Z, 3)
+    point, K = np.array([X, Y, Z]), intrinsics(focal_px, (0.0, 0.0))
+    match camera:
+        case "scaled-orthographic":
+            pixels, valid = project_affine(point, scaled_orthographic_camera(K, REFERENCE_DEPTH_M))
+        case "orthographic":
+            pixels, valid = project_affine(point, orthographic_camera(1.0 / METRES_PER_PX))
+        case _:
+            pixels, valid = project(point, K)
+    return View(X, Y, Z, focal_px, float(pixels[0]), float(pixels[1]), bool(valid), camera)

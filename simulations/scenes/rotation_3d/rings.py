@@ -1,0 +1,127 @@
+"""The first panel of the rotation scene: an aircraft in three rings, one for each Euler angle.
+
+Each ring lies across the axis that its angle turns about. The yaw ring stays with the world,
+the pitch ring turns with the yaw, the roll ring with both; at a pitch of ±90° the roll ring has
+come to lie in the plane of the yaw ring.
+"""
+
+import math
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from simulations.engine.drawing import Point, arrow, dot, line, path, polyline, text
+from simulations.engine.frame import format_number
+from simulations.models.geometry import euler
+from simulations.models.geometry.rotation_paths import rate_axes
+from simulations.scenes.rotation_3d import aircraft
+from simulations.scenes.rotation_3d.aircraft import Floats
+
+WIDTH, HEIGHT = 400.0, 400.0
+CENTRE = (200.0, 208.0)
+STEPS = 72
+
+
+@dataclass(frozen=True, slots=True)
+class Ring:
+    """One Euler angle: the circle that it is read on."""
+
+    name: str
+    role: str
+    radius: float
+    axis: Floats
+    """(3,) unit vector in the world about which the angle turns."""
+    zero: Floats
+    """(3,) unit vector across the axis: where the angle is read from."""
+    angle_rad: float
+
+    def at(self, angle_rad: ArrayLike) -> Floats:
+        """Points (..., 3) of the ring at angles (...) from its zero."""
+        angle = np.asarray(angle_rad, float)[..., None]
+        aside = np.cross(self.axis, self.zero)
+        place: Floats = self.radius * (np.cos(angle) * self.zero + np.sin(angle) * aside)
+        return place
+
+
+def rings(yaw_rad: float, pitch_rad: float, roll_rad: float) -> tuple[Ring, Ring, Ring]:
+    """Outer to inner. The angle's end on one ring is the next one's zero or axis."""
+    angles = (yaw_rad, pitch_rad, roll_rad)
+    yaw_axis, pitch_axis, roll_axis = rate_axes("ZYX", angles).T
+    turned = euler.to_matrix("ZYX", (yaw_rad, 0.0, 0.0))
+    return (
+        Ring("yaw", "world", 178.0, yaw_axis, np.array([1.0, 0.0, 0.0]), yaw_rad),
+        Ring("pitch", "light", 156.0, pitch_axis, turned[:, 0], pitch_rad),
+        Ring("roll", "ray", 134.0, roll_axis, pitch_axis, roll_rad),
+    )
+
+
+def draw(yaw_rad: float, pitch_rad: float, roll_rad: float) -> str:
+    """SVG markup of the panel."""
+    three = rings(yaw_rad, pitch_rad, roll_rad)
+    R = euler.to_matrix("ZYX", (yaw_rad, pitch_rad, roll_rad))
+    circles = [_place(ring.at(np.linspace(0.0, 2 * math.pi, STEPS + 1))) for ring in three]
+    parts = [
+        path(pieces(circle, front=False), f"{ring.role} thin faint")
+        for ring, circle in zip(three, circles, strict=True)
+    ]
+    parts += [_axis(ring, front=False) for ring in three]
+    parts.append(aircraft.draw(R, CENTRE, 104.0, "camera"))
+    parts += [_axis(ring, front=True) for ring in three]
+    parts += [
+        path(pieces(circle, front=True), f"{ring.role} thin")
+        for ring, circle in zip(three, circles, strict=True)
+    ]
+    parts += [mark for ring in three for mark in _angle(ring)]
+    parts += _legend(three)
+    return "".join(parts)
+
+
+def pieces(points: Floats, *, front: bool) -> list[list[list[float]]]:
+    """Connected runs of the segments whose middle lies before the centre, or behind it.
+
+    ``points`` (n, 3) hold view box x, y and depth.
+    """
+    rows, depths = points[:, :2].tolist(), points[:, 2]
+    here = ((depths[:-1] + depths[1:]) <= 0) == front
+    runs: list[list[list[float]]] = []
+    for index in np.flatnonzero(here).tolist():
+        if runs and index > 0 and here[index - 1]:
+            runs[-1].append(rows[index + 1])
+        else:
+            runs.append([rows[index], rows[index + 1]])
+    return runs
+
+
+def _axis(ring: Ring, *, front: bool) -> str:
+    """One end of the axis, from beside the aircraft to just outside the ring."""
+    depth = _place(ring.axis)[2]
+    end = 1.0 if (depth < 0) == front else -1.0
+    inner, outer = _place(end * 112.0 * ring.axis), _place(end * (ring.radius + 8.0) * ring.axis)
+    if end > 0:
+        return arrow(inner, outer, ring.role, head=8)
+    return line(inner, outer, f"{ring.role} thin dashed")
+
+
+def _angle(ring: Ring) -> Iterator[str]:
+    """The arc from zero to the angle, and a bead where it stands."""
+    count = max(2, round(abs(ring.angle_rad) * 12))
+    arc = _place(ring.at(np.linspace(0.0, ring.angle_rad, count + 1)))[:, :2].tolist()
+    yield polyline(arc, f"{ring.role} bold")
+    inner, outer = _place(np.stack([ring.at(0.0) * 0.965, ring.at(0.0) * 1.035]))
+    yield line(inner, outer, ring.role)
+    yield dot(arc[-1], ring.role, 5.0)
+
+
+def _legend(three: tuple[Ring, Ring, Ring]) -> Iterator[str]:
+    for row, ring in enumerate(three):
+        degrees = format_number(math.degrees(ring.angle_rad), 0)
+        at: Point = (14.0, 22.0 + 18.0 * row)
+        yield line((at[0], at[1] - 4.5), (at[0] + 18, at[1] - 4.5), f"{ring.role} bold")
+        yield text((at[0] + 26, at[1]), f"{ring.name} {degrees}°", f"{ring.role} halo")
+    yield text((WIDTH - 12, HEIGHT - 12), "seen from ahead, right and above", "muted small", "end")
+
+
+def _place(point: Floats) -> Floats:
+    return aircraft.screen(point, CENTRE, 1.0)

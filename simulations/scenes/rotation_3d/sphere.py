@@ -1,0 +1,126 @@
+"""The second panel of the rotation scene: three ways from level flight to the attitude set.
+
+The nose of the aircraft leaves a trace on a sphere. Along a slerp that is an arc of a circle
+about one fixed axis; blended Euler angles wander; blended matrices cut through the sphere.
+"""
+
+import math
+from collections.abc import Callable, Iterator, Mapping, Sequence
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from simulations.engine.drawing import circle, dot, line, path, text
+from simulations.models.geometry import quaternions
+from simulations.models.geometry.quaternion_blends import BLENDS
+from simulations.models.geometry.rotation_paths import euler_blend, matrix_blend
+from simulations.scenes.rotation_3d import aircraft
+from simulations.scenes.rotation_3d.aircraft import Floats
+from simulations.scenes.rotation_3d.rings import pieces
+
+WIDTH, HEIGHT = 400.0, 400.0
+CENTRE, RADIUS = (200.0, 212.0), 150.0
+STEPS = 60
+MARK_EVERY = 6
+"""Steps from one mark to the next on the quaternions' way: even marks are an even speed."""
+LEVEL = np.array([1.0, 0.0, 0.0, 0.0])
+
+ROLES = {"slerp": "ray", "euler": "error", "matrix": "image"}
+LABELS = {"slerp": "quaternion slerp", "euler": "Euler angles", "matrix": "matrix entries"}
+MANNERS = {"slerp": "bold", "euler": "dashed", "matrix": "thin"}
+
+type Way = Callable[[ArrayLike], Floats]
+
+
+def ways(angles_rad: Sequence[float], R: Floats, q: Floats, tier: str) -> dict[str, Way]:
+    """From shares (...), 0 at level flight and 1 at the attitude, to matrices (..., 3, 3).
+
+    The tier, one of `BLENDS`, is how the quaternions are blended.
+    """
+    blend = BLENDS[tier]
+    return {
+        "slerp": lambda share: quaternions.to_matrix(blend(LEVEL, q, share)),
+        "euler": lambda share: euler_blend("ZYX", (0.0, 0.0, 0.0), angles_rad, share),
+        "matrix": lambda share: matrix_blend(np.eye(3), R, share),
+    }
+
+
+def traces_of(all_ways: Mapping[str, Way]) -> dict[str, Floats]:
+    """The nose's places (n, 3) on the whole of each way: view box x, y, and depth."""
+    shares = np.linspace(0.0, 1.0, STEPS + 1)
+    return {name: _place(way(shares)[:, :, 0]) for name, way in all_ways.items()}
+
+
+def draw(
+    all_ways: Mapping[str, Way], traces: Mapping[str, Floats], chosen: str, share: float
+) -> str:
+    """SVG markup of the panel: the traces, and the aircraft on the chosen way."""
+    blends = {name: way(share) for name, way in all_ways.items()}
+    beads = [
+        dot(_place(blend[:, 0]), ROLES[name], 6.0 if name == chosen else 3.5)
+        for name, blend in blends.items()
+    ]
+    return "".join(
+        (
+            *_globe(),
+            *(_trace(traces[name], name, front=False) for name in traces),
+            *_craft(blends[chosen], chosen),
+            *(_trace(traces[name], name, front=True) for name in traces),
+            *_marks(traces["slerp"]),
+            *_ends(traces["slerp"]),
+            *beads,
+            *_legend(chosen),
+        )
+    )
+
+
+def _craft(blend: Floats, chosen: str) -> tuple[str, str]:
+    """The aircraft at the centre, with the line from its nose to the sphere, back to front."""
+    inner, nose = _place(np.stack([0.6 * blend[:, 0], blend[:, 0]]))
+    sight = line(inner, nose, f"{ROLES[chosen]} thin")
+    craft = aircraft.draw(blend, CENTRE, 0.58 * RADIUS, "camera")
+    return (sight, craft) if nose[2] > 0 else (craft, sight)
+
+
+def _globe() -> Iterator[str]:
+    """Outline, horizon and two meridians; only the near half of each."""
+    yield circle(CENTRE, RADIUS, "muted thin")
+    turns = np.linspace(0, 2 * math.pi, 73)
+    flat = np.zeros_like(turns)
+    around = (np.cos(turns), np.sin(turns))
+    rings = (
+        np.stack([*around, flat], axis=-1),
+        np.stack([around[0], flat, around[1]], axis=-1),
+        np.stack([flat, *around], axis=-1),
+    )
+    halves = [run for ring in rings for run in pieces(_place(ring), front=True)]
+    yield path(halves, "muted thin faint")
+
+
+def _trace(points: Floats, name: str, *, front: bool) -> str:
+    style = f"{ROLES[name]} {MANNERS[name]}" + ("" if front else " faint")
+    return path(pieces(points, front=front), style)
+
+
+def _marks(trace: Floats) -> Iterator[str]:
+    for place in trace[MARK_EVERY:-1:MARK_EVERY]:
+        far = place[2] > 0
+        yield dot(place, ROLES["slerp"] + (" faint" if far else ""), 3.4)
+
+
+def _ends(trace: Floats) -> Iterator[str]:
+    for point, label in ((trace[0], "level"), (trace[-1], "attitude")):
+        yield circle(point, 5.5, "camera")
+        yield text((point[0], point[1] - 11), label, "camera small halo", "middle")
+
+
+def _legend(chosen: str) -> Iterator[str]:
+    for row, (name, label) in enumerate(LABELS.items()):
+        y = 22.0 + 18.0 * row
+        yield line((14, y - 4.5), (40, y - 4.5), f"{ROLES[name]} {MANNERS[name]}")
+        weight = " strong" if name == chosen else ""
+        yield text((48, y), label, f"{ROLES[name]} halo{weight}")
+
+
+def _place(points: Floats) -> Floats:
+    return aircraft.screen(points, CENTRE, RADIUS)

@@ -1,0 +1,160 @@
+"""What the sensor-noise figure computes: electrons → codes → transfer curve and picture."""
+
+from dataclasses import dataclass
+from functools import cache, partial
+
+import numpy as np
+from numpy.typing import NDArray
+
+from simulations.engine.pipeline import Stage
+from simulations.engine.raster import to_rgba8
+from simulations.models.color.srgb import encode_srgb
+from simulations.models.sensor import photon_counting
+from simulations.models.sensor.photon_transfer import Gain, estimate_gain, straight_part
+from simulations.scenes.sensor_noise import drawing as drawing
+
+type Floats = NDArray[np.floating]
+
+SHOT, READ = 1, 2
+"""Streams of chance, of the electrons and of the amplifier."""
+FULL_WELL_E = 20_000.0
+BRIGHTEST_E = 2 * FULL_WELL_E
+"""Mean of the first patch at 0 EV: one stop more than a cell can hold."""
+PATCH_PX = 40
+"""Side of a patch: its 1600 pixels give the variance to about 3.5 %."""
+STOPS = np.arange(drawing.ROWS * drawing.COLUMNS) / 2
+"""How much darker than the first each patch is."""
+CLIPPED_SHARE = 0.001
+"""Patches with more of their pixels at the lowest or the highest code are left out of the fit."""
+
+
+@dataclass(frozen=True, slots=True)
+class Transfer:
+    """The photon-transfer curve of one picture; black level and mean dark signal taken off."""
+
+    mean_dn: Floats
+    """(24,)"""
+    variance_dn: Floats
+    """(24,)"""
+    fitted: NDArray[np.bool_]
+    """(24,) the patches that the gain was fitted to."""
+    clipped: NDArray[np.bool_]
+    """(24,) the patches with pixels at either end of the converter."""
+    gain: Gain | None
+    """From the slope of the fitted part; None where that does not tell it."""
+
+
+def sensor_of(bits: int, iso: str, read_noise: float) -> photon_counting.Sensor:
+    """At ISO 100 the top code is a full well; a 64th of the codes lies below black."""
+    black = 2.0**bits / 64
+    base = photon_counting.Sensor(
+        full_well_e=FULL_WELL_E,
+        read_noise_e=read_noise,
+        dark_current_e_per_s=0.0,
+        gain_e_per_dn=FULL_WELL_E / (2**bits - 1 - black),
+        bits=bits,
+        black_level_dn=black,
+    )
+    return photon_counting.with_iso(base, float(iso))
+
+
+def saturation_e(camera: photon_counting.Sensor) -> float:
+    """Electrons above which a pixel no longer tells light apart: well or converter is full."""
+    top = (camera.highest_dn - camera.black_level_dn) * camera.gain_e_per_dn
+    return min(camera.full_well_e, top)
+
+
+def floor_e2(camera: photon_counting.Sensor, dark: float) -> float:
+    """Variance without light, in electrons squared: read noise, dark signal, rounding."""
+    return camera.read_noise_e**2 + dark + camera.gain_e_per_dn**2 / 12
+
+
+def _grain(stream: int, new_noise: int) -> Floats:
+    """(24, 1600) standard normals, drawn once: the controls only decide how strongly they show."""
+    rng = np.random.default_rng((new_noise, stream))
+    return rng.standard_normal((STOPS.size, PATCH_PX**2), np.float32)
+
+
+def _count(
+    grain: Floats, exposure: float, dark: float, new_noise: int, tier: photon_counting.ShotModel
+) -> Floats:
+    """(24, 1600) electrons: light and warmth free them alike."""
+    mean_e = patch_means_e(exposure) + dark
+    if tier == "quantile":
+        return photon_counting.shot_noise_from_normal(_flat(mean_e), grain, FULL_WELL_E)
+    return count_patches(mean_e, np.random.default_rng((new_noise, SHOT)), tier)
+
+
+def count_patches(
+    mean_e: Floats, rng: np.random.Generator, model: photon_counting.ShotModel
+) -> Floats:
+    """(24, 1600) electrons counted where ``mean_e`` (24,) are expected."""
+    return photon_counting.shot_noise(_flat(mean_e), rng, FULL_WELL_E, model)
+
+
+def _flat(mean_e: Floats) -> Floats:
+    """(24, 1600) of the same mean in each patch, float32."""
+    return np.repeat(mean_e[:, None].astype(np.float32), PATCH_PX**2, axis=1)
+
+
+def patch_means_e(exposure: float) -> Floats:
+    """(24,) electrons that light frees in a cell of each patch."""
+    means: Floats = BRIGHTEST_E * 2.0 ** (exposure - STOPS)
+    return means
+
+
+def _read(
+    electrons: Floats, grain: Floats, bits: float, iso: str, read_noise: float
+) -> NDArray[np.uint16]:
+    quiet = sensor_of(int(bits), iso, 0.0)  # the read noise is in the grain already
+    reported = electrons + np.float32(read_noise) * grain if read_noise else electrons
+    signal = photon_counting.read_out(reported, quiet, np.random.default_rng(0))
+    return photon_counting.quantise(signal, quiet.bits)
+
+
+def _measure(
+    codes: NDArray[np.uint16], bits: float, iso: str, read_noise: float, dark: float
+) -> Transfer:
+    camera = sensor_of(int(bits), iso, read_noise)
+    mean = codes.mean(axis=1, dtype=np.float64) - camera.black_level_dn
+    mean -= dark / camera.gain_e_per_dn
+    variance = codes.var(axis=1, ddof=1, dtype=np.float64)
+    at_an_end = (codes == 0) | (codes == camera.highest_dn)
+    clipped = at_an_end.mean(axis=1) > CLIPPED_SHARE
+    fitted = ~clipped
+    fitted[fitted] = straight_part(mean[fitted], variance[fitted])
+    return Transfer(mean, variance, fitted, clipped, _gain(mean[~clipped], variance[~clipped]))
+
+
+def _gain(mean: Floats, variance: Floats) -> Gain | None:
+    """None where other noise hides how the variance rises with the light, or rounding does."""
+    try:
+        return estimate_gain(mean, variance, PATCH_PX**2)
+    except ValueError:
+        return None
+
+
+def _picture(codes: NDArray[np.uint16], bits: float) -> NDArray[np.uint8]:
+    """The patches in four rows of six, brightest first."""
+    tiles = _colour_of_code(int(bits))[codes]
+    rows = tiles.reshape(drawing.ROWS, drawing.COLUMNS, PATCH_PX, PATCH_PX, 4).swapaxes(1, 2)
+    return rows.reshape(drawing.ROWS * PATCH_PX, drawing.COLUMNS * PATCH_PX, 4)
+
+
+@cache
+def _colour_of_code(bits: int) -> NDArray[np.uint8]:
+    """(codes, 4) canvas bytes of each code; fewer than there are pixels, at any ISO the same."""
+    linear = photon_counting.develop(np.arange(2.0**bits), sensor_of(bits, "100", 0.0))
+    colours: NDArray[np.uint8] = to_rgba8(encode_srgb(np.clip(linear, 0, 1))[None])[0]
+    colours.flags.writeable = False
+    return colours
+
+
+STAGES = (
+    Stage("shot grain", ("new_noise",), partial(_grain, SHOT)),
+    Stage("read grain", ("new_noise",), partial(_grain, READ)),
+    Stage("electrons", ("exposure", "dark", "new_noise", "tier"), _count, ("shot grain",)),
+    Stage("codes", ("bits", "iso", "read_noise"), _read, ("electrons", "read grain")),
+    Stage("transfer", ("bits", "iso", "read_noise", "dark"), _measure, ("codes",)),
+    Stage("picture", ("bits",), _picture, ("codes",)),
+)

@@ -1,0 +1,201 @@
+"""The plane of the transform explorer: a square with a letter in it, and its image."""
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from simulations.engine import drawing
+from simulations.engine.frame import Panel, format_number
+from simulations.models.geometry.transforms import (
+    Floats,
+    apply_homography,
+    clip_half_plane,
+    clip_to_visible,
+)
+
+WIDTH, HEIGHT = 400.0, 330.0
+SCALE = 1.46
+"""View box units per unit of the plane."""
+ORIGIN = np.array([100.0, 232.0])
+"""Where the plane's origin lies in the view box; the plane's y axis points up."""
+FRAME = ((1, 0, 4), (-1, 0, WIDTH + 4), (0, 1, 4), (0, -1, HEIGHT + 4))
+"""The view box and a rim that hides cut edges, as half planes a x + b y + c ≥ 0."""
+TAKEN_Y = {"start": 247.0, "end": 224.0}
+"""Baselines, at the left and the right end, of the numbers below the x axis and of its name."""
+LABEL_HEIGHT = 12.0
+"""Line height of a small label, in view box units."""
+HALF = 40.0
+"""Half the side of the square, which is centred on the origin."""
+
+
+def box(left: float, bottom: float, right: float, top: float) -> Floats:
+    """Corners (4, 2) of a rectangle, counter-clockwise from the lower left."""
+    return np.array([(left, bottom), (right, bottom), (right, top), (left, top)], dtype=float)
+
+
+SQUARE = box(-HALF, -HALF, HALF, HALF)
+CORNER = SQUARE[2]
+"""The corner P whose coordinates are written into the picture."""
+LETTER = (box(-24, -28, -12, 28), box(-12, 17, 24, 28), box(-12, -6, 14, 5))
+"""The bars of an F: a letter that no rotation makes of its mirror image."""
+
+
+@dataclass(frozen=True, slots=True)
+class Clipped:
+    """The image of a polygon or polyline, as far as there is one."""
+
+    points: Floats
+    """(N, 2) in the plane; N = 0 where nothing is visible."""
+    cut: bool
+    """Whether a part lies on or beyond the line that is sent to infinity."""
+
+
+def image_of(H: Floats, points: ArrayLike, closed: bool = True) -> Clipped:
+    before = np.asarray(points, float)
+    visible = clip_to_visible(H, before, closed=closed)
+    return Clipped(apply_homography(H, visible)[0], not np.array_equal(visible, before))
+
+
+def grid_segments() -> Floats:
+    """The square's sides, inner grid lines and diagonals, (12, 2, 2)."""
+    stations = np.linspace(-HALF, HALF, 5)
+    vertical = [[(s, -HALF), (s, HALF)] for s in stations]
+    horizontal = [[(-HALF, s), (HALF, s)] for s in stations]
+    diagonals = [SQUARE[[0, 2]], SQUARE[[1, 3]]]
+    return np.array([*vertical, *horizontal, *diagonals])
+
+
+GRID = grid_segments()[:10]
+
+
+def to_view(points: ArrayLike) -> Floats:
+    """Plane to view box."""
+    view: Floats = np.asarray(points, float) * [SCALE, -SCALE] + ORIGIN
+    return view
+
+
+def label_at(point: ArrayLike, right: float, down: float) -> Floats:
+    """Place of a label in the view box, so far from a point of the plane."""
+    place: Floats = to_view(point) + np.array([right, down])
+    return place
+
+
+def in_frame(points: ArrayLike, closed: bool = True) -> Floats:
+    """Plane to view box, clipped to it; may be empty."""
+    view = to_view(points)
+    for edge in FRAME:
+        view = clip_half_plane(view, edge, closed)
+    return view
+
+
+def plane_panel(H: Floats) -> Panel:
+    """Original and image on common axes."""
+    overlay = "".join(
+        (
+            axes(),
+            figure(np.eye(3), "world"),
+            lines_at_infinity(H),
+            figure(H, "image"),
+            corner_labels(H),
+        )
+    )
+    return Panel("plane", "Original and image", WIDTH, HEIGHT, overlay=overlay)
+
+
+def axes() -> str:
+    ticks = [
+        drawing.text(label_at((x, 0), 0, 15), format_number(x, 0), "muted small halo", "middle")
+        for x in (-50, 50, 100, 150)
+    ] + [
+        drawing.text(label_at((0, y), -7, 4), format_number(y, 0), "muted small halo", "end")
+        for y in (-50, 50, 100, 150)
+    ]
+    rules = [[(x, -60), (x, 152)] for x in (-50, 50, 100, 150, 200)]
+    rules += [[(-66, y), (203, y)] for y in (-50, 50, 100, 150)]
+    return (
+        drawing.path([to_view(rule) for rule in rules], "muted thin faint")
+        + drawing.arrow(to_view((-66, 0)), to_view((204, 0)), "muted thin")
+        + drawing.arrow(to_view((0, -62)), to_view((0, 156)), "muted thin")
+        + drawing.text(label_at((204, 0), 0, -8), "x", "muted italic", "end")
+        + drawing.text(label_at((0, 156), 9, 10), "y", "muted italic")
+        + "".join(ticks)
+    )
+
+
+def figure(H: Floats, role: str) -> str:
+    """The square with its grid and letter, moved by H."""
+    outline = in_frame(image_of(H, SQUARE).points)
+    bars = [in_frame(image_of(H, bar).points) for bar in LETTER]
+    grid = [in_frame(image_of(H, rule, closed=False).points, closed=False) for rule in GRID]
+    return (
+        (drawing.polygon(outline, f"{role} fill") if len(outline) else "")
+        + drawing.path([rule for rule in grid if len(rule) > 1], f"{role} thin faint")
+        + drawing.group(
+            [drawing.polygon(bar, f"{role} solid") for bar in bars if len(bar)], "faint"
+        )
+    )
+
+
+def corner_labels(H: Floats) -> str:
+    """The corner P, its image P′ and their coordinates, which the reader can check by hand."""
+    before = to_view(CORNER)
+    marks = [drawing.dot(before, "world", 4.5)]
+    image = image_of(H, CORNER[None])
+    after = in_frame(image.points, closed=False)
+    if len(after):
+        marks.append(drawing.line(before, after[0], "image thin dashed"))
+        marks.append(drawing.dot(after[0], "image", 4.5))
+        marks.append(image_corner_label(image.points[0], after[0]))
+    marks.append(drawing.text(label_at(CORNER, 2, -8), "P (40, 40)", "world halo strong", "end"))
+    return "".join(marks)
+
+
+def image_corner_label(point: Floats, place: Floats) -> str:
+    """The coordinates of P′, on the side of it where there is room."""
+    x, y = (format_number(float(value), 1) for value in point)
+    right = 9.0 if place[1] < 26.0 else 4.0
+    down = 5.0 if place[1] < 26.0 else -9.0
+    anchor = "start"
+    if place[0] > WIDTH - 120.0:
+        right, anchor = (-right, "end")
+    return drawing.text(
+        place + np.array([right, down]), f"P′ ({x}, {y})", "image halo strong", anchor
+    )
+
+
+def lines_at_infinity(H: Floats) -> str:
+    """The line that H sends to infinity, and the horizon where H puts the points at infinity."""
+    if not H[2, :2].any():
+        return ""
+    horizon = np.linalg.inv(H).T @ (0.0, 0.0, 1.0)
+    return labelled_line(H[2], "w = 0", "error", "end") + labelled_line(
+        horizon, "horizon", "image", "start"
+    )
+
+
+def labelled_line(line: Floats, label: str, role: str, anchor: str) -> str:
+    """A line a x + b y + c = 0 of the plane across the view, where it crosses it.
+
+    Its label stands at its left end (``start``) or its right end, on the side that the line leaves.
+    """
+    normal = line[:2] / np.hypot(line[0], line[1])
+    foot = -line[2] / np.hypot(line[0], line[1]) * normal
+    along = np.array([-normal[1], normal[0]]) * 1e3
+    ends = in_frame([foot - along, foot + along], closed=False)
+    if len(ends) < 2 or np.hypot(*(ends[1] - ends[0])) < 160.0:
+        return ""
+    left, right = ends[np.argsort(ends[:, 0])]
+    rises = right[1] < left[1]
+    y = (left[1] if anchor == "start" else right[1]) + (
+        18.0 if rises == (anchor == "start") else -9.0
+    )
+    y = min(max(y, 16.0), HEIGHT - 8.0)
+    taken = TAKEN_Y[anchor]
+    if abs(y - taken) < LABEL_HEIGHT:
+        y = taken + (LABEL_HEIGHT if rises == (anchor == "start") else -LABEL_HEIGHT)
+    on_line = left[0] + (y - left[1]) * (right[0] - left[0]) / (right[1] - left[1])
+    x = max(left[0], on_line) + 8.0 if anchor == "start" else min(right[0], on_line) - 8.0
+    return drawing.line(left, right, f"{role} dashed") + drawing.text(
+        (x, y), label, f"{role} small halo", anchor
+    )

@@ -1,0 +1,186 @@
+"""The ways to undo a lens stand in the order that theory gives them."""
+
+from dataclasses import replace
+
+import cv2
+import numpy as np
+import pytest
+
+from simulations.engine.ladder import pareto_front
+from simulations.ladders import inverse_decentring, inverse_strong
+from simulations.ladders.inverse_distortion import LADDER, prepare, reference, rms_px
+from simulations.models.distortion.lens_model import (
+    Distortion,
+    distort,
+    fold_radius,
+    largest_distorted_radius,
+)
+from simulations.models.distortion.undistortion import undistort_table
+
+WORK = prepare()
+TRUTH = reference(WORK)
+RMS_PX = {tier.id: rms_px(tier.run(WORK), TRUTH, WORK) for tier in LADDER.tiers}
+
+
+def test_the_reference_is_imaged_back_onto_the_pixels() -> None:
+    image = distort(TRUTH, WORK.lens)
+    assert WORK.focal_px * np.abs(image - WORK.seen).max() < 1e-12
+
+
+def test_the_reference_agrees_with_opencv() -> None:
+    coefficients = np.array([-0.3, 0.1, 0.0, 0.0])
+    until = (cv2.TERM_CRITERIA_COUNT + cv2.TERM_CRITERIA_EPS, 100, 1e-16)
+    oracle = cv2.undistortPoints(WORK.seen[:, None], np.eye(3), coefficients, criteria=until)
+    assert WORK.focal_px * np.abs(oracle[:, 0, :] - TRUTH).max() < 1e-9
+
+
+@pytest.mark.parametrize(
+    ("better", "worse", "at_least"),
+    [
+        ("fixed-point-5", "first-order", 100),
+        ("fixed-point-10", "fixed-point-5", 100),
+        ("newton-4", "newton-3", 1000),
+        ("newton-4", "fixed-point-10", 1000),
+    ],
+)
+def test_more_steps_buy_orders_of_magnitude(better: str, worse: str, at_least: float) -> None:
+    assert RMS_PX[worse] > at_least * RMS_PX[better]
+
+
+def test_a_table_twice_as_long_errs_a_quarter_as_much() -> None:
+    errors = [
+        rms_px(undistort_table(WORK.seen, WORK.lens, entries), TRUTH, WORK)
+        for entries in (257, 513, 1025)
+    ]
+    assert errors[0] / errors[1] == pytest.approx(4.0, rel=0.1)
+    assert errors[1] / errors[2] == pytest.approx(4.0, rel=0.1)
+
+
+def test_the_default_is_not_beaten_in_both_work_and_error() -> None:
+    polynomials = {"first-order": 1, "lookup-table": 3}  # an index and two look-ups
+    polynomials |= {f"newton-{steps}": 2 * steps for steps in (3, 4, 5)}
+    polynomials |= {f"fixed-point-{steps}": steps for steps in (5, 10, 20)}
+    polynomials |= {"checked-table": 11}  # two roots, five look-ups, a quartic
+    polynomials |= {"newton-bracketed": 14}  # 7, and choices in three steps as dear as one each
+    points = [(polynomials[tier.id], RMS_PX[tier.id]) for tier in LADDER.tiers]
+    front = dict(zip(RMS_PX, pareto_front(points), strict=True))
+    assert front[LADDER.default_tier]
+
+
+def test_the_metric_notices_another_lens() -> None:
+    other = replace(WORK, lens=Distortion(k1=-0.3001, k2=0.1))
+    moved = LADDER.tier("newton-4").run(other)
+    assert rms_px(moved, TRUTH, WORK) > 1e-3
+
+
+STRONG = inverse_strong.prepare()
+STRONG_TRUTH = inverse_strong.reference(STRONG)
+METRICS = {metric.id: metric.measure for metric in inverse_strong.LADDER.metrics}
+
+
+def strong_worst_px(tier: str, metric: str) -> float:
+    run = inverse_strong.LADDER.tier(tier).run
+    return METRICS[metric](run(STRONG), STRONG_TRUTH, STRONG)
+
+
+def test_the_reference_of_strong_lenses_is_imaged_back_onto_the_pixels() -> None:
+    for part, truth in zip(STRONG, STRONG_TRUTH, strict=True):
+        assert part.focal_px * np.abs(distort(truth, part.lens) - part.seen).max() < 1e-12
+
+
+def test_the_barrel_is_seen_nearly_out_to_its_fold_and_not_beyond() -> None:
+    barrel = STRONG[inverse_strong.BARREL]
+    share = np.hypot(*barrel.seen.T).max() / largest_distorted_radius(barrel.lens)
+    assert 0.998 < share < 0.999
+    ideal = np.hypot(*STRONG_TRUTH[inverse_strong.BARREL].T)
+    assert ideal.max() < fold_radius(barrel.lens)
+
+
+def test_in_the_strong_pincushion_more_fixed_point_steps_make_it_worse() -> None:
+    worst = [strong_worst_px(f"fixed-point-{steps}", "pincushion") for steps in (5, 20)]
+    assert worst[1] > worst[0] > 100.0
+
+
+def test_near_the_fold_newton_closes_in_by_halves_and_five_steps_are_too_few() -> None:
+    worst = [strong_worst_px(f"newton-{steps}", "fold") for steps in (3, 4, 5)]
+    assert worst[2] > 0.01
+    assert strong_worst_px("lookup-table", "fold") > 0.001
+
+
+@pytest.mark.parametrize("tier", ["checked-table", "newton-bracketed"])
+@pytest.mark.parametrize("metric", ["rms", "pincushion", "fold"])
+def test_on_strong_lenses_the_careful_tiers_lose_nothing(tier: str, metric: str) -> None:
+    assert strong_worst_px(tier, metric) < 1e-11
+
+
+def test_both_ladders_climb_the_same_tiers_over_as_many_points() -> None:
+    strong = inverse_strong.LADDER.tiers
+    assert [tier.label for tier in strong] == [tier.label for tier in LADDER.tiers]
+    assert sum(len(part.seen) for part in STRONG) == len(WORK.seen) == 76_800
+    assert np.abs(WORK.seen).max(axis=0) == pytest.approx([319.5 / 400, 239.5 / 400])
+    for part, focal_px in zip(STRONG, (200.0, 569.0), strict=True):
+        corner = np.array([319.5, 239.5]) / focal_px
+        assert np.abs(part.seen).max(axis=0) == pytest.approx(corner, rel=0.01)
+
+
+def test_the_metric_over_both_lenses_is_their_root_mean_square() -> None:
+    moved = tuple(
+        truth + np.array([3.0 / part.focal_px, 0.0])
+        for truth, part in zip(STRONG_TRUTH, STRONG, strict=True)
+    )
+    assert METRICS["rms"](moved, STRONG_TRUTH, STRONG) == pytest.approx(3.0)
+    half = (moved[0], STRONG_TRUTH[1])
+    assert METRICS["rms"](half, STRONG_TRUTH, STRONG) == pytest.approx(3.0 / np.sqrt(2.0))
+    assert METRICS["fold"](half, STRONG_TRUTH, STRONG) == 0.0
+
+
+OFF_CENTRE = inverse_decentring.prepare()
+OFF_CENTRE_PX = {
+    tier.id: rms_px(tier.run(OFF_CENTRE), inverse_decentring.ideal_points(), OFF_CENTRE)
+    for tier in inverse_decentring.LADDER.tiers
+}
+
+
+def test_the_grid_is_imaged_off_centre_as_by_opencv() -> None:
+    lens, ideal = OFF_CENTRE.lens, inverse_decentring.ideal_points()
+    rays = np.column_stack((ideal, np.ones(len(ideal))))
+    still = np.zeros(3)
+    coefficients = np.array([lens.k1, lens.k2, lens.p1, lens.p2])
+    oracle, _ = cv2.projectPoints(rays, still, still, np.eye(3), coefficients)
+    np.testing.assert_allclose(OFF_CENTRE.seen, oracle[:, 0], atol=1e-14)
+
+
+def test_forgetting_that_the_lens_is_off_centre_costs_what_decentring_moves() -> None:
+    ideal, lens = inverse_decentring.ideal_points(), OFF_CENTRE.lens
+    centred = distort(ideal, replace(lens, p1=0.0, p2=0.0))
+    moved = 400.0 * np.sqrt(((OFF_CENTRE.seen - centred) ** 2).sum(axis=1).mean())
+    assert OFF_CENTRE_PX["radial-only"] == pytest.approx(moved, rel=0.6)
+    assert OFF_CENTRE_PX["radial-only"] > 0.3
+
+
+@pytest.mark.parametrize(
+    ("better", "worse", "at_least"),
+    [
+        ("fixed-point-5", "radial-only", 10),
+        ("fixed-point-10", "fixed-point-5", 100),
+        ("fixed-point-20", "fixed-point-10", 1e4),
+        ("radial-plane-1", "radial-only", 500),
+        ("radial-plane-2", "radial-plane-1", 1e5),
+        ("plane-4", "plane-3", 1e4),
+    ],
+)
+def test_off_centre_too_each_step_buys_what_its_theory_says(
+    better: str, worse: str, at_least: float
+) -> None:
+    assert OFF_CENTRE_PX[worse] > at_least * OFF_CENTRE_PX[better]
+
+
+@pytest.mark.parametrize("tier", ["plane-4", "plane-5", "checked"])
+def test_off_centre_the_careful_tiers_are_right_but_for_rounding(tier: str) -> None:
+    assert OFF_CENTRE_PX[tier] < 1e-12
+
+
+def test_off_centre_the_default_is_the_cheapest_that_is_right() -> None:
+    ids = [tier.id for tier in inverse_decentring.LADDER.tiers]
+    before = ids[: ids.index(inverse_decentring.LADDER.default_tier)]
+    assert all(OFF_CENTRE_PX[tier] > 1e-11 for tier in before)

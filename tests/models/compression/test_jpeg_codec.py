@@ -1,0 +1,162 @@
+"""JPEG's planes and pictures against Pillow's, at every colour subsampling."""
+
+import io
+
+import cv2
+import numpy as np
+import pytest
+import skimage.data
+from PIL import Image
+
+from simulations.models.color.srgb import encode_srgb
+from simulations.models.compression import blocks, jpeg
+from simulations.models.compression.chroma_upsampling import METHODS
+from simulations.pictures.balloon import balloon
+
+PILLOW_SUBSAMPLING = {"4:4:4": 0, "4:2:2": 1, "4:2:0": 2}
+PHOTO = skimage.data.astronaut()[:128, 160:288]
+
+
+def by_pillow(photo, quality, subsampling="4:4:4"):
+    file = io.BytesIO()
+    Image.fromarray(photo).save(
+        file, "JPEG", quality=quality, subsampling=PILLOW_SUBSAMPLING[subsampling]
+    )
+    return Image.open(file)
+
+
+@pytest.mark.parametrize("quality", [20, 75])
+def test_a_photograph_comes_out_as_from_pillow(quality):
+    theirs = np.asarray(by_pillow(PHOTO, quality), float)
+    ours = 255 * jpeg.compress(PHOTO / 255, quality)[0]
+    assert np.sqrt(np.mean((ours - theirs) ** 2)) < 1.0
+
+
+def test_planes_are_those_of_opencv():
+    theirs = np.moveaxis(cv2.cvtColor(PHOTO, cv2.COLOR_RGB2YCrCb).astype(float), -1, 0) - 128
+    ours = jpeg.to_planes(PHOTO / 255)[[0, 2, 1]]
+    assert np.abs(ours - theirs).max() <= 1
+    assert np.mean(ours[0] != theirs[0]) < 0.01
+    assert np.mean(ours != theirs) < 0.2  # OpenCV takes the differences to a luma already rounded
+
+
+@pytest.mark.parametrize("quality", [20, 75, 95])
+def test_coarse_colour_is_that_of_pillow(quality):
+    """A file decoded at half size gives the coarse differences as they were kept.
+
+    Pillow rounds the means of the cells to whole codes, so that now and then a coefficient
+    falls on the other side of a half.
+    """
+    image = by_pillow(PHOTO, quality, "4:2:0")
+    image.draft("YCbCr", (64, 64))
+    theirs = np.moveaxis(np.asarray(image, float), -1, 0)[1:] - 128
+    coded = jpeg.encode(jpeg.to_planes(PHOTO / 255), quality, "4:2:0")
+    coarse = jpeg.tables(quality)[1]
+    for codes, plane in zip(coded.differences, theirs, strict=True):
+        restored = blocks.restore_plane(codes, coarse, 64, 64)
+        assert np.sqrt(np.mean((restored - plane) ** 2)) < 1.0
+
+
+@pytest.mark.parametrize("quality", [30, 75, 95])
+@pytest.mark.parametrize("subsampling", ["4:2:2", "4:2:0"])
+def test_strong_colours_are_filled_in_as_by_pillow(subsampling, quality):
+    """By the triangle, and to about a code. Repetition is twice as far from that."""
+    picture = np.rint(255 * encode_srgb(balloon())).astype(np.uint8)
+    theirs = np.asarray(by_pillow(picture, quality, subsampling), float)
+    coded = jpeg.encode(jpeg.to_planes(picture / 255), quality, subsampling)
+    off = {
+        name: np.sqrt(np.mean((255 * jpeg.decode(coded, name) - theirs) ** 2))
+        for name in ("triangle", "repeated")
+    }
+    assert off["triangle"] < 1.5
+    assert off["repeated"] > 2 * off["triangle"]
+
+
+def test_lower_quality_leaves_more_zeros():
+    zeros = [jpeg.compress(PHOTO[:64, :64] / 255, quality)[1] for quality in (95, 50, 5)]
+    assert zeros == sorted(zeros)
+    assert zeros[2] > 0.9
+
+
+@pytest.mark.parametrize("subsampling", PILLOW_SUBSAMPLING)
+@pytest.mark.parametrize("shape", [(1, 1), (9, 17), (8, 8)])
+def test_any_size_keeps_its_size_and_grey_stays_grey(shape, subsampling):
+    grey = np.full((*shape, 3), 128 / 255)
+    decoded, _ = jpeg.compress(grey, 50, subsampling)
+    np.testing.assert_allclose(decoded, grey, atol=0.5 / 255)
+
+
+def test_coarse_colour_halves_the_numbers_to_be_kept():
+    planes = jpeg.to_planes(np.zeros((32, 48, 3)))
+    sizes = {
+        name: sum(codes.size for codes in jpeg.encode(planes, 50, name).planes) / (32 * 48)
+        for name in PILLOW_SUBSAMPLING
+    }
+    assert sizes == {"4:4:4": 3, "4:2:2": 2, "4:2:0": 1.5}
+
+
+def test_grey_does_not_depend_on_how_colour_is_filled_in():
+    grey = np.repeat(np.random.default_rng(8).random((16, 16, 1)), 3, axis=2)
+    coded = jpeg.encode(jpeg.to_planes(grey), 75, "4:2:0")
+    first, *others = (jpeg.decode(coded, name) for name in METHODS)
+    for other in others:
+        np.testing.assert_allclose(other, first, atol=1e-12)
+
+
+def test_colours_that_share_a_cell_come_back_as_their_mean():
+    """Reddish and bluish in turns, at the finest steps: at 4:2:0 each pixel gets the mean colour.
+
+    Luma stays with its pixel, so that the difference of light between the two colours survives.
+    """
+    checks = np.full((16, 16, 3), 0.4)
+    checks[:, ::2, 0] = checks[:, 1::2, 2] = 0.6
+    decoded, _ = jpeg.compress(checks, 100, "4:2:0")
+    planes = jpeg.to_planes(decoded)
+    means = jpeg.to_planes(checks).mean(axis=(1, 2))
+    np.testing.assert_allclose(planes[1], means[1], atol=1)
+    np.testing.assert_allclose(planes[2], means[2], atol=1)
+    assert np.ptp(planes[0]) == pytest.approx(np.ptp(jpeg.to_planes(checks)[0]), abs=2)
+
+
+def test_blue_and_red_differences_keep_their_places():
+    blue = np.zeros((8, 8, 3))
+    blue[..., 2] = 1
+    coded = jpeg.encode(jpeg.to_planes(blue), 100)
+    assert coded.differences[0][0, 0, 0, 0] > 500
+    assert coded.differences[1][0, 0, 0, 0] < 0
+
+
+def test_a_coded_picture_knows_how_to_be_decoded():
+    coded = jpeg.encode(jpeg.to_planes(PHOTO[:20, :30] / 255), 60, "4:2:2")
+    assert (coded.height, coded.width, coded.quality, coded.subsampling) == (20, 30, 60, "4:2:2")
+    assert jpeg.decode(coded).shape == (20, 30, 3)
+    assert [codes.shape[:2] for codes in coded.planes] == [(3, 4), (3, 2), (3, 2)]
+
+
+def test_the_picture_is_clipped_and_its_zeros_are_those_of_all_channels():
+    checks = np.zeros((8, 16, 3))
+    checks[::2, ::2] = 1
+    decoded, zeros = jpeg.compress(checks, 5)
+    assert decoded.min() >= 0
+    assert decoded.max() <= 1
+    luma = np.rint(255 * checks[..., 0]) - 128
+    coarse = blocks.quantisation_table(blocks.LUMINANCE_TABLE, 5)
+    # Grey has no colour differences: those two channels are zero throughout.
+    assert zeros == pytest.approx((blocks.compress_plane(luma, coarse)[1] + 2) / 3)
+
+
+def test_another_transform_reaches_all_planes():
+    coded = jpeg.encode(np.ones((3, 8, 8)), 100, transform=np.zeros_like)
+    assert not any(codes.any() for codes in coded.planes)
+
+
+def test_an_unknown_subsampling_and_an_unknown_quality_are_refused():
+    with pytest.raises(ValueError, match="subsampling"):
+        jpeg.compress(np.zeros((8, 8, 3)), 50, "4:1:1")
+    with pytest.raises(ValueError, match="quality 0"):
+        jpeg.compress(np.zeros((8, 8, 3)), 0)
+
+
+def test_light_beyond_all_numbers_is_refused():
+    with pytest.raises(ValueError, match="plane reaches"):
+        jpeg.compress(np.full((8, 8, 3), 1e308), 50)

@@ -1,0 +1,298 @@
+"""The table that undoes lenses: against bisection, and where it must not be used."""
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+from support.radial_profiles import bisect
+
+from simulations.models.distortion import radial_inverse, radial_table
+from simulations.models.distortion.fisheye import Fisheye, project_fisheye, unproject_fisheye
+from simulations.models.distortion.lens_model import (
+    Distortion,
+    distort,
+    undistort,
+    undistort_clamped,
+)
+from simulations.models.distortion.radial_inverse import invert_bracketed
+from simulations.models.distortion.radial_profile import (
+    RadialProfile,
+    evaluate,
+    fold_radius,
+    largest_image_radius,
+)
+from simulations.models.distortion.radial_table import (
+    CHECKS,
+    NODES,
+    TOLERANCE,
+    inverse_table,
+    invert,
+    shrinkage,
+)
+
+LONGEST_FOCAL_PX = 2000.0
+FURTHEST = 1.2
+"""Ideal radius, 50° off the axis, to which lenses without a fold are tried."""
+LENSES = {
+    "slight barrel": Distortion(k1=-0.05),
+    "barrel": Distortion(k1=-0.2),
+    "strong barrel": Distortion(k1=-0.5),
+    "barrel that recovers": Distortion(k1=-0.3, k2=0.1),
+    "action camera": Distortion(k1=-0.28, k2=0.07, k3=-0.009),
+    "moustache": Distortion(k1=-0.2, k2=0.2),
+    "pincushion": Distortion(k1=0.2),
+    "strong pincushion": Distortion(k1=1.0),
+    "strongest pincushion": Distortion(k1=2.0),
+    "pincushion of three terms": Distortion(k1=0.4, k2=0.3, k3=0.2),
+    "pincushion that folds": Distortion(k1=0.2, k2=-0.05, k3=-0.01),
+    "strong pincushion that folds": Distortion(k1=1.0, k2=-0.5),
+    "k3 alone": Distortion(k3=-0.1),
+    "rational": Distortion(k1=0.1, k2=0.02, k3=0.01, k4=0.3, k5=0.05, k6=0.01),
+    "rational that folds": Distortion(k4=1.0),
+    "pole": Distortion(k4=-0.25),
+    "hardly any": Distortion(k1=1e-13),
+    "hardly any barrel": Distortion(k1=-1e-13),
+}
+
+
+def images_up_to_99_percent(profile):
+    """Image radii up to 99 % of the fold, in ideal radius as well as in the picture."""
+    fold = fold_radius(profile)
+    return np.linspace(0.0, evaluate(profile, min(0.99 * fold, max(FURTHEST, 0.99))), 4001)
+
+
+@pytest.mark.parametrize("name", LENSES)
+def test_the_inverse_is_good_to_a_millionth_of_a_pixel_within_99_percent_of_the_fold(name):
+    lens = LENSES[name]
+    image_radius = images_up_to_99_percent(lens.radial)
+    turn = np.linspace(0.0, 20.0, image_radius.size)
+    seen = image_radius[:, None] * np.stack((np.cos(turn), np.sin(turn)), axis=-1)
+    ideal, valid = undistort(seen, lens)
+    assert valid.all()
+    # The radius that was asked for is that of the rounded point.
+    x, y = seen.T.astype(np.longdouble)
+    radius = np.hypot(x, y)
+    ratio = np.divide(bisect(lens.radial, radius), radius, out=np.ones_like(x), where=radius > 0)
+    off = np.hypot(ideal[:, 0] - x * ratio, ideal[:, 1] - y * ratio)
+    assert LONGEST_FOCAL_PX * off.max() <= 1e-6
+    assert LONGEST_FOCAL_PX * off.max() <= 1e-9  # what the table promises is a thousandth of it
+
+
+@pytest.mark.parametrize("name", LENSES)
+def test_within_99_percent_of_the_fold_no_point_has_to_be_solved_for(name):
+    """So the time is that of looking up, and not that of iterating."""
+    profile = LENSES[name].radial
+    assert shrinkage(profile, images_up_to_99_percent(profile) ** 2)[1].all()
+
+
+@pytest.mark.parametrize("k1", [-0.5, -0.3, 0.5, 3.0])
+def test_a_table_errs_by_no_more_than_it_promises(k1):
+    profile = RadialProfile((k1,))
+    image_radius = np.linspace(0.0, min(0.999 * largest_image_radius(profile), 4.0), 8_000)[1:]
+    factor, known = shrinkage(profile, image_radius**2)
+    assert known.all()
+    truth = bisect(profile, image_radius)
+    assert np.abs(factor * image_radius / truth - 1.0).max() <= TOLERANCE
+
+
+PROFILES = [
+    RadialProfile((-0.3,)),
+    RadialProfile((0.5,)),
+    RadialProfile((), (-0.25,)),
+    RadialProfile((0.1, 0.02), (0.3, 0.05)),
+    RadialProfile(),
+]
+AWKWARD = [0.0, -0.0, 1e-200, 5e-324, -0.1, -1e300, 1e-9, 0.702, 0.7027, 0.7028, 0.75, 2.0, 7.9]
+AWKWARD += [8.1, 30.0, 1e5, 1e160, 1e300, np.inf, -np.inf, np.nan]
+
+
+@pytest.mark.parametrize("profile", PROFILES)
+def test_many_radii_are_judged_as_few_are(profile):
+    few = np.array(AWKWARD)
+    many = np.concatenate((few, np.linspace(0.0, 0.5, 4000)))
+    expected, expected_valid = invert_bracketed(profile, few)
+    radius, valid = invert(profile, many)
+    assert valid[: few.size].tolist() == expected_valid.tolist()
+    assert valid[few.size :].all()
+    # Just before the fold a rounding error of the image comes back multiplied.
+    np.testing.assert_allclose(radius[: few.size], expected, rtol=1e-11)
+
+
+@pytest.mark.parametrize("k1", [-0.3, 0.4])
+def test_in_a_large_picture_bad_points_spoil_no_others(k1):
+    lens, seen = Distortion(k1=k1), np.full((50, 60, 2), 0.3)
+    seen[3, 4] = (np.nan, 0.1)
+    seen[5, 6] = (-np.inf, np.inf)
+    seen[7, 8] = (1e100, 1e100)
+    ideal, valid = undistort(seen, lens)
+    alone, alone_valid = undistort(seen[3:8:2, 4:9:2][[0, 1, 2], [0, 1, 2]], lens)
+    np.testing.assert_array_equal(ideal[[3, 5, 7], [4, 6, 8]], alone)
+    assert valid[[3, 5, 7], [4, 6, 8]].tolist() == alone_valid.tolist()
+    assert alone_valid.tolist() == [False, False, k1 > 0]
+    good = np.ones((50, 60), bool)
+    good[[3, 5, 7], [4, 6, 8]] = False
+    assert valid[good].all()
+    np.testing.assert_allclose(distort(ideal[good], lens), seen[good], rtol=2e-12)
+
+
+@pytest.fixture
+def solved(monkeypatch):
+    """How many points each call of the bracket was asked to solve."""
+    sizes = []
+    solve = radial_inverse._solve
+    monkeypatch.setattr(
+        radial_inverse, "_solve", lambda *args: (sizes.append(args[1].size), solve(*args))[1]
+    )
+    return sizes
+
+
+def test_radii_within_the_table_are_not_solved_for(solved):
+    invert(RadialProfile((0.5,)), np.linspace(0.0, 2.0, 3000))
+    assert solved == []
+
+
+def test_a_fold_far_out_does_not_coarsen_the_table_of_a_picture():
+    """The last term folds the curve beyond r = 10⁸; those before make a wiggle at r = 0.3."""
+    profile = RadialProfile((0.0, 1.0, 1000.0, -1e-14), (0.0, 0.0, 1000.0))
+    assert 1e8 < fold_radius(profile) < 1e9
+    assert shrinkage(profile, np.linspace(0.0, 0.99, 3000) ** 2)[1].all()
+
+
+def test_past_the_fold_points_are_put_on_its_circle_without_being_solved_for(solved):
+    lens = Distortion(k1=-0.5)
+    seen = np.linspace((-0.9, -0.9), (0.9, 0.9), 5000)
+    ideal, valid = undistort_clamped(seen, lens)
+    radius = np.hypot(*seen.T)
+    assert solved == [0]
+    np.testing.assert_array_equal(valid, radius < largest_image_radius(lens.radial))
+    np.testing.assert_allclose(np.hypot(*ideal[~valid].T), fold_radius(lens.radial), rtol=1e-14)
+
+
+def test_where_a_curve_is_nearly_flat_the_table_ends_and_the_answer_is_right_all_the_same():
+    """The slope 1 − 0.9 s + 0.2025001 s² comes within 4e-7 of zero, at r² = 2.22."""
+    profile, flat = RadialProfile((-0.3, 0.04050002)), np.sqrt(0.9 / 0.405)
+    image_radius = np.linspace(0.0, evaluate(profile, 2.0), 5000)
+    known = shrinkage(profile, image_radius**2)[1]
+    ends = image_radius[known].max()
+    assert 0.9 * evaluate(profile, flat) < ends < evaluate(profile, flat)
+    radius, valid = invert(profile, image_radius)
+    assert valid.all()
+    np.testing.assert_allclose(evaluate(profile, radius), image_radius, rtol=1e-12)
+
+
+def test_a_cell_that_is_off_at_its_edges_alone_ends_the_table_too():
+    """A slope that is wrong shows nowhere as much as there."""
+    profile = RadialProfile((-0.3,))
+    table, fold = inverse_table(profile, 1.0), fold_radius(profile)
+    for error, held in ((1.9e-12, True), (2.1e-12, False)):
+        doctored = table.coefficients.copy()
+        doctored[1, 100] += error * doctored[0, 100]
+        reach = radial_table._checked_reach(profile, fold, table.grid, doctored)
+        assert (reach == table.reach) == held
+
+
+@pytest.mark.parametrize(("error", "held"), [(0.95e-12, True), (1.05e-12, False)])
+def test_a_cell_that_is_off_by_more_than_a_trillionth_ends_the_table_before_it(error, held):
+    profile = RadialProfile((-0.3,))
+    table = inverse_table(profile, 1.0)
+    grid, fold = table.grid, fold_radius(profile)
+    doctored = table.coefficients.copy()
+    doctored[:, 100] *= 1.0 + error
+    reach = radial_table._checked_reach(profile, fold, grid, doctored)
+    # Cells are counted from the fold, u = 0, to the axis, u = 1; this one's edge is at 100.5.
+    edge = 4 / 9 * fold**2 * (1.0 - (100.5 / 256) ** 2)
+    assert reach == pytest.approx(table.reach if held else edge, rel=1e-12)
+    doctored[:, -1] *= 1.0 + error
+    at_the_axis = radial_table._checked_reach(profile, fold, grid, doctored)
+    assert at_the_axis == (table.reach if held else 0.0)
+
+
+def test_cells_are_checked_where_a_polynomial_through_the_nodes_errs_most():
+    """There the product of the distances to the nodes is 2 (1/4)⁵, and less in between."""
+    anywhere = np.linspace(-0.5, 0.5, 2001)
+    product = [np.prod(np.subtract.outer(at, NODES), axis=1) for at in (CHECKS, anywhere)]
+    np.testing.assert_allclose(np.abs(product[0]), 2 / 4**5, rtol=1e-12)
+    assert CHECKS.size == np.unique(CHECKS.round(12)).size == NODES.size + 1
+    assert np.abs(product[1]).max() <= 2 / 4**5 * (1 + 1e-12)
+
+
+@pytest.mark.parametrize(("count", "tables"), [(2047, 0), (2048, 1)])
+def test_a_table_is_made_for_2048_points_and_more(count, tables):
+    images = np.linspace(0.0, 0.5, count)
+    for undo in (
+        lambda: invert(RadialProfile((0.3,)), images),
+        lambda: undistort(np.stack((images, images), -1), Distortion(k1=0.3)),
+    ):
+        inverse_table.cache_clear()
+        undo()
+        assert inverse_table.cache_info().misses == tables
+
+
+def test_pictures_of_one_lens_share_a_table_and_its_answers():
+    profile, images = RadialProfile((0.25,)), np.linspace(0.0, 0.6, 3000)
+    inverse_table.cache_clear()
+    first = invert(profile, images)[0]
+    again = invert(RadialProfile((0.25,)), 1.5 * images)[0]
+    assert inverse_table.cache_info().misses == 1
+    np.testing.assert_array_equal(first, invert(profile, images)[0])
+    inverse_table.cache_clear()
+    np.testing.assert_array_equal(again, invert(profile, 1.5 * images)[0])
+    with pytest.raises(ValueError, match="read-only"):
+        inverse_table(profile, 1.0).coefficients[0, 0] = 1.0
+
+
+@pytest.mark.parametrize(
+    ("furthest", "reach"),
+    [(1e-3, 1.0), (1.1, 2.0), (2.5, 8.0), (5.0, 32.0), (8.0, 64.0), (50.0, 64.0)],
+)
+def test_a_table_without_a_fold_reaches_the_next_power_of_two_beyond_the_furthest_point(
+    furthest, reach
+):
+    images = np.linspace(0.0, furthest, 3000)
+    inverse_table.cache_clear()
+    known = shrinkage(RadialProfile((0.1,)), images**2)[1]
+    assert known[images**2 < reach].all()
+    table = inverse_table(RadialProfile((0.1,)), reach)
+    assert inverse_table.cache_info().hits == 1
+    assert reach <= table.reach < 1.03 * reach
+
+
+def test_a_lens_with_bends_close_together_gets_a_finer_table():
+    for k2, cells in ((0.0, 256), (-0.5, 2048)):
+        table = inverse_table(RadialProfile((1.0, k2)), 4.0)
+        assert table.coefficients.shape == (5, cells + 1)
+
+
+def test_a_large_picture_through_a_fisheye_comes_back():
+    lens = Fisheye(k1=-0.02, k2=0.003)
+    turn, angle = np.linspace(0.0, 30.0, 5000), np.linspace(0.0, 1.9, 5000)
+    rays = np.stack(
+        (np.sin(angle) * np.cos(turn), np.sin(angle) * np.sin(turn), np.cos(angle)), axis=-1
+    )
+    image, seen = project_fisheye(rays, lens)
+    back, valid = unproject_fisheye(image, lens)
+    assert (seen & valid).all()
+    np.testing.assert_allclose(back, rays, atol=1e-13)
+
+
+coefficients = st.lists(
+    st.floats(-2.0, 2.0) | st.sampled_from([0.0, 1e-9, -1e-9, 1e3, -1e3, 1e9, -1e9]), max_size=4
+).map(tuple)
+
+
+@given(coefficients, coefficients, st.floats(1e-3, 1e3))
+@settings(max_examples=60, deadline=None)
+def test_for_any_coefficients_the_table_agrees_with_the_bracket(numerator, denominator, furthest):
+    profile = RadialProfile(numerator, denominator)
+    images = np.linspace(0.0, min(furthest, 2.0 * largest_image_radius(profile)), 2100)
+    radius, valid = invert(profile, images)
+    expected, expected_valid = invert_bracketed(profile, images)
+    assert np.isfinite(radius).all()
+    fold = fold_radius(profile)
+    assert ((radius >= 0.0) & (radius <= fold)).all()
+    assert not (expected_valid & ~valid).any()
+    both = valid & expected_valid
+    back = evaluate(profile, radius[valid])
+    np.testing.assert_allclose(back, images[valid], rtol=1e-9, atol=1e-300)
+    near_fold = expected > 0.999 * fold
+    np.testing.assert_allclose(radius[both & ~near_fold], expected[both & ~near_fold], rtol=1e-8)

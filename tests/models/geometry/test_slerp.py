@@ -1,0 +1,89 @@
+"""Orientations between two others: slerp and nlerp against SciPy's, and what both must keep."""
+
+import math
+
+import numpy as np
+import pytest
+from scipy.spatial.transform import Rotation, Slerp
+
+from simulations.models.geometry import quaternions, rotations
+
+RNG = np.random.default_rng(1)
+RANDOM = Rotation.random(200, rng=RNG)
+
+
+def wxyz(rotation):
+    return np.roll(rotation.as_quat(), 1, axis=-1)
+
+
+def same_up_to_sign(a, b):
+    return np.minimum(np.abs(a - b).max(axis=-1), np.abs(a + b).max(axis=-1))
+
+
+def test_slerp_agrees_with_scipy():
+    shares = np.linspace(0, 1, 11)
+    for start, end in zip(RANDOM[:20], RANDOM[20:40], strict=True):
+        expected = Slerp([0, 1], Rotation.concatenate([start, end]))(shares)
+        ours = rotations.slerp(wxyz(start), wxyz(end), shares)
+        assert same_up_to_sign(ours, wxyz(expected)).max() < 1e-14
+
+
+def test_slerp_turns_at_constant_speed_and_nlerp_does_not():
+    start, end = quaternions.from_rotation_vector([(0, 0, 0), (0, 0, math.radians(170))])
+    quarter_deg = [
+        math.degrees(np.linalg.norm(quaternions.to_rotation_vector(blend(start, end, 0.25))))
+        for blend in (rotations.slerp, rotations.nlerp)
+    ]
+    # nlerp walks the chord: tan of the angle from its middle shrinks in proportion to the share.
+    on_the_chord = 85 - 2 * math.degrees(math.atan(0.5 * math.tan(math.radians(42.5))))
+    assert quarter_deg == pytest.approx([42.5, on_the_chord])
+
+
+@pytest.mark.parametrize("blend", [rotations.slerp, rotations.nlerp])
+def test_blending_takes_the_shorter_way_and_meets_both_ends(blend):
+    start, end = quaternions.from_rotation_vector([(0, 0, 0.1), (0, 0, 0.3)])
+    for sign in (1, -1):
+        assert quaternions.to_rotation_vector(blend(start, sign * end, 0.5))[2] == pytest.approx(
+            0.2
+        )
+        assert same_up_to_sign(blend(start, sign * end, 1.0), end) < 1e-15
+        assert same_up_to_sign(blend(start, sign * end, 0.0), start) < 1e-15
+
+
+@pytest.mark.parametrize("angle", [0.0, 1e-12, math.pi])
+def test_slerp_is_defined_for_equal_nearly_equal_and_opposite_orientations(angle):
+    start, end = quaternions.from_rotation_vector([(0, 0, 0), (angle, 0, 0)])
+    middle = quaternions.to_rotation_vector(rotations.slerp(start, end, 0.5))
+    assert middle == pytest.approx((angle / 2, 0, 0), abs=1e-16, rel=1e-12)
+
+
+@pytest.mark.parametrize("blend", [rotations.slerp, rotations.nlerp])
+def test_a_share_lies_within_a_million(blend):
+    start, end = quaternions.from_rotation_vector([(0, 0, 0), (0, 0, 1.0)])
+    assert np.isfinite(blend(start, end, [-1e6, 1e6])).all()
+    for share in (1.1e6, -1.1e6, math.nan):
+        with pytest.raises(ValueError, match="share"):
+            blend(start, end, [0.5, share])
+
+
+@pytest.mark.parametrize("sign", [1, -1])
+def test_of_two_ways_of_equal_length_the_signs_of_the_quaternions_decide(sign):
+    middle = rotations.slerp([1.0, 0, 0, 0], [0, sign * 1.0, 0, 0], 0.5)
+    assert middle == pytest.approx(np.array([1, sign, 0, 0]) / math.sqrt(2))
+
+
+def test_slerp_goes_on_past_its_ends_at_the_same_speed():
+    start, end = quaternions.from_rotation_vector([(0, 0, 0.1), (0, 0, 0.4)])
+    shares = np.array([-1.0, -0.5, 1.5, 3.0])
+    angles = quaternions.to_rotation_vector(rotations.slerp(start, end, shares))[:, 2]
+    assert angles == pytest.approx(0.1 + 0.3 * shares)
+
+
+def test_fields_of_orientations_are_blended_pair_by_pair():
+    q0, q1 = wxyz(RANDOM[:6]).reshape(2, 3, 4), wxyz(RANDOM[6:12]).reshape(2, 3, 4)
+    share = RNG.random((2, 3))
+    for blend in (rotations.slerp, rotations.nlerp):
+        field = blend(q0, q1, share)
+        assert field.shape == (2, 3, 4)
+        for place in np.ndindex(2, 3):
+            assert field[place] == pytest.approx(blend(q0[place], q1[place], share[place]))

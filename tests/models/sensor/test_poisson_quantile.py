@@ -1,0 +1,123 @@
+"""One count from each normal deviate, at every mean: SciPy's Poisson quantiles are the oracle."""
+
+import numpy as np
+import pytest
+from scipy import stats
+
+from simulations.models.sensor.photon_counting import shot_noise, shot_noise_from_normal
+from simulations.models.sensor.poisson_quantile import FEW, normal_tail, poisson_from_normal
+
+STEPS = 400_000
+PROBABILITY = (np.arange(STEPS) + 0.5) / STEPS
+EVEN = stats.norm.ppf(PROBABILITY)
+"""Deviates that cut the normal into equal parts: what they give is a distribution, not a sample."""
+MEANS = (1e-12, 1e-6, 1e-3, 0.05, 0.3, 1.0, 3.0, 9.999, 10.0, 30.0, 1e2, 1e3, 1e4, 1e5)
+
+
+def counted(mean, z=EVEN):
+    return poisson_from_normal(np.full(z.shape, mean, z.dtype), z)
+
+
+def gap(counts, mean):
+    """Kolmogorov–Smirnov distance, at every whole number that can matter."""
+    reach = 9 * np.sqrt(mean) + 12
+    k = np.arange(max(0, int(mean - reach)), int(mean + reach))
+    share = np.searchsorted(np.sort(counts), k, side="right") / counts.size
+    return np.abs(share - stats.poisson.cdf(k, mean)).max()
+
+
+@pytest.mark.parametrize("mean", MEANS)
+def test_its_distribution_is_poisson_s_at_every_mean(mean):
+    counts = counted(mean)
+    exact = mean < FEW
+    assert gap(counts, mean) < (2e-6 if exact else 3e-4)
+    # Even steps leave out the far tails, one part in 400 000 on either side.
+    assert counts.mean() == pytest.approx(mean, abs=1e-5 * np.sqrt(mean) + 2e-6)
+    assert counts.var() == pytest.approx(mean, rel=3e-4, abs=4e-6)
+
+
+@pytest.mark.parametrize("mean", MEANS)
+def test_it_is_scipy_s_quantile_deviate_by_deviate(mean):
+    off = counted(mean) - stats.poisson.ppf(PROBABILITY, mean)
+    assert np.abs(off).max() <= 1
+    assert np.mean(off != 0) < (1e-5 if mean < FEW else 0.003)
+
+
+def test_an_electron_in_a_billion_is_drawn_where_it_is_due():
+    """Far out on the tail, where probabilities near 1 have no digits left."""
+    mean = np.array([1e-12, 1e-9, 1e-6, 1e-3])
+    due = stats.norm.isf(-np.expm1(-mean))
+    assert poisson_from_normal(mean, due - 1e-3).tolist() == [0, 0, 0, 0]
+    assert poisson_from_normal(mean, due + 1e-3).tolist() == [1, 1, 1, 1]
+
+
+@pytest.mark.parametrize("model", ["quantile", "poisson"])
+@pytest.mark.parametrize("mean", [1e-12, 1e-3, 0.05, 0.3])
+def test_next_to_no_light_frees_next_to_no_electrons(model, mean):
+    """The curve that leans, for comparison, frees 0.047 electrons of nothing."""
+    samples = 200_000
+    drawn = shot_noise(np.full(samples, mean), np.random.default_rng(3), model=model)
+    assert drawn.mean() == pytest.approx(mean, abs=5 * np.sqrt(mean / samples))
+    skewed = shot_noise(np.full(samples, 1e-12), np.random.default_rng(3), model="skewed")
+    assert skewed.mean() == pytest.approx(0.047, abs=0.003)
+
+
+def test_more_light_never_takes_electrons_away_and_nothing_jumps():
+    """The same deviates in light that rises through the border between sums and expansion."""
+    z = np.linspace(-5, 5, 2001)
+    means = np.linspace(0.9 * FEW, 1.1 * FEW, 101)
+    path = poisson_from_normal(means[:, None], z[None])
+    steps = np.diff(path, axis=0)
+    assert set(np.unique(steps)) <= {-1.0, 0.0, 1.0}
+    # Only at the border itself, and there for few, a count may fall.
+    falls = np.flatnonzero((steps < 0).any(axis=1))
+    assert all(means[at] < FEW <= means[at + 1] for at in falls)
+    border = poisson_from_normal(np.array([[np.nextafter(FEW, 0)], [FEW]]), EVEN[None])
+    assert np.mean(border[0] != border[1]) < 0.003
+
+
+@pytest.mark.parametrize("mean", [0.2, 4.0, 9.9, 10.0, 40.0, 1e4])
+def test_a_larger_deviate_never_counts_fewer(mean):
+    assert (np.diff(counted(mean, np.linspace(-7, 7, 10_001))) >= 0).all()
+
+
+@pytest.mark.parametrize("mean", [0.0, 0.5, 1e4])
+def test_deviates_out_of_all_proportion_give_whole_numbers_of_zero_or_more(mean):
+    counts = counted(mean, np.array([-1e3, -40.0, 40.0]))
+    assert np.isfinite(counts).all()
+    assert (counts >= 0).all()
+    assert (counts == np.rint(counts)).all()
+    assert counts[0] == 0 or mean > 0
+
+
+def test_no_light_frees_no_electron_whatever_the_deviate():
+    assert counted(0.0, np.linspace(-40, 40, 81)).tolist() == [0.0] * 81
+
+
+def test_float32_counts_as_float64_does():
+    mean = np.geomspace(1e-3, 3e4, 50_000)
+    z = np.random.default_rng(5).standard_normal(mean.size).astype(np.float32)
+    single = poisson_from_normal(mean.astype(np.float32), z)
+    double = poisson_from_normal(mean, z.astype(float))
+    assert single.dtype == np.float32
+    assert np.abs(single - double).max() <= 1
+    assert np.mean(single != double) < 0.002
+
+
+def test_light_in_float32_and_deviates_in_float64_are_counted_in_float64():
+    mean = np.array([0.3, 5.0, 50.0], np.float32)
+    z = np.array([9.0, 9.0, -1.0])
+    np.testing.assert_array_equal(
+        poisson_from_normal(mean, z), poisson_from_normal(mean.astype(float), z)
+    )
+
+
+def test_the_tail_of_the_normal_is_scipy_s():
+    z = np.linspace(-8, 8, 10_001)
+    np.testing.assert_allclose(normal_tail(z), stats.norm.sf(z), rtol=1.3e-7)
+
+
+def test_a_well_holds_what_is_counted_and_no_more():
+    z = np.array([0.0, 3.0, 3.0])
+    held = shot_noise_from_normal([5.0, 5.0, 1e9], z, 8.0)
+    assert held.tolist() == [stats.poisson.ppf(0.5, 5.0), 8.0, 8.0]
