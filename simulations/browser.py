@@ -8,11 +8,10 @@ from functools import lru_cache
 from math import isfinite
 from typing import Any
 
-from simulations.engine.controls import Values, clamp_values
 from simulations.engine.frame import Raster, Readout, to_json
 from simulations.engine.ladder import measure_tier
-from simulations.engine.pipeline import StageCache
 from simulations.engine.scene import Scene
+from simulations.engine.stages import StageCache
 from simulations.late_imports import fetch_missing
 from simulations.registry import load_ladder, load_scene
 
@@ -55,21 +54,15 @@ def error(figure: str, scene_id: str, values: str, tier: str) -> str:
     wanted = (scene_id, values, tier)
     begun, estimates = _judgements.get(figure, (None, iter(())))
     if begun != wanted:
-        estimates = iter(())
-        if scene.error is not None:
-            estimates = scene.error(*_setting(scene, figure, values, tier))
+        estimates = scene.estimates(*_setting(scene, figure, values, tier))
         _judgements[figure] = (wanted, estimates)
     estimate = next(estimates, None)
     return json.dumps(None if estimate is None else asdict(estimate), ensure_ascii=False)
 
 
-def _setting(scene: Scene, figure: str, values: str, tier: str) -> tuple[Values, str, StageCache]:
-    """What a scene is called with; a tier that it lacks stands for its default."""
-    return (
-        clamp_values(scene.controls, json.loads(values)),
-        tier if tier in scene.tiers else scene.default_tier,
-        _caches.setdefault(figure, StageCache()),
-    )
+def _setting(scene: Scene[Any], figure: str, values: str, tier: str) -> tuple[Any, str, StageCache]:
+    """What a scene is called with."""
+    return scene.clamp(json.loads(values)), tier, _caches.setdefault(figure, StageCache())
 
 
 def forget(figure: str) -> None:

@@ -3,6 +3,7 @@
 from collections.abc import Mapping
 from importlib import import_module
 from types import ModuleType
+from typing import Any
 
 from simulations.engine.controls import suggestion
 from simulations.engine.ladder import Ladder
@@ -58,9 +59,9 @@ class UnknownIdError(KeyError):
         return str(self.args[0])
 
 
-def load_scene(scene_id: str) -> Scene:
+def load_scene(scene_id: str) -> Scene[Any]:
     """The scene ``scene_id``: the ``SCENE`` of its module. Raises `UnknownIdError`."""
-    scene: Scene = _module("simulation", scene_id, SCENE_MODULES).SCENE
+    scene: Scene[Any] = _module("simulation", scene_id, SCENE_MODULES).SCENE
     return scene
 
 

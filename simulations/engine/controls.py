@@ -1,12 +1,8 @@
-"""The parameters of a scene: what the reader may change, within which range, starting where.
-
-A scene states each parameter once, here; sliders, defaults, validation and documentation
-are all drawn from it.
-"""
+"""Controls: what the reader may change, within which range, starting where."""
 
 import difflib
 import math
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Mapping
 from dataclasses import dataclass
 
 type Value = float | int | str | bool
@@ -185,60 +181,6 @@ class Action:
 
 
 type Control = Slider | Choice | Toggle | Action
-
-
-@dataclass(frozen=True, slots=True)
-class Values(Mapping[str, Value]):
-    """Validated values of all controls of one scene, by name."""
-
-    items_by_name: Mapping[str, Value]
-
-    def __getitem__(self, name: str) -> Value:
-        return self.items_by_name[name]
-
-    def __iter__(self) -> Iterator[str]:
-        return iter(self.items_by_name)
-
-    def __len__(self) -> int:
-        return len(self.items_by_name)
-
-    def number(self, name: str) -> float:
-        return float(self.items_by_name[name])
-
-    def choice(self, name: str) -> str:
-        return str(self.items_by_name[name])
-
-    def toggle(self, name: str) -> bool:
-        return bool(self.items_by_name[name])
-
-    def state(self, name: str) -> int:
-        """State of an action: presses modulo its labels."""
-        return int(self.items_by_name[name])
-
-
-def check_values(controls: Sequence[Control], given: Mapping[str, object]) -> Values:
-    """Defaults overridden by what an author gave; anything illegal raises `ControlError`."""
-    return _resolve(controls, given, clamp=False)
-
-
-def clamp_values(controls: Sequence[Control], given: Mapping[str, object]) -> Values:
-    """Defaults overridden by a reader's gestures; numbers out of range are brought into it."""
-    return _resolve(controls, given, clamp=True)
-
-
-def _resolve(controls: Sequence[Control], given: Mapping[str, object], *, clamp: bool) -> Values:
-    by_name = {control.name: control for control in controls}
-    for name in given:
-        if name not in by_name:
-            raise ControlError(
-                f"unknown parameter {name!r}; legal: {', '.join(by_name)}"
-                f"{suggestion(name, by_name)}"
-            )
-    values: dict[str, Value] = {control.name: control.default for control in controls}
-    for name, raw in given.items():
-        control = by_name[name]
-        values[name] = control.clamp(raw) if clamp else control.check(raw)
-    return Values(values)
 
 
 def suggestion(given: object, legal: Mapping[str, object]) -> str:

@@ -2,32 +2,39 @@
 
 import itertools
 from collections.abc import Callable, Iterator, Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 
-from simulations.engine.controls import Control, Slider, Values
+from simulations.engine.controls import Control, Slider, Value
 from simulations.engine.frame import Frame, Readout
-from simulations.engine.pipeline import StageCache
-
-type Render = Callable[[Values, str, StageCache], Frame]
-type Judge = Callable[[Values, str, StageCache], Iterator[Readout]]
+from simulations.engine.settings import check_settings, clamp_settings, controls_of, values_of
+from simulations.engine.stages import Outputs, Run, Stage, StageCache, run
 
 
 @dataclass(frozen=True, slots=True)
-class Scene:
-    """A widget: what the reader may change, and what each choice looks like."""
+class Scene[S]:
+    """A widget: what the reader may change, how it is computed, and what is drawn of it.
+
+    ``S`` is the dataclass of its settings. Nothing that a scene does depends on a clock, on
+    globals or on unseeded randomness.
+    """
 
     id: str
     title: str
-    controls: tuple[Control, ...]
-    render: Render
-    """Pure: no clock, no globals, no unseeded randomness. Takes values, tier ('' where the scene
-    has none) and the figure's stage cache, which changes how long it takes, never the result."""
+    settings: type[S]
+    """Frozen dataclass whose fields state the controls: see `simulations.engine.settings`."""
+    draw: Callable[[S, Outputs], Frame]
+    """The frame at some settings, from what the stages made of them."""
+    stages: tuple[Stage, ...] = ()
+    """In the order in which they run. They read settings, ``tier`` and `parameters` by name."""
+    parameters: Callable[[S, str], Mapping[str, Value]] | None = None
+    """What stages read besides the settings: set by the tier, or worked out."""
     tiers: tuple[str, ...] = ()
     """Accuracy choices, cheap to dear."""
     default_tier: str = ""
     """The tier a figure settles in."""
     draft_tier: str = ""
-    """The tier a figure uses while a control is being dragged, unless a cheaper one is chosen."""
+    """The tier a figure uses while a control is being dragged, unless a cheaper one is chosen; the
+    default where none is named."""
     drafted: tuple[str, ...] = ()
     """The controls whose drags need the draft; all of them where none is named."""
     drafted_in: Mapping[str, tuple[str, ...]] = field(default_factory=dict)
@@ -37,34 +44,71 @@ class Scene:
     tiers, a control of the scene's own chooses between its rungs."""
     tier_labels: Mapping[str, str] = field(default_factory=dict)
     """What the reader sees of tiers that belong to no ladder, or that its words do not fit here."""
-    error: Judge | None = None
+    estimate: Callable[[S, Outputs, str], Iterator[Readout]] | None = None
     """How far a frame in this tier is from the truth, with a unit. Asked only while nothing
     moves, one step at a time: each step is short and yields a better estimate than the last."""
 
     def __post_init__(self) -> None:
-        names = [control.name for control in self.controls]
-        if len(set(names)) != len(names):
-            raise ValueError(f"scene {self.id!r}: duplicate control in {names}")
-        sliders = {control.name for control in self.controls if isinstance(control, Slider)}
+        if not self.draft_tier:
+            object.__setattr__(self, "draft_tier", self.default_tier)
+        for mistake in (*self._wrong_buttons(), *self._wrong_tiers(), *self._wrong_drafts()):
+            raise ValueError(f"scene {self.id!r}: {mistake}")
+
+    @property
+    def controls(self) -> tuple[Control, ...]:
+        """What the reader may change, in the order shown."""
+        return controls_of(self.settings)
+
+    def check(self, given: Mapping[str, object]) -> S:
+        """The settings that an author gave; anything illegal raises `ControlError`."""
+        return check_settings(self.settings, given)
+
+    def clamp(self, given: Mapping[str, object]) -> S:
+        """The settings of a reader's gestures; numbers out of range are brought into it."""
+        return clamp_settings(self.settings, given)
+
+    def run(self, settings: S, tier: str, cache: StageCache) -> Run:
+        """What the stages make of these settings; a tier that the scene lacks is its default."""
+        tier = self._settled(tier)
+        extra = self.parameters(settings, tier) if self.parameters else {}
+        return run(self.stages, {**values_of(settings), "tier": tier, **extra}, cache)
+
+    def render(self, settings: S, tier: str, cache: StageCache) -> Frame:
+        """The frame at these settings. The cache changes how long it takes, never the result."""
+        done = self.run(settings, tier, cache)
+        return replace(self.draw(settings, done.outputs), stages=done.reports)
+
+    def estimates(self, settings: S, tier: str, cache: StageCache) -> Iterator[Readout]:
+        """Better and better estimates of how far the frame is from the truth; none without one."""
+        if self.estimate is not None:
+            outputs = self.run(settings, tier, cache).outputs
+            yield from self.estimate(settings, outputs, self._settled(tier))
+
+    def _settled(self, tier: str) -> str:
+        return tier if tier in self.tiers else self.default_tier
+
+    def _wrong_buttons(self) -> Iterator[str]:
+        sliders = [control.name for control in self.controls if isinstance(control, Slider)]
         for control in self.controls:
             driven = getattr(control, "drives", "")
             if driven and driven not in sliders:
-                raise ValueError(
-                    f"scene {self.id!r}: {control.name!r} drives no slider {driven!r}; "
-                    f"legal: {', '.join(sliders) or 'none'}"
-                )
+                legal = ", ".join(sliders) or "none"
+                yield f"{control.name!r} drives no slider {driven!r}; legal: {legal}"
+
+    def _wrong_tiers(self) -> Iterator[str]:
         for tier in (self.default_tier, self.draft_tier):
             if tier not in (*self.tiers, "") or bool(self.tiers) != bool(tier):
-                raise ValueError(f"scene {self.id!r}: tier {tier!r}; legal: {self.tiers}")
-        if not set(self.drafted_in) <= set(self.tiers):
-            raise ValueError(
-                f"scene {self.id!r}: drafted_in {self.drafted_in}; legal: {self.tiers}"
-            )
-        for name in itertools.chain(self.drafted, *self.drafted_in.values()):
-            if name not in names:
-                raise ValueError(f"scene {self.id!r}: drafted {name!r}; legal: {names}")
+                yield f"tier {tier!r}; legal: {self.tiers}"
         labelled = set(self.tier_labels)
         if not labelled <= set(self.tiers):
-            raise ValueError(f"scene {self.id!r}: labels {labelled}; legal: {self.tiers}")
+            yield f"labels {labelled}; legal: {self.tiers}"
         if self.tiers and not self.ladder and labelled != set(self.tiers):
-            raise ValueError(f"scene {self.id!r}: tiers {self.tiers} have no ladder to label them")
+            yield f"tiers {self.tiers} have no ladder to label them"
+
+    def _wrong_drafts(self) -> Iterator[str]:
+        names = [control.name for control in self.controls]
+        if not set(self.drafted_in) <= set(self.tiers):
+            yield f"drafted_in {self.drafted_in}; legal: {self.tiers}"
+        for name in itertools.chain(self.drafted, *self.drafted_in.values()):
+            if name not in names:
+                yield f"drafted {name!r}; legal: {names}"

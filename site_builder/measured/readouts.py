@@ -5,8 +5,8 @@ from dataclasses import dataclass, field
 
 from simulations.engine.controls import ControlError, check_values
 from simulations.engine.frame import Frame, Readout
-from simulations.engine.pipeline import StageCache
 from simulations.engine.scene import Scene
+from simulations.engine.stages import StageCache
 from simulations.registry import UnknownIdError
 from site_builder.diagnostics import cause, unknown
 from site_builder.measured.quantities import with_unit

@@ -13,8 +13,8 @@ from typing import Any
 
 from simulations.engine.controls import ControlError, check_values
 from simulations.engine.frame import StageReport
-from simulations.engine.pipeline import StageCache
 from simulations.engine.scene import Scene
+from simulations.engine.stages import StageCache
 from site_builder.diagnostics import cause
 
 DATA = Path("content") / "stage-costs.json"

@@ -8,7 +8,7 @@ from PIL import Image
 
 from simulations.engine.controls import Values, check_values
 from simulations.engine.frame import Frame, Raster
-from simulations.engine.pipeline import StageCache
+from simulations.engine.stages import StageCache
 from site_builder.book import Book, Simulation
 from site_builder.diagnostics import Diagnostics, cause
 

@@ -19,8 +19,8 @@ from pathlib import Path
 
 from simulations.engine.controls import Action, Choice, Control, Slider, Value, check_values
 from simulations.engine.frame import Frame
-from simulations.engine.pipeline import StageCache
 from simulations.engine.scene import Scene
+from simulations.engine.stages import StageCache
 from simulations.registry import SCENE_MODULES, load_scene
 
 COLD = "(cold)"

@@ -10,8 +10,8 @@ import time
 from pathlib import Path
 
 from simulations.engine.controls import Value, check_values
-from simulations.engine.pipeline import StageCache
 from simulations.engine.scene import Scene
+from simulations.engine.stages import StageCache
 from simulations.registry import load_scene
 
 DATA = Path(__file__).resolve().parents[2] / "content" / "stage-costs.json"

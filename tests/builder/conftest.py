@@ -9,8 +9,8 @@ import pytest
 from simulations.engine.controls import Action, Choice, Slider, Toggle, Values
 from simulations.engine.drawing import line, text
 from simulations.engine.frame import Frame, Panel, matrix_readout, readout
-from simulations.engine.pipeline import StageCache
 from simulations.engine.scene import Scene
+from simulations.engine.stages import StageCache
 from simulations.registry import UnknownIdError
 from site_builder.build import Options
 

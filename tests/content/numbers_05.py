@@ -6,7 +6,7 @@ import numpy as np
 from support.worked_numbers import Says
 
 from simulations.engine.controls import check_values
-from simulations.engine.pipeline import StageCache
+from simulations.engine.stages import StageCache
 from simulations.models.color.srgb import encode_srgb
 from simulations.models.light.reflectance import attenuation, blinn_phong, lambert, phong
 from simulations.scenes.reflection.phong import SCENE

@@ -13,7 +13,7 @@ from scipy.optimize import brentq
 from support.worked_numbers import Says
 
 from simulations.engine.controls import check_values
-from simulations.engine.pipeline import StageCache
+from simulations.engine.stages import StageCache
 from simulations.models.color.chromatic_adaptation import adapt
 from simulations.models.color.chromaticity import ILLUMINANT_A_XY, lab_distance, white_xyz
 from simulations.models.color.srgb import (

@@ -8,7 +8,7 @@ from numpy import arange, interp
 from support.worked_numbers import Says
 
 from simulations.engine.controls import check_values
-from simulations.engine.pipeline import StageCache
+from simulations.engine.stages import StageCache
 from simulations.models.color.srgb import encode_srgb
 from simulations.models.distortion.lens_model import Distortion, distort, largest_distorted_radius
 from simulations.models.lens.aperture_grid import aperture_grid

@@ -5,7 +5,7 @@ import pytest
 from scipy.integrate import quad
 
 from simulations.engine.controls import check_values
-from simulations.engine.pipeline import StageCache
+from simulations.engine.stages import StageCache
 from simulations.ladders.anti_aliasing import LADDER
 from simulations.models.color.srgb import decode_srgb
 from simulations.models.sampling.aliasing import zone_plate

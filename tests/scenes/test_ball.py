@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from simulations.engine.controls import check_values
-from simulations.engine.pipeline import StageCache
+from simulations.engine.stages import StageCache
 from simulations.models.color.srgb import decode_srgb
 from simulations.models.light.reflectance import blinn_phong, lambert, phong
 from simulations.scenes.reflection import ball as the_ball

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from simulations.engine.controls import check_values
-from simulations.engine.pipeline import StageCache
+from simulations.engine.stages import StageCache
 from simulations.models.color.srgb import decode_srgb
 from simulations.models.sensor.bayer import mosaic
 from simulations.models.sensor.demosaicing import METHODS

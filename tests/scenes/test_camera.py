@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 from simulations.engine.controls import Slider, check_values
-from simulations.engine.pipeline import StageCache
+from simulations.engine.stages import StageCache
 from simulations.models.color.srgb import decode_srgb, encode_srgb
 from simulations.models.light.raycasting import Sphere
 from simulations.models.projection import pinhole

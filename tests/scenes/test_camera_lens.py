@@ -9,7 +9,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from simulations.engine.controls import check_values
-from simulations.engine.pipeline import StageCache
+from simulations.engine.stages import StageCache
 from simulations.models.distortion.lens_model import Distortion, distort, largest_distorted_radius
 from simulations.pictures.still_life import things as still_life
 from simulations.scenes.camera import lens as camera_lens

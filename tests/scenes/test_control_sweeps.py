@@ -17,8 +17,8 @@ import pytest
 
 from simulations.engine.controls import Action, Choice, Control, Slider, Toggle, clamp_values
 from simulations.engine.frame import Frame, to_json
-from simulations.engine.pipeline import StageCache
 from simulations.engine.scene import Scene
+from simulations.engine.stages import StageCache
 from simulations.registry import SCENE_MODULES, load_scene
 
 type Setting = dict[str, object]

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from simulations.engine.controls import check_values
-from simulations.engine.pipeline import StageCache, run
+from simulations.engine.stages import StageCache, run
 from simulations.ladders.depth_of_field.ladder import LADDER
 from simulations.models.lens import thin_lens
 from simulations.models.lens.aperture_grid import aperture_grid

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from simulations.engine.controls import check_values
-from simulations.engine.pipeline import StageCache
+from simulations.engine.stages import StageCache
 from simulations.models.color.srgb import encode_srgb
 from simulations.scenes.formation_pipeline.drawing import place, route
 from simulations.scenes.formation_pipeline.scene import CONTROLS, SCENE

@@ -9,7 +9,7 @@ from PIL import Image
 from scipy.fft import dctn
 
 from simulations.engine.controls import check_values
-from simulations.engine.pipeline import StageCache
+from simulations.engine.stages import StageCache
 from simulations.models.compression.blocks import round_outwards, to_blocks
 from simulations.models.compression.chroma_subsampling import SUBSAMPLING, coarsen
 from simulations.models.compression.chroma_upsampling import METHODS

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from simulations.engine.controls import check_values
-from simulations.engine.pipeline import StageCache, run
+from simulations.engine.stages import StageCache, run
 from simulations.ladders.chromatic_aberration import LADDER
 from simulations.models.lens.chromatic_aberration import LINE_D_UM
 from simulations.pictures.resolution_chart import resolution_chart

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from simulations.engine.controls import check_values
-from simulations.engine.pipeline import StageCache, run
+from simulations.engine.stages import StageCache, run
 from simulations.models.distortion.lens_model import Distortion, distort
 from simulations.pictures.checker_room import checker_room
 from simulations.scenes.lens_distortion.scene import SCENE

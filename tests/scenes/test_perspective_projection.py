@@ -7,7 +7,7 @@ import pytest
 
 from simulations.engine.controls import Slider, check_values
 from simulations.engine.frame import to_json
-from simulations.engine.pipeline import StageCache
+from simulations.engine.stages import StageCache
 from simulations.scenes.perspective_projection.scene import SCENE
 
 DEPTHS = (-2.0, -0.1, 0.0, 0.1, 1.0, 5.0, 20.0)

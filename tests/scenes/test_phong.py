@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from simulations.engine.controls import check_values
-from simulations.engine.pipeline import StageCache
+from simulations.engine.stages import StageCache
 from simulations.models.color.srgb import decode_srgb, encode_srgb
 from simulations.scenes.reflection.ball import build_ball, light_direction
 from simulations.scenes.reflection.phong import (

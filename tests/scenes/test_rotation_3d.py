@@ -5,7 +5,7 @@ import pytest
 from scipy.spatial.transform import Rotation
 
 from simulations.engine.controls import check_values
-from simulations.engine.pipeline import StageCache
+from simulations.engine.stages import StageCache
 from simulations.ladders.rotation_interpolation import LADDER
 from simulations.scenes.rotation_3d import aircraft
 from simulations.scenes.rotation_3d.rings import pieces, rings

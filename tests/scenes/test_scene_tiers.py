@@ -5,7 +5,7 @@ import itertools
 import pytest
 
 from simulations.engine.controls import check_values
-from simulations.engine.pipeline import StageCache
+from simulations.engine.stages import StageCache
 from simulations.registry import SCENE_MODULES, load_ladder, load_scene
 
 SCENES = {name: load_scene(name) for name in SCENE_MODULES}

@@ -8,7 +8,7 @@ import pytest
 from scipy import stats
 
 from simulations.engine.controls import check_values
-from simulations.engine.pipeline import StageCache
+from simulations.engine.stages import StageCache
 from simulations.ladders.shot_noise import LADDER
 from simulations.models.color.srgb import encode_srgb
 from simulations.models.sensor.photon_counting import SHOT_MODELS, develop

@@ -8,8 +8,8 @@ import pytest
 
 from simulations.engine.controls import Action, Choice, Control, Slider, check_values
 from simulations.engine.frame import Frame
-from simulations.engine.pipeline import Stage, StageCache
 from simulations.engine.scene import Scene
+from simulations.engine.stages import Stage, StageCache
 from simulations.registry import SCENE_MODULES, load_scene
 from simulations.scenes.camera import scene as camera
 from simulations.scenes.camera import stages as camera_stages

@@ -7,9 +7,8 @@ from itertools import product
 import numpy as np
 import pytest
 
-from simulations.engine.controls import check_values
 from simulations.engine.frame import to_json
-from simulations.engine.pipeline import StageCache
+from simulations.engine.stages import StageCache
 from simulations.models.geometry.transforms import apply_homography
 from simulations.scenes.transform_2d.plane import to_view
 from simulations.scenes.transform_2d.scene import RUNGS, SCENE, transformation
@@ -20,7 +19,7 @@ READOUTS = ["matrix", "freedoms", "area", *PROPERTIES]
 
 
 def frame(**given):
-    return SCENE.render(check_values(SCENE.controls, given), "", StageCache())
+    return SCENE.render(SCENE.check(given), "", StageCache())
 
 
 def texts(**given):

@@ -3,8 +3,7 @@
 import numpy as np
 import pytest
 
-from simulations.engine.controls import check_values
-from simulations.engine.pipeline import StageCache
+from simulations.engine.stages import StageCache
 from simulations.ladders.exposure_blur import LADDER
 from simulations.pictures import spoked_wheel
 from simulations.scenes.wagon_wheel.film import by_changes, exposure_of, frame_at
@@ -12,12 +11,12 @@ from simulations.scenes.wagon_wheel.scene import SCENE
 
 
 def frame(cache=None, tier="", **values):
-    return SCENE.render(check_values(SCENE.controls, values), tier, cache or StageCache())
+    return SCENE.render(SCENE.check(values), tier, cache or StageCache())
 
 
 def judged(tier, **values):
     """All estimates of the error, as shown, the last for all pixels."""
-    estimates = list(SCENE.error(check_values(SCENE.controls, values), tier, StageCache()))
+    estimates = list(SCENE.estimates(SCENE.check(values), tier, StageCache()))
     assert {each.unit for each in estimates} == {"of full contrast"}
     return [each.text for each in estimates]
 

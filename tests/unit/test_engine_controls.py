@@ -3,8 +3,6 @@
 import json
 
 import pytest
-from hypothesis import given
-from hypothesis import strategies as st
 
 from simulations.engine.controls import (
     Action,
@@ -13,8 +11,6 @@ from simulations.engine.controls import (
     ControlError,
     Slider,
     Toggle,
-    check_values,
-    clamp_values,
     describe,
 )
 
@@ -25,59 +21,6 @@ KIND = Choice(name="kind", label="Kind", default="rigid", options={"rigid": "Rig
 SHOW = Toggle(name="show", label="Show", default=True)
 PLAY = Action(name="play", labels=("Play", "Pause"), drives="depth", effect="play")
 CONTROLS: tuple[Control, ...] = (DEPTH, KIND, SHOW, PLAY)
-
-
-def test_what_is_not_given_takes_its_default() -> None:
-    assert dict(check_values(CONTROLS, {})) == {
-        "depth": 5.0, "kind": "rigid", "show": True, "play": 0,
-    }  # fmt: skip
-
-
-def test_texts_of_a_page_are_read_as_values() -> None:
-    given_texts = {"depth": "2.5", "kind": "affine", "show": "false", "play": "1"}
-    values = check_values(CONTROLS, given_texts)
-    assert values.number("depth") == 2.5
-    assert values.choice("kind") == "affine"
-    assert values.toggle("show") is False
-    assert values.state("play") == 1
-
-
-@pytest.mark.parametrize(
-    ("name", "raw", "reason"),
-    [
-        ("depth", 0.25, "0.25 is out of range; legal: 0.5 to 20"),
-        ("depth", "far", "'far' is not a number; legal: 0.5 to 20"),
-        ("depth", "nan", "'nan' is not finite; legal: 0.5 to 20"),
-        ("depth", True, "True is not a number"),
-        ("depth", 10**400, "is not a number; legal: 0.5 to 20"),
-        ("kind", "rigit", "legal: rigid, affine; did you mean 'rigid'?"),
-        ("show", "perhaps", "'perhaps' is not a switch position; legal: true, false"),
-        ("play", 2, "2 is not a state; legal: 0 to 1"),
-        ("play", "inf", "'inf' is not a state"),
-        ("dept", 1, "unknown parameter 'dept'; legal: depth, kind, show, play; did you mean"),
-    ],
-)
-def test_an_author_is_told_what_was_given_and_what_is_legal(
-    name: str, raw: object, reason: str
-) -> None:
-    with pytest.raises(ControlError) as raised:
-        check_values(CONTROLS, {name: raw})
-    assert reason in str(raised.value)
-
-
-@given(st.floats(allow_nan=False, allow_infinity=False))
-def test_a_reader_s_gesture_is_brought_into_range(number: float) -> None:
-    depth = clamp_values(CONTROLS, {"depth": number}).number("depth")
-    assert DEPTH.minimum <= depth <= DEPTH.maximum
-    if DEPTH.minimum <= number <= DEPTH.maximum:
-        assert depth == number
-
-
-def test_a_reader_s_nonsense_is_refused_even_when_clamping() -> None:
-    with pytest.raises(ControlError):
-        clamp_values(CONTROLS, {"depth": float("nan")})
-    with pytest.raises(ControlError):
-        clamp_values(CONTROLS, {"kind": "projective"})
 
 
 @pytest.mark.parametrize(

@@ -2,77 +2,103 @@
 
 import json
 from collections.abc import Iterator
+from dataclasses import dataclass
+from typing import Any
 
 import pytest
 
 from simulations import browser
-from simulations.engine.controls import Action, Slider, Values
 from simulations.engine.frame import Frame, Panel, Readout
-from simulations.engine.pipeline import StageCache
 from simulations.engine.scene import Scene
+from simulations.engine.settings import action, slider
+from simulations.engine.stages import Outputs, Stage, StageCache
 from simulations.registry import SCENE_MODULES, UnknownIdError, load_ladder, load_scene
 
-SIZE = Slider(name="size", label="Size", default=1, minimum=0, maximum=2, step=1)
-TIERS = (("coarse", "fine"), "fine", "coarse")
-"""All of them, the default, the draft."""
+TIERS = {"tiers": ("coarse", "fine"), "default_tier": "fine", "draft_tier": "coarse"}
 
 
-def frame_of(values, tier, _cache):  # type: ignore[no-untyped-def]
+@dataclass(frozen=True, slots=True)
+class Settings:
+    size: float = slider("Size", 1, 0, 2, 1)
+
+
+def draw(settings: Settings, outputs: Outputs) -> Frame:
     panel = Panel("a", "A", 400, 300)
-    return Frame((panel,), (), f"Size {values.number('size'):g}, tier {tier!r}.")
+    told = outputs.get("told", "nothing")
+    return Frame((panel,), (), f"Size {settings.size:g}, {told}.")
 
 
-def test_two_controls_of_one_name_are_refused() -> None:
-    with pytest.raises(ValueError, match="duplicate control"):
-        Scene("s", "S", (SIZE, SIZE), frame_of)
+STAGES = (Stage("told", lambda size, tier: f"{tier} of {size:g}"),)
+
+
+def scene_of(**changed: Any) -> Scene[Settings]:
+    return Scene("s", "S", Settings, draw, **changed)
 
 
 def test_a_button_must_drive_a_slider_of_its_scene() -> None:
-    play = Action(name="play", labels=("Play",), drives="sise", effect="play")
-    with pytest.raises(ValueError, match="drives no slider 'sise'"):
-        Scene("s", "S", (SIZE, play), frame_of)
+    @dataclass(frozen=True)
+    class Driving:
+        size: float = slider("Size", 1, 0, 2, 1)
+        play: int = action("Play", drives="sise", effect="play")
+
+    with pytest.raises(ValueError, match="'play' drives no slider 'sise'; legal: size"):
+        Scene("s", "S", Driving, lambda _settings, _outputs: Frame((), (), ""))
 
 
 def test_tiers_need_a_default_and_a_draft_among_them() -> None:
     with pytest.raises(ValueError, match="tier"):
-        Scene("s", "S", (SIZE,), frame_of, tiers=("fast", "exact"))
+        scene_of(tiers=("fast", "exact"))
     with pytest.raises(ValueError, match="tier 'slow'"):
-        Scene("s", "S", (SIZE,), frame_of, ("fast",), "fast", "slow")
+        scene_of(tiers=("fast",), default_tier="fast", draft_tier="slow")
     with pytest.raises(ValueError, match="tier 'fast'"):
-        Scene("s", "S", (SIZE,), frame_of, default_tier="fast")
+        scene_of(default_tier="fast")
+
+
+def test_a_drag_is_answered_by_the_default_where_no_draft_is_named() -> None:
+    assert scene_of(tiers=("fast",), default_tier="fast", ladder="srgb").draft_tier == "fast"
 
 
 def test_tiers_need_labels_or_a_ladder_that_has_them() -> None:
     with pytest.raises(ValueError, match="no ladder to label them"):
-        Scene("s", "S", (SIZE,), frame_of, ("fast",), "fast", "fast")
-    Scene("s", "S", (SIZE,), frame_of, ("fast",), "fast", "fast", ladder="srgb")
+        scene_of(**TIERS)
+    scene_of(**TIERS, ladder="srgb")
 
 
 def test_words_for_a_tier_that_the_scene_lacks_are_refused() -> None:
-    with pytest.raises(ValueError, match=r"labels .'slow'.*legal: .'fast'"):
-        Scene(
-            "s",
-            "S",
-            (SIZE,),
-            frame_of,
-            ("fast",),
-            "fast",
-            "fast",
-            ladder="srgb",
-            tier_labels={"slow": "Slow"},
-        )
+    with pytest.raises(ValueError, match=r"labels .'slow'.*legal: .'coarse', 'fine'"):
+        scene_of(**TIERS, ladder="srgb", tier_labels={"slow": "Slow"})
 
 
 def test_only_controls_of_the_scene_can_be_drafted() -> None:
     with pytest.raises(ValueError, match="drafted 'sise'"):
-        Scene("s", "S", (SIZE,), frame_of, drafted=("sise",))
+        scene_of(drafted=("sise",))
     with pytest.raises(ValueError, match="drafted 'sise'"):
-        Scene("s", "S", (SIZE,), frame_of, *TIERS, ladder="srgb", drafted_in={"fine": ("sise",)})
+        scene_of(**TIERS, ladder="srgb", drafted_in={"fine": ("sise",)})
 
 
 def test_only_tiers_of_the_scene_can_have_drags_of_their_own() -> None:
     with pytest.raises(ValueError, match=r"drafted_in .*'finer'.*legal: \('coarse', 'fine'\)"):
-        Scene("s", "S", (SIZE,), frame_of, *TIERS, ladder="srgb", drafted_in={"finer": ("size",)})
+        scene_of(**TIERS, ladder="srgb", drafted_in={"finer": ("size",)})
+
+
+def test_stages_read_settings_the_tier_and_what_is_worked_out_from_both() -> None:
+    double = Stage("told", lambda size, tier, double: f"{tier}: {size:g}, twice {double:g}")
+    scene = scene_of(
+        **TIERS,
+        ladder="srgb",
+        stages=(double,),
+        parameters=lambda settings, tier: {"double": 2 * settings.size + (tier == "coarse")},
+    )
+    frame = scene.render(Settings(2), "coarse", StageCache())
+    assert frame.description == "Size 2, coarse: 2, twice 5."
+    assert [report.name for report in frame.stages] == ["told"]
+
+
+def test_a_tier_that_the_scene_lacks_is_its_default() -> None:
+    scene = scene_of(**TIERS, ladder="srgb", stages=STAGES)
+    for tier in ("", "fine", "no such tier"):
+        frame = scene.render(Settings(), tier, StageCache())
+        assert frame.description == "Size 1, fine of 1."
 
 
 @pytest.mark.parametrize("scene_id", SCENE_MODULES)
@@ -83,15 +109,15 @@ def test_every_tier_of_a_scene_is_a_rung_of_its_ladder(scene_id: str) -> None:
         assert [rung for rung in rungs if rung in scene.tiers] == list(scene.tiers)
 
 
-def judged(values: Values, tier: str, _cache: StageCache) -> Iterator[Readout]:
+def estimate(settings: Settings, _outputs: Outputs, tier: str) -> Iterator[Readout]:
     for rays in (1, 2):
-        yield Readout("error", f"{tier}, {rays} rays", f"{values.number('size'):g}", "px")
+        yield Readout("error", f"{tier}, {rays} rays", f"{settings.size:g}", "px")
 
 
 def test_estimates_of_the_error_come_one_at_a_time_and_end(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
-    scene = Scene("s", "S", (SIZE,), frame_of, error=judged)
+    scene = scene_of(estimate=estimate)
     monkeypatch.setattr(browser, "load_scene", lambda _id: scene)
     ask = [json.loads(browser.error("figure-3", "s", '{"size": 2}', "")) for _ in range(4)]
     assert [answer and answer["label"] for answer in ask] == [", 1 rays", ", 2 rays", None, None]
@@ -99,7 +125,7 @@ def test_estimates_of_the_error_come_one_at_a_time_and_end(
 
 
 def test_another_setting_is_judged_from_the_beginning(monkeypatch: pytest.MonkeyPatch) -> None:
-    scene = Scene("s", "S", (SIZE,), frame_of, error=judged)
+    scene = scene_of(estimate=estimate)
     monkeypatch.setattr(browser, "load_scene", lambda _id: scene)
     browser.error("figure-4", "s", '{"size": 2}', "")
     assert json.loads(browser.error("figure-4", "s", '{"size": 1}', ""))["label"] == ", 1 rays"
@@ -107,7 +133,7 @@ def test_another_setting_is_judged_from_the_beginning(monkeypatch: pytest.Monkey
 
 
 def test_a_scene_without_a_reference_has_no_error(monkeypatch: pytest.MonkeyPatch) -> None:
-    scene = Scene("s", "S", (SIZE,), frame_of)
+    scene = scene_of()
     monkeypatch.setattr(browser, "load_scene", lambda _id: scene)
     assert browser.error("figure-5", "s", "{}", "") == "null"
 
@@ -126,18 +152,15 @@ def test_every_scene_of_the_table_loads_under_its_own_id(scene_id: str) -> None:
 
 
 def test_the_worker_gets_a_clamped_frame_and_its_pixels(monkeypatch: pytest.MonkeyPatch) -> None:
-    labels = {"fast": "Fast", "exact": "Exact"}
-    scene = Scene(
-        "s", "S", (SIZE,), frame_of, ("fast", "exact"), "exact", "fast", tier_labels=labels
-    )
+    scene = scene_of(**TIERS, ladder="srgb", stages=STAGES)
     monkeypatch.setattr(browser, "load_scene", lambda _id: scene)
     reply = browser.render("figure-1", "s", '{"size": 99}', "no such tier")
-    assert json.loads(reply.meta)["description"] == "Size 2, tier 'exact'."
+    assert json.loads(reply.meta)["description"] == "Size 2, fine of 2."
     assert reply.rasters == ()
 
 
 def test_a_figure_that_is_forgotten_loses_only_its_cache(monkeypatch: pytest.MonkeyPatch) -> None:
-    scene = Scene("s", "S", (SIZE,), frame_of)
+    scene = scene_of()
     monkeypatch.setattr(browser, "load_scene", lambda _id: scene)
     first = browser.render("figure-2", "s", "{}", "")
     browser.forget("figure-2")

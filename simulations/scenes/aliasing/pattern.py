@@ -6,8 +6,8 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from simulations.engine.pipeline import Stage
 from simulations.engine.raster import to_rgba8
+from simulations.engine.stages import Stage
 from simulations.models.color.srgb import encode_srgb
 from simulations.models.sampling import prefilters
 from simulations.models.sampling.prefilters import Prefilter, filtered_wave
@@ -85,4 +85,4 @@ def picture(pattern: str, frequency: float, phase: float, prefilter: str) -> NDA
     return to_rgba8(encode_srgb(np.clip(light, 0.0, 1.0)))
 
 
-STAGES = (Stage("picture", ("pattern", "frequency", "phase", "prefilter"), picture),)
+STAGES = (Stage("picture", picture),)

@@ -20,8 +20,8 @@ from simulations.engine.frame import (
     format_number,
     readout,
 )
-from simulations.engine.pipeline import StageCache, run
 from simulations.engine.scene import Scene
+from simulations.engine.stages import StageCache, run
 from simulations.models.sampling.aliasing import alias_frequency
 from simulations.models.sampling.prefilters import prefilter, transfer
 from simulations.scenes.aliasing import row, spectrum

@@ -8,15 +8,15 @@ from collections.abc import Iterator
 
 from simulations.engine.controls import Action, Choice, Values
 from simulations.engine.frame import Frame, Panel, Readout, format_number, readout
-from simulations.engine.pipeline import Run, StageCache, run
 from simulations.engine.raster import to_rgba8
 from simulations.engine.scene import Scene
+from simulations.engine.stages import Run, StageCache, run
 from simulations.models.color.srgb import encode_srgb
 from simulations.models.sensor.bayer import through_filters
 from simulations.pictures.balloon import WIDTH as PICTURE_WIDTH
 from simulations.pictures.balloon import Window
 from simulations.pictures.mosaic_subjects import SUBJECTS
-from simulations.scenes.bayer_demosaic import drawing as drawing
+from simulations.scenes.bayer_demosaic import drawing
 from simulations.scenes.bayer_demosaic.stages import (
     CLOSE_STAGES,
     MOSAIC_STAGES,

@@ -9,7 +9,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from simulations.engine.pipeline import Stage
+from simulations.engine.stages import Stage
 from simulations.models.color.srgb import encode_srgb
 from simulations.models.sensor.bayer import mosaic
 from simulations.models.sensor.demosaicing import demosaic, psnr_db
@@ -72,18 +72,18 @@ def _draw(window: Window, picture: str) -> Picture:
 
 
 STAGES = (
-    Stage("picture", ("picture",), lambda picture: _draw(WHOLE, picture)),
-    Stage("mosaic", (), lambda picture: mosaic(picture, PATTERN), ("picture",)),
-    Stage("shown picture", (), encode_srgb, ("picture",)),
-    Stage("shared detail", (), shared_detail, ("picture",)),
-    Stage("demosaic", ("method",), _reconstruct, ("mosaic",)),
-    Stage("display", (), encode_srgb, ("demosaic",)),
-    Stage("error", (), compare, ("picture", "demosaic", "shown picture", "display")),
+    Stage("picture", lambda picture: _draw(WHOLE, picture)),
+    Stage("mosaic", lambda picture: mosaic(picture, PATTERN), ("picture",)),
+    Stage("shown picture", encode_srgb, ("picture",)),
+    Stage("shared detail", shared_detail, ("picture",)),
+    Stage("demosaic", _reconstruct, ("mosaic",)),
+    Stage("display", encode_srgb, ("demosaic",)),
+    Stage("error", compare, ("picture", "demosaic", "shown picture", "display")),
 )
 MOSAIC_STAGES = STAGES[:2]
 
 CLOSE_STAGES = (
-    Stage("close-up", ("picture",), lambda picture: _draw(SUBJECTS[picture].close_up, picture)),
-    Stage("close-up mosaic", (), lambda picture: mosaic(picture, PATTERN), ("close-up",)),
+    Stage("close-up", lambda picture: _draw(SUBJECTS[picture].close_up, picture)),
+    Stage("close-up mosaic", lambda picture: mosaic(picture, PATTERN), ("close-up",)),
 )
 """For a mosaic of which nothing else is shown."""

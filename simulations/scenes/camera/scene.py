@@ -7,8 +7,8 @@ import numpy as np
 
 from simulations.engine.controls import Action, Slider, Toggle, Values
 from simulations.engine.frame import Frame, Panel, Raster, Readout, format_number, readout
-from simulations.engine.pipeline import Run, StageCache, run
 from simulations.engine.scene import Scene
+from simulations.engine.stages import Run, StageCache, run
 from simulations.models.lens import thin_lens
 from simulations.models.lens.aperture_grid import aperture_grid
 from simulations.scenes.camera.lens import (

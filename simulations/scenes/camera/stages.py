@@ -6,7 +6,7 @@ from dataclasses import replace
 import numpy as np
 
 from simulations.engine.controls import Value, Values
-from simulations.engine.pipeline import Stage
+from simulations.engine.stages import Stage
 from simulations.models.lens.aperture import fibonacci_disc
 from simulations.models.lens.depth_of_field import blur_by_depth, blur_layer, composite
 from simulations.models.lens.disc_blur import Planes
@@ -129,23 +129,20 @@ def _no_trim(values: Values) -> str:
 STAGES = (
     Stage(
         "pinhole rays",
-        ("focal_length", "focus", "reduction", "margin_columns", "margin_rows"),
         lens.pinhole_rays,
     ),
-    Stage("bent rays", ("k1",), lens.bend_rays, ("pinhole rays",), _no_bending),
-    Stage("surfaces", (), _surfaces, ("bent rays",)),
-    Stage("light", ("light_angle",), _light, ("surfaces",)),
+    Stage("bent rays", lens.bend_rays, ("pinhole rays",), _no_bending),
+    Stage("surfaces", _surfaces, ("bent rays",)),
+    Stage("light", _light, ("surfaces",)),
     Stage(
         "defocus",
-        ("focal_length", "aperture", "focus", "reduction"),
         _defocus,
         ("light",),
         _in_focus,
     ),
-    Stage("overlay", (), _overlay, ("defocus",)),
+    Stage("overlay", _overlay, ("defocus",)),
     Stage(
         "aperture rays",
-        ("light_angle", "focal_length", "aperture", "focus", "lens_rays"),
         _aperture_rays,
         ("bent rays",),
         _no_rays,
@@ -153,45 +150,40 @@ STAGES = (
     ),
     Stage(
         "enlargement",
-        ("reduction",),
         _enlarge,
         ("aperture rays",),
         lambda values: "" if values["reduction"] != 1 else "each pixel has its own ray",
     ),
     Stage(
         "lens map",
-        ("focal_length", "focus", "k1", "reduction"),
         lens.lens_map,
         ("pinhole rays",),
         _no_warp,
     ),
-    Stage("lens distortion", (), lens.distort_picture, ("enlargement", "lens map"), _no_warp),
+    Stage("lens distortion", lens.distort_picture, ("enlargement", "lens map"), _no_warp),
     Stage(
         "trimming",
-        ("margin_columns", "margin_rows"),
         lens.trim,
         ("lens distortion",),
         _no_trim,
     ),
-    Stage("vignetting", ("focal_length", "focus"), sensor.vignette, ("trimming",)),
-    Stage("exposure", ("exposure",), sensor.expose, ("vignetting",)),
-    Stage("grain", ("new_noise",), sensor.draw_grain),
+    Stage("vignetting", sensor.vignette, ("trimming",)),
+    Stage("exposure", sensor.expose, ("vignetting",)),
+    Stage("grain", sensor.draw_grain),
     Stage(
         "shot noise",
-        (),
         sensor.count,
         ("exposure", "grain"),
         lambda values: "" if values.toggle("shot_noise") else "shot noise is switched off",
     ),
     Stage(
         "read noise",
-        ("noise_sigma",),
         sensor.read,
         ("shot noise", "grain"),
         lambda values: "σ = 0 adds nothing" if values.number("noise_sigma") == 0 else "",
     ),
-    Stage("quantisation", (), sensor.quantise, ("read noise",)),
-    Stage("sRGB", (), sensor.encode, ("quantisation",)),
-    Stage("noiseless picture", (), sensor.develop_ideal, ("exposure",)),
+    Stage("quantisation", sensor.quantise, ("read noise",)),
+    Stage("sRGB", sensor.encode, ("quantisation",)),
+    Stage("noiseless picture", sensor.develop_ideal, ("exposure",)),
 )
 """The whole camera, in the order of the light."""

@@ -14,13 +14,13 @@ from numpy.typing import NDArray
 from simulations.engine.controls import Slider, Values
 from simulations.engine.drawing import text
 from simulations.engine.frame import Frame, Panel, Readout, format_number
-from simulations.engine.pipeline import StageCache, run
 from simulations.engine.raster import to_rgba8
 from simulations.engine.scene import Scene
+from simulations.engine.stages import StageCache, run
 from simulations.models.lens import thin_lens
 from simulations.pictures.still_life.things import THINGS, WALL_DISTANCE, thing_depth
 from simulations.scenes.camera.lens import COLUMNS, PITCH_MM, ROWS, largest_blur_px
-from simulations.scenes.depth_of_field import drawing as drawing
+from simulations.scenes.depth_of_field import drawing
 from simulations.scenes.depth_of_field.stages import FIXED, STAGES, TIERS, judge
 
 NEAR_M, FAR_M = thing_depth(THINGS[0]), WALL_DISTANCE

@@ -13,8 +13,8 @@ from numpy.typing import NDArray
 
 from simulations.engine.controls import Value, Values
 from simulations.engine.frame import Raster, Readout, format_number
-from simulations.engine.pipeline import Stage, StageCache, run
 from simulations.engine.raster import to_rgba8
+from simulations.engine.stages import Stage, StageCache, run
 from simulations.models.color.srgb import encode_srgb_table
 from simulations.models.lens.aperture import fibonacci_disc
 from simulations.models.lens.aperture_grid import aperture_grid
@@ -106,7 +106,7 @@ def _unless(values: Values, tiers: tuple[str, ...], otherwise: str) -> str:
 CAMERA = {stage.name: stage for stage in camera_stages.STAGES}
 STAGES = (
     CAMERA["pinhole rays"],
-    replace(CAMERA["surfaces"], inputs=("pinhole rays",)),
+    replace(CAMERA["surfaces"], after=("pinhole rays",)),
     CAMERA["light"],
     replace(
         CAMERA["defocus"],
@@ -115,20 +115,18 @@ STAGES = (
     CAMERA["overlay"],
     Stage(
         "filter",
-        ("focal_length", "aperture", "focus", "tier"),
         _filter,
         ("overlay", "light"),
         lambda values: _unless(values, FILTERS, "the finished picture is not filtered"),
     ),
     Stage(
         "rays through the lens",
-        ("light_angle", "focal_length", "aperture", "focus", "tier"),
         _rays,
         ("pinhole rays",),
         lambda values: _unless(values, ("fibonacci-16",), "every pixel has one ray"),
         hands_on="filter",
     ),
-    Stage("encoded", (), encode, ("rays through the lens",)),
+    Stage("encoded", encode, ("rays through the lens",)),
 )
 
 

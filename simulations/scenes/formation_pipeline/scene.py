@@ -2,8 +2,8 @@
 
 from simulations.engine.controls import Action, Slider, Values
 from simulations.engine.frame import Frame, Panel, Readout, readout
-from simulations.engine.pipeline import Stage, StageCache, run
 from simulations.engine.scene import Scene
+from simulations.engine.stages import Stage, StageCache, run
 from simulations.scenes.formation_pipeline.drawing import HEIGHT, WIDTH, draw_ledger, draw_way
 from simulations.scenes.formation_pipeline.stations import Journey, stations, travel
 
@@ -39,7 +39,7 @@ def _travel(distance: float, albedo: float, again: int) -> Journey:
     return travel(distance, albedo, exposure=again)
 
 
-STAGES = (Stage("journey", ("distance", "albedo", "again"), _travel),)
+STAGES = (Stage("journey", _travel),)
 """Moving the marker computes nothing anew: the numbers do not depend on where it is."""
 
 

@@ -7,9 +7,9 @@ from numpy.typing import NDArray
 
 from simulations.engine.controls import Choice, Slider, Toggle, Values
 from simulations.engine.frame import Frame, Panel, Readout, format_number, readout
-from simulations.engine.pipeline import Run, StageCache, run
 from simulations.engine.raster import to_rgba8
 from simulations.engine.scene import Scene
+from simulations.engine.stages import Run, StageCache, run
 from simulations.models.compression.blocks import BLOCK
 from simulations.models.compression.chroma_subsampling import SUBSAMPLING
 from simulations.models.compression.cosine_transforms import TRANSFORMS
@@ -17,7 +17,7 @@ from simulations.models.compression.entropy import Size
 from simulations.models.compression.jpeg import Coded
 from simulations.pictures.balloon import HEIGHT as ROWS_PX
 from simulations.pictures.balloon import WIDTH as COLUMNS_PX
-from simulations.scenes.jpeg import drawing as drawing
+from simulations.scenes.jpeg import drawing
 from simulations.scenes.jpeg.error import judge
 from simulations.scenes.jpeg.stages import STAGES
 

@@ -4,7 +4,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from simulations.engine.controls import Values
-from simulations.engine.pipeline import Stage
+from simulations.engine.stages import Stage
 from simulations.models.color.srgb import encode_srgb
 from simulations.models.compression import jpeg
 from simulations.models.compression.cosine_transforms import TRANSFORMS
@@ -37,18 +37,17 @@ def _nothing_to_fill_in(values: Values) -> str:
 
 
 STAGES = (
-    Stage("original", (), _original),
-    Stage("planes", (), jpeg.to_planes, ("original",)),
-    Stage("coded", ("quality", "subsampling", "tier"), _coded, ("planes",)),
-    Stage("restored", (), jpeg.restore, ("coded",)),
+    Stage("original", _original),
+    Stage("planes", jpeg.to_planes, ("original",)),
+    Stage("coded", _coded, ("planes",)),
+    Stage("restored", jpeg.restore, ("coded",)),
     Stage(
         "full colour",
-        ("subsampling", "upsampling"),
         jpeg.fill_in_colour,
         ("restored",),
         neutral=_nothing_to_fill_in,
     ),
-    Stage("decoded", (), jpeg.from_planes, ("full colour",)),
-    Stage("size", (), size, ("coded",)),
-    Stage("psnr", (), _quality, ("decoded", "original")),
+    Stage("decoded", jpeg.from_planes, ("full colour",)),
+    Stage("size", size, ("coded",)),
+    Stage("psnr", _quality, ("decoded", "original")),
 )

@@ -13,10 +13,10 @@ from numpy.typing import NDArray
 
 from simulations.engine.controls import Choice, Slider, Toggle, Values
 from simulations.engine.frame import Frame, Panel, format_number, readout
-from simulations.engine.pipeline import StageCache, run
 from simulations.engine.scene import Scene
+from simulations.engine.stages import StageCache, run
 from simulations.models.lens.chromatic_aberration import axial_chromatic_mm, lateral_chromatic_scale
-from simulations.scenes.lens_aberrations import drawing as drawing
+from simulations.scenes.lens_aberrations import drawing
 from simulations.scenes.lens_aberrations.stages import (
     CLOSE_LEFT,
     CLOSE_TOP,

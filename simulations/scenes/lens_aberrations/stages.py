@@ -13,8 +13,8 @@ from numpy.typing import NDArray
 
 from simulations.engine.controls import Values
 from simulations.engine.frame import Raster, Readout, format_magnitude
-from simulations.engine.pipeline import Stage, StageCache, run
 from simulations.engine.raster import to_rgba8
+from simulations.engine.stages import Stage, StageCache, run
 from simulations.models.color.srgb import encode_srgb_table
 from simulations.models.lens.chromatic_aberration import (
     LINE_C_UM,
@@ -195,12 +195,12 @@ def _all_sharp(values: Values) -> str:
 
 
 STAGES = (
-    Stage("chart", (), _chart),
-    Stage("lateral", ("glass", "stop", "tier"), _lateral, ("chart",)),
-    Stage("axial", ("glass", "aperture"), _axial, ("lateral",), _all_sharp),
-    Stage("channels", (), _channels, ("axial",)),
-    Stage("vignetting", ("aperture", "rim", "natural"), _vignetting),
-    Stage("encoded", (), _encode, ("channels", "vignetting")),
+    Stage("chart", _chart),
+    Stage("lateral", _lateral, ("chart",)),
+    Stage("axial", _axial, ("lateral",), _all_sharp),
+    Stage("channels", _channels, ("axial",)),
+    Stage("vignetting", _vignetting),
+    Stage("encoded", _encode, ("channels", "vignetting")),
 )
 
 

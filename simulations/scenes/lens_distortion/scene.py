@@ -6,8 +6,8 @@ import numpy as np
 
 from simulations.engine.controls import Choice, Slider, Toggle, Value, Values
 from simulations.engine.frame import Frame, Panel, Readout, format_magnitude, format_number, readout
-from simulations.engine.pipeline import StageCache, run
 from simulations.engine.scene import Scene
+from simulations.engine.stages import StageCache, run
 from simulations.models.distortion.kinds import classify, line_bow
 from simulations.models.distortion.lens_model import (
     Distortion,

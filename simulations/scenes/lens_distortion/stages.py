@@ -10,8 +10,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from simulations.engine.controls import Values
-from simulations.engine.pipeline import Stage
 from simulations.engine.raster import to_rgba8
+from simulations.engine.stages import Stage
 from simulations.models.color.srgb import encode_srgb
 from simulations.models.distortion.lens_model import (
     Distortion,
@@ -232,13 +232,13 @@ def _not_corrected(values: Values) -> str:
 
 
 STAGES = (
-    Stage("drawings", ("k1", "k2"), drawings),
-    Stage("radii", (), _radii),
-    Stage("pinhole", ("picture", "margin"), _pinhole),
-    Stage("undistorted", ("margin",), _undistorted_frame, ("pinhole",)),
-    Stage("map", ("k1", "k2", "tier", "margin"), _map, ("radii",), _ideal_lens),
-    Stage("through-lens", (), _through_lens, ("undistorted", "pinhole", "map"), _ideal_lens),
-    Stage("corrected", ("k1", "k2"), _corrected, ("through-lens",), _not_corrected),
-    Stage("encoded", (), _encoded, ("corrected",)),
+    Stage("drawings", drawings),
+    Stage("radii", _radii),
+    Stage("pinhole", _pinhole),
+    Stage("undistorted", _undistorted_frame, ("pinhole",)),
+    Stage("map", _map, ("radii",), _ideal_lens),
+    Stage("through-lens", _through_lens, ("undistorted", "pinhole", "map"), _ideal_lens),
+    Stage("corrected", _corrected, ("through-lens",), _not_corrected),
+    Stage("encoded", _encoded, ("corrected",)),
 )
 """In order; each is recomputed only when what it reads has changed. ``margin``: `needs_margin`."""

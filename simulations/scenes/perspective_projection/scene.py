@@ -4,8 +4,8 @@ import math
 
 from simulations.engine.controls import Choice, Slider, Values
 from simulations.engine.frame import Frame, Readout, format_number, readout
-from simulations.engine.pipeline import StageCache
 from simulations.engine.scene import Scene
+from simulations.engine.stages import StageCache
 from simulations.models.projection.pinhole import field_of_view
 from simulations.scenes.perspective_projection import parallel, picture, top_view
 from simulations.scenes.perspective_projection.view import (

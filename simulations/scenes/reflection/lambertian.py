@@ -12,8 +12,8 @@ import numpy as np
 
 from simulations.engine.controls import Slider, Toggle, Values
 from simulations.engine.frame import Frame, Panel, Readout, readout
-from simulations.engine.pipeline import Stage, StageCache, run
 from simulations.engine.scene import Scene
+from simulations.engine.stages import Stage, StageCache, run
 from simulations.models.color.srgb import encode_srgb
 from simulations.models.light.reflectance import lambert
 from simulations.scenes.reflection import lambertian_drawing as drawing
@@ -65,11 +65,11 @@ def _black(values: Values) -> str:
 
 
 STAGES = (
-    Stage("ball", (), build_ball),
-    Stage("normals", ("tier",), lit_normals, ("ball",)),
-    Stage("white", ("light_angle",), _white, ("normals", "ball"), _black),
-    Stage("shade", ("albedo",), _shade, ("white", "ball")),
-    Stage("picture", (), paint, ("ball", "shade")),
+    Stage("ball", build_ball),
+    Stage("normals", lit_normals, ("ball",)),
+    Stage("white", _white, ("normals", "ball"), _black),
+    Stage("shade", _shade, ("white", "ball")),
+    Stage("picture", paint, ("ball", "shade")),
 )
 
 

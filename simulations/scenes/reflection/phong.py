@@ -14,8 +14,8 @@ from numpy.typing import NDArray
 
 from simulations.engine.controls import Choice, Slider, Values
 from simulations.engine.frame import Frame, Panel, Readout, readout
-from simulations.engine.pipeline import Stage, StageCache, run
 from simulations.engine.scene import Scene
+from simulations.engine.stages import Stage, StageCache, run
 from simulations.models.light.reflectance import blinn_phong, lambert, phong
 from simulations.scenes.reflection import phong_drawing as drawing
 from simulations.scenes.reflection.ball import (
@@ -130,13 +130,13 @@ def _dull(values: Values) -> str:
 
 
 STAGES = (
-    Stage("ball", (), build_ball),
-    Stage("normals", ("tier",), lit_normals, ("ball",)),
-    Stage("matte", ("light_angle",), _matte, ("normals", "ball")),
+    Stage("ball", build_ball),
+    Stage("normals", lit_normals, ("ball",)),
+    Stage("matte", _matte, ("normals", "ball")),
     # Where it is left out, so is the sum, and nothing looks at what it hands on.
-    Stage("highlight", ("light_angle", "shininess", "model"), _shine, ("normals", "ball"), _dull),
-    Stage("light", ("specular",), _add, ("matte", "highlight"), _dull),
-    Stage("picture", (), paint, ("ball", "light")),
+    Stage("highlight", _shine, ("normals", "ball"), _dull),
+    Stage("light", _add, ("matte", "highlight"), _dull),
+    Stage("picture", paint, ("ball", "light")),
 )
 
 

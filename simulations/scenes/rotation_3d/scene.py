@@ -20,8 +20,8 @@ from simulations.engine.frame import (
     matrix_readout,
     readout,
 )
-from simulations.engine.pipeline import Stage, StageCache, run
 from simulations.engine.scene import Scene
+from simulations.engine.stages import Stage, StageCache, run
 from simulations.models.geometry import euler, quaternions
 from simulations.models.geometry.quaternion_blends import BLENDS, bisected_arc, turn_between_rad
 from simulations.models.geometry.rotation_paths import off_great_circle, rate_axes
@@ -76,10 +76,10 @@ def ways(here: Attitude, tier: str) -> dict[str, Way]:
 
 
 STAGES = (
-    Stage("attitude", ("yaw", "pitch", "roll"), attitude),
-    Stage("rings", (), lambda here: rings.draw(*here.angles_rad), ("attitude",)),
-    Stage("ways", ("tier",), ways, ("attitude",)),
-    Stage("traces", (), sphere.traces_of, ("ways",)),
+    Stage("attitude", attitude),
+    Stage("rings", lambda here: rings.draw(*here.angles_rad), ("attitude",)),
+    Stage("ways", ways, ("attitude",)),
+    Stage("traces", sphere.traces_of, ("ways",)),
 )
 
 

@@ -13,12 +13,12 @@ import numpy as np
 
 from simulations.engine.controls import Action, Choice, Slider, Values
 from simulations.engine.frame import Frame, Panel, Readout, format_number, readout
-from simulations.engine.pipeline import Run, StageCache, run
 from simulations.engine.scene import Scene
+from simulations.engine.stages import Run, StageCache, run
 from simulations.models.sensor import photon_counting
 from simulations.models.sensor.photon_transfer import Gain
 from simulations.models.sensor.poisson import gap_from_poisson, largest_chance_gap
-from simulations.scenes.sensor_noise import drawing as drawing
+from simulations.scenes.sensor_noise import drawing
 from simulations.scenes.sensor_noise.stages import (
     FULL_WELL_E,
     STAGES,

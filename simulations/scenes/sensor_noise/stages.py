@@ -6,12 +6,12 @@ from functools import cache, partial
 import numpy as np
 from numpy.typing import NDArray
 
-from simulations.engine.pipeline import Stage
 from simulations.engine.raster import to_rgba8
+from simulations.engine.stages import Stage
 from simulations.models.color.srgb import encode_srgb
 from simulations.models.sensor import photon_counting
 from simulations.models.sensor.photon_transfer import Gain, estimate_gain, straight_part
-from simulations.scenes.sensor_noise import drawing as drawing
+from simulations.scenes.sensor_noise import drawing
 
 type Floats = NDArray[np.floating]
 
@@ -151,10 +151,10 @@ def _colour_of_code(bits: int) -> NDArray[np.uint8]:
 
 
 STAGES = (
-    Stage("shot grain", ("new_noise",), partial(_grain, SHOT)),
-    Stage("read grain", ("new_noise",), partial(_grain, READ)),
-    Stage("electrons", ("exposure", "dark", "new_noise", "tier"), _count, ("shot grain",)),
-    Stage("codes", ("bits", "iso", "read_noise"), _read, ("electrons", "read grain")),
-    Stage("transfer", ("bits", "iso", "read_noise", "dark"), _measure, ("codes",)),
-    Stage("picture", ("bits",), _picture, ("codes",)),
+    Stage("shot grain", partial(_grain, SHOT)),
+    Stage("read grain", partial(_grain, READ)),
+    Stage("electrons", _count, ("shot grain",)),
+    Stage("codes", _read, ("electrons", "read grain")),
+    Stage("transfer", _measure, ("codes",)),
+    Stage("picture", _picture, ("codes",)),
 )

@@ -1,13 +1,14 @@
 """2D Transform Explorer: a square and its image on each rung of the ladder of transformations."""
 
 import math
+from dataclasses import dataclass
 
 import numpy as np
 
-from simulations.engine.controls import Choice, Slider, Values
 from simulations.engine.frame import Frame, Readout, format_number, matrix_text, readout
-from simulations.engine.pipeline import StageCache
 from simulations.engine.scene import Scene
+from simulations.engine.settings import choice, slider
+from simulations.engine.stages import Outputs
 from simulations.models.geometry import transforms
 from simulations.models.geometry.preserved_properties import Preservation, measure_preservation
 from simulations.models.geometry.transforms import Floats
@@ -16,6 +17,14 @@ from simulations.scenes.transform_2d.plane import SQUARE, grid_segments, image_o
 
 KEPT = 1e-9
 """Largest measured change, in radians or as a share, that rounding explains."""
+
+
+@dataclass(frozen=True, slots=True)
+class Settings:
+    """What the reader may change."""
+
+    transform: str = choice("Transform", {name: rung.title for name, rung in RUNGS.items()})
+    amount: float = slider("Amount", 30, 0, 100, 1)
 
 
 def transformation(kind: str, amount: float) -> Floats:
@@ -37,10 +46,10 @@ def transformation(kind: str, amount: float) -> Floats:
     return transforms.projective(H @ tilt)
 
 
-def render(values: Values, _tier: str, _cache: StageCache) -> Frame:
+def draw(settings: Settings, _outputs: Outputs) -> Frame:
     """The square before and after, the ladder, and what the transformation measurably keeps."""
-    kind = values.choice("transform")
-    H = transformation(kind, values.number("amount"))
+    kind = settings.transform
+    H = transformation(kind, settings.amount)
     measured = measure_preservation(H, grid_segments())
     return Frame(
         panels=(plane_panel(H), hierarchy_panel(kind)),
@@ -117,17 +126,4 @@ def describe(kind: str, H: Floats, measured: Preservation) -> str:
     return f"The square under {RUNGS[kind].phrase} {size}; kept: {', '.join(kept)}."
 
 
-SCENE = Scene(
-    id="transform-2d",
-    title="2D Transform Explorer",
-    controls=(
-        Choice(
-            name="transform",
-            label="Transform",
-            default="translation",
-            options={name: rung.title for name, rung in RUNGS.items()},
-        ),
-        Slider(name="amount", label="Amount", default=30, minimum=0, maximum=100, step=1),
-    ),
-    render=render,
-)
+SCENE = Scene("transform-2d", "2D Transform Explorer", Settings, draw)

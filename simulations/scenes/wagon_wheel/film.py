@@ -6,9 +6,8 @@ from functools import partial
 
 import numpy as np
 
-from simulations.engine.controls import Values
 from simulations.engine.frame import Raster, Readout, format_magnitude
-from simulations.engine.pipeline import Stage, StageCache, run
+from simulations.engine.stages import Stage
 from simulations.models.sensor.exposure import mean_of_instants, mean_of_random_instants
 from simulations.pictures import spoked_wheel
 from simulations.pictures.spoked_wheel import Bars, Canvas, Exposure, Floats
@@ -42,7 +41,7 @@ def frame_at(time: float) -> int:
 
 def film(
     canvas: Canvas,
-    spokes: float,
+    spokes: int,
     speed: float,
     frame_rate: float,
     shutter: float,
@@ -52,22 +51,22 @@ def film(
     """The picture of film frame ``frame``, (H, W, 4) bytes."""
     turn_per_frame = 2 * math.pi * speed / frame_rate
     first, swept = turn_per_frame * frame, turn_per_frame * shutter
-    return spoked_wheel.render(canvas, round(spokes), first, swept, exposure_of(tier, frame))
+    return spoked_wheel.render(canvas, spokes, first, swept, exposure_of(tier, frame))
 
 
 STAGES = (
-    Stage("canvas", (), spoked_wheel.build_canvas),
-    Stage("film", ("spokes", "speed", "frame_rate", "shutter", "frame", "tier"), film, ("canvas",)),
+    Stage("canvas", spoked_wheel.build_canvas),
+    Stage("film", film, ("canvas",)),
 )
 
 
-def error(values: Values, tier: str, cache: StageCache) -> Iterator[Readout]:
+def judge(
+    canvas: Canvas, spokes: int, turn_per_frame: float, shutter: float, time: float, tier: str
+) -> Iterator[Readout]:
     """RMS over the pixels where spokes pass, of the light between wall and wood; more each step."""
-    canvas: Canvas = run(STAGES[:1], values, cache).outputs["canvas"]
-    frame = frame_at(values.number("time"))
-    turn_per_frame = 2 * math.pi * values.number("speed") / values.number("frame_rate")
-    swept = turn_per_frame * values.number("shutter")
-    row = spoked_wheel.bars(canvas, round(values.number("spokes")), turn_per_frame * frame, swept)
+    frame = frame_at(time)
+    swept = turn_per_frame * shutter
+    row = spoked_wheel.bars(canvas, spokes, turn_per_frame * frame, swept)
     shown = exposure_of(tier, frame)(row)
     free = 1.0 - canvas.solid[canvas.between]
     squares, pixels = 0.0, 0

@@ -6,64 +6,48 @@ the frame time, and then shown until the next.
 """
 
 import math
+from collections.abc import Iterator
+from dataclasses import dataclass
 
-from simulations.engine.controls import Action, Slider, Values
+from simulations.engine.controls import Value
 from simulations.engine.frame import Frame, Panel, Readout, format_number, readout
-from simulations.engine.pipeline import StageCache, run
 from simulations.engine.scene import Scene
+from simulations.engine.settings import action, slider
+from simulations.engine.stages import Outputs
 from simulations.models.sampling.aliasing import apparent_wheel_speed, box_mtf
-from simulations.scenes.wagon_wheel import drawing as drawing
-from simulations.scenes.wagon_wheel.film import STAGES, TIERS, error, frame_at
-
-DEFAULT_TIER = "integral"
+from simulations.scenes.wagon_wheel import drawing
+from simulations.scenes.wagon_wheel.film import STAGES, TIERS, frame_at, judge
 
 STILL = 1e-9
 """Speed in turns per second below which the filmed wheel stands."""
 
-CONTROLS = (
-    Action(name="play", labels=("Play", "Pause"), drives="time", effect="play", seconds=20.0),
-    Slider(name="time", label="Time", default=5, minimum=0, maximum=48, step=0.05, unit="frames"),
-    Slider(
-        name="speed",
-        label="True speed",
-        default=2.9,
-        minimum=-6,
-        maximum=6,
-        step=0.05,
-        unit="turns/s",
-    ),
-    Slider(name="spokes", label="Spokes", default=8, minimum=2, maximum=16, step=1),
-    Slider(
-        name="frame_rate",
-        label="Frame rate",
-        default=24,
-        minimum=8,
-        maximum=60,
-        step=1,
-        unit="frames/s",
-    ),
-    Slider(
-        name="shutter",
-        label="Shutter open for",
-        default=0.1,
-        minimum=0,
-        maximum=1,
-        step=0.05,
-        unit="of a frame",
-    ),
-)
+
+@dataclass(frozen=True, slots=True)
+class Settings:
+    """What the reader may change."""
+
+    play: int = action("Play", "Pause", drives="time", effect="play", seconds=20.0)
+    time: float = slider("Time", 5, 0, 48, 0.05, unit="frames")
+    speed: float = slider("True speed", 2.9, -6, 6, 0.05, unit="turns/s")
+    spokes: int = slider("Spokes", 8, 2, 16, 1)
+    frame_rate: float = slider("Frame rate", 24, 8, 60, 1, unit="frames/s")
+    shutter: float = slider("Shutter open for", 0.1, 0, 1, 0.05, unit="of a frame")
 
 
-def render(values: Values, tier: str, cache: StageCache) -> Frame:
+def parameters(settings: Settings, _tier: str) -> dict[str, Value]:
+    """What the film shows changes from frame to frame, not with every instant."""
+    return {"frame": frame_at(settings.time)}
+
+
+def draw(settings: Settings, outputs: Outputs) -> Frame:
     """The wheel now, the frame on show, and the spokes' positions against time."""
-    spokes, rate = round(values.number("spokes")), values.number("frame_rate")
-    speed, time = values.number("speed"), values.number("time")
-    done = run(STAGES, values, cache, {"frame": frame_at(time), "tier": tier or DEFAULT_TIER})
+    spokes, rate, speed = settings.spokes, settings.frame_rate, settings.speed
+    time = settings.time
     seen, certain = apparent_wheel_speed(speed, spokes, rate)
     apparent, sure = float(seen), bool(certain)
     per_frame = spokes * speed / rate
-    blur = abs(speed) / rate * values.number("shutter")
-    contrast = float(box_mtf(per_frame, values.number("shutter")))
+    blur = abs(speed) / rate * settings.shutter
+    contrast = float(box_mtf(per_frame, settings.shutter))
     width, height = drawing.WIDTH, drawing.HEIGHT
     return Frame(
         panels=(
@@ -79,7 +63,7 @@ def render(values: Values, tier: str, cache: StageCache) -> Frame:
                 "The frame on show",
                 width,
                 height,
-                done.outputs["film"],
+                outputs["film"],
                 drawing.over_film(frame_at(time), apparent, sure),
             ),
             Panel(
@@ -100,8 +84,7 @@ def render(values: Values, tier: str, cache: StageCache) -> Frame:
             readout("blur", "Blur of a spoke", 360 * blur, "°", digits=1, role="light"),
             readout("contrast", "Contrast left by blur", contrast, role="light"),
         ),
-        description=describe(values, apparent, sure, contrast),
-        stages=done.reports,
+        description=describe(settings, apparent, sure, contrast),
     )
 
 
@@ -122,10 +105,10 @@ def direction(apparent: float, certain: bool) -> str:
     return "turn clockwise" if apparent > 0 else "turn anticlockwise"
 
 
-def describe(values: Values, apparent: float, certain: bool, contrast: float) -> str:
+def describe(settings: Settings, apparent: float, certain: bool, contrast: float) -> str:
     """Wheel and film in words."""
-    speed, spokes = values.number("speed"), round(values.number("spokes"))
-    rate = format_number(values.number("frame_rate"), 0)
+    speed, spokes = settings.speed, settings.spokes
+    rate = format_number(settings.frame_rate, 0)
     true = (
         f"A wheel of {spokes} spokes that turns {format_number(speed)} times a second is filmed "
         f"at {rate} frames a second"
@@ -148,15 +131,25 @@ def describe(values: Values, apparent: float, certain: bool, contrast: float) ->
     return f"{true}{shown}.{blurred}"
 
 
+def estimate(settings: Settings, outputs: Outputs, tier: str) -> Iterator[Readout]:
+    """How far the frame on show is from the integral over its exposure."""
+    per_frame = 2 * math.pi * settings.speed / settings.frame_rate
+    return judge(
+        outputs["canvas"], settings.spokes, per_frame, settings.shutter, settings.time, tier
+    )
+
+
 SCENE = Scene(
     id="wagon-wheel",
     title="Wagon Wheel",
-    controls=CONTROLS,
-    render=render,
+    settings=Settings,
+    draw=draw,
+    stages=STAGES,
+    parameters=parameters,
     tiers=TIERS,
-    default_tier=DEFAULT_TIER,
+    default_tier="integral",
     # Fewer instants are a thing to look at while the wheel turns; more are too slow for that.
     draft_tier="instants-16",
     ladder="exposure-blur",
-    error=error,
+    estimate=estimate,
 )

@@ -1,19 +1,25 @@
-"""Stages with declared inputs: computed when something they read changed, else reused or skipped.
+"""Stages: computed when something they read has changed, else reused; skipped where neutral.
 
-A stage at its neutral parameter hands on *the same object* it received, and its output keeps
-the identity of that input, so that everything downstream of it is reused as well. What a neutral
-stage does not take, and nothing else does, is not computed either.
+What a stage reads stands in one place, the signature of its function: first the outputs of the
+stages that it comes after, then parameters by name. A stage at its neutral parameters hands on
+*the same object* it received, and its output keeps the identity of that input, so that everything
+downstream of it is reused as well. What a neutral stage does not take, and nothing else does, is
+not computed either.
 """
 
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
+from functools import lru_cache
+from inspect import Parameter, signature
 from typing import Any
 
-from simulations.engine.controls import Value, Values
+from simulations.engine.controls import Value
 from simulations.engine.frame import StageReport
 
 type Key = tuple[str, tuple[tuple[str, Value], ...], tuple[Key, ...]]
 """A stage's name, the parameters that it read, and the keys of its inputs."""
+type Outputs = Mapping[str, Any]
+"""What each stage made, by its name."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -21,17 +27,17 @@ class Stage:
     """One step of a simulation."""
 
     name: str
-    reads: tuple[str, ...]
-    """Names of the parameters that the result depends on."""
     compute: Callable[..., Any]
-    """Called with the outputs of ``inputs`` in order, then the read parameters as keywords."""
-    inputs: tuple[str, ...] = ()
+    """Takes the outputs of ``after`` in order, then the parameters that it reads, by their names.
+    An argument with a default is its own affair."""
+    after: tuple[str, ...] = ()
     """Names of earlier stages."""
-    neutral: Callable[[Values], str] | None = None
-    """Why the stage would change nothing at these values, or an empty string where it would."""
+    neutral: Callable[..., str] | None = None
+    """Why the stage would change nothing at the parameters that it names, or an empty string where
+    it would."""
     hands_on: str = ""
     """Earlier stage whose output a neutral stage hands on, also one that ``compute`` does not
-    take; the first of ``inputs`` where none is named."""
+    take; the first of ``after`` where none is named."""
 
     def __post_init__(self) -> None:
         if self.neutral and not self.source:
@@ -40,15 +46,46 @@ class Stage:
             raise ValueError(
                 f"stage {self.name!r} hands on {self.hands_on!r}; legal: where it can be neutral"
             )
+        if len(_arguments(self.compute)) < len(self.after):
+            raise ValueError(
+                f"stage {self.name!r} comes after {self.after}; "
+                f"legal: as many as it has arguments, {_arguments(self.compute)}"
+            )
+
+    @property
+    def reads(self) -> tuple[str, ...]:
+        """Names of the parameters that the result depends on."""
+        return _arguments(self.compute)[len(self.after) :]
 
     @property
     def source(self) -> str:
         """The stage whose output this one hands on while it is neutral; empty for none."""
-        return self.hands_on or next(iter(self.inputs), "")
+        return self.hands_on or next(iter(self.after), "")
 
     def takes(self, neutral: bool) -> tuple[str, ...]:
         """Names of the stages whose outputs are needed now."""
-        return (self.source,) if neutral else self.inputs
+        return (self.source,) if neutral else self.after
+
+    def reason(self, parameters: Mapping[str, Value]) -> str:
+        """Why the stage would change nothing now; empty where it would."""
+        if self.neutral is None:
+            return ""
+        return self.neutral(**_picked(self.neutral, parameters, f"stage {self.name!r} asks for"))
+
+
+@lru_cache(maxsize=1024)
+def _arguments(function: Callable[..., Any]) -> tuple[str, ...]:
+    """Names of the arguments that have no default."""
+    given = signature(function).parameters.values()
+    return tuple(item.name for item in given if item.default is Parameter.empty)
+
+
+def _picked(
+    function: Callable[..., Any], parameters: Mapping[str, Value], who: str
+) -> dict[str, Value]:
+    names = _arguments(function)
+    _require(names, parameters, who)
+    return {name: parameters[name] for name in names}
 
 
 @dataclass(slots=True)
@@ -80,27 +117,19 @@ class StageCache:
 class Run:
     """The outputs of all stages that were needed, and what was done to get them."""
 
-    outputs: Mapping[str, Any]
+    outputs: Outputs
     reports: tuple[StageReport, ...]
 
 
-def run(
-    stages: Sequence[Stage],
-    values: Values,
-    cache: StageCache,
-    extra: Mapping[str, Value] | None = None,
-) -> Run:
+def run(stages: Sequence[Stage], parameters: Mapping[str, Value], cache: StageCache) -> Run:
     """Evaluate ``stages`` in order.
 
     A stage that another one names is evaluated only where one that is not neutral takes it, or a
     neutral one hands it on; what no other stage names is always wanted.
 
-    ``extra`` holds parameters that are no controls, such as the accuracy tier. Raises
-    `KeyError` where a stage reads a parameter, or takes an input, that does not exist.
+    Raises `KeyError` where a stage reads a parameter, or comes after a stage, that does not exist.
     """
-    parameters: dict[str, Value] = {**values, **(extra or {})}
-    known = Values(parameters)
-    reasons = {stage.name: stage.neutral(known) if stage.neutral else "" for stage in stages}
+    reasons = {stage.name: stage.reason(parameters) for stage in stages}
     needed = _needed(stages, reasons)
     outputs: dict[str, Any] = {}
     keys: dict[str, Key] = {}
@@ -117,12 +146,12 @@ def run(
             reports.append(StageReport(stage.name, "skipped", reason))
             continue
         read = {name: parameters[name] for name in stage.reads}
-        key: Key = (stage.name, tuple(read.items()), tuple(keys[name] for name in stage.inputs))
+        key: Key = (stage.name, tuple(read.items()), tuple(keys[name] for name in stage.after))
         found, output = cache.get(stage.name, key)
         if found:
             reports.append(StageReport(stage.name, "reused", "nothing it reads has changed"))
         else:
-            output = stage.compute(*(outputs[name] for name in stage.inputs), **read)
+            output = stage.compute(*(outputs[name] for name in stage.after), **read)
             reports.append(StageReport(stage.name, "computed", _why(stage, key, cache)))
             cache.put(stage.name, key, output)
         outputs[stage.name], keys[stage.name] = output, key
@@ -131,7 +160,7 @@ def run(
 
 def _needed(stages: Sequence[Stage], reasons: Mapping[str, str]) -> set[str]:
     """Names of the stages that no other one names, and backwards of all that these take."""
-    named = {name for stage in stages for name in (*stage.inputs, stage.source)}
+    named = {name for stage in stages for name in (*stage.after, stage.source)}
     needed = {stage.name for stage in stages if stage.name not in named}
     for stage in reversed(stages):
         if stage.name in needed:
@@ -152,7 +181,7 @@ def _why(stage: Stage, key: Key, cache: StageCache) -> str:
     """
     kept = cache.entries.get(stage.name, {})
     changes = min((_changes(stage, key, old) for old in kept), key=len, default=())
-    told = {"changed:": changes} if changes else {"reads": stage.reads, "follows": stage.inputs}
+    told = {"changed:": changes} if changes else {"reads": stage.reads, "follows": stage.after}
     words = (f"{verb} {_in_words(names)}" for verb, names in told.items() if names)
     return "; ".join(words) or "depends on nothing"
 
@@ -160,7 +189,7 @@ def _why(stage: Stage, key: Key, cache: StageCache) -> str:
 def _changes(stage: Stage, key: Key, kept: Key) -> tuple[str, ...]:
     """Names of the parameters and inputs that are not what they were."""
     (_, reads, inputs), (_, old_reads, old_inputs) = key, kept
-    named_inputs = zip(stage.inputs, inputs, strict=True)
+    named_inputs = zip(stage.after, inputs, strict=True)
     return (
         *(name for name, value in reads if (name, value) not in old_reads),
         *(name for name, made_from in named_inputs if made_from not in old_inputs),

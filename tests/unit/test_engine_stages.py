@@ -2,12 +2,13 @@
 
 from collections import Counter
 from collections.abc import Callable
+from functools import wraps
 from typing import Any
 
 import pytest
 
-from simulations.engine.controls import Values
-from simulations.engine.pipeline import Stage, StageCache, run
+from simulations.engine.controls import Value
+from simulations.engine.stages import Stage, StageCache, run
 
 
 class Counting:
@@ -17,6 +18,7 @@ class Counting:
         self.calls: Counter[str] = Counter()
 
     def counted(self, name: str, compute: Callable[..., Any]) -> Callable[..., Any]:
+        @wraps(compute)
         def wrapped(*inputs: Any, **parameters: Any) -> Any:
             self.calls[name] += 1
             return compute(*inputs, **parameters)
@@ -26,15 +28,14 @@ class Counting:
     @property
     def stages(self) -> tuple[Stage, ...]:
         return (
-            Stage("source", ("size",), self.counted("source", lambda size: [1.0] * int(size))),
+            Stage("source", self.counted("source", lambda size: [1.0] * int(size))),
             Stage(
                 "gain",
-                ("factor",),
                 self.counted("gain", lambda x, factor: [factor * item for item in x]),
-                inputs=("source",),
-                neutral=lambda v: "the factor is one" if v["factor"] == 1 else "",
+                after=("source",),
+                neutral=lambda factor: "the factor is one" if factor == 1 else "",
             ),
-            Stage("sum", (), self.counted("sum", sum), inputs=("gain",)),
+            Stage("sum", self.counted("sum", sum), after=("gain",)),
         )
 
 
@@ -43,8 +44,8 @@ def counting() -> Counting:
     return Counting()
 
 
-def values(**given: float) -> Values:
-    return Values({"size": 3.0, "factor": 2.0, **given})
+def values(**given: float) -> dict[str, Value]:
+    return {"size": 3.0, "factor": 2.0, **given}
 
 
 def statuses(*arguments: Any) -> list[str]:
@@ -110,23 +111,21 @@ def noisy_stages(calls: Counter[str]) -> tuple[Stage, ...]:
         return output
 
     return (
-        Stage("rays", (), lambda: called("rays", 1.0)),
-        Stage("surfaces", (), lambda rays: called("surfaces", rays + 1.0), ("rays",)),
+        Stage("rays", lambda: called("rays", 1.0)),
+        Stage("surfaces", lambda rays: called("surfaces", rays + 1.0), ("rays",)),
         Stage(
             "lens",
-            ("lens_rays",),
             lambda rays, lens_rays: called("lens", rays * lens_rays),
             ("rays",),
-            lambda v: "" if v["lens_rays"] else "one ray",
+            lambda lens_rays: "" if lens_rays else "one ray",
             hands_on="surfaces",
         ),
-        Stage("grain", (), lambda: called("grain", 0.25)),
+        Stage("grain", lambda: called("grain", 0.25)),
         Stage(
             "noise",
-            ("sigma",),
             lambda light, grain, sigma: called("noise", light + sigma * grain),
             ("lens", "grain"),
-            lambda v: "" if v["sigma"] else "no noise",
+            lambda sigma: "" if sigma else "no noise",
         ),
     )
 
@@ -158,34 +157,44 @@ def test_what_nothing_takes_is_not_computed(
     assert set(done.outputs) == {"noise", "lens", *made}
 
 
-def test_extra_parameters_are_read_like_controls() -> None:
-    stage = Stage("tiered", ("tier",), lambda tier: tier)
-    assert run((stage,), values(), StageCache(), {"tier": "fast"}).outputs["tiered"] == "fast"
+def test_what_has_a_default_is_not_read() -> None:
+    stage = Stage("sized", lambda size, factor=10: size * factor)
+    assert stage.reads == ("size",)
+    assert run((stage,), values(), StageCache()).outputs["sized"] == 30.0
+
+
+def test_a_stage_needs_an_argument_for_each_that_it_comes_after() -> None:
+    with pytest.raises(ValueError, match=r"stage 'a' comes after .*legal: as many as it has arg"):
+        Stage("a", lambda x: x, ("first", "second"))
 
 
 @pytest.mark.parametrize(
     ("stage", "message"),
     [
-        (Stage("a", ("sise",), lambda sise: sise), "stage 'a' reads 'sise'; legal: size, factor"),
-        (Stage("b", (), lambda x: x, ("source",)), "stage 'b' follows 'source'; legal: first"),
+        (Stage("a", lambda sise: sise), "stage 'a' reads 'sise'; legal: size, factor"),
+        (Stage("b", lambda x: x, ("source",)), "stage 'b' follows 'source'; legal: first"),
+        (
+            Stage("c", lambda x: x, ("first",), lambda depth: f"{depth}"),
+            "stage 'c' asks for 'depth'; legal: size, factor",
+        ),
     ],
 )
 def test_a_stage_that_asks_for_what_does_not_exist_is_named(stage: Stage, message: str) -> None:
-    first = Stage("first", (), lambda: 1)
+    first = Stage("first", lambda: 1)
     with pytest.raises(KeyError, match=message):
         run((first, stage), values(), StageCache())
 
 
 def test_a_stage_without_inputs_has_nothing_to_hand_on() -> None:
     with pytest.raises(ValueError, match="stage 'a' is neutral; legal: with an input"):
-        Stage("a", (), lambda: 1, neutral=lambda _values: "always")
+        Stage("a", lambda: 1, neutral=lambda: "always")
 
 
 def test_what_is_handed_on_is_handed_on_by_a_stage_that_can_be_neutral() -> None:
     with pytest.raises(ValueError, match="stage 'a' hands on 'b'; legal: where it can be neutral"):
-        Stage("a", (), lambda: 1, hands_on="b")
-    first = Stage("first", (), lambda: 1)
-    lost = Stage("a", (), lambda: 1, neutral=lambda _values: "always", hands_on="b")
+        Stage("a", lambda: 1, hands_on="b")
+    first = Stage("first", lambda: 1)
+    lost = Stage("a", lambda: 1, neutral=lambda: "always", hands_on="b")
     with pytest.raises(KeyError, match="stage 'a' follows 'b'; legal: first"):
         run((first, lost), values(), StageCache())
 
@@ -223,6 +232,6 @@ def test_a_change_is_told_against_the_most_similar_result_that_is_kept(counting:
 def test_a_stage_may_read_less_than_one_of_its_name_did_before() -> None:
     """As where a tier computes the same thing from other parameters."""
     cache = StageCache()
-    run((Stage("source", ("size", "factor"), lambda size, factor: size * factor),), values(), cache)
-    report = run((Stage("source", ("size",), lambda size: size),), values(), cache).reports[0]
+    run((Stage("source", lambda size, factor: size * factor),), values(), cache)
+    report = run((Stage("source", lambda size: size),), values(), cache).reports[0]
     assert (report.status, report.reason) == ("computed", "reads size")

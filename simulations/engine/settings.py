@@ -1,0 +1,149 @@
+"""A scene's settings: what the reader may change, as the fields of a frozen dataclass.
+
+    @dataclass(frozen=True, slots=True)
+    class Settings:
+        depth: float = slider("Depth (Z)", 5.0, -2, 20, 0.1, unit="m")
+        view: str = choice("View", {"top": "From above", "side": "From the side"})
+        grid: bool = toggle("Show the grid")
+        take: int = action("Take it again", "Take it again")
+
+Each is said once: controls, defaults, validation, documentation and the types that a scene may
+rely on all come from its field.
+"""
+
+from collections.abc import Callable, Mapping
+from dataclasses import Field, field, fields
+from functools import lru_cache
+from typing import Any, cast
+
+from simulations.engine.controls import (
+    Action,
+    Choice,
+    Control,
+    ControlError,
+    Slider,
+    Toggle,
+    Value,
+    suggestion,
+)
+
+TYPES: Mapping[str, tuple[type, ...]] = {
+    "slider": (float, int),
+    "choice": (str,),
+    "toggle": (bool,),
+    "action": (int,),
+}
+"""What the field of each kind of control may be annotated with."""
+
+
+def slider[N: (int, float)](
+    label: str, default: N, minimum: N, maximum: N, step: N, *, unit: str = "", prefix: str = ""
+) -> N:
+    """A number in a closed range; an ``int`` where the field is annotated so."""
+    return cast(
+        N,
+        _field(
+            default,
+            lambda name: Slider(
+                name=name,
+                label=label,
+                default=default,
+                minimum=minimum,
+                maximum=maximum,
+                step=step,
+                unit=unit,
+                prefix=prefix,
+            ),
+        ),
+    )
+
+
+def choice(label: str, options: Mapping[str, str], default: str = "") -> str:
+    """One of several named options, value to label; the first where no default is named."""
+    start = default or next(iter(options))
+    made = _field(
+        start, lambda name: Choice(name=name, label=label, default=start, options=options)
+    )
+    return cast(str, made)
+
+
+def toggle(label: str, default: bool = False) -> bool:
+    """On or off."""
+    return cast(bool, _field(default, lambda name: Toggle(name=name, label=label, default=default)))
+
+
+def action(*labels: str, drives: str = "", effect: str = "", seconds: float = 8.0) -> int:
+    """A button: the number of its presses modulo that of its labels. See `Action`."""
+    return cast(
+        int,
+        _field(
+            0,
+            lambda name: Action(
+                name=name, labels=labels, drives=drives, effect=effect, seconds=seconds
+            ),
+        ),
+    )
+
+
+def _field(default: Value, control: Callable[[str], Control]) -> object:
+    return field(default=default, metadata={"control": control})
+
+
+def controls_of(settings: type) -> tuple[Control, ...]:
+    """The controls of a dataclass of settings, in the order of its fields.
+
+    Raises `TypeError` for a field that states no control, or is annotated with another type than
+    its control's values have, and `ControlError` for a control that contradicts itself.
+    """
+    return _controls(settings)
+
+
+@lru_cache
+def _controls(settings: type) -> tuple[Control, ...]:
+    return tuple(_control(entry) for entry in fields(settings))
+
+
+def _control(entry: Field[Any]) -> Control:
+    make = entry.metadata.get("control")
+    if make is None:
+        raise TypeError(f"setting {entry.name!r} has no control; legal: {', '.join(TYPES)}")
+    control: Control = make(entry.name)
+    legal = TYPES[control.kind]
+    if entry.type not in legal:
+        names = " or ".join(kind.__name__ for kind in legal)
+        raise TypeError(f"setting {entry.name!r}: a {control.kind} is {names}, not {entry.type}")
+    return control
+
+
+def check_settings[S](settings: type[S], given: Mapping[str, object]) -> S:
+    """Defaults overridden by what an author gave; anything illegal raises `ControlError`."""
+    return _resolve(settings, given, lambda control, raw: control.check(raw))
+
+
+def clamp_settings[S](settings: type[S], given: Mapping[str, object]) -> S:
+    """Defaults overridden by a reader's gestures; numbers out of range are brought into it."""
+    return _resolve(settings, given, lambda control, raw: control.clamp(raw))
+
+
+def _resolve[S](
+    settings: type[S], given: Mapping[str, object], legal: Callable[[Control, object], Value]
+) -> S:
+    controls = {control.name: control for control in controls_of(settings)}
+    for name in given:
+        if name not in controls:
+            raise ControlError(
+                f"unknown parameter {name!r}; legal: {', '.join(controls)}"
+                f"{suggestion(name, controls)}"
+            )
+    types = {entry.name: entry.type for entry in fields(cast(Any, settings))}
+    values = {name: legal(controls[name], raw) for name, raw in given.items()}
+    whole = {
+        name: round(value) if types[name] is int and isinstance(value, float) else value
+        for name, value in values.items()
+    }
+    return settings(**whole)
+
+
+def values_of(settings: object) -> dict[str, Value]:
+    """Each setting by its name."""
+    return {entry.name: getattr(settings, entry.name) for entry in fields(cast(Any, settings))}
