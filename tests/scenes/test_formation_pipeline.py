@@ -7,19 +7,26 @@ import re
 import numpy as np
 import pytest
 
-from simulations.engine.controls import check_values
+from simulations.engine.frame import Frame
 from simulations.engine.stages import StageCache
 from simulations.models.color.srgb import encode_srgb
 from simulations.scenes.formation_pipeline.drawing import place, route
-from simulations.scenes.formation_pipeline.scene import CONTROLS, SCENE
+from simulations.scenes.formation_pipeline.scene import SCENE
 from simulations.scenes.formation_pipeline.stations import stations, travel
 
 
-def frame(cache=None, **given):
-    return SCENE.render(check_values(CONTROLS, given), "", cache or StageCache())
+def frame(cache: StageCache | None = None, **given: float) -> Frame:
+    return SCENE.render(SCENE.check(given), "", cache or StageCache())
 
 
-def test_default_journey_is_the_worked_example_of_the_first_chapter():
+def parts(pattern: str, line: str) -> tuple[str, ...]:
+    """The groups of a line that is written so from end to end."""
+    found = re.fullmatch(pattern, line)
+    assert found is not None, line
+    return tuple(found.groups())
+
+
+def test_default_journey_is_the_worked_example_of_the_first_chapter() -> None:
     journey = travel(4.0, 0.6, exposure=0)
     assert journey.camera_m == pytest.approx((0.4, -0.3, 4.0))
     assert journey.ideal == pytest.approx((0.1, -0.075))
@@ -28,20 +35,20 @@ def test_default_journey_is_the_worked_example_of_the_first_chapter():
     assert journey.mean_e == pytest.approx(3000)
 
 
-def test_electrons_scatter_around_their_mean_as_photons_do():
+def test_electrons_scatter_around_their_mean_as_photons_do() -> None:
     counted = np.array([travel(4.0, 0.6, exposure).counted_e for exposure in range(400)])
     assert counted.mean() == pytest.approx(3000, abs=4 * math.sqrt(3000 / 400))
     assert counted.var() == pytest.approx(3000, rel=0.3)
 
 
-def test_reading_adds_an_error_of_five_electrons():
+def test_reading_adds_an_error_of_five_electrons() -> None:
     read = np.array([travel(4.0, 0.6, exposure).read_e for exposure in range(400)])
     assert read.mean() == pytest.approx(0, abs=4 * 5 / math.sqrt(400))
     assert read.std() == pytest.approx(5, rel=0.15)
 
 
 @pytest.mark.parametrize("exposure", range(8))
-def test_each_line_of_the_ledger_follows_from_the_line_above_as_printed(exposure):
+def test_each_line_of_the_ledger_follows_from_the_line_above_as_printed(exposure: int) -> None:
     """At every albedo, and in every exposure that the button deals."""
     for percent in range(101):
         *_, light, sensor, file = (
@@ -50,22 +57,20 @@ def test_each_line_of_the_ledger_follows_from_the_line_above_as_printed(exposure
         share, due = re.findall(r"[\d.]+", light)[1:]
         assert float(share) == pytest.approx(percent / 100 * 0.5, abs=5e-4)
         assert float(due) == pytest.approx(percent / 100 * 5000, abs=0.5)
-        counted, sign, read, raw = re.match(
-            r"\((\d+) ([+−]) ([\d.]+)\) .* = (\d+) DN", sensor
-        ).groups()
+        counted, sign, read, raw = parts(r"\((\d+) ([+−]) ([\d.]+)\) .* = (\d+) DN", sensor)
         electrons = float(counted) + float(sign.replace("−", "-") + read)
         assert min(max(round(electrons * 4095 / 10_000), 0), 4095) == int(raw)
-        again, code = re.fullmatch(r"255 · sRGB\((\d+) / 4095\) = (\d+)", file).groups()
+        again, code = parts(r"255 · sRGB\((\d+) / 4095\) = (\d+)", file)
         assert again == raw
         assert round(255 * float(encode_srgb(int(raw) / 4095))) == int(code)
 
 
 @pytest.mark.parametrize("distance", [2.0, 4.0, 5.3, 8.0])
-def test_the_places_in_the_ledger_follow_from_one_another(distance):
+def test_the_places_in_the_ledger_follow_from_one_another(distance: float) -> None:
     """As printed: each number is good to half of its last digit."""
     lines = [item.numbers.replace("−", "-") for item in stations(travel(distance, 0.6, 0))[:5]]
     room, camera, ideal, bent, pixel = (
-        [float(each) for each in re.search(r"\(([^)]*)\)", line)[1].split(",")] for line in lines
+        [float(each) for each in parts(r".*?\(([^)]*)\).*", line)[0].split(",")] for line in lines
     )
     assert camera == pytest.approx([room[0], room[1], room[2] + 1], abs=1e-9)
     assert ideal == pytest.approx([camera[0] / camera[2], camera[1] / camera[2]], abs=6e-6)
@@ -75,52 +80,52 @@ def test_the_places_in_the_ledger_follow_from_one_another(distance):
     assert lines[4].endswith(f"in cell ({round(pixel[0])}, {round(pixel[1])})")
 
 
-def test_black_paint_is_black():
+def test_black_paint_is_black() -> None:
     journey = travel(4.0, 0.0, exposure=0)
     assert journey.counted_e == 0
     assert journey.code <= 30  # read noise alone
 
 
-def test_distance_moves_the_pixel_and_leaves_the_light():
+def test_distance_moves_the_pixel_and_leaves_the_light() -> None:
     near, far = travel(2.0, 0.6, 0), travel(8.0, 0.6, 0)
     assert near.pixel[0] > far.pixel[0] > 320
     assert near.mean_e == far.mean_e
 
 
-def test_marker_stands_on_each_station_at_whole_numbers():
+def test_marker_stands_on_each_station_at_whole_numbers() -> None:
     legs = route(4.0)
     for index, leg in enumerate(legs):
         assert place(legs, index)[0] == pytest.approx(leg[0])
     assert place(legs, len(legs))[0] == pytest.approx(legs[-1][-1])
 
 
-def test_marker_never_jumps():
+def test_marker_never_jumps() -> None:
     legs = route(4.0)
     way = [place(legs, step / 50)[0] for step in range(50 * len(legs) + 1)]
     assert max(math.dist(a, b) for a, b in itertools.pairwise(way)) < 6
 
 
-def test_way_travelled_ends_at_the_marker():
+def test_way_travelled_ends_at_the_marker() -> None:
     marker, travelled = place(route(4.0), 3.3)
     assert travelled[-1] == marker
     assert len(travelled) == 5  # three whole legs, and a part of the fourth before its corner
 
 
-def test_moving_the_marker_computes_nothing():
+def test_moving_the_marker_computes_nothing() -> None:
     cache = StageCache()
     frame(cache, station=1)
     assert [stage.status for stage in frame(cache, station=5).stages] == ["reused"]
 
 
 @pytest.mark.parametrize("station", range(8))
-def test_each_station_is_told_in_words(station):
+def test_each_station_is_told_in_words(station: int) -> None:
     entry = stations(travel(4.0, 0.6, 0))[station]
     shown = frame(station=station)
     assert shown.description == f"{entry.sentence}: {entry.numbers}."
     assert shown.readouts[0].text == f"{station} · {entry.title}"
 
 
-def test_extremes_draw_cleanly_and_keep_their_readouts():
+def test_extremes_draw_cleanly_and_keep_their_readouts() -> None:
     for station, distance, albedo in itertools.product((0, 3.5, 7), (2, 8), (0, 1)):
         shown = frame(station=station, distance=distance, albedo=albedo)
         assert [item.name for item in shown.readouts] == ["at", "electrons", "pixel_value"]

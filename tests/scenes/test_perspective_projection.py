@@ -5,8 +5,8 @@ from itertools import product
 
 import pytest
 
-from simulations.engine.controls import Slider, check_values
-from simulations.engine.frame import to_json
+from simulations.engine.controls import Slider
+from simulations.engine.frame import Frame, to_json
 from simulations.engine.stages import StageCache
 from simulations.scenes.perspective_projection.scene import SCENE
 
@@ -19,24 +19,24 @@ ENDS = {
 CAMERAS = ("perspective", "scaled-orthographic", "orthographic")
 
 
-def frame(**given):
-    return SCENE.render(check_values(SCENE.controls, given), "", StageCache())
+def frame(**given: object) -> Frame:
+    return SCENE.render(SCENE.check(given), "", StageCache())
 
 
-def texts(**given):
+def texts(**given: object) -> dict[str, str]:
     return {item.name: item.text for item in frame(**given).readouts}
 
 
-def picture(**given):
+def picture(**given: object) -> str:
     return frame(**given).panels[1].overlay
 
 
-def solid_dots(overlay, role):
+def solid_dots(overlay: str, role: str) -> list[tuple[float, float]]:
     dots = re.findall(rf'class="{role} solid" cx="([-\d.]+)" cy="([-\d.]+)"', overlay)
     return [(float(x), float(y)) for x, y in dots]
 
 
-def test_the_example_of_the_book():
+def test_the_example_of_the_book() -> None:
     shown = frame()
     assert texts() == {
         "X": "1.0", "Y": "0.5", "Z": "5.0", "f": "80", "x": "16.0", "y": "8.0", "view": "102.7",
@@ -53,8 +53,8 @@ def test_the_example_of_the_book():
     [*product(DEPTHS, (20, 200), (-3.0, 0.0, 3.0), (-2.0, 0.0, 2.0))],
 )
 def test_every_extreme_draws_finite_numbers_in_the_same_layout(
-    depth, focal_length, point_x, point_y, camera
-):
+    depth: float, focal_length: float, point_x: float, point_y: float, camera: str
+) -> None:
     shown = frame(
         depth=depth, focal_length=focal_length, point_x=point_x, point_y=point_y, camera=camera
     )
@@ -68,7 +68,9 @@ def test_every_extreme_draws_finite_numbers_in_the_same_layout(
 
 @pytest.mark.parametrize(("depth", "focal_length"), [*product((2.0, 5.0, 20.0), (20, 80, 200))])
 @pytest.mark.parametrize("point_x", [-1.0, 0.4])
-def test_the_dot_lies_where_the_readouts_say(depth, focal_length, point_x):
+def test_the_dot_lies_where_the_readouts_say(
+    depth: float, focal_length: float, point_x: float
+) -> None:
     given = {"depth": depth, "focal_length": focal_length, "point_x": point_x}
     x, y = focal_length * point_x / depth, focal_length * 0.5 / depth
     (dot,) = solid_dots(picture(**given), "image")
@@ -79,7 +81,9 @@ def test_the_dot_lies_where_the_readouts_say(depth, focal_length, point_x):
 
 
 @pytest.mark.parametrize(("depth", "focal_length"), [*product((3.0, 5.0, 20.0), (40, 80, 200))])
-def test_centre_image_and_point_are_on_one_line_in_the_top_view(depth, focal_length):
+def test_centre_image_and_point_are_on_one_line_in_the_top_view(
+    depth: float, focal_length: float
+) -> None:
     overlay = frame(depth=depth, focal_length=focal_length).panels[0].overlay
     (centre,), (hit,) = solid_dots(overlay, "camera"), solid_dots(overlay, "image")
     (point,) = solid_dots(overlay, "world")
@@ -89,13 +93,13 @@ def test_centre_image_and_point_are_on_one_line_in_the_top_view(depth, focal_len
     assert abs(cross) < 0.02 * max(point[0] - centre[0], 100)
 
 
-def test_twice_the_depth_halves_the_image_and_twice_the_focal_length_doubles_it():
+def test_twice_the_depth_halves_the_image_and_twice_the_focal_length_doubles_it() -> None:
     assert texts(depth=10)["x"] == "8.0"
     assert texts(focal_length=160)["x"] == "32.0"
 
 
 @pytest.mark.parametrize("depth", [-2.0, -0.1])
-def test_behind_the_camera_there_is_no_image(depth):
+def test_behind_the_camera_there_is_no_image(depth: float) -> None:
     shown = texts(depth=depth)
     assert shown["x"] == shown["y"] == "behind"
     assert "behind the camera" in frame(depth=depth).description
@@ -103,22 +107,22 @@ def test_behind_the_camera_there_is_no_image(depth):
     assert solid_dots(picture(depth=depth), "image") == []
 
 
-def test_the_picture_shows_what_the_bare_formula_would_claim():
+def test_the_picture_shows_what_the_bare_formula_would_claim() -> None:
     assert "the formula alone would say (−40.0, −20.0)" in picture(depth=-2)
     assert 'class="error" cx="120" cy="110"' in picture(depth=-2)
 
 
-def test_in_the_plane_of_the_centre_the_quotient_is_undefined():
+def test_in_the_plane_of_the_centre_the_quotient_is_undefined() -> None:
     shown = texts(depth=0)
     assert shown["x"] == shown["y"] == "undefined"
     assert "undefined" in frame(depth=0).description
 
 
-def test_a_depth_that_rounding_left_beside_zero_counts_as_zero():
+def test_a_depth_that_rounding_left_beside_zero_counts_as_zero() -> None:
     assert texts(depth=1e-17)["x"] == "undefined"
 
 
-def test_a_point_outside_the_picture_is_pointed_at_and_told():
+def test_a_point_outside_the_picture_is_pointed_at_and_told() -> None:
     given = {"depth": 0.5, "focal_length": 200}
     assert frame(**given).description.endswith("x = 400.0 px, y = 200.0 px, outside the picture.")
     assert "outside the picture: (400.0, 200.0) px" in picture(**given)
@@ -126,12 +130,12 @@ def test_a_point_outside_the_picture_is_pointed_at_and_told():
 
 
 @pytest.mark.parametrize("name", ENDS)
-def test_both_ends_of_every_control_change_the_figure(name):
+def test_both_ends_of_every_control_change_the_figure(name: str) -> None:
     low, high = (to_json(frame(**{name: end})) for end in ENDS[name])
     assert low != high
 
 
-def test_scaled_orthography_agrees_with_perspective_at_its_reference_depth_only():
+def test_scaled_orthography_agrees_with_perspective_at_its_reference_depth_only() -> None:
     for depth in (-2, 0, 1, 5, 20):
         shown = texts(camera="scaled-orthographic", depth=depth)
         assert (shown["x"], shown["y"]) == ("16.0", "8.0")
@@ -142,14 +146,16 @@ def test_scaled_orthography_agrees_with_perspective_at_its_reference_depth_only(
 
 @pytest.mark.parametrize(("camera", "metres"), [(CAMERAS[1], 12.5), (CAMERAS[2], 6.0)])
 @pytest.mark.parametrize("depth", [-2.0, 5.0, 20.0])
-def test_parallel_rays_see_a_strip_of_the_same_width_at_every_depth(camera, metres, depth):
+def test_parallel_rays_see_a_strip_of_the_same_width_at_every_depth(
+    camera: str, metres: float, depth: float
+) -> None:
     """At its edge, 100 px from the middle, half of it is to one side."""
     shown = texts(camera=camera, depth=depth, point_x=2.5)
     assert float(shown["view"]) == metres
     assert float(shown["x"]) == pytest.approx(100 * 2.5 / (metres / 2), abs=0.05)
 
 
-def test_orthography_knows_neither_depth_nor_focal_length():
+def test_orthography_knows_neither_depth_nor_focal_length() -> None:
     """100 px are 3 m wide at any distance: 33.3 px to the metre."""
     for given in ({}, {"depth": 20}, {"depth": -2}, {"focal_length": 200}):
         shown = texts(camera="orthographic", **given)
@@ -157,14 +163,14 @@ def test_orthography_knows_neither_depth_nor_focal_length():
 
 
 @pytest.mark.parametrize("camera", CAMERAS[1:])
-def test_behind_a_camera_with_parallel_rays_there_is_an_image(camera):
+def test_behind_a_camera_with_parallel_rays_there_is_an_image(camera: str) -> None:
     shown = frame(camera=camera, depth=-2)
     assert "in perspective it has no image" in shown.description
     assert "in perspective it has no image" in shown.panels[1].overlay
     assert len(solid_dots(shown.panels[1].overlay, "image")) == 1
 
 
-def test_the_ray_of_orthography_is_parallel_to_the_axis():
+def test_the_ray_of_orthography_is_parallel_to_the_axis() -> None:
     overlay = frame(camera="orthographic", depth=12).panels[0].overlay
     (hit,), (point,) = solid_dots(overlay, "image"), solid_dots(overlay, "world")
     assert hit[1] == point[1]
@@ -172,11 +178,12 @@ def test_the_ray_of_orthography_is_parallel_to_the_axis():
 
 
 @pytest.mark.parametrize("depth", [1.0, 12.0])
-def test_the_ray_of_scaled_orthography_bends_at_the_reference_plane(depth):
+def test_the_ray_of_scaled_orthography_bends_at_the_reference_plane(depth: float) -> None:
     overlay = frame(camera="scaled-orthographic", depth=depth).panels[0].overlay
     (centre,), (hit,) = solid_dots(overlay, "camera"), solid_dots(overlay, "image")
     (point,) = solid_dots(overlay, "world")
     bend = re.search(r'<circle class="ray" cx="([-\d.]+)" cy="([-\d.]+)"', overlay)
+    assert bend is not None
     x, y = map(float, bend.groups())
     assert (x, y) == (centre[0] + 16 * 5, point[1])
     assert (hit[1] - centre[1]) / (hit[0] - centre[0]) == pytest.approx(
@@ -184,7 +191,7 @@ def test_the_ray_of_scaled_orthography_bends_at_the_reference_plane(depth):
     )
 
 
-def test_the_picture_shows_how_far_off_perspective_is():
+def test_the_picture_shows_how_far_off_perspective_is() -> None:
     """At 10 m, twice the reference: perspective is at half the distance from the middle."""
     given = {"camera": "scaled-orthographic", "depth": 10}
     assert 'class="error" cx="216" cy="158"' in picture(**given)

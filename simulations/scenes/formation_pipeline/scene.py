@@ -1,38 +1,28 @@
 """Image Formation Pipeline: one point on its way from the scene to a pixel value."""
 
-from simulations.engine.controls import Action, Slider, Values
+from dataclasses import dataclass
+
 from simulations.engine.frame import Frame, Panel, Readout, readout
 from simulations.engine.scene import Scene
-from simulations.engine.stages import Stage, StageCache, run
+from simulations.engine.settings import action, slider
+from simulations.engine.stages import Outputs, Stage
 from simulations.scenes.formation_pipeline.drawing import HEIGHT, WIDTH, draw_ledger, draw_way
 from simulations.scenes.formation_pipeline.stations import Journey, stations, travel
 
 LAST_STATION = 7.0
 
-CONTROLS = (
-    Slider(
-        name="station",
-        label="Station",
-        default=0.0,
-        minimum=0.0,
-        maximum=LAST_STATION,
-        step=0.02,
-    ),
-    Action(name="play", labels=("Play", "Pause"), drives="station", effect="play", seconds=14.0),
-    Action(name="step", labels=("Step",), drives="station", effect="step"),
-    Action(name="reset", labels=("Reset",), drives="station", effect="reset"),
-    Slider(
-        name="distance",
-        label="Distance of the point",
-        default=4.0,
-        minimum=2.0,
-        maximum=8.0,
-        step=0.1,
-        unit="m",
-    ),
-    Slider(name="albedo", label="Albedo ρ", default=0.6, minimum=0.0, maximum=1.0, step=0.01),
-    Action(name="again", labels=("Take it again",) * 8),
-)
+
+@dataclass(frozen=True, slots=True)
+class Settings:
+    """What the reader may change."""
+
+    station: float = slider("Station", 0.0, 0.0, LAST_STATION, 0.02)
+    play: int = action("Play", "Pause", drives="station", effect="play", seconds=14.0)
+    step: int = action("Step", drives="station", effect="step")
+    reset: int = action("Reset", drives="station", effect="reset")
+    distance: float = slider("Distance of the point", 4.0, 2.0, 8.0, 0.1, unit="m")
+    albedo: float = slider("Albedo ρ", 0.6, 0.0, 1.0, 0.01)
+    again: int = action(*("Take it again",) * 8)
 
 
 def _travel(distance: float, albedo: float, again: int) -> Journey:
@@ -43,14 +33,13 @@ STAGES = (Stage("journey", _travel),)
 """Moving the marker computes nothing anew: the numbers do not depend on where it is."""
 
 
-def render(values: Values, _tier: str, cache: StageCache) -> Frame:
+def draw(settings: Settings, outputs: Outputs) -> Frame:
     """The way of the point and the ledger of its numbers, up to the current station."""
-    result = run(STAGES, values, cache)
-    journey: Journey = result.outputs["journey"]
-    station = values.number("station")
+    journey: Journey = outputs["journey"]
+    station = settings.station
     entries = stations(journey)
     entry = entries[int(station)]
-    way = draw_way(journey, values.number("distance"), station)
+    way = draw_way(journey, settings.distance, station)
     return Frame(
         panels=(
             Panel("way", "The way (not to scale)", WIDTH, HEIGHT, overlay=way),
@@ -64,10 +53,13 @@ def render(values: Values, _tier: str, cache: StageCache) -> Frame:
             readout("pixel_value", "Pixel value", journey.code, "of 255", digits=0, role="image"),
         ),
         description=f"{entry.sentence}: {entry.numbers}.",
-        stages=result.reports,
     )
 
 
 SCENE = Scene(
-    id="formation-pipeline", title="Image Formation Pipeline", controls=CONTROLS, render=render
+    id="formation-pipeline",
+    title="Image Formation Pipeline",
+    settings=Settings,
+    draw=draw,
+    stages=STAGES,
 )

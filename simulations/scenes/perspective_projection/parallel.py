@@ -10,7 +10,7 @@ import numpy as np
 from simulations.engine import drawing
 from simulations.engine.frame import Panel, format_number
 from simulations.models.geometry.transforms import Floats, clip_half_plane
-from simulations.scenes.perspective_projection import picture as picture
+from simulations.scenes.perspective_projection import picture
 from simulations.scenes.perspective_projection import top_view as top
 from simulations.scenes.perspective_projection.view import (
     HALF_WIDTH_PX,

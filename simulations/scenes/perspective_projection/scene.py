@@ -1,31 +1,42 @@
 """Perspective projection: one point, one camera, and the division by depth, or none."""
 
 import math
+from dataclasses import dataclass
 
-from simulations.engine.controls import Choice, Slider, Values
 from simulations.engine.frame import Frame, Readout, format_number, readout
 from simulations.engine.scene import Scene
-from simulations.engine.stages import StageCache
+from simulations.engine.settings import choice, slider
+from simulations.engine.stages import Outputs
 from simulations.models.projection.pinhole import field_of_view
 from simulations.scenes.perspective_projection import parallel, picture, top_view
 from simulations.scenes.perspective_projection.view import (
+    CAMERAS,
     HALF_WIDTH_PX,
-    PARALLEL,
     PERSPECTIVE,
-    SCALED,
     View,
     look,
 )
 
 
-def render(values: Values, _tier: str, _cache: StageCache) -> Frame:
+@dataclass(frozen=True, slots=True)
+class Settings:
+    """What the reader may change."""
+
+    depth: float = slider("Depth (Z)", 5.0, -2, 20, 0.1, unit="m")
+    focal_length: float = slider("Focal length", 80, 20, 200, 1, unit="px")
+    point_x: float = slider("Right (X)", 1.0, -3, 3, 0.1, unit="m")
+    point_y: float = slider("Down (Y)", 0.5, -2, 2, 0.1, unit="m")
+    camera: str = choice("Camera", {name: camera.label for name, camera in CAMERAS.items()})
+
+
+def draw(settings: Settings, _outputs: Outputs) -> Frame:
     """The camera from above, and the picture it takes."""
     view = look(
-        X=values.number("point_x"),
-        Y=values.number("point_y"),
-        Z=values.number("depth"),
-        focal_px=values.number("focal_length"),
-        camera=values.choice("camera"),
+        X=settings.point_x,
+        Y=settings.point_y,
+        Z=settings.depth,
+        focal_px=settings.focal_length,
+        camera=settings.camera,
     )
     through_centre = view.camera == PERSPECTIVE
     if through_centre:
@@ -83,43 +94,5 @@ def describe(view: View) -> str:
 
 
 SCENE = Scene(
-    id="perspective-projection",
-    title="Perspective Projection",
-    controls=(
-        Slider(
-            name="depth", label="Depth (Z)", default=5.0, minimum=-2, maximum=20, step=0.1, unit="m"
-        ),
-        Slider(
-            name="focal_length",
-            label="Focal length",
-            default=80,
-            minimum=20,
-            maximum=200,
-            step=1,
-            unit="px",
-        ),
-        Slider(
-            name="point_x",
-            label="Right (X)",
-            default=1.0,
-            minimum=-3,
-            maximum=3,
-            step=0.1,
-            unit="m",
-        ),
-        Slider(
-            name="point_y", label="Down (Y)", default=0.5, minimum=-2, maximum=2, step=0.1, unit="m"
-        ),
-        Choice(
-            name="camera",
-            label="Camera",
-            default=PERSPECTIVE,
-            options={
-                PERSPECTIVE: "Perspective",
-                SCALED: "Scaled orthography",
-                PARALLEL: "Orthography",
-            },
-        ),
-    ),
-    render=render,
+    id="perspective-projection", title="Perspective Projection", settings=Settings, draw=draw
 )

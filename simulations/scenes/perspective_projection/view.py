@@ -1,5 +1,6 @@
 """What the projection figure looks at, and through which of its three cameras."""
 
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 
 import numpy as np
@@ -9,7 +10,7 @@ from simulations.models.projection.affine_cameras import (
     project_affine,
     scaled_orthographic_camera,
 )
-from simulations.models.projection.pinhole import intrinsics, project
+from simulations.models.projection.pinhole import Floats, Mask, intrinsics, project
 
 PERSPECTIVE, SCALED, PARALLEL = "perspective", "scaled-orthographic", "orthographic"
 """The cameras: through a centre; along the axis to a plane, then through the centre; along it."""
@@ -20,6 +21,30 @@ METRES_PER_PX = 0.03
 """Size at which a pixel of the image plane is drawn, and which it has for parallel rays."""
 REFERENCE_DEPTH_M = 5.0
 """The one depth by which scaled orthography divides."""
+
+
+@dataclass(frozen=True, slots=True)
+class Camera:
+    """One of the three."""
+
+    label: str
+    project: Callable[[Floats, Floats], tuple[Floats, Mask]]
+    """From a point of the camera frame and K to its pixel, and whether it has one."""
+
+
+def _scaled(point: Floats, K: Floats) -> tuple[Floats, Mask]:
+    return project_affine(point, scaled_orthographic_camera(K, REFERENCE_DEPTH_M))
+
+
+def _parallel(point: Floats, _K: Floats) -> tuple[Floats, Mask]:
+    return project_affine(point, orthographic_camera(1.0 / METRES_PER_PX))
+
+
+CAMERAS: Mapping[str, Camera] = {
+    PERSPECTIVE: Camera("Perspective", project),
+    SCALED: Camera("Scaled orthography", _scaled),
+    PARALLEL: Camera("Orthography", _parallel),
+}
 
 
 @dataclass(frozen=True, slots=True)
@@ -39,7 +64,8 @@ class View:
     """Pixels below the principal point; NaN where there is no image."""
     visible: bool
     """Whether the point has an image: whether it is in front, for the camera with a centre."""
-    camera: str = PERSPECTIVE
+    camera: str
+    """One of `CAMERAS`."""
 
     @property
     def in_picture(self) -> bool:
@@ -62,18 +88,12 @@ def in_picture(x: float, y: float) -> bool:
     return abs(x) <= HALF_WIDTH_PX and abs(y) <= HALF_HEIGHT_PX
 
 
-def look(X: float, Y: float, Z: float, focal_px: float, camera: str = PERSPECTIVE) -> View:
+def look(X: float, Y: float, Z: float, focal_px: float, camera: str) -> View:
     """Project the point (X, Y, Z) with the principal point at (0, 0).
 
     Depth is taken to the millimetre, so that Z = 0 is met exactly.
     """
     Z = round(Z, 3)
     point, K = np.array([X, Y, Z]), intrinsics(focal_px, (0.0, 0.0))
-    match camera:
-        case "scaled-orthographic":
-            pixels, valid = project_affine(point, scaled_orthographic_camera(K, REFERENCE_DEPTH_M))
-        case "orthographic":
-            pixels, valid = project_affine(point, orthographic_camera(1.0 / METRES_PER_PX))
-        case _:
-            pixels, valid = project(point, K)
+    pixels, valid = CAMERAS[camera].project(point, K)
     return View(X, Y, Z, focal_px, float(pixels[0]), float(pixels[1]), bool(valid), camera)
