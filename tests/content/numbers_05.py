@@ -5,7 +5,6 @@ from math import acos, cos, degrees, pi, radians, sin
 import numpy as np
 from support.worked_numbers import Says
 
-from simulations.engine.controls import check_values
 from simulations.engine.stages import StageCache
 from simulations.models.color.srgb import encode_srgb
 from simulations.models.light.reflectance import attenuation, blinn_phong, lambert, phong
@@ -68,7 +67,7 @@ def a_highlight_between_corners() -> Says:
     brightest = {}
     for tier in ("gouraud-8", "phong", "blended-normals-16"):
         for angle in (75, 60):
-            given = check_values(SCENE.controls, {"light_angle": angle, "shininess": 100})
+            given = SCENE.check({"light_angle": angle, "shininess": 100})
             picture = SCENE.render(given, tier, StageCache()).panels[0].raster
             assert picture is not None
             brightest[tier, angle] = int(picture[..., 1].max())

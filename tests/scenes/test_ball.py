@@ -1,50 +1,58 @@
 """Where light is computed on the ball: what each tier of the two scenes on reflection paints."""
 
 import math
+from typing import Any
 
 import numpy as np
 import pytest
+from numpy.typing import NDArray
 
-from simulations.engine.controls import check_values
+from simulations.engine.frame import Frame
+from simulations.engine.scene import Scene
 from simulations.engine.stages import StageCache
 from simulations.models.color.srgb import decode_srgb
 from simulations.models.light.reflectance import blinn_phong, lambert, phong
 from simulations.scenes.reflection import ball as the_ball
 from simulations.scenes.reflection import lambertian
 from simulations.scenes.reflection import phong as glossy
-from simulations.scenes.reflection.ball import RADIUS_PX, TIERS, build_ball, judge, light_direction
+from simulations.scenes.reflection.ball import LIT, RADIUS_PX, build_ball, judge, light_direction
+from simulations.scenes.reflection.gloss import ALBEDO, true_light
+
+type Floats = NDArray[np.floating]
 
 BALL = build_ball()
-CELLS = {tier: int(tier.rpartition("-")[2]) for tier in TIERS if tier.startswith("gouraud")}
+CELLS = {tier: int(tier.rpartition("-")[2]) for tier in LIT if tier.startswith("gouraud")}
 
 
-def frame(scene, tier, **given):
-    return scene.render(check_values(scene.controls, given), tier, StageCache())
+def frame(scene: Scene[Any], tier: str, **given: float | str) -> Frame:
+    return scene.render(scene.check(given), tier, StageCache())
 
 
-def told(scene, tier, **given):
+def told(scene: Scene[Any], tier: str, **given: float | str) -> float:
     """The error as a number, from the only estimate."""
-    (estimate,) = scene.error(check_values(scene.controls, given), tier, StageCache())
+    (estimate,) = scene.estimates(scene.check(given), tier, StageCache())
     assert estimate.unit == "of white"
     mantissa, _, exponent = estimate.text.partition("\u00a0×\u00a010")
     digits = exponent.translate(str.maketrans("⁻⁰¹²³⁴⁵⁶⁷⁸⁹", "-0123456789"))
     return float(mantissa) * 10.0 ** int(digits or 0)
 
 
-def normals_64():
+def normals_64() -> NDArray[np.float64]:
     """(h, w, 3) unit normals of the ball's own pixels; towards the camera elsewhere."""
     x, y = np.meshgrid(BALL.x.astype(float) / RADIUS_PX, BALL.y.astype(float) / RADIUS_PX)
     z = np.sqrt(np.maximum(1 - x * x - y * y, 0))
     return np.where(BALL.inner[..., None], np.stack([x, y, z], axis=-1), (0, 0, 1.0))
 
 
-def red(shown):
+def red(shown: Frame) -> Floats:
     """Linear red light of the ball's pixels, decoded from the bytes of the picture."""
-    return decode_srgb(shown.panels[0].raster[BALL.square][..., 0][BALL.inner] / 255.0)
+    raster = shown.panels[0].raster
+    assert raster is not None
+    return decode_srgb(raster[BALL.square][..., 0][BALL.inner] / 255.0)
 
 
 @pytest.mark.parametrize(("tier", "cells"), CELLS.items())
-def test_blended_light_is_computed_at_the_corners_of_the_cells_alone(tier, cells):
+def test_blended_light_is_computed_at_the_corners_of_the_cells_alone(tier: str, cells: int) -> None:
     corners = the_ball.lit_normals(BALL, tier)
     assert corners.shape == (cells + 1, cells + 1, 3)
     np.testing.assert_allclose(np.linalg.norm(corners, axis=-1), 1, atol=1e-6)
@@ -53,7 +61,7 @@ def test_blended_light_is_computed_at_the_corners_of_the_cells_alone(tier, cells
     np.testing.assert_allclose(corners[cells // 2, cells // 2], [0, 0, 1], atol=1e-6)
 
 
-def test_blended_normals_are_unit_normals_of_every_pixel_near_the_true_ones():
+def test_blended_normals_are_unit_normals_of_every_pixel_near_the_true_ones() -> None:
     blended = the_ball.lit_normals(BALL, "blended-normals-16")
     assert blended.shape == BALL.normals.shape
     np.testing.assert_allclose(np.linalg.norm(blended, axis=-1), 1, atol=1e-6)
@@ -65,7 +73,9 @@ def test_blended_normals_are_unit_normals_of_every_pixel_near_the_true_ones():
 
 
 @pytest.mark.parametrize(("tier", "cells"), CELLS.items())
-def test_blended_light_misses_no_more_than_the_curvature_of_the_cosine_allows(tier, cells):
+def test_blended_light_misses_no_more_than_the_curvature_of_the_cosine_allows(
+    tier: str, cells: int
+) -> None:
     """Lit from the camera, I = z: a cell of width h misses at most h²/8 (|z_xx| + |z_yy|)."""
     x, y = np.meshgrid(BALL.x, BALL.y)
     middle = (np.hypot(x, y) < RADIUS_PX / 2)[BALL.inner]
@@ -80,7 +90,7 @@ def test_blended_light_misses_no_more_than_the_curvature_of_the_cosine_allows(ti
 
 
 @pytest.mark.parametrize("light_angle", [0, 70, -140])
-def test_light_in_every_pixel_errs_by_the_rounding_of_float32(light_angle):
+def test_light_in_every_pixel_errs_by_the_rounding_of_float32(light_angle: float) -> None:
     assert told(lambertian.SCENE, "phong", light_angle=light_angle) < 2**-22
     # A power of 300 multiplies a relative error by 300.
     shiny = told(glossy.SCENE, "phong", light_angle=light_angle, shininess=300)
@@ -89,23 +99,28 @@ def test_light_in_every_pixel_errs_by_the_rounding_of_float32(light_angle):
 
 @pytest.mark.parametrize("scene", [lambertian.SCENE, glossy.SCENE])
 @pytest.mark.parametrize("light_angle", [0, 60, 150])
-def test_finer_cells_are_nearer_to_the_truth(scene, light_angle):
+def test_finer_cells_are_nearer_to_the_truth(scene: Scene[Any], light_angle: float) -> None:
     errors = [told(scene, tier, light_angle=light_angle) for tier in (*CELLS, "phong")]
     assert errors == sorted(errors, reverse=True)
     assert errors[0] > 4 * errors[3]
 
 
-@pytest.mark.parametrize("tier", TIERS)
+@pytest.mark.parametrize("tier", LIT)
 @pytest.mark.parametrize("model", ["phong", "blinn_phong"])
-def test_the_error_told_is_that_of_the_bytes_shown(tier, model):
+def test_the_error_told_is_that_of_the_bytes_shown(tier: str, model: str) -> None:
     """Strength and albedo add up to less than 1, so that no pixel is cut off at white."""
-    given = {"light_angle": 75, "specular": 0.35, "shininess": 9, "model": model}
+    given: dict[str, float | str] = {
+        "light_angle": 75,
+        "specular": 0.35,
+        "shininess": 9,
+        "model": model,
+    }
     formula = {"phong": phong, "blinn_phong": blinn_phong}[model]
     truth = formula(
         normals_64(),
         light_direction(75),
         [0, 0, 1],
-        albedo=float(glossy.ALBEDO[0]),
+        albedo=float(ALBEDO[0]),
         specular=0.35,
         shininess=9,
     )[BALL.inner]
@@ -114,7 +129,7 @@ def test_the_error_told_is_that_of_the_bytes_shown(tier, model):
 
 
 @pytest.mark.parametrize("light_angle", [-180, -91, -30, 0, 30, 91, 179])
-def test_lamberts_truth_is_the_model_in_double_precision(light_angle):
+def test_lamberts_truth_is_the_model_in_double_precision(light_angle: float) -> None:
     expected = lambert(normals_64(), light_direction(light_angle))
     truth = np.maximum(the_ball.true_cosine(BALL, light_angle), 0)
     np.testing.assert_allclose(truth[BALL.inner], expected[BALL.inner], atol=1e-14)
@@ -122,22 +137,21 @@ def test_lamberts_truth_is_the_model_in_double_precision(light_angle):
 
 @pytest.mark.parametrize("model", ["phong", "blinn_phong"])
 @pytest.mark.parametrize("light_angle", [-179, -91, -30, 0, 30, 91, 180])
-def test_the_glossy_truth_is_the_model_in_double_precision(model, light_angle):
-    given = {"light_angle": light_angle, "model": model, "specular": 0.7, "shininess": 41}
+def test_the_glossy_truth_is_the_model_in_double_precision(model: str, light_angle: float) -> None:
     formula = {"phong": phong, "blinn_phong": blinn_phong}[model]
     expected = formula(
         normals_64(),
         light_direction(light_angle),
         [0, 0, 1],
-        albedo=float(glossy.ALBEDO[0]),
+        albedo=float(ALBEDO[0]),
         specular=0.7,
         shininess=41,
     )
-    truth = glossy.true_light(BALL, check_values(glossy.CONTROLS, given))
+    truth = true_light(BALL, light_angle, model, shininess=41, specular=0.7)
     np.testing.assert_allclose(truth[BALL.inner], expected[BALL.inner], atol=1e-12)
 
 
-def test_the_error_is_the_root_mean_square_over_the_ball_alone():
+def test_the_error_is_the_root_mean_square_over_the_ball_alone() -> None:
     truth = np.zeros(BALL.inner.shape)
     assert judge(BALL, np.where(BALL.inner, 0.25, 9.0), truth).text == "0.25"
     inner = np.flatnonzero(BALL.inner)
@@ -149,7 +163,7 @@ def test_the_error_is_the_root_mean_square_over_the_ball_alone():
     )
 
 
-def test_a_highlight_between_two_corners_is_lost_and_blended_normals_keep_it():
+def test_a_highlight_between_two_corners_is_lost_and_blended_normals_keep_it() -> None:
     """The place of the chapter: light from 45°, shininess 300, cells of an eighth."""
     given = {"light_angle": 45, "shininess": 300, "specular": 1}
     brightest = {
@@ -158,28 +172,28 @@ def test_a_highlight_between_two_corners_is_lost_and_blended_normals_keep_it():
     }
     assert brightest["phong"] == pytest.approx(1, abs=0.01)
     assert brightest["blended-normals-16"] == pytest.approx(1, abs=0.02)
-    assert brightest["gouraud-8"] == pytest.approx(float(glossy.ALBEDO[0]), abs=0.03)
+    assert brightest["gouraud-8"] == pytest.approx(float(ALBEDO[0]), abs=0.03)
 
 
 @pytest.mark.parametrize(
     ("angle", "expected"),
     [(0, [0, 0, 1]), (90, [1, 0, 0]), (-90, [-1, 0, 0]), (180, [0, 0, -1]), (-180, [0, 0, -1])],
 )
-def test_quarter_turns_of_the_light_have_exact_zeros(angle, expected):
+def test_quarter_turns_of_the_light_have_exact_zeros(angle: float, expected: list[float]) -> None:
     assert light_direction(angle).tolist() == expected
 
 
 @pytest.mark.parametrize("angle", [-179, -135, -91, -45, 1, 30, 89, 120, 179])
-def test_the_light_goes_round_by_sine_and_cosine(angle):
+def test_the_light_goes_round_by_sine_and_cosine(angle: float) -> None:
     turn = math.radians(angle)
     np.testing.assert_allclose(
         light_direction(angle), [math.sin(turn), 0, math.cos(turn)], atol=1e-15
     )
 
 
-@pytest.mark.parametrize("scene", [lambertian, glossy])
-def test_another_tier_leaves_the_ball_as_it_is(scene):
-    cache, given = StageCache(), check_values(scene.CONTROLS, {})
-    scene.SCENE.render(given, "phong", cache)
-    again = scene.SCENE.render(given, "gouraud-8", cache)
+@pytest.mark.parametrize("scene", [lambertian.SCENE, glossy.SCENE])
+def test_another_tier_leaves_the_ball_as_it_is(scene: Scene[Any]) -> None:
+    cache, given = StageCache(), scene.check({})
+    scene.render(given, "phong", cache)
+    again = scene.render(given, "gouraud-8", cache)
     assert [stage.name for stage in again.stages if stage.status == "reused"] == ["ball"]

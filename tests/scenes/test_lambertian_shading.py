@@ -3,20 +3,26 @@
 import numpy as np
 import pytest
 
-from simulations.engine.controls import check_values
+from simulations.engine.frame import Frame, Raster
 from simulations.engine.stages import StageCache
 from simulations.scenes.reflection.lambertian import SCENE
 
 
-def frame(cache=None, **values):
-    return SCENE.render(check_values(SCENE.controls, values), "", cache or StageCache())
+def frame(cache: StageCache | None = None, /, **values: float) -> Frame:
+    return SCENE.render(SCENE.check(values), "", cache or StageCache())
 
 
-def texts(shown):
+def raster_of(shown: Frame) -> Raster:
+    raster = shown.panels[0].raster
+    assert raster is not None
+    return raster
+
+
+def texts(shown: Frame) -> dict[str, str]:
     return {item.name: item.text for item in shown.readouts}
 
 
-def test_the_worked_example_of_the_chapter():
+def test_the_worked_example_of_the_chapter() -> None:
     assert texts(frame()) == {
         "cosine": "0.866",
         "theta": "30",
@@ -26,41 +32,41 @@ def test_the_worked_example_of_the_chapter():
     }
 
 
-def test_the_pixel_at_the_probed_point_has_the_value_read_out():
-    raster = frame().panels[0].raster
+def test_the_pixel_at_the_probed_point_has_the_value_read_out() -> None:
+    raster = raster_of(frame())
     height, width = raster.shape[:2]
     assert abs(int(raster[height // 2, width // 2, 0]) - 217) <= 1
 
 
-def test_a_light_behind_leaves_the_disc_black():
-    raster = frame(light_angle=180).panels[0].raster
+def test_a_light_behind_leaves_the_disc_black() -> None:
+    raster = raster_of(frame(light_angle=180))
     height, width = raster.shape[:2]
     assert not raster[height // 2, width // 2 - 120 : width // 2 + 120, :3].any()
 
 
-def test_light_from_left_and_right_mirror_one_another():
-    left, right = (frame(light_angle=angle).panels[0].raster for angle in (-70, 70))
+def test_light_from_left_and_right_mirror_one_another() -> None:
+    left, right = (raster_of(frame(light_angle=angle)) for angle in (-70, 70))
     off = np.abs(left.astype(int) - right[:, ::-1].astype(int))
     assert off.max() <= 1
 
 
 @pytest.mark.parametrize("angle", [-180, -90, 0, 90, 180])
 @pytest.mark.parametrize("albedo", [0, 1])
-def test_every_extreme_can_be_drawn_in_the_same_layout(angle, albedo):
+def test_every_extreme_can_be_drawn_in_the_same_layout(angle: float, albedo: float) -> None:
     shown = frame(light_angle=angle, albedo=albedo, probe=-90, normals=True)
     assert [panel.name for panel in shown.panels] == ["camera", "above", "curve"]
     assert "nan" not in "".join(panel.overlay for panel in shown.panels)
 
 
-def test_black_paint_needs_no_light():
+def test_black_paint_needs_no_light() -> None:
     cache = StageCache()
     before = frame(cache, albedo=0)
     after = frame(cache, albedo=0, light_angle=-80)
     assert {stage.status for stage in after.stages} == {"reused", "skipped"}
-    assert after.panels[0].raster is before.panels[0].raster
+    assert raster_of(after) is raster_of(before)
 
 
-def test_the_albedo_scales_light_that_is_there():
+def test_the_albedo_scales_light_that_is_there() -> None:
     cache = StageCache()
     frame(cache)
     again = frame(cache, albedo=0.3)
@@ -70,7 +76,7 @@ def test_the_albedo_scales_light_that_is_there():
     ]
 
 
-def test_moving_the_probe_reuses_the_picture():
+def test_moving_the_probe_reuses_the_picture() -> None:
     cache = StageCache()
     frame(cache)
     again = frame(cache, probe=20)

@@ -4,41 +4,44 @@ import math
 
 import numpy as np
 import pytest
+from numpy.typing import NDArray
 
-from simulations.engine.controls import check_values
+from simulations.engine.frame import Frame, Raster
 from simulations.engine.stages import StageCache
 from simulations.models.color.srgb import decode_srgb, encode_srgb
 from simulations.scenes.reflection.ball import build_ball, light_direction
-from simulations.scenes.reflection.phong import (
+from simulations.scenes.reflection.gloss import (
     ALBEDO,
-    SCENE,
     angles_at,
     half_width_rad,
     highlight,
     lobe,
 )
+from simulations.scenes.reflection.phong import SCENE
 
 BALL = build_ball()
 
 
-def values(**given):
-    return check_values(SCENE.controls, given)
+def frame(cache: StageCache | None = None, /, **given: float | str) -> Frame:
+    return SCENE.render(SCENE.check(given), "", cache or StageCache())
 
 
-def frame(cache=None, **given):
-    return SCENE.render(values(**given), "", cache or StageCache())
+def raster_of(shown: Frame) -> Raster:
+    raster = shown.panels[0].raster
+    assert raster is not None
+    return raster
 
 
-def texts(shown):
+def texts(shown: Frame) -> dict[str, str]:
     return {item.name: item.text for item in shown.readouts}
 
 
-def unit(angle_deg):
+def unit(angle_deg: float) -> NDArray[np.float64]:
     return np.array([math.sin(math.radians(angle_deg)), 0, math.cos(math.radians(angle_deg))])
 
 
 @pytest.mark.parametrize(("light", "probe"), [(60, 20), (-130, 45), (179, -90), (0, 0)])
-def test_cosines_are_those_of_the_vectors(light, probe):
+def test_cosines_are_those_of_the_vectors(light: float, probe: float) -> None:
     n, to_light, v = unit(probe), unit(light), unit(0)
     mirrored = 2 * (n @ to_light) * n - to_light
     halfway = (to_light + v) / np.linalg.norm(to_light + v)
@@ -48,7 +51,7 @@ def test_cosines_are_those_of_the_vectors(light, probe):
     assert at.n_dot_h == pytest.approx(n @ halfway, abs=1e-9)
 
 
-def test_light_and_camera_opposed_have_no_halfway_direction():
+def test_light_and_camera_opposed_have_no_halfway_direction() -> None:
     shown = frame(light_angle=180)
     assert texts(shown)["n_dot_h"] == "undefined"
     assert "no highlight" in shown.description
@@ -56,38 +59,37 @@ def test_light_and_camera_opposed_have_no_halfway_direction():
 
 @pytest.mark.parametrize("model", ["phong", "blinn_phong"])
 @pytest.mark.parametrize("shininess", [5, 50, 500])
-def test_the_half_width_read_out_is_where_the_drawn_lobe_has_half_its_height(model, shininess):
+def test_the_half_width_read_out_is_where_the_drawn_lobe_has_half_its_height(
+    model: str, shininess: float
+) -> None:
     """Normal and lamp in line, so that both models have the lobe's peak at the normal."""
-    given = values(light_angle=0, probe=0, shininess=shininess, model=model, specular=1)
-    highlight = lobe(given, model) - ALBEDO[0]
+    highlight = lobe(0, model, shininess, specular=1) - ALBEDO[0]
     width_deg = np.interp(0.5, highlight[:89:-1], np.arange(0.0, 91.0)[::-1])
     assert math.degrees(half_width_rad(model, shininess)) == pytest.approx(width_deg, abs=0.3)
 
 
-def test_blinn_needs_a_fourfold_exponent():
+def test_blinn_needs_a_fourfold_exponent() -> None:
     assert half_width_rad("blinn_phong", 80) == pytest.approx(half_width_rad("phong", 20), rel=0.02)
 
 
 @pytest.mark.parametrize("model", ["phong", "blinn_phong"])
-def test_the_highlight_peaks_halfway_between_lamp_and_camera(model):
-    given = {"light_angle": 60, "model": model, "shininess": 300}
-    shiny = frame(specular=1, **given).panels[0].raster[212, :, 1].astype(int)
-    matte = frame(specular=0, **given).panels[0].raster[212, :, 1].astype(int)
+def test_the_highlight_peaks_halfway_between_lamp_and_camera(model: str) -> None:
+    given: dict[str, float | str] = {"light_angle": 60, "model": model, "shininess": 300}
+    shiny = raster_of(frame(specular=1, **given))[212, :, 1].astype(int)
+    matte = raster_of(frame(specular=0, **given))[212, :, 1].astype(int)
     columns = np.flatnonzero(shiny - matte == (shiny - matte).max())
     assert columns.mean() == pytest.approx(250 + 152.5 * math.sin(math.radians(30)), abs=2)
 
 
-def test_the_pixel_at_the_probed_point_has_the_brightness_read_out():
+def test_the_pixel_at_the_probed_point_has_the_brightness_read_out() -> None:
     shown = frame(probe=0)
-    red = shown.panels[0].raster[212, 250, 0]
+    red = raster_of(shown)[212, 250, 0]
     assert red == pytest.approx(255 * float(encode_srgb(float(texts(shown)["brightness"]))), abs=1)
 
 
-def test_the_highlight_adds_the_same_light_to_every_channel():
+def test_the_highlight_adds_the_same_light_to_every_channel() -> None:
     with_spot, without = (
-        decode_srgb(
-            frame(light_angle=0, probe=0, specular=strength).panels[0].raster[212, 250] / 255
-        )
+        decode_srgb(raster_of(frame(light_angle=0, probe=0, specular=strength))[212, 250] / 255)
         for strength in (0.3, 0)
     )
     assert (with_spot - without)[:3] == pytest.approx([0.3] * 3, abs=0.006)
@@ -95,7 +97,9 @@ def test_the_highlight_adds_the_same_light_to_every_channel():
 
 
 @pytest.mark.parametrize(("model", "stretched"), [("phong", True), ("blinn_phong", False)])
-def test_grazing_light_stretches_phongs_highlight_and_not_blinns(model, stretched):
+def test_grazing_light_stretches_phongs_highlight_and_not_blinns(
+    model: str, stretched: bool
+) -> None:
     """Normals are scanned across and along the plane of light and camera, around their middle."""
     turns = np.radians(np.arange(-80, 80.5, 0.5))
     middle = math.radians(75)
@@ -110,7 +114,7 @@ def test_grazing_light_stretches_phongs_highlight_and_not_blinns(model, stretche
     assert (counts[1] > 1.5 * counts[0]) == stretched
 
 
-def test_a_point_that_faces_away_from_the_lamp_has_neither_part():
+def test_a_point_that_faces_away_from_the_lamp_has_neither_part() -> None:
     shown = texts(frame(light_angle=140, probe=-30, specular=1, shininess=1))
     assert (shown["matte"], shown["highlight"]) == ("0.000", "0.000")
 
@@ -118,13 +122,15 @@ def test_a_point_that_faces_away_from_the_lamp_has_neither_part():
 @pytest.mark.parametrize("light", [-180, -90, 0, 90, 180])
 @pytest.mark.parametrize("probe", [-90, 90])
 @pytest.mark.parametrize("shininess", [1, 500])
-def test_every_extreme_can_be_drawn_in_the_same_layout(light, probe, shininess):
+def test_every_extreme_can_be_drawn_in_the_same_layout(
+    light: float, probe: float, shininess: float
+) -> None:
     shown = frame(light_angle=light, probe=probe, shininess=shininess, model="blinn_phong")
     assert [panel.name for panel in shown.panels] == ["camera", "lobe"]
     assert list(texts(shown)) == list(texts(frame()))
 
 
-def test_strength_reuses_the_highlight():
+def test_strength_reuses_the_highlight() -> None:
     cache = StageCache()
     frame(cache)
     again = frame(cache, specular=0.1)
@@ -136,38 +142,43 @@ def test_strength_reuses_the_highlight():
 
 @pytest.mark.parametrize("without", [{"specular": 0}, {"light_angle": 180}, {"light_angle": -180}])
 @pytest.mark.parametrize("moved", [{"shininess": 300}, {"model": "blinn_phong"}])
-def test_without_a_highlight_what_would_shape_it_computes_nothing(without, moved):
+def test_without_a_highlight_what_would_shape_it_computes_nothing(
+    without: dict[str, float], moved: dict[str, float | str]
+) -> None:
     cache = StageCache()
     before = frame(cache, **without)
     after = frame(cache, **without, **moved)
     assert {stage.status for stage in after.stages} == {"reused", "skipped"}
-    assert after.panels[0].raster is before.panels[0].raster
+    assert raster_of(after) is raster_of(before)
 
 
 @pytest.mark.parametrize("model", ["phong", "blinn_phong"])
 @pytest.mark.parametrize("angle", [180, -180])
-def test_light_from_exactly_behind_leaves_ball_and_rim_black(model, angle):
+def test_light_from_exactly_behind_leaves_ball_and_rim_black(model: str, angle: float) -> None:
     """As `lobe`, readouts and description say, and as the models answer for these directions."""
     behind = light_direction(angle)
     assert not highlight(BALL.normals, angle, np.array([0, 0, 1.0]), model, 1).any()
     assert behind.tolist() == [0, 0, -1]
     shown = frame(light_angle=angle, model=model, specular=1, shininess=1)
-    assert not shown.panels[0].raster[BALL.square][BALL.inner][:, :3].any()
+    assert not raster_of(shown)[BALL.square][BALL.inner][:, :3].any()
     matte = frame(light_angle=angle, model=model, specular=0)
-    np.testing.assert_array_equal(shown.panels[0].raster, matte.panels[0].raster)
+    np.testing.assert_array_equal(raster_of(shown), raster_of(matte))
 
 
 @pytest.mark.parametrize("model", ["phong", "blinn_phong"])
 @pytest.mark.parametrize(("light_angle", "probe"), [(60, 20), (100, 5), (150, 50), (-170, 40)])
-def test_plot_readouts_and_chapter_have_one_formula(model, light_angle, probe):
+def test_plot_readouts_and_chapter_have_one_formula(
+    model: str, light_angle: float, probe: int
+) -> None:
     """The chapter's, by angles: the highlight only where the light is above the horizon."""
-    given = {"light_angle": light_angle, "probe": probe, "model": model, "shininess": 3}
     turn = math.radians(light_angle - probe)
     view = math.radians(-probe)
     lobe_cosine = math.cos(-turn - view if model == "phong" else (turn + view) / 2)
     matte = ALBEDO[0] * max(0, math.cos(turn))
     shine = max(0, lobe_cosine) ** 3 if math.cos(turn) > 0 else 0
-    shown = texts(frame(specular=0.5, **given))
+    shown = texts(
+        frame(light_angle=light_angle, probe=probe, model=model, shininess=3, specular=0.5)
+    )
     assert float(shown["brightness"]) == pytest.approx(matte + 0.5 * shine, abs=6e-4)
-    seen = lobe(values(specular=0.5, **given), model)[90 - probe]
+    seen = lobe(light_angle - probe, model, 3, specular=0.5)[90 - probe]
     assert seen == pytest.approx(matte + 0.5 * shine, abs=1e-6)

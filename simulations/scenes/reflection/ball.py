@@ -6,7 +6,9 @@ angle from the camera's, positive to the right.
 """
 
 import math
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
+from functools import partial
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -15,7 +17,7 @@ from simulations.engine.frame import Readout, format_magnitude
 from simulations.engine.raster import to_rgba8
 from simulations.models.color.srgb import encode_srgb, encode_srgb_table
 from simulations.models.light.cell_blending import blend_cells, blend_normals
-from simulations.scenes.reflection import lambertian_drawing as drawing
+from simulations.scenes.reflection.marks import CENTRE, HEIGHT, RADIUS, WIDTH
 
 type Picture = NDArray[np.float32]
 type Floats = NDArray[np.floating]
@@ -23,12 +25,7 @@ type Mask = NDArray[np.bool_]
 
 PIXELS_PER_UNIT = 1.25
 """Raster pixels per unit of the view box."""
-RADIUS_PX = drawing.RADIUS * PIXELS_PER_UNIT
-
-TIERS = ("gouraud-8", "gouraud-16", "gouraud-32", "gouraud-64", "phong", "blended-normals-16")
-"""Where light is computed: rungs of the ladder `shading`. Its Blinn–Phong is a control here."""
-DEFAULT_TIER = "phong"
-TIER_LABELS = {"phong": "Light in every pixel"}
+RADIUS_PX = RADIUS * PIXELS_PER_UNIT
 
 
 @dataclass(frozen=True, slots=True)
@@ -58,9 +55,9 @@ class Ball:
 def build_ball() -> Ball:
     """Normals, edge coverage and backdrop, once."""
     scale = PIXELS_PER_UNIT
-    height, width = round(drawing.HEIGHT * scale), round(drawing.WIDTH * scale)
-    across = np.arange(width, dtype=np.float32) + 0.5 - drawing.CENTRE[0] * scale
-    up = drawing.CENTRE[1] * scale - np.arange(height, dtype=np.float32) - 0.5
+    height, width = round(HEIGHT * scale), round(WIDTH * scale)
+    across = np.arange(width, dtype=np.float32) + 0.5 - CENTRE[0] * scale
+    up = CENTRE[1] * scale - np.arange(height, dtype=np.float32) - 0.5
     rows, columns = (np.flatnonzero(np.abs(axis) < RADIUS_PX + 1) for axis in (up, across))
     square = (slice(rows[0], rows[-1] + 1), slice(columns[0], columns[-1] + 1))
     y, x = up[square[0]], across[square[1]]
@@ -91,7 +88,7 @@ def unit_normals(x: Floats, y: Floats) -> Picture:
 
 def _wall(x: Picture, y: Picture) -> Picture:
     """A slate wall in linear light, a little lighter behind the ball."""
-    distance = np.hypot(x, y[:, None]) / (drawing.WIDTH * PIXELS_PER_UNIT)
+    distance = np.hypot(x, y[:, None]) / (WIDTH * PIXELS_PER_UNIT)
     level = 0.105 - 0.085 * np.minimum(distance, 0.8)
     wall: Picture = (level[..., None] * np.array([0.92, 1.0, 1.12])).astype(np.float32)
     return wall
@@ -108,14 +105,33 @@ def light_direction(angle_deg: float) -> NDArray[np.float64]:
     return np.array([across, 0.0, along])
 
 
+def _corner_normals(ball: Ball, cells: int) -> Picture:
+    """(cells + 1, cells + 1, 3) at the corners of a grid over the square."""
+    x, y = (np.linspace(axis[0], axis[-1], cells + 1) for axis in (ball.x, ball.y))
+    return unit_normals(x, y)
+
+
+def _blended_normals(ball: Ball, cells: int) -> Floats:
+    """(h, w, 3) of all pixels, from those at the corners of a grid."""
+    return blend_normals(_corner_normals(ball, cells), *ball.inner.shape)
+
+
+LIT: Mapping[str, Callable[[Ball], Floats]] = {
+    **{f"gouraud-{cells}": partial(_corner_normals, cells=cells) for cells in (8, 16, 32, 64)},
+    "phong": lambda ball: ball.normals,
+    "blended-normals-16": partial(_blended_normals, cells=16),
+}
+"""The normals that a tier computes light for: of all pixels, or of its grid's corners.
+
+Tiers are rungs of the ladder `shading`; its Blinn–Phong is a control of a scene.
+"""
+DEFAULT_TIER = "phong"
+TIER_LABELS = {"phong": "Light in every pixel"}
+
+
 def lit_normals(ball: Ball, tier: str) -> Floats:
-    """The normals that a tier computes light for: of all pixels, or of its grid's corners."""
-    way, _, cells = tier.rpartition("-")
-    if way not in ("gouraud", "blended-normals"):
-        return ball.normals
-    x, y = (np.linspace(axis[0], axis[-1], int(cells) + 1) for axis in (ball.x, ball.y))
-    corners = unit_normals(x, y)
-    return corners if way == "gouraud" else blend_normals(corners, *ball.inner.shape)
+    """(..., 3) unit normals, by the tier's entry in `LIT`."""
+    return LIT[tier](ball)
 
 
 def light_of_pixels(light: Floats, ball: Ball) -> Floats:

@@ -7,20 +7,20 @@ computed for every pixel in linear light and then encoded for the screen.
 
 import math
 from collections.abc import Iterator
+from dataclasses import dataclass
 
 import numpy as np
 
-from simulations.engine.controls import Slider, Toggle, Values
 from simulations.engine.frame import Frame, Panel, Readout, readout
 from simulations.engine.scene import Scene
-from simulations.engine.stages import Stage, StageCache, run
+from simulations.engine.settings import slider, toggle
+from simulations.engine.stages import Outputs, Stage
 from simulations.models.color.srgb import encode_srgb
 from simulations.models.light.reflectance import lambert
-from simulations.scenes.reflection import lambertian_drawing as drawing
 from simulations.scenes.reflection.ball import (
     DEFAULT_TIER,
+    LIT,
     TIER_LABELS,
-    TIERS,
     Ball,
     Floats,
     build_ball,
@@ -31,23 +31,19 @@ from simulations.scenes.reflection.ball import (
     paint,
     true_cosine,
 )
+from simulations.scenes.reflection.brightness_plot import brightness_plot
+from simulations.scenes.reflection.lambertian_drawing import from_above, over_sphere
+from simulations.scenes.reflection.marks import HEIGHT, WIDTH
 
-CONTROLS = (
-    Slider(
-        name="light_angle",
-        label="Light angle",
-        default=30,
-        minimum=-180,
-        maximum=180,
-        step=1,
-        unit="°",
-    ),
-    Slider(name="albedo", label="Albedo ρ", default=0.8, minimum=0, maximum=1, step=0.01),
-    Slider(
-        name="probe", label="Probed point", default=0, minimum=-90, maximum=90, step=1, unit="°"
-    ),
-    Toggle(name="normals", label="Show normals"),
-)
+
+@dataclass(frozen=True, slots=True)
+class Settings:
+    """What the reader may change."""
+
+    light_angle: float = slider("Light angle", 30, -180, 180, 1, unit="°")
+    albedo: float = slider("Albedo ρ", 0.8, 0, 1, 0.01)
+    probe: float = slider("Probed point", 0, -90, 90, 1, unit="°")
+    normals: bool = toggle("Show normals")
 
 
 def _white(normals: Floats, ball: Ball, light_angle: float) -> Floats:
@@ -60,8 +56,8 @@ def _shade(white: Floats, ball: Ball, albedo: float) -> Floats:
     return np.float32(albedo) * white if albedo > 0 else np.zeros_like(ball.inner, np.float32)
 
 
-def _black(values: Values) -> str:
-    return "black paint returns no light" if values.number("albedo") == 0 else ""
+def _black(albedo: float) -> str:
+    return "black paint returns no light" if albedo == 0 else ""
 
 
 STAGES = (
@@ -73,56 +69,58 @@ STAGES = (
 )
 
 
-def render(values: Values, tier: str, cache: StageCache) -> Frame:
-    """The ball, its plan and the curve; the tier is where light is computed on the ball."""
-    done = run(STAGES, values, cache, {"tier": tier or DEFAULT_TIER})
-    light_rad = math.radians(values.number("light_angle"))
-    probe_rad = math.radians(values.number("probe"))
-    albedo = values.number("albedo")
+def draw(settings: Settings, outputs: Outputs) -> Frame:
+    """The ball, its plan and the curve."""
+    light_angle, probe, albedo = settings.light_angle, settings.probe, settings.albedo
+    light_rad, probe_rad = math.radians(light_angle), math.radians(probe)
     theta_rad = abs(math.remainder(light_rad - probe_rad, 2 * math.pi))
-    normal = light_direction(values.number("probe"))
-    brightness = float(lambert(normal, light_direction(values.number("light_angle")), albedo))
+    brightness = float(lambert(light_direction(probe), light_direction(light_angle), albedo))
     code = round(255 * float(encode_srgb(brightness)))
-    show_normals = values.toggle("normals")
-    overlays = (
-        drawing.over_sphere(light_rad, probe_rad, show_normals),
-        drawing.from_above(light_rad, probe_rad, theta_rad, show_normals),
-        drawing.brightness_plot(albedo, theta_rad, brightness),
+    return Frame(
+        panels=(
+            Panel(
+                "camera",
+                "What the camera sees",
+                WIDTH,
+                HEIGHT,
+                outputs["picture"],
+                over_sphere(light_rad, probe_rad, settings.normals),
+            ),
+            Panel(
+                "above",
+                "The equator from above",
+                WIDTH,
+                HEIGHT,
+                overlay=from_above(light_rad, probe_rad, theta_rad, settings.normals),
+            ),
+            Panel(
+                "curve",
+                "Brightness by angle",
+                WIDTH,
+                HEIGHT,
+                overlay=brightness_plot(albedo, theta_rad, brightness),
+            ),
+        ),
+        readouts=(
+            readout("cosine", "n · l", math.cos(theta_rad), digits=3),
+            readout("theta", "Angle θ", math.degrees(theta_rad), "°", digits=0, role="ray"),
+            readout("albedo", "Albedo ρ", albedo, role="world"),
+            readout("brightness", "I = ρ max(0, n · l)", brightness, digits=3, role="image"),
+            readout("code", "Pixel value (sRGB)", code, "of 255", digits=0, role="image"),
+        ),
+        description=describe(light_angle, theta_rad, code),
     )
-    titles = ("What the camera sees", "The equator from above", "Brightness by angle")
-    panels = tuple(
-        Panel(name, title, drawing.WIDTH, drawing.HEIGHT, raster, overlay)
-        for name, title, raster, overlay in zip(
-            ("camera", "above", "curve"),
-            titles,
-            (done.outputs["picture"], None, None),
-            overlays,
-            strict=True,
-        )
-    )
-    readouts = (
-        readout("cosine", "n · l", math.cos(theta_rad), digits=3),
-        readout("theta", "Angle θ", math.degrees(theta_rad), "°", digits=0, role="ray"),
-        readout("albedo", "Albedo ρ", albedo, role="world"),
-        readout("brightness", "I = ρ max(0, n · l)", brightness, digits=3, role="image"),
-        readout("code", "Pixel value (sRGB)", code, "of 255", digits=0, role="image"),
-    )
-    return Frame(panels, readouts, describe(values, theta_rad, code), done.reports)
 
 
-def error(values: Values, tier: str, cache: StageCache) -> Iterator[Readout]:
+def estimate(settings: Settings, outputs: Outputs, _tier: str) -> Iterator[Readout]:
     """How far the light of this picture is from Lambert's law in float64; found at once."""
-    done = run(STAGES, values, cache, {"tier": tier or DEFAULT_TIER})
-    ball: Ball = done.outputs["ball"]
-    truth = values.number("albedo") * np.maximum(
-        true_cosine(ball, values.number("light_angle")), 0.0
-    )
-    yield judge(ball, done.outputs["shade"], truth)
+    ball: Ball = outputs["ball"]
+    truth = settings.albedo * np.maximum(true_cosine(ball, settings.light_angle), 0.0)
+    yield judge(ball, outputs["shade"], truth)
 
 
-def describe(values: Values, theta_rad: float, code: int) -> str:
+def describe(angle: float, theta_rad: float, code: int) -> str:
     """The picture in one sentence."""
-    angle = values.number("light_angle")
     side = "right" if angle > 0 else "left"
     facing = abs(angle)
     if facing < 5:
@@ -144,12 +142,12 @@ def describe(values: Values, theta_rad: float, code: int) -> str:
 SCENE = Scene(
     id="lambertian-shading",
     title="Lambertian Shading",
-    controls=CONTROLS,
-    render=render,
-    tiers=TIERS,
+    settings=Settings,
+    draw=draw,
+    stages=STAGES,
+    tiers=tuple(LIT),
     default_tier=DEFAULT_TIER,
-    draft_tier=DEFAULT_TIER,
     ladder="shading",
     tier_labels=TIER_LABELS,
-    error=error,
+    estimate=estimate,
 )

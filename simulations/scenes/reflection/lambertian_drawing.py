@@ -1,4 +1,4 @@
-"""The drawings of the Lambertian scene: over the sphere, from above, and brightness by angle.
+"""The drawings of the Lambertian scene: over the sphere, and the sphere from above.
 
 World axes: x right, y up, z towards the camera. Directions in the horizontal plane are given
 by their angle from the camera's direction, positive to the right: ``(sin, 0, cos)``.
@@ -13,55 +13,34 @@ from simulations.engine.drawing import (
     circle,
     dot,
     line,
-    path,
     polygon,
     polyline,
     rectangle,
     text,
 )
 from simulations.engine.frame import format_number
-
-WIDTH, HEIGHT = 400, 340
-CENTRE, RADIUS = (200.0, 170.0), 122.0
-"""The sphere in the camera's view."""
+from simulations.scenes.reflection.marks import (
+    CENTRE,
+    HEIGHT,
+    RADIUS,
+    on_equator,
+    probed_point,
+    shadow_edge,
+)
 
 PLAN_CENTRE, PLAN_RADIUS, VECTOR = (200.0, 136.0), 74.0, 62.0
 """The sphere from above, and the length of a unit vector there."""
-
-PLOT_LEFT, PLOT_RIGHT, PLOT_TOP, PLOT_BOTTOM = 58.0, 382.0, 34.0, 282.0
 
 
 def over_sphere(light_rad: float, probe_rad: float, show_normals: bool) -> str:
     """Terminator, brightest point, light rays and probed point on the camera's view."""
     parts = [*_picture_normals()] if show_normals else []
-    for style in ("casing", "light dashed"):
-        parts.append(polyline(terminator(light_rad), style))
+    parts += shadow_edge(light_rad)
     parts += _picture_rays(light_rad)
     if math.cos(light_rad) > 0.05:
-        brightest = (CENTRE[0] + RADIUS * math.sin(light_rad), CENTRE[1])
+        brightest = on_equator(light_rad)
         parts += [circle(brightest, 7, "casing"), circle(brightest, 7, "light")]
-    probed = (CENTRE[0] + RADIUS * math.sin(probe_rad), CENTRE[1])
-    parts += [circle(probed, 5.5, "casing"), dot(probed, "ray", 5.5)]
-    return "".join(parts)
-
-
-def terminator(light_rad: float) -> list[Point]:
-    """The visible half of the circle where the light grazes the sphere, in view box units.
-
-    With the light in front or behind it is the rim, all of which is visible.
-    """
-    if abs(math.sin(light_rad)) < 1e-9:
-        return [_on_rim(math.pi * step / 48) for step in range(97)]
-    side = 1 if math.cos(light_rad) * math.sin(light_rad) <= 0 else -1
-    reach = abs(math.cos(light_rad)) * side * RADIUS
-    turns = [math.pi * (step / 48 - 0.5) for step in range(49)]
-    return [
-        (CENTRE[0] + reach * math.cos(turn), CENTRE[1] + RADIUS * math.sin(turn)) for turn in turns
-    ]
-
-
-def _on_rim(turn_rad: float) -> Point:
-    return CENTRE[0] + RADIUS * math.cos(turn_rad), CENTRE[1] + RADIUS * math.sin(turn_rad)
+    return "".join((*parts, *probed_point(probe_rad, "ray")))
 
 
 def _picture_rays(light_rad: float) -> Iterator[str]:
@@ -187,53 +166,3 @@ def _plan(angle_rad: float, radius: float) -> Point:
 def _from(start: Point, angle_rad: float, length: float) -> Point:
     """Go from a point of the plan in a direction; the camera's direction is down the page."""
     return (start[0] + length * math.sin(angle_rad), start[1] + length * math.cos(angle_rad))
-
-
-def brightness_plot(albedo: float, theta_rad: float, brightness: float) -> str:
-    """Brightness against the angle between normal and light, and where the probed point is."""
-    theta_deg = math.degrees(theta_rad)
-    here = _plot(theta_deg, brightness)
-    curve = [_plot(t, albedo * max(0.0, math.cos(math.radians(t)))) for t in range(0, 181, 2)]
-    white = [_plot(t, max(0.0, math.cos(math.radians(t)))) for t in range(0, 91, 2)]
-    label = text(
-        (min(here[0] + 12, PLOT_RIGHT - 62), max(here[1] - 12, PLOT_TOP + 18)),
-        f"I = {format_number(brightness, 3)}",
-        "ray strong halo",
-    )
-    parts = [
-        *_axes(),
-        polyline(white, "muted thin dashed"),
-        polyline(curve, "image bold"),
-        path([[(here[0], PLOT_BOTTOM), here, (PLOT_LEFT, here[1])]], "ray thin dashed"),
-        dot(here, "ray", 5.5),
-        label,
-    ]
-    return "".join(parts)
-
-
-def _axes() -> Iterator[str]:
-    grid = [[_plot(0, share), _plot(180, share)] for share in (0.5, 1.0)]
-    yield path([*grid, [_plot(90, 0), _plot(90, 1)]], "muted thin faint")
-    yield path([[_plot(0, 1), _plot(0, 0), _plot(180, 0)]], "muted")
-    for degrees in (0, 45, 90, 135, 180):
-        x, y = _plot(degrees, 0)
-        yield text((x, y + 19), f"{degrees}°", "muted", "middle")
-    for share in (0, 0.5, 1.0):
-        x, y = _plot(0, share)
-        yield text((x - 9, y + 4.5), f"{share:g}", "muted", "end")
-    yield text((PLOT_LEFT - 20, PLOT_TOP - 14), "brightness I", "image")
-    yield text((_plot(59, 0)[0], _plot(0, 0.56)[1]), "ρ = 1", "muted small halo")
-    yield text(
-        ((PLOT_LEFT + PLOT_RIGHT) / 2, PLOT_BOTTOM + 42),
-        "angle θ between normal and light",
-        "",
-        "middle",
-    )
-    yield text((_plot(135, 0)[0], _plot(0, 0.2)[1]), "faces away", "muted small", "middle")
-
-
-def _plot(theta_deg: float, brightness: float) -> Point:
-    return (
-        PLOT_LEFT + (PLOT_RIGHT - PLOT_LEFT) * theta_deg / 180,
-        PLOT_BOTTOM - (PLOT_BOTTOM - PLOT_TOP) * brightness,
-    )

@@ -22,7 +22,7 @@ from simulations.engine.drawing import (
     polyline,
     text,
 )
-from simulations.scenes.reflection.lambertian_drawing import CENTRE, RADIUS, WIDTH, terminator
+from simulations.scenes.reflection.marks import WIDTH, on_equator, probed_point, shadow_edge
 
 type Direction = tuple[str, float, str]
 """Letter, angle from the normal in radians, colour role."""
@@ -38,13 +38,11 @@ SAME_RAD = math.radians(9.0)
 
 def over_ball(light_rad: float, probe_rad: float) -> str:
     """Terminator, centre of the highlight, probed point."""
-    parts = [polyline(terminator(light_rad), style) for style in ("casing", "light dashed")]
+    parts = shadow_edge(light_rad)
     if abs(abs(light_rad) - math.pi) > 1e-9:
-        spot = (CENTRE[0] + RADIUS * math.sin(light_rad / 2), CENTRE[1])
+        spot = on_equator(light_rad / 2)
         parts += [circle(spot, AROUND_HIGHLIGHT, style) for style in ("casing", "ray")]
-    probed = (CENTRE[0] + RADIUS * math.sin(probe_rad), CENTRE[1])
-    parts += [circle(probed, 5.5, "casing"), dot(probed, "world", 5.5)]
-    return "".join(parts)
+    return "".join((*parts, *probed_point(probe_rad, "world")))
 
 
 def lobe_plot(

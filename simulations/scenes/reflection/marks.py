@@ -1,0 +1,47 @@
+"""The ball in the camera's picture: its place, and the marks that both scenes draw over it.
+
+Directions in the horizontal plane are given by their angle from the camera's direction, positive
+to the right.
+"""
+
+import math
+
+from simulations.engine.drawing import Point, circle, dot, polyline
+
+WIDTH, HEIGHT = 400, 340
+CENTRE, RADIUS = (200.0, 170.0), 122.0
+"""The ball, in view box units."""
+
+
+def on_equator(angle_rad: float) -> Point:
+    """Where the camera sees the point whose normal has that angle."""
+    return CENTRE[0] + RADIUS * math.sin(angle_rad), CENTRE[1]
+
+
+def shadow_edge(light_rad: float) -> list[str]:
+    """The terminator, cased, so that it stands out from light and dark."""
+    return [polyline(terminator(light_rad), style) for style in ("casing", "light dashed")]
+
+
+def probed_point(probe_rad: float, role: str) -> list[str]:
+    probed = on_equator(probe_rad)
+    return [circle(probed, 5.5, "casing"), dot(probed, role, 5.5)]
+
+
+def terminator(light_rad: float) -> list[Point]:
+    """The visible half of the circle where the light grazes the sphere, in view box units.
+
+    With the light in front or behind it is the rim, all of which is visible.
+    """
+    if abs(math.sin(light_rad)) < 1e-9:
+        return [_on_rim(math.pi * step / 48) for step in range(97)]
+    side = 1 if math.cos(light_rad) * math.sin(light_rad) <= 0 else -1
+    reach = abs(math.cos(light_rad)) * side * RADIUS
+    turns = [math.pi * (step / 48 - 0.5) for step in range(49)]
+    return [
+        (CENTRE[0] + reach * math.cos(turn), CENTRE[1] + RADIUS * math.sin(turn)) for turn in turns
+    ]
+
+
+def _on_rim(turn_rad: float) -> Point:
+    return CENTRE[0] + RADIUS * math.cos(turn_rad), CENTRE[1] + RADIUS * math.sin(turn_rad)
