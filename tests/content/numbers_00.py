@@ -14,7 +14,7 @@ from simulations.scenes.formation_pipeline.stations import stations, travel
 CHAPTER = "00-why-image-formation"
 K = intrinsics(800.0, (320.0, 240.0))
 LENS = Distortion(k1=-0.2)
-SPELT = {4: "four", 7: "Seven"}
+SPELT: dict[float, str] = {4: "four", 7: "Seven"}
 
 
 def pixel_of(x_m: float, y_m: float, depth_m: float) -> tuple[float, float]:

@@ -15,7 +15,7 @@ from simulations.scenes.formation_pipeline.scene import SCENE
 from simulations.scenes.formation_pipeline.stations import stations, travel
 
 
-def frame(cache: StageCache | None = None, **given: float) -> Frame:
+def frame(cache: StageCache | None = None, /, **given: float) -> Frame:
     return SCENE.render(SCENE.check(given), "", cache or StageCache())
 
 
