@@ -12,7 +12,6 @@ from scipy.constants import c, h, k
 from scipy.optimize import brentq
 from support.worked_numbers import Says
 
-from simulations.engine.controls import check_values
 from simulations.engine.stages import StageCache
 from simulations.models.color.chromatic_adaptation import adapt
 from simulations.models.color.chromaticity import ILLUMINANT_A_XY, lab_distance, white_xyz
@@ -30,7 +29,7 @@ from simulations.models.sensor.demosaicing import METHODS, demosaic, mosaic, psn
 from simulations.models.sensor.photon_counting import Sensor, signal_to_noise, with_iso
 from simulations.pictures.balloon import WHOLE
 from simulations.pictures.mosaic_subjects import SUBJECTS
-from simulations.scenes.jpeg import scene as jpeg
+from simulations.scenes.jpeg.scene import SCENE as JPEG
 from simulations.scenes.sensor_noise.stages import patch_means_e, saturation_e, sensor_of
 
 CHAPTER = "06-digital-sensor"
@@ -89,8 +88,7 @@ def a_gaussian_of_hardly_an_electron() -> Says:
 
 def transforms_that_round_otherwise() -> Says:
     def changed(tier: str, **given: object) -> tuple[float, int]:
-        values = check_values(jpeg.CONTROLS, given)
-        *_, last = jpeg.error(values, tier, StageCache())
+        *_, last = JPEG.estimates(JPEG.check(given), tier, StageCache())
         found = re.search(r"\((\d+) round otherwise\)", last.label)
         assert found is not None
         return float(last.text) if tier == "fixed-point" else 0.0, int(found[1])
@@ -213,8 +211,7 @@ def errors_in_the_dark() -> Says:
 
 def colour_filled_in_at_quality_30() -> Says:
     def psnr(**given: object) -> float:
-        values = check_values(jpeg.CONTROLS, given)
-        return float(jpeg.run_tier(values, "", StageCache()).outputs["psnr"])
+        return float(JPEG.run(JPEG.check(given), "", StageCache()).outputs["psnr"])
 
     coarse = {method: psnr(upsampling=method) for method in UPSAMPLING}
     best = max(coarse.values())
@@ -232,9 +229,7 @@ def files_of_the_picture() -> Says:
     """Pillow's entropy-coded data, with codes fitted to the picture or ready-made."""
     excess: dict[bool, list[float]] = {True: [], False: []}
     for quality in (30, 50, 75, 90):
-        outputs = jpeg.run_tier(
-            check_values(jpeg.CONTROLS, {"quality": quality}), "", StageCache()
-        ).outputs
+        outputs = JPEG.run(JPEG.check({"quality": quality}), "", StageCache()).outputs
         picture = Image.fromarray(np.rint(255 * outputs["original"]).astype(np.uint8))
         for fitted, found in excess.items():
             file = io.BytesIO()

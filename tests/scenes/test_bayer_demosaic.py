@@ -3,7 +3,8 @@
 import numpy as np
 import pytest
 
-from simulations.engine.controls import check_values
+from simulations.engine.controls import Choice
+from simulations.engine.frame import Frame, Raster, Readout
 from simulations.engine.stages import StageCache
 from simulations.models.color.srgb import decode_srgb
 from simulations.models.sensor.bayer import mosaic
@@ -15,36 +16,43 @@ from simulations.scenes.bayer_demosaic.scene import METHOD_LABELS, SCENE
 
 
 @pytest.fixture(scope="module")
-def cache():
+def cache() -> StageCache:
     return StageCache(depth=8)
 
 
-def frame(cache, **values):
-    return SCENE.render(check_values(SCENE.controls, values), "", cache)
+def frame(cache: StageCache, **values: object) -> Frame:
+    return SCENE.render(SCENE.check(values), "", cache)
 
 
-def texts(shown):
+def raster(shown: Frame, panel: int = 0) -> Raster:
+    """The pixels of a panel, which has some."""
+    pixels = shown.panels[panel].raster
+    assert pixels is not None
+    return pixels
+
+
+def texts(shown: Frame) -> dict[str, str]:
     return {item.name: item.text for item in shown.readouts}
 
 
-def test_each_pixel_of_the_mosaic_shows_one_colour(cache):
-    cells = frame(cache).panels[0].raster[::2, ::2]
+def test_each_pixel_of_the_mosaic_shows_one_colour(cache: StageCache) -> None:
+    cells = raster(frame(cache))[::2, ::2]
     assert np.count_nonzero(cells[..., :3], axis=2).max() == 1
     assert not cells[::2, ::2, 1:3].any()  # RGGB: red stands first
 
 
-def test_the_whole_mosaic_has_two_samples_a_cell_and_is_smoothed(cache):
+def test_the_whole_mosaic_has_two_samples_a_cell_and_is_smoothed(cache: StageCache) -> None:
     """Any other scale than a whole number would beat with the pattern, seen on a screen."""
-    whole, close = (frame(cache, view=view).panels[0] for view in ("whole", "close"))
-    cells = whole.raster[::2, ::2]
-    np.testing.assert_array_equal(cells.repeat(2, axis=0).repeat(2, axis=1), whole.raster)
-    assert (whole.pixelated, close.pixelated) == (False, True)
+    whole, close = (frame(cache, view=view) for view in ("whole", "close"))
+    cells = raster(whole)[::2, ::2]
+    np.testing.assert_array_equal(cells.repeat(2, axis=0).repeat(2, axis=1), raster(whole))
+    assert (whole.panels[0].pixelated, close.panels[0].pixelated) == (False, True)
 
 
 @pytest.mark.parametrize("picture", SUBJECTS)
-def test_the_mosaic_is_of_linear_light(cache, picture):
+def test_the_mosaic_is_of_linear_light(cache: StageCache, picture: str) -> None:
     """Decoded, what is shown of each cell is the light of the picture there."""
-    shown = frame(cache, picture=picture).panels[0].raster[::2, ::2, :3].max(axis=2)
+    shown = raster(frame(cache, picture=picture))[::2, ::2, :3].max(axis=2)
     light = mosaic(SUBJECTS[picture].draw(WHOLE))
     # Half a code, where the curve is steepest for light: near white.
     np.testing.assert_allclose(decode_srgb(shown / 255), light, atol=0.5 / 255 * 2.3)
@@ -52,18 +60,18 @@ def test_the_mosaic_is_of_linear_light(cache, picture):
 
 @pytest.mark.parametrize("picture", SUBJECTS)
 @pytest.mark.parametrize("demosaic", [0, 1])
-def test_the_close_up_is_a_part_of_the_whole(cache, picture, demosaic):
-    given = {"picture": picture, "demosaic": demosaic}
-    whole, close = (
-        frame(cache, view=view, **given).panels[0].raster for view in ("whole", "close")
-    )
+def test_the_close_up_is_a_part_of_the_whole(
+    cache: StageCache, picture: str, demosaic: int
+) -> None:
+    given: dict[str, object] = {"picture": picture, "demosaic": demosaic}
+    whole, close = (raster(frame(cache, view=view, **given)) for view in ("whole", "close"))
     window, scale = SUBJECTS[picture].close_up, 1 if demosaic else 2
     cut = whole[::scale, ::scale][window.top :, window.left :][: window.height, : window.width]
     assert window.top % 2 == window.left % 2 == 0
     np.testing.assert_array_equal(cut, close)
 
 
-def test_a_mosaic_seen_from_close_up_needs_no_whole_picture():
+def test_a_mosaic_seen_from_close_up_needs_no_whole_picture() -> None:
     balloon.cache_clear()
     frame(StageCache(), view="close")
     assert balloon.cache_info().misses == 1
@@ -71,27 +79,27 @@ def test_a_mosaic_seen_from_close_up_needs_no_whole_picture():
     assert balloon.cache_info().misses == 2
 
 
-def test_a_quarter_a_half_and_a_quarter_are_measured(cache):
+def test_a_quarter_a_half_and_a_quarter_are_measured(cache: StageCache) -> None:
     assert texts(frame(cache))["samples"] == "25 / 50 / 25"
 
 
 @pytest.mark.parametrize("method", METHODS)
-def test_pressing_demosaic_shows_the_error_of_the_method(cache, method):
+def test_pressing_demosaic_shows_the_error_of_the_method(cache: StageCache, method: str) -> None:
     shown = frame(cache, demosaic=1, method=method)
     assert 15 < float(texts(shown)["psnr"]) < 60
-    assert shown.panels[1].raster[..., :3].any()
+    assert raster(shown, 1)[..., :3].any()
 
 
-def told_psnr(cache, name, **given):
+def told_psnr(cache: StageCache, name: str, **given: object) -> dict[str, float]:
     return {m: float(texts(frame(cache, demosaic=1, method=m, **given))[name]) for m in METHODS}
 
 
-def test_nearest_is_the_worst_of_the_balloon(cache):
+def test_nearest_is_the_worst_of_the_balloon(cache: StageCache) -> None:
     psnr = told_psnr(cache, "psnr")
-    assert min(psnr, key=psnr.get) == "nearest"
+    assert min(psnr, key=lambda method: psnr[method]) == "nearest"
 
 
-def test_the_figure_and_the_ladder_say_the_same():
+def test_the_figure_and_the_ladder_say_the_same() -> None:
     """Same pictures, same methods, same figure of merit, same default."""
     ladder = load_ladder(SCENE.ladder)
     work = ladder.prepare()
@@ -103,11 +111,14 @@ def test_the_figure_and_the_ladder_say_the_same():
         shown = told_psnr(cache, "light" if metric.id == "light" else "psnr", picture=picture)
         for method, result in results.items():
             assert shown[method] == pytest.approx(metric.measure(result, truth, work), abs=0.051)
-    (method,) = (control for control in SCENE.controls if control.name == "method")
-    assert method.default == ladder.default_tier
+    (choice,) = (control for control in SCENE.controls if control.name == "method")
+    assert isinstance(choice, Choice)
+    assert choice.default == ladder.default_tier
 
 
-def test_the_more_detail_the_colours_share_the_more_the_clever_methods_gain(cache):
+def test_the_more_detail_the_colours_share_the_more_the_clever_methods_gain(
+    cache: StageCache,
+) -> None:
     """The chapter's conclusion: the gain over bilinear follows what the pictures have in common."""
     shared, gain = [], []
     for picture in ("soft", "balloon", "room"):
@@ -121,7 +132,7 @@ def test_the_more_detail_the_colours_share_the_more_the_clever_methods_gain(cach
 
 @pytest.mark.parametrize("demosaic", [0, 1])
 @pytest.mark.parametrize("view", ["whole", "close"])
-def test_layout_never_changes(cache, demosaic, view):
+def test_layout_never_changes(cache: StageCache, demosaic: int, view: str) -> None:
     shown = frame(cache, demosaic=demosaic, view=view)
     assert [(p.name, p.width, p.height) for p in shown.panels] == [
         ("picture", 400, 320),
@@ -130,7 +141,7 @@ def test_layout_never_changes(cache, demosaic, view):
     assert list(texts(shown)) == ["samples", "shared", "psnr", "light", "worst"]
 
 
-def test_changing_the_method_keeps_picture_and_mosaic():
+def test_changing_the_method_keeps_picture_and_mosaic() -> None:
     cache = StageCache()
     frame(cache, demosaic=1)
     reports = frame(cache, demosaic=1, method="menon").stages
@@ -138,18 +149,26 @@ def test_changing_the_method_keeps_picture_and_mosaic():
     assert computed == ["demosaic", "display", "error"]
 
 
-def told(cache, **given):
-    (estimate,) = SCENE.error(check_values(SCENE.controls, given), "", cache)
+@pytest.mark.parametrize("view", ["whole", "close"])
+def test_before_demosaic_is_pressed_there_is_only_a_mosaic(view: str) -> None:
+    stages = frame(StageCache(), view=view).stages
+    computed = [report.name for report in stages if report.status == "computed"]
+    assert computed == ["picture", "mosaic"]
+    assert {report.status for report in stages[2:]} == {"skipped"}
+
+
+def told(cache: StageCache, **given: object) -> Readout:
+    (estimate,) = SCENE.estimates(SCENE.check(given), "", cache)
     return estimate
 
 
-def test_the_method_is_the_rung_of_the_ladder_and_so_no_second_menu_is_offered():
+def test_the_method_is_the_rung_of_the_ladder_and_so_no_second_menu_is_offered() -> None:
     assert list(METHOD_LABELS) == [tier.id for tier in load_ladder(SCENE.ladder).tiers]
     assert SCENE.tiers == ()
 
 
 @pytest.mark.parametrize("method", METHODS)
-def test_the_error_by_colour_adds_up_to_the_psnr_read_out(cache, method):
+def test_the_error_by_colour_adds_up_to_the_psnr_read_out(cache: StageCache, method: str) -> None:
     """PSNR is 10 log₁₀ of 255² over the mean of the three squared errors."""
     estimate = told(cache, demosaic=1, method=method)
     red, green, blue = (float(part) for part in estimate.text.split(", "))
@@ -158,23 +177,23 @@ def test_the_error_by_colour_adds_up_to_the_psnr_read_out(cache, method):
     assert 10 * np.log10(255**2 / mean_square) == pytest.approx(psnr, abs=0.15)
 
 
-def test_green_is_measured_twice_as_often_and_errs_least(cache):
+def test_green_is_measured_twice_as_often_and_errs_least(cache: StageCache) -> None:
     red, green, blue = (
         float(part) for part in told(cache, demosaic=1, method="bilinear").text.split(", ")
     )
     assert green < min(red, blue)
 
 
-def test_the_error_of_a_colour_is_that_of_the_bytes_shown(cache):
+def test_the_error_of_a_colour_is_that_of_the_bytes_shown(cache: StageCache) -> None:
     """The error picture shows four times the error. Here none is so large that it is cut off."""
-    given = {"demosaic": 1, "method": "bilinear", "picture": "soft"}
-    errors = frame(cache, **given).panels[1].raster[8:-8, 8:-8, :3] / 4.0
+    given: dict[str, object] = {"demosaic": 1, "method": "bilinear", "picture": "soft"}
+    errors = raster(frame(cache, **given), 1)[8:-8, 8:-8, :3] / 4.0
     seen = np.sqrt(np.mean(errors**2, axis=(0, 1)))
     parts = [float(part) for part in told(cache, **given).text.split(", ")]
     assert seen == pytest.approx(parts, abs=0.1)
 
 
-def test_a_mosaic_has_no_error_to_tell(cache):
+def test_a_mosaic_has_no_error_to_tell(cache: StageCache) -> None:
     estimate = told(cache, demosaic=0)
     assert estimate.text.startswith("none yet")
     assert estimate.unit == ""

@@ -5,11 +5,13 @@ import re
 
 import numpy as np
 import pytest
+from numpy.typing import NDArray
 from PIL import Image
 from scipy.fft import dctn
 
-from simulations.engine.controls import check_values
-from simulations.engine.stages import StageCache
+from simulations.engine.controls import Choice
+from simulations.engine.frame import Frame
+from simulations.engine.stages import Outputs, StageCache
 from simulations.models.compression.blocks import round_outwards, to_blocks
 from simulations.models.compression.chroma_subsampling import SUBSAMPLING, coarsen
 from simulations.models.compression.chroma_upsampling import METHODS
@@ -17,29 +19,27 @@ from simulations.models.compression.cosine_transforms import TRANSFORMS
 from simulations.models.compression.jpeg import compress, decode, tables
 from simulations.registry import load_ladder
 from simulations.scenes.jpeg.error import BLOCKS_A_STEP
-from simulations.scenes.jpeg.scene import BLOCK_COLUMNS, BLOCK_ROWS, SCENE, cut, run_tier
+from simulations.scenes.jpeg.scene import BLOCK_COLUMNS, BLOCK_ROWS, SCENE, cut
 
 PIXELS = 240 * 192
 PILLOW_SUBSAMPLING = {"4:4:4": 0, "4:2:2": 1, "4:2:0": 2}
 
 
-def values(**given):
-    return check_values(SCENE.controls, given)
+def frame(cache: StageCache | None = None, /, **given: object) -> Frame:
+    return SCENE.render(SCENE.check(given), "", cache or StageCache())
 
 
-def frame(cache=None, **given):
-    return SCENE.render(values(**given), "", cache or StageCache())
-
-
-def texts(**given):
+def texts(**given: object) -> dict[str, str]:
     return {item.name: item.text for item in frame(**given).readouts}
 
 
-def outputs(**given):
-    return run_tier(values(**given), "separable", StageCache()).outputs
+def outputs(tier: str = "separable", **given: object) -> Outputs:
+    return SCENE.run(SCENE.check(given), tier, StageCache()).outputs
 
 
-def pillow(picture, quality, subsampling):
+def pillow(
+    picture: NDArray[np.floating], quality: int, subsampling: str
+) -> tuple[NDArray[np.floating], int]:
     """Decoded picture in [0, 1], and bits of entropy-coded data: the file without its headers."""
     file = io.BytesIO()
     Image.fromarray(np.rint(255 * picture).astype(np.uint8)).save(
@@ -58,7 +58,7 @@ def pillow(picture, quality, subsampling):
 
 @pytest.mark.parametrize("quality", [10, 50, 90])
 @pytest.mark.parametrize("subsampling", PILLOW_SUBSAMPLING)
-def test_the_estimated_size_is_that_of_pillows_file(quality, subsampling):
+def test_the_estimated_size_is_that_of_pillows_file(quality: int, subsampling: str) -> None:
     """Huffman's code spends whole bits on each symbol: a little more than its entropy."""
     done = outputs(quality=quality, subsampling=subsampling)
     _, bits = pillow(done["original"], quality, subsampling)
@@ -66,20 +66,20 @@ def test_the_estimated_size_is_that_of_pillows_file(quality, subsampling):
 
 
 @pytest.mark.parametrize("quality", [10, 50, 90])
-def test_the_decoded_picture_is_pillows_up_to_rounding(quality):
+def test_the_decoded_picture_is_pillows_up_to_rounding(quality: int) -> None:
     done = outputs(quality=quality, subsampling="4:4:4")
     theirs, _ = pillow(done["original"], quality, "4:4:4")
     assert np.abs(255 * (done["decoded"] - theirs)).mean() < 0.6
 
 
 @pytest.mark.parametrize("subsampling", PILLOW_SUBSAMPLING)
-def test_the_stages_are_the_models_compression(subsampling):
+def test_the_stages_are_the_models_compression(subsampling: str) -> None:
     done = outputs(quality=40, subsampling=subsampling)
     picture, _ = compress(done["original"], 40, subsampling)
     assert np.array_equal(done["decoded"], picture)
 
 
-def test_size_and_psnr_rise_with_quality():
+def test_size_and_psnr_rise_with_quality() -> None:
     shown = [texts(quality=q, subsampling="4:4:4") for q in (1, 10, 50, 100)]
     for name in ("psnr", "rate", "kept"):
         numbers = [float(text[name]) for text in shown]
@@ -87,7 +87,7 @@ def test_size_and_psnr_rise_with_quality():
         assert numbers[0] < numbers[-1]
 
 
-def test_subsampled_colour_costs_less_and_loses_colour_even_at_quality_100():
+def test_subsampled_colour_costs_less_and_loses_colour_even_at_quality_100() -> None:
     full, coarse = (texts(quality=100, subsampling=s) for s in ("4:4:4", "4:2:0"))
     assert float(coarse["rate"]) < 0.8 * float(full["rate"])
     assert float(coarse["psnr"]) < float(full["psnr"]) - 10
@@ -95,7 +95,7 @@ def test_subsampled_colour_costs_less_and_loses_colour_even_at_quality_100():
 
 @pytest.mark.parametrize("row", [0, BLOCK_ROWS - 1])
 @pytest.mark.parametrize("column", [0, BLOCK_COLUMNS - 1])
-def test_the_close_up_holds_its_block_at_every_border(row, column):
+def test_the_close_up_holds_its_block_at_every_border(row: int, column: int) -> None:
     picture = np.arange(PIXELS * 4, dtype=np.uint32).reshape(192, 240, 4)
     window, (top, left) = cut(picture, row, column)
     assert window.shape == (24, 30, 4)
@@ -105,31 +105,33 @@ def test_the_close_up_holds_its_block_at_every_border(row, column):
 
 @pytest.mark.parametrize("quality", [1, 100])
 @pytest.mark.parametrize("subsampling", PILLOW_SUBSAMPLING)
-def test_every_extreme_can_be_drawn_in_the_same_layout(quality, subsampling):
+def test_every_extreme_can_be_drawn_in_the_same_layout(quality: int, subsampling: str) -> None:
     shown = frame(quality=quality, subsampling=subsampling, row=24, column=30)
     assert [panel.name for panel in shown.panels] == ["picture", "block", "codes"]
     assert shown.panels[2].overlay.count("<rect") == 64
 
 
-def test_the_original_is_shown_as_it_was():
+def test_the_original_is_shown_as_it_was() -> None:
     raster = frame(original="true", quality=1).panels[0].raster
+    assert raster is not None
     assert np.array_equal(raster[..., :3], np.rint(255 * outputs()["original"]))
 
 
-def test_the_ways_to_fill_in_colour_are_the_models_and_the_ladders():
+def test_the_ways_to_fill_in_colour_are_the_models_and_the_ladders() -> None:
     (choice,) = (control for control in SCENE.controls if control.name == "upsampling")
+    assert isinstance(choice, Choice)
     ladder = load_ladder("chroma-upsampling")
     assert tuple(choice.options) == METHODS == tuple(tier.id for tier in ladder.tiers)
     assert choice.default == ladder.default_tier
 
 
 @pytest.mark.parametrize("upsampling", METHODS)
-def test_colour_is_filled_in_as_chosen(upsampling):
+def test_colour_is_filled_in_as_chosen(upsampling: str) -> None:
     done = outputs(quality=80, upsampling=upsampling)
     assert np.array_equal(done["decoded"], decode(done["coded"], upsampling))
 
 
-def test_where_colour_was_kept_nothing_is_filled_in():
+def test_where_colour_was_kept_nothing_is_filled_in() -> None:
     cache = StageCache()
     first = frame(cache, subsampling="4:4:4")
     after = frame(cache, subsampling="4:4:4", upsampling="guided")
@@ -137,23 +139,24 @@ def test_where_colour_was_kept_nothing_is_filled_in():
     np.testing.assert_array_equal(first.panels[0].raster, after.panels[0].raster)
 
 
-def test_at_4_2_0_the_decoded_picture_is_pillows_up_to_rounding():
+def test_at_4_2_0_the_decoded_picture_is_pillows_up_to_rounding() -> None:
     """With the triangle, libjpeg's own; its coarse differences are rounded to whole codes."""
     done = outputs(quality=75, subsampling="4:2:0")
     theirs, _ = pillow(done["original"], 75, "4:2:0")
     assert np.abs(255 * (done["decoded"] - theirs)).mean() < 0.9
 
 
-def test_another_block_reuses_everything():
+def test_another_block_reuses_everything() -> None:
     cache = StageCache()
     frame(cache)
     assert {stage.status for stage in frame(cache, row=2).stages} == {"reused"}
 
 
-def judged(tier, **given):
+def judged(tier: str, **given: object) -> tuple[float, int, int]:
     """The last estimate: error in codes, and how many coefficients it has rounded otherwise."""
-    last = list(SCENE.error(values(**given), tier, StageCache()))[-1]
+    last = list(SCENE.estimates(SCENE.check(given), tier, StageCache()))[-1]
     found = re.search(r"in (\d+) of (\d+) blocks \((\d+) round otherwise\)", last.label)
+    assert found is not None
     judged_blocks, blocks, changed = map(int, found.groups())
     assert judged_blocks == blocks
     digits = last.text.replace("\u00a0×\u00a010", "e").translate(
@@ -162,7 +165,7 @@ def judged(tier, **given):
     return float(digits), changed, blocks
 
 
-def test_the_tiers_are_all_transforms_of_the_model():
+def test_the_tiers_are_all_transforms_of_the_model() -> None:
     assert SCENE.tiers == tuple(TRANSFORMS)
 
 
@@ -170,32 +173,32 @@ def test_the_tiers_are_all_transforms_of_the_model():
     ("tier", "subsampling"),
     [*zip(TRANSFORMS, ["4:2:0"] * 6, strict=True), ("fixed-point", "4:2:2")],
 )
-def test_the_error_told_is_that_against_scipys_transform(tier, subsampling):
-    given = {"quality": 95, "subsampling": subsampling}
-    outputs = run_tier(values(**given), tier, StageCache()).outputs
-    coded, worst, changed = outputs["coded"], 0.0, 0
+def test_the_error_told_is_that_against_scipys_transform(tier: str, subsampling: str) -> None:
+    given: dict[str, object] = {"quality": 95, "subsampling": subsampling}
+    done = outputs(tier, **given)
+    coded, worst, changed = done["coded"], 0.0, 0
     factor = SUBSAMPLING[subsampling]
-    planes = [outputs["planes"][0], *(coarsen(p, factor) for p in outputs["planes"][1:])]
+    planes = [done["planes"][0], *(coarsen(p, factor) for p in done["planes"][1:])]
     for plane, steps, codes in zip(planes, (0, 1, 1), coded.planes, strict=True):
         blocks = to_blocks(plane)
         truth = dctn(blocks, type=2, norm="ortho", axes=(-2, -1))
-        worst = max(worst, np.abs(TRANSFORMS[tier](blocks) - truth).max())
-        changed += np.count_nonzero(round_outwards(truth / tables(95)[steps]) != codes)
-    error, otherwise, blocks = judged(tier, **given)
+        worst = max(worst, float(np.abs(TRANSFORMS[tier](blocks) - truth).max()))
+        changed += int(np.count_nonzero(round_outwards(truth / tables(95)[steps]) != codes))
+    error, otherwise, count = judged(tier, **given)
     # Float64 against float64: both are wrong in the thirteenth digit.
     assert error == pytest.approx(worst, rel=0.06, abs=3e-12)
     assert otherwise == changed
-    assert blocks == sum(codes.size for codes in coded.planes) // 64
+    assert count == sum(codes.size for codes in coded.planes) // 64
 
 
-def test_double_precision_decides_every_code_as_the_standard_does():
+def test_double_precision_decides_every_code_as_the_standard_does() -> None:
     for tier in ("separable", "direct", "fourier"):
         error, changed, _ = judged(tier, quality=100)
         assert error < 1e-11
         assert changed == 0
 
 
-def test_integers_change_thousands_of_codes_at_the_highest_quality_and_hardly_any_at_low():
+def test_integers_change_thousands_of_codes_at_the_highest_quality_and_hardly_any_at_low() -> None:
     """The chapter's comparison: steps of 1 feel what steps of 16 do not."""
     _, fine, _ = judged("fixed-point", quality=100)
     _, coarse, _ = judged("fixed-point", quality=30)
@@ -203,9 +206,10 @@ def test_integers_change_thousands_of_codes_at_the_highest_quality_and_hardly_an
     assert coarse < fine / 50
 
 
-def test_every_step_judges_more_blocks_and_is_short():
-    told = list(SCENE.error(values(), "separable", StageCache()))
-    counts = [int(re.search(r"in (\d+) of", item.label).group(1)) for item in told]
+def test_every_step_judges_more_blocks_and_is_short() -> None:
+    told = list(SCENE.estimates(SCENE.check({}), "separable", StageCache()))
+    counts = [int(count) for item in told for count in re.findall(r"in (\d+) of", item.label)]
+    assert len(counts) == len(told)
     assert np.all(np.diff([0, *counts]) > 0)
     assert np.diff([0, *counts]).max() <= BLOCKS_A_STEP
 
@@ -219,5 +223,5 @@ def test_every_step_judges_more_blocks_and_is_short():
         ({"quality": 100, "subsampling": "4:4:4"}, "few traces show"),
     ],
 )
-def test_the_sentence_names_what_is_lost(given, words):
+def test_the_sentence_names_what_is_lost(given: dict[str, object], words: str) -> None:
     assert words in frame(**given).description

@@ -1,34 +1,37 @@
 """The rotation figure: what its numbers claim, and that gimbal lock can be seen in the rings."""
 
+from typing import Any
+
 import numpy as np
 import pytest
 from scipy.spatial.transform import Rotation
 
-from simulations.engine.controls import check_values
+from simulations.engine.frame import Frame
 from simulations.engine.stages import StageCache
 from simulations.ladders.rotation_interpolation import LADDER
 from simulations.scenes.rotation_3d import aircraft
 from simulations.scenes.rotation_3d.rings import pieces, rings
-from simulations.scenes.rotation_3d.scene import SCENE, attitude, ways
+from simulations.scenes.rotation_3d.scene import SCENE
+from simulations.scenes.rotation_3d.stages import attitude, ways
 
 
-def frame(cache=None, tier="", **values):
-    return SCENE.render(check_values(SCENE.controls, values), tier, cache or StageCache())
+def frame(cache: StageCache | None = None, /, tier: str = "", **values: object) -> Frame:
+    return SCENE.render(SCENE.check(values), tier, cache or StageCache())
 
 
-def judged(tier, **values):
+def judged(tier: str, **values: object) -> str:
     """The last estimate of the error, as shown."""
-    *_, last = SCENE.error(check_values(SCENE.controls, values), tier, StageCache())
+    *_, last = SCENE.estimates(SCENE.check(values), tier, StageCache())
     assert last.unit == "°"
     return last.text
 
 
-def texts(shown):
+def texts(shown: Frame) -> dict[str, str]:
     return {item.name: item.text for item in shown.readouts}
 
 
 @pytest.mark.parametrize("angles", [(105, 40, -40), (-150, -20, 120), (30, 90, 10)])
-def test_the_matrix_is_that_of_moving_axes_z_y_x(angles):
+def test_the_matrix_is_that_of_moving_axes_z_y_x(angles: tuple[float, float, float]) -> None:
     here = attitude(*angles)
     expected = Rotation.from_euler("ZYX", angles, degrees=True)
     np.testing.assert_allclose(here.R, expected.as_matrix(), atol=1e-14)
@@ -36,7 +39,7 @@ def test_the_matrix_is_that_of_moving_axes_z_y_x(angles):
     assert abs(w_last @ expected.as_quat()) == pytest.approx(1)
 
 
-def test_the_chapters_example_of_lock_gives_the_same_attitude():
+def test_the_chapters_example_of_lock_gives_the_same_attitude() -> None:
     locked, other = texts(frame(yaw=10, pitch=90, roll=40)), texts(frame(yaw=0, pitch=90, roll=30))
     assert locked["matrix"] == other["matrix"]
     assert locked["quaternion"] == other["quaternion"]
@@ -44,7 +47,7 @@ def test_the_chapters_example_of_lock_gives_the_same_attitude():
 
 
 @pytest.mark.parametrize("pitch", [-90, 90])
-def test_locked_rings_lie_in_one_plane(pitch):
+def test_locked_rings_lie_in_one_plane(pitch: float) -> None:
     yaw_ring, _, roll_ring = rings(0.7, np.radians(pitch), -1.2)
     assert abs(yaw_ring.axis @ roll_ring.axis) == pytest.approx(1)
     shown = frame(pitch=pitch)
@@ -53,11 +56,11 @@ def test_locked_rings_lie_in_one_plane(pitch):
     assert "one degree of freedom is lost" in shown.description
 
 
-def test_one_degree_from_lock_all_directions_are_left():
+def test_one_degree_from_lock_all_directions_are_left() -> None:
     assert texts(frame(pitch=89))["rank"] == "3 of 3"
 
 
-def test_the_nose_ends_where_the_beads_of_the_rings_say():
+def test_the_nose_ends_where_the_beads_of_the_rings_say() -> None:
     angles = np.radians([50, 25, -70])
     yaw_ring, pitch_ring, roll_ring = rings(*angles)
     R = attitude(50, 25, -70).R
@@ -70,39 +73,41 @@ def test_the_nose_ends_where_the_beads_of_the_rings_say():
 
 
 @pytest.mark.parametrize("blend", ["slerp", "euler"])
-def test_blends_that_are_rotations_read_as_such(blend):
+def test_blends_that_are_rotations_read_as_such(blend: str) -> None:
     shown = texts(frame(blend=blend, t=0.37))
     assert (shown["residual"], shown["determinant"]) == ("under 10⁻¹⁴", "1.000")
 
 
-def test_blending_the_entries_of_a_quarter_turn_halves_the_volume():
+def test_blending_the_entries_of_a_quarter_turn_halves_the_volume() -> None:
     shown = texts(frame(yaw=90, pitch=0, roll=0, blend="matrix", t=0.5))
     assert (shown["residual"], shown["determinant"]) == ("0.500", "0.500")
 
 
 @pytest.mark.parametrize("alone", ["yaw", "pitch", "roll"])
-def test_one_angle_alone_takes_the_shortest_way(alone):
-    angles = dict.fromkeys(("yaw", "pitch", "roll"), 0) | {alone: 80}
+def test_one_angle_alone_takes_the_shortest_way(alone: str) -> None:
+    angles: dict[str, Any] = dict.fromkeys(("yaw", "pitch", "roll"), 0) | {alone: 80}
     assert texts(frame(**angles))["off"] == "0.0"
 
 
 @pytest.mark.parametrize("yaw", [-180, 0, 180])
 @pytest.mark.parametrize("pitch", [-90, 0, 90])
 @pytest.mark.parametrize("blend", ["slerp", "euler", "matrix"])
-def test_every_extreme_can_be_drawn_in_the_same_layout(yaw, pitch, blend):
+def test_every_extreme_can_be_drawn_in_the_same_layout(
+    yaw: float, pitch: float, blend: str
+) -> None:
     shown = frame(yaw=yaw, pitch=pitch, roll=180, blend=blend, t=1)
     assert [panel.name for panel in shown.panels] == ["attitude", "blend"]
     assert len(shown.readouts) == 8
     assert not any("nan" in panel.overlay for panel in shown.panels)
 
 
-def test_the_right_half_turn_does_not_hang_on_rounding():
+def test_the_right_half_turn_does_not_hang_on_rounding() -> None:
     exact, rounded = (attitude(yaw, 0.0, 0.0).q for yaw in (180.0, np.nextafter(180.0, 360.0)))
     np.testing.assert_array_equal(exact, [0, 0, 0, 1])
     np.testing.assert_array_equal(rounded, [0, 0, 0, 1])
 
 
-def test_faces_are_painted_from_far_to_near():
+def test_faces_are_painted_from_far_to_near() -> None:
     """Seen from ahead, right and above, the right wing of a level aircraft hides no other part."""
     drawn = aircraft.draw(np.eye(3), (0.0, 0.0), 100.0, "camera")
     right_wing = np.array([[0.3, 0.12, 0.02]]) @ np.eye(3)
@@ -114,14 +119,14 @@ def test_faces_are_painted_from_far_to_near():
     assert places[0] < places[1]
 
 
-def test_a_ring_is_cut_where_it_passes_behind():
+def test_a_ring_is_cut_where_it_passes_behind() -> None:
     ring = np.array([[0, 0, -1], [1, 0, -1], [2, 0, 1], [3, 0, 1], [4, 0, -1], [5, 0, -2]], float)
     near, far = pieces(ring, front=True), pieces(ring, front=False)
     assert near == [[[0, 0], [1, 0], [2, 0]], [[3, 0], [4, 0], [5, 0]]]
     assert far == [[[2, 0], [3, 0]]]
 
 
-def test_moving_along_the_way_leaves_the_rings_alone():
+def test_moving_along_the_way_leaves_the_rings_alone() -> None:
     cache = StageCache()
     before, after = frame(cache, t=0.2), frame(cache, t=0.7)
     assert after.panels[0].overlay is before.panels[0].overlay
@@ -129,14 +134,14 @@ def test_moving_along_the_way_leaves_the_rings_alone():
     assert after.panels[1].overlay != before.panels[1].overlay
 
 
-def test_the_tiers_are_the_rungs_of_the_ladder_and_start_at_its_default():
+def test_the_tiers_are_the_rungs_of_the_ladder_and_start_at_its_default() -> None:
     assert SCENE.tiers == tuple(tier.id for tier in LADDER.tiers)
     assert SCENE.default_tier == LADDER.default_tier == SCENE.draft_tier
     assert frame().panels == frame(tier=LADDER.default_tier).panels
 
 
 @pytest.mark.parametrize("tier", SCENE.tiers)
-def test_the_aircraft_is_where_the_tier_puts_it(tier):
+def test_the_aircraft_is_where_the_tier_puts_it(tier: str) -> None:
     """Away from the middle, where all of them agree; at 170° a straight line errs by degrees."""
     here = attitude(170.0, 0.0, 0.0)
     turned = ways(here, tier)["slerp"](0.2)
@@ -147,7 +152,7 @@ def test_the_aircraft_is_where_the_tier_puts_it(tier):
     assert angle_deg == pytest.approx(expected, abs=within)
 
 
-def test_the_straight_line_is_seen_to_hurry_and_the_paced_one_is_not():
+def test_the_straight_line_is_seen_to_hurry_and_the_paced_one_is_not() -> None:
     default, straight = (
         frame(tier=tier, yaw=170, pitch=0, roll=0, t=0.2).panels[1].overlay
         for tier in ("slerp", "nlerp")
@@ -157,19 +162,20 @@ def test_the_straight_line_is_seen_to_hurry_and_the_paced_one_is_not():
     assert texts(angles[0]) == texts(angles[1]), "another way's numbers are untouched"
 
 
-def test_the_error_of_a_straight_line_is_that_of_its_chord():
+def test_the_error_of_a_straight_line_is_that_of_its_chord() -> None:
     """Half a turn: the places at share s of the chord are seen at atan2(s, 1 - s) of the arc."""
     shares = np.linspace(0, 1, 61)
     off = np.degrees(2 * np.abs(np.arctan2(shares, 1 - shares) - shares * np.pi / 2))
     assert judged("nlerp", yaw=180, pitch=0, roll=0) == f"{off.max():.2f}"
 
 
-def test_slerp_errs_by_rounding_alone():
-    for angles in ({}, {"yaw": 180, "pitch": 0, "roll": 0}, {"yaw": 0, "pitch": 0, "roll": 0}):
+def test_slerp_errs_by_rounding_alone() -> None:
+    level = {"yaw": 0, "pitch": 0, "roll": 0}
+    for angles in ({}, level | {"yaw": 180}, level):
         assert judged("slerp", **angles) == "under 10⁻¹²"
 
 
-def test_each_rung_errs_less_than_the_one_before():
+def test_each_rung_errs_less_than_the_one_before() -> None:
     errors = [judged(tier, yaw=3, pitch=0, roll=0) for tier in SCENE.tiers]
     assert errors[0] == errors[2], "3° is below the threshold: the straight line"
     assert [judged(tier, yaw=120) for tier in SCENE.tiers[2:]] == ["under 10⁻¹²"] * 2

@@ -14,7 +14,7 @@ from simulations.models.color.srgb import encode_srgb
 from simulations.models.sensor.bayer import mosaic
 from simulations.models.sensor.demosaicing import demosaic, psnr_db
 from simulations.models.sensor.shared_detail import shared_detail
-from simulations.pictures.balloon import WHOLE, Window
+from simulations.pictures.balloon import WHOLE
 from simulations.pictures.mosaic_subjects import SUBJECTS
 
 type Picture = NDArray[np.floating]
@@ -67,23 +67,28 @@ def _reconstruct(cfa: Picture, method: str) -> Picture:
     return picture
 
 
-def _draw(window: Window, picture: str) -> Picture:
-    return SUBJECTS[picture].draw(window)
+def _part_of(picture: str, part: str) -> Picture:
+    """In linear light: the close-up alone, or the whole picture."""
+    subject = SUBJECTS[picture]
+    return subject.draw(subject.close_up if part == "close-up" else WHOLE)
+
+
+def _mosaic_alone(demosaic: int) -> str:
+    return "" if demosaic else "nothing is demosaiced yet"
 
 
 STAGES = (
-    Stage("picture", lambda picture: _draw(WHOLE, picture)),
+    Stage("picture", _part_of),
     Stage("mosaic", lambda picture: mosaic(picture, PATTERN), ("picture",)),
     Stage("shown picture", encode_srgb, ("picture",)),
-    Stage("shared detail", shared_detail, ("picture",)),
+    Stage("shared detail", shared_detail, ("picture",), neutral=_mosaic_alone),
     Stage("demosaic", _reconstruct, ("mosaic",)),
     Stage("display", encode_srgb, ("demosaic",)),
-    Stage("error", compare, ("picture", "demosaic", "shown picture", "display")),
+    Stage(
+        "error",
+        compare,
+        ("picture", "demosaic", "shown picture", "display"),
+        neutral=_mosaic_alone,
+        hands_on="mosaic",  # which is then all that is wanted
+    ),
 )
-MOSAIC_STAGES = STAGES[:2]
-
-CLOSE_STAGES = (
-    Stage("close-up", lambda picture: _draw(SUBJECTS[picture].close_up, picture)),
-    Stage("close-up mosaic", lambda picture: mosaic(picture, PATTERN), ("close-up",)),
-)
-"""For a mosaic of which nothing else is shown."""

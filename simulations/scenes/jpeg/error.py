@@ -6,9 +6,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from simulations.engine.frame import Readout, format_magnitude
-from simulations.models.compression.blocks import round_outwards, to_blocks
+from simulations.models.compression.blocks import Transform, round_outwards, to_blocks
 from simulations.models.compression.chroma_subsampling import coarsen, subsampling_factor
-from simulations.models.compression.cosine_transforms import TRANSFORMS, exact_block_dct
+from simulations.models.compression.cosine_transforms import exact_block_dct
 from simulations.models.compression.jpeg import Coded, tables
 
 type Floats = NDArray[np.floating]
@@ -17,16 +17,16 @@ BLOCKS_A_STEP = 120
 """Extended precision is slow in a browser: so many blocks are judged at a time."""
 
 
-def judge(planes: Floats, coded: Coded, tier: str) -> Iterator[Readout]:
+def judge(planes: Floats, coded: Coded, transform: Transform) -> Iterator[Readout]:
     """The largest error met so far, and how many codes it has changed; more blocks each step.
 
-    ``planes`` (3, H, W) are what was coded, by the transform named ``tier``.
+    ``planes`` (3, H, W) are what was coded, by this transform.
     """
     worst, changed, judged = 0.0, 0, 0
     total = sum(codes.size // 64 for codes in coded.planes)
     for blocks, steps, codes in _parts(planes, coded):
         truth = exact_block_dct(blocks)
-        worst = max(worst, float(np.abs(TRANSFORMS[tier](blocks) - truth).max()))
+        worst = max(worst, float(np.abs(transform(blocks) - truth).max()))
         changed += int(np.count_nonzero(round_outwards(truth / steps) != codes))
         judged += len(blocks)
         label = (

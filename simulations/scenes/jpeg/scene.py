@@ -1,17 +1,18 @@
 """A picture compressed by JPEG, one of its blocks enlarged, and the numbers kept of that block."""
 
 from collections.abc import Iterator
+from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
 
-from simulations.engine.controls import Choice, Slider, Toggle, Values
-from simulations.engine.frame import Frame, Panel, Readout, format_number, readout
+from simulations.engine.frame import Frame, Panel, Raster, Readout, format_number, readout
 from simulations.engine.raster import to_rgba8
 from simulations.engine.scene import Scene
-from simulations.engine.stages import Run, StageCache, run
+from simulations.engine.settings import choice, slider, toggle
+from simulations.engine.stages import Outputs
 from simulations.models.compression.blocks import BLOCK
-from simulations.models.compression.chroma_subsampling import SUBSAMPLING
+from simulations.models.compression.chroma_subsampling import subsampling_factor
 from simulations.models.compression.cosine_transforms import TRANSFORMS
 from simulations.models.compression.entropy import Size
 from simulations.models.compression.jpeg import Coded
@@ -21,115 +22,81 @@ from simulations.scenes.jpeg import drawing
 from simulations.scenes.jpeg.error import judge
 from simulations.scenes.jpeg.stages import STAGES
 
-DEFAULT_TIER = "separable"
 BLOCK_COLUMNS, BLOCK_ROWS = COLUMNS_PX // BLOCK, ROWS_PX // BLOCK
+PIXELS = ROWS_PX * COLUMNS_PX
 
-CONTROLS = (
-    Slider(name="quality", label="Quality", default=30, minimum=1, maximum=100, step=1),
-    Choice(
-        name="subsampling",
-        label="Colour",
-        default="4:2:0",
-        options={
-            "4:2:0": "4:2:0, once in 2 × 2 pixels",
-            "4:2:2": "4:2:2, in every second column",
-            "4:4:4": "4:4:4, in every pixel",
-        },
-    ),
-    Choice(
-        name="upsampling",
-        label="Colour filled in by",
-        default="triangle",
-        options={
-            "repeated": "Repetition",
-            "triangle": "Triangle",
-            "parabola": "Parabola",
-            "cubic": "Cubic",
-            "guided": "Following luma",
-        },
-    ),
-    Slider(
-        name="column", label="Block, column", default=25, minimum=1, maximum=BLOCK_COLUMNS, step=1
-    ),
-    Slider(name="row", label="Block, row", default=8, minimum=1, maximum=BLOCK_ROWS, step=1),
-    Toggle(name="original", label="Show the original"),
-)
+SUBSAMPLING_LABELS = {
+    "4:2:0": "4:2:0, once in 2 × 2 pixels",
+    "4:2:2": "4:2:2, in every second column",
+    "4:4:4": "4:4:4, in every pixel",
+}
+UPSAMPLING_LABELS = {
+    "repeated": "Repetition",
+    "triangle": "Triangle",
+    "parabola": "Parabola",
+    "cubic": "Cubic",
+    "guided": "Following luma",
+}
 
 
-def run_tier(values: Values, tier: str, cache: StageCache) -> Run:
-    """All stages; the tier is the way to the cosine transform."""
-    return run(STAGES, values, cache, {"tier": tier or DEFAULT_TIER})
+@dataclass(frozen=True, slots=True)
+class Settings:
+    """What the reader may change."""
+
+    quality: int = slider("Quality", 30, 1, 100, 1)
+    subsampling: str = choice("Colour", SUBSAMPLING_LABELS)
+    upsampling: str = choice("Colour filled in by", UPSAMPLING_LABELS, "triangle")
+    column: int = slider("Block, column", 25, 1, BLOCK_COLUMNS, 1)
+    row: int = slider("Block, row", 8, 1, BLOCK_ROWS, 1)
+    original: bool = toggle("Show the original")
 
 
-def render(values: Values, tier: str, cache: StageCache) -> Frame:
+def draw(settings: Settings, outputs: Outputs) -> Frame:
     """The picture as JPEG gives it back, a block of it, and the numbers kept of that block."""
-    done = run_tier(values, tier, cache)
-    coded: Coded = done.outputs["coded"]
-    kept: Size = done.outputs["size"]
-    row, column = int(values.number("row")) - 1, int(values.number("column")) - 1
+    coded: Coded = outputs["coded"]
+    row, column = settings.row - 1, settings.column - 1
     codes = coded.luma[row, column]
-    shown = to_rgba8(done.outputs["original" if values.toggle("original") else "decoded"])
-    close, place = cut(shown, row, column)
-    name = "The original" if values.toggle("original") else "As decoded"
-    width, height = drawing.WIDTH, drawing.HEIGHT
-    panels = (
-        Panel(
-            "picture",
-            name,
-            width,
-            height,
-            shown,
-            drawing.block_in_picture(row, column, width / COLUMNS_PX),
-        ),
-        Panel(
-            "block",
-            "Around the block",
-            width,
-            height,
-            close,
-            drawing.block_grid(*place),
-            pixelated=True,
-        ),
-        Panel(
-            "codes", "The block's luma, as kept", width, height, overlay=drawing.code_table(codes)
-        ),
-    )
-    pixels = ROWS_PX * COLUMNS_PX
+    name, picture = ("The original", "original") if settings.original else ("As decoded", "decoded")
+    size: Size = outputs["size"]
+    psnr: float = outputs["psnr"]
     block_kept = int(np.count_nonzero(codes))
-    readouts = (
-        readout("psnr", "PSNR", done.outputs["psnr"], "dB", digits=1, role="error"),
-        readout(
-            "kept",
-            "Coefficients kept, of 3 a pixel",
-            100 * kept.nonzero / (3 * pixels),
-            "%",
-            digits=1,
-        ),
-        readout("rate", "Size", kept.bits / pixels, "bits a pixel", role="image"),
-        Readout(
-            "ratio",
-            "24 bits a pixel against it",
-            f"{format_number(24 * pixels / kept.bits, 1)} : 1",
-        ),
+    return Frame(
+        panels=_panels(name, to_rgba8(outputs[picture]), row, column, codes),
+        readouts=_readouts(psnr, size, block_kept),
+        description=describe(settings, psnr, size.bits / PIXELS, block_kept),
+    )
+
+
+def _panels(
+    name: str, shown: Raster, row: int, column: int, codes: NDArray[np.integer]
+) -> tuple[Panel, ...]:
+    """The whole picture, the place around a block of it, and the ``codes`` (8, 8) of that block."""
+    close, place = cut(shown, row, column)
+    width, height = drawing.WIDTH, drawing.HEIGHT
+    frame = drawing.block_in_picture(row, column, width / COLUMNS_PX)
+    grid, table = drawing.block_grid(*place), drawing.code_table(codes)
+    return (
+        Panel("picture", name, width, height, shown, frame),
+        Panel("block", "Around the block", width, height, close, grid, pixelated=True),
+        Panel("codes", "The block's luma, as kept", width, height, overlay=table),
+    )
+
+
+def _readouts(psnr: float, size: Size, block_kept: int) -> tuple[Readout, ...]:
+    kept_percent = 100 * size.nonzero / (3 * PIXELS)
+    ratio = f"{format_number(24 * PIXELS / size.bits, 1)} : 1"
+    return (
+        readout("psnr", "PSNR", psnr, "dB", digits=1, role="error"),
+        readout("kept", "Coefficients kept, of 3 a pixel", kept_percent, "%", digits=1),
+        readout("rate", "Size", size.bits / PIXELS, "bits a pixel", role="image"),
+        Readout("ratio", "24 bits a pixel against it", ratio),
         readout("block_kept", "Kept in the block", block_kept, "of 64", digits=0, role="image"),
     )
-    return Frame(
-        panels,
-        readouts,
-        describe(values, done.outputs["psnr"], kept.bits / pixels, block_kept),
-        done.reports,
-    )
 
 
-def error(values: Values, tier: str, cache: StageCache) -> Iterator[Readout]:
-    """How far the coefficients of this picture are from the standard's sums."""
-    outputs = run_tier(values, tier, cache).outputs
-    yield from judge(outputs["planes"], outputs["coded"], tier or DEFAULT_TIER)
-
-
-def cut(
-    picture: NDArray[np.uint8], row: int, column: int
-) -> tuple[NDArray[np.uint8], tuple[int, int]]:
+def cut[T: np.generic](
+    picture: NDArray[T], row: int, column: int
+) -> tuple[NDArray[T], tuple[int, int]]:
     """Some 30 × 24 pixels around a block, and where in them it starts (row, column)."""
     top = min(max(BLOCK * row - BLOCK, 0), ROWS_PX - drawing.CLOSE_ROWS)
     left = min(max(BLOCK * column - 11, 0), COLUMNS_PX - drawing.CLOSE_COLUMNS)
@@ -137,36 +104,40 @@ def cut(
     return np.ascontiguousarray(window), (BLOCK * row - top, BLOCK * column - left)
 
 
-def describe(values: Values, psnr: float, rate: float, block_kept: int) -> str:
+def describe(settings: Settings, psnr: float, rate: float, block_kept: int) -> str:
     """The picture in one sentence."""
-    if values.toggle("original"):
+    if settings.original:
         return "The picture of a striped balloon over rows of tulips before it is compressed."
-    rows, columns = SUBSAMPLING[values.choice("subsampling")]
+    rows, columns = subsampling_factor(settings.subsampling)
     colour = (
         f"one colour value for {rows * columns} pixels" if rows * columns > 1 else "full colour"
     )
-    quality = values.number("quality")
     if psnr >= 33:
         visible = "few traces show"
-    elif quality >= 75 and rows * columns > 1:
+    elif settings.quality >= 75 and rows * columns > 1:
         visible = "colours run over the edges"
     else:
         visible = "edges are surrounded by ripples" if psnr >= 27 else "blocks and fringes show"
     return (
-        f"A striped balloon over tulips at JPEG quality {quality:.0f} with "
+        f"A striped balloon over tulips at JPEG quality {settings.quality} with "
         f"{colour}: {rate:.2f} bits a pixel, {psnr:.1f} dB, and {visible}; {block_kept} of the "
         "chosen block's 64 luma coefficients are kept."
     )
 
 
+def estimate(_settings: Settings, outputs: Outputs, tier: str) -> Iterator[Readout]:
+    """How far the coefficients of this picture are from the standard's sums."""
+    return judge(outputs["planes"], outputs["coded"], TRANSFORMS[tier])
+
+
 SCENE = Scene(
     id="jpeg",
     title="JPEG Compression",
-    controls=CONTROLS,
-    render=render,
+    settings=Settings,
+    draw=draw,
+    stages=STAGES,
     tiers=tuple(TRANSFORMS),
-    default_tier=DEFAULT_TIER,
-    draft_tier=DEFAULT_TIER,
+    default_tier="separable",
     ladder="block-dct",
-    error=error,
+    estimate=estimate,
 )

@@ -3,7 +3,6 @@
 import numpy as np
 from numpy.typing import NDArray
 
-from simulations.engine.controls import Values
 from simulations.engine.stages import Stage
 from simulations.models.color.srgb import encode_srgb
 from simulations.models.compression import jpeg
@@ -23,17 +22,16 @@ def _original() -> Floats:
     return np.asarray(np.rint(255 * encode_srgb(balloon().astype(np.float64))) / 255)
 
 
-def _coded(planes: Floats, quality: float, subsampling: str, tier: str) -> jpeg.Coded:
-    return jpeg.encode(planes, int(quality), subsampling, TRANSFORMS[tier])
+def _coded(planes: Floats, quality: int, subsampling: str, tier: str) -> jpeg.Coded:
+    return jpeg.encode(planes, quality, subsampling, TRANSFORMS[tier])
 
 
 def _quality(decoded: Floats, original: Floats) -> float:
     return psnr_db(np.rint(255 * decoded) / 255, original, crop=0)
 
 
-def _nothing_to_fill_in(values: Values) -> str:
-    full = values.choice("subsampling") == "4:4:4"
-    return "every pixel has kept its own colour" if full else ""
+def _nothing_to_fill_in(subsampling: str) -> str:
+    return "every pixel has kept its own colour" if subsampling == "4:4:4" else ""
 
 
 STAGES = (
@@ -41,12 +39,7 @@ STAGES = (
     Stage("planes", jpeg.to_planes, ("original",)),
     Stage("coded", _coded, ("planes",)),
     Stage("restored", jpeg.restore, ("coded",)),
-    Stage(
-        "full colour",
-        jpeg.fill_in_colour,
-        ("restored",),
-        neutral=_nothing_to_fill_in,
-    ),
+    Stage("full colour", jpeg.fill_in_colour, ("restored",), neutral=_nothing_to_fill_in),
     Stage("decoded", jpeg.from_planes, ("full colour",)),
     Stage("size", size, ("coded",)),
     Stage("psnr", _quality, ("decoded", "original")),

@@ -12,7 +12,7 @@ from numpy.typing import ArrayLike
 
 from simulations.engine.drawing import circle, dot, line, path, text
 from simulations.models.geometry import quaternions
-from simulations.models.geometry.quaternion_blends import BLENDS
+from simulations.models.geometry.quaternion_blends import Blend
 from simulations.models.geometry.rotation_paths import euler_blend, matrix_blend
 from simulations.scenes.rotation_3d import aircraft
 from simulations.scenes.rotation_3d.aircraft import Floats
@@ -32,12 +32,11 @@ MANNERS = {"slerp": "bold", "euler": "dashed", "matrix": "thin"}
 type Way = Callable[[ArrayLike], Floats]
 
 
-def ways(angles_rad: Sequence[float], R: Floats, q: Floats, tier: str) -> dict[str, Way]:
+def ways(angles_rad: Sequence[float], R: Floats, q: Floats, blend: Blend) -> dict[str, Way]:
     """From shares (...), 0 at level flight and 1 at the attitude, to matrices (..., 3, 3).
 
-    The tier, one of `BLENDS`, is how the quaternions are blended.
+    ``blend``, one of `quaternion_blends.BLENDS`, is how the quaternions are blended.
     """
-    blend = BLENDS[tier]
     return {
         "slerp": lambda share: quaternions.to_matrix(blend(LEVEL, q, share)),
         "euler": lambda share: euler_blend("ZYX", (0.0, 0.0, 0.0), angles_rad, share),
