@@ -15,7 +15,7 @@ LEGAL = {
     "models": {"models"},
     "engine": {"engine"},
     "pictures": {"pictures", "models", "engine"},
-    "extremes": {"extremes", "models", "engine"},
+    "hard_cases": {"hard_cases", "models", "engine"},
     "ladders": {"ladders", "pictures", "models", "engine"},
     "scenes": {"scenes", "ladders", "pictures", "models", "engine"},
     "registry": {"scenes", "ladders", "pictures", "models", "engine"},
