@@ -7,6 +7,7 @@ the builder ask for: simulations are drawn, quizzes catalogued, quoted modules g
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass
 from pathlib import PurePosixPath
+from typing import Any
 
 from simulations.engine.scene import Scene
 
@@ -45,7 +46,7 @@ class Prose:
 class Simulation:
     """A figure that comes alive in the page."""
 
-    scene: Scene
+    scene: Scene[Any]
     id: str
     """Element id: ``figure-`` and the scene's id, numbered where a page shows a scene twice."""
     values: Mapping[str, object]
@@ -164,7 +165,7 @@ class Book:
     chapters: tuple[Chapter, ...]
 
     @property
-    def scenes(self) -> tuple[Scene, ...]:
+    def scenes(self) -> tuple[Scene[Any], ...]:
         """Every scene that the book shows, once, in the order of first appearance."""
         figures = [figure for chapter in self.chapters for figure in chapter.simulations]
         if self.hero:

@@ -7,6 +7,7 @@ it was. `render_site` touches no output folder: it returns the site in memory.
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from pathlib import Path
+from typing import Any
 
 from simulations.engine.ladder import Ladder
 from simulations.engine.scene import Scene
@@ -50,7 +51,7 @@ class Options:
     """Whether to ship Python for the browser; without it figures stay stills."""
     reload: bool = False
     """Whether pages reload themselves after a rebuild (``serve``)."""
-    load_scene: Callable[[str], Scene] = load_scene
+    load_scene: Callable[[str], Scene[Any]] = load_scene
     load_ladder: Callable[[str], Ladder] = load_ladder
     warn: Warn = ignore
     """Told each warning once, in the order of files and lines."""

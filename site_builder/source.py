@@ -5,6 +5,7 @@ import tomllib
 from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
+from typing import Any
 
 from simulations.engine.scene import Scene
 from site_builder.book import OUTLINE, Book, Chapter, Simulation, chapter_id
@@ -40,7 +41,7 @@ class Outline:
 def read_book(
     root: Path,
     problems: Diagnostics,
-    load_scene: Callable[[str], Scene],
+    load_scene: Callable[[str], Scene[Any]],
     measurements: Measurements | None = None,
 ) -> Book:
     """The whole book; mistakes go to ``problems`` and reading goes on."""
@@ -157,7 +158,7 @@ def _check_unlisted(root: Path, outline: Outline, problems: Diagnostics) -> None
 
 
 def _read_hero(
-    outline: Outline, root: Path, problems: Diagnostics, load_scene: Callable[[str], Scene]
+    outline: Outline, root: Path, problems: Diagnostics, load_scene: Callable[[str], Scene[Any]]
 ) -> Simulation | None:
     if not outline.hero:
         return None

@@ -27,7 +27,7 @@ class Reading:
     root: Path
     """The project: where quoted modules and picture files are looked up."""
     problems: Diagnostics
-    load_scene: Callable[[str], Scene]
+    load_scene: Callable[[str], Scene[Any]]
     parser: MarkdownIt
     measurements: Measurements = field(default_factory=Measurements)
     """Where numbers about speed and accuracy come from."""

@@ -1,12 +1,14 @@
 """Finding the scene that an author names."""
 
+from typing import Any
+
 from simulations.engine.scene import Scene
 from simulations.registry import UnknownIdError
 from site_builder.diagnostics import cause
 from site_builder.markdown.reading import Reading
 
 
-def find_scene(scene_id: str, line: int, reading: Reading) -> Scene | None:
+def find_scene(scene_id: str, line: int, reading: Reading) -> Scene[Any] | None:
     """The scene, or None and a diagnostic: unknown id, or a module that cannot be imported."""
     try:
         return reading.load_scene(scene_id)

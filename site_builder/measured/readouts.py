@@ -2,8 +2,9 @@
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
+from typing import Any
 
-from simulations.engine.controls import ControlError, check_values
+from simulations.engine.controls import ControlError
 from simulations.engine.frame import Frame, Readout
 from simulations.engine.scene import Scene
 from simulations.engine.stages import StageCache
@@ -20,9 +21,9 @@ class ReadoutError(LookupError):
 class Readouts:
     """Asks scenes for their readouts, and remembers the frames."""
 
-    load_scene: Callable[[str], Scene]
-    frames: dict[tuple[object, ...], Frame] = field(default_factory=dict)
-    """By scene, tier and the values of all controls."""
+    load_scene: Callable[[str], Scene[Any]]
+    frames: dict[tuple[str, str, object], Frame] = field(default_factory=dict)
+    """By scene, tier and settings."""
 
     def text(self, scene_id: str, name: str, settings: Mapping[str, str], *, bare: bool) -> str:
         """What the figure says at ``settings``: its controls, and ``tier``; with its unit unless
@@ -37,7 +38,7 @@ class Readouts:
             raise ReadoutError(f"{scene_id} {name!r} is a matrix; legal: a readout of one line")
         return shown.text if bare else with_unit(shown.text, shown.unit)
 
-    def _load(self, scene_id: str) -> Scene:
+    def _load(self, scene_id: str) -> Scene[Any]:
         try:
             return self.load_scene(scene_id)
         except UnknownIdError as error:
@@ -46,15 +47,15 @@ class Readouts:
             message = f"simulation {scene_id!r} cannot be loaded: {cause(error)}"
             raise ReadoutError(message) from error
 
-    def _frame(self, scene: Scene, tier: str, settings: Mapping[str, str]) -> Frame:
+    def _frame(self, scene: Scene[Any], tier: str, given: Mapping[str, str]) -> Frame:
         try:
-            values = check_values(scene.controls, settings)
+            settings = scene.check(given)
         except ControlError as error:
             raise ReadoutError(f"{scene.id}: {error}") from error
-        key = (scene.id, tier, *values.values())
+        key = (scene.id, tier, settings)
         if key not in self.frames:
             try:
-                self.frames[key] = scene.render(values, tier, StageCache())
+                self.frames[key] = scene.render(settings, tier, StageCache())
             except Exception as error:  # whatever a scene's own code may raise
                 message = f"simulation {scene.id!r} cannot be drawn: {cause(error)}"
                 raise ReadoutError(message) from error

@@ -11,7 +11,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-from simulations.engine.controls import ControlError, check_values
+from simulations.engine.controls import ControlError
 from simulations.engine.frame import StageReport
 from simulations.engine.scene import Scene
 from simulations.engine.stages import StageCache
@@ -44,13 +44,13 @@ class MoveCost:
 class StageCosts:
     """The moves of one scene, and what a whole frame costs."""
 
-    scene: Scene
+    scene: Scene[Any]
     stages: int
     whole_ms: float
     moves: tuple[MoveCost, ...]
 
 
-def read_stage_costs(root: Path, scene: Scene) -> StageCosts:
+def read_stage_costs(root: Path, scene: Scene[Any]) -> StageCosts:
     """Raises `StageCostError` where nothing, or something else, was measured."""
     try:
         entry = json.loads((root / DATA).read_text(encoding="utf-8"))[scene.id]
@@ -67,7 +67,7 @@ def read_stage_costs(root: Path, scene: Scene) -> StageCosts:
 
 
 def _move(
-    scene: Scene, start: Mapping[str, object], control: str, cost: Mapping[str, Any]
+    scene: Scene[Any], start: Mapping[str, object], control: str, cost: Mapping[str, Any]
 ) -> MoveCost:
     reports = after_move(scene, start, {control: cost["to"]})
     labels = {item.name: item.label for item in scene.controls}
@@ -83,12 +83,11 @@ def _move(
 
 
 def after_move(
-    scene: Scene, start: Mapping[str, object], moved: Mapping[str, object]
+    scene: Scene[Any], start: Mapping[str, object], moved: Mapping[str, object]
 ) -> tuple[StageReport, ...]:
     """What becomes of each stage when controls move from ``start``."""
     cache = StageCache()
-    frame = scene.render(check_values(scene.controls, start), scene.default_tier, cache)
+    reports = scene.run(scene.check(start), scene.default_tier, cache).reports
     if moved:
-        values = check_values(scene.controls, {**start, **moved})
-        frame = scene.render(values, scene.default_tier, cache)
-    return frame.stages
+        reports = scene.run(scene.check({**start, **moved}), scene.default_tier, cache).reports
+    return reports

@@ -2,6 +2,7 @@
 
 import json
 from dataclasses import asdict
+from typing import Any
 
 from simulations.engine.controls import describe
 from simulations.engine.scene import Scene
@@ -32,7 +33,7 @@ def _chapter(chapter: Chapter) -> dict[str, object]:
     }
 
 
-def _simulation(scene: Scene) -> dict[str, object]:
+def _simulation(scene: Scene[Any]) -> dict[str, object]:
     return {
         "id": scene.id,
         "title": scene.title,

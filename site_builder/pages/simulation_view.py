@@ -2,6 +2,7 @@
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from typing import Any
 
 from simulations.engine.controls import Action, Choice, Control, Slider, Value, describe
 from simulations.engine.frame import Panel, Readout, StageReport, format_number
@@ -97,7 +98,7 @@ def view_simulation(still: Still, assets: str) -> SimulationView:
         ),
         tiers=tier_labels(scene),
         tier=figure.tier,
-        judged=scene.error is not None,
+        judged=scene.estimate is not None,
         stages=frame.stages,
         stages_text=count_stages(frame.stages),
         stages_open=len(frame.stages) >= SHOW_STAGES_FROM and figure.path != OUTLINE,
@@ -143,7 +144,7 @@ def schema(still: Still) -> dict[str, object]:
     }
 
 
-def tier_labels(scene: Scene) -> tuple[tuple[str, str], ...]:
+def tier_labels(scene: Scene[Any]) -> tuple[tuple[str, str], ...]:
     """Each tier and what the reader sees of it: the scene's own words, or its ladder's."""
     labels = dict(scene.tier_labels)
     if scene.ladder:

@@ -6,8 +6,9 @@ from dataclasses import dataclass
 
 from PIL import Image
 
-from simulations.engine.controls import Values, check_values
+from simulations.engine.controls import Value
 from simulations.engine.frame import Frame, Raster
+from simulations.engine.settings import values_of
 from simulations.engine.stages import StageCache
 from site_builder.book import Book, Simulation
 from site_builder.diagnostics import Diagnostics, cause
@@ -18,7 +19,7 @@ class Still:
     """A figure as it first appears."""
 
     figure: Simulation
-    values: Values
+    values: Mapping[str, Value]
     """Every control's starting value."""
     frame: Frame
     pictures: Mapping[str, str]
@@ -37,9 +38,9 @@ def render_stills(book: Book, problems: Diagnostics) -> tuple[Stills, dict[str, 
     if book.hero:
         places.insert(0, ("cover", book.hero))
     for page, figure in places:
-        values = check_values(figure.scene.controls, figure.values)
+        settings = figure.scene.check(figure.values)
         try:
-            frame = figure.scene.render(values, figure.tier, StageCache())
+            frame = figure.scene.render(settings, figure.tier, StageCache())
         except Exception as error:  # whatever a scene's own code may raise is the author's to see
             message = f"simulation {figure.scene.id!r} cannot be drawn: {cause(error)}"
             problems.add(figure.path, figure.line, message)
@@ -50,7 +51,7 @@ def render_stills(book: Book, problems: Diagnostics) -> tuple[Stills, dict[str, 
                 name = f"{page}--{figure.id}--{panel.name}.png"
                 pictures[panel.name] = name
                 files[name] = png(panel.raster)
-        stills[figure.path, figure.line] = Still(figure, values, frame, pictures)
+        stills[figure.path, figure.line] = Still(figure, values_of(settings), frame, pictures)
     return stills, files
 
 

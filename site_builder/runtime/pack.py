@@ -77,7 +77,7 @@ def source_archive(package: Path) -> bytes:
     with zipfile.ZipFile(buffer, "w", zipfile.ZIP_DEFLATED, compresslevel=9) as archive:
         for file in sorted(package.rglob("*.py")):
             path = file.relative_to(package)
-            if path.parts[0] != "extremes" and not path.name.startswith("."):
+            if path.parts[0] != "hard_cases" and not path.name.startswith("."):
                 entry = zipfile.ZipInfo((package.name / path).as_posix(), EPOCH)
                 entry.compress_type = zipfile.ZIP_DEFLATED
                 archive.writestr(entry, file.read_bytes())

@@ -5,9 +5,9 @@ at hand, and for each control the frame after moving it by one step from the def
 else at hand. Times are of the processor, the fastest of several; set ``OPENBLAS_NUM_THREADS=1`` to
 count one thread, as in the browser.
 
-``--json FILE`` keeps the result, ``--against FILE`` prints it beside a kept one. To measure another
-commit, run this file from its checkout: ``cd OTHER; PYTHONPATH=HERE/tests python -m
-bench.scene_profile --json before.json``. It asks for nothing that a scene has not long offered.
+``--json FILE`` keeps the result, ``--against FILE`` prints it beside a kept one, also one that the
+script of another commit has kept: ``cd OTHER; PYTHONPATH=tests python -m bench.scene_profile --json
+before.json``.
 """
 
 import argparse
@@ -16,8 +16,9 @@ import time
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import asdict, dataclass
 from pathlib import Path
+from typing import Any
 
-from simulations.engine.controls import Action, Choice, Control, Slider, Value, check_values
+from simulations.engine.controls import Action, Choice, Control, Slider, Value
 from simulations.engine.frame import Frame
 from simulations.engine.scene import Scene
 from simulations.engine.stages import StageCache
@@ -65,16 +66,16 @@ def one_step(control: Control) -> Value:
 
 
 def timed(
-    scene: Scene, tier: str, given: dict[str, Value], cache: StageCache
+    scene: Scene[Any], tier: str, given: dict[str, Value], cache: StageCache
 ) -> tuple[float, Frame]:
     """Milliseconds of the processor that a frame took, and the frame."""
-    values = check_values(scene.controls, given)
+    settings = scene.check(given)
     begun = time.process_time()
-    frame = scene.render(values, tier, cache)
+    frame = scene.render(settings, tier, cache)
     return (time.process_time() - begun) * 1e3, frame
 
 
-def measure(scene: Scene, tier: str, control: Control | None) -> Cost:
+def measure(scene: Scene[Any], tier: str, control: Control | None) -> Cost:
     """The fastest of several frames, each after a default frame of its own unless cold."""
     given = {} if control is None else {control.name: one_step(control)}
     times: list[float] = []
@@ -90,7 +91,7 @@ def measure(scene: Scene, tier: str, control: Control | None) -> Cost:
     return Cost(scene.id, tier, name, round(min(times), 2), computed)
 
 
-def profile(scene: Scene) -> Iterator[Cost]:
+def profile(scene: Scene[Any]) -> Iterator[Cost]:
     """All rows of one scene."""
     for tier in dict.fromkeys((scene.default_tier, scene.draft_tier)):
         timed(scene, tier, {}, StageCache())  # whatever is prepared once only

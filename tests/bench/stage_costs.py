@@ -8,8 +8,9 @@ found goes into ``content/stage-costs.json``, from which the book's table is mad
 import json
 import time
 from pathlib import Path
+from typing import Any
 
-from simulations.engine.controls import Value, check_values
+from simulations.engine.controls import Value
 from simulations.engine.scene import Scene
 from simulations.engine.stages import StageCache
 from simulations.registry import load_scene
@@ -33,15 +34,15 @@ MOVES: dict[str, dict[str, Value]] = {
 """One step of each slider, from the cheapest to the costliest."""
 
 
-def time_frame(scene: Scene, given: dict[str, Value], cache: StageCache) -> float:
-    values = check_values(scene.controls, given)
+def time_frame(scene: Scene[Any], given: dict[str, Value], cache: StageCache) -> float:
+    settings = scene.check(given)
     begun = time.process_time()
-    scene.render(values, scene.default_tier, cache)
+    scene.render(settings, scene.default_tier, cache)
     return (time.process_time() - begun) * 1e3
 
 
 def measure_move(
-    scene: Scene, start: dict[str, Value], moved: dict[str, Value]
+    scene: Scene[Any], start: dict[str, Value], moved: dict[str, Value]
 ) -> dict[str, float]:
     whole, after = [], []
     for _ in range(PAIRS):

@@ -1,16 +1,17 @@
 """A small book in a temporary folder, with one small scene, so that no test needs the real one."""
 
 from collections.abc import Callable
+from dataclasses import dataclass
 from pathlib import Path
 
 import numpy as np
 import pytest
 
-from simulations.engine.controls import Action, Choice, Slider, Toggle, Values
 from simulations.engine.drawing import line, text
 from simulations.engine.frame import Frame, Panel, matrix_readout, readout
 from simulations.engine.scene import Scene
-from simulations.engine.stages import StageCache
+from simulations.engine.settings import action, choice, slider, toggle
+from simulations.engine.stages import Outputs, Stage
 from simulations.registry import UnknownIdError
 from site_builder.build import Options
 
@@ -39,8 +40,19 @@ class Doubler:
 SECOND = "---\ntitle: Second\nsummary: The second chapter.\n---\n\n## A section\n\nText.\n"
 
 
-def render_demo(values: Values, tier: str, _cache: StageCache) -> Frame:
-    k1 = values.number("k1")
+@dataclass(frozen=True, slots=True)
+class Settings:
+    k1: float = slider("Distortion", 0.0, -0.5, 0.5, 0.01, unit="px")
+    kind: str = choice("Kind", {"a": "First", "b": "Second"})
+    on: bool = toggle("On")
+    play: int = action("Play", "Pause", drives="k1", effect="play")
+
+
+def tell(k1: float, tier: str) -> str:
+    return f"Shows k1 of {k1:g} in tier {tier}."
+
+
+def draw_demo(settings: Settings, outputs: Outputs) -> Frame:
     raster = np.full((4, 6, 4), 255, np.uint8)
     return Frame(
         panels=(
@@ -48,34 +60,27 @@ def render_demo(values: Values, tier: str, _cache: StageCache) -> Frame:
             Panel("plan", "Plan", 400, 300, overlay=line((0, 0), (10, 10)) + text((1, 1), "a<b")),
         ),
         readouts=(
-            readout("k1", "k₁", k1, "px", role="ray"),
+            readout("k1", "k₁", settings.k1, "px", role="ray"),
             matrix_readout("H", "Matrix", [[1, 0], [0, 1]]),
         ),
-        description=f"Shows k1 of {k1:g} in tier {tier}.",
+        description=outputs["sentence"],
     )
 
 
 DEMO = Scene(
     id="demo",
     title="Demo",
-    controls=(
-        Slider(
-            name="k1", label="Distortion", default=0.0, minimum=-0.5, maximum=0.5, step=0.01,
-            unit="px",
-        ),
-        Choice(name="kind", label="Kind", default="a", options={"a": "First", "b": "Second"}),
-        Toggle(name="on", label="On"),
-        Action(name="play", labels=("Play", "Pause"), drives="k1", effect="play"),
-    ),
-    render=render_demo,
+    settings=Settings,
+    draw=draw_demo,
+    stages=(Stage("sentence", tell),),
     tiers=("fast", "exact"),
     default_tier="exact",
     draft_tier="fast",
     tier_labels={"fast": "Fast", "exact": "Exact"},
-)  # fmt: skip
+)
 
 
-def load_demo(scene_id: str) -> Scene:
+def load_demo(scene_id: str) -> Scene[Settings]:
     if scene_id == "broken":
         raise ImportError("no module")
     if scene_id != "demo":

@@ -5,12 +5,15 @@ reported. A mismatch leaves ``NAME-changed.txt`` there to compare, and to rename
 """
 
 from collections.abc import Callable
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from pathlib import Path
+from typing import Any
 
 import pytest
 
+from simulations.engine.frame import Frame
 from simulations.engine.scene import Scene
+from simulations.engine.settings import slider
 from site_builder.build import Options, check_site
 from site_builder.diagnostics import BuildError, unknown
 
@@ -190,14 +193,33 @@ def test_a_number_of_a_figure_that_cannot_be_drawn_is_reported_with_its_reason(
 ) -> None:
     options = make_book("{readout}`demo k1`\n", {"content/book.toml": OUTLINE_WITHOUT_COVER})
 
-    def load(scene_id: str) -> Scene:
-        return replace(options.load_scene(scene_id), render=lambda *_: 1 / 0)
+    def load(scene_id: str) -> Scene[Any]:
+        return replace(options.load_scene(scene_id), draw=lambda *_: 1 / 0)
 
     with pytest.raises(BuildError) as raised:
         check_site(replace(options, load_scene=load))
     assert [str(found) for found in raised.value.diagnostics] == [
         "content/00-first.md:5: simulation 'demo' cannot be drawn: ZeroDivisionError: "
         "division by zero"
+    ]
+
+
+def test_a_number_of_things_between_two_steps_is_reported(
+    make_book: Callable[..., Options],
+) -> None:
+    @dataclass(frozen=True, slots=True)
+    class Settings:
+        spokes: int = slider("Spokes", 8, 2, 16, 1)
+
+    options = make_book(
+        ":::{simulation} demo\n:spokes: 7.5\n:::\n",
+        {"content/book.toml": OUTLINE_WITHOUT_COVER},
+    )
+    wheel = Scene("demo", "D", Settings, lambda _settings, _outputs: Frame((), (), "A wheel."))
+    with pytest.raises(BuildError) as raised:
+        check_site(replace(options, load_scene=lambda _id: wheel))
+    assert [str(found) for found in raised.value.diagnostics] == [
+        "content/00-first.md:6: demo: spokes: 7.5 is between two steps; legal: 2 and steps of 1"
     ]
 
 

@@ -25,7 +25,7 @@ def power(value: float, digits: int = 1) -> str:
 
 
 def three_points_for_a_library() -> Says:
-    """OpenCV's own answers are asked in tests/extremes/test_library_column.py."""
+    """OpenCV's own answers are asked in tests/hard_cases/test_library_column.py."""
     for (x, y, z), divisor in (((1, 0, 0), 1), ((1, 0.5, -2), -2)):
         yield f"| $({x:g}, {y:g}, {z})$"
         yield f"$({320 + 800 * x / divisor:.0f}, {240 + 800 * y / divisor:.0f})$"

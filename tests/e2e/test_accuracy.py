@@ -131,7 +131,7 @@ def test_a_refused_setting_leaves_the_list_of_stages_ready_for_the_next(
     assert figure.locator(".stages > ol > li:not([hidden])").count() > 5
 
 
-JUDGED = [name for name in SCENE_MODULES if load_scene(name).error is not None]
+JUDGED = [name for name in SCENE_MODULES if load_scene(name).estimate is not None]
 
 
 @pytest.mark.parametrize("scene", JUDGED)

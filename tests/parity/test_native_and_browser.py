@@ -60,7 +60,7 @@ def test_scene_is_the_same_in_the_browser(page: Page, scene_id: str) -> None:
             _assert_same_pixels(raster, base64.b64decode(encoded), where)
 
 
-def settings(scene: Scene) -> list[tuple[dict[str, Any], str]]:
+def settings(scene: Scene[Any]) -> list[tuple[dict[str, Any], str]]:
     """Defaults in each tier, then each control at each end, the others at their defaults."""
     moved = [{control.name: value} for control in scene.controls for value in ends(control)]
     tiers = scene.tiers or ("",)

@@ -1,31 +1,22 @@
 """Only what a scene requires is computed: for every scene with stages, control by control."""
 
 import itertools
-from importlib import import_module
+from collections.abc import Iterator, Mapping
+from typing import Any
 
 import numpy as np
 import pytest
 
-from simulations.engine.controls import Action, Choice, Control, Slider, check_values
+from simulations.engine.controls import Action, Choice, Control, Slider, Toggle, Value
 from simulations.engine.frame import Frame
 from simulations.engine.scene import Scene
+from simulations.engine.settings import values_of
 from simulations.engine.stages import Stage, StageCache
 from simulations.registry import SCENE_MODULES, load_scene
 from simulations.scenes.camera import scene as camera
 from simulations.scenes.camera import stages as camera_stages
 
-
-def chain_of(scene_id: str) -> tuple[Stage, ...]:
-    """The ``STAGES`` of the scene's module; nothing where it computes in one go."""
-    stages: tuple[Stage, ...] = getattr(import_module(SCENE_MODULES[scene_id]), "STAGES", ())
-    return stages
-
-
-CHAINS = {
-    scene_id: (load_scene(scene_id), chain_of(scene_id))
-    for scene_id in SCENE_MODULES
-    if chain_of(scene_id)
-}
+SCENES = {scene_id: load_scene(scene_id) for scene_id in SCENE_MODULES}
 
 START: dict[str, dict[str, object]] = {
     "camera": {"aperture": 2.0, "k1": -0.1},
@@ -35,79 +26,112 @@ START: dict[str, dict[str, object]] = {
 """Settings at which no stage is neutral."""
 
 
-def moved(control: Control) -> object:
-    """Another legal value than the default, and than those of `START`."""
+def others(control: Control) -> list[object]:
+    """Other legal values than those of `START`, and than most defaults; among them those that
+    make stages neutral."""
     match control:
-        case Slider():
-            return control.maximum
-        case Choice():
-            return next(option for option in control.options if option != control.default)
-        case Action():
-            return 1 % len(control.labels)
+        case Slider(minimum=low, maximum=high):
+            return [high, low, *([0.0] if low < 0 < high else [])]
+        case Choice(options=options, default=default):
+            return [option for option in options if option != default]
+        case Action(labels=labels):
+            return [1 % len(labels)]
         case _:
-            return not control.default
+            return [not control.default]
 
 
-MOVES = [(name, control) for name, (scene, _) in CHAINS.items() for control in scene.controls]
+def show(
+    scene: Scene[Any], given: Mapping[str, object], cache: StageCache, tier: str = ""
+) -> Frame:
+    return scene.render(scene.check(given), tier, cache)
 
 
-def named(move: object) -> str | None:
-    return move.name if isinstance(move, Slider | Choice | Action) else None
+def parameters(scene: Scene[Any], given: Mapping[str, object]) -> dict[str, Value]:
+    """All that stages may read."""
+    settings, tier = scene.check(given), scene.default_tier
+    worked_out = scene.parameters(settings, tier) if scene.parameters else {}
+    return {**values_of(settings), "tier": tier, **(worked_out or {})}
 
 
-def show(scene: Scene, given: dict[str, object], cache: StageCache) -> Frame:
-    return scene.render(check_values(scene.controls, given), scene.default_tier, cache)
-
-
-TIER_PARAMETERS = {"tier", "reduction", "bent_rays", "lens_rays"}
-"""Set by the tier alone."""
-
-
-def readers(scene: Scene, stages: tuple[Stage, ...], control: str) -> set[str]:
-    """Stages that read the control, and all that follow them.
-
-    A parameter that is no control is worked out from them, from any of them.
-    """
-    others = TIER_PARAMETERS | {item.name for item in scene.controls if item.name != control}
+def concerned(
+    stages: tuple[Stage, ...], before: Mapping[str, Value], after: Mapping[str, Value]
+) -> set[str]:
+    """Stages that read what has changed, or are neutral no longer, and all that follow them."""
+    changed = {name for name, value in after.items() if before.get(name) != value}
     reached: set[str] = set()
     for stage in stages:
-        if set(stage.reads) - others or reached.intersection(stage.inputs):
+        turned = bool(stage.reason(before)) != bool(stage.reason(after))
+        if turned or changed.intersection(stage.reads) or reached & {*stage.after, stage.source}:
             reached.add(stage.name)
     return reached
 
 
-def test_every_scene_that_reports_stages_is_held_to_them_here() -> None:
-    frames = {name: show(load_scene(name), {}, StageCache()) for name in SCENE_MODULES}
-    reporting = {name for name, frame in frames.items() if frame.stages}
-    assert reporting <= set(CHAINS)
-    assert {"lens-distortion", "lambertian-shading", "bayer-demosaic", "camera"} <= reporting
+MOVES = [
+    (scene_id, control)
+    for scene_id, scene in SCENES.items()
+    if scene.stages
+    for control in scene.controls
+]
+
+
+def named(move: object) -> str | None:
+    return move.name if isinstance(move, Slider | Choice | Action | Toggle) else None
 
 
 @pytest.mark.parametrize(("scene_id", "control"), MOVES, ids=named)
 def test_a_control_recomputes_only_what_reads_it_or_follows(
     scene_id: str, control: Control
 ) -> None:
-    scene, stages = CHAINS[scene_id]
-    start, cache = START.get(scene_id, {}), StageCache()
-    show(scene, start, cache)
-    after = show(scene, {**start, control.name: moved(control)}, cache)
+    scene, start, cache = SCENES[scene_id], START.get(scene_id, {}), StageCache()
+    moved = {**start, control.name: others(control)[0]}
+    before, after = show(scene, start, cache), show(scene, moved, cache)
     computed = {stage.name for stage in after.stages if stage.status == "computed"}
-    assert computed <= readers(scene, stages, control.name)
+    made_before = {stage.name for stage in before.stages if stage.status != "skipped"}
+    assert computed & made_before <= concerned(
+        scene.stages, parameters(scene, start), parameters(scene, moved)
+    )
 
 
-@pytest.mark.parametrize(("scene_id", "control"), MOVES, ids=named)
-def test_a_warm_frame_is_bit_equal_to_a_cold_one(scene_id: str, control: Control) -> None:
-    scene, _ = CHAINS[scene_id]
-    start, cache = START.get(scene_id, {}), StageCache()
-    given = {**start, control.name: moved(control)}
-    show(scene, start, cache)
-    warm, cold = show(scene, given, cache), show(scene, given, StageCache())
-    for ours, theirs in zip(warm.panels, cold.panels, strict=True):
-        assert ours.overlay == theirs.overlay
-        assert (ours.raster is None) == (theirs.raster is None)
-        if ours.raster is not None and theirs.raster is not None:
-            np.testing.assert_array_equal(ours.raster, theirs.raster)
-    assert warm.readouts == cold.readouts
+def walk(scene_id: str) -> Iterator[dict[str, object]]:
+    """From the start through every control alone, then all of them at once, and back again."""
+    start, controls = START.get(scene_id, {}), SCENES[scene_id].controls
+    yield start
+    yield from ({**start, control.name: value} for control in controls for value in others(control))
+    for end in (0, -1):
+        yield {control.name: others(control)[end] for control in controls}
+    yield start
+
+
+EVERY_TIER = [(name, tier) for name, scene in SCENES.items() for tier in scene.tiers or ("",)]
+
+
+@pytest.mark.parametrize(("scene_id", "tier"), EVERY_TIER)
+def test_a_warm_frame_is_bit_equal_to_a_cold_one(scene_id: str, tier: str) -> None:
+    scene, cache = SCENES[scene_id], StageCache()
+    for given in walk(scene_id):
+        warm, cold = show(scene, given, cache, tier), show(scene, given, StageCache(), tier)
+        assert_same(warm, cold, (given, tier))
+
+
+@pytest.mark.parametrize("scene_id", [name for name, scene in SCENES.items() if scene.tiers])
+def test_a_settled_frame_does_not_remember_the_draft(scene_id: str) -> None:
+    scene, given = SCENES[scene_id], START.get(scene_id, {})
+    cold = {tier: show(scene, given, StageCache(), tier) for tier in scene.tiers}
+    for first, second in itertools.permutations(scene.tiers, 2):
+        cache = StageCache()
+        show(scene, given, cache, first)
+        assert_same(show(scene, given, cache, second), cold[second], (first, second))
+
+
+def assert_same(ours: Frame, theirs: Frame, where: object) -> None:
+    """All that the reader sees is equal to the last bit."""
+    assert ours.readouts == theirs.readouts, where
+    assert ours.description == theirs.description, where
+    for one, other in zip(ours.panels, theirs.panels, strict=True):
+        assert one.overlay == other.overlay, where
+        assert (one.raster is None) == (other.raster is None), where
+        if one.raster is not None and other.raster is not None:
+            np.testing.assert_array_equal(one.raster, other.raster, str(where))
 
 
 TIERS = list(itertools.permutations(camera_stages.TIERS, 2))
@@ -116,7 +140,7 @@ TIERS = list(itertools.permutations(camera_stages.TIERS, 2))
 @pytest.mark.parametrize(("first", "second"), TIERS)
 def test_a_settled_photograph_does_not_remember_the_draft(first: str, second: str) -> None:
     scene, cache = camera.SCENE, StageCache()
-    given = check_values(scene.controls, START["camera"])
+    given = scene.check(START["camera"])
     scene.render(given, first, cache)
     warm = scene.render(given, second, cache).panels[0].raster
     cold = scene.render(given, second, StageCache()).panels[0].raster
@@ -127,10 +151,10 @@ def test_a_settled_photograph_does_not_remember_the_draft(first: str, second: st
 
 def test_dearer_tiers_of_the_camera_are_nearer_to_rays_through_the_whole_lens() -> None:
     scene = camera.SCENE
-    given = check_values(scene.controls, {"aperture": 1.4})
+    given = scene.check({"aperture": 1.4})
     errors = {}
     for tier in scene.tiers:
-        *_, last = camera.error(given, tier, StageCache())
+        *_, last = scene.estimates(given, tier, StageCache())
         errors[tier] = float(last.text)
     assert errors["draft"] > 3 * errors["layers"]
     assert errors["layers"] > 1.4 * errors["aperture-rays"]
@@ -138,7 +162,7 @@ def test_dearer_tiers_of_the_camera_are_nearer_to_rays_through_the_whole_lens() 
 
 def test_a_lens_that_is_a_pinhole_needs_no_rays() -> None:
     scene = camera.SCENE
-    given = check_values(scene.controls, {"aperture": 22})
+    given = scene.check({"aperture": 22})
     layers = scene.render(given, "layers", StageCache()).panels[0].raster
     rays = scene.render(given, "aperture-rays", StageCache())
     assert "aperture rays" in {item.name for item in rays.stages if item.status == "skipped"}

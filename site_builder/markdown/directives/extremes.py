@@ -2,8 +2,8 @@
 
 from dataclasses import dataclass
 
-from simulations.engine.extreme import ExtremeCase, ExtremeTable, answer, naive_answer, show
-from simulations.extremes.tables import TABLES
+from simulations.engine.hard_cases import HardCase, HardCases, answer, naive_answer, show
+from simulations.hard_cases.tables import TABLES
 from site_builder.markdown.bodies import no_body
 from site_builder.markdown.directive import Argument, Directive, Use
 from site_builder.markdown.reading import Reading
@@ -12,8 +12,8 @@ BY_MODEL = {table.id: table for table in TABLES}
 
 
 @dataclass(frozen=True, slots=True)
-class HardCase:
-    """A line of a table of hard cases, every answer computed and put into words."""
+class HardCaseRow:
+    """A line of a table: a hard case with every answer computed and put into words."""
 
     id: str
     call: str
@@ -27,23 +27,23 @@ class HardCase:
 
 
 @dataclass(frozen=True, slots=True)
-class Extremes:
+class HardCaseTable:
     """What a model answers at the edge of what it is made for."""
 
     id: str
     """Element id: ``extremes-`` and the model's."""
     title: str
-    rows: tuple[HardCase, ...]
+    rows: tuple[HardCaseRow, ...]
 
 
-def read_extremes(use: Use, _body: None, reading: Reading) -> Extremes:
+def read_hard_cases(use: Use, _body: None, reading: Reading) -> HardCaseTable:
     table = BY_MODEL[use.argument]
     name = reading.take_id(f"extremes-{table.id}", use.line, "table")
-    return Extremes(name, table.title, tuple(_row(table, case) for case in table.cases))
+    return HardCaseTable(name, table.title, tuple(_row(table, case) for case in table.cases))
 
 
-def _row(table: ExtremeTable, case: ExtremeCase) -> HardCase:
-    return HardCase(
+def _row(table: HardCases, case: HardCase) -> HardCaseRow:
+    return HardCaseRow(
         id=case.id,
         call=case.call,
         answer=show(answer(table, case)),
@@ -61,6 +61,6 @@ EXTREMES = Directive(
     says="the hard cases of a model",
     argument=Argument("model", legal=tuple(BY_MODEL), kind="table of extremes"),
     body=no_body("the table speaks alone"),
-    read=read_extremes,
+    read=read_hard_cases,
     template="extremes",
 )

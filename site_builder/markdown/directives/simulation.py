@@ -2,10 +2,11 @@
 
 import re
 from collections.abc import Sequence
+from typing import Any
 
 from markdown_it.token import Token
 
-from simulations.engine.controls import ControlError, Slider, check_values
+from simulations.engine.controls import ControlError, Slider
 from simulations.engine.scene import Scene
 from site_builder.book import Simulation
 from site_builder.diagnostics import unknown
@@ -33,17 +34,18 @@ def read_simulation(use: Use, body: Sequence[Token], reading: Reading) -> Simula
     )
 
 
-def _read_values(use: Use, scene: Scene, reading: Reading) -> dict[str, object]:
+def _read_values(use: Use, scene: Scene[Any], reading: Reading) -> dict[str, object]:
     values: dict[str, object] = {}
     for name, option in use.options.items():
         if name == "tier":
             continue
         try:
-            value = values[name] = check_values(scene.controls, {name: option.text})[name]
+            scene.check({name: option.text})
         except ControlError as error:
             reading.problem(option.line, f"{scene.id}: {error}")
             continue
         control = next(control for control in scene.controls if control.name == name)
+        value = values[name] = control.check(option.text)  # a setting of whole things is rounded
         if isinstance(control, Slider) and not control.reaches(float(value)):
             legal = f"{control.minimum:g} and steps of {control.step:g}"
             reading.problem(
@@ -52,7 +54,7 @@ def _read_values(use: Use, scene: Scene, reading: Reading) -> dict[str, object]:
     return values
 
 
-def _check_caption(body: Sequence[Token], scene: Scene, reading: Reading) -> None:
+def _check_caption(body: Sequence[Token], scene: Scene[Any], reading: Reading) -> None:
     """An option without one of its colons would be taken for the first words of the caption."""
     names = ("tier", *(control.name for control in scene.controls))
     for token in body:
@@ -63,7 +65,7 @@ def _check_caption(body: Sequence[Token], scene: Scene, reading: Reading) -> Non
             reading.problem(line, f"{slip[0]!r} in the caption; legal: as an option, {legal}")
 
 
-def _read_tier(use: Use, scene: Scene, reading: Reading) -> str:
+def _read_tier(use: Use, scene: Scene[Any], reading: Reading) -> str:
     option = use.options.get("tier")
     if option and option.text not in scene.tiers:
         reading.problem(option.line, unknown(f"tier of {scene.id}", option.text, scene.tiers))

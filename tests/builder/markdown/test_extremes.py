@@ -2,8 +2,8 @@
 
 from collections.abc import Callable
 
-from simulations.engine.extreme import answer, show
-from simulations.extremes import projection
+from simulations.engine.hard_cases import answer, show
+from simulations.hard_cases import projection
 from site_builder.build import Options, render_site
 
 

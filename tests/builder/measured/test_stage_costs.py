@@ -2,26 +2,34 @@
 
 import json
 from collections.abc import Callable
-from dataclasses import replace
 from pathlib import Path
 
 import pytest
 from support.html_outline import read_html
 
-from simulations.engine.scene import Scene
 from simulations.registry import load_scene
 from site_builder.build import Options, render_site
-from site_builder.measured.stage_costs import DATA, StageCostError, after_move, read_stage_costs
+from site_builder.measured.stage_costs import (
+    DATA,
+    StageCostError,
+    StageCosts,
+    after_move,
+    read_stage_costs,
+)
 from site_builder.output.assets import content_bytes
 
 ROOT = Path(__file__).resolve().parents[3]
-CAMERA = load_scene("camera")
 MOVE = {"to": 1, "ms": 1.0, "whole_ms": 2.0, "share": 0.5}
 
 
-def test_the_recorded_shares_are_what_the_book_promises() -> None:
+@pytest.fixture(scope="module")
+def costs() -> StageCosts:
+    """What is recorded of the camera."""
+    return read_stage_costs(ROOT, load_scene("camera"))
+
+
+def test_the_recorded_shares_are_what_the_book_promises(costs: StageCosts) -> None:
     """Times of another machine are not tested; that the recorded ones bear the claim is."""
-    costs = read_stage_costs(ROOT, CAMERA)
     share = {move.label: move.share for move in costs.moves}
     assert max(share["Read noise σ"], share["Exposure"]) <= 0.10
     late = max(share["Aperture"], share["Light angle"], share["Distortion k₁"])
@@ -31,8 +39,9 @@ def test_the_recorded_shares_are_what_the_book_promises() -> None:
     assert all(0 < each <= 1 for each in share.values())
 
 
-def test_a_move_far_upstream_runs_every_stage_that_would_change_something() -> None:
-    costs = read_stage_costs(ROOT, CAMERA)
+def test_a_move_far_upstream_runs_every_stage_that_would_change_something(
+    costs: StageCosts,
+) -> None:
     by_label = {move.label: move for move in costs.moves}
     assert by_label["Read noise σ"].again == ("read noise", "quantisation", "sRGB")
     for moved in (by_label["Focal length"], by_label["Focus distance"]):
@@ -42,23 +51,19 @@ def test_a_move_far_upstream_runs_every_stage_that_would_change_something() -> N
 
 
 def test_nothing_moved_from_nothing_computes_all_but_the_neutral() -> None:
-    statuses = {stage.status for stage in after_move(CAMERA, {}, {})}
+    statuses = {stage.status for stage in after_move(load_scene("camera"), {}, {})}
     assert statuses == {"computed", "skipped"}
 
 
 def test_a_page_lists_every_move_and_a_frame_with_nothing_at_hand(
     make_book: Callable[..., Options],
 ) -> None:
-    recorded = {"camera": {"start": {}, "moves": {"exposure": {**MOVE, "to": 1}}}}
-    options = make_book(":::{stage-costs} camera\nMoves.\n:::\n", {str(DATA): json.dumps(recorded)})
-
-    def load(name: str) -> Scene:
-        return CAMERA if name == "camera" else options.load_scene(name)
-
-    page = content_bytes(render_site(replace(options, load_scene=load))["first/index.html"])
+    recorded = {"demo": {"start": {}, "moves": {"k1": {**MOVE, "to": 0.5}}}}
+    options = make_book(":::{stage-costs} demo\nMoves.\n:::\n", {str(DATA): json.dumps(recorded)})
+    page = content_bytes(render_site(options)["first/index.html"])
     table = read_html(page).all("figure", "stage-costs")
     assert len(table) == 1
-    assert "Exposure" in page.decode()
+    assert "Distortion" in page.decode()
     assert "Nothing at hand" in page.decode()
 
 
@@ -72,12 +77,12 @@ def test_a_table_of_an_unmeasured_scene_is_reported(mistakes: Callable[..., list
 @pytest.mark.parametrize(
     ("content", "said"),
     [
-        (None, "has no scene 'camera'"),
-        ({"other": {}}, "has no scene 'camera'"),
-        ([], "has no scene 'camera'"),
-        ({"camera": {"start": {}}}, "KeyError: 'moves'"),
-        ({"camera": {"start": {}, "moves": {}}}, "no median for empty data"),
-        ({"camera": {"start": {}, "moves": {"zoom": MOVE}}}, "unknown parameter 'zoom'"),
+        (None, "has no scene 'demo'"),
+        ({"other": {}}, "has no scene 'demo'"),
+        ([], "has no scene 'demo'"),
+        ({"demo": {"start": {}}}, "KeyError: 'moves'"),
+        ({"demo": {"start": {}, "moves": {}}}, "no median for empty data"),
+        ({"demo": {"start": {}, "moves": {"zoom": MOVE}}}, "unknown parameter 'zoom'"),
     ],
     ids=[
         "no file",
@@ -88,10 +93,10 @@ def test_a_table_of_an_unmeasured_scene_is_reported(mistakes: Callable[..., list
         "a control that has gone",
     ],
 )
-def test_stale_data_say_how_to_measure_again(tmp_path: Path, content: object, said: str) -> None:
-    if content is not None:
-        (tmp_path / DATA).parent.mkdir()
-        (tmp_path / DATA).write_text(json.dumps(content))
+def test_stale_data_say_how_to_measure_again(
+    make_book: Callable[..., Options], content: object, said: str
+) -> None:
+    options = make_book(files={str(DATA): None if content is None else json.dumps(content)})
     with pytest.raises(StageCostError, match=said) as raised:
-        read_stage_costs(tmp_path, CAMERA)
+        read_stage_costs(options.root, options.load_scene("demo"))
     assert "bench.stage_costs" in str(raised.value)

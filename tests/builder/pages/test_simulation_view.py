@@ -1,27 +1,31 @@
 """A figure as its template gets it: the menu of accuracies, the columns of its numbers."""
 
+from dataclasses import dataclass
+from typing import Any
+
 import pytest
 
-from simulations.engine.controls import Values
 from simulations.engine.frame import Frame, StageReport
 from simulations.engine.scene import Scene
+from simulations.engine.stages import Outputs
 from simulations.registry import load_ladder
 from site_builder.book import Simulation
 from site_builder.pages.simulation_view import tier_labels, view_simulation
 from site_builder.pages.stills import Still
 
 
-def tiered(**fields: object) -> Scene:
-    return Scene(
-        "s",
-        "S",
-        (),
-        lambda *_: Frame((), (), "Nothing."),
-        tiers=("gouraud-8", "phong"),
-        default_tier="phong",
-        draft_tier="gouraud-8",
-        **fields,  # type: ignore[arg-type]
-    )
+@dataclass(frozen=True, slots=True)
+class Settings:
+    """None."""
+
+
+def draw(_settings: Settings, _outputs: Outputs) -> Frame:
+    return Frame((), (), "Nothing.")
+
+
+def tiered(**fields: Any) -> Scene[Settings]:
+    tiers = ("gouraud-8", "phong")
+    return Scene("s", "S", Settings, draw, tiers=tiers, default_tier="phong", **fields)
 
 
 def test_tiers_are_named_as_in_their_ladder() -> None:
@@ -49,9 +53,9 @@ def test_a_scene_without_a_ladder_names_all_of_its_tiers() -> None:
 def test_a_long_chain_of_stages_is_shown_at_once_but_not_on_the_cover(
     path: str, stages: int, open_: bool
 ) -> None:
-    scene = Scene("s", "S", (), lambda *_: Frame((), (), "Nothing."))
+    scene = Scene("s", "S", Settings, draw)
     frame = Frame(
         (), (), "Nothing.", tuple(StageReport("a", "computed", "") for _ in range(stages))
     )
     figure = Simulation(scene, "figure-s", {}, "", "", path, 1)
-    assert view_simulation(Still(figure, Values({}), frame, {}), "").stages_open is open_
+    assert view_simulation(Still(figure, {}, frame, {}), "").stages_open is open_

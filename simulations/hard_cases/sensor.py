@@ -2,9 +2,9 @@
 
 import numpy as np
 
-from simulations.engine.extreme import (
-    ExtremeCase,
-    ExtremeTable,
+from simulations.engine.hard_cases import (
+    HardCase,
+    HardCases,
     LibraryAnswer,
     exactly,
     refused,
@@ -12,7 +12,7 @@ from simulations.engine.extreme import (
 from simulations.models.sensor import photon_counting, photon_transfer
 from simulations.models.sensor.photon_counting import Sensor
 
-TABLE = ExtremeTable(
+TABLE = HardCases(
     id="sensor",
     title="The sensor",
     names={
@@ -24,14 +24,14 @@ TABLE = ExtremeTable(
         "nan": np.nan,
     },
     cases=(
-        ExtremeCase(
+        HardCase(
             id="no-light",
             call="shot_noise(np.zeros(1000), rng()).max()",
             why="A Poisson variable of mean 0.",
             returns="0 in every pixel: darkness is noiseless, but for the read-out.",
             expected=exactly(0.0),
         ),
-        ExtremeCase(
+        HardCase(
             id="gaussian-no-light",
             call="shot_noise(np.zeros(1000), rng(), model='skewed').max()",
             why="The skewed approximation adds (z² − 1)/6, which is not 0 without light.",
@@ -39,14 +39,14 @@ TABLE = ExtremeTable(
             expected=exactly(0.0),
             naive="((np.array([3.0]) ** 2 - 1) / 6).max()",
         ),
-        ExtremeCase(
+        HardCase(
             id="hardly-any-light",
             call="shot_noise(np.full(1000, 1e-12), rng()).max()",
             why="One electron in a billion exposures of a thousand pixels.",
             returns="0 in this exposure.",
             expected=exactly(0.0),
         ),
-        ExtremeCase(
+        HardCase(
             id="hardly-any-light-from-normals",
             call="shot_noise(np.full(100_000, 1e-12), rng(), model='quantile').max()",
             why="A rounded normal with a lean frees 0.047 electrons a pixel here, out of nothing.",
@@ -54,7 +54,7 @@ TABLE = ExtremeTable(
             expected=exactly(0.0),
             naive="np.rint((np.random.default_rng(7).standard_normal(100_000) ** 2 - 1) / 6).max()",
         ),
-        ExtremeCase(
+        HardCase(
             id="negative-light",
             call="shot_noise(-1.0, rng())",
             why="A filter that overshot upstream.",
@@ -62,14 +62,14 @@ TABLE = ExtremeTable(
             expected=refused("mean_e", "below 0"),
             library=LibraryAnswer("np.random.default_rng(7).poisson(-1.0)", "ValueError"),
         ),
-        ExtremeCase(
+        HardCase(
             id="nan-light",
             call="expose(nan, 0.01, SENSOR)",
             why="A pixel that was never computed.",
             returns="Refused.",
             expected=refused("photons_per_s", "undefined"),
         ),
-        ExtremeCase(
+        HardCase(
             id="the-sun",
             call="shot_noise(1e300, rng(), 20_000.0)",
             why="Samplers fail for means beyond 9e18.",
@@ -77,7 +77,7 @@ TABLE = ExtremeTable(
             expected=exactly(20_000.0),
             library=LibraryAnswer("np.random.default_rng(7).poisson(1e300)", "ValueError"),
         ),
-        ExtremeCase(
+        HardCase(
             id="infinite-light",
             call="shot_noise(inf, rng(), 20_000.0)",
             why="A specular highlight that overflowed.",
@@ -85,7 +85,7 @@ TABLE = ExtremeTable(
             expected=exactly(20_000.0),
             library=LibraryAnswer("np.random.default_rng(7).poisson(inf)", "ValueError"),
         ),
-        ExtremeCase(
+        HardCase(
             id="infinite-light-no-time",
             call="expose(inf, 0.0, SENSOR)",
             why="∞ · 0.",
@@ -93,35 +93,35 @@ TABLE = ExtremeTable(
             expected=exactly(0.0),
             naive="np.multiply(np.inf, 0.0)",
         ),
-        ExtremeCase(
+        HardCase(
             id="endless-exposure",
             call="expose(100.0, inf, SENSOR)",
             why="A shutter that never closes.",
             returns="Refused.",
             expected=refused("exposure_s", "inf"),
         ),
-        ExtremeCase(
+        HardCase(
             id="negative-exposure",
             call="expose(100.0, -0.01, SENSOR)",
             why="Time runs one way.",
             returns="Refused.",
             expected=refused("exposure_s", "-0.01"),
         ),
-        ExtremeCase(
+        HardCase(
             id="nan-code",
             call="quantise(nan, 12)",
             why="Casting NaN to an integer is undefined: 0, 255 or 2147483648, by processor.",
             returns="0, on every machine.",
             expected=exactly(0),
         ),
-        ExtremeCase(
+        HardCase(
             id="infinite-code",
             call="quantise([inf, -inf], 12)",
             why="Neither fits into an integer.",
             returns="The two ends of the range.",
             expected=exactly([4095, 0]),
         ),
-        ExtremeCase(
+        HardCase(
             id="code-wraps",
             call="quantise(256.0, 8)",
             why="256 in eight bits is 0: the brightest pixel turns black.",
@@ -130,7 +130,7 @@ TABLE = ExtremeTable(
             naive="np.array(256).astype(np.uint8)",
             library=LibraryAnswer("np.array(256).astype(np.uint8)", "0"),
         ),
-        ExtremeCase(
+        HardCase(
             id="negative-code",
             call="quantise(-1.0, 8)",
             why="−1 in eight unsigned bits is 255: read noise below black turns white.",
@@ -138,7 +138,7 @@ TABLE = ExtremeTable(
             expected=exactly(0),
             naive="np.array(-1).astype(np.uint8)",
         ),
-        ExtremeCase(
+        HardCase(
             id="half-codes",
             call="quantise([0.5, 1.5, 2.5, 3.5], 8)",
             why="Halves: rounding up would brighten a picture by 1/2 code on average.",
@@ -146,28 +146,28 @@ TABLE = ExtremeTable(
             expected=exactly([0, 2, 2, 4]),
             naive="np.floor(np.array([0.5, 1.5, 2.5, 3.5]) + 0.5)",
         ),
-        ExtremeCase(
+        HardCase(
             id="one-bit",
             call="quantise([0.2, 0.7, 9.0], 1)",
             why="The coarsest converter there is.",
             returns="0 or 1.",
             expected=exactly([0, 1, 1]),
         ),
-        ExtremeCase(
+        HardCase(
             id="seventeen-bits",
             call="quantise(1.0, 17)",
             why="More than the 16 bits in which codes are kept.",
             returns="Refused, instead of wrapping around at 65 536.",
             expected=refused("bits 17"),
         ),
-        ExtremeCase(
+        HardCase(
             id="no-read-noise",
             call="read_out(50.0, Sensor(read_noise_e=0.0), rng())",
             why="A standard deviation of 0.",
             returns="Exactly 50/5 + 64 codes.",
             expected=exactly(74.0),
         ),
-        ExtremeCase(
+        HardCase(
             id="zero-gain",
             call="Sensor(gain_e_per_dn=0.0)",
             why="No electrons per code: infinite amplification.",
@@ -175,14 +175,14 @@ TABLE = ExtremeTable(
             expected=refused("gain_e_per_dn", "0.0"),
             naive="np.divide(50.0, 0.0)",
         ),
-        ExtremeCase(
+        HardCase(
             id="black-above-white",
             call="Sensor(bits=4, black_level_dn=64.0)",
             why="A black level that a 4-bit converter cannot even express.",
             returns="Refused.",
             expected=refused("black_level_dn", "below 15"),
         ),
-        ExtremeCase(
+        HardCase(
             id="snr-of-nothing",
             call="signal_to_noise(0.0, Sensor(read_noise_e=0.0))",
             why="0/√0 but for the quantisation.",
@@ -190,7 +190,7 @@ TABLE = ExtremeTable(
             expected=exactly(0.0),
             naive="np.divide(0.0, np.sqrt(0.0))",
         ),
-        ExtremeCase(
+        HardCase(
             id="gain-from-one-level",
             call="estimate_gain([100.0, 100.0], [20.0, 20.0])",
             why="A line through one point has any slope.",
@@ -198,35 +198,35 @@ TABLE = ExtremeTable(
             expected=refused("levels"),
             naive="np.divide(20.0 - 20.0, 100.0 - 100.0)",
         ),
-        ExtremeCase(
+        HardCase(
             id="light-beyond-all-numbers",
             call="expose(1e30, 1e300, SENSOR)",
             why="The product overflows.",
             returns="∞, which is legal light: it fills every well.",
             expected=exactly(np.inf),
         ),
-        ExtremeCase(
+        HardCase(
             id="endless-warmth",
             call="Sensor(dark_current_e_per_s=inf)",
             why="In an exposure of no time, ∞ · 0 electrons.",
             returns="Refused.",
             expected=refused("dark_current_e_per_s", "inf"),
         ),
-        ExtremeCase(
+        HardCase(
             id="a-well-too-deep-to-count",
             call="shot_noise(1.0, rng(), 1e20)",
             why="Above 9 · 10¹⁵ neighbouring whole numbers are the same float.",
             returns="Refused, and ∞, a well without an end, is legal.",
             expected=refused("full_well_e", "1e+20"),
         ),
-        ExtremeCase(
+        HardCase(
             id="curve-without-noise",
             call="estimate_gain([100.0, 150.0, 300.0], [3.0, 3.0, 3.1])",
             why="A slope of 0 but for rounding, of which one over is the gain.",
             returns="Refused: where the variance does not rise, no shot noise is seen.",
             expected=refused("variance", "does not rise"),
         ),
-        ExtremeCase(
+        HardCase(
             id="gain-of-coarse-codes",
             call="estimate_gain(*photon_transfer([10.0, 100.0, 1000.0, 9000.0], "
             "Sensor(gain_e_per_dn=400.0), rng()))",
@@ -235,7 +235,7 @@ TABLE = ExtremeTable(
             expected=refused("levels on the straight part", "0.5 DN²"),
             naive="1 / np.polyfit([0, 0, 2.5, 22.5], [1e-12, 1e-12, 0.25, 0.12], 1)[0]",
         ),
-        ExtremeCase(
+        HardCase(
             id="gain-from-a-brimming-well",
             call="estimate_gain(*photon_transfer(np.linspace(15e3, 20e3, 20), Sensor(), rng()))",
             why="A well that spills cuts the brighter half of the noise off.",

@@ -2,9 +2,9 @@
 
 import numpy as np
 
-from simulations.engine.extreme import (
-    ExtremeCase,
-    ExtremeTable,
+from simulations.engine.hard_cases import (
+    HardCase,
+    HardCases,
     exactly,
     invalid,
     near,
@@ -14,7 +14,7 @@ from simulations.engine.extreme import (
 from simulations.models.light import raycasting, soft_shadows
 from simulations.models.light.raycasting import Box, Sphere
 
-TABLE = ExtremeTable(
+TABLE = HardCases(
     id="raycasting",
     title="Ray casting",
     names={
@@ -28,14 +28,14 @@ TABLE = ExtremeTable(
         "nan": np.nan,
     },
     cases=(
-        ExtremeCase(
+        HardCase(
             id="tangent",
             call="intersect(BALL, (1.0, 0.0, 0.0), AHEAD).valid",
             why="The ray touches the ball in one point: the discriminant is zero.",
             returns="False: a silhouette has no width.",
             expected=exactly(False),
         ),
-        ExtremeCase(
+        HardCase(
             id="miss",
             call="np.isfinite(intersect(BALL, (3.0, 0.0, 0.0), AHEAD).points).all()",
             why="A ray that misses has the square root of a negative number.",
@@ -43,7 +43,7 @@ TABLE = ExtremeTable(
             expected=exactly(True),
             naive="np.sqrt(1.0 - 3.0**2)",
         ),
-        ExtremeCase(
+        HardCase(
             id="behind",
             call="intersect(BALL, EYE, (0.0, -1.0, 0.0)).valid",
             why="The line through eye and ball meets it, at negative distances.",
@@ -51,7 +51,7 @@ TABLE = ExtremeTable(
             expected=exactly(False),
             naive="1.0**2 - np.sum(np.cross([0, -1.0, 0], [0, 5.0, 0]) ** 2) > 0",
         ),
-        ExtremeCase(
+        HardCase(
             id="from-inside",
             call="intersect(BALL, (0.0, 5.0, 0.0), AHEAD).distance",
             why="From the ball's centre the nearer root lies behind.",
@@ -59,14 +59,14 @@ TABLE = ExtremeTable(
             expected=near(1.0),
             naive="0.0 - np.sqrt(1.0)",
         ),
-        ExtremeCase(
+        HardCase(
             id="normal-from-the-centre",
             call="intersect(Sphere((0.0, 0.0, 0.0), 1e-9), EYE, AHEAD).normals",
             why="A ball of a nanometre around the eye: normals are differences of tiny numbers.",
             returns="Straight ahead, of length 1.",
             expected=near([0.0, 1.0, 0.0]),
         ),
-        ExtremeCase(
+        HardCase(
             id="far-tiny-ball",
             call="1e8 - intersect(Sphere((0.0, 1e8, 0.0), 1.0), EYE, AHEAD).distance",
             why="b² − 4ac subtracts numbers of the size 1e16 to find 1.",
@@ -74,21 +74,21 @@ TABLE = ExtremeTable(
             expected=exactly(1.0),
             naive="1e8 - (1e8 - np.sqrt(1e16 - (1e16 - 1.0)))",
         ),
-        ExtremeCase(
+        HardCase(
             id="radius-zero",
             call="Sphere((0.0, 0.0, 0.0), 0.0)",
             why="A ball of no size has no inside and no normals.",
             returns="Refused.",
             expected=refused("radius", "0.0"),
         ),
-        ExtremeCase(
+        HardCase(
             id="flat-box",
             call="Box((0.0, 0.0, 0.0), (1.0, 0.0, 1.0))",
             why="A box without thickness.",
             returns="Refused: a plane is not a solid.",
             expected=refused("size"),
         ),
-        ExtremeCase(
+        HardCase(
             id="along-a-slab",
             call="intersect(CUBE, EYE, AHEAD).distance",
             why="Two of three direction components are 0: the slab test divides by them.",
@@ -96,14 +96,14 @@ TABLE = ExtremeTable(
             expected=near(4.0),
             naive="np.divide(0.0, 0.0) * np.array([-1.0, 1.0])",
         ),
-        ExtremeCase(
+        HardCase(
             id="inside-a-box",
             call="intersect(CUBE, (0.0, 5.0, 0.0), AHEAD).distance",
             why="Entry distances are all negative.",
             returns="1 m, the wall ahead.",
             expected=near(1.0),
         ),
-        ExtremeCase(
+        HardCase(
             id="along-a-face",
             call="np.isfinite(intersect(CUBE, (1.0, 0.0, 0.0), AHEAD).normals).all()",
             why="The ray lies in the plane of a face: in or out is a matter of rounding.",
@@ -111,7 +111,7 @@ TABLE = ExtremeTable(
             expected=exactly(True),
             naive="np.isfinite(np.divide(1.0 - 1.0, 0.0))",
         ),
-        ExtremeCase(
+        HardCase(
             id="along-a-plane",
             call="intersect_plane(EYE, (0.0, 0.0, 1.0), (0.0, 0.0, 1.0), AHEAD)",
             why="The ray never comes nearer to the floor: h/0.",
@@ -119,7 +119,7 @@ TABLE = ExtremeTable(
             expected=invalid,
             naive="np.divide(1.0, 0.0)",
         ),
-        ExtremeCase(
+        HardCase(
             id="in-the-plane",
             call="intersect_plane(EYE, (0.0, 0.0, 1.0), EYE, AHEAD)",
             why="The ray lies in the floor: it meets it everywhere.",
@@ -127,7 +127,7 @@ TABLE = ExtremeTable(
             expected=invalid,
             naive="np.divide(0.0, 0.0)",
         ),
-        ExtremeCase(
+        HardCase(
             id="plane-behind",
             call="intersect_plane((0.0, 0.0, -1.0), (0.0, 0.0, 1.0), EYE, (0.0, 0.0, 1.0))",
             why="Looking up from above the floor.",
@@ -135,14 +135,14 @@ TABLE = ExtremeTable(
             expected=invalid,
             naive="-1.0 / 1.0",
         ),
-        ExtremeCase(
+        HardCase(
             id="plane-below",
             call="intersect_plane((0.0, 0.0, -1.0), (0.0, 0.0, 1.0), EYE, (0.0, 0.0, -1.0))",
             why="The plain case, for comparison: straight down.",
             returns="1 m.",
             expected=valid(1.0),
         ),
-        ExtremeCase(
+        HardCase(
             id="flat-margin",
             call="edge_coverage(np.full((3, 3), 1.0))",
             why="Deep inside a shape the margin is constant: its gradient is zero.",
@@ -150,28 +150,28 @@ TABLE = ExtremeTable(
             expected=exactly(np.ones((3, 3))),
             naive="np.divide(0.0, 0.0)",
         ),
-        ExtremeCase(
+        HardCase(
             id="one-pixel-margin",
             call="edge_coverage([[1.0]])",
             why="A gradient needs two pixels.",
             returns="Refused.",
             expected=refused("edge_coverage", "at least 2"),
         ),
-        ExtremeCase(
+        HardCase(
             id="light-below-the-floor",
             call="shadow_bounds(BALL, (0.0, 0.6, -0.8), 0.01)",
             why="Divided by a negative height, the shadow would fall into the sky.",
             returns="Refused.",
             expected=refused("to_light", "above 0"),
         ),
-        ExtremeCase(
+        HardCase(
             id="touching-occluder",
             call="sphere_occlusion((0.0, 0.0, 1.0), 1.0, (0.0, 0.0, 0.0), (0.0, 0.0, 1.0))",
             why="The ball stands on the point: it hides all of the sky.",
             returns="1.",
             expected=near(1.0),
         ),
-        ExtremeCase(
+        HardCase(
             id="inside-the-occluder",
             call="sphere_occlusion((0.0, 0.0, 0.0), 1.0, (0.0, 0.0, 0.0), (0.0, 0.0, 1.0))",
             why="Distance zero in cos θ (r/d)².",
@@ -179,14 +179,14 @@ TABLE = ExtremeTable(
             expected=exactly(0.0),
             naive="(1.0 / np.float64(0.0)) ** 2",
         ),
-        ExtremeCase(
+        HardCase(
             id="beyond-all-squares",
             call="Sphere((0.0, 0.0, 0.0), 1e200)",
             why="Its squared radius is no number.",
             returns="Refused.",
             expected=refused("radius", "1e+200"),
         ),
-        ExtremeCase(
+        HardCase(
             id="eye-nowhere",
             call="intersect(BALL, (inf, 0.0, 0.0), AHEAD)",
             why="From infinity every ray misses and every distance is infinite.",

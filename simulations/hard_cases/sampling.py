@@ -4,9 +4,9 @@ import math
 
 import numpy as np
 
-from simulations.engine.extreme import (
-    ExtremeCase,
-    ExtremeTable,
+from simulations.engine.hard_cases import (
+    HardCase,
+    HardCases,
     LibraryAnswer,
     exactly,
     near,
@@ -14,12 +14,12 @@ from simulations.engine.extreme import (
 )
 from simulations.models.sampling import aliasing
 
-TABLE = ExtremeTable(
+TABLE = HardCases(
     id="sampling",
     title="Sampling and aliasing",
     names={**vars(aliasing), "inf": np.inf, "nan": np.nan},
     cases=(
-        ExtremeCase(
+        HardCase(
             id="at-nyquist",
             call="alias_frequency(0.5)",
             why="+½ and −½ have the very same samples.",
@@ -27,14 +27,14 @@ TABLE = ExtremeTable(
             expected=exactly(-0.5),
             library=LibraryAnswer("np.fft.fftfreq(2)[1]", "-0.5"),
         ),
-        ExtremeCase(
+        HardCase(
             id="a-whole-turn",
             call="alias_frequency(1.0)",
             why="One cycle per sample.",
             returns="0: it looks as if nothing moved.",
             expected=exactly(0.0),
         ),
-        ExtremeCase(
+        HardCase(
             id="backwards",
             call="alias_frequency(-0.75)",
             why="A negative frequency beyond Nyquist.",
@@ -42,14 +42,14 @@ TABLE = ExtremeTable(
             expected=exactly(0.25),
             naive="np.fmod(-0.75, 1.0)",
         ),
-        ExtremeCase(
+        HardCase(
             id="beyond-precision",
             call="alias_frequency(1e300)",
             why="At 1e300 neighbouring numbers are 1e284 apart.",
             returns="0: this number is a whole multiple of the rate.",
             expected=exactly(0.0),
         ),
-        ExtremeCase(
+        HardCase(
             id="quotient-rounds",
             call="alias_frequency(1e17, 0.3)",
             why="f/rate is rounded by dozens, and so is the multiple that is taken off.",
@@ -57,7 +57,7 @@ TABLE = ExtremeTable(
             expected=near(math.remainder(1e17, 0.3), 0.0),
             naive="1e17 - 0.3 * np.floor(1e17 / 0.3 + 0.5)",
         ),
-        ExtremeCase(
+        HardCase(
             id="infinite-frequency",
             call="alias_frequency(inf)",
             why="∞ modulo anything.",
@@ -65,7 +65,7 @@ TABLE = ExtremeTable(
             expected=refused("frequency", "finite"),
             naive="np.float64(np.inf) - np.floor(np.inf)",
         ),
-        ExtremeCase(
+        HardCase(
             id="tiny-rate",
             call="alias_frequency(1.0, 1e-320)",
             why="f divided by a subnormal rate overflows.",
@@ -73,7 +73,7 @@ TABLE = ExtremeTable(
             expected=lambda got: abs(got) <= 5e-321,
             naive="1.0 - 1e-320 * np.floor(np.divide(1.0, 1e-320))",
         ),
-        ExtremeCase(
+        HardCase(
             id="rate-zero",
             call="alias_frequency(1.0, 0.0)",
             why="No samples at all.",
@@ -81,21 +81,21 @@ TABLE = ExtremeTable(
             expected=refused("rate", "0.0"),
             naive="np.divide(1.0, 0.0)",
         ),
-        ExtremeCase(
+        HardCase(
             id="half-a-spoke",
             call="apparent_wheel_speed(1.5, 8, 24.0)",
             why="Half a spoke spacing per frame: forwards and backwards look alike.",
             returns="A speed, and the word that its direction is not certain.",
             expected=lambda got: abs(abs(got[0]) - 1.5) < 1e-12 and not got[1],
         ),
-        ExtremeCase(
+        HardCase(
             id="standing-wheel",
             call="apparent_wheel_speed(3.0, 8, 24.0)",
             why="One spoke per frame.",
             returns="0, with certainty: it seems to stand.",
             expected=lambda got: got[0] == 0.0 and bool(got[1]),
         ),
-        ExtremeCase(
+        HardCase(
             id="no-spokes",
             call="apparent_wheel_speed(3.0, 0, 24.0)",
             why="A smooth disc shows no turning.",
@@ -103,7 +103,7 @@ TABLE = ExtremeTable(
             expected=refused("spokes 0"),
             naive="np.divide(0.0, 0)",
         ),
-        ExtremeCase(
+        HardCase(
             id="far-rings",
             call="np.abs(zone_plate(1e200, 0.0, 10.0)) <= 1",
             why="r² overflows, and the cosine of ∞ is NaN.",
@@ -111,14 +111,14 @@ TABLE = ExtremeTable(
             expected=exactly(True),
             naive="0.5 + 0.5 * np.cos(np.pi * np.float64(1e200) ** 2 / 10)",
         ),
-        ExtremeCase(
+        HardCase(
             id="flat-zone-plate",
             call="zone_plate(3.0, 4.0, inf)",
             why="Rings of infinite size.",
             returns="Refused.",
             expected=refused("scale", "inf"),
         ),
-        ExtremeCase(
+        HardCase(
             id="sharp-gaussian",
             call="gaussian_kernel(0.0)",
             why="exp(−x²/2σ²) at σ = 0 is 0/0 in the middle.",
@@ -127,7 +127,7 @@ TABLE = ExtremeTable(
             naive="np.exp(-0.5 * (np.array([-1.0, 0, 1]) / 0.0) ** 2)",
             library=LibraryAnswer("cv2.getGaussianKernel(3, 0)[:, 0]", "[0.25, 0.5, 0.25]"),
         ),
-        ExtremeCase(
+        HardCase(
             id="narrow-gaussian",
             call="gaussian_kernel(1e-200)",
             why="1/σ squared overflows at the neighbours.",
@@ -137,7 +137,7 @@ TABLE = ExtremeTable(
                 "scipy.ndimage.gaussian_filter1d([0.0, 1.0, 0.0], 1e-200)", "ZeroDivisionError"
             ),
         ),
-        ExtremeCase(
+        HardCase(
             id="endless-gaussian",
             call="gaussian_kernel(1e300)",
             why="A kernel of 1e301 taps.",
@@ -145,14 +145,14 @@ TABLE = ExtremeTable(
             expected=refused("sigma", "1e+300"),
             naive="np.arange(-1e300, 1e300)",
         ),
-        ExtremeCase(
+        HardCase(
             id="factor-one",
             call="box_filter(np.eye(2), 1)",
             why="Blocks of one pixel.",
             returns="The picture itself.",
             expected=exactly(np.eye(2)),
         ),
-        ExtremeCase(
+        HardCase(
             id="indivisible",
             call="box_filter(np.eye(3), 2)",
             why="Three pixels do not make blocks of two.",
@@ -160,14 +160,14 @@ TABLE = ExtremeTable(
             expected=refused("factor 2"),
             naive="np.eye(3).reshape(1, 2, 1, 2)",
         ),
-        ExtremeCase(
+        HardCase(
             id="pixel-nulls-its-own-frequency",
             call="box_mtf(1.0)",
             why="Stripes exactly as fine as a pixel is wide.",
             returns="0: light and dark fall on it in equal shares.",
             expected=near(0.0, 1e-15),
         ),
-        ExtremeCase(
+        HardCase(
             id="mtf-at-zero",
             call="box_mtf(0.0)",
             why="sin(0)/0.",
@@ -175,7 +175,7 @@ TABLE = ExtremeTable(
             expected=exactly(1.0),
             naive="np.divide(np.sin(0.0), 0.0)",
         ),
-        ExtremeCase(
+        HardCase(
             id="contrast-of-darkness",
             call="contrast([0.0, 0.0])",
             why="(0 − 0)/(0 + 0).",
@@ -183,7 +183,7 @@ TABLE = ExtremeTable(
             expected=exactly(0.0),
             naive="np.divide(0.0 - 0.0, 0.0 + 0.0)",
         ),
-        ExtremeCase(
+        HardCase(
             id="contrast-of-negative-light",
             call="contrast([-0.5, 0.5])",
             why="(0.5 + 0.5)/(0.5 − 0.5): an infinite contrast.",
@@ -191,7 +191,7 @@ TABLE = ExtremeTable(
             expected=refused("-0.5"),
             naive="np.divide(1.0, 0.0)",
         ),
-        ExtremeCase(
+        HardCase(
             id="rings-finer-than-numbers",
             call="zone_plate_area(inf, 0.0, 9.0)",
             why="The mean over a pixel contains sin(∞).",
@@ -199,7 +199,7 @@ TABLE = ExtremeTable(
             expected=exactly(0.5),
             naive="np.sinc(np.inf)",
         ),
-        ExtremeCase(
+        HardCase(
             id="film-of-23.976",
             call="alias_frequency(np.float32(47.952), 24000 / 1001)",
             why="In single precision the rate of film for television is not the same number.",

@@ -2,9 +2,9 @@
 
 import numpy as np
 
-from simulations.engine.extreme import (
-    ExtremeCase,
-    ExtremeTable,
+from simulations.engine.hard_cases import (
+    HardCase,
+    HardCases,
     LibraryAnswer,
     invalid,
     near,
@@ -29,7 +29,7 @@ SQUARE = np.array([[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]])
 IN_CV2 = "cv2.perspectiveTransform(np.array([[[{}]]]), np.array([{}]))[0, 0]"
 ROWS = "[1.0, 0, 0], [0, 1, 0], [1, 0, -1]"
 
-TABLE = ExtremeTable(
+TABLE = HardCases(
     id="transforms",
     title="Transformations of the plane",
     names={
@@ -51,7 +51,7 @@ TABLE = ExtremeTable(
         "nan": np.nan,
     },
     cases=(
-        ExtremeCase(
+        HardCase(
             id="on-the-horizon",
             call="apply_homography(HORIZON, [1.0, 2.0])",
             why="The point lies on the line w = 0, which this homography sends to infinity.",
@@ -60,7 +60,7 @@ TABLE = ExtremeTable(
             naive="np.array([1.0, 2.0]) / 0.0",
             library=LibraryAnswer(IN_CV2.format("1.0, 2.0", ROWS), "[0, 0]"),
         ),
-        ExtremeCase(
+        HardCase(
             id="all-signs-turned",
             call="apply_homography(-np.eye(3), [3.0, 4.0])",
             why="−H is the same map as H, but its w is negative everywhere.",
@@ -70,7 +70,7 @@ TABLE = ExtremeTable(
                 IN_CV2.format("3.0, 4.0", "[-1.0, 0, 0], [0, -1, 0], [0, 0, -1]"), "[3, 4]"
             ),
         ),
-        ExtremeCase(
+        HardCase(
             id="behind-the-second-camera",
             call="in_front(turned_camera(K, K, ABOUT), [340.0, 240.0])",
             why="The camera has turned its back, yet division by a negative depth gives a pixel.",
@@ -78,7 +78,7 @@ TABLE = ExtremeTable(
             expected=lambda got: not got,
             naive="apply_homography(turned_camera(K, K, ABOUT), [340.0, 240.0])[0]",
         ),
-        ExtremeCase(
+        HardCase(
             id="w-is-rounding",
             call="apply_homography([[1, 0, 0], [0, 1, 0], [0.1, 0.2, -0.3]], [1.0, 1.0])",
             why="0.1 + 0.2 − 0.3 is not 0 in binary, but 5.6e−17.",
@@ -89,14 +89,14 @@ TABLE = ExtremeTable(
                 IN_CV2.format("1.0, 1.0", "[1.0, 0, 0], [0, 1, 0], [0.1, 0.2, -0.3]"), "[0, 0]"
             ),
         ),
-        ExtremeCase(
+        HardCase(
             id="small-w-everywhere",
             call="apply_homography(1e-200 * np.eye(3), [3.0, 4.0])",
             why="H and 1e−200·H are the same map, but a fixed threshold on w would drop it.",
             returns="The point itself: thresholds are relative.",
             expected=valid([3.0, 4.0]),
         ),
-        ExtremeCase(
+        HardCase(
             id="all-entries-huge",
             call="projective(1e308 * np.eye(3)) @ [3.0, 4.0, 1.0]",
             why="The norm of the matrix overflows when its entries are squared.",
@@ -104,7 +104,7 @@ TABLE = ExtremeTable(
             expected=near([3.0, 4.0, 1.0]),
             naive="np.sqrt(np.sum((1e308 * np.eye(3)) ** 2))",
         ),
-        ExtremeCase(
+        HardCase(
             id="zero-matrix",
             call="projective(np.zeros((3, 3)))",
             why="Every image would be (0, 0, 0), no point at all.",
@@ -112,14 +112,14 @@ TABLE = ExtremeTable(
             expected=refused("h", "zero"),
             naive="np.zeros((3, 3)) / 0.0",
         ),
-        ExtremeCase(
+        HardCase(
             id="nan-point",
             call="apply_homography(np.eye(3), [nan, 1.0])",
             why="An unknown coordinate would spread into both of the image.",
             returns="No image, and the mask says so.",
             expected=invalid,
         ),
-        ExtremeCase(
+        HardCase(
             id="image-overflows",
             call="apply_homography(translation(1e308, 0.0), [1e308, 0.0])",
             why="The sum is beyond the largest number.",
@@ -127,21 +127,21 @@ TABLE = ExtremeTable(
             expected=invalid,
             naive="np.float64(1e308) + 1e308",
         ),
-        ExtremeCase(
+        HardCase(
             id="clip-across-the-horizon",
             call="len(clip_to_visible(HORIZON, [[0, 0], [3, 0], [3, 1], [0, 1]]))",
             why="Two corners lie beyond w = 0. Joined after the division, edges run backwards.",
             returns="Four corners again: cut along the line before the division.",
             expected=near(4),
         ),
-        ExtremeCase(
+        HardCase(
             id="nothing-in-sight",
             call="clip_to_visible(HORIZON, [[3, 0], [2, 0], [2, 1]]).shape",
             why="The whole polygon lies beyond the line, seen from the origin.",
             returns="An empty polygon of shape (0, 2).",
             expected=near((0, 2)),
         ),
-        ExtremeCase(
+        HardCase(
             id="far-translation-condition",
             call="condition_number(translation(1e6, 0.0))",
             why="Measured in pixels this harmless matrix looks singular.",
@@ -150,7 +150,7 @@ TABLE = ExtremeTable(
             naive="np.linalg.cond([[1, 0, 1e6], [0, 1, 0], [0, 0, 1]])",
             library=LibraryAnswer("np.linalg.cond([[1, 0, 1e6], [0, 1, 0], [0, 0, 1]])", "1e+12"),
         ),
-        ExtremeCase(
+        HardCase(
             id="tiny-but-fine",
             call="condition_number(1e-150 * np.eye(3))",
             why="The determinant underflows to 0, though this is the identity in other words.",
@@ -158,7 +158,7 @@ TABLE = ExtremeTable(
             expected=near(1.0),
             naive="np.linalg.det(1e-150 * np.eye(3))",
         ),
-        ExtremeCase(
+        HardCase(
             id="invert-singular",
             call="invert([[1.0, 2.0, 0.0], [2.0, 4.0, 0.0], [0.0, 0.0, 1.0]])",
             why="The plane is squashed onto a line: images cannot be traced back.",
@@ -168,7 +168,7 @@ TABLE = ExtremeTable(
                 "np.linalg.inv([[1.0, 2, 0], [2, 4, 0], [0, 0, 1]])", "LinAlgError"
             ),
         ),
-        ExtremeCase(
+        HardCase(
             id="invert-nearly-singular",
             call="invert([[0.1, 0.7, 0.0], [0.3, 2.1, 0.0], [0.0, 0.0, 1.0]])",
             why="Singular, but for the rounding of 0.1 and 0.3.",
@@ -176,14 +176,14 @@ TABLE = ExtremeTable(
             expected=refused("condition number"),
             naive="np.abs(np.linalg.inv([[0.1, 0.7, 0], [0.3, 2.1, 0], [0, 0, 1]])).max()",
         ),
-        ExtremeCase(
+        HardCase(
             id="scale-zero",
             call="similarity(0.0, 0.5, 1.0, 2.0)",
             why="A similarity that shrinks everything to a point has no angle to keep.",
             returns="Refused.",
             expected=refused("scale", "0.0"),
         ),
-        ExtremeCase(
+        HardCase(
             id="decompose-infinite-origin",
             call="decompose([[1.0, 0, 0], [0, 1, 1], [0, 1, 0]])",
             why="h₃₃ = 0: the origin goes to infinity, and there is no translation to state.",
@@ -191,7 +191,7 @@ TABLE = ExtremeTable(
             expected=refused("h₃₃"),
             naive="np.eye(3) / 0.0",
         ),
-        ExtremeCase(
+        HardCase(
             id="three-points-on-a-line",
             call="estimate_homography([[0, 0], [1, 1], [2, 2], [0, 1]], SQUARE)",
             why="Three of the four points are collinear: infinitely many solutions, or none.",
@@ -203,14 +203,14 @@ TABLE = ExtremeTable(
                 "[0.5, -0.5, 0]",
             ),
         ),
-        ExtremeCase(
+        HardCase(
             id="too-few-points",
             call="estimate_homography(SQUARE[:3], SQUARE[:3])",
             why="Six equations for eight unknowns.",
             returns="No estimate.",
             expected=invalid,
         ),
-        ExtremeCase(
+        HardCase(
             id="far-off-pictures",
             call="apply_homography(estimate_homography(PICTURE + 1e6, PICTURE - 1e6)[0], "
             "PICTURE + 1e6)[0] + 1e6",
@@ -218,14 +218,14 @@ TABLE = ExtremeTable(
             returns="The corners again, to a millionth of a pixel: as good as nine numbers can be.",
             expected=lambda got: np.allclose(got, PICTURE, rtol=0.0, atol=1e-6),
         ),
-        ExtremeCase(
+        HardCase(
             id="far-off-points",
             call="estimate_homography(SQUARE + 1e6, SQUARE)[0] @ [1e6 + 0.5, 1e6 + 0.5, 1.0]",
             why="A unit square a million units away: unnormalised, its equations span 1e12.",
             returns="The middle of the square, to six digits and more: normalise first.",
             expected=lambda got: np.allclose(got[:2] / got[2], 0.5, atol=1e-6),
         ),
-        ExtremeCase(
+        HardCase(
             id="coincident-points",
             call="estimate_affine([[1, 1], [1, 1], [1, 1]], [[0, 0], [1, 0], [0, 1]])",
             why="One point cannot go to three places.",
@@ -233,7 +233,7 @@ TABLE = ExtremeTable(
             expected=invalid,
             naive="np.sqrt(2.0) / np.float64(0.0)",
         ),
-        ExtremeCase(
+        HardCase(
             id="mirrored-points",
             call="estimate_rigid([[-1, 0], [1, 0], [0, 2], [0, -2]], "
             "[[-1, 0], [1, 0], [0, -2], [0, 2]])",
@@ -241,7 +241,7 @@ TABLE = ExtremeTable(
             returns="The rotation by π; never a reflection.",
             expected=lambda got: got[1] and np.allclose(got[0], np.diag([-1.0, -1.0, 1.0])),
         ),
-        ExtremeCase(
+        HardCase(
             id="mirrored-circle",
             call="estimate_rigid([[1, 0], [0, 1], [-1, 0], [0, -1]], "
             "[[1, 0], [0, -1], [-1, 0], [0, 1]])",
@@ -250,14 +250,14 @@ TABLE = ExtremeTable(
             expected=invalid,
             naive="np.arctan2(0.0, 0.0)",
         ),
-        ExtremeCase(
+        HardCase(
             id="far-from-both-origins",
             call="estimate_homography(SQUARE + 1e6, SQUARE + 1e6)",
             why="In a land survey w is a difference of numbers a million times as large.",
             returns="Invalid: rounding the nine entries would move the corners too far.",
             expected=invalid,
         ),
-        ExtremeCase(
+        HardCase(
             id="on-the-plane-at-infinity-in-space",
             call="transforms_3d.apply_transform(np.eye(4)[[0, 1, 2, 2]], [1.0, 2.0, 0.0])",
             why="w = Z = 0: the plane Z = 0 is sent to infinity.",
@@ -265,14 +265,14 @@ TABLE = ExtremeTable(
             expected=invalid,
             naive="np.array([1.0, 2.0, 0.0]) / 0.0",
         ),
-        ExtremeCase(
+        HardCase(
             id="three-points-on-a-line-in-space",
             call="transforms_3d.estimate_similarity(LINE, LINE)[1]",
             why="Any turn about the line brings them into place.",
             returns="False.",
             expected=lambda got: got is False,
         ),
-        ExtremeCase(
+        HardCase(
             id="points-too-close-to-square",
             call="transforms_3d.estimate_similarity(1e-200 * CORNERS, CORNERS)[0][0, 0]",
             why="The sum of the squared distances, which the scale is divided by, underflows to 0.",
@@ -280,7 +280,7 @@ TABLE = ExtremeTable(
             expected=near(1e200),
             naive="np.divide(1.0, np.square(1e-200))",
         ),
-        ExtremeCase(
+        HardCase(
             id="plane-through-the-eye",
             call="plane_between_views(np.eye(3), np.eye(3), np.eye(4), [0.0, 1.0, 0.0, 0.0])",
             why="A plane through the first camera’s centre is seen as a line: n/d divides by 0.",

@@ -2,9 +2,9 @@
 
 import numpy as np
 
-from simulations.engine.extreme import (
-    ExtremeCase,
-    ExtremeTable,
+from simulations.engine.hard_cases import (
+    HardCase,
+    HardCases,
     LibraryAnswer,
     exactly,
     near,
@@ -29,7 +29,7 @@ def edge(method: str) -> np.ndarray:
     return np.array([restored.min(), restored.max()])
 
 
-TABLE = ExtremeTable(
+TABLE = HardCases(
     id="demosaicing",
     title="Demosaicing",
     names={
@@ -41,7 +41,7 @@ TABLE = ExtremeTable(
         "nan": np.nan,
     },
     cases=(
-        ExtremeCase(
+        HardCase(
             id="single-pixel",
             call="demosaic([[0.25]])",
             why="One red pixel: nothing at all is known of green and blue.",
@@ -51,21 +51,21 @@ TABLE = ExtremeTable(
                 "cv2.cvtColor(np.uint8([[64]]), cv2.COLOR_BayerRGGB2RGB)[0, 0]", "[0, 0, 0]"
             ),
         ),
-        ExtremeCase(
+        HardCase(
             id="single-row",
             call="demosaic([[1.0, 0.5, 1.0, 0.5]])[0, :, 2]",
             why="A row of red and green filters holds no blue.",
             returns="The mean of the two colours that there are.",
             expected=exactly([0.75, 0.75, 0.75, 0.75]),
         ),
-        ExtremeCase(
+        HardCase(
             id="flat-nearest",
             call="spread('nearest', 'RGGB', 5, 7)",
             why="Odd sizes leave half a quad at two borders.",
             returns="0: a flat colour stays exactly flat, up to the last pixel.",
             expected=exactly(0.0),
         ),
-        ExtremeCase(
+        HardCase(
             id="flat-bilinear",
             call="spread('bilinear', 'BGGR', 5, 7)",
             why="At the border half of the neighbours are missing.",
@@ -77,49 +77,49 @@ TABLE = ExtremeTable(
                 "0",
             ),
         ),
-        ExtremeCase(
+        HardCase(
             id="flat-malvar",
             call="spread('malvar', 'GRBG', 2, 2)",
             why="A filter of 5 × 5 on a picture of 2 × 2.",
             returns="No more than rounding.",
             expected=near(0.0, 1e-15),
         ),
-        ExtremeCase(
+        HardCase(
             id="flat-menon",
             call="spread('menon', 'GBRG', 2, 9)",
             why="A decision between rows and columns where both are equally calm.",
             returns="No more than rounding: a tie goes to the rows, and both agree.",
             expected=near(0.0, 1e-15),
         ),
-        ExtremeCase(
+        HardCase(
             id="overshoot-malvar",
             call="edge('malvar')",
             why="Gradient-corrected filters have negative weights.",
             returns="Below 0 and above 1, left as they are: only the caller knows when to clip.",
             expected=lambda got: got[0] < 0.0 and got[1] > 1.0,
         ),
-        ExtremeCase(
+        HardCase(
             id="no-overshoot-bilinear",
             call="edge('bilinear')",
             why="The same edge through averages only.",
             returns="Within 0 and 1, but with colour fringes.",
             expected=exactly([0.0, 1.0]),
         ),
-        ExtremeCase(
+        HardCase(
             id="hot-pixel",
             call="np.isnan(demosaic(np.pad([[nan]], 4), method='bilinear')).sum()",
             why="A dead pixel marked as NaN spreads through every average.",
             returns="9: red in its 3 × 3 surroundings, and not one value beyond.",
             expected=exactly(9),
         ),
-        ExtremeCase(
+        HardCase(
             id="huge-values",
             call="demosaic(np.full((4, 4), 1e300)).max()",
             why="Sums of four near the largest number.",
             returns="1e300.",
             expected=near(1e300),
         ),
-        ExtremeCase(
+        HardCase(
             id="whole-numbers",
             call="demosaic(np.array([[10, 11], [11, 10]], np.uint8))[0, 0, 1]",
             why="11 + 11 fits into eight bits; 200 + 200 would wrap around to 144.",
@@ -127,28 +127,28 @@ TABLE = ExtremeTable(
             expected=exactly(11.0),
             naive="(np.uint8(200) + np.uint8(200)) // 2",
         ),
-        ExtremeCase(
+        HardCase(
             id="empty",
             call="demosaic(np.zeros((0, 4)))",
             why="A picture without rows.",
             returns="Refused.",
             expected=refused("(0, 4)", "not empty"),
         ),
-        ExtremeCase(
+        HardCase(
             id="colour-picture",
             call="demosaic(np.zeros((4, 4, 3)))",
             why="A picture that has been through demosaicing already.",
             returns="Refused.",
             expected=refused("(4, 4, 3)"),
         ),
-        ExtremeCase(
+        HardCase(
             id="unknown-pattern",
             call="mosaic(np.zeros((4, 4, 3)), 'RGBG')",
             why="A pattern that is no Bayer mosaic.",
             returns="Refused, with the four that are.",
             expected=refused("RGBG", "RGGB"),
         ),
-        ExtremeCase(
+        HardCase(
             id="perfect-score",
             call="psnr_db(np.ones((9, 9)), np.ones((9, 9)), crop=0)",
             why="No error at all: log 1/0.",
@@ -156,7 +156,7 @@ TABLE = ExtremeTable(
             expected=exactly(np.inf),
             library=LibraryAnswer("cv2.PSNR(np.ones((9, 9)), np.ones((9, 9)))", "361.2"),
         ),
-        ExtremeCase(
+        HardCase(
             id="score-of-nothing",
             call="psnr_db(np.ones((9, 9)), np.ones((9, 9)), crop=5)",
             why="The crop leaves no pixel: the mean of nothing.",
@@ -164,7 +164,7 @@ TABLE = ExtremeTable(
             expected=refused("crop 5"),
             naive="np.float64(0.0) / 0",
         ),
-        ExtremeCase(
+        HardCase(
             id="score-of-a-glare",
             call="psnr_db(np.full((20, 20), inf), np.zeros((20, 20)))",
             why="The logarithm of 1/∞.",

@@ -2,9 +2,9 @@
 
 import numpy as np
 
-from simulations.engine.extreme import (
-    ExtremeCase,
-    ExtremeTable,
+from simulations.engine.hard_cases import (
+    HardCase,
+    HardCases,
     LibraryAnswer,
     exactly,
     invalid,
@@ -17,7 +17,7 @@ from simulations.models.projection import affine_cameras, pinhole, vanishing
 K = pinhole.intrinsics(800.0, (320.0, 240.0))
 PIXEL_OF = "cv2.projectPoints(np.array([[{}]]), np.zeros(3), np.zeros(3), K, None)[0][0, 0]"
 
-TABLE = ExtremeTable(
+TABLE = HardCases(
     id="projection",
     title="Perspective projection",
     names={
@@ -30,7 +30,7 @@ TABLE = ExtremeTable(
         "nan": np.nan,
     },
     cases=(
-        ExtremeCase(
+        HardCase(
             id="camera-centre",
             call="project([0.0, 0.0, 0.0], K)",
             why="The centre of projection itself: 0/0.",
@@ -39,7 +39,7 @@ TABLE = ExtremeTable(
             naive="800 * np.divide(0.0, 0.0) + 320",
             library=LibraryAnswer(PIXEL_OF.format("0.0, 0.0, 0.0"), "[320, 240]"),
         ),
-        ExtremeCase(
+        HardCase(
             id="camera-plane",
             call="project([1.0, 0.0, 0.0], K)",
             why="Beside the camera, on the plane Z = 0: the ray runs along the image.",
@@ -48,7 +48,7 @@ TABLE = ExtremeTable(
             naive="800 * np.divide(1.0, 0.0) + 320",
             library=LibraryAnswer(PIXEL_OF.format("1.0, 0.0, 0.0"), "[1120, 240]"),
         ),
-        ExtremeCase(
+        HardCase(
             id="behind",
             call="project([1.0, 0.5, -2.0], K)",
             why="Behind the camera the division still works, and mirrors the picture.",
@@ -57,7 +57,7 @@ TABLE = ExtremeTable(
             naive="800 * 1.0 / -2.0 + 320",
             library=LibraryAnswer(PIXEL_OF.format("1.0, 0.5, -2.0"), "[-80, 40]"),
         ),
-        ExtremeCase(
+        HardCase(
             id="negative-zero-depth",
             call="project([0.5, 0.5, -0.0], K)",
             why="−0 equals 0, but divides to −∞.",
@@ -65,7 +65,7 @@ TABLE = ExtremeTable(
             expected=invalid,
             naive="800 * np.divide(0.5, -0.0) + 320",
         ),
-        ExtremeCase(
+        HardCase(
             id="tiny-scene",
             call="project([1e-300, 0.0, 1e-300], K)",
             why="A scene of 1e−300 units, near the smallest numbers there are.",
@@ -73,7 +73,7 @@ TABLE = ExtremeTable(
             expected=valid([1120.0, 240.0]),
             naive="800 * 1e-300 / (1e-300 + 1e-12) + 320",
         ),
-        ExtremeCase(
+        HardCase(
             id="quotient-overflows",
             call="project([1.0, 0.0, 5e-324], K)",
             why="The smallest positive depth: X/Z is beyond the largest number.",
@@ -81,21 +81,21 @@ TABLE = ExtremeTable(
             expected=invalid,
             naive="800 * np.divide(1.0, 5e-324) + 320",
         ),
-        ExtremeCase(
+        HardCase(
             id="far-away",
             call="project([1.0, 2.0, 1e300], K)",
             why="So far that X/Z vanishes beside the principal point.",
             returns="The principal point, where the optical axis meets the image.",
             expected=valid([320.0, 240.0]),
         ),
-        ExtremeCase(
+        HardCase(
             id="infinite-depth",
             call="project([3.0, 2.0, inf], K)",
             why="A finite sideways distance at an infinite depth: 3/∞ is 0.",
             returns="The principal point, the limit from every finite depth.",
             expected=valid([320.0, 240.0]),
         ),
-        ExtremeCase(
+        HardCase(
             id="undirected-infinity",
             call="project([inf, 0.0, inf], K)",
             why="∞/∞: the point is infinitely far off, in no particular direction.",
@@ -103,14 +103,14 @@ TABLE = ExtremeTable(
             expected=invalid,
             naive="800 * np.divide(np.inf, np.inf) + 320",
         ),
-        ExtremeCase(
+        HardCase(
             id="nan-coordinate",
             call="project([nan, 0.0, 1.0], K)",
             why="A measurement that failed upstream.",
             returns="No pixel: the mask is False, so that the failure cannot pass unnoticed.",
             expected=invalid,
         ),
-        ExtremeCase(
+        HardCase(
             id="huge-coordinates",
             call="project([1e300, 0.0, 1e300], K)",
             why="Multiplied by the focal length first, the numerator overflows.",
@@ -118,7 +118,7 @@ TABLE = ExtremeTable(
             expected=valid([1120.0, 240.0]),
             naive="np.float64(1e308) * 800 / 1e308 + 320",
         ),
-        ExtremeCase(
+        HardCase(
             id="pixel-overflows",
             call="project([1e308, 0.0, 1.0], K)",
             why="The pixel itself lies beyond the largest number.",
@@ -126,7 +126,7 @@ TABLE = ExtremeTable(
             expected=invalid,
             naive="np.float64(800) * 1e308 + 320",
         ),
-        ExtremeCase(
+        HardCase(
             id="point-at-infinity",
             call="project_homogeneous([1.0, 0.0, 2.0, 0.0], P)",
             why="Fourth coordinate 0: a direction, such as that of a star or of parallel rails.",
@@ -134,21 +134,21 @@ TABLE = ExtremeTable(
             expected=valid([720.0, 240.0]),
             naive="np.array([1.0, 0.0, 2.0]) / 0.0",
         ),
-        ExtremeCase(
+        HardCase(
             id="direction-behind",
             call="project_homogeneous([0.0, 0.0, -1.0, 0.0], P)",
             why="The opposite direction: as a line it is the same, as a ray it is behind.",
             returns="No pixel. With W = 0 the sign of a direction means something.",
             expected=invalid,
         ),
-        ExtremeCase(
+        HardCase(
             id="negative-homogeneous-scale",
             call="project_homogeneous([-1.0, 0.0, -2.0, -1.0], P)",
             why="The point (1, 0, 2) written with W = −1: its third coordinate is negative.",
             returns="Its pixel. With W ≠ 0 the sign is a matter of writing only.",
             expected=valid([720.0, 240.0]),
         ),
-        ExtremeCase(
+        HardCase(
             id="homogeneous-overflow",
             call="project_homogeneous([1e308, 0.0, 1e308, 1e308], P)",
             why="Products with the focal length overflow, though the point is (1, 0, 1).",
@@ -156,14 +156,14 @@ TABLE = ExtremeTable(
             expected=valid([1120.0, 240.0]),
             naive="(np.float64(800) * 1e308 + 320 * 1e308) / 1e308",
         ),
-        ExtremeCase(
+        HardCase(
             id="no-point-at-all",
             call="project_homogeneous([0.0, 0.0, 0.0, 0.0], P)",
             why="(0, 0, 0, 0) stands for no point of projective space.",
             returns="No pixel.",
             expected=invalid,
         ),
-        ExtremeCase(
+        HardCase(
             id="far-from-the-origin",
             call="relative_to_camera([1e16 + 2, 0.0, 5.0], np.eye(3), [1e16, 0.0, 0.0])",
             why="Camera and point are near one another but far from the world's origin.",
@@ -171,35 +171,35 @@ TABLE = ExtremeTable(
             expected=exactly([2.0, 0.0, 5.0]),
             naive="np.float32(1e16 + 2) - np.float32(1e16)",
         ),
-        ExtremeCase(
+        HardCase(
             id="zero-focal-length",
             call="intrinsics(0.0, (320.0, 240.0))",
             why="All points would fall on the principal point.",
             returns="Refused: with f = 0 there is no camera, and K has no inverse.",
             expected=refused("focal_px", "0.0"),
         ),
-        ExtremeCase(
+        HardCase(
             id="infinite-focal-length",
             call="intrinsics(inf, (320.0, 240.0))",
             why="An orthographic camera is the limit of f and Z growing together, not of f alone.",
             returns="Refused: f·X/Z would be infinite off the axis.",
             expected=refused("focal_px", "inf"),
         ),
-        ExtremeCase(
+        HardCase(
             id="telescope",
             call="field_of_view(inf, 36.0)",
             why="The angle seen does have a limit as the focal length grows.",
             returns="0.",
             expected=exactly(0.0),
         ),
-        ExtremeCase(
+        HardCase(
             id="widest-view",
             call="field_of_view(1e-300, 36.0)",
             why="A quotient of 1e301 inside the arctangent.",
             returns="π, half a turn: the widest that a flat picture can see.",
             expected=near(np.pi),
         ),
-        ExtremeCase(
+        HardCase(
             id="looking-at-oneself",
             call="look_at([1.0, 2.0, 3.0], [1.0, 2.0, 3.0], [0.0, 1.0, 0.0])",
             why="Eye and target coincide: there is no direction to look in.",
@@ -207,7 +207,7 @@ TABLE = ExtremeTable(
             expected=refused("target", "0.0"),
             naive="np.zeros(3) / np.linalg.norm(np.zeros(3))",
         ),
-        ExtremeCase(
+        HardCase(
             id="up-along-the-view",
             call="look_at([0.0, 0.0, 0.0], [0.0, 5.0, 0.0], [0.0, 1.0, 0.0])",
             why="Looking straight up, with “up” as the upright: any roll would do.",
@@ -215,7 +215,7 @@ TABLE = ExtremeTable(
             expected=refused("up", "parallel"),
             naive="np.cross([0.0, 1.0, 0.0], [0.0, 1.0, 0.0]) / 0.0",
         ),
-        ExtremeCase(
+        HardCase(
             id="lines-parallel-to-the-image",
             call="vanishing_point([1.0, 0.0, 0.0], K)",
             why="Lines parallel to the image stay parallel in it.",
@@ -223,21 +223,21 @@ TABLE = ExtremeTable(
             expected=invalid,
             naive="np.array([800.0, 0.0]) / 0.0",
         ),
-        ExtremeCase(
+        HardCase(
             id="horizon-of-a-wall",
             call="horizon([0.0, 0.0, 1.0], K)",
             why="A wall that faces the camera squarely: its horizon is the line at infinity.",
             returns="No line; a line at infinity has no pixels.",
             expected=invalid,
         ),
-        ExtremeCase(
+        HardCase(
             id="behind-a-parallel-camera",
             call="project_affine([1.0, 0.5, -2.0], scaled_orthographic_camera(K, 5.0))",
             why="Behind the camera's centre, but the rays of this camera are parallel.",
             returns="A pixel: its true centre is infinitely far away, and nothing is behind that.",
             expected=valid([480.0, 320.0]),
         ),
-        ExtremeCase(
+        HardCase(
             id="beside-a-parallel-camera",
             call="project_affine([1.0, 0.0, 0.0], scaled_orthographic_camera(K, 5.0))",
             why="Depth 0, by which perspective would divide.",
@@ -245,7 +245,7 @@ TABLE = ExtremeTable(
             expected=valid([480.0, 240.0]),
             naive="800 * np.divide(1.0, 0.0) + 320",
         ),
-        ExtremeCase(
+        HardCase(
             id="reference-in-the-camera-plane",
             call="scaled_orthographic_camera(K, 0.0)",
             why="The scale f/Z₀ is infinite.",
@@ -253,7 +253,7 @@ TABLE = ExtremeTable(
             expected=refused("depth 0.0"),
             naive="800 / np.float64(0.0)",
         ),
-        ExtremeCase(
+        HardCase(
             id="reference-at-infinity",
             call="scaled_orthographic_camera(K, inf)",
             why="The scale f/Z₀ is 0: all points would fall on one pixel.",
@@ -261,14 +261,14 @@ TABLE = ExtremeTable(
             expected=refused("depth inf"),
             naive="np.float64(800) / np.inf * 1.0 + 320",
         ),
-        ExtremeCase(
+        HardCase(
             id="endless-depth-of-a-parallel-camera",
             call="project_affine([1.0, 2.0, 1e308], orthographic_camera(100.0))",
             why="Depths as large as numbers get.",
             returns="The exact pixel: the depth is dropped.",
             expected=valid([100.0, 200.0]),
         ),
-        ExtremeCase(
+        HardCase(
             id="infinitely-deep",
             call="project_affine([1.0, 2.0, inf], orthographic_camera(100.0))",
             why="The depth has no weight, but 0 · ∞ is not 0.",
@@ -276,14 +276,14 @@ TABLE = ExtremeTable(
             expected=invalid,
             naive="np.float64(100) * 1.0 + 0.0 * np.inf",
         ),
-        ExtremeCase(
+        HardCase(
             id="reference-far-to-the-side",
             call="paraperspective_camera(K, [1e300, 0.0, 1e-10])",
             why="X₀/Z₀ is beyond the largest number.",
             returns="Refused: along such a line of sight everything is infinitely far off.",
             expected=refused("finite entries"),
         ),
-        ExtremeCase(
+        HardCase(
             id="perspective-as-affine",
             call="project_affine([1.0, 2.0, 4.0], P)",
             why="A perspective camera where a linear one is asked for.",
@@ -291,14 +291,14 @@ TABLE = ExtremeTable(
             expected=refused("last row"),
             naive="(P @ [1.0, 2.0, 4.0, 1.0])[:2]",
         ),
-        ExtremeCase(
+        HardCase(
             id="focal-length-of-another-kind",
             call="intrinsics(np.int64(800), (320.0, 240.0))[0, 0]",
             why="Neither a Python number nor a pair of them.",
             returns="800, for both axes.",
             expected=exactly(800.0),
         ),
-        ExtremeCase(
+        HardCase(
             id="homogeneous-by-mistake",
             call="project([1.0, 2.0, 4.0, 1.0], K)",
             why="Four numbers where three are asked for.",

@@ -3,8 +3,8 @@
 import numpy as np
 import pytest
 
-from simulations.engine.extreme import ExtremeCase, ExtremeTable, answer, naive_answer, show
-from simulations.extremes.tables import TABLES
+from simulations.engine.hard_cases import HardCase, HardCases, answer, naive_answer, show
+from simulations.hard_cases.tables import TABLES
 
 CASES = [
     pytest.param(table, case, id=f"{table.id}-{case.id}")
@@ -14,13 +14,13 @@ CASES = [
 
 
 @pytest.mark.parametrize(("table", "case"), CASES)
-def test_model_answers_as_decided(table: ExtremeTable, case: ExtremeCase) -> None:
+def test_model_answers_as_decided(table: HardCases, case: HardCase) -> None:
     got = answer(table, case)
     assert case.expected(got), f"{case.call} gave {show(got)}"
 
 
 @pytest.mark.parametrize(("table", "case"), [item for item in CASES if item.values[1].naive])
-def test_textbook_formula_can_be_shown_beside_it(table: ExtremeTable, case: ExtremeCase) -> None:
+def test_textbook_formula_can_be_shown_beside_it(table: HardCases, case: HardCase) -> None:
     """What it says is not what the model says: else the case would teach nothing."""
     assert show(naive_answer(table, case)) != show(answer(table, case))
 

@@ -1,6 +1,6 @@
 """All tables of hard cases, in the order of the book."""
 
-from simulations.extremes import (
+from simulations.hard_cases import (
     color,
     compression,
     demosaicing,

@@ -2,9 +2,9 @@
 
 import numpy as np
 
-from simulations.engine.extreme import (
-    ExtremeCase,
-    ExtremeTable,
+from simulations.engine.hard_cases import (
+    HardCase,
+    HardCases,
     LibraryAnswer,
     exactly,
     invalid,
@@ -22,7 +22,7 @@ UNDO = (
 
 NEARLY_FLAT = Distortion(k1=-0.3, k2=0.04050002)
 
-TABLE = ExtremeTable(
+TABLE = HardCases(
     id="distortion",
     title="Lens distortion and fisheyes",
     names={
@@ -36,7 +36,7 @@ TABLE = ExtremeTable(
         "nan": np.nan,
     },
     cases=(
-        ExtremeCase(
+        HardCase(
             id="optical-axis",
             call="undistort([0.0, 0.0], BARREL)",
             why="r/r at the axis itself, where every direction is equally good.",
@@ -44,7 +44,7 @@ TABLE = ExtremeTable(
             expected=valid([0.0, 0.0], 0.0),
             naive="np.zeros(2) * (np.float64(0.0) / 0.0)",
         ),
-        ExtremeCase(
+        HardCase(
             id="beyond-the-fold",
             call="undistort([0.75, 0.0], BARREL)",
             why="No ideal point has this image: the map turns back at ⅔ of the fold radius, 0.703.",
@@ -53,14 +53,14 @@ TABLE = ExtremeTable(
             naive="undistort_fixed_point([0.75, 0.0], BARREL, 100)",
             library=LibraryAnswer(UNDO.format("0.75, 0.0", "-0.3, 0, 0, 0.0", 100), "[1.1409, 0]"),
         ),
-        ExtremeCase(
+        HardCase(
             id="border-of-the-lens",
             call="undistort_clamped([0.75, 0.0], BARREL)",
             why="The same, asked by a figure that has to draw where the lens ends.",
             returns="The fold circle, a border to draw and no answer: the mask is False as well.",
             expected=lambda got: not got[1] and np.isclose(got[0][0], np.sqrt(1 / 0.9)),
         ),
-        ExtremeCase(
+        HardCase(
             id="just-inside-the-fold",
             call="undistort([0.7027, 0.0], BARREL)",
             why="The slope is almost zero, and Newton's step almost infinite.",
@@ -70,21 +70,21 @@ TABLE = ExtremeTable(
             ),
             library=LibraryAnswer(UNDO.format("0.7027, 0.0", "-0.3, 0, 0, 0.0", 5), "[0.9561, 0]"),
         ),
-        ExtremeCase(
+        HardCase(
             id="two-answers",
             call="distort([[0.8, 0.0], [1.2891, 0.0]], BARREL)[:, 0]",
             why="Two ideal points, one on each side of the fold, share an image.",
             returns="The same radius twice. Only the inner one comes back from undistort.",
             expected=lambda got: abs(got[0] - got[1]) < 1e-4,
         ),
-        ExtremeCase(
+        HardCase(
             id="fold-radius",
             call="fold_radius(BARREL)",
             why="Where 1 + 3k₁r² is zero.",
             returns="√(1/0.9).",
             expected=near(np.sqrt(1 / 0.9)),
         ),
-        ExtremeCase(
+        HardCase(
             id="no-fold",
             call="fold_radius(PINCUSHION)",
             why="A pincushion grows for ever: the polynomial has no positive root.",
@@ -92,7 +92,7 @@ TABLE = ExtremeTable(
             expected=exactly(np.inf),
             naive="np.sqrt(-1 / (3 * np.float64(0.5)))",
         ),
-        ExtremeCase(
+        HardCase(
             id="vanishing-highest-term",
             call="fold_radius(Distortion(k1=-0.3, k2=1e-300))",
             why="A leading coefficient of 1e−300 sends the formula for quadratics to 0/0.",
@@ -100,7 +100,7 @@ TABLE = ExtremeTable(
             expected=near(np.sqrt(1 / 0.9)),
             naive="(0.9 - np.sqrt(0.81 - 4 * 5e-300)) / (2 * 5e-300)",
         ),
-        ExtremeCase(
+        HardCase(
             id="strong-pincushion",
             call="undistort([3.0, 0.0], PINCUSHION)",
             why="A perfectly good inverse exists, but the fixed-point iteration runs from it.",
@@ -109,7 +109,7 @@ TABLE = ExtremeTable(
             naive="undistort_fixed_point([3.0, 0.0], PINCUSHION, 100)",
             library=LibraryAnswer(UNDO.format("3.0, 0.0", "0.5, 0, 0, 0.0", 5), "[1.4561, 0]"),
         ),
-        ExtremeCase(
+        HardCase(
             id="nearly-flat",
             call="undistort([0.795, 0.0], Distortion(k1=-0.3, k2=0.04050002))",
             why="The slope comes within 4e−7 of zero and rises again: no fold, but almost one.",
@@ -122,7 +122,7 @@ TABLE = ExtremeTable(
                 UNDO.format("0.795, 0.0", "-0.3, 0.04050002, 0, 0.0", 100), "[1.4168, 0]"
             ),
         ),
-        ExtremeCase(
+        HardCase(
             id="neutral-lens-far-out",
             call="distort([1e200, 0.0], Distortion())",
             why="r² overflows, although nothing needs it when all coefficients are zero.",
@@ -135,7 +135,7 @@ TABLE = ExtremeTable(
                 "[nan, nan]",
             ),
         ),
-        ExtremeCase(
+        HardCase(
             id="far-out-through-a-barrel",
             call="distort([1e200, 0.0], BARREL)",
             why="r² overflows, and so does the true answer.",
@@ -143,14 +143,14 @@ TABLE = ExtremeTable(
             expected=exactly([-np.inf, 0.0]),
             naive="np.array([1e200, 0.0]) * (1 - 0.3 * np.float64(1e200) ** 2)",
         ),
-        ExtremeCase(
+        HardCase(
             id="infinite-coefficient",
             call="Distortion(k1=inf)",
             why="A calibration that diverged.",
             returns="Refused at once, before a picture is spoiled.",
             expected=refused("finite"),
         ),
-        ExtremeCase(
+        HardCase(
             id="pole",
             call="fold_radius(Distortion(k4=-1.0))",
             why="The rational model has a pole where its denominator is zero: at r = 1.",
@@ -158,7 +158,7 @@ TABLE = ExtremeTable(
             expected=near(1.0),
             naive="1.0 / (1.0 - np.float64(1.0))",
         ),
-        ExtremeCase(
+        HardCase(
             id="tangential-fold",
             call="undistort([0.0, -30.0], Distortion(p1=0.1))",
             why="Tangential terms alone can fold the plane: y + 0.3 y² never falls below −0.83.",
@@ -166,28 +166,28 @@ TABLE = ExtremeTable(
             expected=invalid,
             library=LibraryAnswer(UNDO.format("0.0, -30.0", "0, 0, 0.1, 0.0", 100), "[nan, nan]"),
         ),
-        ExtremeCase(
+        HardCase(
             id="narrow-fold-off-centre",
             call="undistort(distort([0.0, 2.1], NARROW), NARROW)",
             why="The map turns back at 1.455 and forth again at 1.529: 1.3° of the view.",
             returns="Invalid: whether it turns over on the way is decided, and not sampled.",
             expected=lambda got: not got[1],
         ),
-        ExtremeCase(
+        HardCase(
             id="undistort-nan",
             call="undistort([nan, 0.2], BARREL)",
             why="A corner that the detector did not find.",
             returns="No point: half of it is not known, and neither half of the answer is.",
             expected=invalid,
         ),
-        ExtremeCase(
+        HardCase(
             id="tiny-radius",
             call="undistort([1e-200, 0.0], BARREL)",
             why="Squared, the radius underflows.",
             returns="The same point, to the last digit.",
             expected=valid([1e-200, 0.0], 1e-210),
         ),
-        ExtremeCase(
+        HardCase(
             id="fisheye-side",
             call="project_ideal([1.0, 0.0, 0.0], 'equidistant')",
             why="At 90° to the axis a flat picture has no room; X/Z is 1/0.",
@@ -200,7 +200,7 @@ TABLE = ExtremeTable(
                 "[0.7854, 0]",
             ),
         ),
-        ExtremeCase(
+        HardCase(
             id="fisheye-behind",
             call="project_ideal([1.0, 0.0, -1.0], 'equidistant')",
             why="135° from the axis: behind the lens, yet some lenses see it.",
@@ -213,14 +213,14 @@ TABLE = ExtremeTable(
                 "[-0.7854, 0]",
             ),
         ),
-        ExtremeCase(
+        HardCase(
             id="exactly-backwards",
             call="project_ideal([0.0, 0.0, -1.0], 'equidistant')",
             why="180°: a whole circle of image points, none better than another.",
             returns="No image.",
             expected=invalid,
         ),
-        ExtremeCase(
+        HardCase(
             id="flat-lens-sideways",
             call="project_ideal([1.0, 0.0, 0.0], 'perspective')",
             why="tan 90° is not infinite in floating point, but 1.6e16.",
@@ -228,7 +228,7 @@ TABLE = ExtremeTable(
             expected=invalid,
             naive="np.tan(np.pi / 2)",
         ),
-        ExtremeCase(
+        HardCase(
             id="outside-the-image-circle",
             call="unproject_ideal([1.5, 0.0], 'orthographic')",
             why="r = sin θ cannot exceed 1: arcsin(1.5).",
@@ -236,7 +236,7 @@ TABLE = ExtremeTable(
             expected=invalid,
             naive="np.arcsin(1.5)",
         ),
-        ExtremeCase(
+        HardCase(
             id="fisheye-fold",
             call="project_fisheye([1.0, 0.0, 0.0], Fisheye(k1=-0.5))",
             why="The polynomial θ − 0.5 θ³ turns back at 47°.",
@@ -249,7 +249,7 @@ TABLE = ExtremeTable(
                 "[-0.3644, 0]",
             ),
         ),
-        ExtremeCase(
+        HardCase(
             id="no-direction",
             call="project_fisheye([0.0, 0.0, 0.0], Fisheye())",
             why="atan2(0, 0) is 0 by convention, which would look like “straight ahead”.",
@@ -257,7 +257,7 @@ TABLE = ExtremeTable(
             expected=invalid,
             naive="np.arctan2(0.0, 0.0)",
         ),
-        ExtremeCase(
+        HardCase(
             id="infinite-point",
             call="distort([inf, 0.0], PINCUSHION)",
             why="∞ divided by ∞ on the way.",
@@ -265,7 +265,7 @@ TABLE = ExtremeTable(
             expected=exactly(np.array([np.inf, 0.0])),
             naive="np.array([np.inf, 0.0]) * (1 + 0.5 * np.inf)",
         ),
-        ExtremeCase(
+        HardCase(
             id="three-coordinates",
             call="distort([0.1, 0.2, 1.0], BARREL)",
             why="A homogeneous point: its first two entries alone would seem to do.",

@@ -16,8 +16,8 @@ import skimage.metrics
 from PIL import Image
 from scipy.spatial.transform import Rotation, Slerp
 
-from simulations.engine.extreme import ExtremeCase, show
-from simulations.extremes.tables import TABLES
+from simulations.engine.hard_cases import HardCase, show
+from simulations.hard_cases.tables import TABLES
 
 NAMES: dict[str, Any] = {
     "cv2": cv2,
@@ -43,7 +43,7 @@ ASKED = [
 
 
 @pytest.mark.parametrize("case", ASKED)
-def test_library_says_what_the_book_claims(case: ExtremeCase) -> None:
+def test_library_says_what_the_book_claims(case: HardCase) -> None:
     assert case.library
     with warnings.catch_warnings(), np.errstate(all="ignore"):
         warnings.simplefilter("ignore")  # a library's warning is part of what the book warns of

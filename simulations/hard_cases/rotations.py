@@ -2,9 +2,9 @@
 
 import numpy as np
 
-from simulations.engine.extreme import (
-    ExtremeCase,
-    ExtremeTable,
+from simulations.engine.hard_cases import (
+    HardCase,
+    HardCases,
     LibraryAnswer,
     exactly,
     near,
@@ -12,7 +12,7 @@ from simulations.engine.extreme import (
 )
 from simulations.models.geometry import euler, quaternions, rotations
 
-TABLE = ExtremeTable(
+TABLE = HardCases(
     id="rotations",
     title="Rotations and quaternions",
     names={
@@ -23,7 +23,7 @@ TABLE = ExtremeTable(
         "nan": np.nan,
     },
     cases=(
-        ExtremeCase(
+        HardCase(
             id="no-turn",
             call="exponential([0.0, 0.0, 0.0])",
             why="sin θ/θ at θ = 0.",
@@ -34,7 +34,7 @@ TABLE = ExtremeTable(
                 "Rotation.from_rotvec([0, 0, 0]).as_matrix()", "[[1, 0, 0], [0, 1, 0], [0, 0, 1]]"
             ),
         ),
-        ExtremeCase(
+        HardCase(
             id="tiny-turn",
             call="logarithm(exponential([1e-10, 0.0, 0.0]))",
             why="The trace differs from 3 by 1e−20, which is nothing beside 3.",
@@ -46,7 +46,7 @@ TABLE = ExtremeTable(
                 "[1e-10, 0, 0]",
             ),
         ),
-        ExtremeCase(
+        HardCase(
             id="half-turn",
             call="logarithm(np.diag([-1.0, -1.0, 1.0]))",
             why="At π the antisymmetric part, which usually gives the axis, vanishes.",
@@ -57,7 +57,7 @@ TABLE = ExtremeTable(
                 "cv2.Rodrigues(np.diag([-1.0, -1.0, 1.0]))[0][:, 0]", "[0, 0, 3.1416]"
             ),
         ),
-        ExtremeCase(
+        HardCase(
             id="nearly-half-a-turn",
             call="np.pi - logarithm(exponential([0.0, 0.0, np.pi - 1e-8]))[2]",
             why="Near π the cosine is flat: acos would lose half of all digits.",
@@ -65,14 +65,14 @@ TABLE = ExtremeTable(
             expected=near(1e-8, 1e-15),
             naive="np.pi - np.arccos(np.cos(np.pi - 1e-8))",
         ),
-        ExtremeCase(
+        HardCase(
             id="many-turns",
             call="exponential([0.0, 0.0, 2e6 * np.pi])",
             why="A million turns are none, but 2π itself is rounded.",
             returns="The identity to nine digits; only the rounding of the angle is left.",
             expected=near(np.eye(3), 1e-8),
         ),
-        ExtremeCase(
+        HardCase(
             id="absurdly-many-turns",
             call="np.linalg.norm(exponential([1e200, 0.0, 0.0])[1])",
             why="In (1 − cos θ)/θ² [v]ₓ² one factor overflows and the other underflows.",
@@ -80,7 +80,7 @@ TABLE = ExtremeTable(
             expected=near(1.0, 1e-14),
             naive="0.5 * np.sinc(1e200 / (2 * np.pi)) ** 2 * np.float64(1e200) ** 2",
         ),
-        ExtremeCase(
+        HardCase(
             id="infinite-turn",
             call="exponential([0.0, 0.0, inf])",
             why="An infinite angle points nowhere.",
@@ -92,7 +92,7 @@ TABLE = ExtremeTable(
                 "[[nan, nan, nan], [nan, nan, nan], [nan, nan, nan]]",
             ),
         ),
-        ExtremeCase(
+        HardCase(
             id="no-axis",
             call="from_axis_angle([0.0, 0.0, 0.0], 0.5)",
             why="An axis of no length has no direction.",
@@ -100,7 +100,7 @@ TABLE = ExtremeTable(
             expected=refused("axis", "not zero"),
             naive="np.zeros(3) / np.linalg.norm(np.zeros(3))",
         ),
-        ExtremeCase(
+        HardCase(
             id="tiny-axis",
             call="from_axis_angle([0.0, 0.0, 1e-200], np.pi / 2) @ [1.0, 0.0, 0.0]",
             why="Squared, the axis underflows to 0 and its length with it.",
@@ -108,7 +108,7 @@ TABLE = ExtremeTable(
             expected=near([0.0, 1.0, 0.0]),
             naive="np.array([0, 0, 1e-200]) / np.sqrt(np.float64(1e-200) ** 2)",
         ),
-        ExtremeCase(
+        HardCase(
             id="huge-axis",
             call="from_axis_angle([0.0, 0.0, 1e200], np.pi / 2) @ [1.0, 0.0, 0.0]",
             why="Squared, the axis overflows.",
@@ -116,7 +116,7 @@ TABLE = ExtremeTable(
             expected=near([0.0, 1.0, 0.0]),
             naive="np.array([0, 0, 1e200]) / np.sqrt(np.float64(1e200) ** 2)",
         ),
-        ExtremeCase(
+        HardCase(
             id="zero-quaternion",
             call="quaternions.to_matrix([0.0, 0.0, 0.0, 0.0])",
             why="No orientation has norm 0: the average of q and −q is one way to meet it.",
@@ -125,7 +125,7 @@ TABLE = ExtremeTable(
             naive="np.zeros(4) / np.linalg.norm(np.zeros(4))",
             library=LibraryAnswer("Rotation.from_quat([0, 0, 0, 0]).as_matrix()", "ValueError"),
         ),
-        ExtremeCase(
+        HardCase(
             id="tiny-quaternion",
             call="quaternions.normalise([1e-200, 0.0, 0.0, 1e-200])",
             why="The norm underflows although the direction is plain to see.",
@@ -136,7 +136,7 @@ TABLE = ExtremeTable(
                 "Rotation.from_quat([0, 0, 1e-200, 1e-200]).as_quat()", "ValueError"
             ),
         ),
-        ExtremeCase(
+        HardCase(
             id="huge-quaternion",
             call="quaternions.normalise([1e200, 0.0, 0.0, 1e200])",
             why="The norm overflows.",
@@ -147,21 +147,21 @@ TABLE = ExtremeTable(
                 "Rotation.from_quat([0, 0, 1e200, 1e200]).as_quat()", "[0, 0, 0, 0]"
             ),
         ),
-        ExtremeCase(
+        HardCase(
             id="nan-quaternion",
             call="quaternions.normalise([1.0, nan, 0.0, 0.0])",
             why="One lost component makes the orientation unknown.",
             returns="Refused.",
             expected=refused("quaternion", "nan"),
         ),
-        ExtremeCase(
+        HardCase(
             id="two-names-of-one-turn",
             call="quaternions.canonical([-0.5, 0.5, 0.5, -0.5])",
             why="q and −q are the same rotation, and averaging the two gives nonsense.",
             returns="The one with w > 0.",
             expected=exactly([0.5, -0.5, -0.5, 0.5]),
         ),
-        ExtremeCase(
+        HardCase(
             id="shorter-way",
             call="slerp([1, 0, 0, 0], [-1, 0, 0, 0], 0.5)",
             why="Start and end are the same orientation, written with opposite signs.",
@@ -173,7 +173,7 @@ TABLE = ExtremeTable(
                 "[0, 0, 0, 1]",
             ),
         ),
-        ExtremeCase(
+        HardCase(
             id="slerp-of-equals",
             call="slerp([1, 0, 0, 0], [1, 0, 0, 0], 0.3)",
             why="sin(0.3 Ω)/sin Ω at Ω = 0.",
@@ -181,7 +181,7 @@ TABLE = ExtremeTable(
             expected=near([1.0, 0.0, 0.0, 0.0]),
             naive="np.sin(0.0) / np.sin(np.float64(0.0))",
         ),
-        ExtremeCase(
+        HardCase(
             id="slerp-a-hair-apart",
             call="slerp([1, 0, 0, 0], [1, 1e-12, 0, 0], 0.5)[1]",
             why="acos of a dot product that rounds to 1 says that nothing moved.",
@@ -189,14 +189,14 @@ TABLE = ExtremeTable(
             expected=near(5e-13, 1e-24),
             naive="np.arccos(1.0 / np.sqrt(1 + 1e-12**2))",
         ),
-        ExtremeCase(
+        HardCase(
             id="half-a-turn-apart",
             call="np.linalg.norm(slerp([1, 0, 0, 0], [0, 0, 0, 1], 0.5))",
             why="Two ways round, equally long.",
             returns="A unit quaternion on the way that the signs as given choose.",
             expected=near(1.0),
         ),
-        ExtremeCase(
+        HardCase(
             id="gimbal-lock",
             call="euler.from_matrix(euler.to_matrix('ZYX', (0.3, np.pi / 2, 0.1)), 'ZYX')",
             why="Pitch 90°: yaw and roll turn about the same line, only their difference is known.",
@@ -208,7 +208,7 @@ TABLE = ExtremeTable(
                 "[0.2, 1.5708, 0]",
             ),
         ),
-        ExtremeCase(
+        HardCase(
             id="a-hair-from-the-lock",
             call="euler.from_matrix(euler.to_matrix('ZYX', (0.3, np.pi / 2 - 1e-8, 0.1)), 'ZYX')",
             why="Pitch 10⁻⁸ short of 90°: yaw and roll each keep about eight digits.",
@@ -221,14 +221,14 @@ TABLE = ExtremeTable(
                 "[0.2, 1.5708, 0]",
             ),
         ),
-        ExtremeCase(
+        HardCase(
             id="proper-lock",
             call="euler.from_matrix(np.eye(3), 'ZXZ')[1]",
             why="In z-x-z angles the identity itself is locked.",
             returns="True: for this sequence the trouble lies at 0, not at 90°.",
             expected=exactly(True),
         ),
-        ExtremeCase(
+        HardCase(
             id="reflection",
             call="logarithm(np.diag([1.0, 1.0, -1.0]))",
             why="Orthogonal, but a mirror: no axis and angle turn a left hand into a right one.",
@@ -236,14 +236,14 @@ TABLE = ExtremeTable(
             expected=refused("determinant"),
             library=LibraryAnswer("Rotation.from_matrix(np.diag([1.0, 1.0, -1.0]))", "ValueError"),
         ),
-        ExtremeCase(
+        HardCase(
             id="drifted-matrix",
             call="check_rotation(1.001 * np.eye(3))",
             why="After many float32 products a matrix stretches a little.",
             returns="Refused, with the drift: repair it on purpose, by nearest_rotation.",
             expected=refused("differs from I"),
         ),
-        ExtremeCase(
+        HardCase(
             id="repair-a-reflection",
             call="nearest_rotation(np.diag([1.0, 1.0, -0.1]))",
             why="U Vᵀ of the singular values would be a reflection.",
@@ -251,7 +251,7 @@ TABLE = ExtremeTable(
             expected=near(np.eye(3)),
             naive="np.diag(np.sign([1.0, 1.0, -0.1]))",
         ),
-        ExtremeCase(
+        HardCase(
             id="beyond-repair",
             call="nearest_rotation(-np.eye(3))",
             why="−I is equally far from all half turns.",
@@ -259,14 +259,14 @@ TABLE = ExtremeTable(
             expected=refused("singular values"),
             naive="-np.eye(3)",
         ),
-        ExtremeCase(
+        HardCase(
             id="unknown-sequence",
             call="euler.to_matrix('xyY', (0.1, 0.2, 0.3))",
             why="Lower and upper case mean fixed and moving axes; mixed, they mean nothing.",
             returns="Refused, listing what is legal.",
             expected=refused("xyY", "upper case"),
         ),
-        ExtremeCase(
+        HardCase(
             id="no-rotations-at-all",
             call="logarithm(np.empty((0, 3, 3))).shape",
             why="The largest of no numbers is undefined.",

@@ -2,9 +2,9 @@
 
 import numpy as np
 
-from simulations.engine.extreme import (
-    ExtremeCase,
-    ExtremeTable,
+from simulations.engine.hard_cases import (
+    HardCase,
+    HardCases,
     LibraryAnswer,
     exactly,
     near,
@@ -12,12 +12,12 @@ from simulations.engine.extreme import (
 )
 from simulations.models.light import reflectance
 
-TABLE = ExtremeTable(
+TABLE = HardCases(
     id="reflectance",
     title="Light and reflectance",
     names={**vars(reflectance), "inf": np.inf, "nan": np.nan},
     cases=(
-        ExtremeCase(
+        HardCase(
             id="from-behind",
             call="lambert([0.0, 0.0, 1.0], [0.0, 0.0, -1.0])",
             why="The light is below the surface's horizon: n · l is negative.",
@@ -25,21 +25,21 @@ TABLE = ExtremeTable(
             expected=exactly(0.0),
             naive="np.dot([0, 0, 1.0], [0, 0, -1.0])",
         ),
-        ExtremeCase(
+        HardCase(
             id="grazing",
             call="lambert([0.0, 0.0, 1.0], [1.0, 0.0, 0.0])",
             why="Along the surface: the border between lit and dark.",
             returns="0, and continuous from either side.",
             expected=exactly(0.0),
         ),
-        ExtremeCase(
+        HardCase(
             id="no-normal",
             call="lambert([0.0, 0.0, 0.0], [0.0, 0.0, 1.0])",
             why="Where a ray met nothing there is no normal.",
             returns="0: nothing there is lit.",
             expected=exactly(0.0),
         ),
-        ExtremeCase(
+        HardCase(
             id="normalise-zero",
             call="normalise([0.0, 0.0, 0.0])",
             why="0/0 three times over.",
@@ -47,7 +47,7 @@ TABLE = ExtremeTable(
             expected=exactly([0.0, 0.0, 0.0]),
             naive="np.zeros(3) / np.linalg.norm(np.zeros(3))",
         ),
-        ExtremeCase(
+        HardCase(
             id="normalise-tiny",
             call="normalise([3e-200, 0.0, 4e-200])",
             why="The squares underflow: the length seems to be zero.",
@@ -58,7 +58,7 @@ TABLE = ExtremeTable(
                 "cv2.normalize(np.array([3e-200, 0.0, 4e-200]), None).ravel()", "[0, 0, 0]"
             ),
         ),
-        ExtremeCase(
+        HardCase(
             id="normalise-huge",
             call="normalise([3e200, 0.0, 4e200])",
             why="The squares overflow.",
@@ -69,7 +69,7 @@ TABLE = ExtremeTable(
                 "cv2.normalize(np.array([3e200, 0.0, 4e200]), None).ravel()", "[0, 0, 0]"
             ),
         ),
-        ExtremeCase(
+        HardCase(
             id="above-one-by-an-ulp",
             call="cosine(np.float32([1.0000001, 0, 0]), np.float32([1.0000001, 0, 0]))",
             why="A float32 unit vector times itself can exceed 1 by an ulp.",
@@ -77,7 +77,7 @@ TABLE = ExtremeTable(
             expected=exactly(1.0),
             naive="np.float32(1.0000001) ** 2 > 1",
         ),
-        ExtremeCase(
+        HardCase(
             id="needle-highlight",
             call="phong(np.float32([1.0000001, 0, 0]), [1.0, 0, 0], [1.0, 0, 0], 0.0, "
             "shininess=1e9)",
@@ -86,21 +86,21 @@ TABLE = ExtremeTable(
             expected=near(0.5, 1e-6),
             naive="0.5 * np.float64(1.0000001) ** 1e9",
         ),
-        ExtremeCase(
+        HardCase(
             id="mirror-off-the-peak",
             call="phong([0.0, 0.0, 1.0], [0.0, 0.0, 1.0], [0.0, 0.6, 0.8], 0.0, shininess=1e300)",
             why="0.8 to the power 1e300 underflows.",
             returns="0, silently: a perfect mirror shows the light in one direction only.",
             expected=exactly(0.0),
         ),
-        ExtremeCase(
+        HardCase(
             id="shininess-zero",
             call="phong([0.0, 0.0, 1.0], [0.0, 0.0, 1.0], [1.0, 0.0, 0.0], 0.0, shininess=0.0)",
             why="0⁰: seen from the side, with no shininess at all.",
             returns="0.5: the highlight is spread evenly, as 0⁰ = 1 says.",
             expected=exactly(0.5),
         ),
-        ExtremeCase(
+        HardCase(
             id="highlight-in-the-shade",
             call="phong([0.0, 0.0, 1.0], [0.0, 0.6, -0.8], [0.0, -0.6, 0.8], 0.5)",
             why="The light is below the horizon, yet 2(n·l)n − l still points somewhere.",
@@ -108,7 +108,7 @@ TABLE = ExtremeTable(
             expected=exactly(0.0),
             naive="0.5 * 1.0**32",
         ),
-        ExtremeCase(
+        HardCase(
             id="light-opposite-the-eye",
             call="blinn_phong([0.0, 0.0, 1.0], [0.0, 1.0, 0.0], [0.0, -1.0, 0.0], 0.5)",
             why="Light and eye exactly opposed: the halfway vector is (0, 0, 0).",
@@ -116,7 +116,7 @@ TABLE = ExtremeTable(
             expected=exactly(0.0),
             naive="(np.zeros(3) / np.linalg.norm(np.zeros(3)))[2]",
         ),
-        ExtremeCase(
+        HardCase(
             id="opposed-without-shininess",
             call="blinn_phong([0.0, 0.0, 1.0], [0.0, 0.0, 1.0], [0.0, 0.0, -1.0], 0.0, "
             "shininess=0.0)",
@@ -126,7 +126,7 @@ TABLE = ExtremeTable(
             expected=exactly(0.0),
             naive="0.5 * np.float64(0.0) ** 0.0",
         ),
-        ExtremeCase(
+        HardCase(
             id="opposed-but-for-rounding",
             call="blinn_phong([0.0, 0.0, 1.0], [0.0, 0.0, 1.00005], [0.0, 0.0, -1.0], 0.0)",
             why="A length that is off by 5e−5 leaves a halfway vector of (0, 0, 5e−5), which "
@@ -135,7 +135,7 @@ TABLE = ExtremeTable(
             expected=exactly(0.0),
             naive="0.5 * (np.float64(1.00005 - 1.0) / abs(1.00005 - 1.0)) ** 128",
         ),
-        ExtremeCase(
+        HardCase(
             id="light-of-wrong-length",
             call="lambert([0.0, 0.0, 1.0], [0.0, 0.0, 2.0])",
             why="A direction that was never normalised would make the wall twice as bright.",
@@ -143,14 +143,14 @@ TABLE = ExtremeTable(
             expected=refused("light", "length 1"),
             naive="np.dot([0, 0, 1.0], [0, 0, 2.0])",
         ),
-        ExtremeCase(
+        HardCase(
             id="albedo-above-one",
             call="lambert([0.0, 0.0, 1.0], [0.0, 0.0, 1.0], 1.2)",
             why="A surface that gives back more light than it gets.",
             returns="Refused.",
             expected=refused("albedo", "1.2"),
         ),
-        ExtremeCase(
+        HardCase(
             id="at-the-lamp",
             call="attenuation(0.0)",
             why="The inverse square of zero distance.",
@@ -158,21 +158,21 @@ TABLE = ExtremeTable(
             expected=near(1e4),
             naive="1 / np.float64(0.0) ** 2",
         ),
-        ExtremeCase(
+        HardCase(
             id="infinitely-far-lamp",
             call="attenuation(inf)",
             why="1/∞².",
             returns="0.",
             expected=exactly(0.0),
         ),
-        ExtremeCase(
+        HardCase(
             id="very-far-lamp",
             call="attenuation(1e200)",
             why="The square of the distance overflows; the light is merely very faint.",
             returns="0, without a warning: 1e−400 is below the smallest number.",
             expected=exactly(0.0),
         ),
-        ExtremeCase(
+        HardCase(
             id="negative-distance",
             call="attenuation(-1.0)",
             why="Squared, a negative distance looks like a positive one.",
@@ -180,7 +180,7 @@ TABLE = ExtremeTable(
             expected=refused("distance", "-1.0"),
             naive="1 / np.float64(-1.0) ** 2",
         ),
-        ExtremeCase(
+        HardCase(
             id="far-point-light",
             call="irradiance([0.0, 0.0, 0.0], [0.0, 0.0, 1.0], "
             "[PointLight((0.0, 0.0, 1e200), (1.0, 1.0, 1.0))])",
@@ -188,21 +188,21 @@ TABLE = ExtremeTable(
             returns="0 in all three colours.",
             expected=exactly([0.0, 0.0, 0.0]),
         ),
-        ExtremeCase(
+        HardCase(
             id="unlit",
             call="irradiance([0.0, 0.0, 0.0], [0.0, 0.0, 1.0], [])",
             why="A sum over no lights.",
             returns="Darkness.",
             expected=exactly([0.0, 0.0, 0.0]),
         ),
-        ExtremeCase(
+        HardCase(
             id="undefined-highlight",
             call="phong((0.0, 0.0, 1.0), (0.0, 0.0, 1.0), (0.0, 0.0, 1.0), specular=nan)",
             why="A single undefined parameter would blacken or blanch the whole picture.",
             returns="Refused, by name.",
             expected=refused("specular", "nan"),
         ),
-        ExtremeCase(
+        HardCase(
             id="negative-lamp",
             call="PointLight((0.0, 0.0, 1.0), (1.0, -1.0, 1.0))",
             why="A lamp that takes light away.",

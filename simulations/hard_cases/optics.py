@@ -2,10 +2,10 @@
 
 import numpy as np
 
-from simulations.engine.extreme import ExtremeCase, ExtremeTable, exactly, near, refused
+from simulations.engine.hard_cases import HardCase, HardCases, exactly, near, refused
 from simulations.models.lens import chromatic_aberration, disc_blur, thin_lens, vignetting
 
-TABLE = ExtremeTable(
+TABLE = HardCases(
     id="optics",
     title="Optics",
     names={
@@ -18,7 +18,7 @@ TABLE = ExtremeTable(
         "nan": np.nan,
     },
     cases=(
-        ExtremeCase(
+        HardCase(
             id="object-at-infinity",
             call="thin_lens_image_distance(50.0, inf)",
             why="In 1/Z′ = 1/f − 1/Z a star is easy; in Z′ = fZ/(Z − f) it is ∞/∞.",
@@ -26,14 +26,14 @@ TABLE = ExtremeTable(
             expected=exactly(50.0),
             naive="np.divide(50.0 * np.inf, np.inf - 50.0)",
         ),
-        ExtremeCase(
+        HardCase(
             id="object-at-the-focal-point",
             call="thin_lens_image_distance(50.0, 50.0)",
             why="The rays leave the lens parallel.",
             returns="∞: the image is at infinity, which is a perfectly good place.",
             expected=exactly(np.inf),
         ),
-        ExtremeCase(
+        HardCase(
             id="virtual-image",
             call="thin_lens_image_distance(50.0, 30.0)",
             why="Nearer than the focal length the formula gives −75 mm.",
@@ -41,21 +41,21 @@ TABLE = ExtremeTable(
             expected=refused("distance_mm", "virtual"),
             naive="50.0 * 30.0 / (30.0 - 50.0)",
         ),
-        ExtremeCase(
+        HardCase(
             id="object-on-the-lens",
             call="thin_lens_image_distance(50.0, 0.0)",
             why="Distance zero.",
             returns="Refused.",
             expected=refused("distance_mm", "0.0"),
         ),
-        ExtremeCase(
+        HardCase(
             id="no-focal-length",
             call="thin_lens_image_distance(0.0, 1000.0)",
             why="A lens that bends light without limit.",
             returns="Refused.",
             expected=refused("focal_mm", "0.0"),
         ),
-        ExtremeCase(
+        HardCase(
             id="huge-distance",
             call="thin_lens_image_distance(50.0, 1e308)",
             why="f·Z overflows, though Z′ is 50 mm.",
@@ -63,7 +63,7 @@ TABLE = ExtremeTable(
             expected=near(50.0),
             naive="np.float64(50.0) * 1e308 / (1e308 - 50.0)",
         ),
-        ExtremeCase(
+        HardCase(
             id="focused-at-infinity",
             call="circle_of_confusion_mm(50.0, 2.0, inf, 10_000.0)",
             why="The focus distance cancels as ∞/∞ in the usual form.",
@@ -71,7 +71,7 @@ TABLE = ExtremeTable(
             expected=near(0.125),
             naive="25.0 * 50.0 / np.float64(np.inf - 50.0) * (np.inf - 1e4) / 1e4",
         ),
-        ExtremeCase(
+        HardCase(
             id="everything-at-infinity",
             call="circle_of_confusion_mm(50.0, 2.0, inf, inf)",
             why="∞ − ∞, both for the star and for the focus.",
@@ -79,7 +79,7 @@ TABLE = ExtremeTable(
             expected=exactly(0.0),
             naive="np.abs(np.float64(np.inf) - np.inf) / np.inf",
         ),
-        ExtremeCase(
+        HardCase(
             id="pinhole",
             call="circle_of_confusion_mm(50.0, inf, 1000.0, 0.0)",
             why="An aperture of 0 times the infinite defocus of a point on the lens: 0 · ∞.",
@@ -87,14 +87,14 @@ TABLE = ExtremeTable(
             expected=exactly(0.0),
             naive="np.multiply(50.0 / np.inf, np.inf)",
         ),
-        ExtremeCase(
+        HardCase(
             id="touching-the-lens",
             call="circle_of_confusion_mm(50.0, 2.0, 1000.0, 0.0)",
             why="1/Z at Z = 0.",
             returns="∞: a crumb on the lens is spread over the whole picture and beyond.",
             expected=exactly(np.inf),
         ),
-        ExtremeCase(
+        HardCase(
             id="behind-the-lens",
             call="circle_of_confusion_mm(50.0, 2.0, 1000.0, -500.0)",
             why="|1/Z − 1/Z_f| works for negative Z too.",
@@ -102,7 +102,7 @@ TABLE = ExtremeTable(
             expected=refused("depth_mm", "-500.0"),
             naive="25.0 * 50.0 / 0.95 * np.abs(1 / -500.0 - 1 / 1000.0) / 1000",
         ),
-        ExtremeCase(
+        HardCase(
             id="f-number-zero",
             call="circle_of_confusion_mm(50.0, 0.0, 1000.0, 500.0)",
             why="An aperture of infinite width.",
@@ -110,28 +110,28 @@ TABLE = ExtremeTable(
             expected=refused("f_number", "0.0"),
             naive="np.divide(50.0, 0.0)",
         ),
-        ExtremeCase(
+        HardCase(
             id="hyperfocal-far-limit",
             call="depth_of_field(50.0, 8.0, hyperfocal(50.0, 8.0, 0.03), 0.03)[1]",
             why="At the hyperfocal distance the far limit is 1/0, up to rounding of either sign.",
             returns="∞. Rounding alone would give −1e18 or 1e18 mm.",
             expected=exactly(np.inf),
         ),
-        ExtremeCase(
+        HardCase(
             id="depth-of-field-of-a-pinhole",
             call="depth_of_field(50.0, inf, 1000.0, 0.03)",
             why="An infinite f-number inside a sum of reciprocals.",
             returns="From 0 to ∞.",
             expected=exactly((0.0, np.inf)),
         ),
-        ExtremeCase(
+        HardCase(
             id="focus-inside-the-focal-length",
             call="depth_of_field(50.0, 8.0, 40.0, 0.03)",
             why="No sensor position makes 40 mm sharp with a 50 mm lens.",
             returns="Refused.",
             expected=refused("focus_mm", "virtual"),
         ),
-        ExtremeCase(
+        HardCase(
             id="hyperfocal-overflow",
             call="hyperfocal(1e200, 8.0, 1e200)",
             why="f² overflows, though f²/(N c) is 1e199.",
@@ -139,7 +139,7 @@ TABLE = ExtremeTable(
             expected=near(1.125e200),
             naive="np.float64(1e200) ** 2 / (8.0 * 1e200) + 1e200",
         ),
-        ExtremeCase(
+        HardCase(
             id="sensor-for-infinity",
             call="principal_distance_mm(50.0, inf)",
             why="z = fs/(s − f), the distance to project with, is ∞/∞ for a focus on the stars.",
@@ -147,7 +147,7 @@ TABLE = ExtremeTable(
             expected=exactly(50.0),
             naive="np.divide(50.0 * np.inf, np.inf - 50.0)",
         ),
-        ExtremeCase(
+        HardCase(
             id="sensor-at-infinity",
             call="principal_distance_mm(50.0, 50.0)",
             why="In focus at the focal length only on a sensor that is infinitely far away.",
@@ -155,28 +155,28 @@ TABLE = ExtremeTable(
             expected=refused("focus_mm", "50.0"),
             naive="np.divide(50.0 * 50.0, 50.0 - 50.0)",
         ),
-        ExtremeCase(
+        HardCase(
             id="working-pinhole",
             call="working_f_number(50.0, inf, 100.0)",
             why="N z/f with N = ∞.",
             returns="∞: a pinhole gathers no light at any distance.",
             expected=exactly(np.inf),
         ),
-        ExtremeCase(
+        HardCase(
             id="vignetting-at-infinity",
             call="vignetting_cos4(inf)",
             why="Light that arrives along the sensor.",
             returns="0.",
             expected=exactly(0.0),
         ),
-        ExtremeCase(
+        HardCase(
             id="vignetting-far-out",
             call="vignetting_cos4(1e200)",
             why="(r/f)² overflows.",
             returns="0, without a warning.",
             expected=exactly(0.0),
         ),
-        ExtremeCase(
+        HardCase(
             id="rims-apart",
             call="mechanical_vignetting(1e6, 10.0, 10.0, 50.0)",
             why="The two rims no longer overlap: arccos of a number far above 1.",
@@ -184,7 +184,7 @@ TABLE = ExtremeTable(
             expected=exactly(0.0),
             naive="np.arccos(5e7 / 20.0)",
         ),
-        ExtremeCase(
+        HardCase(
             id="rims-concentric",
             call="mechanical_vignetting(0.0, 10.0, 10.0, 50.0)",
             why="The lens formula for two circles divides by the distance of their centres: 0.",
@@ -192,14 +192,14 @@ TABLE = ExtremeTable(
             expected=near(1.0),
             naive="np.arccos(np.divide(0.0, 0.0))",
         ),
-        ExtremeCase(
+        HardCase(
             id="no-dispersion",
             call="lateral_chromatic_scale(Glass(1.5, inf), 50.0, 10.0, 0.4)",
             why="An infinite Abbe number: glass that treats all colours alike.",
             returns="1.",
             expected=exactly(1.0),
         ),
-        ExtremeCase(
+        HardCase(
             id="wavelength-zero",
             call="refractive_index(BK7, 0.0)",
             why="Cauchy's law has λ² in a denominator.",
@@ -207,21 +207,21 @@ TABLE = ExtremeTable(
             expected=refused("wavelength_um", "0.0"),
             naive="1.5 + 0.004 / np.float64(0.0) ** 2",
         ),
-        ExtremeCase(
+        HardCase(
             id="disc-within-a-pixel",
             call="disc_kernel(0.3)",
             why="A blur disc smaller than a pixel: sampled at pixel centres it may vanish.",
             returns="A single 1: light is kept.",
             expected=exactly(np.array([[1.0]])),
         ),
-        ExtremeCase(
+        HardCase(
             id="disc-infinite",
             call="disc_kernel(inf)",
             why="A kernel without end.",
             returns="Refused.",
             expected=refused("radius_px", "inf"),
         ),
-        ExtremeCase(
+        HardCase(
             id="near-the-focal-point",
             call="thin_lens_image_distance(50.0, 50.0 + 7e-12)",
             why="1 − f/Z of two numbers that agree in 13 digits keeps three.",
@@ -229,7 +229,7 @@ TABLE = ExtremeTable(
             expected=near(50.0 / ((7e-12 // 2**-47) * 2**-47) * (50.0 + 7e-12), 1e-14),
             naive="50.0 / (1.0 - 50.0 / (50.0 + 7e-12))",
         ),
-        ExtremeCase(
+        HardCase(
             id="nearly-in-focus",
             call="circle_of_confusion_mm(50.0, 2.0, 1e6, 1e6 + 1e-6)",
             why="1/Z − 1/Z_f of two distances that agree in twelve digits.",
@@ -237,7 +237,7 @@ TABLE = ExtremeTable(
             expected=lambda got: abs(got * 0.99995e12 / (1e6 + 1e-6 - 1e6) - 1250.0) < 3e-9,
             naive="1250.0 / (1.0 - 50.0 / 1e6) * abs(1.0 / 1e6 - 1.0 / (1e6 + 1e-6))",
         ),
-        ExtremeCase(
+        HardCase(
             id="discs-that-just-touch",
             call="disc_overlap_area(1.9999999, 1.0, 1.0)",
             why="Two sectors less a kite: arccosines near 1 have half of their digits.",
@@ -245,7 +245,7 @@ TABLE = ExtremeTable(
             expected=lambda got: abs(got / (4.0 / 3.0 * (2.0 - 1.9999999) ** 1.5) - 1.0) < 1e-6,
             naive="2 * np.arccos(1.9999999 / 2) - 1.9999999 * np.sqrt(1 - (1.9999999 / 2) ** 2)",
         ),
-        ExtremeCase(
+        HardCase(
             id="disc-on-the-rim-of-a-huge-one",
             call="disc_overlap_area(1e20, 1.0, 1e20)",
             why="Its sector and its kite are 1e20 each; their difference, the answer, is below 2.",
@@ -253,7 +253,7 @@ TABLE = ExtremeTable(
             expected=near(np.pi / 2, 1e-15),
             naive="1e40 * np.arcsin(1e-20) - 1e20 * 1.0",
         ),
-        ExtremeCase(
+        HardCase(
             id="disc-beyond-memory",
             call="disc_blur(np.ones((3, 8, 8), np.float32), 1e6)",
             why="The picture must go on beyond its edge as far as the disc reaches: terabytes.",

@@ -32,7 +32,7 @@ class LibraryAnswer:
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class ExtremeCase:
+class HardCase:
     """One question at the edge of what a model is made for."""
 
     id: str
@@ -50,22 +50,22 @@ class ExtremeCase:
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class ExtremeTable:
+class HardCases:
     """The hard cases of one model."""
 
     id: str
     title: str
     names: Mapping[str, Any]
     """What the expressions may use: the functions of the model, and a few objects made for them."""
-    cases: tuple[ExtremeCase, ...]
+    cases: tuple[HardCase, ...]
 
     def __post_init__(self) -> None:
         ids = [case.id for case in self.cases]
         if len(set(ids)) != len(ids):
-            raise ValueError(f"extremes of {self.id!r}: duplicate case in {sorted(ids)}")
+            raise ValueError(f"hard cases of {self.id!r}: duplicate id in {sorted(ids)}")
 
 
-def answer(table: ExtremeTable, case: ExtremeCase) -> Any:
+def answer(table: HardCases, case: HardCase) -> Any:
     """What the model says: a value, or the `ValueError` with which it refuses.
 
     Anything else that is raised, and any warning, is left to the caller: it is a defect.
@@ -76,7 +76,7 @@ def answer(table: ExtremeTable, case: ExtremeCase) -> Any:
         return refusal
 
 
-def naive_answer(table: ExtremeTable, case: ExtremeCase) -> Any:
+def naive_answer(table: HardCases, case: HardCase) -> Any:
     """What the textbook formula says, its warnings silenced: a value, or the exception raised."""
     try:
         with np.errstate(all="ignore"):
@@ -85,7 +85,7 @@ def naive_answer(table: ExtremeTable, case: ExtremeCase) -> Any:
         return failure
 
 
-def _evaluate(expression: str, table: ExtremeTable) -> Any:
+def _evaluate(expression: str, table: HardCases) -> Any:
     return eval(expression, {"np": np, **table.names})
 
 

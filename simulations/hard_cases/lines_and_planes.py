@@ -2,9 +2,9 @@
 
 import numpy as np
 
-from simulations.engine.extreme import (
-    ExtremeCase,
-    ExtremeTable,
+from simulations.engine.hard_cases import (
+    HardCase,
+    HardCases,
     exactly,
     invalid,
     near,
@@ -12,12 +12,12 @@ from simulations.engine.extreme import (
 )
 from simulations.models.geometry import lines_and_planes
 
-TABLE = ExtremeTable(
+TABLE = HardCases(
     id="lines-and-planes",
     title="Lines and planes",
     names={**vars(lines_and_planes), "inf": np.inf, "nan": np.nan},
     cases=(
-        ExtremeCase(
+        HardCase(
             id="one-point-twice",
             call="line_through([1.0, 2.0], [1.0, 2.0])",
             why="All lines through the point would do; the cross product is (0, 0, 0).",
@@ -25,14 +25,14 @@ TABLE = ExtremeTable(
             expected=invalid,
             naive="np.cross([1.0, 2.0, 1.0], [1.0, 2.0, 1.0])",
         ),
-        ExtremeCase(
+        HardCase(
             id="neighbours-far-off",
             call="line_through([1e9, 1e9], [1e9 + 3, 1e9 + 4])[0][:2]",
             why="Far from the origin the products of the cross product are 1e18 each.",
             returns="The exact direction: points are subtracted before anything is multiplied.",
             expected=near([-0.8, 0.6], 1e-15),
         ),
-        ExtremeCase(
+        HardCase(
             id="tiny-line",
             call="line_through([0.0, 0.0], [3e-200, 4e-200])[0]",
             why="The squares in the length of the normal vanish.",
@@ -40,7 +40,7 @@ TABLE = ExtremeTable(
             expected=near([-0.8, 0.6, 0.0]),
             naive="np.array([-4e-200, 3e-200]) / np.sqrt(np.square(4e-200) + np.square(3e-200))",
         ),
-        ExtremeCase(
+        HardCase(
             id="line-to-infinity",
             call="line_through([0.0, 0.0], [inf, 0.0])",
             why="The second point is nowhere.",
@@ -48,7 +48,7 @@ TABLE = ExtremeTable(
             expected=invalid,
             naive="np.array([0.0, np.inf]) / np.inf",
         ),
-        ExtremeCase(
+        HardCase(
             id="parallels",
             call="intersection([0.0, 1.0, 0.0], [0.0, 2.0, -6.0])",
             why="They meet at infinity: the last coordinate is 0.",
@@ -56,14 +56,14 @@ TABLE = ExtremeTable(
             expected=invalid,
             naive="np.array([-6.0, 0.0]) / 0.0",
         ),
-        ExtremeCase(
+        HardCase(
             id="nearly-parallel",
             call="intersection([0.0, 1.0, 0.0], [1e-12, 1.0, -1.0])",
             why="At an angle of 1e−12 the crossing is real, and a long way off.",
             returns="It, to the digits that the angle has.",
             expected=valid([1e12, 0.0], 1e-3),
         ),
-        ExtremeCase(
+        HardCase(
             id="parallel-but-for-rounding",
             call="intersection([0.1, 0.3, 1.0], [0.1 * 3, 0.3 * 3, 1.0])",
             why="0.1 · 3 and 0.3 · 3 are both rounded: the lines are parallel, their numbers not.",
@@ -72,7 +72,7 @@ TABLE = ExtremeTable(
             naive="np.cross([0.1, 0.3, 1.0], [0.1 * 3, 0.3 * 3, 1.0])[0] "
             "/ np.cross([0.1, 0.3, 1.0], [0.1 * 3, 0.3 * 3, 1.0])[2]",
         ),
-        ExtremeCase(
+        HardCase(
             id="line-at-infinity",
             call="intersection([3.0, 4.0, 5.0], [0.0, 0.0, 1.0])",
             why="(0, 0, 1) is a line of projective geometry, but of no picture.",
@@ -80,7 +80,7 @@ TABLE = ExtremeTable(
             expected=invalid,
             naive="np.array([4.0, -3.0]) / 0.0",
         ),
-        ExtremeCase(
+        HardCase(
             id="any-scale",
             call="signed_distance([10.0, 0.0], [1e300, 0.0, 0.0])",
             why="A line may be written at any scale; a² overflows here.",
@@ -88,7 +88,7 @@ TABLE = ExtremeTable(
             expected=exactly(10.0),
             naive="np.float64(1e300) * 10 / np.sqrt(np.square(1e300))",
         ),
-        ExtremeCase(
+        HardCase(
             id="collinear-points",
             call="plane_through([0.0, 0.0, 0.0], [1.0, 1.0, 1.0], [3.0, 3.0, 3.0])",
             why="A sheaf of planes passes through three points of one line.",
@@ -96,7 +96,7 @@ TABLE = ExtremeTable(
             expected=invalid,
             naive="np.cross([1.0, 1.0, 1.0], [3.0, 3.0, 3.0]) / 0.0",
         ),
-        ExtremeCase(
+        HardCase(
             id="thin-triangle",
             call="plane_through([0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [1e9, 1e-3, 0.0])",
             why="Three points that are almost on one line: an angle of 1e−12.",

@@ -2,9 +2,9 @@
 
 import numpy as np
 
-from simulations.engine.extreme import (
-    ExtremeCase,
-    ExtremeTable,
+from simulations.engine.hard_cases import (
+    HardCase,
+    HardCases,
     LibraryAnswer,
     exactly,
     near,
@@ -13,7 +13,7 @@ from simulations.engine.extreme import (
 from simulations.engine.raster import to_rgba8
 from simulations.models.color import chromatic_adaptation, chromaticity, srgb
 
-TABLE = ExtremeTable(
+TABLE = HardCases(
     id="color",
     title="Colour",
     names={
@@ -25,7 +25,7 @@ TABLE = ExtremeTable(
         "nan": np.nan,
     },
     cases=(
-        ExtremeCase(
+        HardCase(
             id="negative-light",
             call="encode_srgb(-0.5)",
             why="A colour outside the display's triangle has negative parts; their powers are NaN.",
@@ -34,21 +34,21 @@ TABLE = ExtremeTable(
             naive="1.055 * np.float64(-0.5) ** (1 / 2.4) - 0.055",
             library=LibraryAnswer("np.power(-0.5, 1 / 2.4)", "nan"),
         ),
-        ExtremeCase(
+        HardCase(
             id="above-white",
             call="decode_srgb(encode_srgb(8.0))",
             why="A lamp in the picture, eight times as bright as white.",
             returns="8: the curve goes on, and clipping is left to the display.",
             expected=near(8.0),
         ),
-        ExtremeCase(
+        HardCase(
             id="joint",
             call="encode_srgb(0.0031308) - encode_srgb(np.nextafter(0.0031308, 1))",
             why="The toe and the power meet here, with rounded constants.",
             returns="A step of 3e−8: far below a code, but not zero. It is in the standard.",
             expected=lambda got: abs(got) < 1e-7,
         ),
-        ExtremeCase(
+        HardCase(
             id="black",
             call="encode_srgb([0.0, -0.0])",
             why="The slope of the power 1/2.4 is infinite at 0.",
@@ -56,42 +56,42 @@ TABLE = ExtremeTable(
             expected=exactly([0.0, 0.0]),
             naive="np.diff(np.array([0.0, 1e-6]) ** (1 / 2.4)) / 1e-6",
         ),
-        ExtremeCase(
+        HardCase(
             id="subnormal",
             call="decode_srgb(encode_srgb(5e-324)) == 5e-324",
             why="The smallest number there is.",
             returns="True: it survives the round trip.",
             expected=exactly(True),
         ),
-        ExtremeCase(
+        HardCase(
             id="infinite-light",
             call="encode_srgb(inf)",
             why="An overflow upstream.",
             returns="∞: it will be clipped to white.",
             expected=exactly(np.inf),
         ),
-        ExtremeCase(
+        HardCase(
             id="decode-huge",
             call="decode_srgb(1e300)",
             why="1e300 to the power 2.4 is beyond the largest number.",
             returns="∞, without a warning.",
             expected=exactly(np.inf),
         ),
-        ExtremeCase(
+        HardCase(
             id="table-nan",
             call="encode_srgb_table([nan, -1.0, 2.0])",
             why="NaN as an index into a table is undefined.",
             returns="0, 0 and 1.",
             expected=exactly(np.array([0.0, 0.0, 1.0])),
         ),
-        ExtremeCase(
+        HardCase(
             id="canvas-nan",
             call="to_rgba8([[nan, inf, -inf]])[0, :, 0]",
             why="What a canvas shows of NaN would depend on the reader's processor.",
             returns="0, 255, 0: sanitised, clipped, rounded, and only then cast.",
             expected=exactly(np.array([0, 255, 0])),
         ),
-        ExtremeCase(
+        HardCase(
             id="gamma-zero",
             call="encode_gamma(0.5, 0.0)",
             why="An exponent of 1/0.",
@@ -99,7 +99,7 @@ TABLE = ExtremeTable(
             expected=refused("gamma", "0.0"),
             naive="np.float64(0.5) ** np.divide(1.0, 0.0)",
         ),
-        ExtremeCase(
+        HardCase(
             id="black-lab",
             call="xyz_to_lab([0.0, 0.0, 0.0])",
             why="The slope of the cube root is infinite at 0.",
@@ -108,7 +108,7 @@ TABLE = ExtremeTable(
             naive="116 * np.cbrt(0.0) - 16",
             library=LibraryAnswer("skimage.color.xyz2lab([[[0.0, 0.0, 0.0]]])[0, 0]", "[0, 0, 0]"),
         ),
-        ExtremeCase(
+        HardCase(
             id="negative-lab",
             call="xyz_to_lab([-0.1, -0.1, -0.1])[0]",
             why="Rounding of matrices can make XYZ slightly negative.",
@@ -116,14 +116,14 @@ TABLE = ExtremeTable(
             expected=near(-90.33, 1e-3),
             naive="116 * np.power(-0.1, 1 / 3) - 16",
         ),
-        ExtremeCase(
+        HardCase(
             id="collinear-primaries",
             call="rgb_to_xyz_matrix([(0.6, 0.3), (0.4, 0.3), (0.2, 0.3)])",
             why="Three primaries on one line span no triangle of colours.",
             returns="Refused.",
             expected=refused("primaries"),
         ),
-        ExtremeCase(
+        HardCase(
             id="red-light",
             call="white_balance([0.5, 0.0, 0.0], [1.0, 0.0, 0.0])",
             why="Under purely red light the other channels are 0/0.",
@@ -131,7 +131,7 @@ TABLE = ExtremeTable(
             expected=refused("illuminant", "above 0"),
             naive="np.divide([0.5, 0.0, 0.0], [1.0, 0.0, 0.0])",
         ),
-        ExtremeCase(
+        HardCase(
             id="grey-world-of-black",
             call="white_balance([0.0, 0.0, 0.0], grey_world([[0.0, 0.0, 0.0]]))",
             why="A black picture has no mean colour.",
@@ -139,21 +139,21 @@ TABLE = ExtremeTable(
             expected=refused("illuminant"),
             naive="np.divide(np.zeros(3), np.zeros(3))",
         ),
-        ExtremeCase(
+        HardCase(
             id="four-channels",
             call="rgb_to_ycbcr([0.5, 0.5, 0.5, 1.0])",
             why="A colour with an alpha channel.",
             returns="Refused: alpha is not a colour.",
             expected=refused("(4,)"),
         ),
-        ExtremeCase(
+        HardCase(
             id="luminance-of-white",
             call="luminance(np.float32([1.0, 1.0, 1.0]))",
             why="Three rounded weights need not add up to 1.",
             returns="1, to float32 precision.",
             expected=near(np.float32(1.0), 1e-6),
         ),
-        ExtremeCase(
+        HardCase(
             id="chromaticity-of-black",
             call="xyz_to_xyy([0.0, 0.0, 0.0])",
             why="X over the sum of all three is 0/0.",
@@ -161,7 +161,7 @@ TABLE = ExtremeTable(
             expected=near([0.3127, 0.3290, 0.0]),
             naive="np.zeros(3) / 0.0",
         ),
-        ExtremeCase(
+        HardCase(
             id="chromaticity-of-a-glare",
             call="xyz_to_xyy([1e308, 1e308, 1e308])[:2]",
             why="The sum of the three overflows.",
@@ -169,7 +169,7 @@ TABLE = ExtremeTable(
             expected=near([1 / 3, 1 / 3]),
             naive="np.float64(1e308) / (np.float64(1e308) + 1e308 + 1e308)",
         ),
-        ExtremeCase(
+        HardCase(
             id="colour-without-luminance",
             call="white_xyz([0.3, 0.0])",
             why="y = 0 is a light that nobody sees, however strong it is.",
@@ -177,14 +177,14 @@ TABLE = ExtremeTable(
             expected=refused("chromaticity", "0.0"),
             naive="np.array([0.3, 0.0]) / 0.0",
         ),
-        ExtremeCase(
+        HardCase(
             id="outside-the-triangle",
             call="adaptation_matrix(D65_XY, (0.6, 0.5))",
             why="x + y above 1 makes Z negative.",
             returns="Refused: no light is there.",
             expected=refused("x + y ≤ 1"),
         ),
-        ExtremeCase(
+        HardCase(
             id="adapting-to-pure-green",
             call="adaptation_matrix((0.2, 0.8), D65_XY)",
             why="Under green laser light the short receptors get nothing: their gain is infinite.",
@@ -192,21 +192,21 @@ TABLE = ExtremeTable(
             expected=refused("light", "above 0"),
             naive="1.0 / np.float64(0.0)",
         ),
-        ExtremeCase(
+        HardCase(
             id="adapting-to-the-same-light",
             call="adaptation_matrix((0.44758, 0.40745), (0.44758, 0.40745))",
             why="Into other responses and back, with gains of 1.",
             returns="The identity, to rounding.",
             expected=near(np.eye(3), 1e-14),
         ),
-        ExtremeCase(
+        HardCase(
             id="white-without-luminance",
             call="xyz_to_lab([0.1, 0.2, 0.3], (0.3, 0.0))",
             why="A white of y = 0: its X and Z are infinite.",
             returns="Refused.",
             expected=refused("chromaticity", "0.0"),
         ),
-        ExtremeCase(
+        HardCase(
             id="mean-with-alpha",
             call="grey_world(np.ones((2, 3, 4)))",
             why="24 numbers fall into eight triples as well, of mixed channels.",
@@ -214,7 +214,7 @@ TABLE = ExtremeTable(
             expected=refused("(2, 3, 4)", "(..., 3)"),
             naive="np.ones((2, 3, 4)).reshape(-1, 3).mean(axis=0)",
         ),
-        ExtremeCase(
+        HardCase(
             id="half-precision",
             call="decode_srgb(encode_srgb(np.float16(1e-3))) / 1e-3",
             why="Pictures are stored in half precision. Its eleven bits are too few to compute in.",
