@@ -6,15 +6,9 @@ from functools import partial
 import numpy as np
 
 from simulations.engine.ladder import Ladder, Metric, Tier
-from simulations.models.distortion.lens_model import Distortion, Floats, undistort
+from simulations.models.distortion.lens_model import Distortion, Floats
 from simulations.models.distortion.radial_table import inverse_table
-from simulations.models.distortion.undistortion import (
-    undistort_bracketed,
-    undistort_first_order,
-    undistort_fixed_point,
-    undistort_newton,
-    undistort_table,
-)
+from simulations.models.distortion.undistortion import INVERSES, Inverse
 
 WIDTH, HEIGHT = 640, 480
 
@@ -74,63 +68,34 @@ def worst_px(result: Floats, truth: Floats, workload: Workload) -> float:
     return float(_distance_px(result, truth, workload).max())
 
 
-def _fixed_point(workload: Workload, *, steps: int) -> Floats:
-    return undistort_fixed_point(workload.seen, workload.lens, steps)
-
-
-def _newton(workload: Workload, *, steps: int) -> Floats:
-    return undistort_newton(workload.seen, workload.lens, steps)
-
-
-def _checked_table(workload: Workload) -> Floats:
-    """A lens never seen before: the table is made anew in every run."""
+def _run(workload: Workload, *, inverse: Inverse) -> Floats:
+    """A lens never seen before: a table that is kept for it is made anew in every run."""
     inverse_table.cache_clear()
-    return undistort(workload.seen, workload.lens)[0]
+    return inverse(workload.seen, workload.lens)
 
 
-TIERS = (
-    Tier(
-        "first-order",
-        "First order",
-        "1 polynomial",
-        lambda work: undistort_first_order(work.seen, work.lens),
-    ),
-    Tier(
-        "lookup-table",
-        "Lookup table",
-        "1 table look-up",
-        lambda work: undistort_table(work.seen, work.lens),
-    ),
-    *(
-        Tier(
-            f"newton-{steps}",
-            f"Newton, {steps} steps",
-            f"{2 * steps} polynomials",
-            partial(_newton, steps=steps),
-        )
-        for steps in (3, 4, 5)
-    ),
-    *(
-        Tier(
-            f"fixed-point-{steps}",
-            f"Fixed point, {steps} steps",
-            f"{steps} polynomials",
-            partial(_fixed_point, steps=steps),
-        )
-        for steps in (5, 10, 20)
-    ),
-    Tier(
-        "checked-table",
-        "Checked table",
-        "2 square roots, 1 polynomial; 8 polynomials for each of 1285 nodes",
-        _checked_table,
-    ),
-    Tier(
-        "newton-bracketed",
-        "Newton in a bracket, to the end",
-        "1 table look-up, 7 polynomials, 12 choices",
-        lambda work: undistort_bracketed(work.seen, work.lens),
-    ),
+TIERS = tuple(
+    Tier(name, label, cost, partial(_run, inverse=INVERSES[name]))
+    for name, label, cost in (
+        ("first-order", "First order", "1 polynomial"),
+        ("lookup-table", "Lookup table", "1 table look-up"),
+        ("newton-3", "Newton, 3 steps", "6 polynomials"),
+        ("newton-4", "Newton, 4 steps", "8 polynomials"),
+        ("newton-5", "Newton, 5 steps", "10 polynomials"),
+        ("fixed-point-5", "Fixed point, 5 steps", "5 polynomials"),
+        ("fixed-point-10", "Fixed point, 10 steps", "10 polynomials"),
+        ("fixed-point-20", "Fixed point, 20 steps", "20 polynomials"),
+        (
+            "checked-table",
+            "Checked table",
+            "2 square roots, 1 polynomial; 8 polynomials for each of 1285 nodes",
+        ),
+        (
+            "newton-bracketed",
+            "Newton in a bracket, to the end",
+            "1 table look-up, 7 polynomials, 12 choices",
+        ),
+    )
 )
 """Cheap to dear, for a mild lens."""
 

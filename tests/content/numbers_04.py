@@ -17,7 +17,7 @@ from simulations.models.distortion.lens_model import (
 from simulations.models.distortion.undistortion import undistort_fixed_point, undistort_newton
 from simulations.models.lens.vignetting import vignetting_cos4
 from simulations.scenes.lens_aberrations.stages import RIM_MM, light
-from simulations.scenes.lens_distortion.stages import FOCAL_PX, inversion_error_px
+from simulations.scenes.lens_distortion.radii import FOCAL_PX, inversion_error_px
 
 CHAPTER = "04-lens-distortion"
 BARREL, PINCUSHION = Distortion(k1=-0.2), Distortion(k1=0.2)

@@ -5,42 +5,46 @@ import itertools
 import numpy as np
 import pytest
 
-from simulations.engine.controls import check_values
+from simulations.engine.frame import Frame, Raster
+from simulations.engine.settings import values_of
 from simulations.engine.stages import StageCache, run
 from simulations.models.distortion.lens_model import Distortion, distort
 from simulations.pictures.checker_room import checker_room
+from simulations.scenes.lens_distortion.radii import TIERS, inversion_error_px, pixel_radii
 from simulations.scenes.lens_distortion.scene import SCENE
 from simulations.scenes.lens_distortion.stages import (
-    DEFAULT_TIER,
     STAGES,
-    TIERS,
+    Photo,
     _corrected,
     _map,
-    _radii,
     _through_lens,
-    inversion_error_px,
     needs_margin,
 )
 
+TIER = SCENE.default_tier
+UNSEEN = Photo(np.zeros(()), np.zeros(()))
+"""What a lens that is not ideal does not look at."""
 
-def render(cache=None, **given):
-    values = check_values(SCENE.controls, given)
-    return SCENE.render(values, "", StageCache() if cache is None else cache)
+
+def render(cache: StageCache | None = None, **given: object) -> Frame:
+    return SCENE.render(SCENE.check(given), "", StageCache() if cache is None else cache)
 
 
-def texts(frame):
+def texts(frame: Frame) -> dict[str, str]:
     return {item.name: item.text for item in frame.readouts}
 
 
-def statuses(frame):
+def statuses(frame: Frame) -> dict[str, str]:
     return {stage.name: stage.status for stage in frame.stages}
 
 
-def picture(frame):
-    return next(panel.raster for panel in frame.panels if panel.name == "picture")
+def picture(frame: Frame) -> Raster:
+    raster = next(panel.raster for panel in frame.panels if panel.name == "picture")
+    assert raster is not None
+    return raster
 
 
-def test_the_ideal_lens_hands_on_the_pinhole_picture_untouched():
+def test_the_ideal_lens_hands_on_the_pinhole_picture_untouched() -> None:
     frame = render()
     assert texts(frame) == {"kind": "none", "bow": "0.0", "corner": "0.0", "fold": "none"}
     assert {statuses(frame)[name] for name in ("map", "through-lens", "corrected")} == {"skipped"}
@@ -49,23 +53,23 @@ def test_the_ideal_lens_hands_on_the_pinhole_picture_untouched():
 @pytest.mark.parametrize(
     ("k1", "kind", "corner"), [(-0.1, "barrel", "\u221220.0"), (0.1, "pincushion", "20.0")]
 )
-def test_corners_at_radius_one_move_by_k1_half_diagonals(k1, kind, corner):
+def test_corners_at_radius_one_move_by_k1_half_diagonals(k1: float, kind: str, corner: str) -> None:
     shown = texts(render(k1=k1))
     assert shown["kind"] == kind
     assert shown["corner"] == corner  # 200 px · k₁
 
 
-def test_the_largest_bow_is_that_of_the_upper_edge():
+def test_the_largest_bow_is_that_of_the_upper_edge() -> None:
     # y = 0.6: the middle stays at 0.6 (1 − 0.1 · 0.36), the ends at 0.6 (1 − 0.1); times 200 px.
     assert texts(render(k1=-0.1))["bow"] == f"{200 * 0.6 * 0.1 * (1 - 0.36):.1f}"
 
 
-def test_coefficients_that_cancel_in_the_corner_make_a_moustache():
+def test_coefficients_that_cancel_in_the_corner_make_a_moustache() -> None:
     shown = texts(render(k1=-0.2, k2=0.2))
     assert (shown["kind"], shown["corner"]) == ("moustache", "0.0")
 
 
-def test_past_the_fold_the_figure_says_so_and_greys_the_picture():
+def test_past_the_fold_the_figure_says_so_and_greys_the_picture() -> None:
     frame = render(k1=-0.5)
     assert texts(frame)["corner"] == "past the fold"
     assert texts(frame)["fold"] == "0.816"
@@ -74,11 +78,11 @@ def test_past_the_fold_the_figure_says_so_and_greys_the_picture():
     assert "images nothing" in frame.description
 
 
-def test_a_linear_ramp_through_the_lens_shows_the_ideal_coordinate():
+def test_a_linear_ramp_through_the_lens_shows_the_ideal_coordinate() -> None:
     y, x = np.mgrid[:420, :560].astype(np.float32)
     ramp = np.stack((x, y), axis=-1)
-    warp = _map(_radii(), -0.2, 0.05, DEFAULT_TIER, margin=True)
-    seen = _through_lens(None, ramp, warp).linear
+    warp = _map(pixel_radii(), -0.2, 0.05, TIER, margin=True)
+    seen = _through_lens(UNSEEN, ramp, warp).linear
     ideal = (seen - [279.5, 209.5]) / 200.0
     rows, columns = np.mgrid[:240, :320]
     expected = (np.stack((columns, rows), axis=-1) - [159.5, 119.5]) / 200.0
@@ -90,18 +94,20 @@ def test_a_linear_ramp_through_the_lens_shows_the_ideal_coordinate():
 
 @pytest.mark.parametrize("tier", ["checked-table", "newton-bracketed"])
 @pytest.mark.parametrize("k1", [-0.5, -0.3, 0.2, 0.5])
-def test_the_careful_tiers_err_by_less_than_a_billionth_of_a_pixel_past_the_fold_too(tier, k1):
+def test_the_careful_tiers_err_by_less_than_a_billionth_of_a_pixel_past_the_fold_too(
+    tier: str, k1: float
+) -> None:
     assert inversion_error_px(Distortion(k1=k1, k2=-0.1 * k1), tier) < 1e-9
 
 
 @pytest.mark.parametrize("tier", [tier for tier in TIERS if tier.startswith(("fixed", "first"))])
-def test_the_fixed_point_is_told_by_its_error(tier):
+def test_the_fixed_point_is_told_by_its_error(tier: str) -> None:
     assert inversion_error_px(Distortion(k1=0.5), tier) > 1e-3
 
 
-def test_the_correction_restores_the_picture_where_the_photograph_had_it():
+def test_the_correction_restores_the_picture_where_the_photograph_had_it() -> None:
     pinhole = checker_room(560, 420, 200.0)
-    photo = _through_lens(None, pinhole, _map(_radii(), -0.1, 0.0, DEFAULT_TIER, margin=True))
+    photo = _through_lens(UNSEEN, pinhole, _map(pixel_radii(), -0.1, 0.0, TIER, margin=True))
     restored = _corrected(photo, -0.1, 0.0)
     truth = pinhole[90:330, 120:440]
     error = np.abs(restored.linear - truth)[restored.coverage > 0.99]
@@ -109,7 +115,7 @@ def test_the_correction_restores_the_picture_where_the_photograph_had_it():
     assert error.mean() < 0.15 * distorted_error
 
 
-def test_only_what_a_control_touches_is_computed_again():
+def test_only_what_a_control_touches_is_computed_again() -> None:
     cache = StageCache()
     render(cache, k1=-0.1)
     again = statuses(render(cache, k1=-0.2))
@@ -118,7 +124,7 @@ def test_only_what_a_control_touches_is_computed_again():
     assert (other["pinhole"], other["map"]) == ("computed", "reused")
 
 
-def test_what_does_not_bend_lines_does_not_draw_them_anew():
+def test_what_does_not_bend_lines_does_not_draw_them_anew() -> None:
     cache = StageCache()
     render(cache, k1=-0.1)
     for given in ({"correct": True}, {"picture": "chart"}):
@@ -128,11 +134,11 @@ def test_what_does_not_bend_lines_does_not_draw_them_anew():
 
 @pytest.mark.parametrize("shown", ["room", "chart"])
 @pytest.mark.parametrize(("k1", "k2"), [(0.0, 0.0), (0.01, 0.0), (0.0, 0.01), (0.5, 0.2)])
-def test_without_a_barrel_the_margin_would_change_nothing(shown, k1, k2):
-    values = check_values(SCENE.controls, {"picture": shown, "k1": k1, "k2": k2})
-    assert not needs_margin(values)
+def test_without_a_barrel_the_margin_would_change_nothing(shown: str, k1: float, k2: float) -> None:
+    assert not needs_margin(k1, k2)
+    settings = values_of(SCENE.check({"picture": shown, "k1": k1, "k2": k2}))
     tight, wide = (
-        run(STAGES, values, StageCache(), {"tier": DEFAULT_TIER, "margin": margin}).outputs
+        run(STAGES, {**settings, "tier": TIER, "margin": margin}, StageCache()).outputs
         for margin in (False, True)
     )
     assert tight["pinhole"].shape == (240, 320, 3)
@@ -143,11 +149,13 @@ def test_without_a_barrel_the_margin_would_change_nothing(shown, k1, k2):
 
 
 @pytest.mark.parametrize(("k1", "k2"), [(-0.01, 0.2), (0.5, -0.01)])
-def test_with_a_little_of_a_barrel_in_it_the_margin_is_drawn(k1, k2):
-    assert needs_margin(check_values(SCENE.controls, {"k1": k1, "k2": k2}))
+def test_with_a_little_of_a_barrel_in_it_the_margin_is_drawn(k1: float, k2: float) -> None:
+    assert needs_margin(k1, k2)
+    outputs = SCENE.run(SCENE.check({"k1": k1, "k2": k2}), TIER, StageCache()).outputs
+    assert outputs["pinhole"].shape == (420, 560, 3)
 
 
-def test_a_warm_cache_changes_no_bit():
+def test_a_warm_cache_changes_no_bit() -> None:
     cache = StageCache()
     for k1 in (0.0, -0.3, 0.2):
         render(cache, k1=k1)
@@ -163,7 +171,9 @@ EXTREMES = list(
 
 
 @pytest.mark.parametrize(("k1", "k2", "shown", "correct"), EXTREMES)
-def test_every_corner_of_the_controls_gives_a_whole_frame(k1, k2, shown, correct):
+def test_every_corner_of_the_controls_gives_a_whole_frame(
+    k1: float, k2: float, shown: str, correct: bool
+) -> None:
     frame = render(CACHE, k1=k1, k2=k2, picture=shown, correct=correct)
     assert [panel.name for panel in frame.panels] == ["grid", "picture", "profile"]
     assert [item.name for item in frame.readouts] == ["kind", "bow", "corner", "fold"]

@@ -11,13 +11,15 @@ a root: the lens's polynomials are in r² = ρ² t, and a point is multiplied by
 Szeliski, 2nd ed., section 2.1.5; the fixed point is the method of OpenCV's undistortPoints.
 """
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
+from functools import partial
+from types import MappingProxyType
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from simulations.models.distortion import radial_inverse, radial_profile
-from simulations.models.distortion.lens_model import Distortion, Floats
+from simulations.models.distortion.lens_model import Distortion, Floats, undistort_clamped
 from simulations.models.distortion.radial_profile import RadialProfile
 
 TABLE_ENTRIES = 1025
@@ -125,3 +127,27 @@ def undistort_bracketed(xy: ArrayLike, d: Distortion) -> Floats:
     ratio = np.divide(radius, seen_radius, out=np.ones_like(radius), where=seen_radius > 0.0)
     ideal: Floats = seen * ratio[..., None]
     return ideal
+
+
+def undistort_checked(xy: ArrayLike, d: Distortion) -> Floats:
+    """`distortion.undistort_clamped` without its mask: past the fold, the fold circle."""
+    return undistort_clamped(xy, d)[0]
+
+
+type Inverse = Callable[[ArrayLike, Distortion], Floats]
+
+INVERSES: Mapping[str, Inverse] = MappingProxyType(
+    {
+        "first-order": undistort_first_order,
+        "lookup-table": undistort_table,
+        "newton-3": partial(undistort_newton, steps=3),
+        "newton-4": partial(undistort_newton, steps=4),
+        "newton-5": partial(undistort_newton, steps=5),
+        "fixed-point-5": partial(undistort_fixed_point, steps=5),
+        "fixed-point-10": partial(undistort_fixed_point, steps=10),
+        "fixed-point-20": partial(undistort_fixed_point, steps=20),
+        "checked-table": undistort_checked,
+        "newton-bracketed": undistort_bracketed,
+    }
+)
+"""By the names of the ladder `inverse-distortion`."""

@@ -1,11 +1,10 @@
-"""Drawings of the lens-distortion figure: the bent grid, the limits, and the radial profile.
+"""Drawings of the lens-distortion figure: the bent grid, and the limits over its pictures.
 
 The view box is 400 × 300 for the photograph's 320 × 240 px, so that r = 1 is 250 units.
 """
 
 import math
 from collections.abc import Callable
-from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
@@ -17,7 +16,6 @@ from simulations.engine.drawing import (
     dot,
     line,
     path,
-    polyline,
     rectangle,
     text,
 )
@@ -27,7 +25,6 @@ from simulations.models.distortion.lens_model import (
     fold_radius,
     largest_distorted_radius,
 )
-from simulations.models.distortion.radial_profile import evaluate
 
 type Floats = NDArray[np.floating]
 type Mask = NDArray[np.bool_]
@@ -38,32 +35,6 @@ SAMPLE = (0.4, -0.4)
 """The ideal point whose way is shown: a crossing of the grid, inside the fold at every setting."""
 VISIBLE_RADIUS_UNITS = 238.0
 """Larger circles show too little of themselves in the corners to be worth a label."""
-
-PLOT_LEFT, PLOT_RIGHT, PLOT_TOP, PLOT_BOTTOM = 44.0, 386.0, 16.0, 258.0
-PLOT_RADIUS = 1.25
-"""Largest radius of the profile's axes."""
-
-
-@dataclass(frozen=True, slots=True)
-class Drawings:
-    """The SVG of all three panels: what depends on the lens alone."""
-
-    grid: str
-    photograph: str
-    """Over the photograph as the lens makes it ..."""
-    corrected: str
-    """... and as the correction leaves it."""
-    profile: str
-
-
-def drawings(k1: float, k2: float) -> Drawings:
-    lens = Distortion(k1=k1, k2=k2)
-    return Drawings(
-        grid_overlay(lens),
-        picture_overlay(lens, corrected=False),
-        picture_overlay(lens, corrected=True),
-        profile_overlay(lens),
-    )
 
 
 def grid_lines() -> list[Floats]:
@@ -100,39 +71,6 @@ def grid_overlay(lens: Distortion) -> str:
 def picture_overlay(lens: Distortion, *, corrected: bool) -> str:
     """The limit of the photograph, or of what the correction can know."""
     return _limits(lens, with_fold=corrected, with_image=not corrected)
-
-
-def profile_overlay(lens: Distortion) -> str:
-    """Image radius against ideal radius: the curve that the coefficients describe."""
-    fold = fold_radius(lens)
-    radius = np.linspace(0.0, PLOT_RADIUS, 101)
-    if fold < PLOT_RADIUS:
-        radius = np.sort(np.append(radius, fold))
-    image = evaluate(lens.radial, radius)
-    curve = np.stack([_plot(r, f) for r, f in zip(radius, image, strict=True)])
-    visible = (image <= PLOT_RADIUS) & (image >= 0.0)
-    parts = [
-        _axes(),
-        polyline((_plot(0, 0), _plot(PLOT_RADIUS, PLOT_RADIUS)), "muted thin dashed"),
-        text(_identity_label(lens), "no distortion", "muted small halo", "end"),
-        path(runs(curve, (radius >= fold) & visible), "error dashed") if fold < PLOT_RADIUS else "",
-        path(runs(curve, (radius <= fold) & visible), "image bold"),
-    ]
-    if fold < PLOT_RADIUS:
-        peak = _plot(fold, largest_distorted_radius(lens))
-        parts += [
-            line(peak, (peak[0], PLOT_BOTTOM), "error thin dashed"),
-            dot(peak, "error"),
-            text((peak[0], peak[1] - 10.0), "fold", "error small halo", "middle"),
-        ]
-    ideal = math.hypot(*SAMPLE)
-    here = _plot(ideal, float(evaluate(lens.radial, ideal)))
-    parts += [
-        line((here[0], PLOT_BOTTOM), here, "world thin"),
-        line((PLOT_LEFT, here[1]), here, "image thin"),
-        dot(here, "image"),
-    ]
-    return "".join(parts)
 
 
 def to_view(xy: Floats) -> Floats:
@@ -213,36 +151,4 @@ def _sample(lens: Distortion) -> str:
         text((right[0] + 9, right[1] - 5), names[0], f"{roles[0]} strong halo"),
         text((left[0] - 9, left[1] + 13), names[1], f"{roles[1]} strong halo", "end"),
     ]
-    return "".join(parts)
-
-
-def _plot(radius: float, image: float) -> Point:
-    """A point of the profile as view box units."""
-    across = (PLOT_RIGHT - PLOT_LEFT) / PLOT_RADIUS
-    up = (PLOT_BOTTOM - PLOT_TOP) / PLOT_RADIUS
-    return (PLOT_LEFT + across * float(radius), PLOT_BOTTOM - up * float(image))
-
-
-def _identity_label(lens: Distortion) -> Point:
-    """Beside the dashed line, on the side where the curve is not."""
-    inwards = float(evaluate(lens.radial, 1.0)) < 0.99
-    x, y = _plot(1.12, 1.19) if inwards else _plot(PLOT_RADIUS, 0.86)
-    return (x, y)
-
-
-def _axes() -> str:
-    corner_x, corner_y = _plot(1.0, 0.0)[0], _plot(0.0, 1.0)[1]
-    parts = [
-        line((PLOT_LEFT, PLOT_BOTTOM), (PLOT_RIGHT, PLOT_BOTTOM), "muted"),
-        line((PLOT_LEFT, PLOT_BOTTOM), (PLOT_LEFT, PLOT_TOP), "muted"),
-        line((corner_x, PLOT_BOTTOM), (corner_x, PLOT_TOP), "muted thin faint"),
-        line((PLOT_LEFT, corner_y), (PLOT_RIGHT, corner_y), "muted thin faint"),
-        text((corner_x - 5, PLOT_TOP + 212), "corner", "muted small halo", "end"),
-        text((0.5 * (PLOT_LEFT + PLOT_RIGHT), VIEW_HEIGHT - 8), "ideal radius", "world", "middle"),
-        text((PLOT_LEFT + 8, PLOT_TOP + 8), "radius in the image", "image halo"),
-    ]
-    for value in (0.0, 0.5, 1.0):
-        x, y = _plot(value, 0.0)[0], _plot(0.0, value)[1]
-        parts.append(text((x, PLOT_BOTTOM + 16), f"{value:g}", "muted small", "middle"))
-        parts.append(text((PLOT_LEFT - 8, y + 4), f"{value:g}", "muted small", "end"))
     return "".join(parts)

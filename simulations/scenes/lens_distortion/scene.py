@@ -1,13 +1,15 @@
 """Lens Distortion Simulator: a grid and a picture through a lens with k₁ and k₂."""
 
 from collections.abc import Iterator
+from dataclasses import dataclass
 
 import numpy as np
 
-from simulations.engine.controls import Choice, Slider, Toggle, Value, Values
+from simulations.engine.controls import Value
 from simulations.engine.frame import Frame, Panel, Readout, format_magnitude, format_number, readout
 from simulations.engine.scene import Scene
-from simulations.engine.stages import StageCache, run
+from simulations.engine.settings import choice, slider, toggle
+from simulations.engine.stages import Outputs
 from simulations.models.distortion.kinds import classify, line_bow
 from simulations.models.distortion.lens_model import (
     Distortion,
@@ -16,16 +18,14 @@ from simulations.models.distortion.lens_model import (
     largest_distorted_radius,
 )
 from simulations.models.distortion.radial_profile import evaluate
-from simulations.scenes.lens_distortion.drawing import VIEW_HEIGHT, VIEW_WIDTH, Drawings, grid_lines
-from simulations.scenes.lens_distortion.stages import (
-    DEFAULT_TIER,
+from simulations.scenes.lens_distortion.drawing import VIEW_HEIGHT, VIEW_WIDTH, grid_lines
+from simulations.scenes.lens_distortion.radii import (
     FOCAL_PX,
     HALF_DIAGONAL,
-    STAGES,
     TIERS,
     inversion_error_px,
-    needs_margin,
 )
+from simulations.scenes.lens_distortion.stages import STAGES, Drawings, needs_margin
 
 DIVERGED_PX = 1e4
 """An iteration that ends this far off has found nothing."""
@@ -33,22 +33,36 @@ INVISIBLE_PX = 0.1
 """Changes of the magnification that move no corner by more than this do not count."""
 
 
-def render(values: Values, tier: str, cache: StageCache) -> Frame:
-    """The figure at one setting of its controls; the tier is how the picture's rays are found."""
-    lens = Distortion(k1=values.number("k1"), k2=values.number("k2"))
-    corrected = values.toggle("correct")
-    extra: dict[str, Value] = {"tier": tier or DEFAULT_TIER, "margin": needs_margin(values)}
-    outcome = run(STAGES, values, cache, extra)
-    drawn: Drawings = outcome.outputs["drawings"]
-    over = drawn.corrected if corrected else drawn.photograph
-    raster = outcome.outputs["encoded"]
-    panels = (
-        Panel("grid", "Grid", VIEW_WIDTH, VIEW_HEIGHT, overlay=drawn.grid),
-        Panel("picture", "Picture", VIEW_WIDTH, VIEW_HEIGHT, raster=raster, overlay=over),
-        Panel("profile", "Radius", VIEW_WIDTH, VIEW_HEIGHT, overlay=drawn.profile),
-    )
+@dataclass(frozen=True, slots=True)
+class Settings:
+    """What the reader may change."""
+
+    k1: float = slider("k₁", 0.0, -0.5, 0.5, 0.01)
+    k2: float = slider("k₂", 0.0, -0.2, 0.2, 0.01)
+    picture: str = choice("Picture", {"room": "Room", "chart": "Test chart"})
+    correct: bool = toggle("Correct the picture")
+
+
+def parameters(settings: Settings, _tier: str) -> dict[str, Value]:
+    """The picture is drawn with a margin only where something of it may come into view."""
+    return {"margin": needs_margin(settings.k1, settings.k2)}
+
+
+def draw(settings: Settings, outputs: Outputs) -> Frame:
+    """The grid, the picture, and the curve that the coefficients describe."""
+    lens = Distortion(k1=settings.k1, k2=settings.k2)
+    drawn: Drawings = outputs["drawings"]
+    over = drawn.corrected if settings.correct else drawn.photograph
     bow = largest_bow_px(lens)
-    return Frame(panels, _readouts(lens, bow), _description(lens, bow, corrected), outcome.reports)
+    return Frame(
+        panels=(
+            Panel("grid", "Grid", VIEW_WIDTH, VIEW_HEIGHT, overlay=drawn.grid),
+            Panel("picture", "Picture", VIEW_WIDTH, VIEW_HEIGHT, outputs["encoded"], over),
+            Panel("profile", "Radius", VIEW_WIDTH, VIEW_HEIGHT, overlay=drawn.profile),
+        ),
+        readouts=_readouts(lens, bow),
+        description=_description(lens, bow, settings.correct),
+    )
 
 
 def kind_of(lens: Distortion) -> str:
@@ -71,16 +85,6 @@ def corner_shift_px(lens: Distortion) -> float:
     if fold_radius(lens) <= HALF_DIAGONAL:
         return float("nan")
     return float(evaluate(lens.radial, HALF_DIAGONAL) - HALF_DIAGONAL) * FOCAL_PX
-
-
-def error(values: Values, tier: str, _cache: StageCache) -> Iterator[Readout]:
-    """How far off, in the scene, the pixels are drawn from; found at once."""
-    wrong = inversion_error_px(Distortion(k1=values.number("k1"), k2=values.number("k2")), tier)
-    if wrong > DIVERGED_PX:
-        yield Readout("error", "RMS error of the inversion", "diverges", "", "error")
-    else:
-        text = format_magnitude(wrong, 1e-9)
-        yield Readout("error", "RMS error of the inversion", text, "px", "error")
 
 
 def _readouts(lens: Distortion, bow: float) -> tuple[Readout, ...]:
@@ -122,24 +126,23 @@ def _description(lens: Distortion, bow: float, corrected: bool) -> str:
     return sentence + ("; the picture is corrected." if corrected else ".")
 
 
+def estimate(settings: Settings, _outputs: Outputs, tier: str) -> Iterator[Readout]:
+    """How far off, in the scene, the pixels are drawn from; found at once."""
+    wrong = inversion_error_px(Distortion(k1=settings.k1, k2=settings.k2), tier)
+    diverged = wrong > DIVERGED_PX
+    text = "diverges" if diverged else format_magnitude(wrong, 1e-9)
+    yield Readout("error", "RMS error of the inversion", text, "" if diverged else "px", "error")
+
+
 SCENE = Scene(
     id="lens-distortion",
     title="Lens Distortion Simulator",
-    controls=(
-        Slider(name="k1", label="k₁", default=0.0, minimum=-0.5, maximum=0.5, step=0.01),
-        Slider(name="k2", label="k₂", default=0.0, minimum=-0.2, maximum=0.2, step=0.01),
-        Choice(
-            name="picture",
-            label="Picture",
-            default="room",
-            options={"room": "Room", "chart": "Test chart"},
-        ),
-        Toggle(name="correct", label="Correct the picture"),
-    ),
-    render=render,
+    settings=Settings,
+    draw=draw,
+    stages=STAGES,
+    parameters=parameters,
     tiers=TIERS,
-    default_tier=DEFAULT_TIER,
-    draft_tier=DEFAULT_TIER,
+    default_tier="checked-table",
     ladder="inverse-strong",
-    error=error,
+    estimate=estimate,
 )

@@ -1,15 +1,10 @@
-"""What the lens-distortion figure computes: picture → map → through the lens → corrected → bytes.
-
-The photograph is 320 × 240 px with a focal length of 200 px, so that its half-diagonal is 200 px
-and its corners lie at the normalised radius r = 1, 45° from the axis.
-"""
+"""What the lens-distortion figure computes: picture → through the lens → corrected → bytes."""
 
 from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
 
-from simulations.engine.controls import Values
 from simulations.engine.raster import to_rgba8
 from simulations.engine.stages import Stage
 from simulations.models.color.srgb import encode_srgb
@@ -19,54 +14,38 @@ from simulations.models.distortion.lens_model import (
     fold_radius,
     largest_distorted_radius,
 )
-from simulations.models.distortion.radial_inverse import invert_bracketed
-from simulations.models.distortion.radial_table import invert
-from simulations.models.distortion.undistortion import (
-    undistort_first_order,
-    undistort_fixed_point,
-    undistort_newton,
-    undistort_table,
-)
 from simulations.models.sampling.resampling import GatherTable, gather, gather_table
 from simulations.pictures.checker_room import checker_room
 from simulations.pictures.resolution_chart import resolution_chart
-from simulations.scenes.lens_distortion.drawing import drawings
+from simulations.scenes.lens_distortion.drawing import grid_overlay, picture_overlay
+from simulations.scenes.lens_distortion.profile import profile_overlay
+from simulations.scenes.lens_distortion.radii import (
+    FOCAL_PX,
+    HEIGHT_PX,
+    WIDTH_PX,
+    Floats,
+    Radii,
+    centred_pixels,
+    ideal_radii,
+    pixel_radii,
+)
 
-type Floats = NDArray[np.floating]
-
-WIDTH_PX, HEIGHT_PX = 320, 240
-FOCAL_PX = 200.0
-HALF_DIAGONAL = 0.5 * np.hypot(WIDTH_PX, HEIGHT_PX) / FOCAL_PX
-"""Normalised radius of the picture's corners: 1."""
 MARGIN_PX = (120, 90)
 """A barrel pulls into view what lies so far beyond the sides of the pinhole picture, at most."""
 UNSEEN = (0.33, 0.34, 0.36)
 """Linear grey where no light of the scene arrives according to the model."""
 
 
-TIERS = (
-    "first-order",
-    "lookup-table",
-    "newton-3",
-    "newton-4",
-    "newton-5",
-    "fixed-point-5",
-    "fixed-point-10",
-    "checked-table",
-    "newton-bracketed",
-)
-"""Ways to find where a pixel's light comes from: rungs of the ladder `inverse-strong`."""
-DEFAULT_TIER = "checked-table"
-
-
 @dataclass(frozen=True, slots=True)
-class Radii:
-    """The distinct radii among the pixel centres: a radial map is solved once for each."""
+class Drawings:
+    """The SVG of all three panels: what depends on the lens alone."""
 
-    distinct: Floats
-    """Sorted normalised radii."""
-    of_pixel: NDArray[np.intp]
-    """(HEIGHT_PX · WIDTH_PX,) index into ``distinct``."""
+    grid: str
+    photograph: str
+    """Over the photograph as the lens makes it ..."""
+    corrected: str
+    """... and as the correction leaves it."""
+    profile: str
 
 
 @dataclass(frozen=True, slots=True)
@@ -86,82 +65,22 @@ class Photo:
     coverage: Floats
 
 
-def centred_pixels() -> Floats:
-    """(HEIGHT_PX, WIDTH_PX, 2) pixel centres relative to the principal point, in px."""
-    x = np.arange(WIDTH_PX) - 0.5 * (WIDTH_PX - 1)
-    y = np.arange(HEIGHT_PX) - 0.5 * (HEIGHT_PX - 1)
-    return np.stack(np.meshgrid(x, y), axis=-1)
+def _drawings(k1: float, k2: float) -> Drawings:
+    lens = Distortion(k1=k1, k2=k2)
+    return Drawings(
+        grid_overlay(lens),
+        picture_overlay(lens, corrected=False),
+        picture_overlay(lens, corrected=True),
+        profile_overlay(lens),
+    )
 
 
-def ideal_radii(seen: Floats, lens: Distortion, tier: str) -> Floats:
-    """The radius without the lens of each radius in the photograph, as the tier computes it.
-
-    Only the last two notice the fold; the others run on past it, or out of range.
-    """
-    if tier == "checked-table":
-        return invert(lens.radial, seen)[0]
-    if tier == "newton-bracketed":
-        return invert_bracketed(lens.radial, seen)[0]
-    points = np.stack((seen, np.zeros_like(seen)), axis=-1)
-    with np.errstate(over="ignore", invalid="ignore", divide="ignore"):
-        match tier.rsplit("-", 1):
-            case ["first", "order"]:
-                ideal = undistort_first_order(points, lens)
-            case ["lookup", "table"]:
-                ideal = undistort_table(points, lens)
-            case ["fixed-point", steps]:
-                ideal = undistort_fixed_point(points, lens, int(steps))
-            case ["newton", steps]:
-                ideal = undistort_newton(points, lens, int(steps))
-            case _:
-                raise ValueError(f"tier {tier!r}; legal: {', '.join(TIERS)}")
-    radii: Floats = ideal[..., 0]
-    return radii
-
-
-def true_radii(seen: Floats, lens: Distortion) -> Floats:
-    """The same by bisection down to the last bit, sharing nothing with any tier; NaN past the fold.
-
-    The image radius is written out: r (1 + k₁ r² + k₂ r⁴).
-    """
-    fold = min(fold_radius(lens), 1e3)
-    low, high = np.zeros_like(seen), np.full_like(seen, fold)
-    for _ in range(64):
-        middle = 0.5 * (low + high)
-        s = middle * middle
-        beyond = middle * (1.0 + s * (lens.k1 + s * lens.k2)) > seen
-        low, high = np.where(beyond, low, middle), np.where(beyond, middle, high)
-    return np.where(seen < largest_distorted_radius(lens), high, np.nan)
-
-
-def inversion_error_px(lens: Distortion, tier: str) -> float:
-    """RMS over the photograph of how far off the scene point is that each pixel is drawn from.
-
-    In pixels of the pinhole picture; pixels that show nothing do not count.
-    """
-    radii = _radii()
-    wrong = ideal_radii(radii.distinct, lens, tier) - true_radii(radii.distinct, lens)
-    pixels = np.bincount(radii.of_pixel)
-    seen = ~np.isnan(wrong)
-    if np.isinf(wrong[seen]).any():
-        return float("inf")
-    square = np.average(np.square(wrong[seen]), weights=pixels[seen])
-    return float(np.sqrt(square)) * FOCAL_PX
-
-
-def _radii() -> Radii:
-    # Twice a coordinate is an odd whole number: equal radii are found without rounding.
-    doubled = np.rint(2.0 * centred_pixels()).astype(np.int64)
-    squares, of_pixel = np.unique((doubled**2).sum(axis=-1).ravel(), return_inverse=True)
-    return Radii(np.sqrt(squares) / (2.0 * FOCAL_PX), of_pixel.astype(np.intp))
-
-
-def needs_margin(values: Values) -> bool:
+def needs_margin(k1: float, k2: float) -> bool:
     """Whether light from beyond the sides of the pinhole picture may come into view.
 
     With k₁ and k₂ not negative, no point is drawn further in than it lies.
     """
-    return min(values.number("k1"), values.number("k2")) < 0.0
+    return min(k1, k2) < 0.0
 
 
 def _margin_px(margin: bool) -> tuple[int, int]:
@@ -223,17 +142,17 @@ def _encoded(photo: Photo) -> NDArray[np.uint8]:
     return to_rgba8(encode_srgb(unseen + (photo.linear - unseen) * covered))
 
 
-def _ideal_lens(values: Values) -> str:
-    return "k₁ = k₂ = 0: the lens is ideal" if not values["k1"] and not values["k2"] else ""
+def _ideal_lens(k1: float, k2: float) -> str:
+    return "" if k1 or k2 else "k₁ = k₂ = 0: the lens is ideal"
 
 
-def _not_corrected(values: Values) -> str:
-    return _ideal_lens(values) or ("" if values.toggle("correct") else "no correction is asked for")
+def _not_corrected(k1: float, k2: float, correct: bool) -> str:
+    return _ideal_lens(k1, k2) or ("" if correct else "no correction is asked for")
 
 
 STAGES = (
-    Stage("drawings", drawings),
-    Stage("radii", _radii),
+    Stage("drawings", _drawings),
+    Stage("radii", pixel_radii),
     Stage("pinhole", _pinhole),
     Stage("undistorted", _undistorted_frame, ("pinhole",)),
     Stage("map", _map, ("radii",), _ideal_lens),
