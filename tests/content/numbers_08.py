@@ -220,7 +220,7 @@ def how_seldom_the_straight_picture_is_drawn_again() -> Says:
 
 def how_many_stages_there_are() -> Says:
     assert len(STAGES) == 19
-    yield "A photograph here takes nineteen stages"
+    yield "with the noiseless one that it is compared with, takes nineteen stages"
 
 
 def what_a_step_of_the_focus_leaves() -> Says:
