@@ -4,7 +4,13 @@ import numpy as np
 from support.worked_numbers import Says
 
 from simulations.models.geometry.rotations import exponential
-from simulations.models.geometry.transforms import apply_homography, rigid, sign_of_w, translation
+from simulations.models.geometry.transforms import (
+    affine,
+    apply_homography,
+    rigid,
+    sign_of_w,
+    translation,
+)
 from simulations.models.projection.pinhole import intrinsics, rigid_pose, world_to_camera
 from simulations.models.projection.view_homographies import plane_between_views
 from simulations.scenes.transform_2d.scene import transformation
@@ -33,6 +39,17 @@ def a_square_becomes_a_road() -> Says:
 def the_figure_s_scale_and_shift() -> Says:
     yield f"corner $P$ goes from $(40, 40)$ to $({40 + 30}, {40 + 30 // 2})$"
     yield f"$1.5^2 = {1.5**2:g}$"
+
+
+def the_area_under_an_affine_map() -> Says:
+    """Of a triangle anywhere, also under a map that mirrors."""
+    (a, b), (c, d) = A = np.array([[0.6, 1.1], [0.9, -0.4]])
+    (p, q, r), _ = apply_homography(affine(A, (3, -2)), [[1, 2], [5, 3], [2, 7]])
+    before, after = (
+        abs(np.linalg.det([one, two])) for one, two in (([4, 1], [1, 5]), (q - p, r - p))
+    )
+    assert np.isclose(after / before, abs(a * d - b * c))
+    yield r"$|a_{11}a_{22} - a_{12}a_{21}|$"
 
 
 def where_the_corner_runs_off() -> Says:
@@ -69,7 +86,7 @@ def depths_before_two_cameras() -> Says:
     assert X @ [0.0, 1.0, 0.2] == 2.0
     w = (H @ [*(K @ X)[:2] / X[2], 1.0])[2]
     assert np.isclose(w, world_to_camera(X, pose)[2] / X[2])
-    yield "$w$ is the depth of the point before the second camera divided by its depth before"
+    yield "$w$ is the point's depth in front of the second camera divided by its depth in front"
 
 
 def the_numbers_of_the_direct_linear_transform() -> Says:
@@ -102,6 +119,7 @@ def which_segment_is_torn() -> Says:
 WORKED = (
     a_square_becomes_a_road,
     the_figure_s_scale_and_shift,
+    the_area_under_an_affine_map,
     where_the_corner_runs_off,
     the_same_map_with_the_opposite_sign,
     depths_before_two_cameras,

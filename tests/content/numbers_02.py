@@ -7,7 +7,7 @@ from support.worked_numbers import Says
 
 from simulations.models.geometry import euler, quaternions, rotations, transforms_3d
 from simulations.models.geometry.quaternion_blends import bisected_arc, turn_between_rad
-from simulations.models.geometry.rotation_paths import matrix_blend
+from simulations.models.geometry.rotation_paths import matrix_blend, rate_axes
 from simulations.models.projection.pinhole import look_at, rigid_pose, world_to_camera
 
 CHAPTER = "02-3d-transformations"
@@ -118,6 +118,22 @@ def gimbal_lock() -> Says:
     yield "40° of roll with 10° of yaw gives exactly the matrix of 30° of roll with none"
 
 
+def the_direction_that_gimbal_lock_takes() -> Says:
+    """To turn about it would move the nose along the pitch axis."""
+    angles = [radians(105), radians(90), radians(-40)]
+    directions, sizes, _ = np.linalg.svd(rate_axes("ZYX", angles))
+    assert sizes[1] > 0.9
+    assert sizes[2] < 1e-12
+    nose = euler.to_matrix("ZYX", angles)[:, 0]
+    moves, pitch_axis = np.cross(directions[:, 2], nose), rate_axes("ZYX", angles)[:, 1]
+    assert np.isclose(abs(moves @ pitch_axis), 1)
+    yield "can tip the nose sideways, out of the plane of the pitch ring"
+    for pitch in np.radians((-70, 20, 60, 80)):
+        smallest = np.linalg.svd(rate_axes("ZYX", [0.3, pitch, 0.7]))[1][2]
+        assert np.isclose(smallest, np.sqrt(1 - abs(sin(pitch))))
+    yield r"The smallest singular value is $\sqrt{1 - |\sin\beta|}$"
+
+
 def the_average_of_two_matrices() -> Says:
     turn = rotations.exponential([0, 0, radians(90)])
     half = matrix_blend(np.eye(3), turn, 0.5)
@@ -169,6 +185,7 @@ WORKED = (
     a_quaternion_by_hand,
     the_determinant_of_an_average,
     gimbal_lock,
+    the_direction_that_gimbal_lock_takes,
     the_average_of_two_matrices,
     a_rolling_shutter,
     the_ladder_in_space,

@@ -44,8 +44,8 @@ def focal_length_in_pixels() -> Says:
 
 def focusing_makes_the_picture_larger() -> Says:
     sensor = principal_distance_mm(50, 3200)
-    yield rf"$50 \cdot 3200/3150 = {sensor:.2f}$ mm behind it"
-    yield rf"$f_x = {sensor:.2f} \cdot 6000/36 = {sensor * 6000 / 36:.0f}$ px"
+    yield rf"$50 \cdot 3200/3150 = {sensor:.3f}$ mm behind it"
+    yield rf"$f_x = {sensor:.3f} \cdot 6000/36 = {round(sensor, 3) * 6000 / 36:.0f}$ px"
     share = f"{100 * (sensor / 50 - 1):.1f} %"
     yield f"That is {share} more than before, and everything in the picture is {share} larger."
     far, near = (degrees(field_of_view_rad(50, 36, focus)) for focus in (inf, 3200))

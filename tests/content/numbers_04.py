@@ -55,6 +55,7 @@ def how_far_the_corner_moves() -> Says:
     corner, half = (distort([r, 0], BARREL)[0] - r for r in (1.0, 0.5))
     yield rf"$-0.2 \cdot 1 \cdot 200 = {200 * corner:.0f}$ px"
     yield f"an eighth of that, {-200 * half:.0f} px"
+    yield f"beyond the radius {largest_distorted_radius(BARREL):.3f} no light arrives"
     both = distort([1, 0], Distortion(k1=-0.2, k2=0.1))[0] - 1
     yield rf"$(-0.2 + 0.1) \cdot 200 = {200 * both:.0f}$ px"
 
@@ -101,11 +102,11 @@ def the_table_close_to_the_fold() -> Says:
 
 def what_the_rim_cuts() -> Says:
     corner = np.array(1.0)  # the tangent of 45°
-    for rim, rest in ((6.0, 1.0), (12.0, 0.0)):
+    for rim, rest in ((6.0, 1.0), (10.0, 0.0)):
         _, share = light(corner, 16.0, rim, natural=True)
         assert share == rest
     yield "With the rim 6 mm before the stop, a narrow bundle passes it untouched"
-    yield f"Move the rim forward by more than {RIM_MM:g} mm, its radius"
+    yield f"Move the rim to 10 mm before the stop, farther than its radius of {RIM_MM:g} mm"
     yield "at f/16 nothing is left of the corner"
 
 

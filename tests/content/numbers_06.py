@@ -10,6 +10,7 @@ import numpy as np
 from PIL import Image
 from scipy.constants import c, h, k
 from scipy.optimize import brentq
+from scipy.stats import norm
 from support.worked_numbers import Says
 
 from simulations.engine.stages import StageCache
@@ -26,11 +27,11 @@ from simulations.models.color.srgb import (
 from simulations.models.compression.blocks import round_outwards
 from simulations.models.compression.chroma_upsampling import METHODS as UPSAMPLING
 from simulations.models.sensor.demosaicing import METHODS, demosaic, mosaic, psnr_db
-from simulations.models.sensor.photon_counting import Sensor, signal_to_noise, with_iso
+from simulations.models.sensor.photon_counting import Sensor, shot_noise, signal_to_noise, with_iso
 from simulations.pictures.balloon import WHOLE
 from simulations.pictures.mosaic_subjects import SUBJECTS
 from simulations.scenes.jpeg.scene import SCENE as JPEG
-from simulations.scenes.sensor_noise.stages import patch_means_e, saturation_e, sensor_of
+from simulations.scenes.sensor_noise.stages import PATCH_PX, patch_means_e, saturation_e, sensor_of
 
 CHAPTER = "06-digital-sensor"
 WELL = 20_000.0
@@ -84,6 +85,18 @@ def a_gaussian_of_hardly_an_electron() -> Says:
     below_zero = (1 - erf(sqrt(mean / 2))) / 2
     assert 0.3 < below_zero < 0.36
     yield "has a third of its area below zero"
+    one_e_dn = 1 / sensor_of(14, "6400", 0).gain_e_per_dn
+    z = norm.ppf((np.arange(400_000) + 0.5) / 400_000)
+    for model, lean, words in (
+        ("gaussian", 0 * z, "Too high: {:.1f} DN on average"),
+        ("skewed", (z * z - 1) / 6, "and the mean comes down to {:.1f} DN"),
+    ):
+        expected = np.maximum(np.rint(mean + sqrt(mean) * z + lean), 0).mean()
+        drawn = shot_noise(np.full(z.shape, mean), np.random.default_rng(0), WELL, model)
+        assert np.isclose(drawn.mean(), expected, atol=0.004)
+        yield words.format(expected * one_e_dn)
+    yield f"where {mean:.2f} electrons are {mean * one_e_dn:.1f} DN"
+    yield f"scatters about such numbers by {sqrt(mean) / PATCH_PX * one_e_dn:.1f} DN"
 
 
 def transforms_that_round_otherwise() -> Says:
@@ -263,7 +276,7 @@ def sixteen_bits() -> Says:
     yield rf"$1.2/\sqrt{{12}} = {rounding:.2f}$ electrons"
     yield f"In variance it adds {rounding**2:.2f} to {5**2}, half a per cent"
     assert 0.0045 < rounding**2 / 5**2 < 0.0055
-    yield f"the rounding error of {rounding:.2f} electrons is far below that"
+    yield f"- [x] No: its rounding error of {rounding:.2f} electrons is lost in the read noise."
 
 
 def iso_and_snr() -> Says:

@@ -55,7 +55,7 @@ def the_border_belongs_to_neither_side() -> Says:
     assert r"\ge 2" not in source(CHAPTER)
     assert "at least twice as fast" not in source(CHAPTER)
     spacings_um = (1000 / 30, 1000 / 60, 16.0, 3.3)
-    shown = ("33 µm", "16⅔ µm", "16 µm", "3.3 µm")
+    shown = ("33⅓ µm", "16⅔ µm", "16 µm", "3.3 µm")
     for spacing, text in zip(spacings_um, shown, strict=True):
         key = spacing == max(s for s in spacings_um if 1000 / s > 2 * 30)
         yield f"- [{'x' if key else ' '}] {text}\n"
@@ -72,6 +72,7 @@ def the_same_picture_at_two_frequencies() -> Says:
 def what_a_cell_s_width_lets_through() -> Says:
     yield rf"At the Nyquist frequency that is $2/\pi = {2 / pi:.2f}$"
     assert np.isclose(box_mtf(0.5), 2 / pi)
+    yield f"where the cell still passes {float(box_mtf(0.5)):.2f}"
     yield f"at 0.8 cycles per pixel it is {float(box_mtf(0.8)):.2f}; at 1 it is exactly zero"
     assert abs(float(box_mtf(1.0))) < 1e-15
     beyond = np.linspace(1, 3, 2001)
@@ -86,7 +87,7 @@ def what_cell_and_plate_let_through() -> Says:
     both = box_mtf(f) * np.abs(np.cos(pi * f))
     assert np.allclose(both, np.abs(np.sinc(2 * f)), atol=1e-12)
     yield f"From Nyquist on that never exceeds {both[f >= 0.5].max():.2f}"
-    yield f"and {np.interp(0.8, f, both):.2f} of the shirt's stripes are left"
+    yield f"and {np.interp(0.8, f, both):.2f} of the shirt's contrast is left"
     yield "at 0.4 cycles per pixel, which the grid could hold, the cell and the plate leave "
     yield f"the cell and the plate leave {np.interp(0.4, f, both):.2f}"
 

@@ -20,6 +20,7 @@ from simulations.models.lens.thin_lens import (
     working_f_number,
 )
 from simulations.models.lens.vignetting import vignetting_cos4
+from simulations.pictures.still_life.things import THINGS, WALL_DISTANCE, thing_depth
 from simulations.scenes.camera import scene as camera
 from simulations.scenes.camera.lens import COLUMNS, ROWS, bend_rays, margin_px, pinhole_rays
 from simulations.scenes.camera.sensor import ADC
@@ -122,6 +123,15 @@ def the_hyperfocal_distance() -> Says:
     yield rf"$2500/(2.8 \times {PIXEL_MM:.4f}) + 50 \approx {round(distance, -2):.0f}$ mm"
 
 
+def the_still_life() -> Says:
+    depths = [thing_depth(thing) for thing in THINGS]
+    assert len(depths) == 6
+    assert 1.8 < min(depths) < 2
+    assert round(max(depths), 1) == 6.5
+    yield "Six things stand on a chequered floor, from under two metres to six and a half"
+    yield f"a test chart hangs on the wall at {'eight' if WALL_DISTANCE == 8 else WALL_DISTANCE}"
+
+
 def half_the_field_of_view() -> Says:
     sensor, longer = (principal_distance_mm(focal, 3200) for focal in (50, 100))
     angle = field_of_view_rad(50, 36, 3200)
@@ -210,7 +220,7 @@ def how_seldom_the_straight_picture_is_drawn_again() -> Says:
 
 def how_many_stages_there_are() -> Says:
     assert len(STAGES) == 19
-    yield "A photograph here takes nineteen stages"
+    yield "with the noiseless one that it is compared with, takes nineteen stages"
 
 
 def what_a_step_of_the_focus_leaves() -> Says:
@@ -232,6 +242,15 @@ def what_the_truth_is() -> Says:
     yield f"*{rays} bent rays a pixel*"
     assert rays == 12
     yield "twelve rays per pixel come nearer to the truth"
+    values = check_values(camera.CONTROLS, {"aperture": 1.4})
+    *_, truth = camera.references(values)
+    layers, through_the_lens = (
+        camera.rms_codes(
+            camera.run_tier(values, tier, StageCache()).outputs["noiseless picture"], truth
+        )
+        for tier in ("layers", "aperture-rays")
+    )
+    assert through_the_lens < 0.7 * layers
 
 
 def a_draft_is_for_what_moves_everything() -> Says:
@@ -249,6 +268,7 @@ WORKED = (
     when_the_lens_is_a_pinhole,
     focus_breathing,
     the_hyperfocal_distance,
+    the_still_life,
     half_the_field_of_view,
     a_quarter_as_deep,
     past_the_fold,

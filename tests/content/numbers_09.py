@@ -19,8 +19,10 @@ def disparity_px(depth_m: float, focal_px: float, baseline_m: float) -> float:
 
 
 def a_finger_and_two_eyes() -> Says:
-    yield rf"$6.4/25 = \tan {degrees(atan(6.4 / 25)):.1f}^\circ$"
-    yield f"At arm's length, 60 cm, it jumps by {degrees(atan(6.4 / 60)):.0f}°"
+    near, far = (2 * degrees(atan(3.2 / distance)) for distance in (25, 60))
+    yield f"by about {near:.0f}°, since each eye is some 3.2 cm from the middle"
+    yield rf"$2\arctan(3.2/25) = {near:.1f}^\circ$"
+    yield f"At arm's length, 60 cm, it jumps by {far:.0f}°"
 
 
 def counting_equations() -> Says:

@@ -89,11 +89,12 @@ def a_dot_product_that_rounds_to_one() -> Says:
 
 
 def a_value_that_does_not_fit_a_byte() -> Says:
-    yield "A pixel's value is 255.6."
-    value = 255.6
+    """Its whole part must not fit either, or a cast, which drops the fraction, would do."""
+    value = 256.3
+    yield f"A pixel's value is {value}."
     assert np.uint8(np.rint(np.clip(value, 0, 255))) == 255
-    assert np.rint(value) == np.rint(value % 256) == 256
-    yield "Take it modulo 256, round"
+    assert np.trunc(value) == np.rint(value) == 256
+    yield f"The remainder is {value % 256:.1f}, which rounds to {np.rint(value % 256):.0f}."
 
 
 def a_tree_with_the_lens_at_infinity() -> Says:

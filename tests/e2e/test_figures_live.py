@@ -100,9 +100,7 @@ def _assert_changes(reader: Reader, figure: Locator, control: dict, act: Gesture
     element = figure.locator(f'.controls [name="{control["name"]}"]')
     for attempt in range(4):
         act(reader, element, control, attempt)
-        reader.page.wait_for_timeout(400 if control.get("drives") else 50)
-        reader.settle(figure)
-        if reader.shown(figure) != before:
+        if reader.changed(figure, before, within_ms=2000):
             return
     pytest.fail(f"{control['name']} ({control['kind']}) changes nothing in the figure")
 

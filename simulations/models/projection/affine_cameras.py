@@ -47,8 +47,8 @@ def orthographic_camera(
 def scaled_orthographic_camera(K: ArrayLike, depth: float) -> Floats:
     """Weak perspective: x = fx X/Z₀ + s Y/Z₀ + cx, all points taken to be at one depth Z₀.
 
-    In two steps, each point moves along the optical axis to the plane Z = Z₀, which is then seen
-    in perspective. Right on that plane; elsewhere off by the share (Z − Z₀)/Z₀ of the distance
+    In two steps, each point moves parallel to the optical axis to the plane Z = Z₀, which is then
+    seen in perspective. Right on that plane; elsewhere off by the share (Z − Z₀)/Z₀ of the distance
     between the true image and the principal point.
 
     Parameters
@@ -66,8 +66,8 @@ def scaled_orthographic_camera(K: ArrayLike, depth: float) -> Floats:
 def paraperspective_camera(K: ArrayLike, reference: ArrayLike) -> Floats:
     """The linear camera that agrees with perspective to first order at a reference point.
 
-    Each point moves along the line of sight to the reference, instead of along the axis, to the
-    reference's plane; that plane is seen in perspective. The error grows with the square of the
+    Each point moves parallel to the line of sight to the reference, instead of to the axis, to
+    the reference's plane; that plane is seen in perspective. The error grows with the square of the
     distance from the reference.
 
     Parameters
