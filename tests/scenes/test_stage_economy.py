@@ -116,7 +116,7 @@ TIERS = list(itertools.permutations(camera_stages.TIERS, 2))
 @pytest.mark.parametrize(("first", "second"), TIERS)
 def test_a_settled_photograph_does_not_remember_the_draft(first: str, second: str) -> None:
     scene, cache = camera.SCENE, StageCache()
-    given = check_values(scene.controls, START["camera"])
+    given = scene.check(START["camera"])
     scene.render(given, first, cache)
     warm = scene.render(given, second, cache).panels[0].raster
     cold = scene.render(given, second, StageCache()).panels[0].raster
@@ -127,10 +127,10 @@ def test_a_settled_photograph_does_not_remember_the_draft(first: str, second: st
 
 def test_dearer_tiers_of_the_camera_are_nearer_to_rays_through_the_whole_lens() -> None:
     scene = camera.SCENE
-    given = check_values(scene.controls, {"aperture": 1.4})
+    given = scene.check({"aperture": 1.4})
     errors = {}
     for tier in scene.tiers:
-        *_, last = camera.error(given, tier, StageCache())
+        *_, last = scene.estimates(given, tier, StageCache())
         errors[tier] = float(last.text)
     assert errors["draft"] > 3 * errors["layers"]
     assert errors["layers"] > 1.4 * errors["aperture-rays"]
@@ -138,7 +138,7 @@ def test_dearer_tiers_of_the_camera_are_nearer_to_rays_through_the_whole_lens() 
 
 def test_a_lens_that_is_a_pinhole_needs_no_rays() -> None:
     scene = camera.SCENE
-    given = check_values(scene.controls, {"aperture": 22})
+    given = scene.check({"aperture": 22})
     layers = scene.render(given, "layers", StageCache()).panels[0].raster
     rays = scene.render(given, "aperture-rays", StageCache())
     assert "aperture rays" in {item.name for item in rays.stages if item.status == "skipped"}
