@@ -18,14 +18,12 @@ from simulations.scenes.camera.lens import PITCH_MM
 from simulations.scenes.camera.stages import through_lens
 from simulations.scenes.depth_of_field.drawing import disc_scale, half_opening
 from simulations.scenes.depth_of_field.scene import (
-    FAR_M,
     LARGEST_DRAWN_PX,
-    NEAR_M,
     SCENE,
     drawn_f_number,
     parameters,
-    sharpness,
 )
+from simulations.scenes.depth_of_field.sharpness import FAR_M, NEAR_M, sharpness
 from simulations.scenes.depth_of_field.stages import depth_of, encode
 
 
