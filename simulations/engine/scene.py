@@ -26,8 +26,9 @@ class Scene[S]:
     """The frame at some settings, from what the stages made of them."""
     stages: tuple[Stage, ...] = ()
     """In the order in which they run. They read settings, ``tier`` and `parameters` by name."""
-    parameters: Callable[[S, str], Mapping[str, Value]] | None = None
-    """What stages read besides the settings: set by the tier, or worked out."""
+    parameters: Callable[[S, str], Mapping[str, Value] | None] | None = None
+    """What stages read besides the settings: set by the tier, or worked out, also in place of a
+    setting. ``None`` where there is nothing to compute: no stage runs then, nor is any reported."""
     tiers: tuple[str, ...] = ()
     """Accuracy choices, cheap to dear."""
     default_tier: str = ""
@@ -71,6 +72,8 @@ class Scene[S]:
         """What the stages make of these settings; a tier that the scene lacks is its default."""
         tier = self._settled(tier)
         extra = self.parameters(settings, tier) if self.parameters else {}
+        if extra is None:
+            return Run({}, ())
         return run(self.stages, {**values_of(settings), "tier": tier, **extra}, cache)
 
     def render(self, settings: S, tier: str, cache: StageCache) -> Frame:

@@ -7,7 +7,6 @@ from math import hypot, isclose, sqrt, tan
 from numpy import arange, interp
 from support.worked_numbers import Says
 
-from simulations.engine.controls import check_values
 from simulations.engine.stages import StageCache
 from simulations.models.color.srgb import encode_srgb
 from simulations.models.distortion.lens_model import Distortion, distort, largest_distorted_radius
@@ -22,7 +21,7 @@ from simulations.models.lens.thin_lens import (
 from simulations.models.lens.vignetting import vignetting_cos4
 from simulations.pictures.still_life.things import THINGS, WALL_DISTANCE, thing_depth
 from simulations.scenes.camera import scene as camera
-from simulations.scenes.camera.lens import COLUMNS, ROWS, bend_rays, margin_px, pinhole_rays
+from simulations.scenes.camera.lens import COLUMNS, ROWS, bend_rays, margin_px, sensor_rays
 from simulations.scenes.camera.sensor import ADC
 from simulations.scenes.camera.stages import STAGES, TIERS
 
@@ -55,7 +54,7 @@ def the_same_place_in_the_simulator() -> Says:
     """Its rays say the same: the one that the lens bends onto that pixel points at the point."""
     sensor = principal_distance_mm(50, 3200)
     column = (COLUMNS - 1) / 2 + sensor / PIXEL_MM * float(distort([ASIDE, 0], LENS)[0])
-    rays = bend_rays(pinhole_rays(50.0, 3.2), LENS.k1).directions
+    rays = bend_rays(sensor_rays(50.0, 3.2), LENS.k1).directions
     row = (rays[ROWS // 2 - 1] + rays[ROWS // 2]) / 2
     assert isclose(float(interp(column, arange(COLUMNS), row[:, 0])), ASIDE, rel_tol=1e-4)
     yield "This is the [principal distance]"
@@ -141,13 +140,13 @@ def half_the_field_of_view() -> Says:
     focal = 1 / (1 / half + 1 / 3200)
     yield f"Half is reached at {focal:.0f} mm."
     assert isclose(2 * field_of_view_rad(focal, 36, 3200), angle)
-    assert isclose(camera.view_of(check_values(camera.CONTROLS, {})), angle)
+    assert isclose(camera.view_of(camera.Settings()), angle)
 
 
 def a_quarter_as_deep() -> Says:
     limits = [
-        camera.depth_of_field_m(check_values(camera.CONTROLS, {"aperture": 1.4, "focal_length": f}))
-        for f in (50, 100)
+        camera.depth_of_field_m(camera.SCENE.check({"aperture": 1.4, "focal_length": focal}))
+        for focal in (50, 100)
     ]
     (near, far), (near_long, far_long) = limits
     assert 0.23 < (far_long - near_long) / (far - near) < 0.27
@@ -195,27 +194,24 @@ def a_lens_that_hardly_bends() -> Says:
 @cache
 def errors_in_codes(**setting: float) -> tuple[float, float]:
     """Of the bent picture and of that of bent rays, against rays through the whole lens."""
-    values = check_values(camera.CONTROLS, setting)
-    *_, truth = camera.references(values)
+    settings = camera.SCENE.check(setting)
+    *_, truth = camera.references(settings)
     bent_picture, bent_rays = (
-        camera.run_tier(values, tier, StageCache()).outputs["noiseless picture"]
+        camera.SCENE.run(settings, tier, StageCache()).outputs["noiseless picture"]
         for tier in ("layers", "bent-rays")
     )
     return camera.rms_codes(bent_picture, truth), camera.rms_codes(bent_rays, truth)
 
 
 def how_seldom_the_straight_picture_is_drawn_again() -> Says:
-    again = []
+    again, start = [], camera.Settings()
     for lens in range(24, 136, 10):
-        sweep = [
-            margin_px(check_values(camera.CONTROLS, {"focal_length": lens, "k1": k1 / 100}))
-            for k1 in range(-40, 41)
-        ]
+        sweep = [margin_px(lens, start.focus, k1 / 100) for k1 in range(-40, 41)]
         again += [before != after for before, after in pairwise(sweep)]
     assert 20 < len(again) / sum(again) < 30
     yield "about one step in twenty-five has to draw the straight picture again"
     yield "the first of them, four pixels, is always there"
-    assert margin_px(check_values(camera.CONTROLS, {})) == (4, 4)
+    assert margin_px(start.focal_length, start.focus, start.k1) == (4, 4)
 
 
 def how_many_stages_there_are() -> Says:
@@ -226,8 +222,8 @@ def how_many_stages_there_are() -> Says:
 def what_a_step_of_the_focus_leaves() -> Says:
     cache = StageCache()
     for focus in (3.2, 3.3):
-        values = check_values(camera.CONTROLS, {"aperture": 2.0, "focus": focus})
-        reports = camera.run_tier(values, "", cache).reports
+        settings = camera.SCENE.check({"aperture": 2.0, "focus": focus})
+        reports = camera.SCENE.run(settings, "", cache).reports
     reused = [report.name for report in reports if report.status == "reused"]
     again = {report.name for report in reports if report.status == "computed"}
     assert reused == ["grain"]
@@ -238,7 +234,7 @@ def what_a_step_of_the_focus_leaves() -> Says:
 def what_the_truth_is() -> Says:
     yield f"sends {len(aperture_grid(camera.REFERENCE_GRID))} rays per pixel through the whole"
     yield f"differs from one that sends {len(aperture_grid(camera.REFERENCE_GRID))} rays per pixel"
-    rays = TIERS["aperture-rays"]["lens_rays"]
+    rays = TIERS["aperture-rays"].lens_rays
     yield f"*{rays} bent rays a pixel*"
     assert rays == 12
     yield "twelve rays per pixel come nearer to the truth"
@@ -255,7 +251,7 @@ def what_the_truth_is() -> Says:
 
 def a_draft_is_for_what_moves_everything() -> Says:
     assert camera.SCENE.drafted == ("focal_length", "light_angle")
-    assert TIERS["draft"]["reduction"] ** 2 == 4
+    assert TIERS["draft"].reduction ** 2 == 4
     yield "For the focal length and the lamp, the simulator sends one ray for four pixels"
     yield "The focus has no draft."
 

@@ -353,10 +353,10 @@ def what_is_said_of_wide_discs() -> Says:
 
 def how_round_the_outlines_of_the_book_are() -> Says:
     """The smallest ball, through the widest lens, focused at infinity."""
-    balls = [thing for thing in THINGS if isinstance(thing.solid, Sphere)]
-    widest = next(item for item in camera.CONTROLS if item.name == "focal_length").minimum
+    balls = [(it.solid, thing_depth(it)) for it in THINGS if isinstance(it.solid, Sphere)]
+    widest = camera.SCENE.clamp({"focal_length": 0}).focal_length
     focal_px = widest / PITCH_MM
-    smallest = min(focal_px * ball.solid.radius / thing_depth(ball) for ball in balls)
+    smallest = min(focal_px * ball.radius / depth for ball, depth in balls)
     yield f"curve with radii of {int(smallest)} pixels or more"
 
 

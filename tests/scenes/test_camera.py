@@ -6,14 +6,15 @@ import math
 import numpy as np
 import pytest
 
-from simulations.engine.controls import Slider, check_values
-from simulations.engine.stages import StageCache
+from simulations.engine.controls import Slider, Value
+from simulations.engine.frame import Frame, Raster
+from simulations.engine.stages import Outputs, StageCache
 from simulations.models.color.srgb import decode_srgb, encode_srgb
 from simulations.models.light.raycasting import Sphere
 from simulations.models.projection import pinhole
 from simulations.pictures.still_life import things as still_life
-from simulations.scenes.camera.lens import COLUMNS, PITCH_MM, ROWS, largest_blur_px
-from simulations.scenes.camera.scene import CONTROLS, SCENE, run_tier
+from simulations.scenes.camera.lens import COLUMNS, PITCH_MM, ROWS
+from simulations.scenes.camera.scene import SCENE, blur_of
 from simulations.scenes.camera.sensor import (
     ADC,
     BYTE_OF_CODE,
@@ -26,16 +27,18 @@ from simulations.scenes.camera.sensor import (
 )
 from simulations.scenes.camera.stages import STAGES, TIERS
 
+type Setting = dict[str, Value]
+
 LAST = ("quantisation", "sRGB", "noiseless picture")
 FROM_EXPOSURE = ("exposure", "shot noise", "read noise", *LAST)
 FROM_OVERLAY = ("overlay", "trimming", "vignetting", *FROM_EXPOSURE)
-BENT = {"aperture": 2.0, "k1": -0.1}
+BENT: Setting = {"aperture": 2.0, "k1": -0.1}
 """Where no stage of the default tier is neutral, but for those of other tiers."""
 FROM_RAYS = (
     *("pinhole rays", "surfaces", "light", "defocus", "overlay"),
     *("lens map", "lens distortion", "vignetting", *FROM_EXPOSURE),
 )
-AFTER_MOVING = {
+AFTER_MOVING: dict[str, tuple[Value, tuple[str, ...]]] = {
     "noise_sigma": (9, ("read noise", "quantisation", "sRGB")),
     "shot_noise": (False, ("read noise", "quantisation", "sRGB")),
     "new_noise": (1, ("grain", "shot noise", "read noise", "quantisation", "sRGB")),
@@ -52,64 +55,69 @@ AFTER_MOVING = {
 """Control to another value, and to the stages that must run again and no other."""
 
 
-def values(**given):
-    return check_values(CONTROLS, given)
+def shown(tier: str = "", cache: StageCache | None = None, /, **given: Value) -> Frame:
+    return SCENE.render(SCENE.check(given), tier, cache or StageCache())
 
 
-def computed(frame):
+def photograph(frame: Frame) -> Raster:
+    raster = frame.panels[0].raster
+    assert raster is not None
+    return raster
+
+
+def computed(frame: Frame) -> list[str]:
     return [stage.name for stage in frame.stages if stage.status == "computed"]
 
 
-def computed_after(change, start=None):
-    cache = StageCache()
-    SCENE.render(values(**(start or {})), "", cache)
-    return computed(SCENE.render(values(**{**(start or {}), **change}), "", cache))
+def computed_after(change: Setting, start: Setting | None = None) -> list[str]:
+    cache, given = StageCache(), start or {}
+    shown("", cache, **given)
+    return computed(shown("", cache, **{**given, **change}))
 
 
-def outputs(**given):
-    return run_tier(values(**given), "layers", StageCache()).outputs
+def outputs(tier: str = "layers", **given: Value) -> Outputs:
+    return SCENE.run(SCENE.check(given), tier, StageCache()).outputs
 
 
-def test_nothing_is_computed_where_nothing_has_changed():
+def test_nothing_is_computed_where_nothing_has_changed() -> None:
     assert computed_after({}) == []
 
 
-def test_every_control_has_its_list_of_stages():
-    assert set(AFTER_MOVING) == {control.name for control in CONTROLS}
+def test_every_control_has_its_list_of_stages() -> None:
+    assert set(AFTER_MOVING) == {control.name for control in SCENE.controls}
 
 
 @pytest.mark.parametrize("control", AFTER_MOVING)
-def test_a_control_runs_its_own_stages_and_no_other(control):
+def test_a_control_runs_its_own_stages_and_no_other(control: str) -> None:
     value, expected = AFTER_MOVING[control]
     assert tuple(computed_after({control: value}, BENT)) == expected
 
 
-def test_a_straight_and_sharp_picture_skips_blur_and_bending():
+def test_a_straight_and_sharp_picture_skips_blur_and_bending() -> None:
     after = computed_after({"light_angle": -20})
     assert tuple(after) == ("light", *FROM_OVERLAY)
 
 
-def test_the_straight_picture_serves_every_lens_of_the_same_margin():
+def test_the_straight_picture_serves_every_lens_of_the_same_margin() -> None:
     """Until the margin no longer suffices: then the whole picture is drawn, once."""
     cache, again = StageCache(), []
-    SCENE.render(values(k1=0), "", cache)
+    shown("", cache, k1=0)
     for hundredths in range(-1, -41, -1):
-        frame = SCENE.render(values(k1=hundredths / 100), "", cache)
-        again.append("surfaces" in computed(frame))
+        again.append("surfaces" in computed(shown("", cache, k1=hundredths / 100)))
     assert not again[0], "the first margin is there before the lens bends anything"
     assert 0 < sum(again) <= 5
 
 
 @pytest.mark.parametrize("focal_length", [24, 50, 135])
 @pytest.mark.parametrize("k1", [-0.01, 0.01])
-def test_the_first_touch_of_k1_finds_its_margin_drawn(focal_length, k1):
+def test_the_first_touch_of_k1_finds_its_margin_drawn(focal_length: int, k1: float) -> None:
     after = computed_after({"k1": k1}, {"focal_length": focal_length})
     assert tuple(after) == ("lens map", "lens distortion", "vignetting", *FROM_EXPOSURE)
 
 
-def test_a_margin_that_nothing_reads_changes_nothing():
+def test_a_margin_that_nothing_reads_changes_nothing() -> None:
     """The picture of a straight lens, cut out of a larger one, is that of rays of its own size."""
-    cut, whole = outputs(k1=0), run_tier(values(k1=0), "bent-rays", StageCache()).outputs
+    cut, whole = outputs(k1=0), outputs("bent-rays", k1=0)
     assert cut["surfaces"][0].coverage.shape != whole["surfaces"][0].coverage.shape
     inner = (slice(None), slice(2, -2), slice(2, -2))  # patterns of the last rows lack a neighbour
     np.testing.assert_allclose(
@@ -125,25 +133,25 @@ def test_a_margin_that_nothing_reads_changes_nothing():
         ({"noise_sigma": 5, "shot_noise": False}, True),
     ],
 )
-def test_grain_is_drawn_only_where_it_shows(noise, drawn):
-    frame = SCENE.render(values(**noise), "", StageCache())
+def test_grain_is_drawn_only_where_it_shows(noise: Setting, drawn: bool) -> None:
+    frame = shown(**noise)
     assert ("grain" in computed(frame)) is drawn
 
 
-def test_rays_through_the_lens_need_no_picture_of_its_centre():
-    frame = SCENE.render(values(aperture=8, focal_length=135), "aperture-rays", StageCache())
+def test_rays_through_the_lens_need_no_picture_of_its_centre() -> None:
+    frame = shown("aperture-rays", aperture=8, focal_length=135)
     assert "aperture rays" in computed(frame)
     assert not {"surfaces", "light", "defocus", "overlay"} & set(computed(frame))
 
 
-def test_bent_rays_must_look_again_at_every_change_of_the_lens():
+def test_bent_rays_must_look_again_at_every_change_of_the_lens() -> None:
     cache = StageCache()
-    SCENE.render(values(k1=-0.10), "bent-rays", cache)
-    after = computed(SCENE.render(values(k1=-0.11), "bent-rays", cache))
+    shown("bent-rays", cache, k1=-0.10)
+    after = computed(shown("bent-rays", cache, k1=-0.11))
     assert after[:3] == ["bent rays", "surfaces", "light"]
 
 
-def test_neutral_stages_hand_on_the_same_object():
+def test_neutral_stages_hand_on_the_same_object() -> None:
     result = outputs(k1=0, aperture=22, noise_sigma=0, shot_noise=False)
     assert result["bent rays"] is result["pinhole rays"]
     assert result["lens distortion"] is result["enlargement"] is result["overlay"]
@@ -152,12 +160,11 @@ def test_neutral_stages_hand_on_the_same_object():
     assert result["read noise"] is result["shot noise"] is result["exposure"]
 
 
-def test_skipped_defocus_would_have_changed_nothing():
+def test_skipped_defocus_would_have_changed_nothing() -> None:
     """The pinhole shortcut is taken only where the blur would return the picture it was given."""
-    given = values(aperture=5.6)
-    assert largest_blur_px(given) <= 1
+    assert blur_of(SCENE.check({"aperture": 5.6})) <= 1
     stages = {stage.name: stage for stage in STAGES}
-    lit = run_tier(given, "layers", StageCache()).outputs["light"]
+    lit = outputs(aperture=5.6)["light"]
     blurred = stages["defocus"].compute(
         lit, focal_length=50.0, aperture=5.6, focus=3.2, reduction=1
     )
@@ -172,17 +179,17 @@ def test_skipped_defocus_would_have_changed_nothing():
     + [{"k1": k1} for k1 in (-0.4, 0.0, 0.2)],
     ids=str,
 )
-def test_cached_photograph_is_bit_equal_to_a_cold_one(change, tier):
+def test_cached_photograph_is_bit_equal_to_a_cold_one(change: Setting, tier: str) -> None:
     cache = StageCache()
-    SCENE.render(values(**BENT), tier, cache)
-    warm = SCENE.render(values(**{**BENT, **change}), tier, cache)
-    cold = SCENE.render(values(**{**BENT, **change}), tier, StageCache())
-    assert np.array_equal(warm.panels[0].raster, cold.panels[0].raster)
+    shown(tier, cache, **BENT)
+    warm = shown(tier, cache, **{**BENT, **change})
+    cold = shown(tier, **{**BENT, **change})
+    assert np.array_equal(photograph(warm), photograph(cold))
     assert warm.readouts == cold.readouts
 
 
 @pytest.mark.parametrize("focus", [1.0, 10.0])
-def test_silhouettes_of_balls_lie_where_projection_puts_them(focus):
+def test_silhouettes_of_balls_lie_where_projection_puts_them(focus: float) -> None:
     """Centroid of each ball's coverage against the centre of its projected outline."""
     sensor_mm = 24.0 * focus / (focus - 0.024)
     done = outputs(focal_length=24, focus=focus)
@@ -204,14 +211,14 @@ def test_silhouettes_of_balls_lie_where_projection_puts_them(focus):
     assert seen == 4
 
 
-def test_no_two_things_overlap_or_sink_into_the_floor():
+def test_no_two_things_overlap_or_sink_into_the_floor() -> None:
     balls = [thing.solid for thing in still_life.THINGS if isinstance(thing.solid, Sphere)]
     for first, second in itertools.combinations(balls, 2):
         assert math.dist(first.centre, second.centre) > first.radius + second.radius
     assert all(ball.centre[2] == ball.radius for ball in balls)
 
 
-def test_read_noise_has_the_stated_sigma():
+def test_read_noise_has_the_stated_sigma() -> None:
     result = outputs(noise_sigma=12, shot_noise=False)
     noise = result["read noise"] - result["exposure"]
     assert noise.std() == pytest.approx(read_noise_e(12), rel=0.01)
@@ -219,14 +226,14 @@ def test_read_noise_has_the_stated_sigma():
     assert read_noise_e(255) == FULL_WELL_E
 
 
-def test_shot_noise_has_the_variance_of_its_mean():
+def test_shot_noise_has_the_variance_of_its_mean() -> None:
     result = outputs(noise_sigma=0, exposure=-1)
     mean = result["exposure"]
     normalised = (result["shot noise"] - mean) / np.sqrt(np.maximum(mean, 1))
     assert normalised[mean > 50].var() == pytest.approx(1, abs=0.02)
 
 
-def test_taking_it_again_changes_only_the_noise():
+def test_taking_it_again_changes_only_the_noise() -> None:
     first, second = outputs(new_noise=0), outputs(new_noise=1)
     assert np.array_equal(first["exposure"], second["exposure"])
     assert np.corrcoef(
@@ -235,22 +242,20 @@ def test_taking_it_again_changes_only_the_noise():
     )[0, 1] == pytest.approx(0, abs=0.02)
 
 
-def test_one_stop_more_doubles_the_light_where_nothing_is_clipped():
-    quiet = {"noise_sigma": 0, "shot_noise": False}
-    dim = SCENE.render(values(exposure=-2, **quiet), "", StageCache()).panels[0].raster
-    bright = SCENE.render(values(exposure=-1, **quiet), "", StageCache()).panels[0].raster
+def test_one_stop_more_doubles_the_light_where_nothing_is_clipped() -> None:
+    quiet: Setting = {"noise_sigma": 0, "shot_noise": False}
+    dim, bright = (photograph(shown(exposure=stops, **quiet)) for stops in (-2, -1))
     mid = (dim[..., :3] > 60) & (bright[..., :3] < 240)
     ratio = decode_srgb(bright[..., :3] / 255.0)[mid] / decode_srgb(dim[..., :3] / 255.0)[mid]
     assert np.median(ratio) == pytest.approx(2, rel=0.01)
 
 
-def test_without_noise_the_photograph_is_that_of_an_ideal_sensor():
-    frame = SCENE.render(values(noise_sigma=0, shot_noise=False), "", StageCache())
-    psnr = next(item.text for item in frame.readouts if item.name == "psnr")
+def test_without_noise_the_photograph_is_that_of_an_ideal_sensor() -> None:
+    psnr = readouts(noise_sigma=0, shot_noise=False)["psnr"]
     assert psnr == "∞" or float(psnr) > 55  # quantisation to 12 bits is all that is left
 
 
-def test_vignetting_darkens_a_wide_lens_by_cos4():
+def test_vignetting_darkens_a_wide_lens_by_cos4() -> None:
     """By the angle at which the sensor's corner sees the lens, from where the focus puts it."""
     for focal_length, focus in ((24, 10.0), (135, 1.0)):
         result = outputs(focal_length=focal_length, focus=focus)
@@ -261,12 +266,11 @@ def test_vignetting_darkens_a_wide_lens_by_cos4():
         assert ratio == pytest.approx(math.cos(math.atan(r / sensor_mm)) ** 4, rel=1e-4)
 
 
-def readouts(**given):
-    frame = SCENE.render(values(**given), "", StageCache())
-    return {item.name: item.text for item in frame.readouts}
+def readouts(**given: Value) -> dict[str, str]:
+    return {item.name: item.text for item in shown(**given).readouts}
 
 
-def test_the_picture_breathes_with_the_focus():
+def test_the_picture_breathes_with_the_focus() -> None:
     """The field of view is that of the sensor's distance, and the plan shows the same."""
     near, far = readouts(focal_length=135, focus=1), readouts(focal_length=135, focus=10)
     assert (near["sensor_distance"], far["sensor_distance"]) == ("156.1", "136.8")
@@ -275,7 +279,7 @@ def test_the_picture_breathes_with_the_focus():
         assert told["field_of_view"] == f"{angle:.1f}"
 
 
-def test_the_automatic_makes_good_what_focus_and_aperture_take_away():
+def test_the_automatic_makes_good_what_focus_and_aperture_take_away() -> None:
     """Light on the axis goes as the solid angle of the opening seen from the sensor."""
     for focal_length, aperture, focus in ((50, 8, 10.0), (135, 8, 1.0), (135, 2, 1.0)):
         sensor_mm = 1 / (1 / focal_length - 1 / (1000 * focus))
@@ -286,14 +290,14 @@ def test_the_automatic_makes_good_what_focus_and_aperture_take_away():
     assert readouts(focal_length=135, focus=1)["shutter"] != readouts(focal_length=135)["shutter"]
 
 
-def test_the_byte_of_each_code_is_that_of_its_light():
+def test_the_byte_of_each_code_is_that_of_its_light() -> None:
     linear = (np.arange(4096) - ADC.black_level_dn) / (4095 - ADC.black_level_dn)
     exact = 255 * encode_srgb(np.clip(linear, 0, 1))
     np.testing.assert_array_equal(BYTE_OF_CODE, np.rint(exact))
     assert BYTE_OF_CODE[[0, 512, 4095]].tolist() == [0, 0, 255]
 
 
-def test_more_than_a_full_well_is_white_and_less_than_nothing_black():
+def test_more_than_a_full_well_is_white_and_less_than_nothing_black() -> None:
     electrons = np.array([-1e4, 0.0, FULL_WELL_E, 1e6], np.float32).reshape(1, 2, 2)
     electrons = np.repeat(electrons, 3, axis=0)
     picture = encode(quantise(electrons))
@@ -301,7 +305,7 @@ def test_more_than_a_full_well_is_white_and_less_than_nothing_black():
     assert (picture[..., 3] == 255).all()
 
 
-def test_the_grain_of_light_and_amplifier_is_normal_and_independent():
+def test_the_grain_of_light_and_amplifier_is_normal_and_independent() -> None:
     grain = draw_grain(3)
     for noise in (grain.shot, grain.read):
         assert noise.dtype == np.float32
@@ -310,18 +314,20 @@ def test_the_grain_of_light_and_amplifier_is_normal_and_independent():
     assert np.corrcoef(grain.shot.ravel(), grain.read.ravel())[0, 1] == pytest.approx(0, abs=0.02)
 
 
-SLIDERS = [control for control in CONTROLS if isinstance(control, Slider)]
+SLIDERS = [control for control in SCENE.controls if isinstance(control, Slider)]
 ENDS = [(control.name, end) for control in SLIDERS for end in (control.minimum, control.maximum)]
-PAIRS = [dict(pair) for pair in itertools.combinations(ENDS, 2) if pair[0][0] != pair[1][0]]
+PAIRS: list[Setting] = [
+    dict(pair) for pair in itertools.combinations(ENDS, 2) if pair[0][0] != pair[1][0]
+]
 
 
-def test_all_pairs_of_extremes_give_a_clean_frame():
+def test_all_pairs_of_extremes_give_a_clean_frame() -> None:
     """Warnings are errors here, and a NaN or infinite coordinate cannot be drawn."""
     cache = StageCache()
-    reference = SCENE.render(values(), "", cache)
+    reference = shown("", cache)
     for pair in PAIRS:
-        frame = SCENE.render(values(**pair), "", cache)
+        frame = shown("", cache, **pair)
         assert [panel.name for panel in frame.panels] == ["photograph", "plan"]
         assert [r.name for r in frame.readouts] == [r.name for r in reference.readouts]
-        assert frame.panels[0].raster.shape == (ROWS, COLUMNS, 4)
+        assert photograph(frame).shape == (ROWS, COLUMNS, 4)
         assert "undefined" not in " ".join(item.text for item in frame.readouts)

@@ -5,8 +5,10 @@ import math
 import numpy as np
 import pytest
 
-from simulations.engine.controls import check_values
-from simulations.engine.stages import StageCache, run
+from simulations.engine.controls import Value
+from simulations.engine.frame import Frame, Raster, Readout
+from simulations.engine.settings import values_of
+from simulations.engine.stages import StageCache
 from simulations.ladders.depth_of_field.ladder import LADDER
 from simulations.models.lens import thin_lens
 from simulations.models.lens.aperture_grid import aperture_grid
@@ -16,48 +18,57 @@ from simulations.scenes.camera.lens import PITCH_MM
 from simulations.scenes.camera.stages import through_lens
 from simulations.scenes.depth_of_field.drawing import disc_scale, half_opening
 from simulations.scenes.depth_of_field.scene import (
-    FAR_M,
     LARGEST_DRAWN_PX,
-    NEAR_M,
     SCENE,
-    as_drawn,
-    sharpness,
+    drawn_f_number,
+    parameters,
 )
-from simulations.scenes.depth_of_field.stages import FIXED, STAGES, depth_of, encode
+from simulations.scenes.depth_of_field.sharpness import FAR_M, NEAR_M, sharpness
+from simulations.scenes.depth_of_field.stages import depth_of, encode
 
 
-def frame(cache=None, **given):
-    return SCENE.render(check_values(SCENE.controls, given), "", cache or StageCache())
+def frame(tier: str = "", cache: StageCache | None = None, /, **given: Value) -> Frame:
+    return SCENE.render(SCENE.check(given), tier, cache or StageCache())
 
 
-def texts(**given):
+def picture_of(shown: Frame) -> Raster:
+    raster = shown.panels[1].raster
+    assert raster is not None
+    return raster
+
+
+def picture(tier: str = "", cache: StageCache | None = None, /, **given: Value) -> Raster:
+    return picture_of(frame(tier, cache, **given))
+
+
+def texts(**given: Value) -> dict[str, str]:
     return {item.name: item.text for item in frame(**given).readouts}
 
 
-def detail(raster, rows, columns):
+def detail(raster: Raster, rows: slice, columns: slice) -> float:
     """Root mean square of the steps between neighbouring pixels."""
-    return np.diff(raster[rows, columns, 1].astype(float), axis=1).std()
+    return float(np.diff(raster[rows, columns, 1].astype(float), axis=1).std())
 
 
-def test_the_worked_example_of_the_chapter():
+def test_the_worked_example_of_the_chapter() -> None:
     shown = texts(focal_length=50, aperture=1.4, focus=3.2)
     assert (shown["far_mm"], shown["far_px"]) == ("0.340", "2.5")
     assert shown["near_px"] == "3.0"
 
 
-def test_the_sensor_stands_where_the_thin_lens_equation_puts_it():
+def test_the_sensor_stands_where_the_thin_lens_equation_puts_it() -> None:
     sharp = sharpness(50, 2, 1.0)
     assert 1 / sharp.image_mm == pytest.approx(1 / 50 - 1 / 1000)
 
 
-def test_at_the_limits_of_depth_of_field_the_disc_is_one_pixel():
+def test_at_the_limits_of_depth_of_field_the_disc_is_one_pixel() -> None:
     sharp = sharpness(85, 2.8, 3.0)
     for limit_m in (sharp.near_limit_m, sharp.far_limit_m):
         disc = thin_lens.circle_of_confusion_mm(85, 2.8, 3000, 1000 * limit_m)
         assert disc == pytest.approx(PITCH_MM)
 
 
-def test_from_the_hyperfocal_distance_on_infinity_is_sharp():
+def test_from_the_hyperfocal_distance_on_infinity_is_sharp() -> None:
     hyperfocal_m = thin_lens.hyperfocal(24, 8, PITCH_MM) / 1000
     assert math.isfinite(sharpness(24, 8, 0.99 * hyperfocal_m).far_limit_m)
     assert math.isinf(sharpness(24, 8, 1.01 * hyperfocal_m).far_limit_m)
@@ -67,57 +78,61 @@ def test_from_the_hyperfocal_distance_on_infinity_is_sharp():
 @pytest.mark.parametrize(
     ("focus", "word", "way"), [(0.05, "inside", "spreading"), (0.10, "at", "parallel")]
 )
-def test_focus_at_or_inside_the_focal_length_is_refused_with_the_reason(focus, word, way):
+def test_focus_at_or_inside_the_focal_length_is_refused_with_the_reason(
+    focus: float, word: str, way: str
+) -> None:
     shown = frame(focal_length=100, focus=focus)
     assert f"lies {word} the focal length of 100 mm" in shown.description
     assert f"leaves the lens {way}," in shown.description
     assert {item.text for item in shown.readouts[:7]} == {"—"}
     assert [panel.name for panel in shown.panels] == ["lens", "picture"]
+    assert shown.stages == ()
 
 
-def test_focus_decides_which_part_of_the_picture_has_detail():
-    near = frame(focal_length=50, focus=1.85).panels[1].raster
-    far = frame(focal_length=50, focus=8).panels[1].raster
+def test_focus_decides_which_part_of_the_picture_has_detail() -> None:
+    near, far = (picture(focal_length=50, focus=focus) for focus in (1.85, 8))
     chart = (slice(15, 60), slice(115, 160))
     assert detail(far, *chart) > 1.5 * detail(near, *chart)
 
 
-def test_stopping_down_sharpens_what_is_out_of_focus():
+def test_stopping_down_sharpens_what_is_out_of_focus() -> None:
     chart = (slice(15, 60), slice(115, 160))
-    wide, narrow = (frame(aperture=n, focus=1.85).panels[1].raster for n in (1.4, 16))
+    wide, narrow = (picture(aperture=n, focus=1.85) for n in (1.4, 16))
     assert detail(narrow, *chart) > 1.5 * detail(wide, *chart)
 
 
 @pytest.mark.parametrize("focal", [24, 49, 135])
 @pytest.mark.parametrize("focus", [0.05, 0.15, 0.5, 3.2, 10])
-def test_the_drawn_blur_stops_at_its_limit_by_stopping_down(focal, focus):
+def test_the_drawn_blur_stops_at_its_limit_by_stopping_down(focal: float, focus: float) -> None:
     if 1000 * focus <= focal:
         return
-    asked = check_values(SCENE.controls, {"focal_length": focal, "focus": focus})
-    drawn = as_drawn(asked)
+    asked = SCENE.check({"focal_length": focal, "focus": focus})
+    drawn = drawn_f_number(asked)
     ends_mm = [1000 * NEAR_M, 1000 * FAR_M]
-    discs = thin_lens.circle_of_confusion_mm(focal, drawn["aperture"], 1000 * focus, ends_mm)
-    assert max(discs) / PITCH_MM <= LARGEST_DRAWN_PX + 1e-9
-    assert drawn["aperture"] >= asked["aperture"]
-    assert {**drawn, "aperture": 0} == {**asked, "aperture": 0}
+    discs = thin_lens.circle_of_confusion_mm(focal, drawn, 1000 * focus, ends_mm)
+    assert discs.max() / PITCH_MM <= LARGEST_DRAWN_PX + 1e-9
+    assert drawn >= asked.aperture
+    stages_read = parameters(asked, "") or {}
+    assert stages_read["aperture"] == drawn
+    assert set(stages_read) & set(values_of(asked)) == {"aperture"}
     if 1000 * focus < 500:  # all is behind the focus, and the wall is blurred most
-        wall = thin_lens.circle_of_confusion_mm(focal, 1.4, 1000 * focus, 1000 * FAR_M) / PITCH_MM
-        assert drawn["aperture"] == pytest.approx(1.4 * max(1, wall / LARGEST_DRAWN_PX))
+        wall_mm = thin_lens.circle_of_confusion_mm(focal, 1.4, 1000 * focus, 1000 * FAR_M)
+        assert drawn == pytest.approx(1.4 * max(1, float(wall_mm) / PITCH_MM / LARGEST_DRAWN_PX))
 
 
-def test_a_picture_that_is_stopped_down_to_be_drawn_says_so():
+def test_a_picture_that_is_stopped_down_to_be_drawn_says_so() -> None:
     capped, whole = (frame(focus=focus).panels[1].overlay for focus in (0.25, 0.4))
     assert "drawn at f/1.85: no disc over 48 px" in capped
     assert whole == ""
 
 
-def width_of_the_red_ball(raster):
+def width_of_the_red_ball(raster: Raster) -> int:
     """Columns of the widest row of pixels that are red, and not one of the other colours."""
     red, green, blue = (raster[..., part].astype(int) for part in range(3))
-    return ((red > 2 * green) & (red > 2 * blue)).sum(axis=1).max()
+    return int(((red > 2 * green) & (red > 2 * blue)).sum(axis=1).max())
 
 
-def test_the_picture_grows_with_the_sensor_s_distance_from_the_lens():
+def test_the_picture_grows_with_the_sensor_s_distance_from_the_lens() -> None:
     """Not with the focal length: 1/f = 1/s + 1/z puts the sensor at z, and x = z X / Z."""
     near, far = (picture("pinhole", focus=focus) for focus in (0.25, 10))
     z_near, z_far = (1 / (1 / 50 - 1 / mm) for mm in (250, 10_000))
@@ -127,14 +142,14 @@ def test_the_picture_grows_with_the_sensor_s_distance_from_the_lens():
 
 
 @pytest.mark.parametrize("tier", ["discs", "layered", "fibonacci-16"])
-def test_every_tier_and_what_it_is_judged_by_have_the_same_scale(tier):
+def test_every_tier_and_what_it_is_judged_by_have_the_same_scale(tier: str) -> None:
     """The sensor stands 12 % farther off than the focal length: any mix of the two is far off."""
     *_, last = judged(tier, focal_length=135, aperture=22, focus=1.25)
     assert float(last.text) < 3
 
 
-def test_rays_through_the_lens_draw_no_picture_of_a_pinhole_first():
-    shown = SCENE.render(check_values(SCENE.controls, {}), "fibonacci-16", StageCache())
+def test_rays_through_the_lens_draw_no_picture_of_a_pinhole_first() -> None:
+    shown = frame("fibonacci-16")
     status = {stage.name: stage.status for stage in shown.stages}
     assert {name for name, what in status.items() if what == "computed"} == {
         "pinhole rays",
@@ -144,7 +159,7 @@ def test_rays_through_the_lens_draw_no_picture_of_a_pinhole_first():
 
 
 @pytest.mark.parametrize("largest_mm", [1e-12, 0.03, 0.4, 7, 900])
-def test_the_scale_is_a_round_number_and_the_largest_disc_fits(largest_mm):
+def test_the_scale_is_a_round_number_and_the_largest_disc_fits(largest_mm: float) -> None:
     half = half_opening(20)
     scale = disc_scale(largest_mm, half)
     assert scale * largest_mm <= 0.7 * half * (1 + 1e-9)
@@ -155,15 +170,17 @@ def test_the_scale_is_a_round_number_and_the_largest_disc_fits(largest_mm):
 @pytest.mark.parametrize("focal", [24, 135])
 @pytest.mark.parametrize("aperture", [1.4, 22])
 @pytest.mark.parametrize("focus", [0.05, 0.15, 10])
-def test_every_extreme_can_be_drawn_in_the_same_layout(focal, aperture, focus):
+def test_every_extreme_can_be_drawn_in_the_same_layout(
+    focal: float, aperture: float, focus: float
+) -> None:
     shown = frame(focal_length=focal, aperture=aperture, focus=focus)
     assert [item.name for item in shown.readouts] == list(texts())
 
 
-def test_aperture_reuses_the_lit_scene():
+def test_aperture_reuses_the_lit_scene() -> None:
     cache = StageCache()
-    frame(cache)
-    again = frame(cache, aperture=2)
+    frame("", cache)
+    again = frame("", cache, aperture=2)
     assert [s.name for s in again.stages if s.status == "computed"] == [
         "defocus",
         "overlay",
@@ -171,15 +188,11 @@ def test_aperture_reuses_the_lit_scene():
     ]
 
 
-def picture(tier, **given):
-    return SCENE.render(check_values(SCENE.controls, given), tier, StageCache()).panels[1].raster
+def judged(tier: str, **given: Value) -> list[Readout]:
+    return list(SCENE.estimates(SCENE.check(given), tier, StageCache()))
 
 
-def judged(tier, **given):
-    return list(SCENE.error(check_values(SCENE.controls, given), tier, StageCache()))
-
-
-def test_the_tiers_are_rungs_of_the_ladder_and_start_at_its_default():
+def test_the_tiers_are_rungs_of_the_ladder_and_start_at_its_default() -> None:
     assert set(SCENE.tiers) < {tier.id for tier in LADDER.tiers}
     order = [tier.id for tier in LADDER.tiers if tier.id in SCENE.tiers]
     assert list(SCENE.tiers) == order
@@ -188,10 +201,9 @@ def test_the_tiers_are_rungs_of_the_ladder_and_start_at_its_default():
 
 
 @pytest.mark.parametrize("tier", SCENE.tiers)
-def test_a_lens_that_is_a_pinhole_needs_none_of_the_ways(tier):
-    values = check_values(SCENE.controls, {"aperture": 22})
-    shown = SCENE.render(values, tier, StageCache())
-    np.testing.assert_array_equal(shown.panels[1].raster, picture("pinhole", aperture=22))
+def test_a_lens_that_is_a_pinhole_needs_none_of_the_ways(tier: str) -> None:
+    shown = frame(tier, aperture=22)
+    np.testing.assert_array_equal(picture_of(shown), picture("pinhole", aperture=22))
     assert sum(stage.status == "skipped" for stage in shown.stages) == 3
 
 
@@ -206,57 +218,53 @@ def test_a_lens_that_is_a_pinhole_needs_none_of_the_ways(tier):
         ("fibonacci-16", "rays through the lens"),
     ],
 )
-def test_each_tier_blurs_in_its_own_stage_and_in_no_other(tier, stage):
-    shown = SCENE.render(check_values(SCENE.controls, {}), tier, StageCache())
+def test_each_tier_blurs_in_its_own_stage_and_in_no_other(tier: str, stage: str | None) -> None:
+    shown = frame(tier)
     blurring = {"filter", "defocus", "rays through the lens"}
     computed = {item.name for item in shown.stages if item.status == "computed"} & blurring
     assert computed == ({stage} if stage else set())
 
 
-def test_the_tiers_differ_in_the_picture_and_in_nothing_else():
-    frames = {
-        tier: SCENE.render(check_values(SCENE.controls, {}), tier, StageCache())
-        for tier in SCENE.tiers
-    }
-    pictures = {frame.panels[1].raster.tobytes() for frame in frames.values()}
+def test_the_tiers_differ_in_the_picture_and_in_nothing_else() -> None:
+    frames = [frame(tier) for tier in SCENE.tiers]
+    pictures = {picture_of(shown).tobytes() for shown in frames}
     assert len(pictures) == len(SCENE.tiers)
-    assert len({frame.readouts for frame in frames.values()}) == 1
+    assert len({shown.readouts for shown in frames}) == 1
 
 
-def test_blur_is_measured_against_rays_through_the_whole_lens():
+def test_blur_is_measured_against_rays_through_the_whole_lens() -> None:
     """A pinhole is off by all of the blur, filters by edges only, and rays by least."""
-    cache, values = StageCache(), check_values(SCENE.controls, {})
-    rays = run(STAGES[:1], values, cache, {**FIXED, "tier": ""}).outputs["pinhole rays"]
+    cache, settings = StageCache(), SCENE.check({})
+    rays = SCENE.run(settings, "pinhole", cache).outputs["pinhole rays"]
     through = (through_lens(rays, at, 40.0, 50.0, 1.4, 3.2) for at in aperture_grid(7))
     truth = encode(np.mean(list(through), axis=0)).astype(float)
 
-    def off(tier):
-        shown = SCENE.render(values, tier, cache).panels[1].raster
-        return math.sqrt(np.mean((shown - truth)[..., :3] ** 2))
+    def off(tier: str) -> float:
+        return math.sqrt(np.mean((picture(tier, cache) - truth)[..., :3] ** 2))
 
     final = {tier: off(tier) for tier in SCENE.tiers}
     filters = [final[tier] for tier in ("discs", "binned", "gather")]
     assert final["pinhole"] > 2.5 * max(filters)
     assert min(filters) > final["layered"] > 2 * final["fibonacci-16"]
-    *_, last = SCENE.error(values, "layered", cache)
+    *_, last = SCENE.estimates(settings, "layered", cache)
     assert float(last.text) == pytest.approx(final["layered"], abs=0.01)
 
 
-def test_each_estimate_counts_one_ray_more_and_wide_discs_are_given_more_of_them():
+def test_each_estimate_counts_one_ray_more_and_wide_discs_are_given_more_of_them() -> None:
     estimates = judged("pinhole", aperture=4)
     assert [each.label.split()[3] for each in estimates[:3]] == ["1", "2", "3"]
     assert len(estimates) == 37
-    first = next(iter(SCENE.error(check_values(SCENE.controls, {"focus": 0.3}), "", StageCache())))
+    first = next(SCENE.estimates(SCENE.check({"focus": 0.3}), "", StageCache()))
     assert "of 177 rays" in first.label
     assert first.unit == "codes of 255"
 
 
-def test_where_no_picture_is_formed_no_error_is_claimed():
+def test_where_no_picture_is_formed_no_error_is_claimed() -> None:
     (estimate,) = judged("layered", focal_length=100, focus=0.1)
     assert (estimate.text, estimate.unit) == ("no picture", "")
 
 
-def test_the_depth_of_a_pixel_is_that_of_the_foremost_thing():
+def test_the_depth_of_a_pixel_is_that_of_the_foremost_thing() -> None:
     ones = np.ones((4, 3, 4), np.float32)
     half = ones * np.float32(0.5)
     lit = LitScene(
@@ -272,7 +280,7 @@ def test_the_depth_of_a_pixel_is_that_of_the_foremost_thing():
     np.testing.assert_array_equal(depth_of(lit), expected)
 
 
-def test_a_layer_beside_the_picture_changes_no_depth():
+def test_a_layer_beside_the_picture_changes_no_depth() -> None:
     ones = np.ones((4, 3, 4), np.float32)
     places = [(-3, 0), (6, 0), (0, -4), (0, 8)]
     lit = LitScene(

@@ -94,6 +94,22 @@ def test_stages_read_settings_the_tier_and_what_is_worked_out_from_both() -> Non
     assert [report.name for report in frame.stages] == ["told"]
 
 
+def test_what_is_worked_out_may_stand_for_a_setting() -> None:
+    scene = scene_of(
+        **TIERS, ladder="srgb", stages=STAGES, parameters=lambda _settings, _tier: {"size": 7}
+    )
+    assert scene.render(Settings(2), "", StageCache()).description == "Size 2, fine of 7."
+
+
+def test_where_there_is_nothing_to_compute_no_stage_runs_and_none_is_reported() -> None:
+    scene = scene_of(
+        **TIERS, ladder="srgb", stages=STAGES, parameters=lambda _settings, _tier: None
+    )
+    frame = scene.render(Settings(2), "fine", StageCache())
+    assert frame.description == "Size 2, nothing."
+    assert frame.stages == ()
+
+
 def test_a_tier_that_the_scene_lacks_is_its_default() -> None:
     scene = scene_of(**TIERS, ladder="srgb", stages=STAGES)
     for tier in ("", "fine", "no such tier"):

@@ -1,7 +1,7 @@
 """The camera's lens: which ray it bends onto each pixel, and how wide it blurs each depth.
 
-Settings are those of the controls: ``focal_length`` in millimetres and ``focus`` in metres. Places
-on the sensor are measured in ``principal_mm``, the distance from lens to sensor.
+As on the controls, ``focal_length`` is in millimetres and ``focus`` in metres. Places on the sensor
+are measured in ``principal_mm``, the distance from lens to sensor.
 """
 
 import math
@@ -11,7 +11,6 @@ from functools import lru_cache
 import numpy as np
 from numpy.typing import NDArray
 
-from simulations.engine.controls import Values
 from simulations.models.distortion.lens_model import (
     Distortion,
     largest_distorted_radius,
@@ -69,11 +68,6 @@ def principal_mm(focal_length: float, focus: float) -> float:
     return thin_lens.principal_distance_mm(focal_length, focus * 1000.0)
 
 
-def principal_mm_of(values: Values) -> float:
-    """The same, for a setting of the controls."""
-    return principal_mm(values.number("focal_length"), values.number("focus"))
-
-
 @lru_cache(maxsize=4)  # asked for several times a frame
 def ideal_reach(principal: float, k1: float) -> tuple[float, float]:
     """How far right and down of the axis the sensor sees: the largest of x/z and of y/z.
@@ -88,10 +82,10 @@ def ideal_reach(principal: float, k1: float) -> tuple[float, float]:
     return float(across), float(down)
 
 
-def margin_px(values: Values) -> tuple[int, int]:
+def margin_px(focal_length: float, focus: float, k1: float) -> tuple[int, int]:
     """Columns and rows by which the straight picture must exceed each side of the sensor."""
-    principal = principal_mm_of(values)
-    across, down = ideal_reach(principal, values.number("k1"))
+    principal = principal_mm(focal_length, focus)
+    across, down = ideal_reach(principal, k1)
     return _margin(across * principal, COLUMNS), _margin(down * principal, ROWS)
 
 
@@ -108,20 +102,20 @@ def nearest_depth(principal: float, k1: float) -> float:
     return float(min(floor, *(still_life.thing_depth(thing) for thing in still_life.THINGS)))
 
 
-def largest_blur_px(values: Values) -> float:
+def largest_blur_px(focal_length: float, aperture: float, focus: float, k1: float) -> float:
     """The widest disc of confusion in the picture; blur grows to both sides of the focus."""
-    focal, focus = values.number("focal_length"), values.number("focus")
-    nearest = nearest_depth(principal_mm(focal, focus), values.number("k1"))
+    nearest = nearest_depth(principal_mm(focal_length, focus), k1)
     ends = np.array([nearest, still_life.WALL_DISTANCE])
-    return float(blur_px(focal, values.number("aperture"), focus, ends).max())
+    return float(blur_px(focal_length, aperture, focus, ends).max())
+
+
+def sensor_rays(focal_length: float, focus: float) -> Rays:
+    """Straight rays, one through each pixel of the sensor."""
+    return pinhole_rays(focal_length, focus, 1, 0, 0)
 
 
 def pinhole_rays(
-    focal_length: float,
-    focus: float,
-    reduction: int = 1,
-    margin_columns: int = 0,
-    margin_rows: int = 0,
+    focal_length: float, focus: float, reduction: int, margin_columns: int, margin_rows: int
 ) -> Rays:
     """Straight rays through the pixels of the sensor and of a margin on each of its sides."""
     columns = (COLUMNS + 2 * margin_columns) // reduction

@@ -5,7 +5,6 @@ import math
 import numpy as np
 
 from simulations.engine import drawing
-from simulations.engine.controls import Values
 from simulations.engine.frame import format_number
 from simulations.models.light.raycasting import Box, Sphere
 from simulations.pictures.still_life.things import THINGS, WALL_DISTANCE, Thing
@@ -25,16 +24,16 @@ def on_plan(x: float, y: float) -> Point:
     return PLAN_WIDTH / 2 + UNITS_PER_METRE * x, CAMERA_ROW - UNITS_PER_METRE * y
 
 
-def draw_plan(values: Values, view_rad: float, near: float, far: float) -> str:
+def draw_plan(focus: float, light_angle: float, view_rad: float, near: float, far: float) -> str:
     """SVG markup. ``near`` and ``far`` bound the depth of field, metres; ``far`` may be ∞."""
     half_tan = math.tan(view_rad / 2)
     return "".join(
         (
             _wedge(half_tan),
-            _in_focus(values.number("focus"), near, far, half_tan),
+            _in_focus(focus, near, far, half_tan),
             _wall(),
             *(_thing(thing) for thing in THINGS),
-            _lamp(values.number("light_angle")),
+            _lamp(light_angle),
             _camera(view_rad),
         )
     )

@@ -2,13 +2,15 @@
 
 import math
 from collections.abc import Iterator
+from dataclasses import asdict, dataclass
 
 import numpy as np
 
-from simulations.engine.controls import Action, Slider, Toggle, Values
+from simulations.engine.controls import Value
 from simulations.engine.frame import Frame, Panel, Raster, Readout, format_number, readout
 from simulations.engine.scene import Scene
-from simulations.engine.stages import Run, StageCache, run
+from simulations.engine.settings import action, slider, toggle
+from simulations.engine.stages import Outputs
 from simulations.models.lens import thin_lens
 from simulations.models.lens.aperture_grid import aperture_grid
 from simulations.scenes.camera.lens import (
@@ -18,93 +20,63 @@ from simulations.scenes.camera.lens import (
     SENSOR_WIDTH_MM,
     bend_rays,
     largest_blur_px,
-    pinhole_rays,
-    principal_mm_of,
+    margin_px,
+    principal_mm,
+    sensor_rays,
 )
 from simulations.scenes.camera.plan import PLAN_HEIGHT, PLAN_WIDTH, draw_plan
 from simulations.scenes.camera.sensor import develop_ideal, expose, shutter_s, vignette
-from simulations.scenes.camera.stages import STAGES, TIERS, parameters, through_lens
+from simulations.scenes.camera.stages import STAGES, TIERS, through_lens
 
-DEFAULT_TIER = "layers"
 REFERENCE_GRID = 7
 """Points across the lens of the picture that errors are measured against: 37 in all."""
 
-CONTROLS = (
-    Slider(
-        name="focal_length",
-        label="Focal length",
-        default=50.0,
-        minimum=24.0,
-        maximum=135.0,
-        step=1.0,
-        unit="mm",
-    ),
-    Slider(
-        name="aperture",
-        label="Aperture",
-        default=5.6,
-        minimum=1.4,
-        maximum=22.0,
-        step=0.1,
-        prefix="f/",
-    ),
-    Slider(
-        name="focus",
-        label="Focus distance",
-        default=3.2,
-        minimum=1.0,
-        maximum=10.0,
-        step=0.1,
-        unit="m",
-    ),
-    Slider(name="k1", label="Distortion k₁", default=0.0, minimum=-0.4, maximum=0.4, step=0.01),
-    Slider(
-        name="light_angle",
-        label="Light angle",
-        default=40.0,
-        minimum=-80.0,
-        maximum=80.0,
-        step=1.0,
-        unit="°",
-    ),
-    Slider(
-        name="exposure",
-        label="Exposure",
-        default=0.0,
-        minimum=-3.0,
-        maximum=3.0,
-        step=0.1,
-        unit="EV",
-    ),
-    Slider(
-        name="noise_sigma",
-        label="Read noise σ",
-        default=5.0,
-        minimum=0.0,
-        maximum=40.0,
-        step=1.0,
-        unit="codes",
-    ),
-    Toggle(name="shot_noise", label="Photon shot noise", default=True),
-    Action(name="new_noise", labels=("Take it again",) * 8),
-)
+
+@dataclass(frozen=True, slots=True)
+class Settings:
+    """What the reader may change."""
+
+    focal_length: float = slider("Focal length", 50.0, 24.0, 135.0, 1.0, unit="mm")
+    aperture: float = slider("Aperture", 5.6, 1.4, 22.0, 0.1, prefix="f/")
+    focus: float = slider("Focus distance", 3.2, 1.0, 10.0, 0.1, unit="m")
+    k1: float = slider("Distortion k₁", 0.0, -0.4, 0.4, 0.01)
+    light_angle: float = slider("Light angle", 40.0, -80.0, 80.0, 1.0, unit="°")
+    exposure: float = slider("Exposure", 0.0, -3.0, 3.0, 0.1, unit="EV")
+    noise_sigma: float = slider("Read noise σ", 5.0, 0.0, 40.0, 1.0, unit="codes")
+    shot_noise: bool = toggle("Photon shot noise", default=True)
+    new_noise: int = action(*("Take it again",) * 8)
 
 
-def depth_of_field_m(values: Values) -> tuple[float, float]:
+def parameters(settings: Settings, tier: str) -> dict[str, Value]:
+    """What the stages read besides the controls: set by the tier, or worked out."""
+    accuracy, across, down = TIERS[tier], 0, 0
+    if not accuracy.bent_rays:
+        across, down = margin_px(settings.focal_length, settings.focus, settings.k1)
+    return {
+        **asdict(accuracy),
+        "margin_columns": across,
+        "margin_rows": down,
+        "largest_blur": blur_of(settings),
+    }
+
+
+def blur_of(settings: Settings) -> float:
+    """The widest disc of confusion in the picture, in pixels."""
+    return largest_blur_px(settings.focal_length, settings.aperture, settings.focus, settings.k1)
+
+
+def depth_of_field_m(settings: Settings) -> tuple[float, float]:
     """Nearest and farthest depth whose blur is at most one pixel, metres."""
     near, far = thin_lens.depth_of_field(
-        values.number("focal_length"),
-        values.number("aperture"),
-        values.number("focus") * 1000.0,
-        PITCH_MM,
+        settings.focal_length, settings.aperture, settings.focus * 1000.0, PITCH_MM
     )
     return near / 1000.0, far / 1000.0
 
 
-def view_of(values: Values) -> float:
+def view_of(settings: Settings) -> float:
     """Angle that the sensor sees from left to right, radians."""
-    focal_mm, focus_mm = values.number("focal_length"), values.number("focus") * 1000.0
-    return thin_lens.field_of_view_rad(focal_mm, SENSOR_WIDTH_MM, focus_mm)
+    focus_mm = settings.focus * 1000.0
+    return thin_lens.field_of_view_rad(settings.focal_length, SENSOR_WIDTH_MM, focus_mm)
 
 
 def psnr_db(picture: Raster, ideal: Raster) -> float:
@@ -118,57 +90,45 @@ def shutter_text(seconds: float) -> str:
     return f"1/{float(f'{1 / seconds:.2g}'):.0f}" if seconds < 0.3 else format_number(seconds, 1)
 
 
-def run_tier(values: Values, tier: str, cache: StageCache) -> Run:
-    """All stages, with the parameters that the tier sets."""
-    return run(STAGES, values, cache, parameters(values, tier or DEFAULT_TIER))
-
-
-def render(values: Values, tier: str, cache: StageCache) -> Frame:
+def draw(settings: Settings, outputs: Outputs) -> Frame:
     """A photograph of the still life, and the plan of where everything stood."""
-    result = run_tier(values, tier, cache)
-    photograph: Raster = result.outputs["sRGB"]
-    view_rad = view_of(values)
-    near, far = depth_of_field_m(values)
-    quality = psnr_db(photograph, result.outputs["noiseless picture"])
+    photograph: Raster = outputs["sRGB"]
+    view_rad = view_of(settings)
+    near, far = depth_of_field_m(settings)
+    quality = psnr_db(photograph, outputs["noiseless picture"])
+    plan = draw_plan(settings.focus, settings.light_angle, view_rad, near, far)
     return Frame(
         panels=(
             Panel("photograph", "Captured image", PLAN_WIDTH, PLAN_HEIGHT, photograph),
-            Panel(
-                "plan",
-                "From above",
-                PLAN_WIDTH,
-                PLAN_HEIGHT,
-                overlay=draw_plan(values, view_rad, near, far),
-            ),
+            Panel("plan", "From above", PLAN_WIDTH, PLAN_HEIGHT, overlay=plan),
         ),
-        readouts=_readouts(values, view_rad, near, far, quality),
-        description=_describe(values, view_rad, near, far, quality),
-        stages=result.reports,
+        readouts=_readouts(settings, view_rad, near, far, quality),
+        description=_describe(settings, view_rad, near, far, quality),
     )
 
 
-def error(values: Values, tier: str, cache: StageCache) -> Iterator[Readout]:
+def estimate(settings: Settings, outputs: Outputs, _tier: str) -> Iterator[Readout]:
     """How far the noiseless picture is from one whose every pixel looks through the whole lens.
 
     One ray a pixel more with each step; the rays stand on a grid that no tier uses.
     """
-    picture: Raster = run_tier(values, tier, cache).outputs["noiseless picture"]
+    picture: Raster = outputs["noiseless picture"]
     rays = len(aperture_grid(REFERENCE_GRID))
-    for count, truth in enumerate(references(values), start=1):
+    for count, truth in enumerate(references(settings), start=1):
         codes = format_number(rms_codes(picture, truth), 2)
         label = f"RMS error against {count} of {rays} rays through the lens"
         yield Readout("error", label, codes, "codes of 255", "error")
 
 
-def references(values: Values) -> Iterator[Raster]:
+def references(settings: Settings) -> Iterator[Raster]:
     """The noiseless picture seen through more and more points of the lens."""
-    setting = {n: values.number(n) for n in ("light_angle", "focal_length", "aperture", "focus")}
-    rays = bend_rays(pinhole_rays(setting["focal_length"], setting["focus"]), values.number("k1"))
+    focal, aperture, focus = settings.focal_length, settings.aperture, settings.focus
+    rays = bend_rays(sensor_rays(focal, focus), settings.k1)
     total = np.zeros((3, ROWS, COLUMNS), np.float32)
     for count, at in enumerate(aperture_grid(REFERENCE_GRID), start=1):
-        total += through_lens(rays, at, **setting)
-        light = vignette(total / np.float32(count), setting["focal_length"], setting["focus"])
-        yield develop_ideal(expose(light, values.number("exposure")))
+        total += through_lens(rays, at, settings.light_angle, focal, aperture, focus)
+        light = vignette(total / np.float32(count), focal, focus)
+        yield develop_ideal(expose(light, settings.exposure))
 
 
 def rms_codes(picture: Raster, truth: Raster) -> float:
@@ -178,11 +138,11 @@ def rms_codes(picture: Raster, truth: Raster) -> float:
 
 
 def _readouts(
-    values: Values, view_rad: float, near: float, far: float, quality: float
+    settings: Settings, view_rad: float, near: float, far: float, quality: float
 ) -> tuple[Readout, ...]:
-    setting = (values.number(n) for n in ("focal_length", "aperture", "focus", "exposure"))
-    shutter = shutter_s(*setting)
-    sensor_mm = principal_mm_of(values)
+    focal, focus = settings.focal_length, settings.focus
+    shutter = shutter_s(focal, settings.aperture, focus, settings.exposure)
+    sensor_mm = principal_mm(focal, focus)
     return (
         readout("sensor_distance", "Lens to sensor", sensor_mm, "mm", digits=1, role="camera"),
         readout(
@@ -191,9 +151,7 @@ def _readouts(
         Readout(
             "depth_of_field", "Sharp from", f"{_metres(near)} to {_metres(far)}", "m", role="ray"
         ),
-        readout(
-            "largest_blur", "Largest blur", largest_blur_px(values), "px", digits=1, role="ray"
-        ),
+        readout("largest_blur", "Largest blur", blur_of(settings), "px", digits=1, role="ray"),
         Readout("shutter", "Shutter", shutter_text(shutter), "s", role="light"),
         readout("psnr", "PSNR against no noise", quality, "dB", digits=1, role="error"),
     )
@@ -204,15 +162,14 @@ def _metres(depth: float) -> str:
     return format_number(depth, 2 if depth < 10 else 1)
 
 
-def _describe(values: Values, view_rad: float, near: float, far: float, quality: float) -> str:
-    k1 = values.number("k1")
+def _describe(settings: Settings, view_rad: float, near: float, far: float, quality: float) -> str:
+    k1 = settings.k1
     lines = "stay straight" if k1 == 0 else f"bow {'outwards' if k1 < 0 else 'inwards'}"
     beyond = "onwards" if math.isinf(far) else f"to {_metres(far)} m"
     noise = "no noise" if math.isinf(quality) else f"noise at {quality:.0f} dB PSNR"
-    focal, f_number = values.number("focal_length"), values.number("aperture")
     return (
-        f"At {focal:.0f} mm and f/{f_number:.1f} the camera sees {math.degrees(view_rad):.0f}° of "
-        "a still life of balls and boxes; it is sharp from "
+        f"At {settings.focal_length:.0f} mm and f/{settings.aperture:.1f} the camera sees "
+        f"{math.degrees(view_rad):.0f}° of a still life of balls and boxes; it is sharp from "
         f"{_metres(near)} m {beyond}, straight lines {lines}, and the picture has {noise}."
     )
 
@@ -220,10 +177,12 @@ def _describe(values: Values, view_rad: float, near: float, far: float, quality:
 SCENE = Scene(
     id="camera",
     title="Interactive Camera Simulator",
-    controls=CONTROLS,
-    render=render,
+    settings=Settings,
+    draw=draw,
+    stages=STAGES,
+    parameters=parameters,
     tiers=tuple(TIERS),
-    default_tier=DEFAULT_TIER,
+    default_tier="layers",
     draft_tier="draft",
     # Not the focus: a coarse picture would look out of focus everywhere.
     drafted=("focal_length", "light_angle"),
@@ -234,5 +193,5 @@ SCENE = Scene(
         "bent-rays": "Bent rays, blurred layers",
         "aperture-rays": "12 bent rays a pixel",
     },
-    error=error,
+    estimate=estimate,
 )

@@ -1,11 +1,10 @@
 """The complete camera, stage by stage: from rays through the lens to the bytes of a photograph."""
 
 from collections.abc import Mapping
-from dataclasses import replace
+from dataclasses import dataclass, replace
 
 import numpy as np
 
-from simulations.engine.controls import Value, Values
 from simulations.engine.stages import Stage
 from simulations.models.lens.aperture import fibonacci_disc
 from simulations.models.lens.depth_of_field import blur_by_depth, blur_layer, composite
@@ -17,23 +16,27 @@ from simulations.pictures.still_life import things as still_life
 from simulations.pictures.still_life.light import LitScene
 from simulations.pictures.still_life.surfaces import Surface
 from simulations.scenes.camera import lens, sensor
-from simulations.scenes.camera.lens import Rays, blur_px, largest_blur_px, margin_px
+from simulations.scenes.camera.lens import Rays, blur_px
 
-TIERS: Mapping[str, Mapping[str, int]] = {
-    "draft": {"reduction": 2, "bent_rays": 0, "lens_rays": 0},
-    "layers": {"reduction": 1, "bent_rays": 0, "lens_rays": 0},
-    "bent-rays": {"reduction": 1, "bent_rays": 1, "lens_rays": 0},
-    "aperture-rays": {"reduction": 1, "bent_rays": 1, "lens_rays": 12},
+
+@dataclass(frozen=True, slots=True)
+class Accuracy:
+    """What a tier sets: parameters that the stages read by these names."""
+
+    reduction: int = 1
+    """Pixels per ray each way."""
+    bent_rays: bool = False
+    """Whether the lens bends the rays, or else the finished picture."""
+    lens_rays: int = 0
+    """Rays through the lens's opening, in place of a blur; none where there is a blur."""
+
+
+TIERS: Mapping[str, Accuracy] = {
+    "draft": Accuracy(reduction=2),
+    "layers": Accuracy(),
+    "bent-rays": Accuracy(bent_rays=True),
+    "aperture-rays": Accuracy(bent_rays=True, lens_rays=12),
 }
-"""Tier to the parameters that it sets: pixels per ray each way, whether the lens bends rays (1) or
-the finished picture (0), and rays through the lens's opening in place of a blur (0: blur)."""
-
-
-def parameters(values: Values, tier: str) -> Mapping[str, Value]:
-    """What the stages read besides the controls: set by the tier, or worked out."""
-    set_by_tier = TIERS[tier]
-    across, down = (0, 0) if set_by_tier["bent_rays"] else margin_px(values)
-    return {**set_by_tier, "margin_columns": across, "margin_rows": down}
 
 
 def _surfaces(rays: Rays) -> tuple[Surface, ...]:
@@ -99,89 +102,62 @@ def _enlarge(overlaid: Planes, reduction: int) -> Planes:
     return overlaid
 
 
-def _in_focus(values: Values) -> str:
-    largest = largest_blur_px(values)
-    return "every circle of confusion is under a pixel" if largest <= 1.0 else ""
+def in_focus(largest_blur: float) -> str:
+    """Why a picture would not be blurred, of a lens whose widest disc is so many pixels wide."""
+    return "every circle of confusion is under a pixel" if largest_blur <= 1.0 else ""
 
 
-def _no_rays(values: Values) -> str:
-    return _in_focus(values) or ("" if values["lens_rays"] else "the blur stands in for rays")
+def _no_rays(largest_blur: float, lens_rays: int) -> str:
+    return in_focus(largest_blur) or ("" if lens_rays else "the blur stands in for rays")
 
 
-def _no_bending(values: Values) -> str:
-    if values.number("k1") == 0:
+def _no_bending(k1: float, bent_rays: bool) -> str:
+    if k1 == 0:
         return "k₁ = 0 bends no ray"
-    return "" if values["bent_rays"] else "the finished picture is bent instead"
+    return "" if bent_rays else "the finished picture is bent instead"
 
 
-def _no_warp(values: Values) -> str:
-    if values.number("k1") == 0:
+def _no_warp(k1: float, bent_rays: bool) -> str:
+    if k1 == 0:
         return "k₁ = 0 bends nothing"
-    return "the rays are bent already" if values["bent_rays"] else ""
+    return "the rays are bent already" if bent_rays else ""
 
 
-def _no_trim(values: Values) -> str:
-    if values["bent_rays"]:
+def _no_trim(k1: float, bent_rays: bool) -> str:
+    if bent_rays:
         return "the picture has no margin"
-    return "" if values.number("k1") == 0 else "the lens has fetched what the sensor holds"
+    return "" if k1 == 0 else "the lens has fetched what the sensor holds"
+
+
+def _own_rays(reduction: int) -> str:
+    return "each pixel has its own ray" if reduction == 1 else ""
+
+
+def _no_shot_noise(shot_noise: bool) -> str:
+    return "" if shot_noise else "shot noise is switched off"
+
+
+def _no_read_noise(noise_sigma: float) -> str:
+    return "σ = 0 adds nothing" if noise_sigma == 0 else ""
 
 
 STAGES = (
-    Stage(
-        "pinhole rays",
-        lens.pinhole_rays,
-    ),
+    Stage("pinhole rays", lens.pinhole_rays),
     Stage("bent rays", lens.bend_rays, ("pinhole rays",), _no_bending),
     Stage("surfaces", _surfaces, ("bent rays",)),
     Stage("light", _light, ("surfaces",)),
-    Stage(
-        "defocus",
-        _defocus,
-        ("light",),
-        _in_focus,
-    ),
+    Stage("defocus", _defocus, ("light",), in_focus),
     Stage("overlay", _overlay, ("defocus",)),
-    Stage(
-        "aperture rays",
-        _aperture_rays,
-        ("bent rays",),
-        _no_rays,
-        hands_on="overlay",
-    ),
-    Stage(
-        "enlargement",
-        _enlarge,
-        ("aperture rays",),
-        lambda values: "" if values["reduction"] != 1 else "each pixel has its own ray",
-    ),
-    Stage(
-        "lens map",
-        lens.lens_map,
-        ("pinhole rays",),
-        _no_warp,
-    ),
+    Stage("aperture rays", _aperture_rays, ("bent rays",), _no_rays, hands_on="overlay"),
+    Stage("enlargement", _enlarge, ("aperture rays",), _own_rays),
+    Stage("lens map", lens.lens_map, ("pinhole rays",), _no_warp),
     Stage("lens distortion", lens.distort_picture, ("enlargement", "lens map"), _no_warp),
-    Stage(
-        "trimming",
-        lens.trim,
-        ("lens distortion",),
-        _no_trim,
-    ),
+    Stage("trimming", lens.trim, ("lens distortion",), _no_trim),
     Stage("vignetting", sensor.vignette, ("trimming",)),
     Stage("exposure", sensor.expose, ("vignetting",)),
     Stage("grain", sensor.draw_grain),
-    Stage(
-        "shot noise",
-        sensor.count,
-        ("exposure", "grain"),
-        lambda values: "" if values.toggle("shot_noise") else "shot noise is switched off",
-    ),
-    Stage(
-        "read noise",
-        sensor.read,
-        ("shot noise", "grain"),
-        lambda values: "σ = 0 adds nothing" if values.number("noise_sigma") == 0 else "",
-    ),
+    Stage("shot noise", sensor.count, ("exposure", "grain"), _no_shot_noise),
+    Stage("read noise", sensor.read, ("shot noise", "grain"), _no_read_noise),
     Stage("quantisation", sensor.quantise, ("read noise",)),
     Stage("sRGB", sensor.encode, ("quantisation",)),
     Stage("noiseless picture", sensor.develop_ideal, ("exposure",)),

@@ -11,112 +11,65 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from simulations.engine.controls import Slider, Values
+from simulations.engine.controls import Value
 from simulations.engine.drawing import text
 from simulations.engine.frame import Frame, Panel, Readout, format_number
 from simulations.engine.raster import to_rgba8
 from simulations.engine.scene import Scene
-from simulations.engine.stages import StageCache, run
+from simulations.engine.settings import slider
+from simulations.engine.stages import Outputs
 from simulations.models.lens import thin_lens
-from simulations.pictures.still_life.things import THINGS, WALL_DISTANCE, thing_depth
-from simulations.scenes.camera.lens import COLUMNS, PITCH_MM, ROWS, largest_blur_px
+from simulations.scenes.camera.lens import COLUMNS, PITCH_MM, ROWS
 from simulations.scenes.depth_of_field import drawing
-from simulations.scenes.depth_of_field.stages import FIXED, STAGES, TIERS, judge
+from simulations.scenes.depth_of_field.sharpness import FAR_M, NEAR_M, Sharpness, sharpness
+from simulations.scenes.depth_of_field.stages import FIXED, STAGES, TIERS, judge, widest_px
 
-NEAR_M, FAR_M = thing_depth(THINGS[0]), WALL_DISTANCE
-"""The red ball in front and the wall behind: the two ends of the still life."""
-DEFAULT_TIER = "layered"
 LARGEST_DRAWN_PX = 48.0
 """Wider discs leave nothing to recognise, and take seconds to draw: the picture stops here."""
 UNLIT = np.full((ROWS, COLUMNS), 0.35)
 """What stands for a picture where the lens forms none."""
 
-CONTROLS = (
-    Slider(
-        name="focal_length",
-        label="Focal length",
-        default=50,
-        minimum=24,
-        maximum=135,
-        step=1,
-        unit="mm",
-    ),
-    Slider(
-        name="aperture",
-        label="Aperture",
-        default=1.4,
-        minimum=1.4,
-        maximum=22,
-        step=0.1,
-        prefix="f/",
-    ),
-    Slider(
-        name="focus",
-        label="Focus distance",
-        default=3.2,
-        minimum=0.05,
-        maximum=10,
-        step=0.05,
-        unit="m",
-    ),
-)
-
 
 @dataclass(frozen=True, slots=True)
-class Sharpness:
-    """What the lens makes of the still life at one setting; lengths in millimetres."""
+class Settings:
+    """What the reader may change."""
 
-    aperture_mm: float
-    """Diameter of the opening."""
-    image_mm: float
-    """From the lens to the sensor."""
-    near_blur_mm: float
-    """Disc of the red ball on the sensor."""
-    far_blur_mm: float
-    """Disc of the wall."""
-    near_limit_m: float
-    """Nearest distance whose disc is at most a pixel."""
-    far_limit_m: float
-    """Farthest; ∞ from the hyperfocal distance on."""
+    focal_length: float = slider("Focal length", 50, 24, 135, 1, unit="mm")
+    aperture: float = slider("Aperture", 1.4, 1.4, 22, 0.1, prefix="f/")
+    focus: float = slider("Focus distance", 3.2, 0.05, 10, 0.05, unit="m")
 
 
-def sharpness(focal_mm: float, f_number: float, focus_m: float) -> Sharpness:
-    """Raises ValueError for a focus at the focal length or nearer, which has no real image."""
-    focus_mm = 1000 * focus_m
-    blur = thin_lens.circle_of_confusion_mm(
-        focal_mm, f_number, focus_mm, np.array([1000 * NEAR_M, 1000 * FAR_M])
-    )
-    limits = thin_lens.depth_of_field(focal_mm, f_number, focus_mm, PITCH_MM)
-    return Sharpness(
-        focal_mm / f_number,
-        float(thin_lens.thin_lens_image_distance(focal_mm, focus_mm)),
-        float(blur[0]),
-        float(blur[1]),
-        limits[0] / 1000,
-        limits[1] / 1000,
-    )
+def has_image(settings: Settings) -> bool:
+    """Whether the light of the distance in focus meets behind the lens."""
+    return 1000 * settings.focus > settings.focal_length
 
 
-def as_drawn(values: Values) -> Values:
-    """The same, or stopped down until no disc in the picture is over `LARGEST_DRAWN_PX`.
+def drawn_f_number(settings: Settings) -> float:
+    """The aperture, or stopped down until no disc in the picture is over `LARGEST_DRAWN_PX`.
 
     Every disc is as wide as the aperture, so all of them shrink alike, and what is sharp and how
     large things are stays as it is.
     """
-    excess = largest_blur_px(Values({**values, **FIXED})) / LARGEST_DRAWN_PX
-    f_number = values.number("aperture") * max(excess, 1.0)
-    return Values({**values, "aperture": f_number})
+    asked = widest_px(settings.focal_length, settings.aperture, settings.focus)
+    return settings.aperture * max(asked / LARGEST_DRAWN_PX, 1.0)
 
 
-def render(values: Values, tier: str, cache: StageCache) -> Frame:
-    focal, f_number = values.number("focal_length"), values.number("aperture")
-    focus = values.number("focus")
+def parameters(settings: Settings, _tier: str) -> dict[str, Value] | None:
+    """What the camera's stages read besides: fixed here, or as it is drawn. None for no picture."""
+    if not has_image(settings):
+        return None
+    f_number = drawn_f_number(settings)
+    widest = widest_px(settings.focal_length, f_number, settings.focus)
+    return {**FIXED, "aperture": f_number, "largest_blur": widest}
+
+
+def draw(settings: Settings, outputs: Outputs) -> Frame:
+    """The cones of light, and the still life as the lens shows it."""
+    focal, f_number, focus = settings.focal_length, settings.aperture, settings.focus
     hyperfocal_m = thin_lens.hyperfocal(focal, f_number, PITCH_MM) / 1000
-    if 1000 * focus <= focal:
-        return _refuse(values, hyperfocal_m)
+    if not has_image(settings):
+        return _refuse(settings, hyperfocal_m)
     sharp = sharpness(focal, f_number, focus)
-    drawn = as_drawn(values)
-    done = run(STAGES, drawn, cache, {**FIXED, "tier": tier or DEFAULT_TIER})
     lens = drawing.Lens(
         aperture_mm=sharp.aperture_mm,
         focus_m=focus,
@@ -134,11 +87,17 @@ def render(values: Values, tier: str, cache: StageCache) -> Frame:
         format_number(sharp.far_limit_m, 2),
         format_number(hyperfocal_m, 2),
     )
-    capped = f"drawn at f/{drawn.number('aperture'):.3g}: no disc over {LARGEST_DRAWN_PX:.0f} px"
-    note = text((drawing.WIDTH / 2, drawing.HEIGHT - 12), capped, "halo", "middle")
-    is_capped = drawn.number("aperture") > f_number
-    panels = _panels(drawing.lens_diagram(lens), done.outputs["encoded"], note if is_capped else "")
-    return Frame(panels, _readouts(texts), describe(values, sharp), done.reports)
+    panels = _panels(drawing.lens_diagram(lens), outputs["encoded"], _note(settings))
+    return Frame(panels, _readouts(texts), describe(settings, sharp))
+
+
+def _note(settings: Settings) -> str:
+    """On a picture that is not drawn as wide open as was asked."""
+    drawn = drawn_f_number(settings)
+    if drawn <= settings.aperture:
+        return ""
+    capped = f"drawn at f/{drawn:.3g}: no disc over {LARGEST_DRAWN_PX:.0f} px"
+    return text((drawing.WIDTH / 2, drawing.HEIGHT - 12), capped, "halo", "middle")
 
 
 def _panels(diagram: str, picture: NDArray[np.uint8], note: str) -> tuple[Panel, Panel]:
@@ -166,9 +125,9 @@ def _readouts(texts: tuple[str, ...]) -> tuple[Readout, ...]:
     )
 
 
-def _refuse(values: Values, hyperfocal_m: float) -> Frame:
+def _refuse(settings: Settings, hyperfocal_m: float) -> Frame:
     """The frame for a focus at the focal length or nearer."""
-    focal, focus = values.number("focal_length"), values.number("focus")
+    focal, focus = settings.focal_length, settings.focus
     place, way = ("at", "parallel") if 1000 * focus == focal else ("inside", "spreading")
     note = text((drawing.WIDTH / 2, drawing.HEIGHT / 2), "no real image", "strong halo", "middle")
     texts = (*("—",) * 7, format_number(hyperfocal_m, 2))
@@ -180,7 +139,7 @@ def _refuse(values: Values, hyperfocal_m: float) -> Frame:
     return Frame(panels, _readouts(texts), description)
 
 
-def describe(values: Values, sharp: Sharpness) -> str:
+def describe(settings: Settings, sharp: Sharpness) -> str:
     """The picture in one sentence."""
     reach = (
         f"from {format_number(sharp.near_limit_m, 2)} m onwards"
@@ -191,32 +150,32 @@ def describe(values: Values, sharp: Sharpness) -> str:
     near, far = (
         format_number(blur / PITCH_MM, 1) for blur in (sharp.near_blur_mm, sharp.far_blur_mm)
     )
-    focal, f_number = values.number("focal_length"), values.number("aperture")
     return (
-        f"At {focal:.0f} mm and f/{f_number:.1f} the lens is focused at "
-        f"{values.number('focus'):.2f} m and sharp {reach}; points of the red ball spread to "
+        f"At {settings.focal_length:.0f} mm and f/{settings.aperture:.1f} the lens is focused at "
+        f"{settings.focus:.2f} m and sharp {reach}; points of the red ball spread to "
         f"discs of {near} pixels, those of the wall to {far}."
     )
 
 
-def error(values: Values, tier: str, cache: StageCache) -> Iterator[Readout]:
+def estimate(settings: Settings, outputs: Outputs, _tier: str) -> Iterator[Readout]:
     """How far the picture is from one of rays through the whole lens; of no picture, nothing."""
-    focal, focus = values.number("focal_length"), values.number("focus")
-    if 1000 * focus <= focal:
+    if not has_image(settings):
         yield Readout("error", "Error", "no picture", "", "error")
         return
-    yield from judge(as_drawn(values), tier, cache)
+    setting = (settings.focal_length, drawn_f_number(settings), settings.focus)
+    yield from judge(outputs["encoded"], outputs["pinhole rays"], *setting)
 
 
 SCENE = Scene(
     id="depth-of-field",
     title="Depth of Field",
-    controls=CONTROLS,
-    render=render,
+    settings=Settings,
+    draw=draw,
+    stages=STAGES,
+    parameters=parameters,
     tiers=TIERS,
-    default_tier=DEFAULT_TIER,
-    # A coarse picture would look like defocus; the dearer tiers are what needs a draft.
-    draft_tier=DEFAULT_TIER,
+    # It is the draft as well: a coarse picture would look like defocus.
+    default_tier="layered",
     ladder="depth-of-field",
-    error=error,
+    estimate=estimate,
 )

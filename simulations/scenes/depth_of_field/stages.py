@@ -5,16 +5,17 @@ but the lens can soften the picture.
 """
 
 import math
-from collections.abc import Iterator, Mapping
+from collections.abc import Callable, Container, Iterator, Mapping
 from dataclasses import replace
+from functools import partial
 
 import numpy as np
 from numpy.typing import NDArray
 
-from simulations.engine.controls import Value, Values
+from simulations.engine.controls import Value
 from simulations.engine.frame import Raster, Readout, format_number
 from simulations.engine.raster import to_rgba8
-from simulations.engine.stages import Stage, StageCache, run
+from simulations.engine.stages import Stage
 from simulations.models.color.srgb import encode_srgb_table
 from simulations.models.lens.aperture import fibonacci_disc
 from simulations.models.lens.aperture_grid import aperture_grid
@@ -24,16 +25,22 @@ from simulations.models.lens.screen_blur import binned_gaussian, gather_discs
 from simulations.pictures.still_life.light import LitScene
 from simulations.scenes.camera import stages as camera_stages
 from simulations.scenes.camera.lens import Rays, blur_px, largest_blur_px
+from simulations.scenes.camera.stages import in_focus, through_lens
 
 type Floats = NDArray[np.floating]
 
 TIERS = ("pinhole", "discs", "layered", "binned", "gather", "fibonacci-16")
 """Rungs of the ladder `depth-of-field`; its random rays are left out, and 64 would take seconds."""
-FILTERS = ("discs", "binned", "gather")
-"""Those that blur a finished picture by its depth."""
+FILTERS: Mapping[str, Callable[[Planes, Floats, Floats], Planes]] = {
+    "discs": lambda sharp, radius, _depth: blur_by_depth(sharp, radius),
+    "binned": lambda sharp, radius, _depth: binned_gaussian(sharp, radius),
+    "gather": gather_discs,
+}
+"""Those that blur a finished picture (3, H, W), by the radius (H, W) of its discs and its depth."""
+SPIRALS: Mapping[str, Floats] = {"fibonacci-16": fibonacci_disc(16)}
+"""Those that look through points (n, 2) spread over the lens."""
 LIGHT_ANGLE_DEG = 40.0
 FIXED: Mapping[str, Value] = {
-    "k1": 0.0,
     "light_angle": LIGHT_ANGLE_DEG,
     "reduction": 1,
     "margin_columns": 0,
@@ -42,6 +49,11 @@ FIXED: Mapping[str, Value] = {
 """Parameters of the camera's stages that this figure does not offer."""
 FEWEST_ACROSS, MOST_ACROSS = 7, 15
 """Points across the lens of the picture that errors are measured against: 37 to 177 in all."""
+
+
+def widest_px(focal_length: float, aperture: float, focus: float) -> float:
+    """The widest disc in the picture of this lens, which keeps straight lines straight."""
+    return largest_blur_px(focal_length, aperture, focus, k1=0.0)
 
 
 def depth_of(lit: LitScene) -> Floats:
@@ -63,31 +75,18 @@ def _filter(
 ) -> Planes:
     """The finished picture, blurred by what the depth of each pixel deserves."""
     depth = depth_of(lit)
-    radius = blur_px(focal_length, aperture, focus, depth) / 2
-    match tier:
-        case "discs":
-            return blur_by_depth(sharp, radius)
-        case "binned":
-            return binned_gaussian(sharp, radius)
-        case "gather":
-            return gather_discs(sharp, radius, depth)
-    raise ValueError(f"tier {tier!r}; legal: {', '.join(FILTERS)}")
+    return FILTERS[tier](sharp, blur_px(focal_length, aperture, focus, depth) / 2, depth)
 
 
 def _rays(
-    rays: Rays,
-    light_angle: float,
-    focal_length: float,
-    aperture: float,
-    focus: float,
-    tier: str,
+    rays: Rays, light_angle: float, focal_length: float, aperture: float, focus: float, tier: str
 ) -> Planes:
     """The mean of pictures through points spread over the lens."""
-    points = fibonacci_disc(int(tier.removeprefix("fibonacci-")))
+    points = SPIRALS[tier]
     setting = (light_angle, focal_length, aperture, focus)
     total = np.zeros((3, *rays.valid.shape), np.float32)
     for right, down in points.tolist():
-        total += camera_stages.through_lens(rays, (right, down), *setting)
+        total += through_lens(rays, (right, down), *setting)
     return np.asarray(total / np.float32(len(points)), np.float32)
 
 
@@ -96,11 +95,9 @@ def encode(light: Planes) -> Raster:
     return to_rgba8(encode_srgb_table(light.transpose(1, 2, 0)))
 
 
-def _unless(values: Values, tiers: tuple[str, ...], otherwise: str) -> str:
+def _unless(tiers: Container[str], otherwise: str, largest_blur: float, tier: str) -> str:
     """Why a stage of ``tiers`` would change nothing."""
-    if largest_blur_px(values) <= 1.0:
-        return "every circle of confusion is under a pixel"
-    return "" if values.choice("tier") in tiers else otherwise
+    return in_focus(largest_blur) or ("" if tier in tiers else otherwise)
 
 
 CAMERA = {stage.name: stage for stage in camera_stages.STAGES}
@@ -109,42 +106,39 @@ STAGES = (
     replace(CAMERA["surfaces"], after=("pinhole rays",)),
     CAMERA["light"],
     replace(
-        CAMERA["defocus"],
-        neutral=lambda values: _unless(values, ("layered",), "no layer is blurred by itself"),
+        CAMERA["defocus"], neutral=partial(_unless, ("layered",), "no layer is blurred by itself")
     ),
     CAMERA["overlay"],
     Stage(
         "filter",
         _filter,
         ("overlay", "light"),
-        lambda values: _unless(values, FILTERS, "the finished picture is not filtered"),
+        partial(_unless, FILTERS, "the finished picture is not filtered"),
     ),
     Stage(
         "rays through the lens",
         _rays,
         ("pinhole rays",),
-        lambda values: _unless(values, ("fibonacci-16",), "every pixel has one ray"),
+        partial(_unless, SPIRALS, "every pixel has one ray"),
         hands_on="filter",
     ),
     Stage("encoded", encode, ("rays through the lens",)),
 )
 
 
-def judge(values: Values, tier: str, cache: StageCache) -> Iterator[Readout]:
+def judge(
+    picture: Raster, rays: Rays, focal_length: float, aperture: float, focus: float
+) -> Iterator[Readout]:
     """RMS against a picture whose every pixel looks through the whole lens, one ray more each step.
 
     The rays stand on a grid that no tier uses, the finer the wider the widest disc.
     """
-    outputs = run(STAGES, values, cache, {**FIXED, "tier": tier}).outputs
-    shown = outputs["encoded"][..., :3].astype(np.float32)
-    setting = {n: values.number(n) for n in ("focal_length", "aperture", "focus")}
-    across = math.ceil(1.5 * largest_blur_px(Values({**values, **FIXED})))
+    shown = picture[..., :3].astype(np.float32)
+    across = math.ceil(1.5 * widest_px(focal_length, aperture, focus))
     points = aperture_grid(min(max(across, FEWEST_ACROSS), MOST_ACROSS))
     total = np.zeros((3, *shown.shape[:2]), np.float32)
     for count, at in enumerate(points, start=1):
-        total += camera_stages.through_lens(
-            outputs["pinhole rays"], at, light_angle=LIGHT_ANGLE_DEG, **setting
-        )
+        total += through_lens(rays, at, LIGHT_ANGLE_DEG, focal_length, aperture, focus)
         off = shown - encode(np.asarray(total / count, np.float32))[..., :3]
         codes = format_number(math.sqrt(float(np.mean(off * off))), 2)
         label = f"RMS error against {count} of {len(points)} rays through the lens"
