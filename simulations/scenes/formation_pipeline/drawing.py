@@ -159,7 +159,10 @@ def _level(centre: Point, share: float, role: str, known: bool) -> str:
 
 
 def draw_ledger(entries: tuple[Station, ...], station: float) -> str:
-    """SVG markup of the second panel: what is known, the current line framed."""
+    """SVG markup of the second panel: what is known so far, the current line framed.
+
+    The stations to come have their names only: their numbers are the reader's to foretell.
+    """
     reached = int(station)
     parts = []
     for index, entry in enumerate(entries):
@@ -169,7 +172,10 @@ def draw_ledger(entries: tuple[Station, ...], station: float) -> str:
             parts.append(drawing.rectangle((2, top), WIDTH - 4, ROW_HEIGHT, f"{style} fill"))
         bullet = f"{style} solid" if index <= reached else style
         parts.append(drawing.circle((18, top + ROW_HEIGHT / 2), 5.0, bullet))
-        weight = "strong" if index == reached else "muted" if index > reached else ""
-        parts.append(drawing.text((34, top + 14), entry.title, f"{style} strong"))
-        parts.append(drawing.text((34, top + 29.5), entry.numbers, weight))
+        if index > reached:
+            parts.append(drawing.text((34, top + 22), entry.title, f"{style} strong"))
+        else:
+            parts.append(drawing.text((34, top + 14), entry.title, f"{style} strong"))
+            weight = "strong" if index == reached else ""
+            parts.append(drawing.text((34, top + 29.5), entry.numbers, weight))
     return "".join(parts)
