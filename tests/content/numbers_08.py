@@ -238,11 +238,11 @@ def what_the_truth_is() -> Says:
     yield f"*{rays} bent rays a pixel*"
     assert rays == 12
     yield "twelve rays per pixel come nearer to the truth"
-    values = check_values(camera.CONTROLS, {"aperture": 1.4})
-    *_, truth = camera.references(values)
+    settings = camera.SCENE.check({"aperture": 1.4})
+    *_, truth = camera.references(settings)
     layers, through_the_lens = (
         camera.rms_codes(
-            camera.run_tier(values, tier, StageCache()).outputs["noiseless picture"], truth
+            camera.SCENE.run(settings, tier, StageCache()).outputs["noiseless picture"], truth
         )
         for tier in ("layers", "aperture-rays")
     )
