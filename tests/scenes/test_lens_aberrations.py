@@ -5,92 +5,94 @@ import math
 import numpy as np
 import pytest
 
-from simulations.engine.controls import check_values
-from simulations.engine.stages import StageCache, run
+from simulations.engine.frame import Frame, Raster, Readout
+from simulations.engine.stages import Outputs, StageCache
 from simulations.ladders.chromatic_aberration import LADDER
 from simulations.models.lens.chromatic_aberration import LINE_D_UM
 from simulations.pictures.resolution_chart import resolution_chart
-from simulations.scenes.lens_aberrations.scene import SCENE, colours, stops
-from simulations.scenes.lens_aberrations.stages import (
+from simulations.scenes.lens_aberrations.error import (
     CLOSE_LEFT,
     CLOSE_TOP,
     FIRST_ROUND,
+    reference_wavelengths,
+)
+from simulations.scenes.lens_aberrations.scene import SCENE, colours, stops
+from simulations.scenes.lens_aberrations.spectrum import LINES_UM, WIDTH_UM, bands
+from simulations.scenes.lens_aberrations.stages import (
     FOCAL_MM,
     FOCAL_PX,
-    LINES_UM,
-    STAGES,
-    WIDTH_UM,
-    bands,
+    Floats,
     light,
     magnify,
-    reference_wavelengths,
 )
 
 
-def values(**given):
-    return check_values(SCENE.controls, given)
+def frame(cache: StageCache | None = None, tier: str = "", **given: object) -> Frame:
+    return SCENE.render(SCENE.check(given), tier, cache or StageCache())
 
 
-def frame(cache=None, tier="", **given):
-    return SCENE.render(values(**given), tier, cache or StageCache())
+def raster(shown: Frame, panel: int = 0) -> Raster:
+    pixels = shown.panels[panel].raster
+    assert pixels is not None
+    return pixels
 
 
-def judged(tier, cache=None, **given):
+def judged(tier: str, cache: StageCache | None = None, **given: object) -> list[Readout]:
     """All estimates of the error, as shown."""
-    return list(SCENE.error(values(**given), tier, cache or StageCache()))
+    return list(SCENE.estimates(SCENE.check(given), tier, cache or StageCache()))
 
 
-def final_error(tier, cache=None, **given):
+def final_error(tier: str, cache: StageCache | None = None, **given: object) -> float:
     text = judged(tier, cache, **given)[-1].text
     return 0.0 if text.startswith("under") else float(text)
 
 
-def texts(**given):
-    return {item.name: item.text for item in frame(**given).readouts}
+def texts(**given: object) -> dict[str, str]:
+    return {item.name: item.text for item in frame(None, "", **given).readouts}
 
 
-def outputs(tier="gauss-1", **given):
-    return run(STAGES, values(**given), StageCache(), {"tier": tier}).outputs
+def outputs(tier: str = "gauss-1", **given: object) -> Outputs:
+    return SCENE.run(SCENE.check(given), tier, StageCache()).outputs
 
 
 @pytest.mark.parametrize(("glass", "abbe"), [("crown", 64.2), ("flint", 36.4)])
-def test_blue_and_red_differ_in_size_by_t_over_f_v(glass, abbe):
+def test_blue_and_red_differ_in_size_by_t_over_f_v(glass: str, abbe: float) -> None:
     scale = colours(glass, 12, 2.8).scale
     assert scale[0] - scale[2] == pytest.approx(12 / (FOCAL_MM * abbe))
     assert scale[1] == 1  # the d line is the measure
 
 
-def test_moving_the_stop_behind_the_lens_swaps_red_and_blue():
+def test_moving_the_stop_behind_the_lens_swaps_red_and_blue() -> None:
     before, behind = (colours("crown", t, 2.8).scale - 1 for t in (10, -10))
     assert behind == pytest.approx(-before)
     assert float(texts(stop=0)["lateral"]) == 0
 
 
-def test_axial_discs_are_inverse_to_the_f_number():
+def test_axial_discs_are_inverse_to_the_f_number() -> None:
     wide, narrow = (colours("flint", 0, n).disc_px for n in (2, 8))
     assert wide == pytest.approx(4 * narrow)
     assert wide[1] == 0
     assert LINE_D_UM == 0.5876
 
 
-def test_corners_lose_two_stops_to_cos4_at_every_aperture():
+def test_corners_lose_two_stops_to_cos4_at_every_aperture() -> None:
     for aperture in (1.4, 16):
         assert texts(aperture=aperture, rim=0)["natural_stops"] == "−2.00"
     assert texts(natural="false", rim=0)["corner_stops"] == "0.00"
 
 
-def test_the_rim_cuts_wide_bundles_and_spares_narrow_ones():
+def test_the_rim_cuts_wide_bundles_and_spares_narrow_ones() -> None:
     shares = [light(np.array([0.0, 1.0]), n, 6, False)[1] for n in (1.4, 2.8, 16)]
     assert all(share[0] == 1 for share in shares)
     assert shares[0][1] < shares[1][1] < shares[2][1] == 1
 
 
-def test_no_light_is_minus_infinity_stops():
+def test_no_light_is_minus_infinity_stops() -> None:
     assert stops(0) == -math.inf
     assert stops(0.25) == -2
 
 
-def test_magnifying_agrees_with_a_chart_drawn_at_that_size():
+def test_magnifying_agrees_with_a_chart_drawn_at_that_size() -> None:
     """Differential: interpolation against the analytic chart, whose scale is its focal length."""
     chart = resolution_chart(336, 256, FOCAL_PX)[..., 0]
     truth = resolution_chart(336, 256, FOCAL_PX * 1.02)[..., 0]
@@ -100,13 +102,13 @@ def test_magnifying_agrees_with_a_chart_drawn_at_that_size():
     assert magnify(chart, 1.0) is chart
 
 
-def test_magnifying_keeps_a_straight_ramp_to_the_last_digit():
+def test_magnifying_keeps_a_straight_ramp_to_the_last_digit() -> None:
     ramp = np.add.outer(np.arange(40.0), 3 * np.arange(60.0)).astype(np.float32)
     expected = ramp.mean() + (ramp - ramp.mean()) / 1.02
     assert magnify(ramp, 1.02)[4:-4, 4:-4] == pytest.approx(expected[4:-4, 4:-4], abs=1e-3)
 
 
-def test_red_and_blue_edges_lie_apart_in_the_picture_by_the_shift_read_out():
+def test_red_and_blue_edges_lie_apart_in_the_picture_by_the_shift_read_out() -> None:
     """An edge of the chart's border, 150 px right of the centre: where its area puts it."""
     planes = outputs(glass="flint", stop=15, aperture=16)["channels"]
     edges = []
@@ -118,7 +120,7 @@ def test_red_and_blue_edges_lie_apart_in_the_picture_by_the_shift_read_out():
     assert edges[1] - edges[0] == pytest.approx(-15 / (24 * 36.4) * radius, abs=0.1)
 
 
-def test_an_ideal_lens_at_small_aperture_shows_the_chart_itself():
+def test_an_ideal_lens_at_small_aperture_shows_the_chart_itself() -> None:
     planes = outputs(glass="ideal", aperture=16, rim=0, natural="false")
     chart = resolution_chart(336, 256, FOCAL_PX).transpose(2, 0, 1)[:, 8:-8, 8:-8]
     assert np.array_equal(planes["channels"], chart)
@@ -128,32 +130,34 @@ def test_an_ideal_lens_at_small_aperture_shows_the_chart_itself():
 @pytest.mark.parametrize("aperture", [1.4, 16])
 @pytest.mark.parametrize("stop", [-15, 15])
 @pytest.mark.parametrize("rim", [0, 12])
-def test_every_extreme_can_be_drawn_in_the_same_layout(aperture, stop, rim):
+def test_every_extreme_can_be_drawn_in_the_same_layout(
+    aperture: float, stop: float, rim: float
+) -> None:
     shown = frame(aperture=aperture, stop=stop, rim=rim, glass="flint")
     assert [panel.name for panel in shown.panels] == ["picture", "corner", "profile"]
 
 
-def test_the_rim_leaves_the_colours_alone():
+def test_the_rim_leaves_the_colours_alone() -> None:
     cache = StageCache()
     frame(cache)
     again = frame(cache, rim=0)
     assert [s.name for s in again.stages if s.status == "computed"] == ["vignetting", "encoded"]
 
 
-def test_the_tiers_are_the_rungs_of_the_ladder_and_start_at_its_default():
+def test_the_tiers_are_the_rungs_of_the_ladder_and_start_at_its_default() -> None:
     assert SCENE.tiers == tuple(tier.id for tier in LADDER.tiers)
     assert SCENE.default_tier == LADDER.default_tier
     assert SCENE.draft_tier == "gauss-3"
-    one, other = (frame(tier=tier).panels[0].raster for tier in ("", LADDER.default_tier))
+    one, other = (raster(frame(tier=tier)) for tier in ("", LADDER.default_tier))
     np.testing.assert_array_equal(one, other)
 
 
-def test_one_wavelength_a_colour_is_the_line_it_is_named_by():
+def test_one_wavelength_a_colour_is_the_line_it_is_named_by() -> None:
     for band, line in zip(bands("gauss-1", "crown"), LINES_UM, strict=True):
         assert (band.wavelengths_um.tolist(), band.shares.tolist()) == ([line], [1.0])
 
 
-def test_even_wavelengths_leave_out_nothing_that_a_channel_sees():
+def test_even_wavelengths_leave_out_nothing_that_a_channel_sees() -> None:
     for band, line in zip(bands("even-31", "flint"), LINES_UM, strict=True):
         off = (band.wavelengths_um - line) / WIDTH_UM
         assert off.min() < -3.5
@@ -163,13 +167,13 @@ def test_even_wavelengths_leave_out_nothing_that_a_channel_sees():
 
 
 @pytest.mark.parametrize("tier", SCENE.tiers)
-def test_glass_without_dispersion_needs_one_wavelength_in_every_tier(tier):
+def test_glass_without_dispersion_needs_one_wavelength_in_every_tier(tier: str) -> None:
     shown = frame(tier=tier, glass="ideal")
-    np.testing.assert_array_equal(shown.panels[0].raster, frame(glass="ideal").panels[0].raster)
+    np.testing.assert_array_equal(raster(shown), raster(frame(glass="ideal")))
     assert judged(tier, glass="ideal")[-1].text == "under 10⁻³"
 
 
-def test_no_light_is_lost_among_the_wavelengths():
+def test_no_light_is_lost_among_the_wavelengths() -> None:
     """A white wall has no edges: every tier gives the same light everywhere."""
     one, many = (outputs(tier, aperture=16)["channels"] for tier in ("gauss-1", "even-16"))
     assert many.mean() == pytest.approx(one.mean(), rel=1e-3)
@@ -177,13 +181,13 @@ def test_no_light_is_lost_among_the_wavelengths():
     np.testing.assert_allclose(many[middle], one[middle], rtol=1e-4)
 
 
-def test_the_edge_of_a_band_is_smeared_by_the_spread_of_its_sizes():
+def test_the_edge_of_a_band_is_smeared_by_the_spread_of_its_sizes() -> None:
     """The vertical edge 150 px from the centre: the variance of its place is that of the scales."""
     ghosts = outputs("even-31", glass="flint", stop=15, aperture=16)
     row = ghosts["channels"][2, 116:124, 302:314].mean(axis=0).astype(float)
     plain = outputs("even-31", glass="ideal", aperture=16)["channels"][2, 116:124, 302:314]
 
-    def spread(profile):
+    def spread(profile: Floats) -> tuple[float, float]:
         steps = -np.diff(profile)
         steps /= steps.sum()
         at = np.arange(steps.size) + 302.5 - 159.5
@@ -196,14 +200,14 @@ def test_the_edge_of_a_band_is_smeared_by_the_spread_of_its_sizes():
     assert wide - sharp == pytest.approx(expected, rel=0.15)
 
 
-def test_more_wavelengths_come_nearer_to_the_whole_spectrum():
+def test_more_wavelengths_come_nearer_to_the_whole_spectrum() -> None:
     cache = StageCache()
     tiers = ("gauss-1", "gauss-3", "even-16")
     one, three, sixteen = (final_error(tier, cache, glass="flint") for tier in tiers)
     assert one > 3 * three > 9 * sixteen
 
 
-def test_the_reference_covers_the_spectrum_evenly_and_begins_with_all_of_it():
+def test_the_reference_covers_the_spectrum_evenly_and_begins_with_all_of_it() -> None:
     order = reference_wavelengths()
     steps = np.diff(sorted(order))
     np.testing.assert_allclose(steps, steps[0])
@@ -214,7 +218,7 @@ def test_the_reference_covers_the_spectrum_evenly_and_begins_with_all_of_it():
     assert max(np.diff(begun)) < 2 * WIDTH_UM
 
 
-def test_no_estimate_is_given_before_every_channel_has_light():
+def test_no_estimate_is_given_before_every_channel_has_light() -> None:
     estimates = judged("gauss-1", glass="flint")
     waiting, given = estimates[: FIRST_ROUND - 1], estimates[FIRST_ROUND - 1 :]
     assert {(each.text, each.unit) for each in waiting} == {("…", "")}
@@ -223,13 +227,13 @@ def test_no_estimate_is_given_before_every_channel_has_light():
     assert estimates[-1].label.endswith(f"{len(estimates)} of {len(estimates)} wavelengths")
 
 
-def test_the_error_is_of_the_enlarged_corner_and_counts_its_vignetting():
+def test_the_error_is_of_the_enlarged_corner_and_counts_its_vignetting() -> None:
     """Ideal glass without a rim: nothing is left that could differ."""
     assert final_error("even-16", glass="ideal", rim=0, natural="false") == 0
-    shown = frame(glass="crown").panels
-    np.testing.assert_array_equal(shown[1].raster, shown[0].raster[CLOSE_TOP:, CLOSE_LEFT:])
+    shown = frame(glass="crown")
+    np.testing.assert_array_equal(raster(shown, 1), raster(shown)[CLOSE_TOP:, CLOSE_LEFT:])
 
 
-def test_an_unknown_tier_is_refused():
+def test_an_unknown_tier_is_refused() -> None:
     with pytest.raises(ValueError, match="tier 'exact'; legal: gauss-1, gauss-3"):
         bands("exact", "crown")

@@ -5,54 +5,71 @@ import math
 
 import numpy as np
 import pytest
+from numpy.typing import NDArray
 from scipy import stats
 
-from simulations.engine.controls import check_values
-from simulations.engine.stages import StageCache
+from simulations.engine.frame import Frame, Raster, Readout
+from simulations.engine.stages import Outputs, StageCache
 from simulations.ladders.shot_noise import LADDER
 from simulations.models.color.srgb import encode_srgb
 from simulations.models.sensor.photon_counting import SHOT_MODELS, develop
 from simulations.models.sensor.poisson import gap_from_poisson, largest_chance_gap
-from simulations.scenes.sensor_noise.scene import EXPOSURES, SCENE, run_tier
-from simulations.scenes.sensor_noise.stages import FULL_WELL_E, patch_means_e, sensor_of
+from simulations.scenes.sensor_noise.error import EXPOSURES
+from simulations.scenes.sensor_noise.scene import SCENE
+from simulations.scenes.sensor_noise.stages import (
+    FULL_WELL_E,
+    Floats,
+    Transfer,
+    patch_means_e,
+    sensor_of,
+)
 
 
-def values(**given):
-    return check_values(SCENE.controls, given)
+def frame(cache: StageCache | None = None, tier: str = "", **given: object) -> Frame:
+    return SCENE.render(SCENE.check(given), tier, cache or StageCache())
 
 
-def frame(cache=None, **given):
-    return SCENE.render(values(**given), "", cache or StageCache())
+def raster(shown: Frame) -> Raster:
+    pixels = shown.panels[0].raster
+    assert pixels is not None
+    return pixels
 
 
-def texts(**given):
-    return {item.name: item.text for item in frame(**given).readouts}
+def texts(tier: str = "", **given: object) -> dict[str, str]:
+    return {item.name: item.text for item in frame(None, tier, **given).readouts}
 
 
-def transfer(**given):
-    return run_tier(values(**given), "poisson", StageCache()).outputs["transfer"]
+def outputs(tier: str = "", **given: object) -> Outputs:
+    return SCENE.run(SCENE.check(given), tier, StageCache()).outputs
 
 
-def test_neighbouring_patches_are_half_a_stop_apart():
+def transfer(**given: object) -> Transfer:
+    measured: Transfer = outputs("poisson", **given)["transfer"]
+    return measured
+
+
+def test_neighbouring_patches_are_half_a_stop_apart() -> None:
     means = patch_means_e(0)
     assert means[::2] == pytest.approx(40_000 / 2.0 ** np.arange(12))
     assert patch_means_e(-1) == pytest.approx(means / 2)
 
 
 @pytest.mark.parametrize(("iso", "bits"), [("100", 12), ("800", 12), ("100", 14), ("400", 10)])
-def test_the_slope_of_the_transfer_curve_is_the_gain(iso, bits):
+def test_the_slope_of_the_transfer_curve_is_the_gain(iso: str, bits: int) -> None:
     """1600 pixels know a variance to 3.5 %; a line through a dozen patches to about 2 %."""
     truth = sensor_of(bits, iso, 10).gain_e_per_dn
-    assert transfer(iso=iso, bits=bits).gain.e_per_dn == pytest.approx(truth, rel=0.06)
+    gain = transfer(iso=iso, bits=bits).gain
+    assert gain is not None
+    assert gain.e_per_dn == pytest.approx(truth, rel=0.06)
 
 
-def test_at_base_iso_the_top_code_is_a_full_well():
+def test_at_base_iso_the_top_code_is_a_full_well() -> None:
     camera = sensor_of(12, "100", 0)
     assert camera.gain_e_per_dn * (4095 - camera.black_level_dn) == pytest.approx(20_000)
     assert sensor_of(12, "800", 0).gain_e_per_dn == pytest.approx(camera.gain_e_per_dn / 8)
 
 
-def test_patch_variances_are_shot_plus_read_plus_rounding():
+def test_patch_variances_are_shot_plus_read_plus_rounding() -> None:
     measured = transfer(bits=14, read_noise=20)
     gain = sensor_of(14, "100", 20).gain_e_per_dn
     expected = (patch_means_e(0) + 20**2) / gain**2 + 1 / 12
@@ -64,7 +81,7 @@ def test_patch_variances_are_shot_plus_read_plus_rounding():
     )
 
 
-def test_dark_signal_leaves_the_means_and_lifts_the_variances():
+def test_dark_signal_leaves_the_means_and_lifts_the_variances() -> None:
     without, with_dark = transfer(bits=14), transfer(bits=14, dark=2000)
     gain = sensor_of(14, "100", 10).gain_e_per_dn
     dim = slice(12, 24)
@@ -73,14 +90,14 @@ def test_dark_signal_leaves_the_means_and_lifts_the_variances():
     assert lift == pytest.approx(2000, rel=0.04)
 
 
-def test_raising_the_iso_leaves_the_signal_to_noise_ratio():
+def test_raising_the_iso_leaves_the_signal_to_noise_ratio() -> None:
     base, high = (float(texts(iso=iso, patch=13)["snr"]) for iso in ("100", "800"))
     assert base == pytest.approx(23.2, rel=0.08)
     assert high == pytest.approx(23.2, rel=0.08)
     assert texts(patch=13)["theory"] == texts(patch=13, iso="800")["theory"] == "23.2"
 
 
-def test_saturated_patches_are_left_out_of_the_fit_and_named():
+def test_saturated_patches_are_left_out_of_the_fit_and_named() -> None:
     measured = transfer()
     assert measured.clipped[:3].all()
     assert not measured.fitted[:3].any()
@@ -88,13 +105,13 @@ def test_saturated_patches_are_left_out_of_the_fit_and_named():
     assert "patch 1 is clipped" in frame(patch=1).description
 
 
-def test_too_few_bits_leave_patches_without_noise():
+def test_too_few_bits_leave_patches_without_noise() -> None:
     shown = texts(bits=4, patch=18, read_noise=0)
     assert shown["snr"] == "one code only"
     assert "one code only" in frame(bits=4, patch=18, read_noise=0).description
 
 
-def test_where_no_patch_has_noise_no_gain_is_claimed():
+def test_where_no_patch_has_noise_no_gain_is_claimed() -> None:
     shown = frame(bits=4, exposure=-6, read_noise=0)
     assert {item.name: item.text for item in shown.readouts}["gain"] == "not to be told"
     assert "too few patches" in shown.description
@@ -102,7 +119,9 @@ def test_where_no_patch_has_noise_no_gain_is_claimed():
 
 @pytest.mark.parametrize("iso", ["100", "800", "6400"])
 @pytest.mark.parametrize("bits", [4, 6, 8, 10, 12, 14])
-def test_a_gain_is_told_to_within_a_few_of_its_standard_errors_or_not_at_all(iso, bits):
+def test_a_gain_is_told_to_within_a_few_of_its_standard_errors_or_not_at_all(
+    iso: str, bits: int
+) -> None:
     """Coarse codes, hot sensors and full wells once gave gains up to twice the truth, or none."""
     for exposure, dark, read_noise in itertools.product((0, -3, -6), (0, 2000), (0, 10, 60)):
         given = {"iso": iso, "bits": bits, "exposure": exposure}
@@ -114,7 +133,7 @@ def test_a_gain_is_told_to_within_a_few_of_its_standard_errors_or_not_at_all(iso
         assert measured.gain.error_e_per_dn < 0.1 * measured.gain.e_per_dn
 
 
-def test_the_gain_is_shown_with_two_digits_of_its_error():
+def test_the_gain_is_shown_with_two_digits_of_its_error() -> None:
     shown = texts()["gain"]
     told, error = (float(part) for part in shown.split(" ± "))
     assert told == pytest.approx(float(texts()["truth"]), abs=3 * error)
@@ -122,7 +141,7 @@ def test_the_gain_is_shown_with_two_digits_of_its_error():
     assert 0.005 < error / told < 0.05
 
 
-def test_a_well_that_heat_has_filled_is_left_out_of_the_fit_although_no_code_is_the_last():
+def test_a_well_that_heat_has_filled_is_left_out_of_the_fit_although_no_code_is_the_last() -> None:
     """The light of a full cell stops 2000 electrons below the top code, nearly without noise."""
     hot = transfer(dark=2000)
     assert not hot.clipped[3]
@@ -130,25 +149,25 @@ def test_a_well_that_heat_has_filled_is_left_out_of_the_fit_although_no_code_is_
     assert not hot.fitted[full].any()
 
 
-def test_dynamic_range_is_the_chapters_example():
+def test_dynamic_range_is_the_chapters_example() -> None:
     """20 000 electrons over 3: 12.7 stops, less what rounding at 14 bits takes."""
     assert texts(read_noise=3, bits=14)["range"] == "12.7"
 
 
-def test_patches_of_the_picture_lie_where_their_labels_do():
-    raster = frame(read_noise=0).panels[0].raster[..., 0].astype(float)
-    tiles = raster.reshape(4, 40, 6, 40).mean(axis=(1, 3)).ravel()
+def test_patches_of_the_picture_lie_where_their_labels_do() -> None:
+    shown = raster(frame(read_noise=0))[..., 0].astype(float)
+    tiles = shown.reshape(4, 40, 6, 40).mean(axis=(1, 3)).ravel()
     assert (np.diff(tiles[2:]) < 0).all()
     assert tiles[0] == 255
 
 
-def test_taking_it_again_draws_other_noise_of_the_same_light():
-    first, second = frame(), frame(new_noise=1)
-    assert not np.array_equal(first.panels[0].raster, second.panels[0].raster)
-    assert np.array_equal(first.panels[0].raster, frame().panels[0].raster)
+def test_taking_it_again_draws_other_noise_of_the_same_light() -> None:
+    first, second = raster(frame()), raster(frame(new_noise=1))
+    assert not np.array_equal(first, second)
+    assert np.array_equal(first, raster(frame()))
 
 
-def test_another_patch_reuses_the_picture():
+def test_another_patch_reuses_the_picture() -> None:
     cache = StageCache()
     frame(cache)
     assert {stage.status for stage in frame(cache, patch=3).stages} == {"reused"}
@@ -165,42 +184,42 @@ def test_another_patch_reuses_the_picture():
         ({"patch": 2}, ()),
     ],
 )
-def test_chance_is_drawn_once_and_every_control_only_scales_it(moved, computed):
+def test_chance_is_drawn_once_and_every_control_only_scales_it(
+    moved: dict[str, object], computed: tuple[str, ...]
+) -> None:
     cache = StageCache()
     frame(cache)
-    statuses = {stage.name: stage.status for stage in frame(cache, **moved).stages}
+    statuses = {stage.name: stage.status for stage in frame(cache, "", **moved).stages}
     assert tuple(name for name, status in statuses.items() if status == "computed") == computed
 
 
 @pytest.mark.parametrize("bits", [4, 12, 14])
-def test_the_picture_is_the_codes_developed_and_encoded(bits):
-    done = run_tier(values(bits=bits), "", StageCache()).outputs
+def test_the_picture_is_the_codes_developed_and_encoded(bits: int) -> None:
+    done = outputs(bits=bits)
     linear = develop(done["codes"], sensor_of(bits, "100", 0))
     expected = np.rint(255 * encode_srgb(np.clip(linear, 0, 1)))
     shown = done["picture"][..., 0].reshape(4, 40, 6, 40).swapaxes(1, 2).reshape(24, 1600)
     np.testing.assert_array_equal(shown, expected)
 
 
-def estimates(tier, **given):
-    return list(SCENE.error(values(**given), tier, StageCache()))
+def estimates(tier: str, **given: object) -> list[Readout]:
+    return list(SCENE.estimates(SCENE.check(given), tier, StageCache()))
 
 
-def rounded_normal(mean, counts):
+def rounded_normal(mean: float, counts: NDArray[np.integer]) -> Floats:
     """P(N ≤ k) of a normal that is rounded and held at 0."""
-    return stats.norm.cdf((counts + 0.5 - mean) / np.sqrt(mean))
+    share: Floats = stats.norm.cdf((counts + 0.5 - mean) / np.sqrt(mean))
+    return share
 
 
-def test_the_tiers_are_all_models_of_the_sensor():
+def test_the_tiers_are_all_models_of_the_sensor() -> None:
     assert SCENE.tiers == SHOT_MODELS
 
 
-def test_more_light_adds_to_the_grain_that_is_there_and_does_not_reshuffle_it():
+def test_more_light_adds_to_the_grain_that_is_there_and_does_not_reshuffle_it() -> None:
     """Half a stop: a new draw of the electrons would leave no correlation."""
     shown = {
-        tier: [
-            run_tier(values(exposure=ev), tier, StageCache()).outputs["electrons"][20]
-            for ev in (-2, -1.5)
-        ]
+        tier: [outputs(tier, exposure=ev)["electrons"][20] for ev in (-2, -1.5)]
         for tier in ("quantile", "poisson")
     }
     kept, drawn_anew = (np.corrcoef(*pair)[0, 1] for pair in shown.values())
@@ -210,13 +229,15 @@ def test_more_light_adds_to_the_grain_that_is_there_and_does_not_reshuffle_it():
 
 @pytest.mark.parametrize("tier", ["quantile", "poisson"])
 @pytest.mark.parametrize("exposure", [0, -3, -6])
-def test_exact_electrons_are_as_far_from_poissons_law_as_chance_would_have_it(exposure, tier):
+def test_exact_electrons_are_as_far_from_poissons_law_as_chance_would_have_it(
+    exposure: float, tier: str
+) -> None:
     told = float(estimates(tier, exposure=exposure)[-1].text)
     assert told < 1.6 * largest_chance_gap(24, 1600 * EXPOSURES)
 
 
 @pytest.mark.parametrize("exposure", [0, -3, -6])
-def test_the_error_of_rounded_normals_is_the_gap_of_the_two_laws(exposure):
+def test_the_error_of_rounded_normals_is_the_gap_of_the_two_laws(exposure: float) -> None:
     """At the dim end the gap is known by formula; samples of 16 exposures scatter about it."""
     counts = np.arange(200)
     gap = max(
@@ -227,15 +248,15 @@ def test_the_error_of_rounded_normals_is_the_gap_of_the_two_laws(exposure):
     assert told == pytest.approx(gap, abs=largest_chance_gap(24, 1600 * EXPOSURES))
 
 
-def test_the_lean_to_the_right_takes_most_of_the_error_away():
+def test_the_lean_to_the_right_takes_most_of_the_error_away() -> None:
     plain, leaning = (float(estimates(t, exposure=-3)[-1].text) for t in ("gaussian", "skewed"))
     assert leaning < plain / 3
 
 
-def test_the_first_estimate_is_of_the_very_electrons_that_are_shown():
+def test_the_first_estimate_is_of_the_very_electrons_that_are_shown() -> None:
     given = {"exposure": -4, "dark": 40}
     for tier in SHOT_MODELS:
-        shown = run_tier(values(**given), tier, StageCache()).outputs["electrons"]
+        shown = outputs(tier, **given)["electrons"]
         gap = max(
             gap_from_poisson(counted, mean, FULL_WELL_E)
             for counted, mean in zip(shown, patch_means_e(-4) + 40, strict=True)
@@ -246,7 +267,7 @@ def test_the_first_estimate_is_of_the_very_electrons_that_are_shown():
         assert len(more) == EXPOSURES - 1
 
 
-def test_a_rounded_normal_is_too_bright_where_it_may_not_be_negative():
+def test_a_rounded_normal_is_too_bright_where_it_may_not_be_negative() -> None:
     """The chapter's setting: 0.22 electrons in the darkest patch, and nothing but shot noise."""
     given = {"exposure": -6, "iso": "6400", "bits": 14, "read_noise": 0, "patch": 24}
     mean = patch_means_e(-6)[-1]
@@ -254,12 +275,12 @@ def test_a_rounded_normal_is_too_bright_where_it_may_not_be_negative():
     assert held > 1.25 * mean
     gain = sensor_of(14, "6400", 0).gain_e_per_dn
     for tier, expected in (("gaussian", held), ("quantile", mean), ("poisson", mean)):
-        shown = {r.name: r.text for r in SCENE.render(values(**given), tier, StageCache()).readouts}
+        shown = texts(tier, **given)
         scatter = 4 * math.sqrt(mean / 1600)
         assert float(shown["mean"]) * gain == pytest.approx(expected, abs=scatter)
 
 
-def test_only_light_and_warmth_are_dragged_in_the_draft():
+def test_only_light_and_warmth_are_dragged_in_the_draft() -> None:
     """The other controls reuse the electrons that are there: a draft would draw them anew.
 
     Only whoever chose the exact sampler gets a draft, one whose grain stays while it is dragged.
@@ -268,10 +289,10 @@ def test_only_light_and_warmth_are_dragged_in_the_draft():
     cache = StageCache()
     frame(cache)
     for name in set(SCENE.drafted) ^ {"exposure", "dark", "bits", "iso", "read_noise", "patch"}:
-        statuses = {s.name: s.status for s in frame(cache, **{name: MOVED[name]}).stages}
+        statuses = {s.name: s.status for s in frame(cache, "", **{name: MOVED[name]}).stages}
         assert statuses["electrons"] == "reused", name
     for name in SCENE.drafted:
-        statuses = {s.name: s.status for s in frame(cache, **{name: MOVED[name]}).stages}
+        statuses = {s.name: s.status for s in frame(cache, "", **{name: MOVED[name]}).stages}
         assert statuses["electrons"] == "computed", name
 
 

@@ -1,12 +1,12 @@
 """Other ways to undo a radial lens, to be compared with `distortion.undistort`.
 
-All take distorted points (..., 2) in normalised coordinates and return ideal ones; tangential
-terms are not undone. All but the last assume points well inside the fold, and none of those
-notices when it fails. `distortion.undistort` does, and is what to use where the answer must be
-right.
+All take distorted points (..., 2) in normalised coordinates and return ideal ones; all but the
+last leave tangential terms alone. All but the last two assume points well inside the fold, and
+none of those notices when it fails. `distortion.undistort` does, and is what to use where the
+answer must be right.
 
-All but the last look for the factor ρ = r / r_d as a function of t = r_d², and none of them takes
-a root: the lens's polynomials are in r² = ρ² t, and a point is multiplied by its factor.
+All but the last two look for the factor ρ = r / r_d as a function of t = r_d², and none of them
+takes a root: the lens's polynomials are in r² = ρ² t, and a point is multiplied by its factor.
 
 Szeliski, 2nd ed., section 2.1.5; the fixed point is the method of OpenCV's undistortPoints.
 """

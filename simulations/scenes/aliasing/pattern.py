@@ -10,6 +10,7 @@ from simulations.engine.raster import to_rgba8
 from simulations.engine.stages import Stage
 from simulations.models.color.srgb import encode_srgb
 from simulations.models.sampling import prefilters
+from simulations.models.sampling.aliasing import alias_frequency
 from simulations.models.sampling.prefilters import Prefilter, filtered_wave
 
 type Floats = NDArray[np.float64]
@@ -44,6 +45,11 @@ class Pattern:
     def base(self) -> float:
         """Frequency at x = 0."""
         return self.frequency if self.kind == "stripes" else 0.0
+
+    @property
+    def alias(self) -> float:
+        """What ``frequency`` folds to on the pixels, whichever way the wave then runs."""
+        return abs(float(alias_frequency(self.frequency)))
 
     def local_frequency(self, x: ArrayLike) -> Floats:
         return self.base + self.chirp * np.asarray(x, float)
@@ -80,7 +86,7 @@ def pattern_of(kind: str, frequency: float, phase_deg: float) -> Pattern:
 
 
 def picture(pattern: str, frequency: float, phase: float, prefilter: str) -> NDArray[np.uint8]:
-    """The sampled picture as canvas bytes, from the values of the controls."""
+    """The sampled picture as canvas bytes."""
     light = pattern_of(pattern, frequency, phase).picture(prefilters.prefilter(prefilter))
     return to_rgba8(encode_srgb(np.clip(light, 0.0, 1.0)))
 

@@ -7,11 +7,11 @@ the left and right edges of the picture.
 
 import math
 from collections.abc import Iterator
+from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
 
-from simulations.engine.controls import Choice, Slider, Values
 from simulations.engine.frame import (
     Frame,
     Panel,
@@ -21,8 +21,8 @@ from simulations.engine.frame import (
     readout,
 )
 from simulations.engine.scene import Scene
-from simulations.engine.stages import StageCache, run
-from simulations.models.sampling.aliasing import alias_frequency
+from simulations.engine.settings import choice, slider
+from simulations.engine.stages import Outputs
 from simulations.models.sampling.prefilters import prefilter, transfer
 from simulations.scenes.aliasing import row, spectrum
 from simulations.scenes.aliasing.pattern import PATTERNS, STAGES, Floats, Pattern, pattern_of
@@ -43,31 +43,23 @@ FILTERS = {
     "sinc": "Windowed sinc, 8 px wide",
 }
 
-CONTROLS = (
-    Choice(name="pattern", label="Pattern", default="stripes", options=PATTERNS),
-    Slider(
-        name="frequency",
-        label="Frequency f",
-        default=0.3,
-        minimum=0,
-        maximum=1.2,
-        step=0.01,
-        unit="cycles/px",
-    ),
-    Slider(name="phase", label="Phase φ", default=90, minimum=0, maximum=360, step=5, unit="°"),
-    Choice(name="prefilter", label="Filter before sampling", default="none", options=FILTERS),
-)
+
+@dataclass(frozen=True, slots=True)
+class Settings:
+    """What the reader may change."""
+
+    pattern: str = choice("Pattern", PATTERNS)
+    frequency: float = slider("Frequency f", 0.3, 0, 1.2, 0.01, unit="cycles/px")
+    phase: float = slider("Phase φ", 90, 0, 360, 5, unit="°")
+    prefilter: str = choice("Filter before sampling", FILTERS)
 
 
-def render(values: Values, _tier: str, cache: StageCache) -> Frame:
+def draw(settings: Settings, outputs: Outputs) -> Frame:
     """The picture, one row of it against the wave, and where the frequency folds to."""
-    frequency, kind = values.number("frequency"), values.choice("prefilter")
-    done = run(STAGES, values, cache)
-    kernel = prefilter(kind)
-    left = float(transfer(kernel, frequency))
-    alias = abs(float(alias_frequency(frequency)))
-    kept = amplitude_in_samples(values, left)
-    pattern = pattern_of(values.choice("pattern"), frequency, values.number("phase"))
+    pattern = pattern_of(settings.pattern, settings.frequency, settings.phase)
+    kernel = prefilter(settings.prefilter)
+    left = float(transfer(kernel, settings.frequency))
+    kept = amplitude_in_samples(pattern, left)
     width, height = row.WIDTH, row.HEIGHT
     return Frame(
         panels=(
@@ -76,7 +68,7 @@ def render(values: Values, _tier: str, cache: StageCache) -> Frame:
                 "The sampled picture",
                 width,
                 height,
-                done.outputs["picture"],
+                outputs["picture"],
                 row.mark(pattern),
                 pixelated=True,
             ),
@@ -95,18 +87,20 @@ def render(values: Values, _tier: str, cache: StageCache) -> Frame:
                 overlay=spectrum.draw(pattern, kernel, kept),
             ),
         ),
-        readouts=(
-            readout("frequency", "True frequency f", frequency, "cycles/px", role="world"),
-            readout("nyquist", "Nyquist frequency", NYQUIST, "cycles/px"),
-            readout("alias", "Frequency shown", alias, "cycles/px", role="error"),
-            readout("period", "One stripe every", _period(alias), "px", digits=1, role="error"),
-            readout(
-                "passed", "The filter passes", abs(left), "of the wave", digits=3, role="light"
-            ),
-            Readout("kept", "The samples keep", format_number(kept, 3), "of the wave", "image"),
-        ),
-        description=describe(values, alias, abs(left), kept),
-        stages=done.reports,
+        readouts=_readouts(pattern, abs(left), kept),
+        description=describe(settings, pattern.alias, abs(left), kept),
+    )
+
+
+def _readouts(pattern: Pattern, passed: float, kept: float) -> tuple[Readout, ...]:
+    frequency, alias = pattern.frequency, pattern.alias
+    return (
+        readout("frequency", "True frequency f", frequency, "cycles/px", role="world"),
+        readout("nyquist", "Nyquist frequency", NYQUIST, "cycles/px"),
+        readout("alias", "Frequency shown", alias, "cycles/px", role="error"),
+        readout("period", "One stripe every", _period(alias), "px", digits=1, role="error"),
+        readout("passed", "The filter passes", passed, "of the wave", digits=3, role="light"),
+        Readout("kept", "The samples keep", format_number(kept, 3), "of the wave", "image"),
     )
 
 
@@ -114,24 +108,23 @@ def _period(frequency: float) -> float:
     return 1.0 / frequency if frequency > 0.005 else math.inf
 
 
-def amplitude_in_samples(values: Values, left: float) -> float:
+def amplitude_in_samples(pattern: Pattern, left: float) -> float:
     """What the samples hold of the wave's amplitude; exactly at a fold the phase decides.
 
     At whole numbers of cycles per pixel every sample of the stripes is the same: no wave is
     left. The zone plate has each of its frequencies at one place only, so there is no such
     special case.
     """
-    twice = 2.0 * values.number("frequency")
-    if values.choice("pattern") == "stripes" and math.isclose(twice, round(twice), abs_tol=1e-9):
+    twice = 2.0 * pattern.frequency
+    if pattern.kind == "stripes" and math.isclose(twice, round(twice), abs_tol=1e-9):
         odd = round(twice) % 2 == 1
-        return abs(left * math.sin(math.radians(values.number("phase")))) if odd else 0.0
+        return abs(left * math.sin(pattern.phase_rad)) if odd else 0.0
     return abs(left)
 
 
-def describe(values: Values, alias: float, passed: float, kept: float) -> str:
+def describe(settings: Settings, alias: float, passed: float, kept: float) -> str:
     """What the picture shows instead of what, and how strongly."""
-    frequency = values.number("frequency")
-    stripes = values.choice("pattern") == "stripes"
+    frequency, stripes = settings.frequency, settings.pattern == "stripes"
     what = "Stripes" if stripes else "Rings that at the left and right edges reach"
     true = f"{what} {'of ' if stripes else ''}{format_number(frequency)} cycles per pixel"
     strength = f"{format_number(100 * kept, 0)} % of their amplitude"
@@ -139,12 +132,12 @@ def describe(values: Values, alias: float, passed: float, kept: float) -> str:
         return (
             f"{what} of no frequency: the picture has the same tone everywhere."
             if stripes
-            else ("Rings without an end: the whole picture is the centre of the zone plate.")
+            else "Rings without an end: the whole picture is the centre of the zone plate."
         )
     if stripes and math.isclose(frequency, NYQUIST):
         return (
             f"{true}, exactly at Nyquist: two samples a cycle keep |sin φ| of what the filter "
-            f"passes, here {strength} (φ = {format_number(values.number('phase'), 0)}°)."
+            f"passes, here {strength} (φ = {format_number(settings.phase, 0)}°)."
         )
     if stripes and alias < 0.005:
         return f"{true}: every sample falls on the same place of the wave, and the picture is flat."
@@ -156,17 +149,6 @@ def describe(values: Values, alias: float, passed: float, kept: float) -> str:
         f"{true}, above Nyquist: the picture shows false ones of {format_number(alias)} cycles "
         f"per pixel{where} instead, with {format_number(100 * passed, 0)} % of the amplitude."
     )
-
-
-def error(values: Values, _tier: str, _cache: StageCache) -> Iterator[Readout]:
-    """RMS of what the picture shows too much or too little of; found at once."""
-    pattern = pattern_of(
-        values.choice("pattern"), values.number("frequency"), values.number("phase")
-    )
-    truth, judged = ideal(pattern)
-    off = (pattern.picture(prefilter(values.choice("prefilter"))) - truth)[judged]
-    text = format_magnitude(math.sqrt(float(np.mean(off * off))), 1e-9)
-    yield Readout("error", "RMS off what pixels can show", text, "of range", "error")
 
 
 def ideal(pattern: Pattern) -> tuple[Floats, NDArray[np.bool_]]:
@@ -188,7 +170,21 @@ def ideal(pattern: Pattern) -> tuple[Floats, NDArray[np.bool_]]:
     return light, np.abs(highest - NYQUIST) > GUARD
 
 
+def estimate(settings: Settings, _outputs: Outputs, _tier: str) -> Iterator[Readout]:
+    """RMS of what the picture shows too much or too little of; found at once."""
+    pattern = pattern_of(settings.pattern, settings.frequency, settings.phase)
+    truth, judged = ideal(pattern)
+    off = (pattern.picture(prefilter(settings.prefilter)) - truth)[judged]
+    text = format_magnitude(math.sqrt(float(np.mean(off * off))), 1e-9)
+    yield Readout("error", "RMS off what pixels can show", text, "of range", "error")
+
+
 # The filter is the choice of method, and all its entries are quick: no tiers, no draft.
 SCENE = Scene(
-    id="aliasing", title="Sampling and Aliasing", controls=CONTROLS, render=render, error=error
+    id="aliasing",
+    title="Sampling and Aliasing",
+    settings=Settings,
+    draw=draw,
+    stages=STAGES,
+    estimate=estimate,
 )

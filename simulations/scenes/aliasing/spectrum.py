@@ -7,7 +7,6 @@ import numpy as np
 
 from simulations.engine.drawing import Point, arrow, dot, line, path, polygon, polyline, text
 from simulations.engine.frame import format_number
-from simulations.models.sampling.aliasing import alias_frequency
 from simulations.models.sampling.prefilters import Prefilter, transfer
 from simulations.scenes.aliasing.pattern import Pattern
 
@@ -26,14 +25,13 @@ ARC_TOP = 50.0
 def draw(pattern: Pattern, kernel: Prefilter, kept: float) -> str:
     """SVG markup of the third panel; ``kept`` is the amplitude in the samples."""
     frequency = pattern.frequency
-    alias = abs(float(alias_frequency(frequency)))
     passed = abs(float(transfer(kernel, frequency)))
     return "".join(
         (
             *_axes(),
             _response(kernel),
             *(_band(frequency) if pattern.kind == "zone_plate" else ()),
-            *_lines(frequency, alias, passed, kept),
+            *_lines(frequency, pattern.alias, passed, kept),
         )
     )
 

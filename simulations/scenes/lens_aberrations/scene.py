@@ -6,80 +6,54 @@ centre.
 """
 
 import math
+from collections.abc import Iterator
 from dataclasses import dataclass
+from functools import partial
 
 import numpy as np
-from numpy.typing import NDArray
 
-from simulations.engine.controls import Choice, Slider, Toggle, Values
-from simulations.engine.frame import Frame, Panel, format_number, readout
+from simulations.engine.frame import Frame, Panel, Raster, Readout, format_number, readout
 from simulations.engine.scene import Scene
-from simulations.engine.stages import StageCache, run
+from simulations.engine.settings import choice, slider, toggle
+from simulations.engine.stages import Outputs
 from simulations.models.lens.chromatic_aberration import axial_chromatic_mm, lateral_chromatic_scale
 from simulations.scenes.lens_aberrations import drawing
-from simulations.scenes.lens_aberrations.stages import (
+from simulations.scenes.lens_aberrations.error import (
     CLOSE_LEFT,
     CLOSE_TOP,
+    corner_in,
+    corner_light,
+    judge,
+)
+from simulations.scenes.lens_aberrations.spectrum import BANDS, LINES_UM
+from simulations.scenes.lens_aberrations.stages import (
     FOCAL_MM,
     GLASSES,
     HEIGHT_PX,
-    LINES_UM,
     PITCH_MM,
     STAGES,
-    TIERS,
     WIDTH_PX,
-    error,
+    Floats,
     light,
 )
-
-type Floats = NDArray[np.floating]
 
 CORNER_PX = 200.0
 """From the centre to the corners."""
 
-CONTROLS = (
-    Choice(
-        name="glass",
-        label="Glass",
-        default="crown",
-        options={
-            "ideal": "Without dispersion",
-            "crown": "Crown, V = 64.2",
-            "flint": "Flint, V = 36.4",
-        },
-    ),
-    Slider(
-        name="stop",
-        label="Stop before the lens",
-        default=12,
-        minimum=-15,
-        maximum=15,
-        step=1,
-        unit="mm",
-    ),
-    Slider(
-        name="aperture",
-        label="Aperture",
-        default=2.8,
-        minimum=1.4,
-        maximum=16,
-        step=0.1,
-        prefix="f/",
-    ),
-    Slider(
-        name="rim",
-        label="Rim before the stop",
-        default=6,
-        minimum=0,
-        maximum=12,
-        step=0.5,
-        unit="mm",
-    ),
-    Toggle(name="natural", label="Natural vignetting, cos⁴", default=True),
-)
 
+@dataclass(frozen=True, slots=True)
+class Settings:
+    """What the reader may change."""
 
-DEFAULT_TIER = "even-16"
+    glass: str = choice(
+        "Glass",
+        {"ideal": "Without dispersion", "crown": "Crown, V = 64.2", "flint": "Flint, V = 36.4"},
+        "crown",
+    )
+    stop: float = slider("Stop before the lens", 12, -15, 15, 1, unit="mm")
+    aperture: float = slider("Aperture", 2.8, 1.4, 16, 0.1, prefix="f/")
+    rim: float = slider("Rim before the stop", 6, 0, 12, 0.5, unit="mm")
+    natural: bool = toggle("Natural vignetting, cos⁴", True)
 
 
 @dataclass(frozen=True, slots=True)
@@ -101,34 +75,36 @@ def colours(glass: str, stop_mm: float, f_number: float) -> Colours:
     )
 
 
-def render(values: Values, tier: str, cache: StageCache) -> Frame:
+def draw(settings: Settings, outputs: Outputs) -> Frame:
     """The chart through the lens, its corner, and the two profiles."""
-    done = run(STAGES, values, cache, {"tier": tier or DEFAULT_TIER})
-    picture: NDArray[np.uint8] = done.outputs["encoded"]
-    f_number, rim = values.number("aperture"), values.number("rim")
-    lens = colours(values.choice("glass"), values.number("stop"), f_number)
-    tangents = np.linspace(0.0, 1.0, 61)
-    cos4, open_share = light(tangents, f_number, rim, values.toggle("natural"))
+    picture: Raster = outputs["encoded"]
+    lens = colours(settings.glass, settings.stop, settings.aperture)
     shifts_px = CORNER_PX * (lens.scale - 1)
+    tangents = np.linspace(0.0, 1.0, 61)
+    cos4, open_share = light(tangents, settings.aperture, settings.rim, settings.natural)
+    corner = (float(cos4[-1]), float(open_share[-1]))
     close = np.ascontiguousarray(picture[CLOSE_TOP:, CLOSE_LEFT:])
     width, height = drawing.WIDTH, drawing.HEIGHT
     frame = drawing.close_up_frame(CLOSE_LEFT / WIDTH_PX, CLOSE_TOP / HEIGHT_PX)
     plot = drawing.profile(tangents, cos4, open_share, (float(shifts_px[0]), float(shifts_px[2])))
-    panels = (
-        Panel("picture", "Through the lens", width, height, picture, frame),
-        Panel("corner", "The corner, enlarged", width, height, close, pixelated=True),
-        Panel("profile", "From the centre to the corner", width, height, overlay=plot),
+    return Frame(
+        panels=(
+            Panel("picture", "Through the lens", width, height, picture, frame),
+            Panel("corner", "The corner, enlarged", width, height, close, pixelated=True),
+            Panel("profile", "From the centre to the corner", width, height, overlay=plot),
+        ),
+        readouts=(
+            readout(
+                "lateral", "Red to blue, corner", shifts_px[2] - shifts_px[0], "px", role="error"
+            ),
+            readout("red_disc", "Red disc", lens.disc_px[0], "px"),
+            readout("blue_disc", "Blue disc", lens.disc_px[2], "px"),
+            readout("natural_stops", "Natural falloff", stops(corner[0]), "stops", role="light"),
+            readout("rim_stops", "Cut by the rim", stops(corner[1]), "stops", role="camera"),
+            readout("corner_stops", "Corner, together", stops(corner[0] * corner[1]), "stops"),
+        ),
+        description=describe(settings.aperture, lens, corner),
     )
-    corner = (float(cos4[-1]), float(open_share[-1]))
-    readouts = (
-        readout("lateral", "Red to blue, corner", shifts_px[2] - shifts_px[0], "px", role="error"),
-        readout("red_disc", "Red disc", lens.disc_px[0], "px"),
-        readout("blue_disc", "Blue disc", lens.disc_px[2], "px"),
-        readout("natural_stops", "Natural falloff", stops(corner[0]), "stops", role="light"),
-        readout("rim_stops", "Cut by the rim", stops(corner[1]), "stops", role="camera"),
-        readout("corner_stops", "Corner, together", stops(corner[0] * corner[1]), "stops"),
-    )
-    return Frame(panels, readouts, describe(values, lens, corner), done.reports)
 
 
 def stops(factor: float) -> float:
@@ -136,7 +112,7 @@ def stops(factor: float) -> float:
     return math.log2(factor) if factor > 0 else -math.inf
 
 
-def describe(values: Values, lens: Colours, corner: tuple[float, float]) -> str:
+def describe(f_number: float, lens: Colours, corner: tuple[float, float]) -> str:
     """The picture in one sentence."""
     apart = CORNER_PX * float(lens.scale[2] - lens.scale[0])
     if abs(apart) < 0.005:
@@ -148,20 +124,30 @@ def describe(values: Values, lens: Colours, corner: tuple[float, float]) -> str:
     soft = f"discs of up to {widest:.1f} pixels" if widest > 1 else "all colours sharp"
     share = corner[0] * corner[1]
     return (
-        f"A test chart through a simple lens at f/{values.number('aperture'):.1f}: {fringe}, "
+        f"A test chart through a simple lens at f/{f_number:.1f}: {fringe}, "
         f"{soft}, and {100 * share:.0f}\u00a0% of the centre’s light in the corners."
     )
+
+
+def estimate(settings: Settings, outputs: Outputs, _tier: str) -> Iterator[Readout]:
+    """How far the enlarged corner is from the sum over the whole spectrum."""
+    corner_of = partial(
+        corner_in, outputs["chart"], settings.glass, settings.stop, settings.aperture
+    )
+    factor = corner_light(settings.aperture, settings.rim, settings.natural)
+    return judge(outputs["encoded"], corner_of, factor)
 
 
 SCENE = Scene(
     id="lens-aberrations",
     title="Lens Aberrations",
-    controls=CONTROLS,
-    render=render,
-    tiers=TIERS,
-    default_tier=DEFAULT_TIER,
+    settings=Settings,
+    draw=draw,
+    stages=STAGES,
+    tiers=tuple(BANDS),
+    default_tier="even-16",
     draft_tier="gauss-3",
     drafted=("stop",),
     ladder="chromatic-aberration",
-    error=error,
+    estimate=estimate,
 )

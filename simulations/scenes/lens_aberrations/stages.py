@@ -1,34 +1,28 @@
 """What the lens-aberrations figure computes: a picture for each wavelength, summed by channel.
 
-The channels are bell-shaped bands of the spectrum about the Fraunhofer lines C, d and F. The tier
-says by how many wavelengths each is stood for.
+The tier says by how many wavelengths each channel is stood for.
 """
 
 import math
-from collections.abc import Iterator
 from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import NDArray
 
-from simulations.engine.controls import Values
-from simulations.engine.frame import Raster, Readout, format_magnitude
+from simulations.engine.frame import Raster
 from simulations.engine.raster import to_rgba8
-from simulations.engine.stages import Stage, StageCache, run
+from simulations.engine.stages import Stage
 from simulations.models.color.srgb import encode_srgb_table
 from simulations.models.lens.chromatic_aberration import (
-    LINE_C_UM,
-    LINE_D_UM,
-    LINE_F_UM,
     Glass,
     axial_chromatic_mm,
     lateral_chromatic_scale,
 )
 from simulations.models.lens.disc_blur import Planes, disc_blur
-from simulations.models.lens.spectral_bands import Band, chosen_wavelengths, even_wavelengths
 from simulations.models.lens.vignetting import mechanical_vignetting, vignetting_cos4
 from simulations.models.sampling.resampling import KERNELS
 from simulations.pictures.resolution_chart import resolution_chart
+from simulations.scenes.lens_aberrations.spectrum import bands
 
 type Floats = NDArray[np.floating]
 
@@ -42,24 +36,10 @@ GLASSES = {
     "crown": Glass(),
     "flint": Glass(index_d=1.62, abbe_number=36.4),
 }
-LINES_UM = (LINE_C_UM, LINE_D_UM, LINE_F_UM)
-"""Peaks of the red, green and blue channel ..."""
-WIDTH_UM = 0.03
-"""... and the standard deviation of each."""
-REACH = 3.8
-"""Standard deviations beyond the outer peaks that even wavelengths cover."""
 SMALLEST_SHARE = 1e-4
 """Wavelengths that a channel sees less of are left out: a fortieth of one code at most."""
-TIERS = ("gauss-1", "gauss-3", "even-9", "gauss-5", "even-16", "even-31")
-"""Rungs of the ladder `chromatic-aberration`."""
 MARGIN = 8
 """The chart is drawn this much wider all round: no colour is reduced by more, in pixels."""
-CLOSE_TOP, CLOSE_LEFT = HEIGHT_PX - 48, WIDTH_PX - 64
-"""The close-up: the last 64 × 48 px."""
-SUBDIVISIONS = 5
-"""Reference wavelengths per standard deviation."""
-FIRST_ROUND = 9
-"""Of the reference wavelengths: fewer would leave a channel without light of its own."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -71,20 +51,6 @@ class Ghost:
     share: float
     plane: NDArray[np.float32]
     """(H, W) linear light."""
-
-
-def bands(tier: str, glass: str) -> tuple[Band, ...]:
-    """The wavelengths of the red, green and blue channel; one each where glass has no dispersion.
-
-    Raises ValueError for a tier that is not of `TIERS`.
-    """
-    kind, _, count = ("gauss-1" if glass == "ideal" else tier).partition("-")
-    if kind == "gauss":
-        return tuple(chosen_wavelengths(line, WIDTH_UM, int(count)) for line in LINES_UM)
-    if kind != "even":
-        raise ValueError(f"tier {tier!r}; legal: {', '.join(TIERS)}")
-    first, last = min(LINES_UM) - REACH * WIDTH_UM, max(LINES_UM) + REACH * WIDTH_UM
-    return even_wavelengths(LINES_UM, WIDTH_UM, first, last, int(count))
 
 
 def disc_px(glass: str, aperture: float, wavelength_um: float) -> float:
@@ -100,6 +66,14 @@ def light(
     opening_mm = FOCAL_MM / f_number / 2
     cos4 = vignetting_cos4(tan_field) if natural else np.ones_like(tan_field)
     return cos4, mechanical_vignetting(tan_field, opening_mm, RIM_MM, rim_mm)
+
+
+def field_tangents() -> Floats:
+    """(H, W) tangent of the angle from the axis at which each pixel looks."""
+    x = (np.arange(WIDTH_PX) - 0.5 * (WIDTH_PX - 1)) / FOCAL_PX
+    y = (np.arange(HEIGHT_PX) - 0.5 * (HEIGHT_PX - 1)) / FOCAL_PX
+    tangents: Floats = np.hypot(x, y[:, None])
+    return tangents
 
 
 def magnify(plane: NDArray[np.float32], scale: float) -> NDArray[np.float32]:
@@ -144,14 +118,10 @@ def _lateral(chart: Planes, glass: str, stop: float, tier: str) -> tuple[Ghost, 
 
 def _axial(ghosts: tuple[Ghost, ...], glass: str, aperture: float) -> tuple[Ghost, ...]:
     """Each in its own sharpness."""
+    radii = [disc_px(glass, aperture, ghost.wavelength_um) / 2 for ghost in ghosts]
     return tuple(
-        replace(
-            ghost,
-            plane=disc_blur(ghost.plane[None], disc_px(glass, aperture, ghost.wavelength_um) / 2)[
-                0
-            ],
-        )
-        for ghost in ghosts
+        replace(ghost, plane=disc_blur(ghost.plane[None], radius)[0])
+        for ghost, radius in zip(ghosts, radii, strict=True)
     )
 
 
@@ -168,9 +138,7 @@ def _channels(ghosts: tuple[Ghost, ...]) -> Planes:
 
 def _vignetting(aperture: float, rim: float, natural: bool) -> NDArray[np.float32]:
     """(H, W) factor; what the rim cuts is read from a table of the radius."""
-    x = (np.arange(WIDTH_PX) - 0.5 * (WIDTH_PX - 1)) / FOCAL_PX
-    y = (np.arange(HEIGHT_PX) - 0.5 * (HEIGHT_PX - 1)) / FOCAL_PX
-    radius = np.hypot(x, y[:, None])
+    radius = field_tangents()
     tangents = np.linspace(0, 1.01, 256)
     _, open_share = light(tangents, aperture, rim, natural)
     factor = np.interp(radius, tangents, open_share)
@@ -180,15 +148,14 @@ def _vignetting(aperture: float, rim: float, natural: bool) -> NDArray[np.float3
     return shared
 
 
-def _encode(planes: Planes, factor: Floats) -> Raster:
+def encode(planes: Planes, factor: Floats) -> Raster:
     return to_rgba8(encode_srgb_table(np.clip(planes * factor, 0, 1).transpose(1, 2, 0)))
 
 
-def _all_sharp(values: Values) -> str:
-    glass, aperture = values.choice("glass"), values.number("aperture")
+def _all_sharp(glass: str, aperture: float, tier: str) -> str:
     widest = max(
         disc_px(glass, aperture, wavelength)
-        for band in bands(values.choice("tier"), glass)
+        for band in bands(tier, glass)
         for wavelength in band.wavelengths_um[band.shares >= SMALLEST_SHARE].tolist()
     )
     return "" if widest > 1 else "no colour’s disc is wider than a pixel"
@@ -200,54 +167,5 @@ STAGES = (
     Stage("axial", _axial, ("lateral",), _all_sharp),
     Stage("channels", _channels, ("axial",)),
     Stage("vignetting", _vignetting),
-    Stage("encoded", _encode, ("channels", "vignetting")),
+    Stage("encoded", encode, ("channels", "vignetting")),
 )
-
-
-def error(values: Values, tier: str, cache: StageCache) -> Iterator[Readout]:
-    """RMS of the enlarged corner against the sum over the whole spectrum, in even, small steps.
-
-    One wavelength more each time, seen by all channels; the light of each pixel by the formulas.
-    """
-    outputs = run(STAGES, values, cache, {"tier": tier}).outputs
-    shown = outputs["encoded"][CLOSE_TOP:, CLOSE_LEFT:, :3].astype(np.float32)
-    factor = _corner_light(values)
-    total, weights = np.zeros((3, *shown.shape[:2])), np.zeros((3, 1, 1))
-    wavelengths = reference_wavelengths()
-    for count, wavelength in enumerate(wavelengths, start=1):
-        seen = np.exp(-0.5 * ((wavelength - np.array(LINES_UM)) / WIDTH_UM) ** 2)[:, None, None]
-        total += seen * _corner(outputs["chart"], values, wavelength)
-        weights += seen
-        truth = _encode(np.asarray(total / weights, np.float32), factor)
-        off = shown - truth[..., :3]
-        text = format_magnitude(math.sqrt(float(np.mean(off * off))), 1e-3)
-        label = f"RMS error of the corner against {count} of {len(wavelengths)} wavelengths"
-        enough = count >= FIRST_ROUND
-        yield Readout("error", label, text if enough else "…", "codes of 255" * enough, "error")
-
-
-def reference_wavelengths() -> list[float]:
-    """Equal steps over the spectrum, a coarse round of them first and the gaps filled after."""
-    first, last = min(LINES_UM) - 4 * WIDTH_UM, max(LINES_UM) + 4 * WIDTH_UM
-    count = round((last - first) / WIDTH_UM * SUBDIVISIONS) + 1
-    steps = np.linspace(first, last, count).tolist()
-    return [step for begin in (0, 4, 2, 6, 1, 5, 3, 7) for step in steps[begin::8]]
-
-
-def _corner(chart: Planes, values: Values, wavelength_um: float) -> Planes:
-    """(3, 48, 64) the close-up in light of one wavelength."""
-    glass, stop = values.choice("glass"), values.number("stop")
-    scale = float(lateral_chromatic_scale(GLASSES[glass], FOCAL_MM, stop, wavelength_um))
-    window = (slice(CLOSE_TOP, -MARGIN), slice(CLOSE_LEFT, -MARGIN))  # with room for the discs
-    planes = np.stack([magnify(plane, scale)[window] for plane in chart])
-    radius = disc_px(glass, values.number("aperture"), wavelength_um) / 2
-    return disc_blur(planes, radius)[:, MARGIN:, MARGIN:]
-
-
-def _corner_light(values: Values) -> Floats:
-    """(48, 64) vignetting of the close-up."""
-    x = (np.arange(CLOSE_LEFT, WIDTH_PX) - 0.5 * (WIDTH_PX - 1)) / FOCAL_PX
-    y = (np.arange(CLOSE_TOP, HEIGHT_PX) - 0.5 * (HEIGHT_PX - 1)) / FOCAL_PX
-    aperture, rim = values.number("aperture"), values.number("rim")
-    cos4, open_share = light(np.hypot(x, y[:, None]), aperture, rim, values.toggle("natural"))
-    return np.asarray(cos4 * open_share, np.float32)

@@ -104,18 +104,18 @@ def patch_means_e(exposure: float) -> Floats:
 
 
 def _read(
-    electrons: Floats, grain: Floats, bits: float, iso: str, read_noise: float
+    electrons: Floats, grain: Floats, bits: int, iso: str, read_noise: float
 ) -> NDArray[np.uint16]:
-    quiet = sensor_of(int(bits), iso, 0.0)  # the read noise is in the grain already
+    quiet = sensor_of(bits, iso, 0.0)  # the read noise is in the grain already
     reported = electrons + np.float32(read_noise) * grain if read_noise else electrons
     signal = photon_counting.read_out(reported, quiet, np.random.default_rng(0))
     return photon_counting.quantise(signal, quiet.bits)
 
 
 def _measure(
-    codes: NDArray[np.uint16], bits: float, iso: str, read_noise: float, dark: float
+    codes: NDArray[np.uint16], bits: int, iso: str, read_noise: float, dark: float
 ) -> Transfer:
-    camera = sensor_of(int(bits), iso, read_noise)
+    camera = sensor_of(bits, iso, read_noise)
     mean = codes.mean(axis=1, dtype=np.float64) - camera.black_level_dn
     mean -= dark / camera.gain_e_per_dn
     variance = codes.var(axis=1, ddof=1, dtype=np.float64)
@@ -134,9 +134,9 @@ def _gain(mean: Floats, variance: Floats) -> Gain | None:
         return None
 
 
-def _picture(codes: NDArray[np.uint16], bits: float) -> NDArray[np.uint8]:
+def _picture(codes: NDArray[np.uint16], bits: int) -> NDArray[np.uint8]:
     """The patches in four rows of six, brightest first."""
-    tiles = _colour_of_code(int(bits))[codes]
+    tiles = _colour_of_code(bits)[codes]
     rows = tiles.reshape(drawing.ROWS, drawing.COLUMNS, PATCH_PX, PATCH_PX, 4).swapaxes(1, 2)
     return rows.reshape(drawing.ROWS * PATCH_PX, drawing.COLUMNS * PATCH_PX, 4)
 

@@ -3,8 +3,9 @@
 import numpy as np
 import pytest
 
-from simulations.models.distortion.lens_model import Distortion, distort
+from simulations.models.distortion.lens_model import Distortion, distort, fold_radius
 from simulations.models.distortion.undistortion import (
+    INVERSES,
     undistort_bracketed,
     undistort_first_order,
     undistort_fixed_point,
@@ -106,3 +107,21 @@ def test_fixed_point_diverges_in_strong_pincushion_where_newton_does_not():
     seen = distort(ideal, lens)
     assert abs(undistort_fixed_point(seen, lens, 200)[0] - 1.5) > 0.1
     assert undistort_newton(seen, lens, 12)[0] == pytest.approx(1.5, abs=1e-12)
+
+
+@pytest.mark.parametrize("name", [name for name in INVERSES if name[-1].isdigit()])
+def test_a_name_of_the_table_that_ends_in_a_number_takes_so_many_steps(name: str) -> None:
+    kind, _, steps = name.rpartition("-")
+    run = {"newton": undistort_newton, "fixed-point": undistort_fixed_point}[kind]
+    lens = Distortion(k1=-0.2)
+    np.testing.assert_array_equal(INVERSES[name](RADII, lens), run(RADII, lens, int(steps)))
+
+
+@pytest.mark.parametrize("name", ["checked-table", "newton-bracketed"])
+def test_the_careful_ones_put_what_lies_past_the_fold_on_it(name: str) -> None:
+    lens = Distortion(k1=-0.5)
+    inside = RADII[RADII[:, 0] < 0.8]
+    seen = np.concatenate((distort(inside, lens), [[0.0, 0.6], [1.5, 0.0]]))
+    fold = fold_radius(lens)
+    expected = np.concatenate((inside, [[0.0, fold], [fold, 0.0]]))
+    np.testing.assert_allclose(INVERSES[name](seen, lens), expected, atol=1e-12)
