@@ -1,1 +1,1 @@
-"""One widget per file: its controls and a pure render function."""
+"""A package per widget: its settings, what is computed of them, and how that is drawn."""

@@ -7,6 +7,7 @@ from typing import Any
 
 import pytest
 
+from simulations.engine.frame import Frame
 from simulations.engine.scene import Scene
 from site_builder import build
 from site_builder.build import Options, render_site
@@ -41,8 +42,11 @@ def test_a_mistake_writes_nothing(make_book: MakeBook, tmp_path: Path) -> None:
 def test_a_scene_that_raises_is_a_mistake_at_its_figure(make_book: MakeBook) -> None:
     options = make_book("\n:::{simulation} demo\n:::\n")
 
+    def draw(*_: object) -> Frame:
+        raise ZeroDivisionError("division by zero")
+
     def load(scene_id: str) -> Scene[Any]:
-        return replace(options.load_scene(scene_id), draw=lambda *_: 1 / 0)
+        return replace(options.load_scene(scene_id), draw=draw)
 
     with pytest.raises(BuildError) as raised:
         render_site(replace(options, load_scene=load))

@@ -193,8 +193,11 @@ def test_a_number_of_a_figure_that_cannot_be_drawn_is_reported_with_its_reason(
 ) -> None:
     options = make_book("{readout}`demo k1`\n", {"content/book.toml": OUTLINE_WITHOUT_COVER})
 
+    def draw(*_: object) -> Frame:
+        raise ZeroDivisionError("division by zero")
+
     def load(scene_id: str) -> Scene[Any]:
-        return replace(options.load_scene(scene_id), draw=lambda *_: 1 / 0)
+        return replace(options.load_scene(scene_id), draw=draw)
 
     with pytest.raises(BuildError) as raised:
         check_site(replace(options, load_scene=load))

@@ -171,7 +171,7 @@ def test_values_past_the_ends_are_brought_to_the_ends(scene: Scene[Any]) -> None
 
 
 def test_the_covering_settings_meet_every_pair() -> None:
-    controls = (
+    controls: tuple[Control, ...] = (
         Slider(name="a", label="A", default=0, minimum=-1, maximum=1, step=0.1),
         Choice(name="b", label="B", default="x", options={"x": "X", "y": "Y", "z": "Z"}),
         Toggle(name="c", label="C"),
