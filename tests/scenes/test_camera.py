@@ -25,7 +25,7 @@ from simulations.scenes.camera.sensor import (
     read_noise_e,
     shutter_s,
 )
-from simulations.scenes.camera.stages import STAGES, TIERS
+from simulations.scenes.camera.stages import STAGES
 
 type Setting = dict[str, Value]
 
@@ -170,22 +170,6 @@ def test_skipped_defocus_would_have_changed_nothing() -> None:
     )
     assert blurred.base is lit.base
     assert all(a.planes is b.planes for a, b in zip(blurred.layers, lit.layers, strict=True))
-
-
-@pytest.mark.parametrize("tier", [tier for tier in TIERS if tier != "aperture-rays"])
-@pytest.mark.parametrize(
-    "change",
-    [{control: value} for control, (value, _) in AFTER_MOVING.items()]
-    + [{"k1": k1} for k1 in (-0.4, 0.0, 0.2)],
-    ids=str,
-)
-def test_cached_photograph_is_bit_equal_to_a_cold_one(change: Setting, tier: str) -> None:
-    cache = StageCache()
-    shown(tier, cache, **BENT)
-    warm = shown(tier, cache, **{**BENT, **change})
-    cold = shown(tier, **{**BENT, **change})
-    assert np.array_equal(photograph(warm), photograph(cold))
-    assert warm.readouts == cold.readouts
 
 
 @pytest.mark.parametrize("focus", [1.0, 10.0])

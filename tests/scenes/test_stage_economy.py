@@ -14,7 +14,6 @@ from simulations.engine.settings import values_of
 from simulations.engine.stages import Stage, StageCache
 from simulations.registry import SCENE_MODULES, load_scene
 from simulations.scenes.camera import scene as camera
-from simulations.scenes.camera import stages as camera_stages
 
 SCENES = {scene_id: load_scene(scene_id) for scene_id in SCENE_MODULES}
 
@@ -132,21 +131,6 @@ def assert_same(ours: Frame, theirs: Frame, where: object) -> None:
         assert (one.raster is None) == (other.raster is None), where
         if one.raster is not None and other.raster is not None:
             np.testing.assert_array_equal(one.raster, other.raster, str(where))
-
-
-TIERS = list(itertools.permutations(camera_stages.TIERS, 2))
-
-
-@pytest.mark.parametrize(("first", "second"), TIERS)
-def test_a_settled_photograph_does_not_remember_the_draft(first: str, second: str) -> None:
-    scene, cache = camera.SCENE, StageCache()
-    given = scene.check(START["camera"])
-    scene.render(given, first, cache)
-    warm = scene.render(given, second, cache).panels[0].raster
-    cold = scene.render(given, second, StageCache()).panels[0].raster
-    assert warm is not None
-    assert cold is not None
-    np.testing.assert_array_equal(warm, cold)
 
 
 def test_dearer_tiers_of_the_camera_are_nearer_to_rays_through_the_whole_lens() -> None:
