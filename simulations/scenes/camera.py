@@ -11,6 +11,7 @@ from simulations.engine.pipeline import Run, StageCache, run
 from simulations.engine.scene import Scene
 from simulations.models import optics
 from simulations.models.aperture_grid import aperture_grid
+from simulations.models.distortion import Distortion, undistort_clamped
 from simulations.scenes.camera_lens import (
     COLUMNS,
     PITCH_MM,
@@ -102,9 +103,13 @@ def depth_of_field_m(values: Values) -> tuple[float, float]:
 
 
 def view_of(values: Values) -> float:
-    """Angle that the sensor sees from left to right, radians."""
-    focal_mm, focus_mm = values.number("focal_length"), values.number("focus") * 1000.0
-    return optics.field_of_view_rad(focal_mm, SENSOR_WIDTH_MM, focus_mm)
+    """Angle that the sensor sees from left to right, radians, along the rays that the lens bends.
+
+    Past the fold of a barrel, as far as any ray reaches.
+    """
+    edge = SENSOR_WIDTH_MM / 2 / principal_mm_of(values)
+    ideal, _ = undistort_clamped([(edge, 0.0)], Distortion(k1=values.number("k1")))
+    return 2.0 * math.atan(float(ideal[0, 0]))
 
 
 def psnr_db(picture: Raster, ideal: Raster) -> float:

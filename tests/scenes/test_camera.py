@@ -12,8 +12,8 @@ from simulations.models import projection
 from simulations.models.color import decode_srgb, encode_srgb
 from simulations.models.raycasting import Sphere
 from simulations.pictures import still_life
-from simulations.scenes.camera import CONTROLS, SCENE, run_tier
-from simulations.scenes.camera_lens import COLUMNS, PITCH_MM, ROWS, largest_blur_px
+from simulations.scenes.camera import CONTROLS, SCENE, run_tier, view_of
+from simulations.scenes.camera_lens import COLUMNS, PITCH_MM, ROWS, largest_blur_px, principal_mm
 from simulations.scenes.camera_sensor import (
     ADC,
     BYTE_OF_CODE,
@@ -273,6 +273,20 @@ def test_the_picture_breathes_with_the_focus():
     for told, sensor_mm in ((near, 135 / 0.865), (far, 135 / 0.9865)):
         angle = 2 * math.degrees(math.atan(18 / sensor_mm))
         assert told["field_of_view"] == f"{angle:.1f}"
+
+
+@pytest.mark.parametrize("focal_length", [24, 50, 135])
+@pytest.mark.parametrize("k1", [-0.4, -0.1, 0.0, 0.1, 0.4])
+def test_the_field_of_view_is_that_of_the_rays_that_the_lens_bends(focal_length, k1):
+    """Its edge is sent to the sensor's, or lies on the fold where no ray is sent so far out."""
+    setting = values(focal_length=focal_length, k1=k1)
+    edge, r = 18.0 / principal_mm(focal_length, 3.2), math.tan(view_of(setting) / 2)
+    if k1 == -0.4 and focal_length == 24:
+        assert r == pytest.approx(math.sqrt(1 / 1.2), rel=1e-9)
+        return
+    assert r * (1 + k1 * r * r) == pytest.approx(edge, rel=1e-9)
+    told = readouts(focal_length=focal_length, k1=k1)["field_of_view"]
+    assert told == f"{math.degrees(2 * math.atan(r)):.1f}"
 
 
 def test_the_automatic_makes_good_what_focus_and_aperture_take_away():
