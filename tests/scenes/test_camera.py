@@ -13,8 +13,8 @@ from simulations.models.color.srgb import decode_srgb, encode_srgb
 from simulations.models.light.raycasting import Sphere
 from simulations.models.projection import pinhole
 from simulations.pictures.still_life import things as still_life
-from simulations.scenes.camera.lens import COLUMNS, PITCH_MM, ROWS
-from simulations.scenes.camera.scene import SCENE, blur_of
+from simulations.scenes.camera.lens import COLUMNS, PITCH_MM, ROWS, principal_mm
+from simulations.scenes.camera.scene import SCENE, blur_of, view_of
 from simulations.scenes.camera.sensor import (
     ADC,
     BYTE_OF_CODE,
@@ -261,6 +261,22 @@ def test_the_picture_breathes_with_the_focus() -> None:
     for told, sensor_mm in ((near, 135 / 0.865), (far, 135 / 0.9865)):
         angle = 2 * math.degrees(math.atan(18 / sensor_mm))
         assert told["field_of_view"] == f"{angle:.1f}"
+
+
+@pytest.mark.parametrize("focal_length", [24, 50, 135])
+@pytest.mark.parametrize("k1", [-0.4, -0.1, 0.0, 0.1, 0.4])
+def test_the_field_of_view_is_that_of_the_rays_that_the_lens_bends(
+    focal_length: float, k1: float
+) -> None:
+    """Its edge is sent to the sensor's, or lies on the fold where no ray is sent so far out."""
+    settings = SCENE.check({"focal_length": focal_length, "k1": k1})
+    edge, r = 18.0 / principal_mm(focal_length, 3.2), math.tan(view_of(settings) / 2)
+    if k1 == -0.4 and focal_length == 24:
+        assert r == pytest.approx(math.sqrt(1 / 1.2), rel=1e-9)
+        return
+    assert r * (1 + k1 * r * r) == pytest.approx(edge, rel=1e-9)
+    told = readouts(focal_length=focal_length, k1=k1)["field_of_view"]
+    assert told == f"{math.degrees(2 * math.atan(r)):.1f}"
 
 
 def test_the_automatic_makes_good_what_focus_and_aperture_take_away() -> None:

@@ -44,8 +44,9 @@ def blur_by_depth(
     """An opaque picture (C, H, W) blurred by a disc whose radius (H, W) varies from place to place.
 
     The picture is blurred at the largest radius, half of it, a quarter, ... and each pixel mixes
-    the two nearest so that its second moment is right: what is blurred most, often a wall of one
-    depth, has its own disc. Returns the same object where no radius exceeds half a pixel.
+    the two nearest so that its second moment is right, along each axis to 0.12 px²: what is blurred
+    most, often a wall of one depth, has its own disc. Returns the same object where no radius
+    exceeds half a pixel.
     """
     smallest, largest = float(radius_px.min(initial=0.0)), float(radius_px.max(initial=0.0))
     for radius in (smallest, largest):

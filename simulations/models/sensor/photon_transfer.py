@@ -24,6 +24,10 @@ LEAST_VARIANCE_DN2 = 0.5
 """Above it rounding adds 1/12 to a variance, to a thousandth of the whole. Below, the sum depends
 on where between two codes the mean lies, and soon all pixels have the same code."""
 
+FEWEST_E = 10.0
+"""Electrons from which on that holds without read noise too. Fewer fall on few codes, and rounding
+them adds several times as much, or takes away: gains would come out 2 % off."""
+
 LARGEST_ERROR = 0.1
 """Standard error of a gain, as a share of it, from which on none is told."""
 
@@ -64,8 +68,9 @@ def straight_part(mean_dn: ArrayLike, variance_dn: ArrayLike) -> NDArray[np.bool
 
     A well or a converter that is nearly full cuts the variance, and means alone do not tell: left
     out are levels above 70 % of the one of largest variance. So are those whose variance is below
-    0.5 DN², for which a code is too coarse a step. Raises `ValueError` for other shapes than (N,)
-    and for numbers that are not finite.
+    0.5 DN², for which a code is too coarse a step, and those of fewer than 10 electrons by a first
+    fit to all the others. Raises `ValueError` for other shapes than (N,) and for numbers that are
+    not finite.
     """
     mean, variance = as_floats(mean_dn), as_floats(variance_dn)
     if mean.ndim != 1 or mean.shape != variance.shape:
@@ -76,6 +81,9 @@ def straight_part(mean_dn: ArrayLike, variance_dn: ArrayLike) -> NDArray[np.bool
         return np.zeros(0, bool)
     unsaturated = mean <= SATURATED_SHARE * mean[np.argmax(variance)]
     straight: NDArray[np.bool_] = unsaturated & (variance >= LEAST_VARIANCE_DN2)
+    if straight.any() and np.ptp(mean[straight]) > 0:
+        slope, _ = _line(mean[straight].astype(float), variance[straight].astype(float), 2)
+        straight &= mean >= FEWEST_E * slope
     return straight
 
 
@@ -99,7 +107,8 @@ def estimate_gain(mean_dn: ArrayLike, variance_dn: ArrayLike, samples: int = 20_
     if mean.size < 2 or np.ptp(mean) == 0:
         raise ValueError(
             f"{mean.size} of {straight.size} levels on the straight part; legal: two that differ, "
-            f"of {LEAST_VARIANCE_DN2} DN² or more, up to 70 % of the mean of largest variance"
+            f"of {LEAST_VARIANCE_DN2} DN² and {FEWEST_E:g} electrons or more, "
+            "up to 70 % of the mean of largest variance"
         )
     slope, share = _line(mean, variance, samples)
     if not slope > 0:

@@ -2,7 +2,8 @@
 
 The count for a deviate z is the quantile of the distribution at the probability of a normal below
 z. It grows with z and with the mean, so that a picture which keeps its deviates keeps its grain
-as the light changes. A sampler by rejection reshuffles the grain at every touch.
+as the light changes; only where the mean passes `FEW` does one count in 800 fall, by one. A sampler
+by rejection reshuffles the grain at every touch.
 """
 
 import math

@@ -11,6 +11,7 @@ from simulations.engine.frame import Frame, Panel, Raster, Readout, format_numbe
 from simulations.engine.scene import Scene
 from simulations.engine.settings import action, slider, toggle
 from simulations.engine.stages import Outputs
+from simulations.models.distortion.lens_model import Distortion, undistort_clamped
 from simulations.models.lens import thin_lens
 from simulations.models.lens.aperture_grid import aperture_grid
 from simulations.scenes.camera.lens import (
@@ -74,9 +75,13 @@ def depth_of_field_m(settings: Settings) -> tuple[float, float]:
 
 
 def view_of(settings: Settings) -> float:
-    """Angle that the sensor sees from left to right, radians."""
-    focus_mm = settings.focus * 1000.0
-    return thin_lens.field_of_view_rad(settings.focal_length, SENSOR_WIDTH_MM, focus_mm)
+    """Angle that the sensor sees from left to right, radians, along the rays that the lens bends.
+
+    Past the fold of a barrel, as far as any ray reaches.
+    """
+    edge = SENSOR_WIDTH_MM / 2 / principal_mm(settings.focal_length, settings.focus)
+    ideal, _ = undistort_clamped([(edge, 0.0)], Distortion(k1=settings.k1))
+    return 2.0 * math.atan(float(ideal[0, 0]))
 
 
 def psnr_db(picture: Raster, ideal: Raster) -> float:

@@ -74,6 +74,7 @@ def test_more_light_never_takes_electrons_away_and_nothing_jumps():
     assert all(means[at] < FEW <= means[at + 1] for at in falls)
     border = poisson_from_normal(np.array([[np.nextafter(FEW, 0)], [FEW]]), EVEN[None])
     assert np.mean(border[0] != border[1]) < 0.003
+    assert np.mean(border[0] > border[1]) == pytest.approx(1 / 800, rel=0.1)
 
 
 @pytest.mark.parametrize("mean", [0.2, 4.0, 9.9, 10.0, 40.0, 1e4])
