@@ -1,6 +1,5 @@
 """A reader in front of the book: opens chapters, waits for figures, notes every complaint."""
 
-import time
 from typing import Any
 
 from playwright.sync_api import BrowserContext, ConsoleMessage, Locator, Request
@@ -94,15 +93,6 @@ class Reader:
     def shown(self, figure: Locator) -> Any:
         """What the figure shows: pixels (as a checksum), drawings and readouts."""
         return figure.evaluate(SHOWN)
-
-    def changed(self, figure: Locator, before: Any, within_ms: int) -> bool:
-        """Whether the figure comes to show something else in time; a busy machine is waited for."""
-        end = time.monotonic() + within_ms / 1000
-        while self.shown(figure) == before:
-            if time.monotonic() > end:
-                return False
-            self.page.wait_for_timeout(20)
-        return True
 
     def settle(self, figure: Locator) -> None:
         """Wait until the figure has painted nothing new for a while; stop what plays."""
