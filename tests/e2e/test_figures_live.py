@@ -104,7 +104,7 @@ def _assert_changes(reader: Reader, figure: Locator, control: dict, act: Gesture
         frames = reader.frames(figure)
         act(reader, element, control, attempt)
         with suppress(PlaywrightTimeoutError):  # a gesture at the end of a slider asks for nothing
-            reader.wait_frame(figure, frames)
+            reader.wait_frame(figure, frames, within_ms=3000)
         reader.settle(figure)
         if reader.shown(figure) != before:
             return
@@ -119,7 +119,7 @@ def _press(reader: Reader, element: Locator, control: dict, _attempt: int) -> No
             reader.page.keyboard.press("Home" if at_end else "PageUp")
         case "choice":
             down = element.evaluate("menu => menu.selectedIndex < menu.options.length - 1")
-            reader.page.keyboard.press("ArrowDown" if down else "Home")
+            reader.page.keyboard.press("ArrowDown" if down else "ArrowUp")
         case _:
             reader.page.keyboard.press("Space")
 
@@ -135,7 +135,7 @@ def _click(reader: Reader, element: Locator, control: dict, attempt: int) -> Non
         case "choice":
             options = control["options"]
             now = options.index(element.input_value())
-            element.select_option(options[(now + 1) % len(options)])
+            element.select_option(options[now + 1 if now + 1 < len(options) else now - 1])
         case _:
             element.click()
 

@@ -98,11 +98,12 @@ class Reader:
         """Wait until the figure has painted nothing new for a while; stop what plays."""
         figure.evaluate(SETTLE)
 
-    def wait_frame(self, figure: Locator, after: int) -> None:
+    def wait_frame(self, figure: Locator, after: int, within_ms: int = 30_000) -> None:
         """Wait for a frame later than number ``after``."""
         self.page.wait_for_function(
             "([figure, after]) => Number(figure.dataset.frames) > after",
             arg=[figure.element_handle(), after],
+            timeout=within_ms,
         )
 
 
