@@ -1,7 +1,7 @@
 """Ways to a homography from matched points (N, 2), which differ in the error that they make small.
 
-All work on arrays alone, without the checks of `models.homography_estimation`: what is timed is
-the method. Each returns H (3, 3), of any scale and sign.
+All work on arrays alone, without the checks of `models.geometry.homography_estimation`: what is
+timed is the method. Each returns H (3, 3), of any scale and sign.
 
 Source: Hartley and Zisserman, Multiple View Geometry, 2nd ed., §4.1, §4.2 and §4.4.
 """

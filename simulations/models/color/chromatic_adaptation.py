@@ -27,7 +27,7 @@ RESPONSES = {
     "von-kries": CONES,
     "rgb": np.linalg.inv(rgb_to_xyz_matrix()),
 }
-"""From XYZ to what is scaled; "rgb" are the gains of `color.white_balance` on linear sRGB."""
+"""From XYZ to what is scaled; "rgb" are the gains of `srgb.white_balance` on linear sRGB."""
 
 
 def adaptation_matrix(from_xy: ArrayLike, to_xy: ArrayLike, method: str = "bradford") -> Array:

@@ -1,7 +1,7 @@
 """Other ways to the cosine transform of 8x8 blocks, and the judge of them all.
 
 All take blocks (..., 8, 8) of codes about 0 and give coefficients of the same shape, as
-`compression.block_dct` does with two small products.
+`blocks.block_dct` does with two small products.
 """
 
 from collections.abc import Mapping

@@ -82,7 +82,7 @@ def encode(
     quality : 1 (coarsest) to 100 (all steps 1)
     subsampling : "4:4:4", "4:2:2" or "4:2:0"
     transform
-        See `compression.quantise_plane`, whose errors it raises.
+        See `blocks.quantise_plane`, whose errors it raises.
     """
     luma, *differences = np.asarray(planes, float)
     factor = subsampling_factor(subsampling)

@@ -1,4 +1,4 @@
-"""Other ways to undo a lens that is off centre, to be compared with `distortion.undistort`.
+"""Other ways to undo a lens that is off centre, to be compared with `lens_model.undistort`.
 
 All take distorted points (..., 2) in normalised coordinates and return ideal ones. They assume
 points well inside the fold, and none notices when it fails.

@@ -1,8 +1,8 @@
-"""Other ways to undo a radial lens, to be compared with `distortion.undistort`.
+"""Other ways to undo a radial lens, to be compared with `lens_model.undistort`.
 
 All take distorted points (..., 2) in normalised coordinates and return ideal ones; all but the
 last leave tangential terms alone. All but the last two assume points well inside the fold, and
-none of those notices when it fails. `distortion.undistort` does, and is what to use where the
+none of those notices when it fails. `lens_model.undistort` does, and is what to use where the
 answer must be right.
 
 All but the last two look for the factor ρ = r / r_d as a function of t = r_d², and none of them
@@ -130,7 +130,7 @@ def undistort_bracketed(xy: ArrayLike, d: Distortion) -> Floats:
 
 
 def undistort_checked(xy: ArrayLike, d: Distortion) -> Floats:
-    """`distortion.undistort_clamped` without its mask: past the fold, the fold circle."""
+    """`lens_model.undistort_clamped` without its mask: past the fold, the fold circle."""
     return undistort_clamped(xy, d)[0]
 
 

@@ -13,7 +13,7 @@ def vignetting_cos4(r_over_f: ArrayLike) -> Floats:
     """Natural vignetting: relative irradiance cos⁴α at image radius r, with tan α = r/f.
 
     f is the distance from lens to sensor: the focal length where the lens is focused at infinity,
-    and else `optics.principal_distance_mm`.
+    and else `thin_lens.principal_distance_mm`.
 
     Parameters
     ----------

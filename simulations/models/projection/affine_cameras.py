@@ -53,7 +53,7 @@ def scaled_orthographic_camera(K: ArrayLike, depth: float) -> Floats:
 
     Parameters
     ----------
-    K : (3, 3) from `projection.intrinsics`.
+    K : (3, 3) from `pinhole.intrinsics`.
     depth : Z₀, positive and finite, in the unit of the points.
 
     Returns
@@ -72,7 +72,7 @@ def paraperspective_camera(K: ArrayLike, reference: ArrayLike) -> Floats:
 
     Parameters
     ----------
-    K : (3, 3) from `projection.intrinsics`.
+    K : (3, 3) from `pinhole.intrinsics`.
     reference : (3,) in the camera frame, such as the centre of an object; in front of the camera.
 
     Returns

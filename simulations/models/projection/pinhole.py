@@ -33,7 +33,7 @@ def intrinsics(
     ----------
     focal_px : distance from the centre of projection to the image plane in pixels, or (fx, fy)
         where pixels are not square. A lens's focal length is that only when it is focused at
-        infinity; see `optics.principal_distance_mm`.
+        infinity; see `thin_lens.principal_distance_mm`.
     principal_point : (cx, cy), where the optical axis meets the image, in pixels.
     skew : pixels that x gains per unit of normalised y; 0 where the pixel axes are orthogonal.
 

@@ -36,7 +36,7 @@ def plane_between_views(
 
     Parameters
     ----------
-    K_first, K_second : (3, 3) from `projection.intrinsics`.
+    K_first, K_second : (3, 3) from `pinhole.intrinsics`.
     first_to_second : (4, 4), the motion [R t; 0 1] from the first camera's frame to the second's.
     plane : (4,) n and d with n·X + d = 0 in the first camera's frame, of any scale.
 
