@@ -92,6 +92,45 @@ export function writeSlider(form, slider, value) {
 }
 
 /**
+ * Put controls to the values given, as if the reader had moved them: all are written before the
+ * first tells of it, so that no frame is asked for in between.
+ *
+ * @param {HTMLFormElement} form
+ * @param {Control[]} controls
+ * @param {Record<string, Value>} values What is left out stays.
+ * @param {"input" | "change"} told `input` while the move goes on, `change` once it is over.
+ */
+export function moveControls(form, controls, values, told) {
+  const moved = controls.filter(({ name }) => name in values);
+  for (const control of moved) write(form, control, values[control.name]);
+  for (const { name } of moved) {
+    form.querySelector(named(name))?.dispatchEvent(new Event(told, { bubbles: true }));
+  }
+}
+
+/**
+ * @param {HTMLFormElement} form
+ * @param {Control} control
+ * @param {Value} value
+ */
+function write(form, control, value) {
+  switch (control.kind) {
+    case "slider":
+      writeSlider(form, control, Number(value));
+      break;
+    case "toggle":
+      input(form, control.name).checked = Boolean(value);
+      break;
+    case "action":
+      setActionState(button(form, control.name), control, Number(value));
+      break;
+    case "choice":
+      choice(form, control.name).value = String(value);
+      break;
+  }
+}
+
+/**
  * Write the value beside a slider, and into what a screen reader says of it.
  *
  * @param {HTMLFormElement} form
