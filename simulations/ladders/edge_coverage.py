@@ -5,16 +5,14 @@ from dataclasses import dataclass
 from functools import partial
 
 import numpy as np
-from numpy.typing import NDArray
 
 from simulations.engine.ladder import Ladder, Metric, Tier
+from simulations.models.arrays import Floats
 from simulations.models.light.edge_coverage import (
     curved_edge_coverage,
     ramp_coverage,
     straight_edge_coverage,
 )
-
-type Floats = NDArray[np.floating]
 
 
 @dataclass(frozen=True, slots=True)

@@ -6,7 +6,8 @@ from functools import partial
 import numpy as np
 
 from simulations.engine.ladder import Ladder, Metric, Tier
-from simulations.models.distortion.lens_model import Distortion, Floats
+from simulations.models.arrays import Floats
+from simulations.models.distortion.lens_model import Distortion
 from simulations.models.distortion.radial_table import inverse_table
 from simulations.models.distortion.undistortion import INVERSES, Inverse
 

@@ -8,8 +8,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from simulations.engine.ladder import Ladder, Metric, Tier
+from simulations.models.arrays import Floats
 
-type Floats = NDArray[np.floating]
 type Whole = NDArray[np.int64]
 
 COUNT = 20_000

@@ -8,12 +8,10 @@ from dataclasses import dataclass
 from functools import partial
 
 import numpy as np
-from numpy.typing import NDArray
 
 from simulations.engine.ladder import Ladder, Metric, Tier
+from simulations.models.arrays import Floats
 from simulations.models.sampling.resampling import gather, gather_table
-
-type Floats = NDArray[np.floating]
 
 SIZE = 128
 CENTRE = (SIZE - 1) / 2

@@ -3,14 +3,12 @@
 import math
 
 import numpy as np
-from numpy.typing import NDArray
 
 from simulations.engine.ladder import Ladder, Metric, Tier
+from simulations.models.arrays import Floats
 from simulations.models.geometry import quaternions
 from simulations.models.geometry.cross_products import CYCLES, cross_polynomial
 from simulations.models.geometry.rotations import exponential
-
-type Floats = NDArray[np.floating]
 
 ANGLE_RAD = math.radians(5.0)
 COUNT = 4096

@@ -1,12 +1,10 @@
 """Darker corners: cos⁴ by its angle, without it, and by what lens profiles use instead."""
 
 import numpy as np
-from numpy.typing import NDArray
 
 from simulations.engine.ladder import Ladder, Metric, Tier
+from simulations.models.arrays import Floats
 from simulations.models.lens.vignetting import vignetting_cos4
-
-type Floats = NDArray[np.floating]
 
 SIZE = 512
 WIDEST = 1.0

@@ -8,11 +8,10 @@ in z = 0. All edges and patterns are mean values over a pixel.
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
+from simulations.models.arrays import Floats
 from simulations.pictures.coverage import checker, stripes
 
-type Floats = NDArray[np.floating]
 type Place = Floats | float
 """A point of the lens, the same for all pixels or one (H, W) for each; metres from its centre."""
 

@@ -8,11 +8,9 @@ from collections.abc import Callable
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
+from simulations.models.arrays import Floats, Mask
 from simulations.pictures.coverage import band, blend, checker, stripes
-
-type Floats = NDArray[np.floating]
 
 LOW = (-2.35, -1.75, -1.0)
 """Left wall, ceiling, and a wall behind the eye (never seen)."""
@@ -62,7 +60,7 @@ def checker_room(width: int, height: int, focal_px: float) -> Floats:
     depth_x, depth_y, depth_z = wall_x / ray_x, wall_y / ray_y, np.float32(HIGH[2])
     nearest = np.minimum(np.minimum(depth_x, depth_y), depth_z)
     picture = np.zeros((height, width, 3), np.float32)
-    surfaces: tuple[tuple[NDArray[np.bool_], str, Callable[[Hits], Floats]], ...] = (
+    surfaces: tuple[tuple[Mask, str, Callable[[Hits], Floats]], ...] = (
         (nearest == depth_z, "z", _back_wall),
         ((nearest == depth_y) & (ray_y > 0.0), "y", _floor),
         ((nearest == depth_y) & (ray_y < 0.0), "y", _ceiling),

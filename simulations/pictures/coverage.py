@@ -5,9 +5,9 @@ finer than a pixel turn into their mean instead of into moiré.
 """
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
-type Floats = NDArray[np.floating]
+from simulations.models.arrays import Floats
 
 
 def band(u: Floats, low: ArrayLike, high: ArrayLike, footprint: ArrayLike) -> Floats:

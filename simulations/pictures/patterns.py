@@ -1,9 +1,8 @@
 """Antialiased surface patterns: each is the mean over the pixel, not the value at its centre."""
 
 import numpy as np
-from numpy.typing import NDArray
 
-type Floats = NDArray[np.floating]
+from simulations.models.arrays import Floats
 
 NARROWEST = 1e-6
 """Pixel width below which a pattern is taken at a point: keeps the quotient of `stripes` finite."""

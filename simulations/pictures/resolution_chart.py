@@ -8,12 +8,10 @@ picture reaches.
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
+from simulations.models.arrays import Floats
 from simulations.pictures.coverage import band, blend, checker, stripes
 from simulations.pictures.patterns import siemens_star
-
-type Floats = NDArray[np.floating]
 
 PAPER, INK, RULE = (0.82, 0.81, 0.78), (0.025, 0.028, 0.035), (0.10, 0.22, 0.34)
 STAR_CENTRES = ((-0.57, -0.37), (0.57, -0.37), (-0.57, 0.37), (0.57, 0.37))

@@ -13,9 +13,8 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from simulations.engine.raster import to_rgba8
+from simulations.models.arrays import Floats, Mask
 from simulations.models.color.srgb import encode_srgb
-
-type Floats = NDArray[np.floating]
 
 WIDTH, HEIGHT = 320, 240
 RADIUS = 92.0
@@ -37,7 +36,7 @@ NARROWEST = 1e-5
 class Canvas:
     """What of the picture depends on no parameter."""
 
-    between: NDArray[np.bool_]
+    between: Mask
     """(H, W) pixels that lie, at least in part, between hub and rim."""
     angle_rad: Floats
     """(n,) of those pixels, clockwise from the right."""

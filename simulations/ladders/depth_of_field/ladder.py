@@ -4,17 +4,15 @@ from dataclasses import dataclass
 from functools import partial
 
 import numpy as np
-from numpy.typing import NDArray
 
 from simulations.engine.ladder import Ladder, Metric, Tier
 from simulations.ladders.depth_of_field import truth as depth_of_field_truth
+from simulations.models.arrays import Floats, Planes
 from simulations.models.lens.aperture import fibonacci_disc, random_disc
 from simulations.models.lens.depth_of_field import Blur, Layer, blur_by_depth, blur_layer, composite
-from simulations.models.lens.disc_blur import Planes, disc_blur
+from simulations.models.lens.disc_blur import disc_blur
 from simulations.models.lens.screen_blur import binned_gaussian, gather_discs
 from simulations.pictures import cards
-
-type Floats = NDArray[np.floating]
 
 
 @dataclass(frozen=True, slots=True)

@@ -6,8 +6,8 @@ from many rays, each through a place of its own in both.
 """
 
 import numpy as np
-from numpy.typing import NDArray
 
+from simulations.models.arrays import Floats, Mask
 from simulations.pictures.cards import (
     BAR,
     BAR_PERIOD,
@@ -26,7 +26,6 @@ from simulations.pictures.cards import (
     pixels,
 )
 
-type Floats = NDArray[np.floating]
 type Ray = tuple[Floats, Floats, Floats, Floats]
 """Where rays leave the lens, and how far right and down they go per metre forward."""
 
@@ -87,9 +86,9 @@ def _room(ray: Ray) -> Floats:
     return np.where(on_floor, floor, wall)
 
 
-def _hits(card: Card, ray: Ray) -> NDArray[np.bool_]:
+def _hits(card: Card, ray: Ray) -> Mask:
     x, y = _place(ray, card.z)
-    hit: NDArray[np.bool_] = np.hypot(x - card.x, y - card.y) < card.radius
+    hit: Mask = np.hypot(x - card.x, y - card.y) < card.radius
     return hit
 
 
@@ -99,7 +98,7 @@ def _on_card(card: Card, ray: Ray) -> Floats:
     return np.where(light, 1.0, 0.5)
 
 
-def _striped(along: Floats, period: float, width: float) -> NDArray[np.bool_]:
+def _striped(along: Floats, period: float, width: float) -> Mask:
     """Whether a place lies on a stripe; one is centred on 0."""
-    on: NDArray[np.bool_] = np.abs(along - period * np.rint(along / period)) < width / 2
+    on: Mask = np.abs(along - period * np.rint(along / period)) < width / 2
     return on

@@ -9,9 +9,8 @@ Source: Hartley and Zisserman, Multiple View Geometry, 2nd ed., §4.1, §4.2 and
 import math
 
 import numpy as np
-from numpy.typing import NDArray
 
-type Floats = NDArray[np.floating]
+from simulations.models.arrays import Floats
 
 STEPS = 2
 """Of Gauss–Newton: from a normalised start the second changes less than the noise does."""

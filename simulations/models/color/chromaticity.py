@@ -6,8 +6,8 @@ Szeliski, 2nd ed., §2.3.2; CIE 15:2004.
 import numpy as np
 from numpy.typing import ArrayLike
 
-from simulations.models.arrays import as_colours
-from simulations.models.color.srgb import D65_XY, Array
+from simulations.models.arrays import Floats, as_colours
+from simulations.models.color.srgb import D65_XY
 
 D50_XY = (0.3457, 0.3585)
 """Warm daylight: the white of printed paper, and of colour profiles."""
@@ -15,7 +15,7 @@ ILLUMINANT_A_XY = (0.44758, 0.40745)
 """A tungsten lamp of 2856 K."""
 
 
-def white_xyz(xy: ArrayLike) -> Array:
+def white_xyz(xy: ArrayLike) -> Floats:
     """XYZ (3,) of a light of chromaticity (x, y), with Y = 1.
 
     Raises `ValueError` unless both and 1 − x − y are at least 0, and y above 1e-6.
@@ -27,7 +27,7 @@ def white_xyz(xy: ArrayLike) -> Array:
     return np.array([x / y, 1.0, (1 - x - y) / y])
 
 
-def xyz_to_xyy(xyz: ArrayLike) -> Array:
+def xyz_to_xyy(xyz: ArrayLike) -> Floats:
     """CIE XYZ to chromaticity and luminance (x, y, Y), all (..., 3).
 
     Black has no chromaticity. Like other colours whose sum is not positive and finite, it is
@@ -43,18 +43,18 @@ def xyz_to_xyy(xyz: ArrayLike) -> Array:
     return np.concatenate([pair, colours[..., 1:2]], axis=-1)
 
 
-def xyy_to_xyz(xyy: ArrayLike) -> Array:
+def xyy_to_xyz(xyy: ArrayLike) -> Floats:
     """The inverse of `xyz_to_xyy`; infinite or NaN where y is 0."""
     x, y, luminance = np.moveaxis(as_colours(xyy), -1, 0)
     with np.errstate(over="ignore", invalid="ignore", divide="ignore"):
         share = luminance / y
-        xyz: Array = np.stack([x * share, luminance, (1 - x - y) * share], axis=-1)
+        xyz: Floats = np.stack([x * share, luminance, (1 - x - y) * share], axis=-1)
     return xyz
 
 
-def lab_distance(lab: ArrayLike, other: ArrayLike) -> Array:
+def lab_distance(lab: ArrayLike, other: ArrayLike) -> Floats:
     """ΔE*ab of 1976 (...) between L*a*b* colours (..., 3): about 2 is just noticeable."""
     with np.errstate(over="ignore", invalid="ignore"):
         difference = as_colours(lab) - as_colours(other)
-        distance: Array = np.sqrt(np.square(difference).sum(axis=-1))
+        distance: Floats = np.sqrt(np.square(difference).sum(axis=-1))
     return distance

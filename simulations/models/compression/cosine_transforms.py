@@ -10,9 +10,8 @@ from types import MappingProxyType
 import numpy as np
 from numpy.typing import NDArray
 
+from simulations.models.arrays import Floats
 from simulations.models.compression.blocks import BLOCK, DCT, Transform, block_dct
-
-type Floats = NDArray[np.floating]
 
 FIXED_BITS = 13
 """Fraction bits of the cosines in `fixed_point`, as in the slow integer transform of libjpeg."""

@@ -9,14 +9,11 @@ from collections.abc import Callable
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
-from simulations.models.arrays import as_vectors
+from simulations.models.arrays import Floats, Mask, as_vectors
 from simulations.models.distortion import radial_profile, radial_table
 from simulations.models.distortion.radial_profile import RadialProfile
-
-type Floats = NDArray[np.floating]
-type Mask = NDArray[np.bool_]
 
 
 @dataclass(frozen=True, slots=True)

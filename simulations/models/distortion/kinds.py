@@ -1,13 +1,11 @@
 """What a distortion does to a picture, in words and numbers: its kind and how far lines bow."""
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
-from simulations.models.arrays import as_vectors
+from simulations.models.arrays import Floats, as_vectors
 from simulations.models.distortion import radial_profile
 from simulations.models.distortion.lens_model import FAR, Distortion, fold_radius
-
-type Floats = NDArray[np.floating]
 
 KINDS = ("none", "barrel", "pincushion", "moustache")
 

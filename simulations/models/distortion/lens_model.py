@@ -15,15 +15,12 @@ lenses*, 1966; the rational form is OpenCV's.
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
-from simulations.models.arrays import as_vectors
+from simulations.models.arrays import Floats, Mask, as_vectors
 from simulations.models.distortion import radial_inverse, radial_profile, radial_table
 from simulations.models.distortion.decentring import DecentredLens, undo_decentred
 from simulations.models.distortion.radial_profile import LARGEST_COEFFICIENT, RadialProfile
-
-type Floats = NDArray[np.floating]
-type Mask = NDArray[np.bool_]
 
 FAR = 1e45
 """Radius beyond which r⁶ and its products might overflow: only the direction counts there."""

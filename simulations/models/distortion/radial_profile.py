@@ -12,7 +12,7 @@ import numpy as np
 from numpy.polynomial import Polynomial
 from numpy.typing import ArrayLike, NDArray
 
-type Floats = NDArray[np.floating]
+from simulations.models.arrays import Floats
 
 LARGEST_COEFFICIENT = 1e9
 """Far beyond any lens, and small enough for the products of two polynomials never to overflow."""

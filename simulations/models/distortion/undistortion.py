@@ -18,8 +18,9 @@ from types import MappingProxyType
 import numpy as np
 from numpy.typing import ArrayLike
 
+from simulations.models.arrays import Floats
 from simulations.models.distortion import radial_inverse, radial_profile
-from simulations.models.distortion.lens_model import Distortion, Floats, undistort_clamped
+from simulations.models.distortion.lens_model import Distortion, undistort_clamped
 from simulations.models.distortion.radial_profile import RadialProfile
 
 TABLE_ENTRIES = 1025

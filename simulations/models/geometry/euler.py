@@ -16,13 +16,11 @@ Source: Szeliski, Computer Vision, 2nd ed., §2.1.3; Diebel, Representing attitu
 import math
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
-from simulations.models.arrays import as_vectors
+from simulations.models.arrays import Floats, Mask, as_vectors
 from simulations.models.geometry import quaternions
-from simulations.models.geometry.rotations import Floats, check_rotation, from_axis_angle
-
-type Mask = NDArray[np.bool_]
+from simulations.models.geometry.rotations import check_rotation, from_axis_angle
 
 LOCK_RAD = 1e-7
 """Distance of the middle angle from the locked position below which we call it locked: the outer

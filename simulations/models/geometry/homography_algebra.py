@@ -9,7 +9,8 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike
 
-from simulations.models.geometry.transforms import Floats, affine
+from simulations.models.arrays import Floats
+from simulations.models.geometry.transforms import affine
 
 SINGULAR = 1e12
 """Condition from which on an inverse has hardly a digit left."""

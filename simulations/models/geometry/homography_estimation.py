@@ -12,8 +12,9 @@ import math
 import numpy as np
 from numpy.typing import ArrayLike
 
+from simulations.models.arrays import Floats
 from simulations.models.geometry.homography_algebra import is_singular
-from simulations.models.geometry.transforms import Floats, affine, apply_homography, similarity
+from simulations.models.geometry.transforms import affine, apply_homography, similarity
 
 DEGENERATE = 1e-9
 """Singular values below this share of the largest count as zero."""

@@ -10,8 +10,7 @@ Source: Szeliski, Computer Vision, 2nd ed., §2.1.1.
 import numpy as np
 from numpy.typing import ArrayLike
 
-from simulations.models.arrays import as_vectors
-from simulations.models.geometry.transforms import Floats, Mask
+from simulations.models.arrays import Floats, Mask, as_vectors
 
 PARALLEL = 1e-14
 """Sine of an angle below which two directions are parallel but for rounding."""

@@ -10,7 +10,8 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike
 
-from simulations.models.geometry.transforms import Floats, apply_homography, clip_to_visible
+from simulations.models.arrays import Floats
+from simulations.models.geometry.transforms import apply_homography, clip_to_visible
 
 PARALLEL = 1e-9
 """Sine of the angle below which two lines of the original count as parallel."""

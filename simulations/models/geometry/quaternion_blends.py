@@ -7,12 +7,11 @@ only their speed on it differs. Source: Szeliski, Computer Vision, 2nd ed., §2.
 from collections.abc import Callable, Mapping
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
+from simulations.models.arrays import Floats
 from simulations.models.geometry import quaternions
 from simulations.models.geometry.rotations import nlerp, slerp
-
-type Floats = NDArray[np.floating]
 
 STRAIGHT = 0.9995
 """Cosine above which `threshold_slerp` takes the straight line."""

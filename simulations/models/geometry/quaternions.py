@@ -5,12 +5,10 @@ rotation. Source: Szeliski, Computer Vision, 2nd ed., §2.1.3.
 """
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
-from simulations.models.arrays import as_matrices, as_vectors
+from simulations.models.arrays import Floats, as_matrices, as_vectors
 from simulations.models.geometry.cross_products import cross_polynomial
-
-type Floats = NDArray[np.float64]
 
 
 def normalise(quaternion: ArrayLike) -> Floats:

@@ -9,9 +9,9 @@ from collections.abc import Sequence
 import numpy as np
 from numpy.typing import ArrayLike
 
-from simulations.models.arrays import as_array
+from simulations.models.arrays import Floats, as_array
 from simulations.models.geometry import euler, quaternions
-from simulations.models.geometry.rotations import Floats, checked_share, from_axis_angle
+from simulations.models.geometry.rotations import checked_share, from_axis_angle
 
 
 def euler_blend(

@@ -5,13 +5,11 @@ the viewer. Source: Szeliski, Computer Vision, 2nd ed., §2.1.3.
 """
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
-from simulations.models.arrays import as_array, as_matrices, as_vectors
+from simulations.models.arrays import Floats, as_array, as_matrices, as_vectors
 from simulations.models.geometry import quaternions
 from simulations.models.geometry.cross_products import cross_polynomial
-
-type Floats = NDArray[np.float64]
 
 ORTHOGONAL = 1e-6
 """Largest entry of RᵀR − I that still passes for rounding."""

@@ -17,12 +17,9 @@ Source: Szeliski, Computer Vision, 2nd ed., §2.1.1–2.1.2, table 2.1.
 import math
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
-from simulations.models.arrays import as_vectors
-
-type Floats = NDArray[np.float64]
-type Mask = NDArray[np.bool_]
+from simulations.models.arrays import Floats, Mask, as_vectors
 
 CLIP_RANGE = 1e150
 """Largest coordinate that can be clipped: beyond, differences and products would overflow."""

@@ -14,9 +14,9 @@ import math
 import numpy as np
 from numpy.typing import ArrayLike
 
-from simulations.models.arrays import as_array, as_vectors
+from simulations.models.arrays import Floats, Mask, as_array, as_vectors
 from simulations.models.geometry.rotations import check_rotation
-from simulations.models.geometry.transforms import W_MINIMUM, Floats, Mask
+from simulations.models.geometry.transforms import W_MINIMUM
 
 DEGENERATE = 1e-9
 """Singular values below this share of the largest count as zero."""

@@ -4,9 +4,8 @@ Szeliski, 2nd ed., section 2.2.3; H. Vogel, *A better way to construct the sunfl
 """
 
 import numpy as np
-from numpy.typing import NDArray
 
-type Floats = NDArray[np.floating]
+from simulations.models.arrays import Floats
 
 GOLDEN_ANGLE_RAD = np.pi * (3.0 - np.sqrt(5.0))
 

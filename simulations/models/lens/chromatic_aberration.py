@@ -6,9 +6,9 @@ Wavelengths in micrometres, lengths in millimetres. Szeliski, 2nd ed., §2.2.3.
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
-type Floats = NDArray[np.floating]
+from simulations.models.arrays import Floats
 
 LINE_F_UM, LINE_D_UM, LINE_C_UM = 0.4861, 0.5876, 0.6563
 """Fraunhofer lines: blue hydrogen, yellow helium, red hydrogen."""

@@ -18,7 +18,8 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from simulations.models.lens.disc_blur import Planes, check_radius, disc_blur
+from simulations.models.arrays import Floats, Planes
+from simulations.models.lens.disc_blur import check_radius, disc_blur
 
 type Blur = Callable[[Planes, float], Planes]
 """A picture (C, H, W) convolved with a disc of a radius in pixels; itself for ½ and less."""
@@ -38,9 +39,7 @@ class Layer:
     """Radius of its disc of confusion."""
 
 
-def blur_by_depth(
-    planes: Planes, radius_px: NDArray[np.floating], blur: Blur = disc_blur
-) -> Planes:
+def blur_by_depth(planes: Planes, radius_px: Floats, blur: Blur = disc_blur) -> Planes:
     """An opaque picture (C, H, W) blurred by a disc whose radius (H, W) varies from place to place.
 
     The picture is blurred at the largest radius, half of it, a quarter, ... and each pixel mixes

@@ -10,10 +10,8 @@ Pictures are planar: (C, H, W) float32. Szeliski, 2nd ed., sections 2.2.3 and 3.
 import math
 
 import numpy as np
-from numpy.typing import NDArray
 
-type Planes = NDArray[np.float32]
-type Floats = NDArray[np.floating]
+from simulations.models.arrays import Floats, Planes
 
 LARGEST_SUMMED_RADIUS = 6.0
 """Pixels. Up to here tap by tap is the quicker way, measured on the camera's picture."""

@@ -8,7 +8,8 @@ import math
 
 import numpy as np
 
-from simulations.models.lens.disc_blur import Planes, check_radius, disc_blur
+from simulations.models.arrays import Planes
+from simulations.models.lens.disc_blur import check_radius, disc_blur
 
 LARGEST_REDUCED_RADIUS = 8.0
 """Pixels of the coarse grid. At least half as many remain, or a disc's outline would get lost."""

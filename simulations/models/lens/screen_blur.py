@@ -5,12 +5,10 @@ none of these can show it through the object's soft edge. Potmesil and Chakravar
 """
 
 import numpy as np
-from numpy.typing import NDArray
 
-from simulations.models.lens.disc_blur import LARGEST_RADIUS, Planes
+from simulations.models.arrays import Floats, Planes
+from simulations.models.lens.disc_blur import LARGEST_RADIUS
 from simulations.models.sampling.aliasing import filter_and_sample, gaussian_kernel
-
-type Floats = NDArray[np.floating]
 
 
 def binned_gaussian(planes: Planes, radius_px: Floats, bins: int = 6) -> Planes:

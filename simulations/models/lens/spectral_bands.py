@@ -9,11 +9,9 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
+from simulations.models.arrays import Floats
 from simulations.models.whole_numbers import as_whole
-
-type Floats = NDArray[np.floating]
 
 MOST_CHOSEN = 100
 """Up to which numpy vouches for the places and weights of Gauss–Hermite quadrature."""

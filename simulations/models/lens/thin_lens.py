@@ -5,8 +5,9 @@ be at infinity. Szeliski, 2nd ed., §2.2.3.
 """
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
+from simulations.models.arrays import Floats
 from simulations.models.lens.vignetting import vignetting_cos4
 
 __all__ = [
@@ -19,8 +20,6 @@ __all__ = [
     "vignetting_cos4",
     "working_f_number",
 ]
-
-type Floats = NDArray[np.floating]
 
 
 def thin_lens_image_distance(focal_mm: float, distance_mm: ArrayLike) -> Floats:

@@ -4,9 +4,9 @@ Szeliski, 2nd ed., §2.2.3.
 """
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
-type Floats = NDArray[np.floating]
+from simulations.models.arrays import Floats
 
 
 def vignetting_cos4(r_over_f: ArrayLike) -> Floats:

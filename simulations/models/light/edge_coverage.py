@@ -5,11 +5,9 @@ shape; normals are unit vectors, of either sign. Szeliski, 2nd ed., section 2.3.
 """
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
-from simulations.models.arrays import as_vectors
-
-type Floats = NDArray[np.floating]
+from simulations.models.arrays import Floats, as_vectors
 
 
 def ramp_coverage(distance_px: ArrayLike) -> Floats:

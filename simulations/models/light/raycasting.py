@@ -13,12 +13,11 @@ from dataclasses import dataclass
 from itertools import product
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
-from simulations.models.arrays import as_vectors
+from simulations.models.arrays import Floats, Mask, as_vectors
 from simulations.models.light.edge_coverage import ramp_coverage, straight_edge_coverage
 
-type Floats = NDArray[np.floating]
 type Vector = tuple[float, float, float]
 
 NEARLY_ZERO = 1e-12
@@ -93,7 +92,7 @@ class Hit:
     """(...) positive inside the silhouette, negative outside, continuous across it."""
 
     @property
-    def valid(self) -> NDArray[np.bool_]:
+    def valid(self) -> Mask:
         """(...) true where the ray meets the solid."""
         return np.asarray(self.margin > 0)
 
@@ -187,7 +186,7 @@ def largest_component(vectors: Floats) -> Floats:
 
 def intersect_plane(
     point: ArrayLike, normal: ArrayLike, origin: ArrayLike, directions: ArrayLike
-) -> tuple[Floats, NDArray[np.bool_]]:
+) -> tuple[Floats, Mask]:
     """Distance along each ray to a plane.
 
     Returns

@@ -9,11 +9,11 @@ from collections.abc import Sequence
 import numpy as np
 from numpy.typing import ArrayLike
 
+from simulations.models.arrays import Floats
 from simulations.models.light.raycasting import (
     LARGEST_M,
     NEARLY_ZERO,
     Box,
-    Floats,
     Sphere,
     Vector,
     largest_component,

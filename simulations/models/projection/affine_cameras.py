@@ -16,8 +16,7 @@ import math
 import numpy as np
 from numpy.typing import ArrayLike
 
-from simulations.models.arrays import as_vectors
-from simulations.models.projection.pinhole import Floats, Mask
+from simulations.models.arrays import Floats, Mask, as_vectors
 
 
 def orthographic_camera(

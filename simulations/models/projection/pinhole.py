@@ -14,12 +14,9 @@ Source: Szeliski, Computer Vision, 2nd ed., §2.1.4–2.1.5.
 import math
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
-from simulations.models.arrays import as_vectors
-
-type Floats = NDArray[np.float64]
-type Mask = NDArray[np.bool_]
+from simulations.models.arrays import Floats, Mask, as_vectors
 
 
 def intrinsics(

@@ -7,8 +7,7 @@ Camera frame as in `simulations.models.projection.pinhole`. Source: Szeliski, 2n
 import numpy as np
 from numpy.typing import ArrayLike
 
-from simulations.models.arrays import as_vectors
-from simulations.models.projection.pinhole import Floats, Mask
+from simulations.models.arrays import Floats, Mask, as_vectors
 
 
 def vanishing_point(direction_camera: ArrayLike, K: ArrayLike) -> tuple[Floats, Mask]:

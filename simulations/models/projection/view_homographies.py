@@ -14,10 +14,9 @@ Source: Szeliski, Computer Vision, 2nd ed., §2.1.4 (mapping from one camera to 
 import numpy as np
 from numpy.typing import ArrayLike
 
-from simulations.models.arrays import as_vectors
+from simulations.models.arrays import Floats, Mask, as_vectors
 from simulations.models.geometry.rotations import check_rotation
 from simulations.models.geometry.transforms import sign_of_w
-from simulations.models.projection.pinhole import Floats, Mask
 
 
 def turned_camera(K_first: ArrayLike, K_second: ArrayLike, R: ArrayLike) -> Floats:

@@ -5,17 +5,15 @@ is half the rate. Szeliski, 2nd ed., sections 2.3.1 and 3.5.
 """
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
-from simulations.models.arrays import as_floats
-
-type Array = NDArray[np.floating]
+from simulations.models.arrays import Floats, Mask, as_floats
 
 LARGEST_SIGMA = 1e6
 """Eight million taps: wider than any picture."""
 
 
-def alias_frequency(frequency: ArrayLike, rate: float = 1.0) -> Array:
+def alias_frequency(frequency: ArrayLike, rate: float = 1.0) -> Floats:
     """The signed frequency (...) in [-rate/2, rate/2) that has the same samples.
 
     Negative means that the wave seems to run backwards. Exactly at Nyquist both signs have
@@ -30,13 +28,13 @@ def alias_frequency(frequency: ArrayLike, rate: float = 1.0) -> Array:
         raise ValueError(f"frequency {f.tolist()}; legal: finite")
     rest = np.fmod(f, rate)
     # Half of the smallest number would round to zero: compare with the other part instead.
-    alias: Array = np.where(rest >= rate - rest, rest - rate, rest)
+    alias: Floats = np.where(rest >= rate - rest, rest - rate, rest)
     return np.where(alias < -rate - alias, alias + rate, alias)
 
 
 def apparent_wheel_speed(
     turns_per_s: ArrayLike, spokes: int, frames_per_s: float
-) -> tuple[Array, NDArray[np.bool_]]:
+) -> tuple[Floats, Mask]:
     """Turns per second that a filmed wheel seems to make, and whether its direction is certain.
 
     A wheel looks the same after one spoke spacing, so that ``spokes * turns`` aliases at the
@@ -51,7 +49,7 @@ def apparent_wheel_speed(
     return spokes_per_s / spokes, certain
 
 
-def zone_plate(x: ArrayLike, y: ArrayLike, scale: float) -> Array:
+def zone_plate(x: ArrayLike, y: ArrayLike, scale: float) -> Floats:
     """Rings that get finer outwards, in [0, 1]: ``(1 + cos(pi r^2 / scale)) / 2``.
 
     At distance ``r`` from the centre their frequency is ``r / scale`` cycles per unit, so
@@ -68,7 +66,7 @@ def zone_plate(x: ArrayLike, y: ArrayLike, scale: float) -> Array:
     return np.where(known, 0.5 + 0.5 * np.cos(np.where(known, phase, 0)), 0.5)
 
 
-def zone_plate_area(x: ArrayLike, y: ArrayLike, scale: float) -> Array:
+def zone_plate_area(x: ArrayLike, y: ArrayLike, scale: float) -> Floats:
     """Mean of the `zone_plate` over a pixel of unit size around (x, y), without supersampling.
 
     Within a pixel the rings are nearly a plane wave of (x, y) / scale cycles, whose mean is its
@@ -80,25 +78,25 @@ def zone_plate_area(x: ArrayLike, y: ArrayLike, scale: float) -> Array:
     with np.errstate(over="ignore"):
         # Clipped where the rings average out to all digits, short of where a sine is undefined.
         turns, turns_down = (np.clip(part / scale, -1e30, 1e30) for part in (across, down))
-    mean: Array = 0.5 + rings * (np.sinc(turns) * np.sinc(turns_down))
+    mean: Floats = 0.5 + rings * (np.sinc(turns) * np.sinc(turns_down))
     return mean
 
 
-def box_filter(fine: ArrayLike, factor: int) -> Array:
+def box_filter(fine: ArrayLike, factor: int) -> Floats:
     """Mean of each ``factor`` x ``factor`` block of (H, W, ...): what a pixel's area does."""
     image = _divisible(fine, factor)
     height, width, *rest = image.shape
     with np.errstate(over="ignore", invalid="ignore"):
         # Along whole rows, then column by column: many times as quick as both axes at once.
         rows = image.reshape(height // factor, factor, width, *rest).mean(axis=1)
-        total: Array = rows[:, ::factor].copy()
+        total: Floats = rows[:, ::factor].copy()
         for column in range(1, factor):
             total += rows[:, column::factor]
         total /= factor
     return total
 
 
-def gaussian_kernel(sigma: float) -> Array:
+def gaussian_kernel(sigma: float) -> Floats:
     """Normalised samples of a Gaussian out to 4 sigma; sigma 0 is the single tap 1.
 
     Convention: ``sigma`` is the standard deviation of the taps themselves, as weights on whole
@@ -117,7 +115,7 @@ def gaussian_kernel(sigma: float) -> Array:
         taps = _ratio_of_neighbours(sigma) ** np.square(offsets)
     else:
         taps = np.exp(-0.5 * (offsets / sigma) ** 2)
-    kernel: Array = taps / taps.sum()
+    kernel: Floats = taps / taps.sum()
     return kernel
 
 
@@ -136,7 +134,7 @@ def _ratio_of_neighbours(sigma: float) -> float:
     return max(ratio, 0.0)
 
 
-def sinc_kernel(factor: int, lobes: int = 4) -> Array:
+def sinc_kernel(factor: int, lobes: int = 4) -> Floats:
     """A low-pass for keeping every ``factor``-th sample: sinc under a Lanczos window."""
     if factor < 1 or lobes < 1:
         raise ValueError(f"factor {factor}, lobes {lobes}; legal: 1 or more")
@@ -145,11 +143,11 @@ def sinc_kernel(factor: int, lobes: int = 4) -> Array:
     shift = 0.5 * (1 - factor % 2)
     offsets = (np.arange(-reach, reach + 1) + shift) / factor
     taps = np.sinc(offsets) * np.sinc(np.clip(offsets / lobes, -1, 1))
-    kernel: Array = taps / taps.sum()
+    kernel: Floats = taps / taps.sum()
     return kernel
 
 
-def filter_and_sample(fine: ArrayLike, factor: int, kernel: ArrayLike) -> Array:
+def filter_and_sample(fine: ArrayLike, factor: int, kernel: ArrayLike) -> Floats:
     """Low-pass (H, W) by a separable kernel of odd length, then keep the centre of each block.
 
     The border is mirrored. With an even factor the centre lies half a sample off the grid:
@@ -164,7 +162,7 @@ def filter_and_sample(fine: ArrayLike, factor: int, kernel: ArrayLike) -> Array:
     return image
 
 
-def _filter_axis(image: Array, taps: Array, factor: int, axis: int) -> Array:
+def _filter_axis(image: Floats, taps: Floats, factor: int, axis: int) -> Floats:
     """Filter along one axis, only at the samples that are kept."""
     reach = taps.size // 2
     pad = [(reach, reach) if at == axis else (0, 0) for at in range(image.ndim)]
@@ -177,28 +175,28 @@ def _filter_axis(image: Array, taps: Array, factor: int, axis: int) -> Array:
     return np.moveaxis(total, 0, axis)
 
 
-def box_mtf(frequency: ArrayLike, width: float = 1.0) -> Array:
+def box_mtf(frequency: ArrayLike, width: float = 1.0) -> Floats:
     """Contrast that a pixel so wide leaves of a sine: ``|sinc(f width)|``, 2/pi at Nyquist."""
     # Clipped where the contrast is 0 to all digits, short of where the sine is undefined.
     cycles = np.clip(_cycles(frequency, width), -1e300, 1e300)
-    contrast: Array = np.abs(np.sinc(cycles))
+    contrast: Floats = np.abs(np.sinc(cycles))
     return contrast
 
 
-def gaussian_mtf(frequency: ArrayLike, sigma: float) -> Array:
+def gaussian_mtf(frequency: ArrayLike, sigma: float) -> Floats:
     """Contrast that a Gaussian blur leaves of a sine: ``exp(-2 (pi sigma f)^2)``."""
     cycles = np.clip(_cycles(frequency, sigma), -1e100, 1e100)
-    contrast: Array = np.exp(-2 * np.square(np.pi * cycles))
+    contrast: Floats = np.exp(-2 * np.square(np.pi * cycles))
     return contrast
 
 
-def _cycles(frequency: ArrayLike, width: float) -> Array:
+def _cycles(frequency: ArrayLike, width: float) -> Floats:
     """Cycles (...) over a width."""
     f = np.asarray(frequency, float)
     if not (np.isfinite(f).all() and np.isfinite(width)):
         raise ValueError(f"frequency {f.tolist()} and width {width}; legal: finite")
     with np.errstate(over="ignore"):
-        cycles: Array = f * width
+        cycles: Floats = f * width
     return cycles
 
 
@@ -212,7 +210,7 @@ def contrast(signal: ArrayLike) -> float:
     return (1 - share) / (1 + share)
 
 
-def _divisible(image: ArrayLike, factor: int) -> Array:
+def _divisible(image: ArrayLike, factor: int) -> Floats:
     values = as_floats(image)
     if factor < 1 or values.ndim < 2 or values.shape[0] % factor or values.shape[1] % factor:
         raise ValueError(f"factor {factor} of an image {values.shape}; legal: a divisor of both")

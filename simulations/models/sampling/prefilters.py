@@ -11,7 +11,8 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-type Floats = NDArray[np.float64]
+from simulations.models.arrays import Floats
+
 type Complexes = NDArray[np.complex128]
 
 KINDS = ("none", "box", "box-2", "box-4", "box-8", "gaussian", "sinc")

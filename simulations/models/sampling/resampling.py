@@ -11,10 +11,8 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from simulations.models.arrays import as_vectors
+from simulations.models.arrays import Floats, Mask, as_vectors
 from simulations.models.sampling import bspline
-
-type Floats = NDArray[np.floating]
 
 
 @dataclass(frozen=True, slots=True)
@@ -78,7 +76,7 @@ class GatherTable:
     """(taps, N) weights of the columns; those of each output sum to 1."""
     down: Floats
     """(taps, N) weights of the rows, as precise: float32 or float64."""
-    inside: NDArray[np.bool_]
+    inside: Mask
     """(N,) whether the output lies on the picture at all."""
 
     @property

@@ -7,9 +7,8 @@ section 2.3.2 (colour filter arrays).
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from simulations.models.arrays import Floats
 from simulations.models.whole_numbers import as_whole
-
-type Array = NDArray[np.floating]
 
 PATTERNS = ("RGGB", "BGGR", "GRBG", "GBRG")
 
@@ -26,7 +25,7 @@ def filter_colours(height: int, width: int, pattern: str = "RGGB") -> NDArray[np
     return colours
 
 
-def mosaic(rgb: ArrayLike, pattern: str = "RGGB") -> Array:
+def mosaic(rgb: ArrayLike, pattern: str = "RGGB") -> Floats:
     """What the sensor keeps of a picture (H, W, 3): one colour per pixel, (H, W).
 
     Raises `ValueError` for another shape or an unknown pattern. Any size from 1x1 is legal.
@@ -41,7 +40,7 @@ def mosaic(rgb: ArrayLike, pattern: str = "RGGB") -> Array:
     return cfa
 
 
-def through_filters(cfa: ArrayLike, pattern: str = "RGGB") -> Array:
+def through_filters(cfa: ArrayLike, pattern: str = "RGGB") -> Floats:
     """The mosaic as one would see it through the filters: (H, W, 3), two of three values 0."""
     values = np.asarray(cfa)
     seen = np.zeros((*values.shape, 3), values.dtype)

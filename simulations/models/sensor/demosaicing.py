@@ -12,9 +12,9 @@ import math
 from collections.abc import Callable
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
-from simulations.models.arrays import as_floats
+from simulations.models.arrays import Floats, as_floats
 from simulations.models.color.srgb import decode_srgb, encode_srgb
 from simulations.models.sensor.bayer import PATTERNS, filter_colours, mosaic
 from simulations.models.sensor.bayer_quads import (
@@ -32,10 +32,8 @@ from simulations.models.whole_numbers import as_whole
 
 __all__ = ["METHODS", "PATTERNS", "demosaic", "mosaic", "psnr_db"]
 
-type Array = NDArray[np.floating]
 
-
-def nearest(quads: Quads) -> Array:
+def nearest(quads: Quads) -> Floats:
     """Copy the missing colours from within the quad: (3, 2, 2, h, w). Green comes from its row."""
     q = quads
     return np.array(
@@ -47,7 +45,7 @@ def nearest(quads: Quads) -> Array:
     )
 
 
-def bilinear(quads: Quads) -> Array:
+def bilinear(quads: Quads) -> Floats:
     """Average the nearest two or four samples of the missing colour: (3, 2, 2, h, w)."""
     r, gr, gb, b = quads.red, quads.green_red, quads.green_blue, quads.blue
     red_at_gr, red_at_gb = (r + right(r)) / 2, (r + below(r)) / 2
@@ -65,7 +63,7 @@ def bilinear(quads: Quads) -> Array:
     )
 
 
-def menon_encoded(quads: Quads) -> Array:
+def menon_encoded(quads: Quads) -> Floats:
     """`menon_unrefined` of the values as a display would be sent them: (3, 2, 2, h, w).
 
     Where the light on one surface changes, its three colours change by a common *factor*. The
@@ -79,7 +77,7 @@ def menon_encoded(quads: Quads) -> Array:
     return guessed
 
 
-METHODS: dict[str, Callable[[Quads], Array]] = {
+METHODS: dict[str, Callable[[Quads], Floats]] = {
     "nearest": nearest,
     "bilinear": bilinear,
     "malvar": malvar,
@@ -90,7 +88,7 @@ METHODS: dict[str, Callable[[Quads], Array]] = {
 """From name to method, in the order of their work."""
 
 
-def demosaic(cfa: ArrayLike, pattern: str = "RGGB", method: str = "bilinear") -> Array:
+def demosaic(cfa: ArrayLike, pattern: str = "RGGB", method: str = "bilinear") -> Floats:
     """A full-colour picture (H, W, 3) from a mosaic (H, W).
 
     The mosaic is mirrored at its borders, so that a flat colour survives exactly. The
@@ -116,7 +114,7 @@ def demosaic(cfa: ArrayLike, pattern: str = "RGGB", method: str = "bilinear") ->
     return from_quads(planes, values.shape, pattern)
 
 
-def _demosaic_line(cfa: Array, pattern: str, method: str) -> Array:
+def _demosaic_line(cfa: Floats, pattern: str, method: str) -> Floats:
     """A mosaic one pixel high or wide, which holds at most two colours."""
     filters = filter_colours(cfa.shape[0], cfa.shape[1], pattern).reshape(-1)
     line, places = cfa.reshape(-1), np.arange(cfa.size)

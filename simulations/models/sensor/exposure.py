@@ -7,11 +7,8 @@ exact; these need nothing but the picture at one moment. Szeliski, 2nd ed., sect
 from collections.abc import Callable, Iterator
 
 import numpy as np
-from numpy.typing import NDArray
 
-from simulations.models.arrays import as_floats
-
-type Floats = NDArray[np.floating]
+from simulations.models.arrays import Floats, as_floats
 
 
 def mean_of_instants(picture_at: Callable[[float], Floats], count: int) -> Floats:

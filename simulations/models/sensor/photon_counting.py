@@ -12,10 +12,9 @@ from typing import Literal
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from simulations.models.arrays import as_floats
+from simulations.models.arrays import Floats, as_floats
 from simulations.models.sensor.poisson_quantile import poisson_from_normal
 
-type Array = NDArray[np.floating]
 type ShotModel = Literal["poisson", "quantile", "skewed", "gaussian"]
 
 SHOT_MODELS: tuple[ShotModel, ...] = ("gaussian", "skewed", "quantile", "poisson")
@@ -72,7 +71,7 @@ def with_iso(sensor: Sensor, iso: float, base_iso: float = 100.0) -> Sensor:
     return replace(sensor, gain_e_per_dn=sensor.gain_e_per_dn * base_iso / iso)
 
 
-def expose(photons_per_s: ArrayLike, exposure_s: float, sensor: Sensor) -> Array:
+def expose(photons_per_s: ArrayLike, exposure_s: float, sensor: Sensor) -> Floats:
     """Mean electrons (...) that each pixel frees: light and warmth, over the exposure.
 
     Not yet held to the full well: see `shot_noise`. Raises `ValueError` for light that is
@@ -83,7 +82,7 @@ def expose(photons_per_s: ArrayLike, exposure_s: float, sensor: Sensor) -> Array
     rate = np.minimum(_light("photons_per_s", photons_per_s), 1e30)
     freed = rate * sensor.quantum_efficiency + sensor.dark_current_e_per_s
     with np.errstate(over="ignore"):  # infinite light is legal, and fills every well
-        mean_e: Array = freed * exposure_s
+        mean_e: Floats = freed * exposure_s
     return mean_e
 
 
@@ -92,7 +91,7 @@ def shot_noise(
     rng: np.random.Generator,
     full_well_e: float = np.inf,
     model: ShotModel = "poisson",
-) -> Array:
+) -> Floats:
     """Electrons counted (...), where the mean is ``mean_e``: whole numbers, at most the full well.
 
     ``poisson`` is exact: electrons arrive independently, the variance equals the mean.
@@ -112,7 +111,7 @@ def shot_noise(
     if model == "poisson":
         counted, drawn = np.array(mean), mean < cap
         counted[drawn] = rng.poisson(mean[drawn])
-        held: Array = np.minimum(counted, full_well_e)
+        held: Floats = np.minimum(counted, full_well_e)
         return held
     if model not in SHOT_MODELS:
         raise ValueError(f"model {model!r}; legal: {', '.join(SHOT_MODELS)}")
@@ -122,7 +121,7 @@ def shot_noise(
     return _normal_counts(mean, z, full_well_e, skewed=model == "skewed")
 
 
-def shot_noise_from_normal(mean_e: ArrayLike, z: ArrayLike, full_well_e: float = np.inf) -> Array:
+def shot_noise_from_normal(mean_e: ArrayLike, z: ArrayLike, full_well_e: float = np.inf) -> Floats:
     """The ``quantile`` model of `shot_noise`, from standard normals ``z`` (...) drawn beforehand.
 
     A picture whose light changes then keeps its grain, and nothing need be drawn again.
@@ -140,8 +139,8 @@ def _brightest_mean(full_well_e: float) -> float:
     return well + 10 * math.sqrt(well) + 100
 
 
-def _normal_counts(mean: Array, z: Array, full_well_e: float, *, skewed: bool) -> Array:
-    counted: Array = np.asarray(np.sqrt(mean) * z)
+def _normal_counts(mean: Floats, z: Floats, full_well_e: float, *, skewed: bool) -> Floats:
+    counted: Floats = np.asarray(np.sqrt(mean) * z)
     counted += mean
     if skewed:
         counted += (z * z - 1) / 6
@@ -151,14 +150,14 @@ def _normal_counts(mean: Array, z: Array, full_well_e: float, *, skewed: bool) -
     return counted
 
 
-def read_out(electrons: ArrayLike, sensor: Sensor, rng: np.random.Generator) -> Array:
+def read_out(electrons: ArrayLike, sensor: Sensor, rng: np.random.Generator) -> Floats:
     """The amplified signal (...) in codes, not yet rounded: gain, read noise, black level."""
     e = as_floats(electrons)
     with np.errstate(over="ignore"):  # the converter takes ∞ for its top code
         if sensor.read_noise_e > 0:
             kind = np.float32 if e.dtype == np.float32 else np.float64
             e = e + sensor.read_noise_e * rng.standard_normal(e.shape, kind)
-        signal: Array = e / sensor.gain_e_per_dn + sensor.black_level_dn
+        signal: Floats = e / sensor.gain_e_per_dn + sensor.black_level_dn
     return signal
 
 
@@ -189,14 +188,14 @@ def capture(
     return quantise(read_out(counted_e, sensor, rng), sensor.bits)
 
 
-def develop(raw_dn: ArrayLike, sensor: Sensor) -> Array:
+def develop(raw_dn: ArrayLike, sensor: Sensor) -> Floats:
     """Codes (...) back to linear light: 0 at the black level, 1 at the top; noise may dip below."""
     span = sensor.highest_dn - sensor.black_level_dn
-    linear: Array = (as_floats(raw_dn) - sensor.black_level_dn) / span
+    linear: Floats = (as_floats(raw_dn) - sensor.black_level_dn) / span
     return linear
 
 
-def signal_to_noise(mean_e: ArrayLike, sensor: Sensor) -> Array:
+def signal_to_noise(mean_e: ArrayLike, sensor: Sensor) -> Floats:
     """Mean over standard deviation (...) of one pixel: shot, read and quantisation noise together.
 
     Rises with the square root of the light once shot noise prevails. No light gives 0, infinite
@@ -219,7 +218,7 @@ def _check_bits(bits: int) -> None:
         raise ValueError(f"bits {bits!r}; legal: whole numbers from 1 to 16")
 
 
-def _light(name: str, values: ArrayLike) -> Array:
+def _light(name: str, values: ArrayLike) -> Floats:
     light = as_floats(values)
     if not np.all(light >= 0):
         raise ValueError(f"{name} has values below 0 or undefined; legal: 0 or more")

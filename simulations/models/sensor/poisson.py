@@ -7,12 +7,12 @@ nor factorial is ever formed: each probability is the one before times mean / k.
 import math
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
-type Array = NDArray[np.floating]
+from simulations.models.arrays import Floats
 
 
-def poisson_cumulative(mean: float) -> tuple[int, Array]:
+def poisson_cumulative(mean: float) -> tuple[int, Floats]:
     """P(N <= k) for k = first, first + 1, … and so on, as far as it rises.
 
     Returns

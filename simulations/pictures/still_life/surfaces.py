@@ -7,8 +7,8 @@ import math
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
+from simulations.models.arrays import Floats, Mask, Planes
 from simulations.models.light.raycasting import (
     Sphere,
     Vector,
@@ -27,9 +27,6 @@ from simulations.pictures.still_life.things import (
     depth_along_axis,
     thing_depth,
 )
-
-type Floats = NDArray[np.floating]
-type Planes = NDArray[np.float32]
 
 TILE = 0.5
 """Edge of a floor tile, metres."""
@@ -114,7 +111,7 @@ def _window(thing: Thing, seen: View) -> tuple[slice, slice] | None:
     return window_of(near, margin=2)
 
 
-def window_of(mask: NDArray[np.bool_], margin: int = 1) -> tuple[slice, slice] | None:
+def window_of(mask: Mask, margin: int = 1) -> tuple[slice, slice] | None:
     """Rows and columns that hold every true pixel, ``margin`` more and at least two each way."""
     rows, columns = np.flatnonzero(mask.any(1)), np.flatnonzero(mask.any(0))
     if not rows.size:
@@ -182,10 +179,10 @@ def extent(points: Floats) -> Extent:
     return Extent(low, np.array([across.max(), away.max()]))
 
 
-def within(points: Floats, low: Floats, high: Floats) -> NDArray[np.bool_]:
+def within(points: Floats, low: Floats, high: Floats) -> Mask:
     """(H, W) true where x and y of the points (H, W, 3) lie between two corners."""
     x, y = points[..., 0], points[..., 1]
-    inside: NDArray[np.bool_] = (x > low[0]) & (x < high[0]) & (y > low[1]) & (y < high[1])
+    inside: Mask = (x > low[0]) & (x < high[0]) & (y > low[1]) & (y < high[1])
     return inside
 
 

@@ -8,12 +8,11 @@ from numpy.typing import ArrayLike, NDArray
 
 from simulations.engine.raster import to_rgba8
 from simulations.engine.stages import Stage
+from simulations.models.arrays import Floats
 from simulations.models.color.srgb import encode_srgb
 from simulations.models.sampling import prefilters
 from simulations.models.sampling.aliasing import alias_frequency
 from simulations.models.sampling.prefilters import Prefilter, filtered_wave
-
-type Floats = NDArray[np.float64]
 
 PATTERNS = {"stripes": "Stripes", "zone_plate": "Zone plate"}
 SHOWN = 20

@@ -6,8 +6,9 @@ from collections.abc import Iterator
 import numpy as np
 
 from simulations.engine.drawing import Point, dot, line, path, polyline, rectangle, text
+from simulations.models.arrays import Floats
 from simulations.models.sampling.prefilters import Prefilter, prefilter, transfer
-from simulations.scenes.aliasing.pattern import SHOWN, Floats, Pattern
+from simulations.scenes.aliasing.pattern import SHOWN, Pattern
 
 WIDTH, HEIGHT = 400.0, 300.0
 LEFT, RIGHT = 22.0, 386.0

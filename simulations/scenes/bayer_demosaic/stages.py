@@ -7,9 +7,9 @@ error is that of the codes a display is sent, since that is what is seen.
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
 from simulations.engine.stages import Stage
+from simulations.models.arrays import Floats
 from simulations.models.color.srgb import encode_srgb
 from simulations.models.sensor.bayer import mosaic
 from simulations.models.sensor.demosaicing import demosaic, psnr_db
@@ -17,7 +17,7 @@ from simulations.models.sensor.shared_detail import shared_detail
 from simulations.pictures.balloon import WHOLE
 from simulations.pictures.mosaic_subjects import SUBJECTS
 
-type Picture = NDArray[np.floating]
+type Picture = Floats
 
 PATTERN = "RGGB"
 CROP = 8

@@ -8,9 +8,9 @@ from numpy.typing import NDArray
 
 from simulations.engine.frame import Raster
 from simulations.engine.raster import to_rgba8
+from simulations.models.arrays import Floats, Planes
 from simulations.models.color.srgb import encode_srgb
 from simulations.models.lens import thin_lens
-from simulations.models.lens.disc_blur import Planes
 from simulations.models.lens.vignetting import vignetting_cos4
 from simulations.models.sensor import photon_counting
 from simulations.scenes.camera.lens import COLUMNS, PITCH_MM, ROWS, principal_mm
@@ -102,7 +102,7 @@ def quantise(electrons: Planes) -> NDArray[np.uint16]:
     return photon_counting.quantise(signal, ADC.bits)
 
 
-def _srgb_bytes(linear: NDArray[np.floating]) -> NDArray[np.uint8]:
+def _srgb_bytes(linear: Floats) -> NDArray[np.uint8]:
     return to_rgba8(encode_srgb(linear)[None])[0, :, 0]
 
 

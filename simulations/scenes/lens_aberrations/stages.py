@@ -12,19 +12,18 @@ from numpy.typing import NDArray
 from simulations.engine.frame import Raster
 from simulations.engine.raster import to_rgba8
 from simulations.engine.stages import Stage
+from simulations.models.arrays import Floats, Planes
 from simulations.models.color.srgb import encode_srgb_table
 from simulations.models.lens.chromatic_aberration import (
     Glass,
     axial_chromatic_mm,
     lateral_chromatic_scale,
 )
-from simulations.models.lens.disc_blur import Planes, disc_blur
+from simulations.models.lens.disc_blur import disc_blur
 from simulations.models.lens.vignetting import mechanical_vignetting, vignetting_cos4
 from simulations.models.sampling.resampling import KERNELS
 from simulations.pictures.resolution_chart import resolution_chart
 from simulations.scenes.lens_aberrations.spectrum import bands
-
-type Floats = NDArray[np.floating]
 
 WIDTH_PX, HEIGHT_PX = 320, 240
 FOCAL_MM, FOCAL_PX = 24.0, 200.0

@@ -9,14 +9,13 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from simulations.models.arrays import Floats
 from simulations.models.distortion.lens_model import (
     Distortion,
     fold_radius,
     largest_distorted_radius,
 )
 from simulations.models.distortion.undistortion import INVERSES
-
-type Floats = NDArray[np.floating]
 
 WIDTH_PX, HEIGHT_PX = 320, 240
 FOCAL_PX = 200.0

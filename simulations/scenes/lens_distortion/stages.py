@@ -7,6 +7,7 @@ from numpy.typing import NDArray
 
 from simulations.engine.raster import to_rgba8
 from simulations.engine.stages import Stage
+from simulations.models.arrays import Floats
 from simulations.models.color.srgb import encode_srgb
 from simulations.models.distortion.lens_model import (
     Distortion,
@@ -23,7 +24,6 @@ from simulations.scenes.lens_distortion.radii import (
     FOCAL_PX,
     HEIGHT_PX,
     WIDTH_PX,
-    Floats,
     Radii,
     centred_pixels,
     ideal_radii,

@@ -6,7 +6,7 @@ import numpy as np
 
 from simulations.engine import drawing
 from simulations.engine.frame import Panel, format_number
-from simulations.models.geometry.transforms import Floats
+from simulations.models.arrays import Floats
 from simulations.scenes.perspective_projection.view import (
     HALF_HEIGHT_PX,
     HALF_WIDTH_PX,

@@ -15,13 +15,12 @@ from numpy.typing import ArrayLike, NDArray
 
 from simulations.engine.frame import Readout, format_magnitude
 from simulations.engine.raster import to_rgba8
+from simulations.models.arrays import Floats, Mask
 from simulations.models.color.srgb import encode_srgb, encode_srgb_table
 from simulations.models.light.cell_blending import blend_cells, blend_normals
 from simulations.scenes.reflection.marks import CENTRE, HEIGHT, RADIUS, WIDTH
 
 type Picture = NDArray[np.float32]
-type Floats = NDArray[np.floating]
-type Mask = NDArray[np.bool_]
 
 PIXELS_PER_UNIT = 1.25
 """Raster pixels per unit of the view box."""

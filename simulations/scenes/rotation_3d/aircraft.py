@@ -10,9 +10,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from simulations.engine.drawing import polygon
+from simulations.models.arrays import Floats
 from simulations.models.projection.pinhole import look_at
 
-type Floats = NDArray[np.float64]
 type Point = Sequence[float]
 
 SPAN = 1.0

@@ -14,10 +14,10 @@ from numpy.typing import ArrayLike
 
 from simulations.engine.drawing import Point, arrow, dot, line, path, polyline, text
 from simulations.engine.frame import format_number
+from simulations.models.arrays import Floats
 from simulations.models.geometry import euler
 from simulations.models.geometry.rotation_paths import rate_axes
 from simulations.scenes.rotation_3d import aircraft
-from simulations.scenes.rotation_3d.aircraft import Floats
 
 WIDTH, HEIGHT = 400.0, 400.0
 CENTRE = (200.0, 208.0)

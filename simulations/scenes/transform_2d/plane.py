@@ -7,8 +7,8 @@ from numpy.typing import ArrayLike
 
 from simulations.engine import drawing
 from simulations.engine.frame import Panel, format_number
+from simulations.models.arrays import Floats
 from simulations.models.geometry.transforms import (
-    Floats,
     apply_homography,
     clip_half_plane,
     clip_to_visible,
