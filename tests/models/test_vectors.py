@@ -1,10 +1,11 @@
 """What all models of geometry do alike with vectors of a wrong length, with none, and with ∞."""
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable
+from typing import Any
 
 import numpy as np
 import pytest
-from numpy.typing import ArrayLike
+from numpy.typing import ArrayLike, NDArray
 
 from simulations.models.arrays import Floats, as_array, as_colours, as_floats, as_vectors
 from simulations.models.distortion import fisheye, lens_model
@@ -98,12 +99,13 @@ def test_a_polygon_has_corners_in_the_plane(polygon: Floats) -> None:
 
 def test_vectors_become_double_precision_and_keep_their_shape() -> None:
     vectors = as_vectors("x", np.ones((2, 3), np.float32), 3)
-    assert (vectors.dtype, vectors.shape) == (np.float64, (2, 3))
+    assert vectors.dtype == np.float64
+    assert vectors.shape == (2, 3)
 
 
 def test_pictures_stay_single_and_half_precision_becomes_single() -> None:
-    kinds = {np.float16: np.float32, np.float32: np.float32, np.float64: np.float64}
-    for given, kept in {**kinds, np.uint8: np.float64, bool: np.float64}.items():
+    kinds = {"f2": "f4", "f4": "f4", "f8": "f8", "u1": "f8", "?": "f8"}
+    for given, kept in kinds.items():
         assert as_floats(np.ones(2, given)).dtype == kept
 
 
@@ -120,7 +122,7 @@ def test_complex_numbers_are_refused_and_not_cut(
 
 
 @pytest.mark.parametrize("shape", [(), (3,), (3, 2), (4, 4), (9,)])
-def test_what_is_no_stack_of_matrices_is_refused_by_name(shape: Sequence[float]) -> None:
+def test_what_is_no_stack_of_matrices_is_refused_by_name(shape: tuple[int, ...]) -> None:
     for function in (quaternions.from_matrix, rotations.logarithm):
         with pytest.raises(ValueError, match=r"^R of shape .+; legal: \(\.\.\., 3, 3\)"):
             function(np.ones(shape))
@@ -161,12 +163,12 @@ def test_a_point_at_infinity_goes_through_a_lens_to_infinity() -> None:
 @pytest.mark.parametrize(
     "focal", [np.float32(800.0), np.int64(800), np.array(800.0), [800.0, 800.0]]
 )
-def test_a_focal_length_may_be_any_kind_of_number(focal: ArrayLike) -> None:
+def test_a_focal_length_may_be_any_kind_of_number(focal: Any) -> None:
     np.testing.assert_array_equal(pinhole.intrinsics(focal, (320.0, 240.0)), K)
 
 
 @pytest.mark.parametrize("shape", [(3,), (1, 3), (4, 2, 3), (0, 3)])
-def test_colours_have_three_components_in_any_layout(shape: Sequence[float]) -> None:
+def test_colours_have_three_components_in_any_layout(shape: tuple[int, ...]) -> None:
     colours = np.ones(shape, np.float32)
     assert as_colours(colours).shape == shape
     assert as_colours(colours).dtype == np.float32
@@ -174,7 +176,7 @@ def test_colours_have_three_components_in_any_layout(shape: Sequence[float]) -> 
 
 @pytest.mark.parametrize("shape", [(), (4,), (2,), (3, 4), (3, 1), (0,)])
 def test_grey_levels_and_colours_with_alpha_are_not_taken_for_colours(
-    shape: Sequence[float],
+    shape: tuple[int, ...],
 ) -> None:
     with pytest.raises(ValueError, match=r"colours of shape .*; legal: \(\.\.\., 3\)"):
         as_colours(np.ones(shape))

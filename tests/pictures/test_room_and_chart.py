@@ -1,8 +1,11 @@
 """The chequered room and the resolution chart: exact coverage, and geometry one can check."""
 
+from collections.abc import Callable
+
 import numpy as np
 import pytest
 
+from simulations.models.arrays import Floats
 from simulations.pictures.checker_room import HIGH, LOW, TRIM_M, checker_room
 from simulations.pictures.coverage import band, checker, stripes
 from simulations.pictures.resolution_chart import INK, PAPER, resolution_chart
@@ -37,7 +40,9 @@ def test_the_back_wall_ends_where_projection_puts_its_corners() -> None:
 
 
 @pytest.mark.parametrize("draw", [checker_room, resolution_chart])
-def test_pictures_are_finite_linear_light_for_any_size(draw: st.DrawFn) -> None:
+def test_pictures_are_finite_linear_light_for_any_size(
+    draw: Callable[[int, int, float], Floats],
+) -> None:
     for width, height in ((64, 48), (1, 1), (7, 3)) if draw is checker_room else ((64, 48),):
         picture = draw(width, height, 40.0)
         assert picture.shape == (height, width, 3)
@@ -48,7 +53,7 @@ def test_pictures_are_finite_linear_light_for_any_size(draw: st.DrawFn) -> None:
 
 
 @pytest.mark.parametrize("draw", [checker_room, resolution_chart])
-def test_a_meaningless_focal_length_is_refused(draw: st.DrawFn) -> None:
+def test_a_meaningless_focal_length_is_refused(draw: Callable[[int, int, float], Floats]) -> None:
     with pytest.raises(ValueError, match="focal_px"):
         draw(8, 8, 0.0)
 

@@ -14,7 +14,7 @@ def brute_force(place: float, duty: float, pixel: float, swept: float, steps: in
     """Share of bars about whole numbers, by sampling pixel and exposure."""
     offsets = (np.arange(steps) + 0.5) / steps - 0.5
     u = place + pixel * offsets[:, None] + swept * offsets
-    return np.mean(np.abs(u - np.rint(u)) < duty / 2)
+    return float(np.mean(np.abs(u - np.rint(u)) < duty / 2))
 
 
 @given(
@@ -68,7 +68,7 @@ def test_no_spoke_is_refused() -> None:
 def test_the_mean_over_a_pixel_at_one_moment_is_exact(
     place: float, duty: float, pixel: float, swept: float, time: float
 ) -> None:
-    row = spoked_wheel.Bars(*np.array([[place], [duty], [pixel]]), swept)
+    row = spoked_wheel.Bars(np.array([place]), np.array([duty]), np.array([pixel]), swept)
     found = spoked_wheel.at_moment(row, time)
     assert found[0] == pytest.approx(brute_force(place - swept * time, duty, pixel, 0.0), abs=6e-3)
 

@@ -88,7 +88,9 @@ def test_horizons_are_finite_where_valid(normal: Floats) -> None:
 @given(arrays(2, 2), arrays(2, 3))
 def test_lines_and_planes_are_finite_where_valid(points: Floats, corners: Floats) -> None:
     assert_finite_where_valid(lines_and_planes.line_through(*points))
-    assert_finite_where_valid(lines_and_planes.plane_through(*corners, [0.0, 1.0, 0.0]))
+    assert_finite_where_valid(
+        lines_and_planes.plane_through(corners[0], corners[1], [0.0, 1.0, 0.0])
+    )
 
 
 @given(arrays(2, 3), arrays(2))

@@ -22,7 +22,7 @@ coefficients = st.lists(finite_float.filter(lambda c: abs(c) <= 1e9), min_size=8
 sensible_coefficients = st.lists(st.floats(-2.0, 2.0), min_size=8, max_size=8)
 
 
-def lens(k: list[float]) -> Distortion | None:
+def lens(k: list[float]) -> Distortion:
     return lens_model.Distortion(k[0], k[1], k[2], k[3], k[4], k[5], k[6], k[7])
 
 

@@ -7,8 +7,8 @@ import numpy as np
 import pytest
 from hypothesis import assume, given
 from hypothesis import strategies as st
-from numpy.typing import ArrayLike
 
+from simulations.models.arrays import Floats, Mask
 from simulations.models.geometry import homography_algebra, lines_and_planes, transforms_3d
 from simulations.models.geometry.preserved_properties import measure_preservation
 from simulations.models.geometry.transforms import apply_homography, clip_to_visible
@@ -26,7 +26,7 @@ P = pinhole.camera_matrix(
 )
 
 
-def agree(found: ArrayLike, expected: ArrayLike) -> None:
+def agree(found: tuple[Floats, Mask], expected: tuple[Floats, Mask]) -> None:
     (values, valid), (other_values, other_valid) = found, expected
     np.testing.assert_array_equal(valid, other_valid)
     np.testing.assert_allclose(values, other_values, rtol=1e-9, atol=1e-12)

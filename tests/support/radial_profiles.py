@@ -20,7 +20,7 @@ PROFILES = [
 
 
 def series(coefficients: Sequence[float], s: Floats) -> Floats:
-    total = np.longdouble(0)
+    total = np.zeros_like(s)
     for coefficient in (*reversed(coefficients), 1.0):
         total = total * s + np.longdouble(coefficient)
     return total

@@ -1,6 +1,6 @@
 """Colour conversions against scikit-image and the numbers of the standards."""
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable
 
 import numpy as np
 import pytest
@@ -163,14 +163,14 @@ def test_what_is_no_light_is_refused(light: ArrayLike) -> None:
 
 
 @pytest.mark.parametrize("shape", [(4,), (3, 4), ()])
-def test_what_is_no_colour_is_refused(shape: Sequence[float]) -> None:
+def test_what_is_no_colour_is_refused(shape: tuple[int, ...]) -> None:
     with pytest.raises(ValueError, match=r"legal: \(\.\.\., 3\)"):
         srgb.linear_rgb_to_xyz(np.zeros(shape))
 
 
 def test_single_precision_stays_and_whole_numbers_become_double() -> None:
-    assert srgb.decode_srgb(np.float32([0.1])).dtype == np.float32
-    assert srgb.luminance(np.float32([0.1, 0.2, 0.3])).dtype == np.float32
+    assert srgb.decode_srgb(np.array([0.1], np.float32)).dtype == np.float32
+    assert srgb.luminance(np.array([0.1, 0.2, 0.3], np.float32)).dtype == np.float32
     assert srgb.encode_srgb([1]).dtype == np.float64
 
 

@@ -1,6 +1,7 @@
 """Colour differences filled in, against OpenCV, Pillow, means of parabolas, and regression."""
 
 from collections.abc import Sequence
+from typing import Any
 
 import cv2
 import numpy as np
@@ -159,9 +160,9 @@ def test_values_beyond_all_codes_are_refused(bad: float, method: str) -> None:
     ],
 )
 def test_what_does_not_fit_is_refused(
-    plane: Sequence[float],
-    factor: Sequence[float],
-    luma: Sequence[float],
+    plane: tuple[int, ...],
+    factor: Any,
+    luma: tuple[int, ...],
     method: str,
     message: str,
 ) -> None:

@@ -45,7 +45,7 @@ def test_a_transform_is_scipys_to_the_digits_of_its_numbers(name: str) -> None:
 def test_rows_of_coefficients_are_vertical_frequencies(name: str) -> None:
     stripes = np.repeat(50 * np.cos(np.pi * (2 * np.arange(8) + 1) * 3 / 16)[:, None], 8, axis=1)
     found = TRANSFORMS[name](stripes)
-    assert np.unravel_index(np.abs(found).argmax(), (8, 8)) == (3, 0)
+    assert np.abs(found).argmax() == 3 * 8 + 0
     assert found[3, 0] == pytest.approx(50 * 4 * np.sqrt(2), abs=0.5)
 
 

@@ -6,9 +6,9 @@ import cv2
 import numpy as np
 import pytest
 import skimage.data
+from numpy.typing import NDArray
 from PIL import Image
 
-from simulations.models.arrays import Bytes
 from simulations.models.color.srgb import encode_srgb
 from simulations.models.compression import blocks, jpeg
 from simulations.models.compression.chroma_upsampling import METHODS
@@ -18,7 +18,7 @@ PILLOW_SUBSAMPLING = {"4:4:4": 0, "4:2:2": 1, "4:2:0": 2}
 PHOTO = skimage.data.astronaut()[:128, 160:288]
 
 
-def by_pillow(photo: Bytes, quality: int, subsampling: str = "4:4:4") -> Image.Image:
+def by_pillow(photo: NDArray[np.uint8], quality: int, subsampling: str = "4:4:4") -> Image.Image:
     file = io.BytesIO()
     Image.fromarray(photo).save(
         file, "JPEG", quality=quality, subsampling=PILLOW_SUBSAMPLING[subsampling]

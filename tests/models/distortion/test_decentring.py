@@ -14,13 +14,13 @@ from simulations.models.distortion.lens_model import (
     undistort,
     undistort_clamped,
 )
-from simulations.models.distortion.plane_newton import MOST_STEPS, solve_in_plane
+from simulations.models.distortion.plane_newton import MOST_STEPS, Linearisation, solve_in_plane
 from simulations.models.distortion.radial_profile import RadialProfile
 
 PLANE = np.random.default_rng(3).uniform(-0.6, 0.6, (300, 2))
 
 
-def shear_and_square(x: Floats, y: Floats) -> tuple[Floats, ...]:
+def shear_and_square(x: Floats, y: Floats) -> Linearisation:
     """The gradient of x²+ xy/2 + y³/3 + y²: (2x + y/2, x/2 + y² + 2y)."""
     return 2 * x + y / 2, x / 2 + y * y + 2 * y, 2 + 0 * x, 0.5 + 0 * x, 2 * y + 2
 
@@ -33,7 +33,7 @@ def test_points_are_found_that_a_map_sends_to_where_they_are_wanted() -> None:
 def test_a_linear_map_is_solved_in_one_step_and_confirmed_in_another() -> None:
     sizes = []
 
-    def linear(x: Floats, y: Floats) -> tuple[Floats, ...]:
+    def linear(x: Floats, y: Floats) -> Linearisation:
         sizes.append(x.size)
         return 3 * x + y, x + 2 * y, 3 + 0 * x, 1 + 0 * x, 2 + 0 * x
 
@@ -45,7 +45,7 @@ def test_a_linear_map_is_solved_in_one_step_and_confirmed_in_another() -> None:
 def test_points_that_have_settled_are_not_asked_for_again() -> None:
     sizes = []
 
-    def counted(x: Floats, y: Floats) -> tuple[Floats, ...]:
+    def counted(x: Floats, y: Floats) -> Linearisation:
         sizes.append(x.size)
         return shear_and_square(x, y)
 
@@ -62,7 +62,7 @@ def test_a_point_without_a_solution_is_given_up_and_spoils_no_other() -> None:
     wanted = np.array([[0.0, -3.0], [2.5, 3.5]])
     calls = []
 
-    def counted(x: Floats, y: Floats) -> tuple[Floats, ...]:
+    def counted(x: Floats, y: Floats) -> Linearisation:
         calls.append(x.size)
         return shear_and_square(x, y)
 
@@ -81,7 +81,7 @@ def test_a_point_that_runs_off_to_nan_is_left_there() -> None:
     assert not np.isfinite(found[0, 0])
 
 
-def squares(x: Floats, y: Floats) -> tuple[Floats, ...]:
+def squares(x: Floats, y: Floats) -> Linearisation:
     return x * x, y * y, 2 * x, 0 * x, 2 * y
 
 
@@ -99,7 +99,7 @@ def test_far_out_a_step_is_judged_against_the_distance(place: float, axis: int) 
     """One of 0.0003 at a million is worth no further one; at 0.1 it would be."""
     calls = []
 
-    def counted(x: Floats, y: Floats) -> tuple[Floats, ...]:
+    def counted(x: Floats, y: Floats) -> Linearisation:
         calls.append(x.size)
         return squares(x, y)
 

@@ -128,11 +128,11 @@ def test_the_other_models_see_all_but_exactly_backwards(model: str) -> None:
 
 
 def test_the_axis_and_the_directions_around_it_keep_their_azimuth() -> None:
-    directions = [[0, 0, 3.0], [1, 0, 1], [0, 2, 2], [-1, 0, 1], [0, -1, 1.0]]
+    directions = np.array([(0, 0, 3), (1, 0, 1), (0, 2, 2), (-1, 0, 1), (0, -1, 1)])
     image, valid = project_ideal(directions, "equidistant")
     assert valid.all()
     quarter = np.pi / 4
-    expected = [[0, 0], [quarter, 0], [0, quarter], [-quarter, 0], [0, -quarter]]
+    expected = quarter * np.array([(0, 0), (1, 0), (0, 1), (-1, 0), (0, -1)])
     np.testing.assert_allclose(image, expected, atol=1e-15)
 
 

@@ -140,7 +140,7 @@ def test_beyond_the_largest_image_radius_nothing_is_valid_and_only_the_border_is
     np.testing.assert_array_equal(alike, valid)
     np.testing.assert_array_equal(border[0], ideal[0])
     fold = fold_radius(lens)
-    np.testing.assert_allclose(border[1:], [[fold, 0], [0, 0], [fold, 0]], rtol=1e-12)
+    np.testing.assert_allclose(border[1:], [[fold, 0.0], [0.0, 0.0], [fold, 0.0]], rtol=1e-12)
 
 
 def test_tangential_distortion_beyond_its_own_fold_is_refused() -> None:

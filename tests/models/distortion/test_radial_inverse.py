@@ -80,7 +80,7 @@ def test_far_out_where_the_cubic_prevails_it_is_a_cube_root() -> None:
 def test_the_search_ends_at_the_fold_or_at_a_power_of_two_whose_image_lies_beyond(
     profile: RadialProfile, wanted: list[float], radius: float
 ) -> None:
-    assert furthest_radius(profile, fold_radius(profile), wanted) == pytest.approx(radius)
+    assert furthest_radius(profile, fold_radius(profile), np.array(wanted)) == pytest.approx(radius)
 
 
 def test_the_search_goes_on_for_as_long_as_sixth_powers_are_numbers() -> None:
@@ -98,8 +98,13 @@ def test_it_ends_where_a_pole_lies_further_out_than_it_can_be_found() -> None:
 @pytest.fixture
 def steps(monkeypatch: pytest.MonkeyPatch) -> list[float]:
     """One entry for each step of Newton's: it is those that need a slope."""
-    made = []
-    monkeypatch.setattr(radial_inverse, "slope", lambda *args: (made.append(1), slope(*args))[1])
+    made: list[float] = []
+
+    def noted(profile: RadialProfile, radius: Floats) -> Floats:
+        made.append(radius.size)
+        return slope(profile, radius)
+
+    monkeypatch.setattr(radial_inverse, "slope", noted)
     return made
 
 

@@ -1,6 +1,6 @@
 """The table that undoes lenses: against bisection, and where it must not be used."""
 
-from collections.abc import Sequence
+from collections.abc import Callable
 
 import numpy as np
 import pytest
@@ -143,11 +143,14 @@ def test_in_a_large_picture_bad_points_spoil_no_others(k1: float) -> None:
 @pytest.fixture
 def solved(monkeypatch: pytest.MonkeyPatch) -> list[float]:
     """How many points each call of the bracket was asked to solve."""
-    sizes = []
+    sizes: list[float] = []
     solve = radial_inverse._solve
-    monkeypatch.setattr(
-        radial_inverse, "_solve", lambda *args: (sizes.append(args[1].size), solve(*args))[1]
-    )
+
+    def noted(profile: RadialProfile, image_radius: Floats, *bracket: Floats) -> Floats:
+        sizes.append(image_radius.size)
+        return solve(profile, image_radius, *bracket)
+
+    monkeypatch.setattr(radial_inverse, "_solve", noted)
     return sizes
 
 
@@ -228,10 +231,11 @@ def test_cells_are_checked_where_a_polynomial_through_the_nodes_errs_most() -> N
 @pytest.mark.parametrize(("count", "tables"), [(2047, 0), (2048, 1)])
 def test_a_table_is_made_for_2048_points_and_more(count: int, tables: int) -> None:
     images = np.linspace(0.0, 0.5, count)
-    for undo in (
+    calls: tuple[Callable[[], object], ...] = (
         lambda: invert(RadialProfile((0.3,)), images),
         lambda: undistort(np.stack((images, images), -1), Distortion(k1=0.3)),
-    ):
+    )
+    for undo in calls:
         inverse_table.cache_clear()
         undo()
         assert inverse_table.cache_info().misses == tables
@@ -292,7 +296,7 @@ coefficients = st.lists(
 @given(coefficients, coefficients, st.floats(1e-3, 1e3))
 @settings(max_examples=60, deadline=None)
 def test_for_any_coefficients_the_table_agrees_with_the_bracket(
-    numerator: Sequence[float], denominator: Sequence[float], furthest: float
+    numerator: tuple[float, ...], denominator: tuple[float, ...], furthest: float
 ) -> None:
     profile = RadialProfile(numerator, denominator)
     images = np.linspace(0.0, min(furthest, 2.0 * largest_image_radius(profile)), 2100)

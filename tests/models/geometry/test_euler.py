@@ -113,4 +113,4 @@ def test_a_sequence_needs_three_angles() -> None:
 
 @pytest.mark.parametrize("angle", [-math.pi, math.pi])
 def test_half_a_turn_is_counted_as_positive(angle: float) -> None:
-    assert euler._wrapped(angle) == math.pi
+    assert euler._wrapped(np.array(angle)) == math.pi

@@ -2,7 +2,7 @@
 
 import math
 import tracemalloc
-from collections.abc import Callable, Sequence
+from collections.abc import Callable
 
 import cv2
 import numpy as np
@@ -169,6 +169,7 @@ def test_pairs_that_are_no_pairs_of_points_are_refused(source: Floats, target: F
 def test_normalised_points_have_their_centroid_at_zero_and_a_mean_distance_of_root_two() -> None:
     points = RNG.uniform(0, 500, (30, 2)) + np.array([1e4, 0])
     T = estimation.normalisation(points)
+    assert T is not None
     moved = apply_homography(T, points)[0]
     assert moved.mean(axis=0) == pytest.approx((0, 0), abs=1e-12)
     assert np.hypot(*moved.T).mean() == pytest.approx(math.sqrt(2))
@@ -194,6 +195,8 @@ def test_far_from_both_origins_four_points_meet_as_nearly_as_is_promised(far: fl
         H, valid = estimation.estimate_homography(CORNERS + far, target + far)
         assert valid
         T, U = (estimation.normalisation(points + far) for points in (CORNERS, target))
+        assert T is not None
+        assert U is not None
         share = 2.2e-16 * (1 + np.hypot(*T[:2, 2])) * (1 + np.hypot(*U[:2, 2]))
         off = np.abs(apply_homography(H, CORNERS + far)[0] - (target + far)).max()
         assert off < share * math.sqrt(2) / U[0, 0]
@@ -286,7 +289,7 @@ def test_the_ends_of_the_range_of_coordinates_are_legal() -> None:
 
 
 @pytest.mark.parametrize("shape", [(0, 2), (4, 3), (2,), (1, 4, 2)])
-def test_pairs_have_two_columns_and_one_row_at_least(shape: Sequence[float]) -> None:
+def test_pairs_have_two_columns_and_one_row_at_least(shape: tuple[int, ...]) -> None:
     with pytest.raises(ValueError, match=r"legal: both \(N, 2\)"):
         estimation.estimate_rigid(np.ones(shape), np.ones(shape))
 

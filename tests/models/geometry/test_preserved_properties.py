@@ -83,7 +83,7 @@ def test_a_projective_map_changes_what_is_known_of_a_rectangle() -> None:
 
 
 def test_a_shear_turns_only_what_does_not_lie_along_it() -> None:
-    sheared = transforms.affine([[1, 0.5], [0, 1]], (0, 0))
+    sheared = transforms.affine([[1, 0.5], [0.0, 1]], (0, 0))
     along, across = SEGMENTS[:2], SEGMENTS[2:4]
     assert measure_preservation(sheared, along).turn_rad == pytest.approx(0)
     assert measure_preservation(sheared, across).turn_rad == pytest.approx(math.atan(0.5))

@@ -96,7 +96,7 @@ def test_no_turn_has_the_angle_zero_and_no_axis() -> None:
     assert axis == pytest.approx(np.array([[0, 0, 0], [0, 0.6, -0.8], [1, 0, 0]]))
     for bad in ([1.7e308, 1.7e308, 0], [0, math.inf, 0]):
         with pytest.raises(ValueError, match="rotation_vector"):
-            quaternions.angle_and_axis([[0, 0, 1], bad])
+            quaternions.angle_and_axis([[0.0, 0, 1], bad])
 
 
 def test_tiny_turns_keep_their_digits_through_the_quaternion() -> None:

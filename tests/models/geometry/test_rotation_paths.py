@@ -1,6 +1,7 @@
 """Paths between orientations: against finite differences, SciPy and the chapter's numbers."""
 
-from collections.abc import Sequence
+from collections.abc import Callable
+from typing import Any
 
 import numpy as np
 import pytest
@@ -112,22 +113,24 @@ def test_angles_about_axes_that_stay_are_blended_as_well() -> None:
 
 @pytest.mark.parametrize("sequence", ["ZY", "ZYXZ", "ZYA", "ZZX", "zYX", ""])
 def test_only_three_axes_with_different_neighbours_make_a_sequence(sequence: str) -> None:
-    for call in (
+    calls: tuple[Callable[[], object], ...] = (
         lambda: rotation_paths.rate_axes(sequence, (0, 0, 0)),
         lambda: rotation_paths.euler_blend(sequence, (0, 0, 0), (1, 1, 1), 0.5),
-    ):
+    )
+    for call in calls:
         with pytest.raises(ValueError, match="sequence"):
             call()
 
 
 @pytest.mark.parametrize("angles", [(0.0, 0.0), (0.0, np.inf, 0.0), (np.nan,) * 3, 1.0])
-def test_angles_are_three_and_finite(angles: Sequence[float] | float) -> None:
+def test_angles_are_three_and_finite(angles: Any) -> None:
     good = (0.1, 0.2, 0.3)
-    for name, call in {
+    calls: dict[str, Callable[[], object]] = {
         "start_rad": lambda: rotation_paths.euler_blend("ZYX", angles, good, [0.0, 0.5]),
         "end_rad": lambda: rotation_paths.euler_blend("ZYX", good, angles, [0.0, 0.5]),
         "angles_rad": lambda: rotation_paths.rate_axes("ZYX", angles),
-    }.items():
+    }
+    for name, call in calls.items():
         with pytest.raises(ValueError, match=rf"^{name}.+; legal: "):
             call()
 

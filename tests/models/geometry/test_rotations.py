@@ -169,7 +169,7 @@ def test_a_rotation_may_have_drifted_by_a_millionth(drift: float, legal: bool) -
 
 def test_drift_is_counted_between_the_columns() -> None:
     """RᵀR = I + S with entries of 0.9e-6 at most; R Rᵀ has one of 2.7e-6."""
-    to_x = rotations.nearest_rotation([[1.0, 1, 1], [-1, 1, 0], [-1, -1, 2]])
+    to_x = rotations.nearest_rotation([[1.0, 1, 1], [-1.0, 1, 0], [-1.0, -1, 2]])
     drifted = to_x @ (np.eye(3) + 0.45e-6 * np.ones((3, 3)))
     assert np.abs(drifted @ drifted.T - np.eye(3)).max() > 1.1e-6
     assert rotations.check_rotation(drifted) is drifted

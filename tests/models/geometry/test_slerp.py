@@ -5,7 +5,6 @@ from collections.abc import Callable
 
 import numpy as np
 import pytest
-from numpy.typing import ArrayLike
 from scipy.spatial.transform import Rotation, Slerp
 
 from simulations.models.arrays import Floats
@@ -19,7 +18,7 @@ def wxyz(rotation: Rotation) -> Floats:
     return np.roll(rotation.as_quat(), 1, axis=-1)
 
 
-def same_up_to_sign(a: Floats, b: Floats) -> ArrayLike:
+def same_up_to_sign(a: Floats, b: Floats) -> Floats:
     return np.minimum(np.abs(a - b).max(axis=-1), np.abs(a + b).max(axis=-1))
 
 

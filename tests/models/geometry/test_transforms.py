@@ -101,9 +101,9 @@ def test_a_homography_is_scaled_to_its_last_entry_or_else_to_unit_norm() -> None
     H = transforms.projective([[1, 0, 0], [0, 0, 1], [0, -2, 0]])
     assert H[2, 1] > 0
     assert pytest.approx(np.array([[-1, 0, 0], [0, 0, -1], [0, 2, 0]]) / math.sqrt(6)) == H
-    small = transforms.projective([[1, 0, 0], [0, 1, 0], [1, 0, 1e-11]])
+    small = transforms.projective([[1.0, 0, 0], [0.0, 1, 0], [1.0, 0, 1e-11]])
     assert small[2, 2] == 1
-    tiny = transforms.projective([[1, 0, 0], [0, 1, 0], [-1, 0, 1e-13]])
+    tiny = transforms.projective([[1.0, 0, 0], [0.0, 1, 0], [-1.0, 0, 1e-13]])
     assert np.linalg.norm(tiny) == pytest.approx(1)
     assert tiny[2, 0] > 0
     flat = transforms.projective([[1, 0, 0], [0, 1, 0], [0, 0, 0]])  # its last row is zero

@@ -55,7 +55,7 @@ def test_a_projective_map_divides_and_keeps_lines_straight() -> None:
 def test_what_is_sent_to_infinity_is_invalid() -> None:
     H = np.eye(4)
     H[3] = [0.0, 0.0, 1.0, 0.0]
-    images, valid = apply_transform(H, [[1, 2, 4], [1, 2, 0], [1, 2, -4], [np.inf, 0, 1]])
+    images, valid = apply_transform(H, [[1.0, 2, 4], [1.0, 2, 0], [1.0, 2, -4], [np.inf, 0, 1]])
     assert valid.tolist() == [True, False, True, False]
     np.testing.assert_array_equal(images[0], [0.25, 0.5, 1.0])
     np.testing.assert_array_equal(images[2], [-0.25, -0.5, 1.0])

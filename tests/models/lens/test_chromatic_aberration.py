@@ -53,7 +53,7 @@ def test_the_lateral_scale_agrees_with_a_ray_traced_through_the_stop() -> None:
         at_lens = stop * slope
         return at_lens + focal_d * (slope - at_lens / focal)
 
-    blue = focal_length_mm(GLASS, focal_d, 0.45)
+    blue = float(focal_length_mm(GLASS, focal_d, 0.45))
     expected = height_on_sensor(blue) / height_on_sensor(focal_d)
     assert lateral_chromatic_scale(GLASS, focal_d, stop, 0.45) == pytest.approx(expected)
     assert lateral_chromatic_scale(GLASS, focal_d, 0.0, 0.45) == 1.0

@@ -23,7 +23,9 @@ RNG = np.random.default_rng(0)
 def offsets(kernel: Floats) -> tuple[Floats, Floats]:
     """Columns and rows of a kernel, from its middle."""
     reach = kernel.shape[0] // 2
-    return np.meshgrid(*[np.arange(-reach, reach + 1.0)] * 2)
+    away = np.arange(-reach, reach + 1.0)
+    columns, rows = np.meshgrid(away, away)
+    return columns, rows
 
 
 def mean(kernel: Floats, values: Floats) -> float:

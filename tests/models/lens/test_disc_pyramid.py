@@ -2,13 +2,14 @@
 
 import numpy as np
 import pytest
+from numpy.typing import NDArray
 
-from simulations.models.arrays import Floats, Ints
+from simulations.models.arrays import Floats
 from simulations.models.lens.disc_blur import disc_blur
 from simulations.models.lens.disc_pyramid import double, halve, pyramid_blur
 
 
-def spread_of(radius: float, offset: int = 0, size: int = 161) -> tuple[Floats, Ints]:
+def spread_of(radius: float, offset: int = 0, size: int = 161) -> tuple[Floats, NDArray[np.int64]]:
     """A point of light (size, size) after the blur, and the columns counted from the point."""
     light = np.zeros((1, size, size), np.float32)
     light[0, size // 2, size // 2 + offset] = 1.0

@@ -1,5 +1,7 @@
 """Defocus as a filter: Gaussian bins against scipy, gathered discs against their definition."""
 
+from collections.abc import Callable
+
 import numpy as np
 import pytest
 import scipy.ndimage
@@ -74,7 +76,7 @@ def test_gathering_weighs_neighbours_by_their_discs_and_holds_back_those_behind(
     """Word for word from the definition, one pixel and one neighbour at a time."""
     rng = np.random.default_rng(5)
     light = rng.random((2, 6, 8)).astype(np.float32)
-    radius, depth = rng.uniform(0.2, 3.0, (6, 8)), rng.integers(1, 4, (6, 8))
+    radius, depth = rng.uniform(0.2, 3.0, (6, 8)), rng.integers(1, 4, (6, 8)).astype(float)
     expected = np.zeros_like(light)
     for y, x in np.ndindex(6, 8):
         total = weights = 0.0
@@ -104,10 +106,11 @@ def test_a_blurred_background_does_not_leak_onto_a_sharp_thing_before_it() -> No
 def test_a_disc_that_is_none_is_refused_wherever_it_is(radius: float) -> None:
     planes, radii = np.ones((1, 8, 8), np.float32), np.ones((8, 8))
     radii[3, 4] = radius
-    for call in (
+    calls: tuple[Callable[[], object], ...] = (
         lambda: binned_gaussian(planes, radii),
         lambda: gather_discs(planes, radii, radii),
-    ):
+    )
+    for call in calls:
         with pytest.raises(ValueError, match=r"^radius_px from .*; legal: 0 to 1024"):
             call()
 

@@ -1,7 +1,5 @@
 """Blending across cells is linear, exact at corners, and errs with the square of the cell."""
 
-from collections.abc import Sequence
-
 import numpy as np
 import pytest
 from hypothesis import given
@@ -36,7 +34,7 @@ def test_corners_that_fall_on_pixels_are_kept() -> None:
 
 
 @pytest.mark.parametrize("trailing", [(), (1,), (2, 3)])
-def test_whatever_stands_at_a_corner_is_blended_entry_by_entry(trailing: Sequence[float]) -> None:
+def test_whatever_stands_at_a_corner_is_blended_entry_by_entry(trailing: tuple[int, ...]) -> None:
     corners = grid(3, 4, int(np.prod(trailing))).reshape(3, 4, *trailing)
     blended = blend_cells(corners, 5, 7)
     assert blended.shape == (5, 7, *trailing)
@@ -70,7 +68,7 @@ def test_blended_normals_have_length_one_and_halve_the_angle_between_two() -> No
 
 
 @pytest.mark.parametrize("shape", [(1, 4), (4, 1, 3), (5,)])
-def test_fewer_corners_than_a_cell_has_are_refused(shape: Sequence[float]) -> None:
+def test_fewer_corners_than_a_cell_has_are_refused(shape: tuple[int, ...]) -> None:
     with pytest.raises(ValueError, match=r"corners of shape .*; legal: two or more each way"):
         blend_cells(np.zeros(shape), 4, 4)
 

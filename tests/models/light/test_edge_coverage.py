@@ -72,7 +72,7 @@ def test_a_disc_covers_the_area_that_its_columns_add_up_to(angle: float, offset:
     x = (np.arange(20_000) + 0.5) / 20_000 - 0.5
     top = y_centre + np.sqrt(radius**2 - (x - x_centre) ** 2)
     exact = np.mean(np.clip(top, -0.5, 0.5) + 0.5)
-    bulge = chord_length(offset, n) ** 3 / 24 / radius
+    bulge = float(chord_length(offset, n)) ** 3 / 24 / radius
     curved = curved_edge_coverage(offset, n, 1 / radius)
     assert curved == pytest.approx(exact, abs=0.02 * bulge)
     assert curved == curved_edge_coverage(offset, n[::-1], 1 / radius)

@@ -1,7 +1,6 @@
 """The edges of what rays see: margins from silhouettes, and the pixels that these cover."""
 
 import math
-from collections.abc import Sequence
 
 import numpy as np
 import pytest
@@ -126,7 +125,7 @@ def test_each_pixel_of_a_ball_s_outline_is_covered_as_far_as_many_rays_say(radiu
 
 
 @pytest.mark.parametrize("shape", [(1, 5), (5, 1), (5,), (2, 2, 2)])
-def test_coverage_needs_two_pixels_each_way(shape: Sequence[float]) -> None:
+def test_coverage_needs_two_pixels_each_way(shape: tuple[int, ...]) -> None:
     with pytest.raises(ValueError, match=r"legal: \(H, W\)"):
         edge_coverage(np.ones(shape))
     assert edge_coverage(np.ones((2, 2))).tolist() == [[1, 1], [1, 1]]

@@ -1,10 +1,11 @@
 """What solids hide of a lamp and of the sky: penumbrae, bounds, and form factors."""
 
 import math
-from collections.abc import Sequence
+from collections.abc import Callable
 
 import numpy as np
 import pytest
+from numpy.typing import ArrayLike
 
 from simulations.models.arrays import Floats
 from simulations.models.light.raycasting import Box, Sphere, intersect
@@ -18,8 +19,8 @@ from simulations.models.light.soft_shadows import (
 ORIGIN = np.zeros(3)
 
 
-def unit(vectors: list[float]) -> Floats:
-    vectors = np.asarray(vectors, float)
+def unit(values: ArrayLike) -> Floats:
+    vectors = np.asarray(values, float)
     return vectors / np.linalg.norm(vectors, axis=-1, keepdims=True)
 
 
@@ -156,7 +157,7 @@ def test_a_ball_as_large_as_all_space_hides_the_whole_sky() -> None:
 
 
 @pytest.mark.parametrize("light", [(0, 0, 2.0), (0, 0, 0.0), (math.nan, 0, 1), (0, math.inf, 1)])
-def test_a_light_has_a_direction_of_unit_length(light: Sequence[float]) -> None:
+def test_a_light_has_a_direction_of_unit_length(light: tuple[float, float, float]) -> None:
     for call in (
         lambda: visibility(Sphere((0, 0, 2), 0.5), ORIGIN, light, 0.1),
         lambda: shadow_bounds(Box((0, 0, 2), (1, 1, 1)), light, 0.1),
@@ -173,9 +174,10 @@ def test_the_bounds_of_a_shadow_need_a_lamp_of_some_width(angle: float) -> None:
 
 @pytest.mark.parametrize("far", [math.nan, math.inf, 1e101])
 def test_points_that_are_nowhere_are_refused(far: float) -> None:
-    for call in (
-        lambda: visibility(Sphere((0, 0, 2), 0.5), [[0, 0, 0], [far, 0, 0]], (0, 0, 1.0), 0.1),
+    calls: tuple[Callable[[], object], ...] = (
+        lambda: visibility(Sphere((0, 0, 2), 0.5), [[0.0, 0, 0], [far, 0, 0]], (0, 0, 1.0), 0.1),
         lambda: sphere_occlusion((0, 0, 2.0), 0.5, [0, far, 0], (0, 0, 1.0)),
-    ):
+    )
+    for call in calls:
         with pytest.raises(ValueError, match=r"points as far as .*; legal: to 1e\+100"):
             call()

@@ -5,8 +5,9 @@ import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
+from numpy.typing import ArrayLike
 
-from simulations.models.arrays import Floats, Ints
+from simulations.models.arrays import Floats
 from simulations.models.projection.affine_cameras import (
     orthographic_camera,
     paraperspective_camera,
@@ -168,6 +169,6 @@ def test_cameras_with_infinite_entries_are_refused() -> None:
 
 
 @pytest.mark.parametrize("camera", [np.eye(3, 4), np.eye(4), np.diag([1, 1, 1, 2])[:3]])
-def test_a_camera_that_divides_by_depth_is_refused(camera: Floats | Ints) -> None:
+def test_a_camera_that_divides_by_depth_is_refused(camera: ArrayLike) -> None:
     with pytest.raises(ValueError, match="last row 0, 0, 0, 1"):
         project_affine([1.0, 2.0, 3.0], camera)

@@ -1,5 +1,7 @@
 """Cubic B-splines against SciPy's, and against what a pre-filter has to undo."""
 
+from typing import Literal
+
 import numpy as np
 import pytest
 from scipy import ndimage
@@ -22,7 +24,7 @@ def test_the_bump_is_scipy_s() -> None:
 
 
 @pytest.mark.parametrize("order", ["C", "F"])
-def test_heights_are_scipy_s_where_the_border_is_far(order: str) -> None:
+def test_heights_are_scipy_s_where_the_border_is_far(order: Literal["C", "F"]) -> None:
     oracle = ndimage.spline_filter(np.pad(PICTURE, 30, mode="edge"), order=3, mode="mirror")
     ours = coefficients(np.pad(PICTURE, 2, mode="edge").astype(float, order=order))
     np.testing.assert_allclose(ours, oracle[28:-28, 28:-28], atol=1e-13)

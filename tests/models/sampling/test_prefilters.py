@@ -1,5 +1,7 @@
 """Pre-filters against closed forms and quadrature by SciPy."""
 
+from collections.abc import Callable
+
 import numpy as np
 import pytest
 from scipy.integrate import quad
@@ -58,7 +60,7 @@ def test_a_pure_wave_only_changes_its_amplitude() -> None:
 
 
 def test_a_chirp_is_averaged_over_the_pixel() -> None:
-    def over_pixel(part: Callable[..., Floats], x: float) -> float:
+    def over_pixel(part: Callable[[complex], float], x: float) -> float:
         return quad(lambda u: part(np.exp(1j * np.pi * 0.02 * u * u)), x - 0.5, x + 0.5)[0]
 
     x = 31.0

@@ -249,7 +249,7 @@ def test_only_float32_stays_single() -> None:
 
 
 @pytest.mark.parametrize("shape", [(4, 6), (5, 5), (4,), (4, 5, 3, 1)])
-def test_a_table_fits_pictures_of_its_size_alone(shape: Sequence[float]) -> None:
+def test_a_table_fits_pictures_of_its_size_alone(shape: tuple[int, ...]) -> None:
     with pytest.raises(ValueError, match="the table is for"):
         gather(gather_table([0, 0], (4, 5)), np.zeros(shape))
 

@@ -1,6 +1,6 @@
 """Aliasing, pre-filters and contrast against their analytic values."""
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable
 
 import numpy as np
 import pytest
@@ -174,7 +174,7 @@ def test_box_filter_takes_every_block_and_every_channel() -> None:
 
 
 @pytest.mark.parametrize(("shape", "factor"), [((8, 9), 2), ((9, 8), 2), ((8,), 2), ((8, 8), 0)])
-def test_only_whole_blocks_are_filtered(shape: Sequence[float], factor: int) -> None:
+def test_only_whole_blocks_are_filtered(shape: tuple[int, ...], factor: int) -> None:
     with pytest.raises(ValueError, match="legal: a divisor"):
         aliasing.box_filter(np.zeros(shape), factor)
 

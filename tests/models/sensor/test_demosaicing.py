@@ -1,8 +1,9 @@
 """Demosaicing against colour_demosaicing, and what must hold of any method."""
 
 import warnings
-from collections.abc import Sequence
+from collections.abc import Callable
 from functools import partial
+from typing import Any
 
 import numpy as np
 import pytest
@@ -26,7 +27,7 @@ def menon_on_encoded_values(cfa: Floats, pattern: str) -> Floats:
     return colour.cctf_decoding(guessed, "sRGB")
 
 
-ORACLES = {
+ORACLES: dict[str, Callable[[Floats, str], Floats]] = {
     "bilinear": oracle.demosaicing_CFA_Bayer_bilinear,
     "malvar": oracle.demosaicing_CFA_Bayer_Malvar2004,
     "menon-unrefined": partial(oracle.demosaicing_CFA_Bayer_Menon2007, refining_step=False),
@@ -46,9 +47,7 @@ def test_interior_equals_the_published_method(
     cfa = mosaic(np.random.default_rng(1).random((*shape, 3)), pattern)
     inner = (slice(BORDER[method], -BORDER[method]),) * 2
     ours, theirs = demosaic(cfa, pattern, method), ORACLES[method](cfa, pattern)
-    if (
-        method == "menon-encoded"
-    ):  # the oracle continues the curve's toe below 0, where we mirror it
+    if method == "menon-encoded":  # the oracle continues the toe below 0, where we mirror it
         ours, theirs = np.maximum(ours, 0), np.maximum(theirs, 0)
     np.testing.assert_allclose(ours[inner], theirs[inner], atol=1e-12)
 
@@ -168,7 +167,7 @@ def test_red_first_is_the_default() -> None:
 
 
 @pytest.mark.parametrize("shape", [(4, 4), (4, 4, 4), (3, 4), (0, 4, 3), (4, 0, 3), (2, 2, 2, 3)])
-def test_what_is_no_picture_has_no_mosaic(shape: Sequence[float]) -> None:
+def test_what_is_no_picture_has_no_mosaic(shape: tuple[int, ...]) -> None:
     with pytest.raises(ValueError, match=r"legal: \(H, W, 3\), not empty"):
         mosaic(np.zeros(shape))
 
@@ -179,7 +178,7 @@ def test_thin_pictures_have_mosaics_too(shape: tuple[int, int, int]) -> None:
 
 
 @pytest.mark.parametrize("shape", [(4,), (4, 4, 3), (4, 0)])
-def test_what_is_no_mosaic_is_refused(shape: Sequence[float]) -> None:
+def test_what_is_no_mosaic_is_refused(shape: tuple[int, ...]) -> None:
     with pytest.raises(ValueError, match=r"legal: \(H, W\), not empty"):
         demosaic(np.zeros(shape))
 
@@ -240,7 +239,7 @@ def test_psnr_counts_in_units_of_the_peak() -> None:
     ],
 )
 def test_pictures_that_cannot_be_compared_are_refused(
-    a: Sequence[float], b: Sequence[float], crop: float, message: str
+    a: tuple[int, ...], b: tuple[int, ...], crop: Any, message: str
 ) -> None:
     with pytest.raises(ValueError, match=message):
         psnr_db(np.zeros(a), np.zeros(b), crop=crop)
@@ -261,7 +260,7 @@ def test_the_filters_of_a_sensor_of_any_size_have_that_size(shape: tuple[int, in
 
 
 @pytest.mark.parametrize("shape", [(0, 4), (4, 0), (2.5, 4), (4, np.nan)])
-def test_a_sensor_has_whole_rows_and_columns(shape: Sequence[float]) -> None:
+def test_a_sensor_has_whole_rows_and_columns(shape: tuple[Any, Any]) -> None:
     with pytest.raises(ValueError, match=r"(height|width) .*; legal: whole numbers, 1 or more"):
         filter_colours(*shape)
 

@@ -1,5 +1,6 @@
 """Means over the exposure, of pictures whose mean is known."""
 
+from typing import Any
 import numpy as np
 import pytest
 
@@ -18,8 +19,13 @@ def test_even_change_is_averaged_exactly(count: int) -> None:
 
 
 def test_each_instant_is_the_middle_of_its_share() -> None:
-    asked = []
-    mean_of_instants(lambda time: asked.append(time) or np.zeros(1), 4)
+    asked: list[float] = []
+
+    def note(time: float) -> Floats:
+        asked.append(time)
+        return np.zeros(1)
+
+    mean_of_instants(note, 4)
     assert asked == [0.125, 0.375, 0.625, 0.875]
 
 
@@ -31,9 +37,14 @@ def test_a_square_is_short_by_the_midpoint_rules_error() -> None:
 
 
 def test_every_pixel_draws_times_of_its_own_over_the_whole_exposure() -> None:
-    asked = []
+    asked: list[Floats] = []
     rng = np.random.default_rng(3)
-    mean_of_random_instants(lambda times: asked.append(times) or times, 5, (40, 30), rng)
+
+    def note(times: Floats) -> Floats:
+        asked.append(times)
+        return times
+
+    mean_of_random_instants(note, 5, (40, 30), rng)
     times = np.array(asked)
     assert times.shape == (5, 40, 30)
     assert np.unique(times).size == times.size
@@ -52,9 +63,9 @@ def test_no_instant_is_refused() -> None:
         with pytest.raises(ValueError, match=f"count {refused}; legal: 1 or more"):
             mean_of_instants(ramp, refused)
         with pytest.raises(ValueError, match="legal: 1 or more"):
-            mean_of_random_instants(ramp, refused, (2, 3), np.random.default_rng(1))
+            mean_of_random_instants(lambda times: times, refused, (2, 3), np.random.default_rng(1))
 
 
 def test_pictures_in_whole_codes_do_not_wrap_around() -> None:
-    bright = np.full(2, 200, np.uint8)
+    bright: Any = np.full(2, 200, np.uint8)
     np.testing.assert_array_equal(mean_of_instants(lambda _: bright, 3), 200.0)

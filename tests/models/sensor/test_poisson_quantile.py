@@ -54,7 +54,7 @@ def test_an_electron_in_a_billion_is_drawn_where_it_is_due() -> None:
 
 @pytest.mark.parametrize("model", ["quantile", "poisson"])
 @pytest.mark.parametrize("mean", [1e-12, 1e-3, 0.05, 0.3])
-def test_next_to_no_light_frees_next_to_no_electrons(model: str, mean: float) -> None:
+def test_next_to_no_light_frees_next_to_no_electrons(model: ShotModel, mean: float) -> None:
     """The curve that leans, for comparison, frees 0.047 electrons of nothing."""
     samples = 200_000
     drawn = shot_noise(np.full(samples, mean), np.random.default_rng(3), model=model)

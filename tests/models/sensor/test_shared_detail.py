@@ -1,7 +1,5 @@
 """Detail that colours have in common, against OpenCV's Laplacian and SciPy's correlation."""
 
-from collections.abc import Sequence
-
 import cv2
 import numpy as np
 import pytest
@@ -56,6 +54,6 @@ def test_light_that_is_not_finite_is_refused(bad: float) -> None:
 
 
 @pytest.mark.parametrize("shape", [(2, 9, 3), (9, 2, 3), (9, 9, 4), (9, 3)])
-def test_what_is_no_picture_is_refused(shape: Sequence[float]) -> None:
+def test_what_is_no_picture_is_refused(shape: tuple[int, ...]) -> None:
     with pytest.raises(ValueError, match="legal: "):
         shared_detail(np.zeros(shape))
