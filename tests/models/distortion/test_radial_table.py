@@ -146,9 +146,9 @@ def solved(monkeypatch: pytest.MonkeyPatch) -> list[float]:
     sizes: list[float] = []
     solve = radial_inverse._solve
 
-    def noted(profile: RadialProfile, image_radius: Floats, *bracket: Floats) -> Floats:
-        sizes.append(image_radius.size)
-        return solve(profile, image_radius, *bracket)
+    def noted(profile: RadialProfile, wanted: Floats, upper: float) -> Floats:
+        sizes.append(wanted.size)
+        return solve(profile, wanted, upper)
 
     monkeypatch.setattr(radial_inverse, "_solve", noted)
     return sizes

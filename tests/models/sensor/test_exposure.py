@@ -1,6 +1,7 @@
 """Means over the exposure, of pictures whose mean is known."""
 
 from typing import Any
+
 import numpy as np
 import pytest
 

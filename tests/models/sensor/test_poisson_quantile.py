@@ -5,7 +5,11 @@ import pytest
 from scipy import stats
 
 from simulations.models.arrays import Floats
-from simulations.models.sensor.photon_counting import shot_noise, shot_noise_from_normal
+from simulations.models.sensor.photon_counting import (
+    ShotModel,
+    shot_noise,
+    shot_noise_from_normal,
+)
 from simulations.models.sensor.poisson_quantile import FEW, normal_tail, poisson_from_normal
 
 STEPS = 400_000
