@@ -15,7 +15,7 @@ from simulations.engine.stages import StageCache
 from simulations.late_imports import fetch_missing
 from simulations.registry import load_ladder, load_scene
 
-__all__ = ["Reply", "error", "fetch_missing", "forget", "measure", "render"]
+__all__ = ["Reply", "error", "fetch_missing", "forget", "measure", "pull", "render"]
 
 _caches: dict[str, StageCache] = {}
 _judgements: dict[str, tuple[object, Iterator[Readout]]] = {}
@@ -58,6 +58,16 @@ def error(figure: str, scene_id: str, values: str, tier: str) -> str:
         _judgements[figure] = (wanted, estimates)
     estimate = next(estimates, None)
     return json.dumps(None if estimate is None else asdict(estimate), ensure_ascii=False)
+
+
+def pull(scene_id: str, values: str, handle: str, x: float, y: float) -> str:
+    """The control values that bring a handle as near to a place of its panel as can be, as JSON.
+
+    ``x`` and ``y`` are in view box units. Raises `UnknownIdError`, `ControlError`, `KeyError` for
+    a handle that the scene lacks and `ValueError` for a place that is none.
+    """
+    scene = load_scene(scene_id)
+    return json.dumps(scene.pull(scene.clamp(json.loads(values)), handle, (x, y)))
 
 
 def _setting(scene: Scene[Any], figure: str, values: str, tier: str) -> tuple[Any, str, StageCache]:

@@ -6,6 +6,7 @@ from dataclasses import dataclass, field, replace
 
 from simulations.engine.controls import Control, Slider, Value
 from simulations.engine.frame import Frame, Readout
+from simulations.engine.handles import Handle, Point, mistakes, places, pulled
 from simulations.engine.settings import check_settings, clamp_settings, controls_of, values_of
 from simulations.engine.stages import Outputs, Run, Stage, StageCache, run
 
@@ -26,6 +27,8 @@ class Scene[S]:
     """The frame at some settings, from what the stages made of them."""
     stages: tuple[Stage, ...] = ()
     """In the order in which they run. They read settings, ``tier`` and `parameters` by name."""
+    handles: tuple[Handle[S], ...] = ()
+    """What in the picture can be grabbed; where marks touch, the nearest is taken."""
     parameters: Callable[[S, str], Mapping[str, Value] | None] | None = None
     """What stages read besides the settings: set by the tier, or worked out, also in place of a
     setting. ``None`` where there is nothing to compute: no stage runs then, nor is any reported."""
@@ -52,7 +55,12 @@ class Scene[S]:
     def __post_init__(self) -> None:
         if not self.draft_tier:
             object.__setattr__(self, "draft_tier", self.default_tier)
-        for mistake in (*self._wrong_buttons(), *self._wrong_tiers(), *self._wrong_drafts()):
+        for mistake in (
+            *self._wrong_buttons(),
+            *self._wrong_tiers(),
+            *self._wrong_drafts(),
+            *mistakes(self.handles, self.controls),
+        ):
             raise ValueError(f"scene {self.id!r}: {mistake}")
 
     @property
@@ -79,7 +87,19 @@ class Scene[S]:
     def render(self, settings: S, tier: str, cache: StageCache) -> Frame:
         """The frame at these settings. The cache changes how long it takes, never the result."""
         done = self.run(settings, tier, cache)
-        return replace(self.draw(settings, done.outputs), stages=done.reports)
+        frame = self.draw(settings, done.outputs)
+        where = places(self.handles, settings, done.outputs, frame.panels)
+        return replace(frame, stages=done.reports, handles=where)
+
+    def pull(self, settings: S, handle: str, place: Point) -> dict[str, Value]:
+        """The values of what ``handle`` drives that bring it as near to ``place`` as can be.
+
+        Raises `KeyError` for a handle that the scene lacks, `ValueError` for a place that is none.
+        """
+        by_name = {entry.name: entry for entry in self.handles}
+        if handle not in by_name:
+            raise KeyError(f"handle {handle!r}; legal: {', '.join(by_name) or 'none'}")
+        return pulled(by_name[handle], settings, place, self.controls)
 
     def estimates(self, settings: S, tier: str, cache: StageCache) -> Iterator[Readout]:
         """Better and better estimates of how far the frame is from the truth; none without one."""

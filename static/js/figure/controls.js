@@ -74,8 +74,12 @@ export function button(form, name) {
   return one(form, named(name), HTMLButtonElement);
 }
 
-/** @param {string} name */
-function named(name) {
+/**
+ * Selects the control of that name.
+ *
+ * @param {string} name
+ */
+export function named(name) {
   return `[name="${CSS.escape(name)}"]`;
 }
 

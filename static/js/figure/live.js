@@ -11,6 +11,7 @@ import { all, data, one, within } from "../page/dom.js";
 import { RuntimeFailure } from "../runtime/runtime.js";
 import { announcer } from "./announce.js";
 import { choice, pressAction, readValues, showSliderValue } from "./controls.js";
+import { Handles } from "./handles.js";
 import { Motion } from "./motion.js";
 import { paint } from "./painter.js";
 import { LatestWins } from "./scheduler.js";
@@ -20,11 +21,12 @@ import { Accuracy, showStages } from "./workings.js";
 /** @import { Runtime } from "../runtime/runtime.js" */
 /** @import { Control, Schema } from "./controls.js" */
 /** @import { Readout } from "./painter.js" */
+/** @import { Pull } from "./handles.js" */
 /** @import { Judged } from "./workings.js" */
 /** @typedef {{values: string, tier: string, time: number, urgency: number}} Job */
 
 /** A frame that the reader waits for goes before one that only should be ready. */
-const URGENCY = { far: 0, near: 1, touched: 2 };
+const URGENCY = { far: 0, near: 1, touched: 2, held: 3 };
 /** How often a frame is asked for again, by itself, after the worker was lost. */
 const RESTARTS = 1;
 /** What a figure says of a frame that it did not get. */
@@ -61,6 +63,13 @@ export class LiveFigure {
     this.accuracy = new Accuracy(figure, (job, urgency) => this.#askError(job, urgency));
     this.motion = new Motion(this.form, this.schema, (moving, time) => this.#ask(time, moving));
     this.#listen();
+    this.handles = new Handles(
+      figure,
+      this.form,
+      this.schema,
+      (pull) => this.#askPull(pull),
+      this.#listeners.signal,
+    );
     this.#observer = this.#startInView();
   }
 
@@ -214,6 +223,16 @@ export class LiveFigure {
   }
 
   /**
+   * What a pull at a handle means for the controls: the hand waits for it before all else.
+   *
+   * @param {Pull} pull
+   */
+  #askPull(pull) {
+    const payload = { figure: this.#key, scene: this.#scene, ...pull };
+    return this.runtime.call("pull", payload, () => URGENCY.held);
+  }
+
+  /**
    * @param {Judged} judged
    * @param {() => number} urgency
    * @returns {Promise<Readout | null>}
@@ -235,6 +254,7 @@ export class LiveFigure {
     const { figure } = this;
     const meta = JSON.parse(reply.meta);
     paint(figure, meta, reply.rasters);
+    this.handles.show(meta.handles);
     showStages(figure, meta.stages);
     this.accuracy.shown(job, reply.computeMs, job.tier === this.#tier(false));
     this.announce(meta.description);

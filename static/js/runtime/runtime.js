@@ -17,6 +17,7 @@ export const LIMITS = {
   start: 300_000,
   first: 30_000,
   render: 10_000,
+  pull: 10_000,
   error: 10_000,
   forget: 10_000,
   measure: 120_000,

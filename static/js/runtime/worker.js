@@ -49,10 +49,10 @@ const calls = {
     pyodide.FS.writeFile(`/lib/${SIMULATIONS}`, await simulations);
     pyodide.pyimport("sys").path.append(`/lib/${SIMULATIONS}`);
     const module = pyodide.pyimport("simulations.browser");
-    const { render, error, forget, measure, fetch_missing: fetchMissing } = module;
+    const { render, pull, error, forget, measure, fetch_missing: fetchMissing } = module;
     const fetchNow = (/** @type {string} */ part) => parts.fetchNow(part);
     fetchMissing(JSON.stringify(table.modules), fetchNow, parts.folder);
-    python = { render, error, forget, measure };
+    python = { render, pull, error, forget, measure };
     return { reply: { version: pyodide.version } };
   },
 
@@ -75,6 +75,16 @@ const calls = {
     } finally {
       frame.destroy();
     }
+  },
+
+  /**
+   * The control values that bring a handle to a place of its panel.
+   *
+   * @param {{scene: string, values: string, handle: string, x: number, y: number}} call
+   */
+  async pull({ scene, values, handle, x, y }) {
+    await parts.provide(parts.table.scenes[scene]);
+    return { reply: { values: JSON.parse(python.pull(scene, values, handle, x, y)) } };
   },
 
   /**
