@@ -11,8 +11,9 @@ import pytest
 from simulations.engine.frame import Frame, to_json
 from simulations.engine.stages import StageCache
 from simulations.models.geometry.transforms import apply_homography
+from simulations.scenes.transform_2d.hierarchy import RUNGS
 from simulations.scenes.transform_2d.plane import to_view
-from simulations.scenes.transform_2d.scene import RUNGS, SCENE, transformation
+from simulations.scenes.transform_2d.scene import SCENE, transformation
 
 AMOUNTS = (0, 1, 30, 57, 58, 70, 99, 100)
 PROPERTIES = ("orientation", "lengths", "angles", "parallels", "lines")
@@ -120,12 +121,11 @@ def test_the_line_sent_to_infinity_is_drawn_where_it_crosses_the_view() -> None:
     assert "error dashed" not in plane("affine", 100)
     assert "error dashed" not in plane("projective", 0)
     overlay = plane("projective", 80)
-    x1, y1, x2, y2 = map(
-        float,
-        re.search(
-            r'"error dashed" x1="([\d.-]+)" y1="([\d.-]+)" x2="([\d.-]+)" y2="([\d.-]+)"', overlay
-        ).groups(),
+    ends = re.search(
+        r'"error dashed" x1="([\d.-]+)" y1="([\d.-]+)" x2="([\d.-]+)" y2="([\d.-]+)"', overlay
     )
+    assert ends
+    x1, y1, x2, y2 = map(float, ends.groups())
     origin = to_view((0, 0))
     for x, y in ((x1, y1), (x2, y2)):
         X, Y = (x - origin[0]) / 1.46, -(y - origin[1]) / 1.46

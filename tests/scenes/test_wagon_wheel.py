@@ -2,11 +2,12 @@
 
 import numpy as np
 import pytest
+from numpy.typing import NDArray
 
 from simulations.engine.frame import Frame
 from simulations.engine.stages import StageCache
 from simulations.ladders.exposure_blur import LADDER
-from simulations.models.arrays import Bytes, Floats
+from simulations.models.arrays import Floats
 from simulations.pictures import spoked_wheel
 from simulations.pictures.spoked_wheel import Bars
 from simulations.scenes.wagon_wheel.film import by_changes, exposure_of, frame_at
@@ -22,6 +23,12 @@ def judged(tier: str, **values: float) -> list[str]:
     estimates = list(SCENE.estimates(SCENE.check(values), tier, StageCache()))
     assert {each.unit for each in estimates} == {"of full contrast"}
     return [each.text for each in estimates]
+
+
+def film(shown: Frame) -> NDArray[np.int64]:
+    raster = shown.panels[1].raster
+    assert raster is not None
+    return raster.astype(np.int64)
 
 
 def texts(shown: Frame) -> dict[str, str]:
@@ -42,10 +49,7 @@ def test_the_question_of_the_chapter_turns_forwards() -> None:
 def test_a_whole_spacing_stands_still() -> None:
     shown = frame(speed=3, spokes=8, frame_rate=24)
     assert texts(shown)["direction"] == "stand still"
-    pictures = [
-        frame(speed=3, spokes=8, frame_rate=24, time=time).panels[1].raster.astype(int)
-        for time in (4, 17)
-    ]
+    pictures = [film(frame(speed=3, spokes=8, frame_rate=24, time=time)) for time in (4, 17)]
     assert np.abs(pictures[0] - pictures[1]).max() <= 1
 
 
@@ -72,7 +76,7 @@ def test_two_speeds_one_film() -> None:
             frame(speed=speed, spokes=8, frame_rate=24, shutter=0, time=time)
             for speed in (2.9, -0.1)
         )
-        off = np.abs(fast.panels[1].raster.astype(int) - slow.panels[1].raster.astype(int))
+        off = np.abs(film(fast) - film(slow))
         assert off.max() <= 1
 
 
@@ -90,9 +94,9 @@ def test_time_that_is_a_rounding_short_of_a_frame_shows_it() -> None:
 def test_a_long_exposure_hides_the_spokes() -> None:
     shown = frame(speed=3, spokes=8, frame_rate=24, shutter=1)
     assert texts(shown)["contrast"] == "0.00"
-    raster = shown.panels[1].raster
-    circle = raster[120, 160 + 40 : 160 + 44, 0].astype(int)
-    turned = raster[120 - 44 : 120 - 40, 160, 0].astype(int)
+    raster = film(shown)
+    circle = raster[120, 160 + 40 : 160 + 44, 0]
+    turned = raster[120 - 44 : 120 - 40, 160, 0]
     np.testing.assert_allclose(circle, turned[::-1], atol=2)
 
 
@@ -133,7 +137,7 @@ def brute_force(row: Bars, steps: int = 1500) -> Floats:
 @pytest.mark.parametrize("swept", [0.0, 0.02, -0.7, 3.0, -3.3])
 def test_the_reference_is_the_mean_over_all_moments(swept: float) -> None:
     rng = np.random.default_rng(2)
-    place, duty, pixel = (rng.uniform(*ends, 60) for ends in ((-1, 1), (0.05, 0.9), (0.01, 0.3)))
+    place, duty, pixel = rng.uniform([[-1.0], [0.05], [0.01]], [[1.0], [0.9], [0.3]], (3, 60))
     row = spoked_wheel.Bars(place, duty, pixel, swept)
     np.testing.assert_allclose(by_changes(row), brute_force(row), atol=1e-3)
 
@@ -180,10 +184,8 @@ def test_more_instants_come_nearer_and_random_ones_only_by_the_root() -> None:
 
 
 def test_random_grain_is_new_on_each_frame_and_the_same_when_asked_again() -> None:
-    def picture(time: float) -> Bytes:
-        return (
-            frame(tier="random-16", speed=3, frame_rate=24, shutter=1, time=time).panels[1].raster
-        )
+    def picture(time: float) -> NDArray[np.int64]:
+        return film(frame(tier="random-16", speed=3, frame_rate=24, shutter=1, time=time))
 
     assert not np.array_equal(picture(3), picture(4))
     np.testing.assert_array_equal(picture(3), picture(3.4))
