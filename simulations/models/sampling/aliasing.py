@@ -183,13 +183,6 @@ def box_mtf(frequency: ArrayLike, width: float = 1.0) -> Floats:
     return contrast
 
 
-def gaussian_mtf(frequency: ArrayLike, sigma: float) -> Floats:
-    """Contrast that a Gaussian blur leaves of a sine: ``exp(-2 (pi sigma f)^2)``."""
-    cycles = np.clip(_cycles(frequency, sigma), -1e100, 1e100)
-    contrast: Floats = np.exp(-2 * np.square(np.pi * cycles))
-    return contrast
-
-
 def _cycles(frequency: ArrayLike, width: float) -> Floats:
     """Cycles (...) over a width."""
     f = np.asarray(frequency, float)

@@ -26,6 +26,7 @@ def test_block_dct_agrees_with_scipy_and_comes_back() -> None:
 def test_tables_are_those_of_pillow(quality: int) -> None:
     file = io.BytesIO()
     Image.new("RGB", (8, 8)).save(file, "JPEG", quality=quality)
+    file.seek(0)
     theirs = JpegImageFile(file).quantization
     for index, table in enumerate((compression.LUMINANCE_TABLE, compression.CHROMINANCE_TABLE)):
         ours = compression.quantisation_table(table, quality)
