@@ -59,7 +59,7 @@ EACH = pytest.mark.parametrize(("length", "function"), [entry[1:] for entry in F
 
 @pytest.mark.parametrize(("name", "length", "function"), FUNCTIONS)
 def test_vectors_of_another_length_are_refused_by_name(
-    name: str, length: int, function: Callable[..., Floats]
+    name: str, length: int, function: Callable[[ArrayLike], Any]
 ) -> None:
     for wrong in (0.5, np.ones(length - 1), np.ones((7, length + 1))):
         shape = str(np.shape(wrong)).replace("(", r"\(").replace(")", r"\)")
@@ -70,7 +70,9 @@ def test_vectors_of_another_length_are_refused_by_name(
 
 
 @EACH
-def test_of_no_vectors_there_are_no_answers(length: int, function: Callable[..., Floats]) -> None:
+def test_of_no_vectors_there_are_no_answers(
+    length: int, function: Callable[[ArrayLike], Any]
+) -> None:
     one, none = function(np.ones((2, 1, length))), function(np.ones((2, 0, length)))
     pairs = zip(one, none, strict=True) if isinstance(one, tuple) else [(one, none)]
     for some, nothing in pairs:
@@ -134,7 +136,7 @@ HUGE = [1e200, -1e308, np.inf, -np.inf, np.nan]
 @pytest.mark.parametrize("huge", HUGE)
 @EACH
 def test_one_wild_vector_neither_warns_nor_spoils_its_neighbours(
-    length: int, function: Callable[..., Floats], huge: float
+    length: int, function: Callable[[ArrayLike], Any], huge: float
 ) -> None:
     calm = np.full((3, length), 0.25)
     wild = calm.copy()

@@ -41,7 +41,9 @@ def test_it_starts_with_a_translation_by_30_and_15() -> None:
 
 
 @pytest.mark.parametrize(("transform", "amount"), [*product(RUNGS, AMOUNTS)])
-def test_every_setting_draws_finite_numbers_in_the_same_layout(transform: str, amount: int) -> None:
+def test_every_setting_draws_finite_numbers_in_the_same_layout(
+    transform: str, amount: float
+) -> None:
     shown = frame(transform=transform, amount=amount)
     assert [(p.name, p.width, p.height) for p in shown.panels] == [
         ("plane", 400, 330),
@@ -63,7 +65,7 @@ def test_every_setting_draws_finite_numbers_in_the_same_layout(transform: str, a
 )
 @pytest.mark.parametrize("amount", [1, 30, 100])
 def test_each_rung_keeps_one_property_less(
-    transform: str, kept: int, freedoms: str, amount: int
+    transform: str, kept: int, freedoms: str, amount: float
 ) -> None:
     shown = texts(transform=transform, amount=amount)
     assert [shown[name] == "kept" for name in PROPERTIES] == [False] * (5 - kept) + [True] * kept
@@ -97,7 +99,7 @@ def test_the_square_meets_infinity_between_57_and_58() -> None:
 
 
 @pytest.mark.parametrize(("transform", "amount"), [*product(RUNGS, (10, 50, 90))])
-def test_the_drawn_corner_is_the_image_of_the_corner(transform: str, amount: int) -> None:
+def test_the_drawn_corner_is_the_image_of_the_corner(transform: str, amount: float) -> None:
     image, valid = apply_homography(transformation(transform, amount), (40.0, 40.0))
     x, y = to_view(image)
     assert valid
@@ -105,12 +107,12 @@ def test_the_drawn_corner_is_the_image_of_the_corner(transform: str, amount: int
     assert [tuple(map(float, spot)) for spot in drawn] == [pytest.approx((x, y), abs=0.006)]
 
 
-def plane(transform: str, amount: int) -> str:
+def plane(transform: str, amount: float) -> str:
     return frame(transform=transform, amount=amount).panels[0].overlay
 
 
 @pytest.mark.parametrize("amount", AMOUNTS)
-def test_nothing_is_drawn_far_outside_the_view(amount: int) -> None:
+def test_nothing_is_drawn_far_outside_the_view(amount: float) -> None:
     overlay = plane("projective", amount)
     points = re.findall(r"(-?[\d.]+),(-?[\d.]+)", overlay)
     assert len(points) > 20

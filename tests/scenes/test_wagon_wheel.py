@@ -105,7 +105,7 @@ def test_a_long_exposure_hides_the_spokes() -> None:
 @pytest.mark.parametrize("rate", [8, 60])
 @pytest.mark.parametrize("time", [0, 48])
 def test_every_extreme_can_be_drawn_in_the_same_layout(
-    speed: int, spokes: int, rate: int, time: int
+    speed: float, spokes: int, rate: float, time: float
 ) -> None:
     shown = frame(speed=speed, spokes=spokes, frame_rate=rate, time=time, shutter=1)
     assert [panel.name for panel in shown.panels] == ["wheel", "film", "track"]

@@ -240,7 +240,7 @@ def test_a_primary_may_lie_beyond_all_colours() -> None:
         lambda rgb: srgb.white_balance(rgb, (1.0, 1.0, 1.0)),
     ],
 )
-def test_three_channels_are_asked_for_and_no_alpha(function: Callable[..., Floats]) -> None:
+def test_three_channels_are_asked_for_and_no_alpha(function: Callable[[Floats], object]) -> None:
     for shape in ((5, 5, 4), (5, 1)):
         with pytest.raises(ValueError, match=r"legal: \(\.\.\., 3\)"):
             function(np.ones(shape))

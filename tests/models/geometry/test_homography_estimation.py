@@ -7,6 +7,7 @@ from collections.abc import Callable
 import cv2
 import numpy as np
 import pytest
+from numpy.typing import ArrayLike
 from skimage.transform import EuclideanTransform, SimilarityTransform
 
 from simulations.models.arrays import Floats
@@ -145,7 +146,8 @@ def test_noisy_affine_estimates_agree_with_plain_least_squares() -> None:
     ],
 )
 def test_too_little_for_the_smaller_families_is_reported_too(
-    estimate: Callable[..., Floats], source: list[tuple[int, int]]
+    estimate: Callable[[ArrayLike, ArrayLike], tuple[Floats, bool]],
+    source: list[tuple[int, int]],
 ) -> None:
     H, valid = estimate(source, SEEN[: len(source)])
     assert not valid

@@ -63,7 +63,7 @@ def test_bisection_takes_one_share_for_each_pair_or_many() -> None:
 
 @pytest.mark.parametrize("kind", BLENDS)
 @pytest.mark.parametrize("angle_deg", [0, 1, 60, 179])
-def test_every_blend_begins_and_ends_at_the_two_orientations(kind: str, angle_deg: int) -> None:
+def test_every_blend_begins_and_ends_at_the_two_orientations(kind: str, angle_deg: float) -> None:
     start, end = pair(angle_deg)
     ends = BLENDS[kind](start, end, [0.0, 0.5, 1.0])
     middle = quaternions.normalise(start + end)

@@ -130,7 +130,7 @@ def test_on_the_lens_at_its_focus_and_focused_at_infinity_limits_are_legal() -> 
 
 
 @pytest.mark.parametrize(("focal", "sensor"), [(50, 36), (24, 36), (18, 12)])
-def test_the_field_of_view_is_twice_the_angle_to_its_edge(focal: int, sensor: int) -> None:
+def test_the_field_of_view_is_twice_the_angle_to_its_edge(focal: float, sensor: float) -> None:
     assert np.tan(field_of_view_rad(focal, sensor) / 2) == pytest.approx(sensor / 2 / focal)
 
 

@@ -70,7 +70,7 @@ def test_no_highlight_where_the_light_is_below_the_horizon(
 
 @pytest.mark.parametrize("shininess", [0, 0.5, 128, 1e6])
 @pytest.mark.parametrize("slant_deg", [0, 45, 89, 90])
-def test_light_opposite_to_the_eye_gives_no_highlight(shininess: float, slant_deg: int) -> None:
+def test_light_opposite_to_the_eye_gives_no_highlight(shininess: float, slant_deg: float) -> None:
     """Whatever faces the light turns its back on the eye; no power of a missing cosine is 1."""
     slant = math.radians(slant_deg)
     normal = [math.sin(slant), 0, math.cos(slant)]
@@ -117,7 +117,7 @@ def test_an_ulp_above_one_is_not_blown_up_by_a_large_shininess(
 @pytest.mark.parametrize("model", [phong, blinn_phong])
 @pytest.mark.parametrize("shininess", [0, 1, 64])
 def test_what_has_no_direction_adds_no_highlight(
-    model: Callable[..., Floats], shininess: int
+    model: Callable[..., Floats], shininess: float
 ) -> None:
     nothing = np.zeros(3)
     normals, lights, views = (np.array(each) for each in ([FRONT] * 3, [FRONT] * 3, [FRONT] * 3))
@@ -162,7 +162,7 @@ def test_lights_add_up() -> None:
     ],
 )
 def test_meaningless_parameters_are_refused_by_name(
-    call: Callable[..., Floats], message: str
+    call: Callable[[], object], message: str
 ) -> None:
     with pytest.raises(ValueError, match=message):
         call()

@@ -1,7 +1,6 @@
 """Pinhole projection, poses and rays."""
 
 import math
-from collections.abc import Sequence
 from typing import Any
 
 import cv2
@@ -126,7 +125,9 @@ def test_look_at_puts_the_target_on_the_axis_and_up_upwards() -> None:
     [((1, 2, 3), (0, 1, 0), "target"), ((1, 2, 9), (0, 0, 1), "up"), ((1, 2, 9), (0, 0, 0), "up")],
 )
 def test_a_camera_needs_a_direction_and_an_up(
-    target: tuple[int, int, int], up: tuple[int, int, int], complaint: str
+    target: tuple[float, float, float],
+    up: tuple[float, float, float],
+    complaint: str,
 ) -> None:
     with pytest.raises(ValueError, match=complaint):
         pinhole.look_at((1, 2, 3), target, up)
@@ -226,7 +227,10 @@ def test_a_camera_may_be_tiny_steps_or_huge_ones_from_its_target() -> None:
     ],
 )
 def test_directions_that_are_none_are_refused(
-    eye: tuple[int, int, int], target: Sequence[float], up: Sequence[float], complaint: str
+    eye: tuple[float, float, float],
+    target: tuple[float, float, float],
+    up: tuple[float, float, float],
+    complaint: str,
 ) -> None:
     with pytest.raises(ValueError, match=complaint):
         pinhole.look_at(eye, target, up)
@@ -277,7 +281,10 @@ def test_a_point_with_one_pixel_coordinate_beyond_all_numbers_is_not_seen() -> N
     ],
 )
 def test_what_is_wrong_with_a_point_of_view_is_named(
-    eye: Sequence[float], target: Sequence[float], up: tuple[int, int, int], message: str
+    eye: tuple[float, float, float],
+    target: tuple[float, float, float],
+    up: tuple[float, float, float],
+    message: str,
 ) -> None:
     with pytest.raises(ValueError, match=message):
         pinhole.look_at(eye, target, up)
