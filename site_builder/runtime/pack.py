@@ -45,17 +45,17 @@ def pack_runtime(simulations: Path, store: Path | None = None) -> RuntimeBundle:
     folder = store or stores.default_store()
     fetched = fetch_runtime(folder)
     imports = read_imports(simulations)
-    ran = ran_in_the_page(imports)
+    modules = page_modules(imports)
     at_once = outside(imports, reach(imports, ENTRY))
     frozen = freeze_libraries(
         {name: fetched[name] for name in INTERPRETER},
         fetched[PYTHON_LIBRARY.name],
         fetched[NUMPY_WHEEL.name],
         at_once,
-        outside(imports, ran),
+        outside(imports, modules),
         folder,
     )
-    ours = stores.put(folder, "simulations.zip", source_archive(simulations, ran))
+    ours = stores.put(folder, "simulations.zip", source_archive(simulations, modules))
     archives = {**{f"{part}.zip": file for part, file in frozen.archives.items()}, ours.name: ours}
     table = json.dumps(runtime_table(archives, frozen, imports), indent=1, sort_keys=True)
     return RuntimeBundle(
@@ -68,7 +68,7 @@ def pack_runtime(simulations: Path, store: Path | None = None) -> RuntimeBundle:
     )
 
 
-def ran_in_the_page(imports: Table) -> frozenset[str]:
+def page_modules(imports: Table) -> frozenset[str]:
     """What the worker, the scenes and the ladders import.
 
     Tables of hard cases are not among it, nor models that only these ask: the book prints what

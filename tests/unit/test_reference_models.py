@@ -4,11 +4,11 @@ import ast
 from pathlib import Path
 
 from site_builder.runtime.imports import module_files, reach, read_imports
-from site_builder.runtime.pack import ran_in_the_page
+from site_builder.runtime.pack import page_modules
 
 SIMULATIONS = Path(__file__).resolve().parents[2] / "simulations"
 IMPORTS = read_imports(SIMULATIONS)
-RAN = ran_in_the_page(IMPORTS)
+RAN = page_modules(IMPORTS)
 MODELS = {
     name: file
     for name, file in module_files(SIMULATIONS).items()

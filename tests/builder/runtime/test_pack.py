@@ -17,8 +17,8 @@ from site_builder.runtime.freeze import Frozen
 from site_builder.runtime.imports import read_imports
 from site_builder.runtime.pack import (
     pack_runtime,
+    page_modules,
     parts_of,
-    ran_in_the_page,
     runtime_table,
     source_archive,
 )
@@ -84,7 +84,7 @@ print(json.dumps([name for name in sys.modules if name.split(".")[0] == "simulat
 def test_the_page_gets_just_the_modules_that_scenes_and_ladders_import() -> None:
     command = [sys.executable, "-c", IMPORT_ALL]
     done = subprocess.run(command, cwd=ROOT, capture_output=True, text=True, check=True)
-    assert ran_in_the_page(read_imports(ROOT / "simulations")) == set(json.loads(done.stdout))
+    assert page_modules(read_imports(ROOT / "simulations")) == set(json.loads(done.stdout))
 
 
 def test_the_table_tells_the_hash_of_each_archive(package: Path, tmp_path: Path) -> None:
