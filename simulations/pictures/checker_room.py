@@ -200,8 +200,7 @@ def _daylight(p: Hits, normal: tuple[float, float, float]) -> Floats:
     distance2 = to_x**2 + to_y**2 + to_z**2 + 0.9
     facing = normal[0] * to_x + normal[1] * to_y + normal[2] * to_z
     direct = 3.4 * np.maximum(facing, 0.0) / (distance2 * np.sqrt(distance2))
-    result: Floats = (0.60 + direct) * _corner_shade(p)
-    return result
+    return (0.60 + direct) * _corner_shade(p)
 
 
 def _corner_shade(p: Hits) -> Floats:
@@ -210,8 +209,7 @@ def _corner_shade(p: Hits) -> Floats:
     for position, low, high in ((p.x, LOW[0], HIGH[0]), (p.y, LOW[1], HIGH[1])):
         for distance in (position - low, high - position):
             shade = shade * (1.0 - 0.30 * np.exp(-np.abs(distance) / 0.45))
-    result: Floats = shade * (1.0 - 0.30 * np.exp(-np.abs(HIGH[2] - p.z) / 0.45))
-    return result
+    return shade * (1.0 - 0.30 * np.exp(-np.abs(HIGH[2] - p.z) / 0.45))
 
 
 def _with_trim(colour: Floats, p: Hits, axes: str) -> Floats:

@@ -57,8 +57,7 @@ def adaptation_matrix(from_xy: ArrayLike, to_xy: ArrayLike, method: str = "bradf
                 f"{np.round(signal, 4).tolist()}; legal: all above 0"
             )
     gains = (after / before)[:, None]
-    matrix: Floats = np.linalg.solve(responses, gains * responses)
-    return matrix
+    return np.linalg.solve(responses, gains * responses)
 
 
 def adapt(xyz: ArrayLike, from_xy: ArrayLike, to_xy: ArrayLike, method: str = "bradford") -> Floats:
@@ -66,5 +65,4 @@ def adapt(xyz: ArrayLike, from_xy: ArrayLike, to_xy: ArrayLike, method: str = "b
     colours = as_colours(xyz)
     matrix = adaptation_matrix(from_xy, to_xy, method).astype(colours.dtype)
     with np.errstate(over="ignore", invalid="ignore"):
-        adapted: Floats = colours @ matrix.T
-    return adapted
+        return colours @ matrix.T

@@ -48,13 +48,11 @@ def xyy_to_xyz(xyy: ArrayLike) -> Floats:
     x, y, luminance = np.moveaxis(as_colours(xyy), -1, 0)
     with np.errstate(over="ignore", invalid="ignore", divide="ignore"):
         share = luminance / y
-        xyz: Floats = np.stack([x * share, luminance, (1 - x - y) * share], axis=-1)
-    return xyz
+        return np.stack([x * share, luminance, (1 - x - y) * share], axis=-1)
 
 
 def lab_distance(lab: ArrayLike, other: ArrayLike) -> Floats:
     """ΔE*ab of 1976 (...) between L*a*b* colours (..., 3): about 2 is just noticeable."""
     with np.errstate(over="ignore", invalid="ignore"):
         difference = as_colours(lab) - as_colours(other)
-        distance: Floats = np.sqrt(np.square(difference).sum(axis=-1))
-    return distance
+        return np.sqrt(np.square(difference).sum(axis=-1))

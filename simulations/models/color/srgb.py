@@ -38,8 +38,7 @@ def encode_srgb(linear: ArrayLike) -> Floats:
     size = np.abs(x)
     curve = 1.055 * np.maximum(size, 0.0031308) ** (1 / 2.4) - 0.055
     toe = 12.92 * np.minimum(size, 0.0031308)
-    encoded: Floats = np.copysign(np.where(size <= 0.0031308, toe, curve), x)
-    return encoded
+    return np.copysign(np.where(size <= 0.0031308, toe, curve), x)
 
 
 def decode_srgb(srgb: ArrayLike) -> Floats:
@@ -48,8 +47,7 @@ def decode_srgb(srgb: ArrayLike) -> Floats:
     size = np.abs(x)
     with np.errstate(over="ignore"):
         curve = ((np.maximum(size, 0.04045) + 0.055) / 1.055) ** 2.4
-    linear: Floats = np.copysign(np.where(size <= 0.04045, size / 12.92, curve), x)
-    return linear
+    return np.copysign(np.where(size <= 0.04045, size / 12.92, curve), x)
 
 
 def encode_gamma(linear: ArrayLike, gamma: float = 2.2) -> Floats:
@@ -60,8 +58,7 @@ def encode_gamma(linear: ArrayLike, gamma: float = 2.2) -> Floats:
     if not 0 < gamma < np.inf:
         raise ValueError(f"gamma {gamma}; legal: above 0, finite")
     with np.errstate(over="ignore"):
-        encoded: Floats = np.maximum(as_floats(linear), 0) ** (1 / gamma)
-    return encoded
+        return np.maximum(as_floats(linear), 0) ** (1 / gamma)
 
 
 _TABLE = encode_srgb(np.linspace(0.0, 1.0, 65536)).astype(np.float32)
@@ -79,8 +76,7 @@ def encode_srgb_table(linear: ArrayLike) -> NDArray[np.float32]:
     np.minimum(place, 1, out=place)
     place *= len(_TABLE) - 1
     place += 0.5
-    encoded: NDArray[np.float32] = _TABLE[place.astype(np.intp)]  # int32 would be converted
-    return encoded
+    return _TABLE[place.astype(np.intp)]  # int32 would be converted
 
 
 def rgb_to_xyz_matrix(
@@ -98,8 +94,7 @@ def rgb_to_xyz_matrix(
     if abs(np.linalg.det(columns)) < 1e-9:
         raise ValueError(f"primaries {primaries_xy!r}; legal: three that span a triangle")
     scale = np.linalg.solve(columns, _xyz_of(np.asarray(white_xy, np.float64)))
-    matrix: Floats = columns * scale
-    return matrix
+    return columns * scale
 
 
 def _xyz_of(xy: Floats) -> Floats:
@@ -129,8 +124,7 @@ def luminance(linear_rgb: ArrayLike) -> Floats:
     """Relative luminance Y (...) of linear RGB: 0.2126 R + 0.7152 G + 0.0722 B."""
     rgb = as_colours(linear_rgb)
     with np.errstate(over="ignore", invalid="ignore"):
-        y: Floats = rgb @ _XYZ_FROM_RGB[1].astype(rgb.dtype)
-    return y
+        return rgb @ _XYZ_FROM_RGB[1].astype(rgb.dtype)
 
 
 def xyz_to_lab(xyz: ArrayLike, white_xy: ArrayLike = D65_XY) -> Floats:
@@ -146,8 +140,7 @@ def xyz_to_lab(xyz: ArrayLike, white_xy: ArrayLike = D65_XY) -> Floats:
         ratio = as_colours(xyz) / white
         f = np.where(ratio > delta**3, np.cbrt(ratio), ratio / (3 * delta**2) + 4 / 29)
         fx, fy, fz = f[..., 0], f[..., 1], f[..., 2]
-        lab: Floats = np.stack([116 * fy - 16, 500 * (fx - fy), 200 * (fy - fz)], axis=-1)
-    return lab
+        return np.stack([116 * fy - 16, 500 * (fx - fy), 200 * (fy - fz)], axis=-1)
 
 
 def linear_rgb_to_lab(linear: ArrayLike) -> Floats:
@@ -175,8 +168,7 @@ def white_balance(linear: ArrayLike, illuminant_rgb: ArrayLike) -> Floats:
         raise ValueError(f"illuminant {light.tolist()}; legal: three finite numbers above 0")
     rgb = as_colours(linear)
     with np.errstate(over="ignore", invalid="ignore"):
-        balanced: Floats = rgb * (light[1] / light).astype(rgb.dtype)
-    return balanced
+        return rgb * (light[1] / light).astype(rgb.dtype)
 
 
 def grey_world(linear: ArrayLike) -> Floats:
@@ -185,12 +177,10 @@ def grey_world(linear: ArrayLike) -> Floats:
     if not colours.size:
         raise ValueError(f"picture of shape {colours.shape}; legal: one pixel or more")
     with np.errstate(over="ignore", invalid="ignore"):
-        mean: Floats = colours.reshape(-1, 3).mean(axis=0)
-    return mean
+        return colours.reshape(-1, 3).mean(axis=0)
 
 
 def _apply(matrix: Floats, colours: ArrayLike) -> Floats:
     values = as_colours(colours)
     with np.errstate(over="ignore", invalid="ignore"):
-        product: Floats = values @ matrix.T.astype(values.dtype)
-    return product
+        return values @ matrix.T.astype(values.dtype)

@@ -122,5 +122,4 @@ def _local_mean(plane: Floats) -> Floats:
     """Over 3 x 3 samples; the border is repeated."""
     padded = np.pad(plane, 1, mode="edge")
     rows = padded[:-2] + padded[1:-1] + padded[2:]
-    mean: Floats = (rows[:, :-2] + rows[:, 1:-1] + rows[:, 2:]) / 9
-    return mean
+    return (rows[:, :-2] + rows[:, 1:-1] + rows[:, 2:]) / 9

@@ -54,5 +54,4 @@ def line_bow(points: ArrayLike) -> Floats:
     across = np.abs(chord[..., 1, None] * offset[..., 0] - chord[..., 0, None] * offset[..., 1])
     away = np.hypot(offset[..., 0], offset[..., 1])
     distance = np.divide(across, length, out=away, where=length > 0.0)
-    result: Floats = distance.max(axis=-1)
-    return result
+    return distance.max(axis=-1)

@@ -55,8 +55,7 @@ def evaluate(profile: RadialProfile, radius: ArrayLike) -> Floats:
     if profile.neutral:  # r² would overflow for |r| > 1e154 although f(r) = r does not
         return r
     with np.errstate(over="ignore", invalid="ignore"):
-        image: Floats = r * scale(profile, r * r)
-    return image
+        return r * scale(profile, r * r)
 
 
 def scale_slope(profile: RadialProfile, radius_squared: ArrayLike) -> Floats:
@@ -87,8 +86,7 @@ def slope_at_squared(profile: RadialProfile, radius_squared: ArrayLike) -> Float
     s = np.asarray(radius_squared, float)
     with np.errstate(over="ignore", invalid="ignore"):
         if any(profile.denominator):
-            result: Floats = scale(profile, s) + 2.0 * s * scale_slope(profile, s)
-            return result
+            return scale(profile, s) + 2.0 * s * scale_slope(profile, s)
         odd = tuple((2 * i + 3) * a for i, a in enumerate(profile.numerator))
         return _series(odd, s)
 
@@ -142,8 +140,7 @@ def _series(coefficients: tuple[float, ...], s: Floats) -> Floats:
     total = used[-1] * s
     for coefficient in reversed(used[:-1]):
         total = (total + coefficient) * s
-    result: Floats = total + 1.0
-    return result
+    return total + 1.0
 
 
 def _series_and_slope(coefficients: tuple[float, ...], s: Floats) -> tuple[Floats, Floats]:

@@ -116,5 +116,4 @@ def compose(parts: Parts) -> Floats:
     A = affine(np.array([[c, -s], [s, c]]) @ stretch, (parts.tx, parts.ty))
     P = np.eye(3)
     P[2, :2] = parts.vanishing
-    H: Floats = A @ P
-    return H
+    return A @ P

@@ -37,8 +37,7 @@ def canonical(quaternion: ArrayLike) -> Floats:
 
 def conjugate(quaternion: ArrayLike) -> Floats:
     """(w, −x, −y, −z): the inverse of a unit quaternion."""
-    turned: Floats = as_vectors("quaternion", quaternion, 4) * np.array([1.0, -1.0, -1.0, -1.0])
-    return turned
+    return as_vectors("quaternion", quaternion, 4) * np.array([1.0, -1.0, -1.0, -1.0])
 
 
 def multiply(second: ArrayLike, first: ArrayLike) -> Floats:
@@ -56,8 +55,7 @@ def rotate(quaternion: ArrayLike, vectors: ArrayLike) -> Floats:
     q, v = as_vectors("quaternion", quaternion, 4), as_vectors("vectors", vectors, 3)
     with np.errstate(over="ignore", invalid="ignore"):
         twice = 2.0 * np.cross(q[..., 1:], v)
-        turned: Floats = v + q[..., :1] * twice + np.cross(q[..., 1:], twice)
-    return turned
+        return v + q[..., :1] * twice + np.cross(q[..., 1:], twice)
 
 
 def angle_and_axis(rotation_vector: ArrayLike) -> tuple[Floats, Floats]:

@@ -29,8 +29,7 @@ def matrix_blend(start: ArrayLike, end: ArrayLike, share: ArrayLike) -> Floats:
     With θ the angle between the two, what lies across the axis shrinks to |cos θ/2| halfway.
     """
     s = checked_share(share)[..., None, None]
-    blend: Floats = (1.0 - s) * as_array("start", start, 3, 3) + s * as_array("end", end, 3, 3)
-    return blend
+    return (1.0 - s) * as_array("start", start, 3, 3) + s * as_array("end", end, 3, 3)
 
 
 def off_great_circle(quaternion: ArrayLike, start: ArrayLike, end: ArrayLike) -> float:

@@ -90,8 +90,7 @@ def nearest_rotation(matrix: ArrayLike) -> Floats:
     handedness = 1.0 if np.linalg.det(U @ Vt) > 0.0 else -1.0
     if not sizes[1] + handedness * sizes[2] > 1e-12 * sizes[0]:
         raise ValueError(f"matrix: singular values {sizes.tolist()}; no single nearest rotation")
-    R: Floats = (U * [1.0, 1.0, handedness]) @ Vt
-    return R
+    return (U * [1.0, 1.0, handedness]) @ Vt
 
 
 def slerp(start: ArrayLike, end: ArrayLike, share: ArrayLike) -> Floats:

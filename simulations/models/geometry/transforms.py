@@ -121,8 +121,7 @@ def _scaled(H: ArrayLike) -> Floats:
     """H with entries below 1: the same map. A power of two is divided out, without rounding."""
     matrix = np.asarray(H, float)
     _, exponent = np.frexp(np.abs(matrix).max())
-    scaled: Floats = np.ldexp(matrix, -int(exponent))
-    return scaled
+    return np.ldexp(matrix, -int(exponent))
 
 
 def _divisor(H: Floats, xy: Floats) -> tuple[Floats, Floats]:

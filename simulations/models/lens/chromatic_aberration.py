@@ -45,8 +45,7 @@ def refractive_index(glass: Glass, wavelength_um: ArrayLike) -> Floats:
         )
     dispersion = (glass.index_d - 1.0) / glass.abbe_number
     b = dispersion / (LINE_F_UM**-2 - LINE_C_UM**-2)
-    index: Floats = glass.index_d + b * (wavelength**-2 - LINE_D_UM**-2)
-    return index
+    return glass.index_d + b * (wavelength**-2 - LINE_D_UM**-2)
 
 
 def focal_length_mm(glass: Glass, focal_d_mm: float, wavelength_um: ArrayLike) -> Floats:
@@ -56,8 +55,7 @@ def focal_length_mm(glass: Glass, focal_d_mm: float, wavelength_um: ArrayLike) -
             f"focal_d_mm {focal_d_mm!r}: must be {SHORTEST_FOCAL_MM:g} to {LONGEST_FOCAL_MM:g}"
         )
     power = (refractive_index(glass, wavelength_um) - 1.0) / (glass.index_d - 1.0)
-    result: Floats = focal_d_mm / power
-    return result
+    return focal_d_mm / power
 
 
 def axial_chromatic_mm(
@@ -70,8 +68,7 @@ def axial_chromatic_mm(
     if not f_number > 0.0:
         raise ValueError(f"f_number {f_number!r}: must be positive (inf is a pinhole)")
     focal = focal_length_mm(glass, focal_d_mm, wavelength_um)
-    blur: Floats = focal_d_mm / f_number * np.abs(focal_d_mm - focal) / focal
-    return blur
+    return focal_d_mm / f_number * np.abs(focal_d_mm - focal) / focal
 
 
 def lateral_chromatic_scale(
@@ -88,5 +85,4 @@ def lateral_chromatic_scale(
             f"stop_distance_mm {stop_distance_mm!r}: must be at most {LONGEST_FOCAL_MM:g} in size"
         )
     focal = focal_length_mm(glass, focal_d_mm, wavelength_um)
-    scale: Floats = 1.0 + stop_distance_mm * (1.0 / focal_d_mm - 1.0 / focal)
-    return scale
+    return 1.0 + stop_distance_mm * (1.0 / focal_d_mm - 1.0 / focal)

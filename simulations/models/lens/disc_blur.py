@@ -45,15 +45,13 @@ def disc_kernel(radius_px: float) -> Planes:
 def _area_to_corner(x: Floats, y: Floats, radius: float) -> Floats:
     """Area of the disc between its centre and the corner (x, y), both from 0 to the radius."""
     level = np.minimum(x, np.sqrt(np.maximum(radius**2 - y**2, 0.0)))  # up to here it is y high
-    area: Floats = y * level + _area_under_arc(x, radius) - _area_under_arc(level, radius)
-    return area
+    return y * level + _area_under_arc(x, radius) - _area_under_arc(level, radius)
 
 
 def _area_under_arc(x: Floats, radius: float) -> Floats:
     """Integral of √(R² − x²) from 0 to x."""
     sine = np.minimum(x / radius, 1.0)
-    area: Floats = 0.5 * radius**2 * (sine * np.sqrt(1.0 - sine**2) + np.arcsin(sine))
-    return area
+    return 0.5 * radius**2 * (sine * np.sqrt(1.0 - sine**2) + np.arcsin(sine))
 
 
 def check_radius(function: str, radius_px: float) -> None:

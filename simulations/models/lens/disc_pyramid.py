@@ -56,8 +56,7 @@ def _halve_last(planes: Planes) -> Planes:
     padded = np.pad(planes, ((0, 0), (0, 0), (1, 1 + planes.shape[2] % 2)), mode="edge")
     outer = padded[..., 0:-3:2] + padded[..., 3::2]
     inner = padded[..., 1:-2:2] + padded[..., 2:-1:2]
-    half: Planes = np.float32(0.125) * outer + np.float32(0.375) * inner
-    return half
+    return np.float32(0.125) * outer + np.float32(0.375) * inner
 
 
 def double(planes: Planes) -> Planes:

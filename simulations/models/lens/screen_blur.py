@@ -59,8 +59,7 @@ def gather_discs(planes: Planes, radius_px: Floats, depth: Floats) -> Planes:
             weight = np.clip(spread + np.float32(0.5 - np.hypot(down, right)), 0, 1) / spread**2
             weights += weight
             total += weight * wide[:, rows, columns]
-    gathered: Planes = total / weights
-    return gathered
+    return total / weights
 
 
 def _largest(radius_px: Floats) -> float:

@@ -46,8 +46,7 @@ def thin_lens_image_distance(focal_mm: float, distance_mm: ArrayLike) -> Floats:
             f"({focal_mm:g} mm); nearer objects have a virtual image"
         )
     with np.errstate(divide="ignore", over="ignore"):
-        image: Floats = focal_mm / _share_beyond(distance, focal_mm)
-    return image
+        return focal_mm / _share_beyond(distance, focal_mm)
 
 
 def principal_distance_mm(focal_mm: float, focus_mm: float) -> float:

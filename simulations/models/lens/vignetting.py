@@ -28,8 +28,7 @@ def vignetting_cos4(r_over_f: ArrayLike) -> Floats:
     r = np.asarray(r_over_f, float)
     with np.errstate(over="ignore"):
         cos2 = 1.0 / (1.0 + r * r)
-    result: Floats = cos2 * cos2
-    return result
+    return cos2 * cos2
 
 
 def mechanical_vignetting(
@@ -63,8 +62,7 @@ def mechanical_vignetting(
         shift = np.asarray(tan_field, float) * separation_mm / pupil_radius_mm
     # In units of the pupil, so that tiny and huge lenses neither vanish nor overflow when squared.
     rim = min(max(rim_radius_mm / pupil_radius_mm, 1e-70), 1e70)
-    result: Floats = disc_overlap_area(shift, 1.0, rim) / np.pi
-    return result
+    return disc_overlap_area(shift, 1.0, rim) / np.pi
 
 
 def disc_overlap_area(distance: ArrayLike, radius_a: float, radius_b: float) -> Floats:
@@ -105,5 +103,4 @@ def _segment(radius: float, half_angle: Floats) -> Floats:
     for k in range(15, 1, -2):  # turn − sin turn = turn³/3! − turn⁵/5! + … , for small turns
         series = square / (k * (k - 1)) * (1.0 - series)
     lens = np.where(turn < 1.0, series * turn, turn - np.sin(turn))
-    result: Floats = 0.5 * (radius * lens) * radius
-    return result
+    return 0.5 * (radius * lens) * radius

@@ -180,8 +180,7 @@ def slab_crossings(start: Floats, directions: Floats, half: Floats) -> tuple[Flo
 
 def largest_component(vectors: Floats) -> Floats:
     """Largest component (...); several times faster than a reduction over so short an axis."""
-    result: Floats = np.maximum(np.maximum(vectors[..., 0], vectors[..., 1]), vectors[..., 2])
-    return result
+    return np.maximum(np.maximum(vectors[..., 0], vectors[..., 1]), vectors[..., 2])
 
 
 def intersect_plane(

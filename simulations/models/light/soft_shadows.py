@@ -116,5 +116,4 @@ def sphere_occlusion(
     _check_points("sphere_occlusion", to_centre)
     square = np.maximum(np.einsum("...i,...i", to_centre, to_centre), NEARLY_ZERO)
     cosine = np.einsum("...i,...i", to_centre, np.asarray(normals, float)) / np.sqrt(square)
-    hidden: Floats = np.clip(np.maximum(cosine, 0.0) * (radius**2 / square), 0.0, 1.0)
-    return hidden
+    return np.clip(np.maximum(cosine, 0.0) * (radius**2 / square), 0.0, 1.0)

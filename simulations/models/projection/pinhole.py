@@ -111,8 +111,7 @@ def project_homogeneous(points: ArrayLike, camera_matrix: ArrayLike) -> tuple[Fl
 
 def camera_matrix(K: ArrayLike, pose: ArrayLike) -> Floats:
     """P = K [R | t], (3, 4): world points in homogeneous coordinates to the image."""
-    matrix: Floats = np.asarray(K, float) @ np.asarray(pose, float)[:3]
-    return matrix
+    return np.asarray(K, float) @ np.asarray(pose, float)[:3]
 
 
 def look_at(eye: ArrayLike, target: ArrayLike, up: ArrayLike) -> Floats:
@@ -183,8 +182,7 @@ def world_to_camera(points: ArrayLike, pose: ArrayLike) -> Floats:
     """
     matrix = np.asarray(pose, float)
     with np.errstate(over="ignore", invalid="ignore"):
-        moved: Floats = as_vectors("points", points, 3) @ matrix[:3, :3].T + matrix[:3, 3]
-    return moved
+        return as_vectors("points", points, 3) @ matrix[:3, :3].T + matrix[:3, 3]
 
 
 def relative_to_camera(points: ArrayLike, R: ArrayLike, centre: ArrayLike) -> Floats:
@@ -195,8 +193,7 @@ def relative_to_camera(points: ArrayLike, R: ArrayLike, centre: ArrayLike) -> Fl
     """
     with np.errstate(over="ignore", invalid="ignore"):
         offset = as_vectors("points", points, 3) - np.asarray(centre, float)
-        moved: Floats = offset @ np.asarray(R, float).T
-    return moved
+        return offset @ np.asarray(R, float).T
 
 
 def pixel_rays(K: ArrayLike, width: int, height: int) -> Floats:

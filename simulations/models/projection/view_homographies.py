@@ -66,5 +66,4 @@ def _between(K_first: ArrayLike, K_second: ArrayLike, motion: Floats) -> Floats:
     before, after = np.asarray(K_first, float), np.asarray(K_second, float)
     if before.shape != (3, 3) or after.shape != (3, 3):
         raise ValueError(f"K of shapes {before.shape} and {after.shape}; legal: (3, 3)")
-    H: Floats = np.linalg.solve(before.T, (after @ motion).T).T
-    return H
+    return np.linalg.solve(before.T, (after @ motion).T).T

@@ -78,8 +78,7 @@ def zone_plate_area(x: ArrayLike, y: ArrayLike, scale: float) -> Floats:
     with np.errstate(over="ignore"):
         # Clipped where the rings average out to all digits, short of where a sine is undefined.
         turns, turns_down = (np.clip(part / scale, -1e30, 1e30) for part in (across, down))
-    mean: Floats = 0.5 + rings * (np.sinc(turns) * np.sinc(turns_down))
-    return mean
+    return 0.5 + rings * (np.sinc(turns) * np.sinc(turns_down))
 
 
 def box_filter(fine: ArrayLike, factor: int) -> Floats:
@@ -115,8 +114,7 @@ def gaussian_kernel(sigma: float) -> Floats:
         taps = _ratio_of_neighbours(sigma) ** np.square(offsets)
     else:
         taps = np.exp(-0.5 * (offsets / sigma) ** 2)
-    kernel: Floats = taps / taps.sum()
-    return kernel
+    return taps / taps.sum()
 
 
 def _ratio_of_neighbours(sigma: float) -> float:
@@ -143,8 +141,7 @@ def sinc_kernel(factor: int, lobes: int = 4) -> Floats:
     shift = 0.5 * (1 - factor % 2)
     offsets = (np.arange(-reach, reach + 1) + shift) / factor
     taps = np.sinc(offsets) * np.sinc(np.clip(offsets / lobes, -1, 1))
-    kernel: Floats = taps / taps.sum()
-    return kernel
+    return taps / taps.sum()
 
 
 def filter_and_sample(fine: ArrayLike, factor: int, kernel: ArrayLike) -> Floats:
@@ -179,15 +176,13 @@ def box_mtf(frequency: ArrayLike, width: float = 1.0) -> Floats:
     """Contrast that a pixel so wide leaves of a sine: ``|sinc(f width)|``, 2/pi at Nyquist."""
     # Clipped where the contrast is 0 to all digits, short of where the sine is undefined.
     cycles = np.clip(_cycles(frequency, width), -1e300, 1e300)
-    contrast: Floats = np.abs(np.sinc(cycles))
-    return contrast
+    return np.abs(np.sinc(cycles))
 
 
 def gaussian_mtf(frequency: ArrayLike, sigma: float) -> Floats:
     """Contrast that a Gaussian blur leaves of a sine: ``exp(-2 (pi sigma f)^2)``."""
     cycles = np.clip(_cycles(frequency, sigma), -1e100, 1e100)
-    contrast: Floats = np.exp(-2 * np.square(np.pi * cycles))
-    return contrast
+    return np.exp(-2 * np.square(np.pi * cycles))
 
 
 def _cycles(frequency: ArrayLike, width: float) -> Floats:
@@ -196,8 +191,7 @@ def _cycles(frequency: ArrayLike, width: float) -> Floats:
     if not (np.isfinite(f).all() and np.isfinite(width)):
         raise ValueError(f"frequency {f.tolist()} and width {width}; legal: finite")
     with np.errstate(over="ignore"):
-        cycles: Floats = f * width
-    return cycles
+        return f * width
 
 
 def contrast(signal: ArrayLike) -> float:

@@ -86,8 +86,7 @@ def transfer(kernel: Prefilter, frequency: ArrayLike) -> Floats:
     if not np.all(np.abs(cycles) <= 1e9):
         raise ValueError(f"transfer: frequency {cycles.tolist()}; legal: at most 1e9 in size")
     offsets, weights = _half(kernel)
-    factor: Floats = np.cos(2 * np.pi * cycles[..., None] * offsets) @ weights
-    return factor
+    return np.cos(2 * np.pi * cycles[..., None] * offsets) @ weights
 
 
 def _half(kernel: Prefilter) -> tuple[Floats, Floats]:

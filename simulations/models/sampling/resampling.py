@@ -218,8 +218,7 @@ def _resize_matrix(size: int, new_size: int, kernel: Kernel) -> Floats:
     widening = max(ratio, 1.0)
     centre = (np.arange(new_size)[:, None] + 0.5) * ratio - 0.5
     weights = kernel.weigh((np.arange(size) - centre) / widening)
-    result: Floats = weights / weights.sum(axis=1, keepdims=True)
-    return result
+    return weights / weights.sum(axis=1, keepdims=True)
 
 
 def _kernel(name: str) -> Kernel:

@@ -21,8 +21,7 @@ def filter_colours(height: int, width: int, pattern: str = "RGGB") -> NDArray[np
     height, width = as_whole("height", height, 1), as_whole("width", width, 1)
     quad = np.array(["RGB".index(letter) for letter in _checked(pattern)], np.uint8).reshape(2, 2)
     tiled = np.tile(quad, ((height + 1) // 2, (width + 1) // 2))
-    colours: NDArray[np.uint8] = tiled[:height, :width]
-    return colours
+    return tiled[:height, :width]
 
 
 def mosaic(rgb: ArrayLike, pattern: str = "RGGB") -> Floats:

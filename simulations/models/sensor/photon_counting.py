@@ -82,8 +82,7 @@ def expose(photons_per_s: ArrayLike, exposure_s: float, sensor: Sensor) -> Float
     rate = np.minimum(_light("photons_per_s", photons_per_s), 1e30)
     freed = rate * sensor.quantum_efficiency + sensor.dark_current_e_per_s
     with np.errstate(over="ignore"):  # infinite light is legal, and fills every well
-        mean_e: Floats = freed * exposure_s
-    return mean_e
+        return freed * exposure_s
 
 
 def shot_noise(
@@ -111,8 +110,7 @@ def shot_noise(
     if model == "poisson":
         counted, drawn = np.array(mean), mean < cap
         counted[drawn] = rng.poisson(mean[drawn])
-        held: Floats = np.minimum(counted, full_well_e)
-        return held
+        return np.minimum(counted, full_well_e)
     if model not in SHOT_MODELS:
         raise ValueError(f"model {model!r}; legal: {', '.join(SHOT_MODELS)}")
     z = rng.standard_normal(mean.shape, np.float32 if mean.dtype == np.float32 else np.float64)
@@ -157,8 +155,7 @@ def read_out(electrons: ArrayLike, sensor: Sensor, rng: np.random.Generator) -> 
         if sensor.read_noise_e > 0:
             kind = np.float32 if e.dtype == np.float32 else np.float64
             e = e + sensor.read_noise_e * rng.standard_normal(e.shape, kind)
-        signal: Floats = e / sensor.gain_e_per_dn + sensor.black_level_dn
-    return signal
+        return e / sensor.gain_e_per_dn + sensor.black_level_dn
 
 
 def quantise(signal_dn: ArrayLike, bits: int) -> NDArray[np.uint16]:
@@ -171,8 +168,7 @@ def quantise(signal_dn: ArrayLike, bits: int) -> NDArray[np.uint16]:
     top = 2 ** int(bits) - 1
     # fmax, unlike clip, replaces NaN.
     held = np.minimum(np.fmax(as_floats(signal_dn), 0), top)
-    codes: NDArray[np.uint16] = np.rint(held).astype(np.uint16)
-    return codes
+    return np.rint(held).astype(np.uint16)
 
 
 def capture(
@@ -191,8 +187,7 @@ def capture(
 def develop(raw_dn: ArrayLike, sensor: Sensor) -> Floats:
     """Codes (...) back to linear light: 0 at the black level, 1 at the top; noise may dip below."""
     span = sensor.highest_dn - sensor.black_level_dn
-    linear: Floats = (as_floats(raw_dn) - sensor.black_level_dn) / span
-    return linear
+    return (as_floats(raw_dn) - sensor.black_level_dn) / span
 
 
 def signal_to_noise(mean_e: ArrayLike, sensor: Sensor) -> Floats:
