@@ -49,7 +49,7 @@ def checker_room(width: int, height: int, focal_px: float) -> Floats:
     positive.
     """
     if width < 1 or height < 1 or not 0.0 < focal_px < np.inf:
-        raise ValueError(f"{width} x {height}, focal_px {focal_px!r}: must be positive and finite")
+        raise ValueError(f"{width} x {height}, focal_px {focal_px}; legal: above 0, finite")
     x = (np.arange(width, dtype=np.float32) - 0.5 * (width - 1)) / focal_px
     y = (np.arange(height, dtype=np.float32) - 0.5 * (height - 1)) / focal_px
     # Never exactly along a wall, where a ray would meet it nowhere.

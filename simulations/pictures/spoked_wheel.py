@@ -15,6 +15,7 @@ from numpy.typing import ArrayLike, NDArray
 from simulations.engine.raster import to_rgba8
 from simulations.models.arrays import Floats, Mask
 from simulations.models.color.srgb import encode_srgb
+from simulations.models.whole_numbers import as_whole
 
 WIDTH, HEIGHT = 320, 240
 RADIUS = 92.0
@@ -87,8 +88,7 @@ type Exposure = Callable[[Bars], Floats]
 
 def bars(canvas: Canvas, spokes: int, first_angle_rad: float, swept_rad: float) -> Bars:
     """The first spoke starts at ``first_angle_rad``, clockwise from the right; all turn as far."""
-    if spokes < 1:
-        raise ValueError(f"spokes {spokes}; legal: 1 or more")
+    spokes = as_whole("spokes", spokes, 1)
     spacing = 2 * np.pi / spokes
     arc = canvas.radius * spacing
     place = (canvas.angle_rad - first_angle_rad) / spacing

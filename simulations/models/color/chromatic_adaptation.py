@@ -14,6 +14,7 @@ from numpy.typing import ArrayLike
 from simulations.models.arrays import Floats, as_colours
 from simulations.models.color.chromaticity import white_xyz
 from simulations.models.color.srgb import rgb_to_xyz_matrix
+from simulations.models.require import require_one_of
 
 BRADFORD = np.array(
     [[0.8951, 0.2664, -0.1614], [-0.7502, 1.7135, 0.0367], [0.0389, -0.0685, 1.0296]]
@@ -46,8 +47,7 @@ def adaptation_matrix(from_xy: ArrayLike, to_xy: ArrayLike, method: str = "bradf
         For another method, for a chromaticity that is none, and for a light that leaves one of
         the responses without any signal: no gain could restore it.
     """
-    if method not in RESPONSES:
-        raise ValueError(f"method {method!r}; legal: {', '.join(RESPONSES)}")
+    require_one_of("method", method, RESPONSES)
     responses = RESPONSES[method]
     before, after = (responses @ white_xyz(xy) for xy in (from_xy, to_xy))
     for xy, signal in ((from_xy, before), (to_xy, after)):

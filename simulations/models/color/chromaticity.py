@@ -8,6 +8,7 @@ from numpy.typing import ArrayLike
 
 from simulations.models.arrays import Floats, as_colours
 from simulations.models.color.srgb import D65_XY
+from simulations.models.require import require
 
 D50_XY = (0.3457, 0.3585)
 """Warm daylight: the white of printed paper, and of colour profiles."""
@@ -22,8 +23,7 @@ def white_xyz(xy: ArrayLike) -> Floats:
     """
     pair = np.asarray(xy, np.float64)
     x, y = pair if pair.shape == (2,) else (np.nan, np.nan)
-    if not (x >= 0 and y > 1e-6 and x + y <= 1):
-        raise ValueError(f"chromaticity {pair.tolist()}; legal: x ≥ 0, y > 1e-6, x + y ≤ 1")
+    require("chromaticity", pair, x >= 0 and y > 1e-6 and x + y <= 1, "x ≥ 0, y > 1e-6, x + y ≤ 1")
     return np.array([x / y, 1.0, (1 - x - y) / y])
 
 

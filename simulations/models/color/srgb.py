@@ -12,6 +12,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from simulations.models.arrays import Floats, as_colours, as_floats
+from simulations.models.require import require, require_positive
 
 SRGB_PRIMARIES_XY = ((0.64, 0.33), (0.30, 0.60), (0.15, 0.06))
 """CIE xy chromaticities of the red, green and blue of sRGB (ITU-R BT.709)."""
@@ -55,8 +56,7 @@ def encode_gamma(linear: ArrayLike, gamma: float = 2.2) -> Floats:
 
     Negative light is taken as none. Raises `ValueError` for a gamma of 0 or less.
     """
-    if not 0 < gamma < np.inf:
-        raise ValueError(f"gamma {gamma}; legal: above 0, finite")
+    require_positive("gamma", gamma)
     with np.errstate(over="ignore"):
         return np.maximum(as_floats(linear), 0) ** (1 / gamma)
 
@@ -134,8 +134,7 @@ def xyz_to_lab(xyz: ArrayLike, white_xy: ArrayLike = D65_XY) -> Floats:
     """
     delta = 6 / 29
     white = _xyz_of(np.asarray(white_xy, np.float64))
-    if not (white > 0).all():
-        raise ValueError(f"white {np.asarray(white_xy).tolist()}; legal: x, y, 1 − x − y above 0")
+    require("white", np.asarray(white_xy), (white > 0).all(), "x, y, 1 − x − y above 0")
     with np.errstate(over="ignore", invalid="ignore"):
         ratio = as_colours(xyz) / white
         f = np.where(ratio > delta**3, np.cbrt(ratio), ratio / (3 * delta**2) + 4 / 29)

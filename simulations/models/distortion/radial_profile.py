@@ -13,6 +13,7 @@ from numpy.polynomial import Polynomial
 from numpy.typing import ArrayLike, NDArray
 
 from simulations.models.arrays import Floats
+from simulations.models.require import require
 
 LARGEST_COEFFICIENT = 1e9
 """Far beyond any lens, and small enough for the products of two polynomials never to overflow."""
@@ -28,10 +29,8 @@ class RadialProfile:
     """b₁, b₂, …"""
 
     def __post_init__(self) -> None:
-        if not np.all(np.abs((*self.numerator, *self.denominator)) <= LARGEST_COEFFICIENT):
-            raise ValueError(
-                f"coefficients {self}: must be finite, at most {LARGEST_COEFFICIENT:g} in size"
-            )
+        small = np.all(np.abs((*self.numerator, *self.denominator)) <= LARGEST_COEFFICIENT)
+        require("coefficients", self, small, f"finite, at most {LARGEST_COEFFICIENT:g} in size")
 
     @property
     def neutral(self) -> bool:

@@ -97,7 +97,7 @@ def _indices(sequence: str) -> list[int]:
     distinct = len(letters) == 3 and letters[0] != letters[1] != letters[2]
     if not distinct or set(letters) - set("xyz") or not (sequence.isupper() or sequence.islower()):
         raise ValueError(
-            f"sequence: {sequence!r}; legal: three of x, y, z, neighbours different, "
+            f"sequence {sequence!r}; legal: three of x, y, z, neighbours different, "
             "all upper case (moving axes) or all lower case (fixed axes)"
         )
     return ["xyz".index(letter) for letter in letters]

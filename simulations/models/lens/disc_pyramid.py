@@ -23,7 +23,7 @@ def pyramid_blur(planes: Planes, radius_px: float) -> Planes:
     itself a blur, so the disc drawn there is smaller: the variance of both together is right, and
     the fourth moment up to an eighth too large: the outline is softer.
     """
-    check_radius("pyramid_blur", radius_px)
+    check_radius(radius_px)
     halvings = max(0, math.ceil(math.log2(max(radius_px, 1.0) / LARGEST_REDUCED_RADIUS)))
     height, width = planes.shape[1:]
     small = planes

@@ -9,6 +9,7 @@ import numpy as np
 from simulations.models.arrays import Floats, Planes
 from simulations.models.lens.disc_blur import LARGEST_RADIUS
 from simulations.models.sampling.aliasing import filter_and_sample, gaussian_kernel
+from simulations.models.whole_numbers import as_whole
 
 
 def binned_gaussian(planes: Planes, radius_px: Floats, bins: int = 6) -> Planes:
@@ -16,8 +17,7 @@ def binned_gaussian(planes: Planes, radius_px: Floats, bins: int = 6) -> Planes:
 
     A disc of radius r has the variance r²/4 along each axis, so σ = r/2.
     """
-    if bins < 2:
-        raise ValueError(f"bins {bins}; legal: 2 or more")
+    bins = as_whole("bins", bins, 2)
     largest = _largest(radius_px)
     chosen = np.rint(radius_px / max(largest, 1e-9) * (bins - 1)).astype(np.intp)
     result = np.empty_like(planes)

@@ -11,6 +11,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from simulations.models.arrays import Floats, Mask, as_floats
+from simulations.models.require import require
 
 SMALLEST_RADIUS = 1e-15
 """Of a lamp: its square, and one over it, are still numbers in float32 as well."""
@@ -184,8 +185,7 @@ def attenuation(distance: ArrayLike, radius: float = 0.01) -> Floats:
     Raises `ValueError` for a negative or undefined distance and for a radius of 0, whose
     light would be infinite at the lamp.
     """
-    if not radius >= SMALLEST_RADIUS:
-        raise ValueError(f"radius {radius}; legal: {SMALLEST_RADIUS:g} or more")
+    require("radius", radius, radius >= SMALLEST_RADIUS, f"{SMALLEST_RADIUS:g} or more")
     d = as_floats(distance)
     if not np.all(d >= 0):
         raise ValueError(f"distance {d.min()}; legal: 0 or more")
@@ -229,29 +229,27 @@ def _largest(v: Floats) -> Floats:
 
 
 def _check_colour(name: str, rgb: tuple[float, float, float]) -> None:
-    if len(rgb) != 3 or not all(0 <= part <= BRIGHTEST for part in rgb):
-        raise ValueError(f"{name} {rgb}; legal: three numbers from 0 to {BRIGHTEST:g}")
+    legal = len(rgb) == 3 and all(0 <= part <= BRIGHTEST for part in rgb)
+    require(name, rgb, legal, f"three numbers from 0 to {BRIGHTEST:g}")
 
 
 def _matte(albedo: ArrayLike, n_dot_l: Floats, ambient: float) -> Floats:
-    if not 0 <= ambient < np.inf:
-        raise ValueError(f"ambient {ambient}; legal: 0 or more, finite")
+    require("ambient", ambient, 0 <= ambient < np.inf, "0 or more, finite")
     return _albedo(albedo, n_dot_l.dtype) * (ambient + n_dot_l)
 
 
 def _highlight(cosines: Floats, lit: Mask, specular: float, shininess: float) -> Floats:
     """Only where ``lit``: elsewhere the cosine is 0, whose power 0 would be 1."""
     for name, value in (("shininess", shininess), ("specular", specular)):
-        if not 0 <= value < np.inf:
-            raise ValueError(f"{name} {value}; legal: 0 or more, finite")
+        require(name, value, 0 <= value < np.inf, "0 or more, finite")
     return np.where(lit, specular * cosines**shininess, 0)
 
 
 def _direction(name: str, direction: ArrayLike, dtype: np.dtype[np.floating]) -> Floats:
     """A direction in the dtype of the normals; one alone is checked, a field of them is trusted."""
     v = np.asarray(direction, dtype)
-    if v.ndim == 1 and not abs(float(np.sqrt(np.sum(v * v))) - 1) < UNIT_TOLERANCE:
-        raise ValueError(f"{name} {v.tolist()}; legal: a vector of length 1")
+    unit = v.ndim != 1 or abs(float(np.sqrt(np.sum(v * v))) - 1) < UNIT_TOLERANCE
+    require(name, v, unit, "a vector of length 1")
     return v
 
 

@@ -8,6 +8,8 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from simulations.models.arrays import Floats, Mask, as_floats
+from simulations.models.require import require, require_positive
+from simulations.models.whole_numbers import as_whole
 
 LARGEST_SIGMA = 1e6
 """Eight million taps: wider than any picture."""
@@ -21,11 +23,9 @@ def alias_frequency(frequency: ArrayLike, rate: float = 1.0) -> Floats:
     in floating point, so that the result is right however large the frequency. Raises
     `ValueError` for a rate that is not positive and for values that are not finite.
     """
-    if not 0 < rate < np.inf:
-        raise ValueError(f"rate {rate}; legal: above 0, finite")
+    require_positive("rate", rate)
     f = np.asarray(frequency, float)  # in float32 the rate itself would be rounded
-    if not np.isfinite(f).all():
-        raise ValueError(f"frequency {f.tolist()}; legal: finite")
+    require("frequency", f, np.isfinite(f).all(), "finite")
     rest = np.fmod(f, rate)
     # Half of the smallest number would round to zero: compare with the other part instead.
     alias: Floats = np.where(rest >= rate - rest, rest - rate, rest)
@@ -40,8 +40,7 @@ def apparent_wheel_speed(
     A wheel looks the same after one spoke spacing, so that ``spokes * turns`` aliases at the
     frame rate. A turn of exactly half a spacing per frame could be either way: not certain.
     """
-    if spokes < 1:
-        raise ValueError(f"spokes {spokes}; legal: 1 or more")
+    spokes = as_whole("spokes", spokes, 1)
     with np.errstate(over="ignore"):
         passing_per_s = np.asarray(turns_per_s, float) * spokes
     spokes_per_s = alias_frequency(passing_per_s, frames_per_s)
@@ -56,8 +55,7 @@ def zone_plate(x: ArrayLike, y: ArrayLike, scale: float) -> Floats:
     that samples one unit apart start to alias at ``r = scale / 2``. Where the phase is beyond
     all numbers, the rings are infinitely fine and show their mean, 1/2.
     """
-    if not 0 < scale < np.inf:
-        raise ValueError(f"scale {scale}; legal: above 0, finite")
+    require_positive("scale", scale)
     with np.errstate(over="ignore"):
         phase = np.pi * (np.square(as_floats(x)) + np.square(as_floats(y))) / scale
     if np.isfinite(phase).all():
@@ -105,8 +103,7 @@ def gaussian_kernel(sigma: float) -> Floats:
 
     Raises `ValueError` for a sigma that is negative or above `LARGEST_SIGMA`.
     """
-    if not 0 <= sigma <= LARGEST_SIGMA:
-        raise ValueError(f"sigma {sigma}; legal: 0 to {LARGEST_SIGMA:g}")
+    require("sigma", sigma, 0 <= sigma <= LARGEST_SIGMA, f"0 to {LARGEST_SIGMA:g}")
     if sigma == 0:
         return np.ones(1)
     offsets = np.arange(-np.ceil(4 * sigma), np.ceil(4 * sigma) + 1)
@@ -134,8 +131,7 @@ def _ratio_of_neighbours(sigma: float) -> float:
 
 def sinc_kernel(factor: int, lobes: int = 4) -> Floats:
     """A low-pass for keeping every ``factor``-th sample: sinc under a Lanczos window."""
-    if factor < 1 or lobes < 1:
-        raise ValueError(f"factor {factor}, lobes {lobes}; legal: 1 or more")
+    factor, lobes = as_whole("factor", factor, 1), as_whole("lobes", lobes, 1)
     reach = factor * lobes
     # Blocks of an even count of samples have their centre between two of them.
     shift = 0.5 * (1 - factor % 2)

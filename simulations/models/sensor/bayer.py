@@ -8,6 +8,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from simulations.models.arrays import Floats
+from simulations.models.require import require_one_of
 from simulations.models.whole_numbers import as_whole
 
 PATTERNS = ("RGGB", "BGGR", "GRBG", "GBRG")
@@ -55,6 +56,5 @@ def red_position(pattern: str) -> tuple[int, int]:
 
 
 def _checked(pattern: str) -> str:
-    if pattern not in PATTERNS:
-        raise ValueError(f"pattern {pattern!r}; legal: {', '.join(PATTERNS)}")
+    require_one_of("pattern", pattern, PATTERNS)
     return pattern

@@ -48,7 +48,7 @@ def test_in_focus_everywhere_nothing_changes():
 
 @pytest.mark.parametrize("bins", [0, 1])
 def test_fewer_than_two_bins_are_refused(bins):
-    with pytest.raises(ValueError, match=f"bins {bins}; legal: 2 or more"):
+    with pytest.raises(ValueError, match=f"bins {bins}; legal: whole numbers, 2 or more"):
         binned_gaussian(NOISE, np.ones((40, 50)), bins)
 
 
