@@ -43,8 +43,7 @@ class Truth:
 
 def prepare() -> Floats:
     """Positions of pixel centres along either axis, from the middle of the picture."""
-    centres: Floats = np.arange(SIZE) - (SIZE - 1) / 2
-    return centres
+    return np.arange(SIZE) - (SIZE - 1) / 2
 
 
 def _samples(centres: Floats, factor: int) -> Floats:

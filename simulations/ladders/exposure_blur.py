@@ -72,8 +72,7 @@ def _between_columns(rows: Floats, places: Floats) -> Floats:
     at = np.clip(places, 0, rows.shape[1] - 1)
     left = np.minimum(at.astype(np.intp), rows.shape[1] - 2)
     share = at - left
-    between: Floats = rows[:, left] * (1 - share) + rows[:, left + 1] * share
-    return between
+    return rows[:, left] * (1 - share) + rows[:, left + 1] * share
 
 
 def _integral(workload: Workload) -> Floats:

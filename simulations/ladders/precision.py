@@ -61,8 +61,7 @@ def prepare() -> Workload:
 def reference(workload: Workload) -> Floats:
     """Pixels (N, 2) from whole numbers: only the last division and product are rounded."""
     turned = workload.steps @ TURN.astype(np.int64).T
-    pixels: Floats = FOCAL_PX * (turned[:, :2] / turned[:, 2:])
-    return pixels
+    return FOCAL_PX * (turned[:, :2] / turned[:, 2:])
 
 
 def _pixels(camera: Floats) -> Floats:

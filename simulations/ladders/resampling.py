@@ -79,8 +79,7 @@ def _waves(x: Floats, y: Floats) -> list[Floats]:
 def _window(x: Floats, y: Floats) -> Floats:
     """1 within the judged radius, then half a cosine down to 0: smooth, so band-limited."""
     beyond = np.clip((np.hypot(x, y) - (JUDGED_RADIUS_PX - FADE_PX)) / FADE_PX, 0.0, 1.0)
-    fade: Floats = 0.5 + 0.5 * np.cos(np.pi * beyond)
-    return fade
+    return 0.5 + 0.5 * np.cos(np.pi * beyond)
 
 
 def _turn(workload: Workload, *, kernel: str) -> Turned:

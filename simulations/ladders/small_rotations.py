@@ -17,8 +17,7 @@ COUNT = 4096
 def prepare() -> Floats:
     """Rotation vectors (N, 3): 5° about axes in all directions."""
     axes = np.random.default_rng(5).standard_normal((COUNT, 3))
-    vectors: Floats = ANGLE_RAD * axes / np.linalg.norm(axes, axis=-1, keepdims=True)
-    return vectors
+    return ANGLE_RAD * axes / np.linalg.norm(axes, axis=-1, keepdims=True)
 
 
 def reference(vectors: Floats) -> Floats:

@@ -23,8 +23,7 @@ def as_floats(values: ArrayLike) -> Floats:
     if array.dtype.kind == "c":
         raise ValueError(f"values of type {array.dtype}; legal: real numbers")
     if array.dtype.kind == "f":
-        floats: Floats = array.astype(np.float32) if array.dtype == np.float16 else array
-        return floats
+        return array.astype(np.float32) if array.dtype == np.float16 else array
     return array.astype(np.float64)
 
 

@@ -120,8 +120,7 @@ def _tiles(seen: Pixels, lens_x: Place, lens_y: Place) -> Floats:
 def _floor_depth(y: Floats, lens_y: Place) -> Floats:
     """Where the rays meet the floor, but the wall's depth where that comes first."""
     falling = np.maximum(y - lens_y / FOCUS_Z, FLOOR_Y / 50.0)
-    depth: Floats = np.clip((FLOOR_Y - lens_y) / falling, 0.1, WALL_Z)
-    return depth
+    return np.clip((FLOOR_Y - lens_y) / falling, 0.1, WALL_Z)
 
 
 def card_light(

@@ -49,7 +49,7 @@ def checker_room(width: int, height: int, focal_px: float) -> Floats:
     positive.
     """
     if width < 1 or height < 1 or not 0.0 < focal_px < np.inf:
-        raise ValueError(f"{width} x {height}, focal_px {focal_px!r}: must be positive and finite")
+        raise ValueError(f"{width} x {height}, focal_px {focal_px}; legal: above 0, finite")
     x = (np.arange(width, dtype=np.float32) - 0.5 * (width - 1)) / focal_px
     y = (np.arange(height, dtype=np.float32) - 0.5 * (height - 1)) / focal_px
     # Never exactly along a wall, where a ray would meet it nowhere.
@@ -200,8 +200,7 @@ def _daylight(p: Hits, normal: tuple[float, float, float]) -> Floats:
     distance2 = to_x**2 + to_y**2 + to_z**2 + 0.9
     facing = normal[0] * to_x + normal[1] * to_y + normal[2] * to_z
     direct = 3.4 * np.maximum(facing, 0.0) / (distance2 * np.sqrt(distance2))
-    result: Floats = (0.60 + direct) * _corner_shade(p)
-    return result
+    return (0.60 + direct) * _corner_shade(p)
 
 
 def _corner_shade(p: Hits) -> Floats:
@@ -210,8 +209,7 @@ def _corner_shade(p: Hits) -> Floats:
     for position, low, high in ((p.x, LOW[0], HIGH[0]), (p.y, LOW[1], HIGH[1])):
         for distance in (position - low, high - position):
             shade = shade * (1.0 - 0.30 * np.exp(-np.abs(distance) / 0.45))
-    result: Floats = shade * (1.0 - 0.30 * np.exp(-np.abs(HIGH[2] - p.z) / 0.45))
-    return result
+    return shade * (1.0 - 0.30 * np.exp(-np.abs(HIGH[2] - p.z) / 0.45))
 
 
 def _with_trim(colour: Floats, p: Hits, axes: str) -> Floats:

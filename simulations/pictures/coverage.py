@@ -25,8 +25,7 @@ def stripes(u: Floats, period: float, width: float, footprint: ArrayLike) -> Flo
         cycles = position / period + 0.5
         whole = np.floor(cycles)
         inside = np.clip((cycles - whole - 0.5) * period, -0.5 * width, 0.5 * width)
-        result: Floats = whole * width + inside
-        return result
+        return whole * width + inside
 
     return (covered_up_to(u + half) - covered_up_to(u - half)) / (2.0 * half)
 
@@ -42,5 +41,4 @@ def checker(
 
 def blend(base: Floats, colour: ArrayLike, amount: Floats) -> Floats:
     """``base`` (..., 3) covered by ``colour`` (3,) or (..., 3) where ``amount`` (...) is 1."""
-    result: Floats = base + (np.asarray(colour, base.dtype) - base) * amount[..., None]
-    return result
+    return base + (np.asarray(colour, base.dtype) - base) * amount[..., None]

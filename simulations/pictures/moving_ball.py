@@ -43,8 +43,7 @@ def instant(x: Floats, y: Floats, time: Floats | float, behind: Floats) -> Float
 
 def on_ball(x: Floats, y: Floats, time: float) -> Mask:
     """Pixels (H, W) that show the ball at one moment."""
-    hidden: Mask = np.hypot(x - START_X - TRAVEL * time, y - CENTRE_Y) < RADIUS
-    return hidden
+    return np.hypot(x - START_X - TRAVEL * time, y - CENTRE_Y) < RADIUS
 
 
 def exposed(x: Floats, y: Floats) -> Floats:
@@ -61,5 +60,4 @@ def exposed(x: Floats, y: Floats) -> Floats:
     middle = offset - TRAVEL * (arrives + leaves) / 2
     light = stripes(middle, 2 * BAR, BAR, np.maximum(TRAVEL * share, 1e-6))
     ball = DARK_BAR + (LIGHT_BAR - DARK_BAR) * light
-    picture: Floats = share * ball + (1.0 - share) * wall(x, y)
-    return picture
+    return share * ball + (1.0 - share) * wall(x, y)

@@ -11,8 +11,7 @@ NARROWEST = 1e-6
 def pixel_width(coordinate: Floats) -> Floats:
     """How far ``coordinate`` (H, W) runs across one pixel, both ways together."""
     down, across = np.gradient(coordinate)
-    width: Floats = np.abs(down) + np.abs(across)
-    return width
+    return np.abs(down) + np.abs(across)
 
 
 def stripes(phase: Floats, width: Floats) -> Floats:
@@ -25,8 +24,7 @@ def stripes(phase: Floats, width: Floats) -> Floats:
 
 
 def _triangle(phase: Floats) -> Floats:
-    half: Floats = np.abs(phase / 2 - np.floor(phase / 2) - 0.5)
-    return half
+    return np.abs(phase / 2 - np.floor(phase / 2) - 0.5)
 
 
 def chequer(u: Floats, v: Floats) -> Floats:
@@ -39,8 +37,7 @@ def band(distance: Floats, half_width: float) -> Floats:
     width = np.maximum(pixel_width(distance), NARROWEST)
     upper = np.minimum(distance + width / 2, half_width)
     lower = np.maximum(distance - width / 2, -half_width)
-    share: Floats = np.maximum(upper - lower, 0.0) / width
-    return share
+    return np.maximum(upper - lower, 0.0) / width
 
 
 def siemens_star(x: Floats, y: Floats, spokes: int) -> Floats:

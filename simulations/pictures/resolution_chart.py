@@ -29,7 +29,7 @@ def resolution_chart(width: int, height: int, focal_px: float) -> Floats:
     positive.
     """
     if width < 1 or height < 1 or not 0.0 < focal_px < np.inf:
-        raise ValueError(f"{width} x {height}, focal_px {focal_px!r}: must be positive and finite")
+        raise ValueError(f"{width} x {height}, focal_px {focal_px}; legal: above 0, finite")
     column = (np.arange(width) - 0.5 * (width - 1)) / focal_px
     row = (np.arange(height) - 0.5 * (height - 1)) / focal_px
     x, y = column.astype(np.float32)[None], row.astype(np.float32)[:, None]

@@ -157,7 +157,7 @@ def test_random_points_have_the_moments_of_a_disc() -> None:
 
 
 def test_no_points_at_all_are_refused() -> None:
-    with pytest.raises(ValueError, match=r"count 0; legal: 1 or more"):
+    with pytest.raises(ValueError, match=r"count 0; legal: whole numbers, 1 or more"):
         fibonacci_disc(0)
-    with pytest.raises(ValueError, match=r"count 0; legal: 1 or more"):
+    with pytest.raises(ValueError, match=r"count 0; legal: whole numbers, 1 or more"):
         random_disc(0, (), np.random.default_rng(0))

@@ -54,7 +54,7 @@ def test_the_blur_starts_at_the_frame_and_follows_the_turn() -> None:
 
 
 def test_no_spoke_is_refused() -> None:
-    with pytest.raises(ValueError, match="spokes 0; legal: 1 or more"):
+    with pytest.raises(ValueError, match="spokes 0; legal: whole numbers, 1 or more"):
         spoked_wheel.render(CANVAS, 0, 0.0, 0.0)
 
 

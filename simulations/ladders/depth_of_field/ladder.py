@@ -40,8 +40,7 @@ def prepare() -> Workload:
 def radius_px(workload: Workload, depth: Floats | float) -> Floats:
     """Of the disc of confusion."""
     defocus = np.abs(1.0 / np.asarray(depth) - 1.0 / cards.FOCUS_Z)
-    radius: Floats = workload.seen.focal_px * workload.lens_radius * defocus
-    return radius
+    return workload.seen.focal_px * workload.lens_radius * defocus
 
 
 def pinhole(workload: Workload) -> Planes:
@@ -107,8 +106,7 @@ def reference(workload: Workload, rays: int = 4096) -> Floats:
 
 def _errors(result: Planes, truth: Floats, crop: int) -> Floats:
     inner = (slice(None), slice(crop, -crop), slice(crop, -crop))
-    errors: Floats = result[inner].astype(np.float64) - truth[inner]
-    return errors
+    return result[inner].astype(np.float64) - truth[inner]
 
 
 def psnr_db(result: Planes, truth: Floats, workload: Workload) -> float:

@@ -40,8 +40,7 @@ def picture(width: int, lens_radius: float, rays: int) -> Floats:
         y = seen.y + (down - 0.5) / seen.focal_px
         shades += shades_along(x, y, radius * np.cos(angle), radius * np.sin(angle))
     colours = np.array([TINT, *(card.colour for card in CARDS)])
-    mean: Floats = np.einsum("sc,shw->chw", colours, shades / rays)
-    return mean
+    return np.einsum("sc,shw->chw", colours, shades / rays)
 
 
 def spread_evenly(count: int) -> Floats:
@@ -51,8 +50,7 @@ def spread_evenly(count: int) -> Floats:
     unreasonable effectiveness of quasirandom sequences*, 2018.
     """
     g = 1.1673039782614187
-    places: Floats = (0.5 + np.arange(1, count + 1)[:, None] * g ** -np.arange(1.0, 5.0)) % 1.0
-    return places
+    return (0.5 + np.arange(1, count + 1)[:, None] * g ** -np.arange(1.0, 5.0)) % 1.0
 
 
 def shades_along(x: Floats, y: Floats, lens_x: float, lens_y: float) -> Floats:
@@ -88,8 +86,7 @@ def _room(ray: Ray) -> Floats:
 
 def _hits(card: Card, ray: Ray) -> Mask:
     x, y = _place(ray, card.z)
-    hit: Mask = np.hypot(x - card.x, y - card.y) < card.radius
-    return hit
+    return np.hypot(x - card.x, y - card.y) < card.radius
 
 
 def _on_card(card: Card, ray: Ray) -> Floats:
@@ -100,5 +97,4 @@ def _on_card(card: Card, ray: Ray) -> Floats:
 
 def _striped(along: Floats, period: float, width: float) -> Mask:
     """Whether a place lies on a stripe; one is centred on 0."""
-    on: Mask = np.abs(along - period * np.rint(along / period)) < width / 2
-    return on
+    return np.abs(along - period * np.rint(along / period)) < width / 2

@@ -16,6 +16,7 @@ from numpy.typing import ArrayLike
 from simulations.models.arrays import Floats, as_colours
 from simulations.models.color.chromaticity import white_xyz
 from simulations.models.color.srgb import rgb_to_xyz_matrix
+from simulations.models.require import require_one_of
 
 BRADFORD = np.array(
     [[0.8951, 0.2664, -0.1614], [-0.7502, 1.7135, 0.0367], [0.0389, -0.0685, 1.0296]]
@@ -48,8 +49,7 @@ def adaptation_matrix(from_xy: ArrayLike, to_xy: ArrayLike, method: str = "bradf
         For another method, for a chromaticity that is none, and for a light that leaves one of
         the responses without any signal: no gain could restore it.
     """
-    if method not in RESPONSES:
-        raise ValueError(f"method {method!r}; legal: {', '.join(RESPONSES)}")
+    require_one_of("method", method, RESPONSES)
     responses = RESPONSES[method]
     before, after = (responses @ white_xyz(xy) for xy in (from_xy, to_xy))
     for xy, signal in ((from_xy, before), (to_xy, after)):
@@ -59,8 +59,7 @@ def adaptation_matrix(from_xy: ArrayLike, to_xy: ArrayLike, method: str = "bradf
                 f"{np.round(signal, 4).tolist()}; legal: all above 0"
             )
     gains = (after / before)[:, None]
-    matrix: Floats = np.linalg.solve(responses, gains * responses)
-    return matrix
+    return np.linalg.solve(responses, gains * responses)
 
 
 def adapt(xyz: ArrayLike, from_xy: ArrayLike, to_xy: ArrayLike, method: str = "bradford") -> Floats:
@@ -68,5 +67,4 @@ def adapt(xyz: ArrayLike, from_xy: ArrayLike, to_xy: ArrayLike, method: str = "b
     colours = as_colours(xyz)
     matrix = adaptation_matrix(from_xy, to_xy, method).astype(colours.dtype)
     with np.errstate(over="ignore", invalid="ignore"):
-        adapted: Floats = colours @ matrix.T
-    return adapted
+        return colours @ matrix.T

@@ -10,6 +10,7 @@ from numpy.typing import ArrayLike
 
 from simulations.models.arrays import Floats, as_colours
 from simulations.models.color.srgb import D65_XY
+from simulations.models.require import require
 
 D50_XY = (0.3457, 0.3585)
 """Warm daylight: the white of printed paper, and of colour profiles."""
@@ -24,8 +25,7 @@ def white_xyz(xy: ArrayLike) -> Floats:
     """
     pair = np.asarray(xy, np.float64)
     x, y = pair if pair.shape == (2,) else (np.nan, np.nan)
-    if not (x >= 0 and y > 1e-6 and x + y <= 1):
-        raise ValueError(f"chromaticity {pair.tolist()}; legal: x ≥ 0, y > 1e-6, x + y ≤ 1")
+    require("chromaticity", pair, x >= 0 and y > 1e-6 and x + y <= 1, "x ≥ 0, y > 1e-6, x + y ≤ 1")
     return np.array([x / y, 1.0, (1 - x - y) / y])
 
 
@@ -50,13 +50,11 @@ def xyy_to_xyz(xyy: ArrayLike) -> Floats:
     x, y, luminance = np.moveaxis(as_colours(xyy), -1, 0)
     with np.errstate(over="ignore", invalid="ignore", divide="ignore"):
         share = luminance / y
-        xyz: Floats = np.stack([x * share, luminance, (1 - x - y) * share], axis=-1)
-    return xyz
+        return np.stack([x * share, luminance, (1 - x - y) * share], axis=-1)
 
 
 def lab_distance(lab: ArrayLike, other: ArrayLike) -> Floats:
     """ΔE*ab of 1976 (...) between L*a*b* colours (..., 3): about 2 is just noticeable."""
     with np.errstate(over="ignore", invalid="ignore"):
         difference = as_colours(lab) - as_colours(other)
-        distance: Floats = np.sqrt(np.square(difference).sum(axis=-1))
-    return distance
+        return np.sqrt(np.square(difference).sum(axis=-1))

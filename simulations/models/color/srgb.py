@@ -12,6 +12,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from simulations.models.arrays import Floats, as_colours, as_floats
+from simulations.models.require import require, require_positive
 
 SRGB_PRIMARIES_XY = ((0.64, 0.33), (0.30, 0.60), (0.15, 0.06))
 """CIE xy chromaticities of the red, green and blue of sRGB (ITU-R BT.709)."""
@@ -38,8 +39,7 @@ def encode_srgb(linear: ArrayLike) -> Floats:
     size = np.abs(x)
     curve = 1.055 * np.maximum(size, 0.0031308) ** (1 / 2.4) - 0.055
     toe = 12.92 * np.minimum(size, 0.0031308)
-    encoded: Floats = np.copysign(np.where(size <= 0.0031308, toe, curve), x)
-    return encoded
+    return np.copysign(np.where(size <= 0.0031308, toe, curve), x)
 
 
 def decode_srgb(srgb: ArrayLike) -> Floats:
@@ -48,8 +48,7 @@ def decode_srgb(srgb: ArrayLike) -> Floats:
     size = np.abs(x)
     with np.errstate(over="ignore"):
         curve = ((np.maximum(size, 0.04045) + 0.055) / 1.055) ** 2.4
-    linear: Floats = np.copysign(np.where(size <= 0.04045, size / 12.92, curve), x)
-    return linear
+    return np.copysign(np.where(size <= 0.04045, size / 12.92, curve), x)
 
 
 def encode_gamma(linear: ArrayLike, gamma: float = 2.2) -> Floats:
@@ -57,11 +56,9 @@ def encode_gamma(linear: ArrayLike, gamma: float = 2.2) -> Floats:
 
     Negative light is taken as none. Raises `ValueError` for a gamma of 0 or less.
     """
-    if not 0 < gamma < np.inf:
-        raise ValueError(f"gamma {gamma}; legal: above 0, finite")
+    require_positive("gamma", gamma)
     with np.errstate(over="ignore"):
-        encoded: Floats = np.maximum(as_floats(linear), 0) ** (1 / gamma)
-    return encoded
+        return np.maximum(as_floats(linear), 0) ** (1 / gamma)
 
 
 _TABLE = encode_srgb(np.linspace(0.0, 1.0, 65536)).astype(np.float32)
@@ -79,8 +76,7 @@ def encode_srgb_table(linear: ArrayLike) -> NDArray[np.float32]:
     np.minimum(place, 1, out=place)
     place *= len(_TABLE) - 1
     place += 0.5
-    encoded: NDArray[np.float32] = _TABLE[place.astype(np.intp)]  # int32 would be converted
-    return encoded
+    return _TABLE[place.astype(np.intp)]  # int32 would be converted
 
 
 def rgb_to_xyz_matrix(
@@ -98,8 +94,7 @@ def rgb_to_xyz_matrix(
     if abs(np.linalg.det(columns)) < 1e-9:
         raise ValueError(f"primaries {primaries_xy!r}; legal: three that span a triangle")
     scale = np.linalg.solve(columns, _xyz_of(np.asarray(white_xy, np.float64)))
-    matrix: Floats = columns * scale
-    return matrix
+    return columns * scale
 
 
 def _xyz_of(xy: Floats) -> Floats:
@@ -129,8 +124,7 @@ def luminance(linear_rgb: ArrayLike) -> Floats:
     """Relative luminance Y (...) of linear RGB: 0.2126 R + 0.7152 G + 0.0722 B."""
     rgb = as_colours(linear_rgb)
     with np.errstate(over="ignore", invalid="ignore"):
-        y: Floats = rgb @ _XYZ_FROM_RGB[1].astype(rgb.dtype)
-    return y
+        return rgb @ _XYZ_FROM_RGB[1].astype(rgb.dtype)
 
 
 def xyz_to_lab(xyz: ArrayLike, white_xy: ArrayLike = D65_XY) -> Floats:
@@ -140,14 +134,12 @@ def xyz_to_lab(xyz: ArrayLike, white_xy: ArrayLike = D65_XY) -> Floats:
     """
     delta = 6 / 29
     white = _xyz_of(np.asarray(white_xy, np.float64))
-    if not (white > 0).all():
-        raise ValueError(f"white {np.asarray(white_xy).tolist()}; legal: x, y, 1 − x − y above 0")
+    require("white", np.asarray(white_xy), (white > 0).all(), "x, y, 1 − x − y above 0")
     with np.errstate(over="ignore", invalid="ignore"):
         ratio = as_colours(xyz) / white
         f = np.where(ratio > delta**3, np.cbrt(ratio), ratio / (3 * delta**2) + 4 / 29)
         fx, fy, fz = f[..., 0], f[..., 1], f[..., 2]
-        lab: Floats = np.stack([116 * fy - 16, 500 * (fx - fy), 200 * (fy - fz)], axis=-1)
-    return lab
+        return np.stack([116 * fy - 16, 500 * (fx - fy), 200 * (fy - fz)], axis=-1)
 
 
 def linear_rgb_to_lab(linear: ArrayLike) -> Floats:
@@ -175,8 +167,7 @@ def white_balance(linear: ArrayLike, illuminant_rgb: ArrayLike) -> Floats:
         raise ValueError(f"illuminant {light.tolist()}; legal: three finite numbers above 0")
     rgb = as_colours(linear)
     with np.errstate(over="ignore", invalid="ignore"):
-        balanced: Floats = rgb * (light[1] / light).astype(rgb.dtype)
-    return balanced
+        return rgb * (light[1] / light).astype(rgb.dtype)
 
 
 def grey_world(linear: ArrayLike) -> Floats:
@@ -185,12 +176,10 @@ def grey_world(linear: ArrayLike) -> Floats:
     if not colours.size:
         raise ValueError(f"picture of shape {colours.shape}; legal: one pixel or more")
     with np.errstate(over="ignore", invalid="ignore"):
-        mean: Floats = colours.reshape(-1, 3).mean(axis=0)
-    return mean
+        return colours.reshape(-1, 3).mean(axis=0)
 
 
 def _apply(matrix: Floats, colours: ArrayLike) -> Floats:
     values = as_colours(colours)
     with np.errstate(over="ignore", invalid="ignore"):
-        product: Floats = values @ matrix.T.astype(values.dtype)
-    return product
+        return values @ matrix.T.astype(values.dtype)

@@ -56,8 +56,7 @@ def _dct_matrix() -> Floats:
     cosine = np.where(folded > BLOCK, -1.0, 1.0) * np.cos(np.pi * quarter / (2 * BLOCK))
     matrix = np.sqrt(2 / BLOCK) * cosine
     matrix[0] = np.sqrt(1 / BLOCK)
-    basis: Floats = matrix
-    return basis
+    return matrix
 
 
 DCT = _dct_matrix()
@@ -65,14 +64,12 @@ DCT = _dct_matrix()
 
 def block_dct(blocks: ArrayLike) -> Floats:
     """Cosine transform of (..., 8, 8) blocks; keeps the sum of squares."""
-    coefficients: Floats = DCT @ as_floats(blocks) @ DCT.T
-    return coefficients
+    return DCT @ as_floats(blocks) @ DCT.T
 
 
 def inverse_block_dct(coefficients: ArrayLike) -> Floats:
     """The inverse of `block_dct`."""
-    blocks: Floats = DCT.T @ as_floats(coefficients) @ DCT
-    return blocks
+    return DCT.T @ as_floats(coefficients) @ DCT
 
 
 def quantisation_table(table: NDArray[np.integer], quality: int) -> NDArray[np.integer]:
@@ -82,8 +79,7 @@ def quantisation_table(table: NDArray[np.integer], quality: int) -> NDArray[np.i
     """
     whole = as_whole("quality", quality, 1, 100)
     percent = 5000 // whole if whole < 50 else 200 - 2 * whole
-    scaled: NDArray[np.integer] = np.clip((table * percent + 50) // 100, 1, 255)
-    return scaled
+    return np.clip((table * percent + 50) // 100, 1, 255)
 
 
 def round_outwards(values: ArrayLike, tie: float = TIE) -> Floats:
@@ -93,8 +89,7 @@ def round_outwards(values: ArrayLike, tie: float = TIE) -> Floats:
     decide. What lies within ``tie`` of a half counts as one, so that every machine agrees.
     """
     exact = np.asarray(values, float)
-    whole: Floats = np.sign(exact) * np.floor(np.abs(exact) + (0.5 + tie))
-    return whole
+    return np.sign(exact) * np.floor(np.abs(exact) + (0.5 + tie))
 
 
 def to_blocks(plane: ArrayLike) -> Floats:

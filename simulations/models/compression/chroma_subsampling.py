@@ -10,6 +10,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from simulations.models.arrays import Floats, as_floats
+from simulations.models.require import require_one_of
 from simulations.models.whole_numbers import as_whole
 
 SUBSAMPLING = {"4:4:4": (1, 1), "4:2:2": (1, 2), "4:2:0": (2, 2)}
@@ -18,8 +19,7 @@ SUBSAMPLING = {"4:4:4": (1, 1), "4:2:2": (1, 2), "4:2:0": (2, 2)}
 
 def subsampling_factor(name: str) -> tuple[int, int]:
     """Rows and columns of pixels that share one colour; raises `ValueError` for other names."""
-    if name not in SUBSAMPLING:
-        raise ValueError(f"subsampling {name!r}; legal: {', '.join(SUBSAMPLING)}")
+    require_one_of("subsampling", name, SUBSAMPLING)
     return SUBSAMPLING[name]
 
 

@@ -14,6 +14,7 @@ from numpy.typing import ArrayLike
 
 from simulations.models.arrays import Floats, as_floats
 from simulations.models.compression.chroma_subsampling import coarsen
+from simulations.models.require import require, require_one_of
 
 KERNELS: Mapping[str, tuple[float, float, float, float]] = MappingProxyType(
     {
@@ -61,10 +62,8 @@ def refine(
         that are not finite or absurdly large.
     """
     values, light = as_floats(plane), as_floats(luma)
-    if method not in METHODS:
-        raise ValueError(f"method {method!r}; legal: {', '.join(METHODS)}")
-    if not set(factor) <= {1, 2}:
-        raise ValueError(f"factor {factor}; legal: 1 or 2 rows, 1 or 2 columns")
+    require_one_of("method", method, METHODS)
+    require("factor", factor, set(factor) <= {1, 2}, "1 or 2 rows, 1 or 2 columns")
     fitting = tuple(-(-side // cells) for side, cells in zip(light.shape, factor, strict=False))
     if light.ndim != 2 or 0 in light.shape or values.shape != fitting:
         raise ValueError(
@@ -122,5 +121,4 @@ def _local_mean(plane: Floats) -> Floats:
     """Over 3 x 3 samples; the border is repeated."""
     padded = np.pad(plane, 1, mode="edge")
     rows = padded[:-2] + padded[1:-1] + padded[2:]
-    mean: Floats = (rows[:, :-2] + rows[:, 1:-1] + rows[:, 2:]) / 9
-    return mean
+    return (rows[:, :-2] + rows[:, 1:-1] + rows[:, 2:]) / 9

@@ -120,8 +120,7 @@ def from_planes(planes: Planes) -> Floats:
     """(H, W, 3) sRGB, clipped to [0, 1]: back from `to_planes`."""
     luma, blue, red = planes
     ycbcr = np.stack([luma + 128, blue, red], axis=-1) / 255
-    picture: Floats = np.clip(ycbcr_to_rgb(ycbcr), 0, 1)
-    return picture
+    return np.clip(ycbcr_to_rgb(ycbcr), 0, 1)
 
 
 def decode(coded: Coded, upsampling: str = "triangle") -> Floats:

@@ -89,8 +89,7 @@ def _solved(ideal: Floats, wanted: Floats, lens: DecentredLens) -> Mask:
 def _residual(ideal: Floats, wanted: Floats, lens: DecentredLens) -> Floats:
     """How far from where they are wanted the lens sends points (N, 2): the larger coordinate."""
     x, y, *_ = lens.linearised(ideal[:, 0], ideal[:, 1])
-    off: Floats = np.maximum(np.abs(x - wanted[:, 0]), np.abs(y - wanted[:, 1]))
-    return off
+    return np.maximum(np.abs(x - wanted[:, 0]), np.abs(y - wanted[:, 1]))
 
 
 def _kept_on_sheet(wanted: Floats, start: Floats, lens: DecentredLens) -> Floats:

@@ -16,6 +16,7 @@ from numpy.typing import ArrayLike
 from simulations.models.arrays import Floats, Mask, as_vectors
 from simulations.models.distortion import radial_profile, radial_table
 from simulations.models.distortion.radial_profile import RadialProfile
+from simulations.models.require import require_one_of
 
 
 @dataclass(frozen=True, slots=True)
@@ -145,6 +146,5 @@ def _direction(angle: Floats, azimuth: Floats) -> Floats:
 
 
 def _ideal(model: str) -> IdealModel:
-    if model not in IDEAL_MODELS:
-        raise ValueError(f"model {model!r}: legal: {', '.join(IDEAL_MODELS)}")
+    require_one_of("model", model, IDEAL_MODELS)
     return IDEAL_MODELS[model]

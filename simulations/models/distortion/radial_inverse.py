@@ -94,5 +94,4 @@ def _first_guess(profile: RadialProfile, wanted: Floats, upper: float) -> Floats
     with np.errstate(over="ignore", invalid="ignore"):
         images = evaluate(profile, radii)
     usable = np.isfinite(images)
-    guess: Floats = np.interp(wanted, np.maximum.accumulate(images[usable]), radii[usable])
-    return guess
+    return np.interp(wanted, np.maximum.accumulate(images[usable]), radii[usable])

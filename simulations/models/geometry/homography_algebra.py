@@ -90,7 +90,7 @@ def decompose(H: ArrayLike) -> Parts:
         the shear means nothing. Parts beyond 1e±75 are refused too, for their squares overflow.
     """
     matrix = np.array(H, dtype=float)
-    legal = f"H: {matrix.tolist()}; legal: invertible with h₃₃ ≠ 0, parts from 1e-75 to 1e75"
+    legal = f"H {matrix.tolist()}; legal: invertible with h₃₃ ≠ 0, parts from 1e-75 to 1e75"
     if matrix[2, 2] == 0.0 or is_singular(matrix):
         raise ValueError(legal)
     with np.errstate(over="ignore"):
@@ -118,5 +118,4 @@ def compose(parts: Parts) -> Floats:
     A = affine(np.array([[c, -s], [s, c]]) @ stretch, (parts.tx, parts.ty))
     P = np.eye(3)
     P[2, :2] = parts.vanishing
-    H: Floats = A @ P
-    return H
+    return A @ P

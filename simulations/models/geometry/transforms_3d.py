@@ -19,6 +19,7 @@ from numpy.typing import ArrayLike
 from simulations.models.arrays import Floats, Mask, as_array, as_vectors
 from simulations.models.geometry.rotations import check_rotation
 from simulations.models.geometry.transforms import W_MINIMUM
+from simulations.models.require import require, require_positive
 
 DEGENERATE = 1e-9
 """Singular values below this share of the largest count as zero."""
@@ -45,8 +46,7 @@ def similarity(scale: float, R: ArrayLike, offset: ArrayLike) -> Floats:
 
     Raises `ValueError` unless the scale is positive and finite and R a rotation.
     """
-    if not 0.0 < scale < math.inf:
-        raise ValueError(f"scale: {scale}; legal: positive and finite")
+    require_positive("scale", scale)
     return affine(scale * check_rotation(as_array("R", R, 3, 3)), offset)
 
 
@@ -55,8 +55,7 @@ def affine(matrix: ArrayLike, offset: ArrayLike) -> Floats:
     H = np.eye(4)
     H[:3, :3] = as_array("matrix", matrix, 3, 3)
     H[:3, 3] = as_array("offset", offset, 3)
-    if not np.isfinite(H).all():
-        raise ValueError(f"transformation {H.tolist()}; legal: finite entries")
+    require("transformation", H, np.isfinite(H).all(), "finite entries")
     return H
 
 

@@ -49,7 +49,7 @@ def blur_by_depth(planes: Planes, radius_px: Floats, blur: Blur = disc_blur) -> 
     """
     smallest, largest = float(radius_px.min(initial=0.0)), float(radius_px.max(initial=0.0))
     for radius in (smallest, largest):
-        check_radius("blur_by_depth", radius)
+        check_radius(radius)
     if largest <= 0.5:
         return planes
     levels = blur_levels(largest)
@@ -77,7 +77,7 @@ def _hat(value: NDArray[np.float32], knots: list[float], index: int) -> NDArray[
 
 def blur_layer(layer: Layer, blur: Blur = disc_blur) -> Layer:
     """The layer with its disc applied, on a window grown to hold the spread."""
-    check_radius("blur_layer", layer.radius_px)
+    check_radius(layer.radius_px)
     if layer.radius_px <= 0.5:
         return layer
     grow = math.ceil(layer.radius_px) + 1

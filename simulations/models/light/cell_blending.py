@@ -48,5 +48,4 @@ def _blend_rows(values: Floats, count: int) -> Floats:
     cell = np.minimum(place.astype(np.int32), cells - 1)
     share = (place - cell).astype(values.dtype).reshape(-1, *(1,) * (values.ndim - 1))
     with np.errstate(over="ignore", invalid="ignore"):
-        blended: Floats = values[cell] + share * (values[cell + 1] - values[cell])
-    return blended
+        return values[cell] + share * (values[cell + 1] - values[cell])

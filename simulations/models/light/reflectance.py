@@ -11,6 +11,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from simulations.models.arrays import Floats, Mask, as_floats
+from simulations.models.require import require
 
 SMALLEST_RADIUS = 1e-15
 """Of a lamp: its square, and one over it, are still numbers in float32 as well."""
@@ -67,8 +68,7 @@ def normalise(vectors: ArrayLike) -> Floats:
         largest = _largest(v)
     scaled = v / np.where(largest > 0, largest, 1)[..., None]
     length = np.sqrt(_dot(scaled, scaled))
-    unit: Floats = scaled / np.where(length > 0, length, 1)[..., None]
-    return unit
+    return scaled / np.where(length > 0, length, 1)[..., None]
 
 
 def cosine(a: ArrayLike, b: ArrayLike) -> Floats:
@@ -80,8 +80,7 @@ def cosine(a: ArrayLike, b: ArrayLike) -> Floats:
     u, v = as_floats(a), as_floats(b)
     if u.shape[-1:] != (3,) or v.shape[-1:] != (3,):
         raise ValueError(f"vectors of shapes {u.shape} and {v.shape}; legal: both (..., 3)")
-    clamped: Floats = np.clip(_dot(u, v), 0.0, 1.0)
-    return clamped
+    return np.clip(_dot(u, v), 0.0, 1.0)
 
 
 def lambert(normals: ArrayLike, light: ArrayLike, albedo: ArrayLike = 1.0) -> Floats:
@@ -106,8 +105,7 @@ def lambert(normals: ArrayLike, light: ArrayLike, albedo: ArrayLike = 1.0) -> Fl
         If a single light is no unit vector, or the albedo is outside [0, 1].
     """
     n = as_floats(normals)
-    shade: Floats = _albedo(albedo, n.dtype) * cosine(n, _direction("light", light, n.dtype))
-    return shade
+    return _albedo(albedo, n.dtype) * cosine(n, _direction("light", light, n.dtype))
 
 
 def phong(
@@ -187,14 +185,12 @@ def attenuation(distance: ArrayLike, radius: float = 0.01) -> Floats:
     Raises `ValueError` for a negative or undefined distance and for a radius of 0, whose
     light would be infinite at the lamp.
     """
-    if not radius >= SMALLEST_RADIUS:
-        raise ValueError(f"radius {radius}; legal: {SMALLEST_RADIUS:g} or more")
+    require("radius", radius, radius >= SMALLEST_RADIUS, f"{SMALLEST_RADIUS:g} or more")
     d = as_floats(distance)
     if not np.all(d >= 0):
         raise ValueError(f"distance {d.min()}; legal: 0 or more")
     with np.errstate(over="ignore"):  # light from that far is 0 to all digits
-        falloff: Floats = 1.0 / np.square(np.maximum(d, radius))
-    return falloff
+        return 1.0 / np.square(np.maximum(d, radius))
 
 
 def irradiance(points: ArrayLike, normals: ArrayLike, lights: Sequence[Light]) -> Floats:
@@ -223,43 +219,37 @@ def irradiance(points: ArrayLike, normals: ArrayLike, lights: Sequence[Light]) -
 
 def _dot(u: Floats, v: Floats) -> Floats:
     """(...) from (..., 3): component by component, which NumPy does faster than a short sum."""
-    product: Floats = u[..., 0] * v[..., 0] + u[..., 1] * v[..., 1] + u[..., 2] * v[..., 2]
-    return product
+    return u[..., 0] * v[..., 0] + u[..., 1] * v[..., 1] + u[..., 2] * v[..., 2]
 
 
 def _largest(v: Floats) -> Floats:
     """(...) the largest magnitude of the components of (..., 3); NaN where one is NaN."""
     size = np.abs(v)
-    largest: Floats = np.maximum(np.maximum(size[..., 0], size[..., 1]), size[..., 2])
-    return largest
+    return np.maximum(np.maximum(size[..., 0], size[..., 1]), size[..., 2])
 
 
 def _check_colour(name: str, rgb: tuple[float, float, float]) -> None:
-    if len(rgb) != 3 or not all(0 <= part <= BRIGHTEST for part in rgb):
-        raise ValueError(f"{name} {rgb}; legal: three numbers from 0 to {BRIGHTEST:g}")
+    legal = len(rgb) == 3 and all(0 <= part <= BRIGHTEST for part in rgb)
+    require(name, rgb, legal, f"three numbers from 0 to {BRIGHTEST:g}")
 
 
 def _matte(albedo: ArrayLike, n_dot_l: Floats, ambient: float) -> Floats:
-    if not 0 <= ambient < np.inf:
-        raise ValueError(f"ambient {ambient}; legal: 0 or more, finite")
-    matte: Floats = _albedo(albedo, n_dot_l.dtype) * (ambient + n_dot_l)
-    return matte
+    require("ambient", ambient, 0 <= ambient < np.inf, "0 or more, finite")
+    return _albedo(albedo, n_dot_l.dtype) * (ambient + n_dot_l)
 
 
 def _highlight(cosines: Floats, lit: Mask, specular: float, shininess: float) -> Floats:
     """Only where ``lit``: elsewhere the cosine is 0, whose power 0 would be 1."""
     for name, value in (("shininess", shininess), ("specular", specular)):
-        if not 0 <= value < np.inf:
-            raise ValueError(f"{name} {value}; legal: 0 or more, finite")
-    highlight: Floats = np.where(lit, specular * cosines**shininess, 0)
-    return highlight
+        require(name, value, 0 <= value < np.inf, "0 or more, finite")
+    return np.where(lit, specular * cosines**shininess, 0)
 
 
 def _direction(name: str, direction: ArrayLike, dtype: np.dtype[np.floating]) -> Floats:
     """A direction in the dtype of the normals; one alone is checked, a field of them is trusted."""
     v = np.asarray(direction, dtype)
-    if v.ndim == 1 and not abs(float(np.sqrt(np.sum(v * v))) - 1) < UNIT_TOLERANCE:
-        raise ValueError(f"{name} {v.tolist()}; legal: a vector of length 1")
+    unit = v.ndim != 1 or abs(float(np.sqrt(np.sum(v * v))) - 1) < UNIT_TOLERANCE
+    require(name, v, unit, "a vector of length 1")
     return v
 
 

@@ -8,6 +8,8 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from simulations.models.arrays import Floats, Mask, as_floats
+from simulations.models.require import require, require_positive
+from simulations.models.whole_numbers import as_whole
 
 LARGEST_SIGMA = 1e6
 """Eight million taps: wider than any picture."""
@@ -21,11 +23,9 @@ def alias_frequency(frequency: ArrayLike, rate: float = 1.0) -> Floats:
     in floating point, so that the result is right however large the frequency. Raises
     `ValueError` for a rate that is not positive and for values that are not finite.
     """
-    if not 0 < rate < np.inf:
-        raise ValueError(f"rate {rate}; legal: above 0, finite")
+    require_positive("rate", rate)
     f = np.asarray(frequency, float)  # in float32 the rate itself would be rounded
-    if not np.isfinite(f).all():
-        raise ValueError(f"frequency {f.tolist()}; legal: finite")
+    require("frequency", f, np.isfinite(f).all(), "finite")
     rest = np.fmod(f, rate)
     # Half of the smallest number would round to zero: compare with the other part instead.
     alias: Floats = np.where(rest >= rate - rest, rest - rate, rest)
@@ -40,8 +40,7 @@ def apparent_wheel_speed(
     A wheel looks the same after one spoke spacing, so that ``spokes * turns`` aliases at the
     frame rate. A turn of exactly half a spacing per frame could be either way: not certain.
     """
-    if spokes < 1:
-        raise ValueError(f"spokes {spokes}; legal: 1 or more")
+    spokes = as_whole("spokes", spokes, 1)
     with np.errstate(over="ignore"):
         passing_per_s = np.asarray(turns_per_s, float) * spokes
     spokes_per_s = alias_frequency(passing_per_s, frames_per_s)
@@ -56,8 +55,7 @@ def zone_plate(x: ArrayLike, y: ArrayLike, scale: float) -> Floats:
     that samples one unit apart start to alias at ``r = scale / 2``. Where the phase is beyond
     all numbers, the rings are infinitely fine and show their mean, 1/2.
     """
-    if not 0 < scale < np.inf:
-        raise ValueError(f"scale {scale}; legal: above 0, finite")
+    require_positive("scale", scale)
     with np.errstate(over="ignore"):
         phase = np.pi * (np.square(as_floats(x)) + np.square(as_floats(y))) / scale
     if np.isfinite(phase).all():
@@ -78,8 +76,7 @@ def zone_plate_area(x: ArrayLike, y: ArrayLike, scale: float) -> Floats:
     with np.errstate(over="ignore"):
         # Clipped where the rings average out to all digits, short of where a sine is undefined.
         turns, turns_down = (np.clip(part / scale, -1e30, 1e30) for part in (across, down))
-    mean: Floats = 0.5 + rings * (np.sinc(turns) * np.sinc(turns_down))
-    return mean
+    return 0.5 + rings * (np.sinc(turns) * np.sinc(turns_down))
 
 
 def box_filter(fine: ArrayLike, factor: int) -> Floats:
@@ -106,8 +103,7 @@ def gaussian_kernel(sigma: float) -> Floats:
 
     Raises `ValueError` for a sigma that is negative or above `LARGEST_SIGMA`.
     """
-    if not 0 <= sigma <= LARGEST_SIGMA:
-        raise ValueError(f"sigma {sigma}; legal: 0 to {LARGEST_SIGMA:g}")
+    require("sigma", sigma, 0 <= sigma <= LARGEST_SIGMA, f"0 to {LARGEST_SIGMA:g}")
     if sigma == 0:
         return np.ones(1)
     offsets = np.arange(-np.ceil(4 * sigma), np.ceil(4 * sigma) + 1)
@@ -115,8 +111,7 @@ def gaussian_kernel(sigma: float) -> Floats:
         taps = _ratio_of_neighbours(sigma) ** np.square(offsets)
     else:
         taps = np.exp(-0.5 * (offsets / sigma) ** 2)
-    kernel: Floats = taps / taps.sum()
-    return kernel
+    return taps / taps.sum()
 
 
 def _ratio_of_neighbours(sigma: float) -> float:
@@ -136,15 +131,13 @@ def _ratio_of_neighbours(sigma: float) -> float:
 
 def sinc_kernel(factor: int, lobes: int = 4) -> Floats:
     """A low-pass for keeping every ``factor``-th sample: sinc under a Lanczos window."""
-    if factor < 1 or lobes < 1:
-        raise ValueError(f"factor {factor}, lobes {lobes}; legal: 1 or more")
+    factor, lobes = as_whole("factor", factor, 1), as_whole("lobes", lobes, 1)
     reach = factor * lobes
     # Blocks of an even count of samples have their centre between two of them.
     shift = 0.5 * (1 - factor % 2)
     offsets = (np.arange(-reach, reach + 1) + shift) / factor
     taps = np.sinc(offsets) * np.sinc(np.clip(offsets / lobes, -1, 1))
-    kernel: Floats = taps / taps.sum()
-    return kernel
+    return taps / taps.sum()
 
 
 def filter_and_sample(fine: ArrayLike, factor: int, kernel: ArrayLike) -> Floats:
@@ -179,8 +172,7 @@ def box_mtf(frequency: ArrayLike, width: float = 1.0) -> Floats:
     """Contrast that a pixel so wide leaves of a sine: ``|sinc(f width)|``, 2/pi at Nyquist."""
     # Clipped where the contrast is 0 to all digits, short of where the sine is undefined.
     cycles = np.clip(_cycles(frequency, width), -1e300, 1e300)
-    contrast: Floats = np.abs(np.sinc(cycles))
-    return contrast
+    return np.abs(np.sinc(cycles))
 
 
 def _cycles(frequency: ArrayLike, width: float) -> Floats:
@@ -189,8 +181,7 @@ def _cycles(frequency: ArrayLike, width: float) -> Floats:
     if not (np.isfinite(f).all() and np.isfinite(width)):
         raise ValueError(f"frequency {f.tolist()} and width {width}; legal: finite")
     with np.errstate(over="ignore"):
-        cycles: Floats = f * width
-    return cycles
+        return f * width
 
 
 def contrast(signal: ArrayLike) -> float:

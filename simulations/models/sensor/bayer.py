@@ -8,6 +8,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from simulations.models.arrays import Floats
+from simulations.models.require import require_one_of
 from simulations.models.whole_numbers import as_whole
 
 PATTERNS = ("RGGB", "BGGR", "GRBG", "GBRG")
@@ -21,8 +22,7 @@ def filter_colours(height: int, width: int, pattern: str = "RGGB") -> NDArray[np
     height, width = as_whole("height", height, 1), as_whole("width", width, 1)
     quad = np.array(["RGB".index(letter) for letter in _checked(pattern)], np.uint8).reshape(2, 2)
     tiled = np.tile(quad, ((height + 1) // 2, (width + 1) // 2))
-    colours: NDArray[np.uint8] = tiled[:height, :width]
-    return colours
+    return tiled[:height, :width]
 
 
 def mosaic(rgb: ArrayLike, pattern: str = "RGGB") -> Floats:
@@ -56,6 +56,5 @@ def red_position(pattern: str) -> tuple[int, int]:
 
 
 def _checked(pattern: str) -> str:
-    if pattern not in PATTERNS:
-        raise ValueError(f"pattern {pattern!r}; legal: {', '.join(PATTERNS)}")
+    require_one_of("pattern", pattern, PATTERNS)
     return pattern

@@ -16,6 +16,7 @@ from numpy.typing import ArrayLike
 
 from simulations.models.arrays import Floats, as_floats
 from simulations.models.color.srgb import decode_srgb, encode_srgb
+from simulations.models.require import require_one_of, require_positive
 from simulations.models.sensor.bayer import PATTERNS, filter_colours, mosaic
 from simulations.models.sensor.bayer_quads import (
     Quads,
@@ -105,8 +106,7 @@ def demosaic(cfa: ArrayLike, pattern: str = "RGGB", method: str = "bilinear") ->
     values = as_floats(cfa)
     if values.ndim != 2 or 0 in values.shape:
         raise ValueError(f"mosaic of shape {values.shape}; legal: (H, W), not empty")
-    if method not in METHODS:
-        raise ValueError(f"method {method!r}; legal: {', '.join(METHODS)}")
+    require_one_of("method", method, METHODS)
     if min(values.shape) == 1:
         return _demosaic_line(values, pattern, method)
     with np.errstate(over="ignore", invalid="ignore"):
@@ -142,8 +142,7 @@ def psnr_db(picture: ArrayLike, reference: ArrayLike, peak: float = 1.0, crop: i
     if 2 * crop >= min(a.shape[:2]):
         raise ValueError(f"crop {crop} px of a picture {a.shape}; legal: less than half of it")
     inner = (slice(crop, a.shape[0] - crop), slice(crop, a.shape[1] - crop))
-    if not 0 < peak < math.inf:
-        raise ValueError(f"peak {peak}; legal: above 0, finite")
+    require_positive("peak", peak)
     with np.errstate(over="ignore", invalid="ignore"):
         mean_square = float(np.mean(np.square((a[inner] - b[inner]) / peak)))
     if mean_square == 0.0:

@@ -117,8 +117,7 @@ def _calmer_along_rows(
 
 
 def _step(difference: Floats, towards: Step) -> Floats:
-    change: Floats = np.abs(difference - towards(difference))
-    return change
+    return np.abs(difference - towards(difference))
 
 
 def _window(change: Floats, back: Step, aside: Step, other_side: Step) -> Floats:
@@ -144,5 +143,4 @@ def _mean_of_3(
 ) -> Floats:
     """Mean of a difference at a pixel and at its two neighbours in the direction kept."""
     ends = np.where(by_row, in_row + aside(in_row), in_column + upright(in_column))
-    mean: Floats = (centre + ends) / 3
-    return mean
+    return (centre + ends) / 3

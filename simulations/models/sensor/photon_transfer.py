@@ -14,6 +14,7 @@ from numpy.typing import ArrayLike
 
 from simulations.models.arrays import Floats, Mask, as_floats
 from simulations.models.sensor.photon_counting import Sensor, quantise, read_out, shot_noise
+from simulations.models.whole_numbers import as_whole
 
 SATURATED_SHARE = 0.7
 """Of the mean whose variance is largest: EMVA 1288 fits the line up to there."""
@@ -50,8 +51,7 @@ def photon_transfer(
     ``variance = mean / gain``: see `estimate_gain`.
     """
     levels = as_floats(mean_e).reshape(-1)
-    if samples < 2:
-        raise ValueError(f"samples {samples}; legal: 2 or more")
+    samples = as_whole("samples", samples, 2)
     fields = []
     for _ in range(2):
         counted = shot_noise(np.repeat(levels[:, None], samples, 1), rng, sensor.full_well_e)
@@ -121,8 +121,7 @@ def estimate_gain(mean_dn: ArrayLike, variance_dn: ArrayLike, samples: int = 20_
 
 def _line(mean: Floats, variance: Floats, samples: int) -> tuple[float, float]:
     """Slope of the weighted fit, and its standard error as a share of it."""
-    if samples < 2:
-        raise ValueError(f"samples {samples}; legal: 2 or more")
+    samples = as_whole("samples", samples, 2)
     spread, largest = float(np.ptp(mean)), float(variance.max())  # so that no square overflows
     x, y = mean / spread, variance / largest
     weight = y**-2

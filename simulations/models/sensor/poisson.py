@@ -10,6 +10,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from simulations.models.arrays import Floats
+from simulations.models.require import require
 
 
 def poisson_cumulative(mean: float) -> tuple[int, Floats]:
@@ -25,8 +26,7 @@ def poisson_cumulative(mean: float) -> tuple[int, Floats]:
     ValueError
         If the mean is negative, undefined, or above 1e10, where the counts would fill a memory.
     """
-    if not 0 <= mean <= 1e10:
-        raise ValueError(f"mean {mean}; legal: 0 to 1e10")
+    require("mean", mean, 0 <= mean <= 1e10, "0 to 1e10")
     reach = 10 * np.sqrt(mean) + 30  # ten standard deviations, and more where the mean is small
     first, last = max(0, int(mean - reach)), int(mean + reach)
     if mean == 0:

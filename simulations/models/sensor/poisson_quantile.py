@@ -56,8 +56,7 @@ def _expanded(mean: Floats, z: Floats) -> Floats:
     root *= z
     lean += root
     lean += mean
-    counted: Floats = np.maximum(np.floor(lean, out=lean), 0, out=lean)
-    return counted
+    return np.maximum(np.floor(lean, out=lean), 0, out=lean)
 
 
 def _summed(mean: Floats, z: Floats) -> Floats:
@@ -98,5 +97,4 @@ def normal_tail(z: Floats) -> Floats:
     fit += TAIL[0]
     fit -= x * x
     t *= 0.5 * np.exp(fit, out=fit)
-    probability: Floats = np.where(z < 0, 1 - t, t)
-    return probability
+    return np.where(z < 0, 1 - t, t)

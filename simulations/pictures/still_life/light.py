@@ -91,8 +91,7 @@ def radiance(part: Surface, lamp: Vector) -> Planes:
 
 def _tinted(colour: Floats, strength: Floats) -> Planes:
     """Light (3, h, w) of one colour, as strong as (h, w)."""
-    tinted: Planes = colour.astype(np.float32)[:, None, None] * strength.astype(np.float32)
-    return tinted
+    return colour.astype(np.float32)[:, None, None] * strength.astype(np.float32)
 
 
 def _lamp_seen(part: Surface, lamp: Vector) -> Floats:

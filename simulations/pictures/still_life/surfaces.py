@@ -136,8 +136,7 @@ def _thing_albedo(thing: Thing, normals: Floats) -> Planes:
 def _mix(first: Floats, second: Floats, share: Floats) -> Planes:
     """(3, H, W): the colour ``first`` where ``share`` (H, W) is 0, ``second`` where it is 1."""
     start, change = first.astype(np.float32), (second - first).astype(np.float32)
-    mixed: Planes = start[:, None, None] + change[:, None, None] * share.astype(np.float32)
-    return mixed
+    return start[:, None, None] + change[:, None, None] * share.astype(np.float32)
 
 
 def _sky_seen(points: Floats, normals: Floats, besides: Thing | None = None) -> Floats:
@@ -182,8 +181,7 @@ def extent(points: Floats) -> Extent:
 def within(points: Floats, low: Floats, high: Floats) -> Mask:
     """(H, W) true where x and y of the points (H, W, 3) lie between two corners."""
     x, y = points[..., 0], points[..., 1]
-    inside: Mask = (x > low[0]) & (x < high[0]) & (y > low[1]) & (y < high[1])
-    return inside
+    return (x > low[0]) & (x < high[0]) & (y > low[1]) & (y < high[1])
 
 
 def _wall_and_floor(seen: View) -> tuple[Surface, Surface]:
@@ -242,8 +240,7 @@ def _wall_albedo(points: Floats) -> Planes:
 
 def _to_nearest(coordinate: Floats, spacing: float) -> Floats:
     """Signed distance to the nearest multiple of ``spacing``."""
-    distance: Floats = coordinate - spacing * np.round(coordinate / spacing)
-    return distance
+    return coordinate - spacing * np.round(coordinate / spacing)
 
 
 def _lay_over(picture: Planes, colour: Floats, share: Floats) -> Planes:

@@ -95,14 +95,12 @@ def view_through(rays_camera: Floats, valid: Mask, at: tuple[float, float], focu
 
 
 def _unit(vectors: Floats) -> Floats:
-    unit: Floats = vectors / np.sqrt(np.einsum("...i,...i", vectors, vectors))[..., None]
-    return unit
+    return vectors / np.sqrt(np.einsum("...i,...i", vectors, vectors))[..., None]
 
 
 def depth_along_axis(points: Floats) -> Floats:
     """Distance (...) of world points (..., 3) from the camera, along the optical axis: metres."""
-    depth: Floats = points @ WORLD_TO_CAMERA[2, :3] + WORLD_TO_CAMERA[2, 3]
-    return depth
+    return points @ WORLD_TO_CAMERA[2, :3] + WORLD_TO_CAMERA[2, 3]
 
 
 def thing_depth(thing: Thing) -> float:

@@ -59,8 +59,7 @@ def alias_curve(pattern: Pattern, kernel: Prefilter, at: float) -> Floats | None
     # chirp of the zone plate as good as the eye can tell.
     local = pattern.local_frequency(at + x) if pattern.chirp else pattern.base
     phase = pattern.phase_rad + math.pi * (at + x) * (2 * pattern.base + pattern.chirp * (at + x))
-    curve: Floats = transfer(kernel, local) * np.sin(phase - 2 * math.pi * whole * x)
-    return curve
+    return transfer(kernel, local) * np.sin(phase - 2 * math.pi * whole * x)
 
 
 def _axis() -> Iterator[str]:

@@ -57,14 +57,12 @@ def compare(truth: Picture, guess: Picture, shown_truth: Picture, shown: Picture
 def rms_codes(errors: Errors) -> Picture:
     """RMS error of each colour (3,) in codes of 255, inside the border."""
     inner = errors.absolute[CROP:-CROP, CROP:-CROP].astype(np.float64)
-    rms: Picture = 255.0 * np.sqrt(np.mean(inner * inner, axis=(0, 1)))
-    return rms
+    return 255.0 * np.sqrt(np.mean(inner * inner, axis=(0, 1)))
 
 
 def _reconstruct(cfa: Picture, method: str) -> Picture:
     """The full picture in linear light, held to the range that a screen shows."""
-    picture: Picture = np.clip(demosaic(cfa, PATTERN, method), 0, 1)
-    return picture
+    return np.clip(demosaic(cfa, PATTERN, method), 0, 1)
 
 
 def _part_of(picture: str, part: str) -> Picture:

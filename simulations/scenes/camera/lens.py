@@ -156,8 +156,7 @@ def _four_quarters(quarter: Floats, to_the_left: int, upwards: int) -> Floats:
 def distort_picture(straight: Planes, lens: LensMap) -> Planes:
     """The straight picture as the lens shows it; black where no ray arrives."""
     # Cubics dip a little below the dark side of an edge, but no light is negative.
-    distorted: Planes = np.maximum(warp(lens.table, straight), 0.0) * lens.reached
-    return distorted
+    return np.maximum(warp(lens.table, straight), 0.0) * lens.reached
 
 
 def trim(straight: Planes, margin_columns: int, margin_rows: int) -> Planes:

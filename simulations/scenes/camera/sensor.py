@@ -76,8 +76,7 @@ def vignette(radiance: Planes, focal_length: float, focus: float) -> Planes:
 
 def expose(irradiance: Planes, exposure: float) -> Planes:
     """Mean electrons; what aperture and focus take away is made good by the shutter."""
-    mean_e: Planes = irradiance * np.float32(FULL_WELL_E * 2.0**exposure)
-    return mean_e
+    return irradiance * np.float32(FULL_WELL_E * 2.0**exposure)
 
 
 def count(mean_e: Planes, grain: Grain) -> Planes:
@@ -90,8 +89,7 @@ def count(mean_e: Planes, grain: Grain) -> Planes:
 
 def read(electrons: Planes, grain: Grain, noise_sigma: float) -> Planes:
     """Electrons as the amplifier reports them."""
-    reported: Planes = electrons + np.float32(read_noise_e(noise_sigma)) * grain.read
-    return reported
+    return electrons + np.float32(read_noise_e(noise_sigma)) * grain.read
 
 
 def quantise(electrons: Planes) -> NDArray[np.uint16]:

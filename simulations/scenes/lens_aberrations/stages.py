@@ -71,8 +71,7 @@ def field_tangents() -> Floats:
     """(H, W) tangent of the angle from the axis at which each pixel looks."""
     x = (np.arange(WIDTH_PX) - 0.5 * (WIDTH_PX - 1)) / FOCAL_PX
     y = (np.arange(HEIGHT_PX) - 0.5 * (HEIGHT_PX - 1)) / FOCAL_PX
-    tangents: Floats = np.hypot(x, y[:, None])
-    return tangents
+    return np.hypot(x, y[:, None])
 
 
 def magnify(plane: NDArray[np.float32], scale: float) -> NDArray[np.float32]:
@@ -143,8 +142,7 @@ def _vignetting(aperture: float, rim: float, natural: bool) -> NDArray[np.float3
     factor = np.interp(radius, tangents, open_share)
     if natural:
         factor *= vignetting_cos4(radius)
-    shared: NDArray[np.float32] = factor.astype(np.float32)
-    return shared
+    return factor.astype(np.float32)
 
 
 def encode(planes: Planes, factor: Floats) -> Raster:

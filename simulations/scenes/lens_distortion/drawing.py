@@ -72,8 +72,7 @@ def picture_overlay(lens: Distortion, *, corrected: bool) -> str:
 
 def to_view(xy: Floats) -> Floats:
     """Normalised coordinates as view box units."""
-    view: Floats = np.asarray(CENTRE) + UNITS_PER_RADIUS * np.asarray(xy)
-    return view
+    return np.asarray(CENTRE) + UNITS_PER_RADIUS * np.asarray(xy)
 
 
 def runs(points: Floats, keep: Mask) -> list[Floats]:

@@ -48,8 +48,7 @@ class Label:
 
 def place(x: float, y: float) -> Floats:
     """Pixel to view box."""
-    position: Floats = CENTRE + IMAGE_SCALE * np.array([x, y])
-    return position
+    return CENTRE + IMAGE_SCALE * np.array([x, y])
 
 
 def image_panel(view: View) -> Panel:

@@ -31,8 +31,7 @@ RAY_LIMITS = ((1, 0, 0), (-1, 0, WIDTH), (0, 1, -4), (0, -1, 280))
 
 def above(Z: float, X: float) -> Floats:
     """Metres to view box."""
-    position: Floats = CAMERA + np.array([DEPTH_SCALE * Z, SIDE_SCALE * X])
-    return position
+    return CAMERA + np.array([DEPTH_SCALE * Z, SIDE_SCALE * X])
 
 
 def top_view_panel(view: View) -> Panel:

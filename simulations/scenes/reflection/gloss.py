@@ -115,8 +115,7 @@ def lobe(light: float, model: str, shininess: float, specular: float) -> Floats:
     normals = np.broadcast_to(np.array(VIEW), cameras.shape)
     shine = highlight(normals, light, cameras, model, shininess)
     matte = float(ALBEDO[0]) * max(0.0, math.cos(math.radians(light)))
-    brightness: Floats = matte + specular * shine
-    return brightness
+    return matte + specular * shine
 
 
 def true_light(

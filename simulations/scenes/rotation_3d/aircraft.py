@@ -88,5 +88,4 @@ def _washes(turned: Floats) -> NDArray[np.int64]:
     normals = np.cross(second - corner, third - corner)
     sizes = np.maximum(np.sqrt((normals * normals).sum(axis=-1)), 1e-9)
     lit = -np.sign(normals @ VIEW[2]) * (normals @ _TOWARDS_LIGHT) / sizes
-    washes: NDArray[np.int64] = 1 + np.rint(1.5 * (1.0 - lit)).astype(np.int64)
-    return washes
+    return 1 + np.rint(1.5 * (1.0 - lit)).astype(np.int64)

@@ -41,8 +41,7 @@ class Ring:
         """Points (..., 3) of the ring at angles (...) from its zero."""
         angle = np.asarray(angle_rad, float)[..., None]
         aside = np.cross(self.axis, self.zero)
-        place: Floats = self.radius * (np.cos(angle) * self.zero + np.sin(angle) * aside)
-        return place
+        return self.radius * (np.cos(angle) * self.zero + np.sin(angle) * aside)
 
 
 def rings(yaw_rad: float, pitch_rad: float, roll_rad: float) -> tuple[Ring, Ring, Ring]:

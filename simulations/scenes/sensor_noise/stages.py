@@ -98,8 +98,7 @@ def _flat(mean_e: Floats) -> Floats:
 
 def patch_means_e(exposure: float) -> Floats:
     """(24,) electrons that light frees in a cell of each patch."""
-    means: Floats = BRIGHTEST_E * 2.0 ** (exposure - STOPS)
-    return means
+    return BRIGHTEST_E * 2.0 ** (exposure - STOPS)
 
 
 def _read(

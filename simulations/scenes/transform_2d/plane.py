@@ -71,14 +71,12 @@ GRID = grid_segments()[:10]
 
 def to_view(points: ArrayLike) -> Floats:
     """Plane to view box."""
-    view: Floats = np.asarray(points, float) * [SCALE, -SCALE] + ORIGIN
-    return view
+    return np.asarray(points, float) * [SCALE, -SCALE] + ORIGIN
 
 
 def label_at(point: ArrayLike, right: float, down: float) -> Floats:
     """Place of a label in the view box, so far from a point of the plane."""
-    place: Floats = to_view(point) + np.array([right, down])
-    return place
+    return to_view(point) + np.array([right, down])
 
 
 def in_frame(points: ArrayLike, closed: bool = True) -> Floats:

@@ -101,7 +101,7 @@ def test_shapes_are_kept_and_wrong_ones_refused() -> None:
 
 @pytest.mark.parametrize("scale", [0.0, -1.0, np.inf, np.nan])
 def test_a_similarity_has_a_size(scale: float) -> None:
-    with pytest.raises(ValueError, match=r"scale: .+; legal: positive and finite"):
+    with pytest.raises(ValueError, match=r"scale .+; legal: above 0, finite"):
         transforms_3d.similarity(scale, R, [0, 0, 0])
 
 

@@ -41,8 +41,8 @@ def test_random_points_of_each_pixel_are_its_own() -> None:
 
 
 def test_no_points_at_all_are_refused_and_one_is_not() -> None:
-    with pytest.raises(ValueError, match=r"count 0; legal: 1 or more"):
+    with pytest.raises(ValueError, match=r"count 0; legal: whole numbers, 1 or more"):
         fibonacci_disc(0)
-    with pytest.raises(ValueError, match=r"count 0; legal: 1 or more"):
+    with pytest.raises(ValueError, match=r"count 0; legal: whole numbers, 1 or more"):
         random_disc(0, (), np.random.default_rng(0))
     assert random_disc(1, (), np.random.default_rng(0)).shape == (1, 2)

@@ -113,11 +113,11 @@ def test_either_way_of_drawing_a_disc_will_do() -> None:
 @pytest.mark.parametrize("radius", [-1.0, 1025.0, np.inf, np.nan])
 def test_discs_that_no_picture_can_hold_are_refused(radius: float) -> None:
     planes = np.ones((4, 8, 8), np.float32)
-    with pytest.raises(ValueError, match=r"blur_layer: radius_px .*; legal: 0 to 1024"):
+    with pytest.raises(ValueError, match=r"radius_px .*; legal: 0 to 1024"):
         blur_layer(Layer(planes, 0, 0, radius))
     radii = np.ones((8, 8))
     radii[3, 4] = radius
-    with pytest.raises(ValueError, match="blur_by_depth: radius_px"):
+    with pytest.raises(ValueError, match="radius_px"):
         blur_by_depth(planes, radii)
 
 

@@ -173,9 +173,9 @@ def test_a_blur_of_an_uneven_picture_keeps_its_size_and_a_ramp() -> None:
 
 @pytest.mark.parametrize("radius", [-1.0, -0.1, 1025.0, np.inf, np.nan])
 def test_discs_that_no_picture_can_hold_are_refused(radius: float) -> None:
-    with pytest.raises(ValueError, match=r"disc_kernel: radius_px .*; legal: 0 to 1024"):
+    with pytest.raises(ValueError, match=r"radius_px .*; legal: 0 to 1024"):
         disc_kernel(radius)
-    with pytest.raises(ValueError, match=r"disc_blur: radius_px .*; legal: 0 to 1024"):
+    with pytest.raises(ValueError, match=r"radius_px .*; legal: 0 to 1024"):
         disc_blur(np.ones((4, 8, 8), np.float32), radius)
 
 

@@ -51,7 +51,7 @@ def test_in_focus_everywhere_nothing_changes() -> None:
 
 @pytest.mark.parametrize("bins", [0, 1])
 def test_fewer_than_two_bins_are_refused(bins: int) -> None:
-    with pytest.raises(ValueError, match=f"bins {bins}; legal: 2 or more"):
+    with pytest.raises(ValueError, match=f"bins {bins}; legal: whole numbers, 2 or more"):
         binned_gaussian(NOISE, np.ones((40, 50)), bins)
 
 

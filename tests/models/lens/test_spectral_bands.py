@@ -85,5 +85,5 @@ def test_the_narrowest_band_and_the_longest_wave_are_legal() -> None:
 
 def test_a_hundred_wavelengths_can_be_chosen_and_no_more() -> None:
     assert chosen_wavelengths(0.5, 0.03, 100).shares.sum() == pytest.approx(1)
-    with pytest.raises(ValueError, match="count 101; legal: at most 100"):
+    with pytest.raises(ValueError, match="count 101; legal: whole numbers, 1 to 100"):
         chosen_wavelengths(0.5, 0.03, 101)

@@ -20,7 +20,7 @@ def test_an_object_at_twice_the_focal_length_is_imaged_there_too() -> None:
 
 
 def test_an_object_inside_the_focal_length_has_no_real_image() -> None:
-    with pytest.raises(ValueError, match=r"distance_mm 49\.9: .* virtual"):
+    with pytest.raises(ValueError, match=r"distance_mm 49\.9; .* virtual"):
         thin_lens_image_distance(50, [1000, 49.9])
 
 

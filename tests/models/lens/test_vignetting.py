@@ -194,7 +194,7 @@ def test_discs_share_as_much_to_either_side_of_each_other() -> None:
     ("a", "b"), [(0.99e-70, 1.0), (1.0, 1.01e70), (1.0, np.inf), (np.nan, 1.0), (1.0, -1.0)]
 )
 def test_discs_of_no_size_are_refused(a: float, b: float) -> None:
-    with pytest.raises(ValueError, match="must be 1e-70 to 1e70"):
+    with pytest.raises(ValueError, match="legal: 1e-70 to 1e70"):
         disc_overlap_area(0.5, a, b)
 
 

@@ -168,7 +168,7 @@ def test_a_light_has_a_direction_of_unit_length(light: tuple[float, float, float
 
 @pytest.mark.parametrize("angle", [0.0, -0.1, 1.6, math.nan])
 def test_the_bounds_of_a_shadow_need_a_lamp_of_some_width(angle: float) -> None:
-    with pytest.raises(ValueError, match=r"shadow_bounds: light_radius_rad .*; legal: 0 to pi/2"):
+    with pytest.raises(ValueError, match=r"light_radius_rad .*; legal: above 0, below pi/2"):
         shadow_bounds(Sphere((0, 0, 2), 0.5), (0, 0, 1.0), angle)
 
 

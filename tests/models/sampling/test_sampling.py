@@ -226,7 +226,7 @@ def test_the_sinc_is_windowed_by_its_own_widest_lobe(factor: int, lobes: int) ->
 def test_four_lobes_unless_told_otherwise_and_at_least_one_of_each() -> None:
     np.testing.assert_array_equal(aliasing.sinc_kernel(3), aliasing.sinc_kernel(3, 4))
     for factor, lobes in ((0, 4), (1, 0)):
-        with pytest.raises(ValueError, match="legal: 1 or more"):
+        with pytest.raises(ValueError, match="legal: whole numbers, 1 or more"):
             aliasing.sinc_kernel(factor, lobes)
 
 

@@ -61,9 +61,9 @@ def test_random_instants_are_right_on_average_and_off_by_the_root_of_their_count
 
 def test_no_instant_is_refused() -> None:
     for refused in (0, -3):
-        with pytest.raises(ValueError, match=f"count {refused}; legal: 1 or more"):
+        with pytest.raises(ValueError, match=f"count {refused}; legal: whole numbers, 1 or more"):
             mean_of_instants(ramp, refused)
-        with pytest.raises(ValueError, match="legal: 1 or more"):
+        with pytest.raises(ValueError, match="legal: whole numbers, 1 or more"):
             mean_of_random_instants(lambda times: times, refused, (2, 3), np.random.default_rng(1))
 
 

@@ -144,7 +144,7 @@ def test_what_is_asked_of_a_sensor_is_refused_by_name() -> None:
         with_iso(Sensor(), 0)
     with pytest.raises(ValueError, match=r"^exposure_s inf; legal: "):
         expose(1.0, np.inf, Sensor())
-    with pytest.raises(ValueError, match=r"^samples 1; legal: 2 or more$"):
+    with pytest.raises(ValueError, match=r"^samples 1; legal: whole numbers, 2 or more$"):
         photon_transfer([1.0], Sensor(), rng(), samples=1)
 
 
@@ -188,7 +188,7 @@ def test_no_scale_of_the_mean_overflows(scale: float) -> None:
 
 
 def test_a_variance_of_one_sample_is_refused() -> None:
-    with pytest.raises(ValueError, match="samples 1; legal: 2 or more"):
+    with pytest.raises(ValueError, match="samples 1; legal: whole numbers, 2 or more"):
         estimate_gain([20.0, 40.0, 100.0], [20.0, 40.0, 100.0], samples=1)
 
 
