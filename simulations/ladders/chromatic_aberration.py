@@ -13,6 +13,7 @@ from simulations.engine.ladder import Ladder, Metric, Tier
 from simulations.models.arrays import Floats
 from simulations.models.lens.chromatic_aberration import Glass, lateral_chromatic_scale
 from simulations.models.lens.spectral_bands import chosen_wavelengths, even_wavelengths
+from simulations.models.pixel_grid import centred
 from simulations.pictures.coverage import checker
 
 SIZE = 192
@@ -42,7 +43,7 @@ class Workload:
 
 
 def prepare() -> Workload:
-    along = (np.arange(SIZE) - (SIZE - 1) / 2).astype(np.float32)
+    along = centred(SIZE).astype(np.float32)
     return Workload(along[None, :], along[:, None])
 
 

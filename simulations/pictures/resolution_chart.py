@@ -10,6 +10,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from simulations.models.arrays import Floats
+from simulations.models.pixel_grid import centred
 from simulations.pictures.coverage import band, blend, checker, stripes
 from simulations.pictures.patterns import siemens_star
 
@@ -30,8 +31,7 @@ def resolution_chart(width: int, height: int, focal_px: float) -> Floats:
     """
     if width < 1 or height < 1 or not 0.0 < focal_px < np.inf:
         raise ValueError(f"{width} x {height}, focal_px {focal_px}; legal: above 0, finite")
-    column = (np.arange(width) - 0.5 * (width - 1)) / focal_px
-    row = (np.arange(height) - 0.5 * (height - 1)) / focal_px
+    column, row = centred(width) / focal_px, centred(height) / focal_px
     x, y = column.astype(np.float32)[None], row.astype(np.float32)[:, None]
     pixel = np.float32(1.0 / focal_px)
     picture = np.broadcast_to(np.asarray(PAPER, np.float32), (height, width, 3))
