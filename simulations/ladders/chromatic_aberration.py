@@ -14,7 +14,7 @@ from simulations.models.arrays import Floats
 from simulations.models.lens.chromatic_aberration import Glass, lateral_chromatic_scale
 from simulations.models.lens.spectral_bands import chosen_wavelengths, even_wavelengths
 from simulations.models.pixel_grid import centred
-from simulations.pictures.coverage import checker
+from simulations.pictures.patterns import checker
 
 SIZE = 192
 TILE_PX = 14.0

@@ -11,7 +11,7 @@ import numpy as np
 
 from simulations.models.arrays import Floats
 from simulations.models.pixel_grid import centred
-from simulations.pictures.coverage import checker, stripes
+from simulations.pictures.patterns import checker, stripes
 
 type Place = Floats | float
 """A point of the lens, the same for all pixels or one (H, W) for each; metres from its centre."""

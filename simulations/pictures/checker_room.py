@@ -11,7 +11,7 @@ import numpy as np
 
 from simulations.models.arrays import Floats, Mask
 from simulations.models.pixel_grid import centred
-from simulations.pictures.coverage import band, blend, checker, stripes
+from simulations.pictures.patterns import band, blend, checker, stripes
 
 LOW = (-2.35, -1.75, -1.0)
 """Left wall, ceiling, and a wall behind the eye (never seen)."""

@@ -11,8 +11,7 @@ import numpy as np
 
 from simulations.models.arrays import Floats
 from simulations.models.pixel_grid import centred
-from simulations.pictures.coverage import band, blend, checker, stripes
-from simulations.pictures.patterns import siemens_star
+from simulations.pictures.patterns import band, blend, checker, siemens_star, stripes
 
 PAPER, INK, RULE = (0.82, 0.81, 0.78), (0.025, 0.028, 0.035), (0.10, 0.22, 0.34)
 STAR_CENTRES = ((-0.57, -0.37), (0.57, -0.37), (-0.57, 0.37), (0.57, 0.37))
