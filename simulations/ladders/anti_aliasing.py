@@ -12,6 +12,7 @@ import numpy as np
 
 from simulations.engine.ladder import Ladder, Metric, Tier
 from simulations.models.arrays import Floats, Mask
+from simulations.models.pixel_grid import centred
 from simulations.models.sampling.aliasing import (
     box_filter,
     filter_and_sample,
@@ -43,7 +44,7 @@ class Truth:
 
 def prepare() -> Floats:
     """Positions of pixel centres along either axis, from the middle of the picture."""
-    return np.arange(SIZE) - (SIZE - 1) / 2
+    return centred(SIZE)
 
 
 def _samples(centres: Floats, factor: int) -> Floats:

@@ -13,7 +13,8 @@ from simulations.engine.ladder import Ladder, Metric, Tier
 from simulations.models.arrays import Floats
 from simulations.models.lens.chromatic_aberration import Glass, lateral_chromatic_scale
 from simulations.models.lens.spectral_bands import chosen_wavelengths, even_wavelengths
-from simulations.pictures.coverage import checker
+from simulations.models.pixel_grid import centred
+from simulations.pictures.patterns import checker
 
 SIZE = 192
 TILE_PX = 14.0
@@ -42,7 +43,7 @@ class Workload:
 
 
 def prepare() -> Workload:
-    along = (np.arange(SIZE) - (SIZE - 1) / 2).astype(np.float32)
+    along = centred(SIZE).astype(np.float32)
     return Workload(along[None, :], along[:, None])
 
 

@@ -11,6 +11,8 @@ import numpy as np
 
 from simulations.engine.ladder import Ladder, Metric, Tier
 from simulations.models.arrays import Floats
+from simulations.models.picture_error import psnr_db
+from simulations.models.pixel_grid import centred
 from simulations.models.sampling.resampling import gather, gather_table
 
 SIZE = 128
@@ -57,7 +59,7 @@ def prepare() -> Workload:
 
 def _grid() -> tuple[Floats, Floats]:
     """Position of each pixel from the centre."""
-    along = np.arange(SIZE) - CENTRE
+    along = centred(SIZE)
     x, y = np.meshgrid(along, along)
     return x, y
 
@@ -100,18 +102,18 @@ def reference(workload: Workload) -> Turned:
     )
 
 
-def _psnr_db(picture: Floats, truth: Floats) -> float:
-    """Within the judged circle only; the peak is 1."""
+def _psnr_inside_db(picture: Floats, truth: Floats) -> float:
+    """Within the judged circle only."""
     inside = np.hypot(*_grid()) < JUDGED_RADIUS_PX
-    return float(-10 * np.log10(np.mean(np.square(picture[inside] - truth[inside]))))
+    return psnr_db(picture[inside], truth[inside])
 
 
 def psnr_once(result: Turned, truth: Turned, _workload: Workload) -> float:
-    return _psnr_db(result.once, truth.once)
+    return _psnr_inside_db(result.once, truth.once)
 
 
 def psnr_round(result: Turned, truth: Turned, _workload: Workload) -> float:
-    return _psnr_db(result.round, truth.round)
+    return _psnr_inside_db(result.round, truth.round)
 
 
 def fine_contrast(result: Turned, _truth: Turned, workload: Workload) -> float:

@@ -10,7 +10,8 @@ from dataclasses import dataclass
 import numpy as np
 
 from simulations.models.arrays import Floats
-from simulations.pictures.coverage import checker, stripes
+from simulations.models.pixel_grid import centred
+from simulations.pictures.patterns import checker, stripes
 
 type Place = Floats | float
 """A point of the lens, the same for all pixels or one (H, W) for each; metres from its centre."""
@@ -73,7 +74,7 @@ class Pixels:
 def pixels(width: int, dtype: type[np.floating]) -> Pixels:
     """A picture of ``width`` columns; its directions as ``dtype``, in which all is computed."""
     height, focal_px = width * 3 // 4, FOCAL_WIDTHS * width
-    x = (np.arange(width) - (width - 1) / 2) / focal_px
+    x = centred(width) / focal_px
     y = (np.arange(height) - HORIZON * height) / focal_px
     return Pixels(x[None, :].astype(dtype), y[:, None].astype(dtype), focal_px)
 

@@ -10,7 +10,8 @@ from dataclasses import dataclass
 import numpy as np
 
 from simulations.models.arrays import Floats, Mask
-from simulations.pictures.coverage import band, blend, checker, stripes
+from simulations.models.pixel_grid import centred
+from simulations.pictures.patterns import band, blend, checker, stripes
 
 LOW = (-2.35, -1.75, -1.0)
 """Left wall, ceiling, and a wall behind the eye (never seen)."""
@@ -50,8 +51,8 @@ def checker_room(width: int, height: int, focal_px: float) -> Floats:
     """
     if width < 1 or height < 1 or not 0.0 < focal_px < np.inf:
         raise ValueError(f"{width} x {height}, focal_px {focal_px}; legal: above 0, finite")
-    x = (np.arange(width, dtype=np.float32) - 0.5 * (width - 1)) / focal_px
-    y = (np.arange(height, dtype=np.float32) - 0.5 * (height - 1)) / focal_px
+    x = centred(width).astype(np.float32) / focal_px
+    y = centred(height).astype(np.float32) / focal_px
     # Never exactly along a wall, where a ray would meet it nowhere.
     ray_x = np.broadcast_to(np.where(x == 0.0, 1e-6, x).astype(np.float32), (height, width))
     ray_y = np.broadcast_to(np.where(y == 0.0, 1e-6, y).astype(np.float32)[:, None], ray_x.shape)

@@ -7,7 +7,7 @@ to 1, the exposure; coordinates are pixels, x to the right and y down. Linear li
 import numpy as np
 
 from simulations.models.arrays import Floats, Mask
-from simulations.pictures.coverage import stripes
+from simulations.pictures.patterns import stripes
 
 WIDTH, HEIGHT = 160, 96
 RADIUS, CENTRE_Y = 30.7, 47.3

@@ -15,6 +15,7 @@ from numpy.typing import ArrayLike, NDArray
 from simulations.engine.raster import to_rgba8
 from simulations.models.arrays import Floats, Mask
 from simulations.models.color.srgb import encode_srgb
+from simulations.models.pixel_grid import centred
 from simulations.models.whole_numbers import as_whole
 
 WIDTH, HEIGHT = 320, 240
@@ -51,8 +52,8 @@ class Canvas:
 
 def build_canvas() -> Canvas:
     """Angles, radii and the parts that look the same however the wheel stands."""
-    x = np.arange(WIDTH) - 0.5 * (WIDTH - 1)
-    y = np.arange(HEIGHT)[:, None] - 0.5 * (HEIGHT - 1)
+    x = centred(WIDTH)
+    y = centred(HEIGHT)[:, None]
     radius = np.hypot(x, y)
     rim = _inside(radius, RADIUS) - _inside(radius, RADIUS - RIM)
     solid = rim + _inside(radius, HUB)

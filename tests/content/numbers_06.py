@@ -27,7 +27,8 @@ from simulations.models.color.srgb import (
 )
 from simulations.models.compression.blocks import round_outwards
 from simulations.models.compression.chroma_upsampling import METHODS as UPSAMPLING
-from simulations.models.sensor.demosaicing import METHODS, demosaic, mosaic, psnr_db
+from simulations.models.picture_error import psnr_db
+from simulations.models.sensor.demosaicing import METHODS, demosaic, mosaic
 from simulations.models.sensor.photon_counting import (
     Sensor,
     ShotModel,
@@ -175,6 +176,7 @@ def threads_of_red_and_cyan() -> Says:
         method: psnr_db(
             encode_srgb(np.clip(demosaic(mosaic(blurred), method=method), 0, 1)),
             encode_srgb(blurred),
+            crop=8,
         )
         for method in ("bilinear", "malvar")
     }
@@ -190,7 +192,7 @@ def scores(picture: str) -> dict[str, tuple[float, float]]:
     truth = SUBJECTS[picture].draw(WHOLE)
     guessed = {m: np.clip(demosaic(mosaic(truth), method=m), 0, 1) for m in METHODS}
     return {
-        m: (psnr_db(encode_srgb(guess), encode_srgb(truth)), psnr_db(guess, truth))
+        m: (psnr_db(encode_srgb(guess), encode_srgb(truth), crop=8), psnr_db(guess, truth, crop=8))
         for m, guess in guessed.items()
     }
 

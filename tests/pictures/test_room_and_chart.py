@@ -1,4 +1,4 @@
-"""The chequered room and the resolution chart: exact coverage, and geometry one can check."""
+"""The chequered room and the resolution chart: geometry one can check."""
 
 from collections.abc import Callable
 
@@ -7,26 +7,7 @@ import pytest
 
 from simulations.models.arrays import Floats
 from simulations.pictures.checker_room import HIGH, LOW, TRIM_M, checker_room
-from simulations.pictures.coverage import band, checker, stripes
 from simulations.pictures.resolution_chart import INK, PAPER, resolution_chart
-
-
-def test_a_band_covers_the_share_of_the_footprint_it_overlaps() -> None:
-    u = np.array([-1.0, -0.5, 0.0, 0.5, 2.0])
-    np.testing.assert_allclose(band(u, -0.5, 0.5, 0.4), [0.0, 0.5, 1.0, 0.5, 0.0])
-
-
-@pytest.mark.parametrize("footprint", [0.03, 0.3, 1.7])
-def test_stripes_agree_with_many_point_samples(footprint: float) -> None:
-    u = np.linspace(-2, 2, 37)
-    fine = u[:, None] + footprint * ((np.arange(4000) + 0.5) / 4000 - 0.5)
-    sampled = (np.abs(fine - np.round(fine / 0.7) * 0.7) <= 0.1).mean(axis=1)
-    np.testing.assert_allclose(stripes(u, 0.7, 0.2, footprint), sampled, atol=1e-3)
-
-
-def test_tiles_far_below_a_pixel_blend_to_their_mean() -> None:
-    u = np.linspace(0, 3, 50)
-    np.testing.assert_allclose(checker(u, u, 0.001, 0.5, 0.5), 0.5, atol=1e-2)
 
 
 def test_the_back_wall_ends_where_projection_puts_its_corners() -> None:

@@ -51,7 +51,7 @@ def test_intrinsics_are_finite_or_refused(v: Floats) -> None:
 
 @given(any_float, any_float)
 def test_field_of_view_is_an_angle(focal_mm: float, sensor_mm: float) -> None:
-    angle = ask(pinhole.field_of_view, focal_mm, sensor_mm)
+    angle = ask(pinhole.field_of_view_rad, focal_mm, sensor_mm)
     assert angle is None or 0.0 <= angle <= np.pi
 
 

@@ -107,17 +107,6 @@ def test_depth_of_field_holds_the_focus_or_is_refused(
 
 
 @given(any_float, any_float, any_float)
-def test_lenses_see_an_angle_or_are_refused(
-    focal_mm: float, sensor_mm: float, focus_mm: float
-) -> None:
-    for angle in (
-        ask(thin_lens.field_of_view_rad, focal_mm, sensor_mm),
-        ask(thin_lens.field_of_view_rad, focal_mm, sensor_mm, focus_mm),
-    ):
-        assert angle is None or 0.0 <= angle <= np.pi
-
-
-@given(any_float, any_float, any_float)
 def test_sensors_stand_at_the_focal_length_or_beyond_or_are_refused(
     focal_mm: float, f_number: float, focus_mm: float
 ) -> None:

@@ -14,7 +14,6 @@ from simulations.models.require import require, require_positive
 __all__ = [
     "circle_of_confusion_mm",
     "depth_of_field",
-    "field_of_view_rad",
     "hyperfocal",
     "principal_distance_mm",
     "thin_lens_image_distance",
@@ -154,15 +153,6 @@ def hyperfocal(focal_mm: float, f_number: float, coc_mm: float) -> float:
     require_positive("coc_mm", coc_mm)
     require("f_number", f_number, f_number > 0.0, "above 0 (inf is a pinhole)")
     return focal_mm * (focal_mm / f_number / coc_mm) + focal_mm  # the product may underflow
-
-
-def field_of_view_rad(focal_mm: float, sensor_mm: float, focus_mm: float = np.inf) -> float:
-    """Full angle that a sensor of this width sees: 2 atan(w / 2z), z from `principal_distance_mm`.
-
-    Focused at infinity, z is the focal length.
-    """
-    require_positive("sensor_mm", sensor_mm)
-    return float(2.0 * np.arctan2(0.5 * sensor_mm, principal_distance_mm(focal_mm, focus_mm)))
 
 
 def _check_lens(focal_mm: float, f_number: float, focus_mm: float) -> None:

@@ -204,12 +204,12 @@ def pixel_rays(K: ArrayLike, width: int, height: int) -> Floats:
     return rays
 
 
-def field_of_view(focal_mm: float, sensor_mm: float) -> float:
-    """Angle in radians that a sensor of ``sensor_mm`` sees: 2 atan(sensor / 2 focal).
+def field_of_view_rad(focal_mm: float, sensor_mm: float) -> float:
+    """Full angle that a sensor of this width sees: 2 atan(sensor / 2 focal).
 
-    ``focal_mm`` is its distance from the centre of projection, as in `intrinsics`.
-
-    An infinite focal length sees angle 0. Any one unit of length does, pixels included.
+    ``focal_mm`` is its distance from the centre of projection, as in `intrinsics`: for a lens
+    that is focused, `thin_lens.principal_distance_mm`. Any one unit of length does, pixels
+    included. An infinite focal length sees angle 0.
     """
     if not (focal_mm > 0.0 and 0.0 < sensor_mm < math.inf):
         raise ValueError(f"focal_mm {focal_mm}, sensor_mm {sensor_mm}; legal: positive")

@@ -8,7 +8,6 @@ A sensor counts light, so a mosaic is linear, and so is what comes out. `encode_
 is what a display is sent.
 """
 
-import math
 from collections.abc import Callable
 
 import numpy as np
@@ -16,7 +15,7 @@ from numpy.typing import ArrayLike
 
 from simulations.models.arrays import Floats, as_floats
 from simulations.models.color.srgb import decode_srgb, encode_srgb
-from simulations.models.require import require_one_of, require_positive
+from simulations.models.require import require_one_of
 from simulations.models.sensor.bayer import PATTERNS, filter_colours, mosaic
 from simulations.models.sensor.bayer_quads import (
     Quads,
@@ -29,9 +28,8 @@ from simulations.models.sensor.bayer_quads import (
 )
 from simulations.models.sensor.malvar import malvar
 from simulations.models.sensor.menon import menon, menon_unrefined
-from simulations.models.whole_numbers import as_whole
 
-__all__ = ["METHODS", "PATTERNS", "demosaic", "mosaic", "psnr_db"]
+__all__ = ["METHODS", "PATTERNS", "demosaic", "mosaic"]
 
 
 def nearest(quads: Quads) -> Floats:
@@ -127,24 +125,3 @@ def _demosaic_line(cfa: Floats, pattern: str, method: str) -> Floats:
     for colour in set(range(3)).difference(held):
         rgb[:, colour] = rgb[:, held].mean(axis=1)
     return rgb.reshape(*cfa.shape, 3)
-
-
-def psnr_db(picture: ArrayLike, reference: ArrayLike, peak: float = 1.0, crop: int = 8) -> float:
-    """Peak signal to noise ratio in decibel, leaving out ``crop`` pixels at each border.
-
-    Equal pictures give infinity, and pictures infinitely apart minus infinity. Raises
-    `ValueError` where nothing is left after the crop, or the shapes differ.
-    """
-    a, b = np.asarray(picture, np.float64), np.asarray(reference, np.float64)
-    if a.shape != b.shape or a.ndim < 2:
-        raise ValueError(f"pictures of shapes {a.shape} and {b.shape}; legal: equal, (H, W, ...)")
-    crop = as_whole("crop", crop, 0)
-    if 2 * crop >= min(a.shape[:2]):
-        raise ValueError(f"crop {crop} px of a picture {a.shape}; legal: less than half of it")
-    inner = (slice(crop, a.shape[0] - crop), slice(crop, a.shape[1] - crop))
-    require_positive("peak", peak)
-    with np.errstate(over="ignore", invalid="ignore"):
-        mean_square = float(np.mean(np.square((a[inner] - b[inner]) / peak)))
-    if mean_square == 0.0:
-        return math.inf
-    return -math.inf if mean_square == math.inf else -10 * math.log10(mean_square)

@@ -10,6 +10,7 @@ from simulations.engine.raster import to_rgba8
 from simulations.engine.stages import Stage
 from simulations.models.arrays import Floats
 from simulations.models.color.srgb import encode_srgb
+from simulations.models.pixel_grid import centred
 from simulations.models.sampling import prefilters
 from simulations.models.sampling.aliasing import alias_frequency
 from simulations.models.sampling.prefilters import Prefilter, filtered_wave
@@ -61,7 +62,7 @@ class Pattern:
     def picture(self, kernel: Prefilter) -> Floats:
         """Linear light (height, width) of all samples."""
         x = self.first + np.arange(self.width)
-        y = np.arange(self.height) - 0.5 * (self.height - 1)
+        y = centred(self.height)
         along = filtered_wave(kernel, x, self.base, self.chirp)
         return 0.5 + 0.5 * np.multiply.outer(self._across(kernel, y), along).imag
 

@@ -23,6 +23,7 @@ from simulations.engine.scene import Scene
 from simulations.engine.settings import choice, slider
 from simulations.engine.stages import Outputs
 from simulations.models.arrays import Floats, Mask
+from simulations.models.pixel_grid import centred
 from simulations.models.sampling.prefilters import prefilter, transfer
 from simulations.scenes.aliasing import row, spectrum
 from simulations.scenes.aliasing.pattern import PATTERNS, STAGES, Pattern, pattern_of
@@ -158,7 +159,7 @@ def ideal(pattern: Pattern) -> tuple[Floats, Mask]:
     all others. The pattern is written out here once more, from its definition.
     """
     x = pattern.first + np.arange(pattern.width)
-    y = (np.arange(pattern.height) - (pattern.height - 1) / 2)[:, None]
+    y = centred(pattern.height)[:, None]
     f = pattern.frequency
     if pattern.kind == "stripes":
         wave = np.sin(pattern.phase_rad + 2 * np.pi * f * (x + 0 * y))

@@ -11,8 +11,9 @@ import numpy as np
 from simulations.engine.stages import Stage
 from simulations.models.arrays import Floats
 from simulations.models.color.srgb import encode_srgb
+from simulations.models.picture_error import psnr_db
 from simulations.models.sensor.bayer import mosaic
-from simulations.models.sensor.demosaicing import demosaic, psnr_db
+from simulations.models.sensor.demosaicing import demosaic
 from simulations.models.sensor.shared_detail import shared_detail
 from simulations.pictures.balloon import WHOLE
 from simulations.pictures.mosaic_subjects import SUBJECTS

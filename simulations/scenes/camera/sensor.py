@@ -12,6 +12,7 @@ from simulations.models.arrays import Floats, Planes
 from simulations.models.color.srgb import encode_srgb
 from simulations.models.lens import thin_lens
 from simulations.models.lens.vignetting import vignetting_cos4
+from simulations.models.pixel_grid import centred
 from simulations.models.sensor import photon_counting
 from simulations.scenes.camera.lens import COLUMNS, PITCH_MM, ROWS, principal_mm
 
@@ -67,8 +68,7 @@ def draw_grain(new_noise: int) -> Grain:
 
 def vignette(radiance: Planes, focal_length: float, focus: float) -> Planes:
     """Light on the sensor, relative to that of the same surface on the axis."""
-    x = (np.arange(COLUMNS) - (COLUMNS - 1) / 2) * PITCH_MM
-    y = (np.arange(ROWS) - (ROWS - 1) / 2) * PITCH_MM
+    x, y = centred(COLUMNS) * PITCH_MM, centred(ROWS) * PITCH_MM
     falloff = vignetting_cos4(np.hypot(x, y[:, None]) / principal_mm(focal_length, focus))
     irradiance: Planes = radiance * falloff.astype(np.float32)
     return irradiance

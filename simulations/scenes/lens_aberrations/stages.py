@@ -21,6 +21,7 @@ from simulations.models.lens.chromatic_aberration import (
 )
 from simulations.models.lens.disc_blur import disc_blur
 from simulations.models.lens.vignetting import mechanical_vignetting, vignetting_cos4
+from simulations.models.pixel_grid import centred
 from simulations.models.sampling.resampling import KERNELS
 from simulations.pictures.resolution_chart import resolution_chart
 from simulations.scenes.lens_aberrations.spectrum import bands
@@ -69,8 +70,7 @@ def light(
 
 def field_tangents() -> Floats:
     """(H, W) tangent of the angle from the axis at which each pixel looks."""
-    x = (np.arange(WIDTH_PX) - 0.5 * (WIDTH_PX - 1)) / FOCAL_PX
-    y = (np.arange(HEIGHT_PX) - 0.5 * (HEIGHT_PX - 1)) / FOCAL_PX
+    x, y = centred(WIDTH_PX) / FOCAL_PX, centred(HEIGHT_PX) / FOCAL_PX
     return np.hypot(x, y[:, None])
 
 
@@ -84,8 +84,7 @@ def magnify(plane: NDArray[np.float32], scale: float) -> NDArray[np.float32]:
 
 def _magnify_rows(plane: NDArray[np.float32], scale: float) -> NDArray[np.float32]:
     size, kernel = plane.shape[0], KERNELS["bicubic"]
-    middle = 0.5 * (size - 1)
-    position = middle + (np.arange(size) - middle) / scale
+    position = 0.5 * (size - 1) + centred(size) / scale
     base = np.floor(position)
     result = np.zeros_like(plane)
     for tap in range(-1, 3):

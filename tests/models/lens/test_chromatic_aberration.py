@@ -16,7 +16,6 @@ from simulations.models.lens.chromatic_aberration import (
 from simulations.models.lens.thin_lens import (
     circle_of_confusion_mm,
     depth_of_field,
-    field_of_view_rad,
     hyperfocal,
 )
 
@@ -101,5 +100,4 @@ def test_lenses_faster_than_f_1_exist() -> None:
     assert circle_of_confusion_mm(50, 0.95, 1e3, 1e3) == 0
     assert hyperfocal(50, 0.5, 0.03) == pytest.approx(50**2 / 0.015 + 50)
     assert axial_chromatic_mm(GLASS, 50, 0.95, LINE_D_UM) == 0
-    assert field_of_view_rad(0.5, 0.25) == pytest.approx(field_of_view_rad(50, 25))
     assert depth_of_field(0.5, 2, 10, 1e-3)[0] < 10

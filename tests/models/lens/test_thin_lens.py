@@ -9,7 +9,6 @@ import pytest
 from simulations.models.lens.thin_lens import (
     circle_of_confusion_mm,
     depth_of_field,
-    field_of_view_rad,
     hyperfocal,
     thin_lens_image_distance,
 )
@@ -88,10 +87,6 @@ def test_meaningless_lenses_are_refused_by_name(arguments: Sequence[float], name
         circle_of_confusion_mm(*arguments)
 
 
-def test_a_sensor_twice_as_wide_as_the_focal_length_sees_ninety_degrees() -> None:
-    assert field_of_view_rad(18, 36) == pytest.approx(np.pi / 2)
-
-
 def test_an_object_nearer_than_infinity_is_imaged_behind_the_focus() -> None:
     """Newton's form of the thin lens: (Z − f)(Z' − f) = f²."""
     distance = np.array([51.0, 80.0, 400.0])
@@ -104,18 +99,16 @@ def test_no_formula_takes_a_focal_length_that_is_none(focal: float) -> None:
     for call in (
         lambda: thin_lens_image_distance(focal, 1e3),
         lambda: hyperfocal(focal, 2, 0.03),
-        lambda: field_of_view_rad(focal, 36),
         lambda: depth_of_field(focal, 2, 1e3, 0.03),
     ):
         with pytest.raises(ValueError, match="focal_mm"):
             call()
 
 
-def test_a_tolerance_and_a_sensor_are_positive() -> None:
+def test_a_tolerance_is_positive() -> None:
     for call, name in (
         (lambda: hyperfocal(50, 2, 0.0), "coc_mm"),
         (lambda: depth_of_field(50, 2, 1e3, 0.0), "coc_mm"),
-        (lambda: field_of_view_rad(50, 0.0), "sensor_mm"),
     ):
         with pytest.raises(ValueError, match=name):
             call()
@@ -127,11 +120,6 @@ def test_on_the_lens_at_its_focus_and_focused_at_infinity_limits_are_legal() -> 
     near, far = depth_of_field(50, 8, np.inf, 0.03)
     assert near == pytest.approx(50**2 / (8 * 0.03))
     assert far == np.inf
-
-
-@pytest.mark.parametrize(("focal", "sensor"), [(50, 36), (24, 36), (18, 12)])
-def test_the_field_of_view_is_twice_the_angle_to_its_edge(focal: float, sensor: float) -> None:
-    assert np.tan(field_of_view_rad(focal, sensor) / 2) == pytest.approx(sensor / 2 / focal)
 
 
 def test_all_distances_must_be_legal_and_not_only_one() -> None:

@@ -12,11 +12,10 @@ from hypothesis import strategies as st
 from simulations.models.arrays import Floats
 from simulations.models.lens.thin_lens import (
     circle_of_confusion_mm,
-    field_of_view_rad,
     principal_distance_mm,
     working_f_number,
 )
-from simulations.models.projection.pinhole import intrinsics, project
+from simulations.models.projection.pinhole import field_of_view_rad, intrinsics, project
 
 ACROSS = np.linspace(-1.0, 1.0, 11)
 """Where rays pass the opening, in radii; the middle one is the chief ray."""
@@ -85,7 +84,7 @@ def test_the_edge_of_the_field_of_view_is_the_ray_that_meets_the_sensor_s_edge(
     focal: float, focus: float, sensor_mm: float
 ) -> None:
     depth = focus * focal
-    edge = depth * np.tan(field_of_view_rad(focal, sensor_mm, depth) / 2)
+    edge = depth * np.tan(field_of_view_rad(principal_distance_mm(focal, depth), sensor_mm) / 2)
     hits, _ = seen_by_sensor(focal, 8.0, depth, depth, edge)
     np.testing.assert_allclose(hits, sensor_mm / 2, rtol=1e-9, atol=1e-9 * focal)
 

@@ -158,13 +158,13 @@ def test_subtracting_the_centre_first_stays_exact_far_from_the_origin() -> None:
 
 
 def test_fields_of_view() -> None:
-    normal_lens_deg = math.degrees(pinhole.field_of_view(50.0, 36.0))
+    normal_lens_deg = math.degrees(pinhole.field_of_view_rad(50.0, 36.0))
     assert normal_lens_deg == pytest.approx(39.6, abs=0.05)  # as printed on data sheets
-    assert pinhole.field_of_view(18.0, 36.0) == pytest.approx(math.pi / 2)
-    assert pinhole.field_of_view(math.inf, 36.0) == 0.0
+    assert pinhole.field_of_view_rad(18.0, 36.0) == pytest.approx(math.pi / 2)
+    assert pinhole.field_of_view_rad(math.inf, 36.0) == 0.0
     for focal, sensor in ((0.0, 36.0), (-1.0, 36.0), (50.0, 0.0), (math.nan, 36.0)):
         with pytest.raises(ValueError, match="focal_mm"):
-            pinhole.field_of_view(focal, sensor)
+            pinhole.field_of_view_rad(focal, sensor)
 
 
 def test_one_focal_length_serves_both_axes_and_the_matrix_is_upper_triangular() -> None:
@@ -249,12 +249,12 @@ def test_looking_along_the_axis_of_depth_with_y_down_changes_nothing() -> None:
 def test_a_field_of_view_needs_a_finite_sensor() -> None:
     for sensor in (-1.0, math.inf, math.nan):
         with pytest.raises(ValueError, match="sensor_mm"):
-            pinhole.field_of_view(50.0, sensor)
+            pinhole.field_of_view_rad(50.0, sensor)
 
 
 def test_a_field_of_view_is_the_same_in_any_unit() -> None:
     for unit in (1e-3, 1.0, 1e3):
-        angle = pinhole.field_of_view(50.0 * unit, 36.0 * unit)
+        angle = pinhole.field_of_view_rad(50.0 * unit, 36.0 * unit)
         assert angle == pytest.approx(2 * math.atan(18 / 50))
 
 

@@ -12,8 +12,9 @@ from hypothesis import strategies as st
 
 from simulations.models.arrays import Floats
 from simulations.models.color.srgb import encode_srgb
+from simulations.models.picture_error import psnr_db
 from simulations.models.sensor.bayer import filter_colours, red_position, through_filters
-from simulations.models.sensor.demosaicing import METHODS, PATTERNS, demosaic, mosaic, psnr_db
+from simulations.models.sensor.demosaicing import METHODS, PATTERNS, demosaic, mosaic
 
 with warnings.catch_warnings():
     warnings.simplefilter("ignore")  # the oracle warns that it cannot plot
@@ -136,12 +137,6 @@ def test_what_cannot_be_demosaiced_is_refused_with_the_reason(
         demosaic(cfa, pattern, method)
 
 
-def test_psnr_of_an_error_of_one_code_is_48_decibel() -> None:
-    picture = np.zeros((32, 32, 3))
-    assert psnr_db(picture + 1 / 255, picture) == pytest.approx(48.1308, abs=1e-4)
-    assert psnr_db(picture, picture) == np.inf
-
-
 @pytest.mark.parametrize("pattern", PATTERNS)
 def test_each_pixel_has_the_filter_that_the_pattern_names(pattern: str) -> None:
     expected = [["RGB".index(pattern[2 * (y % 2) + x % 2]) for x in range(7)] for y in range(5)]
@@ -199,61 +194,6 @@ def test_a_line_copies_the_nearest_sample_and_greys_what_it_lacks() -> None:
     np.testing.assert_allclose(result[:, 0], result[:, 1:].mean(axis=1))
 
 
-def test_psnr_leaves_out_just_the_border() -> None:
-    clean = np.zeros((20, 30))
-    for crop, inner in ((8, (slice(8, 12), slice(8, 22))), (3, (slice(3, 17), slice(3, 27)))):
-        spoilt = np.ones((20, 30))
-        spoilt[inner] = 0
-        assert psnr_db(spoilt, clean, crop=crop) == np.inf
-        for corner in ((inner[0].start, inner[1].start), (inner[0].stop - 1, inner[1].stop - 1)):
-            one = clean.copy()
-            one[corner] = 1
-            count = clean[inner].size
-            assert psnr_db(one, clean, crop=crop) == pytest.approx(10 * np.log10(count))
-
-
-def test_psnr_leaves_out_eight_pixels_unless_told_otherwise() -> None:
-    """Each ring is off by another amount, so that any other crop has another error."""
-    far = np.minimum(np.arange(30), np.arange(30)[::-1])
-    rings = np.minimum(far[:, None], far)
-    assert psnr_db(rings, np.zeros((30, 30))) == psnr_db(rings, np.zeros((30, 30)), crop=8)
-    assert psnr_db(rings, np.zeros((30, 30))) != psnr_db(rings, np.zeros((30, 30)), crop=7)
-
-
-def test_psnr_counts_in_units_of_the_peak() -> None:
-    picture = np.zeros((20, 20))
-    assert psnr_db(picture + 1, picture, peak=255) == pytest.approx(20 * np.log10(255))
-    assert psnr_db(picture + 1, picture, crop=0) == pytest.approx(0)
-
-
-@pytest.mark.parametrize(
-    ("a", "b", "crop", "message"),
-    [
-        ((20, 20), (20, 21), 2, "shapes"),
-        ((20,), (20,), 2, "shapes"),
-        ((20, 20), (20, 20), -1, "crop -1"),
-        ((20, 20), (20, 20), 2.5, "crop 2.5; legal: whole numbers"),
-        ((20, 40), (20, 40), 10, "crop 10"),
-        ((40, 20), (40, 20), 10, "crop 10"),
-        ((40, 40, 3), (40, 40, 3), 20, "crop 20"),
-    ],
-)
-def test_pictures_that_cannot_be_compared_are_refused(
-    a: tuple[int, ...], b: tuple[int, ...], crop: Any, message: str
-) -> None:
-    with pytest.raises(ValueError, match=message):
-        psnr_db(np.zeros(a), np.zeros(b), crop=crop)
-
-
-def test_a_crop_that_leaves_a_single_row_is_legal() -> None:
-    assert psnr_db(np.ones((7, 9, 3)), np.zeros((7, 9, 3)), crop=3) == pytest.approx(0)
-
-
-def test_psnr_is_of_the_difference() -> None:
-    picture = np.random.default_rng(6).random((20, 20))
-    assert psnr_db(picture + 0.1, picture) == pytest.approx(20)
-
-
 @pytest.mark.parametrize("shape", [(1, 1), (1, 4), (4, 1), (3, 3), (2, 5)])
 def test_the_filters_of_a_sensor_of_any_size_have_that_size(shape: tuple[int, int]) -> None:
     assert filter_colours(*shape).shape == shape
@@ -263,19 +203,3 @@ def test_the_filters_of_a_sensor_of_any_size_have_that_size(shape: tuple[int, in
 def test_a_sensor_has_whole_rows_and_columns(shape: tuple[Any, Any]) -> None:
     with pytest.raises(ValueError, match=r"(height|width) .*; legal: whole numbers, 1 or more"):
         filter_colours(*shape)
-
-
-@pytest.mark.parametrize(("far", "score"), [(np.inf, -np.inf), (1e200, -np.inf), (1e100, -2000.0)])
-def test_pictures_however_far_apart_have_a_score(far: float, score: float) -> None:
-    assert psnr_db(np.full((20, 20), far), np.zeros((20, 20))) == pytest.approx(score)
-
-
-@pytest.mark.parametrize("peak", [0.0, -1.0, np.inf, np.nan])
-def test_a_score_needs_a_peak(peak: float) -> None:
-    with pytest.raises(ValueError, match=r"peak .*; legal: above 0, finite"):
-        psnr_db(np.ones((20, 20)), np.zeros((20, 20)), peak)
-
-
-def test_a_higher_peak_scores_higher() -> None:
-    a, b = np.full((20, 20), 100.0), np.full((20, 20), 98.0)
-    assert psnr_db(a, b, 255.0) == pytest.approx(10 * np.log10(255**2 / 4))
