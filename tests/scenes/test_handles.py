@@ -2,7 +2,7 @@
 
 import itertools
 import math
-from collections.abc import Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, replace
 from typing import Any
 
@@ -32,7 +32,9 @@ class Outputs(Mapping[str, Any]):
     """What the stages make of some settings, computed when a handle first asks for any of it."""
 
     def __init__(self, scene: Scene[Any], settings: object) -> None:
-        self._make = lambda: scene.run(settings, scene.default_tier, StageCache()).outputs
+        self._make: Callable[[], Mapping[str, Any]] = lambda: (
+            scene.run(settings, scene.default_tier, StageCache()).outputs
+        )
         self._made: Mapping[str, Any] | None = None
 
     def _all(self) -> Mapping[str, Any]:
@@ -156,8 +158,8 @@ def test_wherever_the_pointer_goes_the_controls_stay_legal(
     scene: Scene[Any], handle: Handle[Any]
 ) -> None:
     for start in starts(scene, handle, 2):
-        for place in itertools.product((-FAR, -1.0, 0.0, 150.0, 200.0, FAR), repeat=2):
-            values = scene.pull(start.settings, handle.name, place)
+        for across, down in itertools.product((-FAR, -1.0, 0.0, 150.0, 200.0, FAR), repeat=2):
+            values = scene.pull(start.settings, handle.name, (across, down))
             assert scene.check({**values}) is not None
 
 
