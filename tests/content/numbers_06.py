@@ -21,7 +21,7 @@ from simulations.models.color.srgb import encode_srgb
 from simulations.models.color.white_balance import white_balance
 from simulations.models.compression.blocks import round_outwards
 from simulations.models.compression.chroma_upsampling import METHODS as UPSAMPLING
-from simulations.models.picture_error import psnr_db
+from simulations.models.error_measures import psnr_db
 from simulations.models.sensor.demosaicing import METHODS, demosaic, mosaic
 from simulations.models.sensor.photon_counting import Sensor, shot_noise, signal_to_noise, with_iso
 from simulations.pictures.balloon import WHOLE
