@@ -18,14 +18,6 @@ PULLED = (-34.0, 26.0)
 """CSS pixels by which each handle is pulled: both ways, and not far enough to leave the picture."""
 
 
-@pytest.fixture(scope="module")
-def visitor(chromium: Browser, site_server: StaticServer) -> Any:
-    """One reader for all scenes: turning pages keeps the interpreter alive."""
-    context = chromium.new_context(viewport={"width": 1280, "height": 900})
-    yield Reader(context, site_server.url)
-    context.close()
-
-
 @pytest.mark.parametrize("scene", WITH_HANDLES)
 def test_every_handle_moves_its_settings_and_goes_along(
     visitor: Reader, book: Any, scene: str
@@ -96,10 +88,7 @@ def test_a_finger_moves_a_handle_and_scrolls_the_page_elsewhere(
 
 def turn_to_figure(visitor: Reader, book: Any, scene: str) -> Locator:
     """The scene's first figure as the page has it, in view."""
-    chapter = next(c["url"] for c in book["chapters"] if scene in c["simulations"])
-    visitor.turn_to("")
-    visitor.turn_to(chapter)
-    figure = visitor.figure(scene)
+    figure = visitor.turn_to_figure(book, scene)
     figure.locator(".panels").scroll_into_view_if_needed()
     visitor.page.mouse.move(0, 0)
     return figure
