@@ -5,7 +5,7 @@ from typing import Any
 
 import pytest
 from playwright.sync_api import Browser, Locator, expect
-from support.reader import Reader
+from support.reader import Reader, chapter_of
 from support.static_server import StaticServer
 
 from simulations.engine.handles import Handle
@@ -88,7 +88,8 @@ def test_a_finger_moves_a_handle_and_scrolls_the_page_elsewhere(
 
 def turn_to_figure(visitor: Reader, book: Any, scene: str) -> Locator:
     """The scene's first figure as the page has it, in view."""
-    figure = visitor.turn_to_figure(book, scene)
+    visitor.turn_to(chapter_of(book, scene))
+    figure = visitor.figure(scene)
     figure.locator(".panels").scroll_into_view_if_needed()
     visitor.page.mouse.move(0, 0)
     return figure

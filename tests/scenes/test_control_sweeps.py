@@ -8,7 +8,7 @@ so that nothing in the page jumps.
 import itertools
 import json
 import re
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from typing import Any
 from xml.etree import ElementTree
 
@@ -129,6 +129,12 @@ def assert_sound(scene: Scene[Any], frame: Frame, setting: Mapping[str, object])
     assert not NOT_FINITE.search(frame.description), (setting, frame.description)
 
 
+def shown(frame: Frame) -> object:
+    """All that the reader sees, but for the words."""
+    rasters = [None if panel.raster is None else panel.raster.tobytes() for panel in frame.panels]
+    return rasters, [panel.overlay for panel in frame.panels], frame.readouts
+
+
 @pytest.fixture(params=sorted(SCENE_MODULES), scope="module")
 def scene(request: pytest.FixtureRequest) -> Scene[Any]:
     return load_scene(request.param)
@@ -147,6 +153,31 @@ def test_each_control_is_sound_over_its_whole_range(scene: Scene[Any]) -> None:
             frame = render(scene, setting, cache)
             assert_sound(scene, frame, setting)
             assert shape_of(scene, frame) == expected, setting
+
+
+def test_each_control_changes_the_frame(scene: Scene[Any]) -> None:
+    """From the defaults, or once the controls before it were moved: one may turn another on.
+
+    Buttons that drive a slider change nothing by themselves.
+    """
+    cache, moved = StageCache(), dict[str, object]()
+    for control in scene.controls:
+        if isinstance(control, Action) and control.drives:
+            continue
+        found = next(changes(scene, control, ({}, moved), cache), None)
+        assert found, control.name
+        moved |= found
+
+
+def changes(
+    scene: Scene[Any], control: Control, starts: Iterable[Setting], cache: StageCache
+) -> Iterator[Setting]:
+    """Extremes of a control that show something else than one of the settings ``starts`` does."""
+    for start in starts:
+        before = shown(render(scene, start, cache))
+        for value in ends(control):
+            if shown(render(scene, {**start, control.name: value}, cache)) != before:
+                yield {control.name: value}
 
 
 def test_every_pair_of_extremes_is_sound(scene: Scene[Any]) -> None:
