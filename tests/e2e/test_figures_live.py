@@ -13,10 +13,10 @@ from simulations.registry import SCENE_MODULES
 
 pytestmark = pytest.mark.browser
 
-type Gesture = Callable[[Reader, Locator, dict, int], None]
+type Gesture = Callable[[Reader, Locator, Any, int], None]
 
 
-def test_every_figure_comes_alive_in_place(reader: Reader, book: dict) -> None:
+def test_every_figure_comes_alive_in_place(reader: Reader, book: Any) -> None:
     reader.page.add_init_script(HOLD)
     first, *others = (chapter["url"] for chapter in book["chapters"])
     for address in ("", first, *others):
@@ -34,7 +34,7 @@ def test_every_figure_comes_alive_in_place(reader: Reader, book: dict) -> None:
 
 
 def test_every_chapter_shows_the_figures_and_questions_that_the_catalogue_names(
-    plain_reader: Reader, book: dict
+    plain_reader: Reader, book: Any
 ) -> None:
     for chapter in book["chapters"]:
         plain_reader.open(chapter["url"], live=False)
@@ -89,30 +89,30 @@ STILLS = """async () => {
 
 
 @pytest.fixture(scope="module", params=SCENE_MODULES)
-def scene(request: pytest.FixtureRequest, book: dict) -> dict:
+def scene(request: pytest.FixtureRequest, book: Any) -> Any:
     return next(scene for scene in book["simulations"] if scene["id"] == request.param)
 
 
 @pytest.fixture
-def figure(visitor: Reader, book: dict, scene: dict) -> Locator:
+def figure(visitor: Reader, book: Any, scene: Any) -> Locator:
     return visitor.turn_to_figure(book, scene["id"])
 
 
 def test_each_kind_of_control_changes_the_figure_by_keyboard(
-    visitor: Reader, scene: dict, figure: Locator
+    visitor: Reader, scene: Any, figure: Locator
 ) -> None:
     for control in _one_of_each_kind(scene):
         _assert_changes(visitor, figure, control, _press)
 
 
 def test_each_kind_of_control_changes_the_figure_by_mouse(
-    visitor: Reader, scene: dict, figure: Locator
+    visitor: Reader, scene: Any, figure: Locator
 ) -> None:
     for control in _one_of_each_kind(scene):
         _assert_changes(visitor, figure, control, _click)
 
 
-def test_every_tier_draws_a_frame(visitor: Reader, scene: dict, figure: Locator) -> None:
+def test_every_tier_draws_a_frame(visitor: Reader, scene: Any, figure: Locator) -> None:
     if not scene["tiers"]:
         return
     menu = figure.locator('select[name="tier"]')
@@ -121,7 +121,7 @@ def test_every_tier_draws_a_frame(visitor: Reader, scene: dict, figure: Locator)
         visitor.choose(figure, "tier", tier)
 
 
-def _one_of_each_kind(scene: dict) -> Iterator[dict]:
+def _one_of_each_kind(scene: Any) -> Iterator[Any]:
     """The first control of each kind; of the buttons, of each effect.
 
     What the others do to the picture is Python's affair: `tests/scenes/test_control_sweeps.py`.
@@ -134,7 +134,7 @@ def _one_of_each_kind(scene: dict) -> Iterator[dict]:
         seen.add(kind)
 
 
-def _assert_changes(reader: Reader, figure: Locator, control: dict, act: Gesture) -> None:
+def _assert_changes(reader: Reader, figure: Locator, control: Any, act: Gesture) -> None:
     """Some gesture on the control changes what is shown; later frames are let through first."""
     reader.settle(figure)
     before = reader.shown(figure)
@@ -150,7 +150,7 @@ def _assert_changes(reader: Reader, figure: Locator, control: dict, act: Gesture
     pytest.fail(f"{control['name']} ({control['kind']}) changes nothing in the figure")
 
 
-def _press(reader: Reader, element: Locator, control: dict, _attempt: int) -> None:
+def _press(reader: Reader, element: Locator, control: Any, _attempt: int) -> None:
     element.focus()
     match control["kind"]:
         case "slider":
@@ -163,11 +163,12 @@ def _press(reader: Reader, element: Locator, control: dict, _attempt: int) -> No
             reader.page.keyboard.press("Space")
 
 
-def _click(reader: Reader, element: Locator, control: dict, attempt: int) -> None:
+def _click(reader: Reader, element: Locator, control: Any, attempt: int) -> None:
     element.evaluate("element => element.scrollIntoView({block: 'center', behavior: 'instant'})")
     match control["kind"]:
         case "slider":
             box = element.bounding_box()
+            assert box
             share = (0.2, 0.8, 0.4, 0.6)[attempt]
             x, y = box["x"] + share * box["width"], box["y"] + box["height"] / 2
             reader.page.mouse.click(x, y)
@@ -191,7 +192,7 @@ def calm_visitor(visitor: Reader) -> Iterator[Reader]:
     [("formation-pipeline", "station", ["1", "2"]), ("rotation-3d", "t", ["0.25", "0.5"])],
 )
 def test_a_reader_who_asked_for_less_motion_sees_one_picture_after_another(
-    calm_visitor: Reader, book: dict, scene_id: str, slider: str, places: list[str]
+    calm_visitor: Reader, book: Any, scene_id: str, slider: str, places: list[str]
 ) -> None:
     figure = calm_visitor.turn_to_figure(book, scene_id)
     figure.evaluate(NOTE_PLACES, slider)

@@ -1,5 +1,7 @@
 """On any width nothing but code has to be pushed sideways to be read."""
 
+from typing import Any
+
 import pytest
 from support.reader import Reader
 
@@ -12,7 +14,7 @@ PUSHED_SIDEWAYS = """() => [...document.querySelectorAll("main *:not(pre)")]
   .map((one) => `${one.className}: ${one.textContent.trim().slice(0, 40)}`)"""
 
 
-def test_pages_tables_and_formulae_fit_every_width(plain_reader: Reader, book: dict) -> None:
+def test_pages_tables_and_formulae_fit_every_width(plain_reader: Reader, book: Any) -> None:
     page = plain_reader.page
     for address in ["", *(chapter["url"] for chapter in book["chapters"])]:
         plain_reader.open(address, live=False)

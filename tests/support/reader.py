@@ -117,7 +117,8 @@ class Reader:
 
 def chapter_of(book: Any, scene: str) -> str:
     """Address of the first chapter that shows a scene."""
-    return next(c["url"] for c in book["chapters"] if scene in c["simulations"])
+    url: str = next(c["url"] for c in book["chapters"] if scene in c["simulations"])
+    return url
 
 
 FOLLOW = """(url) => {
