@@ -1,6 +1,7 @@
 """Which demosaicing method wins depends on whether the colours have edges in common."""
 
 import warnings
+from collections.abc import Callable
 from functools import partial
 
 import numpy as np
@@ -9,6 +10,7 @@ import skimage.data
 
 from simulations.engine.ladder import pareto_front
 from simulations.ladders.demosaicing import CROP, LADDER, PICTURES, prepare, reference
+from simulations.models.arrays import Floats
 from simulations.models.color.srgb import decode_srgb, encode_srgb
 from simulations.models.error_measures import psnr_db
 from simulations.models.sensor.demosaicing import demosaic, mosaic
@@ -117,7 +119,9 @@ def test_on_photographs_the_default_is_the_best_that_stays_in_light(name: str) -
         ("menon", oracle.demosaicing_CFA_Bayer_Menon2007),
     ],
 )
-def test_an_independent_implementation_reaches_the_same_figure(method, theirs) -> None:
+def test_an_independent_implementation_reaches_the_same_figure(
+    method: str, theirs: Callable[[Floats, str], Floats]
+) -> None:
     metric = LADDER.metrics[ROOM]
     picture = np.clip(theirs(WORK.mosaics[ROOM], "RGGB"), 0, 1)
     expected = metric.measure((picture,), TRUTH, WORK)

@@ -3,6 +3,8 @@
 Directions are camera-frame vectors (x right, y down, z along the optical axis); image points are
 in units of the focal length. Szeliski, 2nd ed., §2.1.5; J. Kannala and S. Brandt, *A generic
 camera model and calibration method*, 2006.
+
+Reference: the book explains it; no figure and no ladder runs it.
 """
 
 from collections.abc import Callable

@@ -5,6 +5,8 @@ multiple is the same line or plane. Those made here have a normal of length 1, s
 side is a signed distance in the unit of the points.
 
 Source: Szeliski, Computer Vision, 2nd ed., §2.1.1.
+
+Reference: the book explains it; no figure and no ladder runs it.
 """
 
 import numpy as np

@@ -7,6 +7,8 @@ infinity, and H and c H are the same map, c ≠ 0.
 
 Source: Szeliski, Computer Vision, 2nd ed., §2.1.3, table 2.2; §8.1.5 for the estimate (Umeyama,
 Least-squares estimation of transformation parameters, 1991).
+
+Reference: the book explains it; no figure and no ladder runs it.
 """
 
 import math

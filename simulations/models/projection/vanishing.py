@@ -2,6 +2,8 @@
 
 Camera frame as in `simulations.models.projection.pinhole`. Source: Szeliski, 2nd ed., §2.1.4 and
 §7.4.3.
+
+Reference: the book explains it; no figure and no ladder runs it.
 """
 
 import numpy as np

@@ -9,6 +9,8 @@ of H would. The two made here are scaled so that w is the depth before the secon
 depth before the first, whose sign is what `in_front` asks for.
 
 Source: Szeliski, Computer Vision, 2nd ed., §2.1.4 (mapping from one camera to another), §8.2.3.
+
+Reference: the book explains it; no figure and no ladder runs it.
 """
 
 import numpy as np

@@ -175,12 +175,6 @@ def box_mtf(frequency: ArrayLike, width: float = 1.0) -> Floats:
     return np.abs(np.sinc(cycles))
 
 
-def gaussian_mtf(frequency: ArrayLike, sigma: float) -> Floats:
-    """Contrast that a Gaussian blur leaves of a sine: ``exp(-2 (pi sigma f)^2)``."""
-    cycles = np.clip(_cycles(frequency, sigma), -1e100, 1e100)
-    return np.exp(-2 * np.square(np.pi * cycles))
-
-
 def _cycles(frequency: ArrayLike, width: float) -> Floats:
     """Cycles (...) over a width."""
     f = np.asarray(frequency, float)

@@ -8,22 +8,22 @@ from hypothesis import strategies as st
 from simulations.models.color import srgb
 
 
-def test_linear_0_693_is_code_217():
+def test_linear_0_693_is_code_217() -> None:
     assert round(255 * float(srgb.encode_srgb(0.693))) == 217
 
 
 @given(st.floats(-2, 2))
-def test_decoding_undoes_encoding(linear):
+def test_decoding_undoes_encoding(linear: float) -> None:
     assert srgb.decode_srgb(srgb.encode_srgb(linear)) == pytest.approx(linear, abs=1e-12)
 
 
-def test_the_table_is_within_half_an_entry_of_the_steepest_part():
+def test_the_table_is_within_half_an_entry_of_the_steepest_part() -> None:
     light = np.linspace(0, 1, 200_001)
     off = 255 * np.abs(srgb.encode_srgb_table(light) - srgb.encode_srgb(light))
     assert off.max() < 255 * 12.92 * 0.5 / 65535 + 1e-4
 
 
-def test_the_table_takes_nan_as_black_and_clips():
+def test_the_table_takes_nan_as_black_and_clips() -> None:
     wild = np.array([np.nan, -1, np.inf])
     np.testing.assert_array_equal(srgb.encode_srgb_table(wild), [0, 0, 1])
     np.testing.assert_array_equal(wild, [np.nan, -1, np.inf], "what was given stays as it was")
@@ -31,7 +31,7 @@ def test_the_table_takes_nan_as_black_and_clips():
     assert srgb.encode_srgb_table(np.empty((0, 3))).shape == (0, 3)
 
 
-def test_gamma_2_2_is_up_to_8_5_codes_off():
+def test_gamma_2_2_is_up_to_8_5_codes_off() -> None:
     light = np.linspace(0, 1, 100_001)
     off = 255 * np.abs(srgb.encode_gamma(light) - srgb.encode_srgb(light)).max()
     assert off == pytest.approx(8.5, abs=0.2)
@@ -41,12 +41,12 @@ def test_gamma_2_2_is_up_to_8_5_codes_off():
     ("linear", "encoded"),
     [(0.001, 0.01292), (0.0031, 0.040052), (0.18, 0.461356), (0.5, 0.735357), (1.0, 1.0)],
 )
-def test_the_curve_has_the_values_of_the_standard(linear, encoded):
+def test_the_curve_has_the_values_of_the_standard(linear: float, encoded: float) -> None:
     assert srgb.encode_srgb([linear, -linear]) == pytest.approx([encoded, -encoded], abs=1e-6)
     assert srgb.decode_srgb([encoded, -encoded]) == pytest.approx([linear, -linear], abs=1e-6)
 
 
-def test_the_curve_does_not_break_where_its_pieces_meet():
+def test_the_curve_does_not_break_where_its_pieces_meet() -> None:
     """The line ends at 0.0031308; the standard's two pieces differ there by 3e-8 at most."""
     around = np.array([0.0031308 * (1 - 1e-9), 0.0031308 * (1 + 1e-9)])
     assert np.diff(srgb.encode_srgb(around))[0] == pytest.approx(0, abs=3e-8)
@@ -55,7 +55,7 @@ def test_the_curve_does_not_break_where_its_pieces_meet():
     )
 
 
-def test_gamma_is_a_plain_power_and_negative_light_is_none():
+def test_gamma_is_a_plain_power_and_negative_light_is_none() -> None:
     np.testing.assert_allclose(srgb.encode_gamma([0.25, -0.3], 2.0), [0.5, 0.0])
     assert srgb.encode_gamma(0.5) == pytest.approx(0.5 ** (1 / 2.2))
     for gamma in (0.0, -1.0, np.inf, np.nan):
@@ -63,18 +63,18 @@ def test_gamma_is_a_plain_power_and_negative_light_is_none():
             srgb.encode_gamma(0.5, gamma)
 
 
-def test_single_precision_stays_and_whole_numbers_become_double():
-    assert srgb.decode_srgb(np.float32([0.1])).dtype == np.float32
+def test_single_precision_stays_and_whole_numbers_become_double() -> None:
+    assert srgb.decode_srgb(np.array([0.1], np.float32)).dtype == np.float32
     assert srgb.encode_srgb([1]).dtype == np.float64
 
 
-def test_the_ends_of_the_straight_piece_belong_to_it_and_what_is_beyond_to_the_curve():
+def test_the_ends_of_the_straight_piece_belong_to_it_and_what_is_beyond_to_the_curve() -> None:
     assert srgb.encode_srgb(0.0031308) == 12.92 * 0.0031308
     assert srgb.decode_srgb(0.04045) == 0.04045 / 12.92
     assert srgb.decode_srgb(0.042) == pytest.approx(((0.042 + 0.055) / 1.055) ** 2.4, rel=1e-14)
 
 
-def test_the_table_takes_the_nearest_of_its_entries():
+def test_the_table_takes_the_nearest_of_its_entries() -> None:
     """Entry k stands for light k/65535; halfway to the next, that one begins."""
     for k in (0, 1, 700, 65534):
         entry = np.float32(srgb.encode_srgb(k / 65535))
@@ -82,5 +82,5 @@ def test_the_table_takes_the_nearest_of_its_entries():
         assert srgb.encode_srgb_table((k + 0.51) / 65535) > entry
 
 
-def test_a_gamma_below_one_brightens_as_well_as_any():
+def test_a_gamma_below_one_brightens_as_well_as_any() -> None:
     np.testing.assert_allclose(srgb.encode_gamma([0.25, 0.5], 0.5), [0.0625, 0.25])
