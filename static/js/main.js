@@ -8,6 +8,7 @@ import { LadderBench } from "./ladder/bench.js";
 import { installContents } from "./page/contents.js";
 import { installNavigation } from "./page/navigate.js";
 import { installQuizzes, restoreQuizzes } from "./page/quiz.js";
+import { watchScrollers } from "./page/scrollers.js";
 import { installTheme, showTheme } from "./page/theme.js";
 
 customElements.define("simulation-figure", SimulationFigure);
@@ -18,4 +19,5 @@ installQuizzes();
 installNavigation(() => {
   showTheme();
   restoreQuizzes();
+  watchScrollers();
 });

@@ -5,7 +5,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from simulations.engine.controls import Action, Slider, Toggle
-from site_builder.pages.figure_grid import COLUMNS, control_cells, even_columns, spans
+from site_builder.pages.figure_grid import COLUMNS, gather_buttons, even_columns, spans
 
 
 @pytest.mark.parametrize(
@@ -23,7 +23,7 @@ def test_buttons_that_follow_each_other_share_a_cell() -> None:
     play = Action(name="play", labels=("Play",), drives="x", effect="play")
     reset = Action(name="reset", labels=("Reset",), drives="x", effect="reset")
     on, again = Toggle(name="on", label="On"), Action(name="again", labels=("Again",))
-    cells = control_cells([slider, play, reset, on, again])
+    cells = gather_buttons([slider, play, reset, on, again])
     assert cells == [(slider,), (play, reset), (on,), (again,)]
 
 
