@@ -6,7 +6,13 @@ from dataclasses import dataclass
 from simulations.engine.controls import Action, Choice, Control, Slider, Value
 from simulations.engine.frame import format_number
 from site_builder.measured.quantities import with_unit
-from site_builder.pages.figure_grid import IN_A_ROW, cells_in_sight, gather_buttons, spans
+from site_builder.pages.figure_grid import (
+    FOLDED,
+    IN_A_ROW,
+    cells_in_sight,
+    gather_buttons,
+    spans,
+)
 from site_builder.pages.stills import Still
 
 LONG_OPTION = 13
@@ -44,48 +50,36 @@ def control_cells(
     The last of all is the accuracy's, where there is a choice of it.
     """
     cells = [*gather_buttons(still.figure.scene.controls), *([()] if tiers else [])]
-    on_phones = [_places(cell, tiers) for cell in cells]
+    words = [max(map(len, _options(cell, tiers)), default=0) for cell in cells]
+    # Three buttons need the room of two other controls; on a phone long words do, too.
+    places = [2 if len(cell) > 2 else 1 for cell in cells]
+    on_phones = [
+        2 if word > LONG_OPTION else place for word, place in zip(words, places, strict=True)
+    ]
     kept = cells_in_sight(on_phones, IN_A_ROW["narrow"])
-    return (
-        _placed(still, cells[:kept], on_phones[:kept]),
-        _placed(still, cells[kept:], on_phones[kept:]),
-    )
 
+    def taken(room: str) -> list[int]:
+        most, given = IN_A_ROW[room], on_phones if room == "narrow" else places
+        if room in FOLDED:
+            return [*spans(given[:kept], most), *spans(given[kept:], most)]
+        return spans(given, most)
 
-def _places(cell: tuple[Control, ...], tiers: Sequence[tuple[str, str]]) -> int:
-    """How many controls' room a cell takes on a phone: two where it shows long words."""
-    if not cell:
-        options = [label for _, label in tiers]
-    elif isinstance(cell[0], Choice):
-        options = list(cell[0].options.values())
-    else:
-        return _buttons_places(cell)
-    return 2 if max(map(len, options)) > LONG_OPTION else 1
-
-
-def _buttons_places(cell: tuple[Control, ...]) -> int:
-    """Three buttons need the room of two other controls, wherever they are."""
-    return 2 if len(cell) > 2 else 1
-
-
-def _placed(
-    still: Still, cells: Sequence[tuple[Control, ...]], on_phones: Sequence[int]
-) -> tuple[CellView, ...]:
-    elsewhere = [_buttons_places(cell) for cell in cells]
-    by_room = zip(
-        *(
-            spans(on_phones if room == "narrow" else elsewhere, most)
-            for room, most in IN_A_ROW.items()
-        ),
-        strict=True,
-    )
-    return tuple(
+    by_room = zip(*(taken(room) for room in IN_A_ROW), strict=True)
+    views = tuple(
         CellView(
             tuple(_control(still, control) for control in cell),
-            "; ".join(f"--{room}: {span}" for room, span in zip(IN_A_ROW, taken, strict=True)),
+            "; ".join(f"--{room}: {span}" for room, span in zip(IN_A_ROW, row, strict=True)),
         )
-        for cell, taken in zip(cells, by_room, strict=True)
+        for cell, row in zip(cells, by_room, strict=True)
     )
+    return views[:kept], views[kept:]
+
+
+def _options(cell: tuple[Control, ...], tiers: Sequence[tuple[str, str]]) -> list[str]:
+    """What a menu shows, one line at a time; nothing for other controls."""
+    if not cell:
+        return [label for _, label in tiers]
+    return list(cell[0].options.values()) if isinstance(cell[0], Choice) else []
 
 
 def _control(still: Still, control: Control) -> ControlView:

@@ -9,6 +9,8 @@ COLUMNS = 12
 """Of the grid of controls: divisible by all numbers of controls in a row."""
 IN_A_ROW = {"narrow": 2, "small": 2, "middle": 3, "wide": 4}
 """Controls in a row at most, by the room that there is."""
+FOLDED = ("narrow", "small")
+"""Where only the main controls are in sight; elsewhere all share their rows."""
 ROWS_IN_SIGHT = 2
 """Rows of controls that a phone shows together with the first panel, and room to spare."""
 

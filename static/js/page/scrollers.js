@@ -1,9 +1,9 @@
 /** What can be pushed sideways can be focused, so that arrow keys push it, too. */
 
-const BOXES = ".panels, .equation, .table-wrapper, .nowrap, pre";
+const BOXES = ".panels, .equation, .table-wrapper, .nowrap, :is(p, li) > math, pre";
 
 const sizes = new ResizeObserver((entries) => {
-  for (const { target } of entries) if (target instanceof HTMLElement) mark(target);
+  for (const { target } of entries) mark(target);
 });
 
 /** Look after the boxes of the page that is shown. */
@@ -12,8 +12,9 @@ export function watchScrollers() {
   for (const box of document.querySelectorAll(BOXES)) sizes.observe(box);
 }
 
-/** @param {HTMLElement} box */
+/** @param {Element} box */
 function mark(box) {
-  if (box.scrollWidth > box.clientWidth + 1) box.tabIndex = 0;
+  const scrolls = getComputedStyle(box).overflowX !== "visible";
+  if (scrolls && box.scrollWidth > box.clientWidth + 1) box.setAttribute("tabindex", "0");
   else box.removeAttribute("tabindex");
 }
