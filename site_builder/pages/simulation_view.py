@@ -4,8 +4,8 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any
 
-from simulations.engine.controls import Action, Choice, Control, Slider, Value, describe
-from simulations.engine.frame import Panel, Place, Readout, StageReport, format_number
+from simulations.engine.controls import Choice, Control, Slider, Value, describe
+from simulations.engine.frame import Panel, Place, Readout, StageReport
 from simulations.engine.handles import Handle
 from simulations.engine.scene import Scene
 from simulations.registry import load_ladder

@@ -16,6 +16,7 @@ customElements.define("ladder-bench", LadderBench);
 installTheme();
 installContents();
 installQuizzes();
+watchScrollers();
 installNavigation(() => {
   showTheme();
   restoreQuizzes();

@@ -1,14 +1,24 @@
-"""On any width nothing but code has to be pushed sideways to be read."""
+"""No page has to be pushed sideways; what is too wide for one has a box of its own."""
+
+from pathlib import Path
 
 import pytest
 from support.reader import Reader
 
 pytestmark = pytest.mark.browser
 
-PUSHED_SIDEWAYS = """() => [...document.querySelectorAll("main *:not(pre)")]
+PUSHED_SIDEWAYS = """() => [...document.querySelectorAll("main *:not(pre, .panels)")]
   .filter((one) => ["auto", "scroll"].includes(getComputedStyle(one).overflowX))
   .filter((one) => one.scrollWidth > one.clientWidth + 1)
   .map((one) => `${one.className}: ${one.textContent.trim().slice(0, 40)}`)"""
+
+OUT_OF_REACH = """() => [...document.querySelectorAll("main *")]
+  .filter((one) => ["auto", "scroll"].includes(getComputedStyle(one).overflowX))
+  .filter((one) => one.scrollWidth > one.clientWidth + 1 && one.tabIndex < 0)
+  .map((one) => `${one.className}: ${one.textContent.trim().slice(0, 40)}`)"""
+
+LARGER_LETTERS = """html { font-size: 34px !important; }"""
+"""Twice those of a phone, as a reader may set them without enlarging the rest."""
 
 
 @pytest.mark.parametrize("width", [1440, 1000, 390, 360])
@@ -18,3 +28,35 @@ def test_tables_and_formulae_fit_the_page(plain_reader: Reader, book: dict, widt
         plain_reader.open(chapter["url"], live=False)
         plain_reader.page.evaluate("document.fonts.ready")
         assert plain_reader.page.evaluate(PUSHED_SIDEWAYS) == [], chapter["id"]
+
+
+def test_no_page_scrolls_sideways_on_a_narrow_screen(
+    plain_reader: Reader, built_site: Path
+) -> None:
+    plain_reader.page.set_viewport_size({"width": 320, "height": 740})
+    for page in sorted(built_site.rglob("index.html")):
+        address = page.parent.relative_to(built_site).as_posix() + "/"
+        plain_reader.open(address, live=False)
+        plain_reader.page.evaluate("document.fonts.ready")
+        width = plain_reader.page.evaluate("document.documentElement.scrollWidth")
+        assert width <= 320, f"{address} is {width} wide"
+
+
+def test_no_chapter_scrolls_sideways_with_letters_twice_as_large(
+    plain_reader: Reader, book: dict
+) -> None:
+    plain_reader.page.set_viewport_size({"width": 390, "height": 800})
+    for address in ["", *(chapter["url"] for chapter in book["chapters"])]:
+        plain_reader.open(address, live=False)
+        plain_reader.page.add_style_tag(content=LARGER_LETTERS)
+        plain_reader.page.evaluate("document.fonts.ready")
+        width = plain_reader.page.evaluate("document.documentElement.scrollWidth")
+        assert width <= 390, f"{address} is {width} wide"
+
+
+def test_every_box_that_scrolls_is_reached_by_keyboard(plain_reader: Reader, book: dict) -> None:
+    plain_reader.page.set_viewport_size({"width": 320, "height": 740})
+    for chapter in book["chapters"]:
+        plain_reader.turn_to(chapter["url"], live=False)
+        plain_reader.page.evaluate("document.fonts.ready")
+        plain_reader.page.wait_for_function(f"({OUT_OF_REACH})().length === 0", timeout=5000)

@@ -5,7 +5,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from simulations.engine.controls import Action, Slider, Toggle
-from site_builder.pages.figure_grid import COLUMNS, gather_buttons, even_columns, spans
+from site_builder.pages.figure_grid import COLUMNS, even_columns, gather_buttons, spans
 
 
 @pytest.mark.parametrize(
