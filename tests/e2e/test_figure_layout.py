@@ -1,6 +1,7 @@
 """Where a figure's panels, controls and labels stand, on a phone and on a desk."""
 
 from collections.abc import Iterator
+from typing import Any
 
 import pytest
 from playwright.sync_api import Browser
@@ -29,7 +30,7 @@ def phone(chromium: Browser, server: StaticServer) -> Iterator[Reader]:
     assert not someone.complaints, "\n".join(someone.complaints)
 
 
-def pages(book: dict) -> list[str]:
+def pages(book: Any) -> list[str]:
     """The cover and every chapter that has figures."""
     return ["", *(chapter["url"] for chapter in book["chapters"] if chapter["simulations"])]
 
@@ -59,14 +60,14 @@ OUTSIDE = """() => {
 
 
 def test_a_phone_shows_the_first_panel_and_the_main_controls_at_once(
-    phone: Reader, book: dict
+    phone: Reader, book: Any
 ) -> None:
     for address in pages(book):
         open_page(phone, address)
         assert phone.page.evaluate(OUTSIDE) == [], address
 
 
-def test_other_controls_wait_behind_a_line_on_a_phone(phone: Reader, book: dict) -> None:
+def test_other_controls_wait_behind_a_line_on_a_phone(phone: Reader, book: Any) -> None:
     camera = next(c["url"] for c in book["chapters"] if "camera" in c["simulations"])
     open_page(phone, camera)
     figure = phone.figure("camera")
@@ -76,7 +77,7 @@ def test_other_controls_wait_behind_a_line_on_a_phone(phone: Reader, book: dict)
     assert folded.is_visible()
 
 
-def test_on_a_desk_all_controls_are_in_sight(phone: Reader, book: dict) -> None:
+def test_on_a_desk_all_controls_are_in_sight(phone: Reader, book: Any) -> None:
     phone.page.set_viewport_size({"width": 1280, "height": 900})
     for address in pages(book):
         open_page(phone, address)
@@ -93,7 +94,7 @@ TOO_SMALL = """() => {
 }"""
 
 
-def test_what_a_finger_touches_is_44_pixels_high(phone: Reader, book: dict) -> None:
+def test_what_a_finger_touches_is_44_pixels_high(phone: Reader, book: Any) -> None:
     for address in pages(book):
         open_page(phone, address)
         assert phone.page.evaluate(TOO_SMALL) == [], address
@@ -121,7 +122,7 @@ MOVED = """() => {
 
 @pytest.mark.parametrize("width", [390, 320])
 def test_values_at_their_longest_are_whole_and_move_nothing(
-    phone: Reader, book: dict, width: int
+    phone: Reader, book: Any, width: int
 ) -> None:
     phone.page.set_viewport_size({"width": width, "height": 800})
     for address in pages(book):
@@ -139,7 +140,7 @@ SMALL_LABELS = """(least) => [...document.querySelectorAll("simulation-figure sv
 
 @pytest.mark.parametrize(("width", "least_px"), [(1920, 12.5), (1440, 12.5), (390, 10.5)])
 def test_labels_in_pictures_are_large_enough_to_read(
-    reader: Reader, book: dict, width: int, least_px: float
+    reader: Reader, book: Any, width: int, least_px: float
 ) -> None:
     reader.page.add_init_script(SILENT_WORKER)
     reader.page.set_viewport_size({"width": width, "height": 900})
@@ -149,7 +150,7 @@ def test_labels_in_pictures_are_large_enough_to_read(
 
 
 def test_a_panel_that_was_pushed_into_view_stays_while_a_slider_moves(
-    reader: Reader, book: dict
+    reader: Reader, book: Any
 ) -> None:
     reader.page.set_viewport_size({"width": 390, "height": 800})
     figure = reader.open_figure(book, "aliasing")
@@ -170,7 +171,7 @@ SECOND_IS_SHOWN = """(strip) => {
 }"""
 
 
-def test_menus_keep_their_arrow_in_forced_colours(phone: Reader, book: dict) -> None:
+def test_menus_keep_their_arrow_in_forced_colours(phone: Reader, book: Any) -> None:
     phone.page.emulate_media(forced_colors="active")
     open_page(phone, next(c["url"] for c in book["chapters"] if "aliasing" in c["simulations"]))
     menu = phone.figure("aliasing").locator("select").first

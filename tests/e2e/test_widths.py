@@ -1,6 +1,7 @@
 """No page has to be pushed sideways; what is too wide for one has a box of its own."""
 
 from pathlib import Path
+from typing import Any
 
 import pytest
 from support.reader import Reader
@@ -22,7 +23,7 @@ LARGER_LETTERS = """html { font-size: 34px !important; }"""
 
 
 @pytest.mark.parametrize("width", [1440, 1000, 390, 360])
-def test_tables_and_formulae_fit_the_page(plain_reader: Reader, book: dict, width: int) -> None:
+def test_tables_and_formulae_fit_the_page(plain_reader: Reader, book: Any, width: int) -> None:
     plain_reader.page.set_viewport_size({"width": width, "height": 800})
     for chapter in book["chapters"]:
         plain_reader.open(chapter["url"], live=False)
@@ -43,7 +44,7 @@ def test_no_page_scrolls_sideways_on_a_narrow_screen(
 
 
 def test_no_chapter_scrolls_sideways_with_letters_twice_as_large(
-    plain_reader: Reader, book: dict
+    plain_reader: Reader, book: Any
 ) -> None:
     plain_reader.page.set_viewport_size({"width": 390, "height": 800})
     for address in ["", *(chapter["url"] for chapter in book["chapters"])]:
@@ -54,7 +55,7 @@ def test_no_chapter_scrolls_sideways_with_letters_twice_as_large(
         assert width <= 390, f"{address} is {width} wide"
 
 
-def test_every_box_that_scrolls_is_reached_by_keyboard(plain_reader: Reader, book: dict) -> None:
+def test_every_box_that_scrolls_is_reached_by_keyboard(plain_reader: Reader, book: Any) -> None:
     plain_reader.page.set_viewport_size({"width": 320, "height": 740})
     for chapter in book["chapters"]:
         plain_reader.turn_to(chapter["url"], live=False)
