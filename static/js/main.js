@@ -4,6 +4,7 @@
  */
 
 import { SimulationFigure } from "./figure/element.js";
+import { installStrips } from "./figure/strip.js";
 import { LadderBench } from "./ladder/bench.js";
 import { installContents } from "./page/contents.js";
 import { installNavigation } from "./page/navigate.js";
@@ -16,6 +17,7 @@ customElements.define("ladder-bench", LadderBench);
 installTheme();
 installContents();
 installQuizzes();
+installStrips();
 watchScrollers();
 installNavigation(() => {
   showTheme();

@@ -87,7 +87,8 @@ def test_on_a_desk_all_controls_are_in_sight(phone: Reader, book: Any) -> None:
 
 TOO_SMALL = """() => {
   for (const fold of document.querySelectorAll(".more-controls")) fold.open = true;
-  const touched = ".controls :is(input[type=range], select, button, summary, .toggle label)";
+  const controls = ":is(input[type=range], select, button, summary, .toggle label)";
+  const touched = `.controls ${controls}, .panel-dots > button`;
   return [...document.querySelectorAll(touched)]
     .filter((one) => one.getBoundingClientRect().height < 43.9)
     .map((one) => one.name ?? one.textContent);
@@ -163,6 +164,16 @@ def test_a_panel_that_was_pushed_into_view_stays_while_a_slider_moves(
     reader.page.keyboard.press("ArrowRight")
     reader.wait_frame(figure, frames)
     assert strip.evaluate(SECOND_IS_SHOWN)
+
+
+def test_a_dot_brings_its_panel_into_view_and_tells_of_it(phone: Reader, book: Any) -> None:
+    open_page(phone, next(c["url"] for c in book["chapters"] if "aliasing" in c["simulations"]))
+    figure = phone.figure("aliasing")
+    dots = figure.locator(".panel-dots > button")
+    dots.nth(1).tap()
+    strip = figure.locator(".panels").element_handle()
+    phone.page.wait_for_function(SECOND_IS_SHOWN, arg=strip, timeout=5000)
+    figure.locator('.panel-dots > button:nth-child(2)[aria-current="true"]').wait_for()
 
 
 SECOND_IS_SHOWN = """(strip) => {
