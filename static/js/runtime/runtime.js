@@ -35,7 +35,15 @@ export class RuntimeFailure extends Error {
 }
 
 /**
- * @typedef {{figure?: string, scene?: string} & Record<string, unknown>} Payload
+ * What a call carries; `limit` is the longest wait for its answer where the usual one will not do.
+ *
+ * @typedef {{figure?: string, scene?: string, limit?: number} & Record<string, unknown>} Payload
+ */
+
+/**
+ * What a figure needs of a runtime.
+ *
+ * @typedef {Pick<Runtime, "call" | "forget">} Caller
  */
 
 /**
@@ -66,9 +74,13 @@ export class Runtime {
    */
   #seen = new Set();
 
-  /** @param {string} url Absolute address of the runtime folder. */
-  constructor(url) {
+  /**
+   * @param {string} url Absolute address of the runtime folder.
+   * @param {() => string[]} [scenes] Asked when a worker starts: what it will be asked for.
+   */
+  constructor(url, scenes = scenesOfPage) {
     this.url = url;
+    this.scenes = scenes;
   }
 
   /** Whether this browser can run the interpreter at all. */
@@ -103,6 +115,12 @@ export class Runtime {
     if (this.#worker) this.call("forget", { figure }).catch(() => {});
   }
 
+  /** End the worker; who waits for it hears that it is gone. */
+  close() {
+    for (const call of this.#waiting.splice(0)) call.reject(new RuntimeFailure("lost", "closed"));
+    if (this.#worker) this.#lose("closed");
+  }
+
   #next() {
     if (this.#active || this.#waiting.length === 0) return;
     if (!this.#worker) {
@@ -126,7 +144,7 @@ export class Runtime {
     this.#send({
       id: ++this.#lastId,
       name: "start",
-      payload: { url: this.url, fresh: this.#failedStarts > 0, scenes: scenesOfPage() },
+      payload: { url: this.url, fresh: this.#failedStarts > 0, scenes: this.scenes() },
       urgency: () => 0,
       resolve: () => (this.#failedStarts = 0),
       reject: (reason) => this.#giveUp(reason),
@@ -136,8 +154,8 @@ export class Runtime {
   /** @param {Call} call */
   #send(call) {
     this.#active = call;
-    const { scene } = call.payload;
-    const limit = scene && !this.#seen.has(scene) ? LIMITS.first : LIMITS[call.name];
+    const { scene, limit: given } = call.payload;
+    const limit = given ?? (scene && !this.#seen.has(scene) ? LIMITS.first : LIMITS[call.name]);
     if (scene) this.#seen.add(scene);
     this.#watchdog = setTimeout(() => this.#lose("the computation did not end in time"), limit);
     this.#worker?.postMessage({ id: call.id, call: call.name, ...call.payload });
@@ -190,7 +208,7 @@ export class Runtime {
 /** The scenes that the page will ask for. */
 function scenesOfPage() {
   const figures = all(document, "simulation-figure", HTMLElement);
-  return [...new Set(figures.map((figure) => figure.dataset.simulation))];
+  return [...new Set(figures.map((figure) => figure.dataset.simulation ?? ""))];
 }
 
 /** @type {Runtime | null} */

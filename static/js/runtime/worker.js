@@ -49,10 +49,11 @@ const calls = {
     pyodide.FS.writeFile(`/lib/${SIMULATIONS}`, await simulations);
     pyodide.pyimport("sys").path.append(`/lib/${SIMULATIONS}`);
     const module = pyodide.pyimport("simulations.browser");
-    const { render, error, forget, measure, fetch_missing: fetchMissing } = module;
+    const { render, error, forget, measure } = module;
+    const { render_edited: renderEdited, fetch_missing: fetchMissing } = module;
     const fetchNow = (/** @type {string} */ part) => parts.fetchNow(part);
     fetchMissing(JSON.stringify(table.modules), fetchNow, parts.folder);
-    python = { render, error, forget, measure };
+    python = { render, renderEdited, error, forget, measure };
     return { reply: { version: pyodide.version } };
   },
 
@@ -64,26 +65,39 @@ const calls = {
   async render({ figure, scene, values, tier }) {
     await parts.provide(parts.table.scenes[scene]);
     const begun = performance.now();
-    const frame = python.render(figure, scene, values, tier);
+    const { meta, rasters } = takeFrame(python.render(figure, scene, values, tier));
+    const computeMs = performance.now() - begun;
+    return { reply: { meta, rasters, computeMs }, transfer: rasters };
+  },
+
+  /**
+   * One frame by the reader's own code, as `render`; or what went wrong in it. With what it printed.
+   *
+   * @param {FrameCall & {edits: string}} call
+   */
+  async renderEdited({ figure, scene, values, tier, edits }) {
+    await parts.provide(parts.table.scenes[scene]);
+    const begun = performance.now();
+    const answer = python.renderEdited(figure, scene, values, tier, edits);
     try {
-      const rasters = takeRasters(frame);
-      const meta = frame.meta;
-      return {
-        reply: { meta, rasters, computeMs: performance.now() - begun },
-        transfer: rasters,
-      };
+      const { problem, printed, frame } = answer;
+      const told = { problem: JSON.parse(problem), printed };
+      if (!frame) return { reply: told };
+      const { meta, rasters } = takeFrame(frame);
+      const computeMs = performance.now() - begun;
+      return { reply: { ...told, meta, rasters, computeMs }, transfer: rasters };
     } finally {
-      frame.destroy();
+      answer.destroy();
     }
   },
 
   /**
    * The next estimate of a frame's error, as a readout; null where there is no better one.
    *
-   * @param {FrameCall} call
+   * @param {FrameCall & {edits?: string}} call
    */
-  error({ figure, scene, values, tier }) {
-    return { reply: { estimate: JSON.parse(python.error(figure, scene, values, tier)) } };
+  error({ figure, scene, values, tier, edits = "" }) {
+    return { reply: { estimate: JSON.parse(python.error(figure, scene, values, tier, edits)) } };
   },
 
   /** @param {{figure: string}} call */
@@ -121,6 +135,20 @@ self.onmessage = async ({ data }) => {
     self.postMessage({ id: data.id, ok: false, ...explain(error) });
   }
 };
+
+/**
+ * What a frame holds, copied out of the interpreter's memory; the frame itself is let go.
+ *
+ * @param {any} frame
+ * @returns {{meta: string, rasters: ArrayBuffer[]}}
+ */
+function takeFrame(frame) {
+  try {
+    return { meta: frame.meta, rasters: takeRasters(frame) };
+  } finally {
+    frame.destroy();
+  }
+}
 
 /**
  * Copies of the pixels, out of the interpreter's memory.

@@ -1,0 +1,143 @@
+/**
+ * Draws one figure by its reader's own code, in an interpreter of its own: whatever that code does
+ * there, the book's interpreter and all other figures never meet it.
+ */
+
+import { Runtime, RuntimeFailure } from "../runtime/runtime.js";
+
+/** @import { Caller, Payload } from "../runtime/runtime.js" */
+/** @typedef {{message: string, definition: string, line: number}} Problem */
+
+/** Longest that edited code may take for a frame, in milliseconds. */
+export const LIMITS = { edited: 5000 };
+/** Where the book's own code takes long: how many times as long edited code may. */
+const TIMES = 10;
+
+/** The reader's code failed; `problem` tells where. */
+export class EditFailure extends RuntimeFailure {
+  /** @param {Problem} problem */
+  constructor(problem) {
+    super("python", problem.message);
+    this.problem = problem;
+  }
+}
+
+export class EditedRuntime {
+  /** @type {Runtime | null} */
+  #own = null;
+  /** @type {Promise<number> | null} What the limit is, once the interpreter is warm. */
+  #warm = null;
+  /** What draws the figure: JSON of definitions and texts. */
+  edits = "{}";
+
+  /**
+   * @param {Runtime} book
+   * @param {object} told
+   * @param {(problem: Problem) => void} told.failed Called when a frame could not be computed.
+   * @param {(message: string) => void} told.stopped Called when one did not end. From then on the
+   *   book's own code draws the figure.
+   * @param {(printed: string) => void} told.printed Called with what a frame's code printed.
+   */
+  constructor(book, told) {
+    this.book = book;
+    this.told = told;
+  }
+
+  /**
+   * As of any runtime; frames and their errors are those of the edited code.
+   *
+   * @param {string} name
+   * @param {Payload} payload
+   * @param {() => number} [urgency]
+   * @returns {Promise<any>}
+   */
+  async call(name, payload, urgency) {
+    if (name !== "render") return await this.#ask(name, payload, this.edits, urgency);
+    try {
+      const reply = await this.draw(payload, this.edits, urgency);
+      this.told.printed(reply.printed);
+      return reply;
+    } catch (error) {
+      if (error instanceof EditFailure) this.told.failed(error.problem);
+      if (!(error instanceof RuntimeFailure) || error.kind !== "lost") throw error;
+      this.told.stopped(error.message);
+      return await this.book.call(name, payload, urgency);
+    }
+  }
+
+  /** @param {string} figure */
+  forget(figure) {
+    this.close();
+    this.book.forget(figure);
+  }
+
+  /** End the interpreter. */
+  close() {
+    this.#own?.close();
+    this.#own = null;
+    this.#warm = null;
+  }
+
+  /**
+   * One frame by `edits`.
+   *
+   * @param {Payload} payload
+   * @param {string} edits
+   * @param {() => number} [urgency]
+   * @returns {Promise<any>}
+   * @throws {RuntimeFailure} An `EditFailure` where the code raised, `lost` where it was stopped.
+   */
+  async draw(payload, edits, urgency) {
+    const reply = await this.#ask("renderEdited", payload, edits, urgency);
+    if (reply.problem) throw new EditFailure(reply.problem);
+    return reply;
+  }
+
+  /**
+   * Have an interpreter with the figure's modules imported, before edited code is timed.
+   *
+   * @param {Payload} payload
+   * @returns {Promise<number>} The limit for edited code.
+   */
+  warm(payload) {
+    const scenes = payload.scene ? [payload.scene] : [];
+    this.#own ??= new Runtime(this.book.url, () => scenes);
+    this.#warm ??= this.#own.call("render", payload).then(
+      ({ computeMs }) => Math.max(LIMITS.edited, TIMES * computeMs),
+      (error) => {
+        if (error instanceof RuntimeFailure && error.kind === "python") return LIMITS.edited;
+        this.#warm = null;
+        throw error;
+      },
+    );
+    return this.#warm;
+  }
+
+  /**
+   * @param {string} name
+   * @param {Payload} payload
+   * @param {string} edits
+   * @param {() => number} [urgency]
+   * @returns {Promise<any>}
+   */
+  async #ask(name, payload, edits, urgency) {
+    const limit = await this.warm(payload);
+    if (!this.#own) throw new RuntimeFailure("lost", "closed");
+    try {
+      return await this.#own.call(name, { ...payload, edits, limit }, urgency);
+    } catch (error) {
+      if (!(error instanceof RuntimeFailure) || error.kind !== "lost") throw error;
+      this.#warm = null; // the next interpreter is a new one
+      throw new RuntimeFailure("lost", inWords(error.message, limit));
+    }
+  }
+}
+
+/**
+ * @param {string} message
+ * @param {number} limit
+ */
+function inWords(message, limit) {
+  const seconds = Math.round(limit / 1000);
+  return message.includes("in time") ? `it did not end within ${seconds} s` : message;
+}
