@@ -35,8 +35,8 @@ MODELS = (
 """Rooms of ``simulations/models``: each imports itself and what stands before it."""
 
 BUILDER = (
-    "diagnostics", "runtime", "editor", "output", "measured", "charts", "book", "markdown", "source",
-    "question_checks", "checks", "pages", "build", "serve", "__main__",
+    "diagnostics", "runtime", "editor", "output", "measured", "charts", "book", "markdown",
+    "source", "question_checks", "checks", "pages", "build", "serve", "__main__",
 )  # fmt: skip
 """Parts of ``site_builder``, likewise."""
 MARKDOWN = (

@@ -15,10 +15,14 @@ const TIMES = 10;
 
 /** The reader's code failed; `problem` tells where. */
 export class EditFailure extends RuntimeFailure {
-  /** @param {Problem} problem */
-  constructor(problem) {
+  /**
+   * @param {Problem} problem
+   * @param {string} printed
+   */
+  constructor(problem, printed) {
     super("python", problem.message);
     this.problem = problem;
+    this.printed = printed;
   }
 }
 
@@ -28,15 +32,17 @@ export class EditedRuntime {
   /** @type {Promise<number> | null} What the limit is, once the interpreter is warm. */
   #warm = null;
   /** What draws the figure: JSON of definitions and texts. */
-  edits = "{}";
+  #edits = "{}";
+  /** @type {{asked: string, reply: any} | null} A frame that is ready, and what was asked for it. */
+  #ready = null;
 
   /**
    * @param {Runtime} book
    * @param {object} told
-   * @param {(problem: Problem) => void} told.failed Called when a frame could not be computed.
+   * @param {(printed: string) => void} told.drawn Called with what a frame's code printed.
+   * @param {(failure: EditFailure) => void} told.failed Called when a frame could not be computed.
    * @param {(message: string) => void} told.stopped Called when one did not end. From then on the
    *   book's own code draws the figure.
-   * @param {(printed: string) => void} told.printed Called with what a frame's code printed.
    */
   constructor(book, told) {
     this.book = book;
@@ -52,17 +58,29 @@ export class EditedRuntime {
    * @returns {Promise<any>}
    */
   async call(name, payload, urgency) {
-    if (name !== "render") return await this.#ask(name, payload, this.edits, urgency);
+    if (name !== "render") return await this.#ask(name, payload, this.#edits, urgency);
     try {
-      const reply = await this.draw(payload, this.edits, urgency);
-      this.told.printed(reply.printed);
+      const reply = this.#take(payload) ?? (await this.draw(payload, this.#edits, urgency));
+      this.told.drawn(reply.printed);
       return reply;
     } catch (error) {
-      if (error instanceof EditFailure) this.told.failed(error.problem);
+      if (error instanceof EditFailure) this.told.failed(error);
       if (!(error instanceof RuntimeFailure) || error.kind !== "lost") throw error;
       this.told.stopped(error.message);
       return await this.book.call(name, payload, urgency);
     }
+  }
+
+  /**
+   * From now on, draw by `edits`, which have drawn a frame.
+   *
+   * @param {string} edits
+   * @param {Payload} payload What was asked for the frame.
+   * @param {any} reply The frame.
+   */
+  adopt(edits, payload, reply) {
+    this.#edits = edits;
+    this.#ready = { asked: JSON.stringify(payload), reply };
   }
 
   /** @param {string} figure */
@@ -89,7 +107,7 @@ export class EditedRuntime {
    */
   async draw(payload, edits, urgency) {
     const reply = await this.#ask("renderEdited", payload, edits, urgency);
-    if (reply.problem) throw new EditFailure(reply.problem);
+    if (reply.problem) throw new EditFailure(reply.problem, reply.printed);
     return reply;
   }
 
@@ -111,6 +129,17 @@ export class EditedRuntime {
       },
     );
     return this.#warm;
+  }
+
+  /**
+   * The frame that is ready, if it is the one asked for. It can be had once.
+   *
+   * @param {Payload} payload
+   */
+  #take(payload) {
+    const ready = this.#ready;
+    this.#ready = null;
+    return ready?.asked === JSON.stringify(payload) ? ready.reply : null;
   }
 
   /**

@@ -52,9 +52,9 @@ export class Workshop {
     this.button = one(figure, ".open-python", HTMLButtonElement);
     this.state = one(figure, ".python-state", HTMLElement);
     this.edited = new EditedRuntime(book, {
-      failed: (problem) => this.#tell(problem.message, problem),
+      drawn: (printed) => this.#drew(printed),
+      failed: (failure) => this.#failed(failure),
       stopped: (words) => this.#stopped(words),
-      printed: (printed) => this.#panel?.print(printed),
     });
   }
 
@@ -181,13 +181,11 @@ export class Workshop {
     edits.runs = false; // until it is known to end
     edits.save();
     try {
-      const reply = await this.edited.draw(this.live.request(), json);
-      this.edited.edits = json;
+      const request = this.live.request();
+      this.edited.adopt(json, request, await this.edited.draw(request, json));
       edits.runs = edits.json === json;
       edits.save();
       this.live.drawnBy(this.edited);
-      this.#panel?.print(reply.printed);
-      this.#tell(WORDS.runs);
     } catch (error) {
       this.#failed(error);
     } finally {
@@ -232,6 +230,12 @@ export class Workshop {
     return this.live?.runtime === this.edited;
   }
 
+  /** @param {string} printed */
+  #drew(printed) {
+    this.#panel?.print(printed);
+    this.#tell(WORDS.runs);
+  }
+
   /**
    * Edited code did not end while the reader used the figure: the book's draws it again.
    *
@@ -249,6 +253,7 @@ export class Workshop {
   /** @param {unknown} error */
   #failed(error) {
     if (error instanceof EditFailure) {
+      this.#panel?.print(error.printed);
       this.#tell(error.message, error.problem);
     } else if (error instanceof RuntimeFailure && error.kind === "lost") {
       const words = `Your code was stopped: ${error.message}. The figure stays as it was.`;
