@@ -12,14 +12,27 @@ from typing import Any
 
 from simulations.engine.frame import Frame, Raster, Readout, to_json
 from simulations.engine.ladder import measure_tier
+from simulations.engine.photograph import Photograph
 from simulations.engine.scene import Scene
 from simulations.engine.stages import StageCache
 from simulations.late_imports import fetch_missing
 from simulations.registry import SCENE_MODULES, load_ladder, load_scene
 
-__all__ = ["Reply", "error", "fetch_missing", "forget", "measure", "render", "render_edited"]
+__all__ = [
+    "Reply",
+    "error",
+    "fetch_missing",
+    "forget",
+    "measure",
+    "photograph",
+    "pull",
+    "render",
+    "render_edited",
+]
 
 _caches: dict[str, StageCache] = {}
+_photographs: dict[str, Photograph] = {}
+"""Of figures that show the reader's own picture."""
 _judgements: dict[str, tuple[object, Iterator[Readout]]] = {}
 """Of each figure: what is being judged, and the estimates that are still to come."""
 
@@ -55,8 +68,8 @@ def render(figure: str, scene_id: str, values: str, tier: str) -> Reply:
     ``values`` is a JSON object of control values; what is left out takes its default and
     numbers out of range are clamped. Raises `UnknownIdError` and `ControlError`.
     """
-    scene, cache = _program(figure, scene_id)
-    return _reply(scene.render(scene.clamp(json.loads(values)), tier, cache))
+    scene, asked = _asked(figure, scene_id, values, tier)
+    return _reply(scene.render(*asked))
 
 
 def render_edited(figure: str, scene_id: str, values: str, tier: str, edits: str) -> EditedReply:
@@ -71,8 +84,8 @@ def render_edited(figure: str, scene_id: str, values: str, tier: str, edits: str
     printed = io.StringIO()
     try:
         with redirect_stdout(printed):
-            scene, cache = _program(figure, scene_id, edits)
-            reply = _reply(scene.render(scene.clamp(json.loads(values)), tier, cache))
+            scene, asked = _asked(figure, scene_id, values, tier, edits)
+            reply = _reply(scene.render(*asked))
     except BaseException as error:  # the reader may raise anything, `SystemExit` too
         problem = asdict(problem_with(error, edits))
     text = json.dumps(problem, ensure_ascii=False)
@@ -90,28 +103,55 @@ def error(figure: str, scene_id: str, values: str, tier: str, edits: str = "") -
     JSON of a `Readout`, or ``null`` where there is no better one. Asking for other values
     drops what was begun. Raises `UnknownIdError` and `ControlError`.
     """
-    wanted = (scene_id, values, tier, edits)
+    wanted = (scene_id, values, tier, edits, _photographs.get(figure))
     begun, estimates = _judgements.get(figure, (None, iter(())))
     if begun != wanted:
-        scene, cache = _program(figure, scene_id, edits)
-        estimates = scene.estimates(scene.clamp(json.loads(values)), tier, cache)
+        scene, asked = _asked(figure, scene_id, values, tier, edits)
+        estimates = scene.estimates(*asked)
         _judgements[figure] = (wanted, estimates)
     estimate = next(estimates, None)
     return json.dumps(None if estimate is None else asdict(estimate), ensure_ascii=False)
 
 
-def _program(figure: str, scene_id: str, edits: str = "") -> tuple[Scene[Any], StageCache]:
-    """The scene that draws a figure, the book's or the reader's, and what its stages made."""
-    if not edits:
-        return load_scene(scene_id), _caches.setdefault(figure, StageCache())
-    from simulations.editing.copies import copy_of
+def pull(scene_id: str, values: str, handle: str, x: float, y: float) -> str:
+    """The control values that bring a handle as near to a place of its panel as can be, as JSON.
 
-    return copy_of(figure, SCENE_MODULES[scene_id], edits)
+    ``x`` and ``y`` are in view box units. Raises `UnknownIdError`, `ControlError`, `KeyError` for
+    a handle that the scene lacks and `ValueError` for a place that is none.
+    """
+    scene = load_scene(scene_id)
+    return json.dumps(scene.pull(scene.clamp(json.loads(values)), handle, (x, y)))
+
+
+def photograph(figure: str, number: int, pixels: Any, width: int, height: int) -> None:
+    """Take the reader's picture, the bytes of a canvas, for the frames of ``figure`` from now on.
+
+    Nothing for ``pixels`` takes it away again. Raises `ValueError` for a wrong count of bytes.
+    """
+    if pixels is None:
+        _photographs.pop(figure, None)
+    else:
+        rgba = pixels.to_bytes()
+        _photographs[figure] = Photograph.from_canvas(number, rgba, width, height)
+
+
+def _asked(
+    figure: str, scene_id: str, values: str, tier: str, edits: str = ""
+) -> tuple[Scene[Any], tuple[Any, str, StageCache, Photograph | None]]:
+    """The scene that draws a figure, the book's or the reader's, and what it is called with."""
+    if edits:
+        from simulations.editing.copies import copy_of
+
+        scene, cache = copy_of(figure, SCENE_MODULES[scene_id], edits)
+    else:
+        scene, cache = load_scene(scene_id), _caches.setdefault(figure, StageCache())
+    return scene, (scene.clamp(json.loads(values)), tier, cache, _photographs.get(figure))
 
 
 def forget(figure: str) -> None:
     """Drop what is kept for a figure that left the page."""
     _caches.pop(figure, None)
+    _photographs.pop(figure, None)
     _judgements.pop(figure, None)
 
 

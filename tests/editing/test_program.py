@@ -4,12 +4,11 @@ import sys
 from collections.abc import Mapping
 from typing import Any
 
-import numpy as np
 import pytest
 
 from simulations.editing.definitions import definitions, module_source
 from simulations.editing.program import RefusedEditError, edition_of, load_copy, splice
-from simulations.engine.frame import Frame
+from simulations.engine.frame import Frame, to_json
 from simulations.engine.scene import Scene
 from simulations.engine.stages import StageCache
 from simulations.registry import SCENE_MODULES, load_scene
@@ -32,10 +31,11 @@ def frame_of(scene: Scene[Any]) -> Frame:
 
 
 def same(a: Frame, b: Frame) -> bool:
-    pictures = zip(a.panels, b.panels, strict=True)
-    return a.readouts == b.readouts and all(
-        p.overlay == q.overlay and np.array_equal(p.raster, q.raster) for p, q in pictures
-    )
+    return to_json(a) == to_json(b) and pixels(a) == pixels(b)
+
+
+def pixels(frame: Frame) -> list[bytes]:
+    return [panel.raster.tobytes() for panel in frame.panels if panel.raster is not None]
 
 
 def copy_with(module: str, edits: Mapping[str, str]) -> Scene[Any]:

@@ -33,6 +33,8 @@ export class EditedRuntime {
   #warm = null;
   /** What draws the figure: JSON of definitions and texts. */
   #edits = "{}";
+  /** @type {Payload} What was last asked for a frame. */
+  #frame = {};
   /** @type {{asked: string, reply: any} | null} A frame that is ready, and what was asked for it. */
   #ready = null;
 
@@ -49,6 +51,10 @@ export class EditedRuntime {
     this.told = told;
   }
 
+  get generation() {
+    return this.#own?.generation ?? 0;
+  }
+
   /**
    * As of any runtime; frames and their errors are those of the edited code.
    *
@@ -58,7 +64,11 @@ export class EditedRuntime {
    * @returns {Promise<any>}
    */
   async call(name, payload, urgency) {
-    if (name !== "render") return await this.#ask(name, payload, this.#edits, urgency);
+    if (name === "pull") return await this.book.call(name, payload, urgency); // of the controls
+    if (name !== "render") {
+      if (name === "photograph") this.#ready = null; // it shows another picture
+      return await this.#ask(name, payload, this.#edits, urgency);
+    }
     try {
       const reply = this.#take(payload) ?? (await this.draw(payload, this.#edits, urgency));
       this.told.drawn(reply.printed);
@@ -118,9 +128,10 @@ export class EditedRuntime {
    * @returns {Promise<number>} The limit for edited code.
    */
   warm(payload) {
-    const scenes = payload.scene ? [payload.scene] : [];
-    this.#own ??= new Runtime(this.book.url, () => scenes);
-    this.#warm ??= this.#own.call("render", payload).then(
+    if (payload.scene) this.#frame = payload;
+    const { scene } = this.#frame;
+    this.#own ??= new Runtime(this.book.url, () => (scene ? [scene] : []));
+    this.#warm ??= this.#own.call("render", this.#frame).then(
       ({ computeMs }) => Math.max(LIMITS.edited, TIMES * computeMs),
       (error) => {
         if (error instanceof RuntimeFailure && error.kind === "python") return LIMITS.edited;

@@ -242,7 +242,7 @@ export class Workshop {
    * @param {string} words
    */
   async #stopped(words) {
-    if (this.live) this.live.runtime = this.book;
+    this.live?.drawnBy(this.book);
     const edits = await this.#kept();
     edits.runs = false;
     edits.save();

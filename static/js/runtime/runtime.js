@@ -17,6 +17,8 @@ export const LIMITS = {
   start: 300_000,
   first: 30_000,
   render: 10_000,
+  pull: 10_000,
+  photograph: 10_000,
   error: 10_000,
   forget: 10_000,
   measure: 120_000,
@@ -43,7 +45,7 @@ export class RuntimeFailure extends Error {
 /**
  * What a figure needs of a runtime.
  *
- * @typedef {Pick<Runtime, "call" | "forget">} Caller
+ * @typedef {Pick<Runtime, "call" | "forget" | "generation">} Caller
  */
 
 /**
@@ -56,6 +58,8 @@ export class RuntimeFailure extends Error {
  * @property {(reason: RuntimeFailure) => void} reject
  */
 
+let interpreters = 0;
+
 export class Runtime {
   /** @type {Call[]} */
   #waiting = [];
@@ -67,6 +71,8 @@ export class Runtime {
   #watchdog;
   #lastId = 0;
   #failedStarts = 0;
+  /** Which interpreter it is: a new one knows nothing of what the last was told. */
+  generation = 0;
   /**
    * Scenes that this worker has imported: their first frame takes longer.
    *
@@ -134,6 +140,7 @@ export class Runtime {
 
   #boot() {
     this.#seen.clear();
+    this.generation = ++interpreters;
     this.#worker = new Worker(new URL("./worker.js", import.meta.url), { type: "module" });
     this.#worker.onmessage = (event) => this.#receive(event.data);
     this.#worker.onerror = (event) => {

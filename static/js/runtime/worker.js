@@ -49,11 +49,18 @@ const calls = {
     pyodide.FS.writeFile(`/lib/${SIMULATIONS}`, await simulations);
     pyodide.pyimport("sys").path.append(`/lib/${SIMULATIONS}`);
     const module = pyodide.pyimport("simulations.browser");
-    const { render, error, forget, measure } = module;
-    const { render_edited: renderEdited, fetch_missing: fetchMissing } = module;
+    const {
+      render,
+      render_edited: renderEdited,
+      pull,
+      error,
+      photograph,
+      forget,
+      measure,
+    } = module;
     const fetchNow = (/** @type {string} */ part) => parts.fetchNow(part);
-    fetchMissing(JSON.stringify(table.modules), fetchNow, parts.folder);
-    python = { render, renderEdited, error, forget, measure };
+    module.fetch_missing(JSON.stringify(table.modules), fetchNow, parts.folder);
+    python = { render, renderEdited, pull, error, photograph, forget, measure };
     return { reply: { version: pyodide.version } };
   },
 
@@ -92,12 +99,33 @@ const calls = {
   },
 
   /**
+   * The control values that bring a handle to a place of its panel.
+   *
+   * @param {{scene: string, values: string, handle: string, x: number, y: number}} call
+   */
+  async pull({ scene, values, handle, x, y }) {
+    await parts.provide(parts.table.scenes[scene]);
+    return { reply: { values: JSON.parse(python.pull(scene, values, handle, x, y)) } };
+  },
+
+  /**
    * The next estimate of a frame's error, as a readout; null where there is no better one.
    *
    * @param {FrameCall & {edits?: string}} call
    */
   error({ figure, scene, values, tier, edits = "" }) {
     return { reply: { estimate: JSON.parse(python.error(figure, scene, values, tier, edits)) } };
+  },
+
+  /**
+   * The reader's own picture for a figure: the bytes of a canvas, or nothing for the book's again.
+   *
+   * @param {{figure: string, number: number, pixels?: Uint8ClampedArray, width: number,
+   *   height: number}} call
+   */
+  photograph({ figure, number, pixels, width, height }) {
+    python.photograph(figure, number, pixels, width, height);
+    return { reply: {} };
   },
 
   /** @param {{figure: string}} call */
