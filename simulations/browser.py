@@ -8,6 +8,7 @@ from functools import lru_cache
 from math import isfinite
 from typing import Any
 
+from simulations.engine.conditions import first_met
 from simulations.engine.frame import Raster, Readout, to_json
 from simulations.engine.ladder import measure_tier
 from simulations.engine.scene import Scene
@@ -15,7 +16,7 @@ from simulations.engine.stages import StageCache
 from simulations.late_imports import fetch_missing
 from simulations.registry import load_ladder, load_scene
 
-__all__ = ["Reply", "error", "fetch_missing", "forget", "measure", "render"]
+__all__ = ["Reply", "error", "fetch_missing", "forget", "judge", "measure", "render"]
 
 _caches: dict[str, StageCache] = {}
 _judgements: dict[str, tuple[object, Iterator[Readout]]] = {}
@@ -58,6 +59,16 @@ def error(figure: str, scene_id: str, values: str, tier: str) -> str:
         _judgements[figure] = (wanted, estimates)
     estimate = next(estimates, None)
     return json.dumps(None if estimate is None else asdict(estimate), ensure_ascii=False)
+
+
+def judge(figure: str, scene_id: str, values: str, tier: str, conditions: str) -> int | None:
+    """Which of the ``conditions``, a JSON list, is the first to hold of a figure's present state.
+
+    Raises `UnknownIdError`, `ControlError` and `ExpressionError`.
+    """
+    scene = load_scene(scene_id)
+    settings, tier, cache = _setting(scene, figure, values, tier)
+    return first_met(json.loads(conditions), settings, scene.render(settings, tier, cache))
 
 
 def _setting(scene: Scene[Any], figure: str, values: str, tier: str) -> tuple[Any, str, StageCache]:

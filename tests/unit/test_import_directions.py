@@ -32,12 +32,14 @@ MODELS = (
 
 BUILDER = (
     "diagnostics", "runtime", "output", "measured", "charts", "book", "markdown", "source",
-    "question_checks", "checks", "pages", "build", "serve", "__main__",
+    "question_checks", "figure_questions", "checks", "pages", "build", "serve", "__main__",
 )  # fmt: skip
 """Parts of ``site_builder``, likewise."""
 MARKDOWN = (
     "text", "reading", "scenes", "front_matter", "headings", "role", "roles", "inline",
-    "directive", "usage", "blocks", "bodies", "fences", "directives", "guide", "parser", "chapter",
+    "directive", "answers", "computed", "question_options",
+    "sketches", "usage", "blocks", "bodies", "fences",
+    "directives", "guide", "parser", "chapter",
 )  # fmt: skip
 """Parts of ``site_builder/markdown``, likewise."""
 

@@ -18,6 +18,7 @@ export const LIMITS = {
   first: 30_000,
   render: 10_000,
   error: 10_000,
+  judge: 10_000,
   forget: 10_000,
   measure: 120_000,
 };

@@ -49,10 +49,10 @@ const calls = {
     pyodide.FS.writeFile(`/lib/${SIMULATIONS}`, await simulations);
     pyodide.pyimport("sys").path.append(`/lib/${SIMULATIONS}`);
     const module = pyodide.pyimport("simulations.browser");
-    const { render, error, forget, measure, fetch_missing: fetchMissing } = module;
+    const { render, error, forget, judge, measure, fetch_missing: fetchMissing } = module;
     const fetchNow = (/** @type {string} */ part) => parts.fetchNow(part);
     fetchMissing(JSON.stringify(table.modules), fetchNow, parts.folder);
-    python = { render, error, forget, measure };
+    python = { render, error, forget, judge, measure };
     return { reply: { version: pyodide.version } };
   },
 
@@ -84,6 +84,17 @@ const calls = {
    */
   error({ figure, scene, values, tier }) {
     return { reply: { estimate: JSON.parse(python.error(figure, scene, values, tier)) } };
+  },
+
+  /**
+   * The place of the first condition that holds of a figure's state; null where none does.
+   *
+   * @param {FrameCall & {conditions: string[]}} call
+   */
+  async judge({ figure, scene, values, tier, conditions }) {
+    await parts.provide(parts.table.scenes[scene]);
+    const met = python.judge(figure, scene, values, tier, JSON.stringify(conditions));
+    return { reply: { met: met ?? null } };
   },
 
   /** @param {{figure: string}} call */
