@@ -48,15 +48,14 @@ def ordered_options(items: Sequence[Item], reading: Reading) -> tuple[Option, ..
 
 def state_options(items: Sequence[Item], reading: Reading) -> tuple[Option, ...]:
     """Conditions on a figure; what is wrong with them shows when the figure is drawn."""
-    answers = [read_answer(item, reading, coded=True) for item in items]
-    for answer in answers:
-        if answer and not answer.code and answer.text != OTHERWISE:
+    options: list[Option] = []
+    for answer in (read_answer(item, reading, coded=True) for item in items):
+        if answer and (answer.code or answer.text == OTHERWISE):
+            right = answer.mark == "right"
+            options.append(Option("", answer.code or OTHERWISE, right, answer.reply_html))
+        elif answer:
             _not_coded(answer, reading)
-    return tuple(
-        Option("", answer.code or OTHERWISE, answer.mark == "right", answer.reply_html)
-        for answer in answers
-        if answer
-    )
+    return tuple(options)
 
 
 def number_options(

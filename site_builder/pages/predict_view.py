@@ -6,12 +6,11 @@ from markupsafe import Markup
 
 from simulations.engine.drawing import coordinate
 from site_builder.book import Axis, Curve, Prediction
-from site_builder.measured.quantities import quantity
 from site_builder.pages.embedding import json_for_html
 from site_builder.pages.quiz_view import option_data
 
 WIDTH, HEIGHT = 400.0, 250.0
-LEFT, RIGHT, TOP, BOTTOM = 52.0, 388.0, 12.0, 206.0
+LEFT, RIGHT, TOP, BOTTOM = 52.0, 384.0, 32.0, 206.0
 """The view box of a sketch, and the field inside its axes."""
 PLACES = 9
 """Points that the reader moves."""
@@ -80,7 +79,7 @@ def view_sketch(curve: Curve) -> SketchView:
         x_ticks=_ticks(curve.x, LEFT, RIGHT),
         y_ticks=_ticks(curve.y, BOTTOM, TOP),
         truth="M" + "L".join(points),
-        places=tuple(quantity(x, 3) for x, _ in _points(curve)),
+        places=tuple(_short(x) for x, _ in _points(curve)),
         middle=f"{(curve.y.start + curve.y.end) / 2:g}",
         step=f"{(curve.y.end - curve.y.start) / STEPS:g}",
     )
@@ -98,5 +97,9 @@ def _along(axis: Axis, value: float, start: float, end: float) -> float:
 def _ticks(axis: Axis, start: float, end: float) -> tuple[Tick, ...]:
     values = [axis.start + (axis.end - axis.start) * part / 4 for part in range(5)]
     return tuple(
-        Tick(coordinate(_along(axis, value, start, end)), quantity(value, 3)) for value in values
+        Tick(coordinate(_along(axis, value, start, end)), _short(value)) for value in values
     )
+
+
+def _short(value: float) -> str:
+    return f"{value:.4g}".replace("-", "\u2212")

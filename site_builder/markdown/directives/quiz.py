@@ -72,8 +72,10 @@ def check_options_belong(
     for name, option in use.options.items():
         kinds = belongs.get(name, (kind,))
         if kind not in kinds:
-            legal = f"with ':kind:' {' or '.join(kinds)}"
-            reading.problem(option.line, f"option {name!r} of {use.name} {kind!r}; legal: {legal}")
+            legal = " or ".join(f"with ':kind: {each}'" for each in kinds)
+            reading.problem(
+                option.line, f"option {name!r} of a {kind!r} {use.name}; legal: {legal}"
+            )
 
 
 def prompt_text(parts: Parts) -> str:
