@@ -115,15 +115,16 @@ function drag(item, event) {
 }
 
 /**
- * Past the middle of a neighbour the two change places.
+ * Past the middle of a neighbour the two change places. It is the neighbour that is moved: what
+ * leaves the page for a moment loses the pointer.
  *
  * @param {HTMLElement} item
  * @param {number} y
  */
 function follow(item, y) {
-  const [before, after] = [item.previousElementSibling, item.nextElementSibling];
-  if (before && y < middle(before)) before.before(item);
-  else if (after && y > middle(after)) after.after(item);
+  let [before, after] = [item.previousElementSibling, item.nextElementSibling];
+  for (; before && y < middle(before); before = item.previousElementSibling) item.after(before);
+  for (; after && y > middle(after); after = item.nextElementSibling) item.before(after);
 }
 
 /** @param {Element} element */

@@ -9,6 +9,8 @@ import { all, data, one, within } from "../page/dom.js";
 
 const SVG = "http://www.w3.org/2000/svg";
 const RADIUS = 5;
+/** How near to a point, along the axis, a stroke takes it along without passing it. */
+const NEAR = 8;
 
 /** Listen for strokes and arrow keys on any page. */
 export function installSketches() {
@@ -124,7 +126,7 @@ function draw(svg, form, event) {
 function pull(form, sketch, from, to) {
   const { top, bottom } = sketch.field;
   const [low, high] = [Math.min(from.x, to.x), Math.max(from.x, to.x)];
-  const reach = (across(1, sketch) - across(0, sketch)) / 2;
+  const reach = low < high ? NEAR : (across(1, sketch) - across(0, sketch)) / 2;
   for (const [index, slider] of sliders(form).entries()) {
     const x = across(index, sketch);
     const passed = x >= low && x <= high;
