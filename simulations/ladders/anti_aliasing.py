@@ -9,9 +9,11 @@ from dataclasses import dataclass
 from functools import partial
 
 import numpy as np
-from numpy.typing import NDArray
 
 from simulations.engine.ladder import Ladder, Metric, Tier
+from simulations.models.arrays import Floats, Mask
+from simulations.models.error_measures import root_mean_square
+from simulations.models.pixel_grid import centred
 from simulations.models.sampling.aliasing import (
     box_filter,
     filter_and_sample,
@@ -19,8 +21,6 @@ from simulations.models.sampling.aliasing import (
     zone_plate,
     zone_plate_area,
 )
-
-type Floats = NDArray[np.floating]
 
 SIZE = 192
 SCALE = 128.0
@@ -35,9 +35,9 @@ class Truth:
 
     area: Floats
     """(192, 192) exact mean over each pixel: what light falling on it adds up to."""
-    in_band: NDArray[np.bool_]
+    in_band: Mask
     """(192, 192) whether the rings there can be shown by pixels."""
-    out_of_band: NDArray[np.bool_]
+    out_of_band: Mask
     """(192, 192) whether only grey is right."""
     plate: Floats
     """(192, 192) the rings at pixel centres: right where they are in band."""
@@ -45,8 +45,7 @@ class Truth:
 
 def prepare() -> Floats:
     """Positions of pixel centres along either axis, from the middle of the picture."""
-    centres: Floats = np.arange(SIZE) - (SIZE - 1) / 2
-    return centres
+    return centred(SIZE)
 
 
 def _samples(centres: Floats, factor: int) -> Floats:
@@ -90,21 +89,17 @@ def reference(centres: Floats) -> Truth:
     )
 
 
-def _rms(values: Floats) -> float:
-    return float(np.sqrt(np.mean(np.square(values, dtype=np.float64))))
-
-
 def alias_rms(result: Floats, truth: Truth, _centres: Floats) -> float:
-    return _rms(result[truth.out_of_band] - 0.5)
+    return root_mean_square((result[truth.out_of_band] - 0.5).astype(np.float64))
 
 
 def area_rms(result: Floats, truth: Truth, _centres: Floats) -> float:
-    return _rms(result - truth.area)
+    return root_mean_square(result - truth.area)
 
 
 def contrast_loss(result: Floats, truth: Truth, _centres: Floats) -> float:
     """How far the rings that pixels can show fall short of their full contrast, RMS."""
-    return _rms((result - truth.plate)[truth.in_band])
+    return root_mean_square((result - truth.plate)[truth.in_band])
 
 
 def _box_tier(factor: int) -> Tier:

@@ -8,8 +8,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from simulations.engine.ladder import Ladder, Metric, Tier
+from simulations.models.arrays import Floats
+from simulations.models.error_measures import root_mean_square
 
-type Floats = NDArray[np.floating]
 type Whole = NDArray[np.int64]
 
 COUNT = 20_000
@@ -61,8 +62,7 @@ def prepare() -> Workload:
 def reference(workload: Workload) -> Floats:
     """Pixels (N, 2) from whole numbers: only the last division and product are rounded."""
     turned = workload.steps @ TURN.astype(np.int64).T
-    pixels: Floats = FOCAL_PX * (turned[:, :2] / turned[:, 2:])
-    return pixels
+    return FOCAL_PX * (turned[:, :2] / turned[:, 2:])
 
 
 def _pixels(camera: Floats) -> Floats:
@@ -115,7 +115,7 @@ def _both(
 def _rms_px(pixels: Floats, truth: Floats) -> float:
     """RMS distance. A point that is lost, or thrown out of the picture, counts as 1000 px off."""
     distance = np.linalg.norm(pixels.astype(np.float64) - truth, axis=-1)
-    return float(np.sqrt(np.mean(np.fmin(distance, FOCAL_PX) ** 2)))
+    return root_mean_square(np.fmin(distance, FOCAL_PX))
 
 
 def rms_far_px(result: tuple[Floats, Floats], truth: Floats, _workload: Workload) -> float:
