@@ -14,8 +14,9 @@ from simulations.engine.scene import Scene
 from simulations.engine.stages import StageCache
 from simulations.late_imports import fetch_missing
 from simulations.registry import load_ladder, load_scene
+from simulations.script import script
 
-__all__ = ["Reply", "error", "fetch_missing", "forget", "measure", "render"]
+__all__ = ["Reply", "error", "fetch_missing", "forget", "measure", "render", "script"]
 
 _caches: dict[str, StageCache] = {}
 _judgements: dict[str, tuple[object, Iterator[Readout]]] = {}

@@ -8,15 +8,10 @@ from simulations.engine.controls import Action, Choice, Control, Slider, Value, 
 from simulations.engine.frame import Panel, Readout, StageReport, format_number
 from simulations.engine.scene import Scene
 from simulations.registry import load_ladder
-from site_builder.book import OUTLINE
 from site_builder.measured.quantities import with_unit
 from site_builder.pages.embedding import json_for_html
 from site_builder.pages.figure_grid import IN_A_ROW, control_cells, even_columns, spans
 from site_builder.pages.stills import Still
-
-SHOW_STAGES_FROM = 10
-"""A chain this long is worth seeing at once in a chapter; shorter ones, and that of the cover's
-figure, wait behind their summary."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -70,7 +65,7 @@ class SimulationView:
     """Whether the error of a frame can be told."""
     stages: tuple[StageReport, ...]
     stages_text: str
-    stages_open: bool
+    workings_open: bool
     schema: str
     """JSON that is safe inside a script element."""
 
@@ -101,7 +96,7 @@ def view_simulation(still: Still, assets: str) -> SimulationView:
         judged=scene.estimate is not None,
         stages=frame.stages,
         stages_text=count_stages(frame.stages),
-        stages_open=len(frame.stages) >= SHOW_STAGES_FROM and figure.path != OUTLINE,
+        workings_open=figure.workings_open,
         schema=json_for_html(schema(still)),
     )
 

@@ -4,6 +4,7 @@
  */
 
 import { SimulationFigure } from "./figure/element.js";
+import { installGestures, offerWords, returned } from "./figure/gestures.js";
 import { LadderBench } from "./ladder/bench.js";
 import { installContents } from "./page/contents.js";
 import { installNavigation } from "./page/navigate.js";
@@ -15,7 +16,10 @@ customElements.define("ladder-bench", LadderBench);
 installTheme();
 installContents();
 installQuizzes();
+installGestures();
+offerWords();
 installNavigation(() => {
   showTheme();
   restoreQuizzes();
-});
+  offerWords();
+}, returned);

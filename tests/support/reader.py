@@ -80,12 +80,17 @@ class Reader:
 
     def judged(self, figure: Locator) -> str:
         """The error of what the figure shows, once there is no better estimate to come."""
+        self.unfold(figure)
         self.page.wait_for_function(
             "figure => figure.querySelector('.accuracy').dataset.judged === 'true'",
             arg=figure.element_handle(),
             timeout=START_MS,
         )
         return figure.locator(".accuracy-value").inner_text()
+
+    def unfold(self, figure: Locator) -> None:
+        """Have the figure show how it was computed."""
+        figure.locator(".workings").evaluate("workings => { workings.open = true; }")
 
     def frames(self, figure: Locator) -> int:
         return int(figure.get_attribute("data-frames") or 0)

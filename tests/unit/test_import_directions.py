@@ -20,7 +20,17 @@ LEGAL = {
     "scenes": {"scenes", "ladders", "pictures", "models", "engine"},
     "registry": {"scenes", "ladders", "pictures", "models", "engine"},
     "late_imports": set(),
-    "browser": {"registry", "late_imports", "scenes", "ladders", "pictures", "models", "engine"},
+    "script": {"registry", "engine"},
+    "browser": {
+        "registry",
+        "late_imports",
+        "script",
+        "scenes",
+        "ladders",
+        "pictures",
+        "models",
+        "engine",
+    },
 }
 """Part of ``simulations`` to the parts that it may import."""
 
@@ -37,7 +47,8 @@ BUILDER = (
 """Parts of ``site_builder``, likewise."""
 MARKDOWN = (
     "text", "reading", "scenes", "front_matter", "headings", "role", "roles", "inline",
-    "directive", "usage", "blocks", "bodies", "fences", "directives", "guide", "parser", "chapter",
+    "directive", "usage", "blocks", "bodies", "fences", "directives", "figures", "guide", "parser",
+    "chapter",
 )  # fmt: skip
 """Parts of ``site_builder/markdown``, likewise."""
 

@@ -12,8 +12,9 @@ export class SimulationFigure extends HTMLElement {
   connectedCallback() {
     const runtime = sharedRuntime();
     if (!runtime) return;
-    if (Runtime.supported) this.#live = new LiveFigure(this, runtime);
-    else this.#refuse();
+    if (!Runtime.supported) this.#refuse();
+    else if (this.#isAddressed) this.#arrive(runtime);
+    else this.#live = new LiveFigure(this, runtime);
   }
 
   disconnectedCallback() {
@@ -24,6 +25,26 @@ export class SimulationFigure extends HTMLElement {
   /** Try again what failed; the figure keeps its values. */
   retry() {
     this.#live?.retry();
+  }
+
+  /** Whether the address of the page says how the figure should stand. */
+  get #isAddressed() {
+    const id = this.closest("figure")?.id;
+    return [...new URLSearchParams(location.search).keys()].some((key) => key.startsWith(`${id}.`));
+  }
+
+  /**
+   * Put the controls to where the address says before the first frame is asked for.
+   *
+   * @param {Runtime} runtime
+   */
+  async #arrive(runtime) {
+    try {
+      const { arrive } = await import("./permalink.js");
+      arrive(this);
+    } finally {
+      if (this.isConnected) this.#live = new LiveFigure(this, runtime);
+    }
   }
 
   /** This browser cannot run the figure: say so once, and offer no dead controls. */

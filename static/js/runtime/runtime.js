@@ -19,6 +19,7 @@ export const LIMITS = {
   render: 10_000,
   error: 10_000,
   forget: 10_000,
+  script: 10_000,
   measure: 120_000,
 };
 

@@ -49,10 +49,10 @@ const calls = {
     pyodide.FS.writeFile(`/lib/${SIMULATIONS}`, await simulations);
     pyodide.pyimport("sys").path.append(`/lib/${SIMULATIONS}`);
     const module = pyodide.pyimport("simulations.browser");
-    const { render, error, forget, measure, fetch_missing: fetchMissing } = module;
+    const { render, error, forget, measure, script, fetch_missing: fetchMissing } = module;
     const fetchNow = (/** @type {string} */ part) => parts.fetchNow(part);
     fetchMissing(JSON.stringify(table.modules), fetchNow, parts.folder);
-    python = { render, error, forget, measure };
+    python = { render, error, forget, measure, script };
     return { reply: { version: pyodide.version } };
   },
 
@@ -84,6 +84,16 @@ const calls = {
    */
   error({ figure, scene, values, tier }) {
     return { reply: { estimate: JSON.parse(python.error(figure, scene, values, tier)) } };
+  },
+
+  /**
+   * A script that prints what a frame of these values says.
+   *
+   * @param {FrameCall} call
+   */
+  async script({ scene, values, tier }) {
+    await parts.provide(parts.table.scenes[scene]);
+    return { reply: { script: python.script(scene, values, tier) } };
   },
 
   /** @param {{figure: string}} call */
