@@ -59,16 +59,10 @@ def role_rule(roles: Mapping[str, Role], state: StateInline, silent: bool) -> bo
 
 def _push_link(role: Role, match: re.Match[str], state: StateInline) -> None:
     """``role_open`` and ``role_close`` around the words, which may hold formulae and emphasis."""
-    start, end = match.span(2)
-    meant = MEANT.fullmatch(state.src, start, end)
+    meant = MEANT.fullmatch(match[2])
     assert meant  # any words fit
     token = state.push("role_open", "a", 1)
     token.info = role.name
     token.meta = {"role": role, "given": meant[2] or ""}
-    last = state.posMax
-    state.pos, state.posMax = meant.span(1)
-    state.linkLevel += 1
-    state.md.inline.tokenize(state)
-    state.linkLevel -= 1
-    state.posMax = last
+    state.tokens.extend(state.md.inline.parse(meant[1], state.md, state.env, []))
     state.push("role_close", "a", -1)

@@ -18,6 +18,7 @@ export function installGestures() {
   document.addEventListener("figure-rest", rested);
   // What a press copies must be at hand when it comes: browsers forbid it a moment later.
   document.addEventListener("toggle", fetchTools, true);
+  document.addEventListener("keydown", leaveFullScreen);
   document.documentElement.classList.toggle("full-screen", document.fullscreenEnabled);
   for (const type of ["pointerover", "focusin"]) document.addEventListener(type, light);
 }
@@ -74,6 +75,11 @@ async function rested(event) {
 /** @param {Event} event */
 function fetchTools(event) {
   if (within(event, ".tools .share", HTMLElement)) import("./tools.js");
+}
+
+/** @param {KeyboardEvent} event */
+function leaveFullScreen({ key }) {
+  if (key === "Escape" && document.fullscreenElement) document.exitFullscreen();
 }
 
 /** @param {Event} event */

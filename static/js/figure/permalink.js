@@ -25,7 +25,10 @@ export function settingsOf(figure) {
   const { controls, tiers, default_tier: tier } = schema;
   /** @type {Control[]} */
   const all = tiers.length
-    ? [...controls, { kind: "choice", name: "tier", label: "", default: tier, options: tiers }]
+    ? [
+        ...controls,
+        { kind: "choice", name: "tier", label: "Accuracy", default: tier, options: tiers },
+      ]
     : controls;
   return {
     form: one(figure, "form.controls", HTMLFormElement),

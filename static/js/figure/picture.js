@@ -7,8 +7,11 @@ import { all, maybe, one } from "../page/dom.js";
 
 /** Pixels of the file for each pixel of the page. */
 const SCALE = 2;
+/** Of these, what no element takes from the one around it. */
+const OWN = ["opacity", "vector-effect"];
 /** What a style sheet says of a drawing, and a file must say itself. */
 const PROPERTIES = [
+  ...OWN,
   "color",
   "fill",
   "fill-opacity",
@@ -17,7 +20,6 @@ const PROPERTIES = [
   "font-style",
   "font-variant-numeric",
   "font-weight",
-  "opacity",
   "paint-order",
   "stroke",
   "stroke-dasharray",
@@ -25,7 +27,6 @@ const PROPERTIES = [
   "stroke-linejoin",
   "stroke-width",
   "text-anchor",
-  "vector-effect",
 ];
 
 /**
@@ -58,9 +59,7 @@ async function standalone(svg, view) {
   const originals = [svg, ...svg.querySelectorAll("*")];
   const copies = [copy, ...copy.querySelectorAll("*")];
   for (const [index, original] of originals.entries()) {
-    const styles = getComputedStyle(original);
-    const said = PROPERTIES.map((name) => `${name}:${styles.getPropertyValue(name)}`);
-    copies[index].setAttribute("style", said.join(";"));
+    copies[index].setAttribute("style", styleOf(original, original !== svg));
     copies[index].removeAttribute("class");
   }
   copy.style.filter = getComputedStyle(svg).filter;
@@ -71,6 +70,26 @@ async function standalone(svg, view) {
   style.textContent = await fontsOf(svg);
   copy.prepend(style);
   return copy;
+}
+
+/**
+ * What the style sheets say of an element, as its own style.
+ *
+ * @param {Element} element
+ * @param {boolean} inherits Whether to leave out what it has from the element around it.
+ */
+function styleOf(element, inherits) {
+  const [styles, around] = [element, element.parentElement ?? element].map((one) =>
+    getComputedStyle(one),
+  );
+  return PROPERTIES.filter(
+    (name) =>
+      !inherits ||
+      OWN.includes(name) ||
+      styles.getPropertyValue(name) !== around.getPropertyValue(name),
+  )
+    .map((name) => `${name}:${styles.getPropertyValue(name)}`)
+    .join(";");
 }
 
 /**
@@ -88,7 +107,8 @@ async function fontsOf(svg) {
       words.some(
         (word) =>
           word.fontFamily.includes(style.getPropertyValue("font-family")) &&
-          word.fontStyle === (style.getPropertyValue("font-style") || "normal"),
+          word.fontStyle === (style.getPropertyValue("font-style") || "normal") &&
+          style.getPropertyValue("font-weight").split(" ").includes(word.fontWeight),
       ),
     );
   return (await Promise.all(faces.map(embedded))).join("\n");

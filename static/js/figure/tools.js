@@ -68,11 +68,9 @@ async function fullScreen(figure, button) {
   await whole?.requestFullscreen();
   button.setAttribute("aria-pressed", "true");
   const left = () => {
-    if (document.fullscreenElement) return;
-    document.removeEventListener("fullscreenchange", left);
-    button.setAttribute("aria-pressed", "false");
+    if (!document.fullscreenElement) button.setAttribute("aria-pressed", "false");
   };
-  document.addEventListener("fullscreenchange", left);
+  document.addEventListener("fullscreenchange", left, { once: true });
 }
 
 /**
