@@ -54,6 +54,20 @@ class Slider:
         steps = (number - self.minimum) / self.step
         return abs(steps - round(steps)) < 1e-6
 
+    def nearest(self, number: float) -> float:
+        """The value nearest to ``number``, also an infinite one, that whole steps lead to."""
+        inside = min(max(number, self.minimum), self.maximum)
+        steps = round((inside - self.minimum) / self.step)
+        if self.minimum + steps * self.step > self.maximum + 1e-6 * self.step:
+            steps -= 1
+        return round(self.minimum + steps * self.step, self._fine_decimals) + 0.0
+
+    @property
+    def _fine_decimals(self) -> int:
+        """Digits after the point of the minimum and of the step, whichever has more."""
+        texts = (f"{number:.10f}".rstrip("0") for number in (self.minimum, self.step))
+        return max(len(text.partition(".")[2]) for text in texts)
+
     def parse(self, raw: object) -> float:
         """``raw`` as a finite number, not yet held to the range."""
         if isinstance(raw, bool) or not isinstance(raw, int | float | str):

@@ -71,6 +71,17 @@ class Readout:
 
 
 @dataclass(frozen=True, slots=True)
+class Place:
+    """Where a handle of the scene is: see `simulations.engine.handles`."""
+
+    name: str
+    """The handle's."""
+    x: float
+    y: float
+    """In view box units of its panel."""
+
+
+@dataclass(frozen=True, slots=True)
 class StageReport:
     """What became of one stage of the computation."""
 
@@ -88,6 +99,8 @@ class Frame:
     description: str
     """One sentence that tells a reader who cannot see it what the picture now shows."""
     stages: tuple[StageReport, ...] = field(default=())
+    handles: tuple[Place, ...] = ()
+    """Where the handles are that can be grabbed now; the engine sets this, no scene does."""
 
     def __post_init__(self) -> None:
         for kind, names in (
@@ -196,6 +209,10 @@ def to_json(frame: Frame) -> str:
             "stages": [
                 {"name": stage.name, "status": stage.status, "reason": stage.reason}
                 for stage in frame.stages
+            ],
+            "handles": [
+                {"name": place.name, "x": round(place.x, 2), "y": round(place.y, 2)}
+                for place in frame.handles
             ],
         },
         ensure_ascii=False,

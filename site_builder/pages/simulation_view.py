@@ -5,7 +5,8 @@ from dataclasses import dataclass
 from typing import Any
 
 from simulations.engine.controls import Action, Choice, Control, Slider, Value, describe
-from simulations.engine.frame import Panel, Readout, StageReport, format_number
+from simulations.engine.frame import Panel, Place, Readout, StageReport, format_number
+from simulations.engine.handles import Handle
 from simulations.engine.scene import Scene
 from simulations.registry import load_ladder
 from site_builder.measured.quantities import with_unit
@@ -15,12 +16,28 @@ from site_builder.pages.stills import Still
 
 
 @dataclass(frozen=True, slots=True)
+class HandleView:
+    """What can be grabbed in a panel, and where it is at first."""
+
+    handle: Handle[Any]
+    place: Place | None
+    """Nothing where it cannot be grabbed as the figure starts."""
+    text: str
+    """What it is set to, as a screen reader says it: ``Light angle 30°``."""
+    range: tuple[float, float, float]
+    """Least, present and greatest value of what it drives first; of a menu, places in it."""
+    keys: str
+    """What the arrow keys do."""
+
+
+@dataclass(frozen=True, slots=True)
 class PanelView:
     """A panel and the address of its picture."""
 
     panel: Panel
     src: str
     """Relative to the page; nothing for a pure diagram."""
+    handles: tuple[HandleView, ...]
 
 
 @dataclass(frozen=True, slots=True)
@@ -58,6 +75,8 @@ class SimulationView:
     cells: tuple[CellView, ...]
     columns: tuple[int, int, int]
     """Readouts in a row where space is narrow, middling and wide."""
+    photograph: bool
+    """Whether it can show the reader's own picture."""
     tiers: tuple[tuple[str, str], ...]
     """Id and label of each accuracy, cheap to dear."""
     tier: str
@@ -80,7 +99,7 @@ def view_simulation(still: Still, assets: str) -> SimulationView:
         description=frame.description,
         caption_html=figure.caption_html,
         panels=tuple(
-            PanelView(panel, f"{assets}stills/{name}" if name else "")
+            PanelView(panel, f"{assets}stills/{name}" if name else "", _handles(still, panel.name))
             for panel in frame.panels
             for name in (still.pictures.get(panel.name, ""),)
         ),
@@ -91,6 +110,7 @@ def view_simulation(still: Still, assets: str) -> SimulationView:
             even_columns(len(frame.readouts), 4),
             even_columns(len(frame.readouts), 6),
         ),
+        photograph=scene.photograph is not None,
         tiers=tier_labels(scene),
         tier=figure.tier,
         judged=scene.estimate is not None,
@@ -117,6 +137,41 @@ def _cells(still: Still) -> tuple[CellView, ...]:
     )
 
 
+def _handles(still: Still, panel: str) -> tuple[HandleView, ...]:
+    """The handles of one panel, in the scene's order."""
+    scene = still.figure.scene
+    places = {place.name: place for place in still.frame.handles}
+    controls = {control.name: control for control in scene.controls}
+
+    def view(handle: Handle[Any]) -> HandleView:
+        driven = [controls[name] for name in handle.drives]
+        said = (f"{item.label} {value_text(item, still.values[item.name])}" for item in driven)
+        now = still.values[driven[0].name]
+        return HandleView(
+            handle, places.get(handle.name), ", ".join(said), _range(driven[0], now), _keys(driven)
+        )
+
+    return tuple(view(handle) for handle in scene.handles if handle.panel == panel)
+
+
+def _range(control: Control, value: Value) -> tuple[float, float, float]:
+    match control:
+        case Slider():
+            return (control.minimum, float(value), control.maximum)
+        case Choice():
+            options = list(control.options)
+            return (0, options.index(str(value)), len(options) - 1)
+        case _:
+            return (0, 0, 0)
+
+
+def _keys(driven: Sequence[Control]) -> str:
+    if len(driven) == 1:
+        return f"Arrow keys change {driven[0].label}."
+    across, along = (control.label for control in driven)
+    return f"Left and right arrow keys change {across}, up and down {along}."
+
+
 def _control(still: Still, control: Control) -> ControlView:
     value = still.values[control.name]
     return ControlView(
@@ -135,6 +190,7 @@ def schema(still: Still) -> dict[str, object]:
         "default_tier": still.figure.tier,
         "draft_tier": scene.draft_tier,
         "drafted": list(scene.drafted),
+        "photograph": scene.photograph,
         "drafted_in": {tier: list(names) for tier, names in scene.drafted_in.items()},
     }
 

@@ -25,24 +25,24 @@ def profile_overlay(lens: Distortion) -> str:
     if fold < LARGEST:
         radius = np.sort(np.append(radius, fold))
     image = evaluate(lens.radial, radius)
-    curve = np.stack([_plot(r, f) for r, f in zip(radius, image, strict=True)])
+    curve = np.stack([at_radii(r, f) for r, f in zip(radius, image, strict=True)])
     visible = (image <= LARGEST) & (image >= 0.0)
     parts = [
         _axes(),
-        polyline((_plot(0, 0), _plot(LARGEST, LARGEST)), "muted thin dashed"),
+        polyline((at_radii(0, 0), at_radii(LARGEST, LARGEST)), "muted thin dashed"),
         text(_identity_label(lens), "no distortion", "muted small halo", "end"),
         path(runs(curve, (radius >= fold) & visible), "error dashed") if fold < LARGEST else "",
         path(runs(curve, (radius <= fold) & visible), "image bold"),
     ]
     if fold < LARGEST:
-        peak = _plot(fold, largest_distorted_radius(lens))
+        peak = at_radii(fold, largest_distorted_radius(lens))
         parts += [
             line(peak, (peak[0], BOTTOM), "error thin dashed"),
             dot(peak, "error"),
             text((peak[0], peak[1] - 10.0), "fold", "error small halo", "middle"),
         ]
     ideal = math.hypot(*SAMPLE)
-    here = _plot(ideal, float(evaluate(lens.radial, ideal)))
+    here = at_radii(ideal, float(evaluate(lens.radial, ideal)))
     parts += [
         line((here[0], BOTTOM), here, "world thin"),
         line((LEFT, here[1]), here, "image thin"),
@@ -51,21 +51,28 @@ def profile_overlay(lens: Distortion) -> str:
     return "".join(parts)
 
 
-def _plot(radius: float, image: float) -> Point:
+def at_radii(radius: float, image: float) -> tuple[float, float]:
     """A point of the profile as view box units."""
     across = (RIGHT - LEFT) / LARGEST
     up = (BOTTOM - TOP) / LARGEST
     return (LEFT + across * float(radius), BOTTOM - up * float(image))
 
 
+def radius_at(place: Point) -> tuple[float, float]:
+    """Ideal radius and radius in the image of a place of the panel."""
+    across = (RIGHT - LEFT) / LARGEST
+    up = (BOTTOM - TOP) / LARGEST
+    return ((float(place[0]) - LEFT) / across, (BOTTOM - float(place[1])) / up)
+
+
 def _identity_label(lens: Distortion) -> Point:
     """Beside the dashed line, on the side where the curve is not."""
     inwards = float(evaluate(lens.radial, 1.0)) < 0.99
-    return _plot(1.12, 1.19) if inwards else _plot(LARGEST, 0.86)
+    return at_radii(1.12, 1.19) if inwards else at_radii(LARGEST, 0.86)
 
 
 def _axes() -> str:
-    corner_x, corner_y = _plot(1.0, 0.0)[0], _plot(0.0, 1.0)[1]
+    corner_x, corner_y = at_radii(1.0, 0.0)[0], at_radii(0.0, 1.0)[1]
     parts = [
         line((LEFT, BOTTOM), (RIGHT, BOTTOM), "muted"),
         line((LEFT, BOTTOM), (LEFT, TOP), "muted"),
@@ -76,7 +83,7 @@ def _axes() -> str:
         text((LEFT + 8, TOP + 8), "radius in the image", "image halo"),
     ]
     for value in (0.0, 0.5, 1.0):
-        x, y = _plot(value, 0.0)[0], _plot(0.0, value)[1]
+        x, y = at_radii(value, 0.0)[0], at_radii(0.0, value)[1]
         parts.append(text((x, BOTTOM + 16), f"{value:g}", "muted small", "middle"))
         parts.append(text((LEFT - 8, y + 4), f"{value:g}", "muted small", "end"))
     return "".join(parts)

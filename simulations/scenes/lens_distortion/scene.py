@@ -1,14 +1,12 @@
 """Lens Distortion Simulator: a grid and a picture through a lens with k₁ and k₂."""
 
 from collections.abc import Iterator
-from dataclasses import dataclass
 
 import numpy as np
 
 from simulations.engine.controls import Value
 from simulations.engine.frame import Frame, Panel, Readout, format_magnitude, format_number, readout
 from simulations.engine.scene import Scene
-from simulations.engine.settings import choice, slider, toggle
 from simulations.engine.stages import Outputs
 from simulations.models.distortion.kinds import classify, line_bow
 from simulations.models.distortion.lens_model import (
@@ -19,28 +17,20 @@ from simulations.models.distortion.lens_model import (
 )
 from simulations.models.distortion.radial_profile import evaluate
 from simulations.scenes.lens_distortion.drawing import VIEW_HEIGHT, VIEW_WIDTH, grid_lines
+from simulations.scenes.lens_distortion.handles import HANDLES
 from simulations.scenes.lens_distortion.radii import (
     FOCAL_PX,
     HALF_DIAGONAL,
     TIERS,
     inversion_error_px,
 )
-from simulations.scenes.lens_distortion.stages import STAGES, Drawings, needs_margin
+from simulations.scenes.lens_distortion.settings import Settings
+from simulations.scenes.lens_distortion.stages import PHOTOGRAPH_PX, STAGES, Drawings, needs_margin
 
 DIVERGED_PX = 1e4
 """An iteration that ends this far off has found nothing."""
 INVISIBLE_PX = 0.1
 """Changes of the magnification that move no corner by more than this do not count."""
-
-
-@dataclass(frozen=True, slots=True)
-class Settings:
-    """What the reader may change."""
-
-    k1: float = slider("k₁", 0.0, -0.5, 0.5, 0.01)
-    k2: float = slider("k₂", 0.0, -0.2, 0.2, 0.01)
-    picture: str = choice("Picture", {"room": "Room", "chart": "Test chart"})
-    correct: bool = toggle("Correct the picture")
 
 
 def parameters(settings: Settings, _tier: str) -> dict[str, Value]:
@@ -140,6 +130,8 @@ SCENE = Scene(
     settings=Settings,
     draw=draw,
     stages=STAGES,
+    handles=HANDLES,
+    photograph=PHOTOGRAPH_PX,
     parameters=parameters,
     tiers=TIERS,
     default_tier="checked-table",

@@ -7,13 +7,11 @@ computed for every pixel in linear light and then encoded for the screen.
 
 import math
 from collections.abc import Iterator
-from dataclasses import dataclass
 
 import numpy as np
 
 from simulations.engine.frame import Frame, Panel, Readout, readout
 from simulations.engine.scene import Scene
-from simulations.engine.settings import slider, toggle
 from simulations.engine.stages import Outputs, Stage
 from simulations.models.color.srgb import encode_srgb
 from simulations.models.light.reflectance import lambert
@@ -33,17 +31,9 @@ from simulations.scenes.reflection.ball import (
 )
 from simulations.scenes.reflection.brightness_plot import brightness_plot
 from simulations.scenes.reflection.lambertian_drawing import from_above, over_sphere
+from simulations.scenes.reflection.lambertian_handles import HANDLES
+from simulations.scenes.reflection.lambertian_settings import Settings
 from simulations.scenes.reflection.marks import HEIGHT, WIDTH
-
-
-@dataclass(frozen=True, slots=True)
-class Settings:
-    """What the reader may change."""
-
-    light_angle: float = slider("Light angle", 30, -180, 180, 1, unit="°")
-    albedo: float = slider("Albedo ρ", 0.8, 0, 1, 0.01)
-    probe: float = slider("Probed point", 0, -90, 90, 1, unit="°")
-    normals: bool = toggle("Show normals")
 
 
 def _white(normals: Floats, ball: Ball, light_angle: float) -> Floats:
@@ -145,6 +135,7 @@ SCENE = Scene(
     settings=Settings,
     draw=draw,
     stages=STAGES,
+    handles=HANDLES,
     tiers=tuple(LIT),
     default_tier=DEFAULT_TIER,
     ladder="shading",

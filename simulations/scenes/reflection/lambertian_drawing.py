@@ -30,6 +30,8 @@ from simulations.scenes.reflection.marks import (
 
 PLAN_CENTRE, PLAN_RADIUS, VECTOR = (200.0, 136.0), 74.0, 62.0
 """The sphere from above, and the length of a unit vector there."""
+LAMP_DISTANCE = 126.0
+"""From the middle of the sphere to where the lamp is drawn: it shines from far away."""
 
 
 def over_sphere(light_rad: float, probe_rad: float, show_normals: bool) -> str:
@@ -83,9 +85,9 @@ def _cased_arrow(start: Point, end: Point, style: str, head: float = 8) -> Itera
 
 def from_above(light_rad: float, probe_rad: float, theta_rad: float, show_normals: bool) -> str:
     """The equator seen from above, the camera at the bottom: every angle is true here."""
-    night = [_plan(light_rad + math.pi * (0.5 + step / 32), PLAN_RADIUS) for step in range(33)]
-    day = [_plan(light_rad + math.pi * (step / 32 - 0.5), PLAN_RADIUS) for step in range(33)]
-    probed = _plan(probe_rad, PLAN_RADIUS)
+    night = [in_plan(light_rad + math.pi * (0.5 + step / 32), PLAN_RADIUS) for step in range(33)]
+    day = [in_plan(light_rad + math.pi * (step / 32 - 0.5), PLAN_RADIUS) for step in range(33)]
+    probed = in_plan(probe_rad, PLAN_RADIUS)
     n_tip, l_tip = _from(probed, probe_rad, VECTOR), _from(probed, light_rad, VECTOR)
     n_label, l_label = _label_places(probed, probe_rad, light_rad)
     parts = [
@@ -93,6 +95,7 @@ def from_above(light_rad: float, probe_rad: float, theta_rad: float, show_normal
         polygon(night, "muted fill"),
         polyline(day, "light bold"),
         line(night[0], night[-1], "light dashed"),
+        *_lamp(light_rad),
         *(_plan_normals() if show_normals else ()),
         _camera(),
         _angle(probed, probe_rad, light_rad, theta_rad),
@@ -123,7 +126,7 @@ def _plan_rays(light_rad: float) -> Iterator[str]:
 def _plan_normals() -> Iterator[str]:
     for degrees in range(-90, 91, 15):
         angle = math.radians(degrees)
-        foot = _plan(angle, PLAN_RADIUS)
+        foot = in_plan(angle, PLAN_RADIUS)
         yield arrow(foot, _from(foot, angle, 24), "world thin", head=6)
 
 
@@ -149,6 +152,16 @@ def _label_places(probed: Point, probe_rad: float, light_rad: float) -> tuple[Po
     return (n[0], n[1] + 4), (l_[0], l_[1] + 4)
 
 
+def _lamp(light_rad: float) -> Iterator[str]:
+    """A disc with rays around it."""
+    place = in_plan(light_rad, LAMP_DISTANCE)
+    yield circle(place, 7, "casing")
+    yield dot(place, "light", 6)
+    for eighth in range(8):
+        angle = light_rad + math.pi * eighth / 4
+        yield line(_from(place, angle, 9), _from(place, angle, 14), "light")
+
+
 def _camera() -> str:
     x, y = PLAN_CENTRE[0], HEIGHT - 24.0
     lens = [(x - 5, y - 8), (x - 9, y - 15), (x + 9, y - 15), (x + 5, y - 8)]
@@ -159,10 +172,11 @@ def _camera() -> str:
     )
 
 
-def _plan(angle_rad: float, radius: float) -> Point:
+def in_plan(angle_rad: float, radius: float) -> tuple[float, float]:
+    """A place at that distance from the middle of the sphere seen from above."""
     return _from(PLAN_CENTRE, angle_rad, radius)
 
 
-def _from(start: Point, angle_rad: float, length: float) -> Point:
+def _from(start: Point, angle_rad: float, length: float) -> tuple[float, float]:
     """Go from a point of the plan in a direction; the camera's direction is down the page."""
     return (start[0] + length * math.sin(angle_rad), start[1] + length * math.cos(angle_rad))

@@ -13,7 +13,7 @@ CENTRE, RADIUS = (200.0, 170.0), 122.0
 """The ball, in view box units."""
 
 
-def on_equator(angle_rad: float) -> Point:
+def on_equator(angle_rad: float) -> tuple[float, float]:
     """Where the camera sees the point whose normal has that angle."""
     return CENTRE[0] + RADIUS * math.sin(angle_rad), CENTRE[1]
 

@@ -12,7 +12,7 @@
  * @typedef {number | string | boolean} Value
  * @typedef {{title: string, controls: Control[], values: Record<string, Value>, tiers: string[],
  *   default_tier: string, draft_tier: string, drafted: string[],
- *   drafted_in: Record<string, string[]>}} Schema
+ *   drafted_in: Record<string, string[]>, photograph: [number, number] | null}} Schema
  */
 
 import { one } from "../page/dom.js";
@@ -75,8 +75,12 @@ export function button(form, name) {
   return one(form, named(name), HTMLButtonElement);
 }
 
-/** @param {string} name */
-function named(name) {
+/**
+ * Selects the control of that name.
+ *
+ * @param {string} name
+ */
+export function named(name) {
   return `[name="${CSS.escape(name)}"]`;
 }
 

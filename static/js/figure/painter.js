@@ -5,7 +5,7 @@
  * @typedef {{name: string, title: string, width: number, height: number, overlay: string,
  *   raster: {width: number, height: number} | null, pixelated: boolean}} Panel
  * @typedef {{name: string, label: string, text: string, unit: string, role: string}} Readout
- * @typedef {{panels: Panel[], readouts: Readout[], description: string}} Meta
+ * @typedef {{panels: Panel[], readouts: Readout[], description: string, handles: import("./handles.js").Place[]}} Meta
  */
 
 import { maybe, one } from "../page/dom.js";

@@ -49,10 +49,10 @@ const calls = {
     pyodide.FS.writeFile(`/lib/${SIMULATIONS}`, await simulations);
     pyodide.pyimport("sys").path.append(`/lib/${SIMULATIONS}`);
     const module = pyodide.pyimport("simulations.browser");
-    const { render, error, forget, measure, script, fetch_missing: fetchMissing } = module;
+    const { render, pull, error, photograph, forget, measure, script } = module;
     const fetchNow = (/** @type {string} */ part) => parts.fetchNow(part);
-    fetchMissing(JSON.stringify(table.modules), fetchNow, parts.folder);
-    python = { render, error, forget, measure, script };
+    module.fetch_missing(JSON.stringify(table.modules), fetchNow, parts.folder);
+    python = { render, pull, error, photograph, forget, measure, script };
     return { reply: { version: pyodide.version } };
   },
 
@@ -78,6 +78,16 @@ const calls = {
   },
 
   /**
+   * The control values that bring a handle to a place of its panel.
+   *
+   * @param {{scene: string, values: string, handle: string, x: number, y: number}} call
+   */
+  async pull({ scene, values, handle, x, y }) {
+    await parts.provide(parts.table.scenes[scene]);
+    return { reply: { values: JSON.parse(python.pull(scene, values, handle, x, y)) } };
+  },
+
+  /**
    * The next estimate of a frame's error, as a readout; null where there is no better one.
    *
    * @param {FrameCall} call
@@ -94,6 +104,17 @@ const calls = {
   async script({ scene, values, tier }) {
     await parts.provide(parts.table.scenes[scene]);
     return { reply: { script: python.script(scene, values, tier) } };
+  },
+
+  /**
+   * The reader's own picture for a figure: the bytes of a canvas, or nothing for the book's again.
+   *
+   * @param {{figure: string, number: number, pixels?: Uint8ClampedArray, width: number,
+   *   height: number}} call
+   */
+  photograph({ figure, number, pixels, width, height }) {
+    python.photograph(figure, number, pixels, width, height);
+    return { reply: {} };
   },
 
   /** @param {{figure: string}} call */

@@ -1,0 +1,130 @@
+"""Handles: what of a picture can be grabbed, and what a pull means.
+
+    def point_at(settings: Settings, _outputs: Outputs) -> Point:
+        return (20 * settings.x, 30 - 20 * settings.y)
+
+    def point_pulled(_settings: Settings, place: Point) -> Mapping[str, Value]:
+        return {"x": place[0] / 20, "y": (30 - place[1]) / 20}
+
+    Handle("point", "plane", "Point P", ("x", "y"), point_at, point_pulled, role="world")
+
+A pull says what it would take to put the thing there, as if nothing were in the way; the engine
+brings that into range and onto the steps of the controls. The page, the keyboard and the tests
+all go through the same two functions.
+"""
+
+import math
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+from typing import Any, Literal
+
+from simulations.engine.controls import Control, Slider, Value
+from simulations.engine.frame import ROLES, Panel, Place
+from simulations.engine.stages import Outputs
+
+type Point = tuple[float, float]
+"""In view box units of the panel: x right, y down."""
+
+
+@dataclass(frozen=True, slots=True)
+class Handle[S]:
+    """Something in a panel that can be grabbed. ``S`` is the dataclass of the scene's settings."""
+
+    name: str
+    """Identifier, unique in the scene."""
+    panel: str
+    """Name of the panel that it lies in."""
+    label: str
+    """What it is, for a reader who cannot see it: ``Lamp``."""
+    drives: tuple[str, ...]
+    """Names of one or two settings: those that a pull changes. Arrow keys to the right and left
+    step the first; up and down the second, or the first where it is alone."""
+    at: Callable[[S, Outputs], Point | None]
+    """Where it is; ``None`` where it cannot be grabbed at these settings."""
+    pull: Callable[[S, Point], Mapping[str, Value]]
+    """What the settings would have to be for it to be at a place; what it leaves out stays."""
+    reach: Literal["mark", "press", "drag"] = "mark"
+    """How it is grabbed: at its mark; also by pressing anywhere in the panel, which brings it
+    there; or, without a mark, by dragging from anywhere, which moves it by as much."""
+    role: str = ""
+    """One of `simulations.engine.frame.ROLES`: the colour of its mark."""
+    reversed: tuple[str, ...] = ()
+    """Settings of which more moves it left or down: their arrow keys go the other way."""
+
+
+def places(
+    handles: tuple[Handle[Any], ...], settings: object, outputs: Outputs, panels: tuple[Panel, ...]
+) -> tuple[Place, ...]:
+    """Where the handles of a frame are; marks are held inside their panels.
+
+    Raises `ValueError` for a handle of a panel that the frame lacks.
+    """
+    sizes = {panel.name: (panel.width, panel.height) for panel in panels}
+    found = []
+    for handle in handles:
+        if handle.panel not in sizes:
+            legal = ", ".join(sizes)
+            raise ValueError(f"handle {handle.name!r}: panel {handle.panel!r}; legal: {legal}")
+        place = handle.at(settings, outputs)
+        if place is None or not all(map(math.isfinite, place)):
+            continue
+        x, y = (float(value) for value in place)
+        if handle.reach != "drag":
+            width, height = sizes[handle.panel]
+            x, y = min(max(x, 0.0), width), min(max(y, 0.0), height)
+        found.append(Place(handle.name, x, y))
+    return tuple(found)
+
+
+def pulled(
+    handle: Handle[Any], settings: object, place: Point, controls: tuple[Control, ...]
+) -> dict[str, Value]:
+    """The values that bring ``handle`` as near to ``place`` as the controls allow.
+
+    A number that no place leads to, NaN or infinite, leaves its setting alone. Raises
+    `ValueError` for a place that is none, and for a pull that changes what it does not drive.
+    """
+    if not all(map(math.isfinite, place)):
+        raise ValueError(f"handle {handle.name!r}: place {place}; legal: finite numbers")
+    by_name = {control.name: control for control in controls}
+    values: dict[str, Value] = {}
+    for name, wanted in handle.pull(settings, place).items():
+        if name not in handle.drives:
+            legal = ", ".join(handle.drives)
+            raise ValueError(f"handle {handle.name!r}: a pull changes {name!r}; legal: {legal}")
+        control = by_name[name]
+        if not isinstance(control, Slider):
+            values[name] = control.clamp(wanted)
+        elif not math.isnan(float(wanted)):
+            values[name] = control.nearest(float(wanted))
+    return values
+
+
+def mistakes(handles: tuple[Handle[Any], ...], controls: tuple[Control, ...]) -> list[str]:
+    """What is wrong with the handles of a scene, in words."""
+    names = [handle.name for handle in handles]
+    wide = [handle.panel for handle in handles if handle.reach != "mark"]
+    found = [f"two handles named {name!r}" for name in names if names.count(name) > 1]
+    found += [
+        f"two handles that the whole of panel {panel!r} moves; legal: one"
+        for panel in wide
+        if wide.count(panel) > 1
+    ]
+    legal = [control.name for control in controls if control.kind in ("slider", "choice")]
+    for handle in handles:
+        who = f"handle {handle.name!r}"
+        if len(handle.drives) not in (1, 2):
+            found.append(f"{who} drives {handle.drives}; legal: one or two settings")
+        found += [
+            f"{who} drives {name!r}; legal: {', '.join(legal) or 'none'}"
+            for name in handle.drives
+            if name not in legal
+        ]
+        found += [
+            f"{who} reverses {name!r}; legal: {', '.join(handle.drives)}"
+            for name in handle.reversed
+            if name not in handle.drives
+        ]
+        if handle.role not in ROLES:
+            found.append(f"{who}: role {handle.role!r}; legal: {ROLES}")
+    return found

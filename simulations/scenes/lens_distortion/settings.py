@@ -1,0 +1,15 @@
+"""The controls of the lens-distortion figure."""
+
+from dataclasses import dataclass
+
+from simulations.engine.settings import choice, slider, toggle
+
+
+@dataclass(frozen=True, slots=True)
+class Settings:
+    """What the reader may change."""
+
+    k1: float = slider("k₁", 0.0, -0.5, 0.5, 0.01)
+    k2: float = slider("k₂", 0.0, -0.2, 0.2, 0.01)
+    picture: str = choice("Picture", {"room": "Room", "chart": "Test chart"})
+    correct: bool = toggle("Correct the picture")

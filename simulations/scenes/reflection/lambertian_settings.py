@@ -1,0 +1,15 @@
+"""The controls of the Lambertian figure."""
+
+from dataclasses import dataclass
+
+from simulations.engine.settings import slider, toggle
+
+
+@dataclass(frozen=True, slots=True)
+class Settings:
+    """What the reader may change."""
+
+    light_angle: float = slider("Light angle", 30, -180, 180, 1, unit="°")
+    albedo: float = slider("Albedo ρ", 0.8, 0, 1, 0.01)
+    probe: float = slider("Probed point", 0, -90, 90, 1, unit="°")
+    normals: bool = toggle("Show normals")

@@ -1,0 +1,160 @@
+"""What a hand, a finger or the arrow keys do with the things that figures offer to be grabbed."""
+
+import math
+from typing import Any
+
+import pytest
+from playwright.sync_api import Browser, Locator, expect
+from support.reader import Reader
+from support.static_server import StaticServer
+
+from simulations.engine.handles import Handle
+from simulations.registry import SCENE_MODULES, load_scene
+
+pytestmark = pytest.mark.browser
+
+WITH_HANDLES = [id_ for id_ in SCENE_MODULES if load_scene(id_).handles]
+PULLED = (-34.0, 26.0)
+"""CSS pixels by which each handle is pulled: both ways, and not far enough to leave the picture."""
+
+
+@pytest.fixture(scope="module")
+def visitor(chromium: Browser, site_server: StaticServer) -> Any:
+    """One reader for all scenes: turning pages keeps the interpreter alive."""
+    context = chromium.new_context(viewport={"width": 1280, "height": 900})
+    yield Reader(context, site_server.url)
+    context.close()
+
+
+@pytest.mark.parametrize("scene", WITH_HANDLES)
+def test_every_handle_moves_its_settings_and_goes_along(
+    visitor: Reader, book: Any, scene: str
+) -> None:
+    figure = turn_to_figure(visitor, book, scene)
+    for handle in load_scene(scene).handles:
+        grip = figure.locator(f'[data-handle="{handle.name}"]')
+        if not grip.is_visible():
+            continue
+        before, start = settings(figure, handle), centre(grip)
+        frames = visitor.frames(figure)
+        drag(visitor, start, (start[0] + PULLED[0], start[1] + PULLED[1]))
+        visitor.wait_frame(figure, frames)
+        visitor.settle(figure)
+        assert settings(figure, handle) != before, handle.name
+        grip.focus()
+        for key in ("ArrowLeft", "ArrowUp", "ArrowRight", "ArrowDown"):
+            before = settings(figure, handle)
+            visitor.page.keyboard.press(key)
+            if settings(figure, handle) != before:
+                break
+        assert settings(figure, handle) != before, f"{handle.name} by keyboard"
+        expect(grip).to_have_attribute("aria-valuetext", described(figure, handle))
+
+
+def test_a_handle_stays_under_the_pointer_and_ends_at_the_last_of_many_moves(
+    visitor: Reader, book: Any
+) -> None:
+    figure = turn_to_figure(visitor, book, "lambertian-shading")
+    grip = figure.locator('[data-handle="probe"]')
+    start = centre(grip)
+    end = (start[0] + 60, start[1])
+    page = visitor.page
+    page.mouse.move(*start)
+    page.mouse.down()
+    for step in range(200):
+        page.mouse.move(start[0] + 90 * math.sin(step / 9), start[1])
+    page.mouse.move(*end)
+    page.mouse.up()
+    visitor.settle(figure)
+    assert centre(grip)[0] == pytest.approx(end[0], abs=2)
+
+
+@pytest.mark.parametrize("name", ["probe", "lamp"])
+def test_a_finger_moves_a_handle_and_scrolls_the_page_elsewhere(
+    chromium: Browser, server: StaticServer, book: Any, name: str
+) -> None:
+    context = chromium.new_context(viewport={"width": 390, "height": 800}, has_touch=True)
+    try:
+        visitor = Reader(context, server.url)
+        figure = visitor.open_figure(book, "lambertian-shading")
+        grip = figure.locator(f'[data-handle="{name}"]')
+        grip.scroll_into_view_if_needed()
+        handle = next(h for h in load_scene("lambertian-shading").handles if h.name == name)
+        before, scrolled = settings(figure, handle), scroll(visitor)
+        swipe(visitor, centre(grip), (0, -60))
+        swipe(visitor, centre(grip), (-40, 0))
+        visitor.settle(figure)
+        assert settings(figure, handle) != before
+        assert scroll(visitor) == scrolled
+        box = figure.locator(".panel-title").first.bounding_box()
+        assert box
+        swipe(visitor, (box["x"] + 20, box["y"] + 5), (0, -120))
+        visitor.page.wait_for_function("before => scrollY !== before", arg=scrolled)
+    finally:
+        context.close()
+
+
+def turn_to_figure(visitor: Reader, book: Any, scene: str) -> Locator:
+    """The scene's first figure as the page has it, in view."""
+    chapter = next(c["url"] for c in book["chapters"] if scene in c["simulations"])
+    visitor.turn_to("")
+    visitor.turn_to(chapter)
+    figure = visitor.figure(scene)
+    figure.locator(".panels").scroll_into_view_if_needed()
+    visitor.page.mouse.move(0, 0)
+    return figure
+
+
+def settings(figure: Locator, handle: Handle[Any]) -> list[str]:
+    """What the page's controls say of what a handle drives."""
+    return [figure.locator(f'[name="{name}"]').input_value() for name in handle.drives]
+
+
+def described(figure: Locator, handle: Handle[Any]) -> str:
+    """The driven controls in words, as the page shows them."""
+    words: str = figure.evaluate(
+        """(figure, names) => names.map((name) => {
+             const control = figure.querySelector(`[name="${name}"]`);
+             const box = control.closest(".control");
+             const value = control.selectedOptions
+               ? control.selectedOptions[0].text.trim()
+               : box.querySelector(".control-value").textContent;
+             return `${box.querySelector("label").textContent.trim()} ${value}`;
+           }).join(", ")""",
+        list(handle.drives),
+    )
+    return words
+
+
+def centre(grip: Locator) -> tuple[float, float]:
+    box = grip.bounding_box()
+    assert box
+    return box["x"] + box["width"] / 2, box["y"] + box["height"] / 2
+
+
+def drag(visitor: Reader, start: tuple[float, float], end: tuple[float, float]) -> None:
+    mouse = visitor.page.mouse
+    mouse.move(*start)
+    mouse.down()
+    mouse.move(*end, steps=4)
+    mouse.up()
+
+
+def swipe(visitor: Reader, start: tuple[float, float], way: tuple[float, float]) -> None:
+    """A finger that goes down, moves in steps and goes up."""
+    client = visitor.page.context.new_cdp_session(visitor.page)
+    place = start
+    client.send("Input.dispatchTouchEvent", touch("touchStart", [place]))
+    for step in range(1, 9):
+        place = (start[0] + way[0] * step / 8, start[1] + way[1] * step / 8)
+        client.send("Input.dispatchTouchEvent", touch("touchMove", [place]))
+    client.send("Input.dispatchTouchEvent", touch("touchEnd", []))
+
+
+def touch(kind: str, places: list[tuple[float, float]]) -> dict[str, Any]:
+    return {"type": kind, "touchPoints": [{"x": x, "y": y} for x, y in places]}
+
+
+def scroll(visitor: Reader) -> float:
+    top: float = visitor.page.evaluate("scrollY")
+    return top

@@ -1,0 +1,165 @@
+"""What a pull at any handle of any scene does, whatever it moves."""
+
+import itertools
+import math
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass, replace
+from typing import Any
+
+import numpy as np
+import pytest
+
+from simulations.engine.controls import Choice, Slider, Value
+from simulations.engine.handles import Handle, Point, places
+from simulations.engine.scene import Scene
+from simulations.engine.stages import StageCache
+from simulations.registry import SCENE_MODULES, load_scene
+
+SCENES = {id_: load_scene(id_) for id_ in SCENE_MODULES}
+GRIPS = [(scene, handle) for scene in SCENES.values() for handle in scene.handles]
+NAMES = [f"{scene.id}: {handle.name}" for scene, handle in GRIPS]
+FAR = 1e7
+NOISE = 0.05
+"""Units of the view box by which one step may seem nearer than another that is not."""
+
+
+class Outputs(Mapping[str, Any]):
+    """What the stages make of some settings, computed when a handle first asks for any of it."""
+
+    def __init__(self, scene: Scene[Any], settings: object) -> None:
+        self._make = lambda: scene.run(settings, scene.default_tier, StageCache()).outputs
+        self._made: Mapping[str, Any] | None = None
+
+    def _all(self) -> Mapping[str, Any]:
+        if self._made is None:
+            self._made = self._make()
+        return self._made
+
+    def __getitem__(self, name: str) -> Any:
+        return self._all()[name]
+
+    def __iter__(self) -> Iterator[str]:
+        return iter(self._all())
+
+    def __len__(self) -> int:
+        return len(self._all())
+
+
+@dataclass(frozen=True)
+class Start:
+    """A scene at some settings, and one of its handles."""
+
+    scene: Scene[Any]
+    handle: Handle[Any]
+    settings: Any
+
+    @property
+    def place(self) -> Point | None:
+        return self.handle.at(self.settings, Outputs(self.scene, self.settings))
+
+    def having(self, values: Mapping[str, Value]) -> "Start":
+        return replace(self, settings=replace(self.settings, **values))
+
+    def pulled_to(self, place: Point) -> "Start":
+        return self.having(self.scene.pull(self.settings, self.handle.name, place))
+
+
+def starts(scene: Scene[Any], handle: Handle[Any], count: int) -> Iterator[Start]:
+    """The defaults, then settings drawn from the whole of what the controls allow."""
+    rng = np.random.default_rng(0)
+    yield Start(scene, handle, scene.check({}))
+    for _ in range(count):
+        values = {control.name: drawn(control, rng) for control in scene.controls}
+        yield Start(scene, handle, scene.clamp(values))
+
+
+def drawn(control: Any, rng: np.random.Generator) -> Value:
+    if isinstance(control, Slider):
+        return control.nearest(float(rng.uniform(control.minimum, control.maximum)))
+    if isinstance(control, Choice):
+        return str(rng.choice(list(control.options)))
+    return control.default  # type: ignore[no-any-return]
+
+
+def with_other_values(start: Start) -> Iterator[Start]:
+    """The same settings but for what the handle drives."""
+    rng = np.random.default_rng(1)
+    controls = [c for c in start.scene.controls if c.name in start.handle.drives]
+    for _ in range(6):
+        yield start.having({control.name: drawn(control, rng) for control in controls})
+
+
+def a_step_away(start: Start) -> Iterator[Start]:
+    """All neighbours, one step of each driven slider or none, and all other options of a menu."""
+    options = []
+    for control in start.scene.controls:
+        if control.name not in start.handle.drives:
+            continue
+        here = getattr(start.settings, control.name)
+        if isinstance(control, Slider):
+            steps = {control.nearest(here + step * control.step) for step in (-1, 0, 1)}
+            options.append([(control.name, type(here)(value)) for value in steps])
+        elif isinstance(control, Choice):
+            options.append([(control.name, value) for value in control.options])
+    for values in itertools.product(*options):
+        yield start.having(dict(values))
+
+
+def test_every_scene_has_something_to_grab() -> None:
+    without = [scene.id for scene in SCENES.values() if not scene.handles]
+    assert without == []
+
+
+@pytest.mark.parametrize(("scene", "handle"), GRIPS, ids=NAMES)
+def test_a_handle_goes_where_it_is_pulled_as_near_as_a_step_of_its_controls_allows(
+    scene: Scene[Any], handle: Handle[Any]
+) -> None:
+    tried = 0
+    for start in starts(scene, handle, 5):
+        if start.place is None:
+            continue
+        for goal in with_other_values(start):
+            place = goal.place
+            if place is None:
+                continue
+            tried += 1
+            pulled = start.pulled_to(place)
+            assert pulled.place is not None, (start.settings, goal.settings)
+            left = math.dist(pulled.place, place)
+            nearest = min(
+                math.dist(other.place, place)
+                for other in a_step_away(pulled)
+                if other.place is not None
+            )
+            assert left <= max(nearest, 1.0) + NOISE, (start.settings, goal.settings, left)
+    assert tried, "no settings at which it could be grabbed"
+
+
+@pytest.mark.parametrize(("scene", "handle"), GRIPS, ids=NAMES)
+def test_a_handle_that_is_not_moved_moves_nothing(scene: Scene[Any], handle: Handle[Any]) -> None:
+    for start in starts(scene, handle, 5):
+        place = start.place
+        if place is None:
+            continue
+        after = start.pulled_to(place).place
+        assert after is not None
+        assert math.dist(after, place) <= 1.0 + NOISE, start.settings
+
+
+@pytest.mark.parametrize(("scene", "handle"), GRIPS, ids=NAMES)
+def test_wherever_the_pointer_goes_the_controls_stay_legal(
+    scene: Scene[Any], handle: Handle[Any]
+) -> None:
+    for start in starts(scene, handle, 2):
+        for place in itertools.product((-FAR, -1.0, 0.0, 150.0, 200.0, FAR), repeat=2):
+            values = scene.pull(start.settings, handle.name, place)
+            assert scene.check({**values}) is not None
+
+
+@pytest.mark.parametrize(("scene", "handle"), GRIPS, ids=NAMES)
+def test_a_handle_lies_in_a_panel_of_its_scene(scene: Scene[Any], handle: Handle[Any]) -> None:
+    settings = scene.check({})
+    outputs = Outputs(scene, settings)
+    panels = scene.draw(settings, outputs).panels
+    places(scene.handles, settings, outputs, panels)
+    assert handle.panel in {panel.name for panel in panels}
