@@ -3,30 +3,32 @@
 import math
 import re
 from itertools import product
+from typing import Any
 
 import numpy as np
 import pytest
 
-from simulations.engine.frame import to_json
+from simulations.engine.frame import Frame, to_json
 from simulations.engine.stages import StageCache
 from simulations.models.geometry.transforms import apply_homography
+from simulations.scenes.transform_2d.hierarchy import RUNGS
 from simulations.scenes.transform_2d.plane import to_view
-from simulations.scenes.transform_2d.scene import RUNGS, SCENE, transformation
+from simulations.scenes.transform_2d.scene import SCENE, transformation
 
 AMOUNTS = (0, 1, 30, 57, 58, 70, 99, 100)
 PROPERTIES = ("orientation", "lengths", "angles", "parallels", "lines")
 READOUTS = ["matrix", "freedoms", "area", *PROPERTIES]
 
 
-def frame(**given):
+def frame(**given: Any) -> Frame:
     return SCENE.render(SCENE.check(given), "", StageCache())
 
 
-def texts(**given):
+def texts(**given: Any) -> dict[str, str]:
     return {item.name: item.text for item in frame(**given).readouts}
 
 
-def test_it_starts_with_a_translation_by_30_and_15():
+def test_it_starts_with_a_translation_by_30_and_15() -> None:
     shown = texts()
     assert [row.split() for row in shown["matrix"].splitlines()] == [
         ["1.00", "0.00", "30.00"],
@@ -39,7 +41,9 @@ def test_it_starts_with_a_translation_by_30_and_15():
 
 
 @pytest.mark.parametrize(("transform", "amount"), [*product(RUNGS, AMOUNTS)])
-def test_every_setting_draws_finite_numbers_in_the_same_layout(transform, amount):
+def test_every_setting_draws_finite_numbers_in_the_same_layout(
+    transform: str, amount: float
+) -> None:
     shown = frame(transform=transform, amount=amount)
     assert [(p.name, p.width, p.height) for p in shown.panels] == [
         ("plane", 400, 330),
@@ -60,32 +64,34 @@ def test_every_setting_draws_finite_numbers_in_the_same_layout(transform, amount
     ],
 )
 @pytest.mark.parametrize("amount", [1, 30, 100])
-def test_each_rung_keeps_one_property_less(transform, kept, freedoms, amount):
+def test_each_rung_keeps_one_property_less(
+    transform: str, kept: int, freedoms: str, amount: float
+) -> None:
     shown = texts(transform=transform, amount=amount)
     assert [shown[name] == "kept" for name in PROPERTIES] == [False] * (5 - kept) + [True] * kept
     assert shown["freedoms"] == freedoms
 
 
 @pytest.mark.parametrize("transform", RUNGS)
-def test_amount_zero_is_the_identity(transform):
+def test_amount_zero_is_the_identity(transform: str) -> None:
     assert transformation(transform, 0.0) == pytest.approx(np.eye(3))
     assert all(texts(transform=transform, amount=0)[name] == "kept" for name in PROPERTIES)
 
 
 @pytest.mark.parametrize("transform", ["translation", "rigid", "similarity", "affine"])
-def test_the_area_ratio_is_the_determinant(transform):
+def test_the_area_ratio_is_the_determinant(transform: str) -> None:
     H = transformation(transform, 70.0)
     assert texts(transform=transform, amount=70)["area"] == f"{np.linalg.det(H[:2, :2]):.3f}"
 
 
-def test_a_similarity_by_half_as_much_again_has_two_and_a_quarter_times_the_area():
+def test_a_similarity_by_half_as_much_again_has_two_and_a_quarter_times_the_area() -> None:
     shown = texts(transform="similarity", amount=100)
     assert shown["area"] == "2.250"
     assert shown["lengths"] == "changed by up to 50.0\u00a0%"
     assert shown["orientation"] == "changed by up to 50.0°"
 
 
-def test_the_square_meets_infinity_between_57_and_58():
+def test_the_square_meets_infinity_between_57_and_58() -> None:
     # w = 1 − 0.01733 a at the corner (40, −40).
     assert texts(transform="projective", amount=57)["area"] != "∞"
     assert texts(transform="projective", amount=58)["area"] == "∞"
@@ -93,7 +99,7 @@ def test_the_square_meets_infinity_between_57_and_58():
 
 
 @pytest.mark.parametrize(("transform", "amount"), [*product(RUNGS, (10, 50, 90))])
-def test_the_drawn_corner_is_the_image_of_the_corner(transform, amount):
+def test_the_drawn_corner_is_the_image_of_the_corner(transform: str, amount: float) -> None:
     image, valid = apply_homography(transformation(transform, amount), (40.0, 40.0))
     x, y = to_view(image)
     assert valid
@@ -101,35 +107,34 @@ def test_the_drawn_corner_is_the_image_of_the_corner(transform, amount):
     assert [tuple(map(float, spot)) for spot in drawn] == [pytest.approx((x, y), abs=0.006)]
 
 
-def plane(transform, amount):
+def plane(transform: str, amount: float) -> str:
     return frame(transform=transform, amount=amount).panels[0].overlay
 
 
 @pytest.mark.parametrize("amount", AMOUNTS)
-def test_nothing_is_drawn_far_outside_the_view(amount):
+def test_nothing_is_drawn_far_outside_the_view(amount: float) -> None:
     overlay = plane("projective", amount)
     points = re.findall(r"(-?[\d.]+),(-?[\d.]+)", overlay)
     assert len(points) > 20
     assert all(-5 <= float(x) <= 405 and -5 <= float(y) <= 335 for x, y in points)
 
 
-def test_the_line_sent_to_infinity_is_drawn_where_it_crosses_the_view():
+def test_the_line_sent_to_infinity_is_drawn_where_it_crosses_the_view() -> None:
     assert "error dashed" not in plane("affine", 100)
     assert "error dashed" not in plane("projective", 0)
     overlay = plane("projective", 80)
-    x1, y1, x2, y2 = map(
-        float,
-        re.search(
-            r'"error dashed" x1="([\d.-]+)" y1="([\d.-]+)" x2="([\d.-]+)" y2="([\d.-]+)"', overlay
-        ).groups(),
+    ends = re.search(
+        r'"error dashed" x1="([\d.-]+)" y1="([\d.-]+)" x2="([\d.-]+)" y2="([\d.-]+)"', overlay
     )
+    assert ends
+    x1, y1, x2, y2 = map(float, ends.groups())
     origin = to_view((0, 0))
     for x, y in ((x1, y1), (x2, y2)):
         X, Y = (x - origin[0]) / 1.46, -(y - origin[1]) / 1.46
         assert pytest.approx(0, abs=1e-3) == 1 - 80 / 10000 * X + 80 / 3000 * Y
 
 
-def test_the_description_says_what_is_kept():
+def test_the_description_says_what_is_kept() -> None:
     assert frame(transform="affine").description == (
         "The square under an affine transformation has an image of "
         f"{math.prod((1.15**2, 1.06, 0.9)):.2f} times its area; kept: parallel lines, "

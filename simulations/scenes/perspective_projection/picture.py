@@ -6,7 +6,7 @@ import numpy as np
 
 from simulations.engine import drawing
 from simulations.engine.frame import Panel, format_number
-from simulations.models.geometry.transforms import Floats
+from simulations.models.arrays import Floats
 from simulations.scenes.perspective_projection.view import (
     HALF_HEIGHT_PX,
     HALF_WIDTH_PX,
@@ -48,8 +48,7 @@ class Label:
 
 def place(x: float, y: float) -> Floats:
     """Pixel to view box."""
-    position: Floats = CENTRE + IMAGE_SCALE * np.array([x, y])
-    return position
+    return CENTRE + IMAGE_SCALE * np.array([x, y])
 
 
 def image_panel(view: View) -> Panel:

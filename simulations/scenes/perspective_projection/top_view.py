@@ -4,7 +4,8 @@ import numpy as np
 
 from simulations.engine import drawing
 from simulations.engine.frame import Panel, format_number
-from simulations.models.geometry.transforms import Floats, clip_half_plane
+from simulations.models.arrays import Floats
+from simulations.models.geometry.transforms import clip_half_plane
 from simulations.scenes.perspective_projection.picture import COMPARED_DEPTHS
 from simulations.scenes.perspective_projection.view import (
     HALF_WIDTH_PX,
@@ -30,8 +31,7 @@ RAY_LIMITS = ((1, 0, 0), (-1, 0, WIDTH), (0, 1, -4), (0, -1, 280))
 
 def above(Z: float, X: float) -> Floats:
     """Metres to view box."""
-    position: Floats = CAMERA + np.array([DEPTH_SCALE * Z, SIDE_SCALE * X])
-    return position
+    return CAMERA + np.array([DEPTH_SCALE * Z, SIDE_SCALE * X])
 
 
 def top_view_panel(view: View) -> Panel:

@@ -9,9 +9,9 @@ from simulations.engine.frame import Frame, Readout, format_number, matrix_text,
 from simulations.engine.scene import Scene
 from simulations.engine.settings import choice, slider
 from simulations.engine.stages import Outputs
+from simulations.models.arrays import Floats
 from simulations.models.geometry import transforms
 from simulations.models.geometry.preserved_properties import Preservation, measure_preservation
-from simulations.models.geometry.transforms import Floats
 from simulations.scenes.transform_2d.hierarchy import RUNGS, hierarchy_panel
 from simulations.scenes.transform_2d.plane import SQUARE, grid_segments, image_of, plane_panel
 
