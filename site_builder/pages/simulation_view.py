@@ -9,6 +9,7 @@ from simulations.engine.frame import Panel, Place, Readout, StageReport, format_
 from simulations.engine.handles import Handle
 from simulations.engine.scene import Scene
 from simulations.registry import load_ladder
+from site_builder.book import Simulation
 from site_builder.measured.quantities import with_unit
 from site_builder.pages.embedding import json_for_html
 from site_builder.pages.figure_grid import IN_A_ROW, control_cells, even_columns, spans
@@ -67,7 +68,8 @@ class SimulationView:
 
     id: str
     scene_id: str
-    title: str
+    name: str
+    """The scene's title, numbered where the page shows the scene again."""
     description: str
     caption_html: str
     panels: tuple[PanelView, ...]
@@ -95,7 +97,7 @@ def view_simulation(still: Still, assets: str) -> SimulationView:
     return SimulationView(
         id=figure.id,
         scene_id=scene.id,
-        title=scene.title,
+        name=_name(figure),
         description=frame.description,
         caption_html=figure.caption_html,
         panels=tuple(
@@ -119,6 +121,11 @@ def view_simulation(still: Still, assets: str) -> SimulationView:
         workings_open=figure.workings_open,
         schema=json_for_html(schema(still)),
     )
+
+
+def _name(figure: Simulation) -> str:
+    number = figure.id.removeprefix(f"figure-{figure.scene.id}").removeprefix("-")
+    return f"{figure.scene.title} ({number})" if number else figure.scene.title
 
 
 def _cells(still: Still) -> tuple[CellView, ...]:

@@ -5,8 +5,8 @@
 
 import { isPlain, within } from "../page/dom.js";
 
-/** What has the colour of an idea: words, parts of formulae, readouts. */
-const COLOURED = '[class*="role-"]';
+/** What may have the colour of an idea: words, parts of formulae, readouts, handles, controls. */
+const COLOURED = '[class*="role-"], .control';
 
 /** Figures that the reader has changed since the page was opened. */
 const touched = new WeakSet();
@@ -67,7 +67,7 @@ function touch(event) {
 async function rested(event) {
   const figure = within(event, "simulation-figure", HTMLElement);
   const form = figure?.querySelector("form.controls");
-  if (!figure || !form || !touched.has(form)) return;
+  if (!figure || !form || !touched.has(form) || "moving" in figure.dataset) return;
   const { record } = await import("./permalink.js");
   record(figure, "replace");
 }

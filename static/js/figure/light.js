@@ -1,11 +1,12 @@
 /**
- * Words, symbols and readouts light up what else has the colour of their idea: in the figure
- * nearest to them the rest steps back, and in the text the same colour is marked.
+ * What has the colour of an idea lights up what else has it. Words, symbols and readouts let the
+ * rest of the nearest figure step back, and mark the same colour in the text. Controls and handles
+ * only mark the text: the hand that moves them needs the whole picture.
  */
 
-import { all } from "../page/dom.js";
+import { all, maybe } from "../page/dom.js";
 
-/** Milliseconds that a pointer must rest on a word: one that passes lights nothing. */
+/** Milliseconds that a pointer must rest: one that passes lights nothing. */
 const REST = 150;
 
 let timer = 0;
@@ -15,42 +16,49 @@ let pointed = null;
 let leaving = null;
 
 /**
- * The reader points at, or has focused, something that has a colour.
+ * The reader points at, or has focused, something that may have a colour.
  *
  * @param {Element} element
  */
 export function point(element) {
-  const role = /(?:^|\s)role-(\w+)/.exec(element.getAttribute("class") ?? "")?.[1];
   const figure = nearestFigure(element);
-  if (element === pointed || !role || !figure) return;
-  put(null);
+  const role = figure && roleOf(element, figure);
+  if (element === pointed || !role) return;
+  putOut();
   pointed = element;
   leaving = new AbortController();
   const { signal } = leaving;
-  for (const type of ["pointerleave", "blur"]) {
-    element.addEventListener(type, () => put(null), { signal });
+  for (const type of ["pointerleave", "focusout"]) {
+    element.addEventListener(type, putOut, { signal });
   }
-  timer = setTimeout(() => put(figure, role), REST);
+  timer = setTimeout(() => {
+    const text = figure.closest("article");
+    if (text) text.dataset.lit = role;
+    // A figure that draws nothing in that colour has nothing to step back from.
+    const drawn = figure.querySelector(`.overlay .${role}`);
+    if (drawn && !element.matches(".control, .handle")) figure.dataset.lit = role;
+  }, REST);
+}
+
+function putOut() {
+  clearTimeout(timer);
+  leaving?.abort();
+  pointed = null;
+  for (const lit of all(document, "[data-lit]", HTMLElement)) delete lit.dataset.lit;
 }
 
 /**
- * Light a role in a figure and in the text, or nothing.
+ * The colour of an element; of a control that of the handle which drives it.
  *
- * @param {HTMLElement | null} figure
- * @param {string} [role]
+ * @param {Element} element
+ * @param {HTMLElement} figure
+ * @returns {string | undefined}
  */
-function put(figure, role = "") {
-  clearTimeout(timer);
-  if (!figure) {
-    leaving?.abort();
-    pointed = null;
-  }
-  for (const lit of all(document, "[data-lit]", HTMLElement)) delete lit.dataset.lit;
-  if (!figure) return;
-  // A figure that draws nothing in that colour has nothing to step back from.
-  if (figure.querySelector(`.overlay .${role}`)) figure.dataset.lit = role;
-  const text = figure.closest("article");
-  if (text) text.dataset.lit = role;
+function roleOf(element, figure) {
+  const name = element.matches(".control") && element.querySelector("[name]")?.getAttribute("name");
+  const driving = `[data-handle][data-drives~="${CSS.escape(name || "")}"]`;
+  const coloured = name ? maybe(figure, driving, HTMLElement) : element;
+  return /(?:^|\s)role-(\w+)/.exec(coloured?.getAttribute("class") ?? "")?.[1];
 }
 
 /**
@@ -60,8 +68,8 @@ function put(figure, role = "") {
  * @returns {HTMLElement | null}
  */
 function nearestFigure(element) {
-  const inside = element.closest("figure.simulation")?.querySelector("simulation-figure");
-  if (inside instanceof HTMLElement) return inside;
+  const inside = element.closest("figure.simulation");
+  if (inside) return maybe(inside, "simulation-figure", HTMLElement);
   const here = element.getBoundingClientRect();
   const far = (/** @type {HTMLElement} */ figure) => {
     const { top, bottom } = figure.getBoundingClientRect();

@@ -17,6 +17,12 @@ const SCROLL = 1000;
 const IN_VIEW = 0.6;
 
 /**
+ * The link that a figure follows: a later one makes an earlier one void.
+ *
+ * @type {WeakMap<HTMLElement, HTMLAnchorElement>}
+ */
+const followed = new WeakMap();
+/**
  * What ends the motion of a figure.
  *
  * @type {WeakMap<HTMLElement, () => void>}
@@ -34,9 +40,10 @@ export async function follow(link) {
   if (!figure) return;
   /** @type {Record<string, Value>} */
   const values = JSON.parse(link.dataset.values ?? "{}");
+  followed.set(figure, link);
   jump(figure, values);
   await bringIntoView(one(figure, ".panels", HTMLElement));
-  glide(figure, values);
+  if (followed.get(figure) === link) glide(figure, values);
 }
 
 /**
@@ -46,8 +53,10 @@ export async function follow(link) {
  * @param {Record<string, Value>} values
  */
 export function jump(figure, values) {
+  moving.get(figure)?.();
   record(figure, "replace");
   record(figure, "push", values);
+  figure.dataset.moving = "";
 }
 
 /**
@@ -57,19 +66,22 @@ export function jump(figure, values) {
  * @param {Record<string, Value>} values What is left out stays.
  */
 export function glide(figure, values) {
-  moving.get(figure)?.();
   const { form, controls } = settingsOf(figure);
   const sliders = controls.filter(({ kind, name }) => kind === "slider" && name in values);
   const others = controls.filter((control) => !sliders.includes(control));
   moveControls(form, others, values, "change");
   const from = readValues(form, sliders);
-  if (sliders.every(({ name }) => from[name] === values[name])) return;
-  if (isCalm() || figure.dataset.state !== "live") {
+  const there = sliders.every(({ name }) => from[name] === values[name]);
+  if (there || isCalm() || figure.dataset.state !== "live") {
     moveControls(form, sliders, values, "change");
+    delete figure.dataset.moving;
     return;
   }
   const stop = everyFrame(GLIDE, (share) => {
-    if (!figure.isConnected) return;
+    if (!figure.isConnected) {
+      quit();
+      return;
+    }
     const eased = share * share * (3 - 2 * share);
     const now = Object.fromEntries(
       sliders.map(({ name }) => {
@@ -80,11 +92,16 @@ export function glide(figure, values) {
     moveControls(form, sliders, now, "input");
     if (share === 1) end();
   });
-  const end = () => {
+  const quit = () => {
     stop();
     hands.abort();
     moving.delete(figure);
+    delete figure.dataset.moving;
+  };
+  const end = () => {
+    quit();
     moveControls(form, sliders, readValues(form, sliders), "change");
+    record(figure, "replace");
   };
   const hands = stopByHand(figure, end);
   moving.set(figure, end);

@@ -20,7 +20,7 @@ const TOOLS = {
   reset,
   fullScreen,
   copyLink: (figure) => copy(figure, permalink(figure), "Link"),
-  copyPython: async (figure) => copy(figure, await pythonOf(figure), "Python"),
+  copyPython,
   saveNumbers: (figure) =>
     save(figure, new Blob([numbersOf(figure)], { type: "text/csv" }), "numbers.csv"),
   savePanel,
@@ -68,24 +68,26 @@ async function fullScreen(figure, button) {
   await whole?.requestFullscreen();
   button.setAttribute("aria-pressed", "true");
   const left = () => {
-    if (!document.fullscreenElement) button.setAttribute("aria-pressed", "false");
+    if (document.fullscreenElement) return;
+    document.removeEventListener("fullscreenchange", left);
+    button.setAttribute("aria-pressed", "false");
   };
-  document.addEventListener("fullscreenchange", left, { once: true });
+  document.addEventListener("fullscreenchange", left);
 }
 
 /**
- * The script that prints what the figure shows.
+ * Copy the script that prints what the figure shows.
  *
  * @param {HTMLElement} figure
- * @returns {Promise<string>}
  */
-async function pythonOf(figure) {
+async function copyPython(figure) {
   const { form, controls } = settingsOf(figure);
   const { tier = "", ...values } = readValues(form, controls);
   const scene = figure.dataset.simulation ?? "";
   const payload = { scene, values: JSON.stringify(values), tier };
   const reply = await sharedRuntime()?.call("script", payload, () => 2);
-  return reply.script;
+  const own = figure.querySelector(".photograph-back:not([hidden])");
+  await copy(figure, reply.script, own ? "Python, for the book’s picture," : "Python");
 }
 
 /**
