@@ -49,7 +49,7 @@ def says(rows: list[list[str]]) -> str:
 
 
 def test_the_script_of_every_figure_prints_the_numbers_of_its_page(
-    plain_reader: Reader, book: dict, tmp_path: Path
+    plain_reader: Reader, book: Any, tmp_path: Path
 ) -> None:
     figures: list[dict[str, Any]] = []
     for chapter in book["chapters"]:
@@ -69,16 +69,18 @@ def test_the_script_of_every_figure_prints_the_numbers_of_its_page(
 
 
 def test_the_script_that_is_copied_prints_what_the_figure_shows_now(
-    reader: Reader, tmp_path: Path
+    visitor: Reader, tmp_path: Path
 ) -> None:
-    reader.page.context.grant_permissions(["clipboard-read", "clipboard-write"])
-    reader.open("lens-distortion/?figure-lens-distortion.k1=-0.31&figure-lens-distortion.k2=0.07")
-    figure = reader.figure("lens-distortion")
+    visitor.page.context.grant_permissions(["clipboard-read", "clipboard-write"])
+    visitor.turn_to_unlinked(
+        "lens-distortion/?figure-lens-distortion.k1=-0.31&figure-lens-distortion.k2=0.07"
+    )
+    figure = visitor.figure("lens-distortion")
     figure.locator(".share > summary").click()
     figure.locator("[data-copy-python]").click()
     figure.locator(".tools-said", has_text="copied").wait_for()
-    assert run_elsewhere(tmp_path, [copied(reader.page)]) == [
-        says(reader.page.evaluate(FIGURES)[0]["says"])
+    assert run_elsewhere(tmp_path, [copied(visitor.page)]) == [
+        says(visitor.page.evaluate(FIGURES)[0]["says"])
     ]
 
 

@@ -1,6 +1,7 @@
 """Words of the text that set a figure: by mouse and keyboard, in motion and at once."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
+from typing import Any
 
 import pytest
 from playwright.sync_api import Locator
@@ -22,13 +23,14 @@ NOTE_VALUES = """(figure) => {
 
 
 @pytest.fixture
-def figure(reader: Reader) -> Locator:
-    reader.open(CHAPTER)
-    return reader.figure("lens-distortion")
+def figure(visitor: Reader) -> Iterator[Locator]:
+    visitor.turn_to(CHAPTER)
+    yield visitor.figure("lens-distortion")
+    visitor.page.emulate_media(reduced_motion="null")
 
 
-def wait_value(reader: Reader, figure: Locator, name: str, value: str) -> None:
-    reader.page.wait_for_function(
+def wait_value(visitor: Reader, figure: Locator, name: str, value: str) -> None:
+    visitor.page.wait_for_function(
         "([figure, name, value]) => figure.querySelector(`[name=${name}]`).value === value",
         arg=[figure.element_handle(), name, value],
     )
@@ -37,7 +39,7 @@ def wait_value(reader: Reader, figure: Locator, name: str, value: str) -> None:
 def in_view(locator: Locator) -> bool:
     box = locator.bounding_box()
     assert box
-    height = locator.page.viewport_size["height"]
+    height: float = locator.page.evaluate("innerHeight")
     return box["y"] > -0.5 * box["height"] and box["y"] + 0.5 * box["height"] < height
 
 
@@ -47,68 +49,70 @@ def in_view(locator: Locator) -> bool:
     ids=["mouse", "keyboard"],
 )
 def test_sliders_glide_to_where_the_words_send_them(
-    reader: Reader, figure: Locator, gesture: Callable[[Locator], object]
+    visitor: Reader, figure: Locator, gesture: Callable[[Locator], object]
 ) -> None:
     figure.evaluate(NOTE_VALUES)
-    gesture(reader.page.locator(BARREL).first)
-    wait_value(reader, figure, "k1", "-0.2")
-    passed = [float(value) for value in reader.page.evaluate("window.passed")]
+    gesture(visitor.page.locator(BARREL).first)
+    wait_value(visitor, figure, "k1", "-0.2")
+    passed = [float(value) for value in visitor.page.evaluate("window.passed")]
     assert passed == sorted(passed, reverse=True)
     assert any(-0.2 < value < 0 for value in passed)
     assert all(round(100 * value, 6) == round(100 * value) for value in passed)
-    reader.settle(figure)
+    visitor.settle(figure)
     assert figure.locator("output[name=corner]").inner_text() == "−40.0"
 
 
-def test_a_figure_out_of_view_is_brought_into_it(reader: Reader, figure: Locator) -> None:
-    link = reader.page.locator(CORRECTED)
+def test_a_figure_out_of_view_is_brought_into_it(visitor: Reader, figure: Locator) -> None:
+    link = visitor.page.locator(CORRECTED)
     link.scroll_into_view_if_needed()
     assert not in_view(figure.locator(".panels"))
     link.click()
-    reader.page.wait_for_function(
+    visitor.page.wait_for_function(
         "figure => figure.querySelector('[name=correct]').checked", arg=figure.element_handle()
     )
     assert in_view(figure.locator(".panels"))
 
 
 def test_a_reader_who_asked_for_less_motion_is_taken_there_at_once(
-    reader: Reader, figure: Locator
+    visitor: Reader, figure: Locator
 ) -> None:
-    reader.page.emulate_media(reduced_motion="reduce")
+    visitor.page.emulate_media(reduced_motion="reduce")
     figure.evaluate(NOTE_VALUES)
-    reader.page.locator(BARREL).first.click()
-    wait_value(reader, figure, "k1", "-0.2")
-    assert reader.page.evaluate("window.passed") == []
+    visitor.page.locator(BARREL).first.click()
+    wait_value(visitor, figure, "k1", "-0.2")
+    assert visitor.page.evaluate("window.passed") == []
 
 
-def test_a_hand_on_the_figure_stops_the_motion_where_it_is(reader: Reader, figure: Locator) -> None:
+def test_a_hand_on_the_figure_stops_the_motion_where_it_is(
+    visitor: Reader, figure: Locator
+) -> None:
     figure.evaluate("""(figure) => {
       const k1 = figure.querySelector('[name=k1]');
       k1.addEventListener('input', () => {
         if (k1.value <= -0.05) figure.dispatchEvent(new Event('pointerdown'));
       });
     }""")
-    reader.page.locator(BARREL).first.click()
-    reader.page.wait_for_function(
+    visitor.page.locator(BARREL).first.click()
+    visitor.page.wait_for_function(
         "figure => figure.querySelector('[name=k1]').value <= -0.05", arg=figure.element_handle()
     )
     stopped = figure.locator("[name=k1]").input_value()
-    reader.settle(figure)
+    visitor.settle(figure)
     assert figure.locator("[name=k1]").input_value() == stopped != "-0.2"
 
 
-def test_back_undoes_what_the_words_did(reader: Reader, figure: Locator) -> None:
+def test_back_undoes_what_the_words_did(visitor: Reader, figure: Locator) -> None:
     figure.locator("[name=k1]").fill("0.3")
-    reader.page.locator(BARREL).first.click()
-    wait_value(reader, figure, "k1", "-0.2")
-    reader.page.go_back()
-    wait_value(reader, figure, "k1", "0.3")
-    reader.page.go_forward()
-    wait_value(reader, figure, "k1", "-0.2")
+    visitor.page.locator(BARREL).first.click()
+    wait_value(visitor, figure, "k1", "-0.2")
+    visitor.page.go_back()
+    wait_value(visitor, figure, "k1", "0.3")
+    visitor.page.go_forward()
+    wait_value(visitor, figure, "k1", "-0.2")
 
 
 def test_every_link_of_the_book_brings_its_figure_to_what_it_says(
-    plain_reader: Reader, book: dict
+    plain_reader: Reader, book: Any
 ) -> None:
     plain_reader.page.emulate_media(reduced_motion="reduce")
     for chapter in book["chapters"]:
