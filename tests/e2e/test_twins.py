@@ -13,7 +13,8 @@ from simulations.engine.frame import StageReport
 from simulations.registry import SCENE_MODULES, load_scene
 from site_builder.charts.axes import linear_axis, log_axis
 from site_builder.measured.quantities import milliseconds, with_unit
-from site_builder.pages.simulation_view import count_stages, value_text
+from site_builder.pages.control_view import value_text
+from site_builder.pages.simulation_view import count_stages
 
 pytestmark = pytest.mark.browser
 

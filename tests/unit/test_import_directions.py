@@ -19,15 +19,11 @@ LEGAL = {
     "ladders": {"ladders", "pictures", "models", "engine"},
     "scenes": {"scenes", "ladders", "pictures", "models", "engine"},
     "registry": {"scenes", "ladders", "pictures", "models", "engine"},
+    "editing": {"editing", "engine"},
     "late_imports": set(),
     "script": {"registry", "engine"},
     "browser": {
-        "registry",
-        "late_imports",
-        "script",
-        "scenes",
-        "ladders",
-        "pictures",
+        *("registry", "editing", "late_imports", "script", "scenes", "ladders", "pictures"),
         "models",
         "engine",
     },
@@ -41,14 +37,16 @@ MODELS = (
 """Rooms of ``simulations/models``: each imports itself and what stands before it."""
 
 BUILDER = (
-    "diagnostics", "runtime", "output", "measured", "charts", "book", "markdown", "source",
-    "question_checks", "checks", "pages", "build", "serve", "__main__",
+    "diagnostics", "runtime", "editor", "output", "measured", "charts", "book", "markdown",
+    "source", "question_checks", "figure_questions", "checks", "pages", "build", "serve",
+    "__main__",
 )  # fmt: skip
 """Parts of ``site_builder``, likewise."""
 MARKDOWN = (
     "text", "reading", "scenes", "front_matter", "headings", "role", "roles", "inline",
-    "directive", "usage", "blocks", "bodies", "fences", "directives", "figures", "guide", "parser",
-    "chapter",
+    "directive", "answers", "computed", "question_options",
+    "sketches", "usage", "blocks", "bodies", "fences",
+    "directives", "figures", "guide", "parser", "chapter",
 )  # fmt: skip
 """Parts of ``site_builder/markdown``, likewise."""
 

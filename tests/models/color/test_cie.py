@@ -76,11 +76,6 @@ def test_what_is_no_colour_is_refused(shape: tuple[int, ...]) -> None:
         cie.linear_rgb_to_xyz(np.zeros(shape))
 
 
-def test_single_precision_stays() -> None:
-    assert cie.luminance(np.array([0.1, 0.2, 0.3], np.float32)).dtype == np.float32
-    assert cie.linear_rgb_to_xyz(np.array([0.1, 0.2, 0.3], np.float32)).dtype == np.float32
-
-
 def test_primaries_may_be_given_in_any_order_and_lie_close_together() -> None:
     red, green, blue = cie.SRGB_PRIMARIES_XY
     swapped = cie.rgb_to_xyz_matrix((green, red, blue))
@@ -120,16 +115,22 @@ def test_a_primary_may_lie_beyond_all_colours() -> None:
     np.testing.assert_allclose(matrix, published, atol=1e-9)
 
 
-@pytest.mark.parametrize("function", [cie.luminance, cie.xyz_to_lab])
-def test_three_channels_are_asked_for_and_no_alpha(function: Callable[[Floats], object]) -> None:
-    for shape in ((5, 5, 4), (5, 1)):
-        with pytest.raises(ValueError, match=r"legal: \(\.\.\., 3\)"):
-            function(np.ones(shape))
-
-
 def test_the_widest_of_all_displays_has_a_blue_of_hardly_any_light() -> None:
     """ROMM RGB, ISO 22028-2, whose blue has y = 0.0001; the matrix as B. Lindbloom tabulates it."""
     primaries = [(0.7347, 0.2653), (0.1596, 0.8404), (0.0366, 0.0001)]
     expected = [[0.7977, 0.1352, 0.0314], [0.2880, 0.7119, 0.0001], [0.0, 0.0, 0.8252]]
     found = cie.rgb_to_xyz_matrix(primaries, (0.3457, 0.3585))
     np.testing.assert_allclose(found, expected, atol=3e-4)
+
+
+def test_single_precision_stays() -> None:
+    colour = np.array([0.1, 0.2, 0.3], np.float32)
+    assert cie.luminance(colour).dtype == np.float32
+    assert cie.linear_rgb_to_xyz(colour).dtype == np.float32
+
+
+@pytest.mark.parametrize("function", [cie.luminance, cie.xyz_to_lab])
+def test_three_channels_are_asked_for_and_no_alpha(function: Callable[[Floats], object]) -> None:
+    for shape in ((5, 5, 4), (5, 1)):
+        with pytest.raises(ValueError, match=r"legal: \(\.\.\., 3\)"):
+            function(np.ones(shape))
