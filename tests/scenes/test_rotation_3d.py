@@ -14,6 +14,8 @@ from simulations.scenes.rotation_3d.rings import pieces, rings
 from simulations.scenes.rotation_3d.scene import SCENE
 from simulations.scenes.rotation_3d.stages import attitude, ways
 
+VIEW = aircraft.view_from(51, 28)
+
 
 def frame(cache: StageCache | None = None, /, tier: str = "", **values: object) -> Frame:
     return SCENE.render(SCENE.check(values), tier, cache or StageCache())
@@ -109,12 +111,12 @@ def test_the_right_half_turn_does_not_hang_on_rounding() -> None:
 
 def test_faces_are_painted_from_far_to_near() -> None:
     """Seen from ahead, right and above, the right wing of a level aircraft hides no other part."""
-    drawn = aircraft.draw(np.eye(3), (0.0, 0.0), 100.0, "camera")
+    drawn = aircraft.draw(np.eye(3), VIEW, (0.0, 0.0), 100.0, "camera")
     right_wing = np.array([[0.3, 0.12, 0.02]]) @ np.eye(3)
     left_wing = right_wing * [1, -1, 1]
     places = []
     for wing in (left_wing, right_wing):
-        x, y, _ = aircraft.screen(wing, (0.0, 0.0), 100.0)[0]
+        x, y, _ = aircraft.screen(wing, VIEW, (0.0, 0.0), 100.0)[0]
         places.append(drawn.index(f"{x:.2f}".rstrip("0") + "," + f"{y:.2f}".rstrip("0")))
     assert places[0] < places[1]
 

@@ -10,9 +10,9 @@ import pytest
 from simulations.engine.frame import to_json
 from simulations.engine.stages import StageCache
 from simulations.models.geometry.transforms import apply_homography
-from simulations.scenes.transform_2d.plane import to_view
 from simulations.scenes.transform_2d.family import transformation
 from simulations.scenes.transform_2d.hierarchy import RUNGS
+from simulations.scenes.transform_2d.plane import to_view
 from simulations.scenes.transform_2d.scene import SCENE
 
 AMOUNTS = (0, 1, 30, 57, 58, 70, 99, 100)

@@ -11,7 +11,7 @@ from simulations.models.geometry import euler, quaternions
 from simulations.models.geometry.quaternion_blends import BLENDS, bisected_arc, turn_between_rad
 from simulations.models.geometry.rotation_paths import rate_axes
 from simulations.scenes.rotation_3d import rings, sphere
-from simulations.scenes.rotation_3d.aircraft import Floats
+from simulations.scenes.rotation_3d.aircraft import Floats, view_from
 from simulations.scenes.rotation_3d.sphere import LEVEL, Way
 
 
@@ -47,9 +47,10 @@ def ways(here: Attitude, tier: str) -> dict[str, Way]:
 
 STAGES = (
     Stage("attitude", attitude),
-    Stage("rings", lambda here: rings.draw(*here.angles_rad), ("attitude",)),
+    Stage("view", view_from),
+    Stage("rings", lambda here, view: rings.draw(*here.angles_rad, view), ("attitude", "view")),
     Stage("ways", ways, ("attitude",)),
-    Stage("traces", sphere.traces_of, ("ways",)),
+    Stage("traces", sphere.traces_of, ("ways", "view")),
 )
 
 
