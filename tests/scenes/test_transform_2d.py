@@ -11,9 +11,11 @@ from simulations.engine.frame import to_json
 from simulations.engine.stages import StageCache
 from simulations.models.geometry.transforms import apply_homography
 from simulations.scenes.transform_2d.family import transformation
-from simulations.scenes.transform_2d.hierarchy import RUNGS
+from simulations.scenes.transform_2d.handles import matrix
+from simulations.scenes.transform_2d.hierarchy import RUNGS, frame_of
 from simulations.scenes.transform_2d.plane import to_view
 from simulations.scenes.transform_2d.scene import SCENE
+from simulations.scenes.transform_2d.square import SQUARE
 
 AMOUNTS = (0, 1, 30, 57, 58, 70, 99, 100)
 PROPERTIES = ("orientation", "lengths", "angles", "parallels", "lines")
@@ -138,3 +140,64 @@ def test_the_description_says_what_is_kept():
         "straight lines."
     )
     assert "infinity" in frame(transform="projective", amount=100).description
+
+
+def corners(transform, amount, **given):
+    """Images (4, 2) of the square's corners, from the lower left round to the upper left."""
+    settings = SCENE.check({"transform": transform, "amount": amount, **given})
+    return apply_homography(matrix(settings), SQUARE)[0]
+
+
+@pytest.mark.parametrize(("transform", "held"), [*zip(RUNGS, (0, 1, 1, 2, 3), strict=True)])
+@pytest.mark.parametrize("amount", [0, 30, 50])
+def test_a_pulled_corner_leaves_as_many_others_in_place_as_freedoms_are_left(
+    transform, held, amount
+):
+    before = corners(transform, amount)
+    after = corners(transform, amount, pull_x=-13, pull_y=9)
+    stays = np.isclose(before, after, atol=1e-9).all(axis=1)
+    assert stays.sum() == held
+    if transform != "rigid":
+        assert after[3] == pytest.approx(before[3] + (-13, 9))
+
+
+@pytest.mark.parametrize("transform", RUNGS)
+@pytest.mark.parametrize("pull", [(-150, 150), (150, -150), (80, -80), (0, -80), (-40, -110)])
+def test_a_pull_as_far_as_it_goes_stays_in_the_family(transform, pull):
+    """Also where the corner would come to lie on another one, or on the side between two."""
+    shown = texts(transform=transform, amount=30, pull_x=pull[0], pull_y=pull[1])
+    kept = 5 - list(RUNGS).index(transform)
+    assert [shown[name] == "kept" for name in PROPERTIES[5 - kept :]] == [True] * kept
+
+
+def test_a_pulled_homography_keeps_its_image_convex():
+    for pull in product((-150, -60, 0, 60, 150), repeat=2):
+        turned = corners("projective", 30, pull_x=pull[0], pull_y=pull[1])
+        sides = np.roll(turned, -1, axis=0) - turned
+        following = np.roll(sides, -1, axis=0)
+        assert np.all(sides[:, 0] * following[:, 1] > sides[:, 1] * following[:, 0]), pull
+
+
+def test_a_point_that_walks_across_the_line_comes_back_from_the_opposite_side():
+    before, after = (
+        texts(transform="projective", amount=80, point_x=40, point_y=y) for y in (-25, -26)
+    )
+    assert float(before["w"]) > 0
+    assert after["w"].startswith("−")
+    assert before["x"].startswith("−") != after["x"].startswith("−")
+
+
+def test_a_point_on_the_line_has_no_image_and_the_words_say_so():
+    """w = 1 − 0.01 · 60 + 0.0333 · (−12) = 0 at an amount of 100."""
+    given = {"transform": "projective", "amount": 100, "point_x": 60, "point_y": -12}
+    assert texts(**given)["x"] == texts(**given)["y"] == "at infinity"
+    assert frame(**given).description.endswith("P at (60, −12) goes to infinity.")
+    assert "image" not in {place.name for place in frame(**given).handles}
+
+
+@pytest.mark.parametrize("transform", RUNGS)
+def test_pressing_a_frame_of_the_ladder_chooses_its_family(transform):
+    left, top, right, _ = frame_of(transform)
+    settings = SCENE.check({"transform": "affine"})
+    for place in ((left + 3.0, top + 3.0), (right - 3.0, top + 3.0)):
+        assert SCENE.pull(settings, "family", place) == {"transform": transform}

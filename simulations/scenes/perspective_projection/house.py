@@ -38,7 +38,8 @@ def in_picture(view: View, place: drawing.Point, units_per_px: float) -> str:
     """SVG markup of the house; ``place`` is the principal point in the view box."""
 
     def seen(points: Floats) -> Floats:
-        return units_per_px * _project(view, points) + np.asarray(place)
+        spots: Floats = units_per_px * _project(view, points) + np.asarray(place)
+        return spots
 
     corner = np.array([view.X, view.Y, view.Z])
     nearest = NEAR_M if view.camera == PERSPECTIVE else -np.inf

@@ -45,10 +45,16 @@ def ways(here: Attitude, tier: str) -> dict[str, Way]:
     return sphere.ways(here.angles_rad, here.R, here.q, BLENDS[tier])
 
 
+def ringed(here: Attitude, view: Floats) -> str:
+    """The first panel's markup."""
+    yaw_rad, pitch_rad, roll_rad = here.angles_rad
+    return rings.draw(yaw_rad, pitch_rad, roll_rad, view)
+
+
 STAGES = (
     Stage("attitude", attitude),
     Stage("view", view_from),
-    Stage("rings", lambda here, view: rings.draw(*here.angles_rad, view), ("attitude", "view")),
+    Stage("rings", ringed, ("attitude", "view")),
     Stage("ways", ways, ("attitude",)),
     Stage("traces", sphere.traces_of, ("ways", "view")),
 )

@@ -49,11 +49,11 @@ def _track(way: Floats, point: Floats) -> list[Floats]:
 
 
 def _label(name: str, digits: int, point: Floats, place: Floats, role: str) -> str:
-    """Coordinates beside a point, P's on the left and those of P′ on the right if there is room."""
-    left = (role == "world") != (place[0] < LABEL_WIDTH or place[0] > WIDTH - LABEL_WIDTH)
+    """Coordinates beside a point: of P below it, of P′ above, on the right if there is room."""
+    left = place[0] > WIDTH - LABEL_WIDTH
+    above = (role == "image" and place[1] > 26.0) or place[1] > HEIGHT - 26.0
+    corner = place + np.array([-CLEAR if left else CLEAR, 4.0 - CLEAR if above else CLEAR])
     x, y = (format_number(float(value), digits) for value in point)
-    above = place[1] > 26.0
-    corner = place + np.array([-CLEAR if left else CLEAR, -CLEAR + 4.0 if above else CLEAR])
     words = f"{name} ({x}, {y})"
     return drawing.text(corner, words, f"{role} halo strong", "end" if left else "start")
 
