@@ -10,14 +10,26 @@ from typing import Any
 
 from simulations.engine.frame import Raster, Readout, to_json
 from simulations.engine.ladder import measure_tier
+from simulations.engine.photograph import Photograph
 from simulations.engine.scene import Scene
 from simulations.engine.stages import StageCache
 from simulations.late_imports import fetch_missing
 from simulations.registry import load_ladder, load_scene
 
-__all__ = ["Reply", "error", "fetch_missing", "forget", "measure", "pull", "render"]
+__all__ = [
+    "Reply",
+    "error",
+    "fetch_missing",
+    "forget",
+    "measure",
+    "photograph",
+    "pull",
+    "render",
+]
 
 _caches: dict[str, StageCache] = {}
+_photographs: dict[str, Photograph] = {}
+"""Of figures that show the reader's own picture."""
 _judgements: dict[str, tuple[object, Iterator[Readout]]] = {}
 """Of each figure: what is being judged, and the estimates that are still to come."""
 
@@ -51,7 +63,7 @@ def error(figure: str, scene_id: str, values: str, tier: str) -> str:
     drops what was begun. Raises `UnknownIdError` and `ControlError`.
     """
     scene = load_scene(scene_id)
-    wanted = (scene_id, values, tier)
+    wanted = (scene_id, values, tier, _photographs.get(figure))
     begun, estimates = _judgements.get(figure, (None, iter(())))
     if begun != wanted:
         estimates = scene.estimates(*_setting(scene, figure, values, tier))
@@ -70,14 +82,30 @@ def pull(scene_id: str, values: str, handle: str, x: float, y: float) -> str:
     return json.dumps(scene.pull(scene.clamp(json.loads(values)), handle, (x, y)))
 
 
-def _setting(scene: Scene[Any], figure: str, values: str, tier: str) -> tuple[Any, str, StageCache]:
+def photograph(figure: str, number: int, pixels: Any, width: int, height: int) -> None:
+    """Take the reader's picture, the bytes of a canvas, for the frames of ``figure`` from now on.
+
+    Nothing for ``pixels`` takes it away again. Raises `ValueError` for a wrong count of bytes.
+    """
+    if pixels is None:
+        _photographs.pop(figure, None)
+    else:
+        rgba = pixels.to_bytes()
+        _photographs[figure] = Photograph.from_canvas(number, rgba, width, height)
+
+
+def _setting(
+    scene: Scene[Any], figure: str, values: str, tier: str
+) -> tuple[Any, str, StageCache, Photograph | None]:
     """What a scene is called with."""
-    return scene.clamp(json.loads(values)), tier, _caches.setdefault(figure, StageCache())
+    cache = _caches.setdefault(figure, StageCache())
+    return scene.clamp(json.loads(values)), tier, cache, _photographs.get(figure)
 
 
 def forget(figure: str) -> None:
     """Drop what is kept for a figure that left the page."""
     _caches.pop(figure, None)
+    _photographs.pop(figure, None)
     _judgements.pop(figure, None)
 
 

@@ -7,8 +7,9 @@ from dataclasses import dataclass, field, replace
 from simulations.engine.controls import Control, Slider, Value
 from simulations.engine.frame import Frame, Readout
 from simulations.engine.handles import Handle, Point, mistakes, places, pulled
+from simulations.engine.photograph import Photograph
 from simulations.engine.settings import check_settings, clamp_settings, controls_of, values_of
-from simulations.engine.stages import Outputs, Run, Stage, StageCache, run
+from simulations.engine.stages import Outputs, Parameter, Run, Stage, StageCache, run
 
 
 @dataclass(frozen=True, slots=True)
@@ -26,9 +27,13 @@ class Scene[S]:
     draw: Callable[[S, Outputs], Frame]
     """The frame at some settings, from what the stages made of them."""
     stages: tuple[Stage, ...] = ()
-    """In the order in which they run. They read settings, ``tier`` and `parameters` by name."""
+    """In the order in which they run. They read settings, ``tier``, ``photograph`` and `parameters`
+    by name."""
     handles: tuple[Handle[S], ...] = ()
     """What in the picture can be grabbed; where marks touch, the nearest is taken."""
+    photograph: tuple[int, int] | None = None
+    """Width and height in px of the reader's own picture that stages take in place of the book's,
+    as the parameter ``photograph``; ``None`` where the scene takes none."""
     parameters: Callable[[S, str], Mapping[str, Value] | None] | None = None
     """What stages read besides the settings: set by the tier, or worked out, also in place of a
     setting. ``None`` where there is nothing to compute: no stage runs then, nor is any reported."""
@@ -76,17 +81,27 @@ class Scene[S]:
         """The settings of a reader's gestures; numbers out of range are brought into it."""
         return clamp_settings(self.settings, given)
 
-    def run(self, settings: S, tier: str, cache: StageCache) -> Run:
+    def run(
+        self, settings: S, tier: str, cache: StageCache, photograph: Photograph | None = None
+    ) -> Run:
         """What the stages make of these settings; a tier that the scene lacks is its default."""
         tier = self._settled(tier)
         extra = self.parameters(settings, tier) if self.parameters else {}
         if extra is None:
             return Run({}, ())
-        return run(self.stages, {**values_of(settings), "tier": tier, **extra}, cache)
+        read: dict[str, Parameter] = {
+            **values_of(settings),
+            "tier": tier,
+            "photograph": photograph,
+            **extra,
+        }
+        return run(self.stages, read, cache)
 
-    def render(self, settings: S, tier: str, cache: StageCache) -> Frame:
+    def render(
+        self, settings: S, tier: str, cache: StageCache, photograph: Photograph | None = None
+    ) -> Frame:
         """The frame at these settings. The cache changes how long it takes, never the result."""
-        done = self.run(settings, tier, cache)
+        done = self.run(settings, tier, cache, photograph)
         frame = self.draw(settings, done.outputs)
         where = places(self.handles, settings, done.outputs, frame.panels)
         return replace(frame, stages=done.reports, handles=where)
@@ -101,10 +116,12 @@ class Scene[S]:
             raise KeyError(f"handle {handle!r}; legal: {', '.join(by_name) or 'none'}")
         return pulled(by_name[handle], settings, place, self.controls)
 
-    def estimates(self, settings: S, tier: str, cache: StageCache) -> Iterator[Readout]:
+    def estimates(
+        self, settings: S, tier: str, cache: StageCache, photograph: Photograph | None = None
+    ) -> Iterator[Readout]:
         """Better and better estimates of how far the frame is from the truth; none without one."""
         if self.estimate is not None:
-            outputs = self.run(settings, tier, cache).outputs
+            outputs = self.run(settings, tier, cache, photograph).outputs
             yield from self.estimate(settings, outputs, self._settled(tier))
 
     def _settled(self, tier: str) -> str:

@@ -7,16 +7,19 @@ downstream of it is reused as well. What a neutral stage does not take, and noth
 not computed either.
 """
 
+import inspect
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import lru_cache
-from inspect import Parameter, signature
 from typing import Any
 
 from simulations.engine.controls import Value
 from simulations.engine.frame import StageReport
+from simulations.engine.photograph import Photograph
 
-type Key = tuple[str, tuple[tuple[str, Value], ...], tuple[Key, ...]]
+type Parameter = Value | Photograph | None
+"""What a stage may read: settings, the tier, and the reader's own picture."""
+type Key = tuple[str, tuple[tuple[str, Parameter], ...], tuple[Key, ...]]
 """A stage's name, the parameters that it read, and the keys of its inputs."""
 type Outputs = Mapping[str, Any]
 """What each stage made, by its name."""
@@ -66,7 +69,7 @@ class Stage:
         """Names of the stages whose outputs are needed now."""
         return (self.source,) if neutral else self.after
 
-    def reason(self, parameters: Mapping[str, Value]) -> str:
+    def reason(self, parameters: Mapping[str, Parameter]) -> str:
         """Why the stage would change nothing now; empty where it would."""
         if self.neutral is None:
             return ""
@@ -76,13 +79,13 @@ class Stage:
 @lru_cache(maxsize=1024)
 def _arguments(function: Callable[..., Any]) -> tuple[str, ...]:
     """Names of the arguments that have no default."""
-    given = signature(function).parameters.values()
-    return tuple(item.name for item in given if item.default is Parameter.empty)
+    given = inspect.signature(function).parameters.values()
+    return tuple(item.name for item in given if item.default is inspect.Parameter.empty)
 
 
 def _picked(
-    function: Callable[..., Any], parameters: Mapping[str, Value], who: str
-) -> dict[str, Value]:
+    function: Callable[..., Any], parameters: Mapping[str, Parameter], who: str
+) -> dict[str, Parameter]:
     names = _arguments(function)
     _require(names, parameters, who)
     return {name: parameters[name] for name in names}
@@ -121,7 +124,7 @@ class Run:
     reports: tuple[StageReport, ...]
 
 
-def run(stages: Sequence[Stage], parameters: Mapping[str, Value], cache: StageCache) -> Run:
+def run(stages: Sequence[Stage], parameters: Mapping[str, Parameter], cache: StageCache) -> Run:
     """Evaluate ``stages`` in order.
 
     A stage that another one names is evaluated only where one that is not neutral takes it, or a

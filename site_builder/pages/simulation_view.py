@@ -80,6 +80,8 @@ class SimulationView:
     cells: tuple[CellView, ...]
     columns: tuple[int, int, int]
     """Readouts in a row where space is narrow, middling and wide."""
+    photograph: bool
+    """Whether it can show the reader's own picture."""
     tiers: tuple[tuple[str, str], ...]
     """Id and label of each accuracy, cheap to dear."""
     tier: str
@@ -113,6 +115,7 @@ def view_simulation(still: Still, assets: str) -> SimulationView:
             even_columns(len(frame.readouts), 4),
             even_columns(len(frame.readouts), 6),
         ),
+        photograph=scene.photograph is not None,
         tiers=tier_labels(scene),
         tier=figure.tier,
         judged=scene.estimate is not None,
@@ -192,6 +195,7 @@ def schema(still: Still) -> dict[str, object]:
         "default_tier": still.figure.tier,
         "draft_tier": scene.draft_tier,
         "drafted": list(scene.drafted),
+        "photograph": scene.photograph,
         "drafted_in": {tier: list(names) for tier, names in scene.drafted_in.items()},
     }
 

@@ -19,7 +19,7 @@ CELL, LIGHT, WELL, CODE = (352.0, 236.0), (284.0, 236.0), (200.0, 236.0), (84.0,
 """Centres of the boxes on the lower row, and of the light between, which becomes a number."""
 SHEAF = 24.0
 """Radius of the disc whose area stands for the light of a white wall that faces the lamp."""
-ROW_HEIGHT = 36.5
+LEDGER_TOP, ROW_HEIGHT = 3.0, 36.5
 
 
 def route(distance_m: float) -> tuple[tuple[Point, ...], ...]:
@@ -166,7 +166,7 @@ def draw_ledger(entries: tuple[Station, ...], station: float) -> str:
     reached = int(station)
     parts = []
     for index, entry in enumerate(entries):
-        top = 3 + index * ROW_HEIGHT
+        top = LEDGER_TOP + index * ROW_HEIGHT
         style = entry.role if index <= reached else "muted"
         if index == reached:
             parts.append(drawing.rectangle((2, top), WIDTH - 4, ROW_HEIGHT, f"{style} fill"))

@@ -1,28 +1,12 @@
 """Image Formation Pipeline: one point on its way from the scene to a pixel value."""
 
-from dataclasses import dataclass
-
 from simulations.engine.frame import Frame, Panel, Readout, readout
 from simulations.engine.scene import Scene
-from simulations.engine.settings import action, slider
 from simulations.engine.stages import Outputs, Stage
 from simulations.scenes.formation_pipeline.drawing import HEIGHT, WIDTH, draw_ledger, draw_way
+from simulations.scenes.formation_pipeline.handles import HANDLES
+from simulations.scenes.formation_pipeline.settings import Settings
 from simulations.scenes.formation_pipeline.stations import Journey, stations, travel
-
-LAST_STATION = 7.0
-
-
-@dataclass(frozen=True, slots=True)
-class Settings:
-    """What the reader may change."""
-
-    station: float = slider("Station", 0.0, 0.0, LAST_STATION, 0.02)
-    play: int = action("Play", "Pause", drives="station", effect="play", seconds=14.0)
-    step: int = action("Step", drives="station", effect="step")
-    reset: int = action("Reset", drives="station", effect="reset")
-    distance: float = slider("Distance of the point", 4.0, 2.0, 8.0, 0.1, unit="m")
-    albedo: float = slider("Albedo ρ", 0.6, 0.0, 1.0, 0.01)
-    again: int = action(*("Take it again",) * 8)
 
 
 def _travel(distance: float, albedo: float, again: int) -> Journey:
@@ -62,4 +46,5 @@ SCENE = Scene(
     settings=Settings,
     draw=draw,
     stages=STAGES,
+    handles=HANDLES,
 )

@@ -25,7 +25,7 @@ from simulations.scenes.lens_distortion.radii import (
     inversion_error_px,
 )
 from simulations.scenes.lens_distortion.settings import Settings
-from simulations.scenes.lens_distortion.stages import STAGES, Drawings, needs_margin
+from simulations.scenes.lens_distortion.stages import PHOTOGRAPH_PX, STAGES, Drawings, needs_margin
 
 DIVERGED_PX = 1e4
 """An iteration that ends this far off has found nothing."""
@@ -131,6 +131,7 @@ SCENE = Scene(
     draw=draw,
     stages=STAGES,
     handles=HANDLES,
+    photograph=PHOTOGRAPH_PX,
     parameters=parameters,
     tiers=TIERS,
     default_tier="checked-table",

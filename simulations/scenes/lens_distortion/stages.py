@@ -5,9 +5,10 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from simulations.engine.photograph import Photograph
 from simulations.engine.raster import to_rgba8
 from simulations.engine.stages import Stage
-from simulations.models.color.srgb import encode_srgb
+from simulations.models.color.srgb import decode_srgb, encode_srgb
 from simulations.models.distortion.lens_model import (
     Distortion,
     distort,
@@ -32,6 +33,8 @@ from simulations.scenes.lens_distortion.radii import (
 
 MARGIN_PX = (120, 90)
 """A barrel pulls into view what lies so far beyond the sides of the pinhole picture, at most."""
+PHOTOGRAPH_PX = (WIDTH_PX + 2 * MARGIN_PX[0], HEIGHT_PX + 2 * MARGIN_PX[1])
+"""Size of a reader's own picture: with the margin."""
 UNSEEN = (0.33, 0.34, 0.36)
 """Linear grey where no light of the scene arrives according to the model."""
 
@@ -87,9 +90,13 @@ def _margin_px(margin: bool) -> tuple[int, int]:
     return MARGIN_PX if margin else (0, 0)
 
 
-def _pinhole(picture: str, margin: bool) -> Floats:
+def _pinhole(picture: str, margin: bool, photograph: Photograph | None) -> Floats:
     beyond_x, beyond_y = _margin_px(margin)
     width, height = WIDTH_PX + 2 * beyond_x, HEIGHT_PX + 2 * beyond_y
+    if photograph:
+        x, y = MARGIN_PX[0] - beyond_x, MARGIN_PX[1] - beyond_y
+        codes = photograph.codes[y : y + height, x : x + width]
+        return decode_srgb(np.float32(1 / 255) * codes)
     draw = {"room": checker_room, "chart": resolution_chart}[picture]
     return draw(width, height, FOCAL_PX)
 

@@ -7,7 +7,7 @@
  */
 
 import { message } from "../errors.js";
-import { all, data, one, within } from "../page/dom.js";
+import { all, data, maybe, one, within } from "../page/dom.js";
 import { RuntimeFailure } from "../runtime/runtime.js";
 import { announcer } from "./announce.js";
 import { choice, pressAction, readValues, showSliderValue } from "./controls.js";
@@ -48,6 +48,14 @@ export class LiveFigure {
   #observer;
   #near = false;
   #asked = "";
+  /**
+   * The reader's own picture, once there is one.
+   *
+   * @type {import("./photograph.js").Photograph | null}
+   */
+  #photograph = null;
+  /** What the interpreter was last told of it: which interpreter, which picture. */
+  #told = "";
 
   /**
    * @param {HTMLElement} figure
@@ -107,6 +115,9 @@ export class LiveFigure {
 
   #listen() {
     const { signal } = this.#listeners;
+    const own = maybe(this.figure, ".photograph", HTMLElement);
+    own?.addEventListener("change", (event) => this.#choosePicture(own, event), { signal });
+    own?.addEventListener("click", (event) => this.#pressPicture(own, event), { signal });
     this.form.addEventListener("submit", (event) => event.preventDefault(), { signal });
     this.form.addEventListener("input", (event) => this.#changed(event, true), { signal });
     this.form.addEventListener("change", (event) => this.#changed(event, false), { signal });
@@ -149,6 +160,59 @@ export class LiveFigure {
   }
 
   /**
+   * @param {HTMLElement} own
+   * @param {Event} event
+   */
+  #pressPicture(own, event) {
+    const button = within(event, "button", HTMLButtonElement);
+    if (button?.classList.contains("photograph-choose")) {
+      one(own, "input", HTMLInputElement).click();
+    } else if (button) {
+      this.#showPicture(own, null);
+    }
+  }
+
+  /**
+   * @param {HTMLElement} own
+   * @param {Event} event
+   */
+  async #choosePicture(own, event) {
+    const input = within(event, "input", HTMLInputElement);
+    const file = input?.files?.[0];
+    if (!input || !file || !this.schema.photograph) return;
+    try {
+      const { decode } = await import("./photograph.js");
+      const picture = await decode(file, ...this.schema.photograph);
+      if (!this.figure.isConnected) return;
+      say(this.figure, "");
+      this.#showPicture(own, picture);
+    } catch (error) {
+      say(this.figure, message(error));
+    } finally {
+      input.value = ""; // the same file may be chosen again
+    }
+  }
+
+  /**
+   * @param {HTMLElement} own
+   * @param {import("./photograph.js").Photograph | null} picture
+   */
+  #showPicture(own, picture) {
+    this.#photograph = picture;
+    one(own, ".photograph-back", HTMLButtonElement).hidden = !picture;
+    this.#ask(performance.now(), false);
+  }
+
+  /** Tell the interpreter of the reader's picture, where it does not know. */
+  async #handOver() {
+    const { number = 0, ...picture } = this.#photograph ?? {};
+    const telling = () => `${this.runtime.generation} ${number}`;
+    if (telling() === this.#told || (number === 0 && !this.#told)) return;
+    await this.runtime.call("photograph", { figure: this.#key, number, ...picture }, () => 2);
+    this.#told = telling();
+  }
+
+  /**
    * Ask for the frame of the form's present values, unless it is the one asked for last.
    *
    * @param {number} time
@@ -159,7 +223,7 @@ export class LiveFigure {
     if (!this.figure.isConnected) return;
     const values = JSON.stringify(readValues(this.form, this.schema.controls));
     const tier = this.#tier(moving);
-    const asked = `${values} ${tier}`;
+    const asked = `${values} ${tier} ${this.#photograph?.number ?? 0}`;
     if (asked === this.#asked) return;
     this.#asked = asked;
     this.#scheduler.submit({ values, tier, time, urgency });
@@ -198,6 +262,7 @@ export class LiveFigure {
   async #run(job) {
     for (let attempt = 0; ; attempt += 1) {
       try {
+        await this.#handOver();
         const reply = await this.#call(job);
         if (this.figure.isConnected) this.#show(reply, job);
         return;

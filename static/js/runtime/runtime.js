@@ -18,6 +18,7 @@ export const LIMITS = {
   first: 30_000,
   render: 10_000,
   pull: 10_000,
+  photograph: 10_000,
   error: 10_000,
   forget: 10_000,
   measure: 120_000,
@@ -60,6 +61,8 @@ export class Runtime {
   #watchdog;
   #lastId = 0;
   #failedStarts = 0;
+  /** How many interpreters there have been: a new one knows nothing of what the last was told. */
+  generation = 0;
   /**
    * Scenes that this worker has imported: their first frame takes longer.
    *
@@ -117,6 +120,7 @@ export class Runtime {
 
   #boot() {
     this.#seen.clear();
+    this.generation += 1;
     this.#worker = new Worker(new URL("./worker.js", import.meta.url), { type: "module" });
     this.#worker.onmessage = (event) => this.#receive(event.data);
     this.#worker.onerror = (event) => {

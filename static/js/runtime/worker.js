@@ -49,10 +49,10 @@ const calls = {
     pyodide.FS.writeFile(`/lib/${SIMULATIONS}`, await simulations);
     pyodide.pyimport("sys").path.append(`/lib/${SIMULATIONS}`);
     const module = pyodide.pyimport("simulations.browser");
-    const { render, pull, error, forget, measure, fetch_missing: fetchMissing } = module;
+    const { render, pull, error, photograph, forget, measure } = module;
     const fetchNow = (/** @type {string} */ part) => parts.fetchNow(part);
-    fetchMissing(JSON.stringify(table.modules), fetchNow, parts.folder);
-    python = { render, pull, error, forget, measure };
+    module.fetch_missing(JSON.stringify(table.modules), fetchNow, parts.folder);
+    python = { render, pull, error, photograph, forget, measure };
     return { reply: { version: pyodide.version } };
   },
 
@@ -94,6 +94,17 @@ const calls = {
    */
   error({ figure, scene, values, tier }) {
     return { reply: { estimate: JSON.parse(python.error(figure, scene, values, tier)) } };
+  },
+
+  /**
+   * The reader's own picture for a figure: the bytes of a canvas, or nothing for the book's again.
+   *
+   * @param {{figure: string, number: number, pixels?: Uint8ClampedArray, width: number,
+   *   height: number}} call
+   */
+  photograph({ figure, number, pixels, width, height }) {
+    python.photograph(figure, number, pixels, width, height);
+    return { reply: {} };
   },
 
   /** @param {{figure: string}} call */

@@ -1,0 +1,20 @@
+"""The controls of the formation pipeline."""
+
+from dataclasses import dataclass
+
+from simulations.engine.settings import action, slider
+
+LAST_STATION = 7.0
+
+
+@dataclass(frozen=True, slots=True)
+class Settings:
+    """What the reader may change."""
+
+    station: float = slider("Station", 0.0, 0.0, LAST_STATION, 0.02)
+    play: int = action("Play", "Pause", drives="station", effect="play", seconds=14.0)
+    step: int = action("Step", drives="station", effect="step")
+    reset: int = action("Reset", drives="station", effect="reset")
+    distance: float = slider("Distance of the point", 4.0, 2.0, 8.0, 0.1, unit="m")
+    albedo: float = slider("Albedo ρ", 0.6, 0.0, 1.0, 0.01)
+    again: int = action(*("Take it again",) * 8)

@@ -1,0 +1,70 @@
+"""A reader's own picture in a figure: shown, taken away, and refused where it is none."""
+
+import io
+from pathlib import Path
+from typing import Any
+
+import pytest
+from PIL import Image
+from playwright.sync_api import expect
+from support.reader import Reader
+
+pytestmark = pytest.mark.browser
+
+SCENE = "lens-distortion"
+
+
+@pytest.fixture
+def red_picture(tmp_path: Path) -> Path:
+    path = tmp_path / "red.png"
+    Image.new("RGB", (700, 300), (200, 0, 0)).save(path)
+    return path
+
+
+def middle_pixel(reader: Reader) -> list[int]:
+    rgba: list[int] = reader.figure(SCENE).evaluate(
+        """(figure) => {
+             const canvas = figure.querySelector('[data-panel="picture"] canvas');
+             const [x, y] = [canvas.width >> 1, canvas.height >> 1];
+             return [...canvas.getContext('2d').getImageData(x, y, 1, 1).data];
+           }"""
+    )
+    return rgba
+
+
+def test_a_figure_shows_the_reader_s_picture_and_then_the_book_s_again(
+    reader: Reader, book: Any, red_picture: Path
+) -> None:
+    figure = reader.open_figure(book, SCENE)
+    before, frames = middle_pixel(reader), reader.frames(figure)
+    figure.locator("input[type=file]").set_input_files(red_picture)
+    reader.wait_frame(figure, frames)
+    assert middle_pixel(reader) == [200, 0, 0, 255]
+    frames = reader.frames(figure)
+    figure.get_by_role("button", name="The book’s picture").click()
+    reader.wait_frame(figure, frames)
+    assert middle_pixel(reader) == before
+    expect(figure.get_by_role("button", name="The book’s picture")).to_be_hidden()
+
+
+def small_picture() -> bytes:
+    buffer = io.BytesIO()
+    Image.new("RGB", (8, 8)).save(buffer, "PNG")
+    return buffer.getvalue()
+
+
+@pytest.mark.parametrize(
+    ("name", "content", "words"),
+    [
+        ("notes.png", b"no picture at all", "“notes.png” is no picture that this browser can read"),
+        ("dot.png", small_picture(), "“dot.png” has 8 × 8 pixels; at least 16 each way"),
+    ],
+)
+def test_what_is_no_picture_is_refused_with_a_reason(
+    reader: Reader, book: Any, name: str, content: bytes, words: str
+) -> None:
+    figure = reader.open_figure(book, SCENE)
+    file = {"name": name, "mimeType": "image/png", "buffer": content}
+    figure.locator("input[type=file]").set_input_files([file])
+    expect(figure.locator(".figure-message")).to_contain_text(words)
+    expect(figure).to_have_attribute("data-state", "live")
