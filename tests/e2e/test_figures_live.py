@@ -142,7 +142,11 @@ def _click(reader: Reader, element: Locator, control: dict, attempt: int) -> Non
 
 @pytest.mark.parametrize(
     ("scene", "slider", "places"),
-    [("formation-pipeline", "station", ["1", "2"]), ("rotation-3d", "t", ["0.25", "0.5"])],
+    [
+        ("formation-pipeline", "station", ["1", "2"]),
+        ("rotation-3d", "t", ["0.25", "0.5"]),
+        ("lambertian-shading", "light_angle", ["-165", "-150"]),
+    ],
 )
 def test_a_reader_who_asked_for_less_motion_sees_one_picture_after_another(
     reader: Reader, book: dict, scene: str, slider: str, places: list[str]
