@@ -45,7 +45,7 @@ check: $(VENV)/test.stamp
 	@$(BIN)/python tests/support/web_checks.py
 
 screenshot: $(VENV)/test.stamp $(VENV)/chromium.stamp site
-	@$(BIN)/python tests/support/screenshot.py "$(PAGE)"
+	@PYTHONPATH=tests $(BIN)/python -m support.screenshot "$(PAGE)"
 
 # One thread, as in the browser, so that the two sides can be compared.
 bench: $(VENV)/test.stamp $(VENV)/chromium.stamp

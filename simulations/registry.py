@@ -61,14 +61,12 @@ class UnknownIdError(KeyError):
 
 def load_scene(scene_id: str) -> Scene[Any]:
     """The scene ``scene_id``: the ``SCENE`` of its module. Raises `UnknownIdError`."""
-    scene: Scene[Any] = _module("simulation", scene_id, SCENE_MODULES).SCENE
-    return scene
+    return _module("simulation", scene_id, SCENE_MODULES).SCENE
 
 
 def load_ladder(ladder_id: str) -> Ladder:
     """The ladder ``ladder_id``: the ``LADDER`` of its module. Raises `UnknownIdError`."""
-    ladder: Ladder = _module("ladder", ladder_id, LADDER_MODULES).LADDER
-    return ladder
+    return _module("ladder", ladder_id, LADDER_MODULES).LADDER
 
 
 def _module(kind: str, wanted: str, modules: Mapping[str, str]) -> ModuleType:

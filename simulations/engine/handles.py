@@ -43,9 +43,10 @@ class Handle[S]:
     """Where it is; ``None`` where it cannot be grabbed at these settings."""
     pull: Callable[[S, Point], Mapping[str, Value]]
     """What the settings would have to be for it to be at a place; what it leaves out stays."""
-    reach: Literal["mark", "press", "drag"] = "mark"
+    reach: Literal["mark", "press", "drag", "aim"] = "mark"
     """How it is grabbed: at its mark; also by pressing anywhere in the panel, which brings it
-    there; or, without a mark, by dragging from anywhere, which moves it by as much."""
+    there; or, without a mark, by dragging from anywhere, which moves it by as much; or by pressing
+    at something, whose place alone tells what is meant."""
     role: str = ""
     """One of `simulations.engine.frame.ROLES`: the colour of its mark."""
     reversed: tuple[str, ...] = ()
@@ -69,7 +70,7 @@ def places(
         if place is None or not all(map(math.isfinite, place)):
             continue
         x, y = (float(value) for value in place)
-        if handle.reach != "drag":
+        if handle.reach in ("mark", "press"):
             width, height = sizes[handle.panel]
             x, y = min(max(x, 0.0), width), min(max(y, 0.0), height)
         found.append(Place(handle.name, x, y))

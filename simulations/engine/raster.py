@@ -32,5 +32,4 @@ def to_rgba8(srgb: ArrayLike, alpha: ArrayLike | None = None) -> NDArray[np.uint
 def _to_uint8(picture: NDArray[np.floating]) -> NDArray[np.uint8]:
     held = np.asarray(np.fmax(picture, 0.0))  # unlike maximum, takes NaN as the other
     np.minimum(held, 1.0, out=held)
-    codes: NDArray[np.uint8] = np.rint(held * 255.0).astype(np.uint8)
-    return codes
+    return np.rint(held * 255.0).astype(np.uint8)

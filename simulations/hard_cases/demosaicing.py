@@ -10,6 +10,7 @@ from simulations.engine.hard_cases import (
     near,
     refused,
 )
+from simulations.models import picture_error
 from simulations.models.sensor import bayer, demosaicing
 
 ORANGE = np.array([1.0, 0.5, 0.1])
@@ -35,6 +36,7 @@ TABLE = HardCases(
     names={
         **vars(bayer),
         **vars(demosaicing),
+        **vars(picture_error),
         "spread": spread,
         "edge": edge,
         "inf": np.inf,

@@ -187,14 +187,14 @@ TABLE = HardCases(
         ),
         HardCase(
             id="telescope",
-            call="field_of_view(inf, 36.0)",
+            call="field_of_view_rad(inf, 36.0)",
             why="The angle seen does have a limit as the focal length grows.",
             returns="0.",
             expected=exactly(0.0),
         ),
         HardCase(
             id="widest-view",
-            call="field_of_view(1e-300, 36.0)",
+            call="field_of_view_rad(1e-300, 36.0)",
             why="A quotient of 1e301 inside the arctangent.",
             returns="π, half a turn: the widest that a flat picture can see.",
             expected=near(np.pi),

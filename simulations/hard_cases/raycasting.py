@@ -155,7 +155,7 @@ TABLE = HardCases(
             call="edge_coverage([[1.0]])",
             why="A gradient needs two pixels.",
             returns="Refused.",
-            expected=refused("edge_coverage", "at least 2"),
+            expected=refused("margin", "at least 2"),
         ),
         HardCase(
             id="light-below-the-floor",

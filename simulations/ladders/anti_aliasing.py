@@ -9,9 +9,10 @@ from dataclasses import dataclass
 from functools import partial
 
 import numpy as np
-from numpy.typing import NDArray
 
 from simulations.engine.ladder import Ladder, Metric, Tier
+from simulations.models.arrays import Floats, Mask
+from simulations.models.pixel_grid import centred
 from simulations.models.sampling.aliasing import (
     box_filter,
     filter_and_sample,
@@ -19,8 +20,6 @@ from simulations.models.sampling.aliasing import (
     zone_plate,
     zone_plate_area,
 )
-
-type Floats = NDArray[np.floating]
 
 SIZE = 192
 SCALE = 128.0
@@ -35,9 +34,9 @@ class Truth:
 
     area: Floats
     """(192, 192) exact mean over each pixel: what light falling on it adds up to."""
-    in_band: NDArray[np.bool_]
+    in_band: Mask
     """(192, 192) whether the rings there can be shown by pixels."""
-    out_of_band: NDArray[np.bool_]
+    out_of_band: Mask
     """(192, 192) whether only grey is right."""
     plate: Floats
     """(192, 192) the rings at pixel centres: right where they are in band."""
@@ -45,8 +44,7 @@ class Truth:
 
 def prepare() -> Floats:
     """Positions of pixel centres along either axis, from the middle of the picture."""
-    centres: Floats = np.arange(SIZE) - (SIZE - 1) / 2
-    return centres
+    return centred(SIZE)
 
 
 def _samples(centres: Floats, factor: int) -> Floats:

@@ -1,13 +1,11 @@
 """JPEG's cosine transform: one large product, two small ones, a Fourier transform, integers."""
 
 import numpy as np
-from numpy.typing import NDArray
 
 from simulations.engine.ladder import Ladder, Metric, Tier
+from simulations.models.arrays import Floats
 from simulations.models.compression.blocks import BLOCK, LUMINANCE_TABLE
 from simulations.models.compression.cosine_transforms import TRANSFORMS, exact_block_dct
-
-type Floats = NDArray[np.floating]
 
 SIDE = 256
 

@@ -9,17 +9,15 @@ from dataclasses import dataclass
 from functools import partial
 
 import numpy as np
-from numpy.typing import NDArray
 
 from simulations.engine.ladder import Ladder, Metric, Tier
+from simulations.models.arrays import Floats
 from simulations.models.color.srgb import encode_srgb
 from simulations.models.compression import jpeg
 from simulations.models.compression.chroma_subsampling import coarsen
 from simulations.models.compression.chroma_upsampling import refine
 from simulations.pictures.balloon import WHOLE
 from simulations.pictures.mosaic_subjects import SUBJECTS
-
-type Floats = NDArray[np.floating]
 
 FACTOR, SUBSAMPLING, QUALITY = (2, 2), "4:2:0", 75
 PICTURES = ("room", "balloon")

@@ -8,14 +8,13 @@ from dataclasses import dataclass
 from functools import partial
 
 import numpy as np
-from numpy.typing import NDArray
 
 from simulations.engine.ladder import Ladder, Metric, Tier
+from simulations.models.arrays import Floats
 from simulations.models.lens.chromatic_aberration import Glass, lateral_chromatic_scale
 from simulations.models.lens.spectral_bands import chosen_wavelengths, even_wavelengths
-from simulations.pictures.coverage import checker
-
-type Floats = NDArray[np.floating]
+from simulations.models.pixel_grid import centred
+from simulations.pictures.patterns import checker
 
 SIZE = 192
 TILE_PX = 14.0
@@ -44,7 +43,7 @@ class Workload:
 
 
 def prepare() -> Workload:
-    along = (np.arange(SIZE) - (SIZE - 1) / 2).astype(np.float32)
+    along = centred(SIZE).astype(np.float32)
     return Workload(along[None, :], along[:, None])
 
 
@@ -101,15 +100,13 @@ def _magnification(wavelength_um: Floats) -> Floats:
     """1 + t (1/f_d − 1/f): the lens's power follows n − 1, with n = A + B/λ²."""
     slope = (1.62 - 1.0) / 36.4 / (0.4861**-2 - 0.6563**-2)
     extra_power = slope * (wavelength_um**-2 - 0.5876**-2) / (1.62 - 1.0) / 50.0
-    magnification: Floats = 1.0 - 60.0 * extra_power
-    return magnification
+    return 1.0 - 60.0 * extra_power
 
 
 def _weighted_chequers(at: Floats, magnification: Floats, weights: Floats) -> Floats:
     """Mean of chequers under each magnification: a product of light and dark along x and y."""
     sign = _sign_along(at, magnification)
-    mean: Floats = 0.5 + 0.5 * np.einsum("w,wy,wx->yx", weights, sign, sign, optimize=True)
-    return mean
+    return 0.5 + 0.5 * np.einsum("w,wy,wx->yx", weights, sign, sign, optimize=True)
 
 
 def _sign_along(at: Floats, magnification: Floats) -> Floats:
@@ -119,8 +116,7 @@ def _sign_along(at: Floats, magnification: Floats) -> Floats:
     first = np.where(np.floor(low) % 2 == 0, 1.0, -1.0)
     after = np.clip((high - border) / (high - low), 0.0, 1.0)
     crossed = border > np.floor(low)
-    result: Floats = np.where(crossed, first * (1.0 - 2.0 * after), first)
-    return result
+    return np.where(crossed, first * (1.0 - 2.0 * after), first)
 
 
 def rms(result: Floats, truth: Floats, _workload: Workload) -> float:

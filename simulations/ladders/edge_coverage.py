@@ -5,16 +5,14 @@ from dataclasses import dataclass
 from functools import partial
 
 import numpy as np
-from numpy.typing import NDArray
 
 from simulations.engine.ladder import Ladder, Metric, Tier
+from simulations.models.arrays import Floats
 from simulations.models.light.edge_coverage import (
     curved_edge_coverage,
     ramp_coverage,
     straight_edge_coverage,
 )
-
-type Floats = NDArray[np.floating]
 
 
 @dataclass(frozen=True, slots=True)
@@ -66,8 +64,7 @@ def _supersample(disc: Disc, *, factor: int) -> Floats:
         return inside.astype(float)
     samples = inside.view(np.uint8).reshape(disc.y.size, factor, -1)
     columns = samples.sum(axis=1, dtype=np.uint8).reshape(disc.y.size, disc.x.size, factor)
-    share: Floats = np.einsum("yxs->yx", columns, dtype=np.int32) / factor**2
-    return share
+    return np.einsum("yxs->yx", columns, dtype=np.int32) / factor**2
 
 
 def _distance(disc: Disc) -> Floats:
@@ -96,14 +93,12 @@ def _counted(x: Floats, y: Floats, _distance: Floats, radius: float, *, factor: 
     squares_y = np.square(y[:, None] + _sub_pixels(factor))
     inside = squares_x[:, None, :] < radius**2 - squares_y[:, :, None]
     counted = np.einsum("ps->p", inside.reshape(x.size, factor**2).view(np.uint8), dtype=np.int32)
-    share: Floats = counted / factor**2
-    return share
+    return counted / factor**2
 
 
 def _normal(x: Floats, y: Floats, distance: Floats, radius: float) -> Floats:
     """Unit vectors (m, 2) away from the disc's centre, (0, 0) at the centre itself."""
-    unit: Floats = np.stack([x, y], axis=-1) / np.maximum(radius - distance, 1e-12)[:, None]
-    return unit
+    return np.stack([x, y], axis=-1) / np.maximum(radius - distance, 1e-12)[:, None]
 
 
 def _straight(x: Floats, y: Floats, distance: Floats, radius: float) -> Floats:
@@ -136,14 +131,12 @@ def _area_to(x: Floats, y: Floats, radius: float) -> Floats:
     a, b = np.minimum(np.abs(x), radius), np.minimum(np.abs(y), radius)
     flat = np.minimum(a, np.sqrt(radius**2 - b**2))  # up to here the rectangle is the lower
     under_arc = _under_arc(a, radius) - _under_arc(flat, radius)
-    area: Floats = np.sign(x) * np.sign(y) * (b * flat + under_arc)
-    return area
+    return np.sign(x) * np.sign(y) * (b * flat + under_arc)
 
 
 def _under_arc(x: Floats, radius: float) -> Floats:
     """Integral of sqrt(R² − x²) from 0."""
-    area: Floats = 0.5 * (x * np.sqrt(radius**2 - x**2) + radius**2 * np.arcsin(x / radius))
-    return area
+    return 0.5 * (x * np.sqrt(radius**2 - x**2) + radius**2 * np.arcsin(x / radius))
 
 
 def rms(result: Result, truth: Result, _workload: Workload, *, which: int) -> float:

@@ -4,13 +4,11 @@ from dataclasses import dataclass
 from functools import partial
 
 import numpy as np
-from numpy.typing import NDArray
 
 from simulations.engine.ladder import Ladder, Metric, Tier
+from simulations.models.arrays import Floats, Mask
 from simulations.models.sensor.exposure import mean_of_instants, mean_of_random_instants
 from simulations.pictures import moving_ball
-
-type Floats = NDArray[np.floating]
 
 
 @dataclass(frozen=True, slots=True)
@@ -29,7 +27,7 @@ class Truth:
 
     picture: Floats
     """(96, 160)."""
-    swept: NDArray[np.bool_]
+    swept: Mask
     """(96, 160) pixels that the ball covers at some time."""
 
 
@@ -74,8 +72,7 @@ def _between_columns(rows: Floats, places: Floats) -> Floats:
     at = np.clip(places, 0, rows.shape[1] - 1)
     left = np.minimum(at.astype(np.intp), rows.shape[1] - 2)
     share = at - left
-    between: Floats = rows[:, left] * (1 - share) + rows[:, left + 1] * share
-    return between
+    return rows[:, left] * (1 - share) + rows[:, left + 1] * share
 
 
 def _integral(workload: Workload) -> Floats:

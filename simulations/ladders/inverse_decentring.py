@@ -13,11 +13,12 @@ from simulations.ladders.inverse_distortion import (
     workload_of,
     worst_px,
 )
+from simulations.models.arrays import Floats
 from simulations.models.distortion.decentred_undistortion import (
     undistort_decentred_fixed_point,
     undistort_decentred_newton,
 )
-from simulations.models.distortion.lens_model import Distortion, Floats, undistort
+from simulations.models.distortion.lens_model import Distortion, undistort
 from simulations.models.distortion.radial_table import inverse_table
 from simulations.models.distortion.undistortion import undistort_newton
 

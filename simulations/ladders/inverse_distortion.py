@@ -6,7 +6,8 @@ from functools import partial
 import numpy as np
 
 from simulations.engine.ladder import Ladder, Metric, Tier
-from simulations.models.distortion.lens_model import Distortion, Floats
+from simulations.models.arrays import Floats
+from simulations.models.distortion.lens_model import Distortion
 from simulations.models.distortion.radial_table import inverse_table
 from simulations.models.distortion.undistortion import INVERSES, Inverse
 
@@ -51,13 +52,11 @@ def reference(workload: Workload) -> Floats:
         s = middle * middle
         too_far = middle * (1 + k1 * s + k2 * s * s) > seen_radius
         low, high = np.where(too_far, low, middle), np.where(too_far, middle, high)
-    ideal: Floats = workload.seen * (high / seen_radius)[:, None]
-    return ideal
+    return workload.seen * (high / seen_radius)[:, None]
 
 
 def _distance_px(result: Floats, truth: Floats, workload: Workload) -> Floats:
-    distance: Floats = workload.focal_px * np.linalg.norm(result - truth, axis=-1)
-    return distance
+    return workload.focal_px * np.linalg.norm(result - truth, axis=-1)
 
 
 def rms_px(result: Floats, truth: Floats, workload: Workload) -> float:

@@ -13,7 +13,8 @@ import numpy as np
 from simulations.engine.ladder import Ladder, Metric
 from simulations.ladders import inverse_distortion
 from simulations.ladders.inverse_distortion import TIERS, Workload, workload_of
-from simulations.models.distortion.lens_model import Distortion, Floats
+from simulations.models.arrays import Floats
+from simulations.models.distortion.lens_model import Distortion
 
 type Lenses = tuple[Workload, Workload]
 """The pincushion and the barrel."""

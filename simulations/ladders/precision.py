@@ -8,8 +8,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from simulations.engine.ladder import Ladder, Metric, Tier
+from simulations.models.arrays import Floats
 
-type Floats = NDArray[np.floating]
 type Whole = NDArray[np.int64]
 
 COUNT = 20_000
@@ -61,8 +61,7 @@ def prepare() -> Workload:
 def reference(workload: Workload) -> Floats:
     """Pixels (N, 2) from whole numbers: only the last division and product are rounded."""
     turned = workload.steps @ TURN.astype(np.int64).T
-    pixels: Floats = FOCAL_PX * (turned[:, :2] / turned[:, 2:])
-    return pixels
+    return FOCAL_PX * (turned[:, :2] / turned[:, 2:])
 
 
 def _pixels(camera: Floats) -> Floats:

@@ -8,12 +8,12 @@ from dataclasses import dataclass
 from functools import partial
 
 import numpy as np
-from numpy.typing import NDArray
 
 from simulations.engine.ladder import Ladder, Metric, Tier
+from simulations.models.arrays import Floats
+from simulations.models.picture_error import psnr_db
+from simulations.models.pixel_grid import centred
 from simulations.models.sampling.resampling import gather, gather_table
-
-type Floats = NDArray[np.floating]
 
 SIZE = 128
 CENTRE = (SIZE - 1) / 2
@@ -59,7 +59,7 @@ def prepare() -> Workload:
 
 def _grid() -> tuple[Floats, Floats]:
     """Position of each pixel from the centre."""
-    along = np.arange(SIZE) - CENTRE
+    along = centred(SIZE)
     x, y = np.meshgrid(along, along)
     return x, y
 
@@ -81,8 +81,7 @@ def _waves(x: Floats, y: Floats) -> list[Floats]:
 def _window(x: Floats, y: Floats) -> Floats:
     """1 within the judged radius, then half a cosine down to 0: smooth, so band-limited."""
     beyond = np.clip((np.hypot(x, y) - (JUDGED_RADIUS_PX - FADE_PX)) / FADE_PX, 0.0, 1.0)
-    fade: Floats = 0.5 + 0.5 * np.cos(np.pi * beyond)
-    return fade
+    return 0.5 + 0.5 * np.cos(np.pi * beyond)
 
 
 def _turn(workload: Workload, *, kernel: str) -> Turned:
@@ -103,18 +102,18 @@ def reference(workload: Workload) -> Turned:
     )
 
 
-def _psnr_db(picture: Floats, truth: Floats) -> float:
-    """Within the judged circle only; the peak is 1."""
+def _psnr_inside_db(picture: Floats, truth: Floats) -> float:
+    """Within the judged circle only."""
     inside = np.hypot(*_grid()) < JUDGED_RADIUS_PX
-    return float(-10 * np.log10(np.mean(np.square(picture[inside] - truth[inside]))))
+    return psnr_db(picture[inside], truth[inside])
 
 
 def psnr_once(result: Turned, truth: Turned, _workload: Workload) -> float:
-    return _psnr_db(result.once, truth.once)
+    return _psnr_inside_db(result.once, truth.once)
 
 
 def psnr_round(result: Turned, truth: Turned, _workload: Workload) -> float:
-    return _psnr_db(result.round, truth.round)
+    return _psnr_inside_db(result.round, truth.round)
 
 
 def fine_contrast(result: Turned, _truth: Turned, workload: Workload) -> float:

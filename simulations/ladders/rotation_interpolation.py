@@ -3,13 +3,11 @@
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
 from simulations.engine.ladder import Ladder, Metric, Tier
+from simulations.models.arrays import Floats
 from simulations.models.geometry import quaternions
 from simulations.models.geometry.quaternion_blends import BLENDS, bisected_arc, turn_between_rad
-
-type Floats = NDArray[np.floating]
 
 PAIRS, SHARES = 180, 32
 SMALL_DEG = 10.0

@@ -3,13 +3,11 @@
 from functools import partial
 
 import numpy as np
-from numpy.typing import NDArray
 
 from simulations.engine.ladder import Ladder, Metric, Tier
+from simulations.models.arrays import Floats
 from simulations.models.light.cell_blending import blend_cells, blend_normals
 from simulations.models.light.reflectance import blinn_phong, phong
-
-type Floats = NDArray[np.floating]
 
 INTERVALS = 256
 """The picture has one pixel more each way, so that every grid's corners fall on pixels."""

@@ -4,12 +4,10 @@ import math
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
 from simulations.engine.ladder import Ladder, Metric, Tier
+from simulations.models.arrays import Floats
 from simulations.models.sensor.photon_counting import ShotModel, shot_noise
-
-type Floats = NDArray[np.floating]
 
 LEVELS_E = (0.1, 0.3, 1.0, 3.0, 10.0, 30.0, 100.0, 1000.0)
 """Mean electrons, from next to darkness to a well lit wall, where the tiers are all alike."""

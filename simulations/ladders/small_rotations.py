@@ -3,14 +3,12 @@
 import math
 
 import numpy as np
-from numpy.typing import NDArray
 
 from simulations.engine.ladder import Ladder, Metric, Tier
+from simulations.models.arrays import Floats
 from simulations.models.geometry import quaternions
 from simulations.models.geometry.cross_products import CYCLES, cross_polynomial
 from simulations.models.geometry.rotations import exponential
-
-type Floats = NDArray[np.floating]
 
 ANGLE_RAD = math.radians(5.0)
 COUNT = 4096
@@ -19,8 +17,7 @@ COUNT = 4096
 def prepare() -> Floats:
     """Rotation vectors (N, 3): 5° about axes in all directions."""
     axes = np.random.default_rng(5).standard_normal((COUNT, 3))
-    vectors: Floats = ANGLE_RAD * axes / np.linalg.norm(axes, axis=-1, keepdims=True)
-    return vectors
+    return ANGLE_RAD * axes / np.linalg.norm(axes, axis=-1, keepdims=True)
 
 
 def reference(vectors: Floats) -> Floats:

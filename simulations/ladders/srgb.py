@@ -1,12 +1,10 @@
 """Encoding linear light for a display: the sRGB curve, and what is used in its place."""
 
 import numpy as np
-from numpy.typing import NDArray
 
 from simulations.engine.ladder import Ladder, Metric, Tier
+from simulations.models.arrays import Floats
 from simulations.models.color.srgb import encode_gamma, encode_srgb, encode_srgb_table
-
-type Floats = NDArray[np.floating]
 
 SHAPE = (256, 256, 3)
 

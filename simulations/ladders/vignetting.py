@@ -1,12 +1,10 @@
 """Darker corners: cos⁴ by its angle, without it, and by what lens profiles use instead."""
 
 import numpy as np
-from numpy.typing import NDArray
 
 from simulations.engine.ladder import Ladder, Metric, Tier
+from simulations.models.arrays import Floats
 from simulations.models.lens.vignetting import vignetting_cos4
-
-type Floats = NDArray[np.floating]
 
 SIZE = 512
 WIDEST = 1.0
@@ -17,8 +15,7 @@ TABLE_ENTRIES = 1025
 def prepare() -> Floats:
     """r/f of every pixel, (512, 512); the corners' outer vertices lie at r = f."""
     half = (np.arange(SIZE) + 0.5) * 2.0 / SIZE - 1.0
-    radius: Floats = np.hypot(half, half[:, None]) * (WIDEST / np.sqrt(2.0))
-    return radius
+    return np.hypot(half, half[:, None]) * (WIDEST / np.sqrt(2.0))
 
 
 def reference(radius: Floats) -> Floats:
@@ -26,16 +23,14 @@ def reference(radius: Floats) -> Floats:
     square = radius.astype(np.longdouble) ** 2
     cos2 = (1 - square) / (1 + square)
     cos4 = 2 * cos2 * cos2 - 1
-    light: Floats = (3 + 4 * cos2 + cos4) / 8
-    return light
+    return (3 + 4 * cos2 + cos4) / 8
 
 
 def by_angle(radius: Floats) -> Floats:
     """The formula as written. Two products make the fourth power: `**` would take longer."""
     cos = np.cos(np.arctan(radius))
     cos2 = cos * cos
-    light: Floats = cos2 * cos2
-    return light
+    return cos2 * cos2
 
 
 def algebraic_float32(radius: Floats) -> Floats:
@@ -63,15 +58,13 @@ def profile(radius: Floats) -> Floats:
     """The cubic in r² of a lens profile."""
     a1, a2, a3 = _PROFILE
     s = radius * radius
-    light: Floats = 1.0 + s * (a1 + s * (a2 + s * a3))
-    return light
+    return 1.0 + s * (a1 + s * (a2 + s * a3))
 
 
 def table(radius: Floats) -> Floats:
     """The nearest entry of a table that is spaced evenly in r²."""
     place = radius * radius * ((TABLE_ENTRIES - 1) / WIDEST**2) + 0.5
-    light: Floats = _TABLE[place.astype(np.int32)]
-    return light
+    return _TABLE[place.astype(np.int32)]
 
 
 def worst_error(result: Floats, truth: Floats, _radius: Floats) -> float:

@@ -5,7 +5,6 @@ from functools import partial
 from simulations.engine.ladder import Ladder, Tier
 from simulations.ladders.depth_of_field.ladder import (
     METRICS,
-    Floats,
     Workload,
     binned,
     discs,
@@ -16,7 +15,8 @@ from simulations.ladders.depth_of_field.ladder import (
     reference,
     workload_of,
 )
-from simulations.models.lens.disc_blur import Planes, disc_kernel, summed
+from simulations.models.arrays import Floats, Planes
+from simulations.models.lens.disc_blur import disc_kernel, summed
 from simulations.models.lens.disc_pyramid import pyramid_blur
 
 

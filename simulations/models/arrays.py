@@ -1,12 +1,19 @@
-"""The conversions that every model starts with."""
+"""The arrays that models take and give, and the conversions that every model starts with."""
 
 from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+type Floats = NDArray[np.floating]
+"""Real numbers: float64, or float32 where they are pixels."""
+type Mask = NDArray[np.bool_]
+"""True or false of each entry."""
+type Planes = NDArray[np.float32]
+"""Pictures (..., H, W): of each colour a plane of pixels."""
 
-def as_floats(values: ArrayLike) -> NDArray[np.floating]:
+
+def as_floats(values: ArrayLike) -> Floats:
     """As an array of floats: float32 stays float32 (pictures), whole numbers become float64.
 
     Half precision, in which some pictures are stored, becomes float32: it is none to compute in.
@@ -16,10 +23,7 @@ def as_floats(values: ArrayLike) -> NDArray[np.floating]:
     if array.dtype.kind == "c":
         raise ValueError(f"values of type {array.dtype}; legal: real numbers")
     if array.dtype.kind == "f":
-        floats: NDArray[np.floating] = (
-            array.astype(np.float32) if array.dtype == np.float16 else array
-        )
-        return floats
+        return array.astype(np.float32) if array.dtype == np.float16 else array
     return array.astype(np.float64)
 
 
@@ -55,7 +59,7 @@ def _as_doubles(name: str, values: ArrayLike) -> NDArray[Any]:
     return np.asarray(array, float)
 
 
-def as_colours(values: ArrayLike) -> NDArray[np.floating]:
+def as_colours(values: ArrayLike) -> Floats:
     """As `as_floats`, (..., 3); raises `ValueError` for other shapes, such as RGB with alpha."""
     colours = as_floats(values)
     if colours.shape[-1:] != (3,):

@@ -2,6 +2,8 @@
 
 import math
 
+from simulations.models.require import require
+
 
 def as_whole(name: str, value: float, least: int, most: int | None = None) -> int:
     """``value`` as an int; 50.0 will do for 50.
@@ -10,7 +12,7 @@ def as_whole(name: str, value: float, least: int, most: int | None = None) -> in
     infinities and numbers outside ``least`` to ``most``.
     """
     whole = math.isfinite(value) and value == math.floor(value)
-    if not whole or value < least or (most is not None and value > most):
-        legal = f"{least} or more" if most is None else f"{least} to {most}"
-        raise ValueError(f"{name} {value}; legal: whole numbers, {legal}")
+    inside = least <= value and (most is None or value <= most)
+    legal = f"{least} or more" if most is None else f"{least} to {most}"
+    require(name, value, whole and inside, f"whole numbers, {legal}")
     return int(value)

@@ -11,9 +11,8 @@ from functools import cache
 import numpy as np
 from numpy.typing import NDArray
 
+from simulations.models.arrays import Floats, Mask
 from simulations.models.color.srgb import decode_srgb
-
-type Floats = NDArray[np.floating]
 
 WIDTH, HEIGHT = 240, 192
 SAMPLES = 3
@@ -129,7 +128,7 @@ def _basket(picture: Floats, x: Floats, y: Floats) -> None:
     _paint(picture, box & weave, _colour("#c98f4e"))
 
 
-def _paint(picture: Floats, where: NDArray[np.bool_], colour: Floats) -> None:
+def _paint(picture: Floats, where: Mask, colour: Floats) -> None:
     picture[where] = colour
 
 

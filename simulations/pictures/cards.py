@@ -8,11 +8,11 @@ in z = 0. All edges and patterns are mean values over a pixel.
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
-from simulations.pictures.coverage import checker, stripes
+from simulations.models.arrays import Floats
+from simulations.models.pixel_grid import centred
+from simulations.pictures.patterns import checker, stripes
 
-type Floats = NDArray[np.floating]
 type Place = Floats | float
 """A point of the lens, the same for all pixels or one (H, W) for each; metres from its centre."""
 
@@ -74,7 +74,7 @@ class Pixels:
 def pixels(width: int, dtype: type[np.floating]) -> Pixels:
     """A picture of ``width`` columns; its directions as ``dtype``, in which all is computed."""
     height, focal_px = width * 3 // 4, FOCAL_WIDTHS * width
-    x = (np.arange(width) - (width - 1) / 2) / focal_px
+    x = centred(width) / focal_px
     y = (np.arange(height) - HORIZON * height) / focal_px
     return Pixels(x[None, :].astype(dtype), y[:, None].astype(dtype), focal_px)
 
@@ -121,8 +121,7 @@ def _tiles(seen: Pixels, lens_x: Place, lens_y: Place) -> Floats:
 def _floor_depth(y: Floats, lens_y: Place) -> Floats:
     """Where the rays meet the floor, but the wall's depth where that comes first."""
     falling = np.maximum(y - lens_y / FOCUS_Z, FLOOR_Y / 50.0)
-    depth: Floats = np.clip((FLOOR_Y - lens_y) / falling, 0.1, WALL_Z)
-    return depth
+    return np.clip((FLOOR_Y - lens_y) / falling, 0.1, WALL_Z)
 
 
 def card_light(

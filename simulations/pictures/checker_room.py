@@ -8,11 +8,10 @@ from collections.abc import Callable
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
-from simulations.pictures.coverage import band, blend, checker, stripes
-
-type Floats = NDArray[np.floating]
+from simulations.models.arrays import Floats, Mask
+from simulations.models.pixel_grid import centred
+from simulations.pictures.patterns import band, blend, checker, stripes
 
 LOW = (-2.35, -1.75, -1.0)
 """Left wall, ceiling, and a wall behind the eye (never seen)."""
@@ -51,9 +50,9 @@ def checker_room(width: int, height: int, focal_px: float) -> Floats:
     positive.
     """
     if width < 1 or height < 1 or not 0.0 < focal_px < np.inf:
-        raise ValueError(f"{width} x {height}, focal_px {focal_px!r}: must be positive and finite")
-    x = (np.arange(width, dtype=np.float32) - 0.5 * (width - 1)) / focal_px
-    y = (np.arange(height, dtype=np.float32) - 0.5 * (height - 1)) / focal_px
+        raise ValueError(f"{width} x {height}, focal_px {focal_px}; legal: above 0, finite")
+    x = centred(width).astype(np.float32) / focal_px
+    y = centred(height).astype(np.float32) / focal_px
     # Never exactly along a wall, where a ray would meet it nowhere.
     ray_x = np.broadcast_to(np.where(x == 0.0, 1e-6, x).astype(np.float32), (height, width))
     ray_y = np.broadcast_to(np.where(y == 0.0, 1e-6, y).astype(np.float32)[:, None], ray_x.shape)
@@ -62,7 +61,7 @@ def checker_room(width: int, height: int, focal_px: float) -> Floats:
     depth_x, depth_y, depth_z = wall_x / ray_x, wall_y / ray_y, np.float32(HIGH[2])
     nearest = np.minimum(np.minimum(depth_x, depth_y), depth_z)
     picture = np.zeros((height, width, 3), np.float32)
-    surfaces: tuple[tuple[NDArray[np.bool_], str, Callable[[Hits], Floats]], ...] = (
+    surfaces: tuple[tuple[Mask, str, Callable[[Hits], Floats]], ...] = (
         (nearest == depth_z, "z", _back_wall),
         ((nearest == depth_y) & (ray_y > 0.0), "y", _floor),
         ((nearest == depth_y) & (ray_y < 0.0), "y", _ceiling),
@@ -202,8 +201,7 @@ def _daylight(p: Hits, normal: tuple[float, float, float]) -> Floats:
     distance2 = to_x**2 + to_y**2 + to_z**2 + 0.9
     facing = normal[0] * to_x + normal[1] * to_y + normal[2] * to_z
     direct = 3.4 * np.maximum(facing, 0.0) / (distance2 * np.sqrt(distance2))
-    result: Floats = (0.60 + direct) * _corner_shade(p)
-    return result
+    return (0.60 + direct) * _corner_shade(p)
 
 
 def _corner_shade(p: Hits) -> Floats:
@@ -212,8 +210,7 @@ def _corner_shade(p: Hits) -> Floats:
     for position, low, high in ((p.x, LOW[0], HIGH[0]), (p.y, LOW[1], HIGH[1])):
         for distance in (position - low, high - position):
             shade = shade * (1.0 - 0.30 * np.exp(-np.abs(distance) / 0.45))
-    result: Floats = shade * (1.0 - 0.30 * np.exp(-np.abs(HIGH[2] - p.z) / 0.45))
-    return result
+    return shade * (1.0 - 0.30 * np.exp(-np.abs(HIGH[2] - p.z) / 0.45))
 
 
 def _with_trim(colour: Floats, p: Hits, axes: str) -> Floats:

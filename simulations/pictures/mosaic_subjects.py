@@ -4,14 +4,10 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from types import MappingProxyType
 
-import numpy as np
-from numpy.typing import NDArray
-
+from simulations.models.arrays import Floats
 from simulations.pictures.balloon import HEIGHT, WIDTH, Window, balloon
 from simulations.pictures.checker_room import checker_room
 from simulations.pictures.soft_colours import soft_colours
-
-type Floats = NDArray[np.floating]
 
 ROOM_FOCAL_PX = 170.0
 CLOSE_ROWS, CLOSE_COLUMNS = 16, 20

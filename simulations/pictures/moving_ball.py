@@ -5,11 +5,9 @@ to 1, the exposure; coordinates are pixels, x to the right and y down. Linear li
 """
 
 import numpy as np
-from numpy.typing import NDArray
 
-from simulations.pictures.coverage import stripes
-
-type Floats = NDArray[np.floating]
+from simulations.models.arrays import Floats, Mask
+from simulations.pictures.patterns import stripes
 
 WIDTH, HEIGHT = 160, 96
 RADIUS, CENTRE_Y = 30.7, 47.3
@@ -43,10 +41,9 @@ def instant(x: Floats, y: Floats, time: Floats | float, behind: Floats) -> Float
     return np.where(along**2 < RADIUS**2 - (y - CENTRE_Y) ** 2, ball, behind)
 
 
-def on_ball(x: Floats, y: Floats, time: float) -> NDArray[np.bool_]:
+def on_ball(x: Floats, y: Floats, time: float) -> Mask:
     """Pixels (H, W) that show the ball at one moment."""
-    hidden: NDArray[np.bool_] = np.hypot(x - START_X - TRAVEL * time, y - CENTRE_Y) < RADIUS
-    return hidden
+    return np.hypot(x - START_X - TRAVEL * time, y - CENTRE_Y) < RADIUS
 
 
 def exposed(x: Floats, y: Floats) -> Floats:
@@ -63,5 +60,4 @@ def exposed(x: Floats, y: Floats) -> Floats:
     middle = offset - TRAVEL * (arrives + leaves) / 2
     light = stripes(middle, 2 * BAR, BAR, np.maximum(TRAVEL * share, 1e-6))
     ball = DARK_BAR + (LIGHT_BAR - DARK_BAR) * light
-    picture: Floats = share * ball + (1.0 - share) * wall(x, y)
-    return picture
+    return share * ball + (1.0 - share) * wall(x, y)

@@ -8,12 +8,10 @@ picture reaches.
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
-from simulations.pictures.coverage import band, blend, checker, stripes
-from simulations.pictures.patterns import siemens_star
-
-type Floats = NDArray[np.floating]
+from simulations.models.arrays import Floats
+from simulations.models.pixel_grid import centred
+from simulations.pictures.patterns import band, blend, checker, siemens_star, stripes
 
 PAPER, INK, RULE = (0.82, 0.81, 0.78), (0.025, 0.028, 0.035), (0.10, 0.22, 0.34)
 STAR_CENTRES = ((-0.57, -0.37), (0.57, -0.37), (-0.57, 0.37), (0.57, 0.37))
@@ -31,9 +29,8 @@ def resolution_chart(width: int, height: int, focal_px: float) -> Floats:
     positive.
     """
     if width < 1 or height < 1 or not 0.0 < focal_px < np.inf:
-        raise ValueError(f"{width} x {height}, focal_px {focal_px!r}: must be positive and finite")
-    column = (np.arange(width) - 0.5 * (width - 1)) / focal_px
-    row = (np.arange(height) - 0.5 * (height - 1)) / focal_px
+        raise ValueError(f"{width} x {height}, focal_px {focal_px}; legal: above 0, finite")
+    column, row = centred(width) / focal_px, centred(height) / focal_px
     x, y = column.astype(np.float32)[None], row.astype(np.float32)[:, None]
     pixel = np.float32(1.0 / focal_px)
     picture = np.broadcast_to(np.asarray(PAPER, np.float32), (height, width, 3))

@@ -13,9 +13,10 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from simulations.engine.raster import to_rgba8
+from simulations.models.arrays import Floats, Mask
 from simulations.models.color.srgb import encode_srgb
-
-type Floats = NDArray[np.floating]
+from simulations.models.pixel_grid import centred
+from simulations.models.whole_numbers import as_whole
 
 WIDTH, HEIGHT = 320, 240
 RADIUS = 92.0
@@ -37,7 +38,7 @@ NARROWEST = 1e-5
 class Canvas:
     """What of the picture depends on no parameter."""
 
-    between: NDArray[np.bool_]
+    between: Mask
     """(H, W) pixels that lie, at least in part, between hub and rim."""
     angle_rad: Floats
     """(n,) of those pixels, clockwise from the right."""
@@ -51,8 +52,8 @@ class Canvas:
 
 def build_canvas() -> Canvas:
     """Angles, radii and the parts that look the same however the wheel stands."""
-    x = np.arange(WIDTH) - 0.5 * (WIDTH - 1)
-    y = np.arange(HEIGHT)[:, None] - 0.5 * (HEIGHT - 1)
+    x = centred(WIDTH)
+    y = centred(HEIGHT)[:, None]
     radius = np.hypot(x, y)
     rim = _inside(radius, RADIUS) - _inside(radius, RADIUS - RIM)
     solid = rim + _inside(radius, HUB)
@@ -65,8 +66,7 @@ def build_canvas() -> Canvas:
 
 def _inside(radius: Floats, edge: float) -> Floats:
     """Share of each pixel within a circle, to the accuracy of a straight edge."""
-    share: Floats = np.clip(edge - radius + 0.5, 0.0, 1.0)
-    return share
+    return np.clip(edge - radius + 0.5, 0.0, 1.0)
 
 
 @dataclass(frozen=True, slots=True)
@@ -89,8 +89,7 @@ type Exposure = Callable[[Bars], Floats]
 
 def bars(canvas: Canvas, spokes: int, first_angle_rad: float, swept_rad: float) -> Bars:
     """The first spoke starts at ``first_angle_rad``, clockwise from the right; all turn as far."""
-    if spokes < 1:
-        raise ValueError(f"spokes {spokes}; legal: 1 or more")
+    spokes = as_whole("spokes", spokes, 1)
     spacing = 2 * np.pi / spokes
     arc = canvas.radius * spacing
     place = (canvas.angle_rad - first_angle_rad) / spacing
@@ -110,8 +109,7 @@ def at_moment(row: Bars, time: Floats | float) -> Floats:
     place, half_pixel = row.place - row.swept * time, 0.5 * row.pixel
     bar = np.minimum(row.duty, 1.0)
     covered = _integrated(place + half_pixel, bar) - _integrated(place - half_pixel, bar)
-    share: Floats = covered / row.pixel
-    return share
+    return covered / row.pixel
 
 
 def render(
@@ -129,8 +127,7 @@ def render(
     share = exposure(bars(canvas, spokes, first_angle_rad, swept_rad))
     cover = canvas.solid.copy()
     cover[canvas.between] += share * (1.0 - cover[canvas.between])
-    picture: NDArray[np.uint8] = canvas.colours[np.rint(cover * LEVELS).astype(np.intp)]
-    return picture
+    return canvas.colours[np.rint(cover * LEVELS).astype(np.intp)]
 
 
 def mean_coverage(place: Floats, duty: ArrayLike, pixel: ArrayLike, swept: float) -> Floats:
@@ -156,8 +153,7 @@ def mean_coverage(place: Floats, duty: ArrayLike, pixel: ArrayLike, swept: float
 def _integrated(place: Floats, bar: Floats) -> Floats:
     """Antiderivative of bars of width ``bar`` about all whole numbers."""
     whole = np.rint(place)
-    covered: Floats = bar * whole + np.clip(place - whole, -0.5 * bar, 0.5 * bar)
-    return covered
+    return bar * whole + np.clip(place - whole, -0.5 * bar, 0.5 * bar)
 
 
 def _twice_integrated(place: Floats, bar: Floats) -> Floats:
@@ -167,5 +163,4 @@ def _twice_integrated(place: Floats, bar: Floats) -> Floats:
     near = np.minimum(np.abs(aside), 0.5 * bar)
     # Within a period: |v|²/2 on the bar, then on along the tangent.
     within = near * (np.abs(aside) - 0.5 * near)
-    twice: Floats = bar * whole * (0.5 * whole + aside) + within
-    return twice
+    return bar * whole * (0.5 * whole + aside) + within

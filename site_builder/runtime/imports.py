@@ -23,15 +23,23 @@ type Table = Mapping[str, Imports]
 
 def read_imports(package: Path) -> Table:
     """The imports of every module in the folder ``package``."""
-    files = {_module_name(file, package): file for file in sorted(package.rglob("*.py"))}
+    files = module_files(package)
     return {
         name: _imports(file, file.relative_to(package.parent).as_posix(), files)
         for name, file in files.items()
     }
 
 
+def module_files(package: Path) -> dict[str, Path]:
+    """The file of every module in the folder ``package``, by full name."""
+    return {_module_name(file, package): file for file in sorted(package.rglob("*.py"))}
+
+
 def reach(table: Table, start: str) -> frozenset[str]:
-    """The module ``start`` and all modules of its package that it imports, however indirectly."""
+    """The module ``start`` and all modules that it imports, however indirectly, of its package.
+
+    Importing a module imports the packages around it.
+    """
     found: set[str] = set()
     waiting = [start]
     while waiting:
@@ -39,6 +47,9 @@ def reach(table: Table, start: str) -> frozenset[str]:
         if name not in found:
             found.add(name)
             waiting += table[name].inside
+            around = name.rpartition(".")[0]
+            if around in table:
+                waiting.append(around)
     return frozenset(found)
 
 

@@ -4,7 +4,7 @@ import base64
 import io
 import json
 import zipfile
-from collections.abc import Mapping
+from collections.abc import Collection, Mapping
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -12,7 +12,7 @@ from simulations.registry import LADDER_MODULES, SCENE_MODULES
 from site_builder.runtime import store as stores
 from site_builder.runtime.fetch import fetch_runtime
 from site_builder.runtime.freeze import INTERPRETER, LOCK, Frozen, freeze_libraries
-from site_builder.runtime.imports import Table, outside, reach, read_imports
+from site_builder.runtime.imports import Table, module_files, outside, reach, read_imports
 from site_builder.runtime.pinned import NUMPY_WHEEL, PYTHON_LIBRARY, VERSIONS, Versions
 
 TABLE_NAME = "runtime.json"
@@ -45,16 +45,17 @@ def pack_runtime(simulations: Path, store: Path | None = None) -> RuntimeBundle:
     folder = store or stores.default_store()
     fetched = fetch_runtime(folder)
     imports = read_imports(simulations)
+    modules = page_modules(imports)
     at_once = outside(imports, reach(imports, ENTRY))
     frozen = freeze_libraries(
         {name: fetched[name] for name in INTERPRETER},
         fetched[PYTHON_LIBRARY.name],
         fetched[NUMPY_WHEEL.name],
         at_once,
-        outside(imports, imports),
+        outside(imports, modules),
         folder,
     )
-    ours = stores.put(folder, "simulations.zip", source_archive(simulations))
+    ours = stores.put(folder, "simulations.zip", source_archive(simulations, modules))
     archives = {**{f"{part}.zip": file for part, file in frozen.archives.items()}, ours.name: ours}
     table = json.dumps(runtime_table(archives, frozen, imports), indent=1, sort_keys=True)
     return RuntimeBundle(
@@ -67,18 +68,28 @@ def pack_runtime(simulations: Path, store: Path | None = None) -> RuntimeBundle:
     )
 
 
-def source_archive(package: Path) -> bytes:
-    """The modules in the folder ``package``; equal sources give equal bytes.
+def page_modules(imports: Table) -> frozenset[str]:
+    """What the worker, the scenes and the ladders import.
 
-    Without the tables of hard cases: they are asked when the book is built, not when it is read.
-    As sources: their byte code is twice the size, and saves less time than the bytes take.
+    Tables of hard cases are not among it, nor models that only these ask: the book prints what
+    they say.
+    """
+    starts = (ENTRY, *SCENE_MODULES.values(), *LADDER_MODULES.values())
+    return frozenset[str]().union(*(reach(imports, start) for start in starts))
+
+
+def source_archive(package: Path, modules: Collection[str]) -> bytes:
+    """Those ``modules`` that lie in the folder ``package``.
+
+    Equal sources give equal bytes. As sources: their byte code is twice the size, and saves less
+    time than the bytes take.
     """
     buffer = io.BytesIO()
     with zipfile.ZipFile(buffer, "w", zipfile.ZIP_DEFLATED, compresslevel=9) as archive:
-        for file in sorted(package.rglob("*.py")):
-            path = file.relative_to(package)
-            if path.parts[0] != "hard_cases" and not path.name.startswith("."):
-                entry = zipfile.ZipInfo((package.name / path).as_posix(), EPOCH)
+        for name, file in module_files(package).items():
+            if name in modules:
+                path = (package.name / file.relative_to(package)).as_posix()
+                entry = zipfile.ZipInfo(path, EPOCH)
                 entry.compress_type = zipfile.ZIP_DEFLATED
                 archive.writestr(entry, file.read_bytes())
     return buffer.getvalue()

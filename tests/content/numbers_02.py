@@ -45,13 +45,13 @@ def to_pan_tilt_and_roll_a_camera() -> Says:
     yield r"a positive roll $\rho$ leans it over to the right"
     yield r"\cos\psi & 0 & \sin\psi \\ 0 & 1 & 0 \\ -\sin\psi & 0 & \cos\psi"
     c, s = cos(pan), sin(pan)
-    assert np.allclose(rotations.from_axis_angle(y, pan), [[c, 0, s], [0, 1, 0], [-s, 0, c]])
+    assert np.allclose(rotations.from_axis_angle(y, pan), [[c, 0.0, s], [0.0, 1, 0], [-s, 0.0, c]])
     yield r"1 & 0 & 0 \\ 0 & \cos\tau & -\sin\tau \\ 0 & \sin\tau & \cos\tau"
     c, s = cos(tilt), sin(tilt)
-    assert np.allclose(rotations.from_axis_angle(x, tilt), [[1, 0, 0], [0, c, -s], [0, s, c]])
+    assert np.allclose(rotations.from_axis_angle(x, tilt), [[1.0, 0, 0], [0, c, -s], [0, s, c]])
     yield r"\cos\rho & -\sin\rho & 0 \\ \sin\rho & \cos\rho & 0 \\ 0 & 0 & 1"
     c, s = cos(roll), sin(roll)
-    assert np.allclose(rotations.from_axis_angle(z, roll), [[c, -s, 0], [s, c, 0], [0, 0, 1]])
+    assert np.allclose(rotations.from_axis_angle(z, roll), [[c, -s, 0], [s, c, 0], [0.0, 0, 1]])
     camera = euler.to_matrix("YXZ", [pan, tilt, 0])
     yield r"= \begin{bmatrix} " + r" \\ ".join(f"{part:.3f}" for part in camera[:, 2])
     aims = [sin(pan) * cos(tilt), -sin(tilt), cos(pan) * cos(tilt)]
@@ -157,8 +157,9 @@ def the_ladder_in_space() -> Says:
     """As many freedoms as independent directions in which the matrix can start to move."""
 
     def projective(p: np.ndarray) -> np.ndarray:
-        H = np.eye(4) + p.reshape(4, 4)
-        return H / np.linalg.norm(H)  # a factor changes nothing
+        H: np.ndarray = np.eye(4) + p.reshape(4, 4)
+        H /= np.linalg.norm(H)  # a factor changes nothing
+        return H
 
     turned = rotations.exponential
     rungs = {

@@ -1,13 +1,13 @@
 """Chapter 3: perspective projection."""
 
-from math import atan, cos, degrees, inf, isclose, radians, sqrt
+from math import atan, cos, degrees, isclose, radians, sqrt
 
 import numpy as np
 from support.worked_numbers import Says
 
-from simulations.models.lens.thin_lens import field_of_view_rad, principal_distance_mm
+from simulations.models.lens.thin_lens import principal_distance_mm
 from simulations.models.projection.affine_cameras import project_affine, scaled_orthographic_camera
-from simulations.models.projection.pinhole import intrinsics, look_at, project
+from simulations.models.projection.pinhole import field_of_view_rad, intrinsics, look_at, project
 from simulations.models.projection.vanishing import vanishing_point
 
 CHAPTER = "03-perspective-projection"
@@ -48,7 +48,7 @@ def focusing_makes_the_picture_larger() -> Says:
     yield rf"$f_x = {sensor:.3f} \cdot 6000/36 = {round(sensor, 3) * 6000 / 36:.0f}$ px"
     share = f"{100 * (sensor / 50 - 1):.1f} %"
     yield f"That is {share} more than before, and everything in the picture is {share} larger."
-    far, near = (degrees(field_of_view_rad(50, 36, focus)) for focus in (inf, 3200))
+    far, near = (degrees(field_of_view_rad(distance, 36)) for distance in (50, sensor))
     yield rf"has shrunk from ${far:.1f}^\circ$ to ${near:.1f}^\circ$"
     face = principal_distance_mm(135, 1000) / 135 - 1
     yield f"With a 135 mm lens and a face at 1 m it is {100 * face:.0f} %."

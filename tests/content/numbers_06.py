@@ -14,6 +14,7 @@ from scipy.stats import norm
 from support.worked_numbers import Says
 
 from simulations.engine.stages import StageCache
+from simulations.models.arrays import Floats
 from simulations.models.color.chromatic_adaptation import adapt
 from simulations.models.color.chromaticity import ILLUMINANT_A_XY, lab_distance, white_xyz
 from simulations.models.color.srgb import (
@@ -26,8 +27,15 @@ from simulations.models.color.srgb import (
 )
 from simulations.models.compression.blocks import round_outwards
 from simulations.models.compression.chroma_upsampling import METHODS as UPSAMPLING
-from simulations.models.sensor.demosaicing import METHODS, demosaic, mosaic, psnr_db
-from simulations.models.sensor.photon_counting import Sensor, shot_noise, signal_to_noise, with_iso
+from simulations.models.picture_error import psnr_db
+from simulations.models.sensor.demosaicing import METHODS, demosaic, mosaic
+from simulations.models.sensor.photon_counting import (
+    Sensor,
+    ShotModel,
+    shot_noise,
+    signal_to_noise,
+    with_iso,
+)
 from simulations.pictures.balloon import WHOLE
 from simulations.pictures.mosaic_subjects import SUBJECTS
 from simulations.scenes.jpeg.scene import SCENE as JPEG
@@ -87,10 +95,11 @@ def a_gaussian_of_hardly_an_electron() -> Says:
     yield "has a third of its area below zero"
     one_e_dn = 1 / sensor_of(14, "6400", 0).gain_e_per_dn
     z = norm.ppf((np.arange(400_000) + 0.5) / 400_000)
-    for model, lean, words in (
+    models: tuple[tuple[ShotModel, Floats, str], ...] = (
         ("gaussian", 0 * z, "Too high: {:.1f} DN on average"),
         ("skewed", (z * z - 1) / 6, "and the mean comes down to {:.1f} DN"),
-    ):
+    )
+    for model, lean, words in models:
         expected = np.maximum(np.rint(mean + sqrt(mean) * z + lean), 0).mean()
         drawn = shot_noise(np.full(z.shape, mean), np.random.default_rng(0), WELL, model)
         assert np.isclose(drawn.mean(), expected, atol=0.004)
@@ -139,7 +148,7 @@ def where_sunlight_is_strongest() -> Says:
 
     def peak_nm(power: int) -> float:
         at = brentq(lambda x: x - power * (1 - np.exp(-x)), 1, 10)
-        return second_constant_nm_k / (at * 5772)
+        return float(second_constant_nm_k / (at * 5772))
 
     yield f"Energy per nanometre of wavelength peaks near {round(peak_nm(5), -2):.0f} nm"
     yield f"photons per nanometre near {round(peak_nm(4), -1):.0f} nm, in the red"
@@ -167,6 +176,7 @@ def threads_of_red_and_cyan() -> Says:
         method: psnr_db(
             encode_srgb(np.clip(demosaic(mosaic(blurred), method=method), 0, 1)),
             encode_srgb(blurred),
+            crop=8,
         )
         for method in ("bilinear", "malvar")
     }
@@ -182,7 +192,7 @@ def scores(picture: str) -> dict[str, tuple[float, float]]:
     truth = SUBJECTS[picture].draw(WHOLE)
     guessed = {m: np.clip(demosaic(mosaic(truth), method=m), 0, 1) for m in METHODS}
     return {
-        m: (psnr_db(encode_srgb(guess), encode_srgb(truth)), psnr_db(guess, truth))
+        m: (psnr_db(encode_srgb(guess), encode_srgb(truth), crop=8), psnr_db(guess, truth, crop=8))
         for m, guess in guessed.items()
     }
 
@@ -321,7 +331,7 @@ def patches_by_lamplight_and_by_daylight() -> Says:
             for light in ("A", "D65")
         )
     assert len(lamp) == 24
-    rows = {"nothing": lamp}
+    rows: dict[str, Floats] = {"nothing": lamp}
     for words, method in (
         ("red, green and blue of linear sRGB", "rgb"),
         ("the cones, after von Kries", "von-kries"),

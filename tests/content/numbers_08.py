@@ -13,12 +13,12 @@ from simulations.models.distortion.lens_model import Distortion, distort, larges
 from simulations.models.lens.aperture_grid import aperture_grid
 from simulations.models.lens.thin_lens import (
     circle_of_confusion_mm,
-    field_of_view_rad,
     hyperfocal,
     principal_distance_mm,
     working_f_number,
 )
 from simulations.models.lens.vignetting import vignetting_cos4
+from simulations.models.projection.pinhole import field_of_view_rad
 from simulations.pictures.still_life.things import THINGS, WALL_DISTANCE, thing_depth
 from simulations.scenes.camera import scene as camera
 from simulations.scenes.camera.lens import COLUMNS, ROWS, bend_rays, margin_px, sensor_rays
@@ -133,13 +133,13 @@ def the_still_life() -> Says:
 
 def half_the_field_of_view() -> Says:
     sensor, longer = (principal_distance_mm(focal, 3200) for focal in (50, 100))
-    angle = field_of_view_rad(50, 36, 3200)
+    angle = field_of_view_rad(sensor, 36)
     half = 18 / tan(angle / 4)
     yield f"half the angle takes {half / sensor:.2f} times the distance"
     yield f"Twice the focal length gives only {longer / sensor:.2f} times"
     focal = 1 / (1 / half + 1 / 3200)
     yield f"Half is reached at {focal:.0f} mm."
-    assert isclose(2 * field_of_view_rad(focal, 36, 3200), angle)
+    assert isclose(2 * field_of_view_rad(principal_distance_mm(focal, 3200), 36), angle)
     assert isclose(camera.view_of(camera.Settings()), angle)
 
 

@@ -15,7 +15,7 @@ from simulations.models.distortion.lens_model import largest_distorted_radius, u
 from simulations.models.distortion.undistortion import undistort_newton
 from simulations.models.geometry import rotations
 from simulations.models.light.raycasting import Sphere
-from simulations.models.sensor.demosaicing import psnr_db
+from simulations.models.picture_error import psnr_db
 from simulations.pictures.still_life.things import THINGS, thing_depth
 from simulations.scenes.camera import scene as camera
 from simulations.scenes.camera.lens import PITCH_MM

@@ -2,6 +2,7 @@
 
 from collections.abc import Callable
 from contextlib import suppress
+from typing import Any
 
 import pytest
 from playwright.sync_api import Locator
@@ -10,10 +11,10 @@ from support.reader import Reader
 
 pytestmark = pytest.mark.browser
 
-type Gesture = Callable[[Reader, Locator, dict, int], None]
+type Gesture = Callable[[Reader, Locator, Any, int], None]
 
 
-def test_every_figure_comes_alive_in_place(reader: Reader, book: dict) -> None:
+def test_every_figure_comes_alive_in_place(reader: Reader, book: Any) -> None:
     for address in ["", *(chapter["url"] for chapter in book["chapters"])]:
         reader.open(address, live=False)
         still = reader.page.evaluate(STILLS)
@@ -26,7 +27,7 @@ def test_every_figure_comes_alive_in_place(reader: Reader, book: dict) -> None:
 
 
 def test_every_chapter_shows_the_figures_and_questions_that_the_catalogue_names(
-    plain_reader: Reader, book: dict
+    plain_reader: Reader, book: Any
 ) -> None:
     for chapter in book["chapters"]:
         plain_reader.open(chapter["url"], live=False)
@@ -56,7 +57,7 @@ STILLS = """async () => {
 }"""
 
 
-def test_every_control_changes_the_figure_by_keyboard(reader: Reader, book: dict) -> None:
+def test_every_control_changes_the_figure_by_keyboard(reader: Reader, book: Any) -> None:
     for scene, url in _places(book):
         reader.turn_to(url)
         figure = reader.figure(scene["id"])
@@ -64,7 +65,7 @@ def test_every_control_changes_the_figure_by_keyboard(reader: Reader, book: dict
             _assert_changes(reader, figure, control, _press)
 
 
-def test_every_control_changes_the_figure_by_mouse(reader: Reader, book: dict) -> None:
+def test_every_control_changes_the_figure_by_mouse(reader: Reader, book: Any) -> None:
     for scene, url in _places(book):
         reader.turn_to(url)
         figure = reader.figure(scene["id"])
@@ -72,7 +73,7 @@ def test_every_control_changes_the_figure_by_mouse(reader: Reader, book: dict) -
             _assert_changes(reader, figure, control, _click)
 
 
-def test_every_tier_draws_a_frame(reader: Reader, book: dict) -> None:
+def test_every_tier_draws_a_frame(reader: Reader, book: Any) -> None:
     for scene, url in _places(book):
         if not scene["tiers"]:
             continue
@@ -86,7 +87,7 @@ def test_every_tier_draws_a_frame(reader: Reader, book: dict) -> None:
             reader.wait_frame(figure, before)
 
 
-def _places(book: dict) -> list[tuple[dict, str]]:
+def _places(book: Any) -> list[tuple[Any, str]]:
     """Each scene that some chapter shows, with the first such chapter."""
     return [
         (scene, next(c["url"] for c in book["chapters"] if scene["id"] in c["simulations"]))
@@ -95,7 +96,7 @@ def _places(book: dict) -> list[tuple[dict, str]]:
     ]
 
 
-def _assert_changes(reader: Reader, figure: Locator, control: dict, act: Gesture) -> None:
+def _assert_changes(reader: Reader, figure: Locator, control: Any, act: Gesture) -> None:
     """Some gesture on the control changes what is shown; later frames are let through first."""
     reader.settle(figure)
     before = reader.shown(figure)
@@ -111,7 +112,7 @@ def _assert_changes(reader: Reader, figure: Locator, control: dict, act: Gesture
     pytest.fail(f"{control['name']} ({control['kind']}) changes nothing in the figure")
 
 
-def _press(reader: Reader, element: Locator, control: dict, _attempt: int) -> None:
+def _press(reader: Reader, element: Locator, control: Any, _attempt: int) -> None:
     element.focus()
     match control["kind"]:
         case "slider":
@@ -124,11 +125,12 @@ def _press(reader: Reader, element: Locator, control: dict, _attempt: int) -> No
             reader.page.keyboard.press("Space")
 
 
-def _click(reader: Reader, element: Locator, control: dict, attempt: int) -> None:
+def _click(reader: Reader, element: Locator, control: Any, attempt: int) -> None:
     element.evaluate("element => element.scrollIntoView({block: 'center', behavior: 'instant'})")
     match control["kind"]:
         case "slider":
             box = element.bounding_box()
+            assert box
             share = (0.2, 0.8, 0.4, 0.6)[attempt]
             x, y = box["x"] + share * box["width"], box["y"] + box["height"] / 2
             reader.page.mouse.click(x, y)
@@ -149,7 +151,7 @@ def _click(reader: Reader, element: Locator, control: dict, attempt: int) -> Non
     ],
 )
 def test_a_reader_who_asked_for_less_motion_sees_one_picture_after_another(
-    reader: Reader, book: dict, scene: str, slider: str, places: list[str]
+    reader: Reader, book: Any, scene: str, slider: str, places: list[str]
 ) -> None:
     reader.page.emulate_media(reduced_motion="reduce")
     reader.open(next(c["url"] for c in book["chapters"] if scene in c["simulations"]))

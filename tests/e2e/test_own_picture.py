@@ -6,7 +6,7 @@ from typing import Any
 
 import pytest
 from PIL import Image
-from playwright.sync_api import expect
+from playwright.sync_api import FilePayload, expect
 from support.reader import Reader
 
 pytestmark = pytest.mark.browser
@@ -64,7 +64,7 @@ def test_what_is_no_picture_is_refused_with_a_reason(
     reader: Reader, book: Any, name: str, content: bytes, words: str
 ) -> None:
     figure = reader.open_figure(book, SCENE)
-    file = {"name": name, "mimeType": "image/png", "buffer": content}
+    file = FilePayload(name=name, mimeType="image/png", buffer=content)
     figure.locator("input[type=file]").set_input_files([file])
     expect(figure.locator(".figure-message")).to_contain_text(words)
     expect(figure).to_have_attribute("data-state", "live")

@@ -1,5 +1,7 @@
 """Every question takes right and wrong answers, explains both, and remembers."""
 
+from typing import Any
+
 import pytest
 from playwright.sync_api import Locator
 from support.reader import Reader
@@ -7,7 +9,7 @@ from support.reader import Reader
 pytestmark = pytest.mark.browser
 
 
-def test_every_quiz_judges_right_and_wrong_and_explains(plain_reader: Reader, book: dict) -> None:
+def test_every_quiz_judges_right_and_wrong_and_explains(plain_reader: Reader, book: Any) -> None:
     for quiz, url in _quizzes(book):
         form = _open(plain_reader, quiz, url)
         for index, option in enumerate(quiz["options"]):
@@ -19,7 +21,7 @@ def test_every_quiz_judges_right_and_wrong_and_explains(plain_reader: Reader, bo
         assert form.get_attribute("data-answered") == "correct", quiz["id"]
 
 
-def test_every_answer_is_remembered_on_the_next_visit(plain_reader: Reader, book: dict) -> None:
+def test_every_answer_is_remembered_on_the_next_visit(plain_reader: Reader, book: Any) -> None:
     for quiz, url in _quizzes(book):
         _answer(_open(plain_reader, quiz, url), _right(quiz))
     plain_reader.open(live=False)
@@ -29,7 +31,7 @@ def test_every_answer_is_remembered_on_the_next_visit(plain_reader: Reader, book
         assert _checked(form) == _right(quiz)
 
 
-def test_a_quiz_is_answered_by_keyboard_alone(plain_reader: Reader, book: dict) -> None:
+def test_a_quiz_is_answered_by_keyboard_alone(plain_reader: Reader, book: Any) -> None:
     quiz, url = _quizzes(book)[0]
     form = _open(plain_reader, quiz, url)
     form.locator("input").first.focus()
@@ -38,23 +40,23 @@ def test_a_quiz_is_answered_by_keyboard_alone(plain_reader: Reader, book: dict) 
     assert form.get_attribute("data-answered") in ("correct", "wrong")
 
 
-def test_checking_without_an_answer_asks_for_one(plain_reader: Reader, book: dict) -> None:
+def test_checking_without_an_answer_asks_for_one(plain_reader: Reader, book: Any) -> None:
     form = _open(plain_reader, *_quizzes(book)[0])
     form.locator("button[type=submit]").click()
     assert "Choose" in form.locator(".feedback").inner_text()
     assert form.get_attribute("data-answered") is None
 
 
-def _quizzes(book: dict) -> list[tuple[dict, str]]:
+def _quizzes(book: Any) -> list[tuple[Any, str]]:
     urls = {chapter["id"]: chapter["url"] for chapter in book["chapters"]}
     return [(quiz, urls[quiz["chapter"]]) for quiz in book["quizzes"]]
 
 
-def _right(quiz: dict) -> list[int]:
+def _right(quiz: Any) -> list[int]:
     return [index for index, option in enumerate(quiz["options"]) if option["correct"]]
 
 
-def _open(reader: Reader, quiz: dict, url: str) -> Locator:
+def _open(reader: Reader, quiz: Any, url: str) -> Locator:
     if not reader.page.url.endswith(url):
         reader.open(url, live=False)
     return reader.page.locator(f'form.quiz[data-quiz="{quiz["id"]}"]')

@@ -1,5 +1,7 @@
 """What the reader meets when something breaks: a message, a way on, and nothing lost."""
 
+from typing import Any
+
 import pytest
 from playwright.sync_api import Browser
 from support.reader import Reader
@@ -14,14 +16,14 @@ SHORT_LIMIT = """async (ms) => {
 
 
 @pytest.fixture
-def chapter(book: dict) -> str:
+def chapter(book: Any) -> str:
     """A chapter with a figure that has a slider."""
     sliders = {
         scene["id"]
         for scene in book["simulations"]
         if any(control["kind"] == "slider" for control in scene["controls"])
     }
-    return next(c["url"] for c in book["chapters"] if sliders & set(c["simulations"]))
+    return str(next(c["url"] for c in book["chapters"] if sliders & set(c["simulations"])))
 
 
 @pytest.mark.parametrize(
@@ -86,7 +88,7 @@ def test_a_browser_without_webassembly_is_told_so_and_keeps_the_stills(
 
 
 def test_without_script_the_page_is_whole(
-    chromium: Browser, server: StaticServer, book: dict
+    chromium: Browser, server: StaticServer, book: Any
 ) -> None:
     context = chromium.new_context(java_script_enabled=False)
     page = context.new_page()
@@ -100,7 +102,7 @@ def test_without_script_the_page_is_whole(
     context.close()
 
 
-def test_blocked_storage_breaks_nothing(plain_reader: Reader, book: dict) -> None:
+def test_blocked_storage_breaks_nothing(plain_reader: Reader, book: Any) -> None:
     plain_reader.page.add_init_script(
         "Object.defineProperty(window, 'localStorage', {get() { throw new Error('blocked'); }})"
     )

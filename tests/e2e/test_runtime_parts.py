@@ -86,7 +86,7 @@ def test_a_part_that_nobody_foresaw_is_fetched_when_python_asks_for_it(
     reader: Reader, server: StaticServer, book: Any, table: Any, fetched: list[str]
 ) -> None:
     address, parts = a_chapter(book, table, bool)
-    foreseen = {scene: [] for scene in table["scenes"]}
+    foreseen: dict[str, list[str]] = {scene: [] for scene in table["scenes"]}
     server.damaged["/runtime.json"] = json.dumps({**table, "scenes": foreseen}).encode()
     reader.open(address)
     assert sorted(fetched) == sorted(AT_ONCE | parts)

@@ -1,5 +1,7 @@
 """On any width nothing but code has to be pushed sideways to be read."""
 
+from typing import Any
+
 import pytest
 from support.reader import Reader
 
@@ -12,7 +14,7 @@ PUSHED_SIDEWAYS = """() => [...document.querySelectorAll("main *:not(pre)")]
 
 
 @pytest.mark.parametrize("width", [1440, 1000, 390, 360])
-def test_tables_and_formulae_fit_the_page(plain_reader: Reader, book: dict, width: int) -> None:
+def test_tables_and_formulae_fit_the_page(plain_reader: Reader, book: Any, width: int) -> None:
     plain_reader.page.set_viewport_size({"width": width, "height": 800})
     for chapter in book["chapters"]:
         plain_reader.open(chapter["url"], live=False)

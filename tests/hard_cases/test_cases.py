@@ -6,20 +6,17 @@ import pytest
 from simulations.engine.hard_cases import HardCase, HardCases, answer, naive_answer, show
 from simulations.hard_cases.tables import TABLES
 
-CASES = [
-    pytest.param(table, case, id=f"{table.id}-{case.id}")
-    for table in TABLES
-    for case in table.cases
-]
+CASES = {f"{table.id}-{case.id}": (table, case) for table in TABLES for case in table.cases}
+NAIVE = {name: (table, case) for name, (table, case) in CASES.items() if case.naive}
 
 
-@pytest.mark.parametrize(("table", "case"), CASES)
+@pytest.mark.parametrize(("table", "case"), CASES.values(), ids=CASES)
 def test_model_answers_as_decided(table: HardCases, case: HardCase) -> None:
     got = answer(table, case)
     assert case.expected(got), f"{case.call} gave {show(got)}"
 
 
-@pytest.mark.parametrize(("table", "case"), [item for item in CASES if item.values[1].naive])
+@pytest.mark.parametrize(("table", "case"), NAIVE.values(), ids=NAIVE)
 def test_textbook_formula_can_be_shown_beside_it(table: HardCases, case: HardCase) -> None:
     """What it says is not what the model says: else the case would teach nothing."""
     assert show(naive_answer(table, case)) != show(answer(table, case))

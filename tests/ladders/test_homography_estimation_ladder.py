@@ -158,8 +158,8 @@ def test_without_its_checks_the_normalised_transform_is_the_model_s(tier: str) -
         for source, target, H in zip(matches.source, matches.target, ours, strict=True):
             theirs, valid = estimate_homography(source, target)
             assert valid
-            points = (mapped(each.ravel(), matches.check) for each in (H, theirs))
-            np.testing.assert_allclose(*points, atol=1e-6)
+            points = [mapped(each.ravel(), matches.check) for each in (H, theirs)]
+            np.testing.assert_allclose(points[0], points[1], atol=1e-6)
 
 
 @pytest.mark.parametrize("tier", [tier.id for tier in LADDER.tiers])

@@ -24,7 +24,8 @@ def straight_line_error_deg(angle_deg: np.ndarray, share: np.ndarray) -> np.ndar
     """(pairs, shares): a point on the chord of the arc Ω is seen at atan2 from its centre."""
     arc = np.radians(angle_deg)[:, None] / 2.0
     seen = np.arctan2(share * np.sin(arc), 1.0 - share + share * np.cos(arc))
-    return np.degrees(2.0 * np.abs(seen - share * arc))
+    error_deg: np.ndarray = np.degrees(2.0 * np.abs(seen - share * arc))
+    return error_deg
 
 
 @pytest.mark.parametrize("pair", [1, 10, 90, 179])

@@ -27,7 +27,8 @@ SAMPLING = 1.63 / np.sqrt(SAMPLES)
 
 def rounded_normal_cumulative(mean: float) -> np.ndarray:
     k = np.arange(TRUTH.shape[1])
-    return stats.norm.cdf(k + 0.5, loc=mean, scale=np.sqrt(mean))
+    below: np.ndarray = stats.norm.cdf(k + 0.5, loc=mean, scale=np.sqrt(mean))
+    return below
 
 
 @pytest.mark.parametrize(("row", "mean"), list(enumerate(LEVELS_E)))

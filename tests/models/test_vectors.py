@@ -1,9 +1,13 @@
 """What all models of geometry do alike with vectors of a wrong length, with none, and with ∞."""
 
+from collections.abc import Callable
+from typing import Any
+
 import numpy as np
 import pytest
+from numpy.typing import ArrayLike, NDArray
 
-from simulations.models.arrays import as_array, as_colours, as_floats, as_vectors
+from simulations.models.arrays import Floats, as_array, as_colours, as_floats, as_vectors
 from simulations.models.distortion import fisheye, lens_model
 from simulations.models.geometry import euler, lines_and_planes, quaternions, rotations, transforms
 from simulations.models.geometry.cross_products import cross_polynomial
@@ -54,7 +58,9 @@ EACH = pytest.mark.parametrize(("length", "function"), [entry[1:] for entry in F
 
 
 @pytest.mark.parametrize(("name", "length", "function"), FUNCTIONS)
-def test_vectors_of_another_length_are_refused_by_name(name, length, function):
+def test_vectors_of_another_length_are_refused_by_name(
+    name: str, length: int, function: Callable[[ArrayLike], Any]
+) -> None:
     for wrong in (0.5, np.ones(length - 1), np.ones((7, length + 1))):
         shape = str(np.shape(wrong)).replace("(", r"\(").replace(")", r"\)")
         with pytest.raises(
@@ -64,7 +70,9 @@ def test_vectors_of_another_length_are_refused_by_name(name, length, function):
 
 
 @EACH
-def test_of_no_vectors_there_are_no_answers(length, function):
+def test_of_no_vectors_there_are_no_answers(
+    length: int, function: Callable[[ArrayLike], Any]
+) -> None:
     one, none = function(np.ones((2, 1, length))), function(np.ones((2, 0, length)))
     pairs = zip(one, none, strict=True) if isinstance(one, tuple) else [(one, none)]
     for some, nothing in pairs:
@@ -72,7 +80,7 @@ def test_of_no_vectors_there_are_no_answers(length, function):
         assert nothing.dtype == some.dtype
 
 
-def test_of_no_rotations_there_are_no_angles():
+def test_of_no_rotations_there_are_no_angles() -> None:
     none = np.empty((0, 3, 3))
     assert rotations.logarithm(none).shape == (0, 3)
     angles, locked = euler.from_matrix(none, "ZYX")
@@ -80,30 +88,33 @@ def test_of_no_rotations_there_are_no_angles():
 
 
 @pytest.mark.parametrize("polygon", [[], np.empty((0, 2)), np.empty((0, 5))])
-def test_of_no_polygon_nothing_is_left(polygon):
+def test_of_no_polygon_nothing_is_left(polygon: ArrayLike) -> None:
     assert transforms.clip_half_plane(polygon, (1.0, 0.0, 0.0)).shape == (0, 2)
     assert transforms.clip_to_visible(np.eye(3), polygon).shape == (0, 2)
 
 
 @pytest.mark.parametrize("polygon", [np.ones((4, 3)), np.ones(4)])
-def test_a_polygon_has_corners_in_the_plane(polygon):
+def test_a_polygon_has_corners_in_the_plane(polygon: Floats) -> None:
     with pytest.raises(ValueError, match=r"^polygon of shape"):
         transforms.clip_half_plane(polygon, (1.0, 0.0, 0.0))
 
 
-def test_vectors_become_double_precision_and_keep_their_shape():
+def test_vectors_become_double_precision_and_keep_their_shape() -> None:
     vectors = as_vectors("x", np.ones((2, 3), np.float32), 3)
-    assert (vectors.dtype, vectors.shape) == (np.float64, (2, 3))
+    assert vectors.dtype == np.float64
+    assert vectors.shape == (2, 3)
 
 
-def test_pictures_stay_single_and_half_precision_becomes_single():
-    kinds = {np.float16: np.float32, np.float32: np.float32, np.float64: np.float64}
-    for given, kept in {**kinds, np.uint8: np.float64, bool: np.float64}.items():
+def test_pictures_stay_single_and_half_precision_becomes_single() -> None:
+    kinds = {"f2": "f4", "f4": "f4", "f8": "f8", "u1": "f8", "?": "f8"}
+    for given, kept in kinds.items():
         assert as_floats(np.ones(2, given)).dtype == kept
 
 
 @pytest.mark.parametrize("given", [[1j], np.array([1.0 + 0j])])
-def test_complex_numbers_are_refused_and_not_cut(given):
+def test_complex_numbers_are_refused_and_not_cut(
+    given: NDArray[np.complex128] | list[complex],
+) -> None:
     with pytest.raises(ValueError, match="complex128; legal: real"):
         as_floats(given)
     with pytest.raises(ValueError, match="x of type complex128; legal: real"):
@@ -113,7 +124,7 @@ def test_complex_numbers_are_refused_and_not_cut(given):
 
 
 @pytest.mark.parametrize("shape", [(), (3,), (3, 2), (4, 4), (9,)])
-def test_what_is_no_stack_of_matrices_is_refused_by_name(shape):
+def test_what_is_no_stack_of_matrices_is_refused_by_name(shape: tuple[int, ...]) -> None:
     for function in (quaternions.from_matrix, rotations.logarithm):
         with pytest.raises(ValueError, match=r"^R of shape .+; legal: \(\.\.\., 3, 3\)"):
             function(np.ones(shape))
@@ -124,7 +135,9 @@ HUGE = [1e200, -1e308, np.inf, -np.inf, np.nan]
 
 @pytest.mark.parametrize("huge", HUGE)
 @EACH
-def test_one_wild_vector_neither_warns_nor_spoils_its_neighbours(length, function, huge):
+def test_one_wild_vector_neither_warns_nor_spoils_its_neighbours(
+    length: int, function: Callable[[ArrayLike], Any], huge: float
+) -> None:
     calm = np.full((3, length), 0.25)
     wild = calm.copy()
     wild[1] = huge
@@ -140,7 +153,7 @@ def test_one_wild_vector_neither_warns_nor_spoils_its_neighbours(length, functio
         np.testing.assert_array_equal(ours[[0, 2]], theirs[[0, 2]])
 
 
-def test_a_point_at_infinity_goes_through_a_lens_to_infinity():
+def test_a_point_at_infinity_goes_through_a_lens_to_infinity() -> None:
     pincushion, barrel = lens_model.Distortion(k1=0.1), lens_model.Distortion(k1=-0.1)
     np.testing.assert_array_equal(lens_model.distort([np.inf, 0.3], pincushion)[0], np.inf)
     np.testing.assert_array_equal(
@@ -152,18 +165,20 @@ def test_a_point_at_infinity_goes_through_a_lens_to_infinity():
 @pytest.mark.parametrize(
     "focal", [np.float32(800.0), np.int64(800), np.array(800.0), [800.0, 800.0]]
 )
-def test_a_focal_length_may_be_any_kind_of_number(focal):
+def test_a_focal_length_may_be_any_kind_of_number(focal: Any) -> None:
     np.testing.assert_array_equal(pinhole.intrinsics(focal, (320.0, 240.0)), K)
 
 
 @pytest.mark.parametrize("shape", [(3,), (1, 3), (4, 2, 3), (0, 3)])
-def test_colours_have_three_components_in_any_layout(shape):
+def test_colours_have_three_components_in_any_layout(shape: tuple[int, ...]) -> None:
     colours = np.ones(shape, np.float32)
     assert as_colours(colours).shape == shape
     assert as_colours(colours).dtype == np.float32
 
 
 @pytest.mark.parametrize("shape", [(), (4,), (2,), (3, 4), (3, 1), (0,)])
-def test_grey_levels_and_colours_with_alpha_are_not_taken_for_colours(shape):
+def test_grey_levels_and_colours_with_alpha_are_not_taken_for_colours(
+    shape: tuple[int, ...],
+) -> None:
     with pytest.raises(ValueError, match=r"colours of shape .*; legal: \(\.\.\., 3\)"):
         as_colours(np.ones(shape))

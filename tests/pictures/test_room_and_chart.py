@@ -1,32 +1,16 @@
-"""The chequered room and the resolution chart: exact coverage, and geometry one can check."""
+"""The chequered room and the resolution chart: geometry one can check."""
+
+from collections.abc import Callable
 
 import numpy as np
 import pytest
 
+from simulations.models.arrays import Floats
 from simulations.pictures.checker_room import HIGH, LOW, TRIM_M, checker_room
-from simulations.pictures.coverage import band, checker, stripes
 from simulations.pictures.resolution_chart import INK, PAPER, resolution_chart
 
 
-def test_a_band_covers_the_share_of_the_footprint_it_overlaps():
-    u = np.array([-1.0, -0.5, 0.0, 0.5, 2.0])
-    np.testing.assert_allclose(band(u, -0.5, 0.5, 0.4), [0.0, 0.5, 1.0, 0.5, 0.0])
-
-
-@pytest.mark.parametrize("footprint", [0.03, 0.3, 1.7])
-def test_stripes_agree_with_many_point_samples(footprint):
-    u = np.linspace(-2, 2, 37)
-    fine = u[:, None] + footprint * ((np.arange(4000) + 0.5) / 4000 - 0.5)
-    sampled = (np.abs(fine - np.round(fine / 0.7) * 0.7) <= 0.1).mean(axis=1)
-    np.testing.assert_allclose(stripes(u, 0.7, 0.2, footprint), sampled, atol=1e-3)
-
-
-def test_tiles_far_below_a_pixel_blend_to_their_mean():
-    u = np.linspace(0, 3, 50)
-    np.testing.assert_allclose(checker(u, u, 0.001, 0.5, 0.5), 0.5, atol=1e-2)
-
-
-def test_the_back_wall_ends_where_projection_puts_its_corners():
+def test_the_back_wall_ends_where_projection_puts_its_corners() -> None:
     room = checker_room(561, 421, 200.0)
     # 1.2 m below the eye the wall is teal, with little red, between its pale mouldings.
     row = room[210 + round(200.0 * 1.2 / HIGH[2]), :, 0]
@@ -37,7 +21,9 @@ def test_the_back_wall_ends_where_projection_puts_its_corners():
 
 
 @pytest.mark.parametrize("draw", [checker_room, resolution_chart])
-def test_pictures_are_finite_linear_light_for_any_size(draw):
+def test_pictures_are_finite_linear_light_for_any_size(
+    draw: Callable[[int, int, float], Floats],
+) -> None:
     for width, height in ((64, 48), (1, 1), (7, 3)) if draw is checker_room else ((64, 48),):
         picture = draw(width, height, 40.0)
         assert picture.shape == (height, width, 3)
@@ -48,12 +34,12 @@ def test_pictures_are_finite_linear_light_for_any_size(draw):
 
 
 @pytest.mark.parametrize("draw", [checker_room, resolution_chart])
-def test_a_meaningless_focal_length_is_refused(draw):
+def test_a_meaningless_focal_length_is_refused(draw: Callable[[int, int, float], Floats]) -> None:
     with pytest.raises(ValueError, match="focal_px"):
         draw(8, 8, 0.0)
 
 
-def test_the_edge_of_the_chart_is_slanted_by_five_degrees():
+def test_the_edge_of_the_chart_is_slanted_by_five_degrees() -> None:
     chart = resolution_chart(561, 421, 200.0)[..., 0]
     # Dark square |x + y tan 5°| < 0.12: its right edge moves left by tan 5° px for each row.
     rows = np.r_[190:200, 221:231]  # clear of the cross at the centre

@@ -8,6 +8,7 @@ import numpy as np
 from hypothesis import given
 from support.float_range import any_float, arrays, ask, assert_finite_where_valid, finite_float
 
+from simulations.models.arrays import Floats
 from simulations.models.geometry import (
     euler,
     homography_algebra,
@@ -23,12 +24,12 @@ K = pinhole.intrinsics((800.0, 790.0), (320.0, 240.0), 0.5)
 P = pinhole.camera_matrix(K, pinhole.look_at([1.0, 2.0, -3.0], [0, 0, 0], [0, 1, 0]))
 
 
-def is_rotation(R, tolerance=1e-9):
+def is_rotation(R: Floats, tolerance: float = 1e-9) -> bool:
     return np.allclose(R @ np.swapaxes(R, -1, -2), np.eye(3), atol=tolerance)
 
 
 @given(arrays(4, 3))
-def test_projected_points_are_finite_where_valid_and_nan_elsewhere(points):
+def test_projected_points_are_finite_where_valid_and_nan_elsewhere(points: Floats) -> None:
     pixels, valid = pinhole.project(points, K)
     assert_finite_where_valid((pixels, valid))
     assert np.isnan(pixels[~valid]).all()
@@ -36,32 +37,34 @@ def test_projected_points_are_finite_where_valid_and_nan_elsewhere(points):
 
 
 @given(arrays(4, 4))
-def test_homogeneous_points_project_to_finite_pixels_or_none(points):
+def test_homogeneous_points_project_to_finite_pixels_or_none(points: Floats) -> None:
     pixels, valid = pinhole.project_homogeneous(points, P)
     assert_finite_where_valid((pixels, valid))
     assert np.isnan(pixels[~valid]).all()
 
 
 @given(arrays(5))
-def test_intrinsics_are_finite_or_refused(v):
+def test_intrinsics_are_finite_or_refused(v: Floats) -> None:
     matrix = ask(pinhole.intrinsics, (v[0], v[1]), (v[2], v[3]), v[4])
     assert matrix is None or np.isfinite(matrix).all()
 
 
 @given(any_float, any_float)
-def test_field_of_view_is_an_angle(focal_mm, sensor_mm):
-    angle = ask(pinhole.field_of_view, focal_mm, sensor_mm)
+def test_field_of_view_is_an_angle(focal_mm: float, sensor_mm: float) -> None:
+    angle = ask(pinhole.field_of_view_rad, focal_mm, sensor_mm)
     assert angle is None or 0.0 <= angle <= np.pi
 
 
 @given(arrays(3), arrays(3), arrays(3))
-def test_a_camera_looks_somewhere_or_is_refused(eye, target, up):
+def test_a_camera_looks_somewhere_or_is_refused(eye: Floats, target: Floats, up: Floats) -> None:
     pose = ask(pinhole.look_at, eye, target, up)
     assert pose is None or (is_rotation(pose[:3, :3]) and np.isfinite(pose).all())
 
 
 @given(arrays(4, 3), arrays(3), any_float)
-def test_parallel_cameras_give_finite_pixels_or_are_refused(points, reference, scale):
+def test_parallel_cameras_give_finite_pixels_or_are_refused(
+    points: Floats, reference: Floats, scale: float
+) -> None:
     for camera in (
         ask(affine_cameras.paraperspective_camera, K, reference),
         ask(affine_cameras.orthographic_camera, scale, (reference[0], reference[1])),
@@ -73,23 +76,25 @@ def test_parallel_cameras_give_finite_pixels_or_are_refused(points, reference, s
 
 
 @given(arrays(2, 3))
-def test_vanishing_points_are_finite_where_valid(directions):
+def test_vanishing_points_are_finite_where_valid(directions: Floats) -> None:
     assert_finite_where_valid(vanishing.vanishing_point(directions, K))
 
 
 @given(arrays(3))
-def test_horizons_are_finite_where_valid(normal):
+def test_horizons_are_finite_where_valid(normal: Floats) -> None:
     assert_finite_where_valid(vanishing.horizon(normal, K))
 
 
 @given(arrays(2, 2), arrays(2, 3))
-def test_lines_and_planes_are_finite_where_valid(points, corners):
+def test_lines_and_planes_are_finite_where_valid(points: Floats, corners: Floats) -> None:
     assert_finite_where_valid(lines_and_planes.line_through(*points))
-    assert_finite_where_valid(lines_and_planes.plane_through(*corners, [0.0, 1.0, 0.0]))
+    assert_finite_where_valid(
+        lines_and_planes.plane_through(corners[0], corners[1], [0.0, 1.0, 0.0])
+    )
 
 
 @given(arrays(2, 3), arrays(2))
-def test_lines_meet_in_finite_points_or_nowhere(lines, point):
+def test_lines_meet_in_finite_points_or_nowhere(lines: Floats, point: Floats) -> None:
     meet, valid = lines_and_planes.intersection(*lines)
     assert_finite_where_valid((meet, valid))
     assert valid or np.isnan(meet).all()
@@ -97,26 +102,28 @@ def test_lines_meet_in_finite_points_or_nowhere(lines, point):
 
 
 @given(arrays(3, 3), arrays(4, 2))
-def test_homographies_map_to_finite_points_or_none(H, points):
+def test_homographies_map_to_finite_points_or_none(H: Floats, points: Floats) -> None:
     images, valid = transforms.apply_homography(H, points)
     assert_finite_where_valid((images, valid))
     assert np.isnan(images[~valid]).all()
 
 
 @given(arrays(3, 3))
-def test_a_projective_matrix_is_finite_or_refused(h):
+def test_a_projective_matrix_is_finite_or_refused(h: Floats) -> None:
     H = ask(transforms.projective, h)
     assert H is None or np.isfinite(H).all()
 
 
 @given(any_float, any_float, any_float, any_float)
-def test_similarities_are_finite_or_refused(scale, angle_rad, tx, ty):
+def test_similarities_are_finite_or_refused(
+    scale: float, angle_rad: float, tx: float, ty: float
+) -> None:
     H = ask(transforms.similarity, scale, angle_rad, tx, ty)
     assert H is None or np.isfinite(H).all()
 
 
 @given(arrays(3, 3), arrays(5, 2))
-def test_a_clipped_polygon_is_finite_and_mappable(H, polygon):
+def test_a_clipped_polygon_is_finite_and_mappable(H: Floats, polygon: Floats) -> None:
     kept = ask(transforms.clip_to_visible, H, polygon)
     if kept is not None:
         assert kept.shape[1:] == (2,)
@@ -124,12 +131,12 @@ def test_a_clipped_polygon_is_finite_and_mappable(H, polygon):
 
 
 @given(arrays(3, 3))
-def test_conditions_are_at_least_one(H):
+def test_conditions_are_at_least_one(H: Floats) -> None:
     assert homography_algebra.condition_number(H) >= 1.0 - 1e-9
 
 
 @given(arrays(3, 3))
-def test_inverses_and_parts_are_finite_or_refused(H):
+def test_inverses_and_parts_are_finite_or_refused(H: Floats) -> None:
     inverse = ask(homography_algebra.invert, H)
     assert inverse is None or np.isfinite(inverse).all()
     parts = ask(homography_algebra.decompose, H)
@@ -137,7 +144,7 @@ def test_inverses_and_parts_are_finite_or_refused(H):
 
 
 @given(arrays(5, 2), arrays(5, 2))
-def test_estimates_are_finite_where_valid(source, target):
+def test_estimates_are_finite_where_valid(source: Floats, target: Floats) -> None:
     for estimate in (
         homography_estimation.estimate_homography,
         homography_estimation.estimate_affine,
@@ -150,7 +157,7 @@ def test_estimates_are_finite_where_valid(source, target):
 
 
 @given(arrays(2, 4))
-def test_quaternions_are_of_unit_norm_or_refused(q):
+def test_quaternions_are_of_unit_norm_or_refused(q: Floats) -> None:
     unit = ask(quaternions.normalise, q)
     if unit is not None:
         assert np.allclose(np.linalg.norm(unit, axis=-1), 1.0)
@@ -159,14 +166,16 @@ def test_quaternions_are_of_unit_norm_or_refused(q):
 
 
 @given(arrays(4), arrays(4), any_float)
-def test_paths_between_orientations_stay_on_the_sphere(start, end, share):
+def test_paths_between_orientations_stay_on_the_sphere(
+    start: Floats, end: Floats, share: float
+) -> None:
     for path in (rotations.slerp, rotations.nlerp):
         q = ask(path, start, end, share)
         assert q is None or np.isclose(np.linalg.norm(q), 1.0)
 
 
 @given(arrays(3), any_float)
-def test_exponentials_are_rotations_or_refused(vector, angle_rad):
+def test_exponentials_are_rotations_or_refused(vector: Floats, angle_rad: float) -> None:
     R = ask(rotations.exponential, vector)
     assert R is None or is_rotation(R)
     R = ask(rotations.from_axis_angle, vector, angle_rad)
@@ -176,7 +185,7 @@ def test_exponentials_are_rotations_or_refused(vector, angle_rad):
 
 
 @given(arrays(3, 3))
-def test_only_rotations_have_logarithms_and_angles(matrix):
+def test_only_rotations_have_logarithms_and_angles(matrix: Floats) -> None:
     vector = ask(rotations.logarithm, matrix)
     assert vector is None or np.isfinite(vector).all()
     answer = ask(euler.from_matrix, matrix, "ZYX")
@@ -186,11 +195,11 @@ def test_only_rotations_have_logarithms_and_angles(matrix):
 
 
 @given(arrays(3))
-def test_three_angles_make_a_rotation_or_are_refused(angles_rad):
+def test_three_angles_make_a_rotation_or_are_refused(angles_rad: Floats) -> None:
     R = ask(euler.to_matrix, "zxz", tuple(angles_rad))
     assert R is None or is_rotation(R)
 
 
 @given(arrays(3, of=finite_float))
-def test_the_camera_centre_is_its_own_origin_wherever_it_is(centre):
+def test_the_camera_centre_is_its_own_origin_wherever_it_is(centre: Floats) -> None:
     assert np.array_equal(pinhole.relative_to_camera(centre, np.eye(3), centre), np.zeros(3))

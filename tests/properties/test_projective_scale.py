@@ -8,6 +8,7 @@ import pytest
 from hypothesis import assume, given
 from hypothesis import strategies as st
 
+from simulations.models.arrays import Floats, Mask
 from simulations.models.geometry import homography_algebra, lines_and_planes, transforms_3d
 from simulations.models.geometry.preserved_properties import measure_preservation
 from simulations.models.geometry.transforms import apply_homography, clip_to_visible
@@ -25,20 +26,22 @@ P = pinhole.camera_matrix(
 )
 
 
-def agree(found, expected):
+def agree(found: tuple[Floats, Mask], expected: tuple[Floats, Mask]) -> None:
     (values, valid), (other_values, other_valid) = found, expected
     np.testing.assert_array_equal(valid, other_valid)
     np.testing.assert_allclose(values, other_values, rtol=1e-9, atol=1e-12)
 
 
 @given(st.lists(entries, min_size=9, max_size=9), factors)
-def test_a_homography(h, factor):
+def test_a_homography(h: list[float], factor: float) -> None:
     H = np.reshape(h, (3, 3))
     agree(apply_homography(factor * H, POINTS), apply_homography(H, POINTS))
 
 
 @given(st.lists(entries, min_size=9, max_size=9), factors)
-def test_what_a_homography_keeps_in_sight_and_what_it_changes(h, factor):
+def test_what_a_homography_keeps_in_sight_and_what_it_changes(
+    h: list[float], factor: float
+) -> None:
     H = np.reshape(h, (3, 3)) + 3.0 * np.eye(3)
     kept = clip_to_visible(H, SQUARE)
     np.testing.assert_allclose(clip_to_visible(factor * H, SQUARE), kept, rtol=1e-9, atol=1e-12)
@@ -50,13 +53,13 @@ def test_what_a_homography_keeps_in_sight_and_what_it_changes(h, factor):
 
 
 @given(st.lists(entries, min_size=16, max_size=16), st.sampled_from([-1.0, 2.0, -1e12, -1e-9]))
-def test_a_projective_map_of_space(h, factor):
+def test_a_projective_map_of_space(h: list[float], factor: float) -> None:
     H = np.reshape(h, (4, 4))
     agree(transforms_3d.apply_transform(factor * H, SPACE), transforms_3d.apply_transform(H, SPACE))
 
 
 @given(factors)
-def test_a_camera(factor):
+def test_a_camera(factor: float) -> None:
     points = np.column_stack((RNG.uniform(-9, 9, (60, 3)), RNG.choice([0.0, 1.0, -2.0], 60)))
     expected = pinhole.project_homogeneous(points, P)
     assert 0.2 < expected[1].mean() < 0.9
@@ -64,7 +67,7 @@ def test_a_camera(factor):
 
 
 @given(factors, factors)
-def test_lines_and_planes(factor, other):
+def test_lines_and_planes(factor: float, other: float) -> None:
     line, second = np.array([0.6, -2.0, 0.5]), np.array([1.0, 1.0, 3.0])
     agree(
         lines_and_planes.intersection(factor * line, other * second),

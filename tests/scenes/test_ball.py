@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 from simulations.engine.frame import Frame
 from simulations.engine.scene import Scene
 from simulations.engine.stages import StageCache
+from simulations.models.arrays import Floats
 from simulations.models.color.srgb import decode_srgb
 from simulations.models.light.reflectance import blinn_phong, lambert, phong
 from simulations.scenes.reflection import ball as the_ball
@@ -17,8 +18,6 @@ from simulations.scenes.reflection import lambertian
 from simulations.scenes.reflection import phong as glossy
 from simulations.scenes.reflection.ball import LIT, RADIUS_PX, build_ball, judge, light_direction
 from simulations.scenes.reflection.gloss import ALBEDO, true_light
-
-type Floats = NDArray[np.floating]
 
 BALL = build_ball()
 CELLS = {tier: int(tier.rpartition("-")[2]) for tier in LIT if tier.startswith("gouraud")}

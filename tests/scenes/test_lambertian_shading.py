@@ -90,4 +90,5 @@ def test_the_point_on_the_curve_is_led_to_an_angle_from_the_light(
     """58 to 382 units of the plot are 0° to 180°."""
     settings = SCENE.check({"light_angle": light, "probe": probe})
     pulled = SCENE.pull(settings, "probe-curve", (58 + 324 * theta / 180, 100.0))
-    assert texts(frame(light_angle=light, **pulled))["theta"] == str(theta)
+    shown = texts(frame(light_angle=light, probe=float(pulled["probe"])))
+    assert shown["theta"] == str(theta)

@@ -8,6 +8,7 @@ import pytest
 from simulations.engine.frame import Frame, Raster, Readout
 from simulations.engine.stages import Outputs, StageCache
 from simulations.ladders.chromatic_aberration import LADDER
+from simulations.models.arrays import Floats
 from simulations.models.lens.chromatic_aberration import LINE_D_UM
 from simulations.pictures.resolution_chart import resolution_chart
 from simulations.scenes.lens_aberrations.error import (
@@ -21,7 +22,6 @@ from simulations.scenes.lens_aberrations.spectrum import LINES_UM, WIDTH_UM, ban
 from simulations.scenes.lens_aberrations.stages import (
     FOCAL_MM,
     FOCAL_PX,
-    Floats,
     light,
     magnify,
 )

@@ -11,6 +11,7 @@ from scipy import stats
 from simulations.engine.frame import Frame, Raster, Readout
 from simulations.engine.stages import Outputs, StageCache
 from simulations.ladders.shot_noise import LADDER
+from simulations.models.arrays import Floats
 from simulations.models.color.srgb import encode_srgb
 from simulations.models.sensor.photon_counting import SHOT_MODELS, develop
 from simulations.models.sensor.poisson import gap_from_poisson, largest_chance_gap
@@ -18,7 +19,6 @@ from simulations.scenes.sensor_noise.error import EXPOSURES
 from simulations.scenes.sensor_noise.scene import SCENE
 from simulations.scenes.sensor_noise.stages import (
     FULL_WELL_E,
-    Floats,
     Transfer,
     patch_means_e,
     sensor_of,

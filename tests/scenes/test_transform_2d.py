@@ -3,12 +3,14 @@
 import math
 import re
 from itertools import product
+from typing import Any
 
 import numpy as np
 import pytest
 
-from simulations.engine.frame import to_json
+from simulations.engine.frame import Frame, to_json
 from simulations.engine.stages import StageCache
+from simulations.models.arrays import Floats
 from simulations.models.geometry.transforms import apply_homography
 from simulations.scenes.transform_2d.family import transformation
 from simulations.scenes.transform_2d.handles import matrix
@@ -22,15 +24,15 @@ PROPERTIES = ("orientation", "lengths", "angles", "parallels", "lines")
 READOUTS = ["matrix", "freedoms", "area", *PROPERTIES, "x", "y", "w"]
 
 
-def frame(**given):
+def frame(**given: Any) -> Frame:
     return SCENE.render(SCENE.check(given), "", StageCache())
 
 
-def texts(**given):
+def texts(**given: Any) -> dict[str, str]:
     return {item.name: item.text for item in frame(**given).readouts}
 
 
-def test_it_starts_with_a_translation_by_30_and_15():
+def test_it_starts_with_a_translation_by_30_and_15() -> None:
     shown = texts()
     assert [row.split() for row in shown["matrix"].splitlines()] == [
         ["1.00", "0.00", "30.00"],
@@ -43,7 +45,9 @@ def test_it_starts_with_a_translation_by_30_and_15():
 
 
 @pytest.mark.parametrize(("transform", "amount"), [*product(RUNGS, AMOUNTS)])
-def test_every_setting_draws_finite_numbers_in_the_same_layout(transform, amount):
+def test_every_setting_draws_finite_numbers_in_the_same_layout(
+    transform: str, amount: float
+) -> None:
     shown = frame(transform=transform, amount=amount)
     assert [(p.name, p.width, p.height) for p in shown.panels] == [
         ("plane", 400, 330),
@@ -64,32 +68,34 @@ def test_every_setting_draws_finite_numbers_in_the_same_layout(transform, amount
     ],
 )
 @pytest.mark.parametrize("amount", [1, 30, 100])
-def test_each_rung_keeps_one_property_less(transform, kept, freedoms, amount):
+def test_each_rung_keeps_one_property_less(
+    transform: str, kept: int, freedoms: str, amount: float
+) -> None:
     shown = texts(transform=transform, amount=amount)
     assert [shown[name] == "kept" for name in PROPERTIES] == [False] * (5 - kept) + [True] * kept
     assert shown["freedoms"] == freedoms
 
 
 @pytest.mark.parametrize("transform", RUNGS)
-def test_amount_zero_is_the_identity(transform):
+def test_amount_zero_is_the_identity(transform: str) -> None:
     assert transformation(transform, 0.0) == pytest.approx(np.eye(3))
     assert all(texts(transform=transform, amount=0)[name] == "kept" for name in PROPERTIES)
 
 
 @pytest.mark.parametrize("transform", ["translation", "rigid", "similarity", "affine"])
-def test_the_area_ratio_is_the_determinant(transform):
+def test_the_area_ratio_is_the_determinant(transform: str) -> None:
     H = transformation(transform, 70.0)
     assert texts(transform=transform, amount=70)["area"] == f"{np.linalg.det(H[:2, :2]):.3f}"
 
 
-def test_a_similarity_by_half_as_much_again_has_two_and_a_quarter_times_the_area():
+def test_a_similarity_by_half_as_much_again_has_two_and_a_quarter_times_the_area() -> None:
     shown = texts(transform="similarity", amount=100)
     assert shown["area"] == "2.250"
     assert shown["lengths"] == "changed by up to 50.0\u00a0%"
     assert shown["orientation"] == "changed by up to 50.0°"
 
 
-def test_the_square_meets_infinity_between_57_and_58():
+def test_the_square_meets_infinity_between_57_and_58() -> None:
     # w = 1 − 0.01733 a at the corner (40, −40).
     assert texts(transform="projective", amount=57)["area"] != "∞"
     assert texts(transform="projective", amount=58)["area"] == "∞"
@@ -97,7 +103,7 @@ def test_the_square_meets_infinity_between_57_and_58():
 
 
 @pytest.mark.parametrize(("transform", "amount"), [*product(RUNGS, (10, 50, 90))])
-def test_the_drawn_corner_is_the_image_of_the_corner(transform, amount):
+def test_the_drawn_corner_is_the_image_of_the_corner(transform: str, amount: float) -> None:
     image, valid = apply_homography(transformation(transform, amount), (40.0, 40.0))
     x, y = to_view(image)
     assert valid
@@ -105,35 +111,34 @@ def test_the_drawn_corner_is_the_image_of_the_corner(transform, amount):
     assert [tuple(map(float, spot)) for spot in drawn] == [pytest.approx((x, y), abs=0.006)]
 
 
-def plane(transform, amount):
+def plane(transform: str, amount: float) -> str:
     return frame(transform=transform, amount=amount).panels[0].overlay
 
 
 @pytest.mark.parametrize("amount", AMOUNTS)
-def test_nothing_is_drawn_far_outside_the_view(amount):
+def test_nothing_is_drawn_far_outside_the_view(amount: float) -> None:
     overlay = plane("projective", amount)
     points = re.findall(r"(-?[\d.]+),(-?[\d.]+)", overlay)
     assert len(points) > 20
     assert all(-5 <= float(x) <= 405 and -5 <= float(y) <= 335 for x, y in points)
 
 
-def test_the_line_sent_to_infinity_is_drawn_where_it_crosses_the_view():
+def test_the_line_sent_to_infinity_is_drawn_where_it_crosses_the_view() -> None:
     assert "error dashed" not in plane("affine", 100)
     assert "error dashed" not in plane("projective", 0)
     overlay = plane("projective", 80)
-    x1, y1, x2, y2 = map(
-        float,
-        re.search(
-            r'"error dashed" x1="([\d.-]+)" y1="([\d.-]+)" x2="([\d.-]+)" y2="([\d.-]+)"', overlay
-        ).groups(),
+    ends = re.search(
+        r'"error dashed" x1="([\d.-]+)" y1="([\d.-]+)" x2="([\d.-]+)" y2="([\d.-]+)"', overlay
     )
+    assert ends
+    x1, y1, x2, y2 = map(float, ends.groups())
     origin = to_view((0, 0))
     for x, y in ((x1, y1), (x2, y2)):
         X, Y = (x - origin[0]) / 1.46, -(y - origin[1]) / 1.46
         assert pytest.approx(0, abs=1e-3) == 1 - 80 / 10000 * X + 80 / 3000 * Y
 
 
-def test_the_description_says_what_is_kept():
+def test_the_description_says_what_is_kept() -> None:
     assert frame(transform="affine").description.startswith(
         "The square under an affine transformation has an image of "
         f"{math.prod((1.15**2, 1.06, 0.9)):.2f} times its area; kept: parallel lines, "
@@ -142,7 +147,7 @@ def test_the_description_says_what_is_kept():
     assert "infinity" in frame(transform="projective", amount=100).description
 
 
-def corners(transform, amount, **given):
+def corners(transform: str, amount: float, **given: Any) -> Floats:
     """Images (4, 2) of the square's corners, from the lower left round to the upper left."""
     settings = SCENE.check({"transform": transform, "amount": amount, **given})
     return apply_homography(matrix(settings), SQUARE)[0]
@@ -151,8 +156,8 @@ def corners(transform, amount, **given):
 @pytest.mark.parametrize(("transform", "held"), [*zip(RUNGS, (0, 1, 1, 2, 3), strict=True)])
 @pytest.mark.parametrize("amount", [0, 30, 50])
 def test_a_pulled_corner_leaves_as_many_others_in_place_as_freedoms_are_left(
-    transform, held, amount
-):
+    transform: str, held: int, amount: float
+) -> None:
     before = corners(transform, amount)
     after = corners(transform, amount, pull_x=-13, pull_y=9)
     stays = np.isclose(before, after, atol=1e-9).all(axis=1)
@@ -163,14 +168,16 @@ def test_a_pulled_corner_leaves_as_many_others_in_place_as_freedoms_are_left(
 
 @pytest.mark.parametrize("transform", RUNGS)
 @pytest.mark.parametrize("pull", [(-150, 150), (150, -150), (80, -80), (0, -80), (-40, -110)])
-def test_a_pull_as_far_as_it_goes_stays_in_the_family(transform, pull):
+def test_a_pull_as_far_as_it_goes_stays_in_the_family(
+    transform: str, pull: tuple[float, float]
+) -> None:
     """Also where the corner would come to lie on another one, or on the side between two."""
     shown = texts(transform=transform, amount=30, pull_x=pull[0], pull_y=pull[1])
     kept = 5 - list(RUNGS).index(transform)
     assert [shown[name] == "kept" for name in PROPERTIES[5 - kept :]] == [True] * kept
 
 
-def test_a_pulled_homography_keeps_its_image_convex():
+def test_a_pulled_homography_keeps_its_image_convex() -> None:
     for pull in product((-150, -60, 0, 60, 150), repeat=2):
         turned = corners("projective", 30, pull_x=pull[0], pull_y=pull[1])
         sides = np.roll(turned, -1, axis=0) - turned
@@ -178,7 +185,7 @@ def test_a_pulled_homography_keeps_its_image_convex():
         assert np.all(sides[:, 0] * following[:, 1] > sides[:, 1] * following[:, 0]), pull
 
 
-def test_a_point_that_walks_across_the_line_comes_back_from_the_opposite_side():
+def test_a_point_that_walks_across_the_line_comes_back_from_the_opposite_side() -> None:
     before, after = (
         texts(transform="projective", amount=80, point_x=40, point_y=y) for y in (-25, -26)
     )
@@ -187,7 +194,7 @@ def test_a_point_that_walks_across_the_line_comes_back_from_the_opposite_side():
     assert before["x"].startswith("−") != after["x"].startswith("−")
 
 
-def test_a_point_on_the_line_has_no_image_and_the_words_say_so():
+def test_a_point_on_the_line_has_no_image_and_the_words_say_so() -> None:
     """w = 1 − 0.01 · 60 + 0.0333 · (−12) = 0 at an amount of 100."""
     given = {"transform": "projective", "amount": 100, "point_x": 60, "point_y": -12}
     assert texts(**given)["x"] == texts(**given)["y"] == "at infinity"
@@ -196,7 +203,7 @@ def test_a_point_on_the_line_has_no_image_and_the_words_say_so():
 
 
 @pytest.mark.parametrize("transform", RUNGS)
-def test_pressing_a_frame_of_the_ladder_chooses_its_family(transform):
+def test_pressing_a_frame_of_the_ladder_chooses_its_family(transform: str) -> None:
     left, top, right, _ = frame_of(transform)
     settings = SCENE.check({"transform": "affine"})
     for place in ((left + 3.0, top + 3.0), (right - 3.0, top + 3.0)):

@@ -2,51 +2,58 @@
 
 import numpy as np
 import pytest
+from numpy.typing import NDArray
 
+from simulations.engine.frame import Frame
 from simulations.engine.stages import StageCache
 from simulations.ladders.exposure_blur import LADDER
+from simulations.models.arrays import Floats
 from simulations.pictures import spoked_wheel
+from simulations.pictures.spoked_wheel import Bars
 from simulations.scenes.wagon_wheel.film import by_changes, exposure_of, frame_at
 from simulations.scenes.wagon_wheel.scene import SCENE
 
 
-def frame(cache=None, tier="", **values):
+def frame(cache: StageCache | None = None, tier: str = "", **values: float) -> Frame:
     return SCENE.render(SCENE.check(values), tier, cache or StageCache())
 
 
-def judged(tier, **values):
+def judged(tier: str, **values: float) -> list[str]:
     """All estimates of the error, as shown, the last for all pixels."""
     estimates = list(SCENE.estimates(SCENE.check(values), tier, StageCache()))
     assert {each.unit for each in estimates} == {"of full contrast"}
     return [each.text for each in estimates]
 
 
-def texts(shown):
+def film(shown: Frame) -> NDArray[np.int64]:
+    raster = shown.panels[1].raster
+    assert raster is not None
+    return raster.astype(np.int64)
+
+
+def texts(shown: Frame) -> dict[str, str]:
     return {item.name: item.text for item in shown.readouts}
 
 
-def test_the_example_of_the_chapter_creeps_backwards():
+def test_the_example_of_the_chapter_creeps_backwards() -> None:
     shown = texts(frame(speed=2.9, spokes=8, frame_rate=24))
     assert shown["passing"] == "23.2"
     assert (shown["apparent"], shown["direction"]) == ("−0.10", "turn anticlockwise")
 
 
-def test_the_question_of_the_chapter_turns_forwards():
+def test_the_question_of_the_chapter_turns_forwards() -> None:
     shown = texts(frame(speed=5, spokes=6, frame_rate=24))
     assert (shown["apparent"], shown["direction"]) == ("+1.00", "turn clockwise")
 
 
-def test_a_whole_spacing_stands_still():
+def test_a_whole_spacing_stands_still() -> None:
     shown = frame(speed=3, spokes=8, frame_rate=24)
     assert texts(shown)["direction"] == "stand still"
-    pictures = [
-        frame(speed=3, spokes=8, frame_rate=24, time=time).panels[1].raster.astype(int)
-        for time in (4, 17)
-    ]
+    pictures = [film(frame(speed=3, spokes=8, frame_rate=24, time=time)) for time in (4, 17)]
     assert np.abs(pictures[0] - pictures[1]).max() <= 1
 
 
-def number(text):
+def number(text: str) -> float:
     """``5.5 × 10⁻³`` as a number."""
     mantissa, _, power = text.replace("\u00a0", "").partition("×10")
     return float(mantissa) * 10.0 ** int(
@@ -55,41 +62,41 @@ def number(text):
 
 
 @pytest.mark.parametrize("speed", [-4.5, -1.5, 1.5, 4.5])
-def test_half_a_spacing_could_be_either_way(speed):
+def test_half_a_spacing_could_be_either_way(speed: float) -> None:
     shown = frame(speed=speed, spokes=8, frame_rate=24)
     assert texts(shown)["apparent"] == "±1.50"
     assert texts(shown)["direction"] == "turn either way"
     assert "nothing in the film says which way" in shown.description
 
 
-def test_two_speeds_one_film():
+def test_two_speeds_one_film() -> None:
     """The alias is no trick of the eye: without blur the frames themselves are the same."""
     for time in (1, 7, 30):
         fast, slow = (
             frame(speed=speed, spokes=8, frame_rate=24, shutter=0, time=time)
             for speed in (2.9, -0.1)
         )
-        off = np.abs(fast.panels[1].raster.astype(int) - slow.panels[1].raster.astype(int))
+        off = np.abs(film(fast) - film(slow))
         assert off.max() <= 1
 
 
-def test_a_frame_is_held_until_the_next():
+def test_a_frame_is_held_until_the_next() -> None:
     cache = StageCache()
     first = frame(cache, time=5.0).panels[1].raster
     assert frame(cache, time=5.95).panels[1].raster is first
     assert frame(cache, time=6.0).panels[1].raster is not first
 
 
-def test_time_that_is_a_rounding_short_of_a_frame_shows_it():
+def test_time_that_is_a_rounding_short_of_a_frame_shows_it() -> None:
     assert frame_at(np.nextafter(7.0, 0)) == 7
 
 
-def test_a_long_exposure_hides_the_spokes():
+def test_a_long_exposure_hides_the_spokes() -> None:
     shown = frame(speed=3, spokes=8, frame_rate=24, shutter=1)
     assert texts(shown)["contrast"] == "0.00"
-    raster = shown.panels[1].raster
-    circle = raster[120, 160 + 40 : 160 + 44, 0].astype(int)
-    turned = raster[120 - 44 : 120 - 40, 160, 0].astype(int)
+    raster = film(shown)
+    circle = raster[120, 160 + 40 : 160 + 44, 0]
+    turned = raster[120 - 44 : 120 - 40, 160, 0]
     np.testing.assert_allclose(circle, turned[::-1], atol=2)
 
 
@@ -97,14 +104,16 @@ def test_a_long_exposure_hides_the_spokes():
 @pytest.mark.parametrize("spokes", [2, 16])
 @pytest.mark.parametrize("rate", [8, 60])
 @pytest.mark.parametrize("time", [0, 48])
-def test_every_extreme_can_be_drawn_in_the_same_layout(speed, spokes, rate, time):
+def test_every_extreme_can_be_drawn_in_the_same_layout(
+    speed: float, spokes: int, rate: float, time: float
+) -> None:
     shown = frame(speed=speed, spokes=spokes, frame_rate=rate, time=time, shutter=1)
     assert [panel.name for panel in shown.panels] == ["wheel", "film", "track"]
     assert len(shown.readouts) == 8
     assert not any("nan" in panel.overlay for panel in shown.panels)
 
 
-def test_the_tiers_are_the_rungs_of_the_ladder_but_for_the_smear():
+def test_the_tiers_are_the_rungs_of_the_ladder_but_for_the_smear() -> None:
     assert SCENE.tiers == tuple(tier.id for tier in LADDER.tiers if tier.id != "smear")
     assert SCENE.default_tier == LADDER.default_tier
     assert SCENE.draft_tier == "instants-16"
@@ -113,7 +122,7 @@ def test_the_tiers_are_the_rungs_of_the_ladder_but_for_the_smear():
     )
 
 
-def brute_force(row, steps=1500):
+def brute_force(row: Bars, steps: int = 1500) -> Floats:
     """Mean over the exposure of how much of each pixel nearby spokes cover."""
     total = np.zeros_like(row.place)
     for time in (np.arange(steps) + 0.5) / steps:
@@ -126,32 +135,32 @@ def brute_force(row, steps=1500):
 
 
 @pytest.mark.parametrize("swept", [0.0, 0.02, -0.7, 3.0, -3.3])
-def test_the_reference_is_the_mean_over_all_moments(swept):
+def test_the_reference_is_the_mean_over_all_moments(swept: float) -> None:
     rng = np.random.default_rng(2)
-    place, duty, pixel = (rng.uniform(*ends, 60) for ends in ((-1, 1), (0.05, 0.9), (0.01, 0.3)))
+    place, duty, pixel = rng.uniform([[-1.0], [0.05], [0.01]], [[1.0], [0.9], [0.3]], (3, 60))
     row = spoked_wheel.Bars(place, duty, pixel, swept)
     np.testing.assert_allclose(by_changes(row), brute_force(row), atol=1e-3)
 
 
-def test_on_the_wheel_itself_the_closed_form_is_the_reference():
+def test_on_the_wheel_itself_the_closed_form_is_the_reference() -> None:
     canvas = spoked_wheel.build_canvas()
     for spokes, swept in ((2, 0.3), (16, -4.7)):
         row = spoked_wheel.bars(canvas, spokes, 1.2, swept)
         np.testing.assert_allclose(exposure_of("integral", 0)(row), by_changes(row), atol=1e-10)
 
 
-def test_the_integral_errs_by_rounding_alone():
+def test_the_integral_errs_by_rounding_alone() -> None:
     for values in ({}, {"shutter": 0}, {"speed": 6, "frame_rate": 8, "spokes": 16, "shutter": 1}):
         assert judged("integral", **values)[-1] == "under 10⁻¹²"
 
 
-def test_all_tiers_agree_while_the_wheel_stands():
+def test_all_tiers_agree_while_the_wheel_stands() -> None:
     pictures = [frame(tier=tier, speed=0).panels[1].raster for tier in SCENE.tiers]
     for picture in pictures:
         np.testing.assert_array_equal(picture, pictures[0])
 
 
-def test_one_instant_of_a_whole_spacing_errs_as_a_bar_does_from_its_mean():
+def test_one_instant_of_a_whole_spacing_errs_as_a_bar_does_from_its_mean() -> None:
     """Wood for a share w of the time: off by √(w (1 − w)), softened by the pixels' width."""
     canvas = spoked_wheel.build_canvas()
     row = spoked_wheel.bars(canvas, 8, 0.0, 0.0)
@@ -161,7 +170,7 @@ def test_one_instant_of_a_whole_spacing_errs_as_a_bar_does_from_its_mean():
     assert 0.85 * hard < float(last) < hard
 
 
-def test_more_instants_come_nearer_and_random_ones_only_by_the_root():
+def test_more_instants_come_nearer_and_random_ones_only_by_the_root() -> None:
     one, four, many = (number(judged(f"instants-{count}", shutter=0.5)[-1]) for count in (1, 4, 16))
     assert one > 4 * four > 16 * many
     canvas = spoked_wheel.build_canvas()
@@ -174,22 +183,20 @@ def test_more_instants_come_nearer_and_random_ones_only_by_the_root():
     assert float(judged("random-16", shutter=0.5)[-1]) == pytest.approx(expected, rel=0.05)
 
 
-def test_random_grain_is_new_on_each_frame_and_the_same_when_asked_again():
-    def picture(time):
-        return (
-            frame(tier="random-16", speed=3, frame_rate=24, shutter=1, time=time).panels[1].raster
-        )
+def test_random_grain_is_new_on_each_frame_and_the_same_when_asked_again() -> None:
+    def picture(time: float) -> NDArray[np.int64]:
+        return film(frame(tier="random-16", speed=3, frame_rate=24, shutter=1, time=time))
 
     assert not np.array_equal(picture(3), picture(4))
     np.testing.assert_array_equal(picture(3), picture(3.4))
 
 
-def test_the_error_is_found_in_steps_that_agree():
+def test_the_error_is_found_in_steps_that_agree() -> None:
     estimates = [float(text) for text in judged("instants-1", shutter=1)]
     assert len(estimates) > 4
     assert estimates[0] == pytest.approx(estimates[-1], rel=0.1)
 
 
-def test_an_unknown_tier_is_refused():
+def test_an_unknown_tier_is_refused() -> None:
     with pytest.raises(ValueError, match="tier 'smear'; legal: instants-1, integral"):
         exposure_of("smear", 0)

@@ -79,6 +79,6 @@ def read_html(markup: bytes) -> Page:
     parser.feed(markup.decode())
     parser.close()
     assert not parser.open, f"never closed: {[item.tag for item in parser.open]}"
-    ids = [item.attributes["id"] for item in parser.page.elements if "id" in item.attributes]
+    ids = [item.attributes["id"] or "" for item in parser.page.elements if "id" in item.attributes]
     assert len(set(ids)) == len(ids), f"ids twice: {sorted(i for i in ids if ids.count(i) > 1)}"
     return parser.page

@@ -1,7 +1,10 @@
 """Radial profiles to try, and their inverse by a route that shares no code with the models."""
 
+from collections.abc import Sequence
+
 import numpy as np
 
+from simulations.models.arrays import Floats
 from simulations.models.distortion.radial_profile import RadialProfile, fold_radius
 
 PROFILES = [
@@ -16,14 +19,14 @@ PROFILES = [
 """The third and the fourth fold."""
 
 
-def series(coefficients, s):
-    total = np.longdouble(0)
+def series(coefficients: Sequence[float], s: Floats) -> Floats:
+    total = np.zeros_like(s)
     for coefficient in (*reversed(coefficients), 1.0):
         total = total * s + np.longdouble(coefficient)
     return total
 
 
-def bisect(profile, image_radius):
+def bisect(profile: RadialProfile, image_radius: Floats) -> Floats:
     """The ideal radius, by halving an interval that holds it until floats run out.
 
     In 80-bit floats; where those are 64 bits long, as with some compilers, it still serves.

@@ -1,11 +1,11 @@
-"""The README's picture, or one of any built page: ``python tests/support/screenshot.py [PAGE]``."""
+"""The README's picture, or one of any built page: ``make screenshot``."""
 
 import sys
 from pathlib import Path
 
-from chromium import find_chromium, launch_arguments
 from playwright.sync_api import Page, sync_playwright
-from static_server import serving
+from support.chromium import find_chromium, launch_arguments
+from support.static_server import serving
 
 ROOT = Path(__file__).resolve().parents[2]
 README_PICTURE = ROOT / ".github" / "screenshot.png"

@@ -25,8 +25,8 @@ LEGAL = {
 """Part of ``simulations`` to the parts that it may import."""
 
 MODELS = (
-    "arrays", "whole_numbers", "color", "geometry", "projection", "light", "distortion",
-    "sampling", "lens", "sensor", "compression",
+    "arrays", "require", "whole_numbers", "picture_error", "pixel_grid", "color", "geometry",
+    "projection", "light", "distortion", "sampling", "lens", "sensor", "compression",
 )  # fmt: skip
 """Rooms of ``simulations/models``: each imports itself and what stands before it."""
 

@@ -116,7 +116,9 @@ def test_equal_points_do_not_beat_each_other() -> None:
 
 
 @given(st.lists(st.tuples(*[st.integers(0, 9).map(float)] * 2), min_size=1, max_size=12))
-def test_whatever_is_off_the_front_is_beaten_by_something_on_it(points: list) -> None:
+def test_whatever_is_off_the_front_is_beaten_by_something_on_it(
+    points: list[tuple[float, float]],
+) -> None:
     front = pareto_front(points)
     best = [point for point, on in zip(points, front, strict=True) if on]
     assert best

@@ -4,17 +4,16 @@ from dataclasses import dataclass
 from functools import partial
 
 import numpy as np
-from numpy.typing import NDArray
 
 from simulations.engine.ladder import Ladder, Metric, Tier
 from simulations.ladders.depth_of_field import truth as depth_of_field_truth
+from simulations.models.arrays import Floats, Planes
 from simulations.models.lens.aperture import fibonacci_disc, random_disc
 from simulations.models.lens.depth_of_field import Blur, Layer, blur_by_depth, blur_layer, composite
-from simulations.models.lens.disc_blur import Planes, disc_blur
+from simulations.models.lens.disc_blur import disc_blur
 from simulations.models.lens.screen_blur import binned_gaussian, gather_discs
+from simulations.models.picture_error import psnr_db
 from simulations.pictures import cards
-
-type Floats = NDArray[np.floating]
 
 
 @dataclass(frozen=True, slots=True)
@@ -42,8 +41,7 @@ def prepare() -> Workload:
 def radius_px(workload: Workload, depth: Floats | float) -> Floats:
     """Of the disc of confusion."""
     defocus = np.abs(1.0 / np.asarray(depth) - 1.0 / cards.FOCUS_Z)
-    radius: Floats = workload.seen.focal_px * workload.lens_radius * defocus
-    return radius
+    return workload.seen.focal_px * workload.lens_radius * defocus
 
 
 def pinhole(workload: Workload) -> Planes:
@@ -107,18 +105,15 @@ def reference(workload: Workload, rays: int = 4096) -> Floats:
     return depth_of_field_truth.picture(width, workload.lens_radius, rays)
 
 
-def _errors(result: Planes, truth: Floats, crop: int) -> Floats:
-    inner = (slice(None), slice(crop, -crop), slice(crop, -crop))
-    errors: Floats = result[inner].astype(np.float64) - truth[inner]
-    return errors
-
-
-def psnr_db(result: Planes, truth: Floats, workload: Workload) -> float:
-    return float(-10 * np.log10(np.mean(np.square(_errors(result, truth, workload.crop)))))
+def fidelity_db(result: Planes, truth: Floats, workload: Workload) -> float:
+    """PSNR within the border."""
+    picture, reference = np.moveaxis(result, 0, -1), np.moveaxis(truth, 0, -1)
+    return psnr_db(picture, reference, crop=workload.crop)
 
 
 def worst(result: Planes, truth: Floats, workload: Workload) -> float:
-    return float(np.abs(_errors(result, truth, workload.crop)).max())
+    inner = slice(workload.crop, -workload.crop)
+    return float(np.abs(result[:, inner, inner].astype(np.float64) - truth[:, inner, inner]).max())
 
 
 def ray_tiers() -> tuple[Tier, ...]:
@@ -132,7 +127,7 @@ def ray_tiers() -> tuple[Tier, ...]:
 
 
 METRICS = (
-    Metric("psnr", "PSNR", "dB", psnr_db, higher_is_better=True),
+    Metric("psnr", "PSNR", "dB", fidelity_db, higher_is_better=True),
     Metric("worst", "Largest error", "of range", worst),
 )
 

@@ -6,8 +6,8 @@ from many rays, each through a place of its own in both.
 """
 
 import numpy as np
-from numpy.typing import NDArray
 
+from simulations.models.arrays import Floats, Mask
 from simulations.pictures.cards import (
     BAR,
     BAR_PERIOD,
@@ -26,7 +26,6 @@ from simulations.pictures.cards import (
     pixels,
 )
 
-type Floats = NDArray[np.floating]
 type Ray = tuple[Floats, Floats, Floats, Floats]
 """Where rays leave the lens, and how far right and down they go per metre forward."""
 
@@ -41,8 +40,7 @@ def picture(width: int, lens_radius: float, rays: int) -> Floats:
         y = seen.y + (down - 0.5) / seen.focal_px
         shades += shades_along(x, y, radius * np.cos(angle), radius * np.sin(angle))
     colours = np.array([TINT, *(card.colour for card in CARDS)])
-    mean: Floats = np.einsum("sc,shw->chw", colours, shades / rays)
-    return mean
+    return np.einsum("sc,shw->chw", colours, shades / rays)
 
 
 def spread_evenly(count: int) -> Floats:
@@ -52,8 +50,7 @@ def spread_evenly(count: int) -> Floats:
     unreasonable effectiveness of quasirandom sequences*, 2018.
     """
     g = 1.1673039782614187
-    places: Floats = (0.5 + np.arange(1, count + 1)[:, None] * g ** -np.arange(1.0, 5.0)) % 1.0
-    return places
+    return (0.5 + np.arange(1, count + 1)[:, None] * g ** -np.arange(1.0, 5.0)) % 1.0
 
 
 def shades_along(x: Floats, y: Floats, lens_x: float, lens_y: float) -> Floats:
@@ -87,10 +84,9 @@ def _room(ray: Ray) -> Floats:
     return np.where(on_floor, floor, wall)
 
 
-def _hits(card: Card, ray: Ray) -> NDArray[np.bool_]:
+def _hits(card: Card, ray: Ray) -> Mask:
     x, y = _place(ray, card.z)
-    hit: NDArray[np.bool_] = np.hypot(x - card.x, y - card.y) < card.radius
-    return hit
+    return np.hypot(x - card.x, y - card.y) < card.radius
 
 
 def _on_card(card: Card, ray: Ray) -> Floats:
@@ -99,7 +95,6 @@ def _on_card(card: Card, ray: Ray) -> Floats:
     return np.where(light, 1.0, 0.5)
 
 
-def _striped(along: Floats, period: float, width: float) -> NDArray[np.bool_]:
+def _striped(along: Floats, period: float, width: float) -> Mask:
     """Whether a place lies on a stripe; one is centred on 0."""
-    on: NDArray[np.bool_] = np.abs(along - period * np.rint(along / period)) < width / 2
-    return on
+    return np.abs(along - period * np.rint(along / period)) < width / 2

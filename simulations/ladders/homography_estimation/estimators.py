@@ -9,9 +9,8 @@ Source: Hartley and Zisserman, Multiple View Geometry, 2nd ed., §4.1, §4.2 and
 import math
 
 import numpy as np
-from numpy.typing import NDArray
 
-type Floats = NDArray[np.floating]
+from simulations.models.arrays import Floats
 
 STEPS = 2
 """Of Gauss–Newton: from a normalised start the second changes less than the noise does."""
@@ -25,8 +24,7 @@ def plain(source: Floats, target: Floats) -> Floats:
 def normalised(source: Floats, target: Floats) -> Floats:
     before, T, _ = _normalise(source)
     after, _, U_inverse = _normalise(target)
-    H: Floats = U_inverse @ _null_vector(_system(before, after)) @ T
-    return H
+    return U_inverse @ _null_vector(_system(before, after)) @ T
 
 
 def squared(source: Floats, target: Floats) -> Floats:
@@ -36,8 +34,7 @@ def squared(source: Floats, target: Floats) -> Floats:
     """
     before, T, _ = _normalise(source)
     after, _, U_inverse = _normalise(target)
-    H: Floats = U_inverse @ _smallest_eigenvector(_system(before, after)) @ T
-    return H
+    return U_inverse @ _smallest_eigenvector(_system(before, after)) @ T
 
 
 def four_points(source: Floats, target: Floats) -> Floats:
@@ -48,8 +45,7 @@ def four_points(source: Floats, target: Floats) -> Floats:
     after, _, U_inverse = _normalise(target[four])
     system = _system(before, after)
     h = np.append(np.linalg.solve(system[:, :8], -system[:, 8]), 1.0)
-    H: Floats = U_inverse @ h.reshape(3, 3) @ T
-    return H
+    return U_inverse @ h.reshape(3, 3) @ T
 
 
 def one_sided(source: Floats, target: Floats) -> Floats:
@@ -81,8 +77,7 @@ def _refined(source: Floats, target: Floats, *, source_noise: float) -> Floats:
             _whiten(residual, slope, J * (source_noise * T[0, 0] / U[0, 0]))
         flat = slope.reshape(-1, 8)
         h[:8] -= np.linalg.solve(flat.T @ flat, flat.T @ residual.reshape(-1))
-    H: Floats = U_inverse @ h.reshape(3, 3) @ T
-    return H
+    return U_inverse @ h.reshape(3, 3) @ T
 
 
 def _linearised(h: Floats, before: Floats, after: Floats) -> tuple[Floats, Floats, Floats]:

@@ -16,12 +16,12 @@ from simulations.ladders.homography_estimation.estimators import (
 )
 from simulations.ladders.homography_estimation.matches import (
     VIEWS,
-    Floats,
     Workload,
     mapped,
     prepare,
     true_map,
 )
+from simulations.models.arrays import Floats
 
 type Estimates = tuple[Floats, ...]
 """(trials, 3, 3) for each view."""

@@ -3,9 +3,8 @@
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
-type Floats = NDArray[np.floating]
+from simulations.models.arrays import Floats
 
 TRIALS, POINTS = 16, 40
 NOISE_PX = 0.5

@@ -6,14 +6,17 @@ the new one, and back. The methods differ in the responses they take.
 
 Colours are CIE XYZ, lights their chromaticities (x, y). Szeliski, 2nd ed., §2.3.2; Lam,
 Metamerism and colour constancy, 1985 (Bradford); Hunt, Measuring Colour, 1987 (the cones).
+
+Reference: the book explains it; no figure and no ladder runs it.
 """
 
 import numpy as np
 from numpy.typing import ArrayLike
 
-from simulations.models.arrays import as_colours
+from simulations.models.arrays import Floats, as_colours
 from simulations.models.color.chromaticity import white_xyz
-from simulations.models.color.srgb import Array, rgb_to_xyz_matrix
+from simulations.models.color.srgb import rgb_to_xyz_matrix
+from simulations.models.require import require_one_of
 
 BRADFORD = np.array(
     [[0.8951, 0.2664, -0.1614], [-0.7502, 1.7135, 0.0367], [0.0389, -0.0685, 1.0296]]
@@ -30,7 +33,7 @@ RESPONSES = {
 """From XYZ to what is scaled; "rgb" are the gains of `srgb.white_balance` on linear sRGB."""
 
 
-def adaptation_matrix(from_xy: ArrayLike, to_xy: ArrayLike, method: str = "bradford") -> Array:
+def adaptation_matrix(from_xy: ArrayLike, to_xy: ArrayLike, method: str = "bradford") -> Floats:
     """The (3, 3) matrix that takes XYZ under one light to XYZ under another.
 
     It takes the first light's white exactly to the second's; its inverse goes the other way.
@@ -46,8 +49,7 @@ def adaptation_matrix(from_xy: ArrayLike, to_xy: ArrayLike, method: str = "bradf
         For another method, for a chromaticity that is none, and for a light that leaves one of
         the responses without any signal: no gain could restore it.
     """
-    if method not in RESPONSES:
-        raise ValueError(f"method {method!r}; legal: {', '.join(RESPONSES)}")
+    require_one_of("method", method, RESPONSES)
     responses = RESPONSES[method]
     before, after = (responses @ white_xyz(xy) for xy in (from_xy, to_xy))
     for xy, signal in ((from_xy, before), (to_xy, after)):
@@ -57,14 +59,12 @@ def adaptation_matrix(from_xy: ArrayLike, to_xy: ArrayLike, method: str = "bradf
                 f"{np.round(signal, 4).tolist()}; legal: all above 0"
             )
     gains = (after / before)[:, None]
-    matrix: Array = np.linalg.solve(responses, gains * responses)
-    return matrix
+    return np.linalg.solve(responses, gains * responses)
 
 
-def adapt(xyz: ArrayLike, from_xy: ArrayLike, to_xy: ArrayLike, method: str = "bradford") -> Array:
+def adapt(xyz: ArrayLike, from_xy: ArrayLike, to_xy: ArrayLike, method: str = "bradford") -> Floats:
     """Colours (..., 3) in XYZ as they would look under another light: see `adaptation_matrix`."""
     colours = as_colours(xyz)
     matrix = adaptation_matrix(from_xy, to_xy, method).astype(colours.dtype)
     with np.errstate(over="ignore", invalid="ignore"):
-        adapted: Array = colours @ matrix.T
-    return adapted
+        return colours @ matrix.T

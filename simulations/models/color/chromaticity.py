@@ -1,13 +1,16 @@
 """Colour without brightness: chromaticities (x, y), the whites of lights, distances of colours.
 
 Szeliski, 2nd ed., §2.3.2; CIE 15:2004.
+
+Reference: the book explains it; no figure and no ladder runs it.
 """
 
 import numpy as np
 from numpy.typing import ArrayLike
 
-from simulations.models.arrays import as_colours
-from simulations.models.color.srgb import D65_XY, Array
+from simulations.models.arrays import Floats, as_colours
+from simulations.models.color.srgb import D65_XY
+from simulations.models.require import require
 
 D50_XY = (0.3457, 0.3585)
 """Warm daylight: the white of printed paper, and of colour profiles."""
@@ -15,19 +18,18 @@ ILLUMINANT_A_XY = (0.44758, 0.40745)
 """A tungsten lamp of 2856 K."""
 
 
-def white_xyz(xy: ArrayLike) -> Array:
+def white_xyz(xy: ArrayLike) -> Floats:
     """XYZ (3,) of a light of chromaticity (x, y), with Y = 1.
 
     Raises `ValueError` unless both and 1 − x − y are at least 0, and y above 1e-6.
     """
     pair = np.asarray(xy, np.float64)
     x, y = pair if pair.shape == (2,) else (np.nan, np.nan)
-    if not (x >= 0 and y > 1e-6 and x + y <= 1):
-        raise ValueError(f"chromaticity {pair.tolist()}; legal: x ≥ 0, y > 1e-6, x + y ≤ 1")
+    require("chromaticity", pair, x >= 0 and y > 1e-6 and x + y <= 1, "x ≥ 0, y > 1e-6, x + y ≤ 1")
     return np.array([x / y, 1.0, (1 - x - y) / y])
 
 
-def xyz_to_xyy(xyz: ArrayLike) -> Array:
+def xyz_to_xyy(xyz: ArrayLike) -> Floats:
     """CIE XYZ to chromaticity and luminance (x, y, Y), all (..., 3).
 
     Black has no chromaticity. Like other colours whose sum is not positive and finite, it is
@@ -43,18 +45,16 @@ def xyz_to_xyy(xyz: ArrayLike) -> Array:
     return np.concatenate([pair, colours[..., 1:2]], axis=-1)
 
 
-def xyy_to_xyz(xyy: ArrayLike) -> Array:
+def xyy_to_xyz(xyy: ArrayLike) -> Floats:
     """The inverse of `xyz_to_xyy`; infinite or NaN where y is 0."""
     x, y, luminance = np.moveaxis(as_colours(xyy), -1, 0)
     with np.errstate(over="ignore", invalid="ignore", divide="ignore"):
         share = luminance / y
-        xyz: Array = np.stack([x * share, luminance, (1 - x - y) * share], axis=-1)
-    return xyz
+        return np.stack([x * share, luminance, (1 - x - y) * share], axis=-1)
 
 
-def lab_distance(lab: ArrayLike, other: ArrayLike) -> Array:
+def lab_distance(lab: ArrayLike, other: ArrayLike) -> Floats:
     """ΔE*ab of 1976 (...) between L*a*b* colours (..., 3): about 2 is just noticeable."""
     with np.errstate(over="ignore", invalid="ignore"):
         difference = as_colours(lab) - as_colours(other)
-        distance: Array = np.sqrt(np.square(difference).sum(axis=-1))
-    return distance
+        return np.sqrt(np.square(difference).sum(axis=-1))

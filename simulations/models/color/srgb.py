@@ -11,9 +11,8 @@ Szeliski, 2nd ed., section 2.3.2.
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from simulations.models.arrays import as_colours, as_floats
-
-type Array = NDArray[np.floating]
+from simulations.models.arrays import Floats, as_colours, as_floats
+from simulations.models.require import require, require_positive
 
 SRGB_PRIMARIES_XY = ((0.64, 0.33), (0.30, 0.60), (0.15, 0.06))
 """CIE xy chromaticities of the red, green and blue of sRGB (ITU-R BT.709)."""
@@ -30,7 +29,7 @@ YCBCR_FROM_RGB = np.array(
 """Full-range luma and colour differences of JPEG (ITU-R BT.601, JFIF 1.02)."""
 
 
-def encode_srgb(linear: ArrayLike) -> Array:
+def encode_srgb(linear: ArrayLike) -> Floats:
     """Linear light (...) as sRGB values: a straight toe, then the power 1/2.4.
 
     Exact on [0, 1]. Values outside are extended: above 1 by the same power, below 0 by odd
@@ -40,30 +39,26 @@ def encode_srgb(linear: ArrayLike) -> Array:
     size = np.abs(x)
     curve = 1.055 * np.maximum(size, 0.0031308) ** (1 / 2.4) - 0.055
     toe = 12.92 * np.minimum(size, 0.0031308)
-    encoded: Array = np.copysign(np.where(size <= 0.0031308, toe, curve), x)
-    return encoded
+    return np.copysign(np.where(size <= 0.0031308, toe, curve), x)
 
 
-def decode_srgb(srgb: ArrayLike) -> Array:
+def decode_srgb(srgb: ArrayLike) -> Floats:
     """sRGB values as linear light; the inverse of `encode_srgb`."""
     x = as_floats(srgb)
     size = np.abs(x)
     with np.errstate(over="ignore"):
         curve = ((np.maximum(size, 0.04045) + 0.055) / 1.055) ** 2.4
-    linear: Array = np.copysign(np.where(size <= 0.04045, size / 12.92, curve), x)
-    return linear
+    return np.copysign(np.where(size <= 0.04045, size / 12.92, curve), x)
 
 
-def encode_gamma(linear: ArrayLike, gamma: float = 2.2) -> Array:
+def encode_gamma(linear: ArrayLike, gamma: float = 2.2) -> Floats:
     """The common stand-in for sRGB, ``linear^(1/gamma)``: up to 8.5 codes of 255 off.
 
     Negative light is taken as none. Raises `ValueError` for a gamma of 0 or less.
     """
-    if not 0 < gamma < np.inf:
-        raise ValueError(f"gamma {gamma}; legal: above 0, finite")
+    require_positive("gamma", gamma)
     with np.errstate(over="ignore"):
-        encoded: Array = np.maximum(as_floats(linear), 0) ** (1 / gamma)
-    return encoded
+        return np.maximum(as_floats(linear), 0) ** (1 / gamma)
 
 
 _TABLE = encode_srgb(np.linspace(0.0, 1.0, 65536)).astype(np.float32)
@@ -81,13 +76,12 @@ def encode_srgb_table(linear: ArrayLike) -> NDArray[np.float32]:
     np.minimum(place, 1, out=place)
     place *= len(_TABLE) - 1
     place += 0.5
-    encoded: NDArray[np.float32] = _TABLE[place.astype(np.intp)]  # int32 would be converted
-    return encoded
+    return _TABLE[place.astype(np.intp)]  # int32 would be converted
 
 
 def rgb_to_xyz_matrix(
     primaries_xy: ArrayLike = SRGB_PRIMARIES_XY, white_xy: ArrayLike = D65_XY
-) -> Array:
+) -> Floats:
     """The (3, 3) matrix from linear RGB to CIE XYZ, built from the display's own colours.
 
     The columns are the primaries, each scaled so that RGB = (1, 1, 1) is the white with
@@ -100,11 +94,10 @@ def rgb_to_xyz_matrix(
     if abs(np.linalg.det(columns)) < 1e-9:
         raise ValueError(f"primaries {primaries_xy!r}; legal: three that span a triangle")
     scale = np.linalg.solve(columns, _xyz_of(np.asarray(white_xy, np.float64)))
-    matrix: Array = columns * scale
-    return matrix
+    return columns * scale
 
 
-def _xyz_of(xy: Array) -> Array:
+def _xyz_of(xy: Floats) -> Floats:
     """XYZ of a chromaticity at Y = 1. Primaries may lie outside all colours, at a negative y."""
     if xy.shape != (2,) or not (np.isfinite(xy).all() and abs(xy[1]) > 1e-6):
         raise ValueError(f"chromaticity {xy.tolist()}; legal: x, y finite, y not 0")
@@ -117,57 +110,54 @@ _RGB_FROM_XYZ = np.linalg.inv(_XYZ_FROM_RGB)
 _RGB_FROM_YCBCR = np.linalg.inv(YCBCR_FROM_RGB)
 
 
-def linear_rgb_to_xyz(linear: ArrayLike) -> Array:
+def linear_rgb_to_xyz(linear: ArrayLike) -> Floats:
     """Linear sRGB to CIE XYZ (D65; white has Y = 1)."""
     return _apply(_XYZ_FROM_RGB, linear)
 
 
-def xyz_to_linear_rgb(xyz: ArrayLike) -> Array:
+def xyz_to_linear_rgb(xyz: ArrayLike) -> Floats:
     """CIE XYZ to linear sRGB; colours outside the display's triangle get negative parts."""
     return _apply(_RGB_FROM_XYZ, xyz)
 
 
-def luminance(linear_rgb: ArrayLike) -> Array:
+def luminance(linear_rgb: ArrayLike) -> Floats:
     """Relative luminance Y (...) of linear RGB: 0.2126 R + 0.7152 G + 0.0722 B."""
     rgb = as_colours(linear_rgb)
     with np.errstate(over="ignore", invalid="ignore"):
-        y: Array = rgb @ _XYZ_FROM_RGB[1].astype(rgb.dtype)
-    return y
+        return rgb @ _XYZ_FROM_RGB[1].astype(rgb.dtype)
 
 
-def xyz_to_lab(xyz: ArrayLike, white_xy: ArrayLike = D65_XY) -> Array:
+def xyz_to_lab(xyz: ArrayLike, white_xy: ArrayLike = D65_XY) -> Floats:
     """CIE XYZ to L*a*b*: lightness 0 to 100, then green-red and blue-yellow.
 
     The cube root becomes a line below (6/29)^3, so that black and negative values are safe.
     """
     delta = 6 / 29
     white = _xyz_of(np.asarray(white_xy, np.float64))
-    if not (white > 0).all():
-        raise ValueError(f"white {np.asarray(white_xy).tolist()}; legal: x, y, 1 − x − y above 0")
+    require("white", np.asarray(white_xy), (white > 0).all(), "x, y, 1 − x − y above 0")
     with np.errstate(over="ignore", invalid="ignore"):
         ratio = as_colours(xyz) / white
         f = np.where(ratio > delta**3, np.cbrt(ratio), ratio / (3 * delta**2) + 4 / 29)
         fx, fy, fz = f[..., 0], f[..., 1], f[..., 2]
-        lab: Array = np.stack([116 * fy - 16, 500 * (fx - fy), 200 * (fy - fz)], axis=-1)
-    return lab
+        return np.stack([116 * fy - 16, 500 * (fx - fy), 200 * (fy - fz)], axis=-1)
 
 
-def linear_rgb_to_lab(linear: ArrayLike) -> Array:
+def linear_rgb_to_lab(linear: ArrayLike) -> Floats:
     """Linear sRGB to CIE L*a*b* under D65."""
     return xyz_to_lab(linear_rgb_to_xyz(linear))
 
 
-def rgb_to_ycbcr(srgb: ArrayLike) -> Array:
+def rgb_to_ycbcr(srgb: ArrayLike) -> Floats:
     """sRGB-encoded values to luma in [0, 1] and colour differences in [-0.5, 0.5]."""
     return _apply(YCBCR_FROM_RGB, srgb)
 
 
-def ycbcr_to_rgb(ycbcr: ArrayLike) -> Array:
+def ycbcr_to_rgb(ycbcr: ArrayLike) -> Floats:
     """The inverse of `rgb_to_ycbcr`."""
     return _apply(_RGB_FROM_YCBCR, ycbcr)
 
 
-def white_balance(linear: ArrayLike, illuminant_rgb: ArrayLike) -> Array:
+def white_balance(linear: ArrayLike, illuminant_rgb: ArrayLike) -> Floats:
     """Divide out the colour of the light, keeping green as it is (von Kries, in camera RGB).
 
     Raises `ValueError` if the light lacks a channel altogether: nothing can restore it.
@@ -177,22 +167,19 @@ def white_balance(linear: ArrayLike, illuminant_rgb: ArrayLike) -> Array:
         raise ValueError(f"illuminant {light.tolist()}; legal: three finite numbers above 0")
     rgb = as_colours(linear)
     with np.errstate(over="ignore", invalid="ignore"):
-        balanced: Array = rgb * (light[1] / light).astype(rgb.dtype)
-    return balanced
+        return rgb * (light[1] / light).astype(rgb.dtype)
 
 
-def grey_world(linear: ArrayLike) -> Array:
+def grey_world(linear: ArrayLike) -> Floats:
     """Estimate of the light's colour, (3,): the mean of the picture, were the world grey."""
     colours = as_colours(linear)
     if not colours.size:
         raise ValueError(f"picture of shape {colours.shape}; legal: one pixel or more")
     with np.errstate(over="ignore", invalid="ignore"):
-        mean: Array = colours.reshape(-1, 3).mean(axis=0)
-    return mean
+        return colours.reshape(-1, 3).mean(axis=0)
 
 
-def _apply(matrix: Array, colours: ArrayLike) -> Array:
+def _apply(matrix: Floats, colours: ArrayLike) -> Floats:
     values = as_colours(colours)
     with np.errstate(over="ignore", invalid="ignore"):
-        product: Array = values @ matrix.T.astype(values.dtype)
-    return product
+        return values @ matrix.T.astype(values.dtype)

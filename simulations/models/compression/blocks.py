@@ -9,12 +9,11 @@ from collections.abc import Callable
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from simulations.models.arrays import as_floats
+from simulations.models.arrays import Floats, as_floats
 from simulations.models.whole_numbers import as_whole
 
-type Array = NDArray[np.floating]
 type Codes = NDArray[np.int64]
-type Transform = Callable[[Array], Array]
+type Transform = Callable[[Floats], Floats]
 """What takes blocks (..., 8, 8) to their 64 coefficients each."""
 
 BLOCK = 8
@@ -44,7 +43,7 @@ TIE, TIE_FLOAT32 = 1e-9, 5e-4
 """How far from a half sums of 64 products may come out that are halves, in either precision."""
 
 
-def _dct_matrix() -> Array:
+def _dct_matrix() -> Floats:
     """Orthonormal DCT-II: row k is the cosine of frequency k / 16 cycles per sample.
 
     The angles, in sixteenths of a half turn, are brought into the first quarter turn as whole
@@ -57,23 +56,20 @@ def _dct_matrix() -> Array:
     cosine = np.where(folded > BLOCK, -1.0, 1.0) * np.cos(np.pi * quarter / (2 * BLOCK))
     matrix = np.sqrt(2 / BLOCK) * cosine
     matrix[0] = np.sqrt(1 / BLOCK)
-    basis: Array = matrix
-    return basis
+    return matrix
 
 
 DCT = _dct_matrix()
 
 
-def block_dct(blocks: ArrayLike) -> Array:
+def block_dct(blocks: ArrayLike) -> Floats:
     """Cosine transform of (..., 8, 8) blocks; keeps the sum of squares."""
-    coefficients: Array = DCT @ as_floats(blocks) @ DCT.T
-    return coefficients
+    return DCT @ as_floats(blocks) @ DCT.T
 
 
-def inverse_block_dct(coefficients: ArrayLike) -> Array:
+def inverse_block_dct(coefficients: ArrayLike) -> Floats:
     """The inverse of `block_dct`."""
-    blocks: Array = DCT.T @ as_floats(coefficients) @ DCT
-    return blocks
+    return DCT.T @ as_floats(coefficients) @ DCT
 
 
 def quantisation_table(table: NDArray[np.integer], quality: int) -> NDArray[np.integer]:
@@ -83,22 +79,20 @@ def quantisation_table(table: NDArray[np.integer], quality: int) -> NDArray[np.i
     """
     whole = as_whole("quality", quality, 1, 100)
     percent = 5000 // whole if whole < 50 else 200 - 2 * whole
-    scaled: NDArray[np.integer] = np.clip((table * percent + 50) // 100, 1, 255)
-    return scaled
+    return np.clip((table * percent + 50) // 100, 1, 255)
 
 
-def round_outwards(values: ArrayLike, tie: float = TIE) -> Array:
+def round_outwards(values: ArrayLike, tie: float = TIE) -> Floats:
     """The nearest whole numbers; halves go away from zero, as in the JPEG group's library.
 
     Sums of 8-bit values often land exactly between two whole numbers, where the last bit would
     decide. What lies within ``tie`` of a half counts as one, so that every machine agrees.
     """
     exact = np.asarray(values, float)
-    whole: Array = np.sign(exact) * np.floor(np.abs(exact) + (0.5 + tie))
-    return whole
+    return np.sign(exact) * np.floor(np.abs(exact) + (0.5 + tie))
 
 
-def to_blocks(plane: ArrayLike) -> Array:
+def to_blocks(plane: ArrayLike) -> Floats:
     """(H, W) as (rows, columns, 8, 8), the border repeated to whole blocks."""
     values = as_floats(plane)
     height, width = values.shape
@@ -107,7 +101,7 @@ def to_blocks(plane: ArrayLike) -> Array:
     return padded.reshape(rows, BLOCK, columns, BLOCK).swapaxes(1, 2)
 
 
-def from_blocks(blocks: ArrayLike, height: int, width: int) -> Array:
+def from_blocks(blocks: ArrayLike, height: int, width: int) -> Floats:
     """The inverse of `to_blocks`, cut to the plane's size."""
     values = as_floats(blocks)
     rows, columns = values.shape[:2]
@@ -152,7 +146,7 @@ def quantise_plane(plane: ArrayLike, table: ArrayLike, transform: Transform = bl
     return round_outwards(coefficients / steps, tie).astype(np.int64)
 
 
-def restore_plane(codes: NDArray[np.integer], table: ArrayLike, height: int, width: int) -> Array:
+def restore_plane(codes: NDArray[np.integer], table: ArrayLike, height: int, width: int) -> Floats:
     """The plane (H, W) that a decoder makes of the codes of `quantise_plane`.
 
     Raises `ValueError` for codes that are not whole numbers: no file holds others.
@@ -162,7 +156,7 @@ def restore_plane(codes: NDArray[np.integer], table: ArrayLike, height: int, wid
     return from_blocks(inverse_block_dct(codes * as_floats(table)), height, width)
 
 
-def compress_plane(plane: ArrayLike, table: ArrayLike) -> tuple[Array, float]:
+def compress_plane(plane: ArrayLike, table: ArrayLike) -> tuple[Floats, float]:
     """The plane (H, W) as decoded, and the share of its coefficients that became 0.
 
     Parameters and errors as for `quantise_plane`.

@@ -7,12 +7,11 @@ back is in `simulations.models.compression.chroma_upsampling`.
 """
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
-from simulations.models.arrays import as_floats
+from simulations.models.arrays import Floats, as_floats
+from simulations.models.require import require_one_of
 from simulations.models.whole_numbers import as_whole
-
-type Array = NDArray[np.floating]
 
 SUBSAMPLING = {"4:4:4": (1, 1), "4:2:2": (1, 2), "4:2:0": (2, 2)}
 """Rows and columns of luma to one colour difference."""
@@ -20,12 +19,11 @@ SUBSAMPLING = {"4:4:4": (1, 1), "4:2:2": (1, 2), "4:2:0": (2, 2)}
 
 def subsampling_factor(name: str) -> tuple[int, int]:
     """Rows and columns of pixels that share one colour; raises `ValueError` for other names."""
-    if name not in SUBSAMPLING:
-        raise ValueError(f"subsampling {name!r}; legal: {', '.join(SUBSAMPLING)}")
+    require_one_of("subsampling", name, SUBSAMPLING)
     return SUBSAMPLING[name]
 
 
-def coarsen(plane: ArrayLike, factor: tuple[int, int]) -> Array:
+def coarsen(plane: ArrayLike, factor: tuple[int, int]) -> Floats:
     """Means over cells of ``factor`` (rows, columns) samples of a plane (H, W).
 
     A cell that reaches over the border is filled up by repeating it, so that the result has

@@ -10,12 +10,11 @@ from collections.abc import Mapping
 from types import MappingProxyType
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
-from simulations.models.arrays import as_floats
+from simulations.models.arrays import Floats, as_floats
 from simulations.models.compression.chroma_subsampling import coarsen
-
-type Array = NDArray[np.floating]
+from simulations.models.require import require, require_one_of
 
 KERNELS: Mapping[str, tuple[float, float, float, float]] = MappingProxyType(
     {
@@ -42,7 +41,7 @@ GRAIN_CODES = 12.0
 
 def refine(
     plane: ArrayLike, factor: tuple[int, int], luma: ArrayLike, method: str = "triangle"
-) -> Array:
+) -> Floats:
     """A colour difference (h, w) at every pixel of the luma (H, W).
 
     Parameters
@@ -63,10 +62,8 @@ def refine(
         that are not finite or absurdly large.
     """
     values, light = as_floats(plane), as_floats(luma)
-    if method not in METHODS:
-        raise ValueError(f"method {method!r}; legal: {', '.join(METHODS)}")
-    if not set(factor) <= {1, 2}:
-        raise ValueError(f"factor {factor}; legal: 1 or 2 rows, 1 or 2 columns")
+    require_one_of("method", method, METHODS)
+    require("factor", factor, set(factor) <= {1, 2}, "1 or 2 rows, 1 or 2 columns")
     fitting = tuple(-(-side // cells) for side, cells in zip(light.shape, factor, strict=False))
     if light.ndim != 2 or 0 in light.shape or values.shape != fitting:
         raise ValueError(
@@ -81,7 +78,9 @@ def refine(
     return _interpolate(values, factor, light.shape, method)
 
 
-def _interpolate(plane: Array, factor: tuple[int, int], shape: tuple[int, ...], name: str) -> Array:
+def _interpolate(
+    plane: Floats, factor: tuple[int, int], shape: tuple[int, ...], name: str
+) -> Floats:
     full = plane
     for axis in (0, 1):
         if factor[axis] == 2:
@@ -89,7 +88,7 @@ def _interpolate(plane: Array, factor: tuple[int, int], shape: tuple[int, ...], 
     return full[: shape[0], : shape[1]]
 
 
-def _doubled(plane: Array, kernel: tuple[float, ...]) -> Array:
+def _doubled(plane: Floats, kernel: tuple[float, ...]) -> Floats:
     """Twice as many rows; the border is repeated."""
     count = len(plane)
     padded = np.pad(plane, ((2, 2), (0, 0)), mode="edge")
@@ -101,7 +100,7 @@ def _doubled(plane: Array, kernel: tuple[float, ...]) -> Array:
     return full
 
 
-def _guided(plane: Array, factor: tuple[int, int], luma: Array) -> Array:
+def _guided(plane: Floats, factor: tuple[int, int], luma: Floats) -> Floats:
     """Colour follows luma within a cell as it does among the 3 x 3 cells around it.
 
     He, Sun and Tang: Guided image filtering, ECCV 2010: a local regression on the guide.
@@ -118,9 +117,8 @@ def _guided(plane: Array, factor: tuple[int, int], luma: Array) -> Array:
     return up["plane"] + up["slope"] * (luma - up["luma"])
 
 
-def _local_mean(plane: Array) -> Array:
+def _local_mean(plane: Floats) -> Floats:
     """Over 3 x 3 samples; the border is repeated."""
     padded = np.pad(plane, 1, mode="edge")
     rows = padded[:-2] + padded[1:-1] + padded[2:]
-    mean: Array = (rows[:, :-2] + rows[:, 1:-1] + rows[:, 2:]) / 9
-    return mean
+    return (rows[:, :-2] + rows[:, 1:-1] + rows[:, 2:]) / 9

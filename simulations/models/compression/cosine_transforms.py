@@ -10,9 +10,8 @@ from types import MappingProxyType
 import numpy as np
 from numpy.typing import NDArray
 
+from simulations.models.arrays import Floats
 from simulations.models.compression.blocks import BLOCK, DCT, Transform, block_dct
-
-type Floats = NDArray[np.floating]
 
 FIXED_BITS = 13
 """Fraction bits of the cosines in `fixed_point`, as in the slow integer transform of libjpeg."""
@@ -39,8 +38,7 @@ def direct_float32(blocks: Floats) -> Floats:
 
 
 def separable_float32(blocks: Floats) -> Floats:
-    rows: Floats = _DCT_32 @ blocks.astype(np.float32) @ _DCT_32.T
-    return rows
+    return _DCT_32 @ blocks.astype(np.float32) @ _DCT_32.T
 
 
 def by_fourier(blocks: Floats) -> Floats:
@@ -65,8 +63,7 @@ def fixed_point(blocks: Floats) -> Floats:
     samples = np.rint(blocks * 2**SAMPLE_BITS).astype(np.int32)
     rows = _shift(np.matmul(_DCT_FIXED, samples), FIXED_BITS + SAMPLE_BITS - KEPT_BITS)
     both = _shift(np.matmul(rows, _DCT_FIXED.T), FIXED_BITS)
-    codes: Floats = both / 2.0**KEPT_BITS
-    return codes
+    return both / 2.0**KEPT_BITS
 
 
 def _shift(numbers: NDArray[np.int32], bits: int) -> NDArray[np.int32]:
@@ -99,8 +96,7 @@ def exact_block_dct(blocks: Floats) -> Floats:
     basis[0] = basis[0] * cosine[4]
     wide = blocks.astype(np.longdouble)
     rows = (basis[:, :, None] * wide[..., None, :, :]).sum(axis=-2)
-    both: Floats = (rows[..., :, None, :] * basis).sum(axis=-1)
-    return both
+    return (rows[..., :, None, :] * basis).sum(axis=-1)
 
 
 def exact_cosines() -> Floats:
@@ -115,12 +111,10 @@ def exact_cosines() -> Floats:
 
 def _extend(quadrant: Floats, j: int) -> np.floating:
     j = min(j, 32 - j)
-    value: np.floating = quadrant[j] if j <= 8 else -quadrant[16 - j]
-    return value
+    return quadrant[j] if j <= 8 else -quadrant[16 - j]
 
 
 def _root(square: np.floating) -> np.floating:
     """Square root with a Newton step, in case the C library's is no better than float64."""
     root = np.longdouble(np.sqrt(np.float64(square)))
-    improved: np.floating = (root + square / root) / 2
-    return improved
+    return (root + square / root) / 2

@@ -12,7 +12,8 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from simulations.models.compression.blocks import BLOCK, Array, Codes
+from simulations.models.arrays import Floats
+from simulations.models.compression.blocks import BLOCK, Codes
 from simulations.models.compression.jpeg import Coded
 
 
@@ -70,7 +71,7 @@ def symbol_bits(planes: Sequence[Codes]) -> float:
     return plain + _entropy_bits(means) + _entropy_bits(others)
 
 
-def run_symbols(codes: Codes) -> tuple[Array, float]:
+def run_symbols(codes: Codes) -> tuple[Floats, float]:
     """Counts of the symbols of all coefficients but the means, and how many bits follow them.
 
     Parameters
@@ -99,7 +100,7 @@ def _bit_length(codes: Codes) -> NDArray[np.intp]:
     return np.asarray(np.frexp(codes.astype(float))[1], np.intp)
 
 
-def _entropy_bits(counts: Array) -> float:
+def _entropy_bits(counts: Floats) -> float:
     """Bits of that many symbols when each costs the logarithm of its rarity."""
     seen = counts[counts > 0]
     return float(np.sum(seen * np.log2(seen.sum() / seen)))

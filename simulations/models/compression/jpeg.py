@@ -11,11 +11,11 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from simulations.models.arrays import Floats
 from simulations.models.color.srgb import rgb_to_ycbcr, ycbcr_to_rgb
 from simulations.models.compression.blocks import (
     CHROMINANCE_TABLE,
     LUMINANCE_TABLE,
-    Array,
     Codes,
     Transform,
     block_dct,
@@ -27,7 +27,7 @@ from simulations.models.compression.blocks import (
 from simulations.models.compression.chroma_subsampling import coarsen, subsampling_factor
 from simulations.models.compression.chroma_upsampling import refine
 
-type Planes = tuple[Array, Array, Array]
+type Planes = tuple[Floats, Floats, Floats]
 """Luma, blue difference, red difference, in codes about 0."""
 
 
@@ -62,7 +62,7 @@ def tables(quality: int) -> tuple[NDArray[np.integer], NDArray[np.integer]]:
     )
 
 
-def to_planes(srgb: ArrayLike) -> Array:
+def to_planes(srgb: ArrayLike) -> Floats:
     """Y, Cb and Cr (3, H, W) in whole codes about 0 of a picture (H, W, 3), sRGB in [0, 1]."""
     with np.errstate(over="ignore"):  # what overflows is refused with its plane
         planes = round_outwards(255 * np.moveaxis(rgb_to_ycbcr(srgb), -1, 0))
@@ -116,20 +116,19 @@ def fill_in_colour(planes: Planes, subsampling: str, upsampling: str) -> Planes:
     return luma, blue, red
 
 
-def from_planes(planes: Planes) -> Array:
+def from_planes(planes: Planes) -> Floats:
     """(H, W, 3) sRGB, clipped to [0, 1]: back from `to_planes`."""
     luma, blue, red = planes
     ycbcr = np.stack([luma + 128, blue, red], axis=-1) / 255
-    picture: Array = np.clip(ycbcr_to_rgb(ycbcr), 0, 1)
-    return picture
+    return np.clip(ycbcr_to_rgb(ycbcr), 0, 1)
 
 
-def decode(coded: Coded, upsampling: str = "triangle") -> Array:
+def decode(coded: Coded, upsampling: str = "triangle") -> Floats:
     """(H, W, 3) sRGB in [0, 1]; see `fill_in_colour`."""
     return from_planes(fill_in_colour(restore(coded), coded.subsampling, upsampling))
 
 
-def compress(srgb: ArrayLike, quality: int, subsampling: str = "4:4:4") -> tuple[Array, float]:
+def compress(srgb: ArrayLike, quality: int, subsampling: str = "4:4:4") -> tuple[Floats, float]:
     """A picture (H, W, 3) of sRGB values in [0, 1] as JPEG would give it back.
 
     Returns the picture, clipped to [0, 1], and the share of its coefficients that became 0,

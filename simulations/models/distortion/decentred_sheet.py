@@ -14,13 +14,10 @@ from functools import lru_cache
 
 import numpy as np
 from numpy.polynomial import Polynomial
-from numpy.typing import NDArray
 
+from simulations.models.arrays import Floats, Mask
 from simulations.models.distortion.positive_polynomials import stay_positive
 from simulations.models.distortion.radial_profile import RadialProfile, smallest_positive_root
-
-type Floats = NDArray[np.floating]
-type Mask = NDArray[np.bool_]
 
 
 @dataclass(frozen=True, slots=True)

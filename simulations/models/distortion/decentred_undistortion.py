@@ -9,8 +9,9 @@ Source: Szeliski, 2nd ed., section 2.1.5; the fixed point is the method of OpenC
 import numpy as np
 from numpy.typing import ArrayLike
 
+from simulations.models.arrays import Floats
 from simulations.models.distortion.decentring import DecentredLens
-from simulations.models.distortion.lens_model import Distortion, Floats
+from simulations.models.distortion.lens_model import Distortion
 from simulations.models.distortion.plane_newton import newton_step
 from simulations.models.distortion.radial_profile import scale
 

@@ -8,16 +8,12 @@ D. C. Brown, *Decentering distortion of lenses*, 1966.
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
+from simulations.models.arrays import Floats, Mask
 from simulations.models.distortion.decentred_sheet import on_sheet_of_axis, sheet_of
 from simulations.models.distortion.plane_newton import Linearisation, newton_step, solve_in_plane
 from simulations.models.distortion.radial_inverse import FURTHEST
 from simulations.models.distortion.radial_profile import RadialProfile, scale_and_slope
-
-type Floats = NDArray[np.floating]
-type Mask = NDArray[np.bool_]
-
 
 CAREFUL_STEPS = 40
 """For points that whole steps lose: halved ones that crawl along a fold are many."""
@@ -93,8 +89,7 @@ def _solved(ideal: Floats, wanted: Floats, lens: DecentredLens) -> Mask:
 def _residual(ideal: Floats, wanted: Floats, lens: DecentredLens) -> Floats:
     """How far from where they are wanted the lens sends points (N, 2): the larger coordinate."""
     x, y, *_ = lens.linearised(ideal[:, 0], ideal[:, 1])
-    off: Floats = np.maximum(np.abs(x - wanted[:, 0]), np.abs(y - wanted[:, 1]))
-    return off
+    return np.maximum(np.abs(x - wanted[:, 0]), np.abs(y - wanted[:, 1]))
 
 
 def _kept_on_sheet(wanted: Floats, start: Floats, lens: DecentredLens) -> Floats:

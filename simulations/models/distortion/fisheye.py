@@ -3,20 +3,20 @@
 Directions are camera-frame vectors (x right, y down, z along the optical axis); image points are
 in units of the focal length. Szeliski, 2nd ed., §2.1.5; J. Kannala and S. Brandt, *A generic
 camera model and calibration method*, 2006.
+
+Reference: the book explains it; no figure and no ladder runs it.
 """
 
 from collections.abc import Callable
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
-from simulations.models.arrays import as_vectors
+from simulations.models.arrays import Floats, Mask, as_vectors
 from simulations.models.distortion import radial_profile, radial_table
 from simulations.models.distortion.radial_profile import RadialProfile
-
-type Floats = NDArray[np.floating]
-type Mask = NDArray[np.bool_]
+from simulations.models.require import require_one_of
 
 
 @dataclass(frozen=True, slots=True)
@@ -146,6 +146,5 @@ def _direction(angle: Floats, azimuth: Floats) -> Floats:
 
 
 def _ideal(model: str) -> IdealModel:
-    if model not in IDEAL_MODELS:
-        raise ValueError(f"model {model!r}: legal: {', '.join(IDEAL_MODELS)}")
+    require_one_of("model", model, IDEAL_MODELS)
     return IDEAL_MODELS[model]

@@ -1,13 +1,12 @@
 """What a distortion does to a picture, in words and numbers: its kind and how far lines bow."""
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
-from simulations.models.arrays import as_vectors
+from simulations.models.arrays import Floats, as_vectors
 from simulations.models.distortion import radial_profile
 from simulations.models.distortion.lens_model import FAR, Distortion, fold_radius
-
-type Floats = NDArray[np.floating]
+from simulations.models.require import require
 
 KINDS = ("none", "barrel", "pincushion", "moustache")
 
@@ -32,8 +31,7 @@ def classify(d: Distortion, corner_radius: float, tolerance: float) -> str:
     -------
     One of `KINDS`.
     """
-    if not 0.0 <= corner_radius <= FAR:
-        raise ValueError(f"corner_radius {corner_radius}; legal: 0 to {FAR:g}")
+    require("corner_radius", corner_radius, 0.0 <= corner_radius <= FAR, f"0 to {FAR:g}")
     radius = np.linspace(0.0, min(corner_radius, fold_radius(d)), 257)
     change = np.diff(radial_profile.scale(d.radial, radius * radius))
     rises = float(np.maximum(change, 0.0).sum()) > tolerance
@@ -56,5 +54,4 @@ def line_bow(points: ArrayLike) -> Floats:
     across = np.abs(chord[..., 1, None] * offset[..., 0] - chord[..., 0, None] * offset[..., 1])
     away = np.hypot(offset[..., 0], offset[..., 1])
     distance = np.divide(across, length, out=away, where=length > 0.0)
-    result: Floats = distance.max(axis=-1)
-    return result
+    return distance.max(axis=-1)

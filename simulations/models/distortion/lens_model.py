@@ -15,15 +15,13 @@ lenses*, 1966; the rational form is OpenCV's.
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
-from simulations.models.arrays import as_vectors
+from simulations.models.arrays import Floats, Mask, as_vectors
 from simulations.models.distortion import radial_inverse, radial_profile, radial_table
 from simulations.models.distortion.decentring import DecentredLens, undo_decentred
 from simulations.models.distortion.radial_profile import LARGEST_COEFFICIENT, RadialProfile
-
-type Floats = NDArray[np.floating]
-type Mask = NDArray[np.bool_]
+from simulations.models.require import require
 
 FAR = 1e45
 """Radius beyond which r⁶ and its products might overflow: only the direction counts there."""
@@ -51,10 +49,8 @@ class Distortion:
     """Denominator, of r⁶."""
 
     def __post_init__(self) -> None:
-        if not np.all(np.abs(self.opencv) <= LARGEST_COEFFICIENT):
-            raise ValueError(
-                f"{self}: coefficients must be finite, at most {LARGEST_COEFFICIENT:g} in size"
-            )
+        small = np.all(np.abs(self.opencv) <= LARGEST_COEFFICIENT)
+        require("coefficients", self, small, f"finite, at most {LARGEST_COEFFICIENT:g} in size")
 
     @property
     def radial(self) -> RadialProfile:

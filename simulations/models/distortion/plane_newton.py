@@ -3,9 +3,8 @@
 from collections.abc import Callable
 
 import numpy as np
-from numpy.typing import NDArray
 
-type Floats = NDArray[np.floating]
+from simulations.models.arrays import Floats
 
 MOST_STEPS = 30
 """A bound on the work: from a start in reach of the root three or four are usual."""

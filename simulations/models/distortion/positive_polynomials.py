@@ -11,10 +11,8 @@ from functools import lru_cache
 from math import comb
 
 import numpy as np
-from numpy.typing import NDArray
 
-type Floats = NDArray[np.floating]
-type Mask = NDArray[np.bool_]
+from simulations.models.arrays import Floats, Mask
 
 MOST_HALVINGS = 26
 """After these, a polynomial that is not yet judged touches zero to the last half of its digits."""

@@ -8,11 +8,8 @@ from math import sqrt
 
 import numpy as np
 
-from simulations.models.distortion.radial_profile import (
-    Floats,
-    RadialProfile,
-    nearest_turning_image,
-)
+from simulations.models.arrays import Floats
+from simulations.models.distortion.radial_profile import RadialProfile, nearest_turning_image
 
 FAR_FOLD = 64.0
 """A fold whose squared image is this many times the wanted reach bends nothing within it."""

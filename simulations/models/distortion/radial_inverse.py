@@ -8,10 +8,10 @@ points that it cannot vouch for.
 from math import inf
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
+from simulations.models.arrays import Floats, Mask
 from simulations.models.distortion.radial_profile import (
-    Floats,
     RadialProfile,
     evaluate,
     fold_radius,
@@ -29,9 +29,7 @@ FURTHEST = 2.0**149
 """Radius, 7e44, up to which is searched: r⁶ and its products are still numbers there."""
 
 
-def invert_bracketed(
-    profile: RadialProfile, image_radius: ArrayLike
-) -> tuple[Floats, NDArray[np.bool_]]:
+def invert_bracketed(profile: RadialProfile, image_radius: ArrayLike) -> tuple[Floats, Mask]:
     """The radius ``r`` in [0, fold) with ``f(r) = image_radius``.
 
     Newton's method inside a bracket that every step tightens, with bisection where a step
@@ -96,5 +94,4 @@ def _first_guess(profile: RadialProfile, wanted: Floats, upper: float) -> Floats
     with np.errstate(over="ignore", invalid="ignore"):
         images = evaluate(profile, radii)
     usable = np.isfinite(images)
-    guess: Floats = np.interp(wanted, np.maximum.accumulate(images[usable]), radii[usable])
-    return guess
+    return np.interp(wanted, np.maximum.accumulate(images[usable]), radii[usable])

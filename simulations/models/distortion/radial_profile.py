@@ -12,7 +12,8 @@ import numpy as np
 from numpy.polynomial import Polynomial
 from numpy.typing import ArrayLike, NDArray
 
-type Floats = NDArray[np.floating]
+from simulations.models.arrays import Floats
+from simulations.models.require import require
 
 LARGEST_COEFFICIENT = 1e9
 """Far beyond any lens, and small enough for the products of two polynomials never to overflow."""
@@ -28,10 +29,8 @@ class RadialProfile:
     """b₁, b₂, …"""
 
     def __post_init__(self) -> None:
-        if not np.all(np.abs((*self.numerator, *self.denominator)) <= LARGEST_COEFFICIENT):
-            raise ValueError(
-                f"coefficients {self}: must be finite, at most {LARGEST_COEFFICIENT:g} in size"
-            )
+        small = np.all(np.abs((*self.numerator, *self.denominator)) <= LARGEST_COEFFICIENT)
+        require("coefficients", self, small, f"finite, at most {LARGEST_COEFFICIENT:g} in size")
 
     @property
     def neutral(self) -> bool:
@@ -55,8 +54,7 @@ def evaluate(profile: RadialProfile, radius: ArrayLike) -> Floats:
     if profile.neutral:  # r² would overflow for |r| > 1e154 although f(r) = r does not
         return r
     with np.errstate(over="ignore", invalid="ignore"):
-        image: Floats = r * scale(profile, r * r)
-    return image
+        return r * scale(profile, r * r)
 
 
 def scale_slope(profile: RadialProfile, radius_squared: ArrayLike) -> Floats:
@@ -87,8 +85,7 @@ def slope_at_squared(profile: RadialProfile, radius_squared: ArrayLike) -> Float
     s = np.asarray(radius_squared, float)
     with np.errstate(over="ignore", invalid="ignore"):
         if any(profile.denominator):
-            result: Floats = scale(profile, s) + 2.0 * s * scale_slope(profile, s)
-            return result
+            return scale(profile, s) + 2.0 * s * scale_slope(profile, s)
         odd = tuple((2 * i + 3) * a for i, a in enumerate(profile.numerator))
         return _series(odd, s)
 
@@ -142,8 +139,7 @@ def _series(coefficients: tuple[float, ...], s: Floats) -> Floats:
     total = used[-1] * s
     for coefficient in reversed(used[:-1]):
         total = (total + coefficient) * s
-    result: Floats = total + 1.0
-    return result
+    return total + 1.0
 
 
 def _series_and_slope(coefficients: tuple[float, ...], s: Floats) -> tuple[Floats, Floats]:

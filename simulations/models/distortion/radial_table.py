@@ -16,20 +16,18 @@ from functools import lru_cache
 from math import frexp, sqrt
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
+from simulations.models.arrays import Floats, Mask
 from simulations.models.distortion.radial_grid import Grid, cell_of, grid_for, image_squared_at
 from simulations.models.distortion.radial_inverse import furthest_radius, invert_bracketed
 from simulations.models.distortion.radial_profile import (
-    Floats,
     RadialProfile,
     fold_radius,
     image_of_fold,
     scale,
     scale_and_slope,
 )
-
-type Mask = NDArray[np.bool_]
 
 CELLS = (256, 2048)
 """The first number does for most lenses, the second for some that have bends close together."""

@@ -18,8 +18,9 @@ from types import MappingProxyType
 import numpy as np
 from numpy.typing import ArrayLike
 
+from simulations.models.arrays import Floats
 from simulations.models.distortion import radial_inverse, radial_profile
-from simulations.models.distortion.lens_model import Distortion, Floats, undistort_clamped
+from simulations.models.distortion.lens_model import Distortion, undistort_clamped
 from simulations.models.distortion.radial_profile import RadialProfile
 
 TABLE_ENTRIES = 1025
@@ -125,8 +126,7 @@ def undistort_bracketed(xy: ArrayLike, d: Distortion) -> Floats:
     seen_radius = np.hypot(seen[..., 0], seen[..., 1])
     radius, _ = radial_inverse.invert_bracketed(d.radial, seen_radius)
     ratio = np.divide(radius, seen_radius, out=np.ones_like(radius), where=seen_radius > 0.0)
-    ideal: Floats = seen * ratio[..., None]
-    return ideal
+    return seen * ratio[..., None]
 
 
 def undistort_checked(xy: ArrayLike, d: Distortion) -> Floats:

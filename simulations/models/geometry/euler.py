@@ -16,13 +16,11 @@ Source: Szeliski, Computer Vision, 2nd ed., §2.1.3; Diebel, Representing attitu
 import math
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
-from simulations.models.arrays import as_vectors
+from simulations.models.arrays import Floats, Mask, as_vectors
 from simulations.models.geometry import quaternions
-from simulations.models.geometry.rotations import Floats, check_rotation, from_axis_angle
-
-type Mask = NDArray[np.bool_]
+from simulations.models.geometry.rotations import check_rotation, from_axis_angle
 
 LOCK_RAD = 1e-7
 """Distance of the middle angle from the locked position below which we call it locked: the outer
@@ -39,8 +37,7 @@ def to_matrix(sequence: str, angles_rad: ArrayLike) -> Floats:
     angles = as_vectors("angles_rad", angles_rad, 3)
     turns = [from_axis_angle(axis, angles[..., at]) for at, axis in enumerate(axes(sequence))]
     first, second, third = turns if sequence.isupper() else reversed(turns)
-    R: Floats = first @ second @ third
-    return R
+    return first @ second @ third
 
 
 def from_matrix(R: ArrayLike, sequence: str) -> tuple[Floats, Mask]:
@@ -92,8 +89,7 @@ def from_matrix(R: ArrayLike, sequence: str) -> tuple[Floats, Mask]:
 
 def axes(sequence: str) -> Floats:
     """Unit vectors (3, 3) of the three axes, one a row, in the order of the letters."""
-    vectors: Floats = np.eye(3)[_indices(sequence)]
-    return vectors
+    return np.eye(3)[_indices(sequence)]
 
 
 def _indices(sequence: str) -> list[int]:
@@ -101,7 +97,7 @@ def _indices(sequence: str) -> list[int]:
     distinct = len(letters) == 3 and letters[0] != letters[1] != letters[2]
     if not distinct or set(letters) - set("xyz") or not (sequence.isupper() or sequence.islower()):
         raise ValueError(
-            f"sequence: {sequence!r}; legal: three of x, y, z, neighbours different, "
+            f"sequence {sequence!r}; legal: three of x, y, z, neighbours different, "
             "all upper case (moving axes) or all lower case (fixed axes)"
         )
     return ["xyz".index(letter) for letter in letters]

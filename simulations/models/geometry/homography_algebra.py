@@ -1,6 +1,8 @@
 """Undoing, judging and taking apart 2D transformations.
 
 Source: Szeliski, 2nd ed., §2.1.2; Hartley and Zisserman, Multiple View Geometry, §2.4.
+
+Reference: the book explains it; no figure and no ladder runs it.
 """
 
 import math
@@ -9,7 +11,8 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike
 
-from simulations.models.geometry.transforms import Floats, affine
+from simulations.models.arrays import Floats
+from simulations.models.geometry.transforms import affine
 
 SINGULAR = 1e12
 """Condition from which on an inverse has hardly a digit left."""
@@ -87,7 +90,7 @@ def decompose(H: ArrayLike) -> Parts:
         the shear means nothing. Parts beyond 1e±75 are refused too, for their squares overflow.
     """
     matrix = np.array(H, dtype=float)
-    legal = f"H: {matrix.tolist()}; legal: invertible with h₃₃ ≠ 0, parts from 1e-75 to 1e75"
+    legal = f"H {matrix.tolist()}; legal: invertible with h₃₃ ≠ 0, parts from 1e-75 to 1e75"
     if matrix[2, 2] == 0.0 or is_singular(matrix):
         raise ValueError(legal)
     with np.errstate(over="ignore"):
@@ -115,5 +118,4 @@ def compose(parts: Parts) -> Floats:
     A = affine(np.array([[c, -s], [s, c]]) @ stretch, (parts.tx, parts.ty))
     P = np.eye(3)
     P[2, :2] = parts.vanishing
-    H: Floats = A @ P
-    return H
+    return A @ P

@@ -5,6 +5,8 @@ determine the transformation: too few, coincident, or collinear where a plane is
 
 Source: Szeliski, 2nd ed., §8.1; Hartley, In defense of the eight-point algorithm, 1997 (why to
 normalise first); Umeyama, Least-squares estimation of transformation parameters, 1991.
+
+Reference: the book explains it; no figure and no ladder runs it.
 """
 
 import math
@@ -12,8 +14,9 @@ import math
 import numpy as np
 from numpy.typing import ArrayLike
 
+from simulations.models.arrays import Floats
 from simulations.models.geometry.homography_algebra import is_singular
-from simulations.models.geometry.transforms import Floats, affine, apply_homography, similarity
+from simulations.models.geometry.transforms import affine, apply_homography, similarity
 
 DEGENERATE = 1e-9
 """Singular values below this share of the largest count as zero."""

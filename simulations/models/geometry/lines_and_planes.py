@@ -5,13 +5,14 @@ multiple is the same line or plane. Those made here have a normal of length 1, s
 side is a signed distance in the unit of the points.
 
 Source: Szeliski, Computer Vision, 2nd ed., §2.1.1.
+
+Reference: the book explains it; no figure and no ladder runs it.
 """
 
 import numpy as np
 from numpy.typing import ArrayLike
 
-from simulations.models.arrays import as_vectors
-from simulations.models.geometry.transforms import Floats, Mask
+from simulations.models.arrays import Floats, Mask, as_vectors
 
 PARALLEL = 1e-14
 """Sine of an angle below which two directions are parallel but for rounding."""
@@ -91,8 +92,7 @@ def signed_distance(points: ArrayLike, hyperplane: ArrayLike) -> Floats:
     unit = _unit_normal(as_vectors("hyperplane", entries, dimensions + 1))
     position = as_vectors("points", points, dimensions)
     with np.errstate(over="ignore", invalid="ignore"):
-        distance: Floats = (unit[..., :-1] * position).sum(axis=-1) + unit[..., -1]
-    return distance
+        return (unit[..., :-1] * position).sum(axis=-1) + unit[..., -1]
 
 
 def _with_normal(normal: Floats, point: Floats) -> tuple[Floats, Mask]:
@@ -110,8 +110,7 @@ def _unit_normal(entries: Floats) -> Floats:
     largest = np.abs(entries[..., :-1]).max(axis=-1, keepdims=True)
     with np.errstate(over="ignore", invalid="ignore", divide="ignore"):
         scaled = entries / largest
-        unit: Floats = scaled / np.linalg.norm(scaled[..., :-1], axis=-1, keepdims=True)
-    return unit
+        return scaled / np.linalg.norm(scaled[..., :-1], axis=-1, keepdims=True)
 
 
 def _direction(vectors: Floats) -> Floats:
@@ -119,5 +118,4 @@ def _direction(vectors: Floats) -> Floats:
     largest = np.abs(vectors).max(axis=-1, keepdims=True)
     with np.errstate(invalid="ignore", divide="ignore"):
         scaled = vectors / largest  # squares can neither overflow nor vanish
-        unit: Floats = scaled / np.linalg.norm(scaled, axis=-1, keepdims=True)
-    return unit
+        return scaled / np.linalg.norm(scaled, axis=-1, keepdims=True)

@@ -10,7 +10,8 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike
 
-from simulations.models.geometry.transforms import Floats, apply_homography, clip_to_visible
+from simulations.models.arrays import Floats
+from simulations.models.geometry.transforms import apply_homography, clip_to_visible
 
 PARALLEL = 1e-9
 """Sine of the angle below which two lines of the original count as parallel."""
@@ -68,8 +69,7 @@ def measure_preservation(H: ArrayLike, segments: ArrayLike) -> Preservation:
 def _sample(segments: Floats, count: int = 9) -> Floats:
     """Points (N, count, 2) spread evenly over segments (N, 2, 2), both ends included."""
     share = np.linspace(0.0, 1.0, count)[:, None]
-    points: Floats = segments[:, None, 0] * (1.0 - share) + segments[:, None, 1] * share
-    return points
+    return segments[:, None, 0] * (1.0 - share) + segments[:, None, 1] * share
 
 
 def _unit(vectors: Floats) -> tuple[Floats, Floats]:
@@ -80,8 +80,7 @@ def _unit(vectors: Floats) -> tuple[Floats, Floats]:
 def _angle(a: Floats, b: Floats) -> Floats:
     """Angle in [0, π] between vectors; through atan2, which is exact for small angles too."""
     cross = a[..., 0] * b[..., 1] - a[..., 1] * b[..., 0]
-    angle: Floats = np.arctan2(np.abs(cross), (a * b).sum(axis=-1))
-    return angle
+    return np.arctan2(np.abs(cross), (a * b).sum(axis=-1))
 
 
 def _angles(directions: Floats) -> Floats:

@@ -7,12 +7,11 @@ only their speed on it differs. Source: Szeliski, Computer Vision, 2nd ed., §2.
 from collections.abc import Callable, Mapping
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
+from simulations.models.arrays import Floats
 from simulations.models.geometry import quaternions
 from simulations.models.geometry.rotations import nlerp, slerp
-
-type Floats = NDArray[np.floating]
 
 STRAIGHT = 0.9995
 """Cosine above which `threshold_slerp` takes the straight line."""
@@ -83,8 +82,7 @@ def _unit(vectors: Floats) -> Floats:
     square = (vectors * vectors).sum(axis=-1, keepdims=True)
     length = np.sqrt(square.astype(np.float64)).astype(np.longdouble)
     # One Newton step, since a C library's extended square root may be no better than float64's.
-    unit: Floats = vectors / ((length + square / length) / 2)
-    return unit
+    return vectors / ((length + square / length) / 2)
 
 
 def turn_between_rad(one: Floats, other: Floats) -> Floats:
@@ -96,5 +94,4 @@ def turn_between_rad(one: Floats, other: Floats) -> Floats:
     square = np.minimum(
         ((one - other) ** 2).sum(axis=-1), ((one + other) ** 2).sum(axis=-1)
     ).astype(np.float64)
-    angle: Floats = 4.0 * np.arcsin(np.sqrt(square) / 2.0)
-    return angle
+    return 4.0 * np.arcsin(np.sqrt(square) / 2.0)

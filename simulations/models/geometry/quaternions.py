@@ -5,12 +5,11 @@ rotation. Source: Szeliski, Computer Vision, 2nd ed., §2.1.3.
 """
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
-from simulations.models.arrays import as_matrices, as_vectors
+from simulations.models.arrays import Floats, as_matrices, as_vectors
 from simulations.models.geometry.cross_products import cross_polynomial
-
-type Floats = NDArray[np.float64]
+from simulations.models.require import require
 
 
 def normalise(quaternion: ArrayLike) -> Floats:
@@ -22,8 +21,9 @@ def normalise(quaternion: ArrayLike) -> Floats:
     """
     q = as_vectors("quaternion", quaternion, 4)
     largest, scaled, norm = _measured(q)
-    if not ((largest > 0.0) & np.isfinite(largest)).all():
-        raise ValueError(f"quaternion: {q.tolist()}; legal: finite and not all zero")
+    require(
+        "quaternion", q, ((largest > 0.0) & np.isfinite(largest)).all(), "finite and not all zero"
+    )
     return np.moveaxis(scaled / norm, 0, -1)
 
 
@@ -39,8 +39,7 @@ def canonical(quaternion: ArrayLike) -> Floats:
 
 def conjugate(quaternion: ArrayLike) -> Floats:
     """(w, −x, −y, −z): the inverse of a unit quaternion."""
-    turned: Floats = as_vectors("quaternion", quaternion, 4) * np.array([1.0, -1.0, -1.0, -1.0])
-    return turned
+    return as_vectors("quaternion", quaternion, 4) * np.array([1.0, -1.0, -1.0, -1.0])
 
 
 def multiply(second: ArrayLike, first: ArrayLike) -> Floats:
@@ -58,8 +57,7 @@ def rotate(quaternion: ArrayLike, vectors: ArrayLike) -> Floats:
     q, v = as_vectors("quaternion", quaternion, 4), as_vectors("vectors", vectors, 3)
     with np.errstate(over="ignore", invalid="ignore"):
         twice = 2.0 * np.cross(q[..., 1:], v)
-        turned: Floats = v + q[..., :1] * twice + np.cross(q[..., 1:], twice)
-    return turned
+        return v + q[..., :1] * twice + np.cross(q[..., 1:], twice)
 
 
 def angle_and_axis(rotation_vector: ArrayLike) -> tuple[Floats, Floats]:
@@ -69,12 +67,10 @@ def angle_and_axis(rotation_vector: ArrayLike) -> tuple[Floats, Floats]:
     """
     v = as_vectors("rotation_vector", rotation_vector, 3)
     largest, scaled, norm = _measured(v)
-    if not np.isfinite(largest).all():
-        raise ValueError(f"rotation_vector: {v.tolist()}; legal: finite")
+    require("rotation_vector", v, np.isfinite(largest).all(), "finite")
     with np.errstate(over="ignore"):
         angle = largest * norm
-    if not np.isfinite(angle).all():
-        raise ValueError(f"rotation_vector: {v.tolist()}; legal: of finite length")
+    require("rotation_vector", v, np.isfinite(angle).all(), "of finite length")
     axis = np.moveaxis(scaled / np.where(norm > 0.0, norm, 1.0), 0, -1)
     return angle[..., None], axis
 

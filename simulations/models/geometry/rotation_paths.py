@@ -9,9 +9,10 @@ from collections.abc import Sequence
 import numpy as np
 from numpy.typing import ArrayLike
 
-from simulations.models.arrays import as_array
+from simulations.models.arrays import Floats, as_array
 from simulations.models.geometry import euler, quaternions
-from simulations.models.geometry.rotations import Floats, checked_share, from_axis_angle
+from simulations.models.geometry.rotations import checked_share, from_axis_angle
+from simulations.models.require import require
 
 
 def euler_blend(
@@ -29,8 +30,7 @@ def matrix_blend(start: ArrayLike, end: ArrayLike, share: ArrayLike) -> Floats:
     With θ the angle between the two, what lies across the axis shrinks to |cos θ/2| halfway.
     """
     s = checked_share(share)[..., None, None]
-    blend: Floats = (1.0 - s) * as_array("start", start, 3, 3) + s * as_array("end", end, 3, 3)
-    return blend
+    return (1.0 - s) * as_array("start", start, 3, 3) + s * as_array("end", end, 3, 3)
 
 
 def off_great_circle(quaternion: ArrayLike, start: ArrayLike, end: ArrayLike) -> float:
@@ -58,8 +58,7 @@ def rate_axes(sequence: str, angles_rad: Sequence[float]) -> Floats:
     Column i is the axis about which a change of angle i turns the body, so that
     ω = J (ȧ₁, ȧ₂, ȧ₃) in radians per second.
     """
-    if not sequence.isupper():
-        raise ValueError(f"sequence: {sequence!r}; legal: of moving axes, all upper case")
+    require("sequence", sequence, sequence.isupper(), "of moving axes, all upper case")
     first, second, third = euler.axes(sequence)
     angles = _angles("angles_rad", angles_rad)
     turn = from_axis_angle(first, angles[0])
@@ -69,6 +68,5 @@ def rate_axes(sequence: str, angles_rad: Sequence[float]) -> Floats:
 
 def _angles(name: str, angles_rad: ArrayLike) -> Floats:
     angles: Floats = as_array(name, angles_rad, 3)
-    if not np.isfinite(angles).all():
-        raise ValueError(f"{name}: {angles.tolist()}; legal: finite")
+    require(name, angles, np.isfinite(angles).all(), "finite")
     return angles

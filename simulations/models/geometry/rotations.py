@@ -5,13 +5,12 @@ the viewer. Source: Szeliski, Computer Vision, 2nd ed., §2.1.3.
 """
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
-from simulations.models.arrays import as_array, as_matrices, as_vectors
+from simulations.models.arrays import Floats, as_array, as_matrices, as_vectors
 from simulations.models.geometry import quaternions
 from simulations.models.geometry.cross_products import cross_polynomial
-
-type Floats = NDArray[np.float64]
+from simulations.models.require import require
 
 ORTHOGONAL = 1e-6
 """Largest entry of RᵀR − I that still passes for rounding."""
@@ -46,10 +45,10 @@ def from_axis_angle(axis: ArrayLike, angle_rad: ArrayLike) -> Floats:
     """The turn by ``angle_rad`` (...), finite, about ``axis`` (..., 3) of any length but zero."""
     direction, angle = as_vectors("axis", axis, 3), np.asarray(angle_rad, float)
     largest = np.abs(direction).max(axis=-1, keepdims=True)
-    if not ((largest > 0.0) & np.isfinite(largest)).all():
-        raise ValueError(f"axis: {direction.tolist()}; legal: finite and not zero")
-    if not np.isfinite(angle).all():
-        raise ValueError(f"angle_rad: {angle.tolist()}; legal: finite")
+    require(
+        "axis", direction, ((largest > 0.0) & np.isfinite(largest)).all(), "finite and not zero"
+    )
+    require("angle_rad", angle, np.isfinite(angle).all(), "finite")
     scaled = direction / largest
     return _turn(scaled / np.linalg.norm(scaled, axis=-1, keepdims=True), angle)
 
@@ -86,14 +85,12 @@ def nearest_rotation(matrix: ArrayLike) -> Floats:
     such as −I that is as far from being a rotation as can be.
     """
     M = as_array("matrix", matrix, 3, 3)
-    if not np.isfinite(M).all():
-        raise ValueError(f"matrix: {M.tolist()}; legal: (3, 3), finite")
+    require("matrix", M, np.isfinite(M).all(), "(3, 3), finite")
     U, sizes, Vt = np.linalg.svd(M / max(float(np.abs(M).max()), np.finfo(float).tiny))
     handedness = 1.0 if np.linalg.det(U @ Vt) > 0.0 else -1.0
     if not sizes[1] + handedness * sizes[2] > 1e-12 * sizes[0]:
         raise ValueError(f"matrix: singular values {sizes.tolist()}; no single nearest rotation")
-    R: Floats = (U * [1.0, 1.0, handedness]) @ Vt
-    return R
+    return (U * [1.0, 1.0, handedness]) @ Vt
 
 
 def slerp(start: ArrayLike, end: ArrayLike, share: ArrayLike) -> Floats:
@@ -125,8 +122,7 @@ def nlerp(start: ArrayLike, end: ArrayLike, share: ArrayLike) -> Floats:
 def checked_share(share: ArrayLike) -> Floats:
     """Shares (...) of a way, if none is NaN or beyond `LARGEST_SHARE`; else `ValueError`."""
     s = np.asarray(share, float)
-    if not np.all(np.abs(s) <= LARGEST_SHARE):
-        raise ValueError(f"share: {s.tolist()}; legal: at most {LARGEST_SHARE:g} in size")
+    require("share", s, np.all(np.abs(s) <= LARGEST_SHARE), f"at most {LARGEST_SHARE:g} in size")
     return s
 
 

@@ -17,12 +17,10 @@ Source: Szeliski, Computer Vision, 2nd ed., §2.1.1–2.1.2, table 2.1.
 import math
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
-from simulations.models.arrays import as_vectors
-
-type Floats = NDArray[np.float64]
-type Mask = NDArray[np.bool_]
+from simulations.models.arrays import Floats, Mask, as_vectors
+from simulations.models.require import require, require_positive
 
 CLIP_RANGE = 1e150
 """Largest coordinate that can be clipped: beyond, differences and products would overflow."""
@@ -46,8 +44,7 @@ def similarity(scale: float, angle_rad: float, tx: float, ty: float) -> Floats:
 
     Raises `ValueError` unless the scale is positive and finite.
     """
-    if not 0.0 < scale < math.inf:
-        raise ValueError(f"scale: {scale}; legal: positive and finite")
+    require_positive("scale", scale)
     c, s = scale * math.cos(angle_rad), scale * math.sin(angle_rad)
     return affine([[c, -s], [s, c]], (tx, ty))
 
@@ -79,8 +76,7 @@ def projective(h: ArrayLike) -> Floats:
 
 
 def _finite(H: Floats) -> Floats:
-    if not np.isfinite(H).all():
-        raise ValueError(f"transformation {H.tolist()}; legal: finite entries")
+    require("transformation", H, np.isfinite(H).all(), "finite entries")
     return H
 
 
@@ -124,8 +120,7 @@ def _scaled(H: ArrayLike) -> Floats:
     """H with entries below 1: the same map. A power of two is divided out, without rounding."""
     matrix = np.asarray(H, float)
     _, exponent = np.frexp(np.abs(matrix).max())
-    scaled: Floats = np.ldexp(matrix, -int(exponent))
-    return scaled
+    return np.ldexp(matrix, -int(exponent))
 
 
 def _divisor(H: Floats, xy: Floats) -> tuple[Floats, Floats]:
@@ -174,11 +169,9 @@ def clip_to_visible(
 
     Raises `ValueError` where ``seen`` lies on that line, and for numbers beyond `CLIP_RANGE`.
     """
-    if not W_MINIMUM < w_minimum < 1.0:
-        raise ValueError(f"w_minimum: {w_minimum}; legal: {W_MINIMUM} to 1")
+    require("w_minimum", w_minimum, W_MINIMUM < w_minimum < 1.0, f"{W_MINIMUM} to 1")
     side = float(sign_of_w(_in_range("H", np.asarray(H, float)), seen))
-    if side == 0.0:
-        raise ValueError(f"seen: {seen!r}; legal: beside the line that H sends to infinity")
+    require("seen", seen, side != 0.0, "beside the line that H sends to infinity")
     matrix = side * _scaled(H)
     vertices = _in_range("polygon", _vertices(polygon))
     if not len(vertices):
@@ -193,8 +186,10 @@ def _vertices(polygon: ArrayLike) -> Floats:
 
 
 def _in_range(name: str, values: Floats) -> Floats:
-    if not np.all(np.abs(values) <= CLIP_RANGE):
-        raise ValueError(
-            f"{name}: {values.tolist()}; legal: finite, at most {CLIP_RANGE:g} in size"
-        )
+    require(
+        name,
+        values,
+        np.all(np.abs(values) <= CLIP_RANGE),
+        f"finite, at most {CLIP_RANGE:g} in size",
+    )
     return values

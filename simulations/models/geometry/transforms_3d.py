@@ -7,6 +7,8 @@ infinity, and H and c H are the same map, c ≠ 0.
 
 Source: Szeliski, Computer Vision, 2nd ed., §2.1.3, table 2.2; §8.1.5 for the estimate (Umeyama,
 Least-squares estimation of transformation parameters, 1991).
+
+Reference: the book explains it; no figure and no ladder runs it.
 """
 
 import math
@@ -14,9 +16,10 @@ import math
 import numpy as np
 from numpy.typing import ArrayLike
 
-from simulations.models.arrays import as_array, as_vectors
+from simulations.models.arrays import Floats, Mask, as_array, as_vectors
 from simulations.models.geometry.rotations import check_rotation
-from simulations.models.geometry.transforms import W_MINIMUM, Floats, Mask
+from simulations.models.geometry.transforms import W_MINIMUM
+from simulations.models.require import require, require_positive
 
 DEGENERATE = 1e-9
 """Singular values below this share of the largest count as zero."""
@@ -43,8 +46,7 @@ def similarity(scale: float, R: ArrayLike, offset: ArrayLike) -> Floats:
 
     Raises `ValueError` unless the scale is positive and finite and R a rotation.
     """
-    if not 0.0 < scale < math.inf:
-        raise ValueError(f"scale: {scale}; legal: positive and finite")
+    require_positive("scale", scale)
     return affine(scale * check_rotation(as_array("R", R, 3, 3)), offset)
 
 
@@ -53,8 +55,7 @@ def affine(matrix: ArrayLike, offset: ArrayLike) -> Floats:
     H = np.eye(4)
     H[:3, :3] = as_array("matrix", matrix, 3, 3)
     H[:3, 3] = as_array("offset", offset, 3)
-    if not np.isfinite(H).all():
-        raise ValueError(f"transformation {H.tolist()}; legal: finite entries")
+    require("transformation", H, np.isfinite(H).all(), "finite entries")
     return H
 
 

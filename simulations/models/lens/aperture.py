@@ -4,9 +4,9 @@ Szeliski, 2nd ed., section 2.2.3; H. Vogel, *A better way to construct the sunfl
 """
 
 import numpy as np
-from numpy.typing import NDArray
 
-type Floats = NDArray[np.floating]
+from simulations.models.arrays import Floats
+from simulations.models.whole_numbers import as_whole
 
 GOLDEN_ANGLE_RAD = np.pi * (3.0 - np.sqrt(5.0))
 
@@ -16,7 +16,7 @@ def fibonacci_disc(count: int) -> Floats:
 
     Raises `ValueError` for a count below 1. A single point lies off the centre, at radius √½.
     """
-    _check(count)
+    count = as_whole("count", count, 1)
     index = np.arange(count)
     radius, angle = np.sqrt((index + 0.5) / count), index * GOLDEN_ANGLE_RAD
     return np.stack([radius * np.cos(angle), radius * np.sin(angle)], axis=-1)
@@ -24,12 +24,7 @@ def fibonacci_disc(count: int) -> Floats:
 
 def random_disc(count: int, shape: tuple[int, ...], rng: np.random.Generator) -> Floats:
     """(count, 2, *shape) points, uniform on the unit disc and independent of one another."""
-    _check(count)
+    count = as_whole("count", count, 1)
     radius = np.sqrt(rng.random((count, *shape), dtype=np.float32))
     angle = np.float32(2 * np.pi) * rng.random((count, *shape), dtype=np.float32)
     return np.stack([radius * np.cos(angle), radius * np.sin(angle)], axis=1)
-
-
-def _check(count: int) -> None:
-    if count < 1:
-        raise ValueError(f"count {count}; legal: 1 or more points on the aperture")

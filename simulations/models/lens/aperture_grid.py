@@ -2,6 +2,8 @@
 
 import math
 
+from simulations.models.whole_numbers import as_whole
+
 type Point = tuple[float, float]
 """(right, down) in the unit disc."""
 
@@ -14,8 +16,7 @@ def aperture_grid(across: int) -> tuple[Point, ...]:
     Their order spreads over the disc at once, so that any beginning of it is a fair sample.
     Raises `ValueError` for a grid of no points.
     """
-    if across < 1:
-        raise ValueError(f"aperture_grid: across {across!r}; legal: 1 or more")
+    across = as_whole("across", across, 1)
     places = [(2 * index + 1) / across - 1 for index in range(across)]
     inside = [(x, y) for y in places for x in places if x * x + y * y <= 1.0]
     stride = _coprime_near(len(inside) / GOLDEN_RATIO, len(inside))

@@ -6,9 +6,10 @@ Wavelengths in micrometres, lengths in millimetres. Szeliski, 2nd ed., §2.2.3.
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
-type Floats = NDArray[np.floating]
+from simulations.models.arrays import Floats
+from simulations.models.require import require
 
 LINE_F_UM, LINE_D_UM, LINE_C_UM = 0.4861, 0.5876, 0.6563
 """Fraunhofer lines: blue hydrogen, yellow helium, red hydrogen."""
@@ -30,34 +31,30 @@ class Glass:
     """(n_d − 1) / (n_F − n_C): large is little dispersion; inf is none."""
 
     def __post_init__(self) -> None:
-        if not 1.0 < self.index_d <= 10.0:
-            raise ValueError(f"index_d {self.index_d!r}: must exceed 1, and not 10")
-        if not self.abbe_number >= 1.0:
-            raise ValueError(f"abbe_number {self.abbe_number!r}: must be at least 1 (inf: none)")
+        require("index_d", self.index_d, 1.0 < self.index_d <= 10.0, "above 1, to 10")
+        require("abbe_number", self.abbe_number, self.abbe_number >= 1.0, "1 or more (inf: none)")
 
 
 def refractive_index(glass: Glass, wavelength_um: ArrayLike) -> Floats:
     """Index at wavelengths (...); meets n_d and the Abbe number exactly."""
     wavelength = np.asarray(wavelength_um, float)
     if not np.all(wavelength >= SHORTEST_UM):
-        raise ValueError(
-            f"wavelength_um {float(np.min(wavelength))!r}: must be at least {SHORTEST_UM}"
-        )
+        raise ValueError(f"wavelength_um {float(np.min(wavelength))}; legal: {SHORTEST_UM} or more")
     dispersion = (glass.index_d - 1.0) / glass.abbe_number
     b = dispersion / (LINE_F_UM**-2 - LINE_C_UM**-2)
-    index: Floats = glass.index_d + b * (wavelength**-2 - LINE_D_UM**-2)
-    return index
+    return glass.index_d + b * (wavelength**-2 - LINE_D_UM**-2)
 
 
 def focal_length_mm(glass: Glass, focal_d_mm: float, wavelength_um: ArrayLike) -> Floats:
     """Focal length at each wavelength of a thin lens that has ``focal_d_mm`` at the d line."""
-    if not SHORTEST_FOCAL_MM <= focal_d_mm <= LONGEST_FOCAL_MM:
-        raise ValueError(
-            f"focal_d_mm {focal_d_mm!r}: must be {SHORTEST_FOCAL_MM:g} to {LONGEST_FOCAL_MM:g}"
-        )
+    require(
+        "focal_d_mm",
+        focal_d_mm,
+        SHORTEST_FOCAL_MM <= focal_d_mm <= LONGEST_FOCAL_MM,
+        f"{SHORTEST_FOCAL_MM:g} to {LONGEST_FOCAL_MM:g}",
+    )
     power = (refractive_index(glass, wavelength_um) - 1.0) / (glass.index_d - 1.0)
-    result: Floats = focal_d_mm / power
-    return result
+    return focal_d_mm / power
 
 
 def axial_chromatic_mm(
@@ -67,11 +64,9 @@ def axial_chromatic_mm(
 
     ``A |f_d − f(λ)| / f(λ)`` with aperture A = f_d/N; a pinhole (N = inf) has none.
     """
-    if not f_number > 0.0:
-        raise ValueError(f"f_number {f_number!r}: must be positive (inf is a pinhole)")
+    require("f_number", f_number, f_number > 0.0, "above 0 (inf is a pinhole)")
     focal = focal_length_mm(glass, focal_d_mm, wavelength_um)
-    blur: Floats = focal_d_mm / f_number * np.abs(focal_d_mm - focal) / focal
-    return blur
+    return focal_d_mm / f_number * np.abs(focal_d_mm - focal) / focal
 
 
 def lateral_chromatic_scale(
@@ -83,10 +78,11 @@ def lateral_chromatic_scale(
     glass off its centre and is deviated by dispersion: ``1 + t (1/f_d − 1/f(λ))``. With the stop
     in the lens (t = 0) every colour has the same scale.
     """
-    if not abs(stop_distance_mm) <= LONGEST_FOCAL_MM:
-        raise ValueError(
-            f"stop_distance_mm {stop_distance_mm!r}: must be at most {LONGEST_FOCAL_MM:g} in size"
-        )
+    require(
+        "stop_distance_mm",
+        stop_distance_mm,
+        abs(stop_distance_mm) <= LONGEST_FOCAL_MM,
+        f"at most {LONGEST_FOCAL_MM:g} in size",
+    )
     focal = focal_length_mm(glass, focal_d_mm, wavelength_um)
-    scale: Floats = 1.0 + stop_distance_mm * (1.0 / focal_d_mm - 1.0 / focal)
-    return scale
+    return 1.0 + stop_distance_mm * (1.0 / focal_d_mm - 1.0 / focal)

@@ -18,7 +18,8 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from simulations.models.lens.disc_blur import Planes, check_radius, disc_blur
+from simulations.models.arrays import Floats, Planes
+from simulations.models.lens.disc_blur import check_radius, disc_blur
 
 type Blur = Callable[[Planes, float], Planes]
 """A picture (C, H, W) convolved with a disc of a radius in pixels; itself for ½ and less."""
@@ -38,9 +39,7 @@ class Layer:
     """Radius of its disc of confusion."""
 
 
-def blur_by_depth(
-    planes: Planes, radius_px: NDArray[np.floating], blur: Blur = disc_blur
-) -> Planes:
+def blur_by_depth(planes: Planes, radius_px: Floats, blur: Blur = disc_blur) -> Planes:
     """An opaque picture (C, H, W) blurred by a disc whose radius (H, W) varies from place to place.
 
     The picture is blurred at the largest radius, half of it, a quarter, ... and each pixel mixes
@@ -50,7 +49,7 @@ def blur_by_depth(
     """
     smallest, largest = float(radius_px.min(initial=0.0)), float(radius_px.max(initial=0.0))
     for radius in (smallest, largest):
-        check_radius("blur_by_depth", radius)
+        check_radius(radius)
     if largest <= 0.5:
         return planes
     levels = blur_levels(largest)
@@ -78,7 +77,7 @@ def _hat(value: NDArray[np.float32], knots: list[float], index: int) -> NDArray[
 
 def blur_layer(layer: Layer, blur: Blur = disc_blur) -> Layer:
     """The layer with its disc applied, on a window grown to hold the spread."""
-    check_radius("blur_layer", layer.radius_px)
+    check_radius(layer.radius_px)
     if layer.radius_px <= 0.5:
         return layer
     grow = math.ceil(layer.radius_px) + 1

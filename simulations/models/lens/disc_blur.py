@@ -10,10 +10,9 @@ Pictures are planar: (C, H, W) float32. Szeliski, 2nd ed., sections 2.2.3 and 3.
 import math
 
 import numpy as np
-from numpy.typing import NDArray
 
-type Planes = NDArray[np.float32]
-type Floats = NDArray[np.floating]
+from simulations.models.arrays import Floats, Planes
+from simulations.models.require import require
 
 LARGEST_SUMMED_RADIUS = 6.0
 """Pixels. Up to here tap by tap is the quicker way, measured on the camera's picture."""
@@ -29,7 +28,7 @@ def disc_kernel(radius_px: float) -> Planes:
     that of a pixel, ``R²/4 + 1/12``, to 0.02 px² from R = 1.5 on and to 0.06 px² below. A disc
     within a pixel (R ≤ ½) is a single 1, and the weights change with the radius without a jump.
     """
-    check_radius("disc_kernel", radius_px)
+    check_radius(radius_px)
     reach = math.ceil(radius_px - 0.5) if radius_px > 0.5 else 0
     if reach == 0:
         return np.ones((1, 1), np.float32)
@@ -47,21 +46,18 @@ def disc_kernel(radius_px: float) -> Planes:
 def _area_to_corner(x: Floats, y: Floats, radius: float) -> Floats:
     """Area of the disc between its centre and the corner (x, y), both from 0 to the radius."""
     level = np.minimum(x, np.sqrt(np.maximum(radius**2 - y**2, 0.0)))  # up to here it is y high
-    area: Floats = y * level + _area_under_arc(x, radius) - _area_under_arc(level, radius)
-    return area
+    return y * level + _area_under_arc(x, radius) - _area_under_arc(level, radius)
 
 
 def _area_under_arc(x: Floats, radius: float) -> Floats:
     """Integral of √(R² − x²) from 0 to x."""
     sine = np.minimum(x / radius, 1.0)
-    area: Floats = 0.5 * radius**2 * (sine * np.sqrt(1.0 - sine**2) + np.arcsin(sine))
-    return area
+    return 0.5 * radius**2 * (sine * np.sqrt(1.0 - sine**2) + np.arcsin(sine))
 
 
-def check_radius(function: str, radius_px: float) -> None:
+def check_radius(radius_px: float) -> None:
     """Raises `ValueError` unless the radius is from 0 to `LARGEST_RADIUS`."""
-    if not 0 <= radius_px <= LARGEST_RADIUS:
-        raise ValueError(f"{function}: radius_px {radius_px!r}; legal: 0 to {LARGEST_RADIUS:g}")
+    require("radius_px", radius_px, 0 <= radius_px <= LARGEST_RADIUS, f"0 to {LARGEST_RADIUS:g}")
 
 
 def disc_blur(planes: Planes, radius_px: float) -> Planes:
@@ -69,7 +65,7 @@ def disc_blur(planes: Planes, radius_px: float) -> Planes:
 
     Returns the same object where the disc lies within a pixel (radius up to ½).
     """
-    check_radius("disc_blur", radius_px)
+    check_radius(radius_px)
     if radius_px <= 0.5:
         return planes
     convolve = summed if radius_px <= LARGEST_SUMMED_RADIUS else transformed

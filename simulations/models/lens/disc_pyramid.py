@@ -8,7 +8,8 @@ import math
 
 import numpy as np
 
-from simulations.models.lens.disc_blur import Planes, check_radius, disc_blur
+from simulations.models.arrays import Planes
+from simulations.models.lens.disc_blur import check_radius, disc_blur
 
 LARGEST_REDUCED_RADIUS = 8.0
 """Pixels of the coarse grid. At least half as many remain, or a disc's outline would get lost."""
@@ -22,7 +23,7 @@ def pyramid_blur(planes: Planes, radius_px: float) -> Planes:
     itself a blur, so the disc drawn there is smaller: the variance of both together is right, and
     the fourth moment up to an eighth too large: the outline is softer.
     """
-    check_radius("pyramid_blur", radius_px)
+    check_radius(radius_px)
     halvings = max(0, math.ceil(math.log2(max(radius_px, 1.0) / LARGEST_REDUCED_RADIUS)))
     height, width = planes.shape[1:]
     small = planes
@@ -55,8 +56,7 @@ def _halve_last(planes: Planes) -> Planes:
     padded = np.pad(planes, ((0, 0), (0, 0), (1, 1 + planes.shape[2] % 2)), mode="edge")
     outer = padded[..., 0:-3:2] + padded[..., 3::2]
     inner = padded[..., 1:-2:2] + padded[..., 2:-1:2]
-    half: Planes = np.float32(0.125) * outer + np.float32(0.375) * inner
-    return half
+    return np.float32(0.125) * outer + np.float32(0.375) * inner
 
 
 def double(planes: Planes) -> Planes:

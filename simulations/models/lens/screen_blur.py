@@ -5,12 +5,11 @@ none of these can show it through the object's soft edge. Potmesil and Chakravar
 """
 
 import numpy as np
-from numpy.typing import NDArray
 
-from simulations.models.lens.disc_blur import LARGEST_RADIUS, Planes
+from simulations.models.arrays import Floats, Planes
+from simulations.models.lens.disc_blur import LARGEST_RADIUS
 from simulations.models.sampling.aliasing import filter_and_sample, gaussian_kernel
-
-type Floats = NDArray[np.floating]
+from simulations.models.whole_numbers import as_whole
 
 
 def binned_gaussian(planes: Planes, radius_px: Floats, bins: int = 6) -> Planes:
@@ -18,8 +17,7 @@ def binned_gaussian(planes: Planes, radius_px: Floats, bins: int = 6) -> Planes:
 
     A disc of radius r has the variance r²/4 along each axis, so σ = r/2.
     """
-    if bins < 2:
-        raise ValueError(f"bins {bins}; legal: 2 or more")
+    bins = as_whole("bins", bins, 2)
     largest = _largest(radius_px)
     chosen = np.rint(radius_px / max(largest, 1e-9) * (bins - 1)).astype(np.intp)
     result = np.empty_like(planes)
@@ -61,8 +59,7 @@ def gather_discs(planes: Planes, radius_px: Floats, depth: Floats) -> Planes:
             weight = np.clip(spread + np.float32(0.5 - np.hypot(down, right)), 0, 1) / spread**2
             weights += weight
             total += weight * wide[:, rows, columns]
-    gathered: Planes = total / weights
-    return gathered
+    return total / weights
 
 
 def _largest(radius_px: Floats) -> float:

@@ -9,11 +9,10 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
+from simulations.models.arrays import Floats
+from simulations.models.require import require
 from simulations.models.whole_numbers import as_whole
-
-type Floats = NDArray[np.floating]
 
 MOST_CHOSEN = 100
 """Up to which numpy vouches for the places and weights of Gauss–Hermite quadrature."""
@@ -32,8 +31,7 @@ class Band:
 def chosen_wavelengths(peak_um: float, width_um: float, count: int) -> Band:
     """Gauss–Hermite quadrature of the bell curve: exact for polynomials up to 2 count − 1."""
     _check(width_um, count, peak_um)
-    if count > MOST_CHOSEN:
-        raise ValueError(f"count {count}; legal: at most {MOST_CHOSEN}")
+    count = as_whole("count", count, 1, MOST_CHOSEN)
     steps, weights = np.polynomial.hermite_e.hermegauss(count)
     return Band(peak_um + width_um * steps, weights / weights.sum())
 
@@ -58,7 +56,10 @@ def even_wavelengths(
 
 def _check(width_um: float, count: int, *wavelengths_um: float) -> None:
     as_whole("count", count, 1)
-    if not 1e-9 <= width_um < np.inf:
-        raise ValueError(f"width_um {width_um!r}; legal: 1e-9 or more, finite")
-    if not all(abs(wavelength) <= 1e9 for wavelength in wavelengths_um):
-        raise ValueError(f"wavelengths {wavelengths_um}; legal: finite, at most 1e9 in size")
+    require("width_um", width_um, 1e-9 <= width_um < np.inf, "1e-9 or more, finite")
+    require(
+        "wavelengths",
+        wavelengths_um,
+        all(abs(wavelength) <= 1e9 for wavelength in wavelengths_um),
+        "finite, at most 1e9 in size",
+    )

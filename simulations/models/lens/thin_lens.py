@@ -5,22 +5,21 @@ be at infinity. Szeliski, 2nd ed., §2.2.3.
 """
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
+from simulations.models.arrays import Floats
 from simulations.models.lens.vignetting import vignetting_cos4
+from simulations.models.require import require, require_positive
 
 __all__ = [
     "circle_of_confusion_mm",
     "depth_of_field",
-    "field_of_view_rad",
     "hyperfocal",
     "principal_distance_mm",
     "thin_lens_image_distance",
     "vignetting_cos4",
     "working_f_number",
 ]
-
-type Floats = NDArray[np.floating]
 
 
 def thin_lens_image_distance(focal_mm: float, distance_mm: ArrayLike) -> Floats:
@@ -39,16 +38,15 @@ def thin_lens_image_distance(focal_mm: float, distance_mm: ArrayLike) -> Floats:
     ValueError
         For objects inside the focal length: their image is virtual and no sensor can catch it.
     """
-    _check_positive("focal_mm", focal_mm)
+    require_positive("focal_mm", focal_mm)
     distance = np.asarray(distance_mm, float)
     if not np.all(distance >= focal_mm):
         raise ValueError(
-            f"distance_mm {_worst(distance)!r}: must be at least the focal length "
-            f"({focal_mm:g} mm); nearer objects have a virtual image"
+            f"distance_mm {_worst(distance)}; legal: the focal length, {focal_mm:g} mm, or more: "
+            "nearer objects have a virtual image"
         )
     with np.errstate(divide="ignore", over="ignore"):
-        image: Floats = focal_mm / _share_beyond(distance, focal_mm)
-    return image
+        return focal_mm / _share_beyond(distance, focal_mm)
 
 
 def principal_distance_mm(focal_mm: float, focus_mm: float) -> float:
@@ -113,7 +111,7 @@ def circle_of_confusion_mm(
     _check_lens(focal_mm, f_number, focus_mm)
     depth = np.asarray(depth_mm, float)
     if not np.all(depth >= 0.0):
-        raise ValueError(f"depth_mm {_worst(depth)!r}: must not be negative (behind the lens)")
+        raise ValueError(f"depth_mm {_worst(depth)}; legal: 0 or more, before the lens")
     if f_number == np.inf:
         return np.zeros_like(depth)
     near, far = np.minimum(depth, focus_mm), np.maximum(depth, focus_mm)
@@ -135,7 +133,7 @@ def depth_of_field(
     distance on; a pinhole (``f_number`` inf) has (0, inf).
     """
     _check_lens(focal_mm, f_number, focus_mm)
-    _check_positive("coc_mm", coc_mm)
+    require_positive("coc_mm", coc_mm)
     share = float(_share_beyond(focus_mm, focal_mm))
     tolerance_per_mm = coc_mm * f_number / focal_mm * share / focal_mm
     near_vergence = 1.0 / focus_mm + tolerance_per_mm
@@ -151,40 +149,26 @@ def hyperfocal(focal_mm: float, f_number: float, coc_mm: float) -> float:
 
     Focused there, everything from half that distance on is sharp.
     """
-    _check_positive("focal_mm", focal_mm)
-    _check_positive("coc_mm", coc_mm)
-    if not f_number > 0.0:
-        raise ValueError(f"f_number {f_number!r}: must be positive (inf is a pinhole)")
+    require_positive("focal_mm", focal_mm)
+    require_positive("coc_mm", coc_mm)
+    require("f_number", f_number, f_number > 0.0, "above 0 (inf is a pinhole)")
     return focal_mm * (focal_mm / f_number / coc_mm) + focal_mm  # the product may underflow
-
-
-def field_of_view_rad(focal_mm: float, sensor_mm: float, focus_mm: float = np.inf) -> float:
-    """Full angle that a sensor of this width sees: 2 atan(w / 2z), z from `principal_distance_mm`.
-
-    Focused at infinity, z is the focal length.
-    """
-    _check_positive("sensor_mm", sensor_mm)
-    return float(2.0 * np.arctan2(0.5 * sensor_mm, principal_distance_mm(focal_mm, focus_mm)))
 
 
 def _check_lens(focal_mm: float, f_number: float, focus_mm: float) -> None:
     _check_focus(focal_mm, focus_mm)
-    if not f_number > 0.0:
-        raise ValueError(f"f_number {f_number!r}: must be positive (inf is a pinhole)")
+    require("f_number", f_number, f_number > 0.0, "above 0 (inf is a pinhole)")
 
 
 def _check_focus(focal_mm: float, focus_mm: float) -> None:
-    _check_positive("focal_mm", focal_mm)
-    if not focus_mm > focal_mm:
-        raise ValueError(
-            f"focus_mm {focus_mm!r}: must exceed the focal length ({focal_mm:g} mm); "
-            "a nearer object has a virtual image, which no sensor can catch"
-        )
-
-
-def _check_positive(name: str, value: float) -> None:
-    if not 0.0 < value < np.inf:
-        raise ValueError(f"{name} {value!r}: must be positive and finite")
+    require_positive("focal_mm", focal_mm)
+    require(
+        "focus_mm",
+        focus_mm,
+        focus_mm > focal_mm,
+        f"above the focal length, {focal_mm:g} mm: a nearer object has a virtual image, "
+        "which no sensor can catch",
+    )
 
 
 def _worst(distances: Floats) -> float:

@@ -4,9 +4,10 @@ Szeliski, 2nd ed., §2.2.3.
 """
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
-type Floats = NDArray[np.floating]
+from simulations.models.arrays import Floats
+from simulations.models.require import require, require_positive
 
 
 def vignetting_cos4(r_over_f: ArrayLike) -> Floats:
@@ -28,8 +29,7 @@ def vignetting_cos4(r_over_f: ArrayLike) -> Floats:
     r = np.asarray(r_over_f, float)
     with np.errstate(over="ignore"):
         cos2 = 1.0 / (1.0 + r * r)
-    result: Floats = cos2 * cos2
-    return result
+    return cos2 * cos2
 
 
 def mechanical_vignetting(
@@ -55,16 +55,13 @@ def mechanical_vignetting(
     (...) floats in [0, 1]: overlap area divided by the aperture's area.
     """
     for name, value in (("pupil_radius_mm", pupil_radius_mm), ("rim_radius_mm", rim_radius_mm)):
-        if not 0.0 < value < np.inf:
-            raise ValueError(f"{name} {value!r}: must be positive and finite")
-    if not 0.0 <= separation_mm < np.inf:
-        raise ValueError(f"separation_mm {separation_mm!r}: must be finite and not negative")
+        require_positive(name, value)
+    require("separation_mm", separation_mm, 0.0 <= separation_mm < np.inf, "0 or more, finite")
     with np.errstate(over="ignore"):
         shift = np.asarray(tan_field, float) * separation_mm / pupil_radius_mm
     # In units of the pupil, so that tiny and huge lenses neither vanish nor overflow when squared.
     rim = min(max(rim_radius_mm / pupil_radius_mm, 1e-70), 1e70)
-    result: Floats = disc_overlap_area(shift, 1.0, rim) / np.pi
-    return result
+    return disc_overlap_area(shift, 1.0, rim) / np.pi
 
 
 def disc_overlap_area(distance: ArrayLike, radius_a: float, radius_b: float) -> Floats:
@@ -82,7 +79,7 @@ def disc_overlap_area(distance: ArrayLike, radius_a: float, radius_b: float) -> 
     """
     small, large = sorted((float(radius_a), float(radius_b)))
     if not (small >= 1e-70 and large <= 1e70):
-        raise ValueError(f"radii {radius_a!r} and {radius_b!r}: must be 1e-70 to 1e70")
+        raise ValueError(f"radii {radius_a} and {radius_b}; legal: 1e-70 to 1e70")
     gap, full = large - small, np.pi * small**2
     apart = np.abs(np.asarray(distance, float))
     d = np.clip(apart, gap, large + small)  # outside, the formula is at its limits
@@ -105,5 +102,4 @@ def _segment(radius: float, half_angle: Floats) -> Floats:
     for k in range(15, 1, -2):  # turn − sin turn = turn³/3! − turn⁵/5! + … , for small turns
         series = square / (k * (k - 1)) * (1.0 - series)
     lens = np.where(turn < 1.0, series * turn, turn - np.sin(turn))
-    result: Floats = 0.5 * (radius * lens) * radius
-    return result
+    return 0.5 * (radius * lens) * radius

@@ -6,15 +6,13 @@ the cell's width.
 """
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
-from simulations.models.arrays import as_floats
+from simulations.models.arrays import Floats, as_floats
 from simulations.models.light.reflectance import normalise
 
-type Array = NDArray[np.floating]
 
-
-def blend_cells(corners: ArrayLike, height: int, width: int) -> Array:
+def blend_cells(corners: ArrayLike, height: int, width: int) -> Floats:
     """Values at the corners of a grid, blended linearly in rows and columns across each cell.
 
     Parameters
@@ -38,17 +36,16 @@ def blend_cells(corners: ArrayLike, height: int, width: int) -> Array:
     return np.swapaxes(_blend_rows(np.swapaxes(rows, 0, 1), width), 0, 1)
 
 
-def blend_normals(corners: ArrayLike, height: int, width: int) -> Array:
+def blend_normals(corners: ArrayLike, height: int, width: int) -> Floats:
     """Unit normals (height, width, 3) blended across the cells of a grid of them."""
     return normalise(blend_cells(corners, height, width))
 
 
-def _blend_rows(values: Array, count: int) -> Array:
+def _blend_rows(values: Floats, count: int) -> Floats:
     """``count`` rows, evenly from the first of ``values`` to the last."""
     cells = len(values) - 1
     place = np.arange(count, dtype=values.dtype) * (cells / (count - 1))
     cell = np.minimum(place.astype(np.int32), cells - 1)
     share = (place - cell).astype(values.dtype).reshape(-1, *(1,) * (values.ndim - 1))
     with np.errstate(over="ignore", invalid="ignore"):
-        blended: Array = values[cell] + share * (values[cell + 1] - values[cell])
-    return blended
+        return values[cell] + share * (values[cell + 1] - values[cell])

@@ -5,17 +5,14 @@ shape; normals are unit vectors, of either sign. Szeliski, 2nd ed., section 2.3.
 """
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
-from simulations.models.arrays import as_vectors
-
-type Floats = NDArray[np.floating]
+from simulations.models.arrays import Floats, as_vectors
 
 
 def ramp_coverage(distance_px: ArrayLike) -> Floats:
     """Distance plus one half, between 0 and 1: exact for edges along an axis of the grid."""
-    coverage: Floats = np.clip(0.5 + np.asarray(distance_px, float), 0.0, 1.0)
-    return coverage
+    return np.clip(0.5 + np.asarray(distance_px, float), 0.0, 1.0)
 
 
 def straight_edge_coverage(distance_px: ArrayLike, normal: ArrayLike) -> Floats:
@@ -32,8 +29,7 @@ def straight_edge_coverage(distance_px: ArrayLike, normal: ArrayLike) -> Floats:
     triangle = corner**2 / (2.0 * np.maximum(longer * shorter, 1e-300))
     strip = (reach - corner) / np.maximum(longer, 1e-300)
     outside = triangle + strip
-    coverage: Floats = np.where(distance >= 0.0, 1.0 - outside, outside)
-    return coverage
+    return np.where(distance >= 0.0, 1.0 - outside, outside)
 
 
 def curved_edge_coverage(
@@ -57,12 +53,11 @@ def chord_length(distance_px: ArrayLike, normal: ArrayLike) -> Floats:
     longer, shorter = _projected_sides(normal)
     reach = np.clip((longer + shorter) / 2 - np.abs(distance), 0.0, None)
     width = np.minimum(reach, shorter)
-    length: Floats = np.where(
+    return np.where(
         width < shorter,
         width / np.maximum(longer * shorter, 1e-300),
         (reach > 0.0) / np.maximum(longer, 1e-300),
     )
-    return length
 
 
 def _projected_sides(normal: ArrayLike) -> tuple[Floats, Floats]:

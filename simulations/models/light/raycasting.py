@@ -13,12 +13,12 @@ from dataclasses import dataclass
 from itertools import product
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
-from simulations.models.arrays import as_vectors
+from simulations.models.arrays import Floats, Mask, as_vectors
 from simulations.models.light.edge_coverage import ramp_coverage, straight_edge_coverage
+from simulations.models.require import require
 
-type Floats = NDArray[np.floating]
 type Vector = tuple[float, float, float]
 
 NEARLY_ZERO = 1e-12
@@ -33,8 +33,8 @@ LARGEST_M = 1e100
 
 
 def _check_place(name: str, numbers: Sequence[float]) -> None:
-    if len(numbers) != 3 or not all(abs(number) <= LARGEST_M for number in numbers):
-        raise ValueError(f"{name} {numbers!r}; legal: three, finite, at most {LARGEST_M:g} in size")
+    legal = len(numbers) == 3 and all(abs(number) <= LARGEST_M for number in numbers)
+    require(name, numbers, legal, f"three, finite, at most {LARGEST_M:g} in size")
 
 
 @dataclass(frozen=True, slots=True)
@@ -47,9 +47,8 @@ class Sphere:
     """Metres, positive."""
 
     def __post_init__(self) -> None:
-        if not 0 < self.radius <= LARGEST_M:
-            raise ValueError(f"Sphere: radius {self.radius!r}; legal: above 0, to {LARGEST_M:g}")
-        _check_place("Sphere: centre", self.centre)
+        require("radius", self.radius, 0 < self.radius <= LARGEST_M, f"above 0, to {LARGEST_M:g}")
+        _check_place("centre", self.centre)
 
 
 @dataclass(frozen=True, slots=True)
@@ -64,12 +63,10 @@ class Box:
     """Turn about world z, anticlockwise seen from above."""
 
     def __post_init__(self) -> None:
-        _check_place("Box: size", self.size)
-        if not min(self.size) > 0:
-            raise ValueError(f"Box: size {self.size!r}; legal: three positive lengths")
-        _check_place("Box: centre", self.centre)
-        if not math.isfinite(self.angle_rad):
-            raise ValueError(f"Box: angle_rad {self.angle_rad!r}; legal: finite")
+        _check_place("size", self.size)
+        require("size", self.size, min(self.size) > 0, "three positive lengths")
+        _check_place("centre", self.centre)
+        require("angle_rad", self.angle_rad, math.isfinite(self.angle_rad), "finite")
 
     @property
     def world_to_box(self) -> Floats:
@@ -93,7 +90,7 @@ class Hit:
     """(...) positive inside the silhouette, negative outside, continuous across it."""
 
     @property
-    def valid(self) -> NDArray[np.bool_]:
+    def valid(self) -> Mask:
         """(...) true where the ray meets the solid."""
         return np.asarray(self.margin > 0)
 
@@ -111,7 +108,7 @@ def intersect(solid: Sphere | Box, origin: ArrayLike, directions: ArrayLike) -> 
     Raises `ValueError` for an origin that is not finite or beyond `LARGEST_M`.
     """
     start, towards = np.asarray(origin, float), as_vectors("directions", directions, 3)
-    _check_place("intersect: origin", start.tolist())
+    _check_place("origin", start.tolist())
     match solid:
         case Sphere():
             return _intersect_sphere(solid, start, towards)
@@ -181,13 +178,12 @@ def slab_crossings(start: Floats, directions: Floats, half: Floats) -> tuple[Flo
 
 def largest_component(vectors: Floats) -> Floats:
     """Largest component (...); several times faster than a reduction over so short an axis."""
-    result: Floats = np.maximum(np.maximum(vectors[..., 0], vectors[..., 1]), vectors[..., 2])
-    return result
+    return np.maximum(np.maximum(vectors[..., 0], vectors[..., 1]), vectors[..., 2])
 
 
 def intersect_plane(
     point: ArrayLike, normal: ArrayLike, origin: ArrayLike, directions: ArrayLike
-) -> tuple[Floats, NDArray[np.bool_]]:
+) -> tuple[Floats, Mask]:
     """Distance along each ray to a plane.
 
     Returns
@@ -215,7 +211,7 @@ def edge_coverage(margin: ArrayLike) -> Floats:
     """
     signed = np.asarray(margin, float)
     if signed.ndim != 2 or min(signed.shape) < 2:
-        raise ValueError(f"edge_coverage: margin {signed.shape}; legal: (H, W), both at least 2")
+        raise ValueError(f"margin of shape {signed.shape}; legal: (H, W), both at least 2")
     with np.errstate(over="ignore", invalid="ignore"):
         down, across = np.gradient(signed)
         slope = np.maximum(np.hypot(down, across), NEARLY_ZERO)

@@ -8,11 +8,10 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
-from simulations.models.arrays import as_floats
-
-type Array = NDArray[np.floating]
+from simulations.models.arrays import Floats, Mask, as_floats
+from simulations.models.require import require
 
 SMALLEST_RADIUS = 1e-15
 """Of a lamp: its square, and one over it, are still numbers in float32 as well."""
@@ -55,7 +54,7 @@ class PointLight:
 type Light = DirectionalLight | PointLight
 
 
-def normalise(vectors: ArrayLike) -> Array:
+def normalise(vectors: ArrayLike) -> Floats:
     """Vectors (..., 3) scaled to length 1; a zero vector has no direction and stays zero.
 
     So does a vector with an entry that is infinite or NaN: nothing there is lit. The largest
@@ -69,11 +68,10 @@ def normalise(vectors: ArrayLike) -> Array:
         largest = _largest(v)
     scaled = v / np.where(largest > 0, largest, 1)[..., None]
     length = np.sqrt(_dot(scaled, scaled))
-    unit: Array = scaled / np.where(length > 0, length, 1)[..., None]
-    return unit
+    return scaled / np.where(length > 0, length, 1)[..., None]
 
 
-def cosine(a: ArrayLike, b: ArrayLike) -> Array:
+def cosine(a: ArrayLike, b: ArrayLike) -> Floats:
     """max(0, a . b) of unit vectors (..., 3), held to at most 1.
 
     The upper clamp matters: in float32 the product of a unit vector with itself can exceed 1
@@ -82,11 +80,10 @@ def cosine(a: ArrayLike, b: ArrayLike) -> Array:
     u, v = as_floats(a), as_floats(b)
     if u.shape[-1:] != (3,) or v.shape[-1:] != (3,):
         raise ValueError(f"vectors of shapes {u.shape} and {v.shape}; legal: both (..., 3)")
-    clamped: Array = np.clip(_dot(u, v), 0.0, 1.0)
-    return clamped
+    return np.clip(_dot(u, v), 0.0, 1.0)
 
 
-def lambert(normals: ArrayLike, light: ArrayLike, albedo: ArrayLike = 1.0) -> Array:
+def lambert(normals: ArrayLike, light: ArrayLike, albedo: ArrayLike = 1.0) -> Floats:
     """Matte reflection, ``I = albedo * max(0, n . l)``: the same from every side.
 
     Parameters
@@ -108,8 +105,7 @@ def lambert(normals: ArrayLike, light: ArrayLike, albedo: ArrayLike = 1.0) -> Ar
         If a single light is no unit vector, or the albedo is outside [0, 1].
     """
     n = as_floats(normals)
-    shade: Array = _albedo(albedo, n.dtype) * cosine(n, _direction("light", light, n.dtype))
-    return shade
+    return _albedo(albedo, n.dtype) * cosine(n, _direction("light", light, n.dtype))
 
 
 def phong(
@@ -121,7 +117,7 @@ def phong(
     specular: float = 0.5,
     shininess: float = 32.0,
     ambient: float = 0.0,
-) -> Array:
+) -> Floats:
     """Phong's model: ambient, matte, and a highlight about the mirrored light direction.
 
     ``I = albedo (ambient + max(0, n . l)) + specular max(0, r . v)^shininess`` where
@@ -148,7 +144,7 @@ def phong(
     # r . v by its parts: no picture of mirrored rays is made.
     r_dot_v = np.clip(2 * n_dot_l * _dot(n, to_eye) - _dot(to_light, to_eye), 0.0, 1.0)
     lit = (n_dot_l > 0) & to_eye.any(axis=-1)
-    shade: Array = _matte(albedo, n_dot_l, ambient)
+    shade: Floats = _matte(albedo, n_dot_l, ambient)
     return shade + _highlight(r_dot_v, lit, specular, shininess)
 
 
@@ -161,7 +157,7 @@ def blinn_phong(
     specular: float = 0.5,
     shininess: float = 128.0,
     ambient: float = 0.0,
-) -> Array:
+) -> Floats:
     """Blinn's variant: the highlight follows ``n . h``, with ``h`` halfway between light and eye.
 
     ``I = albedo (ambient + max(0, n . l)) + specular max(0, n . h)^shininess`` where
@@ -179,34 +175,32 @@ def blinn_phong(
     between = to_light + to_eye
     halfway = normalise(between)
     lit = (n_dot_l > 0) & to_eye.any(axis=-1) & (_dot(between, between) > (2 * UNIT_TOLERANCE) ** 2)
-    shade: Array = _matte(albedo, n_dot_l, ambient)
+    shade: Floats = _matte(albedo, n_dot_l, ambient)
     return shade + _highlight(cosine(n, halfway), lit, specular, shininess)
 
 
-def attenuation(distance: ArrayLike, radius: float = 0.01) -> Array:
+def attenuation(distance: ArrayLike, radius: float = 0.01) -> Floats:
     """Inverse-square law, ``1 / max(distance, radius)^2``: 1 at distance 1, 0 at infinity.
 
     Raises `ValueError` for a negative or undefined distance and for a radius of 0, whose
     light would be infinite at the lamp.
     """
-    if not radius >= SMALLEST_RADIUS:
-        raise ValueError(f"radius {radius}; legal: {SMALLEST_RADIUS:g} or more")
+    require("radius", radius, radius >= SMALLEST_RADIUS, f"{SMALLEST_RADIUS:g} or more")
     d = as_floats(distance)
     if not np.all(d >= 0):
         raise ValueError(f"distance {d.min()}; legal: 0 or more")
     with np.errstate(over="ignore"):  # light from that far is 0 to all digits
-        falloff: Array = 1.0 / np.square(np.maximum(d, radius))
-    return falloff
+        return 1.0 / np.square(np.maximum(d, radius))
 
 
-def irradiance(points: ArrayLike, normals: ArrayLike, lights: Sequence[Light]) -> Array:
+def irradiance(points: ArrayLike, normals: ArrayLike, lights: Sequence[Light]) -> Floats:
     """Light that falls on a surface from several lights, which simply add: (..., 3) linear RGB.
 
     ``points`` and ``normals`` (..., 3) are in the frame of the lights. Multiply by the
     albedo to get what a matte surface reflects. No light casts a shadow here.
     """
     p, n = as_floats(points), as_floats(normals)
-    total: Array = np.zeros(np.broadcast_shapes(p.shape, n.shape), n.dtype)
+    total: Floats = np.zeros(np.broadcast_shapes(p.shape, n.shape), n.dtype)
     for light in lights:
         match light:
             case DirectionalLight():
@@ -223,49 +217,43 @@ def irradiance(points: ArrayLike, normals: ArrayLike, lights: Sequence[Light]) -
     return total
 
 
-def _dot(u: Array, v: Array) -> Array:
+def _dot(u: Floats, v: Floats) -> Floats:
     """(...) from (..., 3): component by component, which NumPy does faster than a short sum."""
-    product: Array = u[..., 0] * v[..., 0] + u[..., 1] * v[..., 1] + u[..., 2] * v[..., 2]
-    return product
+    return u[..., 0] * v[..., 0] + u[..., 1] * v[..., 1] + u[..., 2] * v[..., 2]
 
 
-def _largest(v: Array) -> Array:
+def _largest(v: Floats) -> Floats:
     """(...) the largest magnitude of the components of (..., 3); NaN where one is NaN."""
     size = np.abs(v)
-    largest: Array = np.maximum(np.maximum(size[..., 0], size[..., 1]), size[..., 2])
-    return largest
+    return np.maximum(np.maximum(size[..., 0], size[..., 1]), size[..., 2])
 
 
 def _check_colour(name: str, rgb: tuple[float, float, float]) -> None:
-    if len(rgb) != 3 or not all(0 <= part <= BRIGHTEST for part in rgb):
-        raise ValueError(f"{name} {rgb}; legal: three numbers from 0 to {BRIGHTEST:g}")
+    legal = len(rgb) == 3 and all(0 <= part <= BRIGHTEST for part in rgb)
+    require(name, rgb, legal, f"three numbers from 0 to {BRIGHTEST:g}")
 
 
-def _matte(albedo: ArrayLike, n_dot_l: Array, ambient: float) -> Array:
-    if not 0 <= ambient < np.inf:
-        raise ValueError(f"ambient {ambient}; legal: 0 or more, finite")
-    matte: Array = _albedo(albedo, n_dot_l.dtype) * (ambient + n_dot_l)
-    return matte
+def _matte(albedo: ArrayLike, n_dot_l: Floats, ambient: float) -> Floats:
+    require("ambient", ambient, 0 <= ambient < np.inf, "0 or more, finite")
+    return _albedo(albedo, n_dot_l.dtype) * (ambient + n_dot_l)
 
 
-def _highlight(cosines: Array, lit: NDArray[np.bool_], specular: float, shininess: float) -> Array:
+def _highlight(cosines: Floats, lit: Mask, specular: float, shininess: float) -> Floats:
     """Only where ``lit``: elsewhere the cosine is 0, whose power 0 would be 1."""
     for name, value in (("shininess", shininess), ("specular", specular)):
-        if not 0 <= value < np.inf:
-            raise ValueError(f"{name} {value}; legal: 0 or more, finite")
-    highlight: Array = np.where(lit, specular * cosines**shininess, 0)
-    return highlight
+        require(name, value, 0 <= value < np.inf, "0 or more, finite")
+    return np.where(lit, specular * cosines**shininess, 0)
 
 
-def _direction(name: str, direction: ArrayLike, dtype: np.dtype[np.floating]) -> Array:
+def _direction(name: str, direction: ArrayLike, dtype: np.dtype[np.floating]) -> Floats:
     """A direction in the dtype of the normals; one alone is checked, a field of them is trusted."""
     v = np.asarray(direction, dtype)
-    if v.ndim == 1 and not abs(float(np.sqrt(np.sum(v * v))) - 1) < UNIT_TOLERANCE:
-        raise ValueError(f"{name} {v.tolist()}; legal: a vector of length 1")
+    unit = v.ndim != 1 or abs(float(np.sqrt(np.sum(v * v))) - 1) < UNIT_TOLERANCE
+    require(name, v, unit, "a vector of length 1")
     return v
 
 
-def _albedo(albedo: ArrayLike, dtype: np.dtype[np.floating]) -> Array:
+def _albedo(albedo: ArrayLike, dtype: np.dtype[np.floating]) -> Floats:
     a = np.asarray(albedo, dtype)
     if not np.all((a >= 0) & (a <= 1)):
         raise ValueError(f"albedo {a.min()} to {a.max()}; legal: 0 to 1")

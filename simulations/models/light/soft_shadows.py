@@ -9,16 +9,17 @@ from collections.abc import Sequence
 import numpy as np
 from numpy.typing import ArrayLike
 
+from simulations.models.arrays import Floats
 from simulations.models.light.raycasting import (
     LARGEST_M,
     NEARLY_ZERO,
     Box,
-    Floats,
     Sphere,
     Vector,
     largest_component,
     slab_crossings,
 )
+from simulations.models.require import require
 
 
 def visibility(
@@ -38,8 +39,8 @@ def visibility(
     Raises `ValueError` for a light that is none, and for points beyond `LARGEST_M`.
     """
     at, light = np.asarray(points, float), np.asarray(to_light, float)
-    _check_light("visibility", light.tolist(), light_radius_rad)
-    _check_points("visibility", at)
+    _check_light(light.tolist(), light_radius_rad)
+    _check_points(at)
     spread = math.tan(light_radius_rad)
     match solid:
         case Sphere():
@@ -67,9 +68,8 @@ def shadow_bounds(
 
     Raises `ValueError` where the light is not above the horizon: the shadow has no end.
     """
-    _check_light("shadow_bounds", to_light, light_radius_rad)
-    if not to_light[2] > 0:
-        raise ValueError(f"shadow_bounds: to_light {to_light!r}; legal: z above 0")
+    _check_light(to_light, light_radius_rad)
+    require("to_light", to_light, to_light[2] > 0, "z above 0")
     centre, radius = np.asarray(solid.centre), bounding_radius(solid)
     length = (centre[2] + radius) / to_light[2]
     end = centre - length * np.asarray(to_light)
@@ -77,17 +77,16 @@ def shadow_bounds(
     return np.minimum(centre - radius, end - wide), np.maximum(centre + radius, end + wide)
 
 
-def _check_light(function: str, to_light: Sequence[float], light_radius_rad: float) -> None:
-    if not 0 < light_radius_rad < math.pi / 2:
-        raise ValueError(f"{function}: light_radius_rad {light_radius_rad!r}; legal: 0 to pi/2")
-    if not math.isclose(math.hypot(*to_light), 1.0, rel_tol=1e-6):
-        raise ValueError(f"{function}: to_light {to_light!r}; legal: a unit vector")
+def _check_light(to_light: Sequence[float], light_radius_rad: float) -> None:
+    acute = 0 < light_radius_rad < math.pi / 2
+    require("light_radius_rad", light_radius_rad, acute, "above 0, below pi/2")
+    unit = math.isclose(math.hypot(*to_light), 1.0, rel_tol=1e-6)
+    require("to_light", to_light, unit, "a unit vector")
 
 
-def _check_points(function: str, points: Floats) -> None:
+def _check_points(points: Floats) -> None:
     farthest = np.abs(points).max(initial=0.0)
-    if not farthest <= LARGEST_M:
-        raise ValueError(f"{function}: points as far as {farthest}; legal: to {LARGEST_M:g}")
+    require("points as far as", farthest, farthest <= LARGEST_M, f"to {LARGEST_M:g}")
 
 
 def bounding_radius(solid: Sphere | Box) -> float:
@@ -110,11 +109,9 @@ def sphere_occlusion(
     form factor of a sphere (Howell's catalogue, B-43). Below the horizon 0. Never more than 1.
     Raises `ValueError` unless the radius is above 0, and it and all places `LARGEST_M` at most.
     """
-    if not 0 < radius <= LARGEST_M:
-        raise ValueError(f"sphere_occlusion: radius {radius!r}; legal: above 0, to {LARGEST_M:g}")
+    require("radius", radius, 0 < radius <= LARGEST_M, f"above 0, to {LARGEST_M:g}")
     to_centre = np.asarray(centre, float) - np.asarray(points, float)
-    _check_points("sphere_occlusion", to_centre)
+    _check_points(to_centre)
     square = np.maximum(np.einsum("...i,...i", to_centre, to_centre), NEARLY_ZERO)
     cosine = np.einsum("...i,...i", to_centre, np.asarray(normals, float)) / np.sqrt(square)
-    hidden: Floats = np.clip(np.maximum(cosine, 0.0) * (radius**2 / square), 0.0, 1.0)
-    return hidden
+    return np.clip(np.maximum(cosine, 0.0) * (radius**2 / square), 0.0, 1.0)

@@ -16,8 +16,8 @@ import math
 import numpy as np
 from numpy.typing import ArrayLike
 
-from simulations.models.arrays import as_vectors
-from simulations.models.projection.pinhole import Floats, Mask
+from simulations.models.arrays import Floats, Mask, as_vectors
+from simulations.models.require import require, require_positive
 
 
 def orthographic_camera(
@@ -39,8 +39,7 @@ def orthographic_camera(
     ValueError
         If the scale is not positive, or an entry not finite.
     """
-    if not 0.0 < pixels_per_unit < math.inf:
-        raise ValueError(f"pixels_per_unit: {pixels_per_unit}; legal: positive and finite")
+    require_positive("pixels_per_unit", pixels_per_unit)
     return _affine(pixels_per_unit * np.eye(2, 3), np.asarray(principal_point, float))
 
 
@@ -99,8 +98,7 @@ def _affine(slope: Floats, offset: Floats) -> Floats:
     """[slope | offset] over (0, 0, 0, 1)."""
     camera = np.zeros((3, 4))
     camera[:2, :3], camera[:2, 3], camera[2, 3] = slope, offset, 1.0
-    if not np.isfinite(camera).all():
-        raise ValueError(f"camera {camera[:2].tolist()}; legal: finite entries")
+    require("camera", camera[:2], np.isfinite(camera).all(), "finite entries")
     return camera
 
 

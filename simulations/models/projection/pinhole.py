@@ -14,12 +14,10 @@ Source: Szeliski, Computer Vision, 2nd ed., §2.1.4–2.1.5.
 import math
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
-from simulations.models.arrays import as_vectors
-
-type Floats = NDArray[np.float64]
-type Mask = NDArray[np.bool_]
+from simulations.models.arrays import Floats, Mask, as_vectors
+from simulations.models.require import require
 
 
 def intrinsics(
@@ -43,8 +41,7 @@ def intrinsics(
         If a focal length is not positive and finite, or another entry is not finite.
     """
     fx, fy = map(float, np.broadcast_to(focal_px, 2))
-    if not (0.0 < fx < math.inf and 0.0 < fy < math.inf):
-        raise ValueError(f"focal_px: {focal_px}; legal: positive and finite")
+    require("focal_px", focal_px, 0.0 < fx < math.inf and 0.0 < fy < math.inf, "above 0, finite")
     cx, cy = principal_point
     if not all(map(math.isfinite, (cx, cy, skew))):
         raise ValueError(f"principal_point {principal_point}, skew {skew}; legal: finite")
@@ -114,8 +111,7 @@ def project_homogeneous(points: ArrayLike, camera_matrix: ArrayLike) -> tuple[Fl
 
 def camera_matrix(K: ArrayLike, pose: ArrayLike) -> Floats:
     """P = K [R | t], (3, 4): world points in homogeneous coordinates to the image."""
-    matrix: Floats = np.asarray(K, float) @ np.asarray(pose, float)[:3]
-    return matrix
+    return np.asarray(K, float) @ np.asarray(pose, float)[:3]
 
 
 def look_at(eye: ArrayLike, target: ArrayLike, up: ArrayLike) -> Floats:
@@ -137,16 +133,14 @@ def look_at(eye: ArrayLike, target: ArrayLike, up: ArrayLike) -> Floats:
             f"target: {target!r} is {distance} from eye {eye!r}; legal: positive, finite"
         )
     height, upward = _length_and_direction(np.asarray(up, float))
-    if not 0.0 < height < math.inf:
-        raise ValueError(f"up: {up!r}; legal: finite, not zero")
+    require("up", up, 0.0 < height < math.inf, "finite, not zero")
     sine, right = _length_and_direction(np.cross(forward, upward))
     if not sine > 1e-9:
         raise ValueError(f"up: {up!r} is parallel to the line of sight {forward.tolist()}")
     R = np.stack([right, np.cross(forward, right), forward])
     with np.errstate(over="ignore", invalid="ignore"):
         t = -R @ centre
-    if not np.isfinite(t).all():
-        raise ValueError(f"eye: {eye!r}; legal: nearer to the origin than the largest number")
+    require("eye", eye, np.isfinite(t).all(), "nearer to the origin than the largest number")
     return rigid_pose(R, t)
 
 
@@ -186,8 +180,7 @@ def world_to_camera(points: ArrayLike, pose: ArrayLike) -> Floats:
     """
     matrix = np.asarray(pose, float)
     with np.errstate(over="ignore", invalid="ignore"):
-        moved: Floats = as_vectors("points", points, 3) @ matrix[:3, :3].T + matrix[:3, 3]
-    return moved
+        return as_vectors("points", points, 3) @ matrix[:3, :3].T + matrix[:3, 3]
 
 
 def relative_to_camera(points: ArrayLike, R: ArrayLike, centre: ArrayLike) -> Floats:
@@ -198,8 +191,7 @@ def relative_to_camera(points: ArrayLike, R: ArrayLike, centre: ArrayLike) -> Fl
     """
     with np.errstate(over="ignore", invalid="ignore"):
         offset = as_vectors("points", points, 3) - np.asarray(centre, float)
-        moved: Floats = offset @ np.asarray(R, float).T
-    return moved
+        return offset @ np.asarray(R, float).T
 
 
 def pixel_rays(K: ArrayLike, width: int, height: int) -> Floats:
@@ -212,12 +204,12 @@ def pixel_rays(K: ArrayLike, width: int, height: int) -> Floats:
     return rays
 
 
-def field_of_view(focal_mm: float, sensor_mm: float) -> float:
-    """Angle in radians that a sensor of ``sensor_mm`` sees: 2 atan(sensor / 2 focal).
+def field_of_view_rad(focal_mm: float, sensor_mm: float) -> float:
+    """Full angle that a sensor of this width sees: 2 atan(sensor / 2 focal).
 
-    ``focal_mm`` is its distance from the centre of projection, as in `intrinsics`.
-
-    An infinite focal length sees angle 0. Any one unit of length does, pixels included.
+    ``focal_mm`` is its distance from the centre of projection, as in `intrinsics`: for a lens
+    that is focused, `thin_lens.principal_distance_mm`. Any one unit of length does, pixels
+    included. An infinite focal length sees angle 0.
     """
     if not (focal_mm > 0.0 and 0.0 < sensor_mm < math.inf):
         raise ValueError(f"focal_mm {focal_mm}, sensor_mm {sensor_mm}; legal: positive")

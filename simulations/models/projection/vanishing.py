@@ -2,13 +2,14 @@
 
 Camera frame as in `simulations.models.projection.pinhole`. Source: Szeliski, 2nd ed., §2.1.4 and
 §7.4.3.
+
+Reference: the book explains it; no figure and no ladder runs it.
 """
 
 import numpy as np
 from numpy.typing import ArrayLike
 
-from simulations.models.arrays import as_vectors
-from simulations.models.projection.pinhole import Floats, Mask
+from simulations.models.arrays import Floats, Mask, as_vectors
 
 
 def vanishing_point(direction_camera: ArrayLike, K: ArrayLike) -> tuple[Floats, Mask]:

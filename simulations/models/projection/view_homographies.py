@@ -9,15 +9,17 @@ of H would. The two made here are scaled so that w is the depth before the secon
 depth before the first, whose sign is what `in_front` asks for.
 
 Source: Szeliski, Computer Vision, 2nd ed., §2.1.4 (mapping from one camera to another), §8.2.3.
+
+Reference: the book explains it; no figure and no ladder runs it.
 """
 
 import numpy as np
 from numpy.typing import ArrayLike
 
-from simulations.models.arrays import as_vectors
+from simulations.models.arrays import Floats, Mask, as_vectors
 from simulations.models.geometry.rotations import check_rotation
 from simulations.models.geometry.transforms import sign_of_w
-from simulations.models.projection.pinhole import Floats, Mask
+from simulations.models.require import require
 
 
 def turned_camera(K_first: ArrayLike, K_second: ArrayLike, R: ArrayLike) -> Floats:
@@ -49,8 +51,12 @@ def plane_between_views(
     pose = np.asarray(first_to_second, float)
     numbers = as_vectors("plane", plane, 4)
     normal, offset = numbers[:3], float(numbers[3])
-    if not (np.isfinite(numbers).all() and abs(offset) > 1e-12 * float(np.linalg.norm(normal))):
-        raise ValueError(f"plane {numbers.tolist()}; legal: finite, beside the first camera")
+    require(
+        "plane",
+        numbers,
+        np.isfinite(numbers).all() and abs(offset) > 1e-12 * float(np.linalg.norm(normal)),
+        "finite, beside the first camera",
+    )
     R = check_rotation(pose[:3, :3])
     return _between(K_first, K_second, R - np.outer(pose[:3, 3], normal / offset))
 
@@ -67,5 +73,4 @@ def _between(K_first: ArrayLike, K_second: ArrayLike, motion: Floats) -> Floats:
     before, after = np.asarray(K_first, float), np.asarray(K_second, float)
     if before.shape != (3, 3) or after.shape != (3, 3):
         raise ValueError(f"K of shapes {before.shape} and {after.shape}; legal: (3, 3)")
-    H: Floats = np.linalg.solve(before.T, (after @ motion).T).T
-    return H
+    return np.linalg.solve(before.T, (after @ motion).T).T

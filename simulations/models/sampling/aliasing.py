@@ -5,17 +5,17 @@ is half the rate. Szeliski, 2nd ed., sections 2.3.1 and 3.5.
 """
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
-from simulations.models.arrays import as_floats
-
-type Array = NDArray[np.floating]
+from simulations.models.arrays import Floats, Mask, as_floats
+from simulations.models.require import require, require_positive
+from simulations.models.whole_numbers import as_whole
 
 LARGEST_SIGMA = 1e6
 """Eight million taps: wider than any picture."""
 
 
-def alias_frequency(frequency: ArrayLike, rate: float = 1.0) -> Array:
+def alias_frequency(frequency: ArrayLike, rate: float = 1.0) -> Floats:
     """The signed frequency (...) in [-rate/2, rate/2) that has the same samples.
 
     Negative means that the wave seems to run backwards. Exactly at Nyquist both signs have
@@ -23,27 +23,24 @@ def alias_frequency(frequency: ArrayLike, rate: float = 1.0) -> Array:
     in floating point, so that the result is right however large the frequency. Raises
     `ValueError` for a rate that is not positive and for values that are not finite.
     """
-    if not 0 < rate < np.inf:
-        raise ValueError(f"rate {rate}; legal: above 0, finite")
+    require_positive("rate", rate)
     f = np.asarray(frequency, float)  # in float32 the rate itself would be rounded
-    if not np.isfinite(f).all():
-        raise ValueError(f"frequency {f.tolist()}; legal: finite")
+    require("frequency", f, np.isfinite(f).all(), "finite")
     rest = np.fmod(f, rate)
     # Half of the smallest number would round to zero: compare with the other part instead.
-    alias: Array = np.where(rest >= rate - rest, rest - rate, rest)
+    alias: Floats = np.where(rest >= rate - rest, rest - rate, rest)
     return np.where(alias < -rate - alias, alias + rate, alias)
 
 
 def apparent_wheel_speed(
     turns_per_s: ArrayLike, spokes: int, frames_per_s: float
-) -> tuple[Array, NDArray[np.bool_]]:
+) -> tuple[Floats, Mask]:
     """Turns per second that a filmed wheel seems to make, and whether its direction is certain.
 
     A wheel looks the same after one spoke spacing, so that ``spokes * turns`` aliases at the
     frame rate. A turn of exactly half a spacing per frame could be either way: not certain.
     """
-    if spokes < 1:
-        raise ValueError(f"spokes {spokes}; legal: 1 or more")
+    spokes = as_whole("spokes", spokes, 1)
     with np.errstate(over="ignore"):
         passing_per_s = np.asarray(turns_per_s, float) * spokes
     spokes_per_s = alias_frequency(passing_per_s, frames_per_s)
@@ -51,15 +48,14 @@ def apparent_wheel_speed(
     return spokes_per_s / spokes, certain
 
 
-def zone_plate(x: ArrayLike, y: ArrayLike, scale: float) -> Array:
+def zone_plate(x: ArrayLike, y: ArrayLike, scale: float) -> Floats:
     """Rings that get finer outwards, in [0, 1]: ``(1 + cos(pi r^2 / scale)) / 2``.
 
     At distance ``r`` from the centre their frequency is ``r / scale`` cycles per unit, so
     that samples one unit apart start to alias at ``r = scale / 2``. Where the phase is beyond
     all numbers, the rings are infinitely fine and show their mean, 1/2.
     """
-    if not 0 < scale < np.inf:
-        raise ValueError(f"scale {scale}; legal: above 0, finite")
+    require_positive("scale", scale)
     with np.errstate(over="ignore"):
         phase = np.pi * (np.square(as_floats(x)) + np.square(as_floats(y))) / scale
     if np.isfinite(phase).all():
@@ -68,7 +64,7 @@ def zone_plate(x: ArrayLike, y: ArrayLike, scale: float) -> Array:
     return np.where(known, 0.5 + 0.5 * np.cos(np.where(known, phase, 0)), 0.5)
 
 
-def zone_plate_area(x: ArrayLike, y: ArrayLike, scale: float) -> Array:
+def zone_plate_area(x: ArrayLike, y: ArrayLike, scale: float) -> Floats:
     """Mean of the `zone_plate` over a pixel of unit size around (x, y), without supersampling.
 
     Within a pixel the rings are nearly a plane wave of (x, y) / scale cycles, whose mean is its
@@ -80,25 +76,24 @@ def zone_plate_area(x: ArrayLike, y: ArrayLike, scale: float) -> Array:
     with np.errstate(over="ignore"):
         # Clipped where the rings average out to all digits, short of where a sine is undefined.
         turns, turns_down = (np.clip(part / scale, -1e30, 1e30) for part in (across, down))
-    mean: Array = 0.5 + rings * (np.sinc(turns) * np.sinc(turns_down))
-    return mean
+    return 0.5 + rings * (np.sinc(turns) * np.sinc(turns_down))
 
 
-def box_filter(fine: ArrayLike, factor: int) -> Array:
+def box_filter(fine: ArrayLike, factor: int) -> Floats:
     """Mean of each ``factor`` x ``factor`` block of (H, W, ...): what a pixel's area does."""
     image = _divisible(fine, factor)
     height, width, *rest = image.shape
     with np.errstate(over="ignore", invalid="ignore"):
         # Along whole rows, then column by column: many times as quick as both axes at once.
         rows = image.reshape(height // factor, factor, width, *rest).mean(axis=1)
-        total: Array = rows[:, ::factor].copy()
+        total: Floats = rows[:, ::factor].copy()
         for column in range(1, factor):
             total += rows[:, column::factor]
         total /= factor
     return total
 
 
-def gaussian_kernel(sigma: float) -> Array:
+def gaussian_kernel(sigma: float) -> Floats:
     """Normalised samples of a Gaussian out to 4 sigma; sigma 0 is the single tap 1.
 
     Convention: ``sigma`` is the standard deviation of the taps themselves, as weights on whole
@@ -108,8 +103,7 @@ def gaussian_kernel(sigma: float) -> Array:
 
     Raises `ValueError` for a sigma that is negative or above `LARGEST_SIGMA`.
     """
-    if not 0 <= sigma <= LARGEST_SIGMA:
-        raise ValueError(f"sigma {sigma}; legal: 0 to {LARGEST_SIGMA:g}")
+    require("sigma", sigma, 0 <= sigma <= LARGEST_SIGMA, f"0 to {LARGEST_SIGMA:g}")
     if sigma == 0:
         return np.ones(1)
     offsets = np.arange(-np.ceil(4 * sigma), np.ceil(4 * sigma) + 1)
@@ -117,8 +111,7 @@ def gaussian_kernel(sigma: float) -> Array:
         taps = _ratio_of_neighbours(sigma) ** np.square(offsets)
     else:
         taps = np.exp(-0.5 * (offsets / sigma) ** 2)
-    kernel: Array = taps / taps.sum()
-    return kernel
+    return taps / taps.sum()
 
 
 def _ratio_of_neighbours(sigma: float) -> float:
@@ -136,20 +129,18 @@ def _ratio_of_neighbours(sigma: float) -> float:
     return max(ratio, 0.0)
 
 
-def sinc_kernel(factor: int, lobes: int = 4) -> Array:
+def sinc_kernel(factor: int, lobes: int = 4) -> Floats:
     """A low-pass for keeping every ``factor``-th sample: sinc under a Lanczos window."""
-    if factor < 1 or lobes < 1:
-        raise ValueError(f"factor {factor}, lobes {lobes}; legal: 1 or more")
+    factor, lobes = as_whole("factor", factor, 1), as_whole("lobes", lobes, 1)
     reach = factor * lobes
     # Blocks of an even count of samples have their centre between two of them.
     shift = 0.5 * (1 - factor % 2)
     offsets = (np.arange(-reach, reach + 1) + shift) / factor
     taps = np.sinc(offsets) * np.sinc(np.clip(offsets / lobes, -1, 1))
-    kernel: Array = taps / taps.sum()
-    return kernel
+    return taps / taps.sum()
 
 
-def filter_and_sample(fine: ArrayLike, factor: int, kernel: ArrayLike) -> Array:
+def filter_and_sample(fine: ArrayLike, factor: int, kernel: ArrayLike) -> Floats:
     """Low-pass (H, W) by a separable kernel of odd length, then keep the centre of each block.
 
     The border is mirrored. With an even factor the centre lies half a sample off the grid:
@@ -164,7 +155,7 @@ def filter_and_sample(fine: ArrayLike, factor: int, kernel: ArrayLike) -> Array:
     return image
 
 
-def _filter_axis(image: Array, taps: Array, factor: int, axis: int) -> Array:
+def _filter_axis(image: Floats, taps: Floats, factor: int, axis: int) -> Floats:
     """Filter along one axis, only at the samples that are kept."""
     reach = taps.size // 2
     pad = [(reach, reach) if at == axis else (0, 0) for at in range(image.ndim)]
@@ -177,29 +168,20 @@ def _filter_axis(image: Array, taps: Array, factor: int, axis: int) -> Array:
     return np.moveaxis(total, 0, axis)
 
 
-def box_mtf(frequency: ArrayLike, width: float = 1.0) -> Array:
+def box_mtf(frequency: ArrayLike, width: float = 1.0) -> Floats:
     """Contrast that a pixel so wide leaves of a sine: ``|sinc(f width)|``, 2/pi at Nyquist."""
     # Clipped where the contrast is 0 to all digits, short of where the sine is undefined.
     cycles = np.clip(_cycles(frequency, width), -1e300, 1e300)
-    contrast: Array = np.abs(np.sinc(cycles))
-    return contrast
+    return np.abs(np.sinc(cycles))
 
 
-def gaussian_mtf(frequency: ArrayLike, sigma: float) -> Array:
-    """Contrast that a Gaussian blur leaves of a sine: ``exp(-2 (pi sigma f)^2)``."""
-    cycles = np.clip(_cycles(frequency, sigma), -1e100, 1e100)
-    contrast: Array = np.exp(-2 * np.square(np.pi * cycles))
-    return contrast
-
-
-def _cycles(frequency: ArrayLike, width: float) -> Array:
+def _cycles(frequency: ArrayLike, width: float) -> Floats:
     """Cycles (...) over a width."""
     f = np.asarray(frequency, float)
     if not (np.isfinite(f).all() and np.isfinite(width)):
         raise ValueError(f"frequency {f.tolist()} and width {width}; legal: finite")
     with np.errstate(over="ignore"):
-        cycles: Array = f * width
-    return cycles
+        return f * width
 
 
 def contrast(signal: ArrayLike) -> float:
@@ -212,7 +194,7 @@ def contrast(signal: ArrayLike) -> float:
     return (1 - share) / (1 + share)
 
 
-def _divisible(image: ArrayLike, factor: int) -> Array:
+def _divisible(image: ArrayLike, factor: int) -> Floats:
     values = as_floats(image)
     if factor < 1 or values.ndim < 2 or values.shape[0] % factor or values.shape[1] % factor:
         raise ValueError(f"factor {factor} of an image {values.shape}; legal: a divisor of both")

@@ -9,9 +9,8 @@ Processing 41 (1993). Szeliski, 2nd ed., section 3.5.1.
 """
 
 import numpy as np
-from numpy.typing import NDArray
 
-type Floats = NDArray[np.floating]
+from simulations.models.arrays import Floats
 
 POLE = np.sqrt(3.0) - 2.0
 """The inverse filter's weights are √3 POLE^|n|: each is about a quarter of the one before."""

@@ -13,8 +13,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-type Floats = NDArray[np.floating]
-type Planes = NDArray[np.float32]
+from simulations.models.arrays import Floats, Planes
 
 TAPS = 4
 """Pixels per axis that take part in a value."""

@@ -11,7 +11,10 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-type Floats = NDArray[np.float64]
+from simulations.models.arrays import Floats
+from simulations.models.require import require
+from simulations.models.whole_numbers import as_whole
+
 type Complexes = NDArray[np.complex128]
 
 KINDS = ("none", "box", "box-2", "box-4", "box-8", "gaussian", "sinc")
@@ -50,7 +53,7 @@ def prefilter(kind: str) -> Prefilter:
         case "sinc":
             offsets = np.linspace(-LOBES, LOBES, INTERVALS + 1)
             return _by_simpson(LOBES, np.sinc(offsets) * np.sinc(offsets / LOBES))
-    raise ValueError(f"prefilter: {kind!r}; legal: {', '.join(KINDS)}")
+    raise ValueError(f"prefilter {kind!r}; legal: {', '.join(KINDS)}")
 
 
 def supersample(factor: int) -> Prefilter:
@@ -59,8 +62,7 @@ def supersample(factor: int) -> Prefilter:
     A stand-in for the box that is itself a sampling, ``factor`` times as dense: waves of
     ``factor`` cycles per pixel pass it whole.
     """
-    if factor < 1:
-        raise ValueError(f"supersample: factor {factor!r}; legal: 1 or more")
+    factor = as_whole("factor", factor, 1)
     places = (np.arange(factor) + 0.5) / factor - 0.5
     return Prefilter(places, np.full(factor, 1.0 / factor))
 
@@ -82,11 +84,9 @@ def transfer(kernel: Prefilter, frequency: ArrayLike) -> Floats:
     `ValueError` for frequencies above 1e9, whose phase is lost to rounding.
     """
     cycles = np.asarray(frequency, float)
-    if not np.all(np.abs(cycles) <= 1e9):
-        raise ValueError(f"transfer: frequency {cycles.tolist()}; legal: at most 1e9 in size")
+    require("frequency", cycles, np.all(np.abs(cycles) <= 1e9), "at most 1e9 in size")
     offsets, weights = _half(kernel)
-    factor: Floats = np.cos(2 * np.pi * cycles[..., None] * offsets) @ weights
-    return factor
+    return np.cos(2 * np.pi * cycles[..., None] * offsets) @ weights
 
 
 def _half(kernel: Prefilter) -> tuple[Floats, Floats]:
@@ -108,8 +108,8 @@ def filtered_wave(
     is a factor: `transfer` where there is no chirp, one number for all places, and otherwise
     the same sum with weights that are turned by exp(iπ c o²) at the offset o.
     """
-    if not (abs(frequency) <= 1e9 and abs(chirp) <= 1e9):
-        raise ValueError(f"filtered_wave: {frequency}, {chirp}; legal: at most 1e9 in size")
+    for name, value in (("frequency", frequency), ("chirp", chirp)):
+        require(name, value, abs(value) <= 1e9, "at most 1e9 in size")
     place = np.asarray(x, float)
     wave: Complexes = np.exp(1j * np.pi * place * (2 * frequency + chirp * place))
     if chirp == 0:

@@ -11,10 +11,9 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from simulations.models.arrays import as_vectors
+from simulations.models.arrays import Floats, Mask, as_vectors
+from simulations.models.require import require_one_of
 from simulations.models.sampling import bspline
-
-type Floats = NDArray[np.floating]
 
 
 @dataclass(frozen=True, slots=True)
@@ -78,7 +77,7 @@ class GatherTable:
     """(taps, N) weights of the columns; those of each output sum to 1."""
     down: Floats
     """(taps, N) weights of the rows, as precise: float32 or float64."""
-    inside: NDArray[np.bool_]
+    inside: Mask
     """(N,) whether the output lies on the picture at all."""
 
     @property
@@ -102,7 +101,7 @@ def gather_table(
     chosen = _kernel(kernel)
     height, width = source_shape
     if height < 1 or width < 1:
-        raise ValueError(f"source_shape {source_shape}: must be at least 1 x 1")
+        raise ValueError(f"source_shape {source_shape}; legal: 1 x 1 or more")
     positions = as_vectors("xy_px", xy_px, 2)
     x, y = positions[..., 0].ravel(), positions[..., 1].ravel()
     inside = (x >= -0.5) & (x < width - 0.5) & (y >= -0.5) & (y < height - 0.5)
@@ -121,7 +120,7 @@ def gather(table: GatherTable, image: ArrayLike, fill: float | None = 0.0) -> Fl
     picture = np.asarray(image)
     if picture.shape[:2] != table.source_shape or picture.ndim not in (2, 3):
         raise ValueError(
-            f"image of shape {picture.shape}: the table is for {table.source_shape} or "
+            f"image of shape {picture.shape}; legal for the table: {table.source_shape} or "
             f"{table.source_shape} + (channels,)"
         )
     dtype = np.float32 if picture.dtype == np.float32 else np.float64
@@ -183,10 +182,10 @@ def resize(image: ArrayLike, height: int, width: int, kernel: str = "bilinear") 
         legal = ", ".join(name for name, other in KERNELS.items() if not other.prefiltered)
         raise ValueError(f"kernel {kernel!r} smooths what it has not filtered; legal: {legal}")
     if height < 1 or width < 1:
-        raise ValueError(f"height {height}, width {width}: must be at least 1")
+        raise ValueError(f"height {height}, width {width}; legal: 1 or more")
     picture: Floats = np.asarray(image)
     if picture.ndim not in (2, 3) or 0 in picture.shape:
-        raise ValueError(f"image of shape {picture.shape}: must be (H, W) or (H, W, C), not empty")
+        raise ValueError(f"image of shape {picture.shape}; legal: (H, W) or (H, W, C), not empty")
     dtype = np.float32 if picture.dtype == np.float32 else np.float64
     by_row = _resize_matrix(picture.shape[0], height, chosen).astype(dtype)
     by_column = _resize_matrix(picture.shape[1], width, chosen).astype(dtype)
@@ -220,11 +219,9 @@ def _resize_matrix(size: int, new_size: int, kernel: Kernel) -> Floats:
     widening = max(ratio, 1.0)
     centre = (np.arange(new_size)[:, None] + 0.5) * ratio - 0.5
     weights = kernel.weigh((np.arange(size) - centre) / widening)
-    result: Floats = weights / weights.sum(axis=1, keepdims=True)
-    return result
+    return weights / weights.sum(axis=1, keepdims=True)
 
 
 def _kernel(name: str) -> Kernel:
-    if name not in KERNELS:
-        raise ValueError(f"kernel {name!r}: legal: {', '.join(KERNELS)}")
+    require_one_of("kernel", name, KERNELS)
     return KERNELS[name]

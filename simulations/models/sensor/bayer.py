@@ -7,9 +7,9 @@ section 2.3.2 (colour filter arrays).
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from simulations.models.arrays import Floats
+from simulations.models.require import require_one_of
 from simulations.models.whole_numbers import as_whole
-
-type Array = NDArray[np.floating]
 
 PATTERNS = ("RGGB", "BGGR", "GRBG", "GBRG")
 
@@ -22,11 +22,10 @@ def filter_colours(height: int, width: int, pattern: str = "RGGB") -> NDArray[np
     height, width = as_whole("height", height, 1), as_whole("width", width, 1)
     quad = np.array(["RGB".index(letter) for letter in _checked(pattern)], np.uint8).reshape(2, 2)
     tiled = np.tile(quad, ((height + 1) // 2, (width + 1) // 2))
-    colours: NDArray[np.uint8] = tiled[:height, :width]
-    return colours
+    return tiled[:height, :width]
 
 
-def mosaic(rgb: ArrayLike, pattern: str = "RGGB") -> Array:
+def mosaic(rgb: ArrayLike, pattern: str = "RGGB") -> Floats:
     """What the sensor keeps of a picture (H, W, 3): one colour per pixel, (H, W).
 
     Raises `ValueError` for another shape or an unknown pattern. Any size from 1x1 is legal.
@@ -41,7 +40,7 @@ def mosaic(rgb: ArrayLike, pattern: str = "RGGB") -> Array:
     return cfa
 
 
-def through_filters(cfa: ArrayLike, pattern: str = "RGGB") -> Array:
+def through_filters(cfa: ArrayLike, pattern: str = "RGGB") -> Floats:
     """The mosaic as one would see it through the filters: (H, W, 3), two of three values 0."""
     values = np.asarray(cfa)
     seen = np.zeros((*values.shape, 3), values.dtype)
@@ -57,6 +56,5 @@ def red_position(pattern: str) -> tuple[int, int]:
 
 
 def _checked(pattern: str) -> str:
-    if pattern not in PATTERNS:
-        raise ValueError(f"pattern {pattern!r}; legal: {', '.join(PATTERNS)}")
+    require_one_of("pattern", pattern, PATTERNS)
     return pattern

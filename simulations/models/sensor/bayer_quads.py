@@ -8,11 +8,9 @@ serves all four patterns, and a plane has a quarter of the pixels.
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
+from simulations.models.arrays import Floats
 from simulations.models.sensor.bayer import red_position
-
-type Array = NDArray[np.floating]
 
 MARGIN = 8
 """Quads of mirrored mosaic on each side: more than any demosaicing method looks out."""
@@ -27,13 +25,13 @@ class Quads:
     the mosaic on every side.
     """
 
-    red: Array
-    green_red: Array
-    green_blue: Array
-    blue: Array
+    red: Floats
+    green_red: Floats
+    green_blue: Floats
+    blue: Floats
 
 
-def to_quads(cfa: Array, pattern: str) -> Quads:
+def to_quads(cfa: Floats, pattern: str) -> Quads:
     """Mirror the mosaic (H, W >= 2) outwards until it starts and ends with whole quads.
 
     Mirroring about the edge pixel keeps the order of the filters, so that a flat colour
@@ -51,7 +49,7 @@ def to_quads(cfa: Array, pattern: str) -> Quads:
     return Quads(*planes)
 
 
-def from_quads(planes: NDArray[np.floating], shape: tuple[int, int], pattern: str) -> Array:
+def from_quads(planes: Floats, shape: tuple[int, int], pattern: str) -> Floats:
     """Interleave (3, 2, 2, h, w) planes, indexed by colour and place in the quad, to (H, W, 3)."""
     top, left = red_position(pattern)
     colours, _, _, rows, columns = planes.shape
@@ -61,21 +59,21 @@ def from_quads(planes: NDArray[np.floating], shape: tuple[int, int], pattern: st
     return np.ascontiguousarray(inner)
 
 
-def left(plane: Array) -> Array:
+def left(plane: Floats) -> Floats:
     """At each quad, the value of the quad to its left. What wraps around ends in the margin."""
     return np.roll(plane, 1, axis=1)
 
 
-def right(plane: Array) -> Array:
+def right(plane: Floats) -> Floats:
     """At each quad, the value of the quad to its right."""
     return np.roll(plane, -1, axis=1)
 
 
-def above(plane: Array) -> Array:
+def above(plane: Floats) -> Floats:
     """At each quad, the value of the quad above."""
     return np.roll(plane, 1, axis=0)
 
 
-def below(plane: Array) -> Array:
+def below(plane: Floats) -> Floats:
     """At each quad, the value of the quad below."""
     return np.roll(plane, -1, axis=0)

@@ -8,14 +8,14 @@ A sensor counts light, so a mosaic is linear, and so is what comes out. `encode_
 is what a display is sent.
 """
 
-import math
 from collections.abc import Callable
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
-from simulations.models.arrays import as_floats
+from simulations.models.arrays import Floats, as_floats
 from simulations.models.color.srgb import decode_srgb, encode_srgb
+from simulations.models.require import require_one_of
 from simulations.models.sensor.bayer import PATTERNS, filter_colours, mosaic
 from simulations.models.sensor.bayer_quads import (
     Quads,
@@ -28,14 +28,11 @@ from simulations.models.sensor.bayer_quads import (
 )
 from simulations.models.sensor.malvar import malvar
 from simulations.models.sensor.menon import menon, menon_unrefined
-from simulations.models.whole_numbers import as_whole
 
-__all__ = ["METHODS", "PATTERNS", "demosaic", "mosaic", "psnr_db"]
-
-type Array = NDArray[np.floating]
+__all__ = ["METHODS", "PATTERNS", "demosaic", "mosaic"]
 
 
-def nearest(quads: Quads) -> Array:
+def nearest(quads: Quads) -> Floats:
     """Copy the missing colours from within the quad: (3, 2, 2, h, w). Green comes from its row."""
     q = quads
     return np.array(
@@ -47,7 +44,7 @@ def nearest(quads: Quads) -> Array:
     )
 
 
-def bilinear(quads: Quads) -> Array:
+def bilinear(quads: Quads) -> Floats:
     """Average the nearest two or four samples of the missing colour: (3, 2, 2, h, w)."""
     r, gr, gb, b = quads.red, quads.green_red, quads.green_blue, quads.blue
     red_at_gr, red_at_gb = (r + right(r)) / 2, (r + below(r)) / 2
@@ -65,7 +62,7 @@ def bilinear(quads: Quads) -> Array:
     )
 
 
-def menon_encoded(quads: Quads) -> Array:
+def menon_encoded(quads: Quads) -> Floats:
     """`menon_unrefined` of the values as a display would be sent them: (3, 2, 2, h, w).
 
     Where the light on one surface changes, its three colours change by a common *factor*. The
@@ -79,7 +76,7 @@ def menon_encoded(quads: Quads) -> Array:
     return guessed
 
 
-METHODS: dict[str, Callable[[Quads], Array]] = {
+METHODS: dict[str, Callable[[Quads], Floats]] = {
     "nearest": nearest,
     "bilinear": bilinear,
     "malvar": malvar,
@@ -90,7 +87,7 @@ METHODS: dict[str, Callable[[Quads], Array]] = {
 """From name to method, in the order of their work."""
 
 
-def demosaic(cfa: ArrayLike, pattern: str = "RGGB", method: str = "bilinear") -> Array:
+def demosaic(cfa: ArrayLike, pattern: str = "RGGB", method: str = "bilinear") -> Floats:
     """A full-colour picture (H, W, 3) from a mosaic (H, W).
 
     The mosaic is mirrored at its borders, so that a flat colour survives exactly. The
@@ -107,8 +104,7 @@ def demosaic(cfa: ArrayLike, pattern: str = "RGGB", method: str = "bilinear") ->
     values = as_floats(cfa)
     if values.ndim != 2 or 0 in values.shape:
         raise ValueError(f"mosaic of shape {values.shape}; legal: (H, W), not empty")
-    if method not in METHODS:
-        raise ValueError(f"method {method!r}; legal: {', '.join(METHODS)}")
+    require_one_of("method", method, METHODS)
     if min(values.shape) == 1:
         return _demosaic_line(values, pattern, method)
     with np.errstate(over="ignore", invalid="ignore"):
@@ -116,7 +112,7 @@ def demosaic(cfa: ArrayLike, pattern: str = "RGGB", method: str = "bilinear") ->
     return from_quads(planes, values.shape, pattern)
 
 
-def _demosaic_line(cfa: Array, pattern: str, method: str) -> Array:
+def _demosaic_line(cfa: Floats, pattern: str, method: str) -> Floats:
     """A mosaic one pixel high or wide, which holds at most two colours."""
     filters = filter_colours(cfa.shape[0], cfa.shape[1], pattern).reshape(-1)
     line, places = cfa.reshape(-1), np.arange(cfa.size)
@@ -129,25 +125,3 @@ def _demosaic_line(cfa: Array, pattern: str, method: str) -> Array:
     for colour in set(range(3)).difference(held):
         rgb[:, colour] = rgb[:, held].mean(axis=1)
     return rgb.reshape(*cfa.shape, 3)
-
-
-def psnr_db(picture: ArrayLike, reference: ArrayLike, peak: float = 1.0, crop: int = 8) -> float:
-    """Peak signal to noise ratio in decibel, leaving out ``crop`` pixels at each border.
-
-    Equal pictures give infinity, and pictures infinitely apart minus infinity. Raises
-    `ValueError` where nothing is left after the crop, or the shapes differ.
-    """
-    a, b = np.asarray(picture, np.float64), np.asarray(reference, np.float64)
-    if a.shape != b.shape or a.ndim < 2:
-        raise ValueError(f"pictures of shapes {a.shape} and {b.shape}; legal: equal, (H, W, ...)")
-    crop = as_whole("crop", crop, 0)
-    if 2 * crop >= min(a.shape[:2]):
-        raise ValueError(f"crop {crop} px of a picture {a.shape}; legal: less than half of it")
-    inner = (slice(crop, a.shape[0] - crop), slice(crop, a.shape[1] - crop))
-    if not 0 < peak < math.inf:
-        raise ValueError(f"peak {peak}; legal: above 0, finite")
-    with np.errstate(over="ignore", invalid="ignore"):
-        mean_square = float(np.mean(np.square((a[inner] - b[inner]) / peak)))
-    if mean_square == 0.0:
-        return math.inf
-    return -math.inf if mean_square == math.inf else -10 * math.log10(mean_square)

@@ -7,11 +7,9 @@ exact; these need nothing but the picture at one moment. Szeliski, 2nd ed., sect
 from collections.abc import Callable, Iterator
 
 import numpy as np
-from numpy.typing import NDArray
 
-from simulations.models.arrays import as_floats
-
-type Floats = NDArray[np.floating]
+from simulations.models.arrays import Floats, as_floats
+from simulations.models.whole_numbers import as_whole
 
 
 def mean_of_instants(picture_at: Callable[[float], Floats], count: int) -> Floats:
@@ -19,7 +17,7 @@ def mean_of_instants(picture_at: Callable[[float], Floats], count: int) -> Float
 
     The error falls with 1/count and shows as that many ghosts of every edge that moves.
     """
-    _check(count)
+    count = as_whole("count", count, 1)
     times = (np.arange(count) + 0.5) / count
     return _mean(picture_at(time) for time in times.tolist())
 
@@ -35,7 +33,7 @@ def mean_of_random_instants(
     ``picture_at`` takes the times of all pixels, of ``shape``. The error falls with the root of
     the count only, and shows as grain instead of ghosts.
     """
-    _check(count)
+    count = as_whole("count", count, 1)
     return _mean(picture_at(rng.random(shape)) for _ in range(count))
 
 
@@ -46,8 +44,3 @@ def _mean(pictures: Iterator[Floats]) -> Floats:
         total += picture
         count += 1
     return total / count
-
-
-def _check(count: int) -> None:
-    if count < 1:
-        raise ValueError(f"count {count}; legal: 1 or more moments of the exposure")

@@ -7,14 +7,12 @@ surroundings. The weights, in eighths, are those of the paper's figure 2.
 """
 
 import numpy as np
-from numpy.typing import NDArray
 
+from simulations.models.arrays import Floats
 from simulations.models.sensor.bayer_quads import Quads, above, below, left, right
 
-type Array = NDArray[np.floating]
 
-
-def malvar(quads: Quads) -> Array:
+def malvar(quads: Quads) -> Floats:
     """Five by five filters, one per missing colour: (3, 2, 2, h, w). May overshoot the range."""
     r, gr, gb, b = quads.red, quads.green_red, quads.green_blue, quads.blue
     gb_right, gr_below = right(gb), below(gr)
@@ -46,6 +44,6 @@ def malvar(quads: Quads) -> Array:
     )
 
 
-def _cross(plane: Array) -> Array:
+def _cross(plane: Floats) -> Floats:
     """Sum of the four next pixels of the same colour, two pixels away."""
     return left(plane) + right(plane) + above(plane) + below(plane)

@@ -12,39 +12,37 @@ from collections.abc import Callable
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
+from simulations.models.arrays import Floats, Mask
 from simulations.models.sensor.bayer_quads import Quads, above, below, left, right
 
-type Array = NDArray[np.floating]
-type Mask = NDArray[np.bool_]
-type Step = Callable[[Array], Array]
+type Step = Callable[[Floats], Floats]
 
 
 @dataclass(frozen=True, slots=True)
 class Estimate:
     """The eight guessed planes, each (h, w), and the direction that was kept."""
 
-    g_r: Array
-    g_b: Array
-    r_gr: Array
-    r_gb: Array
-    b_gr: Array
-    b_gb: Array
-    r_b: Array
-    b_r: Array
+    g_r: Floats
+    g_b: Floats
+    r_gr: Floats
+    r_gb: Floats
+    b_gr: Floats
+    b_gb: Floats
+    r_b: Floats
+    b_r: Floats
     by_row_r: Mask
     """Whether rows were kept at the red pixels."""
     by_row_b: Mask
     """Likewise at the blue pixels."""
 
 
-def menon(quads: Quads) -> Array:
+def menon(quads: Quads) -> Floats:
     """Directional interpolation with refinement: (3, 2, 2, h, w). May overshoot the range."""
     return _planes(quads, _refined(quads, _estimate(quads)))
 
 
-def menon_unrefined(quads: Quads) -> Array:
+def menon_unrefined(quads: Quads) -> Floats:
     """`menon` without its last pass: (3, 2, 2, h, w). May overshoot the range."""
     return _planes(quads, _estimate(quads))
 
@@ -78,14 +76,14 @@ def _refined(quads: Quads, first: Estimate) -> Estimate:
     return Estimate(g_r, g_b, r_gr, r_gb, b_gr, b_gb, r_b, b_r, by_row_r, by_row_b)
 
 
-def _planes(quads: Quads, e: Estimate) -> Array:
+def _planes(quads: Quads, e: Estimate) -> Floats:
     r, gr, gb, b = quads.red, quads.green_red, quads.green_blue, quads.blue
     return np.array(
         [[[r, e.r_gr], [e.r_gb, e.r_b]], [[e.g_r, gr], [gb, e.g_b]], [[e.b_r, e.b_gr], [e.b_gb, b]]]
     )
 
 
-def _green_along_rows(quads: Quads) -> tuple[Array, Array]:
+def _green_along_rows(quads: Quads) -> tuple[Floats, Floats]:
     """Green at the red and at the blue pixels from their rows, corrected by the curvature there."""
     r, gr, gb, b = quads.red, quads.green_red, quads.green_blue, quads.blue
     g_r = (left(gr) + gr) / 2 + (2 * r - left(r) - right(r)) / 4
@@ -93,7 +91,7 @@ def _green_along_rows(quads: Quads) -> tuple[Array, Array]:
     return g_r, g_b
 
 
-def _green_along_columns(quads: Quads) -> tuple[Array, Array]:
+def _green_along_columns(quads: Quads) -> tuple[Floats, Floats]:
     """Green at the red and at the blue pixels from their columns."""
     r, gr, gb, b = quads.red, quads.green_red, quads.green_blue, quads.blue
     g_r = (above(gb) + gb) / 2 + (2 * r - above(r) - below(r)) / 4
@@ -102,7 +100,7 @@ def _green_along_columns(quads: Quads) -> tuple[Array, Array]:
 
 
 def _calmer_along_rows(
-    r: Array, b: Array, along_rows: tuple[Array, Array], along_columns: tuple[Array, Array]
+    r: Floats, b: Floats, along_rows: tuple[Floats, Floats], along_columns: tuple[Floats, Floats]
 ) -> tuple[Mask, Mask]:
     """At the red and at the blue pixels: where colour differences vary less along rows.
 
@@ -118,19 +116,18 @@ def _calmer_along_rows(
     return in_columns_r >= in_rows_r, in_columns_b >= in_rows_b
 
 
-def _step(difference: Array, towards: Step) -> Array:
-    change: Array = np.abs(difference - towards(difference))
-    return change
+def _step(difference: Floats, towards: Step) -> Floats:
+    return np.abs(difference - towards(difference))
 
 
-def _window(change: Array, back: Step, aside: Step, other_side: Step) -> Array:
+def _window(change: Floats, back: Step, aside: Step, other_side: Step) -> Floats:
     pair = change + back(change)
     return 3 * pair + aside(pair) + other_side(pair)
 
 
 def _at_greens(
-    red_less_green: Array, blue_less_green: Array, gr: Array, gb: Array
-) -> tuple[Array, Array, Array, Array]:
+    red_less_green: Floats, blue_less_green: Floats, gr: Floats, gb: Floats
+) -> tuple[Floats, Floats, Floats, Floats]:
     """Red at both kinds of green pixel, then blue: green plus the mean difference beside it."""
     d_r, d_b = red_less_green, blue_less_green
     return (
@@ -142,9 +139,8 @@ def _at_greens(
 
 
 def _mean_of_3(
-    centre: Array, in_row: Array, aside: Step, in_column: Array, upright: Step, by_row: Mask
-) -> Array:
+    centre: Floats, in_row: Floats, aside: Step, in_column: Floats, upright: Step, by_row: Mask
+) -> Floats:
     """Mean of a difference at a pixel and at its two neighbours in the direction kept."""
     ends = np.where(by_row, in_row + aside(in_row), in_column + upright(in_column))
-    mean: Array = (centre + ends) / 3
-    return mean
+    return (centre + ends) / 3

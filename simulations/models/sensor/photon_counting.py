@@ -12,10 +12,10 @@ from typing import Literal
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from simulations.models.arrays import as_floats
+from simulations.models.arrays import Floats, as_floats
+from simulations.models.require import require, require_one_of
 from simulations.models.sensor.poisson_quantile import poisson_from_normal
 
-type Array = NDArray[np.floating]
 type ShotModel = Literal["poisson", "quantile", "skewed", "gaussian"]
 
 SHOT_MODELS: tuple[ShotModel, ...] = ("gaussian", "skewed", "quantile", "poisson")
@@ -47,15 +47,15 @@ class Sensor:
     def __post_init__(self) -> None:
         _check_well(self.full_well_e)
         noise, dark, gain = self.read_noise_e, self.dark_current_e_per_s, self.gain_e_per_dn
-        _require("read_noise_e", noise, 0 <= noise <= 1e15, "0 to 1e15")
-        _require("dark_current_e_per_s", dark, 0 <= dark <= 1e30, "0 to 1e30")
+        require("read_noise_e", noise, 0 <= noise <= 1e15, "0 to 1e15")
+        require("dark_current_e_per_s", dark, 0 <= dark <= 1e30, "0 to 1e30")
         # Also in float32 its reciprocal is a number.
-        _require("gain_e_per_dn", gain, 1e-30 <= gain <= 1e30, "1e-30 to 1e30")
+        require("gain_e_per_dn", gain, 1e-30 <= gain <= 1e30, "1e-30 to 1e30")
         _check_bits(self.bits)
         black, top = self.black_level_dn, self.highest_dn
-        _require("black_level_dn", black, 0 <= black < top, f"0 to below {top}")
+        require("black_level_dn", black, 0 <= black < top, f"0 to below {top}")
         efficiency = self.quantum_efficiency
-        _require("quantum_efficiency", efficiency, 0 <= efficiency <= 1, "0 to 1")
+        require("quantum_efficiency", efficiency, 0 <= efficiency <= 1, "0 to 1")
 
     @property
     def highest_dn(self) -> int:
@@ -68,23 +68,22 @@ def with_iso(sensor: Sensor, iso: float, base_iso: float = 100.0) -> Sensor:
 
     The well does not shrink, but the converter now tops out before it is full.
     """
-    _require("iso", iso, iso > 0, "above 0")
+    require("iso", iso, iso > 0, "above 0")
     return replace(sensor, gain_e_per_dn=sensor.gain_e_per_dn * base_iso / iso)
 
 
-def expose(photons_per_s: ArrayLike, exposure_s: float, sensor: Sensor) -> Array:
+def expose(photons_per_s: ArrayLike, exposure_s: float, sensor: Sensor) -> Floats:
     """Mean electrons (...) that each pixel frees: light and warmth, over the exposure.
 
     Not yet held to the full well: see `shot_noise`. Raises `ValueError` for light that is
     negative or undefined, and for an exposure that is negative or infinite.
     """
-    _require("exposure_s", exposure_s, 0 <= exposure_s < np.inf, "0 or more, finite")
+    require("exposure_s", exposure_s, 0 <= exposure_s < np.inf, "0 or more, finite")
     # Infinite light times no time would be undefined.
     rate = np.minimum(_light("photons_per_s", photons_per_s), 1e30)
     freed = rate * sensor.quantum_efficiency + sensor.dark_current_e_per_s
     with np.errstate(over="ignore"):  # infinite light is legal, and fills every well
-        mean_e: Array = freed * exposure_s
-    return mean_e
+        return freed * exposure_s
 
 
 def shot_noise(
@@ -92,7 +91,7 @@ def shot_noise(
     rng: np.random.Generator,
     full_well_e: float = np.inf,
     model: ShotModel = "poisson",
-) -> Array:
+) -> Floats:
     """Electrons counted (...), where the mean is ``mean_e``: whole numbers, at most the full well.
 
     ``poisson`` is exact: electrons arrive independently, the variance equals the mean.
@@ -112,17 +111,15 @@ def shot_noise(
     if model == "poisson":
         counted, drawn = np.array(mean), mean < cap
         counted[drawn] = rng.poisson(mean[drawn])
-        held: Array = np.minimum(counted, full_well_e)
-        return held
-    if model not in SHOT_MODELS:
-        raise ValueError(f"model {model!r}; legal: {', '.join(SHOT_MODELS)}")
+        return np.minimum(counted, full_well_e)
+    require_one_of("model", model, SHOT_MODELS)
     z = rng.standard_normal(mean.shape, np.float32 if mean.dtype == np.float32 else np.float64)
     if model == "quantile":
         return shot_noise_from_normal(mean, z, full_well_e)
     return _normal_counts(mean, z, full_well_e, skewed=model == "skewed")
 
 
-def shot_noise_from_normal(mean_e: ArrayLike, z: ArrayLike, full_well_e: float = np.inf) -> Array:
+def shot_noise_from_normal(mean_e: ArrayLike, z: ArrayLike, full_well_e: float = np.inf) -> Floats:
     """The ``quantile`` model of `shot_noise`, from standard normals ``z`` (...) drawn beforehand.
 
     A picture whose light changes then keeps its grain, and nothing need be drawn again.
@@ -140,8 +137,8 @@ def _brightest_mean(full_well_e: float) -> float:
     return well + 10 * math.sqrt(well) + 100
 
 
-def _normal_counts(mean: Array, z: Array, full_well_e: float, *, skewed: bool) -> Array:
-    counted: Array = np.asarray(np.sqrt(mean) * z)
+def _normal_counts(mean: Floats, z: Floats, full_well_e: float, *, skewed: bool) -> Floats:
+    counted: Floats = np.asarray(np.sqrt(mean) * z)
     counted += mean
     if skewed:
         counted += (z * z - 1) / 6
@@ -151,15 +148,14 @@ def _normal_counts(mean: Array, z: Array, full_well_e: float, *, skewed: bool) -
     return counted
 
 
-def read_out(electrons: ArrayLike, sensor: Sensor, rng: np.random.Generator) -> Array:
+def read_out(electrons: ArrayLike, sensor: Sensor, rng: np.random.Generator) -> Floats:
     """The amplified signal (...) in codes, not yet rounded: gain, read noise, black level."""
     e = as_floats(electrons)
     with np.errstate(over="ignore"):  # the converter takes ∞ for its top code
         if sensor.read_noise_e > 0:
             kind = np.float32 if e.dtype == np.float32 else np.float64
             e = e + sensor.read_noise_e * rng.standard_normal(e.shape, kind)
-        signal: Array = e / sensor.gain_e_per_dn + sensor.black_level_dn
-    return signal
+        return e / sensor.gain_e_per_dn + sensor.black_level_dn
 
 
 def quantise(signal_dn: ArrayLike, bits: int) -> NDArray[np.uint16]:
@@ -172,8 +168,7 @@ def quantise(signal_dn: ArrayLike, bits: int) -> NDArray[np.uint16]:
     top = 2 ** int(bits) - 1
     # fmax, unlike clip, replaces NaN.
     held = np.minimum(np.fmax(as_floats(signal_dn), 0), top)
-    codes: NDArray[np.uint16] = np.rint(held).astype(np.uint16)
-    return codes
+    return np.rint(held).astype(np.uint16)
 
 
 def capture(
@@ -189,14 +184,13 @@ def capture(
     return quantise(read_out(counted_e, sensor, rng), sensor.bits)
 
 
-def develop(raw_dn: ArrayLike, sensor: Sensor) -> Array:
+def develop(raw_dn: ArrayLike, sensor: Sensor) -> Floats:
     """Codes (...) back to linear light: 0 at the black level, 1 at the top; noise may dip below."""
     span = sensor.highest_dn - sensor.black_level_dn
-    linear: Array = (as_floats(raw_dn) - sensor.black_level_dn) / span
-    return linear
+    return (as_floats(raw_dn) - sensor.black_level_dn) / span
 
 
-def signal_to_noise(mean_e: ArrayLike, sensor: Sensor) -> Array:
+def signal_to_noise(mean_e: ArrayLike, sensor: Sensor) -> Floats:
     """Mean over standard deviation (...) of one pixel: shot, read and quantisation noise together.
 
     Rises with the square root of the light once shot noise prevails. No light gives 0, infinite
@@ -211,21 +205,16 @@ def signal_to_noise(mean_e: ArrayLike, sensor: Sensor) -> Array:
 
 def _check_well(full_well_e: float) -> None:
     legal = 0 < full_well_e <= LARGEST_WELL_E or full_well_e == math.inf
-    _require("full_well_e", full_well_e, legal, f"above 0, to {LARGEST_WELL_E:g}, or inf")
+    require("full_well_e", full_well_e, legal, f"above 0, to {LARGEST_WELL_E:g}, or inf")
 
 
 def _check_bits(bits: int) -> None:
-    if not isinstance(bits, int | np.integer) or not 1 <= bits <= 16:
-        raise ValueError(f"bits {bits!r}; legal: whole numbers from 1 to 16")
+    whole = isinstance(bits, int | np.integer)
+    require("bits", bits, whole and 1 <= bits <= 16, "whole numbers, 1 to 16")
 
 
-def _light(name: str, values: ArrayLike) -> Array:
+def _light(name: str, values: ArrayLike) -> Floats:
     light = as_floats(values)
     if not np.all(light >= 0):
         raise ValueError(f"{name} has values below 0 or undefined; legal: 0 or more")
     return light
-
-
-def _require(name: str, value: float, legal: bool, range_: str) -> None:
-    if not legal:
-        raise ValueError(f"{name} {value}; legal: {range_}")

@@ -10,12 +10,11 @@ import math
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
-from simulations.models.arrays import as_floats
+from simulations.models.arrays import Floats, Mask, as_floats
 from simulations.models.sensor.photon_counting import Sensor, quantise, read_out, shot_noise
-
-type Array = NDArray[np.floating]
+from simulations.models.whole_numbers import as_whole
 
 SATURATED_SHARE = 0.7
 """Of the mean whose variance is largest: EMVA 1288 fits the line up to there."""
@@ -44,7 +43,7 @@ class Gain:
 
 def photon_transfer(
     mean_e: ArrayLike, sensor: Sensor, rng: np.random.Generator, samples: int = 20_000
-) -> tuple[Array, Array]:
+) -> tuple[Floats, Floats]:
     """Mean and variance in codes of flat fields at each level (N,): the photon-transfer curve.
 
     The variance is half of that of the difference of two exposures, as in a laboratory,
@@ -52,18 +51,17 @@ def photon_transfer(
     ``variance = mean / gain``: see `estimate_gain`.
     """
     levels = as_floats(mean_e).reshape(-1)
-    if samples < 2:
-        raise ValueError(f"samples {samples}; legal: 2 or more")
+    samples = as_whole("samples", samples, 2)
     fields = []
     for _ in range(2):
         counted = shot_noise(np.repeat(levels[:, None], samples, 1), rng, sensor.full_well_e)
         fields.append(quantise(read_out(counted, sensor, rng), sensor.bits).astype(np.float64))
-    mean: Array = (fields[0] + fields[1]).mean(axis=1) / 2 - sensor.black_level_dn
-    variance: Array = (fields[0] - fields[1]).var(axis=1, ddof=1) / 2
+    mean: Floats = (fields[0] + fields[1]).mean(axis=1) / 2 - sensor.black_level_dn
+    variance: Floats = (fields[0] - fields[1]).var(axis=1, ddof=1) / 2
     return mean, variance
 
 
-def straight_part(mean_dn: ArrayLike, variance_dn: ArrayLike) -> NDArray[np.bool_]:
+def straight_part(mean_dn: ArrayLike, variance_dn: ArrayLike) -> Mask:
     """Which levels (N,) of a transfer curve a line may be fitted to.
 
     A well or a converter that is nearly full cuts the variance, and means alone do not tell: left
@@ -80,7 +78,7 @@ def straight_part(mean_dn: ArrayLike, variance_dn: ArrayLike) -> NDArray[np.bool
     if mean.size == 0:
         return np.zeros(0, bool)
     unsaturated = mean <= SATURATED_SHARE * mean[np.argmax(variance)]
-    straight: NDArray[np.bool_] = unsaturated & (variance >= LEAST_VARIANCE_DN2)
+    straight: Mask = unsaturated & (variance >= LEAST_VARIANCE_DN2)
     if straight.any() and np.ptp(mean[straight]) > 0:
         slope, _ = _line(mean[straight].astype(float), variance[straight].astype(float), 2)
         straight &= mean >= FEWEST_E * slope
@@ -121,10 +119,9 @@ def estimate_gain(mean_dn: ArrayLike, variance_dn: ArrayLike, samples: int = 20_
     return Gain(1 / slope, share / slope)
 
 
-def _line(mean: Array, variance: Array, samples: int) -> tuple[float, float]:
+def _line(mean: Floats, variance: Floats, samples: int) -> tuple[float, float]:
     """Slope of the weighted fit, and its standard error as a share of it."""
-    if samples < 2:
-        raise ValueError(f"samples {samples}; legal: 2 or more")
+    samples = as_whole("samples", samples, 2)
     spread, largest = float(np.ptp(mean)), float(variance.max())  # so that no square overflows
     x, y = mean / spread, variance / largest
     weight = y**-2

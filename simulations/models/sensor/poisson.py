@@ -7,12 +7,13 @@ nor factorial is ever formed: each probability is the one before times mean / k.
 import math
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
-type Array = NDArray[np.floating]
+from simulations.models.arrays import Floats
+from simulations.models.require import require
 
 
-def poisson_cumulative(mean: float) -> tuple[int, Array]:
+def poisson_cumulative(mean: float) -> tuple[int, Floats]:
     """P(N <= k) for k = first, first + 1, … and so on, as far as it rises.
 
     Returns
@@ -25,8 +26,7 @@ def poisson_cumulative(mean: float) -> tuple[int, Array]:
     ValueError
         If the mean is negative, undefined, or above 1e10, where the counts would fill a memory.
     """
-    if not 0 <= mean <= 1e10:
-        raise ValueError(f"mean {mean}; legal: 0 to 1e10")
+    require("mean", mean, 0 <= mean <= 1e10, "0 to 1e10")
     reach = 10 * np.sqrt(mean) + 30  # ten standard deviations, and more where the mean is small
     first, last = max(0, int(mean - reach)), int(mean + reach)
     if mean == 0:

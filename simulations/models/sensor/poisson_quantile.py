@@ -9,9 +9,8 @@ by rejection reshuffles the grain at every touch.
 import math
 
 import numpy as np
-from numpy.typing import NDArray
 
-type Array = NDArray[np.floating]
+from simulations.models.arrays import Floats
 
 FEW = 10.0
 """Mean from which on the expansion is used. Its distribution is off by less than 3e-4 there."""
@@ -26,7 +25,7 @@ TAIL = (
 """Polynomial in t = 1 / (1 + x / 2) with erfc(x) = t exp(p(t) - x^2) to 1.2e-7 of itself."""
 
 
-def poisson_from_normal(mean: Array, z: Array) -> Array:
+def poisson_from_normal(mean: Floats, z: Floats) -> Floats:
     """Whole numbers (...), 0 or more, for means ``mean`` (...) of 0 or more and deviates ``z``.
 
     In float32 for two arrays of float32. Below `FEW` the probabilities are summed; above, the
@@ -42,7 +41,7 @@ def poisson_from_normal(mean: Array, z: Array) -> Array:
     return counted.reshape(shape)
 
 
-def _expanded(mean: Array, z: Array) -> Array:
+def _expanded(mean: Floats, z: Floats) -> Floats:
     """M. B. Giles, *Algorithm 955: approximation of the inverse Poisson cumulative distribution
     function*, ACM Transactions on Mathematical Software 42 (2016): the first three terms.
 
@@ -57,11 +56,10 @@ def _expanded(mean: Array, z: Array) -> Array:
     root *= z
     lean += root
     lean += mean
-    counted: Array = np.maximum(np.floor(lean, out=lean), 0, out=lean)
-    return counted
+    return np.maximum(np.floor(lean, out=lean), 0, out=lean)
 
 
-def _summed(mean: Array, z: Array) -> Array:
+def _summed(mean: Floats, z: Floats) -> Floats:
     """The exact quantile (n,) of means below `FEW`: how many tails are larger than the normal's.
 
     What is held against each other are the probabilities *above* a count and a deviate. Those
@@ -85,7 +83,7 @@ def _summed(mean: Array, z: Array) -> Array:
     return counted
 
 
-def normal_tail(z: Array) -> Array:
+def normal_tail(z: Floats) -> Floats:
     """Probability (...) of a standard normal above ``z``: erfc(z / √2) / 2, to 1.2e-7 of itself.
 
     W. H. Press et al., *Numerical Recipes*, 2nd ed., section 6.2, a Chebyshev fit.
@@ -99,5 +97,4 @@ def normal_tail(z: Array) -> Array:
     fit += TAIL[0]
     fit -= x * x
     t *= 0.5 * np.exp(fit, out=fit)
-    probability: Array = np.where(z < 0, 1 - t, t)
-    return probability
+    return np.where(z < 0, 1 - t, t)

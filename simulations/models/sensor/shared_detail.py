@@ -6,11 +6,9 @@ Transactions on Image Processing 11(9), 2002, measured it on photographs.
 """
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
-from simulations.models.arrays import as_colours
-
-type Floats = NDArray[np.floating]
+from simulations.models.arrays import Floats, as_colours
 
 
 def shared_detail(linear: ArrayLike) -> tuple[float, float]:

@@ -4,17 +4,14 @@ import math
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
+from simulations.models.arrays import Floats, Planes
 from simulations.models.lens.depth_of_field import Layer
-from simulations.models.lens.disc_blur import Planes
 from simulations.models.light.raycasting import Vector
 from simulations.models.light.reflectance import blinn_phong, lambert
 from simulations.models.light.soft_shadows import shadow_bounds, visibility
 from simulations.pictures.still_life.surfaces import Surface, extent, window_of, within
 from simulations.pictures.still_life.things import THINGS, WALL_DISTANCE
-
-type Floats = NDArray[np.floating]
 
 LAMP_ELEVATION_RAD = math.radians(48.0)
 LAMP_RADIUS_RAD = math.radians(5.0)
@@ -94,8 +91,7 @@ def radiance(part: Surface, lamp: Vector) -> Planes:
 
 def _tinted(colour: Floats, strength: Floats) -> Planes:
     """Light (3, h, w) of one colour, as strong as (h, w)."""
-    tinted: Planes = colour.astype(np.float32)[:, None, None] * strength.astype(np.float32)
-    return tinted
+    return colour.astype(np.float32)[:, None, None] * strength.astype(np.float32)
 
 
 def _lamp_seen(part: Surface, lamp: Vector) -> Floats:

@@ -7,8 +7,8 @@ import math
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
+from simulations.models.arrays import Floats, Mask, Planes
 from simulations.models.light.raycasting import (
     Sphere,
     Vector,
@@ -17,7 +17,13 @@ from simulations.models.light.raycasting import (
     intersect_plane,
 )
 from simulations.models.light.soft_shadows import bounding_radius, sphere_occlusion
-from simulations.pictures import patterns
+from simulations.pictures.patterns import (
+    band_about,
+    checker,
+    pixel_width,
+    siemens_star,
+    stripes,
+)
 from simulations.pictures.still_life.things import (
     THINGS,
     WALL_DISTANCE,
@@ -28,11 +34,10 @@ from simulations.pictures.still_life.things import (
     thing_depth,
 )
 
-type Floats = NDArray[np.floating]
-type Planes = NDArray[np.float32]
-
 TILE = 0.5
 """Edge of a floor tile, metres."""
+TILE_CENTRE = (0.065, 0.25)
+"""Of a light one: x and y, metres."""
 PANEL = 1.0
 """Spacing of the grooves of the wall panelling, metres."""
 CHART = (0.35, 1.12, 1.9, 1.3)
@@ -114,7 +119,7 @@ def _window(thing: Thing, seen: View) -> tuple[slice, slice] | None:
     return window_of(near, margin=2)
 
 
-def window_of(mask: NDArray[np.bool_], margin: int = 1) -> tuple[slice, slice] | None:
+def window_of(mask: Mask, margin: int = 1) -> tuple[slice, slice] | None:
     """Rows and columns that hold every true pixel, ``margin`` more and at least two each way."""
     rows, columns = np.flatnonzero(mask.any(1)), np.flatnonzero(mask.any(0))
     if not rows.size:
@@ -131,16 +136,15 @@ def _thing_albedo(thing: Thing, normals: Floats) -> Planes:
         return np.broadcast_to(colour[:, None, None], (3, *normals.shape[:2]))
     axis = np.array([0.42, -0.25, 0.87])  # of the stripes, leaning towards the camera
     latitude = np.arcsin(np.clip(normals @ (axis / np.linalg.norm(axis)), -1.0, 1.0))
-    phase = latitude * (thing.stripe_count / math.pi) + 0.5
-    share = 0.5 + 0.5 * patterns.stripes(phase, patterns.pixel_width(phase))
+    place = latitude * (thing.stripe_count / math.pi)  # a stripe is 1 wide
+    share = stripes(place, 2.0, 1.0, pixel_width(place))
     return _mix(np.asarray(thing.albedo), np.asarray(thing.second_albedo), share)
 
 
 def _mix(first: Floats, second: Floats, share: Floats) -> Planes:
     """(3, H, W): the colour ``first`` where ``share`` (H, W) is 0, ``second`` where it is 1."""
     start, change = first.astype(np.float32), (second - first).astype(np.float32)
-    mixed: Planes = start[:, None, None] + change[:, None, None] * share.astype(np.float32)
-    return mixed
+    return start[:, None, None] + change[:, None, None] * share.astype(np.float32)
 
 
 def _sky_seen(points: Floats, normals: Floats, besides: Thing | None = None) -> Floats:
@@ -182,11 +186,10 @@ def extent(points: Floats) -> Extent:
     return Extent(low, np.array([across.max(), away.max()]))
 
 
-def within(points: Floats, low: Floats, high: Floats) -> NDArray[np.bool_]:
+def within(points: Floats, low: Floats, high: Floats) -> Mask:
     """(H, W) true where x and y of the points (H, W, 3) lie between two corners."""
     x, y = points[..., 0], points[..., 1]
-    inside: NDArray[np.bool_] = (x > low[0]) & (x < high[0]) & (y > low[1]) & (y < high[1])
-    return inside
+    return (x > low[0]) & (x < high[0]) & (y > low[1]) & (y < high[1])
 
 
 def _wall_and_floor(seen: View) -> tuple[Surface, Surface]:
@@ -230,23 +233,23 @@ def _backdrop(seen: View, plane: tuple[Vector, Vector], share: Floats) -> Surfac
 
 
 def _floor_albedo(points: Floats) -> Planes:
-    share = patterns.chequer(points[..., 0] / TILE + 0.37, points[..., 1] / TILE)
+    x, y = points[..., 0] - TILE_CENTRE[0], points[..., 1] - TILE_CENTRE[1]
+    share = checker(x, y, TILE, pixel_width(x), pixel_width(y))
     return _mix(FLOOR_DARK, FLOOR_LIGHT, share)
 
 
 def _wall_albedo(points: Floats) -> Planes:
     x, z = points[..., 0], points[..., 2]
     across, up = _to_nearest(x, PANEL), _to_nearest(z - 0.15, PANEL)
-    grooves = np.maximum(patterns.band(across, 0.025), patterns.band(up, 0.025))
-    skirting = patterns.band(z, 0.15)
+    grooves = np.maximum(band_about(across, 0.025), band_about(up, 0.025))
+    skirting = band_about(z, 0.15)
     wall = _lay_over(_mix(WALL, GROOVE, grooves), SKIRTING, skirting)
     return _with_chart(wall, x - CHART[0], z - CHART[1])
 
 
 def _to_nearest(coordinate: Floats, spacing: float) -> Floats:
     """Signed distance to the nearest multiple of ``spacing``."""
-    distance: Floats = coordinate - spacing * np.round(coordinate / spacing)
-    return distance
+    return coordinate - spacing * np.round(coordinate / spacing)
 
 
 def _lay_over(picture: Planes, colour: Floats, share: Floats) -> Planes:
@@ -262,12 +265,12 @@ def _with_chart(wall: Planes, x: Floats, z: Floats) -> Planes:
     if window is None:
         return wall
     x, z = x[window], z[window]
-    frame = patterns.band(x, CHART[2] / 2 + 0.05) * patterns.band(z, CHART[3] / 2 + 0.05)
-    sheet = patterns.band(x, CHART[2] / 2) * patterns.band(z, CHART[3] / 2)
-    disc = patterns.band(np.hypot(x, z), 0.52)
-    columns = patterns.band(np.abs(x) - 0.74, 0.13) * patterns.band(z, 0.48)
-    bars = 0.5 - 0.5 * patterns.stripes(z / 0.08, patterns.pixel_width(z / 0.08))
-    ink = np.maximum(disc * patterns.siemens_star(x, z, 18), columns * bars)
+    frame = band_about(x, CHART[2] / 2 + 0.05) * band_about(z, CHART[3] / 2 + 0.05)
+    sheet = band_about(x, CHART[2] / 2) * band_about(z, CHART[3] / 2)
+    disc = band_about(np.hypot(x, z), 0.52)
+    columns = band_about(np.abs(x) - 0.74, 0.13) * band_about(z, 0.48)
+    bars = stripes(z + 0.04, 0.16, 0.08, pixel_width(z))
+    ink = np.maximum(disc * siemens_star(x, z, 18), columns * bars)
     framed, part = wall[:, *window], sheet.astype(np.float32)
     framed[:] = _lay_over(framed, INK, frame)
     framed += (_mix(PAPER, INK, ink) - INK.astype(np.float32)[:, None, None]) * part

@@ -8,12 +8,10 @@ it and show what it hides.
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
+from simulations.models.arrays import Floats, Mask
 from simulations.models.light.raycasting import Box, Sphere, Vector
 from simulations.models.projection import pinhole
-
-type Floats = NDArray[np.floating]
 
 
 @dataclass(frozen=True, slots=True)
@@ -71,21 +69,19 @@ class View:
 
     directions: Floats
     """(H, W, 3) unit vectors."""
-    valid: NDArray[np.bool_]
+    valid: Mask
     """(H, W) false where the lens sends no ray to the pixel."""
     eye: Vector = EYE
     """Where all of them start: the lens's centre, or another point of its opening."""
 
 
-def view(rays_camera: Floats, valid: NDArray[np.bool_] | None = None) -> View:
+def view(rays_camera: Floats, valid: Mask | None = None) -> View:
     """``rays_camera`` (H, W, 3) with z = 1, turned into the world and made unit length."""
     legal = np.ones(rays_camera.shape[:2], bool) if valid is None else valid
     return View(_unit(rays_camera) @ WORLD_TO_CAMERA[:3, :3], legal)
 
 
-def view_through(
-    rays_camera: Floats, valid: NDArray[np.bool_], at: tuple[float, float], focus: float
-) -> View:
+def view_through(rays_camera: Floats, valid: Mask, at: tuple[float, float], focus: float) -> View:
     """The view from the point ``at`` = (right, down) of the lens, metres from its centre.
 
     Every ray meets the one through the lens's centre at the depth ``focus``, metres: so a thin
@@ -99,14 +95,12 @@ def view_through(
 
 
 def _unit(vectors: Floats) -> Floats:
-    unit: Floats = vectors / np.sqrt(np.einsum("...i,...i", vectors, vectors))[..., None]
-    return unit
+    return vectors / np.sqrt(np.einsum("...i,...i", vectors, vectors))[..., None]
 
 
 def depth_along_axis(points: Floats) -> Floats:
     """Distance (...) of world points (..., 3) from the camera, along the optical axis: metres."""
-    depth: Floats = points @ WORLD_TO_CAMERA[2, :3] + WORLD_TO_CAMERA[2, 3]
-    return depth
+    return points @ WORLD_TO_CAMERA[2, :3] + WORLD_TO_CAMERA[2, 3]
 
 
 def thing_depth(thing: Thing) -> float:

@@ -8,12 +8,12 @@ from numpy.typing import ArrayLike, NDArray
 
 from simulations.engine.raster import to_rgba8
 from simulations.engine.stages import Stage
+from simulations.models.arrays import Floats
 from simulations.models.color.srgb import encode_srgb
+from simulations.models.pixel_grid import centred
 from simulations.models.sampling import prefilters
 from simulations.models.sampling.aliasing import alias_frequency
 from simulations.models.sampling.prefilters import Prefilter, filtered_wave
-
-type Floats = NDArray[np.float64]
 
 PATTERNS = {"stripes": "Stripes", "zone_plate": "Zone plate"}
 SHOWN = 20
@@ -57,24 +57,21 @@ class Pattern:
     def wave(self, kernel: Prefilter, x: ArrayLike) -> Floats:
         """Sine part in [-1, 1] of the light at places x (...) of the middle row."""
         along = filtered_wave(kernel, x, self.base, self.chirp)
-        wave: Floats = (self._across(kernel, 0.0) * along).imag
-        return wave
+        return (self._across(kernel, 0.0) * along).imag
 
     def picture(self, kernel: Prefilter) -> Floats:
         """Linear light (height, width) of all samples."""
         x = self.first + np.arange(self.width)
-        y = np.arange(self.height) - 0.5 * (self.height - 1)
+        y = centred(self.height)
         along = filtered_wave(kernel, x, self.base, self.chirp)
-        light: Floats = 0.5 + 0.5 * np.multiply.outer(self._across(kernel, y), along).imag
-        return light
+        return 0.5 + 0.5 * np.multiply.outer(self._across(kernel, y), along).imag
 
     def _across(self, kernel: Prefilter, y: ArrayLike) -> NDArray[np.complex128]:
         """The factor of the wave that depends on the row, with the phase."""
         turned = np.exp(1j * self.phase_rad)
         if self.kind == "stripes":
             return np.full(np.shape(y), turned)
-        across: NDArray[np.complex128] = turned * filtered_wave(kernel, y, 0.0, self.chirp)
-        return across
+        return turned * filtered_wave(kernel, y, 0.0, self.chirp)
 
 
 def pattern_of(kind: str, frequency: float, phase_deg: float) -> Pattern:

@@ -6,8 +6,9 @@ from collections.abc import Iterator
 import numpy as np
 
 from simulations.engine.drawing import Point, dot, line, path, polyline, rectangle, text
+from simulations.models.arrays import Floats
 from simulations.models.sampling.prefilters import Prefilter, prefilter, transfer
-from simulations.scenes.aliasing.pattern import SHOWN, Floats, Pattern
+from simulations.scenes.aliasing.pattern import SHOWN, Pattern
 
 WIDTH, HEIGHT = 400.0, 300.0
 LEFT, RIGHT = 22.0, 386.0
@@ -58,8 +59,7 @@ def alias_curve(pattern: Pattern, kernel: Prefilter, at: float) -> Floats | None
     # chirp of the zone plate as good as the eye can tell.
     local = pattern.local_frequency(at + x) if pattern.chirp else pattern.base
     phase = pattern.phase_rad + math.pi * (at + x) * (2 * pattern.base + pattern.chirp * (at + x))
-    curve: Floats = transfer(kernel, local) * np.sin(phase - 2 * math.pi * whole * x)
-    return curve
+    return transfer(kernel, local) * np.sin(phase - 2 * math.pi * whole * x)
 
 
 def _axis() -> Iterator[str]:

@@ -10,7 +10,6 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
 from simulations.engine.frame import (
     Frame,
@@ -23,9 +22,11 @@ from simulations.engine.frame import (
 from simulations.engine.scene import Scene
 from simulations.engine.settings import choice, slider
 from simulations.engine.stages import Outputs
+from simulations.models.arrays import Floats, Mask
+from simulations.models.pixel_grid import centred
 from simulations.models.sampling.prefilters import prefilter, transfer
 from simulations.scenes.aliasing import row, spectrum
-from simulations.scenes.aliasing.pattern import PATTERNS, STAGES, Floats, Pattern, pattern_of
+from simulations.scenes.aliasing.pattern import PATTERNS, STAGES, Pattern, pattern_of
 
 NYQUIST = 0.5
 """Cycles per pixel, at one sample a pixel."""
@@ -151,14 +152,14 @@ def describe(settings: Settings, alias: float, passed: float, kept: float) -> st
     )
 
 
-def ideal(pattern: Pattern) -> tuple[Floats, NDArray[np.bool_]]:
+def ideal(pattern: Pattern) -> tuple[Floats, Mask]:
     """The light (height, width) that pixels can show of a pattern, and where that is certain.
 
     Waves below Nyquist along both axes as they are, without any filter; even grey in place of
     all others. The pattern is written out here once more, from its definition.
     """
     x = pattern.first + np.arange(pattern.width)
-    y = (np.arange(pattern.height) - (pattern.height - 1) / 2)[:, None]
+    y = centred(pattern.height)[:, None]
     f = pattern.frequency
     if pattern.kind == "stripes":
         wave = np.sin(pattern.phase_rad + 2 * np.pi * f * (x + 0 * y))

@@ -7,17 +7,18 @@ error is that of the codes a display is sent, since that is what is seen.
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
 from simulations.engine.stages import Stage
+from simulations.models.arrays import Floats
 from simulations.models.color.srgb import encode_srgb
+from simulations.models.picture_error import psnr_db
 from simulations.models.sensor.bayer import mosaic
-from simulations.models.sensor.demosaicing import demosaic, psnr_db
+from simulations.models.sensor.demosaicing import demosaic
 from simulations.models.sensor.shared_detail import shared_detail
 from simulations.pictures.balloon import WHOLE
 from simulations.pictures.mosaic_subjects import SUBJECTS
 
-type Picture = NDArray[np.floating]
+type Picture = Floats
 
 PATTERN = "RGGB"
 CROP = 8
@@ -57,14 +58,12 @@ def compare(truth: Picture, guess: Picture, shown_truth: Picture, shown: Picture
 def rms_codes(errors: Errors) -> Picture:
     """RMS error of each colour (3,) in codes of 255, inside the border."""
     inner = errors.absolute[CROP:-CROP, CROP:-CROP].astype(np.float64)
-    rms: Picture = 255.0 * np.sqrt(np.mean(inner * inner, axis=(0, 1)))
-    return rms
+    return 255.0 * np.sqrt(np.mean(inner * inner, axis=(0, 1)))
 
 
 def _reconstruct(cfa: Picture, method: str) -> Picture:
     """The full picture in linear light, held to the range that a screen shows."""
-    picture: Picture = np.clip(demosaic(cfa, PATTERN, method), 0, 1)
-    return picture
+    return np.clip(demosaic(cfa, PATTERN, method), 0, 1)
 
 
 def _part_of(picture: str, part: str) -> Picture:

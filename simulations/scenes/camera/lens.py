@@ -9,20 +9,17 @@ from dataclasses import dataclass
 from functools import lru_cache
 
 import numpy as np
-from numpy.typing import NDArray
 
+from simulations.models.arrays import Floats, Mask, Planes
 from simulations.models.distortion.lens_model import (
     Distortion,
     largest_distorted_radius,
     undistort_clamped,
 )
 from simulations.models.lens import thin_lens
-from simulations.models.lens.disc_blur import Planes
 from simulations.models.projection import pinhole
 from simulations.models.sampling.cubic_warp import CubicWarp, cubic_warp, warp
 from simulations.pictures.still_life import things as still_life
-
-type Floats = NDArray[np.floating]
 
 SENSOR_WIDTH_MM, SENSOR_HEIGHT_MM = 36.0, 24.0
 COLUMNS, ROWS = 264, 176
@@ -42,7 +39,7 @@ class Rays:
 
     directions: Floats
     """(rows, columns, 3) in the camera frame, z = 1."""
-    valid: NDArray[np.bool_]
+    valid: Mask
     """(rows, columns) false where the lens sends no ray to the pixel."""
 
 
@@ -159,8 +156,7 @@ def _four_quarters(quarter: Floats, to_the_left: int, upwards: int) -> Floats:
 def distort_picture(straight: Planes, lens: LensMap) -> Planes:
     """The straight picture as the lens shows it; black where no ray arrives."""
     # Cubics dip a little below the dark side of an edge, but no light is negative.
-    distorted: Planes = np.maximum(warp(lens.table, straight), 0.0) * lens.reached
-    return distorted
+    return np.maximum(warp(lens.table, straight), 0.0) * lens.reached
 
 
 def trim(straight: Planes, margin_columns: int, margin_rows: int) -> Planes:

@@ -14,6 +14,7 @@ from simulations.engine.stages import Outputs
 from simulations.models.distortion.lens_model import Distortion, undistort_clamped
 from simulations.models.lens import thin_lens
 from simulations.models.lens.aperture_grid import aperture_grid
+from simulations.models.picture_error import decibels
 from simulations.scenes.camera.lens import (
     COLUMNS,
     PITCH_MM,
@@ -84,12 +85,6 @@ def view_of(settings: Settings) -> float:
     return 2.0 * math.atan(float(ideal[0, 0]))
 
 
-def psnr_db(picture: Raster, ideal: Raster) -> float:
-    """Peak signal-to-noise ratio of two pictures in 8-bit codes; ∞ where they are the same."""
-    error = rms_codes(picture, ideal)
-    return 20.0 * math.log10(255.0 / error) if error > 0 else math.inf
-
-
 def shutter_text(seconds: float) -> str:
     """As on a camera's dial: ``1/60`` to two digits, or seconds from a third upwards."""
     return f"1/{float(f'{1 / seconds:.2g}'):.0f}" if seconds < 0.3 else format_number(seconds, 1)
@@ -100,7 +95,7 @@ def draw(settings: Settings, outputs: Outputs) -> Frame:
     photograph: Raster = outputs["sRGB"]
     view_rad = view_of(settings)
     near, far = depth_of_field_m(settings)
-    quality = psnr_db(photograph, outputs["noiseless picture"])
+    quality = decibels((rms_codes(photograph, outputs["noiseless picture"]) / 255.0) ** 2)
     plan = draw_plan(settings.focus, settings.light_angle, view_rad, near, far)
     return Frame(
         panels=(

@@ -8,10 +8,11 @@ from numpy.typing import NDArray
 
 from simulations.engine.frame import Raster
 from simulations.engine.raster import to_rgba8
+from simulations.models.arrays import Floats, Planes
 from simulations.models.color.srgb import encode_srgb
 from simulations.models.lens import thin_lens
-from simulations.models.lens.disc_blur import Planes
 from simulations.models.lens.vignetting import vignetting_cos4
+from simulations.models.pixel_grid import centred
 from simulations.models.sensor import photon_counting
 from simulations.scenes.camera.lens import COLUMNS, PITCH_MM, ROWS, principal_mm
 
@@ -67,8 +68,7 @@ def draw_grain(new_noise: int) -> Grain:
 
 def vignette(radiance: Planes, focal_length: float, focus: float) -> Planes:
     """Light on the sensor, relative to that of the same surface on the axis."""
-    x = (np.arange(COLUMNS) - (COLUMNS - 1) / 2) * PITCH_MM
-    y = (np.arange(ROWS) - (ROWS - 1) / 2) * PITCH_MM
+    x, y = centred(COLUMNS) * PITCH_MM, centred(ROWS) * PITCH_MM
     falloff = vignetting_cos4(np.hypot(x, y[:, None]) / principal_mm(focal_length, focus))
     irradiance: Planes = radiance * falloff.astype(np.float32)
     return irradiance
@@ -76,8 +76,7 @@ def vignette(radiance: Planes, focal_length: float, focus: float) -> Planes:
 
 def expose(irradiance: Planes, exposure: float) -> Planes:
     """Mean electrons; what aperture and focus take away is made good by the shutter."""
-    mean_e: Planes = irradiance * np.float32(FULL_WELL_E * 2.0**exposure)
-    return mean_e
+    return irradiance * np.float32(FULL_WELL_E * 2.0**exposure)
 
 
 def count(mean_e: Planes, grain: Grain) -> Planes:
@@ -90,8 +89,7 @@ def count(mean_e: Planes, grain: Grain) -> Planes:
 
 def read(electrons: Planes, grain: Grain, noise_sigma: float) -> Planes:
     """Electrons as the amplifier reports them."""
-    reported: Planes = electrons + np.float32(read_noise_e(noise_sigma)) * grain.read
-    return reported
+    return electrons + np.float32(read_noise_e(noise_sigma)) * grain.read
 
 
 def quantise(electrons: Planes) -> NDArray[np.uint16]:
@@ -102,7 +100,7 @@ def quantise(electrons: Planes) -> NDArray[np.uint16]:
     return photon_counting.quantise(signal, ADC.bits)
 
 
-def _srgb_bytes(linear: NDArray[np.floating]) -> NDArray[np.uint8]:
+def _srgb_bytes(linear: Floats) -> NDArray[np.uint8]:
     return to_rgba8(encode_srgb(linear)[None])[0, :, 0]
 
 

@@ -6,9 +6,9 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from simulations.engine.stages import Stage
+from simulations.models.arrays import Planes
 from simulations.models.lens.aperture import fibonacci_disc
 from simulations.models.lens.depth_of_field import blur_by_depth, blur_layer, composite
-from simulations.models.lens.disc_blur import Planes
 from simulations.models.lens.disc_pyramid import double
 from simulations.pictures.still_life import light as still_life_light
 from simulations.pictures.still_life import surfaces

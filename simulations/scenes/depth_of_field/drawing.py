@@ -45,9 +45,19 @@ def column(distance_m: float) -> float:
     return LENS_X - 66.0 * math.sqrt(min(distance_m, LARGEST_M))
 
 
+def distance_of(column: float) -> float:
+    """What distance before the lens is drawn there; nothing beyond the lens."""
+    return (max(LENS_X - column, 0.0) / 66.0) ** 2
+
+
 def half_opening(aperture_mm: float) -> float:
     """Drawn radius of the opening: 1 mm gives 28 units, 100 mm gives 74."""
     return 28.0 + 23.0 * math.log10(max(aperture_mm, 1.0))
+
+
+def aperture_of(half: float) -> float:
+    """The opening in mm whose drawn radius is ``half``."""
+    return math.pow(10.0, (min(max(half, 28.0), HEIGHT) - 28.0) / 23.0)
 
 
 def disc_scale(largest_mm: float, half: float) -> float:

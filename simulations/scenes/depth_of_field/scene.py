@@ -6,7 +6,6 @@ it. Like the camera's it grows as the focus comes nearer and the sensor moves aw
 
 import math
 from collections.abc import Iterator
-from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
@@ -16,11 +15,12 @@ from simulations.engine.drawing import text
 from simulations.engine.frame import Frame, Panel, Readout, format_number
 from simulations.engine.raster import to_rgba8
 from simulations.engine.scene import Scene
-from simulations.engine.settings import slider
 from simulations.engine.stages import Outputs
 from simulations.models.lens import thin_lens
 from simulations.scenes.camera.lens import COLUMNS, PITCH_MM, ROWS
 from simulations.scenes.depth_of_field import drawing
+from simulations.scenes.depth_of_field.handles import HANDLES
+from simulations.scenes.depth_of_field.settings import Settings, has_image
 from simulations.scenes.depth_of_field.sharpness import FAR_M, NEAR_M, Sharpness, sharpness
 from simulations.scenes.depth_of_field.stages import FIXED, STAGES, TIERS, judge, widest_px
 
@@ -28,20 +28,6 @@ LARGEST_DRAWN_PX = 48.0
 """Wider discs leave nothing to recognise, and take seconds to draw: the picture stops here."""
 UNLIT = np.full((ROWS, COLUMNS), 0.35)
 """What stands for a picture where the lens forms none."""
-
-
-@dataclass(frozen=True, slots=True)
-class Settings:
-    """What the reader may change."""
-
-    focal_length: float = slider("Focal length", 50, 24, 135, 1, unit="mm")
-    aperture: float = slider("Aperture", 1.4, 1.4, 22, 0.1, prefix="f/")
-    focus: float = slider("Focus distance", 3.2, 0.05, 10, 0.05, unit="m")
-
-
-def has_image(settings: Settings) -> bool:
-    """Whether the light of the distance in focus meets behind the lens."""
-    return 1000 * settings.focus > settings.focal_length
 
 
 def drawn_f_number(settings: Settings) -> float:
@@ -172,6 +158,7 @@ SCENE = Scene(
     settings=Settings,
     draw=draw,
     stages=STAGES,
+    handles=HANDLES,
     parameters=parameters,
     tiers=TIERS,
     # It is the draft as well: a coarse picture would look like defocus.

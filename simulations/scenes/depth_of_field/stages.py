@@ -10,24 +10,21 @@ from dataclasses import replace
 from functools import partial
 
 import numpy as np
-from numpy.typing import NDArray
 
 from simulations.engine.controls import Value
 from simulations.engine.frame import Raster, Readout, format_number
 from simulations.engine.raster import to_rgba8
 from simulations.engine.stages import Stage
+from simulations.models.arrays import Floats, Planes
 from simulations.models.color.srgb import encode_srgb_table
 from simulations.models.lens.aperture import fibonacci_disc
 from simulations.models.lens.aperture_grid import aperture_grid
 from simulations.models.lens.depth_of_field import blur_by_depth
-from simulations.models.lens.disc_blur import Planes
 from simulations.models.lens.screen_blur import binned_gaussian, gather_discs
 from simulations.pictures.still_life.light import LitScene
 from simulations.scenes.camera import stages as camera_stages
 from simulations.scenes.camera.lens import Rays, blur_px, largest_blur_px
 from simulations.scenes.camera.stages import in_focus, through_lens
-
-type Floats = NDArray[np.floating]
 
 TIERS = ("pinhole", "discs", "layered", "binned", "gather", "fibonacci-16")
 """Rungs of the ladder `depth-of-field`; its random rays are left out, and 64 would take seconds."""

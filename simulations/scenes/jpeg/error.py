@@ -6,12 +6,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from simulations.engine.frame import Readout, format_magnitude
+from simulations.models.arrays import Floats
 from simulations.models.compression.blocks import Transform, round_outwards, to_blocks
 from simulations.models.compression.chroma_subsampling import coarsen, subsampling_factor
 from simulations.models.compression.cosine_transforms import exact_block_dct
 from simulations.models.compression.jpeg import Coded, tables
-
-type Floats = NDArray[np.floating]
 
 BLOCKS_A_STEP = 120
 """Extended precision is slow in a browser: so many blocks are judged at a time."""

@@ -1,17 +1,15 @@
 """What the JPEG figure computes: planes → blocks → whole numbers → planes → picture, and bits."""
 
 import numpy as np
-from numpy.typing import NDArray
 
 from simulations.engine.stages import Stage
+from simulations.models.arrays import Floats
 from simulations.models.color.srgb import encode_srgb
 from simulations.models.compression import jpeg
 from simulations.models.compression.cosine_transforms import TRANSFORMS
 from simulations.models.compression.entropy import size
-from simulations.models.sensor.demosaicing import psnr_db
+from simulations.models.picture_error import psnr_db
 from simulations.pictures.balloon import balloon
-
-type Floats = NDArray[np.floating]
 
 
 def _original() -> Floats:
@@ -27,7 +25,7 @@ def _coded(planes: Floats, quality: int, subsampling: str, tier: str) -> jpeg.Co
 
 
 def _quality(decoded: Floats, original: Floats) -> float:
-    return psnr_db(np.rint(255 * decoded) / 255, original, crop=0)
+    return psnr_db(np.rint(255 * decoded) / 255, original)
 
 
 def _nothing_to_fill_in(subsampling: str) -> str:

@@ -3,12 +3,10 @@
 from collections.abc import Iterator
 
 import numpy as np
-from numpy.typing import NDArray
 
 from simulations.engine.drawing import Point, line, path, polyline, rectangle, text
 from simulations.engine.frame import format_number
-
-type Floats = NDArray[np.floating]
+from simulations.models.arrays import Floats
 
 WIDTH, HEIGHT = 400.0, 300.0
 LEFT, RIGHT = 54.0, 384.0

@@ -6,8 +6,9 @@ from collections.abc import Callable, Iterator
 import numpy as np
 
 from simulations.engine.frame import Raster, Readout, format_magnitude
+from simulations.models.arrays import Floats, Planes
 from simulations.models.lens.chromatic_aberration import lateral_chromatic_scale
-from simulations.models.lens.disc_blur import Planes, disc_blur
+from simulations.models.lens.disc_blur import disc_blur
 from simulations.scenes.lens_aberrations.spectrum import LINES_UM, WIDTH_UM
 from simulations.scenes.lens_aberrations.stages import (
     FOCAL_MM,
@@ -15,7 +16,6 @@ from simulations.scenes.lens_aberrations.stages import (
     HEIGHT_PX,
     MARGIN,
     WIDTH_PX,
-    Floats,
     disc_px,
     encode,
     field_tangents,

@@ -16,6 +16,7 @@ from simulations.engine.frame import Frame, Panel, Raster, Readout, format_numbe
 from simulations.engine.scene import Scene
 from simulations.engine.settings import choice, slider, toggle
 from simulations.engine.stages import Outputs
+from simulations.models.arrays import Floats
 from simulations.models.lens.chromatic_aberration import axial_chromatic_mm, lateral_chromatic_scale
 from simulations.scenes.lens_aberrations import drawing
 from simulations.scenes.lens_aberrations.error import (
@@ -33,7 +34,6 @@ from simulations.scenes.lens_aberrations.stages import (
     PITCH_MM,
     STAGES,
     WIDTH_PX,
-    Floats,
     light,
 )
 

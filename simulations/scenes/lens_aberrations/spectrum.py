@@ -7,6 +7,7 @@ from collections.abc import Mapping
 
 from simulations.models.lens.chromatic_aberration import LINE_C_UM, LINE_D_UM, LINE_F_UM
 from simulations.models.lens.spectral_bands import Band, chosen_wavelengths, even_wavelengths
+from simulations.models.require import require_one_of
 
 LINES_UM = (LINE_C_UM, LINE_D_UM, LINE_F_UM)
 """Peaks of the red, green and blue channel ..."""
@@ -43,6 +44,5 @@ def bands(tier: str, glass: str) -> tuple[Band, ...]:
 
     Raises ValueError for a tier that is not of `BANDS`.
     """
-    if tier not in BANDS:
-        raise ValueError(f"tier {tier!r}; legal: {', '.join(BANDS)}")
+    require_one_of("tier", tier, BANDS)
     return BANDS["gauss-1" if glass == "ideal" else tier]

@@ -12,19 +12,19 @@ from numpy.typing import NDArray
 from simulations.engine.frame import Raster
 from simulations.engine.raster import to_rgba8
 from simulations.engine.stages import Stage
+from simulations.models.arrays import Floats, Planes
 from simulations.models.color.srgb import encode_srgb_table
 from simulations.models.lens.chromatic_aberration import (
     Glass,
     axial_chromatic_mm,
     lateral_chromatic_scale,
 )
-from simulations.models.lens.disc_blur import Planes, disc_blur
+from simulations.models.lens.disc_blur import disc_blur
 from simulations.models.lens.vignetting import mechanical_vignetting, vignetting_cos4
+from simulations.models.pixel_grid import centred
 from simulations.models.sampling.resampling import KERNELS
 from simulations.pictures.resolution_chart import resolution_chart
 from simulations.scenes.lens_aberrations.spectrum import bands
-
-type Floats = NDArray[np.floating]
 
 WIDTH_PX, HEIGHT_PX = 320, 240
 FOCAL_MM, FOCAL_PX = 24.0, 200.0
@@ -70,10 +70,8 @@ def light(
 
 def field_tangents() -> Floats:
     """(H, W) tangent of the angle from the axis at which each pixel looks."""
-    x = (np.arange(WIDTH_PX) - 0.5 * (WIDTH_PX - 1)) / FOCAL_PX
-    y = (np.arange(HEIGHT_PX) - 0.5 * (HEIGHT_PX - 1)) / FOCAL_PX
-    tangents: Floats = np.hypot(x, y[:, None])
-    return tangents
+    x, y = centred(WIDTH_PX) / FOCAL_PX, centred(HEIGHT_PX) / FOCAL_PX
+    return np.hypot(x, y[:, None])
 
 
 def magnify(plane: NDArray[np.float32], scale: float) -> NDArray[np.float32]:
@@ -86,8 +84,7 @@ def magnify(plane: NDArray[np.float32], scale: float) -> NDArray[np.float32]:
 
 def _magnify_rows(plane: NDArray[np.float32], scale: float) -> NDArray[np.float32]:
     size, kernel = plane.shape[0], KERNELS["bicubic"]
-    middle = 0.5 * (size - 1)
-    position = middle + (np.arange(size) - middle) / scale
+    position = 0.5 * (size - 1) + centred(size) / scale
     base = np.floor(position)
     result = np.zeros_like(plane)
     for tap in range(-1, 3):
@@ -144,8 +141,7 @@ def _vignetting(aperture: float, rim: float, natural: bool) -> NDArray[np.float3
     factor = np.interp(radius, tangents, open_share)
     if natural:
         factor *= vignetting_cos4(radius)
-    shared: NDArray[np.float32] = factor.astype(np.float32)
-    return shared
+    return factor.astype(np.float32)
 
 
 def encode(planes: Planes, factor: Floats) -> Raster:

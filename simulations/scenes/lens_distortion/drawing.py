@@ -7,7 +7,6 @@ import math
 from collections.abc import Callable
 
 import numpy as np
-from numpy.typing import NDArray
 
 from simulations.engine.drawing import (
     Point,
@@ -19,15 +18,13 @@ from simulations.engine.drawing import (
     rectangle,
     text,
 )
+from simulations.models.arrays import Floats, Mask
 from simulations.models.distortion.lens_model import (
     Distortion,
     distort,
     fold_radius,
     largest_distorted_radius,
 )
-
-type Floats = NDArray[np.floating]
-type Mask = NDArray[np.bool_]
 
 VIEW_WIDTH, VIEW_HEIGHT, UNITS_PER_RADIUS = 400.0, 300.0, 250.0
 CENTRE = (200.0, 150.0)
@@ -75,8 +72,7 @@ def picture_overlay(lens: Distortion, *, corrected: bool) -> str:
 
 def to_view(xy: Floats) -> Floats:
     """Normalised coordinates as view box units."""
-    view: Floats = np.asarray(CENTRE) + UNITS_PER_RADIUS * np.asarray(xy)
-    return view
+    return np.asarray(CENTRE) + UNITS_PER_RADIUS * np.asarray(xy)
 
 
 def runs(points: Floats, keep: Mask) -> list[Floats]:

@@ -9,14 +9,14 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from simulations.models.arrays import Floats
 from simulations.models.distortion.lens_model import (
     Distortion,
     fold_radius,
     largest_distorted_radius,
 )
 from simulations.models.distortion.undistortion import INVERSES
-
-type Floats = NDArray[np.floating]
+from simulations.models.pixel_grid import centred
 
 WIDTH_PX, HEIGHT_PX = 320, 240
 FOCAL_PX = 200.0
@@ -39,9 +39,7 @@ class Radii:
 
 def centred_pixels() -> Floats:
     """(HEIGHT_PX, WIDTH_PX, 2) pixel centres relative to the principal point, in px."""
-    x = np.arange(WIDTH_PX) - 0.5 * (WIDTH_PX - 1)
-    y = np.arange(HEIGHT_PX) - 0.5 * (HEIGHT_PX - 1)
-    return np.stack(np.meshgrid(x, y), axis=-1)
+    return np.stack(np.meshgrid(centred(WIDTH_PX), centred(HEIGHT_PX)), axis=-1)
 
 
 def pixel_radii() -> Radii:

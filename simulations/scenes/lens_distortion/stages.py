@@ -8,6 +8,7 @@ from numpy.typing import NDArray
 from simulations.engine.photograph import Photograph
 from simulations.engine.raster import to_rgba8
 from simulations.engine.stages import Stage
+from simulations.models.arrays import Floats
 from simulations.models.color.srgb import decode_srgb, encode_srgb
 from simulations.models.distortion.lens_model import (
     Distortion,
@@ -24,7 +25,6 @@ from simulations.scenes.lens_distortion.radii import (
     FOCAL_PX,
     HEIGHT_PX,
     WIDTH_PX,
-    Floats,
     Radii,
     centred_pixels,
     ideal_radii,

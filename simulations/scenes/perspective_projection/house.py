@@ -6,7 +6,7 @@ The point is its front lower left corner; it goes where the point goes.
 import numpy as np
 
 from simulations.engine import drawing
-from simulations.models.geometry.transforms import Floats
+from simulations.models.arrays import Floats
 from simulations.models.projection.pinhole import intrinsics
 from simulations.scenes.perspective_projection.view import CAMERAS, PERSPECTIVE, View
 
@@ -38,8 +38,7 @@ def in_picture(view: View, place: drawing.Point, units_per_px: float) -> str:
     """SVG markup of the house; ``place`` is the principal point in the view box."""
 
     def seen(points: Floats) -> Floats:
-        spots: Floats = units_per_px * _project(view, points) + np.asarray(place)
-        return spots
+        return units_per_px * _project(view, points) + np.asarray(place)
 
     corner = np.array([view.X, view.Y, view.Z])
     nearest = NEAR_M if view.camera == PERSPECTIVE else -np.inf

@@ -9,7 +9,8 @@ import numpy as np
 
 from simulations.engine import drawing
 from simulations.engine.frame import Panel, format_number
-from simulations.models.geometry.transforms import Floats, clip_half_plane
+from simulations.models.arrays import Floats
+from simulations.models.geometry.transforms import clip_half_plane
 from simulations.scenes.perspective_projection import picture
 from simulations.scenes.perspective_projection import top_view as top
 from simulations.scenes.perspective_projection.view import (

@@ -6,7 +6,7 @@ import numpy as np
 
 from simulations.engine import drawing
 from simulations.engine.frame import Panel, format_number
-from simulations.models.geometry.transforms import Floats
+from simulations.models.arrays import Floats
 from simulations.scenes.perspective_projection import house
 from simulations.scenes.perspective_projection.view import (
     HALF_HEIGHT_PX,
@@ -49,14 +49,12 @@ class Label:
 
 def place(x: float, y: float) -> Floats:
     """Pixel to view box."""
-    position: Floats = CENTRE + IMAGE_SCALE * np.array([x, y])
-    return position
+    return CENTRE + IMAGE_SCALE * np.array([x, y])
 
 
 def pixel_at(spot: drawing.Point) -> Floats:
     """View box to pixel."""
-    pixel: Floats = (np.asarray(spot, float) - CENTRE) / IMAGE_SCALE
-    return pixel
+    return (np.asarray(spot, float) - CENTRE) / IMAGE_SCALE
 
 
 def house_of(view: View) -> str:

@@ -5,7 +5,7 @@ import math
 from simulations.engine.frame import Frame, Readout, format_number, readout
 from simulations.engine.scene import Scene
 from simulations.engine.stages import Outputs
-from simulations.models.projection.pinhole import field_of_view
+from simulations.models.projection.pinhole import field_of_view_rad
 from simulations.scenes.perspective_projection import parallel, picture, top_view
 from simulations.scenes.perspective_projection.handles import HANDLES, view_of
 from simulations.scenes.perspective_projection.settings import Settings
@@ -46,7 +46,7 @@ def extent_readout(view: View) -> Readout:
     """What the picture is wide enough for: an angle, or for parallel rays a strip of the world."""
     width_px = 2.0 * HALF_WIDTH_PX
     if view.camera == PERSPECTIVE:
-        seen, unit = math.degrees(field_of_view(view.focal_px, width_px)), "°"
+        seen, unit = math.degrees(field_of_view_rad(view.focal_px, width_px)), "°"
     else:
         seen, unit = width_px / view.scale, "m wide"
     return readout("view", "Field of view", seen, unit, digits=1, role="camera")

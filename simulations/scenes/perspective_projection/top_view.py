@@ -4,7 +4,8 @@ import numpy as np
 
 from simulations.engine import drawing
 from simulations.engine.frame import Panel, format_number
-from simulations.models.geometry.transforms import Floats, clip_half_plane
+from simulations.models.arrays import Floats
+from simulations.models.geometry.transforms import clip_half_plane
 from simulations.scenes.perspective_projection.house import footprint
 from simulations.scenes.perspective_projection.picture import COMPARED_DEPTHS
 from simulations.scenes.perspective_projection.view import (
@@ -32,14 +33,12 @@ RAY_LIMITS = ((1, 0, 0), (-1, 0, WIDTH), (0, 1, -4), (0, -1, 280))
 
 def above(Z: float, X: float) -> Floats:
     """Metres to view box."""
-    position: Floats = CAMERA + np.array([DEPTH_SCALE * Z, SIDE_SCALE * X])
-    return position
+    return CAMERA + np.array([DEPTH_SCALE * Z, SIDE_SCALE * X])
 
 
 def metres_at(place: drawing.Point) -> Floats:
     """View box to metres: Z and X."""
-    position: Floats = (np.asarray(place, float) - CAMERA) / [DEPTH_SCALE, SIDE_SCALE]
-    return position
+    return (np.asarray(place, float) - CAMERA) / [DEPTH_SCALE, SIDE_SCALE]
 
 
 def top_view_panel(view: View) -> Panel:

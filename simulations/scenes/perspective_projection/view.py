@@ -6,12 +6,13 @@ from dataclasses import dataclass
 import numpy as np
 
 from simulations.engine.frame import format_number
+from simulations.models.arrays import Floats, Mask
 from simulations.models.projection.affine_cameras import (
     orthographic_camera,
     project_affine,
     scaled_orthographic_camera,
 )
-from simulations.models.projection.pinhole import Floats, Mask, intrinsics, project
+from simulations.models.projection.pinhole import intrinsics, project
 
 PERSPECTIVE, SCALED, PARALLEL = "perspective", "scaled-orthographic", "orthographic"
 """The cameras: through a centre; along the axis to a plane, then through the centre; along it."""

@@ -15,13 +15,12 @@ from numpy.typing import ArrayLike, NDArray
 
 from simulations.engine.frame import Readout, format_magnitude
 from simulations.engine.raster import to_rgba8
+from simulations.models.arrays import Floats, Mask
 from simulations.models.color.srgb import encode_srgb, encode_srgb_table
 from simulations.models.light.cell_blending import blend_cells, blend_normals
 from simulations.scenes.reflection.marks import CENTRE, HEIGHT, RADIUS, WIDTH
 
 type Picture = NDArray[np.float32]
-type Floats = NDArray[np.floating]
-type Mask = NDArray[np.bool_]
 
 PIXELS_PER_UNIT = 1.25
 """Raster pixels per unit of the view box."""
@@ -90,8 +89,7 @@ def _wall(x: Picture, y: Picture) -> Picture:
     """A slate wall in linear light, a little lighter behind the ball."""
     distance = np.hypot(x, y[:, None]) / (WIDTH * PIXELS_PER_UNIT)
     level = 0.105 - 0.085 * np.minimum(distance, 0.8)
-    wall: Picture = (level[..., None] * np.array([0.92, 1.0, 1.12])).astype(np.float32)
-    return wall
+    return (level[..., None] * np.array([0.92, 1.0, 1.12])).astype(np.float32)
 
 
 def light_direction(angle_deg: float) -> NDArray[np.float64]:
@@ -159,8 +157,7 @@ def _whole_pixels(rgba: NDArray[np.uint8]) -> NDArray[np.uint32]:
 
 def true_cosine(ball: Ball, angle_deg: float) -> NDArray[np.float64]:
     """n · d (h, w) with the direction at that angle, from the equation of the sphere, float64."""
-    cosine: NDArray[np.float64] = true_normals(ball) @ light_direction(angle_deg)
-    return cosine
+    return true_normals(ball) @ light_direction(angle_deg)
 
 
 def true_normals(ball: Ball) -> NDArray[np.float64]:

@@ -11,14 +11,9 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from simulations.models.arrays import Floats
 from simulations.models.light.reflectance import blinn_phong, lambert, phong
-from simulations.scenes.reflection.ball import (
-    Ball,
-    Floats,
-    light_direction,
-    true_cosine,
-    true_normals,
-)
+from simulations.scenes.reflection.ball import Ball, light_direction, true_cosine, true_normals
 
 ALBEDO = np.array([0.60, 0.06, 0.05], np.float32)
 """Linear RGB of the ball's skin; the plot and the readouts follow red, the first."""
@@ -120,8 +115,7 @@ def lobe(light: float, model: str, shininess: float, specular: float) -> Floats:
     normals = np.broadcast_to(np.array(VIEW), cameras.shape)
     shine = highlight(normals, light, cameras, model, shininess)
     matte = float(ALBEDO[0]) * max(0.0, math.cos(math.radians(light)))
-    brightness: Floats = matte + specular * shine
-    return brightness
+    return matte + specular * shine
 
 
 def true_light(

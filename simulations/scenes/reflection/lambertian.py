@@ -13,6 +13,7 @@ import numpy as np
 from simulations.engine.frame import Frame, Panel, Readout, readout
 from simulations.engine.scene import Scene
 from simulations.engine.stages import Outputs, Stage
+from simulations.models.arrays import Floats
 from simulations.models.color.srgb import encode_srgb
 from simulations.models.light.reflectance import lambert
 from simulations.scenes.reflection.ball import (
@@ -20,7 +21,6 @@ from simulations.scenes.reflection.ball import (
     LIT,
     TIER_LABELS,
     Ball,
-    Floats,
     build_ball,
     judge,
     light_direction,

@@ -12,13 +12,13 @@ import numpy as np
 from simulations.engine.frame import Frame, Panel, Readout, readout
 from simulations.engine.scene import Scene
 from simulations.engine.stages import Outputs, Stage
+from simulations.models.arrays import Floats
 from simulations.models.light.reflectance import lambert
 from simulations.scenes.reflection.ball import (
     DEFAULT_TIER,
     LIT,
     TIER_LABELS,
     Ball,
-    Floats,
     build_ball,
     judge,
     light_direction,

@@ -9,7 +9,6 @@ from collections.abc import Iterator
 from functools import cache
 
 import numpy as np
-from numpy.typing import NDArray
 
 from simulations.engine.drawing import (
     Point,
@@ -22,6 +21,7 @@ from simulations.engine.drawing import (
     polyline,
     text,
 )
+from simulations.models.arrays import Floats
 from simulations.scenes.reflection.marks import WIDTH, lamp, on_equator, probed_point, shadow_edge
 
 type Direction = tuple[str, float, str]
@@ -50,8 +50,8 @@ def over_ball(light_rad: float, probe_rad: float) -> str:
 def lobe_plot(
     light_rad: float,
     view_rad: float,
-    brightness: NDArray[np.floating],
-    other: NDArray[np.floating],
+    brightness: Floats,
+    other: Floats,
     matte: float,
 ) -> str:
     """Directions and lobe, all relative to the normal.
@@ -86,7 +86,7 @@ def _scale() -> str:
     return "".join((*circles, white, half))
 
 
-def _outline(brightness: NDArray[np.floating]) -> list[Point]:
+def _outline(brightness: Floats) -> list[Point]:
     around = np.radians(np.arange(-90.0, 91.0))
     x, y = FOOT[0] + VECTOR * brightness * np.sin(around), FOOT[1]
     return list(zip(x, y - VECTOR * brightness * np.cos(around), strict=True))

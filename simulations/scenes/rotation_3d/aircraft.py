@@ -11,8 +11,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from simulations.engine.drawing import polygon
+from simulations.models.arrays import Floats
 
-type Floats = NDArray[np.float64]
 type Point = Sequence[float]
 
 SPAN = 1.0
@@ -97,5 +97,4 @@ def _washes(turned: Floats, view: Floats) -> NDArray[np.int64]:
     normals = np.cross(second - corner, third - corner)
     sizes = np.maximum(np.sqrt((normals * normals).sum(axis=-1)), 1e-9)
     lit = -np.sign(normals @ view[2]) * (normals @ _TOWARDS_LIGHT) / sizes
-    washes: NDArray[np.int64] = 1 + np.rint(1.5 * (1.0 - lit)).astype(np.int64)
-    return washes
+    return 1 + np.rint(1.5 * (1.0 - lit)).astype(np.int64)

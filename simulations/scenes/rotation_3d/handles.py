@@ -12,9 +12,10 @@ import numpy as np
 from simulations.engine.controls import Value
 from simulations.engine.handles import Handle, Point
 from simulations.engine.stages import Outputs
+from simulations.models.arrays import Floats
 from simulations.models.geometry.quaternion_blends import BLENDS
 from simulations.scenes.rotation_3d import rings, sphere
-from simulations.scenes.rotation_3d.aircraft import Floats, view_from
+from simulations.scenes.rotation_3d.aircraft import view_from
 from simulations.scenes.rotation_3d.settings import Settings
 from simulations.scenes.rotation_3d.stages import attitude
 
@@ -76,8 +77,7 @@ def _way(yaw: float, pitch: float, roll: float, blend: str) -> Floats:
     """The nose (101, 3) at each hundredth of the chosen way."""
     here = attitude(yaw, pitch, roll)
     ways = sphere.ways(here.angles_rad, here.R, here.q, BLENDS["slerp"])
-    noses: Floats = ways[blend](np.linspace(0.0, 1.0, 101))[:, :, 0]
-    return noses
+    return ways[blend](np.linspace(0.0, 1.0, 101))[:, :, 0]
 
 
 def _ground(settings: Settings, _outputs: Outputs) -> Point:

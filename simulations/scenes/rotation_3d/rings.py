@@ -14,10 +14,10 @@ from numpy.typing import ArrayLike
 
 from simulations.engine.drawing import Point, arrow, dot, line, path, polyline, text
 from simulations.engine.frame import format_number
+from simulations.models.arrays import Floats
 from simulations.models.geometry import euler
 from simulations.models.geometry.rotation_paths import rate_axes
 from simulations.scenes.rotation_3d import aircraft
-from simulations.scenes.rotation_3d.aircraft import Floats
 
 WIDTH, HEIGHT = 400.0, 400.0
 CENTRE = (200.0, 208.0)
@@ -41,8 +41,7 @@ class Ring:
         """Points (..., 3) of the ring at angles (...) from its zero."""
         angle = np.asarray(angle_rad, float)[..., None]
         aside = np.cross(self.axis, self.zero)
-        place: Floats = self.radius * (np.cos(angle) * self.zero + np.sin(angle) * aside)
-        return place
+        return self.radius * (np.cos(angle) * self.zero + np.sin(angle) * aside)
 
 
 def rings(yaw_rad: float, pitch_rad: float, roll_rad: float) -> tuple[Ring, Ring, Ring]:

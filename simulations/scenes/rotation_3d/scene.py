@@ -19,11 +19,11 @@ from simulations.engine.frame import (
 )
 from simulations.engine.scene import Scene
 from simulations.engine.stages import Outputs
+from simulations.models.arrays import Floats
 from simulations.models.geometry import quaternions
 from simulations.models.geometry.quaternion_blends import BLENDS
 from simulations.models.geometry.rotation_paths import off_great_circle
 from simulations.scenes.rotation_3d import rings, sphere
-from simulations.scenes.rotation_3d.aircraft import Floats
 from simulations.scenes.rotation_3d.handles import HANDLES
 from simulations.scenes.rotation_3d.settings import Settings
 from simulations.scenes.rotation_3d.sphere import LABELS, LEVEL, Way

@@ -11,11 +11,11 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from simulations.engine.drawing import circle, dot, line, path, text
+from simulations.models.arrays import Floats
 from simulations.models.geometry import quaternions
 from simulations.models.geometry.quaternion_blends import Blend
 from simulations.models.geometry.rotation_paths import euler_blend, matrix_blend
 from simulations.scenes.rotation_3d import aircraft
-from simulations.scenes.rotation_3d.aircraft import Floats
 from simulations.scenes.rotation_3d.rings import pieces
 
 WIDTH, HEIGHT = 400.0, 400.0

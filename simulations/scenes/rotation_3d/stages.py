@@ -7,11 +7,12 @@ import numpy as np
 
 from simulations.engine.frame import Readout, format_magnitude
 from simulations.engine.stages import Stage
+from simulations.models.arrays import Floats
 from simulations.models.geometry import euler, quaternions
 from simulations.models.geometry.quaternion_blends import BLENDS, bisected_arc, turn_between_rad
 from simulations.models.geometry.rotation_paths import rate_axes
 from simulations.scenes.rotation_3d import rings, sphere
-from simulations.scenes.rotation_3d.aircraft import Floats, view_from
+from simulations.scenes.rotation_3d.aircraft import view_from
 from simulations.scenes.rotation_3d.sphere import LEVEL, Way
 
 

@@ -5,11 +5,9 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
 from simulations.engine.drawing import Point, circle, dot, line, path, polyline, rectangle, text
-
-type Floats = NDArray[np.floating]
+from simulations.models.arrays import Floats, Mask
 
 WIDTH, HEIGHT = 420.0, 280.0
 ROWS, COLUMNS = 4, 6
@@ -74,7 +72,7 @@ def _short(mean_e: float) -> str:
 
 
 def transfer_plot(
-    curve: Curve, mean_dn: Floats, variance_dn: Floats, fitted: NDArray[np.bool_], patch: int
+    curve: Curve, mean_dn: Floats, variance_dn: Floats, fitted: Mask, patch: int
 ) -> str:
     """Measured patches over the theory's three parts."""
     axes = _axes_for(curve)

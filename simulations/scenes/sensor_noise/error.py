@@ -6,9 +6,10 @@ from itertools import repeat
 import numpy as np
 
 from simulations.engine.frame import Readout, format_number
+from simulations.models.arrays import Floats
 from simulations.models.sensor.photon_counting import ShotModel
 from simulations.models.sensor.poisson import gap_from_poisson, largest_chance_gap
-from simulations.scenes.sensor_noise.stages import FULL_WELL_E, Floats, count_patches
+from simulations.scenes.sensor_noise.stages import FULL_WELL_E, count_patches
 
 EXPOSURES = 16
 """Exposures of the patches by which a tier is judged."""

@@ -8,12 +8,11 @@ from numpy.typing import NDArray
 
 from simulations.engine.raster import to_rgba8
 from simulations.engine.stages import Stage
+from simulations.models.arrays import Floats, Mask
 from simulations.models.color.srgb import encode_srgb
 from simulations.models.sensor import photon_counting
 from simulations.models.sensor.photon_transfer import Gain, estimate_gain, straight_part
 from simulations.scenes.sensor_noise import drawing
-
-type Floats = NDArray[np.floating]
 
 SHOT, READ = 1, 2
 """Streams of chance, of the electrons and of the amplifier."""
@@ -36,9 +35,9 @@ class Transfer:
     """(24,)"""
     variance_dn: Floats
     """(24,)"""
-    fitted: NDArray[np.bool_]
+    fitted: Mask
     """(24,) the patches that the gain was fitted to."""
-    clipped: NDArray[np.bool_]
+    clipped: Mask
     """(24,) the patches with pixels at either end of the converter."""
     gain: Gain | None
     """From the slope of the fitted part; None where that does not tell it."""
@@ -99,8 +98,7 @@ def _flat(mean_e: Floats) -> Floats:
 
 def patch_means_e(exposure: float) -> Floats:
     """(24,) electrons that light frees in a cell of each patch."""
-    means: Floats = BRIGHTEST_E * 2.0 ** (exposure - STOPS)
-    return means
+    return BRIGHTEST_E * 2.0 ** (exposure - STOPS)
 
 
 def _read(

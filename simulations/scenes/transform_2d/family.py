@@ -11,8 +11,8 @@ from collections.abc import Callable, Mapping, Sequence
 
 import numpy as np
 
+from simulations.models.arrays import Floats
 from simulations.models.geometry import transforms
-from simulations.models.geometry.transforms import Floats
 from simulations.scenes.transform_2d.square import SQUARE
 
 LOWER_LEFT, LOWER_RIGHT, UPPER_RIGHT, PULLED = range(4)
@@ -63,8 +63,7 @@ def pulled(kind: str, H: Floats, pull: Sequence[float]) -> Floats:
 def pulled_corner(H: Floats) -> Floats:
     """The image (..., 2) of the corner that can be pulled."""
     image = H @ _CORNERS[:, PULLED]
-    corner: Floats = image[..., :2] / image[..., 2:]
-    return corner
+    return image[..., :2] / image[..., 2:]
 
 
 def _moved(H: Floats, away: Floats) -> Floats:
@@ -80,8 +79,7 @@ def _turned(H: Floats, away: Floats) -> Floats:
 def _scaled(H: Floats, away: Floats) -> Floats:
     def not_too_small(factor: Floats) -> Floats:
         size = np.abs(factor)
-        scaled: Floats = factor * np.maximum(size, FLAT) / size
-        return scaled
+        return factor * np.maximum(size, FLAT) / size
 
     return _about_opposite(H, away, not_too_small)
 
@@ -101,8 +99,7 @@ def _about_opposite(H: Floats, away: Floats, allowed: Callable[[Floats], Floats]
 
 
 def _complex(vectors: Floats) -> Floats:
-    values: Floats = vectors[..., 0] + 1j * vectors[..., 1]
-    return values
+    return vectors[..., 0] + 1j * vectors[..., 1]
 
 
 def _sheared(H: Floats, away: Floats) -> Floats:
@@ -119,8 +116,7 @@ def _sheared(H: Floats, away: Floats) -> Floats:
 
 
 def _cross(a: Floats, b: Floats) -> Floats:
-    product: Floats = a[..., 0] * b[..., 1] - a[..., 1] * b[..., 0]
-    return product
+    return a[..., 0] * b[..., 1] - a[..., 1] * b[..., 0]
 
 
 def _tilted(H: Floats, away: Floats) -> Floats:
@@ -136,16 +132,14 @@ def _tilted(H: Floats, away: Floats) -> Floats:
     rest, wanted = weights[..., 0], weights[..., 1]
     share = _share_left(rest, wanted).min(axis=-1)[..., None]
     moved = (images * (rest + share * (wanted - rest))[..., None, :]) @ np.linalg.inv(held)
-    normalised: Floats = moved / moved[..., 2:, 2:]
-    return normalised
+    return moved / moved[..., 2:, 2:]
 
 
 def _share_left(rest: Floats, wanted: Floats) -> Floats:
     """How much of the way from positive numbers to others can be gone until `FLAT` is left."""
     short = wanted < FLAT * rest
     way = np.where(short, rest - wanted, 1.0)
-    share: Floats = np.where(short, (1.0 - FLAT) * rest / way, 1.0)
-    return share
+    return np.where(short, (1.0 - FLAT) * rest / way, 1.0)
 
 
 _PULLED: Mapping[str, Callable[[Floats, Floats], Floats]] = {

@@ -8,7 +8,8 @@ import numpy as np
 from simulations.engine.controls import Value
 from simulations.engine.handles import Handle, Point
 from simulations.engine.stages import Outputs
-from simulations.models.geometry.transforms import Floats, apply_homography
+from simulations.models.arrays import Floats
+from simulations.models.geometry.transforms import apply_homography
 from simulations.scenes.transform_2d import family, hierarchy
 from simulations.scenes.transform_2d.marks import nearest_amount
 from simulations.scenes.transform_2d.plane import from_view, to_view

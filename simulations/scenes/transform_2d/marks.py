@@ -7,7 +7,8 @@ import numpy as np
 
 from simulations.engine import drawing
 from simulations.engine.frame import format_number
-from simulations.models.geometry.transforms import Floats, apply_homography, sign_of_w
+from simulations.models.arrays import Floats
+from simulations.models.geometry.transforms import apply_homography, sign_of_w
 from simulations.scenes.transform_2d import family
 from simulations.scenes.transform_2d.plane import HEIGHT, WIDTH, from_view, in_frame, to_view
 from simulations.scenes.transform_2d.square import SQUARE

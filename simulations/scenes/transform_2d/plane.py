@@ -7,8 +7,8 @@ from numpy.typing import ArrayLike
 
 from simulations.engine import drawing
 from simulations.engine.frame import format_number
+from simulations.models.arrays import Floats
 from simulations.models.geometry.transforms import (
-    Floats,
     apply_homography,
     clip_half_plane,
     clip_to_visible,
@@ -46,20 +46,17 @@ def image_of(H: Floats, points: ArrayLike, closed: bool = True) -> Clipped:
 
 def to_view(points: ArrayLike) -> Floats:
     """Plane to view box."""
-    view: Floats = np.asarray(points, float) * [SCALE, -SCALE] + ORIGIN
-    return view
+    return np.asarray(points, float) * [SCALE, -SCALE] + ORIGIN
 
 
 def from_view(place: ArrayLike) -> Floats:
     """View box to plane."""
-    point: Floats = (np.asarray(place, float) - ORIGIN) / [SCALE, -SCALE]
-    return point
+    return (np.asarray(place, float) - ORIGIN) / [SCALE, -SCALE]
 
 
 def label_at(point: ArrayLike, right: float, down: float) -> Floats:
     """Place of a label in the view box, so far from a point of the plane."""
-    place: Floats = to_view(point) + np.array([right, down])
-    return place
+    return to_view(point) + np.array([right, down])
 
 
 def in_frame(points: ArrayLike, closed: bool = True) -> Floats:

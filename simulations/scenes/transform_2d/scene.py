@@ -7,9 +7,9 @@ import numpy as np
 from simulations.engine.frame import Frame, Panel, Readout, format_number, matrix_text, readout
 from simulations.engine.scene import Scene
 from simulations.engine.stages import Outputs
+from simulations.models.arrays import Floats
 from simulations.models.geometry import transforms
 from simulations.models.geometry.preserved_properties import Preservation, measure_preservation
-from simulations.models.geometry.transforms import Floats
 from simulations.scenes.transform_2d import marks, plane
 from simulations.scenes.transform_2d.handles import HANDLES, matrix, way
 from simulations.scenes.transform_2d.hierarchy import RUNGS, hierarchy_panel

@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from simulations.models.geometry.transforms import Floats
+from simulations.models.arrays import Floats
 
 HALF = 40.0
 """Half the side of the square, which is centred on the origin."""

@@ -8,9 +8,10 @@ import numpy as np
 
 from simulations.engine.frame import Raster, Readout, format_magnitude
 from simulations.engine.stages import Stage
+from simulations.models.arrays import Floats
 from simulations.models.sensor.exposure import mean_of_instants, mean_of_random_instants
 from simulations.pictures import spoked_wheel
-from simulations.pictures.spoked_wheel import Bars, Canvas, Exposure, Floats
+from simulations.pictures.spoked_wheel import Bars, Canvas, Exposure
 
 TIERS = ("instants-1", "integral", "instants-4", "instants-16", "random-16", "instants-64")
 """Rungs of the ladder `exposure-blur`, all but the smear: it needs a motion in a straight line."""

@@ -93,7 +93,7 @@ export class Handles {
     if (event.button !== 0 || !event.isPrimary || this.#held || !layer) return;
     const element = grabbed(layer, event);
     if (!element) return;
-    const free = event.target instanceof Element && event.target.matches(".handle-ground");
+    const free = !!within(event, ".handle-ground, .handle.aim", HTMLElement);
     const place = center(element);
     const pointer = inPanel(element, event);
     const offset = /** @type {Point} */ (
@@ -252,7 +252,7 @@ export class Handles {
  * @returns {HTMLElement | null}
  */
 function grabbed(layer, event) {
-  const near = all(layer, "[data-handle]:not(.drag, [hidden])", HTMLElement)
+  const near = all(layer, "[data-handle]:not(.drag, .aim, [hidden])", HTMLElement)
     .map((element) => ({ element, distance: distanceTo(element, event) }))
     .filter(({ distance }) => distance <= REACH)
     .sort((a, b) => a.distance - b.distance);

@@ -5,6 +5,8 @@ import hashlib
 import json
 import os
 import shutil
+import subprocess
+import sys
 import zipfile
 from io import BytesIO
 from pathlib import Path
@@ -13,7 +15,13 @@ import pytest
 
 from site_builder.runtime.freeze import Frozen
 from site_builder.runtime.imports import read_imports
-from site_builder.runtime.pack import pack_runtime, parts_of, runtime_table, source_archive
+from site_builder.runtime.pack import (
+    pack_runtime,
+    page_modules,
+    parts_of,
+    runtime_table,
+    source_archive,
+)
 from site_builder.runtime.pinned import NUMPY_VERSION
 
 ROOT = Path(__file__).resolve().parents[3]
@@ -38,31 +46,45 @@ def names(archive: bytes) -> list[str]:
         return opened.namelist()
 
 
+EVERY_MODULE = ("simulations", "simulations.models", "simulations.models.noise")
+
+
 def test_equal_sources_give_equal_bytes(package: Path, tmp_path: Path) -> None:
     copy = tmp_path / "elsewhere" / "simulations"
     shutil.copytree(package, copy)
     for file in copy.rglob("*"):
         os.utime(file, (1_000_000_000, 1_000_000_000))
-    assert source_archive(package) == source_archive(copy)
+    assert source_archive(package, EVERY_MODULE) == source_archive(copy, EVERY_MODULE)
 
 
 def test_a_changed_source_changes_the_archive(package: Path) -> None:
-    before = source_archive(package)
+    before = source_archive(package, EVERY_MODULE)
     (package / "models" / "__init__.py").write_text("ANSWER = 43\n")
-    assert source_archive(package) != before
+    assert source_archive(package, EVERY_MODULE) != before
 
 
-def test_the_archive_holds_the_package_and_no_leftovers(package: Path) -> None:
-    assert names(source_archive(package)) == [
+def test_the_archive_holds_the_modules_and_nothing_else(package: Path) -> None:
+    assert names(source_archive(package, EVERY_MODULE)) == [
         *("simulations/__init__.py", "simulations/models/__init__.py"),
         "simulations/models/noise.py",
     ]
+    few = source_archive(package, EVERY_MODULE[:2])
+    assert names(few) == ["simulations/__init__.py", "simulations/models/__init__.py"]
 
 
-def test_the_real_archive_holds_every_module_that_a_page_can_ask_for() -> None:
-    modules = {path.relative_to(ROOT).as_posix() for path in (ROOT / "simulations").rglob("*.py")}
-    printed_only = {name for name in modules if name.startswith("simulations/hard_cases/")}
-    assert set(names(source_archive(ROOT / "simulations"))) == modules - printed_only
+IMPORT_ALL = """
+import json, sys
+from simulations import browser, registry
+for scene in registry.SCENE_MODULES: registry.load_scene(scene)
+for ladder in registry.LADDER_MODULES: registry.load_ladder(ladder)
+print(json.dumps([name for name in sys.modules if name.split(".")[0] == "simulations"]))
+"""
+
+
+def test_the_page_gets_just_the_modules_that_scenes_and_ladders_import() -> None:
+    command = [sys.executable, "-c", IMPORT_ALL]
+    done = subprocess.run(command, cwd=ROOT, capture_output=True, text=True, check=True)
+    assert page_modules(read_imports(ROOT / "simulations")) == set(json.loads(done.stdout))
 
 
 def test_the_table_tells_the_hash_of_each_archive(package: Path, tmp_path: Path) -> None:

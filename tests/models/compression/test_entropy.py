@@ -2,10 +2,12 @@
 
 import io
 import math
+from typing import Any
 
 import numpy as np
 import pytest
 import skimage.data
+from numpy.typing import NDArray
 from PIL import Image
 
 from simulations.models.compression import jpeg
@@ -14,7 +16,7 @@ from simulations.models.compression.entropy import LARGEST, ZIGZAG, run_symbols,
 PHOTO = skimage.data.astronaut()[:192, 100:340]
 
 
-def one_block(codes):
+def one_block(codes: dict[int, int]) -> NDArray[np.int64]:
     """A block with ``codes`` {place in zigzag order: code}."""
     block = np.zeros(64, np.int64)
     for place, code in codes.items():
@@ -22,17 +24,17 @@ def one_block(codes):
     return block.reshape(1, 1, 8, 8)
 
 
-def test_the_zigzag_starts_as_in_the_standard_and_visits_every_place():
+def test_the_zigzag_starts_as_in_the_standard_and_visits_every_place() -> None:
     assert ZIGZAG[:10].tolist() == [0, 1, 8, 16, 9, 2, 3, 10, 17, 24]
     assert ZIGZAG[-3:].tolist() == [55, 62, 63]
     assert sorted(ZIGZAG) == list(range(64))
 
 
-def test_a_plane_of_one_grey_costs_no_bits():
+def test_a_plane_of_one_grey_costs_no_bits() -> None:
     assert symbol_bits([np.zeros((3, 4, 8, 8), np.int64)]) == 0
 
 
-def test_symbols_are_counted_as_by_hand():
+def test_symbols_are_counted_as_by_hand() -> None:
     """One block: mean 5 (3 bits), then 17 zeros and a 1 (1 bit), then the end.
 
     Its symbols are one length of the mean, which is certain and free, and three different others
@@ -42,26 +44,26 @@ def test_symbols_are_counted_as_by_hand():
     assert symbol_bits([block]) == pytest.approx(3 + 1 + 3 * math.log2(3))
 
 
-def test_a_block_that_is_full_to_its_last_place_needs_no_end():
+def test_a_block_that_is_full_to_its_last_place_needs_no_end() -> None:
     """63 codes of −1: one symbol, certain and free, and one bit of sign for each."""
     assert symbol_bits([one_block(dict.fromkeys(range(1, 64), -1))]) == 63
 
 
-def test_means_are_kept_as_differences_to_the_block_before():
+def test_means_are_kept_as_differences_to_the_block_before() -> None:
     """Means 4, 4, 4: lengths 3, 0, 0, at 1.58 + 2 · 0.58 bits, and three bits for the 4."""
     blocks = np.concatenate([one_block({0: 4})] * 3, axis=1)
     entropy = math.log2(3) + 2 * math.log2(3 / 2)
     assert symbol_bits([blocks]) == pytest.approx(3 + entropy)
 
 
-def test_planes_that_share_their_tables_share_the_rarity_of_symbols():
+def test_planes_that_share_their_tables_share_the_rarity_of_symbols() -> None:
     flat, edge = np.zeros((1, 3, 8, 8), np.int64), one_block({0: 1})
     apart = symbol_bits([flat]) + symbol_bits([edge])
     assert apart == 1
     assert symbol_bits([flat, edge]) == pytest.approx(1 + 2 + 3 * math.log2(4 / 3))
 
 
-def symbols(codes):
+def symbols(codes: list[dict[int, int]]) -> tuple[dict[int, int], float]:
     """{symbol: count} and bits of blocks given as {place: code} of the 63 after the mean."""
     blocks = np.zeros((len(codes), 63), np.int64)
     for block, given in zip(blocks, codes, strict=True):
@@ -84,29 +86,32 @@ def symbols(codes):
         pytest.param({61: 1}, {0xF0: 3, 0xD1: 1, 0x00: 1}, 1, id="all-but-the-end"),
     ],
 )
-def test_symbols_are_those_of_the_standard(codes, expected, bits):
+def test_symbols_are_those_of_the_standard(
+    codes: dict[int, int], expected: dict[int, int], bits: int
+) -> None:
     assert symbols([codes]) == (expected, bits)
 
 
-def test_a_run_of_zeros_ends_with_its_block():
+def test_a_run_of_zeros_ends_with_its_block() -> None:
     assert symbols([{62: 1}, {2: 1}]) == ({0xF0: 3, 0xE1: 1, 0x21: 1, 0x00: 1}, 2)
 
 
 @pytest.mark.parametrize("sign", [-1, 1])
-def test_codes_that_no_symbol_can_hold_are_refused(sign):
+def test_codes_that_no_symbol_can_hold_are_refused(sign: int) -> None:
     assert symbol_bits([one_block({1: sign * LARGEST})]) == pytest.approx(15 + 2)
     with pytest.raises(ValueError, match="legal: -32767 to 32767"):
         symbol_bits([one_block({1: sign * (LARGEST + 1)})])
 
 
-def test_fractions_have_no_symbol():
+def test_fractions_have_no_symbol() -> None:
+    fractions: Any = np.zeros((1, 1, 8, 8))
     with pytest.raises(ValueError, match="codes of type float64; legal: whole numbers"):
-        symbol_bits([np.zeros((1, 1, 8, 8))])
+        symbol_bits([fractions])
 
 
 @pytest.mark.parametrize("quality", [50, 75, 90])
 @pytest.mark.parametrize("subsampling", ["4:4:4", "4:2:0"])
-def test_the_bits_of_a_photograph_are_those_of_pillows_file(quality, subsampling):
+def test_the_bits_of_a_photograph_are_those_of_pillows_file(quality: int, subsampling: str) -> None:
     """Huffman's code spends whole bits on each symbol: a little more than its entropy."""
     file = io.BytesIO()
     kind = {"4:4:4": 0, "4:2:0": 2}[subsampling]
@@ -119,6 +124,6 @@ def test_the_bits_of_a_photograph_are_those_of_pillows_file(quality, subsampling
     assert 0.96 * theirs < ours.bits < 1.005 * theirs
 
 
-def test_coefficients_are_counted_in_all_three_planes():
+def test_coefficients_are_counted_in_all_three_planes() -> None:
     coded = jpeg.encode(np.full((3, 8, 8), 8.0), 50)
     assert size(coded).nonzero == 3

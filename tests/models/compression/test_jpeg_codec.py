@@ -6,6 +6,7 @@ import cv2
 import numpy as np
 import pytest
 import skimage.data
+from numpy.typing import NDArray
 from PIL import Image
 
 from simulations.models.color.srgb import encode_srgb
@@ -17,7 +18,7 @@ PILLOW_SUBSAMPLING = {"4:4:4": 0, "4:2:2": 1, "4:2:0": 2}
 PHOTO = skimage.data.astronaut()[:128, 160:288]
 
 
-def by_pillow(photo, quality, subsampling="4:4:4"):
+def by_pillow(photo: NDArray[np.uint8], quality: int, subsampling: str = "4:4:4") -> Image.Image:
     file = io.BytesIO()
     Image.fromarray(photo).save(
         file, "JPEG", quality=quality, subsampling=PILLOW_SUBSAMPLING[subsampling]
@@ -26,13 +27,13 @@ def by_pillow(photo, quality, subsampling="4:4:4"):
 
 
 @pytest.mark.parametrize("quality", [20, 75])
-def test_a_photograph_comes_out_as_from_pillow(quality):
+def test_a_photograph_comes_out_as_from_pillow(quality: int) -> None:
     theirs = np.asarray(by_pillow(PHOTO, quality), float)
     ours = 255 * jpeg.compress(PHOTO / 255, quality)[0]
     assert np.sqrt(np.mean((ours - theirs) ** 2)) < 1.0
 
 
-def test_planes_are_those_of_opencv():
+def test_planes_are_those_of_opencv() -> None:
     theirs = np.moveaxis(cv2.cvtColor(PHOTO, cv2.COLOR_RGB2YCrCb).astype(float), -1, 0) - 128
     ours = jpeg.to_planes(PHOTO / 255)[[0, 2, 1]]
     assert np.abs(ours - theirs).max() <= 1
@@ -41,7 +42,7 @@ def test_planes_are_those_of_opencv():
 
 
 @pytest.mark.parametrize("quality", [20, 75, 95])
-def test_coarse_colour_is_that_of_pillow(quality):
+def test_coarse_colour_is_that_of_pillow(quality: int) -> None:
     """A file decoded at half size gives the coarse differences as they were kept.
 
     Pillow rounds the means of the cells to whole codes, so that now and then a coefficient
@@ -59,7 +60,7 @@ def test_coarse_colour_is_that_of_pillow(quality):
 
 @pytest.mark.parametrize("quality", [30, 75, 95])
 @pytest.mark.parametrize("subsampling", ["4:2:2", "4:2:0"])
-def test_strong_colours_are_filled_in_as_by_pillow(subsampling, quality):
+def test_strong_colours_are_filled_in_as_by_pillow(subsampling: str, quality: int) -> None:
     """By the triangle, and to about a code. Repetition is twice as far from that."""
     picture = np.rint(255 * encode_srgb(balloon())).astype(np.uint8)
     theirs = np.asarray(by_pillow(picture, quality, subsampling), float)
@@ -72,7 +73,7 @@ def test_strong_colours_are_filled_in_as_by_pillow(subsampling, quality):
     assert off["repeated"] > 2 * off["triangle"]
 
 
-def test_lower_quality_leaves_more_zeros():
+def test_lower_quality_leaves_more_zeros() -> None:
     zeros = [jpeg.compress(PHOTO[:64, :64] / 255, quality)[1] for quality in (95, 50, 5)]
     assert zeros == sorted(zeros)
     assert zeros[2] > 0.9
@@ -80,13 +81,15 @@ def test_lower_quality_leaves_more_zeros():
 
 @pytest.mark.parametrize("subsampling", PILLOW_SUBSAMPLING)
 @pytest.mark.parametrize("shape", [(1, 1), (9, 17), (8, 8)])
-def test_any_size_keeps_its_size_and_grey_stays_grey(shape, subsampling):
+def test_any_size_keeps_its_size_and_grey_stays_grey(
+    shape: tuple[int, int], subsampling: str
+) -> None:
     grey = np.full((*shape, 3), 128 / 255)
     decoded, _ = jpeg.compress(grey, 50, subsampling)
     np.testing.assert_allclose(decoded, grey, atol=0.5 / 255)
 
 
-def test_coarse_colour_halves_the_numbers_to_be_kept():
+def test_coarse_colour_halves_the_numbers_to_be_kept() -> None:
     planes = jpeg.to_planes(np.zeros((32, 48, 3)))
     sizes = {
         name: sum(codes.size for codes in jpeg.encode(planes, 50, name).planes) / (32 * 48)
@@ -95,7 +98,7 @@ def test_coarse_colour_halves_the_numbers_to_be_kept():
     assert sizes == {"4:4:4": 3, "4:2:2": 2, "4:2:0": 1.5}
 
 
-def test_grey_does_not_depend_on_how_colour_is_filled_in():
+def test_grey_does_not_depend_on_how_colour_is_filled_in() -> None:
     grey = np.repeat(np.random.default_rng(8).random((16, 16, 1)), 3, axis=2)
     coded = jpeg.encode(jpeg.to_planes(grey), 75, "4:2:0")
     first, *others = (jpeg.decode(coded, name) for name in METHODS)
@@ -103,7 +106,7 @@ def test_grey_does_not_depend_on_how_colour_is_filled_in():
         np.testing.assert_allclose(other, first, atol=1e-12)
 
 
-def test_colours_that_share_a_cell_come_back_as_their_mean():
+def test_colours_that_share_a_cell_come_back_as_their_mean() -> None:
     """Reddish and bluish in turns, at the finest steps: at 4:2:0 each pixel gets the mean colour.
 
     Luma stays with its pixel, so that the difference of light between the two colours survives.
@@ -118,7 +121,7 @@ def test_colours_that_share_a_cell_come_back_as_their_mean():
     assert np.ptp(planes[0]) == pytest.approx(np.ptp(jpeg.to_planes(checks)[0]), abs=2)
 
 
-def test_blue_and_red_differences_keep_their_places():
+def test_blue_and_red_differences_keep_their_places() -> None:
     blue = np.zeros((8, 8, 3))
     blue[..., 2] = 1
     coded = jpeg.encode(jpeg.to_planes(blue), 100)
@@ -126,14 +129,14 @@ def test_blue_and_red_differences_keep_their_places():
     assert coded.differences[1][0, 0, 0, 0] < 0
 
 
-def test_a_coded_picture_knows_how_to_be_decoded():
+def test_a_coded_picture_knows_how_to_be_decoded() -> None:
     coded = jpeg.encode(jpeg.to_planes(PHOTO[:20, :30] / 255), 60, "4:2:2")
     assert (coded.height, coded.width, coded.quality, coded.subsampling) == (20, 30, 60, "4:2:2")
     assert jpeg.decode(coded).shape == (20, 30, 3)
     assert [codes.shape[:2] for codes in coded.planes] == [(3, 4), (3, 2), (3, 2)]
 
 
-def test_the_picture_is_clipped_and_its_zeros_are_those_of_all_channels():
+def test_the_picture_is_clipped_and_its_zeros_are_those_of_all_channels() -> None:
     checks = np.zeros((8, 16, 3))
     checks[::2, ::2] = 1
     decoded, zeros = jpeg.compress(checks, 5)
@@ -145,18 +148,18 @@ def test_the_picture_is_clipped_and_its_zeros_are_those_of_all_channels():
     assert zeros == pytest.approx((blocks.compress_plane(luma, coarse)[1] + 2) / 3)
 
 
-def test_another_transform_reaches_all_planes():
+def test_another_transform_reaches_all_planes() -> None:
     coded = jpeg.encode(np.ones((3, 8, 8)), 100, transform=np.zeros_like)
     assert not any(codes.any() for codes in coded.planes)
 
 
-def test_an_unknown_subsampling_and_an_unknown_quality_are_refused():
+def test_an_unknown_subsampling_and_an_unknown_quality_are_refused() -> None:
     with pytest.raises(ValueError, match="subsampling"):
         jpeg.compress(np.zeros((8, 8, 3)), 50, "4:1:1")
     with pytest.raises(ValueError, match="quality 0"):
         jpeg.compress(np.zeros((8, 8, 3)), 0)
 
 
-def test_light_beyond_all_numbers_is_refused():
+def test_light_beyond_all_numbers_is_refused() -> None:
     with pytest.raises(ValueError, match="plane reaches"):
         jpeg.compress(np.full((8, 8, 3), 1e308), 50)

@@ -3,19 +3,23 @@
 import numpy as np
 import pytest
 from numpy.testing import assert_allclose, assert_array_equal
+from numpy.typing import ArrayLike
 from support.decentred_lenses import least_determinant
 
+from simulations.models.arrays import Mask
 from simulations.models.distortion.decentred_sheet import on_sheet_of_axis, sheet_of
 from simulations.models.distortion.lens_model import Distortion, distort, jacobian
 from simulations.models.distortion.radial_profile import RadialProfile
 
 
-def asked(points, lens):
+def asked(points: ArrayLike, lens: Distortion) -> Mask:
     return on_sheet_of_axis(np.asarray(points, float), lens.radial, lens.p1, lens.p2)
 
 
 @pytest.mark.parametrize("p", [(0.03, 0.0), (0.0, 0.05), (0.03, 0.04)])
-def test_without_radial_terms_the_map_first_turns_over_at_one_sixth_of_p(p):
+def test_without_radial_terms_the_map_first_turns_over_at_one_sixth_of_p(
+    p: tuple[float, float],
+) -> None:
     """1 − 6 |p| r against p: there, and in no other direction before."""
     assert sheet_of(RadialProfile(), *p).sure == pytest.approx(1 / (6 * np.hypot(*p)), rel=1e-12)
 
@@ -23,8 +27,8 @@ def test_without_radial_terms_the_map_first_turns_over_at_one_sixth_of_p(p):
 @pytest.mark.parametrize("sign", [1, -1])
 @pytest.mark.parametrize(("along", "turns"), [((0, -1), 1 / 0.6), ((0, 1), np.inf)])
 def test_along_and_against_p_the_turning_is_where_the_one_dimensional_map_has_it(
-    along, turns, sign
-):
+    along: tuple[int, int], turns: float, sign: int
+) -> None:
     """y + 3 p₁ y² turns at y = −1 / (6 p₁), and nowhere on the other side of the axis."""
     lens, direction = Distortion(p1=0.1 * sign), sign * np.asarray(along, float)
     for radius in (0.5, 1.66, 1.67, 3.0, 1e3):
@@ -32,14 +36,14 @@ def test_along_and_against_p_the_turning_is_where_the_one_dimensional_map_has_it
 
 
 @pytest.mark.parametrize("k1", [-0.3, 0.3])
-def test_within_the_sure_radius_no_direction_turns_over_with_radial_terms_either(k1):
+def test_within_the_sure_radius_no_direction_turns_over_with_radial_terms_either(k1: float) -> None:
     sure = sheet_of(RadialProfile((k1,)), 0.05, 0.02).sure
     steepness = 3 if k1 < 0 else 1  # f' is least in a barrel, g in a pincushion
     gap = 1 + steepness * k1 * min(sure, 9) ** 2 - 6 * np.hypot(0.05, 0.02) * min(sure, 9)
     assert gap == pytest.approx(0.0, abs=1e-9) or sure == np.inf
 
 
-def test_a_fold_however_narrow_is_seen():
+def test_a_fold_however_narrow_is_seen() -> None:
     """1 − 0.9 s + 5 k₂ s² falls below zero over a few parts in a million of the radius."""
     lens = Distortion(k1=-0.3, k2=0.0405 * (1 - 1e-11), p1=1e-30)
     fold = np.sqrt(0.9 / (10 * lens.k2))
@@ -61,7 +65,9 @@ def test_a_fold_however_narrow_is_seen():
         Distortion(k1=0.2, k2=-0.1, k3=0.02, p1=-0.05, p2=0.1, k4=0.3, k5=-0.05, k6=0.01),
     ],
 )
-def test_the_sheet_is_that_of_points_towards_which_the_determinant_stays_positive(lens):
+def test_the_sheet_is_that_of_points_towards_which_the_determinant_stays_positive(
+    lens: Distortion,
+) -> None:
     points = np.random.default_rng(5).uniform(-3.0, 3.0, (3000, 2))
     least = least_determinant(points, lens)
     clear = np.abs(least) > 1e-4
@@ -69,19 +75,19 @@ def test_the_sheet_is_that_of_points_towards_which_the_determinant_stays_positiv
     assert_array_equal(asked(points[clear], lens), least[clear] > 0)
 
 
-def test_beyond_a_pole_nothing_is_on_the_sheet():
+def test_beyond_a_pole_nothing_is_on_the_sheet() -> None:
     lens = Distortion(k4=-1.0, p1=1e-6)
     assert sheet_of(lens.radial, lens.p1, lens.p2).pole == pytest.approx(1.0)
     assert asked([[0.9, 0.0], [1.1, 0.0], [0.0, -3.0]], lens).tolist() == [True, False, False]
 
 
-def test_the_axis_and_no_points_at_all_are_fine():
+def test_the_axis_and_no_points_at_all_are_fine() -> None:
     lens = Distortion(k1=-0.3, p1=0.1)
     assert asked([[0.0, 0.0]], lens).tolist() == [True]
     assert asked(np.empty((0, 2)), lens).shape == (0,)
 
 
-def test_points_in_the_shadow_of_a_fold_share_their_images_with_points_before_it():
+def test_points_in_the_shadow_of_a_fold_share_their_images_with_points_before_it() -> None:
     """Why the way to a point counts and not only the place: here two would be valid at once."""
     lens = Distortion(k1=-0.3, k2=0.1, p1=0.1)
     shadowed, near = np.array([[0.0, -1.2]]), np.array([[0.0, -0.9]])

@@ -7,13 +7,13 @@ from numpy.polynomial import Polynomial
 from simulations.models.distortion.positive_polynomials import stay_positive
 
 
-def judged(*polynomials):
+def judged(*polynomials: Polynomial) -> list[bool]:
     size = max(polynomial.coef.size for polynomial in polynomials)
     rows = [np.pad(polynomial.coef, (0, size - polynomial.coef.size)) for polynomial in polynomials]
     return stay_positive(np.array(rows)).tolist()
 
 
-def test_a_root_within_the_interval_is_noticed_and_one_beyond_it_not():
+def test_a_root_within_the_interval_is_noticed_and_one_beyond_it_not() -> None:
     t = Polynomial((0.0, 1.0))
     assert judged(0.5 - t, 1.1 - t, 0.999 - t, t + 0.1, t - 0.1) == [
         False,
@@ -26,21 +26,21 @@ def test_a_root_within_the_interval_is_noticed_and_one_beyond_it_not():
 
 @pytest.mark.parametrize("place", [0.03, 0.4, 2 / 3, 0.97])
 @pytest.mark.parametrize("depth", [1e-4, 1e-9, 1e-12])
-def test_a_dip_is_found_however_narrow(place, depth):
+def test_a_dip_is_found_however_narrow(place: float, depth: float) -> None:
     """Between the roots of (t − c)² = δ it is negative; no sampling would meet that."""
     dip = Polynomial((-place, 1.0)) ** 2
     assert judged(dip - depth, dip + depth) == [False, True]
 
 
-def test_polynomials_that_touch_zero_do_not_stay_positive():
+def test_polynomials_that_touch_zero_do_not_stay_positive() -> None:
     assert judged(Polynomial((-0.5, 1.0)) ** 2, Polynomial((-1 / 3, 1.0)) ** 2) == [False, False]
 
 
-def test_zero_at_either_end_is_not_positive():
+def test_zero_at_either_end_is_not_positive() -> None:
     assert judged(Polynomial((0.0, 1.0)), Polynomial((1.0, -1.0))) == [False, False]
 
 
-def test_random_polynomials_are_judged_as_by_their_roots():
+def test_random_polynomials_are_judged_as_by_their_roots() -> None:
     rng = np.random.default_rng(1)
     rows = rng.uniform(-1, 1, (3000, 9)) * 3.0 ** np.arange(9)
     rows[:, 0] = 1.0
@@ -54,10 +54,10 @@ def test_random_polynomials_are_judged_as_by_their_roots():
 
 
 @pytest.mark.parametrize("bad", [np.nan, np.inf, -np.inf])
-def test_what_is_not_a_number_is_not_positive_and_holds_up_no_other(bad):
+def test_what_is_not_a_number_is_not_positive_and_holds_up_no_other(bad: float) -> None:
     assert stay_positive(np.array([[1.0, bad], [1.0, 0.0]])).tolist() == [False, True]
 
 
-def test_no_polynomials_and_constants_are_judged_too():
+def test_no_polynomials_and_constants_are_judged_too() -> None:
     assert stay_positive(np.empty((0, 4))).tolist() == []
     assert stay_positive(np.array([[1.0], [-1.0], [0.0]])).tolist() == [True, False, False]

@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 from support.radial_profiles import PROFILES
 
+from simulations.models.arrays import Floats
 from simulations.models.distortion import radial_inverse
 from simulations.models.distortion.radial_inverse import furthest_radius, invert_bracketed
 from simulations.models.distortion.radial_profile import (
@@ -19,14 +20,14 @@ from simulations.models.distortion.radial_profile import (
 
 @pytest.mark.parametrize("profile", [*PROFILES, RadialProfile((-1 / 3,)), RadialProfile((3.0,))])
 @pytest.mark.parametrize("reach", [1e-6, 0.9, 40.0])
-def test_the_inverse_returns_the_radius_to_all_digits(profile, reach):
+def test_the_inverse_returns_the_radius_to_all_digits(profile: RadialProfile, reach: float) -> None:
     radii = np.linspace(0.0, min(reach, 0.95 * fold_radius(profile)), 201).reshape(3, 67)
     found, valid = invert_bracketed(profile, evaluate(profile, radii))
     assert valid.all()
     np.testing.assert_allclose(found, radii, rtol=1e-12, atol=1e-15)
 
 
-def test_images_that_no_radius_has_are_put_on_the_fold():
+def test_images_that_no_radius_has_are_put_on_the_fold() -> None:
     profile = RadialProfile((-1 / 3,))
     found, valid = invert_bracketed(profile, [0.66, 0.67, -0.1, math.nan, math.inf, 0.0])
     assert valid.tolist() == [True, False, False, False, False, True]
@@ -35,21 +36,21 @@ def test_images_that_no_radius_has_are_put_on_the_fold():
     assert not invert_bracketed(profile, largest_image_radius(profile))[1]
 
 
-def test_without_a_fold_what_is_invalid_is_put_on_the_axis():
+def test_without_a_fold_what_is_invalid_is_put_on_the_axis() -> None:
     for profile in (RadialProfile(), PROFILES[0]):
         found, valid = invert_bracketed(profile, [-0.1, math.nan, math.inf, 5.0])
         assert valid.tolist() == [False, False, False, True]
         assert found[:3].tolist() == [0, 0, 0]
 
 
-def test_the_identity_is_inverted_however_far():
+def test_the_identity_is_inverted_however_far() -> None:
     found, valid = invert_bracketed(RadialProfile((0.0,)), [0.0, 1e-300, 1e300])
     assert valid.all()
     assert found.tolist() == [0, 1e-300, 1e300]
     assert evaluate(RadialProfile(), 1e300) == 1e300
 
 
-def test_close_to_the_fold_the_inverse_is_as_exact_as_its_slope_allows():
+def test_close_to_the_fold_the_inverse_is_as_exact_as_its_slope_allows() -> None:
     profile = RadialProfile((-1 / 3,))
     radius = 1 - 1e-5
     found, valid = invert_bracketed(profile, evaluate(profile, radius))
@@ -57,7 +58,7 @@ def test_close_to_the_fold_the_inverse_is_as_exact_as_its_slope_allows():
     assert found == pytest.approx(radius, abs=1e-10)
 
 
-def test_far_out_where_the_cubic_prevails_it_is_a_cube_root():
+def test_far_out_where_the_cubic_prevails_it_is_a_cube_root() -> None:
     found, valid = invert_bracketed(RadialProfile((2.0,)), [2e30, 2e60])
     assert valid.all()
     np.testing.assert_allclose(found, [1e10, 1e20], rtol=1e-12)
@@ -77,12 +78,12 @@ def test_far_out_where_the_cubic_prevails_it_is_a_cube_root():
     ],
 )
 def test_the_search_ends_at_the_fold_or_at_a_power_of_two_whose_image_lies_beyond(
-    profile, wanted, radius
-):
-    assert furthest_radius(profile, fold_radius(profile), wanted) == pytest.approx(radius)
+    profile: RadialProfile, wanted: list[float], radius: float
+) -> None:
+    assert furthest_radius(profile, fold_radius(profile), np.array(wanted)) == pytest.approx(radius)
 
 
-def test_the_search_goes_on_for_as_long_as_sixth_powers_are_numbers():
+def test_the_search_goes_on_for_as_long_as_sixth_powers_are_numbers() -> None:
     """The curve tends to r/2."""
     profile = RadialProfile((1.0,), (2.0,))
     found, valid = invert_bracketed(profile, [1e30, 2.0**148 * (1 - 1e-9), 2.0**148 * (1 + 1e-9)])
@@ -90,15 +91,20 @@ def test_the_search_goes_on_for_as_long_as_sixth_powers_are_numbers():
     np.testing.assert_allclose(found, [2e30, 2.0**149, 0.0], rtol=1e-8)
 
 
-def test_it_ends_where_a_pole_lies_further_out_than_it_can_be_found():
+def test_it_ends_where_a_pole_lies_further_out_than_it_can_be_found() -> None:
     assert not invert_bracketed(RadialProfile((), (-1e-301,)), [1e155])[1]
 
 
 @pytest.fixture
-def steps(monkeypatch):
+def steps(monkeypatch: pytest.MonkeyPatch) -> list[float]:
     """One entry for each step of Newton's: it is those that need a slope."""
-    made = []
-    monkeypatch.setattr(radial_inverse, "slope", lambda *args: (made.append(1), slope(*args))[1])
+    made: list[float] = []
+
+    def noted(profile: RadialProfile, radius: Floats) -> Floats:
+        made.append(radius.size)
+        return slope(profile, radius)
+
+    monkeypatch.setattr(radial_inverse, "slope", noted)
     return made
 
 
@@ -112,7 +118,9 @@ def steps(monkeypatch):
     ],
     ids=["mild", "up to the fold", "strong", "rational"],
 )
-def test_from_the_first_guess_two_steps_are_enough(steps, profile, images):
+def test_from_the_first_guess_two_steps_are_enough(
+    steps: list[float], profile: RadialProfile, images: Floats
+) -> None:
     """Samples crowd where a fold flattens the curve, so that the guess is as good there."""
     assert invert_bracketed(profile, images)[1].all()
     assert len(steps) == 2
@@ -120,7 +128,9 @@ def test_from_the_first_guess_two_steps_are_enough(steps, profile, images):
 
 @pytest.mark.parametrize("size", [1e-3, 1.0, 1e4])
 @pytest.mark.parametrize("short_of_it", [1e-9, 1e-12, 1e-14, 1e-15, 3e-16])
-def test_up_to_the_last_digits_before_the_fold_it_ends_after_a_few_steps(steps, size, short_of_it):
+def test_up_to_the_last_digits_before_the_fold_it_ends_after_a_few_steps(
+    steps: list[float], size: float, short_of_it: float
+) -> None:
     profile = RadialProfile((-1 / 3 / size**2,))
     radius, valid = invert_bracketed(profile, 2 / 3 * size * (1.0 - short_of_it))
     if valid:  # the largest image is known up to rounding, and so is what lies before it
@@ -131,13 +141,17 @@ def test_up_to_the_last_digits_before_the_fold_it_ends_after_a_few_steps(steps, 
     assert len(steps) <= 14
 
 
-def test_a_search_for_what_lies_too_far_out_ends_when_halving_has_run_out_of_floats(steps):
+def test_a_search_for_what_lies_too_far_out_ends_when_halving_has_run_out_of_floats(
+    steps: list[float],
+) -> None:
     assert not invert_bracketed(RadialProfile((0.5,)), 1e200)[1]
     assert len(steps) <= np.finfo(float).nmant + 2
 
 
 @pytest.mark.parametrize("level", [1e-12, 1e-8, 1e-6])
-def test_on_a_nearly_level_stretch_it_takes_a_few_steps_more(steps, level):
+def test_on_a_nearly_level_stretch_it_takes_a_few_steps_more(
+    steps: list[float], level: float
+) -> None:
     """The slope 1 − 2 s + (1 + δ) s² is δ at its least, at s = 1: a matter of rounding there."""
     profile = RadialProfile((-2 / 3, (1 + level) / 5))
     middle = float(evaluate(profile, 1.0))
@@ -149,7 +163,7 @@ def test_on_a_nearly_level_stretch_it_takes_a_few_steps_more(steps, level):
     assert len(steps) / 28 < 14  # on the mean
 
 
-def test_close_to_a_pole_valid_means_that_the_image_is_right_to_ten_digits():
+def test_close_to_a_pole_valid_means_that_the_image_is_right_to_ten_digits() -> None:
     """One bit of the radius is more than that there."""
     profile, images = RadialProfile((), (-0.25,)), np.logspace(3, 9, 600)
     radius, valid = invert_bracketed(profile, images)

@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 from support.radial_profiles import PROFILES
 
+from simulations.models.arrays import Floats
 from simulations.models.distortion.radial_profile import (
     RadialProfile,
     evaluate,
@@ -20,21 +21,21 @@ from simulations.models.distortion.radial_profile import (
 RADII = np.linspace(0.0, 1.2, 25)
 
 
-def by_hand(profile, r):
+def by_hand(profile: RadialProfile, r: Floats) -> Floats:
     n = 1 + sum(a * r ** (2 * i) for i, a in enumerate(profile.numerator, start=1))
     d = 1 + sum(b * r ** (2 * i) for i, b in enumerate(profile.denominator, start=1))
     return r * n / d
 
 
 @pytest.mark.parametrize("profile", PROFILES)
-def test_the_function_is_its_quotient_of_sums(profile):
+def test_the_function_is_its_quotient_of_sums(profile: RadialProfile) -> None:
     np.testing.assert_allclose(evaluate(profile, RADII), by_hand(profile, RADII), rtol=1e-14)
     factors = by_hand(profile, RADII[1:]) / RADII[1:]
     np.testing.assert_allclose(scale(profile, RADII[1:] ** 2), factors, rtol=1e-13)
 
 
 @pytest.mark.parametrize("profile", PROFILES)
-def test_slopes_agree_with_differences(profile):
+def test_slopes_agree_with_differences(profile: RadialProfile) -> None:
     step, radii = 1e-6, RADII[1:]
     rise = by_hand(profile, radii + step) - by_hand(profile, radii - step)
     np.testing.assert_allclose(slope(profile, radii), rise / (2 * step), atol=1e-8)
@@ -44,7 +45,7 @@ def test_slopes_agree_with_differences(profile):
     assert slope(profile, 0.0) == 1.0
 
 
-def test_nothing_set_is_neutral_and_anything_set_is_not():
+def test_nothing_set_is_neutral_and_anything_set_is_not() -> None:
     assert RadialProfile().neutral
     assert RadialProfile((0.0, 0.0), (0.0,)).neutral
     assert not RadialProfile((0.0, 1e-9)).neutral
@@ -68,26 +69,26 @@ def test_nothing_set_is_neutral_and_anything_set_is_not():
         (RadialProfile((-13 / 12, 0.45)), 2 / 3 * math.sqrt(1)),  # slope (1 − 9/4 r²)(1 − r²)
     ],
 )
-def test_the_fold_is_where_the_slope_first_vanishes(profile, fold):
+def test_the_fold_is_where_the_slope_first_vanishes(profile: RadialProfile, fold: float) -> None:
     assert fold_radius(profile) == pytest.approx(fold, rel=1e-6)
 
 
 @pytest.mark.parametrize(
     "profile", [RadialProfile(), PROFILES[0], RadialProfile((1.0, 1.0), (0.1,))]
 )
-def test_what_always_rises_has_no_fold_and_no_limit(profile):
+def test_what_always_rises_has_no_fold_and_no_limit(profile: RadialProfile) -> None:
     assert fold_radius(profile) == math.inf
     assert largest_image_radius(profile) == math.inf
 
 
-def test_the_largest_image_is_that_of_the_fold_unless_it_is_a_pole():
+def test_the_largest_image_is_that_of_the_fold_unless_it_is_a_pole() -> None:
     assert largest_image_radius(RadialProfile((-1 / 3,))) == pytest.approx(2 / 3)
     assert largest_image_radius(RadialProfile((), (1.0,))) == pytest.approx(0.5)
     assert largest_image_radius(RadialProfile((), (-0.25,))) == math.inf
 
 
 @pytest.mark.parametrize("size", [1e-4, 1.0, 1e8, 1e149])
-def test_a_pole_and_a_peak_are_told_apart_at_any_scale(size):
+def test_a_pole_and_a_peak_are_told_apart_at_any_scale(size: float) -> None:
     peak, pole = RadialProfile((-1 / 3 / size**2,)), RadialProfile((), (-1 / size**2,))
     assert fold_radius(peak) == pytest.approx(size)
     assert largest_image_radius(peak) == pytest.approx(2 / 3 * size)
@@ -95,7 +96,7 @@ def test_a_pole_and_a_peak_are_told_apart_at_any_scale(size):
     assert largest_image_radius(pole) == math.inf
 
 
-def test_a_peak_however_high_is_no_pole():
+def test_a_peak_however_high_is_no_pole() -> None:
     """The slope 1 + 3·10⁹ s − 3·10⁷ s² vanishes at s = 100, where f is ten times 1 + 4·10¹⁰."""
     profile = RadialProfile((1e9, -6e6))
     assert fold_radius(profile) == pytest.approx(10.0)
@@ -103,7 +104,7 @@ def test_a_peak_however_high_is_no_pole():
 
 
 @pytest.mark.parametrize("least", [1e-12, 1e-14])
-def test_a_slope_that_stays_above_zero_is_no_fold_however_little(least):
+def test_a_slope_that_stays_above_zero_is_no_fold_however_little(least: float) -> None:
     """1 − 2 s + (1 + δ) s² is δ at its least."""
     assert fold_radius(RadialProfile((-2 / 3, (1 + least) / 5))) == math.inf
     assert fold_radius(RadialProfile((-2 / 3, (1 - least) / 5))) == pytest.approx(1, rel=1e-5)
@@ -126,12 +127,12 @@ def test_a_slope_that_stays_above_zero_is_no_fold_however_little(least):
     ],
 )
 def test_the_inverse_bends_nearest_where_the_slope_vanishes_for_real_or_complex_radii(
-    profile, image
-):
+    profile: RadialProfile, image: float
+) -> None:
     """s is the squared radius and g = f/r, so that f² is s g²."""
     assert nearest_turning_image(profile) == pytest.approx(image)
 
 
-def test_zeros_at_the_end_change_nothing_not_even_where_squares_overflow():
+def test_zeros_at_the_end_change_nothing_not_even_where_squares_overflow() -> None:
     assert evaluate(RadialProfile((0.1, 0.0)), 1e160) == math.inf
     assert evaluate(RadialProfile((0.1, 0.0, 0.0), (0.0, 0.0)), 2.0) == 2.8

@@ -1,11 +1,14 @@
 """The table that undoes lenses: against bisection, and where it must not be used."""
 
+from collections.abc import Callable
+
 import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 from support.radial_profiles import bisect
 
+from simulations.models.arrays import Floats
 from simulations.models.distortion import radial_inverse, radial_table
 from simulations.models.distortion.fisheye import Fisheye, project_fisheye, unproject_fisheye
 from simulations.models.distortion.lens_model import (
@@ -55,14 +58,16 @@ LENSES = {
 }
 
 
-def images_up_to_99_percent(profile):
+def images_up_to_99_percent(profile: RadialProfile) -> Floats:
     """Image radii up to 99 % of the fold, in ideal radius as well as in the picture."""
     fold = fold_radius(profile)
     return np.linspace(0.0, evaluate(profile, min(0.99 * fold, max(FURTHEST, 0.99))), 4001)
 
 
 @pytest.mark.parametrize("name", LENSES)
-def test_the_inverse_is_good_to_a_millionth_of_a_pixel_within_99_percent_of_the_fold(name):
+def test_the_inverse_is_good_to_a_millionth_of_a_pixel_within_99_percent_of_the_fold(
+    name: str,
+) -> None:
     lens = LENSES[name]
     image_radius = images_up_to_99_percent(lens.radial)
     turn = np.linspace(0.0, 20.0, image_radius.size)
@@ -79,14 +84,14 @@ def test_the_inverse_is_good_to_a_millionth_of_a_pixel_within_99_percent_of_the_
 
 
 @pytest.mark.parametrize("name", LENSES)
-def test_within_99_percent_of_the_fold_no_point_has_to_be_solved_for(name):
+def test_within_99_percent_of_the_fold_no_point_has_to_be_solved_for(name: str) -> None:
     """So the time is that of looking up, and not that of iterating."""
     profile = LENSES[name].radial
     assert shrinkage(profile, images_up_to_99_percent(profile) ** 2)[1].all()
 
 
 @pytest.mark.parametrize("k1", [-0.5, -0.3, 0.5, 3.0])
-def test_a_table_errs_by_no_more_than_it_promises(k1):
+def test_a_table_errs_by_no_more_than_it_promises(k1: float) -> None:
     profile = RadialProfile((k1,))
     image_radius = np.linspace(0.0, min(0.999 * largest_image_radius(profile), 4.0), 8_000)[1:]
     factor, known = shrinkage(profile, image_radius**2)
@@ -107,7 +112,7 @@ AWKWARD += [8.1, 30.0, 1e5, 1e160, 1e300, np.inf, -np.inf, np.nan]
 
 
 @pytest.mark.parametrize("profile", PROFILES)
-def test_many_radii_are_judged_as_few_are(profile):
+def test_many_radii_are_judged_as_few_are(profile: RadialProfile) -> None:
     few = np.array(AWKWARD)
     many = np.concatenate((few, np.linspace(0.0, 0.5, 4000)))
     expected, expected_valid = invert_bracketed(profile, few)
@@ -119,7 +124,7 @@ def test_many_radii_are_judged_as_few_are(profile):
 
 
 @pytest.mark.parametrize("k1", [-0.3, 0.4])
-def test_in_a_large_picture_bad_points_spoil_no_others(k1):
+def test_in_a_large_picture_bad_points_spoil_no_others(k1: float) -> None:
     lens, seen = Distortion(k1=k1), np.full((50, 60, 2), 0.3)
     seen[3, 4] = (np.nan, 0.1)
     seen[5, 6] = (-np.inf, np.inf)
@@ -136,29 +141,34 @@ def test_in_a_large_picture_bad_points_spoil_no_others(k1):
 
 
 @pytest.fixture
-def solved(monkeypatch):
+def solved(monkeypatch: pytest.MonkeyPatch) -> list[float]:
     """How many points each call of the bracket was asked to solve."""
-    sizes = []
+    sizes: list[float] = []
     solve = radial_inverse._solve
-    monkeypatch.setattr(
-        radial_inverse, "_solve", lambda *args: (sizes.append(args[1].size), solve(*args))[1]
-    )
+
+    def noted(profile: RadialProfile, wanted: Floats, upper: float) -> Floats:
+        sizes.append(wanted.size)
+        return solve(profile, wanted, upper)
+
+    monkeypatch.setattr(radial_inverse, "_solve", noted)
     return sizes
 
 
-def test_radii_within_the_table_are_not_solved_for(solved):
+def test_radii_within_the_table_are_not_solved_for(solved: list[float]) -> None:
     invert(RadialProfile((0.5,)), np.linspace(0.0, 2.0, 3000))
     assert solved == []
 
 
-def test_a_fold_far_out_does_not_coarsen_the_table_of_a_picture():
+def test_a_fold_far_out_does_not_coarsen_the_table_of_a_picture() -> None:
     """The last term folds the curve beyond r = 10⁸; those before make a wiggle at r = 0.3."""
     profile = RadialProfile((0.0, 1.0, 1000.0, -1e-14), (0.0, 0.0, 1000.0))
     assert 1e8 < fold_radius(profile) < 1e9
     assert shrinkage(profile, np.linspace(0.0, 0.99, 3000) ** 2)[1].all()
 
 
-def test_past_the_fold_points_are_put_on_its_circle_without_being_solved_for(solved):
+def test_past_the_fold_points_are_put_on_its_circle_without_being_solved_for(
+    solved: list[float],
+) -> None:
     lens = Distortion(k1=-0.5)
     seen = np.linspace((-0.9, -0.9), (0.9, 0.9), 5000)
     ideal, valid = undistort_clamped(seen, lens)
@@ -168,7 +178,7 @@ def test_past_the_fold_points_are_put_on_its_circle_without_being_solved_for(sol
     np.testing.assert_allclose(np.hypot(*ideal[~valid].T), fold_radius(lens.radial), rtol=1e-14)
 
 
-def test_where_a_curve_is_nearly_flat_the_table_ends_and_the_answer_is_right_all_the_same():
+def test_where_a_curve_is_nearly_flat_the_table_ends_and_the_answer_is_right_all_the_same() -> None:
     """The slope 1 − 0.9 s + 0.2025001 s² comes within 4e-7 of zero, at r² = 2.22."""
     profile, flat = RadialProfile((-0.3, 0.04050002)), np.sqrt(0.9 / 0.405)
     image_radius = np.linspace(0.0, evaluate(profile, 2.0), 5000)
@@ -180,7 +190,7 @@ def test_where_a_curve_is_nearly_flat_the_table_ends_and_the_answer_is_right_all
     np.testing.assert_allclose(evaluate(profile, radius), image_radius, rtol=1e-12)
 
 
-def test_a_cell_that_is_off_at_its_edges_alone_ends_the_table_too():
+def test_a_cell_that_is_off_at_its_edges_alone_ends_the_table_too() -> None:
     """A slope that is wrong shows nowhere as much as there."""
     profile = RadialProfile((-0.3,))
     table, fold = inverse_table(profile, 1.0), fold_radius(profile)
@@ -192,7 +202,9 @@ def test_a_cell_that_is_off_at_its_edges_alone_ends_the_table_too():
 
 
 @pytest.mark.parametrize(("error", "held"), [(0.95e-12, True), (1.05e-12, False)])
-def test_a_cell_that_is_off_by_more_than_a_trillionth_ends_the_table_before_it(error, held):
+def test_a_cell_that_is_off_by_more_than_a_trillionth_ends_the_table_before_it(
+    error: float, held: bool
+) -> None:
     profile = RadialProfile((-0.3,))
     table = inverse_table(profile, 1.0)
     grid, fold = table.grid, fold_radius(profile)
@@ -207,7 +219,7 @@ def test_a_cell_that_is_off_by_more_than_a_trillionth_ends_the_table_before_it(e
     assert at_the_axis == (table.reach if held else 0.0)
 
 
-def test_cells_are_checked_where_a_polynomial_through_the_nodes_errs_most():
+def test_cells_are_checked_where_a_polynomial_through_the_nodes_errs_most() -> None:
     """There the product of the distances to the nodes is 2 (1/4)⁵, and less in between."""
     anywhere = np.linspace(-0.5, 0.5, 2001)
     product = [np.prod(np.subtract.outer(at, NODES), axis=1) for at in (CHECKS, anywhere)]
@@ -217,18 +229,19 @@ def test_cells_are_checked_where_a_polynomial_through_the_nodes_errs_most():
 
 
 @pytest.mark.parametrize(("count", "tables"), [(2047, 0), (2048, 1)])
-def test_a_table_is_made_for_2048_points_and_more(count, tables):
+def test_a_table_is_made_for_2048_points_and_more(count: int, tables: int) -> None:
     images = np.linspace(0.0, 0.5, count)
-    for undo in (
+    calls: tuple[Callable[[], object], ...] = (
         lambda: invert(RadialProfile((0.3,)), images),
         lambda: undistort(np.stack((images, images), -1), Distortion(k1=0.3)),
-    ):
+    )
+    for undo in calls:
         inverse_table.cache_clear()
         undo()
         assert inverse_table.cache_info().misses == tables
 
 
-def test_pictures_of_one_lens_share_a_table_and_its_answers():
+def test_pictures_of_one_lens_share_a_table_and_its_answers() -> None:
     profile, images = RadialProfile((0.25,)), np.linspace(0.0, 0.6, 3000)
     inverse_table.cache_clear()
     first = invert(profile, images)[0]
@@ -246,8 +259,8 @@ def test_pictures_of_one_lens_share_a_table_and_its_answers():
     [(1e-3, 1.0), (1.1, 2.0), (2.5, 8.0), (5.0, 32.0), (8.0, 64.0), (50.0, 64.0)],
 )
 def test_a_table_without_a_fold_reaches_the_next_power_of_two_beyond_the_furthest_point(
-    furthest, reach
-):
+    furthest: float, reach: float
+) -> None:
     images = np.linspace(0.0, furthest, 3000)
     inverse_table.cache_clear()
     known = shrinkage(RadialProfile((0.1,)), images**2)[1]
@@ -257,13 +270,13 @@ def test_a_table_without_a_fold_reaches_the_next_power_of_two_beyond_the_furthes
     assert reach <= table.reach < 1.03 * reach
 
 
-def test_a_lens_with_bends_close_together_gets_a_finer_table():
+def test_a_lens_with_bends_close_together_gets_a_finer_table() -> None:
     for k2, cells in ((0.0, 256), (-0.5, 2048)):
         table = inverse_table(RadialProfile((1.0, k2)), 4.0)
         assert table.coefficients.shape == (5, cells + 1)
 
 
-def test_a_large_picture_through_a_fisheye_comes_back():
+def test_a_large_picture_through_a_fisheye_comes_back() -> None:
     lens = Fisheye(k1=-0.02, k2=0.003)
     turn, angle = np.linspace(0.0, 30.0, 5000), np.linspace(0.0, 1.9, 5000)
     rays = np.stack(
@@ -282,7 +295,9 @@ coefficients = st.lists(
 
 @given(coefficients, coefficients, st.floats(1e-3, 1e3))
 @settings(max_examples=60, deadline=None)
-def test_for_any_coefficients_the_table_agrees_with_the_bracket(numerator, denominator, furthest):
+def test_for_any_coefficients_the_table_agrees_with_the_bracket(
+    numerator: tuple[float, ...], denominator: tuple[float, ...], furthest: float
+) -> None:
     profile = RadialProfile(numerator, denominator)
     images = np.linspace(0.0, min(furthest, 2.0 * largest_image_radius(profile)), 2100)
     radius, valid = invert(profile, images)

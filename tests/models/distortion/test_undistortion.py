@@ -1,8 +1,11 @@
 """The cheap inverses of a lens err as their theory says, and find what distort started from."""
 
+from collections.abc import Callable
+
 import numpy as np
 import pytest
 
+from simulations.models.arrays import Floats
 from simulations.models.distortion.lens_model import Distortion, distort, fold_radius
 from simulations.models.distortion.undistortion import (
     INVERSES,
@@ -17,13 +20,13 @@ RADII = np.stack((np.linspace(0.01, 0.9, 50), np.zeros(50)), axis=-1)
 SCATTERED = np.random.default_rng(0).uniform(-0.5, 0.5, (200, 2))
 
 
-def test_first_order_errs_by_twice_k1_squared_times_the_fifth_power_of_the_radius():
+def test_first_order_errs_by_twice_k1_squared_times_the_fifth_power_of_the_radius() -> None:
     lens = Distortion(k1=1e-3)
     error = RADII - undistort_first_order(distort(RADII, lens), lens)
     np.testing.assert_allclose(error[:, 0], 2e-6 * RADII[:, 0] ** 5, rtol=0.01)
 
 
-def test_a_fixed_point_step_shrinks_the_error_by_the_slope_of_its_map():
+def test_a_fixed_point_step_shrinks_the_error_by_the_slope_of_its_map() -> None:
     lens, radius = Distortion(k1=-0.2), 0.7
     seen = distort(np.array([radius, 0.0]), lens)
     errors = [undistort_fixed_point(seen, lens, steps)[0] - radius for steps in (11, 12)]
@@ -31,7 +34,7 @@ def test_a_fixed_point_step_shrinks_the_error_by_the_slope_of_its_map():
     assert abs(errors[1] / errors[0]) == pytest.approx(abs(slope), rel=1e-2)
 
 
-def test_a_newton_step_squares_the_error():
+def test_a_newton_step_squares_the_error() -> None:
     lens = Distortion(k1=-0.2)
     seen = distort(np.array([0.9, 0.0]), lens)
     errors = [abs(undistort_newton(seen, lens, steps)[0] - 0.9) for steps in (1, 2, 3)]
@@ -49,12 +52,14 @@ def test_a_newton_step_squares_the_error():
         (undistort_bracketed, 1e-14),
     ],
 )
-def test_points_all_over_the_picture_come_back(undo, within, k1, k2):
+def test_points_all_over_the_picture_come_back(
+    undo: Callable[..., Floats], within: float, k1: float, k2: float
+) -> None:
     lens = Distortion(k1=k1, k2=k2)
     np.testing.assert_allclose(undo(distort(SCATTERED, lens), lens), SCATTERED, atol=within)
 
 
-def test_a_table_reads_from_1025_entries_and_errs_a_quarter_with_twice_as_many():
+def test_a_table_reads_from_1025_entries_and_errs_a_quarter_with_twice_as_many() -> None:
     lens = Distortion(k1=0.2)
     seen = distort(RADII, lens)
     worst = [np.abs(undistort_table(seen, lens, n) - RADII).max() for n in (129, 257, 513)]
@@ -73,7 +78,9 @@ def test_a_table_reads_from_1025_entries_and_errs_a_quarter_with_twice_as_many()
         (Distortion(k1=-0.3), 0.65),
     ],
 )
-def test_the_entries_lie_evenly_over_the_squared_radius_out_to_the_furthest_point(lens, furthest):
+def test_the_entries_lie_evenly_over_the_squared_radius_out_to_the_furthest_point(
+    lens: Distortion, furthest: float
+) -> None:
     """At the entries only the reading of the forward map errs, a sixteenth of what is between."""
     squares = np.linspace(0.0, furthest**2, 1025)
     middles = 0.5 * (squares[:-1] + squares[1:])
@@ -88,21 +95,21 @@ def test_the_entries_lie_evenly_over_the_squared_radius_out_to_the_furthest_poin
     assert 0 < off < 0.3 * off_between
 
 
-def test_a_table_ends_at_the_fold():
+def test_a_table_ends_at_the_fold() -> None:
     lens = Distortion(k1=-0.5)  # folds at r = 0.816
     inside = RADII[RADII[:, 0] < 0.75]
     np.testing.assert_allclose(undistort_table(distort(inside, lens), lens), inside, atol=1e-5)
 
 
 @pytest.mark.parametrize("run", [undistort_newton, undistort_fixed_point])
-def test_the_axis_stays_where_it_is(run):
+def test_the_axis_stays_where_it_is(run: Callable[..., Floats]) -> None:
     assert run(np.zeros(2), Distortion(k1=-0.3), 3).tolist() == [0.0, 0.0]
     assert undistort_table(np.zeros((1, 2)), Distortion(k1=0.3)).tolist() == [[0.0, 0.0]]
     assert undistort_bracketed(np.zeros((1, 2)), Distortion(k1=0.3)).tolist() == [[0.0, 0.0]]
     assert undistort_table(np.zeros((0, 2)), Distortion(k1=0.3)).shape == (0, 2)
 
 
-def test_fixed_point_diverges_in_strong_pincushion_where_newton_does_not():
+def test_fixed_point_diverges_in_strong_pincushion_where_newton_does_not() -> None:
     lens, ideal = Distortion(k1=1.0), np.array([1.5, 0.0])
     seen = distort(ideal, lens)
     assert abs(undistort_fixed_point(seen, lens, 200)[0] - 1.5) > 0.1

@@ -1,11 +1,13 @@
 """Polygons and lines cut to what a homography shows."""
 
 import math
+from collections.abc import Sequence
 
 import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
+from numpy.typing import ArrayLike
 
 from simulations.models.geometry import transforms
 from simulations.models.geometry.transforms import (
@@ -19,7 +21,7 @@ TILTED = transforms.projective([1, 0, 0, 0, 1, 0, 1, 0, 1])
 SQUARE = np.array([(-2.0, 0.0), (2.0, 0.0), (2.0, 1.0), (-2.0, 1.0)])
 
 
-def test_clipping_keeps_just_the_part_in_front():
+def test_clipping_keeps_just_the_part_in_front() -> None:
     visible = clip_to_visible(TILTED, SQUARE, w_minimum=0.1)
     # The largest sum of terms is 3, at x = ±2, so the cut lies at w = 0.3.
     expected = {(-0.7, 0), (2, 0), (2, 1), (-0.7, 1)}
@@ -27,14 +29,16 @@ def test_clipping_keeps_just_the_part_in_front():
     assert apply_homography(TILTED, visible)[1].all()
 
 
-def test_clipping_leaves_a_visible_polygon_alone_and_nothing_of_a_hidden_one():
+def test_clipping_leaves_a_visible_polygon_alone_and_nothing_of_a_hidden_one() -> None:
     assert np.array_equal(clip_to_visible(TILTED, SQUARE + 5), SQUARE + 5)
     assert clip_to_visible(TILTED, SQUARE - [5, 0]).shape == (0, 2)
     assert clip_to_visible(TILTED, np.empty((0, 2))).shape == (0, 2)
 
 
 @given(st.lists(st.floats(-1, 1), min_size=9, max_size=9))
-def test_whatever_survives_clipping_has_an_image_and_lies_with_the_point_that_is_seen(entries):
+def test_whatever_survives_clipping_has_an_image_and_lies_with_the_point_that_is_seen(
+    entries: list[float],
+) -> None:
     H = np.array(entries).reshape(3, 3)
     if abs(H[2, 2]) > 1e-3:
         kept = clip_to_visible(H, SQUARE)
@@ -42,7 +46,7 @@ def test_whatever_survives_clipping_has_an_image_and_lies_with_the_point_that_is
         assert (transforms.sign_of_w(H, kept) == np.sign(H[2, 2])).all()
 
 
-def test_the_two_sides_of_the_line_make_up_the_figure():
+def test_the_two_sides_of_the_line_make_up_the_figure() -> None:
     origin_s, beyond = (
         clip_to_visible(TILTED, SQUARE),
         clip_to_visible(TILTED, SQUARE, seen=(-5, 0)),
@@ -54,22 +58,22 @@ def test_the_two_sides_of_the_line_make_up_the_figure():
 
 
 @pytest.mark.parametrize("seen", [(-1.0, 3.0), (math.nan, 0.0)])
-def test_whoever_stands_on_the_line_sees_nothing(seen):
-    with pytest.raises(ValueError, match=r"seen: .*; legal: beside the line"):
+def test_whoever_stands_on_the_line_sees_nothing(seen: tuple[float, float]) -> None:
+    with pytest.raises(ValueError, match=r"seen .*; legal: beside the line"):
         clip_to_visible(TILTED, SQUARE, seen=seen)
 
 
-def test_the_margin_of_clipping_must_be_a_small_share():
+def test_the_margin_of_clipping_must_be_a_small_share() -> None:
     with pytest.raises(ValueError, match="w_minimum"):
         clip_to_visible(TILTED, SQUARE, w_minimum=0.0)
 
 
-def test_an_open_line_is_not_joined_at_its_ends():
+def test_an_open_line_is_not_joined_at_its_ends() -> None:
     ends = clip_half_plane([(-1, 0), (1, 0)], (1, 0, 0), closed=False)
     assert ends == pytest.approx(np.array([(0, 0), (1, 0)]))
 
 
-def test_clipping_a_polygon_by_any_line_leaves_the_area_that_is_known():
+def test_clipping_a_polygon_by_any_line_leaves_the_area_that_is_known() -> None:
     """The unit square, cut by x + y ≤ 3/2, loses a triangle with legs of 1/2."""
     square = [(0.0, 0.0), (1.0, 0.0), (1.0, 1.0), (0.0, 1.0)]
     kept = clip_half_plane(square, (-1.0, -1.0, 1.5))
@@ -78,13 +82,13 @@ def test_clipping_a_polygon_by_any_line_leaves_the_area_that_is_known():
     assert (x @ np.roll(y, -1) - y @ np.roll(x, -1)) / 2 == pytest.approx(7 / 8)
 
 
-def test_vertices_on_the_line_itself_stay():
+def test_vertices_on_the_line_itself_stay() -> None:
     square = [(0.0, 0.0), (1.0, 0.0), (1.0, 1.0), (0.0, 1.0)]
     assert clip_half_plane(square, (1, 0, 0)).tolist() == [list(p) for p in square]
     assert set(map(tuple, clip_half_plane(square, (-1, 0, 0)))) == {(0, 0), (0, 1)}
 
 
-def test_a_polyline_keeps_its_order_and_its_parts_in_front():
+def test_a_polyline_keeps_its_order_and_its_parts_in_front() -> None:
     line = [(-1.0, 0.0), (1.0, 2.0), (3.0, 2.0), (-1.0, -2.0)]
     kept = clip_half_plane(line, (1, 0, 0), closed=False)
     assert kept.tolist() == [[0, 1], [1, 2], [3, 2], [0, -1]]
@@ -98,39 +102,41 @@ def test_a_polyline_keeps_its_order_and_its_parts_in_front():
     ("polygon", "line"),
     [([(1.1e150, 0)], (1, 0, 0)), ([(math.nan, 0)], (1, 0, 0)), ([(0, 0)], (1, math.inf, 0))],
 )
-def test_only_coordinates_within_the_range_are_clipped(polygon, line):
+def test_only_coordinates_within_the_range_are_clipped(
+    polygon: ArrayLike, line: Sequence[float]
+) -> None:
     with pytest.raises(ValueError, match="legal: finite, at most 1e"):
         clip_half_plane(polygon, line)
     assert clip_half_plane([(1e150, 0.0)], (1, 0, 0)).tolist() == [[1e150, 0]]
 
 
 @pytest.mark.parametrize("w_minimum", [1e-12, 1.0, -0.1, math.nan])
-def test_the_margin_lies_between_rounding_and_all(w_minimum):
+def test_the_margin_lies_between_rounding_and_all(w_minimum: float) -> None:
     with pytest.raises(ValueError, match="w_minimum"):
         clip_to_visible(TILTED, SQUARE, w_minimum=w_minimum)
 
 
-def test_the_usual_margin_is_a_millionth():
+def test_the_usual_margin_is_a_millionth() -> None:
     kept = clip_to_visible(TILTED, SQUARE)
     assert kept[:, 0].min() == pytest.approx(-1 + 3e-6, abs=1e-9)
     open_line = clip_to_visible(TILTED, SQUARE[[1, 2, 3]], closed=False)
     assert open_line == pytest.approx(np.array([(2, 0), (2, 1), (-1 + 3e-6, 1)]))
 
 
-def test_a_figure_is_closed_unless_told_otherwise():
+def test_a_figure_is_closed_unless_told_otherwise() -> None:
     """Of the three edges of this triangle the second and the closing one reach the line w = 0."""
     triangle = [(0.0, 0.0), (0.0, 1.0), (-3.0, 0.5)]
     assert len(clip_to_visible(TILTED, triangle)) == 4
     assert len(clip_to_visible(TILTED, triangle, closed=False)) == 3
 
 
-def test_coordinates_beyond_the_range_are_refused_on_either_side():
+def test_coordinates_beyond_the_range_are_refused_on_either_side() -> None:
     for far in (1.1e150, -1.1e150):
         with pytest.raises(ValueError, match="polygon"):
             clip_half_plane([(0.0, 0.0), (far, 0.0)], (1, 0, 0))
 
 
-def test_the_margin_of_clipping_is_a_share_of_the_largest_terms_hidden_ones_too():
+def test_the_margin_of_clipping_is_a_share_of_the_largest_terms_hidden_ones_too() -> None:
     """At x = −5 the terms of w = 1 + x add up to 6 in size, so that the cut lies at w = 0.6."""
     visible = clip_to_visible(TILTED, [(-5.0, 0), (1, 0), (1, 1), (-5, 1)], w_minimum=0.1)
     assert visible[:, 0].min() == pytest.approx(-0.4)

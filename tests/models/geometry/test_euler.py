@@ -15,7 +15,7 @@ SEQUENCES = [letters for s in PROPER + TAIT_BRYAN for letters in (s, s.upper())]
 X, Y, Z = np.eye(3)
 
 
-def test_yaw_pitch_roll_is_the_product_of_the_three_turns():
+def test_yaw_pitch_roll_is_the_product_of_the_three_turns() -> None:
     yaw, pitch, roll = 0.4, -0.3, 0.2
     expected = from_axis_angle(Z, yaw) @ from_axis_angle(Y, pitch) @ from_axis_angle(X, roll)
     assert euler.to_matrix("ZYX", (yaw, pitch, roll)) == pytest.approx(expected)
@@ -23,7 +23,7 @@ def test_yaw_pitch_roll_is_the_product_of_the_three_turns():
 
 
 @pytest.mark.parametrize("sequence", SEQUENCES)
-def test_both_directions_agree_with_scipy(sequence):
+def test_both_directions_agree_with_scipy(sequence: str) -> None:
     for rotation in Rotation.random(20, rng=np.random.default_rng(3)):
         angles, locked = euler.from_matrix(rotation.as_matrix(), sequence)
         assert not locked
@@ -34,7 +34,9 @@ def test_both_directions_agree_with_scipy(sequence):
 
 @pytest.mark.parametrize("sequence", SEQUENCES)
 @pytest.mark.parametrize("upper_end", [False, True])
-def test_gimbal_lock_is_reported_and_the_matrix_still_comes_back(sequence, upper_end):
+def test_gimbal_lock_is_reported_and_the_matrix_still_comes_back(
+    sequence: str, upper_end: bool
+) -> None:
     proper = sequence.lower() in PROPER
     middle = (
         (math.pi if upper_end else 0.0) if proper else math.copysign(math.pi / 2, upper_end - 0.5)
@@ -46,24 +48,24 @@ def test_gimbal_lock_is_reported_and_the_matrix_still_comes_back(sequence, upper
     assert euler.to_matrix(sequence, angles) == pytest.approx(R, abs=1e-14)
 
 
-def test_in_the_lock_40_of_roll_with_10_of_yaw_is_30_of_roll():
+def test_in_the_lock_40_of_roll_with_10_of_yaw_is_30_of_roll() -> None:
     with_yaw = euler.to_matrix("ZYX", np.radians([10.0, 90.0, 40.0]))
     without = euler.to_matrix("ZYX", np.radians([0.0, 90.0, 30.0]))
     assert with_yaw == pytest.approx(without)
 
 
 @pytest.mark.parametrize("sequence", ["", "xy", "xxy", "xyy", "xYz", "abc", "xyzx"])
-def test_a_sequence_that_is_none_is_refused(sequence):
+def test_a_sequence_that_is_none_is_refused(sequence: str) -> None:
     with pytest.raises(ValueError, match="legal: three of x, y, z"):
         euler.to_matrix(sequence, (0, 0, 0))
 
 
-def test_a_reflection_has_no_euler_angles():
+def test_a_reflection_has_no_euler_angles() -> None:
     with pytest.raises(ValueError, match="reflection"):
         euler.from_matrix(np.diag([1.0, 1.0, -1.0]), "ZYX")
 
 
-def test_fixed_axes_of_a_single_turn_give_that_angle():
+def test_fixed_axes_of_a_single_turn_give_that_angle() -> None:
     for index, sequence in ((0, "XYZ"), (1, "xyz"), (2, "zyx")):
         angles = np.eye(3)[index] * 0.3
         assert euler.from_matrix(euler.to_matrix(sequence, angles), sequence)[0] == pytest.approx(
@@ -73,7 +75,9 @@ def test_fixed_axes_of_a_single_turn_give_that_angle():
 
 @pytest.mark.parametrize("sequence", ["ZYX", "zyx", "ZXZ", "zxz"])
 @pytest.mark.parametrize(("off", "locked"), [(3e-8, True), (3e-7, False)])
-def test_the_lock_begins_a_ten_millionth_of_a_radian_from_the_end(sequence, off, locked):
+def test_the_lock_begins_a_ten_millionth_of_a_radian_from_the_end(
+    sequence: str, off: float, locked: bool
+) -> None:
     middle = off if sequence.lower() == "zxz" else np.pi / 2 - off
     R = euler.to_matrix(sequence, (0.4, middle, 0.3))
     assert euler.from_matrix(R, sequence)[1] == locked
@@ -81,7 +85,9 @@ def test_the_lock_begins_a_ten_millionth_of_a_radian_from_the_end(sequence, off,
 
 @pytest.mark.parametrize("sequence", SEQUENCES)
 @pytest.mark.parametrize("upper_end", [False, True])
-def test_the_matrix_comes_back_to_rounding_however_near_the_lock(sequence, upper_end):
+def test_the_matrix_comes_back_to_rounding_however_near_the_lock(
+    sequence: str, upper_end: bool
+) -> None:
     middle = np.full((9, 3), [0.5, 0.0, 0.2])
     off = 10.0 ** -np.arange(4, 13)
     if sequence.lower() in PROPER:
@@ -93,18 +99,18 @@ def test_the_matrix_comes_back_to_rounding_however_near_the_lock(sequence, upper
     np.testing.assert_allclose(euler.to_matrix(sequence, angles), R, atol=1e-14, rtol=0)
 
 
-def test_outer_angles_of_half_a_turn_are_positive():
+def test_outer_angles_of_half_a_turn_are_positive() -> None:
     for sequence in ("ZYX", "xyz"):
         angles, _ = euler.from_matrix(euler.to_matrix(sequence, (-math.pi, 0.2, 0.0)), sequence)
         assert abs(angles[0]) == pytest.approx(math.pi)
     assert euler.from_matrix(np.diag([-1.0, -1.0, 1.0]), "ZYX")[0][0] == math.pi
 
 
-def test_a_sequence_needs_three_angles():
+def test_a_sequence_needs_three_angles() -> None:
     with pytest.raises(ValueError, match=r"legal: \(\.\.\., 3\)"):
         euler.to_matrix("ZYX", (0.1, 0.2))
 
 
 @pytest.mark.parametrize("angle", [-math.pi, math.pi])
-def test_half_a_turn_is_counted_as_positive(angle):
-    assert euler._wrapped(angle) == math.pi
+def test_half_a_turn_is_counted_as_positive(angle: float) -> None:
+    assert euler._wrapped(np.array(angle)) == math.pi

@@ -5,6 +5,7 @@ import math
 import numpy as np
 import pytest
 
+from simulations.models.arrays import Floats
 from simulations.models.geometry import transforms
 from simulations.models.geometry.preserved_properties import measure_preservation
 
@@ -27,14 +28,14 @@ RUNGS = {
 
 
 @pytest.mark.parametrize("rung", RUNGS)
-def test_every_rung_gives_up_one_more_property(rung):
+def test_every_rung_gives_up_one_more_property(rung: str) -> None:
     H, lost = RUNGS[rung]
     measured = measure_preservation(H, SEGMENTS)
     changed = {name for name in measured.__slots__ if getattr(measured, name) > 1e-12}
     assert changed == lost
 
 
-def test_the_measures_are_the_known_amounts():
+def test_the_measures_are_the_known_amounts() -> None:
     measured = measure_preservation(transforms.similarity(1.5, 0.4, 3, 1), SEGMENTS)
     assert (measured.turn_rad, measured.length) == pytest.approx((0.4, 0.5))
     sheared = measure_preservation(transforms.affine([[1, 1], [0, 1]], (0, 0)), SEGMENTS)
@@ -43,30 +44,30 @@ def test_the_measures_are_the_known_amounts():
 
 
 @pytest.mark.parametrize("size", [1e-100, 1e100])
-def test_the_measures_do_not_depend_on_the_unit_of_length(size):
+def test_the_measures_do_not_depend_on_the_unit_of_length(size: float) -> None:
     sheared = transforms.affine([[1, 1], [0, 1]], (0, 0))
     measured = measure_preservation(sheared, SEGMENTS * size)
     assert measured.angle_rad == pytest.approx(math.pi / 4)
     assert measured.turn_rad == pytest.approx(math.pi / 4)
 
 
-def test_a_mirror_keeps_lengths_and_angles():
+def test_a_mirror_keeps_lengths_and_angles() -> None:
     measured = measure_preservation(transforms.affine([[-1, 0], [0, 1]], (0, 0)), SEGMENTS)
     assert (measured.length, measured.angle_rad) == (0.0, 0.0)
 
 
-def test_lengths_change_without_bound_where_the_figure_is_cut():
+def test_lengths_change_without_bound_where_the_figure_is_cut() -> None:
     measured = measure_preservation(TILTED, SEGMENTS - [0.5 + 1, 0])
     assert measured.length == math.inf
     assert measured.bend < 1e-9
 
 
-def test_a_figure_out_of_sight_cannot_be_measured():
+def test_a_figure_out_of_sight_cannot_be_measured() -> None:
     with pytest.raises(ValueError, match="segments: 0 of 5 visible"):
         measure_preservation(TILTED, SEGMENTS - [9, 0])
 
 
-def test_a_projective_map_changes_what_is_known_of_a_rectangle():
+def test_a_projective_map_changes_what_is_known_of_a_rectangle() -> None:
     """Under w = 1 + x the sides of the unit square at x = 0 and 1 become 1 and 1/2 long."""
     square = np.array(
         [[(0, 0), (1, 0)], [(1, 0), (1, 1)], [(0, 1), (1, 1)], [(0, 0), (0, 1)]], float
@@ -81,15 +82,15 @@ def test_a_projective_map_changes_what_is_known_of_a_rectangle():
     assert measured.bend == pytest.approx(0, abs=1e-12)
 
 
-def test_a_shear_turns_only_what_does_not_lie_along_it():
-    sheared = transforms.affine([[1, 0.5], [0, 1]], (0, 0))
+def test_a_shear_turns_only_what_does_not_lie_along_it() -> None:
+    sheared = transforms.affine([[1, 0.5], [0.0, 1]], (0, 0))
     along, across = SEGMENTS[:2], SEGMENTS[2:4]
     assert measure_preservation(sheared, along).turn_rad == pytest.approx(0)
     assert measure_preservation(sheared, across).turn_rad == pytest.approx(math.atan(0.5))
     assert measure_preservation(sheared, across).length == pytest.approx(math.sqrt(1.25) - 1)
 
 
-def test_one_visible_line_alone_cannot_be_compared_and_two_can():
+def test_one_visible_line_alone_cannot_be_compared_and_two_can() -> None:
     two = np.array([[(0, 0), (1, 0)], [(0, 1), (1, 1.5)]], float)
     hidden = [[(-5, 0), (-4, 0)]]
     with pytest.raises(ValueError, match="segments: 1 of 2 visible"):
@@ -99,14 +100,14 @@ def test_one_visible_line_alone_cannot_be_compared_and_two_can():
     assert seen.turn_rad == measure_preservation(TILTED, two).turn_rad
 
 
-def test_lines_that_are_nearly_parallel_are_not_parallel():
+def test_lines_that_are_nearly_parallel_are_not_parallel() -> None:
     """1e-6 rad apart: only lines that are parallel to a billionth are judged by that measure."""
     for slant, changed in ((1e-6, False), (1e-10, True)):
         two = np.array([[(0, 0), (1, 0)], [(0, 1), (1, 1 + slant)]], float)
         assert (measure_preservation(TILTED, two).parallel_rad > 0.1) is changed
 
 
-def test_parallel_lines_may_run_in_opposite_senses():
+def test_parallel_lines_may_run_in_opposite_senses() -> None:
     """Under w = 1 + y/2 the uprights at x = 0 and x = 1 lean by atan 1/2 towards one another."""
     H = transforms.projective([1, 0, 0, 0, 1, 0, 0, 0.5, 1])
     up = np.array([[(0, 0), (0, 1)], [(1, 0), (1, 1)]], float)
@@ -123,6 +124,6 @@ def test_parallel_lines_may_run_in_opposite_senses():
         (np.diag([1.0, 0.0, 1.0]), [[[0, 0], [0, 1]], [[0, 0], [1, 1]]]),
     ],
 )
-def test_a_point_has_no_direction_to_be_kept(H, segments):
+def test_a_point_has_no_direction_to_be_kept(H: Floats, segments: list[list[list[int]]]) -> None:
     with pytest.raises(ValueError, match="longer than a point"):
         measure_preservation(H, segments)

@@ -6,6 +6,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 from scipy.spatial.transform import Rotation, Slerp
 
+from simulations.models.arrays import Floats
 from simulations.models.geometry import quaternions
 from simulations.models.geometry.quaternion_blends import (
     BLENDS,
@@ -20,37 +21,39 @@ SHARES = np.linspace(0.0, 1.0, 41)
 AXIS = np.array([2.0, -1.0, 2.0]) / 3.0
 
 
-def pair(angle_deg, first=(0.3, -0.5, 0.2)):
+def pair(
+    angle_deg: float, first: tuple[float, float, float] = (0.3, -0.5, 0.2)
+) -> tuple[Floats, Floats]:
     """Two unit quaternions that far apart, on one hemisphere."""
     start = quaternions.from_rotation_vector(first)
     turn = quaternions.from_rotation_vector(np.radians(angle_deg) * AXIS)
     return start, quaternions.multiply(turn, start)
 
 
-def scipy_path(start, end, shares=SHARES):
+def scipy_path(start: Floats, end: Floats, shares: Floats = SHARES) -> Rotation:
     ends = Rotation.from_quat(np.stack([start, end]), scalar_first=True)
     return Slerp([0.0, 1.0], ends)(shares)
 
 
-def off_deg(blended, path):
+def off_deg(blended: Floats, path: Rotation) -> Floats:
     ours = Rotation.from_quat(np.asarray(blended, float), scalar_first=True)
     return np.degrees((path.inv() * ours).magnitude())
 
 
 @pytest.mark.parametrize("angle_deg", [0, 1e-6, 3, 90, 179])
-def test_bisection_finds_scipys_slerp(angle_deg):
+def test_bisection_finds_scipys_slerp(angle_deg: float) -> None:
     start, end = pair(angle_deg)
     assert off_deg(bisected_arc(start, end, SHARES), scipy_path(start, end)).max() < 1e-12
 
 
-def test_bisection_carries_more_digits_than_a_double_where_the_machine_has_them():
+def test_bisection_carries_more_digits_than_a_double_where_the_machine_has_them() -> None:
     start, end = pair(100)
     arc = bisected_arc(start, end, SHARES)
     assert arc.dtype == np.longdouble
     assert np.abs((arc**2).sum(axis=-1) - 1).max() < 4 * np.finfo(np.longdouble).eps
 
 
-def test_bisection_takes_one_share_for_each_pair_or_many():
+def test_bisection_takes_one_share_for_each_pair_or_many() -> None:
     start, end = (np.stack(ends) for ends in zip(pair(20), pair(70), strict=True))
     one = bisected_arc(start, end, [0.25, 0.75])
     many = bisected_arc(start[:, None], end[:, None], [0.25, 0.75])
@@ -60,7 +63,7 @@ def test_bisection_takes_one_share_for_each_pair_or_many():
 
 @pytest.mark.parametrize("kind", BLENDS)
 @pytest.mark.parametrize("angle_deg", [0, 1, 60, 179])
-def test_every_blend_begins_and_ends_at_the_two_orientations(kind, angle_deg):
+def test_every_blend_begins_and_ends_at_the_two_orientations(kind: str, angle_deg: float) -> None:
     start, end = pair(angle_deg)
     ends = BLENDS[kind](start, end, [0.0, 0.5, 1.0])
     middle = quaternions.normalise(start + end)
@@ -68,7 +71,7 @@ def test_every_blend_begins_and_ends_at_the_two_orientations(kind, angle_deg):
 
 
 @pytest.mark.parametrize("kind", ["paced-nlerp", "slerp-threshold", "slerp"])
-def test_blends_follow_the_great_circle_as_closely_as_they_promise(kind):
+def test_blends_follow_the_great_circle_as_closely_as_they_promise(kind: str) -> None:
     allowed_deg = {"paced-nlerp": 0.05, "slerp-threshold": 1e-4, "slerp": 1e-12}[kind]
     for angle_deg in range(0, 180, 3):
         start, end = pair(angle_deg)
@@ -77,7 +80,7 @@ def test_blends_follow_the_great_circle_as_closely_as_they_promise(kind):
 
 
 @pytest.mark.parametrize(("dot", "share"), [(0.05, 0.2), (0.3, 0.35), (0.7, 0.8), (0.95, 0.1)])
-def test_pacing_bends_the_share_by_kapoulkines_polynomials(dot, share):
+def test_pacing_bends_the_share_by_kapoulkines_polynomials(dot: float, share: float) -> None:
     """The fit written out as in its source, with t for the share and d for the dot product."""
     start, end = np.array([1.0, 0, 0, 0]), np.array([dot, 0, np.sqrt(1 - dot**2), 0])
     d, t = dot, share
@@ -90,7 +93,7 @@ def test_pacing_bends_the_share_by_kapoulkines_polynomials(dot, share):
     np.testing.assert_allclose(blended, expected / np.linalg.norm(expected), atol=1e-15)
 
 
-def test_below_the_threshold_a_straight_line_is_taken_and_above_it_an_arc():
+def test_below_the_threshold_a_straight_line_is_taken_and_above_it_an_arc() -> None:
     """At dot products just on either side: the line's known error, and none."""
     for dot, straight in ((STRAIGHT + 1e-5, True), (STRAIGHT - 1e-5, False)):
         arc = np.arccos(dot)
@@ -102,7 +105,7 @@ def test_below_the_threshold_a_straight_line_is_taken_and_above_it_an_arc():
 
 
 @pytest.mark.parametrize("kind", BLENDS)
-def test_many_pairs_at_once_are_blended_as_each_alone(kind):
+def test_many_pairs_at_once_are_blended_as_each_alone(kind: str) -> None:
     start, end = (np.stack(ends) for ends in zip(pair(2), pair(70), pair(150), strict=True))
     shares = np.array([0.2, 0.7])
     together = BLENDS[kind](start[:, None], end[:, None], shares)
@@ -113,25 +116,25 @@ def test_many_pairs_at_once_are_blended_as_each_alone(kind):
 
 
 @pytest.mark.parametrize("kind", BLENDS)
-def test_opposite_signs_are_the_same_orientation(kind):
+def test_opposite_signs_are_the_same_orientation(kind: str) -> None:
     start, end = pair(50)
     ours, theirs = (BLENDS[kind](start, sign * end, SHARES) for sign in (1, -1))
     assert np.degrees(turn_between_rad(ours, theirs)).max() < 1e-12
 
 
 @given(st.floats(0.0, 3.1))
-def test_the_turn_between_two_orientations_is_its_angle(angle_rad):
+def test_the_turn_between_two_orientations_is_its_angle(angle_rad: float) -> None:
     start, end = pair(np.degrees(angle_rad))
     for other in (end, -end):
         assert turn_between_rad(start, other) == pytest.approx(angle_rad, abs=1e-14)
 
 
-def test_a_turn_too_small_for_an_arccosine_is_seen():
+def test_a_turn_too_small_for_an_arccosine_is_seen() -> None:
     start, end = pair(1e-10)
     assert np.degrees(turn_between_rad(start, end)) == pytest.approx(1e-10, rel=1e-4)
 
 
 @pytest.mark.parametrize("sign", [1, -1])
-def test_half_a_turn_apart_the_signs_of_the_quaternions_decide_the_way(sign):
+def test_half_a_turn_apart_the_signs_of_the_quaternions_decide_the_way(sign: int) -> None:
     middle = threshold_slerp([1.0, 0, 0, 0], [0, sign * 1.0, 0, 0], 0.5)
     assert middle == pytest.approx(np.array([1, sign, 0, 0]) / np.sqrt(2))

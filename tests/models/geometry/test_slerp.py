@@ -1,26 +1,28 @@
 """Orientations between two others: slerp and nlerp against SciPy's, and what both must keep."""
 
 import math
+from collections.abc import Callable
 
 import numpy as np
 import pytest
 from scipy.spatial.transform import Rotation, Slerp
 
+from simulations.models.arrays import Floats
 from simulations.models.geometry import quaternions, rotations
 
 RNG = np.random.default_rng(1)
 RANDOM = Rotation.random(200, rng=RNG)
 
 
-def wxyz(rotation):
+def wxyz(rotation: Rotation) -> Floats:
     return np.roll(rotation.as_quat(), 1, axis=-1)
 
 
-def same_up_to_sign(a, b):
+def same_up_to_sign(a: Floats, b: Floats) -> Floats:
     return np.minimum(np.abs(a - b).max(axis=-1), np.abs(a + b).max(axis=-1))
 
 
-def test_slerp_agrees_with_scipy():
+def test_slerp_agrees_with_scipy() -> None:
     shares = np.linspace(0, 1, 11)
     for start, end in zip(RANDOM[:20], RANDOM[20:40], strict=True):
         expected = Slerp([0, 1], Rotation.concatenate([start, end]))(shares)
@@ -28,7 +30,7 @@ def test_slerp_agrees_with_scipy():
         assert same_up_to_sign(ours, wxyz(expected)).max() < 1e-14
 
 
-def test_slerp_turns_at_constant_speed_and_nlerp_does_not():
+def test_slerp_turns_at_constant_speed_and_nlerp_does_not() -> None:
     start, end = quaternions.from_rotation_vector([(0, 0, 0), (0, 0, math.radians(170))])
     quarter_deg = [
         math.degrees(np.linalg.norm(quaternions.to_rotation_vector(blend(start, end, 0.25))))
@@ -40,7 +42,7 @@ def test_slerp_turns_at_constant_speed_and_nlerp_does_not():
 
 
 @pytest.mark.parametrize("blend", [rotations.slerp, rotations.nlerp])
-def test_blending_takes_the_shorter_way_and_meets_both_ends(blend):
+def test_blending_takes_the_shorter_way_and_meets_both_ends(blend: Callable[..., Floats]) -> None:
     start, end = quaternions.from_rotation_vector([(0, 0, 0.1), (0, 0, 0.3)])
     for sign in (1, -1):
         assert quaternions.to_rotation_vector(blend(start, sign * end, 0.5))[2] == pytest.approx(
@@ -51,14 +53,14 @@ def test_blending_takes_the_shorter_way_and_meets_both_ends(blend):
 
 
 @pytest.mark.parametrize("angle", [0.0, 1e-12, math.pi])
-def test_slerp_is_defined_for_equal_nearly_equal_and_opposite_orientations(angle):
+def test_slerp_is_defined_for_equal_nearly_equal_and_opposite_orientations(angle: float) -> None:
     start, end = quaternions.from_rotation_vector([(0, 0, 0), (angle, 0, 0)])
     middle = quaternions.to_rotation_vector(rotations.slerp(start, end, 0.5))
     assert middle == pytest.approx((angle / 2, 0, 0), abs=1e-16, rel=1e-12)
 
 
 @pytest.mark.parametrize("blend", [rotations.slerp, rotations.nlerp])
-def test_a_share_lies_within_a_million(blend):
+def test_a_share_lies_within_a_million(blend: Callable[..., Floats]) -> None:
     start, end = quaternions.from_rotation_vector([(0, 0, 0), (0, 0, 1.0)])
     assert np.isfinite(blend(start, end, [-1e6, 1e6])).all()
     for share in (1.1e6, -1.1e6, math.nan):
@@ -67,19 +69,19 @@ def test_a_share_lies_within_a_million(blend):
 
 
 @pytest.mark.parametrize("sign", [1, -1])
-def test_of_two_ways_of_equal_length_the_signs_of_the_quaternions_decide(sign):
+def test_of_two_ways_of_equal_length_the_signs_of_the_quaternions_decide(sign: int) -> None:
     middle = rotations.slerp([1.0, 0, 0, 0], [0, sign * 1.0, 0, 0], 0.5)
     assert middle == pytest.approx(np.array([1, sign, 0, 0]) / math.sqrt(2))
 
 
-def test_slerp_goes_on_past_its_ends_at_the_same_speed():
+def test_slerp_goes_on_past_its_ends_at_the_same_speed() -> None:
     start, end = quaternions.from_rotation_vector([(0, 0, 0.1), (0, 0, 0.4)])
     shares = np.array([-1.0, -0.5, 1.5, 3.0])
     angles = quaternions.to_rotation_vector(rotations.slerp(start, end, shares))[:, 2]
     assert angles == pytest.approx(0.1 + 0.3 * shares)
 
 
-def test_fields_of_orientations_are_blended_pair_by_pair():
+def test_fields_of_orientations_are_blended_pair_by_pair() -> None:
     q0, q1 = wxyz(RANDOM[:6]).reshape(2, 3, 4), wxyz(RANDOM[6:12]).reshape(2, 3, 4)
     share = RNG.random((2, 3))
     for blend in (rotations.slerp, rotations.nlerp):

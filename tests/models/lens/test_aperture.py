@@ -9,19 +9,19 @@ from simulations.models.lens.aperture import fibonacci_disc, random_disc
 
 
 @pytest.mark.parametrize("count", [1, 16, 500])
-def test_every_ring_of_equal_area_holds_one_point_of_the_spiral(count):
+def test_every_ring_of_equal_area_holds_one_point_of_the_spiral(count: int) -> None:
     square = np.sum(fibonacci_disc(count) ** 2, axis=1)
     np.testing.assert_allclose(square, (np.arange(count) + 0.5) / count, rtol=1e-12)
 
 
-def test_the_spiral_turns_by_the_golden_section_of_a_circle():
+def test_the_spiral_turns_by_the_golden_section_of_a_circle() -> None:
     points = fibonacci_disc(200)
     golden = (1 + math.sqrt(5)) / 2
     expected = np.exp(2j * np.pi * np.arange(200) / golden**2)
     np.testing.assert_allclose((points @ [1, 1j]) / np.hypot(*points.T), expected, atol=1e-10)
 
 
-def test_random_points_are_uniform_on_the_disc():
+def test_random_points_are_uniform_on_the_disc() -> None:
     points = random_disc(300, (20, 30), np.random.default_rng(3))
     assert points.shape == (300, 2, 20, 30)
     assert points.dtype == np.float32
@@ -34,15 +34,15 @@ def test_random_points_are_uniform_on_the_disc():
         assert np.mean(points[:, axis] ** 2) == pytest.approx(1 / 4, abs=0.003)
 
 
-def test_random_points_of_each_pixel_are_its_own():
+def test_random_points_of_each_pixel_are_its_own() -> None:
     points = random_disc(2000, (2,), np.random.default_rng(0))
     assert abs(np.corrcoef(points[:, 0, 0], points[:, 0, 1])[0, 1]) < 0.08
     assert abs(np.corrcoef(points[:-1, 0, 0], points[1:, 0, 0])[0, 1]) < 0.08
 
 
-def test_no_points_at_all_are_refused_and_one_is_not():
-    with pytest.raises(ValueError, match=r"count 0; legal: 1 or more"):
+def test_no_points_at_all_are_refused_and_one_is_not() -> None:
+    with pytest.raises(ValueError, match=r"count 0; legal: whole numbers, 1 or more"):
         fibonacci_disc(0)
-    with pytest.raises(ValueError, match=r"count 0; legal: 1 or more"):
+    with pytest.raises(ValueError, match=r"count 0; legal: whole numbers, 1 or more"):
         random_disc(0, (), np.random.default_rng(0))
     assert random_disc(1, (), np.random.default_rng(0)).shape == (1, 2)

@@ -26,7 +26,7 @@ def test_any_beginning_is_balanced_about_the_centre() -> None:
 
 
 def test_a_grid_of_no_points_is_refused() -> None:
-    with pytest.raises(ValueError, match="across 0; legal: 1 or more"):
+    with pytest.raises(ValueError, match="across 0; legal: whole numbers, 1 or more"):
         aperture_grid(0)
 
 

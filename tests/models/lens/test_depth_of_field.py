@@ -5,6 +5,7 @@ import math
 import numpy as np
 import pytest
 
+from simulations.models.arrays import Floats
 from simulations.models.lens.depth_of_field import (
     Layer,
     blur_by_depth,
@@ -16,24 +17,24 @@ from simulations.models.lens.disc_blur import disc_blur, disc_kernel
 from simulations.models.lens.disc_pyramid import pyramid_blur
 
 
-def point_of_light(size=129):
+def point_of_light(size: int = 129) -> Floats:
     planes = np.zeros((1, size, size), np.float32)
     planes[0, size // 2, size // 2] = 1.0
     return planes
 
 
-def second_moment(spread):
+def second_moment(spread: Floats) -> float:
     """Mean square distance from the centre along x, in pixels."""
     columns = np.arange(spread.shape[-1]) - spread.shape[-1] // 2
     return float((spread[0].sum(0) * columns**2).sum() / spread.sum())
 
 
-def test_a_layer_is_sharp_unless_told_otherwise():
+def test_a_layer_is_sharp_unless_told_otherwise() -> None:
     layer = Layer(np.ones((4, 3, 3), np.float32), 0, 0)
     assert blur_layer(layer) is layer
 
 
-def test_a_layer_within_a_pixel_s_disc_is_the_very_layer_and_one_beyond_is_blurred():
+def test_a_layer_within_a_pixel_s_disc_is_the_very_layer_and_one_beyond_is_blurred() -> None:
     light = point_of_light(9)
     sharp = Layer(light, 0, 0, 0.5)
     assert blur_layer(sharp) is sharp
@@ -42,14 +43,14 @@ def test_a_layer_within_a_pixel_s_disc_is_the_very_layer_and_one_beyond_is_blurr
     assert blur_layer(Layer(light, 0, 0, 0.52)).planes[0, 5:8, 6] == pytest.approx(column)
 
 
-def test_blur_by_depth_of_less_than_a_pixel_returns_the_very_picture():
+def test_blur_by_depth_of_less_than_a_pixel_returns_the_very_picture() -> None:
     picture = np.ones((3, 4, 4), np.float32)
     assert blur_by_depth(picture, np.full((4, 4), 0.5)) is picture
     assert blur_by_depth(point_of_light(9), np.full((9, 9), 0.52))[0, 3, 4] > 0
 
 
 @pytest.mark.parametrize("radius", [0.7, 2.0, 3.3, 11.0])
-def test_blur_by_depth_is_the_disc_where_the_depth_is_uniform(radius):
+def test_blur_by_depth_is_the_disc_where_the_depth_is_uniform(radius: float) -> None:
     picture = np.random.default_rng(0).random((1, 30, 30)).astype(np.float32)
     assert blur_by_depth(picture, np.full((30, 30), radius)) == pytest.approx(
         disc_blur(picture, radius), abs=1e-6
@@ -57,7 +58,7 @@ def test_blur_by_depth_is_the_disc_where_the_depth_is_uniform(radius):
 
 
 @pytest.mark.parametrize("largest", [0.51, 0.99, 1.0, 1.01, 4.0, 7.3, 24.0, 1024.0])
-def test_levels_run_from_a_pixel_to_the_largest_and_at_most_double(largest):
+def test_levels_run_from_a_pixel_to_the_largest_and_at_most_double(largest: float) -> None:
     levels = blur_levels(largest)
     assert levels[0] == 0.5
     assert levels[-1] == largest
@@ -67,7 +68,7 @@ def test_levels_run_from_a_pixel_to_the_largest_and_at_most_double(largest):
 
 
 @pytest.mark.parametrize("radius", [0.6, 0.8, 1.2, 3.0, 5.0, 7.9])
-def test_blur_by_depth_between_levels_keeps_the_moment(radius):
+def test_blur_by_depth_between_levels_keeps_the_moment(radius: float) -> None:
     """Of the disc: the pixels' own part is mixed from those of the levels."""
     light = point_of_light(65)
     levels = np.full((65, 65), radius)
@@ -77,7 +78,7 @@ def test_blur_by_depth_between_levels_keeps_the_moment(radius):
 
 
 @pytest.mark.parametrize("largest", [1.0, 2.0, 4.0, 8.0])
-def test_a_new_level_enters_without_a_jump(largest):
+def test_a_new_level_enters_without_a_jump(largest: float) -> None:
     """What is blurred less stays as it was when the widest disc passes a power of two."""
     picture = np.random.default_rng(3).random((1, 40, 44)).astype(np.float32)
     radius = np.linspace(0.0, largest, 44) + np.zeros((40, 1))
@@ -88,7 +89,7 @@ def test_a_new_level_enters_without_a_jump(largest):
     assert np.abs(after - before).max() < 2e-4
 
 
-def test_each_place_is_blurred_by_the_two_levels_next_to_its_radius():
+def test_each_place_is_blurred_by_the_two_levels_next_to_its_radius() -> None:
     """Halfway between the squares of 2 and 4: half of each level's blur."""
     picture = np.random.default_rng(3).random((1, 30, 34)).astype(np.float32)
     column = np.arange(34) + np.zeros((30, 1))
@@ -100,7 +101,7 @@ def test_each_place_is_blurred_by_the_two_levels_next_to_its_radius():
     assert mixed[..., 20:] == pytest.approx(disc_blur(picture, 4.0)[..., 20:], abs=1e-6)
 
 
-def test_either_way_of_drawing_a_disc_will_do():
+def test_either_way_of_drawing_a_disc_will_do() -> None:
     picture = np.random.default_rng(3).random((4, 30, 34)).astype(np.float32)
     layer = Layer(picture, 0, 0, 9.0)
     padded = np.pad(picture, ((0, 0), (10, 10), (10, 10)), mode="edge")
@@ -110,17 +111,17 @@ def test_either_way_of_drawing_a_disc_will_do():
 
 
 @pytest.mark.parametrize("radius", [-1.0, 1025.0, np.inf, np.nan])
-def test_discs_that_no_picture_can_hold_are_refused(radius):
+def test_discs_that_no_picture_can_hold_are_refused(radius: float) -> None:
     planes = np.ones((4, 8, 8), np.float32)
-    with pytest.raises(ValueError, match=r"blur_layer: radius_px .*; legal: 0 to 1024"):
+    with pytest.raises(ValueError, match=r"radius_px .*; legal: 0 to 1024"):
         blur_layer(Layer(planes, 0, 0, radius))
     radii = np.ones((8, 8))
     radii[3, 4] = radius
-    with pytest.raises(ValueError, match="blur_by_depth: radius_px"):
+    with pytest.raises(ValueError, match="radius_px"):
         blur_by_depth(planes, radii)
 
 
-def test_sharp_background_shows_through_the_soft_edge_of_a_near_layer():
+def test_sharp_background_shows_through_the_soft_edge_of_a_near_layer() -> None:
     background = np.zeros((3, 40, 40), np.float32)
     background[:, :, ::2] = 1.0
     near = Layer(np.ones((4, 20, 20), np.float32) * 0.5, 10, 10, radius_px=0.0)
@@ -131,7 +132,7 @@ def test_sharp_background_shows_through_the_soft_edge_of_a_near_layer():
     assert (background[:, :, ::2] == 1.0).all()
 
 
-def test_blurred_layer_spreads_its_coverage_and_keeps_its_amount():
+def test_blurred_layer_spreads_its_coverage_and_keeps_its_amount() -> None:
     planes = np.zeros((4, 24, 24), np.float32)
     planes[:, 8:16, 8:16] = 1.0
     blurred = blur_layer(Layer(planes, 0, 0, radius_px=5.0))
@@ -140,13 +141,13 @@ def test_blurred_layer_spreads_its_coverage_and_keeps_its_amount():
     assert blurred.planes[3].max() <= 1.0
 
 
-def test_layer_outside_the_picture_changes_nothing():
+def test_layer_outside_the_picture_changes_nothing() -> None:
     background = np.random.default_rng(0).random((3, 5, 5)).astype(np.float32)
     away = Layer(np.ones((4, 3, 3), np.float32), -3, 9)
     assert np.array_equal(composite(background, [away]), background)
 
 
-def test_layers_are_laid_over_one_another_by_their_coverage():
+def test_layers_are_laid_over_one_another_by_their_coverage() -> None:
     background = np.random.default_rng(1).random((3, 6, 7)).astype(np.float32)
     planes = np.random.default_rng(2).random((2, 4, 3, 4)).astype(np.float32) * 0.5
     for top, left in ((0, 0), (2, 3), (-1, -2), (4, 5), (1, -1), (-2, 4)):
@@ -163,7 +164,7 @@ def test_layers_are_laid_over_one_another_by_their_coverage():
 @pytest.mark.parametrize(
     ("top", "left"), [(-3, 0), (6, 0), (0, -4), (0, 7), (-5, 1), (9, 1), (1, -9), (1, 12)]
 )
-def test_layers_that_miss_the_picture_change_nothing_and_hide_no_other(top, left):
+def test_layers_that_miss_the_picture_change_nothing_and_hide_no_other(top: int, left: int) -> None:
     background = np.zeros((3, 6, 7), np.float32)
     missing, seen = (
         Layer(np.ones((4, 3, 4), np.float32), top, left),
@@ -174,7 +175,7 @@ def test_layers_that_miss_the_picture_change_nothing_and_hide_no_other(top, left
     assert (picture[:, 5, 6] == 1).all()
 
 
-def test_a_flat_layer_grows_by_its_radius_and_a_pixel():
+def test_a_flat_layer_grows_by_its_radius_and_a_pixel() -> None:
     layer = Layer(np.ones((4, 5, 6), np.float32), 3, 4, radius_px=2.5)
     blurred = blur_layer(layer)
     assert (blurred.top, blurred.left) == (3 - 4, 4 - 4)

@@ -8,6 +8,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from scipy import integrate, ndimage
 
+from simulations.models.arrays import Floats
 from simulations.models.lens.disc_blur import (
     disc_blur,
     disc_kernel,
@@ -19,20 +20,22 @@ from simulations.models.lens.disc_blur import (
 RNG = np.random.default_rng(0)
 
 
-def offsets(kernel):
+def offsets(kernel: Floats) -> tuple[Floats, Floats]:
     """Columns and rows of a kernel, from its middle."""
     reach = kernel.shape[0] // 2
-    return np.meshgrid(*[np.arange(-reach, reach + 1.0)] * 2)
+    away = np.arange(-reach, reach + 1.0)
+    columns, rows = np.meshgrid(away, away)
+    return columns, rows
 
 
-def mean(kernel, values):
+def mean(kernel: Floats, values: Floats) -> float:
     return float((kernel.astype(float) * values).sum())
 
 
-def covered(radius, x, y):
+def covered(radius: float, x: float, y: float) -> float:
     """Area of the disc within the unit square around (x, y), by adaptive quadrature."""
 
-    def height(at):
+    def height(at: float) -> float:
         half = math.sqrt(max(radius**2 - at**2, 0.0))
         return max(min(half, y + 0.5) - max(-half, y - 0.5), 0.0)
 
@@ -48,7 +51,7 @@ def covered(radius, x, y):
 
 
 @pytest.mark.parametrize("radius", [0.51, 0.6, 0.8, 1.0, 1.5, 2.2, 3.4, 3.6])
-def test_each_weight_is_the_area_that_the_disc_covers_of_its_pixel(radius):
+def test_each_weight_is_the_area_that_the_disc_covers_of_its_pixel(radius: float) -> None:
     kernel = disc_kernel(radius)
     for x, y, weight in zip(
         *(values.ravel() for values in (*offsets(kernel), kernel)), strict=True
@@ -58,7 +61,7 @@ def test_each_weight_is_the_area_that_the_disc_covers_of_its_pixel(radius):
 
 @settings(deadline=None)
 @given(radius=st.floats(0, 60))
-def test_weights_add_up_to_one_and_look_the_same_from_all_sides(radius):
+def test_weights_add_up_to_one_and_look_the_same_from_all_sides(radius: float) -> None:
     kernel = disc_kernel(radius)
     assert kernel.sum(dtype=float) == pytest.approx(1, abs=1e-6)
     assert kernel.min() >= 0
@@ -68,7 +71,7 @@ def test_weights_add_up_to_one_and_look_the_same_from_all_sides(radius):
 
 @settings(deadline=None)
 @given(radius=st.floats(0.5, 60))
-def test_the_variance_is_that_of_a_disc_and_of_a_pixel(radius):
+def test_the_variance_is_that_of_a_disc_and_of_a_pixel(radius: float) -> None:
     """Alike along the axes and the diagonals."""
     kernel = disc_kernel(radius)
     x, y = offsets(kernel)
@@ -79,7 +82,7 @@ def test_the_variance_is_that_of_a_disc_and_of_a_pixel(radius):
 
 
 @pytest.mark.parametrize(("radius", "within"), [(2.0, 0.06), (3.5, 0.03), (7.0, 0.01), (14, 2e-3)])
-def test_a_disc_is_as_round_as_pixels_allow(radius, within):
+def test_a_disc_is_as_round_as_pixels_allow(radius: float, within: float) -> None:
     """Fourth moments: R⁴/8 for a disc, with a pixel's along each direction."""
     kernel = disc_kernel(radius)
     x, y = offsets(kernel)
@@ -91,7 +94,7 @@ def test_a_disc_is_as_round_as_pixels_allow(radius, within):
 
 
 @pytest.mark.parametrize("radius", [0.5, 0.75, 1.5, 2.5, 3.5, 6.0, 7.0, 12.0, 14.0])
-def test_the_blur_changes_with_the_radius_without_a_jump(radius):
+def test_the_blur_changes_with_the_radius_without_a_jump(radius: float) -> None:
     """A weight gains what the disc's edge, 2πR long, sweeps over, and loses by 1/(πR²) falling."""
     light = np.zeros((1, 61, 61), np.float32)
     light[0, 30, 30] = 1.0
@@ -101,19 +104,19 @@ def test_the_blur_changes_with_the_radius_without_a_jump(radius):
 
 
 @pytest.mark.parametrize("radius", [0.0, 0.3, 0.5])
-def test_a_disc_within_a_pixel_is_a_point_and_returns_the_very_picture(radius):
+def test_a_disc_within_a_pixel_is_a_point_and_returns_the_very_picture(radius: float) -> None:
     picture = np.ones((3, 4, 4), np.float32)
     assert disc_kernel(radius).tolist() == [[1.0]]
     assert disc_blur(picture, radius) is picture
 
 
 @pytest.mark.parametrize(("radius", "width"), [(0.51, 3), (1.5, 3), (1.51, 5), (3.4, 7), (3.6, 9)])
-def test_a_kernel_is_just_wide_enough_for_its_disc(radius, width):
+def test_a_kernel_is_just_wide_enough_for_its_disc(radius: float, width: int) -> None:
     assert disc_kernel(radius).shape == (width, width)
 
 
 @pytest.mark.parametrize("radius", [0.52, 1.5, 2.4, 4.9, 6.0, 6.1, 9.3, 24.0])
-def test_blur_is_convolution_with_the_weights(radius):
+def test_blur_is_convolution_with_the_weights(radius: float) -> None:
     picture = RNG.random((2, 20, 24)).astype(np.float32)
     kernel = disc_kernel(radius).astype(float)
     wanted = [ndimage.convolve(plane, kernel, mode="nearest") for plane in picture.astype(float)]
@@ -121,7 +124,7 @@ def test_blur_is_convolution_with_the_weights(radius):
 
 
 @pytest.mark.parametrize("radius", [0.8, 1.5, 3.0, 7.5])
-def test_both_ways_give_the_same_picture(radius):
+def test_both_ways_give_the_same_picture(radius: float) -> None:
     picture, kernel = RNG.random((3, 17, 22)).astype(np.float32), disc_kernel(radius)
     taps, spectra = summed(picture, kernel), transformed(picture, kernel)
     np.testing.assert_allclose(taps, spectra, atol=2e-6)
@@ -130,13 +133,13 @@ def test_both_ways_give_the_same_picture(radius):
 
 @settings(max_examples=30, deadline=None)
 @given(radius=st.floats(0, 40))
-def test_flat_light_stays_flat(radius):
+def test_flat_light_stays_flat(radius: float) -> None:
     flat = np.full((3, 23, 31), 0.4, np.float32)
     np.testing.assert_allclose(disc_blur(flat, radius), 0.4, atol=1e-6)
 
 
 @pytest.mark.parametrize("radius", [3.0, 20.0])
-def test_darkness_stays_dark_and_no_mean_exceeds_what_it_is_taken_of(radius):
+def test_darkness_stays_dark_and_no_mean_exceeds_what_it_is_taken_of(radius: float) -> None:
     light = np.zeros((2, 70, 70), np.float32)
     light[0, 35:, 35:] = 1.0
     blurred = disc_blur(light, radius)
@@ -147,7 +150,9 @@ def test_darkness_stays_dark_and_no_mean_exceeds_what_it_is_taken_of(radius):
 
 @pytest.mark.parametrize("length", [1, 2, 3, 40])
 @pytest.mark.parametrize("radius", [3.0, 9.0])
-def test_a_line_of_pixels_is_blurred_as_a_picture_of_that_line_repeated(length, radius):
+def test_a_line_of_pixels_is_blurred_as_a_picture_of_that_line_repeated(
+    length: int, radius: float
+) -> None:
     line = np.random.default_rng(5).random((1, 1, length)).astype(np.float32)
     repeated = disc_blur(np.repeat(line, 33, axis=1), radius)
     assert disc_blur(line, radius)[0, 0] == pytest.approx(repeated[0, 16], abs=2e-6)
@@ -157,7 +162,7 @@ def test_a_line_of_pixels_is_blurred_as_a_picture_of_that_line_repeated(length, 
     )
 
 
-def test_a_blur_of_an_uneven_picture_keeps_its_size_and_a_ramp():
+def test_a_blur_of_an_uneven_picture_keeps_its_size_and_a_ramp() -> None:
     ramp = np.broadcast_to(np.arange(61.0), (2, 45, 61)).astype(np.float32)
     for radius in (3.0, 4.5, 9.0):
         blurred = disc_blur(ramp, radius)
@@ -167,19 +172,19 @@ def test_a_blur_of_an_uneven_picture_keeps_its_size_and_a_ramp():
 
 
 @pytest.mark.parametrize("radius", [-1.0, -0.1, 1025.0, np.inf, np.nan])
-def test_discs_that_no_picture_can_hold_are_refused(radius):
-    with pytest.raises(ValueError, match=r"disc_kernel: radius_px .*; legal: 0 to 1024"):
+def test_discs_that_no_picture_can_hold_are_refused(radius: float) -> None:
+    with pytest.raises(ValueError, match=r"radius_px .*; legal: 0 to 1024"):
         disc_kernel(radius)
-    with pytest.raises(ValueError, match=r"disc_blur: radius_px .*; legal: 0 to 1024"):
+    with pytest.raises(ValueError, match=r"radius_px .*; legal: 0 to 1024"):
         disc_blur(np.ones((4, 8, 8), np.float32), radius)
 
 
-def test_the_widest_disc_is_legal():
+def test_the_widest_disc_is_legal() -> None:
     assert disc_blur(np.ones((1, 8, 8), np.float32), 1024.0) == pytest.approx(1.0, abs=1e-5)
 
 
 @pytest.mark.parametrize(
     ("least", "length"), [(1, 1), (5, 5), (7, 8), (11, 12), (13, 15), (241, 243), (301, 320)]
 )
-def test_grids_have_no_prime_factor_above_five(least, length):
+def test_grids_have_no_prime_factor_above_five(least: int, length: int) -> None:
     assert fast_length(least) == length

@@ -1,24 +1,27 @@
 """Defocus as a filter: Gaussian bins against scipy, gathered discs against their definition."""
 
+from collections.abc import Callable
+
 import numpy as np
 import pytest
 import scipy.ndimage
 
+from simulations.models.arrays import Floats
 from simulations.models.lens.screen_blur import binned_gaussian, gather_discs
 
 NOISE = np.random.default_rng(1).random((3, 40, 50)).astype(np.float32)
 
 
-def gaussian(planes, sigma):
+def gaussian(planes: Floats, sigma: float) -> Floats:
     return np.array([scipy.ndimage.gaussian_filter(plane, sigma, truncate=4) for plane in planes])
 
 
-def test_a_single_gaussian_agrees_with_scipy():
+def test_a_single_gaussian_agrees_with_scipy() -> None:
     blurred = binned_gaussian(NOISE, np.full((40, 50), 3.0))
     np.testing.assert_allclose(blurred, gaussian(NOISE, 1.5), atol=1e-5)
 
 
-def test_each_pixel_takes_the_nearest_of_evenly_spaced_blurs():
+def test_each_pixel_takes_the_nearest_of_evenly_spaced_blurs() -> None:
     radius = np.zeros((40, 50))
     radius[:, 10:20], radius[:, 20:30], radius[:, 30:] = 0.9, 1.7, 4.0
     blurred = binned_gaussian(NOISE, radius, bins=3)  # of radius 0, 2 and 4
@@ -27,19 +30,19 @@ def test_each_pixel_takes_the_nearest_of_evenly_spaced_blurs():
     np.testing.assert_allclose(blurred[..., 30:], gaussian(NOISE, 2.0)[..., 30:], atol=1e-5)
 
 
-def test_a_blur_of_less_than_a_pixel_is_its_own_widest():
+def test_a_blur_of_less_than_a_pixel_is_its_own_widest() -> None:
     point = np.zeros((1, 9, 9), np.float32)
     point[0, 4, 4] = 1
     along = binned_gaussian(point, np.full((9, 9), 0.8), bins=2)[0].sum(axis=0)
     assert along @ (np.arange(9) - 4) ** 2 == pytest.approx(0.4**2, rel=1e-3)
 
 
-def test_there_are_six_blurs_unless_told_otherwise():
+def test_there_are_six_blurs_unless_told_otherwise() -> None:
     radius = np.linspace(0, 5, 50) + np.zeros((40, 1))
     np.testing.assert_array_equal(binned_gaussian(NOISE, radius), binned_gaussian(NOISE, radius, 6))
 
 
-def test_in_focus_everywhere_nothing_changes():
+def test_in_focus_everywhere_nothing_changes() -> None:
     np.testing.assert_array_equal(binned_gaussian(NOISE, np.zeros((40, 50))), NOISE)
     np.testing.assert_allclose(
         gather_discs(NOISE, np.zeros((40, 50)), np.ones((40, 50))), NOISE, rtol=1e-6
@@ -47,12 +50,12 @@ def test_in_focus_everywhere_nothing_changes():
 
 
 @pytest.mark.parametrize("bins", [0, 1])
-def test_fewer_than_two_bins_are_refused(bins):
-    with pytest.raises(ValueError, match=f"bins {bins}; legal: 2 or more"):
+def test_fewer_than_two_bins_are_refused(bins: int) -> None:
+    with pytest.raises(ValueError, match=f"bins {bins}; legal: whole numbers, 2 or more"):
         binned_gaussian(NOISE, np.ones((40, 50)), bins)
 
 
-def test_two_bins_are_sharp_or_fully_blurred():
+def test_two_bins_are_sharp_or_fully_blurred() -> None:
     radius = np.where(np.arange(50) < 25, 1.9, 4.0) + np.zeros((40, 1))
     blurred = binned_gaussian(NOISE, radius, bins=2)
     np.testing.assert_array_equal(blurred[..., :25], NOISE[..., :25])
@@ -60,7 +63,7 @@ def test_two_bins_are_sharp_or_fully_blurred():
 
 
 @pytest.mark.parametrize("radius", [0.5, 1.3, 4.0])
-def test_gathering_within_one_depth_is_a_convolution_with_the_disc(radius):
+def test_gathering_within_one_depth_is_a_convolution_with_the_disc(radius: float) -> None:
     away = np.hypot(*(np.mgrid[:11, :11] - 5))
     disc = np.clip(radius + 0.5 - away, 0, 1)
     shape = NOISE.shape[1:]
@@ -69,11 +72,11 @@ def test_gathering_within_one_depth_is_a_convolution_with_the_disc(radius):
     np.testing.assert_allclose(ours, theirs, atol=1e-5)
 
 
-def test_gathering_weighs_neighbours_by_their_discs_and_holds_back_those_behind():
+def test_gathering_weighs_neighbours_by_their_discs_and_holds_back_those_behind() -> None:
     """Word for word from the definition, one pixel and one neighbour at a time."""
     rng = np.random.default_rng(5)
     light = rng.random((2, 6, 8)).astype(np.float32)
-    radius, depth = rng.uniform(0.2, 3.0, (6, 8)), rng.integers(1, 4, (6, 8))
+    radius, depth = rng.uniform(0.2, 3.0, (6, 8)), rng.integers(1, 4, (6, 8)).astype(float)
     expected = np.zeros_like(light)
     for y, x in np.ndindex(6, 8):
         total = weights = 0.0
@@ -89,7 +92,7 @@ def test_gathering_weighs_neighbours_by_their_discs_and_holds_back_those_behind(
     np.testing.assert_allclose(gather_discs(light, radius, depth), expected, atol=1e-5)
 
 
-def test_a_blurred_background_does_not_leak_onto_a_sharp_thing_before_it():
+def test_a_blurred_background_does_not_leak_onto_a_sharp_thing_before_it() -> None:
     bright_left = np.zeros((1, 20, 30), np.float32)
     bright_left[..., :15] = 1
     left = np.arange(30) < 15
@@ -100,18 +103,19 @@ def test_a_blurred_background_does_not_leak_onto_a_sharp_thing_before_it():
 
 
 @pytest.mark.parametrize("radius", [-1.0, 1025.0, np.inf, np.nan])
-def test_a_disc_that_is_none_is_refused_wherever_it_is(radius):
+def test_a_disc_that_is_none_is_refused_wherever_it_is(radius: float) -> None:
     planes, radii = np.ones((1, 8, 8), np.float32), np.ones((8, 8))
     radii[3, 4] = radius
-    for call in (
+    calls: tuple[Callable[[], object], ...] = (
         lambda: binned_gaussian(planes, radii),
         lambda: gather_discs(planes, radii, radii),
-    ):
+    )
+    for call in calls:
         with pytest.raises(ValueError, match=r"^radius_px from .*; legal: 0 to 1024"):
             call()
 
 
-def test_the_widest_blur_is_legal_and_leaves_one_grey():
+def test_the_widest_blur_is_legal_and_leaves_one_grey() -> None:
     """So wide that of a picture reflected at its borders only the mean is left."""
     plane = np.linspace(0.0, 1.0, 64, dtype=np.float32).reshape(1, 8, 8)
     blurred = binned_gaussian(plane, np.full((8, 8), 1024.0))

@@ -9,13 +9,13 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from simulations.models.arrays import Floats
 from simulations.models.lens.thin_lens import (
     circle_of_confusion_mm,
-    field_of_view_rad,
     principal_distance_mm,
     working_f_number,
 )
-from simulations.models.projection.pinhole import intrinsics, project
+from simulations.models.projection.pinhole import field_of_view_rad, intrinsics, project
 
 ACROSS = np.linspace(-1.0, 1.0, 11)
 """Where rays pass the opening, in radii; the middle one is the chief ray."""
@@ -29,18 +29,20 @@ SIDEWAYS = st.floats(-0.8, 0.8)
 """Of the depth."""
 
 
-def behind_lens(x_mm, depth_mm, heights_mm, focal_mm):
+def behind_lens(x_mm: float, depth_mm: float, heights_mm: Floats, focal_mm: float) -> Floats:
     """Slopes behind the lens of the rays from a point to these heights on the lens."""
     return (heights_mm - x_mm) / depth_mm - heights_mm / focal_mm
 
 
-def crossing_mm(focal_mm, focus_mm):
+def crossing_mm(focal_mm: float, focus_mm: float) -> float:
     """Distance behind the lens at which two rays of a point on the axis meet."""
     up, down = behind_lens(0.0, focus_mm, np.array([1.0, -1.0]), focal_mm)
     return 2.0 / (down - up)
 
 
-def seen_by_sensor(focal_mm, f_number, focus_mm, depth_mm, x_mm):
+def seen_by_sensor(
+    focal_mm: float, f_number: float, focus_mm: float, depth_mm: float, x_mm: float
+) -> tuple[Floats, float]:
     """Where rays of one point meet the sensor, turned about the axis so that it is upright."""
     heights = ACROSS * focal_mm / f_number / 2
     sensor = crossing_mm(focal_mm, focus_mm)
@@ -50,8 +52,8 @@ def seen_by_sensor(focal_mm, f_number, focus_mm, depth_mm, x_mm):
 @settings(deadline=None, max_examples=300)
 @given(FOCAL_MM, F_NUMBER, FOCUS, DEPTH, SIDEWAYS)
 def test_a_point_is_seen_where_projection_with_the_sensor_s_distance_puts_it(
-    focal, f_number, focus, depth, aside
-):
+    focal: float, f_number: float, focus: float, depth: float, aside: float
+) -> None:
     focus, depth = focus * focal, depth * focal
     hits, sensor = seen_by_sensor(focal, f_number, focus, depth, aside * depth)
     z = principal_distance_mm(focal, focus)
@@ -64,14 +66,14 @@ def test_a_point_is_seen_where_projection_with_the_sensor_s_distance_puts_it(
 
 
 @pytest.mark.parametrize(("focal", "focus"), [(50.0, 3200.0), (135.0, 1000.0), (24.0, 1e4)])
-def test_a_picture_projected_with_the_focal_length_is_too_small(focal, focus):
+def test_a_picture_projected_with_the_focal_length_is_too_small(focal: float, focus: float) -> None:
     hits, _ = seen_by_sensor(focal, 2.0, focus, 4000.0, 800.0)
     share = hits.mean() / (focal * 800.0 / 4000.0)
     assert share == pytest.approx(focus / (focus - focal), rel=1e-12)
     assert share > 1.002
 
 
-def test_breathing_is_sixteen_per_cent_at_135_mm_and_a_metre():
+def test_breathing_is_sixteen_per_cent_at_135_mm_and_a_metre() -> None:
     assert principal_distance_mm(135, 1000) / 135 == pytest.approx(1.156, abs=5e-4)
     assert principal_distance_mm(50, 3200) / 50 == pytest.approx(1.016, abs=5e-4)
     assert principal_distance_mm(50, np.inf) == 50
@@ -79,10 +81,10 @@ def test_breathing_is_sixteen_per_cent_at_135_mm_and_a_metre():
 
 @given(FOCAL_MM, FOCUS, st.floats(4.0, 60.0))
 def test_the_edge_of_the_field_of_view_is_the_ray_that_meets_the_sensor_s_edge(
-    focal, focus, sensor_mm
-):
+    focal: float, focus: float, sensor_mm: float
+) -> None:
     depth = focus * focal
-    edge = depth * np.tan(field_of_view_rad(focal, sensor_mm, depth) / 2)
+    edge = depth * np.tan(field_of_view_rad(principal_distance_mm(focal, depth), sensor_mm) / 2)
     hits, _ = seen_by_sensor(focal, 8.0, depth, depth, edge)
     np.testing.assert_allclose(hits, sensor_mm / 2, rtol=1e-9, atol=1e-9 * focal)
 
@@ -90,8 +92,8 @@ def test_the_edge_of_the_field_of_view_is_the_ray_that_meets_the_sensor_s_edge(
 @pytest.mark.parametrize(("focal", "focus"), [(50.0, 3200.0), (135.0, 1000.0), (60.0, 120.0)])
 @pytest.mark.parametrize("f_number", [1.4, 8.0])
 def test_the_light_of_a_wide_scene_falls_with_the_square_of_the_working_f_number(
-    focal, f_number, focus
-):
+    focal: float, f_number: float, focus: float
+) -> None:
     """A pixel on the axis gathers the share of directions in which it sees the opening."""
     sensor = crossing_mm(focal, focus)
     at_infinity, focused = (
@@ -104,7 +106,7 @@ def test_the_light_of_a_wide_scene_falls_with_the_square_of_the_working_f_number
     assert focused / at_infinity == pytest.approx((marked / working) ** 2, rel=slant - 1)
 
 
-def _light_through_opening(radius_mm, distance_mm):
+def _light_through_opening(radius_mm: float, distance_mm: float) -> float:
     """Irradiance on the axis per radiance: cos⁴ over distance², summed over rings of the opening.
 
     The cosines of both ends of each ray, and the longer way of slanted ones, are in it.
@@ -115,7 +117,7 @@ def _light_through_opening(radius_mm, distance_mm):
     return float(np.sum(areas * distance_mm**2 / (distance_mm**2 + middle**2) ** 2))
 
 
-def test_focused_at_infinity_the_marked_f_number_works():
+def test_focused_at_infinity_the_marked_f_number_works() -> None:
     assert working_f_number(50, 2.8, np.inf) == 2.8
     assert working_f_number(50, np.inf, 1000) == np.inf
 
@@ -124,13 +126,15 @@ def test_focused_at_infinity_the_marked_f_number_works():
     ("arguments", "name"),
     [((0.0, 1000.0), "focal_mm"), ((50.0, 50.0), "focus_mm"), ((50.0, np.nan), "focus_mm")],
 )
-def test_a_sensor_has_no_place_for_what_is_as_near_as_the_focal_length(arguments, name):
+def test_a_sensor_has_no_place_for_what_is_as_near_as_the_focal_length(
+    arguments: tuple[float, float], name: str
+) -> None:
     with pytest.raises(ValueError, match=name):
         principal_distance_mm(*arguments)
     with pytest.raises(ValueError, match=name):
         working_f_number(arguments[0], 2.0, arguments[1])
 
 
-def test_an_f_number_is_positive():
+def test_an_f_number_is_positive() -> None:
     with pytest.raises(ValueError, match="f_number"):
         working_f_number(50, -2.0, 1000.0)

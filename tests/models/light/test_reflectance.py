@@ -1,14 +1,18 @@
 """Lambert, Phong, Blinn-Phong and lamps against numbers worked by hand."""
 
 import math
+from collections.abc import Callable
+from typing import Any
 
 import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+from simulations.models.arrays import Floats
 from simulations.models.light.reflectance import (
     DirectionalLight,
+    Light,
     PointLight,
     attenuation,
     blinn_phong,
@@ -23,33 +27,33 @@ FRONT = np.array([0.0, 0.0, 1.0])
 
 
 @given(st.floats(-math.pi, math.pi))
-def test_lambert_is_the_cosine_until_the_horizon_then_dark(theta):
+def test_lambert_is_the_cosine_until_the_horizon_then_dark(theta: float) -> None:
     light = [math.sin(theta), 0, math.cos(theta)]
     assert lambert(FRONT, light, 0.8) == pytest.approx(0.8 * max(0, math.cos(theta)))
 
 
-def test_a_surface_without_normal_is_dark():
+def test_a_surface_without_normal_is_dark() -> None:
     assert lambert([0, 0, 0], FRONT) == 0
 
 
-def test_float32_never_exceeds_one():
+def test_float32_never_exceeds_one() -> None:
     normals = normalise(np.random.default_rng(0).normal(size=(2000, 3)).astype(np.float32))
     assert max(float(lambert(n, n)) for n in normals) <= 1
 
 
 @pytest.mark.parametrize("scale", [1e-200, 1.0, 1e200])
-def test_normalise_neither_overflows_nor_vanishes(scale):
+def test_normalise_neither_overflows_nor_vanishes(scale: float) -> None:
     np.testing.assert_allclose(normalise(scale * np.array([3.0, 0, 4])), [0.6, 0, 0.8])
 
 
-def test_phong_highlight_is_half_as_high_at_the_half_width():
+def test_phong_highlight_is_half_as_high_at_the_half_width() -> None:
     phi = math.acos(2 ** (-1 / 100))
     view = [math.sin(phi), 0, math.cos(phi)]
     shade = phong(FRONT, FRONT, view, 0.0, specular=1.0, shininess=100)
     assert shade == pytest.approx(0.5)
 
 
-def test_blinn_with_fourfold_shininess_looks_like_phong_near_the_peak():
+def test_blinn_with_fourfold_shininess_looks_like_phong_near_the_peak() -> None:
     angles = np.radians(np.arange(0, 9))
     view = np.stack([np.sin(angles), 0 * angles, np.cos(angles)], axis=-1)
     ours = phong(FRONT, FRONT, view, shininess=50)
@@ -58,13 +62,15 @@ def test_blinn_with_fourfold_shininess_looks_like_phong_near_the_peak():
 
 @pytest.mark.parametrize("model", [phong, blinn_phong])
 @pytest.mark.parametrize("shininess", [0, 1, 1e6])
-def test_no_highlight_where_the_light_is_below_the_horizon(model, shininess):
+def test_no_highlight_where_the_light_is_below_the_horizon(
+    model: Callable[..., Floats], shininess: float
+) -> None:
     assert model(FRONT, -FRONT, FRONT, shininess=shininess) == 0
 
 
 @pytest.mark.parametrize("shininess", [0, 0.5, 128, 1e6])
 @pytest.mark.parametrize("slant_deg", [0, 45, 89, 90])
-def test_light_opposite_to_the_eye_gives_no_highlight(shininess, slant_deg):
+def test_light_opposite_to_the_eye_gives_no_highlight(shininess: float, slant_deg: float) -> None:
     """Whatever faces the light turns its back on the eye; no power of a missing cosine is 1."""
     slant = math.radians(slant_deg)
     normal = [math.sin(slant), 0, math.cos(slant)]
@@ -79,7 +85,7 @@ def test_light_opposite_to_the_eye_gives_no_highlight(shininess, slant_deg):
     assert fields.tolist() == [0.5 if math.cos(slant) > 0 else 0, 0]
 
 
-def test_what_both_lengths_may_be_off_is_no_halfway_direction_and_a_little_more_is_one():
+def test_what_both_lengths_may_be_off_is_no_halfway_direction_and_a_little_more_is_one() -> None:
     """Light and eye along one line differ by their lengths alone; turned, by a true direction."""
     longer, shorter = (1 + 9e-5) * FRONT, -(1 - 9e-5) * FRONT
     assert blinn_phong(FRONT, longer, shorter, 0.0, shininess=3) == 0
@@ -91,7 +97,7 @@ def test_what_both_lengths_may_be_off_is_no_halfway_direction_and_a_little_more_
     )
 
 
-def test_a_degree_beside_the_opposite_direction_blinn_has_its_highlight():
+def test_a_degree_beside_the_opposite_direction_blinn_has_its_highlight() -> None:
     """Lamp at 179°: h at 89.5°, where the surface is both lit and seen."""
     light = [math.sin(math.radians(179)), 0, math.cos(math.radians(179))]
     halfway = [math.sin(math.radians(89.5)), 0, math.cos(math.radians(89.5))]
@@ -100,15 +106,19 @@ def test_a_degree_beside_the_opposite_direction_blinn_has_its_highlight():
 
 
 @pytest.mark.parametrize("model", [phong, blinn_phong])
-def test_an_ulp_above_one_is_not_blown_up_by_a_large_shininess(model):
-    above = np.float32([1 + np.finfo(np.float32).eps, 0, 0])
+def test_an_ulp_above_one_is_not_blown_up_by_a_large_shininess(
+    model: Callable[..., Floats],
+) -> None:
+    above = np.array([1 + np.finfo(np.float32).eps, 0, 0], np.float32)
     along = np.array([1.0, 0, 0])
     assert model(above, along, along, 0.0, specular=0.25, shininess=1e7) == 0.25
 
 
 @pytest.mark.parametrize("model", [phong, blinn_phong])
 @pytest.mark.parametrize("shininess", [0, 1, 64])
-def test_what_has_no_direction_adds_no_highlight(model, shininess):
+def test_what_has_no_direction_adds_no_highlight(
+    model: Callable[..., Floats], shininess: float
+) -> None:
     nothing = np.zeros(3)
     normals, lights, views = (np.array(each) for each in ([FRONT] * 3, [FRONT] * 3, [FRONT] * 3))
     normals[0], lights[1], views[2] = nothing, nothing, nothing
@@ -120,7 +130,7 @@ def test_what_has_no_direction_adds_no_highlight(model, shininess):
     st.tuples(*[st.floats(-1, 1)] * 9).map(lambda v: np.reshape(v, (3, 3))),
     st.floats(1, 200),
 )
-def test_phong_is_its_formula_with_the_mirrored_ray_made(vectors, shininess):
+def test_phong_is_its_formula_with_the_mirrored_ray_made(vectors: Floats, shininess: float) -> None:
     n, l, v = normalise(vectors)  # noqa: E741
     if min(np.linalg.norm((n, l, v), axis=-1)) < 0.5:
         return
@@ -131,13 +141,13 @@ def test_phong_is_its_formula_with_the_mirrored_ray_made(vectors, shininess):
     )
 
 
-def test_twice_the_distance_a_quarter_of_the_light():
+def test_twice_the_distance_a_quarter_of_the_light() -> None:
     np.testing.assert_allclose(attenuation([1, 2, np.inf]), [1, 0.25, 0])
     assert attenuation(0, radius=0.1) == pytest.approx(100)
 
 
-def test_lights_add_up():
-    lamps = [DirectionalLight((0, 0, 1), (1, 0, 0)), PointLight((0, 0, 2), (0, 8, 0))]
+def test_lights_add_up() -> None:
+    lamps: list[Light] = [DirectionalLight((0, 0, 1), (1, 0, 0)), PointLight((0, 0, 2), (0, 8, 0))]
     np.testing.assert_allclose(irradiance([0, 0, 0], FRONT, lamps), [1, 2, 0])
 
 
@@ -151,12 +161,14 @@ def test_lights_add_up():
         (lambda: attenuation(1, radius=0), "radius"),
     ],
 )
-def test_meaningless_parameters_are_refused_by_name(call, message):
+def test_meaningless_parameters_are_refused_by_name(
+    call: Callable[[], object], message: str
+) -> None:
     with pytest.raises(ValueError, match=message):
         call()
 
 
-def test_lamps_are_white_and_a_centimetre_wide_unless_told_otherwise():
+def test_lamps_are_white_and_a_centimetre_wide_unless_told_otherwise() -> None:
     sun, lamp = DirectionalLight((0, 0, 1)), PointLight((0, 0, 1))
     assert irradiance([0, 0, 0], FRONT, [sun]).tolist() == [1, 1, 1]
     assert irradiance([0, 0, 0], FRONT, [lamp]).tolist() == [1, 1, 1]
@@ -164,7 +176,7 @@ def test_lamps_are_white_and_a_centimetre_wide_unless_told_otherwise():
     assert attenuation(0.0) == pytest.approx(1e4)
 
 
-def test_light_of_a_lamp_comes_from_its_place_with_the_cosine_and_the_square():
+def test_light_of_a_lamp_comes_from_its_place_with_the_cosine_and_the_square() -> None:
     """At (3, 0, 0) below a lamp at (0, 0, 4): distance 5, cosine 4/5."""
     lamp = PointLight((0, 0, 4), (1.0, 2.0, 3.0))
     points = np.array([[3.0, 0, 0], [0, 0, 0], [0, 0, 8.0]])
@@ -173,7 +185,7 @@ def test_light_of_a_lamp_comes_from_its_place_with_the_cosine_and_the_square():
     np.testing.assert_allclose(found, expected, atol=1e-15)
 
 
-def test_points_and_normals_are_paired_over_a_field():
+def test_points_and_normals_are_paired_over_a_field() -> None:
     normals = normalise(np.random.default_rng(1).normal(size=(4, 5, 3)))
     found = irradiance([0, 0, 0], normals, [DirectionalLight((0.6, 0, 0.8), (0.5, 1, 2))])
     assert found.shape == (4, 5, 3)
@@ -181,7 +193,7 @@ def test_points_and_normals_are_paired_over_a_field():
     np.testing.assert_allclose(found, cosines[..., None] * [0.5, 1, 2], atol=1e-15)
 
 
-def test_phong_is_the_sum_of_its_three_parts_by_hand():
+def test_phong_is_the_sum_of_its_three_parts_by_hand() -> None:
     """Light at 30° to the normal; the eye 10° beside its mirror image."""
     light = [math.sin(math.radians(30)), 0, math.cos(math.radians(30))]
     view = [-math.sin(math.radians(40)), 0, math.cos(math.radians(40))]
@@ -192,19 +204,19 @@ def test_phong_is_the_sum_of_its_three_parts_by_hand():
     assert halfway == pytest.approx(matte + 0.7 * math.cos(math.radians(5)) ** 20)
 
 
-def test_the_usual_highlights_are_half_as_bright_as_white_and_fourfold_for_blinn():
+def test_the_usual_highlights_are_half_as_bright_as_white_and_fourfold_for_blinn() -> None:
     view = [math.sin(0.2), 0, math.cos(0.2)]
     assert phong(FRONT, FRONT, view) == pytest.approx(1 + 0.5 * math.cos(0.2) ** 32)
     assert blinn_phong(FRONT, FRONT, view) == pytest.approx(1 + 0.5 * math.cos(0.1) ** 128)
 
 
-def test_shininess_zero_spreads_the_highlight_over_the_lit_side():
+def test_shininess_zero_spreads_the_highlight_over_the_lit_side() -> None:
     light, side = [math.sin(1), 0, math.cos(1)], [0, 1.0, 0]
     for model in (phong, blinn_phong):
         assert model(FRONT, light, side, 0.0, specular=0.3, shininess=0) == pytest.approx(0.3)
 
 
-def test_fields_of_normals_lights_and_eyes_are_shaded_one_by_one():
+def test_fields_of_normals_lights_and_eyes_are_shaded_one_by_one() -> None:
     rng = np.random.default_rng(2)
     normals, lights, views = normalise(rng.normal(size=(3, 4, 5, 3)))
     for model in (phong, blinn_phong):
@@ -217,17 +229,17 @@ def test_fields_of_normals_lights_and_eyes_are_shaded_one_by_one():
     )
 
 
-def test_vectors_without_direction_become_zero_and_spoil_no_other():
-    found = normalise([[0, 0, 0], [np.inf, 0, 0], [np.nan, 1, 0], [0, -3e200, 4e200]])
-    np.testing.assert_allclose(found, [[0, 0, 0], [0, 0, 0], [0, 0, 0], [0, -0.6, 0.8]])
+def test_vectors_without_direction_become_zero_and_spoil_no_other() -> None:
+    found = normalise([[0.0, 0, 0], [np.inf, 0, 0], [np.nan, 1, 0], [0, -3e200, 4e200]])
+    np.testing.assert_allclose(found, [[0.0, 0, 0], [0.0, 0, 0], [0.0, 0, 0], [0, -0.6, 0.8]])
 
 
-def test_huge_vectors_keep_their_direction_into_the_negative():
+def test_huge_vectors_keep_their_direction_into_the_negative() -> None:
     np.testing.assert_allclose(normalise([-3e200, 0, -4e200]), [-0.6, 0, -0.8])
 
 
 @pytest.mark.parametrize(("off", "legal"), [(0.9e-4, True), (1.05e-4, False), (-1.05e-4, False)])
-def test_a_direction_is_of_length_one_to_a_ten_thousandth(off, legal):
+def test_a_direction_is_of_length_one_to_a_ten_thousandth(off: float, legal: bool) -> None:
     light = (1 + off) * FRONT
     if legal:
         assert lambert(FRONT, light) == pytest.approx(1)
@@ -238,7 +250,7 @@ def test_a_direction_is_of_length_one_to_a_ten_thousandth(off, legal):
         phong(FRONT, FRONT, light)
 
 
-def test_the_ends_of_the_ranges_are_legal_and_what_is_beyond_is_not():
+def test_the_ends_of_the_ranges_are_legal_and_what_is_beyond_is_not() -> None:
     assert lambert(FRONT, FRONT, [0.0, 1.0]).tolist() == [0, 1]
     assert attenuation(0.0, 1.0) == 1
     assert attenuation(1.0, 1e-15) == 1
@@ -260,7 +272,9 @@ UP = (0.0, 0.0, 1.0)
 
 @pytest.mark.parametrize("model", [phong, blinn_phong])
 @pytest.mark.parametrize("name", ["specular", "shininess", "ambient"])
-def test_shares_of_light_are_finite_and_not_negative(model, name):
+def test_shares_of_light_are_finite_and_not_negative(
+    model: Callable[..., Floats], name: str
+) -> None:
     assert np.isfinite(model(UP, UP, UP, **{name: 0.0}))
     for wrong in (-0.1, np.inf, np.nan):
         with pytest.raises(ValueError, match=f"^{name} .*; legal: 0 or more, finite"):
@@ -270,17 +284,17 @@ def test_shares_of_light_are_finite_and_not_negative(model, name):
 @pytest.mark.parametrize(
     "colour", [(1.0, np.nan, 1.0), (np.inf, 1.0, 1.0), (1.0, -1.0, 1.0), (1.0, 1.0)]
 )
-def test_light_has_three_colours_that_are_amounts(colour):
+def test_light_has_three_colours_that_are_amounts(colour: Any) -> None:
     with pytest.raises(ValueError, match=r"^irradiance .*; legal: three numbers from 0 to 1e\+30"):
         DirectionalLight(UP, colour)
     with pytest.raises(ValueError, match=r"^intensity .*; legal: three numbers from 0 to 1e\+30"):
         PointLight(UP, colour)
 
 
-def test_the_brightest_lights_still_have_a_number_for_every_pixel():
-    lights = [
+def test_the_brightest_lights_still_have_a_number_for_every_pixel() -> None:
+    lights: list[Light] = [
         DirectionalLight(UP, (1e30, 0.0, 1.0)),
-        PointLight(UP, (1e30,) * 3),
+        PointLight(UP, (1e30, 1e30, 1e30)),
     ]
     for kind in (np.float32, np.float64):
         light = irradiance(np.zeros((2, 3), kind), np.tile(np.array(UP, kind), (2, 1)), lights)
@@ -288,7 +302,7 @@ def test_the_brightest_lights_still_have_a_number_for_every_pixel():
 
 
 @pytest.mark.parametrize("shape", [(4, 2), (4, 4)])
-def test_directions_have_three_components(shape):
+def test_directions_have_three_components(shape: tuple[int, int]) -> None:
     with pytest.raises(ValueError, match=r"legal: both \(\.\.\., 3\)"):
         cosine(np.ones(shape), np.ones(shape))
     with pytest.raises(ValueError, match=r"legal: both \(\.\.\., 3\)"):

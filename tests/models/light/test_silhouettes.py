@@ -7,6 +7,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from simulations.models.arrays import Floats
 from simulations.models.light.edge_coverage import straight_edge_coverage
 from simulations.models.light.raycasting import Box, Sphere, edge_coverage, intersect
 from simulations.models.projection import pinhole
@@ -15,19 +16,19 @@ ORIGIN = np.zeros(3)
 AHEAD = np.array([0.0, 1.0, 0.0])
 
 
-def unit(vectors):
+def unit(vectors: Floats) -> Floats:
     vectors = np.asarray(vectors, float)
     return vectors / np.linalg.norm(vectors, axis=-1, keepdims=True)
 
 
-def rays_around(forward, spread, count, seed=0):
+def rays_around(forward: Floats, spread: float, count: int, seed: int = 0) -> Floats:
     rng = np.random.default_rng(seed)
     return unit(np.asarray(forward) + spread * rng.uniform(-1, 1, (count, 3)))
 
 
 @settings(deadline=None)
 @given(angle=st.floats(-4, 4), seed=st.integers(0, 99))
-def test_silhouette_of_a_box_holds_exactly_the_rays_that_pierce_it(angle, seed):
+def test_silhouette_of_a_box_holds_exactly_the_rays_that_pierce_it(angle: float, seed: int) -> None:
     box = Box((0.2, 4.0, 0.1), (1.0, 1.4, 0.6), angle)
     directions = rays_around(AHEAD, 0.4, 200, seed)
     hit = intersect(box, ORIGIN, directions)
@@ -38,7 +39,7 @@ def test_silhouette_of_a_box_holds_exactly_the_rays_that_pierce_it(angle, seed):
     assert np.array_equal((on_ray & on_surface)[clear], hit.valid[clear])
 
 
-def test_covered_area_of_a_sphere_is_the_area_of_its_ellipse():
+def test_covered_area_of_a_sphere_is_the_area_of_its_ellipse() -> None:
     """A sphere off the axis projects to an ellipse, whose area follows from its dual conic."""
     K = pinhole.intrinsics(300.0, (127.5, 95.5))
     centre, radius = np.array([0.55, -0.35, 3.0]), 0.5
@@ -52,7 +53,7 @@ def test_covered_area_of_a_sphere_is_the_area_of_its_ellipse():
     assert coverage.sum() == pytest.approx(math.pi * math.sqrt(np.linalg.det(shape)), rel=1e-3)
 
 
-def test_covered_area_of_a_box_face_is_exact():
+def test_covered_area_of_a_box_face_is_exact() -> None:
     K = pinhole.intrinsics(100.0, (63.5, 63.5))
     rays = unit(pinhole.pixel_rays(K, 128, 128))
     hit = intersect(Box((0, 0, 4), (2.03, 1.57, 1)), ORIGIN, rays)
@@ -60,12 +61,12 @@ def test_covered_area_of_a_box_face_is_exact():
     assert edge_coverage(hit.margin).sum() == pytest.approx(area, rel=2e-3)
 
 
-def test_coverage_needs_a_picture():
+def test_coverage_needs_a_picture() -> None:
     with pytest.raises(ValueError, match=r"legal: \(H, W\)"):
         edge_coverage(np.ones((1, 5)))
 
 
-def test_a_ray_past_a_sphere_is_measured_at_its_closest_approach():
+def test_a_ray_past_a_sphere_is_measured_at_its_closest_approach() -> None:
     hit = intersect(Sphere((0.0, 5.0, 3.0), 2.0), ORIGIN, AHEAD)
     assert not hit.valid
     assert hit.distance == pytest.approx(5.0)
@@ -74,7 +75,7 @@ def test_a_ray_past_a_sphere_is_measured_at_its_closest_approach():
     assert hit.normals == pytest.approx([0, 0, -1])
 
 
-def test_the_margin_of_a_sphere_is_the_square_of_half_the_chord():
+def test_the_margin_of_a_sphere_is_the_square_of_half_the_chord() -> None:
     hit = intersect(Sphere((0.0, 5.0, 1.0), 2.0), ORIGIN, AHEAD)
     assert hit.margin == pytest.approx(2.0**2 - 1.0**2)
     assert hit.distance == pytest.approx(5 - math.sqrt(3))
@@ -82,7 +83,7 @@ def test_the_margin_of_a_sphere_is_the_square_of_half_the_chord():
     assert behind.margin == pytest.approx(3.0**2 - 26.0)
 
 
-def test_the_margin_of_a_box_is_the_sine_of_the_angle_to_its_silhouette():
+def test_the_margin_of_a_box_is_the_sine_of_the_angle_to_its_silhouette() -> None:
     """The face at y = 4 reaches to x = ±1, so that the silhouette lies at atan 1/4."""
     box = Box((0.0, 5.0, 0.0), (2.0, 2.0, 40.0))
     angle = math.atan2(1, 4)
@@ -93,7 +94,7 @@ def test_the_margin_of_a_box_is_the_sine_of_the_angle_to_its_silhouette():
             assert margin == pytest.approx(-math.sin(off))
 
 
-def test_straight_edges_on_the_grid_are_covered_by_their_distance():
+def test_straight_edges_on_the_grid_are_covered_by_their_distance() -> None:
     """x − 2.3 px is the distance itself; its rows and columns, and any multiple, are alike."""
     x = np.arange(6.0)
     expected = np.clip(0.5 + x - 2.3, 0, 1)
@@ -107,11 +108,11 @@ def test_straight_edges_on_the_grid_are_covered_by_their_distance():
 
 
 @pytest.mark.parametrize("radius", [0.15, 0.35, 0.8])
-def test_each_pixel_of_a_ball_s_outline_is_covered_as_far_as_many_rays_say(radius):
+def test_each_pixel_of_a_ball_s_outline_is_covered_as_far_as_many_rays_say(radius: float) -> None:
     """14 to 80 pixels across. A distance alone would be off by 4 % where the edge is slanted."""
     size, fine = 96, 16
 
-    def rays(n):
+    def rays(n: int) -> Floats:
         middle = (size * n - 1) / 2
         K = pinhole.intrinsics(200.0 * n, (middle, middle))
         return unit(pinhole.pixel_rays(K, size * n, size * n))
@@ -124,13 +125,13 @@ def test_each_pixel_of_a_ball_s_outline_is_covered_as_far_as_many_rays_say(radiu
 
 
 @pytest.mark.parametrize("shape", [(1, 5), (5, 1), (5,), (2, 2, 2)])
-def test_coverage_needs_two_pixels_each_way(shape):
+def test_coverage_needs_two_pixels_each_way(shape: tuple[int, ...]) -> None:
     with pytest.raises(ValueError, match=r"legal: \(H, W\)"):
         edge_coverage(np.ones(shape))
     assert edge_coverage(np.ones((2, 2))).tolist() == [[1, 1], [1, 1]]
 
 
-def test_an_endless_margin_covers_its_pixel_or_is_unknown_without_a_warning():
+def test_an_endless_margin_covers_its_pixel_or_is_unknown_without_a_warning() -> None:
     margin = np.full((4, 5), np.inf)
     margin[:, :2] = -1.0
     coverage = edge_coverage(margin)

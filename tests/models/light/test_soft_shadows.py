@@ -1,10 +1,13 @@
 """What solids hide of a lamp and of the sky: penumbrae, bounds, and form factors."""
 
 import math
+from collections.abc import Callable
 
 import numpy as np
 import pytest
+from numpy.typing import ArrayLike
 
+from simulations.models.arrays import Floats
 from simulations.models.light.raycasting import Box, Sphere, intersect
 from simulations.models.light.soft_shadows import (
     bounding_radius,
@@ -16,24 +19,24 @@ from simulations.models.light.soft_shadows import (
 ORIGIN = np.zeros(3)
 
 
-def unit(vectors):
-    vectors = np.asarray(vectors, float)
+def unit(values: ArrayLike) -> Floats:
+    vectors = np.asarray(values, float)
     return vectors / np.linalg.norm(vectors, axis=-1, keepdims=True)
 
 
 @pytest.mark.parametrize("solid", [Sphere((0, 0, 2), 0.5), Box((0, 0, 2), (1, 1, 1))])
-def test_shadow_is_full_below_and_absent_aside(solid):
+def test_shadow_is_full_below_and_absent_aside(solid: Box | Sphere) -> None:
     points = np.array([[0, 0, 0], [3.0, 0, 0], [0, 0, 5.0]])
     seen = visibility(solid, points, (0, 0, 1.0), math.radians(3))
     assert seen == pytest.approx([0, 1, 1])
 
 
-def test_half_of_the_lamp_is_seen_where_its_centre_grazes_the_sphere():
+def test_half_of_the_lamp_is_seen_where_its_centre_grazes_the_sphere() -> None:
     seen = visibility(Sphere((0, 0, 2), 0.5), (0.5, 0, 0), (0, 0, 1.0), math.radians(3))
     assert seen == pytest.approx(0.5)
 
 
-def test_no_shadow_falls_outside_its_bounds():
+def test_no_shadow_falls_outside_its_bounds() -> None:
     light = tuple(unit([0.5, -0.6, 0.8]))
     low, high = shadow_bounds(Sphere((0, 3, 0.4), 0.4), light, math.radians(5))
     x, y = np.meshgrid(np.linspace(-4, 4, 161), np.linspace(-1, 7, 161))
@@ -44,7 +47,7 @@ def test_no_shadow_falls_outside_its_bounds():
     assert (floor[shaded][:, :2] <= high[:2]).all()
 
 
-def test_sphere_hides_its_form_factor():
+def test_sphere_hides_its_form_factor() -> None:
     """Straight above, the form factor is (R / d)²; checked against cosine-weighted rays."""
     rng = np.random.default_rng(1)
     radius, angle = np.sqrt(rng.random(40_000)), 2 * np.pi * rng.random(40_000)
@@ -59,7 +62,9 @@ def test_sphere_hides_its_form_factor():
 @pytest.mark.parametrize(
     ("offset", "share"), [(-1.0, 0.0), (-0.5, 0.15625), (0.5, 0.84375), (1.0, 1.0)]
 )
-def test_the_penumbra_of_a_sphere_is_a_smooth_ramp_as_wide_as_the_lamp(offset, share):
+def test_the_penumbra_of_a_sphere_is_a_smooth_ramp_as_wide_as_the_lamp(
+    offset: float, share: float
+) -> None:
     """At 2 m the lamp of 3° spreads over 2 tan 3°; s²(3 − 2 s) at a quarter is 5/32."""
     width = 2.0 * math.tan(math.radians(3))
     point = (0.5 + offset * width, 0, 0)
@@ -67,7 +72,7 @@ def test_the_penumbra_of_a_sphere_is_a_smooth_ramp_as_wide_as_the_lamp(offset, s
     assert seen == pytest.approx(share, abs=1e-9)
 
 
-def test_the_shadow_of_a_box_deepens_with_the_chord_of_its_ray():
+def test_the_shadow_of_a_box_deepens_with_the_chord_of_its_ray() -> None:
     """Light from the side at 45°: near an edge the ray cuts off a corner."""
     box, light, lamp = Box((0, 0, 2), (2, 2, 2)), unit([1.0, 0, 1]), math.radians(3)
     for x in (-0.05, -0.2, -1.0):
@@ -88,7 +93,7 @@ def test_the_shadow_of_a_box_deepens_with_the_chord_of_its_ray():
 
 
 @pytest.mark.parametrize("turn", [0.4, math.pi / 2, -2.0])
-def test_turning_box_points_and_lamp_together_changes_no_shadow(turn):
+def test_turning_box_points_and_lamp_together_changes_no_shadow(turn: float) -> None:
     box, light = Box((0.3, -0.2, 2), (2, 1, 1.5), 0.2), unit([0.5, -0.7, 0.9])
     points = np.random.default_rng(2).uniform([-3, -3, 0], [3, 3, 0], (200, 3))
     seen = visibility(box, points, light, 0.05)
@@ -98,21 +103,21 @@ def test_turning_box_points_and_lamp_together_changes_no_shadow(turn):
     assert visibility(turned, points @ R.T, R @ light, 0.05) == pytest.approx(seen, abs=1e-9)
 
 
-def test_a_ball_less_than_a_metre_away_casts_its_shadow_too():
+def test_a_ball_less_than_a_metre_away_casts_its_shadow_too() -> None:
     assert visibility(Sphere((0, 0, 0.8), 0.3), ORIGIN, (0, 0, 1.0), 0.05) == 0
 
 
-def test_a_lamp_may_fill_almost_half_the_sky():
+def test_a_lamp_may_fill_almost_half_the_sky() -> None:
     assert 0 < visibility(Sphere((0, 0, 2), 0.5), ORIGIN, (0, 0, 1.0), 1.5) < 1
 
 
 @pytest.mark.parametrize("angle", [0.0, -0.1, math.pi / 2, math.nan])
-def test_a_lamp_has_a_size_below_half_the_sky(angle):
+def test_a_lamp_has_a_size_below_half_the_sky(angle: float) -> None:
     with pytest.raises(ValueError, match="light_radius_rad"):
         visibility(Sphere((0, 0, 2), 0.5), ORIGIN, (0, 0, 1.0), angle)
 
 
-def test_the_bounds_of_a_shadow_straight_below_are_those_of_a_cone():
+def test_the_bounds_of_a_shadow_straight_below_are_those_of_a_cone() -> None:
     """Ball of 0.5 at height 2: the shadow falls 2.5 m and widens by 2.5 tan α."""
     spread = 2.5 * math.tan(math.radians(5))
     low, high = shadow_bounds(Sphere((1, 3, 2), 0.5), (0.0, 0.0, 1.0), math.radians(5))
@@ -132,7 +137,7 @@ def test_the_bounds_of_a_shadow_straight_below_are_those_of_a_cone():
             shadow_bounds(box, (1.0, 0.0, z), 0.1)
 
 
-def test_a_sphere_hides_its_form_factor_from_each_point():
+def test_a_sphere_hides_its_form_factor_from_each_point() -> None:
     points = np.array([[0, 0, 0], [0, 0, 1.0], [3, 0, 0], [0, 0, 9.0], [0, 0, 4.9]])
     hidden = sphere_occlusion((0, 0, 5), 0.5, points, (0, 0, 1.0))
     by_hand = [0.5**2 / 25, 0.5**2 / 16, 5 / math.sqrt(34) * 0.25 / 34, 0.0, 1.0]
@@ -140,19 +145,19 @@ def test_a_sphere_hides_its_form_factor_from_each_point():
 
 
 @pytest.mark.parametrize("radius", [0.0, -1.0, np.inf, np.nan, 1.1e100])
-def test_a_ball_and_what_hides_the_sky_have_a_radius(radius):
+def test_a_ball_and_what_hides_the_sky_have_a_radius(radius: float) -> None:
     with pytest.raises(ValueError, match=r"legal: above 0, to 1e\+100"):
         Sphere((0.0, 0.0, 0.0), radius)
     with pytest.raises(ValueError, match=r"legal: above 0, to 1e\+100"):
         sphere_occlusion((0.0, 0.0, 9.0), radius, [[0.0, 0.0, 0.0]], [[0.0, 0.0, 1.0]])
 
 
-def test_a_ball_as_large_as_all_space_hides_the_whole_sky():
+def test_a_ball_as_large_as_all_space_hides_the_whole_sky() -> None:
     assert sphere_occlusion((0.0, 0.0, 1.0), 1e100, [[0.0, 0.0, 0.0]], [[0.0, 0.0, 1.0]]) == 1
 
 
 @pytest.mark.parametrize("light", [(0, 0, 2.0), (0, 0, 0.0), (math.nan, 0, 1), (0, math.inf, 1)])
-def test_a_light_has_a_direction_of_unit_length(light):
+def test_a_light_has_a_direction_of_unit_length(light: tuple[float, float, float]) -> None:
     for call in (
         lambda: visibility(Sphere((0, 0, 2), 0.5), ORIGIN, light, 0.1),
         lambda: shadow_bounds(Box((0, 0, 2), (1, 1, 1)), light, 0.1),
@@ -162,16 +167,17 @@ def test_a_light_has_a_direction_of_unit_length(light):
 
 
 @pytest.mark.parametrize("angle", [0.0, -0.1, 1.6, math.nan])
-def test_the_bounds_of_a_shadow_need_a_lamp_of_some_width(angle):
-    with pytest.raises(ValueError, match=r"shadow_bounds: light_radius_rad .*; legal: 0 to pi/2"):
+def test_the_bounds_of_a_shadow_need_a_lamp_of_some_width(angle: float) -> None:
+    with pytest.raises(ValueError, match=r"light_radius_rad .*; legal: above 0, below pi/2"):
         shadow_bounds(Sphere((0, 0, 2), 0.5), (0, 0, 1.0), angle)
 
 
 @pytest.mark.parametrize("far", [math.nan, math.inf, 1e101])
-def test_points_that_are_nowhere_are_refused(far):
-    for call in (
-        lambda: visibility(Sphere((0, 0, 2), 0.5), [[0, 0, 0], [far, 0, 0]], (0, 0, 1.0), 0.1),
+def test_points_that_are_nowhere_are_refused(far: float) -> None:
+    calls: tuple[Callable[[], object], ...] = (
+        lambda: visibility(Sphere((0, 0, 2), 0.5), [[0.0, 0, 0], [far, 0, 0]], (0, 0, 1.0), 0.1),
         lambda: sphere_occlusion((0, 0, 2.0), 0.5, [0, far, 0], (0, 0, 1.0)),
-    ):
+    )
+    for call in calls:
         with pytest.raises(ValueError, match=r"points as far as .*; legal: to 1e\+100"):
             call()

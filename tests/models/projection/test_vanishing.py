@@ -1,6 +1,7 @@
 """Where parallel lines and planes vanish: points, horizons, and those that have none."""
 
 import math
+from collections.abc import Sequence
 
 import numpy as np
 import pytest
@@ -11,7 +12,7 @@ K = pinhole.intrinsics((400.0, 410.0), (320.0, 240.0), skew=2.0)
 RNG = np.random.default_rng(2)
 
 
-def test_parallel_lines_meet_in_their_vanishing_point():
+def test_parallel_lines_meet_in_their_vanishing_point() -> None:
     direction = np.array([1.0, -0.3, 2.0])
     expected, valid = vanishing.vanishing_point(direction, K)
     far = pinhole.project(np.array([[0, 0, 5.0], [3, 1, 5.0]]) + 1e12 * direction, K)[0]
@@ -20,12 +21,12 @@ def test_parallel_lines_meet_in_their_vanishing_point():
     assert vanishing.vanishing_point(-direction, K)[0] == pytest.approx(expected)
 
 
-def test_lines_parallel_to_the_picture_do_not_vanish():
+def test_lines_parallel_to_the_picture_do_not_vanish() -> None:
     _, valid = vanishing.vanishing_point([(1, 0, 0), (0, 0, 0), (0, 0, 1)], K)
     assert valid.tolist() == [False, False, True]
 
 
-def test_all_directions_of_a_plane_vanish_on_its_horizon():
+def test_all_directions_of_a_plane_vanish_on_its_horizon() -> None:
     normal = np.array([0.1, 1.0, 0.2])
     line, valid = vanishing.horizon(normal, K)
     directions = np.cross(normal, RNG.normal(size=(20, 3)))
@@ -35,13 +36,13 @@ def test_all_directions_of_a_plane_vanish_on_its_horizon():
     assert pixels @ line[:2] + line[2] == pytest.approx(np.zeros(20), abs=1e-8)
 
 
-def test_a_wall_parallel_to_the_picture_has_no_horizon():
+def test_a_wall_parallel_to_the_picture_has_no_horizon() -> None:
     line, valid = vanishing.horizon((0, 0, 1), K)
     assert not valid
     assert np.isnan(line).all()
 
 
-def test_the_horizon_of_the_ground_lies_level_through_the_principal_point():
+def test_the_horizon_of_the_ground_lies_level_through_the_principal_point() -> None:
     line, valid = vanishing.horizon((0, 1, 0), K)
     assert valid
     assert line == pytest.approx((0, 1, -240))
@@ -50,12 +51,12 @@ def test_the_horizon_of_the_ground_lies_level_through_the_principal_point():
 
 
 @pytest.mark.parametrize("normal", [(0, 0, 0), (math.nan, 0, 1), (math.inf, 0, 1)])
-def test_what_is_no_plane_has_no_horizon(normal):
+def test_what_is_no_plane_has_no_horizon(normal: Sequence[float]) -> None:
     assert not vanishing.horizon(normal, K)[1]
 
 
 @pytest.mark.parametrize("size", [1e-300, 1e300])
-def test_the_length_of_directions_and_normals_does_not_matter(size):
+def test_the_length_of_directions_and_normals_does_not_matter(size: float) -> None:
     direction, normal = np.array([1.0, -0.3, 2.0]), np.array([0.1, 1.0, 0.2])
     assert vanishing.vanishing_point(size * direction, K)[0] == pytest.approx(
         vanishing.vanishing_point(direction, K)[0]
@@ -63,7 +64,7 @@ def test_the_length_of_directions_and_normals_does_not_matter(size):
     assert vanishing.horizon(size * normal, K)[0] == pytest.approx(vanishing.horizon(normal, K)[0])
 
 
-def test_directions_vanish_each_on_their_own():
+def test_directions_vanish_each_on_their_own() -> None:
     directions = [(1, 0, 1), (math.inf, 0, 1), (math.nan, 0, 1), (0, 1, 1), (0, 0, 0.0)]
     pixels, valid = vanishing.vanishing_point(directions, K)
     assert valid.tolist() == [True, False, False, True, False]
@@ -73,11 +74,11 @@ def test_directions_vanish_each_on_their_own():
 
 
 @pytest.mark.parametrize(("slant", "valid"), [(1e-10, True), (1e-17, False)])
-def test_a_horizon_is_lost_where_only_rounding_is_left_of_it(slant, valid):
+def test_a_horizon_is_lost_where_only_rounding_is_left_of_it(slant: float, valid: bool) -> None:
     assert vanishing.horizon((slant, 0, 1), pinhole.intrinsics(1.0, (0, 0)))[1] is valid
 
 
-def test_directions_with_a_large_negative_entry_are_scaled_by_its_size():
+def test_directions_with_a_large_negative_entry_are_scaled_by_its_size() -> None:
     pixels, valid = vanishing.vanishing_point([(-1e300, 0.5e300, 1e300), (-1e-300, 0, 2e-300)], K)
     assert valid.all()
     assert pixels == pytest.approx(np.array([(320 - 400 + 1, 240 + 205), (320 - 200, 240)]))
@@ -86,17 +87,17 @@ def test_directions_with_a_large_negative_entry_are_scaled_by_its_size():
     assert line == pytest.approx(vanishing.horizon((1, 0, 0), K)[0] * -1, abs=1e-9)
 
 
-def test_no_horizon_is_a_line_of_nothing():
+def test_no_horizon_is_a_line_of_nothing() -> None:
     line, valid = vanishing.horizon((0, 0, -1), K)
     assert not valid
     assert line.shape == (3,)
 
 
-def test_a_direction_of_which_one_pixel_coordinate_is_no_number_has_no_pixel():
+def test_a_direction_of_which_one_pixel_coordinate_is_no_number_has_no_pixel() -> None:
     assert not vanishing.vanishing_point((1e300, 0, 1e-20), K)[1]
 
 
-def test_lines_and_planes_vanish_where_their_opposites_do():
+def test_lines_and_planes_vanish_where_their_opposites_do() -> None:
     assert vanishing.vanishing_point((-1.0, -2.0, -4.0), K)[0] == pytest.approx(
         vanishing.vanishing_point((1.0, 2.0, 4.0), K)[0]
     )

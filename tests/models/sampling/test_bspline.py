@@ -1,10 +1,13 @@
 """Cubic B-splines against SciPy's, and against what a pre-filter has to undo."""
 
+from typing import Literal
+
 import numpy as np
 import pytest
 from scipy import ndimage
 from scipy.interpolate import BSpline
 
+from simulations.models.arrays import Floats
 from simulations.models.sampling.bspline import coefficients, weigh
 from simulations.models.sampling.resampling import gather, gather_table, sample
 
@@ -13,7 +16,7 @@ PICTURE = RNG.normal(size=(33, 41))
 ANYWHERE = np.stack((RNG.uniform(-0.5, 40.49, 500), RNG.uniform(-0.5, 32.49, 500)), axis=-1)
 
 
-def test_the_bump_is_scipy_s():
+def test_the_bump_is_scipy_s() -> None:
     x = np.linspace(-2, 2, 401)
     oracle = BSpline.basis_element([-2, -1, 0, 1, 2], extrapolate=False)(x)
     np.testing.assert_allclose(weigh(x), np.nan_to_num(oracle), atol=1e-15)
@@ -21,14 +24,14 @@ def test_the_bump_is_scipy_s():
 
 
 @pytest.mark.parametrize("order", ["C", "F"])
-def test_heights_are_scipy_s_where_the_border_is_far(order):
+def test_heights_are_scipy_s_where_the_border_is_far(order: Literal["C", "F"]) -> None:
     oracle = ndimage.spline_filter(np.pad(PICTURE, 30, mode="edge"), order=3, mode="mirror")
     ours = coefficients(np.pad(PICTURE, 2, mode="edge").astype(float, order=order))
     np.testing.assert_allclose(ours, oracle[28:-28, 28:-28], atol=1e-13)
 
 
 @pytest.mark.parametrize("shape", [(1, 1), (1, 7), (2, 3), (5, 1), (40, 40)])
-def test_bumps_of_these_heights_add_up_to_the_samples(shape):
+def test_bumps_of_these_heights_add_up_to_the_samples(shape: tuple[int, int]) -> None:
     samples = RNG.normal(size=shape)
     heights = coefficients(np.pad(samples, 1, mode="edge"))
     smoothed = ndimage.convolve1d(heights, [1 / 6, 4 / 6, 1 / 6], axis=0)
@@ -36,7 +39,7 @@ def test_bumps_of_these_heights_add_up_to_the_samples(shape):
     np.testing.assert_allclose(smoothed[1:-1, 1:-1], samples, atol=1e-13)
 
 
-def test_values_between_pixels_are_scipy_s_at_the_border_too():
+def test_values_between_pixels_are_scipy_s_at_the_border_too() -> None:
     x, y = ANYWHERE.T
     oracle = ndimage.map_coordinates(PICTURE, (y, x), order=3, mode="nearest")
     # SciPy lets the border repeat for twelve pixels and mirrors what lies beyond.
@@ -47,11 +50,11 @@ def test_values_between_pixels_are_scipy_s_at_the_border_too():
     )
 
 
-def test_cubics_are_reproduced():
+def test_cubics_are_reproduced() -> None:
     y, x = np.mgrid[:60, :60] / 20.0
     px, py = RNG.uniform(25, 35, (2, 100))
 
-    def surface(x, y):
+    def surface(x: Floats, y: Floats) -> Floats:
         return x**3 - 2 * y**3 + x * x * y - y + 3
 
     places = np.stack((px, py), axis=-1)
@@ -59,13 +62,13 @@ def test_cubics_are_reproduced():
     np.testing.assert_allclose(found, surface(px / 20, py / 20), atol=1e-9)
 
 
-def test_float32_stays_single_and_near():
+def test_float32_stays_single_and_near() -> None:
     single = coefficients(PICTURE.astype(np.float32))
     assert single.dtype == np.float32
     np.testing.assert_allclose(single, coefficients(PICTURE), rtol=1e-6, atol=5e-6)
 
 
-def test_a_level_and_the_picture_that_was_given_stay_as_they_are():
+def test_a_level_and_the_picture_that_was_given_stay_as_they_are() -> None:
     level = np.full((5, 6), 0.7)
     np.testing.assert_allclose(coefficients(level), 0.7, atol=1e-15)
     given = PICTURE.copy()

@@ -1,16 +1,19 @@
 """Aliasing, pre-filters and contrast against their analytic values."""
 
+from collections.abc import Callable
+
 import numpy as np
 import pytest
 import scipy.ndimage
 from hypothesis import given
 from hypothesis import strategies as st
+from numpy.typing import ArrayLike
 
 from simulations.models.sampling import aliasing
 
 
 @given(st.floats(-50, 50))
-def test_an_alias_has_the_same_samples(frequency):
+def test_an_alias_has_the_same_samples(frequency: float) -> None:
     alias = aliasing.alias_frequency(frequency)
     assert -0.5 <= alias < 0.5
     n = np.arange(32)
@@ -18,17 +21,17 @@ def test_an_alias_has_the_same_samples(frequency):
     np.testing.assert_allclose(np.exp(2j * np.pi * alias * n), turns, atol=1e-9)
 
 
-def test_seven_tenths_fold_to_minus_three_tenths():
+def test_seven_tenths_fold_to_minus_three_tenths() -> None:
     np.testing.assert_allclose(aliasing.alias_frequency([0.7, 0.5, 0, -0.2]), [-0.3, -0.5, 0, -0.2])
 
 
-def test_a_wagon_wheel_stands_still_or_turns_back():
+def test_a_wagon_wheel_stands_still_or_turns_back() -> None:
     speed, certain = aliasing.apparent_wheel_speed([3.0, 2.9, 1.5, 0.2], 8, 24.0)
     np.testing.assert_allclose(speed[[0, 1, 3]], [0, -0.1, 0.2], atol=1e-12)
     np.testing.assert_array_equal(certain, [True, True, False, True])
 
 
-def test_zone_plate_rings_have_the_stated_frequency():
+def test_zone_plate_rings_have_the_stated_frequency() -> None:
     r = np.linspace(29.5, 30.5, 20_001)
     ring = aliasing.zone_plate(r, 0, 10.0)
     crossings = np.count_nonzero(np.diff(np.sign(ring - 0.5)))
@@ -36,13 +39,13 @@ def test_zone_plate_rings_have_the_stated_frequency():
 
 
 @pytest.mark.parametrize("factor", [2, 4, 8])
-def test_box_filter_takes_the_mean_of_blocks(factor):
+def test_box_filter_takes_the_mean_of_blocks(factor: int) -> None:
     image = np.random.default_rng(0).random((16, 24))
     block = image[:factor, factor : 2 * factor].mean()
     assert aliasing.box_filter(image, factor)[0, 1] == pytest.approx(block)
 
 
-def test_more_filtering_leaves_less_alias():
+def test_more_filtering_leaves_less_alias() -> None:
     y, x = (np.mgrid[: 64 * 8, : 64 * 8] + 0.5) / 8
     phase = 2 * np.pi * 0.8 * x  # beyond Nyquist: nothing of it should remain
     fine = 0.5 + 0.5 * np.cos(phase) + 0 * y
@@ -54,7 +57,7 @@ def test_more_filtering_leaves_less_alias():
     assert left[0] > 3 * left[1] > 9 * left[2]
 
 
-def test_filtering_agrees_with_scipy():
+def test_filtering_agrees_with_scipy() -> None:
     image = np.random.default_rng(1).random((12, 15))
     taps = aliasing.gaussian_kernel(0.8)
     theirs = image
@@ -64,7 +67,7 @@ def test_filtering_agrees_with_scipy():
     np.testing.assert_allclose(ours, theirs[1::3, 1::3], atol=1e-12)
 
 
-def test_flat_light_passes_every_filter_unchanged():
+def test_flat_light_passes_every_filter_unchanged() -> None:
     flat = np.full((16, 16), 0.7)
     for kernel in (
         aliasing.gaussian_kernel(0),
@@ -75,23 +78,24 @@ def test_flat_light_passes_every_filter_unchanged():
 
 
 @pytest.mark.parametrize("factor", [3, 4])
-def test_the_sinc_filter_samples_at_the_centre_of_each_block(factor):
+def test_the_sinc_filter_samples_at_the_centre_of_each_block(factor: int) -> None:
     ramp = np.arange(40.0 * factor) + np.zeros((factor, 1))
     kept = aliasing.filter_and_sample(ramp, factor, aliasing.sinc_kernel(factor))
     centres = aliasing.box_filter(ramp, factor)
     np.testing.assert_allclose(kept[:, 6:-6], centres[:, 6:-6], atol=1e-9)
 
 
-def test_a_pixel_passes_two_over_pi_at_nyquist():
+def test_a_pixel_passes_two_over_pi_at_nyquist() -> None:
     assert aliasing.box_mtf(0.5) == pytest.approx(2 / np.pi)
     assert aliasing.box_mtf(1.0) == pytest.approx(0, abs=1e-15)
 
 
-def test_gaussian_mtf_is_what_the_blur_does():
+def test_a_gaussian_blur_leaves_the_contrast_of_its_fourier_transform() -> None:
     x = np.arange(400)
     wave = 0.5 + 0.5 * np.cos(2 * np.pi * 0.1 * x)
     blurred = np.convolve(wave, aliasing.gaussian_kernel(1.5), mode="valid")
-    assert aliasing.contrast(blurred) == pytest.approx(aliasing.gaussian_mtf(0.1, 1.5), abs=1e-3)
+    left = np.exp(-2 * (np.pi * 1.5 * 0.1) ** 2)
+    assert aliasing.contrast(blurred) == pytest.approx(left, abs=1e-3)
 
 
 @pytest.mark.parametrize(
@@ -104,12 +108,12 @@ def test_gaussian_mtf_is_what_the_blur_does():
         lambda: aliasing.contrast([-1.0, 1.0]),
     ],
 )
-def test_meaningless_parameters_are_refused(call):
+def test_meaningless_parameters_are_refused(call: Callable[[], object]) -> None:
     with pytest.raises(ValueError, match="legal"):
         call()
 
 
-def test_aliasing_folds_at_any_rate():
+def test_aliasing_folds_at_any_rate() -> None:
     found = aliasing.alias_frequency([5.0, 7.9, 8.1, -5.0, -4.0, 4.0, 3.9, 1e17], 8.0)
     np.testing.assert_allclose(found, [-3, -0.1, 0.1, 3, -4, -4, 3.9, 1e17 % 8], atol=1e-12)
     smallest = 5e-324
@@ -117,18 +121,18 @@ def test_aliasing_folds_at_any_rate():
 
 
 @pytest.mark.parametrize("rate", [0.0, -1.0, np.inf, np.nan])
-def test_a_rate_that_is_none_is_refused(rate):
+def test_a_rate_that_is_none_is_refused(rate: float) -> None:
     with pytest.raises(ValueError, match="rate"):
         aliasing.alias_frequency(1.0, rate)
 
 
 @pytest.mark.parametrize("frequency", [np.nan, np.inf])
-def test_a_frequency_that_is_none_is_refused(frequency):
+def test_a_frequency_that_is_none_is_refused(frequency: float) -> None:
     with pytest.raises(ValueError, match="frequency"):
         aliasing.alias_frequency([0.1, frequency])
 
 
-def test_a_wheel_of_one_spoke_is_legal_and_of_none_is_not():
+def test_a_wheel_of_one_spoke_is_legal_and_of_none_is_not() -> None:
     speed, certain = aliasing.apparent_wheel_speed([25.0, 12.0, 36.0, 12.1], 1, 24.0)
     np.testing.assert_allclose(speed, [1, -12, -12, -11.9], atol=1e-12)
     assert certain.tolist() == [True, False, False, True]
@@ -136,13 +140,13 @@ def test_a_wheel_of_one_spoke_is_legal_and_of_none_is_not():
         aliasing.apparent_wheel_speed(1.0, 0, 24.0)
 
 
-def test_half_a_spacing_per_frame_is_uncertain_to_a_billionth():
+def test_half_a_spacing_per_frame_is_uncertain_to_a_billionth() -> None:
     near, nearer = 12.0 * (1 - 1e-6), 12.0 * (1 - 1e-11)
     certain = aliasing.apparent_wheel_speed([near, nearer], 1, 24.0)[1]
     assert certain.tolist() == [True, False]
 
 
-def test_the_zone_plate_is_its_formula():
+def test_the_zone_plate_is_its_formula() -> None:
     x, y = np.array([0.0, 3.0, 0.0, 1.0]), np.array([0.0, 0.0, 2.0, 2.0])
     expected = 0.5 + 0.5 * np.cos(np.pi * np.array([0, 9, 4, 5]) / 8.0)
     np.testing.assert_allclose(aliasing.zone_plate(x, y, 8.0), expected, atol=1e-15)
@@ -153,13 +157,13 @@ def test_the_zone_plate_is_its_formula():
 
 
 @pytest.mark.parametrize(("x", "y"), [(0.0, 0.0), (7.3, -2.0), (-12.2, 20.1), (4.0, 33.0)])
-def test_the_mean_over_a_pixel_is_that_of_a_fine_grid(x, y):
+def test_the_mean_over_a_pixel_is_that_of_a_fine_grid(x: float, y: float) -> None:
     scale, line = 40.0, (np.arange(100) + 0.5) / 100 - 0.5
     fine = aliasing.zone_plate(x + line, y + line[:, None], scale).mean()
     assert aliasing.zone_plate_area(x, y, scale) == pytest.approx(fine, abs=np.pi / 12 / scale)
 
 
-def test_box_filter_takes_every_block_and_every_channel():
+def test_box_filter_takes_every_block_and_every_channel() -> None:
     image = np.arange(4 * 6 * 2.0).reshape(4, 6, 2)
     expected = [
         [image[2 * i : 2 * i + 2, 3 * 0 + 2 * j : 2 * j + 2].mean((0, 1)) for j in range(3)]
@@ -170,13 +174,13 @@ def test_box_filter_takes_every_block_and_every_channel():
 
 
 @pytest.mark.parametrize(("shape", "factor"), [((8, 9), 2), ((9, 8), 2), ((8,), 2), ((8, 8), 0)])
-def test_only_whole_blocks_are_filtered(shape, factor):
+def test_only_whole_blocks_are_filtered(shape: tuple[int, ...], factor: int) -> None:
     with pytest.raises(ValueError, match="legal: a divisor"):
         aliasing.box_filter(np.zeros(shape), factor)
 
 
 @pytest.mark.parametrize("sigma", [0.3, 0.8, 1.0, 2.0])
-def test_the_gaussian_ends_after_four_sigma_and_has_the_ratios_of_one(sigma):
+def test_the_gaussian_ends_after_four_sigma_and_has_the_ratios_of_one(sigma: float) -> None:
     """The logarithm of the taps is a parabola; from 1 on that of sigma itself."""
     taps, reach = aliasing.gaussian_kernel(sigma), int(np.ceil(4 * sigma))
     squares = np.arange(-reach, reach + 1) ** 2
@@ -187,30 +191,30 @@ def test_the_gaussian_ends_after_four_sigma_and_has_the_ratios_of_one(sigma):
 
 
 @given(st.one_of(st.floats(1e-6, 1.0), st.floats(1.0, 300.0)))
-def test_the_gaussian_has_the_standard_deviation_asked_for(sigma):
+def test_the_gaussian_has_the_standard_deviation_asked_for(sigma: float) -> None:
     taps = aliasing.gaussian_kernel(sigma)
     squares = (np.arange(taps.size) - taps.size // 2) ** 2
     assert np.sqrt(taps @ squares) == pytest.approx(sigma, rel=1e-3)
     np.testing.assert_allclose(taps, taps[::-1])
 
 
-def test_the_gaussian_changes_with_sigma_without_a_jump():
+def test_the_gaussian_changes_with_sigma_without_a_jump() -> None:
     below, above = (aliasing.gaussian_kernel(1.0 + step) for step in (-1e-9, 0.0))
     np.testing.assert_allclose(below, above, atol=1e-6)
 
 
 @pytest.mark.parametrize("sigma", [-1e-9, 1.1e6, np.nan, np.inf])
-def test_a_sigma_that_is_none_is_refused(sigma):
+def test_a_sigma_that_is_none_is_refused(sigma: float) -> None:
     with pytest.raises(ValueError, match="sigma"):
         aliasing.gaussian_kernel(sigma)
 
 
-def test_the_widest_gaussian_is_legal():
+def test_the_widest_gaussian_is_legal() -> None:
     assert aliasing.gaussian_kernel(1e6).size == 8_000_001
 
 
 @pytest.mark.parametrize(("factor", "lobes"), [(1, 4), (3, 2), (4, 3), (2, 1)])
-def test_the_sinc_is_windowed_by_its_own_widest_lobe(factor, lobes):
+def test_the_sinc_is_windowed_by_its_own_widest_lobe(factor: int, lobes: int) -> None:
     """Lanczos' window; for an even factor the samples lie half a step beside the centre."""
     reach = factor * lobes
     x = (np.arange(-reach, reach + 1) + (0 if factor % 2 else 0.5)) / factor
@@ -219,22 +223,22 @@ def test_the_sinc_is_windowed_by_its_own_widest_lobe(factor, lobes):
     np.testing.assert_allclose(found, expected / expected.sum(), atol=1e-15)
 
 
-def test_four_lobes_unless_told_otherwise_and_at_least_one_of_each():
+def test_four_lobes_unless_told_otherwise_and_at_least_one_of_each() -> None:
     np.testing.assert_array_equal(aliasing.sinc_kernel(3), aliasing.sinc_kernel(3, 4))
     for factor, lobes in ((0, 4), (1, 0)):
-        with pytest.raises(ValueError, match="legal: 1 or more"):
+        with pytest.raises(ValueError, match="legal: whole numbers, 1 or more"):
             aliasing.sinc_kernel(factor, lobes)
 
 
 @pytest.mark.parametrize("factor", [1, 2, 3, 4])
-def test_filtering_keeps_the_sample_at_or_before_the_centre_of_each_block(factor):
+def test_filtering_keeps_the_sample_at_or_before_the_centre_of_each_block(factor: int) -> None:
     image = np.random.default_rng(5).random((12, 24))
     first = (factor - 1) // 2
     kept = aliasing.filter_and_sample(image, factor, [1.0])
     np.testing.assert_array_equal(kept, image[first::factor, first::factor])
 
 
-def test_filtering_is_a_convolution_with_its_kernel_turned_over():
+def test_filtering_is_a_convolution_with_its_kernel_turned_over() -> None:
     """An uneven kernel tells convolution from correlation."""
     image, taps = np.random.default_rng(6).random((9, 12)), np.array([0.7, 0.2, 0.1, 0.0, 0.0])
     theirs = image
@@ -244,43 +248,39 @@ def test_filtering_is_a_convolution_with_its_kernel_turned_over():
 
 
 @pytest.mark.parametrize("kernel", [[0.5, 0.5], [[1.0]], []])
-def test_only_a_kernel_of_odd_length_has_a_centre(kernel):
+def test_only_a_kernel_of_odd_length_has_a_centre(kernel: ArrayLike) -> None:
     with pytest.raises(ValueError, match="legal: one axis of odd length"):
         aliasing.filter_and_sample(np.zeros((4, 4)), 1, kernel)
 
 
-def test_contrasts_are_those_of_the_textbook():
+def test_contrasts_are_those_of_the_textbook() -> None:
     np.testing.assert_allclose(aliasing.box_mtf([0.25, -0.25], 2.0), 2 / np.pi)
-    assert aliasing.gaussian_mtf(0.25, 0.0) == 1
-    assert aliasing.gaussian_mtf(0.3, 0.7) == pytest.approx(np.exp(-2 * (np.pi * 0.21) ** 2))
     assert aliasing.contrast([1.0, 3.0, 2.0]) == pytest.approx(0.5)
     assert aliasing.contrast([0.0, 0.0]) == 0
     assert aliasing.contrast([0.0, 2.0]) == 1
 
 
-def test_one_frequency_without_a_number_spoils_the_field_and_so_does_such_a_width():
-    for mtf in (aliasing.box_mtf, aliasing.gaussian_mtf):
-        for frequency, width in (([0.5, np.nan], 1.0), ([0.5], np.inf), ([0.5], np.nan)):
-            with pytest.raises(ValueError, match="legal: finite"):
-                mtf(frequency, width)
+def test_one_frequency_without_a_number_spoils_the_field_and_so_does_such_a_width() -> None:
+    for frequency, width in (([0.5, np.nan], 1.0), ([0.5], np.inf), ([0.5], np.nan)):
+        with pytest.raises(ValueError, match="legal: finite"):
+            aliasing.box_mtf(frequency, width)
 
 
-def test_endless_light_has_no_contrast():
+def test_endless_light_has_no_contrast() -> None:
     with pytest.raises(ValueError, match="legal: light of 0 or more, finite"):
         aliasing.contrast([0.1, np.inf])
 
 
-def test_the_rings_of_a_zone_plate_may_be_finer_than_a_sample():
+def test_the_rings_of_a_zone_plate_may_be_finer_than_a_sample() -> None:
     """Scale 1/2: the phase at r = 1/2 is half a turn."""
     assert aliasing.zone_plate([0.0, 0.5], [0.0, 0.0], 0.5) == pytest.approx([1.0, 0.5])
 
 
 @pytest.mark.parametrize("frequency", [0.25, 2.0, 23.5])
-def test_single_precision_frequencies_are_treated_as_double_ones(frequency):
+def test_single_precision_frequencies_are_treated_as_double_ones(frequency: float) -> None:
     single = np.array([frequency], np.float32)
     for function in (
         aliasing.box_mtf,
-        lambda f: aliasing.gaussian_mtf(f, 0.4),
         lambda f: aliasing.alias_frequency(f, 24000 / 1001),
         lambda f: aliasing.apparent_wheel_speed(f, 7, 24000 / 1001)[0],
     ):
@@ -288,13 +288,13 @@ def test_single_precision_frequencies_are_treated_as_double_ones(frequency):
 
 
 @pytest.mark.parametrize("scale", [5e-324, 9.0])
-def test_rings_finer_than_all_numbers_are_grey_also_over_a_pixel(scale):
+def test_rings_finer_than_all_numbers_are_grey_also_over_a_pixel(scale: float) -> None:
     np.testing.assert_array_equal(
         aliasing.zone_plate_area([np.inf, -np.inf, 1e300], 0.0, scale), 0.5
     )
 
 
-def test_sums_beyond_all_numbers_are_infinite_without_a_warning():
+def test_sums_beyond_all_numbers_are_infinite_without_a_warning() -> None:
     bright = np.full((4, 4), 1e308)
     assert (aliasing.box_filter(bright, 4) == np.inf).all()
     assert (aliasing.filter_and_sample(bright, 2, np.ones(3)) == np.inf).all()

@@ -2,13 +2,15 @@
 
 import numpy as np
 import pytest
+from numpy.typing import ArrayLike
 from scipy import stats
 
+from simulations.models.arrays import Floats
 from simulations.models.sensor.photon_counting import Sensor, expose, with_iso
 from simulations.models.sensor.photon_transfer import estimate_gain, photon_transfer, straight_part
 
 
-def rng():
+def rng() -> np.random.Generator:
     return np.random.default_rng(7)
 
 
@@ -26,7 +28,9 @@ LEVELS = {
 
 @pytest.mark.parametrize("levels", LEVELS.values(), ids=LEVELS)
 @pytest.mark.parametrize("gain", [0.5, 5.0, 20.0, 50.0, 120.0, 400.0])
-def test_a_gain_is_within_a_few_standard_errors_of_the_truth_or_refused(gain, levels):
+def test_a_gain_is_within_a_few_standard_errors_of_the_truth_or_refused(
+    gain: float, levels: Floats
+) -> None:
     """No layout of the levels and no coarseness of the codes gives a wrong gain in silence."""
     sensor, told = Sensor(gain_e_per_dn=gain, bits=16), []
     for seed in range(6):
@@ -45,7 +49,7 @@ def test_a_gain_is_within_a_few_standard_errors_of_the_truth_or_refused(gain, le
 
 
 @pytest.mark.parametrize("gain", [0.5, 5.0, 50.0])
-def test_twenty_even_levels_tell_the_gain_to_half_a_per_cent(gain):
+def test_twenty_even_levels_tell_the_gain_to_half_a_per_cent(gain: float) -> None:
     sensor = Sensor(gain_e_per_dn=gain, bits=16)
     offs = []
     for seed in range(12):
@@ -57,7 +61,7 @@ def test_twenty_even_levels_tell_the_gain_to_half_a_per_cent(gain):
 
 
 @pytest.mark.parametrize("gain", [0.31, 0.62, 1.24, 2.48])
-def test_few_electrons_on_few_codes_do_not_bend_the_gain(gain):
+def test_few_electrons_on_few_codes_do_not_bend_the_gain(gain: float) -> None:
     """Nothing but shot noise spreads them, and whole electrons meet whole codes."""
     sensor = Sensor(read_noise_e=0.0, gain_e_per_dn=gain, bits=14, black_level_dn=256.0)
     levels = np.geomspace(0.2, 600, 24)
@@ -70,7 +74,7 @@ def test_few_electrons_on_few_codes_do_not_bend_the_gain(gain):
     assert levels[straight_part(*curve)].min() > 9.0
 
 
-def test_levels_on_the_straight_part_are_those_of_the_standard():
+def test_levels_on_the_straight_part_are_those_of_the_standard() -> None:
     mean = np.array([1.0, 10.0, 50.0, 70.0, 71.0, 100.0, 110.0])
     variance = np.array([0.4, 0.6, 3.0, 4.0, 4.1, 6.0, 1.0])
     assert straight_part(mean, variance).tolist() == [0, 1, 1, 1, 0, 0, 0]
@@ -78,7 +82,9 @@ def test_levels_on_the_straight_part_are_those_of_the_standard():
 
 
 @pytest.mark.parametrize("offset", np.linspace(0, 1, 9))
-def test_above_the_least_variance_rounding_adds_a_twelfth_wherever_the_mean_lies(offset):
+def test_above_the_least_variance_rounding_adds_a_twelfth_wherever_the_mean_lies(
+    offset: float,
+) -> None:
     """The exact variance of a rounded normal, by its probabilities."""
     sigma = np.sqrt(0.5 - 1 / 12)
     codes = np.arange(-12, 13)
@@ -87,7 +93,7 @@ def test_above_the_least_variance_rounding_adds_a_twelfth_wherever_the_mean_lies
     assert share @ (codes - mean) ** 2 == pytest.approx(0.5, rel=1.1e-3)
 
 
-def test_the_photon_transfer_curve_has_the_variances_of_its_sources():
+def test_the_photon_transfer_curve_has_the_variances_of_its_sources() -> None:
     sensor = Sensor(read_noise_e=10.0, gain_e_per_dn=2.0, full_well_e=1e6, black_level_dn=50)
     levels = np.array([0.0, 100.0, 4000.0])
     mean, variance = photon_transfer(levels, sensor, rng(), samples=100_000)
@@ -98,7 +104,7 @@ def test_the_photon_transfer_curve_has_the_variances_of_its_sources():
         photon_transfer(levels, sensor, rng(), samples=1)
 
 
-def test_the_gain_is_one_over_the_slope_whatever_the_offset():
+def test_the_gain_is_one_over_the_slope_whatever_the_offset() -> None:
     mean = np.array([10.0, 20.0, 50.0])
     found = estimate_gain(mean, 3.0 + mean / 4)
     assert found.e_per_dn == pytest.approx(4.0)
@@ -109,7 +115,7 @@ def test_the_gain_is_one_over_the_slope_whatever_the_offset():
             estimate_gain(levels, levels)
 
 
-def test_a_fit_trusts_small_variances_more():
+def test_a_fit_trusts_small_variances_more() -> None:
     """Weights of one over the variance of each point: the residuals' weighted sums vanish."""
     mean, variance = np.array([10.0, 20.0, 40.0, 80.0]), np.array([3.0, 4.0, 11.0, 19.0])
     beyond = np.array([150.0]), np.array([40.0])
@@ -125,7 +131,7 @@ def test_a_fit_trusts_small_variances_more():
     assert found.error_e_per_dn * slope**2 == pytest.approx(np.sqrt(2 / 19_999 / moment))
 
 
-def test_both_exposures_of_a_transfer_curve_count():
+def test_both_exposures_of_a_transfer_curve_count() -> None:
     """The mean of two fields of two samples has a quarter of the variance of one sample."""
     sensor = Sensor(read_noise_e=0.0, gain_e_per_dn=1.0, bits=16, full_well_e=1e5)
     mean, variance = photon_transfer(np.full(20_000, 400.0), sensor, rng(), samples=2)
@@ -133,16 +139,16 @@ def test_both_exposures_of_a_transfer_curve_count():
     assert variance.mean() == pytest.approx(400, rel=0.05)
 
 
-def test_what_is_asked_of_a_sensor_is_refused_by_name():
+def test_what_is_asked_of_a_sensor_is_refused_by_name() -> None:
     with pytest.raises(ValueError, match=r"^iso 0; legal: above 0$"):
         with_iso(Sensor(), 0)
     with pytest.raises(ValueError, match=r"^exposure_s inf; legal: "):
         expose(1.0, np.inf, Sensor())
-    with pytest.raises(ValueError, match=r"^samples 1; legal: 2 or more$"):
+    with pytest.raises(ValueError, match=r"^samples 1; legal: whole numbers, 2 or more$"):
         photon_transfer([1.0], Sensor(), rng(), samples=1)
 
 
-def test_a_transfer_curve_has_twenty_thousand_samples_a_level_unless_told_otherwise():
+def test_a_transfer_curve_has_twenty_thousand_samples_a_level_unless_told_otherwise() -> None:
     levels = [50.0, 400.0]
     usual, stated = (
         photon_transfer(levels, Sensor(), rng()),
@@ -166,24 +172,26 @@ def test_a_transfer_curve_has_twenty_thousand_samples_a_level_unless_told_otherw
         ([[1.0, 2.0]], [[1.0, 2.0]], r"both \(N,\)"),
     ],
 )
-def test_a_curve_without_shot_noise_has_no_gain(mean, variance, message):
+def test_a_curve_without_shot_noise_has_no_gain(
+    mean: ArrayLike, variance: ArrayLike, message: str
+) -> None:
     with pytest.raises(ValueError, match=message):
         estimate_gain(mean, variance)
 
 
 @pytest.mark.parametrize("scale", [40.0, 1e5, 1e150, 1e300])
-def test_no_scale_of_the_mean_overflows(scale):
+def test_no_scale_of_the_mean_overflows(scale: float) -> None:
     """Warnings are errors here."""
     mean = scale * np.array([1.0, 2.0, 4.0, 7.0])
     found = estimate_gain(mean, [100.0, 200.0, 400.0, 700.0])
     assert found.e_per_dn == pytest.approx(scale / 100, rel=1e-12)
 
 
-def test_a_variance_of_one_sample_is_refused():
-    with pytest.raises(ValueError, match="samples 1; legal: 2 or more"):
+def test_a_variance_of_one_sample_is_refused() -> None:
+    with pytest.raises(ValueError, match="samples 1; legal: whole numbers, 2 or more"):
         estimate_gain([20.0, 40.0, 100.0], [20.0, 40.0, 100.0], samples=1)
 
 
-def test_two_samples_a_level_are_legal_and_tell_nothing():
+def test_two_samples_a_level_are_legal_and_tell_nothing() -> None:
     with pytest.raises(ValueError, match=r"tell the gain to \d+ % only"):
         estimate_gain([20.0, 40.0, 100.0], [20.0, 40.0, 100.0], samples=2)

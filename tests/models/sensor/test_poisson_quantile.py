@@ -4,7 +4,12 @@ import numpy as np
 import pytest
 from scipy import stats
 
-from simulations.models.sensor.photon_counting import shot_noise, shot_noise_from_normal
+from simulations.models.arrays import Floats
+from simulations.models.sensor.photon_counting import (
+    ShotModel,
+    shot_noise,
+    shot_noise_from_normal,
+)
 from simulations.models.sensor.poisson_quantile import FEW, normal_tail, poisson_from_normal
 
 STEPS = 400_000
@@ -14,11 +19,11 @@ EVEN = stats.norm.ppf(PROBABILITY)
 MEANS = (1e-12, 1e-6, 1e-3, 0.05, 0.3, 1.0, 3.0, 9.999, 10.0, 30.0, 1e2, 1e3, 1e4, 1e5)
 
 
-def counted(mean, z=EVEN):
+def counted(mean: float, z: Floats = EVEN) -> Floats:
     return poisson_from_normal(np.full(z.shape, mean, z.dtype), z)
 
 
-def gap(counts, mean):
+def gap(counts: Floats, mean: float) -> float:
     """Kolmogorov–Smirnov distance, at every whole number that can matter."""
     reach = 9 * np.sqrt(mean) + 12
     k = np.arange(max(0, int(mean - reach)), int(mean + reach))
@@ -27,7 +32,7 @@ def gap(counts, mean):
 
 
 @pytest.mark.parametrize("mean", MEANS)
-def test_its_distribution_is_poisson_s_at_every_mean(mean):
+def test_its_distribution_is_poisson_s_at_every_mean(mean: float) -> None:
     counts = counted(mean)
     exact = mean < FEW
     assert gap(counts, mean) < (2e-6 if exact else 3e-4)
@@ -37,13 +42,13 @@ def test_its_distribution_is_poisson_s_at_every_mean(mean):
 
 
 @pytest.mark.parametrize("mean", MEANS)
-def test_it_is_scipy_s_quantile_deviate_by_deviate(mean):
+def test_it_is_scipy_s_quantile_deviate_by_deviate(mean: float) -> None:
     off = counted(mean) - stats.poisson.ppf(PROBABILITY, mean)
     assert np.abs(off).max() <= 1
     assert np.mean(off != 0) < (1e-5 if mean < FEW else 0.003)
 
 
-def test_an_electron_in_a_billion_is_drawn_where_it_is_due():
+def test_an_electron_in_a_billion_is_drawn_where_it_is_due() -> None:
     """Far out on the tail, where probabilities near 1 have no digits left."""
     mean = np.array([1e-12, 1e-9, 1e-6, 1e-3])
     due = stats.norm.isf(-np.expm1(-mean))
@@ -53,7 +58,7 @@ def test_an_electron_in_a_billion_is_drawn_where_it_is_due():
 
 @pytest.mark.parametrize("model", ["quantile", "poisson"])
 @pytest.mark.parametrize("mean", [1e-12, 1e-3, 0.05, 0.3])
-def test_next_to_no_light_frees_next_to_no_electrons(model, mean):
+def test_next_to_no_light_frees_next_to_no_electrons(model: ShotModel, mean: float) -> None:
     """The curve that leans, for comparison, frees 0.047 electrons of nothing."""
     samples = 200_000
     drawn = shot_noise(np.full(samples, mean), np.random.default_rng(3), model=model)
@@ -62,7 +67,7 @@ def test_next_to_no_light_frees_next_to_no_electrons(model, mean):
     assert skewed.mean() == pytest.approx(0.047, abs=0.003)
 
 
-def test_more_light_never_takes_electrons_away_and_nothing_jumps():
+def test_more_light_never_takes_electrons_away_and_nothing_jumps() -> None:
     """The same deviates in light that rises through the border between sums and expansion."""
     z = np.linspace(-5, 5, 2001)
     means = np.linspace(0.9 * FEW, 1.1 * FEW, 101)
@@ -78,12 +83,12 @@ def test_more_light_never_takes_electrons_away_and_nothing_jumps():
 
 
 @pytest.mark.parametrize("mean", [0.2, 4.0, 9.9, 10.0, 40.0, 1e4])
-def test_a_larger_deviate_never_counts_fewer(mean):
+def test_a_larger_deviate_never_counts_fewer(mean: float) -> None:
     assert (np.diff(counted(mean, np.linspace(-7, 7, 10_001))) >= 0).all()
 
 
 @pytest.mark.parametrize("mean", [0.0, 0.5, 1e4])
-def test_deviates_out_of_all_proportion_give_whole_numbers_of_zero_or_more(mean):
+def test_deviates_out_of_all_proportion_give_whole_numbers_of_zero_or_more(mean: float) -> None:
     counts = counted(mean, np.array([-1e3, -40.0, 40.0]))
     assert np.isfinite(counts).all()
     assert (counts >= 0).all()
@@ -91,11 +96,11 @@ def test_deviates_out_of_all_proportion_give_whole_numbers_of_zero_or_more(mean)
     assert counts[0] == 0 or mean > 0
 
 
-def test_no_light_frees_no_electron_whatever_the_deviate():
+def test_no_light_frees_no_electron_whatever_the_deviate() -> None:
     assert counted(0.0, np.linspace(-40, 40, 81)).tolist() == [0.0] * 81
 
 
-def test_float32_counts_as_float64_does():
+def test_float32_counts_as_float64_does() -> None:
     mean = np.geomspace(1e-3, 3e4, 50_000)
     z = np.random.default_rng(5).standard_normal(mean.size).astype(np.float32)
     single = poisson_from_normal(mean.astype(np.float32), z)
@@ -105,7 +110,7 @@ def test_float32_counts_as_float64_does():
     assert np.mean(single != double) < 0.002
 
 
-def test_light_in_float32_and_deviates_in_float64_are_counted_in_float64():
+def test_light_in_float32_and_deviates_in_float64_are_counted_in_float64() -> None:
     mean = np.array([0.3, 5.0, 50.0], np.float32)
     z = np.array([9.0, 9.0, -1.0])
     np.testing.assert_array_equal(
@@ -113,12 +118,12 @@ def test_light_in_float32_and_deviates_in_float64_are_counted_in_float64():
     )
 
 
-def test_the_tail_of_the_normal_is_scipy_s():
+def test_the_tail_of_the_normal_is_scipy_s() -> None:
     z = np.linspace(-8, 8, 10_001)
     np.testing.assert_allclose(normal_tail(z), stats.norm.sf(z), rtol=1.3e-7)
 
 
-def test_a_well_holds_what_is_counted_and_no_more():
+def test_a_well_holds_what_is_counted_and_no_more() -> None:
     z = np.array([0.0, 3.0, 3.0])
     held = shot_noise_from_normal([5.0, 5.0, 1e9], z, 8.0)
     assert held.tolist() == [stats.poisson.ppf(0.5, 5.0), 8.0, 8.0]

@@ -8,7 +8,7 @@ from scipy.stats import pearsonr
 from simulations.models.sensor.shared_detail import shared_detail
 
 
-def test_it_is_the_correlation_of_the_laplacians():
+def test_it_is_the_correlation_of_the_laplacians() -> None:
     picture = np.random.default_rng(0).random((30, 41, 3))
     picture[..., 0] += 0.7 * picture[..., 1]
     picture[..., 2] -= 0.2 * picture[..., 1]
@@ -17,21 +17,21 @@ def test_it_is_the_correlation_of_the_laplacians():
     assert shared_detail(picture) == pytest.approx(expected, abs=1e-12)
 
 
-def test_grey_shares_all_of_it_and_a_negative_its_opposite():
+def test_grey_shares_all_of_it_and_a_negative_its_opposite() -> None:
     grey = np.random.default_rng(1).random((9, 8, 1))
     assert shared_detail(np.concatenate([2 * grey, grey, 1 - grey], axis=2)) == pytest.approx(
         (1, -1)
     )
 
 
-def test_broad_brightness_does_not_count():
+def test_broad_brightness_does_not_count() -> None:
     """A slope common to all colours has no fine detail; the grain on it is what is compared."""
     grain = np.random.default_rng(2).normal(0, 0.01, (60, 60, 3))
     slope = np.linspace(0, 10, 60)[:, None, None]
     assert np.abs(shared_detail(grain + slope)).max() < 0.1
 
 
-def test_a_colour_without_detail_shares_an_undefined_amount():
+def test_a_colour_without_detail_shares_an_undefined_amount() -> None:
     picture = np.random.default_rng(3).random((8, 8, 3))
     picture[..., 0] = 0.25
     red, blue = shared_detail(picture)
@@ -40,13 +40,13 @@ def test_a_colour_without_detail_shares_an_undefined_amount():
 
 
 @pytest.mark.parametrize("scale", [1e-300, 1e300])
-def test_the_unit_of_light_does_not_matter(scale):
+def test_the_unit_of_light_does_not_matter(scale: float) -> None:
     picture = np.random.default_rng(4).random((9, 9, 3))
     assert shared_detail(scale * picture) == pytest.approx(shared_detail(picture), abs=1e-12)
 
 
 @pytest.mark.parametrize("bad", [np.nan, np.inf])
-def test_light_that_is_not_finite_is_refused(bad):
+def test_light_that_is_not_finite_is_refused(bad: float) -> None:
     picture = np.zeros((5, 5, 3))
     picture[2, 2, 1] = bad
     with pytest.raises(ValueError, match="legal: finite"):
@@ -54,6 +54,6 @@ def test_light_that_is_not_finite_is_refused(bad):
 
 
 @pytest.mark.parametrize("shape", [(2, 9, 3), (9, 2, 3), (9, 9, 4), (9, 3)])
-def test_what_is_no_picture_is_refused(shape):
+def test_what_is_no_picture_is_refused(shape: tuple[int, ...]) -> None:
     with pytest.raises(ValueError, match="legal: "):
         shared_detail(np.zeros(shape))

@@ -1,12 +1,18 @@
 """Counted electrons: their distribution, their well, and quicker models of both."""
 
+from collections.abc import Callable
+from typing import cast
+
 import numpy as np
 import pytest
+from numpy.typing import DTypeLike
 from scipy import stats
 
+from simulations.models.arrays import Floats
 from simulations.models.sensor.photon_counting import (
     SHOT_MODELS,
     Sensor,
+    ShotModel,
     expose,
     quantise,
     read_out,
@@ -16,11 +22,11 @@ from simulations.models.sensor.photon_counting import (
 )
 
 
-def rng():
+def rng() -> np.random.Generator:
     return np.random.default_rng(7)
 
 
-def ks_distance(samples, mean):
+def ks_distance(samples: Floats, mean: float) -> float:
     """Largest gap between the samples' distribution and the Poisson's, at whole numbers."""
     codes = np.arange(0, samples.max() + 1)
     empirical = np.searchsorted(np.sort(samples), codes, side="right") / samples.size
@@ -28,12 +34,12 @@ def ks_distance(samples, mean):
 
 
 @pytest.mark.parametrize("mean", [0.5, 4.0, 60.0])
-def test_shot_noise_follows_the_poisson_distribution(mean):
+def test_shot_noise_follows_the_poisson_distribution(mean: float) -> None:
     samples = shot_noise(np.full(50_000, mean), rng())
     assert ks_distance(samples, mean) < 1.63 / np.sqrt(50_000)  # the 1 % bound of the test
 
 
-def test_the_skewed_normal_is_nearer_to_poisson_than_the_plain_one():
+def test_the_skewed_normal_is_nearer_to_poisson_than_the_plain_one() -> None:
     gaps = {
         model: ks_distance(shot_noise(np.full(200_000, 9.0), rng(), model=model), 9.0)
         for model in ("gaussian", "skewed")
@@ -42,13 +48,13 @@ def test_the_skewed_normal_is_nearer_to_poisson_than_the_plain_one():
     assert gaps["gaussian"] == pytest.approx(0.0665 / 3, rel=0.3)
 
 
-def test_no_light_frees_no_electron_and_any_light_is_held_by_the_well():
+def test_no_light_frees_no_electron_and_any_light_is_held_by_the_well() -> None:
     for model in SHOT_MODELS:
         held = shot_noise([0.0, 1e300, np.inf], rng(), 1000.0, model)
         np.testing.assert_array_equal(held, [0, 1000, 1000])
 
 
-def test_signal_to_noise_of_shot_noise_is_the_root_of_the_electrons():
+def test_signal_to_noise_of_shot_noise_is_the_root_of_the_electrons() -> None:
     bare = Sensor(read_noise_e=0, gain_e_per_dn=1e-6, black_level_dn=0)
     assert signal_to_noise(10_000, bare) == pytest.approx(100)
     assert signal_to_noise(0, Sensor()) == 0
@@ -59,28 +65,32 @@ def test_signal_to_noise_of_shot_noise_is_the_root_of_the_electrons():
     [
         (lambda: shot_noise([-1.0], rng()), "mean_e"),
         (lambda: shot_noise([np.nan], rng()), "mean_e"),
-        (lambda: shot_noise([1.0], rng(), model="fast"), "fast"),
+        (lambda: shot_noise([1.0], rng(), model=cast(ShotModel, "fast")), "fast"),
         (lambda: Sensor(bits=17), "bits"),
         (lambda: Sensor(bits=4), "black_level_dn"),
         (lambda: quantise(1.0, 0), "bits"),
         (lambda: expose(1.0, -1.0, Sensor()), "exposure_s"),
     ],
 )
-def test_meaningless_parameters_are_refused_by_name(call, message):
+def test_meaningless_parameters_are_refused_by_name(
+    call: Callable[[], object], message: str
+) -> None:
     with pytest.raises(ValueError, match=message):
         call()
 
 
 @pytest.mark.parametrize("model", SHOT_MODELS)
 @pytest.mark.parametrize("mean", [30.0, 400.0])
-def test_every_model_of_shot_noise_has_the_mean_and_variance_of_poisson(model, mean):
+def test_every_model_of_shot_noise_has_the_mean_and_variance_of_poisson(
+    model: ShotModel, mean: float
+) -> None:
     counted = shot_noise(np.full(200_000, mean), rng(), model=model)
     assert np.array_equal(counted, np.rint(counted))
     assert counted.mean() == pytest.approx(mean, abs=5 * np.sqrt(mean / 200_000))
     assert counted.var() == pytest.approx(mean, rel=0.02)
 
 
-def test_the_skewed_model_leans_as_poisson_does():
+def test_the_skewed_model_leans_as_poisson_does() -> None:
     mean = 100.0
     counted = shot_noise(np.full(1_000_000, mean), rng(), model="skewed")
     skewness = np.mean((counted - mean) ** 3) / mean**1.5
@@ -88,23 +98,25 @@ def test_the_skewed_model_leans_as_poisson_does():
 
 
 @pytest.mark.parametrize("model", ["skewed", "gaussian"])
-def test_an_approximation_frees_no_negative_electrons_and_none_in_the_dark(model):
+def test_an_approximation_frees_no_negative_electrons_and_none_in_the_dark(
+    model: ShotModel,
+) -> None:
     assert shot_noise(np.full(10_000, 0.05), rng(), model=model).min() == 0
     assert shot_noise(np.zeros(10_000), rng(), model=model).max() == 0
 
 
-def test_a_well_spills_what_it_cannot_hold():
+def test_a_well_spills_what_it_cannot_hold() -> None:
     counted = shot_noise(np.full(50_000, 100.0), rng(), 100.0)
     assert counted.max() == 100
     assert np.mean(counted == 100) == pytest.approx(stats.poisson.sf(99, 100), abs=0.01)
 
 
-def test_the_cap_is_too_far_above_the_well_to_be_noticed():
+def test_the_cap_is_too_far_above_the_well_to_be_noticed() -> None:
     for well in (1.0, 1000.0):
         assert shot_noise(np.full(100_000, 1e9), rng(), well).min() == well
 
 
-def test_single_precision_stays_single():
+def test_single_precision_stays_single() -> None:
     few = np.full(4, 10.0, np.float32)
     for model in SHOT_MODELS:
         assert shot_noise(few, rng(), model=model).dtype == np.float32
@@ -112,7 +124,7 @@ def test_single_precision_stays_single():
     assert read_out(few.astype(float), Sensor(), rng()).dtype == np.float64
 
 
-def test_normals_drawn_beforehand_give_the_counts_of_the_same_draws():
+def test_normals_drawn_beforehand_give_the_counts_of_the_same_draws() -> None:
     mean = np.linspace(0, 1500, 4000, dtype=np.float32)
     z = rng().standard_normal(mean.shape, np.float32)
     counted = shot_noise_from_normal(mean, z, 1000.0)
@@ -121,14 +133,14 @@ def test_normals_drawn_beforehand_give_the_counts_of_the_same_draws():
     assert counted.max() == 1000
 
 
-def test_counts_of_a_float32_picture_stay_float32():
+def test_counts_of_a_float32_picture_stay_float32() -> None:
     mean = np.full((2, 3), 40, np.float32)
     assert shot_noise(mean, rng(), 1000.0).dtype == np.float32
     assert shot_noise_from_normal(mean, np.ones_like(mean), 1000.0).dtype == np.float32
     assert shot_noise_from_normal(mean, np.zeros_like(mean)).dtype == np.float32
 
 
-def test_the_second_term_leans_counts_to_the_right():
+def test_the_second_term_leans_counts_to_the_right() -> None:
     """Cornish and Fisher: m + sqrt(m) z + (z^2 - 1) / 6, rounded."""
     z = rng().standard_normal(1000)
     expected = np.rint(100 + 10 * z + (z**2 - 1) / 6)
@@ -136,35 +148,35 @@ def test_the_second_term_leans_counts_to_the_right():
     np.testing.assert_array_equal(drawn, expected)
 
 
-def test_a_pixel_that_never_fills_counts_any_light_up_to_what_a_sampler_can_draw():
+def test_a_pixel_that_never_fills_counts_any_light_up_to_what_a_sampler_can_draw() -> None:
     for model in SHOT_MODELS:
         counted = shot_noise([1e300, np.inf], rng(), model=model)
         assert counted == pytest.approx([1e15, 1e15], rel=1e-6)
 
 
 @pytest.mark.parametrize("well", [0.0, -1.0, np.nan, 2e15])
-def test_a_well_that_holds_nothing_or_more_than_can_be_counted_is_refused(well):
+def test_a_well_that_holds_nothing_or_more_than_can_be_counted_is_refused(well: float) -> None:
     with pytest.raises(ValueError, match=f"^full_well_e {well}; legal: above 0, to 1e\\+15, or"):
         shot_noise([1.0], rng(), well)
     with pytest.raises(ValueError, match=r"^full_well_e"):
         shot_noise_from_normal([1.0], [0.0], well)
 
 
-def test_the_models_of_shot_noise_are_listed_from_rough_to_exact():
+def test_the_models_of_shot_noise_are_listed_from_rough_to_exact() -> None:
     assert SHOT_MODELS == ("gaussian", "skewed", "quantile", "poisson")
     even = stats.norm.ppf((np.arange(100_000) + 0.5) / 100_000)
     assert ks_distance(shot_noise_from_normal(np.full(even.shape, 9.0), even), 9.0) < 2e-5
 
 
 @pytest.mark.parametrize("kind", [np.float32, np.float64])
-def test_light_beyond_all_numbers_is_infinite_and_fills_the_well(kind):
+def test_light_beyond_all_numbers_is_infinite_and_fills_the_well(kind: DTypeLike) -> None:
     mean = expose(np.full(3, 1e30, kind), 1e300, Sensor())
     assert mean.dtype == kind
     assert np.isinf(mean).all()
     assert (shot_noise(mean, rng(), 20_000.0) == 20_000).all()
 
 
-def test_nothing_is_drawn_for_wells_that_are_sure_to_be_full():
+def test_nothing_is_drawn_for_wells_that_are_sure_to_be_full() -> None:
     mixed, dim = rng(), rng()
     counted = shot_noise([[1e30, 9.0], [12_000.0, 80.0]], mixed, 10_000.0)
     np.testing.assert_array_equal(counted[:, 0], [10_000, 10_000])
@@ -172,7 +184,7 @@ def test_nothing_is_drawn_for_wells_that_are_sure_to_be_full():
     assert mixed.bit_generator.state == dim.bit_generator.state
 
 
-def test_a_well_that_overflows_on_average_is_not_always_full():
+def test_a_well_that_overflows_on_average_is_not_always_full() -> None:
     """One standard deviation above a well of a million: a sixth of the samples lie below it."""
     counted = shot_noise(np.full(20_000, 1_001_000.0), rng(), 1e6)
     assert np.mean(counted < 1e6) == pytest.approx(stats.norm.cdf(-1), abs=0.01)

@@ -1,0 +1,31 @@
+"""What is said of a parameter that makes no sense: its name, its value, and what is legal.
+
+For whole numbers there is `whole_numbers.as_whole`, for shapes of arrays `arrays`.
+"""
+
+import math
+from collections.abc import Collection
+
+import numpy as np
+
+
+def require(name: str, value: object, holds: bool | np.bool_, legal: str) -> None:
+    """Raises `ValueError`, ``name value; legal: …``, unless the condition holds."""
+    if not holds:
+        raise ValueError(f"{name} {_shown(value)}; legal: {legal}")
+
+
+def require_positive(name: str, value: float) -> None:
+    """Raises `ValueError` for 0, negative numbers, NaN and infinity."""
+    require(name, value, 0 < value < math.inf, "above 0, finite")
+
+
+def require_one_of(name: str, value: str, legal: Collection[str]) -> None:
+    """Raises `ValueError` for a word that is none of the legal ones."""
+    require(name, value, value in legal, ", ".join(legal))
+
+
+def _shown(value: object) -> str:
+    if isinstance(value, np.ndarray):
+        return str(value.tolist())
+    return repr(value) if isinstance(value, str) else str(value)

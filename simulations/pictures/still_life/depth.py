@@ -1,0 +1,26 @@
+"""How far what a single ray of the still life meets is: what a camera focuses on."""
+
+import math
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from simulations.models.light.raycasting import intersect, intersect_plane
+from simulations.pictures.still_life.surfaces import FLOOR_PLANE, WALL_PLANE
+from simulations.pictures.still_life.things import THINGS, depth_along_axis, thing_depth, view
+
+
+def depth_met(ray_camera: ArrayLike) -> float:
+    """Depth along the optical axis in metres; a whole thing has that of its centre.
+
+    ``ray_camera`` (3,) in the camera frame, z = 1. What looks over the wall, which is drawn
+    without end, meets the wall.
+    """
+    seen = view(np.asarray(ray_camera, float).reshape(1, 1, 3))
+    for thing in sorted(THINGS, key=thing_depth):
+        if intersect(thing.solid, seen.eye, seen.directions).valid.all():
+            return thing_depth(thing)
+    direction = seen.directions[0, 0]
+    met = (intersect_plane(*plane, seen.eye, direction) for plane in (FLOOR_PLANE, WALL_PLANE))
+    distance = min((float(far) for far, meets in met if meets), default=math.inf)
+    return float(depth_along_axis(np.asarray(seen.eye) + direction * distance))

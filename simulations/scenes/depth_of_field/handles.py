@@ -1,0 +1,79 @@
+"""What of the depth-of-field figure can be grabbed: the distance in focus, the rim of the opening,
+and whatever the picture shows."""
+
+from collections.abc import Mapping
+
+from simulations.engine.controls import Value
+from simulations.engine.handles import Handle, Point
+from simulations.engine.stages import Outputs
+from simulations.pictures.still_life.depth import depth_met
+from simulations.scenes.camera.lens import SENSOR_HEIGHT_MM, SENSOR_WIDTH_MM, principal_mm
+from simulations.scenes.depth_of_field.drawing import (
+    AXIS_Y,
+    HEIGHT,
+    LENS_X,
+    WIDTH,
+    aperture_of,
+    column,
+    distance_of,
+    half_opening,
+)
+from simulations.scenes.depth_of_field.settings import Settings, has_image
+
+
+def _focus(settings: Settings, _outputs: Outputs) -> Point:
+    return (column(settings.focus), AXIS_Y)
+
+
+def _focus_pulled(_settings: Settings, place: Point) -> Mapping[str, Value]:
+    return {"focus": distance_of(place[0])}
+
+
+def _rim(settings: Settings, _outputs: Outputs) -> Point | None:
+    """The upper end of the opening, where the lens forms an image."""
+    if not has_image(settings):
+        return None
+    return (LENS_X, AXIS_Y - half_opening(settings.focal_length / settings.aperture))
+
+
+def _rim_pulled(settings: Settings, place: Point) -> Mapping[str, Value]:
+    return {"aperture": settings.focal_length / aperture_of(AXIS_Y - place[1])}
+
+
+def _middle(_settings: Settings, _outputs: Outputs) -> Point:
+    return (WIDTH / 2, HEIGHT / 2)
+
+
+def _aimed(settings: Settings, place: Point) -> Mapping[str, Value]:
+    """Focus on what lies at a place of the picture; without an image there is nothing to aim at."""
+    if not has_image(settings):
+        return {}
+    across = (place[0] / WIDTH - 0.5) * SENSOR_WIDTH_MM
+    down = (place[1] / HEIGHT - 0.5) * SENSOR_HEIGHT_MM
+    principal = principal_mm(settings.focal_length, settings.focus)
+    return {"focus": depth_met((across / principal, down / principal, 1.0))}
+
+
+HANDLES: tuple[Handle[Settings], ...] = (
+    Handle(
+        "focus",
+        "lens",
+        "Distance in focus",
+        ("focus",),
+        _focus,
+        _focus_pulled,
+        role="ray",
+        reversed=("focus",),
+    ),
+    Handle(
+        "rim",
+        "lens",
+        "Rim of the opening",
+        ("aperture",),
+        _rim,
+        _rim_pulled,
+        role="camera",
+        reversed=("aperture",),
+    ),
+    Handle("aim", "picture", "What to focus on", ("focus",), _middle, _aimed, "aim"),
+)

@@ -1,0 +1,30 @@
+"""Models that nothing in the page runs: they say so, and the book still asks them."""
+
+import ast
+from pathlib import Path
+
+from site_builder.runtime.imports import module_files, reach, read_imports
+from site_builder.runtime.pack import page_modules
+
+SIMULATIONS = Path(__file__).resolve().parents[2] / "simulations"
+IMPORTS = read_imports(SIMULATIONS)
+RAN = page_modules(IMPORTS)
+MODELS = {
+    name: file
+    for name, file in module_files(SIMULATIONS).items()
+    if name.startswith("simulations.models.") and file.stem != "__init__"
+}
+
+
+def is_marked(file: Path) -> bool:
+    words = ast.get_docstring(ast.parse(file.read_text(encoding="utf-8"))) or ""
+    return any(line.startswith("Reference: ") for line in words.splitlines())
+
+
+def test_the_models_marked_as_reference_are_those_that_no_figure_and_no_ladder_imports() -> None:
+    marked = {name for name, file in MODELS.items() if is_marked(file)}
+    assert marked == MODELS.keys() - RAN
+
+
+def test_every_model_is_run_by_a_figure_or_a_ladder_or_asked_in_a_hard_case() -> None:
+    assert MODELS.keys() <= RAN | reach(IMPORTS, "simulations.hard_cases.tables")
