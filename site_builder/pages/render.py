@@ -38,6 +38,8 @@ class Site:
     """Folder of style sheets, scripts, fonts and stills, relative to the site's root."""
     runtime: str
     """Folder of the browser's Python, relative to the site's root; nothing without a runtime."""
+    code_editor: bool = False
+    """Whether readers can rewrite the Python of a figure, or only read it."""
     reload: bool = False
     """Whether pages reload themselves when the site has been built anew."""
 
@@ -99,6 +101,8 @@ def _page(site: Site, template: str, root: str, **context: object) -> str:
         "root": root,
         "assets": assets,
         "anchors": chapter.anchors if isinstance(chapter, Chapter) else (),
+        "python": bool(site.runtime),
+        "code_editor": site.code_editor,
         "block_html": block_html,
         "simulation_view": simulation_view,
     }

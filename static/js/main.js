@@ -4,10 +4,12 @@
  */
 
 import { SimulationFigure } from "./figure/element.js";
+import { installStrips } from "./figure/strip.js";
 import { LadderBench } from "./ladder/bench.js";
 import { installContents } from "./page/contents.js";
 import { installNavigation } from "./page/navigate.js";
 import { installQuizzes, restoreQuizzes } from "./page/quiz.js";
+import { watchScrollers } from "./page/scrollers.js";
 import { installTheme, showTheme } from "./page/theme.js";
 
 customElements.define("simulation-figure", SimulationFigure);
@@ -15,7 +17,10 @@ customElements.define("ladder-bench", LadderBench);
 installTheme();
 installContents();
 installQuizzes();
+installStrips();
+watchScrollers();
 installNavigation(() => {
   showTheme();
   restoreQuizzes();
+  watchScrollers();
 });

@@ -17,17 +17,12 @@ from simulations.engine.stages import StageCache
 from simulations.models.arrays import Floats
 from simulations.models.color.chromatic_adaptation import adapt
 from simulations.models.color.chromaticity import ILLUMINANT_A_XY, lab_distance, white_xyz
-from simulations.models.color.srgb import (
-    D65_XY,
-    encode_srgb,
-    rgb_to_xyz_matrix,
-    white_balance,
-    xyz_to_lab,
-    xyz_to_linear_rgb,
-)
+from simulations.models.color.cie import D65_XY, rgb_to_xyz_matrix, xyz_to_lab, xyz_to_linear_rgb
+from simulations.models.color.srgb import encode_srgb
+from simulations.models.color.white_balance import white_balance
 from simulations.models.compression.blocks import round_outwards
 from simulations.models.compression.chroma_upsampling import METHODS as UPSAMPLING
-from simulations.models.picture_error import psnr_db
+from simulations.models.error_measures import psnr_db
 from simulations.models.sensor.demosaicing import METHODS, demosaic, mosaic
 from simulations.models.sensor.photon_counting import (
     Sensor,

@@ -13,9 +13,9 @@ from simulations.ladders.inverse_distortion import LADDER
 from simulations.models.distortion import radial_profile, radial_table
 from simulations.models.distortion.lens_model import largest_distorted_radius, undistort
 from simulations.models.distortion.undistortion import undistort_newton
+from simulations.models.error_measures import psnr_db
 from simulations.models.geometry import rotations
 from simulations.models.light.raycasting import Sphere
-from simulations.models.picture_error import psnr_db
 from simulations.pictures.still_life.things import THINGS, thing_depth
 from simulations.scenes.camera import scene as camera
 from simulations.scenes.camera.lens import PITCH_MM

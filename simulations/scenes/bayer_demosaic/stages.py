@@ -11,7 +11,7 @@ import numpy as np
 from simulations.engine.stages import Stage
 from simulations.models.arrays import Floats
 from simulations.models.color.srgb import encode_srgb
-from simulations.models.picture_error import psnr_db
+from simulations.models.error_measures import psnr_db
 from simulations.models.sensor.bayer import mosaic
 from simulations.models.sensor.demosaicing import demosaic
 from simulations.models.sensor.shared_detail import shared_detail

@@ -8,7 +8,7 @@ from simulations.models.color.srgb import encode_srgb
 from simulations.models.compression import jpeg
 from simulations.models.compression.cosine_transforms import TRANSFORMS
 from simulations.models.compression.entropy import size
-from simulations.models.picture_error import psnr_db
+from simulations.models.error_measures import psnr_db
 from simulations.pictures.balloon import balloon
 
 
