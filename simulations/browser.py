@@ -23,6 +23,7 @@ __all__ = [
     "error",
     "fetch_missing",
     "forget",
+    "judge",
     "measure",
     "photograph",
     "pull",
@@ -111,6 +112,17 @@ def error(figure: str, scene_id: str, values: str, tier: str, edits: str = "") -
         _judgements[figure] = (wanted, estimates)
     estimate = next(estimates, None)
     return json.dumps(None if estimate is None else asdict(estimate), ensure_ascii=False)
+
+
+def judge(figure: str, scene_id: str, values: str, tier: str, conditions: str) -> int | None:
+    """Which of the ``conditions``, a JSON list, is the first to hold of a figure's present state.
+
+    Raises `UnknownIdError`, `ControlError` and `ExpressionError`.
+    """
+    from simulations.engine.conditions import first_met  # most readers never need it
+
+    scene, asked = _asked(figure, scene_id, values, tier)
+    return first_met(json.loads(conditions), asked[0], scene.render(*asked))
 
 
 def pull(scene_id: str, values: str, handle: str, x: float, y: float) -> str:

@@ -13,13 +13,19 @@ from site_builder.markdown.directives.simulation import SIMULATION
 from site_builder.markdown.text.code import highlighted_lines
 from site_builder.pages.ladder_view import summary_row, view_ladder
 from site_builder.pages.licences import Licence
-from site_builder.pages.quiz_view import quiz_data
+from site_builder.pages.predict_view import predict_data, view_sketch
+from site_builder.pages.progress_view import progress_data
+from site_builder.pages.quiz_view import in_any_order, quiz_data
 from site_builder.pages.simulation_view import SimulationView, view_simulation
 from site_builder.pages.stills import Stills
 
 TEMPLATES = Path(__file__).parents[1] / "templates"
 FILTERS: Mapping[str, Callable[..., object]] = {
     "quiz_data": quiz_data,
+    "in_any_order": in_any_order,
+    "predict_data": predict_data,
+    "view_sketch": view_sketch,
+    "progress_data": progress_data,
     "view_ladder": view_ladder,
     "summary_row": summary_row,
 }

@@ -76,7 +76,7 @@ def how_many_steps_of_newton_would_do() -> Says:
 
 def samples_of_a_box() -> Says:
     yield f"A box of 16 × 16 samples a pixel has {16**2} times the work"
-    yield f"or about {16**2}?"
+    yield f"About {16**2}\n"
 
 
 def guesses_that_jump_back_and_forth() -> Says:

@@ -36,12 +36,15 @@ MODELS = (
 
 BUILDER = (
     "diagnostics", "runtime", "editor", "output", "measured", "charts", "book", "markdown",
-    "source", "question_checks", "checks", "pages", "build", "serve", "__main__",
+    "source", "question_checks", "figure_questions", "checks", "pages", "build", "serve",
+    "__main__",
 )  # fmt: skip
 """Parts of ``site_builder``, likewise."""
 MARKDOWN = (
     "text", "reading", "scenes", "front_matter", "headings", "role", "roles", "inline",
-    "directive", "usage", "blocks", "bodies", "fences", "directives", "guide", "parser", "chapter",
+    "directive", "answers", "computed", "question_options",
+    "sketches", "usage", "blocks", "bodies", "fences",
+    "directives", "guide", "parser", "chapter",
 )  # fmt: skip
 """Parts of ``site_builder/markdown``, likewise."""
 

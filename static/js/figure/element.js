@@ -70,6 +70,18 @@ export class SimulationFigure extends HTMLElement {
     return this.#workshop;
   }
 
+  /**
+   * Which condition is the first to hold of the figure's present state; null where none does.
+   *
+   * @param {string[]} conditions
+   * @returns {Promise<number | null>}
+   * @throws {Error} Where the figure does not run.
+   */
+  async judge(conditions) {
+    if (!this.#live) throw new Error("the figure does not run in this browser");
+    return this.#live.judge(conditions);
+  }
+
   /** This browser cannot run the figure: say so once, and offer no dead controls. */
   #refuse() {
     one(this, "form.controls", HTMLFormElement).hidden = true;

@@ -118,6 +118,19 @@ export class LiveFigure {
     return this.#request(values, this.#tier(false));
   }
 
+  /**
+   * Which condition is the first to hold of what the controls say now.
+   *
+   * @param {string[]} conditions
+   * @returns {Promise<number | null>}
+   * @throws {RuntimeFailure} Where Python cannot tell.
+   */
+  async judge(conditions) {
+    const values = JSON.stringify(readValues(this.form, this.schema.controls));
+    const state = { figure: this.#key, scene: this.#scene, values, tier: this.#chosen() };
+    return (await this.runtime.call("judge", { ...state, conditions }, () => URGENCY.touched)).met;
+  }
+
   /** Ask for the first frame as soon as it is known whether the figure is in view. */
   #startInView() {
     this.figure.dataset.state = "starting";

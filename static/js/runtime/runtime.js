@@ -20,6 +20,7 @@ export const LIMITS = {
   pull: 10_000,
   photograph: 10_000,
   error: 10_000,
+  judge: 10_000,
   forget: 10_000,
   measure: 120_000,
 };

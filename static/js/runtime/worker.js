@@ -56,11 +56,12 @@ const calls = {
       error,
       photograph,
       forget,
+      judge,
       measure,
     } = module;
     const fetchNow = (/** @type {string} */ part) => parts.fetchNow(part);
     module.fetch_missing(JSON.stringify(table.modules), fetchNow, parts.folder);
-    python = { render, renderEdited, pull, error, photograph, forget, measure };
+    python = { render, renderEdited, pull, error, photograph, forget, judge, measure };
     return { reply: { version: pyodide.version } };
   },
 
@@ -115,6 +116,17 @@ const calls = {
    */
   error({ figure, scene, values, tier, edits = "" }) {
     return { reply: { estimate: JSON.parse(python.error(figure, scene, values, tier, edits)) } };
+  },
+
+  /**
+   * The place of the first condition that holds of a figure's state; null where none does.
+   *
+   * @param {FrameCall & {conditions: string[]}} call
+   */
+  async judge({ figure, scene, values, tier, conditions }) {
+    await parts.provide(parts.table.scenes[scene]);
+    const met = python.judge(figure, scene, values, tier, JSON.stringify(conditions));
+    return { reply: { met: met ?? null } };
   },
 
   /**
