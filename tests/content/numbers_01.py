@@ -13,7 +13,7 @@ from simulations.models.geometry.transforms import (
 )
 from simulations.models.projection.pinhole import intrinsics, rigid_pose, world_to_camera
 from simulations.models.projection.view_homographies import plane_between_views
-from simulations.scenes.transform_2d.scene import transformation
+from simulations.scenes.transform_2d.family import transformation
 
 CHAPTER = "01-2d-transformations"
 
