@@ -15,7 +15,8 @@ from simulations.models.sampling.aliasing import zone_plate
 from simulations.models.sampling.prefilters import prefilter
 from simulations.scenes.aliasing.pattern import SHOWN, pattern_of
 from simulations.scenes.aliasing.row import FINE, alias_curve
-from simulations.scenes.aliasing.scene import FILTERS, SCENE, ideal
+from simulations.scenes.aliasing.scene import SCENE, ideal
+from simulations.scenes.aliasing.settings import FILTERS
 
 
 def frame(cache: StageCache | None = None, **given: object) -> Frame:

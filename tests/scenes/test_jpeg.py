@@ -187,7 +187,7 @@ def own(level: int) -> Photograph:
 
 
 def test_a_flat_picture_of_the_reader_s_comes_back_as_it_was_and_costs_nothing() -> None:
-    shown = SCENE.render(SCENE.check({"quality": 100}), "separable", StageCache(), own(90))
+    shown = SCENE.render(SCENE.check({"quality": 100}), "separable", StageCache(), own(128))
     told = {item.name: item.text for item in shown.readouts}
     assert (told["psnr"], told["ratio"]) == ("∞", "∞")
     assert shown.description.startswith("Your own picture at JPEG quality 100")
