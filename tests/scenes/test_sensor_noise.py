@@ -176,7 +176,7 @@ def test_another_patch_reuses_the_picture() -> None:
 @pytest.mark.parametrize(
     ("moved", "computed"),
     [
-        ({"exposure": -2}, ("electrons", "codes", "transfer", "picture")),
+        ({"exposure": -2}, ("light", "electrons", "codes", "transfer", "picture")),
         ({"dark": 100}, ("electrons", "codes", "transfer", "picture")),
         ({"read_noise": 3}, ("codes", "transfer", "picture")),
         ({"iso": "400"}, ("codes", "transfer", "picture")),
