@@ -1,30 +1,34 @@
 """The only functions that the browser's worker calls."""
 
+import io
 import json
 import time
 from collections.abc import Iterator
+from contextlib import redirect_stdout
 from dataclasses import asdict, dataclass
 from functools import lru_cache
 from math import isfinite
 from typing import Any
 
-from simulations.engine.frame import Raster, Readout, to_json
+from simulations.engine.frame import Frame, Raster, Readout, to_json
 from simulations.engine.ladder import measure_tier
 from simulations.engine.photograph import Photograph
 from simulations.engine.scene import Scene
 from simulations.engine.stages import StageCache
 from simulations.late_imports import fetch_missing
-from simulations.registry import load_ladder, load_scene
+from simulations.registry import SCENE_MODULES, load_ladder, load_scene
 
 __all__ = [
     "Reply",
     "error",
     "fetch_missing",
     "forget",
+    "judge",
     "measure",
     "photograph",
     "pull",
     "render",
+    "render_edited",
 ]
 
 _caches: dict[str, StageCache] = {}
@@ -44,32 +48,81 @@ class Reply:
     """Pixels of the panels that have any, in the panels' order."""
 
 
+@dataclass(frozen=True, slots=True)
+class EditedReply:
+    """What came of a reader's own version of a figure's Python."""
+
+    frame: Reply | None
+    """None where it failed."""
+    problem: str
+    """JSON of a `simulations.editing.problems.Problem`, or ``null``."""
+    printed: str
+    """What the code printed meanwhile, cut after `MOST_PRINTED` letters."""
+
+
+MOST_PRINTED = 10_000
+
+
 def render(figure: str, scene_id: str, values: str, tier: str) -> Reply:
     """One frame of ``scene_id`` for the figure named ``figure``.
 
     ``values`` is a JSON object of control values; what is left out takes its default and
     numbers out of range are clamped. Raises `UnknownIdError` and `ControlError`.
     """
-    scene = load_scene(scene_id)
-    frame = scene.render(*_setting(scene, figure, values, tier))
+    scene, asked = _asked(figure, scene_id, values, tier)
+    return _reply(scene.render(*asked))
+
+
+def render_edited(figure: str, scene_id: str, values: str, tier: str, edits: str) -> EditedReply:
+    """As `render`, by a copy of the program with the reader's ``edits``.
+
+    ``edits`` is a JSON object of definitions, ``MODULE:NAME``, and texts. What goes wrong in them
+    is told, not raised.
+    """
+    from simulations.editing.copies import problem_with  # most readers never need it
+
+    reply, problem = None, None
+    printed = io.StringIO()
+    try:
+        with redirect_stdout(printed):
+            scene, asked = _asked(figure, scene_id, values, tier, edits)
+            reply = _reply(scene.render(*asked))
+    except BaseException as error:  # the reader may raise anything, `SystemExit` too
+        problem = asdict(problem_with(error, edits))
+    text = json.dumps(problem, ensure_ascii=False)
+    return EditedReply(reply, text, printed.getvalue()[:MOST_PRINTED])
+
+
+def _reply(frame: Frame) -> Reply:
     rasters = tuple(panel.raster for panel in frame.panels if panel.raster is not None)
     return Reply(to_json(frame), rasters)
 
 
-def error(figure: str, scene_id: str, values: str, tier: str) -> str:
+def error(figure: str, scene_id: str, values: str, tier: str, edits: str = "") -> str:
     """The next, better estimate of how far the frame of these values is from the truth.
 
     JSON of a `Readout`, or ``null`` where there is no better one. Asking for other values
     drops what was begun. Raises `UnknownIdError` and `ControlError`.
     """
-    scene = load_scene(scene_id)
-    wanted = (scene_id, values, tier, _photographs.get(figure))
+    wanted = (scene_id, values, tier, edits, _photographs.get(figure))
     begun, estimates = _judgements.get(figure, (None, iter(())))
     if begun != wanted:
-        estimates = scene.estimates(*_setting(scene, figure, values, tier))
+        scene, asked = _asked(figure, scene_id, values, tier, edits)
+        estimates = scene.estimates(*asked)
         _judgements[figure] = (wanted, estimates)
     estimate = next(estimates, None)
     return json.dumps(None if estimate is None else asdict(estimate), ensure_ascii=False)
+
+
+def judge(figure: str, scene_id: str, values: str, tier: str, conditions: str) -> int | None:
+    """Which of the ``conditions``, a JSON list, is the first to hold of a figure's present state.
+
+    Raises `UnknownIdError`, `ControlError` and `ExpressionError`.
+    """
+    from simulations.engine.conditions import first_met  # most readers never need it
+
+    scene, asked = _asked(figure, scene_id, values, tier)
+    return first_met(json.loads(conditions), asked[0], scene.render(*asked))
 
 
 def pull(scene_id: str, values: str, handle: str, x: float, y: float) -> str:
@@ -94,12 +147,17 @@ def photograph(figure: str, number: int, pixels: Any, width: int, height: int) -
         _photographs[figure] = Photograph.from_canvas(number, rgba, width, height)
 
 
-def _setting(
-    scene: Scene[Any], figure: str, values: str, tier: str
-) -> tuple[Any, str, StageCache, Photograph | None]:
-    """What a scene is called with."""
-    cache = _caches.setdefault(figure, StageCache())
-    return scene.clamp(json.loads(values)), tier, cache, _photographs.get(figure)
+def _asked(
+    figure: str, scene_id: str, values: str, tier: str, edits: str = ""
+) -> tuple[Scene[Any], tuple[Any, str, StageCache, Photograph | None]]:
+    """The scene that draws a figure, the book's or the reader's, and what it is called with."""
+    if edits:
+        from simulations.editing.copies import copy_of
+
+        scene, cache = copy_of(figure, SCENE_MODULES[scene_id], edits)
+    else:
+        scene, cache = load_scene(scene_id), _caches.setdefault(figure, StageCache())
+    return scene, (scene.clamp(json.loads(values)), tier, cache, _photographs.get(figure))
 
 
 def forget(figure: str) -> None:

@@ -1,11 +1,13 @@
 """The page model: what a checked book is, before it becomes HTML. Frozen all the way down.
 
 A directive keeps the class of what it shows in its own file. Here are those that other parts of
-the builder ask for: simulations are drawn, quizzes catalogued, quoted modules get a page.
+the builder ask for: simulations are drawn, quizzes catalogued, predictions matched with what
+answers them, quoted modules get a page.
 """
 
+import hashlib
 from collections.abc import Iterable, Iterator, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from pathlib import PurePosixPath
 from typing import Any
 
@@ -60,12 +62,14 @@ class Simulation:
 
 @dataclass(frozen=True, slots=True)
 class Option:
-    """One answer of a quiz."""
+    """One answer of a question, offered or recognised."""
 
     html: str
     text: str
     correct: bool
     explanation_html: str
+    value: float | None = None
+    """Where a number is asked for: the one that this answer is."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -75,12 +79,85 @@ class Quiz:
     id: str
     """Unique in the book: the reader's answer is remembered under it."""
     kind: str
-    """``single`` or ``multiple``."""
+    """``single``, ``multiple``, ``number``, ``order`` or ``figure``."""
+    prompt_html: str
+    prompt_text: str
+    options: tuple[Option, ...]
+    """Those of ``order`` in the right one; those of ``figure`` are conditions on its state."""
+    path: str
+    line: int
+    unit: str = ""
+    tolerance: float = 0.0
+    """How far from the right number is right."""
+    figure: str = ""
+    """Element id of the figure that is to be set."""
+    solution: Mapping[str, str] = field(default_factory=dict)
+    """Settings of that figure that are right."""
+
+    @property
+    def edition(self) -> str:
+        """A mark of what is asked and what is right: an answer to another edition is forgotten."""
+        answers = [(option.text, option.correct) for option in self.options]
+        return _digest(self.kind, self.prompt_text, answers, self.tolerance)
+
+
+@dataclass(frozen=True, slots=True)
+class Curve:
+    """A curve to be sketched, and the axes that it is sketched on."""
+
+    x: "Axis"
+    y: "Axis"
+    samples: tuple[tuple[float, float], ...]
+    """Along the axis, from its start to its end."""
+
+
+@dataclass(frozen=True, slots=True)
+class Axis:
+    """From where to where, and what of."""
+
+    start: float
+    end: float
+    label: str
+
+
+@dataclass(frozen=True, slots=True)
+class Prediction:
+    """A question before its answer is looked up; guess and answer then stand side by side."""
+
+    id: str
+    kind: str
+    """``number``, ``choice`` or ``sketch``."""
     prompt_html: str
     prompt_text: str
     options: tuple[Option, ...]
     path: str
     line: int
+    unit: str = ""
+    tolerance: float = 0.0
+    """How far from the right number is close."""
+    curve: Curve | None = None
+
+    @property
+    def edition(self) -> str:
+        """A mark of what is asked: a guess at something else is forgotten."""
+        answers = [(option.text, option.correct) for option in self.options]
+        axes = (self.curve.x, self.curve.y) if self.curve else None
+        return _digest(self.kind, self.prompt_text, answers, axes)
+
+
+@dataclass(frozen=True, slots=True)
+class Reveal:
+    """What waits for a prediction; what it says is in the blocks inside."""
+
+    prediction: str
+    id: str
+    """Element id."""
+    path: str
+    line: int
+
+
+def _digest(*parts: object) -> str:
+    return hashlib.sha256(repr(parts).encode()).hexdigest()[:8]
 
 
 @dataclass(frozen=True, slots=True)
@@ -147,6 +224,10 @@ class Chapter:
     @property
     def quizzes(self) -> tuple[Quiz, ...]:
         return tuple(contents(self.body, Quiz))
+
+    @property
+    def predictions(self) -> tuple[Prediction, ...]:
+        return tuple(contents(self.body, Prediction))
 
     @property
     def sources(self) -> tuple[Source, ...]:

@@ -15,6 +15,8 @@ from simulations.registry import load_ladder, load_scene
 from site_builder.book import Book
 from site_builder.checks import check_book
 from site_builder.diagnostics import BuildError, Diagnostic, Diagnostics
+from site_builder.editor.bundle import EditorBundle, EditorBundleError, bundle_editor
+from site_builder.editor.sources import scene_sources
 from site_builder.markdown.directives.figure import SUFFIXES
 from site_builder.measured.measurements import read_measurements
 from site_builder.output.assets import Content, folder_files, hashed_folder
@@ -76,9 +78,12 @@ def render_site(options: Options) -> Files:
     """Every file of the site. Raises `BuildError` with all mistakes found."""
     book, stills, pictures = check_site(options)
     runtime, runtime_files, versions = _runtime(options)
-    assets, asset_files = _assets(options.root, pictures)
-    site = Site(options.root, book, stills, assets, runtime, options.reload)
-    licences = gather_licences(options.root, versions)
+    editor = _editor(options)
+    assets, asset_files = _assets(options.root, pictures, _python(options, book, editor))
+    site = Site(
+        options.root, book, stills, assets, runtime, bool(editor.script), reload=options.reload
+    )
+    licences = gather_licences(options.root, versions, editor.packages)
     return {
         **render_pages(site, licences),
         **asset_files,
@@ -101,8 +106,9 @@ def check_site(options: Options) -> tuple[Book, Stills, dict[str, bytes]]:
     return book, stills, pictures
 
 
-def _assets(root: Path, pictures: Mapping[str, bytes]) -> tuple[str, dict[str, Content]]:
-    """Style sheets, scripts, fonts, stills and the author's pictures, in one folder."""
+def _assets(root: Path, pictures: Mapping[str, bytes], python: Files) -> tuple[str, Files]:
+    """Style sheets, scripts, fonts, stills, the author's pictures and what opens the figures'
+    Python, in one folder."""
     content = folder_files(root / "content")
     return hashed_folder(
         "assets",
@@ -113,6 +119,7 @@ def _assets(root: Path, pictures: Mapping[str, bytes]) -> tuple[str, dict[str, C
             **{
                 f"content/{name}": file for name, file in content.items() if name.endswith(SUFFIXES)
             },
+            **python,
         },
     )
 
@@ -124,3 +131,23 @@ def _runtime(options: Options) -> tuple[str, dict[str, Content], Versions]:
     bundle = pack_runtime(options.root / "simulations")
     folder, files = hashed_folder("runtime", dict(bundle.files))
     return folder, files, bundle.versions
+
+
+def _editor(options: Options) -> EditorBundle:
+    """The code editor of the figures; where it cannot be had, a warning, and they do without."""
+    if not options.runtime:
+        return EditorBundle()
+    try:
+        return bundle_editor()
+    except EditorBundleError as error:
+        told = f"the figures' Python can be read but not edited, for want of the editor: {error}"
+        options.warn(Diagnostic("site_builder/editor/package-lock.json", 1, told, fails=False))
+        return EditorBundle()
+
+
+def _python(options: Options, book: Book, editor: EditorBundle) -> Files:
+    """What opens the Python of the figures: the sources of each scene, and the code editor."""
+    if not options.runtime:
+        return {}
+    script = {"editor/code_editor.js": editor.script} if editor.script else {}
+    return {**{f"python/{scene.id}.json": scene_sources(scene) for scene in book.scenes}, **script}

@@ -1,15 +1,24 @@
-"""What can be checked only when all chapters are read: links between them, ids across them."""
+"""What can be checked only when all chapters are read: links between them, ids across them, and
+what belongs together on a page."""
 
+from collections.abc import Sequence
 from pathlib import PurePosixPath
 
-from site_builder.book import Book, Chapter, Link, Quiz
+from site_builder.book import Book, Chapter, Link, Prediction, Quiz, Reveal, contents
 from site_builder.diagnostics import Diagnostics, unknown
+from site_builder.figure_questions import check_figure_questions
 from site_builder.question_checks import check_questions
 
 
 def check_book(book: Book, problems: Diagnostics) -> None:
-    """Report links that lead nowhere and quizzes that share an id; warn of keys that show."""
-    _check_quiz_ids(book, problems)
+    """Report links that lead nowhere, questions that share an id, answers to no prediction and
+    figures that cannot be set as asked; warn of keys that show."""
+    _check_ids("quiz", [item for chapter in book.chapters for item in chapter.quizzes], problems)
+    guesses = [item for chapter in book.chapters for item in chapter.predictions]
+    _check_ids("predict", guesses, problems)
+    for chapter in book.chapters:
+        _check_reveals(chapter, problems)
+        check_figure_questions(chapter, problems)
     check_questions(book, problems)
     by_file = {PurePosixPath(chapter.path).name: chapter for chapter in book.chapters}
     for chapter in book.chapters:
@@ -18,15 +27,21 @@ def check_book(book: Book, problems: Diagnostics) -> None:
                 problems.add(chapter.path, link.line, message)
 
 
-def _check_quiz_ids(book: Book, problems: Diagnostics) -> None:
-    first: dict[str, Quiz] = {}
-    for chapter in book.chapters:
-        for quiz in chapter.quizzes:
-            other = first.setdefault(quiz.id, quiz)
-            if other.path != quiz.path:  # within a page its reading tells
-                place = f"{other.path}:{other.line}"
-                message = f"duplicate quiz id {quiz.id!r}; first used at {place}"
-                problems.add(quiz.path, quiz.line, message)
+def _check_ids(kind: str, items: Sequence[Quiz | Prediction], problems: Diagnostics) -> None:
+    first: dict[str, Quiz | Prediction] = {}
+    for item in items:
+        other = first.setdefault(item.id, item)
+        if other.path != item.path:  # within a page its reading tells
+            message = f"duplicate {kind} id {item.id!r}; first used at {other.path}:{other.line}"
+            problems.add(item.path, item.line, message)
+
+
+def _check_reveals(chapter: Chapter, problems: Diagnostics) -> None:
+    guesses = [prediction.id for prediction in chapter.predictions]
+    for reveal in contents(chapter.body, Reveal):
+        if reveal.prediction not in guesses:
+            message = unknown("prediction of this page", reveal.prediction, guesses)
+            problems.add(reveal.path, reveal.line, message)
 
 
 def _fault_of(link: Link, chapter: Chapter, by_file: dict[str, Chapter]) -> str:

@@ -1,15 +1,14 @@
-"""Warnings of questions that give their keys away: by length, or by where the keys stand.
+"""Warnings of questions that give their keys away by length.
 
 A key that is longer than every other answer, because only the truth was hedged and explained, is
-the best known of the cues by which people answer who know nothing; a favourite place is the next
-(Haladyna, Downing and Rodriguez, *A review of multiple-choice item-writing guidelines*, 2002).
-Questions with several keys have neither cue, and are left alone.
+the best known of the cues by which people answer who know nothing (Haladyna, Downing and Rodriguez,
+*A review of multiple-choice item-writing guidelines*, 2002). The next, a favourite place, is none
+here: each reader gets an order of their own. Questions with several keys are left alone.
 """
 
 import html
 import re
-from collections import Counter
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Sequence
 
 from site_builder.book import Book, Chapter, Option, Quiz
 from site_builder.diagnostics import Diagnostics
@@ -21,25 +20,18 @@ FEW_LETTERS = 12
 """Two words: among short answers a smaller difference has no meaning, whatever its ratio."""
 SEEN = 1.1
 """How many times as long as the next an answer must be to be seen as the longest."""
-FEWEST_ALIKE = 3
-"""Keys in one place of a chapter that make a habit; two are a coincidence."""
 CHANCE = 0.01
-"""Probability below which what the keys of the whole book have in common is no coincidence."""
+"""Probability below which it is no coincidence how often keys are longest."""
 TAG = re.compile(r"<[^>]*>")
 
 
 def check_questions(book: Book, problems: Diagnostics) -> None:
-    """Warn of each key that stands out, of each chapter with a favourite place, and of habits
-    that show only in the whole book."""
-    for chapter in book.chapters:
-        quizzes = single_choice(chapter)
-        for quiz in quizzes:
-            if message := fault_of_length(quiz):
-                problems.warn(quiz.path, quiz.line, message)
-        if message := fault_of_places(quizzes):
-            problems.warn(chapter.path, quizzes[0].line, message)
-    everything = [quiz for chapter in book.chapters for quiz in single_choice(chapter)]
-    for message in habits(everything):
+    """Warn of each key that stands out, and of a habit that shows only in the whole book."""
+    quizzes = [quiz for chapter in book.chapters for quiz in single_choice(chapter)]
+    for quiz in quizzes:
+        if message := fault_of_length(quiz):
+            problems.warn(quiz.path, quiz.line, message)
+    if message := habit_of_length(quizzes):
         problems.warn("content/book.toml", 1, message)
 
 
@@ -73,33 +65,16 @@ def fault_of_length(quiz: Quiz) -> str:
     return ""
 
 
-def fault_of_places(quizzes: Sequence[Quiz]) -> str:
-    """What the keys' places in one chapter give away, or nothing.
-
-    Where more than half stand in one place, whoever always ticks it gets more than half right,
-    at least twice as many as by guessing among four.
-    """
-    places = [_place(quiz) for quiz in quizzes]
-    favourite, count = next(iter(Counter(places).most_common(1)), (0, 0))
-    if count < FEWEST_ALIKE or 2 * count <= len(places):
+def habit_of_length(quizzes: Sequence[Quiz]) -> str:
+    """What is said where keys are the longest answers more often than by chance, or nothing."""
+    count = sum(map(_is_longest, quizzes))
+    chances = [1.0 / len(quiz.options) for quiz in quizzes]
+    if chance_of(count, chances) >= CHANCE:
         return ""
-    listed = ", ".join(map(str, places))
     return (
-        f"{count} of {len(places)} keys of this chapter are answer {favourite} (in order: "
-        f"{listed}); better: spread over all places"
+        f"the key is the longest answer in {count} of the {len(quizzes)} questions of the book; "
+        f"better: about {sum(chances):.0f}, as by chance"
     )
-
-
-def habits(quizzes: Sequence[Quiz]) -> Iterator[str]:
-    """What the keys of many questions have in common more often than by chance."""
-    for what, holds, share in HABITS:
-        count = sum(map(holds, quizzes))
-        chances = [share(len(quiz.options)) for quiz in quizzes]
-        if chance_of(count, chances) < CHANCE:
-            yield (
-                f"the key is {what} in {count} of the {len(quizzes)} questions of the book; "
-                f"better: about {sum(chances):.0f}, as by chance"
-            )
 
 
 def chance_of(hits: int, chances: Sequence[float]) -> float:
@@ -120,23 +95,3 @@ def _lengths(quiz: Quiz) -> list[int]:
 def _is_longest(quiz: Quiz) -> bool:
     key, *wrong = _lengths(quiz)
     return key > SEEN * max(wrong)
-
-
-def _place(quiz: Quiz) -> int:
-    """Of the key, counted from 1."""
-    return 1 + next(index for index, option in enumerate(quiz.options) if option.correct)
-
-
-def _is_inside(quiz: Quiz) -> bool:
-    return 1 < _place(quiz) < len(quiz.options)
-
-
-type Habit = tuple[str, Callable[[Quiz], bool], Callable[[int], float]]
-
-HABITS: tuple[Habit, ...] = (
-    ("the longest answer", _is_longest, lambda answers: 1.0 / answers),
-    ("the first answer", lambda quiz: _place(quiz) == 1, lambda answers: 1.0 / answers),
-    ("the last answer", lambda quiz: _place(quiz) == len(quiz.options), lambda n: 1.0 / n),
-    ("neither the first nor the last answer", _is_inside, lambda n: max(n - 2, 0) / n),
-)
-"""What the keys may have in common, and how probable it is by chance among so many answers."""

@@ -23,6 +23,11 @@ settings.register_profile("repeatable", derandomize=True, deadline=None)
 settings.load_profile("repeatable")
 
 
+def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
+    """What needs the site goes first: one worker builds it while the others test the rest."""
+    items.sort(key=lambda item: item.get_closest_marker("browser") is None)
+
+
 def pytest_addoption(parser: pytest.Parser) -> None:
     parser.addoption("--site", type=Path, help="test this built site instead of building one")
 
@@ -82,6 +87,26 @@ def reader(chromium: Browser, server: StaticServer) -> Iterator[Reader]:
     yield someone
     context.close()
     assert not someone.complaints, "\n".join(someone.complaints)
+
+
+@pytest.fixture(scope="session")
+def long_visit(chromium: Browser, site_server: StaticServer) -> Iterator[Reader]:
+    context = chromium.new_context(viewport={"width": 1280, "height": 900})
+    yield Reader(context, site_server.url)
+    context.close()
+
+
+@pytest.fixture
+def visitor(long_visit: Reader) -> Iterator[Reader]:
+    """A reader who has been here for a while: the interpreter runs, and the page has no figure.
+
+    For tests that leave nothing behind but what goes when the page is turned.
+    """
+    long_visit.turn_to("licences/", live=False)
+    yield long_visit
+    complaints = [*long_visit.complaints]
+    long_visit.complaints.clear()
+    assert not complaints, "\n".join(complaints)
 
 
 @pytest.fixture

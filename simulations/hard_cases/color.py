@@ -11,13 +11,23 @@ from simulations.engine.hard_cases import (
     refused,
 )
 from simulations.engine.raster import to_rgba8
-from simulations.models.color import chromatic_adaptation, chromaticity, srgb
+from simulations.models.color import (
+    chromatic_adaptation,
+    chromaticity,
+    cie,
+    srgb,
+    white_balance,
+    ycbcr,
+)
 
 TABLE = HardCases(
     id="color",
     title="Colour",
     names={
         **vars(srgb),
+        **vars(cie),
+        **vars(ycbcr),
+        **vars(white_balance),
         **vars(chromaticity),
         **vars(chromatic_adaptation),
         "to_rgba8": to_rgba8,

@@ -10,7 +10,7 @@ from simulations.engine.hard_cases import (
     near,
     refused,
 )
-from simulations.models import picture_error
+from simulations.models import error_measures
 from simulations.models.sensor import bayer, demosaicing
 
 ORANGE = np.array([1.0, 0.5, 0.1])
@@ -36,7 +36,7 @@ TABLE = HardCases(
     names={
         **vars(bayer),
         **vars(demosaicing),
-        **vars(picture_error),
+        **vars(error_measures),
         "spread": spread,
         "edge": edge,
         "inf": np.inf,

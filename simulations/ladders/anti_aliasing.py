@@ -12,6 +12,7 @@ import numpy as np
 
 from simulations.engine.ladder import Ladder, Metric, Tier
 from simulations.models.arrays import Floats, Mask
+from simulations.models.error_measures import root_mean_square
 from simulations.models.pixel_grid import centred
 from simulations.models.sampling.aliasing import (
     box_filter,
@@ -88,21 +89,17 @@ def reference(centres: Floats) -> Truth:
     )
 
 
-def _rms(values: Floats) -> float:
-    return float(np.sqrt(np.mean(np.square(values, dtype=np.float64))))
-
-
 def alias_rms(result: Floats, truth: Truth, _centres: Floats) -> float:
-    return _rms(result[truth.out_of_band] - 0.5)
+    return root_mean_square((result[truth.out_of_band] - 0.5).astype(np.float64))
 
 
 def area_rms(result: Floats, truth: Truth, _centres: Floats) -> float:
-    return _rms(result - truth.area)
+    return root_mean_square(result - truth.area)
 
 
 def contrast_loss(result: Floats, truth: Truth, _centres: Floats) -> float:
     """How far the rings that pixels can show fall short of their full contrast, RMS."""
-    return _rms((result - truth.plate)[truth.in_band])
+    return root_mean_square((result - truth.plate)[truth.in_band])
 
 
 def _box_tier(factor: int) -> Tier:

@@ -16,6 +16,7 @@ from simulations.models.color.srgb import encode_srgb
 from simulations.models.compression import jpeg
 from simulations.models.compression.chroma_subsampling import coarsen
 from simulations.models.compression.chroma_upsampling import refine
+from simulations.models.error_measures import root_mean_square
 from simulations.pictures.balloon import WHOLE
 from simulations.pictures.mosaic_subjects import SUBJECTS
 
@@ -55,7 +56,7 @@ def reference(workload: Workload) -> tuple[Floats, ...]:
 
 def _rms(place: int) -> Callable[[tuple[Floats, ...], tuple[Floats, ...], Workload], float]:
     def measure(result: tuple[Floats, ...], truth: tuple[Floats, ...], _work: Workload) -> float:
-        return float(np.sqrt(np.mean(np.square(result[place] - truth[place]))))
+        return root_mean_square(result[place] - truth[place])
 
     return measure
 

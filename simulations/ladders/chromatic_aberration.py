@@ -11,6 +11,7 @@ import numpy as np
 
 from simulations.engine.ladder import Ladder, Metric, Tier
 from simulations.models.arrays import Floats
+from simulations.models.error_measures import root_mean_square
 from simulations.models.lens.chromatic_aberration import Glass, lateral_chromatic_scale
 from simulations.models.lens.spectral_bands import chosen_wavelengths, even_wavelengths
 from simulations.models.pixel_grid import centred
@@ -120,7 +121,7 @@ def _sign_along(at: Floats, magnification: Floats) -> Floats:
 
 
 def rms(result: Floats, truth: Floats, _workload: Workload) -> float:
-    return float(np.sqrt(np.mean(np.square(result - truth))))
+    return root_mean_square(result - truth)
 
 
 def worst(result: Floats, truth: Floats, _workload: Workload) -> float:

@@ -15,7 +15,7 @@ import numpy as np
 from simulations.engine.ladder import Ladder, Metric, Tier
 from simulations.models.arrays import Floats
 from simulations.models.color.srgb import encode_srgb
-from simulations.models.picture_error import psnr_db
+from simulations.models.error_measures import psnr_db
 from simulations.models.sensor.demosaicing import demosaic, mosaic
 from simulations.pictures.balloon import WHOLE
 from simulations.pictures.mosaic_subjects import SUBJECTS

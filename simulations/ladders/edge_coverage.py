@@ -8,6 +8,7 @@ import numpy as np
 
 from simulations.engine.ladder import Ladder, Metric, Tier
 from simulations.models.arrays import Floats
+from simulations.models.error_measures import root_mean_square
 from simulations.models.light.edge_coverage import (
     curved_edge_coverage,
     ramp_coverage,
@@ -142,7 +143,7 @@ def _under_arc(x: Floats, radius: float) -> Floats:
 def rms(result: Result, truth: Result, _workload: Workload, *, which: int) -> float:
     """In those pixels that the edge of the disc passes through, percent of a pixel."""
     edge = (truth[which] > 1e-9) & (truth[which] < 1 - 1e-9)
-    return float(100 * np.sqrt(np.mean(np.square(result[which] - truth[which])[edge])))
+    return 100 * root_mean_square((result[which] - truth[which])[edge])
 
 
 def worst(result: Result, truth: Result, _workload: Workload, *, which: int) -> float:

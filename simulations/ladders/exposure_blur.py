@@ -7,6 +7,7 @@ import numpy as np
 
 from simulations.engine.ladder import Ladder, Metric, Tier
 from simulations.models.arrays import Floats, Mask
+from simulations.models.error_measures import root_mean_square
 from simulations.models.sensor.exposure import mean_of_instants, mean_of_random_instants
 from simulations.pictures import moving_ball
 
@@ -99,7 +100,7 @@ def reference(_workload: Workload) -> Truth:
 
 
 def rms(result: Floats, truth: Truth, _workload: Workload) -> float:
-    return float(np.sqrt(np.mean(np.square(result - truth.picture)[truth.swept])))
+    return root_mean_square((result - truth.picture)[truth.swept])
 
 
 def worst(result: Floats, truth: Truth, _workload: Workload) -> float:

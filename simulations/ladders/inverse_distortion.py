@@ -10,6 +10,7 @@ from simulations.models.arrays import Floats
 from simulations.models.distortion.lens_model import Distortion
 from simulations.models.distortion.radial_table import inverse_table
 from simulations.models.distortion.undistortion import INVERSES, Inverse
+from simulations.models.error_measures import root_mean_square
 
 WIDTH, HEIGHT = 640, 480
 
@@ -60,7 +61,7 @@ def _distance_px(result: Floats, truth: Floats, workload: Workload) -> Floats:
 
 
 def rms_px(result: Floats, truth: Floats, workload: Workload) -> float:
-    return float(np.sqrt(np.mean(_distance_px(result, truth, workload) ** 2)))
+    return root_mean_square(_distance_px(result, truth, workload))
 
 
 def worst_px(result: Floats, truth: Floats, workload: Workload) -> float:

@@ -8,13 +8,12 @@ from collections.abc import Callable
 from dataclasses import replace
 from functools import partial
 
-import numpy as np
-
 from simulations.engine.ladder import Ladder, Metric
 from simulations.ladders import inverse_distortion
 from simulations.ladders.inverse_distortion import TIERS, Workload, workload_of
 from simulations.models.arrays import Floats
 from simulations.models.distortion.lens_model import Distortion
+from simulations.models.error_measures import root_mean_square
 
 type Lenses = tuple[Workload, Workload]
 """The pincushion and the barrel."""
@@ -45,7 +44,7 @@ def _both(workload: Lenses, *, run: Callable[[Workload], Floats]) -> Points:
 def rms_px(result: Points, truth: Points, workload: Lenses) -> float:
     """Over the points of both pictures."""
     each = [inverse_distortion.rms_px(*part) for part in zip(result, truth, workload, strict=True)]
-    return float(np.sqrt(np.mean(np.square(each))))
+    return root_mean_square(each)
 
 
 def worst_px(result: Points, truth: Points, workload: Lenses, *, part: int) -> float:

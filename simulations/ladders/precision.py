@@ -9,6 +9,7 @@ from numpy.typing import NDArray
 
 from simulations.engine.ladder import Ladder, Metric, Tier
 from simulations.models.arrays import Floats
+from simulations.models.error_measures import root_mean_square
 
 type Whole = NDArray[np.int64]
 
@@ -114,7 +115,7 @@ def _both(
 def _rms_px(pixels: Floats, truth: Floats) -> float:
     """RMS distance. A point that is lost, or thrown out of the picture, counts as 1000 px off."""
     distance = np.linalg.norm(pixels.astype(np.float64) - truth, axis=-1)
-    return float(np.sqrt(np.mean(np.fmin(distance, FOCAL_PX) ** 2)))
+    return root_mean_square(np.fmin(distance, FOCAL_PX))
 
 
 def rms_far_px(result: tuple[Floats, Floats], truth: Floats, _workload: Workload) -> float:

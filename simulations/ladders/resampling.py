@@ -11,7 +11,7 @@ import numpy as np
 
 from simulations.engine.ladder import Ladder, Metric, Tier
 from simulations.models.arrays import Floats
-from simulations.models.picture_error import psnr_db
+from simulations.models.error_measures import psnr_db
 from simulations.models.pixel_grid import centred
 from simulations.models.sampling.resampling import gather, gather_table
 

@@ -6,6 +6,7 @@ import numpy as np
 
 from simulations.engine.ladder import Ladder, Metric, Tier
 from simulations.models.arrays import Floats
+from simulations.models.error_measures import root_mean_square
 from simulations.models.light.cell_blending import blend_cells, blend_normals
 from simulations.models.light.reflectance import blinn_phong, phong
 
@@ -69,7 +70,7 @@ def blended_normals(normals: Floats, *, grid: int) -> Floats:
 
 
 def rms(result: Floats, truth: Floats, _normals: Floats) -> float:
-    return float(np.sqrt(np.mean((result.astype(np.float64) - truth) ** 2)))
+    return root_mean_square(result.astype(np.float64) - truth)
 
 
 def worst(result: Floats, truth: Floats, _normals: Floats) -> float:

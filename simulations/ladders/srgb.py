@@ -5,6 +5,7 @@ import numpy as np
 from simulations.engine.ladder import Ladder, Metric, Tier
 from simulations.models.arrays import Floats
 from simulations.models.color.srgb import encode_gamma, encode_srgb, encode_srgb_table
+from simulations.models.error_measures import root_mean_square
 
 SHAPE = (256, 256, 3)
 
@@ -34,7 +35,7 @@ def worst_codes(result: Floats, truth: Floats, _linear: Floats) -> float:
 
 
 def rms_codes(result: Floats, truth: Floats, _linear: Floats) -> float:
-    return float(np.sqrt(np.mean(_codes(result, truth) ** 2)))
+    return root_mean_square(_codes(result, truth))
 
 
 LADDER = Ladder(

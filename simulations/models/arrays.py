@@ -65,3 +65,10 @@ def as_colours(values: ArrayLike) -> Floats:
     if colours.shape[-1:] != (3,):
         raise ValueError(f"colours of shape {colours.shape}; legal: (..., 3)")
     return colours
+
+
+def through_matrix(matrix: ArrayLike, colours: ArrayLike) -> Floats:
+    """Colours (..., 3), each times a matrix (3, 3), in the colours' own precision."""
+    values = as_colours(colours)
+    with np.errstate(over="ignore", invalid="ignore"):
+        return values @ np.asarray(matrix, values.dtype).T

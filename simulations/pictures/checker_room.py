@@ -11,6 +11,8 @@ import numpy as np
 
 from simulations.models.arrays import Floats, Mask
 from simulations.models.pixel_grid import centred
+from simulations.models.require import require_positive
+from simulations.models.whole_numbers import as_whole
 from simulations.pictures.patterns import band, blend, checker, stripes
 
 LOW = (-2.35, -1.75, -1.0)
@@ -49,8 +51,8 @@ def checker_room(width: int, height: int, focal_px: float) -> Floats:
     (height, width, 3) float32 linear RGB. Raises ValueError unless sizes and ``focal_px`` are
     positive.
     """
-    if width < 1 or height < 1 or not 0.0 < focal_px < np.inf:
-        raise ValueError(f"{width} x {height}, focal_px {focal_px}; legal: above 0, finite")
+    width, height = as_whole("width", width, 1), as_whole("height", height, 1)
+    require_positive("focal_px", focal_px)
     x = centred(width).astype(np.float32) / focal_px
     y = centred(height).astype(np.float32) / focal_px
     # Never exactly along a wall, where a ray would meet it nowhere.

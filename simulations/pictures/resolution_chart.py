@@ -11,6 +11,8 @@ import numpy as np
 
 from simulations.models.arrays import Floats
 from simulations.models.pixel_grid import centred
+from simulations.models.require import require_positive
+from simulations.models.whole_numbers import as_whole
 from simulations.pictures.patterns import band, blend, checker, siemens_star, stripes
 
 PAPER, INK, RULE = (0.82, 0.81, 0.78), (0.025, 0.028, 0.035), (0.10, 0.22, 0.34)
@@ -28,8 +30,8 @@ def resolution_chart(width: int, height: int, focal_px: float) -> Floats:
     (height, width, 3) float32 linear RGB. Raises ValueError unless sizes and ``focal_px`` are
     positive.
     """
-    if width < 1 or height < 1 or not 0.0 < focal_px < np.inf:
-        raise ValueError(f"{width} x {height}, focal_px {focal_px}; legal: above 0, finite")
+    width, height = as_whole("width", width, 1), as_whole("height", height, 1)
+    require_positive("focal_px", focal_px)
     column, row = centred(width) / focal_px, centred(height) / focal_px
     x, y = column.astype(np.float32)[None], row.astype(np.float32)[:, None]
     pixel = np.float32(1.0 / focal_px)

@@ -7,8 +7,12 @@ from simulations.engine.controls import Control
 
 COLUMNS = 12
 """Of the grid of controls: divisible by all numbers of controls in a row."""
-IN_A_ROW = {"narrow": 1, "small": 2, "middle": 3, "wide": 4}
+IN_A_ROW = {"narrow": 2, "small": 2, "middle": 3, "wide": 4}
 """Controls in a row at most, by the room that there is."""
+FOLDED = ("narrow", "small")
+"""Where only the main controls are in sight; elsewhere all share their rows."""
+ROWS_IN_SIGHT = 2
+"""Rows of controls that a phone shows together with the first panel, and room to spare."""
 
 
 def even_columns(count: int, most: int) -> int:
@@ -20,13 +24,25 @@ def even_columns(count: int, most: int) -> int:
     return min(n for n in legal if -(-count // n) == fewest_rows)
 
 
-def control_cells(controls: Sequence[Control]) -> list[tuple[Control, ...]]:
+def gather_buttons(controls: Sequence[Control]) -> list[tuple[Control, ...]]:
     """Each control by itself, but buttons that follow each other together."""
     cells: list[tuple[Control, ...]] = []
     for is_action, run in groupby(controls, key=lambda control: control.kind == "action"):
         together = tuple(run)
         cells += [together] if is_action else [(control,) for control in together]
     return cells
+
+
+def cells_in_sight(places: Sequence[int], most: int) -> int:
+    """How many cells, from the first, are main ones; the others are folded where it is narrow.
+
+    A scene states its settings in the order of their weight, so the main ones are those that come
+    first. A fold that would hide a single row saves no room: then all are main.
+    """
+    if len(_rows(places, most)) <= ROWS_IN_SIGHT + 1:
+        return len(places)
+    counts = range(len(places), 0, -1)
+    return next(n for n in counts if len(_rows(places[:n], most)) <= ROWS_IN_SIGHT)
 
 
 def spans(places: Sequence[int], most: int) -> list[int]:

@@ -1,10 +1,12 @@
 """The licences of everything that reaches the reader, gathered from the installed packages."""
 
 import os
+from collections.abc import Sequence
 from dataclasses import dataclass
 from importlib.metadata import PackageNotFoundError, distribution
 from pathlib import Path
 
+from site_builder.editor.bundle import Package
 from site_builder.runtime.pinned import Versions
 
 
@@ -23,8 +25,13 @@ class Licence:
     text: str
 
 
-def gather_licences(root: Path, versions: Versions) -> tuple[Licence, ...]:
-    """Licences of the book and of what it ships; the versions are the browser runtime's."""
+def gather_licences(
+    root: Path, versions: Versions, editor: Sequence[Package] = ()
+) -> tuple[Licence, ...]:
+    """Licences of the book and of what it ships.
+
+    The versions are the browser runtime's; ``editor`` are the packages in the code editor.
+    """
     book = Licence(
         "Image Formation",
         "",
@@ -33,7 +40,7 @@ def gather_licences(root: Path, versions: Versions) -> tuple[Licence, ...]:
         "",
         _text_of(root / "LICENSE"),
     )
-    return (book, *_of_the_runtime(versions), *_of_the_fonts())
+    return (book, *_of_the_runtime(versions), *_of_the_editor(editor), *_of_the_fonts())
 
 
 def _of_the_runtime(versions: Versions) -> tuple[Licence, ...]:
@@ -62,6 +69,25 @@ def _of_the_runtime(versions: Versions) -> tuple[Licence, ...]:
             "Arrays, in the browser and when the book is built. Cut down and compiled as well.",
             "https://numpy.org/",
             _packaged_text("numpy", "licenses/LICENSE.txt"),
+        ),
+    )
+
+
+def _of_the_editor(packages: Sequence[Package]) -> tuple[Licence, ...]:
+    """One entry for all packages, each text once below the names of those that it covers."""
+    if not packages:
+        return ()
+    texts: dict[str, list[str]] = {}
+    for package in packages:
+        texts.setdefault(package.text.strip(), []).append(f"{package.name} {package.version}")
+    return (
+        Licence(
+            "CodeMirror and Lezer",
+            "",
+            " and ".join(sorted({package.license for package in packages})),
+            "The code editor of the figures. Cut down to what is used, and joined into one file.",
+            "https://codemirror.net/",
+            "\n\n\n".join(f"{', '.join(names)}\n\n{text}" for text, names in texts.items()),
         ),
     )
 

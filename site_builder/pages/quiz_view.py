@@ -1,20 +1,44 @@
-"""A quiz as the page's script needs it, to answer at once."""
+"""A question as the page's script needs it, to answer at once."""
+
+import hashlib
+from collections.abc import Sequence
 
 from markupsafe import Markup
 
-from site_builder.book import Quiz
+from site_builder.book import Option, Quiz
+from site_builder.markdown.question_options import OTHERWISE
 from site_builder.pages.embedding import json_for_html
 
 
 def quiz_data(quiz: Quiz) -> Markup:
     """JSON that is safe inside a script element."""
-    return json_for_html(
-        {
-            "id": quiz.id,
-            "kind": quiz.kind,
-            "options": [
-                {"correct": option.correct, "explanation_html": option.explanation_html}
-                for option in quiz.options
-            ],
-        }
+    data: dict[str, object] = {
+        "id": quiz.id,
+        "kind": quiz.kind,
+        "edition": quiz.edition,
+        "options": option_data(quiz.options),
+    }
+    if quiz.kind == "number":
+        data["tolerance"] = quiz.tolerance
+    if quiz.kind == "figure":
+        data["conditions"] = [option.text for option in quiz.options if option.text != OTHERWISE]
+    return json_for_html(data)
+
+
+def option_data(options: Sequence[Option]) -> list[dict[str, object]]:
+    """What is said of each answer, and the number that it is, where it is one."""
+    return [
+        {"correct": option.correct, "explanation_html": option.explanation_html}
+        | ({} if option.value is None else {"value": option.value})
+        for option in options
+    ]
+
+
+def in_any_order(options: Sequence[Option]) -> list[tuple[int, Option]]:
+    """Things to be put in order, in one that tells nothing and does not change; where they
+    belong, and what they are."""
+    mixed = sorted(
+        enumerate(options), key=lambda item: hashlib.sha256(item[1].text.encode()).digest()
     )
+    places = [place for place, _ in mixed]
+    return mixed if places != sorted(places) else mixed[::-1]

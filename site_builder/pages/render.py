@@ -13,13 +13,19 @@ from site_builder.markdown.directives.simulation import SIMULATION
 from site_builder.markdown.text.code import highlighted_lines
 from site_builder.pages.ladder_view import summary_row, view_ladder
 from site_builder.pages.licences import Licence
-from site_builder.pages.quiz_view import quiz_data
+from site_builder.pages.predict_view import predict_data, view_sketch
+from site_builder.pages.progress_view import progress_data
+from site_builder.pages.quiz_view import in_any_order, quiz_data
 from site_builder.pages.simulation_view import SimulationView, view_simulation
 from site_builder.pages.stills import Stills
 
 TEMPLATES = Path(__file__).parents[1] / "templates"
 FILTERS: Mapping[str, Callable[..., object]] = {
     "quiz_data": quiz_data,
+    "in_any_order": in_any_order,
+    "predict_data": predict_data,
+    "view_sketch": view_sketch,
+    "progress_data": progress_data,
     "view_ladder": view_ladder,
     "summary_row": summary_row,
 }
@@ -38,6 +44,8 @@ class Site:
     """Folder of style sheets, scripts, fonts and stills, relative to the site's root."""
     runtime: str
     """Folder of the browser's Python, relative to the site's root; nothing without a runtime."""
+    code_editor: bool = False
+    """Whether readers can rewrite the Python of a figure, or only read it."""
     reload: bool = False
     """Whether pages reload themselves when the site has been built anew."""
 
@@ -99,6 +107,8 @@ def _page(site: Site, template: str, root: str, **context: object) -> str:
         "root": root,
         "assets": assets,
         "anchors": chapter.anchors if isinstance(chapter, Chapter) else (),
+        "python": bool(site.runtime),
+        "code_editor": site.code_editor,
         "block_html": block_html,
         "simulation_view": simulation_view,
     }

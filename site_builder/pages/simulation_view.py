@@ -4,15 +4,15 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any
 
-from simulations.engine.controls import Action, Choice, Control, Slider, Value, describe
-from simulations.engine.frame import Panel, Place, Readout, StageReport, format_number
+from simulations.engine.controls import Choice, Control, Slider, Value, describe
+from simulations.engine.frame import Panel, Place, Readout, StageReport
 from simulations.engine.handles import Handle
 from simulations.engine.scene import Scene
 from simulations.registry import load_ladder
 from site_builder.book import OUTLINE
-from site_builder.measured.quantities import with_unit
+from site_builder.pages.control_view import CellView, control_cells, value_text
 from site_builder.pages.embedding import json_for_html
-from site_builder.pages.figure_grid import IN_A_ROW, control_cells, even_columns, spans
+from site_builder.pages.figure_grid import even_columns
 from site_builder.pages.stills import Still
 
 SHOW_STAGES_FROM = 10
@@ -46,27 +46,6 @@ class PanelView:
 
 
 @dataclass(frozen=True, slots=True)
-class ControlView:
-    """A control and its starting state."""
-
-    control: Control
-    id: str
-    value: Value
-    text: str
-    """A slider's value with its unit; a button's present label."""
-
-
-@dataclass(frozen=True, slots=True)
-class CellView:
-    """What stands in one cell of the grid of controls."""
-
-    controls: tuple[ControlView, ...]
-    """One, or buttons in a run; none in the cell of the accuracy."""
-    spans: str
-    """Columns that it takes, by the room that there is, as CSS variables."""
-
-
-@dataclass(frozen=True, slots=True)
 class SimulationView:
     """A figure, ready for ``blocks/simulation.html``."""
 
@@ -78,6 +57,9 @@ class SimulationView:
     panels: tuple[PanelView, ...]
     readouts: tuple[Readout, ...]
     cells: tuple[CellView, ...]
+    """Controls that are always in sight."""
+    folded: tuple[CellView, ...]
+    """Controls that wait behind a line where space is narrow."""
     columns: tuple[int, int, int]
     """Readouts in a row where space is narrow, middling and wide."""
     photograph: bool
@@ -97,6 +79,8 @@ class SimulationView:
 def view_simulation(still: Still, assets: str) -> SimulationView:
     """``assets`` is the address of the assets folder, relative to the page."""
     figure, scene, frame = still.figure, still.figure.scene, still.frame
+    tiers = tier_labels(scene)
+    cells, folded = control_cells(still, tiers)
     return SimulationView(
         id=figure.id,
         scene_id=scene.id,
@@ -109,36 +93,21 @@ def view_simulation(still: Still, assets: str) -> SimulationView:
             for name in (still.pictures.get(panel.name, ""),)
         ),
         readouts=frame.readouts,
-        cells=_cells(still),
+        cells=cells,
+        folded=folded,
         columns=(
             even_columns(len(frame.readouts), 2),
             even_columns(len(frame.readouts), 4),
             even_columns(len(frame.readouts), 6),
         ),
         photograph=scene.photograph is not None,
-        tiers=tier_labels(scene),
+        tiers=tiers,
         tier=figure.tier,
         judged=scene.estimate is not None,
         stages=frame.stages,
         stages_text=count_stages(frame.stages),
         stages_open=len(frame.stages) >= SHOW_STAGES_FROM and figure.path != OUTLINE,
         schema=json_for_html(schema(still)),
-    )
-
-
-def _cells(still: Still) -> tuple[CellView, ...]:
-    """The grid of controls; its last cell is the accuracy's, where there is a choice of it."""
-    scene = still.figure.scene
-    cells = [*control_cells(scene.controls), *([()] if scene.tiers else [])]
-    # Three buttons need the room of two other controls.
-    places = [2 if len(cell) > 2 else 1 for cell in cells]
-    by_room = zip(*(spans(places, most) for most in IN_A_ROW.values()), strict=True)
-    return tuple(
-        CellView(
-            tuple(_control(still, control) for control in cell),
-            "; ".join(f"--{room}: {span}" for room, span in zip(IN_A_ROW, taken, strict=True)),
-        )
-        for cell, taken in zip(cells, by_room, strict=True)
     )
 
 
@@ -177,13 +146,6 @@ def _keys(driven: Sequence[Control]) -> str:
     return f"Left and right arrow keys change {across}, up and down {along}."
 
 
-def _control(still: Still, control: Control) -> ControlView:
-    value = still.values[control.name]
-    return ControlView(
-        control, f"{still.figure.id}-{control.name}", value, value_text(control, value)
-    )
-
-
 def schema(still: Still) -> dict[str, object]:
     """What the page's script must know of the figure: controls, starting values, tiers."""
     scene = still.figure.scene
@@ -215,17 +177,3 @@ def count_stages(stages: Sequence[StageReport]) -> str:
     for stage in stages:
         counts[stage.status] += 1
     return ", ".join(f"{count} {status}" for status, count in counts.items())
-
-
-def value_text(control: Control, value: Value) -> str:
-    """The value as ``controls.js`` writes it: ``f/2.8``, ``5.0 m``, ``30°``."""
-    match control:
-        case Slider():
-            number = format_number(float(value), control.decimals)
-            return with_unit(f"{control.prefix}{number}", control.unit)
-        case Action():
-            return control.labels[int(value)]
-        case Choice():
-            return control.options[str(value)]
-        case _:
-            return ""

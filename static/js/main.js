@@ -4,18 +4,30 @@
  */
 
 import { SimulationFigure } from "./figure/element.js";
+import { installStrips } from "./figure/strip.js";
 import { LadderBench } from "./ladder/bench.js";
 import { installContents } from "./page/contents.js";
 import { installNavigation } from "./page/navigate.js";
-import { installQuizzes, restoreQuizzes } from "./page/quiz.js";
+import { watchScrollers } from "./page/scrollers.js";
 import { installTheme, showTheme } from "./page/theme.js";
+import { installKeeping } from "./question/keeping.js";
+import { installPredictions, restorePredictions } from "./question/predictions.js";
+import { installQuestions, restoreQuestions } from "./question/questions.js";
 
 customElements.define("simulation-figure", SimulationFigure);
 customElements.define("ladder-bench", LadderBench);
 installTheme();
 installContents();
-installQuizzes();
+installStrips();
+watchScrollers();
+installQuestions();
+installPredictions();
+installKeeping();
+restoreQuestions();
+restorePredictions();
 installNavigation(() => {
   showTheme();
-  restoreQuizzes();
+  watchScrollers();
+  restoreQuestions();
+  restorePredictions();
 });

@@ -90,7 +90,8 @@ def what_one_depth_for_all_costs() -> Says:
     K = intrinsics(160, (0, 0))
     near, _ = project([1, 0, 1.9], K)
     flat, _ = project_affine([1, 0, 1.9], scaled_orthographic_camera(K, 2.0))
-    yield f"- [x] At {60 * flat[0] / near[0]:.0f} px"
+    assert isclose(60 * flat[0] / near[0], 60 * 1.9 / 2)
+    yield "- [x] `60 * 1.9 / 2`"
     K = intrinsics(80, (0, 0))
     (true, _), _ = project([1, 0, 20], K)
     (wrong, _), _ = project_affine([1, 0, 20], scaled_orthographic_camera(K, 5.0))
@@ -108,8 +109,8 @@ def a_ball_near_the_border() -> Says:
 def how_tall_the_tree_is() -> Says:
     assert isclose(image_px(1, 20, 80) / image_px(1, 10, 80), 1 / 2)
     yield "A tree is 200 px tall"
-    yield f"- [x] {200 / 2:.0f} px"
-    yield f"- [ ] {200 / sqrt(2):.0f} px\n  : Halving the area would do that."
+    yield "- [x] `200 / 2`"
+    yield "- [ ] `200 / sqrt(2)`\n  : Halving the area would do that."
 
 
 def the_share_that_is_lost() -> Says:

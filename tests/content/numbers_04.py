@@ -141,7 +141,9 @@ def sign_of_k1() -> Says:
 
 
 def cubic_growth() -> Says:
-    yield f"- [x] {2 * (0.6 / 0.3) ** 3:.0f} px"
+    near, far = (distort([r, 0], BARREL)[0] - r for r in (0.3, 0.6))
+    assert np.isclose(far / near, (0.6 / 0.3) ** 3)
+    yield "- [x] `2 * (0.6 / 0.3) ** 3`"
 
 
 WORKED = (

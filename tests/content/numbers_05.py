@@ -103,14 +103,13 @@ def how_wide_a_highlight_is() -> Says:
 
 def negative_dot_product() -> Says:
     cosine = -0.4
-    yield f"- [ ] {0.5 * (1 + cosine) / 2:g}\n"
-    yield f"- [ ] {0.5 * abs(cosine):g}\n"
     light = np.array((0, np.sqrt(1 - cosine**2), cosine))
-    yield f"- [x] {float(lambert(np.array((0.0, 0, 1)), light, 0.5)):g}\n"
+    assert float(lambert(np.array((0.0, 0, 1)), light, 0.5)) == 0.5 * max(0, cosine)
+    yield f"- [x] `0.5 * max(0, {cosine:g})`\n"
 
 
 def halfway_exponent() -> Says:
-    yield f"- [x] {25 * 2**2}\n"
+    yield "- [x] `25 * 2**2`\n"
     yield rf"Four times the exponent, $\alpha = {4 * 20}$"
 
 

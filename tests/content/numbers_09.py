@@ -49,13 +49,10 @@ def disparities_of_the_figure() -> Says:
 
 def disparity_and_depth() -> Says:
     yield f"$Z = fb/d = 80/16 = {80 / 16:g}$ m"
-    yield f"- [ ] {80 * 16} m"
-    yield f"- [ ] {16 / 80:g} m"
-    yield f"- [ ] {80 / (16 / 2):g} m"
 
 
 def averaging_frames() -> Says:
-    yield f"- [x] By a factor of {sqrt(16):.0f}\n"
+    yield "- [x] `sqrt(16)`\n"
     frames = np.random.default_rng(0).standard_normal((16, 20_000))
     assert isclose(frames.mean(axis=0).std(), 1 / sqrt(16), rel_tol=0.02)
 

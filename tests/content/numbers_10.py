@@ -13,9 +13,9 @@ from simulations.ladders.inverse_distortion import LADDER
 from simulations.models.distortion import radial_profile, radial_table
 from simulations.models.distortion.lens_model import largest_distorted_radius, undistort
 from simulations.models.distortion.undistortion import undistort_newton
+from simulations.models.error_measures import psnr_db
 from simulations.models.geometry import rotations
 from simulations.models.light.raycasting import Sphere
-from simulations.models.picture_error import psnr_db
 from simulations.pictures.still_life.things import THINGS, thing_depth
 from simulations.scenes.camera import scene as camera
 from simulations.scenes.camera.lens import PITCH_MM
@@ -76,7 +76,7 @@ def how_many_steps_of_newton_would_do() -> Says:
 
 def samples_of_a_box() -> Says:
     yield f"A box of 16 × 16 samples a pixel has {16**2} times the work"
-    yield f"or about {16**2}?"
+    yield f"About {16**2}\n"
 
 
 def guesses_that_jump_back_and_forth() -> Says:

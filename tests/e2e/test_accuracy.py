@@ -17,8 +17,8 @@ type OpenFigure = Callable[[str], Locator]
 
 
 @pytest.fixture
-def open_figure(reader: Reader, book: Any) -> OpenFigure:
-    return partial(reader.open_figure, book)
+def open_figure(visitor: Reader, book: Any) -> OpenFigure:
+    return partial(visitor.turn_to_figure, book)
 
 
 def set_slider(figure: Locator, name: str, value: float, *, release: bool) -> None:
@@ -34,30 +34,30 @@ def set_slider(figure: Locator, name: str, value: float, *, release: bool) -> No
 
 
 def test_a_drag_is_drafted_and_settles_in_the_chosen_tier(
-    reader: Reader, open_figure: OpenFigure
+    visitor: Reader, open_figure: OpenFigure
 ) -> None:
     figure = open_figure("camera")
-    reader.settle(figure)
+    visitor.settle(figure)
     assert figure.get_attribute("data-tier") == "layers"
-    frames = reader.frames(figure)
+    frames = visitor.frames(figure)
     set_slider(figure, "focal_length", 60, release=False)
-    reader.wait_frame(figure, frames)
+    visitor.wait_frame(figure, frames)
     assert figure.get_attribute("data-tier") == "draft"
-    drafted, frames = reader.shown(figure), reader.frames(figure)
+    drafted, frames = visitor.shown(figure), visitor.frames(figure)
     set_slider(figure, "focal_length", 60, release=True)
-    reader.wait_frame(figure, frames)
-    reader.settle(figure)
+    visitor.wait_frame(figure, frames)
+    visitor.settle(figure)
     assert figure.get_attribute("data-tier") == "layers"
-    assert reader.shown(figure)["pixels"] != drafted["pixels"]
+    assert visitor.shown(figure)["pixels"] != drafted["pixels"]
 
 
 def test_a_drag_that_leaves_geometry_alone_needs_no_draft(
-    reader: Reader, open_figure: OpenFigure
+    visitor: Reader, open_figure: OpenFigure
 ) -> None:
     figure = open_figure("camera")
-    frames = reader.frames(figure)
+    frames = visitor.frames(figure)
     set_slider(figure, "noise_sigma", 20, release=False)
-    reader.wait_frame(figure, frames)
+    visitor.wait_frame(figure, frames)
     assert figure.get_attribute("data-tier") == "layers"
     statuses = figure.locator(".stage").evaluate_all(
         "stages => stages.map((stage) => [stage.firstElementChild.textContent,"
@@ -69,64 +69,64 @@ def test_a_drag_that_leaves_geometry_alone_needs_no_draft(
 
 
 def test_a_drag_may_need_the_draft_in_a_dear_tier_only(
-    reader: Reader, open_figure: OpenFigure
+    visitor: Reader, open_figure: OpenFigure
 ) -> None:
     figure = open_figure("camera")
     for chosen, while_dragging in (("layers", "layers"), ("bent-rays", "draft")):
         if figure.get_attribute("data-tier") != chosen:
-            reader.choose(figure, "tier", chosen)
-        reader.settle(figure)
-        frames = reader.frames(figure)
+            visitor.choose(figure, "tier", chosen)
+        visitor.settle(figure)
+        frames = visitor.frames(figure)
         set_slider(figure, "k1", -0.2 if chosen == "layers" else -0.3, release=False)
-        reader.wait_frame(figure, frames)
+        visitor.wait_frame(figure, frames)
         assert figure.get_attribute("data-tier") == while_dragging
 
 
 def test_the_error_is_told_at_rest_and_differs_by_tier(
-    reader: Reader, open_figure: OpenFigure
+    visitor: Reader, open_figure: OpenFigure
 ) -> None:
     figure = open_figure("lens-distortion")
     set_slider(figure, "k1", -0.3, release=True)
-    reader.settle(figure)
+    visitor.settle(figure)
     errors = {}
     for tier in ("first-order", "newton-bracketed"):
-        reader.choose(figure, "tier", tier)
-        errors[tier] = reader.judged(figure)
+        visitor.choose(figure, "tier", tier)
+        errors[tier] = visitor.judged(figure)
     assert errors["newton-bracketed"] == "under 10⁻⁹\xa0px"
     assert float(errors["first-order"].removesuffix("\xa0px")) > 1
 
 
 def test_a_tier_cheaper_than_the_draft_is_kept_while_dragging(
-    reader: Reader, open_figure: OpenFigure
+    visitor: Reader, open_figure: OpenFigure
 ) -> None:
     figure = open_figure("lens-distortion")
-    reader.choose(figure, "tier", "first-order")
-    frames = reader.frames(figure)
+    visitor.choose(figure, "tier", "first-order")
+    frames = visitor.frames(figure)
     set_slider(figure, "k1", 0.3, release=False)
-    reader.wait_frame(figure, frames)
+    visitor.wait_frame(figure, frames)
     assert figure.get_attribute("data-tier") == "first-order"
 
 
 def test_no_error_stands_beside_a_frame_that_it_does_not_belong_to(
-    reader: Reader, open_figure: OpenFigure
+    visitor: Reader, open_figure: OpenFigure
 ) -> None:
     figure = open_figure("lens-distortion")
-    reader.judged(figure)
-    frames = reader.frames(figure)
+    visitor.judged(figure)
+    frames = visitor.frames(figure)
     set_slider(figure, "k1", 0.2, release=False)
-    reader.wait_frame(figure, frames)
+    visitor.wait_frame(figure, frames)
     assert figure.locator(".accuracy-value").inner_text() == "…"
 
 
 def test_a_refused_setting_leaves_the_list_of_stages_ready_for_the_next(
-    reader: Reader, open_figure: OpenFigure
+    visitor: Reader, open_figure: OpenFigure
 ) -> None:
     """Focused nearer than its focal length a lens makes no picture, and no stage is run."""
     figure = open_figure("depth-of-field")
     for focus in (0.05, 3.0):
-        frames = reader.frames(figure)
+        frames = visitor.frames(figure)
         set_slider(figure, "focus", focus, release=True)
-        reader.wait_frame(figure, frames)
+        visitor.wait_frame(figure, frames)
         assert figure.get_attribute("data-state") == "live"
     assert figure.locator(".stages > ol > li:not([hidden])").count() > 5
 
@@ -136,10 +136,10 @@ JUDGED = [name for name in SCENE_MODULES if load_scene(name).estimate is not Non
 
 @pytest.mark.parametrize("scene", JUDGED)
 def test_a_figure_with_a_reference_settles_in_its_default_tier_and_tells_its_error(
-    reader: Reader, open_figure: OpenFigure, scene: str
+    visitor: Reader, open_figure: OpenFigure, scene: str
 ) -> None:
     figure, known = open_figure(scene), load_scene(scene)
-    value = reader.judged(figure)
+    value = visitor.judged(figure)
     assert figure.get_attribute("data-tier") == known.default_tier
     offered = figure.locator("select[name=tier] option").evaluate_all(
         "options => options.map((option) => option.value)"

@@ -1,4 +1,4 @@
-"""Turning pages, finding one's place, narrow windows."""
+"""Turning pages, finding one's place, themes, paper."""
 
 from typing import Any
 
@@ -68,14 +68,6 @@ def test_the_whole_book_is_read_by_next_links(plain_reader: Reader, book: Any) -
             "url => location.href === url", arg=plain_reader.root + chapter["url"]
         )
         assert plain_reader.page.evaluate("document.activeElement.id") == "main"
-
-
-def test_no_page_scrolls_sideways_on_a_narrow_screen(plain_reader: Reader, book: Any) -> None:
-    plain_reader.page.set_viewport_size({"width": 360, "height": 740})
-    for address in ["", *(chapter["url"] for chapter in book["chapters"])]:
-        plain_reader.open(address, live=False)
-        width = plain_reader.page.evaluate("document.documentElement.scrollWidth")
-        assert width <= 360, f"{address or 'landing page'} is {width} wide"
 
 
 def test_the_theme_is_remembered(plain_reader: Reader) -> None:

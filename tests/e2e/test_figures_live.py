@@ -1,6 +1,6 @@
-"""Every chapter opens, every figure comes alive in place, every control does something."""
+"""Every chapter opens, every figure comes alive in place, every kind of control does something."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from contextlib import suppress
 from typing import Any
 
@@ -9,21 +9,28 @@ from playwright.sync_api import Locator
 from playwright.sync_api import TimeoutError as PlaywrightTimeoutError
 from support.reader import Reader
 
+from simulations.registry import SCENE_MODULES
+
 pytestmark = pytest.mark.browser
 
 type Gesture = Callable[[Reader, Locator, Any, int], None]
 
 
 def test_every_figure_comes_alive_in_place(reader: Reader, book: Any) -> None:
-    for address in ["", *(chapter["url"] for chapter in book["chapters"])]:
-        reader.open(address, live=False)
+    reader.page.add_init_script(HOLD)
+    first, *others = (chapter["url"] for chapter in book["chapters"])
+    for address in ("", first, *others):
+        if address in others:
+            reader.page.evaluate("window.hold()")
+            reader.turn_to(address, live=False)
+        else:
+            reader.open(address, live=False)
         still = reader.page.evaluate(STILLS)
+        reader.page.evaluate("window.release()")
         reader.wait_live()
         where = address or "landing page"
         assert reader.page.evaluate(STILLS) == still, where
-        shifts = reader.page.evaluate("window.shifts")
-        total = sum(shift["value"] for shift in shifts)
-        assert total < 0.01, f"{where} moved by {total:.3f}: {shifts}"
+        _assert_unmoved(reader, where)
 
 
 def test_every_chapter_shows_the_figures_and_questions_that_the_catalogue_names(
@@ -40,7 +47,31 @@ def test_every_chapter_shows_the_figures_and_questions_that_the_catalogue_names(
             "[...document.querySelectorAll('form.quiz')].map(form => form.dataset.quiz)"
         )
         assert quizzes == chapter["quizzes"]
+        plain_reader.page.evaluate("document.fonts.ready")
+        _assert_unmoved(plain_reader, chapter["url"])
 
+
+def _assert_unmoved(reader: Reader, where: str) -> None:
+    """Nothing has moved on the page since it was opened, nor on the one before."""
+    shifts = reader.page.evaluate("window.shifts")
+    total = sum(shift["value"] for shift in shifts)
+    assert total < 0.01, f"{where} moved by {total:.3f}: {shifts}"
+
+
+HOLD = """(() => {
+  const send = Worker.prototype.postMessage;
+  let held = [];
+  window.hold = () => {
+    Worker.prototype.postMessage = function (...message) { held.push([this, message]); };
+  };
+  window.release = () => {
+    Worker.prototype.postMessage = send;
+    for (const [worker, message] of held) worker.postMessage(...message);
+    held = [];
+  };
+  window.hold();
+})()"""
+"""What is sent to the interpreter waits, so that the page can be looked at as it was served."""
 
 STILLS = """async () => {
   const figures = [];
@@ -57,43 +88,50 @@ STILLS = """async () => {
 }"""
 
 
-def test_every_control_changes_the_figure_by_keyboard(reader: Reader, book: Any) -> None:
-    for scene, url in _places(book):
-        reader.turn_to(url)
-        figure = reader.figure(scene["id"])
-        for control in scene["controls"]:
-            _assert_changes(reader, figure, control, _press)
+@pytest.fixture(scope="module", params=SCENE_MODULES)
+def scene(request: pytest.FixtureRequest, book: Any) -> Any:
+    return next(scene for scene in book["simulations"] if scene["id"] == request.param)
 
 
-def test_every_control_changes_the_figure_by_mouse(reader: Reader, book: Any) -> None:
-    for scene, url in _places(book):
-        reader.turn_to(url)
-        figure = reader.figure(scene["id"])
-        for control in scene["controls"]:
-            _assert_changes(reader, figure, control, _click)
+@pytest.fixture
+def figure(visitor: Reader, book: Any, scene: Any) -> Locator:
+    return visitor.turn_to_figure(book, scene["id"])
 
 
-def test_every_tier_draws_a_frame(reader: Reader, book: Any) -> None:
-    for scene, url in _places(book):
-        if not scene["tiers"]:
-            continue
-        reader.turn_to(url)
-        figure = reader.figure(scene["id"])
-        menu = figure.locator('select[name="tier"]')
-        chosen = menu.input_value()
-        for tier in [*(tier for tier in scene["tiers"] if tier != chosen), chosen]:
-            before = reader.frames(figure)
-            menu.select_option(tier)
-            reader.wait_frame(figure, before)
+def test_each_kind_of_control_changes_the_figure_by_keyboard(
+    visitor: Reader, scene: Any, figure: Locator
+) -> None:
+    for control in _one_of_each_kind(scene):
+        _assert_changes(visitor, figure, control, _press)
 
 
-def _places(book: Any) -> list[tuple[Any, str]]:
-    """Each scene that some chapter shows, with the first such chapter."""
-    return [
-        (scene, next(c["url"] for c in book["chapters"] if scene["id"] in c["simulations"]))
-        for scene in book["simulations"]
-        if any(scene["id"] in chapter["simulations"] for chapter in book["chapters"])
-    ]
+def test_each_kind_of_control_changes_the_figure_by_mouse(
+    visitor: Reader, scene: Any, figure: Locator
+) -> None:
+    for control in _one_of_each_kind(scene):
+        _assert_changes(visitor, figure, control, _click)
+
+
+def test_every_tier_draws_a_frame(visitor: Reader, scene: Any, figure: Locator) -> None:
+    if not scene["tiers"]:
+        return
+    menu = figure.locator('select[name="tier"]')
+    chosen = menu.input_value()
+    for tier in [*(tier for tier in scene["tiers"] if tier != chosen), chosen]:
+        visitor.choose(figure, "tier", tier)
+
+
+def _one_of_each_kind(scene: Any) -> Iterator[Any]:
+    """The first control of each kind; of the buttons, of each effect.
+
+    What the others do to the picture is Python's affair: `tests/scenes/test_control_sweeps.py`.
+    """
+    seen: set[Any] = set()
+    for control in scene["controls"]:
+        kind = (control["kind"], control.get("effect"))
+        if kind not in seen:
+            yield control
+        seen.add(kind)
 
 
 def _assert_changes(reader: Reader, figure: Locator, control: Any, act: Gesture) -> None:
@@ -142,20 +180,25 @@ def _click(reader: Reader, element: Locator, control: Any, attempt: int) -> None
             element.click()
 
 
+@pytest.fixture
+def calm_visitor(visitor: Reader) -> Iterator[Reader]:
+    visitor.page.emulate_media(reduced_motion="reduce")
+    yield visitor
+    visitor.page.emulate_media(reduced_motion="no-preference")
+
+
 @pytest.mark.parametrize(
-    ("scene", "slider", "places"),
+    ("scene_id", "slider", "places"),
     [("formation-pipeline", "station", ["1", "2"]), ("rotation-3d", "t", ["0.25", "0.5"])],
 )
 def test_a_reader_who_asked_for_less_motion_sees_one_picture_after_another(
-    reader: Reader, book: Any, scene: str, slider: str, places: list[str]
+    calm_visitor: Reader, book: Any, scene_id: str, slider: str, places: list[str]
 ) -> None:
-    reader.page.emulate_media(reduced_motion="reduce")
-    reader.open(next(c["url"] for c in book["chapters"] if scene in c["simulations"]))
-    figure = reader.figure(scene)
+    figure = calm_visitor.turn_to_figure(book, scene_id)
     figure.evaluate(NOTE_PLACES, slider)
     figure.locator("button[name=play]").click()
-    reader.page.wait_for_function("count => window.places.length >= count", arg=len(places))
-    assert reader.page.evaluate("window.places")[: len(places)] == places
+    calm_visitor.page.wait_for_function("count => window.places.length >= count", arg=len(places))
+    assert calm_visitor.page.evaluate("window.places")[: len(places)] == places
 
 
 NOTE_PLACES = """(figure, slider) => {

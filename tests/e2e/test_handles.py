@@ -5,7 +5,7 @@ from typing import Any
 
 import pytest
 from playwright.sync_api import Browser, Locator, expect
-from support.reader import Reader
+from support.reader import Reader, chapter_of
 from support.static_server import StaticServer
 
 from simulations.engine.handles import Handle
@@ -16,14 +16,6 @@ pytestmark = pytest.mark.browser
 WITH_HANDLES = [id_ for id_ in SCENE_MODULES if load_scene(id_).handles]
 PULLED = (-34.0, 26.0)
 """CSS pixels by which each handle is pulled: both ways, and not far enough to leave the picture."""
-
-
-@pytest.fixture(scope="module")
-def visitor(chromium: Browser, site_server: StaticServer) -> Any:
-    """One reader for all scenes: turning pages keeps the interpreter alive."""
-    context = chromium.new_context(viewport={"width": 1280, "height": 900})
-    yield Reader(context, site_server.url)
-    context.close()
 
 
 @pytest.mark.parametrize("scene", WITH_HANDLES)
@@ -96,9 +88,7 @@ def test_a_finger_moves_a_handle_and_scrolls_the_page_elsewhere(
 
 def turn_to_figure(visitor: Reader, book: Any, scene: str) -> Locator:
     """The scene's first figure as the page has it, in view."""
-    chapter = next(c["url"] for c in book["chapters"] if scene in c["simulations"])
-    visitor.turn_to("")
-    visitor.turn_to(chapter)
+    visitor.turn_to(chapter_of(book, scene))
     figure = visitor.figure(scene)
     figure.locator(".panels").scroll_into_view_if_needed()
     visitor.page.mouse.move(0, 0)

@@ -21,22 +21,22 @@ DATA = Path(__file__).resolve().parents[2] / "content" / "measurements.json"
 
 
 @pytest.fixture
-def bench(reader: Reader) -> Locator:
-    reader.open(CHAPTER)
-    return reader.page.locator(f'ladder-bench[data-ladder="{LADDER}"]').first
+def bench(visitor: Reader) -> Locator:
+    visitor.turn_to(CHAPTER)
+    return visitor.page.locator(f'ladder-bench[data-ladder="{LADDER}"]').first
 
 
-def wait_state(reader: Reader, bench: Locator, *states: str) -> None:
-    reader.page.wait_for_function(
+def wait_state(visitor: Reader, bench: Locator, *states: str) -> None:
+    visitor.page.wait_for_function(
         "([bench, states]) => states.includes(bench.dataset.state)",
         arg=[bench.element_handle(), list(states)],
         timeout=START_MS,
     )
 
 
-def measure(reader: Reader, bench: Locator) -> None:
+def measure(visitor: Reader, bench: Locator) -> None:
     bench.locator("button.run").click()
-    wait_state(reader, bench, "done", "failed")
+    wait_state(visitor, bench, "done", "failed")
     assert bench.get_attribute("data-state") == "done", bench.locator(".ladder-status").inner_text()
 
 
@@ -45,9 +45,9 @@ def read_csv(bench: Locator) -> list[dict[str, str]]:
     return list(csv.DictReader(io.StringIO(text)))
 
 
-def test_every_ladder_of_the_book_offers_to_be_measured(reader: Reader) -> None:
-    reader.open(CHAPTER)
-    benches = reader.page.locator("ladder-bench")
+def test_every_ladder_of_the_book_offers_to_be_measured(visitor: Reader) -> None:
+    visitor.turn_to(CHAPTER)
+    benches = visitor.page.locator("ladder-bench")
     assert benches.count() >= len(json.loads(DATA.read_text(encoding="utf-8"))["ladders"])
     for index in range(benches.count()):
         assert benches.nth(index).get_attribute("data-state") == "idle"
@@ -104,33 +104,33 @@ def test_measuring_moves_nothing_on_the_page(measured: Locator) -> None:
 
 
 def test_a_reader_who_stops_keeps_what_was_measured_and_can_begin_anew(
-    reader: Reader, bench: Locator
+    visitor: Reader, bench: Locator
 ) -> None:
     bench.locator("button.run").click()
     bench.locator("button.stop").click()
-    wait_state(reader, bench, "stopped")
+    wait_state(visitor, bench, "stopped")
     rows = bench.locator("td.own").all_inner_texts()
     measured = [text for text in rows if text != "–"]
     assert len(measured) < len(rows)
     assert str(len(measured)) in bench.locator(".ladder-status").inner_text()
-    measure(reader, bench)
+    measure(visitor, bench)
 
 
 def test_a_reader_with_a_keyboard_is_never_left_on_a_dead_button(
-    reader: Reader, bench: Locator
+    visitor: Reader, bench: Locator
 ) -> None:
     focused = "() => document.activeElement.className"
     bench.locator("button.run").press("Enter")
-    assert reader.page.evaluate(focused) == "stop"
-    reader.page.keyboard.press("Enter")
-    wait_state(reader, bench, "stopped")
-    assert reader.page.evaluate(focused) == "run"
+    assert visitor.page.evaluate(focused) == "stop"
+    visitor.page.keyboard.press("Enter")
+    wait_state(visitor, bench, "stopped")
+    assert visitor.page.evaluate(focused) == "run"
 
 
 def test_a_lost_worker_is_said_and_the_next_attempt_succeeds(
-    reader: Reader, bench: Locator
+    visitor: Reader, bench: Locator
 ) -> None:
-    reader.page.evaluate("""() => {
+    visitor.page.evaluate("""() => {
       const send = Worker.prototype.postMessage;
       Worker.prototype.postMessage = function (message, ...rest) {
         if (message.call !== 'measure') return send.call(this, message, ...rest);
@@ -139,17 +139,17 @@ def test_a_lost_worker_is_said_and_the_next_attempt_succeeds(
       };
     }""")
     bench.locator("button.run").click()
-    wait_state(reader, bench, "failed")
+    wait_state(visitor, bench, "failed")
     assert "lost on purpose" in bench.locator(".ladder-status").inner_text()
-    measure(reader, bench)
+    measure(visitor, bench)
 
 
-def test_leaving_the_chapter_ends_the_measurement(reader: Reader, bench: Locator) -> None:
-    page = reader.page
+def test_leaving_the_chapter_ends_the_measurement(visitor: Reader, bench: Locator) -> None:
+    page = visitor.page
     bench.locator("button.run").click()
-    wait_state(reader, bench, "running")
+    wait_state(visitor, bench, "running")
     page.locator(".pager a[rel=prev]").click()
     page.wait_for_selector(f'main .pager a[href$="{CHAPTER}"]')
-    reader.wait_live()
+    visitor.wait_live()
     page.go_back()
     page.wait_for_selector(f'ladder-bench[data-ladder="{LADDER}"][data-state="idle"]')

@@ -21,8 +21,8 @@ def red_picture(tmp_path: Path) -> Path:
     return path
 
 
-def middle_pixel(reader: Reader) -> list[int]:
-    rgba: list[int] = reader.figure(SCENE).evaluate(
+def middle_pixel(visitor: Reader) -> list[int]:
+    rgba: list[int] = visitor.figure(SCENE).evaluate(
         """(figure) => {
              const canvas = figure.querySelector('[data-panel="picture"] canvas');
              const [x, y] = [canvas.width >> 1, canvas.height >> 1];
@@ -33,17 +33,17 @@ def middle_pixel(reader: Reader) -> list[int]:
 
 
 def test_a_figure_shows_the_reader_s_picture_and_then_the_book_s_again(
-    reader: Reader, book: Any, red_picture: Path
+    visitor: Reader, book: Any, red_picture: Path
 ) -> None:
-    figure = reader.open_figure(book, SCENE)
-    before, frames = middle_pixel(reader), reader.frames(figure)
+    figure = visitor.turn_to_figure(book, SCENE)
+    before, frames = middle_pixel(visitor), visitor.frames(figure)
     figure.locator("input[type=file]").set_input_files(red_picture)
-    reader.wait_frame(figure, frames)
-    assert middle_pixel(reader) == [200, 0, 0, 255]
-    frames = reader.frames(figure)
+    visitor.wait_frame(figure, frames)
+    assert middle_pixel(visitor) == [200, 0, 0, 255]
+    frames = visitor.frames(figure)
     figure.get_by_role("button", name="The book’s picture").click()
-    reader.wait_frame(figure, frames)
-    assert middle_pixel(reader) == before
+    visitor.wait_frame(figure, frames)
+    assert middle_pixel(visitor) == before
     expect(figure.get_by_role("button", name="The book’s picture")).to_be_hidden()
 
 
@@ -61,9 +61,9 @@ def small_picture() -> bytes:
     ],
 )
 def test_what_is_no_picture_is_refused_with_a_reason(
-    reader: Reader, book: Any, name: str, content: bytes, words: str
+    visitor: Reader, book: Any, name: str, content: bytes, words: str
 ) -> None:
-    figure = reader.open_figure(book, SCENE)
+    figure = visitor.turn_to_figure(book, SCENE)
     file = FilePayload(name=name, mimeType="image/png", buffer=content)
     figure.locator("input[type=file]").set_input_files([file])
     expect(figure.locator(".figure-message")).to_contain_text(words)

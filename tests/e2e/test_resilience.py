@@ -128,8 +128,7 @@ ANSWERS = """async (calls) => {
 }"""
 
 
-def test_what_python_refuses_is_told_and_the_next_call_is_answered(reader: Reader) -> None:
-    reader.open("licences/", live=False)
+def test_what_python_refuses_is_told_and_the_next_call_is_answered(visitor: Reader) -> None:
     frame = {"figure": "figure-x", "scene": "lens-distortion", "values": "{}", "tier": ""}
     calls = [
         ("render", frame | {"scene": "lens-distorsion"}),
@@ -138,7 +137,7 @@ def test_what_python_refuses_is_told_and_the_next_call_is_answered(reader: Reade
         ("measure", {"ladder": "srgb", "tier": "perfect", "budget": 0.01}),
         ("render", frame | {"values": '{"k1": 1e300}'}),
     ]
-    answers = reader.page.evaluate(ANSWERS, calls)
+    answers = visitor.page.evaluate(ANSWERS, calls)
     told = ["did you mean 'lens-distortion'?", "'NaN' is not finite", "'sunset' is not an option"]
     for answer, words in zip(answers, [*told, "has no tier 'perfect'"], strict=False):
         assert answer.startswith("python: "), answer

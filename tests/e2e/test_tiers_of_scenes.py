@@ -20,31 +20,31 @@ DIGITS = str.maketrans("⁻⁰¹²³⁴⁵⁶⁷⁸⁹", "-0123456789")
 
 @pytest.mark.parametrize("scene", COARSE)
 def test_a_coarser_tier_paints_another_picture_and_admits_a_larger_error(
-    reader: Reader, book: Any, scene: str
+    visitor: Reader, book: Any, scene: str
 ) -> None:
-    figure = reader.open_figure(book, scene)
-    fine, fine_pixels = magnitude(reader.judged(figure)), reader.shown(figure)["pixels"]
+    figure = visitor.turn_to_figure(book, scene)
+    fine, fine_pixels = magnitude(visitor.judged(figure)), visitor.shown(figure)["pixels"]
     assert figure.locator(".accuracy-frame").inner_text() == "first frame"
-    reader.choose(figure, "tier", COARSE[scene])
+    visitor.choose(figure, "tier", COARSE[scene])
     assert figure.locator(".accuracy-frame").inner_text() == "frame"
     assert re.fullmatch(r"[\d.]+\sms", figure.locator(".accuracy-ms").inner_text())
-    assert magnitude(reader.judged(figure)) > 1.5 * fine
+    assert magnitude(visitor.judged(figure)) > 1.5 * fine
     if scene != "jpeg":  # at its default quality the few codes that change may leave every pixel
-        assert reader.shown(figure)["pixels"] != fine_pixels
+        assert visitor.shown(figure)["pixels"] != fine_pixels
 
 
 def test_the_method_of_demosaicing_is_judged_without_a_second_menu(
-    reader: Reader, book: Any
+    visitor: Reader, book: Any
 ) -> None:
-    figure = reader.open_figure(book, "bayer-demosaic")
+    figure = visitor.turn_to_figure(book, "bayer-demosaic")
     assert figure.locator("select[name=tier]").count() == 0
-    frames = reader.frames(figure)
+    frames = visitor.frames(figure)
     figure.locator("button[name=demosaic]").click()
-    reader.wait_frame(figure, frames)
+    visitor.wait_frame(figure, frames)
     errors = {}
     for method in ("nearest", "malvar"):
-        reader.choose(figure, "method", method)
-        errors[method] = reader.judged(figure)
+        visitor.choose(figure, "method", method)
+        errors[method] = visitor.judged(figure)
     greens = {method: float(text.split(", ")[1]) for method, text in errors.items()}
     assert greens["malvar"] < greens["nearest"]
     assert all(text.endswith("codes of 255") for text in errors.values())

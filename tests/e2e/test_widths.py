@@ -1,5 +1,6 @@
-"""On any width nothing but code has to be pushed sideways to be read."""
+"""No page has to be pushed sideways; what is too wide for one has a box of its own."""
 
+from pathlib import Path
 from typing import Any
 
 import pytest
@@ -7,16 +8,51 @@ from support.reader import Reader
 
 pytestmark = pytest.mark.browser
 
-PUSHED_SIDEWAYS = """() => [...document.querySelectorAll("main *:not(pre)")]
+WIDTHS = (1440, 1000, 390, 360, 320)
+PUSHED_SIDEWAYS = """() => [...document.querySelectorAll("main *:not(pre, .panels)")]
   .filter((one) => ["auto", "scroll"].includes(getComputedStyle(one).overflowX))
   .filter((one) => one.scrollWidth > one.clientWidth + 1)
   .map((one) => `${one.className}: ${one.textContent.trim().slice(0, 40)}`)"""
 
+OUT_OF_REACH = """() => [...document.querySelectorAll("main *")]
+  .filter((one) => ["auto", "scroll"].includes(getComputedStyle(one).overflowX))
+  .filter((one) => one.scrollWidth > one.clientWidth + 1 && one.tabIndex < 0)
+  .map((one) => `${one.className}: ${one.textContent.trim().slice(0, 40)}`)"""
 
-@pytest.mark.parametrize("width", [1440, 1000, 390, 360])
-def test_tables_and_formulae_fit_the_page(plain_reader: Reader, book: Any, width: int) -> None:
-    plain_reader.page.set_viewport_size({"width": width, "height": 800})
-    for chapter in book["chapters"]:
-        plain_reader.open(chapter["url"], live=False)
+LARGER_LETTERS = """html { font-size: 34px !important; }"""
+"""Twice those of a phone, as a reader may set them without enlarging the rest."""
+
+
+def test_pages_tables_and_formulae_fit_every_width(plain_reader: Reader, book: Any) -> None:
+    """And what does scroll, on the narrowest, is reached by keyboard."""
+    page = plain_reader.page
+    for address in ["", *(chapter["url"] for chapter in book["chapters"])]:
+        plain_reader.open(address, live=False)
+        page.evaluate("document.fonts.ready")
+        for width in WIDTHS:
+            page.set_viewport_size({"width": width, "height": 800})
+            where = f"{address or 'landing page'} at {width}"
+            assert page.evaluate("document.documentElement.scrollWidth") <= width, where
+            assert width < 360 or page.evaluate(PUSHED_SIDEWAYS) == [], where
+        page.wait_for_function(f"({OUT_OF_REACH})().length === 0", timeout=5000)
+
+
+def test_pages_of_source_fit_a_narrow_screen(plain_reader: Reader, built_site: Path) -> None:
+    plain_reader.page.set_viewport_size({"width": 320, "height": 740})
+    for page in sorted((built_site / "source").rglob("index.html")):
+        address = page.parent.relative_to(built_site).as_posix() + "/"
+        plain_reader.open(address, live=False)
+        width = plain_reader.page.evaluate("document.documentElement.scrollWidth")
+        assert width <= 320, f"{address} is {width} wide"
+
+
+def test_no_chapter_scrolls_sideways_with_letters_twice_as_large(
+    plain_reader: Reader, book: Any
+) -> None:
+    plain_reader.page.set_viewport_size({"width": 390, "height": 800})
+    for address in ["", *(chapter["url"] for chapter in book["chapters"])]:
+        plain_reader.open(address, live=False)
+        plain_reader.page.add_style_tag(content=LARGER_LETTERS)
         plain_reader.page.evaluate("document.fonts.ready")
-        assert plain_reader.page.evaluate(PUSHED_SIDEWAYS) == [], chapter["id"]
+        width = plain_reader.page.evaluate("document.documentElement.scrollWidth")
+        assert width <= 390, f"{address} is {width} wide"

@@ -12,7 +12,7 @@ from simulations.engine.ladder import pareto_front
 from simulations.ladders.demosaicing import CROP, LADDER, PICTURES, prepare, reference
 from simulations.models.arrays import Floats
 from simulations.models.color.srgb import decode_srgb, encode_srgb
-from simulations.models.picture_error import psnr_db
+from simulations.models.error_measures import psnr_db
 from simulations.models.sensor.demosaicing import demosaic, mosaic
 from simulations.models.sensor.shared_detail import shared_detail
 

@@ -7,13 +7,11 @@ and the share of those is held; text and drawings are rounded and must be equal.
 
 import base64
 import json
-from collections.abc import Iterator
 from typing import Any
 
 import numpy as np
 import pytest
-from playwright.sync_api import Browser, Page
-from support.static_server import StaticServer
+from support.reader import Reader
 
 from simulations import browser as native
 from simulations.engine.controls import Action, Choice, Control, Slider
@@ -37,22 +35,12 @@ RENDER = """async ([scene, values, tier]) => {
 }"""
 
 
-@pytest.fixture(scope="module")
-def page(chromium: Browser, site_server: StaticServer) -> Iterator[Page]:
-    """A page of the book that has an interpreter and no figure in the way."""
-    context = chromium.new_context()
-    page = context.new_page()
-    page.goto(site_server.url + "licences/")
-    yield page
-    context.close()
-
-
 @pytest.mark.parametrize("scene_id", SCENE_MODULES)
-def test_scene_is_the_same_in_the_browser(page: Page, scene_id: str) -> None:
+def test_scene_is_the_same_in_the_browser(visitor: Reader, scene_id: str) -> None:
     for values, tier in settings(load_scene(scene_id)):
         given = json.dumps(values)
         ours = native.render(scene_id, scene_id, given, tier)
-        theirs = page.evaluate(RENDER, [scene_id, given, tier])
+        theirs = visitor.page.evaluate(RENDER, [scene_id, given, tier])
         where = f"{scene_id} {given} {tier}"
         assert json.loads(theirs["meta"]) == json.loads(ours.meta), where
         assert len(theirs["rasters"]) == len(ours.rasters), where

@@ -12,7 +12,14 @@ from support.float_range import any_float, arrays, ask, finite_float
 
 from simulations.engine.raster import to_rgba8
 from simulations.models.arrays import Floats
-from simulations.models.color import chromatic_adaptation, chromaticity, srgb
+from simulations.models.color import (
+    chromatic_adaptation,
+    chromaticity,
+    cie,
+    srgb,
+    white_balance,
+    ycbcr,
+)
 from simulations.models.compression import blocks, chroma_upsampling, jpeg
 from simulations.models.compression.chroma_subsampling import SUBSAMPLING
 from simulations.models.light import reflectance
@@ -69,11 +76,11 @@ def test_srgb_there_and_back_is_where_it_was(colours: Floats) -> None:
 
 @given(arrays(2, 3), any_float)
 def test_colour_spaces_take_any_number(colours: Floats, gamma: float) -> None:
-    srgb.linear_rgb_to_lab(colours)
-    srgb.ycbcr_to_rgb(srgb.rgb_to_ycbcr(colours))
-    srgb.luminance(colours)
+    cie.linear_rgb_to_lab(colours)
+    ycbcr.ycbcr_to_rgb(ycbcr.rgb_to_ycbcr(colours))
+    cie.luminance(colours)
     ask(srgb.encode_gamma, colours, gamma)
-    ask(srgb.white_balance, colours, colours[0])
+    ask(white_balance.white_balance, colours, colours[0])
 
 
 @given(arrays(2, 3), arrays(2, 3))
@@ -186,9 +193,9 @@ def test_colours_are_adapted_without_a_warning_or_refused(
     colours: Floats, any_xy: Floats, some_xy: tuple[float, float]
 ) -> None:
     for method in chromatic_adaptation.RESPONSES:
-        ask(chromatic_adaptation.adapt, colours, any_xy, srgb.D65_XY, method)
-        ask(chromatic_adaptation.adapt, colours, srgb.D65_XY, some_xy, method)
-        matrix = ask(chromatic_adaptation.adaptation_matrix, some_xy, srgb.D65_XY, method)
+        ask(chromatic_adaptation.adapt, colours, any_xy, cie.D65_XY, method)
+        ask(chromatic_adaptation.adapt, colours, cie.D65_XY, some_xy, method)
+        matrix = ask(chromatic_adaptation.adaptation_matrix, some_xy, cie.D65_XY, method)
         assert matrix is None or np.isfinite(matrix).all()
     assert not np.isnan(chromaticity.xyz_to_xyy(colours)[..., :2]).any()
     chromaticity.xyy_to_xyz(colours)

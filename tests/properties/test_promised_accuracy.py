@@ -19,7 +19,7 @@ from scipy import stats
 from scipy.spatial.transform import Rotation, Slerp
 
 from simulations.models.arrays import Floats
-from simulations.models.color import srgb
+from simulations.models.color import cie, srgb, ycbcr
 from simulations.models.color.chromaticity import xyy_to_xyz, xyz_to_xyy
 from simulations.models.compression import blocks as compression
 from simulations.models.distortion import lens_model
@@ -142,10 +142,10 @@ def test_colours_are_those_of_colour_science() -> None:
     colours = RNG.uniform(0.0, 1.0, (500, 3))
     theirs = colour.cctf_encoding(colours, function="sRGB")
     assert relative_error(srgb.encode_srgb(colours), theirs) < 1e-12
-    theirs = colour.normalised_primary_matrix(srgb.SRGB_PRIMARIES_XY, srgb.D65_XY)
-    assert relative_error(srgb.rgb_to_xyz_matrix(), theirs) < 1e-12
-    theirs = colour.XYZ_to_Lab(colours, np.array(srgb.D65_XY))
-    assert relative_error(srgb.xyz_to_lab(colours), theirs) < 1e-12
+    theirs = colour.normalised_primary_matrix(cie.SRGB_PRIMARIES_XY, cie.D65_XY)
+    assert relative_error(cie.rgb_to_xyz_matrix(), theirs) < 1e-12
+    theirs = colour.XYZ_to_Lab(colours, np.array(cie.D65_XY))
+    assert relative_error(cie.xyz_to_lab(colours), theirs) < 1e-12
 
 
 def test_the_cosine_transform_is_scipys() -> None:
@@ -181,8 +181,8 @@ def test_colours_survive_every_conversion_and_its_way_back() -> None:
     colours = np.concatenate([RNG.uniform(0.0, 1.0, (500, 3)), [[0, 0, 0], [1, 1, 1]]])
     for there, back in (
         (srgb.encode_srgb, srgb.decode_srgb),
-        (srgb.linear_rgb_to_xyz, srgb.xyz_to_linear_rgb),
-        (srgb.rgb_to_ycbcr, srgb.ycbcr_to_rgb),
+        (cie.linear_rgb_to_xyz, cie.xyz_to_linear_rgb),
+        (ycbcr.rgb_to_ycbcr, ycbcr.ycbcr_to_rgb),
         (xyz_to_xyy, xyy_to_xyz),
     ):
         assert np.abs(back(there(colours)) - colours).max() <= 1e-14

@@ -6,7 +6,7 @@ import math
 import numpy as np
 import pytest
 
-from simulations.engine.controls import Slider, Value
+from simulations.engine.controls import Value
 from simulations.engine.frame import Frame, Raster
 from simulations.engine.stages import Outputs, StageCache
 from simulations.models.color.srgb import decode_srgb, encode_srgb
@@ -312,22 +312,3 @@ def test_the_grain_of_light_and_amplifier_is_normal_and_independent() -> None:
         assert noise.mean() == pytest.approx(0, abs=0.01)
         assert noise.std() == pytest.approx(1, abs=0.01)
     assert np.corrcoef(grain.shot.ravel(), grain.read.ravel())[0, 1] == pytest.approx(0, abs=0.02)
-
-
-SLIDERS = [control for control in SCENE.controls if isinstance(control, Slider)]
-ENDS = [(control.name, end) for control in SLIDERS for end in (control.minimum, control.maximum)]
-PAIRS: list[Setting] = [
-    dict(pair) for pair in itertools.combinations(ENDS, 2) if pair[0][0] != pair[1][0]
-]
-
-
-def test_all_pairs_of_extremes_give_a_clean_frame() -> None:
-    """Warnings are errors here, and a NaN or infinite coordinate cannot be drawn."""
-    cache = StageCache()
-    reference = shown("", cache)
-    for pair in PAIRS:
-        frame = shown("", cache, **pair)
-        assert [panel.name for panel in frame.panels] == ["photograph", "plan"]
-        assert [r.name for r in frame.readouts] == [r.name for r in reference.readouts]
-        assert photograph(frame).shape == (ROWS, COLUMNS, 4)
-        assert "undefined" not in " ".join(item.text for item in frame.readouts)

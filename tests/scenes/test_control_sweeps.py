@@ -8,7 +8,7 @@ so that nothing in the page jumps.
 import itertools
 import json
 import re
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from typing import Any
 from xml.etree import ElementTree
 
@@ -16,7 +16,7 @@ import numpy as np
 import pytest
 
 from simulations.engine.controls import Action, Choice, Control, Slider, Toggle
-from simulations.engine.frame import Frame, to_json
+from simulations.engine.frame import Frame, Panel, to_json
 from simulations.engine.scene import Scene
 from simulations.engine.stages import StageCache
 from simulations.registry import SCENE_MODULES, load_scene
@@ -26,6 +26,10 @@ type Setting = dict[str, object]
 STEPS = 7
 """Positions of a slider between and including its ends."""
 
+RESIZED = ("aliasing", "bayer-demosaic")
+"""Scenes that draw as many pixels as there are samples to be seen."""
+UNDEFINED = {("perspective-projection", "x"), ("perspective-projection", "y"), ("phong", "n_dot_h")}
+"""Readouts that somewhere have no value, and say so."""
 NOT_FINITE = re.compile(r"\b(nan|inf)\b", re.IGNORECASE)
 
 
@@ -87,18 +91,22 @@ def overshoots(control: Slider) -> Iterator[tuple[float, float]]:
         yield control.minimum - far, control.minimum
 
 
-def shape_of(frame: Frame) -> object:
+def shape_of(scene: Scene[Any], frame: Frame) -> object:
     """All that must not change from frame to frame, lest the page jump."""
     return (
-        [
-            (panel.name, panel.width, panel.height, None if panel.raster is None else "raster")
-            for panel in frame.panels
-        ],
+        [(panel.name, panel.width, panel.height, pixels(scene, panel)) for panel in frame.panels],
         [(item.name, item.label) for item in frame.readouts],
     )
 
 
-def assert_sound(frame: Frame, setting: Mapping[str, object]) -> None:
+def pixels(scene: Scene[Any], panel: Panel) -> object:
+    """The size of a panel's raster; of scenes that may change it, whether there is one."""
+    if panel.raster is None or scene.id in RESIZED:
+        return panel.raster is not None
+    return panel.raster.shape
+
+
+def assert_sound(scene: Scene[Any], frame: Frame, setting: Mapping[str, object]) -> None:
     """Everything that a frame holds can be drawn, read and sent."""
     json.loads(to_json(frame))
     for panel in frame.panels:
@@ -117,7 +125,14 @@ def assert_sound(frame: Frame, setting: Mapping[str, object]) -> None:
     for item in frame.readouts:
         assert not NOT_FINITE.search(item.text), (setting, item)
         assert item.text.strip(), (setting, item)
+        assert item.text != "undefined" or (scene.id, item.name) in UNDEFINED, (setting, item)
     assert not NOT_FINITE.search(frame.description), (setting, frame.description)
+
+
+def shown(frame: Frame) -> object:
+    """All that the reader sees, but for the words."""
+    rasters = [None if panel.raster is None else panel.raster.tobytes() for panel in frame.panels]
+    return rasters, [panel.overlay for panel in frame.panels], frame.readouts
 
 
 @pytest.fixture(params=sorted(SCENE_MODULES), scope="module")
@@ -131,22 +146,47 @@ def render(scene: Scene[Any], setting: Setting, cache: StageCache, tier: str = "
 
 def test_each_control_is_sound_over_its_whole_range(scene: Scene[Any]) -> None:
     cache = StageCache()
-    expected = shape_of(render(scene, {}, cache))
+    expected = shape_of(scene, render(scene, {}, cache))
     for control in scene.controls:
         for value in positions(control):
             setting = {control.name: value}
             frame = render(scene, setting, cache)
-            assert_sound(frame, setting)
-            assert shape_of(frame) == expected, setting
+            assert_sound(scene, frame, setting)
+            assert shape_of(scene, frame) == expected, setting
+
+
+def test_each_control_changes_the_frame(scene: Scene[Any]) -> None:
+    """From the defaults, or once the controls before it were moved: one may turn another on.
+
+    Buttons that drive a slider change nothing by themselves.
+    """
+    cache, moved = StageCache(), dict[str, object]()
+    for control in scene.controls:
+        if isinstance(control, Action) and control.drives:
+            continue
+        found = next(changes(scene, control, ({}, moved), cache), None)
+        assert found, control.name
+        moved |= found
+
+
+def changes(
+    scene: Scene[Any], control: Control, starts: Iterable[Setting], cache: StageCache
+) -> Iterator[Setting]:
+    """Extremes of a control that show something else than one of the settings ``starts`` does."""
+    for start in starts:
+        before = shown(render(scene, start, cache))
+        for value in ends(control):
+            if shown(render(scene, {**start, control.name: value}, cache)) != before:
+                yield {control.name: value}
 
 
 def test_every_pair_of_extremes_is_sound(scene: Scene[Any]) -> None:
     cache = StageCache()
-    expected = shape_of(render(scene, {}, cache))
+    expected = shape_of(scene, render(scene, {}, cache))
     for setting in pairwise_settings(scene.controls):
         frame = render(scene, setting, cache)
-        assert_sound(frame, setting)
-        assert shape_of(frame) == expected, setting
+        assert_sound(scene, frame, setting)
+        assert shape_of(scene, frame) == expected, setting
 
 
 def test_every_tier_is_sound_at_the_extremes(scene: Scene[Any]) -> None:
@@ -154,13 +194,13 @@ def test_every_tier_is_sound_at_the_extremes(scene: Scene[Any]) -> None:
         {control.name: ends(control)[0] for control in scene.controls},
         {control.name: ends(control)[-1] for control in scene.controls},
     ]
+    expected = shape_of(scene, render(scene, {}, StageCache()))
     for tier in scene.tiers:
         cache = StageCache()
-        expected = shape_of(render(scene, {}, cache))
         for setting in corners:
             frame = render(scene, setting, cache, tier)
-            assert_sound(frame, {"tier": tier, **setting})
-            assert shape_of(frame) == expected, (tier, setting)
+            assert_sound(scene, frame, {"tier": tier, **setting})
+            assert shape_of(scene, frame) == expected, (tier, setting)
 
 
 def test_values_past_the_ends_are_brought_to_the_ends(scene: Scene[Any]) -> None:

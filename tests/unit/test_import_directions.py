@@ -19,25 +19,32 @@ LEGAL = {
     "ladders": {"ladders", "pictures", "models", "engine"},
     "scenes": {"scenes", "ladders", "pictures", "models", "engine"},
     "registry": {"scenes", "ladders", "pictures", "models", "engine"},
+    "editing": {"editing", "engine"},
     "late_imports": set(),
-    "browser": {"registry", "late_imports", "scenes", "ladders", "pictures", "models", "engine"},
+    "browser": {
+        *("registry", "editing", "late_imports", "scenes", "ladders", "pictures", "models"),
+        "engine",
+    },
 }
 """Part of ``simulations`` to the parts that it may import."""
 
 MODELS = (
-    "arrays", "require", "whole_numbers", "picture_error", "pixel_grid", "color", "geometry",
+    "arrays", "require", "whole_numbers", "error_measures", "pixel_grid", "color", "geometry",
     "projection", "light", "distortion", "sampling", "lens", "sensor", "compression",
 )  # fmt: skip
 """Rooms of ``simulations/models``: each imports itself and what stands before it."""
 
 BUILDER = (
-    "diagnostics", "runtime", "output", "measured", "charts", "book", "markdown", "source",
-    "question_checks", "checks", "pages", "build", "serve", "__main__",
+    "diagnostics", "runtime", "editor", "output", "measured", "charts", "book", "markdown",
+    "source", "question_checks", "figure_questions", "checks", "pages", "build", "serve",
+    "__main__",
 )  # fmt: skip
 """Parts of ``site_builder``, likewise."""
 MARKDOWN = (
     "text", "reading", "scenes", "front_matter", "headings", "role", "roles", "inline",
-    "directive", "usage", "blocks", "bodies", "fences", "directives", "guide", "parser", "chapter",
+    "directive", "answers", "computed", "question_options",
+    "sketches", "usage", "blocks", "bodies", "fences",
+    "directives", "guide", "parser", "chapter",
 )  # fmt: skip
 """Parts of ``site_builder/markdown``, likewise."""
 

@@ -8,11 +8,11 @@ import numpy as np
 from simulations.engine.ladder import Ladder, Metric, Tier
 from simulations.ladders.depth_of_field import truth as depth_of_field_truth
 from simulations.models.arrays import Floats, Planes
+from simulations.models.error_measures import psnr_db
 from simulations.models.lens.aperture import fibonacci_disc, random_disc
 from simulations.models.lens.depth_of_field import Blur, Layer, blur_by_depth, blur_layer, composite
 from simulations.models.lens.disc_blur import disc_blur
 from simulations.models.lens.screen_blur import binned_gaussian, gather_discs
-from simulations.models.picture_error import psnr_db
 from simulations.pictures import cards
 
 

@@ -13,9 +13,9 @@ Reference: the book explains it; no figure and no ladder runs it.
 import numpy as np
 from numpy.typing import ArrayLike
 
-from simulations.models.arrays import Floats, as_colours
+from simulations.models.arrays import Floats, through_matrix
 from simulations.models.color.chromaticity import white_xyz
-from simulations.models.color.srgb import rgb_to_xyz_matrix
+from simulations.models.color.cie import rgb_to_xyz_matrix
 from simulations.models.require import require_one_of
 
 BRADFORD = np.array(
@@ -30,7 +30,7 @@ RESPONSES = {
     "von-kries": CONES,
     "rgb": np.linalg.inv(rgb_to_xyz_matrix()),
 }
-"""From XYZ to what is scaled; "rgb" are the gains of `srgb.white_balance` on linear sRGB."""
+"""From XYZ to what is scaled; "rgb" are the gains of `white_balance` on linear sRGB."""
 
 
 def adaptation_matrix(from_xy: ArrayLike, to_xy: ArrayLike, method: str = "bradford") -> Floats:
@@ -64,7 +64,4 @@ def adaptation_matrix(from_xy: ArrayLike, to_xy: ArrayLike, method: str = "bradf
 
 def adapt(xyz: ArrayLike, from_xy: ArrayLike, to_xy: ArrayLike, method: str = "bradford") -> Floats:
     """Colours (..., 3) in XYZ as they would look under another light: see `adaptation_matrix`."""
-    colours = as_colours(xyz)
-    matrix = adaptation_matrix(from_xy, to_xy, method).astype(colours.dtype)
-    with np.errstate(over="ignore", invalid="ignore"):
-        return colours @ matrix.T
+    return through_matrix(adaptation_matrix(from_xy, to_xy, method), xyz)

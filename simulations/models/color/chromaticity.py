@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from simulations.models.arrays import Floats, as_colours
-from simulations.models.color.srgb import D65_XY
+from simulations.models.color.cie import D65_XY
 from simulations.models.require import require
 
 D50_XY = (0.3457, 0.3585)

@@ -12,7 +12,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from simulations.models.arrays import Floats
-from simulations.models.color.srgb import rgb_to_ycbcr, ycbcr_to_rgb
+from simulations.models.color.ycbcr import rgb_to_ycbcr, ycbcr_to_rgb
 from simulations.models.compression.blocks import (
     CHROMINANCE_TABLE,
     LUMINANCE_TABLE,

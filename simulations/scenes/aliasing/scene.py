@@ -22,6 +22,7 @@ from simulations.engine.frame import (
 from simulations.engine.scene import Scene
 from simulations.engine.stages import Outputs
 from simulations.models.arrays import Floats, Mask
+from simulations.models.error_measures import root_mean_square
 from simulations.models.pixel_grid import centred
 from simulations.models.sampling.prefilters import Prefilter, prefilter, transfer
 from simulations.scenes.aliasing import row, spectrum
@@ -186,7 +187,7 @@ def estimate(settings: Settings, outputs: Outputs, _tier: str) -> Iterator[Reado
         pattern = pattern_of(settings.pattern, settings.frequency, settings.phase, settings.rate)
         truth, judged = ideal(pattern)
         off = (pattern.picture(prefilter(settings.prefilter)) - truth)[judged]
-    text = format_magnitude(math.sqrt(float(np.mean(off * off))), 1e-9)
+    text = format_magnitude(root_mean_square(off), 1e-9)
     yield Readout("error", "RMS off what pixels can show", text, "of range", "error")
 
 

@@ -12,9 +12,9 @@ from simulations.engine.scene import Scene
 from simulations.engine.settings import action, slider, toggle
 from simulations.engine.stages import Outputs
 from simulations.models.distortion.lens_model import Distortion, undistort_clamped
+from simulations.models.error_measures import decibels
 from simulations.models.lens import thin_lens
 from simulations.models.lens.aperture_grid import aperture_grid
-from simulations.models.picture_error import decibels
 from simulations.scenes.camera.lens import (
     COLUMNS,
     PITCH_MM,

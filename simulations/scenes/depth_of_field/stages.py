@@ -17,6 +17,7 @@ from simulations.engine.raster import to_rgba8
 from simulations.engine.stages import Stage
 from simulations.models.arrays import Floats, Planes
 from simulations.models.color.srgb import encode_srgb_table
+from simulations.models.error_measures import root_mean_square
 from simulations.models.lens.aperture import fibonacci_disc
 from simulations.models.lens.aperture_grid import aperture_grid
 from simulations.models.lens.depth_of_field import blur_by_depth
@@ -137,6 +138,6 @@ def judge(
     for count, at in enumerate(points, start=1):
         total += through_lens(rays, at, LIGHT_ANGLE_DEG, focal_length, aperture, focus)
         off = shown - encode(np.asarray(total / count, np.float32))[..., :3]
-        codes = format_number(math.sqrt(float(np.mean(off * off))), 2)
+        codes = format_number(root_mean_square(off), 2)
         label = f"RMS error against {count} of {len(points)} rays through the lens"
         yield Readout("error", label, codes, "codes of 255", "error")

@@ -12,7 +12,7 @@ from simulations.models.compression import jpeg
 from simulations.models.compression.cosine_transforms import TRANSFORMS
 from simulations.models.compression.entropy import size
 from simulations.models.compression.zigzag import first_in_order
-from simulations.models.picture_error import psnr_db
+from simulations.models.error_measures import psnr_db
 from simulations.pictures.balloon import HEIGHT, WIDTH, balloon
 from simulations.scenes.jpeg.settings import ALL
 

@@ -1,12 +1,12 @@
 """How far the enlarged corner is from the sum over the whole spectrum."""
 
-import math
 from collections.abc import Callable, Iterator
 
 import numpy as np
 
 from simulations.engine.frame import Raster, Readout, format_magnitude
 from simulations.models.arrays import Floats, Planes
+from simulations.models.error_measures import root_mean_square
 from simulations.models.lens.chromatic_aberration import lateral_chromatic_scale
 from simulations.models.lens.disc_blur import disc_blur
 from simulations.scenes.lens_aberrations.spectrum import LINES_UM, WIDTH_UM
@@ -48,7 +48,7 @@ def judge(
         weights += seen
         truth = encode(np.asarray(total / weights, np.float32), factor)
         off = shown - truth[..., :3]
-        text = format_magnitude(math.sqrt(float(np.mean(off * off))), 1e-3)
+        text = format_magnitude(root_mean_square(off), 1e-3)
         label = f"RMS error of the corner against {count} of {len(wavelengths)} wavelengths"
         enough = count >= FIRST_ROUND
         yield Readout("error", label, text if enough else "…", "codes of 255" * enough, "error")

@@ -17,6 +17,7 @@ from simulations.engine.frame import Readout, format_magnitude
 from simulations.engine.raster import to_rgba8
 from simulations.models.arrays import Floats, Mask
 from simulations.models.color.srgb import encode_srgb, encode_srgb_table
+from simulations.models.error_measures import root_mean_square
 from simulations.models.light.cell_blending import blend_cells, blend_normals
 from simulations.scenes.reflection.marks import CENTRE, HEIGHT, RADIUS, WIDTH
 
@@ -169,6 +170,7 @@ def true_normals(ball: Ball) -> NDArray[np.float64]:
 def judge(ball: Ball, light: ArrayLike, truth: Floats) -> Readout:
     """RMS difference of (h, w) linear light from the truth, over the pixels of the ball alone."""
     wrong = (np.asarray(light, np.float64) - truth)[ball.inner]
-    rms = float(np.sqrt(np.mean(wrong * wrong)))
     label = "RMS error of the light against its formula in float64"
-    return Readout("error", label, format_magnitude(rms, 1e-9), "of white", "error")
+    return Readout(
+        "error", label, format_magnitude(root_mean_square(wrong), 1e-9), "of white", "error"
+    )

@@ -6,12 +6,14 @@ A new one needs its file here, its template in ``templates/blocks/``, and its na
 from typing import Any
 
 from site_builder.markdown.directive import Directive
+from site_builder.markdown.directives.answer import ANSWER
 from site_builder.markdown.directives.callout import CALLOUTS
 from site_builder.markdown.directives.example import EXAMPLE
 from site_builder.markdown.directives.extremes import EXTREMES
 from site_builder.markdown.directives.figure import FIGURE
 from site_builder.markdown.directives.ladder import LADDER
 from site_builder.markdown.directives.ladder_table import LADDER_TABLE
+from site_builder.markdown.directives.predict import PREDICT
 from site_builder.markdown.directives.quiz import QUIZ
 from site_builder.markdown.directives.simulation import SIMULATION
 from site_builder.markdown.directives.source import SOURCE
@@ -21,6 +23,8 @@ from site_builder.markdown.directives.table import TABLE
 DIRECTIVES: tuple[Directive[Any], ...] = (
     SIMULATION,
     QUIZ,
+    PREDICT,
+    ANSWER,
     *CALLOUTS,
     EXAMPLE,
     SOURCE,

@@ -1,4 +1,4 @@
-"""``{tip}``, ``{note}``, ``{warning}``, ``{key-idea}``, ``{predict}``: asides, with a title."""
+"""``{tip}``, ``{note}``, ``{warning}``, ``{key-idea}``: asides, with a title."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -14,7 +14,6 @@ TITLES = {
     "note": "Note",
     "warning": "Warning",
     "key-idea": "Key idea",
-    "predict": "Predict, then try",
 }
 """Kinds of callout, and the title of each where the author gives none."""
 
@@ -48,5 +47,4 @@ CALLOUTS = (
     _callout("note", "an aside that adds"),
     _callout("warning", "an aside that warns"),
     _callout("key-idea", "what to remember"),
-    _callout("predict", "a question before a figure"),
 )

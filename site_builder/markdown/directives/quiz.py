@@ -1,78 +1,121 @@
-"""``{quiz} id``: a question; answers as a task list, each explained by a ``: …`` line below it."""
+"""``{quiz} id``: a question, by kinds; its answers are a list, each explained by ``: …`` below."""
 
 import re
-from collections.abc import Sequence
-from dataclasses import dataclass
+from collections.abc import Mapping, Sequence
 
 from markdown_it.token import Token
 
 from site_builder.book import Option, Quiz
+from site_builder.markdown.answers import Item, Parts, check_parts, split_body
 from site_builder.markdown.bodies import plain_tokens
 from site_builder.markdown.directive import Argument, Body, Directive, OptionLine, Use
+from site_builder.markdown.question_options import (
+    OTHERWISE,
+    UNIT,
+    USES,
+    WITHIN,
+    chosen_options,
+    number_options,
+    ordered_options,
+    state_options,
+)
 from site_builder.markdown.reading import Reading
 from site_builder.markdown.text.tokens import plain_text
 
-KINDS = ("single", "multiple")
+KINDS = ("single", "multiple", "number", "order", "figure")
+BELONGS: Mapping[str, tuple[str, ...]] = {
+    "unit": ("number",),
+    "within": ("number",),
+    "uses": ("single", "multiple", "number"),
+    "figure": ("figure",),
+    "solution": ("figure",),
+}
+"""The kinds that an option has a meaning for."""
 ID = re.compile(r"[a-z0-9]+(-[a-z0-9]+)*")
-MARKS = {"[ ]": False, "[x]": True, "[X]": True}
-
-
-@dataclass(frozen=True, slots=True)
-class _Answer:
-    """The tokens of one list item."""
-
-    paragraphs: tuple[Token, ...]
-    line: int
 
 
 def read_quiz(use: Use, body: Sequence[Token], reading: Reading) -> Quiz:
-    _take_id(use, reading)
+    take_id(use, reading)
     kind = use.text("kind")
-    prompt, answers, rest = _split(body)
-    _check_parts(use, prompt, rest, reading)
-    options = tuple(option for answer in answers if (option := _read_option(answer, reading)))
-    _check_options_of_quiz(use, kind, options, len(answers), reading)
+    check_options_belong(use, kind, BELONGS, reading)
+    parts = split_body(body, "ordered" if kind == "order" else "bullet")
+    check_parts(use, parts, reading)
+    options, tolerance = _read_options(use, kind, parts.items, reading)
+    _check_answers(use, kind, options, len(parts.items), reading)
     return Quiz(
         id=use.argument,
         kind=kind,
-        prompt_html=_prompt_html(prompt, use, reading),
-        prompt_text=" ".join(plain_text(token) for token in prompt if token.type == "inline"),
+        prompt_html=_prompt_html(parts, use, reading),
+        prompt_text=prompt_text(parts),
         options=options,
         path=reading.path,
         line=use.line,
+        unit=use.text("unit"),
+        tolerance=tolerance,
+        figure=use.text("figure"),
+        solution=_solution(use, kind, reading),
     )
 
 
-def _take_id(use: Use, reading: Reading) -> None:
-    name = use.argument
-    if not ID.fullmatch(name):
+def take_id(use: Use, reading: Reading) -> None:
+    """Claim the element id of a question, ``quiz-…`` or ``predict-…``."""
+    if not ID.fullmatch(use.argument):
         legal = "small letters, digits and hyphens"
-        reading.problem(use.line, f"quiz id {name!r}; legal: {legal}")
-    reading.take_id(f"quiz-{name}", use.line, "quiz")
+        reading.problem(use.line, f"{use.name} id {use.argument!r}; legal: {legal}")
+    reading.take_id(f"{use.name}-{use.argument}", use.line, use.name)
 
 
-def _check_parts(
-    use: Use, prompt: Sequence[Token], rest: Sequence[Token], reading: Reading
+def check_options_belong(
+    use: Use, kind: str, belongs: Mapping[str, tuple[str, ...]], reading: Reading
 ) -> None:
-    """There is something above the answers, and nothing below: it would not be shown."""
-    name = use.argument
-    if not prompt:
-        legal = "some text above its answers"
-        reading.problem(use.line, f"quiz {name!r} asks no question; legal: {legal}")
-    if rest:
-        line = (rest[0].map or [use.line - 1])[0] + 1
-        legal = "nothing after the answers, each explained by a ': …' line below it"
-        reading.problem(line, f"text below the answers of quiz {name!r}; legal: {legal}")
+    """Report options that mean nothing to this kind of question."""
+    for name, option in use.options.items():
+        kinds = belongs.get(name, (kind,))
+        if kind not in kinds:
+            legal = " or ".join(f"with ':kind: {each}'" for each in kinds)
+            reading.problem(
+                option.line, f"option {name!r} of a {kind!r} {use.name}; legal: {legal}"
+            )
 
 
-def _prompt_html(prompt: Sequence[Token], use: Use, reading: Reading) -> str:
+def prompt_text(parts: Parts) -> str:
+    """What is asked, without markup."""
+    return " ".join(plain_text(token) for token in parts.prompt if token.type == "inline")
+
+
+def _read_options(
+    use: Use, kind: str, items: Sequence[Item], reading: Reading
+) -> tuple[tuple[Option, ...], float]:
+    match kind:
+        case "number":
+            return number_options(use, items, reading)
+        case "order":
+            return ordered_options(items, reading), 0.0
+        case "figure":
+            return state_options(items, reading), 0.0
+        case _:
+            return chosen_options(use, items, reading), 0.0
+
+
+def _solution(use: Use, kind: str, reading: Reading) -> dict[str, str]:
+    """The settings that solve a question about a figure: ``k1=-0.1 k2=0``."""
+    if kind != "figure":
+        return {}
+    pairs = use.text("solution").split()
+    if not use.text("figure") or not pairs or not all("=" in pair for pair in pairs):
+        legal = "lines ':figure: figure-SCENE' and ':solution: control=value …'"
+        reading.problem(use.line, f"quiz {use.argument!r} cannot be solved; legal: {legal}")
+    return dict(pair.split("=", 1) for pair in pairs if "=" in pair)
+
+
+def _prompt_html(parts: Parts, use: Use, reading: Reading) -> str:
     """The question as phrasing content: all that a ``legend`` may hold."""
-    parts: list[str] = []
-    for token in prompt:
+    shown: list[str] = []
+    for token in parts.prompt:
         if token.type == "inline":
-            parts.append(reading.html([token]))
+            shown.append(reading.html([token]))
         elif token.type == "math_block":
-            parts.append(str(token.meta.get("mathml", "")))
+            shown.append(str(token.meta.get("mathml", "")))
         elif token.type not in ("paragraph_open", "paragraph_close"):
             reading.problem(
                 use.line,
@@ -80,109 +123,46 @@ def _prompt_html(prompt: Sequence[Token], use: Use, reading: Reading) -> str:
                 "legal: put it above the quiz",
             )
             break
-    return "<br>".join(parts)
+    return "<br>".join(shown)
 
 
-def _split(body: Sequence[Token]) -> tuple[list[Token], list[_Answer], list[Token]]:
-    """The question, the items of the last list at the margin: the answers, and what follows."""
-    starts = [
-        index
-        for index, token in enumerate(body)
-        if token.type == "bullet_list_open" and token.level == body[0].level
-    ]
-    if not starts:
-        return list(body), [], []
-    end = next(
-        index
-        for index in range(starts[-1], len(body))
-        if body[index].type == "bullet_list_close" and body[index].level == body[0].level
-    )
-    answers: list[_Answer] = []
-    paragraphs: list[Token] = []
-    for token in body[starts[-1] + 1 : end]:
-        if token.type == "list_item_open" and token.level == body[0].level + 1:
-            paragraphs, item = [], token
-        elif token.type == "inline":
-            paragraphs.append(token)
-        elif token.type == "list_item_close" and token.level == body[0].level + 1:
-            answers.append(_Answer(tuple(paragraphs), (item.map or [0])[0] + 1))
-    return list(body[: starts[-1]]), answers, list(body[end + 1 :])
-
-
-def _read_option(answer: _Answer, reading: Reading) -> Option | None:
-    lines = [line for paragraph in answer.paragraphs for line in _split_lines(paragraph)]
-    first = lines[0][0] if lines and lines[0] else None
-    mark = first.content[:3] if first and first.type == "text" else ""
-    if first is None or mark not in MARKS:
-        reading.problem(answer.line, "an answer without its mark; legal: '- [ ] …' or '- [x] …'")
-        return None
-    first.content = first.content[3:].lstrip()
-    texts: tuple[list[Token], list[Token]] = ([], [])
-    explaining = False
-    for line in lines:
-        if line and line[0].type == "text" and line[0].content.startswith(": "):
-            line[0].content = line[0].content[2:]
-            explaining = True
-        texts[explaining].extend([*line, Token("softbreak", "br", 0)])
-    option = [_inline(part[:-1]) for part in texts]
-    if not texts[0][:-1] or not plain_text(option[0]):
-        reading.problem(answer.line, "an answer without text; legal: '- [ ] some text'")
-    if not texts[1]:
-        reading.problem(
-            answer.line,
-            f"answer {plain_text(option[0])!r} is not explained; legal: a ': …' line below it",
-        )
-    return Option(
-        html=reading.html([option[0]]),
-        text=plain_text(option[0]),
-        correct=MARKS[mark],
-        explanation_html=reading.html([option[1]]),
-    )
-
-
-def _split_lines(inline: Token) -> list[list[Token]]:
-    lines: list[list[Token]] = [[]]
-    for child in inline.children or ():
-        if child.type == "softbreak":
-            lines.append([])
-        elif child.content or child.type != "text":
-            lines[-1].append(child)
-    return lines
-
-
-def _inline(children: list[Token]) -> Token:
-    return Token("inline", "", 0, children=children)
-
-
-def _check_options_of_quiz(
-    use: Use, kind: str, options: tuple[Option, ...], answers: int, reading: Reading
+def _check_answers(
+    use: Use, kind: str, options: Sequence[Option], items: int, reading: Reading
 ) -> None:
+    """Enough answers, of which as many are right as the kind has it, and no two alike."""
     name = use.argument
     right = sum(option.correct for option in options)
-    if answers < 2:
-        reading.problem(
-            use.line,
-            f"quiz {name!r} has {answers} answers; legal: a list of 2 or more '- [ ] …'",
-        )
-    elif len(options) < answers:
+    form = "1. …" if kind == "order" else "- [ ] …"
+    if items < 2:
+        legal = f"a list of 2 or more '{form}'"
+        reading.problem(use.line, f"quiz {name!r} has {items} answers; legal: {legal}")
+    elif len(options) < items:
         return  # a mistake already reported would be counted twice
     elif right == 0:
         reading.problem(use.line, f"quiz {name!r} has no right answer; mark one with [x]")
-    elif right > 1 and kind == "single":
-        reading.problem(
-            use.line,
-            f"quiz {name!r} has {right} right answers; legal: one, or ':kind: multiple'",
-        )
+    elif right > 1 and kind not in ("multiple", "order"):
+        legal = "one, or ':kind: multiple'" if kind == "single" else "one"
+        reading.problem(use.line, f"quiz {name!r} has {right} right answers; legal: {legal}")
     elif len({option.text for option in options}) < len(options):
         message = f"quiz {name!r} gives the same answer twice; legal: answers that differ"
         reading.problem(use.line, message)
+    elif kind in ("number", "figure") and options[-1].text != OTHERWISE:
+        legal = f"'- [ ] {OTHERWISE}' at the end, with a ': …' line below it"
+        reading.problem(use.line, f"quiz {name!r} has no reply to other answers; legal: {legal}")
 
 
 QUIZ = Directive(
     name="quiz",
     says="a question with explained answers",
     argument=Argument("id", lacks="has no id"),
-    options=(OptionLine("kind", says="how many answers are right", legal=KINDS),),
+    options=(
+        OptionLine("kind", says="how it is answered", legal=KINDS),
+        UNIT,
+        WITHIN,
+        USES,
+        OptionLine("figure", says="the element id of the figure that is to be set"),
+        OptionLine("solution", says="settings that solve it, `control=value …`"),
+    ),
     body=Body("the question, and its answers as a list", plain_tokens),
     read=read_quiz,
     template="quiz",

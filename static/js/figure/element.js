@@ -1,22 +1,34 @@
 /** `<simulation-figure>`: a still that comes alive in place, where the browser can run Python. */
 
-import { one } from "../page/dom.js";
+import { message } from "../errors.js";
+import { one, within } from "../page/dom.js";
+import { recall } from "../page/storage.js";
 import { Runtime, sharedRuntime } from "../runtime/runtime.js";
 import { LiveFigure } from "./live.js";
 import { say } from "./status.js";
 
+/** @import { Workshop } from "../editor/workshop.js" */
+
 export class SimulationFigure extends HTMLElement {
   /** @type {LiveFigure | null} */
   #live = null;
+  /** @type {Promise<Workshop> | null} Where the reader opened the figure's Python, now or before. */
+  #workshop = null;
 
   connectedCallback() {
     const runtime = sharedRuntime();
     if (!runtime) return;
     if (Runtime.supported) this.#live = new LiveFigure(this, runtime);
     else this.#refuse();
+    this.onclick = (/** @type {MouseEvent} */ event) => {
+      if (within(event, ".open-python", HTMLButtonElement)) this.#openPython(runtime);
+    };
+    if (this.#live && recall(keptUnder(this))?.runs) this.#resumePython(runtime);
   }
 
   disconnectedCallback() {
+    this.#workshop?.then((workshop) => workshop.leave());
+    this.#workshop = null;
     this.#live?.leave();
     this.#live = null;
   }
@@ -26,10 +38,65 @@ export class SimulationFigure extends HTMLElement {
     this.#live?.retry();
   }
 
+  /** @param {Runtime} runtime */
+  async #openPython(runtime) {
+    try {
+      await (await this.#python(runtime)).toggle();
+    } catch (error) {
+      this.#workshop = null;
+      say(this, `The Python could not be opened (${message(error)}).`);
+    }
+  }
+
+  /** @param {Runtime} runtime */
+  async #resumePython(runtime) {
+    try {
+      await (await this.#python(runtime)).resume();
+    } catch {
+      this.#workshop = null; // the figure shows what the book's code draws
+    }
+  }
+
+  /**
+   * The workshop, fetched when it is first needed.
+   *
+   * @param {Runtime} runtime
+   * @returns {Promise<Workshop>}
+   */
+  #python(runtime) {
+    this.#workshop ??= import("../editor/workshop.js").then(
+      ({ Workshop }) => new Workshop(this, this.#live, runtime, keptUnder(this)),
+    );
+    return this.#workshop;
+  }
+
+  /**
+   * Which condition is the first to hold of the figure's present state; null where none does.
+   *
+   * @param {string[]} conditions
+   * @returns {Promise<number | null>}
+   * @throws {Error} Where the figure does not run.
+   */
+  async judge(conditions) {
+    if (!this.#live) throw new Error("the figure does not run in this browser");
+    return this.#live.judge(conditions);
+  }
+
   /** This browser cannot run the figure: say so once, and offer no dead controls. */
   #refuse() {
     one(this, "form.controls", HTMLFormElement).hidden = true;
     this.dataset.state = "failed";
     say(this, "This figure stays as it is: the browser does not offer WebAssembly.");
   }
+}
+
+/**
+ * Under which name a reader's version of the figure's Python is kept; each figure has its own.
+ *
+ * @param {HTMLElement} element
+ */
+function keptUnder(element) {
+  const root = new URL(document.body.dataset.root || "./", location.href).pathname;
+  const page = location.pathname.slice(root.length).replace(/index\.html$/, "");
+  return `python:${page}#${element.closest("figure")?.id ?? ""}`;
 }

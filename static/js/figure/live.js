@@ -18,7 +18,8 @@ import { LatestWins } from "./scheduler.js";
 import { say } from "./status.js";
 import { Accuracy, showStages } from "./workings.js";
 
-/** @import { Runtime } from "../runtime/runtime.js" */
+/** @import { Caller } from "../runtime/runtime.js" */
+/** @import { Stage } from "./workings.js" */
 /** @import { Control, Schema } from "./controls.js" */
 /** @import { Readout } from "./painter.js" */
 /** @import { Pull } from "./handles.js" */
@@ -59,11 +60,13 @@ export class LiveFigure {
 
   /**
    * @param {HTMLElement} figure
-   * @param {Runtime} runtime
+   * @param {Caller} runtime
    */
   constructor(figure, runtime) {
     this.figure = figure;
     this.runtime = runtime;
+    /** @type {Stage[]} What the stages of the shown frame did. */
+    this.stages = [];
     /** @type {Schema} */
     this.schema = data(figure, "script.schema");
     this.form = one(figure, "form.controls", HTMLFormElement);
@@ -96,6 +99,36 @@ export class LiveFigure {
     this.figure.dataset.state = "starting";
     say(this.figure, "");
     this.#ask(performance.now(), false);
+  }
+
+  /**
+   * From now on, have the frames of another, beginning with the present one.
+   *
+   * @param {Caller} runtime
+   */
+  drawnBy(runtime) {
+    this.runtime = runtime;
+    this.#asked = "";
+    this.#ask(performance.now(), false);
+  }
+
+  /** What is asked for the frame of the form's present values. */
+  request() {
+    const values = JSON.stringify(readValues(this.form, this.schema.controls));
+    return this.#request(values, this.#tier(false));
+  }
+
+  /**
+   * Which condition is the first to hold of what the controls say now.
+   *
+   * @param {string[]} conditions
+   * @returns {Promise<number | null>}
+   * @throws {RuntimeFailure} Where Python cannot tell.
+   */
+  async judge(conditions) {
+    const values = JSON.stringify(readValues(this.form, this.schema.controls));
+    const state = { figure: this.#key, scene: this.#scene, values, tier: this.#chosen() };
+    return (await this.runtime.call("judge", { ...state, conditions }, () => URGENCY.touched)).met;
   }
 
   /** Ask for the first frame as soon as it is known whether the figure is in view. */
@@ -281,8 +314,7 @@ export class LiveFigure {
 
   /** @param {Job} job */
   #call({ values, tier, urgency }) {
-    const payload = { figure: this.#key, scene: this.#scene, values, tier };
-    return this.runtime.call("render", payload, () =>
+    return this.runtime.call("render", this.#request(values, tier), () =>
       Math.max(urgency, this.#near ? URGENCY.near : URGENCY.far),
     );
   }
@@ -298,17 +330,24 @@ export class LiveFigure {
   }
 
   /**
+   * @param {string} values
+   * @param {string} tier
+   */
+  #request(values, tier) {
+    return { figure: this.#key, scene: this.#scene, values, tier };
+  }
+
+  get #scene() {
+    return this.figure.dataset.simulation ?? "";
+  }
+
+  /**
    * @param {Judged} judged
    * @param {() => number} urgency
    * @returns {Promise<Readout | null>}
    */
   async #askError({ values, tier }, urgency) {
-    const payload = { figure: this.#key, scene: this.#scene, values, tier };
-    return (await this.runtime.call("error", payload, urgency)).estimate;
-  }
-
-  get #scene() {
-    return this.figure.dataset.simulation ?? "";
+    return (await this.runtime.call("error", this.#request(values, tier), urgency)).estimate;
   }
 
   /**
@@ -319,6 +358,7 @@ export class LiveFigure {
     const { figure } = this;
     const meta = JSON.parse(reply.meta);
     paint(figure, meta, reply.rasters);
+    this.stages = meta.stages;
     this.handles.show(meta.handles);
     showStages(figure, meta.stages);
     this.accuracy.shown(job, reply.computeMs, job.tier === this.#tier(false));
@@ -329,6 +369,7 @@ export class LiveFigure {
     figure.dataset.tier = job.tier;
     figure.dataset.frames = String(Number(figure.dataset.frames ?? 0) + 1);
     figure.dataset.state = "live";
+    figure.dispatchEvent(new Event("painted"));
   }
 
   /** @param {unknown} error */

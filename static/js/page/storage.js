@@ -30,3 +30,28 @@ export function remember(key, value) {
     // Blocked or full: the page works the same, only without memory.
   }
 }
+
+/**
+ * All that was kept under names that fit.
+ *
+ * @param {RegExp} names
+ * @returns {Record<string, unknown>}
+ */
+export function kept(names) {
+  try {
+    const keys = Object.keys(localStorage).filter((key) => key.startsWith(PREFIX));
+    const fitting = keys.map((key) => key.slice(PREFIX.length)).filter((key) => names.test(key));
+    return Object.fromEntries(fitting.map((key) => [key, recall(key)]));
+  } catch {
+    return {};
+  }
+}
+
+/**
+ * Forget what was kept under names that fit.
+ *
+ * @param {RegExp} names
+ */
+export function forget(names) {
+  for (const key of Object.keys(kept(names))) remember(key, null);
+}

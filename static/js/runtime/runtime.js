@@ -20,6 +20,7 @@ export const LIMITS = {
   pull: 10_000,
   photograph: 10_000,
   error: 10_000,
+  judge: 10_000,
   forget: 10_000,
   measure: 120_000,
 };
@@ -37,7 +38,15 @@ export class RuntimeFailure extends Error {
 }
 
 /**
- * @typedef {{figure?: string, scene?: string} & Record<string, unknown>} Payload
+ * What a call carries; `limit` is the longest wait for its answer where the usual one will not do.
+ *
+ * @typedef {{figure?: string, scene?: string, limit?: number} & Record<string, unknown>} Payload
+ */
+
+/**
+ * What a figure needs of a runtime.
+ *
+ * @typedef {Pick<Runtime, "call" | "forget" | "generation">} Caller
  */
 
 /**
@@ -50,6 +59,8 @@ export class RuntimeFailure extends Error {
  * @property {(reason: RuntimeFailure) => void} reject
  */
 
+let interpreters = 0;
+
 export class Runtime {
   /** @type {Call[]} */
   #waiting = [];
@@ -61,7 +72,7 @@ export class Runtime {
   #watchdog;
   #lastId = 0;
   #failedStarts = 0;
-  /** How many interpreters there have been: a new one knows nothing of what the last was told. */
+  /** Which interpreter it is: a new one knows nothing of what the last was told. */
   generation = 0;
   /**
    * Scenes that this worker has imported: their first frame takes longer.
@@ -70,9 +81,13 @@ export class Runtime {
    */
   #seen = new Set();
 
-  /** @param {string} url Absolute address of the runtime folder. */
-  constructor(url) {
+  /**
+   * @param {string} url Absolute address of the runtime folder.
+   * @param {() => string[]} [scenes] Asked when a worker starts: what it will be asked for.
+   */
+  constructor(url, scenes = scenesOfPage) {
     this.url = url;
+    this.scenes = scenes;
   }
 
   /** Whether this browser can run the interpreter at all. */
@@ -107,6 +122,12 @@ export class Runtime {
     if (this.#worker) this.call("forget", { figure }).catch(() => {});
   }
 
+  /** End the worker; who waits for it hears that it is gone. */
+  close() {
+    for (const call of this.#waiting.splice(0)) call.reject(new RuntimeFailure("lost", "closed"));
+    if (this.#worker) this.#lose("closed");
+  }
+
   #next() {
     if (this.#active || this.#waiting.length === 0) return;
     if (!this.#worker) {
@@ -120,7 +141,7 @@ export class Runtime {
 
   #boot() {
     this.#seen.clear();
-    this.generation += 1;
+    this.generation = ++interpreters;
     this.#worker = new Worker(new URL("./worker.js", import.meta.url), { type: "module" });
     this.#worker.onmessage = (event) => this.#receive(event.data);
     this.#worker.onerror = (event) => {
@@ -131,7 +152,7 @@ export class Runtime {
     this.#send({
       id: ++this.#lastId,
       name: "start",
-      payload: { url: this.url, fresh: this.#failedStarts > 0, scenes: scenesOfPage() },
+      payload: { url: this.url, fresh: this.#failedStarts > 0, scenes: this.scenes() },
       urgency: () => 0,
       resolve: () => (this.#failedStarts = 0),
       reject: (reason) => this.#giveUp(reason),
@@ -141,8 +162,8 @@ export class Runtime {
   /** @param {Call} call */
   #send(call) {
     this.#active = call;
-    const { scene } = call.payload;
-    const limit = scene && !this.#seen.has(scene) ? LIMITS.first : LIMITS[call.name];
+    const { scene, limit: given } = call.payload;
+    const limit = given ?? (scene && !this.#seen.has(scene) ? LIMITS.first : LIMITS[call.name]);
     if (scene) this.#seen.add(scene);
     this.#watchdog = setTimeout(() => this.#lose("the computation did not end in time"), limit);
     this.#worker?.postMessage({ id: call.id, call: call.name, ...call.payload });
@@ -195,7 +216,7 @@ export class Runtime {
 /** The scenes that the page will ask for. */
 function scenesOfPage() {
   const figures = all(document, "simulation-figure", HTMLElement);
-  return [...new Set(figures.map((figure) => figure.dataset.simulation))];
+  return [...new Set(figures.map((figure) => figure.dataset.simulation ?? ""))];
 }
 
 /** @type {Runtime | null} */

@@ -49,10 +49,19 @@ const calls = {
     pyodide.FS.writeFile(`/lib/${SIMULATIONS}`, await simulations);
     pyodide.pyimport("sys").path.append(`/lib/${SIMULATIONS}`);
     const module = pyodide.pyimport("simulations.browser");
-    const { render, pull, error, photograph, forget, measure } = module;
+    const {
+      render,
+      render_edited: renderEdited,
+      pull,
+      error,
+      photograph,
+      forget,
+      judge,
+      measure,
+    } = module;
     const fetchNow = (/** @type {string} */ part) => parts.fetchNow(part);
     module.fetch_missing(JSON.stringify(table.modules), fetchNow, parts.folder);
-    python = { render, pull, error, photograph, forget, measure };
+    python = { render, renderEdited, pull, error, photograph, forget, judge, measure };
     return { reply: { version: pyodide.version } };
   },
 
@@ -64,16 +73,29 @@ const calls = {
   async render({ figure, scene, values, tier }) {
     await parts.provide(parts.table.scenes[scene]);
     const begun = performance.now();
-    const frame = python.render(figure, scene, values, tier);
+    const { meta, rasters } = takeFrame(python.render(figure, scene, values, tier));
+    const computeMs = performance.now() - begun;
+    return { reply: { meta, rasters, computeMs }, transfer: rasters };
+  },
+
+  /**
+   * One frame by the reader's own code, as `render`; or what went wrong in it. With what it printed.
+   *
+   * @param {FrameCall & {edits: string}} call
+   */
+  async renderEdited({ figure, scene, values, tier, edits }) {
+    await parts.provide(parts.table.scenes[scene]);
+    const begun = performance.now();
+    const answer = python.renderEdited(figure, scene, values, tier, edits);
     try {
-      const rasters = takeRasters(frame);
-      const meta = frame.meta;
-      return {
-        reply: { meta, rasters, computeMs: performance.now() - begun },
-        transfer: rasters,
-      };
+      const { problem, printed, frame } = answer;
+      const told = { problem: JSON.parse(problem), printed };
+      if (!frame) return { reply: told };
+      const { meta, rasters } = takeFrame(frame);
+      const computeMs = performance.now() - begun;
+      return { reply: { ...told, meta, rasters, computeMs }, transfer: rasters };
     } finally {
-      frame.destroy();
+      answer.destroy();
     }
   },
 
@@ -90,10 +112,21 @@ const calls = {
   /**
    * The next estimate of a frame's error, as a readout; null where there is no better one.
    *
-   * @param {FrameCall} call
+   * @param {FrameCall & {edits?: string}} call
    */
-  error({ figure, scene, values, tier }) {
-    return { reply: { estimate: JSON.parse(python.error(figure, scene, values, tier)) } };
+  error({ figure, scene, values, tier, edits = "" }) {
+    return { reply: { estimate: JSON.parse(python.error(figure, scene, values, tier, edits)) } };
+  },
+
+  /**
+   * The place of the first condition that holds of a figure's state; null where none does.
+   *
+   * @param {FrameCall & {conditions: string[]}} call
+   */
+  async judge({ figure, scene, values, tier, conditions }) {
+    await parts.provide(parts.table.scenes[scene]);
+    const met = python.judge(figure, scene, values, tier, JSON.stringify(conditions));
+    return { reply: { met: met ?? null } };
   },
 
   /**
@@ -142,6 +175,20 @@ self.onmessage = async ({ data }) => {
     self.postMessage({ id: data.id, ok: false, ...explain(error) });
   }
 };
+
+/**
+ * What a frame holds, copied out of the interpreter's memory; the frame itself is let go.
+ *
+ * @param {any} frame
+ * @returns {{meta: string, rasters: ArrayBuffer[]}}
+ */
+function takeFrame(frame) {
+  try {
+    return { meta: frame.meta, rasters: takeRasters(frame) };
+  } finally {
+    frame.destroy();
+  }
+}
 
 /**
  * Copies of the pixels, out of the interpreter's memory.

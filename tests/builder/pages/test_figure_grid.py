@@ -5,7 +5,13 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from simulations.engine.controls import Action, Slider, Toggle
-from site_builder.pages.figure_grid import COLUMNS, control_cells, even_columns, spans
+from site_builder.pages.figure_grid import (
+    COLUMNS,
+    cells_in_sight,
+    even_columns,
+    gather_buttons,
+    spans,
+)
 
 
 @pytest.mark.parametrize(
@@ -23,7 +29,7 @@ def test_buttons_that_follow_each_other_share_a_cell() -> None:
     play = Action(name="play", labels=("Play",), drives="x", effect="play")
     reset = Action(name="reset", labels=("Reset",), drives="x", effect="reset")
     on, again = Toggle(name="on", label="On"), Action(name="again", labels=("Again",))
-    cells = control_cells([slider, play, reset, on, again])
+    cells = gather_buttons([slider, play, reset, on, again])
     assert cells == [(slider,), (play, reset), (on,), (again,)]
 
 
@@ -44,6 +50,24 @@ def test_controls_stand_in_few_and_even_rows(
     places: list[int], most: int, expected: list[int]
 ) -> None:
     assert spans(places, most) == expected
+
+
+@pytest.mark.parametrize(
+    ("places", "in_sight"),
+    [
+        ([1] * 4, 4),
+        ([1] * 6, 6),
+        ([1] * 7, 4),
+        ([1, 1, 1, 2, 1, 1, 2], 3),
+        ([1, 2, 1, 1, 1], 2),
+        ([1, 1, 2, 2], 4),
+        ([], 0),
+    ],
+)
+def test_first_controls_are_in_sight_and_no_fold_hides_a_single_row(
+    places: list[int], in_sight: int
+) -> None:
+    assert cells_in_sight(places, 2) == in_sight
 
 
 @given(st.lists(st.integers(1, 2), min_size=2, max_size=12), st.integers(1, 4))

@@ -22,7 +22,7 @@ See [the second](01-second.md#a-section) or [this section](#start).
 A caption with $k_1$.
 :::
 
-:::{predict}
+:::{note}
 What happens at zero?
 
 :::{simulation} demo

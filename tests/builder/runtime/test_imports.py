@@ -8,10 +8,14 @@ from pathlib import Path
 import pytest
 
 from simulations.registry import SCENE_MODULES
-from site_builder.runtime.imports import outside, reach, read_imports
+from site_builder.runtime.imports import Table, outside, reach, read_imports
 
 ROOT = Path(__file__).resolve().parents[3]
-TABLE = read_imports(ROOT / "simulations")
+
+
+@pytest.fixture(scope="module")
+def table() -> Table:
+    return read_imports(ROOT / "simulations")
 
 
 @pytest.fixture
@@ -61,14 +65,22 @@ print(json.dumps([name for name in sys.modules if name.startswith(("simulations.
 """
 
 
+@pytest.fixture(scope="module")
+def with_numpy() -> set[str]:
+    """What is imported along with it."""
+    command = [sys.executable, "-c", "import numpy, numpy.typing, sys; print(*sys.modules)"]
+    done = subprocess.run(command, capture_output=True, text=True, check=True)
+    return set(done.stdout.split())
+
+
 @pytest.mark.parametrize("scene", SCENE_MODULES)
-def test_rendering_a_scene_imports_nothing_beyond_what_its_sources_tell(scene: str) -> None:
+def test_rendering_a_scene_imports_nothing_beyond_what_its_sources_tell(
+    scene: str, table: Table, with_numpy: set[str]
+) -> None:
     command = [sys.executable, "-c", RENDER, scene]
     done = subprocess.run(command, cwd=ROOT, capture_output=True, text=True, check=True)
     imported = set(json.loads(done.stdout))
-    known = reach(TABLE, "simulations.browser") | reach(TABLE, SCENE_MODULES[scene])
+    known = reach(table, "simulations.browser") | reach(table, SCENE_MODULES[scene])
     assert {name for name in imported if name.startswith("simulations.")} <= known
-    at_once = "import numpy, numpy.typing, sys; print(*sys.modules)"
-    numpy = subprocess.run([sys.executable, "-c", at_once], capture_output=True, text=True)
     parts = {".".join(name.split(".")[:2]) for name in imported if name.startswith("numpy.")}
-    assert parts <= set(numpy.stdout.split()) | set(outside(TABLE, known))
+    assert parts <= with_numpy | set(outside(table, known))

@@ -9,7 +9,7 @@ import skimage.color
 from PIL import ImageCms
 
 from simulations.models.arrays import Floats
-from simulations.models.color import srgb
+from simulations.models.color import cie, white_balance
 from simulations.models.color.chromatic_adaptation import adapt, adaptation_matrix
 from simulations.models.color.chromaticity import (
     D50_XY,
@@ -19,7 +19,7 @@ from simulations.models.color.chromaticity import (
     xyy_to_xyz,
     xyz_to_xyy,
 )
-from simulations.models.color.srgb import D65_XY
+from simulations.models.color.cie import D65_XY
 
 with warnings.catch_warnings():
     warnings.simplefilter("ignore")  # it misses packages for plotting
@@ -65,7 +65,7 @@ def test_a_colour_profile_holds_the_same_bradford_matrix() -> None:
     profile = ImageCms.ImageCmsProfile(ImageCms.createProfile("sRGB")).profile
     primaries = [profile.red_colorant, profile.green_colorant, profile.blue_colorant]
     theirs = np.array([colorant[0] for colorant in primaries if colorant])
-    ours = adapt(srgb.linear_rgb_to_xyz(np.eye(3)), D65_XY, D50_XY)
+    ours = adapt(cie.linear_rgb_to_xyz(np.eye(3)), D65_XY, D50_XY)
     np.testing.assert_allclose(ours, theirs, atol=3e-4)  # its D50 has four digits
 
 
@@ -92,10 +92,10 @@ def test_the_same_light_changes_nothing(method: str) -> None:
 
 
 def test_gains_in_rgb_are_white_balance() -> None:
-    linear = srgb.xyz_to_linear_rgb(COLOURS)
-    lamp = srgb.xyz_to_linear_rgb(white_xyz(ILLUMINANT_A_XY))
-    balanced = srgb.white_balance(linear, lamp) / lamp[1]
-    ours = srgb.xyz_to_linear_rgb(adapt(COLOURS, ILLUMINANT_A_XY, D65_XY, "rgb"))
+    linear = cie.xyz_to_linear_rgb(COLOURS)
+    lamp = cie.xyz_to_linear_rgb(white_xyz(ILLUMINANT_A_XY))
+    balanced = white_balance.white_balance(linear, lamp) / lamp[1]
+    ours = cie.xyz_to_linear_rgb(adapt(COLOURS, ILLUMINANT_A_XY, D65_XY, "rgb"))
     np.testing.assert_allclose(ours, balanced, atol=1e-13)
 
 
@@ -103,10 +103,10 @@ def test_white_paper_is_white_whatever_the_responses_and_bradford_is_nearest_for
     chart: dict[str, Floats],
 ) -> None:
     """Against what the spectra of the chart's patches really give under the other light."""
-    true = srgb.xyz_to_lab(chart["D65"])
+    true = cie.xyz_to_lab(chart["D65"])
 
     def mean_distance(xyz: Floats) -> float:
-        return lab_distance(srgb.xyz_to_lab(xyz), true).mean()
+        return lab_distance(cie.xyz_to_lab(xyz), true).mean()
 
     found = {m: mean_distance(adapt(chart["A"], ILLUMINANT_A_XY, D65_XY, m)) for m in METHODS}
     assert found["bradford"] < 4 < found["von-kries"] < 8 < found["rgb"]

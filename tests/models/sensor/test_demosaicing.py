@@ -12,7 +12,7 @@ from hypothesis import strategies as st
 
 from simulations.models.arrays import Floats
 from simulations.models.color.srgb import encode_srgb
-from simulations.models.picture_error import psnr_db
+from simulations.models.error_measures import psnr_db
 from simulations.models.sensor.bayer import filter_colours, red_position, through_filters
 from simulations.models.sensor.demosaicing import METHODS, PATTERNS, demosaic, mosaic
 

@@ -1,4 +1,4 @@
-"""How far one picture is from another, as a single number."""
+"""How large an error is, as a single number."""
 
 import math
 
@@ -7,6 +7,11 @@ from numpy.typing import ArrayLike
 
 from simulations.models.require import require_positive
 from simulations.models.whole_numbers import as_whole
+
+
+def root_mean_square(errors: ArrayLike) -> float:
+    """The root of the mean of the squares of errors (...), in their unit."""
+    return math.sqrt(float(np.mean(np.square(errors))))
 
 
 def psnr_db(picture: ArrayLike, reference: ArrayLike, peak: float = 1.0, crop: int = 0) -> float:

@@ -1,11 +1,11 @@
-"""PSNR against its definition."""
+"""PSNR and root mean square against their definitions."""
 
 from typing import Any
 
 import numpy as np
 import pytest
 
-from simulations.models.picture_error import psnr_db
+from simulations.models.error_measures import psnr_db, root_mean_square
 
 
 def test_psnr_of_an_error_of_one_code_is_48_decibel() -> None:
@@ -85,3 +85,7 @@ def test_a_score_needs_a_peak(peak: float) -> None:
 def test_a_higher_peak_scores_higher() -> None:
     a, b = np.full((20, 20), 100.0), np.full((20, 20), 98.0)
     assert psnr_db(a, b, 255.0) == pytest.approx(10 * np.log10(255**2 / 4))
+
+
+def test_the_root_mean_square_of_three_four_is_that_of_their_hypotenuse() -> None:
+    assert root_mean_square([[3.0, -4.0]]) == pytest.approx(5 / np.sqrt(2))

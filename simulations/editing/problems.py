@@ -1,0 +1,53 @@
+"""Where in the reader's own text something went wrong."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from traceback import walk_tb
+
+from simulations.editing.definitions import is_editable
+from simulations.editing.program import Place, RefusedEditError
+
+
+@dataclass(frozen=True, slots=True)
+class Problem:
+    """An exception, and the line of the reader's that it came from."""
+
+    message: str
+    definition: str = ""
+    """``MODULE:NAME`` of the edited definition; nothing where none of them was at work."""
+    line: int = 0
+    """Line of its text, from 1; 0 where there is none."""
+
+
+def problem_of(error: BaseException, places: Sequence[Place]) -> Problem:
+    """What to tell of ``error``, raised while a program with edits at ``places`` ran.
+
+    The innermost edited line is named; where the book's own code raised it, called from there,
+    the message says where.
+    """
+    if isinstance(error, RefusedEditError):
+        return Problem(str(error), error.definition, error.line)
+    told = f"{type(error).__name__}: {error}".removesuffix(": ")
+    steps = [
+        (str(frame.f_globals.get("__name__")), line) for frame, line in walk_tb(error.__traceback__)
+    ]
+    edited = [
+        (i, place, line)
+        for i, (module, line) in enumerate(steps)
+        for place in places
+        if place.holds(module, line)
+    ]
+    if not edited:
+        return Problem(told + _raised_in(steps, places))
+    depth, place, line = edited[-1]
+    told += _raised_in(steps[depth + 1 :], places)
+    return Problem(told, place.definition, line - place.first + 1)
+
+
+def _raised_in(steps: Sequence[tuple[str, int]], places: Sequence[Place]) -> str:
+    """The innermost of the steps that is the book's, in words: its line in the book's file."""
+    for module, line in reversed(steps):
+        if is_editable(module):
+            above = (p.added for p in places if p.module == module and p.first < line)
+            return f" (raised in {module.replace('.', '/')}.py, line {line - sum(above)})"
+    return ""

@@ -1,0 +1,31 @@
+"""Conditions on what a figure shows: how a question judges what its reader made of the figure."""
+
+from collections.abc import Mapping, Sequence
+
+from simulations.engine.expressions import evaluate
+from simulations.engine.frame import Frame
+from simulations.engine.settings import values_of
+
+WORDS = {"∞": float("inf"), "\u2212∞": float("-inf"), "undefined": float("nan")}
+
+
+def shown_value(text: str) -> float | str:
+    """What a readout says: its number, or its words where it says none."""
+    if text in WORDS:
+        return WORDS[text]
+    try:
+        return float(text.replace("\u2212", "-"))
+    except ValueError:
+        return text
+
+
+def names_in(settings: object, frame: Frame) -> Mapping[str, object]:
+    """What a condition may name: the settings, and the readouts whose names no setting has."""
+    shown = {readout.name: shown_value(readout.text) for readout in frame.readouts}
+    return {**shown, **values_of(settings)}
+
+
+def first_met(conditions: Sequence[str], settings: object, frame: Frame) -> int | None:
+    """The place of the first condition that holds, or None. Raises `ExpressionError`."""
+    names = names_in(settings, frame)
+    return next((at for at, text in enumerate(conditions) if evaluate(text, names)), None)

@@ -1,0 +1,110 @@
+"""A small language of expressions: arithmetic, comparisons and calls, written as in Python.
+
+Chapters hold answers and conditions in it, which are worked out when the book is built and, for
+what the reader does to a figure, in the browser. It names only what it is given, so nothing that
+is written in a chapter can reach beyond that; attributes, lambdas and comprehensions do not exist.
+"""
+
+import ast
+import math
+import operator
+from collections.abc import Callable, Mapping
+from typing import Any
+
+BINARY: Mapping[type[ast.operator], Callable[[Any, Any], Any]] = {
+    ast.Add: operator.add,
+    ast.Sub: operator.sub,
+    ast.Mult: operator.mul,
+    ast.Div: operator.truediv,
+    ast.FloorDiv: operator.floordiv,
+    ast.Mod: operator.mod,
+    ast.Pow: operator.pow,
+}
+UNARY: Mapping[type[ast.unaryop], Callable[[Any], Any]] = {
+    ast.USub: operator.neg,
+    ast.UAdd: operator.pos,
+    ast.Not: operator.not_,
+}
+COMPARISONS: Mapping[type[ast.cmpop], Callable[[Any, Any], Any]] = {
+    ast.Lt: operator.lt,
+    ast.LtE: operator.le,
+    ast.Gt: operator.gt,
+    ast.GtE: operator.ge,
+    ast.Eq: operator.eq,
+    ast.NotEq: operator.ne,
+    ast.In: lambda item, items: item in items,
+    ast.NotIn: lambda item, items: item not in items,
+}
+MATHS: Mapping[str, object] = {
+    **{
+        name: getattr(math, name)
+        for name in (
+            "sin", "cos", "tan", "asin", "acos", "atan", "atan2", "degrees", "radians", "hypot",
+            "sqrt", "exp", "log", "log2", "log10", "floor", "ceil", "isfinite", "inf", "pi",
+        )
+    },
+    **{function.__name__: function for function in (abs, min, max, round, len, sum)},
+}  # fmt: skip
+"""What every expression may name."""
+
+
+class ExpressionError(ValueError):
+    """An expression that says nothing; the message says why."""
+
+
+def evaluate(text: str, names: Mapping[str, object]) -> Any:
+    """The value of ``text``, where ``names`` stand for their values. Raises `ExpressionError`."""
+    try:
+        tree = ast.parse(text.strip(), mode="eval")
+    except (SyntaxError, ValueError):
+        raise ExpressionError(f"{text!r} is no expression; legal: as '2 * x < 1'") from None
+    try:
+        return _value(tree.body, {**MATHS, **names})
+    except ExpressionError as error:
+        raise ExpressionError(f"{text!r}: {error}") from None
+    except Exception as error:  # whatever the functions that it calls may raise
+        raise ExpressionError(f"{text!r}: {type(error).__name__}: {error}") from error
+
+
+def _value(node: ast.expr, names: Mapping[str, object]) -> Any:
+    match node:
+        case ast.Constant(value=bool() | int() | float() | str()):
+            return node.value
+        case ast.Name(id=name):
+            if name not in names:
+                own = [known for known in names if known not in MATHS]
+                raise ExpressionError(f"unknown name {name!r}; legal: {', '.join(own) or 'none'}")
+            return names[name]
+        case ast.UnaryOp(op=sign, operand=operand) if type(sign) in UNARY:
+            return UNARY[type(sign)](_value(operand, names))
+        case ast.BinOp(left=left, op=sign, right=right) if type(sign) in BINARY:
+            return BINARY[type(sign)](_value(left, names), _value(right, names))
+        case ast.BoolOp(op=ast.And(), values=values):
+            return all(_value(value, names) for value in values)
+        case ast.BoolOp(values=values):
+            return any(_value(value, names) for value in values)
+        case ast.Compare():
+            return _compared(node, names)
+        case ast.Tuple(elts=items) | ast.List(elts=items):
+            return tuple(_value(item, names) for item in items)
+        case ast.Subscript(value=whole, slice=index):
+            return _value(whole, names)[_value(index, names)]
+        case ast.Call(func=ast.Name(), args=args, keywords=given):
+            call = _value(node.func, names)
+            named = {str(item.arg): _value(item.value, names) for item in given if item.arg}
+            return call(*(_value(arg, names) for arg in args), **named)
+    raise ExpressionError(
+        f"{ast.unparse(node)!r} has no meaning here; legal: numbers, names, calls, comparisons"
+    )
+
+
+def _compared(node: ast.Compare, names: Mapping[str, object]) -> bool:
+    left = _value(node.left, names)
+    for sign, term in zip(node.ops, node.comparators, strict=True):
+        if type(sign) not in COMPARISONS:
+            raise ExpressionError(f"unknown comparison; legal: {'<, <=, >, >=, ==, !=, in'}")
+        right = _value(term, names)
+        if not COMPARISONS[type(sign)](left, right):
+            return False
+        left = right
+    return True

@@ -1,0 +1,33 @@
+"""Divide out the colour of the light, and guess it from the picture.
+
+Colours are arrays (..., 3), linear. Szeliski, 2nd ed., section 2.3.2.
+
+Reference: the book explains it; no figure and no ladder runs it.
+"""
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from simulations.models.arrays import Floats, as_colours
+
+
+def white_balance(linear: ArrayLike, illuminant_rgb: ArrayLike) -> Floats:
+    """Divide out the colour of the light, keeping green as it is (von Kries, in camera RGB).
+
+    Raises `ValueError` if the light lacks a channel altogether: nothing can restore it.
+    """
+    light = np.asarray(illuminant_rgb, np.float64)
+    if light.shape != (3,) or not np.all((light > 0) & np.isfinite(light)):
+        raise ValueError(f"illuminant {light.tolist()}; legal: three finite numbers above 0")
+    rgb = as_colours(linear)
+    with np.errstate(over="ignore", invalid="ignore"):
+        return rgb * (light[1] / light).astype(rgb.dtype)
+
+
+def grey_world(linear: ArrayLike) -> Floats:
+    """Estimate of the light's colour, (3,): the mean of the picture, were the world grey."""
+    colours = as_colours(linear)
+    if not colours.size:
+        raise ValueError(f"picture of shape {colours.shape}; legal: one pixel or more")
+    with np.errstate(over="ignore", invalid="ignore"):
+        return colours.reshape(-1, 3).mean(axis=0)

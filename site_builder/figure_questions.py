@@ -1,0 +1,64 @@
+"""Questions that are answered by setting a figure: each can be, and is not before one begins."""
+
+from collections.abc import Mapping
+
+from simulations.engine.conditions import first_met
+from simulations.engine.controls import ControlError, Slider
+from simulations.engine.expressions import ExpressionError
+from simulations.engine.stages import StageCache
+from site_builder.book import Chapter, Option, Quiz, Simulation
+from site_builder.diagnostics import Diagnostics, cause, unknown
+from site_builder.markdown.question_options import OTHERWISE
+
+
+def check_figure_questions(chapter: Chapter, problems: Diagnostics) -> None:
+    """The solution that the author states is right by the conditions, and the start is not."""
+    figures = {figure.id: figure for figure in chapter.simulations}
+    for quiz in chapter.quizzes:
+        if quiz.kind != "figure" or not quiz.figure or not quiz.solution:
+            continue
+        figure = figures.get(quiz.figure)
+        message = (
+            fault_of(quiz, figure)
+            if figure
+            else unknown("figure of this page", quiz.figure, figures)
+        )
+        if message:
+            problems.add(quiz.path, quiz.line, message)
+
+
+def fault_of(quiz: Quiz, figure: Simulation) -> str:
+    """What is wrong with the question, or nothing."""
+    what = f"quiz {quiz.id!r}"
+    stated = " ".join(f"{name}={value}" for name, value in quiz.solution.items())
+    try:
+        if message := _unreachable(quiz, figure):
+            return f"{what}: {message}"
+        if not reply_at(quiz, figure, {**figure.values, **quiz.solution}).correct:
+            return f"{what} is not solved by {stated!r}; legal: settings that its [x] is true of"
+        if reply_at(quiz, figure, figure.values).correct:
+            return f"{what} is solved before it is asked; legal: a start that its [x] is false of"
+    except (ControlError, ExpressionError) as error:
+        return f"{what}: {error}"
+    except Exception as error:  # whatever a scene's own code may raise
+        return f"{what}: {figure.scene.id!r} cannot be drawn: {cause(error)}"
+    return ""
+
+
+def _unreachable(quiz: Quiz, figure: Simulation) -> str:
+    """The stated setting that no slider can show, if there is one."""
+    for control in figure.scene.controls:
+        value = quiz.solution.get(control.name)
+        if isinstance(control, Slider) and value and not control.reaches(control.check(value)):
+            legal = f"{control.minimum:g} and steps of {control.step:g}"
+            return f"{control.name}: {value} is between two steps; legal: {legal}"
+    return ""
+
+
+def reply_at(quiz: Quiz, figure: Simulation, values: Mapping[str, object]) -> Option:
+    """The answer that stands for these settings. Raises `ControlError`, `ExpressionError`."""
+    settings = figure.scene.check(values)
+    frame = figure.scene.render(settings, figure.tier, StageCache())
+    conditions = [option.text for option in quiz.options if option.text != OTHERWISE]
+    met = first_met(conditions, settings, frame)
+    return quiz.options[len(conditions) if met is None else met]

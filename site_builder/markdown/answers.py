@@ -1,0 +1,161 @@
+"""The body of a question: what is asked, and below it a list of answers, each with its reply.
+
+- [x] 16 px
+  : Twice the radius gives eight times the displacement.
+"""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+from markdown_it.token import Token
+
+from site_builder.markdown.directive import Use
+from site_builder.markdown.reading import Reading
+from site_builder.markdown.text.tokens import plain_text
+
+MARKS = {"[ ]": "wrong", "[x]": "right", "[X]": "right", "[?]": "computed"}
+LEGAL_MARKS = "'- [ ] …' or '- [x] …'"
+
+
+@dataclass(frozen=True, slots=True)
+class Item:
+    """The tokens of one item of the list."""
+
+    paragraphs: tuple[Token, ...]
+    line: int
+
+
+@dataclass(frozen=True, slots=True)
+class Parts:
+    """A question taken apart."""
+
+    prompt: tuple[Token, ...]
+    items: tuple[Item, ...]
+    rest: tuple[Token, ...]
+    """What stands below the list."""
+
+
+@dataclass(frozen=True, slots=True)
+class Answer:
+    """One item, read: its words, what stands in code in front of them, and its reply."""
+
+    mark: str
+    """``right``, ``wrong`` or ``computed``; nothing where the list carries no marks."""
+    code: str
+    """The expression that it begins with, where one is asked for."""
+    html: str
+    text: str
+    reply_html: str
+    line: int
+
+
+def split_body(body: Sequence[Token], kind: str = "bullet") -> Parts:
+    """What is asked, the items of the last list at the margin, and what follows."""
+    margin = body[0].level if body else 0
+    starts = [
+        index
+        for index, token in enumerate(body)
+        if token.type == f"{kind}_list_open" and token.level == margin
+    ]
+    if not starts:
+        return Parts(tuple(body), (), ())
+    end = next(
+        index
+        for index in range(starts[-1], len(body))
+        if body[index].type == f"{kind}_list_close" and body[index].level == margin
+    )
+    items: list[Item] = []
+    paragraphs: list[Token] = []
+    for token in body[starts[-1] + 1 : end]:
+        if token.type == "list_item_open" and token.level == margin + 1:
+            paragraphs, item = [], token
+        elif token.type == "inline":
+            paragraphs.append(token)
+        elif token.type == "list_item_close" and token.level == margin + 1:
+            items.append(Item(tuple(paragraphs), (item.map or [0])[0] + 1))
+    return Parts(tuple(body[: starts[-1]]), tuple(items), tuple(body[end + 1 :]))
+
+
+def check_parts(use: Use, parts: Parts, reading: Reading) -> None:
+    """There is something above the answers, and nothing below: it would not be shown."""
+    what = f"{use.name} {use.argument!r}"
+    if not parts.prompt:
+        legal = "some text above its answers"
+        reading.problem(use.line, f"{what} asks no question; legal: {legal}")
+    if parts.rest:
+        line = (parts.rest[0].map or [use.line - 1])[0] + 1
+        legal = "nothing after the answers, each explained by a ': …' line below it"
+        reading.problem(line, f"text below the answers of {what}; legal: {legal}")
+
+
+def read_answer(
+    item: Item, reading: Reading, *, marked: bool = True, coded: bool = False, replies: bool = True
+) -> Answer | None:
+    """The item, or None and a diagnostic. ``coded``: it begins with an expression in code, as
+    marks that are computed do too; ``replies``: it has a reply."""
+    lines = [line for paragraph in item.paragraphs for line in _split_lines(paragraph)]
+    mark = _take_mark(lines, item.line, reading) if marked else ""
+    if mark is None:
+        return None
+    said, reply = _said_and_reply(lines)
+    code = _take_code(said) if coded or mark == "computed" else ""
+    words = Token("inline", "", 0, children=said)
+    text = plain_text(words)
+    if not text and not code:
+        reading.problem(item.line, "an answer without text; legal: '- [ ] some text'")
+    if replies and not reply:
+        what = text or code
+        legal = "a ': …' line below it"
+        reading.problem(item.line, f"answer {what!r} is not explained; legal: {legal}")
+    return Answer(
+        mark=mark,
+        code=code,
+        html=reading.html([words]),
+        text=text,
+        reply_html=reading.html([Token("inline", "", 0, children=reply)]),
+        line=item.line,
+    )
+
+
+def _take_mark(lines: list[list[Token]], line: int, reading: Reading) -> str | None:
+    """The mark of an answer, which leaves its words; None and a diagnostic where there is none."""
+    first = lines[0][0] if lines and lines[0] else None
+    written = first.content[:3] if first and first.type == "text" else ""
+    if first is None or written not in MARKS:
+        reading.problem(line, f"an answer without its mark; legal: {LEGAL_MARKS}")
+        return None
+    first.content = first.content[3:].lstrip()
+    return MARKS[written]
+
+
+def _said_and_reply(lines: list[list[Token]]) -> tuple[list[Token], list[Token]]:
+    texts: tuple[list[Token], list[Token]] = ([], [])
+    explaining = False
+    for line in lines:
+        if line and line[0].type == "text" and line[0].content.startswith(": "):
+            line[0].content = line[0].content[2:]
+            explaining = True
+        texts[explaining].extend([*line, Token("softbreak", "br", 0)])
+    return texts[0][:-1], texts[1][:-1]
+
+
+def _take_code(said: list[Token]) -> str:
+    """The expression that an answer begins with, which leaves its words; nothing without one."""
+    while said and said[0].type == "text" and not said[0].content.strip():
+        del said[0]
+    if not said or said[0].type != "code_inline":
+        return ""
+    code = said.pop(0).content
+    if said and said[0].type == "text":
+        said[0].content = said[0].content.lstrip()
+    return code
+
+
+def _split_lines(inline: Token) -> list[list[Token]]:
+    lines: list[list[Token]] = [[]]
+    for child in inline.children or ():
+        if child.type == "softbreak":
+            lines.append([])
+        elif child.content or child.type != "text":
+            lines[-1].append(child)
+    return lines

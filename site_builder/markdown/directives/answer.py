@@ -1,0 +1,23 @@
+"""``{answer} id``: what is shown once the reader has guessed, or asked to see it."""
+
+from collections.abc import Sequence
+
+from site_builder.book import Block, Reveal
+from site_builder.markdown.bodies import BLOCKS
+from site_builder.markdown.directive import Argument, Directive, Use
+from site_builder.markdown.reading import Reading
+
+
+def read_reveal(use: Use, _body: Sequence[Block], reading: Reading) -> Reveal:
+    name = reading.free_id(f"answer-{use.argument}", use.line)
+    return Reveal(use.argument, name, reading.path, use.line)
+
+
+ANSWER = Directive(
+    name="answer",
+    says="what waits until the guess of that id is made",
+    argument=Argument("id", lacks="names no prediction"),
+    body=BLOCKS,
+    read=read_reveal,
+    template="answer",
+)

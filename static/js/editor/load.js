@@ -1,0 +1,57 @@
+/** What the workshop is made of, fetched when the first one opens. */
+
+import { one } from "../page/dom.js";
+
+/** @import { CodeEditor } from "../../../site_builder/editor/code_editor.js" */
+
+const SHEET = new URL("../../css/workshop.css", import.meta.url).href;
+const MARKUP = new URL("./workshop.html", import.meta.url);
+
+/** @type {Promise<HTMLElement> | null} */
+let fetched = null;
+
+/**
+ * A fresh copy of the panel, its style sheet in place.
+ *
+ * @returns {Promise<HTMLElement>}
+ */
+export async function loadPanel() {
+  fetched ??= fetchPanel();
+  try {
+    const panel = (await fetched).cloneNode(true);
+    if (!(panel instanceof HTMLElement)) throw new Error("the panel is no element");
+    return panel;
+  } catch (error) {
+    fetched = null;
+    throw error;
+  }
+}
+
+async function fetchPanel() {
+  const [reply] = await Promise.all([fetch(MARKUP), styled()]);
+  if (!reply.ok) throw new Error(`${reply.url}: ${reply.status}`);
+  const page = new DOMParser().parseFromString(await reply.text(), "text/html");
+  return one(page, ".workshop", HTMLElement);
+}
+
+/** @returns {Promise<void>} */
+function styled() {
+  const link = document.createElement("link");
+  link.rel = "stylesheet";
+  link.href = SHEET;
+  return new Promise((resolve, reject) => {
+    link.onload = () => resolve();
+    link.onerror = () => reject(new Error(`${SHEET} could not be had`));
+    document.head.append(link);
+  });
+}
+
+/**
+ * The code editor, or null where the book was built without.
+ *
+ * @param {string | undefined} address
+ * @returns {Promise<typeof CodeEditor | null>}
+ */
+export async function loadEditor(address) {
+  return address ? (await import(new URL(address, location.href).href)).CodeEditor : null;
+}

@@ -1,0 +1,318 @@
+/**
+ * The Python of one figure, open to its reader: read, change, run, put back. Edited code runs in an
+ * interpreter of its own and becomes the figure's only once it has drawn a frame.
+ */
+
+import { message } from "../errors.js";
+import { one } from "../page/dom.js";
+import { setText } from "../page/text.js";
+import { RuntimeFailure } from "../runtime/runtime.js";
+import { EditedRuntime, EditFailure } from "./edited_runtime.js";
+import { Edits } from "./edits.js";
+import { loadEditor, loadPanel } from "./load.js";
+import { Panel } from "./panel.js";
+import { fetchSources, nameOf } from "./sources.js";
+
+/** @import { LiveFigure } from "../figure/live.js" */
+/** @import { Runtime } from "../runtime/runtime.js" */
+/** @import { Problem } from "./edited_runtime.js" */
+/** @import { Sources } from "./sources.js" */
+
+const WORDS = {
+  running: "Running …",
+  runs: "The figure runs your code now.",
+  book: "The figure runs the book's code.",
+  mark: "This figure runs your Python, not the book's.",
+  kept: "Your changes to its Python are kept.",
+  noEditor:
+    "To be read only: this copy of the book was built where the code editor could not be had.",
+  noPython: "To be read only: this browser does not run Python.",
+};
+
+export class Workshop {
+  /** @type {Panel | null} */
+  #panel = null;
+  /** @type {Promise<Edits> | null} */
+  #edits = null;
+  #opening = false;
+  #running = false;
+  #showStages = () => this.#panel?.showStages(this.live?.stages ?? []);
+
+  /**
+   * @param {HTMLElement} figure
+   * @param {LiveFigure | null} live Null where this browser runs no Python.
+   * @param {Runtime} book What draws the figure by the book's code.
+   * @param {string} name Under which edits are kept.
+   */
+  constructor(figure, live, book, name) {
+    this.figure = figure;
+    this.live = live;
+    this.book = book;
+    this.name = name;
+    this.button = one(figure, ".open-python", HTMLButtonElement);
+    this.state = one(figure, ".python-state", HTMLElement);
+    this.edited = new EditedRuntime(book, {
+      drawn: (printed) => this.#drew(printed),
+      failed: (failure) => this.#failed(failure),
+      stopped: (words) => this.#stopped(words),
+    });
+  }
+
+  /** Open what is closed, close what is open. */
+  async toggle() {
+    if (this.#panel) {
+      this.#close();
+      return;
+    }
+    if (this.#opening) return;
+    this.#opening = true;
+    try {
+      await this.#open();
+    } catch (error) {
+      setText(this.state, `The Python could not be fetched (${message(error)}).`);
+    } finally {
+      this.#opening = false;
+    }
+  }
+
+  /** Run what ran when the reader left, once the figure has its first frame. */
+  async resume() {
+    if (this.figure.dataset.state !== "live") {
+      await new Promise((resolve) => {
+        this.figure.addEventListener("painted", resolve, { once: true });
+      });
+    }
+    const edits = await this.#kept();
+    if (edits.keys.length > 0) await this.#run();
+    else this.#mark(edits);
+  }
+
+  leave() {
+    this.figure.removeEventListener("painted", this.#showStages);
+    this.#panel?.leave();
+    this.edited.close();
+  }
+
+  /** The reader's edits, and the sources that they were made of. */
+  #kept() {
+    this.#edits ??= fetchSources(this.figure.dataset.simulation ?? "").then(
+      (sources) => new Edits(this.name, sources),
+      (error) => {
+        this.#edits = null;
+        throw error;
+      },
+    );
+    return this.#edits;
+  }
+
+  async #open() {
+    const [edits, element, Editor] = await Promise.all([
+      this.#kept(),
+      loadPanel(),
+      this.live ? loadEditor(this.button.dataset.editor) : null,
+    ]);
+    const panel = new Panel(element, this.button.id, edits.sources, edits, this.#wishes(edits));
+    if (Editor) panel.edit(Editor);
+    else panel.readOnly(this.live ? WORDS.noEditor : WORDS.noPython);
+    element.id = this.button.getAttribute("aria-controls") ?? "";
+    one(this.figure, ".python", HTMLElement).append(element);
+    this.#panel = panel;
+    panel.open(this.#firstPart(edits.sources));
+    this.#showStages();
+    this.figure.addEventListener("painted", this.#showStages);
+    this.button.setAttribute("aria-expanded", "true");
+    panel.focus();
+  }
+
+  #close() {
+    this.figure.removeEventListener("painted", this.#showStages);
+    this.#panel?.leave();
+    this.#panel = null;
+    this.button.setAttribute("aria-expanded", "false");
+    this.button.focus();
+  }
+
+  /**
+   * The first stage that was computed for the frame that is shown; else what draws.
+   *
+   * @param {Sources} sources
+   */
+  #firstPart({ stages, draw }) {
+    const done = new Set(
+      this.live?.stages.filter(({ status }) => status === "computed").map(({ name }) => name),
+    );
+    return stages.find(({ name, definition }) => definition && done.has(name))?.definition ?? draw;
+  }
+
+  /**
+   * @param {Edits} edits
+   * @returns {import("./panel.js").Wishes}
+   */
+  #wishes(edits) {
+    return {
+      changed: () => this.#changed(edits),
+      run: () => this.#run(),
+      putBack: (key) => this.#putBack(edits, key),
+      putAllBack: () => this.#putAllBack(edits),
+      download: () => download(this.figure.dataset.simulation ?? "", edits),
+      close: () => this.#close(),
+    };
+  }
+
+  /** @param {Edits} edits */
+  #changed(edits) {
+    if (!this.#panel || !this.live) return;
+    edits.write(this.#panel.key, this.#panel.text);
+    this.#panel.refresh();
+    this.#mark(edits);
+    this.edited.warm(this.live.request()).catch(() => {}); // told when it is run
+  }
+
+  async #run() {
+    if (this.#running || !this.live) return;
+    const edits = await this.#kept();
+    const { json } = edits;
+    if (edits.keys.length === 0) {
+      this.#toBook(edits);
+      return;
+    }
+    this.#setRunning(true);
+    this.#tell(WORDS.running);
+    edits.runs = false; // until it is known to end
+    edits.save();
+    try {
+      const request = this.live.request();
+      this.edited.adopt(json, request, await this.edited.draw(request, json));
+      edits.runs = edits.json === json;
+      edits.save();
+      this.live.drawnBy(this.edited);
+    } catch (error) {
+      this.#failed(error);
+    } finally {
+      this.#setRunning(false);
+      this.#mark(edits);
+    }
+  }
+
+  /**
+   * @param {Edits} edits
+   * @param {string} key
+   */
+  #putBack(edits, key) {
+    if (this.#running) return;
+    edits.drop(key);
+    this.#panel?.putBack();
+    if (this.#drawn) this.#run();
+  }
+
+  /** @param {Edits} edits */
+  #putAllBack(edits) {
+    if (this.#running) return;
+    edits.clear();
+    this.#panel?.putBack();
+    this.#toBook(edits);
+  }
+
+  /** @param {Edits} edits */
+  #toBook(edits) {
+    edits.runs = false;
+    edits.save();
+    this.edited.close();
+    this.live?.drawnBy(this.book);
+    this.#panel?.print("");
+    this.#panel?.refresh();
+    this.#tell(WORDS.book);
+    this.#mark(edits);
+  }
+
+  /** Whether the figure is drawn by the reader's code. */
+  get #drawn() {
+    return this.live?.runtime === this.edited;
+  }
+
+  /** @param {string} printed */
+  #drew(printed) {
+    this.#panel?.print(printed);
+    this.#tell(WORDS.runs);
+  }
+
+  /**
+   * Edited code did not end while the reader used the figure: the book's draws it again.
+   *
+   * @param {string} words
+   */
+  async #stopped(words) {
+    this.live?.drawnBy(this.book);
+    const edits = await this.#kept();
+    edits.runs = false;
+    edits.save();
+    this.#tell(`Your code was stopped: ${words}. ${WORDS.book}`, problemWithout(words));
+    this.#mark(edits);
+  }
+
+  /** @param {unknown} error */
+  #failed(error) {
+    if (error instanceof EditFailure) {
+      this.#panel?.print(error.printed);
+      this.#tell(error.message, error.problem);
+    } else if (error instanceof RuntimeFailure && error.kind === "lost") {
+      const words = `Your code was stopped: ${error.message}. The figure stays as it was.`;
+      this.#tell(words, problemWithout(words));
+    } else {
+      this.#tell(`Your code did not run (${message(error)}).`, problemWithout(message(error)));
+    }
+  }
+
+  /**
+   * @param {string} words
+   * @param {Problem} [problem]
+   */
+  #tell(words, problem) {
+    this.#panel?.tell(words, problem);
+    if (!this.#panel && problem) setText(this.state, words);
+  }
+
+  /** @param {boolean} running */
+  #setRunning(running) {
+    this.#running = running;
+    if (this.#panel) this.#panel.busy = running;
+  }
+
+  /**
+   * What the figure says of itself, also where the panel is closed.
+   *
+   * @param {Edits} edits
+   */
+  #mark(edits) {
+    this.figure.toggleAttribute("data-edited", this.#drawn);
+    setText(this.state, this.#drawn ? WORDS.mark : edits.all.size > 0 ? WORDS.kept : "");
+  }
+}
+
+/**
+ * A problem that no line is known for.
+ *
+ * @param {string} words
+ * @returns {Problem}
+ */
+function problemWithout(words) {
+  return { message: words, definition: "", line: 0 };
+}
+
+/**
+ * Hand the reader's texts over as a file.
+ *
+ * @param {string} scene
+ * @param {Edits} edits
+ */
+function download(scene, edits) {
+  const pieces = [...edits.all].map(([key, { text }]) => {
+    const [module, name] = [key.slice(0, key.indexOf(":")), nameOf(key)];
+    return `# ${name} in ${module.replaceAll(".", "/")}.py\n\n${text}\n`;
+  });
+  const link = document.createElement("a");
+  link.href = URL.createObjectURL(new Blob([pieces.join("\n\n")], { type: "text/x-python" }));
+  link.download = `${scene}-edited.py`;
+  link.click();
+  setTimeout(() => URL.revokeObjectURL(link.href), 1000);
+}

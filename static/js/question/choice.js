@@ -1,0 +1,82 @@
+/** One answer that is right, or several. */
+
+/** @import { Kind, Question } from "./questions.js" */
+
+import { all, one } from "../page/dom.js";
+import { shuffled } from "./shuffle.js";
+
+/** @type {Kind} */
+export const choice = {
+  missing: "Choose an answer first.",
+
+  prepare(form, question) {
+    shuffleOptions(form, question.id);
+  },
+
+  read(form) {
+    const chosen = boxes(form).filter((box) => box.checked);
+    return chosen.length === 0 ? null : chosen.map((box) => Number(box.value)).sort();
+  },
+
+  fits(question, given) {
+    const known = (/** @type {unknown} */ index) => Number(index) in question.options;
+    return Array.isArray(given) && given.length > 0 && given.every(known);
+  },
+
+  put(form, given) {
+    for (const box of boxes(form)) box.checked = given.includes(Number(box.value));
+  },
+
+  judge(question, given) {
+    const right = question.options.every(({ correct }, index) => correct === given.includes(index));
+    return {
+      right,
+      words: verdict(question, given, right),
+      replies: given.map((/** @type {number} */ index) => question.options[index]),
+    };
+  },
+
+  mark(form, question, given) {
+    for (const box of boxes(form)) {
+      const chosen = given?.includes(Number(box.value)) ?? false;
+      const { correct } = question.options[Number(box.value)];
+      const label = box.closest("label.option");
+      label?.classList.toggle("chosen", chosen);
+      label?.classList.toggle("correct", chosen && correct);
+      label?.classList.toggle("wrong", chosen && !correct);
+    }
+  },
+};
+
+/**
+ * Show the options in the reader's own order; each keeps its value.
+ *
+ * @param {HTMLFormElement} form
+ * @param {string} name
+ */
+export function shuffleOptions(form, name) {
+  const labels = all(form, "label.option", HTMLElement);
+  const place = (/** @type {HTMLElement} */ label) =>
+    Number(one(label, "input", HTMLInputElement).value);
+  labels.sort((first, second) => place(first) - place(second));
+  const parent = labels[0]?.parentElement;
+  parent?.append(...shuffled(name, labels.length).map((index) => labels[index]));
+}
+
+/** @param {HTMLFormElement} form */
+function boxes(form) {
+  return all(form, 'input[name="answer"]', HTMLInputElement);
+}
+
+/**
+ * @param {Question} question
+ * @param {number[]} chosen
+ * @param {boolean} right
+ */
+function verdict(question, chosen, right) {
+  if (right) return "Right.";
+  if (chosen.every((index) => question.options[index].correct)) {
+    return "Right so far, but something is missing.";
+  }
+  return question.kind === "multiple" ? "Not all of these. Try again." : "Not quite. Try again.";
+}

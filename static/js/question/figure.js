@@ -1,0 +1,39 @@
+/** A figure to be set: the Python that draws it judges its present state. */
+
+/** @import { Kind } from "./questions.js" */
+
+import { SimulationFigure } from "../figure/element.js";
+
+/** @type {Kind} */
+export const figure = {
+  missing: "",
+
+  prepare() {},
+
+  async read(form, question) {
+    const conditions = question.conditions ?? [];
+    const place = document.getElementById(form.dataset.figure ?? "");
+    const shown = place?.querySelector("simulation-figure");
+    if (!(shown instanceof SimulationFigure)) throw new Error("the page has no such figure");
+    form.setAttribute("aria-busy", "true");
+    try {
+      return (await shown.judge(conditions)) ?? conditions.length;
+    } finally {
+      form.removeAttribute("aria-busy");
+    }
+  },
+
+  fits(question, given) {
+    return Number.isInteger(given) && given in question.options;
+  },
+
+  put() {},
+
+  judge(question, given) {
+    const option = question.options[given];
+    const words = option.correct ? "Right." : "Not yet. Try again.";
+    return { right: option.correct, words, replies: [option] };
+  },
+
+  mark() {},
+};

@@ -1,0 +1,70 @@
+/** The buttons below a chapter's questions: forget the answers, save them, read them again. */
+
+import { message } from "../errors.js";
+import { maybe, one, within } from "../page/dom.js";
+import { forget } from "../page/storage.js";
+import { forgetPredictions, restorePredictions } from "./predictions.js";
+import { forgetQuestions, restoreQuestions } from "./questions.js";
+import { showProgress } from "./progress.js";
+
+/** Listen for them on any page. */
+export function installKeeping() {
+  document.addEventListener("click", (event) => {
+    const section = within(event, "section.progress", HTMLElement);
+    if (!section) return;
+    if (within(event, "[data-progress-reset]", Element)) reset(section);
+    if (within(event, "[data-progress-export]", Element)) save(section);
+    if (within(event, "[data-progress-import]", Element)) picker(section).click();
+  });
+  document.addEventListener("change", (event) => {
+    const input = within(event, ".progress-file", HTMLInputElement);
+    const section = maybe(document, "section.progress", HTMLElement);
+    const file = input?.files?.[0];
+    if (input && section && file) read(section, file).finally(() => (input.value = ""));
+  });
+}
+
+/** @param {HTMLElement} section */
+function reset(section) {
+  if (section.dataset.progress === "book") forget(/^(quiz|predict):/);
+  forgetQuestions();
+  forgetPredictions();
+  say(section, "Forgotten.");
+}
+
+/** @param {HTMLElement} section */
+async function save(section) {
+  const { saveProgress } = await import("./progress_file.js");
+  const count = saveProgress();
+  say(section, `Saved: ${count} ${count === 1 ? "answer" : "answers"}.`);
+}
+
+/**
+ * @param {HTMLElement} section
+ * @param {File} file
+ */
+async function read(section, file) {
+  const { readProgress } = await import("./progress_file.js");
+  try {
+    const count = await readProgress(file);
+    restoreQuestions();
+    restorePredictions();
+    showProgress();
+    say(section, `Read from ${file.name}: ${count} ${count === 1 ? "answer" : "answers"}.`);
+  } catch (error) {
+    say(section, `${file.name} was not read: ${message(error)}.`);
+  }
+}
+
+/** @param {HTMLElement} section */
+function picker(section) {
+  return one(section, ".progress-file", HTMLInputElement);
+}
+
+/**
+ * @param {HTMLElement} section
+ * @param {string} text
+ */
+function say(section, text) {
+  one(section, ".progress-said", HTMLElement).textContent = text;
+}

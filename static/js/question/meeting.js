@@ -1,0 +1,139 @@
+/** A guess and the computed answer, side by side. */
+
+/** @import { Prediction, Guess } from "./predictions.js" */
+
+import { all, one } from "../page/dom.js";
+import { say } from "./feedback.js";
+import { recognised } from "./number.js";
+import { farthest } from "./sketch.js";
+
+/** How far, of the height of its axis, a sketched curve may be off and pass for the true one. */
+const CLOSE = 0.1;
+
+/**
+ * Set them side by side, and tell whether they agree.
+ *
+ * @param {HTMLFormElement} form
+ * @param {Prediction} prediction
+ * @param {any} guess Null where the reader made none.
+ * @returns {boolean}
+ */
+export function meet(form, prediction, guess) {
+  switch (prediction.kind) {
+    case "number":
+      return meetNumber(form, prediction, guess);
+    case "choice":
+      return meetChoice(form, prediction, guess);
+    case "sketch":
+      return meetSketch(form, prediction, guess);
+  }
+}
+
+/**
+ * @param {HTMLFormElement} form
+ * @param {Prediction} prediction
+ * @param {number | null} guess
+ */
+function meetNumber(form, prediction, guess) {
+  const { options, tolerance = 0 } = prediction;
+  const right = options.find(({ correct }) => correct);
+  const taken = guess === null ? right : recognised(options, guess, tolerance);
+  const agrees = taken === right;
+  say(feedback(form), verdict(guess, agrees), taken ? [taken] : []);
+  const unit = one(form, ".unit", HTMLElement).textContent ?? "";
+  const said = guess === null ? null : [`${guess} ${unit}`.trim()];
+  sideBySide(form, said, [prediction.truth ?? ""]);
+  return agrees;
+}
+
+/**
+ * @param {HTMLFormElement} form
+ * @param {Prediction} prediction
+ * @param {number | null} guess
+ */
+function meetChoice(form, { options }, guess) {
+  const right = options.findIndex(({ correct }) => correct);
+  const agrees = guess === right;
+  const replies = agrees || guess === null ? [options[right]] : [options[guess], options[right]];
+  say(feedback(form), verdict(guess, agrees), replies);
+  const words = (/** @type {number} */ index) => {
+    const input = one(form, `input[name="guess"][value="${index}"]`, HTMLInputElement);
+    const text = one(input.parentElement ?? form, ".option-text", HTMLElement);
+    return [...text.cloneNode(true).childNodes];
+  };
+  sideBySide(form, guess === null ? null : words(guess), words(right));
+  for (const input of all(form, 'input[name="guess"]', HTMLInputElement)) {
+    const { correct } = options[Number(input.value)];
+    const chosen = Number(input.value) === guess;
+    input.parentElement?.classList.toggle("correct", correct);
+    input.parentElement?.classList.toggle("wrong", chosen && !correct);
+  }
+  return agrees;
+}
+
+/**
+ * @param {HTMLFormElement} form
+ * @param {Prediction} prediction
+ * @param {number[] | null} guess
+ */
+function meetSketch(form, { sketch }, guess) {
+  if (!sketch || guess === null) {
+    say(feedback(form), verdict(null, false), []);
+    return false;
+  }
+  const { x, drawn, truth } = farthest(guess, sketch);
+  const agrees = Math.abs(drawn - truth) <= CLOSE * (sketch.y[1] - sketch.y[0]);
+  say(feedback(form), verdict(guess, agrees), []);
+  const where = document.createElement("p");
+  where.className = "explanation";
+  where.textContent = `The curves are farthest apart at ${short(x)}: you drew ${short(drawn)}, and ${short(truth)} is computed.`;
+  feedback(form).append(where);
+  return agrees;
+}
+
+/**
+ * Two digits after the first, with a true minus sign.
+ *
+ * @param {number} value
+ */
+function short(value) {
+  return String(Number(value.toPrecision(3))).replace("-", "\u2212");
+}
+
+/**
+ * @param {Guess | null} guess
+ * @param {boolean} agrees
+ */
+function verdict(guess, agrees) {
+  if (guess === null) return "Without a guess.";
+  return agrees ? "As you said." : "Not as you said.";
+}
+
+/** @param {HTMLFormElement} form */
+function feedback(form) {
+  return one(form, ".feedback", HTMLElement);
+}
+
+/**
+ * @param {HTMLFormElement} form
+ * @param {(Node | string)[] | null} guess
+ * @param {(Node | string)[]} truth
+ */
+function sideBySide(form, guess, truth) {
+  const list = document.createElement("dl");
+  list.className = "meeting";
+  for (const [name, words, kind] of [
+    ["Your guess", guess, "guessed"],
+    ["Computed", truth, "computed"],
+  ]) {
+    if (!Array.isArray(words)) continue;
+    const group = document.createElement("div");
+    group.className = String(kind);
+    const [term, value] = [document.createElement("dt"), document.createElement("dd")];
+    term.textContent = String(name);
+    value.append(...words);
+    group.append(term, value);
+    list.append(group);
+  }
+  feedback(form).prepend(list);
+}

@@ -1,0 +1,154 @@
+/** Things to be put in order: dragged by their grip, or moved by their buttons. */
+
+/** @import { Kind } from "./questions.js" */
+
+import { all, maybe, one, within } from "../page/dom.js";
+import { setText } from "../page/text.js";
+import { shuffled } from "./shuffle.js";
+
+/** @type {Kind} */
+export const order = {
+  missing: "",
+
+  prepare(form, question) {
+    arrange(form, mixed(question.id, question.options.length));
+  },
+
+  read(form) {
+    return items(form).map(placeOf);
+  },
+
+  fits(question, given) {
+    const places = [...question.options.keys()];
+    return Array.isArray(given) && String(given.toSorted()) === String(places.toSorted());
+  },
+
+  put: arrange,
+
+  judge(question, given) {
+    const wrong = given.findIndex((/** @type {number} */ place, /** @type {number} */ at) => {
+      return place !== at;
+    });
+    if (wrong < 0) return { right: true, words: "Right.", replies: question.options };
+    const words = `Not quite: number ${wrong + 1} is something else. Try again.`;
+    const { explanation_html: html } = question.options[given[wrong]];
+    return { right: false, words, replies: [{ correct: false, explanation_html: html }] };
+  },
+
+  mark(form, _question, given) {
+    for (const [at, item] of items(form).entries()) {
+      item.classList.toggle("correct", given !== null && placeOf(item) === at);
+      item.classList.toggle("wrong", given !== null && placeOf(item) !== at);
+    }
+  },
+};
+
+/** Listen for grips and buttons on any page. */
+export function installOrder() {
+  document.addEventListener("click", (event) => {
+    const button = within(event, ".order [data-move]", HTMLButtonElement);
+    if (!button) return;
+    step(button);
+    button.focus();
+  });
+  document.addEventListener("pointerdown", (event) => {
+    const item = within(event, ".order-item", HTMLElement);
+    if (item && within(event, ".grip", Element) && event.button === 0) drag(item, event);
+  });
+}
+
+/**
+ * The reader's order, which is never the right one.
+ *
+ * @param {string} name
+ * @param {number} count
+ */
+function mixed(name, count) {
+  const places = shuffled(name, count);
+  const sorted = places.every((place, at) => place === at);
+  return sorted ? places.reverse() : places;
+}
+
+/**
+ * @param {HTMLFormElement} form
+ * @param {number[]} places
+ */
+function arrange(form, places) {
+  const byPlace = new Map(items(form).map((item) => [placeOf(item), item]));
+  const sorted = places.flatMap((place) => byPlace.get(place) ?? []);
+  one(form, ".order", HTMLElement).append(...sorted);
+}
+
+/** @param {HTMLButtonElement} button */
+function step(button) {
+  const item = button.closest(".order-item");
+  const up = button.dataset.move === "up";
+  if (up) item?.previousElementSibling?.before(item);
+  else item?.nextElementSibling?.after(item);
+  if (item instanceof HTMLElement) tellPlace(item);
+}
+
+/**
+ * Follow the pointer until it lets go.
+ *
+ * @param {HTMLElement} item
+ * @param {PointerEvent} event
+ */
+function drag(item, event) {
+  event.preventDefault();
+  const done = new AbortController();
+  const { signal } = done;
+  item.classList.add("dragged");
+  item.setPointerCapture(event.pointerId);
+  item.addEventListener("pointermove", ({ clientY }) => follow(item, clientY), { signal });
+  for (const end of ["pointerup", "pointercancel", "lostpointercapture"]) {
+    item.addEventListener(
+      end,
+      () => {
+        done.abort();
+        item.classList.remove("dragged");
+        tellPlace(item);
+      },
+      { signal },
+    );
+  }
+}
+
+/**
+ * Past the middle of a neighbour the two change places. It is the neighbour that is moved: what
+ * leaves the page for a moment loses the pointer.
+ *
+ * @param {HTMLElement} item
+ * @param {number} y
+ */
+function follow(item, y) {
+  let [before, after] = [item.previousElementSibling, item.nextElementSibling];
+  for (; before && y < middle(before); before = item.previousElementSibling) item.after(before);
+  for (; after && y > middle(after); after = item.nextElementSibling) item.before(after);
+}
+
+/** @param {Element} element */
+function middle(element) {
+  const { top, height } = element.getBoundingClientRect();
+  return top + height / 2;
+}
+
+/** @param {HTMLElement} item */
+function tellPlace(item) {
+  const form = item.closest("form");
+  if (!form) return;
+  const all = items(form);
+  const name = item.querySelector(".option-text")?.textContent ?? "";
+  const place = maybe(form, ".order-place", HTMLElement);
+  setText(place, `${name}: number ${all.indexOf(item) + 1} of ${all.length}`);
+}
+
+/** @param {HTMLFormElement} form */
+function items(form) {
+  return all(form, ".order-item", HTMLElement);
+}
+
+/** @param {HTMLElement} item */
+function placeOf(item) {
+  return Number(one(item, 'input[name="answer"]', HTMLInputElement).value);
+}

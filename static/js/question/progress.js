@@ -1,0 +1,71 @@
+/** How far the reader has come: of a chapter by the answers on its page, of the book by memory. */
+
+import { all, data, maybe, one } from "../page/dom.js";
+import { recall } from "../page/storage.js";
+import { setText } from "../page/text.js";
+
+/** @typedef {{right: number, wrong: number, count: number}} Tally */
+
+/** Tell it where the page has a place for it. */
+export function showProgress() {
+  const section = maybe(document, "section.progress", HTMLElement);
+  if (!section) return;
+  const ofBook = section.dataset.progress === "book";
+  const tally = ofBook ? tallyOfBook(section) : tallyOfPage();
+  setText(one(section, ".progress-count", HTMLElement), inWords(tally));
+  if (!ofBook) listMissed(section);
+}
+
+/**
+ * @param {Tally} tally
+ */
+function inWords({ right, wrong, count }) {
+  const open = count - right - wrong;
+  const parts = [`${right} of ${count} ${count === 1 ? "question" : "questions"} answered right`];
+  if (wrong > 0) parts.push(`${wrong} missed`);
+  if (open > 0 && open < count) parts.push(`${open} still to answer`);
+  return `${parts.join(", ")}.`;
+}
+
+/** @returns {Tally} */
+function tallyOfPage() {
+  const state = forms().map((form) => form.dataset.answered);
+  const count = (/** @type {string} */ kind) => state.filter((each) => each === kind).length;
+  return { right: count("correct"), wrong: count("wrong"), count: state.length };
+}
+
+/**
+ * @param {HTMLElement} section
+ * @returns {Tally}
+ */
+function tallyOfBook(section) {
+  /** @type {Record<string, Record<string, string>>} */
+  const chapters = data(section, "script.progress-data");
+  const questions = Object.values(chapters).flatMap(Object.entries);
+  const kept = questions.flatMap(([id, edition]) => {
+    const answer = recall(`quiz:${id}`);
+    return answer?.edition === edition ? [answer] : [];
+  });
+  const right = kept.filter((answer) => answer.right === true).length;
+  return { right, wrong: kept.length - right, count: questions.length };
+}
+
+/** @param {HTMLElement} section */
+function listMissed(section) {
+  const list = one(section, ".missed", HTMLElement);
+  const missed = forms().filter((form) => form.dataset.answered === "wrong");
+  list.hidden = missed.length === 0;
+  list.replaceChildren(
+    ...missed.map((form) => {
+      const [item, link] = [document.createElement("li"), document.createElement("a")];
+      link.href = `#${form.id}`;
+      link.textContent = form.querySelector("legend")?.textContent?.trim() ?? "";
+      item.append(link);
+      return item;
+    }),
+  );
+}
+
+function forms() {
+  return all(document, "form.quiz", HTMLFormElement);
+}

@@ -1,0 +1,79 @@
+/**
+ * Answers and guesses as a file: to keep them, or to take them to another device. What is read is
+ * checked as a whole before any of it is kept.
+ */
+
+import { kept, remember } from "../page/storage.js";
+
+const FORMAT = "image-formation-progress";
+const VERSION = 1;
+const NAMES = /^(quiz|predict):[a-z0-9]+(-[a-z0-9]+)*$/;
+const LARGEST = 1_000_000;
+
+/**
+ * Offer the file; how many answers it has.
+ *
+ * @returns {number}
+ */
+export function saveProgress() {
+  const answers = kept(NAMES);
+  const text = JSON.stringify({ format: FORMAT, version: VERSION, answers }, null, 1);
+  const link = document.createElement("a");
+  link.href = URL.createObjectURL(new Blob([text], { type: "application/json" }));
+  link.download = `${FORMAT}.json`;
+  link.click();
+  setTimeout(() => URL.revokeObjectURL(link.href), 10_000);
+  return Object.keys(answers).length;
+}
+
+/**
+ * Keep what the file has; how many answers that are.
+ *
+ * @param {File} file
+ * @returns {Promise<number>}
+ * @throws {Error} Where it is no file of answers; nothing of it is kept then.
+ */
+export async function readProgress(file) {
+  if (file.size > LARGEST) throw new Error("it is too large for a file of answers");
+  const answers = Object.entries(checked(parsed(await file.text())));
+  for (const [name, entry] of answers) remember(name, entry);
+  return answers.length;
+}
+
+/** @param {string} text */
+function parsed(text) {
+  try {
+    return JSON.parse(text);
+  } catch {
+    throw new Error("it is not JSON, or only a part of it");
+  }
+}
+
+/**
+ * @param {any} content
+ * @returns {Record<string, unknown>}
+ */
+function checked(content) {
+  if (content?.format !== FORMAT) throw new Error("it is no file of answers to this book");
+  if (content.version !== VERSION) {
+    throw new Error(`its version is ${content.version}, and this page reads version ${VERSION}`);
+  }
+  const { answers } = content;
+  if (typeof answers !== "object" || answers === null || Array.isArray(answers)) {
+    throw new Error("it has no answers");
+  }
+  for (const [name, entry] of Object.entries(answers)) {
+    const given = name.startsWith("quiz:") ? entry?.answer : entry?.guess;
+    const judged = name.startsWith("quiz:") ? typeof entry?.right === "boolean" : true;
+    if (!NAMES.test(name) || typeof entry?.edition !== "string" || !judged || !isGiven(given)) {
+      throw new Error(`its answer ${JSON.stringify(name)} is broken`);
+    }
+  }
+  return answers;
+}
+
+/** @param {unknown} given */
+function isGiven(given) {
+  const numbers = Array.isArray(given) ? given : [given ?? 0];
+  return given !== undefined && numbers.every(Number.isFinite);
+}

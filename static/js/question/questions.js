@@ -1,0 +1,122 @@
+/**
+ * Questions: an answer is told at once why it is right, or why it tempts. All kinds but one work
+ * without the interpreter; answers are remembered where the browser allows.
+ *
+ * @typedef {{correct: boolean, explanation_html: string, value?: number}} Option
+ * @typedef {{id: string, kind: string, edition: string, options: Option[], tolerance?: number,
+ *   conditions?: string[]}} Question
+ * @typedef {number | number[]} Given An answer as it is remembered.
+ * @typedef {{right: boolean, words: string, replies: Option[]}} Verdict
+ */
+
+/**
+ * What one kind of question does.
+ *
+ * @typedef {object} Kind
+ * @property {string} missing What is said where there is no answer yet.
+ * @property {(form: HTMLFormElement, question: Question) => void} prepare Before it is answered.
+ * @property {(form: HTMLFormElement, question: Question) => Given | null | Promise<Given>} read
+ * @property {(question: Question, given: any) => boolean} fits Whether a remembered answer can be
+ *   one of this question.
+ * @property {(form: HTMLFormElement, given: any) => void} put Show a remembered answer.
+ * @property {(question: Question, given: any) => Verdict} judge
+ * @property {(form: HTMLFormElement, question: Question, given: any) => void} mark What is right
+ *   and what wrong of it; null where nothing is given.
+ */
+
+import { message } from "../errors.js";
+import { all, data, one, within } from "../page/dom.js";
+import { recall, remember } from "../page/storage.js";
+import { choice } from "./choice.js";
+import { say } from "./feedback.js";
+import { figure } from "./figure.js";
+import { number } from "./number.js";
+import { installOrder, order } from "./order.js";
+import { showProgress } from "./progress.js";
+
+/** @type {Record<string, Kind>} */
+const KINDS = { single: choice, multiple: choice, number, order, figure };
+
+/** Listen for answers on any page, now and after a change of chapter. */
+export function installQuestions() {
+  document.addEventListener("submit", (event) => {
+    const form = within(event, "form.quiz", HTMLFormElement);
+    if (!form) return;
+    event.preventDefault();
+    answer(form);
+  });
+  installOrder();
+}
+
+/** Put each question of the page in the reader's order, with the answer of an earlier visit. */
+export function restoreQuestions() {
+  for (const form of all(document, "form.quiz", HTMLFormElement)) {
+    const question = questionOf(form);
+    const kind = KINDS[question.kind];
+    kind.prepare(form, question);
+    const kept = recall(`quiz:${question.id}`);
+    const known = kept?.edition === question.edition && kind.fits(question, kept.answer);
+    if (known) kind.put(form, kept.answer);
+    show(form, question, known ? kept.answer : null);
+  }
+  showProgress();
+}
+
+/** Forget the answers of this page. */
+export function forgetQuestions() {
+  for (const form of all(document, "form.quiz", HTMLFormElement)) {
+    remember(`quiz:${form.dataset.quiz}`, null);
+    form.reset();
+  }
+  restoreQuestions();
+}
+
+/** @param {HTMLFormElement} form */
+async function answer(form) {
+  const question = questionOf(form);
+  const kind = KINDS[question.kind];
+  try {
+    const given = await kind.read(form, question);
+    show(form, question, given);
+    if (given === null) {
+      one(form, ".feedback", HTMLElement).textContent = kind.missing;
+      return;
+    }
+    const right = form.dataset.answered === "correct";
+    remember(`quiz:${question.id}`, { edition: question.edition, answer: given, right });
+  } catch (error) {
+    show(form, question, null);
+    const reason = message(error);
+    one(form, ".feedback", HTMLElement).textContent = `This cannot be judged now: ${reason}.`;
+  }
+  showProgress();
+}
+
+/**
+ * @param {HTMLFormElement} form
+ * @returns {Question}
+ */
+function questionOf(form) {
+  return data(form, "script.quiz-data");
+}
+
+/**
+ * The verdict on an answer, or none.
+ *
+ * @param {HTMLFormElement} form
+ * @param {Question} question
+ * @param {Given | null} given
+ */
+function show(form, question, given) {
+  const kind = KINDS[question.kind];
+  const feedback = one(form, ".feedback", HTMLElement);
+  kind.mark(form, question, given);
+  if (given === null) {
+    delete form.dataset.answered;
+    feedback.replaceChildren();
+    return;
+  }
+  const verdict = kind.judge(question, given);
+  form.dataset.answered = verdict.right ? "correct" : "wrong";
+  say(feedback, verdict.words, verdict.replies);
+}

@@ -1,0 +1,95 @@
+"""The code editor: bundled from pinned packages, kept, and done without where it cannot be had."""
+
+import json
+from collections.abc import Callable, Mapping
+from dataclasses import replace
+from pathlib import Path
+
+import pytest
+
+from site_builder import build
+from site_builder.build import render_site
+from site_builder.diagnostics import Diagnostic
+from site_builder.editor import bundle
+from site_builder.editor.bundle import EditorBundle, EditorBundleError, Package, bundle_editor
+from site_builder.editor.npm import HERE, NodeError, run_node
+from site_builder.pages.licences import gather_licences
+from site_builder.runtime.pack import RuntimeBundle
+from site_builder.runtime.pinned import VERSIONS
+
+PAGE = "::::{simulation} demo\nText.\n::::\n"
+MADE = {"code_editor.js": b"export {}", "packages.json": b"[]"}
+
+
+@pytest.fixture
+def makes(monkeypatch: pytest.MonkeyPatch) -> list[int]:
+    """Counts how often the editor is made; no package is fetched."""
+    made: list[int] = []
+
+    def make() -> Mapping[str, bytes]:
+        made.append(1)
+        return MADE
+
+    monkeypatch.setattr(bundle, "_make", make)
+    return made
+
+
+def test_the_editor_is_made_once_and_kept(makes: list[int], tmp_path: Path) -> None:
+    assert bundle_editor(tmp_path) == bundle_editor(tmp_path) == EditorBundle(b"export {}")
+    assert len(makes) == 1
+
+
+def test_a_damaged_copy_is_made_anew(makes: list[int], tmp_path: Path) -> None:
+    bundle_editor(tmp_path)
+    (kept,) = tmp_path.rglob("code_editor.js")
+    kept.write_bytes(b"export {};;")
+    assert bundle_editor(tmp_path).script == b"export {}"
+    assert len(makes) == 2
+
+
+def test_every_package_is_pinned_by_a_hash_and_the_lock_names_no_address() -> None:
+    lock = json.loads((HERE / "package-lock.json").read_text(encoding="utf-8"))
+    packages = [item for name, item in lock["packages"].items() if name]
+    assert all(item["integrity"].startswith("sha512-") for item in packages)
+    assert not any("resolved" in item for item in packages)
+
+
+def test_what_a_program_under_node_complains_is_told(tmp_path: Path) -> None:
+    (tmp_path / "fails.mjs").write_text("console.error('npm error no way'); process.exit(3)")
+    with pytest.raises(NodeError, match=r"^no way$"):
+        run_node(["fails.mjs"], tmp_path)
+
+
+def test_without_the_editor_the_book_is_built_and_says_so(
+    make_book: Callable[..., build.Options], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def refuse() -> EditorBundle:
+        raise EditorBundleError("its packages could not be had from npm: no network")
+
+    monkeypatch.setattr(build, "bundle_editor", refuse)
+    monkeypatch.setattr(build, "pack_runtime", lambda _root: RuntimeBundle({}, VERSIONS))
+    warnings: list[Diagnostic] = []
+    files = render_site(replace(make_book(PAGE), runtime=True, warn=warnings.append))
+    page = files["first/index.html"]
+    assert isinstance(page, bytes)
+    assert b'class="open-python"' in page
+    assert b"data-editor" not in page
+    assert any(name.endswith("python/demo.json") for name in files)
+    (told,) = [str(item) for item in warnings if "editor" in item.path]
+    assert "warning: the figures' Python can be read but not edited" in told
+    assert "no network" in told
+
+
+def test_a_licence_that_several_packages_share_is_shown_once_below_their_names() -> None:
+    packages = [
+        Package("a", "1.0", "MIT", "One text.\n"),
+        Package("b", "2.0", "MIT", "One text."),
+        Package("c", "3.0", "ISC", "Another."),
+    ]
+    (entry,) = (
+        item
+        for item in gather_licences(Path(), VERSIONS, packages)
+        if item.part.startswith("CodeMirror")
+    )
+    assert entry.name == "ISC and MIT"
+    assert entry.text == "a 1.0, b 2.0\n\nOne text.\n\n\nc 3.0\n\nAnother."

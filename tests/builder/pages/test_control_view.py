@@ -1,0 +1,61 @@
+"""The controls of a figure as its template gets them."""
+
+from dataclasses import dataclass
+from typing import Any
+
+from simulations.engine.frame import Frame
+from simulations.engine.scene import Scene
+from simulations.engine.settings import choice, slider
+from simulations.engine.stages import Outputs
+from site_builder.book import Simulation
+from site_builder.pages.control_view import control_cells
+from site_builder.pages.stills import Still
+
+
+def draw(_settings: Any, _outputs: Outputs) -> Frame:
+    return Frame((), (), "Nothing.")
+
+
+def still(settings: type) -> Still:
+    scene = Scene("s", "S", settings, draw)
+    values = {control.name: control.default for control in scene.controls}
+    return Still(Simulation(scene, "figure-s", {}, "", "", "", 1), values, draw(None, {}), {})
+
+
+def test_a_slider_keeps_the_room_of_its_longest_value() -> None:
+    @dataclass(frozen=True, slots=True)
+    class Settings:
+        yaw: float = slider("Yaw", 5, -170, 90, 5, unit="\N{DEGREE SIGN}")
+
+    ((cell,), _) = control_cells(still(Settings), ())
+    assert [item.longest for item in cell.controls] == ["\N{MINUS SIGN}170\N{DEGREE SIGN}"]
+
+
+def test_a_menu_of_long_words_has_a_row_of_a_phone_to_itself() -> None:
+    @dataclass(frozen=True, slots=True)
+    class Settings:
+        picture: str = choice("Picture", {"a": "Room", "b": "Chart"})
+        camera: str = choice("Camera", {"a": "Scaled orthographic", "b": "Perspective"})
+        depth: float = slider("Depth", 5, 0, 9, 1)
+        width: float = slider("Width", 5, 0, 9, 1)
+
+    cells, _ = control_cells(still(Settings), ())
+    narrow = [cell.spans.partition(";")[0] for cell in cells]
+    assert narrow == ["--narrow: 12", "--narrow: 12", "--narrow: 6", "--narrow: 6"]
+
+
+def test_no_control_is_lost_between_those_in_sight_and_those_folded() -> None:
+    @dataclass(frozen=True, slots=True)
+    class Settings:
+        a: float = slider("A", 5, 0, 9, 1)
+        b: float = slider("B", 5, 0, 9, 1)
+        c: float = slider("C", 5, 0, 9, 1)
+        d: float = slider("D", 5, 0, 9, 1)
+        e: float = slider("E", 5, 0, 9, 1)
+        f: float = slider("F", 5, 0, 9, 1)
+        g: float = slider("G", 5, 0, 9, 1)
+
+    shown, folded = control_cells(still(Settings), (("quick", "Quick"),))
+    names = [item.control.name for cell in (*shown, *folded) for item in cell.controls]
+    assert names == list("abcdefg")
+    assert folded[-1].controls == ()

@@ -1,0 +1,191 @@
+"""Where a figure's panels, controls and labels stand, on a phone and on a desk."""
+
+from collections.abc import Iterator
+from typing import Any
+
+import pytest
+from playwright.sync_api import Browser
+from support.reader import Reader
+from support.static_server import StaticServer
+
+pytestmark = pytest.mark.browser
+
+SILENT_WORKER = """globalThis.Worker = class extends EventTarget {
+  postMessage() {}
+  terminate() {}
+};"""
+"""Python that never answers: figures keep their stills and their controls."""
+
+
+@pytest.fixture
+def phone(chromium: Browser, server: StaticServer) -> Iterator[Reader]:
+    """A reader with a telephone, before Python has answered."""
+    context = chromium.new_context(
+        viewport={"width": 390, "height": 800}, has_touch=True, is_mobile=True
+    )
+    someone = Reader(context, server.url)
+    someone.page.add_init_script(SILENT_WORKER)
+    yield someone
+    context.close()
+    assert not someone.complaints, "\n".join(someone.complaints)
+
+
+def pages(book: Any) -> list[str]:
+    """The cover and every chapter that has figures."""
+    return ["", *(chapter["url"] for chapter in book["chapters"] if chapter["simulations"])]
+
+
+def open_page(reader: Reader, address: str) -> None:
+    reader.open(address, live=False)
+    reader.page.evaluate("document.fonts.ready")
+
+
+OUTSIDE = """() => {
+  const outside = [];
+  for (const figure of document.querySelectorAll("simulation-figure")) {
+    const panel = figure.querySelector(".panel");
+    const all = [...figure.querySelectorAll(".control")];
+    const controls = all.filter((one) => one.checkVisibility());
+    if (controls.length < 2) outside.push(`${figure.dataset.simulation}: too few controls`);
+    panel.scrollIntoView({ behavior: "instant" });
+    for (const one of [panel, ...controls]) {
+      const { left, right, top, bottom } = one.getBoundingClientRect();
+      if (left < 0 || top < 0 || right > innerWidth || bottom > innerHeight) {
+        outside.push(`${figure.dataset.simulation}: ${one.className}`);
+      }
+    }
+  }
+  return outside;
+}"""
+
+
+def test_a_phone_shows_the_first_panel_and_the_main_controls_at_once(
+    phone: Reader, book: Any
+) -> None:
+    for address in pages(book):
+        open_page(phone, address)
+        assert phone.page.evaluate(OUTSIDE) == [], address
+
+
+def test_other_controls_wait_behind_a_line_on_a_phone(phone: Reader, book: Any) -> None:
+    camera = next(c["url"] for c in book["chapters"] if "camera" in c["simulations"])
+    open_page(phone, camera)
+    figure = phone.figure("camera")
+    folded = figure.locator("[name=noise_sigma]")
+    assert not folded.is_visible()
+    figure.locator(".more-controls > summary").tap()
+    assert folded.is_visible()
+
+
+def test_on_a_desk_all_controls_are_in_sight(phone: Reader, book: Any) -> None:
+    phone.page.set_viewport_size({"width": 1280, "height": 900})
+    for address in pages(book):
+        open_page(phone, address)
+        controls = phone.page.locator("simulation-figure .control")
+        assert controls.locator("visible=true").count() == controls.count(), address
+
+
+TOO_SMALL = """() => {
+  for (const fold of document.querySelectorAll(".more-controls")) fold.open = true;
+  const controls = ":is(input[type=range], select, button, summary, .toggle label)";
+  const touched = `.controls ${controls}, .panel-dots > button`;
+  return [...document.querySelectorAll(touched)]
+    .filter((one) => one.getBoundingClientRect().height < 43.9)
+    .map((one) => one.name ?? one.textContent);
+}"""
+
+
+def test_what_a_finger_touches_is_44_pixels_high(phone: Reader, book: Any) -> None:
+    for address in pages(book):
+        open_page(phone, address)
+        assert phone.page.evaluate(TOO_SMALL) == [], address
+
+
+MOVED = """() => {
+  const moved = [];
+  for (const fold of document.querySelectorAll(".more-controls")) fold.open = true;
+  for (const form of document.querySelectorAll("form.controls")) {
+    const before = form.getBoundingClientRect().height;
+    for (const slider of form.querySelectorAll("input[type=range]")) {
+      for (const value of [slider.min, slider.max]) {
+        slider.value = value;
+        slider.dispatchEvent(new Event("input", { bubbles: true }));
+        const text = slider.parentElement.querySelector(".control-value");
+        const room = slider.getBoundingClientRect().right + 1;
+        const cut = text.getBoundingClientRect().right > room;
+        if (cut || form.getBoundingClientRect().height !== before) moved.push(slider.id);
+      }
+    }
+  }
+  return moved;
+}"""
+
+
+@pytest.mark.parametrize("width", [390, 320])
+def test_values_at_their_longest_are_whole_and_move_nothing(
+    phone: Reader, book: Any, width: int
+) -> None:
+    phone.page.set_viewport_size({"width": width, "height": 800})
+    for address in pages(book):
+        open_page(phone, address)
+        assert phone.page.evaluate(MOVED) == [], address
+
+
+SMALL_LABELS = """(least) => [...document.querySelectorAll("simulation-figure svg.overlay")]
+  .flatMap((svg) => [...svg.querySelectorAll("text")].map((label) => {
+    const scale = svg.getBoundingClientRect().width / svg.viewBox.baseVal.width;
+    return [label.textContent, parseFloat(getComputedStyle(label).fontSize) * scale];
+  }))
+  .filter(([, size]) => size < least)"""
+
+
+@pytest.mark.parametrize(("width", "least_px"), [(1920, 12.5), (1440, 12.5), (390, 10.5)])
+def test_labels_in_pictures_are_large_enough_to_read(
+    reader: Reader, book: Any, width: int, least_px: float
+) -> None:
+    reader.page.add_init_script(SILENT_WORKER)
+    reader.page.set_viewport_size({"width": width, "height": 900})
+    for address in pages(book):
+        open_page(reader, address)
+        assert reader.page.evaluate(SMALL_LABELS, least_px) == [], address
+
+
+def test_a_panel_that_was_pushed_into_view_stays_while_a_slider_moves(
+    reader: Reader, book: Any
+) -> None:
+    reader.page.set_viewport_size({"width": 390, "height": 800})
+    figure = reader.open_figure(book, "aliasing")
+    strip = figure.locator(".panels")
+    strip.focus()
+    reader.page.keyboard.press("ArrowRight")
+    reader.page.wait_for_function(SECOND_IS_SHOWN, arg=strip.element_handle(), timeout=5000)
+    frames = reader.frames(figure)
+    figure.locator("input[name=frequency]").focus()
+    reader.page.keyboard.press("ArrowRight")
+    reader.wait_frame(figure, frames)
+    assert strip.evaluate(SECOND_IS_SHOWN)
+
+
+def test_a_dot_brings_its_panel_into_view_and_tells_of_it(phone: Reader, book: Any) -> None:
+    open_page(phone, next(c["url"] for c in book["chapters"] if "aliasing" in c["simulations"]))
+    figure = phone.figure("aliasing")
+    dots = figure.locator(".panel-dots > button")
+    dots.nth(1).tap()
+    strip = figure.locator(".panels").element_handle()
+    phone.page.wait_for_function(SECOND_IS_SHOWN, arg=strip, timeout=5000)
+    figure.locator('.panel-dots > button:nth-child(2)[aria-current="true"]').wait_for()
+
+
+SECOND_IS_SHOWN = """(strip) => {
+  const { left, right } = strip.children[1].getBoundingClientRect();
+  return left >= 0 && right <= innerWidth;
+}"""
+
+
+def test_menus_keep_their_arrow_in_forced_colours(phone: Reader, book: Any) -> None:
+    phone.page.emulate_media(forced_colors="active")
+    open_page(phone, next(c["url"] for c in book["chapters"] if "aliasing" in c["simulations"]))
+    menu = phone.figure("aliasing").locator("select").first
+    drawn = menu.evaluate("menu => getComputedStyle(menu).backgroundImage !== 'none'")
+    own = menu.evaluate("menu => getComputedStyle(menu).appearance !== 'none'")
+    assert drawn or own

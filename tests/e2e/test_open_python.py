@@ -1,0 +1,234 @@
+"""The Python of a figure, opened, changed and run: there, and nowhere else."""
+
+from typing import Any
+
+import pytest
+from playwright.sync_api import Locator
+from support.reader import START_MS, Reader
+
+pytestmark = pytest.mark.browser
+
+CHAPTER = "lens-distortion/"
+"""Has two figures of one scene with stages."""
+NEGATIVE = "def _encoded(photo):\n    return to_rgba8(encode_srgb(1 - photo.linear))\n"
+LIMIT = """async (ms) => {
+  const url = new URL(document.body.dataset.assets + 'js/editor/edited_runtime.js', location.href);
+  (await import(url)).LIMITS.edited = ms;
+}"""
+THE_BOOK_CHANGES = """() => {
+  const key = Object.keys(localStorage).find((key) => key.includes('python:'));
+  const kept = JSON.parse(localStorage.getItem(key));
+  for (const edit of Object.values(kept.edits)) edit.original = 'of another text';
+  localStorage.setItem(key, JSON.stringify(kept));
+}"""
+
+
+def figures(reader: Reader) -> list[Locator]:
+    return reader.page.locator('simulation-figure[data-simulation="lens-distortion"]').all()
+
+
+def open_python(figure: Locator, part: str = "encoded") -> None:
+    figure.locator(".open-python").click()
+    figure.locator(".workshop-part", has_text=part).first.click()
+
+
+def write(reader: Reader, figure: Locator, text: str) -> None:
+    figure.locator(".cm-content").click()
+    reader.page.keyboard.press("ControlOrMeta+a")
+    reader.page.keyboard.insert_text(text)
+
+
+def run(reader: Reader, figure: Locator) -> str:
+    """Press Run, and wait for what comes of it."""
+    figure.locator(".workshop .run").click()
+    return result(reader, figure)
+
+
+def result(reader: Reader, figure: Locator) -> str:
+    reader.page.wait_for_function(
+        """(figure) => {
+          const words = figure.querySelector('.result-words').textContent;
+          return words && !words.startsWith('Running');
+        }""",
+        arg=figure.element_handle(),
+        timeout=START_MS,
+    )
+    return figure.locator(".workshop-result").inner_text()
+
+
+def move(reader: Reader, figure: Locator, key: str) -> Any:
+    """What the figure shows after a key on its first slider."""
+    frames = reader.frames(figure)
+    figure.locator("input[type=range]").first.press(key)
+    reader.wait_frame(figure, frames)
+    reader.settle(figure)
+    return reader.shown(figure)
+
+
+def test_edited_code_draws_its_own_figure_and_no_other_until_it_is_put_back(
+    reader: Reader,
+) -> None:
+    requested: list[str] = []
+    reader.page.on("request", lambda request: requested.append(request.url))
+    reader.open(CHAPTER)
+    assert not [url for url in requested if "editor" in url or "/python/" in url], "not asked for"
+    edited, other = figures(reader)[:2]
+    book, others = reader.shown(edited), reader.shown(other)
+    open_python(edited)
+    assert "def _encoded" in edited.locator(".cm-content").inner_text()
+    write(reader, edited, NEGATIVE + "print('hello')\n")
+    assert "runs your code" in run(reader, edited)
+    assert edited.locator(".workshop-printed").inner_text() == "hello\n"
+    reader.settle(edited)
+    changed = reader.shown(edited)
+    assert changed["pixels"] != book["pixels"]
+    assert changed["readouts"] == book["readouts"]
+    assert edited.locator(".workshop-part", has_text="encoded").inner_text().endswith("computed")
+    assert move(reader, other, "ArrowRight") != others
+    assert move(reader, other, "ArrowLeft") == others
+    assert move(reader, edited, "ArrowRight")["pixels"] != changed["pixels"]
+    assert move(reader, edited, "ArrowLeft") == changed
+    assert edited.locator(".workshop-part", has_text="pinhole").inner_text().endswith("reused")
+    edited.locator(".use", has_text="encode_srgb").click()
+    assert "simulations/models/color/srgb.py" in edited.locator(".workshop-place").inner_text()
+    write(reader, edited, "def encode_srgb(linear):\n    return linear\n")
+    run(reader, edited)
+    reader.settle(edited)
+    assert reader.shown(edited)["pixels"] not in (book["pixels"], changed["pixels"]), "a model too"
+    edited.locator(".put-all-back").click()
+    edited.locator(".workshop-result", has_text="book's code").wait_for()
+    reader.settle(edited)
+    assert reader.shown(edited) == book
+    edited.locator(".workshop-part", has_text="encoded").click()
+    assert "def _encoded(photo: Photo)" in edited.locator(".cm-content").inner_text()
+    assert len(reader.page.workers) == 1
+
+
+def test_mistakes_point_at_their_line_and_leave_the_figure_as_it_is(reader: Reader) -> None:
+    reader.open(CHAPTER)
+    figure = figures(reader)[0]
+    book = reader.shown(figure)
+    open_python(figure)
+    first = int(figure.locator(".place-line").inner_text())
+    write(reader, figure, "def _encoded(photo):\n    return (photo\n")
+    told = run(reader, figure)
+    assert "SyntaxError" in told
+    assert f"Line {first + 1} of _encoded" in told
+    write(reader, figure, "def _encoded(photo):\n    x = 1\n    return phot")
+    told = run(reader, figure)
+    assert "NameError: name 'phot' is not defined" in told
+    assert f"Line {first + 2} of _encoded" in told
+    assert figure.locator(".cm-problem").inner_text() == "    return phot"
+    figure.locator(".workshop-part", has_text="pinhole").click()
+    figure.locator(".result-place").click()
+    reader.page.keyboard.insert_text("# here ")
+    assert figure.locator(".cm-problem").inner_text() == "    # here return phot"
+    assert reader.shown(figure) == book
+    assert figure.get_attribute("data-state") == "live"
+    assert move(reader, figure, "ArrowRight") != book
+    assert figure.locator(".python-state").inner_text() == "Your changes to its Python are kept."
+
+
+def test_an_endless_loop_is_stopped_and_told_and_the_figure_is_as_the_book_draws_it(
+    reader: Reader,
+) -> None:
+    reader.open(CHAPTER)
+    figure, other = figures(reader)[:2]
+    book = reader.shown(figure)
+    open_python(figure)
+    reader.page.evaluate(LIMIT, 1500)
+    write(reader, figure, "def _encoded(photo):\n    while True:\n        pass\n")
+    figure.locator(".workshop .run").click()
+    assert move(reader, other, "ArrowRight"), "another figure does not wait for it"
+    told = result(reader, figure)
+    assert "was stopped: it did not end within" in told
+    assert reader.shown(figure) == book
+    assert "figure stays as it was" in told
+    moved = move(reader, figure, "ArrowRight")
+    assert move(reader, figure, "ArrowLeft") == book
+    loops_later = ("while k1:", "    pass", "return Drawings('', '', '', '')")
+    figure.locator(".put-all-back").click()
+    figure.locator(".workshop-part", has_text="drawings").click()
+    write(reader, figure, "\n    ".join(["def _drawings(k1, k2):", *loops_later]))
+    assert "runs your code" in run(reader, figure)
+    assert move(reader, figure, "ArrowRight") == moved, "the book's frame instead"
+    told = figure.locator(".workshop-result").inner_text()
+    assert "was stopped" in told
+    assert "The figure runs the book's code" in told
+
+
+def test_an_edit_survives_a_reload_as_long_as_it_fits_and_can_be_taken_away(reader: Reader) -> None:
+    reader.open(CHAPTER)
+    figure, other = figures(reader)[:2]
+    book = reader.shown(figure)
+    open_python(figure)
+    write(reader, figure, NEGATIVE)
+    run(reader, figure)
+    reader.settle(figure)
+    changed = reader.shown(figure)
+    reader.open(CHAPTER)
+    figure, other = figures(reader)[:2]
+    figure.locator(".python-state", has_text="runs your Python").wait_for(timeout=START_MS)
+    reader.settle(figure)
+    assert reader.shown(figure) == changed
+    assert other.locator(".python-state").inner_text() == ""
+    assert figure.locator(".workshop").count() == 0
+    open_python(figure)
+    with reader.page.expect_download() as caught:
+        figure.locator(".download").click()
+    assert caught.value.suggested_filename == "lens-distortion-edited.py"
+    text = caught.value.path().read_text(encoding="utf-8")
+    assert NEGATIVE in text
+    assert "# _encoded in simulations/scenes/lens_distortion/stages.py" in text
+    reader.page.evaluate(THE_BOOK_CHANGES)
+    reader.open(CHAPTER)
+    figure = figures(reader)[0]
+    open_python(figure)
+    assert "def _encoded(photo: Photo)" in figure.locator(".cm-content").inner_text()
+    assert reader.shown(figure) == book
+    figure.locator(".offer-show").click()
+    assert figure.locator(".cm-content").inner_text().strip() == NEGATIVE.strip()
+    figure.locator(".put-all-back").click()
+    assert not reader.page.evaluate("Object.keys(localStorage).some((k) => k.includes('python:'))")
+
+
+def test_all_of_it_can_be_done_by_keyboard(reader: Reader) -> None:
+    reader.open(CHAPTER)
+    figure, page = figures(reader)[0], reader.page
+    book = reader.shown(figure)
+    figure.locator(".open-python").focus()
+    page.keyboard.press("Enter")
+    figure.locator(".workshop").wait_for()
+    page.wait_for_function("document.activeElement.matches('.workshop-part')")
+    while page.evaluate("document.activeElement.textContent").split()[0] != "encoded":
+        page.keyboard.press("Tab")
+    page.keyboard.press("Enter")
+    while not page.evaluate("document.activeElement.matches('.cm-content')"):
+        page.keyboard.press("Tab")
+    page.keyboard.press("ControlOrMeta+a")
+    page.keyboard.type("def _encoded(photo):\nreturn to_rgba8(1 - photo.linear)")
+    assert figure.locator(".cm-line").nth(1).inner_text().startswith("    return"), "indented"
+    page.keyboard.press("Home")
+    page.keyboard.press("Tab")
+    assert page.evaluate("document.activeElement.matches('.cm-content')"), "Tab indents"
+    page.keyboard.press("ControlOrMeta+Enter")
+    assert "runs your code" in result(reader, figure)
+    reader.settle(figure)
+    assert reader.shown(figure)["pixels"] != book["pixels"]
+    page.keyboard.press("Escape")
+    page.keyboard.press("Tab")
+    assert page.evaluate("document.activeElement.matches('.workshop button')"), "the way out"
+    hint = figure.locator(".cm-content").get_attribute("aria-describedby")
+    assert "press Escape" in page.locator(f"[id='{hint}']").inner_text()
+    figure.locator(".workshop .close").press("Enter")
+    assert page.evaluate("document.activeElement.matches('.open-python')")
+
+
+def test_without_the_editor_the_python_can_be_read(reader: Reader) -> None:
+    reader.open(CHAPTER)
+    figure = figures(reader)[0]
+    figure.locator(".open-python").evaluate("(button) => delete button.dataset.editor")
+    open_python(figure)
+    assert "def _encoded(photo: Photo)" in figure.locator(".workshop-code").inner_text()
+    assert "could not be had" in figure.locator(".workshop-hint").inner_text()
+    assert not figure.locator(".workshop .run").is_visible()

@@ -1,0 +1,176 @@
+"""A guess is made first and the answer met after it, whatever is guessed and by whichever hand."""
+
+from typing import Any
+
+import pytest
+from playwright.sync_api import Locator
+from support.reader import Reader
+
+pytestmark = pytest.mark.browser
+
+
+@pytest.mark.parametrize("chapter", range(12))
+def test_every_prediction_hides_its_answer_until_a_guess_is_made_and_keeps_it(
+    plain_reader: Reader, book: Any, chapter: int
+) -> None:
+    place = book["chapters"][chapter]
+    mine = [item for item in book["predictions"] if item["chapter"] == place["id"]]
+    plain_reader.open(place["url"], live=False)
+    for item in mine:
+        form = form_of(plain_reader, item)
+        for answer in answers_to(plain_reader, item):
+            assert not answer.locator(".answer-body").is_visible()
+        guess(form, item)
+        form.locator("button[type=submit]").click()
+        assert form.get_attribute("data-answered") == "correct", item["id"]
+        for answer in answers_to(plain_reader, item):
+            assert answer.locator(".answer-body").is_visible()
+    plain_reader.page.reload()
+    for item in mine:
+        form = form_of(plain_reader, item)
+        assert form.get_attribute("data-answered") == "correct", item["id"]
+        assert form.locator(".feedback").inner_text()
+
+
+def test_a_wrong_number_stands_beside_the_computed_one_with_its_reply(
+    plain_reader: Reader, book: Any
+) -> None:
+    form = opened(plain_reader, book, "corner-of-a-barrel")
+    form.locator("input[name=guess]").fill("40")
+    form.locator("button[type=submit]").click()
+    assert form.get_attribute("data-answered") == "wrong"
+    assert form.locator(".guessed dd").inner_text() == "40 px"
+    assert form.locator(".computed dd").inner_text().replace("\u00a0", " ") == "\u221240.0 px"
+    assert "inwards" in form.locator(".explanation").inner_text()
+
+
+def test_a_wrong_choice_is_answered_and_the_right_one_shown(
+    plain_reader: Reader, book: Any
+) -> None:
+    form = opened(plain_reader, book, "sharp-again")
+    form.locator('input[name=guess][value="0"]').check()
+    form.locator("button[type=submit]").click()
+    assert form.get_attribute("data-answered") == "wrong"
+    assert form.locator(".computed dd").inner_text() == "Softer near the border"
+    assert form.locator(".explanation").count() == 2
+
+
+def test_the_answer_can_be_asked_for_without_a_guess(plain_reader: Reader, book: Any) -> None:
+    form = opened(plain_reader, book, "corner-of-a-barrel")
+    form.locator("button[type=submit]").click()
+    assert form.get_attribute("data-answered") is None, "nothing was guessed"
+    form.locator("[data-reveal]").focus()
+    plain_reader.page.keyboard.press("Enter")
+    assert form.get_attribute("data-answered") == "revealed"
+    assert form.locator(".guessed").count() == 0
+    plain_reader.page.reload()
+    assert form.get_attribute("data-answered") == "revealed"
+
+
+def test_the_answer_is_shown_from_where_it_waits(plain_reader: Reader, book: Any) -> None:
+    form = opened(plain_reader, book, "corner-of-a-barrel")
+    answer = plain_reader.page.locator('[data-answers="corner-of-a-barrel"]')
+    answer.locator("[data-reveal]").click()
+    assert answer.locator(".answer-body").is_visible()
+    assert form.get_attribute("data-answered") == "revealed"
+
+
+def test_a_sketch_is_drawn_by_pointer_and_meets_the_true_curve_on_its_own_axes(
+    plain_reader: Reader, book: Any
+) -> None:
+    form = opened(plain_reader, book, "frequency-shown")
+    form.locator("button[type=submit]").click()
+    assert form.get_attribute("data-answered") is None, "nothing was drawn"
+    assert not form.locator(".truth").is_visible()
+    svg = form.locator("svg")
+    svg.scroll_into_view_if_needed()
+    box = svg.bounding_box()
+    assert box is not None
+    mouse, scale = plain_reader.page.mouse, box["width"] / 400
+    mouse.move(box["x"] + 52 * scale, box["y"] + 206 * scale)
+    mouse.down()
+    mouse.move(box["x"] + 384 * scale, box["y"] + 32 * scale, steps=20)
+    mouse.up()
+    drawn = [float(i.input_value()) for i in form.locator("input[name=guess]").all()]
+    assert drawn == pytest.approx([1.2 * i / 8 for i in range(9)], abs=0.04)
+    form.locator("button[type=submit]").click()
+    assert form.get_attribute("data-answered") == "wrong", "it was drawn without a fold"
+    assert form.locator(".truth").is_visible()
+    assert "farthest apart" in form.locator(".feedback").inner_text()
+
+
+def test_a_sketch_is_made_by_arrow_keys_alone(plain_reader: Reader, book: Any) -> None:
+    form = opened(plain_reader, book, "brightness-by-angle")
+    first = form.locator("input[name=guess]").first
+    first.focus()
+    plain_reader.page.keyboard.press("End")
+    for press in ("Tab", "ArrowUp", "Tab", "ArrowDown"):
+        plain_reader.page.keyboard.press(press)
+    values = [float(i.input_value()) for i in form.locator("input[name=guess]").all()]
+    assert values == pytest.approx([1, 0.51, 0.49, 0.5, 0.5, 0.5, 0.5, 0.5, 0.5])
+    assert form.locator("circle.focused").count() == 1
+    form.locator("button[type=submit]").press("Enter")
+    assert form.get_attribute("data-answered") == "wrong"
+
+
+def test_a_reset_takes_guesses_back(plain_reader: Reader, book: Any) -> None:
+    form = opened(plain_reader, book, "corner-of-a-barrel")
+    form.locator("input[name=guess]").fill("-40")
+    form.locator("button[type=submit]").click()
+    plain_reader.page.locator("[data-progress-reset]").click()
+    assert form.get_attribute("data-answered") is None
+    assert form.locator("input[name=guess]").is_enabled()
+    assert not plain_reader.page.locator(
+        '[data-answers="corner-of-a-barrel"] .answer-body'
+    ).is_visible()
+
+
+def test_most_boxes_ask_for_a_guess(book: Any) -> None:
+    assert len(book["predictions"]) > 20
+    assert {item["kind"] for item in book["predictions"]} == {"number", "choice", "sketch"}
+
+
+def test_without_scripts_every_answer_is_at_hand(chromium: Any, server: Any) -> None:
+    context = chromium.new_context(java_script_enabled=False)
+    page = context.new_page()
+    page.goto(server.url + "lens-distortion/")
+    assert page.locator(".answer-body").first.is_visible()
+    assert page.locator("form[data-predict] noscript, form[data-predict] details").count() > 0
+    context.close()
+
+
+def guess(form: Locator, item: Any) -> None:
+    """The right one, from what the page computed."""
+    match item["kind"]:
+        case "number":
+            value = next(option["value"] for option in item["options"] if option["correct"])
+            form.locator("input[name=guess]").fill(repr(value))
+        case "choice":
+            right = [option["correct"] for option in item["options"]].index(True)
+            form.locator(f'input[name=guess][value="{right}"]').check()
+        case "sketch":
+            form.evaluate(DRAW_TRUTH)
+
+
+DRAW_TRUTH = """form => {
+  const {sketch} = JSON.parse(form.querySelector('script.predict-data').textContent);
+  form.querySelectorAll('input[name=guess]').forEach((slider, index) => {
+    slider.value = sketch.truth[index];
+    slider.dispatchEvent(new Event('input', {bubbles: true}));
+  });
+}"""
+
+
+def form_of(reader: Reader, item: Any) -> Locator:
+    return reader.page.locator(f'form[data-predict="{item["id"]}"]')
+
+
+def answers_to(reader: Reader, item: Any) -> list[Locator]:
+    return reader.page.locator(f'[data-answers="{item["id"]}"]').all()
+
+
+def opened(reader: Reader, book: Any, identity: str) -> Locator:
+    item = next(item for item in book["predictions"] if item["id"] == identity)
+    url = next(c["url"] for c in book["chapters"] if c["id"] == item["chapter"])
+    reader.open(url, live=False)
+    return form_of(reader, item)

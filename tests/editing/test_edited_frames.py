@@ -1,0 +1,111 @@
+"""What the worker is told of edited code: a frame, or what went wrong and on which line."""
+
+import json
+from typing import Any
+
+import numpy as np
+import pytest
+
+from simulations import browser
+from simulations.editing.definitions import module_source
+
+STAGES = "simulations.scenes.jpeg.stages"
+
+
+def answer(edits: dict[str, str], figure: str = "figure-edited") -> browser.EditedReply:
+    return browser.render_edited(figure, "jpeg", "{}", "", json.dumps(edits))
+
+
+def problem_with(edits: dict[str, str]) -> Any:
+    reply = answer(edits)
+    assert reply.frame is None
+    return json.loads(reply.problem)
+
+
+def test_a_figure_with_edits_is_drawn_by_them_and_another_by_the_book() -> None:
+    before = browser.render("figure-other", "jpeg", "{}", "")
+    text = "def _original():\n    return 0.2 * balloon()"
+    reply = answer({f"{STAGES}:_original": text})
+    assert reply.problem == "null"
+    assert reply.frame
+    assert reply.frame.meta != before.meta
+    browser.render("figure-other", "jpeg", '{"quality": 11}', "")
+    after = browser.render("figure-other", "jpeg", "{}", "")
+    assert json.loads(after.meta)["readouts"] == json.loads(before.meta)["readouts"]
+    pairs = zip(after.rasters, before.rasters, strict=True)
+    assert all(np.array_equal(a, b) for a, b in pairs)
+
+
+def test_what_was_not_edited_and_does_not_depend_on_it_is_reused_as_ever() -> None:
+    edits = {f"{STAGES}:_quality": "def _quality(decoded, original):\n    return 30.0"}
+    answer(edits)
+    again = answer(edits)
+    assert again.frame
+    stages = json.loads(again.frame.meta)["stages"]
+    assert {stage["status"] for stage in stages} <= {"reused", "skipped"}
+
+
+def test_an_exception_is_told_with_the_line_of_the_text_that_raised_it() -> None:
+    text = "def _quality(decoded, original):\n    x = 1\n    return x / 0\n"
+    told = problem_with({f"{STAGES}:_quality": text})
+    assert told == {
+        "message": "ZeroDivisionError: division by zero",
+        "definition": f"{STAGES}:_quality",
+        "line": 3,
+    }
+
+
+def test_an_exception_in_the_books_code_is_told_with_the_line_that_called_it() -> None:
+    text = "def _coded(planes, quality, subsampling, tier):\n"
+    text += "    return jpeg.encode(planes, -5, subsampling, TRANSFORMS[tier])"
+    told = problem_with({f"{STAGES}:_coded": text})
+    assert (told["definition"], told["line"]) == (f"{STAGES}:_coded", 2)
+    assert told["message"].startswith("ValueError: quality -5; legal")
+    assert "(raised in simulations/models/" in told["message"]
+
+
+def test_a_line_of_the_books_is_that_of_its_file_also_below_an_edit() -> None:
+    lines = module_source(STAGES).split("\n")
+    raised = next(number for number, text in enumerate(lines, 1) if "return psnr_db" in text)
+    text = "\n" * 7 + "def _original():\n    return balloon()\n\npsnr_db = None"
+    told = problem_with({f"{STAGES}:_original": text})
+    assert f"(raised in simulations/scenes/jpeg/stages.py, line {raised})" in told["message"]
+
+
+def test_lines_are_right_where_two_definitions_of_a_module_are_edited() -> None:
+    longer = "\n" * 20 + "def _original():\n    return 0.2 * balloon()"
+    raises = "def _quality(decoded, original):\n    raise SystemExit('enough')"
+    told = problem_with({f"{STAGES}:_original": longer, f"{STAGES}:_quality": raises})
+    assert told == {
+        "message": "SystemExit: enough",
+        "definition": f"{STAGES}:_quality",
+        "line": 2,
+    }
+
+
+def test_a_text_that_is_no_python_is_told_with_its_line() -> None:
+    told = problem_with({f"{STAGES}:_quality": "def _quality(a, b):\n  return (1"})
+    assert told["line"] == 2
+    assert told["message"].startswith("SyntaxError")
+
+
+def test_a_mistake_that_no_line_of_the_reader_made_has_none() -> None:
+    text = "def _quality(decoded):\n    return 1.0"
+    told = problem_with({f"{STAGES}:_quality": text})
+    assert told["line"] == 0
+    assert "stage 'psnr' comes after" in told["message"]
+
+
+def test_what_the_code_prints_is_told_up_to_a_length() -> None:
+    text = "def _quality(decoded, original):\n    print('shape', decoded.shape)\n    return 1.0"
+    assert answer({f"{STAGES}:_quality": text}).printed.startswith("shape (")
+    text = text.replace("'shape'", "'x' * 10**6")
+    assert len(answer({f"{STAGES}:_quality": text}).printed) == browser.MOST_PRINTED
+
+
+@pytest.mark.parametrize("figure", ["figure-a", "figure-b"])
+def test_the_error_of_an_edited_frame_is_that_of_the_edited_code(figure: str) -> None:
+    edits = json.dumps({"simulations.scenes.sensor_noise.stages:FULL_WELL_E": "FULL_WELL_E = 50"})
+    book = browser.error(figure, "sensor-noise", "{}", "")
+    edited = browser.error(figure, "sensor-noise", "{}", "", edits)
+    assert json.loads(book) != json.loads(edited)
