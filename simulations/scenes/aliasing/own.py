@@ -9,7 +9,8 @@ from simulations.engine.frame import Raster
 from simulations.engine.photograph import Photograph
 from simulations.engine.raster import to_rgba8
 from simulations.models.arrays import Floats
-from simulations.models.color.srgb import decode_srgb, encode_srgb, luminance
+from simulations.models.color.cie import luminance
+from simulations.models.color.srgb import decode_srgb, encode_srgb
 from simulations.models.sampling.prefilters import Prefilter, prefilter
 
 PHOTOGRAPH_PX = (320, 240)

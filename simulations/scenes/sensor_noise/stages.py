@@ -11,7 +11,8 @@ from simulations.engine.photograph import Photograph
 from simulations.engine.raster import to_rgba8
 from simulations.engine.stages import Stage
 from simulations.models.arrays import Floats, Mask
-from simulations.models.color.srgb import decode_srgb, encode_srgb, luminance
+from simulations.models.color.cie import luminance
+from simulations.models.color.srgb import decode_srgb, encode_srgb
 from simulations.models.sensor import photon_counting
 from simulations.models.sensor.photon_transfer import Gain, estimate_gain, straight_part
 from simulations.scenes.sensor_noise import drawing
