@@ -189,7 +189,11 @@ def calm_visitor(visitor: Reader) -> Iterator[Reader]:
 
 @pytest.mark.parametrize(
     ("scene_id", "slider", "places"),
-    [("formation-pipeline", "station", ["1", "2"]), ("rotation-3d", "t", ["0.25", "0.5"])],
+    [
+        ("formation-pipeline", "station", ["1", "2"]),
+        ("rotation-3d", "t", ["0.25", "0.5"]),
+        ("lambertian-shading", "light_angle", ["-165", "-150"]),
+    ],
 )
 def test_a_reader_who_asked_for_less_motion_sees_one_picture_after_another(
     calm_visitor: Reader, book: Any, scene_id: str, slider: str, places: list[str]

@@ -16,6 +16,8 @@ pytestmark = pytest.mark.browser
 WITH_HANDLES = [id_ for id_ in SCENE_MODULES if load_scene(id_).handles]
 PULLED = (-34.0, 26.0)
 """CSS pixels by which each handle is pulled: both ways, and not far enough to leave the picture."""
+PULLED_UP = (40.0, -60.0)
+"""Farther and the other way, for a menu whose next option lies there."""
 
 
 @pytest.mark.parametrize("scene", WITH_HANDLES)
@@ -30,6 +32,10 @@ def test_every_handle_moves_its_settings_and_goes_along(
         before, start = settings(figure, handle), centre(grip)
         frames = visitor.frames(figure)
         drag(visitor, start, (start[0] + PULLED[0], start[1] + PULLED[1]))
+        if drives_menu(figure, handle):
+            visitor.settle(figure)
+            if settings(figure, handle) == before:
+                drag(visitor, start, (start[0] + PULLED_UP[0], start[1] + PULLED_UP[1]))
         visitor.wait_frame(figure, frames)
         visitor.settle(figure)
         assert settings(figure, handle) != before, handle.name
@@ -97,14 +103,19 @@ def turn_to_figure(visitor: Reader, book: Any, scene: str) -> Locator:
 
 def settings(figure: Locator, handle: Handle[Any]) -> list[str]:
     """What the page's controls say of what a handle drives."""
-    return [figure.locator(f'[name="{name}"]').input_value() for name in handle.drives]
+    controls = (figure.locator(f'.control [name="{name}"]') for name in handle.drives)
+    return [control.input_value() for control in controls]
+
+
+def drives_menu(figure: Locator, handle: Handle[Any]) -> bool:
+    return figure.locator(f'select[name="{handle.drives[0]}"]').count() > 0
 
 
 def described(figure: Locator, handle: Handle[Any]) -> str:
     """The driven controls in words, as the page shows them."""
     words: str = figure.evaluate(
         """(figure, names) => names.map((name) => {
-             const control = figure.querySelector(`[name="${name}"]`);
+             const control = figure.querySelector(`.control [name="${name}"]`);
              const box = control.closest(".control");
              const value = control.selectedOptions
                ? control.selectedOptions[0].text.trim()
