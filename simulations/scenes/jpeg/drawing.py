@@ -44,10 +44,10 @@ def code_table(codes: NDArray[np.integer], first: int) -> str:
 
 
 def knob(first: int) -> tuple[float, float]:
-    """At the right of the last coefficient used, beside its number."""
+    """In a corner of the last coefficient's cell, below its number."""
     row, column = divmod(int(ZIGZAG[first - 1]), BLOCK)
     x, y = _corner(row, column)
-    return (x + CELL_WIDTH - 7, y + CELL_HEIGHT - 7)
+    return (x + 6, y + CELL_HEIGHT - 5)
 
 
 def cell_at(place: Point) -> tuple[int, int]:
