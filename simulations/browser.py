@@ -17,6 +17,7 @@ from simulations.engine.scene import Scene
 from simulations.engine.stages import StageCache
 from simulations.late_imports import fetch_missing
 from simulations.registry import SCENE_MODULES, load_ladder, load_scene
+from simulations.script import script
 
 __all__ = [
     "Reply",
@@ -29,6 +30,7 @@ __all__ = [
     "pull",
     "render",
     "render_edited",
+    "script",
 ]
 
 _caches: dict[str, StageCache] = {}

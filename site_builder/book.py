@@ -58,6 +58,8 @@ class Simulation:
     caption_html: str
     path: str
     line: int
+    workings_open: bool = False
+    """Whether it shows at first how it was computed."""
 
 
 @dataclass(frozen=True, slots=True)

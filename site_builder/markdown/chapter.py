@@ -2,6 +2,7 @@
 
 from site_builder.book import Chapter, chapter_id
 from site_builder.markdown.blocks import read_blocks
+from site_builder.markdown.figures import place_figures
 from site_builder.markdown.front_matter import read_front_matter
 from site_builder.markdown.inline import annotate
 from site_builder.markdown.reading import PAGE_IDS, Reading
@@ -13,6 +14,7 @@ def read_chapter(text: str, number: int, reading: Reading) -> Chapter:
     for line, message in reading.env.pop("problems", ()):
         reading.problem(line, message)
     matter = read_front_matter(tokens, reading)
+    place_figures(tokens, reading)
     annotate(tokens, reading)
     body = read_blocks(tokens, reading)
     return Chapter(

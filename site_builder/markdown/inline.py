@@ -40,6 +40,8 @@ def annotate(tokens: Sequence[Token], reading: Reading) -> None:
                 _set_words(token, line, reading)
             case "role_open" if token.info not in ROLE_NAMES:
                 reading.problem(line, unknown("role", token.info, ROLE_NAMES))
+            case "role_open" if "role" in token.meta:
+                _set_link(token, line, reading)
             case "image":
                 reading.problem(
                     line, "picture in running text; legal: ':::{figure} file' with ':alt:'"
@@ -89,6 +91,12 @@ def _set_words(token: Token, line: int, reading: Reading) -> None:
         token.content = role.text(token.content, reading)
     except role.refuses as error:
         reading.problem(line, str(error))
+
+
+def _set_link(token: Token, line: int, reading: Reading) -> None:
+    role: Role = token.meta["role"]
+    if role.link is not None:
+        token.attrs.update(role.link(token.meta["given"], line, reading))
 
 
 def _gather_link(token: Token, line: int, reading: Reading) -> None:

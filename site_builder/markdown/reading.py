@@ -18,6 +18,23 @@ PAGE_IDS = ("main", "contents", "progress-title")
 """Element ids of the frame around every chapter."""
 
 
+@dataclass(frozen=True, slots=True)
+class Place:
+    """Where a figure stands in its file."""
+
+    id: str
+    """Element id."""
+    scene_id: str
+    """As its author wrote it, known or not."""
+    lines: tuple[int, int]
+    """First and last, counted from 1."""
+
+    def distance(self, line: int) -> int:
+        """Lines between ``line`` and the figure; 0 inside it."""
+        first, last = self.lines
+        return max(first - line, line - last, 0)
+
+
 @dataclass(slots=True)
 class Reading:
     """The state of reading one page; dropped once its `Chapter` is made."""
@@ -37,6 +54,8 @@ class Reading:
     links: list[Link] = field(default_factory=list)
     ids: dict[str, int] = field(default_factory=lambda: dict.fromkeys(PAGE_IDS, 0))
     """Element ids taken in the page, with their lines; 0 where the page itself took them."""
+    figures: list[Place] = field(default_factory=list)
+    """All of the page, in order: known before a word is looked at, since words speak of them."""
     readouts: Readouts = field(init=False)
     """Where numbers that figures show come from."""
 

@@ -1,10 +1,11 @@
-"""Finding the scene that an author names."""
+"""Finding the scene that an author names, and what its controls may be set to."""
 
 from typing import Any
 
+from simulations.engine.controls import ControlError, Slider, Value
 from simulations.engine.scene import Scene
 from simulations.registry import UnknownIdError
-from site_builder.diagnostics import cause
+from site_builder.diagnostics import cause, unknown
 from site_builder.markdown.reading import Reading
 
 
@@ -16,4 +17,30 @@ def find_scene(scene_id: str, line: int, reading: Reading) -> Scene[Any] | None:
         reading.problem(line, str(error))
     except Exception as error:  # whatever a scene's own code may raise is the author's to see
         reading.problem(line, f"simulation {scene_id!r} cannot be loaded: {cause(error)}")
+    return None
+
+
+def read_setting(
+    scene: Scene[Any], name: str, text: str, line: int, reading: Reading
+) -> Value | None:
+    """The value of a control that an author gives; None, and a report, where it cannot take it."""
+    try:
+        scene.check({name: text})
+    except ControlError as error:
+        reading.problem(line, f"{scene.id}: {error}")
+        return None
+    control = next(control for control in scene.controls if control.name == name)
+    value = control.check(text)
+    if isinstance(control, Slider) and not control.reaches(float(value)):
+        legal = f"{control.minimum:g} and steps of {control.step:g}"
+        message = f"{scene.id}: {name}: {value:g} is between two steps; legal: {legal}"
+        reading.problem(line, message)
+    return value
+
+
+def read_tier(scene: Scene[Any], text: str, line: int, reading: Reading) -> str | None:
+    """An accuracy that an author names; None, and a report, where the scene has no such."""
+    if text in scene.tiers:
+        return text
+    reading.problem(line, unknown(f"tier of {scene.id}", text, scene.tiers))
     return None

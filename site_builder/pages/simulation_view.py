@@ -9,15 +9,11 @@ from simulations.engine.frame import Panel, Place, Readout, StageReport
 from simulations.engine.handles import Handle
 from simulations.engine.scene import Scene
 from simulations.registry import load_ladder
-from site_builder.book import OUTLINE
+from site_builder.book import Simulation
 from site_builder.pages.control_view import CellView, control_cells, value_text
 from site_builder.pages.embedding import json_for_html
 from site_builder.pages.figure_grid import even_columns
 from site_builder.pages.stills import Still
-
-SHOW_STAGES_FROM = 10
-"""A chain this long is worth seeing at once in a chapter; shorter ones, and that of the cover's
-figure, wait behind their summary."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -51,7 +47,8 @@ class SimulationView:
 
     id: str
     scene_id: str
-    title: str
+    name: str
+    """The scene's title, numbered where the page shows the scene again."""
     description: str
     caption_html: str
     panels: tuple[PanelView, ...]
@@ -71,7 +68,7 @@ class SimulationView:
     """Whether the error of a frame can be told."""
     stages: tuple[StageReport, ...]
     stages_text: str
-    stages_open: bool
+    workings_open: bool
     schema: str
     """JSON that is safe inside a script element."""
 
@@ -84,7 +81,7 @@ def view_simulation(still: Still, assets: str) -> SimulationView:
     return SimulationView(
         id=figure.id,
         scene_id=scene.id,
-        title=scene.title,
+        name=_name(figure),
         description=frame.description,
         caption_html=figure.caption_html,
         panels=tuple(
@@ -106,9 +103,14 @@ def view_simulation(still: Still, assets: str) -> SimulationView:
         judged=scene.estimate is not None,
         stages=frame.stages,
         stages_text=count_stages(frame.stages),
-        stages_open=len(frame.stages) >= SHOW_STAGES_FROM and figure.path != OUTLINE,
+        workings_open=figure.workings_open,
         schema=json_for_html(schema(still)),
     )
+
+
+def _name(figure: Simulation) -> str:
+    number = figure.id.removeprefix(f"figure-{figure.scene.id}").removeprefix("-")
+    return f"{figure.scene.title} ({number})" if number else figure.scene.title
 
 
 def _handles(still: Still, panel: str) -> tuple[HandleView, ...]:

@@ -5,6 +5,7 @@
 
 import { SimulationFigure } from "./figure/element.js";
 import { installStrips } from "./figure/strip.js";
+import { installGestures, offerWords, returned } from "./figure/gestures.js";
 import { LadderBench } from "./ladder/bench.js";
 import { installContents } from "./page/contents.js";
 import { installNavigation } from "./page/navigate.js";
@@ -23,11 +24,14 @@ watchScrollers();
 installQuestions();
 installPredictions();
 installKeeping();
+installGestures();
 restoreQuestions();
 restorePredictions();
+offerWords();
 installNavigation(() => {
   showTheme();
   watchScrollers();
   restoreQuestions();
   restorePredictions();
-});
+  offerWords();
+}, returned);

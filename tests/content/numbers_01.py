@@ -13,7 +13,7 @@ from simulations.models.geometry.transforms import (
 )
 from simulations.models.projection.pinhole import intrinsics, rigid_pose, world_to_camera
 from simulations.models.projection.view_homographies import plane_between_views
-from simulations.scenes.transform_2d.scene import transformation
+from simulations.scenes.transform_2d.family import transformation
 
 CHAPTER = "01-2d-transformations"
 
@@ -97,7 +97,7 @@ def the_numbers_of_the_direct_linear_transform() -> Says:
 
 def dividing_by_a_negative_w() -> Says:
     u, v, w = 6, -4, -2
-    yield f"- [x] $({u / w:g}, {v / w:g})$"
+    yield f"The point $({u / w:g}, {v / w:g})$"
 
 
 def which_segment_is_torn() -> Says:

@@ -151,8 +151,9 @@ def test_an_endless_loop_is_stopped_and_told_and_the_figure_is_as_the_book_draws
     figure.locator(".workshop-part", has_text="drawings").click()
     write(reader, figure, "\n    ".join(["def _drawings(k1, k2):", *loops_later]))
     assert "runs your code" in run(reader, figure)
+    figure.locator(".workshop .close").click()
     assert move(reader, figure, "ArrowRight") == moved, "the book's frame instead"
-    told = figure.locator(".workshop-result").inner_text()
+    told = figure.locator(".python-state").inner_text()
     assert "was stopped" in told
     assert "The figure runs the book's code" in told
 

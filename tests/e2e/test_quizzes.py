@@ -22,8 +22,8 @@ def test_every_quiz_judges_right_and_wrong_and_explains(plain_reader: Reader, bo
 
 
 ANSWER_EACH = """(form, choices) => choices.map((chosen) => {
-  for (const [index, box] of form.querySelectorAll('input[name="answer"]').entries()) {
-    box.checked = chosen.includes(index);
+  for (const box of form.querySelectorAll('input[name="answer"]')) {
+    box.checked = chosen.includes(Number(box.value));
   }
   form.requestSubmit();
   const told = [...form.querySelectorAll('.feedback .explanation')];

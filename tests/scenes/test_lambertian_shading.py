@@ -81,3 +81,14 @@ def test_moving_the_probe_reuses_the_picture() -> None:
     frame(cache)
     again = frame(cache, probe=20)
     assert {stage.status for stage in again.stages} == {"reused"}
+
+
+@pytest.mark.parametrize(("light", "probe", "theta"), [(30, 0, 50), (30, 60, 45), (-120, -40, 100)])
+def test_the_point_on_the_curve_is_led_to_an_angle_from_the_light(
+    light: float, probe: float, theta: float
+) -> None:
+    """58 to 382 units of the plot are 0° to 180°."""
+    settings = SCENE.check({"light_angle": light, "probe": probe})
+    pulled = SCENE.pull(settings, "probe-curve", (58 + 324 * theta / 180, 100.0))
+    shown = texts(frame(light_angle=light, probe=float(pulled["probe"])))
+    assert shown["theta"] == str(theta)

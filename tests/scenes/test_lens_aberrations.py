@@ -11,13 +11,16 @@ from simulations.ladders.chromatic_aberration import LADDER
 from simulations.models.arrays import Floats
 from simulations.models.lens.chromatic_aberration import LINE_D_UM
 from simulations.pictures.resolution_chart import resolution_chart
+from simulations.scenes.lens_aberrations.colours import colours, shifts_px
+from simulations.scenes.lens_aberrations.drawing import corner_light_mark, corner_shift_mark
 from simulations.scenes.lens_aberrations.error import (
     CLOSE_LEFT,
     CLOSE_TOP,
     FIRST_ROUND,
     reference_wavelengths,
 )
-from simulations.scenes.lens_aberrations.scene import SCENE, colours, stops
+from simulations.scenes.lens_aberrations.scene import SCENE, stops
+from simulations.scenes.lens_aberrations.section import at, passing
 from simulations.scenes.lens_aberrations.spectrum import LINES_UM, WIDTH_UM, bands
 from simulations.scenes.lens_aberrations.stages import (
     FOCAL_MM,
@@ -31,8 +34,8 @@ def frame(cache: StageCache | None = None, tier: str = "", **given: object) -> F
     return SCENE.render(SCENE.check(given), tier, cache or StageCache())
 
 
-def raster(shown: Frame, panel: int = 0) -> Raster:
-    pixels = shown.panels[panel].raster
+def raster(shown: Frame, panel: str = "picture") -> Raster:
+    (pixels,) = (each.raster for each in shown.panels if each.name == panel)
     assert pixels is not None
     return pixels
 
@@ -134,7 +137,7 @@ def test_every_extreme_can_be_drawn_in_the_same_layout(
     aperture: float, stop: float, rim: float
 ) -> None:
     shown = frame(aperture=aperture, stop=stop, rim=rim, glass="flint")
-    assert [panel.name for panel in shown.panels] == ["picture", "corner", "profile"]
+    assert [panel.name for panel in shown.panels] == ["lens", "picture", "corner", "profile"]
 
 
 def test_the_rim_leaves_the_colours_alone() -> None:
@@ -231,9 +234,43 @@ def test_the_error_is_of_the_enlarged_corner_and_counts_its_vignetting() -> None
     """Ideal glass without a rim: nothing is left that could differ."""
     assert final_error("even-16", glass="ideal", rim=0, natural="false") == 0
     shown = frame(glass="crown")
-    np.testing.assert_array_equal(raster(shown, 1), raster(shown)[CLOSE_TOP:, CLOSE_LEFT:])
+    np.testing.assert_array_equal(raster(shown, "corner"), raster(shown)[CLOSE_TOP:, CLOSE_LEFT:])
 
 
 def test_an_unknown_tier_is_refused() -> None:
     with pytest.raises(ValueError, match="tier 'exact'; legal: gauss-1, gauss-3"):
         bands("exact", "crown")
+
+
+def pulled(handle: str, place: tuple[float, float], **given: object) -> dict[str, object]:
+    return {**SCENE.pull(SCENE.check(given), handle, place)}
+
+
+def test_the_parts_of_the_lens_are_pulled_along_its_axis_in_millimetres() -> None:
+    assert pulled("stop", at(7.0, 20.0)) == {"stop": -7}
+    assert pulled("rim", at(-15.0, -14.0), stop=12) == {"rim": 3}
+    assert pulled("opening", at(-12.0, -3.0)) == {"aperture": 4}
+
+
+def test_the_mark_of_blue_is_pulled_by_the_stop_that_shifts_it_so_far() -> None:
+    place = corner_shift_mark(float(shifts_px("flint", -9)[2]))
+    assert pulled("blue", place, glass="flint") == {"stop": -9}
+    assert pulled("blue", place, glass="ideal") == {}
+
+
+def test_the_light_in_the_corner_is_pulled_by_the_rim_that_leaves_so_much() -> None:
+    share = float(light(np.array([1.0]), 2.8, 8.5, False)[1][0])
+    assert pulled("cut", corner_light_mark(share), aperture=2.8) == {"rim": 8.5}
+
+
+def test_where_all_rims_leave_as_much_a_pull_keeps_the_present_one() -> None:
+    assert pulled("cut", corner_light_mark(1.0), aperture=16, rim=5) == {"rim": 5}
+
+
+@pytest.mark.parametrize("aperture", [1.4, 2.8, 16])
+@pytest.mark.parametrize("rim", [0, 3, 6, 10])
+def test_the_bundle_as_drawn_is_cut_where_the_corner_loses_light(aperture: float, rim: int) -> None:
+    (share,) = light(np.array([1.0]), aperture, rim, False)[1]
+    drawn = passing(aperture, rim)
+    assert (drawn is None) == (share == 0)
+    assert (drawn is not None and drawn[1] == -drawn[0]) == (share == 1)

@@ -41,8 +41,8 @@ def test_the_example_of_the_book() -> None:
     assert texts() == {
         "X": "1.0", "Y": "0.5", "Z": "5.0", "f": "80", "x": "16.0", "y": "8.0", "view": "102.7",
     }  # fmt: skip
-    assert shown.description == (
-        "The point is 5.0 m in front of the camera and projects to x = 16.0 px, y = 8.0 px."
+    assert shown.description.startswith(
+        "The point is 5.0 m in front of the camera and projects to x = 16.0 px, y = 8.0 px. "
     )
     assert "= 80 · 1.0 / 5.0 = 16.0 px" in shown.panels[0].overlay
 
@@ -124,7 +124,7 @@ def test_a_depth_that_rounding_left_beside_zero_counts_as_zero() -> None:
 
 def test_a_point_outside_the_picture_is_pointed_at_and_told() -> None:
     given = {"depth": 0.5, "focal_length": 200}
-    assert frame(**given).description.endswith("x = 400.0 px, y = 200.0 px, outside the picture.")
+    assert "x = 400.0 px, y = 200.0 px, outside the picture." in frame(**given).description
     assert "outside the picture: (400.0, 200.0) px" in picture(**given)
     assert solid_dots(picture(**given), "image") == []
 
@@ -195,4 +195,48 @@ def test_the_picture_shows_how_far_off_perspective_is() -> None:
     """At 10 m, twice the reference: perspective is at half the distance from the middle."""
     given = {"camera": "scaled-orthographic", "depth": 10}
     assert 'class="error" cx="216" cy="158"' in picture(**given)
-    assert frame(**given).description.endswith("that is 8.9 px from where perspective has it.")
+    assert "that is 8.9 px from where perspective has it." in frame(**given).description
+
+
+def house_front(**given: object) -> list[tuple[float, float]]:
+    """Pixels of the front wall's outline, as drawn."""
+    found = re.search(r'<polygon class="world thin fill" points="([^"]+)"', picture(**given))
+    assert found is not None
+    places = [spot.split(",") for spot in found.group(1).split()]
+    return [((float(x) - 200) / 2, (float(y) - 150) / 2) for x, y in places]
+
+
+def test_the_house_is_divided_by_its_own_depths() -> None:
+    """2.4 m wide, its front 4 m and its back 7 m away: 48 px and 27.4 px."""
+    front = house_front(depth=4, focal_length=80)
+    assert front[1][0] - front[0][0] == pytest.approx(80 * 2.4 / 4, abs=0.02)
+    back = re.search(r'<polygon class="world thin faint" points="([^"]+)"', picture(depth=4))
+    assert back is not None
+    left, right = (float(spot.split(",")[0]) / 2 for spot in back.group(1).split()[:2])
+    assert right - left == pytest.approx(80 * 2.4 / 7, abs=0.02)
+
+
+def test_the_point_is_the_lower_left_corner_of_the_house() -> None:
+    for given in ({}, {"depth": 12, "point_x": -2.5}, {"camera": "orthographic", "depth": 9}):
+        (dot,) = solid_dots(picture(**given), "image")
+        assert house_front(**given)[0] == pytest.approx(((dot[0] - 200) / 2, (dot[1] - 150) / 2))
+
+
+@pytest.mark.parametrize("depth", [-2.0, 0.0])
+def test_of_a_house_that_the_camera_stands_in_only_what_is_in_front_is_drawn(depth: float) -> None:
+    shown = picture(depth=depth)
+    assert 'class="world thin fill"' not in shown
+    assert '<polygon class="world thin faint"' in shown
+
+
+def test_the_image_is_led_along_its_depth() -> None:
+    """At 5 m with 80 px, a pixel is 1/16 m wide."""
+    values = SCENE.pull(SCENE.check({}), "image", (200 + 2 * 24, 150 - 2 * 16))
+    assert values == {"point_x": 1.5, "point_y": -1.0}
+
+
+def test_a_point_without_an_image_offers_none_to_the_hand() -> None:
+    for given in ({"depth": 0}, {"depth": -1}):
+        assert "image" not in {place.name for place in frame(**given).handles}
+    parallel = frame(depth=-1, camera="orthographic")
+    assert "image" in {place.name for place in parallel.handles}

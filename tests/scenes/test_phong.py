@@ -18,6 +18,7 @@ from simulations.scenes.reflection.gloss import (
     lobe,
 )
 from simulations.scenes.reflection.phong import SCENE
+from simulations.scenes.reflection.phong_drawing import FOOT
 
 BALL = build_ball()
 
@@ -182,3 +183,18 @@ def test_plot_readouts_and_chapter_have_one_formula(
     assert float(shown["brightness"]) == pytest.approx(matte + 0.5 * shine, abs=6e-4)
     seen = lobe(light_angle - probe, model, 3, specular=0.5)[90 - probe]
     assert seen == pytest.approx(matte + 0.5 * shine, abs=1e-6)
+
+
+def test_the_lamp_led_round_the_point_stands_where_the_light_comes_from() -> None:
+    """The plot's normal points up: the probed point's own turn adds to that of the lamp."""
+    settings = SCENE.check({"probe": 20})
+    assert SCENE.pull(settings, "lamp", (FOOT[0] + 50, FOOT[1])) == {"light_angle": 110}
+    assert SCENE.pull(settings, "lamp", (FOOT[0], FOOT[1] - 50)) == {"light_angle": 20}
+    assert SCENE.pull(SCENE.check({"probe": 90}), "lamp", (FOOT[0], FOOT[1] + 50)) == {
+        "light_angle": -90
+    }
+
+
+def test_the_highlight_led_to_a_normal_turns_the_lamp_twice_as_far() -> None:
+    x = 200 + 122 * math.sin(math.radians(40))
+    assert SCENE.pull(SCENE.check({}), "highlight", (x, 170)) == {"light_angle": 80}

@@ -9,10 +9,13 @@ from scipy.spatial.transform import Rotation
 from simulations.engine.frame import Frame
 from simulations.engine.stages import StageCache
 from simulations.ladders.rotation_interpolation import LADDER
+from simulations.models.projection.pinhole import look_at
 from simulations.scenes.rotation_3d import aircraft
 from simulations.scenes.rotation_3d.rings import pieces, rings
 from simulations.scenes.rotation_3d.scene import SCENE
 from simulations.scenes.rotation_3d.stages import attitude, ways
+
+VIEW = aircraft.view_from(51, 28)
 
 
 def frame(cache: StageCache | None = None, /, tier: str = "", **values: object) -> Frame:
@@ -109,12 +112,12 @@ def test_the_right_half_turn_does_not_hang_on_rounding() -> None:
 
 def test_faces_are_painted_from_far_to_near() -> None:
     """Seen from ahead, right and above, the right wing of a level aircraft hides no other part."""
-    drawn = aircraft.draw(np.eye(3), (0.0, 0.0), 100.0, "camera")
+    drawn = aircraft.draw(np.eye(3), VIEW, (0.0, 0.0), 100.0, "camera")
     right_wing = np.array([[0.3, 0.12, 0.02]]) @ np.eye(3)
     left_wing = right_wing * [1, -1, 1]
     places = []
     for wing in (left_wing, right_wing):
-        x, y, _ = aircraft.screen(wing, (0.0, 0.0), 100.0)[0]
+        x, y, _ = aircraft.screen(wing, VIEW, (0.0, 0.0), 100.0)[0]
         places.append(drawn.index(f"{x:.2f}".rstrip("0") + "," + f"{y:.2f}".rstrip("0")))
     assert places[0] < places[1]
 
@@ -179,3 +182,37 @@ def test_each_rung_errs_less_than_the_one_before() -> None:
     errors = [judged(tier, yaw=3, pitch=0, roll=0) for tier in SCENE.tiers]
     assert errors[0] == errors[2], "3° is below the threshold: the straight line"
     assert [judged(tier, yaw=120) for tier in SCENE.tiers[2:]] == ["under 10⁻¹²"] * 2
+
+
+@pytest.mark.parametrize(("azimuth", "elevation"), [(0, 0), (51, 28), (-130, 75)])
+def test_the_view_is_that_of_a_distant_camera_that_looks_at_the_aircraft(
+    azimuth: float, elevation: float
+) -> None:
+    """Straight ahead is x, to the right y; z points down."""
+    eye = Rotation.from_euler("ZY", [azimuth, elevation], degrees=True).apply([1.0, 0.0, 0.0])
+    expected = look_at(100 * eye, (0, 0, 0), (0, 0, -1))[:3, :3]
+    np.testing.assert_allclose(aircraft.view_from(azimuth, elevation), expected, atol=1e-12)
+
+
+def test_what_is_near_follows_the_finger_that_turns_the_view() -> None:
+    settings = SCENE.check({})
+    near = -aircraft.view_from(settings.azimuth, settings.elevation)[2]
+    x, y = 2 * settings.azimuth, 2 * settings.elevation
+    for place, axis in (((x + 10, y), 0), ((x, y + 10), 1)):
+        turned = SCENE.check(SCENE.pull(settings, "view-attitude", place))
+        seen = aircraft.view_from(turned.azimuth, turned.elevation) @ near
+        assert seen[axis] > 0.05
+
+
+def test_the_view_goes_all_the_way_round() -> None:
+    settings = SCENE.check({"azimuth": 179})
+    assert SCENE.pull(settings, "view-blend", (2 * 182, 56))["azimuth"] == -178
+
+
+def test_a_bead_on_a_ring_seen_edge_on_stays_on_its_side() -> None:
+    """From the side, yaw 60° and yaw 120° have one place; from 60° it is led to 50°."""
+    given = {"yaw": 60, "pitch": 0, "roll": 0, "azimuth": 90, "elevation": 0}
+    there = SCENE.render(SCENE.check(given | {"yaw": 50}), "", StageCache())
+    place = next(handle for handle in there.handles if handle.name == "yaw")
+    assert SCENE.pull(SCENE.check(given), "yaw", (place.x, place.y)) == {"yaw": 50}
+    assert SCENE.pull(SCENE.check(given | {"yaw": -60}), "yaw", (place.x, place.y)) == {"yaw": -50}

@@ -10,14 +10,18 @@ import pytest
 
 from simulations.engine.frame import Frame, to_json
 from simulations.engine.stages import StageCache
+from simulations.models.arrays import Floats
 from simulations.models.geometry.transforms import apply_homography
-from simulations.scenes.transform_2d.hierarchy import RUNGS
+from simulations.scenes.transform_2d.family import transformation
+from simulations.scenes.transform_2d.handles import matrix
+from simulations.scenes.transform_2d.hierarchy import RUNGS, frame_of
 from simulations.scenes.transform_2d.plane import to_view
-from simulations.scenes.transform_2d.scene import SCENE, transformation
+from simulations.scenes.transform_2d.scene import SCENE
+from simulations.scenes.transform_2d.square import SQUARE
 
 AMOUNTS = (0, 1, 30, 57, 58, 70, 99, 100)
 PROPERTIES = ("orientation", "lengths", "angles", "parallels", "lines")
-READOUTS = ["matrix", "freedoms", "area", *PROPERTIES]
+READOUTS = ["matrix", "freedoms", "area", *PROPERTIES, "x", "y", "w"]
 
 
 def frame(**given: Any) -> Frame:
@@ -135,9 +139,72 @@ def test_the_line_sent_to_infinity_is_drawn_where_it_crosses_the_view() -> None:
 
 
 def test_the_description_says_what_is_kept() -> None:
-    assert frame(transform="affine").description == (
+    assert frame(transform="affine").description.startswith(
         "The square under an affine transformation has an image of "
         f"{math.prod((1.15**2, 1.06, 0.9)):.2f} times its area; kept: parallel lines, "
         "straight lines."
     )
     assert "infinity" in frame(transform="projective", amount=100).description
+
+
+def corners(transform: str, amount: float, **given: Any) -> Floats:
+    """Images (4, 2) of the square's corners, from the lower left round to the upper left."""
+    settings = SCENE.check({"transform": transform, "amount": amount, **given})
+    return apply_homography(matrix(settings), SQUARE)[0]
+
+
+@pytest.mark.parametrize(("transform", "held"), [*zip(RUNGS, (0, 1, 1, 2, 3), strict=True)])
+@pytest.mark.parametrize("amount", [0, 30, 50])
+def test_a_pulled_corner_leaves_as_many_others_in_place_as_freedoms_are_left(
+    transform: str, held: int, amount: float
+) -> None:
+    before = corners(transform, amount)
+    after = corners(transform, amount, pull_x=-13, pull_y=9)
+    stays = np.isclose(before, after, atol=1e-9).all(axis=1)
+    assert stays.sum() == held
+    if transform != "rigid":
+        assert after[3] == pytest.approx(before[3] + (-13, 9))
+
+
+@pytest.mark.parametrize("transform", RUNGS)
+@pytest.mark.parametrize("pull", [(-150, 150), (150, -150), (80, -80), (0, -80), (-40, -110)])
+def test_a_pull_as_far_as_it_goes_stays_in_the_family(
+    transform: str, pull: tuple[float, float]
+) -> None:
+    """Also where the corner would come to lie on another one, or on the side between two."""
+    shown = texts(transform=transform, amount=30, pull_x=pull[0], pull_y=pull[1])
+    kept = 5 - list(RUNGS).index(transform)
+    assert [shown[name] == "kept" for name in PROPERTIES[5 - kept :]] == [True] * kept
+
+
+def test_a_pulled_homography_keeps_its_image_convex() -> None:
+    for pull in product((-150, -60, 0, 60, 150), repeat=2):
+        turned = corners("projective", 30, pull_x=pull[0], pull_y=pull[1])
+        sides = np.roll(turned, -1, axis=0) - turned
+        following = np.roll(sides, -1, axis=0)
+        assert np.all(sides[:, 0] * following[:, 1] > sides[:, 1] * following[:, 0]), pull
+
+
+def test_a_point_that_walks_across_the_line_comes_back_from_the_opposite_side() -> None:
+    before, after = (
+        texts(transform="projective", amount=80, point_x=40, point_y=y) for y in (-25, -26)
+    )
+    assert float(before["w"]) > 0
+    assert after["w"].startswith("−")
+    assert before["x"].startswith("−") != after["x"].startswith("−")
+
+
+def test_a_point_on_the_line_has_no_image_and_the_words_say_so() -> None:
+    """w = 1 − 0.01 · 60 + 0.0333 · (−12) = 0 at an amount of 100."""
+    given = {"transform": "projective", "amount": 100, "point_x": 60, "point_y": -12}
+    assert texts(**given)["x"] == texts(**given)["y"] == "at infinity"
+    assert frame(**given).description.endswith("P at (60, −12) goes to infinity.")
+    assert "image" not in {place.name for place in frame(**given).handles}
+
+
+@pytest.mark.parametrize("transform", RUNGS)
+def test_pressing_a_frame_of_the_ladder_chooses_its_family(transform: str) -> None:
+    left, top, right, _ = frame_of(transform)
+    settings = SCENE.check({"transform": "affine"})
+    for place in ((left + 3.0, top + 3.0), (right - 3.0, top + 3.0)):
+        assert SCENE.pull(settings, "family", place) == {"transform": transform}

@@ -58,6 +58,11 @@ class Reader:
         if live:
             self.wait_live()
 
+    def turn_to_unlinked(self, address: str) -> None:
+        """Turn to an address that another reader sent: no link of this page leads to it."""
+        self.page.evaluate(OFFER, self.root + address)
+        self.turn_to(address)
+
     def wait_live(self) -> None:
         self.page.wait_for_function(LIVE, timeout=START_MS)
 
@@ -88,12 +93,17 @@ class Reader:
 
     def judged(self, figure: Locator) -> str:
         """The error of what the figure shows, once there is no better estimate to come."""
+        self.unfold(figure)
         self.page.wait_for_function(
             "figure => figure.querySelector('.accuracy').dataset.judged === 'true'",
             arg=figure.element_handle(),
             timeout=START_MS,
         )
         return figure.locator(".accuracy-value").inner_text()
+
+    def unfold(self, figure: Locator) -> None:
+        """Have the figure show how it was computed."""
+        figure.locator(".workings").evaluate("workings => { workings.open = true; }")
 
     def frames(self, figure: Locator) -> int:
         return int(figure.get_attribute("data-frames") or 0)
@@ -124,6 +134,12 @@ def chapter_of(book: Any, scene: str) -> str:
 FOLLOW = """(url) => {
   if (location.href === url) document.getElementById('main').focus();
   else [...document.querySelectorAll('a[href]')].find((link) => link.href === url).click();
+}"""
+
+OFFER = """(url) => {
+  const link = document.createElement('a');
+  link.href = url;
+  document.getElementById('main').append(link);
 }"""
 
 SETTLE = """async (figure) => {

@@ -5,6 +5,7 @@ calculations, functions that compute again with the models and yield the phrases
 results stand.
 """
 
+import re
 from collections.abc import Callable, Iterator
 from pathlib import Path
 
@@ -14,5 +15,6 @@ type Calculation = Callable[[], Says]
 
 
 def source(chapter: str) -> str:
-    """The chapter as written; no-break spaces count as spaces."""
-    return (CONTENT / f"{chapter}.md").read_text(encoding="utf-8").replace("\u00a0", " ")
+    """The chapter as written; no-break spaces count as spaces, words that set a figure as words."""
+    text = (CONTENT / f"{chapter}.md").read_text(encoding="utf-8").replace("\u00a0", " ")
+    return re.sub(r"\{set\}`([^`<]*?)\s*<[^`]*>`", r"\1", text)

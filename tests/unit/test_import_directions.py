@@ -21,8 +21,10 @@ LEGAL = {
     "registry": {"scenes", "ladders", "pictures", "models", "engine"},
     "editing": {"editing", "engine"},
     "late_imports": set(),
+    "script": {"registry", "engine"},
     "browser": {
-        *("registry", "editing", "late_imports", "scenes", "ladders", "pictures", "models"),
+        *("registry", "editing", "late_imports", "script", "scenes", "ladders", "pictures"),
+        "models",
         "engine",
     },
 }
@@ -44,7 +46,7 @@ MARKDOWN = (
     "text", "reading", "scenes", "front_matter", "headings", "role", "roles", "inline",
     "directive", "answers", "computed", "question_options",
     "sketches", "usage", "blocks", "bodies", "fences",
-    "directives", "guide", "parser", "chapter",
+    "directives", "figures", "guide", "parser", "chapter",
 )  # fmt: skip
 """Parts of ``site_builder/markdown``, likewise."""
 

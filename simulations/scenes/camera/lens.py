@@ -79,6 +79,14 @@ def ideal_reach(principal: float, k1: float) -> tuple[float, float]:
     return float(across), float(down)
 
 
+def half_view_tangent(focal_length: float, focus: float, k1: float) -> float:
+    """Tangent of half the angle that the sensor sees from left to right, along the rays that the
+    lens bends. Past the fold of a barrel, as far as any ray reaches."""
+    edge = SENSOR_WIDTH_MM / 2 / principal_mm(focal_length, focus)
+    ideal, _ = undistort_clamped([(edge, 0.0)], Distortion(k1=k1))
+    return float(ideal[0, 0])
+
+
 def margin_px(focal_length: float, focus: float, k1: float) -> tuple[int, int]:
     """Columns and rows by which the straight picture must exceed each side of the sensor."""
     principal = principal_mm(focal_length, focus)

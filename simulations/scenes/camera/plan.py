@@ -17,11 +17,57 @@ type Point = tuple[float, float]
 UNITS_PER_METRE = 27.0
 CAMERA_ROW = PLAN_HEIGHT - 26.0
 """Row of the view box on which the lens stands; the floor recedes upwards."""
+UNITS_BEHIND_THE_WALL = 10.0
+"""A metre of focus there, where nothing is to be seen: enough to show that it moves."""
+FOCUS_COLUMN = PLAN_WIDTH - 20.0
+"""Where the distance in focus is marked."""
+EDGE_DEPTH = 7.5
+"""How far away the edge of the field of view is marked, metres: clear of all things."""
+STILL_LIFE_MIDDLE = 3.9
+"""What the lamp circles, metres away ..."""
+LAMP_DISTANCE = 3.5
+"""... and how far from it."""
 
 
 def on_plan(x: float, y: float) -> Point:
     """View box coordinates of a point ``x`` metres to the right, ``y`` metres away."""
     return PLAN_WIDTH / 2 + UNITS_PER_METRE * x, CAMERA_ROW - UNITS_PER_METRE * y
+
+
+def seen_from(place: Point) -> Point:
+    """Metres to the right and away of a place of the view box: the inverse of `on_plan`."""
+    across, up = place[0] - PLAN_WIDTH / 2, CAMERA_ROW - place[1]
+    return across / UNITS_PER_METRE, up / UNITS_PER_METRE
+
+
+def focus_mark(focus: float) -> Point:
+    """Where the distance in focus is marked; behind the wall metres are drawn short."""
+    behind = max(focus - WALL_DISTANCE, 0.0)
+    row = on_plan(0, focus - behind)[1] - UNITS_BEHIND_THE_WALL * behind
+    return FOCUS_COLUMN, row
+
+
+def focus_marked(place: Point) -> float:
+    """The distance in focus whose mark is in the row of ``place``, metres."""
+    away = seen_from(place)[1]
+    behind = max(away - WALL_DISTANCE, 0.0)
+    return away + behind * (UNITS_PER_METRE / UNITS_BEHIND_THE_WALL - 1.0)
+
+
+def edge_mark(half_tan: float) -> Point:
+    """On the left edge of the field of view."""
+    return _slice(EDGE_DEPTH, half_tan)[0]
+
+
+def edge_marked(place: Point) -> float:
+    """The tangent of half the field of view whose edge is in the column of ``place``."""
+    return -seen_from(place)[0] / EDGE_DEPTH
+
+
+def lamp_mark(light_angle: float, distance: float = LAMP_DISTANCE) -> Point:
+    """The lamp, or a point nearer to the middle of the still life."""
+    angle = math.radians(light_angle)
+    return on_plan(distance * math.sin(angle), STILL_LIFE_MIDDLE - distance * math.cos(angle))
 
 
 def draw_plan(focus: float, light_angle: float, view_rad: float, near: float, far: float) -> str:
@@ -47,7 +93,8 @@ def _slice(depth: float, half_tan: float) -> tuple[Point, Point]:
 def _wedge(half_tan: float) -> str:
     left, right = _slice(WALL_DISTANCE, half_tan)
     lens = on_plan(0, 0)
-    return drawing.line(lens, left, "camera thin") + drawing.line(lens, right, "camera thin")
+    edges = (drawing.line(lens, end, "camera thin") for end in (left, right))
+    return "".join(edges) + drawing.dot(edge_mark(half_tan), "camera")
 
 
 def _in_focus(focus: float, near: float, far: float, half_tan: float) -> str:
@@ -68,7 +115,8 @@ def _in_focus(focus: float, near: float, far: float, half_tan: float) -> str:
         parts.append(drawing.line((4, row), (PLAN_WIDTH - 4, row), "ray thin dashed faint"))
     else:
         label, baseline = f"{label}, behind the wall", wall - 7
-    parts.append(drawing.text((PLAN_WIDTH - 6, baseline), label, "ray halo", "end"))
+    parts.append(drawing.text((FOCUS_COLUMN - 16, baseline), label, "ray halo", "end"))
+    parts.append(drawing.dot(focus_mark(focus), "ray"))
     return "".join(parts)
 
 
@@ -104,13 +152,7 @@ def _corners(box: Box) -> list[Point]:
 
 def _lamp(light_angle: float) -> str:
     """The lamp's direction as an arrow to the middle of the still life, on a circle around it."""
-    angle = math.radians(light_angle)
-    towards = (math.sin(angle), -math.cos(angle))
-    middle = (0.0, 3.9)
-    start, end = (
-        on_plan(middle[0] + reach * towards[0], middle[1] + reach * towards[1])
-        for reach in (3.5, 2.3)
-    )
+    start, end = lamp_mark(light_angle), lamp_mark(light_angle, 2.3)
     return drawing.arrow(start, end, "light bold") + drawing.circle(start, 5.0, "light solid")
 
 

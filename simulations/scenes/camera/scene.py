@@ -2,25 +2,24 @@
 
 import math
 from collections.abc import Iterator
-from dataclasses import asdict, dataclass
+from dataclasses import asdict
 
 import numpy as np
 
 from simulations.engine.controls import Value
 from simulations.engine.frame import Frame, Panel, Raster, Readout, format_number, readout
 from simulations.engine.scene import Scene
-from simulations.engine.settings import action, slider, toggle
 from simulations.engine.stages import Outputs
-from simulations.models.distortion.lens_model import Distortion, undistort_clamped
 from simulations.models.error_measures import decibels
 from simulations.models.lens import thin_lens
 from simulations.models.lens.aperture_grid import aperture_grid
+from simulations.scenes.camera.handles import HANDLES
 from simulations.scenes.camera.lens import (
     COLUMNS,
     PITCH_MM,
     ROWS,
-    SENSOR_WIDTH_MM,
     bend_rays,
+    half_view_tangent,
     largest_blur_px,
     margin_px,
     principal_mm,
@@ -28,25 +27,11 @@ from simulations.scenes.camera.lens import (
 )
 from simulations.scenes.camera.plan import PLAN_HEIGHT, PLAN_WIDTH, draw_plan
 from simulations.scenes.camera.sensor import develop_ideal, expose, shutter_s, vignette
+from simulations.scenes.camera.settings import Settings
 from simulations.scenes.camera.stages import STAGES, TIERS, through_lens
 
 REFERENCE_GRID = 7
 """Points across the lens of the picture that errors are measured against: 37 in all."""
-
-
-@dataclass(frozen=True, slots=True)
-class Settings:
-    """What the reader may change."""
-
-    focal_length: float = slider("Focal length", 50.0, 24.0, 135.0, 1.0, unit="mm")
-    aperture: float = slider("Aperture", 5.6, 1.4, 22.0, 0.1, prefix="f/")
-    focus: float = slider("Focus distance", 3.2, 1.0, 10.0, 0.1, unit="m")
-    k1: float = slider("Distortion k₁", 0.0, -0.4, 0.4, 0.01)
-    light_angle: float = slider("Light angle", 40.0, -80.0, 80.0, 1.0, unit="°")
-    exposure: float = slider("Exposure", 0.0, -3.0, 3.0, 0.1, unit="EV")
-    noise_sigma: float = slider("Read noise σ", 5.0, 0.0, 40.0, 1.0, unit="codes")
-    shot_noise: bool = toggle("Photon shot noise", default=True)
-    new_noise: int = action(*("Take it again",) * 8)
 
 
 def parameters(settings: Settings, tier: str) -> dict[str, Value]:
@@ -76,13 +61,8 @@ def depth_of_field_m(settings: Settings) -> tuple[float, float]:
 
 
 def view_of(settings: Settings) -> float:
-    """Angle that the sensor sees from left to right, radians, along the rays that the lens bends.
-
-    Past the fold of a barrel, as far as any ray reaches.
-    """
-    edge = SENSOR_WIDTH_MM / 2 / principal_mm(settings.focal_length, settings.focus)
-    ideal, _ = undistort_clamped([(edge, 0.0)], Distortion(k1=settings.k1))
-    return 2.0 * math.atan(float(ideal[0, 0]))
+    """Angle that the sensor sees from left to right, radians."""
+    return 2.0 * math.atan(half_view_tangent(settings.focal_length, settings.focus, settings.k1))
 
 
 def shutter_text(seconds: float) -> str:
@@ -180,6 +160,7 @@ SCENE = Scene(
     settings=Settings,
     draw=draw,
     stages=STAGES,
+    handles=HANDLES,
     parameters=parameters,
     tiers=tuple(TIERS),
     default_tier="layers",

@@ -4,7 +4,7 @@ from collections.abc import Iterator
 
 import numpy as np
 
-from simulations.engine.drawing import Point, line, path, polyline, rectangle, text
+from simulations.engine.drawing import Point, dot, line, path, polyline, rectangle, text
 from simulations.engine.frame import format_number
 from simulations.models.arrays import Floats
 
@@ -29,6 +29,26 @@ def profile(
     return "".join((*_light(tangents, cos4, open_share), *_shifts(corner_px), *_angles()))
 
 
+def corner_light_mark(share: float) -> tuple[float, float]:
+    """A share of the light, at the corner's end of the plot."""
+    return _x(1.0), LIGHT_BOTTOM - (LIGHT_BOTTOM - LIGHT_TOP) * share
+
+
+def corner_light_marked(row: float) -> float:
+    """The share of the light that is plotted in a row."""
+    return (LIGHT_BOTTOM - row) / (LIGHT_BOTTOM - LIGHT_TOP)
+
+
+def corner_shift_mark(shift_px: float) -> tuple[float, float]:
+    """A shift, at the corner's end of the plot."""
+    return _x(1.0), SHIFT_MIDDLE - SHIFT_HALF / LARGEST_SHIFT_PX * shift_px
+
+
+def corner_shift_marked(row: float) -> float:
+    """The shift that is plotted in a row, in pixels."""
+    return (SHIFT_MIDDLE - row) * LARGEST_SHIFT_PX / SHIFT_HALF
+
+
 def _x(tangent: float) -> float:
     return LEFT + (RIGHT - LEFT) * tangent
 
@@ -48,11 +68,12 @@ def _light(tangents: Floats, cos4: Floats, open_share: Floats) -> Iterator[str]:
         yield text((LEFT - 9, y + 4.5), label, "muted", "end")
     yield path(grid, "muted thin faint")
     yield text((8, LIGHT_TOP - 12), "light", "")
-    yield text((RIGHT, LIGHT_TOP - 12), "rim", "camera", "end")
-    yield text((RIGHT - 34, LIGHT_TOP - 12), "cos⁴", "light", "end")
+    yield text((RIGHT - 16, LIGHT_TOP - 12), "rim", "camera", "end")
+    yield text((RIGHT - 50, LIGHT_TOP - 12), "cos⁴", "light", "end")
     yield polyline(_curve(tangents, open_share), "camera dashed")
     yield polyline(_curve(tangents, cos4), "light dashed")
     yield polyline(_curve(tangents, cos4 * open_share), "bold")
+    yield dot(corner_light_mark(float(open_share[-1])), "camera")
 
 
 def _shifts(corner_px: tuple[float, float]) -> Iterator[str]:
@@ -68,13 +89,13 @@ def _shifts(corner_px: tuple[float, float]) -> Iterator[str]:
         ("red", corner_px[0], "error bold"),
         ("blue", corner_px[1], "image bold"),
     ):
-        end = (_x(1.0), SHIFT_MIDDLE - y_of * shift)
-        yield line((_x(0.0), SHIFT_MIDDLE), end, style)
+        yield line((_x(0.0), SHIFT_MIDDLE), corner_shift_mark(shift), style)
         if abs(corner_px[1] - corner_px[0]) > 0.8:
             y = SHIFT_MIDDLE - y_of * 0.86 * shift
             below = shift < 0 and y + 20 < SHIFT_MIDDLE + SHIFT_HALF
             place = (_x(0.86), y + (16 if below else -7))
             yield text(place, name, f"{style.partition(' ')[0]} halo", "middle")
+    yield dot(corner_shift_mark(corner_px[1]), "image")
 
 
 def _angles() -> Iterator[str]:

@@ -20,6 +20,7 @@ from simulations.scenes.perspective_projection.view import (
     SCALED,
     View,
     in_picture,
+    metres,
 )
 
 SAME_PX = 0.05
@@ -34,6 +35,7 @@ def top_view_panel(view: View) -> Panel:
             top.depth_axis(),
             top.image_plane(view) if scaled else parallel_view(view),
             top.other_depths(view),
+            top.house_plan(view),
             scaled_rays(view) if scaled else parallel_rays(view),
             top.point(view),
             equation(view),
@@ -50,6 +52,7 @@ def parallel_view(view: View) -> str:
     return (
         drawing.path(edges, "camera thin faint dashed")
         + drawing.line(left, right, "image bold")
+        + top.plane_grip(right)
         + drawing.text(left + np.array([7.0, 13.0]), "image plane", "image small halo")
     )
 
@@ -99,7 +102,7 @@ def _within(points: Floats, style: str) -> str:
 
 def equation(view: View) -> str:
     """The product with its numbers, for the reader to check."""
-    X, x = format_number(view.X, 1), format_number(view.x, 1)
+    X, x = metres(view.X), format_number(view.x, 1)
     if view.camera == SCALED:
         words = f"x = f X / Z₀ = {view.focal_px:.0f} · {X} / {REFERENCE_DEPTH_M:.1f} = {x} px"
     else:
@@ -110,7 +113,11 @@ def equation(view: View) -> str:
 
 def image_panel(view: View) -> Panel:
     overlay = (
-        picture.axes(view) + through_a_centre(view) + picture.point(view) + in_perspective(view)
+        picture.axes(view)
+        + picture.house_of(view)
+        + through_a_centre(view)
+        + picture.point(view)
+        + in_perspective(view)
     )
     return Panel("image", picture.TITLE, picture.WIDTH, picture.HEIGHT, overlay=overlay)
 

@@ -7,6 +7,7 @@ import numpy as np
 from simulations.engine import drawing
 from simulations.engine.frame import Panel, format_number
 from simulations.models.arrays import Floats
+from simulations.scenes.perspective_projection import house
 from simulations.scenes.perspective_projection.view import (
     HALF_HEIGHT_PX,
     HALF_WIDTH_PX,
@@ -51,8 +52,19 @@ def place(x: float, y: float) -> Floats:
     return CENTRE + IMAGE_SCALE * np.array([x, y])
 
 
+def pixel_at(spot: drawing.Point) -> Floats:
+    """View box to pixel."""
+    return (np.asarray(spot, float) - CENTRE) / IMAGE_SCALE
+
+
+def house_of(view: View) -> str:
+    """The house whose corner the point is."""
+    return house.in_picture(view, CENTRE, IMAGE_SCALE)
+
+
 def image_panel(view: View) -> Panel:
-    overlay = axes(view) + comparison(view) + (point(view) if view.visible else no_image(view))
+    shown = point(view) if view.visible else no_image(view)
+    overlay = axes(view) + house_of(view) + comparison(view) + shown
     return Panel("image", TITLE, WIDTH, HEIGHT, overlay=overlay)
 
 

@@ -1,43 +1,27 @@
 """Perspective projection: one point, one camera, and the division by depth, or none."""
 
 import math
-from dataclasses import dataclass
 
 from simulations.engine.frame import Frame, Readout, format_number, readout
 from simulations.engine.scene import Scene
-from simulations.engine.settings import choice, slider
 from simulations.engine.stages import Outputs
 from simulations.models.projection.pinhole import field_of_view_rad
 from simulations.scenes.perspective_projection import parallel, picture, top_view
+from simulations.scenes.perspective_projection.handles import HANDLES, view_of
+from simulations.scenes.perspective_projection.settings import Settings
 from simulations.scenes.perspective_projection.view import (
-    CAMERAS,
     HALF_WIDTH_PX,
     PERSPECTIVE,
     View,
-    look,
+    metres,
 )
 
-
-@dataclass(frozen=True, slots=True)
-class Settings:
-    """What the reader may change."""
-
-    depth: float = slider("Depth (Z)", 5.0, -2, 20, 0.1, unit="m")
-    focal_length: float = slider("Focal length", 80, 20, 200, 1, unit="px")
-    point_x: float = slider("Right (X)", 1.0, -3, 3, 0.1, unit="m")
-    point_y: float = slider("Down (Y)", 0.5, -2, 2, 0.1, unit="m")
-    camera: str = choice("Camera", {name: camera.label for name, camera in CAMERAS.items()})
+HOUSE = "A small house has the point for its front lower left corner."
 
 
 def draw(settings: Settings, _outputs: Outputs) -> Frame:
     """The camera from above, and the picture it takes."""
-    view = look(
-        X=settings.point_x,
-        Y=settings.point_y,
-        Z=settings.depth,
-        focal_px=settings.focal_length,
-        camera=settings.camera,
-    )
+    view = view_of(settings)
     through_centre = view.camera == PERSPECTIVE
     if through_centre:
         top, image = top_view.top_view_panel(view), picture.image_panel(view)
@@ -46,15 +30,15 @@ def draw(settings: Settings, _outputs: Outputs) -> Frame:
     return Frame(
         panels=(top, image),
         readouts=(
-            readout("X", "X, right", view.X, "m", digits=1, role="world"),
-            readout("Y", "Y, down", view.Y, "m", digits=1, role="world"),
+            Readout("X", "X, right", metres(view.X), "m", "world"),
+            Readout("Y", "Y, down", metres(view.Y), "m", "world"),
             readout("Z", "Z, depth", view.Z, "m", digits=1, role="world"),
             readout("f", "f, focal length", view.focal_px, "px", digits=0, role="camera"),
             image_readout("x", "x, right", view, view.x),
             image_readout("y", "y, down", view, view.y),
             extent_readout(view),
         ),
-        description=describe(view) if through_centre else parallel.describe(view),
+        description=f"{describe(view) if through_centre else parallel.describe(view)} {HOUSE}",
     )
 
 
@@ -94,5 +78,9 @@ def describe(view: View) -> str:
 
 
 SCENE = Scene(
-    id="perspective-projection", title="Perspective Projection", settings=Settings, draw=draw
+    id="perspective-projection",
+    title="Perspective Projection",
+    settings=Settings,
+    draw=draw,
+    handles=HANDLES,
 )

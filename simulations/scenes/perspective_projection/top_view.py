@@ -6,6 +6,7 @@ from simulations.engine import drawing
 from simulations.engine.frame import Panel, format_number
 from simulations.models.arrays import Floats
 from simulations.models.geometry.transforms import clip_half_plane
+from simulations.scenes.perspective_projection.house import footprint
 from simulations.scenes.perspective_projection.picture import COMPARED_DEPTHS
 from simulations.scenes.perspective_projection.view import (
     HALF_WIDTH_PX,
@@ -13,6 +14,7 @@ from simulations.scenes.perspective_projection.view import (
     REFERENCE_DEPTH_M,
     SCALED,
     View,
+    metres,
 )
 
 TITLE = "From above (X drawn stretched)"
@@ -34,12 +36,18 @@ def above(Z: float, X: float) -> Floats:
     return CAMERA + np.array([DEPTH_SCALE * Z, SIDE_SCALE * X])
 
 
+def metres_at(place: drawing.Point) -> Floats:
+    """View box to metres: Z and X."""
+    return (np.asarray(place, float) - CAMERA) / [DEPTH_SCALE, SIDE_SCALE]
+
+
 def top_view_panel(view: View) -> Panel:
     overlay = "".join(
         (
             depth_axis(),
             image_plane(view),
             other_depths(view),
+            house_plan(view),
             triangles(view) if view.visible else "",
             ray(view),
             centre(),
@@ -71,12 +79,18 @@ def image_plane(view: View) -> str:
     return (
         drawing.path([[left, CAMERA, right]], "camera thin faint dashed")
         + drawing.line(left, right, "image bold")
+        + plane_grip(right)
         + plane_label(view, left)
         + drawing.line((CAMERA[0], level), (right[0], level), "camera")
         + drawing.text(
             (CAMERA[0] - 4.0, level + 4.0), f"f = {view.focal_px:.0f} px", "camera small", "end"
         )
     )
+
+
+def plane_grip(end: Floats) -> str:
+    """The end of the image plane by which it is taken."""
+    return drawing.rectangle(end - 4.0, 8.0, 8.0, "image solid")
 
 
 def plane_label(view: View, edge: Floats) -> str:
@@ -93,6 +107,23 @@ def other_depths(view: View) -> str:
     return line + "".join(
         drawing.dot(above(depth, view.X), "world faint", 3.0) for depth in COMPARED_DEPTHS
     )
+
+
+def house_plan(view: View) -> str:
+    """Walls and ridge of the house whose corner the point is."""
+    outline = np.array([above(Z, X) for Z, X in footprint(view)])
+    ridge = (outline[:2] + outline[3:1:-1]) / 2.0
+    walls, ridge = _in_room(outline, closed=True), _in_room(ridge, closed=False)
+    return (drawing.polygon(walls, "world thin fill") if len(walls) else "") + (
+        drawing.polyline(ridge, "world thin faint") if len(ridge) else ""
+    )
+
+
+def _in_room(points: Floats, *, closed: bool) -> Floats:
+    """What of a line or an area may be drawn."""
+    for limit in RAY_LIMITS:
+        points = clip_half_plane(points, limit, closed)
+    return points
 
 
 def triangles(view: View) -> str:
@@ -117,9 +148,7 @@ def ray(view: View) -> str:
     else:
         mirrored = distance * (view.X / view.Z)
         ends, style = (above(view.Z, view.X), above(distance, mirrored)), "error dashed"
-    drawn = np.array(ends)
-    for limit in RAY_LIMITS:
-        drawn = clip_half_plane(drawn, limit, closed=False)
+    drawn = _in_room(np.array(ends), closed=False)
     return drawing.polyline(drawn, style) if len(drawn) > 1 else ""
 
 
@@ -132,11 +161,11 @@ def centre() -> str:
 def point(view: View) -> str:
     """The point, labelled on the side away from the axis and beyond the image plane."""
     spot = above(view.Z, view.X)
-    y = spot[1] + (19.0 if view.X >= 0.0 else -10.0)
+    y = spot[1] + (27.0 if view.X >= 0.0 else -17.0)
     beyond = above(view.focal_px * METRES_PER_PX, 0.0)[0] + 7.0 if view.Z >= 0.0 else 4.0
     half = POINT_LABEL_HALF_WIDTH
     x = np.clip(spot[0], min(beyond, WIDTH / 2.0) + half, WIDTH - 4.0 - half)
-    label = f"X = {format_number(view.X, 1)} m, Z = {format_number(view.Z, 1)} m"
+    label = f"X = {metres(view.X)} m, Z = {format_number(view.Z, 1)} m"
     return drawing.dot(spot, "world", 5.5) + drawing.text(
         (x, y), label, "world strong halo", "middle"
     )
@@ -144,7 +173,7 @@ def point(view: View) -> str:
 
 def equation(view: View) -> str:
     """The division with its numbers, for the reader to check."""
-    terms = f"x = f X / Z = {view.focal_px:.0f} · {format_number(view.X, 1)} / "
+    terms = f"x = f X / Z = {view.focal_px:.0f} · {metres(view.X)} / "
     if view.visible:
         words, role = f"{terms}{format_number(view.Z, 1)} = {format_number(view.x, 1)} px", "image"
     elif view.Z == 0.0:

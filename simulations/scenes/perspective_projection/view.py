@@ -5,6 +5,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from simulations.engine.frame import format_number
 from simulations.models.arrays import Floats, Mask
 from simulations.models.projection.affine_cameras import (
     orthographic_camera,
@@ -87,6 +88,11 @@ class View:
 def in_picture(x: float, y: float) -> bool:
     """Whether pixel (x, y), counted from the principal point, lies in the picture."""
     return abs(x) <= HALF_WIDTH_PX and abs(y) <= HALF_HEIGHT_PX
+
+
+def metres(value: float) -> str:
+    """A length to the decimetre, to the centimetre where it needs that."""
+    return format_number(value, 1 if abs(10.0 * value - round(10.0 * value)) < 1e-6 else 2)
 
 
 def look(X: float, Y: float, Z: float, focal_px: float, camera: str) -> View:

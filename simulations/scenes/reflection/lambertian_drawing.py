@@ -23,6 +23,7 @@ from simulations.scenes.reflection.marks import (
     CENTRE,
     HEIGHT,
     RADIUS,
+    lamp,
     on_equator,
     probed_point,
     shadow_edge,
@@ -95,7 +96,7 @@ def from_above(light_rad: float, probe_rad: float, theta_rad: float, show_normal
         polygon(night, "muted fill"),
         polyline(day, "light bold"),
         line(night[0], night[-1], "light dashed"),
-        *_lamp(light_rad),
+        *lamp(in_plan(light_rad, LAMP_DISTANCE)),
         *(_plan_normals() if show_normals else ()),
         _camera(),
         _angle(probed, probe_rad, light_rad, theta_rad),
@@ -150,16 +151,6 @@ def _label_places(probed: Point, probe_rad: float, light_rad: float) -> tuple[Po
     n = _from(probed, probe_rad - turn, VECTOR + 2)
     l_ = _from(probed, light_rad + turn, VECTOR + 2)
     return (n[0], n[1] + 4), (l_[0], l_[1] + 4)
-
-
-def _lamp(light_rad: float) -> Iterator[str]:
-    """A disc with rays around it."""
-    place = in_plan(light_rad, LAMP_DISTANCE)
-    yield circle(place, 7, "casing")
-    yield dot(place, "light", 6)
-    for eighth in range(8):
-        angle = light_rad + math.pi * eighth / 4
-        yield line(_from(place, angle, 9), _from(place, angle, 14), "light")
 
 
 def _camera() -> str:

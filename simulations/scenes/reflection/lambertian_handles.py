@@ -1,4 +1,4 @@
-"""What of the Lambertian figure can be grabbed: the lamp, and the probed point in two views."""
+"""What of the Lambertian figure can be grabbed: the lamp, the probed point, and the paint."""
 
 import math
 from collections.abc import Mapping
@@ -6,6 +6,7 @@ from collections.abc import Mapping
 from simulations.engine.controls import Value
 from simulations.engine.handles import Handle, Point
 from simulations.engine.stages import Outputs
+from simulations.scenes.reflection.brightness_plot import on_plot, read_off
 from simulations.scenes.reflection.lambertian_drawing import (
     LAMP_DISTANCE,
     PLAN_CENTRE,
@@ -13,7 +14,7 @@ from simulations.scenes.reflection.lambertian_drawing import (
     in_plan,
 )
 from simulations.scenes.reflection.lambertian_settings import Settings
-from simulations.scenes.reflection.marks import CENTRE, RADIUS, on_equator
+from simulations.scenes.reflection.marks import angle_of_normal, on_equator
 
 
 def _lamp(settings: Settings, _outputs: Outputs) -> Point:
@@ -32,7 +33,7 @@ def _brightest(settings: Settings, _outputs: Outputs) -> Point | None:
 
 
 def _brightest_pulled(_settings: Settings, place: Point) -> Mapping[str, Value]:
-    return {"light_angle": _angle_of_normal(place)}
+    return {"light_angle": angle_of_normal(place)}
 
 
 def _probe(settings: Settings, _outputs: Outputs) -> Point:
@@ -40,7 +41,7 @@ def _probe(settings: Settings, _outputs: Outputs) -> Point:
 
 
 def _probe_pulled(_settings: Settings, place: Point) -> Mapping[str, Value]:
-    return {"probe": _angle_of_normal(place)}
+    return {"probe": angle_of_normal(place)}
 
 
 def _probe_in_plan(settings: Settings, _outputs: Outputs) -> Point:
@@ -57,10 +58,33 @@ def _angle_in_plan(place: Point, present_deg: float) -> float:
     return math.degrees(math.atan2(across, down)) if across or down else present_deg
 
 
-def _angle_of_normal(place: Point) -> float:
-    """The angle of the normal on the equator above or below a place of the picture."""
-    across = (place[0] - CENTRE[0]) / RADIUS
-    return math.degrees(math.asin(min(max(across, -1.0), 1.0)))
+def _on_curve(settings: Settings, _outputs: Outputs) -> Point:
+    theta = abs(math.remainder(settings.light_angle - settings.probe, 360))
+    return on_plot(theta, settings.albedo * max(0.0, math.cos(math.radians(theta))))
+
+
+def _on_curve_pulled(settings: Settings, place: Point) -> Mapping[str, Value]:
+    """The probe at that angle from the lamp; of two that the camera sees, the nearer one."""
+    theta = min(max(read_off(place)[0], 0.0), 180.0)
+    light, limit = settings.light_angle, 90.0
+
+    def judged(angle: float) -> tuple[float, float]:
+        """How far it misses the angle, and how far it is from where the probe is."""
+        missed = abs(abs(math.remainder(light - angle, 360)) - theta)
+        return round(missed, 6), abs(angle - settings.probe)
+
+    both = (math.remainder(light + side * theta, 360) for side in (-1, 1))
+    seen = [min(max(angle, -limit), limit) for angle in both]
+    return {"probe": min((*seen, -limit, limit), key=judged)}
+
+
+def _paint(settings: Settings, _outputs: Outputs) -> Point:
+    """Where the curve begins: what it returns of light that falls straight on it."""
+    return on_plot(0.0, settings.albedo)
+
+
+def _paint_pulled(_settings: Settings, place: Point) -> Mapping[str, Value]:
+    return {"albedo": read_off(place)[1]}
 
 
 HANDLES: tuple[Handle[Settings], ...] = (
@@ -84,4 +108,15 @@ HANDLES: tuple[Handle[Settings], ...] = (
         _probe_in_plan_pulled,
         role="ray",
     ),
+    Handle(
+        "probe-curve",
+        "curve",
+        "Probed point",
+        ("probe",),
+        _on_curve,
+        _on_curve_pulled,
+        role="ray",
+        reversed=("probe",),
+    ),
+    Handle("paint", "curve", "Albedo", ("albedo",), _paint, _paint_pulled, role="image"),
 )

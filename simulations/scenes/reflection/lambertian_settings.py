@@ -2,7 +2,7 @@
 
 from dataclasses import dataclass
 
-from simulations.engine.settings import slider, toggle
+from simulations.engine.settings import action, slider, toggle
 
 
 @dataclass(frozen=True, slots=True)
@@ -13,3 +13,6 @@ class Settings:
     albedo: float = slider("Albedo ρ", 0.8, 0, 1, 0.01)
     probe: float = slider("Probed point", 0, -90, 90, 1, unit="°")
     normals: bool = toggle("Show normals")
+    play: int = action(
+        "Send the light round", "Stop", drives="light_angle", effect="play", seconds=12
+    )

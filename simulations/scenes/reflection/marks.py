@@ -6,7 +6,7 @@ to the right.
 
 import math
 
-from simulations.engine.drawing import Point, circle, dot, polyline
+from simulations.engine.drawing import Point, circle, dot, line, polyline
 
 WIDTH, HEIGHT = 400, 340
 CENTRE, RADIUS = (200.0, 170.0), 122.0
@@ -18,6 +18,12 @@ def on_equator(angle_rad: float) -> tuple[float, float]:
     return CENTRE[0] + RADIUS * math.sin(angle_rad), CENTRE[1]
 
 
+def angle_of_normal(place: Point) -> float:
+    """The angle in degrees of the normal on the equator above or below a place of the picture."""
+    across = (float(place[0]) - CENTRE[0]) / RADIUS
+    return math.degrees(math.asin(min(max(across, -1.0), 1.0)))
+
+
 def shadow_edge(light_rad: float) -> list[str]:
     """The terminator, cased, so that it stands out from light and dark."""
     return [polyline(terminator(light_rad), style) for style in ("casing", "light dashed")]
@@ -26,6 +32,16 @@ def shadow_edge(light_rad: float) -> list[str]:
 def probed_point(probe_rad: float, role: str) -> list[str]:
     probed = on_equator(probe_rad)
     return [circle(probed, 5.5, "casing"), dot(probed, role, 5.5)]
+
+
+def lamp(place: Point) -> list[str]:
+    """A disc with rays around it."""
+    parts = [circle(place, 7, "casing"), dot(place, "light", 6)]
+    for eighth in range(8):
+        across, down = math.cos(math.pi * eighth / 4), math.sin(math.pi * eighth / 4)
+        near, far = ((place[0] + reach * across, place[1] + reach * down) for reach in (9, 14))
+        parts.append(line(near, far, "light"))
+    return parts
 
 
 def terminator(light_rad: float) -> list[Point]:

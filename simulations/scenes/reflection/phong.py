@@ -6,13 +6,11 @@ so only the red part of a pixel holds both in full.
 
 import math
 from collections.abc import Iterator
-from dataclasses import dataclass
 
 import numpy as np
 
 from simulations.engine.frame import Frame, Panel, Readout, readout
 from simulations.engine.scene import Scene
-from simulations.engine.settings import choice, slider
 from simulations.engine.stages import Outputs, Stage
 from simulations.models.arrays import Floats
 from simulations.models.light.reflectance import lambert
@@ -41,19 +39,8 @@ from simulations.scenes.reflection.gloss import (
 )
 from simulations.scenes.reflection.marks import HEIGHT, WIDTH
 from simulations.scenes.reflection.phong_drawing import lobe_plot, over_ball
-
-
-@dataclass(frozen=True, slots=True)
-class Settings:
-    """What the reader may change."""
-
-    light_angle: float = slider("Light angle", 60, -180, 180, 1, unit="°")
-    probe: float = slider("Probed point", 20, -90, 90, 1, unit="°")
-    shininess: float = slider("Shininess α", 20, 1, 500, 1)
-    specular: float = slider("Specular strength kₛ", 0.6, 0, 1, 0.05)
-    model: str = choice(
-        "Model", {name: f"{model.name} ({model.cosine})" for name, model in MODELS.items()}
-    )
+from simulations.scenes.reflection.phong_handles import HANDLES
+from simulations.scenes.reflection.phong_settings import Settings
 
 
 def _matte(normals: Floats, ball: Ball, light_angle: float) -> Floats:
@@ -176,6 +163,7 @@ SCENE = Scene(
     settings=Settings,
     draw=draw,
     stages=STAGES,
+    handles=HANDLES,
     tiers=tuple(LIT),
     default_tier=DEFAULT_TIER,
     draft_tier="gouraud-64",

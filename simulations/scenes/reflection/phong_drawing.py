@@ -22,14 +22,16 @@ from simulations.engine.drawing import (
     text,
 )
 from simulations.models.arrays import Floats
-from simulations.scenes.reflection.marks import WIDTH, on_equator, probed_point, shadow_edge
+from simulations.scenes.reflection.marks import WIDTH, lamp, on_equator, probed_point, shadow_edge
 
 type Direction = tuple[str, float, str]
 """Letter, angle from the normal in radians, colour role."""
 
-FOOT = (WIDTH / 2, 214.0)
+FOOT = (WIDTH / 2, 196.0)
 VECTOR = 104.0
 """Length of a unit vector, and of a brightness of 1."""
+LAMP_DISTANCE = 128.0
+"""From the foot to where the lamp is drawn: it shines from far away."""
 AROUND_HIGHLIGHT = 15.0
 """Radius of the mark of a highlight: a sharp one shows inside it."""
 SAME_RAD = math.radians(9.0)
@@ -64,7 +66,7 @@ def lobe_plot(
     ]
     seen = VECTOR * float(brightness[round(math.degrees(view_rad)) + 90])
     if brightness.max() > 0:
-        at = _towards(view_rad, seen)
+        at = towards(view_rad, seen)
         parts += [
             polyline(_outline(other), "muted thin dashed"),
             polygon(_outline(brightness), "ray fill"),
@@ -102,8 +104,9 @@ def _vectors(light_rad: float, view_rad: float, seen: float) -> list[str]:
     between = math.remainder(light_rad - view_rad, 2 * math.pi)
     if lit and abs(abs(between) - math.pi) > 1e-9:
         vectors.append(("h", view_rad + between / 2, "muted"))
-    parts = [arrow(FOOT, _towards(turn, VECTOR), f"{role} bold") for _, turn, role in vectors]
-    parts.append(dot(FOOT, "world", 4.5))
+    parts = [arrow(FOOT, towards(turn, VECTOR), f"{role} bold") for _, turn, role in vectors]
+    parts += [dot(FOOT, "world", 4.5), dot(towards(view_rad, VECTOR), "camera", 4.5)]
+    parts += lamp(towards(light_rad, LAMP_DISTANCE))
     if lit:
         parts.append(_equal_angles(light_rad))
     return parts + list(_labels(vectors, seen))
@@ -113,8 +116,8 @@ def _equal_angles(light_rad: float) -> str:
     """Arcs on both sides of the normal: the mirror turns l into r."""
     if abs(light_rad) < SAME_RAD:
         return ""
-    arcs = [[_towards(turn * step / 16, 30.0) for step in range(17)] for turn in (light_rad,)]
-    arcs.append([_towards(-light_rad * step / 16, 30.0) for step in range(17)])
+    arcs = [[towards(turn * step / 16, 30.0) for step in range(17)] for turn in (light_rad,)]
+    arcs.append([towards(-light_rad * step / 16, 30.0) for step in range(17)])
     return path(arcs, "muted thin")
 
 
@@ -128,10 +131,13 @@ def _labels(vectors: list[Direction], seen: float) -> Iterator[str]:
             groups.append([vector])
     for group in groups:
         middle = group[len(group) // 2][1]
-        length = VECTOR + 15 + 5 * (len(group) - 1)
-        if any(name == "v" for name, _, _ in group) and abs(seen - length) < 18:
+        names_in = {name for name, _, _ in group}
+        length = VECTOR + 22 + 5 * (len(group) - 1)
+        if "v" in names_in and abs(seen - length) < 18:
             length = seen + 18
-        place = _towards(middle, length)
+        place = towards(middle, length)
+        if "l" in names_in:  # beside the arrow, since the lamp is beyond it
+            place = towards(middle + math.copysign(0.2, math.sin(middle)), VECTOR - 16)
         names = " = " if _coincide(group) else ", "
         label = names.join(name for name, _, _ in group)
         level = -9.0 if abs(math.cos(middle)) < 0.12 else 4.5  # clear of the surface's own line
@@ -146,5 +152,6 @@ def _apart(first: Direction, second: Direction) -> float:
     return abs(math.remainder(first[1] - second[1], 2 * math.pi))
 
 
-def _towards(turn_rad: float, length: float) -> Point:
+def towards(turn_rad: float, length: float) -> tuple[float, float]:
+    """The place at that angle from the normal and that distance from the foot."""
     return FOOT[0] + length * math.sin(turn_rad), FOOT[1] - length * math.cos(turn_rad)

@@ -4,6 +4,7 @@ Body axes as pilots use them: x forward, y along the right wing, z down. With th
 pitch and roll of R = Rz Ry Rx that means: nose to the right, nose up, right wing down.
 """
 
+import math
 from collections.abc import Sequence
 
 import numpy as np
@@ -11,23 +12,31 @@ from numpy.typing import NDArray
 
 from simulations.engine.drawing import polygon
 from simulations.models.arrays import Floats
-from simulations.models.projection.pinhole import look_at
 
 type Point = Sequence[float]
 
 SPAN = 1.0
 """Half of the wings' span, and of the length: the unit of the model."""
 
-VIEW = look_at((2.1, 2.6, -1.8), (0.0, 0.0, 0.0), (0.0, 0.0, -1.0))[:3, :3]
-"""World to view, seen from ahead, from the right and from above: x right, y down, z away."""
-
 _TOWARDS_LIGHT = np.array([0.45, 0.25, -0.86])
 """In the world, unit length: above and a little ahead."""
 
 
-def screen(points: Floats, centre: tuple[float, float], unit: float) -> Floats:
+def view_from(azimuth: float, elevation: float) -> Floats:
+    """World to view (3, 3) of a distant eye: x right, y down, z away.
+
+    The eye's direction in degrees: round from straight ahead towards the right, and upwards.
+    """
+    round_, up = math.radians(azimuth), math.radians(elevation)
+    right = (math.sin(round_), -math.cos(round_), 0.0)
+    down = (math.sin(up) * math.cos(round_), math.sin(up) * math.sin(round_), math.cos(up))
+    away = (-math.cos(up) * math.cos(round_), -math.cos(up) * math.sin(round_), math.sin(up))
+    return np.array([right, down, away])
+
+
+def screen(points: Floats, view: Floats, centre: tuple[float, float], unit: float) -> Floats:
     """Parallel projection of world points (..., 3): view box x, y, and depth in the third."""
-    seen = points @ VIEW.T
+    seen = points @ view.T
     return np.concatenate([seen[..., :2] * unit + centre, seen[..., 2:]], axis=-1)
 
 
@@ -57,15 +66,15 @@ _ENDS = np.cumsum([len(face) for face in FACES])
 _STARTS = _ENDS - [len(face) for face in FACES]
 
 
-def draw(R: Floats, centre: tuple[float, float], unit: float, role: str) -> str:
+def draw(R: Floats, view: Floats, centre: tuple[float, float], unit: float, role: str) -> str:
     """SVG markup of the aircraft turned by ``R`` (3, 3), its half span ``unit`` long.
 
     R may be any matrix: that of a faulty blend shows as a crushed aircraft.
     """
     turned = _CORNERS @ R.T
-    placed = screen(turned, centre, unit)
+    placed = screen(turned, view, centre, unit)
     depths = np.add.reduceat(placed[:, 2], _STARTS) / (_ENDS - _STARTS)
-    washes = _washes(turned)
+    washes = _washes(turned, view)
     # Rounded, so that faces equally far keep their order on every machine.
     order = np.argsort(-np.round(depths, 9), kind="stable")
     return "".join(
@@ -79,7 +88,7 @@ def _face(corners: list[Point], washes: int, role: str) -> str:
     return polygon(corners, "casing solid") + wash * washes
 
 
-def _washes(turned: Floats) -> NDArray[np.int64]:
+def _washes(turned: Floats, view: Floats) -> NDArray[np.int64]:
     """One for a face that looks at the light, to four for one that looks away.
 
     Both sides of a plate are drawn: the side that faces the viewer counts.
@@ -87,5 +96,5 @@ def _washes(turned: Floats) -> NDArray[np.int64]:
     corner, second, third = (turned[_STARTS + step] for step in range(3))
     normals = np.cross(second - corner, third - corner)
     sizes = np.maximum(np.sqrt((normals * normals).sum(axis=-1)), 1e-9)
-    lit = -np.sign(normals @ VIEW[2]) * (normals @ _TOWARDS_LIGHT) / sizes
+    lit = -np.sign(normals @ view[2]) * (normals @ _TOWARDS_LIGHT) / sizes
     return 1 + np.rint(1.5 * (1.0 - lit)).astype(np.int64)

@@ -56,23 +56,23 @@ def rings(yaw_rad: float, pitch_rad: float, roll_rad: float) -> tuple[Ring, Ring
     )
 
 
-def draw(yaw_rad: float, pitch_rad: float, roll_rad: float) -> str:
-    """SVG markup of the panel."""
+def draw(yaw_rad: float, pitch_rad: float, roll_rad: float, view: Floats) -> str:
+    """SVG markup of the panel, seen from a side: `aircraft.view_from`."""
     three = rings(yaw_rad, pitch_rad, roll_rad)
     R = euler.to_matrix("ZYX", (yaw_rad, pitch_rad, roll_rad))
-    circles = [_place(ring.at(np.linspace(0.0, 2 * math.pi, STEPS + 1))) for ring in three]
+    circles = [on_screen(ring.at(np.linspace(0.0, 2 * math.pi, STEPS + 1)), view) for ring in three]
     parts = [
         path(pieces(circle, front=False), f"{ring.role} thin faint")
         for ring, circle in zip(three, circles, strict=True)
     ]
-    parts += [_axis(ring, front=False) for ring in three]
-    parts.append(aircraft.draw(R, CENTRE, 104.0, "camera"))
-    parts += [_axis(ring, front=True) for ring in three]
+    parts += [_axis(ring, view, front=False) for ring in three]
+    parts.append(aircraft.draw(R, view, CENTRE, 104.0, "camera"))
+    parts += [_axis(ring, view, front=True) for ring in three]
     parts += [
         path(pieces(circle, front=True), f"{ring.role} thin")
         for ring, circle in zip(three, circles, strict=True)
     ]
-    parts += [mark for ring in three for mark in _angle(ring)]
+    parts += [mark for ring in three for mark in _angle(ring, view)]
     parts += _legend(three)
     return "".join(parts)
 
@@ -93,22 +93,24 @@ def pieces(points: Floats, *, front: bool) -> list[list[list[float]]]:
     return runs
 
 
-def _axis(ring: Ring, *, front: bool) -> str:
+def _axis(ring: Ring, view: Floats, *, front: bool) -> str:
     """One end of the axis, from beside the aircraft to just outside the ring."""
-    depth = _place(ring.axis)[2]
+    depth = on_screen(ring.axis, view)[2]
     end = 1.0 if (depth < 0) == front else -1.0
-    inner, outer = _place(end * 112.0 * ring.axis), _place(end * (ring.radius + 8.0) * ring.axis)
+    inner, outer = (
+        on_screen(end * length * ring.axis, view) for length in (112.0, ring.radius + 8.0)
+    )
     if end > 0:
         return arrow(inner, outer, ring.role, head=8)
     return line(inner, outer, f"{ring.role} thin dashed")
 
 
-def _angle(ring: Ring) -> Iterator[str]:
+def _angle(ring: Ring, view: Floats) -> Iterator[str]:
     """The arc from zero to the angle, and a bead where it stands."""
     count = max(2, round(abs(ring.angle_rad) * 12))
-    arc = _place(ring.at(np.linspace(0.0, ring.angle_rad, count + 1)))[:, :2].tolist()
+    arc = on_screen(ring.at(np.linspace(0.0, ring.angle_rad, count + 1)), view)[:, :2].tolist()
     yield polyline(arc, f"{ring.role} bold")
-    inner, outer = _place(np.stack([ring.at(0.0) * 0.965, ring.at(0.0) * 1.035]))
+    inner, outer = on_screen(np.stack([ring.at(0.0) * 0.965, ring.at(0.0) * 1.035]), view)
     yield line(inner, outer, ring.role)
     yield dot(arc[-1], ring.role, 5.0)
 
@@ -119,8 +121,8 @@ def _legend(three: tuple[Ring, Ring, Ring]) -> Iterator[str]:
         at: Point = (14.0, 22.0 + 18.0 * row)
         yield line((at[0], at[1] - 4.5), (at[0] + 18, at[1] - 4.5), f"{ring.role} bold")
         yield text((at[0] + 26, at[1]), f"{ring.name} {degrees}°", f"{ring.role} halo")
-    yield text((WIDTH - 12, HEIGHT - 12), "seen from ahead, right and above", "muted small", "end")
 
 
-def _place(point: Floats) -> Floats:
-    return aircraft.screen(point, CENTRE, 1.0)
+def on_screen(points: Floats, view: Floats) -> Floats:
+    """World points (..., 3) in the panel: view box x, y, and depth."""
+    return aircraft.screen(points, view, CENTRE, 1.0)

@@ -6,7 +6,6 @@ from level flight, R = I, to the attitude of the first.
 
 import math
 from collections.abc import Iterator
-from dataclasses import dataclass
 
 import numpy as np
 
@@ -19,13 +18,14 @@ from simulations.engine.frame import (
     readout,
 )
 from simulations.engine.scene import Scene
-from simulations.engine.settings import action, choice, slider
 from simulations.engine.stages import Outputs
 from simulations.models.arrays import Floats
 from simulations.models.geometry import quaternions
 from simulations.models.geometry.quaternion_blends import BLENDS
 from simulations.models.geometry.rotation_paths import off_great_circle
 from simulations.scenes.rotation_3d import rings, sphere
+from simulations.scenes.rotation_3d.handles import HANDLES
+from simulations.scenes.rotation_3d.settings import Settings
 from simulations.scenes.rotation_3d.sphere import LABELS, LEVEL, Way
 from simulations.scenes.rotation_3d.stages import STAGES, Attitude, judge
 
@@ -33,18 +33,6 @@ LOST = 1e-6
 """Singular value below which a direction of turning counts as lost."""
 ROUNDING = 1e-14
 """Departure from a rotation that rounding explains; the digits below differ by machine."""
-
-
-@dataclass(frozen=True, slots=True)
-class Settings:
-    """What the reader may change."""
-
-    yaw: float = slider("Yaw α", 105, -180, 180, 1, unit="°")
-    pitch: float = slider("Pitch β", 40, -90, 90, 1, unit="°")
-    roll: float = slider("Roll γ", -40, -180, 180, 1, unit="°")
-    blend: str = choice("Blend", LABELS)
-    t: float = slider("Share s of the way", 0.5, 0, 1, 0.01)
-    play: int = action("Play", "Pause", drives="t", effect="play", seconds=6.0)
 
 
 def draw(settings: Settings, outputs: Outputs) -> Frame:
@@ -68,7 +56,7 @@ def draw(settings: Settings, outputs: Outputs) -> Frame:
                 "From level flight to that attitude: the way of the nose",
                 sphere.WIDTH,
                 sphere.HEIGHT,
-                overlay=sphere.draw(there, outputs["traces"], chosen, share),
+                overlay=sphere.draw(there, outputs["traces"], outputs["view"], chosen, share),
             ),
         ),
         readouts=_readouts(here, blend, off_rad),
@@ -138,6 +126,7 @@ SCENE = Scene(
     settings=Settings,
     draw=draw,
     stages=STAGES,
+    handles=HANDLES,
     tiers=tuple(BLENDS),
     default_tier="slerp",
     ladder="rotation-interpolation",

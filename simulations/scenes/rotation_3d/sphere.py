@@ -44,26 +44,30 @@ def ways(angles_rad: Sequence[float], R: Floats, q: Floats, blend: Blend) -> dic
     }
 
 
-def traces_of(all_ways: Mapping[str, Way]) -> dict[str, Floats]:
+def traces_of(all_ways: Mapping[str, Way], view: Floats) -> dict[str, Floats]:
     """The nose's places (n, 3) on the whole of each way: view box x, y, and depth."""
     shares = np.linspace(0.0, 1.0, STEPS + 1)
-    return {name: _place(way(shares)[:, :, 0]) for name, way in all_ways.items()}
+    return {name: on_screen(way(shares)[:, :, 0], view) for name, way in all_ways.items()}
 
 
 def draw(
-    all_ways: Mapping[str, Way], traces: Mapping[str, Floats], chosen: str, share: float
+    all_ways: Mapping[str, Way],
+    traces: Mapping[str, Floats],
+    view: Floats,
+    chosen: str,
+    share: float,
 ) -> str:
     """SVG markup of the panel: the traces, and the aircraft on the chosen way."""
     blends = {name: way(share) for name, way in all_ways.items()}
     beads = [
-        dot(_place(blend[:, 0]), ROLES[name], 6.0 if name == chosen else 3.5)
+        dot(on_screen(blend[:, 0], view), ROLES[name], 6.0 if name == chosen else 3.5)
         for name, blend in blends.items()
     ]
     return "".join(
         (
-            *_globe(),
+            *_globe(view),
             *(_trace(traces[name], name, front=False) for name in traces),
-            *_craft(blends[chosen], chosen),
+            *_craft(blends[chosen], view, chosen),
             *(_trace(traces[name], name, front=True) for name in traces),
             *_marks(traces["slerp"]),
             *_ends(traces["slerp"]),
@@ -73,15 +77,15 @@ def draw(
     )
 
 
-def _craft(blend: Floats, chosen: str) -> tuple[str, str]:
+def _craft(blend: Floats, view: Floats, chosen: str) -> tuple[str, str]:
     """The aircraft at the centre, with the line from its nose to the sphere, back to front."""
-    inner, nose = _place(np.stack([0.6 * blend[:, 0], blend[:, 0]]))
+    inner, nose = on_screen(np.stack([0.6 * blend[:, 0], blend[:, 0]]), view)
     sight = line(inner, nose, f"{ROLES[chosen]} thin")
-    craft = aircraft.draw(blend, CENTRE, 0.58 * RADIUS, "camera")
+    craft = aircraft.draw(blend, view, CENTRE, 0.58 * RADIUS, "camera")
     return (sight, craft) if nose[2] > 0 else (craft, sight)
 
 
-def _globe() -> Iterator[str]:
+def _globe(view: Floats) -> Iterator[str]:
     """Outline, horizon and two meridians; only the near half of each."""
     yield circle(CENTRE, RADIUS, "muted thin")
     turns = np.linspace(0, 2 * math.pi, 73)
@@ -92,7 +96,7 @@ def _globe() -> Iterator[str]:
         np.stack([around[0], flat, around[1]], axis=-1),
         np.stack([flat, *around], axis=-1),
     )
-    halves = [run for ring in rings for run in pieces(_place(ring), front=True)]
+    halves = [run for ring in rings for run in pieces(on_screen(ring, view), front=True)]
     yield path(halves, "muted thin faint")
 
 
@@ -121,5 +125,6 @@ def _legend(chosen: str) -> Iterator[str]:
         yield text((48, y), label, f"{ROLES[name]} halo{weight}")
 
 
-def _place(points: Floats) -> Floats:
-    return aircraft.screen(points, CENTRE, RADIUS)
+def on_screen(points: Floats, view: Floats) -> Floats:
+    """World points (..., 3) in the panel: view box x, y, and depth."""
+    return aircraft.screen(points, view, CENTRE, RADIUS)

@@ -12,6 +12,7 @@ from simulations.models.geometry import euler, quaternions
 from simulations.models.geometry.quaternion_blends import BLENDS, bisected_arc, turn_between_rad
 from simulations.models.geometry.rotation_paths import rate_axes
 from simulations.scenes.rotation_3d import rings, sphere
+from simulations.scenes.rotation_3d.aircraft import view_from
 from simulations.scenes.rotation_3d.sphere import LEVEL, Way
 
 
@@ -45,11 +46,18 @@ def ways(here: Attitude, tier: str) -> dict[str, Way]:
     return sphere.ways(here.angles_rad, here.R, here.q, BLENDS[tier])
 
 
+def ringed(here: Attitude, view: Floats) -> str:
+    """The first panel's markup."""
+    yaw_rad, pitch_rad, roll_rad = here.angles_rad
+    return rings.draw(yaw_rad, pitch_rad, roll_rad, view)
+
+
 STAGES = (
     Stage("attitude", attitude),
-    Stage("rings", lambda here: rings.draw(*here.angles_rad), ("attitude",)),
+    Stage("view", view_from),
+    Stage("rings", ringed, ("attitude", "view")),
     Stage("ways", ways, ("attitude",)),
-    Stage("traces", sphere.traces_of, ("ways",)),
+    Stage("traces", sphere.traces_of, ("ways", "view")),
 )
 
 

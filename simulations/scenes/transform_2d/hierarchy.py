@@ -4,6 +4,7 @@ from dataclasses import dataclass
 
 from simulations.engine import drawing
 from simulations.engine.frame import Panel
+from simulations.engine.handles import Point
 
 WIDTH, HEIGHT = 400.0, 330.0
 
@@ -34,21 +35,38 @@ RUNGS = {
 def hierarchy_panel(current: str) -> Panel:
     """Five nested frames; each holds the families that it contains."""
     parts = []
-    for depth, (name, rung) in enumerate(reversed(RUNGS.items())):
+    for name, rung in reversed(RUNGS.items()):
         chosen = name == current
-        left, top = 8.0 + 14.0 * depth, 8.0 + 50.0 * depth
-        parts.append(
-            drawing.rectangle(
-                (left, top),
-                WIDTH - 2.0 * left,
-                HEIGHT - 8.0 - 12.0 * depth - top,
-                "image fill" if chosen else "muted thin",
-            )
-        )
+        left, top, right, bottom = frame_of(name)
+        style = "image fill" if chosen else "muted thin"
+        parts.append(drawing.rectangle((left, top), right - left, bottom - top, style))
         parts.append(rung_labels(rung, left, top, "image" if chosen else "muted"))
+    parts.append(drawing.dot(grip(current), "image", 4.0))
     return Panel(
         "hierarchy", "Each family contains the next", WIDTH, HEIGHT, overlay="".join(parts)
     )
+
+
+def frame_of(name: str) -> tuple[float, float, float, float]:
+    """Left, top, right and bottom of a family's frame."""
+    depth = len(RUNGS) - 1 - list(RUNGS).index(name)
+    left = 8.0 + 14.0 * depth
+    return left, 8.0 + 50.0 * depth, WIDTH - left, HEIGHT - 8.0 - 12.0 * depth
+
+
+def grip(name: str) -> Point:
+    """Where a family is taken hold of: between the words of its frame."""
+    _, top, right, _ = frame_of(name)
+    return right - 82.0, top + 25.0
+
+
+def innermost_at(place: Point) -> str:
+    """The smallest family whose frame lies around a place; outside all, the largest."""
+    for name in RUNGS:
+        left, top, right, bottom = frame_of(name)
+        if left <= place[0] <= right and top <= place[1] <= bottom:
+            return name
+    return name
 
 
 def rung_labels(rung: Rung, left: float, top: float, role: str) -> str:

@@ -1,4 +1,4 @@
-"""The plane of the transform explorer: a square with a letter in it, and its image."""
+"""The plane of the transform explorer: its axes, the square, and the lines that meet infinity."""
 
 from dataclasses import dataclass
 
@@ -6,13 +6,14 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from simulations.engine import drawing
-from simulations.engine.frame import Panel, format_number
+from simulations.engine.frame import format_number
 from simulations.models.arrays import Floats
 from simulations.models.geometry.transforms import (
     apply_homography,
     clip_half_plane,
     clip_to_visible,
 )
+from simulations.scenes.transform_2d.square import GRID, LETTER, SQUARE
 
 WIDTH, HEIGHT = 400.0, 330.0
 SCALE = 1.46
@@ -25,20 +26,6 @@ TAKEN_Y = {"start": 247.0, "end": 224.0}
 """Baselines, at the left and the right end, of the numbers below the x axis and of its name."""
 LABEL_HEIGHT = 12.0
 """Line height of a small label, in view box units."""
-HALF = 40.0
-"""Half the side of the square, which is centred on the origin."""
-
-
-def box(left: float, bottom: float, right: float, top: float) -> Floats:
-    """Corners (4, 2) of a rectangle, counter-clockwise from the lower left."""
-    return np.array([(left, bottom), (right, bottom), (right, top), (left, top)], dtype=float)
-
-
-SQUARE = box(-HALF, -HALF, HALF, HALF)
-CORNER = SQUARE[2]
-"""The corner P whose coordinates are written into the picture."""
-LETTER = (box(-24, -28, -12, 28), box(-12, 17, 24, 28), box(-12, -6, 14, 5))
-"""The bars of an F: a letter that no rotation makes of its mirror image."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -57,21 +44,14 @@ def image_of(H: Floats, points: ArrayLike, closed: bool = True) -> Clipped:
     return Clipped(apply_homography(H, visible)[0], not np.array_equal(visible, before))
 
 
-def grid_segments() -> Floats:
-    """The square's sides, inner grid lines and diagonals, (12, 2, 2)."""
-    stations = np.linspace(-HALF, HALF, 5)
-    vertical = [[(s, -HALF), (s, HALF)] for s in stations]
-    horizontal = [[(-HALF, s), (HALF, s)] for s in stations]
-    diagonals = [SQUARE[[0, 2]], SQUARE[[1, 3]]]
-    return np.array([*vertical, *horizontal, *diagonals])
-
-
-GRID = grid_segments()[:10]
-
-
 def to_view(points: ArrayLike) -> Floats:
     """Plane to view box."""
     return np.asarray(points, float) * [SCALE, -SCALE] + ORIGIN
+
+
+def from_view(place: ArrayLike) -> Floats:
+    """View box to plane."""
+    return (np.asarray(place, float) - ORIGIN) / [SCALE, -SCALE]
 
 
 def label_at(point: ArrayLike, right: float, down: float) -> Floats:
@@ -85,20 +65,6 @@ def in_frame(points: ArrayLike, closed: bool = True) -> Floats:
     for edge in FRAME:
         view = clip_half_plane(view, edge, closed)
     return view
-
-
-def plane_panel(H: Floats) -> Panel:
-    """Original and image on common axes."""
-    overlay = "".join(
-        (
-            axes(),
-            figure(np.eye(3), "world"),
-            lines_at_infinity(H),
-            figure(H, "image"),
-            corner_labels(H),
-        )
-    )
-    return Panel("plane", "Original and image", WIDTH, HEIGHT, overlay=overlay)
 
 
 def axes() -> str:
@@ -132,33 +98,6 @@ def figure(H: Floats, role: str) -> str:
         + drawing.group(
             [drawing.polygon(bar, f"{role} solid") for bar in bars if len(bar)], "faint"
         )
-    )
-
-
-def corner_labels(H: Floats) -> str:
-    """The corner P, its image P′ and their coordinates, which the reader can check by hand."""
-    before = to_view(CORNER)
-    marks = [drawing.dot(before, "world", 4.5)]
-    image = image_of(H, CORNER[None])
-    after = in_frame(image.points, closed=False)
-    if len(after):
-        marks.append(drawing.line(before, after[0], "image thin dashed"))
-        marks.append(drawing.dot(after[0], "image", 4.5))
-        marks.append(image_corner_label(image.points[0], after[0]))
-    marks.append(drawing.text(label_at(CORNER, 2, -8), "P (40, 40)", "world halo strong", "end"))
-    return "".join(marks)
-
-
-def image_corner_label(point: Floats, place: Floats) -> str:
-    """The coordinates of P′, on the side of it where there is room."""
-    x, y = (format_number(float(value), 1) for value in point)
-    right = 9.0 if place[1] < 26.0 else 4.0
-    down = 5.0 if place[1] < 26.0 else -9.0
-    anchor = "start"
-    if place[0] > WIDTH - 120.0:
-        right, anchor = (-right, "end")
-    return drawing.text(
-        place + np.array([right, down]), f"P′ ({x}, {y})", "image halo strong", anchor
     )
 
 

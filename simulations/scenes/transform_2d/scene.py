@@ -1,65 +1,75 @@
 """2D Transform Explorer: a square and its image on each rung of the ladder of transformations."""
 
 import math
-from dataclasses import dataclass
 
 import numpy as np
 
-from simulations.engine.frame import Frame, Readout, format_number, matrix_text, readout
+from simulations.engine.frame import Frame, Panel, Readout, format_number, matrix_text, readout
 from simulations.engine.scene import Scene
-from simulations.engine.settings import choice, slider
 from simulations.engine.stages import Outputs
 from simulations.models.arrays import Floats
 from simulations.models.geometry import transforms
 from simulations.models.geometry.preserved_properties import Preservation, measure_preservation
+from simulations.scenes.transform_2d import marks, plane
+from simulations.scenes.transform_2d.handles import HANDLES, matrix, way
 from simulations.scenes.transform_2d.hierarchy import RUNGS, hierarchy_panel
-from simulations.scenes.transform_2d.plane import SQUARE, grid_segments, image_of, plane_panel
+from simulations.scenes.transform_2d.plane import image_of
+from simulations.scenes.transform_2d.settings import Settings
+from simulations.scenes.transform_2d.square import SQUARE, grid_segments
 
 KEPT = 1e-9
 """Largest measured change, in radians or as a share, that rounding explains."""
 
 
-@dataclass(frozen=True, slots=True)
-class Settings:
-    """What the reader may change."""
-
-    transform: str = choice("Transform", {name: rung.title for name, rung in RUNGS.items()})
-    amount: float = slider("Amount", 30, 0, 100, 1)
-
-
-def transformation(kind: str, amount: float) -> Floats:
-    """The matrix of a rung: that of the rung below it, with one more freedom in use."""
-    tx, ty = amount, amount / 2.0
-    if kind == "translation":
-        return transforms.translation(tx, ty)
-    angle_rad = math.radians(amount / 2.0)
-    if kind == "rigid":
-        return transforms.rigid(angle_rad, tx, ty)
-    H = transforms.similarity(1.0 + amount / 200.0, angle_rad, tx, ty)
-    if kind == "similarity":
-        return H
-    shear = [[1.0 + amount / 500.0, amount / 250.0], [0.0, 1.0 - amount / 300.0]]
-    H = H @ transforms.affine(shear, (0.0, 0.0))
-    if kind == "affine":
-        return H
-    tilt = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [-amount / 10000.0, amount / 3000.0, 1.0]]
-    return transforms.projective(H @ tilt)
-
-
 def draw(settings: Settings, _outputs: Outputs) -> Frame:
     """The square before and after, the ladder, and what the transformation measurably keeps."""
     kind = settings.transform
-    H = transformation(kind, settings.amount)
+    H, point = matrix(settings), np.array([settings.point_x, settings.point_y])
     measured = measure_preservation(H, grid_segments())
     return Frame(
-        panels=(plane_panel(H), hierarchy_panel(kind)),
+        panels=(plane_panel(settings, H, point), hierarchy_panel(kind)),
         readouts=(
             Readout("matrix", "H", matrix_text(entries_of(H)), "", "image"),
             readout("freedoms", "Degrees of freedom", RUNGS[kind].freedoms, digits=0),
             readout("area", "Area, image : original", area_ratio(H), digits=3),
             *preservation_readouts(measured),
+            *point_readouts(H, point),
         ),
-        description=describe(kind, H, measured),
+        description=f"{describe(kind, H, measured)} {describe_point(H, point)}",
+    )
+
+
+def plane_panel(settings: Settings, H: Floats, point: Floats) -> Panel:
+    """Original and image on common axes."""
+    matrices = way(settings.transform, (settings.pull_x, settings.pull_y))
+    overlay = "".join(
+        (
+            plane.axes(),
+            plane.figure(np.eye(3), "world"),
+            plane.lines_at_infinity(H),
+            plane.figure(H, "image"),
+            *marks.corners(settings.transform, H),
+            marks.point_and_image(H, matrices[::4], point),
+        )
+    )
+    return Panel("plane", "Original and image", plane.WIDTH, plane.HEIGHT, overlay=overlay)
+
+
+def point_readouts(H: Floats, point: Floats) -> tuple[Readout, ...]:
+    """Where P goes, and what it is divided by on the way."""
+    image, valid = transforms.apply_homography(H, point)
+    w = float(H[2] @ [*point, 1.0])
+    if not valid:
+        nowhere = ("x", "y")
+        gone = tuple(
+            Readout(name, f"{name}′ of P′", "at infinity", "", "image") for name in nowhere
+        )
+        return (*gone, readout("w", "w at P", w, digits=3))
+    x, y = (float(value) for value in image)
+    return (
+        readout("x", "x′ of P′", x, digits=1, role="image"),
+        readout("y", "y′ of P′", y, digits=1, role="image"),
+        readout("w", "w at P", w, digits=3),
     )
 
 
@@ -126,4 +136,16 @@ def describe(kind: str, H: Floats, measured: Preservation) -> str:
     return f"The square under {RUNGS[kind].phrase} {size}; kept: {', '.join(kept)}."
 
 
-SCENE = Scene("transform-2d", "2D Transform Explorer", Settings, draw)
+def describe_point(H: Floats, point: Floats) -> str:
+    """Where P goes, in words."""
+    here = coordinates(point, 0)
+    image, valid = transforms.apply_homography(H, point)
+    return f"P at {here} goes to {coordinates(image, 1) if valid else 'infinity'}."
+
+
+def coordinates(point: Floats, digits: int) -> str:
+    x, y = (format_number(float(value), digits) for value in point)
+    return f"({x}, {y})"
+
+
+SCENE = Scene("transform-2d", "2D Transform Explorer", Settings, draw, handles=HANDLES)

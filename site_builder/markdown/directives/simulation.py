@@ -1,4 +1,5 @@
-"""``{simulation} scene-id``: a live figure. Options are the scene's controls, and ``tier``."""
+"""``{simulation} scene-id``: a live figure. Options are the scene's controls, ``tier``, and
+``workings``: whether it shows at first how it was computed."""
 
 import re
 from collections.abc import Sequence
@@ -6,15 +7,15 @@ from typing import Any
 
 from markdown_it.token import Token
 
-from simulations.engine.controls import ControlError, Slider
 from simulations.engine.scene import Scene
 from site_builder.book import Simulation
-from site_builder.diagnostics import unknown
 from site_builder.markdown.bodies import plain_tokens
 from site_builder.markdown.directive import Argument, Body, Directive, OptionLine, Use
 from site_builder.markdown.reading import Reading
-from site_builder.markdown.scenes import find_scene
+from site_builder.markdown.scenes import find_scene, read_setting, read_tier
 
+OWN_OPTIONS = ("tier", "workings")
+"""Those that are no control of the scene."""
 MAIMED_OPTION = re.compile(r":(\w+)[ =].*|(\w+)[:=].*")
 
 
@@ -25,9 +26,10 @@ def read_simulation(use: Use, body: Sequence[Token], reading: Reading) -> Simula
     _check_caption(body, scene, reading)
     return Simulation(
         scene=scene,
-        id=reading.free_id(f"figure-{scene.id}", use.line),
+        id=next(place.id for place in reading.figures if place.lines[0] == use.line),
         values=_read_values(use, scene, reading),
         tier=_read_tier(use, scene, reading),
+        workings_open=use.text("workings") == "open",
         caption_html=reading.html(body),
         path=reading.path,
         line=use.line,
@@ -35,28 +37,17 @@ def read_simulation(use: Use, body: Sequence[Token], reading: Reading) -> Simula
 
 
 def _read_values(use: Use, scene: Scene[Any], reading: Reading) -> dict[str, object]:
-    values: dict[str, object] = {}
-    for name, option in use.options.items():
-        if name == "tier":
-            continue
-        try:
-            scene.check({name: option.text})
-        except ControlError as error:
-            reading.problem(option.line, f"{scene.id}: {error}")
-            continue
-        control = next(control for control in scene.controls if control.name == name)
-        value = values[name] = control.check(option.text)  # a setting of whole things is rounded
-        if isinstance(control, Slider) and not control.reaches(float(value)):
-            legal = f"{control.minimum:g} and steps of {control.step:g}"
-            reading.problem(
-                option.line, f"{scene.id}: {name}: {value:g} is between two steps; legal: {legal}"
-            )
-    return values
+    given = {name: option for name, option in use.options.items() if name not in OWN_OPTIONS}
+    values = {
+        name: read_setting(scene, name, option.text, option.line, reading)
+        for name, option in given.items()
+    }
+    return {name: value for name, value in values.items() if value is not None}
 
 
 def _check_caption(body: Sequence[Token], scene: Scene[Any], reading: Reading) -> None:
     """An option without one of its colons would be taken for the first words of the caption."""
-    names = ("tier", *(control.name for control in scene.controls))
+    names = (*OWN_OPTIONS, *(control.name for control in scene.controls))
     for token in body:
         slip = MAIMED_OPTION.match(token.content) if token.type == "inline" else None
         if slip and (slip[1] or slip[2]) in names:
@@ -67,17 +58,18 @@ def _check_caption(body: Sequence[Token], scene: Scene[Any], reading: Reading) -
 
 def _read_tier(use: Use, scene: Scene[Any], reading: Reading) -> str:
     option = use.options.get("tier")
-    if option and option.text not in scene.tiers:
-        reading.problem(option.line, unknown(f"tier of {scene.id}", option.text, scene.tiers))
-        return scene.default_tier
-    return option.text if option else scene.default_tier
+    tier = read_tier(scene, option.text, option.line, reading) if option else None
+    return tier or scene.default_tier
 
 
 SIMULATION = Directive(
     name="simulation",
     says="a live figure",
     argument=Argument("scene-id", lacks="names no scene"),
-    options=(OptionLine("tier", says="its accuracy at first"),),
+    options=(
+        OptionLine("tier", says="its accuracy at first"),
+        OptionLine("workings", says="how it was computed", legal=("folded", "open")),
+    ),
     more_options="the starting value of any control",
     body=Body("a caption", plain_tokens),
     read=read_simulation,

@@ -3,5 +3,6 @@
 from site_builder.markdown.roles.colours import COLOURS
 from site_builder.markdown.roles.measured import MEASURED
 from site_builder.markdown.roles.readout import READOUT
+from site_builder.markdown.roles.set import SET
 
-ROLES = (*COLOURS, MEASURED, READOUT)
+ROLES = (*COLOURS, MEASURED, READOUT, SET)

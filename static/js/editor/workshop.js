@@ -186,11 +186,12 @@ export class Workshop {
       edits.runs = edits.json === json;
       edits.save();
       this.live.drawnBy(this.edited);
+      this.#mark(edits);
     } catch (error) {
+      this.#mark(edits);
       this.#failed(error);
     } finally {
       this.#setRunning(false);
-      this.#mark(edits);
     }
   }
 
@@ -203,6 +204,7 @@ export class Workshop {
     edits.drop(key);
     this.#panel?.putBack();
     if (this.#drawn) this.#run();
+    else this.#tell("");
   }
 
   /** @param {Edits} edits */
@@ -231,9 +233,10 @@ export class Workshop {
   }
 
   /** @param {string} printed */
-  #drew(printed) {
+  async #drew(printed) {
     this.#panel?.print(printed);
     this.#tell(WORDS.runs);
+    this.#mark(await this.#kept());
   }
 
   /**
@@ -246,8 +249,8 @@ export class Workshop {
     const edits = await this.#kept();
     edits.runs = false;
     edits.save();
-    this.#tell(`Your code was stopped: ${words}. ${WORDS.book}`, problemWithout(words));
     this.#mark(edits);
+    this.#tell(`Your code was stopped: ${words}. ${WORDS.book}`, problemWithout(words));
   }
 
   /** @param {unknown} error */

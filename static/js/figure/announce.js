@@ -5,7 +5,7 @@ const REST = 500;
 
 /**
  * A function that writes text into `element`, a polite live region, once changes have come to
- * rest: a drag is announced by its result only.
+ * rest: a drag is announced by its result only. The rest itself is told by `figure-rest`.
  *
  * @param {Element} element
  * @returns {(text: string) => void}
@@ -15,6 +15,9 @@ export function announcer(element) {
   let timer = 0;
   return (text) => {
     clearTimeout(timer);
-    timer = setTimeout(() => setText(element, text), REST);
+    timer = setTimeout(() => {
+      setText(element, text);
+      element.dispatchEvent(new Event("figure-rest", { bubbles: true }));
+    }, REST);
   };
 }

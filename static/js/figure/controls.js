@@ -3,7 +3,8 @@
  *
  * @typedef {{kind: "slider", name: string, label: string, default: number, min: number,
  *   max: number, step: number, unit: string, prefix: string, decimals: number}} Slider
- * @typedef {{kind: "choice", name: string, label: string, default: string}} Choice
+ * @typedef {{kind: "choice", name: string, label: string, default: string,
+ *   options: string[]}} Choice
  * @typedef {{kind: "toggle", name: string, label: string, default: boolean}} Toggle
  * @typedef {{kind: "action", name: string, label: string, default: number, labels: string[],
  *   drives: string, effect: string, seconds: number}} Action

@@ -18,12 +18,12 @@ export class SimulationFigure extends HTMLElement {
   connectedCallback() {
     const runtime = sharedRuntime();
     if (!runtime) return;
-    if (Runtime.supported) this.#live = new LiveFigure(this, runtime);
-    else this.#refuse();
     this.onclick = (/** @type {MouseEvent} */ event) => {
       if (within(event, ".open-python", HTMLButtonElement)) this.#openPython(runtime);
     };
-    if (this.#live && recall(keptUnder(this))?.runs) this.#resumePython(runtime);
+    if (!Runtime.supported) this.#refuse();
+    else if (this.#isAddressed) this.#arrive(runtime);
+    else this.#begin(runtime);
   }
 
   disconnectedCallback() {
@@ -80,6 +80,32 @@ export class SimulationFigure extends HTMLElement {
   async judge(conditions) {
     if (!this.#live) throw new Error("the figure does not run in this browser");
     return this.#live.judge(conditions);
+  }
+
+  /** Whether the address of the page says how the figure should stand. */
+  get #isAddressed() {
+    const id = this.closest("figure")?.id;
+    return [...new URLSearchParams(location.search).keys()].some((key) => key.startsWith(`${id}.`));
+  }
+
+  /** @param {Runtime} runtime */
+  #begin(runtime) {
+    this.#live = new LiveFigure(this, runtime);
+    if (recall(keptUnder(this))?.runs) this.#resumePython(runtime);
+  }
+
+  /**
+   * Put the controls to where the address says before the first frame is asked for.
+   *
+   * @param {Runtime} runtime
+   */
+  async #arrive(runtime) {
+    try {
+      const { arrive } = await import("./permalink.js");
+      arrive(this);
+    } finally {
+      if (this.isConnected) this.#begin(runtime);
+    }
   }
 
   /** This browser cannot run the figure: say so once, and offer no dead controls. */

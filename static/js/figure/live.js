@@ -15,7 +15,7 @@ import { Handles } from "./handles.js";
 import { Motion } from "./motion.js";
 import { paint } from "./painter.js";
 import { LatestWins } from "./scheduler.js";
-import { say } from "./status.js";
+import { say, sayNothingOfFailure } from "./status.js";
 import { Accuracy, showStages } from "./workings.js";
 
 /** @import { Caller } from "../runtime/runtime.js" */
@@ -363,7 +363,7 @@ export class LiveFigure {
     showStages(figure, meta.stages);
     this.accuracy.shown(job, reply.computeMs, job.tier === this.#tier(false));
     this.announce(meta.description);
-    say(figure, "");
+    sayNothingOfFailure(figure);
     figure.dataset.computeMs = reply.computeMs.toFixed(1);
     figure.dataset.latencyMs = (performance.now() - job.time).toFixed(1);
     figure.dataset.tier = job.tier;
@@ -378,7 +378,7 @@ export class LiveFigure {
     this.#asked = "";
     this.figure.dataset.state = "failed";
     const reason = error instanceof RuntimeFailure ? error.kind : "page";
-    say(this.figure, `${REASONS[reason]} (${message(error)})`, true);
+    say(this.figure, `${REASONS[reason]} (${message(error)})`, { retry: true });
   }
 }
 

@@ -11,6 +11,10 @@ import { button, input, setActionState, writeSlider } from "./controls.js";
 const CALM_PAUSE = 1;
 /** Pictures on a way that is too short for whole numbers. */
 const CALM_PICTURES = 4;
+/** Whole numbers on a way of more than these are too many to wait for. */
+const MOST_WHOLE = 48;
+/** Pictures on such a way. */
+const CALM_MOST = 24;
 
 export class Motion {
   /** @type {{action: Action, stop: () => void} | null} */
@@ -120,7 +124,10 @@ export class Motion {
    */
   #walk(action, slider) {
     const way = slider.max - slider.min;
-    const stride = Math.min(1, way / CALM_PICTURES);
+    const stride =
+      way > MOST_WHOLE
+        ? Math.ceil(way / CALM_MOST / slider.step) * slider.step
+        : Math.min(1, way / CALM_PICTURES);
     const pause = Math.max(CALM_PAUSE, (action.seconds * stride) / way);
     const tick = () => {
       timer = setTimeout(tick, pause * 1000);

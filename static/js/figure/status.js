@@ -7,10 +7,22 @@ import { one } from "../page/dom.js";
  *
  * @param {HTMLElement} figure
  * @param {string} message
- * @param {boolean} [retry] Whether to offer another try.
+ * @param {{retry?: boolean, lasting?: boolean}} [options] Whether to offer another try; whether the
+ *   message is no failure, and so stays when a frame comes.
  */
-export function say(figure, message, retry = false) {
+export function say(figure, message, { retry = false, lasting = false } = {}) {
+  const status = one(figure, ".figure-status", HTMLElement);
   one(figure, ".figure-message", HTMLElement).textContent = message;
-  one(figure, ".figure-status", HTMLElement).hidden = !message;
+  status.hidden = !message;
+  status.classList.toggle("lasting", lasting);
   one(figure, ".retry", HTMLButtonElement).hidden = !retry;
+}
+
+/**
+ * A frame has come: what was said of the lack of one is over.
+ *
+ * @param {HTMLElement} figure
+ */
+export function sayNothingOfFailure(figure) {
+  if (!figure.querySelector(".figure-status.lasting")) say(figure, "");
 }

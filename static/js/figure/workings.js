@@ -1,6 +1,7 @@
 /**
  * What a figure tells of its own computation: what became of each stage, how long the frame took,
- * and how far it is from the truth. The last is asked for only while the figure rests.
+ * and how far it is from the truth. The last is asked for only while the figure rests and the
+ * reader has this unfolded.
  *
  * @typedef {{name: string, status: "computed" | "reused" | "skipped", reason: string}} Stage
  */
@@ -75,7 +76,9 @@ export class Accuracy {
    */
   constructor(figure, ask) {
     this.line = maybe(figure, ".accuracy", HTMLElement);
+    this.fold = maybe(figure, "details.workings", HTMLDetailsElement);
     this.ask = ask;
+    this.fold?.addEventListener("toggle", () => this.#rest());
   }
 
   /**
@@ -108,6 +111,10 @@ export class Accuracy {
     if (near) this.#rest();
   }
 
+  get #isSeen() {
+    return this.#near && this.fold?.open;
+  }
+
   stop() {
     clearTimeout(this.#timer);
     this.#waiting = null;
@@ -115,7 +122,7 @@ export class Accuracy {
 
   #rest() {
     clearTimeout(this.#timer);
-    if (!this.#waiting || !this.#near) return;
+    if (!this.#waiting || !this.#isSeen) return;
     const job = this.#waiting;
     this.#timer = setTimeout(() => this.#judge(job), REST);
   }
@@ -127,7 +134,7 @@ export class Accuracy {
    */
   async #judge(job) {
     try {
-      while (this.#waiting === job && this.#near) {
+      while (this.#waiting === job && this.#isSeen) {
         const estimate = await this.ask(job, LEAST_URGENT);
         if (this.#waiting !== job) return;
         if (estimate === null) {

@@ -62,6 +62,16 @@ export function within(event, selector, type) {
 }
 
 /**
+ * Whether a click on a link asks for no more than to follow it: not for a new window, say.
+ *
+ * @param {MouseEvent} event
+ */
+export function isPlain(event) {
+  const { button, metaKey, ctrlKey, shiftKey, altKey } = event;
+  return button === 0 && !(metaKey || ctrlKey || shiftKey || altKey);
+}
+
+/**
  * What a `<script type="application/json">` of the page says.
  *
  * @param {ParentNode} root

@@ -4,7 +4,7 @@
  * loads the page itself.
  */
 
-import { within } from "./dom.js";
+import { isPlain, within } from "./dom.js";
 
 /** @type {AbortController | null} */
 let turning = null;
@@ -15,8 +15,9 @@ let scrollTimer = 0;
  * Listen for links to other pages of the book.
  *
  * @param {() => void} turned Called when a new page has been put in place.
+ * @param {() => void} returned Called when another state of this page is to be shown.
  */
-export function installNavigation(turned) {
+export function installNavigation(turned, returned) {
   history.scrollRestoration = "manual";
   if (history.state?.scroll && !location.hash) scrollTo(0, history.state.scroll);
   document.addEventListener("click", (event) => {
@@ -27,13 +28,20 @@ export function installNavigation(turned) {
     turnTo(url, turned, () => history.pushState({}, "", url));
   });
   addEventListener("popstate", () => {
-    if (location.pathname === shownPath) restoreScroll();
-    else turnTo(new URL(location.href), turned, () => {});
+    if (isArrived()) {
+      restoreScroll();
+      returned();
+    } else turnTo(new URL(location.href), turned, () => {});
   });
   addEventListener("scroll", () => {
     clearTimeout(scrollTimer);
     scrollTimer = setTimeout(saveScroll, 100);
   });
+}
+
+/** Whether the address is of the page that is shown, and not of one that is still fetched. */
+export function isArrived() {
+  return location.pathname === shownPath;
 }
 
 /**
@@ -43,13 +51,21 @@ export function installNavigation(turned) {
  */
 function pageLink(event) {
   const link = within(event, "a[href]", HTMLAnchorElement);
-  if (!link || event.defaultPrevented || event.button !== 0) return null;
-  if (event.metaKey || event.ctrlKey || event.shiftKey || event.altKey) return null;
+  if (!link || event.defaultPrevented || !isPlain(event)) return null;
   if (link.target || link.hasAttribute("download")) return null;
   const url = new URL(link.href);
   const root = siteRoot(document.body, location.href);
   const inBook = root && url.href.startsWith(root) && /(\/|\.html)$/.test(url.pathname);
-  return inBook && url.pathname !== location.pathname ? url : null;
+  return inBook && addressOf(url) !== addressOf(location) ? url : null;
+}
+
+/**
+ * Of a page, with the state of its figures.
+ *
+ * @param {URL | Location} url
+ */
+function addressOf({ pathname, search }) {
+  return pathname + search;
 }
 
 /**
@@ -152,6 +168,6 @@ function hashTarget() {
 
 function saveScroll() {
   clearTimeout(scrollTimer);
-  if (location.pathname !== shownPath) return;
+  if (!isArrived()) return;
   history.replaceState({ ...history.state, scroll: Math.round(scrollY) }, "");
 }

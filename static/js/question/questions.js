@@ -71,24 +71,42 @@ export function forgetQuestions() {
   restoreQuestions();
 }
 
-/** @param {HTMLFormElement} form */
-async function answer(form) {
+/**
+ * Judge what the form says: at once, but for the kind that asks Python.
+ *
+ * @param {HTMLFormElement} form
+ */
+function answer(form) {
   const question = questionOf(form);
-  const kind = KINDS[question.kind];
-  try {
-    const given = await kind.read(form, question);
-    show(form, question, given);
-    if (given === null) {
-      one(form, ".feedback", HTMLElement).textContent = kind.missing;
-      return;
-    }
+  const given = KINDS[question.kind].read(form, question);
+  if (!(given instanceof Promise)) settle(form, question, given);
+  else given.then((told) => settle(form, question, told)).catch((error) => fail(form, error));
+}
+
+/**
+ * @param {HTMLFormElement} form
+ * @param {Question} question
+ * @param {Given | null} given
+ */
+function settle(form, question, given) {
+  show(form, question, given);
+  if (given === null) {
+    one(form, ".feedback", HTMLElement).textContent = KINDS[question.kind].missing;
+  } else {
     const right = form.dataset.answered === "correct";
     remember(`quiz:${question.id}`, { edition: question.edition, answer: given, right });
-  } catch (error) {
-    show(form, question, null);
-    const reason = message(error);
-    one(form, ".feedback", HTMLElement).textContent = `This cannot be judged now: ${reason}.`;
   }
+  showProgress();
+}
+
+/**
+ * @param {HTMLFormElement} form
+ * @param {unknown} error
+ */
+function fail(form, error) {
+  show(form, questionOf(form), null);
+  const reason = message(error);
+  one(form, ".feedback", HTMLElement).textContent = `This cannot be judged now: ${reason}.`;
   showProgress();
 }
 

@@ -22,6 +22,7 @@ export const LIMITS = {
   error: 10_000,
   judge: 10_000,
   forget: 10_000,
+  script: 10_000,
   measure: 120_000,
 };
 

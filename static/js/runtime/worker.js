@@ -58,10 +58,11 @@ const calls = {
       forget,
       judge,
       measure,
+      script,
     } = module;
     const fetchNow = (/** @type {string} */ part) => parts.fetchNow(part);
     module.fetch_missing(JSON.stringify(table.modules), fetchNow, parts.folder);
-    python = { render, renderEdited, pull, error, photograph, forget, judge, measure };
+    python = { render, renderEdited, pull, error, photograph, forget, judge, measure, script };
     return { reply: { version: pyodide.version } };
   },
 
@@ -127,6 +128,16 @@ const calls = {
     await parts.provide(parts.table.scenes[scene]);
     const met = python.judge(figure, scene, values, tier, JSON.stringify(conditions));
     return { reply: { met: met ?? null } };
+  },
+
+  /**
+   * A script that prints what a frame of these values says.
+   *
+   * @param {FrameCall} call
+   */
+  async script({ scene, values, tier }) {
+    await parts.provide(parts.table.scenes[scene]);
+    return { reply: { script: python.script(scene, values, tier) } };
   },
 
   /**

@@ -3,15 +3,11 @@
 from dataclasses import dataclass
 from typing import Any
 
-import pytest
-
-from simulations.engine.frame import Frame, StageReport
+from simulations.engine.frame import Frame
 from simulations.engine.scene import Scene
 from simulations.engine.stages import Outputs
 from simulations.registry import load_ladder
-from site_builder.book import Simulation
-from site_builder.pages.simulation_view import tier_labels, view_simulation
-from site_builder.pages.stills import Still
+from site_builder.pages.simulation_view import tier_labels
 
 
 @dataclass(frozen=True, slots=True)
@@ -44,18 +40,3 @@ def test_a_scenes_own_words_go_before_the_ladders() -> None:
 def test_a_scene_without_a_ladder_names_all_of_its_tiers() -> None:
     scene = tiered(tier_labels={"phong": "Fine", "gouraud-8": "Coarse"})
     assert tier_labels(scene) == (("gouraud-8", "Coarse"), ("phong", "Fine"))
-
-
-@pytest.mark.parametrize(
-    ("path", "stages", "open_"),
-    [("content/08.md", 9, False), ("content/08.md", 10, True), ("content/book.toml", 10, False)],
-)
-def test_a_long_chain_of_stages_is_shown_at_once_but_not_on_the_cover(
-    path: str, stages: int, open_: bool
-) -> None:
-    scene = Scene("s", "S", Settings, draw)
-    frame = Frame(
-        (), (), "Nothing.", tuple(StageReport("a", "computed", "") for _ in range(stages))
-    )
-    figure = Simulation(scene, "figure-s", {}, "", "", path, 1)
-    assert view_simulation(Still(figure, {}, frame, {}), "").stages_open is open_

@@ -1,0 +1,99 @@
+"""What of the camera simulator can be grabbed: in the plan the distance in focus, the edge of the
+field of view and the lamp; in the photograph whatever it shows."""
+
+import math
+from collections.abc import Mapping
+
+import numpy as np
+
+from simulations.engine.controls import Value
+from simulations.engine.handles import Handle, Point
+from simulations.engine.stages import Outputs
+from simulations.models.distortion.lens_model import (
+    Distortion,
+    distort,
+    fold_radius,
+    undistort_clamped,
+)
+from simulations.pictures.still_life.depth import depth_met
+from simulations.scenes.camera.lens import (
+    SENSOR_HEIGHT_MM,
+    SENSOR_WIDTH_MM,
+    half_view_tangent,
+    principal_mm,
+)
+from simulations.scenes.camera.plan import (
+    PLAN_HEIGHT,
+    PLAN_WIDTH,
+    STILL_LIFE_MIDDLE,
+    edge_mark,
+    edge_marked,
+    focus_mark,
+    focus_marked,
+    lamp_mark,
+    seen_from,
+)
+from simulations.scenes.camera.settings import Settings
+
+
+def _focus(settings: Settings, _outputs: Outputs) -> Point:
+    return focus_mark(settings.focus)
+
+
+def _focus_pulled(_settings: Settings, place: Point) -> Mapping[str, Value]:
+    return {"focus": focus_marked(place)}
+
+
+def _edge(settings: Settings, _outputs: Outputs) -> Point:
+    return edge_mark(half_view_tangent(settings.focal_length, settings.focus, settings.k1))
+
+
+def _edge_pulled(settings: Settings, place: Point) -> Mapping[str, Value]:
+    """The focal length that images a ray through the place on the edge of the sensor."""
+    lens = Distortion(k1=settings.k1)
+    tangent = min(max(edge_marked(place), 1e-3), fold_radius(lens))
+    principal = SENSOR_WIDTH_MM / 2 / float(distort(np.array((tangent, 0.0)), lens)[0])
+    focus_mm = 1000.0 * settings.focus
+    return {"focal_length": principal * focus_mm / (principal + focus_mm)}
+
+
+def _lamp(settings: Settings, _outputs: Outputs) -> Point:
+    return lamp_mark(settings.light_angle)
+
+
+def _lamp_pulled(_settings: Settings, place: Point) -> Mapping[str, Value]:
+    """Towards the place from the middle of the still life; in the middle itself, as it is."""
+    across, away = seen_from(place)
+    nearer = STILL_LIFE_MIDDLE - away
+    if not (across or nearer):
+        return {}
+    return {"light_angle": math.degrees(math.atan2(across, nearer))}
+
+
+def _middle(_settings: Settings, _outputs: Outputs) -> Point:
+    return (PLAN_WIDTH / 2, PLAN_HEIGHT / 2)
+
+
+def _aimed(settings: Settings, place: Point) -> Mapping[str, Value]:
+    """Focus on what the lens images at a place of the photograph, if any ray arrives there."""
+    principal = principal_mm(settings.focal_length, settings.focus)
+    across = (place[0] / PLAN_WIDTH - 0.5) * SENSOR_WIDTH_MM / principal
+    down = (place[1] / PLAN_HEIGHT - 0.5) * SENSOR_HEIGHT_MM / principal
+    ideal, reached = undistort_clamped([(across, down)], Distortion(k1=settings.k1))
+    return {"focus": depth_met((*ideal[0], 1.0))} if reached.all() else {}
+
+
+HANDLES: tuple[Handle[Settings], ...] = (
+    Handle("aim", "photograph", "What to focus on", ("focus",), _middle, _aimed, "aim"),
+    Handle("focus", "plan", "Distance in focus", ("focus",), _focus, _focus_pulled, role="ray"),
+    Handle(
+        "edge",
+        "plan",
+        "Edge of the field of view",
+        ("focal_length",),
+        _edge,
+        _edge_pulled,
+        role="camera",
+    ),
+    Handle("lamp", "plan", "Lamp", ("light_angle",), _lamp, _lamp_pulled, role="light"),
+)

@@ -1,0 +1,20 @@
+"""The controls of the camera simulator."""
+
+from dataclasses import dataclass
+
+from simulations.engine.settings import action, slider, toggle
+
+
+@dataclass(frozen=True, slots=True)
+class Settings:
+    """What the reader may change."""
+
+    focal_length: float = slider("Focal length", 50.0, 24.0, 135.0, 1.0, unit="mm")
+    aperture: float = slider("Aperture", 5.6, 1.4, 22.0, 0.1, prefix="f/")
+    focus: float = slider("Focus distance", 3.2, 1.0, 10.0, 0.1, unit="m")
+    k1: float = slider("Distortion k₁", 0.0, -0.4, 0.4, 0.01)
+    light_angle: float = slider("Light angle", 40.0, -80.0, 80.0, 1.0, unit="°")
+    exposure: float = slider("Exposure", 0.0, -3.0, 3.0, 0.1, unit="EV")
+    noise_sigma: float = slider("Read noise σ", 5.0, 0.0, 40.0, 1.0, unit="codes")
+    shot_noise: bool = toggle("Photon shot noise", default=True)
+    new_noise: int = action(*("Take it again",) * 8)

@@ -1,0 +1,91 @@
+"""What is marked in the plane of the transform explorer: P, its image, and the corners."""
+
+from collections.abc import Iterator
+
+import numpy as np
+
+from simulations.engine import drawing
+from simulations.engine.frame import format_number
+from simulations.models.arrays import Floats
+from simulations.models.geometry.transforms import apply_homography, sign_of_w
+from simulations.scenes.transform_2d import family
+from simulations.scenes.transform_2d.plane import HEIGHT, WIDTH, from_view, in_frame, to_view
+from simulations.scenes.transform_2d.square import SQUARE
+
+CLEAR = 15.0
+"""Distance from a point to its label, in view box units: a finger's mark has room between."""
+LABEL_WIDTH = 96.0
+
+
+def point_and_image(H: Floats, way: Floats, point: Floats) -> str:
+    """P, its image P′ and their coordinates, which the reader can check by hand.
+
+    ``way`` (N, 3, 3) are the matrices of all amounts: P′ slides along a curve.
+    """
+    before = to_view(point)
+    image, valid = apply_homography(H, point)
+    parts = [drawing.path(_track(way, point), "image thin faint")]
+    torn = sign_of_w(H, point) != sign_of_w(H, (0.0, 0.0))
+    after = in_frame(image[None], closed=False) if valid else np.empty((0, 2))
+    if len(after):
+        if not torn:
+            parts.append(drawing.line(before, after[0], "image thin dashed"))
+        parts.append(drawing.dot(after[0], "image", 4.5))
+        parts.append(_label("P′", 1, image, after[0], "image"))
+    parts.append(drawing.dot(before, "world", 4.5))
+    parts.append(_label("P", 0, point, before, "world"))
+    return "".join(parts)
+
+
+def _track(way: Floats, point: Floats) -> list[Floats]:
+    """Runs of places (n, 2) of P′, parted where it passes through infinity and out of view."""
+    images, w = _images(way, point)
+    places = to_view(images)
+    seen = np.all((places >= -4.0) & (places <= [WIDTH + 4.0, HEIGHT + 4.0]), axis=1)
+    parted = np.flatnonzero(np.diff(seen * np.sign(w))) + 1
+    runs = zip(np.split(places, parted), np.split(seen, parted), strict=True)
+    return [run for run, visible in runs if visible[0] and len(run) > 1]
+
+
+def _label(name: str, digits: int, point: Floats, place: Floats, role: str) -> str:
+    """Coordinates beside a point: of P below it, of P′ above, on the right if there is room."""
+    left = place[0] > WIDTH - LABEL_WIDTH
+    above = (role == "image" and place[1] > 26.0) or place[1] > HEIGHT - 26.0
+    corner = place + np.array([-CLEAR if left else CLEAR, 4.0 - CLEAR if above else CLEAR])
+    x, y = (format_number(float(value), digits) for value in point)
+    words = f"{name} ({x}, {y})"
+    return drawing.text(corner, words, f"{role} halo strong", "end" if left else "start")
+
+
+def corners(kind: str, H: Floats) -> Iterator[str]:
+    """Images of the corners that a pull holds in their places, as pins; the one to pull, solid."""
+    images, valid = apply_homography(H, SQUARE)
+    held = family.HELD[kind]
+    for index, place in enumerate(to_view(images)):
+        if not valid[index] or not _in_view(place):
+            continue
+        if index == family.PULLED:
+            yield _square(place, 5.0, "image solid")
+        elif index in held:
+            yield _square(place, 4.0, "image solid faint")
+
+
+def _in_view(place: Floats) -> bool:
+    return bool(np.all(place >= 0.0) and place[0] <= WIDTH and place[1] <= HEIGHT)
+
+
+def _square(place: Floats, half: float, style: str) -> str:
+    return drawing.rectangle(place - half, 2.0 * half, 2.0 * half, style)
+
+
+def nearest_amount(way: Floats, point: Floats, place: drawing.Point) -> int:
+    """The index of the matrix of ``way`` (N, 3, 3) that sends ``point`` nearest to a place."""
+    off = _images(way, point)[0] - from_view(place)
+    return int(np.nanargmin((off * off).sum(axis=1)))
+
+
+def _images(way: Floats, point: Floats) -> tuple[Floats, Floats]:
+    """Images (N, 2) of one point under matrices (N, 3, 3), NaN at infinity, and its w (N,)."""
+    images = way @ np.array([*point, 1.0])
+    w = images[:, 2]
+    return images[:, :2] / np.where(w == 0.0, np.nan, w)[:, None], w

@@ -1,0 +1,98 @@
+"""``{set}`k₁ to −0.20 <k1=-0.2>```: words that move a figure of the page to a setting.
+
+What stands in ``<…>`` is settings of the nearest figure; of another one where its id, without
+``figure-``, comes before them. ``tier=ID`` sets the accuracy. Each is checked as those of a
+``{simulation}`` are. Where no script runs the words are a link to the figure.
+"""
+
+import json
+from collections.abc import Mapping
+from typing import Any
+from urllib.parse import urlencode
+
+from simulations.engine.controls import Value
+from simulations.engine.scene import Scene
+from site_builder.diagnostics import unknown
+from site_builder.markdown.reading import Place, Reading
+from site_builder.markdown.role import Role
+from site_builder.markdown.scenes import read_setting, read_tier
+
+FORM = "WORDS <[FIGURE] CONTROL=VALUE … [tier=ID]>"
+
+
+def set_link(given: str, line: int, reading: Reading) -> Mapping[str, str]:
+    """The attributes of the link; none, and a report, where it would set nothing."""
+    name, pairs = _parts(given)
+    settings = dict(pair.split("=", 1) for pair in pairs if "=" in pair)
+    if not settings or len(settings) < len(pairs):
+        reading.problem(line, f"{{set}} '<{given}>'; legal: '{FORM}', each control once")
+        return {}
+    figure = _find_figure(name, line, reading)
+    scene = _load(figure, reading) if figure else None
+    if figure is None or scene is None:
+        return {}
+    values = {
+        control: value
+        for control, text in settings.items()
+        for value in (_read(scene, control, text, line, reading),)
+        if value is not None
+    }
+    query = urlencode({f"{figure.id}.{control}": _text(value) for control, value in values.items()})
+    return {
+        "class": "set",
+        "href": f"?{query}#{figure.id}",
+        "data-figure": figure.id,
+        "data-values": json.dumps(values, ensure_ascii=False),
+    }
+
+
+def _parts(given: str) -> tuple[str, list[str]]:
+    """The figure that is named, or nothing, and the settings."""
+    first, *others = given.split() or [""]
+    return ("", [first, *others]) if "=" in first else (first, others)
+
+
+def _find_figure(name: str, line: int, reading: Reading) -> Place | None:
+    """The figure of that name; without one the nearest, the one before where two are as near."""
+    if not reading.figures:
+        reading.problem(line, "{set} on a page without a figure; legal: on the page of a figure")
+        return None
+    if not name:
+        return min(reading.figures, key=lambda place: place.distance(line))
+    places = {place.id.removeprefix("figure-"): place for place in reading.figures}
+    if name not in places:
+        reading.problem(line, unknown("figure", name, places))
+    return places.get(name)
+
+
+def _load(figure: Place, reading: Reading) -> Scene[Any] | None:
+    """None where it cannot be loaded, which its directive reports."""
+    try:
+        return reading.load_scene(figure.scene_id)
+    except Exception:  # whatever a scene's own code may raise
+        return None
+
+
+def _read(scene: Scene[Any], control: str, text: str, line: int, reading: Reading) -> Value | None:
+    if control == "tier":
+        return read_tier(scene, text, line, reading)
+    return read_setting(scene, control, text, line, reading)
+
+
+def _text(value: Value) -> str:
+    """As ``permalink.js`` writes it."""
+    match value:
+        case bool():
+            return str(value).lower()
+        case float():
+            return f"{value:g}"
+        case _:
+            return str(value)
+
+
+SET = Role(
+    name="set",
+    form=FORM,
+    says="a link that moves the nearest figure there, or the one named",
+    link=set_link,
+)

@@ -1,0 +1,91 @@
+/**
+ * Gestures on figures as wholes, and on words that speak of them. What answers them is fetched
+ * when it is first needed. Listeners sit on the document, so that they outlive a change of chapter.
+ */
+
+import { isPlain, within } from "../page/dom.js";
+
+/** What may have the colour of an idea: words, parts of formulae, readouts, handles, controls. */
+const COLOURED = '[class*="role-"], .control';
+
+/** Figures that the reader has changed since the page was opened. */
+const touched = new WeakSet();
+
+/** Listen; to be called before those who follow links, since some of these are no links to them. */
+export function installGestures() {
+  document.addEventListener("click", clicked);
+  document.addEventListener("input", touch);
+  document.addEventListener("figure-rest", rested);
+  // What a press copies must be at hand when it comes: browsers forbid it a moment later.
+  document.addEventListener("toggle", fetchTools, true);
+  document.addEventListener("keydown", leaveFullScreen);
+  document.documentElement.classList.toggle("full-screen", document.fullscreenEnabled);
+  for (const type of ["pointerover", "focusin"]) document.addEventListener(type, light);
+}
+
+/** The words that stand for an idea can be focused, as they can be pointed at. */
+export function offerWords() {
+  for (const word of document.querySelectorAll('main span[class^="role-"]')) {
+    word.setAttribute("tabindex", "0");
+  }
+}
+
+/** The address has become another one of the same page: its figures follow. */
+export async function returned() {
+  if (!document.querySelector("simulation-figure")) return;
+  const { showAddress } = await import("./permalink.js");
+  showAddress();
+}
+
+/** @param {MouseEvent} event */
+async function clicked(event) {
+  touch(event);
+  const link = within(event, "a.set[data-figure]", HTMLAnchorElement);
+  const tool = within(event, ".tools button", HTMLButtonElement);
+  if (link && isPlain(event)) {
+    event.preventDefault();
+    const { follow } = await import("./moves.js");
+    follow(link);
+  }
+  if (tool) {
+    const { use } = await import("./tools.js");
+    await use(tool);
+  }
+}
+
+/** @param {Event} event */
+function touch(event) {
+  const form = within(event, "form.controls", HTMLFormElement);
+  if (form) touched.add(form);
+}
+
+/**
+ * Keep what the reader has done in the address, once the figure rests.
+ *
+ * @param {Event} event
+ */
+async function rested(event) {
+  const figure = within(event, "simulation-figure", HTMLElement);
+  const form = figure?.querySelector("form.controls");
+  if (!figure || !form || !touched.has(form) || "moving" in figure.dataset) return;
+  const { record } = await import("./permalink.js");
+  record(figure, "replace");
+}
+
+/** @param {Event} event */
+function fetchTools(event) {
+  if (within(event, ".tools .share", HTMLElement)) import("./tools.js");
+}
+
+/** @param {KeyboardEvent} event */
+function leaveFullScreen({ key }) {
+  if (key === "Escape" && document.fullscreenElement) document.exitFullscreen();
+}
+
+/** @param {Event} event */
+async function light(event) {
+  const pointed = within(event, COLOURED, Element);
+  if (!pointed) return;
+  const { point } = await import("./light.js");
+  point(pointed);
+}

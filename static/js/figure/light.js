@@ -1,0 +1,80 @@
+/**
+ * What has the colour of an idea lights up what else has it. Words, symbols and readouts let the
+ * rest of the nearest figure step back, and mark the same colour in the text. Controls and handles
+ * only mark the text: the hand that moves them needs the whole picture.
+ */
+
+import { all, maybe } from "../page/dom.js";
+
+/** Milliseconds that a pointer must rest: one that passes lights nothing. */
+const REST = 150;
+
+let timer = 0;
+/** @type {Element | null} */
+let pointed = null;
+/** @type {AbortController | null} */
+let leaving = null;
+
+/**
+ * The reader points at, or has focused, something that may have a colour.
+ *
+ * @param {Element} element
+ */
+export function point(element) {
+  const figure = nearestFigure(element);
+  const role = figure && roleOf(element, figure);
+  if (element === pointed || !role) return;
+  putOut();
+  pointed = element;
+  leaving = new AbortController();
+  const { signal } = leaving;
+  for (const type of ["pointerleave", "focusout"]) {
+    element.addEventListener(type, putOut, { signal });
+  }
+  timer = setTimeout(() => {
+    const text = figure.closest("article");
+    if (text) text.dataset.lit = role;
+    // A figure that draws nothing in that colour has nothing to step back from.
+    const drawn = figure.querySelector(`.overlay .${role}`);
+    if (drawn && !element.matches(".control, .handle")) figure.dataset.lit = role;
+  }, REST);
+}
+
+function putOut() {
+  clearTimeout(timer);
+  leaving?.abort();
+  pointed = null;
+  for (const lit of all(document, "[data-lit]", HTMLElement)) delete lit.dataset.lit;
+}
+
+/**
+ * The colour of an element; of a control that of the handle which drives it.
+ *
+ * @param {Element} element
+ * @param {HTMLElement} figure
+ * @returns {string | undefined}
+ */
+function roleOf(element, figure) {
+  const name = element.matches(".control") && element.querySelector("[name]")?.getAttribute("name");
+  const driving = `[data-handle][data-drives~="${CSS.escape(name || "")}"]`;
+  const coloured = name ? maybe(figure, driving, HTMLElement) : element;
+  return /(?:^|\s)role-(\w+)/.exec(coloured?.getAttribute("class") ?? "")?.[1];
+}
+
+/**
+ * The figure that an element stands in, or the one that lies least far above or below it.
+ *
+ * @param {Element} element
+ * @returns {HTMLElement | null}
+ */
+function nearestFigure(element) {
+  const inside = element.closest("figure.simulation");
+  if (inside) return maybe(inside, "simulation-figure", HTMLElement);
+  const here = element.getBoundingClientRect();
+  const far = (/** @type {HTMLElement} */ figure) => {
+    const { top, bottom } = figure.getBoundingClientRect();
+    return Math.max(top - here.bottom, here.top - bottom);
+  };
+  const figures = all(document, "simulation-figure", HTMLElement);
+  return figures.sort((one, other) => far(one) - far(other))[0] ?? null;
+}

@@ -1,0 +1,51 @@
+/** What a figure is set to and what it measures, as a table for other programs. */
+
+import { all } from "../page/dom.js";
+import { readValues } from "./controls.js";
+import { settingsOf } from "./permalink.js";
+
+/**
+ * Comma-separated values: a line for each setting and each number, entries of a matrix row by row.
+ *
+ * @param {HTMLElement} figure
+ */
+export function numbersOf(figure) {
+  const { form, controls } = settingsOf(figure);
+  const settings = Object.entries(readValues(form, controls));
+  const rows = [
+    ["kind", "name", "label", "value", "unit"],
+    ...settings.map(([name, value]) => {
+      const control = controls.find((one) => one.name === name);
+      const unit = control?.kind === "slider" ? control.unit : "";
+      return ["setting", name, control?.label ?? "", String(value), unit];
+    }),
+    ...all(figure, "output", HTMLOutputElement).flatMap(readoutRows),
+  ];
+  return rows.map((row) => `${row.map(cell).join(",")}\r\n`).join("");
+}
+
+/**
+ * @param {HTMLOutputElement} output
+ * @returns {string[][]}
+ */
+function readoutRows(output) {
+  const box = output.parentElement;
+  const label = box?.querySelector(".readout-label")?.textContent ?? "";
+  const unit = box?.querySelector(".unit")?.textContent ?? "";
+  const lines = output.value.replaceAll("\u2212", "-").split("\n");
+  if (lines.length === 1) return [["readout", output.name, label, lines[0], unit]];
+  return lines.flatMap((line, row) =>
+    line
+      .trim()
+      .split(/\s+/)
+      .map((entry, column) => {
+        const name = `${output.name}[${row + 1},${column + 1}]`;
+        return ["readout", name, label, entry, unit];
+      }),
+  );
+}
+
+/** @param {string} text */
+function cell(text) {
+  return /[",\r\n]/.test(text) ? `"${text.replaceAll('"', '""')}"` : text;
+}

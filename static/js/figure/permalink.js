@@ -1,0 +1,176 @@
+/**
+ * The state of figures in the address of their page:
+ * `?<figure id>.<setting>=<value>&…`, of settings that differ from the page's start.
+ *
+ * A hand that moves a control replaces the present entry of the history once it rests, so that no
+ * drag fills the history, and a reload or a return finds the figure as it was left. What jumps (a
+ * link in the text, a reset) makes a new entry, so that Back undoes it.
+ */
+
+import { all, data, one } from "../page/dom.js";
+import { isArrived } from "../page/navigate.js";
+import { moveControls, readValues } from "./controls.js";
+import { say } from "./status.js";
+
+/** @import { Control, Schema, Value } from "./controls.js" */
+
+/**
+ * A figure's form, and all that can be set in it, the accuracy included.
+ *
+ * @param {HTMLElement} figure
+ */
+export function settingsOf(figure) {
+  /** @type {Schema} */
+  const schema = data(figure, "script.schema");
+  const { controls, tiers, default_tier: tier } = schema;
+  /** @type {Control[]} */
+  const all = tiers.length
+    ? [
+        ...controls,
+        { kind: "choice", name: "tier", label: "Accuracy", default: tier, options: tiers },
+      ]
+    : controls;
+  return {
+    form: one(figure, "form.controls", HTMLFormElement),
+    // A button that plays has no state worth keeping.
+    controls: all.filter((control) => control.kind !== "action" || !control.drives),
+    start: /** @type {Record<string, Value>} */ ({ ...schema.values, tier }),
+  };
+}
+
+/**
+ * The address of the page with a figure at some values; those of other figures stay.
+ *
+ * @param {HTMLElement} figure
+ * @param {Record<string, Value>} [values] What is left out is as the figure shows it.
+ * @param {string} [search] What the address says so far.
+ */
+export function addressOf(figure, values = {}, search = location.search) {
+  const { form, controls, start } = settingsOf(figure);
+  const shown = { ...readValues(form, controls), ...values };
+  const id = idOf(figure);
+  const query = new URLSearchParams(search);
+  for (const key of [...query.keys()]) if (key.startsWith(`${id}.`)) query.delete(key);
+  for (const { name } of controls) {
+    if (shown[name] !== start[name]) query.set(`${id}.${name}`, String(shown[name]));
+  }
+  const url = new URL(location.href);
+  url.search = query.toString();
+  return url;
+}
+
+/**
+ * The address that shows another reader what this figure shows now, and nothing else.
+ *
+ * @param {HTMLElement} figure
+ */
+export function permalink(figure) {
+  const url = addressOf(figure, {}, "");
+  url.hash = idOf(figure);
+  return url.href;
+}
+
+/**
+ * Put a figure's state into the address.
+ *
+ * @param {HTMLElement} figure
+ * @param {"replace" | "push"} entry
+ * @param {Record<string, Value>} [values] Where it is on its way to, if it is.
+ */
+export function record(figure, entry, values) {
+  const url = addressOf(figure, values);
+  const id = idOf(figure);
+  if (url.search.includes(`${id}.`)) url.hash = id; // so that the address is the figure's link
+  if (!isArrived() || url.href === location.href) return;
+  if (entry === "replace") history.replaceState(history.state, "", url);
+  else history.pushState({ scroll: Math.round(scrollY) }, "", url);
+}
+
+/**
+ * Put the controls of a figure that is not yet live to where the address says.
+ *
+ * @param {HTMLElement} figure
+ */
+export function arrive(figure) {
+  const { form, controls } = settingsOf(figure);
+  const { values, ignored } = addressed(figure);
+  moveControls(form, controls, values, "change");
+  tell(figure, ignored);
+}
+
+/** Bring every figure of the page to where the address says, or back to the page's start. */
+export function showAddress() {
+  for (const figure of all(document, "simulation-figure", HTMLElement)) {
+    const { form, controls, start } = settingsOf(figure);
+    const { values, ignored } = addressed(figure);
+    const wanted = { ...start, ...values };
+    const shown = readValues(form, controls);
+    const other = controls.filter(({ name }) => shown[name] !== wanted[name]);
+    moveControls(form, other, wanted, "change");
+    tell(figure, ignored);
+  }
+}
+
+/**
+ * What the address says of a figure, and what of it cannot be meant.
+ *
+ * @param {HTMLElement} figure
+ */
+function addressed(figure) {
+  const { controls } = settingsOf(figure);
+  const prefix = `${idOf(figure)}.`;
+  /** @type {Record<string, Value>} */
+  const values = {};
+  const ignored = [];
+  for (const [key, text] of new URLSearchParams(location.search)) {
+    if (!key.startsWith(prefix)) continue;
+    const name = key.slice(prefix.length);
+    const control = controls.find((one) => one.name === name);
+    const value = control && parse(control, text);
+    if (value === undefined) ignored.push(`${name}=${text}`);
+    else values[name] = value;
+  }
+  return { values, ignored };
+}
+
+/**
+ * The value that a text means; undefined where it means none. Numbers are brought into the range
+ * and onto the steps by the slider itself.
+ *
+ * @param {Control} control
+ * @param {string} text
+ * @returns {Value | undefined}
+ */
+function parse(control, text) {
+  const number = text.trim() === "" ? Number.NaN : Number(text);
+  switch (control.kind) {
+    case "slider":
+      return Number.isFinite(number) ? number : undefined;
+    case "toggle":
+      return { true: true, false: false }[text];
+    case "choice":
+      return control.options.includes(text) ? text : undefined;
+    case "action":
+      return control.labels[number] === undefined ? undefined : number;
+  }
+}
+
+/**
+ * Say what of the address was ignored, until the reader does something else.
+ *
+ * @param {HTMLElement} figure
+ * @param {string[]} ignored
+ */
+function tell(figure, ignored) {
+  if (ignored.length === 0) return;
+  const what = ignored.map((text) => (text.length > 60 ? `${text.slice(0, 60)}…` : text));
+  say(figure, `The address asks for what this figure does not have: ${what.join(", ")}.`, {
+    lasting: true,
+  });
+  figure.addEventListener("input", () => say(figure, ""), { once: true });
+}
+
+/** @param {HTMLElement} figure */
+function idOf(figure) {
+  return figure.closest("figure")?.id ?? "";
+}

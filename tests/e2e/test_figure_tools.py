@@ -1,0 +1,157 @@
+"""The row of tools below a figure: link, reset, full screen, files; and what is folded there."""
+
+import csv
+import io
+import re
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+
+import pytest
+from PIL import Image
+from playwright.sync_api import Locator
+from support.reader import Reader
+
+pytestmark = pytest.mark.browser
+
+CHAPTER = "lens-distortion/"
+ID = "figure-lens-distortion"
+
+
+@pytest.fixture
+def figure(visitor: Reader) -> Iterator[Locator]:
+    """A figure at a setting of its own, its list of tools open."""
+    visitor.page.context.grant_permissions(["clipboard-read", "clipboard-write"])
+    visitor.turn_to_unlinked(f"{CHAPTER}?{ID}.k1=-0.3")
+    found = visitor.figure("lens-distortion")
+    found.locator(".share > summary").click()
+    yield found
+    visitor.page.emulate_media(reduced_motion="null")
+
+
+def saved(figure: Locator, button: str) -> Path:
+    with figure.page.expect_download() as download:
+        figure.locator(button).click()
+    path = download.value.path()
+    return path.rename(path.with_name(download.value.suggested_filename))
+
+
+def test_the_link_that_is_copied_opens_the_figure_as_it_is(
+    visitor: Reader, figure: Locator
+) -> None:
+    figure.locator("[data-copy-link]").click()
+    figure.locator(".tools-said", has_text="copied").wait_for()
+    link = visitor.page.evaluate("navigator.clipboard.readText()")
+    assert link == f"{visitor.root}{CHAPTER}?{ID}.k1=-0.3#{ID}"
+
+
+def test_where_copying_is_forbidden_the_link_is_shown_to_be_copied_by_hand(
+    visitor: Reader, figure: Locator
+) -> None:
+    forbid = "() => { navigator.clipboard.writeText = () => Promise.reject(new Error('no')); }"
+    visitor.page.evaluate(forbid)
+    figure.locator("[data-copy-link]").click()
+    field = figure.locator(".copied")
+    field.wait_for()
+    visitor.page.evaluate("delete navigator.clipboard.writeText")
+    assert field.input_value().endswith(f"?{ID}.k1=-0.3#{ID}")
+
+
+def test_reset_returns_to_the_start_of_the_page_and_back_undoes_it(
+    visitor: Reader, figure: Locator
+) -> None:
+    visitor.page.emulate_media(reduced_motion="reduce")
+    figure.locator("[data-reset]").click()
+    is_at = "([figure, value]) => figure.querySelector('[name=k1]').value === value"
+    visitor.page.wait_for_function(is_at, arg=[figure.element_handle(), "0"])
+    assert visitor.page.evaluate("location.search") == ""
+    visitor.page.go_back()
+    visitor.page.wait_for_function(is_at, arg=[figure.element_handle(), "-0.3"])
+
+
+def test_the_numbers_are_saved_with_the_settings_that_they_belong_to(figure: Locator) -> None:
+    text = saved(figure, "[data-save-numbers]").read_text(encoding="utf-8")
+    rows = {(row["kind"], row["name"]): row for row in csv.DictReader(io.StringIO(text))}
+    assert rows["setting", "k1"]["value"] == "-0.3"
+    assert float(rows["readout", "corner"]["value"]) == -60.0
+    assert rows["readout", "corner"]["unit"] == "px"
+
+
+def test_a_picture_is_saved_at_twice_its_size_with_its_drawing(figure: Locator) -> None:
+    view = figure.locator('[data-panel="picture"] .panel-view')
+    with Image.open(saved(figure, '[data-save-panel="picture"]')) as picture:
+        assert picture.format == "PNG"
+        assert picture.size == tuple(view.evaluate("v => [2 * v.clientWidth, 2 * v.clientHeight]"))
+        colours = set(picture.convert("RGB").get_flattened_data())
+    error = figure.locator('[data-panel="picture"] .overlay .error').first
+    painted = error.evaluate("element => getComputedStyle(element).color")
+    assert tuple(int(part) for part in re.findall(r"\d+", painted)) in colours
+
+
+def test_a_drawing_is_saved_as_svg_that_needs_no_style_sheet(figure: Locator) -> None:
+    drawing = saved(figure, '[data-save-panel="grid"]').read_text(encoding="utf-8")
+    assert "class=" not in drawing
+    assert "data:font/woff2" in drawing or "data:application" in drawing
+    stroke = figure.locator('[data-panel="grid"] .overlay .image').first.evaluate(
+        "element => getComputedStyle(element).stroke"
+    )
+    assert stroke in drawing
+
+
+def test_full_screen_shows_the_figure_alone_and_escape_ends_it(
+    visitor: Reader, figure: Locator
+) -> None:
+    button = figure.locator("[data-full-screen]")
+    button.click()
+    visitor.page.wait_for_function(f"document.fullscreenElement?.id === '{ID}'")
+    assert button.get_attribute("aria-pressed") == "true"
+    visitor.page.keyboard.press("Escape")
+    visitor.page.wait_for_function("document.fullscreenElement === null")
+    assert button.get_attribute("aria-pressed") == "false"
+
+
+def test_the_tools_are_reached_by_keyboard(visitor: Reader, figure: Locator) -> None:
+    summary = figure.locator(".share > summary")
+    summary.focus()
+    visitor.page.keyboard.press("Tab")
+    assert figure.locator("[data-copy-link]").evaluate("b => b === document.activeElement")
+    visitor.page.keyboard.press("Enter")
+    figure.locator(".tools-said", has_text="copied").wait_for()
+
+
+def test_the_error_is_measured_only_while_it_is_shown(visitor: Reader, figure: Locator) -> None:
+    accuracy = figure.locator(".accuracy")
+    assert figure.locator(".accuracy-value").text_content() == "…"
+    figure.locator(".workings > summary").click()
+    visitor.page.wait_for_function(
+        "line => line.dataset.judged === 'true'", arg=accuracy.element_handle()
+    )
+    assert figure.locator(".accuracy-value").inner_text() != "…"
+
+
+def test_words_and_readouts_light_up_what_has_their_colour(visitor: Reader) -> None:
+    visitor.turn_to_unlinked(f"{CHAPTER}?{ID}.k1=-0.3")
+    figure = visitor.figure("lens-distortion")
+    caption = visitor.page.locator(f"#{ID} figcaption")
+    lit = "([element, role]) => (element.dataset.lit ?? '') === role"
+    for pointed, role in [
+        (caption.locator(".role-world"), "world"),
+        (figure.locator(".readout.role-ray"), "ray"),
+    ]:
+        pointed.hover()
+        for element in (figure, visitor.page.locator("article.chapter")):
+            visitor.page.wait_for_function(lit, arg=[element.element_handle(), role])
+        visitor.page.mouse.move(0, 0)
+        visitor.page.wait_for_function(lit, arg=[figure.element_handle(), ""])
+    caption.locator(".role-image").focus()
+    visitor.page.wait_for_function(lit, arg=[figure.element_handle(), "image"])
+    faded = "element => getComputedStyle(element).opacity !== '1'"
+    visitor.page.wait_for_function(
+        faded, arg=figure.locator(".overlay > .camera").first.element_handle()
+    )
+
+
+def test_numbers_do_not_speak_while_they_change(plain_reader: Reader, book: Any) -> None:
+    for chapter in book["chapters"]:
+        plain_reader.open(chapter["url"], live=False)
+        assert plain_reader.page.locator('output:not([aria-live="off"])').count() == 0

@@ -1,0 +1,94 @@
+"""The state of a figure in the address: read, written, and never trusted."""
+
+import pytest
+from playwright.sync_api import Locator
+from support.reader import Reader
+
+pytestmark = pytest.mark.browser
+
+CHAPTER = "lens-distortion/"
+ID = "figure-lens-distortion"
+
+
+def open_at(visitor: Reader, **settings: str) -> Locator:
+    """The chapter's first figure, at an address that asks for ``settings``."""
+    query = "&".join(f"{ID}.{name}={value}" for name, value in settings.items())
+    visitor.turn_to_unlinked(f"{CHAPTER}?{query}#{ID}")
+    return visitor.figure("lens-distortion")
+
+
+def values(figure: Locator, *names: str) -> list[str]:
+    return [figure.locator(f"form.controls [name={name}]").input_value() for name in names]
+
+
+def wait_address(visitor: Reader, search: str) -> None:
+    visitor.page.wait_for_function("search => location.search === search", arg=search)
+
+
+def test_an_address_sets_its_figure_and_no_other(visitor: Reader) -> None:
+    figure = open_at(visitor, k1="-0.3", picture="chart", tier="newton-5", correct="true")
+    assert values(figure, "k1", "picture", "tier") == ["-0.3", "chart", "newton-5"]
+    assert figure.locator("[name=correct]").is_checked()
+    assert figure.get_attribute("data-tier") == "newton-5"
+    assert figure.locator("output[name=corner]").inner_text() == "−60.0"
+    other = visitor.page.locator(f"#{ID}-2")
+    assert values(other, "k1", "k2") == ["-0.2", "0.2"]
+    assert not figure.locator(".figure-status").is_visible()
+
+
+def test_numbers_are_brought_into_range_and_onto_the_steps(visitor: Reader) -> None:
+    assert values(open_at(visitor, k1="-7", k2="0.1234"), "k1", "k2") == ["-0.5", "0.12"]
+
+
+def test_what_an_address_cannot_mean_is_ignored_with_a_word(visitor: Reader) -> None:
+    figure = open_at(
+        visitor, k1="1e", k2="", k9="1", picture="%E0%A4%A", correct="yes", tier="best"
+    )
+    assert values(figure, "k1", "k2", "picture", "tier") == ["0", "0", "room", "checked-table"]
+    said = figure.locator(".figure-message").inner_text()
+    assert all(f"{name}=" in said for name in ("k1", "k2", "k9", "picture", "correct", "tier"))
+    figure.locator("[name=k1]").fill("0.1")
+    figure.locator(".figure-status").wait_for(state="hidden")
+
+
+def test_a_hand_at_rest_is_kept_in_the_address_without_an_entry_of_the_history(
+    visitor: Reader,
+) -> None:
+    visitor.turn_to(CHAPTER)
+    figure = visitor.figure("lens-distortion")
+    entries = visitor.page.evaluate("history.length")
+    figure.locator("[name=k1]").fill("0.3")
+    figure.locator("[name=k2]").fill("-0.1")
+    wait_address(visitor, f"?{ID}.k1=0.3&{ID}.k2=-0.1")
+    assert visitor.page.evaluate("history.length") == entries
+    figure.locator("[name=k1]").fill("0")
+    wait_address(visitor, f"?{ID}.k2=-0.1")
+
+
+def test_a_figure_is_found_as_it_was_left_after_another_chapter_and_after_a_reload(
+    reader: Reader,
+) -> None:
+    reader.open(CHAPTER)
+    worker = reader.page.workers[0]
+    figure = reader.figure("lens-distortion")
+    figure.locator("[name=k1]").fill("0.3")
+    wait_address(reader, f"?{ID}.k1=0.3")
+    reader.turn_to("lighting-and-reflectance/")
+    reader.page.go_back()
+    reader.page.locator(f"#{ID}").wait_for()
+    reader.wait_live()
+    assert values(figure, "k1") == ["0.3"]
+    assert reader.page.workers == [worker]
+    reader.page.reload()
+    reader.wait_live()
+    assert values(figure, "k1") == ["0.3"]
+
+
+def test_the_link_of_the_chapter_itself_leads_to_its_start_and_keeps_the_interpreter(
+    visitor: Reader,
+) -> None:
+    figure = open_at(visitor, k1="0.3")
+    worker = visitor.page.workers[0]
+    visitor.turn_to(CHAPTER)
+    assert values(figure, "k1") == ["0"]
+    assert visitor.page.workers == [worker]

@@ -1,0 +1,88 @@
+"""*Copy as Python*: a script that says, without the book, what the figure says."""
+
+import json
+import subprocess
+import sys
+from pathlib import Path
+from typing import Any
+
+import pytest
+from playwright.sync_api import Page
+from support.reader import Reader
+
+from simulations.script import script
+
+pytestmark = pytest.mark.browser
+ROOT = Path(__file__).resolve().parents[2]
+
+FIGURES = """() => [...document.querySelectorAll('simulation-figure')].map((figure) => ({
+  scene: figure.dataset.simulation,
+  schema: JSON.parse(figure.querySelector('script.schema').textContent),
+  says: [...figure.querySelectorAll('.readout')].map((box) => [
+    box.querySelector('.readout-label').textContent,
+    box.querySelector('output').textContent,
+    box.querySelector('.unit').textContent,
+  ]),
+}))"""
+
+RUN_ALL = """
+import runpy, sys
+sys.path.insert(0, sys.argv[1])
+for file in sys.argv[2:]:
+    runpy.run_path(file)
+    print("\\f", end="")
+"""
+
+
+def run_elsewhere(folder: Path, scripts: list[str]) -> list[str]:
+    """What each script prints, in a folder that has nothing of the book."""
+    files = [folder / f"{number}.py" for number in range(len(scripts))]
+    for file, text in zip(files, scripts, strict=True):
+        file.write_text(text, encoding="utf-8")
+    command = [sys.executable, "-I", "-X", "utf8", "-c", RUN_ALL, str(ROOT), *map(str, files)]
+    done = subprocess.run(command, cwd=folder, capture_output=True, text=True, check=True)
+    return done.stdout.split("\f")[:-1]
+
+
+def says(rows: list[list[str]]) -> str:
+    return "".join(f"{label}: {text} {unit}".rstrip() + "\n" for label, text, unit in rows)
+
+
+def test_the_script_of_every_figure_prints_the_numbers_of_its_page(
+    plain_reader: Reader, book: Any, tmp_path: Path
+) -> None:
+    figures: list[dict[str, Any]] = []
+    for chapter in book["chapters"]:
+        plain_reader.open(chapter["url"], live=False)
+        figures += plain_reader.page.evaluate(FIGURES)
+    assert {figure["scene"] for figure in figures} == {s["id"] for s in book["simulations"]}
+    scripts = [
+        script(
+            figure["scene"],
+            json.dumps(figure["schema"]["values"]),
+            figure["schema"]["default_tier"],
+        )
+        for figure in figures
+    ]
+    printed = run_elsewhere(tmp_path, scripts)
+    assert printed == [says(figure["says"]) for figure in figures]
+
+
+def test_the_script_that_is_copied_prints_what_the_figure_shows_now(
+    visitor: Reader, tmp_path: Path
+) -> None:
+    visitor.page.context.grant_permissions(["clipboard-read", "clipboard-write"])
+    visitor.turn_to_unlinked(
+        "lens-distortion/?figure-lens-distortion.k1=-0.31&figure-lens-distortion.k2=0.07"
+    )
+    figure = visitor.figure("lens-distortion")
+    figure.locator(".share > summary").click()
+    figure.locator("[data-copy-python]").click()
+    figure.locator(".tools-said", has_text="copied").wait_for()
+    assert run_elsewhere(tmp_path, [copied(visitor.page)]) == [
+        says(visitor.page.evaluate(FIGURES)[0]["says"])
+    ]
+
+
+def copied(page: Page) -> str:
+    return str(page.evaluate("navigator.clipboard.readText()"))

@@ -1,0 +1,138 @@
+"""Words of the text that set a figure: by mouse and keyboard, in motion and at once."""
+
+from collections.abc import Callable, Iterator
+from typing import Any
+
+import pytest
+from playwright.sync_api import Locator
+from support.reader import Reader
+
+pytestmark = pytest.mark.browser
+
+CHAPTER = "lens-distortion/"
+BARREL = 'a.set[href="?figure-lens-distortion.k1=-0.2&figure-lens-distortion.k2=0#{}"]'.format(
+    "figure-lens-distortion"
+)
+CORRECTED = "a.set[data-values='{\"correct\": true}']"
+
+NOTE_VALUES = """(figure) => {
+  const k1 = figure.querySelector('[name=k1]');
+  window.passed = [];
+  k1.addEventListener('input', () => window.passed.push(k1.value));
+}"""
+
+
+@pytest.fixture
+def figure(visitor: Reader) -> Iterator[Locator]:
+    visitor.turn_to(CHAPTER)
+    yield visitor.figure("lens-distortion")
+    visitor.page.emulate_media(reduced_motion="null")
+
+
+def wait_value(visitor: Reader, figure: Locator, name: str, value: str) -> None:
+    visitor.page.wait_for_function(
+        "([figure, name, value]) => figure.querySelector(`[name=${name}]`).value === value",
+        arg=[figure.element_handle(), name, value],
+    )
+
+
+def in_view(locator: Locator) -> bool:
+    box = locator.bounding_box()
+    assert box
+    height: float = locator.page.evaluate("innerHeight")
+    return box["y"] > -0.5 * box["height"] and box["y"] + 0.5 * box["height"] < height
+
+
+@pytest.mark.parametrize(
+    "gesture",
+    [Locator.click, lambda link: (link.focus(), link.page.keyboard.press("Enter"))],
+    ids=["mouse", "keyboard"],
+)
+def test_sliders_glide_to_where_the_words_send_them(
+    visitor: Reader, figure: Locator, gesture: Callable[[Locator], object]
+) -> None:
+    figure.evaluate(NOTE_VALUES)
+    gesture(visitor.page.locator(BARREL).first)
+    wait_value(visitor, figure, "k1", "-0.2")
+    passed = [float(value) for value in visitor.page.evaluate("window.passed")]
+    assert passed == sorted(passed, reverse=True)
+    assert any(-0.2 < value < 0 for value in passed)
+    assert all(round(100 * value, 6) == round(100 * value) for value in passed)
+    visitor.settle(figure)
+    assert figure.locator("output[name=corner]").inner_text() == "−40.0"
+
+
+def test_a_figure_out_of_view_is_brought_into_it(visitor: Reader, figure: Locator) -> None:
+    link = visitor.page.locator(CORRECTED)
+    link.scroll_into_view_if_needed()
+    assert not in_view(figure.locator(".panels"))
+    link.click()
+    visitor.page.wait_for_function(
+        "figure => figure.querySelector('[name=correct]').checked", arg=figure.element_handle()
+    )
+    assert in_view(figure.locator(".panels"))
+
+
+def test_a_reader_who_asked_for_less_motion_is_taken_there_at_once(
+    visitor: Reader, figure: Locator
+) -> None:
+    visitor.page.emulate_media(reduced_motion="reduce")
+    figure.evaluate(NOTE_VALUES)
+    visitor.page.locator(BARREL).first.click()
+    wait_value(visitor, figure, "k1", "-0.2")
+    assert visitor.page.evaluate("window.passed") == []
+
+
+def test_a_hand_on_the_figure_stops_the_motion_where_it_is(
+    visitor: Reader, figure: Locator
+) -> None:
+    figure.evaluate("""(figure) => {
+      const k1 = figure.querySelector('[name=k1]');
+      k1.addEventListener('input', () => {
+        if (k1.value <= -0.05) figure.dispatchEvent(new Event('pointerdown'));
+      });
+    }""")
+    visitor.page.locator(BARREL).first.click()
+    visitor.page.wait_for_function(
+        "figure => figure.querySelector('[name=k1]').value <= -0.05", arg=figure.element_handle()
+    )
+    stopped = figure.locator("[name=k1]").input_value()
+    visitor.settle(figure)
+    assert figure.locator("[name=k1]").input_value() == stopped != "-0.2"
+
+
+def test_back_undoes_what_the_words_did(visitor: Reader, figure: Locator) -> None:
+    figure.locator("[name=k1]").fill("0.3")
+    visitor.page.locator(BARREL).first.click()
+    wait_value(visitor, figure, "k1", "-0.2")
+    visitor.page.go_back()
+    wait_value(visitor, figure, "k1", "0.3")
+    visitor.page.go_forward()
+    wait_value(visitor, figure, "k1", "-0.2")
+
+
+def test_every_link_of_the_book_brings_its_figure_to_what_it_says(
+    plain_reader: Reader, book: Any
+) -> None:
+    plain_reader.page.emulate_media(reduced_motion="reduce")
+    for chapter in book["chapters"]:
+        plain_reader.open(chapter["url"], live=False)
+        assert plain_reader.page.evaluate(FOLLOW_ALL) == [], chapter["url"]
+
+
+FOLLOW_ALL = """async () => {
+  const wrong = [];
+  for (const link of document.querySelectorAll('a.set')) {
+    const figure = document.getElementById(link.dataset.figure);
+    link.click();
+    const shows = () => Object.entries(JSON.parse(link.dataset.values)).every(([name, value]) => {
+      const control = figure.querySelector(`form.controls [name="${name}"]`);
+      if (control.type === 'checkbox') return control.checked === value;
+      if (control.type === 'button') return control.dataset.state === String(value);
+      return control.value === String(value);
+    });
+    for (let left = 100; left && !shows(); left -= 1) await new Promise((r) => setTimeout(r, 20));
+    if (!shows()) wrong.push(link.outerHTML);
+  }
+  return wrong;
+}"""
