@@ -10,6 +10,7 @@ from simulations.engine.settings import values_of
 from simulations.engine.stages import StageCache, run
 from simulations.models.distortion.lens_model import Distortion, distort
 from simulations.pictures.checker_room import checker_room
+from simulations.scenes.lens_distortion.drawing import IN_PICTURE
 from simulations.scenes.lens_distortion.radii import TIERS, inversion_error_px, pixel_radii
 from simulations.scenes.lens_distortion.scene import SCENE
 from simulations.scenes.lens_distortion.stages import (
@@ -36,6 +37,10 @@ def texts(frame: Frame) -> dict[str, str]:
 
 def statuses(frame: Frame) -> dict[str, str]:
     return {stage.name: stage.status for stage in frame.stages}
+
+
+def places_of(frame: Frame) -> set[str]:
+    return {place.name for place in frame.handles}
 
 
 def picture(frame: Frame) -> Raster:
@@ -137,8 +142,9 @@ def test_what_does_not_bend_lines_does_not_draw_them_anew() -> None:
 def test_without_a_barrel_the_margin_would_change_nothing(shown: str, k1: float, k2: float) -> None:
     assert not needs_margin(k1, k2)
     settings = values_of(SCENE.check({"picture": shown, "k1": k1, "k2": k2}))
+    given = {"tier": TIER, "photograph": None}
     tight, wide = (
-        run(STAGES, {**settings, "tier": TIER, "margin": margin}, StageCache()).outputs
+        run(STAGES, {**settings, **given, "margin": margin}, StageCache()).outputs
         for margin in (False, True)
     )
     assert tight["pinhole"].shape == (240, 320, 3)
@@ -153,6 +159,23 @@ def test_with_a_little_of_a_barrel_in_it_the_margin_is_drawn(k1: float, k2: floa
     assert needs_margin(k1, k2)
     outputs = SCENE.run(SCENE.check({"k1": k1, "k2": k2}), TIER, StageCache()).outputs
     assert outputs["pinhole"].shape == (420, 560, 3)
+
+
+@pytest.mark.parametrize("k2", [-0.2, 0.0, 0.2])
+@pytest.mark.parametrize("k1", [-0.5, -0.13, 0.5])
+def test_a_point_of_the_photograph_is_pulled_by_the_k1_that_images_it_there(
+    k1: float, k2: float
+) -> None:
+    image = 250 * distort(np.array(IN_PICTURE), Distortion(k1=k1, k2=k2))
+    place = (200 + float(image[0]), 150 + float(image[1]))
+    assert SCENE.pull(SCENE.check({"k2": k2}), "point", place) == {"k1": k1}
+    assert 0 < place[0] < 400
+    assert 0 < place[1] < 300
+
+
+def test_in_the_corrected_picture_nothing_has_moved_and_nothing_is_pulled() -> None:
+    assert "point" in places_of(render(k1=-0.2))
+    assert "point" not in places_of(render(k1=-0.2, correct=True))
 
 
 CACHE = StageCache()

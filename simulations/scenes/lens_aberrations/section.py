@@ -152,7 +152,6 @@ def _rim(stop: float, rim: float) -> Iterator[str]:
 
 def _notes(stop: float, dispersive: bool) -> Iterator[str]:
     if dispersive:
-        times = f"dispersion drawn {SPREAD:.0f} times as strong"
-        yield text((8, AXIS_Y + 156), times, "muted small halo")
+        yield text((8, AXIS_Y + 156), f"dispersion × {SPREAD:.0f}", "muted small halo")
     if stop < 0:
         yield text((8, 14), "stop as seen from the front", "muted small halo")

@@ -30,6 +30,8 @@ VIEW_WIDTH, VIEW_HEIGHT, UNITS_PER_RADIUS = 400.0, 300.0, 250.0
 CENTRE = (200.0, 150.0)
 SAMPLE = (0.4, -0.4)
 """The ideal point whose way is shown: a crossing of the grid, inside the fold at every setting."""
+IN_PICTURE = (0.56, 0.42)
+"""The ideal point marked in the photograph, on the way to a corner: in view at every setting."""
 VISIBLE_RADIUS_UNITS = 238.0
 """Larger circles show too little of themselves in the corners to be worth a label."""
 
@@ -66,8 +68,21 @@ def grid_overlay(lens: Distortion) -> str:
 
 
 def picture_overlay(lens: Distortion, *, corrected: bool) -> str:
-    """The limit of the photograph, or of what the correction can know."""
-    return _limits(lens, with_fold=corrected, with_image=not corrected)
+    """The limit of the photograph and a point on its way, or what the correction can know."""
+    limits = _limits(lens, with_fold=corrected, with_image=not corrected)
+    return limits if corrected else limits + _moved(lens)
+
+
+def image_of(point: tuple[float, float], lens: Distortion) -> tuple[float, float]:
+    """View box units of the image of an ideal point."""
+    x, y = to_view(distort(np.asarray(point), lens))
+    return float(x), float(y)
+
+
+def _moved(lens: Distortion) -> str:
+    """From where a pinhole would have put the marked point to where it is."""
+    way = to_view(np.asarray(IN_PICTURE)), image_of(IN_PICTURE, lens)
+    return line(*way, "casing") + line(*way, "image bold") + dot(way[1], "image")
 
 
 def to_view(xy: Floats) -> Floats:

@@ -1,16 +1,21 @@
-"""What of the lens-distortion figure can be grabbed: the sample point, in the grid and the plot."""
+"""What of the lens-distortion figure can be grabbed: a crossing of the grid, a point of the
+photograph, and the image radius of the crossing in the plot."""
 
 import math
 from collections.abc import Mapping
 
-import numpy as np
-
 from simulations.engine.controls import Value
 from simulations.engine.handles import Handle, Point
 from simulations.engine.stages import Outputs
-from simulations.models.distortion.lens_model import Distortion, distort
+from simulations.models.distortion.lens_model import Distortion
 from simulations.models.distortion.radial_profile import evaluate
-from simulations.scenes.lens_distortion.drawing import CENTRE, SAMPLE, UNITS_PER_RADIUS, to_view
+from simulations.scenes.lens_distortion.drawing import (
+    CENTRE,
+    IN_PICTURE,
+    SAMPLE,
+    UNITS_PER_RADIUS,
+    image_of,
+)
 from simulations.scenes.lens_distortion.profile import at_radii, radius_at
 from simulations.scenes.lens_distortion.settings import Settings
 
@@ -19,24 +24,43 @@ RADIUS = math.hypot(*SAMPLE)
 
 
 def _crossing(settings: Settings, _outputs: Outputs) -> Point:
-    x, y = to_view(distort(np.asarray(SAMPLE), Distortion(k1=settings.k1, k2=settings.k2)))
-    return float(x), float(y)
+    return image_of(SAMPLE, _lens(settings))
 
 
 def _crossing_pulled(settings: Settings, place: Point) -> Mapping[str, Value]:
-    """The image lies on the ray through the ideal point: what counts is how far out."""
-    across, down = ((place[i] - CENTRE[i]) / UNITS_PER_RADIUS for i in (0, 1))
-    along = (across * SAMPLE[0] + down * SAMPLE[1]) / RADIUS
-    return {"k1": _first_coefficient(along, RADIUS, settings.k2)}
+    return {"k1": _putting(SAMPLE, place, settings.k2)}
+
+
+def _in_picture(settings: Settings, _outputs: Outputs) -> Point | None:
+    """Where the picture is as the lens makes it."""
+    return None if settings.correct else image_of(IN_PICTURE, _lens(settings))
+
+
+def _in_picture_pulled(settings: Settings, place: Point) -> Mapping[str, Value]:
+    return {"k1": _putting(IN_PICTURE, place, settings.k2)}
 
 
 def _curve(settings: Settings, _outputs: Outputs) -> Point:
-    lens = Distortion(k1=settings.k1, k2=settings.k2)
-    return at_radii(RADIUS, float(evaluate(lens.radial, RADIUS)))
+    return at_radii(RADIUS, float(evaluate(_lens(settings).radial, RADIUS)))
 
 
 def _curve_pulled(settings: Settings, place: Point) -> Mapping[str, Value]:
     return {"k1": _first_coefficient(radius_at(place)[1], RADIUS, settings.k2)}
+
+
+def _lens(settings: Settings) -> Distortion:
+    return Distortion(k1=settings.k1, k2=settings.k2)
+
+
+def _putting(ideal: tuple[float, float], place: Point, k2: float) -> float:
+    """The k₁ that images a point at a place, or as far out as that.
+
+    The image lies on the ray through the ideal point: what counts is how far along it.
+    """
+    radius = math.hypot(*ideal)
+    across, down = ((place[i] - CENTRE[i]) / UNITS_PER_RADIUS for i in (0, 1))
+    along = (across * ideal[0] + down * ideal[1]) / radius
+    return _first_coefficient(along, radius, k2)
 
 
 def _first_coefficient(image: float, ideal: float, k2: float) -> float:
@@ -52,6 +76,15 @@ HANDLES: tuple[Handle[Settings], ...] = (
         ("k1",),
         _crossing,
         _crossing_pulled,
+        role="image",
+    ),
+    Handle(
+        "point",
+        "picture",
+        "Point of the picture",
+        ("k1",),
+        _in_picture,
+        _in_picture_pulled,
         role="image",
     ),
     Handle("curve", "profile", "Radius in the image", ("k1",), _curve, _curve_pulled, role="image"),
