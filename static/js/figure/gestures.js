@@ -11,7 +11,7 @@ const COLOURED = '[class*="role-"], .control';
 /** Figures that the reader has changed since the page was opened. */
 const touched = new WeakSet();
 
-/** Listen; to be called before those who follow links, since some of these are no links to them. */
+/** Listen; to be called before links to other pages are listened for, since some are answered here. */
 export function installGestures() {
   document.addEventListener("click", clicked);
   document.addEventListener("input", touch);
