@@ -37,6 +37,8 @@ class Standing:
     focus: float
     """Metres from where the camera stood before it stepped back."""
     light_angle: float
+    focal_length: float
+    """That of the camera where it stands now, millimetres."""
     view_rad: float
     near: float
     """Nearest and farthest end of the depth of field, metres from the camera ..."""
@@ -105,7 +107,7 @@ def draw_plan(plan: Standing) -> str:
             _wall(back),
             *(_thing(thing, back) for thing in THINGS),
             _lamp(plan.light_angle, back),
-            _camera(plan.view_rad),
+            _camera(plan),
         )
     )
 
@@ -184,9 +186,11 @@ def _lamp(light_angle: float, back: float) -> str:
     return drawing.arrow(start, end, "light bold") + drawing.circle(start, 5.0, "light solid")
 
 
-def _camera(view_rad: float) -> str:
+def _camera(plan: Standing) -> str:
     x, row = on_plan(0, 0)
     body = drawing.rectangle((x - 13, row + 5), 26, 15, "camera fill")
     lens = drawing.rectangle((x - 6, row - 1), 12, 6, "camera solid")
-    label = drawing.text((x + 20, row + 17), f"{math.degrees(view_rad):.0f}°", "camera strong")
+    seen = f"{math.degrees(plan.view_rad):.0f}°"
+    told = f"{seen} at {plan.focal_length:.0f} mm" if plan.back else seen
+    label = drawing.text((x + 20, row + 17), told, "camera strong")
     return body + lens + label

@@ -81,7 +81,17 @@ def draw(settings: Settings, outputs: Outputs) -> Frame:
     view_rad = view_of(now)
     near, far = depth_of_field_m(now)
     quality = decibels((rms_codes(photograph, outputs["noiseless picture"]) / 255.0) ** 2)
-    plan = draw_plan(Standing(settings.focus, settings.light_angle, view_rad, near, far, now.back))
+    plan = draw_plan(
+        Standing(
+            focus=settings.focus,
+            light_angle=settings.light_angle,
+            focal_length=now.focal_length,
+            view_rad=view_rad,
+            near=near,
+            far=far,
+            back=now.back,
+        )
+    )
     return Frame(
         panels=(
             Panel("photograph", "Captured image", PLAN_WIDTH, PLAN_HEIGHT, photograph),
