@@ -84,7 +84,11 @@ class Scene[S]:
     def run(
         self, settings: S, tier: str, cache: StageCache, photograph: Photograph | None = None
     ) -> Run:
-        """What the stages make of these settings; a tier that the scene lacks is its default."""
+        """What the stages make of these settings; a tier that the scene lacks is its default.
+
+        With the outputs comes the reader's own picture, as ``photograph``, for those who put into
+        words what is seen.
+        """
         tier = self._settled(tier)
         extra = self.parameters(settings, tier) if self.parameters else {}
         if extra is None:
@@ -95,7 +99,8 @@ class Scene[S]:
             "photograph": photograph,
             **extra,
         }
-        return run(self.stages, read, cache)
+        done = run(self.stages, read, cache)
+        return replace(done, outputs={**done.outputs, "photograph": photograph})
 
     def render(
         self, settings: S, tier: str, cache: StageCache, photograph: Photograph | None = None

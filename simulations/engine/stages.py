@@ -22,7 +22,7 @@ type Parameter = Value | Photograph | None
 type Key = tuple[str, tuple[tuple[str, Parameter], ...], tuple[Key, ...]]
 """A stage's name, the parameters that it read, and the keys of its inputs."""
 type Outputs = Mapping[str, Any]
-"""What each stage made, by its name."""
+"""What each stage made, by its name; see `simulations.engine.scene.Scene.run` for what else."""
 
 
 @dataclass(frozen=True, slots=True)

@@ -10,21 +10,17 @@ from simulations.pictures.checker_room import checker_room
 from simulations.pictures.soft_colours import soft_colours
 
 ROOM_FOCAL_PX = 170.0
-CLOSE_ROWS, CLOSE_COLUMNS = 16, 20
-"""Pixels of a close-up."""
 
 
 @dataclass(frozen=True, slots=True)
 class Subject:
-    """A picture and the place to look at closely."""
+    """A picture to try a mosaic on."""
 
     label: str
     words: str
     """What is seen, for a sentence."""
     draw: Callable[[Window], Floats]
     """A part of the picture, (h, w, 3) linear RGB in [0, 1], float32."""
-    close_up: Window
-    """Starts on an even row and column, so that its mosaic begins like that of the whole."""
 
 
 def _room(window: Window) -> Floats:
@@ -40,21 +36,11 @@ def _cut(picture: Floats, window: Window) -> Floats:
     return picture[rows, window.left : window.left + window.width]
 
 
-def _close(top: int, left: int) -> Window:
-    return Window(top, left, CLOSE_ROWS, CLOSE_COLUMNS)
-
-
 SUBJECTS: Mapping[str, Subject] = MappingProxyType(
     {
-        "balloon": Subject(
-            "Balloon", "a striped balloon over rows of tulips", balloon, _close(56, 130)
-        ),
-        "room": Subject(
-            "Room", "a room with a chequered floor and a window", _room, _close(70, 52)
-        ),
-        "soft": Subject(
-            "Soft colours", "soft waves that run another way in each colour", _soft, _close(80, 110)
-        ),
+        "balloon": Subject("Balloon", "a striped balloon over rows of tulips", balloon),
+        "room": Subject("Room", "a room with a chequered floor and a window", _room),
+        "soft": Subject("Soft colours", "soft waves that run another way in each colour", _soft),
     }
 )
 """By name: strong colours and very fine detail; edges common to all colours; nothing common."""

@@ -3,7 +3,7 @@
 readout("lens-distortion", "corner", k1=-0.2)       what a figure says at that setting
 measured("resampling", "nearest", "psnr-round")     a number from the bench's file
 2 * degrees(atan(18 / focal_mm))                    arithmetic
-field_of_view(36, 50)                               a function that ``:uses:`` names
+field_of_view_rad(50, 36)                           a function that ``:uses:`` names
 """
 
 from collections.abc import Callable

@@ -97,7 +97,7 @@ def the_numbers_of_the_direct_linear_transform() -> Says:
 
 def dividing_by_a_negative_w() -> Says:
     u, v, w = 6, -4, -2
-    yield f"- [x] $({u / w:g}, {v / w:g})$"
+    yield f"The point $({u / w:g}, {v / w:g})$"
 
 
 def which_segment_is_torn() -> Says:

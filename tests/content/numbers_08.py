@@ -23,6 +23,7 @@ from simulations.pictures.still_life.things import THINGS, WALL_DISTANCE, thing_
 from simulations.scenes.camera import scene as camera
 from simulations.scenes.camera.lens import COLUMNS, ROWS, bend_rays, margin_px, sensor_rays
 from simulations.scenes.camera.sensor import ADC
+from simulations.scenes.camera.settings import Settings
 from simulations.scenes.camera.stages import STAGES, TIERS
 
 CHAPTER = "08-full-camera-model"
@@ -140,7 +141,7 @@ def half_the_field_of_view() -> Says:
     focal = 1 / (1 / half + 1 / 3200)
     yield f"Half is reached at {focal:.0f} mm."
     assert isclose(2 * field_of_view_rad(principal_distance_mm(focal, 3200), 36), angle)
-    assert isclose(camera.view_of(camera.Settings()), angle)
+    assert isclose(camera.view_of(Settings()), angle)
 
 
 def a_quarter_as_deep() -> Says:
@@ -205,7 +206,7 @@ def errors_in_codes(**setting: float) -> tuple[float, float]:
 
 
 def how_seldom_the_straight_picture_is_drawn_again() -> Says:
-    again, start = [], camera.Settings()
+    again, start = [], Settings()
     for lens in range(24, 136, 10):
         sweep = [margin_px(lens, start.focus, k1 / 100) for k1 in range(-40, 41)]
         again += [before != after for before, after in pairwise(sweep)]

@@ -52,7 +52,7 @@ def test_every_chapter_shows_the_figures_and_questions_that_the_catalogue_names(
 
 
 def _assert_unmoved(reader: Reader, where: str) -> None:
-    """Nothing has moved on the page since it was opened, nor on the one before."""
+    """Nothing has moved on this page, nor on those from which the reader turned to it."""
     shifts = reader.page.evaluate("window.shifts")
     total = sum(shift["value"] for shift in shifts)
     assert total < 0.01, f"{where} moved by {total:.3f}: {shifts}"
@@ -90,6 +90,8 @@ STILLS = """async () => {
 
 @pytest.fixture(scope="module", params=SCENE_MODULES)
 def scene(request: pytest.FixtureRequest, book: Any) -> Any:
+    if not any(request.param in chapter["simulations"] for chapter in book["chapters"]):
+        pytest.skip("no chapter shows it")
     return next(scene for scene in book["simulations"] if scene["id"] == request.param)
 
 

@@ -5,14 +5,16 @@ import pytest
 
 from simulations.engine.controls import Choice
 from simulations.engine.frame import Frame, Raster, Readout
+from simulations.engine.photograph import Photograph
 from simulations.engine.stages import StageCache
-from simulations.models.color.srgb import decode_srgb
+from simulations.models.color.srgb import decode_srgb, encode_srgb
 from simulations.models.sensor.bayer import mosaic
 from simulations.models.sensor.demosaicing import METHODS
 from simulations.pictures.balloon import WHOLE, balloon
 from simulations.pictures.mosaic_subjects import SUBJECTS
 from simulations.registry import load_ladder
-from simulations.scenes.bayer_demosaic.scene import METHOD_LABELS, SCENE
+from simulations.scenes.bayer_demosaic.scene import SCENE
+from simulations.scenes.bayer_demosaic.settings import METHOD_LABELS
 
 
 @pytest.fixture(scope="module")
@@ -43,10 +45,10 @@ def test_each_pixel_of_the_mosaic_shows_one_colour(cache: StageCache) -> None:
 
 def test_the_whole_mosaic_has_two_samples_a_cell_and_is_smoothed(cache: StageCache) -> None:
     """Any other scale than a whole number would beat with the pattern, seen on a screen."""
-    whole, close = (frame(cache, view=view) for view in ("whole", "close"))
-    cells = raster(whole)[::2, ::2]
-    np.testing.assert_array_equal(cells.repeat(2, axis=0).repeat(2, axis=1), raster(whole))
-    assert (whole.panels[0].pixelated, close.panels[0].pixelated) == (False, True)
+    shown = frame(cache)
+    cells = raster(shown)[::2, ::2]
+    np.testing.assert_array_equal(cells.repeat(2, axis=0).repeat(2, axis=1), raster(shown))
+    assert [panel.pixelated for panel in shown.panels] == [False, True, False]
 
 
 @pytest.mark.parametrize("picture", SUBJECTS)
@@ -60,23 +62,37 @@ def test_the_mosaic_is_of_linear_light(cache: StageCache, picture: str) -> None:
 
 @pytest.mark.parametrize("picture", SUBJECTS)
 @pytest.mark.parametrize("demosaic", [0, 1])
-def test_the_close_up_is_a_part_of_the_whole(
-    cache: StageCache, picture: str, demosaic: int
+@pytest.mark.parametrize(("column", "row"), [(0, 0), (104, 56), (220, 176)])
+def test_the_loupe_enlarges_what_it_lies_on(
+    cache: StageCache, picture: str, demosaic: int, column: int, row: int
 ) -> None:
-    given: dict[str, object] = {"picture": picture, "demosaic": demosaic}
-    whole, close = (raster(frame(cache, view=view, **given)) for view in ("whole", "close"))
-    window, scale = SUBJECTS[picture].close_up, 1 if demosaic else 2
-    cut = whole[::scale, ::scale][window.top :, window.left :][: window.height, : window.width]
-    assert window.top % 2 == window.left % 2 == 0
-    np.testing.assert_array_equal(cut, close)
+    shown = frame(cache, picture=picture, demosaic=demosaic, column=column, row=row)
+    whole = raster(shown) if demosaic else raster(shown)[::2, ::2]
+    np.testing.assert_array_equal(
+        whole[row : row + 16, column : column + 20], raster(shown, 1), strict=True
+    )
 
 
-def test_a_mosaic_seen_from_close_up_needs_no_whole_picture() -> None:
-    balloon.cache_clear()
-    frame(StageCache(), view="close")
-    assert balloon.cache_info().misses == 1
-    balloon(WHOLE)
-    assert balloon.cache_info().misses == 2
+def test_beside_the_mosaic_stands_what_it_was_taken_of(cache: StageCache) -> None:
+    truth = np.rint(255 * encode_srgb(balloon()))
+    np.testing.assert_array_equal(raster(frame(cache), 2)[..., :3], truth)
+
+
+def test_moving_the_loupe_computes_nothing() -> None:
+    for demosaic in (0, 1):
+        cache = StageCache()
+        frame(cache, demosaic=demosaic)
+        moved = frame(cache, demosaic=demosaic, column=40, row=116)
+        assert "computed" not in {report.status for report in moved.stages}
+
+
+def test_a_grey_picture_of_the_reader_s_has_nothing_to_get_wrong() -> None:
+    own = Photograph.from_canvas(1, bytes((90, 90, 90, 255)) * 240 * 192, 240, 192)
+    shown = SCENE.render(SCENE.check({"demosaic": 1}), "", StageCache(), own)
+    assert texts(shown)["worst"] == "0"
+    assert texts(shown)["shared"] == "undefined / undefined"
+    assert "your own picture" in shown.description
+    assert "balloon" not in shown.description
 
 
 def test_a_quarter_a_half_and_a_quarter_are_measured(cache: StageCache) -> None:
@@ -87,7 +103,7 @@ def test_a_quarter_a_half_and_a_quarter_are_measured(cache: StageCache) -> None:
 def test_pressing_demosaic_shows_the_error_of_the_method(cache: StageCache, method: str) -> None:
     shown = frame(cache, demosaic=1, method=method)
     assert 15 < float(texts(shown)["psnr"]) < 60
-    assert raster(shown, 1)[..., :3].any()
+    assert raster(shown, 2)[..., :3].any()
 
 
 def told_psnr(cache: StageCache, name: str, **given: object) -> dict[str, float]:
@@ -131,11 +147,11 @@ def test_the_more_detail_the_colours_share_the_more_the_clever_methods_gain(
 
 
 @pytest.mark.parametrize("demosaic", [0, 1])
-@pytest.mark.parametrize("view", ["whole", "close"])
-def test_layout_never_changes(cache: StageCache, demosaic: int, view: str) -> None:
-    shown = frame(cache, demosaic=demosaic, view=view)
+def test_layout_never_changes(cache: StageCache, demosaic: int) -> None:
+    shown = frame(cache, demosaic=demosaic)
     assert [(p.name, p.width, p.height) for p in shown.panels] == [
         ("picture", 400, 320),
+        ("loupe", 400, 320),
         ("error", 400, 320),
     ]
     assert list(texts(shown)) == ["samples", "shared", "psnr", "light", "worst"]
@@ -146,15 +162,20 @@ def test_changing_the_method_keeps_picture_and_mosaic() -> None:
     frame(cache, demosaic=1)
     reports = frame(cache, demosaic=1, method="menon").stages
     computed = [report.name for report in reports if report.status == "computed"]
-    assert computed == ["demosaic", "display", "error"]
+    assert computed == [
+        "demosaic",
+        "display",
+        "error",
+        "bytes of the picture",
+        "bytes of the error",
+    ]
 
 
-@pytest.mark.parametrize("view", ["whole", "close"])
-def test_before_demosaic_is_pressed_there_is_only_a_mosaic(view: str) -> None:
-    stages = frame(StageCache(), view=view).stages
-    computed = [report.name for report in stages if report.status == "computed"]
-    assert computed == ["picture", "mosaic"]
-    assert {report.status for report in stages[2:]} == {"skipped"}
+def test_before_demosaic_is_pressed_nothing_is_demosaiced_or_judged() -> None:
+    status = {report.name: report.status for report in frame(StageCache()).stages}
+    assert {status[name] for name in ("shared detail", "demosaic", "display", "error")} == {
+        "skipped"
+    }
 
 
 def told(cache: StageCache, **given: object) -> Readout:
@@ -187,7 +208,7 @@ def test_green_is_measured_twice_as_often_and_errs_least(cache: StageCache) -> N
 def test_the_error_of_a_colour_is_that_of_the_bytes_shown(cache: StageCache) -> None:
     """The error picture shows four times the error. Here none is so large that it is cut off."""
     given: dict[str, object] = {"demosaic": 1, "method": "bilinear", "picture": "soft"}
-    errors = raster(frame(cache, **given), 1)[8:-8, 8:-8, :3] / 4.0
+    errors = raster(frame(cache, **given), 2)[8:-8, 8:-8, :3] / 4.0
     seen = np.sqrt(np.mean(errors**2, axis=(0, 1)))
     parts = [float(part) for part in told(cache, **given).text.split(", ")]
     assert seen == pytest.approx(parts, abs=0.1)

@@ -12,6 +12,7 @@ import pytest
 from simulations.engine.controls import Choice, Slider, Value
 from simulations.engine.handles import Handle, Point, places
 from simulations.engine.scene import Scene
+from simulations.engine.settings import values_of
 from simulations.engine.stages import StageCache
 from simulations.registry import SCENE_MODULES, load_scene
 
@@ -65,7 +66,7 @@ class Start:
         return self.handle.at(self.settings, Outputs(self.scene, self.settings))
 
     def having(self, values: Mapping[str, Value]) -> "Start":
-        return replace(self, settings=replace(self.settings, **values))
+        return replace(self, settings=self.scene.clamp({**values_of(self.settings), **values}))
 
     def pulled_to(self, place: Point) -> "Start":
         return self.having(self.scene.pull(self.settings, self.handle.name, place))

@@ -11,6 +11,7 @@ from scipy.fft import dctn
 
 from simulations.engine.controls import Choice
 from simulations.engine.frame import Frame
+from simulations.engine.photograph import Photograph
 from simulations.engine.stages import Outputs, StageCache
 from simulations.models.compression.blocks import round_outwards, to_blocks
 from simulations.models.compression.chroma_subsampling import SUBSAMPLING, coarsen
@@ -19,7 +20,8 @@ from simulations.models.compression.cosine_transforms import TRANSFORMS
 from simulations.models.compression.jpeg import compress, decode, tables
 from simulations.registry import load_ladder
 from simulations.scenes.jpeg.error import BLOCKS_A_STEP
-from simulations.scenes.jpeg.scene import BLOCK_COLUMNS, BLOCK_ROWS, SCENE, cut
+from simulations.scenes.jpeg.scene import SCENE, cut
+from simulations.scenes.jpeg.settings import BLOCK_COLUMNS, BLOCK_ROWS
 
 PIXELS = 240 * 192
 PILLOW_SUBSAMPLING = {"4:4:4": 0, "4:2:2": 1, "4:2:0": 2}
@@ -108,7 +110,7 @@ def test_the_close_up_holds_its_block_at_every_border(row: int, column: int) -> 
 def test_every_extreme_can_be_drawn_in_the_same_layout(quality: int, subsampling: str) -> None:
     shown = frame(quality=quality, subsampling=subsampling, row=24, column=30)
     assert [panel.name for panel in shown.panels] == ["picture", "block", "codes"]
-    assert shown.panels[2].overlay.count("<rect") == 64
+    assert shown.panels[2].overlay.count('text-anchor="middle"') == 64
 
 
 def test_the_original_is_shown_as_it_was() -> None:
@@ -149,7 +151,47 @@ def test_at_4_2_0_the_decoded_picture_is_pillows_up_to_rounding() -> None:
 def test_another_block_reuses_everything() -> None:
     cache = StageCache()
     frame(cache)
-    assert {stage.status for stage in frame(cache, row=2).stages} == {"reused"}
+    assert "computed" not in {stage.status for stage in frame(cache, row=2).stages}
+
+
+def test_with_the_mean_alone_every_block_of_luma_is_even() -> None:
+    done = outputs(first=1, subsampling="4:4:4")
+    luma, *_ = done["restored"]
+    assert np.ptp(to_blocks(luma), axis=(-2, -1)).max() < 1e-9
+
+
+def test_fewer_coefficients_cost_less_and_show_less() -> None:
+    shown = [texts(first=count, quality=90) for count in (1, 6, 20, 64)]
+    for name in ("psnr", "rate", "kept"):
+        numbers = [float(text[name]) for text in shown]
+        assert numbers == sorted(numbers)
+        assert numbers[0] < numbers[-1]
+
+
+def test_what_is_judged_is_the_rounding_and_not_what_the_reader_left_out() -> None:
+    assert judged("separable", first=1)[1] == 0
+
+
+@pytest.mark.parametrize(
+    ("column", "row", "first"), [(0, 0, 1), (1, 0, 2), (0, 1, 3), (3, 2, 18), (7, 7, 64)]
+)
+def test_a_pressed_coefficient_is_the_last_one_used(column: int, row: int, first: int) -> None:
+    left, top, width, height = 44, 32, 43, 35
+    middle = (left + (column + 0.5) * width, top + (row + 0.5) * height)
+    assert SCENE.pull(SCENE.check({}), "last", middle) == {"first": first}
+
+
+def own(level: int) -> Photograph:
+    """A picture of one grey."""
+    return Photograph.from_canvas(1, bytes((level, level, level, 255)) * PIXELS, 240, 192)
+
+
+def test_a_flat_picture_of_the_reader_s_comes_back_as_it_was_and_costs_nothing() -> None:
+    shown = SCENE.render(SCENE.check({"quality": 100}), "separable", StageCache(), own(128))
+    told = {item.name: item.text for item in shown.readouts}
+    assert (told["psnr"], told["ratio"]) == ("∞", "∞")
+    assert shown.description.startswith("Your own picture at JPEG quality 100")
+    assert "balloon" not in shown.description
 
 
 def judged(tier: str, **given: object) -> tuple[float, int, int]:

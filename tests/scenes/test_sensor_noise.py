@@ -9,6 +9,7 @@ from numpy.typing import NDArray
 from scipy import stats
 
 from simulations.engine.frame import Frame, Raster, Readout
+from simulations.engine.photograph import Photograph
 from simulations.engine.stages import Outputs, StageCache
 from simulations.ladders.shot_noise import LADDER
 from simulations.models.arrays import Floats
@@ -176,7 +177,7 @@ def test_another_patch_reuses_the_picture() -> None:
 @pytest.mark.parametrize(
     ("moved", "computed"),
     [
-        ({"exposure": -2}, ("electrons", "codes", "transfer", "picture")),
+        ({"exposure": -2}, ("light", "electrons", "codes", "transfer", "picture")),
         ({"dark": 100}, ("electrons", "codes", "transfer", "picture")),
         ({"read_noise": 3}, ("codes", "transfer", "picture")),
         ({"iso": "400"}, ("codes", "transfer", "picture")),
@@ -297,3 +298,60 @@ def test_only_light_and_warmth_are_dragged_in_the_draft() -> None:
 
 
 MOVED = {"exposure": -2, "dark": 100, "bits": 10, "iso": "400", "read_noise": 3, "patch": 2}
+
+
+def ramp() -> Photograph:
+    """A picture with detail of its own in every patch: a slant ramp over fine stripes."""
+    y, x = np.mgrid[:160, :240]
+    levels = np.clip(20 + 0.4 * x + 0.3 * y + 25 * (x % 4 < 2), 0, 255).astype(np.uint8)
+    rgba = np.stack([levels, levels, levels, np.full_like(levels, 255)], axis=-1)
+    return Photograph.from_canvas(1, rgba.tobytes(), 240, 160)
+
+
+def of_own(**given: object) -> tuple[Outputs, Frame]:
+    settings, cache = SCENE.check(given), StageCache()
+    done = SCENE.run(settings, "quantile", cache, ramp())
+    return done.outputs, SCENE.render(settings, "quantile", cache, ramp())
+
+
+def test_the_light_of_a_reader_s_picture_fills_the_well_where_it_is_white() -> None:
+    done, _ = of_own(exposure=-1)
+    codes = ramp().codes[..., 0] / 255
+    linear = np.where(codes <= 0.04045, codes / 12.92, ((codes + 0.055) / 1.055) ** 2.4)
+    tile = linear[40:80, 80:120].ravel()
+    assert done["light"][8] == pytest.approx(FULL_WELL_E / 2 * tile, rel=1e-3)
+
+
+@pytest.mark.parametrize("iso", ["100", "1600"])
+def test_a_reader_s_picture_tells_the_gain_although_it_has_detail_of_its_own(iso: str) -> None:
+    done, shown = of_own(exposure=-4 if iso == "1600" else 0, iso=iso)
+    measured: Transfer = done["transfer"]
+    assert measured.gain is not None
+    truth = sensor_of(12, iso, 10).gain_e_per_dn
+    assert abs(measured.gain.e_per_dn / truth - 1) < 0.15
+    assert shown.description.startswith(f"Your own picture at ISO {iso}")
+    assert "wedge" not in shown.description
+    assert {place.name for place in shown.handles} == {"patch", "floor"}
+
+
+def test_a_reader_s_picture_is_judged_by_even_patches_as_bright() -> None:
+    told = list(SCENE.estimates(SCENE.check({}), "quantile", StageCache(), ramp()))
+    assert len(told) == EXPOSURES
+    assert float(told[-1].text) < 1.6 * largest_chance_gap(24, 1600 * EXPOSURES)
+
+
+@pytest.mark.parametrize("patch", [1, 9, 24])
+def test_the_enlarged_patch_is_as_bright_whatever_its_light(patch: int) -> None:
+    enlarged = frame(iso="400", exposure=-2, patch=patch, read_noise=3).panels[1].raster
+    assert enlarged is not None
+    levels = enlarged[..., 0] / 255
+    linear = np.where(levels <= 0.04045, levels / 12.92, ((levels + 0.055) / 1.055) ** 2.4)
+    assert linear.mean() == pytest.approx(0.2, abs=0.02)
+
+
+def test_a_floor_pulled_up_needs_the_read_noise_that_theory_has() -> None:
+    given = {"iso": "400", "dark": 100}
+    (handle,) = (each for each in SCENE.handles if each.name == "floor")
+    place = handle.at(SCENE.check({**given, "read_noise": 37}), {})
+    assert place is not None
+    assert SCENE.pull(SCENE.check(given), "floor", place) == {"read_noise": 37}

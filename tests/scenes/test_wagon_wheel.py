@@ -4,6 +4,7 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 
+from simulations.engine.controls import Action, Slider
 from simulations.engine.frame import Frame
 from simulations.engine.stages import StageCache
 from simulations.ladders.exposure_blur import LADDER
@@ -200,3 +201,54 @@ def test_the_error_is_found_in_steps_that_agree() -> None:
 def test_an_unknown_tier_is_refused() -> None:
     with pytest.raises(ValueError, match="tier 'smear'; legal: instants-1, integral"):
         exposure_of("smear", 0)
+
+
+def place_of(name: str, **values: object) -> tuple[float, float]:
+    settings = SCENE.check(values)
+    (handle,) = (each for each in SCENE.handles if each.name == name)
+    place = handle.at(settings, {})
+    assert place is not None
+    return place
+
+
+@pytest.mark.parametrize("speed", [-4.0, -0.5, 2.9, 6.0])
+@pytest.mark.parametrize("quarters", [-1, 1])
+def test_a_wheel_turned_by_a_quarter_lets_the_time_of_a_quarter_pass(
+    speed: float, quarters: int
+) -> None:
+    """The nearer way round, in the sense of the hand."""
+    given = {"speed": speed, "frame_rate": 24, "time": 48}
+    x, y = place_of("spoke", **given)
+    across, down = x - 200, y - 150
+    turned = (200 - quarters * down, 150 + quarters * across)
+    (time,) = SCENE.pull(SCENE.check(given), "spoke", turned).values()
+    assert isinstance(time, float)
+    assert time == pytest.approx(48 + quarters * 0.25 * 24 / speed, abs=0.026)
+
+
+def test_the_wheel_of_a_film_that_is_at_its_start_turns_back_no_further() -> None:
+    given = {"speed": 0.05, "frame_rate": 60, "time": 0}
+    x, y = place_of("spoke", **given)
+    assert SCENE.pull(SCENE.check(given), "spoke", (x, y - 60)) == {"time": 0}
+
+
+@pytest.mark.parametrize("speed", [-6.0, -1.5, 0.0, 0.1, 2.9])
+def test_the_dial_has_each_speed_where_it_finds_it(speed: float) -> None:
+    place = place_of("speed", speed=speed)
+    assert SCENE.pull(SCENE.check({}), "speed", place) == {"speed": pytest.approx(speed)}
+
+
+def test_the_exposure_ends_where_the_spoke_is_when_the_shutter_closes() -> None:
+    """At 3 turns a second and 24 frames a second a frame is an eighth of a turn."""
+    x, y = place_of("exposure", speed=3, time=0, shutter=1)
+    assert np.arctan2(y - 150, x - 200) == pytest.approx(np.pi / 4)
+    closed = SCENE.pull(SCENE.check({"speed": 3, "time": 0, "shutter": 1}), "exposure", (400, 150))
+    assert closed == {"shutter": 0}
+
+
+def test_film_speed_is_24_frames_a_second() -> None:
+    controls = {control.name: control for control in SCENE.controls}
+    film, time = controls["film"], controls["time"]
+    assert isinstance(film, Action)
+    assert isinstance(time, Slider)
+    assert (time.maximum - time.minimum) / film.seconds == pytest.approx(24)

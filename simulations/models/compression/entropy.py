@@ -15,17 +15,7 @@ from numpy.typing import NDArray
 from simulations.models.arrays import Floats
 from simulations.models.compression.blocks import BLOCK, Codes
 from simulations.models.compression.jpeg import Coded
-
-
-def _zigzag() -> NDArray[np.intp]:
-    """Flat indices of a block along its antidiagonals: low frequencies first, by turns."""
-    row, column = np.divmod(np.arange(BLOCK * BLOCK), BLOCK)
-    diagonal = row + column
-    along = np.where(diagonal % 2, row, column)
-    return np.lexsort((along, diagonal))
-
-
-ZIGZAG = _zigzag()
+from simulations.models.compression.zigzag import ZIGZAG
 
 LARGEST = 2**15 - 1
 """At most 15 bits: a symbol has four of its eight for the length of its coefficient."""

@@ -6,6 +6,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from simulations.engine.frame import Raster
 from simulations.engine.raster import to_rgba8
 from simulations.engine.stages import Stage
 from simulations.models.arrays import Floats
@@ -14,31 +15,33 @@ from simulations.models.pixel_grid import centred
 from simulations.models.sampling import prefilters
 from simulations.models.sampling.aliasing import alias_frequency
 from simulations.models.sampling.prefilters import Prefilter, filtered_wave
+from simulations.scenes.aliasing.own import Own, sample_own
 
-PATTERNS = {"stripes": "Stripes", "zone_plate": "Zone plate"}
 SHOWN = 20
-"""Samples of the row that the second panel draws."""
+"""Pixels of the row that the second panel draws."""
 
 
 @dataclass(frozen=True, slots=True)
 class Pattern:
-    """Light 0.5 + 0.5 sin(φ + π(2 f x + c x²)) along a row, x in pixels."""
+    """Light 0.5 + 0.5 sin(φ + π(2 f x + c x²)) along a row, x in spacings of the samples."""
 
     kind: str
     frequency: float
-    """Cycles per pixel: of the stripes, or of the rings at the edge."""
+    """Cycles per sample: of the stripes, or of the rings at the edge."""
     phase_rad: float
     width: int
-    """Pixels in a row."""
+    """Samples in a row."""
     height: int
     first: float
-    """x of the first pixel's centre: 0 for stripes; the zone plate has 0 in the middle."""
+    """x of the first sample: 0 for stripes; the zone plate has 0 in the middle."""
     start: int
-    """Index of the first pixel that the second panel shows."""
+    """Index of the first sample that the second panel shows."""
+    rate: float
+    """Samples per pixel: what turns all this into the pixels that the reader is told of."""
 
     @property
     def chirp(self) -> float:
-        """How fast the frequency rises along the row, cycles per pixel per pixel."""
+        """How fast the frequency rises along the row, cycles per sample per sample."""
         return 0.0 if self.kind == "stripes" else 2.0 * self.frequency / self.width
 
     @property
@@ -48,7 +51,7 @@ class Pattern:
 
     @property
     def alias(self) -> float:
-        """What ``frequency`` folds to on the pixels, whichever way the wave then runs."""
+        """What ``frequency`` folds to on the samples, whichever way the wave then runs."""
         return abs(float(alias_frequency(self.frequency)))
 
     def local_frequency(self, x: ArrayLike) -> Floats:
@@ -74,18 +77,34 @@ class Pattern:
         return turned * filtered_wave(kernel, y, 0.0, self.chirp)
 
 
-def pattern_of(kind: str, frequency: float, phase_deg: float) -> Pattern:
-    """Stripes on 64 x 48 pixels, or a zone plate on 160 x 120."""
-    phase_rad = math.radians(phase_deg)
+def pattern_of(kind: str, frequency: float, phase_deg: float, rate: float = 1.0) -> Pattern:
+    """Stripes on 64 × 48 pixels, or a zone plate on 160 × 120, at ``rate`` samples a pixel.
+
+    ``frequency`` is in cycles per pixel.
+    """
+    # Rounded, so that what lies exactly on a fold is on the same side of it at every rate.
+    per_sample, phase_rad = round(frequency / rate, 9), math.radians(phase_deg)
+    width, height = (64, 48) if kind == "stripes" else (160, 120)
+    columns, rows = round(width * rate), round(height * rate)
     if kind == "stripes":
-        return Pattern(kind, frequency, phase_rad, 64, 48, first=0.0, start=0)
-    return Pattern(kind, frequency, phase_rad, 160, 120, first=-79.5, start=160 - SHOWN)
+        return Pattern(kind, per_sample, phase_rad, columns, rows, 0.0, 0, rate)
+    middle, start = 0.5 * (columns - 1), columns - samples_shown(rate)
+    return Pattern(kind, per_sample, phase_rad, columns, rows, -middle, start, rate)
 
 
-def picture(pattern: str, frequency: float, phase: float, prefilter: str) -> NDArray[np.uint8]:
-    """The sampled picture as canvas bytes."""
-    light = pattern_of(pattern, frequency, phase).picture(prefilters.prefilter(prefilter))
-    return to_rgba8(encode_srgb(np.clip(light, 0.0, 1.0)))
+def samples_shown(rate: float) -> int:
+    """How many samples the second panel draws."""
+    return math.floor((SHOWN - 1) * rate + 1e-9) + 1
 
 
-STAGES = (Stage("picture", picture),)
+def picture(
+    own: Own | None, pattern: str, frequency: float, phase: float, prefilter: str, rate: float
+) -> Raster:
+    """The sampled picture, as canvas bytes."""
+    if own:
+        return own.raster
+    shown = pattern_of(pattern, frequency, phase, rate).picture(prefilters.prefilter(prefilter))
+    return to_rgba8(encode_srgb(np.clip(shown, 0.0, 1.0)))
+
+
+STAGES = (Stage("own picture", sample_own), Stage("picture", picture, ("own picture",)))

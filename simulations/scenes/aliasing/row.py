@@ -5,43 +5,124 @@ from collections.abc import Iterator
 
 import numpy as np
 
-from simulations.engine.drawing import Point, dot, line, path, polyline, rectangle, text
+from simulations.engine.drawing import Point, circle, dot, line, path, polyline, rectangle, text
 from simulations.models.arrays import Floats
 from simulations.models.sampling.prefilters import Prefilter, prefilter, transfer
-from simulations.scenes.aliasing.pattern import SHOWN, Pattern
+from simulations.scenes.aliasing.own import FIRST, Own
+from simulations.scenes.aliasing.pattern import SHOWN, Pattern, samples_shown
 
 WIDTH, HEIGHT = 400.0, 300.0
 LEFT, RIGHT = 22.0, 386.0
 MIDDLE, AMPLITUDE = 158.0, 78.0
 FINE = 24
-"""Points of a curve between two samples."""
+"""Points of a curve to a pixel."""
 
 
 def mark(pattern: Pattern) -> str:
-    """The frame around the shown pixels, over the picture."""
+    """The frame around the shown samples, over the picture."""
     unit = WIDTH / pattern.width
     # An even count of rows has its middle between two of them: the upper one is marked.
-    row = (pattern.height / 2 - 1) * unit
-    corner = (pattern.start * unit + 1.0, row - 2.0)
-    size = (SHOWN * unit - 2.0, unit + 4.0)
+    row = (pattern.height - 1) // 2
+    return _frame(pattern.start * unit, row * unit, samples_shown(pattern.rate) * unit, unit)
+
+
+def mark_own(own: Own, rate: float) -> str:
+    """The frame around the pixels of the reader's picture that are shown."""
+    unit = WIDTH / own.linear.shape[1]
+    return _frame(FIRST * rate * unit, own.row * unit, SHOWN * rate * unit, unit)
+
+
+def _frame(left: float, top: float, width: float, height: float) -> str:
+    corner, size = (left + 1.0, top - 2.0), (width - 2.0, height + 4.0)
     return rectangle(corner, *size, "casing") + rectangle(corner, *size, "ray")
+
+
+def nyquist_ring(pattern: Pattern) -> str:
+    """Where in the zone plate the rings reach Nyquist, as far as they do."""
+    place = ring(pattern)
+    if place is None:
+        return ""
+    middle, radius = (WIDTH / 2, HEIGHT / 2), WIDTH / 2 - place[0]
+    circles = (circle(middle, radius, f"{style} dashed") for style in ("casing", "camera"))
+    label = text((place[0] + 12, place[1] + 4), "Nyquist", "camera halo small")
+    return "".join((*circles, dot(place, "camera", 5), label))
+
+
+def ring(pattern: Pattern) -> tuple[float, float] | None:
+    """The leftmost point of it."""
+    # Half a cycle per sample lies a quarter of the width from the middle, over the frequency.
+    radius = WIDTH / 4 / pattern.frequency if pattern.frequency else math.inf
+    return (WIDTH / 2 - radius, HEIGHT / 2) if radius <= WIDTH / 2 else None
+
+
+def frequency_of_ring(place: Point, rate: float) -> float:
+    """Of the plate's edge, in cycles per pixel, where the ring at Nyquist starts at a place."""
+    radius = WIDTH / 2 - float(place[0])
+    return rate * WIDTH / 4 / radius if radius > 0 else math.inf
 
 
 def draw(pattern: Pattern, kernel: Prefilter) -> str:
     """SVG markup of the second panel."""
-    x = np.linspace(0, SHOWN - 1, FINE * (SHOWN - 1) + 1)
+    x = _fine(pattern.rate)
     at = pattern.first + pattern.start
-    samples = pattern.wave(kernel, at + np.arange(SHOWN))
+    samples = np.arange(samples_shown(pattern.rate))
     filtered = kernel.weights.size > 1
-    true = pattern.wave(prefilter("none"), at + x)
+    behind = pattern.wave(kernel, at + x) if filtered else None
     alias = alias_curve(pattern, kernel, at)
-    parts = [*_axis(), _curve(x, true, "world thin faint" if filtered else "world thin")]
-    if filtered:
-        parts.append(_curve(x, pattern.wave(kernel, at + x), "light thin"))
-    if alias is not None:
-        parts.append(_curve(x, alias, "error dashed"))
-    parts += [dot(_place(n, float(value)), "image", 4.0) for n, value in enumerate(samples)]
+    parts = [
+        *_curves(x / pattern.rate, pattern.wave(prefilter("none"), at + x), behind, alias),
+        *_dots(samples / pattern.rate, pattern.wave(kernel, at + samples)),
+        dot(knob, "world", 5) if (knob := crest(pattern)) else "",
+    ]
     return "".join((*parts, *_legend(filtered, alias is not None)))
+
+
+def draw_own(own: Own, filtered: bool) -> str:
+    """Likewise, of the reader's picture."""
+    x = np.linspace(0, SHOWN - 1, own.curve.size)
+    behind = 2 * own.filtered - 1 if filtered else None
+    parts = [*_curves(x, 2 * own.curve - 1, behind, None), *_dots(own.places, 2 * own.samples - 1)]
+    return "".join((*parts, *_legend(filtered, aliased=False, name="light")))
+
+
+def crest(pattern: Pattern) -> tuple[float, float] | None:
+    """The second crest of the stripes, where it lies on the panel."""
+    if pattern.kind != "stripes" or pattern.frequency == 0.0:
+        return None
+    pixels = crest_turns(pattern.phase_rad) / (pattern.frequency * pattern.rate)
+    return _place(pixels, 1.0) if pixels <= SHOWN - 1 else None
+
+
+def crest_turns(phase_rad: float) -> float:
+    """How many cycles it lies from the left of the panel."""
+    return 1.25 - phase_rad / (2 * math.pi)
+
+
+def pixels_at(place: Point) -> float:
+    """How far from the left a place of the panel is, in pixels."""
+    return (float(place[0]) - LEFT) / (RIGHT - LEFT) * (SHOWN - 1)
+
+
+def _fine(rate: float) -> Floats:
+    """Places of the curves, in samples."""
+    return np.linspace(0, SHOWN - 1, FINE * (SHOWN - 1) + 1) * rate
+
+
+def _curves(
+    x: Floats, wave: Floats, filtered: Floats | None, alias: Floats | None
+) -> Iterator[str]:
+    """``x`` in pixels."""
+    yield from _axis()
+    yield _curve(x, wave, "world thin" if filtered is None else "world thin faint")
+    if filtered is not None:
+        yield _curve(x, filtered, "light thin")
+    if alias is not None:
+        yield _curve(x, alias, "error dashed")
+
+
+def _dots(x: Floats, samples: Floats) -> Iterator[str]:
+    for place, value in zip(x.tolist(), samples.tolist(), strict=True):
+        yield dot(_place(place, value), "image", 4.0)
 
 
 def alias_curve(pattern: Pattern, kernel: Prefilter, at: float) -> Floats | None:
@@ -50,8 +131,8 @@ def alias_curve(pattern: Pattern, kernel: Prefilter, at: float) -> Floats | None
     Between two samples the frequency k that is nearest is taken off. On a sample the phase
     2π k (x − x_sample) is a whole number of turns, so that the pieces meet there.
     """
-    x = np.linspace(0, SHOWN - 1, FINE * (SHOWN - 1) + 1)
-    between = np.minimum(np.floor(x + 1e-9), SHOWN - 2)
+    x = _fine(pattern.rate)
+    between = np.minimum(np.floor(x + 1e-9), math.ceil(x[-1] - 1e-9) - 1)
     whole = np.rint(pattern.local_frequency(at + between + 0.5))
     if not whole.any():
         return None
@@ -76,11 +157,11 @@ def _curve(x: Floats, wave: Floats, style: str) -> str:
     return polyline([_place(a, b) for a, b in zip(x.tolist(), wave.tolist(), strict=True)], style)
 
 
-def _legend(filtered: bool, aliased: bool) -> Iterator[str]:
+def _legend(filtered: bool, aliased: bool, name: str = "wave") -> Iterator[str]:
     """One line of signs; what is not drawn is left out, and its place stays empty."""
     y = 22.0
     yield line((LEFT, y - 4.5), (LEFT + 20, y - 4.5), "world")
-    yield text((LEFT + 26, y), "wave", "world")
+    yield text((LEFT + 26, y), name, "world")
     yield dot((LEFT + 82, y - 4.5), "image", 4.0)
     yield text((LEFT + 92, y), "samples", "image")
     if aliased:
@@ -88,8 +169,8 @@ def _legend(filtered: bool, aliased: bool) -> Iterator[str]:
         yield text((LEFT + 190, y), "alias", "error")
     if filtered:
         yield line((LEFT + 240, y - 4.5), (LEFT + 262, y - 4.5), "light")
-        yield text((LEFT + 268, y), "filtered wave", "light")
+        yield text((LEFT + 268, y), f"filtered {name}", "light")
 
 
-def _place(n: float, value: float) -> Point:
-    return (LEFT + (RIGHT - LEFT) * n / (SHOWN - 1), MIDDLE - AMPLITUDE * value)
+def _place(pixels: float, value: float) -> tuple[float, float]:
+    return (LEFT + (RIGHT - LEFT) * pixels / (SHOWN - 1), MIDDLE - AMPLITUDE * value)

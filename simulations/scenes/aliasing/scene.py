@@ -7,98 +7,83 @@ the left and right edges of the picture.
 
 import math
 from collections.abc import Iterator
-from dataclasses import dataclass
 
 import numpy as np
 
 from simulations.engine.frame import (
     Frame,
     Panel,
+    Raster,
     Readout,
     format_magnitude,
     format_number,
     readout,
 )
 from simulations.engine.scene import Scene
-from simulations.engine.settings import choice, slider
 from simulations.engine.stages import Outputs
 from simulations.models.arrays import Floats, Mask
 from simulations.models.error_measures import root_mean_square
 from simulations.models.pixel_grid import centred
-from simulations.models.sampling.prefilters import prefilter, transfer
+from simulations.models.sampling.prefilters import Prefilter, prefilter, transfer
 from simulations.scenes.aliasing import row, spectrum
-from simulations.scenes.aliasing.pattern import PATTERNS, STAGES, Pattern, pattern_of
+from simulations.scenes.aliasing.handles import HANDLES
+from simulations.scenes.aliasing.own import PHOTOGRAPH_PX, Own, ideal_own
+from simulations.scenes.aliasing.pattern import STAGES, Pattern, pattern_of
+from simulations.scenes.aliasing.settings import Settings
 
 NYQUIST = 0.5
-"""Cycles per pixel, at one sample a pixel."""
+"""Cycles per sample."""
 
 GUARD = 0.1
 """Of the zone plate, parts whose frequency is as close to Nyquist as this are not judged."""
 
-FILTERS = {
-    "none": "None: a point of each pixel",
-    "box": "Box: the pixel's whole area",
-    "box-2": "Box, by 2 × 2 points",
-    "box-4": "Box, by 4 × 4 points",
-    "box-8": "Box, by 8 × 8 points",
-    "gaussian": "Gaussian, σ = 0.5 px",
-    "sinc": "Windowed sinc, 8 px wide",
-}
-
-
-@dataclass(frozen=True, slots=True)
-class Settings:
-    """What the reader may change."""
-
-    pattern: str = choice("Pattern", PATTERNS)
-    frequency: float = slider("Frequency f", 0.3, 0, 1.2, 0.01, unit="cycles/px")
-    phase: float = slider("Phase φ", 90, 0, 360, 5, unit="°")
-    prefilter: str = choice("Filter before sampling", FILTERS)
-
 
 def draw(settings: Settings, outputs: Outputs) -> Frame:
     """The picture, one row of it against the wave, and where the frequency folds to."""
-    pattern = pattern_of(settings.pattern, settings.frequency, settings.phase)
+    own: Own | None = outputs["own picture"]
+    pattern = pattern_of(settings.pattern, settings.frequency, settings.phase, settings.rate)
     kernel = prefilter(settings.prefilter)
-    left = float(transfer(kernel, settings.frequency))
-    kept = amplitude_in_samples(pattern, left)
-    width, height = row.WIDTH, row.HEIGHT
+    left = float(transfer(kernel, pattern.frequency))
+    kept = abs(left) if own else amplitude_in_samples(pattern, left)
+    wave = "light" if own else "wave"
+    over_picture, over_row = _overlays(pattern, kernel, own)
     return Frame(
         panels=(
-            Panel(
-                "picture",
-                "The sampled picture",
-                width,
-                height,
-                outputs["picture"],
-                row.mark(pattern),
-                pixelated=True,
-            ),
-            Panel(
-                "row",
-                "The marked pixels: the wave and its samples",
-                width,
-                height,
-                overlay=row.draw(pattern, kernel),
-            ),
-            Panel(
+            _panel("picture", "The sampled picture", over_picture, outputs["picture"]),
+            _panel("row", f"The marked pixels: the {wave} and its samples", over_row),
+            _panel(
                 "spectrum",
                 "Where its frequency ends up",
-                width,
-                height,
-                overlay=spectrum.draw(pattern, kernel, kept),
+                spectrum.draw(pattern, kernel, kept, own),
             ),
         ),
         readouts=_readouts(pattern, abs(left), kept),
-        description=describe(settings, pattern.alias, abs(left), kept),
+        description=(
+            describe_own(settings, pattern, abs(left))
+            if own
+            else describe(settings, pattern, abs(left), kept)
+        ),
     )
 
 
+def _overlays(pattern: Pattern, kernel: Prefilter, own: Own | None) -> tuple[str, str]:
+    """Over the picture, and of the row."""
+    if own:
+        return row.mark_own(own, pattern.rate), row.draw_own(own, kernel.weights.size > 1)
+    ring = row.nyquist_ring(pattern) if pattern.kind == "zone_plate" else ""
+    return ring + row.mark(pattern), row.draw(pattern, kernel)
+
+
+def _panel(name: str, title: str, overlay: str, raster: Raster | None = None) -> Panel:
+    return Panel(name, title, row.WIDTH, row.HEIGHT, raster, overlay, raster is not None)
+
+
 def _readouts(pattern: Pattern, passed: float, kept: float) -> tuple[Readout, ...]:
-    frequency, alias = pattern.frequency, pattern.alias
+    frequency, alias = pattern.frequency * pattern.rate, pattern.alias * pattern.rate
+    nyquist = NYQUIST * pattern.rate
     return (
         readout("frequency", "True frequency f", frequency, "cycles/px", role="world"),
-        readout("nyquist", "Nyquist frequency", NYQUIST, "cycles/px"),
+        readout("nyquist", "Nyquist frequency", nyquist, "cycles/px", role="camera"),
         readout("alias", "Frequency shown", alias, "cycles/px", role="error"),
         readout("period", "One stripe every", _period(alias), "px", digits=1, role="error"),
         readout("passed", "The filter passes", passed, "of the wave", digits=3, role="light"),
@@ -124,11 +109,14 @@ def amplitude_in_samples(pattern: Pattern, left: float) -> float:
     return abs(left)
 
 
-def describe(settings: Settings, alias: float, passed: float, kept: float) -> str:
+def describe(settings: Settings, pattern: Pattern, passed: float, kept: float) -> str:
     """What the picture shows instead of what, and how strongly."""
     frequency, stripes = settings.frequency, settings.pattern == "stripes"
+    alias = pattern.alias * pattern.rate
     what = "Stripes" if stripes else "Rings that at the left and right edges reach"
     true = f"{what} {'of ' if stripes else ''}{format_number(frequency)} cycles per pixel"
+    if settings.rate != 1:
+        true += f" at {_rate(settings)}"
     strength = f"{format_number(100 * kept, 0)} % of their amplitude"
     if frequency == 0:
         return (
@@ -136,21 +124,39 @@ def describe(settings: Settings, alias: float, passed: float, kept: float) -> st
             if stripes
             else "Rings without an end: the whole picture is the centre of the zone plate."
         )
-    if stripes and math.isclose(frequency, NYQUIST):
+    if stripes and math.isclose(pattern.frequency, NYQUIST):
         return (
             f"{true}, exactly at Nyquist: two samples a cycle keep |sin φ| of what the filter "
             f"passes, here {strength} (φ = {format_number(settings.phase, 0)}°)."
         )
     if stripes and alias < 0.005:
         return f"{true}: every sample falls on the same place of the wave, and the picture is flat."
-    if frequency <= NYQUIST:
-        side = "below Nyquist" if frequency < NYQUIST else "which is Nyquist"
+    if pattern.frequency <= NYQUIST:
+        side = "below Nyquist" if pattern.frequency < NYQUIST else "which is Nyquist"
         return f"{true}, {side}: the picture shows them truly, with {strength}."
     where = "" if stripes else " there"
     return (
         f"{true}, above Nyquist: the picture shows false ones of {format_number(alias)} cycles "
         f"per pixel{where} instead, with {format_number(100 * passed, 0)} % of the amplitude."
     )
+
+
+def describe_own(settings: Settings, pattern: Pattern, passed: float) -> str:
+    """The reader's picture: what is true of any."""
+    nyquist, alias = NYQUIST * pattern.rate, pattern.alias * pattern.rate
+    sampled = (
+        f"Your own picture at {_rate(settings)}: detail of more than {format_number(nyquist)} "
+        f"cycles per pixel appears as coarser detail. A wave of {format_number(settings.frequency)}"
+    )
+    strength = f"with {format_number(100 * passed, 0)} % of its amplitude"
+    if pattern.frequency <= NYQUIST:
+        return f"{sampled} is shown truly, {strength}."
+    return f"{sampled} is shown as one of {format_number(alias)}, {strength}."
+
+
+def _rate(settings: Settings) -> str:
+    rate = format_number(settings.rate)
+    return f"{rate} samples a pixel" if settings.rate != 1 else "one sample a pixel"
 
 
 def ideal(pattern: Pattern) -> tuple[Floats, Mask]:
@@ -172,11 +178,15 @@ def ideal(pattern: Pattern) -> tuple[Floats, Mask]:
     return light, np.abs(highest - NYQUIST) > GUARD
 
 
-def estimate(settings: Settings, _outputs: Outputs, _tier: str) -> Iterator[Readout]:
+def estimate(settings: Settings, outputs: Outputs, _tier: str) -> Iterator[Readout]:
     """RMS of what the picture shows too much or too little of; found at once."""
-    pattern = pattern_of(settings.pattern, settings.frequency, settings.phase)
-    truth, judged = ideal(pattern)
-    off = (pattern.picture(prefilter(settings.prefilter)) - truth)[judged]
+    own: Own | None = outputs["own picture"]
+    if own:
+        off = own.linear - ideal_own(outputs["photograph"], settings.rate)
+    else:
+        pattern = pattern_of(settings.pattern, settings.frequency, settings.phase, settings.rate)
+        truth, judged = ideal(pattern)
+        off = (pattern.picture(prefilter(settings.prefilter)) - truth)[judged]
     text = format_magnitude(root_mean_square(off), 1e-9)
     yield Readout("error", "RMS off what pixels can show", text, "of range", "error")
 
@@ -188,5 +198,7 @@ SCENE = Scene(
     settings=Settings,
     draw=draw,
     stages=STAGES,
+    handles=HANDLES,
+    photograph=PHOTOGRAPH_PX,
     estimate=estimate,
 )

@@ -8,6 +8,7 @@ import numpy as np
 from simulations.engine.drawing import Point, arrow, dot, line, path, polygon, polyline, text
 from simulations.engine.frame import format_number
 from simulations.models.sampling.prefilters import Prefilter, transfer
+from simulations.scenes.aliasing.own import FINE, PHOTOGRAPH_PX, Own
 from simulations.scenes.aliasing.pattern import Pattern
 
 LEFT, RIGHT, FLOOR, FULL = 40.0, 386.0, 244.0, 116.0
@@ -22,42 +23,59 @@ ARC_TOP = 50.0
 """Row that the arrow from the true to the seen frequency passes."""
 
 
-def draw(pattern: Pattern, kernel: Prefilter, kept: float) -> str:
+def draw(pattern: Pattern, kernel: Prefilter, kept: float, own: Own | None) -> str:
     """SVG markup of the third panel; ``kept`` is the amplitude in the samples."""
-    frequency = pattern.frequency
-    passed = abs(float(transfer(kernel, frequency)))
+    rate, frequency = pattern.rate, pattern.frequency * pattern.rate
+    passed = abs(float(transfer(kernel, pattern.frequency)))
+    band = _band(frequency) if pattern.kind == "zone_plate" else iter(())
     return "".join(
         (
-            *_axes(),
-            _response(kernel),
-            *(_band(frequency) if pattern.kind == "zone_plate" else ()),
-            *_lines(frequency, pattern.alias, passed, kept),
+            *_axes(0.5 * rate),
+            *(_detail(own) if own else band),
+            _response(kernel, rate),
+            *_lines(pattern, passed, kept),
         )
     )
 
 
-def _axes() -> Iterator[str]:
-    beyond = [_at(0.5, 0), _at(HIGHEST, 0), _at(HIGHEST, 1), _at(0.5, 1)]
+def wave_at(frequency: float) -> tuple[float, float]:
+    """Where the wave in front of the lens stands: as high as it is before the filter."""
+    return _at(frequency, 1.0)
+
+
+def fold_at(frequency: float) -> tuple[float, float]:
+    """Where the axis is folded."""
+    return _at(frequency, 0.0)
+
+
+def frequency_at(place: Point) -> float:
+    """Cycles per pixel at a place of the panel."""
+    return HIGHEST * (float(place[0]) - LEFT) / (RIGHT - LEFT)
+
+
+def _axes(nyquist: float) -> Iterator[str]:
+    beyond = [_at(nyquist, 0), _at(HIGHEST, 0), _at(HIGHEST, 1), _at(nyquist, 1)]
     yield polygon(beyond, "muted fill faint")
     yield path([[_at(0, 1.1), _at(0, 0), _at(HIGHEST, 0)]], "muted")
     yield path([[_at(0, 1), _at(HIGHEST, 1)]], "muted thin faint")
-    x = _at(0.5, 0)[0]
-    yield line((x, FLOOR), (x, LABELS - 20), "muted dashed")
-    yield text((x, LABELS - 26), "Nyquist", "muted halo", "middle")
+    x = _at(nyquist, 0)[0]
+    yield line((x, FLOOR), (x, LABELS - 20), "camera dashed")
+    yield dot(fold_at(nyquist), "camera", 5)
+    yield text((x, LABELS - 26), "Nyquist", "camera halo", "middle")
     for tick in (0.0, 0.25, 0.5, 0.75, 1.0):
         x, y = _at(tick, 0)
         yield line((x, y), (x, y + 5), "muted thin")
-        yield text((x, y + 19), f"{tick:g}", "muted", "middle")
+        yield text((x, y + 23), f"{tick:g}", "muted", "middle")
     for share in (0.0, 1.0):
         x, y = _at(0, share)
         yield text((x - 8, y + 4.5), f"{share:g}", "muted", "end")
-    yield text((RIGHT, FLOOR + 42), "frequency, cycles per pixel", "", "end")
+    yield text((RIGHT, FLOOR + 46), "frequency, cycles per pixel", "", "end")
 
 
-def _response(kernel: Prefilter) -> str:
+def _response(kernel: Prefilter, rate: float) -> str:
     """What the filter passes, by frequency."""
     frequencies = np.linspace(0.0, HIGHEST, 121)
-    passed = np.abs(transfer(kernel, frequencies)).tolist()
+    passed = np.abs(transfer(kernel, frequencies / rate)).tolist()
     curve = [_at(f, a) for f, a in zip(frequencies.tolist(), passed, strict=True)]
     return polyline(curve, "light")
 
@@ -67,10 +85,20 @@ def _band(frequency: float) -> Iterator[str]:
     yield line(_at(0.0, 0.0), _at(frequency, 0.0), "world bold")
 
 
-def _lines(frequency: float, alias: float, passed: float, kept: float) -> Iterator[str]:
+def _detail(own: Own) -> Iterator[str]:
+    """How much of each frequency the reader's picture holds."""
+    frequencies = np.arange(own.detail.size) * FINE / PHOTOGRAPH_PX[0]
+    shape = [_at(f, a) for f, a in zip(frequencies.tolist(), own.detail.tolist(), strict=True)]
+    yield polygon([*shape, _at(float(frequencies[-1]), 0), _at(0, 0)], "world fill thin")
+    yield text((12, FLOOR + 46), "your picture, by octaves", "world small")
+
+
+def _lines(pattern: Pattern, passed: float, kept: float) -> Iterator[str]:
     """The wave before the filter, after it, and what the samples make of it."""
-    folded = frequency > 0.5
-    yield line(_at(frequency, 0), _at(frequency, 1), "world dashed")
+    frequency, alias = pattern.frequency * pattern.rate, pattern.alias * pattern.rate
+    folded = pattern.frequency > 0.5
+    yield line(_at(frequency, 0), wave_at(frequency), "world dashed")
+    yield dot(wave_at(frequency), "world", 5)
     yield line(_at(frequency, 0), _at(frequency, passed), "world bold")
     yield dot(_at(frequency, passed), "world", 4.5)
     if folded:
@@ -112,5 +140,5 @@ def _labels(frequency: float, alias: float, folded: bool) -> Iterator[str]:
         )
 
 
-def _at(frequency: float, amplitude: float) -> Point:
+def _at(frequency: float, amplitude: float) -> tuple[float, float]:
     return (LEFT + (RIGHT - LEFT) * frequency / HIGHEST, FLOOR - (FLOOR - FULL) * amplitude)

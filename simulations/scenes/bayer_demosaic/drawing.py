@@ -1,19 +1,21 @@
-"""The drawings of the Bayer scene: the frame of the enlargement and the letters of its filters."""
+"""The drawings of the Bayer scene: the loupe, the letters of the filters, the worst pixel."""
 
 import math
 from collections.abc import Iterator
 
 from simulations.engine.drawing import line, polygon, rectangle, text
-from simulations.pictures.mosaic_subjects import CLOSE_COLUMNS, CLOSE_ROWS
+from simulations.pictures.balloon import WIDTH as PICTURE_WIDTH
+from simulations.scenes.bayer_demosaic.settings import COLUMNS, ROWS
 
 WIDTH, HEIGHT = 400, 320
-"""A pixel of the close-up is a square of 20 units, large enough for a letter."""
+PIXEL, CELL = WIDTH / PICTURE_WIDTH, WIDTH / COLUMNS
+"""Sides of a pixel in the pictures, and under the loupe: large enough for a letter."""
 
 
-def close_up_frame(top: int, left: int, pixel: float) -> str:
-    """Where in the picture the close-up lies, ``pixel`` units to the pixel."""
-    corner, size = (left * pixel, top * pixel), (CLOSE_COLUMNS * pixel, CLOSE_ROWS * pixel)
-    return rectangle(corner, *size, "casing") + rectangle(corner, *size, "camera")
+def loupe(row: int, column: int) -> str:
+    """What of the picture is enlarged."""
+    corner, size = (column * PIXEL, row * PIXEL), (COLUMNS * PIXEL, ROWS * PIXEL)
+    return rectangle(corner, *size, "casing") + rectangle(corner, *size, "camera bold")
 
 
 def filter_letters(pattern: str) -> str:
@@ -22,25 +24,22 @@ def filter_letters(pattern: str) -> str:
 
 
 def _letters(pattern: str) -> Iterator[str]:
-    unit = WIDTH / CLOSE_COLUMNS
-    for row in range(CLOSE_ROWS):
-        for column in range(CLOSE_COLUMNS):
+    for row in range(ROWS):
+        for column in range(COLUMNS):
             letter = pattern[2 * (row % 2) + column % 2]
-            place = ((column + 0.5) * unit, (row + 0.5) * unit + 4)
+            place = ((column + 0.5) * CELL, (row + 0.5) * CELL + 4)
             yield text(place, letter, "small halo", "middle")
 
 
 def _quad() -> str:
-    unit = WIDTH / CLOSE_COLUMNS
-    corner = (8 * unit, 6 * unit)
-    return rectangle(corner, 2 * unit, 2 * unit, "casing") + rectangle(
-        corner, 2 * unit, 2 * unit, "camera bold"
-    )
+    corner, side = (8 * CELL, 6 * CELL), 2 * CELL
+    styles = ("casing", "camera bold")
+    return "".join(rectangle(corner, side, side, style) for style in styles)
 
 
-def worst_pixel(row: int, column: int, pixel: float) -> str:
+def worst_pixel(row: int, column: int) -> str:
     """A cross-hair at the pixel of the largest error."""
-    x, y = (column + 0.5) * pixel, (row + 0.5) * pixel
+    x, y = (column + 0.5) * PIXEL, (row + 0.5) * PIXEL
     parts = []
     for style in ("casing", "error"):
         corners = [

@@ -8,14 +8,17 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from simulations.engine.frame import Raster
+from simulations.engine.photograph import Photograph
+from simulations.engine.raster import to_rgba8
 from simulations.engine.stages import Stage
 from simulations.models.arrays import Floats
-from simulations.models.color.srgb import encode_srgb
+from simulations.models.color.srgb import decode_srgb, encode_srgb
 from simulations.models.error_measures import psnr_db
-from simulations.models.sensor.bayer import mosaic
+from simulations.models.sensor.bayer import mosaic, through_filters
 from simulations.models.sensor.demosaicing import demosaic
 from simulations.models.sensor.shared_detail import shared_detail
-from simulations.pictures.balloon import WHOLE
+from simulations.pictures.balloon import HEIGHT, WHOLE, WIDTH
 from simulations.pictures.mosaic_subjects import SUBJECTS
 
 type Picture = Floats
@@ -23,6 +26,9 @@ type Picture = Floats
 PATTERN = "RGGB"
 CROP = 8
 """Border, in pixels, that the figures of merit leave out."""
+AMPLIFY = 4
+"""Factor of the error picture: a quarter of the range off is shown in full."""
+PHOTOGRAPH_PX = (WIDTH, HEIGHT)
 
 
 @dataclass(frozen=True, slots=True)
@@ -66,10 +72,20 @@ def _reconstruct(cfa: Picture, method: str) -> Picture:
     return np.clip(demosaic(cfa, PATTERN, method), 0, 1)
 
 
-def _part_of(picture: str, part: str) -> Picture:
-    """In linear light: the close-up alone, or the whole picture."""
-    subject = SUBJECTS[picture]
-    return subject.draw(subject.close_up if part == "close-up" else WHOLE)
+def _seen(picture: str, photograph: Photograph | None) -> Picture:
+    """In linear light, float32."""
+    if photograph:
+        return decode_srgb(np.float32(1 / 255) * photograph.codes)
+    return SUBJECTS[picture].draw(WHOLE)
+
+
+def _cells(cfa: Picture) -> Raster:
+    """Each cell in the colour of its filter."""
+    return to_rgba8(encode_srgb(through_filters(cfa, PATTERN)))
+
+
+def _amplified(errors: Errors) -> Raster:
+    return to_rgba8(AMPLIFY * errors.absolute)
 
 
 def _mosaic_alone(demosaic: int) -> str:
@@ -77,17 +93,28 @@ def _mosaic_alone(demosaic: int) -> str:
 
 
 STAGES = (
-    Stage("picture", _part_of),
+    Stage("picture", _seen),
     Stage("mosaic", lambda picture: mosaic(picture, PATTERN), ("picture",)),
     Stage("shown picture", encode_srgb, ("picture",)),
     Stage("shared detail", shared_detail, ("picture",), neutral=_mosaic_alone),
     Stage("demosaic", _reconstruct, ("mosaic",)),
     Stage("display", encode_srgb, ("demosaic",)),
+    Stage("error", compare, ("picture", "demosaic", "shown picture", "display")),
+    # As bytes for the page, which are kept while the loupe moves.
+    Stage("bytes of the mosaic", _cells, ("mosaic",)),
+    Stage("bytes of the truth", to_rgba8, ("shown picture",)),
     Stage(
-        "error",
-        compare,
-        ("picture", "demosaic", "shown picture", "display"),
+        "bytes of the picture",
+        to_rgba8,
+        ("display",),
         neutral=_mosaic_alone,
-        hands_on="mosaic",  # which is then all that is wanted
+        hands_on="bytes of the mosaic",
+    ),
+    Stage(
+        "bytes of the error",
+        _amplified,
+        ("error",),
+        neutral=_mosaic_alone,
+        hands_on="bytes of the truth",
     ),
 )

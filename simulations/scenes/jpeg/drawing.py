@@ -1,24 +1,29 @@
 """The drawings of the JPEG scene: where the block lies, the grid of blocks, the table of codes."""
 
+import math
 from collections.abc import Iterator
 
 import numpy as np
 from numpy.typing import NDArray
 
-from simulations.engine.drawing import arrow, path, rectangle, text
+from simulations.engine.drawing import Point, arrow, dot, path, rectangle, text
 from simulations.engine.frame import format_number
 from simulations.models.compression.blocks import BLOCK
+from simulations.models.compression.zigzag import RANK, ZIGZAG
+from simulations.pictures.balloon import WIDTH as COLUMNS_PX
 
 WIDTH, HEIGHT = 400.0, 320.0
 CLOSE_ROWS, CLOSE_COLUMNS = 24, 30
 """Pixels of the close-up."""
+SIDE = BLOCK * WIDTH / COLUMNS_PX
+"""Of a block in the picture."""
 TABLE_LEFT, TABLE_TOP, CELL_WIDTH, CELL_HEIGHT = 44.0, 32.0, 43.0, 35.0
 
 
-def block_in_picture(row: int, column: int, pixel: float) -> str:
-    """A frame around the block, ``pixel`` units to the pixel."""
-    corner, side = (BLOCK * column * pixel, BLOCK * row * pixel), BLOCK * pixel
-    return "".join(rectangle(corner, side, side, style) for style in ("casing", "image bold"))
+def block_in_picture(row: int, column: int) -> str:
+    """A frame around the block."""
+    corner = (column * SIDE, row * SIDE)
+    return "".join(rectangle(corner, SIDE, SIDE, style) for style in ("casing", "image bold"))
 
 
 def block_grid(top: int, left: int) -> str:
@@ -33,9 +38,26 @@ def block_grid(top: int, left: int) -> str:
     return path(grid, "camera thin faint") + "".join(frame)
 
 
-def code_table(codes: NDArray[np.integer]) -> str:
-    """The 64 whole numbers; what became 0 is faint."""
-    return "".join((*_axes(), *_cells(codes)))
+def code_table(codes: NDArray[np.integer], first: int) -> str:
+    """The 64 whole numbers; what became 0, or is not among the ``first``, is faint."""
+    return "".join((*_axes(), *_cells(codes, first), *_order(first)))
+
+
+def knob(first: int) -> tuple[float, float]:
+    """In a corner of the last coefficient's cell, below its number."""
+    row, column = divmod(int(ZIGZAG[first - 1]), BLOCK)
+    x, y = _corner(row, column)
+    return (x + 6, y + CELL_HEIGHT - 5)
+
+
+def cell_at(place: Point) -> tuple[int, int]:
+    """Row and column of the table at a place, also beyond its borders."""
+    row, column = (place[1] - TABLE_TOP) / CELL_HEIGHT, (place[0] - TABLE_LEFT) / CELL_WIDTH
+    return math.floor(row), math.floor(column)
+
+
+def _corner(row: int, column: int) -> tuple[float, float]:
+    return (TABLE_LEFT + column * CELL_WIDTH, TABLE_TOP + row * CELL_HEIGHT)
 
 
 def _axes() -> Iterator[str]:
@@ -48,14 +70,19 @@ def _axes() -> Iterator[str]:
     yield arrow((20, TABLE_TOP + 88), (20, bottom), "muted thin", 7)
 
 
-def _cells(codes: NDArray[np.integer]) -> Iterator[str]:
+def _cells(codes: NDArray[np.integer], first: int) -> Iterator[str]:
     for (row, column), code in np.ndenumerate(codes):
-        corner = (TABLE_LEFT + column * CELL_WIDTH, TABLE_TOP + row * CELL_HEIGHT)
-        place = (corner[0] + CELL_WIDTH / 2, corner[1] + CELL_HEIGHT / 2 + 5)
-        inner = (corner[0] + 1, corner[1] + 1)
-        if code:
-            yield rectangle(inner, CELL_WIDTH - 2, CELL_HEIGHT - 2, "image fill thin")
-            yield text(place, format_number(float(code), 0), "image strong", "middle")
-        else:
-            yield rectangle(inner, CELL_WIDTH - 2, CELL_HEIGHT - 2, "muted thin faint")
-            yield text(place, "0", "muted faint", "middle")
+        x, y = _corner(row, column)
+        place = (x + CELL_WIDTH / 2, y + CELL_HEIGHT / 2 + 5)
+        used = RANK[row, column] < first
+        box = "image fill thin" if code and used else "muted thin faint"
+        number = "image strong" if code and used else "muted faint"
+        yield rectangle((x + 1, y + 1), CELL_WIDTH - 2, CELL_HEIGHT - 2, box)
+        yield text(place, format_number(float(code), 0), number, "middle")
+
+
+def _order(first: int) -> Iterator[str]:
+    """Where the coefficients used end."""
+    row, column = divmod(int(ZIGZAG[first - 1]), BLOCK)
+    yield rectangle(_corner(row, column), CELL_WIDTH, CELL_HEIGHT, "ray bold")
+    yield dot(knob(first), "ray", 5)

@@ -1,7 +1,6 @@
 """A picture compressed by JPEG, one of its blocks enlarged, and the numbers kept of that block."""
 
 from collections.abc import Iterator
-from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
@@ -9,72 +8,49 @@ from numpy.typing import NDArray
 from simulations.engine.frame import Frame, Panel, Raster, Readout, format_number, readout
 from simulations.engine.raster import to_rgba8
 from simulations.engine.scene import Scene
-from simulations.engine.settings import choice, slider, toggle
 from simulations.engine.stages import Outputs
 from simulations.models.compression.blocks import BLOCK
 from simulations.models.compression.chroma_subsampling import subsampling_factor
 from simulations.models.compression.cosine_transforms import TRANSFORMS
 from simulations.models.compression.entropy import Size
 from simulations.models.compression.jpeg import Coded
+from simulations.models.compression.zigzag import first_in_order
 from simulations.pictures.balloon import HEIGHT as ROWS_PX
 from simulations.pictures.balloon import WIDTH as COLUMNS_PX
 from simulations.scenes.jpeg import drawing
 from simulations.scenes.jpeg.error import judge
-from simulations.scenes.jpeg.stages import STAGES
+from simulations.scenes.jpeg.handles import HANDLES
+from simulations.scenes.jpeg.settings import ALL, Settings
+from simulations.scenes.jpeg.stages import PHOTOGRAPH_PX, STAGES
 
-BLOCK_COLUMNS, BLOCK_ROWS = COLUMNS_PX // BLOCK, ROWS_PX // BLOCK
 PIXELS = ROWS_PX * COLUMNS_PX
-
-SUBSAMPLING_LABELS = {
-    "4:2:0": "4:2:0, once in 2 × 2 pixels",
-    "4:2:2": "4:2:2, in every second column",
-    "4:4:4": "4:4:4, in every pixel",
-}
-UPSAMPLING_LABELS = {
-    "repeated": "Repetition",
-    "triangle": "Triangle",
-    "parabola": "Parabola",
-    "cubic": "Cubic",
-    "guided": "Following luma",
-}
-
-
-@dataclass(frozen=True, slots=True)
-class Settings:
-    """What the reader may change."""
-
-    quality: int = slider("Quality", 30, 1, 100, 1)
-    subsampling: str = choice("Colour", SUBSAMPLING_LABELS)
-    upsampling: str = choice("Colour filled in by", UPSAMPLING_LABELS, "triangle")
-    column: int = slider("Block, column", 25, 1, BLOCK_COLUMNS, 1)
-    row: int = slider("Block, row", 8, 1, BLOCK_ROWS, 1)
-    original: bool = toggle("Show the original")
 
 
 def draw(settings: Settings, outputs: Outputs) -> Frame:
     """The picture as JPEG gives it back, a block of it, and the numbers kept of that block."""
     coded: Coded = outputs["coded"]
-    row, column = settings.row - 1, settings.column - 1
-    codes = coded.luma[row, column]
+    codes = coded.luma[settings.row - 1, settings.column - 1]
     name, picture = ("The original", "original") if settings.original else ("As decoded", "decoded")
     size: Size = outputs["size"]
     psnr: float = outputs["psnr"]
-    block_kept = int(np.count_nonzero(codes))
+    block_kept = int(np.count_nonzero(first_in_order(codes, settings.first)))
+    words = describe_own if outputs["photograph"] else describe
     return Frame(
-        panels=_panels(name, to_rgba8(outputs[picture]), row, column, codes),
+        panels=_panels(settings, name, to_rgba8(outputs[picture]), codes),
         readouts=_readouts(psnr, size, block_kept),
-        description=describe(settings, psnr, size.bits / PIXELS, block_kept),
+        description=words(settings, psnr, size.bits / PIXELS, block_kept),
     )
 
 
 def _panels(
-    name: str, shown: Raster, row: int, column: int, codes: NDArray[np.integer]
+    settings: Settings, name: str, shown: Raster, codes: NDArray[np.integer]
 ) -> tuple[Panel, ...]:
     """The whole picture, the place around a block of it, and the ``codes`` (8, 8) of that block."""
+    row, column = settings.row - 1, settings.column - 1
     close, place = cut(shown, row, column)
     width, height = drawing.WIDTH, drawing.HEIGHT
-    frame = drawing.block_in_picture(row, column, width / COLUMNS_PX)
-    grid, table = drawing.block_grid(*place), drawing.code_table(codes)
+    frame = drawing.block_in_picture(row, column)
+    grid, table = drawing.block_grid(*place), drawing.code_table(codes, settings.first)
     return (
         Panel("picture", name, width, height, shown, frame),
         Panel("block", "Around the block", width, height, close, grid, pixelated=True),
@@ -84,7 +60,8 @@ def _panels(
 
 def _readouts(psnr: float, size: Size, block_kept: int) -> tuple[Readout, ...]:
     kept_percent = 100 * size.nonzero / (3 * PIXELS)
-    ratio = f"{format_number(24 * PIXELS / size.bits, 1)} : 1"
+    # One flat tone costs an ideal coder nothing.
+    ratio = f"{format_number(24 * PIXELS / size.bits, 1)} : 1" if size.bits else "∞"
     return (
         readout("psnr", "PSNR", psnr, "dB", digits=1, role="error"),
         readout("kept", "Coefficients kept, of 3 a pixel", kept_percent, "%", digits=1),
@@ -105,24 +82,48 @@ def cut[T: np.generic](
 
 
 def describe(settings: Settings, psnr: float, rate: float, block_kept: int) -> str:
-    """The picture in one sentence."""
+    """The book's picture in one sentence."""
     if settings.original:
         return "The picture of a striped balloon over rows of tulips before it is compressed."
-    rows, columns = subsampling_factor(settings.subsampling)
-    colour = (
-        f"one colour value for {rows * columns} pixels" if rows * columns > 1 else "full colour"
-    )
+    subsampled = settings.subsampling != "4:4:4"
     if psnr >= 33:
         visible = "few traces show"
-    elif settings.quality >= 75 and rows * columns > 1:
+    elif settings.first == ALL and settings.quality >= 75 and subsampled:
         visible = "colours run over the edges"
     else:
         visible = "edges are surrounded by ripples" if psnr >= 27 else "blocks and fringes show"
     return (
-        f"A striped balloon over tulips at JPEG quality {settings.quality} with "
-        f"{colour}: {rate:.2f} bits a pixel, {psnr:.1f} dB, and {visible}; {block_kept} of the "
-        "chosen block's 64 luma coefficients are kept."
+        f"A striped balloon over tulips {_compressed(settings, psnr, rate)}, and {visible}; "
+        f"{_kept(block_kept)}"
     )
+
+
+def describe_own(settings: Settings, psnr: float, rate: float, block_kept: int) -> str:
+    """The reader's picture in one sentence: only what is true of any."""
+    if settings.original:
+        return "Your own picture before it is compressed."
+    return f"Your own picture {_compressed(settings, psnr, rate)}; {_kept(block_kept)}"
+
+
+def _compressed(settings: Settings, psnr: float, rate: float) -> str:
+    rows, columns = subsampling_factor(settings.subsampling)
+    colour = (
+        f"one colour value for {rows * columns} pixels" if rows * columns > 1 else "full colour"
+    )
+    used = (
+        ""
+        if settings.first == ALL
+        else f", of each block only the first {settings.first} coefficients in the order of "
+        "fineness"
+    )
+    return (
+        f"at JPEG quality {settings.quality} with {colour}{used}: "
+        f"{format_number(rate)} bits a pixel, {format_number(psnr, 1)} dB"
+    )
+
+
+def _kept(block_kept: int) -> str:
+    return f"{block_kept} of the chosen block's 64 luma coefficients are kept."
 
 
 def estimate(_settings: Settings, outputs: Outputs, tier: str) -> Iterator[Readout]:
@@ -136,6 +137,8 @@ SCENE = Scene(
     settings=Settings,
     draw=draw,
     stages=STAGES,
+    handles=HANDLES,
+    photograph=PHOTOGRAPH_PX,
     tiers=tuple(TRANSFORMS),
     default_tier="separable",
     ladder="block-dct",

@@ -11,6 +11,7 @@ from simulations.models.arrays import Floats, Mask
 
 WIDTH, HEIGHT = 420.0, 280.0
 ROWS, COLUMNS = 4, 6
+PATCH_SIDES = (WIDTH / COLUMNS, HEIGHT / ROWS)
 LEFT, RIGHT, TOP, BOTTOM = 58.0, 408.0, 22.0, 232.0
 DECADES = 4.5
 """Of the mean axis, below twice the saturation level."""
@@ -40,52 +41,90 @@ class Axes:
     low_y: float
     high_y: float
 
-    def place(self, mean: float, variance: float) -> Point:
+    def place(self, mean: float, variance: float) -> tuple[float, float]:
         """View box coordinates; what lies outside is drawn on the border."""
         x = (math.log10(max(mean, 1e-12)) - self.low_x) / (self.high_x - self.low_x)
         y = (math.log10(max(variance, 1e-12)) - self.low_y) / (self.high_y - self.low_y)
         across, up = min(max(x, 0.0), 1.0), min(max(y, 0.0), 1.0)
         return LEFT + (RIGHT - LEFT) * across, BOTTOM - (BOTTOM - TOP) * up
 
+    def values(self, place: Point) -> tuple[float, float]:
+        """Mean and variance at a place of the plot; what lies outside is brought to the border."""
+        across = min(max((float(place[0]) - LEFT) / (RIGHT - LEFT), 0.0), 1.0)
+        up = min(max((BOTTOM - float(place[1])) / (BOTTOM - TOP), 0.0), 1.0)
+        return (
+            10.0 ** (self.low_x + across * (self.high_x - self.low_x)),
+            10.0 ** (self.low_y + up * (self.high_y - self.low_y)),
+        )
 
-def over_wedge(means_e: Floats, patch: int) -> str:
-    """Mean electrons on each patch, and a frame around the chosen one."""
-    width, height = WIDTH / COLUMNS, HEIGHT / ROWS
+
+def over_wedge(means_e: Floats, patch: int, *, all_labels: bool) -> str:
+    """Mean electrons on each patch, or on the chosen one, and a frame around that."""
+    width, height = PATCH_SIDES
     labels = [
         text(
             ((k % COLUMNS + 0.5) * width, (k // COLUMNS + 1) * height - 7),
-            _short(float(mean)),
+            format_electrons(float(mean)),
             "halo",
             "middle",
         )
         for k, mean in enumerate(means_e)
+        if all_labels or k == patch
     ]
     corner = (patch % COLUMNS * width + 2, patch // COLUMNS * height + 2)
     frame = [rectangle(corner, width - 4, height - 4, style) for style in ("casing", "image bold")]
     return "".join((*frame, *labels))
 
 
-def _short(mean_e: float) -> str:
+def over_patch(label: str) -> str:
+    """What is in the enlarged patch, and how much of it is noise."""
+    return text((12, HEIGHT - 14), label, "image strong halo")
+
+
+def format_electrons(mean_e: float) -> str:
+    """``625``, ``40k``."""
     if mean_e >= 1000:
         return f"{mean_e / 1000:.3g}k"
     return f"{mean_e:.3g}"
 
 
 def transfer_plot(
-    curve: Curve, mean_dn: Floats, variance_dn: Floats, fitted: Mask, patch: int
+    curve: Curve,
+    mean_dn: Floats,
+    variance_dn: Floats,
+    fitted: Mask,
+    patch: int,
+    level_dn: float | None,
 ) -> str:
-    """Measured patches over the theory's three parts."""
-    axes = _axes_for(curve)
+    """Measured patches over the theory's three parts.
+
+    ``level_dn`` is the mean that the light of the chosen patch would have in a cell without end.
+    """
+    axes = axes_for(curve)
     parts = [*_frame(axes), *_theory(axes, curve)]
     for k, (mean, variance) in enumerate(zip(mean_dn, variance_dn, strict=True)):
         at = axes.place(float(mean), float(variance))
         parts.append(dot(at, "image", 3.5) if fitted[k] else circle(at, 3.5, "image"))
     chosen = axes.place(float(mean_dn[patch]), float(variance_dn[patch]))
+    if level_dn is not None:
+        foot = level_place(axes, level_dn)
+        parts += [line(foot, chosen, "image thin"), dot(foot, "image", 5)]
     parts += [circle(chosen, 8, "casing"), circle(chosen, 8, "image bold")]
+    parts.append(dot(floor_place(axes, curve), "error", 5))
     return "".join(parts)
 
 
-def _axes_for(curve: Curve) -> Axes:
+def level_place(axes: Axes, level_dn: float) -> tuple[float, float]:
+    """On the axis of the mean."""
+    return (axes.place(level_dn, 1.0)[0], BOTTOM)
+
+
+def floor_place(axes: Axes, curve: Curve) -> tuple[float, float]:
+    """The right end of the floor."""
+    return axes.place(10.0**axes.high_x, curve.floor_dn2)
+
+
+def axes_for(curve: Curve) -> Axes:
     """Fixed by gain and converter, so that noise and exposure move the points and not the axes."""
     high_x = math.log10(2 * curve.full_dn)
     high_y = math.ceil(math.log10(max(5 * curve.full_dn / curve.gain_e_per_dn, 1.0)))

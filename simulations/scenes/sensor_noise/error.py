@@ -15,15 +15,19 @@ EXPOSURES = 16
 """Exposures of the patches by which a tier is judged."""
 
 
-def judge(counted: Floats, mean_e: Floats, new_noise: int, model: ShotModel) -> Iterator[Readout]:
+def judge(
+    counted: Floats | None, mean_e: Floats, new_noise: int, model: ShotModel
+) -> Iterator[Readout]:
     """The largest gap between the cumulatives of ``counted`` (24, 1600) and of ``mean_e`` (24,).
 
     1600 pixels of a patch cannot tell much of a distribution: with each step another exposure
-    of the same patches is added to those before.
+    of the same patches is added to those before. The first is ``counted``, where it is given.
     """
     rng = np.random.default_rng((new_noise, 3))
     for exposures in range(1, EXPOSURES + 1):
-        if exposures > 1:
+        if counted is None:
+            counted = count_patches(mean_e, rng, model)
+        elif exposures > 1:
             counted = np.concatenate((counted, count_patches(mean_e, rng, model)), axis=1)
         gap = max(map(gap_from_poisson, counted, mean_e, repeat(FULL_WELL_E)))
         chance = largest_chance_gap(*counted.shape)

@@ -7,85 +7,84 @@ part measures the gain without opening the camera.
 
 import math
 from collections.abc import Iterator
-from dataclasses import dataclass
 from typing import cast
 
 import numpy as np
 
-from simulations.engine.frame import Frame, Panel, Readout, format_number, readout
+from simulations.engine.frame import Frame, Panel, Raster, Readout, format_number, readout
 from simulations.engine.scene import Scene
-from simulations.engine.settings import action, choice, slider
 from simulations.engine.stages import Outputs
 from simulations.models.sensor.photon_counting import SHOT_MODELS, Sensor, ShotModel
 from simulations.models.sensor.photon_transfer import Gain
 from simulations.scenes.sensor_noise import drawing
+from simulations.scenes.sensor_noise.drawing import format_electrons
 from simulations.scenes.sensor_noise.error import judge
+from simulations.scenes.sensor_noise.handles import HANDLES
+from simulations.scenes.sensor_noise.settings import Settings
 from simulations.scenes.sensor_noise.stages import (
+    PHOTOGRAPH_PX,
     STAGES,
     Transfer,
+    curve_of,
+    enlarged,
     floor_e2,
-    patch_means_e,
+    patch_light_e,
     saturation_e,
     sensor_of,
 )
 
 
-@dataclass(frozen=True, slots=True)
-class Settings:
-    """What the reader may change."""
-
-    exposure: float = slider("Exposure", 0, -6, 0, 0.5, unit="EV")
-    iso: str = choice("ISO", {str(iso): str(iso) for iso in (100, 200, 400, 800, 1600, 3200, 6400)})
-    read_noise: float = slider("Read noise", 10, 0, 60, 1, unit="e⁻")
-    dark: float = slider("Dark signal", 0, 0, 2000, 20, unit="e⁻")
-    bits: int = slider("Converter", 12, 4, 14, 1, unit="bits")
-    patch: int = slider("Patch", 9, 1, 24, 1)
-    new_noise: int = action(*("Take it again",) * 8)
-
-
 def draw(settings: Settings, outputs: Outputs) -> Frame:
-    """The wedge, and the variance of each of its patches against its mean."""
+    """The wedge, a patch of it, and the variance of each patch against its mean."""
     transfer: Transfer = outputs["transfer"]
     camera = sensor_of(settings.bits, settings.iso, settings.read_noise)
-    means_e, floor = patch_means_e(settings.exposure), floor_e2(camera, settings.dark)
-    patch = settings.patch - 1
+    means_e, floor = patch_light_e(outputs["light"]), floor_e2(camera, settings.dark)
+    own, patch = outputs["photograph"] is not None, settings.patch - 1
+    title = "Your picture, in 24 patches" if own else "24 patches, and the mean electrons in each"
+    curve = curve_of(camera, settings.dark)
+    level = None if own else float(means_e[patch]) / camera.gain_e_per_dn
     plot = drawing.transfer_plot(
-        curve_of(camera, settings.dark),
-        transfer.mean_dn,
-        transfer.variance_dn,
-        transfer.fitted,
-        patch,
+        curve, transfer.mean_dn, transfer.variance_dn, transfer.fitted, patch, level
     )
+    label = f"{format_electrons(float(means_e[patch]))} e⁻, {noise_share(transfer, patch)}"
     return Frame(
         panels=(
-            Panel(
+            _panel(
                 "wedge",
-                "24 patches, and the mean electrons in each",
-                drawing.WIDTH,
-                drawing.HEIGHT,
+                title,
+                drawing.over_wedge(means_e, patch, all_labels=not own),
                 outputs["picture"],
-                drawing.over_wedge(means_e, patch),
-                pixelated=True,
             ),
-            Panel("transfer", "Photon transfer", drawing.WIDTH, drawing.HEIGHT, overlay=plot),
+            _panel(
+                "patch",
+                "The framed patch, brought to mid-grey",
+                drawing.over_patch(label),
+                enlarged(outputs["codes"][patch], camera),
+            ),
+            _panel("transfer", "Photon transfer", plot),
         ),
         readouts=(
             *patch_readouts(transfer, patch, float(means_e[patch]), floor),
             *sensor_readouts(transfer.gain, camera, floor),
         ),
-        description=describe(settings, transfer, camera),
+        description=describe(settings, outputs, camera),
     )
 
 
-def curve_of(camera: Sensor, dark: float) -> drawing.Curve:
-    """The theory of the plot, in codes."""
-    gain = camera.gain_e_per_dn
-    return drawing.Curve(
-        gain_e_per_dn=gain,
-        floor_dn2=floor_e2(camera, dark) / gain**2,
-        full_dn=saturation_e(camera) / gain,
-        dark_dn=dark / gain,
-    )
+def _panel(name: str, title: str, overlay: str, raster: Raster | None = None) -> Panel:
+    width, height = drawing.WIDTH, drawing.HEIGHT
+    return Panel(name, title, width, height, raster, overlay, raster is not None)
+
+
+def noise_share(transfer: Transfer, patch: int) -> str:
+    """How large the noise of a patch is against its light, in words."""
+    words = measured_ratio(transfer, patch)
+    mean, sigma = transfer.mean_dn[patch], math.sqrt(transfer.variance_dn[patch])
+    if words in ("one code only", "clipped"):
+        return words
+    if mean < sigma / 3:
+        return "lost in noise"
+    return f"noise {format_number(100 * sigma / mean, 0 if sigma > 0.1 * mean else 1)} %"
 
 
 def patch_readouts(
@@ -134,11 +133,15 @@ def measured_gain(gain: Gain | None) -> str:
     return f"{shown} ± {error_shown}"
 
 
-def describe(settings: Settings, transfer: Transfer, camera: Sensor) -> str:
+def describe(settings: Settings, outputs: Outputs, camera: Sensor) -> str:
     """The picture in one sentence."""
-    light_e = patch_means_e(settings.exposure) + settings.dark
-    full = int(np.count_nonzero(light_e > saturation_e(camera)))
-    burnt = f"{full} of 24 patches are burnt out" if full else "no patch is burnt out"
+    transfer: Transfer = outputs["transfer"]
+    own = outputs["photograph"] is not None
+    brightest_e = outputs["light"].reshape(24, -1).max(axis=1) + settings.dark
+    full = int(np.count_nonzero(brightest_e > saturation_e(camera)))
+    are = "hold cells that are" if own else "are"
+    burnt = f"{full} of 24 patches {are} burnt out" if full else "no patch is burnt out"
+    what = "Your own picture" if own else "A step wedge"
     words = {"one code only": "shows one code only", "clipped": "is clipped"}
     measured = measured_ratio(transfer, settings.patch - 1)
     shown = words.get(measured, f"has an SNR of {measured}")
@@ -151,15 +154,17 @@ def describe(settings: Settings, transfer: Transfer, camera: Sensor) -> str:
         off = abs(transfer.gain.e_per_dn / camera.gain_e_per_dn - 1)
         fit = f"the variances give the gain to within {math.ceil(100 * off)} %"
     return (
-        f"A step wedge at ISO {settings.iso} and {settings.bits} bits: "
+        f"{what} at ISO {settings.iso} and {settings.bits} bits: "
         f"{burnt}, patch {settings.patch} {shown}, and {fit}."
     )
 
 
 def estimate(settings: Settings, outputs: Outputs, tier: str) -> Iterator[Readout]:
     """How far the electrons of the patches are from Poisson's distribution."""
-    mean_e = patch_means_e(settings.exposure) + settings.dark
-    return judge(outputs["electrons"], mean_e, settings.new_noise, cast(ShotModel, tier))
+    mean_e = patch_light_e(outputs["light"]) + settings.dark
+    # The light of a picture differs within each patch: judged are even patches as bright.
+    counted = None if outputs["photograph"] else outputs["electrons"]
+    return judge(counted, mean_e, settings.new_noise, cast(ShotModel, tier))
 
 
 SCENE = Scene(
@@ -168,6 +173,8 @@ SCENE = Scene(
     settings=Settings,
     draw=draw,
     stages=STAGES,
+    handles=HANDLES,
+    photograph=PHOTOGRAPH_PX,
     tiers=SHOT_MODELS,
     default_tier="quantile",
     drafted=("exposure", "dark"),

@@ -6,10 +6,13 @@ from functools import cache, partial
 import numpy as np
 from numpy.typing import NDArray
 
+from simulations.engine.frame import Raster
+from simulations.engine.photograph import Photograph
 from simulations.engine.raster import to_rgba8
 from simulations.engine.stages import Stage
 from simulations.models.arrays import Floats, Mask
-from simulations.models.color.srgb import encode_srgb
+from simulations.models.color.cie import luminance
+from simulations.models.color.srgb import decode_srgb, encode_srgb
 from simulations.models.sensor import photon_counting
 from simulations.models.sensor.photon_transfer import Gain, estimate_gain, straight_part
 from simulations.scenes.sensor_noise import drawing
@@ -23,6 +26,11 @@ PATCH_PX = 40
 """Side of a patch: its 1600 pixels give the variance to about 3.5 %."""
 STOPS = np.arange(drawing.ROWS * drawing.COLUMNS) / 2
 """How much darker than the first each patch is."""
+PHOTOGRAPH_PX = (drawing.COLUMNS * PATCH_PX, drawing.ROWS * PATCH_PX)
+CLOSE = (slice(8, 32), slice(2, 38))
+"""Rows and columns of a patch that are enlarged."""
+MID_GREY = 0.2
+"""Of white, in light."""
 CLIPPED_SHARE = 0.001
 """Patches with more of their pixels at the lowest or the highest code are left out of the fit."""
 
@@ -68,17 +76,43 @@ def floor_e2(camera: photon_counting.Sensor, dark: float) -> float:
     return camera.read_noise_e**2 + dark + camera.gain_e_per_dn**2 / 12
 
 
+def curve_of(camera: photon_counting.Sensor, dark: float) -> drawing.Curve:
+    """The theory of the plot, in codes."""
+    gain = camera.gain_e_per_dn
+    return drawing.Curve(
+        gain_e_per_dn=gain,
+        floor_dn2=floor_e2(camera, dark) / gain**2,
+        full_dn=saturation_e(camera) / gain,
+        dark_dn=dark / gain,
+    )
+
+
 def _grain(stream: int, new_noise: int) -> Floats:
     """(24, 1600) standard normals, drawn once: the controls only decide how strongly they show."""
     rng = np.random.default_rng((new_noise, stream))
     return rng.standard_normal((STOPS.size, PATCH_PX**2), np.float32)
 
 
+def _light(exposure: float, photograph: Photograph | None) -> Floats:
+    """Electrons that light frees: (24,) of the patches, or (24, 1600) of the reader's picture,
+    whose white fills the well at 0 EV."""
+    if photograph is None:
+        return patch_means_e(exposure)
+    grey = luminance(decode_srgb(np.float32(1 / 255) * photograph.codes))
+    tiles = grey.reshape(drawing.ROWS, PATCH_PX, drawing.COLUMNS, PATCH_PX).swapaxes(1, 2)
+    return FULL_WELL_E * 2.0**exposure * tiles.reshape(STOPS.size, -1)
+
+
+def patch_light_e(light: Floats) -> Floats:
+    """(24,) the mean of each patch."""
+    return light if light.ndim == 1 else light.mean(axis=1, dtype=np.float64)
+
+
 def _count(
-    grain: Floats, exposure: float, dark: float, new_noise: int, tier: photon_counting.ShotModel
+    grain: Floats, light: Floats, dark: float, new_noise: int, tier: photon_counting.ShotModel
 ) -> Floats:
     """(24, 1600) electrons: light and warmth free them alike."""
-    mean_e = patch_means_e(exposure) + dark
+    mean_e = light + dark
     if tier == "quantile":
         return photon_counting.shot_noise_from_normal(_flat(mean_e), grain, FULL_WELL_E)
     return count_patches(mean_e, np.random.default_rng((new_noise, SHOT)), tier)
@@ -87,12 +121,14 @@ def _count(
 def count_patches(
     mean_e: Floats, rng: np.random.Generator, model: photon_counting.ShotModel
 ) -> Floats:
-    """(24, 1600) electrons counted where ``mean_e`` (24,) are expected."""
+    """(24, 1600) electrons counted where ``mean_e``, of patches or of cells, are expected."""
     return photon_counting.shot_noise(_flat(mean_e), rng, FULL_WELL_E, model)
 
 
 def _flat(mean_e: Floats) -> Floats:
-    """(24, 1600) of the same mean in each patch, float32."""
+    """(24, 1600) float32, of patches (24,) or of cells."""
+    if mean_e.ndim == 2:
+        return mean_e.astype(np.float32)
     return np.repeat(mean_e[:, None].astype(np.float32), PATCH_PX**2, axis=1)
 
 
@@ -111,17 +147,34 @@ def _read(
 
 
 def _measure(
-    codes: NDArray[np.uint16], bits: int, iso: str, read_noise: float, dark: float
+    codes: NDArray[np.uint16],
+    light: Floats,
+    bits: int,
+    iso: str,
+    read_noise: float,
+    dark: float,
 ) -> Transfer:
     camera = sensor_of(bits, iso, read_noise)
     mean = codes.mean(axis=1, dtype=np.float64) - camera.black_level_dn
     mean -= dark / camera.gain_e_per_dn
-    variance = codes.var(axis=1, ddof=1, dtype=np.float64)
+    variance = _noise(codes, light, camera).var(axis=1, ddof=1, dtype=np.float64)
     at_an_end = (codes == 0) | (codes == camera.highest_dn)
     clipped = at_an_end.mean(axis=1) > CLIPPED_SHARE
     fitted = ~clipped
     fitted[fitted] = straight_part(mean[fitted], variance[fitted])
     return Transfer(mean, variance, fitted, clipped, _gain(mean[~clipped], variance[~clipped]))
+
+
+def _noise(
+    codes: NDArray[np.uint16], light: Floats, camera: photon_counting.Sensor
+) -> Floats | NDArray[np.uint16]:
+    """(24, 1600) codes without what differs from cell to cell in the light itself.
+
+    A laboratory takes the difference of two exposures; here the light is known.
+    """
+    if light.ndim == 1:
+        return codes
+    return codes - np.minimum(light, saturation_e(camera)) / camera.gain_e_per_dn
 
 
 def _gain(mean: Floats, variance: Floats) -> Gain | None:
@@ -148,11 +201,19 @@ def _colour_of_code(bits: int) -> NDArray[np.uint8]:
     return colours
 
 
+def enlarged(codes: NDArray[np.uint16], camera: photon_counting.Sensor) -> Raster:
+    """The middle of a patch (1600,), as bright as a mid-grey whatever its light, as bytes."""
+    signal = codes.reshape(PATCH_PX, PATCH_PX)[CLOSE] - camera.black_level_dn
+    level = max(float(signal.mean()), float(signal.std()), 1.0)
+    return to_rgba8(encode_srgb(np.clip(MID_GREY * signal / level, 0, 1)))
+
+
 STAGES = (
+    Stage("light", _light),
     Stage("shot grain", partial(_grain, SHOT)),
     Stage("read grain", partial(_grain, READ)),
-    Stage("electrons", _count, ("shot grain",)),
+    Stage("electrons", _count, ("shot grain", "light")),
     Stage("codes", _read, ("electrons", "read grain")),
-    Stage("transfer", _measure, ("codes",)),
+    Stage("transfer", _measure, ("codes", "light")),
     Stage("picture", _picture, ("codes",)),
 )

@@ -1,6 +1,5 @@
 """What is marked in the plane of the transform explorer: P, its image, and the corners."""
 
-import math
 from collections.abc import Iterator
 
 import numpy as np
@@ -40,9 +39,8 @@ def point_and_image(H: Floats, way: Floats, point: Floats) -> str:
 
 def _track(way: Floats, point: Floats) -> list[Floats]:
     """Runs of places (n, 2) of P′, parted where it passes through infinity and out of view."""
-    images = way @ np.array([*point, 1.0])
-    w = images[:, 2]
-    places = to_view(images[:, :2] / np.where(w == 0.0, np.nan, w)[:, None])
+    images, w = _images(way, point)
+    places = to_view(images)
     seen = np.all((places >= -4.0) & (places <= [WIDTH + 4.0, HEIGHT + 4.0]), axis=1)
     parted = np.flatnonzero(np.diff(seen * np.sign(w))) + 1
     runs = zip(np.split(places, parted), np.split(seen, parted), strict=True)
@@ -82,7 +80,12 @@ def _square(place: Floats, half: float, style: str) -> str:
 
 def nearest_amount(way: Floats, point: Floats, place: drawing.Point) -> int:
     """The index of the matrix of ``way`` (N, 3, 3) that sends ``point`` nearest to a place."""
+    off = _images(way, point)[0] - from_view(place)
+    return int(np.nanargmin((off * off).sum(axis=1)))
+
+
+def _images(way: Floats, point: Floats) -> tuple[Floats, Floats]:
+    """Images (N, 2) of one point under matrices (N, 3, 3), NaN at infinity, and its w (N,)."""
     images = way @ np.array([*point, 1.0])
     w = images[:, 2]
-    off = images[:, :2] / np.where(w == 0.0, math.nan, w)[:, None] - from_view(place)
-    return int(np.nanargmin((off * off).sum(axis=1)))
+    return images[:, :2] / np.where(w == 0.0, np.nan, w)[:, None], w

@@ -21,6 +21,10 @@ WIDTH, HEIGHT = 400.0, 300.0
 CENTRE, RADIUS = (200.0, 150.0), 115.0
 
 HEAD = 9.0
+DIAL, DIAL_END, FASTEST = 18.0, math.radians(80.0), 6.0
+"""How far outside the rim the dial of speeds lies, how far from the top it ends, and where."""
+EXPOSED = 7.0
+"""Likewise, the arc of the exposure over the film."""
 
 LEFT, RIGHT, TOP, BOTTOM = 48.0, 386.0, 44.0, 246.0
 BEFORE, AFTER = 6.0, 2.0
@@ -38,11 +42,10 @@ def wheel(spokes: int, angle_rad: float, speed: float) -> str:
         circle(CENTRE, RADIUS - 9, "world thin"),
         path(bars[1:], "world bold"),
         path(bars[:1], "ray bold"),
-        dot(_polar(angle_rad, RADIUS - 4), "ray", 6),
+        dot(marked_spoke(angle_rad), "ray", 6),
         circle(CENTRE, 14, "world fill"),
     ]
-    if speed:
-        parts.append(_turning(speed, _reach(speed), "world bold"))
+    parts += [*_dial(), _arrow(speed, "world bold"), dot(on_dial(speed), "world", 5)]
     label = f"{format_number(speed)} turns/s"
     parts.append(text((12, 22), label, "world strong halo"))
     return "".join(
@@ -50,30 +53,79 @@ def wheel(spokes: int, angle_rad: float, speed: float) -> str:
     )
 
 
-def over_film(frame: int, apparent: float, certain: bool) -> str:
-    """The frame's number, and the motion that the eye makes of the frames."""
-    parts = [text((12, 22), f"frame {frame}", "image strong halo")]
-    if not certain:
-        parts += [_turning(1.0, 30.0, "error bold"), _turning(-1.0, 30.0, "error bold")]
-    elif abs(apparent) > 1e-9:
-        parts.append(_turning(apparent, _reach(apparent), "error bold"))
+def marked_spoke(angle_rad: float) -> tuple[float, float]:
+    """The rim's end of it."""
+    return _polar(angle_rad, RADIUS - 4)
+
+
+def over_film(
+    frame: int, apparent: float, certain: bool, turn_per_frame: float, shutter: float
+) -> str:
+    """The frame's number, the way of a spoke while the shutter was open, and the motion that the
+    eye makes of the frames."""
+    opened = turn_per_frame * frame
+    way = [
+        _polar(opened + turn_per_frame * shutter * step / 24, RADIUS + EXPOSED)
+        for step in range(25)
+    ]
+    parts = [
+        text((12, 22), f"frame {frame}", "image strong halo"),
+        polyline(way, "casing"),
+        polyline(way, "light bold"),
+        dot(way[-1], "light", 5),
+    ]
+    for seen in (apparent,) if certain else (apparent, -apparent):
+        if abs(seen) > 1e-9:
+            parts += [_arrow(seen, "casing"), _arrow(seen, "error bold")]
     return "".join(parts)
 
 
-def _reach(speed: float) -> float:
-    """Degrees of the arc that stands for a speed in turns per second."""
-    return 24.0 + 54.0 * min(abs(speed) / 3.0, 1.0)
+def shutter_closes(frame: int, turn_per_frame: float, shutter: float) -> tuple[float, float]:
+    """Where the first spoke ends, in the frame on show."""
+    return _polar(turn_per_frame * (frame + shutter), RADIUS + EXPOSED)
 
 
-def _turning(speed: float, degrees: float, style: str) -> str:
-    """An arc with an arrow head above the wheel, in the sense of the turn."""
-    sense = math.copysign(1.0, speed)
-    arc = [
-        _polar(-math.pi / 2 + sense * math.radians(degrees * step / 24), RADIUS + 15)
-        for step in range(25)
+def on_dial(speed: float) -> tuple[float, float]:
+    """Where the dial has a speed, in turns per second. Slow ones have more room than fast ones."""
+    turned = math.copysign(math.sqrt(min(abs(speed) / FASTEST, 1.0)), speed)
+    return _polar(-math.pi / 2 + turned * DIAL_END, RADIUS + DIAL)
+
+
+def speed_at(place: Point) -> float:
+    """The speed that the dial has in the direction of a place."""
+    across, up = float(place[0]) - CENTRE[0], CENTRE[1] - float(place[1])
+    turned = math.atan2(across, up) / DIAL_END
+    return FASTEST * math.copysign(turned * turned, turned)
+
+
+def angle_at(place: Point) -> float:
+    """Of a place about the wheel's centre, clockwise from the right, in radians."""
+    return math.atan2(float(place[1]) - CENTRE[1], float(place[0]) - CENTRE[0])
+
+
+def _dial() -> Iterator[str]:
+    """Above the wheel: speeds to the right turn it clockwise."""
+    arc = [_polar(-math.pi / 2 + DIAL_END * step / 24, RADIUS + DIAL) for step in range(-24, 25)]
+    yield polyline(arc, "muted thin faint")
+    whole = [on_dial(float(speed)) for speed in range(-int(FASTEST), int(FASTEST) + 1)]
+    outwards = 1.0 + 5.0 / (RADIUS + DIAL)
+    ticks = [
+        [(x, y), (CENTRE[0] + (x - CENTRE[0]) * outwards, CENTRE[1] + (y - CENTRE[1]) * outwards)]
+        for x, y in whole
     ]
-    before_head = [point for point in arc if math.dist(point, arc[-1]) > HEAD]
-    return polyline(before_head, style) + arrow(before_head[-1], arc[-1], style, HEAD)
+    yield path(ticks, "muted thin")
+
+
+def _arrow(speed: float, style: str) -> str:
+    """Along the dial from the top to a speed; only an arc where that is shorter than its head."""
+    end = on_dial(speed)
+    top = -math.pi / 2
+    angle = math.atan2(end[1] - CENTRE[1], end[0] - CENTRE[0])
+    arc = [_polar(top + (angle - top) * step / 24, RADIUS + DIAL) for step in range(25)]
+    before_head = [point for point in arc if math.dist(point, end) > HEAD]
+    if not before_head:
+        return polyline(arc, style)
+    return polyline(before_head, style) + arrow(before_head[-1], end, style, HEAD)
 
 
 def track(per_frame: float, seen_per_frame: float, certain: bool, time: float) -> str:
@@ -162,13 +214,16 @@ def _legend() -> Iterator[str]:
     yield text((LEFT + 202, y), "what it seems", "error")
 
 
+UNITS_PER_FRAME = (RIGHT - LEFT) / (BEFORE + AFTER)
+
+
 def _at(frames_from_now: float, spacings: float) -> Point:
     return (
-        LEFT + (RIGHT - LEFT) * (frames_from_now + BEFORE) / (BEFORE + AFTER),
+        LEFT + UNITS_PER_FRAME * (frames_from_now + BEFORE),
         BOTTOM - (BOTTOM - TOP) * spacings / ROWS,
     )
 
 
-def _polar(angle_rad: float, radius: float) -> Point:
+def _polar(angle_rad: float, radius: float) -> tuple[float, float]:
     """Clockwise from the right."""
     return (CENTRE[0] + radius * math.cos(angle_rad), CENTRE[1] + radius * math.sin(angle_rad))

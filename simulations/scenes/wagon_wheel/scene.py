@@ -7,31 +7,19 @@ the frame time, and then shown until the next.
 
 import math
 from collections.abc import Iterator
-from dataclasses import dataclass
 
 from simulations.engine.controls import Value
 from simulations.engine.frame import Frame, Panel, Readout, format_number, readout
 from simulations.engine.scene import Scene
-from simulations.engine.settings import action, slider
 from simulations.engine.stages import Outputs
 from simulations.models.sampling.aliasing import apparent_wheel_speed, box_mtf
 from simulations.scenes.wagon_wheel import drawing
 from simulations.scenes.wagon_wheel.film import STAGES, TIERS, frame_at, judge
+from simulations.scenes.wagon_wheel.handles import HANDLES
+from simulations.scenes.wagon_wheel.settings import Settings
 
 STILL = 1e-9
 """Speed in turns per second below which the filmed wheel stands."""
-
-
-@dataclass(frozen=True, slots=True)
-class Settings:
-    """What the reader may change."""
-
-    play: int = action("Play", "Pause", drives="time", effect="play", seconds=20.0)
-    time: float = slider("Time", 5, 0, 48, 0.05, unit="frames")
-    speed: float = slider("True speed", 2.9, -6, 6, 0.05, unit="turns/s")
-    spokes: int = slider("Spokes", 8, 2, 16, 1)
-    frame_rate: float = slider("Frame rate", 24, 8, 60, 1, unit="frames/s")
-    shutter: float = slider("Shutter open for", 0.1, 0, 1, 0.05, unit="of a frame")
 
 
 def parameters(settings: Settings, _tier: str) -> dict[str, Value]:
@@ -64,7 +52,9 @@ def draw(settings: Settings, outputs: Outputs) -> Frame:
                 width,
                 height,
                 outputs["film"],
-                drawing.over_film(frame_at(time), apparent, sure),
+                drawing.over_film(
+                    frame_at(time), apparent, sure, 2 * math.pi * speed / rate, settings.shutter
+                ),
             ),
             Panel(
                 "track",
@@ -145,6 +135,7 @@ SCENE = Scene(
     settings=Settings,
     draw=draw,
     stages=STAGES,
+    handles=HANDLES,
     parameters=parameters,
     tiers=TIERS,
     default_tier="integral",

@@ -1,0 +1,33 @@
+"""The controls of the Bayer figure."""
+
+from dataclasses import dataclass
+
+from simulations.engine.settings import action, choice, slider
+from simulations.pictures.balloon import HEIGHT as PICTURE_HEIGHT
+from simulations.pictures.balloon import WIDTH as PICTURE_WIDTH
+from simulations.pictures.mosaic_subjects import SUBJECTS
+
+ROWS, COLUMNS = 16, 20
+"""Pixels under the loupe."""
+QUAD = 2
+"""The loupe moves by whole quads, so that its mosaic begins like that of the whole."""
+
+METHOD_LABELS = {
+    "nearest": "Nearest",
+    "bilinear": "Bilinear",
+    "malvar": "Malvar–He–Cutler 2004",
+    "menon-unrefined": "Menon 2007, unrefined",
+    "menon": "Menon 2007",
+    "menon-encoded": "Menon, unrefined, on encoded values",
+}
+
+
+@dataclass(frozen=True, slots=True)
+class Settings:
+    """What the reader may change."""
+
+    demosaic: int = action("Demosaic", "Show the mosaic")
+    method: str = choice("Method", METHOD_LABELS, "menon-unrefined")
+    picture: str = choice("Picture", {name: each.label for name, each in SUBJECTS.items()})
+    column: int = slider("Loupe, column", 104, 0, PICTURE_WIDTH - COLUMNS, QUAD, unit="px")
+    row: int = slider("Loupe, row", 56, 0, PICTURE_HEIGHT - ROWS, QUAD, unit="px")

@@ -1,0 +1,24 @@
+"""The controls of the wagon wheel."""
+
+from dataclasses import dataclass
+
+from simulations.engine.settings import action, slider
+
+FRAMES = 96
+PLAYED_PER_S, FILM_PER_S = 2.4, 24.0
+"""Film frames a second: slowly, and as in a cinema."""
+
+
+@dataclass(frozen=True, slots=True)
+class Settings:
+    """What the reader may change."""
+
+    play: int = action("Play", "Pause", drives="time", effect="play", seconds=FRAMES / PLAYED_PER_S)
+    time: float = slider("Time", 5, 0, FRAMES, 0.05, unit="frames")
+    speed: float = slider("True speed", 2.9, -6, 6, 0.05, unit="turns/s")
+    spokes: int = slider("Spokes", 8, 2, 16, 1)
+    frame_rate: float = slider("Frame rate", 24, 8, 60, 1, unit="frames/s")
+    shutter: float = slider("Shutter open for", 0.1, 0, 1, 0.05, unit="of a frame")
+    film: int = action(
+        "Play at film speed", "Pause", drives="time", effect="play", seconds=FRAMES / FILM_PER_S
+    )
