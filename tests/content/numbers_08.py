@@ -252,9 +252,9 @@ def what_the_truth_is() -> Says:
 
 
 def a_draft_is_for_what_moves_everything() -> Says:
-    assert camera.SCENE.drafted == ("focal_length", "light_angle")
+    assert camera.SCENE.drafted == ("focal_length", "light_angle", "back")
     assert TIERS["draft"].reduction ** 2 == 4
-    yield "For the focal length and the lamp, the simulator sends one ray for four pixels"
+    yield "For the focal length, the lamp and the step back, the simulator sends one ray"
     yield "The focus has no draft."
 
 

@@ -14,6 +14,7 @@ from simulations.models.distortion.lens_model import Distortion, distort
 from simulations.models.light.raycasting import Sphere
 from simulations.models.projection import pinhole
 from simulations.pictures.still_life import things as still_life
+from simulations.scenes.camera.dolly import KEPT_M, after_step, focal_before_step
 from simulations.scenes.camera.lens import COLUMNS, PITCH_MM, ROWS, principal_mm
 from simulations.scenes.camera.plan import EDGE_DEPTH, STILL_LIFE_MIDDLE, focus_mark, on_plan
 from simulations.scenes.camera.scene import SCENE, blur_of, view_of
@@ -53,6 +54,8 @@ AFTER_MOVING: dict[str, tuple[Value, tuple[str, ...]]] = {
     ),
     "focal_length": (51, FROM_RAYS),
     "focus": (5, FROM_RAYS),
+    "back": (1, FROM_RAYS),
+    "dolly": (1, ()),
 }
 """Control to another value, and to the stages that must run again and no other."""
 
@@ -353,6 +356,32 @@ def test_the_lamp_stands_in_the_plan_where_its_light_comes_from() -> None:
     """45° to the right of the way from the still life to the camera."""
     x, y = on_plan(2.0, STILL_LIFE_MIDDLE - 2.0)
     assert pulled("lamp", (x, y)) == {"light_angle": 45}
+
+
+@pytest.mark.parametrize("name", ["striped ball", "red ball", "pearl"])
+def test_a_dolly_zoom_keeps_the_striped_ball_and_squeezes_the_depth(name: str) -> None:
+    """Three metres back, each outline has the area of its ellipse at z and Z of the new place."""
+    areas, ellipses = [], []
+    for back in (0, 3):
+        parts = outputs(back=back, focal_length=24)["surfaces"]
+        (ball,) = (part for part in parts if part.thing and part.thing.name == name)
+        x, y, z = pinhole.world_to_camera(ball.thing.solid.centre, still_life.WORLD_TO_CAMERA)
+        away, r = z + back, ball.thing.solid.radius
+        assert ball.depth.max() == pytest.approx(away)
+        scale = (KEPT_M + back) / KEPT_M
+        outline = math.sqrt(x**2 + y**2 + away**2 - r**2) / (away**2 - r**2) ** 1.5
+        areas.append(ball.coverage.sum())
+        ellipses.append(scale**2 * outline)
+    assert areas[1] / areas[0] == pytest.approx(ellipses[1] / ellipses[0], rel=0.01)
+    assert (name == "striped ball") == (abs(areas[1] / areas[0] - 1) < 0.03)
+
+
+def test_after_a_step_back_the_lens_is_longer_and_the_focus_on_the_same_thing() -> None:
+    now = after_step(SCENE.check({"back": 2}))
+    assert now.focus == pytest.approx(5.2)
+    before = principal_mm(50, 3.2) / KEPT_M
+    assert principal_mm(now.focal_length, now.focus) / (KEPT_M + 2) == pytest.approx(before)
+    assert focal_before_step(principal_mm(now.focal_length, 5.2), 3.2, 2) == pytest.approx(50)
 
 
 def test_the_focus_is_pulled_along_the_plan_to_the_wall_and_behind() -> None:

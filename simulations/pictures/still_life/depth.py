@@ -10,17 +10,17 @@ from simulations.pictures.still_life.surfaces import FLOOR_PLANE, WALL_PLANE
 from simulations.pictures.still_life.things import THINGS, depth_along_axis, thing_depth, view
 
 
-def depth_met(ray_camera: ArrayLike) -> float:
+def depth_met(ray_camera: ArrayLike, back: float = 0.0) -> float:
     """Depth along the optical axis in metres; a whole thing has that of its centre.
 
     ``ray_camera`` (3,) in the camera frame, z = 1. What looks over the wall, which is drawn
     without end, meets the wall.
     """
-    seen = view(np.asarray(ray_camera, float).reshape(1, 1, 3))
+    seen = view(np.asarray(ray_camera, float).reshape(1, 1, 3), back=back)
     for thing in sorted(THINGS, key=thing_depth):
         if intersect(thing.solid, seen.eye, seen.directions).valid.all():
-            return thing_depth(thing)
+            return thing_depth(thing) + back
     direction = seen.directions[0, 0]
     met = (intersect_plane(*plane, seen.eye, direction) for plane in (FLOOR_PLANE, WALL_PLANE))
     distance = min((float(far) for far, meets in met if meets), default=math.inf)
-    return float(depth_along_axis(np.asarray(seen.eye) + direction * distance))
+    return float(depth_along_axis(np.asarray(seen.eye) + direction * distance)) + back

@@ -106,7 +106,7 @@ def _thing_surface(thing: Thing, seen: View) -> Surface | None:
         coverage=coverage,
         albedo=_thing_albedo(thing, hit.normals),
         openness=openness,
-        depth=np.full(coverage.shape, thing_depth(thing)),
+        depth=np.full(coverage.shape, thing_depth(thing) + seen.back),
     )
 
 
@@ -228,7 +228,7 @@ def _backdrop(seen: View, plane: tuple[Vector, Vector], share: Floats) -> Surfac
         coverage=share[top:bottom] * seen.valid[top:bottom],
         albedo=_floor_albedo(points) if plane is FLOOR_PLANE else _wall_albedo(points),
         openness=openness,
-        depth=depth_along_axis(points),
+        depth=depth_along_axis(points) + seen.back,
     )
 
 

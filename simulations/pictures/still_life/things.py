@@ -73,15 +73,26 @@ class View:
     """(H, W) false where the lens sends no ray to the pixel."""
     eye: Vector = EYE
     """Where all of them start: the lens's centre, or another point of its opening."""
+    back: float = 0.0
+    """How far behind `EYE` the lens stands, along its axis: metres."""
 
 
-def view(rays_camera: Floats, valid: Mask | None = None) -> View:
+def eye(back: float = 0.0, right: float = 0.0, down: float = 0.0) -> Vector:
+    """A point of the lens, metres from its centre, that has stepped back along its axis."""
+    across = WORLD_TO_CAMERA[:3, :3]
+    x, y, z = np.asarray(EYE) + right * across[0] + down * across[1] - back * across[2]
+    return (float(x), float(y), float(z))
+
+
+def view(rays_camera: Floats, valid: Mask | None = None, back: float = 0.0) -> View:
     """``rays_camera`` (H, W, 3) with z = 1, turned into the world and made unit length."""
     legal = np.ones(rays_camera.shape[:2], bool) if valid is None else valid
-    return View(_unit(rays_camera) @ WORLD_TO_CAMERA[:3, :3], legal)
+    return View(_unit(rays_camera) @ WORLD_TO_CAMERA[:3, :3], legal, eye(back), back)
 
 
-def view_through(rays_camera: Floats, valid: Mask, at: tuple[float, float], focus: float) -> View:
+def view_through(
+    rays_camera: Floats, valid: Mask, at: tuple[float, float], focus: float, back: float = 0.0
+) -> View:
     """The view from the point ``at`` = (right, down) of the lens, metres from its centre.
 
     Every ray meets the one through the lens's centre at the depth ``focus``, metres: so a thin
@@ -89,9 +100,7 @@ def view_through(rays_camera: Floats, valid: Mask, at: tuple[float, float], focu
     """
     right, down = at
     turned = rays_camera - np.array([right / focus, down / focus, 0.0])
-    across = WORLD_TO_CAMERA[:2, :3]
-    x, y, z = np.asarray(EYE) + right * across[0] + down * across[1]
-    return View(_unit(turned) @ WORLD_TO_CAMERA[:3, :3], valid, (float(x), float(y), float(z)))
+    return View(_unit(turned) @ WORLD_TO_CAMERA[:3, :3], valid, eye(back, right, down), back)
 
 
 def _unit(vectors: Floats) -> Floats:
@@ -99,7 +108,7 @@ def _unit(vectors: Floats) -> Floats:
 
 
 def depth_along_axis(points: Floats) -> Floats:
-    """Distance (...) of world points (..., 3) from the camera, along the optical axis: metres."""
+    """Distance (...) of world points (..., 3) from `EYE`, along the optical axis: metres."""
     return points @ WORLD_TO_CAMERA[2, :3] + WORLD_TO_CAMERA[2, 3]
 
 

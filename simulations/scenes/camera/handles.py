@@ -16,6 +16,7 @@ from simulations.models.distortion.lens_model import (
     undistort_clamped,
 )
 from simulations.pictures.still_life.depth import depth_met
+from simulations.scenes.camera.dolly import after_step, focal_before_step
 from simulations.scenes.camera.lens import (
     SENSOR_HEIGHT_MM,
     SENSOR_WIDTH_MM,
@@ -37,33 +38,33 @@ from simulations.scenes.camera.settings import Settings
 
 
 def _focus(settings: Settings, _outputs: Outputs) -> Point:
-    return focus_mark(settings.focus)
+    return focus_mark(settings.focus, settings.back)
 
 
-def _focus_pulled(_settings: Settings, place: Point) -> Mapping[str, Value]:
-    return {"focus": focus_marked(place)}
+def _focus_pulled(settings: Settings, place: Point) -> Mapping[str, Value]:
+    return {"focus": focus_marked(place, settings.back)}
 
 
 def _edge(settings: Settings, _outputs: Outputs) -> Point:
-    return edge_mark(half_view_tangent(settings.focal_length, settings.focus, settings.k1))
+    now = after_step(settings)
+    return edge_mark(half_view_tangent(now.focal_length, now.focus, now.k1), now.back)
 
 
 def _edge_pulled(settings: Settings, place: Point) -> Mapping[str, Value]:
     """The focal length that images a ray through the place on the edge of the sensor."""
     lens = Distortion(k1=settings.k1)
-    tangent = min(max(edge_marked(place), 1e-3), fold_radius(lens))
+    tangent = min(max(edge_marked(place, settings.back), 1e-3), fold_radius(lens))
     principal = SENSOR_WIDTH_MM / 2 / float(distort(np.array((tangent, 0.0)), lens)[0])
-    focus_mm = 1000.0 * settings.focus
-    return {"focal_length": principal * focus_mm / (principal + focus_mm)}
+    return {"focal_length": focal_before_step(principal, settings.focus, settings.back)}
 
 
 def _lamp(settings: Settings, _outputs: Outputs) -> Point:
-    return lamp_mark(settings.light_angle)
+    return lamp_mark(settings.light_angle, back=settings.back)
 
 
-def _lamp_pulled(_settings: Settings, place: Point) -> Mapping[str, Value]:
+def _lamp_pulled(settings: Settings, place: Point) -> Mapping[str, Value]:
     """Towards the place from the middle of the still life; in the middle itself, as it is."""
-    across, away = seen_from(place)
+    across, away = seen_from(place, settings.back)
     nearer = STILL_LIFE_MIDDLE - away
     if not (across or nearer):
         return {}
@@ -76,11 +77,14 @@ def _middle(_settings: Settings, _outputs: Outputs) -> Point:
 
 def _aimed(settings: Settings, place: Point) -> Mapping[str, Value]:
     """Focus on what the lens images at a place of the photograph, if any ray arrives there."""
-    principal = principal_mm(settings.focal_length, settings.focus)
+    now = after_step(settings)
+    principal = principal_mm(now.focal_length, now.focus)
     across = (place[0] / PLAN_WIDTH - 0.5) * SENSOR_WIDTH_MM / principal
     down = (place[1] / PLAN_HEIGHT - 0.5) * SENSOR_HEIGHT_MM / principal
     ideal, reached = undistort_clamped([(across, down)], Distortion(k1=settings.k1))
-    return {"focus": depth_met((*ideal[0], 1.0))} if reached.all() else {}
+    if not reached.all():
+        return {}
+    return {"focus": depth_met((*ideal[0], 1.0), settings.back) - settings.back}
 
 
 HANDLES: tuple[Handle[Settings], ...] = (

@@ -99,18 +99,21 @@ def _margin(reach_mm: float, size: int) -> int:
     return next(margin for margin in MARGINS_PX if margin >= needed)
 
 
-def nearest_depth(principal: float, k1: float) -> float:
+def nearest_depth(principal: float, k1: float, back: float = 0.0) -> float:
     """Depth of the nearest thing or spot of floor that the sensor sees, metres."""
     _, down = ideal_reach(principal, k1)
     falling = still_life.WORLD_TO_CAMERA[:3, 2] @ (0.0, -down, -1.0)
-    floor = still_life.EYE[2] / falling if falling > 0 else math.inf
-    return float(min(floor, *(still_life.thing_depth(thing) for thing in still_life.THINGS)))
+    floor = still_life.eye(back)[2] / falling if falling > 0 else math.inf
+    nearest = min(still_life.thing_depth(thing) for thing in still_life.THINGS)
+    return float(min(floor, nearest + back))
 
 
-def largest_blur_px(focal_length: float, aperture: float, focus: float, k1: float) -> float:
+def largest_blur_px(
+    focal_length: float, aperture: float, focus: float, k1: float, back: float = 0.0
+) -> float:
     """The widest disc of confusion in the picture; blur grows to both sides of the focus."""
-    nearest = nearest_depth(principal_mm(focal_length, focus), k1)
-    ends = np.array([nearest, still_life.WALL_DISTANCE])
+    nearest = nearest_depth(principal_mm(focal_length, focus), k1, back)
+    ends = np.array([nearest, still_life.WALL_DISTANCE + back])
     return float(blur_px(focal_length, aperture, focus, ends).max())
 
 

@@ -1,6 +1,7 @@
 """The plan of the camera simulator: camera, wedge of view, things, and what is in focus."""
 
 import math
+from dataclasses import dataclass
 
 import numpy as np
 
@@ -29,136 +30,167 @@ LAMP_DISTANCE = 3.5
 """... and how far from it."""
 
 
-def on_plan(x: float, y: float) -> Point:
-    """View box coordinates of a point ``x`` metres to the right, ``y`` metres away."""
-    return PLAN_WIDTH / 2 + UNITS_PER_METRE * x, CAMERA_ROW - UNITS_PER_METRE * y
+@dataclass(frozen=True, slots=True)
+class Standing:
+    """What the plan shows."""
+
+    focus: float
+    """Metres from where the camera stood before it stepped back."""
+    light_angle: float
+    focal_length: float
+    """That of the camera where it stands now, millimetres."""
+    view_rad: float
+    near: float
+    """Nearest and farthest end of the depth of field, metres from the camera ..."""
+    far: float
+    """... which may be ∞."""
+    back: float = 0.0
+    """How far the camera has stepped back, metres: the plan shrinks, and the wall stays in it."""
 
 
-def seen_from(place: Point) -> Point:
+def units_per_metre(back: float) -> float:
+    return UNITS_PER_METRE * WALL_DISTANCE / (WALL_DISTANCE + back)
+
+
+def on_plan(x: float, y: float, back: float = 0.0) -> Point:
+    """View box coordinates of a point ``x`` metres to the right, ``y`` metres away from where
+    the camera stood before it stepped ``back`` by so many metres."""
+    units = units_per_metre(back)
+    return PLAN_WIDTH / 2 + units * x, CAMERA_ROW - units * (y + back)
+
+
+def seen_from(place: Point, back: float = 0.0) -> Point:
     """Metres to the right and away of a place of the view box: the inverse of `on_plan`."""
     across, up = place[0] - PLAN_WIDTH / 2, CAMERA_ROW - place[1]
-    return across / UNITS_PER_METRE, up / UNITS_PER_METRE
+    units = units_per_metre(back)
+    return across / units, up / units - back
 
 
-def focus_mark(focus: float) -> Point:
+def focus_mark(focus: float, back: float = 0.0) -> Point:
     """Where the distance in focus is marked; behind the wall metres are drawn short."""
     behind = max(focus - WALL_DISTANCE, 0.0)
-    row = on_plan(0, focus - behind)[1] - UNITS_BEHIND_THE_WALL * behind
+    row = on_plan(0, focus - behind, back)[1] - UNITS_BEHIND_THE_WALL * behind
     return FOCUS_COLUMN, row
 
 
-def focus_marked(place: Point) -> float:
+def focus_marked(place: Point, back: float = 0.0) -> float:
     """The distance in focus whose mark is in the row of ``place``, metres."""
-    away = seen_from(place)[1]
+    away = seen_from(place, back)[1]
     behind = max(away - WALL_DISTANCE, 0.0)
-    return away + behind * (UNITS_PER_METRE / UNITS_BEHIND_THE_WALL - 1.0)
+    return away + behind * (units_per_metre(back) / UNITS_BEHIND_THE_WALL - 1.0)
 
 
-def edge_mark(half_tan: float) -> Point:
+def edge_mark(half_tan: float, back: float = 0.0) -> Point:
     """On the left edge of the field of view."""
-    return _slice(EDGE_DEPTH, half_tan)[0]
+    return _slice(EDGE_DEPTH + back, half_tan, back)[0]
 
 
-def edge_marked(place: Point) -> float:
+def edge_marked(place: Point, back: float = 0.0) -> float:
     """The tangent of half the field of view whose edge is in the column of ``place``."""
-    return -seen_from(place)[0] / EDGE_DEPTH
+    return -seen_from(place, back)[0] / (EDGE_DEPTH + back)
 
 
-def lamp_mark(light_angle: float, distance: float = LAMP_DISTANCE) -> Point:
+def lamp_mark(light_angle: float, distance: float = LAMP_DISTANCE, back: float = 0.0) -> Point:
     """The lamp, or a point nearer to the middle of the still life."""
     angle = math.radians(light_angle)
-    return on_plan(distance * math.sin(angle), STILL_LIFE_MIDDLE - distance * math.cos(angle))
+    nearer = distance * math.cos(angle)
+    return on_plan(distance * math.sin(angle), STILL_LIFE_MIDDLE - nearer, back)
 
 
-def draw_plan(focus: float, light_angle: float, view_rad: float, near: float, far: float) -> str:
-    """SVG markup. ``near`` and ``far`` bound the depth of field, metres; ``far`` may be ∞."""
-    half_tan = math.tan(view_rad / 2)
+def draw_plan(plan: Standing) -> str:
+    """SVG markup."""
+    half_tan, back = math.tan(plan.view_rad / 2), plan.back
     return "".join(
         (
-            _wedge(half_tan),
-            _in_focus(focus, near, far, half_tan),
-            _wall(),
-            *(_thing(thing) for thing in THINGS),
-            _lamp(light_angle),
-            _camera(view_rad),
+            _wedge(half_tan, back),
+            _in_focus(plan, half_tan),
+            _wall(back),
+            *(_thing(thing, back) for thing in THINGS),
+            _lamp(plan.light_angle, back),
+            _camera(plan),
         )
     )
 
 
-def _slice(depth: float, half_tan: float) -> tuple[Point, Point]:
-    """Left and right end of the field of view at ``depth``."""
-    return on_plan(-depth * half_tan, depth), on_plan(depth * half_tan, depth)
+def _slice(depth: float, half_tan: float, back: float) -> tuple[Point, Point]:
+    """Left and right end of the field of view at ``depth`` from the camera."""
+    away, reach = depth - back, depth * half_tan
+    return on_plan(-reach, away, back), on_plan(reach, away, back)
 
 
-def _wedge(half_tan: float) -> str:
-    left, right = _slice(WALL_DISTANCE, half_tan)
+def _wedge(half_tan: float, back: float) -> str:
+    left, right = _slice(WALL_DISTANCE + back, half_tan, back)
     lens = on_plan(0, 0)
     edges = (drawing.line(lens, end, "camera thin") for end in (left, right))
-    return "".join(edges) + drawing.dot(edge_mark(half_tan), "camera")
+    return "".join(edges) + drawing.dot(edge_mark(half_tan, back), "camera")
 
 
-def _in_focus(focus: float, near: float, far: float, half_tan: float) -> str:
-    front, back = min(near, WALL_DISTANCE), min(far, WALL_DISTANCE)
-    near_left, near_right = _slice(front, half_tan)
-    far_left, far_right = _slice(back, half_tan)
+def _in_focus(plan: Standing, half_tan: float) -> str:
+    focus, back = plan.focus, plan.back
+    first, last = (min(limit, WALL_DISTANCE + back) for limit in (plan.near, plan.far))
+    near_left, near_right = _slice(first, half_tan, back)
+    far_left, far_right = _slice(last, half_tan, back)
     parts = []
-    if back > front:
+    if last > first:
         band = (near_left, near_right, far_right, far_left)
         parts.append(drawing.polygon(band, "ray fill faint"))
     if focus <= WALL_DISTANCE:
-        left, right = _slice(focus, half_tan)
+        left, right = _slice(focus + back, half_tan, back)
         parts.append(drawing.line(left, right, "ray bold"))
     wall = on_plan(0, WALL_DISTANCE)[1]
-    row, label = on_plan(0, focus)[1], f"focus {format_number(focus, 1)} m"
+    mark = focus_mark(focus, back)
+    row, label = mark[1], f"focus {format_number(focus + back, 1)} m"
     baseline = row - 5 if row > wall + 20 else row + 15  # clear of the wall's line
     if focus <= WALL_DISTANCE:
         parts.append(drawing.line((4, row), (PLAN_WIDTH - 4, row), "ray thin dashed faint"))
     else:
         label, baseline = f"{label}, behind the wall", wall - 7
     parts.append(drawing.text((FOCUS_COLUMN - 16, baseline), label, "ray halo", "end"))
-    parts.append(drawing.dot(focus_mark(focus), "ray"))
+    parts.append(drawing.dot(mark, "ray"))
     return "".join(parts)
 
 
-def _wall() -> str:
+def _wall(back: float) -> str:
     left, right = (8.0, on_plan(0, WALL_DISTANCE)[1]), (PLAN_WIDTH - 8.0, 0.0)
     row = left[1]
     return drawing.line(left, (right[0], row), "world bold") + drawing.text(
-        (10, row - 7), f"wall with test chart, {WALL_DISTANCE:.0f} m", "world small"
+        (10, row - 7), f"wall with test chart, {WALL_DISTANCE + back:.3g} m", "world small"
     )
 
 
-def _thing(thing: Thing) -> str:
+def _thing(thing: Thing, back: float) -> str:
     x, y, _ = thing.solid.centre
-    centre = on_plan(x, y)
+    centre, units = on_plan(x, y, back), units_per_metre(back)
     match thing.solid:
         case Sphere(radius=radius):
-            reach = radius * UNITS_PER_METRE
+            reach = radius * units
             shape = drawing.circle(centre, reach, "world fill")
         case Box() as box:
-            shape = drawing.polygon(_corners(box), "world fill")
-            reach = box.size[0] * UNITS_PER_METRE / 2
+            shape = drawing.polygon(_corners(box, back), "world fill")
+            reach = box.size[0] * units / 2
     side = -1 if x < 0 else 1
     label = (centre[0] + side * (reach + 6), centre[1] + 4)
     return shape + drawing.text(label, thing.name, "world small halo", "end" if x < 0 else "start")
 
 
-def _corners(box: Box) -> list[Point]:
+def _corners(box: Box, back: float) -> list[Point]:
     half_x, half_y = box.size[0] / 2, box.size[1] / 2
     local = ((-half_x, -half_y), (half_x, -half_y), (half_x, half_y), (-half_x, half_y))
     corners = [np.array([x, y, 0.0]) @ box.world_to_box + box.centre for x, y in local]
-    return [on_plan(float(corner[0]), float(corner[1])) for corner in corners]
+    return [on_plan(float(corner[0]), float(corner[1]), back) for corner in corners]
 
 
-def _lamp(light_angle: float) -> str:
+def _lamp(light_angle: float, back: float) -> str:
     """The lamp's direction as an arrow to the middle of the still life, on a circle around it."""
-    start, end = lamp_mark(light_angle), lamp_mark(light_angle, 2.3)
+    start, end = (lamp_mark(light_angle, distance, back) for distance in (LAMP_DISTANCE, 2.3))
     return drawing.arrow(start, end, "light bold") + drawing.circle(start, 5.0, "light solid")
 
 
-def _camera(view_rad: float) -> str:
+def _camera(plan: Standing) -> str:
     x, row = on_plan(0, 0)
     body = drawing.rectangle((x - 13, row + 5), 26, 15, "camera fill")
     lens = drawing.rectangle((x - 6, row - 1), 12, 6, "camera solid")
-    label = drawing.text((x + 20, row + 17), f"{math.degrees(view_rad):.0f}°", "camera strong")
+    seen = f"{math.degrees(plan.view_rad):.0f}°"
+    told = f"{seen} at {plan.focal_length:.0f} mm" if plan.back else seen
+    label = drawing.text((x + 20, row + 17), told, "camera strong")
     return body + lens + label

@@ -13,6 +13,7 @@ from simulations.engine.stages import Outputs
 from simulations.models.error_measures import decibels
 from simulations.models.lens import thin_lens
 from simulations.models.lens.aperture_grid import aperture_grid
+from simulations.scenes.camera.dolly import after_step
 from simulations.scenes.camera.handles import HANDLES
 from simulations.scenes.camera.lens import (
     COLUMNS,
@@ -25,7 +26,7 @@ from simulations.scenes.camera.lens import (
     principal_mm,
     sensor_rays,
 )
-from simulations.scenes.camera.plan import PLAN_HEIGHT, PLAN_WIDTH, draw_plan
+from simulations.scenes.camera.plan import PLAN_HEIGHT, PLAN_WIDTH, Standing, draw_plan
 from simulations.scenes.camera.sensor import develop_ideal, expose, shutter_s, vignette
 from simulations.scenes.camera.settings import Settings
 from simulations.scenes.camera.stages import STAGES, TIERS, through_lens
@@ -36,20 +37,23 @@ REFERENCE_GRID = 7
 
 def parameters(settings: Settings, tier: str) -> dict[str, Value]:
     """What the stages read besides the controls: set by the tier, or worked out."""
-    accuracy, across, down = TIERS[tier], 0, 0
+    accuracy, across, down, now = TIERS[tier], 0, 0, after_step(settings)
     if not accuracy.bent_rays:
-        across, down = margin_px(settings.focal_length, settings.focus, settings.k1)
+        across, down = margin_px(now.focal_length, now.focus, now.k1)
     return {
         **asdict(accuracy),
+        "focal_length": now.focal_length,
+        "focus": now.focus,
         "margin_columns": across,
         "margin_rows": down,
-        "largest_blur": blur_of(settings),
+        "largest_blur": blur_of(now),
     }
 
 
 def blur_of(settings: Settings) -> float:
     """The widest disc of confusion in the picture, in pixels."""
-    return largest_blur_px(settings.focal_length, settings.aperture, settings.focus, settings.k1)
+    focal, aperture, focus = settings.focal_length, settings.aperture, settings.focus
+    return largest_blur_px(focal, aperture, focus, settings.k1, settings.back)
 
 
 def depth_of_field_m(settings: Settings) -> tuple[float, float]:
@@ -73,17 +77,28 @@ def shutter_text(seconds: float) -> str:
 def draw(settings: Settings, outputs: Outputs) -> Frame:
     """A photograph of the still life, and the plan of where everything stood."""
     photograph: Raster = outputs["sRGB"]
-    view_rad = view_of(settings)
-    near, far = depth_of_field_m(settings)
+    now = after_step(settings)
+    view_rad = view_of(now)
+    near, far = depth_of_field_m(now)
     quality = decibels((rms_codes(photograph, outputs["noiseless picture"]) / 255.0) ** 2)
-    plan = draw_plan(settings.focus, settings.light_angle, view_rad, near, far)
+    plan = draw_plan(
+        Standing(
+            focus=settings.focus,
+            light_angle=settings.light_angle,
+            focal_length=now.focal_length,
+            view_rad=view_rad,
+            near=near,
+            far=far,
+            back=now.back,
+        )
+    )
     return Frame(
         panels=(
             Panel("photograph", "Captured image", PLAN_WIDTH, PLAN_HEIGHT, photograph),
             Panel("plan", "From above", PLAN_WIDTH, PLAN_HEIGHT, overlay=plan),
         ),
-        readouts=_readouts(settings, view_rad, near, far, quality),
-        description=_describe(settings, view_rad, near, far, quality),
+        readouts=_readouts(now, view_rad, near, far, quality),
+        description=_describe(now, view_rad, near, far, quality),
     )
 
 
@@ -94,7 +109,7 @@ def estimate(settings: Settings, outputs: Outputs, _tier: str) -> Iterator[Reado
     """
     picture: Raster = outputs["noiseless picture"]
     rays = len(aperture_grid(REFERENCE_GRID))
-    for count, truth in enumerate(references(settings), start=1):
+    for count, truth in enumerate(references(after_step(settings)), start=1):
         codes = format_number(rms_codes(picture, truth), 2)
         label = f"RMS error against {count} of {rays} rays through the lens"
         yield Readout("error", label, codes, "codes of 255", "error")
@@ -106,7 +121,7 @@ def references(settings: Settings) -> Iterator[Raster]:
     rays = bend_rays(sensor_rays(focal, focus), settings.k1)
     total = np.zeros((3, ROWS, COLUMNS), np.float32)
     for count, at in enumerate(aperture_grid(REFERENCE_GRID), start=1):
-        total += through_lens(rays, at, settings.light_angle, focal, aperture, focus)
+        total += through_lens(rays, at, settings.light_angle, focal, aperture, focus, settings.back)
         light = vignette(total / np.float32(count), focal, focus)
         yield develop_ideal(expose(light, settings.exposure))
 
@@ -147,8 +162,9 @@ def _describe(settings: Settings, view_rad: float, near: float, far: float, qual
     lines = "stay straight" if k1 == 0 else f"bow {'outwards' if k1 < 0 else 'inwards'}"
     beyond = "onwards" if math.isinf(far) else f"to {_metres(far)} m"
     noise = "no noise" if math.isinf(quality) else f"noise at {quality:.0f} dB PSNR"
+    step = f", {settings.back:.1f} m farther back," if settings.back else ""
     return (
-        f"At {settings.focal_length:.0f} mm and f/{settings.aperture:.1f} the camera sees "
+        f"At {settings.focal_length:.0f} mm and f/{settings.aperture:.1f}{step} the camera sees "
         f"{math.degrees(view_rad):.0f}° of a still life of balls and boxes; it is sharp from "
         f"{_metres(near)} m {beyond}, straight lines {lines}, and the picture has {noise}."
     )
@@ -166,7 +182,7 @@ SCENE = Scene(
     default_tier="layers",
     draft_tier="draft",
     # Not the focus: a coarse picture would look out of focus everywhere.
-    drafted=("focal_length", "light_angle"),
+    drafted=("focal_length", "light_angle", "back"),
     drafted_in={"bent-rays": ("k1",), "aperture-rays": ("aperture", "focus", "k1")},
     tier_labels={
         "draft": "Draft: a ray for four pixels",

@@ -18,3 +18,5 @@ class Settings:
     noise_sigma: float = slider("Read noise σ", 5.0, 0.0, 40.0, 1.0, unit="codes")
     shot_noise: bool = toggle("Photon shot noise", default=True)
     new_noise: int = action(*("Take it again",) * 8)
+    back: float = slider("Step back, zooming in", 0.0, 0.0, 4.0, 0.1, unit="m")
+    dolly: int = action("Dolly zoom", "Pause", drives="back", effect="play", seconds=10.0)

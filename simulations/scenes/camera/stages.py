@@ -39,8 +39,8 @@ TIERS: Mapping[str, Accuracy] = {
 }
 
 
-def _surfaces(rays: Rays) -> tuple[Surface, ...]:
-    return surfaces.surfaces(still_life.view(rays.directions, rays.valid))
+def _surfaces(rays: Rays, back: float) -> tuple[Surface, ...]:
+    return surfaces.surfaces(still_life.view(rays.directions, rays.valid, back))
 
 
 def _light(parts: tuple[Surface, ...], light_angle: float) -> LitScene:
@@ -72,11 +72,12 @@ def through_lens(
     focal_length: float,
     aperture: float,
     focus: float,
+    back: float = 0.0,
 ) -> Planes:
     """The picture seen through one point of the lens: ``at`` = (right, down) in the unit disc."""
     radius = focal_length / aperture / 2000.0  # metres
     place = (radius * at[0], radius * at[1])
-    seen = still_life.view_through(rays.directions, rays.valid, place, focus)
+    seen = still_life.view_through(rays.directions, rays.valid, place, focus, back)
     return _overlay(_light(surfaces.surfaces(seen), light_angle))
 
 
@@ -86,10 +87,11 @@ def _aperture_rays(
     focal_length: float,
     aperture: float,
     focus: float,
+    back: float,
     lens_rays: int,
 ) -> Planes:
     """The mean over the lens's opening: edges that hide less than they seem to, and no layers."""
-    setting = (light_angle, focal_length, aperture, focus)
+    setting = (light_angle, focal_length, aperture, focus, back)
     total = np.zeros((3, *rays.valid.shape), np.float32)
     for right, down in fibonacci_disc(lens_rays):
         total += through_lens(rays, (float(right), float(down)), *setting)

@@ -43,6 +43,7 @@ FIXED: Mapping[str, Value] = {
     "reduction": 1,
     "margin_columns": 0,
     "margin_rows": 0,
+    "back": 0.0,
 }
 """Parameters of the camera's stages that this figure does not offer."""
 FEWEST_ACROSS, MOST_ACROSS = 7, 15
