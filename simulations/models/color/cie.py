@@ -2,8 +2,6 @@
 
 Colours are arrays (..., 3). Those out of the numbers' range become infinite or NaN, as in `srgb`.
 Szeliski, 2nd ed., section 2.3.2; CIE 15:2004.
-
-Reference: the book explains it; no figure and no ladder runs it.
 """
 
 import numpy as np
