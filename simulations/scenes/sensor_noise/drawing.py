@@ -9,10 +9,10 @@ import numpy as np
 from simulations.engine.drawing import Point, circle, dot, line, path, polyline, rectangle, text
 from simulations.models.arrays import Floats, Mask
 
-WIDTH, HEIGHT = 420.0, 280.0
+WIDTH, HEIGHT = 396.0, 264.0
 ROWS, COLUMNS = 4, 6
 PATCH_SIDES = (WIDTH / COLUMNS, HEIGHT / ROWS)
-LEFT, RIGHT, TOP, BOTTOM = 58.0, 408.0, 22.0, 232.0
+LEFT, RIGHT, TOP, BOTTOM = 56.0, 384.0, 22.0, 217.0
 DECADES = 4.5
 """Of the mean axis, below twice the saturation level."""
 LOWEST_DN2 = 0.01
