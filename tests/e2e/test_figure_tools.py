@@ -9,7 +9,7 @@ from typing import Any
 
 import pytest
 from PIL import Image
-from playwright.sync_api import Locator
+from playwright.sync_api import Locator, expect
 from support.reader import Reader
 
 pytestmark = pytest.mark.browser
@@ -63,7 +63,8 @@ def test_reset_returns_to_the_start_of_the_page_and_back_undoes_it(
     visitor.page.emulate_media(reduced_motion="reduce")
     figure.locator("[data-reset]").click()
     is_at = "([figure, value]) => figure.querySelector('[name=k1]').value === value"
-    visitor.page.wait_for_function(is_at, arg=[figure.element_handle(), "0"])
+    start = figure.locator("script.schema").evaluate("s => JSON.parse(s.text).values.k1")
+    visitor.page.wait_for_function(is_at, arg=[figure.element_handle(), str(start)])
     assert visitor.page.evaluate("location.search") == ""
     visitor.page.go_back()
     visitor.page.wait_for_function(is_at, arg=[figure.element_handle(), "-0.3"])
@@ -104,10 +105,10 @@ def test_full_screen_shows_the_figure_alone_and_escape_ends_it(
     button = figure.locator("[data-full-screen]")
     button.click()
     visitor.page.wait_for_function(f"document.fullscreenElement?.id === '{ID}'")
-    assert button.get_attribute("aria-pressed") == "true"
+    expect(button).to_have_attribute("aria-pressed", "true")
     visitor.page.keyboard.press("Escape")
     visitor.page.wait_for_function("document.fullscreenElement === null")
-    assert button.get_attribute("aria-pressed") == "false"
+    expect(button).to_have_attribute("aria-pressed", "false")
 
 
 def test_the_tools_are_reached_by_keyboard(visitor: Reader, figure: Locator) -> None:
