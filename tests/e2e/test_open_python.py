@@ -146,7 +146,7 @@ def test_an_endless_loop_is_stopped_and_told_and_the_figure_is_as_the_book_draws
     assert "figure stays as it was" in told
     moved = move(reader, figure, "ArrowRight")
     assert move(reader, figure, "ArrowLeft") == book
-    loops_later = ("while k1:", "    pass", "return Drawings('', '', '', '')")
+    loops_later = ("while k1 != 0.15:", "    pass", "return Drawings('', '', '', '')")
     figure.locator(".put-all-back").click()
     figure.locator(".workshop-part", has_text="drawings").click()
     write(reader, figure, "\n    ".join(["def _drawings(k1, k2):", *loops_later]))

@@ -108,7 +108,7 @@ def test_blocked_storage_breaks_nothing(plain_reader: Reader, book: Any) -> None
     )
     chapter = next(chapter for chapter in book["chapters"] if chapter["quizzes"])
     plain_reader.open(chapter["url"], live=False)
-    form = plain_reader.page.locator("form.quiz").first
+    form = plain_reader.page.locator("form.quiz:has(input[type=radio])").first
     form.locator("input").first.check()
     form.locator("button[type=submit]").click()
     assert form.get_attribute("data-answered") in ("correct", "wrong")

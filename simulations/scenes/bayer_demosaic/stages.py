@@ -92,9 +92,19 @@ def _mosaic_alone(demosaic: int) -> str:
     return "" if demosaic else "nothing is demosaiced yet"
 
 
+def _mosaic(picture: Floats) -> Floats:
+    """One colour a cell, (H, W)."""
+    return mosaic(picture, PATTERN)
+
+
+def _bytes(shown: Floats) -> Raster:
+    """An encoded picture (H, W, 3) for the page."""
+    return to_rgba8(shown)
+
+
 STAGES = (
     Stage("picture", _seen),
-    Stage("mosaic", lambda picture: mosaic(picture, PATTERN), ("picture",)),
+    Stage("mosaic", _mosaic, ("picture",)),
     Stage("shown picture", encode_srgb, ("picture",)),
     Stage("shared detail", shared_detail, ("picture",), neutral=_mosaic_alone),
     Stage("demosaic", _reconstruct, ("mosaic",)),
@@ -102,10 +112,10 @@ STAGES = (
     Stage("error", compare, ("picture", "demosaic", "shown picture", "display")),
     # As bytes for the page, which are kept while the loupe moves.
     Stage("bytes of the mosaic", _cells, ("mosaic",)),
-    Stage("bytes of the truth", to_rgba8, ("shown picture",)),
+    Stage("bytes of the truth", _bytes, ("shown picture",)),
     Stage(
         "bytes of the picture",
-        to_rgba8,
+        _bytes,
         ("display",),
         neutral=_mosaic_alone,
         hands_on="bytes of the mosaic",

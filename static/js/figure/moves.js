@@ -104,6 +104,8 @@ export function glide(figure, values) {
     record(figure, "replace");
   };
   const hands = stopByHand(figure, end);
+  // Another state of the page is asked for: what the move would leave behind is not to be kept.
+  addEventListener("popstate", quit, { signal: hands.signal });
   moving.set(figure, end);
 }
 
