@@ -136,8 +136,10 @@ function assetsOf(body, base) {
  */
 function putInPlace(page) {
   document.title = page.title;
-  const description = 'meta[name="description"]';
-  document.querySelector(description)?.replaceWith(page.querySelector(description) ?? "");
+  // The icon's address is relative to the page.
+  for (const part of ['meta[name="description"]', 'link[rel="icon"]']) {
+    document.querySelector(part)?.replaceWith(page.querySelector(part) ?? "");
+  }
   for (const name of Object.keys(document.body.dataset)) delete document.body.dataset[name];
   Object.assign(document.body.dataset, page.body.dataset);
   document.body.className = page.body.className;
