@@ -81,7 +81,8 @@ export function record(figure, entry, values) {
   const url = addressOf(figure, values);
   const id = idOf(figure);
   if (url.search.includes(`${id}.`)) url.hash = id; // so that the address is the figure's link
-  if (!isArrived() || url.href === location.href) return;
+  // A figure that has left with its page has nothing to say in the address of the next.
+  if (!figure.isConnected || !isArrived() || url.href === location.href) return;
   if (entry === "replace") history.replaceState(history.state, "", url);
   else history.pushState({ scroll: Math.round(scrollY) }, "", url);
 }
