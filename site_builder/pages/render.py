@@ -16,6 +16,7 @@ from site_builder.pages.licences import Licence
 from site_builder.pages.predict_view import predict_data, view_sketch
 from site_builder.pages.progress_view import progress_data
 from site_builder.pages.quiz_view import in_any_order, quiz_data
+from site_builder.pages.references_view import cited_works
 from site_builder.pages.simulation_view import SimulationView, view_simulation
 from site_builder.pages.stills import Stills
 
@@ -59,6 +60,11 @@ def render_pages(site: Site, licences: tuple[Licence, ...]) -> dict[str, bytes]:
         "404.html": _page(site, "not-found.html", "./"),
         "licences/index.html": _page(site, "licences.html", "../", licences=licences),
     }
+    if site.book.bibliography.works:
+        works = cited_works(site.book)
+        pages["references/index.html"] = _page(
+            site, "references.html", "../", here="references", works=works
+        )
     chapters = site.book.chapters
     for index, chapter in enumerate(chapters):
         pages[f"{chapter.url}index.html"] = _page(
@@ -101,7 +107,9 @@ def _page(site: Site, template: str, root: str, **context: object) -> str:
 
     def block_html(block: Block) -> Markup:
         template = environment.get_template(f"blocks/{block.template}.html")
-        return Markup(template.render(shared, block=block.content, inside=block.inside))
+        return Markup(
+            template.render(shared, block=block.content, inside=block.inside, target=block.target)
+        )
 
     shared = {
         "root": root,
@@ -117,7 +125,7 @@ def _page(site: Site, template: str, root: str, **context: object) -> str:
         site=site,
         book=site.book,
         runtime=f"{root}{site.runtime}" if site.runtime else "",
-        **{"chapter": None, **context},
+        **{"chapter": None, "here": "", **context},
     )
 
 

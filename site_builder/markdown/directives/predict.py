@@ -8,7 +8,7 @@ from site_builder.book import Option, Prediction
 from site_builder.markdown.answers import Parts, check_parts, split_body
 from site_builder.markdown.bodies import plain_tokens
 from site_builder.markdown.directive import Argument, Body, Directive, OptionLine, Use
-from site_builder.markdown.directives.quiz import check_options_belong, prompt_text, take_id
+from site_builder.markdown.directives.quiz import check_id, check_options_belong, prompt_text
 from site_builder.markdown.question_options import (
     UNIT,
     USES,
@@ -31,7 +31,8 @@ BELONGS: Mapping[str, tuple[str, ...]] = {
 
 
 def read_predict(use: Use, body: Sequence[Token], reading: Reading) -> Prediction | None:
-    take_id(use, reading)
+    check_id(use, reading)
+    reading.take_id(f"predict-{use.argument}", use.line, use.name)
     kind = use.text("kind")
     check_options_belong(use, kind, BELONGS, reading)
     parts = Parts(tuple(body), (), ()) if kind == "sketch" else split_body(body)

@@ -8,7 +8,7 @@ from markdown_it.token import Token
 from site_builder.book import Option, Quiz
 from site_builder.markdown.answers import Item, Parts, check_parts, split_body
 from site_builder.markdown.bodies import plain_tokens
-from site_builder.markdown.directive import Argument, Body, Directive, OptionLine, Use
+from site_builder.markdown.directive import Argument, Body, Directive, Numbered, OptionLine, Use
 from site_builder.markdown.question_options import (
     OTHERWISE,
     UNIT,
@@ -35,7 +35,7 @@ ID = re.compile(r"[a-z0-9]+(-[a-z0-9]+)*")
 
 
 def read_quiz(use: Use, body: Sequence[Token], reading: Reading) -> Quiz:
-    take_id(use, reading)
+    check_id(use, reading)
     kind = use.text("kind")
     check_options_belong(use, kind, BELONGS, reading)
     parts = split_body(body, "ordered" if kind == "order" else "bullet")
@@ -57,12 +57,11 @@ def read_quiz(use: Use, body: Sequence[Token], reading: Reading) -> Quiz:
     )
 
 
-def take_id(use: Use, reading: Reading) -> None:
-    """Claim the element id of a question, ``quiz-…`` or ``predict-…``."""
+def check_id(use: Use, reading: Reading) -> None:
+    """Report what is no id."""
     if not ID.fullmatch(use.argument):
         legal = "small letters, digits and hyphens"
         reading.problem(use.line, f"{use.name} id {use.argument!r}; legal: {legal}")
-    reading.take_id(f"{use.name}-{use.argument}", use.line, use.name)
 
 
 def check_options_belong(
@@ -166,4 +165,5 @@ QUIZ = Directive(
     body=Body("the question, and its answers as a list", plain_tokens),
     read=read_quiz,
     template="quiz",
+    numbered=Numbered("Question", lambda use: f"quiz-{use.argument}"),
 )
