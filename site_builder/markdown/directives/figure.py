@@ -53,5 +53,5 @@ FIGURE = Directive(
     body=CAPTION,
     read=read_figure,
     template="figure",
-    numbered=Numbered("Figure", lambda use: f"figure-{PurePosixPath(use.argument).stem}"),
+    numbered=Numbered("Figure", lambda use: f"figure-{PurePosixPath(use.argument).stem}", again=True),
 )

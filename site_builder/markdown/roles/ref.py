@@ -58,7 +58,7 @@ def _filled(words: str, target: Target, chapter: Target) -> Mapping[str, str]:
     """What stands for each placeholder. Raises `LookupError`."""
     values = {
         "name": target.name,
-        "number": target.number,
+        "number": target.number or chapter.number,
         "title": target.title,
         "chapter": chapter.name,
     }

@@ -22,7 +22,7 @@ def equation(token: Token) -> str:
         return f'<div class="equation"><div class="formula">{formula(token)}</div></div>\n'
     return (
         f'<div class="equation" id="{target.id}"><div class="formula">{formula(token)}</div>'
-        f'<a class="number" href="#{target.id}" aria-label="{target.name}">({target.number})</a>'
+        f'<a class="numbered" href="#{target.id}" aria-label="{target.name}">({target.number})</a>'
         "</div>\n"
     )
 
@@ -34,7 +34,7 @@ def heading_open(token: Token) -> str:
 def heading_close(token: Token) -> str:
     """With a link to the section beside it, which is no part of the heading's name."""
     target: Target = token.meta["target"]
-    words = escape(f"Link to {target.name}")
+    words = escape(f"Link to {target.title}")
     link = f'<a class="anchor" href="#{target.id}" aria-label="{words}"></a>'
     return f"</{token.tag}>{link}</div>\n"
 
