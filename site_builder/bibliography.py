@@ -66,9 +66,9 @@ class Work:
         names = [
             f"{family}, {_initials(given)}" if given else family for given, family in self.authors
         ]
-        return (
-            " and ".join([", ".join(names[:-1]), names[-1]]) if len(names) > 1 else "".join(names)
-        )
+        if names[-1:] == ["others"]:
+            return f"{', '.join(names[:-1])} et al."
+        return " and ".join([*filter(None, [", ".join(names[:-1])]), *names[-1:]])
 
     @property
     def venue(self) -> str:

@@ -53,5 +53,7 @@ FIGURE = Directive(
     body=CAPTION,
     read=read_figure,
     template="figure",
-    numbered=Numbered("Figure", lambda use: f"figure-{PurePosixPath(use.argument).stem}", again=True),
+    numbered=Numbered(
+        "Figure", lambda use: f"figure-{PurePosixPath(use.argument).stem}", again=True
+    ),
 )
