@@ -42,7 +42,12 @@ STANDARD = ("table", "smartquotes")
 PLUGINS: tuple[Callable[[MarkdownIt], None], ...] = (
     front_matter_plugin,
     footnote_plugin,
-    partial(dollarmath_plugin, allow_labels=True, allow_space=False, allow_digits=False),
+    partial(
+        dollarmath_plugin,
+        allow_space=False,
+        allow_digits=False,
+        label_normalizer=str,  # as written; what is no label is reported
+    ),
 )
 
 RULES = (

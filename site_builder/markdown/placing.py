@@ -74,7 +74,8 @@ class _Placing:
         if inside:
             if label:
                 legal = "on a formula of the running text"
-                self.reading.problem(line, f"label {label!r} in a question or caption; {legal}")
+                where = "in a question or caption"
+                self.reading.problem(line, f"label {label!r} {where}; legal: {legal}")
             return
         if label:
             name = self._labelled(label, line, "equation")

@@ -22,7 +22,7 @@ class Targets:
         ``id`` of this page or, where no other page has it, of another. Raises `LookupError`."""
         chapter, mark, name = given.partition("#")
         if mark and not chapter:
-            return _one(name, self.inside.get(here, ()), f"target {given!r} on this page")
+            return _one(name, self.inside.get(here, ()), "target on this page")
         if mark:
             self._chapter(chapter)
             return _one(name, self.inside.get(chapter, ()), f"target in {chapter}")

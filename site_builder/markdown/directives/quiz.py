@@ -91,7 +91,7 @@ def _prompt_html(parts: Parts, use: Use, reading: Reading) -> str:
     for token in parts.prompt:
         if token.type == "inline":
             shown.append(reading.html([token]))
-        elif token.type == "math_block":
+        elif token.type in ("math_block", "math_block_label"):
             shown.append(str(token.meta.get("mathml", "")))
         elif token.type not in ("paragraph_open", "paragraph_close"):
             reading.problem(
