@@ -8,6 +8,7 @@ import pytest
 from numpy.typing import NDArray
 from PIL import Image
 from scipy.fft import dctn
+from support.frames import texts_of
 
 from simulations.engine.controls import Choice
 from simulations.engine.frame import Frame
@@ -32,7 +33,7 @@ def frame(cache: StageCache | None = None, /, **given: object) -> Frame:
 
 
 def texts(**given: object) -> dict[str, str]:
-    return {item.name: item.text for item in frame(**given).readouts}
+    return texts_of(frame(**given))
 
 
 def outputs(tier: str = "separable", **given: object) -> Outputs:
