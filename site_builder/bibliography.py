@@ -101,7 +101,8 @@ class Work:
     @property
     def told(self) -> str:
         """The whole reference as a line of text."""
-        return f"{self.everyone} ({self.year}). {self.fields.get('title', '')}. {self.venue}."
+        parts = (f"{self.everyone} ({self.year})", self.fields.get("title", ""), self.venue)
+        return f"{'. '.join(filter(None, parts))}."
 
 
 @dataclass(frozen=True, slots=True)

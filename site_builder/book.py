@@ -6,6 +6,7 @@ answers them, quoted modules get a page.
 """
 
 import hashlib
+import re
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass, field
 from pathlib import PurePosixPath
@@ -243,7 +244,7 @@ class Link:
 
 def chapter_id(file: str) -> str:
     """``lens-distortion`` for ``04-lens-distortion.md``."""
-    return PurePosixPath(file).stem.lstrip("0123456789").lstrip("-") or "unnamed"
+    return re.sub(r"^\d+-", "", PurePosixPath(file).stem) or "unnamed"
 
 
 @dataclass(frozen=True, slots=True)

@@ -152,7 +152,7 @@ def _cover(site: Site) -> Block | None:
 
 def _counts(book: Book) -> dict[str, int]:
     return {
-        "chapters": len(book.chapters),
+        "chapters": sum(not chapter.is_appendix for chapter in book.chapters),
         "simulations": len(book.scenes),
         "questions": sum(len(chapter.quizzes) for chapter in book.chapters),
     }
