@@ -11,7 +11,8 @@
 
 import { message } from "../errors.js";
 import { all, maybe, one, within } from "../page/dom.js";
-import { formatValue, moveControls, named, readValues } from "./controls.js";
+import { formatValue, moveControls, named, readValues, uncover } from "./controls.js";
+import { holdGround } from "./hold.js";
 import { LatestWins } from "./scheduler.js";
 import { say } from "./status.js";
 
@@ -65,6 +66,7 @@ export class Handles {
       for (const kind of ["pointerover", "pointerout", "focusin", "focusout"]) {
         layer.addEventListener(kind, (event) => this.#point(event), { signal });
       }
+      holdGround(layer, signal);
     }
     form.addEventListener("input", () => this.#tell(), { signal });
   }
@@ -240,6 +242,7 @@ export class Handles {
       const box = this.form.querySelector(named(setting))?.closest(".control");
       box?.classList.toggle("driven", begun);
     }
+    if (element && event.type === "focusin") uncover(this.form, driven(element));
     if (event.type.startsWith("focus")) this.#tell();
   }
 }

@@ -131,13 +131,13 @@ const calls = {
   },
 
   /**
-   * A script that prints what a frame of these values says.
+   * A script that prints what a frame of these values says, of the book's code and picture.
    *
-   * @param {FrameCall} call
+   * @param {FrameCall & {edited: boolean, own: boolean}} call
    */
-  async script({ scene, values, tier }) {
+  async script({ scene, values, tier, edited, own }) {
     await parts.provide(parts.table.scenes[scene]);
-    return { reply: { script: python.script(scene, values, tier) } };
+    return { reply: { script: python.script(scene, values, tier, edited, own) } };
   },
 
   /**
