@@ -77,6 +77,20 @@ def test_other_controls_wait_behind_a_line_on_a_phone(phone: Reader, book: Any) 
     assert folded.is_visible()
 
 
+def test_words_that_move_a_folded_control_unfold_it(phone: Reader, book: Any) -> None:
+    camera = next(c["url"] for c in book["chapters"] if "camera" in c["simulations"])
+    open_page(phone, camera)
+    folded = phone.figure("camera").locator("[name=noise_sigma]")
+    phone.page.locator("a.set[data-values='{\"noise_sigma\": 0.0}']").first.click()
+    folded.wait_for(state="visible")
+
+
+def test_an_address_that_names_a_folded_control_unfolds_it(phone: Reader, book: Any) -> None:
+    camera = next(c["url"] for c in book["chapters"] if "camera" in c["simulations"])
+    open_page(phone, f"{camera}?figure-camera.noise_sigma=9")
+    phone.figure("camera").locator("[name=noise_sigma]").wait_for(state="visible")
+
+
 def test_on_a_desk_all_controls_are_in_sight(phone: Reader, book: Any) -> None:
     phone.page.set_viewport_size({"width": 1280, "height": 900})
     for address in pages(book):

@@ -118,7 +118,7 @@ def assert_sound(scene: Scene[Any], frame: Frame, setting: Mapping[str, object])
                     assert not NOT_FINITE.search(value), (setting, panel.name, element.attrib)
         for label in drawing.iter("text"):
             left, top, right, bottom = box_of(label)
-            inside = 0 <= left and right <= panel.width and 0 <= top and bottom <= panel.height
+            inside = min(left, top) >= 0 and right <= panel.width and bottom <= panel.height
             assert inside, (setting, panel.name, label.text, box_of(label))
         if panel.raster is not None:
             opaque = panel.raster[..., 3].max()

@@ -105,9 +105,9 @@ const calls = {
    *
    * @param {{scene: string, values: string, handle: string, x: number, y: number}} call
    */
-  async pull({ scene, values, handle, x, y }) {
+  async pull({ scene, values, tier, handle, x, y }) {
     await parts.provide(parts.table.scenes[scene]);
-    return { reply: { values: JSON.parse(python.pull(scene, values, handle, x, y)) } };
+    return { reply: { values: JSON.parse(python.pull(scene, values, tier, handle, x, y)) } };
   },
 
   /**
