@@ -12,7 +12,7 @@
 import { message } from "../errors.js";
 import { all, maybe, one, within } from "../page/dom.js";
 import { formatValue, moveControls, named, readValues, uncover } from "./controls.js";
-import { holdGround } from "./hold.js";
+import { holdGround, mayScroll } from "./hold.js";
 import { LatestWins } from "./scheduler.js";
 import { say } from "./status.js";
 
@@ -37,9 +37,11 @@ const KEYS = {
 
 export class Handles {
   /**
-   * What is in the reader's hand, how far from the pointer it was taken, and where it was led.
+   * What is in the reader's hand, how far from the pointer it was taken, and where it was led; of
+   * a finger that may still be on its way to scroll the page, where it came down.
    *
-   * @type {{element: HTMLElement, offset: Point, last: Point | null} | null}
+   * @type {{element: HTMLElement, offset: Point, last: Point | null, down: PointerEvent | null}
+   *   | null}
    */
   #held = null;
   /** @type {LatestWins<Job>} */
@@ -101,19 +103,22 @@ export class Handles {
     const offset = /** @type {Point} */ (
       free ? [0, 0] : [place[0] - pointer[0], place[1] - pointer[1]]
     );
-    this.#held = { element, offset, last: null };
+    const ground = free || element.matches(".drag");
+    const down = event.pointerType === "touch" && ground ? event : null;
+    this.#held = { element, offset, last: null, down };
     element.classList.add("held");
     layer.setPointerCapture(event.pointerId);
     element.focus({ preventScroll: true });
-    // A finger on the ground may still be on its way to scroll the page.
-    if (event.pointerType === "touch" && free) return;
+    if (down && free) return;
     event.preventDefault();
     if (free) this.#reach(event);
   }
 
   /** @param {PointerEvent} event */
   #move(event) {
-    if (this.#held) this.#reach(event);
+    if (!this.#held || (this.#held.down && mayScroll(this.#held.down, event))) return;
+    this.#held.down = null;
+    this.#reach(event);
   }
 
   /**

@@ -11,6 +11,17 @@ const REST = 250;
 const STILL = 8;
 
 /**
+ * Whether a finger that has not rested goes rather up or down than sideways.
+ *
+ * @param {PointerEvent} down
+ * @param {PointerEvent} now
+ */
+export function mayScroll(down, now) {
+  if (within(now, ".handles.taken", HTMLElement)) return false;
+  return Math.abs(now.clientY - down.clientY) >= Math.abs(now.clientX - down.clientX);
+}
+
+/**
  * @param {HTMLElement} layer The handles of a panel.
  * @param {AbortSignal} signal Ends all listening.
  */

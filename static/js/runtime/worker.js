@@ -103,7 +103,8 @@ const calls = {
   /**
    * The control values that bring a handle to a place of its panel.
    *
-   * @param {{scene: string, values: string, handle: string, x: number, y: number}} call
+   * @param {{scene: string, values: string, tier: string, handle: string, x: number,
+   *   y: number}} call
    */
   async pull({ scene, values, tier, handle, x, y }) {
     await parts.provide(parts.table.scenes[scene]);
