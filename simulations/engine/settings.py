@@ -124,8 +124,9 @@ def check_settings[S](settings: type[S], given: Mapping[str, object]) -> S:
 
     def check(control: Control, raw: object) -> Value:
         value = control.check(raw)
-        if control.name in whole and value != round(float(value)):
-            message = f"{control.name}: {value:g} is no whole number; legal: {control.legal}"
+        if control.name in whole and isinstance(control, Slider) and value != round(float(value)):
+            steps = f"{control.minimum:g} and steps of {control.step:g}"
+            message = f"{control.name}: {value:g} is between two steps; legal: {steps}"
             raise ControlError(message)
         return value
 

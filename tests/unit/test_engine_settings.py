@@ -58,7 +58,7 @@ def test_the_first_option_is_the_default_where_none_is_named() -> None:
 
 
 def test_a_fraction_of_a_whole_setting_is_refused_of_an_author_and_rounded_of_a_reader() -> None:
-    with pytest.raises(ControlError, match=r"column.*2\.5.*1 to 30"):
+    with pytest.raises(ControlError, match=r"column.*2\.5.*steps of 1"):
         check_settings(Settings, {"column": "2.5"})
     assert clamp_settings(Settings, {"column": 2.6}).column == 3
 
