@@ -25,8 +25,10 @@ from simulations.engine.drawing import (
 
 SCRIPT = re.compile(r"([_^])(?:\{([^}]*)\}|(.))")
 """An index or an exponent: ``z_s``, ``r^2``, ``N_{min}``."""
-LOWERED, RAISED = ("sub", "0.3em", "-0.22em"), ("super", "-0.5em", "0.37em")
-"""Class, way from the line, and way back to it; a script is set in 0.74 of the size."""
+SCRIPT_SIZE = 0.74
+"""Of its letters, beside those of the label."""
+HEIGHTS = {"_": ("sub", 0.22), "^": ("super", -0.37)}
+"""Class of a script and how far below the line it stands, in letters of the label."""
 
 
 def label(position: Point, content: str, style: str = "", anchor: str = "start") -> str:
@@ -36,20 +38,24 @@ def label(position: Point, content: str, style: str = "", anchor: str = "start")
 
 
 def _spans(content: str) -> str:
-    parts, rest, back = [], 0, ""
+    parts, rest, height = [], 0, 0.0
     for found in SCRIPT.finditer(content):
-        parts.append(_on_line(content[rest : found.start()], back))
-        kind, down, back = LOWERED if found[1] == "_" else RAISED
-        script = escape(found[2] or found[3], quote=False)
-        parts.append(f'<tspan class="{kind}" dy="{down}">{script}</tspan>')
-        rest = found.end()
-    return "".join([*parts, _on_line(content[rest:], back)])
+        if plain := content[rest : found.start()]:
+            parts.append(_span(plain, "", -height))
+            height = 0.0
+        kind, wanted = HEIGHTS[found[1]]
+        parts.append(_span(found[2] or found[3], kind, (wanted - height) / SCRIPT_SIZE))
+        rest, height = found.end(), wanted
+    return "".join([*parts, _span(content[rest:], "", -height)])
 
 
-def _on_line(content: str, back: str) -> str:
-    """Plain text; ``back`` is the way from the script before it to the line."""
+def _span(content: str, kind: str, down_em: float) -> str:
+    """Words, so many of their own letters below those before."""
     words = escape(content, quote=False)
-    return f'<tspan dy="{back}">{words}</tspan>' if words and back else words
+    if not words or not (kind or down_em):
+        return words
+    style = f' class="{kind}"' if kind else ""
+    return f'<tspan{style} dy="{coordinate(down_em)}em">{words}</tspan>'
 
 
 def swatch(corner: Point, width: float, height: float, srgb: Sequence[float]) -> str:

@@ -12,8 +12,8 @@ from simulations.models.distortion.lens_model import Distortion, distort
 WIDTH, HEIGHT, UNITS = 190.0, 210.0, 76.0
 LENSES = (
     ("ideal", "No distortion", 0.0, 0.0),
-    ("barrel", "Barrel", -0.22, 0.0),
-    ("pincushion", "Pincushion", 0.16, 0.0),
+    ("barrel", "Barrel", -0.15, 0.0),
+    ("pincushion", "Pincushion", 0.15, 0.0),
     ("moustache", "Moustache", -0.5, 0.32),
 )
 """Name, title, k1 and k2."""
@@ -24,7 +24,7 @@ ALONG = np.linspace(-0.9, 0.9, 49)
 def placed(points: Floats, k1: float, k2: float) -> Floats:
     """Points (n, 2) of the ideal image, distorted, in view box units."""
     seen = distort(points, Distortion(k1=k1, k2=k2))
-    return np.array([WIDTH / 2, 94.0]) + UNITS * np.asarray(seen) * (0.9 if k1 > 0 else 1.0)
+    return np.array([WIDTH / 2, 94.0]) + UNITS * np.asarray(seen)
 
 
 def _lines() -> list[Floats]:

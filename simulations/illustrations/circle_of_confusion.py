@@ -72,7 +72,7 @@ def draw() -> Illustration:
         label((LENS, AXIS - half - 32), "lens", "camera", "middle"),
     ]
     words = (
-        "A lens is focused at distance s, where its sensor at z_s gathers the light in a point. "
+        "A lens is focused at distance s, whose light its sensor gathers in a point. "
         f"The light of a nearer point, at {NEAR / FOCUS:.2f} of that distance, would meet behind "
         f"the sensor, which cuts its cone in a disc of diameter c, {c / (FOCAL / F_NUMBER):.2f} of "
         "the opening A."

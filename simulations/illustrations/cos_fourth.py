@@ -10,7 +10,7 @@ from simulations.engine.frame import Panel
 from simulations.engine.illustration import Illustration
 from simulations.models.lens.vignetting import vignetting_cos4
 
-WIDTH, HEIGHT = 400.0, 252.0
+WIDTH, HEIGHT = 400.0, 258.0
 OPENING, SENSOR, AXIS = 96.0, 296.0, 210.0
 ANGLE_RAD = math.radians(38)
 HALF, PIXEL = 22.0, 13.0

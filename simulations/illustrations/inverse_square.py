@@ -9,8 +9,8 @@ from simulations.engine.illustration import Illustration
 from simulations.illustrations.space import seen_from
 from simulations.models.light.reflectance import PointLight, irradiance
 
-WIDTH, HEIGHT = 400.0, 264.0
-SPACE = seen_from((-1.35, -2.6, 1.0), 104.0, (44.0, 132.0))
+WIDTH, HEIGHT = 400.0, 286.0
+SPACE = seen_from((-1.35, -2.6, 1.0), 88.0, (60.0, 148.0))
 DISTANCES = (1, 2, 3)
 HALF = 0.32
 """Half the side of the first screen."""
