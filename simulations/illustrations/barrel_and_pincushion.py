@@ -14,7 +14,7 @@ LENSES = (
     ("ideal", "No distortion", 0.0, 0.0),
     ("barrel", "Barrel", -0.15, 0.0),
     ("pincushion", "Pincushion", 0.15, 0.0),
-    ("moustache", "Moustache", -0.5, 0.32),
+    ("moustache", "Moustache", -0.7, 0.29),
 )
 """Name, title, k1 and k2."""
 LINES = np.linspace(-0.9, 0.9, 7)

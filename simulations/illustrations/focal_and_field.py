@@ -9,7 +9,7 @@ from simulations.engine.illustration import Illustration
 from simulations.models.projection.pinhole import field_of_view_rad
 
 WIDTH, HEIGHT = 400.0, 196.0
-CENTRE = (172.0, 98.0)
+CENTRE = (169.0, 98.0)
 UNITS_PER_MM = 1.2
 SENSOR_MM = 36.0
 LENSES = ((24.0, "image"), (50.0, "world"), (135.0, "light"))

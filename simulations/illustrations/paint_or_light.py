@@ -9,7 +9,7 @@ from simulations.engine.illustration import Illustration
 from simulations.models.color.srgb import decode_srgb
 
 WIDTH, HEIGHT = 400.0, 268.0
-PLOT = Plot(Axis(0, 4, 46, 392), Axis(0, 1, 222, 14))
+PLOT = Plot(Axis(0, 4, 48, 392), Axis(0, 1, 222, 14))
 """Light that arrives, in units of the lamp's on a wall that faces it, and albedo."""
 VALUE = 149
 OTHERS = ((75, 1.8), (220, 2.6))
@@ -49,7 +49,7 @@ def draw() -> Illustration:
         *(dot(PLOT.at(light, albedo(VALUE, light)), "world", 4.5) for light, _ in WALLS),
         label((84, 26), f"pixel value {VALUE}", "image strong halo"),
         label((219, 262), "light on the wall", "light", "middle"),
-        label((38, 70), "albedo", "world small", "end"),
+        label((39, 70), "albedo", "world small", "end"),
     ]
     pairs = "; ".join(
         f"{name}, light {light:g} and albedo {albedo(VALUE, light):.2f}" for light, name in WALLS

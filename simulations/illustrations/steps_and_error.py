@@ -58,7 +58,7 @@ def draw() -> Illustration:
         )
     marks += [
         label((PLOT.x.end, PLOT.y.start + 36), "polynomials worked out", "muted small", "end"),
-        label((160, 24), "largest error", "muted small"),
+        label((PLOT.x.end, 24), "largest error", "muted small", "end"),
         dot((84, 196), "image", 4.5),
         label((96, 200), "Newton", ""),
         circle((84, 216), 4.5, "image hollow"),

@@ -196,6 +196,13 @@ def test_the_front_holds_what_nothing_else_beats() -> None:
         assert any(c <= cost and e <= error for c, e, _ in front)
 
 
+def test_newton_s_method_has_the_front_from_four_polynomials_on() -> None:
+    assert [(cost, name) for cost, _, name in steps_and_error.front()] == [
+        *((1, "fixed point"), (2, "Newton"), (3, "fixed point")),
+        *((4, "Newton"), (6, "Newton"), (8, "Newton")),
+    ]
+
+
 def test_gaps_of_the_toy_format_double_with_each_power_of_two() -> None:
     numbers = float_spacing.numbers()
     gaps = np.diff(numbers)

@@ -11,8 +11,8 @@ from PIL import ImageFont
 from simulations.engine.drafting import SCRIPT_SIZE
 from site_builder.charts.boxes import Box
 
-SIZES = {"italic": 14.0, "small": 12.0}
-"""Sizes of labels by class, as in illustrations.css; 13 without one."""
+ITALIC, UPRIGHT = 14.0, 13.5
+"""The largest sizes of labels, in units of the view box: illustrations.css."""
 FACES = {
     "sans": ("font_source_sans_pro", "files/SourceSansPro-Regular.ttf"),
     "strong": ("font_source_sans_pro", "files/SourceSansPro-Semibold.ttf"),
@@ -37,7 +37,7 @@ def labels(overlay: str) -> Iterator[Label]:
 
 def _box(element: ElementTree.Element) -> Box:
     style = (element.get("class") or "").split()
-    size = next((SIZES[name] for name in SIZES if name in style), 13.0)
+    size = ITALIC if "italic" in style else UPRIGHT
     face = "italic" if "italic" in style else "strong" if "strong" in style else "sans"
     width = _width(element.text or "", face, size)
     for span in element:

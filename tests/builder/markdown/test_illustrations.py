@@ -36,9 +36,8 @@ def test_a_page_shows_the_drawing_its_words_and_its_caption(page: Callable[[str]
 
 
 def test_an_author_may_give_an_id_and_other_words(page: Callable[[str], str]) -> None:
-    html = page(
-        f":::{{illustration}} {NAME}\n:id: my-triangles\n:alt: A & B.\n{CAPTION}[x](#my-triangles)\n"
-    )
+    options = ":id: my-triangles\n:alt: A & B.\n"
+    html = page(f":::{{illustration}} {NAME}\n{options}{CAPTION}")
     assert 'id="my-triangles"' in html
     assert 'aria-label="A &amp; B."' in html
 
