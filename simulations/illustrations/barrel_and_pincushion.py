@@ -11,20 +11,20 @@ from simulations.models.distortion.lens_model import Distortion, distort
 
 WIDTH, HEIGHT, UNITS = 190.0, 210.0, 76.0
 LENSES = (
-    ("ideal", "No distortion", 0.0, 0.0),
-    ("barrel", "Barrel", -0.15, 0.0),
-    ("pincushion", "Pincushion", 0.15, 0.0),
-    ("moustache", "Moustache", -0.7, 0.29),
+    ("ideal", "No distortion", 0.0, 0.0, 1.0),
+    ("barrel", "Barrel", -0.15, 0.0, 1.0),
+    ("pincushion", "Pincushion", 0.15, 0.0, 1.0),
+    ("moustache", "Moustache", -0.5, 0.21, 1.25),
 )
-"""Name, title, k1 and k2."""
+"""Name, title, k1 and k2, and by how much it is enlarged."""
 LINES = np.linspace(-0.9, 0.9, 7)
 ALONG = np.linspace(-0.9, 0.9, 49)
 
 
-def placed(points: Floats, k1: float, k2: float) -> Floats:
+def placed(points: Floats, k1: float, k2: float, zoom: float) -> Floats:
     """Points (n, 2) of the ideal image, distorted, in view box units."""
     seen = distort(points, Distortion(k1=k1, k2=k2))
-    return np.array([WIDTH / 2, 94.0]) + UNITS * np.asarray(seen)
+    return np.array([WIDTH / 2, 94.0]) + zoom * UNITS * np.asarray(seen)
 
 
 def _lines() -> list[Floats]:
@@ -34,8 +34,8 @@ def _lines() -> list[Floats]:
 
 def draw() -> Illustration:
     panels = []
-    for name, title, k1, k2 in LENSES:
-        lines = [placed(points, k1, k2) for points in _lines()]
+    for name, title, k1, k2, zoom in LENSES:
+        lines = [placed(points, k1, k2, zoom) for points in _lines()]
         border = [lines[0], lines[-1], lines[6][::-1], lines[7][::-1]]
         formula = "k_1 = 0" if k1 == 0 else f"k_1 = {k1:+.2f}".replace("-", "−")
         if k2:
