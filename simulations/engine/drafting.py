@@ -99,22 +99,6 @@ def dimension(start: Point, end: Point, style: str = "", tick: float = 5.0) -> s
     return double_arrow(start, end, f"{style} thin", 6.0) + path(strokes, f"{style} thin")
 
 
-def bracket(start: Point, end: Point, depth: float, style: str = "") -> str:
-    """A square bracket from ``start`` to ``end``; positive depth: right of the way."""
-    dx, dy = end[0] - start[0], end[1] - start[1]
-    length = math.hypot(dx, dy)
-    away = (-dy / length * depth, dx / length * depth)
-    return polyline(
-        [
-            start,
-            (start[0] + away[0], start[1] + away[1]),
-            (end[0] + away[0], end[1] + away[1]),
-            end,
-        ],
-        style,
-    )
-
-
 def glass(centre: Point, half_height: float, half_width: float, style: str = "camera fill") -> str:
     """A lens of two equal faces, seen from the side."""
     x, y = float(centre[0]), float(centre[1])

@@ -13,8 +13,6 @@ class Illustration:
     """Side by side where there is room, else one below the other; SVG alone, no raster."""
     description: str
     """What they show, with their numbers: one to three sentences."""
-    columns: int = 0
-    """Largest number of drawings in a row; 0: as many as there are."""
 
     def __post_init__(self) -> None:
         if not self.panels:

@@ -28,7 +28,7 @@ def stations() -> tuple[tuple[str, str, str, str], ...]:
         (
             f"{mean:.0f} electrons",
             "world",
-            f"half of them, + {SENSOR.dark_current_e_per_s:g} dark",
+            f"× {SENSOR.quantum_efficiency:g}, + {SENSOR.dark_current_e_per_s:g} dark",
             f"shot noise ± {math.sqrt(mean):.0f} e^−",
         ),
         (
