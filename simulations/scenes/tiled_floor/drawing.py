@@ -24,7 +24,9 @@ NAMES = ("v₁", "v₂", "v₃")
 NEAREST_M = 0.05
 """Nothing nearer to the plane of the camera's centre is drawn."""
 ROOM = 14.0
-"""Units from a border within which no label's baseline may lie."""
+"""Units that a line of text takes."""
+NAME_WIDTH = 70.0
+"""Units that the name of the horizon takes, and a little more."""
 
 type Point = tuple[float, float]
 type Place = Callable[[Floats], Point]
@@ -154,16 +156,15 @@ def horizon(view: Camera, place: Place) -> str:
 
 
 def _horizon_name(view: Camera, place: Place, ends: tuple[Point, Point]) -> str:
-    """At the end that is farther from v₁, above the line, where there is room for it."""
-    points, valid = view.vanishing
-    first = place(points[0])[0] if valid[0] else 0.0
-    (x, y), anchor = (max(ends), "end") if first < WIDTH / 2.0 else (min(ends), "start")
+    """Above its right end, or above the left one where a vanishing point is near that."""
+    points = [place(pixel)[0] for pixel in view.vanishing[0][:2]]
+    (x, y), anchor = max(ends), "end"
+    if any(abs(x - other) < NAME_WIDTH for other in points):
+        (x, y), anchor = min(ends), "start"
     baseline = (min(max(x, 6.0), WIDTH - 6.0), y - 7.0)
-    return (
-        drawing.text(baseline, "horizon", "camera small halo", anchor)
-        if inside(baseline, 6.0)
-        else ""
-    )
+    if not inside(baseline, 6.0):
+        return ""
+    return drawing.text(baseline, "horizon", "camera small halo", anchor)
 
 
 def upright(view: Camera, box: Box) -> str:
@@ -180,10 +181,12 @@ def upright(view: Camera, box: Box) -> str:
     parts = [drawing.line(*line, "camera thin dashed")]
     if inside(crossing):
         parts.append(drawing.dot(crossing, "camera", 3.5))
-    label = (crossing[0] + 7.0, crossing[1] + 15.0)
-    if inside(label, ROOM) and crossing[0] < WIDTH - 60.0:
+    # On the side away from the middle of the horizon, which has a mark of its own.
+    side, anchor = (-7.0, "end") if crossing[0] < view.K[0, 2] else (7.0, "start")
+    label = (crossing[0] + side, crossing[1] + 16.0)
+    if inside(label, 3.0 * ROOM):
         words = f"{format_number(view.height, 1)} m"
-        parts.append(drawing.text(label, words, "camera small halo"))
+        parts.append(drawing.text(label, words, "camera small halo", anchor))
     return "".join(parts)
 
 
@@ -195,6 +198,6 @@ def vanishing_points(view: Camera, place: Place) -> str:
             continue
         x, y = place(pixel)
         parts.append(drawing.dot((x, y), "image", 4.0))
-        baseline = (min(max(x, 10.0), WIDTH - 10.0), y - 9.0 if y > 2.0 * ROOM else y + 20.0)
+        baseline = (min(max(x, 10.0), WIDTH - 10.0), y - 15.0 if y > 2.0 * ROOM else y + 25.0)
         parts.append(drawing.text(baseline, name, "image strong halo", "middle"))
     return "".join(parts)

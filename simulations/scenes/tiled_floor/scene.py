@@ -28,7 +28,7 @@ def draw(settings: Settings, outputs: Outputs) -> Frame:
     over, around = (draw(view, box, settings.lines) for draw in (picture_overlay, plane_overlay))
     return Frame(
         panels=(
-            Panel("picture", "The picture", WIDTH, HEIGHT, outputs["photograph"], over),
+            Panel("picture", "The picture", WIDTH, HEIGHT, outputs["picture"], over),
             Panel(
                 "plane",
                 "The image plane, three times as wide",

@@ -37,6 +37,6 @@ def _wider(photograph: Raster) -> Raster:
 STAGES = (
     Stage("camera", camera),
     Stage("floor", _floor, ("camera",)),
-    Stage("photograph", _photograph, ("floor", "camera")),
-    Stage("wider", _wider, ("photograph",)),
+    Stage("picture", _photograph, ("floor", "camera")),
+    Stage("wider", _wider, ("picture",)),
 )
