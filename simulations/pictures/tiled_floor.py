@@ -31,6 +31,8 @@ SHADOW_PER_M = (0.7, 0.3)
 """Where the shadow of a point falls, metres right and nearer for each metre of its height."""
 SHADE = 0.42
 """What is left of the light in the shadow."""
+EDGE_ON_M = 1e-6
+"""Before the plane of a side: within it, the side is a line and not to be seen."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -53,8 +55,8 @@ class Box:
         """Names of the sides that are turned to the eye (3,): x0, x1, y0, y1, top."""
         x, y, z = np.asarray(eye, float)
         (x0, x1), (y0, y1), (_, top) = self.spans
-        turned = {"x0": x < x0, "x1": x > x1, "y0": y < y0, "y1": y > y1, "top": z > top}
-        return tuple(name for name, seen in turned.items() if seen)
+        before = {"x0": x0 - x, "x1": x - x1, "y0": y0 - y, "y1": y - y1, "top": z - top}
+        return tuple(name for name, distance in before.items() if distance > EDGE_ON_M)
 
     def side(self, name: str) -> Floats:
         """Corners (4, 3) of a side, in the order of its edge."""

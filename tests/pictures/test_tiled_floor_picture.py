@@ -102,3 +102,16 @@ def test_a_box_partly_behind_the_camera_hides_what_is_behind_it() -> None:
 
 def test_a_box_behind_the_camera_leaves_the_picture_alone() -> None:
     np.testing.assert_array_equal(with_box(FLOOR, POSE, K, Box(-2.0, -9.0, 1.0, 1.0)), FLOOR)
+
+
+def test_sides_that_are_seen_edge_on_cover_nothing() -> None:
+    """In the planes of its top and of its left side, the eye sees the front alone."""
+    level = pose_above_ground(1.6, math.radians(10), 0.0)
+    floor, box = tiled_floor(level, K, WIDTH, HEIGHT), Box(0.5, 4.2, 1.0, 1.6)
+    picture = with_box(floor, level, K, box)
+    corners, _ = project(world_to_camera(box.side("y0"), level), K)
+    low, high = np.floor(corners.min(axis=0)), np.ceil(corners.max(axis=0))
+    np.testing.assert_array_equal(picture[:, : int(low[0])], floor[:, : int(low[0])])
+    np.testing.assert_array_equal(picture[: int(low[1])], floor[: int(low[1])])
+    below = np.s_[int(high[1]) - 2, int(high[0]) - 4]
+    np.testing.assert_allclose(picture[below], floor[below] * SHADE, rtol=1e-5)
