@@ -26,6 +26,7 @@ SCENE_MODULES = {
     "lens-aberrations": "simulations.scenes.lens_aberrations.scene",
     "jpeg": "simulations.scenes.jpeg.scene",
     "tiled-floor": "simulations.scenes.tiled_floor.scene",
+    "two-views": "simulations.scenes.two_views.scene",
 }
 
 LADDER_MODULES = {
