@@ -10,7 +10,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from simulations.models.arrays import Floats
+from simulations.models.arrays import Floats, Mask
 from simulations.models.projection.level_ground import ground_to_image
 from simulations.models.projection.pinhole import world_to_camera
 from simulations.pictures.patterns import checker
@@ -22,6 +22,8 @@ FLOOR_COLOURS = np.array([SLATE, CREAM, SKY_LOW], np.float32)
 SKY_COLOURS = np.array([SKY_LOW, SKY_TOP], np.float32)
 SKY_RISE = 0.7
 """Tangent of the angle above the horizon at which the sky is bluest."""
+FARTHEST = 1e-4
+"""One over the depth in metres at which the floor ends, in haze."""
 HAZE_M = 45.0
 """Distance at which the floor has e⁻¹ of its colour left."""
 BOX_PAINT = (0.52, 0.13, 0.055)
@@ -85,24 +87,43 @@ def tiled_floor(pose: ArrayLike, K: ArrayLike, width: int, height: int) -> NDArr
 
     ``pose`` (4, 4) is that of a camera above the floor that looks less than straight up or down.
     """
-    focal_px = float(np.asarray(K, float)[1, 1])
     to_floor = np.linalg.inv(ground_to_image(pose, K)).astype(np.float32)
     across, away, nearness = (_over_pixels(row, width, height) for row in to_floor)
     picture = np.empty((height, width, 3), np.float32)
-    seen = nearness > 1e-4
-    distance = 1.0 / nearness[seen]
-    x, y = across[seen] * distance, away[seen] * distance
+    ends = nearness[:, [0, -1]]
+    with_floor, with_sky = (
+        _rows(these) for these in (ends.max(axis=1) > FARTHEST, ends.min(axis=1) <= FARTHEST)
+    )
+    distance = 1.0 / np.maximum(nearness[with_floor], FARTHEST)
+    x, y = across[with_floor] * distance, away[with_floor] * distance
+    picture[with_floor] = _floor(x, y, distance, to_floor)
+    above = -nearness[with_sky] / float(np.hypot(*to_floor[2, :2]) * np.asarray(K)[1, 1])
+    in_sky = (nearness[with_sky] <= FARTHEST)[..., None]
+    np.copyto(picture[with_sky], _sky(above), where=in_sky)
+    return picture
+
+
+def _rows(these: Mask) -> slice:
+    """Rows that are all above or all below a line: one run."""
+    found = np.flatnonzero(these)
+    return slice(int(found[0]), int(found[-1]) + 1) if found.size else slice(0, 0)
+
+
+def _floor(x: Floats, y: Floats, distance: Floats, to_floor: Floats) -> Floats:
+    """Colours (..., 3) at places of the floor, over the footprints of their pixels."""
     size_x, size_y = (
         (np.abs(row[0] - at * to_floor[2, 0]) + np.abs(row[1] - at * to_floor[2, 1])) * distance
         for row, at in ((to_floor[0], x), (to_floor[1], y))
     )
-    tiles, clear = checker(x, y, TILE_M, size_x, size_y), np.exp(distance * (-1.0 / HAZE_M))
-    cream = clear * tiles
-    picture[seen] = np.stack([clear - cream, cream, 1.0 - clear], axis=-1) @ FLOOR_COLOURS
-    rise = nearness[~seen] * float(-1.0 / (np.hypot(*to_floor[2, :2]) * focal_px * SKY_RISE))
-    blue = np.sqrt(np.clip(rise, 0.0, 1.0))
-    picture[~seen] = np.stack([1.0 - blue, blue], axis=-1) @ SKY_COLOURS
-    return picture
+    clear = np.exp(distance * (-1.0 / HAZE_M))
+    cream = clear * checker(x, y, TILE_M, size_x, size_y)
+    return np.stack([clear - cream, cream, 1.0 - clear], axis=-1) @ FLOOR_COLOURS
+
+
+def _sky(tangent: Floats) -> Floats:
+    """Colours (..., 3) by the tangent of the angle above the horizon, about."""
+    blue = np.sqrt(np.clip(tangent * (1.0 / SKY_RISE), 0.0, 1.0))
+    return np.stack([1.0 - blue, blue], axis=-1) @ SKY_COLOURS
 
 
 def with_box(

@@ -58,7 +58,7 @@ def the_square_of_the_depth() -> Says:
 def a_line_from_its_two_ends() -> Says:
     cos, sin = np.cos(np.radians(20)), np.sin(np.radians(20))
     K, R = intrinsics(160, (0, 0)), np.array([[cos, 0, sin], [0, 1, 0], [-sin, 0, cos]])
-    direction = np.linalg.solve(K, (30, -20, 1))
+    direction = np.linalg.solve(K, (30, -40, 1))
     yield rf"$\mathbf{{d}} = ({', '.join(f'{entry:g}' for entry in direction)})$"
     turned = R @ direction
     yield r"\begin{bmatrix} " + r" \\ ".join(f"{entry:.3f}" for entry in turned) + r" \end{bmatrix}"
@@ -68,7 +68,7 @@ def a_line_from_its_two_ends() -> Says:
     yield rf"$x = -160/\tan 20^\circ = {epipole:.1f}$ px"
     yield f"it rises by {-end[1]:.1f} px on the {round(end[0], 1) - round(epipole, 1):.1f} px"
     F = fundamental_matrix(K, K, R, R @ (-0.5, 0, 0))
-    line, _ = epipolar_lines(F, (30, -20))
+    line, _ = epipolar_lines(F, (30, -40))
     assert np.allclose([line @ (*end, 1), line @ (epipole, 0, 1)], 0, atol=1e-9)
 
 

@@ -113,7 +113,7 @@ def test_the_wide_panel_holds_the_picture_in_its_middle() -> None:
     picture, plane = (panel.raster for panel in frame().panels)
     assert picture is not None
     assert plane is not None
-    inner = plane[150:300, 200:400]
+    inner = plane[120:240, 160:320]
     np.testing.assert_allclose(inner[..., :3].mean(), picture[..., :3].mean(), atol=1.0)
     assert plane[..., 3].sum() == 255 * inner.shape[0] * inner.shape[1]
 

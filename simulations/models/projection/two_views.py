@@ -85,7 +85,8 @@ def depth_of_match(
     -------
     depth : (...), ∞ for the vanishing point of the ray, NaN where invalid.
     valid : (...,) bool, False where the match is beyond infinity: no point in front of the first
-        camera is seen there; and where a number is not finite.
+        camera is seen there; for the epipole, whose ray is seen as a point; and where a number is
+        not finite.
     """
     x, q = as_vectors("first", first, 2), as_vectors("second", second, 2)
     essential_matrix(R, t)
@@ -96,11 +97,13 @@ def depth_of_match(
     )
     a, b = K2 @ np.asarray(t, float), ray @ (K2 @ np.asarray(R, float)).T
     with np.errstate(over="ignore", invalid="ignore", divide="ignore"):
-        along = b[..., :2] * a[2] - a[:2] * b[..., 2:]
+        terms = b[..., :2] * a[2], a[:2] * b[..., 2:]
+        along = terms[0] - terms[1]
+        seen = np.abs(along).max(axis=-1) > 1e-12 * np.abs(terms).max(axis=(0, -1))
         near = ((a[:2] - q * a[2]) * along).sum(axis=-1)
         far = ((b[..., :2] - q * b[..., 2:]) * along).sum(axis=-1)
         depth = np.where(far == 0.0, np.inf, -near / far)
-    valid = (depth > 0.0) & np.isfinite(near) & np.isfinite(far)
+    valid = seen & (depth > 0.0) & np.isfinite(near) & np.isfinite(far)
     return np.where(valid, depth, np.nan), valid
 
 

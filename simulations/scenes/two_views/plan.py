@@ -16,7 +16,7 @@ CENTRE = np.array([30.0, 135.0])
 """The left camera. Depth runs right; X runs down, as it does seen from above."""
 DEPTH_SCALE, SIDE_SCALE = 17.5, 38.0
 """View box units per metre."""
-LIMITS = ((1, 0, 0), (-1, 0, WIDTH), (0, 1, 0), (0, -1, HEIGHT - 20.0))
+LIMITS = ((1, 0, 0), (-1, 0, WIDTH), (0, 1, 0), (0, -1, HEIGHT - 34.0))
 """Half planes a x + b y + c ≥ 0 within which is drawn."""
 FAR_M = 60.0
 """As far as rays are drawn, beyond the panel."""

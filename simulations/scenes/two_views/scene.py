@@ -42,7 +42,7 @@ def _readouts(settings: Settings, view: View) -> tuple[Readout, ...]:
         readout("first_order", "±Z²Δd / f b", float(first_order), "m", role="error"),
         readout(
             "off_row",
-            "Below its row, right",
+            "y right − y left",
             view.right[1] - view.left[1],
             "px",
             digits=1,
