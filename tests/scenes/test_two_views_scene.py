@@ -92,15 +92,15 @@ def test_the_essential_matrix_is_the_baseline_crossed_with_the_turn() -> None:
 
 def test_the_lamp_is_led_through_the_world_and_along_the_line() -> None:
     settings = SCENE.check({})
-    assert SCENE.pull(settings, "lamp", (30 + 17.5 * 10, 135 + 38)) == {"depth": 10, "left_x": 16}
+    assert SCENE.pull(settings, "lamp", (30 + 17.5 * 10, 135 + 32)) == {"depth": 10, "left_x": 16}
     assert SCENE.pull(settings, "right", (200 + 2 * (30 - 20), 70)) == {"depth": 4}
     assert SCENE.pull(settings, "right", (399, 70)) == {"depth": 20}
 
 
 def test_the_right_camera_is_moved_and_turned_by_hand() -> None:
     settings = SCENE.check({})
-    assert SCENE.pull(settings, "camera", (0, 135 + 38 * 0.8)) == {"baseline": 0.8}
-    level = (30 + 17.5 * 4, 135 + 38 * (0.5 - 4 * math.tan(math.radians(10))))
+    assert SCENE.pull(settings, "camera", (0, 135 + 32 * 0.8)) == {"baseline": 0.8}
+    level = (30 + 17.5 * 4, 135 + 32 * (0.5 - 4 * math.tan(math.radians(10))))
     assert SCENE.pull(settings, "axis", level) == {"toe_in": 10}
 
 

@@ -14,7 +14,7 @@ WIDTH, HEIGHT = 400.0, 300.0
 TITLE = "From above (X drawn stretched)"
 CENTRE = np.array([30.0, 135.0])
 """The left camera. Depth runs right; X runs down, as it does seen from above."""
-DEPTH_SCALE, SIDE_SCALE = 17.5, 38.0
+DEPTH_SCALE, SIDE_SCALE = 17.5, 32.0
 """View box units per metre."""
 LIMITS = ((1, 0, 0), (-1, 0, WIDTH), (0, 1, 0), (0, -1, HEIGHT - 34.0))
 """Half planes a x + b y + c ≥ 0 within which is drawn."""
@@ -79,6 +79,7 @@ def _cameras(view: View) -> str:
     parts.append(_segment(right, axis_end(view), "camera thin"))
     parts.append(drawing.line(left, right, "camera bold"))
     parts += [drawing.dot(left, "camera", 4.5), drawing.dot(right, "camera", 4.5)]
+    parts.append(drawing.text((4.0, left[1] - 13.0), "left", "camera small halo"))
     words = f"b = {format_number(pair.baseline)} m"
     parts.append(drawing.text((4.0, right[1] + 26.0), words, "camera small halo"))
     return "".join(parts)
