@@ -25,6 +25,7 @@ SCENE_MODULES = {
     "depth-of-field": "simulations.scenes.depth_of_field.scene",
     "lens-aberrations": "simulations.scenes.lens_aberrations.scene",
     "jpeg": "simulations.scenes.jpeg.scene",
+    "resolution": "simulations.scenes.resolution.scene",
 }
 
 LADDER_MODULES = {
