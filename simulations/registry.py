@@ -27,6 +27,7 @@ SCENE_MODULES = {
     "jpeg": "simulations.scenes.jpeg.scene",
     "tiled-floor": "simulations.scenes.tiled_floor.scene",
     "two-views": "simulations.scenes.two_views.scene",
+    "resolution": "simulations.scenes.resolution.scene",
 }
 
 LADDER_MODULES = {
