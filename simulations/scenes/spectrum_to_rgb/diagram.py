@@ -18,7 +18,7 @@ SCALE = 310.0
 """Units of the view box per unit of x and of y."""
 PURE_NM = np.arange(420.0, 641.0, 4.0)
 """Pure colours that the edge is drawn through: beyond these it hardly moves, and the fits stray."""
-MARKED_NM = {460: "end", 480: "end", 500: "end", 520: "middle", 560: "start", 600: "start"}
+MARKED_NM = {460: "end", 480: "end", 500: "start", 520: "middle", 560: "start", 600: "start"}
 """Of the edge, and on which side of its number it lies."""
 TEMPERATURES_K = np.arange(2000.0, 12001.0, 50.0)
 """The steps of its slider."""

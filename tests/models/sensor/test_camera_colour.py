@@ -1,11 +1,10 @@
 """A camera's curves and its colour matrix against measurements and SciPy."""
 
-import warnings
-
 import numpy as np
 import pytest
 from numpy.typing import NDArray
 from scipy.optimize import minimize
+from support.oracle_spectra import oracle, sampled
 
 from simulations.models.arrays import Floats
 from simulations.models.color.illuminants import D65_K, daylight, planck
@@ -20,10 +19,7 @@ PATCHES = np.stack([chart_patch(name) for name in CHART])
 
 
 def test_the_curves_are_those_that_were_measured() -> None:
-    with warnings.catch_warnings():
-        warnings.simplefilter("ignore")  # it misses packages for plotting
-        import colour as oracle
-    measured = oracle.MSDS_CAMERA_SENSITIVITIES["Nikon 5100 (NPL)"].values
+    measured = sampled(oracle.MSDS_CAMERA_SENSITIVITIES["Nikon 5100 (NPL)"])
     assert np.abs(CURVES - measured).max() < 0.06
     assert np.sqrt(np.mean((CURVES - measured) ** 2)) < 0.02
 
