@@ -25,6 +25,7 @@ SCENE_MODULES = {
     "depth-of-field": "simulations.scenes.depth_of_field.scene",
     "lens-aberrations": "simulations.scenes.lens_aberrations.scene",
     "jpeg": "simulations.scenes.jpeg.scene",
+    "brdf": "simulations.scenes.brdf.scene",
     "spectrum-to-rgb": "simulations.scenes.spectrum_to_rgb.scene",
 }
 
