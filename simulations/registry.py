@@ -28,6 +28,8 @@ SCENE_MODULES = {
     "tiled-floor": "simulations.scenes.tiled_floor.scene",
     "two-views": "simulations.scenes.two_views.scene",
     "resolution": "simulations.scenes.resolution.scene",
+    "brdf": "simulations.scenes.brdf.scene",
+    "spectrum-to-rgb": "simulations.scenes.spectrum_to_rgb.scene",
 }
 
 LADDER_MODULES = {
