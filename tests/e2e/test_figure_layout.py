@@ -145,7 +145,9 @@ def test_values_at_their_longest_are_whole_and_move_nothing(
         assert phone.page.evaluate(MOVED) == [], address
 
 
-SMALL_LABELS = """(least) => [...document.querySelectorAll("simulation-figure svg.overlay")]
+SMALL_LABELS = """(least) => [...document.querySelectorAll(
+    ":is(simulation-figure, .drawing) svg.overlay"
+  )]
   .flatMap((svg) => [...svg.querySelectorAll("text")].map((label) => {
     const scale = svg.getBoundingClientRect().width / svg.viewBox.baseVal.width;
     return [label.textContent, parseFloat(getComputedStyle(label).fontSize) * scale];
@@ -159,7 +161,7 @@ def test_labels_in_pictures_are_large_enough_to_read(
 ) -> None:
     reader.page.add_init_script(SILENT_WORKER)
     reader.page.set_viewport_size({"width": width, "height": 900})
-    for address in pages(book):
+    for address in ["", *(chapter["url"] for chapter in book["chapters"])]:
         open_page(reader, address)
         assert reader.page.evaluate(SMALL_LABELS, least_px) == [], address
 

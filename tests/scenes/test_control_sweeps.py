@@ -27,7 +27,7 @@ type Setting = dict[str, object]
 STEPS = 7
 """Positions of a slider between and including its ends."""
 
-RESIZED = ("aliasing", "bayer-demosaic")
+RESIZED = ("aliasing", "bayer-demosaic", "resolution")
 """Scenes that draw as many pixels as there are samples to be seen."""
 UNDEFINED = {("perspective-projection", "x"), ("perspective-projection", "y"), ("phong", "n_dot_h")}
 """Readouts that somewhere have no value, and say so."""
