@@ -27,6 +27,9 @@ SCENE_MODULES = {
     "jpeg": "simulations.scenes.jpeg.scene",
     "tiled-floor": "simulations.scenes.tiled_floor.scene",
     "two-views": "simulations.scenes.two_views.scene",
+    "resolution": "simulations.scenes.resolution.scene",
+    "brdf": "simulations.scenes.brdf.scene",
+    "spectrum-to-rgb": "simulations.scenes.spectrum_to_rgb.scene",
 }
 
 LADDER_MODULES = {
