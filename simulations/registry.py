@@ -26,6 +26,7 @@ SCENE_MODULES = {
     "lens-aberrations": "simulations.scenes.lens_aberrations.scene",
     "jpeg": "simulations.scenes.jpeg.scene",
     "brdf": "simulations.scenes.brdf.scene",
+    "second-bounce": "simulations.scenes.second_bounce.scene",
     "spectrum-to-rgb": "simulations.scenes.spectrum_to_rgb.scene",
 }
 
