@@ -50,12 +50,12 @@ def section(settings: Settings) -> str:
         text((floor[0], floor[1] + 20), "floor", "world halo", "end"),
         text(
             (EDGE[0], EDGE[1] + 44),
-            "shaded: what the point sees of the wall",
+            "tinted: what the point sees of the wall",
             "ray small",
             "middle",
         ),
     ]
-    name = towards(settings.opening, 0.62 * LENGTH)
+    name = towards(settings.opening, 0.3 * LENGTH)
     parts.append(text((name[0] - 9, name[1]), "wall", "world halo", "end"))
     return "".join(parts)
 

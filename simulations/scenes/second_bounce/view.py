@@ -15,7 +15,7 @@ CAMERA = 2.6
 """From the edge, in lengths of a plane; on the line that halves the angle between them."""
 FOCAL = 340.0
 """In px, as many as units of the view box."""
-HALF_WIDTH = 1.15
+HALF_WIDTH = 0.95
 """Of the planes along their edge, as far as they are shown."""
 
 
