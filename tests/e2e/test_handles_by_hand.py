@@ -5,7 +5,7 @@ from typing import Any
 
 import pytest
 from playwright.sync_api import Browser, Locator, expect
-from support.reader import Reader, chapter_of
+from support.reader import PHONE, Reader, chapter_of, visit
 from support.static_server import StaticServer
 
 from simulations.engine.handles import Handle
@@ -66,29 +66,25 @@ def test_a_handle_stays_under_the_pointer_and_ends_at_the_last_of_many_moves(
     assert centre(grip)[0] == pytest.approx(end[0], abs=2)
 
 
-@pytest.mark.parametrize("name", ["probe", "lamp"])
-def test_a_finger_moves_a_handle_and_scrolls_the_page_elsewhere(
-    chromium: Browser, server: StaticServer, book: Any, name: str
+def test_a_finger_moves_handles_and_scrolls_the_page_elsewhere(
+    brisk_chromium: Browser, server: StaticServer, book: Any
 ) -> None:
-    context = chromium.new_context(viewport={"width": 390, "height": 800}, has_touch=True)
-    try:
-        visitor = Reader(context, server.url)
+    with visit(brisk_chromium, server, viewport=PHONE, has_touch=True) as visitor:
         figure = visitor.open_figure(book, "lambertian-shading")
-        grip = figure.locator(f'[data-handle="{name}"]')
-        grip.scroll_into_view_if_needed()
-        handle = next(h for h in load_scene("lambertian-shading").handles if h.name == name)
-        before, scrolled = settings(figure, handle), scroll(visitor)
-        swipe(visitor, centre(grip), (0, -60))
-        swipe(visitor, centre(grip), (-40, 0))
-        visitor.settle(figure)
-        assert settings(figure, handle) != before
-        assert scroll(visitor) == scrolled
+        for name in ("probe", "lamp"):
+            grip = figure.locator(f'[data-handle="{name}"]')
+            grip.scroll_into_view_if_needed()
+            handle = next(h for h in load_scene("lambertian-shading").handles if h.name == name)
+            before, scrolled = settings(figure, handle), scroll(visitor)
+            swipe(visitor, centre(grip), (0, -60))
+            swipe(visitor, centre(grip), (-40, 0))
+            visitor.settle(figure)
+            assert settings(figure, handle) != before, name
+            assert scroll(visitor) == scrolled, name
         box = figure.locator(".panel-title").first.bounding_box()
         assert box
         swipe(visitor, (box["x"] + 20, box["y"] + 5), (0, -120))
         visitor.page.wait_for_function("before => scrollY !== before", arg=scrolled)
-    finally:
-        context.close()
 
 
 def turn_to_figure(visitor: Reader, book: Any, scene: str) -> Locator:
