@@ -1,6 +1,7 @@
 """Fixtures that tests of several folders share."""
 
 import json
+import os
 import subprocess
 import sys
 from collections.abc import Callable, Iterator
@@ -26,6 +27,11 @@ settings.load_profile("repeatable")
 def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
     """What needs the site goes first: one worker builds it while the others test the rest."""
     items.sort(key=lambda item: item.get_closest_marker("browser") is None)
+
+
+def pytest_xdist_auto_num_workers(config: pytest.Config) -> int | None:
+    """One more than there are cores: tests of the browser often wait for it to paint or to rest."""
+    return None if "not browser" in config.option.markexpr else (os.cpu_count() or 1) + 1
 
 
 def pytest_addoption(parser: pytest.Parser) -> None:
