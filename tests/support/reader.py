@@ -65,12 +65,14 @@ class Reader:
 
     def forget(self) -> None:
         """Have the browser keep nothing for the book."""
-        self.page.evaluate("localStorage.clear()")
+        self.page.evaluate("localStorage.clear(); sessionStorage.clear()")
 
     def begin_anew(self, screen: ViewportSize = DESK) -> None:
         """As in a fresh profile: a page that was just loaded, and nothing kept."""
         self.page.set_viewport_size(screen)
-        self.page.emulate_media(media="null", reduced_motion="null", forced_colors="null")
+        self.page.emulate_media(
+            media="null", color_scheme="light", reduced_motion="null", forced_colors="null"
+        )
         self.open("licences/", live=False)
         self.forget()
 
