@@ -185,6 +185,16 @@ class Heading:
 
 
 @dataclass(frozen=True, slots=True)
+class Need:
+    """What a reader should know before a chapter."""
+
+    html: str
+    chapter: str
+    """Id of the chapter that teaches it; nothing where none does."""
+    line: int
+
+
+@dataclass(frozen=True, slots=True)
 class Link:
     """A link of the author's, kept to be checked once all pages are read."""
 
@@ -213,6 +223,10 @@ class Chapter:
     anchors: frozenset[str]
     """Element ids that a link may point to: headings and figures."""
     links: tuple[Link, ...]
+    before: tuple[Need, ...] = ()
+    """What to know before reading it."""
+    after: tuple[str, ...] = ()
+    """What its reader can do afterwards, each as HTML."""
 
     @property
     def url(self) -> str:

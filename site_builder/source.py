@@ -19,7 +19,7 @@ from site_builder.measured.measurements import Measurements
 
 TEXTS = ("title", "subtitle", "prerequisites")
 KEYS = (*TEXTS, "chapters", "hero", "hero_caption")
-OWN_FOLDERS = ("assets", "licences", "runtime", "source")
+OWN_FOLDERS = ("assets", "licences", "runtime", "search", "source")
 """Folders of the site beside those of its chapters."""
 
 

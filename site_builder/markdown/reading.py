@@ -14,7 +14,7 @@ from site_builder.diagnostics import Diagnostics
 from site_builder.measured.measurements import Measurements
 from site_builder.measured.readouts import Readouts
 
-PAGE_IDS = ("main", "contents", "progress-title")
+PAGE_IDS = ("main", "contents", "progress-title", "keys-title")
 """Element ids of the frame around every chapter."""
 
 

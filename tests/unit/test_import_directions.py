@@ -38,7 +38,7 @@ MODELS = (
 
 BUILDER = (
     "diagnostics", "runtime", "editor", "output", "measured", "charts", "book", "markdown",
-    "source", "question_checks", "figure_questions", "checks", "pages", "build", "serve",
+    "source", "question_checks", "figure_questions", "checks", "search", "pages", "build", "serve",
     "__main__",
 )  # fmt: skip
 """Parts of ``site_builder``, likewise."""
