@@ -17,9 +17,10 @@ const BEFORE = 8;
  * @returns {{text: string, hit: boolean}[]}
  */
 export function excerpt(text, matched, stem, length = LENGTH) {
+  const wanted = new Set(matched);
   const words = [...text.matchAll(/[\p{L}\p{N}]+/gu)].map(({ 0: word, index }) => {
     const plain = fold(word);
-    const found = matched.find((one) => one === plain || one === stem(plain));
+    const found = [plain, stem(plain)].find((spelling) => wanted.has(spelling));
     return { start: index, end: index + word.length, found };
   });
   if (words.length === 0) return [];

@@ -32,12 +32,13 @@ export async function fetchIndex() {
   attempts += 1;
   /** @param {string} name */
   const library = (name) => import(address("assets", `search/${name}`) + again);
-  const [{ default: MiniSearch }, { stemmer: stem }, reply] = await Promise.all([
+  const [{ default: MiniSearch }, { stemmer }, reply] = await Promise.all([
     library("minisearch.js"),
     library("stemmer.js"),
     fetch(address("root", "search/index.json"), { cache: "no-cache" }),
   ]);
   if (!reply.ok) throw new Error(`the index answered ${reply.status}`);
+  const stem = remembering(stemmer);
   return { sections: MiniSearch.loadJS(await reply.json(), settings(stem)), stem };
 }
 
@@ -96,31 +97,44 @@ function item(template, hit, stem) {
   const copy = /** @type {DocumentFragment} */ (template.content.cloneNode(true));
   one(copy, "a", HTMLAnchorElement).href = address("root", hit.address);
   setText(one(copy, ".result-chapter", Element), hit.chapter);
-  one(copy, ".result-title", Element).append(...marked(hit.title, hit, stem));
-  const said = [hit.text, hit.figures, hit.questions].find((text) => mentions(text, hit, stem));
-  one(copy, ".result-excerpt", Element).append(...marked(said ?? hit.text, hit, stem, true));
+  const title = excerpt(hit.title, hit.matched, stem, Infinity);
+  one(copy, ".result-title", Element).append(...title.map(element));
+  one(copy, ".result-excerpt", Element).append(...said(hit, stem));
   return copy;
 }
 
 /**
- * @param {string} text
+ * An excerpt of that part of the section in which the words were found.
+ *
  * @param {Hit} hit
  * @param {(word: string) => string} stem
  */
-function mentions(text, hit, stem) {
-  return excerpt(text, hit.matched, stem).some((piece) => piece.hit);
+function said(hit, stem) {
+  const pieces = excerpt(hit.text, hit.matched, stem);
+  if (pieces.some((piece) => piece.hit)) return pieces.map(element);
+  const other = [hit.figures, hit.questions].map((text) => excerpt(text, hit.matched, stem));
+  const found = other.find((excerpt) => excerpt.some((piece) => piece.hit));
+  return (found ?? pieces).map(element);
+}
+
+/** @param {{text: string, hit: boolean}} piece */
+function element({ text, hit }) {
+  const element = document.createElement(hit ? "mark" : "span");
+  element.textContent = text;
+  return element;
 }
 
 /**
- * @param {string} text
- * @param {Hit} hit
+ * Each word is brought to its stem once.
+ *
  * @param {(word: string) => string} stem
- * @param {boolean} [cut] Whether to show no more than the words around what was found.
  */
-function marked(text, hit, stem, cut = false) {
-  return excerpt(text, hit.matched, stem, cut ? undefined : Infinity).map((piece) => {
-    const element = document.createElement(piece.hit ? "mark" : "span");
-    element.textContent = piece.text;
-    return element;
-  });
+function remembering(stem) {
+  /** @type {Map<string, string>} */
+  const stems = new Map();
+  return (/** @type {string} */ word) => {
+    let root = stems.get(word);
+    if (root === undefined) stems.set(word, (root = stem(word)));
+    return root;
+  };
 }
