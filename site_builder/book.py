@@ -75,22 +75,35 @@ class Option:
 
 
 @dataclass(frozen=True, slots=True)
-class Quiz:
-    """A question with explained answers."""
+class Question:
+    """What is asked, and the answers that are offered or recognised."""
 
     id: str
-    """Unique in the book: the reader's answer is remembered under it."""
+    """Unique in the book among its like: the reader's answer is remembered under it."""
     kind: str
-    """``single``, ``multiple``, ``number``, ``order`` or ``figure``."""
     prompt_html: str
     prompt_text: str
     options: tuple[Option, ...]
-    """Those of ``order`` in the right one; those of ``figure`` are conditions on its state."""
     path: str
     line: int
     unit: str = ""
+    """Of a number."""
     tolerance: float = 0.0
     """How far from the right number is right."""
+
+
+def _edition(question: Question, judged_by: object) -> str:
+    """A mark of what is asked and what is right: an answer to another edition is forgotten."""
+    answers = [(option.text, option.correct) for option in question.options]
+    asked = (question.kind, question.prompt_text, answers, judged_by)
+    return hashlib.sha256(repr(asked).encode()).hexdigest()[:8]
+
+
+@dataclass(frozen=True, slots=True)
+class Quiz(Question):
+    """A question with explained answers: ``single``, ``multiple``, ``number``, ``order`` with its
+    options in the right one, or ``figure``, whose options are conditions on its state."""
+
     figure: str = ""
     """Element id of the figure that is to be set."""
     solution: Mapping[str, str] = field(default_factory=dict)
@@ -98,9 +111,7 @@ class Quiz:
 
     @property
     def edition(self) -> str:
-        """A mark of what is asked and what is right: an answer to another edition is forgotten."""
-        answers = [(option.text, option.correct) for option in self.options]
-        return _digest(self.kind, self.prompt_text, answers, self.tolerance)
+        return _edition(self, self.tolerance)
 
 
 @dataclass(frozen=True, slots=True)
@@ -123,28 +134,15 @@ class Axis:
 
 
 @dataclass(frozen=True, slots=True)
-class Prediction:
-    """A question before its answer is looked up; guess and answer then stand side by side."""
+class Prediction(Question):
+    """A question before its answer is looked up, ``number``, ``choice`` or ``sketch``; guess and
+    answer then stand side by side."""
 
-    id: str
-    kind: str
-    """``number``, ``choice`` or ``sketch``."""
-    prompt_html: str
-    prompt_text: str
-    options: tuple[Option, ...]
-    path: str
-    line: int
-    unit: str = ""
-    tolerance: float = 0.0
-    """How far from the right number is close."""
     curve: Curve | None = None
 
     @property
     def edition(self) -> str:
-        """A mark of what is asked: a guess at something else is forgotten."""
-        answers = [(option.text, option.correct) for option in self.options]
-        axes = (self.curve.x, self.curve.y) if self.curve else None
-        return _digest(self.kind, self.prompt_text, answers, axes)
+        return _edition(self, (self.curve.x, self.curve.y) if self.curve else None)
 
 
 @dataclass(frozen=True, slots=True)
@@ -156,10 +154,6 @@ class Reveal:
     """Element id."""
     path: str
     line: int
-
-
-def _digest(*parts: object) -> str:
-    return hashlib.sha256(repr(parts).encode()).hexdigest()[:8]
 
 
 @dataclass(frozen=True, slots=True)

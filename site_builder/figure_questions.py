@@ -8,7 +8,7 @@ from simulations.engine.expressions import ExpressionError
 from simulations.engine.stages import StageCache
 from site_builder.book import Chapter, Option, Quiz, Simulation
 from site_builder.diagnostics import Diagnostics, cause, unknown
-from site_builder.markdown.question_options import OTHERWISE
+from site_builder.markdown.questions.options import OTHERWISE
 
 
 def check_figure_questions(chapter: Chapter, problems: Diagnostics) -> None:

@@ -118,13 +118,12 @@ def reference(workload: Workload) -> Result:
 def _exact(disc: Disc) -> Floats:
     left, right = disc.x - 0.5, disc.x + 0.5
     top, bottom = (disc.y - 0.5)[:, None], (disc.y + 0.5)[:, None]
-    area: Floats = (
+    return (
         _area_to(right, bottom, disc.radius)
         - _area_to(left, bottom, disc.radius)
         - _area_to(right, top, disc.radius)
         + _area_to(left, top, disc.radius)
     )
-    return area
 
 
 def _area_to(x: Floats, y: Floats, radius: float) -> Floats:

@@ -4,20 +4,18 @@ from typing import Any
 
 from simulations.engine.controls import ControlError, Slider, Value
 from simulations.engine.scene import Scene
-from simulations.registry import UnknownIdError
-from site_builder.diagnostics import cause, unknown
+from site_builder.diagnostics import unknown
 from site_builder.markdown.reading import Reading
+from site_builder.measured.loading import loaded
 
 
 def find_scene(scene_id: str, line: int, reading: Reading) -> Scene[Any] | None:
     """The scene, or None and a diagnostic: unknown id, or a module that cannot be imported."""
     try:
-        return reading.load_scene(scene_id)
-    except UnknownIdError as error:
+        return loaded("simulation", scene_id, reading.load_scene, LookupError)
+    except LookupError as error:
         reading.problem(line, str(error))
-    except Exception as error:  # whatever a scene's own code may raise is the author's to see
-        reading.problem(line, f"simulation {scene_id!r} cannot be loaded: {cause(error)}")
-    return None
+        return None
 
 
 def read_setting(

@@ -22,8 +22,9 @@ from pathlib import Path
 from typing import Any
 
 from simulations.engine.ladder import Ladder, Metric, Tier, pareto_front
-from simulations.registry import UnknownIdError, load_ladder
+from simulations.registry import load_ladder
 from site_builder.diagnostics import Diagnostics, cause
+from site_builder.measured.loading import loaded
 
 DATA = "content/measurements.json"
 SIDES = ("native", "browser")
@@ -122,7 +123,7 @@ class Measurements:
 
         Raises `MeasurementError` if it is unknown, not measured or no longer as it was.
         """
-        ladder = self._load(ladder_id)
+        ladder = loaded("ladder", ladder_id, self.load_ladder, MeasurementError)
         again = f"run `make bench LADDER={ladder_id}`"
         entry = self.ladders.get(ladder_id)
         if entry is None:
@@ -142,15 +143,6 @@ class Measurements:
                 f"({cause(error)}); {again}"
             ) from error
         return MeasuredLadder(ladder, tiers, metric, self.machine)
-
-    def _load(self, ladder_id: str) -> Ladder:
-        try:
-            return self.load_ladder(ladder_id)
-        except UnknownIdError as error:
-            raise MeasurementError(str(error)) from error
-        except Exception as error:  # whatever a ladder's own code may raise
-            message = f"ladder {ladder_id!r} cannot be loaded: {cause(error)}"
-            raise MeasurementError(message) from error
 
     def all(self) -> tuple[MeasuredLadder, ...]:
         """Every ladder of the file, in its order."""

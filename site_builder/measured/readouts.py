@@ -8,8 +8,8 @@ from simulations.engine.controls import ControlError
 from simulations.engine.frame import Frame, Readout
 from simulations.engine.scene import Scene
 from simulations.engine.stages import StageCache
-from simulations.registry import UnknownIdError
 from site_builder.diagnostics import cause, unknown
+from site_builder.measured.loading import loaded
 from site_builder.measured.quantities import with_unit
 
 
@@ -28,7 +28,7 @@ class Readouts:
     def text(self, scene_id: str, name: str, settings: Mapping[str, str], *, bare: bool) -> str:
         """What the figure says at ``settings``: its controls, and ``tier``; with its unit unless
         ``bare``. Raises `ReadoutError`."""
-        scene = self._load(scene_id)
+        scene = loaded("simulation", scene_id, self.load_scene, ReadoutError)
         tier = settings.get("tier", scene.default_tier)
         if tier not in scene.tiers and tier != scene.default_tier:
             raise ReadoutError(unknown(f"tier of {scene_id}", tier, scene.tiers))
@@ -37,15 +37,6 @@ class Readouts:
         if "\n" in shown.text:
             raise ReadoutError(f"{scene_id} {name!r} is a matrix; legal: a readout of one line")
         return shown.text if bare else with_unit(shown.text, shown.unit)
-
-    def _load(self, scene_id: str) -> Scene[Any]:
-        try:
-            return self.load_scene(scene_id)
-        except UnknownIdError as error:
-            raise ReadoutError(str(error)) from error
-        except Exception as error:  # whatever a scene's own code may raise
-            message = f"simulation {scene_id!r} cannot be loaded: {cause(error)}"
-            raise ReadoutError(message) from error
 
     def _frame(self, scene: Scene[Any], tier: str, given: Mapping[str, str]) -> Frame:
         try:

@@ -1,7 +1,10 @@
 """The hard cases that the book prints: each is asked, and its answer judged."""
 
+import re
+
 import numpy as np
 import pytest
+from support.worked_numbers import CONTENT
 
 from simulations.engine.hard_cases import HardCase, HardCases, answer, naive_answer, show
 from simulations.hard_cases.tables import TABLES
@@ -44,4 +47,9 @@ def test_what_a_mask_calls_invalid_is_nan_and_the_rest_is_not() -> None:
 
 def test_there_are_enough_cases_to_mean_something() -> None:
     assert len(CASES) >= 200
-    assert all(len(table.cases) >= 8 for table in TABLES)
+    assert not {table.id: len(table.cases) for table in TABLES if len(table.cases) < 8}
+
+
+def test_the_book_prints_every_table() -> None:
+    text = "".join(file.read_text("utf-8") for file in CONTENT.glob("*.md"))
+    assert {table.id for table in TABLES} == set(re.findall(r"^:+\{extremes\} (\S+)", text, re.M))

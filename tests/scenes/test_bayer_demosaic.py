@@ -2,9 +2,10 @@
 
 import numpy as np
 import pytest
+from support.frames import pixels_of, texts_of
 
 from simulations.engine.controls import Choice
-from simulations.engine.frame import Frame, Raster, Readout
+from simulations.engine.frame import Frame, Readout
 from simulations.engine.photograph import Photograph
 from simulations.engine.stages import StageCache
 from simulations.models.color.srgb import decode_srgb, encode_srgb
@@ -26,19 +27,8 @@ def frame(cache: StageCache, **values: object) -> Frame:
     return SCENE.render(SCENE.check(values), "", cache)
 
 
-def raster(shown: Frame, panel: int = 0) -> Raster:
-    """The pixels of a panel, which has some."""
-    pixels = shown.panels[panel].raster
-    assert pixels is not None
-    return pixels
-
-
-def texts(shown: Frame) -> dict[str, str]:
-    return {item.name: item.text for item in shown.readouts}
-
-
 def test_each_pixel_of_the_mosaic_shows_one_colour(cache: StageCache) -> None:
-    cells = raster(frame(cache))[::2, ::2]
+    cells = pixels_of(frame(cache))[::2, ::2]
     assert np.count_nonzero(cells[..., :3], axis=2).max() == 1
     assert not cells[::2, ::2, 1:3].any()  # RGGB: red stands first
 
@@ -46,15 +36,15 @@ def test_each_pixel_of_the_mosaic_shows_one_colour(cache: StageCache) -> None:
 def test_the_whole_mosaic_has_two_samples_a_cell_and_is_smoothed(cache: StageCache) -> None:
     """Any other scale than a whole number would beat with the pattern, seen on a screen."""
     shown = frame(cache)
-    cells = raster(shown)[::2, ::2]
-    np.testing.assert_array_equal(cells.repeat(2, axis=0).repeat(2, axis=1), raster(shown))
+    cells = pixels_of(shown)[::2, ::2]
+    np.testing.assert_array_equal(cells.repeat(2, axis=0).repeat(2, axis=1), pixels_of(shown))
     assert [panel.pixelated for panel in shown.panels] == [False, True, False]
 
 
 @pytest.mark.parametrize("picture", SUBJECTS)
 def test_the_mosaic_is_of_linear_light(cache: StageCache, picture: str) -> None:
     """Decoded, what is shown of each cell is the light of the picture there."""
-    shown = raster(frame(cache, picture=picture))[::2, ::2, :3].max(axis=2)
+    shown = pixels_of(frame(cache, picture=picture))[::2, ::2, :3].max(axis=2)
     light = mosaic(SUBJECTS[picture].draw(WHOLE))
     # Half a code, where the curve is steepest for light: near white.
     np.testing.assert_allclose(decode_srgb(shown / 255), light, atol=0.5 / 255 * 2.3)
@@ -67,15 +57,15 @@ def test_the_loupe_enlarges_what_it_lies_on(
     cache: StageCache, picture: str, demosaic: int, column: int, row: int
 ) -> None:
     shown = frame(cache, picture=picture, demosaic=demosaic, column=column, row=row)
-    whole = raster(shown) if demosaic else raster(shown)[::2, ::2]
+    whole = pixels_of(shown) if demosaic else pixels_of(shown)[::2, ::2]
     np.testing.assert_array_equal(
-        whole[row : row + 16, column : column + 20], raster(shown, 1), strict=True
+        whole[row : row + 16, column : column + 20], pixels_of(shown, 1), strict=True
     )
 
 
 def test_beside_the_mosaic_stands_what_it_was_taken_of(cache: StageCache) -> None:
     truth = np.rint(255 * encode_srgb(balloon()))
-    np.testing.assert_array_equal(raster(frame(cache), 2)[..., :3], truth)
+    np.testing.assert_array_equal(pixels_of(frame(cache), 2)[..., :3], truth)
 
 
 def test_moving_the_loupe_computes_nothing() -> None:
@@ -89,25 +79,25 @@ def test_moving_the_loupe_computes_nothing() -> None:
 def test_a_grey_picture_of_the_reader_s_has_nothing_to_get_wrong() -> None:
     own = Photograph.from_canvas(1, bytes((90, 90, 90, 255)) * 240 * 192, 240, 192)
     shown = SCENE.render(SCENE.check({"demosaic": 1}), "", StageCache(), own)
-    assert texts(shown)["worst"] == "0"
-    assert texts(shown)["shared"] == "undefined / undefined"
+    assert texts_of(shown)["worst"] == "0"
+    assert texts_of(shown)["shared"] == "undefined / undefined"
     assert "your own picture" in shown.description
     assert "balloon" not in shown.description
 
 
 def test_a_quarter_a_half_and_a_quarter_are_measured(cache: StageCache) -> None:
-    assert texts(frame(cache))["samples"] == "25 / 50 / 25"
+    assert texts_of(frame(cache))["samples"] == "25 / 50 / 25"
 
 
 @pytest.mark.parametrize("method", METHODS)
 def test_pressing_demosaic_shows_the_error_of_the_method(cache: StageCache, method: str) -> None:
     shown = frame(cache, demosaic=1, method=method)
-    assert 15 < float(texts(shown)["psnr"]) < 60
-    assert raster(shown, 2)[..., :3].any()
+    assert 15 < float(texts_of(shown)["psnr"]) < 60
+    assert pixels_of(shown, 2)[..., :3].any()
 
 
 def told_psnr(cache: StageCache, name: str, **given: object) -> dict[str, float]:
-    return {m: float(texts(frame(cache, demosaic=1, method=m, **given))[name]) for m in METHODS}
+    return {m: float(texts_of(frame(cache, demosaic=1, method=m, **given))[name]) for m in METHODS}
 
 
 def test_nearest_is_the_worst_of_the_balloon(cache: StageCache) -> None:
@@ -138,7 +128,7 @@ def test_the_more_detail_the_colours_share_the_more_the_clever_methods_gain(
     """The chapter's conclusion: the gain over bilinear follows what the pictures have in common."""
     shared, gain = [], []
     for picture in ("soft", "balloon", "room"):
-        text = texts(frame(cache, demosaic=1, picture=picture))["shared"]
+        text = texts_of(frame(cache, demosaic=1, picture=picture))["shared"]
         shared.append(min(float(part.replace("\u2212", "-")) for part in text.split(" / ")))
         psnr = told_psnr(cache, "psnr", picture=picture)
         gain.append(psnr["menon-unrefined"] - psnr["bilinear"])
@@ -154,7 +144,7 @@ def test_layout_never_changes(cache: StageCache, demosaic: int) -> None:
         ("loupe", 400, 320),
         ("error", 400, 320),
     ]
-    assert list(texts(shown)) == ["samples", "shared", "psnr", "light", "worst"]
+    assert list(texts_of(shown)) == ["samples", "shared", "psnr", "light", "worst"]
 
 
 def test_changing_the_method_keeps_picture_and_mosaic() -> None:
@@ -194,7 +184,7 @@ def test_the_error_by_colour_adds_up_to_the_psnr_read_out(cache: StageCache, met
     estimate = told(cache, demosaic=1, method=method)
     red, green, blue = (float(part) for part in estimate.text.split(", "))
     mean_square = (red**2 + green**2 + blue**2) / 3
-    psnr = float(texts(frame(cache, demosaic=1, method=method))["psnr"])
+    psnr = float(texts_of(frame(cache, demosaic=1, method=method))["psnr"])
     assert 10 * np.log10(255**2 / mean_square) == pytest.approx(psnr, abs=0.15)
 
 
@@ -208,7 +198,7 @@ def test_green_is_measured_twice_as_often_and_errs_least(cache: StageCache) -> N
 def test_the_error_of_a_colour_is_that_of_the_bytes_shown(cache: StageCache) -> None:
     """The error picture shows four times the error. Here none is so large that it is cut off."""
     given: dict[str, object] = {"demosaic": 1, "method": "bilinear", "picture": "soft"}
-    errors = raster(frame(cache, **given), 2)[8:-8, 8:-8, :3] / 4.0
+    errors = pixels_of(frame(cache, **given), 2)[8:-8, 8:-8, :3] / 4.0
     seen = np.sqrt(np.mean(errors**2, axis=(0, 1)))
     parts = [float(part) for part in told(cache, **given).text.split(", ")]
     assert seen == pytest.approx(parts, abs=0.1)

@@ -4,6 +4,7 @@ import math
 
 import numpy as np
 import pytest
+from support.frames import texts_of
 
 from simulations.engine.controls import Value
 from simulations.engine.frame import Frame, Raster, Readout
@@ -42,7 +43,7 @@ def picture(tier: str = "", cache: StageCache | None = None, /, **given: Value) 
 
 
 def texts(**given: Value) -> dict[str, str]:
-    return {item.name: item.text for item in frame(**given).readouts}
+    return texts_of(frame(**given))
 
 
 def detail(raster: Raster, rows: slice, columns: slice) -> float:

@@ -5,14 +5,15 @@ import re
 
 import numpy as np
 import pytest
-from numpy.typing import NDArray
 from PIL import Image
 from scipy.fft import dctn
+from support.frames import texts_of
 
 from simulations.engine.controls import Choice
 from simulations.engine.frame import Frame
 from simulations.engine.photograph import Photograph
 from simulations.engine.stages import Outputs, StageCache
+from simulations.models.arrays import Floats
 from simulations.models.compression.blocks import round_outwards, to_blocks
 from simulations.models.compression.chroma_subsampling import SUBSAMPLING, coarsen
 from simulations.models.compression.chroma_upsampling import METHODS
@@ -32,16 +33,14 @@ def frame(cache: StageCache | None = None, /, **given: object) -> Frame:
 
 
 def texts(**given: object) -> dict[str, str]:
-    return {item.name: item.text for item in frame(**given).readouts}
+    return texts_of(frame(**given))
 
 
 def outputs(tier: str = "separable", **given: object) -> Outputs:
     return SCENE.run(SCENE.check(given), tier, StageCache()).outputs
 
 
-def pillow(
-    picture: NDArray[np.floating], quality: int, subsampling: str
-) -> tuple[NDArray[np.floating], int]:
+def pillow(picture: Floats, quality: int, subsampling: str) -> tuple[Floats, int]:
     """Decoded picture in [0, 1], and bits of entropy-coded data: the file without its headers."""
     file = io.BytesIO()
     Image.fromarray(np.rint(255 * picture).astype(np.uint8)).save(

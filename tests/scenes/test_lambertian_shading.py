@@ -1,29 +1,19 @@
 """The Lambertian figure shows what its formula says."""
 
+from functools import partial
+
 import numpy as np
 import pytest
+from support.frames import frame_of, pixels_of, texts_of
 
-from simulations.engine.frame import Frame, Raster
 from simulations.engine.stages import StageCache
 from simulations.scenes.reflection.lambertian import SCENE
 
-
-def frame(cache: StageCache | None = None, /, **values: float) -> Frame:
-    return SCENE.render(SCENE.check(values), "", cache or StageCache())
-
-
-def raster_of(shown: Frame) -> Raster:
-    raster = shown.panels[0].raster
-    assert raster is not None
-    return raster
-
-
-def texts(shown: Frame) -> dict[str, str]:
-    return {item.name: item.text for item in shown.readouts}
+frame = partial(frame_of, SCENE)
 
 
 def test_the_worked_example_of_the_chapter() -> None:
-    assert texts(frame()) == {
+    assert texts_of(frame()) == {
         "cosine": "0.866",
         "theta": "30",
         "albedo": "0.80",
@@ -33,19 +23,19 @@ def test_the_worked_example_of_the_chapter() -> None:
 
 
 def test_the_pixel_at_the_probed_point_has_the_value_read_out() -> None:
-    raster = raster_of(frame())
+    raster = pixels_of(frame())
     height, width = raster.shape[:2]
     assert abs(int(raster[height // 2, width // 2, 0]) - 217) <= 1
 
 
 def test_a_light_behind_leaves_the_disc_black() -> None:
-    raster = raster_of(frame(light_angle=180))
+    raster = pixels_of(frame(light_angle=180))
     height, width = raster.shape[:2]
     assert not raster[height // 2, width // 2 - 120 : width // 2 + 120, :3].any()
 
 
 def test_light_from_left_and_right_mirror_one_another() -> None:
-    left, right = (raster_of(frame(light_angle=angle)) for angle in (-70, 70))
+    left, right = (pixels_of(frame(light_angle=angle)) for angle in (-70, 70))
     off = np.abs(left.astype(int) - right[:, ::-1].astype(int))
     assert off.max() <= 1
 
@@ -60,16 +50,16 @@ def test_every_extreme_can_be_drawn_in_the_same_layout(angle: float, albedo: flo
 
 def test_black_paint_needs_no_light() -> None:
     cache = StageCache()
-    before = frame(cache, albedo=0)
-    after = frame(cache, albedo=0, light_angle=-80)
+    before = frame("", cache, albedo=0)
+    after = frame("", cache, albedo=0, light_angle=-80)
     assert {stage.status for stage in after.stages} == {"reused", "skipped"}
-    assert raster_of(after) is raster_of(before)
+    assert pixels_of(after) is pixels_of(before)
 
 
 def test_the_albedo_scales_light_that_is_there() -> None:
     cache = StageCache()
-    frame(cache)
-    again = frame(cache, albedo=0.3)
+    frame("", cache)
+    again = frame("", cache, albedo=0.3)
     assert [stage.name for stage in again.stages if stage.status == "computed"] == [
         "shade",
         "picture",
@@ -78,8 +68,8 @@ def test_the_albedo_scales_light_that_is_there() -> None:
 
 def test_moving_the_probe_reuses_the_picture() -> None:
     cache = StageCache()
-    frame(cache)
-    again = frame(cache, probe=20)
+    frame("", cache)
+    again = frame("", cache, probe=20)
     assert {stage.status for stage in again.stages} == {"reused"}
 
 
@@ -90,5 +80,5 @@ def test_the_point_on_the_curve_is_led_to_an_angle_from_the_light(
     """58 to 382 units of the plot are 0° to 180°."""
     settings = SCENE.check({"light_angle": light, "probe": probe})
     pulled = SCENE.pull(settings, "probe-curve", (58 + 324 * theta / 180, 100.0))
-    shown = texts(frame(light_angle=light, probe=float(pulled["probe"])))
+    shown = texts_of(frame(light_angle=light, probe=float(pulled["probe"])))
     assert shown["theta"] == str(theta)

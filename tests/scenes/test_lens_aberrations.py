@@ -4,6 +4,7 @@ import math
 
 import numpy as np
 import pytest
+from support.frames import texts_of
 
 from simulations.engine.frame import Frame, Raster, Readout
 from simulations.engine.stages import Outputs, StageCache
@@ -51,7 +52,7 @@ def final_error(tier: str, cache: StageCache | None = None, **given: object) -> 
 
 
 def texts(**given: object) -> dict[str, str]:
-    return {item.name: item.text for item in frame(None, "", **given).readouts}
+    return texts_of(frame(None, "", **given))
 
 
 def outputs(tier: str = "gauss-1", **given: object) -> Outputs:

@@ -4,6 +4,7 @@ import itertools
 
 import numpy as np
 import pytest
+from support.frames import texts_of
 
 from simulations.engine.frame import Frame, Raster
 from simulations.engine.settings import values_of
@@ -31,10 +32,6 @@ def render(cache: StageCache | None = None, **given: object) -> Frame:
     return SCENE.render(SCENE.check(given), "", StageCache() if cache is None else cache)
 
 
-def texts(frame: Frame) -> dict[str, str]:
-    return {item.name: item.text for item in frame.readouts}
-
-
 def statuses(frame: Frame) -> dict[str, str]:
     return {stage.name: stage.status for stage in frame.stages}
 
@@ -51,7 +48,7 @@ def picture(frame: Frame) -> Raster:
 
 def test_the_ideal_lens_hands_on_the_pinhole_picture_untouched() -> None:
     frame = render()
-    assert texts(frame) == {"kind": "none", "bow": "0.0", "corner": "0.0", "fold": "none"}
+    assert texts_of(frame) == {"kind": "none", "bow": "0.0", "corner": "0.0", "fold": "none"}
     assert {statuses(frame)[name] for name in ("map", "through-lens", "corrected")} == {"skipped"}
 
 
@@ -59,25 +56,25 @@ def test_the_ideal_lens_hands_on_the_pinhole_picture_untouched() -> None:
     ("k1", "kind", "corner"), [(-0.1, "barrel", "\u221220.0"), (0.1, "pincushion", "20.0")]
 )
 def test_corners_at_radius_one_move_by_k1_half_diagonals(k1: float, kind: str, corner: str) -> None:
-    shown = texts(render(k1=k1))
+    shown = texts_of(render(k1=k1))
     assert shown["kind"] == kind
     assert shown["corner"] == corner  # 200 px · k₁
 
 
 def test_the_largest_bow_is_that_of_the_upper_edge() -> None:
     # y = 0.6: the middle stays at 0.6 (1 − 0.1 · 0.36), the ends at 0.6 (1 − 0.1); times 200 px.
-    assert texts(render(k1=-0.1))["bow"] == f"{200 * 0.6 * 0.1 * (1 - 0.36):.1f}"
+    assert texts_of(render(k1=-0.1))["bow"] == f"{200 * 0.6 * 0.1 * (1 - 0.36):.1f}"
 
 
 def test_coefficients_that_cancel_in_the_corner_make_a_moustache() -> None:
-    shown = texts(render(k1=-0.2, k2=0.2))
+    shown = texts_of(render(k1=-0.2, k2=0.2))
     assert (shown["kind"], shown["corner"]) == ("moustache", "0.0")
 
 
 def test_past_the_fold_the_figure_says_so_and_greys_the_picture() -> None:
     frame = render(k1=-0.5)
-    assert texts(frame)["corner"] == "past the fold"
-    assert texts(frame)["fold"] == "0.816"
+    assert texts_of(frame)["corner"] == "past the fold"
+    assert texts_of(frame)["fold"] == "0.816"
     corners = picture(frame)[[0, 0, -1, -1], [0, -1, 0, -1], :3]
     assert len(np.unique(corners, axis=0)) == 1
     assert "images nothing" in frame.description

@@ -4,6 +4,7 @@ import re
 from itertools import product
 
 import pytest
+from support.frames import texts_of
 
 from simulations.engine.controls import Slider
 from simulations.engine.frame import Frame, to_json
@@ -24,7 +25,7 @@ def frame(**given: object) -> Frame:
 
 
 def texts(**given: object) -> dict[str, str]:
-    return {item.name: item.text for item in frame(**given).readouts}
+    return texts_of(frame(**given))
 
 
 def picture(**given: object) -> str:

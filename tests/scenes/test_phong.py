@@ -1,12 +1,13 @@
 """The Phong figure shows what the two models say."""
 
 import math
+from functools import partial
 
 import numpy as np
 import pytest
 from numpy.typing import NDArray
+from support.frames import frame_of, pixels_of, texts_of
 
-from simulations.engine.frame import Frame, Raster
 from simulations.engine.stages import StageCache
 from simulations.models.color.srgb import decode_srgb, encode_srgb
 from simulations.scenes.reflection.ball import build_ball, light_direction
@@ -23,18 +24,7 @@ from simulations.scenes.reflection.phong_drawing import FOOT
 BALL = build_ball()
 
 
-def frame(cache: StageCache | None = None, /, **given: float | str) -> Frame:
-    return SCENE.render(SCENE.check(given), "", cache or StageCache())
-
-
-def raster_of(shown: Frame) -> Raster:
-    raster = shown.panels[0].raster
-    assert raster is not None
-    return raster
-
-
-def texts(shown: Frame) -> dict[str, str]:
-    return {item.name: item.text for item in shown.readouts}
+frame = partial(frame_of, SCENE)
 
 
 def unit(angle_deg: float) -> NDArray[np.float64]:
@@ -54,7 +44,7 @@ def test_cosines_are_those_of_the_vectors(light: float, probe: float) -> None:
 
 def test_light_and_camera_opposed_have_no_halfway_direction() -> None:
     shown = frame(light_angle=180)
-    assert texts(shown)["n_dot_h"] == "undefined"
+    assert texts_of(shown)["n_dot_h"] == "undefined"
     assert "no highlight" in shown.description
 
 
@@ -76,21 +66,23 @@ def test_blinn_needs_a_fourfold_exponent() -> None:
 @pytest.mark.parametrize("model", ["phong", "blinn_phong"])
 def test_the_highlight_peaks_halfway_between_lamp_and_camera(model: str) -> None:
     given: dict[str, float | str] = {"light_angle": 60, "model": model, "shininess": 300}
-    shiny = raster_of(frame(specular=1, **given))[212, :, 1].astype(int)
-    matte = raster_of(frame(specular=0, **given))[212, :, 1].astype(int)
+    shiny = pixels_of(frame(specular=1, **given))[212, :, 1].astype(int)
+    matte = pixels_of(frame(specular=0, **given))[212, :, 1].astype(int)
     columns = np.flatnonzero(shiny - matte == (shiny - matte).max())
     assert columns.mean() == pytest.approx(250 + 152.5 * math.sin(math.radians(30)), abs=2)
 
 
 def test_the_pixel_at_the_probed_point_has_the_brightness_read_out() -> None:
     shown = frame(probe=0)
-    red = raster_of(shown)[212, 250, 0]
-    assert red == pytest.approx(255 * float(encode_srgb(float(texts(shown)["brightness"]))), abs=1)
+    red = pixels_of(shown)[212, 250, 0]
+    assert red == pytest.approx(
+        255 * float(encode_srgb(float(texts_of(shown)["brightness"]))), abs=1
+    )
 
 
 def test_the_highlight_adds_the_same_light_to_every_channel() -> None:
     with_spot, without = (
-        decode_srgb(raster_of(frame(light_angle=0, probe=0, specular=strength))[212, 250] / 255)
+        decode_srgb(pixels_of(frame(light_angle=0, probe=0, specular=strength))[212, 250] / 255)
         for strength in (0.3, 0)
     )
     assert (with_spot - without)[:3] == pytest.approx([0.3] * 3, abs=0.006)
@@ -116,7 +108,7 @@ def test_grazing_light_stretches_phongs_highlight_and_not_blinns(
 
 
 def test_a_point_that_faces_away_from_the_lamp_has_neither_part() -> None:
-    shown = texts(frame(light_angle=140, probe=-30, specular=1, shininess=1))
+    shown = texts_of(frame(light_angle=140, probe=-30, specular=1, shininess=1))
     assert (shown["matte"], shown["highlight"]) == ("0.000", "0.000")
 
 
@@ -128,13 +120,13 @@ def test_every_extreme_can_be_drawn_in_the_same_layout(
 ) -> None:
     shown = frame(light_angle=light, probe=probe, shininess=shininess, model="blinn_phong")
     assert [panel.name for panel in shown.panels] == ["camera", "lobe"]
-    assert list(texts(shown)) == list(texts(frame()))
+    assert list(texts_of(shown)) == list(texts_of(frame()))
 
 
 def test_strength_reuses_the_highlight() -> None:
     cache = StageCache()
-    frame(cache)
-    again = frame(cache, specular=0.1)
+    frame("", cache)
+    again = frame("", cache, specular=0.1)
     assert [stage.name for stage in again.stages if stage.status == "computed"] == [
         "light",
         "picture",
@@ -147,10 +139,10 @@ def test_without_a_highlight_what_would_shape_it_computes_nothing(
     without: dict[str, float], moved: dict[str, float | str]
 ) -> None:
     cache = StageCache()
-    before = frame(cache, **without)
-    after = frame(cache, **without, **moved)
+    before = frame("", cache, **without)
+    after = frame("", cache, **without, **moved)
     assert {stage.status for stage in after.stages} == {"reused", "skipped"}
-    assert raster_of(after) is raster_of(before)
+    assert pixels_of(after) is pixels_of(before)
 
 
 @pytest.mark.parametrize("model", ["phong", "blinn_phong"])
@@ -161,9 +153,9 @@ def test_light_from_exactly_behind_leaves_ball_and_rim_black(model: str, angle: 
     assert not highlight(BALL.normals, angle, np.array([0, 0, 1.0]), model, 1).any()
     assert behind.tolist() == [0, 0, -1]
     shown = frame(light_angle=angle, model=model, specular=1, shininess=1)
-    assert not raster_of(shown)[BALL.square][BALL.inner][:, :3].any()
+    assert not pixels_of(shown)[BALL.square][BALL.inner][:, :3].any()
     matte = frame(light_angle=angle, model=model, specular=0)
-    np.testing.assert_array_equal(raster_of(shown), raster_of(matte))
+    np.testing.assert_array_equal(pixels_of(shown), pixels_of(matte))
 
 
 @pytest.mark.parametrize("model", ["phong", "blinn_phong"])
@@ -177,7 +169,7 @@ def test_plot_readouts_and_chapter_have_one_formula(
     lobe_cosine = math.cos(-turn - view if model == "phong" else (turn + view) / 2)
     matte = ALBEDO[0] * max(0, math.cos(turn))
     shine = max(0, lobe_cosine) ** 3 if math.cos(turn) > 0 else 0
-    shown = texts(
+    shown = texts_of(
         frame(light_angle=light_angle, probe=probe, model=model, shininess=3, specular=0.5)
     )
     assert float(shown["brightness"]) == pytest.approx(matte + 0.5 * shine, abs=6e-4)

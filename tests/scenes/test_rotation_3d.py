@@ -5,6 +5,7 @@ from typing import Any
 import numpy as np
 import pytest
 from scipy.spatial.transform import Rotation
+from support.frames import texts_of
 
 from simulations.engine.frame import Frame
 from simulations.engine.stages import StageCache
@@ -29,10 +30,6 @@ def judged(tier: str, **values: object) -> str:
     return last.text
 
 
-def texts(shown: Frame) -> dict[str, str]:
-    return {item.name: item.text for item in shown.readouts}
-
-
 @pytest.mark.parametrize("angles", [(105, 40, -40), (-150, -20, 120), (30, 90, 10)])
 def test_the_matrix_is_that_of_moving_axes_z_y_x(angles: tuple[float, float, float]) -> None:
     here = attitude(*angles)
@@ -43,7 +40,10 @@ def test_the_matrix_is_that_of_moving_axes_z_y_x(angles: tuple[float, float, flo
 
 
 def test_the_chapters_example_of_lock_gives_the_same_attitude() -> None:
-    locked, other = texts(frame(yaw=10, pitch=90, roll=40)), texts(frame(yaw=0, pitch=90, roll=30))
+    locked, other = (
+        texts_of(frame(yaw=10, pitch=90, roll=40)),
+        texts_of(frame(yaw=0, pitch=90, roll=30)),
+    )
     assert locked["matrix"] == other["matrix"]
     assert locked["quaternion"] == other["quaternion"]
     assert locked["off"] != other["off"], "the blended angles take another way all the same"
@@ -54,13 +54,13 @@ def test_locked_rings_lie_in_one_plane(pitch: float) -> None:
     yaw_ring, _, roll_ring = rings(0.7, np.radians(pitch), -1.2)
     assert abs(yaw_ring.axis @ roll_ring.axis) == pytest.approx(1)
     shown = frame(pitch=pitch)
-    assert texts(shown)["rank"] == "2 of 3"
-    assert texts(shown)["smallest"] == "0.000"
+    assert texts_of(shown)["rank"] == "2 of 3"
+    assert texts_of(shown)["smallest"] == "0.000"
     assert "one degree of freedom is lost" in shown.description
 
 
 def test_one_degree_from_lock_all_directions_are_left() -> None:
-    assert texts(frame(pitch=89))["rank"] == "3 of 3"
+    assert texts_of(frame(pitch=89))["rank"] == "3 of 3"
 
 
 def test_the_nose_ends_where_the_beads_of_the_rings_say() -> None:
@@ -77,19 +77,19 @@ def test_the_nose_ends_where_the_beads_of_the_rings_say() -> None:
 
 @pytest.mark.parametrize("blend", ["slerp", "euler"])
 def test_blends_that_are_rotations_read_as_such(blend: str) -> None:
-    shown = texts(frame(blend=blend, t=0.37))
+    shown = texts_of(frame(blend=blend, t=0.37))
     assert (shown["residual"], shown["determinant"]) == ("under 10⁻¹⁴", "1.000")
 
 
 def test_blending_the_entries_of_a_quarter_turn_halves_the_volume() -> None:
-    shown = texts(frame(yaw=90, pitch=0, roll=0, blend="matrix", t=0.5))
+    shown = texts_of(frame(yaw=90, pitch=0, roll=0, blend="matrix", t=0.5))
     assert (shown["residual"], shown["determinant"]) == ("0.500", "0.500")
 
 
 @pytest.mark.parametrize("alone", ["yaw", "pitch", "roll"])
 def test_one_angle_alone_takes_the_shortest_way(alone: str) -> None:
     angles: dict[str, Any] = dict.fromkeys(("yaw", "pitch", "roll"), 0) | {alone: 80}
-    assert texts(frame(**angles))["off"] == "0.0"
+    assert texts_of(frame(**angles))["off"] == "0.0"
 
 
 @pytest.mark.parametrize("yaw", [-180, 0, 180])
@@ -162,7 +162,7 @@ def test_the_straight_line_is_seen_to_hurry_and_the_paced_one_is_not() -> None:
     )
     assert default != straight
     angles = frame(blend="euler", tier="nlerp", t=0.2), frame(blend="euler", t=0.2)
-    assert texts(angles[0]) == texts(angles[1]), "another way's numbers are untouched"
+    assert texts_of(angles[0]) == texts_of(angles[1]), "another way's numbers are untouched"
 
 
 def test_the_error_of_a_straight_line_is_that_of_its_chord() -> None:

@@ -7,6 +7,7 @@ from typing import Any
 
 import numpy as np
 import pytest
+from support.frames import texts_of
 
 from simulations.engine.frame import Frame, to_json
 from simulations.engine.stages import StageCache
@@ -29,7 +30,7 @@ def frame(**given: Any) -> Frame:
 
 
 def texts(**given: Any) -> dict[str, str]:
-    return {item.name: item.text for item in frame(**given).readouts}
+    return texts_of(frame(**given))
 
 
 def test_it_starts_with_a_translation_by_30_and_15() -> None:

@@ -3,6 +3,7 @@
 import numpy as np
 import pytest
 from numpy.typing import NDArray
+from support.frames import texts_of
 
 from simulations.engine.controls import Action, Slider
 from simulations.engine.frame import Frame
@@ -32,24 +33,20 @@ def film(shown: Frame) -> NDArray[np.int64]:
     return raster.astype(np.int64)
 
 
-def texts(shown: Frame) -> dict[str, str]:
-    return {item.name: item.text for item in shown.readouts}
-
-
 def test_the_example_of_the_chapter_creeps_backwards() -> None:
-    shown = texts(frame(speed=2.9, spokes=8, frame_rate=24))
+    shown = texts_of(frame(speed=2.9, spokes=8, frame_rate=24))
     assert shown["passing"] == "23.2"
     assert (shown["apparent"], shown["direction"]) == ("−0.10", "turn anticlockwise")
 
 
 def test_the_question_of_the_chapter_turns_forwards() -> None:
-    shown = texts(frame(speed=5, spokes=6, frame_rate=24))
+    shown = texts_of(frame(speed=5, spokes=6, frame_rate=24))
     assert (shown["apparent"], shown["direction"]) == ("+1.00", "turn clockwise")
 
 
 def test_a_whole_spacing_stands_still() -> None:
     shown = frame(speed=3, spokes=8, frame_rate=24)
-    assert texts(shown)["direction"] == "stand still"
+    assert texts_of(shown)["direction"] == "stand still"
     pictures = [film(frame(speed=3, spokes=8, frame_rate=24, time=time)) for time in (4, 17)]
     assert np.abs(pictures[0] - pictures[1]).max() <= 1
 
@@ -65,8 +62,8 @@ def number(text: str) -> float:
 @pytest.mark.parametrize("speed", [-4.5, -1.5, 1.5, 4.5])
 def test_half_a_spacing_could_be_either_way(speed: float) -> None:
     shown = frame(speed=speed, spokes=8, frame_rate=24)
-    assert texts(shown)["apparent"] == "±1.50"
-    assert texts(shown)["direction"] == "turn either way"
+    assert texts_of(shown)["apparent"] == "±1.50"
+    assert texts_of(shown)["direction"] == "turn either way"
     assert "nothing in the film says which way" in shown.description
 
 
@@ -94,7 +91,7 @@ def test_time_that_is_a_rounding_short_of_a_frame_shows_it() -> None:
 
 def test_a_long_exposure_hides_the_spokes() -> None:
     shown = frame(speed=3, spokes=8, frame_rate=24, shutter=1)
-    assert texts(shown)["contrast"] == "0.00"
+    assert texts_of(shown)["contrast"] == "0.00"
     raster = film(shown)
     circle = raster[120, 160 + 40 : 160 + 44, 0]
     turned = raster[120 - 44 : 120 - 40, 160, 0]

@@ -44,8 +44,7 @@ BUILDER = (
 """Parts of ``site_builder``, likewise."""
 MARKDOWN = (
     "text", "reading", "scenes", "front_matter", "headings", "role", "roles", "inline",
-    "directive", "answers", "computed", "question_options",
-    "sketches", "usage", "blocks", "bodies", "fences",
+    "directive", "questions", "usage", "blocks", "bodies", "fences",
     "directives", "figures", "guide", "parser", "chapter",
 )  # fmt: skip
 """Parts of ``site_builder/markdown``, likewise."""

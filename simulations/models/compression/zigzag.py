@@ -29,5 +29,4 @@ def first_in_order(codes: Codes, count: int) -> Codes:
 
     Raises `ValueError` unless ``count`` is a whole number from 1 to 64.
     """
-    kept: Codes = np.where(as_whole("count", count, 1, BLOCK * BLOCK) > RANK, codes, 0)
-    return kept
+    return np.where(as_whole("count", count, 1, BLOCK * BLOCK) > RANK, codes, 0)

@@ -70,8 +70,7 @@ def vignette(radiance: Planes, focal_length: float, focus: float) -> Planes:
     """Light on the sensor, relative to that of the same surface on the axis."""
     x, y = centred(COLUMNS) * PITCH_MM, centred(ROWS) * PITCH_MM
     falloff = vignetting_cos4(np.hypot(x, y[:, None]) / principal_mm(focal_length, focus))
-    irradiance: Planes = radiance * falloff.astype(np.float32)
-    return irradiance
+    return radiance * falloff.astype(np.float32)
 
 
 def expose(irradiance: Planes, exposure: float) -> Planes:

@@ -13,7 +13,7 @@ from functools import partial
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from simulations.engine.frame import Readout, format_magnitude
+from simulations.engine.frame import Panel, Raster, Readout, format_magnitude
 from simulations.engine.raster import to_rgba8
 from simulations.models.arrays import Floats, Mask
 from simulations.models.color.srgb import encode_srgb, encode_srgb_table
@@ -154,6 +154,11 @@ def paint(ball: Ball, linear: Floats) -> NDArray[np.uint8]:
 def _whole_pixels(rgba: NDArray[np.uint8]) -> NDArray[np.uint32]:
     """The same bytes (h, w, 4), each pixel as one number (h, w)."""
     return rgba.view(np.uint32)[..., 0]
+
+
+def camera_panel(picture: Raster, overlay: str) -> Panel:
+    """The picture with its marks."""
+    return Panel("camera", "What the camera sees", WIDTH, HEIGHT, picture, overlay)
 
 
 def true_cosine(ball: Ball, angle_deg: float) -> NDArray[np.float64]:

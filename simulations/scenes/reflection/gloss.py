@@ -38,10 +38,7 @@ class Model:
 def _mirrored_camera(ball: Ball, light_angle: float) -> Floats:
     """r · v, with the camera mirrored in place of the light."""
     normals = true_normals(ball)
-    cosine: Floats = (2 * normals[..., 2:] * normals - np.array(VIEW)) @ light_direction(
-        light_angle
-    )
-    return cosine
+    return (2 * normals[..., 2:] * normals - np.array(VIEW)) @ light_direction(light_angle)
 
 
 def _halved_angle(ball: Ball, light_angle: float) -> Floats:

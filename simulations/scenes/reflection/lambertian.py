@@ -22,6 +22,7 @@ from simulations.scenes.reflection.ball import (
     TIER_LABELS,
     Ball,
     build_ball,
+    camera_panel,
     judge,
     light_direction,
     light_of_pixels,
@@ -68,14 +69,7 @@ def draw(settings: Settings, outputs: Outputs) -> Frame:
     code = round(255 * float(encode_srgb(brightness)))
     return Frame(
         panels=(
-            Panel(
-                "camera",
-                "What the camera sees",
-                WIDTH,
-                HEIGHT,
-                outputs["picture"],
-                over_sphere(light_rad, probe_rad, settings.normals),
-            ),
+            camera_panel(outputs["picture"], over_sphere(light_rad, probe_rad, settings.normals)),
             Panel(
                 "above",
                 "The equator from above",

@@ -15,6 +15,7 @@ from simulations.scenes.reflection.lambertian_drawing import (
 )
 from simulations.scenes.reflection.lambertian_settings import Settings
 from simulations.scenes.reflection.marks import angle_of_normal, on_equator
+from simulations.scenes.reflection.probe import bearing_deg, probe_on_ball
 
 
 def _lamp(settings: Settings, _outputs: Outputs) -> Point:
@@ -36,14 +37,6 @@ def _brightest_pulled(_settings: Settings, place: Point) -> Mapping[str, Value]:
     return {"light_angle": angle_of_normal(place)}
 
 
-def _probe(settings: Settings, _outputs: Outputs) -> Point:
-    return on_equator(math.radians(settings.probe))
-
-
-def _probe_pulled(_settings: Settings, place: Point) -> Mapping[str, Value]:
-    return {"probe": angle_of_normal(place)}
-
-
 def _probe_in_plan(settings: Settings, _outputs: Outputs) -> Point:
     return in_plan(math.radians(settings.probe), PLAN_RADIUS)
 
@@ -55,7 +48,7 @@ def _probe_in_plan_pulled(settings: Settings, place: Point) -> Mapping[str, Valu
 def _angle_in_plan(place: Point, present_deg: float) -> float:
     """The direction of a place from the middle of the plan; at the middle, as it is."""
     across, down = place[0] - PLAN_CENTRE[0], place[1] - PLAN_CENTRE[1]
-    return math.degrees(math.atan2(across, down)) if across or down else present_deg
+    return bearing_deg(across, down, present_deg)
 
 
 def _on_curve(settings: Settings, _outputs: Outputs) -> Point:
@@ -97,7 +90,7 @@ HANDLES: tuple[Handle[Settings], ...] = (
         _brightest_pulled,
         role="light",
     ),
-    Handle("probe", "camera", "Probed point", ("probe",), _probe, _probe_pulled, role="ray"),
+    probe_on_ball("ray"),
     Handle("lamp", "above", "Lamp", ("light_angle",), _lamp, _lamp_pulled, role="light"),
     Handle(
         "probe-above",

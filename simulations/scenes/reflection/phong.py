@@ -20,6 +20,7 @@ from simulations.scenes.reflection.ball import (
     TIER_LABELS,
     Ball,
     build_ball,
+    camera_panel,
     judge,
     light_direction,
     light_of_pixels,
@@ -87,13 +88,8 @@ def draw(settings: Settings, outputs: Outputs) -> Frame:
     width_deg = math.degrees(half_width_rad(model, shininess))
     return Frame(
         panels=(
-            Panel(
-                "camera",
-                "What the camera sees",
-                WIDTH,
-                HEIGHT,
-                outputs["picture"],
-                over_ball(math.radians(light_angle), math.radians(probe)),
+            camera_panel(
+                outputs["picture"], over_ball(math.radians(light_angle), math.radians(probe))
             ),
             Panel(
                 "lobe",

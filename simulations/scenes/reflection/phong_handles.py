@@ -9,6 +9,7 @@ from simulations.engine.stages import Outputs
 from simulations.scenes.reflection.marks import angle_of_normal, on_equator
 from simulations.scenes.reflection.phong_drawing import FOOT, LAMP_DISTANCE, VECTOR, towards
 from simulations.scenes.reflection.phong_settings import Settings
+from simulations.scenes.reflection.probe import bearing_deg, probe_on_ball
 
 
 def _highlight(settings: Settings, _outputs: Outputs) -> Point | None:
@@ -21,14 +22,6 @@ def _highlight(settings: Settings, _outputs: Outputs) -> Point | None:
 def _highlight_pulled(_settings: Settings, place: Point) -> Mapping[str, Value]:
     """Short of the rim: there is no light there that the camera could see mirrored."""
     return {"light_angle": min(max(2 * angle_of_normal(place), -179.0), 179.0)}
-
-
-def _probe(settings: Settings, _outputs: Outputs) -> Point:
-    return on_equator(math.radians(settings.probe))
-
-
-def _probe_pulled(_settings: Settings, place: Point) -> Mapping[str, Value]:
-    return {"probe": angle_of_normal(place)}
 
 
 def _lamp(settings: Settings, _outputs: Outputs) -> Point:
@@ -52,7 +45,7 @@ def _camera_pulled(settings: Settings, place: Point) -> Mapping[str, Value]:
 def _angle_at_foot(place: Point, present_deg: float) -> float:
     """The angle of a place from the normal; at the foot itself, as it is."""
     across, up = place[0] - FOOT[0], FOOT[1] - place[1]
-    return math.degrees(math.atan2(across, up)) if across or up else present_deg
+    return bearing_deg(across, up, present_deg)
 
 
 HANDLES: tuple[Handle[Settings], ...] = (
@@ -65,7 +58,7 @@ HANDLES: tuple[Handle[Settings], ...] = (
         _highlight_pulled,
         role="ray",
     ),
-    Handle("probe", "camera", "Probed point", ("probe",), _probe, _probe_pulled, role="world"),
+    probe_on_ball("world"),
     Handle("lamp", "lobe", "Lamp", ("light_angle",), _lamp, _lamp_pulled, role="light"),
     Handle(
         "camera",

@@ -87,8 +87,7 @@ def by_changes(row: Bars) -> Floats:
     """
     times = _moments(row)
     halfway = 0.5 * (times[1:] + times[:-1])
-    share: Floats = (np.diff(times, axis=0) * _overlap(row, halfway)).sum(axis=0)
-    return share
+    return (np.diff(times, axis=0) * _overlap(row, halfway)).sum(axis=0)
 
 
 def _moments(row: Bars) -> Floats:

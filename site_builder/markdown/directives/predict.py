@@ -5,19 +5,24 @@ from collections.abc import Mapping, Sequence
 from markdown_it.token import Token
 
 from site_builder.book import Option, Prediction
-from site_builder.markdown.answers import Parts, check_parts, split_body
 from site_builder.markdown.bodies import plain_tokens
 from site_builder.markdown.directive import Argument, Body, Directive, OptionLine, Use
-from site_builder.markdown.directives.quiz import check_options_belong, prompt_text, take_id
-from site_builder.markdown.question_options import (
+from site_builder.markdown.questions.answers import Parts, check_parts, split_body
+from site_builder.markdown.questions.options import (
     UNIT,
     USES,
     WITHIN,
     chosen_options,
     number_options,
 )
+from site_builder.markdown.questions.question import (
+    check_answers,
+    check_options_belong,
+    prompt_text,
+    take_id,
+)
+from site_builder.markdown.questions.sketches import read_curve
 from site_builder.markdown.reading import Reading
-from site_builder.markdown.sketches import read_curve
 
 KINDS = ("choice", "number", "sketch")
 BELONGS: Mapping[str, tuple[str, ...]] = {
@@ -28,6 +33,8 @@ BELONGS: Mapping[str, tuple[str, ...]] = {
     "y": ("sketch",),
 }
 """The kinds that an option has a meaning for."""
+LEAST = {"choice": (2, "- [ ] …"), "number": (1, "- [x] `expression`")}
+"""How many answers a kind must have, and how one is written."""
 
 
 def read_predict(use: Use, body: Sequence[Token], reading: Reading) -> Prediction | None:
@@ -41,7 +48,8 @@ def read_predict(use: Use, body: Sequence[Token], reading: Reading) -> Predictio
         return None
     options, tolerance = _read_options(use, kind, parts, reading)
     if kind != "sketch":
-        _check_answers(use, kind, options, len(parts.items), reading)
+        least, form = LEAST[kind]
+        check_answers(use, options, len(parts.items), reading, least=least, form=form)
     return Prediction(
         id=use.argument,
         kind=kind,
@@ -66,18 +74,6 @@ def _read_options(
             return chosen_options(use, parts.items, reading), 0.0
         case _:
             return (), 0.0
-
-
-def _check_answers(
-    use: Use, kind: str, options: Sequence[Option], items: int, reading: Reading
-) -> None:
-    name, least = use.argument, 2 if kind == "choice" else 1
-    if items < least:
-        form = "- [ ] …" if kind == "choice" else "- [x] `expression`"
-        legal = f"a list of {least} or more '{form}'"
-        reading.problem(use.line, f"predict {name!r} has {items} answers; legal: {legal}")
-    elif len(options) == items and (right := sum(option.correct for option in options)) != 1:
-        reading.problem(use.line, f"predict {name!r} has {right} right answers; legal: one")
 
 
 PREDICT = Directive(

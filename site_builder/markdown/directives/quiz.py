@@ -1,15 +1,14 @@
 """``{quiz} id``: a question, by kinds; its answers are a list, each explained by ``: …`` below."""
 
-import re
 from collections.abc import Mapping, Sequence
 
 from markdown_it.token import Token
 
 from site_builder.book import Option, Quiz
-from site_builder.markdown.answers import Item, Parts, check_parts, split_body
 from site_builder.markdown.bodies import plain_tokens
 from site_builder.markdown.directive import Argument, Body, Directive, OptionLine, Use
-from site_builder.markdown.question_options import (
+from site_builder.markdown.questions.answers import Item, Parts, check_parts, split_body
+from site_builder.markdown.questions.options import (
     OTHERWISE,
     UNIT,
     USES,
@@ -19,8 +18,13 @@ from site_builder.markdown.question_options import (
     ordered_options,
     state_options,
 )
+from site_builder.markdown.questions.question import (
+    check_answers,
+    check_options_belong,
+    prompt_text,
+    take_id,
+)
 from site_builder.markdown.reading import Reading
-from site_builder.markdown.text.tokens import plain_text
 
 KINDS = ("single", "multiple", "number", "order", "figure")
 BELONGS: Mapping[str, tuple[str, ...]] = {
@@ -31,7 +35,6 @@ BELONGS: Mapping[str, tuple[str, ...]] = {
     "solution": ("figure",),
 }
 """The kinds that an option has a meaning for."""
-ID = re.compile(r"[a-z0-9]+(-[a-z0-9]+)*")
 
 
 def read_quiz(use: Use, body: Sequence[Token], reading: Reading) -> Quiz:
@@ -55,32 +58,6 @@ def read_quiz(use: Use, body: Sequence[Token], reading: Reading) -> Quiz:
         figure=use.text("figure"),
         solution=_solution(use, kind, reading),
     )
-
-
-def take_id(use: Use, reading: Reading) -> None:
-    """Claim the element id of a question, ``quiz-…`` or ``predict-…``."""
-    if not ID.fullmatch(use.argument):
-        legal = "small letters, digits and hyphens"
-        reading.problem(use.line, f"{use.name} id {use.argument!r}; legal: {legal}")
-    reading.take_id(f"{use.name}-{use.argument}", use.line, use.name)
-
-
-def check_options_belong(
-    use: Use, kind: str, belongs: Mapping[str, tuple[str, ...]], reading: Reading
-) -> None:
-    """Report options that mean nothing to this kind of question."""
-    for name, option in use.options.items():
-        kinds = belongs.get(name, (kind,))
-        if kind not in kinds:
-            legal = " or ".join(f"with ':kind: {each}'" for each in kinds)
-            reading.problem(
-                option.line, f"option {name!r} of a {kind!r} {use.name}; legal: {legal}"
-            )
-
-
-def prompt_text(parts: Parts) -> str:
-    """What is asked, without markup."""
-    return " ".join(plain_text(token) for token in parts.prompt if token.type == "inline")
 
 
 def _read_options(
@@ -129,26 +106,14 @@ def _prompt_html(parts: Parts, use: Use, reading: Reading) -> str:
 def _check_answers(
     use: Use, kind: str, options: Sequence[Option], items: int, reading: Reading
 ) -> None:
-    """Enough answers, of which as many are right as the kind has it, and no two alike."""
-    name = use.argument
-    right = sum(option.correct for option in options)
+    """As every question's, and with a reply to what no answer foresees."""
     form = "1. …" if kind == "order" else "- [ ] …"
-    if items < 2:
-        legal = f"a list of 2 or more '{form}'"
-        reading.problem(use.line, f"quiz {name!r} has {items} answers; legal: {legal}")
-    elif len(options) < items:
-        return  # a mistake already reported would be counted twice
-    elif right == 0:
-        reading.problem(use.line, f"quiz {name!r} has no right answer; mark one with [x]")
-    elif right > 1 and kind not in ("multiple", "order"):
-        legal = "one, or ':kind: multiple'" if kind == "single" else "one"
-        reading.problem(use.line, f"quiz {name!r} has {right} right answers; legal: {legal}")
-    elif len({option.text for option in options}) < len(options):
-        message = f"quiz {name!r} gives the same answer twice; legal: answers that differ"
-        reading.problem(use.line, message)
-    elif kind in ("number", "figure") and options[-1].text != OTHERWISE:
+    right = {"single": "one, or ':kind: multiple'", "multiple": "", "order": ""}.get(kind, "one")
+    sound = check_answers(use, options, items, reading, form=form, right=right)
+    if sound and kind in ("number", "figure") and options[-1].text != OTHERWISE:
+        what = f"quiz {use.argument!r} has no reply to other answers"
         legal = f"'- [ ] {OTHERWISE}' at the end, with a ': …' line below it"
-        reading.problem(use.line, f"quiz {name!r} has no reply to other answers; legal: {legal}")
+        reading.problem(use.line, f"{what}; legal: {legal}")
 
 
 QUIZ = Directive(

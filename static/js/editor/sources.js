@@ -1,5 +1,6 @@
 /** The Python of a scene, as the build wrote it down; fetched when a reader first asks for it. */
 
+/** @import { Stage } from "../figure/workings.js" */
 /**
  * @typedef {object} Definition
  * @property {string} path File of the project.
@@ -32,4 +33,16 @@ export async function fetchSources(scene) {
  */
 export function nameOf(key) {
   return key.slice(key.indexOf(":") + 1);
+}
+
+/**
+ * The part to open first: the first stage that was computed for the frame that is shown; else what
+ * draws.
+ *
+ * @param {Sources} sources
+ * @param {Stage[]} shown
+ */
+export function firstPart({ stages, draw }, shown) {
+  const done = new Set(shown.filter(({ status }) => status === "computed").map(({ name }) => name));
+  return stages.find(({ name, definition }) => definition && done.has(name))?.definition ?? draw;
 }

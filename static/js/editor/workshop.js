@@ -6,17 +6,17 @@
 import { message } from "../errors.js";
 import { one } from "../page/dom.js";
 import { setText } from "../page/text.js";
-import { RuntimeFailure } from "../runtime/runtime.js";
+import { download } from "./download.js";
 import { EditedRuntime, EditFailure } from "./edited_runtime.js";
 import { Edits } from "./edits.js";
+import { problemOf, problemWithout, wordsOf } from "./failures.js";
 import { loadEditor, loadPanel } from "./load.js";
 import { Panel } from "./panel.js";
-import { fetchSources, nameOf } from "./sources.js";
+import { fetchSources, firstPart } from "./sources.js";
 
 /** @import { LiveFigure } from "../figure/live.js" */
 /** @import { Runtime } from "../runtime/runtime.js" */
 /** @import { Problem } from "./edited_runtime.js" */
-/** @import { Sources } from "./sources.js" */
 
 const WORDS = {
   running: "Running …",
@@ -117,7 +117,7 @@ export class Workshop {
     element.id = this.button.getAttribute("aria-controls") ?? "";
     one(this.figure, ".python", HTMLElement).append(element);
     this.#panel = panel;
-    panel.open(this.#firstPart(edits.sources));
+    panel.open(firstPart(edits.sources, this.live?.stages ?? []));
     this.#showStages();
     this.figure.addEventListener("painted", this.#showStages);
     this.button.setAttribute("aria-expanded", "true");
@@ -130,18 +130,6 @@ export class Workshop {
     this.#panel = null;
     this.button.setAttribute("aria-expanded", "false");
     this.button.focus();
-  }
-
-  /**
-   * The first stage that was computed for the frame that is shown; else what draws.
-   *
-   * @param {Sources} sources
-   */
-  #firstPart({ stages, draw }) {
-    const done = new Set(
-      this.live?.stages.filter(({ status }) => status === "computed").map(({ name }) => name),
-    );
-    return stages.find(({ name, definition }) => definition && done.has(name))?.definition ?? draw;
   }
 
   /**
@@ -255,15 +243,8 @@ export class Workshop {
 
   /** @param {unknown} error */
   #failed(error) {
-    if (error instanceof EditFailure) {
-      this.#panel?.print(error.printed);
-      this.#tell(error.message, error.problem);
-    } else if (error instanceof RuntimeFailure && error.kind === "lost") {
-      const words = `Your code was stopped: ${error.message}. The figure stays as it was.`;
-      this.#tell(words, problemWithout(words));
-    } else {
-      this.#tell(`Your code did not run (${message(error)}).`, problemWithout(message(error)));
-    }
+    if (error instanceof EditFailure) this.#panel?.print(error.printed);
+    this.#tell(wordsOf(error), problemOf(error));
   }
 
   /**
@@ -290,32 +271,4 @@ export class Workshop {
     this.figure.toggleAttribute("data-edited", this.#drawn);
     setText(this.state, this.#drawn ? WORDS.mark : edits.all.size > 0 ? WORDS.kept : "");
   }
-}
-
-/**
- * A problem that no line is known for.
- *
- * @param {string} words
- * @returns {Problem}
- */
-function problemWithout(words) {
-  return { message: words, definition: "", line: 0 };
-}
-
-/**
- * Hand the reader's texts over as a file.
- *
- * @param {string} scene
- * @param {Edits} edits
- */
-function download(scene, edits) {
-  const pieces = [...edits.all].map(([key, { text }]) => {
-    const [module, name] = [key.slice(0, key.indexOf(":")), nameOf(key)];
-    return `# ${name} in ${module.replaceAll(".", "/")}.py\n\n${text}\n`;
-  });
-  const link = document.createElement("a");
-  link.href = URL.createObjectURL(new Blob([pieces.join("\n\n")], { type: "text/x-python" }));
-  link.download = `${scene}-edited.py`;
-  link.click();
-  setTimeout(() => URL.revokeObjectURL(link.href), 1000);
 }

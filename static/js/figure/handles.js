@@ -4,35 +4,20 @@
  * move as if the reader had moved them.
  *
  * @typedef {{name: string, x: number, y: number}} Place In view box units of the handle's panel.
- * @typedef {[number, number]} Point
  * @typedef {{handle: string, x: number, y: number, values: string}} Pull
  * @typedef {{handle: string, place: Point, done: boolean}} Job
  */
 
 import { message } from "../errors.js";
-import { all, maybe, one, within } from "../page/dom.js";
+import { all, within } from "../page/dom.js";
 import { formatValue, moveControls, named, readValues } from "./controls.js";
+import { center, driven, grabbed, inPanel, name, put } from "./handle_elements.js";
+import { keyed } from "./handle_keys.js";
 import { LatestWins } from "./scheduler.js";
 import { say } from "./status.js";
 
 /** @import { Control, Schema, Value } from "./controls.js" */
-
-/** Handles that are nearer to the pointer than this, in CSS pixels, compete for it. */
-const REACH = 22;
-/** Steps of a slider that a page key takes at once. */
-const PAGE = 10;
-
-/** @type {Record<string, {axis: number, steps: number} | undefined>} */
-const KEYS = {
-  ArrowRight: { axis: 0, steps: 1 },
-  ArrowLeft: { axis: 0, steps: -1 },
-  ArrowUp: { axis: 1, steps: 1 },
-  ArrowDown: { axis: 1, steps: -1 },
-  PageUp: { axis: 1, steps: PAGE },
-  PageDown: { axis: 1, steps: -PAGE },
-  Home: { axis: 0, steps: -Infinity },
-  End: { axis: 0, steps: Infinity },
-};
+/** @import { Point } from "./handle_elements.js" */
 
 export class Handles {
   /**
@@ -79,10 +64,7 @@ export class Handles {
     for (const element of all(this.figure, "[data-handle]", HTMLElement)) {
       const place = found.get(element.dataset.handle ?? "");
       element.hidden = !place;
-      if (!place) continue;
-      const { width, height } = viewBox(element);
-      element.style.setProperty("--x", `${((100 * place.x) / width).toFixed(3)}%`);
-      element.style.setProperty("--y", `${((100 * place.y) / height).toFixed(3)}%`);
+      if (place) put(element, place);
     }
     this.#tell();
   }
@@ -160,37 +142,12 @@ export class Handles {
   /** @param {KeyboardEvent} event */
   #key(event) {
     const element = within(event, "[data-handle]", HTMLElement);
-    const key = KEYS[event.key];
-    if (!element || !key || event.altKey || event.ctrlKey || event.metaKey) return;
+    const { controls } = this.schema;
+    const values = element && keyed(event, element, this.form, controls);
+    if (!values) return;
     event.preventDefault();
-    const names = driven(element);
-    const setting = names[Math.min(key.axis, names.length - 1)];
-    const control = this.schema.controls.find((item) => item.name === setting);
-    if (!control) return;
-    const back = Number.isFinite(key.steps) && reversed(element).includes(setting);
-    const steps = (back ? -1 : 1) * key.steps * (event.shiftKey ? PAGE : 1);
-    const values = { [setting]: this.#stepped(control, steps) };
-    moveControls(this.form, this.schema.controls, values, "input");
-    moveControls(this.form, this.schema.controls, values, "change");
-  }
-
-  /**
-   * A control's value some steps further, or its first or last.
-   *
-   * @param {Control} control
-   * @param {number} steps
-   * @returns {Value}
-   */
-  #stepped(control, steps) {
-    const field = this.form.querySelector(named(control.name));
-    if (field instanceof HTMLSelectElement) {
-      const wanted = Math.max(0, Math.min(field.selectedIndex + steps, field.length - 1));
-      return field.options[wanted].value;
-    }
-    if (control.kind !== "slider") return control.default;
-    const wanted = Number(/** @type {HTMLInputElement} */ (field).value) + steps * control.step;
-    const digits = control.decimals + 2;
-    return Number(Math.max(control.min, Math.min(wanted, control.max)).toFixed(digits));
+    moveControls(this.form, controls, values, "input");
+    moveControls(this.form, controls, values, "change");
   }
 
   /** Say what each handle is set to. */
@@ -245,41 +202,6 @@ export class Handles {
 }
 
 /**
- * The handle that a press means: the nearest mark within reach, else what lies under it.
- *
- * @param {HTMLElement} layer
- * @param {PointerEvent} event
- * @returns {HTMLElement | null}
- */
-function grabbed(layer, event) {
-  const near = all(layer, "[data-handle]:not(.drag, .aim, [hidden])", HTMLElement)
-    .map((element) => ({ element, distance: distanceTo(element, event) }))
-    .filter(({ distance }) => distance <= REACH)
-    .sort((a, b) => a.distance - b.distance);
-  if (near.length > 0) return near[0].element;
-  const ground = within(event, ".handle-ground", HTMLElement)?.dataset.groundOf;
-  const target = ground
-    ? maybe(layer, `[data-handle="${CSS.escape(ground)}"]`, HTMLElement)
-    : within(event, "[data-handle]", HTMLElement);
-  return target && !target.hidden ? target : null;
-}
-
-/** @param {HTMLElement} element */
-function name(element) {
-  return element.dataset.handle ?? "";
-}
-
-/** @param {HTMLElement} element */
-function driven(element) {
-  return (element.dataset.drives ?? "").split(" ");
-}
-
-/** @param {HTMLElement} element */
-function reversed(element) {
-  return (element.dataset.reversed ?? "").split(" ");
-}
-
-/**
  * What of the values differs from those that were sent.
  *
  * @param {Record<string, Value>} values
@@ -288,56 +210,4 @@ function reversed(element) {
 function changed(values, sent) {
   const before = JSON.parse(sent);
   return Object.fromEntries(Object.entries(values).filter(([key, value]) => value !== before[key]));
-}
-
-/**
- * The view box of the panel that a handle lies in.
- *
- * @param {HTMLElement} element
- */
-function viewBox(element) {
-  const view = element.closest(".panel-view") ?? element;
-  return one(view, "svg.overlay", SVGSVGElement).viewBox.baseVal;
-}
-
-/**
- * Where a pointer is, in view box units of the handle's panel.
- *
- * @param {HTMLElement} element
- * @param {PointerEvent} event
- * @returns {Point}
- */
-function inPanel(element, event) {
-  const { width, height } = viewBox(element);
-  const box = (element.closest(".handles") ?? element).getBoundingClientRect();
-  return [
-    ((event.clientX - box.left) / box.width) * width,
-    ((event.clientY - box.top) / box.height) * height,
-  ];
-}
-
-/**
- * Where a handle is, in view box units of its panel.
- *
- * @param {HTMLElement} element
- * @returns {Point}
- */
-function center(element) {
-  const { width, height } = viewBox(element);
-  return [
-    (Number.parseFloat(element.style.getPropertyValue("--x")) / 100) * width,
-    (Number.parseFloat(element.style.getPropertyValue("--y")) / 100) * height,
-  ];
-}
-
-/**
- * CSS pixels from a handle's mark to the pointer.
- *
- * @param {HTMLElement} element
- * @param {PointerEvent} event
- */
-function distanceTo(element, event) {
-  const box = element.getBoundingClientRect();
-  const [x, y] = [box.left + box.width / 2, box.top + box.height / 2];
-  return Math.hypot(event.clientX - x, event.clientY - y);
 }

@@ -7,15 +7,17 @@
  */
 
 import { message } from "../errors.js";
-import { all, data, maybe, one, within } from "../page/dom.js";
+import { all, data, one, within } from "../page/dom.js";
 import { RuntimeFailure } from "../runtime/runtime.js";
 import { announcer } from "./announce.js";
-import { choice, pressAction, readValues, showSliderValue } from "./controls.js";
+import { pressAction, readValues, showSliderValue } from "./controls.js";
 import { Handles } from "./handles.js";
 import { Motion } from "./motion.js";
+import { OwnPicture } from "./own_picture.js";
 import { paint } from "./painter.js";
 import { LatestWins } from "./scheduler.js";
 import { say, sayNothingOfFailure } from "./status.js";
+import { chosenTier, isDrafted, shownTier } from "./tiers.js";
 import { Accuracy, showStages } from "./workings.js";
 
 /** @import { Caller } from "../runtime/runtime.js" */
@@ -50,15 +52,6 @@ export class LiveFigure {
   #near = false;
   #asked = "";
   /**
-   * The reader's own picture, once there is one.
-   *
-   * @type {import("./photograph.js").Photograph | null}
-   */
-  #photograph = null;
-  /** What the interpreter was last told of it: which interpreter, which picture. */
-  #told = "";
-
-  /**
    * @param {HTMLElement} figure
    * @param {Caller} runtime
    */
@@ -73,6 +66,8 @@ export class LiveFigure {
     this.announce = announcer(one(figure, ".description", HTMLElement));
     this.accuracy = new Accuracy(figure, (job, urgency) => this.#askError(job, urgency));
     this.motion = new Motion(this.form, this.schema, (moving, time) => this.#ask(time, moving));
+    const again = () => this.#ask(performance.now(), false);
+    this.own = new OwnPicture(figure, this.schema.photograph, again, this.#listeners.signal);
     this.#listen();
     this.handles = new Handles(
       figure,
@@ -127,7 +122,7 @@ export class LiveFigure {
    */
   async judge(conditions) {
     const values = JSON.stringify(readValues(this.form, this.schema.controls));
-    const state = { figure: this.#key, scene: this.#scene, values, tier: this.#chosen() };
+    const state = this.#request(values, chosenTier(this.form, this.schema));
     return (await this.runtime.call("judge", { ...state, conditions }, () => URGENCY.touched)).met;
   }
 
@@ -148,9 +143,6 @@ export class LiveFigure {
 
   #listen() {
     const { signal } = this.#listeners;
-    const own = maybe(this.figure, ".photograph", HTMLElement);
-    own?.addEventListener("change", (event) => this.#choosePicture(own, event), { signal });
-    own?.addEventListener("click", (event) => this.#pressPicture(own, event), { signal });
     this.form.addEventListener("submit", (event) => event.preventDefault(), { signal });
     this.form.addEventListener("input", (event) => this.#changed(event, true), { signal });
     this.form.addEventListener("change", (event) => this.#changed(event, false), { signal });
@@ -177,7 +169,7 @@ export class LiveFigure {
       this.motion.stop();
       showSliderValue(this.form, control);
     }
-    this.#ask(event.timeStamp, dragging && this.#drafted(control));
+    this.#ask(event.timeStamp, dragging && isDrafted(this.form, this.schema, control));
   }
 
   /** @param {Event} event */
@@ -193,59 +185,6 @@ export class LiveFigure {
   }
 
   /**
-   * @param {HTMLElement} own
-   * @param {Event} event
-   */
-  #pressPicture(own, event) {
-    const button = within(event, "button", HTMLButtonElement);
-    if (button?.classList.contains("photograph-choose")) {
-      one(own, "input", HTMLInputElement).click();
-    } else if (button) {
-      this.#showPicture(own, null);
-    }
-  }
-
-  /**
-   * @param {HTMLElement} own
-   * @param {Event} event
-   */
-  async #choosePicture(own, event) {
-    const input = within(event, "input", HTMLInputElement);
-    const file = input?.files?.[0];
-    if (!input || !file || !this.schema.photograph) return;
-    try {
-      const { decode } = await import("./photograph.js");
-      const picture = await decode(file, ...this.schema.photograph);
-      if (!this.figure.isConnected) return;
-      say(this.figure, "");
-      this.#showPicture(own, picture);
-    } catch (error) {
-      say(this.figure, message(error));
-    } finally {
-      input.value = ""; // the same file may be chosen again
-    }
-  }
-
-  /**
-   * @param {HTMLElement} own
-   * @param {import("./photograph.js").Photograph | null} picture
-   */
-  #showPicture(own, picture) {
-    this.#photograph = picture;
-    one(own, ".photograph-back", HTMLButtonElement).hidden = !picture;
-    this.#ask(performance.now(), false);
-  }
-
-  /** Tell the interpreter of the reader's picture, where it does not know. */
-  async #handOver() {
-    const { number = 0, ...picture } = this.#photograph ?? {};
-    const telling = () => `${this.runtime.generation} ${number}`;
-    if (telling() === this.#told || (number === 0 && !this.#told)) return;
-    await this.runtime.call("photograph", { figure: this.#key, number, ...picture }, () => 2);
-    this.#told = telling();
-  }
-
-  /**
    * Ask for the frame of the form's present values, unless it is the one asked for last.
    *
    * @param {number} time
@@ -256,46 +195,22 @@ export class LiveFigure {
     if (!this.figure.isConnected) return;
     const values = JSON.stringify(readValues(this.form, this.schema.controls));
     const tier = this.#tier(moving);
-    const asked = `${values} ${tier} ${this.#photograph?.number ?? 0}`;
+    const asked = `${values} ${tier} ${this.own.number}`;
     if (asked === this.#asked) return;
     this.#asked = asked;
     this.#scheduler.submit({ values, tier, time, urgency });
   }
 
-  /**
-   * Whether a drag of this control is answered by drafts.
-   *
-   * @param {Control | undefined} control
-   */
-  #drafted(control) {
-    const { drafted, drafted_in: byTier } = this.schema;
-    if (control?.kind !== "slider") return false;
-    if (drafted.length === 0 || drafted.includes(control.name)) return true;
-    return byTier[this.#chosen()]?.includes(control.name) ?? false;
-  }
-
-  /** The tier that the reader chose. */
-  #chosen() {
-    const { tiers, default_tier: settled } = this.schema;
-    return tiers.length === 0 ? settled : choice(this.form, "tier").value;
-  }
-
-  /**
-   * The tier chosen, or the draft where that is cheaper and things are moving.
-   *
-   * @param {boolean} moving
-   */
+  /** @param {boolean} moving */
   #tier(moving) {
-    const { tiers, draft_tier: draft } = this.schema;
-    const chosen = this.#chosen();
-    return moving && tiers.indexOf(draft) < tiers.indexOf(chosen) ? draft : chosen;
+    return shownTier(this.form, this.schema, moving);
   }
 
   /** @param {Job} job */
   async #run(job) {
     for (let attempt = 0; ; attempt += 1) {
       try {
-        await this.#handOver();
+        await this.own.handOver(this.runtime, this.#key);
         const reply = await this.#call(job);
         if (this.figure.isConnected) this.#show(reply, job);
         return;

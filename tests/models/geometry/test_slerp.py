@@ -6,20 +6,13 @@ from collections.abc import Callable
 import numpy as np
 import pytest
 from scipy.spatial.transform import Rotation, Slerp
+from support.quaternions import same_up_to_sign, wxyz
 
 from simulations.models.arrays import Floats
 from simulations.models.geometry import quaternions, rotations
 
 RNG = np.random.default_rng(1)
 RANDOM = Rotation.random(200, rng=RNG)
-
-
-def wxyz(rotation: Rotation) -> Floats:
-    return np.roll(rotation.as_quat(), 1, axis=-1)
-
-
-def same_up_to_sign(a: Floats, b: Floats) -> Floats:
-    return np.minimum(np.abs(a - b).max(axis=-1), np.abs(a + b).max(axis=-1))
 
 
 def test_slerp_agrees_with_scipy() -> None:

@@ -8,23 +8,9 @@ import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
-from numpy.typing import ArrayLike
+from support.rays import AHEAD, ORIGIN, rays_around, unit
 
-from simulations.models.arrays import Floats
 from simulations.models.light.raycasting import Box, Sphere, intersect, intersect_plane
-
-ORIGIN = np.zeros(3)
-AHEAD = np.array([0.0, 1.0, 0.0])
-
-
-def unit(vectors: ArrayLike) -> Floats:
-    vectors = np.asarray(vectors, float)
-    return vectors / np.linalg.norm(vectors, axis=-1, keepdims=True)
-
-
-def rays_around(forward: Floats, spread: float, count: int, seed: int = 0) -> Floats:
-    rng = np.random.default_rng(seed)
-    return unit(np.asarray(forward) + spread * rng.uniform(-1, 1, (count, 3)))
 
 
 def test_sphere_is_met_one_radius_before_its_centre() -> None:

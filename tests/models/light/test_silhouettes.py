@@ -6,24 +6,12 @@ import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
+from support.rays import AHEAD, ORIGIN, rays_around, unit
 
 from simulations.models.arrays import Floats
 from simulations.models.light.edge_coverage import straight_edge_coverage
 from simulations.models.light.raycasting import Box, Sphere, edge_coverage, intersect
 from simulations.models.projection import pinhole
-
-ORIGIN = np.zeros(3)
-AHEAD = np.array([0.0, 1.0, 0.0])
-
-
-def unit(vectors: Floats) -> Floats:
-    vectors = np.asarray(vectors, float)
-    return vectors / np.linalg.norm(vectors, axis=-1, keepdims=True)
-
-
-def rays_around(forward: Floats, spread: float, count: int, seed: int = 0) -> Floats:
-    rng = np.random.default_rng(seed)
-    return unit(np.asarray(forward) + spread * rng.uniform(-1, 1, (count, 3)))
 
 
 @settings(deadline=None)

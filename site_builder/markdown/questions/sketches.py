@@ -1,8 +1,8 @@
 """A curve that the reader is asked to sketch: an expression in ``x`` and two axes."""
 
 from site_builder.book import Axis, Curve
-from site_builder.markdown.computed import names_for, number
 from site_builder.markdown.directive import Use
+from site_builder.markdown.questions.computed import names_for, number
 from site_builder.markdown.reading import Reading
 
 SAMPLES = 97

@@ -5,9 +5,9 @@ from collections.abc import Sequence
 
 from simulations.engine.frame import format_number
 from site_builder.book import Option
-from site_builder.markdown.answers import Answer, Item, read_answer
-from site_builder.markdown.computed import names_for, number, truth
 from site_builder.markdown.directive import OptionLine, Use
+from site_builder.markdown.questions.answers import Answer, Item, read_answer
+from site_builder.markdown.questions.computed import names_for, number, truth
 from site_builder.markdown.reading import Reading
 from site_builder.measured.quantities import with_unit
 

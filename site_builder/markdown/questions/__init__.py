@@ -1,0 +1,1 @@
+"""Questions: what is asked, its answers by kinds, and what is worked out of them."""

@@ -1,0 +1,111 @@
+"""The aliasing figure: what it reads out, and its picture, which is the sampled pattern."""
+
+from functools import partial
+
+import numpy as np
+import pytest
+from support.frames import frame_of, pixels_of, texts_of
+
+from simulations.engine.frame import Frame
+from simulations.engine.stages import StageCache
+from simulations.models.arrays import Floats
+from simulations.models.color.srgb import decode_srgb
+from simulations.scenes.aliasing.pattern import SHOWN, pattern_of
+from simulations.scenes.aliasing.scene import SCENE
+from simulations.scenes.aliasing.settings import FILTERS
+
+frame = partial(frame_of, SCENE)
+
+
+def light(shown: Frame) -> Floats:
+    return decode_srgb(pixels_of(shown)[..., 0] / 255.0)
+
+
+@pytest.mark.parametrize(
+    ("true", "seen"), [(0.3, "0.30"), (0.5, "0.50"), (0.7, "0.30"), (0.8, "0.20"), (1.2, "0.20")]
+)
+def test_frequencies_fold_at_one_half(true: float, seen: str) -> None:
+    assert texts_of(frame(frequency=true))["alias"] == seen
+
+
+def test_the_shirt_of_the_chapter_gets_a_false_stripe_every_five_pixels() -> None:
+    shown = frame(frequency=0.8)
+    assert texts_of(shown)["period"] == "5.0"
+    row = light(shown)[0]
+    np.testing.assert_allclose(row[5:], row[:-5], atol=0.01)
+    np.testing.assert_allclose(row, light(frame(frequency=0.2))[0], atol=0.01)
+
+
+@pytest.mark.parametrize(("phase", "kept"), [(0, "0.000"), (30, "0.500"), (90, "1.000")])
+def test_at_nyquist_the_phase_decides(phase: float, kept: str) -> None:
+    shown = frame(frequency=0.5, phase=phase)
+    assert texts_of(shown)["kept"] == kept
+    row = light(shown)[0]
+    assert (row.max() - row.min()) == pytest.approx(float(kept), abs=0.01)
+
+
+def test_one_cycle_a_pixel_is_flat() -> None:
+    shown = frame(frequency=1)
+    assert np.ptp(pixels_of(shown)[..., 0].astype(int)) <= 1
+    assert (texts_of(shown)["kept"], texts_of(shown)["period"]) == ("0.000", "∞")
+
+
+def test_the_pixels_area_leaves_what_the_chapter_says() -> None:
+    passed = {f: texts_of(frame(frequency=f, prefilter="box"))["passed"] for f in (0.5, 0.8, 1.0)}
+    assert passed == {0.5: "0.637", 0.8: "0.234", 1.0: "0.000"}
+
+
+@pytest.mark.parametrize("pattern", ["stripes", "zone_plate"])
+@pytest.mark.parametrize("frequency", [0, 0.5, 1, 1.2])
+@pytest.mark.parametrize("filtered", FILTERS)
+def test_every_extreme_can_be_drawn_in_the_same_layout(
+    pattern: str, frequency: float, filtered: str
+) -> None:
+    shown = frame(pattern=pattern, frequency=frequency, phase=0, prefilter=filtered)
+    assert [panel.name for panel in shown.panels] == ["picture", "row", "spectrum"]
+    assert len(shown.readouts) == 6
+    assert not any("nan" in panel.overlay for panel in shown.panels)
+
+
+def test_the_picture_is_kept_while_nothing_changes() -> None:
+    cache = StageCache()
+    first = frame("", cache)
+    assert pixels_of(frame("", cache)) is pixels_of(first)
+
+
+@pytest.mark.parametrize(
+    ("rate", "seen"), [(1, "0.30"), (1.5, "0.70"), (0.5, "0.20"), (0.7, "0.00")]
+)
+def test_waves_fold_at_half_the_sampling_rate(rate: float, seen: str) -> None:
+    shown = texts_of(frame(frequency=0.7, rate=rate))
+    assert (shown["alias"], shown["nyquist"]) == (seen, f"{rate / 2:.2f}")
+
+
+def test_what_lies_exactly_on_the_fold_is_known_to_do_so_at_every_rate() -> None:
+    for rate in np.arange(0.5, 2.01, 0.1).round(2):
+        shown = frame(frequency=round(rate / 2, 2), rate=rate)
+        assert "exactly at Nyquist" in shown.description, rate
+
+
+def test_twice_the_samples_of_half_the_frequency_is_the_same_row() -> None:
+    """As many samples to a cycle: on the finer grid there are twice as many of them."""
+    coarse, fine = light(frame(frequency=0.8)), light(frame(frequency=1.2, rate=1.5))
+    np.testing.assert_allclose(coarse[0], fine[0, :64], atol=0.01)
+
+
+def test_a_crest_pulled_aside_is_a_crest_of_the_new_wave() -> None:
+    (wanted,) = SCENE.pull(SCENE.check({"phase": 40}), "crest", (200.0, 90.0)).values()
+    pixels = (200.0 - 22.0) / (386.0 - 22.0) * (SHOWN - 1)
+    assert isinstance(wanted, float)
+    assert np.sin(np.radians(40) + 2 * np.pi * wanted * pixels) > 0.98
+
+
+def test_the_ring_at_nyquist_is_where_the_plate_has_half_a_cycle_a_sample() -> None:
+    given = SCENE.check({"pattern": "zone_plate", "frequency": 0.8, "rate": 1.2})
+    done = SCENE.run(given, "", StageCache())
+    (handle,) = (each for each in SCENE.handles if each.name == "ring")
+    place = handle.at(given, done.outputs)
+    assert place is not None
+    pattern = pattern_of("zone_plate", 0.8, 0.0, 1.2)
+    sample = place[0] / 400 * pattern.width - 0.5 * pattern.width
+    assert abs(pattern.local_frequency(sample)) == pytest.approx(0.5)

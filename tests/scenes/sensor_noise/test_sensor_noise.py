@@ -1,0 +1,142 @@
+"""The step wedge obeys the noise theory that the chapter states, and measures its own gain."""
+
+import itertools
+import math
+from functools import partial
+
+import numpy as np
+import pytest
+from support.frames import frame_of, outputs_of, texts_of
+
+from simulations.scenes.sensor_noise.scene import SCENE
+from simulations.scenes.sensor_noise.stages import (
+    FULL_WELL_E,
+    Transfer,
+    patch_means_e,
+    sensor_of,
+)
+
+frame = partial(frame_of, SCENE)
+
+
+def texts(tier: str = "", **given: object) -> dict[str, str]:
+    return texts_of(frame(tier, **given))
+
+
+def transfer(**given: object) -> Transfer:
+    measured: Transfer = outputs_of(SCENE, "poisson", **given)["transfer"]
+    return measured
+
+
+def test_neighbouring_patches_are_half_a_stop_apart() -> None:
+    means = patch_means_e(0)
+    assert means[::2] == pytest.approx(40_000 / 2.0 ** np.arange(12))
+    assert patch_means_e(-1) == pytest.approx(means / 2)
+
+
+@pytest.mark.parametrize(("iso", "bits"), [("100", 12), ("800", 12), ("100", 14), ("400", 10)])
+def test_the_slope_of_the_transfer_curve_is_the_gain(iso: str, bits: int) -> None:
+    """1600 pixels know a variance to 3.5 %; a line through a dozen patches to about 2 %."""
+    truth = sensor_of(bits, iso, 10).gain_e_per_dn
+    gain = transfer(iso=iso, bits=bits).gain
+    assert gain is not None
+    assert gain.e_per_dn == pytest.approx(truth, rel=0.06)
+
+
+def test_at_base_iso_the_top_code_is_a_full_well() -> None:
+    camera = sensor_of(12, "100", 0)
+    assert camera.gain_e_per_dn * (4095 - camera.black_level_dn) == pytest.approx(20_000)
+    assert sensor_of(12, "800", 0).gain_e_per_dn == pytest.approx(camera.gain_e_per_dn / 8)
+
+
+def test_patch_variances_are_shot_plus_read_plus_rounding() -> None:
+    measured = transfer(bits=14, read_noise=20)
+    gain = sensor_of(14, "100", 20).gain_e_per_dn
+    expected = (patch_means_e(0) + 20**2) / gain**2 + 1 / 12
+    inside = ~measured.clipped
+    assert np.count_nonzero(inside) > 18
+    # Four standard deviations of a variance from 1600 samples.
+    assert measured.variance_dn[inside] == pytest.approx(
+        expected[inside], rel=4 * math.sqrt(2 / 1600)
+    )
+
+
+def test_dark_signal_leaves_the_means_and_lifts_the_variances() -> None:
+    without, with_dark = transfer(bits=14), transfer(bits=14, dark=2000)
+    gain = sensor_of(14, "100", 10).gain_e_per_dn
+    dim = slice(12, 24)
+    assert with_dark.mean_dn[dim] == pytest.approx(without.mean_dn[dim], abs=5 / gain)
+    lift = (with_dark.variance_dn - without.variance_dn)[dim].mean() * gain**2
+    assert lift == pytest.approx(2000, rel=0.04)
+
+
+def test_raising_the_iso_leaves_the_signal_to_noise_ratio() -> None:
+    base, high = (float(texts(iso=iso, patch=13)["snr"]) for iso in ("100", "800"))
+    assert base == pytest.approx(23.2, rel=0.08)
+    assert high == pytest.approx(23.2, rel=0.08)
+    assert texts(patch=13)["theory"] == texts(patch=13, iso="800")["theory"] == "23.2"
+
+
+def test_saturated_patches_are_left_out_of_the_fit_and_named() -> None:
+    measured = transfer()
+    assert measured.clipped[:3].all()
+    assert not measured.fitted[:3].any()
+    assert texts(patch=1)["theory"] == texts(patch=1)["snr"] == "clipped"
+    assert "patch 1 is clipped" in frame(patch=1).description
+
+
+def test_too_few_bits_leave_patches_without_noise() -> None:
+    shown = texts(bits=4, patch=18, read_noise=0)
+    assert shown["snr"] == "one code only"
+    assert "one code only" in frame(bits=4, patch=18, read_noise=0).description
+
+
+def test_where_no_patch_has_noise_no_gain_is_claimed() -> None:
+    shown = frame(bits=4, exposure=-6, read_noise=0)
+    assert texts_of(shown)["gain"] == "not to be told"
+    assert "too few patches" in shown.description
+
+
+@pytest.mark.parametrize("iso", ["100", "800", "6400"])
+@pytest.mark.parametrize("bits", [4, 6, 8, 10, 12, 14])
+def test_a_gain_is_told_to_within_a_few_of_its_standard_errors_or_not_at_all(
+    iso: str, bits: int
+) -> None:
+    """Coarse codes, hot sensors and full wells once gave gains up to twice the truth, or none."""
+    for exposure, dark, read_noise in itertools.product((0, -3, -6), (0, 2000), (0, 10, 60)):
+        given = {"iso": iso, "bits": bits, "exposure": exposure}
+        measured = transfer(**given, dark=dark, read_noise=read_noise)
+        if measured.gain is None:
+            continue
+        off = measured.gain.e_per_dn - sensor_of(bits, iso, read_noise).gain_e_per_dn
+        assert abs(off) < 3.5 * measured.gain.error_e_per_dn, (given, dark, read_noise)
+        assert measured.gain.error_e_per_dn < 0.1 * measured.gain.e_per_dn
+
+
+def test_the_gain_is_shown_with_two_digits_of_its_error() -> None:
+    shown = texts()["gain"]
+    told, error = (float(part) for part in shown.split(" ± "))
+    assert told == pytest.approx(float(texts()["truth"]), abs=3 * error)
+    assert shown.split(" ± ")[1].replace(".", "").lstrip("0").isdigit()
+    assert 0.005 < error / told < 0.05
+
+
+def test_a_well_that_heat_has_filled_is_left_out_of_the_fit_although_no_code_is_the_last() -> None:
+    """The light of a full cell stops 2000 electrons below the top code, nearly without noise."""
+    hot = transfer(dark=2000)
+    assert not hot.clipped[3]
+    full = np.flatnonzero(patch_means_e(0) + 2000 > FULL_WELL_E)
+    assert not hot.fitted[full].any()
+
+
+def test_dynamic_range_is_the_chapters_example() -> None:
+    """20 000 electrons over 3: 12.7 stops, less what rounding at 14 bits takes."""
+    assert texts(read_noise=3, bits=14)["range"] == "12.7"
+
+
+def test_a_floor_pulled_up_needs_the_read_noise_that_theory_has() -> None:
+    given = {"iso": "400", "dark": 100}
+    (handle,) = (each for each in SCENE.handles if each.name == "floor")
+    place = handle.at(SCENE.check({**given, "read_noise": 37}), {})
+    assert place is not None
+    assert SCENE.pull(SCENE.check(given), "floor", place) == {"read_noise": 37}

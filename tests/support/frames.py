@@ -1,0 +1,36 @@
+"""Frames of scenes, and what they say, for tests that compare it with theory."""
+
+from typing import Any
+
+from simulations.engine.frame import Frame, Raster
+from simulations.engine.scene import Scene
+from simulations.engine.stages import Outputs, StageCache
+
+
+def frame_of(
+    scene: Scene[Any], tier: str = "", cache: StageCache | None = None, /, **given: object
+) -> Frame:
+    """The frame at the given settings; of the default tier, and from a cold start, unless told."""
+    return scene.render(scene.check(given), tier, cache or StageCache())
+
+
+def outputs_of(scene: Scene[Any], tier: str = "", /, **given: object) -> Outputs:
+    """What the stages make of the given settings."""
+    return scene.run(scene.check(given), tier, StageCache()).outputs
+
+
+def texts_of(frame: Frame) -> dict[str, str]:
+    """The readouts as shown, by name."""
+    return {item.name: item.text for item in frame.readouts}
+
+
+def pixels_of(frame: Frame, panel: int = 0) -> Raster:
+    """The pixels of a panel, which has some."""
+    raster = frame.panels[panel].raster
+    assert raster is not None
+    return raster
+
+
+def computed_in(frame: Frame) -> tuple[str, ...]:
+    """The stages that ran for this frame."""
+    return tuple(stage.name for stage in frame.stages if stage.status == "computed")
