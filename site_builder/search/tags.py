@@ -22,7 +22,7 @@ SILENT_TAGS = {
 }  # fmt: skip
 SILENT_CLASSES = {
     "answer", "chapter-facts", "feedback",  # what waits, and what is not of the text
-    "callout-title", "chapter-number", "panel-title",
+    "callout-title", "chapter-number", "panel-title", "question-number",
     "controls", "figure-foot", "figure-status", "handles", "panel-dots", "predict-actions",
     "progress", "tools",
     "extremes", "ladder-actions", "ladder-key", "ladder-table", "readouts", "source",
