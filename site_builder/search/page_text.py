@@ -101,7 +101,7 @@ class _Reader(HTMLParser):
         if channel == "title" and outer != "title" and tag != "h1":
             self._drafts.append(_Draft(attributes.get("id", "")))
         if title := title_in(tag, attributes, outer):
-            self._drafts[-1].add("figure", f"{title}. ")
+            self._drafts[-1].add("figure", f"{title.rstrip('.')}. ")
         if tag not in NEVER_CLOSED:
             self._open.append(_Element(tag, channel, len(self._words)))
 

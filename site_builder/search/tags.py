@@ -61,7 +61,7 @@ def title_in(tag: str, attributes: Mapping[str, str], outer: Channel) -> str:
     """A title or a description that stands in an attribute: of a figure, of a picture."""
     if outer != "figure":
         return ""
-    if tag == "form":
+    if tag == "form" or attributes.get("role") == "img":
         return attributes.get("aria-label", "")
     return attributes.get("alt", "") if tag == "img" else ""
 

@@ -77,6 +77,20 @@ def test_other_controls_wait_behind_a_line_on_a_phone(phone: Reader, book: Any) 
     assert folded.is_visible()
 
 
+def test_words_that_move_a_folded_control_unfold_it(phone: Reader, book: Any) -> None:
+    camera = next(c["url"] for c in book["chapters"] if "camera" in c["simulations"])
+    open_page(phone, camera)
+    folded = phone.figure("camera").locator("[name=noise_sigma]")
+    phone.page.locator("a.set[data-values='{\"noise_sigma\": 0.0}']").first.click()
+    folded.wait_for(state="visible")
+
+
+def test_an_address_that_names_a_folded_control_unfolds_it(phone: Reader, book: Any) -> None:
+    camera = next(c["url"] for c in book["chapters"] if "camera" in c["simulations"])
+    open_page(phone, f"{camera}?figure-camera.noise_sigma=9")
+    phone.figure("camera").locator("[name=noise_sigma]").wait_for(state="visible")
+
+
 def test_on_a_desk_all_controls_are_in_sight(phone: Reader, book: Any) -> None:
     phone.page.set_viewport_size({"width": 1280, "height": 900})
     for address in pages(book):
@@ -131,7 +145,9 @@ def test_values_at_their_longest_are_whole_and_move_nothing(
         assert phone.page.evaluate(MOVED) == [], address
 
 
-SMALL_LABELS = """(least) => [...document.querySelectorAll("simulation-figure svg.overlay")]
+SMALL_LABELS = """(least) => [...document.querySelectorAll(
+    ":is(simulation-figure, .drawing) svg.overlay"
+  )]
   .flatMap((svg) => [...svg.querySelectorAll("text")].map((label) => {
     const scale = svg.getBoundingClientRect().width / svg.viewBox.baseVal.width;
     return [label.textContent, parseFloat(getComputedStyle(label).fontSize) * scale];
@@ -145,7 +161,7 @@ def test_labels_in_pictures_are_large_enough_to_read(
 ) -> None:
     reader.page.add_init_script(SILENT_WORKER)
     reader.page.set_viewport_size({"width": width, "height": 900})
-    for address in pages(book):
+    for address in ["", *(chapter["url"] for chapter in book["chapters"])]:
         open_page(reader, address)
         assert reader.page.evaluate(SMALL_LABELS, least_px) == [], address
 

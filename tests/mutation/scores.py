@@ -9,6 +9,7 @@ Mistakes in simulations/models that the tests notice; written by `make mutants`.
 Held out: a sample drawn after the tests were written, as first found, and not judged again since.
 All: every mutant, after tests were added for those that had survived. What still survives are
 mistakes that change nothing anyone can see; 100% is not to be had.
+A row is of when its module was last tried; modules without a row never were.
 """
 HEADING = f"{'':38}{'held out':>26}{'all':>32}"
 COLUMNS = (

@@ -14,6 +14,7 @@ from xml.etree import ElementTree
 
 import numpy as np
 import pytest
+from support.labels import box_of
 
 from simulations.engine.controls import Action, Choice, Control, Slider, Toggle
 from simulations.engine.frame import Frame, Panel, to_json
@@ -26,7 +27,7 @@ type Setting = dict[str, object]
 STEPS = 7
 """Positions of a slider between and including its ends."""
 
-RESIZED = ("aliasing", "bayer-demosaic")
+RESIZED = ("aliasing", "bayer-demosaic", "resolution")
 """Scenes that draw as many pixels as there are samples to be seen."""
 UNDEFINED = {("perspective-projection", "x"), ("perspective-projection", "y"), ("phong", "n_dot_h")}
 """Readouts that somewhere have no value, and say so."""
@@ -116,9 +117,9 @@ def assert_sound(scene: Scene[Any], frame: Frame, setting: Mapping[str, object])
                 if name != "class":
                     assert not NOT_FINITE.search(value), (setting, panel.name, element.attrib)
         for label in drawing.iter("text"):
-            x, y = float(label.attrib["x"]), float(label.attrib["y"])
-            inside = 0 <= x <= panel.width and 0 <= y <= panel.height
-            assert inside, (setting, panel.name, label.text, x, y)
+            left, top, right, bottom = box_of(label)
+            inside = min(left, top) >= 0 and right <= panel.width and bottom <= panel.height
+            assert inside, (setting, panel.name, label.text, box_of(label))
         if panel.raster is not None:
             opaque = panel.raster[..., 3].max()
             assert opaque > 0, (setting, panel.name, "nothing to be seen")

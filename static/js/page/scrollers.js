@@ -10,6 +10,8 @@ const sizes = new ResizeObserver((entries) => {
 export function watchScrollers() {
   sizes.disconnect();
   for (const box of document.querySelectorAll(BOXES)) sizes.observe(box);
+  // A font that comes late makes the contents wider, and not the box.
+  document.fonts.ready.then(() => document.querySelectorAll(BOXES).forEach(mark));
 }
 
 /** @param {Element} box */

@@ -17,6 +17,7 @@ PAGE = """
 <p class="panel-title">Grid</p><p class="description">A barrel.</p>
 <form class="controls" aria-label="Simulator"><label>slider</label></form></simulation-figure>
 <figcaption>Pull it.</figcaption></figure>
+<figure class="illustration"><div role="img" aria-label="A drawing."></div></figure>
 <form class="quiz"><fieldset><legend>How many?</legend><label>seven</label></fieldset>
 <button>Check</button><div class="feedback"></div>
 <noscript><p>Right: seven</p></noscript></form>
@@ -54,7 +55,7 @@ def test_a_short_formula_is_text_and_a_long_one_an_ellipsis(sections: tuple[Sect
 
 
 def test_a_figure_is_found_by_title_description_and_caption(sections: tuple[Section, ...]) -> None:
-    assert sections[1].figures.split(". ") == ["A barrel", "Simulator", "Pull it."]
+    assert sections[1].figures.split(". ") == ["A barrel", "Simulator", "Pull it", "A drawing."]
 
 
 def test_questions_are_found_and_their_answers_are_not(sections: tuple[Section, ...]) -> None:

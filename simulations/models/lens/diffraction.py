@@ -1,0 +1,107 @@
+"""What a perfect lens with a round opening makes of a point and of a wave, in and out of focus.
+
+Light is incoherent and of one wavelength; the lens is wide against it and far from the sensor.
+Frequencies on the sensor are in cycles per millimetre, small lengths in micrometres.
+Goodman, *Introduction to Fourier Optics*, 3rd ed., 2005, chapter 6; Hopkins, *The frequency
+response of a defocused optical system*, 1955.
+"""
+
+from functools import lru_cache
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from simulations.models.arrays import Floats
+from simulations.models.lens.bessel import bessel_j0
+from simulations.models.require import require, require_positive
+
+FIRST_ZERO = 1.2196698912665045
+"""Radius of the spot's first dark ring, in λN: the first zero of J₁ over π."""
+NODES = 96
+"""Of the quadrature over the opening: enough for so many waves of defocus ..."""
+MOST_WAVES = 12.0
+WIDEST_RINGS = 60.0
+"""... and for so wide a part of the spot, in λN."""
+
+
+def cutoff_per_mm(wavelength_um: float, f_number: float) -> float:
+    """The finest wave that the lens lets through: 1/(λN)."""
+    _check(wavelength_um, f_number)
+    return 1000.0 / wavelength_um / f_number
+
+
+def spot_diameter_um(wavelength_um: float, f_number: float) -> float:
+    """Of the first dark ring around the image of a point in focus: 2.44 λN."""
+    _check(wavelength_um, f_number)
+    return 2.0 * FIRST_ZERO * wavelength_um * f_number
+
+
+def defocus_waves(defocus_um: float, wavelength_um: float, f_number: float) -> float:
+    """How far the wave front is off at the rim of the opening, in wavelengths: δ/(8λN²).
+
+    For a sensor at ``defocus_um`` from where the lens focuses. At one wave the middle of the spot
+    is dark.
+    """
+    _check(wavelength_um, f_number)
+    require("defocus_um", defocus_um, np.isfinite(defocus_um), "finite")
+    return defocus_um / (8.0 * wavelength_um) / f_number**2
+
+
+def lens_transfer(
+    frequency_per_mm: ArrayLike, wavelength_um: float, f_number: float, defocus_um: float = 0.0
+) -> Floats:
+    """Factor (...) on the contrast of waves of a frequency (...): the lens's transfer function.
+
+    It is the share of the opening that overlaps a copy of itself, shifted in proportion to the
+    frequency. In focus that is ``2/π (arccos ν − ν √(1 − ν²))``, ν = f/cut-off. Out of focus the
+    two differ in phase from place to place, and the factor may be negative: dark and light are
+    exchanged. Its size is the MTF.
+
+    Raises `ValueError` for NaN, and for a defocus of more than `MOST_WAVES`.
+    """
+    frequency = np.abs(np.asarray(frequency_per_mm, float))
+    require("frequency_per_mm", frequency, not np.isnan(frequency).any(), "numbers")
+    waves = _waves(defocus_um, wavelength_um, f_number)
+    share = np.minimum(frequency / cutoff_per_mm(wavelength_um, f_number), 1.0)
+    widest = np.arccos(share)
+    if waves == 0.0:
+        return 2.0 / np.pi * (widest - share * np.sqrt(1.0 - share * share))
+    nodes, weights = _quadrature()
+    angle = widest[..., None] * nodes
+    off = 8.0 * np.pi * waves * share[..., None] * (np.cos(angle) - share[..., None])
+    heights = np.sin(angle) ** 2 * np.cos(off)
+    return 4.0 / np.pi * widest * np.einsum("...n,n->...", heights, weights)
+
+
+def spot(
+    radius_um: ArrayLike, wavelength_um: float, f_number: float, defocus_um: float = 0.0
+) -> Floats:
+    """Light (...) at distances (...) from the middle of a point's image: 1 there in focus.
+
+    Raises `ValueError` for radii above `WIDEST_RINGS` λN and a defocus of more than `MOST_WAVES`.
+    """
+    waves = _waves(defocus_um, wavelength_um, f_number)
+    rings = np.asarray(radius_um, float) / wavelength_um / f_number
+    require("radius_um", rings, np.all(np.abs(rings) <= WIDEST_RINGS), f"to {WIDEST_RINGS:g} λN")
+    nodes, weights = _quadrature()
+    waves_at = 2.0 * nodes * weights * np.exp(2j * np.pi * waves * nodes * nodes)
+    amplitude = np.einsum("...n,n->...", bessel_j0(np.pi * rings[..., None] * nodes), waves_at)
+    return np.square(amplitude.real) + np.square(amplitude.imag)
+
+
+def _waves(defocus_um: float, wavelength_um: float, f_number: float) -> float:
+    waves = defocus_waves(defocus_um, wavelength_um, f_number)
+    require("defocus in waves", waves, abs(waves) <= MOST_WAVES, f"at most {MOST_WAVES:g} in size")
+    return waves
+
+
+@lru_cache
+def _quadrature() -> tuple[Floats, Floats]:
+    """Gauss–Legendre nodes (n,) in [0, 1] and weights (n,) that add up to 1."""
+    nodes, weights = np.polynomial.legendre.leggauss(NODES)
+    return 0.5 + 0.5 * nodes, 0.5 * weights
+
+
+def _check(wavelength_um: float, f_number: float) -> None:
+    require_positive("wavelength_um", wavelength_um)
+    require_positive("f_number", f_number)
