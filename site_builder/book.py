@@ -235,6 +235,16 @@ class Citation:
 
 
 @dataclass(frozen=True, slots=True)
+class Need:
+    """What a reader should know before a chapter."""
+
+    html: str
+    chapter: str
+    """Id of the chapter that teaches it; nothing where none does."""
+    line: int
+
+
+@dataclass(frozen=True, slots=True)
 class Link:
     """A link of the author's, kept to be checked once all pages are read."""
 
@@ -282,6 +292,11 @@ class Chapter:
     @property
     def is_appendix(self) -> bool:
         return self.position.kind == "Appendix"
+
+    before: tuple[Need, ...] = ()
+    """What to know before reading it."""
+    after: tuple[str, ...] = ()
+    """What its reader can do afterwards, each as HTML."""
 
     @property
     def url(self) -> str:

@@ -20,6 +20,7 @@ def check_book(book: Book, problems: Diagnostics) -> None:
     for chapter in book.chapters:
         _check_reveals(chapter, problems)
         check_figure_questions(chapter, problems)
+    _check_needs(book, problems)
     check_questions(book, problems)
     _check_cited(book, problems)
     by_file = {PurePosixPath(chapter.path).name: chapter for chapter in book.chapters}
@@ -52,6 +53,23 @@ def _check_reveals(chapter: Chapter, problems: Diagnostics) -> None:
         if reveal.prediction not in guesses:
             message = unknown("prediction of this page", reveal.prediction, guesses)
             problems.add(reveal.path, reveal.line, message)
+
+
+def _check_needs(book: Book, problems: Diagnostics) -> None:
+    """What a chapter builds on is another chapter, and stands before it."""
+    ids = [chapter.id for chapter in book.chapters]
+    for place, chapter in enumerate(book.chapters):
+        others = [name for name in ids if name != chapter.id]
+        for need in chapter.before:
+            if not need.chapter:
+                continue
+            if need.chapter not in others:
+                problems.add(chapter.path, need.line, unknown("chapter", need.chapter, others))
+            elif ids.index(need.chapter) > place:
+                message = (
+                    f"builds on chapter {need.chapter!r}, which stands after it; better: before"
+                )
+                problems.warn(chapter.path, need.line, message)
 
 
 def _fault_of(link: Link, chapter: Chapter, by_file: dict[str, Chapter]) -> str:

@@ -22,7 +22,7 @@ from site_builder.measured.measurements import Measurements
 TEXTS = ("title", "subtitle", "prerequisites")
 LISTS = ("chapters", "appendices")
 KEYS = (*TEXTS, *LISTS, "hero", "hero_caption")
-OWN_FOLDERS = ("assets", "licences", "references", "runtime", "source")
+OWN_FOLDERS = ("assets", "licences", "references", "runtime", "search", "source")
 """Folders of the site beside those of its chapters."""
 
 

@@ -1,14 +1,14 @@
 """One Markdown file to one `Chapter`, in two steps: what all chapters refer to is known between."""
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 from markdown_it.token import Token
 
-from site_builder.book import Chapter, Target
+from site_builder.book import Chapter, Need, Target
 from site_builder.markdown.blocks import read_blocks
-from site_builder.markdown.front_matter import read_front_matter
-from site_builder.markdown.inline import annotate
+from site_builder.markdown.front_matter import FrontMatter, read_front_matter
+from site_builder.markdown.inline import annotate, inline_html
 from site_builder.markdown.placing import place_targets
 from site_builder.markdown.reading import PAGE_IDS, Reading
 from site_builder.markdown.targets import Targets
@@ -19,7 +19,7 @@ class Draft:
     """A chapter that is parsed and numbered, its words not yet looked at."""
 
     tokens: Sequence[Token]
-    matter: Mapping[str, str]
+    matter: FrontMatter
     target: Target
     inside: tuple[Target, ...]
     reading: Reading
@@ -32,7 +32,7 @@ def parse_chapter(text: str, reading: Reading) -> Draft:
         reading.problem(line, message)
     matter = read_front_matter(tokens, reading)
     position, name = reading.position, reading.chapter
-    target = Target(position.kind, name, "", position.mark, matter["title"], 1)
+    target = Target(position.kind, name, "", position.mark, matter.title, 1)
     return Draft(tokens, matter, target, place_targets(tokens, name, reading), reading)
 
 
@@ -59,15 +59,22 @@ def read_chapter(draft: Draft, targets: Targets) -> Chapter:
     reading.targets = targets
     annotate(draft.tokens, reading)
     body = read_blocks(draft.tokens, reading)
+    before = tuple(
+        Need(inline_html(entry.text, entry.line, reading), entry.chapter, entry.line)
+        for entry in draft.matter.before
+    )
+    after = tuple(inline_html(entry.text, entry.line, reading) for entry in draft.matter.after)
     return Chapter(
         position=reading.position,
         id=reading.chapter,
         path=reading.path,
-        title=draft.matter["title"],
-        summary=draft.matter["summary"],
+        title=draft.matter.title,
+        summary=draft.matter.summary,
         body=body,
         headings=tuple(reading.headings),
         anchors=frozenset(reading.ids) - set(PAGE_IDS),
         links=tuple(reading.links),
         citations=tuple(reading.citations),
+        before=before,
+        after=after,
     )

@@ -17,7 +17,7 @@ from site_builder.measured.measurements import Measurements
 from site_builder.measured.readouts import Readouts
 
 FIRST = Position(0, "0")
-PAGE_IDS = ("main", "contents", "progress-title")
+PAGE_IDS = ("main", "contents", "progress-title", "keys-title")
 """Element ids of the frame around every chapter."""
 
 

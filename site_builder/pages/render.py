@@ -19,6 +19,7 @@ from site_builder.pages.quiz_view import in_any_order, quiz_data
 from site_builder.pages.references_view import cited_works
 from site_builder.pages.simulation_view import SimulationView, view_simulation
 from site_builder.pages.stills import Stills
+from site_builder.search.page_text import reading_minutes
 
 TEMPLATES = Path(__file__).parents[1] / "templates"
 FILTERS: Mapping[str, Callable[..., object]] = {
@@ -29,6 +30,7 @@ FILTERS: Mapping[str, Callable[..., object]] = {
     "progress_data": progress_data,
     "view_ladder": view_ladder,
     "summary_row": summary_row,
+    "reading_minutes": reading_minutes,
 }
 """What templates ask for where they show more than lies ready in the page model."""
 
@@ -47,6 +49,8 @@ class Site:
     """Folder of the browser's Python, relative to the site's root; nothing without a runtime."""
     code_editor: bool = False
     """Whether readers can rewrite the Python of a figure, or only read it."""
+    search: bool = False
+    """Whether there is an index to search."""
     reload: bool = False
     """Whether pages reload themselves when the site has been built anew."""
 
@@ -73,6 +77,7 @@ def render_pages(site: Site, licences: tuple[Licence, ...]) -> dict[str, bytes]:
             "../",
             chapter=chapter,
             sections=nest_headings(chapter.headings),
+            place=index + 1,
             previous=chapters[index - 1] if index else None,
             following=chapters[index + 1] if index + 1 < len(chapters) else None,
         )
@@ -125,7 +130,7 @@ def _page(site: Site, template: str, root: str, **context: object) -> str:
         site=site,
         book=site.book,
         runtime=f"{root}{site.runtime}" if site.runtime else "",
-        **{"chapter": None, "here": "", **context},
+        **{"chapter": None, "here": "", "sections": (), **context},
     )
 
 

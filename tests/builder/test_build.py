@@ -70,4 +70,4 @@ def test_no_chapter_may_take_the_place_of_the_site_s_own_folders(make_book: Make
     work = "@misc{k, author = {A, B}, title = {T}, year = 2000}\n"
     site = render_site(make_book(body, {"content/references.bib": work}))
     folders = {path.split("/")[0] for path in site if "/" in path}
-    assert folders - {"first", "second"} | {"runtime"} == set(OWN_FOLDERS)
+    assert folders - {"first", "second"} | {"runtime", "search"} == set(OWN_FOLDERS)
