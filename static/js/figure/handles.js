@@ -10,7 +10,7 @@
 
 import { message } from "../errors.js";
 import { all, within } from "../page/dom.js";
-import { moveControls, named, readValues, uncover } from "./controls.js";
+import { formatValue, moveControls, named, readValues, uncover } from "./controls.js";
 import { center, driven, grabbed, inPanel, name, put } from "./handle_elements.js";
 import { keyed } from "./handle_keys.js";
 import { holdGround, mayScroll } from "./hold.js";
