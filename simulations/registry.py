@@ -29,6 +29,7 @@ SCENE_MODULES = {
     "two-views": "simulations.scenes.two_views.scene",
     "resolution": "simulations.scenes.resolution.scene",
     "brdf": "simulations.scenes.brdf.scene",
+    "second-bounce": "simulations.scenes.second_bounce.scene",
     "spectrum-to-rgb": "simulations.scenes.spectrum_to_rgb.scene",
 }
 

@@ -4,6 +4,7 @@ what belongs together on a page."""
 from collections.abc import Sequence
 from pathlib import PurePosixPath
 
+from site_builder.bibliography import FILE as BIBLIOGRAPHY
 from site_builder.book import Book, Chapter, Link, Prediction, Quiz, Reveal, contents
 from site_builder.diagnostics import Diagnostics, unknown
 from site_builder.figure_questions import check_figure_questions
@@ -21,6 +22,7 @@ def check_book(book: Book, problems: Diagnostics) -> None:
         check_figure_questions(chapter, problems)
     _check_needs(book, problems)
     check_questions(book, problems)
+    _check_cited(book, problems)
     by_file = {PurePosixPath(chapter.path).name: chapter for chapter in book.chapters}
     for chapter in book.chapters:
         for link in chapter.links:
@@ -35,6 +37,14 @@ def _check_ids(kind: str, items: Sequence[Quiz | Prediction], problems: Diagnost
         if other.path != item.path:  # within a page its reading tells
             message = f"duplicate {kind} id {item.id!r}; first used at {other.path}:{other.line}"
             problems.add(item.path, item.line, message)
+
+
+def _check_cited(book: Book, problems: Diagnostics) -> None:
+    cited = {citation.key for chapter in book.chapters for citation in chapter.citations}
+    for key, work in book.bibliography.works.items():
+        if key not in cited:
+            message = f"work {key!r} is cited nowhere; legal: '{{cite}}`{key}`' in a chapter"
+            problems.add(BIBLIOGRAPHY, work.line, message)
 
 
 def _check_reveals(chapter: Chapter, problems: Diagnostics) -> None:

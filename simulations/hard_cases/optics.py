@@ -3,7 +3,13 @@
 import numpy as np
 
 from simulations.engine.hard_cases import HardCase, HardCases, exactly, near, refused
-from simulations.models.lens import chromatic_aberration, disc_blur, thin_lens, vignetting
+from simulations.models.lens import (
+    chromatic_aberration,
+    diffraction,
+    disc_blur,
+    thin_lens,
+    vignetting,
+)
 
 TABLE = HardCases(
     id="optics",
@@ -11,6 +17,7 @@ TABLE = HardCases(
     names={
         **vars(disc_blur),
         **vars(chromatic_aberration),
+        **vars(diffraction),
         **vars(vignetting),
         **vars(thin_lens),
         "BK7": chromatic_aberration.Glass(),
@@ -259,6 +266,44 @@ TABLE = HardCases(
             why="The picture must go on beyond its edge as far as the disc reaches: terabytes.",
             returns="Refused.",
             expected=refused("radius_px", "1000000.0"),
+        ),
+        HardCase(
+            id="finer-than-light",
+            call="lens_transfer(inf, 0.55, 8.0)",
+            why="arccos of a frequency beyond the cut-off is undefined.",
+            returns="0: such detail does not pass.",
+            expected=exactly(0.0),
+            naive="2 / np.pi * (np.arccos(1.5) - 1.5 * np.sqrt(1 - 1.5**2))",
+        ),
+        HardCase(
+            id="middle-of-the-spot",
+            call="spot(0.0, 0.55, 8.0)",
+            why="Airy’s (2 J₁(v)/v)² is 0/0 in the middle.",
+            returns="1: an integral over the opening has no such place.",
+            expected=near(1.0, 1e-12),
+            naive="np.divide(2 * 0.0, 0.0) ** 2",
+        ),
+        HardCase(
+            id="dark-middle",
+            call="spot(0.0, 0.5, 4.0, 64.0)",
+            why="At one wave of defocus the middle gets as much light up as down.",
+            returns="0, to rounding: a bright ring around a dark point.",
+            expected=near(0.0, 1e-20),
+        ),
+        HardCase(
+            id="diffraction-of-a-pinhole",
+            call="cutoff_per_mm(0.55, inf)",
+            why="A hole of no width: 1/∞.",
+            returns="Refused: no light comes through, and no wave.",
+            expected=refused("f_number", "inf"),
+            naive="1000.0 / (0.55 * np.inf)",
+        ),
+        HardCase(
+            id="hopelessly-out-of-focus",
+            call="lens_transfer(10.0, 0.55, 1.4, 1e4)",
+            why="1159 waves of defocus: the integrand swings more often than it is asked.",
+            returns="Refused, rather than a number that is noise.",
+            expected=refused("defocus in waves", "12"),
         ),
     ),
 )

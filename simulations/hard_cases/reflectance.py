@@ -10,12 +10,18 @@ from simulations.engine.hard_cases import (
     near,
     refused,
 )
-from simulations.models.light import brdf, reflectance
+from simulations.models.light import brdf, interreflection, reflectance
 
 TABLE = HardCases(
     id="reflectance",
     title="Light and reflectance",
-    names={**vars(reflectance), **vars(brdf), "inf": np.inf, "nan": np.nan},
+    names={
+        **vars(reflectance),
+        **vars(brdf),
+        **vars(interreflection),
+        "inf": np.inf,
+        "nan": np.nan,
+    },
     cases=(
         HardCase(
             id="from-behind",
@@ -248,6 +254,30 @@ TABLE = HardCases(
             returns="0.307: what goes from facet to facet is left out by the model.",
             expected=near(0.30685, 1e-3),
             naive="1.0",
+        ),
+        HardCase(
+            id="at-the-edge-itself",
+            call="seen_of(0.0, np.pi / 2).sum()",
+            why="Where two planes meet, the distance between them is 0: the kernel is 0/0.",
+            returns="Half of the view, the limit.",
+            expected=near(0.5, 1e-6),
+            naive="np.float64(0.0) * 0.0 / (2.0 * (0.0 + 0.0) ** 1.5)",
+        ),
+        HardCase(
+            id="planes-that-lose-nothing",
+            call="bounced(np.ones((2, CELLS)), [1.0, 1.0], np.pi / 2, None).max()",
+            why="With ρ = 1 the light never ends, and bounce after bounce adds to it.",
+            returns="1.99: at each bounce half of the light leaves. Right at the edge it is 2.",
+            expected=near(1.98705, 1e-4),
+            naive="1.0 / np.float64(1.0 - 1.0)",
+        ),
+        HardCase(
+            id="lamp-in-the-plane",
+            call="shadow_end(np.pi, np.pi / 2)",
+            why="Light that grazes the floor from behind the wall: its shadow has no end.",
+            returns="0: a plane that gets no light has no shadow either.",
+            expected=exactly(0.0),
+            naive="np.divide(np.sin(np.pi / 2), 0.0)",
         ),
     ),
 )

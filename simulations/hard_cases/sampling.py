@@ -13,11 +13,12 @@ from simulations.engine.hard_cases import (
     refused,
 )
 from simulations.models.sampling import aliasing
+from simulations.models.sensor import resolution
 
 TABLE = HardCases(
     id="sampling",
     title="Sampling and aliasing",
-    names={**vars(aliasing), "inf": np.inf, "nan": np.nan},
+    names={**vars(aliasing), **vars(resolution), "inf": np.inf, "nan": np.nan},
     cases=(
         HardCase(
             id="at-nyquist",
@@ -206,6 +207,21 @@ TABLE = HardCases(
             returns="The small difference from two turns a frame, in double precision.",
             expected=near(float(np.float32(47.952)) - 48000 / 1001, 1e-15),
             naive="float(np.fmod(np.float32(47.952), np.float32(24000 / 1001)))",
+        ),
+        HardCase(
+            id="curve-that-never-falls",
+            call="first_fall([0.0, 100.0], [1.0, 0.9], 0.5)",
+            why="MTF50 of a curve that ends before it has lost half.",
+            returns="∞: not within what was measured.",
+            expected=exactly(np.inf),
+            naive="np.interp(0.5, [0.9, 1.0], [100.0, 0.0])",
+        ),
+        HardCase(
+            id="contrast-that-comes-back",
+            call="first_fall([0.0, 50.0, 60.0, 80.0], [1.0, 0.5, 0.6, 0.1], 0.5)",
+            why="Out of focus a curve may pass one half several times.",
+            returns="50: the first one, before false detail begins.",
+            expected=near(50.0),
         ),
     ),
 )

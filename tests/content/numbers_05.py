@@ -8,8 +8,11 @@ from support.worked_numbers import Says
 from simulations.engine.stages import StageCache
 from simulations.models.color.srgb import encode_srgb
 from simulations.models.light.brdf import Material, reflected, schlick, sent_back
+from simulations.models.light.interreflection import edge_factor
 from simulations.models.light.reflectance import attenuation, blinn_phong, lambert, phong
 from simulations.scenes.reflection.phong import SCENE
+from simulations.scenes.second_bounce.scene import SCENE as BOUNCE
+from simulations.scenes.second_bounce.shown import shown_at
 
 CHAPTER = "05-lighting-and-reflectance"
 FRONT = np.array((0.0, 0, 1))
@@ -169,7 +172,30 @@ def the_peak_of_plastic_lies_beyond_the_mirror() -> Says:
     yield "but *beyond* it, nearer to the horizon"
 
 
+def the_corner_of_a_room() -> Says:
+    right = radians(90)
+    room = edge_factor(0.8, right)
+    yield rf"$1/(1 - 0.4) = {room:.2f}$"
+    shares = [(0.8 / 2) ** bounce for bounce in (1, 2, 3)]
+    first, second, third = (100 * share for share in shares)
+    yield f"brings {first:.0f} %, the second {second:.0f} %, the third {third:.1f} %"
+    assert np.isclose(sum((0.8 / 2) ** k for k in range(60)), room)
+    yield f"it would be {edge_factor(0.05, right):.2f}, and you would not see it"
+    narrow = radians(40)
+    yield f"$F = {(1 + cos(narrow)) / 2:.2f}$, it is {edge_factor(0.9, narrow):.1f}"
+    yield rf"$1/(1 - 0.9 \cdot 0.75) = {edge_factor(0.9, radians(60)):.2f}$"
+
+
+def near_the_edge_of_two_white_planes() -> Says:
+    given = {"light_angle": 45, "wall": "white", "place": 0.01}
+    planes = BOUNCE.run(BOUNCE.check(given), "", StageCache()).outputs["planes"]
+    shown = shown_at(planes, 0.01)
+    yield f"a factor of {shown.red / shown.lamp:.2f}, close to the {edge_factor(0.8, pi / 2):.2f}"
+
+
 WORKED = (
+    the_corner_of_a_room,
+    near_the_edge_of_two_white_planes,
     a_pane_at_a_slant,
     water_at_a_slant,
     a_lobe_of_unit_reflectance,

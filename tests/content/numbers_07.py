@@ -1,14 +1,16 @@
 """Chapter 7: sampling."""
 
-from math import pi, radians, sin
+from math import acos, pi, radians, sin, sqrt
 
 import numpy as np
 from support.worked_numbers import Says, source
 
+from simulations.models.lens.diffraction import cutoff_per_mm, lens_transfer, spot_diameter_um
 from simulations.models.sampling.aliasing import alias_frequency, apparent_wheel_speed, box_mtf
 from simulations.models.sampling.prefilters import prefilter
 from simulations.models.sampling.resampling import KERNELS
 from simulations.models.sensor.demosaicing import demosaic, mosaic
+from simulations.models.sensor.resolution import first_fall, nyquist_per_mm, pixel_transfer
 from simulations.pictures import spoked_wheel
 from simulations.scenes.aliasing.pattern import pattern_of
 
@@ -115,6 +117,47 @@ def a_lens_as_the_filter() -> Says:
     yield f"On cells of 4 µm the same lens passes {4 * per_um:.1f} cycles per pixel"
 
 
+def two_pixels_at_f_8() -> Says:
+    nyquist, cutoff = nyquist_per_mm(4), cutoff_per_mm(0.55, 8)
+    yield f"$1/(2 \\cdot 0.004\\ \\text{{mm}}) = {nyquist:g}$ cycles per millimetre"
+    yield f"$1/(0.00055\\ \\text{{mm}} \\cdot 8) = {cutoff:.0f}$ cycles per millimetre"
+    yield f"$2.44 \\cdot 0.55 \\cdot 8 = {spot_diameter_um(0.55, 8):.1f}$ µm"
+    nu = nyquist / cutoff
+    yield f"$\\nu = 125/227 = {nu:.2f}$"
+    lens, pixel = float(lens_transfer(nyquist, 0.55, 8)), float(pixel_transfer(nyquist, 4))
+    yield rf"({acos(nu):.3f} - 0.55 \cdot {sqrt(1 - nu**2):.3f}) = {lens:.2f}$"
+    yield f"the pixel {pixel:.2f} of that. Both together leave {lens * pixel:.2f}"
+
+
+def the_lens_is_the_filter_from_twice_the_pitch() -> Says:
+    assert cutoff_per_mm(0.55, 14.6) < nyquist_per_mm(4) < cutoff_per_mm(0.55, 14.5)
+    yield "f/14.6 for pixels of 4 µm"
+    yield f"$N = 2p/\\lambda = 5/0.55 = {5 / 0.55:.2f}$"
+
+
+def what_pixels_as_small_as_points_would_add() -> Says:
+    frequency = np.linspace(0, 200, 20001)
+    half = first_fall(frequency, lens_transfer(frequency, 0.55, 8), 0.5)
+    yield f"even a grid of points would not bring it beyond {half:.0f}"
+    four, two = (_mtf50_at_f_8(pitch) for pitch in (4, 2))
+    yield "by a seventh and not to the double"
+    assert round(1 / (two / four - 1)) == 7
+    yield "at this frequency about a seventh of the contrast"
+    assert round(1 / (1 - float(pixel_transfer(four, 4)))) == 7
+
+
+def _mtf50_at_f_8(pitch: float) -> float:
+    frequency = np.linspace(0, 200, 20001)
+    both = lens_transfer(frequency, 0.55, 8) * pixel_transfer(frequency, pitch)
+    return first_fall(frequency, both, 0.5)
+
+
+def the_finest_wave_on_a_pixel() -> Says:
+    per_um = cutoff_per_mm(0.55, 16) / 1000
+    yield rf"1/(0.55\ \text{{µm}} \cdot 16) = {per_um:.3f}$ cycles per µm"
+    assert per_um * 3 < 0.5, "nothing folds"
+
+
 def a_shutter_open_for_more_than_a_spacing() -> Says:
     yield rf"$|\mathrm{{sinc}}(1.25)| = {float(box_mtf(1.25)):.2f}$ of the contrast"
     assert np.isclose(float(alias_frequency(1.25)), 0.25), "forwards"
@@ -159,6 +202,10 @@ WORKED = (
     what_cell_and_plate_let_through,
     red_and_blue_contradict_each_other_at_the_fence,
     the_ghosts_of_four_instants,
+    two_pixels_at_f_8,
+    the_lens_is_the_filter_from_twice_the_pitch,
+    what_pixels_as_small_as_points_would_add,
+    the_finest_wave_on_a_pixel,
     a_lens_as_the_filter,
     a_shutter_open_for_more_than_a_spacing,
     the_cubic_s_weights_halfway,

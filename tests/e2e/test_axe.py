@@ -4,14 +4,11 @@ from importlib.resources import files
 from typing import Any
 
 import pytest
-from playwright.sync_api import ViewportSize
-from support.reader import Reader
+from support.reader import DESK, PHONE, Reader
 
 pytestmark = pytest.mark.browser
 
 AXE = (files("axe_playwright_python") / "axe.min.js").read_text(encoding="utf-8")
-WIDE, PHONE = ViewportSize(width=1280, height=900), ViewportSize(width=390, height=800)
-
 PREPARE = """() => {
   // The rule of contrast is a slow one: what differs in nothing that it depends on is looked at
   // once, on the first page that has it.
@@ -63,7 +60,7 @@ def violations(reader: Reader, scheme: Any, *kinds: str) -> list[str]:
 
 def test_no_page_shuts_readers_out(plain_reader: Reader, book: Any) -> None:
     for address in ("", *(chapter["url"] for chapter in book["chapters"]), "licences/"):
-        plain_reader.page.set_viewport_size(WIDE)
+        plain_reader.page.set_viewport_size(DESK)
         plain_reader.open(address, live=False)
         assert violations(plain_reader, "light", ALL, SCROLLING, CONTRAST) == [], address
         assert violations(plain_reader, "dark", CONTRAST) == [], f"{address}, dark"

@@ -8,16 +8,16 @@ from support.reader import Reader
 pytestmark = pytest.mark.browser
 
 
-def test_turning_the_page_keeps_the_interpreter(reader: Reader, book: Any) -> None:
+def test_turning_the_page_keeps_the_interpreter(visitor: Reader, book: Any) -> None:
     with_figures = [c for c in book["chapters"] if c["simulations"]][:2]
     first, second = with_figures
-    reader.open(first["url"])
-    worker = reader.page.workers[0]
-    reader.turn_to(second["url"])
-    assert reader.page.workers == [worker]
-    assert reader.page.locator("h1").inner_text().strip() == second["title"]
-    assert second["title"] in reader.page.title()
-    current = reader.page.locator('#contents a[aria-current="page"]')
+    visitor.turn_to(first["url"])
+    (worker,) = visitor.page.workers
+    visitor.turn_to(second["url"])
+    assert visitor.page.workers == [worker]
+    assert visitor.page.locator("h1").inner_text().strip() == second["title"]
+    assert second["title"] in visitor.page.title()
+    current = visitor.page.locator('#contents a[aria-current="page"]')
     assert second["title"] in (current.text_content() or "")
 
 

@@ -5,7 +5,7 @@ from typing import Any
 
 import pytest
 from playwright.sync_api import Browser, Locator
-from support.reader import Reader
+from support.reader import PHONE, Reader, visit
 from support.static_server import StaticServer
 
 pytestmark = pytest.mark.browser
@@ -15,16 +15,15 @@ REST_MS = 400
 
 
 @pytest.fixture(scope="module")
-def long_visit_by_phone(chromium: Browser, site_server: StaticServer) -> Iterator[Reader]:
-    context = chromium.new_context(viewport={"width": 390, "height": 800}, has_touch=True)
-    yield Reader(context, site_server.url)
-    context.close()
+def long_visit_by_phone(brisk_chromium: Browser, site_server: StaticServer) -> Iterator[Reader]:
+    with visit(brisk_chromium, site_server, viewport=PHONE, has_touch=True) as someone:
+        yield someone
 
 
 @pytest.fixture
 def phone(long_visit_by_phone: Reader) -> Iterator[Reader]:
     yield long_visit_by_phone
-    assert not long_visit_by_phone.complaints, "\n".join(long_visit_by_phone.complaints)
+    long_visit_by_phone.assert_no_complaints()
 
 
 def in_view(phone: Reader, book: Any, scene: str) -> Locator:

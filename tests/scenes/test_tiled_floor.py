@@ -5,19 +5,19 @@ import re
 
 import numpy as np
 import pytest
+from support.frames import frame_of, pixels_of, texts_of
 
 from simulations.engine.frame import Frame
-from simulations.engine.stages import StageCache
 from simulations.scenes.tiled_floor.drawing import clipped
 from simulations.scenes.tiled_floor.scene import SCENE
 
 
 def frame(**given: object) -> Frame:
-    return SCENE.render(SCENE.check(given), "", StageCache())
+    return frame_of(SCENE, **given)
 
 
 def texts(**given: object) -> dict[str, str]:
-    return {item.name: item.text.replace("−", "-") for item in frame(**given).readouts}
+    return {name: text.replace("−", "-") for name, text in texts_of(frame(**given)).items()}
 
 
 def pair(text: str) -> tuple[float, float]:
@@ -110,9 +110,7 @@ def test_into_the_sky_no_box_is_put() -> None:
 
 
 def test_the_wide_panel_holds_the_picture_in_its_middle() -> None:
-    picture, plane = (panel.raster for panel in frame().panels)
-    assert picture is not None
-    assert plane is not None
+    picture, plane = (pixels_of(frame(), panel) for panel in (0, 1))
     inner = plane[120:240, 160:320]
     np.testing.assert_allclose(inner[..., :3].mean(), picture[..., :3].mean(), atol=1.0)
     assert plane[..., 3].sum() == 255 * inner.shape[0] * inner.shape[1]

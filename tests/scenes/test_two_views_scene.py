@@ -5,23 +5,19 @@ import re
 
 import numpy as np
 import pytest
+from support.frames import frame_of, pixels_of, texts_of
 
 from simulations.engine.frame import Frame
-from simulations.engine.stages import StageCache
 from simulations.scenes.two_views.scene import SCENE
 from simulations.scenes.two_views.view import view_of
 
 
 def frame(**given: object) -> Frame:
-    return SCENE.render(SCENE.check(given), "", StageCache())
+    return frame_of(SCENE, **given)
 
 
 def texts(**given: object) -> dict[str, str]:
-    return {item.name: item.text.replace("−", "-") for item in frame(**given).readouts}
-
-
-def places(**given: object) -> dict[str, tuple[float, float]]:
-    return {place.name: (place.x, place.y) for place in frame(**given).handles}
+    return {name: text.replace("−", "-") for name, text in texts_of(frame(**given)).items()}
 
 
 @pytest.mark.parametrize(
@@ -106,9 +102,7 @@ def test_the_right_camera_is_moved_and_turned_by_hand() -> None:
 
 def test_both_cameras_see_the_tile_under_the_post_where_they_see_its_foot() -> None:
     """The raster of the right picture is that of the left one, moved by the foot's disparity."""
-    left, right = (panel.raster for panel in frame(baseline=0.5).panels[1:])
-    assert left is not None
-    assert right is not None
+    left, right = (pixels_of(frame(baseline=0.5), panel) for panel in (1, 2))
     row = 120 + round(1.6 * 160 * 1.5 / 4.0)  # the floor 4 m away
     shift = round(1.6 * 160 * 0.5 / 4.0)
     near = np.abs(left[row, shift:, :3].astype(int) - right[row, :-shift, :3]).mean()

@@ -1,6 +1,6 @@
 """Where the labels of a drawing stand, measured in the book's own faces."""
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 from functools import cache
 from importlib.resources import files
@@ -13,6 +13,8 @@ from site_builder.charts.boxes import Box
 
 ITALIC, UPRIGHT = 14.0, 13.5
 """The largest sizes of labels, in units of the view box: illustrations.css."""
+LARGE, SMALL = 16.0, 15.5
+"""Likewise in figures, where a phone is narrowest: overlay.css."""
 FACES = {
     "sans": ("font_source_sans_pro", "files/SourceSansPro-Regular.ttf"),
     "strong": ("font_source_sans_pro", "files/SourceSansPro-Semibold.ttf"),
@@ -29,15 +31,25 @@ class Label:
     box: Box
 
 
-def labels(overlay: str) -> Iterator[Label]:
-    """The labels of a panel's overlay, in view box units."""
+def in_illustrations(style: Sequence[str]) -> float:
+    return ITALIC if "italic" in style else UPRIGHT
+
+
+def in_figures(style: Sequence[str]) -> float:
+    return SMALL if "small" in style else LARGE
+
+
+def labels(
+    overlay: str, size_of: Callable[[Sequence[str]], float] = in_illustrations
+) -> Iterator[Label]:
+    """The labels of a panel's overlay, in view box units; their size by their classes."""
     for element in ElementTree.fromstring(f"<svg>{overlay}</svg>").iter("text"):
-        yield Label("".join(element.itertext()), _box(element))
+        yield Label("".join(element.itertext()), _box(element, size_of))
 
 
-def _box(element: ElementTree.Element) -> Box:
+def _box(element: ElementTree.Element, size_of: Callable[[Sequence[str]], float]) -> Box:
     style = (element.get("class") or "").split()
-    size = ITALIC if "italic" in style else UPRIGHT
+    size = size_of(style)
     face = "italic" if "italic" in style else "strong" if "strong" in style else "sans"
     width = _width(element.text or "", face, size)
     for span in element:

@@ -39,15 +39,16 @@ MODELS = (
 """Rooms of ``simulations/models``: each imports itself and what stands before it."""
 
 BUILDER = (
-    "diagnostics", "runtime", "editor", "output", "measured", "charts", "book", "markdown",
+    "diagnostics", "bibliography", "runtime", "editor", "output", "measured", "charts", "book",
+    "markdown",
     "source", "question_checks", "figure_questions", "checks", "search", "pages", "build", "serve",
     "__main__",
 )  # fmt: skip
 """Parts of ``site_builder``, likewise."""
 MARKDOWN = (
-    "text", "reading", "scenes", "front_matter", "headings", "role", "roles", "inline",
+    "text", "targets", "reading", "scenes", "front_matter", "headings", "role", "roles", "inline",
     "directive", "questions", "usage", "blocks", "bodies", "fences",
-    "directives", "figures", "guide", "parser", "chapter",
+    "directives", "placing", "guide", "parser", "chapter",
 )  # fmt: skip
 """Parts of ``site_builder/markdown``, likewise."""
 

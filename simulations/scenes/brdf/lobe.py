@@ -16,9 +16,9 @@ from simulations.scenes.reflection.marks import HEIGHT, WIDTH, lamp
 FOOT = (WIDTH / 2, 262.0)
 LAMP, CAMERA = 186.0, 170.0
 """Distances of lamp and camera from the foot: both stand far away."""
-LONGEST = 150.0
+LONGEST = 165.0
 """Of the lobe, in units of the view box."""
-UNIT = 120.0
+UNIT = 140.0
 """Of a brightness of 1, unless the lobe would be too long."""
 
 APART_DEG = 14.0
@@ -43,9 +43,9 @@ def lobe_plot(light_deg: float, view_deg: float, lobe: Floats, seen: float) -> s
         (
             *_ground(unit),
             polygon([FOOT, *outline], "ray fill"),
-            arrow(FOOT, towards(0, 128), "world"),
-            text(towards(2.5, 136), "n", "world strong halo", "middle"),
-            line(FOOT, towards(-light_deg, 150), "muted thin dashed"),
+            arrow(FOOT, towards(0, 150), "world"),
+            text(towards(2.2, 157), "n", "world strong halo", "middle"),
+            line(FOOT, towards(-light_deg, 160), "muted thin dashed"),
             _mirror(light_deg, view_deg),
             arrow(light, towards(light_deg, 5), "light bold"),
             *lamp(light),
@@ -61,7 +61,7 @@ def _mirror(light_deg: float, view_deg: float) -> str:
     """The name of the mirror's direction, where the camera leaves room for it."""
     if abs(light_deg + view_deg) < APART_DEG:
         return ""
-    return text(towards(-light_deg, 160), "mirror", "muted small halo", "middle")
+    return text(towards(-light_deg, 170), "mirror", "muted small halo", "middle")
 
 
 def angle_at(place: Point) -> float:

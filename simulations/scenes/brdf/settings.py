@@ -19,12 +19,8 @@ class Settings:
     """What the reader may change."""
 
     model: str = choice("Model", MODELS)
-    light_angle: float = slider(
-        "Light, from the normal", -50, -LARGEST_DEG, LARGEST_DEG, 1, unit="°"
-    )
-    view_angle: float = slider(
-        "Camera, from the normal", 38, -LARGEST_DEG, LARGEST_DEG, 1, unit="°"
-    )
+    light_angle: float = slider("Light angle", -50, -LARGEST_DEG, LARGEST_DEG, 1, unit="°")
+    view_angle: float = slider("Camera angle", 38, -LARGEST_DEG, LARGEST_DEG, 1, unit="°")
     roughness: float = slider("Roughness m", 0.3, 0.15, 1, 0.01)
     specular: float = slider("Specular: kₛ, or F₀ head-on", 0.15, 0, 1, 0.01)
     albedo: float = slider("Albedo ρ of the matte part", 0.5, 0, 1, 0.01)

@@ -161,7 +161,7 @@ def point(view: View) -> str:
     axis."""
     spot = above(view.Z, view.X)
     below = view.X >= 0.0 and spot[1] + 27.0 < HEIGHT - 22.0
-    y = spot[1] + (27.0 if below else -17.0)
+    y = spot[1] + 27.0 if below else max(spot[1] - 17.0, 13.0)
     beyond = above(view.focal_px * METRES_PER_PX, 0.0)[0] + 7.0 if view.Z >= 0.0 else 4.0
     half = POINT_LABEL_HALF_WIDTH
     x = np.clip(spot[0], min(beyond, WIDTH / 2.0) + half, WIDTH - 4.0 - half)

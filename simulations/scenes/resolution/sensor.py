@@ -115,10 +115,6 @@ def _ring(settings: Settings) -> Iterator[str]:
     yield dot(corner_mark(settings), "camera", 5)
     row = max(MIDDLE[1] - radius - 8, 16.0)
     yield text((MIDDLE[0], row), "2.44 λN", "ray halo", "middle")
-    if corner_mark(settings)[1] - MIDDLE[1] > 14:
-        yield text(
-            (corner_mark(settings)[0] + 8, corner_mark(settings)[1] + 14), "pixel", "camera halo"
-        )
 
 
 def _scale(units: float, label: str) -> Iterator[str]:

@@ -11,7 +11,7 @@ class Settings:
 
     aperture: float = slider("Aperture", 8, 1.4, 22, 0.1, prefix="f/")
     pitch: float = slider("Pixel pitch p", 4, 1, 10, 0.1, unit="µm")
-    frequency: float = slider("Frequency f", 100, 10, 500, 5, unit="cycles/mm")
+    frequency: float = slider("Frequency f", 75, 10, 500, 5, unit="/mm")
     defocus: float = slider("Defocus", 0, 0, 70, 1, unit="µm")
     plate: bool = toggle("Low-pass plate")
     wavelength: float = slider("Wavelength λ", 550, 400, 700, 10, unit="nm")

@@ -48,12 +48,12 @@ class Lens:
 
 @dataclass(frozen=True, slots=True)
 class Star:
-    """The star at each pixel, before the lens."""
+    """The lower right quarter of the star at each pixel, before the lens: the others mirror it."""
 
     wave: Floats
-    """(H, W) of −1 to 1, with what pixel and plate leave of it."""
+    """(h, w) of −1 to 1, with what pixel and plate leave of it."""
     frequency: Floats
-    """(H, W) in cycles/mm."""
+    """(h, w) in cycles/mm."""
 
 
 def micrometres(nanometres: float) -> float:
@@ -99,9 +99,9 @@ def _close(profile: Floats, pitch: float, plate: bool) -> Raster:
 
 
 def _star(pitch: float, plate: bool) -> Star:
-    """At the middles of the pixels; the middle of the star lies between four."""
+    """At the middles of the pixels; that of the star lies between two columns."""
     count = columns(pitch)
-    x, y = np.meshgrid(centred(count) * pitch, centred(3 * count // 4) * pitch)
+    x, y = np.meshgrid(_half(count) * pitch, _half(3 * count // 4) * pitch)
     per_um = CYCLES / (2.0 * np.pi) / (x * x + y * y)
     across, down = 1000.0 * per_um * y, 1000.0 * per_um * x
     wave = np.cos(CYCLES * np.arctan2(y, x))
@@ -111,13 +111,22 @@ def _star(pitch: float, plate: bool) -> Star:
     return Star(wave, np.hypot(across, down))
 
 
+def _half(count: int) -> Floats:
+    """Of as many centred pixels, those from the middle on."""
+    return centred(count)[count // 2 :]
+
+
 def light_of(lens: Lens, star: Star) -> Floats:
-    """(H, W) as the pixels measure it, of a star from 0 to 1."""
+    """(h, w) as the pixels measure it, of a star from 0 to 1."""
     return 0.5 + 0.5 * lens.at(star.frequency) * star.wave
 
 
-def _picture(lens: Lens, star: Star) -> Raster:
-    return to_rgba8(encode_srgb(light_of(lens, star)))
+def _picture(lens: Lens, star: Star, pitch: float) -> Raster:
+    across, down = (
+        np.abs(centred(count)).astype(int) for count in (columns(pitch), 3 * columns(pitch) // 4)
+    )
+    quarter = to_rgba8(encode_srgb(light_of(lens, star)))
+    return np.ascontiguousarray(quarter[down][:, across])
 
 
 STAGES = (

@@ -161,7 +161,7 @@ def _horizon_name(view: Camera, place: Place, ends: tuple[Point, Point]) -> str:
     (x, y), anchor = max(ends), "end"
     if any(abs(x - other) < NAME_WIDTH for other in points):
         (x, y), anchor = min(ends), "start"
-    baseline = (min(max(x, 6.0), WIDTH - 6.0), y - 7.0)
+    baseline = (min(max(x, 6.0), WIDTH - 6.0), max(y - 7.0, 13.0))
     if not inside(baseline, 6.0):
         return ""
     return drawing.text(baseline, "horizon", "camera small halo", anchor)

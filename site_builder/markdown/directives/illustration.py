@@ -6,7 +6,7 @@ from simulations.engine.illustration import Illustration
 from simulations.illustrations.table import ILLUSTRATIONS
 from site_builder.diagnostics import cause
 from site_builder.markdown.bodies import CAPTION
-from site_builder.markdown.directive import Argument, Directive, OptionLine, Use
+from site_builder.markdown.directive import LABEL, Argument, Directive, Numbered, OptionLine, Use
 from site_builder.markdown.reading import Reading
 
 
@@ -15,8 +15,6 @@ class Drawn:
     """An illustration with its caption."""
 
     illustration: Illustration
-    id: str
-    """Element id: ``figure-`` and its name, numbered where that is taken; or the author's own."""
     description: str
     caption_html: str
 
@@ -31,13 +29,8 @@ def read_illustration(use: Use, caption_html: str, reading: Reading) -> Drawn | 
     if not caption_html:
         legal = "one to three sentences"
         reading.problem(use.line, f"illustration {use.argument!r} has no caption; legal: {legal}")
-    own = use.options.get("id")
-    if own:
-        name = reading.take_id(own.text, own.line, "illustration")
-    else:
-        name = reading.free_id(f"figure-{use.argument}", use.line)
     words = use.text("alt") or illustration.description
-    return Drawn(illustration, name, words, caption_html)
+    return Drawn(illustration, words, caption_html)
 
 
 ILLUSTRATION = Directive(
@@ -45,10 +38,11 @@ ILLUSTRATION = Directive(
     says="a drawing made by the book's models",
     argument=Argument("name", legal=tuple(ILLUSTRATIONS), kind="illustration"),
     options=(
-        OptionLine("id", says="its element id, `figure-name` without it"),
         OptionLine("alt", says="what it shows, instead of its own description"),
+        LABEL,
     ),
     body=CAPTION,
     read=read_illustration,
     template="illustration",
+    numbered=Numbered("Figure", lambda use: f"figure-{use.argument}", again=True),
 )

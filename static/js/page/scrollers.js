@@ -1,6 +1,6 @@
 /** What can be pushed sideways can be focused, so that arrow keys push it, too. */
 
-const BOXES = ".panels, .equation, .table-wrapper, .nowrap, :is(p, li) > math, pre";
+const BOXES = ".panels, .formula, .table-wrapper, .nowrap, :is(p, li) > math, pre";
 
 const sizes = new ResizeObserver((entries) => {
   for (const { target } of entries) mark(target);

@@ -36,7 +36,7 @@ def test_a_page_shows_the_drawing_its_words_and_its_caption(page: Callable[[str]
 
 
 def test_an_author_may_give_an_id_and_other_words(page: Callable[[str], str]) -> None:
-    options = ":id: my-triangles\n:alt: A & B.\n"
+    options = ":label: my-triangles\n:alt: A & B.\n"
     html = page(f":::{{illustration}} {NAME}\n{options}{CAPTION}")
     assert 'id="my-triangles"' in html
     assert 'aria-label="A &amp; B."' in html
@@ -54,7 +54,7 @@ def test_an_author_may_give_an_id_and_other_words(page: Callable[[str], str]) ->
             f":5: illustration '{NAME}' has no caption; legal: one to three sentences",
         ),
         (
-            f"# Top {{#top}}\n\n:::{{illustration}} {NAME}\n:id: main\n{CAPTION}",
+            f"# Top {{#top}}\n\n:::{{illustration}} {NAME}\n:label: main\n{CAPTION}",
             ":8: duplicate illustration id 'main'; the page itself uses it",
         ),
     ],

@@ -1,0 +1,49 @@
+"""Pixels and plates as factors, against waves averaged here."""
+
+import numpy as np
+import pytest
+
+from simulations.models.sensor.resolution import (
+    first_fall,
+    nyquist_per_mm,
+    pixel_transfer,
+    plate_transfer,
+)
+
+
+@pytest.mark.parametrize("frequency", [0, 30, 125, 250, 300, 410])
+def test_a_pixel_leaves_the_mean_over_its_width(frequency: float) -> None:
+    places_mm = (np.arange(20_000) + 0.5) / 20_000 * 0.004 - 0.002
+    mean = np.cos(2 * np.pi * frequency * places_mm).mean()
+    assert pixel_transfer(frequency, 4) == pytest.approx(mean, abs=1e-7)
+
+
+@pytest.mark.parametrize("frequency", [0, 30, 125, 250])
+def test_a_plate_leaves_the_mean_of_two_copies(frequency: float) -> None:
+    mean = np.cos(2 * np.pi * frequency * np.array([-0.0015, 0.0015])).mean()
+    assert plate_transfer(frequency, 3) == pytest.approx(mean, abs=1e-12)
+
+
+def test_nyquist_is_half_a_cycle_to_a_pixel() -> None:
+    assert nyquist_per_mm(4) == 125
+    assert pixel_transfer(nyquist_per_mm(7), 7) == pytest.approx(2 / np.pi)
+    assert plate_transfer(nyquist_per_mm(7), 7) == pytest.approx(0, abs=1e-15)
+
+
+def test_the_first_fall_lies_between_samples_and_before_later_ones() -> None:
+    assert first_fall([0, 10, 20, 30, 40], [1, 0.75, 0.25, 0.75, 0], 0.5) == 15
+    assert first_fall([0, 10], [1, 0.6], 0.5) == np.inf
+
+
+def test_a_curve_that_begins_below_has_no_fall() -> None:
+    with pytest.raises(ValueError, match="contrast at the start"):
+        first_fall([0, 1], [0.4, 0.1], 0.5)
+
+
+def test_lengths_that_are_none_are_refused() -> None:
+    with pytest.raises(ValueError, match="width_um"):
+        pixel_transfer(1, -1)
+    with pytest.raises(ValueError, match="pitch_um"):
+        nyquist_per_mm(0)
+    with pytest.raises(ValueError, match="frequency_per_mm"):
+        plate_transfer(np.inf, 1)
