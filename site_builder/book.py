@@ -183,16 +183,6 @@ class Heading:
 
 
 @dataclass(frozen=True, slots=True)
-class Need:
-    """What a reader should know before a chapter."""
-
-    html: str
-    chapter: str
-    """Id of the chapter that teaches it; nothing where none does."""
-    line: int
-
-
-@dataclass(frozen=True, slots=True)
 class Position:
     """Where a chapter stands in the book, as its outline lists them."""
 
@@ -245,6 +235,16 @@ class Citation:
 
 
 @dataclass(frozen=True, slots=True)
+class Need:
+    """What a reader should know before a chapter."""
+
+    html: str
+    chapter: str
+    """Id of the chapter that teaches it; nothing where none does."""
+    line: int
+
+
+@dataclass(frozen=True, slots=True)
 class Link:
     """A link of the author's, kept to be checked once all pages are read."""
 
@@ -273,10 +273,6 @@ class Chapter:
     anchors: frozenset[str]
     """Element ids that a link may point to: headings and figures."""
     links: tuple[Link, ...]
-    before: tuple[Need, ...] = ()
-    """What to know before reading it."""
-    after: tuple[str, ...] = ()
-    """What its reader can do afterwards, each as HTML."""
     citations: tuple[Citation, ...] = ()
 
     @property
@@ -296,6 +292,11 @@ class Chapter:
     @property
     def is_appendix(self) -> bool:
         return self.position.kind == "Appendix"
+
+    before: tuple[Need, ...] = ()
+    """What to know before reading it."""
+    after: tuple[str, ...] = ()
+    """What its reader can do afterwards, each as HTML."""
 
     @property
     def url(self) -> str:

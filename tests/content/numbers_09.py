@@ -61,7 +61,7 @@ def a_line_from_its_two_ends() -> Says:
     direction = np.linalg.solve(K, (30, -40, 1))
     yield rf"$\mathbf{{d}} = ({', '.join(f'{entry:g}' for entry in direction)})$"
     turned = R @ direction
-    yield r"\begin{bmatrix} " + r" \\ ".join(f"{entry:.3f}" for entry in turned) + r" \end{bmatrix}"
+    yield r"\begin{bmatrix} " + r" \\ ".join(f"{entry:.3g}" for entry in turned) + r" \end{bmatrix}"
     end, _ = project(turned, K)
     yield f"$({end[0]:.1f}, {end[1]:.1f})$"
     epipole = -160 / np.tan(np.radians(20))

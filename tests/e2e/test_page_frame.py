@@ -13,8 +13,8 @@ SIZES = ((1440, 900), (1280, 800), (1024, 768), (390, 800), (320, 640))
 COVERED = """() => {
   const side = document.querySelector('#contents').getBoundingClientRect();
   const shown = [...document.querySelectorAll('main figure, main .equation, main .table-wrapper')];
-  return shown.filter((one) => one.checkVisibility())
-    .filter((one) => one.getBoundingClientRect().left < side.right - 1)
+  return shown
+    .filter((one) => one.checkVisibility() && one.getBoundingClientRect().left < side.right - 1)
     .map((one) => one.id || one.className);
 }"""
 
