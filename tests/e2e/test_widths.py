@@ -26,7 +26,13 @@ LARGER_LETTERS = """html { font-size: 34px !important; }"""
 def test_pages_tables_and_formulae_fit_every_width(plain_reader: Reader, book: Any) -> None:
     """And what does scroll, on the narrowest, is reached by keyboard."""
     page = plain_reader.page
-    for address in ["", "references/", *(chapter["url"] for chapter in book["chapters"])]:
+    for address in [
+        "",
+        "references/",
+        "glossary/",
+        "index-of-terms/",
+        *(chapter["url"] for chapter in book["chapters"]),
+    ]:
         plain_reader.open(address, live=False)
         page.evaluate("document.fonts.ready")
         for width in WIDTHS:
