@@ -15,6 +15,7 @@ from typing import Any
 from simulations.engine.scene import Scene
 from site_builder.bibliography import EMPTY, Bibliography
 from site_builder.glossary import Term
+from site_builder.symbols import Symbol
 
 OUTLINE = "content/book.toml"
 """The file that names the book, its chapters and the figure on its cover."""
@@ -257,6 +258,25 @@ class IndexMark:
 
 
 @dataclass(frozen=True, slots=True)
+class Formula:
+    """A formula of a chapter, wherever it stands."""
+
+    tex: str
+    line: int
+    section: str
+    """Element id of the heading above it; nothing before a chapter's first."""
+
+
+@dataclass(frozen=True, slots=True)
+class Meaning:
+    """A symbol as it is printed, with what it stands for in a chapter."""
+
+    symbol: Symbol
+    html: str
+    means_html: str
+
+
+@dataclass(frozen=True, slots=True)
 class Definition:
     """A term of the glossary as it is printed."""
 
@@ -309,6 +329,8 @@ class Chapter:
     term_uses: tuple[TermUse, ...] = ()
     """In the order of the page."""
     index_marks: tuple[IndexMark, ...] = ()
+    formulae: tuple[Formula, ...] = ()
+    """Of text and questions, in the order in which they were read."""
 
     @property
     def number(self) -> int:
@@ -369,6 +391,8 @@ class Book:
     bibliography: Bibliography = EMPTY
     glossary: tuple[Definition, ...] = ()
     """In alphabetical order."""
+    symbols: Mapping[str, tuple[Meaning, ...]] = field(default_factory=dict)
+    """By the chapter for which they are declared, or `BOOK`."""
 
     @property
     def scenes(self) -> tuple[Scene[Any], ...]:

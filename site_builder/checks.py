@@ -10,6 +10,7 @@ from site_builder.diagnostics import Diagnostics, unknown
 from site_builder.figure_questions import check_figure_questions
 from site_builder.glossary_checks import check_glossary
 from site_builder.question_checks import check_questions
+from site_builder.symbol_checks import check_symbols
 
 
 def check_book(book: Book, problems: Diagnostics) -> None:
@@ -25,6 +26,7 @@ def check_book(book: Book, problems: Diagnostics) -> None:
     check_questions(book, problems)
     _check_cited(book, problems)
     check_glossary(book, problems)
+    check_symbols(book, problems)
     by_file = {PurePosixPath(chapter.path).name: chapter for chapter in book.chapters}
     for chapter in book.chapters:
         for link in chapter.links:

@@ -15,18 +15,21 @@ from site_builder.diagnostics import Diagnostics, unknown
 from site_builder.glossary import FILE as GLOSSARY
 from site_builder.glossary import read_glossary
 from site_builder.markdown.chapter import Draft, find_targets, parse_chapter, read_chapter
-from site_builder.markdown.definitions import read_definitions
+from site_builder.markdown.definitions import read_definitions, read_meanings
 from site_builder.markdown.inline import inline_html
 from site_builder.markdown.parser import make_parser
 from site_builder.markdown.reading import Reading
 from site_builder.markdown.scenes import find_scene
 from site_builder.measured.measurements import Measurements
+from site_builder.symbols import FILE as SYMBOLS
+from site_builder.symbols import read_symbols
 
 TEXTS = ("title", "subtitle", "prerequisites")
 LISTS = ("chapters", "appendices")
 KEYS = (*TEXTS, *LISTS, "hero", "hero_caption")
 OWN_FOLDERS = (
     "assets", "glossary", "index-of-terms", "licences", "references", "runtime", "search", "source",
+    "symbols",
 )  # fmt: skip
 """Folders of the site beside those of its chapters."""
 
@@ -81,6 +84,10 @@ def read_book(
     targets = find_targets(drafts)
     _check_addresses(outline, problems)
     _check_unlisted(root, outline, problems)
+
+    def beside(file: str) -> Reading:
+        return Reading(file, root, problems, load_scene, make_parser(), numbers, targets=targets)
+
     return Book(
         title=outline.title,
         subtitle=outline.subtitle,
@@ -88,10 +95,8 @@ def read_book(
         hero=_read_hero(outline, root, problems, load_scene),
         chapters=tuple(read_chapter(draft, targets) for draft in drafts),
         bibliography=bibliography,
-        glossary=read_definitions(
-            glossary,
-            Reading(GLOSSARY, root, problems, load_scene, make_parser(), numbers, targets=targets),
-        ),
+        glossary=read_definitions(glossary, beside(GLOSSARY)),
+        symbols=read_meanings(read_symbols(root, problems), beside(SYMBOLS)),
     )
 
 

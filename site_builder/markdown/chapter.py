@@ -5,7 +5,7 @@ from dataclasses import dataclass
 
 from markdown_it.token import Token
 
-from site_builder.book import Chapter, Need, Target
+from site_builder.book import Chapter, Formula, Need, Target
 from site_builder.markdown.blocks import read_blocks
 from site_builder.markdown.front_matter import FrontMatter, read_front_matter
 from site_builder.markdown.inline import annotate, inline_html
@@ -79,6 +79,12 @@ def read_chapter(draft: Draft, targets: Targets) -> Chapter:
         citations=tuple(reading.citations),
         term_uses=tuple(reading.term_uses),
         index_marks=tuple(reading.index_marks),
+        formulae=tuple(_formula(line, tex, draft) for line, tex in reading.formulae),
         before=before,
         after=after,
     )
+
+
+def _formula(line: int, tex: str, draft: Draft) -> Formula:
+    above = [item.id for item in draft.inside if item.kind == "Section" and item.line <= line]
+    return Formula(tex, line, above[-1] if above else "")

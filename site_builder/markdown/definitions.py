@@ -1,9 +1,12 @@
-"""The glossary's definitions, set as the text of the chapters is."""
+"""The glossary's definitions and the meanings of symbols, set as the text of the chapters is."""
 
-from site_builder.book import Definition
+from collections.abc import Mapping
+
+from site_builder.book import Definition, Meaning
 from site_builder.glossary import Glossary, Term
 from site_builder.markdown.inline import inline_html
 from site_builder.markdown.reading import Reading
+from site_builder.symbols import Symbol, Symbols
 
 
 def read_definitions(glossary: Glossary, reading: Reading) -> tuple[Definition, ...]:
@@ -31,3 +34,16 @@ def _definition(term: Term, reading: Reading) -> Definition:
         legal = "a section, 'CHAPTER#ID', or a chapter"
         reading.problem(term.line, f"{term.name!r} explained by {explained.name}; legal: {legal}")
     return Definition(term, html, explained)
+
+
+def read_meanings(symbols: Symbols, reading: Reading) -> Mapping[str, tuple[Meaning, ...]]:
+    """All of them, by chapter; ``reading`` is of the file that declares them."""
+    return {
+        chapter: tuple(_meaning(symbol, reading) for symbol in declared)
+        for chapter, declared in symbols.items()
+    }
+
+
+def _meaning(symbol: Symbol, reading: Reading) -> Meaning:
+    html = inline_html(f"${symbol.tex}$", symbol.line, reading)
+    return Meaning(symbol, html, inline_html(symbol.means, symbol.line, reading))

@@ -65,6 +65,7 @@ def inline_html(markdown: str, line: int, reading: Reading) -> str:
 
 
 def _set_formula(token: Token, line: int, reading: Reading) -> None:
+    reading.formulae.append((line, token.content))
     try:
         token.meta["mathml"] = _mathml(token.content.strip(), display=token.type != "math_inline")
     except UnsupportedTexError as error:

@@ -75,6 +75,8 @@ class Reading:
     citations: list[Citation] = field(default_factory=list)
     term_uses: list[TermUse] = field(default_factory=list)
     index_marks: list[IndexMark] = field(default_factory=list)
+    formulae: list[tuple[int, str]] = field(default_factory=list)
+    """Line and TeX of each."""
     readouts: Readouts = field(init=False)
     """Where numbers that figures show come from."""
 

@@ -21,6 +21,7 @@ from site_builder.pages.quiz_view import in_any_order, quiz_data
 from site_builder.pages.references_view import cited_works
 from site_builder.pages.simulation_view import SimulationView, view_simulation
 from site_builder.pages.stills import Stills
+from site_builder.pages.symbols_view import view_symbols
 from site_builder.search.page_text import reading_minutes
 
 TEMPLATES = Path(__file__).parents[1] / "templates"
@@ -87,6 +88,10 @@ def render_pages(site: Site, licences: tuple[Licence, ...]) -> dict[str, bytes]:
     if site.book.glossary:
         pages["glossary/index.html"] = _page(
             site, "glossary.html", "../", here="glossary", letters=view_glossary(site.book)
+        )
+    if site.book.symbols:
+        pages["symbols/index.html"] = _page(
+            site, "symbols.html", "../", here="symbols", chapters=view_symbols(site.book)
         )
     if letters := view_index(site.book):
         pages["index-of-terms/index.html"] = _page(
@@ -172,6 +177,7 @@ def _back_matter(book: Book) -> list[tuple[str, str]]:
     marked = any(chapter.index_marks for chapter in book.chapters)
     pages = (
         ("glossary", "Glossary", book.glossary),
+        ("symbols", "Symbols", book.symbols),
         ("references", "References", book.bibliography.works),
         ("index-of-terms", "Index of terms", book.glossary or marked),
     )

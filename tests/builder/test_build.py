@@ -70,7 +70,14 @@ def test_no_chapter_may_take_the_place_of_the_site_s_own_folders(make_book: Make
     work = "@misc{k, author = {A, B}, title = {T}, year = 2000}\n"
     terms = '[text]\nsays = "Words."\nexplained = "second#a-section"\n'
     site = render_site(
-        make_book(body, {"content/references.bib": work, "content/glossary.toml": terms})
+        make_book(
+            body,
+            {
+                "content/references.bib": work,
+                "content/glossary.toml": terms,
+                "content/symbols.toml": "[book]\n",
+            },
+        )
     )
     folders = {path.split("/")[0] for path in site if "/" in path}
     assert folders - {"first", "second"} | {"runtime", "search"} == set(OWN_FOLDERS)

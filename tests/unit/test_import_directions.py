@@ -39,11 +39,9 @@ MODELS = (
 """Rooms of ``simulations/models``: each imports itself and what stands before it."""
 
 BUILDER = (
-    "diagnostics", "bibliography", "glossary", "runtime", "editor", "output", "measured", "charts",
-    "book", "markdown", "source", "question_checks", "figure_questions", "glossary_checks",
-    "checks", "search", "pages",
-    "build", "serve",
-    "__main__",
+    "diagnostics", "bibliography", "glossary", "symbols", "runtime", "editor", "output", "measured",
+    "charts", "book", "markdown", "source", "question_checks", "figure_questions",
+    "glossary_checks", "symbol_checks", "checks", "search", "pages", "build", "serve", "__main__",
 )  # fmt: skip
 """Parts of ``site_builder``, likewise."""
 MARKDOWN = (
