@@ -26,6 +26,7 @@ SCENE_MODULES = {
     "lens-aberrations": "simulations.scenes.lens_aberrations.scene",
     "jpeg": "simulations.scenes.jpeg.scene",
     "resolution": "simulations.scenes.resolution.scene",
+    "real-lens": "simulations.scenes.real_lens.scene",
 }
 
 LADDER_MODULES = {
