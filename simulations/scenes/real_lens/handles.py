@@ -11,47 +11,49 @@ from simulations.scenes.real_lens.settings import Settings
 from simulations.scenes.real_lens.stages import object_mm
 
 
-def _ray(settings: Settings, outputs: Outputs) -> Point:
-    return section.entry_mark(settings, outputs["glass"])
+def _view(settings: Settings) -> section.View:
+    return section.view_of(object_mm(settings.vergence))
+
+
+def _ray(settings: Settings, _outputs: Outputs) -> Point:
+    return section.entry_mark(_view(settings), settings.height, object_mm(settings.vergence))
 
 
 def _ray_pulled(settings: Settings, place: Point) -> Mapping[str, Value]:
-    return {"height": section.height_of(place, object_mm(settings.vergence))}
+    distance = object_mm(settings.vergence)
+    return {"height": section.height_of(_view(settings), place, distance)}
 
 
 def _front(settings: Settings, _outputs: Outputs) -> Point:
-    return section.surface_mark(settings, front=True)
+    return section.surface_mark(_view(settings), settings, front=True)
 
 
 def _front_pulled(settings: Settings, place: Point) -> Mapping[str, Value]:
-    return {"front": section.bulge_of(place, settings.thickness, front=True)}
+    return {"front": section.bulge_of(_view(settings), place, settings.thickness, front=True)}
 
 
 def _back(settings: Settings, _outputs: Outputs) -> Point:
-    return section.surface_mark(settings, front=False)
+    return section.surface_mark(_view(settings), settings, front=False)
 
 
 def _back_pulled(settings: Settings, place: Point) -> Mapping[str, Value]:
-    return {"back": section.bulge_of(place, settings.thickness, front=False)}
+    return {"back": section.bulge_of(_view(settings), place, settings.thickness, front=False)}
 
 
 def _opening(settings: Settings, _outputs: Outputs) -> Point:
-    return section.opening_mark(settings.opening)
+    return section.opening_mark(_view(settings), settings.opening)
 
 
-def _opening_pulled(_settings: Settings, place: Point) -> Mapping[str, Value]:
-    return {"opening": -section.millimetres(place)[1]}
+def _opening_pulled(settings: Settings, place: Point) -> Mapping[str, Value]:
+    return {"opening": -_view(settings).millimetres(place)[1]}
 
 
 def _object(settings: Settings, _outputs: Outputs) -> Point | None:
-    """Where the panel reaches as far."""
-    distance = object_mm(settings.vergence)
-    return section.object_mark(distance) if distance <= section.HALF_MM[0] else None
+    return section.object_mark(object_mm(settings.vergence))
 
 
 def _object_pulled(_settings: Settings, place: Point) -> Mapping[str, Value]:
-    distance = min(-section.millimetres(place)[0], section.HALF_MM[0])
-    return {"vergence": 1000.0 / max(distance, 1.0)}
+    return {"vergence": 1000.0 / section.object_of(place)}
 
 
 def _on_curve(settings: Settings, outputs: Outputs) -> Point:

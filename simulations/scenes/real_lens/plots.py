@@ -46,7 +46,11 @@ def height_at(place: Point) -> float:
 def close(glass: Glass, fan: Rays, marked: Rays) -> str:
     """The rays around the image; heights are drawn larger than lengths."""
     middle = 0.5 * (TOP + FLOOR)
-    parts = [*_frame(glass), line((LEFT, middle), (RIGHT, middle), "muted thin dashed")]
+    parts = [
+        *_frame(glass),
+        line((LEFT, middle), (RIGHT, middle), "muted thin dashed"),
+        text((LEFT - 28, TOP - 10), "mm from the axis", "small"),
+    ]
     if glass.real:
         parts += [
             path(_close_ways(glass, fan), "light thin"),

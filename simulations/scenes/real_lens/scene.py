@@ -84,9 +84,11 @@ def _focal(power: float) -> float:
 
 def _place(name: str, label: str, along_mm: float, role: str) -> Readout:
     """An image, or the word that there is none that a screen could catch."""
-    if math.isfinite(along_mm) and 0.0 < along_mm < 1.0 / FLATTEST:
-        return readout(name, label, along_mm, "mm", role=role)
-    return Readout(name, label, "virtual" if along_mm < 0.0 else "∞", "", role)
+    if not abs(along_mm) < 1.0 / FLATTEST:
+        return Readout(name, label, "∞", "", role)
+    if along_mm < 0.0:
+        return Readout(name, label, "virtual", "", role)
+    return readout(name, label, along_mm, "mm", role=role)
 
 
 def _told(name: str, label: str, true: Rays, value: float, role: str) -> Readout:
