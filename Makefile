@@ -13,6 +13,8 @@ PAGE ?=
 LADDER ?=
 SAMPLE ?= 30
 MODULE ?=
+# What each process of the tests imports is compiled once, even where nothing else is kept.
+unexport PYTHONDONTWRITEBYTECODE
 PARALLEL := --numprocesses=auto --maxprocesses=4 --dist=worksteal
 VENV := .venv
 BIN := $(VENV)/bin

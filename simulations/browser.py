@@ -127,14 +127,14 @@ def judge(figure: str, scene_id: str, values: str, tier: str, conditions: str) -
     return first_met(json.loads(conditions), asked[0], scene.render(*asked))
 
 
-def pull(scene_id: str, values: str, handle: str, x: float, y: float) -> str:
+def pull(scene_id: str, values: str, tier: str, handle: str, x: float, y: float) -> str:
     """The control values that bring a handle as near to a place of its panel as can be, as JSON.
 
     ``x`` and ``y`` are in view box units. Raises `UnknownIdError`, `ControlError`, `KeyError` for
     a handle that the scene lacks and `ValueError` for a place that is none.
     """
     scene = load_scene(scene_id)
-    return json.dumps(scene.pull(scene.clamp(json.loads(values)), handle, (x, y)))
+    return json.dumps(scene.pull(scene.clamp(json.loads(values)), handle, (x, y), tier))
 
 
 def photograph(figure: str, number: int, pixels: Any, width: int, height: int) -> None:

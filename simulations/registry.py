@@ -25,8 +25,13 @@ SCENE_MODULES = {
     "depth-of-field": "simulations.scenes.depth_of_field.scene",
     "lens-aberrations": "simulations.scenes.lens_aberrations.scene",
     "jpeg": "simulations.scenes.jpeg.scene",
+    "tiled-floor": "simulations.scenes.tiled_floor.scene",
+    "two-views": "simulations.scenes.two_views.scene",
     "resolution": "simulations.scenes.resolution.scene",
     "real-lens": "simulations.scenes.real_lens.scene",
+    "brdf": "simulations.scenes.brdf.scene",
+    "second-bounce": "simulations.scenes.second_bounce.scene",
+    "spectrum-to-rgb": "simulations.scenes.spectrum_to_rgb.scene",
 }
 
 LADDER_MODULES = {

@@ -9,7 +9,7 @@ from simulations.registry import SCENE_MODULES, load_scene
 
 SCRIPT = '''\
 """{title}, as the figure shows it.
-
+{unlike}
 Needs Python 3.12 or newer and the book's simulations: `pip install .` in a copy of the book.
 """
 
@@ -27,17 +27,29 @@ for item in frame.readouts:
 # What each stage computed: SCENE.run(settings, {tier!r}, StageCache()).outputs
 '''
 
+EDITED = """
+The figure ran Python that its reader had changed. This script runs the book's: what the changes
+do, it does not print.
+"""
+OWN_PICTURE = """
+The figure showed its reader's own picture. This script takes the book's.
+"""
 
-def script(scene_id: str, values: str, tier: str) -> str:
+
+def script(
+    scene_id: str, values: str, tier: str, edited: bool = False, own_picture: bool = False
+) -> str:
     """Python that prints the readouts of a scene as a figure does.
 
-    ``values`` is a JSON object of control values, as `simulations.browser.render` takes it.
-    Raises `UnknownIdError` and `ControlError`.
+    ``values`` is a JSON object of control values, as `simulations.browser.render` takes it. Of a
+    figure that ran ``edited`` code, or showed its reader's ``own_picture``, the script says that it
+    does not. Raises `UnknownIdError` and `ControlError`.
     """
     scene = load_scene(scene_id)
     settings = scene.clamp(json.loads(values))
     return SCRIPT.format(
         title=scene.title,
+        unlike=EDITED * edited + OWN_PICTURE * own_picture,
         module=SCENE_MODULES[scene_id],
         settings="\n".join(f"    {name}={getattr(settings, name)!r}," for name in _lasting(scene)),
         tier=tier,

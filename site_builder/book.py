@@ -6,12 +6,14 @@ answers them, quoted modules get a page.
 """
 
 import hashlib
+import re
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass, field
 from pathlib import PurePosixPath
 from typing import Any
 
 from simulations.engine.scene import Scene
+from site_builder.bibliography import EMPTY, Bibliography
 
 OUTLINE = "content/book.toml"
 """The file that names the book, its chapters and the figure on its cover."""
@@ -27,6 +29,8 @@ class Block:
     """What the template shows; most directives have a class of their own for it."""
     inside: "tuple[Block, ...]" = ()
     """The blocks in it, as a callout has them."""
+    target: "Target | None" = None
+    """Its number and where a link to it leads; None where it is not numbered."""
 
 
 def contents[T](blocks: Iterable[Block], kind: type[T]) -> Iterator[T]:
@@ -179,6 +183,68 @@ class Heading:
 
 
 @dataclass(frozen=True, slots=True)
+class Position:
+    """Where a chapter stands in the book, as its outline lists them."""
+
+    number: int
+    """From 0; appendices are counted on."""
+    mark: str
+    """What readers see of it: ``4``, or ``A``."""
+    kind: str = "Chapter"
+    """``Chapter`` or ``Appendix``."""
+
+
+@dataclass(frozen=True, slots=True)
+class Target:
+    """What a reference may lead to: a chapter, a section, or a thing that is numbered."""
+
+    kind: str
+    """``Chapter``, ``Appendix``, ``Section``, ``Figure``, ``Equation``, ``Table``, ``Example`` or
+    ``Question``."""
+    chapter: str
+    """Id of the chapter that it is, or stands in."""
+    id: str
+    """Element id; nothing for a chapter."""
+    number: str
+    """``4``, ``4.2`` or ``A.2``; nothing for a section."""
+    title: str
+    """Words of a chapter or section; nothing for other things."""
+    line: int
+    labelled: bool = False
+    """Whether its author gave it its id, which then is unique in the book."""
+
+    @property
+    def name(self) -> str:
+        """``Chapter 4``, ``Figure 4.2``, ``Equation (4.7)``; a section's words."""
+        match self.kind:
+            case "Section":
+                return f"“{self.title}”"
+            case "Equation":
+                return f"Equation ({self.number})"
+            case _:
+                return f"{self.kind} {self.number}"
+
+
+@dataclass(frozen=True, slots=True)
+class Citation:
+    """A place in the text where a work is cited."""
+
+    key: str
+    id: str
+    """Element id."""
+
+
+@dataclass(frozen=True, slots=True)
+class Need:
+    """What a reader should know before a chapter."""
+
+    html: str
+    chapter: str
+    """Id of the chapter that teaches it; nothing where none does."""
+    line: int
+
+
+@dataclass(frozen=True, slots=True)
 class Link:
     """A link of the author's, kept to be checked once all pages are read."""
 
@@ -188,14 +254,14 @@ class Link:
 
 def chapter_id(file: str) -> str:
     """``lens-distortion`` for ``04-lens-distortion.md``."""
-    return PurePosixPath(file).stem.lstrip("0123456789").lstrip("-") or "unnamed"
+    return re.sub(r"^\d+-", "", PurePosixPath(file).stem) or "unnamed"
 
 
 @dataclass(frozen=True, slots=True)
 class Chapter:
     """One page of the book."""
 
-    number: int
+    position: Position
     id: str
     """The slug: ``lens-distortion`` for ``04-lens-distortion.md``."""
     path: str
@@ -207,6 +273,30 @@ class Chapter:
     anchors: frozenset[str]
     """Element ids that a link may point to: headings and figures."""
     links: tuple[Link, ...]
+    citations: tuple[Citation, ...] = ()
+
+    @property
+    def number(self) -> int:
+        return self.position.number
+
+    @property
+    def mark(self) -> str:
+        """Its number as readers see it: ``4``, or ``A`` for an appendix."""
+        return self.position.mark
+
+    @property
+    def name(self) -> str:
+        """``Chapter 4`` or ``Appendix A``."""
+        return f"{self.position.kind} {self.mark}"
+
+    @property
+    def is_appendix(self) -> bool:
+        return self.position.kind == "Appendix"
+
+    before: tuple[Need, ...] = ()
+    """What to know before reading it."""
+    after: tuple[str, ...] = ()
+    """What its reader can do afterwards, each as HTML."""
 
     @property
     def url(self) -> str:
@@ -240,6 +330,8 @@ class Book:
     hero: Simulation | None
     """The figure of the landing page."""
     chapters: tuple[Chapter, ...]
+    """Appendices at the end."""
+    bibliography: Bibliography = EMPTY
 
     @property
     def scenes(self) -> tuple[Scene[Any], ...]:

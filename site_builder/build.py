@@ -29,8 +29,14 @@ from site_builder.pages.render import Site, render_pages
 from site_builder.pages.stills import Stills, render_stills
 from site_builder.runtime.pack import pack_runtime
 from site_builder.runtime.pinned import Versions
+from site_builder.search.index import ADDRESS as SEARCH_INDEX
+from site_builder.search.index import make_index
+from site_builder.search.library import SearchLibrary, SearchLibraryError, fetch_library
+from site_builder.search.records import make_records
 from site_builder.source import read_book
 
+LIBRARY = "search"
+"""Folder of what searches, among the assets."""
 STYLE_SHEET = "css/book.css"
 """The one that pages link to, below ``static/``."""
 
@@ -57,6 +63,8 @@ class Options:
     load_ladder: Callable[[str], Ladder] = load_ladder
     warn: Warn = ignore
     """Told each warning once, in the order of files and lines."""
+    search: bool = True
+    """Whether pages can be searched."""
 
 
 def build_site(
@@ -78,14 +86,19 @@ def render_site(options: Options) -> Files:
     """Every file of the site. Raises `BuildError` with all mistakes found."""
     book, stills, pictures = check_site(options)
     runtime, runtime_files, versions = _runtime(options)
-    editor = _editor(options)
-    assets, asset_files = _assets(options.root, pictures, _python(options, book, editor))
+    editor, library = _editor(options), _search_library(options)
+    scripts = {f"{LIBRARY}/{name}": path for name, path in library.scripts.items()}
+    made = {**_python(options, book, editor), **scripts}
+    assets, asset_files = _assets(options.root, pictures, made)
     site = Site(
-        options.root, book, stills, assets, runtime, bool(editor.script), reload=options.reload
-    )
-    licences = gather_licences(options.root, versions, editor.packages)
+        options.root, book, stills, assets, runtime, bool(editor.script),
+        search=bool(scripts), reload=options.reload,
+    )  # fmt: skip
+    licences = gather_licences(options.root, versions, editor.packages, library.packages)
+    pages = render_pages(site, licences)
     return {
-        **render_pages(site, licences),
+        **pages,
+        **_search_index(options, pages, library),
         **asset_files,
         **runtime_files,
         "book.json": catalogue(book, versions),
@@ -106,9 +119,9 @@ def check_site(options: Options) -> tuple[Book, Stills, dict[str, bytes]]:
     return book, stills, pictures
 
 
-def _assets(root: Path, pictures: Mapping[str, bytes], python: Files) -> tuple[str, Files]:
-    """Style sheets, scripts, fonts, stills, the author's pictures and what opens the figures'
-    Python, in one folder."""
+def _assets(root: Path, pictures: Mapping[str, bytes], made: Files) -> tuple[str, Files]:
+    """Style sheets, scripts, fonts, stills, the author's pictures, what opens the figures' Python
+    and what searches, in one folder."""
     content = folder_files(root / "content")
     return hashed_folder(
         "assets",
@@ -119,7 +132,7 @@ def _assets(root: Path, pictures: Mapping[str, bytes], python: Files) -> tuple[s
             **{
                 f"content/{name}": file for name, file in content.items() if name.endswith(SUFFIXES)
             },
-            **python,
+            **made,
         },
     )
 
@@ -143,6 +156,24 @@ def _editor(options: Options) -> EditorBundle:
         told = f"the figures' Python can be read but not edited, for want of the editor: {error}"
         options.warn(Diagnostic("site_builder/editor/package-lock.json", 1, told, fails=False))
         return EditorBundle()
+
+
+def _search_library(options: Options) -> SearchLibrary:
+    """What searches the pages; where it cannot be had, a warning, and they do without."""
+    if not options.search:
+        return SearchLibrary({})
+    try:
+        return fetch_library()
+    except SearchLibraryError as error:
+        told = f"the book cannot be searched, for want of the library: {error}"
+        options.warn(Diagnostic("site_builder/search/package-lock.json", 1, told, fails=False))
+        return SearchLibrary({})
+
+
+def _search_index(options: Options, pages: Mapping[str, bytes], library: SearchLibrary) -> Files:
+    if not library.scripts:
+        return {}
+    return {SEARCH_INDEX: make_index(make_records(pages), library, options.root / "static")}
 
 
 def _python(options: Options, book: Book, editor: EditorBundle) -> Files:

@@ -4,6 +4,7 @@ what belongs together on a page."""
 from collections.abc import Sequence
 from pathlib import PurePosixPath
 
+from site_builder.bibliography import FILE as BIBLIOGRAPHY
 from site_builder.book import Book, Chapter, Link, Prediction, Quiz, Reveal, contents
 from site_builder.diagnostics import Diagnostics, unknown
 from site_builder.figure_questions import check_figure_questions
@@ -19,7 +20,9 @@ def check_book(book: Book, problems: Diagnostics) -> None:
     for chapter in book.chapters:
         _check_reveals(chapter, problems)
         check_figure_questions(chapter, problems)
+    _check_needs(book, problems)
     check_questions(book, problems)
+    _check_cited(book, problems)
     by_file = {PurePosixPath(chapter.path).name: chapter for chapter in book.chapters}
     for chapter in book.chapters:
         for link in chapter.links:
@@ -36,12 +39,37 @@ def _check_ids(kind: str, items: Sequence[Quiz | Prediction], problems: Diagnost
             problems.add(item.path, item.line, message)
 
 
+def _check_cited(book: Book, problems: Diagnostics) -> None:
+    cited = {citation.key for chapter in book.chapters for citation in chapter.citations}
+    for key, work in book.bibliography.works.items():
+        if key not in cited:
+            message = f"work {key!r} is cited nowhere; legal: '{{cite}}`{key}`' in a chapter"
+            problems.add(BIBLIOGRAPHY, work.line, message)
+
+
 def _check_reveals(chapter: Chapter, problems: Diagnostics) -> None:
     guesses = [prediction.id for prediction in chapter.predictions]
     for reveal in contents(chapter.body, Reveal):
         if reveal.prediction not in guesses:
             message = unknown("prediction of this page", reveal.prediction, guesses)
             problems.add(reveal.path, reveal.line, message)
+
+
+def _check_needs(book: Book, problems: Diagnostics) -> None:
+    """What a chapter builds on is another chapter, and stands before it."""
+    ids = [chapter.id for chapter in book.chapters]
+    for place, chapter in enumerate(book.chapters):
+        others = [name for name in ids if name != chapter.id]
+        for need in chapter.before:
+            if not need.chapter:
+                continue
+            if need.chapter not in others:
+                problems.add(chapter.path, need.line, unknown("chapter", need.chapter, others))
+            elif ids.index(need.chapter) > place:
+                message = (
+                    f"builds on chapter {need.chapter!r}, which stands after it; better: before"
+                )
+                problems.warn(chapter.path, need.line, message)
 
 
 def _fault_of(link: Link, chapter: Chapter, by_file: dict[str, Chapter]) -> str:

@@ -2,15 +2,17 @@
 
 import re
 import tomllib
-from collections.abc import Callable
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 from pathlib import Path
+from string import ascii_uppercase
 from typing import Any
 
 from simulations.engine.scene import Scene
-from site_builder.book import OUTLINE, Book, Chapter, Simulation, chapter_id
+from site_builder.bibliography import read_bibliography
+from site_builder.book import OUTLINE, Book, Position, Simulation, chapter_id
 from site_builder.diagnostics import Diagnostics, unknown
-from site_builder.markdown.chapter import read_chapter
+from site_builder.markdown.chapter import Draft, find_targets, parse_chapter, read_chapter
 from site_builder.markdown.inline import inline_html
 from site_builder.markdown.parser import make_parser
 from site_builder.markdown.reading import Reading
@@ -18,8 +20,9 @@ from site_builder.markdown.scenes import find_scene
 from site_builder.measured.measurements import Measurements
 
 TEXTS = ("title", "subtitle", "prerequisites")
-KEYS = (*TEXTS, "chapters", "hero", "hero_caption")
-OWN_FOLDERS = ("assets", "licences", "runtime", "source")
+LISTS = ("chapters", "appendices")
+KEYS = (*TEXTS, *LISTS, "hero", "hero_caption")
+OWN_FOLDERS = ("assets", "licences", "references", "runtime", "search", "source")
 """Folders of the site beside those of its chapters."""
 
 
@@ -30,8 +33,8 @@ class Outline:
     title: str
     subtitle: str
     prerequisites: str
-    chapters: tuple[tuple[str, int], ...]
-    """File names without ``.md``, each with its line."""
+    chapters: tuple[tuple[str, int, Position], ...]
+    """File names without ``.md``, each with its line in this file and its place in the book."""
     hero: str
     """Scene of the landing page's figure, or nothing."""
     hero_caption: str
@@ -47,17 +50,28 @@ def read_book(
     """The whole book; mistakes go to ``problems`` and reading goes on."""
     outline = _read_outline(root, problems)
     numbers = measurements or Measurements()
-    chapters: list[Chapter] = []
-    for number, (name, line) in enumerate(outline.chapters):
+    bibliography = read_bibliography(root, problems)
+    drafts: list[Draft] = []
+    for name, line, position in outline.chapters:
         file = root / "content" / f"{name}.md"
         if not file.is_file():
             problems.add(OUTLINE, line, unknown("chapter", name, _chapter_files(root)))
             continue
-        _check_number(name, number, line, problems)
+        _check_name(name, line, problems)
         path = file.relative_to(root).as_posix()
-        text = _read_text(root, path, problems)
-        reading = Reading(path, root, problems, load_scene, make_parser(), numbers)
-        chapters.append(read_chapter(text, number, reading))
+        reading = Reading(
+            path,
+            root,
+            problems,
+            load_scene,
+            make_parser(),
+            numbers,
+            chapter=chapter_id(path),
+            position=position,
+            bibliography=bibliography,
+        )
+        drafts.append(parse_chapter(_read_text(root, path, problems), reading))
+    targets = find_targets(drafts)
     _check_addresses(outline, problems)
     _check_unlisted(root, outline, problems)
     return Book(
@@ -65,7 +79,8 @@ def read_book(
         subtitle=outline.subtitle,
         prerequisites=outline.prerequisites,
         hero=_read_hero(outline, root, problems, load_scene),
-        chapters=tuple(chapters),
+        chapters=tuple(read_chapter(draft, targets) for draft in drafts),
+        bibliography=bibliography,
     )
 
 
@@ -86,19 +101,34 @@ def _read_outline(root: Path, problems: Diagnostics) -> Outline:
         value = table.get(key)
         if text and not (isinstance(value, str) and value.strip()):
             problems.add(OUTLINE, _line_of(key, text), f'no {key!r}; legal: {key} = "some text"')
-    names = table.get("chapters", [])
-    if text and not (isinstance(names, list) and names and all(isinstance(n, str) for n in names)):
-        problems.add(OUTLINE, _line_of("chapters", text), 'no chapters; legal: ["00-slug", …]')
-        names = []
+    for key in LISTS:
+        names = table.setdefault(key, [])
+        listed = isinstance(names, list) and all(isinstance(name, str) for name in names)
+        if text and not (listed and (names or key != "chapters")):
+            problems.add(OUTLINE, _line_of(key, text), f'no {key}; legal: ["00-slug", …]')
+            table[key] = []
     return Outline(
         title=str(table.get("title", "")),
         subtitle=str(table.get("subtitle", "")),
         prerequisites=str(table.get("prerequisites", "")),
-        chapters=tuple((name, _line_of_name(name, text)) for name in names),
+        chapters=tuple(
+            (name, _line_of_name(name, text), position)
+            for name, position in _positions(table["chapters"], table["appendices"])
+        ),
         hero=str(table.get("hero", "")),
         hero_caption=str(table.get("hero_caption", "")),
         hero_line=_line_of("hero", text),
     )
+
+
+def _positions(
+    chapters: Sequence[str], appendices: Sequence[str]
+) -> Iterator[tuple[str, Position]]:
+    """Chapters are numbered from 0, appendices lettered from A."""
+    for number, name in enumerate(chapters):
+        yield name, Position(number, str(number))
+    for index, name in enumerate(appendices):
+        yield name, Position(len(chapters) + index, ascii_uppercase[index % 26], "Appendix")
 
 
 def _read_text(root: Path, path: str, problems: Diagnostics) -> str:
@@ -131,17 +161,16 @@ def _chapter_files(root: Path) -> list[str]:
     return sorted(file.stem for file in (root / "content").glob("*.md"))
 
 
-def _check_number(name: str, number: int, line: int, problems: Diagnostics) -> None:
-    if not re.match(rf"{number:02d}-[a-z0-9-]+$", name):
-        problems.add(
-            OUTLINE, line, f"chapter {name!r} stands at place {number}; legal: '{number:02d}-slug'"
-        )
+def _check_name(name: str, line: int, problems: Diagnostics) -> None:
+    """A number in front is for the listing of the folder; it means nothing."""
+    if not re.fullmatch(r"(\d+-)?[a-z0-9]+(-[a-z0-9]+)*", name):
+        problems.add(OUTLINE, line, f"chapter {name!r}; legal: 'NN-slug'")
 
 
 def _check_addresses(outline: Outline, problems: Diagnostics) -> None:
     """Two pages at one address: one would silently take the other's place."""
     taken = dict.fromkeys(OWN_FOLDERS, "a folder of the site's own")
-    for name, line in outline.chapters:
+    for name, line, _ in outline.chapters:
         slug = chapter_id(name)
         if slug in taken:
             message = f"chapter {name!r} has the address {slug}/, as {taken[slug]} has"
@@ -150,11 +179,11 @@ def _check_addresses(outline: Outline, problems: Diagnostics) -> None:
 
 
 def _check_unlisted(root: Path, outline: Outline, problems: Diagnostics) -> None:
-    listed = {f"content/{name}.md" for name, _ in outline.chapters}
+    listed = {f"content/{name}.md" for name, _, _ in outline.chapters}
     for file in sorted((root / "content").rglob("*.md")):
         path = file.relative_to(root).as_posix()
         if listed and path not in listed:
-            problems.add(path, 1, f"not in {OUTLINE}; legal: listed in 'chapters'")
+            problems.add(path, 1, f"not in {OUTLINE}; legal: listed in 'chapters' or 'appendices'")
 
 
 def _read_hero(

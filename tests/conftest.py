@@ -1,9 +1,10 @@
 """Fixtures that tests of several folders share."""
 
 import json
+import os
 import subprocess
 import sys
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from pathlib import Path
 from typing import Any
 
@@ -12,7 +13,7 @@ from filelock import FileLock
 from hypothesis import settings
 from playwright.sync_api import Browser, sync_playwright
 from support.chromium import HOW_TO, find_chromium, launch_arguments
-from support.reader import Reader
+from support.reader import DESK, Reader, visit
 from support.static_server import StaticServer, serving
 
 ROOT = Path(__file__).resolve().parents[1]
@@ -26,6 +27,11 @@ settings.load_profile("repeatable")
 def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
     """What needs the site goes first: one worker builds it while the others test the rest."""
     items.sort(key=lambda item: item.get_closest_marker("browser") is None)
+
+
+def pytest_xdist_auto_num_workers(config: pytest.Config) -> int | None:
+    """One more than there are cores: tests of the browser often wait for it to paint or to rest."""
+    return None if "not browser" in config.option.markexpr else (os.cpu_count() or 1) + 1
 
 
 def pytest_addoption(parser: pytest.Parser) -> None:
@@ -70,47 +76,71 @@ def server(site_server: StaticServer) -> Iterator[StaticServer]:
 
 
 @pytest.fixture(scope="session")
-def chromium() -> Iterator[Browser]:
+def launch() -> Iterator[Callable[..., Browser]]:
+    """Starts a browser with these arguments beside those that it needs."""
     executable = find_chromium()
     assert executable, HOW_TO
     with sync_playwright() as playwright:
-        browser = playwright.chromium.launch(executable_path=executable, args=launch_arguments())
+        yield lambda *arguments: playwright.chromium.launch(
+            executable_path=executable, args=[*launch_arguments(), *arguments]
+        )
+
+
+@pytest.fixture(scope="session")
+def chromium(launch: Callable[..., Browser]) -> Iterator[Browser]:
+    with launch() as browser:
         yield browser
-        browser.close()
+
+
+@pytest.fixture(scope="session")
+def brisk_chromium(launch: Callable[..., Browser]) -> Iterator[Browser]:
+    """Starts the interpreter with a third less work, and is slower ever after: it compiles
+    WebAssembly once, and not again to have it faster."""
+    with launch("--js-flags=--liftoff-only") as browser:
+        yield browser
 
 
 @pytest.fixture
-def reader(chromium: Browser, server: StaticServer) -> Iterator[Reader]:
+def reader(brisk_chromium: Browser, server: StaticServer) -> Iterator[Reader]:
     """A reader with a fresh browser profile. Complaints of the browser fail the test."""
-    context = chromium.new_context(viewport={"width": 1280, "height": 900})
-    someone = Reader(context, server.url)
-    yield someone
-    context.close()
-    assert not someone.complaints, "\n".join(someone.complaints)
+    with visit(brisk_chromium, server) as someone:
+        yield someone
+    someone.assert_no_complaints()
 
 
 @pytest.fixture(scope="session")
 def long_visit(chromium: Browser, site_server: StaticServer) -> Iterator[Reader]:
-    context = chromium.new_context(viewport={"width": 1280, "height": 900})
-    yield Reader(context, site_server.url)
-    context.close()
+    with visit(chromium, site_server) as someone:
+        yield someone
 
 
 @pytest.fixture
 def visitor(long_visit: Reader) -> Iterator[Reader]:
     """A reader who has been here for a while: the interpreter runs, and the page has no figure.
 
-    For tests that leave nothing behind but what goes when the page is turned.
+    For tests that leave nothing behind but what goes when the page is turned, what the browser
+    keeps for the book, and the size of its window.
     """
+    long_visit.page.set_viewport_size(DESK)
     long_visit.turn_to("licences/", live=False)
+    long_visit.forget()
     yield long_visit
-    complaints = [*long_visit.complaints]
-    long_visit.complaints.clear()
-    assert not complaints, "\n".join(complaints)
+    long_visit.assert_no_complaints()
+
+
+@pytest.fixture(scope="session")
+def plain_visit(chromium: Browser, site_server: StaticServer) -> Iterator[Reader]:
+    with visit(chromium, site_server, "delete globalThis.WebAssembly") as someone:
+        yield someone
 
 
 @pytest.fixture
-def plain_reader(reader: Reader) -> Reader:
-    """A reader whose browser cannot run Python: pages open at once, all else must work."""
-    reader.page.add_init_script("delete globalThis.WebAssembly")
-    return reader
+def plain_reader(plain_visit: Reader) -> Iterator[Reader]:
+    """A reader whose browser cannot run Python: pages open at once, all else must work.
+
+    It is one browser for all tests, since a fresh profile costs more than most of them: it
+    forgets before each, and loads its pages anew.
+    """
+    plain_visit.begin_anew()
+    yield plain_visit
+    plain_visit.assert_no_complaints()

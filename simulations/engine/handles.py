@@ -13,6 +13,7 @@ brings that into range and onto the steps of the controls. The page, the keyboar
 all go through the same two functions.
 """
 
+import inspect
 import math
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
@@ -41,8 +42,9 @@ class Handle[S]:
     step the first; up and down the second, or the first where it is alone."""
     at: Callable[[S, Outputs], Point | None]
     """Where it is; ``None`` where it cannot be grabbed at these settings."""
-    pull: Callable[[S, Point], Mapping[str, Value]]
-    """What the settings would have to be for it to be at a place; what it leaves out stays."""
+    pull: Callable[..., Mapping[str, Value]]
+    """What the settings would have to be for it to be at a place: of settings, place and, where it
+    has a parameter of that name, the ``tier`` that is shown. What it leaves out stays."""
     reach: Literal["mark", "press", "drag", "aim"] = "mark"
     """How it is grabbed: at its mark; also by pressing anywhere in the panel, which brings it
     there; or, without a mark, by dragging from anywhere, which moves it by as much; or by pressing
@@ -78,7 +80,11 @@ def places(
 
 
 def pulled(
-    handle: Handle[Any], settings: object, place: Point, controls: tuple[Control, ...]
+    handle: Handle[Any],
+    settings: object,
+    place: Point,
+    controls: tuple[Control, ...],
+    tier: str = "",
 ) -> dict[str, Value]:
     """The values that bring ``handle`` as near to ``place`` as the controls allow.
 
@@ -89,7 +95,8 @@ def pulled(
         raise ValueError(f"handle {handle.name!r}: place {place}; legal: finite numbers")
     by_name = {control.name: control for control in controls}
     values: dict[str, Value] = {}
-    for name, wanted in handle.pull(settings, place).items():
+    shown = {"tier": tier} if "tier" in inspect.signature(handle.pull).parameters else {}
+    for name, wanted in handle.pull(settings, place, **shown).items():
         if name not in handle.drives:
             legal = ", ".join(handle.drives)
             raise ValueError(f"handle {handle.name!r}: a pull changes {name!r}; legal: {legal}")

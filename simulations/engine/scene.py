@@ -111,15 +111,16 @@ class Scene[S]:
         where = places(self.handles, settings, done.outputs, frame.panels)
         return replace(frame, stages=done.reports, handles=where)
 
-    def pull(self, settings: S, handle: str, place: Point) -> dict[str, Value]:
-        """The values of what ``handle`` drives that bring it as near to ``place`` as can be.
+    def pull(self, settings: S, handle: str, place: Point, tier: str = "") -> dict[str, Value]:
+        """The values of what ``handle`` drives that bring it as near to ``place`` as can be, in the
+        frames of a tier.
 
         Raises `KeyError` for a handle that the scene lacks, `ValueError` for a place that is none.
         """
         by_name = {entry.name: entry for entry in self.handles}
         if handle not in by_name:
             raise KeyError(f"handle {handle!r}; legal: {', '.join(by_name) or 'none'}")
-        return pulled(by_name[handle], settings, place, self.controls)
+        return pulled(by_name[handle], settings, place, self.controls, self._settled(tier))
 
     def estimates(
         self, settings: S, tier: str, cache: StageCache, photograph: Photograph | None = None

@@ -116,8 +116,21 @@ def _control(entry: Field[Any]) -> Control:
 
 
 def check_settings[S](settings: type[S], given: Mapping[str, object]) -> S:
-    """Defaults overridden by what an author gave; anything illegal raises `ControlError`."""
-    return _resolve(settings, given, lambda control, raw: control.check(raw))
+    """Defaults overridden by what an author gave; anything illegal raises `ControlError`.
+
+    So does a fraction where the setting is whole: what is shown would not be what was asked for.
+    """
+    whole = {entry.name for entry in fields(cast(Any, settings)) if entry.type is int}
+
+    def check(control: Control, raw: object) -> Value:
+        value = control.check(raw)
+        if control.name in whole and isinstance(control, Slider) and value != round(float(value)):
+            steps = f"{control.minimum:g} and steps of {control.step:g}"
+            message = f"{control.name}: {value:g} is between two steps; legal: {steps}"
+            raise ControlError(message)
+        return value
+
+    return _resolve(settings, given, check)
 
 
 def clamp_settings[S](settings: type[S], given: Mapping[str, object]) -> S:

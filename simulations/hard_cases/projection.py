@@ -12,7 +12,13 @@ from simulations.engine.hard_cases import (
     refused,
     valid,
 )
-from simulations.models.projection import affine_cameras, pinhole, vanishing
+from simulations.models.projection import (
+    affine_cameras,
+    level_ground,
+    pinhole,
+    two_views,
+    vanishing,
+)
 
 K = pinhole.intrinsics(800.0, (320.0, 240.0))
 PIXEL_OF = "cv2.projectPoints(np.array([[{}]]), np.zeros(3), np.zeros(3), K, None)[0][0, 0]"
@@ -24,6 +30,8 @@ TABLE = HardCases(
         **vars(pinhole),
         **vars(vanishing),
         **vars(affine_cameras),
+        **vars(level_ground),
+        **vars(two_views),
         "K": K,
         "P": pinhole.camera_matrix(K, np.eye(4)),
         "inf": np.inf,
@@ -229,6 +237,74 @@ TABLE = HardCases(
             why="A wall that faces the camera squarely: its horizon is the line at infinity.",
             returns="No line; a line at infinity has no pixels.",
             expected=invalid,
+        ),
+        HardCase(
+            id="angle-to-infinity",
+            call="angle_between([1.0, 0.0, 0.0], [320.0, 240.0, 1.0], K)",
+            why="Lines across the camera vanish at infinity, where there are no pixels.",
+            returns="π/2: the point is given as a direction, with a 0.",
+            expected=near(np.pi / 2),
+        ),
+        HardCase(
+            id="height-on-the-horizon",
+            call="height_by_horizon([50, 240], [50, 210], [0, 1, -240], [0, 1, 0])",
+            why="The foot is infinitely far away: the ruler has no length there.",
+            returns="No height.",
+            expected=invalid,
+            naive="np.divide(240.0 - 210.0, 240.0 - 240.0)",
+        ),
+        HardCase(
+            id="height-of-a-level-camera",
+            call="height_by_horizon([50, 330], [50, 210], [0, 1, -240], [0, 1, 0])",
+            why="The uprights are parallel: the cross-ratio divides ∞ by ∞.",
+            returns="The ratio of the two lengths that are left, 120/90.",
+            expected=valid(4 / 3),
+            naive="(330 - 210) * (np.inf - 240) / ((330 - 240) * (np.inf - 210))",
+        ),
+        HardCase(
+            id="looking-straight-down",
+            call="pose_above_ground(1.6, 0.3, np.pi / 2)",
+            why="A turn to the side and a roll are one and the same here.",
+            returns="Refused: the two angles would no longer say two things.",
+            expected=refused("pitch 1.57", "at most 1.5"),
+        ),
+        HardCase(
+            id="no-disparity",
+            call="depth_from_disparity(0.0, 800.0, 0.1)",
+            why="Both pictures have the point in the same place: fb/0.",
+            returns="∞, and that is an answer: the stars have no disparity.",
+            expected=valid(np.inf),
+        ),
+        HardCase(
+            id="negative-disparity",
+            call="depth_from_disparity(-0.5, 800.0, 0.1)",
+            why="A match beyond infinity, as noise makes of far points.",
+            returns="No depth; the formula puts the point 160 m behind the cameras.",
+            expected=invalid,
+            naive="800 * 0.1 / -0.5",
+        ),
+        HardCase(
+            id="line-of-the-epipole",
+            call="epipolar_lines(fundamental_matrix(K, K, np.eye(3), [0, 0, -1]), [320.0, 240.0])",
+            why="The second camera stands straight ahead, and the pixel is its image: F x is 0.",
+            returns="No line: every line through the other epipole would do.",
+            expected=invalid,
+            naive="np.zeros(3) / np.hypot(0.0, 0.0)",
+        ),
+        HardCase(
+            id="depth-along-the-baseline",
+            call="depth_of_match([320.0, 240.0], [320.0, 240.0], K, K, np.eye(3), [0, 0, -1])",
+            why="On the line through both centres every depth has the same two images.",
+            returns="No depth.",
+            expected=invalid,
+            naive="np.divide(0.0, 0.0)",
+        ),
+        HardCase(
+            id="two-views-from-one-place",
+            call="essential_matrix(np.eye(3), [0.0, 0.0, 0.0])",
+            why="The camera has turned, but not moved: E would be 0, and any two pixels a match.",
+            returns="Refused. Such pictures are related by a homography, and tell no depth.",
+            expected=refused("t [0.0, 0.0, 0.0]", "not zero"),
         ),
         HardCase(
             id="behind-a-parallel-camera",

@@ -10,12 +10,18 @@ from simulations.engine.hard_cases import (
     near,
     refused,
 )
-from simulations.models.light import reflectance
+from simulations.models.light import brdf, interreflection, reflectance
 
 TABLE = HardCases(
     id="reflectance",
     title="Light and reflectance",
-    names={**vars(reflectance), "inf": np.inf, "nan": np.nan},
+    names={
+        **vars(reflectance),
+        **vars(brdf),
+        **vars(interreflection),
+        "inf": np.inf,
+        "nan": np.nan,
+    },
     cases=(
         HardCase(
             id="from-behind",
@@ -208,6 +214,70 @@ TABLE = HardCases(
             why="A lamp that takes light away.",
             returns="Refused.",
             expected=refused("intensity", "-1.0"),
+        ),
+        HardCase(
+            id="grazing-facets",
+            call="reflected('microfacets', Material(0.0, 1.0, 0.5), 1e-12, 1e-12, -1.0)",
+            why="Light and eye both graze, opposite to each other: 1/(n·l n·v) is 1e24.",
+            returns="Large, and finite: the shadows that facets cast cancel both cosines.",
+            expected=lambda got: 0.0 < got < 1e7,
+            naive="0.25 / 1e-12 / 1e-12",
+        ),
+        HardCase(
+            id="eye-opposite-the-lamp",
+            call="reflected('microfacets', Material(0.2, 0.04, 0.5), 0.0, 0.0, -1.0)",
+            why="l + v = 0: there is no halfway direction.",
+            returns="0: both lie in the surface itself.",
+            expected=exactly(0.0),
+            naive="np.float64(0.0) / np.sqrt(2.0 + 2.0 * -1.0)",
+        ),
+        HardCase(
+            id="grazing-phong",
+            call="reflected('phong', Material(0.0, 0.5, 0.5), 0.0, 0.5, 0.8)",
+            why="As a BRDF, Phong's highlight is divided by n · l, which is 0 here.",
+            returns="0: no light arrives, and of none no share is sent on.",
+            expected=exactly(0.0),
+            naive="np.divide(0.5 * 0.2**1.5, np.pi * 0.0)",
+        ),
+        HardCase(
+            id="perfect-mirror",
+            call="Material(0.0, 1.0, 0.0)",
+            why="Facets that all lie flat: their density is infinite at one normal.",
+            returns="Refused: a mirror is no function of directions.",
+            expected=refused("roughness", "0.0"),
+            naive="np.divide(0.0, np.pi * 0.0)",
+        ),
+        HardCase(
+            id="roughest-metal",
+            call="sent_back('microfacets', Material(0.0, 1.0, 1.0), 1.0)",
+            why="A white metal swallows nothing, so that all light should come back.",
+            returns="0.307: what goes from facet to facet is left out by the model.",
+            expected=near(0.30685, 1e-3),
+            naive="1.0",
+        ),
+        HardCase(
+            id="at-the-edge-itself",
+            call="seen_of(0.0, np.pi / 2).sum()",
+            why="Where two planes meet, the distance between them is 0: the kernel is 0/0.",
+            returns="Half of the view, the limit.",
+            expected=near(0.5, 1e-6),
+            naive="np.float64(0.0) * 0.0 / (2.0 * (0.0 + 0.0) ** 1.5)",
+        ),
+        HardCase(
+            id="planes-that-lose-nothing",
+            call="bounced(np.ones((2, CELLS)), [1.0, 1.0], np.pi / 2, None).max()",
+            why="With ρ = 1 the light never ends, and bounce after bounce adds to it.",
+            returns="1.99: at each bounce half of the light leaves. Right at the edge it is 2.",
+            expected=near(1.98705, 1e-4),
+            naive="1.0 / np.float64(1.0 - 1.0)",
+        ),
+        HardCase(
+            id="lamp-in-the-plane",
+            call="shadow_end(np.pi, np.pi / 2)",
+            why="Light that grazes the floor from behind the wall: its shadow has no end.",
+            returns="0: a plane that gets no light has no shadow either.",
+            expected=exactly(0.0),
+            naive="np.divide(np.sin(np.pi / 2), 0.0)",
         ),
     ),
 )

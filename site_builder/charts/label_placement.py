@@ -6,7 +6,8 @@ from dataclasses import dataclass
 
 from site_builder.charts.boxes import Box, Segment, hull
 
-SIZE = 13.0
+SIZE = 14.0
+"""Of letters on a phone, where they are largest in the chart's units."""
 NARROW, WIDE = frozenset("fijlrt,.;:'|() I"), frozenset("mwMW")
 HEIGHT = SIZE + 2.0
 
@@ -160,4 +161,4 @@ def _candidates(name: str, own: Sequence[Box]) -> Iterator[Box]:
 
 def _width(name: str) -> float:
     """About as wide as the sans face sets it."""
-    return sum(3.4 if sign in NARROW else 10.0 if sign in WIDE else 6.6 for sign in name)
+    return sum(3.9 if sign in NARROW else 11.4 if sign in WIDE else 7.5 for sign in name)

@@ -18,7 +18,7 @@ type Place = Callable[[MeasuredTier, str], Point]
 """Where a tier stands on one side."""
 
 WIDTH, HEIGHT = 420, 320
-LEFT, RIGHT, TOP, BOTTOM = 48.0, 408.0, 34.0, 270.0
+LEFT, RIGHT, TOP, BOTTOM = 51.0, 408.0, 34.0, 270.0
 NONE_ROW = 22.0
 """Height of the strip for tiers without any error."""
 RADIUS = 4.5

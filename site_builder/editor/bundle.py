@@ -10,7 +10,7 @@ from pathlib import Path
 from platformdirs import user_cache_path
 
 from site_builder.editor.npm import HERE, NodeError, install_packages, run_node
-from site_builder.runtime.store import put, sha256
+from site_builder.runtime.store import made_once, sha256
 
 INGREDIENTS = ("package.json", "package-lock.json", "bundle.mjs", "code_editor.js")
 PRODUCTS = ("code_editor.js", "packages.json")
@@ -50,14 +50,10 @@ def bundle_editor(kept: Path | None = None) -> EditorBundle:
     """
     folder = kept or user_cache_path("image-formation", appauthor=False) / "editor"
     recipe = sha256(b"\0".join((HERE / name).read_bytes() for name in INGREDIENTS))
-    record = folder / f"{recipe}.json"
-    found = _recall(record, folder)
-    if not found:
-        found = _make()
-        hashes = {name: put(folder, name, data).parent.name for name, data in found.items()}
-        record.write_text(json.dumps(hashes), encoding="utf-8")
-    packages = json.loads(found["packages.json"])
-    return EditorBundle(found["code_editor.js"], tuple(Package(**item) for item in packages))
+    files = made_once(folder, recipe, _make)
+    packages = json.loads(files["packages.json"].read_bytes())
+    script = files["code_editor.js"].read_bytes()
+    return EditorBundle(script, tuple(Package(**item) for item in packages))
 
 
 def _make() -> Mapping[str, bytes]:
@@ -74,14 +70,3 @@ def _make() -> Mapping[str, bytes]:
         except NodeError as error:
             raise EditorBundleError(f"it could not be bundled: {error}") from None
         return {name: (folder / "out" / name).read_bytes() for name in PRODUCTS}
-
-
-def _recall(record: Path, folder: Path) -> Mapping[str, bytes]:
-    """What was kept, where all of it is intact; else nothing."""
-    try:
-        hashes: dict[str, str] = json.loads(record.read_text(encoding="utf-8"))
-        found = {name: (folder / sha / name).read_bytes() for name, sha in hashes.items()}
-    except (OSError, ValueError):
-        return {}
-    intact = all(sha256(found[name]) == sha for name, sha in hashes.items())
-    return found if intact and set(found) == set(PRODUCTS) else {}

@@ -47,7 +47,8 @@ def _read_directive(element: Sequence[Token], reading: Reading) -> Block | None:
     content = directive.read(legal, body, reading) if legal else None
     if content is None:
         return None
-    return Block(directive.template, content, body if directive.body.nests else ())
+    inside = body if directive.body.nests else ()
+    return Block(directive.template, content, inside, reading.placed.get(use.line))
 
 
 def _end_of_element(tokens: Sequence[Token], start: int) -> int:

@@ -1,30 +1,80 @@
-"""One Markdown file to one `Chapter`: parse, annotate, split into blocks."""
+"""One Markdown file to one `Chapter`, in two steps: what all chapters refer to is known between."""
 
-from site_builder.book import Chapter, chapter_id
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+from markdown_it.token import Token
+
+from site_builder.book import Chapter, Need, Target
 from site_builder.markdown.blocks import read_blocks
-from site_builder.markdown.figures import place_figures
-from site_builder.markdown.front_matter import read_front_matter
-from site_builder.markdown.inline import annotate
+from site_builder.markdown.front_matter import FrontMatter, read_front_matter
+from site_builder.markdown.inline import annotate, inline_html
+from site_builder.markdown.placing import place_targets
 from site_builder.markdown.reading import PAGE_IDS, Reading
+from site_builder.markdown.targets import Targets
 
 
-def read_chapter(text: str, number: int, reading: Reading) -> Chapter:
+@dataclass(frozen=True, slots=True)
+class Draft:
+    """A chapter that is parsed and numbered, its words not yet looked at."""
+
+    tokens: Sequence[Token]
+    matter: FrontMatter
+    target: Target
+    inside: tuple[Target, ...]
+    reading: Reading
+
+
+def parse_chapter(text: str, reading: Reading) -> Draft:
     """The chapter in ``text``; mistakes are reported and reading goes on."""
     tokens = reading.parser.parse(text, reading.env)
     for line, message in reading.env.pop("problems", ()):
         reading.problem(line, message)
     matter = read_front_matter(tokens, reading)
-    place_figures(tokens, reading)
-    annotate(tokens, reading)
-    body = read_blocks(tokens, reading)
+    position, name = reading.position, reading.chapter
+    target = Target(position.kind, name, "", position.mark, matter.title, 1)
+    return Draft(tokens, matter, target, place_targets(tokens, name, reading), reading)
+
+
+def find_targets(drafts: Sequence[Draft]) -> Targets:
+    """What references may lead to. Two of one label in different chapters are reported."""
+    first: dict[str, tuple[Target, str]] = {}
+    for draft in drafts:
+        for target in draft.inside:
+            if not target.labelled:
+                continue
+            other, path = first.setdefault(target.id, (target, draft.reading.path))
+            if other.chapter != target.chapter:
+                message = f"duplicate label {target.id!r}; first used at {path}:{other.line}"
+                draft.reading.problem(target.line, message)
+    return Targets(
+        {draft.target.chapter: draft.target for draft in drafts},
+        {draft.target.chapter: draft.inside for draft in drafts},
+    )
+
+
+def read_chapter(draft: Draft, targets: Targets) -> Chapter:
+    """The whole chapter; mistakes are reported and reading goes on."""
+    reading = draft.reading
+    reading.targets = targets
+    annotate(draft.tokens, reading)
+    body = read_blocks(draft.tokens, reading)
+    before = tuple(
+        Need(inline_html(entry.text, entry.line, reading), entry.chapter, entry.line)
+        for entry in draft.matter.before
+    )
+    after = tuple(inline_html(entry.text, entry.line, reading) for entry in draft.matter.after)
     return Chapter(
-        number=number,
-        id=chapter_id(reading.path),
+        position=reading.position,
+        id=reading.chapter,
         path=reading.path,
-        title=matter["title"],
-        summary=matter["summary"],
+        title=draft.matter.title,
+        summary=draft.matter.summary,
         body=body,
         headings=tuple(reading.headings),
         anchors=frozenset(reading.ids) - set(PAGE_IDS),
         links=tuple(reading.links),
+        citations=tuple(reading.citations),
+        before=before,
+        after=after,
     )

@@ -79,6 +79,21 @@ class Body[B]:
 
 
 @dataclass(frozen=True, slots=True)
+class Numbered:
+    """How things of a directive are counted in their chapter, and what they are cited by."""
+
+    kind: str
+    """What they are called: ``Figure``. Directives of one kind share a count."""
+    id: Callable[[Use], str]
+    """Element id, where the author gives no ``:label:``."""
+    again: bool = False
+    """Whether a page may show the same twice; the id of the second then ends in ``-2``."""
+
+
+LABEL = OptionLine("label", says="what it is cited by")
+
+
+@dataclass(frozen=True, slots=True)
 class Directive[B]:
     """One directive, ``:::{name} argument``."""
 
@@ -92,5 +107,7 @@ class Directive[B]:
     template: str
     """Its file below ``templates/blocks/``, without ``.html``."""
     options: tuple[OptionLine, ...] = ()
+    numbered: Numbered | None = None
+    """None where it carries no number."""
     more_options: str = ""
     """Options that only the reader can judge, in words: ``the controls of the scene``."""

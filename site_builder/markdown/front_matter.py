@@ -1,6 +1,8 @@
-"""The lines between ``---`` at the top of a chapter: its title and its summary."""
+"""The lines between ``---`` at the top of a chapter: its title and its summary, what to know before
+it, and what one can do after it."""
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
 
 import yaml
 from markdown_it.token import Token
@@ -8,45 +10,114 @@ from markdown_it.token import Token
 from site_builder.diagnostics import unknown
 from site_builder.markdown.reading import Reading
 
-KEYS = ("title", "summary")
-"""All of them required."""
+TEXTS = ("title", "summary")
+"""Required."""
+LISTS = ("before", "after")
+KEYS = (*TEXTS, *LISTS)
+OUTCOMES = range(2, 5)
+"""How many things a reader can do after a chapter."""
 LEGAL = "legal: '---', 'title: …', 'summary: …', '---'"
+BEFORE = "legal: a list of texts, each alone or as 'chapter-id: what of it'"
+AFTER = f"legal: a list of {OUTCOMES[0]} to {OUTCOMES[-1]} texts"
 
 
-def read_front_matter(tokens: Sequence[Token], reading: Reading) -> dict[str, str]:
-    """The text of each of `KEYS`; empty where it is missing, which is reported."""
-    nothing = dict.fromkeys(KEYS, "")
+@dataclass(frozen=True, slots=True)
+class Entry:
+    """One entry of a list, as its author wrote it."""
+
+    text: str
+    line: int
+    chapter: str = ""
+    """Id before the colon, where there is one."""
+
+
+@dataclass(frozen=True, slots=True)
+class FrontMatter:
+    """What a chapter says of itself; empty where that is missing or wrong, which is reported."""
+
+    title: str = ""
+    summary: str = ""
+    before: tuple[Entry, ...] = ()
+    after: tuple[Entry, ...] = ()
+
+
+def read_front_matter(tokens: Sequence[Token], reading: Reading) -> FrontMatter:
+    """What stands in the first of ``tokens``."""
     if not tokens or tokens[0].type != "front_matter":
         reading.problem(1, f"no front matter; {LEGAL}")
-        return nothing
+        return FrontMatter()
     try:
         root = yaml.compose(tokens[0].content, Loader=yaml.SafeLoader)
     except yaml.YAMLError as error:
         mark = getattr(error, "problem_mark", None)  # a character that YAML forbids has none
         reason = getattr(error, "problem", None) or str(error).partition("\n")[0]
         reading.problem(mark.line + 2 if mark else 1, f"malformed YAML: {reason}")
-        return nothing
+        return FrontMatter()
     if not isinstance(root, yaml.MappingNode):
         reading.problem(1, f"front matter is no mapping; {LEGAL}")
-        return nothing
-    return _read_entries(root, reading)
+        return FrontMatter()
+    entries = _read_entries(root, reading)
+    return FrontMatter(
+        **_read_texts(entries, reading),
+        before=_read_before(entries.get("before"), reading),
+        after=_read_after(entries.get("after"), reading),
+    )
 
 
-def _read_entries(root: yaml.MappingNode, reading: Reading) -> dict[str, str]:
-    texts: dict[str, str] = {}
-    lines = dict.fromkeys(KEYS, 1)
+def _read_entries(root: yaml.MappingNode, reading: Reading) -> dict[str, yaml.Node]:
+    entries: dict[str, yaml.Node] = {}
     for key, value in root.value:
-        line = key.start_mark.line + 2  # below the ``---``, and counted from 1
         if key.value not in KEYS:
-            reading.problem(line, unknown("front matter key", str(key.value), KEYS))
+            reading.problem(_line(key), unknown("front matter key", str(key.value), KEYS))
             continue
-        if key.value in texts:
-            reading.problem(line, f"{key.value!r} is given twice; legal: once")
-        lines[key.value] = line
-        texts[key.value] = value.value.strip() if value.tag == "tag:yaml.org,2002:str" else ""
-    for name in KEYS:
-        if not texts.get(name):
-            reading.problem(
-                lines[name], f"front matter without {name!r}; legal: '{name}: some text'"
-            )
-    return {name: texts.get(name, "") for name in KEYS}
+        if key.value in entries:
+            reading.problem(_line(key), f"{key.value!r} is given twice; legal: once")
+        entries[key.value] = value
+    return entries
+
+
+def _read_texts(entries: Mapping[str, yaml.Node], reading: Reading) -> dict[str, str]:
+    texts = {name: _text(entries.get(name)) for name in TEXTS}
+    for name in (name for name, text in texts.items() if not text):
+        line = _line(entries[name]) if name in entries else 1
+        reading.problem(line, f"front matter without {name!r}; legal: '{name}: some text'")
+    return texts
+
+
+def _read_before(node: yaml.Node | None, reading: Reading) -> tuple[Entry, ...]:
+    if node is None:
+        return ()
+    found = tuple(_needs(node))
+    if not found or not all(entry.text for entry in found):
+        reading.problem(_line(node), f"what to know 'before' is not told; {BEFORE}")
+    return found
+
+
+def _needs(node: yaml.Node) -> Iterator[Entry]:
+    for item in node.value if isinstance(node, yaml.SequenceNode) else ():
+        if isinstance(item, yaml.MappingNode):
+            for key, value in item.value:
+                yield Entry(_text(value), _line(key), chapter=str(key.value))
+        else:
+            yield Entry(_text(item), _line(item))
+
+
+def _read_after(node: yaml.Node | None, reading: Reading) -> tuple[Entry, ...]:
+    if node is None:
+        return ()
+    items = node.value if isinstance(node, yaml.SequenceNode) else ()
+    found = tuple(Entry(_text(item), _line(item)) for item in items)
+    if len(found) not in OUTCOMES or not all(entry.text for entry in found):
+        reading.problem(_line(node), f"what one can do 'after' is not told; {AFTER}")
+    return found
+
+
+def _text(node: yaml.Node | None) -> str:
+    """The text of a node; nothing where it is none."""
+    return node.value.strip() if node and node.tag == "tag:yaml.org,2002:str" else ""
+
+
+def _line(node: yaml.Node) -> int:
+    """Below the ``---``, and counted from 1."""
+    line: int = node.start_mark.line
+    return line + 2

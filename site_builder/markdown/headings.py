@@ -1,4 +1,4 @@
-"""Headings: an id and a place in the table of contents for each; those out of order reported."""
+"""Headings: a place in the table of contents for each; those out of order reported."""
 
 import re
 from collections.abc import Sequence
@@ -11,8 +11,8 @@ from site_builder.markdown.reading import Reading
 from site_builder.markdown.text.tokens import plain_text
 
 
-def name_headings(tokens: Sequence[Token], reading: Reading) -> None:
-    """Give every heading its id, in place, and the page its list of them."""
+def list_headings(tokens: Sequence[Token], reading: Reading) -> None:
+    """Give the page its list of headings, which have their ids."""
     for opening, inline in pairwise(tokens):
         if opening.type != "heading_open":
             continue
@@ -24,8 +24,7 @@ def name_headings(tokens: Sequence[Token], reading: Reading) -> None:
             legal = f"'## {text}', or an empty line above the rule"
             reading.problem(line, f"{text!r} underlined is a heading; legal: {legal}")
         _check_level(level, text, line, reading)
-        name = reading.take_id(slug(text), line, "heading")
-        opening.attrSet("id", name)
+        name = str(opening.attrGet("id"))
         reading.headings.append(Heading(level, name, reading.html(_without_links(inline))))
 
 
@@ -46,6 +45,7 @@ def _without_links(inline: Token) -> list[Token]:
         child
         for child in inline.children or ()
         if child.type not in ("link_open", "link_close", "footnote_ref")
+        and not (child.tag == "a" and child.type in ("role_open", "role_close"))
     ]
     return [Token("inline", "", 0, children=children)]
 

@@ -7,14 +7,14 @@ from markdown_it.token import Token
 
 from site_builder.book import Link, chapter_id
 from site_builder.diagnostics import unknown
-from site_builder.markdown.headings import name_headings
+from site_builder.markdown.headings import list_headings
 from site_builder.markdown.reading import Reading
 from site_builder.markdown.role import Role
 from site_builder.markdown.roles import ROLES
 from site_builder.markdown.text.code import UnknownLanguageError, code_html
 from site_builder.markdown.text.formula_breaks import displayed_parts, glue_formulae
 from site_builder.markdown.text.math import UnsupportedTexError, to_mathml
-from site_builder.markdown.text.tokens import located
+from site_builder.markdown.text.tokens import located, plain_text
 
 ROLE_NAMES = tuple(role.name for role in ROLES)
 MISPLACED_OPTION = re.compile(r":[a-z_][\w-]*:[ \t]+\S+")
@@ -24,7 +24,7 @@ def annotate(tokens: Sequence[Token], reading: Reading) -> None:
     """Give formulae, code, links and headings what rendering needs; report what is illegal."""
     for token, line in located(tokens):
         match token.type:
-            case "math_inline" | "math_block":
+            case "math_inline" | "math_block" | "math_block_label":
                 _set_formula(token, line, reading)
             case "fence":
                 _set_code(token, line, reading)
@@ -48,7 +48,7 @@ def annotate(tokens: Sequence[Token], reading: Reading) -> None:
                 )
             case "html_inline" | "html_block":
                 _drop_html(token, line, reading)
-    name_headings(tokens, reading)
+    list_headings(tokens, reading)
     glue_formulae(tokens)
 
 
@@ -66,7 +66,7 @@ def inline_html(markdown: str, line: int, reading: Reading) -> str:
 
 def _set_formula(token: Token, line: int, reading: Reading) -> None:
     try:
-        token.meta["mathml"] = _mathml(token.content.strip(), display=token.type == "math_block")
+        token.meta["mathml"] = _mathml(token.content.strip(), display=token.type != "math_inline")
     except UnsupportedTexError as error:
         reading.problem(line, str(error))
 
@@ -85,6 +85,10 @@ def _set_code(token: Token, line: int, reading: Reading) -> None:
 
 def _set_words(token: Token, line: int, reading: Reading) -> None:
     role: Role = token.meta["role"]
+    if role.inline is not None:
+        token.children = list(role.inline(token.content, line, reading))
+        token.content = plain_text(token)
+        return
     if role.text is None:
         return
     try:
@@ -95,8 +99,13 @@ def _set_words(token: Token, line: int, reading: Reading) -> None:
 
 def _set_link(token: Token, line: int, reading: Reading) -> None:
     role: Role = token.meta["role"]
-    if role.link is not None:
-        token.attrs.update(role.link(token.meta["given"], line, reading))
+    if role.link is None:
+        return
+    linked = role.link(token.meta["words"], token.meta["given"], line, reading)
+    token.attrs.update(linked.attributes)
+    for inner in token.meta["inside"]:
+        if linked.fill and inner.type == "text":
+            inner.content = linked.fill(inner.content)
 
 
 def _gather_link(token: Token, line: int, reading: Reading) -> None:

@@ -42,7 +42,12 @@ STANDARD = ("table", "smartquotes")
 PLUGINS: tuple[Callable[[MarkdownIt], None], ...] = (
     front_matter_plugin,
     footnote_plugin,
-    partial(dollarmath_plugin, allow_labels=False, allow_space=False, allow_digits=False),
+    partial(
+        dollarmath_plugin,
+        allow_space=False,
+        allow_digits=False,
+        label_normalizer=str,  # as written; what is no label is reported
+    ),
 )
 
 RULES = (
@@ -68,10 +73,12 @@ RULES = (
 HTML: Mapping[str, Callable[[Token], str]] = {
     "math_inline": rendering.formula,
     "math_block": rendering.equation,
+    "math_block_label": rendering.equation,
+    "heading_open": rendering.heading_open,
+    "heading_close": rendering.heading_close,
     "fence": rendering.code,
     "table_open": rendering.table_open,
     "table_close": rendering.table_close,
-    "role": rendering.words,
 }
 """Kinds of token that we render, each by itself."""
 
@@ -88,6 +95,7 @@ def make_parser() -> MarkdownIt:
     parser.inline.add_terminator_char("{")  # where a run of text stops, since a role may begin
     for kind, html in HTML.items():
         parser.add_render_rule(kind, _render_rule(html))
+    parser.add_render_rule("role", rendering.words)
     return parser
 
 

@@ -9,12 +9,15 @@ from markdown_it import MarkdownIt
 from markdown_it.token import Token
 
 from simulations.engine.scene import Scene
-from site_builder.book import Heading, Link
+from site_builder.bibliography import EMPTY, Bibliography
+from site_builder.book import Citation, Heading, Link, Position, Target
 from site_builder.diagnostics import Diagnostics
+from site_builder.markdown.targets import Targets
 from site_builder.measured.measurements import Measurements
 from site_builder.measured.readouts import Readouts
 
-PAGE_IDS = ("main", "contents", "progress-title")
+FIRST = Position(0, "0")
+PAGE_IDS = ("main", "contents", "progress-title", "keys-title")
 """Element ids of the frame around every chapter."""
 
 
@@ -48,6 +51,12 @@ class Reading:
     parser: MarkdownIt
     measurements: Measurements = field(default_factory=Measurements)
     """Where numbers about speed and accuracy come from."""
+    chapter: str = ""
+    """Id of the chapter; nothing where it is none."""
+    position: Position = FIRST
+    targets: Targets = field(default_factory=Targets)
+    """What references may lead to: none before all chapters are parsed."""
+    bibliography: Bibliography = EMPTY
     env: dict[str, Any] = field(default_factory=dict)
     """What the parser keeps between parsing and rendering: link references, footnotes."""
     headings: list[Heading] = field(default_factory=list)
@@ -56,6 +65,11 @@ class Reading:
     """Element ids taken in the page, with their lines; 0 where the page itself took them."""
     figures: list[Place] = field(default_factory=list)
     """All of the page, in order: known before a word is looked at, since words speak of them."""
+    placed: dict[int, Target] = field(default_factory=dict)
+    """What is numbered of the page's directives, by the line that opens them."""
+    introduced: set[str] = field(default_factory=set)
+    """Chapters whose titles the page has told."""
+    citations: list[Citation] = field(default_factory=list)
     readouts: Readouts = field(init=False)
     """Where numbers that figures show come from."""
 

@@ -1,16 +1,26 @@
 """What a role is, ``{name}`words``` in running text, and the inline rule that finds its uses."""
 
 import re
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 
 from markdown_it.rules_inline import StateInline
+from markdown_it.token import Token
 
 from site_builder.markdown.reading import Reading
 
 USE = re.compile(r"\{([\w-]+)\}`([^`\n]+)`")
 MEANT = re.compile(r"(.*?)\s*(?:<([^<>]*)>)?")
 """Words of a link, and what stands behind them in ``<…>``."""
+
+
+@dataclass(frozen=True, slots=True)
+class Linked:
+    """What becomes of a role that is a link."""
+
+    attributes: Mapping[str, str]
+    fill: Callable[[str], str] | None = None
+    """What each run of its words becomes; without it they stay."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -24,9 +34,11 @@ class Role:
     """What becomes of it, for the same guide."""
     text: Callable[[str, Reading], str] | None = None
     """What the page says instead of the words; without it the words stay, in the role's colour."""
-    link: Callable[[str, int, Reading], Mapping[str, str]] | None = None
-    """Attributes of the link that the words become. It gets what stands in ``<…>`` at their end,
-    with its line, and reports what is wrong there."""
+    link: Callable[[str, str | None, int, Reading], Linked] | None = None
+    """The link that the words become. It gets them, what stands in ``<…>`` at their end, and its
+    line; and reports what is wrong there."""
+    inline: Callable[[str, int, Reading], Sequence[Token]] | None = None
+    """What stands instead of the words, several links for example; reports what is wrong."""
     refuses: type[Exception] = LookupError
     """What ``text`` raises where the words ask for nothing that there is."""
 
@@ -41,7 +53,7 @@ def role_rule(roles: Mapping[str, Role], state: StateInline, silent: bool) -> bo
     if not silent:
         name, words = match.groups()
         role = roles.get(name)
-        if role and role.text:
+        if role and (role.text or role.inline):
             token = state.push("role", "", 0)
             token.content = words
             token.meta = {"role": role}
@@ -61,8 +73,10 @@ def _push_link(role: Role, match: re.Match[str], state: StateInline) -> None:
     """``role_open`` and ``role_close`` around the words, which may hold formulae and emphasis."""
     meant = MEANT.fullmatch(match[2])
     assert meant  # any words fit
+    words, given = meant.groups()
     token = state.push("role_open", "a", 1)
+    inside = state.md.inline.parse(words, state.md, state.env, [])
     token.info = role.name
-    token.meta = {"role": role, "given": meant[2] or ""}
-    state.tokens.extend(state.md.inline.parse(meant[1], state.md, state.env, []))
+    token.meta = {"role": role, "words": words, "given": given, "inside": inside}
+    state.tokens.extend(inside)
     state.push("role_close", "a", -1)

@@ -26,11 +26,15 @@ class Licence:
 
 
 def gather_licences(
-    root: Path, versions: Versions, editor: Sequence[Package] = ()
+    root: Path,
+    versions: Versions,
+    editor: Sequence[Package] = (),
+    search: Sequence[Package] = (),
 ) -> tuple[Licence, ...]:
     """Licences of the book and of what it ships.
 
-    The versions are the browser runtime's; ``editor`` are the packages in the code editor.
+    The versions are the browser runtime's; ``editor`` are the packages in the code editor,
+    ``search`` those that search the pages.
     """
     book = Licence(
         "Image Formation",
@@ -40,7 +44,13 @@ def gather_licences(
         "",
         _text_of(root / "LICENSE"),
     )
-    return (book, *_of_the_runtime(versions), *_of_the_editor(editor), *_of_the_fonts())
+    return (
+        book,
+        *_of_the_runtime(versions),
+        *_of_the_editor(editor),
+        *_of_the_search(search),
+        *_of_the_fonts(),
+    )
 
 
 def _of_the_runtime(versions: Versions) -> tuple[Licence, ...]:
@@ -89,6 +99,24 @@ def _of_the_editor(packages: Sequence[Package]) -> tuple[Licence, ...]:
             "https://codemirror.net/",
             "\n\n\n".join(f"{', '.join(names)}\n\n{text}" for text, names in texts.items()),
         ),
+    )
+
+
+def _of_the_search(packages: Sequence[Package]) -> tuple[Licence, ...]:
+    uses = {
+        "minisearch": ("MiniSearch", "Finds sections by their words.", "lucaong/minisearch"),
+        "stemmer": ("stemmer", "Takes words back to their stems.", "words/stemmer"),
+    }
+    return tuple(
+        Licence(
+            uses[package.name][0],
+            package.version,
+            package.license,
+            f"{uses[package.name][1]} Unmodified.",
+            f"https://github.com/{uses[package.name][2]}",
+            package.text,
+        )
+        for package in packages
     )
 
 

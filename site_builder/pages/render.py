@@ -16,8 +16,10 @@ from site_builder.pages.licences import Licence
 from site_builder.pages.predict_view import predict_data, view_sketch
 from site_builder.pages.progress_view import progress_data
 from site_builder.pages.quiz_view import in_any_order, quiz_data
+from site_builder.pages.references_view import cited_works
 from site_builder.pages.simulation_view import SimulationView, view_simulation
 from site_builder.pages.stills import Stills
+from site_builder.search.page_text import reading_minutes
 
 TEMPLATES = Path(__file__).parents[1] / "templates"
 FILTERS: Mapping[str, Callable[..., object]] = {
@@ -28,6 +30,7 @@ FILTERS: Mapping[str, Callable[..., object]] = {
     "progress_data": progress_data,
     "view_ladder": view_ladder,
     "summary_row": summary_row,
+    "reading_minutes": reading_minutes,
 }
 """What templates ask for where they show more than lies ready in the page model."""
 
@@ -46,6 +49,8 @@ class Site:
     """Folder of the browser's Python, relative to the site's root; nothing without a runtime."""
     code_editor: bool = False
     """Whether readers can rewrite the Python of a figure, or only read it."""
+    search: bool = False
+    """Whether there is an index to search."""
     reload: bool = False
     """Whether pages reload themselves when the site has been built anew."""
 
@@ -59,6 +64,11 @@ def render_pages(site: Site, licences: tuple[Licence, ...]) -> dict[str, bytes]:
         "404.html": _page(site, "not-found.html", "./"),
         "licences/index.html": _page(site, "licences.html", "../", licences=licences),
     }
+    if site.book.bibliography.works:
+        works = cited_works(site.book)
+        pages["references/index.html"] = _page(
+            site, "references.html", "../", here="references", works=works
+        )
     chapters = site.book.chapters
     for index, chapter in enumerate(chapters):
         pages[f"{chapter.url}index.html"] = _page(
@@ -67,6 +77,7 @@ def render_pages(site: Site, licences: tuple[Licence, ...]) -> dict[str, bytes]:
             "../",
             chapter=chapter,
             sections=nest_headings(chapter.headings),
+            place=index + 1,
             previous=chapters[index - 1] if index else None,
             following=chapters[index + 1] if index + 1 < len(chapters) else None,
         )
@@ -101,7 +112,9 @@ def _page(site: Site, template: str, root: str, **context: object) -> str:
 
     def block_html(block: Block) -> Markup:
         template = environment.get_template(f"blocks/{block.template}.html")
-        return Markup(template.render(shared, block=block.content, inside=block.inside))
+        return Markup(
+            template.render(shared, block=block.content, inside=block.inside, target=block.target)
+        )
 
     shared = {
         "root": root,
@@ -117,7 +130,7 @@ def _page(site: Site, template: str, root: str, **context: object) -> str:
         site=site,
         book=site.book,
         runtime=f"{root}{site.runtime}" if site.runtime else "",
-        **{"chapter": None, **context},
+        **{"chapter": None, "here": "", "sections": (), **context},
     )
 
 
@@ -144,7 +157,7 @@ def _cover(site: Site) -> Block | None:
 
 def _counts(book: Book) -> dict[str, int]:
     return {
-        "chapters": len(book.chapters),
+        "chapters": sum(not chapter.is_appendix for chapter in book.chapters),
         "simulations": len(book.scenes),
         "questions": sum(len(chapter.quizzes) for chapter in book.chapters),
     }

@@ -1,8 +1,10 @@
 """A folder of files addressed by their content: ``<sha256>/<name>`` in the user's cache."""
 
 import hashlib
+import json
 import os
 import tempfile
+from collections.abc import Callable, Mapping
 from pathlib import Path
 
 from platformdirs import user_cache_path
@@ -46,3 +48,28 @@ def put(store: Path, name: str, content: bytes) -> Path:
     finally:
         Path(temporary).unlink(missing_ok=True)
     return target
+
+
+def made_once(
+    store: Path, recipe: str, make: Callable[[], Mapping[str, bytes]]
+) -> Mapping[str, Path]:
+    """The files that ``make`` gives, by name; made only where none of that recipe, or no intact
+    ones, are stored."""
+    record = store / f"{recipe}.json"
+    if not (kept := _recorded(store, record)):
+        kept = {name: put(store, name, content) for name, content in make().items()}
+        hashes = {name: path.parent.name for name, path in kept.items()}
+        record.write_text(json.dumps(hashes), encoding="utf-8")
+    return kept
+
+
+def _recorded(store: Path, record: Path) -> Mapping[str, Path]:
+    """The stored files that a record names, where all are intact; else nothing."""
+    try:
+        hashes: dict[str, str] = json.loads(record.read_text(encoding="utf-8"))
+    except (OSError, ValueError):
+        return {}
+    files = [RuntimeFile(name, hash_) for name, hash_ in hashes.items()]
+    if not all(is_intact(store, file) for file in files):
+        return {}
+    return {file.name: location(store, file) for file in files}

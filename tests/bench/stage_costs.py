@@ -1,4 +1,5 @@
-"""What one moved control costs of a whole frame: ``PYTHONPATH=tests python -m bench.stage_costs``.
+"""What one moved control costs of a whole frame: ``PYTHONPATH=tests python -m bench.stage_costs``,
+or of single controls, ``… camera.back``.
 
 The frame after the move, and the same frame with nothing at hand, take turns, so that a busy
 moment of the machine falls on both; of each, the fastest counts, in time of the processor. What is
@@ -6,7 +7,9 @@ found goes into ``content/stage-costs.json``, from which the book's table is mad
 """
 
 import json
+import sys
 import time
+from collections.abc import Collection
 from pathlib import Path
 from typing import Any
 
@@ -29,6 +32,7 @@ MOVES: dict[str, dict[str, Value]] = {
         "light_angle": 41.0,
         "focus": 3.3,
         "focal_length": 51.0,
+        "back": 0.1,
     }
 }
 """One step of each slider, from the cheapest to the costliest."""
@@ -58,18 +62,26 @@ def measure_move(
     }
 
 
-def measure(scene_id: str) -> dict[str, object]:
+def measure(scene_id: str, known: dict[str, Any], wanted: Collection[str]) -> dict[str, object]:
+    """All moves of a scene; where single ones are wanted, the others as they are known."""
     scene, start = load_scene(scene_id), START[scene_id]
     time_frame(scene, start, StageCache())  # whatever is prepared once only
     moves = {}
     for control, value in MOVES[scene_id].items():
+        if wanted and f"{scene_id}.{control}" not in wanted:
+            moves[control] = known[control]
+            continue
         moves[control] = {"to": value, **measure_move(scene, start, {control: value})}
         print(f"{scene_id}: {control} {moves[control]}")
     return {"start": start, "moves": moves}
 
 
 def main() -> None:
-    found = {scene_id: measure(scene_id) for scene_id in MOVES}
+    known = json.loads(DATA.read_text(encoding="utf-8"))
+    found = {
+        scene_id: measure(scene_id, known.get(scene_id, {}).get("moves", {}), sys.argv[1:])
+        for scene_id in MOVES
+    }
     DATA.write_text(json.dumps(found, indent=1) + "\n", encoding="utf-8")
 
 

@@ -15,6 +15,7 @@ from simulations.engine.stages import Outputs, Stage
 from simulations.registry import UnknownIdError
 from site_builder.build import Options
 
+RANKING = Path(__file__).parents[2] / "static" / "js" / "search" / "ranking.js"
 FRONT_MATTER = "---\ntitle: First\nsummary: The first chapter.\n---\n"
 OUTLINE = """\
 title = "Small Book"
@@ -103,6 +104,7 @@ def make_book(tmp_path: Path) -> MakeBook:
             "simulations/models/thing.py": THING,
             "static/css/book.css": "body {}\n",
             "static/js/main.js": "export {};\n",
+            "static/js/search/ranking.js": RANKING.read_text(encoding="utf-8"),
             "static/images/favicon.svg": "<svg/>\n",
             "content/images/plan.svg": "<svg/>\n",
             **(files or {}),
@@ -111,7 +113,7 @@ def make_book(tmp_path: Path) -> MakeBook:
             if content is not None:
                 (tmp_path / path).parent.mkdir(parents=True, exist_ok=True)
                 (tmp_path / path).write_text(content, encoding="utf-8")
-        return Options(tmp_path, runtime=False, load_scene=load_demo)
+        return Options(tmp_path, runtime=False, search=False, load_scene=load_demo)
 
     return make
 

@@ -62,15 +62,28 @@ def test_a_chapter_in_the_outline_without_a_file_is_reported_at_its_line(mistake
 
 def test_a_chapter_file_outside_the_outline_is_reported(mistakes: Find) -> None:
     found = mistakes(files={"content/02-third.md": "x"})
-    assert found == ["content/02-third.md:1: not in content/book.toml; legal: listed in 'chapters'"]
+    assert found == [
+        "content/02-third.md:1: not in content/book.toml; "
+        "legal: listed in 'chapters' or 'appendices'"
+    ]
 
 
-def test_a_chapter_whose_number_is_not_its_place_is_reported(mistakes: Find) -> None:
-    outline = (
-        'title = "T"\nsubtitle = "S"\nprerequisites = "P"\nchapters = ["01-second", "00-first"]\n'
-    )
-    found = mistakes(files={"content/book.toml": outline})
-    assert any("'01-second' stands at place 0; legal: '00-slug'" in line for line in found)
+def test_a_file_name_that_makes_no_address_is_reported(mistakes: Find) -> None:
+    outline = OUTLINE.replace('"01-second"', '"01-Second one"')
+    text = "---\ntitle: S\nsummary: s\n---\n"
+    files = {
+        "content/book.toml": outline,
+        "content/01-Second one.md": text,
+        "content/01-second.md": None,
+    }
+    found = mistakes(files=files)
+    assert found == ["content/book.toml:8: chapter '01-Second one'; legal: 'NN-slug'"]
+
+
+def test_a_chapter_listed_twice_is_reported(mistakes: Find) -> None:
+    outline = OUTLINE.replace("]\n", ']\nappendices = ["00-first"]\n')
+    (found,) = mistakes(files={"content/book.toml": outline})
+    assert "chapter '00-first' has the address first/, as chapter '00-first' has" in found
 
 
 @pytest.mark.parametrize(
@@ -178,7 +191,7 @@ def test_front_matter_that_is_no_mapping_is_reported(mistakes: Find) -> None:
 def test_a_book_without_an_outline_is_told_what_one_holds(mistakes: Find) -> None:
     assert mistakes(files={"content/book.toml": None}) == [
         "content/book.toml:1: no outline; legal: a file with "
-        "title, subtitle, prerequisites, chapters, hero, hero_caption"
+        "title, subtitle, prerequisites, chapters, appendices, hero, hero_caption"
     ]
 
 

@@ -1,14 +1,21 @@
 """Chapter 3: perspective projection."""
 
-from math import atan, cos, degrees, isclose, radians, sqrt
+from math import acos, atan, cos, degrees, isclose, pi, radians, sqrt, tan
 
 import numpy as np
 from support.worked_numbers import Says
 
 from simulations.models.lens.thin_lens import principal_distance_mm
 from simulations.models.projection.affine_cameras import project_affine, scaled_orthographic_camera
-from simulations.models.projection.pinhole import field_of_view_rad, intrinsics, look_at, project
-from simulations.models.projection.vanishing import vanishing_point
+from simulations.models.projection.level_ground import height_by_horizon, pose_above_ground
+from simulations.models.projection.pinhole import (
+    field_of_view_rad,
+    intrinsics,
+    look_at,
+    project,
+    world_to_camera,
+)
+from simulations.models.projection.vanishing import angle_between, vanishing_point
 
 CHAPTER = "03-perspective-projection"
 
@@ -127,6 +134,52 @@ def focal_against_depth() -> Says:
     yield rf"only $8 \cdot 1/5 = {image_px(1, 5, 8):g}$ px"
 
 
+def a_right_angle_in_a_photograph() -> Says:
+    K = intrinsics(320, (200, 150))
+    pose = pose_above_ground(1.6, radians(30), 0)
+    (rows, across), _ = vanishing_point(np.array([(0, 1, 0), (1, 0, 0)]) @ pose[:3, :3].T, K)
+    yield rf"at $x = 200 - 320\tan 30^\circ = {rows[0]:.2f}$ px"
+    yield rf"at $200 + 320\tan 60^\circ = {across[0]:.2f}$ px"
+    slopes = [(round(x, 2) - 200) / 320 for x in (rows[0], across[0])]
+    yield f"$({rows[0]:.2f} - 200)/320 = {slopes[0]:.3f}$"
+    yield f"$({across[0]:.2f} - 200)/320 = {slopes[1]:.3f}$"
+    assert isclose(slopes[0] * slopes[1], -1, abs_tol=1e-3)
+    assert isclose(angle_between([*rows, 1], [*across, 1], K), radians(90))
+    yield rf"$f^2 = {200 - rows[0]:.2f} \cdot {across[0] - 200:.2f} = 320^2$"
+
+
+def how_tall_the_box_is() -> Says:
+    K, level = intrinsics(320, (200, 150)), pose_above_ground(1.6, 0, 0)
+    (_, foot), (_, top) = project(world_to_camera([(0, 4, 0), (0, 4, 1)], level), K)[0]
+    yield f"$150 + 320 \\cdot 1.6/4 = {foot:.0f}$ and its top in row {top:.0f}"
+    yield f"it is {foot - top:.0f} px to the top and {foot - 150:.0f} px to the horizon"
+    ratio, _ = height_by_horizon((200, foot), (200, top), (0, 1, -150), (0, 1, 0))
+    yield f"${foot - top:.0f}/{foot - 150:.0f} = {ratio:g}$ as tall as the camera is high"
+    yield f"that is {1.6 * ratio:.1f} m"
+    yield rf"$f\tan 12^\circ = {320 * tan(radians(12)):.0f}$ px above the principal point"
+
+
+def the_cross_ratio_of_an_upright() -> Says:
+    """As the formula has it, along the image of an upright that is seen from above."""
+    yield r"\frac{h}{H} = \frac{(t - b)\,(v - c)}{(c - b)\,(v - t)}"
+    K, pose = intrinsics(320, (200, 150)), pose_above_ground(1.6, 0, radians(40))
+    b, t, c = project(world_to_camera([(1, 4, z) for z in (0, 1, 1.6)], pose), K)[0][:, 1]
+    v = vanishing_point(pose[:3, 2], K)[0][1]
+    assert isclose((t - b) * (v - c) / ((c - b) * (v - t)), 1 / 1.6)
+
+
+def the_edge_of_the_sea() -> Says:
+    low, high = (degrees(sqrt(2 * height / 6371e3)) for height in (1.6, 10e3))
+    yield rf"that is ${low:.2f}^\circ$; from an aeroplane at 10 km it is ${high:.1f}^\circ$"
+    assert isclose(radians(high), acos(6371 / 6381), rel_tol=1e-3)
+
+
+def focal_length_from_a_floor() -> Says:
+    f = sqrt((200 - 50) * (800 - 200))
+    assert isclose(angle_between((50, 150, 1), (800, 150, 1), intrinsics(f, (200, 150))), pi / 2)
+    yield "- [x] `sqrt(150 * 600)`"
+
+
 WORKED = (
     a_thumb_s_distance,
     five_metres_away,
@@ -141,4 +194,9 @@ WORKED = (
     how_tall_the_tree_is,
     a_ball_near_the_border,
     focal_against_depth,
+    a_right_angle_in_a_photograph,
+    how_tall_the_box_is,
+    the_cross_ratio_of_an_upright,
+    the_edge_of_the_sea,
+    focal_length_from_a_floor,
 )

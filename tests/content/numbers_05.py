@@ -1,14 +1,18 @@
 """Chapter 5: light on surfaces."""
 
-from math import acos, cos, degrees, pi, radians, sin
+from math import acos, cos, degrees, pi, radians, sin, sqrt
 
 import numpy as np
 from support.worked_numbers import Says
 
 from simulations.engine.stages import StageCache
 from simulations.models.color.srgb import encode_srgb
+from simulations.models.light.brdf import Material, reflected, schlick, sent_back
+from simulations.models.light.interreflection import edge_factor
 from simulations.models.light.reflectance import attenuation, blinn_phong, lambert, phong
 from simulations.scenes.reflection.phong import SCENE
+from simulations.scenes.second_bounce.scene import SCENE as BOUNCE
+from simulations.scenes.second_bounce.shown import shown_at
 
 CHAPTER = "05-lighting-and-reflectance"
 FRONT = np.array((0.0, 0, 1))
@@ -120,7 +124,82 @@ def a_cosine_just_above_one() -> Says:
     yield f"a shininess of a million makes it {above**1e6:.2f}"
 
 
+def fresnel(cosine: float, index: float) -> float:
+    """Unpolarised reflectance of a smooth dielectric, by Fresnel's own formulae."""
+    inside = sqrt(1 - (1 - cosine**2) / index**2)
+    across = ((cosine - index * inside) / (cosine + index * inside)) ** 2
+    along = ((index * cosine - inside) / (index * cosine + inside)) ** 2
+    return (across + along) / 2
+
+
+def a_pane_at_a_slant() -> Says:
+    head_on = fresnel(1.0, 1.5)
+    yield rf"\right)^2 = {head_on:.2f}$ of the light"
+    at_60, at_80 = (float(schlick(np.array(cos(radians(a))), head_on)) for a in (60, 80))
+    yield rf"$0.04 + 0.96 \cdot 0.5^5 = {at_60:.2f}$"
+    yield rf"$0.04 + 0.96 \cdot {1 - cos(radians(80)):.3f}^5 = {at_80:.2f}$"
+    yield f"Fresnel's own formulae ${fresnel(cos(radians(80)), 1.5):.2f}$"
+
+
+def water_at_a_slant() -> Says:
+    off = 1 - cos(radians(75))
+    shown = float(schlick(np.array(cos(radians(75))), 0.02))
+    yield f"= {off:.3f}$, to the fifth {off**5:.3f}, and"
+    yield rf"$0.02 + 0.98 \cdot {off**5:.3f} = {shown:.2f}$"
+    assert np.isclose(fresnel(cos(radians(75)), 1.33), shown, atol=0.035)
+
+
+def a_lobe_of_unit_reflectance() -> Says:
+    """The factor of the normalised model, for any exponent."""
+    for roughness in (0.2, 0.6, 1.0):
+        returned = float(sent_back("normalised", Material(0.0, 0.5, roughness), 1.0))
+        assert np.isclose(returned, 0.5, atol=1e-3)
+    yield "the lobe sends back the share $k_s$ of light that falls head-on, however narrow it is"
+    yield r"Put the factor $(\alpha + 2)/2$ in its place"
+
+
+def the_peak_of_plastic_lies_beyond_the_mirror() -> Says:
+    around = np.radians(np.arange(0.0, 90.0, 0.1))
+    light = radians(80)
+    seen = reflected(
+        "microfacets",
+        Material(0.5, 0.04, 0.25),
+        np.array(cos(light)),
+        np.cos(around),
+        np.cos(light + around),
+    )
+    assert degrees(around[seen.argmax()]) > 82
+    yield "but *beyond* it, nearer to the horizon"
+
+
+def the_corner_of_a_room() -> Says:
+    right = radians(90)
+    room = edge_factor(0.8, right)
+    yield rf"$1/(1 - 0.4) = {room:.2f}$"
+    shares = [(0.8 / 2) ** bounce for bounce in (1, 2, 3)]
+    first, second, third = (100 * share for share in shares)
+    yield f"brings {first:.0f} %, the second {second:.0f} %, the third {third:.1f} %"
+    assert np.isclose(sum((0.8 / 2) ** k for k in range(60)), room)
+    yield f"it would be {edge_factor(0.05, right):.2f}, and you would not see it"
+    narrow = radians(40)
+    yield f"$F = {(1 + cos(narrow)) / 2:.2f}$, it is {edge_factor(0.9, narrow):.1f}"
+    yield rf"$1/(1 - 0.9 \cdot 0.75) = {edge_factor(0.9, radians(60)):.2f}$"
+
+
+def near_the_edge_of_two_white_planes() -> Says:
+    given = {"light_angle": 45, "wall": "white", "place": 0.01}
+    planes = BOUNCE.run(BOUNCE.check(given), "", StageCache()).outputs["planes"]
+    shown = shown_at(planes, 0.01)
+    yield f"a factor of {shown.red / shown.lamp:.2f}, close to the {edge_factor(0.8, pi / 2):.2f}"
+
+
 WORKED = (
+    the_corner_of_a_room,
+    near_the_edge_of_two_white_planes,
+    a_pane_at_a_slant,
+    water_at_a_slant,
+    a_lobe_of_unit_reflectance,
+    the_peak_of_plastic_lies_beyond_the_mirror,
     a_cosine_just_above_one,
     light_that_falls_off,
     what_a_surface_returns,

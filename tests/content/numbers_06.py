@@ -18,6 +18,8 @@ from simulations.models.arrays import Floats
 from simulations.models.color.chromatic_adaptation import adapt
 from simulations.models.color.chromaticity import ILLUMINANT_A_XY, lab_distance, white_xyz
 from simulations.models.color.cie import D65_XY, rgb_to_xyz_matrix, xyz_to_lab, xyz_to_linear_rgb
+from simulations.models.color.illuminants import planck
+from simulations.models.color.spectra import WAVELENGTHS_NM
 from simulations.models.color.srgb import encode_srgb
 from simulations.models.color.white_balance import white_balance
 from simulations.models.compression.blocks import round_outwards
@@ -348,7 +350,32 @@ def gains_for_a_grey_card() -> Says:
     yield f"$0.40/0.30 = {0.4 / 0.3:.2f}$ and $0.40/0.60 = {0.4 / 0.6:.2f}$"
 
 
+def paint_at_three_wavelengths() -> Says:
+    lamp = np.interp([450, 550, 650], WAVELENGTHS_NM, planck(2850.0))
+    lamp /= lamp[1]
+    yield f"$0.35 : 1 : {lamp[2]:.2f}$"
+    assert np.isclose(lamp[0], 0.35, atol=0.005)
+    paint = np.array([0.05, 0.70, 0.78])
+    yield "0.02, {1:.2f} and {2:.2f} leave it".format(*(lamp * paint))
+    even = []
+    for cell in ([0.05, 0.04, 0.34], [0.20, 0.89, 0.03]):
+        first, second, third = lamp * paint * cell
+        total = first + second + third
+        yield f"${first:.3f} + {second:.3f} + {third:.3f} = {total:.2f}$"
+        even.append((float(paint @ cell), total))
+    (red, by_lamp), (green, _) = even
+    yield f"green would be {green:.2f} and red {red:.2f}"
+    assert np.isclose(by_lamp / red, 5 / 3, atol=0.05)
+
+
+def the_matrix_of_srgb() -> Says:
+    for row in np.linalg.inv(rgb_to_xyz_matrix()):
+        yield " & ".join(f"{entry:.3f}" for entry in row)
+
+
 WORKED = (
+    paint_at_three_wavelengths,
+    the_matrix_of_srgb,
     stripes_finer_than_a_cell,
     where_sunlight_is_strongest,
     threads_of_red_and_cyan,

@@ -66,7 +66,7 @@ def the_same_place_in_the_simulator() -> Says:
     rays = bend_rays(sensor_rays(50.0, 3.2), LENS.k1).directions
     row = (rays[ROWS // 2 - 1] + rays[ROWS // 2]) / 2
     assert isclose(float(interp(column, arange(COLUMNS), row[:, 0])), ASIDE, rel_tol=1e-4)
-    yield "This is the [principal distance]"
+    yield "This is the principal distance"
 
 
 def what_the_pixel_counts() -> Says:

@@ -6,6 +6,12 @@ import numpy as np
 from support.worked_numbers import Says, source
 
 from simulations.models.projection.pinhole import intrinsics, project
+from simulations.models.projection.two_views import (
+    depth_error,
+    depth_from_disparity,
+    epipolar_lines,
+    fundamental_matrix,
+)
 from simulations.scenes.formation_pipeline.stations import stations, travel
 
 CHAPTER = "09-connections"
@@ -42,9 +48,33 @@ def how_well_depth_is_seen() -> Says:
     assert 27 < (far - 20) / (near - 4) < 30, "nearly thirty times the error"
 
 
-def disparities_of_the_figure() -> Says:
-    yield r"These are $160 \cdot 1/4$ and $160 \cdot 1/2$"
-    assert (disparity_px(4, 160, 1), disparity_px(2, 160, 1)) == (40, 80)
+def the_square_of_the_depth() -> Says:
+    yield rf"costs $64/80 \cdot 0.5 = {depth_error(8, 160, 0.5, 0.5):g}$ m"
+    yield f"at 20 m the formula says {depth_error(20, 800, 0.1, 0.5):.1f} m, and the example found"
+    yield rf"$Z = fb/d = 160 \cdot 0.5/16 = {depth_from_disparity(16, 160, 0.5)[0]:g}$ m"
+    yield "a sixteenth of the doubt for a fourth of the depth"
+
+
+def a_line_from_its_two_ends() -> Says:
+    cos, sin = np.cos(np.radians(20)), np.sin(np.radians(20))
+    K, R = intrinsics(160, (0, 0)), np.array([[cos, 0, sin], [0, 1, 0], [-sin, 0, cos]])
+    direction = np.linalg.solve(K, (30, -40, 1))
+    yield rf"$\mathbf{{d}} = ({', '.join(f'{entry:g}' for entry in direction)})$"
+    turned = R @ direction
+    yield r"\begin{bmatrix} " + r" \\ ".join(f"{entry:.3g}" for entry in turned) + r" \end{bmatrix}"
+    end, _ = project(turned, K)
+    yield f"$({end[0]:.1f}, {end[1]:.1f})$"
+    epipole = -160 / np.tan(np.radians(20))
+    yield rf"$x = -160/\tan 20^\circ = {epipole:.1f}$ px"
+    yield f"it rises by {-end[1]:.1f} px on the {round(end[0], 1) - round(epipole, 1):.1f} px"
+    F = fundamental_matrix(K, K, R, R @ (-0.5, 0, 0))
+    line, _ = epipolar_lines(F, (30, -40))
+    assert np.allclose([line @ (*end, 1), line @ (epipole, 0, 1)], 0, atol=1e-9)
+
+
+def a_baseline_for_a_metre() -> Says:
+    baseline = depth_error(20, 160, 1, 0.5)  # for which the error is in metres what it is here
+    yield rf"$b = Z^2\Delta d/(f\,\Delta Z) = 400 \cdot 0.5/160 = {baseline:g}$ m"
 
 
 def disparity_and_depth() -> Says:
@@ -89,7 +119,9 @@ WORKED = (
     a_finger_and_two_eyes,
     counting_equations,
     how_well_depth_is_seen,
-    disparities_of_the_figure,
+    the_square_of_the_depth,
+    a_line_from_its_two_ends,
+    a_baseline_for_a_metre,
     disparity_and_depth,
     averaging_frames,
     the_links_of_the_first_chapter,

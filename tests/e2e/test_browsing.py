@@ -8,16 +8,16 @@ from support.reader import Reader
 pytestmark = pytest.mark.browser
 
 
-def test_turning_the_page_keeps_the_interpreter(reader: Reader, book: Any) -> None:
+def test_turning_the_page_keeps_the_interpreter(visitor: Reader, book: Any) -> None:
     with_figures = [c for c in book["chapters"] if c["simulations"]][:2]
     first, second = with_figures
-    reader.open(first["url"])
-    worker = reader.page.workers[0]
-    reader.turn_to(second["url"])
-    assert reader.page.workers == [worker]
-    assert reader.page.locator("h1").inner_text().strip() == second["title"]
-    assert second["title"] in reader.page.title()
-    current = reader.page.locator('#contents a[aria-current="page"]')
+    visitor.turn_to(first["url"])
+    (worker,) = visitor.page.workers
+    visitor.turn_to(second["url"])
+    assert visitor.page.workers == [worker]
+    assert visitor.page.locator("h1").inner_text().strip() == second["title"]
+    assert second["title"] in visitor.page.title()
+    current = visitor.page.locator('#contents a[aria-current="page"]')
     assert second["title"] in (current.text_content() or "")
 
 
@@ -38,7 +38,7 @@ def test_back_returns_to_the_place_that_was_left(plain_reader: Reader, book: Any
 def test_a_link_to_a_heading_arrives_at_it(plain_reader: Reader, book: Any) -> None:
     chapter = book["chapters"][1]
     plain_reader.open(chapter["url"], live=False)
-    link = plain_reader.page.locator('.on-this-page a[href^="#"]').last
+    link = plain_reader.page.locator("#contents .sections a").last
     target = (link.get_attribute("href") or "").removeprefix("#")
     link.click()
     plain_reader.page.wait_for_function(IN_VIEW, arg=target, timeout=5000)
@@ -47,7 +47,7 @@ def test_a_link_to_a_heading_arrives_at_it(plain_reader: Reader, book: Any) -> N
 def test_a_mangled_address_does_no_harm(plain_reader: Reader, book: Any) -> None:
     chapter = book["chapters"][1]
     plain_reader.open(chapter["url"] + "#100%", live=False)
-    plain_reader.page.locator('.on-this-page a[href^="#"]').last.click()
+    plain_reader.page.locator("#contents .sections a").last.click()
     plain_reader.page.go_back()
     plain_reader.page.wait_for_function("location.hash === '#100%'")
     assert plain_reader.page.locator("h1").inner_text().strip() == chapter["title"]

@@ -5,29 +5,25 @@ from typing import Any
 
 import pytest
 from playwright.sync_api import Browser
-from support.reader import Reader
+from support.reader import PHONE, SILENT_WORKER, Reader, visit
 from support.static_server import StaticServer
 
 pytestmark = pytest.mark.browser
 
-SILENT_WORKER = """globalThis.Worker = class extends EventTarget {
-  postMessage() {}
-  terminate() {}
-};"""
-"""Python that never answers: figures keep their stills and their controls."""
+
+@pytest.fixture(scope="module")
+def telephone(chromium: Browser, site_server: StaticServer) -> Iterator[Reader]:
+    options = {"viewport": PHONE, "has_touch": True, "is_mobile": True}
+    with visit(chromium, site_server, SILENT_WORKER, **options) as someone:
+        yield someone
 
 
 @pytest.fixture
-def phone(chromium: Browser, server: StaticServer) -> Iterator[Reader]:
-    """A reader with a telephone, before Python has answered."""
-    context = chromium.new_context(
-        viewport={"width": 390, "height": 800}, has_touch=True, is_mobile=True
-    )
-    someone = Reader(context, server.url)
-    someone.page.add_init_script(SILENT_WORKER)
-    yield someone
-    context.close()
-    assert not someone.complaints, "\n".join(someone.complaints)
+def phone(telephone: Reader) -> Iterator[Reader]:
+    """A reader with a telephone, before Python has answered; each test loads its pages anew."""
+    telephone.begin_anew(PHONE)
+    yield telephone
+    telephone.assert_no_complaints()
 
 
 def pages(book: Any) -> list[str]:
@@ -77,6 +73,20 @@ def test_other_controls_wait_behind_a_line_on_a_phone(phone: Reader, book: Any) 
     assert folded.is_visible()
 
 
+def test_words_that_move_a_folded_control_unfold_it(phone: Reader, book: Any) -> None:
+    camera = next(c["url"] for c in book["chapters"] if "camera" in c["simulations"])
+    open_page(phone, camera)
+    folded = phone.figure("camera").locator("[name=noise_sigma]")
+    phone.page.locator("a.set[data-values='{\"noise_sigma\": 0.0}']").first.click()
+    folded.wait_for(state="visible")
+
+
+def test_an_address_that_names_a_folded_control_unfolds_it(phone: Reader, book: Any) -> None:
+    camera = next(c["url"] for c in book["chapters"] if "camera" in c["simulations"])
+    open_page(phone, f"{camera}?figure-camera.noise_sigma=9")
+    phone.figure("camera").locator("[name=noise_sigma]").wait_for(state="visible")
+
+
 def test_on_a_desk_all_controls_are_in_sight(phone: Reader, book: Any) -> None:
     phone.page.set_viewport_size({"width": 1280, "height": 900})
     for address in pages(book):
@@ -121,17 +131,17 @@ MOVED = """() => {
 }"""
 
 
-@pytest.mark.parametrize("width", [390, 320])
-def test_values_at_their_longest_are_whole_and_move_nothing(
-    phone: Reader, book: Any, width: int
-) -> None:
-    phone.page.set_viewport_size({"width": width, "height": 800})
+def test_values_at_their_longest_are_whole_and_move_nothing(phone: Reader, book: Any) -> None:
     for address in pages(book):
         open_page(phone, address)
-        assert phone.page.evaluate(MOVED) == [], address
+        for width in (390, 320):
+            phone.page.set_viewport_size({"width": width, "height": 800})
+            assert phone.page.evaluate(MOVED) == [], f"{address} at {width}"
 
 
-SMALL_LABELS = """(least) => [...document.querySelectorAll("simulation-figure svg.overlay")]
+SMALL_LABELS = """(least) => [...document.querySelectorAll(
+    ":is(simulation-figure, .drawing) svg.overlay"
+  )]
   .flatMap((svg) => [...svg.querySelectorAll("text")].map((label) => {
     const scale = svg.getBoundingClientRect().width / svg.viewBox.baseVal.width;
     return [label.textContent, parseFloat(getComputedStyle(label).fontSize) * scale];
@@ -139,30 +149,28 @@ SMALL_LABELS = """(least) => [...document.querySelectorAll("simulation-figure sv
   .filter(([, size]) => size < least)"""
 
 
-@pytest.mark.parametrize(("width", "least_px"), [(1920, 12.5), (1440, 12.5), (390, 10.5)])
-def test_labels_in_pictures_are_large_enough_to_read(
-    reader: Reader, book: Any, width: int, least_px: float
-) -> None:
+def test_labels_in_pictures_are_large_enough_to_read(reader: Reader, book: Any) -> None:
     reader.page.add_init_script(SILENT_WORKER)
-    reader.page.set_viewport_size({"width": width, "height": 900})
-    for address in pages(book):
+    for address in ["", *(chapter["url"] for chapter in book["chapters"])]:
         open_page(reader, address)
-        assert reader.page.evaluate(SMALL_LABELS, least_px) == [], address
+        for width, least_px in ((1920, 12.5), (1440, 12.5), (390, 10.5)):
+            reader.page.set_viewport_size({"width": width, "height": 900})
+            assert reader.page.evaluate(SMALL_LABELS, least_px) == [], f"{address} at {width}"
 
 
 def test_a_panel_that_was_pushed_into_view_stays_while_a_slider_moves(
-    reader: Reader, book: Any
+    visitor: Reader, book: Any
 ) -> None:
-    reader.page.set_viewport_size({"width": 390, "height": 800})
-    figure = reader.open_figure(book, "aliasing")
+    visitor.page.set_viewport_size(PHONE)
+    figure = visitor.turn_to_figure(book, "aliasing")
     strip = figure.locator(".panels")
     strip.focus()
-    reader.page.keyboard.press("ArrowRight")
-    reader.page.wait_for_function(SECOND_IS_SHOWN, arg=strip.element_handle(), timeout=5000)
-    frames = reader.frames(figure)
+    visitor.page.keyboard.press("ArrowRight")
+    visitor.page.wait_for_function(SECOND_IS_SHOWN, arg=strip.element_handle(), timeout=5000)
+    frames = visitor.frames(figure)
     figure.locator("input[name=frequency]").focus()
-    reader.page.keyboard.press("ArrowRight")
-    reader.wait_frame(figure, frames)
+    visitor.page.keyboard.press("ArrowRight")
+    visitor.wait_frame(figure, frames)
     assert strip.evaluate(SECOND_IS_SHOWN)
 
 

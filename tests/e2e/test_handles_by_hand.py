@@ -1,12 +1,11 @@
-"""What a hand, a finger or the arrow keys do with the things that figures offer to be grabbed."""
+"""What a hand or the arrow keys do with the things that figures offer to be grabbed."""
 
 import math
 from typing import Any
 
 import pytest
-from playwright.sync_api import Browser, Locator, expect
+from playwright.sync_api import Locator, expect
 from support.reader import Reader, chapter_of
-from support.static_server import StaticServer
 
 from simulations.engine.handles import Handle
 from simulations.registry import SCENE_MODULES, load_scene
@@ -66,31 +65,6 @@ def test_a_handle_stays_under_the_pointer_and_ends_at_the_last_of_many_moves(
     assert centre(grip)[0] == pytest.approx(end[0], abs=2)
 
 
-@pytest.mark.parametrize("name", ["probe", "lamp"])
-def test_a_finger_moves_a_handle_and_scrolls_the_page_elsewhere(
-    chromium: Browser, server: StaticServer, book: Any, name: str
-) -> None:
-    context = chromium.new_context(viewport={"width": 390, "height": 800}, has_touch=True)
-    try:
-        visitor = Reader(context, server.url)
-        figure = visitor.open_figure(book, "lambertian-shading")
-        grip = figure.locator(f'[data-handle="{name}"]')
-        grip.scroll_into_view_if_needed()
-        handle = next(h for h in load_scene("lambertian-shading").handles if h.name == name)
-        before, scrolled = settings(figure, handle), scroll(visitor)
-        swipe(visitor, centre(grip), (0, -60))
-        swipe(visitor, centre(grip), (-40, 0))
-        visitor.settle(figure)
-        assert settings(figure, handle) != before
-        assert scroll(visitor) == scrolled
-        box = figure.locator(".panel-title").first.bounding_box()
-        assert box
-        swipe(visitor, (box["x"] + 20, box["y"] + 5), (0, -120))
-        visitor.page.wait_for_function("before => scrollY !== before", arg=scrolled)
-    finally:
-        context.close()
-
-
 def turn_to_figure(visitor: Reader, book: Any, scene: str) -> Locator:
     """The scene's first figure as the page has it, in view."""
     visitor.turn_to(chapter_of(book, scene))
@@ -134,23 +108,3 @@ def drag(visitor: Reader, start: tuple[float, float], end: tuple[float, float]) 
     mouse.down()
     mouse.move(*end, steps=4)
     mouse.up()
-
-
-def swipe(visitor: Reader, start: tuple[float, float], way: tuple[float, float]) -> None:
-    """A finger that goes down, moves in steps and goes up."""
-    client = visitor.page.context.new_cdp_session(visitor.page)
-    place = start
-    client.send("Input.dispatchTouchEvent", touch("touchStart", [place]))
-    for step in range(1, 9):
-        place = (start[0] + way[0] * step / 8, start[1] + way[1] * step / 8)
-        client.send("Input.dispatchTouchEvent", touch("touchMove", [place]))
-    client.send("Input.dispatchTouchEvent", touch("touchEnd", []))
-
-
-def touch(kind: str, places: list[tuple[float, float]]) -> dict[str, Any]:
-    return {"type": kind, "touchPoints": [{"x": x, "y": y} for x, y in places]}
-
-
-def scroll(visitor: Reader) -> float:
-    top: float = visitor.page.evaluate("scrollY")
-    return top

@@ -13,7 +13,10 @@ CHAPTER = "lens-distortion/"
 NEGATIVE = "def _encoded(photo):\n    return to_rgba8(encode_srgb(1 - photo.linear))\n"
 LIMIT = """async (ms) => {
   const url = new URL(document.body.dataset.assets + 'js/editor/edited_runtime.js', location.href);
-  (await import(url)).LIMITS.edited = ms;
+  const {LIMITS} = await import(url);
+  const before = LIMITS.edited;
+  LIMITS.edited = ms;
+  return before;
 }"""
 THE_BOOK_CHANGES = """() => {
   const key = Object.keys(localStorage).find((key) => key.includes('python:'));
@@ -104,58 +107,59 @@ def test_edited_code_draws_its_own_figure_and_no_other_until_it_is_put_back(
     assert len(reader.page.workers) == 1
 
 
-def test_mistakes_point_at_their_line_and_leave_the_figure_as_it_is(reader: Reader) -> None:
-    reader.open(CHAPTER)
-    figure = figures(reader)[0]
-    book = reader.shown(figure)
+def test_mistakes_point_at_their_line_and_leave_the_figure_as_it_is(visitor: Reader) -> None:
+    visitor.turn_to(CHAPTER)
+    figure = figures(visitor)[0]
+    book = visitor.shown(figure)
     open_python(figure)
     first = int(figure.locator(".place-line").inner_text())
-    write(reader, figure, "def _encoded(photo):\n    return (photo\n")
-    told = run(reader, figure)
+    write(visitor, figure, "def _encoded(photo):\n    return (photo\n")
+    told = run(visitor, figure)
     assert "SyntaxError" in told
     assert f"Line {first + 1} of _encoded" in told
-    write(reader, figure, "def _encoded(photo):\n    x = 1\n    return phot")
-    told = run(reader, figure)
+    write(visitor, figure, "def _encoded(photo):\n    x = 1\n    return phot")
+    told = run(visitor, figure)
     assert "NameError: name 'phot' is not defined" in told
     assert f"Line {first + 2} of _encoded" in told
     assert figure.locator(".cm-problem").inner_text() == "    return phot"
     figure.locator(".workshop-part", has_text="pinhole").click()
     figure.locator(".result-place").click()
-    reader.page.keyboard.insert_text("# here ")
+    visitor.page.keyboard.insert_text("# here ")
     assert figure.locator(".cm-problem").inner_text() == "    # here return phot"
-    assert reader.shown(figure) == book
+    assert visitor.shown(figure) == book
     assert figure.get_attribute("data-state") == "live"
-    assert move(reader, figure, "ArrowRight") != book
+    assert move(visitor, figure, "ArrowRight") != book
     assert figure.locator(".python-state").inner_text() == "Your changes to its Python are kept."
 
 
 def test_an_endless_loop_is_stopped_and_told_and_the_figure_is_as_the_book_draws_it(
-    reader: Reader,
+    visitor: Reader,
 ) -> None:
-    reader.open(CHAPTER)
-    figure, other = figures(reader)[:2]
-    book = reader.shown(figure)
+    visitor.turn_to(CHAPTER)
+    figure, other = figures(visitor)[:2]
+    book = visitor.shown(figure)
     open_python(figure)
-    reader.page.evaluate(LIMIT, 1500)
-    write(reader, figure, "def _encoded(photo):\n    while True:\n        pass\n")
+    usual = visitor.page.evaluate(LIMIT, 1500)
+    write(visitor, figure, "def _encoded(photo):\n    while True:\n        pass\n")
     figure.locator(".workshop .run").click()
-    assert move(reader, other, "ArrowRight"), "another figure does not wait for it"
-    told = result(reader, figure)
+    assert move(visitor, other, "ArrowRight"), "another figure does not wait for it"
+    told = result(visitor, figure)
     assert "was stopped: it did not end within" in told
-    assert reader.shown(figure) == book
+    assert visitor.shown(figure) == book
     assert "figure stays as it was" in told
-    moved = move(reader, figure, "ArrowRight")
-    assert move(reader, figure, "ArrowLeft") == book
+    moved = move(visitor, figure, "ArrowRight")
+    assert move(visitor, figure, "ArrowLeft") == book
     loops_later = ("while k1 != 0.15:", "    pass", "return Drawings('', '', '', '')")
     figure.locator(".put-all-back").click()
     figure.locator(".workshop-part", has_text="drawings").click()
-    write(reader, figure, "\n    ".join(["def _drawings(k1, k2):", *loops_later]))
-    assert "runs your code" in run(reader, figure)
+    write(visitor, figure, "\n    ".join(["def _drawings(k1, k2):", *loops_later]))
+    assert "runs your code" in run(visitor, figure)
     figure.locator(".workshop .close").click()
-    assert move(reader, figure, "ArrowRight") == moved, "the book's frame instead"
+    assert move(visitor, figure, "ArrowRight") == moved, "the book's frame instead"
     told = figure.locator(".python-state").inner_text()
     assert "was stopped" in told
     assert "The figure runs the book's code" in told
+    visitor.page.evaluate(LIMIT, usual)
 
 
 def test_an_edit_survives_a_reload_as_long_as_it_fits_and_can_be_taken_away(reader: Reader) -> None:
@@ -182,7 +186,8 @@ def test_an_edit_survives_a_reload_as_long_as_it_fits_and_can_be_taken_away(read
     assert NEGATIVE in text
     assert "# _encoded in simulations/scenes/lens_distortion/stages.py" in text
     reader.page.evaluate(THE_BOOK_CHANGES)
-    reader.open(CHAPTER)
+    reader.turn_to("licences/", live=False)
+    reader.turn_to(CHAPTER)
     figure = figures(reader)[0]
     open_python(figure)
     assert "def _encoded(photo: Photo)" in figure.locator(".cm-content").inner_text()
@@ -193,10 +198,10 @@ def test_an_edit_survives_a_reload_as_long_as_it_fits_and_can_be_taken_away(read
     assert not reader.page.evaluate("Object.keys(localStorage).some((k) => k.includes('python:'))")
 
 
-def test_all_of_it_can_be_done_by_keyboard(reader: Reader) -> None:
-    reader.open(CHAPTER)
-    figure, page = figures(reader)[0], reader.page
-    book = reader.shown(figure)
+def test_all_of_it_can_be_done_by_keyboard(visitor: Reader) -> None:
+    visitor.turn_to(CHAPTER)
+    figure, page = figures(visitor)[0], visitor.page
+    book = visitor.shown(figure)
     figure.locator(".open-python").focus()
     page.keyboard.press("Enter")
     figure.locator(".workshop").wait_for()
@@ -213,9 +218,9 @@ def test_all_of_it_can_be_done_by_keyboard(reader: Reader) -> None:
     page.keyboard.press("Tab")
     assert page.evaluate("document.activeElement.matches('.cm-content')"), "Tab indents"
     page.keyboard.press("ControlOrMeta+Enter")
-    assert "runs your code" in result(reader, figure)
-    reader.settle(figure)
-    assert reader.shown(figure)["pixels"] != book["pixels"]
+    assert "runs your code" in result(visitor, figure)
+    visitor.settle(figure)
+    assert visitor.shown(figure)["pixels"] != book["pixels"]
     page.keyboard.press("Escape")
     page.keyboard.press("Tab")
     assert page.evaluate("document.activeElement.matches('.workshop button')"), "the way out"
@@ -225,9 +230,9 @@ def test_all_of_it_can_be_done_by_keyboard(reader: Reader) -> None:
     assert page.evaluate("document.activeElement.matches('.open-python')")
 
 
-def test_without_the_editor_the_python_can_be_read(reader: Reader) -> None:
-    reader.open(CHAPTER)
-    figure = figures(reader)[0]
+def test_without_the_editor_the_python_can_be_read(visitor: Reader) -> None:
+    visitor.turn_to(CHAPTER)
+    figure = figures(visitor)[0]
     figure.locator(".open-python").evaluate("(button) => delete button.dataset.editor")
     open_python(figure)
     assert "def _encoded(photo: Photo)" in figure.locator(".workshop-code").inner_text()

@@ -2,7 +2,7 @@
 
 import pytest
 from playwright.sync_api import Locator
-from support.reader import Reader
+from support.reader import SILENT_WORKER, Reader
 
 pytestmark = pytest.mark.browser
 
@@ -76,23 +76,28 @@ def test_a_hand_at_rest_is_kept_in_the_address_without_an_entry_of_the_history(
     wait_address(visitor, f"?{ID}.k2=-0.1")
 
 
-def test_a_figure_is_found_as_it_was_left_after_another_chapter_and_after_a_reload(
-    reader: Reader,
-) -> None:
-    reader.open(CHAPTER)
-    worker = reader.page.workers[0]
-    figure = reader.figure("lens-distortion")
+def test_a_figure_is_found_as_it_was_left_after_another_chapter(visitor: Reader) -> None:
+    visitor.turn_to(CHAPTER)
+    worker = visitor.page.workers[0]
+    figure = visitor.figure("lens-distortion")
     figure.locator("[name=k1]").fill("0.3")
-    wait_address(reader, f"?{ID}.k1=0.3")
-    reader.turn_to("lighting-and-reflectance/")
-    reader.page.go_back()
-    reader.page.locator(f"#{ID}").wait_for()
-    reader.wait_live()
+    wait_address(visitor, f"?{ID}.k1=0.3")
+    visitor.turn_to("lighting-and-reflectance/")
+    visitor.page.go_back()
+    visitor.page.locator(f"#{ID}").wait_for()
+    visitor.wait_live()
     assert values(figure, "k1") == ["0.3"]
-    assert reader.page.workers == [worker]
+    assert visitor.page.workers == [worker]
+
+
+def test_a_page_that_is_loaded_finds_its_figure_where_the_address_says(reader: Reader) -> None:
+    """As after a reload; before Python has answered."""
+    reader.page.add_init_script(SILENT_WORKER)
+    reader.open(f"{CHAPTER}?{ID}.k1=0.3", live=False)
     reader.page.reload()
-    reader.wait_live()
-    assert values(figure, "k1") == ["0.3"]
+    reader.page.wait_for_function(
+        "id => document.getElementById(id).querySelector('[name=k1]').value === '0.3'", arg=ID
+    )
 
 
 def test_the_link_of_the_chapter_itself_leads_to_its_start_and_keeps_the_interpreter(

@@ -75,6 +75,20 @@ def test_the_answer_is_shown_from_where_it_waits(plain_reader: Reader, book: Any
     assert form.get_attribute("data-answered") == "revealed"
 
 
+def test_a_link_to_what_waits_leads_to_the_line_that_says_so(plain_reader: Reader) -> None:
+    plain_reader.open("speed-and-accuracy/", live=False)
+    link = plain_reader.page.locator('a[href="#ladder-inverse-strong"]').first
+    waiting = plain_reader.page.locator(
+        ".answer", has=plain_reader.page.locator("#ladder-inverse-strong")
+    ).locator(".answer-waits")
+    link.click()
+    plain_reader.page.wait_for_function(
+        "line => { const {top, bottom} = line.getBoundingClientRect();"
+        " return top >= 0 && bottom <= innerHeight; }",
+        arg=waiting.element_handle(),
+    )
+
+
 def test_a_sketch_is_drawn_by_pointer_and_meets_the_true_curve_on_its_own_axes(
     plain_reader: Reader, book: Any
 ) -> None:

@@ -71,28 +71,29 @@ def test_an_order_is_made_by_dragging(plain_reader: Reader, book: Any) -> None:
     assert order_of(form) == [before[-1], *before[:-1]]
 
 
-def test_a_figure_is_judged_by_its_present_state(reader: Reader, book: Any) -> None:
+def test_a_figure_is_judged_by_its_present_state(visitor: Reader, book: Any) -> None:
     for place in book["chapters"]:
         asked = questions(book, "figure", place["id"])
         if asked:
-            reader.turn_to(place["url"])
+            visitor.turn_to(place["url"])
         for quiz in asked:
-            form = form_of(reader, quiz)
+            form = form_of(visitor, quiz)
             assert form.get_attribute("data-figure") == quiz["figure"]
-            check(reader, form, "wrong")
+            check(visitor, form, "wrong")
             assert form.locator(".explanation").inner_text()
-            reader.page.evaluate(SET, [quiz["figure"], quiz["solution"]])
-            check(reader, form, "correct")
+            visitor.page.evaluate(SET, [quiz["figure"], quiz["solution"]])
+            check(visitor, form, "correct")
 
 
-def test_a_figure_is_set_and_checked_by_keyboard_alone(reader: Reader, book: Any) -> None:
+def test_a_figure_is_set_and_checked_by_keyboard_alone(visitor: Reader, book: Any) -> None:
     quiz = next(q for q in questions(book, "figure") if q["id"] == "corner-twenty-inwards")
-    form = open_question(reader, book, quiz, live=True)
-    slider = reader.page.locator(f"#{quiz['figure']} input[name=k1]")
+    visitor.turn_to(next(c["url"] for c in book["chapters"] if c["id"] == quiz["chapter"]))
+    form = form_of(visitor, quiz)
+    slider = visitor.page.locator(f"#{quiz['figure']} input[name=k1]")
     slider.focus()
     while float(slider.input_value()) > -0.1:
-        reader.page.keyboard.press("ArrowLeft")
-    check(reader, form, "correct")
+        visitor.page.keyboard.press("ArrowLeft")
+    check(visitor, form, "correct")
 
 
 def test_without_python_a_figure_s_question_says_that_it_cannot_be_judged(
@@ -254,9 +255,9 @@ def right_value(quiz: Any) -> float:
     return next(float(option["value"]) for option in quiz["options"] if option["correct"])
 
 
-def open_question(reader: Reader, book: Any, quiz: Any, *, live: bool = False) -> Locator:
+def open_question(reader: Reader, book: Any, quiz: Any) -> Locator:
     url = next(c["url"] for c in book["chapters"] if c["id"] == quiz["chapter"])
-    reader.open(url, live=live)
+    reader.open(url, live=False)
     return form_of(reader, quiz)
 
 

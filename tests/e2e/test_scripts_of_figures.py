@@ -1,5 +1,6 @@
 """*Copy as Python*: a script that says, without the book, what the figure says."""
 
+import ast
 import json
 import subprocess
 import sys
@@ -66,6 +67,14 @@ def test_the_script_of_every_figure_prints_the_numbers_of_its_page(
     ]
     printed = run_elsewhere(tmp_path, scripts)
     assert printed == [says(figure["says"]) for figure in figures]
+
+
+def test_a_script_of_a_figure_that_its_reader_changed_says_so_and_is_the_books() -> None:
+    plain, noted = (
+        ast.parse(script("camera", "{}", "", edited=own, own_picture=own)) for own in (False, True)
+    )
+    assert ast.get_docstring(plain) != ast.get_docstring(noted)
+    assert [ast.dump(part) for part in plain.body[1:]] == [ast.dump(p) for p in noted.body[1:]]
 
 
 def test_the_script_that_is_copied_prints_what_the_figure_shows_now(

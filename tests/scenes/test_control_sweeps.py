@@ -14,6 +14,7 @@ from xml.etree import ElementTree
 
 import numpy as np
 import pytest
+from support.label_boxes import in_figures, labels
 
 from simulations.engine.controls import Action, Choice, Control, Slider, Toggle
 from simulations.engine.frame import Frame, Panel, to_json
@@ -115,10 +116,11 @@ def assert_sound(scene: Scene[Any], frame: Frame, setting: Mapping[str, object])
             for name, value in element.attrib.items():
                 if name != "class":
                     assert not NOT_FINITE.search(value), (setting, panel.name, element.attrib)
-        for label in drawing.iter("text"):
-            x, y = float(label.attrib["x"]), float(label.attrib["y"])
-            inside = 0 <= x <= panel.width and 0 <= y <= panel.height
-            assert inside, (setting, panel.name, label.text, x, y)
+        for label in labels(panel.overlay, in_figures):
+            box = label.box
+            inside = min(box.left, box.top) >= 0
+            inside = inside and box.right <= panel.width and box.bottom <= panel.height
+            assert inside, (setting, panel.name, label)
         if panel.raster is not None:
             opaque = panel.raster[..., 3].max()
             assert opaque > 0, (setting, panel.name, "nothing to be seen")

@@ -45,8 +45,8 @@ def measured_star(aperture: float, defocus: float, pitch: float, plate: bool) ->
         ACROSS // 2 + np.rint(half(count) * pitch / STEP_UM).astype(int)
         for count in (columns_shown, 3 * columns_shown // 4)
     )
-    light: Floats = 0.5 + 0.5 * smeared[down][:, across]
-    return light
+    shown: Floats = 0.5 + 0.5 * smeared[down][:, across]
+    return shown
 
 
 def half(count: int) -> Floats:

@@ -155,6 +155,14 @@ def test_the_aircraft_is_where_the_tier_puts_it(tier: str) -> None:
     assert angle_deg == pytest.approx(expected, abs=within)
 
 
+@pytest.mark.parametrize("tier", SCENE.tiers)
+def test_the_nose_stays_under_the_pointer_in_every_tier(tier: str) -> None:
+    """The way is shown at 0.2, and the pointer goes to where the nose is at 0.35."""
+    start, end = (SCENE.check({"yaw": 170, "pitch": 20, "t": share}) for share in (0.2, 0.35))
+    nose = next(p for p in SCENE.render(end, tier, StageCache()).handles if p.name == "nose")
+    assert SCENE.pull(start, "nose", (nose.x, nose.y), tier) == {"t": 0.35}
+
+
 def test_the_straight_line_is_seen_to_hurry_and_the_paced_one_is_not() -> None:
     default, straight = (
         frame(tier=tier, yaw=170, pitch=0, roll=0, t=0.2).panels[1].overlay

@@ -1,13 +1,31 @@
 """A reader in front of the book: opens chapters, waits for figures, notes every complaint."""
 
+from collections.abc import Iterator
+from contextlib import contextmanager
 from typing import Any
 
-from playwright.sync_api import BrowserContext, ConsoleMessage, Locator, Request
+from playwright.sync_api import (
+    Browser,
+    BrowserContext,
+    ConsoleMessage,
+    Locator,
+    Request,
+    ViewportSize,
+)
+from support.static_server import StaticServer
 
 FIGURES = "document.querySelectorAll('simulation-figure')"
 LIVE = f"[...{FIGURES}].every((figure) => figure.dataset.state === 'live')"
+DESK: ViewportSize = {"width": 1280, "height": 900}
+PHONE: ViewportSize = {"width": 390, "height": 800}
 START_MS = 60_000
 """Longest wait for the interpreter on a busy machine."""
+
+SILENT_WORKER = """globalThis.Worker = class extends EventTarget {
+  postMessage() {}
+  terminate() {}
+};"""
+"""Python that never answers: figures keep their stills and their controls."""
 
 WATCH_SHIFTS = """
 window.shifts = [];
@@ -38,6 +56,25 @@ class Reader:
     def _note_request(self, request: Request) -> None:
         if not request.url.startswith((self.root, "data:", "blob:")):
             self.complaints.append(f"request outside the book: {request.url}")
+
+    def assert_no_complaints(self) -> None:
+        """Nothing was complained of since this was last asked."""
+        complaints = [*self.complaints]
+        self.complaints.clear()
+        assert not complaints, "\n".join(complaints)
+
+    def forget(self) -> None:
+        """Have the browser keep nothing for the book."""
+        self.page.evaluate("localStorage.clear(); sessionStorage.clear()")
+
+    def begin_anew(self, screen: ViewportSize = DESK) -> None:
+        """As in a fresh profile: a page that was just loaded, and nothing kept."""
+        self.page.set_viewport_size(screen)
+        self.page.emulate_media(
+            media="null", color_scheme="light", reduced_motion="null", forced_colors="null"
+        )
+        self.open("licences/", live=False)
+        self.forget()
 
     def open(self, address: str = "", *, live: bool = True) -> None:
         """Open a page of the book, and wait until its figures live if there are any."""
@@ -123,6 +160,21 @@ class Reader:
             arg=[figure.element_handle(), after],
             timeout=within_ms,
         )
+
+
+@contextmanager
+def visit(
+    chromium: Browser, server: StaticServer, script: str = "", **options: Any
+) -> Iterator[Reader]:
+    """A reader with a fresh browser profile, in whose pages ``script`` runs first."""
+    context = chromium.new_context(**{"viewport": DESK, **options})
+    someone = Reader(context, server.url)
+    if script:
+        someone.page.add_init_script(script)
+    try:
+        yield someone
+    finally:
+        context.close()
 
 
 def chapter_of(book: Any, scene: str) -> str:

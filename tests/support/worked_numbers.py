@@ -15,6 +15,8 @@ type Calculation = Callable[[], Says]
 
 
 def source(chapter: str) -> str:
-    """The chapter as written; no-break spaces count as spaces, words that set a figure as words."""
+    """The chapter as written; no-break spaces count as spaces, links as their words, and citations
+    are left out."""
     text = (CONTENT / f"{chapter}.md").read_text(encoding="utf-8").replace("\u00a0", " ")
-    return re.sub(r"\{set\}`([^`<]*?)\s*<[^`]*>`", r"\1", text)
+    text = re.sub(r" ?\{cite\}`[^`]*`", "", text)
+    return re.sub(r"\{(?:set|ref)\}`([^`<]*?)\s*<[^`]*>`", r"\1", text)

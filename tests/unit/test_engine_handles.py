@@ -139,4 +139,4 @@ def test_the_nearest_value_is_one_that_whole_steps_lead_to(number: float, neares
 
 def test_the_browser_asks_for_a_pull_by_names_and_numbers() -> None:
     scene_id, values = "lambertian-shading", '{"light_angle": 30}'
-    assert json.loads(browser.pull(scene_id, values, "lamp", 200, 0)) == {"light_angle": 180}
+    assert json.loads(browser.pull(scene_id, values, "", "lamp", 200, 0)) == {"light_angle": 180}

@@ -57,6 +57,12 @@ def test_the_first_option_is_the_default_where_none_is_named() -> None:
     assert Plain().kind == "rigid"
 
 
+def test_a_fraction_of_a_whole_setting_is_refused_of_an_author_and_rounded_of_a_reader() -> None:
+    with pytest.raises(ControlError, match=r"column.*2\.5.*steps of 1"):
+        check_settings(Settings, {"column": "2.5"})
+    assert clamp_settings(Settings, {"column": 2.6}).column == 3
+
+
 def test_texts_of_a_page_are_read_as_values_of_the_fields_types() -> None:
     texts = {"depth": "2.5", "column": "7", "kind": "affine", "show": "false", "play": "1"}
     read = check_settings(Settings, texts)

@@ -1,4 +1,5 @@
-"""Imports run downwards only: models, engine ← pictures ← ladders, scenes ← registry ← browser;
+"""Imports run downwards only: models, engine ← pictures ← ladders, scenes ← registry ← browser,
+and models, engine ← illustrations;
 among the models from numbers over light to files, inside the builder from its sources to its pages.
 Nowhere do files import each other in a circle."""
 
@@ -16,6 +17,7 @@ LEGAL = {
     "engine": {"engine"},
     "pictures": {"pictures", "models", "engine"},
     "hard_cases": {"hard_cases", "models", "engine"},
+    "illustrations": {"illustrations", "models", "engine"},
     "ladders": {"ladders", "pictures", "models", "engine"},
     "scenes": {"scenes", "ladders", "pictures", "models", "engine"},
     "registry": {"scenes", "ladders", "pictures", "models", "engine"},
@@ -37,15 +39,16 @@ MODELS = (
 """Rooms of ``simulations/models``: each imports itself and what stands before it."""
 
 BUILDER = (
-    "diagnostics", "runtime", "editor", "output", "measured", "charts", "book", "markdown",
-    "source", "question_checks", "figure_questions", "checks", "pages", "build", "serve",
+    "diagnostics", "bibliography", "runtime", "editor", "output", "measured", "charts", "book",
+    "markdown", "source", "question_checks", "figure_questions", "checks", "search", "pages",
+    "build", "serve",
     "__main__",
 )  # fmt: skip
 """Parts of ``site_builder``, likewise."""
 MARKDOWN = (
-    "text", "reading", "scenes", "front_matter", "headings", "role", "roles", "inline",
+    "text", "targets", "reading", "scenes", "front_matter", "headings", "role", "roles", "inline",
     "directive", "questions", "usage", "blocks", "bodies", "fences",
-    "directives", "figures", "guide", "parser", "chapter",
+    "directives", "placing", "guide", "parser", "chapter",
 )  # fmt: skip
 """Parts of ``site_builder/markdown``, likewise."""
 

@@ -6,8 +6,6 @@ the new one, and back. The methods differ in the responses they take.
 
 Colours are CIE XYZ, lights their chromaticities (x, y). Szeliski, 2nd ed., §2.3.2; Lam,
 Metamerism and colour constancy, 1985 (Bradford); Hunt, Measuring Colour, 1987 (the cones).
-
-Reference: the book explains it; no figure and no ladder runs it.
 """
 
 import numpy as np

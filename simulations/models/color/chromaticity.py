@@ -1,8 +1,6 @@
 """Colour without brightness: chromaticities (x, y), the whites of lights, distances of colours.
 
 Szeliski, 2nd ed., §2.3.2; CIE 15:2004.
-
-Reference: the book explains it; no figure and no ladder runs it.
 """
 
 import numpy as np

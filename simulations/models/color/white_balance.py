@@ -1,8 +1,6 @@
 """Divide out the colour of the light, and guess it from the picture.
 
 Colours are arrays (..., 3), linear. Szeliski, 2nd ed., section 2.3.2.
-
-Reference: the book explains it; no figure and no ladder runs it.
 """
 
 import numpy as np

@@ -2,8 +2,6 @@
 
 Camera frame as in `simulations.models.projection.pinhole`. Source: Szeliski, 2nd ed., §2.1.4 and
 §7.4.3.
-
-Reference: the book explains it; no figure and no ladder runs it.
 """
 
 import numpy as np
@@ -52,6 +50,27 @@ def horizon(normal_camera: ArrayLike, K: ArrayLike) -> tuple[Floats, bool]:
     if not length > 1e-12 * float(np.abs(line).max()):
         return np.full(3, np.nan), False
     return line / length, True
+
+
+def angle_between(points: ArrayLike, others: ArrayLike, K: ArrayLike) -> Floats:
+    """Angle in space (...) between the lines that vanish in two image points, radians, 0 to π/2.
+
+    It is that of the rays K⁻¹ v, as d and −d vanish in the same point.
+
+    Parameters
+    ----------
+    points, others : (..., 3) homogeneous pixels: (x, y, 1), or (x, y, 0) for a point at infinity.
+    K : (3, 3)
+
+    Returns
+    -------
+    angle : NaN for (0, 0, 0), which is no point, and where an entry is not finite.
+    """
+    inverse = np.linalg.inv(np.asarray(K, float))
+    first, second = (_scaled(_scaled(these) @ inverse.T) for these in (points, others))
+    across, along = np.linalg.norm(np.cross(first, second), axis=-1), (first * second).sum(axis=-1)
+    angle = np.arctan2(across, np.abs(along))
+    return np.where(first.any(axis=-1) & second.any(axis=-1), angle, np.nan)
 
 
 def _scaled(directions: ArrayLike) -> Floats:

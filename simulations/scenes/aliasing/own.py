@@ -23,6 +23,18 @@ SPECTRUM_TO = 1.2
 
 
 @dataclass(frozen=True, slots=True)
+class OwnLight:
+    """A reader's picture in front of the grid: the same at every setting."""
+
+    linear: Floats
+    """(H, W, 3) light."""
+    grey: Floats
+    """(H, W) luminance."""
+    detail: Floats
+    """As in `Own`."""
+
+
+@dataclass(frozen=True, slots=True)
 class Own:
     """What the figure shows of a reader's picture."""
 
@@ -42,20 +54,28 @@ class Own:
     """(m,) amplitude times frequency, of the largest, at frequencies from 0 to `SPECTRUM_TO`."""
 
 
-def sample_own(photograph: Photograph | None, prefilter: str, rate: float) -> Own | None:
+def own_light(photograph: Photograph | None) -> OwnLight | None:
+    """Nothing where the book's pattern is shown."""
+    if photograph is None:
+        return None
+    linear = light_of(photograph)
+    grey = luminance(linear)
+    return OwnLight(linear, grey, _detail(grey))
+
+
+def sample_own(own: OwnLight | None, prefilter: str, rate: float) -> Own | None:
     """Filter the picture and sample it; nothing where the book's pattern is shown."""
-    return _sampled(photograph, prefilter, rate) if photograph else None
+    return _sampled(own, prefilter, rate) if own else None
 
 
-def _sampled(photograph: Photograph, kind: str, rate: float) -> Own:
-    light, kernel = light_of(photograph), prefilter(kind)
+def _sampled(own: OwnLight, kind: str, rate: float) -> Own:
+    light, grey, kernel = own.linear, own.grey, prefilter(kind)
     height, width = light.shape[:2]
     across = grid_places(width, rate)
     along_x = weights(across, kernel, rate, width)
     along_y = weights(grid_places(height, rate), kernel, rate, height)
     linear = along_both(light, along_y, along_x)
     row = (len(along_y) - 1) // 2
-    grey = luminance(light)
     # Points of the curves, where samples of the same row might lie.
     fine = (FIRST + np.linspace(0, SHOWN - 1, POINTS * (SHOWN - 1) + 1) + 0.5) * FINE - 0.5
     before = weights(grid_places(height, rate)[[row]], prefilter("none"), rate, height) @ grey
@@ -70,7 +90,7 @@ def _sampled(photograph: Photograph, kind: str, rate: float) -> Own:
         luminance(linear[row, inside]),
         (before @ weights(fine, prefilter("none"), rate, width).T)[0],
         (behind @ weights(fine, kernel, rate, width).T)[0],
-        _detail(grey),
+        own.detail,
     )
 
 

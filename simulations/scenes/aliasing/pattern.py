@@ -15,7 +15,7 @@ from simulations.models.pixel_grid import centred
 from simulations.models.sampling import prefilters
 from simulations.models.sampling.aliasing import alias_frequency
 from simulations.models.sampling.prefilters import Prefilter, filtered_wave
-from simulations.scenes.aliasing.own import Own, sample_own
+from simulations.scenes.aliasing.own import Own, own_light, sample_own
 
 SHOWN = 20
 """Pixels of the row that the second panel draws."""
@@ -107,4 +107,8 @@ def picture(
     return to_rgba8(encode_srgb(np.clip(shown, 0.0, 1.0)))
 
 
-STAGES = (Stage("own picture", sample_own), Stage("picture", picture, ("own picture",)))
+STAGES = (
+    Stage("own light", own_light),
+    Stage("own picture", sample_own, ("own light",)),
+    Stage("picture", picture, ("own picture",)),
+)

@@ -17,6 +17,8 @@ CLOSE_ROWS, CLOSE_COLUMNS = 24, 30
 """Pixels of the close-up."""
 SIDE = BLOCK * WIDTH / COLUMNS_PX
 """Of a block in the picture."""
+CLOSE_SIDE = BLOCK * WIDTH / CLOSE_COLUMNS
+"""Of a block in the close-up."""
 TABLE_LEFT, TABLE_TOP, CELL_WIDTH, CELL_HEIGHT = 44.0, 32.0, 43.0, 35.0
 
 
@@ -33,8 +35,8 @@ def block_grid(top: int, left: int) -> str:
     rows = range(top % BLOCK, CLOSE_ROWS + 1, BLOCK)
     grid = [[(c * unit, 0.0), (c * unit, HEIGHT)] for c in columns]
     grid += [[(0.0, r * unit), (WIDTH, r * unit)] for r in rows]
-    corner, side = (left * unit, top * unit), BLOCK * unit
-    frame = [rectangle(corner, side, side, style) for style in ("casing", "image bold")]
+    corner = (left * unit, top * unit)
+    frame = [rectangle(corner, CLOSE_SIDE, CLOSE_SIDE, s) for s in ("casing", "image bold")]
     return path(grid, "camera thin faint") + "".join(frame)
 
 

@@ -158,7 +158,7 @@ def depth_label(spot: Floats) -> Label:
 
 
 def point_label(view: View) -> Label:
-    return outward(place(view.x, view.y), 48.0, 4.0)
+    return outward(place(view.x, view.y), 54.0, 4.0)
 
 
 def corner_rectangle(x: float, y: float, style: str) -> str:

@@ -25,7 +25,7 @@ DEPTH_SCALE = 16.0
 """View box units per metre of depth."""
 SIDE_SCALE = 38.0
 """View box units per metre of X: stretched, so that the triangles open up."""
-PLANE_LABEL_WIDTH, POINT_LABEL_HALF_WIDTH = 62.0, 58.0
+PLANE_LABEL_WIDTH, POINT_LABEL_HALF_WIDTH = 80.0, 72.0
 """Room that the names of the image plane and of the point take, in view box units."""
 RAY_LIMITS = ((1, 0, 0), (-1, 0, WIDTH), (0, 1, -4), (0, -1, 280))
 """Where rays may be drawn, as half planes a x + b y + c ≥ 0."""
@@ -82,9 +82,7 @@ def image_plane(view: View) -> str:
         + plane_grip(right)
         + plane_label(view, left)
         + drawing.line((CAMERA[0], level), (right[0], level), "camera")
-        + drawing.text(
-            (CAMERA[0] - 4.0, level + 4.0), f"f = {view.focal_px:.0f} px", "camera small", "end"
-        )
+        + drawing.text((CAMERA[0], level - 6.0), f"f = {view.focal_px:.0f} px", "camera small halo")
     )
 
 
@@ -94,9 +92,9 @@ def plane_grip(end: Floats) -> str:
 
 
 def plane_label(view: View, edge: Floats) -> str:
-    """The name on the right of the plane's edge, or on its left where another plane is near."""
-    other = above(REFERENCE_DEPTH_M, 0.0)[0]
-    crossed = view.camera == SCALED and edge[0] < other < edge[0] + 7.0 + PLANE_LABEL_WIDTH
+    """The name on the right of the plane's edge; left, if there is room, of another plane near."""
+    other, needed = above(REFERENCE_DEPTH_M, 0.0)[0], 7.0 + PLANE_LABEL_WIDTH
+    crossed = view.camera == SCALED and needed < edge[0] < other < edge[0] + needed
     right, anchor = (-7.0, "end") if crossed else (7.0, "start")
     return drawing.text(edge + np.array([right, 13.0]), "image plane", "image small halo", anchor)
 
@@ -159,9 +157,11 @@ def centre() -> str:
 
 
 def point(view: View) -> str:
-    """The point, labelled on the side away from the axis and beyond the image plane."""
+    """The point, labelled beyond the image plane, where there is room on the side away from the
+    axis."""
     spot = above(view.Z, view.X)
-    y = spot[1] + (27.0 if view.X >= 0.0 else -17.0)
+    below = view.X >= 0.0 and spot[1] + 27.0 < HEIGHT - 22.0
+    y = spot[1] + 27.0 if below else max(spot[1] - 17.0, 13.0)
     beyond = above(view.focal_px * METRES_PER_PX, 0.0)[0] + 7.0 if view.Z >= 0.0 else 4.0
     half = POINT_LABEL_HALF_WIDTH
     x = np.clip(spot[0], min(beyond, WIDTH / 2.0) + half, WIDTH - 4.0 - half)

@@ -64,8 +64,8 @@ def _nose(settings: Settings, outputs: Outputs) -> Point:
     return _pair(sphere.on_screen(blend[:, 0], _view(settings)))
 
 
-def _nose_pulled(settings: Settings, place: Point) -> Mapping[str, Value]:
-    way = _way(settings.yaw, settings.pitch, settings.roll, settings.blend)
+def _nose_pulled(settings: Settings, place: Point, tier: str) -> Mapping[str, Value]:
+    way = _way(settings.yaw, settings.pitch, settings.roll, settings.blend, tier)
     track = sphere.on_screen(way, _view(settings))
     shares = np.arange(len(way))
     index = _nearest(track, place, np.abs(shares - round(100 * settings.t)))
@@ -73,10 +73,10 @@ def _nose_pulled(settings: Settings, place: Point) -> Mapping[str, Value]:
 
 
 @lru_cache(maxsize=4)
-def _way(yaw: float, pitch: float, roll: float, blend: str) -> Floats:
+def _way(yaw: float, pitch: float, roll: float, blend: str, tier: str) -> Floats:
     """The nose (101, 3) at each hundredth of the chosen way."""
     here = attitude(yaw, pitch, roll)
-    ways = sphere.ways(here.angles_rad, here.R, here.q, BLENDS["slerp"])
+    ways = sphere.ways(here.angles_rad, here.R, here.q, BLENDS[tier])
     return ways[blend](np.linspace(0.0, 1.0, 101))[:, :, 0]
 
 

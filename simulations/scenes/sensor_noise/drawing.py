@@ -12,7 +12,7 @@ from simulations.models.arrays import Floats, Mask
 WIDTH, HEIGHT = 396.0, 264.0
 ROWS, COLUMNS = 4, 6
 PATCH_SIDES = (WIDTH / COLUMNS, HEIGHT / ROWS)
-LEFT, RIGHT, TOP, BOTTOM = 56.0, 384.0, 22.0, 217.0
+LEFT, RIGHT, TOP, BOTTOM = 56.0, 379.0, 22.0, 217.0
 DECADES = 4.5
 """Of the mean axis, below twice the saturation level."""
 LOWEST_DN2 = 0.01
@@ -144,7 +144,7 @@ def _frame(axes: Axes) -> Iterator[str]:
     yield path(grid, "muted thin faint")
     yield path([[(LEFT, TOP), (LEFT, BOTTOM), (RIGHT, BOTTOM)]], "muted")
     yield text(((LEFT + RIGHT) / 2, BOTTOM + 38), "mean, DN", "", "middle")
-    yield text((10, TOP - 8), "variance, DN²", "image")
+    yield text((LEFT + 6, TOP - 8), "variance, DN²", "image")
 
 
 def _power(power: int) -> str:
@@ -178,5 +178,5 @@ def _theory(axes: Axes, curve: Curve) -> Iterator[str]:
     yield text((LEFT + 8, max(floor[1] - 6, TOP + 12)), "floor", "error small halo")
     middle = math.sqrt(max(full, low) * start)
     slope = axes.place(middle, middle / curve.gain_e_per_dn)
-    label = (min(slope[0] + 10, RIGHT - 112), min(slope[1] + 18, BOTTOM - 6))
+    label = (min(slope[0] + 10, RIGHT - 114), min(slope[1] + 18, BOTTOM - 6))
     yield text(label, "shot noise: mean / g", "light small halo")

@@ -14,7 +14,8 @@ from simulations.scenes.transform_2d.square import SQUARE
 
 CLEAR = 15.0
 """Distance from a point to its label, in view box units: a finger's mark has room between."""
-LABEL_WIDTH = 96.0
+LETTER = 8.2
+"""Room that a letter of a label takes where letters are largest."""
 
 
 def point_and_image(H: Floats, way: Floats, point: Floats) -> str:
@@ -49,11 +50,11 @@ def _track(way: Floats, point: Floats) -> list[Floats]:
 
 def _label(name: str, digits: int, point: Floats, place: Floats, role: str) -> str:
     """Coordinates beside a point: of P below it, of P′ above, on the right if there is room."""
-    left = place[0] > WIDTH - LABEL_WIDTH
-    above = (role == "image" and place[1] > 26.0) or place[1] > HEIGHT - 26.0
-    corner = place + np.array([-CLEAR if left else CLEAR, 4.0 - CLEAR if above else CLEAR])
     x, y = (format_number(float(value), digits) for value in point)
     words = f"{name} ({x}, {y})"
+    left = place[0] > WIDTH - CLEAR - LETTER * len(words)
+    above = (role == "image" and place[1] > 26.0) or place[1] > HEIGHT - 26.0
+    corner = place + np.array([-CLEAR if left else CLEAR, 4.0 - CLEAR if above else CLEAR])
     return drawing.text(corner, words, f"{role} halo strong", "end" if left else "start")
 
 

@@ -16,9 +16,9 @@ class Settings:
     play: int = action("Play", "Pause", drives="time", effect="play", seconds=FRAMES / PLAYED_PER_S)
     time: float = slider("Time", 5, 0, FRAMES, 0.05, unit="frames")
     speed: float = slider("True speed", 2.9, -6, 6, 0.05, unit="turns/s")
-    spokes: int = slider("Spokes", 8, 2, 16, 1)
-    frame_rate: float = slider("Frame rate", 24, 8, 60, 1, unit="frames/s")
     shutter: float = slider("Shutter open for", 0.1, 0, 1, 0.05, unit="of a frame")
+    frame_rate: float = slider("Frame rate", 24, 8, 60, 1, unit="frames/s")
+    spokes: int = slider("Spokes", 8, 2, 16, 1)
     film: int = action(
         "Play at film speed", "Pause", drives="time", effect="play", seconds=FRAMES / FILM_PER_S
     )

@@ -11,6 +11,7 @@ from site_builder.markdown.directives.callout import CALLOUTS
 from site_builder.markdown.directives.example import EXAMPLE
 from site_builder.markdown.directives.extremes import EXTREMES
 from site_builder.markdown.directives.figure import FIGURE
+from site_builder.markdown.directives.illustration import ILLUSTRATION
 from site_builder.markdown.directives.ladder import LADDER
 from site_builder.markdown.directives.ladder_table import LADDER_TABLE
 from site_builder.markdown.directives.predict import PREDICT
@@ -28,6 +29,7 @@ DIRECTIVES: tuple[Directive[Any], ...] = (
     *CALLOUTS,
     EXAMPLE,
     SOURCE,
+    ILLUSTRATION,
     FIGURE,
     TABLE,
     EXTREMES,

@@ -5,7 +5,8 @@ from dataclasses import dataclass
 
 from site_builder.book import Block
 from site_builder.markdown.bodies import BLOCKS
-from site_builder.markdown.directive import Argument, Directive, Use
+from site_builder.markdown.directive import LABEL, Argument, Directive, Numbered, Use
+from site_builder.markdown.headings import slug
 from site_builder.markdown.inline import inline_html
 from site_builder.markdown.reading import Reading
 
@@ -25,7 +26,9 @@ EXAMPLE = Directive(
     name="example",
     says="a worked number",
     argument=Argument("Title", lacks="has no title"),
+    options=(LABEL,),
     body=BLOCKS,
     read=read_example,
     template="example",
+    numbered=Numbered("Example", lambda use: f"example-{slug(use.argument)}"),
 )

@@ -5,7 +5,7 @@ from dataclasses import dataclass
 from simulations.engine.hard_cases import HardCase, HardCases, answer, naive_answer, show
 from simulations.hard_cases.tables import TABLES
 from site_builder.markdown.bodies import no_body
-from site_builder.markdown.directive import Argument, Directive, Use
+from site_builder.markdown.directive import Argument, Directive, Numbered, Use
 from site_builder.markdown.reading import Reading
 
 BY_MODEL = {table.id: table for table in TABLES}
@@ -38,7 +38,7 @@ class HardCaseTable:
 
 def read_hard_cases(use: Use, _body: None, reading: Reading) -> HardCaseTable:
     table = BY_MODEL[use.argument]
-    name = reading.take_id(f"extremes-{table.id}", use.line, "table")
+    name = reading.placed[use.line].id
     return HardCaseTable(name, table.title, tuple(_row(table, case) for case in table.cases))
 
 
@@ -63,4 +63,5 @@ EXTREMES = Directive(
     body=no_body("the table speaks alone"),
     read=read_hard_cases,
     template="extremes",
+    numbered=Numbered("Table", lambda use: f"extremes-{use.argument}"),
 )

@@ -5,7 +5,7 @@ from pathlib import Path, PurePosixPath
 
 from site_builder.diagnostics import unknown
 from site_builder.markdown.bodies import CAPTION
-from site_builder.markdown.directive import Argument, Directive, OptionLine, Use
+from site_builder.markdown.directive import LABEL, Argument, Directive, Numbered, OptionLine, Use
 from site_builder.markdown.reading import Reading
 
 SUFFIXES = (".svg", ".png", ".jpg", ".jpeg", ".webp")
@@ -49,8 +49,11 @@ FIGURE = Directive(
     name="figure",
     says="a picture of yours",
     argument=Argument("images/file.svg", lacks="names no picture"),
-    options=(OptionLine("alt", says="what the picture shows", required=True),),
+    options=(OptionLine("alt", says="what the picture shows", required=True), LABEL),
     body=CAPTION,
     read=read_figure,
     template="figure",
+    numbered=Numbered(
+        "Figure", lambda use: f"figure-{PurePosixPath(use.argument).stem}", again=True
+    ),
 )

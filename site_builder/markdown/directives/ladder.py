@@ -3,7 +3,7 @@
 from dataclasses import dataclass
 
 from site_builder.markdown.bodies import CAPTION
-from site_builder.markdown.directive import Argument, Directive, OptionLine, Use
+from site_builder.markdown.directive import Argument, Directive, Numbered, OptionLine, Use
 from site_builder.markdown.inline import inline_html
 from site_builder.markdown.reading import Reading
 from site_builder.measured.measurements import MeasuredLadder, MeasurementError
@@ -27,7 +27,7 @@ def read_ladder(use: Use, caption_html: str, reading: Reading) -> LadderFigure |
     except MeasurementError as error:
         reading.problem(use.line, str(error))
         return None
-    name = reading.free_id(f"ladder-{measured.ladder.id}", use.line)
+    name = reading.placed[use.line].id
     return LadderFigure(measured, name, caption_html, _read_default(use, measured, reading))
 
 
@@ -57,4 +57,5 @@ LADDER = Directive(
     body=CAPTION,
     read=read_ladder,
     template="ladder",
+    numbered=Numbered("Figure", lambda use: f"ladder-{use.argument}", again=True),
 )

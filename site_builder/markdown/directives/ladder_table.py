@@ -3,7 +3,7 @@
 from dataclasses import dataclass
 
 from site_builder.markdown.bodies import no_body
-from site_builder.markdown.directive import Argument, Directive, Use
+from site_builder.markdown.directive import LABEL, Argument, Directive, Numbered, Use
 from site_builder.markdown.inline import inline_html
 from site_builder.markdown.reading import Reading
 from site_builder.measured.measurements import MeasuredLadder, MeasurementError
@@ -30,7 +30,9 @@ LADDER_TABLE = Directive(
     name="ladder-table",
     says="all measured ladders",
     argument=Argument("Caption", lacks="has no caption"),
+    options=(LABEL,),
     body=no_body("a caption behind its name, no more"),
     read=read_ladder_table,
     template="ladder-table",
+    numbered=Numbered("Table", lambda _use: "table-ladders"),
 )

@@ -17,9 +17,9 @@ from site_builder.markdown.questions.options import (
 )
 from site_builder.markdown.questions.question import (
     check_answers,
+    check_id,
     check_options_belong,
     prompt_text,
-    take_id,
 )
 from site_builder.markdown.questions.sketches import read_curve
 from site_builder.markdown.reading import Reading
@@ -38,7 +38,8 @@ LEAST = {"choice": (2, "- [ ] …"), "number": (1, "- [x] `expression`")}
 
 
 def read_predict(use: Use, body: Sequence[Token], reading: Reading) -> Prediction | None:
-    take_id(use, reading)
+    check_id(use, reading)
+    reading.take_id(f"predict-{use.argument}", use.line, use.name)
     kind = use.text("kind")
     check_options_belong(use, kind, BELONGS, reading)
     parts = Parts(tuple(body), (), ()) if kind == "sketch" else split_body(body)

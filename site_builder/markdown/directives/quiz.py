@@ -6,7 +6,7 @@ from markdown_it.token import Token
 
 from site_builder.book import Option, Quiz
 from site_builder.markdown.bodies import plain_tokens
-from site_builder.markdown.directive import Argument, Body, Directive, OptionLine, Use
+from site_builder.markdown.directive import Argument, Body, Directive, Numbered, OptionLine, Use
 from site_builder.markdown.questions.answers import Item, Parts, check_parts, split_body
 from site_builder.markdown.questions.options import (
     OTHERWISE,
@@ -20,9 +20,9 @@ from site_builder.markdown.questions.options import (
 )
 from site_builder.markdown.questions.question import (
     check_answers,
+    check_id,
     check_options_belong,
     prompt_text,
-    take_id,
 )
 from site_builder.markdown.reading import Reading
 
@@ -38,7 +38,7 @@ BELONGS: Mapping[str, tuple[str, ...]] = {
 
 
 def read_quiz(use: Use, body: Sequence[Token], reading: Reading) -> Quiz:
-    take_id(use, reading)
+    check_id(use, reading)
     kind = use.text("kind")
     check_options_belong(use, kind, BELONGS, reading)
     parts = split_body(body, "ordered" if kind == "order" else "bullet")
@@ -91,7 +91,7 @@ def _prompt_html(parts: Parts, use: Use, reading: Reading) -> str:
     for token in parts.prompt:
         if token.type == "inline":
             shown.append(reading.html([token]))
-        elif token.type == "math_block":
+        elif token.type in ("math_block", "math_block_label"):
             shown.append(str(token.meta.get("mathml", "")))
         elif token.type not in ("paragraph_open", "paragraph_close"):
             reading.problem(
@@ -131,4 +131,5 @@ QUIZ = Directive(
     body=Body("the question, and its answers as a list", plain_tokens),
     read=read_quiz,
     template="quiz",
+    numbered=Numbered("Question", lambda use: f"quiz-{use.argument}"),
 )

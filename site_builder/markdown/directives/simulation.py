@@ -10,7 +10,7 @@ from markdown_it.token import Token
 from simulations.engine.scene import Scene
 from site_builder.book import Simulation
 from site_builder.markdown.bodies import plain_tokens
-from site_builder.markdown.directive import Argument, Body, Directive, OptionLine, Use
+from site_builder.markdown.directive import Argument, Body, Directive, Numbered, OptionLine, Use
 from site_builder.markdown.reading import Reading
 from site_builder.markdown.scenes import find_scene, read_setting, read_tier
 
@@ -74,4 +74,5 @@ SIMULATION = Directive(
     body=Body("a caption", plain_tokens),
     read=read_simulation,
     template="simulation",
+    numbered=Numbered("Figure", lambda use: f"figure-{use.argument}", again=True),
 )

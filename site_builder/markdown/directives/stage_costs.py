@@ -3,7 +3,7 @@
 from dataclasses import dataclass
 
 from site_builder.markdown.bodies import CAPTION
-from site_builder.markdown.directive import Argument, Directive, Use
+from site_builder.markdown.directive import LABEL, Argument, Directive, Numbered, Use
 from site_builder.markdown.reading import Reading
 from site_builder.markdown.scenes import find_scene
 from site_builder.measured.stage_costs import StageCostError, StageCosts, read_stage_costs
@@ -32,7 +32,9 @@ STAGE_COSTS = Directive(
     name="stage-costs",
     says="what each control of a scene costs",
     argument=Argument("scene-id", lacks="names no scene"),
+    options=(LABEL,),
     body=CAPTION,
     read=read_stage_cost_table,
     template="stage-costs",
+    numbered=Numbered("Table", lambda use: f"table-costs-{use.argument}"),
 )

@@ -6,7 +6,8 @@ from dataclasses import dataclass
 from markdown_it.token import Token
 
 from site_builder.markdown.bodies import plain_tokens
-from site_builder.markdown.directive import Argument, Body, Directive, Use
+from site_builder.markdown.directive import LABEL, Argument, Body, Directive, Numbered, Use
+from site_builder.markdown.headings import slug
 from site_builder.markdown.inline import inline_html
 from site_builder.markdown.reading import Reading
 
@@ -35,7 +36,9 @@ TABLE = Directive(
     name="table",
     says="a table that has a caption",
     argument=Argument("Caption", lacks="has no caption"),
+    options=(LABEL,),
     body=Body("one table", _one_table),
     read=read_table,
     template="table",
+    numbered=Numbered("Table", lambda use: f"table-{slug(use.argument)}"),
 )

@@ -12,12 +12,11 @@ from site_builder.markdown.text.tokens import plain_text
 ID = re.compile(r"[a-z0-9]+(-[a-z0-9]+)*")
 
 
-def take_id(use: Use, reading: Reading) -> None:
-    """Claim the element id of a question, ``quiz-…`` or ``predict-…``."""
+def check_id(use: Use, reading: Reading) -> None:
+    """Report what is no id."""
     if not ID.fullmatch(use.argument):
         legal = "small letters, digits and hyphens"
         reading.problem(use.line, f"{use.name} id {use.argument!r}; legal: {legal}")
-    reading.take_id(f"{use.name}-{use.argument}", use.line, use.name)
 
 
 def check_options_belong(

@@ -1,8 +1,10 @@
 """Every role, one file each or one for a family: ``{name}`words``` in running text."""
 
+from site_builder.markdown.roles.cite import CITES
 from site_builder.markdown.roles.colours import COLOURS
 from site_builder.markdown.roles.measured import MEASURED
 from site_builder.markdown.roles.readout import READOUT
+from site_builder.markdown.roles.ref import REF
 from site_builder.markdown.roles.set import SET
 
-ROLES = (*COLOURS, MEASURED, READOUT, SET)
+ROLES = (*COLOURS, REF, *CITES, MEASURED, READOUT, SET)

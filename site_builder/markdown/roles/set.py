@@ -14,14 +14,18 @@ from simulations.engine.controls import Value
 from simulations.engine.scene import Scene
 from site_builder.diagnostics import unknown
 from site_builder.markdown.reading import Place, Reading
-from site_builder.markdown.role import Role
+from site_builder.markdown.role import Linked, Role
 from site_builder.markdown.scenes import read_setting, read_tier
 
 FORM = "WORDS <[FIGURE] CONTROL=VALUE … [tier=ID]>"
 
 
-def set_link(given: str, line: int, reading: Reading) -> Mapping[str, str]:
-    """The attributes of the link; none, and a report, where it would set nothing."""
+def set_link(_words: str, given: str | None, line: int, reading: Reading) -> Linked:
+    """The link; one without attributes, and a report, where it would set nothing."""
+    return Linked(_attributes(given or "", line, reading))
+
+
+def _attributes(given: str, line: int, reading: Reading) -> Mapping[str, str]:
     name, pairs = _parts(given)
     settings = dict(pair.split("=", 1) for pair in pairs if "=" in pair)
     if not settings or len(settings) < len(pairs):

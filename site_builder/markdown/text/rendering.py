@@ -1,8 +1,13 @@
 """The HTML of single tokens that plain Markdown does not have, or has otherwise."""
 
+from collections.abc import Sequence
 from html import escape
 
+from markdown_it.renderer import RendererProtocol
 from markdown_it.token import Token
+from markdown_it.utils import EnvType, OptionsDict
+
+from site_builder.book import Target
 
 
 def formula(token: Token) -> str:
@@ -11,7 +16,27 @@ def formula(token: Token) -> str:
 
 
 def equation(token: Token) -> str:
-    return f'<div class="equation">{formula(token)}</div>\n'
+    """Its number is the link to it."""
+    target: Target | None = token.meta.get("target")
+    if target is None:
+        return f'<div class="equation"><div class="formula">{formula(token)}</div></div>\n'
+    return (
+        f'<div class="equation" id="{target.id}"><div class="formula">{formula(token)}</div>'
+        f'<a class="numbered" href="#{target.id}" aria-label="{target.name}">({target.number})</a>'
+        "</div>\n"
+    )
+
+
+def heading_open(token: Token) -> str:
+    return f'<div class="heading"><{token.tag} id="{token.attrGet("id")}">'
+
+
+def heading_close(token: Token) -> str:
+    """With a link to the section beside it, which is no part of the heading's name."""
+    target: Target = token.meta["target"]
+    words = escape(f"Link to {target.title}")
+    link = f'<a class="anchor" href="#{target.id}" aria-label="{words}"></a>'
+    return f"</{token.tag}>{link}</div>\n"
 
 
 def code(token: Token) -> str:
@@ -27,6 +52,15 @@ def table_close(_token: Token) -> str:
     return "</table></div>\n"
 
 
-def words(token: Token) -> str:
+def words(
+    renderer: RendererProtocol,
+    tokens: Sequence[Token],
+    index: int,
+    options: OptionsDict,
+    env: EnvType,
+) -> str:
     """What a role put in the place of its words."""
+    token = tokens[index]
+    if token.children:
+        return str(renderer.render(token.children, options, env))
     return escape(token.content)

@@ -1,5 +1,5 @@
-"""Marks without their partner. CommonMark prints them, or drops what it cannot place, in silence;
-in a book either is a slip of the author's."""
+"""Marks without their partner, and numbers of places that the book gives out itself. CommonMark
+prints the former, or drops what it cannot place, in silence; in a book either is a slip."""
 
 import re
 from collections.abc import Iterator, Sequence
@@ -17,6 +17,11 @@ STRAY = (
     (r"(\[\^[^\]\n]*\])", "has no footnote; legal: a line '[^…]: the note' in this file"),
     (r"(\[[^\]\n]*\][(\[][^\n]*?[)\]])", "leads nowhere; legal: '[words](NN-slug.md)'"),
     (r"^(::?\{[\w-]+\}.*)", "is no directive; legal: ':::{name} argument'"),
+    (
+        r"\b([Cc]hapters? \d+|[Aa]ppendix [A-Z]\b"
+        r"|(?:[Ff]igure|[Tt]able|[Ee]quation|[Ee]xample|[Qq]uestion) \(?[A-Z\d]+\.\d+\)?)",
+        "is a number that may change; legal: '{ref}`TARGET`', or a citation",
+    ),
 )
 """What stands in running text only by mistake, and what would be legal."""
 FOOTNOTE = re.compile(r"[ >]*\[\^([^\]]+)\]:")

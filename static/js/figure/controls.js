@@ -114,6 +114,19 @@ export function moveControls(form, controls, values, told) {
 }
 
 /**
+ * Unfold what hides one of these controls, so that the reader sees what moves.
+ *
+ * @param {HTMLFormElement} form
+ * @param {string[]} names
+ */
+export function uncover(form, names) {
+  for (const name of names) {
+    const fold = form.querySelector(named(name))?.closest("details");
+    if (fold) fold.open = true;
+  }
+}
+
+/**
  * @param {HTMLFormElement} form
  * @param {Control} control
  * @param {Value} value

@@ -19,15 +19,44 @@ export function installGestures() {
   // What a press copies must be at hand when it comes: browsers forbid it a moment later.
   document.addEventListener("toggle", fetchTools, true);
   document.addEventListener("keydown", leaveFullScreen);
+  document.addEventListener("keydown", walkFormula);
   document.documentElement.classList.toggle("full-screen", document.fullscreenEnabled);
   for (const type of ["pointerover", "focusin"]) document.addEventListener(type, light);
 }
 
-/** The words that stand for an idea can be focused, as they can be pointed at. */
+/**
+ * What stands for an idea can be focused, as it can be pointed at: each word, and of each formula
+ * the first symbol, from which arrow keys lead to the others.
+ */
 export function offerWords() {
   for (const word of document.querySelectorAll('main span[class^="role-"]')) {
     word.setAttribute("tabindex", "0");
   }
+  for (const formula of document.querySelectorAll("main math")) {
+    for (const [index, symbol] of symbolsOf(formula).entries()) {
+      symbol.setAttribute("tabindex", index === 0 ? "0" : "-1");
+    }
+  }
+}
+
+/** @param {Element} formula */
+function symbolsOf(formula) {
+  return [...formula.querySelectorAll('[class^="role-"]')];
+}
+
+/** @param {KeyboardEvent} event */
+function walkFormula(event) {
+  const step = { ArrowRight: 1, ArrowLeft: -1 }[event.key];
+  const symbol = within(event, 'math [class^="role-"]', MathMLElement);
+  const formula = symbol?.closest("math");
+  if (!step || !symbol || !formula) return;
+  const symbols = symbolsOf(formula);
+  const next = symbols[symbols.indexOf(symbol) + step];
+  if (!(next instanceof MathMLElement)) return;
+  event.preventDefault();
+  symbol.setAttribute("tabindex", "-1");
+  next.setAttribute("tabindex", "0");
+  next.focus();
 }
 
 /** The address has become another one of the same page: its figures follow. */
@@ -67,6 +96,9 @@ function touch(event) {
 async function rested(event) {
   const figure = within(event, "simulation-figure", HTMLElement);
   const form = figure?.querySelector("form.controls");
+  for (const readout of figure?.querySelectorAll("[data-moved]") ?? []) {
+    readout.removeAttribute("data-moved");
+  }
   if (!figure || !form || !touched.has(form) || "moving" in figure.dataset) return;
   const { record } = await import("./permalink.js");
   record(figure, "replace");

@@ -10,9 +10,10 @@
 
 import { message } from "../errors.js";
 import { all, within } from "../page/dom.js";
-import { formatValue, moveControls, named, readValues } from "./controls.js";
+import { formatValue, moveControls, named, readValues, uncover } from "./controls.js";
 import { center, driven, grabbed, inPanel, name, put } from "./handle_elements.js";
 import { keyed } from "./handle_keys.js";
+import { holdGround, mayScroll } from "./hold.js";
 import { LatestWins } from "./scheduler.js";
 import { say } from "./status.js";
 
@@ -21,9 +22,11 @@ import { say } from "./status.js";
 
 export class Handles {
   /**
-   * What is in the reader's hand, how far from the pointer it was taken, and where it was led.
+   * What is in the reader's hand, how far from the pointer it was taken, and where it was led; of
+   * a finger that may still be on its way to scroll the page, where it came down.
    *
-   * @type {{element: HTMLElement, offset: Point, last: Point | null} | null}
+   * @type {{element: HTMLElement, offset: Point, last: Point | null, down: PointerEvent | null}
+   *   | null}
    */
   #held = null;
   /** @type {LatestWins<Job>} */
@@ -50,6 +53,7 @@ export class Handles {
       for (const kind of ["pointerover", "pointerout", "focusin", "focusout"]) {
         layer.addEventListener(kind, (event) => this.#point(event), { signal });
       }
+      holdGround(layer, signal);
     }
     form.addEventListener("input", () => this.#tell(), { signal });
   }
@@ -81,19 +85,22 @@ export class Handles {
     const offset = /** @type {Point} */ (
       free ? [0, 0] : [place[0] - pointer[0], place[1] - pointer[1]]
     );
-    this.#held = { element, offset, last: null };
+    const ground = free || element.matches(".drag");
+    const down = event.pointerType === "touch" && ground ? event : null;
+    this.#held = { element, offset, last: null, down };
     element.classList.add("held");
     layer.setPointerCapture(event.pointerId);
     element.focus({ preventScroll: true });
-    // A finger on the ground may still be on its way to scroll the page.
-    if (event.pointerType === "touch" && free) return;
+    if (down && free) return;
     event.preventDefault();
     if (free) this.#reach(event);
   }
 
   /** @param {PointerEvent} event */
   #move(event) {
-    if (this.#held) this.#reach(event);
+    if (!this.#held || (this.#held.down && mayScroll(this.#held.down, event))) return;
+    this.#held.down = null;
+    this.#reach(event);
   }
 
   /**
@@ -197,6 +204,7 @@ export class Handles {
       const box = this.form.querySelector(named(setting))?.closest(".control");
       box?.classList.toggle("driven", begun);
     }
+    if (element && event.type === "focusin") uncover(this.form, driven(element));
     if (event.type.startsWith("focus")) this.#tell();
   }
 }

@@ -1,10 +1,12 @@
 /**
  * What has the colour of an idea lights up what else has it. Words, symbols and readouts let the
- * rest of the nearest figure step back, and mark the same colour in the text. Controls and handles
- * only mark the text: the hand that moves them needs the whole picture.
+ * rest of the nearest figure step back, and mark the same colour in the text and the controls that
+ * move it. Controls and handles only mark the text: the hand that moves them needs the whole
+ * picture.
  */
 
 import { all, maybe } from "../page/dom.js";
+import { named } from "./controls.js";
 
 /** Milliseconds that a pointer must rest: one that passes lights nothing. */
 const REST = 150;
@@ -34,15 +36,22 @@ export function point(element) {
   timer = setTimeout(() => {
     const text = figure.closest("article");
     if (text) text.dataset.lit = role;
+    if (element.matches(".control, .handle")) return;
+    for (const control of controlsOf(figure, role)) control.classList.add("driven");
     // A figure that draws nothing in that colour has nothing to step back from.
     const drawn = figure.querySelector(`.overlay .${role}`);
-    if (drawn && !element.matches(".control, .handle")) figure.dataset.lit = role;
+    if (drawn) figure.dataset.lit = role;
   }, REST);
 }
 
 function putOut() {
   clearTimeout(timer);
   leaving?.abort();
+  if (pointed && !pointed.matches(".control, .handle")) {
+    for (const control of all(document, ".control.driven", HTMLElement)) {
+      control.classList.remove("driven");
+    }
+  }
   pointed = null;
   for (const lit of all(document, "[data-lit]", HTMLElement)) delete lit.dataset.lit;
 }
@@ -59,6 +68,18 @@ function roleOf(element, figure) {
   const driving = `[data-handle][data-drives~="${CSS.escape(name || "")}"]`;
   const coloured = name ? maybe(figure, driving, HTMLElement) : element;
   return /(?:^|\s)role-(\w+)/.exec(coloured?.getAttribute("class") ?? "")?.[1];
+}
+
+/**
+ * The controls that a handle of this colour drives.
+ *
+ * @param {HTMLElement} figure
+ * @param {string} role
+ */
+function controlsOf(figure, role) {
+  const handles = all(figure, `.handle.role-${role}`, HTMLElement);
+  const names = new Set(handles.flatMap(({ dataset }) => (dataset.drives ?? "").split(" ")));
+  return [...names].flatMap((name) => figure.querySelector(named(name))?.closest(".control") ?? []);
 }
 
 /**

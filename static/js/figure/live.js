@@ -240,7 +240,8 @@ export class LiveFigure {
    * @param {Pull} pull
    */
   #askPull(pull) {
-    const payload = { figure: this.#key, scene: this.#scene, ...pull };
+    const { tier } = this.figure.dataset;
+    const payload = { figure: this.#key, scene: this.#scene, tier, ...pull };
     return this.runtime.call("pull", payload, () => URGENCY.held);
   }
 

@@ -3,7 +3,7 @@
  * reset returns it to where the page put it.
  */
 
-import { button, input, setActionState, writeSlider } from "./controls.js";
+import { button, input, setActionState, uncover, writeSlider } from "./controls.js";
 
 /** @import { Action, Schema, Slider } from "./controls.js" */
 
@@ -39,6 +39,7 @@ export class Motion {
     const slider = this.#driven(action);
     const wasPlaying = this.#playing?.action === action;
     this.stop();
+    uncover(this.form, [slider.name]);
     if (action.effect === "play") {
       if (!wasPlaying) this.#play(action, slider);
       return;

@@ -4,7 +4,7 @@
  */
 
 import { one } from "../page/dom.js";
-import { moveControls, readValues } from "./controls.js";
+import { moveControls, readValues, uncover } from "./controls.js";
 import { record, settingsOf } from "./permalink.js";
 
 /** @import { Value } from "./controls.js" */
@@ -41,6 +41,7 @@ export async function follow(link) {
   /** @type {Record<string, Value>} */
   const values = JSON.parse(link.dataset.values ?? "{}");
   followed.set(figure, link);
+  uncover(settingsOf(figure).form, Object.keys(values));
   jump(figure, values);
   await bringIntoView(one(figure, ".panels", HTMLElement));
   if (followed.get(figure) === link) glide(figure, values);

@@ -74,6 +74,7 @@ function paintReadout(figure, readout) {
   const output = figure.querySelector(`output[name="${CSS.escape(readout.name)}"]`);
   const box = output?.parentElement;
   if (!box) return;
+  if (output.textContent !== readout.text) box.dataset.moved = "";
   setText(output, readout.text);
   const unit = box.querySelector(".unit");
   setText(unit, readout.unit);

@@ -9,7 +9,7 @@
 
 import { all, data, one } from "../page/dom.js";
 import { isArrived } from "../page/navigate.js";
-import { moveControls, readValues } from "./controls.js";
+import { moveControls, readValues, uncover } from "./controls.js";
 import { say } from "./status.js";
 
 /** @import { Control, Schema, Value } from "./controls.js" */
@@ -95,6 +95,7 @@ export function record(figure, entry, values) {
 export function arrive(figure) {
   const { form, controls } = settingsOf(figure);
   const { values, ignored } = addressed(figure);
+  uncover(form, Object.keys(values));
   moveControls(form, controls, values, "change");
   tell(figure, ignored);
 }
@@ -107,6 +108,8 @@ export function showAddress() {
     const wanted = { ...start, ...values };
     const shown = readValues(form, controls);
     const other = controls.filter(({ name }) => shown[name] !== wanted[name]);
+    const moved = other.map(({ name }) => name);
+    uncover(form, moved);
     moveControls(form, other, wanted, "change");
     tell(figure, ignored);
   }

@@ -84,10 +84,12 @@ async function copyPython(figure) {
   const { form, controls } = settingsOf(figure);
   const { tier = "", ...values } = readValues(form, controls);
   const scene = figure.dataset.simulation ?? "";
-  const payload = { scene, values: JSON.stringify(values), tier };
+  const edited = "edited" in figure.dataset;
+  const own = figure.querySelector(".photograph-back:not([hidden])") !== null;
+  const payload = { scene, values: JSON.stringify(values), tier, edited, own };
   const reply = await sharedRuntime()?.call("script", payload, () => 2);
-  const own = figure.querySelector(".photograph-back:not([hidden])");
-  await copy(figure, reply.script, own ? "Python, for the book’s picture," : "Python");
+  const unlike = [...(edited ? ["code"] : []), ...(own ? ["picture"] : [])].join(" and ");
+  await copy(figure, reply.script, unlike ? `Python, with the book’s ${unlike},` : "Python");
 }
 
 /**

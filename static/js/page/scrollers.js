@@ -1,6 +1,6 @@
 /** What can be pushed sideways can be focused, so that arrow keys push it, too. */
 
-const BOXES = ".panels, .equation, .table-wrapper, .nowrap, :is(p, li) > math, pre";
+const BOXES = ".panels, .formula, .table-wrapper, .nowrap, :is(p, li) > math, pre";
 
 const sizes = new ResizeObserver((entries) => {
   for (const { target } of entries) mark(target);
@@ -10,6 +10,8 @@ const sizes = new ResizeObserver((entries) => {
 export function watchScrollers() {
   sizes.disconnect();
   for (const box of document.querySelectorAll(BOXES)) sizes.observe(box);
+  // A font that comes late makes the contents wider, and not the box.
+  document.fonts.ready.then(() => document.querySelectorAll(BOXES).forEach(mark));
 }
 
 /** @param {Element} box */

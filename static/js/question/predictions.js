@@ -36,6 +36,7 @@ export function installPredictions() {
     const id = button?.dataset.reveal || button?.closest("form")?.dataset.predict;
     const form = id ? maybe(document, `form[data-predict="${id}"]`, HTMLFormElement) : null;
     if (form) settle(form, null);
+    leadToWaiting(event);
   });
   installSketches();
 }
@@ -63,6 +64,18 @@ export function forgetPredictions() {
     for (const answer of answersTo(form)) delete answer.dataset.open;
     prepare(form, predictionOf(form));
   }
+}
+
+/**
+ * A link to what still waits for a guess leads to the line that says so.
+ *
+ * @param {MouseEvent} event
+ */
+function leadToWaiting(event) {
+  const link = within(event, 'a[href^="#"]', HTMLAnchorElement);
+  const target = link && document.getElementById(decodeURIComponent(link.hash.slice(1)));
+  const answer = target?.parentElement?.closest(".answer:not([data-open])");
+  answer?.scrollIntoView();
 }
 
 /** @param {HTMLFormElement} form */

@@ -103,11 +103,12 @@ const calls = {
   /**
    * The control values that bring a handle to a place of its panel.
    *
-   * @param {{scene: string, values: string, handle: string, x: number, y: number}} call
+   * @param {{scene: string, values: string, tier: string, handle: string, x: number,
+   *   y: number}} call
    */
-  async pull({ scene, values, handle, x, y }) {
+  async pull({ scene, values, tier, handle, x, y }) {
     await parts.provide(parts.table.scenes[scene]);
-    return { reply: { values: JSON.parse(python.pull(scene, values, handle, x, y)) } };
+    return { reply: { values: JSON.parse(python.pull(scene, values, tier, handle, x, y)) } };
   },
 
   /**
@@ -131,13 +132,13 @@ const calls = {
   },
 
   /**
-   * A script that prints what a frame of these values says.
+   * A script that prints what a frame of these values says, of the book's code and picture.
    *
-   * @param {FrameCall} call
+   * @param {FrameCall & {edited: boolean, own: boolean}} call
    */
-  async script({ scene, values, tier }) {
+  async script({ scene, values, tier, edited, own }) {
     await parts.provide(parts.table.scenes[scene]);
-    return { reply: { script: python.script(scene, values, tier) } };
+    return { reply: { script: python.script(scene, values, tier, edited, own) } };
   },
 
   /**

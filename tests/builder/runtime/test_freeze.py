@@ -1,5 +1,6 @@
 """Python's library and numpy, cut into parts and compiled by the browser's own interpreter."""
 
+import shutil
 import zipfile
 from collections.abc import Mapping
 from pathlib import Path
@@ -9,29 +10,30 @@ import pytest
 from site_builder.runtime import store
 from site_builder.runtime.fetch import fetch_runtime
 from site_builder.runtime.freeze import INTERPRETER, FreezeError, Frozen, freeze_libraries
+from site_builder.runtime.imports import outside, reach, read_imports
+from site_builder.runtime.pack import ENTRY, page_modules
 from site_builder.runtime.pinned import NUMPY_WHEEL, PYTHON_LIBRARY
 
 FETCHED = fetch_runtime()
-AT_ONCE = {"numpy": "models/lens.py:1", "json": "browser.py:1"}
-LATER = {"numpy.fft": "scenes/waves.py:3", "html": "scenes/waves.py:1"}
+SIMULATIONS = Path(__file__).resolve().parents[3] / "simulations"
 
 
-def freeze(
-    folder: Path, at_once: Mapping[str, str] = AT_ONCE, later: Mapping[str, str] = LATER
-) -> Frozen:
+def freeze(folder: Path, at_once: Mapping[str, str], later: Mapping[str, str]) -> Frozen:
     interpreter = {name: FETCHED[name] for name in INTERPRETER}
     python, numpy = FETCHED[PYTHON_LIBRARY.name], FETCHED[NUMPY_WHEEL.name]
     return freeze_libraries(interpreter, python, numpy, at_once, later, folder)
 
 
-@pytest.fixture(scope="module")
-def place(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    return tmp_path_factory.mktemp("store")
+def freeze_for_the_book(folder: Path) -> Frozen:
+    imports = read_imports(SIMULATIONS)
+    at_once = outside(imports, reach(imports, ENTRY))
+    return freeze(folder, at_once, outside(imports, page_modules(imports)))
 
 
 @pytest.fixture(scope="module")
-def frozen(place: Path) -> Frozen:
-    return freeze(place)
+def frozen() -> Frozen:
+    """The book's own parts, which are kept between builds."""
+    return freeze_for_the_book(store.default_store())
 
 
 def members(archive: Path) -> list[str]:
@@ -43,8 +45,9 @@ def members(archive: Path) -> list[str]:
 def test_what_is_needed_at_once_is_told_from_what_can_wait(frozen: Frozen) -> None:
     assert {"numpy", "numpy.linalg", "numpy._core._multiarray_umath"} <= {*frozen.modules["numpy"]}
     assert {"numpy.fft", "numpy.fft._pocketfft_umath"} <= {*frozen.modules["numpy-fft"]}
-    assert {"numpy.ma", "numpy.random"} <= {*frozen.modules["numpy-rest"]}
-    assert {"os", "json", "html", "asyncio", "_pyodide._base"} <= {*frozen.modules["python"]}
+    assert {"numpy.random", "numpy.random._pcg64"} <= {*frozen.modules["numpy-random"]}
+    assert {"numpy.ma", "numpy.f2py"} <= {*frozen.modules["numpy-rest"]}
+    assert {"os", "json", "asyncio", "_pyodide._base"} <= {*frozen.modules["python"]}
     assert "turtle" not in frozen.modules["python"]
 
 
@@ -68,23 +71,35 @@ def test_what_the_page_waits_for_is_byte_code_of_the_browsers_python(frozen: Fro
         assert flags == 1, "by hash, and never checked: there is no source to check against"
 
 
+@pytest.fixture
+def kept(frozen: Frozen, tmp_path: Path) -> Path:
+    """A store that holds those parts."""
+    shutil.copytree(store.default_store() / "frozen", tmp_path / "frozen")
+    for archive in frozen.archives.values():
+        store.put(tmp_path, archive.name, archive.read_bytes())
+    return tmp_path
+
+
 def test_what_is_kept_is_taken_again(
-    frozen: Frozen, place: Path, monkeypatch: pytest.MonkeyPatch
+    frozen: Frozen, kept: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.delattr("site_builder.runtime.freeze.node")
-    assert freeze(place) == frozen
+    assert freeze_for_the_book(kept).modules == frozen.modules
 
 
-def test_after_damage_the_same_bytes_are_made_again(frozen: Frozen, place: Path) -> None:
-    archive = frozen.archives["numpy-fft"]
-    archive.write_bytes(archive.read_bytes()[:-1])
-    assert freeze(place) == frozen, "every archive lies where its hash says"
-    assert store.sha256(archive.read_bytes()) == archive.parent.name
+def test_after_damage_the_same_bytes_are_made_again(frozen: Frozen, kept: Path) -> None:
+    damaged = kept / frozen.archives["numpy-fft"].relative_to(store.default_store())
+    damaged.write_bytes(damaged.read_bytes()[:-1])
+    again = freeze_for_the_book(kept)
+    assert {part: archive.parent.name for part, archive in again.archives.items()} == {
+        part: archive.parent.name for part, archive in frozen.archives.items()
+    }, "every archive lies where its hash says"
+    assert store.sha256(damaged.read_bytes()) == damaged.parent.name
 
 
 def test_a_module_that_the_browser_lacks_is_told_with_its_place(tmp_path: Path) -> None:
     with pytest.raises(FreezeError, match=r"scenes/waves\.py:2: imports scipy, which"):
-        freeze(tmp_path, later={"scipy": "scenes/waves.py:2"})
+        freeze(tmp_path, {"json": "browser.py:1"}, {"scipy": "scenes/waves.py:2"})
 
 
 def test_a_library_that_cannot_be_compiled_is_told(tmp_path: Path) -> None:
@@ -96,5 +111,5 @@ def test_a_library_that_cannot_be_compiled_is_told(tmp_path: Path) -> None:
     with pytest.raises(FreezeError, match=r"SyntaxError"):
         freeze_libraries(
             interpreter, FETCHED[PYTHON_LIBRARY.name], broken,
-            AT_ONCE, {"numpy.core": "scenes/waves.py:2"}, tmp_path,
+            {"numpy": "models/lens.py:1"}, {"numpy.core": "scenes/waves.py:2"}, tmp_path,
         )  # fmt: skip

@@ -3,6 +3,7 @@
 import json
 import subprocess
 import sys
+from collections.abc import Mapping, Sequence
 from pathlib import Path
 
 import pytest
@@ -58,11 +59,23 @@ def test_a_package_that_is_not_installed_here_is_found_too(package: Path) -> Non
 
 
 RENDER = """
-import json, sys
+import json, os, sys
 from simulations.browser import render
-render("figure", sys.argv[1], "{}", "")
-print(json.dumps([name for name in sys.modules if name.startswith(("simulations.", "numpy."))]))
+for scene in sys.argv[1:]:
+    if os.fork() == 0:
+        render("figure", scene, "{}", "")
+        print(json.dumps([scene, [*sys.modules]]), flush=True)
+        os._exit(0)
+    os.wait()
 """
+
+
+@pytest.fixture(scope="module")
+def imported() -> Mapping[str, Sequence[str]]:
+    """Scene to what is imported once it was drawn, each from the same beginning."""
+    command = [sys.executable, "-c", RENDER, *SCENE_MODULES]
+    done = subprocess.run(command, cwd=ROOT, capture_output=True, text=True, check=True)
+    return dict(map(json.loads, done.stdout.splitlines()))
 
 
 @pytest.fixture(scope="module")
@@ -75,12 +88,11 @@ def with_numpy() -> set[str]:
 
 @pytest.mark.parametrize("scene", SCENE_MODULES)
 def test_rendering_a_scene_imports_nothing_beyond_what_its_sources_tell(
-    scene: str, table: Table, with_numpy: set[str]
+    scene: str, table: Table, with_numpy: set[str], imported: Mapping[str, Sequence[str]]
 ) -> None:
-    command = [sys.executable, "-c", RENDER, scene]
-    done = subprocess.run(command, cwd=ROOT, capture_output=True, text=True, check=True)
-    imported = set(json.loads(done.stdout))
+    ours = {name for name in imported[scene] if name.startswith("simulations.")}
     known = reach(table, "simulations.browser") | reach(table, SCENE_MODULES[scene])
-    assert {name for name in imported if name.startswith("simulations.")} <= known
-    parts = {".".join(name.split(".")[:2]) for name in imported if name.startswith("numpy.")}
+    assert ours <= known
+    numpy = [name for name in imported[scene] if name.startswith("numpy.")]
+    parts = {".".join(name.split(".")[:2]) for name in numpy}
     assert parts <= with_numpy | set(outside(table, known))

@@ -102,3 +102,27 @@ def test_lines_and_planes_vanish_where_their_opposites_do() -> None:
         vanishing.vanishing_point((1.0, 2.0, 4.0), K)[0]
     )
     assert not vanishing.horizon((1e-17, 0, -1), pinhole.intrinsics(1.0, (0, 0)))[1]
+
+
+def test_the_angle_between_lines_is_read_off_where_they_vanish() -> None:
+    first, second = RNG.normal(size=(2, 20, 3))
+    cosines = (first * second).sum(axis=1) / np.prod(
+        np.linalg.norm((first, second), axis=2), axis=0
+    )
+    angles = vanishing.angle_between(first @ K.T, second @ K.T, K)
+    assert angles == pytest.approx(np.arccos(np.abs(cosines)))
+
+
+def test_a_direction_across_the_camera_vanishes_at_infinity_and_has_its_angle() -> None:
+    sixty = (
+        math.cos(math.pi / 3) * 400.0 + 320.0 * math.sin(math.pi / 3),
+        240.0 * math.sin(math.pi / 3),
+    )
+    assert vanishing.angle_between(
+        (400, 0, 0), (*sixty, math.sin(math.pi / 3)), K
+    ) == pytest.approx(math.pi / 3)
+
+
+@pytest.mark.parametrize("none", [(0, 0, 0), (math.nan, 0, 1), (math.inf, 1, 1)])
+def test_what_is_no_point_has_no_angle(none: Sequence[float]) -> None:
+    assert np.isnan(vanishing.angle_between(none, (1, 2, 1), K))

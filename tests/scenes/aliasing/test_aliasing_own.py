@@ -10,7 +10,7 @@ from simulations.engine.photograph import Photograph
 from simulations.engine.stages import StageCache
 from simulations.models.color.srgb import decode_srgb, encode_srgb
 from simulations.models.sampling.prefilters import prefilter
-from simulations.scenes.aliasing.own import ideal_weights, sample_own, weights
+from simulations.scenes.aliasing.own import ideal_weights, own_light, sample_own, weights
 from simulations.scenes.aliasing.scene import SCENE
 from simulations.scenes.aliasing.settings import FILTERS
 
@@ -39,7 +39,7 @@ def told_of_own(picture: Photograph, **given: object) -> tuple[Frame, float]:
 @pytest.mark.parametrize("kind", FILTERS)
 @pytest.mark.parametrize("rate", [0.5, 1.0, 1.7])
 def test_every_filter_leaves_an_even_picture_as_it_is(kind: str, rate: float) -> None:
-    shown = sample_own(own(np.full((240, 320, 3), 99, np.uint8)), kind, rate)
+    shown = sample_own(own_light(own(np.full((240, 320, 3), 99, np.uint8))), kind, rate)
     assert shown is not None
     assert (shown.raster[..., :3] == 99).all()
 

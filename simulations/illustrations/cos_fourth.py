@@ -1,0 +1,77 @@
+"""The four cosines of natural vignetting, each where it arises."""
+
+import math
+
+import numpy as np
+
+from simulations.engine.drafting import arc, dimension, label
+from simulations.engine.drawing import dot, line, polygon
+from simulations.engine.frame import Panel
+from simulations.engine.illustration import Illustration
+from simulations.models.lens.vignetting import vignetting_cos4
+
+WIDTH, HEIGHT = 400.0, 258.0
+OPENING, SENSOR, AXIS = 96.0, 296.0, 210.0
+ANGLE_RAD = math.radians(38)
+HALF, PIXEL = 22.0, 13.0
+"""Half the opening, and half a pixel drawn large."""
+
+
+def draw() -> Illustration:
+    run = SENSOR - OPENING
+    rise = run * math.tan(ANGLE_RAD)
+    spot, middle = (SENSOR, AXIS - rise), (OPENING, AXIS)
+    share = float(vignetting_cos4(math.tan(ANGLE_RAD)))
+    across = (math.sin(ANGLE_RAD), math.cos(ANGLE_RAD))
+    narrow = HALF * math.cos(ANGLE_RAD)
+    marks = [
+        line((20, AXIS), (SENSOR + 14, AXIS), "muted thin dashed"),
+        polygon(
+            [
+                (OPENING, AXIS - HALF),
+                (OPENING, AXIS + HALF),
+                (SENSOR, spot[1] + PIXEL),
+                (SENSOR, spot[1] - PIXEL),
+            ],
+            "ray fill thin",
+        ),
+        line(middle, spot, "ray"),
+        *(
+            line((OPENING, AXIS + s * HALF), (OPENING, AXIS + s * (HALF + 26)), "camera bold")
+            for s in (-1, 1)
+        ),
+        line((SENSOR, 24), (SENSOR, AXIS + 30), "image bold"),
+        line((SENSOR, spot[1] - PIXEL), (SENSOR, spot[1] + PIXEL), "image bold"),
+        polygon(
+            [
+                (SENSOR, spot[1] - PIXEL),
+                (SENSOR + 8, spot[1] - PIXEL),
+                (SENSOR + 8, spot[1] + PIXEL),
+                (SENSOR, spot[1] + PIXEL),
+            ],
+            "image solid",
+        ),
+        line(
+            np.subtract(middle, (narrow * across[0], narrow * across[1])),
+            np.add(middle, (narrow * across[0], narrow * across[1])),
+            "camera",
+        ),
+        arc(middle, 58, 0, ANGLE_RAD, "ray"),
+        dot(middle, "camera", 3.5),
+        dimension((OPENING, AXIS + 34), (SENSOR, AXIS + 34), "muted"),
+        label((OPENING + 66, AXIS - 16), "θ", "ray italic"),
+        label(((OPENING + SENSOR) / 2, AXIS + 29), "f", "muted italic", "middle"),
+        label((OPENING - 12, AXIS - 78), "opening, seen aslant:", "camera small", "middle"),
+        label((OPENING - 12, AXIS - 62), "cos θ", "camera", "middle"),
+        label((OPENING + 58, AXIS - 134), "way longer by 1/cos θ:", "ray small", "middle"),
+        label((OPENING + 58, AXIS - 118), "cos^2 θ", "ray", "middle"),
+        label((SENSOR + 18, spot[1] - 2), "lit aslant:", "image small"),
+        label((SENSOR + 18, spot[1] + 14), "cos θ", "image"),
+    ]
+    words = (
+        f"Light through an opening reaches the sensor at {math.degrees(ANGLE_RAD):.0f}° to the "
+        "axis. The opening looks narrower by the cosine, the way is longer by one over it, which "
+        "costs its square, and the sensor is lit aslant, which costs the cosine again: "
+        f"{100 * share:.0f} % is left."
+    )
+    return Illustration((Panel("section", "", WIDTH, HEIGHT, overlay="".join(marks)),), words)

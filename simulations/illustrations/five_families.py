@@ -1,0 +1,59 @@
+"""The five families of plane transformations, each at work on one card."""
+
+import math
+
+import numpy as np
+
+from simulations.engine.drafting import label
+from simulations.engine.drawing import path, polygon
+from simulations.engine.frame import Panel
+from simulations.engine.illustration import Illustration
+from simulations.models.arrays import Floats
+from simulations.models.geometry import transforms
+
+WIDTH, HEIGHT, UNITS = 190.0, 218.0, 82.0
+FAMILIES = (
+    ("Translation", 2, transforms.translation(0.45, 0.3)),
+    ("Rigid", 3, transforms.rigid(math.radians(24), 0.45, 0.3)),
+    ("Similarity", 4, transforms.similarity(1.3, math.radians(24), 0.45, 0.3)),
+    ("Affine", 6, transforms.affine([[1.2, 0.45], [0.1, 0.75]], [0.3, 0.2])),
+    ("Projective", 8, transforms.projective([1.05, 0.25, 0.3, 0.0, 1.1, 0.2, 0.3, 0.12, 1.0])),
+)
+"""Name, degrees of freedom, a member of the family."""
+LINES = np.linspace(0, 1, 5)
+LETTER = np.array([(1, 0.8), (1, 3.2), (3, 3.2), (3, 2.7), (1.6, 2.7), (1.6, 2.2), (2.6, 2.2),
+                   (2.6, 1.7), (1.6, 1.7), (1.6, 0.8)]) / 4  # fmt: skip
+"""An F, which is its own mirror image in no direction."""
+
+
+def mapped(H: Floats, points: Floats) -> Floats:
+    """Points (n, 2) of the unit square after ``H``, in view box units."""
+    x, y = transforms.apply_homography(H, points)[0].T
+    return np.stack([24 + UNITS * x, HEIGHT - 36 - UNITS * y], axis=-1)
+
+
+def grid(H: Floats) -> list[Floats]:
+    """The lines of the card, by their ends: all five families keep lines straight."""
+    rows = [np.array([(0.0, c), (1.0, c)]) for c in LINES]
+    columns = [np.array([(c, 0.0), (c, 1.0)]) for c in LINES]
+    return [mapped(H, ends) for ends in (*rows, *columns)]
+
+
+def draw() -> Illustration:
+    panels = []
+    card = [mapped(np.eye(3), np.array([(0, 0), (1, 0), (1, 1), (0, 1)], float))]
+    for name, freedoms, H in FAMILIES:
+        marks = [
+            polygon(card[0], "muted thin dashed"),
+            path(grid(H), "image thin"),
+            polygon(mapped(H, np.array([(0, 0), (1, 0), (1, 1), (0, 1)], float)), "image"),
+            polygon(mapped(H, LETTER), "image solid"),
+            label((WIDTH / 2, HEIGHT - 8), f"{freedoms} degrees of freedom", "muted", "middle"),
+        ]
+        panels.append(Panel(name.lower(), name, WIDTH, HEIGHT, overlay="".join(marks)))
+    words = "A square card with an F, before and after a member of each family: " + ", ".join(
+        f"{name.lower()} ({freedoms} degrees of freedom)" for name, freedoms, _ in FAMILIES
+    )
+    return Illustration(
+        tuple(panels), f"{words}. The last makes one side shorter than its opposite."
+    )

@@ -1,0 +1,58 @@
+"""One rounding step, read back as an angle: wide where the cosine is flat, narrow on the sine."""
+
+import math
+
+import numpy as np
+
+from simulations.engine.drafting import Axis, Plot, dimension, label
+from simulations.engine.drawing import line, polygon
+from simulations.engine.frame import Panel
+from simulations.engine.illustration import Illustration
+
+WIDTH, HEIGHT = 320.0, 230.0
+PLOT = Plot(Axis(0.0, 1.0, 30, 306), Axis(0.0, 1.1, 178, 10))
+STEP = 0.08
+"""Drawn coarse: what is rounded to one number."""
+
+
+def angles(kind: str) -> tuple[float, float]:
+    """The least and the greatest angle in radians that cannot be told from 0.1, and from 0."""
+    if kind == "cosine":
+        return 0.0, math.acos(1 - STEP)
+    return 0.0, math.asin(STEP)
+
+
+def _panel(kind: str, values: np.ndarray, band: tuple[float, float], title: str) -> Panel:
+    theta = np.linspace(0.0, 1.0, 201)
+    low, high = angles(kind)
+    foot = PLOT.y.start
+    corners = [PLOT.at(0, band[0]), PLOT.at(1, band[0]), PLOT.at(1, band[1]), PLOT.at(0, band[1])]
+    marks = [
+        polygon(corners, "error fill thin"),
+        PLOT.axes(),
+        PLOT.curve(theta, values, "image bold"),
+        line(
+            (PLOT.at(high, 0)[0], foot),
+            PLOT.at(high, band[0] if kind == "cosine" else band[1]),
+            "error dashed",
+        ),
+        dimension((PLOT.at(low, 0)[0], foot + 12), (PLOT.at(high, 0)[0], foot + 12), "error"),
+        label((PLOT.at(high, 0)[0] + 10, foot + 17), f"θ from 0 to {high:.2f}", "error"),
+        label((PLOT.x.end, foot + 17), "θ", "muted italic", "end"),
+        label((PLOT.x.end, foot + 44), f"one step of {STEP:g}, read back", "muted small", "end"),
+    ]
+    return Panel(kind, title, WIDTH, HEIGHT, overlay="".join(marks))
+
+
+def draw() -> Illustration:
+    theta = np.linspace(0.0, 1.0, 201)
+    panels = (
+        _panel("cosine", np.cos(theta), (1 - STEP, 1.0), "From the cosine"),
+        _panel("sine", np.sin(theta), (0.0, STEP), "From the sine"),
+    )
+    words = (
+        f"A band {STEP:g} wide, the step of a coarse rounding, at the start of the cosine and of "
+        f"the sine. On the cosine all angles up to {angles('cosine')[1]:.2f} radians lie in it, on "
+        f"the sine those up to {angles('sine')[1]:.2f}."
+    )
+    return Illustration(panels, words)

@@ -1,0 +1,61 @@
+"""Where a barrel polynomial folds: below its height two ideal radii for one, above it none."""
+
+import numpy as np
+
+from simulations.engine.drafting import Axis, Plot, label
+from simulations.engine.drawing import dot, line
+from simulations.engine.frame import Panel
+from simulations.engine.illustration import Illustration
+from simulations.models.distortion.radial_profile import (
+    RadialProfile,
+    evaluate,
+    fold_radius,
+    largest_image_radius,
+)
+
+WIDTH, HEIGHT = 400.0, 268.0
+PLOT = Plot(Axis(0.0, 1.9, 46, 390), Axis(0.0, 0.84, 226, 12))
+LENS = RadialProfile((-0.3,))
+SEEN, NOWHERE = 0.6, 0.75
+
+
+def ideal_radii(seen: float) -> list[float]:
+    """All radii up to the end of the axis that the polynomial sends to ``seen``."""
+    k1 = LENS.numerator[0]
+    roots = np.roots([k1, 0.0, 1.0, -seen])
+    return sorted(
+        float(r.real) for r in roots if abs(r.imag) < 1e-12 and 0 <= r.real <= PLOT.x.high
+    )
+
+
+def draw() -> Illustration:
+    fold, highest = float(fold_radius(LENS)), float(largest_image_radius(LENS))
+    radii = np.linspace(0.0, PLOT.x.high, 400)
+    before, after = radii[radii <= fold], radii[radii >= fold]
+    marks = [
+        PLOT.axes(),
+        PLOT.ticks_x([(value, f"{value:g}") for value in (0, 0.5, 1, 1.5)]),
+        PLOT.ticks_y([(value, f"{value:g}") for value in (SEEN, NOWHERE)]),
+        line(PLOT.at(0, NOWHERE), PLOT.at(1.9, NOWHERE), "error dashed"),
+        line(PLOT.at(0, SEEN), PLOT.at(1.9, SEEN), "image dashed"),
+        line(PLOT.at(fold, 0), PLOT.at(fold, highest), "muted thin dashed"),
+        PLOT.curve(before, evaluate(LENS, before), "camera bold"),
+        PLOT.curve(after, evaluate(LENS, after), "camera dashed"),
+        dot(PLOT.at(fold, highest), "camera", 4.5),
+    ]
+    for index, r in enumerate(ideal_radii(SEEN)):
+        marks.append(dot(PLOT.at(r, SEEN), "image" if index == 0 else "error", 4.5))
+    marks += [
+        label((PLOT.at(1.9, NOWHERE)[0], PLOT.at(0, NOWHERE)[1] - 7), "no answer", "error", "end"),
+        label((PLOT.x.end, PLOT.at(0, SEEN)[1] + 17), "two answers", "image", "end"),
+        label((PLOT.at(fold, 0)[0] + 7, PLOT.y.start - 10), f"fold, r = {fold:.3f}", "muted"),
+        label((PLOT.x.end, PLOT.y.start + 36), "ideal radius r", "muted small", "end"),
+        label((52, 24), "seen at r_d", "muted small"),
+    ]
+    both = " and ".join(f"{r:.3f}" for r in ideal_radii(SEEN))
+    words = (
+        f"The distorted radius over the ideal one for k1 = {LENS.numerator[0]:g}. It rises to "
+        f"{highest:.3f} at the ideal radius {fold:.3f} and falls again. The height {SEEN:g} is "
+        f"reached twice, at {both}; {NOWHERE:g} is never reached."
+    )
+    return Illustration((Panel("plot", "", WIDTH, HEIGHT, overlay="".join(marks)),), words)

@@ -1,0 +1,44 @@
+"""An evenly lit wall in four exposures: what chance alone makes of it."""
+
+import math
+
+import numpy as np
+
+from simulations.engine.drafting import label, swatch
+from simulations.engine.frame import Panel
+from simulations.engine.illustration import Illustration
+from simulations.models.arrays import Floats
+from simulations.models.color.srgb import encode_srgb
+from simulations.models.sensor.photon_counting import shot_noise
+
+SIDE, CELLS, PITCH = 190.0, 12, 14.0
+MEANS_E = (3, 30, 300, 3000)
+GREY = 0.3
+"""How bright the mean is shown, in linear light."""
+SEED = 6
+
+
+def counts(mean_e: float) -> Floats:
+    """Electrons counted in each cell."""
+    return shot_noise(np.full((CELLS, CELLS), float(mean_e)), np.random.default_rng(SEED))
+
+
+def draw() -> Illustration:
+    panels = []
+    edge = (SIDE - CELLS * PITCH) / 2
+    for mean in MEANS_E:
+        shown = encode_srgb(np.clip(GREY * counts(mean) / mean, 0, 1))
+        marks = [
+            swatch((edge + PITCH * x, PITCH * y), PITCH + 0.3, PITCH + 0.3, (value,) * 3)
+            for y, row in enumerate(shown)
+            for x, value in enumerate(row)
+        ]
+        noise = f"noise {100 / math.sqrt(mean):.2g} %"
+        marks.append(label((SIDE / 2, CELLS * PITCH + 20), noise, "muted", "middle"))
+        panels.append(Panel(f"mean-{mean}", f"{mean} electrons", SIDE, 196, overlay="".join(marks)))
+    words = "A wall of one grey, seen by 12 by 12 cells, with " + ", ".join(
+        f"{mean} electrons a cell (noise {100 / math.sqrt(mean):.2g} %)" for mean in MEANS_E
+    )
+    return Illustration(
+        tuple(panels), f"{words}. The first is a scatter of blacks and whites, the last is even."
+    )

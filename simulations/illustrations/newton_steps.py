@@ -1,0 +1,55 @@
+"""Newton's steps back through a barrel lens: each follows the tangent to the wanted height."""
+
+import numpy as np
+
+from simulations.engine.drafting import Axis, Plot, label
+from simulations.engine.drawing import dot, line, path
+from simulations.engine.frame import Panel
+from simulations.engine.illustration import Illustration
+from simulations.models.distortion.radial_profile import RadialProfile, evaluate, slope
+
+WIDTH, HEIGHT = 400.0, 282.0
+PLOT = Plot(Axis(0.62, 1.06, 24, 392), Axis(0.55, 0.72, 240, 14))
+LENS = RadialProfile((-0.3,))
+SEEN, STEPS = 0.68, 4
+"""The distorted radius that is to be undone, and how many steps are drawn."""
+
+
+def guesses() -> list[float]:
+    """The first guess, the seen radius itself, and those that follow."""
+    found = [SEEN]
+    for _ in range(STEPS):
+        r = found[-1]
+        found.append(r - (float(evaluate(LENS, r)) - SEEN) / float(slope(LENS, r)))
+    return found
+
+
+def draw() -> Illustration:
+    radii = np.linspace(0.62, 1.06, 200)
+    found = guesses()
+    foot, wanted = PLOT.y.start, PLOT.at(0.62, SEEN)[1]
+    marks = [
+        PLOT.axes(),
+        line((PLOT.x.start, wanted), (PLOT.x.end, wanted), "image dashed"),
+        PLOT.curve(radii, evaluate(LENS, radii), "camera bold"),
+    ]
+    for index, r in enumerate(found[:-1]):
+        height = float(evaluate(LENS, r))
+        marks.append(path([[(PLOT.at(r, SEEN)[0], foot), PLOT.at(r, height)]], "muted thin dashed"))
+        if index < 3:
+            marks.append(line(PLOT.at(r, height), PLOT.at(found[index + 1], SEEN), "ray"))
+            marks.append(dot(PLOT.at(r, height), "ray", 4))
+            marks.append(label((PLOT.at(r, SEEN)[0], foot + 18), f"r_{index}", "italic", "middle"))
+    root = PLOT.at(found[-1], SEEN)
+    marks += [
+        dot(root, "image", 4.5),
+        label((PLOT.x.start + 8, wanted - 8), f"seen: r_d = {SEEN:g}", "image"),
+        label((root[0] + 10, foot - 8), f"r = {found[-1]:.3f}", "image halo"),
+        label((PLOT.x.end, foot + 18), "ideal radius r", "muted small", "end"),
+    ]
+    words = (
+        f"The distorted radius against the ideal one, for k1 = −0.3, and a level line at {SEEN:g}. "
+        "From the first guess the tangent is followed up to that line, which gives the second "
+        "guess: " + ", ".join(f"{r:.4f}" for r in found) + "."
+    )
+    return Illustration((Panel("plot", "", WIDTH, HEIGHT, overlay="".join(marks)),), words)

@@ -1,0 +1,58 @@
+"""All pairs of paint and light that make the same pixel value: a curve for each value."""
+
+import numpy as np
+
+from simulations.engine.drafting import Axis, Plot, label
+from simulations.engine.drawing import dot
+from simulations.engine.frame import Panel
+from simulations.engine.illustration import Illustration
+from simulations.models.color.srgb import decode_srgb
+
+WIDTH, HEIGHT = 400.0, 268.0
+PLOT = Plot(Axis(0, 4, 48, 392), Axis(0, 1, 222, 14))
+"""Light that arrives, in units of the lamp's on a wall that faces it, and albedo."""
+VALUE = 149
+OTHERS = ((75, 1.8), (220, 2.6))
+"""Other pixel values, and where along the axis their curves are named."""
+WALLS = (
+    (0.38, "white wall, in the shade"),
+    (1.0, "grey wall, by the lamp"),
+    (2.6, "dark wall, in the sun"),
+)
+"""Light, and whose it is."""
+
+
+def albedo(value: float, light: float) -> float:
+    """The paint that has the pixel value in that much light."""
+    return float(decode_srgb(value / 255)) / light
+
+
+def _curve(value: float, style: str) -> str:
+    light = np.linspace(0.05, 4.0, 800)
+    return PLOT.curve(light, [albedo(value, at) for at in light], style)
+
+
+def _above(light: float, value: float, name: str, style: str) -> str:
+    x, y = PLOT.at(light, albedo(value, light))
+    return label((x + 9, y - 6), name, style)
+
+
+def draw() -> Illustration:
+    marks = [
+        PLOT.axes(),
+        PLOT.ticks_x([(n, f"{n}") for n in range(5)]),
+        PLOT.ticks_y([(n, f"{n:g}") for n in (0, 0.5, 1)]),
+        *(_curve(value, "muted thin dashed") for value, _ in OTHERS),
+        *(_above(light, value, f"{value}", "muted") for value, light in OTHERS),
+        _curve(VALUE, "image bold"),
+        *(_above(light, VALUE, name, "world halo") for light, name in WALLS),
+        *(dot(PLOT.at(light, albedo(VALUE, light)), "world", 4.5) for light, _ in WALLS),
+        label((84, 26), f"pixel value {VALUE}", "image strong halo"),
+        label((219, 262), "light on the wall", "light", "middle"),
+        label((39, 70), "albedo", "world small", "end"),
+    ]
+    pairs = "; ".join(
+        f"{name}, light {light:g} and albedo {albedo(VALUE, light):.2f}" for light, name in WALLS
+    )
+    words = f"A curve through all pairs of light and albedo whose pixel value is {VALUE}: {pairs}."
+    return Illustration((Panel("pairs", "", WIDTH, HEIGHT, overlay="".join(marks)),), words)

@@ -1,0 +1,65 @@
+"""The way from photons to a code, and what each step adds by chance."""
+
+import math
+
+from simulations.engine.drafting import box, label
+from simulations.engine.drawing import arrow
+from simulations.engine.frame import Panel
+from simulations.engine.illustration import Illustration
+from simulations.models.sensor.photon_counting import Sensor, expose, quantise
+
+WIDTH, HEIGHT = 400.0, 296.0
+SENSOR = Sensor(full_well_e=20_000, read_noise_e=3.0, dark_current_e_per_s=0.5, gain_e_per_dn=4.88)
+PHOTONS_PER_S, EXPOSURE_S = 2000.0, 1.0
+LEFT, BOX_WIDTH, BOX_HEIGHT, GAP = 132.0, 136.0, 38.0, 42.0
+
+
+def mean_electrons() -> float:
+    return float(expose(PHOTONS_PER_S, EXPOSURE_S, SENSOR))
+
+
+def stations() -> tuple[tuple[str, str, str, str], ...]:
+    """What is held at each station, its unit, and what enters on the way to it by chance."""
+    mean = mean_electrons()
+    code = int(quantise(mean / SENSOR.gain_e_per_dn + SENSOR.black_level_dn, SENSOR.bits))
+    photons = PHOTONS_PER_S * EXPOSURE_S
+    return (
+        (f"{photons:.0f} photons", "light", "", ""),
+        (
+            f"{mean:.0f} electrons",
+            "world",
+            f"× {SENSOR.quantum_efficiency:g}, + {SENSOR.dark_current_e_per_s:g} dark",
+            f"shot noise ± {math.sqrt(mean):.0f} e^−",
+        ),
+        (
+            f"{mean / SENSOR.gain_e_per_dn:.1f} DN",
+            "camera",
+            f"÷ {SENSOR.gain_e_per_dn:g} e^− per DN",
+            f"read noise ± {SENSOR.read_noise_e:g} e^−",
+        ),
+        (
+            f"code {code}",
+            "image",
+            f"+ {SENSOR.black_level_dn:g} DN, rounded",
+            f"rounding ± {1 / math.sqrt(12):.2f} DN",
+        ),
+    )
+
+
+def draw() -> Illustration:
+    marks = []
+    for index, (name, role, way, chance) in enumerate(stations()):
+        y = 14 + index * (BOX_HEIGHT + GAP)
+        marks.append(box((LEFT, y), BOX_WIDTH, BOX_HEIGHT, 4, f"{role} fill"))
+        marks.append(label((LEFT + BOX_WIDTH / 2, y + 25), name, f"{role} strong", "middle"))
+        if index:
+            top = y - GAP
+            x = LEFT + BOX_WIDTH / 2
+            marks.append(arrow((x, top), (x, y), "muted"))
+            marks.append(label((x - 10, top + 26), way, "muted small", "end"))
+            marks.append(arrow((x + 44, top + 21), (x + 4, top + 21), "error", 7))
+            marks.append(label((x + 50, top + 26), chance, "error small"))
+    words = "From the top down: " + "; ".join(
+        name if not chance else f"{way}, {chance}: {name}" for name, _, way, chance in stations()
+    ).replace("^−", "⁻")
+    return Illustration((Panel("chain", "", WIDTH, HEIGHT, overlay="".join(marks)),), f"{words}.")

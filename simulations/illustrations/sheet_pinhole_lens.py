@@ -1,0 +1,88 @@
+"""What a bare sheet, a pinhole and a lens make of two points: fog, a dim picture, a bright one."""
+
+import numpy as np
+
+from simulations.engine.drafting import glass
+from simulations.engine.drawing import dot, line, path
+from simulations.engine.frame import Panel
+from simulations.engine.illustration import Illustration
+from simulations.models.lens.thin_lens import thin_lens_image_distance
+
+WIDTH, HEIGHT, MIDDLE = 320.0, 210.0, 104.0
+SOURCE, OPENING, FOCAL = 24.0, 190.0, 70.0
+"""Columns of the points and of the opening, and the focal length, in view box units."""
+SHEET = OPENING + float(thin_lens_image_distance(FOCAL, OPENING - SOURCE))
+"""Where the lens brings the light of the points together."""
+POINTS = (("world", -46.0), ("light", 40.0))
+"""Heights of the two points below the axis."""
+HALF_LENS, HALF_SHEET = 56.0, 92.0
+
+type Ray = list[tuple[float, float]]
+
+
+def behind(height: float, at_opening: float, focal: float) -> float:
+    """Where a ray from the point meets the sheet: a thin lens bends it by its height over f."""
+    slope = (at_opening - height) / (OPENING - SOURCE) - at_opening / focal
+    return at_opening + slope * (SHEET - OPENING)
+
+
+def _through(height: float, heights: np.ndarray, focal: float) -> list[Ray]:
+    return [
+        [
+            (SOURCE, MIDDLE + height),
+            (OPENING, MIDDLE + float(y)),
+            (SHEET, MIDDLE + behind(height, float(y), focal)),
+        ]
+        for y in heights
+    ]
+
+
+def _straight(height: float) -> list[Ray]:
+    ends = np.linspace(-HALF_SHEET + 8, HALF_SHEET - 8, 7)
+    return [[(SOURCE, MIDDLE + height), (SHEET, MIDDLE + float(y))] for y in ends]
+
+
+def _panel(name: str, title: str, rays: dict[str, list[Ray]], opening: list[str]) -> Panel:
+    marks = [line((SHEET, MIDDLE - HALF_SHEET), (SHEET, MIDDLE + HALF_SHEET), "image bold")]
+    for role, height in POINTS:
+        marks.append(path(rays[role], f"{role} thin"))
+        marks.append(dot((SOURCE, MIDDLE + height), role, 5.5))
+        marks += [dot(ray[-1], role, 3) for ray in rays[role]]
+    return Panel(name, title, WIDTH, HEIGHT, overlay="".join([*marks, *opening]))
+
+
+def draw() -> Illustration:
+    wall = [
+        line((OPENING, MIDDLE + sign * 3), (OPENING, MIDDLE + sign * HALF_SHEET), "camera bold")
+        for sign in (-1, 1)
+    ]
+    rim = [
+        line(
+            (OPENING, MIDDLE + sign * HALF_LENS),
+            (OPENING, MIDDLE + sign * HALF_SHEET),
+            "camera bold",
+        )
+        for sign in (-1, 1)
+    ]
+    across = np.linspace(-HALF_LENS + 6, HALF_LENS - 6, 7)
+    panels = (
+        _panel("sheet", "A sheet alone", {role: _straight(y) for role, y in POINTS}, []),
+        _panel(
+            "pinhole",
+            "A pinhole",
+            {role: _through(y, np.zeros(1), np.inf) for role, y in POINTS},
+            wall,
+        ),
+        _panel(
+            "lens",
+            "A lens",
+            {role: _through(y, across, FOCAL) for role, y in POINTS},
+            [*rim, glass((OPENING, MIDDLE), HALF_LENS, 9)],
+        ),
+    )
+    words = (
+        "Two points and a sheet. With nothing between, every point lights the whole sheet. A "
+        "pinhole lets one ray of each point through, to its own place, upside down. A lens bends "
+        "seven rays of each point to that same place."
+    )
+    return Illustration(panels, words)

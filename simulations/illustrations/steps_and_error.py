@@ -1,0 +1,73 @@
+"""Steps back through a lens, by two methods: what each costs, and how far off it still is."""
+
+import numpy as np
+
+from simulations.engine.drafting import Axis, Plot, label
+from simulations.engine.drawing import circle, dot, polyline
+from simulations.engine.frame import Panel
+from simulations.engine.illustration import Illustration
+from simulations.models.distortion.lens_model import Distortion, distort
+from simulations.models.distortion.undistortion import undistort_fixed_point, undistort_newton
+
+WIDTH, HEIGHT = 400.0, 284.0
+PLOT = Plot(Axis(0.8, 24, 62, 388, log=True), Axis(1e-17, 0.1, 236, 12, log=True))
+"""Polynomials worked out, and the largest error in focal lengths."""
+LENS = Distortion(k1=-0.15)
+STEPS = {"fixed point": (1, 2, 3, 5, 8, 12, 20), "Newton": (1, 2, 3, 4)}
+POLYNOMIALS = {"fixed point": 1, "Newton": 2}
+"""That a step works out: Newton's needs the slope too."""
+
+
+def points() -> list[tuple[int, float, str]]:
+    """Cost, error and method of each number of steps."""
+    ideal = np.stack([np.linspace(0, 0.9, 91), np.zeros(91)], axis=-1)
+    seen = distort(ideal, LENS)
+    found = []
+    for name, method in (("fixed point", undistort_fixed_point), ("Newton", undistort_newton)):
+        for steps in STEPS[name]:
+            error = float(np.abs(method(seen, LENS, steps) - ideal).max())
+            found.append((steps * POLYNOMIALS[name], max(error, PLOT.y.low), name))
+    return found
+
+
+def front() -> list[tuple[int, float, str]]:
+    """Those that no other beats in both."""
+    all_points = points()
+    kept = [
+        p
+        for p in all_points
+        if not any(q != p and q[0] <= p[0] and q[1] <= p[1] for q in all_points)
+    ]
+    return sorted(kept)
+
+
+def draw() -> Illustration:
+    best = front()
+    stairs = [PLOT.at(cost, error) for cost, error, _ in best]
+    marks = [
+        PLOT.axes(),
+        PLOT.ticks_x([(n, f"{n}") for n in (1, 2, 5, 10, 20)]),
+        PLOT.ticks_y([(10.0**n, f"10^{{−{-n}}}") for n in (-4, -8, -12, -16)]),
+        polyline(stairs, "image bold"),
+    ]
+    for cost, error, name in points():
+        style = "image" if (cost, error, name) in best else "muted"
+        place = PLOT.at(cost, error)
+        marks.append(
+            dot(place, style, 4.5) if name == "Newton" else circle(place, 4.5, f"{style} hollow")
+        )
+    marks += [
+        label((PLOT.x.end, PLOT.y.start + 36), "polynomials worked out", "muted small", "end"),
+        label((PLOT.x.end, 24), "largest error", "muted small", "end"),
+        dot((84, 196), "image", 4.5),
+        label((96, 200), "Newton", ""),
+        circle((84, 216), 4.5, "image hollow"),
+        label((96, 220), "fixed point", ""),
+    ]
+    words = "Error over cost of undoing a barrel lens, on logarithmic axes: " + "; ".join(
+        f"{name}, {cost} polynomials, {error:.0e}" for cost, error, name in best
+    )
+    return Illustration(
+        (Panel("plot", "", WIDTH, HEIGHT, overlay="".join(marks)),),
+        f"{words}. These are on the front.",
+    )

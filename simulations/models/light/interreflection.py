@@ -1,0 +1,121 @@
+"""Light between two matte planes that meet in an edge: shadows, and bounce after bounce.
+
+The planes are strips of width 1, endless along their common edge, so that all happens in the plane
+across it. ``opening_rad`` is the angle between them, on the lit side. Places are distances from the
+edge, 0 to 1. Brightness is radiosity: 1 for a perfect white that faces the lamp.
+
+Szeliski, 2nd ed., section 2.2.2; Goral et al., "Modeling the Interaction of Light Between Diffuse
+Surfaces", SIGGRAPH 1984; Hottel and Sarofim, Radiative Transfer, 1967 (crossed strings).
+"""
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from simulations.models.arrays import Floats, as_array
+from simulations.models.require import require
+from simulations.models.whole_numbers import as_whole
+
+CELLS = 40
+"""Strips that each plane is cut into, narrower towards the edge."""
+EDGES: Floats = np.linspace(0.0, 1.0, CELLS + 1) ** 2
+"""(CELLS + 1,) their borders."""
+
+
+def lamp_light(places: ArrayLike, light_rad: float, opening_rad: float) -> Floats:
+    """Light (...) that a distant lamp throws on one plane, in the shadow of the other.
+
+    ``light_rad`` counts from the plane, on the side of the other: 0 grazes it, π/2 stands over it,
+    and above ``opening_rad`` the lamp is behind the other plane. 0 where it is below this one.
+    """
+    _check_opening(opening_rad)
+    at = np.asarray(places, float)
+    return _over(light_rad) * (at >= shadow_end(light_rad, opening_rad))
+
+
+def shadow_end(light_rad: float, opening_rad: float) -> float:
+    """How far from the edge the other plane's shadow reaches; 0 without one, at most ∞."""
+    if light_rad <= opening_rad or _over(light_rad) == 0.0:
+        return 0.0
+    return float(np.sin(light_rad - opening_rad) / np.sin(light_rad))
+
+
+def mean_lamp_light(light_rad: float, opening_rad: float) -> Floats:
+    """(CELLS,) of each strip, of which the shadow's border leaves a part in the light."""
+    end = np.clip(shadow_end(light_rad, opening_rad), 0.0, 1.0)
+    lit = (EDGES[1:] - np.clip(end, EDGES[:-1], EDGES[1:])) / np.diff(EDGES)
+    return _over(light_rad) * lit
+
+
+def seen_of(places: ArrayLike, opening_rad: float) -> Floats:
+    """Form factors (..., CELLS): what share of a place's view each strip of the other plane fills.
+
+    View counts by the cosine to the normal, so that all around adds up to 1. Half the difference
+    of the sines under which the borders of a strip are seen; at the edge itself, the limit.
+    """
+    _check_opening(opening_rad)
+    at = np.maximum(np.asarray(places, float), 1e-9)[..., None]
+    along = EDGES * np.cos(opening_rad) - at
+    sines = along / np.hypot(along, EDGES * np.sin(opening_rad))
+    return 0.5 * np.diff(sines, axis=-1)
+
+
+def exchange(opening_rad: float) -> Floats:
+    """(CELLS, CELLS) mean form factors from the strips of one plane to those of the other.
+
+    Hottel's crossed strings: the two that cross, less the two that do not, by twice the width.
+    """
+    _check_opening(opening_rad)
+    here, there = EDGES[:, None], EDGES
+    square = here**2 + there**2 - 2.0 * here * there * np.cos(opening_rad)
+    strings = np.sqrt(np.maximum(square, 0.0))
+    crossed = strings[:-1, 1:] + strings[1:, :-1] - strings[:-1, :-1] - strings[1:, 1:]
+    return 0.5 * crossed / np.diff(EDGES)[:, None]
+
+
+def bounced(
+    direct: ArrayLike, albedos: ArrayLike, opening_rad: float, bounces: int | None
+) -> Floats:
+    """Brightness (2, CELLS) of both planes after some bounces between them, or after all.
+
+    Parameters
+    ----------
+    direct : (2, CELLS) irradiance by the lamp of either plane
+    albedos : (2,) from 0 to 1
+    bounces : times that light goes over from one plane to the other; ``None`` for without end,
+        as the solution of a linear system.
+    """
+    lamp = as_array("direct", direct, 2, CELLS)
+    share = as_array("albedos", albedos, 2)
+    require("albedos", share, ((share >= 0) & (share <= 1)).all(), "0 to 1")
+    across = exchange(opening_rad)
+    first = share[:, None] * lamp
+    if bounces is not None:
+        light = first
+        for _ in range(as_whole("bounces", bounces, 0)):
+            light = first + share[:, None] * (light[::-1] @ across.T)
+        return light
+    # The floor gets its own light back by way of the wall.
+    twice = share.prod() * across @ across
+    floor = np.linalg.solve(np.eye(CELLS) - twice, first[0] + share[0] * across @ first[1])
+    return np.stack([floor, first[1] + share[1] * across @ floor])
+
+
+def edge_factor(albedo: float, opening_rad: float) -> float:
+    """How much brighter the edge is than by the lamp alone, where both planes are alike and lit.
+
+    Next to the edge each place sees the other plane under the share F = (1 + cos φ)/2 of its view,
+    and there what it is itself: B = ρ (E + F B), which is ρE/(1 − ρF).
+    """
+    _check_opening(opening_rad)
+    require("albedo", albedo, 0 <= albedo <= 1, "0 to 1")
+    return 1.0 / (1.0 - albedo * 0.5 * (1.0 + float(np.cos(opening_rad))))
+
+
+def _over(light_rad: float) -> float:
+    """Cosine to the plane's normal; 0 below it."""
+    require("light_rad", light_rad, -np.pi <= light_rad <= np.pi, "-π to π")
+    return float(np.sin(light_rad)) if 0.0 < light_rad < np.pi else 0.0
+
+
+def _check_opening(opening_rad: float) -> None:
+    require("opening_rad", opening_rad, 0.0 < opening_rad < np.pi, "above 0, below π")

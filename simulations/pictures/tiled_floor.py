@@ -1,0 +1,213 @@
+"""A tiled floor to the horizon under a pale sky, and a box on it.
+
+World frame as in `simulations.models.light.raycasting`: x right, y away, z up, in metres; the floor
+is z = 0 and the box stands along its tiles. Linear RGB, 1 = paper white.
+"""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from simulations.models.arrays import Floats, Mask
+from simulations.models.projection.level_ground import ground_to_image
+from simulations.models.projection.pinhole import world_to_camera
+from simulations.pictures.patterns import checker
+
+TILE_M = 0.5
+SLATE, CREAM = (0.085, 0.115, 0.135), (0.66, 0.61, 0.52)
+SKY_TOP, SKY_LOW = (0.30, 0.52, 0.88), (0.90, 0.90, 0.86)
+FLOOR_COLOURS = np.array([SLATE, CREAM, SKY_LOW], np.float32)
+SKY_COLOURS = np.array([SKY_LOW, SKY_TOP], np.float32)
+SKY_RISE = 0.7
+"""Tangent of the angle above the horizon at which the sky is bluest."""
+FARTHEST = 1e-4
+"""One over the depth in metres at which the floor ends, in haze."""
+HAZE_M = 45.0
+"""Distance at which the floor has e⁻¹ of its colour left."""
+BOX_PAINT = (0.52, 0.13, 0.055)
+LIGHT = {"x0": 0.95, "x1": 0.34, "y0": 0.50, "y1": 0.60, "top": 1.25}
+"""How bright each side of the box is under a lamp to the left."""
+SHADOW_PER_M = (0.7, 0.3)
+"""Where the shadow of a point falls, metres right and nearer for each metre of its height."""
+SHADE = 0.42
+"""What is left of the light in the shadow."""
+EDGE_ON_M = 1e-6
+"""Before the plane of a side: within it, the side is a line and not to be seen."""
+
+
+@dataclass(frozen=True, slots=True)
+class Box:
+    """A box on the floor, its sides along the tiles."""
+
+    x: float
+    """Middle of its base, metres."""
+    y: float
+    width: float
+    height: float
+
+    @property
+    def spans(self) -> tuple[tuple[float, float], tuple[float, float], tuple[float, float]]:
+        """From and to along x, y and z."""
+        half = self.width / 2.0
+        return (self.x - half, self.x + half), (self.y - half, self.y + half), (0.0, self.height)
+
+    def seen_from(self, eye: ArrayLike) -> tuple[str, ...]:
+        """Names of the sides that are turned to the eye (3,): x0, x1, y0, y1, top."""
+        x, y, z = np.asarray(eye, float)
+        (x0, x1), (y0, y1), (_, top) = self.spans
+        before = {"x0": x0 - x, "x1": x - x1, "y0": y0 - y, "y1": y - y1, "top": z - top}
+        return tuple(name for name, distance in before.items() if distance > EDGE_ON_M)
+
+    def side(self, name: str) -> Floats:
+        """Corners (4, 3) of a side, in the order of its edge."""
+        (x0, x1), (y0, y1), (low, top) = self.spans
+        if name == "top":
+            return np.array([(x0, y0, top), (x1, y0, top), (x1, y1, top), (x0, y1, top)])
+        a, b = {
+            "x0": ((x0, y0), (x0, y1)),
+            "x1": ((x1, y0), (x1, y1)),
+            "y0": ((x0, y0), (x1, y0)),
+            "y1": ((x0, y1), (x1, y1)),
+        }[name]
+        return np.array([(*a, low), (*b, low), (*b, top), (*a, top)])
+
+    def shadow(self) -> Floats:
+        """Corners (6, 3) of its shadow on the floor, the base included."""
+        (x0, x1), (y0, y1), (_, top) = self.spans
+        right, nearer = (top * share for share in SHADOW_PER_M)
+        outline = [(x0, y1), (x1, y1), (x1 + right, y1 - nearer), (x1 + right, y0 - nearer)]
+        outline += [(x0 + right, y0 - nearer), (x0, y0)]
+        return np.array([(*corner, 0.0) for corner in outline])
+
+
+def tiled_floor(pose: ArrayLike, K: ArrayLike, width: int, height: int) -> NDArray[np.float32]:
+    """The floor and the sky, (height, width, 3).
+
+    ``pose`` (4, 4) is that of a camera above the floor that looks less than straight up or down.
+    """
+    to_floor = np.linalg.inv(ground_to_image(pose, K)).astype(np.float32)
+    across, away, nearness = (_over_pixels(row, width, height) for row in to_floor)
+    picture = np.empty((height, width, 3), np.float32)
+    ends = nearness[:, [0, -1]]
+    with_floor, with_sky = (
+        _rows(these) for these in (ends.max(axis=1) > FARTHEST, ends.min(axis=1) <= FARTHEST)
+    )
+    distance = 1.0 / np.maximum(nearness[with_floor], FARTHEST)
+    x, y = across[with_floor] * distance, away[with_floor] * distance
+    picture[with_floor] = _floor(x, y, distance, to_floor)
+    above = -nearness[with_sky] / float(np.hypot(*to_floor[2, :2]) * np.asarray(K)[1, 1])
+    in_sky = (nearness[with_sky] <= FARTHEST)[..., None]
+    np.copyto(picture[with_sky], _sky(above), where=in_sky)
+    return picture
+
+
+def _rows(these: Mask) -> slice:
+    """Rows that are all above or all below a line: one run."""
+    found = np.flatnonzero(these)
+    return slice(int(found[0]), int(found[-1]) + 1) if found.size else slice(0, 0)
+
+
+def _floor(x: Floats, y: Floats, distance: Floats, to_floor: Floats) -> Floats:
+    """Colours (..., 3) at places of the floor, over the footprints of their pixels."""
+    size_x, size_y = (
+        (np.abs(row[0] - at * to_floor[2, 0]) + np.abs(row[1] - at * to_floor[2, 1])) * distance
+        for row, at in ((to_floor[0], x), (to_floor[1], y))
+    )
+    clear = np.exp(distance * (-1.0 / HAZE_M))
+    cream = clear * checker(x, y, TILE_M, size_x, size_y)
+    return np.stack([clear - cream, cream, 1.0 - clear], axis=-1) @ FLOOR_COLOURS
+
+
+def _sky(tangent: Floats) -> Floats:
+    """Colours (..., 3) by the tangent of the angle above the horizon, about."""
+    blue = np.sqrt(np.clip(tangent * (1.0 / SKY_RISE), 0.0, 1.0))
+    return np.stack([1.0 - blue, blue], axis=-1) @ SKY_COLOURS
+
+
+def with_box(
+    floor: NDArray[np.float32], pose: ArrayLike, K: ArrayLike, box: Box
+) -> NDArray[np.float32]:
+    """The same picture with the box and its shadow, where they are in front of the camera."""
+    rotation, offset = np.asarray(pose, float)[:3, :3], np.asarray(pose, float)[:3, 3]
+    picture = floor.copy()
+    _shade(picture, world_to_camera(box.shadow(), pose), np.asarray(K, float))
+    sides = box.seen_from(-rotation.T @ offset)
+    if sides:
+        corners = world_to_camera([box.side(name) for name in sides], pose)
+        _paint(picture, corners, np.asarray(K, float), [LIGHT[name] for name in sides])
+    return picture
+
+
+def _shade(picture: NDArray[np.float32], corners: Floats, K: Floats) -> None:
+    rows, columns = _extent(corners, K, picture.shape)
+    share = polygon_coverage(corners, K, rows, columns)
+    picture[rows, columns] *= (1.0 - (1.0 - SHADE) * share)[..., None]
+
+
+def _paint(picture: NDArray[np.float32], sides: Floats, K: Floats, lights: Sequence[float]) -> None:
+    """Cover with sides (M, 4, 3) of the camera frame that do not hide each other.
+
+    They are added up before they are laid over the floor, which would shine through their seams.
+    """
+    rows, columns = _extent(sides.reshape(-1, 3), K, picture.shape)
+    part = picture[rows, columns]
+    covered, light = np.zeros((2, *part.shape[:2]), np.float32)
+    for corners, brightness in zip(sides, lights, strict=True):
+        share = polygon_coverage(corners, K, rows, columns)
+        covered += share
+        light += np.float32(brightness) * share
+    light /= np.maximum(covered, 1.0)
+    part *= (1.0 - np.minimum(covered, 1.0))[..., None]
+    part += light[..., None] * np.asarray(BOX_PAINT, np.float32)
+
+
+def polygon_coverage(
+    corners: Floats, K: Floats, rows: slice, columns: slice
+) -> NDArray[np.float32]:
+    """About how much of each pixel a convex polygon in space covers.
+
+    An edge and the camera's centre span a plane, and a pixel's ray is on one side of it. That
+    holds for corners behind the camera too, so that nothing needs to be clipped.
+
+    Parameters
+    ----------
+    corners : (N, 3) in the camera frame, in order, in one plane beside the centre.
+    rows, columns : which pixels.
+    """
+    edges = np.cross(corners, np.roll(corners, -1, axis=0))
+    edges = edges * np.sign(edges @ corners.mean(axis=0))[:, None]
+    lines = edges @ np.linalg.inv(K)
+    lines /= np.maximum(np.hypot(lines[:, 0], lines[:, 1]), 1e-9)[:, None]
+    x = np.arange(columns.start, columns.stop)
+    y = np.arange(rows.start, rows.stop)[:, None]
+    inside = np.full((len(y), len(x)), 1.0, np.float32)
+    for a, b, c in lines:
+        distance = np.clip(a * x + c + 0.5, -1e6, 1e6).astype(np.float32) + (b * y).astype(
+            np.float32
+        )
+        np.minimum(inside, distance, out=inside)
+    return np.maximum(inside, np.float32(0.0))
+
+
+def _extent(corners: Floats, K: Floats, shape: tuple[int, ...]) -> tuple[slice, slice]:
+    """Rows and columns that a polygon may touch; all of them where it is not wholly in front."""
+    height, width = shape[:2]
+    depth = corners[:, 2]
+    if depth.max() <= 0.0:
+        return slice(0, 0), slice(0, 0)
+    if depth.min() <= 1e-3:
+        return slice(0, height), slice(0, width)
+    image = corners @ K.T
+    low, high = ((image[:, :2] / depth[:, None]) + end for end in (-1.0, 2.0))
+    (left, top), (right, bottom) = low.min(axis=0), high.max(axis=0)
+    columns = slice(*(int(np.clip(edge, 0, width)) for edge in (left, right)))
+    return slice(*(int(np.clip(edge, 0, height)) for edge in (top, bottom))), columns
+
+
+def _over_pixels(row: NDArray[np.float32], width: int, height: int) -> NDArray[np.float32]:
+    """a x + b y + c at all pixels (height, width)."""
+    a, b, c = row
+    x, y = np.arange(width, dtype=np.float32), np.arange(height, dtype=np.float32)
+    return a * x + (b * y + c)[:, None]

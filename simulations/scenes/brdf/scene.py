@@ -1,0 +1,86 @@
+"""Where light goes from a point of a surface: four models, their lobes, and their books.
+
+Two things are asked of each: does it send back more light than came, and does it treat both
+directions alike? What is computed stands in `simulations.scenes.brdf.stages`.
+"""
+
+import math
+
+from simulations.engine.frame import Frame, Panel, Readout, format_number, readout
+from simulations.engine.scene import Scene
+from simulations.engine.stages import Outputs
+from simulations.scenes.brdf.energy import energy_plot
+from simulations.scenes.brdf.handles import HANDLES
+from simulations.scenes.brdf.lobe import lobe_plot
+from simulations.scenes.brdf.settings import MODELS, Settings
+from simulations.scenes.brdf.stages import STAGES, Exchange
+from simulations.scenes.reflection.ball import camera_panel
+from simulations.scenes.reflection.marks import HEIGHT, WIDTH, probed_point, shadow_edge
+
+EQUAL = 1e-6
+"""Relative difference up to which two directions count as alike."""
+
+
+def draw(settings: Settings, outputs: Outputs) -> Frame:
+    """The lobe, a ball of the material, and how much it sends back."""
+    exchange: Exchange = outputs["exchange"]
+    light, view = settings.light_angle, settings.view_angle
+    seen = math.pi * math.cos(math.radians(light)) * exchange.there
+    marks = (*shadow_edge(math.radians(light - view)), *probed_point(math.radians(-view), "world"))
+    smooth = settings.specular if settings.model == "microfacets" else None
+    energy = energy_plot(outputs["sent back"], abs(light), exchange.sent, smooth)
+    return Frame(
+        panels=(
+            Panel(
+                "lobe",
+                "Where the light goes",
+                WIDTH,
+                HEIGHT,
+                overlay=lobe_plot(light, view, outputs["lobe"], seen),
+            ),
+            camera_panel(outputs["picture"], "".join(marks)),
+            Panel("energy", "How much is sent back", WIDTH, HEIGHT, overlay=energy),
+        ),
+        readouts=_readouts(exchange, seen),
+        description=describe(settings, exchange, seen),
+    )
+
+
+def _readouts(exchange: Exchange, seen: float) -> tuple[Readout, ...]:
+    return (
+        readout("there", "BRDF, light to camera", exchange.there, "1/sr", digits=3, role="ray"),
+        readout("back", "BRDF, camera to light", exchange.back, "1/sr", digits=3, role="camera"),
+        readout("seen", "Brightness seen", seen, digits=3, role="image"),
+        readout("sent", "Sent back in all", exchange.sent, "of the light", digits=3, role="light"),
+        Readout("reciprocal", "Both ways alike", "yes" if _alike(exchange) else "no"),
+    )
+
+
+def _alike(exchange: Exchange) -> bool:
+    return math.isclose(exchange.there, exchange.back, rel_tol=EQUAL)
+
+
+def describe(settings: Settings, exchange: Exchange, seen: float) -> str:
+    """The picture in one sentence."""
+    name = MODELS[settings.model].replace(" (Lambert)", "").lower().replace("phong", "Phong")
+    sides = "the same side" if settings.light_angle * settings.view_angle > 0 else "the other side"
+    share = format_number(100 * exchange.sent, 0)
+    verdict = ", more than came" if exchange.sent > 1 + 1e-9 else ""
+    alike = "" if _alike(exchange) else "; light and camera exchanged, it would be another"
+    return (
+        f"A surface by the model “{name}”, lit at {abs(settings.light_angle):.0f}° from its "
+        f"normal and seen at {abs(settings.view_angle):.0f}° on {sides}, shows the brightness "
+        f"{format_number(seen)}{alike}; in all directions together it sends back {share}\u00a0% of "
+        f"the light{verdict}."
+    )
+
+
+# The quadrature is good to the digits shown, and takes a few milliseconds: no tiers.
+SCENE = Scene(
+    id="brdf",
+    title="Reflectance Distribution (BRDF)",
+    settings=Settings,
+    draw=draw,
+    stages=STAGES,
+    handles=HANDLES,
+)

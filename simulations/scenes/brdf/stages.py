@@ -1,0 +1,108 @@
+"""What the BRDF figure computes: a ball of the material, its lobe, and what it sends back.
+
+All directions of the lobe lie in the plane of the light and the normal, at angles from the normal
+that count to the right.
+"""
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from simulations.engine.frame import Raster
+from simulations.engine.stages import Stage
+from simulations.models.arrays import Floats
+from simulations.models.light.brdf import Material, parts, reflected, sent_back
+from simulations.scenes.reflection.ball import Ball, build_ball, light_direction, paint
+
+TINT = np.array([1.0, 0.13, 0.1], np.float32)
+"""Albedo of the ball in green and blue, as a share of that in red; the figure follows red."""
+AROUND_DEG = np.arange(-89.0, 90.0, 2.0)
+"""(90,) cameras of the lobe."""
+INCIDENCE_DEG = np.arange(0.0, 89.0, 4.0)
+"""(23,) lights of the curve of what is sent back."""
+
+
+@dataclass(frozen=True, slots=True)
+class Exchange:
+    """What light and camera are to each other at the probed point."""
+
+    there: float
+    """BRDF from the light to the camera, 1/sr."""
+    back: float
+    """From the camera's place to the light's."""
+    sent: float
+    """Share of the light that is sent back in all directions together."""
+
+
+@dataclass(frozen=True, slots=True)
+class Lit:
+    """The pixels of the ball that the lamp reaches."""
+
+    pixels: NDArray[np.intp]
+    """(N,) in the flattened square."""
+    ground: Floats
+    """(N,) brightness of what is below the skin, for an albedo of 1."""
+    skin: Floats
+    """(N,) brightness of the skin."""
+
+
+def _material(albedo: float, specular: float, roughness: float) -> Material:
+    return Material(albedo, specular, roughness)
+
+
+def _between(model: str, material: Material, light_deg: float, view_deg: Floats) -> Floats:
+    light, view = np.radians(light_deg), np.radians(view_deg)
+    return reflected(model, material, np.cos(light), np.cos(view), np.cos(light - view))
+
+
+def _lobe(material: Material, model: str, light_angle: float) -> Floats:
+    """Brightness (90,) that each camera sees; 1 is a perfect white that faces the light."""
+    shade = np.cos(np.radians(light_angle))
+    return np.pi * shade * _between(model, material, light_angle, AROUND_DEG)
+
+
+def _exchange(material: Material, model: str, light_angle: float, view_angle: float) -> Exchange:
+    view = np.array([view_angle])
+    return Exchange(
+        float(_between(model, material, light_angle, view)[0]),
+        float(_between(model, material, view_angle, np.array([light_angle]))[0]),
+        float(sent_back(model, material, np.cos(np.radians(light_angle)))),
+    )
+
+
+def _curve(material: Material, model: str) -> Floats:
+    """(23,) share that is sent back, by the angle of the light."""
+    return sent_back(model, material, np.cos(np.radians(INCIDENCE_DEG)))
+
+
+def _light(
+    ball: Ball, model: str, specular: float, roughness: float, light_angle: float, view_angle: float
+) -> Lit:
+    """What the camera sees of the ball, for the two parts of its colour."""
+    to_light = light_direction(light_angle - view_angle).astype(np.float32)
+    n_l = ball.normals @ to_light
+    pixels = np.flatnonzero((n_l > 0) & (ball.inner | ball.rim))
+    shade = n_l.flat[pixels]
+    n_v, l_v = ball.normals[..., 2].flat[pixels], to_light[2]
+    ground, skin = parts(model, Material(1.0, specular, roughness), shade, n_v, l_v)
+    shade *= np.float32(np.pi)
+    return Lit(pixels, ground * shade, skin * shade)
+
+
+def _picture(ball: Ball, lit: Lit, albedo: float) -> Raster:
+    """(H, W, 4) bytes."""
+    light = np.zeros((ball.inner.size, 3), np.float32)
+    light[lit.pixels] = lit.skin[:, None] + lit.ground[:, None] * (np.float32(albedo) * TINT)
+    return paint(ball, light.reshape(*ball.inner.shape, 3))
+
+
+STAGES = (
+    Stage("material", _material),
+    Stage("lobe", _lobe, ("material",)),
+    Stage("exchange", _exchange, ("material",)),
+    Stage("sent back", _curve, ("material",)),
+    Stage("ball", build_ball),
+    Stage("light", _light, ("ball",)),
+    Stage("picture", _picture, ("ball", "light")),
+)

@@ -1,0 +1,98 @@
+"""The chromaticity diagram of the spectrum figure: what is left of colours but for brightness."""
+
+import math
+from functools import cache
+
+import numpy as np
+
+from simulations.engine.drawing import Point, circle, dot, path, polygon, polyline, text
+from simulations.models.arrays import Floats
+from simulations.models.color.chromaticity import xyz_to_xyy
+from simulations.models.color.cie import D65_XY, SRGB_PRIMARIES_XY
+from simulations.models.color.illuminants import DAYLIGHT_K
+from simulations.models.color.observer import matching_functions, tristimulus
+from simulations.scenes.spectrum_to_rgb.stages import light_of
+
+LEFT, FLOOR = 44.0, 284.0
+SCALE = 310.0
+"""Units of the view box per unit of x and of y."""
+PURE_NM = np.arange(420.0, 641.0, 4.0)
+"""Pure colours that the edge is drawn through: beyond these it hardly moves, and the fits stray."""
+MARKED_NM = {460: "end", 480: "end", 500: "start", 520: "middle", 560: "start", 600: "start"}
+"""Of the edge, and on which side of its number it lies."""
+TEMPERATURES_K = np.arange(2000.0, 12001.0, 50.0)
+"""The steps of its slider."""
+
+
+def at(xy: Point) -> tuple[float, float]:
+    """View box units of a chromaticity."""
+    return LEFT + SCALE * float(xy[0]), FLOOR - SCALE * float(xy[1])
+
+
+@cache
+def whites(light: str) -> tuple[Floats, Floats]:
+    """Temperatures (N,) and chromaticities (N, 2) of one kind of light, by steps of its slider."""
+    kelvin = TEMPERATURES_K
+    if light == "daylight":
+        kelvin = kelvin[kelvin >= DAYLIGHT_K[0]]
+    lights = np.stack([light_of(light, float(each)) for each in kelvin])
+    return kelvin, xyz_to_xyy(np.stack([tristimulus(each, each) for each in lights]))[:, :2]
+
+
+def temperature_at(place: Point, light: str) -> float:
+    """Of the white nearest to a place of the panel."""
+    kelvin, xy = whites(light)
+    off = [math.dist(at(each), place) for each in xy]
+    return float(kelvin[int(np.argmin(off))])
+
+
+def diagram(light: str, white_xy: Point, xyz: Floats, chosen: int, *, twin: bool) -> str:
+    """Pure colours, what a display can show, the whites, and the surfaces (2, 12, 3) in XYZ."""
+    pairs = xyz_to_xyy(xyz)[..., :2]
+    line = whites(light if light == "daylight" else "planck")[1]
+    here = at(pairs[0, chosen])
+    parts = [
+        _ground(),
+        polyline([at(xy) for xy in line[::4]], "light"),
+        *(dot(at(xy), "world", 2.5) for xy in pairs[0]),
+        circle(at(D65_XY), 4, "muted"),
+        dot(at(white_xy), "light", 5),
+    ]
+    if twin:
+        parts += [circle(at(pairs[1, chosen]), 5.5, style) for style in ("casing", "world bold")]
+    parts += [circle(here, 5, "casing"), dot(here, "ray", 5)]
+    return "".join(parts)
+
+
+@cache
+def _ground() -> str:
+    """Axes, the edge of all colours, and the display's triangle."""
+    edge = xyz_to_xyy(matching_functions(PURE_NM))[:, :2]
+    marked = xyz_to_xyy(matching_functions(np.array(list(MARKED_NM))))[:, :2]
+    ticks = [0.2, 0.4, 0.6, 0.8]
+    parts = [
+        path([[at((0, 0.88)), at((0, 0)), at((0.82, 0))]], "muted"),
+        path(
+            [
+                line
+                for t in ticks
+                for line in ([at((t, 0)), at((t, 0.85))], [at((0, t)), at((0.8, t))])
+            ],
+            "muted thin faint",
+        ),
+        polygon([at(xy) for xy in edge], "world thin"),
+        polygon([at(xy) for xy in SRGB_PRIMARIES_XY], "image fill thin"),
+        text(at((0.30, 0.615)), "sRGB", "image small halo", "middle"),
+    ]
+    for tick in ticks:
+        x, y = at((tick, 0))[0], at((0, tick))[1]
+        parts.append(text((x, FLOOR + 18), f"{tick:g}", "muted", "middle"))
+        parts.append(text((LEFT - 7, y + 4.5), f"{tick:g}", "muted", "end"))
+    parts.append(text((LEFT + 0.86 * SCALE, FLOOR + 18), "x", "italic", "middle"))
+    parts.append(text((LEFT - 12, FLOOR - 0.87 * SCALE), "y", "italic", "end"))
+    for (nm, side), xy in zip(MARKED_NM.items(), marked, strict=True):
+        x, y = at(xy)
+        shift = {"end": -7.0, "middle": 0.0, "start": 7.0}[side]
+        parts.append(dot((x, y), "world", 2))
+        parts.append(text((x + shift, y - 3), f"{nm}", "world small halo", side))
+    return "".join(parts)

@@ -1,0 +1,76 @@
+"""The first two panels of the spectrum figure: light × surface, and what the sensor takes of it."""
+
+import math
+from collections.abc import Iterator
+
+from simulations.engine.drawing import Point, dot, polygon, polyline, text
+from simulations.models.arrays import Floats
+from simulations.models.color.spectra import WAVELENGTHS_NM
+from simulations.models.color.surfaces import LEAST, MOST
+from simulations.scenes.spectrum_to_rgb.axes import area, at, axes, curve, wavelength_at
+
+HALF_HEIGHT = math.sqrt(2.0 * math.log(2.0))
+"""Standard deviations from the peak of a bell to half its height."""
+LEGEND = 24.0
+"""Row of the names of the curves."""
+LETTERS = {"camera": ("R", "G", "B"), "eye": ("x̄", "ȳ", "z̄")}
+
+
+def light_and_surface(light: Floats, pair: Floats, *, twin: bool, cloth: bool) -> str:
+    """The light, the reflectance (2, 81) of a surface and its twin, and what comes of both."""
+    height = light / light.max()
+    parts = [
+        axes(),
+        polygon(area(height * pair[0]), "ray fill thin"),
+        polyline(curve(height), "light"),
+        polyline(curve(pair[1]), "world dashed") if twin else "",
+        polyline(curve(pair[0]), "world bold"),
+        text((40, LEGEND), "light", "light strong"),
+        text((92, LEGEND), "× surface", "world strong"),
+        text((178, LEGEND), "= what it sends back", "ray strong"),
+    ]
+    if twin:
+        parts.append(text((386, LEGEND + 17), "twin, dashed", "world small halo", "end"))
+    if cloth:
+        nm = float(WAVELENGTHS_NM[pair[0].argmax()])
+        parts.append(dot(band_mark(nm), "world", 4.5))
+    return "".join(parts)
+
+
+def band_mark(band_nm: float) -> tuple[float, float]:
+    """Where the cloth's band peaks."""
+    return at(band_nm, MOST)
+
+
+def width_mark(band_nm: float, width_nm: float) -> tuple[float, float]:
+    """Where the band has fallen to half its height, to the right."""
+    return at(band_nm + HALF_HEIGHT * width_nm, 0.5 * (LEAST + MOST))
+
+
+def width_at(place: Point, band_nm: float) -> float:
+    """The width at which the band would have half its height at a place."""
+    return (wavelength_at(place) - band_nm) / HALF_HEIGHT
+
+
+def sensed(light: Floats, reflectance: Floats, curves: Floats, sensor: str, raw: Floats) -> str:
+    """The sensor's curves (81, 3), and what each takes of the light that a surface sends back."""
+    back = light / light.max() * reflectance
+    scale = curves.max()
+    parts = [axes()]
+    parts += [polygon(area(back * each / scale), "image fill thin") for each in curves.T]
+    parts += [polyline(curve(each / scale), "camera thin") for each in curves.T]
+    parts += _letters(curves / scale, LETTERS[sensor])
+    sums = ", ".join(
+        f"{letter} {value:.2f}" for letter, value in zip(LETTERS[sensor], raw, strict=True)
+    )
+    parts.append(text((40, LEGEND), "curves", "camera strong"))
+    parts.append(text((96, LEGEND), f"areas → {sums}", "image strong"))
+    return "".join(parts)
+
+
+def _letters(curves: Floats, letters: tuple[str, ...]) -> Iterator[str]:
+    """The name of each curve above its peak."""
+    for each, letter in zip(curves.T, letters, strict=True):
+        peak = int(each.argmax())
+        x, y = at(float(WAVELENGTHS_NM[peak]), float(each[peak]))
+        yield text((x, y - 6), letter, "camera halo", "middle")

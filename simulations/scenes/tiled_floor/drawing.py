@@ -1,0 +1,203 @@
+"""Drawings over the photograph of the floor, and over its image plane."""
+
+from collections.abc import Callable
+
+import numpy as np
+
+from simulations.engine import drawing
+from simulations.engine.frame import format_number
+from simulations.models.arrays import Floats
+from simulations.models.projection.pinhole import world_to_camera
+from simulations.pictures.tiled_floor import Box
+from simulations.scenes.tiled_floor.stages import WIDER
+from simulations.scenes.tiled_floor.view import (
+    AT_INFINITY_PX,
+    HEIGHT_PX,
+    WIDTH_PX,
+    Camera,
+    near_upright,
+    visible_edges,
+)
+
+WIDTH, HEIGHT = float(WIDTH_PX), float(HEIGHT_PX)
+NAMES = ("v₁", "v₂", "v₃")
+NEAREST_M = 0.05
+"""Nothing nearer to the plane of the camera's centre is drawn."""
+ROOM = 14.0
+"""Units that a line of text takes."""
+NAME_WIDTH = 70.0
+"""Units that the name of the horizon takes, and a little more."""
+
+type Point = tuple[float, float]
+type Place = Callable[[Floats], Point]
+"""From a pixel to the view box of a panel."""
+
+
+def in_picture(pixel: Floats) -> Point:
+    """A unit of the view box is a pixel; the middle of the first one is at its middle."""
+    return float(pixel[0]) + 0.5, float(pixel[1]) + 0.5
+
+
+def in_plane(pixel: Floats) -> Point:
+    """The picture stands in the middle third."""
+    x, y = in_picture(pixel)
+    return (x + WIDTH) / WIDER, (y + HEIGHT) / WIDER
+
+
+def from_picture(place: Point) -> Point:
+    """The pixel at a place of the picture: the inverse of `in_picture`."""
+    return place[0] - 0.5, place[1] - 0.5
+
+
+def from_plane(place: Point) -> Point:
+    """The pixel at a place of the image plane: the inverse of `in_plane`."""
+    return from_picture((WIDER * place[0] - WIDTH, WIDER * place[1] - HEIGHT))
+
+
+def inside(place: Point, margin: float = 0.0) -> bool:
+    """Whether a place lies in the panel."""
+    x, y = place
+    return margin <= x <= WIDTH - margin and margin <= y <= HEIGHT - margin
+
+
+def clipped(start: Point, end: Point) -> tuple[Point, Point] | None:
+    """What of a segment lies in the panel (Liang and Barsky), if anything."""
+    (x, y), (dx, dy) = start, (end[0] - start[0], end[1] - start[1])
+    low, high = 0.0, 1.0
+    for step, room in ((-dx, x), (dx, WIDTH - x), (-dy, y), (dy, HEIGHT - y)):
+        if step == 0.0:
+            if room < 0.0:
+                return None
+        elif step < 0.0:
+            low = max(low, room / step)
+        else:
+            high = min(high, room / step)
+    if low >= high:
+        return None
+    return (x + low * dx, y + low * dy), (x + high * dx, y + high * dy)
+
+
+def picture_overlay(view: Camera, box: Box, lines: bool) -> str:
+    """The horizon, the lines of the box that meet on it, and how the horizon measures the box."""
+    return "".join(
+        (
+            towards_vanishing(view, box, (0, 1), in_picture) if lines else "",
+            horizon(view, in_picture),
+            upright(view, box),
+            vanishing_points(view, in_picture),
+        )
+    )
+
+
+def plane_overlay(view: Camera, box: Box, lines: bool) -> str:
+    """The same beyond the borders of the picture, and where its uprights meet."""
+    corner, size = in_plane(np.array([-0.5, -0.5])), (WIDTH / WIDER, HEIGHT / WIDER)
+    principal = in_plane(view.K[:2, 2])
+    return "".join(
+        (
+            drawing.rectangle(corner, *size, "image"),
+            drawing.text(
+                (corner[0] + 3.0, corner[1] + size[1] - 5.0), "picture", "image small halo"
+            ),
+            towards_vanishing(view, box, (0, 1, 2), in_plane) if lines else "",
+            horizon(view, in_plane),
+            drawing.dot(principal, "camera", 3.0),
+            vanishing_points(view, in_plane),
+        )
+    )
+
+
+def towards_vanishing(view: Camera, box: Box, axes: tuple[int, ...], place: Place) -> str:
+    """The box's edges, each produced to its vanishing point."""
+    edges, produced = [], []
+    for axis in axes:
+        direction = view.directions[axis]
+        away = direction if direction[2] >= 0.0 else -direction
+        for edge in visible_edges(box, view.height, axis):
+            ends = world_to_camera(edge, view.pose)
+            if ends[:, 2].min() < NEAREST_M:
+                continue
+            near, far = ends if (ends[1] - ends[0]) @ away > 0.0 else ends[::-1]
+            edges.append(clipped(place(_pixel(view, near)), place(_pixel(view, far))))
+            produced.append(clipped(place(_pixel(view, far)), place(_end(view, far, away))))
+    return drawing.path([line for line in produced if line], "ray thin dashed") + drawing.path(
+        [line for line in edges if line], "world"
+    )
+
+
+def _pixel(view: Camera, point: Floats) -> Floats:
+    image = view.K @ point
+    return np.asarray(image[:2] / image[2])
+
+
+def _end(view: Camera, point: Floats, direction: Floats) -> Floats:
+    """Where the image of a line ends: in its vanishing point, or so far off that it seems so."""
+    vanishing, start = view.K @ direction, _pixel(view, point)
+    if vanishing[2] > 0.0 and np.abs(end := vanishing[:2] / vanishing[2]).max() < AT_INFINITY_PX:
+        return np.asarray(end)
+    towards = vanishing[:2] - vanishing[2] * start
+    return np.asarray(start + towards * (AT_INFINITY_PX / np.hypot(*towards)))
+
+
+def horizon(view: Camera, place: Place) -> str:
+    """Its line and its name; where it is not in the panel, in which direction it lies."""
+    a, b, c = view.horizon
+    middle, along = -c * np.array([a, b]), 1e4 * np.array([-b, a])
+    ends = clipped(place(middle - along), place(middle + along))
+    if ends is None:
+        above = b * (HEIGHT / 2.0) + a * (WIDTH / 2.0) + c > 0.0
+        return drawing.text(
+            (WIDTH / 2.0, 22.0 if above else HEIGHT - 12.0),
+            f"the horizon is {'above' if above else 'below'} the picture",
+            "camera halo",
+            "middle",
+        )
+    return drawing.line(*ends, "camera bold") + _horizon_name(view, place, ends)
+
+
+def _horizon_name(view: Camera, place: Place, ends: tuple[Point, Point]) -> str:
+    """Above its right end, or above the left one where a vanishing point is near that."""
+    points = [place(pixel)[0] for pixel in view.vanishing[0][:2]]
+    (x, y), anchor = max(ends), "end"
+    if any(abs(x - other) < NAME_WIDTH for other in points):
+        (x, y), anchor = min(ends), "start"
+    baseline = (min(max(x, 6.0), WIDTH - 6.0), max(y - 7.0, 13.0))
+    if not inside(baseline, 6.0):
+        return ""
+    return drawing.text(baseline, "horizon", "camera small halo", anchor)
+
+
+def upright(view: Camera, box: Box) -> str:
+    """The nearest edge of the box, led on to the horizon: as high as the camera there."""
+    foot = near_upright(box)[0]
+    ends = np.array([foot, (foot[0], foot[1], view.height)])
+    pixels, seen = view.image(ends)
+    if not seen.all():
+        return ""
+    start, crossing = (in_picture(pixel) for pixel in pixels)
+    line = clipped(start, crossing)
+    if line is None:
+        return ""
+    parts = [drawing.line(*line, "camera thin dashed")]
+    if inside(crossing):
+        parts.append(drawing.dot(crossing, "camera", 3.5))
+    # On the side away from the middle of the horizon, which has a mark of its own.
+    side, anchor = (-7.0, "end") if crossing[0] < view.K[0, 2] else (7.0, "start")
+    label = (crossing[0] + side, crossing[1] + 16.0)
+    if inside(label, 3.0 * ROOM):
+        words = f"{format_number(view.height, 1)} m"
+        parts.append(drawing.text(label, words, "camera small halo", anchor))
+    return "".join(parts)
+
+
+def vanishing_points(view: Camera, place: Place) -> str:
+    """Those that lie in the panel, with their names."""
+    parts = []
+    for name, pixel, finite in zip(NAMES, *view.vanishing, strict=True):
+        if not finite or not inside(place(pixel)):
+            continue
+        x, y = place(pixel)
+        parts.append(drawing.dot((x, y), "image", 4.0))
+        baseline = (min(max(x, 10.0), WIDTH - 10.0), y - 15.0 if y > 2.0 * ROOM else y + 25.0)
+        parts.append(drawing.text(baseline, name, "image strong halo", "middle"))
+    return "".join(parts)

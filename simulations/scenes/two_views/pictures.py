@@ -1,0 +1,149 @@
+"""The two pictures: the lamp in each, and in the right one the line on which its image must lie."""
+
+import math
+
+import numpy as np
+
+from simulations.engine import drawing
+from simulations.engine.frame import Panel, Raster, format_number
+from simulations.models.arrays import Floats
+from simulations.models.geometry.transforms import clip_half_plane
+from simulations.models.projection.pinhole import project
+from simulations.scenes.two_views.view import (
+    EYE_M,
+    HALF_HEIGHT_PX,
+    HALF_WIDTH_PX,
+    View,
+    in_picture,
+)
+
+WIDTH, HEIGHT = 400.0, 300.0
+MIDDLE = np.array([200.0, 150.0])
+UNITS_PER_PX = 2.0
+MARKED_DEPTHS = (2.0, 4.0, 8.0, 16.0, math.inf)
+"""Where the lamp would be seen on the epipolar line at other depths, metres."""
+BORDERS = (
+    (1, 0, HALF_WIDTH_PX),
+    (-1, 0, HALF_WIDTH_PX),
+    (0, 1, HALF_HEIGHT_PX),
+    (0, -1, HALF_HEIGHT_PX),
+)
+"""Of a picture, as half planes a x + b y + c ≥ 0 of its pixels."""
+LABEL_WIDTH = 34.0
+"""Units that the name of a depth takes."""
+
+
+def place(pixel: Floats) -> Floats:
+    """Pixel to view box."""
+    return MIDDLE + UNITS_PER_PX * np.asarray(pixel)
+
+
+def pixel_at(spot: drawing.Point) -> Floats:
+    """View box to pixel."""
+    return (np.asarray(spot, float) - MIDDLE) / UNITS_PER_PX
+
+
+def left_panel(view: View, floor: Raster) -> Panel:
+    foot = project(_foot(view), view.pair.K)[0]
+    overlay = _post(view.left, foot) + _image(view.left)
+    return Panel("left", "Left picture", WIDTH, HEIGHT, floor, overlay)
+
+
+def right_panel(view: View, floor: Raster, line: bool) -> Panel:
+    foot = view.pair.right(_foot(view))
+    parts = [_post(view.right, foot)]
+    if line:
+        parts += [_row(view), _line(view), _depths(view)]
+    parts += [_disparity(view), _image(view.right)]
+    return Panel("right", "Right picture", WIDTH, HEIGHT, floor, "".join(parts))
+
+
+def _foot(view: View) -> Floats:
+    """Of the post that bears the lamp: on the floor, below the cameras."""
+    X, _, Z = view.point
+    return np.array([X, EYE_M, Z])
+
+
+def _within(points: Floats) -> Floats:
+    """What of a polyline, in pixels, lies in the picture."""
+    for limit in BORDERS:
+        points = clip_half_plane(points, limit, closed=False)
+    return points
+
+
+def _drawn(points: Floats, style: str) -> str:
+    inside = _within(points)
+    return drawing.polyline([place(point) for point in inside], style) if len(inside) > 1 else ""
+
+
+def _post(top: Floats, foot: Floats) -> str:
+    return _drawn(np.array([top, foot]), "world bold")
+
+
+def _image(pixel: Floats) -> str:
+    """The lamp and its pixel, or in which direction it lies outside the picture."""
+    words = f"({format_number(pixel[0], 1)}, {format_number(pixel[1], 1)}) px"
+    if not in_picture(pixel):
+        side = "left" if pixel[0] < 0 else "right"
+        text = f"outside, to the {side}: {words}"
+        return drawing.text((WIDTH / 2.0, 22.0), text, "image halo", "middle")
+    x, y = place(pixel)
+    below = y < 40.0
+    label = (min(max(x, 70.0), WIDTH - 70.0), y + 28.0 if below else y - 16.0)
+    return drawing.dot((x, y), "image", 5.0) + drawing.text(
+        label, words, "image strong halo", "middle"
+    )
+
+
+def _row(view: View) -> str:
+    """The row of the left picture, in which parallel cameras would have the match."""
+    row = float(view.left[1])
+    return _drawn(np.array([(-HALF_WIDTH_PX, row), (HALF_WIDTH_PX, row)]), "muted thin dashed")
+
+
+def _line(view: View) -> str:
+    """All of it faintly; boldly what belongs to depths from 1 m to infinity."""
+    a, b, c = view.line
+    middle, along = -c * np.array([a, b]), 1e3 * np.array([-b, a])
+    seen = np.array([view.pair.right(view.at(1.0)), view.pair.vanishing(view.left)])
+    return _drawn(np.array([middle - along, middle + along]), "ray thin faint") + _drawn(
+        seen, "ray"
+    )
+
+
+def _depths(view: View) -> str:
+    """Marks on the line, named where there is room between them and the lamp's own label."""
+    parts, taken = [], [float(place(view.right)[0])]
+    for depth in MARKED_DEPTHS:
+        endless = math.isinf(depth)
+        pixel = view.pair.vanishing(view.left) if endless else view.pair.right(view.at(depth))
+        if not in_picture(pixel):
+            continue
+        x, y = place(pixel)
+        parts.append(drawing.circle((x, y), 3.5, "ray"))
+        label = (x, y + 20.0)
+        if all(abs(x - other) >= LABEL_WIDTH for other in taken) and 20.0 < x < WIDTH - 20.0:
+            taken.append(float(x))
+            words = "∞" if endless else f"{depth:.0f} m"
+            parts.append(drawing.text(label, words, "ray small halo", "middle"))
+    return "".join(parts)
+
+
+def _disparity(view: View) -> str:
+    """From where the left picture has the lamp to where the right one has it; and the error."""
+    parts = [_drawn(view.matches, "error bold")]
+    if in_picture(view.left) and in_picture(view.right):
+        start, end = place(view.left), place(view.right)
+        level = np.array([0.0, 40.0])
+        row = max(start[1], end[1])
+        ends = (np.array([start[0], row]) + level, np.array([end[0], row]) + level)
+        parts += [
+            drawing.line(start, ends[0], "image thin dashed"),
+            drawing.line(end, ends[1], "image thin dashed"),
+            drawing.arrow(*ends, "image"),
+            drawing.circle(start, 5.0, "image"),
+        ]
+        middle = (min(max((start[0] + end[0]) / 2.0, 50.0), WIDTH - 50.0), ends[0][1] + 18.0)
+        words = f"d = {format_number(view.disparity, 1)} px"
+        parts.append(drawing.text(middle, words, "image small halo", "middle"))
+    return "".join(parts)

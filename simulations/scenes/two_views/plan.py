@@ -1,0 +1,116 @@
+"""The two views from above: centres, baseline, rays, and how far off the depth may be."""
+
+import math
+
+import numpy as np
+
+from simulations.engine import drawing
+from simulations.engine.frame import Panel, format_number
+from simulations.models.arrays import Floats
+from simulations.models.geometry.transforms import clip_half_plane
+from simulations.scenes.two_views.view import HALF_WIDTH_PX, View
+
+WIDTH, HEIGHT = 400.0, 300.0
+TITLE = "From above (X drawn stretched)"
+CENTRE = np.array([30.0, 135.0])
+"""The left camera. Depth runs right; X runs down, as it does seen from above."""
+DEPTH_SCALE, SIDE_SCALE = 17.5, 32.0
+"""View box units per metre."""
+LIMITS = ((1, 0, 0), (-1, 0, WIDTH), (0, 1, 0), (0, -1, HEIGHT - 34.0))
+"""Half planes a x + b y + c ≥ 0 within which is drawn."""
+FAR_M = 60.0
+"""As far as rays are drawn, beyond the panel."""
+AXIS_M = 4.0
+"""How far from the right camera its axis is taken hold of."""
+
+
+def above(Z: float, X: float) -> Floats:
+    """Metres to view box."""
+    return CENTRE + np.array([DEPTH_SCALE * Z, SIDE_SCALE * X])
+
+
+def metres_at(place: drawing.Point) -> Floats:
+    """View box to metres: Z and X."""
+    return (np.asarray(place, float) - CENTRE) / [DEPTH_SCALE, SIDE_SCALE]
+
+
+def axis_end(view: View) -> Floats:
+    """Where the axis of the right camera is taken hold of, in the view box."""
+    angle = view.pair.toe_in_rad
+    return above(AXIS_M * math.cos(angle), view.pair.baseline - AXIS_M * math.sin(angle))
+
+
+def plan_panel(view: View) -> Panel:
+    parts = (_depth_axis(), _cameras(view), _rays(view), _doubt(view), _point(view))
+    return Panel("plan", TITLE, WIDTH, HEIGHT, overlay="".join(parts))
+
+
+def _segment(start: Floats, end: Floats, style: str) -> str:
+    """What of a segment lies in the panel."""
+    points = np.array([start, end])
+    for limit in LIMITS:
+        points = clip_half_plane(points, limit, closed=False)
+    return drawing.line(points[0], points[1], style) if len(points) > 1 else ""
+
+
+def _depth_axis() -> str:
+    row = HEIGHT - 14.0
+    ticks = "".join(
+        drawing.line((above(Z, 0.0)[0], row - 3), (above(Z, 0.0)[0], row + 3), "muted thin")
+        + drawing.text((above(Z, 0.0)[0], row - 6.0), f"{Z}", "muted small halo", "middle")
+        for Z in (5, 10, 15, 20)
+    )
+    start, end = (CENTRE[0], row), (WIDTH - 4.0, row)
+    name = drawing.text((CENTRE[0] + 4.0, row - 6.0), "Z, m", "muted small")
+    return drawing.arrow(start, end, "muted thin") + name + ticks
+
+
+def _cameras(view: View) -> str:
+    """Both centres, the baseline, and how far each camera sees to the sides."""
+    pair = view.pair
+    slope = HALF_WIDTH_PX / pair.focal_px
+    left, right = above(0.0, 0.0), above(0.0, pair.baseline)
+    parts = []
+    for X, turn in ((0.0, 0.0), (pair.baseline, pair.toe_in_rad)):
+        for side in (-slope, slope):
+            angle = math.atan(side) - turn
+            end = above(FAR_M * math.cos(angle), X + FAR_M * math.sin(angle))
+            parts.append(_segment(above(0.0, X), end, "camera thin faint dashed"))
+    parts.append(_segment(right, axis_end(view), "camera thin"))
+    parts.append(drawing.line(left, right, "camera bold"))
+    parts += [drawing.dot(left, "camera", 4.5), drawing.dot(right, "camera", 4.5)]
+    parts.append(drawing.text((4.0, left[1] - 13.0), "left", "camera small halo"))
+    words = f"b = {format_number(pair.baseline)} m"
+    parts.append(drawing.text((4.0, right[1] + 26.0), words, "camera small halo"))
+    return "".join(parts)
+
+
+def _rays(view: View) -> str:
+    """The left ray, as far as it goes; the right one, which meets it in the lamp."""
+    point = view.point
+    far = view.at(FAR_M)
+    ray = _segment(above(0.0, 0.0), above(far[2], far[0]), "ray")
+    return ray + _segment(above(0.0, view.pair.baseline), above(point[2], point[0]), "ray")
+
+
+def _doubt(view: View) -> str:
+    """The part of the left ray that the match, with its error, leaves open."""
+    near, far = view.at(view.nearest), view.at(min(view.farthest, FAR_M))
+    centre = above(0.0, view.pair.baseline)
+    bounds = (above(spot[2], spot[0]) for spot in (near, far))
+    lines = [_segment(centre, bound, "error thin dashed") for bound in bounds]
+    along = _segment(above(near[2], near[0]), above(far[2], far[0]), "error bold")
+    return "".join(lines) + along
+
+
+def _point(view: View) -> str:
+    spot = above(view.depth, float(view.point[0]))
+    if not (0.0 <= spot[0] <= WIDTH and 0.0 <= spot[1] <= HEIGHT):
+        return ""
+    up = spot[1] > HEIGHT / 2.0
+    row = min(max(spot[1] + (26.0 if up else -16.0), 16.0), HEIGHT - 40.0)
+    column = min(max(spot[0], 52.0), WIDTH - 40.0)
+    label = f"Z = {format_number(view.depth, 1)} m"
+    return drawing.dot(spot, "world", 5.0) + drawing.text(
+        (column, row), label, "world strong halo", "middle"
+    )

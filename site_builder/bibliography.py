@@ -1,0 +1,218 @@
+"""``content/references.bib``: the works that chapters cite, in BibTeX.
+
+pybtex reads the format; what an entry must say is checked here, so that every reference can be
+found by its reader.
+"""
+
+import re
+from collections import Counter
+from collections.abc import Mapping
+from dataclasses import dataclass, field, replace
+from pathlib import Path
+from string import ascii_lowercase
+from typing import Any
+
+from pybtex.database import BibliographyDataError, parse_string
+from pybtex.richtext import Text
+from pybtex.scanner import PybtexSyntaxError
+
+from site_builder.diagnostics import Diagnostics, unknown
+
+FILE = "content/references.bib"
+REQUIRED: Mapping[str, tuple[str, ...]] = {
+    "article": ("author", "title", "journal", "year"),
+    "inproceedings": ("author", "title", "booktitle", "year"),
+    "incollection": ("author", "title", "booktitle", "year"),
+    "book": ("author", "title", "publisher", "year"),
+    "techreport": ("author", "title", "institution", "year"),
+    "phdthesis": ("author", "title", "school", "year"),
+    "misc": ("author", "title", "year"),
+}
+"""Kinds of entry, and what each must say."""
+OPTIONAL = (
+    "volume", "number", "pages", "edition", "publisher", "doi", "url", "isbn", "note",
+)  # fmt: skip
+ENTRY = re.compile(r"\s*@(\w+)\s*\{\s*([^,\s]+)\s*,")
+
+
+@dataclass(frozen=True, slots=True)
+class Work:
+    """One entry."""
+
+    key: str
+    kind: str
+    """``article``, ``book``, …"""
+    authors: tuple[tuple[str, str], ...]
+    """Given names and family name; an institution has the latter only."""
+    fields: Mapping[str, str]
+    """All others, as plain text."""
+    line: int
+    letter: str = ""
+    """Tells works apart that have the same authors and year: ``a``."""
+
+    @property
+    def year(self) -> str:
+        return f"{self.fields.get('year', '')}{self.letter}"
+
+    @property
+    def who(self) -> str:
+        """Its authors as a citation names them: ``Kannala and Brandt``, ``Wang et al.``"""
+        names = [family for _, family in self.authors]
+        return " and ".join(names) if len(names) < 3 else f"{names[0]} et al."
+
+    @property
+    def everyone(self) -> str:
+        """``Zhang, Z.``; ``Kannala, J. and Brandt, S. S.``; ``Cook, R. L., Porter, T. and …``"""
+        names = [
+            f"{family}, {_initials(given)}" if given else family for given, family in self.authors
+        ]
+        if names[-1:] == ["others"]:
+            return f"{', '.join(names[:-1])} et al."
+        return " and ".join([*filter(None, [", ".join(names[:-1])]), *names[-1:]])
+
+    @property
+    def venue(self) -> str:
+        """Where it appeared: journal, volume and pages; publisher; …"""
+        said = self.fields.get
+        match self.kind:
+            case "article":
+                volume, number, pages = said("volume", ""), said("number", ""), said("pages", "")
+                issue = f"{volume}({number})" if number else volume
+                return _listed(f"{said('journal', '')} {issue}".strip(), pages)
+            case "inproceedings" | "incollection":
+                pages = f"pp. {said('pages')}" if said("pages") else ""
+                return _listed(f"In {said('booktitle', '')}", pages, said("publisher"))
+            case "phdthesis":
+                return _listed("PhD thesis", said("school"))
+            case _:
+                return _listed(
+                    _edition(said("edition", "")),
+                    said("publisher") or said("institution"),
+                    said("number"),
+                    said("note"),
+                )
+
+    @property
+    def address(self) -> str:
+        """Where it is found; nothing where it has no address."""
+        doi = self.fields.get("doi")
+        return f"https://doi.org/{doi}" if doi else self.fields.get("url", "")
+
+    @property
+    def told(self) -> str:
+        """The whole reference as a line of text."""
+        parts = (f"{self.everyone} ({self.year})", self.fields.get("title", ""), self.venue)
+        return f"{'. '.join(filter(None, parts))}."
+
+
+@dataclass(frozen=True, slots=True)
+class Bibliography:
+    """All entries by key, in the order of their authors, years and titles."""
+
+    works: Mapping[str, Work] = field(default_factory=dict)
+
+
+EMPTY = Bibliography()
+
+
+def _initials(given: str) -> str:
+    return re.sub(r"(\w)[\w’']*\.?", r"\1.", given)
+
+
+def _edition(name: str) -> str:
+    return f"{name} edition" if name else ""
+
+
+def _listed(*parts: str | None) -> str:
+    return ", ".join(part for part in parts if part)
+
+
+def read_bibliography(root: Path, problems: Diagnostics) -> Bibliography:
+    """What the file holds; nothing where there is none. Mistakes go to ``problems``."""
+    file = root / FILE
+    if not file.is_file():
+        return EMPTY
+    text = file.read_text(encoding="utf-8")
+    try:
+        entries = parse_string(text, "bibtex").entries
+    except PybtexSyntaxError as error:
+        problems.add(FILE, error.lineno or 1, f"malformed BibTeX: {error}")
+        return EMPTY
+    except BibliographyDataError as error:
+        problems.add(FILE, _line_of(str(error), text), f"malformed BibTeX: {error}")
+        return EMPTY
+    lines = _lines(text)
+    works = [_work(key, entry, lines.get(key, 1)) for key, entry in entries.items()]
+    for work in works:
+        _check(work, problems)
+    return Bibliography({work.key: work for work in _told_apart(sorted(works, key=_order))})
+
+
+def _lines(text: str) -> dict[str, int]:
+    """Where each entry begins."""
+    found = ((ENTRY.match(line), number) for number, line in enumerate(text.split("\n"), start=1))
+    return {match[2]: number for match, number in found if match}
+
+
+def _line_of(message: str, text: str) -> int:
+    """Of the last entry whose key the message names."""
+    named = [line for key, line in _lines(text).items() if key in message]
+    return max(named, default=1)
+
+
+def _work(key: str, entry: Any, line: int) -> Work:
+    authors = entry.persons.get("author") or entry.persons.get("editor") or ()
+    names = (
+        (
+            " ".join([*person.first_names, *person.middle_names]),
+            " ".join([*person.prelast_names, *person.last_names, *person.lineage_names]),
+        )
+        for person in authors
+    )
+    return Work(
+        key=key,
+        kind=entry.type,
+        authors=tuple((_plain(given), _plain(family)) for given, family in names),
+        fields={name.lower(): _plain(value) for name, value in entry.fields.items()},
+        line=line,
+    )
+
+
+def _plain(latex: str) -> str:
+    """Text without braces and accents' commands; two hyphens are a range's dash."""
+    return str(Text.from_latex(latex)).replace("--", "–").strip()
+
+
+def _order(work: Work) -> tuple[str, ...]:
+    names = [f"{family} {given}" for given, family in work.authors]
+    return (*(name.casefold() for name in names[:1]), work.fields.get("year", ""), work.key)
+
+
+def _told_apart(works: list[Work]) -> list[Work]:
+    shared = Counter((work.who, work.year) for work in works)
+    used: Counter[tuple[str, str]] = Counter()
+    named = []
+    for work in works:
+        label = (work.who, work.year)
+        letter = ascii_lowercase[used[label]] if shared[label] > 1 else ""
+        used[label] += 1
+        named.append(replace(work, letter=letter))
+    return named
+
+
+def _check(work: Work, problems: Diagnostics) -> None:
+    """Report a kind or field that nobody prints, and what is missing to find the work."""
+    if work.kind not in REQUIRED:
+        problems.add(FILE, work.line, unknown("kind of entry", work.kind, REQUIRED))
+        return
+    given = {*work.fields, *(["author"] if work.authors else [])}
+    for name in REQUIRED[work.kind]:
+        if name not in given:
+            message = f"{work.key!r} has no {name!r}; legal: {name} = {{…}}"
+            problems.add(FILE, work.line, message)
+    legal = (*REQUIRED[work.kind], *OPTIONAL)
+    for name in given - set(legal):
+        problems.add(FILE, work.line, unknown(f"field of {work.key!r}", name, legal))
+    if (doi := work.fields.get("doi")) and not re.fullmatch(r"10\.\d{4,9}/\S+", doi):
+        message = f"doi {doi!r} of {work.key!r}; legal: '10.…/…', without an address"
+        problems.add(FILE, work.line, message)

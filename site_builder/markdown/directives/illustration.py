@@ -1,0 +1,48 @@
+"""``{illustration} name``: a drawing that our own models make while the book is built."""
+
+from dataclasses import dataclass
+
+from simulations.engine.illustration import Illustration
+from simulations.illustrations.table import ILLUSTRATIONS
+from site_builder.diagnostics import cause
+from site_builder.markdown.bodies import CAPTION
+from site_builder.markdown.directive import LABEL, Argument, Directive, Numbered, OptionLine, Use
+from site_builder.markdown.reading import Reading
+
+
+@dataclass(frozen=True, slots=True)
+class Drawn:
+    """An illustration with its caption."""
+
+    illustration: Illustration
+    description: str
+    caption_html: str
+
+
+def read_illustration(use: Use, caption_html: str, reading: Reading) -> Drawn | None:
+    try:
+        illustration = ILLUSTRATIONS[use.argument]()
+    except Exception as error:  # whatever its code may raise is the author's to see
+        message = f"illustration {use.argument!r} cannot be drawn: {cause(error)}"
+        reading.problem(use.line, message)
+        return None
+    if not caption_html:
+        legal = "one to three sentences"
+        reading.problem(use.line, f"illustration {use.argument!r} has no caption; legal: {legal}")
+    words = use.text("alt") or illustration.description
+    return Drawn(illustration, words, caption_html)
+
+
+ILLUSTRATION = Directive(
+    name="illustration",
+    says="a drawing made by the book's models",
+    argument=Argument("name", legal=tuple(ILLUSTRATIONS), kind="illustration"),
+    options=(
+        OptionLine("alt", says="what it shows, instead of its own description"),
+        LABEL,
+    ),
+    body=CAPTION,
+    read=read_illustration,
+    template="illustration",
+    numbered=Numbered("Figure", lambda use: f"figure-{use.argument}", again=True),
+)

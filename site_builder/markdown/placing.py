@@ -1,0 +1,106 @@
+"""Numbers and ids of a page, given out before a word is looked at, since words speak of them.
+
+Figures, equations, tables, examples and questions are counted by chapter, in the order of the
+page. An id comes from what its author wrote, never from a number, and so stays when things move.
+"""
+
+import hashlib
+import re
+from collections import Counter
+from collections.abc import Sequence
+from dataclasses import dataclass, field
+from typing import Any
+
+from markdown_it.token import Token
+
+from site_builder.book import Target
+from site_builder.markdown.directive import LABEL, Directive, Use
+from site_builder.markdown.directives.simulation import SIMULATION
+from site_builder.markdown.headings import slug
+from site_builder.markdown.reading import Place, Reading
+from site_builder.markdown.text.tokens import plain_text
+
+LABEL_FORM = re.compile(r"[a-z0-9]+(-[a-z0-9]+)*")
+
+
+def place_targets(tokens: Sequence[Token], chapter: str, reading: Reading) -> tuple[Target, ...]:
+    """Every thing of the page that a reference may lead to, in order. Directives, equations and
+    headings learn their ids and numbers."""
+    placing = _Placing(chapter, reading)
+    closed: list[bool] = []
+    for index, token in enumerate(tokens):
+        match token.type:
+            case "directive_open":
+                directive: Directive[Any] | None = token.meta["directive"]
+                placing.directive(directive, token)
+                closed.append(directive is not None and not directive.body.nests)
+            case "directive_close":
+                closed.pop()
+            case "math_block" | "math_block_label":
+                placing.equation(token, inside=any(closed))
+            case "heading_open":
+                placing.heading(tokens[index : index + 3])
+    return tuple(placing.targets)
+
+
+@dataclass(slots=True)
+class _Placing:
+    chapter: str
+    reading: Reading
+    targets: list[Target] = field(default_factory=list)
+    counts: Counter[str] = field(default_factory=Counter)
+
+    def directive(self, directive: Directive[Any] | None, token: Token) -> None:
+        if directive is None or directive.numbered is None:
+            return
+        use: Use = token.meta["use"]
+        numbered, label = directive.numbered, use.text(LABEL.name)
+        if label:
+            name = self._labelled(label, use.options[LABEL.name].line, use.name)
+        elif numbered.again:
+            name = self.reading.free_id(numbered.id(use), use.line)
+        else:
+            name = self.reading.take_id(numbered.id(use), use.line, use.name)
+        self.reading.placed[use.line] = self._count(
+            numbered.kind, name, use.line, labelled=bool(label)
+        )
+        if directive is SIMULATION:
+            first, last = token.map or (0, 0)
+            self.reading.figures.append(Place(name, use.argument, (first + 1, last + 1)))
+
+    def equation(self, token: Token, *, inside: bool) -> None:
+        """``inside`` of a question or caption it carries no number: it belongs to that."""
+        line, label = (token.map or [0])[0] + 1, str(token.info or "")
+        if inside:
+            if label:
+                legal = "on a formula of the running text"
+                where = "in a question or caption"
+                self.reading.problem(line, f"label {label!r} {where}; legal: {legal}")
+            return
+        if label:
+            name = self._labelled(label, line, "equation")
+        else:
+            digest = hashlib.sha256("".join(token.content.split()).encode()).hexdigest()
+            name = self.reading.free_id(f"equation-{digest[:6]}", line)
+        token.meta["target"] = self._count("Equation", name, line, labelled=bool(label))
+
+    def heading(self, tokens: Sequence[Token]) -> None:
+        opening, inline, closing = tokens
+        line, text = (opening.map or [0])[0] + 1, plain_text(inline)
+        name = self.reading.take_id(slug(text), line, "heading")
+        opening.attrSet("id", name)
+        closing.meta["target"] = target = Target("Section", self.chapter, name, "", text, line)
+        self.targets.append(target)
+
+    def _labelled(self, label: str, line: int, kind: str) -> str:
+        if not LABEL_FORM.fullmatch(label):
+            legal = "small letters, digits and hyphens"
+            self.reading.problem(line, f"label {label!r}; legal: {legal}")
+        return self.reading.take_id(label, line, kind)
+
+    def _count(self, kind: str, name: str, line: int, *, labelled: bool) -> Target:
+        self.counts[kind] += 1
+        number = f"{self.reading.position.mark}.{self.counts[kind]}"
+        target = Target(kind, self.chapter, name, number, "", line, labelled)
+        self.targets.append(target)
+        return target

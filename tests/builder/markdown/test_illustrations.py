@@ -1,0 +1,77 @@
+"""Illustrations in a page: drawn, told in words, captioned; every mistake has its place."""
+
+from collections.abc import Callable
+from dataclasses import replace
+
+import pytest
+
+from simulations.engine.frame import Panel
+from simulations.engine.illustration import Illustration
+from simulations.illustrations.table import ILLUSTRATIONS
+from site_builder.build import Options, render_site
+from site_builder.markdown.directives import illustration
+
+NAME = "similar-triangles"
+CAPTION = "Two *triangles*.\n:::\n"
+type Find = Callable[..., list[str]]
+
+
+@pytest.fixture
+def page(make_book: Callable[..., Options]) -> Callable[[str], str]:
+    def render(body: str) -> str:
+        html = render_site(make_book(body))["first/index.html"]
+        assert isinstance(html, bytes)
+        return html.decode()
+
+    return render
+
+
+def test_a_page_shows_the_drawing_its_words_and_its_caption(page: Callable[[str], str]) -> None:
+    html = page(f":::{{illustration}} {NAME}\n{CAPTION}")
+    drawn = ILLUSTRATIONS[NAME]()
+    assert f'id="figure-{NAME}"' in html
+    assert drawn.panels[0].overlay in html
+    assert f'aria-label="{drawn.description}"' in html
+    assert "Two <em>triangles</em>." in html
+
+
+def test_an_author_may_give_an_id_and_other_words(page: Callable[[str], str]) -> None:
+    options = ":label: my-triangles\n:alt: A & B.\n"
+    html = page(f":::{{illustration}} {NAME}\n{options}{CAPTION}")
+    assert 'id="my-triangles"' in html
+    assert 'aria-label="A &amp; B."' in html
+
+
+@pytest.mark.parametrize(
+    ("body", "message"),
+    [
+        (
+            f":::{{illustration}} similar-triangle\n{CAPTION}",
+            ":5: unknown illustration 'similar-triangle'; did you mean 'similar-triangles'?",
+        ),
+        (
+            f":::{{illustration}} {NAME}\n:::\n",
+            f":5: illustration '{NAME}' has no caption; legal: one to three sentences",
+        ),
+        (
+            f"# Top {{#top}}\n\n:::{{illustration}} {NAME}\n:label: main\n{CAPTION}",
+            ":8: duplicate illustration id 'main'; the page itself uses it",
+        ),
+    ],
+    ids=["unknown", "no caption", "duplicate id"],
+)
+def test_a_mistake_is_told_with_its_line(mistakes: Find, body: str, message: str) -> None:
+    found = mistakes(body)
+    assert any(message in line for line in found), found
+
+
+def test_a_drawing_that_fails_is_the_author_s_to_see(
+    mistakes: Find, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def draw() -> Illustration:
+        return replace(Illustration((Panel("a", "", 1, 1),), "Shows."), description="")
+
+    monkeypatch.setattr(illustration, "ILLUSTRATIONS", {NAME: draw})
+    found = mistakes(f":::{{illustration}} {NAME}\n{CAPTION}")
+    assert len(found) == 1
+    assert f"content/00-first.md:5: illustration '{NAME}' cannot be drawn: " in found[0]

@@ -1,0 +1,204 @@
+"""Numbers, and references that say them: right in every order of the chapters."""
+
+from collections.abc import Callable, Mapping
+
+import pytest
+from support.html_outline import Page, read_html
+
+from site_builder.build import Options, render_site
+from site_builder.output.assets import content_bytes
+
+type MakeBook = Callable[..., Options]
+type Find = Callable[..., list[str]]
+
+FIRST = """
+## Shared words
+
+$$
+a = b
+$$ (balance)
+
+:::{note}
+$$c = d$$
+:::
+
+:::{simulation} demo
+Here.
+:::
+
+:::{simulation} demo
+:::
+
+:::{example} Twice two
+Four.
+:::
+
+:::{table} Numbers
+:label: some-numbers
+| a |
+|---|
+| 1 |
+:::
+
+:::{quiz} same
+What?
+- [x] this
+  : yes
+- [ ] that
+  : no
+:::
+"""
+SECOND = """---
+title: Second
+summary: s
+---
+
+## Shared words
+
+See {ref}`first`, {ref}`first` again, {ref}`balance`, {ref}`first#figure-demo`,
+{ref}`figure-demo-2`, {ref}`some-numbers`, {ref}`example-twice-two`, {ref}`quiz-same`,
+{ref}`first#shared-words`, {ref}`#shared-words`, and {ref}`the number {number} <balance>`.
+
+$$e = f$$
+
+:::{simulation} demo
+:::
+
+:::{figure} images/plan.svg
+:alt: A plan
+:::
+"""
+IN_ORDER = 'chapters = ["00-first", "01-second"]\n'
+SWAPPED = 'chapters = ["01-second", "00-first"]\n'
+APPENDED = 'chapters = ["00-first"]\nappendices = ["01-second"]\n'
+
+
+def outline(order: str) -> str:
+    return f'title = "T"\nsubtitle = "S"\nprerequisites = "P"\n{order}'
+
+
+def pages(make_book: MakeBook, order: str) -> Mapping[str, Page]:
+    files = {"content/book.toml": outline(order), "content/01-second.md": SECOND}
+    site = render_site(make_book(FIRST, files))
+    return {
+        name: read_html(content_bytes(site[f"{name}/index.html"])) for name in ("first", "second")
+    }
+
+
+def numbers(page: Page) -> list[str]:
+    return [link.text.strip() for link in page.all("a", "numbered")]
+
+
+def references(page: Page) -> list[str]:
+    return [" ".join(link.text.split()) for link in page.all("a", "reference")]
+
+
+def test_each_kind_of_thing_has_its_own_count_in_a_chapter(make_book: MakeBook) -> None:
+    assert numbers(pages(make_book, IN_ORDER)["first"]) == [
+        "(0.1)", "(0.2)", "Figure 0.1", "Figure 0.2", "Example 0.1", "Table 0.1", "Question 0.1",
+    ]  # fmt: skip
+
+
+def test_simulations_and_pictures_are_counted_as_figures(make_book: MakeBook) -> None:
+    assert numbers(pages(make_book, IN_ORDER)["second"]) == ["(1.1)", "Figure 1.1", "Figure 1.2"]
+
+
+def test_an_appendix_is_lettered(make_book: MakeBook) -> None:
+    second = pages(make_book, APPENDED)["second"]
+    assert numbers(second) == ["(A.1)", "Figure A.1", "Figure A.2"]
+    assert second.all("p", "chapter-number")[0].text == "Appendix A"
+
+
+def test_references_name_what_they_lead_to(make_book: MakeBook) -> None:
+    assert references(pages(make_book, IN_ORDER)["second"]) == [
+        "Chapter 0 (First)",
+        "Chapter 0",
+        "Equation (0.1)",
+        "Figure 0.1",
+        "Figure 0.2",
+        "Table 0.1",
+        "Example 0.1",
+        "Question 0.1",
+        "“Shared words” in Chapter 0",
+        "“Shared words”",
+        "the number 0.1",
+    ]
+
+
+def test_swapped_chapters_change_every_number_and_no_address(make_book: MakeBook) -> None:
+    before, after = (pages(make_book, order) for order in (IN_ORDER, SWAPPED))
+    swap = str.maketrans("01", "10")
+    for name in before:
+        assert [text.translate(swap) for text in marked(before[name])] == marked(after[name])
+        assert addresses(before[name]) == addresses(after[name])
+
+
+def marked(page: Page) -> list[str]:
+    """What says the number of a chapter; the thing's own number is left out."""
+    texts = [*numbers(page), *references(page), page.all("p", "chapter-number")[0].text]
+    return [text.partition(".")[0] for text in texts]
+
+
+def addresses(page: Page) -> list[str | None]:
+    return [
+        link.attributes["href"]
+        for kind in ("numbered", "reference", "anchor")
+        for link in page.all("a", kind)
+    ]
+
+
+def test_sections_equations_and_figures_can_be_linked_to_by_their_readers(
+    make_book: MakeBook,
+) -> None:
+    first = pages(make_book, IN_ORDER)["first"]
+    ids = {element.attributes.get("id") for element in first.elements}
+    links = [*first.all("a", "anchor"), *first.all("a", "numbered")]
+    assert len(links) == 8
+    assert {(link.attributes["href"] or "").removeprefix("#") for link in links} <= ids
+    anchor = first.all("a", "anchor")[0]
+    assert anchor.attributes["aria-label"] == "Link to Shared words"
+
+
+def test_a_label_is_given_once_in_the_book(mistakes: Find) -> None:
+    second = "---\ntitle: S\nsummary: s\n---\n\n$$a$$ (balance)\n"
+    found = mistakes("\n$$a$$ (balance)\n", {"content/01-second.md": second})
+    assert found == [
+        "content/01-second.md:6: duplicate label 'balance'; first used at content/00-first.md:6"
+    ]
+
+
+def test_an_id_that_several_chapters_have_must_be_told_apart(mistakes: Find) -> None:
+    files = {
+        "content/02-third.md": "---\ntitle: S\nsummary: s\n---\n\n## A section\n",
+        "content/book.toml": outline('chapters = ["00-first", "01-second", "02-third"]\n'),
+    }
+    assert mistakes("\n{ref}`a-section`\n", files) == [
+        "content/00-first.md:6: target 'a-section' is in 2 chapters; "
+        "legal: 'second#a-section' or 'third#a-section'"
+    ]
+
+
+@pytest.mark.parametrize(
+    ("words", "report"),
+    [
+        ("secnod", "unknown target 'secnod'; did you mean 'second'?"),
+        ("second#a-secton", "unknown target in second 'a-secton'; did you mean 'a-section'?"),
+        ("secnod#a-section", "unknown chapter 'secnod'; did you mean 'second'?"),
+        ("#a-section", "unknown target on this page 'a-section'; legal: none"),
+        ("{nmae} <second>", "unknown part of a reference to Chapter 1 'nmae'; did you mean 'name'"),
+    ],
+)
+def test_a_reference_that_leads_nowhere_is_reported(
+    mistakes: Find, words: str, report: str
+) -> None:
+    (found,) = mistakes(f"\n{{ref}}`{words}`\n")
+    assert found.startswith(f"content/00-first.md:6: {report}")
+
+
+@pytest.mark.parametrize("words", ["chapter 4", "Appendix B", "Figure 4.2", "equation (A.3)"])
+def test_a_number_that_is_typed_is_reported(mistakes: Find, words: str) -> None:
+    (found,) = mistakes(f"\nAs {words} says.\n")
+    assert found == (
+        f"content/00-first.md:6: {words!r} is a number that may change; "
+        "legal: '{ref}`TARGET`', or a citation"
+    )

@@ -1,0 +1,56 @@
+"""What searches: pinned, fetched once, and done without where it cannot be had."""
+
+import json
+from collections.abc import Callable, Mapping
+from dataclasses import replace
+from pathlib import Path
+
+import pytest
+
+from site_builder import build
+from site_builder.build import render_site
+from site_builder.diagnostics import Diagnostic
+from site_builder.output.assets import content_bytes
+from site_builder.search import library
+from site_builder.search.library import (
+    HERE,
+    PARTS,
+    SearchLibrary,
+    SearchLibraryError,
+    fetch_library,
+)
+
+
+def test_every_package_is_pinned_by_a_hash_and_the_lock_names_no_address() -> None:
+    lock = json.loads((HERE / "package-lock.json").read_text(encoding="utf-8"))
+    packages = [item for name, item in lock["packages"].items() if name]
+    assert all(item["integrity"].startswith("sha512-") for item in packages)
+    assert not any("resolved" in item for item in packages)
+
+
+def test_the_library_is_fetched_once_and_kept(
+    monkeypatch: pytest.MonkeyPatch, tmp_path: Path
+) -> None:
+    fetched: list[int] = []
+
+    def fetch() -> Mapping[str, bytes]:
+        fetched.append(1)
+        return {**dict.fromkeys(PARTS, b"export {}"), "packages.json": b"[]"}
+
+    monkeypatch.setattr(library, "_fetch", fetch)
+    assert fetch_library(tmp_path) == fetch_library(tmp_path)
+    assert len(fetched) == 1
+
+
+def test_without_the_library_the_book_is_built_without_search_and_says_so(
+    make_book: Callable[..., build.Options], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def refuse() -> SearchLibrary:
+        raise SearchLibraryError("its packages could not be had from npm: no network")
+
+    monkeypatch.setattr(build, "fetch_library", refuse)
+    warnings: list[Diagnostic] = []
+    files = render_site(replace(make_book(), search=True, warn=warnings.append))
+    assert b"search-button" not in content_bytes(files["first/index.html"])
+    assert not any(name.startswith("search/") for name in files)
+    assert ["no network" in str(warning) for warning in warnings] == [True]

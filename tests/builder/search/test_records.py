@@ -1,0 +1,30 @@
+"""Records of the search: addresses, and where the book introduces a term."""
+
+from site_builder.search.records import make_records
+
+
+def page(body: str) -> bytes:
+    return f"<article data-searched><h1>Title</h1>{body}</article>".encode()
+
+
+def test_a_section_is_found_at_its_heading_and_an_opening_at_its_page() -> None:
+    records = make_records({"first/index.html": page('<p>A.</p><h2 id="b">B</h2><p>C.</p>')})
+    assert [(r.address, r.chapter, r.title) for r in records] == [
+        ("first/", "Title", ""),
+        ("first/#b", "Title", "B"),
+    ]
+
+
+def test_a_term_is_introduced_where_the_book_first_emphasises_it_below_a_heading() -> None:
+    section = '<h2 id="s">S</h2><p><strong>Pose.</strong></p>'
+    records = make_records(
+        {
+            "first/index.html": page(f"<p><em>pose</em></p>{section}"),
+            "second/index.html": page(section),
+        }
+    )
+    assert [r.introduced for r in records] == [("pose",), ("Pose",), (), ()]
+
+
+def test_pages_that_are_not_marked_are_not_found() -> None:
+    assert make_records({"licences/index.html": b"<article><h1>Licences</h1></article>"}) == ()

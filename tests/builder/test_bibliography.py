@@ -1,0 +1,143 @@
+"""The bibliography: what an entry must say, how it is cited, and the page that lists it."""
+
+from collections.abc import Callable
+from pathlib import Path
+
+import pytest
+from support.html_outline import read_html
+
+from site_builder.bibliography import Bibliography, read_bibliography
+from site_builder.build import Options, render_site
+from site_builder.diagnostics import Diagnostics
+from site_builder.output.assets import content_bytes
+
+type MakeBook = Callable[..., Options]
+type Find = Callable[..., list[str]]
+
+BIB = r"""% a comment
+@article{zhang2000,
+  author = {Zhang, Zhengyou},
+  title = {A {Flexible} technique},
+  journal = {Some Journal},
+  volume = 22, number = 11, pages = {1330--1334}, year = 2000,
+  doi = {10.1109/34.888718},
+}
+
+@book{hartley2004,
+  author = {Hartley, Richard and Zisserman, Andrew},
+  title = {Geometry}, publisher = {A Press}, year = 2004, isbn = {0-521},
+}
+"""
+CITES = "\n{cite}`hartley2004, §4.1; zhang2000` and {citet}`zhang2000, p. 3`.\n"
+
+
+def read(root: Path, text: str) -> tuple[Bibliography, list[str]]:
+    (root / "content").mkdir()
+    (root / "content" / "references.bib").write_text(text, encoding="utf-8")
+    problems = Diagnostics()
+    return read_bibliography(root, problems), [str(found) for found in problems.found]
+
+
+def entry(key: str, authors: str, year: int) -> str:
+    return f"@misc{{{key}, author = {{{authors}}}, title = {{T}}, year = {year}}}\n"
+
+
+def test_a_reference_is_told_whole(tmp_path: Path) -> None:
+    works = read(tmp_path, BIB)[0].works
+    assert works["zhang2000"].told == (
+        "Zhang, Z. (2000). A Flexible technique. Some Journal 22(11), 1330–1334."
+    )
+    assert works["zhang2000"].address == "https://doi.org/10.1109/34.888718"
+    assert works["hartley2004"].told == ("Hartley, R. and Zisserman, A. (2004). Geometry. A Press.")
+
+
+@pytest.mark.parametrize(
+    ("authors", "who", "everyone"),
+    [
+        (r"Heikkil{\"a}, Janne", "Heikkilä", "Heikkilä, J."),
+        ("{CIE}", "CIE", "CIE"),
+        ("van der Walt, Stéfan J.", "van der Walt", "van der Walt, S. J."),
+        ("A, B and C, D and E, F", "A et al.", "A, B., C, D. and E, F."),
+        ("A, B and C, D and others", "A et al.", "A, B., C, D. et al."),
+    ],
+)
+def test_authors_are_named_as_is_usual(
+    tmp_path: Path, authors: str, who: str, everyone: str
+) -> None:
+    work = read(tmp_path, entry("k", authors, 2000))[0].works["k"]
+    assert (work.who, work.everyone) == (who, everyone)
+
+
+def test_works_of_the_same_authors_and_year_are_told_apart(tmp_path: Path) -> None:
+    works = read(tmp_path, "".join(entry(key, "Cook, R.", 1984) for key in ("one", "two")))[0].works
+    assert [work.year for work in works.values()] == ["1984a", "1984b"]
+
+
+@pytest.mark.parametrize(
+    ("text", "report"),
+    [
+        ("\n@book{k, author = {A, B}, title = {T}, year = 1}\n", "2: 'k' has no 'publisher'; "),
+        ("@boko{k, title = {T}}\n", "1: unknown kind of entry 'boko'; did you mean 'book'?"),
+        (
+            "@misc{k, author = {A, B}, title = {T}, year = 1, dio = {x}}\n",
+            "1: unknown field of 'k' 'dio'; did you mean 'doi'?",
+        ),
+        (
+            "@misc{k, author = {A, B}, title = {T}, year = 1, doi = {https://doi.org/10.1/x}}\n",
+            "1: doi 'https://doi.org/10.1/x' of 'k'; legal: '10.…/…', without an address",
+        ),
+        ("\n\n@misc{k, author = {A, B}\n", "4: malformed BibTeX: "),
+        (entry("k", "A, B", 1) + entry("k", "A, B", 1), "2: malformed BibTeX: "),
+    ],
+)
+def test_an_entry_that_cannot_be_printed_is_reported(
+    tmp_path: Path, text: str, report: str
+) -> None:
+    (found,) = read(tmp_path, text)[1]
+    assert found.startswith(f"content/references.bib:{report}")
+
+
+def test_a_citation_is_a_link_that_tells_its_work(make_book: MakeBook) -> None:
+    site = render_site(make_book(CITES, {"content/references.bib": BIB}))
+    page = read_html(content_bytes(site["first/index.html"]))
+    links = page.all("a", "citation")
+    assert [link.text for link in links] == [
+        "Hartley and Zisserman 2004",
+        "Zhang 2000",
+        "Zhang (2000, p. 3)",
+    ]
+    assert [link.attributes["href"] for link in links] == [
+        "../references/#hartley2004", "../references/#zhang2000", "../references/#zhang2000",
+    ]  # fmt: skip
+    assert [link.attributes["id"] for link in links] == [
+        "cite-hartley2004", "cite-zhang2000", "cite-zhang2000-2",
+    ]  # fmt: skip
+    assert (links[1].attributes["title"] or "").startswith("Zhang, Z. (2000). A Flexible")
+
+
+def test_each_work_is_listed_with_the_places_that_cite_it(make_book: MakeBook) -> None:
+    site = render_site(make_book(CITES, {"content/references.bib": BIB}))
+    page = read_html(content_bytes(site["references/index.html"]))
+    works = [item.attributes["id"] for item in page.all("li") if "main" in item.inside]
+    assert works == ["hartley2004", "zhang2000"]
+    addresses = [str(link.attributes["href"]) for link in page.all("a") if "li" in link.inside]
+    assert [link for link in addresses if "#cite-" in link] == [
+        "../first/#cite-hartley2004", "../first/#cite-zhang2000", "../first/#cite-zhang2000-2",
+    ]  # fmt: skip
+    assert "https://doi.org/10.1109/34.888718" in addresses
+
+
+def test_a_book_that_cites_nothing_has_no_list(make_book: MakeBook) -> None:
+    assert "references/index.html" not in render_site(make_book())
+
+
+def test_a_work_that_is_not_listed_is_reported(mistakes: Find) -> None:
+    found = mistakes(f"{CITES}\n{{cite}}`zhang2001`\n", {"content/references.bib": BIB})
+    assert found == ["content/00-first.md:8: unknown work 'zhang2001'; did you mean 'zhang2000'?"]
+
+
+def test_a_work_that_no_chapter_cites_is_reported_at_its_line(mistakes: Find) -> None:
+    assert mistakes("\n{cite}`zhang2000`\n", {"content/references.bib": BIB}) == [
+        "content/references.bib:10: work 'hartley2004' is cited nowhere; "
+        "legal: '{cite}`hartley2004`' in a chapter"
+    ]

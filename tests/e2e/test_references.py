@@ -1,0 +1,36 @@
+"""Links into the text: to a section, from a citation to its work and back."""
+
+import pytest
+from support.reader import Reader
+
+pytestmark = pytest.mark.browser
+
+IN_VIEW = """(id) => {
+  const {top, bottom} = document.getElementById(id)?.getBoundingClientRect() ?? {top: -1};
+  return top >= 0 && bottom <= innerHeight;
+}"""
+
+
+def test_a_citation_leads_to_its_work_and_the_work_back(plain_reader: Reader) -> None:
+    page = plain_reader.page
+    plain_reader.open("lens-distortion/", live=False)
+    citation = page.locator("a.citation").first
+    key = (citation.get_attribute("href") or "").partition("#")[2]
+    place = citation.get_attribute("id")
+    citation.click()
+    page.wait_for_function(IN_VIEW, arg=key)
+    page.locator(f'#{key} a[href$="#{place}"]').click()
+    page.wait_for_function(IN_VIEW, arg=place)
+
+
+def test_a_section_s_link_is_shown_to_the_keyboard(plain_reader: Reader) -> None:
+    page = plain_reader.page
+    plain_reader.open("lens-distortion/", live=False)
+    link = page.locator("a.anchor").first
+    assert link.evaluate("link => getComputedStyle(link).opacity") == "0"
+    link.focus()
+    page.keyboard.press("Shift+Tab")
+    page.keyboard.press("Tab")
+    assert link.evaluate("link => getComputedStyle(link).opacity") == "1"
+    page.keyboard.press("Enter")
+    page.wait_for_function("href => location.hash === href", arg=link.get_attribute("href"))

@@ -1,0 +1,117 @@
+"""What holds for every illustration: nothing outside, no label on another, all told in words."""
+
+import re
+from collections.abc import Iterator
+from itertools import combinations
+from pathlib import Path
+from xml.etree import ElementTree
+
+import pytest
+from support.label_boxes import labels
+
+from simulations.engine.frame import Panel
+from simulations.engine.illustration import Illustration
+from simulations.illustrations.table import ILLUSTRATIONS
+from site_builder.charts.boxes import Box
+
+ROOT = Path(__file__).resolve().parents[2]
+DRAWN = {name: draw() for name, draw in ILLUSTRATIONS.items()}
+PANELS = [
+    pytest.param(panel, id=f"{name}-{panel.name}")
+    for name, illustration in DRAWN.items()
+    for panel in illustration.panels
+]
+STROKE = 3.0
+"""Half the widest line, and a rounding."""
+
+
+def corners(overlay: str) -> Iterator[tuple[float, float]]:
+    """Points that the shapes of an overlay reach."""
+    for element in ElementTree.fromstring(f"<svg>{overlay}</svg>").iter():
+        number = {key: float(value) for key, value in element.attrib.items() if _is_number(value)}
+        match element.tag:
+            case "line":
+                yield number["x1"], number["y1"]
+                yield number["x2"], number["y2"]
+            case "circle":
+                for sign in (-1, 1):
+                    yield number["cx"] + sign * number["r"], number["cy"] + sign * number["r"]
+            case "rect":
+                yield number["x"], number["y"]
+                yield number["x"] + number["width"], number["y"] + number["height"]
+            case "polyline" | "polygon" | "path":
+                text = element.get("points") or element.get("d") or ""
+                values = [float(value) for value in re.findall(r"-?\d+\.?\d*", text)]
+                yield from zip(values[::2], values[1::2], strict=True)
+
+
+def _is_number(value: str) -> bool:
+    return re.fullmatch(r"-?\d+\.?\d*", value) is not None
+
+
+@pytest.mark.parametrize("panel", PANELS)
+def test_nothing_is_drawn_outside_the_view_box(panel: Panel) -> None:
+    for x, y in corners(panel.overlay):
+        assert -STROKE <= x <= panel.width + STROKE, (x, y)
+        assert -STROKE <= y <= panel.height + STROKE, (x, y)
+
+
+@pytest.mark.parametrize("panel", PANELS)
+def test_labels_lie_inside_the_view_box(panel: Panel) -> None:
+    frame = Box(-1.0, -1.0, panel.width + 1.0, panel.height + 1.0)
+    assert [label.text for label in labels(panel.overlay) if label.box.outside(frame) > 0] == []
+
+
+@pytest.mark.parametrize("panel", PANELS)
+def test_no_label_stands_on_another(panel: Panel) -> None:
+    pairs = combinations(labels(panel.overlay), 2)
+    assert [(a.text, b.text) for a, b in pairs if a.box.overlap(b.box) > 0] == []
+
+
+@pytest.mark.parametrize("panel", PANELS)
+def test_a_unit_is_about_a_pixel_on_a_phone(panel: Panel) -> None:
+    # 358 px of column there, or two drawings in it: illustrations.css.
+    assert panel.width in (190, 300, 320, 400)
+
+
+@pytest.mark.parametrize("illustration", DRAWN.values(), ids=DRAWN.keys())
+def test_the_panels_of_an_illustration_are_equally_wide(illustration: Illustration) -> None:
+    assert len({panel.width for panel in illustration.panels}) == 1
+
+
+@pytest.mark.parametrize("illustration", DRAWN.values(), ids=DRAWN.keys())
+def test_the_description_is_a_sentence_without_markup(illustration: Illustration) -> None:
+    assert illustration.description.endswith(".")
+    assert not re.search(r"[<>{}$^_]", illustration.description)
+
+
+def test_every_class_of_a_drawing_is_styled() -> None:
+    sheets = "".join(file.read_text("utf-8") for file in (ROOT / "static" / "css").glob("*.css"))
+    found = {
+        name
+        for illustration in DRAWN.values()
+        for panel in illustration.panels
+        for style in re.findall(r'class="([^"]*)"', panel.overlay)
+        for name in style.split()
+    }
+    assert {name for name in found if f".{name}" not in sheets} == set()
+
+
+@pytest.mark.parametrize("name", ILLUSTRATIONS)
+def test_an_illustration_is_drawn_by_the_module_of_its_name(name: str) -> None:
+    module = f"simulations.illustrations.{name.replace('-', '_')}"
+    assert ILLUSTRATIONS[name].__module__ == module
+
+
+def test_every_module_of_the_room_is_in_the_table() -> None:
+    room = ROOT / "simulations" / "illustrations"
+    files = {file.stem for file in room.glob("*.py")} - {"__init__", "table", "space"}
+    assert files == {name.replace("-", "_") for name in ILLUSTRATIONS}
+
+
+def test_every_illustration_is_shown_by_one_chapter() -> None:
+    chapters = [file.read_text("utf-8") for file in (ROOT / "content").glob("*.md")]
+    shown = [
+        name for text in chapters for name in re.findall(r"^:::\{illustration\} (\S+)", text, re.M)
+    ]
+    assert sorted(shown) == sorted(ILLUSTRATIONS)

@@ -1,0 +1,152 @@
+"""Reflectance distributions: written out with vectors, integrated by SciPy, and by their laws."""
+
+import numpy as np
+import pytest
+from numpy.typing import NDArray
+from scipy.integrate import dblquad
+
+from simulations.models.light.brdf import (
+    MODELS,
+    SMOOTHEST,
+    Material,
+    facets,
+    parts,
+    reflected,
+    schlick,
+    sent_back,
+    unhidden,
+)
+from simulations.models.light.reflectance import phong
+
+SATIN = Material(0.5, 0.3, 0.4)
+RNG = np.random.default_rng(2)
+
+
+def directions(count: int) -> NDArray[np.float64]:
+    """(count, 3) unit vectors above the surface z = 0."""
+    vectors = RNG.normal(size=(count, 3))
+    vectors[:, 2] = np.abs(vectors[:, 2]) + 0.05
+    return np.asarray(vectors / np.linalg.norm(vectors, axis=1, keepdims=True))
+
+
+LIGHTS, EYES = directions(200), directions(200)
+N_L, N_V, L_V = LIGHTS[:, 2], EYES[:, 2], np.sum(LIGHTS * EYES, axis=1)
+
+
+def test_matte_is_albedo_over_pi() -> None:
+    np.testing.assert_allclose(reflected("lambert", SATIN, N_L, N_V, L_V), 0.5 / np.pi)
+
+
+def test_phong_as_of_1975_is_the_radiance_of_the_older_model_over_the_irradiance() -> None:
+    normals = np.broadcast_to([0.0, 0.0, 1.0], (200, 3))
+    radiance = phong(normals, LIGHTS, EYES, 0.5, specular=0.3, shininess=SATIN.shininess)
+    found = reflected("phong", SATIN, N_L, N_V, L_V)
+    np.testing.assert_allclose(found * np.pi * N_L, radiance, rtol=1e-9)
+
+
+def test_the_normalised_lobe_sends_back_its_strength_of_light_head_on() -> None:
+    for roughness in (0.2, 0.5, 1.0):
+        material = Material(0.0, 0.6, roughness)
+        assert sent_back("normalised", material, 1.0) == pytest.approx(0.6, abs=1e-3)
+
+
+def test_microfacets_are_those_of_walter_and_heitz() -> None:
+    """Written out with vectors; the masking by the two Λ of Smith."""
+    found = parts("microfacets", SATIN, N_L, N_V, L_V)
+    for i in range(200):
+        light, eye, m = LIGHTS[i], EYES[i], SATIN.roughness
+        half = (light + eye) / np.linalg.norm(light + eye)
+        tangent = np.tan(np.arccos(half[2]))
+        density = m**2 / (np.pi * half[2] ** 4 * (m**2 + tangent**2) ** 2)
+        slopes = [m * np.tan(np.arccos(way[2])) for way in (light, eye)]
+        hidden = sum((np.sqrt(1 + slope**2) - 1) / 2 for slope in slopes)
+        mirrored, into, out = (
+            0.3 + 0.7 * (1 - cosine) ** 5 for cosine in (half @ light, light[2], eye[2])
+        )
+        skin = mirrored * density / (1 + hidden) / (4 * light[2] * eye[2])
+        assert found[1][i] == pytest.approx(skin, rel=1e-9)
+        assert found[0][i] == pytest.approx((1 - into) * (1 - out) / np.pi)
+
+
+@pytest.mark.parametrize("roughness", [0.2, 0.6, 1.0])
+def test_the_facets_cover_the_surface_once(roughness: float) -> None:
+    polar = (np.arange(20_000) + 0.5) / 20_000 * np.pi / 2
+    shares = facets(np.cos(polar), roughness) * np.cos(polar) * np.sin(polar)
+    assert 2 * np.pi * shares.mean() * np.pi / 2 == pytest.approx(1, abs=1e-4)
+
+
+@pytest.mark.parametrize("model", ["lambert", "normalised", "microfacets"])
+def test_light_goes_either_way_alike(model: str) -> None:
+    there = reflected(model, SATIN, N_L, N_V, L_V)
+    np.testing.assert_allclose(there, reflected(model, SATIN, N_V, N_L, L_V))
+
+
+def test_phong_as_of_1975_is_not_reciprocal() -> None:
+    there, back = (reflected("phong", SATIN, a, b, L_V) for a, b in ((N_L, N_V), (N_V, N_L)))
+    assert (np.abs(there / back - 1) > 0.1).mean() > 0.2
+
+
+@pytest.mark.parametrize("model", MODELS)
+def test_nothing_comes_from_below_and_nothing_goes_there(model: str) -> None:
+    cosines = np.array([-0.5, 0.0, 0.5])
+    found = reflected(model, SATIN, cosines[:, None], cosines, 0.3)
+    assert (found > 0).tolist() == [[False] * 3, [False] * 3, [False, False, True]]
+
+
+@pytest.mark.parametrize("model", MODELS)
+@pytest.mark.parametrize("roughness", [0.15, 0.5])
+@pytest.mark.parametrize("angle", [0.0, 50.0, 85.0])
+def test_what_is_sent_back_is_scipys_integral(model: str, roughness: float, angle: float) -> None:
+    material = Material(0.4, 0.2, roughness)
+    light, sine = np.cos(np.radians(angle)), np.sin(np.radians(angle))
+
+    def sent(around: float, polar: float) -> float:
+        eye = np.cos(polar)
+        between = light * eye + sine * np.sin(polar) * np.cos(around)
+        # Above the surface: at its rim the cosine is 6e-17.
+        return float(reflected(model, material, light, eye, between)) * eye * np.sin(polar)
+
+    whole = 2 * dblquad(sent, 0, np.pi / 2, 0, np.pi, epsabs=2e-4, epsrel=2e-4)[0]
+    assert sent_back(model, material, light) == pytest.approx(whole, abs=1e-3)
+
+
+def test_no_light_is_made_but_by_phong_as_of_1975() -> None:
+    cosines = np.cos(np.radians(np.arange(0.0, 89.0, 4.0)))
+    for roughness in (0.15, 0.3, 0.6, 1.0):
+        metal, plastic = Material(0.0, 1.0, roughness), Material(1.0, 0.04, roughness)
+        assert sent_back("microfacets", metal, cosines).max() < 1.001
+        assert sent_back("microfacets", plastic, cosines).max() < 1.001
+        paint = Material(0.6, 0.4, roughness)
+        assert sent_back("normalised", paint, cosines).max() < 1.001
+    assert sent_back("phong", Material(0.5, 0.5, 0.6), cosines[-1]) > 1.5
+
+
+def test_schlick_joins_head_on_and_grazing_and_is_near_fresnel_between() -> None:
+    index = 1.5
+    cosine = np.linspace(0.0, 1.0, 200)
+    inside = np.sqrt(1 - (1 - cosine**2) / index**2)
+    across = ((cosine - index * inside) / (cosine + index * inside)) ** 2
+    along = ((index * cosine - inside) / (index * cosine + inside)) ** 2
+    head_on = ((index - 1) / (index + 1)) ** 2
+    near = schlick(cosine, head_on)
+    assert (near[0], near[-1]) == (1.0, head_on)
+    assert np.abs(near - (across + along) / 2).max() < 0.04
+
+
+def test_what_hides_facets_stays_finite_where_light_and_eye_graze() -> None:
+    grazing = np.array([0.0, 1e-9, 1e-3])
+    assert np.isfinite(unhidden(grazing, grazing, SMOOTHEST)).all()
+
+
+def test_a_rougher_lobe_has_a_smaller_exponent() -> None:
+    """Blinn's exponent is 2/m² − 2, and Phong's a quarter of that."""
+    for roughness in (0.1, 0.5, 1.0):
+        exponent = Material(0.0, 0.0, roughness).shininess
+        assert exponent == pytest.approx((2 / roughness**2 - 2) / 4)
+
+
+def test_single_precision_stays() -> None:
+    cosine = np.full(3, 0.5, np.float32)
+    for model in MODELS:
+        ground, skin = parts(model, SATIN, cosine, cosine, cosine)
+        assert ground.dtype == skin.dtype == np.float32

@@ -1,0 +1,121 @@
+"""The spectrum figure shows what light, surface and sensor make of each other."""
+
+import numpy as np
+import pytest
+
+from simulations.engine.frame import Frame
+from simulations.engine.stages import StageCache
+from simulations.models.color.chromaticity import ILLUMINANT_A_XY
+from simulations.models.color.cie import D65_XY
+from simulations.models.color.srgb import encode_srgb
+from simulations.scenes.spectrum_to_rgb.diagram import at, whites
+from simulations.scenes.spectrum_to_rgb.patches import CELL, GAP, LEFT, ROW, ROWS, TOP, UNIT
+from simulations.scenes.spectrum_to_rgb.scene import SCENE
+from simulations.scenes.spectrum_to_rgb.settings import LIGHTS, SURFACES
+from simulations.scenes.spectrum_to_rgb.stages import Colours
+
+DAY: dict[str, object] = {"light": "daylight", "temperature": 6500}
+
+
+def frame(**given: object) -> Frame:
+    return SCENE.render(SCENE.check(given), "", StageCache())
+
+
+def colours(**given: object) -> Colours:
+    found: Colours = SCENE.run(SCENE.check(given), "", StageCache()).outputs["colours"]
+    return found
+
+
+def texts(shown: Frame) -> dict[str, str]:
+    return {item.name: item.text for item in shown.readouts}
+
+
+@pytest.mark.parametrize("light", LIGHTS)
+@pytest.mark.parametrize("sensor", ["camera", "eye"])
+@pytest.mark.parametrize("matrix", ["daylight", "own"])
+def test_a_grey_surface_comes_out_grey_in_every_light(light: str, sensor: str, matrix: str) -> None:
+    white = colours(light=light, sensor=sensor, matrix=matrix).srgb[0, -1]
+    assert np.ptp(white) < 0.05 * white.mean()
+
+
+def test_the_eyes_own_curves_make_no_error_in_the_light_that_the_matrix_is_made_for() -> None:
+    assert colours(**DAY, sensor="eye").error[0].max() < 0.05
+
+
+@pytest.mark.parametrize("light", ["planck", "fluorescent", "diode"])
+def test_a_matrix_made_for_the_light_errs_less_over_the_chart(light: str) -> None:
+    own, other = (colours(light=light, matrix=each).error[0, 1:] for each in ("own", "daylight"))
+    assert own.mean() < 0.7 * other.mean()
+
+
+def test_twins_match_in_daylight_alone() -> None:
+    assert colours(**DAY).apart.max() < 0.1
+    for other in ("planck", "fluorescent", "diode"):
+        assert colours(light=other).apart.min() > 1, other
+
+
+def test_the_twins_are_one_colour_to_the_eye_in_daylight_and_two_to_the_camera() -> None:
+    day = colours(**DAY)
+    np.testing.assert_allclose(day.meant[0], day.meant[1], atol=1e-9)
+    assert np.abs(day.srgb[0] - day.srgb[1]).max() > 0.02
+
+
+def test_the_white_of_a_lamp_lies_at_illuminant_a() -> None:
+    assert colours(temperature=2850).white_xy == pytest.approx(ILLUMINANT_A_XY, abs=0.002)
+
+
+def test_the_patches_show_each_step_of_the_chosen_surface_and_its_twin_below() -> None:
+    raster = frame(light="fluorescent", twin=True).panels[2].raster
+    assert raster is not None
+    found = colours(light="fluorescent")
+    for row, step in enumerate((found.raw, found.balanced, found.srgb, found.here, found.meant)):
+        for half in (0, 1):
+            y = (TOP + row * (ROW + GAP) + ROW * (0.25 + 0.5 * half)) / UNIT
+            for column in (1, 8):
+                x = (LEFT + (column + 0.5) * CELL) / UNIT
+                expected = 255 * np.clip(encode_srgb(step[half, column]), 0, 1)
+                shown = raster[int(y), int(x), :3]
+                np.testing.assert_allclose(shown, expected, atol=0.51, err_msg=ROWS[row])
+
+
+def test_without_twins_both_halves_show_the_surface() -> None:
+    raster = frame().panels[2].raster
+    assert raster is not None
+    top, below = TOP // UNIT + 1, (TOP + ROW) // UNIT - 1
+    np.testing.assert_array_equal(raster[top], raster[below])
+
+
+def test_a_narrow_band_is_a_colour_that_no_display_shows() -> None:
+    assert "no display" in frame(band=500, width=10).description
+    assert "no display" not in frame(surface="light-skin").description
+
+
+def test_gains_read_out_make_white_of_the_raw_white() -> None:
+    shown = texts(frame(surface="white"))
+    red, green, blue = (float(each) for each in shown["raw"].split(" / "))
+    assert red * float(shown["gain_red"]) == pytest.approx(green, rel=0.02)
+    assert blue * float(shown["gain_blue"]) == pytest.approx(green, rel=0.02)
+
+
+def test_daylight_is_never_redder_than_it_was_measured() -> None:
+    red, least = (frame(light="daylight", temperature=kelvin) for kelvin in (2000, 4000))
+    assert red.readouts == least.readouts
+    assert "4000 K" in red.description
+
+
+def test_the_white_led_to_d65_is_the_daylight_of_6500_kelvin() -> None:
+    assert SCENE.pull(SCENE.check(DAY), "white", at(D65_XY)) == {"temperature": 6500}
+
+
+def test_whites_run_from_red_to_blue() -> None:
+    kelvin, xy = whites("planck")
+    assert (np.diff(kelvin) > 0).all()
+    assert (np.diff(xy[:, 0]) < 0).all()
+
+
+def test_pressing_a_column_chooses_its_surface() -> None:
+    for column, name in enumerate(SURFACES):
+        place = (LEFT + (column + 0.4) * CELL, 100.0)
+        assert SCENE.pull(SCENE.check({}), "surface", place) == {"surface": name}
+    for beyond, name in ((0.0, "cloth"), (399.0, "white")):
+        assert SCENE.pull(SCENE.check({}), "surface", (beyond, 9.0)) == {"surface": name}

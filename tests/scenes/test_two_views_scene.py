@@ -1,0 +1,116 @@
+"""The two views: what the figure says of a lamp is what similar triangles say."""
+
+import math
+import re
+
+import numpy as np
+import pytest
+from support.frames import frame_of, pixels_of, texts_of
+
+from simulations.engine.frame import Frame
+from simulations.scenes.two_views.scene import SCENE
+from simulations.scenes.two_views.view import view_of
+
+
+def frame(**given: object) -> Frame:
+    return frame_of(SCENE, **given)
+
+
+def texts(**given: object) -> dict[str, str]:
+    return {name: text.replace("−", "-") for name, text in texts_of(frame(**given)).items()}
+
+
+@pytest.mark.parametrize(
+    ("depth", "focal", "baseline"), [(8, 160, 0.5), (2, 80, 1.0), (20, 320, 0.1)]
+)
+def test_disparity_is_focal_length_times_baseline_over_depth(
+    depth: float, focal: float, baseline: float
+) -> None:
+    for left_x in (-20, 0, 35):
+        shown = texts(depth=depth, focal_length=focal, baseline=baseline, left_x=left_x)
+        assert float(shown["d"]) == pytest.approx(focal * baseline / depth, abs=0.051)
+        assert float(shown["parallel"]) == pytest.approx(depth, abs=0.051)
+        assert float(shown["off_row"]) == 0.0
+
+
+def test_the_interval_is_that_of_the_disparities_a_match_may_have() -> None:
+    """80 px·m at 8 m: 10 px, give or take 2."""
+    assert texts(matching_error=2)["interval"] == "6.67 to 10.00"
+    assert texts(matching_error=2)["first_order"] == "1.60"
+    assert texts(matching_error=0)["interval"] == "8.00"
+
+
+def test_an_error_as_large_as_the_disparity_leaves_the_depth_open() -> None:
+    for error in (4.0, 3.9):
+        far = texts(depth=20, matching_error=error)["interval"]
+        assert far.endswith("∞") is (error == 4.0)
+    assert "open from 10.00 m on" in frame(depth=20, matching_error=4).description
+
+
+def test_turned_cameras_are_told_wrong_depths_by_the_formula_for_parallel_ones() -> None:
+    """The right image moves right by the turn: x' = f tan(atan(x/f) + θ)."""
+    right = 160 * math.tan(math.atan((30 - 10) / 160) + math.radians(3))
+    shown = texts(toe_in=3)
+    assert float(shown["d"]) == pytest.approx(30 - right, abs=0.051)
+    assert float(shown["parallel"]) == pytest.approx(80 / (30 - right), abs=0.051)
+    assert texts(toe_in=20)["parallel"] == "none: d < 0"
+
+
+def test_the_two_rays_meet_in_the_lamp_however_the_camera_is_turned() -> None:
+    for toe_in in (0, 7, 30):
+        view = view_of(SCENE.check({"toe_in": toe_in, "left_x": -44}))
+        assert view.pair.depth(view.left, view.right) == pytest.approx(8.0)
+        assert view.nearest < 8.0 < view.farthest
+
+
+@pytest.mark.parametrize("toe_in", [0, 12, 30])
+def test_at_any_depth_the_right_image_is_on_the_drawn_line(toe_in: float) -> None:
+    overlay = frame(toe_in=toe_in, left_up=70).panels[2].overlay
+    found = re.search(r'class="ray thin faint" points="([^"]+)"', overlay)
+    assert found is not None
+    (x0, y0), (x1, y1) = (map(float, spot.split(",")) for spot in found.group(1).split())
+    for depth in (2, 5, 20):
+        view = view_of(SCENE.check({"toe_in": toe_in, "left_up": 70, "depth": depth}))
+        x, y = 200 + 2 * view.right[0], 150 + 2 * view.right[1]
+        off = (x1 - x0) * (y - y0) - (y1 - y0) * (x - x0)
+        assert abs(off) / math.hypot(x1 - x0, y1 - y0) < 0.02
+
+
+def test_the_essential_matrix_is_the_baseline_crossed_with_the_turn() -> None:
+    rows = texts(baseline=1, toe_in=30)["E"].split("\n")
+    entries = np.array([row.split() for row in rows], float)
+    cos, sin = math.cos(math.radians(30)), math.sin(math.radians(30))
+    t = -1.0 * np.array([cos, 0, -sin])
+    cross = np.array([[0, -t[2], t[1]], [t[2], 0, -t[0]], [-t[1], t[0], 0]])
+    R = np.array([[cos, 0, sin], [0, 1, 0], [-sin, 0, cos]])
+    np.testing.assert_allclose(entries, cross @ R, atol=0.0051)
+
+
+def test_the_lamp_is_led_through_the_world_and_along_the_line() -> None:
+    settings = SCENE.check({})
+    assert SCENE.pull(settings, "lamp", (30 + 17.5 * 10, 135 + 32)) == {"depth": 10, "left_x": 16}
+    assert SCENE.pull(settings, "right", (200 + 2 * (30 - 20), 70)) == {"depth": 4}
+    assert SCENE.pull(settings, "right", (399, 70)) == {"depth": 20}
+
+
+def test_the_right_camera_is_moved_and_turned_by_hand() -> None:
+    settings = SCENE.check({})
+    assert SCENE.pull(settings, "camera", (0, 135 + 32 * 0.8)) == {"baseline": 0.8}
+    level = (30 + 17.5 * 4, 135 + 32 * (0.5 - 4 * math.tan(math.radians(10))))
+    assert SCENE.pull(settings, "axis", level) == {"toe_in": 10}
+
+
+def test_both_cameras_see_the_tile_under_the_post_where_they_see_its_foot() -> None:
+    """The raster of the right picture is that of the left one, moved by the foot's disparity."""
+    left, right = (pixels_of(frame(baseline=0.5), panel) for panel in (1, 2))
+    row = 120 + round(1.6 * 160 * 1.5 / 4.0)  # the floor 4 m away
+    shift = round(1.6 * 160 * 0.5 / 4.0)
+    near = np.abs(left[row, shift:, :3].astype(int) - right[row, :-shift, :3]).mean()
+    still = np.abs(left[row, :, :3].astype(int) - right[row, :, :3]).mean()
+    assert near < 0.25 * still
+
+
+def test_without_its_line_the_right_picture_still_shows_the_match() -> None:
+    overlay = frame(line=False).panels[2].overlay
+    assert 'class="ray' not in overlay
+    assert "d = 10.0 px" in overlay
