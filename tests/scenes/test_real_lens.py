@@ -15,7 +15,7 @@ def frame(tier: str = "exact", **given: object) -> Frame:
 
 
 def texts(**given: object) -> dict[str, str]:
-    return texts_of(frame(**given))
+    return texts_of(frame("exact", **given))
 
 
 def number(name: str, **given: object) -> float:

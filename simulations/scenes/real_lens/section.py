@@ -229,4 +229,4 @@ def _image(view: View, glass: Glass) -> Iterator[str]:
             x = view.at(place, 0.0)[0]
             yield line((x, AXIS_Y - 7), (x, AXIS_Y + 7), f"{style} bold")
             name = "thin" if style == "muted" else "thick"
-            yield text((min(x, WIDTH - 16), AXIS_Y + row), name, f"{style} small halo", "middle")
+            yield text((min(x, WIDTH - 22), AXIS_Y + row), name, f"{style} small halo", "middle")
