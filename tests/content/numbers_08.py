@@ -1,7 +1,7 @@
 """Chapter 8: the whole camera."""
 
 from functools import cache
-from math import hypot, isclose, sqrt, tan
+from math import hypot, isclose, pi, sqrt, tan
 
 from measured_words_10 import error
 from numpy import arange, interp
@@ -250,7 +250,16 @@ def where_the_points_of_a_lens_lie() -> Says:
     assert max(filters) == filters[2] < error("depth-of-field", "layered", "psnr")
 
 
+def what_arrives_from_a_page_in_the_sun() -> Says:
+    """Summed over the disc of the lens: radiance, cosine at the sensor, solid angle."""
+    radius = (arange(4000) + 0.5) / 4000 / 8
+    ring = 2 * pi * radius / 4000 / 8 / (1 + radius**2) ** 2
+    assert isclose(400 / pi * ring.sum(), 400 / 64, rel_tol=0.02)
+    yield rf"$400/(4 \cdot 16) = {400 / (4 * 4**2):g}$ W/m²"
+
+
 WORKED = (
+    what_arrives_from_a_page_in_the_sun,
     the_camera_s_pixels,
     where_a_point_lands,
     the_same_place_in_the_simulator,
