@@ -14,6 +14,7 @@ from site_builder.book import OUTLINE, Book, Position, Simulation, chapter_id
 from site_builder.diagnostics import Diagnostics, unknown
 from site_builder.glossary import FILE as GLOSSARY
 from site_builder.glossary import read_glossary
+from site_builder.lecture_plan import read_lecture_plan
 from site_builder.markdown.chapter import Draft, find_targets, parse_chapter, read_chapter
 from site_builder.markdown.definitions import read_definitions, read_meanings
 from site_builder.markdown.inline import inline_html
@@ -28,8 +29,8 @@ TEXTS = ("title", "subtitle", "prerequisites")
 LISTS = ("chapters", "appendices")
 KEYS = (*TEXTS, *LISTS, "hero", "hero_caption")
 OWN_FOLDERS = (
-    "assets", "glossary", "index-of-terms", "licences", "references", "runtime", "search", "source",
-    "symbols",
+    "assets", "glossary", "index-of-terms", "lecture-plan", "licences", "references", "runtime",
+    "search", "source", "symbols",
 )  # fmt: skip
 """Folders of the site beside those of its chapters."""
 
@@ -95,6 +96,7 @@ def read_book(
         hero=_read_hero(outline, root, problems, load_scene),
         chapters=tuple(read_chapter(draft, targets) for draft in drafts),
         bibliography=bibliography,
+        lecture_plan=read_lecture_plan(root, targets, problems),
         glossary=read_definitions(glossary, beside(GLOSSARY)),
         symbols=read_meanings(read_symbols(root, problems), beside(SYMBOLS)),
     )

@@ -22,7 +22,7 @@ def check_symbols(book: Book, problems: Diagnostics) -> None:
             if not covering:
                 names = [spelt(item.symbol.tex) for item in legal]
                 message = unknown(f"symbol in {chapter.id}", tex, names)
-                problems.add(chapter.path, formula.line, f"{message} It is declared in {FILE}")
+                problems.add(chapter.path, formula.line, f"{message} (in {FILE})")
     for name, declared in book.symbols.items():
         if name != BOOK and name not in chapters:
             line = declared[0].symbol.line - 1 if declared else 1

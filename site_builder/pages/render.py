@@ -73,6 +73,10 @@ def render_pages(site: Site, licences: tuple[Licence, ...]) -> dict[str, bytes]:
         pages["references/index.html"] = _page(
             site, "references.html", "../", here="references", works=works
         )
+    if plan := site.book.lecture_plan:
+        pages["lecture-plan/index.html"] = _page(
+            site, "lecture-plan.html", "../", here="lecture-plan", plan=plan
+        )
     chapters = site.book.chapters
     for index, chapter in enumerate(chapters):
         pages[f"{chapter.url}index.html"] = _page(
@@ -180,6 +184,7 @@ def _back_matter(book: Book) -> list[tuple[str, str]]:
         ("symbols", "Symbols", book.symbols),
         ("references", "References", book.bibliography.works),
         ("index-of-terms", "Index of terms", book.glossary or marked),
+        ("lecture-plan", "A lecturer’s plan", book.lecture_plan),
     )
     return [(address, title) for address, title, there in pages if there]
 

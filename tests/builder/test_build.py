@@ -68,16 +68,14 @@ def test_pages_listen_for_rebuilds_only_while_serving(make_book: MakeBook) -> No
 def test_no_chapter_may_take_the_place_of_the_site_s_own_folders(make_book: MakeBook) -> None:
     body = ":::{source} simulations.models.thing:double\n:::\n\n{cite}`k`\n"
     work = "@misc{k, author = {A, B}, title = {T}, year = 2000}\n"
-    terms = '[text]\nsays = "Words."\nexplained = "second#a-section"\n'
-    site = render_site(
-        make_book(
-            body,
-            {
-                "content/references.bib": work,
-                "content/glossary.toml": terms,
-                "content/symbols.toml": "[book]\n",
-            },
-        )
-    )
+    lists = {
+        "references.bib": work,
+        "glossary.toml": '[text]\nsays = "Words."\nexplained = "second#a-section"\n',
+        "symbols.toml": "[book]\n",
+        "lecture-plan.toml": 'intro = "I."\n[[section]]\nnumber = "2"\ntitle = "T"\nnote = "N."\n'
+        'taught = ["second#a-section"]\n',
+    }
+    files = {f"content/{name}": text for name, text in lists.items()}
+    site = render_site(make_book(body, files))
     folders = {path.split("/")[0] for path in site if "/" in path}
     assert folders - {"first", "second"} | {"runtime", "search"} == set(OWN_FOLDERS)

@@ -169,7 +169,7 @@ def the_peak_of_plastic_lies_beyond_the_mirror() -> Says:
         np.cos(light + around),
     )
     assert degrees(around[seen.argmax()]) > 82
-    yield "but *beyond* it, nearer to the horizon"
+    yield "but *beyond* it, nearer to the {term}`horizon <none>`"
 
 
 def the_corner_of_a_room() -> Says:
@@ -182,7 +182,7 @@ def the_corner_of_a_room() -> Says:
     assert np.isclose(sum((0.8 / 2) ** k for k in range(60)), room)
     yield f"it would be {edge_factor(0.05, right):.2f}, and you would not see it"
     narrow = radians(40)
-    yield f"$F = {(1 + cos(narrow)) / 2:.2f}$, it is {edge_factor(0.9, narrow):.1f}"
+    yield f"$V = {(1 + cos(narrow)) / 2:.2f}$, it is {edge_factor(0.9, narrow):.1f}"
     yield rf"$1/(1 - 0.9 \cdot 0.75) = {edge_factor(0.9, radians(60)):.2f}$"
 
 
@@ -193,7 +193,16 @@ def near_the_edge_of_two_white_planes() -> Says:
     yield f"a factor of {shown.red / shown.lamp:.2f}, close to the {edge_factor(0.8, pi / 2):.2f}"
 
 
+def a_page_in_the_sun() -> Says:
+    arrives = 1000 * cos(radians(60))
+    yield rf"$E = 1000 \cos 60^\circ = {arrives:.0f}$ W/m²"
+    yield rf"$0.8 \cdot 500 = {0.8 * arrives:.0f}$ W/m²"
+    yield rf"$0.8/\pi = {0.8 / pi:.3f}$ sr⁻¹"
+    yield rf"$0.255 \cdot 500 = {0.8 / pi * arrives:.0f}$ W/(m² sr)"
+
+
 WORKED = (
+    a_page_in_the_sun,
     the_corner_of_a_room,
     near_the_edge_of_two_white_planes,
     a_pane_at_a_slant,

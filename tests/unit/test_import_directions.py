@@ -40,8 +40,9 @@ MODELS = (
 
 BUILDER = (
     "diagnostics", "bibliography", "glossary", "symbols", "runtime", "editor", "output", "measured",
-    "charts", "book", "markdown", "source", "question_checks", "figure_questions",
-    "glossary_checks", "symbol_checks", "checks", "search", "pages", "build", "serve", "__main__",
+    "charts", "book", "markdown", "lecture_plan", "source", "question_checks",
+    "figure_questions", "glossary_checks", "symbol_checks", "checks", "search", "pages", "build",
+    "serve", "__main__",
 )  # fmt: skip
 """Parts of ``site_builder``, likewise."""
 MARKDOWN = (
