@@ -321,6 +321,36 @@ class Chapter:
 
 
 @dataclass(frozen=True, slots=True)
+class Taught:
+    """A section of a chapter, with what it shows and asks."""
+
+    chapter: Target
+    section: Target
+    figures: tuple[Target, ...]
+    questions: tuple[Target, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Lesson:
+    """A section of another textbook, and what teaches it here."""
+
+    number: str
+    title: str
+    note: str
+    taught: tuple[Taught, ...]
+    closing: tuple[Taught, ...]
+    """The questions at the end of the chapters that these stand in."""
+
+
+@dataclass(frozen=True, slots=True)
+class LecturePlan:
+    """Another textbook's sections, in its order."""
+
+    intro: str
+    lessons: tuple[Lesson, ...]
+
+
+@dataclass(frozen=True, slots=True)
 class Book:
     """Everything that the site is made from, read and parsed."""
 
@@ -332,6 +362,7 @@ class Book:
     chapters: tuple[Chapter, ...]
     """Appendices at the end."""
     bibliography: Bibliography = EMPTY
+    lecture_plan: LecturePlan | None = None
 
     @property
     def scenes(self) -> tuple[Scene[Any], ...]:

@@ -12,6 +12,7 @@ from simulations.engine.scene import Scene
 from site_builder.bibliography import read_bibliography
 from site_builder.book import OUTLINE, Book, Position, Simulation, chapter_id
 from site_builder.diagnostics import Diagnostics, unknown
+from site_builder.lecture_plan import read_lecture_plan
 from site_builder.markdown.chapter import Draft, find_targets, parse_chapter, read_chapter
 from site_builder.markdown.inline import inline_html
 from site_builder.markdown.parser import make_parser
@@ -22,7 +23,7 @@ from site_builder.measured.measurements import Measurements
 TEXTS = ("title", "subtitle", "prerequisites")
 LISTS = ("chapters", "appendices")
 KEYS = (*TEXTS, *LISTS, "hero", "hero_caption")
-OWN_FOLDERS = ("assets", "licences", "references", "runtime", "search", "source")
+OWN_FOLDERS = ("assets", "lecture-plan", "licences", "references", "runtime", "search", "source")
 """Folders of the site beside those of its chapters."""
 
 
@@ -81,6 +82,7 @@ def read_book(
         hero=_read_hero(outline, root, problems, load_scene),
         chapters=tuple(read_chapter(draft, targets) for draft in drafts),
         bibliography=bibliography,
+        lecture_plan=read_lecture_plan(root, targets, problems),
     )
 
 

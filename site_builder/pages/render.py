@@ -69,6 +69,10 @@ def render_pages(site: Site, licences: tuple[Licence, ...]) -> dict[str, bytes]:
         pages["references/index.html"] = _page(
             site, "references.html", "../", here="references", works=works
         )
+    if plan := site.book.lecture_plan:
+        pages["lecture-plan/index.html"] = _page(
+            site, "lecture-plan.html", "../", here="lecture-plan", plan=plan
+        )
     chapters = site.book.chapters
     for index, chapter in enumerate(chapters):
         pages[f"{chapter.url}index.html"] = _page(

@@ -40,8 +40,8 @@ MODELS = (
 
 BUILDER = (
     "diagnostics", "bibliography", "runtime", "editor", "output", "measured", "charts", "book",
-    "markdown", "source", "question_checks", "figure_questions", "checks", "search", "pages",
-    "build", "serve",
+    "markdown", "lecture_plan", "source", "question_checks", "figure_questions", "checks", "search",
+    "pages", "build", "serve",
     "__main__",
 )  # fmt: skip
 """Parts of ``site_builder``, likewise."""
