@@ -205,7 +205,7 @@ SETTLE = """async (figure) => {
       if (effect === 'play') play.click();
     }
     await pause(40);
-    await runtime.call('forget', {figure: ''}, () => -1);  // answered after all that waits
+    await runtime.call('forget', {figure: ''}, () => -1); // answered after all that waits, as pulls
     quiet = figure.rests && figure.dataset.frames === frames ? quiet + 1 : 0;
     frames = figure.dataset.frames;
   }
