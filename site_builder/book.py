@@ -14,6 +14,7 @@ from typing import Any
 
 from simulations.engine.scene import Scene
 from site_builder.bibliography import EMPTY, Bibliography
+from site_builder.glossary import Term
 
 OUTLINE = "content/book.toml"
 """The file that names the book, its chapters and the figure on its cover."""
@@ -235,6 +236,37 @@ class Citation:
 
 
 @dataclass(frozen=True, slots=True)
+class TermUse:
+    """A place in the text where a term of the glossary stands."""
+
+    term: str
+    """Its name in the glossary."""
+    section: str
+    """Element id of the heading above it; nothing before a chapter's first."""
+    element: str
+    """Element id of its mark; nothing where it has none."""
+
+
+@dataclass(frozen=True, slots=True)
+class IndexMark:
+    """A place in the text that its author wants in the index."""
+
+    entry: str
+    section: str
+    element: str
+
+
+@dataclass(frozen=True, slots=True)
+class Definition:
+    """A term of the glossary as it is printed."""
+
+    term: Term
+    html: str
+    explained: Target | None
+    """The section that explains it; None where there is none, which is reported."""
+
+
+@dataclass(frozen=True, slots=True)
 class Need:
     """What a reader should know before a chapter."""
 
@@ -274,6 +306,9 @@ class Chapter:
     """Element ids that a link may point to: headings and figures."""
     links: tuple[Link, ...]
     citations: tuple[Citation, ...] = ()
+    term_uses: tuple[TermUse, ...] = ()
+    """In the order of the page."""
+    index_marks: tuple[IndexMark, ...] = ()
 
     @property
     def number(self) -> int:
@@ -363,6 +398,8 @@ class Book:
     """Appendices at the end."""
     bibliography: Bibliography = EMPTY
     lecture_plan: LecturePlan | None = None
+    glossary: tuple[Definition, ...] = ()
+    """In alphabetical order."""
 
     @property
     def scenes(self) -> tuple[Scene[Any], ...]:

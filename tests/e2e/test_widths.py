@@ -30,6 +30,8 @@ def test_pages_tables_and_formulae_fit_every_width(plain_reader: Reader, book: A
         "",
         "references/",
         "lecture-plan/",
+        "glossary/",
+        "index-of-terms/",
         *(chapter["url"] for chapter in book["chapters"]),
     ]:
         plain_reader.open(address, live=False)

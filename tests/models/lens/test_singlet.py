@@ -122,6 +122,7 @@ def test_light_is_held_back_beyond_the_critical_angle() -> None:
 def test_rays_end_where_the_glass_does() -> None:
     assert rim_mm(EXAMPLE, 22.0) == pytest.approx(math.sqrt(40**2 - 35**2))
     assert rim_mm(EXAMPLE, 5.0) == 5.0
+    assert rim_mm(Singlet(1 / 10, -1 / 20, 40.0, 1.5), 22.0) == pytest.approx(10)
     rays = through_exact(EXAMPLE, np.inf, [19.3, 19.4, 100.0], 22.0)
     assert rays.fate.tolist() == [PASSES, MISSES, MISSES]
     assert np.isnan(rays.front[1:]).all()
@@ -167,4 +168,4 @@ def test_what_makes_no_lens_is_refused() -> None:
     with pytest.raises(ValueError, match="heights_mm"):
         through_exact(EXAMPLE, 50.0, [np.inf], 22.0)
     with pytest.raises(ValueError, match="height_mm"):
-        sag_mm(0.1, 11.0)
+        sag_mm(0.1, [1.0, 11.0])
