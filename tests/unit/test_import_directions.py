@@ -41,7 +41,7 @@ MODELS = (
 BUILDER = (
     "diagnostics", "bibliography", "runtime", "editor", "output", "measured", "charts", "book",
     "markdown", "source", "question_checks", "figure_questions", "checks", "search", "pages",
-    "build", "serve",
+    "build", "editions", "serve",
     "__main__",
 )  # fmt: skip
 """Parts of ``site_builder``, likewise."""
