@@ -39,6 +39,11 @@ def main(arguments: list[str] | None = None) -> int:
                 from site_builder.editions.pdf import make_pdf
 
                 written(given.out, make_pdf(compose(Options(ROOT, warn=warn))))
+            case "epub":
+                from site_builder.editions.compose import compose
+                from site_builder.editions.epub import make_epub
+
+                written(given.out, make_epub(compose(Options(ROOT, warn=warn)), ROOT))
             case "serve":
                 from site_builder.serve import serve  # its watcher is needed only here
 
@@ -78,11 +83,12 @@ def _parser() -> argparse.ArgumentParser:
         ("serve", "build, show, and build again on every change"),
         ("check", "report the mistakes in the sources"),
         ("pdf", "set the whole book on pages; needs Chromium"),
+        ("epub", "pack the whole book for a reader of e-books"),
     ):
         command = commands.add_parser(name, help=purpose)
         if name == "check":
             continue
-        if name == "pdf":
+        if name in ("pdf", "epub"):
             edition = ROOT / "build" / f"image-formation.{name}"
             command.add_argument("--out", type=Path, default=edition, help="the file")
             continue

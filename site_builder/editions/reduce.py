@@ -17,7 +17,7 @@ DROPPED_CLASSES = frozenset(
 """What is pressed, what waits for an answer or for a measurement, and what would betray one."""
 KEPT_ATTRIBUTES = frozenset({"aria-label", "aria-hidden", "data-count", "data-label"})
 """Of those that speak to scripts and to screen readers."""
-DROPPED_ATTRIBUTES = frozenset({"tabindex", "for", "autocomplete", "loading"})
+DROPPED_ATTRIBUTES = frozenset({"tabindex", "for", "name", "autocomplete", "loading"})
 LETTERS = "ABCDEFGHIJKLMNOPQRSTUVWXYZ"
 
 

@@ -17,42 +17,24 @@ from site_builder.editions.pdf import anchor_pages, make_pdf
 from site_builder.editions.tree import elements, words
 from site_builder.editions.volume import volume
 
-BODY = """\
-## Here
-
-See [the other chapter](01-second.md) and [the figure](#figure-demo).
-
-:::{simulation} demo
-A caption.
-:::
-
-:::{quiz} which
-Which one?
-- [ ] This
-  : No, for a reason.
-- [x] That
-  : Yes, for a reason.
-:::
-"""
-
 type MakeBook = Callable[..., Options]
 
 
-def test_no_answer_stands_before_the_answers(make_book: MakeBook) -> None:
-    first, *_, last = compose(make_book(BODY)).sections
+def test_no_answer_stands_before_the_answers(make_book: MakeBook, body: str) -> None:
+    first, *_, last = compose(make_book(body)).sections
     assert "Which one?" in words(first.article)
     assert "for a reason" not in words(first.article)
     assert "Yes, for a reason" in words(last.article)
 
 
-def test_nothing_is_left_that_needs_a_hand(make_book: MakeBook) -> None:
-    article = compose(make_book(BODY)).sections[0].article
+def test_nothing_is_left_that_needs_a_hand(make_book: MakeBook, body: str) -> None:
+    article = compose(make_book(body)).sections[0].article
     names = {element.tag for element in elements(article)}
     assert names.isdisjoint({"button", "input", "select", "script", "noscript", "details"})
 
 
-def test_a_figure_shows_its_main_control_at_several_values(make_book: MakeBook) -> None:
-    options = make_book(BODY + ":::{simulation} lens-distortion\n:k1: 0.1\n:::\n")
+def test_a_figure_shows_its_main_control_at_several_values(make_book: MakeBook, body: str) -> None:
+    options = make_book(body + ":::{simulation} lens-distortion\n:k1: 0.1\n:::\n")
     own = options.load_scene
 
     def either(scene: str) -> Scene[Any]:
@@ -63,8 +45,10 @@ def test_a_figure_shows_its_main_control_at_several_values(make_book: MakeBook) 
     assert values == ["k₁: −0.20", "k₁: 0.10", "k₁: 0.30"]
 
 
-def test_every_id_of_the_whole_is_unique_and_every_link_leads_to_one(make_book: MakeBook) -> None:
-    whole = volume(compose(make_book(BODY)))
+def test_every_id_of_the_whole_is_unique_and_every_link_leads_to_one(
+    make_book: MakeBook, body: str
+) -> None:
+    whole = volume(compose(make_book(body)))
     ids = [element.attrib["id"] for element in whole.iter() if "id" in element.attrib]
     assert len(ids) == len(set(ids))
     inside = [link.get("href", "") for link in elements(whole, "a")]
@@ -73,10 +57,12 @@ def test_every_id_of_the_whole_is_unique_and_every_link_leads_to_one(make_book: 
 
 
 @pytest.mark.browser
-def test_contents_and_links_name_the_pages_on_which_things_are(make_book: MakeBook) -> None:
+def test_contents_and_links_name_the_pages_on_which_things_are(
+    make_book: MakeBook, body: str
+) -> None:
     if find_chromium() is None:
         pytest.fail("needs Chromium")
-    pdf = make_pdf(compose(make_book(BODY)))
+    pdf = make_pdf(compose(make_book(body)))
     reader = PdfReader(io.BytesIO(pdf))
     pages = anchor_pages(pdf)
     texts = [" ".join(page.extract_text().split()) for page in reader.pages]
