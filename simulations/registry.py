@@ -28,6 +28,7 @@ SCENE_MODULES = {
     "tiled-floor": "simulations.scenes.tiled_floor.scene",
     "two-views": "simulations.scenes.two_views.scene",
     "resolution": "simulations.scenes.resolution.scene",
+    "real-lens": "simulations.scenes.real_lens.scene",
     "brdf": "simulations.scenes.brdf.scene",
     "second-bounce": "simulations.scenes.second_bounce.scene",
     "spectrum-to-rgb": "simulations.scenes.spectrum_to_rgb.scene",

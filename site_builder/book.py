@@ -14,6 +14,7 @@ from typing import Any
 
 from simulations.engine.scene import Scene
 from site_builder.bibliography import EMPTY, Bibliography
+from site_builder.glossary import Term
 
 OUTLINE = "content/book.toml"
 """The file that names the book, its chapters and the figure on its cover."""
@@ -235,6 +236,37 @@ class Citation:
 
 
 @dataclass(frozen=True, slots=True)
+class TermUse:
+    """A place in the text where a term of the glossary stands."""
+
+    term: str
+    """Its name in the glossary."""
+    section: str
+    """Element id of the heading above it; nothing before a chapter's first."""
+    element: str
+    """Element id of its mark; nothing where it has none."""
+
+
+@dataclass(frozen=True, slots=True)
+class IndexMark:
+    """A place in the text that its author wants in the index."""
+
+    entry: str
+    section: str
+    element: str
+
+
+@dataclass(frozen=True, slots=True)
+class Definition:
+    """A term of the glossary as it is printed."""
+
+    term: Term
+    html: str
+    explained: Target | None
+    """The section that explains it; None where there is none, which is reported."""
+
+
+@dataclass(frozen=True, slots=True)
 class Need:
     """What a reader should know before a chapter."""
 
@@ -274,6 +306,9 @@ class Chapter:
     """Element ids that a link may point to: headings and figures."""
     links: tuple[Link, ...]
     citations: tuple[Citation, ...] = ()
+    term_uses: tuple[TermUse, ...] = ()
+    """In the order of the page."""
+    index_marks: tuple[IndexMark, ...] = ()
 
     @property
     def number(self) -> int:
@@ -321,6 +356,36 @@ class Chapter:
 
 
 @dataclass(frozen=True, slots=True)
+class Taught:
+    """A section of a chapter, with what it shows and asks."""
+
+    chapter: Target
+    section: Target
+    figures: tuple[Target, ...]
+    questions: tuple[Target, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Lesson:
+    """A section of another textbook, and what teaches it here."""
+
+    number: str
+    title: str
+    note: str
+    taught: tuple[Taught, ...]
+    closing: tuple[Taught, ...]
+    """The questions at the end of the chapters that these stand in."""
+
+
+@dataclass(frozen=True, slots=True)
+class LecturePlan:
+    """Another textbook's sections, in its order."""
+
+    intro: str
+    lessons: tuple[Lesson, ...]
+
+
+@dataclass(frozen=True, slots=True)
 class Book:
     """Everything that the site is made from, read and parsed."""
 
@@ -332,6 +397,9 @@ class Book:
     chapters: tuple[Chapter, ...]
     """Appendices at the end."""
     bibliography: Bibliography = EMPTY
+    lecture_plan: LecturePlan | None = None
+    glossary: tuple[Definition, ...] = ()
+    """In alphabetical order."""
 
     @property
     def scenes(self) -> tuple[Scene[Any], ...]:

@@ -32,7 +32,7 @@ from site_builder.runtime.pinned import Versions
 from site_builder.search.index import ADDRESS as SEARCH_INDEX
 from site_builder.search.index import make_index
 from site_builder.search.library import SearchLibrary, SearchLibraryError, fetch_library
-from site_builder.search.records import make_records
+from site_builder.search.records import explained_terms, make_records
 from site_builder.source import read_book
 
 LIBRARY = "search"
@@ -98,7 +98,7 @@ def render_site(options: Options) -> Files:
     pages = render_pages(site, licences)
     return {
         **pages,
-        **_search_index(options, pages, library),
+        **_search_index(options, book, pages, library),
         **asset_files,
         **runtime_files,
         "book.json": catalogue(book, versions),
@@ -170,10 +170,13 @@ def _search_library(options: Options) -> SearchLibrary:
         return SearchLibrary({})
 
 
-def _search_index(options: Options, pages: Mapping[str, bytes], library: SearchLibrary) -> Files:
+def _search_index(
+    options: Options, book: Book, pages: Mapping[str, bytes], library: SearchLibrary
+) -> Files:
     if not library.scripts:
         return {}
-    return {SEARCH_INDEX: make_index(make_records(pages), library, options.root / "static")}
+    records = make_records(pages, explained_terms(book))
+    return {SEARCH_INDEX: make_index(records, library, options.root / "static")}
 
 
 def _python(options: Options, book: Book, editor: EditorBundle) -> Files:

@@ -8,6 +8,7 @@ from site_builder.bibliography import FILE as BIBLIOGRAPHY
 from site_builder.book import Book, Chapter, Link, Prediction, Quiz, Reveal, contents
 from site_builder.diagnostics import Diagnostics, unknown
 from site_builder.figure_questions import check_figure_questions
+from site_builder.glossary_checks import check_glossary
 from site_builder.question_checks import check_questions
 
 
@@ -23,6 +24,7 @@ def check_book(book: Book, problems: Diagnostics) -> None:
     _check_needs(book, problems)
     check_questions(book, problems)
     _check_cited(book, problems)
+    check_glossary(book, problems)
     by_file = {PurePosixPath(chapter.path).name: chapter for chapter in book.chapters}
     for chapter in book.chapters:
         for link in chapter.links:

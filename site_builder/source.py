@@ -12,7 +12,11 @@ from simulations.engine.scene import Scene
 from site_builder.bibliography import read_bibliography
 from site_builder.book import OUTLINE, Book, Position, Simulation, chapter_id
 from site_builder.diagnostics import Diagnostics, unknown
+from site_builder.glossary import FILE as GLOSSARY
+from site_builder.glossary import read_glossary
+from site_builder.lecture_plan import read_lecture_plan
 from site_builder.markdown.chapter import Draft, find_targets, parse_chapter, read_chapter
+from site_builder.markdown.definitions import read_definitions
 from site_builder.markdown.inline import inline_html
 from site_builder.markdown.parser import make_parser
 from site_builder.markdown.reading import Reading
@@ -22,7 +26,10 @@ from site_builder.measured.measurements import Measurements
 TEXTS = ("title", "subtitle", "prerequisites")
 LISTS = ("chapters", "appendices")
 KEYS = (*TEXTS, *LISTS, "hero", "hero_caption")
-OWN_FOLDERS = ("assets", "licences", "references", "runtime", "search", "source")
+OWN_FOLDERS = (
+    "assets", "glossary", "index-of-terms", "lecture-plan", "licences", "references", "runtime",
+    "search", "source",
+)  # fmt: skip
 """Folders of the site beside those of its chapters."""
 
 
@@ -51,6 +58,7 @@ def read_book(
     outline = _read_outline(root, problems)
     numbers = measurements or Measurements()
     bibliography = read_bibliography(root, problems)
+    glossary = read_glossary(root, problems)
     drafts: list[Draft] = []
     for name, line, position in outline.chapters:
         file = root / "content" / f"{name}.md"
@@ -69,6 +77,7 @@ def read_book(
             chapter=chapter_id(path),
             position=position,
             bibliography=bibliography,
+            glossary=glossary,
         )
         drafts.append(parse_chapter(_read_text(root, path, problems), reading))
     targets = find_targets(drafts)
@@ -81,6 +90,11 @@ def read_book(
         hero=_read_hero(outline, root, problems, load_scene),
         chapters=tuple(read_chapter(draft, targets) for draft in drafts),
         bibliography=bibliography,
+        lecture_plan=read_lecture_plan(root, targets, problems),
+        glossary=read_definitions(
+            glossary,
+            Reading(GLOSSARY, root, problems, load_scene, make_parser(), numbers, targets=targets),
+        ),
     )
 
 

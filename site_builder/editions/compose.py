@@ -14,7 +14,12 @@ from site_builder.pages.render import Site, render_page, render_pages
 from site_builder.runtime.pinned import Versions
 
 ANSWERS = "answers"
-REFERENCES = "references"
+BACK_MATTER = {
+    "glossary": "Glossary",
+    "references": "References",
+    "index-of-terms": "Index of terms",
+}
+"""Pages of the site that follow the answers, by their ids."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -22,7 +27,7 @@ class Section:
     """A chapter, or what follows the last."""
 
     id: str
-    """Of a chapter; else ``references`` or ``answers``."""
+    """Of a chapter; else ``answers``, or one of `BACK_MATTER`."""
     title: str
     number: str
     """``Chapter 4``, ``Appendix A``; nothing for what follows."""
@@ -60,8 +65,8 @@ def compose(options: Options) -> Composed:
     pages = render_pages(site, licences)
     sections = [
         *(_chapter(site, chapter, pages, rows) for chapter in book.chapters),
-        *_references(pages),
         *_answers(site),
+        *_back_matter(pages),
     ]
     cover = ""
     if book.hero:
@@ -84,10 +89,12 @@ def _chapter(
     return Section(chapter.id, chapter.title, chapter.name, content, headings)
 
 
-def _references(pages: Mapping[str, bytes]) -> Iterator[Section]:
-    page = pages.get(f"{REFERENCES}/index.html")
-    if page is not None:
-        yield Section(REFERENCES, "References", "", article(page))
+def _back_matter(pages: Mapping[str, bytes]) -> Iterator[Section]:
+    """What the site has of it."""
+    for id, title in BACK_MATTER.items():
+        page = pages.get(f"{id}/index.html")
+        if page is not None:
+            yield Section(id, title, "", article(page))
 
 
 def _answers(site: Site) -> Iterator[Section]:

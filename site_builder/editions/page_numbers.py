@@ -33,5 +33,5 @@ def fill(root: Element, pages: Mapping[str, int] | None) -> None:
         raise PageNumberError(f"{len(missing)} anchors are on no page, first of them: {told}")
     for element in asked:
         number = str(pages[element.get(PAGE_OF, "")]) if pages else UNKNOWN
-        plain = "entry-page" in element.get("class", "")
+        plain = "toc-page" in element.get("class", "")
         element.text = number if plain else f"(p.\N{NO-BREAK SPACE}{number})"

@@ -32,9 +32,9 @@ class UnsettledError(RuntimeError):
 
 def make_pdf(composed: Composed) -> bytes:
     """Raises `MissingChromiumError` without a browser."""
-    from playwright.sync_api import Route, sync_playwright
-
     chromium = require_chromium()
+    from playwright.sync_api import Route, sync_playwright  # without it, the line above has said so
+
     files: dict[str, bytes] = {"volume.css": STYLE.read_bytes()}
 
     with sync_playwright() as playwright:

@@ -11,7 +11,7 @@ DROPPED_CLASSES = frozenset(
         *("controls", "figure-foot", "figure-status", "panel-dots", "handles", "anchor"),
         *("on-this-page", "progress", "ladder-actions", "own", "reading-time"),
         *("feedback", "answer-waits", "predict-actions", "sketch-points", "sketch-legend"),
-        *("truth", "drawn", "points", "grip", "order-place", "figure-link"),
+        *("letters", "truth", "drawn", "points", "grip", "order-place", "figure-link"),
     }
 )
 """What is pressed, what waits for an answer or for a measurement, and what would betray one."""
@@ -66,7 +66,7 @@ def _letter_options(root: Element) -> None:
         for letter, item in zip(LETTERS, items, strict=False):
             for box in elements(item, "input"):
                 remove(item, box)
-            mark = Element("span", {"class": "letter"})
+            mark = Element("span", {"class": "option-letter"})
             mark.text, mark.tail = letter, " "
             item.text, before = None, item.text
             mark.tail = (before or "").strip() + " "

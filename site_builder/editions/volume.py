@@ -3,7 +3,7 @@
 from copy import deepcopy
 from xml.etree.ElementTree import Element
 
-from site_builder.editions.compose import ANSWERS, REFERENCES, Composed, Section, answer_id
+from site_builder.editions.compose import ANSWERS, BACK_MATTER, Composed, Section, answer_id
 from site_builder.editions.page_numbers import page_number
 from site_builder.editions.places import Place, is_external, place_of
 from site_builder.editions.reduce import note
@@ -28,7 +28,7 @@ def volume(composed: Composed) -> Element:
     )
     document = parse(frame)
     for entry in [item for item in elements(document) if "data-entry" in item.attrib]:
-        entry.append(page_number(entry.attrib.pop("data-entry"), "entry-page"))
+        entry.append(page_number(entry.attrib.pop("data-entry"), "toc-page"))
     body = first(document, "body")
     for section in composed.sections:
         body.append(_bound(section, composed))
@@ -71,7 +71,7 @@ def _bind_links(content: Element, page: str, composed: Composed) -> None:
             link.attrib.pop("href", None)
             continue
         link.set("href", f"#{anchor(place)}")
-        if place.page not in (page, REFERENCES):
+        if place.page not in (page, *BACK_MATTER):
             number = page_number(anchor(place), "page-ref")
             insert_after(parent_of[link], link, number)
             number.tail, link.tail = number.tail, "\N{NO-BREAK SPACE}"

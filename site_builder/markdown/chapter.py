@@ -12,6 +12,7 @@ from site_builder.markdown.inline import annotate, inline_html
 from site_builder.markdown.placing import place_targets
 from site_builder.markdown.reading import PAGE_IDS, Reading
 from site_builder.markdown.targets import Targets
+from site_builder.markdown.terms import mark_terms
 
 
 @dataclass(frozen=True, slots=True)
@@ -58,6 +59,7 @@ def read_chapter(draft: Draft, targets: Targets) -> Chapter:
     reading = draft.reading
     reading.targets = targets
     annotate(draft.tokens, reading)
+    mark_terms(draft.tokens, reading)
     body = read_blocks(draft.tokens, reading)
     before = tuple(
         Need(inline_html(entry.text, entry.line, reading), entry.chapter, entry.line)
@@ -75,6 +77,8 @@ def read_chapter(draft: Draft, targets: Targets) -> Chapter:
         anchors=frozenset(reading.ids) - set(PAGE_IDS),
         links=tuple(reading.links),
         citations=tuple(reading.citations),
+        term_uses=tuple(reading.term_uses),
+        index_marks=tuple(reading.index_marks),
         before=before,
         after=after,
     )

@@ -103,6 +103,7 @@ def _set_link(token: Token, line: int, reading: Reading) -> None:
         return
     linked = role.link(token.meta["words"], token.meta["given"], line, reading)
     token.attrs.update(linked.attributes)
+    token.meta.update(linked.meta)
     for inner in token.meta["inside"]:
         if linked.fill and inner.type == "text":
             inner.content = linked.fill(inner.content)

@@ -10,8 +10,10 @@ from markdown_it.token import Token
 
 from simulations.engine.scene import Scene
 from site_builder.bibliography import EMPTY, Bibliography
-from site_builder.book import Citation, Heading, Link, Position, Target
+from site_builder.book import Citation, Heading, IndexMark, Link, Position, Target, TermUse
 from site_builder.diagnostics import Diagnostics
+from site_builder.glossary import EMPTY as NO_TERMS
+from site_builder.glossary import Glossary
 from site_builder.markdown.targets import Targets
 from site_builder.measured.measurements import Measurements
 from site_builder.measured.readouts import Readouts
@@ -57,6 +59,7 @@ class Reading:
     targets: Targets = field(default_factory=Targets)
     """What references may lead to: none before all chapters are parsed."""
     bibliography: Bibliography = EMPTY
+    glossary: Glossary = NO_TERMS
     env: dict[str, Any] = field(default_factory=dict)
     """What the parser keeps between parsing and rendering: link references, footnotes."""
     headings: list[Heading] = field(default_factory=list)
@@ -70,6 +73,8 @@ class Reading:
     introduced: set[str] = field(default_factory=set)
     """Chapters whose titles the page has told."""
     citations: list[Citation] = field(default_factory=list)
+    term_uses: list[TermUse] = field(default_factory=list)
+    index_marks: list[IndexMark] = field(default_factory=list)
     readouts: Readouts = field(init=False)
     """Where numbers that figures show come from."""
 

@@ -2,7 +2,7 @@
 
 import re
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 from markdown_it.rules_inline import StateInline
 from markdown_it.token import Token
@@ -21,6 +21,8 @@ class Linked:
     attributes: Mapping[str, str]
     fill: Callable[[str], str] | None = None
     """What each run of its words becomes; without it they stay."""
+    meta: Mapping[str, object] = field(default_factory=dict)
+    """What later passes over the page ask of it."""
 
 
 @dataclass(frozen=True, slots=True)

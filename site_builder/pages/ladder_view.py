@@ -7,7 +7,7 @@ from site_builder.charts.pareto import Chart, pareto_chart
 from site_builder.markdown.directives.ladder import LadderFigure
 from site_builder.measured.ladder_choice import Choice, default_choice
 from site_builder.measured.measurements import SIDES, MeasuredLadder, MeasuredTier
-from site_builder.measured.quantities import error_text, milliseconds, quantity
+from site_builder.measured.quantities import error_text, milliseconds, quantity, with_unit
 from site_builder.measured.verdicts import verdict
 from site_builder.pages.embedding import json_for_html
 
@@ -37,6 +37,8 @@ class LadderView:
     """Label and unit, the one in the chart first."""
     choice: Choice | None
     """The default and its neighbours, where the chart is the one that decided."""
+    outcome: str
+    """What the chart shows, in a sentence."""
     rows: tuple[TierRow, ...]
     data: str
     """JSON for the page's script, safe inside a script element."""
@@ -46,10 +48,12 @@ def view_ladder(figure: LadderFigure) -> LadderView:
     measured = figure.measured
     chart = pareto_chart(measured)
     metrics = _metrics(measured)
+    choice = default_choice(measured) if figure.default_html else None
     return LadderView(
         chart=chart,
         metrics=tuple((metric.label, metric.unit) for metric in metrics),
-        choice=default_choice(measured) if figure.default_html else None,
+        choice=choice,
+        outcome=_chosen(measured, choice) if choice else _nearest(measured),
         rows=tuple(_row(measured, item) for item in measured.tiers),
         data=json_for_html(
             {
@@ -64,6 +68,21 @@ def view_ladder(figure: LadderFigure) -> LadderView:
             }
         ),
     )
+
+
+def _chosen(measured: MeasuredLadder, choice: Choice) -> str:
+    beaten = sum(bool(measured.beaten_by(item, "browser")) for item in measured.tiers)
+    return (
+        f"{choice.label}: {choice.ms} ms in the browser; {choice.metric}: {choice.error}. "
+        f"Of {len(measured.tiers)} tiers {beaten or 'none'} "
+        f"{'is' if beaten < 2 else 'are'} clearly beaten."
+    )
+
+
+def _nearest(measured: MeasuredLadder) -> str:
+    best, metric = min(measured.tiers, key=measured.loss), measured.metric
+    error = with_unit(error_text(best.errors[metric.id], metric.unit), metric.unit)
+    return f"{metric.label}: at best {error}, by {best.tier.label}."
 
 
 def _metrics(measured: MeasuredLadder) -> tuple[Metric, ...]:

@@ -11,6 +11,8 @@ from markupsafe import Markup
 from site_builder.book import Block, Book, Chapter, Heading, Simulation
 from site_builder.markdown.directives.simulation import SIMULATION
 from site_builder.markdown.text.code import highlighted_lines
+from site_builder.pages.glossary_view import marked_terms, view_glossary
+from site_builder.pages.index_view import view_index
 from site_builder.pages.ladder_view import summary_row, view_ladder
 from site_builder.pages.licences import Licence
 from site_builder.pages.predict_view import predict_data, view_sketch
@@ -31,6 +33,7 @@ FILTERS: Mapping[str, Callable[..., object]] = {
     "view_ladder": view_ladder,
     "summary_row": summary_row,
     "reading_minutes": reading_minutes,
+    "marked_terms": marked_terms,
 }
 """What templates ask for where they show more than lies ready in the page model."""
 
@@ -69,6 +72,10 @@ def render_pages(site: Site, licences: tuple[Licence, ...]) -> dict[str, bytes]:
         pages["references/index.html"] = render_page(
             site, "references.html", "../", here="references", works=works
         )
+    if plan := site.book.lecture_plan:
+        pages["lecture-plan/index.html"] = render_page(
+            site, "lecture-plan.html", "../", here="lecture-plan", plan=plan
+        )
     chapters = site.book.chapters
     for index, chapter in enumerate(chapters):
         pages[f"{chapter.url}index.html"] = render_page(
@@ -80,6 +87,14 @@ def render_pages(site: Site, licences: tuple[Licence, ...]) -> dict[str, bytes]:
             place=index + 1,
             previous=chapters[index - 1] if index else None,
             following=chapters[index + 1] if index + 1 < len(chapters) else None,
+        )
+    if site.book.glossary:
+        pages["glossary/index.html"] = render_page(
+            site, "glossary.html", "../", here="glossary", letters=view_glossary(site.book)
+        )
+    if letters := view_index(site.book):
+        pages["index-of-terms/index.html"] = render_page(
+            site, "index-of-terms.html", "../", here="index-of-terms", letters=letters
         )
     return {path: page.encode() for path, page in {**pages, **_source_pages(site)}.items()}
 
@@ -129,6 +144,7 @@ def render_page(site: Site, template: str, root: str, **context: object) -> str:
         shared,
         site=site,
         book=site.book,
+        back_matter=_back_matter(site.book),
         runtime=f"{root}{site.runtime}" if site.runtime else "",
         **{"chapter": None, "here": "", "sections": (), **context},
     )
@@ -158,6 +174,18 @@ def _cover(site: Site) -> Block | None:
     """The figure of the landing page."""
     hero = site.book.hero
     return Block(SIMULATION.template, hero) if hero else None
+
+
+def _back_matter(book: Book) -> list[tuple[str, str]]:
+    """Address and title of the pages that the contents list after the chapters."""
+    marked = any(chapter.index_marks for chapter in book.chapters)
+    pages = (
+        ("glossary", "Glossary", book.glossary),
+        ("references", "References", book.bibliography.works),
+        ("index-of-terms", "Index of terms", book.glossary or marked),
+        ("lecture-plan", "A lecturer’s plan", book.lecture_plan),
+    )
+    return [(address, title) for address, title, there in pages if there]
 
 
 def _counts(book: Book) -> dict[str, int]:

@@ -1,9 +1,10 @@
 """What of the book can be found: a record for each section of each page that is searched."""
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from itertools import count
 
+from site_builder.book import Book
 from site_builder.search.page_text import read_sections
 
 
@@ -20,17 +21,34 @@ class Record:
     """Its heading; nothing for what stands before a page's first."""
     introduced: tuple[str, ...]
     """Terms that the book emphasises here first."""
+    explains: tuple[str, ...]
+    """Names of the glossary's terms that are explained here."""
     text: str
     figures: str
     questions: str
 
 
-def make_records(pages: Mapping[str, bytes]) -> tuple[Record, ...]:
-    """The records of pages by their path, in the order of the pages."""
-    return tuple(_records(pages))
+def make_records(
+    pages: Mapping[str, bytes], explained: Mapping[str, Sequence[str]]
+) -> tuple[Record, ...]:
+    """The records of pages by their path, in the order of the pages; ``explained`` has terms by
+    the address of the section that explains them."""
+    return tuple(_records(pages, explained))
 
 
-def _records(pages: Mapping[str, bytes]) -> Iterator[Record]:
+def explained_terms(book: Book) -> Mapping[str, Sequence[str]]:
+    """The names of the glossary's terms by the address of the section that explains them."""
+    explained: dict[str, list[str]] = {}
+    for definition in book.glossary:
+        if target := definition.explained:
+            address = _address(f"{target.chapter}/index.html", target.id)
+            explained.setdefault(address, []).extend(definition.term.names)
+    return explained
+
+
+def _records(
+    pages: Mapping[str, bytes], explained: Mapping[str, Sequence[str]]
+) -> Iterator[Record]:
     introduced: set[str] = set()
     numbers = count()
     for path, page in pages.items():
@@ -39,12 +57,14 @@ def _records(pages: Mapping[str, bytes]) -> Iterator[Record]:
             fresh = [term for term in section.terms if term.casefold() not in introduced]
             if section.anchor:  # what stands before it names things that are explained later
                 introduced |= {term.casefold() for term in fresh}
+            address = _address(path, section.anchor)
             yield Record(
                 id=next(numbers),
-                address=_address(path, section.anchor),
+                address=address,
                 chapter=sections[0].title,
                 title=section.title if section.anchor else "",
                 introduced=tuple(fresh),
+                explains=tuple(explained.get(address, ())),
                 text=section.text,
                 figures=section.figures,
                 questions=section.questions,

@@ -24,7 +24,7 @@ SILENT_CLASSES = {
     "answer", "chapter-facts", "feedback",  # what waits, and what is not of the text
     "callout-title", "chapter-number", "panel-title", "question-number",
     "controls", "figure-foot", "figure-status", "handles", "panel-dots", "predict-actions",
-    "progress", "tools",
+    "progress", "tools", "entry-places", "letter-name",
     "extremes", "ladder-actions", "ladder-key", "ladder-table", "readouts", "source",
     "stage-costs",
 }  # fmt: skip

@@ -68,6 +68,9 @@ def test_pages_listen_for_rebuilds_only_while_serving(make_book: MakeBook) -> No
 def test_no_chapter_may_take_the_place_of_the_site_s_own_folders(make_book: MakeBook) -> None:
     body = ":::{source} simulations.models.thing:double\n:::\n\n{cite}`k`\n"
     work = "@misc{k, author = {A, B}, title = {T}, year = 2000}\n"
-    site = render_site(make_book(body, {"content/references.bib": work}))
+    terms = '[text]\nsays = "Words."\nexplained = "second#a-section"\n'
+    site = render_site(
+        make_book(body, {"content/references.bib": work, "content/glossary.toml": terms})
+    )
     folders = {path.split("/")[0] for path in site if "/" in path}
     assert folders - {"first", "second"} | {"runtime", "search"} == set(OWN_FOLDERS)

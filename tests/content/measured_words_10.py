@@ -54,17 +54,6 @@ def what_is_said_in_words_of_errors() -> Says:
     one = error("exposure-blur", "instants-1", "rms")
     for count in (4, 16, 64):
         assert 1 < count * error("exposure-blur", f"instants-{count}", "rms") / one < 2
-    yield "more than even 64 random ones"
-    assert error("depth-of-field", "fibonacci-16", "psnr") > error(
-        "depth-of-field", "random-64", "psnr"
-    )
-    yield "Now the nearest pixel is ahead of bilinear"
-    nearest, bilinear = (
-        [error("resampling", tier, metric) for metric in ("psnr-once", "psnr-round")]
-        for tier in ("nearest", "bilinear")
-    )
-    assert nearest[0] < bilinear[0]
-    assert nearest[1] > bilinear[1]
     yield "with a fifth only rounding is left"
     assert error("inverse-distortion", "newton-5", "worst") < 1e-11
     yield "To start from the radial solution is worth more than one step and less than two"

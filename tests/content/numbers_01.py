@@ -3,6 +3,11 @@
 import numpy as np
 from support.worked_numbers import Says
 
+from simulations.models.geometry.lines_and_planes import (
+    intersection,
+    line_through,
+    signed_distance,
+)
 from simulations.models.geometry.rotations import exponential
 from simulations.models.geometry.transforms import (
     affine,
@@ -116,7 +121,55 @@ def which_segment_is_torn() -> Says:
     yield f"$w$ grows from 1 to {0.5 * 9 + 1:g}"
 
 
+def a_line_a_point_and_no_point() -> Says:
+    first = np.cross([1, 2, 1], [4, 6, 1])
+    yield "$(1, 2, 1) \\times (4, 6, 1) = ({}, {}, {})$".format(*first)
+    ours, _ = line_through([1.0, 2], [4.0, 6])
+    assert np.allclose(ours, first / np.hypot(*first[:2]))
+    yield f"$2/5 = {abs(float(signed_distance([0.0, 0], first))):g}$ away from it"
+    yield "$(-4, 3, -2) \\times (0, 1, -2) = ({}, {}, {})$".format(*np.cross(first, [0, 1, -2]))
+    meet, valid = intersection(first, [0, 1, -2])
+    assert valid
+    yield "after division that is $({:g}, {:g})$".format(*meet)
+    yield "(-4, 3, 8) = ({}, {}, {})$".format(*np.cross(first, [-4, 3, 8]))
+    assert not intersection(first, [-4, 3, 8])[1]
+
+
+ROAD = np.array([[1, 0, 0], [0, 1, 0], [0.5, 0, 1]])
+
+
+def where_the_line_at_infinity_goes() -> Says:
+    horizon = np.linalg.inv(ROAD).T @ [0, 0, 1]
+    yield "becomes $({:g}, {:g}, {:g})$: the upright line".format(*horizon)
+    yield f"$x = {-horizon[2] / horizon[0]:g}$, on which the two parallels met"
+
+
+def the_picture_of_a_circle() -> Says:
+    back = np.linalg.inv(ROAD)
+    C = back.T @ np.diag([1, 1, -1]) @ back
+    assert np.isclose(C[0, 1], 0)
+    yield f"${C[0, 0]:g}x^2 + x + y^2 - 1 = 0$"
+    assert np.allclose([2 * C[0, 2], C[1, 1], C[2, 2]], [1, 1, -1])
+    left, right = (float(apply_homography(ROAD, [x, 0.0])[0][0]) for x in (-1.0, 1.0))
+    yield f"from $x = {left:g}$ to $x = {right:.3f}$"
+    yield f"Its middle is at ${(left + right) / 2:.3f}$"
+
+
+def a_ratio_of_ratios() -> Says:
+    def ratio(a: float, b: float, c: float, d: float) -> float:
+        return (b - a) * (d - c) / ((c - a) * (d - b))
+
+    after = [float(apply_homography(ROAD, [x, 0.0])[0][0]) for x in range(4)]
+    yield "become {:g}, {:.3f}, {:g} and {:g}".format(*after)
+    yield f"$1 \\cdot 1/(2 \\cdot 2) = {ratio(0, 1, 2, 3):g}$"
+    yield f"/(1 \\cdot {after[3] - after[1]:.3f}) = {ratio(*after):g}$"
+
+
 WORKED = (
+    a_line_a_point_and_no_point,
+    where_the_line_at_infinity_goes,
+    the_picture_of_a_circle,
+    a_ratio_of_ratios,
     a_square_becomes_a_road,
     the_figure_s_scale_and_shift,
     the_area_under_an_affine_map,

@@ -1,11 +1,12 @@
 """Chapter 2: rotations and poses."""
 
-from math import cos, exp, radians, sin
+from math import acos, cos, exp, radians, sin, sqrt
 
 import numpy as np
 from support.worked_numbers import Says
 
 from simulations.models.geometry import euler, quaternions, rotations, transforms_3d
+from simulations.models.geometry.lines_and_planes import plane_through, signed_distance
 from simulations.models.geometry.quaternion_blends import bisected_arc, turn_between_rad
 from simulations.models.geometry.rotation_paths import matrix_blend, rate_axes
 from simulations.models.projection.pinhole import look_at, rigid_pose, world_to_camera
@@ -175,7 +176,56 @@ def the_ladder_in_space() -> Says:
         yield f"| {rung} | {np.linalg.matrix_rank(moves, tol=1e-6)} |"
 
 
+def cosines_that_are_flat() -> Says:
+    spacing = 1 - np.nextafter(1.0, 0.0)
+    assert np.isclose(spacing, 1.1e-16, rtol=0.01)
+    yield r"numbers just below 1 are $1.1\cdot 10^{-16}$ apart"
+    assert np.isclose(spacing / 2, 5.6e-17, rtol=0.01)
+    assert np.isclose(sqrt(spacing), 1.05e-8, rtol=0.005)
+    yield r"\approx 5.6\cdot 10^{-17} \quad\Rightarrow\quad \theta \approx 1.05\cdot 10^{-8}$$"
+    assert acos(cos(1.04e-8)) == 0 < acos(cos(1.07e-8))
+    yield "and of an angle ten times as large two digits are left"
+    larger = np.linspace(0.95e-7, 1.05e-7, 1001)
+    assert 0.002 < np.abs(np.arccos(np.cos(larger)) / larger - 1).max() < 0.01
+    small = rotations.logarithm(rotations.exponential([1e-10, 0, 0]))
+    assert np.allclose(small, [1e-10, 0, 0], rtol=1e-15)
+    yield "It recovers $10^{-10}$ to all digits"
+
+
+def a_beam_on_a_desk() -> Says:
+    desk, valid = plane_through([0.0, 1, 3], [2.0, 1, 3], [0.0, 0, 4])
+    assert valid
+    yield f"\\mathbf{{n}} = (0, {desk[1]:.3f}, {desk[2]:.3f})"
+    away = float(signed_distance([0.0, 0, 0], desk))
+    yield f"= {away:.2f}\\ \\text{{m}}$$"
+    assert np.isclose(np.arccos(desk[:3] @ [0, -1, 0]), np.pi / 4)
+    yield f"= {-away / desk[2]:.0f}$ m, in the third corner"
+
+
+def a_line_by_six_numbers() -> Says:
+    start, end = np.array([1.0, 0, 0]), np.array([1.0, 0, 2])
+    v, m = end - start, np.cross(start, end)
+    assert v @ m == 0.0
+    for name, (x, y, z) in (("v", v), ("m", m)):
+        yield rf"$\mathbf{{{name}}} = ({x:g}, {y:g}, {z:g})$"
+    yield f"a line {np.linalg.norm(m) / np.linalg.norm(v):g} m from the origin"
+
+
+def a_plane_that_keeps_its_points() -> Says:
+    R, t = rotations.exponential([0.3, -0.5, 0.2]), np.array([1.0, -2, 3])
+    corners = np.array([[0.0, 1, 3], [2, 1, 3], [0, 0, 4]])
+    desk, _ = plane_through(*corners)
+    n = R @ desk[:3]
+    moved, _ = plane_through(*(corners @ R.T + t))
+    assert np.allclose(moved, [*n, desk[3] - n @ t])
+    yield r"$d' = d - \mathbf{n}' \cdot \mathbf{t}$"
+
+
 WORKED = (
+    cosines_that_are_flat,
+    a_beam_on_a_desk,
+    a_line_by_six_numbers,
+    a_plane_that_keeps_its_points,
     a_camera_that_looks_to_the_left,
     the_shortcut_of_small_angles,
     to_pan_tilt_and_roll_a_camera,

@@ -5,6 +5,8 @@ from math import acos, atan, cos, degrees, isclose, pi, radians, sqrt, tan
 import numpy as np
 from support.worked_numbers import Says
 
+from simulations.models.geometry.rotations import exponential
+from simulations.models.geometry.transforms import apply_homography
 from simulations.models.lens.thin_lens import principal_distance_mm
 from simulations.models.projection.affine_cameras import project_affine, scaled_orthographic_camera
 from simulations.models.projection.level_ground import height_by_horizon, pose_above_ground
@@ -16,6 +18,7 @@ from simulations.models.projection.pinhole import (
     world_to_camera,
 )
 from simulations.models.projection.vanishing import angle_between, vanishing_point
+from simulations.models.projection.view_homographies import plane_between_views, turned_camera
 
 CHAPTER = "03-perspective-projection"
 
@@ -180,7 +183,32 @@ def focal_length_from_a_floor() -> Says:
     yield "- [x] `sqrt(150 * 600)`"
 
 
+def a_turn_and_a_step_aside() -> Says:
+    K = intrinsics(800, (320, 240))
+    turned, _ = apply_homography(turned_camera(K, K, exponential([0, -radians(10), 0])), (320, 240))
+    yield rf"$320 - 800\tan 10^\circ = {turned[0]:.1f}$ px"
+    aside = K @ [-0.1, 0, 0]
+    yield r"$K\mathbf{t} = (" + ", ".join(f"{part:g}" for part in aside) + ")$"
+    near, far = (
+        project([1.0, 0, depth], K)[0][0] - project([0.9, 0, depth], K)[0][0] for depth in (4, 40)
+    )
+    yield f"{near:.0f} px to the left for a thing at 4 m, {far:.0f} px for one at 40 m"
+
+
+def a_wall_between_two_views() -> Says:
+    K, motion = intrinsics(800, (320, 240)), np.eye(4)
+    motion[0, 3] = -0.1
+    H = plane_between_views(K, K, motion, (0, 0, -1, 4))
+    yield f"$-0.1/4 = {(np.linalg.inv(K) @ H @ K)[0, 2]:g}$"
+    pixels = np.array([[320.0, 240], [10, 20]])
+    moved, _ = apply_homography(H, pixels)
+    assert np.allclose(moved - pixels, [-20, 0])
+    yield "$f$ times that is 20 px to the left"
+
+
 WORKED = (
+    a_turn_and_a_step_aside,
+    a_wall_between_two_views,
     a_thumb_s_distance,
     five_metres_away,
     unequal_steps,

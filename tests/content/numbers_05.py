@@ -193,7 +193,16 @@ def near_the_edge_of_two_white_planes() -> Says:
     yield f"a factor of {shown.red / shown.lamp:.2f}, close to the {edge_factor(0.8, pi / 2):.2f}"
 
 
+def a_page_in_the_sun() -> Says:
+    arrives = 1000 * cos(radians(60))
+    yield rf"$E = 1000 \cos 60^\circ = {arrives:.0f}$ W/m²"
+    yield rf"$0.8 \cdot 500 = {0.8 * arrives:.0f}$ W/m²"
+    yield rf"$0.8/\pi = {0.8 / pi:.3f}$ sr⁻¹"
+    yield rf"$0.255 \cdot 500 = {0.8 / pi * arrives:.0f}$ W/(m² sr)"
+
+
 WORKED = (
+    a_page_in_the_sun,
     the_corner_of_a_room,
     near_the_edge_of_two_white_planes,
     a_pane_at_a_slant,

@@ -3,6 +3,7 @@
 from math import acos, pi, radians, sin, sqrt
 
 import numpy as np
+from measured_words_10 import error
 from support.worked_numbers import Says, source
 
 from simulations.models.lens.diffraction import cutoff_per_mm, lens_transfer, spot_diameter_um
@@ -193,7 +194,24 @@ def at_nyquist() -> Says:
     yield rf"$|\sin 30^\circ| = {abs(sin(radians(30))):.1f}$"
 
 
+def twelve_turns() -> Says:
+    yield "Now the nearest pixel is ahead of bilinear"
+    nearest, bilinear = (
+        [error("resampling", tier, metric) for metric in ("psnr-once", "psnr-round")]
+        for tier in ("nearest", "bilinear")
+    )
+    assert nearest[0] < bilinear[0]
+    assert nearest[1] > bilinear[1]
+    yield "after one turn it ranks the kernels as your eye does"
+    once = [
+        error("resampling", tier, "psnr-once")
+        for tier in ("nearest", "bilinear", "bicubic", "spline")
+    ]
+    assert once == sorted(once)
+
+
 WORKED = (
+    twelve_turns,
     the_shirt_at_twenty_metres,
     folded_frequencies,
     the_border_belongs_to_neither_side,

@@ -1,9 +1,9 @@
 """Chapter 8: the whole camera."""
 
 from functools import cache
-from itertools import pairwise
-from math import hypot, isclose, sqrt, tan
+from math import asin, degrees, hypot, inf, isclose, pi, sqrt, tan
 
+from measured_words_10 import error
 from numpy import arange, interp
 from support.worked_numbers import Says
 
@@ -11,6 +11,14 @@ from simulations.engine.stages import StageCache
 from simulations.models.color.srgb import encode_srgb
 from simulations.models.distortion.lens_model import Distortion, distort, largest_distorted_radius
 from simulations.models.lens.aperture_grid import aperture_grid
+from simulations.models.lens.singlet import (
+    Singlet,
+    paraxial_image_mm,
+    power_per_mm,
+    thin_image_mm,
+    thin_power_per_mm,
+    through_exact,
+)
 from simulations.models.lens.thin_lens import (
     circle_of_confusion_mm,
     hyperfocal,
@@ -21,7 +29,7 @@ from simulations.models.lens.vignetting import vignetting_cos4
 from simulations.models.projection.pinhole import field_of_view_rad
 from simulations.pictures.still_life.things import THINGS, WALL_DISTANCE, thing_depth
 from simulations.scenes.camera import scene as camera
-from simulations.scenes.camera.lens import COLUMNS, ROWS, bend_rays, margin_px, sensor_rays
+from simulations.scenes.camera.lens import COLUMNS, ROWS, bend_rays, sensor_rays
 from simulations.scenes.camera.sensor import ADC
 from simulations.scenes.camera.settings import Settings
 from simulations.scenes.camera.stages import STAGES, TIERS
@@ -205,17 +213,6 @@ def errors_in_codes(**setting: float) -> tuple[float, float]:
     return camera.rms_codes(bent_picture, truth), camera.rms_codes(bent_rays, truth)
 
 
-def how_seldom_the_straight_picture_is_drawn_again() -> Says:
-    again, start = [], Settings()
-    for lens in range(24, 136, 10):
-        sweep = [margin_px(lens, start.focus, k1 / 100) for k1 in range(-40, 41)]
-        again += [before != after for before, after in pairwise(sweep)]
-    assert 20 < len(again) / sum(again) < 30
-    yield "about one step in twenty-five has to draw the straight picture again"
-    yield "the first of them, four pixels, is always there"
-    assert margin_px(start.focal_length, start.focus, start.k1) == (4, 4)
-
-
 def how_many_stages_there_are() -> Says:
     assert len(STAGES) == 19
     yield "with the noiseless one that it is compared with, takes nineteen stages"
@@ -251,14 +248,59 @@ def what_the_truth_is() -> Says:
     assert through_the_lens < 0.7 * layers
 
 
-def a_draft_is_for_what_moves_everything() -> Says:
-    assert camera.SCENE.drafted == ("focal_length", "light_angle", "back")
-    assert TIERS["draft"].reduction ** 2 == 4
-    yield "For the focal length, the lamp and the step back, the simulator sends one ray"
-    yield "The focus has no draft."
+def where_the_points_of_a_lens_lie() -> Says:
+    yield "more than even 64 random ones"
+    assert error("depth-of-field", "fibonacci-16", "psnr") > error(
+        "depth-of-field", "random-64", "psnr"
+    )
+    yield "no cleverness takes them beyond"
+    filters = [error("depth-of-field", tier, "psnr") for tier in ("discs", "binned", "gather")]
+    assert max(filters) == filters[2] < error("depth-of-field", "layered", "psnr")
+
+
+def what_arrives_from_a_page_in_the_sun() -> Says:
+    """Summed over the disc of the lens: radiance, cosine at the sensor, solid angle."""
+    radius = (arange(4000) + 0.5) / 4000 / 8
+    ring = 2 * pi * radius / 4000 / 8 / (1 + radius**2) ** 2
+    assert isclose(400 / pi * ring.sum(), 400 / 64, rel_tol=0.02)
+    yield rf"$400/(4 \cdot 16) = {400 / (4 * 4**2):g}$ W/m²"
+
+
+EXAMPLE = Singlet(1 / 40, -1 / 40, 10.0, 1.5)
+
+
+def two_spheres_of_40_mm() -> Says:
+    thin = 1000 * thin_power_per_mm(EXAMPLE)
+    yield f"$1/f = 0.5 \\cdot (25 + 25) = {thin:g}$, so $f = {1000 / thin:g}$ mm"
+    thick = 1000 * power_per_mm(EXAMPLE)
+    yield f"$25 - 0.5^2 \\cdot 0.010 \\cdot 25 \\cdot 25/1.5 = {thick:.2f}$ per metre"
+    yield f"and $f = {1000 / thick:.1f}$ mm"
+    image = paraxial_image_mm(EXAMPLE, inf)
+    yield f"The image of a star lies {image:.1f} mm behind the middle of the lens"
+    yield f"$\\arcsin(10/40) = {degrees(asin(0.25)):.1f}^\\circ$"
+    yield f"$\\arcsin(0.25/1.5) = {degrees(asin(0.25 / 1.5)):.1f}^\\circ$"
+    crossing = _crossing(10)
+    yield f"it crosses the axis at {crossing:.1f} mm, nearly 4 mm short"
+    assert 3.5 < image - crossing < 4
+
+
+def how_much_lens_a_picture_needs() -> Says:
+    image = paraxial_image_mm(EXAMPLE, inf)
+    assert _crossing(2) - thin_image_mm(EXAMPLE, inf) > 3
+    yield "At 2 mm the thin lens is more than 3 mm off"
+    yield f"{image - _crossing(2):.2f} mm: here the thickness counts"
+    yield f"At 10 mm the thick lens is off by {image - _crossing(10):.1f} mm"
+    yield f"by {thin_image_mm(EXAMPLE, inf) - _crossing(10):.1f} mm, which is luck"
+    assert isclose((image - _crossing(10)) / (image - _crossing(5)), 4, rel_tol=0.1)
+    yield "Half the opening means a quarter of the error along the axis"
+
+
+def _crossing(height_mm: float) -> float:
+    return float(through_exact(EXAMPLE, inf, [height_mm], 22.0).crossing_mm[0])
 
 
 WORKED = (
+    what_arrives_from_a_page_in_the_sun,
     the_camera_s_pixels,
     where_a_point_lands,
     the_same_place_in_the_simulator,
@@ -274,9 +316,10 @@ WORKED = (
     a_code_in_electrons,
     what_bending_the_picture_costs,
     a_lens_that_hardly_bends,
-    how_seldom_the_straight_picture_is_drawn_again,
+    where_the_points_of_a_lens_lie,
     how_many_stages_there_are,
     what_a_step_of_the_focus_leaves,
     what_the_truth_is,
-    a_draft_is_for_what_moves_everything,
+    two_spheres_of_40_mm,
+    how_much_lens_a_picture_needs,
 )

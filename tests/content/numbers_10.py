@@ -3,6 +3,8 @@
 What the text says of the measurements in words is in `measured_words_10`.
 """
 
+from itertools import pairwise
+
 import numpy as np
 from measured_words_10 import SAID, error, measurements
 from support.worked_numbers import Says
@@ -11,14 +13,23 @@ from simulations.engine.ladder import pareto_front
 from simulations.ladders import inverse_strong
 from simulations.ladders.inverse_distortion import LADDER
 from simulations.models.distortion import radial_profile, radial_table
-from simulations.models.distortion.lens_model import largest_distorted_radius, undistort
+from simulations.models.distortion.lens_model import (
+    Distortion,
+    distort,
+    fold_radius,
+    largest_distorted_radius,
+    undistort,
+)
 from simulations.models.distortion.undistortion import undistort_newton
 from simulations.models.error_measures import psnr_db
 from simulations.models.geometry import rotations
 from simulations.models.light.raycasting import Sphere
 from simulations.pictures.still_life.things import THINGS, thing_depth
 from simulations.scenes.camera import scene as camera
-from simulations.scenes.camera.lens import PITCH_MM
+from simulations.scenes.camera.lens import PITCH_MM, margin_px
+from simulations.scenes.camera.settings import Settings
+from simulations.scenes.camera.stages import TIERS
+from simulations.scenes.lens_distortion.radii import FOCAL_PX
 
 CHAPTER = "10-speed-and-accuracy"
 
@@ -137,7 +148,39 @@ def how_round_the_outlines_of_the_book_are() -> Says:
     yield f"curve with radii of {int(smallest)} pixels or more"
 
 
+def how_seldom_the_straight_picture_is_drawn_again() -> Says:
+    again, start = [], Settings()
+    for lens in range(24, 136, 10):
+        sweep = [margin_px(lens, start.focus, k1 / 100) for k1 in range(-40, 41)]
+        again += [before != after for before, after in pairwise(sweep)]
+    assert 20 < len(again) / sum(again) < 30
+    yield "about one step in twenty-five has to draw the straight picture again"
+    yield "the first of them, four pixels, is always there"
+    assert margin_px(start.focal_length, start.focus, start.k1) == (4, 4)
+
+
+def a_draft_is_for_what_moves_everything() -> Says:
+    assert camera.SCENE.drafted == ("focal_length", "light_angle", "back")
+    assert TIERS["draft"].reduction ** 2 == 4
+    yield "For the focal length, the lamp and the step back, the simulator sends one ray"
+    yield "The focus has no draft."
+
+
+def the_table_close_to_the_fold() -> Says:
+    for k1 in (-0.5, -0.3, -0.05):
+        lens = Distortion(k1=k1)
+        radii = np.linspace(0, 0.99 * fold_radius(lens), 4000)
+        ideal = np.stack((radii, 0 * radii), axis=-1)
+        back, valid = undistort(distort(ideal, lens), lens)
+        assert valid.all()
+        assert np.abs(back - ideal).max() * FOCAL_PX < 1e-9
+    yield "errs by less than a billionth of a pixel out to 99 % of the fold"
+
+
 WORKED = (
+    how_seldom_the_straight_picture_is_drawn_again,
+    a_draft_is_for_what_moves_everything,
+    the_table_close_to_the_fold,
     the_slope_of_the_fixed_point_s_map,
     the_places_of_a_checked_table,
     guesses_that_jump_back_and_forth,

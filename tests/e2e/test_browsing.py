@@ -99,5 +99,5 @@ def test_on_paper_there_is_nothing_to_press_and_nothing_shut(
         plain_reader.open(address, live=False)
         pressed = plain_reader.page.locator("button:visible, select:visible, [type=range]:visible")
         assert pressed.count() == 0, address
-        tables = plain_reader.page.locator(".extremes tbody tr")
+        tables = plain_reader.page.locator(":is(.extremes, .ladder-table) tbody tr")
         assert tables.locator("visible=true").count() == tables.count(), address

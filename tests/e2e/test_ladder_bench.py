@@ -23,7 +23,12 @@ DATA = Path(__file__).resolve().parents[2] / "content" / "measurements.json"
 @pytest.fixture
 def bench(visitor: Reader) -> Locator:
     visitor.turn_to(CHAPTER)
-    return visitor.page.locator(f'ladder-bench[data-ladder="{LADDER}"]').first
+    return unfold(visitor.page.locator(f'ladder-bench[data-ladder="{LADDER}"]').first)
+
+
+def unfold(bench: Locator) -> Locator:
+    bench.evaluate("bench => { bench.closest('details').open = true; }")
+    return bench
 
 
 def wait_state(visitor: Reader, bench: Locator, *states: str) -> None:
@@ -60,7 +65,7 @@ def measured(chromium: Browser, site_server: StaticServer) -> Iterator[Locator]:
     context = chromium.new_context(viewport={"width": 1280, "height": 900})
     someone = Reader(context, site_server.url)
     someone.open(CHAPTER)
-    bench = someone.page.locator(f'ladder-bench[data-ladder="{LADDER}"]').first
+    bench = unfold(someone.page.locator(f'ladder-bench[data-ladder="{LADDER}"]').first)
     measure(someone, bench)
     yield bench
     context.close()

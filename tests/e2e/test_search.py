@@ -1,5 +1,6 @@
 """Every part of the book is found by its words: by hand, by keyboard, without a network."""
 
+import tomllib
 from collections.abc import Iterator
 from pathlib import Path
 
@@ -10,7 +11,8 @@ from support.static_server import StaticServer
 
 pytestmark = pytest.mark.browser
 
-TERMS = Path(__file__).parents[1] / "fixtures" / "search_terms.txt"
+ROOT = Path(__file__).parents[2]
+TERMS = ROOT / "tests" / "fixtures" / "search_terms.txt"
 
 
 def terms() -> Iterator[tuple[str, str]]:
@@ -19,6 +21,15 @@ def terms() -> Iterator[tuple[str, str]]:
         if line and not line.startswith("#"):
             term, _, address = line.partition(" | ")
             yield term, address
+
+
+def glossary() -> Iterator[tuple[str, str]]:
+    """Every name of every term, and the address of the section that is to explain it."""
+    text = (ROOT / "content" / "glossary.toml").read_text(encoding="utf-8")
+    for term, entry in tomllib.loads(text).items():
+        chapter, mark, section = entry["explained"].partition("#")
+        for name in (term, *entry.get("also", ())):
+            yield name, f"{chapter}/{mark}{section}"
 
 
 def opened(reader: Reader) -> Locator:
@@ -44,11 +55,12 @@ def test_each_term_is_found_first_where_it_is_explained(visitor: Reader) -> None
     first_hit(visitor, dialog, "lens")
     visitor.page.context.set_offline(True)
     try:
-        found = {term: first_hit(visitor, dialog, term) for term, _ in terms()}
+        wanted = {**dict(terms()), **dict(glossary())}
+        found = {term: first_hit(visitor, dialog, term) for term in wanted}
     finally:
         visitor.page.context.set_offline(False)
         visitor.page.keyboard.press("Escape")
-    wrong = {term: (found[term], where) for term, where in terms() if found[term] != where}
+    wrong = {term: (found[term], where) for term, where in wanted.items() if found[term] != where}
     assert not wrong
 
 

@@ -26,7 +26,14 @@ LARGER_LETTERS = """html { font-size: 34px !important; }"""
 def test_pages_tables_and_formulae_fit_every_width(plain_reader: Reader, book: Any) -> None:
     """And what does scroll, on the narrowest, is reached by keyboard."""
     page = plain_reader.page
-    for address in ["", "references/", *(chapter["url"] for chapter in book["chapters"])]:
+    for address in [
+        "",
+        "references/",
+        "lecture-plan/",
+        "glossary/",
+        "index-of-terms/",
+        *(chapter["url"] for chapter in book["chapters"]),
+    ]:
         plain_reader.open(address, live=False)
         page.evaluate("document.fonts.ready")
         for width in WIDTHS:
@@ -50,7 +57,12 @@ def test_no_chapter_scrolls_sideways_with_letters_twice_as_large(
     plain_reader: Reader, book: Any
 ) -> None:
     plain_reader.page.set_viewport_size({"width": 390, "height": 800})
-    for address in ["", "references/", *(chapter["url"] for chapter in book["chapters"])]:
+    for address in [
+        "",
+        "references/",
+        "lecture-plan/",
+        *(chapter["url"] for chapter in book["chapters"]),
+    ]:
         plain_reader.open(address, live=False)
         plain_reader.page.add_style_tag(content=LARGER_LETTERS)
         plain_reader.page.evaluate("document.fonts.ready")

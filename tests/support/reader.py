@@ -203,7 +203,7 @@ SETTLE = """async (figure) => {
       if (effect === 'play') play.click();
     }
     await pause(40);
-    quiet = figure.dataset.frames === frames ? quiet + 1 : 0;
+    quiet = figure.rests && figure.dataset.frames === frames ? quiet + 1 : 0;
     frames = figure.dataset.frames;
   }
 }"""

@@ -39,16 +39,17 @@ MODELS = (
 """Rooms of ``simulations/models``: each imports itself and what stands before it."""
 
 BUILDER = (
-    "diagnostics", "bibliography", "runtime", "editor", "output", "measured", "charts", "book",
-    "markdown", "source", "question_checks", "figure_questions", "checks", "search", "pages",
-    "build", "editions", "serve",
+    "diagnostics", "bibliography", "glossary", "runtime", "editor", "output", "measured", "charts",
+    "book", "markdown", "lecture_plan", "source", "question_checks", "figure_questions",
+    "glossary_checks", "checks", "search", "pages", "build", "editions",
+    "serve",
     "__main__",
 )  # fmt: skip
 """Parts of ``site_builder``, likewise."""
 MARKDOWN = (
     "text", "targets", "reading", "scenes", "front_matter", "headings", "role", "roles", "inline",
     "directive", "questions", "usage", "blocks", "bodies", "fences",
-    "directives", "placing", "guide", "parser", "chapter",
+    "directives", "placing", "guide", "parser", "definitions", "terms", "chapter",
 )  # fmt: skip
 """Parts of ``site_builder/markdown``, likewise."""
 

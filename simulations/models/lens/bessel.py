@@ -4,6 +4,7 @@ Abramowitz and Stegun, *Handbook of Mathematical Functions*, 1964, 9.4.1 and 9.4
 """
 
 import numpy as np
+from numpy.polynomial.polynomial import polyval
 from numpy.typing import ArrayLike
 
 from simulations.models.arrays import Floats
@@ -23,8 +24,9 @@ def bessel_j0(x: ArrayLike) -> Floats:
     """
     size = np.abs(np.asarray(x, float))
     require("x", size, np.all(size <= 1e6), "at most 1e6 in size")
-    near, far = np.minimum(size, 3.0), np.maximum(size, 3.0)
-    close = np.polynomial.polynomial.polyval((near / 3.0) ** 2, NEAR)
-    turns = far + np.polynomial.polynomial.polyval(3.0 / far, LAG)
-    wave = np.polynomial.polynomial.polyval(3.0 / far, SIZE) / np.sqrt(far) * np.cos(turns)
-    return np.where(size <= 3.0, close, wave)
+    close, answer = size <= 3.0, np.empty_like(size)
+    answer[close] = polyval((size[close] / 3.0) ** 2, NEAR)
+    far = size[~close]
+    turns = far + polyval(3.0 / far, LAG)
+    answer[~close] = polyval(3.0 / far, SIZE) / np.sqrt(far) * np.cos(turns)
+    return answer

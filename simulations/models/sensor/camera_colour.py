@@ -15,7 +15,7 @@ CAMERA: tuple[tuple[Bell, ...], ...] = (
     ((1.001, 531.1, 31.1, 40.0), (0.226, 474.7, 34.0, 10.2)),
     ((0.651, 427.7, 5.9, 55.2), (0.512, 471.5, 24.5, 26.6)),
 )
-"""The bells that the sensitivities to red, green and blue are sums of: fitted, within 0.06, to
+"""The bells that the sensitivities to red, green and blue are sums of: fitted, within 0.05, to
 those of a single-lens reflex camera (Nikon D5100) that the National Physical Laboratory measured
 (Darrodi, Finlayson, Goodman and Mackiewicz, JOSA A 32, 2015), each with a peak of 1."""
 

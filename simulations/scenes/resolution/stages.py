@@ -28,8 +28,8 @@ CLOSE_UM = (40.0, 30.0)
 CLOSE_PX = (200, 150)
 SPOT_TO_UM = 33.0
 """From the middle of that piece to its corners, and the half of a pixel's diagonal more."""
-SHARES = np.linspace(0.0, 1.0, 513)
-RADII_UM = np.linspace(0.0, SPOT_TO_UM, 661)
+SHARES = np.linspace(0.0, 1.0, 385)
+RADII_UM = np.linspace(0.0, SPOT_TO_UM, 441)
 
 
 @dataclass(frozen=True, slots=True)

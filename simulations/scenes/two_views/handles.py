@@ -8,7 +8,7 @@ from simulations.engine.handles import Handle, Point
 from simulations.engine.stages import Outputs
 from simulations.scenes.two_views import pictures, plan
 from simulations.scenes.two_views.settings import Settings
-from simulations.scenes.two_views.view import view_of
+from simulations.scenes.two_views.view import in_picture, view_of
 
 NEAREST_M = 0.5
 """A place nearer to the plane of the left camera, or behind it, stands for this depth."""
@@ -56,8 +56,12 @@ def _left_pulled(_settings: Settings, place: Point) -> Mapping[str, Value]:
     return {"left_x": float(x), "left_up": -float(y)}
 
 
-def _right(settings: Settings, _outputs: Outputs) -> Point:
-    x, y = pictures.place(view_of(settings).right)
+def _right(settings: Settings, _outputs: Outputs) -> Point | None:
+    """Nowhere where the right camera does not see it."""
+    pixel = view_of(settings).right
+    if not in_picture(pixel):
+        return None
+    x, y = pictures.place(pixel)
     return float(x), float(y)
 
 

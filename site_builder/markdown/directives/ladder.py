@@ -19,6 +19,8 @@ class LadderFigure:
     caption_html: str
     default_html: str
     """Why its default was chosen; nothing where another metric than the first judges."""
+    open: bool
+    """Whether chart and table are shown before they are asked for."""
 
 
 def read_ladder(use: Use, caption_html: str, reading: Reading) -> LadderFigure | None:
@@ -28,7 +30,13 @@ def read_ladder(use: Use, caption_html: str, reading: Reading) -> LadderFigure |
         reading.problem(use.line, str(error))
         return None
     name = reading.placed[use.line].id
-    return LadderFigure(measured, name, caption_html, _read_default(use, measured, reading))
+    return LadderFigure(
+        measured,
+        name,
+        caption_html,
+        _read_default(use, measured, reading),
+        use.text("chart") == "open",
+    )
 
 
 def _read_default(use: Use, measured: MeasuredLadder, reading: Reading) -> str:
@@ -53,6 +61,7 @@ LADDER = Directive(
     options=(
         OptionLine("default", says="why its default was chosen"),
         OptionLine("metric", says="another of its metrics to judge by"),
+        OptionLine("chart", says="chart and table at first", legal=("folded", "open")),
     ),
     body=CAPTION,
     read=read_ladder,

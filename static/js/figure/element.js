@@ -33,6 +33,11 @@ export class SimulationFigure extends HTMLElement {
     this.#live = null;
   }
 
+  /** Whether the frame that was asked for last is shown, or has failed. */
+  get rests() {
+    return this.#live?.rests ?? true;
+  }
+
   /** Try again what failed; the figure keeps its values. */
   retry() {
     this.#live?.retry();

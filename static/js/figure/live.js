@@ -89,6 +89,11 @@ export class LiveFigure {
     this.runtime.forget(this.#key);
   }
 
+  /** Whether the frame that was asked for last is shown, or has failed. */
+  get rests() {
+    return this.#scheduler.idle;
+  }
+
   /** Try again what failed; the figure keeps its values. */
   retry() {
     this.figure.dataset.state = "starting";

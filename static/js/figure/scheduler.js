@@ -19,6 +19,11 @@ export class LatestWins {
     return this.#waiting !== null;
   }
 
+  /** Whether nothing runs or waits. */
+  get idle() {
+    return !this.#busy;
+  }
+
   /** @param {Job} job */
   submit(job) {
     this.#waiting = job;

@@ -5,8 +5,9 @@ import { all } from "./dom.js";
 /** A section is read once its heading is above this part of the window. */
 const LINE = 0.35;
 
+/** All that lies above counts as in sight, or a jump over a heading would not be told. */
 const headings = new IntersectionObserver(mark, {
-  rootMargin: `0px 0px -${100 * (1 - LINE)}% 0px`,
+  rootMargin: `9999999px 0px -${100 * (1 - LINE)}% 0px`,
 });
 
 /** Look after the sections of the page that is shown. */

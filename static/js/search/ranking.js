@@ -11,6 +11,7 @@
  * @property {string} chapter
  * @property {string} title
  * @property {string[]} introduced Terms that it introduces.
+ * @property {string[]} explains Terms of the glossary that it explains.
  * @property {string} text
  * @property {string} figures
  * @property {string} questions
@@ -22,16 +23,26 @@
  * @typedef {Section & {score: number, matched: string[]}} Hit
  */
 
-const FIELDS = ["title", "introduced", "chapter", "text", "figures", "questions"];
-const BOOST = { title: 4, introduced: 2.5, chapter: 2, text: 2, figures: 1, questions: 0.3 };
+const FIELDS = ["title", "introduced", "explains", "chapter", "text", "figures", "questions"];
+const BOOST = {
+  title: 4,
+  introduced: 2.5,
+  explains: 2.5,
+  chapter: 2,
+  text: 2,
+  figures: 1,
+  questions: 0.3,
+};
 /** Of words that only begin as asked, or are only similar. */
 const WEIGHTS = { prefix: 0.3, fuzzy: 0.2 };
 /** Long sections are not held against a term that they repeat: they explain it. */
 const BM25 = { k: 2, b: 0.3, d: 0.5 };
 /** Factors for a whole query found in one piece. */
-const WHOLE = { term: 2, title: 1.8, text: 1.25 };
+const WHOLE = { explained: 10, term: 2, title: 1.8, text: 1.25 };
 /** For what stands before a chapter's first heading: there things are named, to be explained later. */
 const OPENING = 0.6;
+/** For an entry of the glossary: it says in a line what a section explains. */
+const ENTRY = 0.4;
 /** For the last section of the book; the first has 1. What comes again was explained before. */
 const LAST = 0.9;
 const STOP_WORDS = new Set(
@@ -126,14 +137,17 @@ function ranked(index, found, words, stem) {
   const asked = words.map(stem).join(" ");
   /** @param {string} text */
   const roots = (text) => wordsOf(text).map(stem).join(" ");
-  const hits = found.map(({ terms: matched, introduced, ...section }) => {
+  const hits = found.map(({ terms: matched, ...section }) => {
     let { score } = section;
-    if (introduced.some((/** @type {string} */ term) => roots(term) === asked)) score *= WHOLE.term;
+    const isAsked = (/** @type {string} */ term) => roots(term) === asked;
+    if (section.explains.some(isAsked)) score *= WHOLE.explained;
+    if (section.introduced.some(isAsked)) score *= WHOLE.term;
     if (` ${roots(section.title)} `.includes(` ${asked} `)) score *= WHOLE.title;
     if (words.length > 1 && fold(section.text).includes(words.join(" "))) score *= WHOLE.text;
     score *= 1 - (1 - LAST) * (section.id / index.documentCount);
     if (section.title === "") score *= OPENING;
-    return { ...section, introduced, matched, score };
+    if (section.address.startsWith("glossary/")) score *= ENTRY;
+    return { ...section, matched, score };
   });
   return hits.sort((one, other) => other.score - one.score);
 }

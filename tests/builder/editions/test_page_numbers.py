@@ -7,9 +7,7 @@ import pytest
 from site_builder.editions.page_numbers import PageNumberError, fill
 from site_builder.editions.pdf import UnsettledError, settle
 
-TEXT = (
-    '<p><span class="entry-page" data-page-of="a"/> <span class="page-ref" data-page-of="b"/></p>'
-)
+TEXT = '<p><span class="toc-page" data-page-of="a"/> <span class="page-ref" data-page-of="b"/></p>'
 
 
 def test_each_number_is_that_of_its_anchor() -> None:

@@ -21,10 +21,10 @@ type MakeBook = Callable[..., Options]
 
 
 def test_no_answer_stands_before_the_answers(make_book: MakeBook, body: str) -> None:
-    first, *_, last = compose(make_book(body)).sections
+    first, _, answers = compose(make_book(body)).sections
     assert "Which one?" in words(first.article)
     assert "for a reason" not in words(first.article)
-    assert "Yes, for a reason" in words(last.article)
+    assert "Yes, for a reason" in words(answers.article)
 
 
 def test_nothing_is_left_that_needs_a_hand(make_book: MakeBook, body: str) -> None:

@@ -8,7 +8,7 @@ def page(body: str) -> bytes:
 
 
 def test_a_section_is_found_at_its_heading_and_an_opening_at_its_page() -> None:
-    records = make_records({"first/index.html": page('<p>A.</p><h2 id="b">B</h2><p>C.</p>')})
+    records = make_records({"first/index.html": page('<p>A.</p><h2 id="b">B</h2><p>C.</p>')}, {})
     assert [(r.address, r.chapter, r.title) for r in records] == [
         ("first/", "Title", ""),
         ("first/#b", "Title", "B"),
@@ -21,10 +21,17 @@ def test_a_term_is_introduced_where_the_book_first_emphasises_it_below_a_heading
         {
             "first/index.html": page(f"<p><em>pose</em></p>{section}"),
             "second/index.html": page(section),
-        }
+        },
+        {},
     )
     assert [r.introduced for r in records] == [("pose",), ("Pose",), (), ()]
 
 
 def test_pages_that_are_not_marked_are_not_found() -> None:
-    assert make_records({"licences/index.html": b"<article><h1>Licences</h1></article>"}) == ()
+    assert make_records({"licences/index.html": b"<article><h1>Licences</h1></article>"}, {}) == ()
+
+
+def test_a_section_says_which_terms_of_the_glossary_it_explains() -> None:
+    pages = {"first/index.html": page('<p>A.</p><h2 id="b">B</h2><p>C.</p>')}
+    records = make_records(pages, {"first/#b": ["pose"]})
+    assert [record.explains for record in records] == [(), ("pose",)]

@@ -104,4 +104,10 @@ def test_what_makes_no_sense_is_refused() -> None:
         lens_transfer(np.nan, 0.4, 1.4)
     with pytest.raises(ValueError, match="radius_um"):
         spot(1000, 0.4, 1.4)
+    with pytest.raises(ValueError, match=r"^defocus_um inf; legal: finite"):
+        defocus_waves(np.inf, 0.5, 2)
+    with pytest.raises(ValueError, match=r"^x .*at most 1e6"):
+        bessel_j0([1.0, -2e6])
+    with pytest.raises(ValueError, match=r"^wavelength_um 0"):
+        spot_diameter_um(0, 2)
     assert defocus_waves(8, 0.5, 2) == 0.5

@@ -1,0 +1,232 @@
+"""The first panel: the lens cut along its axis, to one scale, and the rays through it."""
+
+import math
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from simulations.engine.drawing import Point, dot, line, path, polygon, polyline, text
+from simulations.models.arrays import Floats
+from simulations.models.lens.singlet import (
+    LEAVES_BY_RIM,
+    MISSES,
+    PASSES,
+    REFLECTED,
+    Rays,
+    sag_mm,
+)
+from simulations.scenes.real_lens.settings import Settings
+from simulations.scenes.real_lens.stages import Glass
+
+WIDTH, HEIGHT = 400.0, 300.0
+AXIS_Y = HEIGHT / 2
+MARK_MM = 8.0
+"""How far from the axis the surfaces can be grabbed."""
+ENTRY_MM = 20.0
+"""How far before the middle the marked ray can."""
+BLADE_MM = 25.0
+FATES = {
+    MISSES: "misses the glass",
+    REFLECTED: "totally reflected",
+    LEAVES_BY_RIM: "runs into the rim",
+}
+
+
+@dataclass(frozen=True, slots=True)
+class View:
+    """How much of the axis the panel shows."""
+
+    per_mm: float
+    lens_x: float
+    """Column of the lens's middle."""
+
+    @property
+    def left_mm(self) -> float:
+        return -self.lens_x / self.per_mm
+
+    @property
+    def right_mm(self) -> float:
+        return (WIDTH - self.lens_x) / self.per_mm
+
+    @property
+    def up_mm(self) -> float:
+        return AXIS_Y / self.per_mm
+
+    def at(self, along_mm: float, height_mm: float) -> tuple[float, float]:
+        return (
+            self.lens_x + self.per_mm * float(along_mm),
+            AXIS_Y - self.per_mm * float(height_mm),
+        )
+
+    def millimetres(self, place: Point) -> tuple[float, float]:
+        """The inverse of `at`."""
+        return (
+            (float(place[0]) - self.lens_x) / self.per_mm,
+            (AXIS_Y - float(place[1])) / self.per_mm,
+        )
+
+
+CLOSE, WIDE = View(4.2, 130.0), View(2.5, 200.0)
+"""For light from afar, and for an object that finds room in the panel."""
+
+
+def view_of(distance_mm: float) -> View:
+    return WIDE if distance_mm <= -WIDE.left_mm else CLOSE
+
+
+def draw(settings: Settings, glass: Glass, fan: Rays, marked: Rays, heights: Floats) -> str:
+    """The glass, the opening, the fan of rays, and the marked one over them."""
+    view, height = view_of(glass.distance_mm), np.array([settings.height])
+    return "".join(
+        (
+            line((4, AXIS_Y), (WIDTH - 4, AXIS_Y), "muted thin dashed"),
+            polygon(outline(view, glass), "camera fill"),
+            path(ways(view, glass, fan, heights), "light thin"),
+            *_failures(view, fan, heights, glass, small=True),
+            path(ways(view, glass, marked, height), "ray bold"),
+            *_failures(view, marked, height, glass, small=False),
+            *_normals(view, glass, marked),
+            *_stop(view, settings.opening),
+            *_marks(view, settings, glass),
+            *_image(view, glass),
+        )
+    )
+
+
+def entry_mark(view: View, height: float, distance_mm: float) -> tuple[float, float]:
+    """On the marked ray, before the lens."""
+    return view.at(-ENTRY_MM, height * (1.0 - ENTRY_MM / distance_mm))
+
+
+def height_of(view: View, place: Point, distance_mm: float) -> float:
+    return view.millimetres(place)[1] / (1.0 - ENTRY_MM / distance_mm)
+
+
+def surface_mark(view: View, settings: Settings, *, front: bool) -> tuple[float, float]:
+    """Below the axis, on the front or on the back."""
+    bulge = settings.front if front else settings.back
+    along = settings.thickness / 2.0 - float(sag_mm(bulge / 1000.0, MARK_MM))
+    return view.at(-along if front else along, -MARK_MM)
+
+
+def bulge_of(view: View, place: Point, thickness: float, *, front: bool) -> float:
+    """In 1/m, outwards: of the sphere through the vertex and a point at the mark's height."""
+    along = view.millimetres(place)[0]
+    sag = thickness / 2.0 + (along if front else -along)
+    return 2000.0 * sag / (sag * sag + MARK_MM**2)
+
+
+def opening_mark(view: View, opening: float) -> tuple[float, float]:
+    """Its lower edge."""
+    return view.at(0.0, -opening)
+
+
+def object_mark(distance_mm: float) -> tuple[float, float] | None:
+    """Where the panel reaches as far."""
+    view = view_of(distance_mm)
+    return view.at(-distance_mm, 0.0) if -distance_mm >= view.left_mm else None
+
+
+def object_of(place: Point) -> float:
+    """Its distance, as far as the wide view reaches."""
+    return min(max(-WIDE.millimetres(place)[0], 1.0), -WIDE.left_mm)
+
+
+def outline(view: View, glass: Glass) -> list[tuple[float, float]]:
+    """Of the lens."""
+    lens, half = glass.lens, glass.lens.thickness_mm / 2.0
+    heights = np.linspace(-glass.rim_mm, glass.rim_mm, 41)
+    front = sag_mm(lens.front_per_mm, heights) - half
+    back = sag_mm(lens.back_per_mm, heights) + half
+    there = [view.at(x, h) for x, h in zip(front, heights, strict=True)]
+    return there + [view.at(x, h) for x, h in zip(back[::-1], heights[::-1], strict=True)]
+
+
+def ways(view: View, glass: Glass, rays: Rays, heights: Floats) -> list[list[tuple[float, float]]]:
+    """Each ray from the left to where it ends, or to the border of the panel."""
+    drawn = []
+    for front, back, slope, height in zip(rays.front, rays.back, rays.slope, heights, strict=True):
+        places = [_start(view, glass, float(height))]
+        places += [(float(x), float(y)) for x, y in (front, back) if math.isfinite(x)]
+        if math.isfinite(slope):
+            places.append(_border(view, places[-1], float(slope)))
+        elif len(places) == 1:
+            places.append(_border(view, (0.0, float(height)), float(height) / glass.distance_mm))
+        drawn.append([view.at(*place) for place in places])
+    return drawn
+
+
+def _start(view: View, glass: Glass, height: float) -> tuple[float, float]:
+    if -glass.distance_mm >= view.left_mm:
+        return -glass.distance_mm, 0.0
+    return view.left_mm, height * (1.0 + view.left_mm / glass.distance_mm)
+
+
+def _border(view: View, place: tuple[float, float], slope: float) -> tuple[float, float]:
+    """Where a line from there to the right leaves the panel."""
+    x, y = place
+    along = view.right_mm - x
+    if abs(y + slope * along) > view.up_mm:
+        along = max((math.copysign(view.up_mm, slope) - y) / slope, 0.0)
+    return x + along, y + slope * along
+
+
+def _failures(
+    view: View, rays: Rays, heights: Floats, glass: Glass, *, small: bool
+) -> Iterator[str]:
+    """A mark where a ray ends, and for the marked one the reason."""
+    for fate, front, back, height in zip(rays.fate, rays.front, rays.back, heights, strict=True):
+        if fate == PASSES:
+            continue
+        places = [place for place in (back, front) if math.isfinite(place[0])]
+        place = places[0] if places else (0.0, float(height))
+        yield dot(view.at(*place), "error", 2.5 if small else 4)
+        if not small:
+            above = view.at(0.0, min(max(glass.rim_mm, float(height)) + 6.0, view.up_mm - 6.0))
+            yield text(above, FATES[int(fate)], "error halo", "middle")
+
+
+def _normals(view: View, glass: Glass, marked: Rays) -> Iterator[str]:
+    """Through each place where the marked ray is bent, at a right angle to the glass."""
+    curvatures = (glass.lens.front_per_mm, glass.lens.back_per_mm)
+    vertices = (-glass.lens.thickness_mm / 2.0, glass.lens.thickness_mm / 2.0)
+    for place, c, vertex in zip(
+        (marked.front[0], marked.back[0]), curvatures, vertices, strict=True
+    ):
+        x, y = (float(value) for value in place)
+        # Only what meets the sphere itself has a normal there; the simple models bend at planes.
+        if math.isfinite(x) and abs(c * ((x - vertex) ** 2 + y * y) - 2.0 * (x - vertex)) < 1e-6:
+            across, up = 1.0 - c * (x - vertex), -c * y
+            ends: Sequence[tuple[float, float]] = [
+                (x + side * 7.0 * across, y + side * 7.0 * up) for side in (-1, 1)
+            ]
+            yield polyline([view.at(*end) for end in ends], "muted thin dashed")
+
+
+def _stop(view: View, opening: float) -> Iterator[str]:
+    for side in (-1, 1):
+        yield line(view.at(0.0, side * opening), view.at(0.0, side * BLADE_MM), "bold")
+    yield dot(opening_mark(view, opening))
+
+
+def _marks(view: View, settings: Settings, glass: Glass) -> Iterator[str]:
+    for front in (True, False):
+        yield dot(surface_mark(view, settings, front=front), "camera", 5)
+    entry = entry_mark(view, settings.height, glass.distance_mm)
+    yield dot(entry, "ray", 5)
+    yield text((entry[0] - 4, entry[1] - 9), "h", "ray italic halo", "end")
+    thing = object_mark(glass.distance_mm)
+    if thing:
+        yield dot(thing, "world", 5)
+    yield text(view.at(0.0, -BLADE_MM - 5.0), "opening", "halo", "middle")
+
+
+def _image(view: View, glass: Glass) -> Iterator[str]:
+    """Where the simple models have it."""
+    for place, style, row in ((glass.thin_mm, "muted", 18.0), (glass.paraxial_mm, "image", -9.0)):
+        if 0.0 < place <= view.right_mm:
+            x = view.at(place, 0.0)[0]
+            yield line((x, AXIS_Y - 7), (x, AXIS_Y + 7), f"{style} bold")
+            name = "thin" if style == "muted" else "thick"
+            yield text((min(x, WIDTH - 22), AXIS_Y + row), name, f"{style} small halo", "middle")

@@ -1,0 +1,157 @@
+"""``content/glossary.toml``: the terms of the book, each with a definition and the section that
+explains it.
+
+A table for each term. ``says`` defines it, in one paragraph of Markdown; ``explained`` is a target
+as a ``{ref}`` names it. ``also`` lists other names, ``related`` other terms. ``words`` lists what
+counts as a use in the text; left out, all its names do, and their plurals.
+"""
+
+import re
+import tomllib
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass, field
+from functools import cached_property
+from pathlib import Path
+
+from site_builder.diagnostics import Diagnostics, unknown
+
+FILE = "content/glossary.toml"
+TEXTS = ("says", "explained")
+LISTS = ("also", "related", "words")
+
+
+@dataclass(frozen=True, slots=True)
+class Term:
+    """One entry."""
+
+    name: str
+    says: str
+    """Its definition, as Markdown."""
+    explained: str
+    """The section that explains it, as its author names it."""
+    also: tuple[str, ...] = ()
+    related: tuple[str, ...] = ()
+    words: tuple[str, ...] = ()
+    line: int = 1
+
+    @property
+    def id(self) -> str:
+        """Of its entry, among the ids of the glossary."""
+        return re.sub(r"[^\w]+", "-", self.name.lower()).strip("-")
+
+    @property
+    def names(self) -> tuple[str, ...]:
+        return (self.name, *self.also)
+
+    def pattern(self) -> Iterator[str]:
+        """Regular expressions of what counts as a use."""
+        if self.words:
+            yield from map(_spelt, self.words)
+        else:
+            yield from (_spelt(name) + _plural(name) for name in self.names)
+
+
+@dataclass(frozen=True)
+class Glossary:
+    """All terms by name, in alphabetical order."""
+
+    terms: Mapping[str, Term] = field(default_factory=dict)
+
+    @cached_property
+    def _uses(self) -> tuple[re.Pattern[str], tuple[Term, ...]]:
+        found = [(form, term) for term in self.terms.values() for form in term.pattern()]
+        found.sort(key=lambda pair: len(pair[0]), reverse=True)  # of two names the longer
+        forms = "|".join(f"({form})" for form, _ in found)
+        whole = re.compile(rf"(?<![\w-])(?:{forms})(?![\w-])" if forms else r"(?!)")
+        return whole, tuple(term for _, term in found)
+
+    def uses(self, text: str) -> Iterator[tuple[Term, int, int]]:
+        """Terms in running text, each with where it starts and ends."""
+        pattern, terms = self._uses
+        for match in pattern.finditer(text):
+            yield terms[(match.lastindex or 1) - 1], match.start(), match.end()
+
+    def find(self, name: str) -> Term:
+        """The term of that name. Raises `LookupError`."""
+        for term in self.terms.values():
+            if name in term.names:
+                return term
+        names = [name for term in self.terms.values() for name in term.names]
+        raise LookupError(unknown("term", name, names))
+
+
+EMPTY = Glossary()
+
+
+def _spelt(name: str) -> str:
+    """As it stands in a text, where a sentence may begin with it."""
+    first, rest = re.escape(name[:1]), re.escape(name[1:])
+    first = f"[{name[0]}{name[0].upper()}]" if name[:1].islower() else first
+    return first + rest.replace("’", "['’]").replace(r"\ ", "[ \u00a0]")
+
+
+def _plural(name: str) -> str:
+    return "(?:s|es)?" if name[-1:].isalpha() else ""
+
+
+def read_glossary(root: Path, problems: Diagnostics) -> Glossary:
+    """What the file holds; nothing where there is none. Mistakes go to ``problems``."""
+    file = root / FILE
+    if not file.is_file():
+        return EMPTY
+    text = file.read_text(encoding="utf-8")
+    try:
+        tables = tomllib.loads(text)
+    except tomllib.TOMLDecodeError as error:
+        place = re.search(r"line (\d+)", str(error))
+        problems.add(FILE, int(place[1]) if place else 1, f"malformed TOML: {error}")
+        return EMPTY
+    terms = [_term(name, table, _line_of(name, text), problems) for name, table in tables.items()]
+    terms.sort(key=lambda term: term.name.casefold())
+    glossary = Glossary({term.name: term for term in terms})
+    _check_names(glossary, problems)
+    return glossary
+
+
+def _term(name: str, table: object, line: int, problems: Diagnostics) -> Term:
+    given = table if isinstance(table, dict) else {}
+    for key in given:
+        if key not in (*TEXTS, *LISTS):
+            problems.add(FILE, line, unknown(f"key of {name!r}", key, (*TEXTS, *LISTS)))
+    texts, lists = {}, {}
+    for key in TEXTS:
+        texts[key] = value = given.get(key, "")
+        if not (isinstance(value, str) and value.strip()):
+            problems.add(FILE, line, f'{name!r} has no {key!r}; legal: {key} = "some text"')
+            texts[key] = ""
+    for key in LISTS:
+        value = given.get(key, [])
+        if not (isinstance(value, list) and all(isinstance(item, str) and item for item in value)):
+            problems.add(FILE, line, f'{key!r} of {name!r}; legal: ["one", "another"]')
+            value = []
+        lists[key] = tuple(value)
+    return Term(name, texts["says"].strip(), texts["explained"], **lists, line=line)
+
+
+def _check_names(glossary: Glossary, problems: Diagnostics) -> None:
+    """Report a name that two terms have, and related terms that there are not."""
+    first: dict[str, Term] = {}
+    for term in glossary.terms.values():
+        for name in term.names:
+            other = first.setdefault(name, term)
+            if other is not term:
+                message = f"{name!r} is a name of {other.name!r} too; legal: of one term"
+                problems.add(FILE, term.line, message)
+        others = [name for name in glossary.terms if name != term.name]
+        for name in term.related:
+            if name not in others:
+                problems.add(
+                    FILE, term.line, unknown(f"term related to {term.name!r}", name, others)
+                )
+
+
+def _line_of(name: str, text: str) -> int:
+    """Where its table begins."""
+    heads = (f"[{name}]", f'["{name}"]', f"['{name}']")
+    lines = enumerate(text.splitlines(), start=1)
+    return next((number for number, line in lines if line.strip() in heads), 1)

@@ -1,0 +1,40 @@
+"""``{term}`two stops <stop>```: a term of the glossary where its words alone do not tell, or where
+a second use is to be marked. ``{term}`the stop sign <none>```: words that are no term.
+"""
+
+from site_builder.glossary import Term
+from site_builder.markdown.reading import Reading
+from site_builder.markdown.role import Linked, Role
+
+NONE = "none"
+
+
+def marked(words: str, given: str | None, line: int, reading: Reading) -> Linked:
+    """The link; one without attributes where no term is meant, or, with a report, where there is
+    none of that name."""
+    if given == NONE:
+        return Linked({})
+    try:
+        term = reading.glossary.find(words if given is None else given)
+    except LookupError as error:
+        reading.problem(line, str(error.args[0]))
+        return Linked({})
+    return Linked(term_link(term, line, reading), meta={"term": term})
+
+
+def term_link(term: Term, line: int, reading: Reading) -> dict[str, str]:
+    """Attributes of a link to the glossary; its definition is told where it stands."""
+    return {
+        "class": "term",
+        "id": reading.free_id(f"term-{term.id}", line),
+        "href": f"../glossary/#{term.id}",
+        "aria-describedby": f"definition-{term.id}",
+    }
+
+
+TERM = Role(
+    name="term",
+    form="WORDS` or `WORDS <TERM>` or `WORDS <none>",
+    says="a link to the glossary where none is made by itself; with `none`, no link",
+    link=marked,
+)

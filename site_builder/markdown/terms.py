@@ -1,0 +1,111 @@
+"""Terms of the glossary in the text of a chapter: each is found, and the first use is marked.
+
+A mark is a link to the glossary. Only running text carries marks: a heading, a caption, a
+question or an answer that waits for one does not, nor does what is a link already.
+"""
+
+from collections.abc import Iterator, Sequence
+from typing import Any
+
+from markdown_it.token import Token
+
+from site_builder.book import IndexMark, TermUse
+from site_builder.glossary import Term
+from site_builder.markdown.directive import Directive, Use
+from site_builder.markdown.reading import Reading
+from site_builder.markdown.roles.term import term_link
+from site_builder.markdown.text.tokens import located
+
+QUESTIONS = ("quiz", "predict")
+"""Directives whose words are no uses: they say what is wrong, too."""
+WAITING = ("answer",)
+
+
+def mark_terms(tokens: Sequence[Token], reading: Reading) -> None:
+    """Note every use of a term with its section, and mark the first of each."""
+    walk = _Walk(reading)
+    previous = ""
+    for token in tokens:
+        match token.type:
+            case "heading_open":
+                walk.section = str(token.attrGet("id"))
+            case "directive_open":
+                walk.enter(token)
+            case "directive_close":
+                walk.open.pop()
+            case "inline":
+                walk.paragraph(token, running=previous == "paragraph_open")
+        previous = token.type
+
+
+class _Walk:
+    def __init__(self, reading: Reading) -> None:
+        self.reading = reading
+        self.section = ""
+        self.open: list[tuple[str, bool]] = []
+        """Directives around this place: name, and whether it is made of blocks."""
+        self.marked: set[str] = set()
+
+    def enter(self, token: Token) -> None:
+        directive: Directive[Any] | None = token.meta["directive"]
+        use: Use = token.meta["use"]
+        self.open.append((use.name, directive is not None and directive.body.nests))
+
+    def paragraph(self, inline: Token, *, running: bool) -> None:
+        if any(name in QUESTIONS for name, _ in self.open):
+            return
+        marks = running and all(nests and name not in WAITING for name, nests in self.open)
+        inline.children = list(self._marked(inline, marks=marks))
+
+    def _marked(self, inline: Token, *, marks: bool) -> Iterator[Token]:
+        linked, previous = 0, ""
+        for token, line in located([inline]):
+            if token is inline:
+                continue
+            if token.type in ("link_open", "role_open") and token.tag == "a":
+                self._given(token)
+                linked += 1
+            elif token.type in ("link_close", "role_close") and token.tag == "a":
+                linked -= 1
+            if token.type == "text" and not linked:
+                control = previous == "strong_open" and _names_a_control(token.content)
+                yield from self._text(token, line, marks=marks, control=control)
+            else:
+                yield token
+            previous = token.type
+
+    def _given(self, token: Token) -> None:
+        """A term that its author marked, or an entry of the index."""
+        if term := token.meta.get("term"):
+            self.marked.add(term.name)
+            self._note(term, str(token.attrGet("id")))
+        elif entry := token.meta.get("index"):
+            mark = IndexMark(entry, self.section, str(token.attrGet("id")))
+            self.reading.index_marks.append(mark)
+
+    def _text(self, token: Token, line: int, *, marks: bool, control: bool) -> Iterator[Token]:
+        """The text, in pieces where a term in it is marked. The name of a control is marked only
+        where it is the term that the section explains."""
+        text, done = token.content, 0
+        for term, start, end in self.reading.glossary.uses(text):
+            here = f"{self.reading.chapter}#{self.section}"
+            if not marks or term.name in self.marked or (control and term.explained != here):
+                self._note(term)
+                continue
+            self.marked.add(term.name)
+            attributes = term_link(term, line, self.reading)
+            self._note(term, attributes["id"])
+            yield Token("text", "", 0, content=text[done:start])
+            yield Token("link_open", "a", 1, attrs={**attributes})
+            yield Token("text", "", 0, content=text[start:end])
+            yield Token("link_close", "a", -1)
+            done = end
+        yield token if not done else Token("text", "", 0, content=text[done:])
+
+    def _note(self, term: Term, element: str = "") -> None:
+        self.reading.term_uses.append(TermUse(term.name, self.section, element))
+
+
+def _names_a_control(words: str) -> bool:
+    """**Focal length** may be a slider; **Pose.** opens a paragraph; **pose** is a term."""
+    return words[:1].isupper() and words[-1:] not in ".:"

@@ -1,0 +1,47 @@
+"""Places in the text that a list of terms leads to, and such lists by letter."""
+
+import unicodedata
+from collections.abc import Iterable
+from dataclasses import dataclass
+from itertools import groupby
+
+from site_builder.book import Chapter
+
+
+@dataclass(frozen=True, slots=True)
+class Place:
+    """Where a link leads, and what it says."""
+
+    address: str
+    """Relative to the site's root."""
+    chapter: Chapter
+    section: str
+    """Words of its heading, as HTML; nothing before a chapter's first."""
+    explains: bool = False
+    """Whether the term is explained here."""
+
+
+type Letters[T] = list[tuple[str, list[T]]]
+"""Entries under their letters."""
+
+
+def place(chapter: Chapter, section: str, element: str, *, explains: bool = False) -> Place:
+    """The place of an element below the heading ``section``; of the heading without an element."""
+    words = {heading.id: heading.html for heading in chapter.headings}.get(section, "")
+    anchor = element or section
+    address = f"{chapter.url}#{anchor}" if anchor else chapter.url
+    return Place(address, chapter, words, explains)
+
+
+def by_letter[T](named: Iterable[tuple[str, T]]) -> Letters[T]:
+    """In alphabetical order, without regard to case and accents."""
+    found = sorted(named, key=lambda pair: _plain(pair[0]))
+    return [
+        (letter, [entry for _, entry in group])
+        for letter, group in groupby(found, key=lambda pair: _plain(pair[0])[:1].upper())
+    ]
+
+
+def _plain(name: str) -> str:
+    letters = unicodedata.normalize("NFKD", name)
+    return "".join(letter for letter in letters if not unicodedata.combining(letter)).casefold()

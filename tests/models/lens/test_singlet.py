@@ -1,0 +1,171 @@
+"""A lens of one glass: textbook formulas, Fermat's principle, and where rays end."""
+
+import math
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+from scipy.optimize import minimize
+
+from simulations.models.lens.singlet import (
+    LEAVES_BY_RIM,
+    MISSES,
+    PASSES,
+    REFLECTED,
+    Singlet,
+    focal_mm,
+    paraxial_image_mm,
+    power_per_mm,
+    refract,
+    rim_mm,
+    sag_mm,
+    thin_image_mm,
+    thin_power_per_mm,
+    through_exact,
+    through_paraxial,
+    through_thin,
+)
+from simulations.models.lens.thin_lens import thin_lens_image_distance
+
+EXAMPLE = Singlet(1 / 40, -1 / 40, 10.0, 1.5)
+
+
+def optical_path(lens: Singlet, start: tuple[float, float], end: tuple[float, float]) -> float:
+    """The shortest optical length of all ways by a point of either sphere, in mm."""
+
+    def length(heights: np.ndarray) -> float:
+        low, high = heights
+        front = (float(sag_mm(lens.front_per_mm, low)) - lens.thickness_mm / 2, low)
+        back = (float(sag_mm(lens.back_per_mm, high)) + lens.thickness_mm / 2, high)
+        inside = lens.index * math.dist(front, back)
+        return math.dist(start, front) + inside + math.dist(back, end)
+
+    return minimize(length, [0.0, 0.0], method="Nelder-Mead", options={"xatol": 1e-9}).x
+
+
+@settings(deadline=None, max_examples=25)
+@given(
+    st.floats(-0.015, 0.03),
+    st.floats(-0.03, 0.015),
+    st.floats(4.0, 15.0),
+    st.floats(1.3, 1.9),
+    st.floats(60.0, 400.0),
+    st.floats(1.0, 9.0),
+)
+def test_light_takes_the_way_of_least_time(
+    front: float, back: float, thickness: float, index: float, distance: float, height: float
+) -> None:
+    lens = Singlet(front, back, thickness, index)
+    rays = through_exact(lens, distance, [height], 22.0)
+    if rays.fate[0] != PASSES:
+        return
+    # Close behind the glass, where no other way can be as short.
+    x, y = rays.back[0]
+    end = (float(x) + 5.0, float(y + 5.0 * rays.slope[0]))
+    found = optical_path(lens, (-distance, 0.0), end)
+    np.testing.assert_allclose(found, [rays.front[0, 1], rays.back[0, 1]], atol=2e-4)
+
+
+def test_angles_at_the_front_obey_snell() -> None:
+    rays = through_exact(EXAMPLE, np.inf, [10.0], 22.0)
+    ray = rays.back[0] - rays.front[0]
+    inside = math.asin(10 / 40) + math.atan2(ray[1], ray[0])
+    assert math.sin(inside) == pytest.approx(10 / 40 / 1.5)
+
+
+def test_the_numbers_of_the_lensmaker() -> None:
+    assert focal_mm(thin_power_per_mm(EXAMPLE)) == pytest.approx(40)
+    ball = Singlet(1 / 10, -1 / 10, 20.0, 1.5)
+    assert focal_mm(power_per_mm(ball)) == pytest.approx(1.5 * 20 / (4 * 0.5))
+    assert paraxial_image_mm(ball, np.inf) == pytest.approx(15)  # counted from its centre
+    assert focal_mm(power_per_mm(Singlet(0.0, 0.0, 5.0, 1.5))) == np.inf
+
+
+@pytest.mark.parametrize("distance", [45.0, 80.0, 1000.0, np.inf])
+def test_the_thin_lens_is_that_of_the_lens_equation(distance: float) -> None:
+    assert thin_image_mm(EXAMPLE, distance) == pytest.approx(
+        float(thin_lens_image_distance(40.0, distance))
+    )
+
+
+@pytest.mark.parametrize("distance", [30.0, 80.0, np.inf])
+def test_close_to_the_axis_all_three_agree_as_far_as_they_should(distance: float) -> None:
+    exact = through_exact(EXAMPLE, distance, [1e-4], 22.0).crossing_mm
+    assert exact == pytest.approx(paraxial_image_mm(EXAMPLE, distance), rel=1e-8)
+    slim = Singlet(1 / 40, -1 / 40, 1e-6, 1.5)
+    thin = through_thin(slim, distance, [1.0]).crossing_mm
+    assert through_paraxial(slim, distance, [1.0]).crossing_mm == pytest.approx(thin, rel=1e-6)
+
+
+@pytest.mark.parametrize(("front", "back", "share"), [(1 / 25, 0, 7 / 6), (0, -1 / 25, 9 / 2)])
+def test_a_flat_side_has_the_aberration_of_third_order_theory(
+    front: float, back: float, share: float
+) -> None:
+    """Jenkins and White, section 9.3: h²/f times 7/6, or 9/2 with the flat side to the star."""
+    lens = Singlet(front, back, 0.01, 1.5)
+    exact = through_exact(lens, np.inf, [0.5], 0.6).crossing_mm[0]
+    off = paraxial_image_mm(lens, np.inf) - exact
+    assert off == pytest.approx(share * 0.5**2 / 50, rel=0.002)
+
+
+def test_light_is_held_back_beyond_the_critical_angle() -> None:
+    """Through a flat front a ray meets the back at h/R from its normal: total where n h > R."""
+    lens = Singlet(0.0, -1 / 25, 12.0, 1.5)
+    heights = [25 / 1.5 - 1e-9, 25 / 1.5 + 1e-9]
+    rays = through_exact(lens, np.inf, heights, 22.0)
+    assert rays.fate.tolist() == [PASSES, REFLECTED]
+    assert np.isfinite(rays.back[1]).all()
+    assert np.isnan(rays.slope[1])
+
+
+def test_rays_end_where_the_glass_does() -> None:
+    assert rim_mm(EXAMPLE, 22.0) == pytest.approx(math.sqrt(40**2 - 35**2))
+    assert rim_mm(EXAMPLE, 5.0) == 5.0
+    assert rim_mm(Singlet(1 / 10, -1 / 20, 40.0, 1.5), 22.0) == pytest.approx(10)
+    rays = through_exact(EXAMPLE, np.inf, [19.3, 19.4, 100.0], 22.0)
+    assert rays.fate.tolist() == [PASSES, MISSES, MISSES]
+    assert np.isnan(rays.front[1:]).all()
+    assert np.isnan(rays.crossing_mm[1:]).all()
+
+
+def test_a_hollow_lens_throws_light_against_its_rim() -> None:
+    rays = through_exact(Singlet(-1 / 50, 1 / 50, 20.0, 1.8), np.inf, [21.0], 22.0)
+    assert rays.fate.tolist() == [LEAVES_BY_RIM]
+    assert np.isfinite(rays.front).all()
+    assert np.isnan(rays.back).all()
+
+
+def test_a_pane_lets_rays_go_on_as_they_came() -> None:
+    pane = Singlet(0.0, 0.0, 10.0, 1.5)
+    rays = through_exact(pane, 60.0, [6.0], 22.0)
+    assert rays.slope[0] == pytest.approx(0.1)
+    assert through_exact(pane, np.inf, [6.0], 22.0).crossing_mm[0] in (np.inf, -np.inf)
+
+
+def test_glass_of_index_one_is_air() -> None:
+    air = Singlet(1 / 30, -1 / 30, 8.0, 1.0)
+    assert through_exact(air, 60.0, [6.0], 22.0).slope[0] == pytest.approx(0.1)
+
+
+def test_refraction_keeps_directions_of_length_one() -> None:
+    along, normal = np.array([[0.8, 0.6]]), np.array([[1.0, 0.0]])
+    inside, passed = refract(along, normal, 1 / 1.5)
+    assert passed.all()
+    np.testing.assert_allclose(inside, [[math.sqrt(1 - 0.16), 0.4]])
+    back, passed = refract(along, normal, 1.8)
+    assert not passed.any()
+    np.testing.assert_array_equal(back, along)
+
+
+def test_what_makes_no_lens_is_refused() -> None:
+    with pytest.raises(ValueError, match=r"thickness_mm 0"):
+        Singlet(0.0, 0.0, 0.0, 1.5)
+    with pytest.raises(ValueError, match=r"index 0\.9"):
+        Singlet(0.0, 0.0, 1.0, 0.9)
+    with pytest.raises(ValueError, match="distance_mm"):
+        through_thin(EXAMPLE, 5.0, [1.0])
+    with pytest.raises(ValueError, match="heights_mm"):
+        through_exact(EXAMPLE, 50.0, [np.inf], 22.0)
+    with pytest.raises(ValueError, match="height_mm"):
+        sag_mm(0.1, [1.0, 11.0])

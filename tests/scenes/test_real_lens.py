@@ -1,0 +1,96 @@
+"""The figure of a real lens: its numbers against formulas, its tiers against the true ray."""
+
+import math
+
+import pytest
+from support.frames import texts_of
+
+from simulations.engine.frame import Frame
+from simulations.engine.stages import StageCache
+from simulations.scenes.real_lens.scene import SCENE
+
+
+def frame(tier: str = "exact", **given: object) -> Frame:
+    return SCENE.render(SCENE.check(given), tier, StageCache())
+
+
+def texts(**given: object) -> dict[str, str]:
+    return texts_of(frame("exact", **given))
+
+
+def number(name: str, **given: object) -> float:
+    return float(texts(**given)[name].replace("\u2212", "-"))
+
+
+def off(tier: str, **given: object) -> float:
+    """The estimate under the figure, in mm."""
+    last = list(SCENE.estimates(SCENE.check(given), tier, StageCache()))[-1].text
+    return 0.0 if last.startswith("under") else float(last)
+
+
+def test_reciprocals_of_object_and_image_add_up_to_the_thin_lens_s() -> None:
+    for vergence in (0, 5, 12.5, 20):
+        image = number("thin_at", vergence=vergence)
+        assert vergence / 1000 + 1 / image == pytest.approx(25 / 1000, abs=1e-5)
+
+
+def test_aberration_is_the_crossing_less_the_thick_lens_s_image() -> None:
+    shown = texts()
+    difference = float(shown["true_at"]) - float(shown["thick_at"])
+    assert number("aberration") == pytest.approx(difference, abs=0.011)
+
+
+def test_aberration_grows_with_the_square_of_the_height() -> None:
+    assert number("aberration", height=4) == pytest.approx(
+        4 * number("aberration", height=2), rel=0.05
+    )
+
+
+def test_the_front_s_angles_obey_snell_for_near_objects_too() -> None:
+    for vergence in (0, 20):
+        shown = texts(vergence=vergence, index=1.7)
+        sines = [math.sin(math.radians(float(shown[name]))) for name in ("incidence", "refracted")]
+        assert sines[0] == pytest.approx(1.7 * sines[1], abs=0.003)
+
+
+def test_near_the_axis_thickness_counts_and_the_sine_does_not() -> None:
+    assert off("thin", height=1) > 50 * off("paraxial", height=1)
+    assert off("exact", height=1) == 0
+
+
+def test_errors_of_the_thin_lens_may_cancel() -> None:
+    """Why the better model may be the worse answer for one ray."""
+    assert off("thin", height=10) < off("paraxial", height=10)
+
+
+@pytest.mark.parametrize(
+    ("given", "word"),
+    [
+        ({"front": 40, "back": 40, "index": 2, "thickness": 20, "height": 15}, "totally reflected"),
+        ({"thickness": 2, "height": 20}, "misses the glass"),
+    ],
+)
+def test_a_ray_that_ends_says_why(given: dict[str, object], word: str) -> None:
+    shown = frame("exact", **given)
+    assert word in texts_of(shown)["true_at"]
+    assert word in shown.description
+    assert word in shown.panels[0].overlay
+    assert word not in frame("thin", **given).panels[0].overlay
+
+
+def test_a_lens_that_spreads_light_has_no_image_and_says_so() -> None:
+    shown = frame(front=-20, back=-20)
+    assert texts_of(shown)["thick_at"] == "virtual"
+    assert all("no image" in panel.overlay for panel in shown.panels[1:])
+
+
+def test_a_star_s_image_by_a_pane_is_at_infinity() -> None:
+    shown = texts(front=10, back=-10)
+    assert shown["focal_thin"] == "∞"
+    assert shown["thin_at"] == "∞"
+
+
+def test_turning_the_lens_round_costs_four_times_the_aberration() -> None:
+    one = number("aberration", front=40, back=0, thickness=6)
+    other = number("aberration", front=0, back=40, thickness=6)
+    assert 3.5 < other / one < 4.5
