@@ -1,5 +1,7 @@
 # make serve     read and edit the book: http://localhost:8000, rebuilt on every change
 # make site      build it into build/site/
+# make pdf       typeset it into build/image-formation.pdf
+# make epub      pack it for readers of e-books, into build/image-formation.epub
 # make test      all tests; the first run may install a browser
 # make test-quick            those that need no browser
 # make check     formatting, lint and types of Python, scripts and style sheets; edits nothing
@@ -26,13 +28,19 @@ PYTHON ?= $(firstword $(foreach python,$(PYTHONS),\
 	$(shell command -v $(python) >/dev/null 2>&1 && $(python) -c '$(IS_NEW)' 2>/dev/null && echo $(python))))
 
 .DELETE_ON_ERROR:
-.PHONY: serve site test test-quick check lock screenshot bench mutants clean
+.PHONY: serve site pdf epub test test-quick check lock screenshot bench mutants clean
 
 serve: $(VENV)/book.stamp
 	@$(BIN)/python -m site_builder serve --port $(PORT)
 
 site: $(VENV)/book.stamp
 	@$(BIN)/python -m site_builder build
+
+pdf: $(VENV)/test.stamp $(VENV)/chromium.stamp
+	@$(BIN)/python -m site_builder pdf
+
+epub: $(VENV)/book.stamp
+	@$(BIN)/python -m site_builder epub
 
 test: $(VENV)/test.stamp $(VENV)/chromium.stamp
 	@$(BIN)/python -m pytest $(PARALLEL)
@@ -68,7 +76,7 @@ $(VENV)/test.stamp: .locks/test.txt | $(BIN)/python
 	@touch $@ $(VENV)/book.stamp
 
 $(VENV)/chromium.stamp: tests/support/chromium.py $(VENV)/test.stamp
-	@$(BIN)/python tests/support/chromium.py
+	@PYTHONPATH=tests $(BIN)/python -m support.chromium
 	@touch $@
 
 $(BIN)/python:

@@ -1,4 +1,4 @@
-"""``python -m site_builder build|check|serve``: prints diagnostics, sets the exit code."""
+"""``python -m site_builder build|check|serve|pdf|epub``: prints diagnostics, sets the exit code."""
 
 import argparse
 import sys
@@ -33,6 +33,17 @@ def main(arguments: list[str] | None = None) -> int:
             case "check":
                 check_site(Options(ROOT, warn=warn))
                 print(f"no mistakes{_and_count(warnings)}")
+            case "pdf":
+                # Its reader of pages and its printer are needed only here.
+                from site_builder.editions.compose import compose
+                from site_builder.editions.pdf import make_pdf
+
+                written(given.out, make_pdf(compose(Options(ROOT, warn=warn))))
+            case "epub":
+                from site_builder.editions.compose import compose
+                from site_builder.editions.epub import make_epub
+
+                written(given.out, make_epub(compose(Options(ROOT, warn=warn)), ROOT))
             case "serve":
                 from site_builder.serve import serve  # its watcher is needed only here
 
@@ -50,6 +61,12 @@ def main(arguments: list[str] | None = None) -> int:
     return 0
 
 
+def written(out: Path, edition: bytes) -> None:
+    out.parent.mkdir(parents=True, exist_ok=True)
+    out.write_bytes(edition)
+    print(f"{out}: {len(edition) / 1e6:.1f} MB")
+
+
 def _counted(found: Sequence[Diagnostic], name: str) -> str:
     return f"{len(found)} {name}{'s' * (len(found) != 1)}"
 
@@ -65,9 +82,15 @@ def _parser() -> argparse.ArgumentParser:
         ("build", "check everything, then write the site"),
         ("serve", "build, show, and build again on every change"),
         ("check", "report the mistakes in the sources"),
+        ("pdf", "set the whole book on pages; needs Chromium"),
+        ("epub", "pack the whole book for a reader of e-books"),
     ):
         command = commands.add_parser(name, help=purpose)
         if name == "check":
+            continue
+        if name in ("pdf", "epub"):
+            edition = ROOT / "build" / f"image-formation.{name}"
+            command.add_argument("--out", type=Path, default=edition, help="the file")
             continue
         command.add_argument("--out", type=Path, default=ROOT / "build" / "site", help="the site")
         command.add_argument(

@@ -89,7 +89,7 @@ def render_site(options: Options) -> Files:
     editor, library = _editor(options), _search_library(options)
     scripts = {f"{LIBRARY}/{name}": path for name, path in library.scripts.items()}
     made = {**_python(options, book, editor), **scripts}
-    assets, asset_files = _assets(options.root, pictures, made)
+    assets, asset_files = gather_assets(options.root, pictures, made)
     site = Site(
         options.root, book, stills, assets, runtime, bool(editor.script),
         search=bool(scripts), reload=options.reload,
@@ -119,7 +119,7 @@ def check_site(options: Options) -> tuple[Book, Stills, dict[str, bytes]]:
     return book, stills, pictures
 
 
-def _assets(root: Path, pictures: Mapping[str, bytes], made: Files) -> tuple[str, Files]:
+def gather_assets(root: Path, pictures: Mapping[str, bytes], made: Files) -> tuple[str, Files]:
     """Style sheets, scripts, fonts, stills, the author's pictures, what opens the figures' Python
     and what searches, in one folder."""
     content = folder_files(root / "content")

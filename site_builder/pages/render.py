@@ -62,24 +62,24 @@ class Site:
 def render_pages(site: Site, licences: tuple[Licence, ...]) -> dict[str, bytes]:
     """Every page of the site, by its path."""
     pages = {
-        "index.html": _page(
+        "index.html": render_page(
             site, "landing.html", "./", counts=_counts(site.book), cover=_cover(site)
         ),
-        "404.html": _page(site, "not-found.html", "./"),
-        "licences/index.html": _page(site, "licences.html", "../", licences=licences),
+        "404.html": render_page(site, "not-found.html", "./"),
+        "licences/index.html": render_page(site, "licences.html", "../", licences=licences),
     }
     if site.book.bibliography.works:
         works = cited_works(site.book)
-        pages["references/index.html"] = _page(
+        pages["references/index.html"] = render_page(
             site, "references.html", "../", here="references", works=works
         )
     if plan := site.book.lecture_plan:
-        pages["lecture-plan/index.html"] = _page(
+        pages["lecture-plan/index.html"] = render_page(
             site, "lecture-plan.html", "../", here="lecture-plan", plan=plan
         )
     chapters = site.book.chapters
     for index, chapter in enumerate(chapters):
-        pages[f"{chapter.url}index.html"] = _page(
+        pages[f"{chapter.url}index.html"] = render_page(
             site,
             "chapter.html",
             "../",
@@ -90,15 +90,15 @@ def render_pages(site: Site, licences: tuple[Licence, ...]) -> dict[str, bytes]:
             following=chapters[index + 1] if index + 1 < len(chapters) else None,
         )
     if site.book.glossary:
-        pages["glossary/index.html"] = _page(
+        pages["glossary/index.html"] = render_page(
             site, "glossary.html", "../", here="glossary", letters=view_glossary(site.book)
         )
     if site.book.symbols:
-        pages["symbols/index.html"] = _page(
+        pages["symbols/index.html"] = render_page(
             site, "symbols.html", "../", here="symbols", chapters=view_symbols(site.book)
         )
     if letters := view_index(site.book):
-        pages["index-of-terms/index.html"] = _page(
+        pages["index-of-terms/index.html"] = render_page(
             site, "index-of-terms.html", "../", here="index-of-terms", letters=letters
         )
     return {path: page.encode() for path, page in {**pages, **_source_pages(site)}.items()}
@@ -110,7 +110,7 @@ def _source_pages(site: Site) -> dict[str, str]:
     for path in sorted({item.path for ch in site.book.chapters for item in ch.sources}):
         address = f"source/{path.removesuffix('.py')}/index.html"
         code = (site.root / path).read_text(encoding="utf-8")
-        pages[address] = _page(
+        pages[address] = render_page(
             site,
             "source.html",
             "../" * address.count("/"),
@@ -121,8 +121,8 @@ def _source_pages(site: Site) -> dict[str, str]:
     return pages
 
 
-def _page(site: Site, template: str, root: str, **context: object) -> str:
-    """One page. ``root`` is the site's root relative to it."""
+def render_page(site: Site, template: str, root: str, **context: object) -> str:
+    """One page, or a part of one. ``root`` is the site's root relative to it."""
     environment = _environment()
     assets = f"{root}{site.assets}"
     chapter = context.get("chapter")
@@ -153,6 +153,11 @@ def _page(site: Site, template: str, root: str, **context: object) -> str:
         runtime=f"{root}{site.runtime}" if site.runtime else "",
         **{"chapter": None, "here": "", "sections": (), **context},
     )
+
+
+def render_template(template: str, **context: object) -> str:
+    """What needs nothing of the site."""
+    return _environment().get_template(template).render(**context)
 
 
 @cache

@@ -1,38 +1,18 @@
-"""Find a Chromium for the browser tests, or get one: ``python tests/support/chromium.py``."""
+"""Find a Chromium for the browser tests, or get one: ``python -m support.chromium``."""
 
 import os
 import shutil
 import subprocess
 import sys
-from pathlib import Path
 
-from playwright.sync_api import sync_playwright
+from site_builder.editions.chromium import find_chromium, launch_arguments
 
-SYSTEM_NAMES = ("chromium", "chromium-browser", "google-chrome", "google-chrome-stable")
+__all__ = ["find_chromium", "launch_arguments"]
 
 HOW_TO = (
     "the browser tests need Chromium, and none could be found or installed; "
     "install one (for example `apt-get install chromium`) or run `playwright install chromium`"
 )
-
-
-def find_chromium() -> Path | None:
-    """Playwright's own browser if it is installed, else the system's, else None."""
-    with sync_playwright() as playwright:
-        bundled = Path(playwright.chromium.executable_path)
-    if bundled.exists():
-        return bundled
-    for name in SYSTEM_NAMES:
-        found = shutil.which(name)
-        if found:
-            return Path(found)
-    return None
-
-
-def launch_arguments() -> list[str]:
-    """What a headless run without a display, perhaps as root, needs."""
-    arguments = ["--disable-gpu", "--disable-background-networking"]
-    return [*arguments, "--no-sandbox"] if os.geteuid() == 0 else arguments
 
 
 def install_commands() -> list[list[str]]:

@@ -1,0 +1,132 @@
+"""The book as both editions on paper have it: the site's own pages, reduced, and the answers."""
+
+from collections.abc import Iterable, Iterator, Mapping
+from dataclasses import dataclass
+from xml.etree.ElementTree import Element
+
+from site_builder.book import Block, Book, Chapter, Quiz
+from site_builder.build import Files, Options, check_site, gather_assets
+from site_builder.editions.multiples import Row, render_rows
+from site_builder.editions.reduce import article, put_rows
+from site_builder.editions.tree import parse_fragment
+from site_builder.pages.licences import Licence, gather_licences
+from site_builder.pages.render import Site, render_page, render_pages
+from site_builder.runtime.pinned import Versions
+
+ANSWERS = "answers"
+BACK_MATTER = {
+    "glossary": "Glossary",
+    "references": "References",
+    "index-of-terms": "Index of terms",
+}
+"""Pages of the site that follow the answers, by their ids."""
+
+
+@dataclass(frozen=True, slots=True)
+class Section:
+    """A chapter, or what follows the last."""
+
+    id: str
+    """Of a chapter; else ``answers``, or one of `BACK_MATTER`."""
+    title: str
+    number: str
+    """``Chapter 4``, ``Appendix A``; nothing for what follows."""
+    article: Element
+    """Its links are those of the site, from ``ID/index.html``."""
+    headings: tuple[tuple[str, str], ...] = ()
+    """Id and HTML of what the contents list below its title."""
+
+
+@dataclass(frozen=True, slots=True)
+class Composed:
+    """What an edition is made from."""
+
+    book: Book
+    sections: tuple[Section, ...]
+    cover: str
+    """Address of the title page's picture, relative to the site's root; nothing without one."""
+    assets: str
+    """Folder of the files, relative to the site's root."""
+    files: Files
+    licences: tuple[Licence, ...]
+
+    @property
+    def ids(self) -> tuple[str, ...]:
+        return tuple(section.id for section in self.sections)
+
+
+def compose(options: Options) -> Composed:
+    """Read, check and render the book. Raises `BuildError` with all mistakes found."""
+    book, stills, pictures = check_site(options)
+    rows, row_pictures = render_rows(book, stills)
+    assets, files = gather_assets(options.root, {**pictures, **row_pictures}, {})
+    site = Site(options.root, book, stills, assets, "")
+    licences = gather_licences(options.root, Versions())
+    pages = render_pages(site, licences)
+    sections = [
+        *(_chapter(site, chapter, pages, rows) for chapter in book.chapters),
+        *_answers(site),
+        *_back_matter(pages),
+    ]
+    cover = ""
+    if book.hero:
+        names = stills[book.hero.path, book.hero.line].pictures.values()
+        cover = next((f"{assets}stills/{name}" for name in names), "")
+    return Composed(book, tuple(sections), cover, assets, files, licences)
+
+
+def _chapter(
+    site: Site, chapter: Chapter, pages: Mapping[str, bytes], rows: Mapping[tuple[str, str], Row]
+) -> Section:
+    content = article(pages[f"{chapter.url}index.html"])
+    own = {
+        figure: parse_fragment(render_page(site, "editions/multiples.html", "../", row=row))
+        for (page, figure), row in rows.items()
+        if page == chapter.id
+    }
+    put_rows(content, own)
+    headings = tuple((item.id, item.html) for item in chapter.headings if item.level == 2)
+    return Section(chapter.id, chapter.title, chapter.name, content, headings)
+
+
+def _back_matter(pages: Mapping[str, bytes]) -> Iterator[Section]:
+    """What the site has of it."""
+    for id, title in BACK_MATTER.items():
+        page = pages.get(f"{id}/index.html")
+        if page is not None:
+            yield Section(id, title, "", article(page))
+
+
+def _answers(site: Site) -> Iterator[Section]:
+    chapters = [
+        (chapter, [(name, quiz, _solution(chapter, quiz)) for name, quiz in questions])
+        for chapter in site.book.chapters
+        if (questions := list(numbered_quizzes(chapter.body)))
+    ]
+    if chapters:
+        html = render_page(site, "editions/answers.html", "../", chapters=chapters)
+        yield Section(ANSWERS, "Answers", "", parse_fragment(html))
+
+
+def numbered_quizzes(blocks: Iterable[Block]) -> Iterator[tuple[str, Quiz]]:
+    """Each question and the name that its page gives it, ``Question 4.2``."""
+    for block in blocks:
+        if isinstance(block.content, Quiz):
+            yield (block.target.name if block.target else block.content.id), block.content
+        yield from numbered_quizzes(block.inside)
+
+
+def _solution(chapter: Chapter, quiz: Quiz) -> str:
+    """Settings of the figure that are right, as its controls are labelled."""
+    labels = {
+        control.name: control.label
+        for figure in chapter.simulations
+        if figure.id == quiz.figure
+        for control in figure.scene.controls
+    }
+    return ", ".join(f"{labels.get(name, name)} {value}" for name, value in quiz.solution.items())
+
+
+def answer_id(chapter: str, quiz: str) -> str:
+    """Element id of an answer, as ``editions/answers.html`` writes it."""
+    return f"{chapter}--{quiz}"

@@ -1,0 +1,145 @@
+"""The book as an EPUB 3: a folder of XHTML in a zip, readable without a script."""
+
+import io
+import os
+import zipfile
+from collections.abc import Mapping
+from copy import deepcopy
+from datetime import UTC, datetime
+from pathlib import Path
+from urllib.parse import quote
+from uuid import NAMESPACE_URL, uuid5
+from xml.etree.ElementTree import Element
+
+from site_builder.editions.compose import ANSWERS, Composed, Section, answer_id
+from site_builder.editions.epub_style import book_style
+from site_builder.editions.places import is_external, place_of
+from site_builder.editions.plain_markup import plain
+from site_builder.editions.reduce import note
+from site_builder.editions.tree import elements, first, parse, xhtml
+from site_builder.output.assets import content_bytes
+from site_builder.pages.render import render_template
+
+MEDIA = {
+    ".xhtml": "application/xhtml+xml",
+    ".css": "text/css",
+    ".png": "image/png",
+    ".jpg": "image/jpeg",
+    ".svg": "image/svg+xml",
+    ".woff2": "font/woff2",
+}
+"""Every kind of file in the book, by the end of its name."""
+ADDRESS = "%/:?#[]@!$&'()*+,;=~"
+"""What may stand in an address, besides letters, digits and hyphens."""
+ROOM = "book/"
+"""Folder of everything that the package lists."""
+
+
+def make_epub(composed: Composed, root: Path) -> bytes:
+    """``root`` is the project, whose style sheets the book's is drawn from."""
+    trees = {f"{section.id}.xhtml": _part(section, composed) for section in composed.sections}
+    for name in ("title", "nav"):
+        page = render_template(f"editions/epub-{name}.html", composed=composed, book=composed.book)
+        trees[f"{name}.xhtml"] = parse(page)
+    images = _take_images(trees, composed)
+    files: dict[str, bytes] = {
+        **{name: xhtml(tree) for name, tree in trees.items()},
+        "style/book.css": book_style(root / "static" / "css").encode(),
+        **{
+            f"fonts/{Path(name).name}": content_bytes(content)
+            for name, content in composed.files.items()
+            if name.startswith(f"{composed.assets}fonts/")
+        },
+        **images,
+    }
+    return _packed({"book.opf": _package(composed, trees, files), **files})
+
+
+def _part(section: Section, composed: Composed) -> Element:
+    """One file of the book's text."""
+    content = deepcopy(section.article)
+    for question in elements(content, "form", "quiz"):
+        place = answer_id(section.id, question.get("id", "").removeprefix("quiz-"))
+        note(question, "to-answer").append(Element("a", {"href": f"../{ANSWERS}/#{place}"}))
+        first(question, kind="to-answer")[0].text = "Answer"
+    for link in elements(content, "a"):
+        _lead(link, section.id, composed)
+    frame = parse(render_template("editions/epub-part.html", title=section.title))
+    first(frame, "body").append(plain(content))
+    return frame
+
+
+def _lead(link: Element, page: str, composed: Composed) -> None:
+    address = link.get("href", "")
+    if is_external(address):
+        link.set("href", quote(address, safe=ADDRESS))
+        return
+    place = place_of(address, page, composed.ids)
+    if place is None:
+        link.tag = "span"
+        link.attrib.pop("href", None)
+    else:
+        file = "" if place.page == page else f"{place.page}.xhtml"
+        link.set("href", f"{file}#{place.id}" if place.id else f"{place.page}.xhtml")
+
+
+def _take_images(trees: Mapping[str, Element], composed: Composed) -> dict[str, bytes]:
+    """The pictures that the text shows, which henceforth names them where they lie in the book."""
+    taken = {}
+    for tree in trees.values():
+        for name, element in [("src", e) for e in elements(tree, "img")] + [
+            ("href", e) for e in elements(tree, "image")
+        ]:
+            source = element.get(name, "").removeprefix("../")
+            target = f"images/{Path(source).name}"
+            taken[target] = content_bytes(composed.files[source])
+            element.set(name, target)
+    return taken
+
+
+def _package(composed: Composed, trees: Mapping[str, Element], files: Mapping[str, bytes]) -> bytes:
+    """The list of all files, and what the book is."""
+    items = [
+        (f"item-{place}", name, MEDIA[Path(name).suffix], _properties(name, trees.get(name)))
+        for place, name in enumerate(files)
+    ]
+    by_name = {name: id for id, name, _, _ in items}
+    spine = ["title.xhtml", "nav.xhtml", *(f"{section.id}.xhtml" for section in composed.sections)]
+    seconds = os.environ.get("SOURCE_DATE_EPOCH")
+    now = datetime.fromtimestamp(int(seconds), UTC) if seconds else datetime.now(UTC)
+    package = render_template(
+        "editions/epub-package.xml",
+        book=composed.book,
+        identifier=uuid5(NAMESPACE_URL, composed.book.title),
+        modified=now.strftime("%Y-%m-%dT%H:%M:%SZ"),
+        items=items,
+        spine=[by_name[name] for name in spine],
+    )
+    return package.encode()
+
+
+def _properties(name: str, tree: Element | None) -> str:
+    names = {element.tag for element in tree.iter()} if tree is not None else set()
+    found = [
+        *(["nav"] if name == "nav.xhtml" else []),
+        *(["mathml"] if "math" in names else []),
+        *(["svg"] if "svg" in names else []),
+    ]
+    return " ".join(found)
+
+
+def _packed(files: Mapping[str, bytes]) -> bytes:
+    """The archive, whose first file tells what it is."""
+    packed = io.BytesIO()
+    with zipfile.ZipFile(packed, "w", zipfile.ZIP_DEFLATED) as archive:
+        archive.writestr(zipfile.ZipInfo("mimetype"), "application/epub+zip", zipfile.ZIP_STORED)
+        container = render_template("editions/epub-container.xml", package=f"{ROOM}book.opf")
+        _write(archive, "META-INF/container.xml", container.encode())
+        for name, content in files.items():
+            _write(archive, ROOM + name, content)
+    return packed.getvalue()
+
+
+def _write(archive: zipfile.ZipFile, name: str, content: bytes) -> None:
+    """With no time of its own, so that the same book is the same file."""
+    archive.writestr(zipfile.ZipInfo(name), content, zipfile.ZIP_DEFLATED)

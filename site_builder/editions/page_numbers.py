@@ -1,0 +1,37 @@
+"""On which page a link leads: the numbers that paper needs where a screen has a click."""
+
+from collections.abc import Mapping
+from xml.etree.ElementTree import Element
+
+from site_builder.editions.tree import elements
+
+PAGE_OF = "data-page-of"
+"""Names the element whose page is to be printed here."""
+UNKNOWN = "000"
+"""Stands for a number while none is known: as wide as most."""
+MOST_TOLD = 5
+
+
+class PageNumberError(ValueError):
+    """A place to which a number leads is on no page."""
+
+
+def page_number(anchor: str, kind: str) -> Element:
+    """Where a number is to be printed: ``kind`` is its class."""
+    return Element("span", {"class": kind, PAGE_OF: anchor})
+
+
+def fill(root: Element, pages: Mapping[str, int] | None) -> None:
+    """Print the page of each anchor; before pages are known, what is as wide.
+
+    Raises `PageNumberError` naming the anchors that are on no page.
+    """
+    asked = [element for element in elements(root) if PAGE_OF in element.attrib]
+    missing = {element.get(PAGE_OF, "") for element in asked} - set(pages or ())
+    if pages is not None and missing:
+        told = ", ".join(sorted(missing)[:MOST_TOLD])
+        raise PageNumberError(f"{len(missing)} anchors are on no page, first of them: {told}")
+    for element in asked:
+        number = str(pages[element.get(PAGE_OF, "")]) if pages else UNKNOWN
+        plain = "toc-page" in element.get("class", "")
+        element.text = number if plain else f"(p.\N{NO-BREAK SPACE}{number})"

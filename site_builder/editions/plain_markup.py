@@ -1,0 +1,49 @@
+"""Markup that any reader of e-books knows: no elements of our own, and a panel is one drawing."""
+
+from xml.etree.ElementTree import Element
+
+from site_builder.editions.tree import classes, elements
+
+PLAIN = {
+    "simulation-figure": "div",
+    "ladder-bench": "div",
+    "form": "div",
+    "fieldset": "div",
+    "legend": "div",
+    "output": "span",
+}
+
+
+def plain(root: Element) -> Element:
+    """``root``, changed."""
+    for element in elements(root):
+        if element.tag in PLAIN:
+            element.set("class", f"{element.get('class', '')} {element.tag}".strip())
+            element.tag = PLAIN[element.tag]
+        if "panel-view" in classes(element):
+            _draw_in_one(element)
+        for name in ("data-count", "data-label"):
+            element.attrib.pop(name, None)
+    return root
+
+
+def _draw_in_one(view: Element) -> None:
+    """The picture goes into the drawing over it, so that they cannot part."""
+    drawings, pictures = elements(view, "svg"), elements(view, "img")
+    drawing, picture = next(drawings), next(pictures, None)
+    if picture is not None:
+        _, _, width, height = drawing.get("viewBox", "").split()
+        image = Element(
+            "image",
+            {
+                "href": picture.get("src", ""),
+                "width": width,
+                "height": height,
+                "preserveAspectRatio": "none",
+            },
+        )
+        if "pixelated" in classes(picture):
+            image.set("style", "image-rendering: pixelated")
+        drawing.insert(0, image)
+        view.remove(picture)
+    view.attrib.pop("style", None)

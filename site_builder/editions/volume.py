@@ -1,0 +1,77 @@
+"""The whole book as one document, for the printer: every id and link of it unambiguous."""
+
+from copy import deepcopy
+from xml.etree.ElementTree import Element
+
+from site_builder.editions.compose import ANSWERS, BACK_MATTER, Composed, Section, answer_id
+from site_builder.editions.page_numbers import page_number
+from site_builder.editions.places import Place, is_external, place_of
+from site_builder.editions.reduce import note
+from site_builder.editions.tree import elements, first, insert_after, parents, parse
+from site_builder.pages.render import render_template
+
+TITLE = "title-page"
+
+
+def anchor(place: Place) -> str:
+    """Id in the whole of what is a place on a page."""
+    return f"{place.page}.{place.id}" if place.id else place.page
+
+
+def volume(composed: Composed) -> Element:
+    """The document, its page numbers still to be filled in."""
+    frame = render_template(
+        "editions/volume.html",
+        composed=composed,
+        book=composed.book,
+        stylesheet=f"{composed.assets}css/book.css",
+    )
+    document = parse(frame)
+    for entry in [item for item in elements(document) if "data-entry" in item.attrib]:
+        entry.append(page_number(entry.attrib.pop("data-entry"), "toc-page"))
+    body = first(document, "body")
+    for section in composed.sections:
+        body.append(_bound(section, composed))
+    return document
+
+
+def _bound(section: Section, composed: Composed) -> Element:
+    """A section as part of the whole."""
+    content = deepcopy(section.article)
+    _lead_to_answers(content, section.id)
+    for element in content.iter():
+        if "id" in element.attrib:
+            element.set("id", anchor(Place(section.id, element.attrib["id"])))
+        if element.get("src", "").startswith("../"):
+            element.set("src", element.attrib["src"].removeprefix("../"))
+    _bind_links(content, section.id, composed)
+    content.set("id", section.id)
+    content.set("style", f"page: {section.id}")
+    return content
+
+
+def _lead_to_answers(content: Element, page: str) -> None:
+    for question in elements(content, "form", "quiz"):
+        line = note(question, "to-answer")
+        place = answer_id(page, question.get("id", "").removeprefix("quiz-"))
+        line.append(Element("a", {"href": f"../{ANSWERS}/#{place}"}))
+        line[0].text = "Answer"
+
+
+def _bind_links(content: Element, page: str, composed: Composed) -> None:
+    """Links lead within the document; behind those into other parts stands the page."""
+    parent_of = parents(content)
+    for link in elements(content, "a"):
+        address = link.get("href", "")
+        if is_external(address):
+            continue
+        place = place_of(address, page, composed.ids)
+        if place is None:
+            link.tag = "span"
+            link.attrib.pop("href", None)
+            continue
+        link.set("href", f"#{anchor(place)}")
+        if place.page not in (page, *BACK_MATTER):
+            number = page_number(anchor(place), "page-ref")
+            insert_after(parent_of[link], link, number)
+            number.tail, link.tail = number.tail, "\N{NO-BREAK SPACE}"

@@ -1,0 +1,65 @@
+"""The e-book is whole: well-formed, every link resolves, every file is listed."""
+
+import io
+import posixpath
+import re
+import zipfile
+from collections.abc import Callable
+from pathlib import Path
+from urllib.parse import unquote, urldefrag
+from xml.etree import ElementTree
+
+import pytest
+
+from site_builder.build import Options
+from site_builder.editions.compose import compose
+from site_builder.editions.epub import ROOM, make_epub
+from site_builder.editions.epub_style import resolve
+
+TOKENS = (Path(__file__).parents[3] / "static" / "css" / "tokens.css").read_text(encoding="utf-8")
+OPF = "{http://www.idpf.org/2007/opf}"
+
+
+@pytest.fixture
+def book(make_book: Callable[..., Options], body: str) -> zipfile.ZipFile:
+    options = make_book(body + "A formula, $x^2$.\n", {"static/css/tokens.css": TOKENS})
+    return zipfile.ZipFile(io.BytesIO(make_epub(compose(options), options.root)))
+
+
+def texts(book: zipfile.ZipFile) -> dict[str, ElementTree.Element]:
+    """Parsing them is the test that they are well-formed."""
+    names = [name for name in book.namelist() if name.endswith(".xhtml")]
+    return {name: ElementTree.fromstring(book.read(name)) for name in names}
+
+
+def test_its_first_file_tells_what_it_is_and_is_not_packed(book: zipfile.ZipFile) -> None:
+    head = book.infolist()[0]
+    assert (head.filename, head.compress_type) == ("mimetype", zipfile.ZIP_STORED)
+    assert book.read("mimetype") == b"application/epub+zip"
+
+
+def test_every_address_leads_to_a_file_and_an_element(book: zipfile.ZipFile) -> None:
+    pages = texts(book)
+    ids = {name: {element.get("id") for element in page.iter()} for name, page in pages.items()}
+    for name, page in pages.items():
+        for element in page.iter():
+            for address in filter(None, (element.get("href"), element.get("src"))):
+                if re.match("[a-z]+:", address):
+                    continue
+                path, fragment = urldefrag(address)
+                file = posixpath.normpath(posixpath.join(ROOM, unquote(path))) if path else name
+                assert file in book.namelist(), f"{name}: {address}"
+                assert not fragment or fragment in ids[file], f"{name}: {address}"
+
+
+def test_every_file_is_listed_once_and_marked_for_what_is_in_it(book: zipfile.ZipFile) -> None:
+    package = ElementTree.fromstring(book.read(f"{ROOM}book.opf"))
+    items = {item.get("href"): item for item in package.iter(f"{OPF}item")}
+    files = {name.removeprefix(ROOM) for name in book.namelist() if name.startswith(ROOM)}
+    assert set(map(unquote, map(str, items))) == files - {"book.opf"}
+    assert items["first.xhtml"].get("properties") == "mathml svg"
+    assert items["nav.xhtml"].get("properties") == "nav"
+
+
+def test_variables_are_resolved_to_the_light_theme() -> None:
+    assert resolve("a { color: var(--ink); }", {"--ink": "#123"}) == "a { color: #123; }"

@@ -1,0 +1,73 @@
+"""What of the site's pages is in the printed book: what is read, and every answer last."""
+
+import io
+from collections.abc import Callable
+from dataclasses import replace
+from typing import Any
+
+import pytest
+from pypdf import PdfReader
+from support.chromium import find_chromium
+
+from simulations.engine.scene import Scene
+from simulations.registry import load_scene
+from site_builder.build import Options
+from site_builder.editions.compose import compose
+from site_builder.editions.pdf import anchor_pages, make_pdf
+from site_builder.editions.tree import elements, words
+from site_builder.editions.volume import volume
+
+type MakeBook = Callable[..., Options]
+
+
+def test_no_answer_stands_before_the_answers(make_book: MakeBook, body: str) -> None:
+    first, _, answers = compose(make_book(body)).sections
+    assert "Which one?" in words(first.article)
+    assert "for a reason" not in words(first.article)
+    assert "Yes, for a reason" in words(answers.article)
+
+
+def test_nothing_is_left_that_needs_a_hand(make_book: MakeBook, body: str) -> None:
+    article = compose(make_book(body)).sections[0].article
+    names = {element.tag for element in elements(article)}
+    assert names.isdisjoint({"button", "input", "select", "script", "noscript", "details"})
+
+
+def test_a_figure_shows_its_main_control_at_several_values(make_book: MakeBook, body: str) -> None:
+    options = make_book(body + ":::{simulation} lens-distortion\n:k1: 0.1\n:::\n")
+    own = options.load_scene
+
+    def either(scene: str) -> Scene[Any]:
+        return own(scene) if scene == "demo" else load_scene(scene)
+
+    article = compose(replace(options, load_scene=either)).sections[0].article
+    values = [words(item) for item in elements(article, kind="multiple-value")]
+    assert values == ["k₁: −0.20", "k₁: 0.10", "k₁: 0.30"]
+
+
+def test_every_id_of_the_whole_is_unique_and_every_link_leads_to_one(
+    make_book: MakeBook, body: str
+) -> None:
+    whole = volume(compose(make_book(body)))
+    ids = [element.attrib["id"] for element in whole.iter() if "id" in element.attrib]
+    assert len(ids) == len(set(ids))
+    inside = [link.get("href", "") for link in elements(whole, "a")]
+    assert inside
+    assert {link.removeprefix("#") for link in inside if link.startswith("#")} <= set(ids)
+
+
+@pytest.mark.browser
+def test_contents_and_links_name_the_pages_on_which_things_are(
+    make_book: MakeBook, body: str
+) -> None:
+    if find_chromium() is None:
+        pytest.fail("needs Chromium")
+    pdf = make_pdf(compose(make_book(body)))
+    reader = PdfReader(io.BytesIO(pdf))
+    pages = anchor_pages(pdf)
+    texts = [" ".join(page.extract_text().split()) for page in reader.pages]
+    assert f"(p. {pages['second']})" in texts[pages["first"] - 1].replace("\xa0", " ")
+    assert "for a reason" in texts[pages["answers"] - 1]
+    assert len({pages[name] for name in ("first", "second", "answers")}) == 3
+    titles = [str(entry["/Title"]) for entry in reader.outline if isinstance(entry, dict)]
+    assert titles[:3] == ["Contents", "First", "Second"]
