@@ -169,7 +169,7 @@ def the_peak_of_plastic_lies_beyond_the_mirror() -> Says:
         np.cos(light + around),
     )
     assert degrees(around[seen.argmax()]) > 82
-    yield "but *beyond* it, nearer to the horizon"
+    yield "but *beyond* it, nearer to"
 
 
 def the_corner_of_a_room() -> Says:

@@ -157,4 +157,6 @@ def test_leaving_the_chapter_ends_the_measurement(visitor: Reader, bench: Locato
     page.wait_for_selector(f'main .pager a[href$="{CHAPTER}"]')
     visitor.wait_live()
     page.go_back()
-    page.wait_for_selector(f'ladder-bench[data-ladder="{LADDER}"][data-state="idle"]')
+    page.wait_for_selector(
+        f'ladder-bench[data-ladder="{LADDER}"][data-state="idle"]', state="attached"
+    )

@@ -77,7 +77,8 @@ def test_the_answer_is_shown_from_where_it_waits(plain_reader: Reader, book: Any
 
 def test_a_link_to_what_waits_leads_to_the_line_that_says_so(plain_reader: Reader) -> None:
     plain_reader.open("speed-and-accuracy/", live=False)
-    link = plain_reader.page.locator('a[href="#ladder-inverse-strong"]').first
+    link = plain_reader.page.locator('.table-wrapper a[href="#ladder-inverse-strong"]')
+    link.evaluate("link => { link.closest('details').open = true; }")
     waiting = plain_reader.page.locator(
         ".answer", has=plain_reader.page.locator("#ladder-inverse-strong")
     ).locator(".answer-waits")

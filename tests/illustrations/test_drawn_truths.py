@@ -14,6 +14,7 @@ from simulations.illustrations import (
     axis_and_angle,
     bayer_cell,
     child_or_adult,
+    circle_and_ellipse,
     circle_of_confusion,
     depth_error,
     f_numbers,
@@ -239,3 +240,10 @@ def test_the_drawn_ray_ends_in_the_drawn_point() -> None:
     ray = next(line for line in drawing.iter("line") if line.get("class") == "ray bold")
     end = next(dot for dot in drawing.iter("circle") if dot.get("class") == "world solid")
     assert (ray.get("x2"), ray.get("y2")) == (end.get("cx"), end.get("cy"))
+
+
+def test_the_image_of_a_circle_is_an_ellipse_about_another_point_than_its_centre() -> None:
+    x, y = circle_and_ellipse.image(circle_and_ellipse.CIRCLE).T
+    assert 0.75 * x**2 + x + y**2 - 1 == pytest.approx(np.zeros_like(x), abs=1e-12)
+    assert circle_and_ellipse.middle(np.stack([x, y], axis=-1)) == pytest.approx([-2 / 3, 0])
+    assert circle_and_ellipse.image(np.zeros(2)) == pytest.approx([0, 0])

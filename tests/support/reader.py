@@ -196,6 +196,8 @@ OFFER = """(url) => {
 
 SETTLE = """async (figure) => {
   const pause = (ms) => new Promise((resolve) => setTimeout(resolve, ms));
+  const url = new URL(document.body.dataset.assets + 'js/runtime/runtime.js', location.href);
+  const runtime = (await import(url)).sharedRuntime();
   for (let quiet = 0, frames = -1; quiet < 3; ) {
     for (const play of figure.querySelectorAll('button[data-state="1"]')) {
       const effect = JSON.parse(figure.querySelector('script.schema').textContent).controls
@@ -203,6 +205,7 @@ SETTLE = """async (figure) => {
       if (effect === 'play') play.click();
     }
     await pause(40);
+    await runtime.call('forget', {figure: ''}, () => -1); // answered after all that waits, as pulls
     quiet = figure.rests && figure.dataset.frames === frames ? quiet + 1 : 0;
     frames = figure.dataset.frames;
   }

@@ -54,3 +54,11 @@ def test_tube_and_diode_have_white_and_spectrum_of_the_cies(light: Floats, name:
     np.testing.assert_allclose(fitted_xy(light), tabulated_xy(theirs), atol=0.004)
     scaled = theirs * (light @ theirs) / (theirs @ theirs)
     assert np.sqrt(np.mean((light - scaled) ** 2)) < 0.035 * light.max()
+
+
+@pytest.mark.parametrize("kelvin", [0.0, 19.9, 1.1e9, np.nan])
+def test_what_is_colder_or_hotter_than_planck_is_asked_for_is_refused(kelvin: float) -> None:
+    with pytest.raises(ValueError, match=r"temperature_k .*; legal: 20 to 1e"):
+        illuminants.planck(kelvin)
+    assert np.isfinite(illuminants.planck(20.0)).all()
+    assert np.isfinite(illuminants.planck(1e9)).all()

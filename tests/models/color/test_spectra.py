@@ -1,6 +1,7 @@
 """The two shapes that spectra are made of, against SciPy."""
 
 import numpy as np
+import pytest
 from scipy.interpolate import CubicSpline
 
 from simulations.models.color import spectra
@@ -31,3 +32,10 @@ def test_the_curve_through_knots_is_scipys_natural_spline() -> None:
 
 def test_a_straight_line_of_three_knots_stays_straight() -> None:
     np.testing.assert_allclose(spectra.through_knots([0.0, 0.5, 1.0]), np.linspace(0, 1, 81))
+
+
+@pytest.mark.parametrize("widths", [(0.0, 5.0), (5.0, -1.0), (np.inf, np.inf), (np.nan, 5.0)])
+def test_a_bell_without_a_width_is_refused(widths: tuple[float, float]) -> None:
+    with pytest.raises(ValueError, match=r"width_nm .*; legal: above 0, finite"):
+        spectra.bell(GRID, 500.0, *widths)
+    assert spectra.bell(500.0, 500.0, 0.5, 0.5) == 1.0

@@ -150,3 +150,18 @@ def test_single_precision_stays() -> None:
     for model in MODELS:
         ground, skin = parts(model, SATIN, cosine, cosine, cosine)
         assert ground.dtype == skin.dtype == np.float32
+
+
+@pytest.mark.parametrize(
+    ("values", "named"),
+    [
+        ((1.1, 0.5, 0.5), "albedo 1.1"),
+        ((0.5, -0.1, 0.5), "specular"),
+        ((0, 0, 1.2), "roughness 1.2"),
+    ],
+)
+def test_a_material_that_there_is_not_is_refused(
+    values: tuple[float, float, float], named: str
+) -> None:
+    with pytest.raises(ValueError, match=rf"{named}.*; legal: .* to 1"):
+        Material(*values)

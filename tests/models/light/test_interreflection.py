@@ -119,3 +119,11 @@ def test_the_shadow_of_a_leaning_wall_ends_where_the_ray_over_its_rim_does() -> 
     way = np.array([np.cos(light), np.sin(light)])
     end = rim[0] - way[0] * rim[1] / way[1]
     assert shadow_end(light, opening) == pytest.approx(end)
+
+
+@pytest.mark.parametrize("albedo", [-0.1, 1.1])
+def test_a_surface_that_makes_or_takes_more_than_there_is_is_refused(albedo: float) -> None:
+    with pytest.raises(ValueError, match=r"albedos .*; legal: 0 to 1"):
+        bounced(np.ones((2, CELLS)), [0.5, albedo], 1.0, None)
+    with pytest.raises(ValueError, match=r"albedo .*; legal: 0 to 1"):
+        edge_factor(albedo, 1.0)
