@@ -3,7 +3,7 @@
 import re
 from collections.abc import Collection
 from dataclasses import dataclass
-from urllib.parse import urljoin
+from urllib.parse import unquote, urljoin
 
 ABSOLUTE = re.compile(r"[a-z][a-z0-9+.-]*:", re.IGNORECASE)
 
@@ -29,4 +29,4 @@ def place_of(address: str, page: str, pages: Collection[str]) -> Place | None:
     """
     path, _, fragment = address.partition("#")
     target = urljoin(f"{page}/", path.partition("?")[0]).strip("/")
-    return Place(target, fragment) if target in pages else None
+    return Place(target, unquote(fragment)) if target in pages else None

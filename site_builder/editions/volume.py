@@ -1,5 +1,6 @@
 """The whole book as one document, for the printer: every id and link of it unambiguous."""
 
+import re
 from copy import deepcopy
 from xml.etree.ElementTree import Element
 
@@ -10,12 +11,13 @@ from site_builder.editions.reduce import note
 from site_builder.editions.tree import elements, first, insert_after, parents, parse
 from site_builder.pages.render import render_template
 
-TITLE = "title-page"
+BEYOND_ASCII = re.compile(r"[^\x21-\x7e]")
 
 
 def anchor(place: Place) -> str:
-    """Id in the whole of what is a place on a page."""
-    return f"{place.page}.{place.id}" if place.id else place.page
+    """Id in the whole of a place on a page; in ASCII, as names in a PDF have no encoding."""
+    id = f"{place.page}.{place.id}" if place.id else place.page
+    return BEYOND_ASCII.sub(lambda found: f"_{ord(found[0]):x}", id)
 
 
 def volume(composed: Composed) -> Element:
@@ -24,6 +26,7 @@ def volume(composed: Composed) -> Element:
         "editions/volume.html",
         composed=composed,
         book=composed.book,
+        anchor=lambda page, id: anchor(Place(page, id)),
         stylesheet=f"{composed.assets}css/book.css",
     )
     document = parse(frame)

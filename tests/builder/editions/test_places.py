@@ -15,6 +15,7 @@ PAGES = ("first", "second", "references")
         ("../second/#there", Place("second", "there")),
         ("?figure.k1=1#figure", Place("first", "figure")),
         ("../second/?figure.k1=1#figure", Place("second", "figure")),
+        ("../second/#moir%C3%A9", Place("second", "moiré")),
         ("../source/simulations/x/#L3", None),
     ],
 )

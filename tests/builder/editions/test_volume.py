@@ -14,8 +14,9 @@ from simulations.registry import load_scene
 from site_builder.build import Options
 from site_builder.editions.compose import compose
 from site_builder.editions.pdf import anchor_pages, make_pdf
+from site_builder.editions.places import Place
 from site_builder.editions.tree import elements, words
-from site_builder.editions.volume import volume
+from site_builder.editions.volume import anchor, volume
 
 type MakeBook = Callable[..., Options]
 
@@ -54,6 +55,12 @@ def test_every_id_of_the_whole_is_unique_and_every_link_leads_to_one(
     inside = [link.get("href", "") for link in elements(whole, "a")]
     assert inside
     assert {link.removeprefix("#") for link in inside if link.startswith("#")} <= set(ids)
+
+
+def test_ids_beyond_ascii_stay_apart_in_it() -> None:
+    moire, moira = (anchor(Place("page", f"moir{letter}")) for letter in "éá")
+    assert moire.isascii()
+    assert moire != moira
 
 
 @pytest.mark.browser
