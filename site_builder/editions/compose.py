@@ -10,16 +10,10 @@ from site_builder.editions.multiples import Row, render_rows
 from site_builder.editions.reduce import article, put_rows
 from site_builder.editions.tree import parse_fragment
 from site_builder.pages.licences import Licence, gather_licences
-from site_builder.pages.render import Site, render_page, render_pages
+from site_builder.pages.render import BACK_MATTER, Site, render_page, render_pages
 from site_builder.runtime.pinned import Versions
 
 ANSWERS = "answers"
-BACK_MATTER = {
-    "glossary": "Glossary",
-    "references": "References",
-    "index-of-terms": "Index of terms",
-}
-"""Pages of the site that follow the answers, by their ids."""
 
 
 @dataclass(frozen=True, slots=True)

@@ -4,12 +4,12 @@ import re
 from copy import deepcopy
 from xml.etree.ElementTree import Element
 
-from site_builder.editions.compose import ANSWERS, BACK_MATTER, Composed, Section, answer_id
+from site_builder.editions.compose import ANSWERS, Composed, Section, answer_id
 from site_builder.editions.page_numbers import page_number
 from site_builder.editions.places import Place, is_external, place_of
 from site_builder.editions.reduce import note
 from site_builder.editions.tree import elements, first, insert_after, parents, parse
-from site_builder.pages.render import render_template
+from site_builder.pages.render import BACK_MATTER, render_template
 
 BEYOND_ASCII = re.compile(r"[^\x21-\x7e]")
 

@@ -25,6 +25,14 @@ from site_builder.pages.symbols_view import view_symbols
 from site_builder.search.page_text import reading_minutes
 
 TEMPLATES = Path(__file__).parents[1] / "templates"
+BACK_MATTER = {
+    "glossary": "Glossary",
+    "symbols": "Symbols",
+    "references": "References",
+    "index-of-terms": "Index of terms",
+    "lecture-plan": "A lecturer’s plan",
+}
+"""Pages that follow the chapters, by address; a book has those that it has something for."""
 FILTERS: Mapping[str, Callable[..., object]] = {
     "quiz_data": quiz_data,
     "in_any_order": in_any_order,
@@ -184,14 +192,14 @@ def _cover(site: Site) -> Block | None:
 def _back_matter(book: Book) -> list[tuple[str, str]]:
     """Address and title of the pages that the contents list after the chapters."""
     marked = any(chapter.index_marks for chapter in book.chapters)
-    pages = (
-        ("glossary", "Glossary", book.glossary),
-        ("symbols", "Symbols", book.symbols),
-        ("references", "References", book.bibliography.works),
-        ("index-of-terms", "Index of terms", book.glossary or marked),
-        ("lecture-plan", "A lecturer’s plan", book.lecture_plan),
-    )
-    return [(address, title) for address, title, there in pages if there]
+    there = {
+        "glossary": book.glossary,
+        "symbols": book.symbols,
+        "references": book.bibliography.works,
+        "index-of-terms": book.glossary or marked,
+        "lecture-plan": book.lecture_plan,
+    }
+    return [(address, title) for address, title in BACK_MATTER.items() if there[address]]
 
 
 def _counts(book: Book) -> dict[str, int]:
