@@ -78,7 +78,9 @@ def test_a_damaged_runtime_file_is_told_and_can_be_tried_again(
         else:
             reader.open(chapter, live=False)
         retry.wait_for(state="visible")
-        assert "Python did not start" in figure.locator(".figure-message").inner_text(), name
+        told = figure.locator(".figure-message").inner_text()
+        assert "Python did not start" in told, name
+        assert "[object" not in told, name
     server.damaged.clear()
     retry.click()
     reader.wait_live()
