@@ -98,10 +98,7 @@ def place_labels(
     hidden = _along(curves)
     rooms, marks = list(taken), []
     for wanted in labels:
-        best = min(
-            enumerate(_places(wanted, inside)),
-            key=lambda option: (_cost(option[1].room, inside, rooms, hidden, option[0]), option[0]),
-        )[1]
+        best = _best(_places(wanted, inside), inside, rooms, hidden)
         rooms.append(best.room)
         marks.append(label(best.baseline, wanted.words, wanted.style, best.anchor))
     return "".join(marks)
@@ -127,8 +124,22 @@ def _places(wanted: Label, inside: Room) -> Iterator[Placed]:
             yield Placed((x, top + ASCENT * size), anchor, room)
 
 
-def _cost(room: Room, inside: Room, rooms: Sequence[Room], hidden: np.ndarray, later: int) -> float:
-    cost = OUTSIDE * room.sticks_out_of(inside) + LATER * later
+def _best(
+    places: Iterator[Placed], inside: Room, rooms: Sequence[Room], hidden: np.ndarray
+) -> Placed:
+    chosen = next(places)
+    least = _cost(chosen.room, inside, rooms, hidden)
+    for later, place in enumerate(places, start=1):
+        if least <= LATER * later:
+            break  # no place after this one can cost less
+        cost = LATER * later + _cost(place.room, inside, rooms, hidden)
+        if cost < least:
+            chosen, least = place, cost
+    return chosen
+
+
+def _cost(room: Room, inside: Room, rooms: Sequence[Room], hidden: np.ndarray) -> float:
+    cost = OUTSIDE * room.sticks_out_of(inside)
     cost += ON_LABEL * sum(room.shared(other) for other in rooms)
     return round(cost + ON_CURVE * room.holds(hidden), 3)
 

@@ -38,4 +38,8 @@ def width_of(words: str, style: str = "") -> float:
 
 
 def _em(words: str) -> float:
-    return sum(_OF_LETTER.get(letter, PLAIN_EM) for letter in words)
+    return sum(_OF_LETTER.get(letter) or _of_other(letter) for letter in words)
+
+
+def _of_other(letter: str) -> float:
+    return WIDE_EM if letter.isupper() and not letter.isascii() else PLAIN_EM

@@ -110,22 +110,21 @@ class Plot:
 
     def frame(self, across: Scale, up: Scale, style: str = "muted") -> str:
         """The axes with their grid, ticks and names."""
-        grid = [self._rule(self.x, value) for value in across.grid]
-        grid += [self._rule(self.y, value) for value in up.grid]
         return "".join(
             (
-                path(grid, f"{style} thin faint") if grid else "",
+                self.grid(across, up, f"{style} thin faint"),
                 self.axes(style),
                 self.below(across),
                 self.beside(up),
             )
         )
 
-    def _rule(self, axis: Axis, value: float) -> Run:
-        place = axis.place(value)
-        if axis is self.x:
-            return [(place, self.y.start), (place, self.y.end)]
-        return [(self.x.start, place), (self.x.end, place)]
+    def grid(self, across: Scale, up: Scale, style: str = "muted thin faint") -> str:
+        """The lines through the plot that two scales ask for."""
+        foot, top, left, right = self.y.start, self.y.end, self.x.start, self.x.end
+        lines = [[(x, foot), (x, top)] for x in map(self.x.place, across.grid)]
+        lines += [[(left, y), (right, y)] for y in map(self.y.place, up.grid)]
+        return path(lines, style) if lines else ""
 
     def below(self, scale: Scale) -> str:
         """The ticks of x and its name."""

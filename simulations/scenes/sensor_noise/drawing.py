@@ -6,8 +6,9 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from simulations.engine.drawing import circle, dot, line, rectangle, text
+from simulations.engine.drawing import Point, circle, dot, line, rectangle, text
 from simulations.engine.plotting.axis import Axis
+from simulations.engine.plotting.labels import Label, Room, place_labels
 from simulations.engine.plotting.plot import Plot
 from simulations.engine.plotting.scale import Scale
 from simulations.engine.plotting.ticks import log_ticks
@@ -87,7 +88,7 @@ def transfer_plot(
         foot = level_place(plot, level_dn)
         parts += [line(foot, chosen, "image thin"), dot(foot, "image", 5)]
     parts += [circle(chosen, 8, "casing"), circle(chosen, 8, "image bold")]
-    parts.append(dot(floor_place(plot, curve), "error", 5))
+    parts += [dot(floor_place(plot, curve), "error", 5), _names(plot, curve, chosen)]
     return "".join(parts)
 
 
@@ -132,12 +133,33 @@ def _theory(plot: Plot, curve: Curve) -> Iterator[str]:
     yield line(plot.held(low, floor_dn2), plot.held(high, floor_dn2), "error dashed")
     yield plot.curve(means, np.maximum(means / gain + floor_dn2, LOWEST_DN2), "ray bold")
     if full > low:
-        x, top = plot.at(full, plot.y.high)
         yield plot.upright(full, "muted dashed")
-        yield text((x - 5, top + 12), "full", "muted small halo", "end")
-    x, y = plot.held(low, floor_dn2)
-    yield text((x + 8, max(y - 6, plot.y.end + 12)), "floor", "error small halo")
-    middle = math.sqrt(max(full, low) * start)
-    x, y = plot.held(middle, middle / gain)
-    label = (min(x + 10, plot.x.end - 114), min(y + 18, plot.y.start - 6))
-    yield text(label, "shot noise: mean / g", "light small halo")
+
+
+def _names(plot: Plot, curve: Curve, chosen: Point) -> str:
+    """Of the parts of the theory, where they hide neither these nor the chosen patch's line."""
+    gain, floor = curve.gain_e_per_dn, curve.floor_dn2
+    low, high = plot.x.low, plot.x.high
+    full = max(curve.full_dn - curve.dark_dn, low)
+    means = np.geomspace(low, high, 40)
+    shot = np.maximum(means / gain, LOWEST_DN2)
+    middle = math.sqrt(full * max(low, LOWEST_DN2 * gain))
+    labels = [
+        Label(plot.held(low, floor), "floor", "error small halo", distance=8.0),
+        Label(plot.held(full, plot.y.high), "full", "muted small halo", "below left", 5.0),
+        Label(
+            plot.held(middle, middle / gain),
+            "shot noise: mean / g",
+            "light small halo",
+            "below right",
+        ),
+    ]
+    seen = [
+        *plot.pieces(means, np.maximum(shot + floor, LOWEST_DN2)),
+        *plot.pieces(means, shot),
+        [plot.held(low, floor), plot.held(high, floor)],
+        [plot.held(full, plot.y.low), plot.held(full, plot.y.high)],
+        [chosen, (chosen[0], plot.y.start)],
+    ]
+    inside = Room(plot.x.start + 2, plot.y.end, plot.x.end, plot.y.start - 2)
+    return place_labels(labels, inside, seen)
