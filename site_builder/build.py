@@ -88,7 +88,7 @@ def render_site(options: Options) -> Files:
     runtime, runtime_files, versions = _runtime(options)
     editor, library = _editor(options), _search_library(options)
     scripts = {f"{LIBRARY}/{name}": path for name, path in library.scripts.items()}
-    made = {**_python(options, book, editor), **scripts}
+    made = {**_python(options, book, editor), **scripts, **_handed_out(options, book)}
     assets, asset_files = gather_assets(options.root, pictures, made)
     site = Site(
         options.root, book, stills, assets, runtime, bool(editor.script),
@@ -135,6 +135,12 @@ def gather_assets(root: Path, pictures: Mapping[str, bytes], made: Files) -> tup
             **made,
         },
     )
+
+
+def _handed_out(options: Options, book: Book) -> Files:
+    """The author's films, captions and downloads."""
+    names = {name for chapter in book.chapters for name in chapter.files}
+    return {f"content/{name}": options.root / "content" / name for name in sorted(names)}
 
 
 def _runtime(options: Options) -> tuple[str, dict[str, Content], Versions]:
