@@ -15,6 +15,7 @@ from site_builder.diagnostics import Diagnostics
 from site_builder.glossary import EMPTY as NO_TERMS
 from site_builder.glossary import Glossary
 from site_builder.markdown.targets import Targets
+from site_builder.markdown.text.macros import Macros
 from site_builder.measured.measurements import Measurements
 from site_builder.measured.readouts import Readouts
 
@@ -60,6 +61,8 @@ class Reading:
     """What references may lead to: none before all chapters are parsed."""
     bibliography: Bibliography = EMPTY
     glossary: Glossary = NO_TERMS
+    macros: Macros = field(default_factory=dict)
+    """TeX commands of the book's own."""
     env: dict[str, Any] = field(default_factory=dict)
     """What the parser keeps between parsing and rendering: link references, footnotes."""
     headings: list[Heading] = field(default_factory=list)
