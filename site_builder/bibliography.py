@@ -17,6 +17,7 @@ from pybtex.richtext import Text
 from pybtex.scanner import PybtexSyntaxError
 
 from site_builder.diagnostics import Diagnostics, unknown
+from site_builder.source_text import read_text
 
 FILE = "content/references.bib"
 REQUIRED: Mapping[str, tuple[str, ...]] = {
@@ -129,10 +130,9 @@ def _listed(*parts: str | None) -> str:
 
 def read_bibliography(root: Path, problems: Diagnostics) -> Bibliography:
     """What the file holds; nothing where there is none. Mistakes go to ``problems``."""
-    file = root / FILE
-    if not file.is_file():
+    if not (root / FILE).is_file():
         return EMPTY
-    text = file.read_text(encoding="utf-8")
+    text = read_text(root, FILE, problems)
     try:
         entries = parse_string(text, "bibtex").entries
     except PybtexSyntaxError as error:
@@ -216,3 +216,5 @@ def _check(work: Work, problems: Diagnostics) -> None:
     if (doi := work.fields.get("doi")) and not re.fullmatch(r"10\.\d{4,9}/\S+", doi):
         message = f"doi {doi!r} of {work.key!r}; legal: '10.…/…', without an address"
         problems.add(FILE, work.line, message)
+    if (url := work.fields.get("url")) and not re.fullmatch(r"https?://[^\s\"'<>]+", url):
+        problems.add(FILE, work.line, f"url {url!r} of {work.key!r}; legal: 'https://…'")

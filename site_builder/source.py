@@ -1,7 +1,6 @@
 """Reading ``content/``: the outline in ``book.toml``, and the chapters it lists."""
 
 import re
-import tomllib
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 from pathlib import Path
@@ -22,6 +21,7 @@ from site_builder.markdown.parser import make_parser
 from site_builder.markdown.reading import Reading
 from site_builder.markdown.scenes import find_scene
 from site_builder.measured.measurements import Measurements
+from site_builder.source_text import Toml, read_text, read_toml
 from site_builder.symbols import FILE as SYMBOLS
 from site_builder.symbols import read_symbols
 
@@ -81,7 +81,7 @@ def read_book(
             bibliography=bibliography,
             glossary=glossary,
         )
-        drafts.append(parse_chapter(_read_text(root, path, problems), reading))
+        drafts.append(parse_chapter(read_text(root, path, problems), reading))
     targets = find_targets(drafts)
     _check_addresses(outline, problems)
     _check_unlisted(root, outline, problems)
@@ -103,39 +103,37 @@ def read_book(
 
 
 def _read_outline(root: Path, problems: Diagnostics) -> Outline:
-    text = _read_text(root, OUTLINE, problems) if (root / OUTLINE).is_file() else ""
-    if not text:
+    is_there = (root / OUTLINE).is_file()
+    read = read_toml(root, OUTLINE, problems) if is_there else Toml()
+    if read and not read.text.strip():
         problems.add(OUTLINE, 1, f"no outline; legal: a file with {', '.join(KEYS)}")
-    try:
-        table = tomllib.loads(text)
-    except tomllib.TOMLDecodeError as error:
-        place = re.search(r"line (\d+)", str(error))
-        problems.add(OUTLINE, int(place[1]) if place else 1, f"malformed TOML: {error}")
-        table, text = {}, ""
+    given = bool(read and read.text.strip())
+    read = read or Toml()
+    table = dict(read.table)
     for key in table:
         if key not in KEYS:
-            problems.add(OUTLINE, _line_of(key, text), unknown("key", key, KEYS))
+            problems.add(OUTLINE, read.line(key), unknown("key", key, KEYS))
     for key in TEXTS:
         value = table.get(key)
-        if text and not (isinstance(value, str) and value.strip()):
-            problems.add(OUTLINE, _line_of(key, text), f'no {key!r}; legal: {key} = "some text"')
+        if given and not (isinstance(value, str) and value.strip()):
+            problems.add(OUTLINE, read.line(key), f'no {key!r}; legal: {key} = "some text"')
     for key in LISTS:
         names = table.setdefault(key, [])
         listed = isinstance(names, list) and all(isinstance(name, str) for name in names)
-        if text and not (listed and (names or key != "chapters")):
-            problems.add(OUTLINE, _line_of(key, text), f'no {key}; legal: ["00-slug", …]')
+        if given and not (listed and (names or key != "chapters")):
+            problems.add(OUTLINE, read.line(key), f'no {key}; legal: ["00-slug", …]')
             table[key] = []
     return Outline(
         title=str(table.get("title", "")),
         subtitle=str(table.get("subtitle", "")),
         prerequisites=str(table.get("prerequisites", "")),
         chapters=tuple(
-            (name, _line_of_name(name, text), position)
+            (name, read.line_of_text(name), position)
             for name, position in _positions(table["chapters"], table["appendices"])
         ),
         hero=str(table.get("hero", "")),
         hero_caption=str(table.get("hero_caption", "")),
-        hero_line=_line_of("hero", text),
+        hero_line=read.line("hero"),
     )
 
 
@@ -147,32 +145,6 @@ def _positions(
         yield name, Position(number, str(number))
     for index, name in enumerate(appendices):
         yield name, Position(len(chapters) + index, ascii_uppercase[index % 26], "Appendix")
-
-
-def _read_text(root: Path, path: str, problems: Diagnostics) -> str:
-    """The file below ``root``, with or without the mark that some editors put before the text."""
-    data = (root / path).read_bytes()
-    try:
-        text = data.decode("utf-8-sig")
-    except UnicodeDecodeError as error:
-        line = data.count(b"\n", 0, error.start) + 1
-        problems.add(path, line, f"byte 0x{data[error.start]:02x} is not UTF-8; legal: UTF-8")
-        text = data.decode("utf-8-sig", errors="replace")
-    return text.replace("\r\n", "\n")
-
-
-def _line_of(key: str, text: str) -> int:
-    """Where ``key = …`` stands; 1 where it does not."""
-    return _line_with(rf"\s*{re.escape(key)}\s*=", text)
-
-
-def _line_of_name(name: str, text: str) -> int:
-    return _line_with(rf".*[\"']{re.escape(name)}[\"']", text)
-
-
-def _line_with(pattern: str, text: str) -> int:
-    lines = enumerate(text.splitlines(), start=1)
-    return next((number for number, line in lines if re.match(pattern, line)), 1)
 
 
 def _chapter_files(root: Path) -> list[str]:

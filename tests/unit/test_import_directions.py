@@ -39,7 +39,7 @@ MODELS = (
 """Rooms of ``simulations/models``: each imports itself and what stands before it."""
 
 BUILDER = (
-    "diagnostics", "bibliography", "glossary", "symbols", "runtime", "editor", "output", "measured",
+    "diagnostics", "source_text", "bibliography", "glossary", "symbols", "runtime", "editor", "output", "measured",
     "charts", "book", "markdown", "lecture_plan", "source", "question_checks",
     "figure_questions", "glossary_checks", "symbol_checks", "checks", "search", "pages", "build",
     "editions", "serve", "__main__",
