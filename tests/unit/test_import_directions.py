@@ -41,8 +41,8 @@ MODELS = (
 BUILDER = (
     "diagnostics", "bibliography", "glossary", "symbols", "runtime", "editor", "output", "measured",
     "charts", "book", "markdown", "lecture_plan", "source", "question_checks",
-    "figure_questions", "glossary_checks", "symbol_checks", "checks", "search", "pages", "build",
-    "editions", "serve", "__main__",
+    "figure_questions", "declared", "glossary_checks", "symbol_checks", "checks", "search", "pages",
+    "build", "editions", "serve", "__main__",
 )  # fmt: skip
 """Parts of ``site_builder``, likewise."""
 MARKDOWN = (
