@@ -7,11 +7,10 @@ import sys
 from collections.abc import Sequence
 from pathlib import Path
 
+from site_builder.book_root import ROOT
 from site_builder.build import Options, build_site, check_site
 from site_builder.diagnostics import BuildError, Diagnostic
 from site_builder.settings.schema import book_schema
-
-ROOT = Path(__file__).resolve().parent.parent
 
 
 def main(arguments: list[str] | None = None) -> int:

@@ -9,6 +9,7 @@ from jinja2 import Environment, FileSystemLoader, StrictUndefined
 from markupsafe import Markup
 
 from site_builder.book import Block, Book, Chapter, Heading, Simulation
+from site_builder.book_root import own_or_engine
 from site_builder.markdown.directives.simulation import SIMULATION
 from site_builder.markdown.text.code import highlighted_lines
 from site_builder.pages.glossary_view import marked_terms, view_glossary
@@ -120,7 +121,7 @@ def _source_pages(site: Site) -> dict[str, str]:
     pages = {}
     for path in sorted({item.path for ch in site.book.chapters for item in ch.sources}):
         address = f"source/{path.removesuffix('.py')}/index.html"
-        code = (site.root / path).read_text(encoding="utf-8")
+        code = own_or_engine(site.root, path).read_text(encoding="utf-8")
         pages[address] = render_page(
             site,
             "source.html",
