@@ -23,12 +23,14 @@ from site_builder.markdown.directives.figure import SUFFIXES
 from site_builder.markdown.directives.ladder import LadderFigure
 from site_builder.measured.measurements import read_measurements
 from site_builder.output.assets import Content, folder_files, hashed_folder
+from site_builder.output.book_files import book_css, book_script
+from site_builder.output.font_faces import chosen_faces
 from site_builder.output.fonts import subset_fonts
 from site_builder.output.style_sheets import join_style_sheets
 from site_builder.output.writer import write_site
 from site_builder.pages.catalogue import catalogue
 from site_builder.pages.licences import gather_licences
-from site_builder.pages.render import Site, render_pages
+from site_builder.pages.render import Site, render_pages, render_template
 from site_builder.pages.stills import Stills, render_stills
 from site_builder.runtime.pack import pack_runtime
 from site_builder.runtime.pinned import Versions
@@ -89,15 +91,17 @@ def render_site(options: Options) -> Files:
     """Every file of the site. Raises `BuildError` with all mistakes found."""
     book, stills, pictures = check_site(options)
     runtime, runtime_files, versions = _runtime(options, book)
-    editor, library = _editor(options), _search_library(options)
+    editor, library = _editor(options), _search_library(options, book)
     scripts = {f"{LIBRARY}/{name}": path for name, path in library.scripts.items()}
     made = {**_python(options, book, editor), **scripts}
-    assets, asset_files = gather_assets(options.root, pictures, made)
+    assets, asset_files = gather_assets(book, options.root, pictures, made)
     site = Site(
         options.root, book, stills, assets, runtime, bool(editor.script),
         search=bool(scripts), reload=options.reload,
     )  # fmt: skip
-    licences = gather_licences(options.root, versions, editor.packages, library.packages)
+    licences = gather_licences(
+        options.root, versions, editor.packages, library.packages, book.settings, book.words
+    )
     pages = render_pages(site, licences)
     return {
         **pages,
@@ -123,15 +127,22 @@ def check_site(options: Options) -> tuple[Book, Stills, dict[str, bytes]]:
     return book, stills, pictures
 
 
-def gather_assets(root: Path, pictures: Mapping[str, bytes], made: Files) -> tuple[str, Files]:
+def gather_assets(
+    book: Book, root: Path, pictures: Mapping[str, bytes], made: Files
+) -> tuple[str, Files]:
     """Style sheets, scripts, fonts, stills, the author's pictures, what opens the figures' Python
     and what searches, in one folder."""
     content = folder_files(root / "content")
+    own = book_css(book.settings, book.words)
     return hashed_folder(
         "assets",
         {
-            **join_style_sheets(folder_files(own_or_engine(root, "static")), STYLE_SHEET),
-            **{f"fonts/{name}": data for name, data in subset_fonts().items()},
+            **join_style_sheets(folder_files(own_or_engine(root, "static")), STYLE_SHEET, own),
+            "js/book.js": book_script(book.settings, book.words),
+            **{
+                f"fonts/{name}": data
+                for name, data in subset_fonts(chosen_faces(book.settings, root)).items()
+            },
             **{f"stills/{name}": data for name, data in pictures.items()},
             **{
                 f"content/{name}": file for name, file in content.items() if name.endswith(SUFFIXES)
@@ -175,12 +186,12 @@ def _editor(options: Options) -> EditorBundle:
         return EditorBundle()
 
 
-def _search_library(options: Options) -> SearchLibrary:
+def _search_library(options: Options, book: Book) -> SearchLibrary:
     """What searches the pages; where it cannot be had, a warning, and they do without."""
     if not options.search:
         return SearchLibrary({})
     try:
-        return fetch_library()
+        return fetch_library(book.words.language)
     except SearchLibraryError as error:
         told = f"the book cannot be searched, for want of the library: {error}"
         options.warn(Diagnostic("site_builder/search/package-lock.json", 1, told, fails=False))
@@ -193,7 +204,8 @@ def _search_index(
     if not library.scripts:
         return {}
     records = make_records(pages, explained_terms(book))
-    return {SEARCH_INDEX: make_index(records, library, own_or_engine(options.root, "static"))}
+    static = own_or_engine(options.root, "static")
+    return {SEARCH_INDEX: make_index(records, library, static, book.words)}
 
 
 def _python(options: Options, book: Book, editor: EditorBundle) -> Files:
@@ -201,4 +213,8 @@ def _python(options: Options, book: Book, editor: EditorBundle) -> Files:
     if not options.runtime:
         return {}
     script = {"editor/code_editor.js": editor.script} if editor.script else {}
-    return {**{f"python/{scene.id}.json": scene_sources(scene) for scene in book.scenes}, **script}
+    return {
+        "js/editor/workshop.html": render_template("editor/workshop.html", book).encode(),
+        **{f"python/{scene.id}.json": scene_sources(scene) for scene in book.scenes},
+        **script,
+    }
