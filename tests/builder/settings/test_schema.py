@@ -42,7 +42,7 @@ def admits_text(value: object) -> bool:
     return isinstance(value, str)
 
 
-@pytest.mark.parametrize("folder", ["", "tests/german_book"])
+@pytest.mark.parametrize("folder", ["", "tests/fixtures/german-book"])
 def test_the_books_here_fit_the_schema(folder: str) -> None:
     text = (ROOT / folder / "content" / "book.toml").read_text(encoding="utf-8")
     assert admits(book_schema(), tomllib.loads(text))
