@@ -1,5 +1,5 @@
 # make serve     read and edit the book: http://localhost:8000, rebuilt on every change
-# make site      build it into build/site/
+# make site      build it into build/site/ (ADDRESS=https://…/: for this place)
 # make pdf       typeset it into build/image-formation.pdf
 # make epub      pack it for readers of e-books, into build/image-formation.epub
 # make test      all tests; the first run may install a browser
@@ -13,6 +13,8 @@
 PORT ?= 8000
 PAGE ?=
 LADDER ?=
+ADDRESS ?=
+SOURCE ?=
 SAMPLE ?= 30
 MODULE ?=
 # What each process of the tests imports is compiled once, even where nothing else is kept.
@@ -34,7 +36,7 @@ serve: $(VENV)/book.stamp
 	@$(BIN)/python -m site_builder serve --port $(PORT)
 
 site: $(VENV)/book.stamp
-	@$(BIN)/python -m site_builder build
+	@$(BIN)/python -m site_builder build $(ADDRESS:%=--address "%") $(SOURCE:%=--source "%")
 
 pdf: $(VENV)/test.stamp $(VENV)/chromium.stamp
 	@$(BIN)/python -m site_builder pdf

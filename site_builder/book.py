@@ -15,6 +15,7 @@ from typing import Any
 from simulations.engine.scene import Scene
 from site_builder.bibliography import EMPTY, Bibliography
 from site_builder.glossary import Term
+from site_builder.news import News
 from site_builder.symbols import Symbol
 
 OUTLINE = "content/book.toml"
@@ -424,6 +425,12 @@ class Book:
     """In alphabetical order."""
     symbols: Mapping[str, tuple[Meaning, ...]] = field(default_factory=dict)
     """By the chapter for which they are declared, or `BOOK`."""
+    address: str = ""
+    """Where the site will be, a slash at the end; nothing where that is not known."""
+    source: str = ""
+    """Where its sources can be read, with ``{path}`` in it; nothing where they cannot."""
+    news: tuple[News, ...] = ()
+    """Newest first."""
 
     @property
     def scenes(self) -> tuple[Scene[Any], ...]:

@@ -5,7 +5,7 @@ it was. `render_site` touches no output folder: it returns the site in memory.
 """
 
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
 
@@ -27,6 +27,9 @@ from site_builder.pages.catalogue import catalogue
 from site_builder.pages.licences import gather_licences
 from site_builder.pages.render import Site, render_pages
 from site_builder.pages.stills import Stills, render_stills
+from site_builder.publishing.cards import make_cards
+from site_builder.publishing.icons import make_icons
+from site_builder.publishing.listings import make_listings
 from site_builder.runtime.pack import pack_runtime
 from site_builder.runtime.pinned import Versions
 from site_builder.search.index import ADDRESS as SEARCH_INDEX
@@ -65,6 +68,10 @@ class Options:
     """Told each warning once, in the order of files and lines."""
     search: bool = True
     """Whether pages can be searched."""
+    address: str = ""
+    """Where the site will be, in place of what the book says."""
+    source: str = ""
+    """Where its sources can be read, likewise."""
 
 
 def build_site(
@@ -75,9 +82,13 @@ def build_site(
     reload: bool = False,
     warn: Warn = ignore,
     write: Write = write_site,
+    address: str = "",
+    source: str = "",
 ) -> Files:
     """Build the book at ``root`` into the folder ``out``. Raises `BuildError`."""
-    files = render_site(Options(root, runtime=runtime, reload=reload, warn=warn))
+    files = render_site(
+        Options(root, runtime=runtime, reload=reload, warn=warn, address=address, source=source)
+    )
     write(files, out)
     return files
 
@@ -88,7 +99,7 @@ def render_site(options: Options) -> Files:
     runtime, runtime_files, versions = _runtime(options)
     editor, library = _editor(options), _search_library(options)
     scripts = {f"{LIBRARY}/{name}": path for name, path in library.scripts.items()}
-    made = {**_python(options, book, editor), **scripts}
+    made = {**_python(options, book, editor), **scripts, **make_icons(options.root)}
     assets, asset_files = gather_assets(options.root, pictures, made)
     site = Site(
         options.root, book, stills, assets, runtime, bool(editor.script),
@@ -99,6 +110,7 @@ def render_site(options: Options) -> Files:
     return {
         **pages,
         **_search_index(options, book, pages, library),
+        **_outside(options, book, pages, stills, pictures),
         **asset_files,
         **runtime_files,
         "book.json": catalogue(book, versions),
@@ -116,6 +128,9 @@ def check_site(options: Options) -> tuple[Book, Stills, dict[str, bytes]]:
         options.warn(warning)
     if problems:
         raise BuildError(problems.found)
+    book = replace(
+        book, address=options.address or book.address, source=options.source or book.source
+    )
     return book, stills, pictures
 
 
@@ -177,6 +192,16 @@ def _search_index(
         return {}
     records = make_records(pages, explained_terms(book))
     return {SEARCH_INDEX: make_index(records, library, options.root / "static")}
+
+
+def _outside(
+    options: Options, book: Book, pages: Files, stills: Stills, pictures: Mapping[str, bytes]
+) -> Files:
+    """What others see of a site that has an address."""
+    if not book.address:
+        return {}
+    cards = make_cards(book, stills, pictures, options.root / "static" / "css")
+    return {**make_listings(book, pages), **cards}
 
 
 def _python(options: Options, book: Book, editor: EditorBundle) -> Files:

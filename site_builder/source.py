@@ -8,6 +8,7 @@ from string import ascii_uppercase
 from typing import Any
 
 from simulations.engine.scene import Scene
+from site_builder.addresses import site_address, source_address
 from site_builder.bibliography import read_bibliography
 from site_builder.book import OUTLINE, Book, Position, Simulation, chapter_id
 from site_builder.diagnostics import Diagnostics, unknown
@@ -21,16 +22,18 @@ from site_builder.markdown.parser import make_parser
 from site_builder.markdown.reading import Reading
 from site_builder.markdown.scenes import find_scene
 from site_builder.measured.measurements import Measurements
+from site_builder.news import read_news
 from site_builder.source_text import Toml, read_text, read_toml
 from site_builder.symbols import FILE as SYMBOLS
 from site_builder.symbols import read_symbols
 
 TEXTS = ("title", "subtitle", "prerequisites")
 LISTS = ("chapters", "appendices")
-KEYS = (*TEXTS, *LISTS, "hero", "hero_caption")
+ADDRESSES = {"address": site_address, "source": source_address}
+KEYS = (*TEXTS, *LISTS, "hero", "hero_caption", *ADDRESSES)
 OWN_FOLDERS = (
-    "assets", "glossary", "index-of-terms", "lecture-plan", "licences", "references", "runtime",
-    "search", "source", "symbols",
+    "assets", "cards", "glossary", "index-of-terms", "lecture-plan", "licences", "references",
+    "runtime", "search", "source", "symbols",
 )  # fmt: skip
 """Folders of the site beside those of its chapters."""
 
@@ -48,6 +51,10 @@ class Outline:
     """Scene of the landing page's figure, or nothing."""
     hero_caption: str
     hero_line: int
+    address: str
+    """Where the site will be, or nothing."""
+    source: str
+    """Where its sources are, with ``{path}`` in it, or nothing."""
 
 
 def read_book(
@@ -93,6 +100,9 @@ def read_book(
         title=outline.title,
         subtitle=outline.subtitle,
         prerequisites=outline.prerequisites,
+        address=outline.address,
+        source=outline.source,
+        news=read_news(root, targets.chapters, problems),
         hero=_read_hero(outline, root, problems, load_scene),
         chapters=tuple(read_chapter(draft, targets) for draft in drafts),
         bibliography=bibliography,
@@ -123,6 +133,13 @@ def _read_outline(root: Path, problems: Diagnostics) -> Outline:
         if given and not (listed and (names or key != "chapters")):
             problems.add(OUTLINE, read.line(key), f'no {key}; legal: ["00-slug", …]')
             table[key] = []
+    addresses = {}
+    for key, checked in ADDRESSES.items():
+        try:
+            addresses[key] = checked(table.get(key, ""))
+        except ValueError as error:
+            problems.add(OUTLINE, read.line(key), str(error))
+            addresses[key] = ""
     return Outline(
         title=str(table.get("title", "")),
         subtitle=str(table.get("subtitle", "")),
@@ -134,6 +151,7 @@ def _read_outline(root: Path, problems: Diagnostics) -> Outline:
         hero=str(table.get("hero", "")),
         hero_caption=str(table.get("hero_caption", "")),
         hero_line=read.line("hero"),
+        **addresses,
     )
 
 

@@ -39,10 +39,10 @@ MODELS = (
 """Rooms of ``simulations/models``: each imports itself and what stands before it."""
 
 BUILDER = (
-    "diagnostics", "source_text", "bibliography", "glossary", "symbols", "runtime", "editor", "output", "measured",
-    "charts", "book", "markdown", "lecture_plan", "source", "question_checks",
-    "figure_questions", "glossary_checks", "symbol_checks", "checks", "search", "pages", "build",
-    "editions", "serve", "__main__",
+    "diagnostics", "addresses", "source_text", "bibliography", "glossary", "symbols", "news",
+    "runtime", "editor", "output", "measured", "charts", "book", "markdown", "lecture_plan",
+    "source", "question_checks", "figure_questions", "glossary_checks", "symbol_checks", "checks",
+    "search", "pages", "publishing", "build", "editions", "serve", "__main__",
 )  # fmt: skip
 """Parts of ``site_builder``, likewise."""
 MARKDOWN = (
