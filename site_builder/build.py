@@ -106,7 +106,11 @@ def render_site(options: Options) -> Files:
     runtime, runtime_files, versions = _runtime(options, book)
     editor, library = _editor(options), _search_library(options, book)
     scripts = {f"{LIBRARY}/{name}": path for name, path in library.scripts.items()}
-    made = {**_python(options, book, editor), **scripts, **make_icons(options.root)}
+    made = {
+        **_python(options, book, editor),
+        **scripts,
+        **make_icons(own_or_engine(options.root, "static").parent),
+    }
     assets, asset_files = gather_assets(book, options.root, pictures, made)
     site = Site(
         options.root, book, stills, assets, runtime, bool(editor.script),

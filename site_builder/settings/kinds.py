@@ -57,7 +57,7 @@ class Address:
         return self.checked(value)
 
     def schema(self) -> dict[str, object]:
-        return {"type": "string", "pattern": "^https?://"}
+        return {"type": "string", "minLength": 1, "pattern": "^https?://[^/?#\\s]+"}
 
 
 SITE = Address('"https://host/path/"', site_address)
