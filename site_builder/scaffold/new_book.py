@@ -1,4 +1,4 @@
-"""A new book in a folder of its own, with the engine inside: it needs nothing of this repository."""
+"""A new book in a folder of its own, with a copy of the engine inside."""
 
 import subprocess
 import tomllib

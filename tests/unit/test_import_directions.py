@@ -40,7 +40,8 @@ BUILDER = (
     "book_root", "diagnostics", "source_text", "languages", "settings", "bibliography", "glossary",
     "symbols", "runtime", "editor", "output", "measured", "charts", "book", "markdown",
     "lecture_plan", "source", "question_checks", "figure_questions", "declared", "glossary_checks",
-    "symbol_checks", "checks", "search", "pages", "build", "editions", "serve", "__main__",
+    "symbol_checks", "checks", "search", "pages", "build", "editions", "serve",
+    "scaffold", "__main__",
 )  # fmt: skip
 """Parts of ``site_builder``, likewise."""
 MARKDOWN = (
