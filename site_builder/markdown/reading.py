@@ -14,6 +14,7 @@ from site_builder.book import Citation, Heading, IndexMark, Link, Position, Targ
 from site_builder.diagnostics import Diagnostics
 from site_builder.glossary import EMPTY as NO_TERMS
 from site_builder.glossary import Glossary
+from site_builder.languages.words import ENGLISH, Words
 from site_builder.markdown.targets import Targets
 from site_builder.markdown.text.macros import Macros
 from site_builder.measured.measurements import Measurements
@@ -54,6 +55,8 @@ class Reading:
     parser: MarkdownIt
     measurements: Measurements = field(default_factory=Measurements)
     """Where numbers about speed and accuracy come from."""
+    words: Words = ENGLISH
+    """Those of the interface, in the book's language."""
     chapter: str = ""
     """Id of the chapter; nothing where it is none."""
     position: Position = FIRST

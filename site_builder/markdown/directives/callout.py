@@ -14,27 +14,25 @@ from site_builder.markdown.reading import Reading
 class Kind:
     """One name that an aside may have."""
 
-    title: str
-    """Where the author gives none."""
     look: str
     """Its class in the style sheet: several kinds look alike."""
     says: str
 
 
 KINDS = {
-    "tip": Kind("Tip", "tip", "an aside that helps"),
-    "hint": Kind("Hint", "tip", "an aside that helps"),
-    "note": Kind("Note", "note", "an aside that adds"),
-    "seealso": Kind("See also", "note", "an aside that leads on"),
-    "important": Kind("Important", "important", "an aside not to be missed"),
-    "attention": Kind("Attention", "warning", "an aside that warns"),
-    "caution": Kind("Caution", "warning", "an aside that warns"),
-    "warning": Kind("Warning", "warning", "an aside that warns"),
-    "danger": Kind("Danger", "danger", "an aside that warns of harm"),
-    "error": Kind("Error", "danger", "an aside on what goes wrong"),
-    "key-idea": Kind("Key idea", "key-idea", "what to remember"),
+    "tip": Kind("tip", "an aside that helps"),
+    "hint": Kind("tip", "an aside that helps"),
+    "note": Kind("note", "an aside that adds"),
+    "seealso": Kind("note", "an aside that leads on"),
+    "important": Kind("important", "an aside not to be missed"),
+    "attention": Kind("warning", "an aside that warns"),
+    "caution": Kind("warning", "an aside that warns"),
+    "warning": Kind("warning", "an aside that warns"),
+    "danger": Kind("danger", "an aside that warns of harm"),
+    "error": Kind("danger", "an aside on what goes wrong"),
+    "key-idea": Kind("key-idea", "what to remember"),
 }
-"""Kinds of callout: those of MyST, and ours."""
+"""Kinds of callout: those of MyST, and ours. Their titles stand with the words of the language."""
 LOOKS = tuple(dict.fromkeys(["note", *(kind.look for kind in KINDS.values())]))
 """Ways to look; the first where the author says none."""
 
@@ -49,8 +47,8 @@ class Callout:
 
 
 def read_callout(use: Use, _body: Sequence[Block], reading: Reading) -> Callout:
-    kind = KINDS[use.name]
-    return Callout(kind.look, inline_html(use.argument or kind.title, use.line, reading))
+    title = use.argument or reading.words(f"callout.{use.name}")
+    return Callout(KINDS[use.name].look, inline_html(title, use.line, reading))
 
 
 def read_admonition(use: Use, _body: Sequence[Block], reading: Reading) -> Callout:

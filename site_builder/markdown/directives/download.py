@@ -8,7 +8,7 @@ from site_builder.markdown.content_files import found
 from site_builder.markdown.directive import Argument, Directive, Use
 from site_builder.markdown.reading import Reading
 
-UNITS = ("bytes", "kB", "MB", "GB")
+UNITS = ("kB", "MB", "GB")
 
 
 @dataclass(frozen=True, slots=True)
@@ -30,16 +30,21 @@ def read_download(use: Use, words_html: str, reading: Reading) -> Download | Non
         return None
     reading.files.add(use.argument)
     name = PurePosixPath(use.argument).name
-    return Download(use.argument, name, size_words(file.stat().st_size), words_html)
+    return Download(
+        use.argument,
+        name,
+        size_words(file.stat().st_size, reading.words("download.bytes")),
+        words_html,
+    )
 
 
-def size_words(size: int) -> str:
+def size_words(size: int, of_bytes: str = "bytes") -> str:
     """``340 bytes``, ``1.2 kB``, ``35 MB``: two digits, or all below a thousand."""
-    amount, unit = float(size), 0
-    while amount >= 999.5 and unit < len(UNITS) - 1:
-        amount, unit = amount / 1000, unit + 1
-    digits = 1 if unit and amount < 9.95 else 0
-    return f"{amount:.{digits}f} {UNITS[unit]}"
+    amount, units = float(size), [of_bytes, *UNITS]
+    while amount >= 999.5 and len(units) > 1:
+        amount, units = amount / 1000, units[1:]
+    digits = 1 if units[0] != of_bytes and amount < 9.95 else 0
+    return f"{amount:.{digits}f} {units[0]}"
 
 
 DOWNLOAD = Directive(

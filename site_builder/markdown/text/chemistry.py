@@ -35,7 +35,7 @@ PARTS = (
     ("space", re.compile(r"\s+")),
 )
 LEGAL = "'H2O', 'SO4^2-', '2 H2 + O2 -> 2 H2O', '^{14}_{6}C'"
-BEHIND = ("element", "close", "count")
+BEHIND = ("element", "close")
 """Parts behind which a number is an index and a sign is a charge."""
 
 
@@ -51,14 +51,12 @@ def _chemistry(text: str) -> str:
     while rest < len(text):
         kind, found = _next(text, rest)
         rest = found.end()
-        parts.append(_set(kind, found, last, text))
+        parts.append(_set(kind, found, last))
         depth += (kind == "open") - (kind == "close")
         if depth < 0:
             break
-        last = (
-            "space" if kind == "water" else "index" if kind == "count" and last in BEHIND else kind
-        )
-        last = "close" if last == "index" else last
+        is_index = kind == "count" and last in BEHIND
+        last = "close" if is_index else "space" if kind == "water" else kind
     if not parts or depth:
         raise UnsupportedTexError(f"chemistry {quoted(text)}; legal: {LEGAL}")
     return "".join(parts)
@@ -71,7 +69,7 @@ def _next(text: str, start: int) -> tuple[str, re.Match[str]]:
     raise UnsupportedTexError(f"{text[start]!r} in chemistry {quoted(text)}; legal: {LEGAL}")
 
 
-def _set(kind: str, found: re.Match[str], last: str, text: str) -> str:
+def _set(kind: str, found: re.Match[str], last: str) -> str:
     match kind:
         case "arrow":
             return f" {ARROWS[found[0]]} "

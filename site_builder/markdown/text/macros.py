@@ -1,7 +1,7 @@
 r"""TeX commands of an author's own: ``R = '\mathbb{R}'``, ``norm = '\lVert #1 \rVert'``."""
 
 import re
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from functools import cache
 from graphlib import CycleError, TopologicalSorter
 
@@ -46,11 +46,19 @@ def faults_of(macros: Mapping[str, object]) -> Iterator[tuple[str, str]]:
         else:
             sound[name] = str(body)
     uses = {name: {n for n in COMMAND.findall(body) if n in sound} for name, body in sound.items()}
+    while circle := _circle(uses):
+        way = " → ".join(f"\\{name}" for name in circle)
+        yield circle[0], f"goes round in a circle: {way}; legal: macros that end"
+        del uses[circle[0]]
+
+
+def _circle(uses: Mapping[str, set[str]]) -> list[str]:
+    """Macros each of which uses the next, and the last the first; nothing where none do."""
     try:
         TopologicalSorter(uses).prepare()
     except CycleError as error:
-        way = " → ".join(f"\\{name}" for name in reversed(error.args[1]))
-        yield error.args[1][0], f"goes round in a circle: {way}; legal: macros that end"
+        return list(reversed(error.args[1]))
+    return []
 
 
 def _fault_of(name: str, body: object) -> str:
@@ -79,13 +87,14 @@ def _is_known(name: str) -> bool:
 
 @cache
 def _commands() -> frozenset[str]:
-    values = (value for key, value in vars(commands).items() if key.isupper())
-    names = (
-        value if isinstance(value, str) else " ".join(map(str, value))
-        for value in values
-        if isinstance(value, str | tuple | dict | list | frozenset | set)
-    )
-    return frozenset(word for text in names for word in text.split())
+    """All that the converter's own lists name."""
+    lists = [value for key, value in vars(commands).items() if key.isupper()]
+    names = (name for each in lists for name in ([each] if isinstance(each, str) else each))
+    return frozenset(name for name in names if isinstance(name, str))
+
+
+def _filled(body: str, given: Sequence[str]) -> str:
+    return SLOT.sub(lambda slot: given[int(slot[1]) - 1], body)
 
 
 def expanded(tex: str, macros: Macros) -> str:
@@ -97,14 +106,15 @@ def expanded(tex: str, macros: Macros) -> str:
         if body is None:
             rest = found.end()
             continue
-        count = max((int(slot) for slot in SLOT.findall(body)), default=0)
+        count = len(set(SLOT.findall(body)))
         given, end = arguments(tex, found.end(), count, found[0])
-        made = SLOT.sub(lambda slot, given=given: given[int(slot[1]) - 1], body)
+        made = _filled(body, given)
         # In braces, so that an index below it is one of the whole; after them no space is needed.
         tex = f"{tex[: found.start()]}{{{made}}}{tex[end:]}"
         rest = found.start()
         if len(tex) > LONGEST:
+            legal = "a shorter one"
             raise UnsupportedTexError(
-                f"{found[0]} makes a formula of more than {LONGEST} characters; legal: a shorter one"
+                f"{found[0]} makes a formula of over {LONGEST} characters; legal: {legal}"
             )
     return tex

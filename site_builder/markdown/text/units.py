@@ -162,8 +162,13 @@ def _whole(text: str) -> int:
     return int(text)
 
 
+def _letters(unit: str) -> str:
+    """In a text, ``%`` would begin a comment."""
+    return r"\%" if unit == "%" else rf"\text{{{unit}}}"
+
+
 def _set(factors: list[Factor]) -> str:
     return r"\,".join(
-        rf"\text{{{item.letters}}}" + (f"^{{{item.power}}}" if item.power != 1 else "")
+        _letters(item.letters) + (f"^{{{item.power}}}" if item.power != 1 else "")
         for item in factors
     )
