@@ -164,7 +164,7 @@ def test_a_unit_that_is_none_is_refused(tex: str, report: str) -> None:
         ("2 H2 <- N", r"2\,\text{H}_{2} \longleftarrow \text{N}"),
         ("CuSO4 * 5 H2O", r"\text{Cu}\text{S}\text{O}_{4} \cdot 5\,\text{H}_{2}\text{O}"),
         ("1/2 O2", r"\frac{1}{2}\,\text{O}_{2}"),
-        ("O2(g) <=> O2(s)", r"\text{O}_{2}\,\text{(g)} \rightleftharpoons \text{O}_{2}\,\text{(s)}"),
+        ("H2(g) <=> H(s)", r"\text{H}_{2}\,\text{(g)} \rightleftharpoons \text{H}\,\text{(s)}"),
         ("^{14}_{6}C", r"{}^{14}_{6}\text{C}"),
         ("e- + H+", r"\text{e}^{-} + \text{H}^{+}"),
     ],
