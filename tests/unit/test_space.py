@@ -59,7 +59,7 @@ def test_the_target_lies_at_the_centre() -> None:
 
 
 def test_parallels_stay_parallel_from_afar() -> None:
-    ends = orbit(40, 20, unit=80).all([[[0, 0, 0], [1, 0, 0]], [[0, 2, 1], [1, 2, 1]]])
+    ends = orbit(40, 20, unit=80).all([[(0, 0, 0), (1, 0, 0)], [(0, 2, 1), (1, 2, 1)]])
     np.testing.assert_allclose(ends[0, 1] - ends[0, 0], ends[1, 1] - ends[1, 0])
 
 
@@ -70,7 +70,7 @@ def test_sizes_fall_with_the_distance_of_the_eye() -> None:
 
 
 def test_what_is_behind_the_eye_has_no_place() -> None:
-    places = orbit(0, 0, distance=5).place([[4.9, 1, 0], [6, 1, 0], [0, 1, 0]])
+    places = orbit(0, 0, distance=5).place([(4.9, 1, 0), (6, 1, 0), (0, 1, 0)])
     assert np.isnan(places[:2, :2]).all()
     assert np.isfinite(places[2]).all()
 
