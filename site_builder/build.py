@@ -19,6 +19,8 @@ from site_builder.editor.bundle import EditorBundle, EditorBundleError, bundle_e
 from site_builder.editor.sources import scene_sources
 from site_builder.markdown.directives.figure import SUFFIXES
 from site_builder.measured.measurements import read_measurements
+from site_builder.offline.manifest import MANIFEST, manifest
+from site_builder.offline.release import no_release, release_files
 from site_builder.output.assets import Content, folder_files, hashed_folder
 from site_builder.output.fonts import subset_fonts
 from site_builder.output.style_sheets import join_style_sheets
@@ -96,13 +98,15 @@ def render_site(options: Options) -> Files:
     )  # fmt: skip
     licences = gather_licences(options.root, versions, editor.packages, library.packages)
     pages = render_pages(site, licences)
-    return {
+    files = {
         **pages,
         **_search_index(options, book, pages, library),
         **asset_files,
         **runtime_files,
         "book.json": catalogue(book, versions),
+        MANIFEST: manifest(book.title, book.subtitle, assets),
     }
+    return files | (no_release(assets) if options.reload else release_files(files, assets))
 
 
 def check_site(options: Options) -> tuple[Book, Stills, dict[str, bytes]]:

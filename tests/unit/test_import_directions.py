@@ -39,7 +39,8 @@ MODELS = (
 """Rooms of ``simulations/models``: each imports itself and what stands before it."""
 
 BUILDER = (
-    "diagnostics", "bibliography", "glossary", "symbols", "runtime", "editor", "output", "measured",
+    "diagnostics", "bibliography", "glossary", "symbols", "runtime", "editor", "output", "offline",
+    "measured",
     "charts", "book", "markdown", "lecture_plan", "source", "question_checks",
     "figure_questions", "glossary_checks", "symbol_checks", "checks", "search", "pages", "build",
     "editions", "serve", "__main__",

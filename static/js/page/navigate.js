@@ -136,8 +136,8 @@ function assetsOf(body, base) {
  */
 function putInPlace(page) {
   document.title = page.title;
-  // The icon's address is relative to the page.
-  for (const part of ['meta[name="description"]', 'link[rel="icon"]']) {
+  // Addresses are relative to the page.
+  for (const part of ['meta[name="description"]', 'link[rel="icon"]', 'link[rel="manifest"]']) {
     document.querySelector(part)?.replaceWith(page.querySelector(part) ?? "");
   }
   for (const name of Object.keys(document.body.dataset)) delete document.body.dataset[name];
