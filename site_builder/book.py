@@ -333,6 +333,8 @@ class Chapter:
     index_marks: tuple[IndexMark, ...] = ()
     formulae: tuple[Formula, ...] = ()
     """Of text and questions, in the order in which they were read."""
+    files: frozenset[str] = frozenset()
+    """Files below ``content/`` that it hands out, besides pictures."""
 
     @property
     def number(self) -> int:

@@ -109,6 +109,7 @@ def render_site(options: Options) -> Files:
     made = {
         **_python(options, book, editor),
         **scripts,
+        **_handed_out(options, book),
         **make_icons(own_or_engine(options.root, "static").parent),
     }
     assets, asset_files = gather_assets(book, options.root, pictures, made)
@@ -173,6 +174,12 @@ def gather_assets(
             **made,
         },
     )
+
+
+def _handed_out(options: Options, book: Book) -> Files:
+    """The author's films, captions and downloads."""
+    names = {name for chapter in book.chapters for name in chapter.files}
+    return {f"content/{name}": options.root / "content" / name for name in sorted(names)}
 
 
 def _runtime(options: Options, book: Book) -> tuple[str, dict[str, Content], Versions]:

@@ -45,7 +45,8 @@ BUILDER = (
 )  # fmt: skip
 """Parts of ``site_builder``, likewise."""
 MARKDOWN = (
-    "text", "targets", "reading", "scenes", "front_matter", "headings", "role", "roles", "inline",
+    "text", "targets", "reading", "content_files", "splicing", "scenes", "front_matter", "headings",
+    "role", "roles", "inline",
     "directive", "questions", "usage", "blocks", "bodies", "fences",
     "directives", "placing", "guide", "parser", "definitions", "terms", "chapter",
 )  # fmt: skip
