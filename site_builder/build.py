@@ -17,6 +17,7 @@ from site_builder.checks import check_book
 from site_builder.diagnostics import BuildError, Diagnostic, Diagnostics
 from site_builder.editor.bundle import EditorBundle, EditorBundleError, bundle_editor
 from site_builder.editor.sources import scene_sources
+from site_builder.frame_checks import check_frames
 from site_builder.markdown.directives.figure import SUFFIXES
 from site_builder.measured.measurements import read_measurements
 from site_builder.output.assets import Content, folder_files, hashed_folder
@@ -27,6 +28,8 @@ from site_builder.pages.catalogue import catalogue
 from site_builder.pages.licences import gather_licences
 from site_builder.pages.render import Site, render_pages
 from site_builder.pages.stills import Stills, render_stills
+from site_builder.picture_checks import check_pictures
+from site_builder.purity import check_purity
 from site_builder.runtime.pack import pack_runtime
 from site_builder.runtime.pinned import Versions
 from site_builder.search.index import ADDRESS as SEARCH_INDEX
@@ -111,7 +114,10 @@ def check_site(options: Options) -> tuple[Book, Stills, dict[str, bytes]]:
     measurements = read_measurements(options.root, problems, options.load_ladder)
     book = read_book(options.root, problems, options.load_scene, measurements)
     check_book(book, problems)
+    check_pictures(options.root, problems)
+    check_purity(options.root / "simulations", problems)
     stills, pictures = render_stills(book, problems)
+    check_frames(book, stills, options.root / "static", problems)
     for warning in sorted(set(problems.doubts)):
         options.warn(warning)
     if problems:

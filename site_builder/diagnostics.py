@@ -7,6 +7,8 @@ import difflib
 from collections.abc import Iterable
 from dataclasses import dataclass, field
 
+from site_builder.blame import place_of
+
 MOST_LISTED = 20
 """Legal names that a message lists before it only counts them."""
 
@@ -71,5 +73,9 @@ def unknown(kind: str, given: str, legal: Iterable[str]) -> str:
 
 
 def cause(error: Exception) -> str:
-    """``ZeroDivisionError: division by zero``: what stopped code that is not the builder's own."""
-    return f"{type(error).__name__}: {error}"
+    """``ZeroDivisionError: division by zero, at simulations/…/scene.py:12``: what stopped code that
+    is not the builder's own, and where."""
+    said = error.msg if isinstance(error, SyntaxError) else str(error)
+    told = f"{type(error).__name__}: {said}" if said else type(error).__name__
+    place = place_of(error)
+    return f"{told}, at {place}" if place else told

@@ -39,9 +39,9 @@ MODELS = (
 """Rooms of ``simulations/models``: each imports itself and what stands before it."""
 
 BUILDER = (
-    "diagnostics", "source_text", "bibliography", "glossary", "symbols", "runtime", "editor", "output", "measured",
+    "blame", "diagnostics", "source_text", "svg", "purity", "bibliography", "glossary", "symbols", "runtime", "editor", "output", "measured",
     "charts", "book", "markdown", "lecture_plan", "source", "question_checks",
-    "figure_questions", "glossary_checks", "symbol_checks", "checks", "search", "pages", "build",
+    "figure_questions", "glossary_checks", "symbol_checks", "checks", "picture_checks", "search", "pages", "frame_checks", "build", "diagnostic_formats",
     "editions", "serve", "__main__",
 )  # fmt: skip
 """Parts of ``site_builder``, likewise."""
