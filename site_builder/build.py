@@ -14,6 +14,7 @@ from simulations.engine.scene import Scene
 from simulations.registry import load_ladder, load_scene
 from site_builder.book import Book
 from site_builder.checks import check_book
+from site_builder.declared import check_declarations
 from site_builder.diagnostics import BuildError, Diagnostic, Diagnostics
 from site_builder.editor.bundle import EditorBundle, EditorBundleError, bundle_editor
 from site_builder.editor.sources import scene_sources
@@ -111,6 +112,7 @@ def render_site(options: Options) -> Files:
 def check_site(options: Options) -> tuple[Book, Stills, dict[str, bytes]]:
     """Read and check everything, figures drawn included. Raises `BuildError`."""
     problems = Diagnostics()
+    check_declarations(options.root, problems)
     measurements = read_measurements(options.root, problems, options.load_ladder)
     book = read_book(options.root, problems, options.load_scene, measurements)
     check_book(book, problems)

@@ -7,8 +7,8 @@ import numpy as np
 from simulations.engine.drawing import Point, circle, dot, line, path, polygon, polyline, text
 from simulations.models.arrays import Floats
 from simulations.models.light.brdf import schlick
+from simulations.scenes._ball.marks import HEIGHT
 from simulations.scenes.brdf.stages import INCIDENCE_DEG
-from simulations.scenes.reflection.marks import HEIGHT
 
 LEFT, RIGHT, FLOOR, CEILING = 46.0, 384.0, 280.0, 30.0
 HIGHEST = 1.5
