@@ -12,7 +12,8 @@ def place_of(error: BaseException) -> str:
     """``simulations/scenes/orbit/scene.py:12``: the innermost line that is neither the builder's,
     nor the engine's, nor a library's; nothing where there is none."""
     if isinstance(error, SyntaxError) and error.filename:
-        return f"{_told(Path(error.filename))}:{error.lineno or 1}"
+        file = Path(error.filename)
+        return f"{_told(file) if file.is_absolute() else file}:{error.lineno or 1}"
     for frame in reversed(traceback.extract_tb(error.__traceback__)):
         file = Path(frame.filename)
         if file.is_file() and _is_authors(file.resolve()):

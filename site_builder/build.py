@@ -12,6 +12,7 @@ from typing import Any
 from simulations.engine.ladder import Ladder
 from simulations.engine.scene import Scene
 from simulations.registry import load_ladder, load_scene
+from site_builder.blame import place_of
 from site_builder.book import Book
 from site_builder.checks import check_book
 from site_builder.declared import check_declarations
@@ -31,7 +32,8 @@ from site_builder.pages.render import Site, render_pages
 from site_builder.pages.stills import Stills, render_stills
 from site_builder.picture_checks import check_pictures
 from site_builder.purity import check_purity
-from site_builder.runtime.pack import pack_runtime
+from site_builder.runtime.freeze import MissingModuleError
+from site_builder.runtime.pack import RuntimeBundle, pack_runtime
 from site_builder.runtime.pinned import Versions
 from site_builder.search.index import ADDRESS as SEARCH_INDEX
 from site_builder.search.index import make_index
@@ -149,9 +151,22 @@ def _runtime(options: Options) -> tuple[str, dict[str, Content], Versions]:
     """Python for the browser, with our simulations inside."""
     if not options.runtime:
         return "", {}, Versions()
-    bundle = pack_runtime(options.root / "simulations")
+    bundle = pack_for_browser(options.root)
     folder, files = hashed_folder("runtime", dict(bundle.files))
     return folder, files, bundle.versions
+
+
+def pack_for_browser(root: Path) -> RuntimeBundle:
+    """What the browser runs. Raises `BuildError` where it could not run it."""
+    try:
+        return pack_runtime(root / "simulations")
+    except MissingModuleError as error:
+        path, _, line = error.place.rpartition(":")
+        told = f"{error.message}; legal: its standard library, and numpy"
+        raise BuildError([Diagnostic(path, int(line), told)]) from error
+    except SyntaxError as error:  # in a module that no chapter shows
+        path, _, line = place_of(error).rpartition(":")
+        raise BuildError([Diagnostic(path, int(line), f"no Python: {error.msg}")]) from error
 
 
 def _editor(options: Options) -> EditorBundle:

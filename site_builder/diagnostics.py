@@ -4,7 +4,7 @@ A mistake fails the build, once, when all are found. A warning is of something t
 """
 
 import difflib
-from collections.abc import Iterable
+from collections.abc import Iterable, Sized
 from dataclasses import dataclass, field
 
 from site_builder.blame import place_of
@@ -57,6 +57,11 @@ class BuildError(Exception):
     def __init__(self, diagnostics: Iterable[Diagnostic]) -> None:
         self.diagnostics = tuple(sorted(set(diagnostics)))
         super().__init__("\n".join(map(str, self.diagnostics)))
+
+
+def counted(found: Sized, name: str) -> str:
+    """``2 mistakes``."""
+    return f"{len(found)} {name}{'s' * (len(found) != 1)}"
 
 
 def unknown(kind: str, given: str, legal: Iterable[str]) -> str:

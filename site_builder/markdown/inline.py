@@ -115,6 +115,7 @@ def _gather_link(token: Token, line: int, reading: Reading) -> None:
     target = str(token.attrGet("href") or "")
     if target.startswith(("https://", "http://")):
         token.attrSet("rel", "external")
+        reading.outside.append(Link(target, line))
         return
     reading.links.append(Link(target, line))
     file, mark, anchor = target.partition("#")

@@ -42,8 +42,8 @@ BUILDER = (
     "blame", "diagnostics", "source_text", "svg", "purity", "bibliography", "glossary", "symbols", "runtime", "editor", "output", "measured",
     "charts", "book", "markdown", "lecture_plan", "source", "question_checks",
     "figure_questions", "declared", "glossary_checks", "symbol_checks", "checks", "picture_checks",
-    "search", "pages", "frame_checks", "build", "diagnostic_formats", "outside_links", "editions",
-    "serve", "__main__",
+    "search", "pages", "frame_checks", "build", "diagnostic_formats", "outside_links",
+    "check_command", "editions", "serve", "__main__",
 )  # fmt: skip
 """Parts of ``site_builder``, likewise."""
 MARKDOWN = (
