@@ -1,16 +1,18 @@
-"""``python -m site_builder build|check|serve|pdf|epub``: prints diagnostics, sets the exit code."""
+"""``python -m site_builder build|check|serve|pdf|epub|schema``: what is said, and
+the exit code."""
 
 import argparse
+import json
 import sys
 from collections.abc import Sequence
 from pathlib import Path
 
+from site_builder.book_root import ROOT
 from site_builder.build import Options, build_site
 from site_builder.check_command import Wanted, check
 from site_builder.diagnostic_formats import FORMATS
 from site_builder.diagnostics import BuildError, Diagnostic, counted
-
-ROOT = Path(__file__).resolve().parent.parent
+from site_builder.settings.schema import book_schema
 
 
 def main(arguments: list[str] | None = None) -> int:
@@ -36,6 +38,8 @@ def main(arguments: list[str] | None = None) -> int:
                 form = "json" if given.json else given.format
                 options = Options(ROOT, runtime=given.runtime)
                 return check(options, Wanted(form, links=given.links))
+            case "schema":
+                print(json.dumps(book_schema(), indent=2, ensure_ascii=False))
             case "pdf":
                 # Its reader of pages and its printer are needed only here.
                 from site_builder.editions.compose import compose
@@ -81,12 +85,14 @@ def _parser() -> argparse.ArgumentParser:
         ("build", "check everything, then write the site"),
         ("serve", "build, show, and build again on every change"),
         ("check", "report the mistakes in the sources"),
+        ("schema", "print the JSON schema of content/book.toml, for editors"),
         ("pdf", "set the whole book on pages; needs Chromium"),
         ("epub", "pack the whole book for a reader of e-books"),
     ):
         command = commands.add_parser(name, help=purpose)
         if name == "check":
             _add_check_options(command)
+        if name in ("check", "schema"):
             continue
         if name in ("pdf", "epub"):
             edition = ROOT / "build" / f"image-formation.{name}"

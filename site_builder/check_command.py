@@ -46,13 +46,10 @@ def find(options: Options, *, links: bool = False) -> Sequence[Diagnostic]:
     found: list[Diagnostic] = []
     try:
         book, *_ = check_site(replace(options, warn=found.append))
+        if options.runtime:
+            pack_for_browser(options.root, book)
         if links:
             found += check_outside_links(outside_links(book))
     except BuildError as error:
         found += error.diagnostics
-    if options.runtime:
-        try:
-            pack_for_browser(options.root)
-        except BuildError as error:
-            found += error.diagnostics
     return sorted(set(found))

@@ -21,6 +21,7 @@ from site_builder.runtime import freeze, pack
 ROOT = Path(__file__).resolve().parents[2]
 OUTLINE = 'title = "T"\nsubtitle = "S"\nprerequisites = "P"\nchapters = ["00-first", "01-second"]\n'
 TWO = ":::{nott}\n:::\n\nA price of 5$ each.\n"
+FIGURE = ":::{simulation} demo\n:::\n"
 type Run = Callable[..., int]
 
 
@@ -130,7 +131,7 @@ def test_an_import_that_the_browser_lacks_is_found_as_the_build_finds_it(
     make_book: Callable[..., Options], monkeypatch: pytest.MonkeyPatch
 ) -> None:
     options = make_book(
-        "Text.\n",
+        FIGURE,
         {
             "content/book.toml": OUTLINE,
             "simulations/__init__.py": "",
@@ -141,11 +142,11 @@ def test_an_import_that_the_browser_lacks_is_found_as_the_build_finds_it(
     )
 
     def lacking(*given: Any) -> None:
-        at_once = given[3]
-        raise freeze.MissingModuleError("scipy", at_once["scipy"])
+        places = {**given[3], **given[4]}
+        raise freeze.MissingModuleError("scipy", places["scipy"])
 
     monkeypatch.setattr(pack, "freeze_libraries", lacking)
-    monkeypatch.setattr(pack, "page_modules", lambda imports: frozenset(imports))
+    monkeypatch.setattr(pack, "page_modules", lambda imports, *_: frozenset(imports))
     options = replace(options, runtime=True)
     (found,) = find(options)
     assert str(found) == (
@@ -165,7 +166,7 @@ def test_a_module_that_is_no_python_is_found_where_no_chapter_shows_it(
         "simulations/browser.py": BROWSER,
         "simulations/models/broken.py": "x = 1\ny = (\n",
     }
-    (found,) = find(replace(make_book("Text.\n", files), runtime=True))
+    (found,) = find(replace(make_book(FIGURE, files), runtime=True))
     assert str(found).startswith("simulations/models/broken.py:2: no Python: ")
 
 
