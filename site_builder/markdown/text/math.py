@@ -26,7 +26,7 @@ CHILDREN = {
     "msubsup": 3, "munderover": 3,
 }  # fmt: skip
 SPACES = {"negativethinmathspace": "-0.167em"}
-LETTERS = {"∞", "∅"}
+LETTERS = {"∞", "∅", "⊤"}
 OPERATORS = {"~": "∼", "‖": "‖", "⌊": "⌊", "⌋": "⌋", "⌈": "⌈", "⌉": "⌉"}
 FUNCTIONS_WITH_LIMITS = {"max", "min", "argmax", "argmin", "sup", "inf", "lim"}
 
