@@ -4,6 +4,7 @@ A page is read as its reader sees it at first: what waits for a guess or an answ
 so is what can only be pressed.
 """
 
+import re
 from collections.abc import Iterator
 from dataclasses import dataclass, field
 from html.parser import HTMLParser
@@ -12,6 +13,7 @@ from site_builder.search.tags import ARTICLE, INLINE, NEVER_CLOSED, Channel, cha
 
 WORDS_A_MINUTE = 180
 """Of a text with formulae, read with care."""
+FOLDED = re.compile(r"<details(?![^>]*\bopen\b).*?</details>", re.DOTALL)
 LONGEST_FORMULA = 14
 """Characters of a formula in a line of text; a longer one becomes an ellipsis."""
 
@@ -66,9 +68,10 @@ def read_sections(html: str) -> tuple[Section, ...]:
 
 
 def reading_minutes(body: str) -> int:
-    """How long an article's body takes to read: its text, captions and questions; figures are
-    played with for as long as one likes."""
-    sections = read_sections(f"<article {ARTICLE}>{body}</article>")
+    """How long an article's body takes to read: its text, captions and questions. What is folded
+    is opened, and figures are played with, by those who like."""
+    shown = FOLDED.sub("", body)
+    sections = read_sections(f"<article {ARTICLE}>{shown}</article>")
     words = sum(len(f"{s.title} {s.text} {s.figures} {s.questions}".split()) for s in sections)
     return max(1, round(words / WORDS_A_MINUTE))
 
