@@ -83,6 +83,7 @@ def read_book(
             macros=macros,
             chapter=chapter_id(path),
             position=position,
+            raw_html=settings.trust.raw_html,
             bibliography=bibliography,
             glossary=glossary,
         )

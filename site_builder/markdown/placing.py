@@ -1,7 +1,8 @@
 """Numbers and ids of a page, given out before a word is looked at, since words speak of them.
 
-Figures, equations, tables, examples and questions are counted by chapter, in the order of the
-page. An id comes from what its author wrote, never from a number, and so stays when things move.
+Figures, equations, tables, examples, predictions and questions are counted by chapter, in the
+order of the page. An id comes from what its author wrote, never from a number, and so stays when
+things move.
 """
 
 import hashlib
@@ -102,8 +103,8 @@ class _Placing:
             self.reading.problem(line, f"\\tag{{{found[1]}}}; legal: {legal}")
             return ""
         if tag in self.tags:
-            first = self.tags[tag]
-            self.reading.problem(line, f"duplicate tag {tag!r}; first used on line {first}")
+            first = self.reading.where(self.tags[tag])
+            self.reading.problem(line, f"duplicate tag {tag!r}; first used {first}")
         self.tags.setdefault(tag, line)
         return tag
 

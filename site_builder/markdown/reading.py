@@ -68,8 +68,12 @@ class Reading:
     """TeX commands of the book's own."""
     env: dict[str, Any] = field(default_factory=dict)
     """What the parser keeps between parsing and rendering: link references, footnotes."""
+    raw_html: bool = False
+    """Whether the book's author trusts the HTML of its chapters."""
     headings: list[Heading] = field(default_factory=list)
     links: list[Link] = field(default_factory=list)
+    outside: list[Link] = field(default_factory=list)
+    """Links that lead out of the book."""
     ids: dict[str, int] = field(default_factory=lambda: dict.fromkeys(PAGE_IDS, 0))
     """Element ids taken in the page, with their lines; 0 where the page itself took them."""
     figures: list[Place] = field(default_factory=list)
@@ -96,7 +100,8 @@ class Reading:
     def problem(self, line: int, message: str) -> None:
         self.problems.add(self.path, line, message)
 
-    def _where(self, line: int) -> str:
+    def where(self, line: int) -> str:
+        """``on line 12``, or ``at content/parts/file.md:3`` of what is included."""
         path, number = self.problems.place(self.path, line)
         return f"on line {number}" if path == self.path else f"at {path}:{number}"
 
@@ -108,7 +113,7 @@ class Reading:
         """Claim an element id; taking one twice is a mistake."""
         if wanted in self.ids:
             first = self.ids[wanted]
-            place = f"first used {self._where(first)}" if first else "the page itself uses it"
+            place = f"first used {self.where(first)}" if first else "the page itself uses it"
             self.problem(line, f"duplicate {kind} id {wanted!r}; {place}")
         self.ids.setdefault(wanted, line)
         return wanted

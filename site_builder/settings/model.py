@@ -19,6 +19,7 @@ from site_builder.settings.kinds import (
     Table,
     Text,
     Whole,
+    YesOrNo,
 )
 
 FILE_NAME = "content/book.toml"
@@ -48,6 +49,7 @@ class Labels:
     equation: str = key(Text(), "a displayed equation", "", without="the language's word")
     table: str = key(Text(), "a table", "", without="the language's word")
     example: str = key(Text(), "a worked example", "", without="the language's word")
+    prediction: str = key(Text(), "a prediction", "", without="the language's word")
     question: str = key(Text(), "a question", "", without="the language's word")
 
 
@@ -122,6 +124,15 @@ class Fonts:
 
 
 @dataclass(frozen=True, slots=True)
+class Trust:
+    """What of the authors' sources goes into the pages unseen."""
+
+    raw_html: bool = key(
+        YesOrNo(), "whether Markdown may hold HTML, scripts included", False, without="`false`"
+    )
+
+
+@dataclass(frozen=True, slots=True)
 class Settings:
     """The whole file."""
 
@@ -158,6 +169,7 @@ class Settings:
         MappingProxyType({}),
         without="none",
     )
+    trust: Trust = key(Table(Trust), "what goes into the pages unseen", Trust())
 
 
 @dataclass(frozen=True, slots=True)

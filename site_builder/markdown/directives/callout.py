@@ -12,7 +12,7 @@ from site_builder.markdown.reading import Reading
 
 @dataclass(frozen=True, slots=True)
 class Kind:
-    """One name that an aside may have."""
+    """One name that an aside may have; where the author gives no title, the language does."""
 
     look: str
     """Its class in the style sheet: several kinds look alike."""
@@ -32,7 +32,7 @@ KINDS = {
     "error": Kind("danger", "an aside on what goes wrong"),
     "key-idea": Kind("key-idea", "what to remember"),
 }
-"""Kinds of callout: those of MyST, and ours. Their titles stand with the words of the language."""
+"""Kinds of callout: those of MyST, and ours."""
 LOOKS = tuple(dict.fromkeys(["note", *(kind.look for kind in KINDS.values())]))
 """Ways to look; the first where the author says none."""
 

@@ -3,12 +3,13 @@
 from dataclasses import dataclass
 from pathlib import PurePosixPath
 
+from site_builder.languages.words import ENGLISH, Words
 from site_builder.markdown.bodies import CAPTION
 from site_builder.markdown.content_files import found
 from site_builder.markdown.directive import Argument, Directive, Use
 from site_builder.markdown.reading import Reading
 
-UNITS = ("kB", "MB", "GB")
+UNITS = ("bytes", "kB", "MB", "GB")
 
 
 @dataclass(frozen=True, slots=True)
@@ -30,21 +31,17 @@ def read_download(use: Use, words_html: str, reading: Reading) -> Download | Non
         return None
     reading.files.add(use.argument)
     name = PurePosixPath(use.argument).name
-    return Download(
-        use.argument,
-        name,
-        size_words(file.stat().st_size, reading.words("download.bytes")),
-        words_html,
-    )
+    return Download(use.argument, name, size_words(file.stat().st_size, reading.words), words_html)
 
 
-def size_words(size: int, of_bytes: str = "bytes") -> str:
+def size_words(size: int, words: Words = ENGLISH) -> str:
     """``340 bytes``, ``1.2 kB``, ``35 MB``: two digits, or all below a thousand."""
-    amount, units = float(size), [of_bytes, *UNITS]
-    while amount >= 999.5 and len(units) > 1:
-        amount, units = amount / 1000, units[1:]
-    digits = 1 if units[0] != of_bytes and amount < 9.95 else 0
-    return f"{amount:.{digits}f} {units[0]}"
+    amount, unit = float(size), 0
+    while amount >= 999.5 and unit < len(UNITS) - 1:
+        amount, unit = amount / 1000, unit + 1
+    digits = 1 if unit and amount < 9.95 else 0
+    named = UNITS[unit] if unit else words("download.bytes")
+    return f"{words.numeral(f'{amount:.{digits}f}')} {named}"
 
 
 DOWNLOAD = Directive(

@@ -64,7 +64,7 @@ def read_video(use: Use, caption_html: str, reading: Reading) -> Video | None:
         poster=use.text("poster"),
         size=picture_size(poster) if poster else None,
         captions=captions.text if words and captions else "",
-        language=use.text("language") or "en",
+        language=use.text("language") or reading.words.language,
         caption_html=caption_html,
     )
 
@@ -98,7 +98,7 @@ VIDEO = Directive(
         OptionLine("alt", says="what the film shows", required=True),
         OptionLine("poster", says="the picture before it starts, and on paper", required=True),
         OptionLine("captions", says="what is said, `clips/file.vtt`, or `none`", required=True),
-        OptionLine("language", says="of the captions, `en` where you say none"),
+        OptionLine("language", says="of the captions, `de`; the book's where you say none"),
         LABEL,
     ),
     body=CAPTION,
