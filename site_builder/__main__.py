@@ -1,4 +1,4 @@
-"""``python -m site_builder build|check|serve|pdf|epub|schema``: what is said, and
+"""``python -m site_builder build|check|serve|pdf|epub|schema|new``: what is said, and
 the exit code."""
 
 import argparse
@@ -7,12 +7,16 @@ import sys
 from collections.abc import Sequence
 from pathlib import Path
 
+from site_builder.addresses import site_address, source_address
 from site_builder.book_root import ROOT
 from site_builder.build import Options, build_site
 from site_builder.check_command import Wanted, check
 from site_builder.diagnostic_formats import FORMATS
 from site_builder.diagnostics import BuildError, Diagnostic, counted
 from site_builder.settings.schema import book_schema
+
+NEW = ("book", "chapter", "scene", "model", "ladder", "directive")
+"""What ``new`` makes."""
 
 
 def main(arguments: list[str] | None = None) -> int:
@@ -31,8 +35,9 @@ def main(arguments: list[str] | None = None) -> int:
         match given.command:
             case "build":
                 files = build_site(
-                    ROOT, given.out, runtime=given.runtime, reload=given.reload, warn=warn
-                )
+                    ROOT, given.out, runtime=given.runtime, reload=given.reload, warn=warn,
+                    address=site_address(given.address), source=source_address(given.source),
+                )  # fmt: skip
                 print(f"{given.out}: {len(files)} files{_and_count(warnings)}")
             case "check":
                 form = "json" if given.json else given.format
@@ -40,6 +45,10 @@ def main(arguments: list[str] | None = None) -> int:
                 return check(options, Wanted(form, links=given.links))
             case "schema":
                 print(json.dumps(book_schema(), indent=2, ensure_ascii=False))
+            case "new":
+                from site_builder.scaffold.command import make_new  # needed only here
+
+                print(make_new(ROOT, given.kind, given.name))
             case "pdf":
                 # Its reader of pages and its printer are needed only here.
                 from site_builder.editions.compose import compose
@@ -86,6 +95,7 @@ def _parser() -> argparse.ArgumentParser:
         ("serve", "build, show, and build again on every change"),
         ("check", "report the mistakes in the sources"),
         ("schema", "print the JSON schema of content/book.toml, for editors"),
+        ("new", "make a book, or a skeleton in this one, with its tests"),
         ("pdf", "set the whole book on pages; needs Chromium"),
         ("epub", "pack the whole book for a reader of e-books"),
     ):
@@ -98,6 +108,10 @@ def _parser() -> argparse.ArgumentParser:
             edition = ROOT / "build" / f"image-formation.{name}"
             command.add_argument("--out", type=Path, default=edition, help="the file")
             continue
+        if name == "new":
+            command.add_argument("kind", choices=NEW)
+            command.add_argument("name", help="such as falling-ball; of a book, its folder")
+            continue
         command.add_argument("--out", type=Path, default=ROOT / "build" / "site", help="the site")
         command.add_argument(
             "--no-runtime",
@@ -107,6 +121,10 @@ def _parser() -> argparse.ArgumentParser:
         )
         if name == "build":
             command.add_argument("--reload", action="store_true", help=argparse.SUPPRESS)
+            command.add_argument("--address", default="", help="where the site will be")
+            command.add_argument(
+                "--source", default="", help="where its sources are, with {path} in it"
+            )
         if name == "serve":
             command.add_argument("--port", type=int, default=8000)
     return parser
