@@ -13,8 +13,8 @@ ROOT = Path(__file__).parents[3]
 OTHERS = [language for language in languages() if language != "en"]
 PLACEHOLDER = re.compile(r"\{(\w+)\}")
 BLOCK_COMMENT = re.compile(r"/\*.*?\*/", re.DOTALL)
-NAMES = {"CPython", "Esc", "ISBN", "urn", "uuid"}
-"""What is called the same in all languages."""
+NAMES = {"CPython", "Esc", "ISBN", "feed", "xml", "urn", "uuid"}
+"""What is called the same in all languages, and parts of addresses."""
 OF_TEMPLATES = re.compile(r"""\bt\(\s*"([\w.-]+)("\s*~)?""")
 OF_PYTHON = re.compile(r"""\bwords\(\s*(f?)"([\w.-]+)""")
 OF_SCRIPTS = re.compile(r"""\bwords\(\s*(["`])([\w.-]+)""")
