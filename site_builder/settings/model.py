@@ -46,6 +46,7 @@ class Labels:
     equation: str = key(Text(), "a displayed equation", "", without="the language's word")
     table: str = key(Text(), "a table", "", without="the language's word")
     example: str = key(Text(), "a worked example", "", without="the language's word")
+    prediction: str = key(Text(), "a prediction", "", without="the language's word")
     question: str = key(Text(), "a question", "", without="the language's word")
 
 

@@ -41,7 +41,7 @@ ATTRIBUTES = (
 """Of MathML, what TeX can ask for. The converter lets through what looks like markup in a formula,
 scripts included."""
 SPACES = {"negativethinmathspace": "-0.167em"}
-LETTERS = {"∞", "∅"}
+LETTERS = {"∞", "∅", "⊤"}
 OPERATORS = {"~": "∼", "‖": "‖", "⌊": "⌊", "⌋": "⌋", "⌈": "⌈", "⌉": "⌉"}
 FUNCTIONS_WITH_LIMITS = {"max", "min", "argmax", "argmin", "sup", "inf", "lim"}
 
