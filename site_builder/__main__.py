@@ -7,6 +7,7 @@ import sys
 from collections.abc import Sequence
 from pathlib import Path
 
+from site_builder.addresses import site_address, source_address
 from site_builder.book_root import ROOT
 from site_builder.build import Options, build_site, check_site
 from site_builder.diagnostics import BuildError, Diagnostic
@@ -32,8 +33,9 @@ def main(arguments: list[str] | None = None) -> int:
         match given.command:
             case "build":
                 files = build_site(
-                    ROOT, given.out, runtime=given.runtime, reload=given.reload, warn=warn
-                )
+                    ROOT, given.out, runtime=given.runtime, reload=given.reload, warn=warn,
+                    address=site_address(given.address), source=source_address(given.source),
+                )  # fmt: skip
                 print(f"{given.out}: {len(files)} files{_and_count(warnings)}")
             case "check":
                 check_site(Options(ROOT, warn=warn))
@@ -118,6 +120,10 @@ def _parser() -> argparse.ArgumentParser:
         )
         if name == "build":
             command.add_argument("--reload", action="store_true", help=argparse.SUPPRESS)
+            command.add_argument("--address", default="", help="where the site will be")
+            command.add_argument(
+                "--source", default="", help="where its sources are, with {path} in it"
+            )
         if name == "serve":
             command.add_argument("--port", type=int, default=8000)
     return parser

@@ -16,6 +16,7 @@ from simulations.engine.scene import Scene
 from site_builder.bibliography import EMPTY, Bibliography
 from site_builder.glossary import Term
 from site_builder.languages.words import ENGLISH, Words
+from site_builder.news import News
 from site_builder.settings.model import FILE_NAME, Settings
 from site_builder.symbols import Symbol
 
@@ -429,6 +430,12 @@ class Book:
     """All that ``book.toml`` says."""
     words: Words = ENGLISH
     """Those of the interface."""
+    address: str = ""
+    """Where the site will be, a slash at the end; nothing where that is not known."""
+    source: str = ""
+    """Where its sources can be read, with ``{path}`` in it; nothing where they cannot."""
+    news: tuple[News, ...] = ()
+    """Newest first."""
 
     @property
     def scenes(self) -> tuple[Scene[Any], ...]:

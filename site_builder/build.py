@@ -5,7 +5,7 @@ it was. `render_site` touches no output folder: it returns the site in memory.
 """
 
 from collections.abc import Callable, Collection, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
 
@@ -22,6 +22,8 @@ from site_builder.editor.sources import scene_sources
 from site_builder.markdown.directives.figure import SUFFIXES
 from site_builder.markdown.directives.ladder import LadderFigure
 from site_builder.measured.measurements import read_measurements
+from site_builder.offline.manifest import MANIFEST, manifest
+from site_builder.offline.release import no_release, release_files
 from site_builder.output.assets import Content, folder_files, hashed_folder
 from site_builder.output.book_files import book_css, book_script
 from site_builder.output.font_faces import chosen_faces
@@ -32,6 +34,9 @@ from site_builder.pages.catalogue import catalogue
 from site_builder.pages.licences import gather_licences
 from site_builder.pages.render import Site, render_pages, render_template
 from site_builder.pages.stills import Stills, render_stills
+from site_builder.publishing.cards import make_cards
+from site_builder.publishing.icons import make_icons
+from site_builder.publishing.listings import make_listings
 from site_builder.runtime.pack import pack_runtime
 from site_builder.runtime.pinned import Versions
 from site_builder.search.index import ADDRESS as SEARCH_INDEX
@@ -70,6 +75,10 @@ class Options:
     """Told each warning once, in the order of files and lines."""
     search: bool = True
     """Whether pages can be searched."""
+    address: str = ""
+    """Where the site will be, in place of what the book says."""
+    source: str = ""
+    """Where its sources can be read, likewise."""
 
 
 def build_site(
@@ -80,9 +89,13 @@ def build_site(
     reload: bool = False,
     warn: Warn = ignore,
     write: Write = write_site,
+    address: str = "",
+    source: str = "",
 ) -> Files:
     """Build the book at ``root`` into the folder ``out``. Raises `BuildError`."""
-    files = render_site(Options(root, runtime=runtime, reload=reload, warn=warn))
+    files = render_site(
+        Options(root, runtime=runtime, reload=reload, warn=warn, address=address, source=source)
+    )
     write(files, out)
     return files
 
@@ -93,7 +106,11 @@ def render_site(options: Options) -> Files:
     runtime, runtime_files, versions = _runtime(options, book)
     editor, library = _editor(options), _search_library(options, book)
     scripts = {f"{LIBRARY}/{name}": path for name, path in library.scripts.items()}
-    made = {**_python(options, book, editor), **scripts}
+    made = {
+        **_python(options, book, editor),
+        **scripts,
+        **make_icons(own_or_engine(options.root, "static").parent),
+    }
     assets, asset_files = gather_assets(book, options.root, pictures, made)
     site = Site(
         options.root, book, stills, assets, runtime, bool(editor.script),
@@ -103,13 +120,16 @@ def render_site(options: Options) -> Files:
         options.root, versions, editor.packages, library.packages, book.settings, book.words
     )
     pages = render_pages(site, licences)
-    return {
+    files = {
         **pages,
         **_search_index(options, book, pages, library),
+        **_outside(options, book, pages, stills, pictures),
         **asset_files,
         **runtime_files,
         "book.json": catalogue(book, versions),
+        MANIFEST: manifest(book.title, book.subtitle, assets, book.words.language),
     }
+    return files | (no_release(assets) if options.reload else release_files(files, assets))
 
 
 def check_site(options: Options) -> tuple[Book, Stills, dict[str, bytes]]:
@@ -124,6 +144,9 @@ def check_site(options: Options) -> tuple[Book, Stills, dict[str, bytes]]:
         options.warn(warning)
     if problems:
         raise BuildError(problems.found)
+    book = replace(
+        book, address=options.address or book.address, source=options.source or book.source
+    )
     return book, stills, pictures
 
 
@@ -206,6 +229,16 @@ def _search_index(
     records = make_records(pages, explained_terms(book))
     static = own_or_engine(options.root, "static")
     return {SEARCH_INDEX: make_index(records, library, static, book.words)}
+
+
+def _outside(
+    options: Options, book: Book, pages: Files, stills: Stills, pictures: Mapping[str, bytes]
+) -> Files:
+    """What others see of a site that has an address."""
+    if not book.address:
+        return {}
+    cards = make_cards(book, stills, pictures, own_or_engine(options.root, "static") / "css")
+    return {**make_listings(book, pages), **cards}
 
 
 def _python(options: Options, book: Book, editor: EditorBundle) -> Files:

@@ -22,6 +22,7 @@ from site_builder.markdown.parser import make_parser
 from site_builder.markdown.reading import Reading
 from site_builder.markdown.scenes import find_scene
 from site_builder.measured.measurements import Measurements
+from site_builder.news import read_news
 from site_builder.settings.model import Settings
 from site_builder.settings.reading import read_settings
 from site_builder.source_text import read_text
@@ -29,8 +30,8 @@ from site_builder.symbols import FILE as SYMBOLS
 from site_builder.symbols import read_symbols
 
 OWN_FOLDERS = (
-    "assets", "glossary", "index-of-terms", "lecture-plan", "licences", "references", "runtime",
-    "search", "source", "symbols",
+    "assets", "cards", "glossary", "index-of-terms", "lecture-plan", "licences", "references",
+    "runtime", "search", "source", "symbols",
 )  # fmt: skip
 """Folders of the site beside those of its chapters."""
 
@@ -95,6 +96,9 @@ def read_book(
         title=settings.title,
         subtitle=settings.subtitle,
         prerequisites=settings.prerequisites,
+        address=settings.address,
+        source=settings.source,
+        news=read_news(root, targets.chapters, problems),
         settings=settings,
         words=words,
         hero=_read_hero(outline, root, problems, load_scene),

@@ -16,6 +16,7 @@ from site_builder.pages.glossary_view import marked_terms, view_glossary
 from site_builder.pages.index_view import view_index
 from site_builder.pages.ladder_view import summary_row, view_ladder
 from site_builder.pages.licences import Licence
+from site_builder.pages.outside import card_path, origin, page_address
 from site_builder.pages.predict_view import predict_data, view_sketch
 from site_builder.pages.progress_view import progress_data
 from site_builder.pages.quiz_view import in_any_order, quiz_data
@@ -75,19 +76,26 @@ def render_pages(site: Site, licences: tuple[Licence, ...]) -> dict[str, bytes]:
     """Every page of the site, by its path."""
     pages = {
         "index.html": render_page(
-            site, "landing.html", "./", counts=_counts(site.book), cover=_cover(site)
+            site, "landing.html", "./", "index.html", counts=_counts(site.book), cover=_cover(site)
         ),
         "404.html": render_page(site, "not-found.html", "./"),
-        "licences/index.html": render_page(site, "licences.html", "../", licences=licences),
+        "licences/index.html": render_page(
+            site, "licences.html", "../", "licences/index.html", licences=licences
+        ),
     }
     if site.book.bibliography.works:
         works = cited_works(site.book)
         pages["references/index.html"] = render_page(
-            site, "references.html", "../", here="references", works=works
+            site, "references.html", "../", "references/index.html", here="references", works=works
         )
     if plan := site.book.lecture_plan:
         pages["lecture-plan/index.html"] = render_page(
-            site, "lecture-plan.html", "../", here="lecture-plan", plan=plan
+            site,
+            "lecture-plan.html",
+            "../",
+            "lecture-plan/index.html",
+            here="lecture-plan",
+            plan=plan,
         )
     chapters = site.book.chapters
     for index, chapter in enumerate(chapters):
@@ -95,6 +103,7 @@ def render_pages(site: Site, licences: tuple[Licence, ...]) -> dict[str, bytes]:
             site,
             "chapter.html",
             "../",
+            f"{chapter.url}index.html",
             chapter=chapter,
             sections=nest_headings(chapter.headings),
             place=index + 1,
@@ -103,15 +112,30 @@ def render_pages(site: Site, licences: tuple[Licence, ...]) -> dict[str, bytes]:
         )
     if site.book.glossary:
         pages["glossary/index.html"] = render_page(
-            site, "glossary.html", "../", here="glossary", letters=view_glossary(site.book)
+            site,
+            "glossary.html",
+            "../",
+            "glossary/index.html",
+            here="glossary",
+            letters=view_glossary(site.book),
         )
     if site.book.symbols:
         pages["symbols/index.html"] = render_page(
-            site, "symbols.html", "../", here="symbols", chapters=view_symbols(site.book)
+            site,
+            "symbols.html",
+            "../",
+            "symbols/index.html",
+            here="symbols",
+            chapters=view_symbols(site.book),
         )
     if letters := view_index(site.book):
         pages["index-of-terms/index.html"] = render_page(
-            site, "index-of-terms.html", "../", here="index-of-terms", letters=letters
+            site,
+            "index-of-terms.html",
+            "../",
+            "index-of-terms/index.html",
+            here="index-of-terms",
+            letters=letters,
         )
     return {path: page.encode() for path, page in {**pages, **_source_pages(site)}.items()}
 
@@ -126,6 +150,7 @@ def _source_pages(site: Site) -> dict[str, str]:
             site,
             "source.html",
             "../" * address.count("/"),
+            address,
             folder=path.rpartition("/")[0],
             file=path.rpartition("/")[2],
             lines=highlighted_lines(code, "python"),
@@ -133,11 +158,13 @@ def _source_pages(site: Site) -> dict[str, str]:
     return pages
 
 
-def render_page(site: Site, template: str, root: str, **context: object) -> str:
-    """One page, or a part of one. ``root`` is the site's root relative to it."""
+def render_page(site: Site, template: str, root: str, path: str = "", **context: object) -> str:
+    """One page, or a part of one. ``root`` is the site's root relative to it, ``path`` its own
+    place below that; nothing where it has none to be known by."""
     environment = _environment()
     assets = f"{root}{site.assets}"
-    chapter = context.get("chapter")
+    given = context.get("chapter")
+    chapter = given if isinstance(given, Chapter) else None
 
     def simulation_view(figure: Simulation) -> SimulationView:
         return view_simulation(site.stills[figure.path, figure.line], assets, site.book.words)
@@ -152,7 +179,7 @@ def render_page(site: Site, template: str, root: str, **context: object) -> str:
         **in_words(site.book),
         "root": root,
         "assets": assets,
-        "anchors": chapter.anchors if isinstance(chapter, Chapter) else (),
+        "anchors": chapter.anchors if chapter else (),
         "python": bool(site.runtime),
         "code_editor": site.code_editor,
         "block_html": block_html,
@@ -163,6 +190,9 @@ def render_page(site: Site, template: str, root: str, **context: object) -> str:
         site=site,
         back_matter=_back_matter(site.book),
         runtime=f"{root}{site.runtime}" if site.runtime else "",
+        address=page_address(path) if path and site.book.address else None,
+        card=card_path(chapter),
+        origin=origin(site.book, path, chapter),
         **{"chapter": None, "here": "", "sections": (), **context},
     )
 

@@ -6,10 +6,11 @@ from dataclasses import dataclass, field, fields
 from site_builder.languages.words import languages
 from site_builder.settings.declared import key
 from site_builder.settings.kinds import (
-    ADDRESS,
     COLOUR,
     FILE,
     PREFIX,
+    SITE,
+    SOURCE,
     Names,
     OneOf,
     Table,
@@ -140,7 +141,10 @@ class Settings:
     storage: str = key(
         PREFIX, "begins the names of what a browser keeps", "", without="made of the title"
     )
-    address: str = key(ADDRESS, "where the book is published", "", without="unknown")
+    address: str = key(SITE, "where the book is published", "", without="unknown")
+    source: str = key(
+        SOURCE, "where its sources can be read, `{path}` for a file's path", "", without="unknown"
+    )
     licence: Licence = key(Table(Licence), "under which terms the book is here", Licence())
     labels: Labels = key(Table(Labels), "what numbered things are called", Labels())
     theme: Theme = key(Table(Theme), "the colours", Theme())

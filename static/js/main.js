@@ -12,6 +12,7 @@ import { ask as followScroll, installHeader } from "./page/header.js";
 import { installKeys } from "./page/keys.js";
 import { installNavigation } from "./page/navigate.js";
 import { watchScrollers } from "./page/scrollers.js";
+import { installOffline } from "./page/offline.js";
 import { installSearch } from "./page/search.js";
 import { watchSections } from "./page/sections.js";
 import { installTerms } from "./page/terms.js";
@@ -38,6 +39,7 @@ installGestures();
 restoreQuestions();
 restorePredictions();
 offerWords();
+installOffline();
 installNavigation(() => {
   showTheme();
   followScroll();

@@ -166,8 +166,11 @@ class Reader:
 def visit(
     chromium: Browser, server: StaticServer, script: str = "", **options: Any
 ) -> Iterator[Reader]:
-    """A reader with a fresh browser profile, in whose pages ``script`` runs first."""
-    context = chromium.new_context(**{"viewport": DESK, **options})
+    """A reader with a fresh browser profile, in whose pages ``script`` runs first.
+
+    Nothing is kept for reading offline unless ``options`` allow it.
+    """
+    context = chromium.new_context(**{"viewport": DESK, "service_workers": "block", **options})
     someone = Reader(context, server.url)
     if script:
         someone.page.add_init_script(script)

@@ -37,11 +37,11 @@ MODELS = (
 """Rooms of ``simulations/models``: each imports itself and what stands before it."""
 
 BUILDER = (
-    "book_root", "diagnostics", "source_text", "languages", "settings", "bibliography", "glossary",
-    "symbols", "runtime", "editor", "output", "measured", "charts", "book", "markdown",
-    "lecture_plan", "source", "question_checks", "figure_questions", "declared", "glossary_checks",
-    "symbol_checks", "checks", "search", "pages", "build", "editions", "serve",
-    "scaffold", "__main__",
+    "book_root", "diagnostics", "addresses", "source_text", "languages", "settings",
+    "bibliography", "glossary", "symbols", "news", "runtime", "editor", "output", "offline",
+    "measured", "charts", "book", "markdown", "lecture_plan", "source", "question_checks",
+    "figure_questions", "declared", "glossary_checks", "symbol_checks", "checks", "search", "pages",
+    "publishing", "build", "editions", "serve", "scaffold", "__main__",
 )  # fmt: skip
 """Parts of ``site_builder``, likewise."""
 MARKDOWN = (
