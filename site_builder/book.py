@@ -162,6 +162,8 @@ class Reveal:
     prediction: str
     id: str
     """Element id."""
+    asked: str
+    """What the prediction is called: ``Prediction 4.2``."""
     path: str
     line: int
 
@@ -212,8 +214,8 @@ class Target:
     """What a reference may lead to: a chapter, a section, or a thing that is numbered."""
 
     kind: str
-    """``Chapter``, ``Appendix``, ``Section``, ``Figure``, ``Equation``, ``Table``, ``Example`` or
-    ``Question``."""
+    """``Chapter``, ``Appendix``, ``Section``, ``Figure``, ``Equation``, ``Table``, ``Example``,
+    ``Prediction`` or ``Question``."""
     chapter: str
     """Id of the chapter that it is, or stands in."""
     id: str
@@ -333,6 +335,8 @@ class Chapter:
     index_marks: tuple[IndexMark, ...] = ()
     formulae: tuple[Formula, ...] = ()
     """Of text and questions, in the order in which they were read."""
+    files: frozenset[str] = frozenset()
+    """Files below ``content/`` that it hands out, besides pictures."""
 
     @property
     def number(self) -> int:
@@ -356,6 +360,10 @@ class Chapter:
     """What to know before reading it."""
     after: tuple[str, ...] = ()
     """What its reader can do afterwards, each as HTML."""
+    figures: tuple[str, ...] = ()
+    """Element ids of its simulations, also of those that cannot be shown."""
+    outside: tuple[Link, ...] = ()
+    """Links that lead out of the book."""
 
     @property
     def url(self) -> str:

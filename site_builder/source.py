@@ -78,6 +78,7 @@ def read_book(
             words=words,
             chapter=chapter_id(path),
             position=position,
+            raw_html=settings.trust.raw_html,
             bibliography=bibliography,
             glossary=glossary,
         )
@@ -158,10 +159,15 @@ def _check_addresses(outline: Outline, problems: Diagnostics) -> None:
 
 def _check_unlisted(root: Path, outline: Outline, problems: Diagnostics) -> None:
     listed = {f"content/{name}.md" for name, _, _ in outline.chapters}
+    included = {path for places in problems.spliced.values() for path, _ in places}
     for file in sorted((root / "content").rglob("*.md")):
         path = file.relative_to(root).as_posix()
-        if listed and path not in listed:
-            problems.add(path, 1, f"not in {OUTLINE}; legal: listed in 'chapters' or 'appendices'")
+        if listed and path not in listed | included:
+            problems.add(
+                path,
+                1,
+                f"not in {OUTLINE}; legal: listed in 'chapters' or 'appendices', or included",
+            )
 
 
 def _read_hero(
