@@ -2,9 +2,12 @@
 
 import numpy as np
 
-from simulations.engine.drafting import Axis, Plot, label, swatch
+from simulations.engine.drafting import label, swatch
 from simulations.engine.frame import Panel
 from simulations.engine.illustration import Illustration
+from simulations.engine.plotting.axis import Axis
+from simulations.engine.plotting.plot import Plot
+from simulations.engine.plotting.scale import Scale
 from simulations.models.arrays import Floats
 from simulations.models.color.cie import xyz_to_linear_rgb
 from simulations.models.color.illuminants import daylight
@@ -20,7 +23,7 @@ SHARES = Plot(NM, Axis(0.0, 0.6, 186, 12))
 LETTERS = (("x̄", "error", 616.0, 9), ("ȳ", "world", 536.0, -18), ("z̄", "image", 468.0, 9))
 """Each curve's name, its colour here, the wavelength beside which it is written, and how far."""
 DAYLIGHT_K = 6504.0
-TICKS = tuple((nm, f"{nm:g}") for nm in (400.0, 500.0, 600.0, 700.0))
+TICKS = (400, 500, 600, 700)
 SEEN = NM.high >= WAVELENGTHS_NM
 
 
@@ -37,8 +40,8 @@ def seen() -> Floats:
 
 
 def _axes(plot: Plot, ticks: tuple[tuple[float, str], ...]) -> str:
-    named = label((NM.end, plot.y.start + 34), "wavelength, nm", "muted small", "end")
-    return plot.axes() + plot.ticks_x(TICKS) + plot.ticks_y(ticks) + named
+    across = Scale("wavelength", "nm", TICKS, style="muted small", tick_style="muted small")
+    return plot.frame(across, Scale(ticks=ticks, tick_style="muted small"))
 
 
 def _observer() -> str:

@@ -2,10 +2,11 @@
 
 import numpy as np
 
-from simulations.engine.drafting import Axis, dimension, label
+from simulations.engine.drafting import dimension, label
 from simulations.engine.drawing import arrow, dot, line, rectangle
 from simulations.engine.frame import Panel
 from simulations.engine.illustration import Illustration
+from simulations.engine.plotting.axis import Axis
 from simulations.models.arrays import Floats
 from simulations.models.projection.pinhole import intrinsics, project
 

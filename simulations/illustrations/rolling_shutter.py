@@ -2,10 +2,11 @@
 
 import math
 
-from simulations.engine.drafting import Axis, label
+from simulations.engine.drafting import label
 from simulations.engine.drawing import arrow, line, polygon, polyline, rectangle
 from simulations.engine.frame import Panel
 from simulations.engine.illustration import Illustration
+from simulations.engine.plotting.axis import Axis
 
 WIDTH, HEIGHT = 320.0, 212.0
 ROWS, READ_MS = 1080, 20.0
