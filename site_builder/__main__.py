@@ -5,8 +5,12 @@ import sys
 from collections.abc import Sequence
 from pathlib import Path
 
-from site_builder.build import Options, build_site, check_site
+from site_builder import STARTED_NS
+from site_builder.build import Options, Warn, build_site, check_site
 from site_builder.diagnostics import BuildError, Diagnostic
+from site_builder.drawing.apart import Limits, limited
+from site_builder.kept.keeper import Keeper, keeping
+from site_builder.kept.store import Store, default_folder
 
 ROOT = Path(__file__).resolve().parent.parent
 
@@ -24,30 +28,8 @@ def main(arguments: list[str] | None = None) -> int:
         print(warning, file=sys.stderr)
 
     try:
-        match given.command:
-            case "build":
-                files = build_site(
-                    ROOT, given.out, runtime=given.runtime, reload=given.reload, warn=warn
-                )
-                print(f"{given.out}: {len(files)} files{_and_count(warnings)}")
-            case "check":
-                check_site(Options(ROOT, warn=warn))
-                print(f"no mistakes{_and_count(warnings)}")
-            case "pdf":
-                # Its reader of pages and its printer are needed only here.
-                from site_builder.editions.compose import compose
-                from site_builder.editions.pdf import make_pdf
-
-                written(given.out, make_pdf(compose(Options(ROOT, warn=warn))))
-            case "epub":
-                from site_builder.editions.compose import compose
-                from site_builder.editions.epub import make_epub
-
-                written(given.out, make_epub(compose(Options(ROOT, warn=warn)), ROOT))
-            case "serve":
-                from site_builder.serve import serve  # its watcher is needed only here
-
-                serve(ROOT, given.out, given.port, runtime=given.runtime)
+        with keeping(Keeper(Store(default_folder()), STARTED_NS)), limited(Limits()):
+            _run(given, warn, warnings)
     except BuildError as error:
         print(error, file=sys.stderr)
         mistakes = _counted(error.diagnostics, "mistake")
@@ -59,6 +41,33 @@ def main(arguments: list[str] | None = None) -> int:
     except KeyboardInterrupt:
         return 130
     return 0
+
+
+def _run(given: argparse.Namespace, warn: Warn, warnings: Sequence[Diagnostic]) -> None:
+    match given.command:
+        case "build":
+            files = build_site(
+                ROOT, given.out, runtime=given.runtime, reload=given.reload, warn=warn
+            )
+            print(f"{given.out}: {len(files)} files{_and_count(warnings)}")
+        case "check":
+            check_site(Options(ROOT, warn=warn))
+            print(f"no mistakes{_and_count(warnings)}")
+        case "pdf":
+            # Its reader of pages and its printer are needed only here.
+            from site_builder.editions.compose import compose
+            from site_builder.editions.pdf import make_pdf
+
+            written(given.out, make_pdf(compose(Options(ROOT, warn=warn))))
+        case "epub":
+            from site_builder.editions.compose import compose
+            from site_builder.editions.epub import make_epub
+
+            written(given.out, make_epub(compose(Options(ROOT, warn=warn)), ROOT))
+        case "serve":
+            from site_builder.serve import serve  # its watcher is needed only here
+
+            serve(ROOT, given.out, given.port, runtime=given.runtime)
 
 
 def written(out: Path, edition: bytes) -> None:

@@ -331,6 +331,12 @@ class Chapter:
     index_marks: tuple[IndexMark, ...] = ()
     formulae: tuple[Formula, ...] = ()
     """Of text and questions, in the order in which they were read."""
+    before: tuple[Need, ...] = ()
+    """What to know before reading it."""
+    after: tuple[str, ...] = ()
+    """What its reader can do afterwards, each as HTML."""
+    kept_as: bytes = b""
+    """The hash of all that it was made from; nothing where that is unknown."""
 
     @property
     def number(self) -> int:
@@ -349,11 +355,6 @@ class Chapter:
     @property
     def is_appendix(self) -> bool:
         return self.position.kind == "Appendix"
-
-    before: tuple[Need, ...] = ()
-    """What to know before reading it."""
-    after: tuple[str, ...] = ()
-    """What its reader can do afterwards, each as HTML."""
 
     @property
     def url(self) -> str:

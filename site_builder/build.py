@@ -30,7 +30,7 @@ from site_builder.pages.stills import Stills, render_stills
 from site_builder.runtime.pack import pack_runtime
 from site_builder.runtime.pinned import Versions
 from site_builder.search.index import ADDRESS as SEARCH_INDEX
-from site_builder.search.index import make_index
+from site_builder.search.index import index_of
 from site_builder.search.library import SearchLibrary, SearchLibraryError, fetch_library
 from site_builder.search.records import explained_terms, make_records
 from site_builder.source import read_book
@@ -176,7 +176,7 @@ def _search_index(
     if not library.scripts:
         return {}
     records = make_records(pages, explained_terms(book))
-    return {SEARCH_INDEX: make_index(records, library, options.root / "static")}
+    return {SEARCH_INDEX: index_of(records, library, options.root / "static")}
 
 
 def _python(options: Options, book: Book, editor: EditorBundle) -> Files:

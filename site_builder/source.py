@@ -9,13 +9,16 @@ from string import ascii_uppercase
 from typing import Any
 
 from simulations.engine.scene import Scene
-from site_builder.bibliography import read_bibliography
+from site_builder.bibliography import FILE as BIBLIOGRAPHY
+from site_builder.bibliography import Bibliography, read_bibliography
 from site_builder.book import OUTLINE, Book, Position, Simulation, chapter_id
+from site_builder.chapters import Page, Shared
 from site_builder.diagnostics import Diagnostics, unknown
 from site_builder.glossary import FILE as GLOSSARY
 from site_builder.glossary import read_glossary
+from site_builder.kept.keeper import kept_as, reads_file
 from site_builder.lecture_plan import read_lecture_plan
-from site_builder.markdown.chapter import Draft, find_targets, parse_chapter, read_chapter
+from site_builder.markdown.chapter import find_targets
 from site_builder.markdown.definitions import read_definitions, read_meanings
 from site_builder.markdown.inline import inline_html
 from site_builder.markdown.parser import make_parser
@@ -59,9 +62,10 @@ def read_book(
     """The whole book; mistakes go to ``problems`` and reading goes on."""
     outline = _read_outline(root, problems)
     numbers = measurements or Measurements()
-    bibliography = read_bibliography(root, problems)
+    bibliography = _bibliography(root, problems)
     glossary = read_glossary(root, problems)
-    drafts: list[Draft] = []
+    shared = Shared(root, load_scene, numbers, bibliography, glossary)
+    pages: list[Page] = []
     for name, line, position in outline.chapters:
         file = root / "content" / f"{name}.md"
         if not file.is_file():
@@ -69,20 +73,8 @@ def read_book(
             continue
         _check_name(name, line, problems)
         path = file.relative_to(root).as_posix()
-        reading = Reading(
-            path,
-            root,
-            problems,
-            load_scene,
-            make_parser(),
-            numbers,
-            chapter=chapter_id(path),
-            position=position,
-            bibliography=bibliography,
-            glossary=glossary,
-        )
-        drafts.append(parse_chapter(_read_text(root, path, problems), reading))
-    targets = find_targets(drafts)
+        pages.append(Page(path, _read_text(root, path, problems), position, shared))
+    targets = find_targets([page.survey() for page in pages], problems)
     _check_addresses(outline, problems)
     _check_unlisted(root, outline, problems)
 
@@ -94,12 +86,26 @@ def read_book(
         subtitle=outline.subtitle,
         prerequisites=outline.prerequisites,
         hero=_read_hero(outline, root, problems, load_scene),
-        chapters=tuple(read_chapter(draft, targets) for draft in drafts),
+        chapters=tuple(page.read(targets, problems) for page in pages),
         bibliography=bibliography,
         lecture_plan=read_lecture_plan(root, targets, problems),
         glossary=read_definitions(glossary, beside(GLOSSARY)),
         symbols=read_meanings(read_symbols(root, problems), beside(SYMBOLS)),
     )
+
+
+def _bibliography(root: Path, problems: Diagnostics) -> Bibliography:
+    """What the file of references holds, kept."""
+
+    def read() -> tuple[Bibliography, Diagnostics]:
+        reads_file(root / BIBLIOGRAPHY)
+        own = Diagnostics()
+        return read_bibliography(root, own), own
+
+    works, own = kept_as("bibliography", str(root), read)[0]
+    problems.found.extend(own.found)
+    problems.doubts.extend(own.doubts)
+    return works
 
 
 def _read_outline(root: Path, problems: Diagnostics) -> Outline:

@@ -12,6 +12,7 @@ from simulations.engine import drawing
 from site_builder.charts.axes import Axis, linear_axis, log_axis
 from site_builder.charts.boxes import Box, Point, Segment
 from site_builder.charts.label_placement import Label, place_labels
+from site_builder.kept.keeper import kept
 from site_builder.measured.measurements import SIDES, MeasuredLadder, MeasuredTier
 
 type Place = Callable[[MeasuredTier, str], Point]
@@ -40,6 +41,7 @@ class Chart:
     height: float = HEIGHT
 
 
+@kept
 def pareto_chart(measured: MeasuredLadder) -> Chart:
     time, error = _time_axis(measured), _error_axis(measured)
 

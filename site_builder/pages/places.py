@@ -15,6 +15,7 @@ class Place:
     address: str
     """Relative to the site's root."""
     chapter: Chapter
+    """Its card."""
     section: str
     """Words of its heading, as HTML; nothing before a chapter's first."""
     explains: bool = False
@@ -30,7 +31,23 @@ def place(chapter: Chapter, section: str, element: str, *, explains: bool = Fals
     words = {heading.id: heading.html for heading in chapter.headings}.get(section, "")
     anchor = element or section
     address = f"{chapter.url}#{anchor}" if anchor else chapter.url
-    return Place(address, chapter, words, explains)
+    return Place(address, card(chapter), words, explains)
+
+
+def card(chapter: Chapter) -> Chapter:
+    """What other pages say of a chapter: its name and place, nothing that it says."""
+    nothing: tuple[()] = ()
+    return Chapter(
+        chapter.position,
+        chapter.id,
+        chapter.path,
+        chapter.title,
+        chapter.summary,
+        nothing,
+        nothing,
+        frozenset(),
+        nothing,
+    )
 
 
 def by_letter[T](named: Iterable[tuple[str, T]]) -> Letters[T]:

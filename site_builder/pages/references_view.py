@@ -2,6 +2,7 @@
 
 from site_builder.bibliography import Work
 from site_builder.book import Book, Chapter
+from site_builder.pages.places import card
 
 type Places = list[tuple[Chapter, list[str]]]
 
@@ -16,4 +17,4 @@ def _places(key: str, book: Book) -> Places:
         (chapter, [citation.id for citation in chapter.citations if citation.key == key])
         for chapter in book.chapters
     )
-    return [(chapter, ids) for chapter, ids in by_chapter if ids]
+    return [(card(chapter), ids) for chapter, ids in by_chapter if ids]

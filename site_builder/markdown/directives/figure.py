@@ -4,6 +4,7 @@ from dataclasses import dataclass
 from pathlib import Path, PurePosixPath
 
 from site_builder.diagnostics import unknown
+from site_builder.kept.keeper import reads_file
 from site_builder.markdown.bodies import CAPTION
 from site_builder.markdown.directive import LABEL, Argument, Directive, Numbered, OptionLine, Use
 from site_builder.markdown.reading import Reading
@@ -33,6 +34,8 @@ def _fault_of(file: str, content: Path) -> str:
     """What is wrong with the picture ``file``; nothing where it can be shown."""
     path = PurePosixPath(file)
     inside = file and not path.is_absolute() and ".." not in path.parts
+    if inside:
+        reads_file(content / file)
     if not inside or not (content / file).is_file():
         pictures = (
             picture.relative_to(content).as_posix()

@@ -1,10 +1,13 @@
 """``{illustration} name``: a drawing that our own models make while the book is built."""
 
+from collections.abc import Callable
 from dataclasses import dataclass
 
 from simulations.engine.illustration import Illustration
 from simulations.illustrations.table import ILLUSTRATIONS
 from site_builder.diagnostics import cause
+from site_builder.drawing.apart import apart
+from site_builder.kept.keeper import kept, reads_code
 from site_builder.markdown.bodies import CAPTION
 from site_builder.markdown.directive import LABEL, Argument, Directive, Numbered, OptionLine, Use
 from site_builder.markdown.reading import Reading
@@ -21,7 +24,7 @@ class Drawn:
 
 def read_illustration(use: Use, caption_html: str, reading: Reading) -> Drawn | None:
     try:
-        illustration = ILLUSTRATIONS[use.argument]()
+        illustration = _drawn(ILLUSTRATIONS[use.argument])
     except Exception as error:  # whatever its code may raise is the author's to see
         message = f"illustration {use.argument!r} cannot be drawn: {cause(error)}"
         reading.problem(use.line, message)
@@ -31,6 +34,16 @@ def read_illustration(use: Use, caption_html: str, reading: Reading) -> Drawn | 
         reading.problem(use.line, f"illustration {use.argument!r} has no caption; legal: {legal}")
     words = use.text("alt") or illustration.description
     return Drawn(illustration, words, caption_html)
+
+
+def _drawn(draw: Callable[[], Illustration]) -> Illustration:
+    reads_code(draw)
+    return illustration_of(draw)
+
+
+@kept
+def illustration_of(draw: Callable[[], Illustration]) -> Illustration:
+    return apart(draw)
 
 
 ILLUSTRATION = Directive(

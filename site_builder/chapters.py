@@ -1,0 +1,100 @@
+"""One chapter of the book: surveyed for what others may refer to, then read; both kept."""
+
+from collections.abc import Callable
+from dataclasses import dataclass, field, replace
+from pathlib import Path
+from typing import Any
+
+from simulations.engine.scene import Scene
+from site_builder.bibliography import FILE as BIBLIOGRAPHY
+from site_builder.bibliography import Bibliography
+from site_builder.book import Chapter, Position, Target, chapter_id
+from site_builder.diagnostics import Diagnostic, Diagnostics
+from site_builder.glossary import FILE as GLOSSARY
+from site_builder.glossary import Glossary
+from site_builder.kept.keeper import kept_as, reads_file, reads_unknown
+from site_builder.markdown.chapter import Draft, Survey, parse_chapter, read_chapter, survey
+from site_builder.markdown.parser import make_parser
+from site_builder.markdown.reading import Reading
+from site_builder.markdown.targets import Targets
+from site_builder.measured.measurements import DATA as MEASUREMENTS
+from site_builder.measured.measurements import Measurements
+
+
+@dataclass(frozen=True, slots=True)
+class Shared:
+    """What all chapters are read with."""
+
+    root: Path
+    load_scene: Callable[[str], Scene[Any]]
+    measurements: Measurements
+    bibliography: Bibliography
+    glossary: Glossary
+
+
+@dataclass(slots=True)
+class Page:
+    """A chapter's file."""
+
+    path: str
+    """Relative to the root of the project."""
+    text: str
+    position: Position
+    shared: Shared
+    _draft: Draft | None = field(default=None, init=False)
+    """Parsed already, and not yet read: reading changes it."""
+
+    def survey(self) -> Survey:
+        """What others may refer to in it; its mistakes are told when it is read."""
+        return kept_as("survey", self._given(), lambda: survey(self._parsed()))[0]
+
+    def read(self, targets: Targets, problems: Diagnostics) -> Chapter:
+        """The whole chapter; mistakes go to ``problems`` and reading goes on."""
+        given = (*self._given(), *_without_lines(targets))
+        (chapter, doubts), made_from = kept_as("read", given, lambda: self._read(targets, problems))
+        problems.doubts.extend(doubts)
+        return replace(chapter, kept_as=made_from)
+
+    def _given(self) -> tuple[object, ...]:
+        return self.path, self.text, self.position
+
+    def _read(
+        self, targets: Targets, problems: Diagnostics
+    ) -> tuple[Chapter, tuple[Diagnostic, ...]]:
+        for file in (BIBLIOGRAPHY, GLOSSARY, MEASUREMENTS):
+            reads_file(self.shared.root / file)
+        draft, self._draft = self._parsed(), None
+        chapter = read_chapter(draft, targets)
+        own = draft.reading.problems
+        if own:
+            reads_unknown()  # what would be legal may depend on anything
+            problems.found.extend(own.found)
+        return chapter, tuple(own.doubts)
+
+    def _parsed(self) -> Draft:
+        if self._draft is None:
+            shared = self.shared
+            reading = Reading(
+                self.path,
+                shared.root,
+                Diagnostics(),
+                shared.load_scene,
+                make_parser(),
+                shared.measurements,
+                chapter=chapter_id(self.path),
+                position=self.position,
+                bibliography=shared.bibliography,
+                glossary=shared.glossary,
+            )
+            self._draft = parse_chapter(self.text, reading)
+        return self._draft
+
+
+def _without_lines(targets: Targets) -> tuple[object, object]:
+    """What of other chapters a chapter can show: not on which line it stands."""
+
+    def told(target: Target) -> tuple[object, ...]:
+        return target.kind, target.chapter, target.id, target.number, target.title, target.labelled
+
+    inside = {chapter: [told(one) for one in found] for chapter, found in targets.inside.items()}
+    return {chapter: told(target) for chapter, target in targets.chapters.items()}, inside
