@@ -12,7 +12,7 @@ from simulations.engine import drawing
 from site_builder.charts.axes import Axis, linear_axis, log_axis
 from site_builder.charts.boxes import Box, Point, Segment
 from site_builder.charts.label_placement import Label, place_labels
-from site_builder.kept.keeper import kept
+from site_builder.kept.keeper import kept_as
 from site_builder.measured.measurements import SIDES, MeasuredLadder, MeasuredTier
 
 type Place = Callable[[MeasuredTier, str], Point]
@@ -41,8 +41,15 @@ class Chart:
     height: float = HEIGHT
 
 
-@kept
 def pareto_chart(measured: MeasuredLadder) -> Chart:
+    """The chart, kept by what it shows."""
+    metric = measured.metric
+    tiers = [(item.tier.id, item.tier.label, item.errors, item.times) for item in measured.tiers]
+    given = (tiers, metric.id, metric.label, metric.unit, metric.higher_is_better)
+    return kept_as("chart", given, lambda: _draw(measured))[0]
+
+
+def _draw(measured: MeasuredLadder) -> Chart:
     time, error = _time_axis(measured), _error_axis(measured)
 
     def at(item: MeasuredTier, side: str) -> tuple[float, float]:

@@ -9,13 +9,24 @@ from site_builder.book import Chapter
 
 
 @dataclass(frozen=True, slots=True)
+class Card:
+    """What other pages say of a chapter; nothing that it says itself."""
+
+    id: str
+    url: str
+    mark: str
+    name: str
+    title: str
+    summary: str
+
+
+@dataclass(frozen=True, slots=True)
 class Place:
     """Where a link leads, and what it says."""
 
     address: str
     """Relative to the site's root."""
-    chapter: Chapter
-    """Its card."""
+    chapter: Card
     section: str
     """Words of its heading, as HTML; nothing before a chapter's first."""
     explains: bool = False
@@ -34,20 +45,8 @@ def place(chapter: Chapter, section: str, element: str, *, explains: bool = Fals
     return Place(address, card(chapter), words, explains)
 
 
-def card(chapter: Chapter) -> Chapter:
-    """What other pages say of a chapter: its name and place, nothing that it says."""
-    nothing: tuple[()] = ()
-    return Chapter(
-        chapter.position,
-        chapter.id,
-        chapter.path,
-        chapter.title,
-        chapter.summary,
-        nothing,
-        nothing,
-        frozenset(),
-        nothing,
-    )
+def card(chapter: Chapter) -> Card:
+    return Card(chapter.id, chapter.url, chapter.mark, chapter.name, chapter.title, chapter.summary)
 
 
 def by_letter[T](named: Iterable[tuple[str, T]]) -> Letters[T]:

@@ -8,7 +8,7 @@ from pathlib import Path
 from jinja2 import Environment, FileSystemLoader, StrictUndefined
 from markupsafe import Markup
 
-from site_builder.book import Block, Book, Chapter, Heading, Simulation
+from site_builder.book import Block, Book, Chapter, Definition, Heading, Simulation
 from site_builder.kept.files import folder_hash
 from site_builder.kept.keeper import given_hash, kept_as
 from site_builder.markdown.directives.simulation import SIMULATION
@@ -17,7 +17,7 @@ from site_builder.pages.glossary_view import marked_terms, view_glossary
 from site_builder.pages.index_view import view_index
 from site_builder.pages.ladder_view import summary_row, view_ladder
 from site_builder.pages.licences import Licence
-from site_builder.pages.places import card
+from site_builder.pages.places import Card, card
 from site_builder.pages.predict_view import predict_data, view_sketch
 from site_builder.pages.progress_view import progress_data
 from site_builder.pages.quiz_view import in_any_order, quiz_data
@@ -41,7 +41,6 @@ FILTERS: Mapping[str, Callable[..., object]] = {
     "in_any_order": in_any_order,
     "predict_data": predict_data,
     "view_sketch": view_sketch,
-    "progress_data": progress_data,
     "view_ladder": view_ladder,
     "summary_row": summary_row,
     "reading_minutes": reading_minutes,
@@ -49,6 +48,30 @@ FILTERS: Mapping[str, Callable[..., object]] = {
     "highlighted": lambda code: highlighted_lines(code, "python"),
 }
 """What templates ask for where they show more than lies ready in the page model."""
+
+
+@dataclass(frozen=True, slots=True)
+class Frame:
+    """The book as every page may show it: of its chapters the cards, and no line of a file."""
+
+    title: str
+    subtitle: str
+    prerequisites: str
+    chapters: tuple[Card, ...]
+    glossary: tuple[Definition, ...]
+    back_matter: tuple[tuple[str, str], ...]
+    """Address and title of the pages that the contents list after the chapters."""
+
+
+@dataclass(frozen=True, slots=True)
+class Look:
+    """What of a `Site` is the same for every page, whatever the book says."""
+
+    assets: str
+    runtime: str
+    code_editor: bool
+    search: bool
+    reload: bool
 
 
 @dataclass(frozen=True, slots=True)
@@ -75,7 +98,13 @@ def render_pages(site: Site, licences: tuple[Licence, ...]) -> dict[str, bytes]:
     """Every page of the site, by its path."""
     book, render = site.book, _renderer(site)
     pages = {
-        "index.html": render("landing.html", "./", counts=_counts(book), cover=_cover(site)),
+        "index.html": render(
+            "landing.html",
+            "./",
+            counts=_counts(book),
+            cover=_cover(book),
+            progress=progress_data(book),
+        ),
         "404.html": render("not-found.html", "./"),
         "licences/index.html": render("licences.html", "../", licences=licences),
     }
@@ -124,51 +153,57 @@ def render_pages(site: Site, licences: tuple[Licence, ...]) -> dict[str, bytes]:
 
 
 def _renderer(site: Site) -> Callable[..., bytes]:
-    """`render_page` for the pages of a site, kept: by what all pages share, and what one is
-    given."""
-    frame = _frame(site)
-    shared = (frame.title, frame.subtitle, frame.prerequisites, frame.chapters, frame.glossary)
-    seen_by_all = given_hash(
-        (shared, site.assets, site.runtime, site.code_editor, site.search, site.reload),
-        (_back_matter(site.book), folder_hash(TEMPLATES)),
-    )
-    limited = replace(site, book=frame)
+    """Makes the pages of a site, each kept by what all share and what it is given. The stills of a
+    page follow from its figures, which it is given."""
+    frame, look = _frame(site.book), _look(site)
+    shared = given_hash(frame, look, folder_hash(TEMPLATES))
 
     def render(template: str, root: str, **context: object) -> bytes:
         def make() -> bytes:
-            return render_page(limited, template, root, back_matter=back, **context).encode()
+            return _render(frame, look, site.stills, template, root, context).encode()
 
-        given = (seen_by_all, template, root, context)
-        return kept_as("page", given, make)[0]
+        return kept_as("page", (shared, template, root, context), make)[0]
 
-    back = _back_matter(site.book)
     return render
 
 
-def _frame(site: Site) -> Book:
-    """The book as pages see it: of its chapters the cards, of places no lines."""
-    book = site.book
-    return Book(
-        title=book.title,
-        subtitle=book.subtitle,
-        prerequisites=book.prerequisites,
-        hero=None,
-        chapters=tuple(map(card, book.chapters)),
-        glossary=tuple(
+def _frame(book: Book) -> Frame:
+    return Frame(
+        book.title,
+        book.subtitle,
+        book.prerequisites,
+        tuple(map(card, book.chapters)),
+        tuple(
             replace(item, explained=item.explained and replace(item.explained, line=0))
             for item in book.glossary
         ),
+        tuple(_back_matter(book)),
     )
+
+
+def _look(site: Site) -> Look:
+    return Look(site.assets, site.runtime, site.code_editor, site.search, site.reload)
 
 
 def render_page(site: Site, template: str, root: str, **context: object) -> str:
     """One page, or a part of one. ``root`` is the site's root relative to it."""
+    return _render(_frame(site.book), _look(site), site.stills, template, root, context)
+
+
+def _render(
+    frame: Frame,
+    look: Look,
+    stills: Stills,
+    template: str,
+    root: str,
+    context: Mapping[str, object],
+) -> str:
     environment = _environment()
-    assets = f"{root}{site.assets}"
+    assets = f"{root}{look.assets}"
     chapter = context.get("chapter")
 
     def simulation_view(figure: Simulation) -> SimulationView:
-        return view_simulation(site.stills[figure.path, figure.line], assets)
+        return view_simulation(stills[figure.path, figure.line], assets)
 
     def block_html(block: Block) -> Markup:
         template = environment.get_template(f"blocks/{block.template}.html")
@@ -180,17 +215,18 @@ def render_page(site: Site, template: str, root: str, **context: object) -> str:
         "root": root,
         "assets": assets,
         "anchors": chapter.anchors if isinstance(chapter, Chapter) else (),
-        "python": bool(site.runtime),
-        "code_editor": site.code_editor,
+        "python": bool(look.runtime),
+        "code_editor": look.code_editor,
         "block_html": block_html,
         "simulation_view": simulation_view,
     }
     return environment.get_template(template).render(
         shared,
-        site=site,
-        book=site.book,
-        runtime=f"{root}{site.runtime}" if site.runtime else "",
-        **{"chapter": None, "here": "", "sections": (), "back_matter": (), **context},
+        site=look,
+        book=frame,
+        back_matter=frame.back_matter,
+        runtime=f"{root}{look.runtime}" if look.runtime else "",
+        **{"chapter": None, "here": "", "sections": (), **context},
     )
 
 
@@ -214,9 +250,9 @@ def _environment() -> Environment:
     return environment
 
 
-def _cover(site: Site) -> Block | None:
+def _cover(book: Book) -> Block | None:
     """The figure of the landing page."""
-    hero = site.book.hero
+    hero = book.hero
     return Block(SIMULATION.template, hero) if hero else None
 
 
