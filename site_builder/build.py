@@ -17,6 +17,8 @@ from site_builder.checks import check_book
 from site_builder.diagnostics import BuildError, Diagnostic, Diagnostics
 from site_builder.editor.bundle import EditorBundle, EditorBundleError, bundle_editor
 from site_builder.editor.sources import scene_sources
+from site_builder.kept.files import folder_hash
+from site_builder.kept.keeper import kept_as, reads_file, reads_folder
 from site_builder.markdown.directives.figure import SUFFIXES
 from site_builder.measured.measurements import read_measurements
 from site_builder.output.assets import Content, folder_files, hashed_folder
@@ -24,17 +26,20 @@ from site_builder.output.fonts import subset_fonts
 from site_builder.output.style_sheets import join_style_sheets
 from site_builder.output.writer import write_site
 from site_builder.pages.catalogue import catalogue
-from site_builder.pages.licences import gather_licences
+from site_builder.pages.licences import Licence, gather_licences
 from site_builder.pages.render import Site, render_pages
 from site_builder.pages.stills import Stills, render_stills
-from site_builder.runtime.pack import pack_runtime
+from site_builder.runtime.pack import RuntimeBundle, pack_runtime
 from site_builder.runtime.pinned import Versions
+from site_builder.runtime.store import is_whole
 from site_builder.search.index import ADDRESS as SEARCH_INDEX
 from site_builder.search.index import index_of
 from site_builder.search.library import SearchLibrary, SearchLibraryError, fetch_library
 from site_builder.search.records import explained_terms, make_records
 from site_builder.source import read_book
 
+RUNTIME = Path(__file__).parent / "runtime"
+"""What makes it, with programs for other interpreters."""
 LIBRARY = "search"
 """Folder of what searches, among the assets."""
 STYLE_SHEET = "css/book.css"
@@ -94,7 +99,7 @@ def render_site(options: Options) -> Files:
         options.root, book, stills, assets, runtime, bool(editor.script),
         search=bool(scripts), reload=options.reload,
     )  # fmt: skip
-    licences = gather_licences(options.root, versions, editor.packages, library.packages)
+    licences = _licences(options.root, versions, editor, library)
     pages = render_pages(site, licences)
     return {
         **pages,
@@ -141,9 +146,30 @@ def _runtime(options: Options) -> tuple[str, dict[str, Content], Versions]:
     """Python for the browser, with our simulations inside."""
     if not options.runtime:
         return "", {}, Versions()
-    bundle = pack_runtime(options.root / "simulations")
+    bundle = _bundle(options.root / "simulations")
     folder, files = hashed_folder("runtime", dict(bundle.files))
     return folder, files, bundle.versions
+
+
+def _bundle(simulations: Path) -> RuntimeBundle:
+    """The runtime, packed anew where nothing is kept of these sources or files of it are gone."""
+
+    def pack() -> RuntimeBundle:
+        reads_folder(RUNTIME)
+        return pack_runtime(simulations)
+
+    bundle = kept_as("runtime", folder_hash(simulations, "*.py"), pack)[0]
+    return bundle if all(map(is_whole, bundle.files.values())) else pack()
+
+
+def _licences(
+    root: Path, versions: Versions, editor: EditorBundle, search: SearchLibrary
+) -> tuple[Licence, ...]:
+    def gather() -> tuple[Licence, ...]:
+        reads_file(root / "LICENSE")
+        return gather_licences(root, versions, editor.packages, search.packages)
+
+    return kept_as("licences", (versions, editor.packages, search.packages), gather)[0]
 
 
 def _editor(options: Options) -> EditorBundle:

@@ -12,7 +12,7 @@ from site_builder.book import Chapter, Position, Target, chapter_id
 from site_builder.diagnostics import Diagnostic, Diagnostics
 from site_builder.glossary import FILE as GLOSSARY
 from site_builder.glossary import Glossary
-from site_builder.kept.keeper import kept_as, reads_file, reads_unknown
+from site_builder.kept.keeper import given_hash, kept_as, reads_file, reads_unknown
 from site_builder.markdown.chapter import Draft, Survey, parse_chapter, read_chapter, survey
 from site_builder.markdown.parser import make_parser
 from site_builder.markdown.reading import Reading
@@ -48,9 +48,10 @@ class Page:
         """What others may refer to in it; its mistakes are told when it is read."""
         return kept_as("survey", self._given(), lambda: survey(self._parsed()))[0]
 
-    def read(self, targets: Targets, problems: Diagnostics) -> Chapter:
-        """The whole chapter; mistakes go to ``problems`` and reading goes on."""
-        given = (*self._given(), *_without_lines(targets))
+    def read(self, targets: Targets, known: bytes, problems: Diagnostics) -> Chapter:
+        """The whole chapter; mistakes go to ``problems`` and reading goes on. ``known`` is what
+        `targets_hash` says of the targets."""
+        given = (*self._given(), known)
         (chapter, doubts), made_from = kept_as("read", given, lambda: self._read(targets, problems))
         problems.doubts.extend(doubts)
         return replace(chapter, kept_as=made_from)
@@ -90,11 +91,12 @@ class Page:
         return self._draft
 
 
-def _without_lines(targets: Targets) -> tuple[object, object]:
-    """What of other chapters a chapter can show: not on which line it stands."""
+def targets_hash(targets: Targets) -> bytes:
+    """Of what a chapter can show of others: not on which line that stands."""
 
     def told(target: Target) -> tuple[object, ...]:
         return target.kind, target.chapter, target.id, target.number, target.title, target.labelled
 
     inside = {chapter: [told(one) for one in found] for chapter, found in targets.inside.items()}
-    return {chapter: told(target) for chapter, target in targets.chapters.items()}, inside
+    chapters = {chapter: told(target) for chapter, target in targets.chapters.items()}
+    return given_hash(chapters, inside)

@@ -12,7 +12,7 @@ from simulations.engine.scene import Scene
 from site_builder.bibliography import FILE as BIBLIOGRAPHY
 from site_builder.bibliography import Bibliography, read_bibliography
 from site_builder.book import OUTLINE, Book, Position, Simulation, chapter_id
-from site_builder.chapters import Page, Shared
+from site_builder.chapters import Page, Shared, targets_hash
 from site_builder.diagnostics import Diagnostics, unknown
 from site_builder.glossary import FILE as GLOSSARY
 from site_builder.glossary import read_glossary
@@ -75,6 +75,7 @@ def read_book(
         path = file.relative_to(root).as_posix()
         pages.append(Page(path, _read_text(root, path, problems), position, shared))
     targets = find_targets([page.survey() for page in pages], problems)
+    known = targets_hash(targets)
     _check_addresses(outline, problems)
     _check_unlisted(root, outline, problems)
 
@@ -86,7 +87,7 @@ def read_book(
         subtitle=outline.subtitle,
         prerequisites=outline.prerequisites,
         hero=_read_hero(outline, root, problems, load_scene),
-        chapters=tuple(page.read(targets, problems) for page in pages),
+        chapters=tuple(page.read(targets, known, problems) for page in pages),
         bibliography=bibliography,
         lecture_plan=read_lecture_plan(root, targets, problems),
         glossary=read_definitions(glossary, beside(GLOSSARY)),
