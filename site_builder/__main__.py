@@ -6,13 +6,12 @@ from collections.abc import Sequence
 from pathlib import Path
 
 from site_builder import STARTED_NS
+from site_builder.book_root import ROOT
 from site_builder.build import Options, Warn, build_site, check_site
 from site_builder.diagnostics import BuildError, Diagnostic
 from site_builder.drawing.apart import Limits, limited
 from site_builder.kept.keeper import Keeper, keeping
 from site_builder.kept.store import Store, default_folder
-
-ROOT = Path(__file__).resolve().parent.parent
 
 
 def main(arguments: list[str] | None = None) -> int:

@@ -4,22 +4,25 @@ All pages are checked before one is written, so a mistake anywhere leaves the la
 it was. `render_site` touches no output folder: it returns the site in memory.
 """
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Collection, Mapping
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
 from simulations.engine.ladder import Ladder
 from simulations.engine.scene import Scene
-from simulations.registry import load_ladder, load_scene
-from site_builder.book import Book
+from simulations.registry import LADDER_MODULES, SCENE_MODULES, load_ladder, load_scene
+from site_builder.book import Book, contents
+from site_builder.book_root import own_or_engine
 from site_builder.checks import check_book
+from site_builder.declared import check_declarations
 from site_builder.diagnostics import BuildError, Diagnostic, Diagnostics
 from site_builder.editor.bundle import EditorBundle, EditorBundleError, bundle_editor
 from site_builder.editor.sources import scene_sources
-from site_builder.kept.files import folder_hash
+from site_builder.kept.files import file_hash
 from site_builder.kept.keeper import kept_as, reads_file, reads_folder
 from site_builder.markdown.directives.figure import SUFFIXES
+from site_builder.markdown.directives.ladder import LadderFigure
 from site_builder.measured.measurements import read_measurements
 from site_builder.output.assets import Content, folder_files, hashed_folder
 from site_builder.output.fonts import subset_fonts
@@ -29,7 +32,7 @@ from site_builder.pages.catalogue import catalogue
 from site_builder.pages.licences import Licence, gather_licences
 from site_builder.pages.render import Site, render_pages
 from site_builder.pages.stills import Stills, render_stills
-from site_builder.runtime.pack import RuntimeBundle, pack_runtime
+from site_builder.runtime.pack import Modules, RuntimeBundle, book_modules, pack_runtime
 from site_builder.runtime.pinned import Versions
 from site_builder.runtime.store import is_whole
 from site_builder.search.index import ADDRESS as SEARCH_INDEX
@@ -59,7 +62,7 @@ class Options:
     """What one build is made from and how."""
 
     root: Path
-    """The project: holds ``content/``, ``simulations/``, ``static/``."""
+    """The book's folder: holds ``content/`` and ``simulations/``."""
     runtime: bool = True
     """Whether to ship Python for the browser; without it figures stay stills."""
     reload: bool = False
@@ -90,7 +93,7 @@ def build_site(
 def render_site(options: Options) -> Files:
     """Every file of the site. Raises `BuildError` with all mistakes found."""
     book, stills, pictures = check_site(options)
-    runtime, runtime_files, versions = _runtime(options)
+    runtime, runtime_files, versions = _runtime(options, book)
     editor, library = _editor(options), _search_library(options)
     scripts = {f"{LIBRARY}/{name}": path for name, path in library.scripts.items()}
     made = {**_python(options, book, editor), **scripts}
@@ -113,6 +116,7 @@ def render_site(options: Options) -> Files:
 def check_site(options: Options) -> tuple[Book, Stills, dict[str, bytes]]:
     """Read and check everything, figures drawn included. Raises `BuildError`."""
     problems = Diagnostics()
+    check_declarations(options.root, problems)
     measurements = read_measurements(options.root, problems, options.load_ladder)
     book = read_book(options.root, problems, options.load_scene, measurements)
     check_book(book, problems)
@@ -131,7 +135,7 @@ def gather_assets(root: Path, pictures: Mapping[str, bytes], made: Files) -> tup
     return hashed_folder(
         "assets",
         {
-            **join_style_sheets(folder_files(root / "static"), STYLE_SHEET),
+            **join_style_sheets(folder_files(own_or_engine(root, "static")), STYLE_SHEET),
             **{f"fonts/{name}": data for name, data in subset_fonts().items()},
             **{f"stills/{name}": data for name, data in pictures.items()},
             **{
@@ -142,23 +146,29 @@ def gather_assets(root: Path, pictures: Mapping[str, bytes], made: Files) -> tup
     )
 
 
-def _runtime(options: Options) -> tuple[str, dict[str, Content], Versions]:
-    """Python for the browser, with our simulations inside."""
-    if not options.runtime:
+def _runtime(options: Options, book: Book) -> tuple[str, dict[str, Content], Versions]:
+    """Python for the browser, with the scenes and ladders inside that the book shows."""
+    ladders = {item.measured.ladder.id for item in _shown(book, LadderFigure)}
+    if not options.runtime or not (book.scenes or ladders):
         return "", {}, Versions()
-    bundle = _bundle(options.root / "simulations")
+    bundle = _bundle(
+        options.root / "simulations",
+        _only(SCENE_MODULES, {scene.id for scene in book.scenes}),
+        _only(LADDER_MODULES, ladders),
+    )
     folder, files = hashed_folder("runtime", dict(bundle.files))
     return folder, files, bundle.versions
 
 
-def _bundle(simulations: Path) -> RuntimeBundle:
+def _bundle(simulations: Path, scenes: Modules, ladders: Modules) -> RuntimeBundle:
     """The runtime, packed anew where nothing is kept of these sources or files of it are gone."""
 
     def pack() -> RuntimeBundle:
         reads_folder(RUNTIME)
-        return pack_runtime(simulations)
+        return pack_runtime(simulations, scenes=scenes, ladders=ladders)
 
-    bundle = kept_as("runtime", folder_hash(simulations, "*.py"), pack)[0]
+    sources = {name: file_hash(file) for name, file in book_modules(simulations).items()}
+    bundle = kept_as("runtime", (sources, scenes, ladders), pack)[0]
     return bundle if all(map(is_whole, bundle.files.values())) else pack()
 
 
@@ -170,6 +180,14 @@ def _licences(
         return gather_licences(root, versions, editor.packages, search.packages)
 
     return kept_as("licences", (versions, editor.packages, search.packages), gather)[0]
+
+
+def _shown[T](book: Book, kind: type[T]) -> list[T]:
+    return [item for chapter in book.chapters for item in contents(chapter.body, kind)]
+
+
+def _only(modules: Mapping[str, str], shown: Collection[str]) -> dict[str, str]:
+    return {name: module for name, module in modules.items() if name in shown}
 
 
 def _editor(options: Options) -> EditorBundle:
@@ -202,7 +220,7 @@ def _search_index(
     if not library.scripts:
         return {}
     records = make_records(pages, explained_terms(book))
-    return {SEARCH_INDEX: index_of(records, library, options.root / "static")}
+    return {SEARCH_INDEX: index_of(records, library, own_or_engine(options.root, "static"))}
 
 
 def _python(options: Options, book: Book, editor: EditorBundle) -> Files:

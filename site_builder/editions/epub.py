@@ -11,6 +11,7 @@ from urllib.parse import quote
 from uuid import NAMESPACE_URL, uuid5
 from xml.etree.ElementTree import Element
 
+from site_builder.book_root import own_or_engine
 from site_builder.editions.compose import ANSWERS, Composed, Section, answer_id
 from site_builder.editions.epub_style import book_style
 from site_builder.editions.places import is_external, place_of
@@ -44,7 +45,7 @@ def make_epub(composed: Composed, root: Path) -> bytes:
     images = _take_images(trees, composed)
     files: dict[str, bytes] = {
         **{name: xhtml(tree) for name, tree in trees.items()},
-        "style/book.css": book_style(root / "static" / "css").encode(),
+        "style/book.css": book_style(own_or_engine(root, "static/css")).encode(),
         **{
             f"fonts/{Path(name).name}": content_bytes(content)
             for name, content in composed.files.items()

@@ -11,6 +11,7 @@ from collections.abc import Callable, Iterator
 from importlib.util import find_spec
 from pathlib import Path
 
+from site_builder.book_root import ENGINE, is_engine
 from site_builder.kept.files import file_hash
 
 type Recall = Callable[[bytes, Callable[[], tuple[str, ...]]], tuple[str, ...]]
@@ -24,13 +25,10 @@ def read_at_once(_hash: bytes, read: Callable[[], tuple[str, ...]]) -> tuple[str
     return read()
 
 
-def code_hash(
-    modules: tuple[str, ...], apart: tuple[str, ...] = (), recall: Recall = read_at_once
-) -> tuple[bytes, int]:
-    """Of ``modules`` and what they import, but for what lies in the packages ``apart``; and when
-    the latest of these files was written."""
+def code_hash(module: str, recall: Recall = read_at_once) -> tuple[bytes, int]:
+    """Of the module and what it imports; and when the latest of these files was written."""
     digest, latest = hashlib.blake2b(libraries(), digest_size=SIZE), 0
-    for name, (file, found) in sorted(_reach(modules, apart, recall).items()):
+    for name, (file, found) in sorted(_reach(module, recall).items()):
         digest.update(name.encode() + b"\0" + found)
         latest = max(latest, file.stat().st_mtime_ns)
     return digest.digest(), latest
@@ -43,9 +41,12 @@ def is_ours(module: str) -> bool:
 
 def module_file(module: str) -> Path | None:
     """Its source, where it is one of ours."""
-    root = _root(module.partition(".")[0])
+    package = module.partition(".")[0]
+    root = _root(package)
     if root is None:
         return None
+    if package == "simulations" and is_engine(module):
+        root = ENGINE
     place = root.joinpath(*module.split("."))
     file = place.with_suffix(".py")
     return next((one for one in (file, place / "__init__.py") if one.is_file()), None)
@@ -62,15 +63,13 @@ def libraries() -> bytes:
     return hashlib.blake2b(told.encode(), digest_size=SIZE).digest()
 
 
-def _reach(
-    modules: tuple[str, ...], apart: tuple[str, ...], recall: Recall
-) -> dict[str, tuple[Path, bytes]]:
+def _reach(module: str, recall: Recall) -> dict[str, tuple[Path, bytes]]:
     found: dict[str, tuple[Path, bytes]] = {}
     seen = {""}
-    waiting = list(modules)
+    waiting = [module]
     while waiting:
         name = waiting.pop()
-        if name in seen or any(f"{name}.".startswith(f"{each}.") for each in apart):
+        if name in seen:
             continue
         seen.add(name)
         file = module_file(name)
@@ -105,9 +104,11 @@ def _root(package: str) -> Path | None:
         spec = find_spec(package)
     except (ImportError, ValueError):
         return None
-    if spec is None or not spec.submodule_search_locations:
+    loaded = getattr(sys.modules.get(package), "__path__", None)
+    places = list(loaded or (spec and spec.submodule_search_locations) or ())
+    if not places:
         return None
-    folder = Path(next(iter(spec.submodule_search_locations))).resolve()
+    folder = Path(places[0]).resolve()
     installed = (sysconfig.get_path("purelib"), sysconfig.get_path("platlib"))
     if any(folder.is_relative_to(Path(each).resolve()) for each in installed):
         return None

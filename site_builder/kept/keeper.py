@@ -23,8 +23,6 @@ from site_builder.kept.files import file_hash, folder_hash
 from site_builder.kept.fingerprint import SIZE, fingerprint
 from site_builder.kept.packing import HOLDERS, home_of, packed, unpacked
 
-TOLD = ("simulations.illustrations", "simulations.hard_cases")
-"""Tables of everything, which the builder imports. It tells which of their modules it asks."""
 GENERATIONS = 3
 """Builds after which what nobody asked for leaves the memory."""
 UNKNOWN = b"unknown"
@@ -116,10 +114,9 @@ class Keeper:
         return fingerprint(given, self._own_fingerprint)
 
     def code(self, module: str) -> bytes:
-        """The hash of a module's code, but for what of it is told where it is asked for."""
+        """The hash of what a module can do."""
         if module not in self._codes:
-            apart = () if module.startswith(TOLD) else TOLD
-            self._codes[module], written = code_hash((module,), apart, self._imports)
+            self._codes[module], written = code_hash(module, self._imports)
             self._latest_ns = max(self._latest_ns, written)
         return self._codes[module]
 

@@ -18,16 +18,15 @@ def hashed_folder(kind: str, files: Mapping[str, Content]) -> tuple[str, dict[st
     """
     digest = hashlib.sha256()
     for name in sorted(files):
-        digest.update(b"%b\0%b" % (name.encode(), _hash_of(files[name])))
+        digest.update(name.encode() + b"\0" + _hash_of(files[name]))
     folder = f"{kind}/{digest.hexdigest()[:12]}/"
     return folder, {folder + name: content for name, content in files.items()}
 
 
 def _hash_of(content: Content) -> bytes:
-    hashed = file_hash(content) if isinstance(content, Path) else bytes_hash(content)
-    if hashed is None:
-        raise FileNotFoundError(f"{content}: no such file")
-    return hashed
+    if isinstance(content, bytes):
+        return bytes_hash(content)
+    return file_hash(content) or bytes_hash(content.read_bytes())
 
 
 def content_bytes(content: Content) -> bytes:

@@ -9,6 +9,7 @@ from jinja2 import Environment, FileSystemLoader, StrictUndefined
 from markupsafe import Markup
 
 from site_builder.book import Block, Book, Chapter, Definition, Heading, Simulation
+from site_builder.book_root import own_or_engine
 from site_builder.kept.files import folder_hash
 from site_builder.kept.keeper import given_hash, kept_as
 from site_builder.markdown.directives.simulation import SIMULATION
@@ -147,7 +148,7 @@ def render_pages(site: Site, licences: tuple[Licence, ...]) -> dict[str, bytes]:
             "../" * address.count("/"),
             folder=path.rpartition("/")[0],
             file=path.rpartition("/")[2],
-            code=(site.root / path).read_text(encoding="utf-8"),
+            code=own_or_engine(site.root, path).read_text(encoding="utf-8"),
         )
     return pages
 

@@ -14,7 +14,7 @@ from simulations.engine.scene import Scene
 from simulations.engine.stages import Outputs, Stage
 from simulations.models.arrays import Floats
 from simulations.models.light.reflectance import lambert
-from simulations.scenes.reflection.ball import (
+from simulations.scenes._ball.ball import (
     DEFAULT_TIER,
     LIT,
     TIER_LABELS,
@@ -27,7 +27,9 @@ from simulations.scenes.reflection.ball import (
     lit_normals,
     paint,
 )
-from simulations.scenes.reflection.gloss import (
+from simulations.scenes._ball.marks import HEIGHT, WIDTH
+from simulations.scenes.phong.drawing import lobe_plot, over_ball
+from simulations.scenes.phong.gloss import (
     ALBEDO,
     MODELS,
     VIEW,
@@ -38,10 +40,8 @@ from simulations.scenes.reflection.gloss import (
     lobe,
     true_light,
 )
-from simulations.scenes.reflection.marks import HEIGHT, WIDTH
-from simulations.scenes.reflection.phong_drawing import lobe_plot, over_ball
-from simulations.scenes.reflection.phong_handles import HANDLES
-from simulations.scenes.reflection.phong_settings import Settings
+from simulations.scenes.phong.handles import HANDLES
+from simulations.scenes.phong.settings import Settings
 
 
 def _matte(normals: Floats, ball: Ball, light_angle: float) -> Floats:

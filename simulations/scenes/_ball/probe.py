@@ -7,7 +7,7 @@ from typing import Any, Protocol
 from simulations.engine.controls import Value
 from simulations.engine.handles import Handle, Point
 from simulations.engine.stages import Outputs
-from simulations.scenes.reflection.marks import angle_of_normal, on_equator
+from simulations.scenes._ball.marks import angle_of_normal, on_equator
 
 
 class Probed(Protocol):

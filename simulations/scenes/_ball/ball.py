@@ -19,7 +19,7 @@ from simulations.models.arrays import Floats, Mask
 from simulations.models.color.srgb import encode_srgb, encode_srgb_table
 from simulations.models.error_measures import root_mean_square
 from simulations.models.light.cell_blending import blend_cells, blend_normals
-from simulations.scenes.reflection.marks import CENTRE, HEIGHT, RADIUS, WIDTH
+from simulations.scenes._ball.marks import CENTRE, HEIGHT, RADIUS, WIDTH
 
 type Picture = NDArray[np.float32]
 

@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 
 from simulations.models.arrays import Floats
 from simulations.models.light.reflectance import blinn_phong, lambert, phong
-from simulations.scenes.reflection.ball import Ball, light_direction, true_cosine, true_normals
+from simulations.scenes._ball.ball import Ball, light_direction, true_cosine, true_normals
 
 ALBEDO = np.array([0.60, 0.06, 0.05], np.float32)
 """Linear RGB of the ball's skin; the plot and the readouts follow red, the first."""

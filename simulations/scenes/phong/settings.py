@@ -3,7 +3,7 @@
 from dataclasses import dataclass
 
 from simulations.engine.settings import choice, slider
-from simulations.scenes.reflection.gloss import MODELS
+from simulations.scenes.phong.gloss import MODELS
 
 
 @dataclass(frozen=True, slots=True)

@@ -6,16 +6,16 @@ from collections.abc import Mapping
 from simulations.engine.controls import Value
 from simulations.engine.handles import Handle, Point
 from simulations.engine.stages import Outputs
-from simulations.scenes.reflection.brightness_plot import on_plot, read_off
-from simulations.scenes.reflection.lambertian_drawing import (
+from simulations.scenes._ball.marks import angle_of_normal, on_equator
+from simulations.scenes._ball.probe import bearing_deg, probe_on_ball
+from simulations.scenes.lambertian_shading.brightness_plot import on_plot, read_off
+from simulations.scenes.lambertian_shading.drawing import (
     LAMP_DISTANCE,
     PLAN_CENTRE,
     PLAN_RADIUS,
     in_plan,
 )
-from simulations.scenes.reflection.lambertian_settings import Settings
-from simulations.scenes.reflection.marks import angle_of_normal, on_equator
-from simulations.scenes.reflection.probe import bearing_deg, probe_on_ball
+from simulations.scenes.lambertian_shading.settings import Settings
 
 
 def _lamp(settings: Settings, _outputs: Outputs) -> Point:

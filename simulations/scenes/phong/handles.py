@@ -6,10 +6,10 @@ from collections.abc import Mapping
 from simulations.engine.controls import Value
 from simulations.engine.handles import Handle, Point
 from simulations.engine.stages import Outputs
-from simulations.scenes.reflection.marks import angle_of_normal, on_equator
-from simulations.scenes.reflection.phong_drawing import FOOT, LAMP_DISTANCE, VECTOR, towards
-from simulations.scenes.reflection.phong_settings import Settings
-from simulations.scenes.reflection.probe import bearing_deg, probe_on_ball
+from simulations.scenes._ball.marks import angle_of_normal, on_equator
+from simulations.scenes._ball.probe import bearing_deg, probe_on_ball
+from simulations.scenes.phong.drawing import FOOT, LAMP_DISTANCE, VECTOR, towards
+from simulations.scenes.phong.settings import Settings
 
 
 def _highlight(settings: Settings, _outputs: Outputs) -> Point | None:

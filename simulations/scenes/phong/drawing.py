@@ -22,7 +22,7 @@ from simulations.engine.drawing import (
     text,
 )
 from simulations.models.arrays import Floats
-from simulations.scenes.reflection.marks import WIDTH, lamp, on_equator, probed_point, shadow_edge
+from simulations.scenes._ball.marks import WIDTH, lamp, on_equator, probed_point, shadow_edge
 
 type Direction = tuple[str, float, str]
 """Letter, angle from the normal in radians, colour role."""

@@ -16,7 +16,7 @@ from simulations.engine.stages import Outputs, Stage
 from simulations.models.arrays import Floats
 from simulations.models.color.srgb import encode_srgb
 from simulations.models.light.reflectance import lambert
-from simulations.scenes.reflection.ball import (
+from simulations.scenes._ball.ball import (
     DEFAULT_TIER,
     LIT,
     TIER_LABELS,
@@ -30,11 +30,11 @@ from simulations.scenes.reflection.ball import (
     paint,
     true_cosine,
 )
-from simulations.scenes.reflection.brightness_plot import brightness_plot
-from simulations.scenes.reflection.lambertian_drawing import from_above, over_sphere
-from simulations.scenes.reflection.lambertian_handles import HANDLES
-from simulations.scenes.reflection.lambertian_settings import Settings
-from simulations.scenes.reflection.marks import HEIGHT, WIDTH
+from simulations.scenes._ball.marks import HEIGHT, WIDTH
+from simulations.scenes.lambertian_shading.brightness_plot import brightness_plot
+from simulations.scenes.lambertian_shading.drawing import from_above, over_sphere
+from simulations.scenes.lambertian_shading.handles import HANDLES
+from simulations.scenes.lambertian_shading.settings import Settings
 
 
 def _white(normals: Floats, ball: Ball, light_angle: float) -> Floats:

@@ -19,7 +19,7 @@ from simulations.engine.drawing import (
     text,
 )
 from simulations.engine.frame import format_number
-from simulations.scenes.reflection.marks import (
+from simulations.scenes._ball.marks import (
     CENTRE,
     HEIGHT,
     RADIUS,
