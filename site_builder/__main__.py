@@ -66,7 +66,7 @@ def _run(given: argparse.Namespace, warn: Warn, warnings: Sequence[Diagnostic]) 
         case "serve":
             from site_builder.serve import serve  # its watcher is needed only here
 
-            serve(ROOT, given.out, given.port, runtime=given.runtime)
+            serve(ROOT, given.out, given.port, runtime=given.runtime, host=given.host)
 
 
 def written(out: Path, edition: bytes) -> None:
@@ -111,6 +111,8 @@ def _parser() -> argparse.ArgumentParser:
             command.add_argument("--reload", action="store_true", help=argparse.SUPPRESS)
         if name == "serve":
             command.add_argument("--port", type=int, default=8000)
+            legal = "whom to listen for; 0.0.0.0 for everyone on the network"
+            command.add_argument("--host", default="127.0.0.1", help=legal)
     return parser
 
 

@@ -38,18 +38,20 @@ from site_builder.runtime.store import is_whole
 from site_builder.search.index import ADDRESS as SEARCH_INDEX
 from site_builder.search.index import index_of
 from site_builder.search.library import SearchLibrary, SearchLibraryError, fetch_library
-from site_builder.search.records import explained_terms, make_records
+from site_builder.search.records import Record, explained_terms, make_records
 from site_builder.source import read_book
 
 RUNTIME = Path(__file__).parent / "runtime"
 """What makes it, with programs for other interpreters."""
+NOW = "assets/now/"
+"""Folder of the assets while the book is written: a changed style sheet changes no page."""
 LIBRARY = "search"
 """Folder of what searches, among the assets."""
 STYLE_SHEET = "css/book.css"
 """The one that pages link to, below ``static/``."""
 
 type Files = Mapping[str, Content]
-type Write = Callable[[Files, Path], None]
+type Write = Callable[[Files, Path], object]
 type Warn = Callable[[Diagnostic], None]
 
 
@@ -90,27 +92,44 @@ def build_site(
     return files
 
 
+@dataclass(frozen=True, slots=True)
+class RenderedSite:
+    """The site without the index of its search, which takes longer than all else of a rebuild."""
+
+    files: Files
+    records: tuple[Record, ...]
+    """What can be searched; nothing where nothing can be."""
+    index: Callable[[], Files]
+
+
 def render_site(options: Options) -> Files:
     """Every file of the site. Raises `BuildError` with all mistakes found."""
+    site = render_parts(options)
+    return {**site.files, **site.index()}
+
+
+def render_parts(options: Options) -> RenderedSite:
+    """The site, its index still to be made. Raises `BuildError` with all mistakes found."""
     book, stills, pictures = check_site(options)
     runtime, runtime_files, versions = _runtime(options, book)
     editor, library = _editor(options), _search_library(options)
     scripts = {f"{LIBRARY}/{name}": path for name, path in library.scripts.items()}
     made = {**_python(options, book, editor), **scripts}
-    assets, asset_files = gather_assets(options.root, pictures, made)
+    folder = NOW if options.reload else ""
+    assets, asset_files = gather_assets(options.root, pictures, made, folder)
     site = Site(
         options.root, book, stills, assets, runtime, bool(editor.script),
         search=bool(scripts), reload=options.reload,
     )  # fmt: skip
     licences = _licences(options.root, versions, editor, library)
     pages = render_pages(site, licences)
-    return {
-        **pages,
-        **_search_index(options, book, pages, library),
-        **asset_files,
-        **runtime_files,
-        "book.json": catalogue(book, versions),
-    }
+    records = make_records(pages, explained_terms(book)) if scripts else ()
+    static = own_or_engine(options.root, "static")
+    return RenderedSite(
+        {**pages, **asset_files, **runtime_files, "book.json": catalogue(book, versions)},
+        records,
+        lambda: {SEARCH_INDEX: index_of(records, library, static)} if records else {},
+    )
 
 
 def check_site(options: Options) -> tuple[Book, Stills, dict[str, bytes]]:
@@ -128,22 +147,22 @@ def check_site(options: Options) -> tuple[Book, Stills, dict[str, bytes]]:
     return book, stills, pictures
 
 
-def gather_assets(root: Path, pictures: Mapping[str, bytes], made: Files) -> tuple[str, Files]:
+def gather_assets(
+    root: Path, pictures: Mapping[str, bytes], made: Files, folder: str = ""
+) -> tuple[str, Files]:
     """Style sheets, scripts, fonts, stills, the author's pictures, what opens the figures' Python
-    and what searches, in one folder."""
+    and what searches, in one folder: ``folder``, or one that is named by what is in it."""
     content = folder_files(root / "content")
-    return hashed_folder(
-        "assets",
-        {
-            **join_style_sheets(folder_files(own_or_engine(root, "static")), STYLE_SHEET),
-            **{f"fonts/{name}": data for name, data in subset_fonts().items()},
-            **{f"stills/{name}": data for name, data in pictures.items()},
-            **{
-                f"content/{name}": file for name, file in content.items() if name.endswith(SUFFIXES)
-            },
-            **made,
-        },
-    )
+    files: Files = {
+        **join_style_sheets(folder_files(own_or_engine(root, "static")), STYLE_SHEET),
+        **{f"fonts/{name}": data for name, data in subset_fonts().items()},
+        **{f"stills/{name}": data for name, data in pictures.items()},
+        **{f"content/{name}": file for name, file in content.items() if name.endswith(SUFFIXES)},
+        **made,
+    }
+    if folder:
+        return folder, {folder + name: content for name, content in files.items()}
+    return hashed_folder("assets", files)
 
 
 def _runtime(options: Options, book: Book) -> tuple[str, dict[str, Content], Versions]:
@@ -212,15 +231,6 @@ def _search_library(options: Options) -> SearchLibrary:
         told = f"the book cannot be searched, for want of the library: {error}"
         options.warn(Diagnostic("site_builder/search/package-lock.json", 1, told, fails=False))
         return SearchLibrary({})
-
-
-def _search_index(
-    options: Options, book: Book, pages: Mapping[str, bytes], library: SearchLibrary
-) -> Files:
-    if not library.scripts:
-        return {}
-    records = make_records(pages, explained_terms(book))
-    return {SEARCH_INDEX: index_of(records, library, own_or_engine(options.root, "static"))}
 
 
 def _python(options: Options, book: Book, editor: EditorBundle) -> Files:
