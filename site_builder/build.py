@@ -13,14 +13,15 @@ from simulations.engine.ladder import Ladder
 from simulations.engine.scene import Scene
 from simulations.registry import LADDER_MODULES, SCENE_MODULES, load_ladder, load_scene
 from site_builder.book import Book, contents
-from site_builder.book_root import own_or_engine
+from site_builder.book_root import ENGINE, own_or_engine
 from site_builder.checks import check_book
 from site_builder.declared import check_declarations
 from site_builder.diagnostics import BuildError, Diagnostic, Diagnostics
 from site_builder.editor.bundle import EditorBundle, EditorBundleError, bundle_editor
 from site_builder.editor.sources import scene_sources
-from site_builder.kept.files import file_hash
+from site_builder.kept.files import folder_hash
 from site_builder.kept.keeper import kept_as, reads_file, reads_folder
+from site_builder.kept.told import kept_reading
 from site_builder.markdown.directives.figure import SUFFIXES
 from site_builder.markdown.directives.ladder import LadderFigure
 from site_builder.measured.measurements import read_measurements
@@ -32,7 +33,7 @@ from site_builder.pages.catalogue import catalogue
 from site_builder.pages.licences import Licence, gather_licences
 from site_builder.pages.render import Site, render_pages
 from site_builder.pages.stills import Stills, render_stills
-from site_builder.runtime.pack import Modules, RuntimeBundle, book_modules, pack_runtime
+from site_builder.runtime.pack import Modules, RuntimeBundle, pack_runtime
 from site_builder.runtime.pinned import Versions
 from site_builder.runtime.store import is_whole
 from site_builder.search.index import ADDRESS as SEARCH_INDEX
@@ -135,7 +136,7 @@ def render_parts(options: Options) -> RenderedSite:
 def check_site(options: Options) -> tuple[Book, Stills, dict[str, bytes]]:
     """Read and check everything, figures drawn included. Raises `BuildError`."""
     problems = Diagnostics()
-    check_declarations(options.root, problems)
+    _check_declared(options.root, problems)
     measurements = read_measurements(options.root, problems, options.load_ladder)
     book = read_book(options.root, problems, options.load_scene, measurements)
     check_book(book, problems)
@@ -145,6 +146,14 @@ def check_site(options: Options) -> tuple[Book, Stills, dict[str, bytes]]:
     if problems:
         raise BuildError(problems.found)
     return book, stills, pictures
+
+
+def _check_declared(root: Path, problems: Diagnostics) -> None:
+    def check(own: Diagnostics) -> None:
+        reads_folder(root / "simulations")
+        check_declarations(root, own)
+
+    kept_reading("declared", str(root), problems, check)
 
 
 def gather_assets(
@@ -186,7 +195,7 @@ def _bundle(simulations: Path, scenes: Modules, ladders: Modules) -> RuntimeBund
         reads_folder(RUNTIME)
         return pack_runtime(simulations, scenes=scenes, ladders=ladders)
 
-    sources = {name: file_hash(file) for name, file in book_modules(simulations).items()}
+    sources = [folder_hash(folder, "*.py") for folder in (simulations, ENGINE / "simulations")]
     bundle = kept_as("runtime", (sources, scenes, ladders), pack)[0]
     return bundle if all(map(is_whole, bundle.files.values())) else pack()
 

@@ -9,10 +9,11 @@ from simulations.engine.scene import Scene
 from site_builder.bibliography import FILE as BIBLIOGRAPHY
 from site_builder.bibliography import Bibliography
 from site_builder.book import Chapter, Position, Target, chapter_id
-from site_builder.diagnostics import Diagnostic, Diagnostics
+from site_builder.diagnostics import Diagnostics
 from site_builder.glossary import FILE as GLOSSARY
 from site_builder.glossary import Glossary
-from site_builder.kept.keeper import given_hash, kept_as, reads_file, reads_unknown
+from site_builder.kept.keeper import given_hash, kept_as, reads_file
+from site_builder.kept.told import kept_reading
 from site_builder.markdown.chapter import Draft, Survey, parse_chapter, read_chapter, survey
 from site_builder.markdown.parser import make_parser
 from site_builder.markdown.reading import Reading
@@ -52,25 +53,23 @@ class Page:
         """The whole chapter; mistakes go to ``problems`` and reading goes on. ``known`` is what
         `targets_hash` says of the targets."""
         given = (*self._given(), known)
-        (chapter, doubts), made_from = kept_as("read", given, lambda: self._read(targets, problems))
-        problems.doubts.extend(doubts)
+        chapter, made_from = kept_reading(
+            "read", given, problems, lambda own: self._read(targets, own)
+        )
         return replace(chapter, kept_as=made_from)
 
     def _given(self) -> tuple[object, ...]:
         return self.path, self.text, self.position
 
-    def _read(
-        self, targets: Targets, problems: Diagnostics
-    ) -> tuple[Chapter, tuple[Diagnostic, ...]]:
+    def _read(self, targets: Targets, problems: Diagnostics) -> Chapter:
         for file in (BIBLIOGRAPHY, GLOSSARY, MEASUREMENTS):
             reads_file(self.shared.root / file)
         draft, self._draft = self._parsed(), None
         chapter = read_chapter(draft, targets)
         own = draft.reading.problems
-        if own:
-            reads_unknown()  # what would be legal may depend on anything
-            problems.found.extend(own.found)
-        return chapter, tuple(own.doubts)
+        problems.found.extend(own.found)
+        problems.doubts.extend(own.doubts)
+        return chapter
 
     def _parsed(self) -> Draft:
         if self._draft is None:

@@ -2,7 +2,7 @@
 
 import re
 import tomllib
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from string import ascii_uppercase
@@ -10,13 +10,14 @@ from typing import Any
 
 from simulations.engine.scene import Scene
 from site_builder.bibliography import FILE as BIBLIOGRAPHY
-from site_builder.bibliography import Bibliography, read_bibliography
-from site_builder.book import OUTLINE, Book, Position, Simulation, chapter_id
+from site_builder.bibliography import read_bibliography
+from site_builder.book import OUTLINE, Book, Definition, Meaning, Position, Simulation, chapter_id
 from site_builder.chapters import Page, Shared, targets_hash
 from site_builder.diagnostics import Diagnostics, unknown
 from site_builder.glossary import FILE as GLOSSARY
 from site_builder.glossary import read_glossary
-from site_builder.kept.keeper import kept_as, reads_file
+from site_builder.kept.keeper import reads_file
+from site_builder.kept.told import kept_reading
 from site_builder.lecture_plan import read_lecture_plan
 from site_builder.markdown.chapter import find_targets
 from site_builder.markdown.definitions import read_definitions, read_meanings
@@ -24,6 +25,7 @@ from site_builder.markdown.inline import inline_html
 from site_builder.markdown.parser import make_parser
 from site_builder.markdown.reading import Reading
 from site_builder.markdown.scenes import find_scene
+from site_builder.measured.measurements import DATA as MEASUREMENTS
 from site_builder.measured.measurements import Measurements
 from site_builder.symbols import FILE as SYMBOLS
 from site_builder.symbols import read_symbols
@@ -62,8 +64,10 @@ def read_book(
     """The whole book; mistakes go to ``problems`` and reading goes on."""
     outline = _read_outline(root, problems)
     numbers = measurements or Measurements()
-    bibliography = _bibliography(root, problems)
-    glossary = read_glossary(root, problems)
+    bibliography = _read_kept(
+        root, BIBLIOGRAPHY, problems, lambda own: read_bibliography(root, own)
+    )
+    glossary = _read_kept(root, GLOSSARY, problems, lambda own: read_glossary(root, own))
     shared = Shared(root, load_scene, numbers, bibliography, glossary)
     pages: list[Page] = []
     for name, line, position in outline.chapters:
@@ -79,8 +83,15 @@ def read_book(
     _check_addresses(outline, problems)
     _check_unlisted(root, outline, problems)
 
-    def beside(file: str) -> Reading:
+    def beside(file: str, problems: Diagnostics) -> Reading:
+        reads_file(root / MEASUREMENTS)
         return Reading(file, root, problems, load_scene, make_parser(), numbers, targets=targets)
+
+    def definitions(own: Diagnostics) -> tuple[Definition, ...]:
+        return read_definitions(glossary, beside(GLOSSARY, own))
+
+    def meanings(own: Diagnostics) -> Mapping[str, tuple[Meaning, ...]]:
+        return read_meanings(read_symbols(root, own), beside(SYMBOLS, own))
 
     return Book(
         title=outline.title,
@@ -90,23 +101,22 @@ def read_book(
         chapters=tuple(page.read(targets, known, problems) for page in pages),
         bibliography=bibliography,
         lecture_plan=read_lecture_plan(root, targets, problems),
-        glossary=read_definitions(glossary, beside(GLOSSARY)),
-        symbols=read_meanings(read_symbols(root, problems), beside(SYMBOLS)),
+        glossary=_read_kept(root, GLOSSARY, problems, definitions, "definitions", known),
+        symbols=_read_kept(root, SYMBOLS, problems, meanings, "meanings", known),
     )
 
 
-def _bibliography(root: Path, problems: Diagnostics) -> Bibliography:
-    """What the file of references holds, kept."""
+def _read_kept[T](
+    root: Path, path: str, problems: Diagnostics, read: Callable[[Diagnostics], T], *given: object
+) -> T:
+    """What ``read`` finds in the file ``path``, kept."""
 
-    def read() -> tuple[Bibliography, Diagnostics]:
-        reads_file(root / BIBLIOGRAPHY)
-        own = Diagnostics()
-        return read_bibliography(root, own), own
+    def read_file(own: Diagnostics) -> T:
+        reads_file(root / path)
+        return read(own)
 
-    works, own = kept_as("bibliography", str(root), read)[0]
-    problems.found.extend(own.found)
-    problems.doubts.extend(own.doubts)
-    return works
+    read_file.__module__ = read.__module__
+    return kept_reading(path, (str(root), *given), problems, read_file)[0]
 
 
 def _read_outline(root: Path, problems: Diagnostics) -> Outline:

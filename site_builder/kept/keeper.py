@@ -8,7 +8,6 @@ function simply runs. What a function reads besides its arguments it tells while
 
 import functools
 import hashlib
-import inspect
 import pickle
 from collections.abc import Callable, Iterator, Mapping
 from contextlib import contextmanager, suppress
@@ -242,13 +241,15 @@ def kept[**P, T](function: Callable[P, T]) -> Callable[P, T]:
     return found
 
 
-def kept_as[T](name: str, given: object, make: Callable[[], T]) -> tuple[T, bytes]:
-    """What ``make``, a function of the module that calls, gives for ``given``, and the hash of all
-    that it was made from: empty where nothing is kept."""
+def kept_as[T](
+    name: str, given: object, make: Callable[[], T], module: str = ""
+) -> tuple[T, bytes]:
+    """What ``make`` gives for ``given``, and the hash of all that it was made from: empty where
+    nothing is kept. ``module`` is where the code is; that of ``make`` unless told."""
     keeper = _at_work.get()
     if keeper is None:
         return make(), b""
-    module = str(inspect.unwrap(make).__module__)
+    module = module or str(make.__module__)
     return keeper.find_named(f"{module}.{name}", module, given, make)
 
 

@@ -60,6 +60,7 @@ def _joined(base: str, index: str | None) -> str:
     return f"{base}_{{{inner}}}"
 
 
+@cache
 def covers(declared: str, symbol: str) -> bool:
     r"""Whether the meaning of one says the other's: ``h_{11}`` that of ``h_{32}``, ``t_x`` that of
     ``t_y``, ``x`` and ``\mathbf{x}`` that of ``x_0``."""
