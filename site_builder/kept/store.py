@@ -78,6 +78,9 @@ class Store:
                 self._connection.close()
             self._connection = None
 
+    def __del__(self) -> None:
+        self.close()
+
     def _open(self) -> sqlite3.Connection:
         if self._lost:
             raise sqlite3.OperationalError("cannot be opened")
