@@ -110,7 +110,7 @@ def read(text: str) -> tuple[Chapter, Diagnostics]:
         chapter="first",
     )  # fmt: skip
     draft = parse_chapter(text, reading)
-    return read_chapter(draft, find_targets([draft])), problems
+    return read_chapter(draft, find_targets([survey(draft)], problems)), problems
 
 
 def holds(text: str) -> None:
