@@ -60,6 +60,15 @@ def test_what_is_included_may_include(make_book: MakeBook) -> None:
     assert "<p>Deep.</p>" in page(make_book(":::{include} a.md\n:::\n", parts))
 
 
+def test_an_included_file_that_changes_is_read_anew(make_book: MakeBook) -> None:
+    options = make_book(":::{include} a.md\n:::\n", {"content/a.md": "First words.\n"})
+    assert "First words." in page(options)
+    (options.root / "content" / "a.md").write_text("Second words.\n", encoding="utf-8")
+    html = page(options)
+    assert "Second words." in html
+    assert "First words." not in html
+
+
 def test_in_a_listing_an_include_is_code(make_book: MakeBook) -> None:
     html = page(make_book("````\n:::{include} none.md\n:::\n````\n"))
     assert "none.md" in html
