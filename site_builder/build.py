@@ -52,6 +52,8 @@ from site_builder.source import read_book
 
 LIBRARY = "search"
 """Folder of what searches, among the assets."""
+EDITOR = "js/editor/"
+"""Scripts that open the Python of figures."""
 STYLE_SHEET = "css/book.css"
 """The one that pages link to, below ``static/``."""
 
@@ -109,7 +111,7 @@ def render_site(options: Options) -> Files:
     """Every file of the site. Raises `BuildError` with all mistakes found."""
     book, stills, pictures = check_site(options)
     runtime, runtime_files, versions = _runtime(options, book)
-    editor, library = _editor(options), _search_library(options, book)
+    editor, library = _editor(options, book), _search_library(options, book)
     scripts = {f"{LIBRARY}/{name}": path for name, path in library.scripts.items()}
     made = {
         **_python(options, book, editor),
@@ -166,10 +168,12 @@ def gather_assets(
     and what searches, in one folder."""
     content = folder_files(root / "content")
     own = book_css(book.settings, book.words)
+    engine = folder_files(own_or_engine(root, "static"))
+    wanted = {name: file for name, file in engine.items() if book.scenes or EDITOR not in name}
     return hashed_folder(
         "assets",
         {
-            **join_style_sheets(folder_files(own_or_engine(root, "static")), STYLE_SHEET, own),
+            **join_style_sheets(wanted, STYLE_SHEET, own),
             "js/book.js": book_script(book.settings, book.words),
             **{
                 f"fonts/{name}": data
@@ -229,9 +233,9 @@ def _only(modules: Mapping[str, str], shown: Collection[str]) -> dict[str, str]:
     return {name: module for name, module in modules.items() if name in shown}
 
 
-def _editor(options: Options) -> EditorBundle:
+def _editor(options: Options, book: Book) -> EditorBundle:
     """The code editor of the figures; where it cannot be had, a warning, and they do without."""
-    if not options.runtime:
+    if not (options.runtime and book.scenes):
         return EditorBundle()
     try:
         return bundle_editor()
@@ -275,7 +279,7 @@ def _outside(
 
 def _python(options: Options, book: Book, editor: EditorBundle) -> Files:
     """What opens the Python of the figures: the sources of each scene, and the code editor."""
-    if not options.runtime:
+    if not (options.runtime and book.scenes):
         return {}
     script = {"editor/code_editor.js": editor.script} if editor.script else {}
     return {
