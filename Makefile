@@ -1,11 +1,13 @@
 # make serve     read and edit the book: http://localhost:8000, rebuilt on every change
-# make site      build it into build/site/
+# make site      build it into build/site/ (ADDRESS=https://…/: for this place)
 # make pdf       typeset it into build/image-formation.pdf
 # make epub      pack it for readers of e-books, into build/image-formation.epub
 # make test      all tests; the first run may install a browser
 # make test-quick            those that need no browser
 # make check     formatting, lint and types of Python, scripts and style sheets; edits nothing
 # make bench     time and judge all ladders, here and in Chromium (LADDER=srgb: only one)
+# make bench-scale           build books of 10, 100 and 1000 chapters, beside MkDocs and Sphinx
+#                (CHAPTERS="10 100": these sizes)
 # make screenshot            the README's picture (PAGE=lens-distortion/: that page, into build/)
 # make lock      pin the newest packages that pyproject.toml allows
 # make clean     remove what was built; the packages in .venv stay
@@ -13,6 +15,9 @@
 PORT ?= 8000
 PAGE ?=
 LADDER ?=
+CHAPTERS ?= 10 100 1000
+ADDRESS ?=
+SOURCE ?=
 SAMPLE ?= 30
 MODULE ?=
 # What each process of the tests imports is compiled once, even where nothing else is kept.
@@ -28,13 +33,13 @@ PYTHON ?= $(firstword $(foreach python,$(PYTHONS),\
 	$(shell command -v $(python) >/dev/null 2>&1 && $(python) -c '$(IS_NEW)' 2>/dev/null && echo $(python))))
 
 .DELETE_ON_ERROR:
-.PHONY: serve site pdf epub test test-quick check lock screenshot bench mutants clean
+.PHONY: serve site pdf epub test test-quick check lock screenshot bench bench-scale mutants clean
 
 serve: $(VENV)/book.stamp
 	@$(BIN)/python -m site_builder serve --port $(PORT)
 
 site: $(VENV)/book.stamp
-	@$(BIN)/python -m site_builder build
+	@$(BIN)/python -m site_builder build $(ADDRESS:%=--address "%") $(SOURCE:%=--source "%")
 
 pdf: $(VENV)/test.stamp $(VENV)/chromium.stamp
 	@$(BIN)/python -m site_builder pdf
@@ -61,6 +66,16 @@ screenshot: $(VENV)/test.stamp $(VENV)/chromium.stamp site
 bench: $(VENV)/test.stamp $(VENV)/chromium.stamp
 	@OPENBLAS_NUM_THREADS=1 PYTHONPATH=tests $(BIN)/python -m bench $(LADDER:%=--ladder %)
 	@$(if $(LADDER),,OPENBLAS_NUM_THREADS=1 PYTHONPATH=tests $(BIN)/python -m bench.stage_costs)
+
+# What it compares with stands in an environment of its own, and goes with `make clean`.
+bench-scale: $(VENV)/book.stamp build/bench/others.stamp
+	@PYTHONPATH=tests $(BIN)/python -m scale --tools build/bench/others/bin --chapters $(CHAPTERS)
+
+build/bench/others.stamp: .locks/bench.txt | $(BIN)/python
+	$(BIN)/python -m venv build/bench/others
+	build/bench/others/bin/python -m pip install --quiet --disable-pip-version-check \
+		--require-hashes -r $<
+	@touch $@
 
 mutants: $(VENV)/test.stamp
 	@OPENBLAS_NUM_THREADS=1 PYTHONWARNINGS=ignore PYTHONPATH=tests $(BIN)/python -m mutation \
@@ -91,6 +106,8 @@ lock: | $(BIN)/python
 	$(BIN)/python -m pip install --quiet --disable-pip-version-check uv
 	$(LOCK) --group book --output-file .locks/book.txt >/dev/null
 	$(LOCK) --group test --output-file .locks/test.txt >/dev/null
+	$(LOCK) --group author --constraints .locks/test.txt --output-file .locks/author.txt >/dev/null
+	$(LOCK) --group bench --output-file .locks/bench.txt >/dev/null
 
 clean:
 	rm -rf build .pytest_cache .mypy_cache .ruff_cache .hypothesis

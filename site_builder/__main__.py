@@ -1,14 +1,22 @@
-"""``python -m site_builder build|check|serve|pdf|epub``: prints diagnostics, sets the exit code."""
+"""``python -m site_builder build|check|serve|pdf|epub|schema|new``: what is said, and
+the exit code."""
 
 import argparse
+import json
 import sys
 from collections.abc import Sequence
 from pathlib import Path
 
-from site_builder.build import Options, build_site, check_site
-from site_builder.diagnostics import BuildError, Diagnostic
+from site_builder.addresses import site_address, source_address
+from site_builder.book_root import ROOT
+from site_builder.build import Options, build_site
+from site_builder.check_command import Wanted, check
+from site_builder.diagnostic_formats import FORMATS
+from site_builder.diagnostics import BuildError, Diagnostic, counted
+from site_builder.settings.schema import book_schema
 
-ROOT = Path(__file__).resolve().parent.parent
+NEW = ("book", "chapter", "scene", "model", "ladder", "directive")
+"""What ``new`` makes."""
 
 
 def main(arguments: list[str] | None = None) -> int:
@@ -27,12 +35,20 @@ def main(arguments: list[str] | None = None) -> int:
         match given.command:
             case "build":
                 files = build_site(
-                    ROOT, given.out, runtime=given.runtime, reload=given.reload, warn=warn
-                )
+                    ROOT, given.out, runtime=given.runtime, reload=given.reload, warn=warn,
+                    address=site_address(given.address), source=source_address(given.source),
+                )  # fmt: skip
                 print(f"{given.out}: {len(files)} files{_and_count(warnings)}")
             case "check":
-                check_site(Options(ROOT, warn=warn))
-                print(f"no mistakes{_and_count(warnings)}")
+                form = "json" if given.json else given.format
+                options = Options(ROOT, runtime=given.runtime)
+                return check(options, Wanted(form, links=given.links))
+            case "schema":
+                print(json.dumps(book_schema(), indent=2, ensure_ascii=False))
+            case "new":
+                from site_builder.scaffold.command import make_new  # needed only here
+
+                print(make_new(ROOT, given.kind, given.name))
             case "pdf":
                 # Its reader of pages and its printer are needed only here.
                 from site_builder.editions.compose import compose
@@ -50,7 +66,7 @@ def main(arguments: list[str] | None = None) -> int:
                 serve(ROOT, given.out, given.port, runtime=given.runtime)
     except BuildError as error:
         print(error, file=sys.stderr)
-        mistakes = _counted(error.diagnostics, "mistake")
+        mistakes = counted(error.diagnostics, "mistake")
         print(f"{mistakes}; nothing was written", file=sys.stderr)
         return 1
     except (OSError, ValueError, RuntimeError) as error:
@@ -67,12 +83,8 @@ def written(out: Path, edition: bytes) -> None:
     print(f"{out}: {len(edition) / 1e6:.1f} MB")
 
 
-def _counted(found: Sequence[Diagnostic], name: str) -> str:
-    return f"{len(found)} {name}{'s' * (len(found) != 1)}"
-
-
 def _and_count(warnings: Sequence[Diagnostic]) -> str:
-    return f"; {_counted(warnings, 'warning')}" if warnings else ""
+    return f"; {counted(warnings, 'warning')}" if warnings else ""
 
 
 def _parser() -> argparse.ArgumentParser:
@@ -82,15 +94,23 @@ def _parser() -> argparse.ArgumentParser:
         ("build", "check everything, then write the site"),
         ("serve", "build, show, and build again on every change"),
         ("check", "report the mistakes in the sources"),
+        ("schema", "print the JSON schema of content/book.toml, for editors"),
+        ("new", "make a book, or a skeleton in this one, with its tests"),
         ("pdf", "set the whole book on pages; needs Chromium"),
         ("epub", "pack the whole book for a reader of e-books"),
     ):
         command = commands.add_parser(name, help=purpose)
         if name == "check":
+            _add_check_options(command)
+        if name in ("check", "schema"):
             continue
         if name in ("pdf", "epub"):
             edition = ROOT / "build" / f"image-formation.{name}"
             command.add_argument("--out", type=Path, default=edition, help="the file")
+            continue
+        if name == "new":
+            command.add_argument("kind", choices=NEW)
+            command.add_argument("name", help="such as falling-ball; of a book, its folder")
             continue
         command.add_argument("--out", type=Path, default=ROOT / "build" / "site", help="the site")
         command.add_argument(
@@ -101,9 +121,29 @@ def _parser() -> argparse.ArgumentParser:
         )
         if name == "build":
             command.add_argument("--reload", action="store_true", help=argparse.SUPPRESS)
+            command.add_argument("--address", default="", help="where the site will be")
+            command.add_argument(
+                "--source", default="", help="where its sources are, with {path} in it"
+            )
         if name == "serve":
             command.add_argument("--port", type=int, default=8000)
     return parser
+
+
+def _add_check_options(command: argparse.ArgumentParser) -> None:
+    command.add_argument(
+        "--format", choices=FORMATS, default="text", help="text for people and editors"
+    )
+    command.add_argument("--json", action="store_true", help="the same as --format json")
+    command.add_argument(
+        "--links", action="store_true", help="follow the links out of the book; needs a network"
+    )
+    command.add_argument(
+        "--no-runtime",
+        dest="runtime",
+        action="store_false",
+        help="do not ask whether the browser can import what the simulations do",
+    )
 
 
 if __name__ == "__main__":

@@ -15,10 +15,14 @@ from typing import Any
 from simulations.engine.scene import Scene
 from site_builder.bibliography import EMPTY, Bibliography
 from site_builder.glossary import Term
+from site_builder.languages.words import ENGLISH, Words
+from site_builder.news import News
+from site_builder.settings.model import FILE_NAME, Settings
 from site_builder.symbols import Symbol
 
-OUTLINE = "content/book.toml"
+OUTLINE = FILE_NAME
 """The file that names the book, its chapters and the figure on its cover."""
+UNSET = Settings("", "", "", ())
 
 
 @dataclass(frozen=True, slots=True)
@@ -158,6 +162,8 @@ class Reveal:
     prediction: str
     id: str
     """Element id."""
+    asked: str
+    """What the prediction is called: ``Prediction 4.2``."""
     path: str
     line: int
 
@@ -194,6 +200,13 @@ class Position:
     """What readers see of it: ``4``, or ``A``."""
     kind: str = "Chapter"
     """``Chapter`` or ``Appendix``."""
+    label: str = "Chapter"
+    """The same in the words of the book."""
+
+    @property
+    def name(self) -> str:
+        """``Chapter 4`` or ``Appendix A``."""
+        return f"{self.label} {self.mark}"
 
 
 @dataclass(frozen=True, slots=True)
@@ -201,8 +214,8 @@ class Target:
     """What a reference may lead to: a chapter, a section, or a thing that is numbered."""
 
     kind: str
-    """``Chapter``, ``Appendix``, ``Section``, ``Figure``, ``Equation``, ``Table``, ``Example`` or
-    ``Question``."""
+    """``Chapter``, ``Appendix``, ``Section``, ``Figure``, ``Equation``, ``Table``, ``Example``,
+    ``Prediction`` or ``Question``."""
     chapter: str
     """Id of the chapter that it is, or stands in."""
     id: str
@@ -214,17 +227,8 @@ class Target:
     line: int
     labelled: bool = False
     """Whether its author gave it its id, which then is unique in the book."""
-
-    @property
-    def name(self) -> str:
-        """``Chapter 4``, ``Figure 4.2``, ``Equation (4.7)``; a section's words."""
-        match self.kind:
-            case "Section":
-                return f"“{self.title}”"
-            case "Equation":
-                return f"Equation ({self.number})"
-            case _:
-                return f"{self.kind} {self.number}"
+    name: str = ""
+    """``Chapter 4``, ``Figure 4.2``, ``Equation (4.7)``; a section's words, in quotes."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -331,6 +335,8 @@ class Chapter:
     index_marks: tuple[IndexMark, ...] = ()
     formulae: tuple[Formula, ...] = ()
     """Of text and questions, in the order in which they were read."""
+    files: frozenset[str] = frozenset()
+    """Files below ``content/`` that it hands out, besides pictures."""
 
     @property
     def number(self) -> int:
@@ -344,7 +350,7 @@ class Chapter:
     @property
     def name(self) -> str:
         """``Chapter 4`` or ``Appendix A``."""
-        return f"{self.position.kind} {self.mark}"
+        return self.position.name
 
     @property
     def is_appendix(self) -> bool:
@@ -354,6 +360,10 @@ class Chapter:
     """What to know before reading it."""
     after: tuple[str, ...] = ()
     """What its reader can do afterwards, each as HTML."""
+    figures: tuple[str, ...] = ()
+    """Element ids of its simulations, also of those that cannot be shown."""
+    outside: tuple[Link, ...] = ()
+    """Links that lead out of the book."""
 
     @property
     def url(self) -> str:
@@ -424,6 +434,16 @@ class Book:
     """In alphabetical order."""
     symbols: Mapping[str, tuple[Meaning, ...]] = field(default_factory=dict)
     """By the chapter for which they are declared, or `BOOK`."""
+    settings: Settings = UNSET
+    """All that ``book.toml`` says."""
+    words: Words = ENGLISH
+    """Those of the interface."""
+    address: str = ""
+    """Where the site will be, a slash at the end; nothing where that is not known."""
+    source: str = ""
+    """Where its sources can be read, with ``{path}`` in it; nothing where they cannot."""
+    news: tuple[News, ...] = ()
+    """Newest first."""
 
     @property
     def scenes(self) -> tuple[Scene[Any], ...]:

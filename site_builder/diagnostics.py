@@ -4,8 +4,10 @@ A mistake fails the build, once, when all are found. A warning is of something t
 """
 
 import difflib
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence, Sized
 from dataclasses import dataclass, field
+
+from site_builder.blame import place_of
 
 MOST_LISTED = 20
 """Legal names that a message lists before it only counts them."""
@@ -37,12 +39,19 @@ class Diagnostics:
     """Mistakes."""
     doubts: list[Diagnostic] = field(default_factory=list)
     """Warnings."""
+    spliced: dict[str, Sequence[tuple[str, int]]] = field(default_factory=dict)
+    """Of each file whose lines come from several: where each of them stands."""
 
     def add(self, path: str, line: int, message: str) -> None:
-        self.found.append(Diagnostic(path, line, message))
+        self.found.append(Diagnostic(*self.place(path, line), message))
 
     def warn(self, path: str, line: int, message: str) -> None:
-        self.doubts.append(Diagnostic(path, line, message, fails=False))
+        self.doubts.append(Diagnostic(*self.place(path, line), message, fails=False))
+
+    def place(self, path: str, line: int) -> tuple[str, int]:
+        """The file, and the line of it, that a line of ``path`` comes from."""
+        places = self.spliced.get(path, ())
+        return places[line - 1] if 0 < line <= len(places) else (path, line)
 
     def __bool__(self) -> bool:
         """Whether a mistake was found; warnings do not count."""
@@ -55,6 +64,11 @@ class BuildError(Exception):
     def __init__(self, diagnostics: Iterable[Diagnostic]) -> None:
         self.diagnostics = tuple(sorted(set(diagnostics)))
         super().__init__("\n".join(map(str, self.diagnostics)))
+
+
+def counted(found: Sized, name: str) -> str:
+    """``2 mistakes``."""
+    return f"{len(found)} {name}{'s' * (len(found) != 1)}"
 
 
 def unknown(kind: str, given: str, legal: Iterable[str]) -> str:
@@ -71,5 +85,9 @@ def unknown(kind: str, given: str, legal: Iterable[str]) -> str:
 
 
 def cause(error: Exception) -> str:
-    """``ZeroDivisionError: division by zero``: what stopped code that is not the builder's own."""
-    return f"{type(error).__name__}: {error}"
+    """``ZeroDivisionError: division by zero, at simulations/…/scene.py:12``: what stopped code that
+    is not the builder's own, and where."""
+    said = error.msg if isinstance(error, SyntaxError) else str(error)
+    told = f"{type(error).__name__}: {said}" if said else type(error).__name__
+    place = place_of(error)
+    return f"{told}, at {place}" if place else told

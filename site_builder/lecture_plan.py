@@ -3,14 +3,13 @@
 Only the sections are named there. What each shows and asks is read off the chapters.
 """
 
-import re
-import tomllib
 from collections.abc import Mapping, Sequence
 from pathlib import Path
 
 from site_builder.book import LecturePlan, Lesson, Target, Taught
 from site_builder.diagnostics import Diagnostics, unknown
 from site_builder.markdown.targets import Targets
+from site_builder.source_text import Toml, read_toml
 
 FILE = "content/lecture-plan.toml"
 KEYS = ("intro", "section")
@@ -22,33 +21,28 @@ END = "questions"
 
 def read_lecture_plan(root: Path, targets: Targets, problems: Diagnostics) -> LecturePlan | None:
     """The plan; None where there is no such file. Mistakes go to ``problems``."""
-    file = root / FILE
-    if not file.is_file():
+    if not (root / FILE).is_file():
         return None
-    text = file.read_text(encoding="utf-8")
-    try:
-        table = tomllib.loads(text)
-    except tomllib.TOMLDecodeError as error:
-        place = re.search(r"line (\d+)", str(error))
-        problems.add(FILE, int(place[1]) if place else 1, f"malformed TOML: {error}")
+    read = read_toml(root, FILE, problems)
+    if read is None:
         return None
-    for key in table:
+    for key in read.table:
         if key not in KEYS:
-            problems.add(FILE, 1, unknown("key", key, KEYS))
-    places = [n for n, line in enumerate(text.splitlines(), 1) if line.strip() == "[[section]]"]
-    entries = table.get("section")
-    if not isinstance(entries, list) or len(entries) != len(places):
-        problems.add(FILE, 1, "no sections; legal: each below a line '[[section]]'")
+            problems.add(FILE, read.line(key), unknown("key", key, KEYS))
+    entries = read.table.get("section")
+    if not isinstance(entries, list) or not all(isinstance(entry, dict) for entry in entries):
+        line = read.line("section")
+        problems.add(FILE, line, "no sections; legal: each below a line '[[section]]'")
         return None
     lessons = (
-        _lesson(entry, line, text, targets, problems)
-        for entry, line in zip(entries, places, strict=True)
+        _lesson(entry, read.line("section", place), read, targets, problems)
+        for place, entry in enumerate(entries)
     )
-    return LecturePlan(str(table.get("intro", "")), tuple(lessons))
+    return LecturePlan(str(read.table.get("intro", "")), tuple(lessons))
 
 
 def _lesson(
-    entry: Mapping[str, object], line: int, text: str, targets: Targets, problems: Diagnostics
+    entry: Mapping[str, object], line: int, read: Toml, targets: Targets, problems: Diagnostics
 ) -> Lesson:
     for key in entry:
         if key not in (*TEXTS, TAUGHT):
@@ -65,7 +59,7 @@ def _lesson(
         try:
             taught.append(_taught(_section(name, targets), targets))
         except LookupError as error:
-            problems.add(FILE, _line_of(name, line, text), str(error))
+            problems.add(FILE, read.line_of_text(name, line), str(error))
     closing = dict.fromkeys(item.section.chapter for item in taught)
     return Lesson(
         number=str(entry.get("number", "")),
@@ -103,9 +97,3 @@ def _closing(chapter: str, targets: Targets) -> Taught | None:
 def _until_next_section(targets: Sequence[Target]) -> Sequence[Target]:
     ends = [place for place, target in enumerate(targets) if target.kind == "Section"]
     return targets[: ends[0]] if ends else targets
-
-
-def _line_of(name: str, first: int, text: str) -> int:
-    """Where a name stands, in the entry that begins at line ``first``."""
-    lines = list(enumerate(text.splitlines(), 1))[first - 1 :]
-    return next((number for number, line in lines if f'"{name}"' in line), first)

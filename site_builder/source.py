@@ -1,9 +1,8 @@
 """Reading ``content/``: the outline in ``book.toml``, and the chapters it lists."""
 
 import re
-import tomllib
-from collections.abc import Callable, Iterator, Sequence
-from dataclasses import dataclass
+from collections.abc import Callable, Iterator
+from dataclasses import asdict, dataclass
 from pathlib import Path
 from string import ascii_uppercase
 from typing import Any
@@ -14,6 +13,7 @@ from site_builder.book import OUTLINE, Book, Position, Simulation, chapter_id
 from site_builder.diagnostics import Diagnostics, unknown
 from site_builder.glossary import FILE as GLOSSARY
 from site_builder.glossary import read_glossary
+from site_builder.languages.words import Words, load_words
 from site_builder.lecture_plan import read_lecture_plan
 from site_builder.markdown.chapter import Draft, find_targets, parse_chapter, read_chapter
 from site_builder.markdown.definitions import read_definitions, read_meanings
@@ -21,33 +21,34 @@ from site_builder.markdown.inline import inline_html
 from site_builder.markdown.parser import make_parser
 from site_builder.markdown.reading import Reading
 from site_builder.markdown.scenes import find_scene
+from site_builder.markdown.text.macros import Macros, faults_of
 from site_builder.measured.measurements import Measurements
+from site_builder.news import read_news
+from site_builder.settings.model import Settings
+from site_builder.settings.reading import read_settings
+from site_builder.source_text import Toml, read_text
 from site_builder.symbols import FILE as SYMBOLS
 from site_builder.symbols import read_symbols
 
-TEXTS = ("title", "subtitle", "prerequisites")
-LISTS = ("chapters", "appendices")
-KEYS = (*TEXTS, *LISTS, "hero", "hero_caption")
 OWN_FOLDERS = (
-    "assets", "glossary", "index-of-terms", "lecture-plan", "licences", "references", "runtime",
-    "search", "source", "symbols",
+    "assets", "cards", "glossary", "index-of-terms", "lecture-plan", "licences", "references",
+    "runtime", "search", "source", "symbols",
 )  # fmt: skip
 """Folders of the site beside those of its chapters."""
 
 
 @dataclass(frozen=True, slots=True)
 class Outline:
-    """``book.toml``: what the book is called, and its chapters in order."""
+    """``book.toml``, with its chapters in order."""
 
-    title: str
-    subtitle: str
-    prerequisites: str
+    settings: Settings
+    words: Words
+    """The language's, with the author's labels."""
     chapters: tuple[tuple[str, int, Position], ...]
     """File names without ``.md``, each with its line in this file and its place in the book."""
-    hero: str
-    """Scene of the landing page's figure, or nothing."""
-    hero_caption: str
     hero_line: int
+    macros: Macros
+    """Those that can be written out."""
 
 
 def read_book(
@@ -58,9 +59,11 @@ def read_book(
 ) -> Book:
     """The whole book; mistakes go to ``problems`` and reading goes on."""
     outline = _read_outline(root, problems)
+    settings, words = outline.settings, outline.words
     numbers = measurements or Measurements()
-    bibliography = read_bibliography(root, problems)
-    glossary = read_glossary(root, problems)
+    macros = outline.macros
+    bibliography = read_bibliography(root, problems, words)
+    glossary = read_glossary(root, problems, words)
     drafts: list[Draft] = []
     for name, line, position in outline.chapters:
         file = root / "content" / f"{name}.md"
@@ -74,25 +77,44 @@ def read_book(
             root,
             problems,
             load_scene,
-            make_parser(),
+            make_parser(words),
             numbers,
+            words=words,
+            macros=macros,
             chapter=chapter_id(path),
             position=position,
+            raw_html=settings.trust.raw_html,
             bibliography=bibliography,
             glossary=glossary,
         )
-        drafts.append(parse_chapter(_read_text(root, path, problems), reading))
+        drafts.append(parse_chapter(read_text(root, path, problems), reading))
     targets = find_targets(drafts)
     _check_addresses(outline, problems)
     _check_unlisted(root, outline, problems)
 
     def beside(file: str) -> Reading:
-        return Reading(file, root, problems, load_scene, make_parser(), numbers, targets=targets)
+        parser = make_parser(words)
+        return Reading(
+            file,
+            root,
+            problems,
+            load_scene,
+            parser,
+            numbers,
+            words=words,
+            targets=targets,
+            macros=macros,
+        )
 
     return Book(
-        title=outline.title,
-        subtitle=outline.subtitle,
-        prerequisites=outline.prerequisites,
+        title=settings.title,
+        subtitle=settings.subtitle,
+        prerequisites=settings.prerequisites,
+        address=settings.address,
+        source=settings.source,
+        news=read_news(root, targets.chapters, problems),
+        settings=settings,
+        words=words,
         hero=_read_hero(outline, root, problems, load_scene),
         chapters=tuple(read_chapter(draft, targets) for draft in drafts),
         bibliography=bibliography,
@@ -103,76 +125,37 @@ def read_book(
 
 
 def _read_outline(root: Path, problems: Diagnostics) -> Outline:
-    text = _read_text(root, OUTLINE, problems) if (root / OUTLINE).is_file() else ""
-    if not text:
-        problems.add(OUTLINE, 1, f"no outline; legal: a file with {', '.join(KEYS)}")
-    try:
-        table = tomllib.loads(text)
-    except tomllib.TOMLDecodeError as error:
-        place = re.search(r"line (\d+)", str(error))
-        problems.add(OUTLINE, int(place[1]) if place else 1, f"malformed TOML: {error}")
-        table, text = {}, ""
-    for key in table:
-        if key not in KEYS:
-            problems.add(OUTLINE, _line_of(key, text), unknown("key", key, KEYS))
-    for key in TEXTS:
-        value = table.get(key)
-        if text and not (isinstance(value, str) and value.strip()):
-            problems.add(OUTLINE, _line_of(key, text), f'no {key!r}; legal: {key} = "some text"')
-    for key in LISTS:
-        names = table.setdefault(key, [])
-        listed = isinstance(names, list) and all(isinstance(name, str) for name in names)
-        if text and not (listed and (names or key != "chapters")):
-            problems.add(OUTLINE, _line_of(key, text), f'no {key}; legal: ["00-slug", …]')
-            table[key] = []
+    settings, toml = read_settings(root, problems)
+    words = load_words(settings.language).labelled(asdict(settings.labels))
     return Outline(
-        title=str(table.get("title", "")),
-        subtitle=str(table.get("subtitle", "")),
-        prerequisites=str(table.get("prerequisites", "")),
+        settings,
+        words,
         chapters=tuple(
-            (name, _line_of_name(name, text), position)
-            for name, position in _positions(table["chapters"], table["appendices"])
+            (name, toml.line_of_text(name), position)
+            for name, position in _positions(settings, words)
         ),
-        hero=str(table.get("hero", "")),
-        hero_caption=str(table.get("hero_caption", "")),
-        hero_line=_line_of("hero", text),
+        hero_line=toml.line("hero"),
+        macros=_sound_macros(settings.macros, toml, problems),
     )
 
 
-def _positions(
-    chapters: Sequence[str], appendices: Sequence[str]
-) -> Iterator[tuple[str, Position]]:
-    """Chapters are numbered from 0, appendices lettered from A."""
-    for number, name in enumerate(chapters):
-        yield name, Position(number, str(number))
-    for index, name in enumerate(appendices):
-        yield name, Position(len(chapters) + index, ascii_uppercase[index % 26], "Appendix")
+def _sound_macros(macros: Macros, toml: Toml, problems: Diagnostics) -> Macros:
+    """Those without a fault; the others are reported."""
+    faults = dict(faults_of(macros))
+    for name, fault in faults.items():
+        problems.add(OUTLINE, toml.line("macros", name), f"macro {name!r} {fault}")
+    return {name: body for name, body in macros.items() if name not in faults}
 
 
-def _read_text(root: Path, path: str, problems: Diagnostics) -> str:
-    """The file below ``root``, with or without the mark that some editors put before the text."""
-    data = (root / path).read_bytes()
-    try:
-        text = data.decode("utf-8-sig")
-    except UnicodeDecodeError as error:
-        line = data.count(b"\n", 0, error.start) + 1
-        problems.add(path, line, f"byte 0x{data[error.start]:02x} is not UTF-8; legal: UTF-8")
-        text = data.decode("utf-8-sig", errors="replace")
-    return text.replace("\r\n", "\n")
-
-
-def _line_of(key: str, text: str) -> int:
-    """Where ``key = …`` stands; 1 where it does not."""
-    return _line_with(rf"\s*{re.escape(key)}\s*=", text)
-
-
-def _line_of_name(name: str, text: str) -> int:
-    return _line_with(rf".*[\"']{re.escape(name)}[\"']", text)
-
-
-def _line_with(pattern: str, text: str) -> int:
-    lines = enumerate(text.splitlines(), start=1)
-    return next((number for number, line in lines if re.match(pattern, line)), 1)
+def _positions(settings: Settings, words: Words) -> Iterator[tuple[str, Position]]:
+    """Chapters are numbered, appendices lettered from A."""
+    chapters, first = settings.chapters, settings.first_number
+    for number, name in enumerate(chapters, start=first):
+        label = words.label("Chapter")
+        yield name, Position(number, str(number), "Chapter", label)
+    for index, name in enumerate(settings.appendices):
+        letter, number = ascii_uppercase[index % 26], first + len(chapters) + index
+        yield name, Position(number, letter, "Appendix", words.label("Appendix"))
 
 
 def _chapter_files(root: Path) -> list[str]:
@@ -198,20 +181,26 @@ def _check_addresses(outline: Outline, problems: Diagnostics) -> None:
 
 def _check_unlisted(root: Path, outline: Outline, problems: Diagnostics) -> None:
     listed = {f"content/{name}.md" for name, _, _ in outline.chapters}
+    included = {path for places in problems.spliced.values() for path, _ in places}
     for file in sorted((root / "content").rglob("*.md")):
         path = file.relative_to(root).as_posix()
-        if listed and path not in listed:
-            problems.add(path, 1, f"not in {OUTLINE}; legal: listed in 'chapters' or 'appendices'")
+        if listed and path not in listed | included:
+            problems.add(
+                path,
+                1,
+                f"not in {OUTLINE}; legal: listed in 'chapters' or 'appendices', or included",
+            )
 
 
 def _read_hero(
     outline: Outline, root: Path, problems: Diagnostics, load_scene: Callable[[str], Scene[Any]]
 ) -> Simulation | None:
-    if not outline.hero:
+    settings, words = outline.settings, outline.words
+    if not settings.hero:
         return None
-    reading = Reading(OUTLINE, root, problems, load_scene, make_parser())
-    scene = find_scene(outline.hero, outline.hero_line, reading)
-    caption_html = inline_html(outline.hero_caption, outline.hero_line, reading)
+    reading = Reading(OUTLINE, root, problems, load_scene, make_parser(words), words=words)
+    scene = find_scene(settings.hero, outline.hero_line, reading)
+    caption_html = inline_html(settings.hero_caption, outline.hero_line, reading)
     for link in reading.links:
         problems.add(
             OUTLINE, link.line, f"link {link.target!r} in the cover's caption; legal: 'https://…'"

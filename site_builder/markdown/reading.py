@@ -14,7 +14,9 @@ from site_builder.book import Citation, Heading, IndexMark, Link, Position, Targ
 from site_builder.diagnostics import Diagnostics
 from site_builder.glossary import EMPTY as NO_TERMS
 from site_builder.glossary import Glossary
+from site_builder.languages.words import ENGLISH, Words
 from site_builder.markdown.targets import Targets
+from site_builder.markdown.text.macros import Macros
 from site_builder.measured.measurements import Measurements
 from site_builder.measured.readouts import Readouts
 
@@ -53,6 +55,8 @@ class Reading:
     parser: MarkdownIt
     measurements: Measurements = field(default_factory=Measurements)
     """Where numbers about speed and accuracy come from."""
+    words: Words = ENGLISH
+    """Those of the interface, in the book's language."""
     chapter: str = ""
     """Id of the chapter; nothing where it is none."""
     position: Position = FIRST
@@ -60,10 +64,16 @@ class Reading:
     """What references may lead to: none before all chapters are parsed."""
     bibliography: Bibliography = EMPTY
     glossary: Glossary = NO_TERMS
+    macros: Macros = field(default_factory=dict)
+    """TeX commands of the book's own."""
     env: dict[str, Any] = field(default_factory=dict)
     """What the parser keeps between parsing and rendering: link references, footnotes."""
+    raw_html: bool = False
+    """Whether the book's author trusts the HTML of its chapters."""
     headings: list[Heading] = field(default_factory=list)
     links: list[Link] = field(default_factory=list)
+    outside: list[Link] = field(default_factory=list)
+    """Links that lead out of the book."""
     ids: dict[str, int] = field(default_factory=lambda: dict.fromkeys(PAGE_IDS, 0))
     """Element ids taken in the page, with their lines; 0 where the page itself took them."""
     figures: list[Place] = field(default_factory=list)
@@ -77,6 +87,10 @@ class Reading:
     index_marks: list[IndexMark] = field(default_factory=list)
     formulae: list[tuple[int, str]] = field(default_factory=list)
     """Line and TeX of each."""
+    tabs: set[int] = field(default_factory=set)
+    """Lines of the tabs that stand where they may."""
+    files: set[str] = field(default_factory=set)
+    """Files below ``content/`` that the page hands out, besides pictures."""
     readouts: Readouts = field(init=False)
     """Where numbers that figures show come from."""
 
@@ -86,6 +100,11 @@ class Reading:
     def problem(self, line: int, message: str) -> None:
         self.problems.add(self.path, line, message)
 
+    def where(self, line: int) -> str:
+        """``on line 12``, or ``at content/parts/file.md:3`` of what is included."""
+        path, number = self.problems.place(self.path, line)
+        return f"on line {number}" if path == self.path else f"at {path}:{number}"
+
     def html(self, tokens: Sequence[Token]) -> str:
         """Tokens without directives, as HTML."""
         return str(self.parser.renderer.render(list(tokens), self.parser.options, self.env)).strip()
@@ -94,7 +113,7 @@ class Reading:
         """Claim an element id; taking one twice is a mistake."""
         if wanted in self.ids:
             first = self.ids[wanted]
-            place = f"first used on line {first}" if first else "the page itself uses it"
+            place = f"first used {self.where(first)}" if first else "the page itself uses it"
             self.problem(line, f"duplicate {kind} id {wanted!r}; {place}")
         self.ids.setdefault(wanted, line)
         return wanted

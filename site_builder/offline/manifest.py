@@ -5,10 +5,11 @@ import json
 MANIFEST = "manifest.webmanifest"
 
 
-def manifest(title: str, subtitle: str, assets: str) -> bytes:
+def manifest(title: str, subtitle: str, assets: str, language: str = "en") -> bytes:
     """The manifest, all addresses relative to the book's root."""
     icon = {"src": f"{assets}images/favicon.svg", "sizes": "any", "type": "image/svg+xml"}
     told = {
+        "lang": language,
         "name": title,
         "short_name": title,
         "description": subtitle,

@@ -5,7 +5,10 @@ the SIL Open Font License, from installed packages. A subset is a modified versi
 is a reserved name, so the cut faces are called ``Book …`` while copyright and licence stay in them.
 """
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
+from pathlib import Path
+
+from site_builder.settings.model import Settings, font_files
 
 
 def _span(*bounds: tuple[int, int]) -> frozenset[int]:
@@ -62,7 +65,7 @@ class Face:
     package: str
     """Installed package that carries the source."""
     source: str
-    """Path of the source inside the package."""
+    """Path of the source inside the package, or the folder."""
     family: str
     """Family name written into the cut face."""
     style: str
@@ -71,6 +74,8 @@ class Face:
     """Code points to keep, where the source has them."""
     features: tuple[str, ...] = BASIC_FEATURES
     """OpenType features to keep."""
+    folder: Path | None = None
+    """Where an author's own source lies, which is in no package."""
 
 
 def _serif(file: str, source: str, style: str, *extra_features: str) -> Face:
@@ -102,3 +107,19 @@ FACES = (
         FORMULA_FEATURES,
     ),
 )
+
+
+def chosen_faces(settings: Settings, root: Path) -> tuple[Face, ...]:
+    """The builder's faces, with the families of the author's own in their places. These are called
+    ``Book …`` too: whatever a cut face is cut from, its name may be reserved."""
+    families = (("serif", settings.fonts.serif), ("sans", settings.fonts.sans))
+    own = {
+        f"{role}-{face.style}.woff2": face.file
+        for role, family in families
+        if family
+        for face in font_files(family, role)
+    }
+    return tuple(
+        replace(face, folder=root / "content", source=own[face.file]) if face.file in own else face
+        for face in FACES
+    )

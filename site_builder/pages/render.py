@@ -9,12 +9,14 @@ from jinja2 import Environment, FileSystemLoader, StrictUndefined
 from markupsafe import Markup
 
 from site_builder.book import Block, Book, Chapter, Heading, Simulation
+from site_builder.book_root import own_or_engine
 from site_builder.markdown.directives.simulation import SIMULATION
 from site_builder.markdown.text.code import highlighted_lines
 from site_builder.pages.glossary_view import marked_terms, view_glossary
 from site_builder.pages.index_view import view_index
 from site_builder.pages.ladder_view import summary_row, view_ladder
 from site_builder.pages.licences import Licence
+from site_builder.pages.outside import card_path, origin, page_address
 from site_builder.pages.predict_view import predict_data, view_sketch
 from site_builder.pages.progress_view import progress_data
 from site_builder.pages.quiz_view import in_any_order, quiz_data
@@ -23,16 +25,19 @@ from site_builder.pages.simulation_view import SimulationView, view_simulation
 from site_builder.pages.stills import Stills
 from site_builder.pages.symbols_view import view_symbols
 from site_builder.search.page_text import reading_minutes
+from site_builder.settings.reading import storage_prefix
+from site_builder.settings.theme import colours
 
 TEMPLATES = Path(__file__).parents[1] / "templates"
 BACK_MATTER = {
-    "glossary": "Glossary",
-    "symbols": "Symbols",
-    "references": "References",
-    "index-of-terms": "Index of terms",
-    "lecture-plan": "A lecturer’s plan",
+    "glossary": "glossary.title",
+    "symbols": "symbols.title",
+    "references": "references.title",
+    "index-of-terms": "index.title",
+    "lecture-plan": "plan.title",
 }
-"""Pages that follow the chapters, by address; a book has those that it has something for."""
+"""Pages that follow the chapters, by address, and the keys of their titles; a book has those that
+it has something for."""
 FILTERS: Mapping[str, Callable[..., object]] = {
     "quiz_data": quiz_data,
     "in_any_order": in_any_order,
@@ -71,19 +76,26 @@ def render_pages(site: Site, licences: tuple[Licence, ...]) -> dict[str, bytes]:
     """Every page of the site, by its path."""
     pages = {
         "index.html": render_page(
-            site, "landing.html", "./", counts=_counts(site.book), cover=_cover(site)
+            site, "landing.html", "./", "index.html", counts=_counts(site.book), cover=_cover(site)
         ),
         "404.html": render_page(site, "not-found.html", "./"),
-        "licences/index.html": render_page(site, "licences.html", "../", licences=licences),
+        "licences/index.html": render_page(
+            site, "licences.html", "../", "licences/index.html", licences=licences
+        ),
     }
     if site.book.bibliography.works:
         works = cited_works(site.book)
         pages["references/index.html"] = render_page(
-            site, "references.html", "../", here="references", works=works
+            site, "references.html", "../", "references/index.html", here="references", works=works
         )
     if plan := site.book.lecture_plan:
         pages["lecture-plan/index.html"] = render_page(
-            site, "lecture-plan.html", "../", here="lecture-plan", plan=plan
+            site,
+            "lecture-plan.html",
+            "../",
+            "lecture-plan/index.html",
+            here="lecture-plan",
+            plan=plan,
         )
     chapters = site.book.chapters
     for index, chapter in enumerate(chapters):
@@ -91,6 +103,7 @@ def render_pages(site: Site, licences: tuple[Licence, ...]) -> dict[str, bytes]:
             site,
             "chapter.html",
             "../",
+            f"{chapter.url}index.html",
             chapter=chapter,
             sections=nest_headings(chapter.headings),
             place=index + 1,
@@ -99,15 +112,30 @@ def render_pages(site: Site, licences: tuple[Licence, ...]) -> dict[str, bytes]:
         )
     if site.book.glossary:
         pages["glossary/index.html"] = render_page(
-            site, "glossary.html", "../", here="glossary", letters=view_glossary(site.book)
+            site,
+            "glossary.html",
+            "../",
+            "glossary/index.html",
+            here="glossary",
+            letters=view_glossary(site.book),
         )
     if site.book.symbols:
         pages["symbols/index.html"] = render_page(
-            site, "symbols.html", "../", here="symbols", chapters=view_symbols(site.book)
+            site,
+            "symbols.html",
+            "../",
+            "symbols/index.html",
+            here="symbols",
+            chapters=view_symbols(site.book),
         )
     if letters := view_index(site.book):
         pages["index-of-terms/index.html"] = render_page(
-            site, "index-of-terms.html", "../", here="index-of-terms", letters=letters
+            site,
+            "index-of-terms.html",
+            "../",
+            "index-of-terms/index.html",
+            here="index-of-terms",
+            letters=letters,
         )
     return {path: page.encode() for path, page in {**pages, **_source_pages(site)}.items()}
 
@@ -117,11 +145,12 @@ def _source_pages(site: Site) -> dict[str, str]:
     pages = {}
     for path in sorted({item.path for ch in site.book.chapters for item in ch.sources}):
         address = f"source/{path.removesuffix('.py')}/index.html"
-        code = (site.root / path).read_text(encoding="utf-8")
+        code = own_or_engine(site.root, path).read_text(encoding="utf-8")
         pages[address] = render_page(
             site,
             "source.html",
             "../" * address.count("/"),
+            address,
             folder=path.rpartition("/")[0],
             file=path.rpartition("/")[2],
             lines=highlighted_lines(code, "python"),
@@ -129,14 +158,16 @@ def _source_pages(site: Site) -> dict[str, str]:
     return pages
 
 
-def render_page(site: Site, template: str, root: str, **context: object) -> str:
-    """One page, or a part of one. ``root`` is the site's root relative to it."""
+def render_page(site: Site, template: str, root: str, path: str = "", **context: object) -> str:
+    """One page, or a part of one. ``root`` is the site's root relative to it, ``path`` its own
+    place below that; nothing where it has none to be known by."""
     environment = _environment()
     assets = f"{root}{site.assets}"
-    chapter = context.get("chapter")
+    given = context.get("chapter")
+    chapter = given if isinstance(given, Chapter) else None
 
     def simulation_view(figure: Simulation) -> SimulationView:
-        return view_simulation(site.stills[figure.path, figure.line], assets)
+        return view_simulation(site.stills[figure.path, figure.line], assets, site.book.words)
 
     def block_html(block: Block) -> Markup:
         template = environment.get_template(f"blocks/{block.template}.html")
@@ -145,9 +176,10 @@ def render_page(site: Site, template: str, root: str, **context: object) -> str:
         )
 
     shared = {
+        **in_words(site.book),
         "root": root,
         "assets": assets,
-        "anchors": chapter.anchors if isinstance(chapter, Chapter) else (),
+        "anchors": chapter.anchors if chapter else (),
         "python": bool(site.runtime),
         "code_editor": site.code_editor,
         "block_html": block_html,
@@ -156,16 +188,30 @@ def render_page(site: Site, template: str, root: str, **context: object) -> str:
     return environment.get_template(template).render(
         shared,
         site=site,
-        book=site.book,
         back_matter=_back_matter(site.book),
         runtime=f"{root}{site.runtime}" if site.runtime else "",
+        address=page_address(path) if path and site.book.address else None,
+        card=card_path(chapter),
+        origin=origin(site.book, path, chapter),
         **{"chapter": None, "here": "", "sections": (), **context},
     )
 
 
-def render_template(template: str, **context: object) -> str:
+def render_template(template: str, book: Book, **context: object) -> str:
     """What needs nothing of the site."""
-    return _environment().get_template(template).render(**context)
+    return _environment().get_template(template).render(in_words(book), **context)
+
+
+def in_words(book: Book) -> dict[str, object]:
+    """What every template has of the book and its language; ``t`` is a text of the interface."""
+    return {
+        "book": book,
+        "words": book.words,
+        "t": book.words.html,
+        "storage": storage_prefix(book.settings),
+        "light": colours(book.settings, "light"),
+        "dark": colours(book.settings, "dark"),
+    }
 
 
 @cache
@@ -199,7 +245,7 @@ def _back_matter(book: Book) -> list[tuple[str, str]]:
         "index-of-terms": book.glossary or marked,
         "lecture-plan": book.lecture_plan,
     }
-    return [(address, title) for address, title in BACK_MATTER.items() if there[address]]
+    return [(address, book.words(key)) for address, key in BACK_MATTER.items() if there[address]]
 
 
 def _counts(book: Book) -> dict[str, int]:

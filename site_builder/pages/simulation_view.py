@@ -1,7 +1,7 @@
 """A still as its template needs it: addresses, texts and schema worked out, nothing left to do."""
 
-from collections.abc import Sequence
-from dataclasses import dataclass
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, replace
 from typing import Any
 
 from simulations.engine.controls import Choice, Control, Slider, Value, describe
@@ -10,10 +10,22 @@ from simulations.engine.handles import Handle
 from simulations.engine.scene import Scene
 from simulations.registry import load_ladder
 from site_builder.book import Simulation
+from site_builder.languages.words import ENGLISH, Words
 from site_builder.pages.control_view import CellView, control_cells, value_text
 from site_builder.pages.embedding import json_for_html
 from site_builder.pages.figure_grid import even_columns
 from site_builder.pages.stills import Still
+
+PHRASES: Mapping[str, str] = {
+    "nothing takes it": "unneeded",
+    "nothing it reads has changed": "unchanged",
+    "depends on nothing": "independent",
+}
+BEGINNINGS: Mapping[str, str] = {
+    "reads ": "reads", "follows ": "follows", "changed: ": "changed",
+}  # fmt: skip
+"""What the engine says of a stage (`simulations/engine/stages.py`), and its key among the words of
+the interface."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -73,11 +85,11 @@ class SimulationView:
     """JSON that is safe inside a script element."""
 
 
-def view_simulation(still: Still, assets: str) -> SimulationView:
+def view_simulation(still: Still, assets: str, words: Words = ENGLISH) -> SimulationView:
     """``assets`` is the address of the assets folder, relative to the page."""
     figure, scene, frame = still.figure, still.figure.scene, still.frame
     tiers = tier_labels(scene)
-    cells, folded = control_cells(still, tiers)
+    cells, folded = control_cells(still, tiers, words)
     return SimulationView(
         id=figure.id,
         scene_id=scene.id,
@@ -85,11 +97,15 @@ def view_simulation(still: Still, assets: str) -> SimulationView:
         description=frame.description,
         caption_html=figure.caption_html,
         panels=tuple(
-            PanelView(panel, f"{assets}stills/{name}" if name else "", _handles(still, panel.name))
+            PanelView(
+                panel,
+                f"{assets}stills/{name}" if name else "",
+                _handles(still, panel.name, words),
+            )
             for panel in frame.panels
             for name in (still.pictures.get(panel.name, ""),)
         ),
-        readouts=frame.readouts,
+        readouts=tuple(replace(shown, text=words.numeral(shown.text)) for shown in frame.readouts),
         cells=cells,
         folded=folded,
         columns=(
@@ -101,8 +117,10 @@ def view_simulation(still: Still, assets: str) -> SimulationView:
         tiers=tiers,
         tier=figure.tier,
         judged=scene.estimate is not None,
-        stages=frame.stages,
-        stages_text=count_stages(frame.stages),
+        stages=tuple(
+            replace(stage, reason=reason_text(stage.reason, words)) for stage in frame.stages
+        ),
+        stages_text=count_stages(frame.stages, words),
         workings_open=figure.workings_open,
         schema=json_for_html(schema(still)),
     )
@@ -113,7 +131,7 @@ def _name(figure: Simulation) -> str:
     return f"{figure.scene.title} ({number})" if number else figure.scene.title
 
 
-def _handles(still: Still, panel: str) -> tuple[HandleView, ...]:
+def _handles(still: Still, panel: str, words: Words) -> tuple[HandleView, ...]:
     """The handles of one panel, in the scene's order."""
     scene = still.figure.scene
     places = {place.name: place for place in still.frame.handles}
@@ -121,11 +139,11 @@ def _handles(still: Still, panel: str) -> tuple[HandleView, ...]:
 
     def view(handle: Handle[Any]) -> HandleView:
         driven = [controls[name] for name in handle.drives]
-        said = (f"{item.label} {value_text(item, still.values[item.name])}" for item in driven)
-        now = still.values[driven[0].name]
-        return HandleView(
-            handle, places.get(handle.name), ", ".join(said), _range(driven[0], now), _keys(driven)
-        )
+        values = still.values
+        said = (f"{item.label} {value_text(item, values[item.name], words)}" for item in driven)
+        reach = _range(driven[0], values[driven[0].name])
+        place = places.get(handle.name)
+        return HandleView(handle, place, ", ".join(said), reach, _keys(driven, words))
 
     return tuple(view(handle) for handle in scene.handles if handle.panel == panel)
 
@@ -141,11 +159,11 @@ def _range(control: Control, value: Value) -> tuple[float, float, float]:
             return (0, 0, 0)
 
 
-def _keys(driven: Sequence[Control]) -> str:
+def _keys(driven: Sequence[Control], words: Words) -> str:
     if len(driven) == 1:
-        return f"Arrow keys change {driven[0].label}."
+        return words("figure.arrows", control=driven[0].label)
     across, along = (control.label for control in driven)
-    return f"Left and right arrow keys change {across}, up and down {along}."
+    return words("figure.arrows_both", across=across, along=along)
 
 
 def schema(still: Still) -> dict[str, object]:
@@ -173,9 +191,24 @@ def tier_labels(scene: Scene[Any]) -> tuple[tuple[str, str], ...]:
     return tuple((tier, labels[tier]) for tier in scene.tiers)
 
 
-def count_stages(stages: Sequence[StageReport]) -> str:
+def reason_text(reason: str, words: Words = ENGLISH) -> str:
+    """Why a stage was computed or not, as ``workings.js`` writes it: the engine's words in the
+    language of the book; those of a scene are the book's own."""
+    return "; ".join(_reason(part, words) for part in reason.split("; "))
+
+
+def _reason(part: str, words: Words) -> str:
+    if key := PHRASES.get(part):
+        return words(f"script.workings.{key}")
+    for begin, key in BEGINNINGS.items():
+        if part.startswith(begin):
+            return words(f"script.workings.{key}", names=part.removeprefix(begin))
+    return part
+
+
+def count_stages(stages: Sequence[StageReport], words: Words = ENGLISH) -> str:
     """``13 computed, 0 reused, 1 skipped``, as ``workings.js`` writes it."""
     counts = {"computed": 0, "reused": 0, "skipped": 0}
     for stage in stages:
         counts[stage.status] += 1
-    return ", ".join(f"{count} {status}" for status, count in counts.items())
+    return words("script.workings.count", **counts)

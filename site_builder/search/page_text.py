@@ -4,6 +4,7 @@ A page is read as its reader sees it at first: what waits for a guess or an answ
 so is what can only be pressed.
 """
 
+import re
 from collections.abc import Iterator
 from dataclasses import dataclass, field
 from html.parser import HTMLParser
@@ -12,6 +13,13 @@ from site_builder.search.tags import ARTICLE, INLINE, NEVER_CLOSED, Channel, cha
 
 WORDS_A_MINUTE = 180
 """Of a text with formulae, read with care."""
+MAIN = re.compile(r"<main\b.*?</main>", re.DOTALL)
+UNREAD = re.compile(
+    r"""(<(?:pre|script)\b[^>]*>|<math\b[^>]*\bdisplay="block"[^>]*>).*?(?=</(?:pre|script|math)>)""",
+    re.DOTALL,
+)
+"""What is long, silent and never inside its like: left out before a page is taken apart."""
+FOLDED = re.compile(r"<details(?![^>]*\bopen\b).*?</details>", re.DOTALL)
 LONGEST_FORMULA = 14
 """Characters of a formula in a line of text; a longer one becomes an ellipsis."""
 
@@ -60,15 +68,17 @@ class _Draft:
 def read_sections(html: str) -> tuple[Section, ...]:
     """The sections of the page's article, in order; those that say nothing are left out."""
     reader = _Reader()
-    reader.feed(html)
+    main = MAIN.search(html)  # the contents around it are as long as the book
+    reader.feed(UNREAD.sub(r"\1", main[0] if main else html))
     reader.close()
     return tuple(section for section in reader.sections() if section.title or section.text)
 
 
 def reading_minutes(body: str) -> int:
-    """How long an article's body takes to read: its text, captions and questions; figures are
-    played with for as long as one likes."""
-    sections = read_sections(f"<article {ARTICLE}>{body}</article>")
+    """How long an article's body takes to read: its text, captions and questions. What is folded
+    is opened, and figures are played with, by those who like."""
+    shown = FOLDED.sub("", body)
+    sections = read_sections(f"<article {ARTICLE}>{shown}</article>")
     words = sum(len(f"{s.title} {s.text} {s.figures} {s.questions}".split()) for s in sections)
     return max(1, round(words / WORDS_A_MINUTE))
 

@@ -17,6 +17,7 @@ from site_builder.build import Options
 
 RANKING = Path(__file__).parents[2] / "static" / "js" / "search" / "ranking.js"
 FRONT_MATTER = "---\ntitle: First\nsummary: The first chapter.\n---\n"
+ICON = '<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 9 9"><path d="M1 1h7v7z"/></svg>\n'
 OUTLINE = """\
 title = "Small Book"
 subtitle = "A book for tests."
@@ -105,8 +106,8 @@ def make_book(tmp_path: Path) -> MakeBook:
             "static/css/book.css": "body {}\n",
             "static/js/main.js": "export {};\n",
             "static/js/search/ranking.js": RANKING.read_text(encoding="utf-8"),
-            "static/images/favicon.svg": "<svg/>\n",
-            "content/images/plan.svg": "<svg/>\n",
+            "static/images/favicon.svg": ICON,
+            "content/images/plan.svg": '<svg xmlns="http://www.w3.org/2000/svg"/>\n',
             **(files or {}),
         }
         for path, content in sources.items():

@@ -81,7 +81,7 @@ def test_the_contents_lead_to_the_plan_where_there_is_one(make_book: MakeBook) -
             "3: unknown key 'notes'; did you mean 'note'",
         ),
         (PLAN.replace('note = "Points and lines."\n', ""), "3: no 'note'; legal: "),
-        (PLAN.replace("[[section]]", "[section]"), "1: no sections; legal: "),
+        (PLAN.replace("[[section]]", "[section]"), "3: no sections; legal: "),
         (PLAN.replace("[[section]]", "[[section]"), "3: malformed TOML: "),
     ],
 )

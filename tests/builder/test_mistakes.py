@@ -64,7 +64,7 @@ def test_a_chapter_file_outside_the_outline_is_reported(mistakes: Find) -> None:
     found = mistakes(files={"content/02-third.md": "x"})
     assert found == [
         "content/02-third.md:1: not in content/book.toml; "
-        "legal: listed in 'chapters' or 'appendices'"
+        "legal: listed in 'chapters' or 'appendices', or included"
     ]
 
 
@@ -191,7 +191,7 @@ def test_front_matter_that_is_no_mapping_is_reported(mistakes: Find) -> None:
 def test_a_book_without_an_outline_is_told_what_one_holds(mistakes: Find) -> None:
     assert mistakes(files={"content/book.toml": None}) == [
         "content/book.toml:1: no outline; legal: a file with "
-        "title, subtitle, prerequisites, chapters, appendices, hero, hero_caption"
+        "title, subtitle, prerequisites, chapters"
     ]
 
 

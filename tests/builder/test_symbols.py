@@ -77,7 +77,7 @@ def test_a_symbol_that_is_not_declared_for_its_chapter_is_told(mistakes: Find) -
         ("'t_x'", "'t_x u'", "5: 't_x u'; legal: one symbol"),
         ('["focal length", "px"]', '"focal length"', "2: 'f'; legal: "),
         ("[book]", "[book", "1: malformed TOML"),
-        ("[book]", "", "1: 'f' outside a table"),
+        ("[book]", "", "2: 'f' outside a table"),
         ("*shift*", "{ref}`nowhere`", "5: unknown target 'nowhere'"),
     ],
 )

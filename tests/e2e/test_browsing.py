@@ -7,6 +7,9 @@ from support.reader import Reader
 
 pytestmark = pytest.mark.browser
 
+HEAD = """() => [...document.head.querySelectorAll("link:not([rel=stylesheet]), meta")]
+  .map((part) => `${part.rel ?? part.name} ${part.href ?? part.content}`).sort()"""
+
 
 def test_turning_the_page_keeps_the_interpreter(visitor: Reader, book: Any) -> None:
     with_figures = [c for c in book["chapters"] if c["simulations"]][:2]
@@ -33,6 +36,14 @@ def test_back_returns_to_the_place_that_was_left(plain_reader: Reader, book: Any
         "url => location.href === url", arg=plain_reader.root + first
     )
     plain_reader.page.wait_for_function("top => Math.abs(scrollY - top) < 3", arg=left_at)
+
+
+def test_what_a_head_says_of_its_page_turns_with_it(plain_reader: Reader, book: Any) -> None:
+    plain_reader.open("", live=False)
+    plain_reader.turn_to(book["chapters"][1]["url"], live=False)
+    turned = plain_reader.page.evaluate(HEAD)
+    plain_reader.page.reload()
+    assert turned == plain_reader.page.evaluate(HEAD)
 
 
 def test_a_link_to_a_heading_arrives_at_it(plain_reader: Reader, book: Any) -> None:

@@ -1,6 +1,6 @@
 """Numbers that a chapter works out in its own text, and where they stand in its source.
 
-Each chapter has a module ``tests/content/numbers_NN.py``: ``CHAPTER`` is its file, ``WORKED`` its
+A chapter may have a module ``tests/content/numbers_NN.py``: ``CHAPTER`` is its file, ``WORKED`` its
 calculations, functions that compute again with the models and yield the phrases in which the
 results stand.
 """
@@ -15,8 +15,9 @@ type Calculation = Callable[[], Says]
 
 
 def source(chapter: str) -> str:
-    """The chapter as written; no-break spaces count as spaces, links as their words, and citations
-    are left out."""
+    """The chapter as written; no-break spaces count as spaces, links as their words, symbols have
+    no colour, and citations are left out."""
     text = (CONTENT / f"{chapter}.md").read_text(encoding="utf-8").replace("\u00a0", " ")
     text = re.sub(r" ?\{cite\}`[^`]*`", "", text)
+    text = re.sub(r"\\role\{\w+\}\{((?:[^{}]|\{[^{}]*\})*)\}", r"\1", text)
     return re.sub(r"\{(?:set|ref)\}`([^`<]*?)\s*<[^`]*>`", r"\1", text)

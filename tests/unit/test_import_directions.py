@@ -11,6 +11,8 @@ from pathlib import Path
 
 import pytest
 
+from site_builder.book_root import ENGINE_PARTS
+
 ROOT = Path(__file__).resolve().parents[2]
 LEGAL = {
     "models": {"models"},
@@ -20,15 +22,11 @@ LEGAL = {
     "illustrations": {"illustrations", "models", "engine"},
     "ladders": {"ladders", "pictures", "models", "engine"},
     "scenes": {"scenes", "ladders", "pictures", "models", "engine"},
-    "registry": {"scenes", "ladders", "pictures", "models", "engine"},
+    "registry": {"engine"},
     "editing": {"editing", "engine"},
     "late_imports": set(),
     "script": {"registry", "engine"},
-    "browser": {
-        *("registry", "editing", "late_imports", "script", "scenes", "ladders", "pictures"),
-        "models",
-        "engine",
-    },
+    "browser": {"registry", "editing", "late_imports", "script", "engine"},
 }
 """Part of ``simulations`` to the parts that it may import."""
 
@@ -39,15 +37,18 @@ MODELS = (
 """Rooms of ``simulations/models``: each imports itself and what stands before it."""
 
 BUILDER = (
-    "diagnostics", "bibliography", "glossary", "symbols", "runtime", "editor", "output", "offline",
-    "measured",
-    "charts", "book", "markdown", "lecture_plan", "source", "question_checks",
-    "figure_questions", "glossary_checks", "symbol_checks", "checks", "search", "pages", "build",
-    "editions", "serve", "__main__",
+    "blame", "book_root", "diagnostics", "addresses", "source_text", "svg", "purity", "languages",
+    "settings", "bibliography", "glossary", "symbols", "news", "runtime", "editor", "output",
+    "offline", "measured", "charts", "book", "markdown", "lecture_plan", "source",
+    "question_checks", "figure_questions", "declared", "glossary_checks", "symbol_checks", "checks",
+    "picture_checks", "search", "pages", "publishing", "frame_checks", "build",
+    "diagnostic_formats", "outside_links", "check_command", "editions", "serve", "scaffold",
+    "__main__",
 )  # fmt: skip
 """Parts of ``site_builder``, likewise."""
 MARKDOWN = (
-    "text", "targets", "reading", "scenes", "front_matter", "headings", "role", "roles", "inline",
+    "text", "targets", "reading", "content_files", "splicing", "scenes", "front_matter", "headings",
+    "role", "roles", "inline",
     "directive", "questions", "usage", "blocks", "bodies", "fences",
     "directives", "placing", "guide", "parser", "definitions", "terms", "chapter",
 )  # fmt: skip
@@ -82,6 +83,17 @@ def test_a_part_imports_only_what_lies_below_it(part: str) -> None:
             names = module.split(".")
             if names[0] == "simulations" and len(names) > 1:
                 assert names[1] in LEGAL[part], f"{file.relative_to(ROOT)} imports {module}"
+
+
+def test_the_engine_imports_nothing_of_a_book() -> None:
+    """Neither does the builder: what a book has is found, and handed to them."""
+    own = [file for file in FILES if part_of(file) in ENGINE_PARTS]
+    for file in (*own, *sorted((ROOT / "site_builder").rglob("*.py"))):
+        for module in imported_modules(file):
+            package, _, rest = module.partition(".")
+            if package == "simulations" and rest:
+                part = rest.partition(".")[0]
+                assert part in ENGINE_PARTS, f"{file.relative_to(ROOT)} imports {module}"
 
 
 def test_simulations_need_only_numpy_and_the_standard_library() -> None:

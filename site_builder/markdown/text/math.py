@@ -21,12 +21,28 @@ ENVIRONMENTS = (
     "aligned", "array", "cases", "matrix", "pmatrix", "bmatrix", "Bmatrix", "vmatrix", "Vmatrix",
     "smallmatrix",
 )  # fmt: skip
+EMPTY = r"a formula that shows nothing; legal: '$…$' around one, or '\$' for the sign itself"
 CHILDREN = {
     "mfrac": 2, "mroot": 2, "msub": 2, "msup": 2, "mover": 2, "munder": 2,
     "msubsup": 3, "munderover": 3,
 }  # fmt: skip
+ELEMENTS = (
+    "math", "mi", "mn", "mo", "mtext", "mspace", "mrow", "mfrac", "msqrt", "mroot", "mstyle",
+    "mpadded", "mphantom", "menclose", "msub", "msup", "msubsup", "munder", "mover", "munderover",
+    "mtable", "mtr", "mtd",
+)  # fmt: skip
+ATTRIBUTES = (
+    "display", "stretchy", "width", "height", "depth", "voffset", "lspace", "rspace", "mathvariant",
+    "mathsize", "mathcolor", "mathbackground", "class", "fence", "form", "separator", "accent",
+    "largeop", "linebreak", "displaystyle", "scriptlevel", "minsize", "maxsize", "movablelimits",
+    "linethickness", "notation", "columnalign", "columnspacing", "columnlines", "rowspacing",
+    "rowlines",
+)  # fmt: skip
+"""Of MathML, what TeX can ask for. The converter lets through what looks like markup in a formula,
+scripts included."""
+IN_WORDS = {"no available tokens": "a command at the end lacks what it is to work on"}
 SPACES = {"negativethinmathspace": "-0.167em"}
-LETTERS = {"∞", "∅"}
+LETTERS = {"∞", "∅", "⊤"}
 OPERATORS = {"~": "∼", "‖": "‖", "⌊": "⌊", "⌋": "⌋", "⌈": "⌈", "⌉": "⌉"}
 FUNCTIONS_WITH_LIMITS = {"max", "min", "argmax", "argmin", "sup", "inf", "lim"}
 
@@ -38,6 +54,8 @@ class UnsupportedTexError(ValueError):
 def to_mathml(tex: str, *, display: bool) -> str:
     """A ``<math>`` element. Raises `UnsupportedTexError`."""
     _check_balance(tex)
+    if not tex.strip():
+        raise UnsupportedTexError(EMPTY)
     try:
         markup = convert(_rewrite(tex), display="block" if display else "inline")
         # The converter leaves & bare outside of tables; as an entity it is found by _check.
@@ -48,6 +66,8 @@ def to_mathml(tex: str, *, display: bool) -> str:
         raise UnsupportedTexError(f"cannot set {quoted(tex)}: {_in_words(error)}") from error
     _strip_namespace(tree)
     _check(tree, tex)
+    if not any((element.text or "").strip() for element in tree.iter()):
+        raise UnsupportedTexError(EMPTY)
     _mend(tree, display=display)
     space_formula(tree)
     return ElementTree.tostring(tree, encoding="unicode")
@@ -61,7 +81,8 @@ def quoted(tex: str) -> str:
 def _in_words(error: Exception) -> str:
     """``double subscripts`` for a `DoubleSubscriptsError`, which says no more than its name."""
     name = type(error).__name__.removesuffix("Error")
-    return str(error) or re.sub(r"(?<=[a-z])(?=[A-Z])", " ", name).lower()
+    words = str(error) or re.sub(r"(?<=[a-z])(?=[A-Z])", " ", name).lower()
+    return IN_WORDS.get(words, words)
 
 
 def _rewrite(tex: str) -> str:
@@ -105,6 +126,11 @@ def _strip_namespace(tree: ElementTree.Element) -> None:
 
 def _check(tree: ElementTree.Element, tex: str) -> None:
     for element in tree.iter():
+        strange = next((name for name in element.attrib if name not in ATTRIBUTES), "")
+        if element.tag not in ELEMENTS or strange:
+            found = strange or f"<{element.tag}>"
+            message = f"{found!r} in {quoted(tex)}; legal: TeX, and '\\lt' for the sign '<'"
+            raise UnsupportedTexError(message)
         text = element.text or ""
         if element.tag != "mtext" and (command := re.search(r"\\\w*", text)):
             message = f"unsupported TeX command '{command[0]}' in {quoted(tex)}"

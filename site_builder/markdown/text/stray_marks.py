@@ -8,6 +8,7 @@ from markdown_it.rules_block.table import escapedSplit
 from markdown_it.rules_core import StateCore
 from markdown_it.token import Token
 
+from site_builder.markdown.text.foreign_marks import foreign_marks
 from site_builder.markdown.text.tokens import located
 
 STRAY = (
@@ -47,7 +48,9 @@ def stray_marks_rule(state: StateCore) -> None:
                 problems.append((line, message))
             case "table_open":
                 problems += _in_table(token, lines)
+    problems += foreign_marks(state.tokens)
     problems += _lost_footnotes(state, lines)
+    problems += _lost_addresses(state)
 
 
 def _in_text(text: str) -> Iterator[str]:
@@ -62,18 +65,33 @@ def _is_closed(fence: Token, lines: Sequence[str]) -> bool:
 
 
 def _in_table(table: Token, lines: Sequence[str]) -> Iterator[tuple[int, str]]:
-    """Rows of more cells than the table has heads: the rest would not be shown."""
+    """Rows of more cells than the table has heads, or of fewer: cells are lost, or empty."""
     first, end = table.map or [0, 0]
     heads = len(_cells(lines[first]))
     for number in range(first + 2, end):
         count = len(_cells(lines[number]))
-        if count > heads:
-            message = f"a row of {count} cells below {heads} heads; legal: as many, or '\\|'"
+        if count != heads:
+            message = f"a row of {_cells_told(count)} below {heads} heads; legal: as many, or '\\|'"
             yield number + 1, message
+
+
+def _cells_told(count: int) -> str:
+    return "1 cell" if count == 1 else f"{count} cells"
 
 
 def _cells(line: str) -> list[str]:
     return escapedSplit(line.strip().removeprefix("|").removesuffix("|"))
+
+
+def _lost_addresses(state: StateCore) -> Iterator[tuple[int, str]]:
+    """Lines like ``[Note]: beware`` that give an address to a link which is nowhere: all that they
+    say would be lost."""
+    source = " ".join(state.src.casefold().split())
+    for label, found in state.env.get("references", {}).items():
+        if source.count(f"[{label.casefold()}]") == 1:
+            legal = "words in bold, or a link '[words](https://…)'"
+            message = f"'[{label.lower()}]: …' is the address of no link; legal: {legal}"
+            yield found["map"][0] + 1, message
 
 
 def _lost_footnotes(state: StateCore, lines: Sequence[str]) -> Iterator[tuple[int, str]]:

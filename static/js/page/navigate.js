@@ -6,6 +6,15 @@
 
 import { isPlain, within } from "./dom.js";
 
+/** What a head says of its own page, or with addresses relative to it. */
+const OF_A_PAGE = [
+  'meta[name="description"]',
+  'meta[property^="og:"]',
+  ...["icon", "apple-touch-icon", "canonical", "alternate", "manifest", "prev", "next"].map(
+    (rel) => `link[rel="${rel}"]`,
+  ),
+].join();
+
 /** @type {AbortController | null} */
 let turning = null;
 let shownPath = location.pathname;
@@ -136,10 +145,8 @@ function assetsOf(body, base) {
  */
 function putInPlace(page) {
   document.title = page.title;
-  // Addresses are relative to the page.
-  for (const part of ['meta[name="description"]', 'link[rel="icon"]', 'link[rel="manifest"]']) {
-    document.querySelector(part)?.replaceWith(page.querySelector(part) ?? "");
-  }
+  for (const part of document.head.querySelectorAll(OF_A_PAGE)) part.remove();
+  document.head.append(...page.head.querySelectorAll(OF_A_PAGE));
   for (const name of Object.keys(document.body.dataset)) delete document.body.dataset[name];
   Object.assign(document.body.dataset, page.body.dataset);
   document.body.className = page.body.className;

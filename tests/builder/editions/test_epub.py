@@ -14,7 +14,7 @@ import pytest
 from site_builder.build import Options
 from site_builder.editions.compose import compose
 from site_builder.editions.epub import ROOM, make_epub
-from site_builder.editions.epub_style import resolve
+from site_builder.output.light_theme import resolve
 
 TOKENS = (Path(__file__).parents[3] / "static" / "css" / "tokens.css").read_text(encoding="utf-8")
 OPF = "{http://www.idpf.org/2007/opf}"

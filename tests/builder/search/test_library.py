@@ -10,11 +10,11 @@ import pytest
 from site_builder import build
 from site_builder.build import render_site
 from site_builder.diagnostics import Diagnostic
+from site_builder.languages.words import languages
 from site_builder.output.assets import content_bytes
 from site_builder.search import library
 from site_builder.search.library import (
     HERE,
-    PARTS,
     SearchLibrary,
     SearchLibraryError,
     fetch_library,
@@ -33,19 +33,19 @@ def test_the_library_is_fetched_once_and_kept(
 ) -> None:
     fetched: list[int] = []
 
-    def fetch() -> Mapping[str, bytes]:
+    def fetch(shipped: Mapping[str, str]) -> Mapping[str, bytes]:
         fetched.append(1)
-        return {**dict.fromkeys(PARTS, b"export {}"), "packages.json": b"[]"}
+        return {**dict.fromkeys(shipped, b"export {}"), "packages.json": b"[]"}
 
     monkeypatch.setattr(library, "_fetch", fetch)
-    assert fetch_library(tmp_path) == fetch_library(tmp_path)
+    assert fetch_library("en", tmp_path) == fetch_library("en", tmp_path)
     assert len(fetched) == 1
 
 
 def test_without_the_library_the_book_is_built_without_search_and_says_so(
     make_book: Callable[..., build.Options], monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    def refuse() -> SearchLibrary:
+    def refuse(_language: str) -> SearchLibrary:
         raise SearchLibraryError("its packages could not be had from npm: no network")
 
     monkeypatch.setattr(build, "fetch_library", refuse)
@@ -54,3 +54,7 @@ def test_without_the_library_the_book_is_built_without_search_and_says_so(
     assert b"search-button" not in content_bytes(files["first/index.html"])
     assert not any(name.startswith("search/") for name in files)
     assert ["no network" in str(warning) for warning in warnings] == [True]
+
+
+def test_there_is_a_stemmer_for_every_language_of_the_interface() -> None:
+    assert set(library.STEMMERS) == set(languages())

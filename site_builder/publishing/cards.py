@@ -1,0 +1,107 @@
+"""Cards: the pictures that a link to a chapter shows where people share it, 1200 by 630 pixels."""
+
+from base64 import b64encode
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+from pathlib import Path
+
+from simulations.engine.frame import Panel
+from site_builder.book import Book, Chapter, Simulation, contents
+from site_builder.markdown.directives.illustration import Drawn as DrawnIllustration
+from site_builder.output.light_theme import light_tokens, resolve, without_containers
+from site_builder.pages.outside import BOOK_CARD, card_path
+from site_builder.pages.render import render_template
+from site_builder.pages.stills import Stills
+from site_builder.publishing.title_lines import set_title
+from site_builder.publishing.vector import SANS, SERIF, png_of
+from site_builder.settings.theme import colours
+
+WIDTH, HEIGHT = 1200, 630
+TITLE_WIDTH = 440
+"""What is left for a title beside a figure."""
+FIGURE = (560.0, 60.0, 580.0, 510.0)
+"""Left, top, width and height of the place of the figure."""
+OWN = Path(__file__).with_name("card.css")
+
+
+@dataclass(frozen=True, slots=True)
+class Placed:
+    """A panel in its place on a card."""
+
+    panel: Panel
+    picture: str
+    """Its raster as a ``data:`` address; nothing for a pure drawing."""
+    x: float
+    y: float
+    width: float
+    height: float
+
+
+def make_cards(
+    book: Book, stills: Stills, pictures: Mapping[str, bytes], styles: Path
+) -> dict[str, bytes]:
+    """PNG files by path: one for the book, one for each chapter.
+
+    ``pictures`` are the files of the stills; ``styles`` is the folder of the style sheets.
+    """
+    own = {f"--{name}": colour for name, colour in colours(book.settings, "light").items()}
+    style = card_style(styles, own)
+    cover = _still(book.hero, stills, pictures)
+
+    def card(chapter: Chapter | None, title: str, figure: Placed | None) -> bytes:
+        size, lines = set_title(title, TITLE_WIDTH if figure else WIDTH - 180)
+        svg = render_template(
+            "publishing/card.svg", style=style, book=book, chapter=chapter, size=size, lines=lines,
+            figure=figure,
+        )  # fmt: skip
+        return png_of(svg, WIDTH)
+
+    return {BOOK_CARD: card(None, book.title, cover)} | {
+        card_path(chapter): card(
+            chapter, chapter.title, next(_figures(chapter, stills, pictures), cover)
+        )
+        for chapter in book.chapters
+    }
+
+
+def card_style(styles: Path, own: Mapping[str, str]) -> str:
+    """How cards and the drawings on them look, in plain CSS; ``own`` are the book's colours."""
+    sheets = {name: _read(styles / name) for name in ("tokens.css", "overlay.css")}
+    tokens = light_tokens(sheets["tokens.css"]) | dict(own) | {"--serif": SERIF, "--sans": SANS}
+    sheet = without_containers(sheets["overlay.css"]) + _read(OWN)
+    return resolve(sheet, tokens) if sheets["tokens.css"] else ""
+
+
+def _figures(chapter: Chapter, stills: Stills, pictures: Mapping[str, bytes]) -> Iterator[Placed]:
+    """What the chapter has to show: its first figure, else its first illustration."""
+    for simulation in chapter.simulations[:1]:
+        if drawn := _still(simulation, stills, pictures):
+            yield drawn
+    for item in contents(chapter.body, DrawnIllustration):
+        yield _placed(item.illustration.panels[0], "")
+
+
+def _still(
+    simulation: Simulation | None, stills: Stills, pictures: Mapping[str, bytes]
+) -> Placed | None:
+    """A panel of a figure: the first that is a picture, else the first."""
+    if simulation is None:
+        return None
+    still = stills[simulation.path, simulation.line]
+    panels = still.frame.panels
+    panel = next((panel for panel in panels if panel.raster is not None), panels[0])
+    name = still.pictures.get(panel.name)
+    data = b64encode(pictures[name]).decode() if name else ""
+    return _placed(panel, data and f"data:image/png;base64,{data}")
+
+
+def _placed(panel: Panel, picture: str) -> Placed:
+    """As large as there is room, in the middle of it."""
+    left, top, width, height = FIGURE
+    scale = min(width / panel.width, height / panel.height)
+    w, h = panel.width * scale, panel.height * scale
+    return Placed(panel, picture, left + (width - w) / 2, top + (height - h) / 2, w, h)
+
+
+def _read(file: Path) -> str:
+    return file.read_text(encoding="utf-8") if file.exists() else ""

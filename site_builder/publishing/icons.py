@@ -1,0 +1,22 @@
+"""The site's icon for what shows no SVG: older browsers, and the home screens of phones."""
+
+from pathlib import Path
+
+from site_builder.diagnostics import BuildError, Diagnostic
+from site_builder.publishing.vector import png_of
+
+FILE = "static/images/favicon.svg"
+SIZES = {"images/favicon.png": 32, "images/touch-icon.png": 180}
+"""File among the assets to its width in pixels."""
+
+
+def make_icons(root: Path) -> dict[str, bytes]:
+    """From the book's icon; nothing without one. Raises `BuildError` where it is no drawing."""
+    file = root / FILE
+    if not file.is_file():
+        return {}
+    svg = file.read_text(encoding="utf-8")
+    try:
+        return {name: png_of(svg, width) for name, width in SIZES.items()}
+    except ValueError as error:
+        raise BuildError([Diagnostic(FILE, 1, f"{error}; legal: a drawing in SVG")]) from error

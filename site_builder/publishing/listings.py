@@ -1,0 +1,23 @@
+"""What machines read of a site that has an address: its pages, its changes, what to index."""
+
+from collections.abc import Iterable
+from urllib.parse import urlsplit
+
+from site_builder.book import Book
+from site_builder.pages.outside import page_address
+from site_builder.pages.render import render_template
+
+NOT_LISTED = "404.html"
+
+
+def make_listings(book: Book, pages: Iterable[str]) -> dict[str, bytes]:
+    """Files by path; nothing where the book has no address. ``pages`` are paths of the site."""
+    if not book.address:
+        return {}
+    listed = [page_address(path) for path in pages if path != NOT_LISTED]
+    made = {"sitemap.xml": render_template("publishing/sitemap.xml", book=book, pages=listed)}
+    if book.news:
+        made["feed.xml"] = render_template("publishing/feed.xml", book=book)
+    if urlsplit(book.address).path == "/":  # elsewhere on a host it is not looked for
+        made["robots.txt"] = render_template("publishing/robots.txt", book=book)
+    return {path: text.encode() for path, text in made.items()}

@@ -1,0 +1,97 @@
+"""The author's files as text and as TOML. What cannot be read is reported with its place, and
+reading goes on without it."""
+
+import re
+import tomllib
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import Any
+
+from site_builder.diagnostics import Diagnostics
+
+HEAD = re.compile(r"\s*\[(\[?)([^\[\]]+)\]\]?\s*(?:#.*)?")
+KEY = re.compile(r"""\s*((?:[\w-]+|"[^"]*"|'[^']*')(?:\s*\.\s*(?:[\w-]+|"[^"]*"|'[^']*'))*)\s*=""")
+QUOTES = re.compile(r"\"\"\"|'''")
+
+type Keys = tuple[str | int, ...]
+"""Names of tables and keys from the outside inwards; of a list of tables, a place in it too."""
+
+
+@dataclass(frozen=True, slots=True)
+class Toml:
+    """A file of TOML, and where its keys stand."""
+
+    table: Mapping[str, Any] = field(default_factory=dict)
+    places: Mapping[Keys, int] = field(default_factory=dict)
+    text: str = ""
+
+    def line(self, *keys: str | int) -> int:
+        """Where ``keys`` lead, tables' names and places in lists of tables; of what is not there,
+        where the nearest table around it begins, or 1."""
+        while keys and keys not in self.places:
+            keys = keys[:-1]
+        return self.places.get(keys, 1)
+
+    def line_of_text(self, value: str, first: int = 1) -> int:
+        """Where a text stands in quotes, looked for from line ``first``; this where it does not."""
+        quoted = (f'"{value}"', f"'{value}'")
+        for number, line in enumerate(self.text.split("\n")[first - 1 :], start=first):
+            if any(form in line for form in quoted):
+                return number
+        return first
+
+
+def read_text(root: Path, path: str, problems: Diagnostics) -> str:
+    """The file below ``root``, with or without the mark that some editors put before the text."""
+    data = (root / path).read_bytes()
+    try:
+        text = data.decode("utf-8-sig")
+    except UnicodeDecodeError as error:
+        line = data.count(b"\n", 0, error.start) + 1
+        problems.add(path, line, f"byte 0x{data[error.start]:02x} is not UTF-8; legal: UTF-8")
+        text = data.decode("utf-8-sig", errors="replace")
+    return text.replace("\r\n", "\n")
+
+
+def read_toml(root: Path, path: str, problems: Diagnostics) -> Toml | None:
+    """What the file below ``root`` holds; None where it is no TOML, which is reported."""
+    text = read_text(root, path, problems)
+    try:
+        return Toml(tomllib.loads(text), dict(_places(text)), text)
+    except tomllib.TOMLDecodeError as error:
+        place = re.search(r"line (\d+)", str(error))
+        end = text.rstrip("\n").count("\n") + 1
+        problems.add(path, int(place[1]) if place else end, f"malformed TOML: {error}")
+        return None
+
+
+def _places(text: str) -> Iterator[tuple[Keys, int]]:
+    """Each table and each key, with its line."""
+    table: Keys = ()
+    counts: dict[Keys, int] = {}
+    quotes = ""
+    for number, line in enumerate(text.split("\n"), start=1):
+        if not quotes and (head := HEAD.fullmatch(line)):
+            table = _keys(head[2])
+            if head[1]:
+                counts[table] = counts.get(table, -1) + 1
+                table = (*table, counts[table])
+            yield table, number
+        elif not quotes and (key := KEY.match(line)):
+            yield (*table, *_keys(key[1])), number
+        for mark in QUOTES.findall(line):
+            quotes = "" if quotes == mark else quotes or mark
+
+
+def _keys(dotted: str) -> Keys:
+    """``('a', 'b.c')`` of ``a."b.c"``."""
+    try:
+        found: Any = tomllib.loads(f"{dotted} = 0")
+    except tomllib.TOMLDecodeError:  # within a list that looks like one
+        return (dotted,)
+    keys: list[str] = []
+    while isinstance(found, dict):
+        name, found = next(iter(found.items()))
+        keys.append(name)
+    return tuple(keys)

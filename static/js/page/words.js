@@ -1,0 +1,40 @@
+/** What scripts say, in the language of the book: `site_builder/languages/` has the texts. */
+
+import { DECIMAL, WORDS } from "../book.js";
+
+/**
+ * The text under `key` with its placeholders filled; of one that depends on a number, the form for
+ * `count`.
+ *
+ * @param {string} key
+ * @param {Record<string, string | number>} [values]
+ * @returns {string}
+ */
+export function words(key, values = {}) {
+  const text = WORDS[key];
+  const form = typeof text === "string" ? text : text[values.count === 1 ? "one" : "other"];
+  return form.replaceAll(/\{(\w+)\}/g, (_, name) => String(values[name]));
+}
+
+/**
+ * A number as the language writes it: its decimal sign, and words for what is none. As `numeral` of
+ * the builder's `languages/words.py`.
+ *
+ * @param {string} text
+ * @returns {string}
+ */
+export function numeral(text) {
+  if (text === "undefined") return words("number.undefined");
+  const [, limit] = /^under (.+)$/.exec(text) ?? [];
+  if (limit) return words("number.under", { limit: numeral(limit) });
+  return DECIMAL === "." ? text : text.replaceAll(/(?<=\d)\.(?=\d)/g, DECIMAL);
+}
+
+/**
+ * The same number for other programs.
+ *
+ * @param {string} text
+ */
+export function fromNumeral(text) {
+  return DECIMAL === "." ? text : text.replaceAll(DECIMAL, ".");
+}

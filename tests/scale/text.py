@@ -1,0 +1,113 @@
+"""Chapters of a book that nobody wrote: of every kind of thing as much as in a real one.
+
+A chapter is the same whenever it is made, and the same text for each builder: only what has a
+notation of its own, a figure and a question, is written as that builder's authors write it.
+"""
+
+from dataclasses import dataclass
+from random import Random
+
+SECTIONS = 5
+VOCABULARY = (
+    "a the of and light lens image pixel ray sensor point plane noise edge grid wave depth field "
+    "angle scale shift blur sample model error value line corner world camera colour focus through "
+    "into before after where which every small large exact known measured falls bends keeps shows "
+    "changes remains doubles halves follows"
+)
+FORMULAE = (
+    r"x' = f\,\frac{X}{Z} + c_x",
+    r"r_d = r\,(1 + k_1 r^2 + k_2 r^4)",
+    r"\begin{pmatrix} a & b \\ c & d \end{pmatrix} \begin{pmatrix} x \\ y \end{pmatrix}",
+    r"\sigma^2 = \sum_{i=1}^{n} \frac{(x_i - \mu)^2}{n - 1}",
+    r"L = \int_0^{\pi/2} E(\theta) \cos\theta \, d\theta",
+)
+CODE = """\
+def step_{n}(values, scale={n}.5):
+    \"\"\"One step of the chain, for all values at once.\"\"\"
+    result = []
+    for index, value in enumerate(values):
+        if value < 0:
+            raise ValueError(f"value {{index}} is {{value}}; legal: from 0")
+        result.append(scale * value**2 + index)
+    return sum(result) / max(len(result), 1)
+"""
+PICTURE = """\
+<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 400 300">
+  <path d="M20 {n} C120 20 240 280 380 150" fill="none" stroke="#125b9c" stroke-width="3"/>
+</svg>
+"""
+
+
+@dataclass(frozen=True, slots=True)
+class Notation:
+    """How a builder's authors write what Markdown has no form for."""
+
+    figure: str
+    question: str
+
+
+DIRECTIVE_FIGURE = ":::{{figure}} {file}\n:alt: A curve.\nThe curve {n}.\n:::\n"
+LIST = "{ask}\n\n- {right}: it follows.\n- {wrong}: it does not.\n"
+OURS = Notation(
+    DIRECTIVE_FIGURE,
+    ":::{{quiz}} question-{n}\n{ask}\n- [x] {right}\n  : It follows.\n"
+    "- [ ] {wrong}\n  : It does not.\n:::\n",
+)
+MYST = Notation(DIRECTIVE_FIGURE, LIST)
+MKDOCS = Notation("![A curve.]({file})\n\nThe curve {n}.\n", LIST)
+
+
+def chapter(number: int, count: int, notation: Notation) -> str:
+    """The text below the title of chapter ``number`` of ``count``, from 1."""
+    random = Random(number)
+    parts = [
+        _section(number, part, random, notation, number % count + 1)
+        for part in range(1, SECTIONS + 1)
+    ]
+    return "\n".join(parts)
+
+
+def title(number: int) -> str:
+    return f"Part {number} of the whole"
+
+
+def name(number: int) -> str:
+    """Of its file, without ``.md``."""
+    return f"chapter-{number:04}"
+
+
+def picture_name(number: int) -> str:
+    return f"images/curve-{number:04}.svg"
+
+
+def picture(number: int) -> str:
+    return PICTURE.format(n=number % 280)
+
+
+def _section(number: int, part: int, random: Random, notation: Notation, following: int) -> str:
+    vocabulary = VOCABULARY.split()
+    words = iter(lambda: random.choice(vocabulary), "")
+
+    def some(count: int) -> str:
+        return " ".join(next(words) for _ in range(count))
+
+    formulae = random.sample(FORMULAE, 2)
+    key = f"{number}-{part}"
+    rows = "".join(f"| {some(2)} | {random.random():.3f} | ${n}x$ |\n" for n in range(1, 6))
+    blocks = [
+        f"## Section {part} on {some(3)}\n",
+        f"The {some(40)}, with *{some(2)}* and **{some(1)}**, where ${formulae[0]}$.\n",
+        f"Then {some(60)}; see [what follows]({name(following)}.md).\n",
+        f"$$\n{formulae[1]}\n$$\n",
+        f"- {some(12)}\n- {some(9)} `{some(1)}_{part}`\n- {some(11)}\n",
+        f"```python\n{CODE.format(n=part)}```\n",
+        f"| What | Value | Times |\n|---|---|---|\n{rows}",
+        f"So {some(70)}.\n",
+    ]
+    if part == 1:
+        blocks.append(notation.figure.format(file=picture_name(number), n=number))
+    if part > SECTIONS - 2:
+        ask = f"What does the {some(4)} do?"
+        told = {"right": f"It {some(3)}", "wrong": f"It {some(3)} not"}
+        blocks.append(notation.question.format(n=key, ask=ask, **told))
+    return "\n".join(blocks)

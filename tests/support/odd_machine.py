@@ -1,0 +1,33 @@
+"""``python odd_machine.py ROOT OUT``: build a book where folders list their files backwards."""
+
+import os
+import sys
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+
+scan, names = os.scandir, os.listdir
+
+
+class Backwards:
+    """What ``os.scandir`` gives, the last name first."""
+
+    def __init__(self, *folder: Any) -> None:
+        with scan(*folder) as entries:
+            self.entries = sorted(entries, key=lambda entry: entry.name, reverse=True)
+
+    def __iter__(self) -> Iterator[os.DirEntry[str]]:
+        return iter(self.entries)
+
+    def __enter__(self) -> "Backwards":
+        return self
+
+    def __exit__(self, *_: object) -> None: ...
+
+
+if __name__ == "__main__":
+    os.scandir = Backwards  # type: ignore[assignment]
+    os.listdir = lambda *folder: sorted(names(*folder), reverse=True)  # type: ignore[assignment]
+    from site_builder.build import build_site
+
+    build_site(Path(sys.argv[1]), Path(sys.argv[2]), runtime=False)
