@@ -176,7 +176,7 @@ function restoreScroll() {
 }
 
 /** The element that the address points to; none where its end is mangled. */
-function hashTarget() {
+export function hashTarget() {
   try {
     return document.getElementById(decodeURIComponent(location.hash.slice(1)));
   } catch {
