@@ -4,7 +4,7 @@
  * loads the page itself.
  */
 
-import { isPlain, within } from "./dom.js";
+import { all, isPlain, within } from "./dom.js";
 
 /** What a head says of its own page, or with addresses relative to it. */
 const OF_A_PAGE = [
@@ -101,8 +101,7 @@ async function turnTo(url, turned, commit) {
   try {
     const page = await fetchPage(url, signal);
     if (signal.aborted) return;
-    // Before the address is another: from there, an icon of this page would be asked for in vain.
-    for (const part of document.head.querySelectorAll(OF_A_PAGE)) part.remove();
+    keepAddresses();
     commit();
     putInPlace(page);
     shownPath = location.pathname;
@@ -140,6 +139,13 @@ function assetsOf(body, base) {
   return new URL(body.dataset.assets ?? "", base).href;
 }
 
+/** From the next page's address, too, the browser is to find the icons until it has others. */
+function keepAddresses() {
+  for (const link of all(document.head, "link[rel=icon]", HTMLLinkElement)) {
+    link.setAttribute("href", link.href);
+  }
+}
+
 /**
  * Called when the address is already the new page's, so that relative links resolve.
  *
@@ -147,7 +153,9 @@ function assetsOf(body, base) {
  */
 function putInPlace(page) {
   document.title = page.title;
+  const old = document.head.querySelectorAll(OF_A_PAGE);
   document.head.append(...page.head.querySelectorAll(OF_A_PAGE));
+  for (const part of old) part.remove();
   for (const name of Object.keys(document.body.dataset)) delete document.body.dataset[name];
   Object.assign(document.body.dataset, page.body.dataset);
   document.body.className = page.body.className;
