@@ -16,7 +16,7 @@ from simulations.engine.photograph import Photograph
 from simulations.engine.scene import Scene
 from simulations.engine.stages import StageCache
 from simulations.late_imports import fetch_missing
-from simulations.registry import SCENE_MODULES, load_ladder, load_scene
+from simulations.registry import load_ladder, load_scene, scene_module
 from simulations.script import script
 
 __all__ = [
@@ -156,7 +156,7 @@ def _asked(
     if edits:
         from simulations.editing.copies import copy_of
 
-        scene, cache = copy_of(figure, SCENE_MODULES[scene_id], edits)
+        scene, cache = copy_of(figure, scene_module(scene_id), edits)
     else:
         scene, cache = load_scene(scene_id), _caches.setdefault(figure, StageCache())
     return scene, (scene.clamp(json.loads(values)), tier, cache, _photographs.get(figure))

@@ -1,62 +1,25 @@
-"""The tables of scenes and ladders: id to module. A module is imported only when asked for."""
+"""What a book is made of is found by the names of its files, and imported only when asked for.
+
+    scenes/lens_distortion/scene.py      the scene lens-distortion: its ``SCENE``
+    ladders/srgb.py                      the ladder srgb: its ``LADDER``
+    ladders/depth_of_field/ladder.py     the ladder depth-of-field, in a package
+    illustrations/f_numbers.py           the illustration f-numbers: its ``draw``
+    hard_cases/optics.py                 the hard cases of optics: its ``TABLE``
+
+The id is the name, with hyphens. A name that begins with an underscore is none of these: there
+lies what several of them share.
+"""
 
 from collections.abc import Mapping
 from importlib import import_module
-from types import ModuleType
+from importlib.machinery import ModuleSpec
+from importlib.util import find_spec
+from pathlib import Path
 from typing import Any
 
 from simulations.engine.controls import suggestion
 from simulations.engine.ladder import Ladder
 from simulations.engine.scene import Scene
-
-SCENE_MODULES = {
-    "formation-pipeline": "simulations.scenes.formation_pipeline.scene",
-    "transform-2d": "simulations.scenes.transform_2d.scene",
-    "perspective-projection": "simulations.scenes.perspective_projection.scene",
-    "lens-distortion": "simulations.scenes.lens_distortion.scene",
-    "lambertian-shading": "simulations.scenes.reflection.lambertian",
-    "bayer-demosaic": "simulations.scenes.bayer_demosaic.scene",
-    "camera": "simulations.scenes.camera.scene",
-    "rotation-3d": "simulations.scenes.rotation_3d.scene",
-    "aliasing": "simulations.scenes.aliasing.scene",
-    "wagon-wheel": "simulations.scenes.wagon_wheel.scene",
-    "phong": "simulations.scenes.reflection.phong",
-    "sensor-noise": "simulations.scenes.sensor_noise.scene",
-    "depth-of-field": "simulations.scenes.depth_of_field.scene",
-    "lens-aberrations": "simulations.scenes.lens_aberrations.scene",
-    "jpeg": "simulations.scenes.jpeg.scene",
-    "tiled-floor": "simulations.scenes.tiled_floor.scene",
-    "two-views": "simulations.scenes.two_views.scene",
-    "resolution": "simulations.scenes.resolution.scene",
-    "real-lens": "simulations.scenes.real_lens.scene",
-    "brdf": "simulations.scenes.brdf.scene",
-    "second-bounce": "simulations.scenes.second_bounce.scene",
-    "spectrum-to-rgb": "simulations.scenes.spectrum_to_rgb.scene",
-}
-
-LADDER_MODULES = {
-    "inverse-distortion": "simulations.ladders.inverse_distortion",
-    "inverse-strong": "simulations.ladders.inverse_strong",
-    "inverse-decentring": "simulations.ladders.inverse_decentring",
-    "srgb": "simulations.ladders.srgb",
-    "demosaicing": "simulations.ladders.demosaicing",
-    "resampling": "simulations.ladders.resampling",
-    "shot-noise": "simulations.ladders.shot_noise",
-    "rotation-interpolation": "simulations.ladders.rotation_interpolation",
-    "small-rotations": "simulations.ladders.small_rotations",
-    "shading": "simulations.ladders.shading",
-    "precision": "simulations.ladders.precision",
-    "vignetting": "simulations.ladders.vignetting",
-    "block-dct": "simulations.ladders.block_dct",
-    "chroma-upsampling": "simulations.ladders.chroma_upsampling",
-    "homography-estimation": "simulations.ladders.homography_estimation.ladder",
-    "anti-aliasing": "simulations.ladders.anti_aliasing",
-    "edge-coverage": "simulations.ladders.edge_coverage",
-    "chromatic-aberration": "simulations.ladders.chromatic_aberration",
-    "depth-of-field": "simulations.ladders.depth_of_field.ladder",
-    "wide-discs": "simulations.ladders.wide_discs",
-    "exposure-blur": "simulations.ladders.exposure_blur",
-}
 
 
 class UnknownIdError(KeyError):
@@ -66,18 +29,55 @@ class UnknownIdError(KeyError):
         return str(self.args[0])
 
 
+def found(room: str, *, inside: str = "") -> dict[str, str]:
+    """Id to module of all that lies in a room of ``simulations``, by the alphabet.
+
+    ``inside`` is the module that a package is asked for. A book may lack the room. In the
+    browser nothing is listed, for there all lies in one archive.
+    """
+    spec = find_spec(f"simulations.{room}")
+    folders = map(Path, (spec and spec.submodule_search_locations) or ())
+    files = [file for folder in folders if folder.is_dir() for file in folder.iterdir()]
+    return {
+        file.stem.replace("_", "-"): f"simulations.{room}.{file.stem}"
+        + (f".{inside}" if inside and file.is_dir() else "")
+        for file in sorted(files, key=lambda file: file.stem)
+        if file.suffix == ".py" or (file / "__init__.py").is_file()
+        if not file.stem.startswith("_")
+    }
+
+
+SCENE_MODULES: Mapping[str, str] = found("scenes", inside="scene")
+LADDER_MODULES: Mapping[str, str] = found("ladders", inside="ladder")
+
+
 def load_scene(scene_id: str) -> Scene[Any]:
     """The scene ``scene_id``: the ``SCENE`` of its module. Raises `UnknownIdError`."""
-    return _module("simulation", scene_id, SCENE_MODULES).SCENE
+    return import_module(scene_module(scene_id)).SCENE
 
 
 def load_ladder(ladder_id: str) -> Ladder:
     """The ladder ``ladder_id``: the ``LADDER`` of its module. Raises `UnknownIdError`."""
-    return _module("ladder", ladder_id, LADDER_MODULES).LADDER
+    return import_module(_module("ladder", ladder_id, "ladders", "ladder", LADDER_MODULES)).LADDER
 
 
-def _module(kind: str, wanted: str, modules: Mapping[str, str]) -> ModuleType:
-    if wanted not in modules:
-        hint = suggestion(wanted, modules) or f"; legal: {', '.join(modules)}"
+def scene_module(scene_id: str) -> str:
+    """The full name of the module that has the scene. Raises `UnknownIdError`."""
+    return _module("simulation", scene_id, "scenes", "scene", SCENE_MODULES)
+
+
+def _module(kind: str, wanted: str, room: str, inside: str, listed: Mapping[str, str]) -> str:
+    """Found by the name alone, as nothing is listed in the browser."""
+    name = f"simulations.{room}.{wanted.replace('-', '_')}"
+    spec = _spec(name) if not {"_", "."} & {*wanted} and not wanted.startswith("-") else None
+    if spec is None:
+        hint = suggestion(wanted, listed) or f"; legal: {', '.join(listed)}"
         raise UnknownIdError(f"unknown {kind} {wanted!r}{hint}")
-    return import_module(modules[wanted])
+    return name if spec.submodule_search_locations is None else f"{name}.{inside}"
+
+
+def _spec(name: str) -> ModuleSpec | None:
+    try:
+        return find_spec(name)
+    except ModuleNotFoundError:  # the book has no such room
+        return None

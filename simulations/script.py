@@ -5,7 +5,7 @@ from typing import Any
 
 from simulations.engine.controls import Action
 from simulations.engine.scene import Scene
-from simulations.registry import SCENE_MODULES, load_scene
+from simulations.registry import load_scene, scene_module
 
 SCRIPT = '''\
 """{title}, as the figure shows it.
@@ -50,7 +50,7 @@ def script(
     return SCRIPT.format(
         title=scene.title,
         unlike=EDITED * edited + OWN_PICTURE * own_picture,
-        module=SCENE_MODULES[scene_id],
+        module=scene_module(scene_id),
         settings="\n".join(f"    {name}={getattr(settings, name)!r}," for name in _lasting(scene)),
         tier=tier,
     )

@@ -1,15 +1,17 @@
-"""``python -m site_builder build|check|serve|pdf|epub``: prints diagnostics, sets the exit code."""
+"""``python -m site_builder build|check|serve|pdf|epub|schema``: what is said, and
+the exit code."""
 
 import argparse
+import json
 import sys
 from collections.abc import Sequence
 from pathlib import Path
 
 from site_builder.addresses import site_address, source_address
+from site_builder.book_root import ROOT
 from site_builder.build import Options, build_site, check_site
 from site_builder.diagnostics import BuildError, Diagnostic
-
-ROOT = Path(__file__).resolve().parent.parent
+from site_builder.settings.schema import book_schema
 
 
 def main(arguments: list[str] | None = None) -> int:
@@ -35,6 +37,8 @@ def main(arguments: list[str] | None = None) -> int:
             case "check":
                 check_site(Options(ROOT, warn=warn))
                 print(f"no mistakes{_and_count(warnings)}")
+            case "schema":
+                print(json.dumps(book_schema(), indent=2, ensure_ascii=False))
             case "pdf":
                 # Its reader of pages and its printer are needed only here.
                 from site_builder.editions.compose import compose
@@ -84,11 +88,12 @@ def _parser() -> argparse.ArgumentParser:
         ("build", "check everything, then write the site"),
         ("serve", "build, show, and build again on every change"),
         ("check", "report the mistakes in the sources"),
+        ("schema", "print the JSON schema of content/book.toml, for editors"),
         ("pdf", "set the whole book on pages; needs Chromium"),
         ("epub", "pack the whole book for a reader of e-books"),
     ):
         command = commands.add_parser(name, help=purpose)
-        if name == "check":
+        if name in ("check", "schema"):
             continue
         if name in ("pdf", "epub"):
             edition = ROOT / "build" / f"image-formation.{name}"

@@ -6,7 +6,7 @@ found by its reader.
 
 import re
 from collections import Counter
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from pathlib import Path
 from string import ascii_lowercase
@@ -17,6 +17,7 @@ from pybtex.richtext import Text
 from pybtex.scanner import PybtexSyntaxError
 
 from site_builder.diagnostics import Diagnostics, unknown
+from site_builder.languages.words import ENGLISH, Words
 from site_builder.source_text import read_text
 
 FILE = "content/references.bib"
@@ -50,6 +51,8 @@ class Work:
     line: int
     letter: str = ""
     """Tells works apart that have the same authors and year: ``a``."""
+    words: Words = ENGLISH
+    """Those of the book that cites it."""
 
     @property
     def year(self) -> str:
@@ -59,7 +62,7 @@ class Work:
     def who(self) -> str:
         """Its authors as a citation names them: ``Kannala and Brandt``, ``Wang et al.``"""
         names = [family for _, family in self.authors]
-        return " and ".join(names) if len(names) < 3 else f"{names[0]} et al."
+        return self._and(names) if len(names) < 3 else f"{names[0]} {self._et_al}"
 
     @property
     def everyone(self) -> str:
@@ -68,8 +71,8 @@ class Work:
             f"{family}, {_initials(given)}" if given else family for given, family in self.authors
         ]
         if names[-1:] == ["others"]:
-            return f"{', '.join(names[:-1])} et al."
-        return " and ".join([*filter(None, [", ".join(names[:-1])]), *names[-1:]])
+            return f"{', '.join(names[:-1])} {self._et_al}"
+        return self._and([*filter(None, [", ".join(names[:-1])]), *names[-1:]])
 
     @property
     def venue(self) -> str:
@@ -81,17 +84,29 @@ class Work:
                 issue = f"{volume}({number})" if number else volume
                 return _listed(f"{said('journal', '')} {issue}".strip(), pages)
             case "inproceedings" | "incollection":
-                pages = f"pp. {said('pages')}" if said("pages") else ""
-                return _listed(f"In {said('booktitle', '')}", pages, said("publisher"))
-            case "phdthesis":
-                return _listed("PhD thesis", said("school"))
-            case _:
+                pages = said("pages", "")
                 return _listed(
-                    _edition(said("edition", "")),
+                    self.words("references.in", title=said("booktitle", "")),
+                    pages and self.words("references.pages", pages=pages),
+                    said("publisher"),
+                )
+            case "phdthesis":
+                return _listed(self.words("references.thesis"), said("school"))
+            case _:
+                edition = said("edition", "")
+                return _listed(
+                    edition and self.words("references.edition", name=edition),
                     said("publisher") or said("institution"),
                     said("number"),
                     said("note"),
                 )
+
+    def _and(self, names: Sequence[str]) -> str:
+        return f" {self.words('references.and')} ".join(names)
+
+    @property
+    def _et_al(self) -> str:
+        return self.words("references.et_al")
 
     @property
     def address(self) -> str:
@@ -120,15 +135,11 @@ def _initials(given: str) -> str:
     return re.sub(r"(\w)[\w’']*\.?", r"\1.", given)
 
 
-def _edition(name: str) -> str:
-    return f"{name} edition" if name else ""
-
-
 def _listed(*parts: str | None) -> str:
     return ", ".join(part for part in parts if part)
 
 
-def read_bibliography(root: Path, problems: Diagnostics) -> Bibliography:
+def read_bibliography(root: Path, problems: Diagnostics, words: Words = ENGLISH) -> Bibliography:
     """What the file holds; nothing where there is none. Mistakes go to ``problems``."""
     if not (root / FILE).is_file():
         return EMPTY
@@ -142,7 +153,7 @@ def read_bibliography(root: Path, problems: Diagnostics) -> Bibliography:
         problems.add(FILE, _line_of(str(error), text), f"malformed BibTeX: {error}")
         return EMPTY
     lines = _lines(text)
-    works = [_work(key, entry, lines.get(key, 1)) for key, entry in entries.items()]
+    works = [_work(key, entry, lines.get(key, 1), words) for key, entry in entries.items()]
     for work in works:
         _check(work, problems)
     return Bibliography({work.key: work for work in _told_apart(sorted(works, key=_order))})
@@ -160,7 +171,7 @@ def _line_of(message: str, text: str) -> int:
     return max(named, default=1)
 
 
-def _work(key: str, entry: Any, line: int) -> Work:
+def _work(key: str, entry: Any, line: int, words: Words) -> Work:
     authors = entry.persons.get("author") or entry.persons.get("editor") or ()
     names = (
         (
@@ -175,6 +186,7 @@ def _work(key: str, entry: Any, line: int) -> Work:
         authors=tuple((_plain(given), _plain(family)) for given, family in names),
         fields={name.lower(): _plain(value) for name, value in entry.fields.items()},
         line=line,
+        words=words,
     )
 
 

@@ -15,11 +15,14 @@ from typing import Any
 from simulations.engine.scene import Scene
 from site_builder.bibliography import EMPTY, Bibliography
 from site_builder.glossary import Term
+from site_builder.languages.words import ENGLISH, Words
 from site_builder.news import News
+from site_builder.settings.model import FILE_NAME, Settings
 from site_builder.symbols import Symbol
 
-OUTLINE = "content/book.toml"
+OUTLINE = FILE_NAME
 """The file that names the book, its chapters and the figure on its cover."""
+UNSET = Settings("", "", "", ())
 
 
 @dataclass(frozen=True, slots=True)
@@ -195,6 +198,13 @@ class Position:
     """What readers see of it: ``4``, or ``A``."""
     kind: str = "Chapter"
     """``Chapter`` or ``Appendix``."""
+    label: str = "Chapter"
+    """The same in the words of the book."""
+
+    @property
+    def name(self) -> str:
+        """``Chapter 4`` or ``Appendix A``."""
+        return f"{self.label} {self.mark}"
 
 
 @dataclass(frozen=True, slots=True)
@@ -215,17 +225,8 @@ class Target:
     line: int
     labelled: bool = False
     """Whether its author gave it its id, which then is unique in the book."""
-
-    @property
-    def name(self) -> str:
-        """``Chapter 4``, ``Figure 4.2``, ``Equation (4.7)``; a section's words."""
-        match self.kind:
-            case "Section":
-                return f"“{self.title}”"
-            case "Equation":
-                return f"Equation ({self.number})"
-            case _:
-                return f"{self.kind} {self.number}"
+    name: str = ""
+    """``Chapter 4``, ``Figure 4.2``, ``Equation (4.7)``; a section's words, in quotes."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -345,7 +346,7 @@ class Chapter:
     @property
     def name(self) -> str:
         """``Chapter 4`` or ``Appendix A``."""
-        return f"{self.position.kind} {self.mark}"
+        return self.position.name
 
     @property
     def is_appendix(self) -> bool:
@@ -425,12 +426,22 @@ class Book:
     """In alphabetical order."""
     symbols: Mapping[str, tuple[Meaning, ...]] = field(default_factory=dict)
     """By the chapter for which they are declared, or `BOOK`."""
-    address: str = ""
-    """Where the site will be, a slash at the end; nothing where that is not known."""
-    source: str = ""
-    """Where its sources can be read, with ``{path}`` in it; nothing where they cannot."""
     news: tuple[News, ...] = ()
     """Newest first."""
+    settings: Settings = UNSET
+    """All that ``book.toml`` says."""
+    words: Words = ENGLISH
+    """Those of the interface."""
+
+    @property
+    def address(self) -> str:
+        """Where the site will be, a slash at the end; nothing where that is not known."""
+        return self.settings.address
+
+    @property
+    def source(self) -> str:
+        """Where its sources can be read, with ``{path}`` in it; nothing where they cannot."""
+        return self.settings.source
 
     @property
     def scenes(self) -> tuple[Scene[Any], ...]:

@@ -4,28 +4,33 @@ All pages are checked before one is written, so a mistake anywhere leaves the la
 it was. `render_site` touches no output folder: it returns the site in memory.
 """
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Collection, Mapping
 from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
 
 from simulations.engine.ladder import Ladder
 from simulations.engine.scene import Scene
-from simulations.registry import load_ladder, load_scene
-from site_builder.book import Book
+from simulations.registry import LADDER_MODULES, SCENE_MODULES, load_ladder, load_scene
+from site_builder.book import Book, contents
+from site_builder.book_root import own_or_engine
 from site_builder.checks import check_book
+from site_builder.declared import check_declarations
 from site_builder.diagnostics import BuildError, Diagnostic, Diagnostics
 from site_builder.editor.bundle import EditorBundle, EditorBundleError, bundle_editor
 from site_builder.editor.sources import scene_sources
 from site_builder.markdown.directives.figure import SUFFIXES
+from site_builder.markdown.directives.ladder import LadderFigure
 from site_builder.measured.measurements import read_measurements
 from site_builder.output.assets import Content, folder_files, hashed_folder
+from site_builder.output.book_files import book_css, book_script
+from site_builder.output.font_faces import chosen_faces
 from site_builder.output.fonts import subset_fonts
 from site_builder.output.style_sheets import join_style_sheets
 from site_builder.output.writer import write_site
 from site_builder.pages.catalogue import catalogue
 from site_builder.pages.licences import gather_licences
-from site_builder.pages.render import Site, render_pages
+from site_builder.pages.render import Site, render_pages, render_template
 from site_builder.pages.stills import Stills, render_stills
 from site_builder.publishing.cards import make_cards
 from site_builder.publishing.icons import make_icons
@@ -57,7 +62,7 @@ class Options:
     """What one build is made from and how."""
 
     root: Path
-    """The project: holds ``content/``, ``simulations/``, ``static/``."""
+    """The book's folder: holds ``content/`` and ``simulations/``."""
     runtime: bool = True
     """Whether to ship Python for the browser; without it figures stay stills."""
     reload: bool = False
@@ -96,16 +101,18 @@ def build_site(
 def render_site(options: Options) -> Files:
     """Every file of the site. Raises `BuildError` with all mistakes found."""
     book, stills, pictures = check_site(options)
-    runtime, runtime_files, versions = _runtime(options)
-    editor, library = _editor(options), _search_library(options)
+    runtime, runtime_files, versions = _runtime(options, book)
+    editor, library = _editor(options), _search_library(options, book)
     scripts = {f"{LIBRARY}/{name}": path for name, path in library.scripts.items()}
     made = {**_python(options, book, editor), **scripts, **make_icons(options.root)}
-    assets, asset_files = gather_assets(options.root, pictures, made)
+    assets, asset_files = gather_assets(book, options.root, pictures, made)
     site = Site(
         options.root, book, stills, assets, runtime, bool(editor.script),
         search=bool(scripts), reload=options.reload,
     )  # fmt: skip
-    licences = gather_licences(options.root, versions, editor.packages, library.packages)
+    licences = gather_licences(
+        options.root, versions, editor.packages, library.packages, book.settings, book.words
+    )
     pages = render_pages(site, licences)
     return {
         **pages,
@@ -120,6 +127,7 @@ def render_site(options: Options) -> Files:
 def check_site(options: Options) -> tuple[Book, Stills, dict[str, bytes]]:
     """Read and check everything, figures drawn included. Raises `BuildError`."""
     problems = Diagnostics()
+    check_declarations(options.root, problems)
     measurements = read_measurements(options.root, problems, options.load_ladder)
     book = read_book(options.root, problems, options.load_scene, measurements)
     check_book(book, problems)
@@ -128,21 +136,30 @@ def check_site(options: Options) -> tuple[Book, Stills, dict[str, bytes]]:
         options.warn(warning)
     if problems:
         raise BuildError(problems.found)
-    book = replace(
-        book, address=options.address or book.address, source=options.source or book.source
+    settings = replace(
+        book.settings,
+        address=options.address or book.address,
+        source=options.source or book.source,
     )
-    return book, stills, pictures
+    return replace(book, settings=settings), stills, pictures
 
 
-def gather_assets(root: Path, pictures: Mapping[str, bytes], made: Files) -> tuple[str, Files]:
+def gather_assets(
+    book: Book, root: Path, pictures: Mapping[str, bytes], made: Files
+) -> tuple[str, Files]:
     """Style sheets, scripts, fonts, stills, the author's pictures, what opens the figures' Python
     and what searches, in one folder."""
     content = folder_files(root / "content")
+    own = book_css(book.settings, book.words)
     return hashed_folder(
         "assets",
         {
-            **join_style_sheets(folder_files(root / "static"), STYLE_SHEET),
-            **{f"fonts/{name}": data for name, data in subset_fonts().items()},
+            **join_style_sheets(folder_files(own_or_engine(root, "static")), STYLE_SHEET, own),
+            "js/book.js": book_script(book.settings, book.words),
+            **{
+                f"fonts/{name}": data
+                for name, data in subset_fonts(chosen_faces(book.settings, root)).items()
+            },
             **{f"stills/{name}": data for name, data in pictures.items()},
             **{
                 f"content/{name}": file for name, file in content.items() if name.endswith(SUFFIXES)
@@ -152,13 +169,26 @@ def gather_assets(root: Path, pictures: Mapping[str, bytes], made: Files) -> tup
     )
 
 
-def _runtime(options: Options) -> tuple[str, dict[str, Content], Versions]:
-    """Python for the browser, with our simulations inside."""
-    if not options.runtime:
+def _runtime(options: Options, book: Book) -> tuple[str, dict[str, Content], Versions]:
+    """Python for the browser, with the scenes and ladders inside that the book shows."""
+    ladders = {item.measured.ladder.id for item in _shown(book, LadderFigure)}
+    if not options.runtime or not (book.scenes or ladders):
         return "", {}, Versions()
-    bundle = pack_runtime(options.root / "simulations")
+    bundle = pack_runtime(
+        options.root / "simulations",
+        scenes=_only(SCENE_MODULES, {scene.id for scene in book.scenes}),
+        ladders=_only(LADDER_MODULES, ladders),
+    )
     folder, files = hashed_folder("runtime", dict(bundle.files))
     return folder, files, bundle.versions
+
+
+def _shown[T](book: Book, kind: type[T]) -> list[T]:
+    return [item for chapter in book.chapters for item in contents(chapter.body, kind)]
+
+
+def _only(modules: Mapping[str, str], shown: Collection[str]) -> dict[str, str]:
+    return {name: module for name, module in modules.items() if name in shown}
 
 
 def _editor(options: Options) -> EditorBundle:
@@ -173,12 +203,12 @@ def _editor(options: Options) -> EditorBundle:
         return EditorBundle()
 
 
-def _search_library(options: Options) -> SearchLibrary:
+def _search_library(options: Options, book: Book) -> SearchLibrary:
     """What searches the pages; where it cannot be had, a warning, and they do without."""
     if not options.search:
         return SearchLibrary({})
     try:
-        return fetch_library()
+        return fetch_library(book.words.language)
     except SearchLibraryError as error:
         told = f"the book cannot be searched, for want of the library: {error}"
         options.warn(Diagnostic("site_builder/search/package-lock.json", 1, told, fails=False))
@@ -191,7 +221,8 @@ def _search_index(
     if not library.scripts:
         return {}
     records = make_records(pages, explained_terms(book))
-    return {SEARCH_INDEX: make_index(records, library, options.root / "static")}
+    static = own_or_engine(options.root, "static")
+    return {SEARCH_INDEX: make_index(records, library, static, book.words)}
 
 
 def _outside(
@@ -200,8 +231,7 @@ def _outside(
     """What others see of a site that has an address."""
     if not book.address:
         return {}
-    cards = make_cards(book, stills, pictures, options.root / "static" / "css")
-    return {**make_listings(book, pages), **cards}
+    return {**make_listings(book, pages), **make_cards(book, stills, pictures, options.root)}
 
 
 def _python(options: Options, book: Book, editor: EditorBundle) -> Files:
@@ -209,4 +239,8 @@ def _python(options: Options, book: Book, editor: EditorBundle) -> Files:
     if not options.runtime:
         return {}
     script = {"editor/code_editor.js": editor.script} if editor.script else {}
-    return {**{f"python/{scene.id}.json": scene_sources(scene) for scene in book.scenes}, **script}
+    return {
+        "js/editor/workshop.html": render_template("editor/workshop.html", book).encode(),
+        **{f"python/{scene.id}.json": scene_sources(scene) for scene in book.scenes},
+        **script,
+    }

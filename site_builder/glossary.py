@@ -8,11 +8,12 @@ counts as a use in the text; left out, all its names do, and their plurals.
 
 import re
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from functools import cached_property
 from pathlib import Path
 
 from site_builder.diagnostics import Diagnostics, unknown
+from site_builder.languages.words import ENGLISH, Words
 from site_builder.source_text import read_toml
 
 FILE = "content/glossary.toml"
@@ -33,6 +34,8 @@ class Term:
     related: tuple[str, ...] = ()
     words: tuple[str, ...] = ()
     line: int = 1
+    endings: tuple[str, ...] = ("s", "es")
+    """Of plurals, in the language of the book."""
 
     @property
     def id(self) -> str:
@@ -48,7 +51,10 @@ class Term:
         if self.words:
             yield from map(_spelt, self.words)
         else:
-            yield from (_spelt(name) + _plural(name) for name in self.names)
+            yield from (_spelt(name) + self._plural(name) for name in self.names)
+
+    def _plural(self, name: str) -> str:
+        return f"(?:{'|'.join(self.endings)})?" if name[-1:].isalpha() else ""
 
 
 @dataclass(frozen=True)
@@ -90,18 +96,18 @@ def _spelt(name: str) -> str:
     return first + rest.replace("’", "['’]").replace(r"\ ", "[ \u00a0]")
 
 
-def _plural(name: str) -> str:
-    return "(?:s|es)?" if name[-1:].isalpha() else ""
-
-
-def read_glossary(root: Path, problems: Diagnostics) -> Glossary:
+def read_glossary(root: Path, problems: Diagnostics, words: Words = ENGLISH) -> Glossary:
     """What the file holds; nothing where there is none. Mistakes go to ``problems``."""
     if not (root / FILE).is_file():
         return EMPTY
     read = read_toml(root, FILE, problems)
     if read is None:
         return EMPTY
-    terms = [_term(name, entry, read.line(name), problems) for name, entry in read.table.items()]
+    endings = tuple(words("language.plural_endings").split())
+    terms = [
+        replace(_term(name, entry, read.line(name), problems), endings=endings)
+        for name, entry in read.table.items()
+    ]
     terms.sort(key=lambda term: term.name.casefold())
     glossary = Glossary({term.name: term for term in terms})
     _check_names(glossary, problems)

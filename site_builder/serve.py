@@ -6,6 +6,7 @@ static host would, plus two addresses below ``/.reload/`` that tell open pages o
 
 import functools
 import json
+import os
 import queue
 import subprocess
 import sys
@@ -16,6 +17,8 @@ from http.server import SimpleHTTPRequestHandler, ThreadingHTTPServer
 from pathlib import Path
 
 from watchfiles import DefaultFilter, watch
+
+from site_builder.book_root import ENGINE, VARIABLE
 
 WATCHED = ("content", "simulations", "static", "site_builder")
 CLIENT = Path(__file__).with_name("reload.js")
@@ -57,7 +60,8 @@ def serve(root: Path, out: Path, port: int, *, runtime: bool) -> None:
     server = start_server(out, port, builds)
     print(f"http://localhost:{server.server_address[1]}/", flush=True)
     try:
-        for changes in _rounds([root / name for name in WATCHED if (root / name).is_dir()]):
+        folders = {base / name for base in (root, ENGINE) for name in WATCHED}
+        for changes in _rounds(sorted(folder for folder in folders if folder.is_dir())):
             # The first build, too, is made under watch: what is saved meanwhile makes a second.
             if changes or not builds.count:
                 rebuild(root, out, builds, runtime=runtime)
@@ -81,10 +85,19 @@ def _rounds(folders: list[Path]) -> Iterator[Collection[object]]:
 
 def rebuild(root: Path, out: Path, builds: Builds, *, runtime: bool) -> None:
     """One build in a process of its own."""
-    command = [sys.executable, "-m", "site_builder", "build", "--out", str(out), "--reload"]
+    command = [
+        sys.executable,
+        "-m",
+        "site_builder",
+        "build",
+        "--out",
+        str(out.resolve()),
+        "--reload",
+    ]
     done = subprocess.run(
         [*command, *([] if runtime else ["--no-runtime"])],
-        cwd=root, capture_output=True, text=True, check=False,
+        cwd=ENGINE, env={**os.environ, VARIABLE: str(root)},
+        capture_output=True, text=True, check=False,
     )  # fmt: skip
     print(done.stdout + done.stderr, end="", flush=True)
     builds.finish(done.stderr or "the build failed" if done.returncode else "")

@@ -1,19 +1,19 @@
 """Reading ``content/``: the outline in ``book.toml``, and the chapters it lists."""
 
 import re
-from collections.abc import Callable, Iterator, Sequence
-from dataclasses import dataclass
+from collections.abc import Callable, Iterator
+from dataclasses import asdict, dataclass
 from pathlib import Path
 from string import ascii_uppercase
 from typing import Any
 
 from simulations.engine.scene import Scene
-from site_builder.addresses import site_address, source_address
 from site_builder.bibliography import read_bibliography
 from site_builder.book import OUTLINE, Book, Position, Simulation, chapter_id
 from site_builder.diagnostics import Diagnostics, unknown
 from site_builder.glossary import FILE as GLOSSARY
 from site_builder.glossary import read_glossary
+from site_builder.languages.words import Words, load_words
 from site_builder.lecture_plan import read_lecture_plan
 from site_builder.markdown.chapter import Draft, find_targets, parse_chapter, read_chapter
 from site_builder.markdown.definitions import read_definitions, read_meanings
@@ -23,14 +23,12 @@ from site_builder.markdown.reading import Reading
 from site_builder.markdown.scenes import find_scene
 from site_builder.measured.measurements import Measurements
 from site_builder.news import read_news
-from site_builder.source_text import Toml, read_text, read_toml
+from site_builder.settings.model import Settings
+from site_builder.settings.reading import read_settings
+from site_builder.source_text import read_text
 from site_builder.symbols import FILE as SYMBOLS
 from site_builder.symbols import read_symbols
 
-TEXTS = ("title", "subtitle", "prerequisites")
-LISTS = ("chapters", "appendices")
-ADDRESSES = {"address": site_address, "source": source_address}
-KEYS = (*TEXTS, *LISTS, "hero", "hero_caption", *ADDRESSES)
 OWN_FOLDERS = (
     "assets", "cards", "glossary", "index-of-terms", "lecture-plan", "licences", "references",
     "runtime", "search", "source", "symbols",
@@ -40,21 +38,14 @@ OWN_FOLDERS = (
 
 @dataclass(frozen=True, slots=True)
 class Outline:
-    """``book.toml``: what the book is called, and its chapters in order."""
+    """``book.toml``, with its chapters in order."""
 
-    title: str
-    subtitle: str
-    prerequisites: str
+    settings: Settings
+    words: Words
+    """The language's, with the author's labels."""
     chapters: tuple[tuple[str, int, Position], ...]
     """File names without ``.md``, each with its line in this file and its place in the book."""
-    hero: str
-    """Scene of the landing page's figure, or nothing."""
-    hero_caption: str
     hero_line: int
-    address: str
-    """Where the site will be, or nothing."""
-    source: str
-    """Where its sources are, with ``{path}`` in it, or nothing."""
 
 
 def read_book(
@@ -65,9 +56,10 @@ def read_book(
 ) -> Book:
     """The whole book; mistakes go to ``problems`` and reading goes on."""
     outline = _read_outline(root, problems)
+    settings, words = outline.settings, outline.words
     numbers = measurements or Measurements()
-    bibliography = read_bibliography(root, problems)
-    glossary = read_glossary(root, problems)
+    bibliography = read_bibliography(root, problems, words)
+    glossary = read_glossary(root, problems, words)
     drafts: list[Draft] = []
     for name, line, position in outline.chapters:
         file = root / "content" / f"{name}.md"
@@ -81,8 +73,9 @@ def read_book(
             root,
             problems,
             load_scene,
-            make_parser(),
+            make_parser(words),
             numbers,
+            words=words,
             chapter=chapter_id(path),
             position=position,
             bibliography=bibliography,
@@ -94,14 +87,17 @@ def read_book(
     _check_unlisted(root, outline, problems)
 
     def beside(file: str) -> Reading:
-        return Reading(file, root, problems, load_scene, make_parser(), numbers, targets=targets)
+        parser = make_parser(words)
+        return Reading(
+            file, root, problems, load_scene, parser, numbers, words=words, targets=targets
+        )
 
     return Book(
-        title=outline.title,
-        subtitle=outline.subtitle,
-        prerequisites=outline.prerequisites,
-        address=outline.address,
-        source=outline.source,
+        title=settings.title,
+        subtitle=settings.subtitle,
+        prerequisites=settings.prerequisites,
+        settings=settings,
+        words=words,
         news=read_news(root, targets.chapters, problems),
         hero=_read_hero(outline, root, problems, load_scene),
         chapters=tuple(read_chapter(draft, targets) for draft in drafts),
@@ -113,56 +109,28 @@ def read_book(
 
 
 def _read_outline(root: Path, problems: Diagnostics) -> Outline:
-    is_there = (root / OUTLINE).is_file()
-    read = read_toml(root, OUTLINE, problems) if is_there else Toml()
-    if read and not read.text.strip():
-        problems.add(OUTLINE, 1, f"no outline; legal: a file with {', '.join(KEYS)}")
-    given = bool(read and read.text.strip())
-    read = read or Toml()
-    table = dict(read.table)
-    for key in table:
-        if key not in KEYS:
-            problems.add(OUTLINE, read.line(key), unknown("key", key, KEYS))
-    for key in TEXTS:
-        value = table.get(key)
-        if given and not (isinstance(value, str) and value.strip()):
-            problems.add(OUTLINE, read.line(key), f'no {key!r}; legal: {key} = "some text"')
-    for key in LISTS:
-        names = table.setdefault(key, [])
-        listed = isinstance(names, list) and all(isinstance(name, str) for name in names)
-        if given and not (listed and (names or key != "chapters")):
-            problems.add(OUTLINE, read.line(key), f'no {key}; legal: ["00-slug", …]')
-            table[key] = []
-    addresses = {}
-    for key, checked in ADDRESSES.items():
-        try:
-            addresses[key] = checked(table.get(key, ""))
-        except ValueError as error:
-            problems.add(OUTLINE, read.line(key), str(error))
-            addresses[key] = ""
+    settings, toml = read_settings(root, problems)
+    words = load_words(settings.language).labelled(asdict(settings.labels))
     return Outline(
-        title=str(table.get("title", "")),
-        subtitle=str(table.get("subtitle", "")),
-        prerequisites=str(table.get("prerequisites", "")),
+        settings,
+        words,
         chapters=tuple(
-            (name, read.line_of_text(name), position)
-            for name, position in _positions(table["chapters"], table["appendices"])
+            (name, toml.line_of_text(name), position)
+            for name, position in _positions(settings, words)
         ),
-        hero=str(table.get("hero", "")),
-        hero_caption=str(table.get("hero_caption", "")),
-        hero_line=read.line("hero"),
-        **addresses,
+        hero_line=toml.line("hero"),
     )
 
 
-def _positions(
-    chapters: Sequence[str], appendices: Sequence[str]
-) -> Iterator[tuple[str, Position]]:
-    """Chapters are numbered from 0, appendices lettered from A."""
-    for number, name in enumerate(chapters):
-        yield name, Position(number, str(number))
-    for index, name in enumerate(appendices):
-        yield name, Position(len(chapters) + index, ascii_uppercase[index % 26], "Appendix")
+def _positions(settings: Settings, words: Words) -> Iterator[tuple[str, Position]]:
+    """Chapters are numbered, appendices lettered from A."""
+    chapters, first = settings.chapters, settings.first_number
+    for number, name in enumerate(chapters, start=first):
+        label = words.label("Chapter")
+        yield name, Position(number, str(number), "Chapter", label)
+    for index, name in enumerate(settings.appendices):
+        letter, number = ascii_uppercase[index % 26], first + len(chapters) + index
+        yield name, Position(number, letter, "Appendix", words.label("Appendix"))
 
 
 def _chapter_files(root: Path) -> list[str]:
@@ -197,11 +165,12 @@ def _check_unlisted(root: Path, outline: Outline, problems: Diagnostics) -> None
 def _read_hero(
     outline: Outline, root: Path, problems: Diagnostics, load_scene: Callable[[str], Scene[Any]]
 ) -> Simulation | None:
-    if not outline.hero:
+    settings, words = outline.settings, outline.words
+    if not settings.hero:
         return None
-    reading = Reading(OUTLINE, root, problems, load_scene, make_parser())
-    scene = find_scene(outline.hero, outline.hero_line, reading)
-    caption_html = inline_html(outline.hero_caption, outline.hero_line, reading)
+    reading = Reading(OUTLINE, root, problems, load_scene, make_parser(words), words=words)
+    scene = find_scene(settings.hero, outline.hero_line, reading)
+    caption_html = inline_html(settings.hero_caption, outline.hero_line, reading)
     for link in reading.links:
         problems.add(
             OUTLINE, link.line, f"link {link.target!r} in the cover's caption; legal: 'https://…'"

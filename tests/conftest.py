@@ -25,8 +25,16 @@ settings.load_profile("repeatable")
 
 
 def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
-    """What needs the site goes first: one worker builds it while the others test the rest."""
+    """What needs the site goes first: one worker builds it while the others test the rest.
+
+    A test in a browser that fails is tried once more under continuous integration, and told of:
+    there other work can starve it for seconds.
+    """
     items.sort(key=lambda item: item.get_closest_marker("browser") is None)
+    if os.environ.get("CI"):
+        for item in items:
+            if item.get_closest_marker("browser"):
+                item.add_marker(pytest.mark.flaky(reruns=1))
 
 
 def pytest_xdist_auto_num_workers(config: pytest.Config) -> int | None:

@@ -1,4 +1,4 @@
-"""Marks of a drawing board: labels with indices, dimensions, arcs, lenses, and plots with axes.
+"""Marks of a drawing board: labels with indices, dimensions, arcs, lenses.
 
 They build on `simulations.engine.drawing` and follow its rules: view box units, x right, y down;
 ``style`` is a list of CSS classes. Angles are counter-clockwise as seen, from the right.
@@ -6,18 +6,15 @@ They build on `simulations.engine.drawing` and follow its rules: view box units,
 
 import math
 import re
-from collections.abc import Iterable, Sequence
-from dataclasses import dataclass
+from collections.abc import Sequence
 from html import escape
 
 import numpy as np
-from numpy.typing import ArrayLike
 
 from simulations.engine.drawing import (
     Point,
     arrow,
     coordinate,
-    line,
     path,
     polygon,
     polyline,
@@ -113,84 +110,3 @@ def box(corner: Point, width: float, height: float, radius: float = 3.0, style: 
     """A rectangle with rounded corners."""
     x, y, w, h, r = (coordinate(v) for v in (corner[0], corner[1], width, height, radius))
     return f'<rect class="{style}" x="{x}" y="{y}" width="{w}" height="{h}" rx="{r}"/>'
-
-
-@dataclass(frozen=True, slots=True)
-class Axis:
-    """Values from ``low`` to ``high``, drawn from ``start`` to ``end``; equal steps for equal
-    factors where ``log``."""
-
-    low: float
-    high: float
-    start: float
-    end: float
-    log: bool = False
-
-    def position(self, values: ArrayLike) -> np.ndarray:
-        """View box coordinates of values (...); NaN for those that a logarithm does not have."""
-        scaled, low, high = np.asarray(values, float), self.low, self.high
-        if self.log:
-            with np.errstate(divide="ignore", invalid="ignore"):
-                scaled = np.log(np.where(scaled > 0, scaled, np.nan))
-            low, high = math.log(low), math.log(high)
-        return np.asarray(self.start + (scaled - low) / (high - low) * (self.end - self.start))
-
-
-@dataclass(frozen=True, slots=True)
-class Plot:
-    """Two axes and what is drawn between them."""
-
-    x: Axis
-    y: Axis
-
-    def at(self, x: float, y: float) -> tuple[float, float]:
-        return float(self.x.position(x)), float(self.y.position(y))
-
-    def curve(self, xs: ArrayLike, ys: ArrayLike, style: str = "") -> str:
-        """A curve through points (n,), broken where it leaves the plot or is undefined."""
-        return path(self.pieces(xs, ys), style)
-
-    def pieces(self, xs: ArrayLike, ys: ArrayLike) -> list[list[tuple[float, float]]]:
-        """The runs of points that lie within the plot, as view box coordinates."""
-        across, down = self.x.position(xs), self.y.position(ys)
-        inside = np.isfinite(across) & np.isfinite(down)
-        for places, axis in ((across, self.x), (down, self.y)):
-            low, high = sorted((axis.start, axis.end))
-            inside &= (places >= low - 1e-6) & (places <= high + 1e-6)
-        runs: list[list[tuple[float, float]]] = [[]]
-        for x, y, shown in zip(across, down, inside, strict=True):
-            if shown:
-                runs[-1].append((float(x), float(y)))
-            elif runs[-1]:
-                runs.append([])
-        return [run for run in runs if len(run) > 1]
-
-    def area(self, xs: ArrayLike, ys: ArrayLike, style: str = "") -> str:
-        """The area between a curve and the foot of the plot."""
-        places = [
-            (float(x), float(y))
-            for x, y in zip(self.x.position(xs), self.y.position(ys), strict=True)
-        ]
-        foot = self.y.start
-        return polygon([(places[0][0], foot), *places, (places[-1][0], foot)], style)
-
-    def axes(self, style: str = "muted") -> str:
-        """The lower and the left edge."""
-        corner = (self.x.start, self.y.start)
-        return polyline([(self.x.start, self.y.end), corner, (self.x.end, self.y.start)], style)
-
-    def ticks_x(self, ticks: Iterable[tuple[float, str]], style: str = "muted small") -> str:
-        """Ticks below the plot, with their labels."""
-        return "".join(
-            line((x, self.y.start), (x, self.y.start + 4), "muted")
-            + label((x, self.y.start + 17), name, style, "middle")
-            for x, name in ((float(self.x.position(value)), name) for value, name in ticks)
-        )
-
-    def ticks_y(self, ticks: Iterable[tuple[float, str]], style: str = "muted small") -> str:
-        """Ticks left of the plot, with their labels."""
-        return "".join(
-            line((self.x.start - 4, y), (self.x.start, y), "muted")
-            + label((self.x.start - 8, y + 4), name, style, "end")
-            for y, name in ((float(self.y.position(value)), name) for value, name in ticks)
-        )

@@ -8,7 +8,7 @@ from simulations.engine.drafting import label
 from simulations.engine.drawing import arrow, dot, line, polyline
 from simulations.engine.frame import Panel
 from simulations.engine.illustration import Illustration
-from simulations.illustrations.space import seen_from
+from simulations.illustrations._space import seen_from
 from simulations.models.arrays import Floats
 from simulations.models.geometry.rotations import from_axis_angle
 

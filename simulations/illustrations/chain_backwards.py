@@ -4,10 +4,12 @@ import math
 
 import numpy as np
 
-from simulations.engine.drafting import Axis, Plot, label
+from simulations.engine.drafting import label
 from simulations.engine.drawing import dot, line
 from simulations.engine.frame import Panel
 from simulations.engine.illustration import Illustration
+from simulations.engine.plotting.axis import Axis
+from simulations.engine.plotting.plot import Plot
 from simulations.models.arrays import Floats
 from simulations.models.color.srgb import decode_srgb
 

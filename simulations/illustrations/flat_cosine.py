@@ -4,10 +4,12 @@ import math
 
 import numpy as np
 
-from simulations.engine.drafting import Axis, Plot, dimension, label
+from simulations.engine.drafting import dimension, label
 from simulations.engine.drawing import line, polygon
 from simulations.engine.frame import Panel
 from simulations.engine.illustration import Illustration
+from simulations.engine.plotting.axis import Axis
+from simulations.engine.plotting.plot import Plot
 
 WIDTH, HEIGHT = 320.0, 230.0
 PLOT = Plot(Axis(0.0, 1.0, 30, 306), Axis(0.0, 1.1, 178, 10))

@@ -1,9 +1,10 @@
 """All numbers of a toy floating-point format: as many between 1 and 2 as between 4 and 8."""
 
-from simulations.engine.drafting import Axis, dimension, label
+from simulations.engine.drafting import dimension, label
 from simulations.engine.drawing import line, path
 from simulations.engine.frame import Panel
 from simulations.engine.illustration import Illustration
+from simulations.engine.plotting.axis import Axis
 
 WIDTH, HEIGHT, FOOT = 400.0, 128.0, 66.0
 AXIS = Axis(0.0, 8.0, 14, 386)

@@ -2,10 +2,13 @@
 
 import numpy as np
 
-from simulations.engine.drafting import Axis, Plot, label
+from simulations.engine.drafting import label
 from simulations.engine.drawing import dot, line
 from simulations.engine.frame import Panel
 from simulations.engine.illustration import Illustration
+from simulations.engine.plotting.axis import Axis
+from simulations.engine.plotting.plot import Plot
+from simulations.engine.plotting.scale import Scale
 from simulations.models.distortion.radial_profile import (
     RadialProfile,
     evaluate,
@@ -33,9 +36,10 @@ def draw() -> Illustration:
     radii = np.linspace(0.0, PLOT.x.high, 400)
     before, after = radii[radii <= fold], radii[radii >= fold]
     marks = [
-        PLOT.axes(),
-        PLOT.ticks_x([(value, f"{value:g}") for value in (0, 0.5, 1, 1.5)]),
-        PLOT.ticks_y([(value, f"{value:g}") for value in (SEEN, NOWHERE)]),
+        PLOT.frame(
+            Scale(ticks=(0, 0.5, 1, 1.5), tick_style="muted small"),
+            Scale(ticks=(SEEN, NOWHERE), tick_style="muted small"),
+        ),
         line(PLOT.at(0, NOWHERE), PLOT.at(1.9, NOWHERE), "error dashed"),
         line(PLOT.at(0, SEEN), PLOT.at(1.9, SEEN), "image dashed"),
         line(PLOT.at(fold, 0), PLOT.at(fold, highest), "muted thin dashed"),

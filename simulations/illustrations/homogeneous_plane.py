@@ -6,7 +6,7 @@ from simulations.engine.drafting import label
 from simulations.engine.drawing import arrow, dot, line, polygon
 from simulations.engine.frame import Panel
 from simulations.engine.illustration import Illustration
-from simulations.illustrations.space import seen_from
+from simulations.illustrations._space import seen_from
 
 WIDTH, HEIGHT = 400.0, 256.0
 SPACE = seen_from((1.1, -3.0, 1.35), 59.0, (64.0, 206.0))

@@ -6,7 +6,7 @@ from simulations.engine.drafting import label
 from simulations.engine.drawing import dot, path, polygon
 from simulations.engine.frame import Panel
 from simulations.engine.illustration import Illustration
-from simulations.illustrations.space import seen_from
+from simulations.illustrations._space import seen_from
 from simulations.models.light.reflectance import PointLight, irradiance
 
 WIDTH, HEIGHT = 400.0, 286.0

@@ -2,10 +2,13 @@
 
 import numpy as np
 
-from simulations.engine.drafting import Axis, Plot, label
+from simulations.engine.drafting import label
 from simulations.engine.drawing import dot
 from simulations.engine.frame import Panel
 from simulations.engine.illustration import Illustration
+from simulations.engine.plotting.axis import Axis
+from simulations.engine.plotting.plot import Plot
+from simulations.engine.plotting.scale import Scale
 from simulations.models.color.srgb import decode_srgb
 
 WIDTH, HEIGHT = 400.0, 268.0
@@ -39,9 +42,10 @@ def _above(light: float, value: float, name: str, style: str) -> str:
 
 def draw() -> Illustration:
     marks = [
-        PLOT.axes(),
-        PLOT.ticks_x([(n, f"{n}") for n in range(5)]),
-        PLOT.ticks_y([(n, f"{n:g}") for n in (0, 0.5, 1)]),
+        PLOT.frame(
+            Scale(ticks=range(5), tick_style="muted small"),
+            Scale(ticks=(0, 0.5, 1), tick_style="muted small"),
+        ),
         *(_curve(value, "muted thin dashed") for value, _ in OTHERS),
         *(_above(light, value, f"{value}", "muted") for value, light in OTHERS),
         _curve(VALUE, "image bold"),

@@ -7,10 +7,13 @@ import math
 
 import numpy as np
 
-from simulations.engine.drafting import Axis, Plot, label
+from simulations.engine.drafting import label
 from simulations.engine.drawing import dot, line
 from simulations.engine.frame import Panel
 from simulations.engine.illustration import Illustration
+from simulations.engine.plotting.axis import Axis
+from simulations.engine.plotting.plot import Plot
+from simulations.engine.plotting.scale import Scale
 from simulations.models.arrays import Floats
 
 WIDTH, HEIGHT = 400.0, 272.0
@@ -34,9 +37,7 @@ def draw() -> Illustration:
     best = sharpest_mm()
     small, large = holes[holes <= best], holes[holes >= best]
     marks = [
-        PLOT.axes(),
-        PLOT.ticks_x([(value, f"{value:g}") for value in (0.03, 0.1, 0.3, 1, 3)]),
-        PLOT.ticks_y([(value, f"{value:g}") for value in (0.1, 0.3, 1, 3)]),
+        PLOT.frame(Scale(tick_style="muted small"), Scale(tick_style="muted small")),
         line(PLOT.at(best, 0.05), PLOT.at(best, best), "muted thin dashed"),
         PLOT.curve(holes, spread_mm(holes), "light thin dashed"),
         PLOT.curve(holes, holes, "ray thin dashed"),

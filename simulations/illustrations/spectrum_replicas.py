@@ -2,10 +2,13 @@
 
 import numpy as np
 
-from simulations.engine.drafting import Axis, Plot, label
+from simulations.engine.drafting import label
 from simulations.engine.drawing import line
 from simulations.engine.frame import Panel
 from simulations.engine.illustration import Illustration
+from simulations.engine.plotting.axis import Axis
+from simulations.engine.plotting.plot import Plot
+from simulations.engine.plotting.scale import Scale
 from simulations.models.arrays import Floats
 from simulations.models.sampling.aliasing import alias_frequency
 
@@ -44,8 +47,8 @@ def _panel(name: str, title: str, highest: float) -> Panel:
         marks.append(line(PLOT.at(nyquist, 0), PLOT.at(nyquist, 1.2), "camera dashed"))
     marks += [
         line(PLOT.at(-1.6, 0), PLOT.at(1.6, 0), "muted"),
-        PLOT.ticks_x([(-1, "−1"), (0, "0"), (1, "1")]),
-        PLOT.ticks_x([(-0.5, "−½"), (0.5, "½")], "camera small"),
+        PLOT.below(Scale(ticks=(-1, 0, 1), tick_style="muted small")),
+        PLOT.below(Scale(ticks=((-0.5, "−½"), (0.5, "½")), tick_style="camera small")),
         label((PLOT.at(0.5, 0)[0] + 6, 20), "Nyquist", "camera small"),
     ]
     return Panel(name, title, WIDTH, HEIGHT, overlay="".join(marks))

@@ -2,10 +2,13 @@
 
 import numpy as np
 
-from simulations.engine.drafting import Axis, Plot, label
+from simulations.engine.drafting import label
 from simulations.engine.drawing import circle, dot, polyline
 from simulations.engine.frame import Panel
 from simulations.engine.illustration import Illustration
+from simulations.engine.plotting.axis import Axis
+from simulations.engine.plotting.plot import Plot
+from simulations.engine.plotting.scale import Scale
 from simulations.models.distortion.lens_model import Distortion, distort
 from simulations.models.distortion.undistortion import undistort_fixed_point, undistort_newton
 
@@ -45,9 +48,7 @@ def draw() -> Illustration:
     best = front()
     stairs = [PLOT.at(cost, error) for cost, error, _ in best]
     marks = [
-        PLOT.axes(),
-        PLOT.ticks_x([(n, f"{n}") for n in (1, 2, 5, 10, 20)]),
-        PLOT.ticks_y([(10.0**n, f"10^{{−{-n}}}") for n in (-4, -8, -12, -16)]),
+        PLOT.frame(Scale(tick_style="muted small"), Scale(ticks=5, tick_style="muted small")),
         polyline(stairs, "image bold"),
     ]
     for cost, error, name in points():

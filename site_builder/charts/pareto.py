@@ -12,6 +12,7 @@ from simulations.engine import drawing
 from site_builder.charts.axes import Axis, linear_axis, log_axis
 from site_builder.charts.boxes import Box, Point, Segment
 from site_builder.charts.label_placement import Label, place_labels
+from site_builder.languages.words import ENGLISH, Words
 from site_builder.measured.measurements import SIDES, MeasuredLadder, MeasuredTier
 
 type Place = Callable[[MeasuredTier, str], Point]
@@ -40,7 +41,7 @@ class Chart:
     height: float = HEIGHT
 
 
-def pareto_chart(measured: MeasuredLadder) -> Chart:
+def pareto_chart(measured: MeasuredLadder, words: Words = ENGLISH) -> Chart:
     time, error = _time_axis(measured), _error_axis(measured)
 
     def at(item: MeasuredTier, side: str) -> tuple[float, float]:
@@ -66,20 +67,21 @@ def pareto_chart(measured: MeasuredLadder) -> Chart:
     lines = [*spreads, *joins, *(step for front in fronts for step in pairwise(front))]
     labels = _place_names(measured, at, lines)
     leaders = [drawing.line(*label.leader, "muted thin") for label in labels if label.leader]
-    parts = [_grid(time, error, measured), *curves, *bars, *leaders, *marks]
+    parts = [_grid(time, error, measured, words), *curves, *bars, *leaders, *marks]
     names = _names(measured, labels, {tier for tier, side in beaten if side == "browser"})
-    return Chart("".join(parts), names, time, error, describe(measured))
+    return Chart("".join(parts), names, time, error, describe(measured, words))
 
 
-def describe(measured: MeasuredLadder) -> str:
+def describe(measured: MeasuredLadder, words: Words = ENGLISH) -> str:
     """The chart in a sentence."""
     names = ", ".join(item.tier.label for item in measured.front("browser"))
     losers = [i.tier.label for i in measured.tiers if measured.beaten_by(i, "browser")]
-    sentence = (
-        f"{measured.metric.label} against time for {len(measured.tiers)} tiers. "
-        f"On the front in the browser, quickest first: {names}."
-    )
-    return f"{sentence} Clearly beaten: {', '.join(losers)}." if losers else sentence
+    sentences = [
+        words("chart.against_time", metric=measured.metric.label, count=len(measured.tiers)),
+        words("chart.front", tiers=names),
+        *([words("chart.beaten", tiers=", ".join(losers))] if losers else []),
+    ]
+    return " ".join(sentences)
 
 
 def _time_axis(measured: MeasuredLadder) -> Axis:
@@ -100,24 +102,24 @@ def _error_axis(measured: MeasuredLadder) -> Axis:
     return log_axis(finite, high, TOP, BOTTOM - 6.0 if some_free else None)
 
 
-def _grid(time: Axis, error: Axis, measured: MeasuredLadder) -> str:
+def _grid(time: Axis, error: Axis, measured: MeasuredLadder, words: Words) -> str:
     metric = measured.metric
-    better = "higher is better" if metric.higher_is_better else "lower is better"
+    better = "chart.higher" if metric.higher_is_better else "chart.lower"
     rules, labels = [], []
     for value, label in time.ticks():
         x = time.position(value)
         rules.append([(x, TOP), (x, BOTTOM)])
-        labels.append(drawing.text((x, BOTTOM + 17), label, "muted", "middle"))
+        labels.append(drawing.text((x, BOTTOM + 17), words.decimals(label), "muted", "middle"))
     for value, label in error.ticks():
         y = error.position(value)
         rules.append([(LEFT, y), (RIGHT, y)])
-        labels.append(drawing.text((LEFT - 7, y + 4.5), label, "muted", "end"))
+        labels.append(drawing.text((LEFT - 7, y + 4.5), words.decimals(label), "muted", "end"))
     if error.none is not None:
-        word = "∞" if metric.higher_is_better else "none"
+        word = "∞" if metric.higher_is_better else words("ladder.none")
         labels.append(drawing.text((LEFT - 7, error.none + 4.5), word, "muted", "end"))
     titles = (
-        drawing.text((4, 14), f"{metric.label} ({metric.unit}), {better}"),
-        drawing.text((RIGHT, HEIGHT - 10), "Time (ms)", "", "end"),
+        drawing.text((4, 14), words(better, metric=metric.label, unit=metric.unit)),
+        drawing.text((RIGHT, HEIGHT - 10), words("chart.time"), "", "end"),
     )
     return "".join(
         (

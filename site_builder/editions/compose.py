@@ -53,14 +53,14 @@ def compose(options: Options) -> Composed:
     """Read, check and render the book. Raises `BuildError` with all mistakes found."""
     book, stills, pictures = check_site(options)
     rows, row_pictures = render_rows(book, stills)
-    assets, files = gather_assets(options.root, {**pictures, **row_pictures}, {})
+    assets, files = gather_assets(book, options.root, {**pictures, **row_pictures}, {})
     site = Site(options.root, book, stills, assets, "")
-    licences = gather_licences(options.root, Versions())
+    licences = gather_licences(options.root, Versions(), settings=book.settings, words=book.words)
     pages = render_pages(site, licences)
     sections = [
         *(_chapter(site, chapter, pages, rows) for chapter in book.chapters),
         *_answers(site),
-        *_back_matter(pages),
+        *_back_matter(book, pages),
     ]
     cover = ""
     if book.hero:
@@ -83,12 +83,12 @@ def _chapter(
     return Section(chapter.id, chapter.title, chapter.name, content, headings)
 
 
-def _back_matter(pages: Mapping[str, bytes]) -> Iterator[Section]:
+def _back_matter(book: Book, pages: Mapping[str, bytes]) -> Iterator[Section]:
     """What the site has of it."""
-    for id, title in BACK_MATTER.items():
+    for id, key in BACK_MATTER.items():
         page = pages.get(f"{id}/index.html")
         if page is not None:
-            yield Section(id, title, "", article(page))
+            yield Section(id, book.words(key), "", article(page))
 
 
 def _answers(site: Site) -> Iterator[Section]:
@@ -99,7 +99,8 @@ def _answers(site: Site) -> Iterator[Section]:
     ]
     if chapters:
         html = render_page(site, "editions/answers.html", "../", chapters=chapters)
-        yield Section(ANSWERS, "Answers", "", parse_fragment(html))
+        title = site.book.words("edition.answers")
+        yield Section(ANSWERS, title, "", parse_fragment(html))
 
 
 def numbered_quizzes(blocks: Iterable[Block]) -> Iterator[tuple[str, Quiz]]:

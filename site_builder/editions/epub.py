@@ -11,6 +11,8 @@ from urllib.parse import quote
 from uuid import NAMESPACE_URL, uuid5
 from xml.etree.ElementTree import Element
 
+from site_builder.book import Book
+from site_builder.book_root import own_or_engine
 from site_builder.editions.compose import ANSWERS, Composed, Section, answer_id
 from site_builder.editions.epub_style import book_style
 from site_builder.editions.places import is_external, place_of
@@ -39,12 +41,12 @@ def make_epub(composed: Composed, root: Path) -> bytes:
     """``root`` is the project, whose style sheets the book's is drawn from."""
     trees = {f"{section.id}.xhtml": _part(section, composed) for section in composed.sections}
     for name in ("title", "nav"):
-        page = render_template(f"editions/epub-{name}.html", composed=composed, book=composed.book)
+        page = render_template(f"editions/epub-{name}.html", composed.book, composed=composed)
         trees[f"{name}.xhtml"] = parse(page)
     images = _take_images(trees, composed)
     files: dict[str, bytes] = {
         **{name: xhtml(tree) for name, tree in trees.items()},
-        "style/book.css": book_style(root / "static" / "css").encode(),
+        "style/book.css": book_style(own_or_engine(root, "static/css")).encode(),
         **{
             f"fonts/{Path(name).name}": content_bytes(content)
             for name, content in composed.files.items()
@@ -52,7 +54,7 @@ def make_epub(composed: Composed, root: Path) -> bytes:
         },
         **images,
     }
-    return _packed({"book.opf": _package(composed, trees, files), **files})
+    return _packed(composed.book, {"book.opf": _package(composed, trees, files), **files})
 
 
 def _part(section: Section, composed: Composed) -> Element:
@@ -61,10 +63,10 @@ def _part(section: Section, composed: Composed) -> Element:
     for question in elements(content, "form", "quiz"):
         place = answer_id(section.id, question.get("id", "").removeprefix("quiz-"))
         note(question, "to-answer").append(Element("a", {"href": f"../{ANSWERS}/#{place}"}))
-        first(question, kind="to-answer")[0].text = "Answer"
+        first(question, kind="to-answer")[0].text = composed.book.words("edition.answer")
     for link in elements(content, "a"):
         _lead(link, section.id, composed)
-    frame = parse(render_template("editions/epub-part.html", title=section.title))
+    frame = parse(render_template("editions/epub-part.html", composed.book, title=section.title))
     first(frame, "body").append(plain(content))
     return frame
 
@@ -109,7 +111,7 @@ def _package(composed: Composed, trees: Mapping[str, Element], files: Mapping[st
     now = datetime.fromtimestamp(int(seconds), UTC) if seconds else datetime.now(UTC)
     package = render_template(
         "editions/epub-package.xml",
-        book=composed.book,
+        composed.book,
         identifier=uuid5(NAMESPACE_URL, composed.book.title),
         modified=now.strftime("%Y-%m-%dT%H:%M:%SZ"),
         items=items,
@@ -128,12 +130,12 @@ def _properties(name: str, tree: Element | None) -> str:
     return " ".join(found)
 
 
-def _packed(files: Mapping[str, bytes]) -> bytes:
+def _packed(book: Book, files: Mapping[str, bytes]) -> bytes:
     """The archive, whose first file tells what it is."""
     packed = io.BytesIO()
     with zipfile.ZipFile(packed, "w", zipfile.ZIP_DEFLATED) as archive:
         archive.writestr(zipfile.ZipInfo("mimetype"), "application/epub+zip", zipfile.ZIP_STORED)
-        container = render_template("editions/epub-container.xml", package=f"{ROOM}book.opf")
+        container = render_template("editions/epub-container.xml", book, package=f"{ROOM}book.opf")
         _write(archive, "META-INF/container.xml", container.encode())
         for name, content in files.items():
             _write(archive, ROOM + name, content)

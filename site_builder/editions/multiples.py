@@ -10,6 +10,7 @@ from simulations.engine.controls import Action, Choice, Control, Slider, Toggle,
 from simulations.engine.frame import Frame, Panel
 from simulations.engine.stages import StageCache
 from site_builder.book import Book, Simulation
+from site_builder.languages.words import Words
 from site_builder.pages.control_view import value_text
 from site_builder.pages.stills import Still, Stills, png
 
@@ -45,13 +46,13 @@ def render_rows(book: Book, stills: Stills) -> tuple[dict[tuple[str, str], Row],
     files: dict[str, bytes] = {}
     for chapter in book.chapters:
         for figure in chapter.simulations:
-            row = _row(chapter.id, stills[figure.path, figure.line], files)
+            row = _row(chapter.id, stills[figure.path, figure.line], files, book.words)
             if row:
                 rows[chapter.id, figure.id] = row
     return rows, files
 
 
-def _row(page: str, still: Still, files: dict[str, bytes]) -> Row | None:
+def _row(page: str, still: Still, files: dict[str, bytes], words: Words) -> Row | None:
     figure = still.figure
     control = main_control(figure)
     if control is None:
@@ -68,7 +69,7 @@ def _row(page: str, still: Still, files: dict[str, bytes]) -> Row | None:
         if panel.raster is not None:
             name = f"{page}--{figure.id}--{shown}--{len(multiples)}.png"
             files[name] = png(panel.raster)
-        multiples.append(Multiple(value_text(control, value), panel, name))
+        multiples.append(Multiple(value_text(control, value, words), panel, name))
     return Row(control.label, tuple(multiples))
 
 

@@ -24,8 +24,8 @@ def volume(composed: Composed) -> Element:
     """The document, its page numbers still to be filled in."""
     frame = render_template(
         "editions/volume.html",
+        composed.book,
         composed=composed,
-        book=composed.book,
         anchor=lambda page, id: anchor(Place(page, id)),
         stylesheet=f"{composed.assets}css/book.css",
     )
@@ -41,7 +41,7 @@ def volume(composed: Composed) -> Element:
 def _bound(section: Section, composed: Composed) -> Element:
     """A section as part of the whole."""
     content = deepcopy(section.article)
-    _lead_to_answers(content, section.id)
+    _lead_to_answers(content, section.id, composed.book.words("edition.answer"))
     for element in content.iter():
         if "id" in element.attrib:
             element.set("id", anchor(Place(section.id, element.attrib["id"])))
@@ -53,12 +53,12 @@ def _bound(section: Section, composed: Composed) -> Element:
     return content
 
 
-def _lead_to_answers(content: Element, page: str) -> None:
+def _lead_to_answers(content: Element, page: str, word: str) -> None:
     for question in elements(content, "form", "quiz"):
         line = note(question, "to-answer")
         place = answer_id(page, question.get("id", "").removeprefix("quiz-"))
         line.append(Element("a", {"href": f"../{ANSWERS}/#{place}"}))
-        line[0].text = "Answer"
+        line[0].text = word
 
 
 def _bind_links(content: Element, page: str, composed: Composed) -> None:

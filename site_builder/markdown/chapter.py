@@ -33,7 +33,8 @@ def parse_chapter(text: str, reading: Reading) -> Draft:
         reading.problem(line, message)
     matter = read_front_matter(tokens, reading)
     position, name = reading.position, reading.chapter
-    target = Target(position.kind, name, "", position.mark, matter.title, 1)
+    title, said = matter.title, position.name
+    target = Target(position.kind, name, "", position.mark, title, 1, name=said)
     return Draft(tokens, matter, target, place_targets(tokens, name, reading), reading)
 
 

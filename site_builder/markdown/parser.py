@@ -13,6 +13,7 @@ from mdit_py_plugins.dollarmath import dollarmath_plugin
 from mdit_py_plugins.footnote import footnote_plugin
 from mdit_py_plugins.front_matter import front_matter_plugin
 
+from site_builder.languages.words import ENGLISH, Words
 from site_builder.markdown.directives import DIRECTIVES
 from site_builder.markdown.fences import directive_rule
 from site_builder.markdown.role import role_rule
@@ -75,17 +76,21 @@ HTML: Mapping[str, Callable[[Token], str]] = {
     "math_block": rendering.equation,
     "math_block_label": rendering.equation,
     "heading_open": rendering.heading_open,
-    "heading_close": rendering.heading_close,
     "fence": rendering.code,
-    "table_open": rendering.table_open,
     "table_close": rendering.table_close,
 }
 """Kinds of token that we render, each by itself."""
+WORDED: Mapping[str, Callable[[Words, Token], str]] = {
+    "heading_close": rendering.heading_close,
+    "table_open": rendering.table_open,
+}
+"""Likewise, with words of the interface."""
 
 
-def make_parser() -> MarkdownIt:
-    """CommonMark with the book's additions."""
-    parser = MarkdownIt("commonmark", {"typographer": True, "html": True})
+def make_parser(words: Words = ENGLISH) -> MarkdownIt:
+    """CommonMark with the book's additions, and the quotation marks of its language."""
+    quotes = words("language.quotes")
+    parser = MarkdownIt("commonmark", {"typographer": True, "html": True, "quotes": quotes})
     parser.enable(list(STANDARD))
     for plugin in PLUGINS:
         parser.use(plugin)
@@ -95,7 +100,9 @@ def make_parser() -> MarkdownIt:
     parser.inline.add_terminator_char("{")  # where a run of text stops, since a role may begin
     for kind, html in HTML.items():
         parser.add_render_rule(kind, _render_rule(html))
-    parser.add_render_rule("role", rendering.words)
+    for kind, worded in WORDED.items():
+        parser.add_render_rule(kind, _render_rule(partial(worded, words)))
+    parser.add_render_rule("role", rendering.role)
     return parser
 
 

@@ -89,7 +89,9 @@ class _Placing:
         line, text = (opening.map or [0])[0] + 1, plain_text(inline)
         name = self.reading.take_id(slug(text), line, "heading")
         opening.attrSet("id", name)
-        closing.meta["target"] = target = Target("Section", self.chapter, name, "", text, line)
+        said = self.reading.words("labels.section", title=text)
+        target = Target("Section", self.chapter, name, "", text, line, name=said)
+        closing.meta["target"] = target
         self.targets.append(target)
 
     def _labelled(self, label: str, line: int, kind: str) -> str:
@@ -101,6 +103,8 @@ class _Placing:
     def _count(self, kind: str, name: str, line: int, *, labelled: bool) -> Target:
         self.counts[kind] += 1
         number = f"{self.reading.position.mark}.{self.counts[kind]}"
-        target = Target(kind, self.chapter, name, number, "", line, labelled)
+        label = self.reading.words.label(kind)
+        said = f"{label} ({number})" if kind == "Equation" else f"{label} {number}"
+        target = Target(kind, self.chapter, name, number, "", line, labelled, said)
         self.targets.append(target)
         return target

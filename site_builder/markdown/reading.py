@@ -14,6 +14,7 @@ from site_builder.book import Citation, Heading, IndexMark, Link, Position, Targ
 from site_builder.diagnostics import Diagnostics
 from site_builder.glossary import EMPTY as NO_TERMS
 from site_builder.glossary import Glossary
+from site_builder.languages.words import ENGLISH, Words
 from site_builder.markdown.targets import Targets
 from site_builder.measured.measurements import Measurements
 from site_builder.measured.readouts import Readouts
@@ -53,6 +54,8 @@ class Reading:
     parser: MarkdownIt
     measurements: Measurements = field(default_factory=Measurements)
     """Where numbers about speed and accuracy come from."""
+    words: Words = ENGLISH
+    """Those of the interface, in the book's language."""
     chapter: str = ""
     """Id of the chapter; nothing where it is none."""
     position: Position = FIRST

@@ -5,8 +5,15 @@ The front is the browser's, where the book runs, by the ladder's first metric.
 
 from dataclasses import dataclass
 
+from site_builder.languages.words import ENGLISH, Words
 from site_builder.measured.measurements import MeasuredLadder, MeasuredTier
-from site_builder.measured.quantities import error_text, milliseconds, quantity, with_unit
+from site_builder.measured.quantities import (
+    error_text,
+    is_none,
+    milliseconds,
+    quantity,
+    with_unit,
+)
 
 SIDE = "browser"
 
@@ -37,7 +44,7 @@ class Choice:
     """None where nothing that takes longer is clearly more accurate."""
 
 
-def default_choice(measured: MeasuredLadder) -> Choice:
+def default_choice(measured: MeasuredLadder, words: Words = ENGLISH) -> Choice:
     """The default of a ladder that is judged by its first metric."""
     default = measured[measured.ladder.default_tier]
     # What only rounding puts on the front is no alternative.
@@ -47,11 +54,11 @@ def default_choice(measured: MeasuredLadder) -> Choice:
     dearer = [item for item in front if item.times[SIDE].ms > ms]
     return Choice(
         label=default.tier.label,
-        ms=milliseconds(ms),
-        metric=_in_a_sentence(measured.metric.label),
-        error=_error(measured, default),
-        cheaper=_neighbour(measured, default, cheaper[-1]) if cheaper else None,
-        dearer=_neighbour(measured, default, dearer[0]) if dearer else None,
+        ms=words.decimals(milliseconds(ms)),
+        metric=_in_a_sentence(measured.metric.label, words),
+        error=_error(measured, default, words),
+        cheaper=_neighbour(measured, default, cheaper[-1], words) if cheaper else None,
+        dearer=_neighbour(measured, default, dearer[0], words) if dearer else None,
     )
 
 
@@ -73,21 +80,26 @@ def off_the_front(measured: MeasuredLadder) -> str:
     )
 
 
-def _neighbour(measured: MeasuredLadder, default: MeasuredTier, item: MeasuredTier) -> Neighbour:
+def _neighbour(
+    measured: MeasuredLadder, default: MeasuredTier, item: MeasuredTier, words: Words
+) -> Neighbour:
     ratio = item.times[SIDE].ms / default.times[SIDE].ms
-    return Neighbour(item.tier.label, quantity(ratio), _error(measured, item))
+    times = words.decimals(quantity(ratio))
+    return Neighbour(item.tier.label, times, _error(measured, item, words))
 
 
-def _in_a_sentence(label: str) -> str:
-    """A label without its capital; abbreviations keep theirs."""
-    return label if label[:2].isupper() else label[:1].lower() + label[1:]
+def _in_a_sentence(label: str, words: Words) -> str:
+    """A label without its capital, where nouns have none; abbreviations keep theirs."""
+    kept = label[:2].isupper() or words("language.nouns") == "capital"
+    return label if kept else label[:1].lower() + label[1:]
 
 
 def _numbers(measured: MeasuredLadder, item: MeasuredTier) -> str:
     return f"{milliseconds(item.times[SIDE].ms)} ms, {_error(measured, item)}"
 
 
-def _error(measured: MeasuredLadder, item: MeasuredTier) -> str:
-    unit = measured.metric.unit
-    text = error_text(item.errors[measured.metric.id], unit)
-    return "no error" if text == "none" else with_unit(text, unit)
+def _error(measured: MeasuredLadder, item: MeasuredTier, words: Words = ENGLISH) -> str:
+    unit, value = measured.metric.unit, item.errors[measured.metric.id]
+    if is_none(value, unit):
+        return words("ladder.no_error")
+    return with_unit(error_text(value, unit, words), unit)

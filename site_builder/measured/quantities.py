@@ -1,6 +1,7 @@
 """Measured numbers as a reader wants them: two digits, decimals where short, else powers of ten."""
 
 from simulations.engine.frame import format_number, power_of_ten
+from site_builder.languages.words import ENGLISH, Words
 
 NARROW_SPACE = "\u202f"
 
@@ -23,13 +24,18 @@ def milliseconds(value: float) -> str:
     return quantity(value, 2 if value < 100 else 3)
 
 
-def error_text(value: float | None, unit: str) -> str:
+def error_text(value: float | None, unit: str, words: Words = ENGLISH) -> str:
     """An error without its unit; ratios in decibels to a tenth; ``none`` where there is none."""
+    if is_none(value, unit):
+        return words("ladder.none")
     if value is None:
-        return "∞" if unit == "dB" else "none"
-    if unit == "dB":
-        return format_number(value, 1)
-    return "none" if value == 0.0 else quantity(value)
+        return "∞"
+    return words.decimals(format_number(value, 1) if unit == "dB" else quantity(value))
+
+
+def is_none(value: float | None, unit: str) -> bool:
+    """Whether an error is none at all, which has no unit."""
+    return unit != "dB" and not value
 
 
 def with_unit(text: str, unit: str) -> str:

@@ -1,25 +1,26 @@
 """What the measured numbers say of a tier, in words."""
 
+from site_builder.languages.words import ENGLISH, Words
 from site_builder.measured.measurements import SIDES, MeasuredLadder, MeasuredTier
 
 
-def verdict(measured: MeasuredLadder, item: MeasuredTier) -> str:
+def verdict(measured: MeasuredLadder, item: MeasuredTier, words: Words = ENGLISH) -> str:
     """What the numbers say of a tier, in a few words."""
     native, browser = (measured.beaten_by(item, side) for side in SIDES)
     if native and browser:
         both = native.tier.id == browser.tier.id
-        text = f"beaten by {native.tier.label}"
-        return text if both else f"{text}; in the browser by {browser.tier.label}"
+        key = "verdict.beaten" if both else "verdict.beaten_twice"
+        return words(key, tier=native.tier.label, other=browser.tier.label)
     if native:
-        return f"beaten by {native.tier.label} in CPython only"
+        return words("verdict.beaten_native", tier=native.tier.label)
     if browser:
-        return f"beaten by {browser.tier.label} in the browser only"
+        return words("verdict.beaten_browser", tier=browser.tier.label)
     match [side for side in SIDES if item in measured.front(side)]:
         case [_, _]:
-            return "on the front"
+            return words("verdict.front")
         case ["native"]:
-            return "on the front in CPython only"
+            return words("verdict.front_native")
         case ["browser"]:
-            return "on the front in the browser only"
+            return words("verdict.front_browser")
         case _:
-            return "close behind the front"
+            return words("verdict.close")

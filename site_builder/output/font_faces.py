@@ -5,7 +5,10 @@ the SIL Open Font License, from installed packages. A subset is a modified versi
 is a reserved name, so the cut faces are called ``Book …`` while copyright and licence stay in them.
 """
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
+from pathlib import Path
+
+from site_builder.settings.model import Settings, font_files
 
 
 def _span(*bounds: tuple[int, int]) -> frozenset[int]:
@@ -59,10 +62,10 @@ class Face:
 
     file: str
     """Name of the woff2 file, as the style sheet refers to it."""
-    package: str
-    """Installed package that carries the source."""
+    package: str | Path
+    """Installed package that carries the source; of an author's own, their folder of files."""
     source: str
-    """Path of the source inside the package."""
+    """Path of the source inside that."""
     family: str
     """Family name written into the cut face."""
     style: str
@@ -102,3 +105,19 @@ FACES = (
         FORMULA_FEATURES,
     ),
 )
+
+
+def chosen_faces(settings: Settings, root: Path) -> tuple[Face, ...]:
+    """The builder's faces, with the families of the author's own in their places. These are called
+    ``Book …`` too: whatever a cut face is cut from, its name may be reserved."""
+    families = (("serif", settings.fonts.serif), ("sans", settings.fonts.sans))
+    own = {
+        f"{role}-{face.style}.woff2": face.file
+        for role, family in families
+        if family
+        for face in font_files(family, role)
+    }
+    return tuple(
+        replace(face, package=root / "content", source=own[face.file]) if face.file in own else face
+        for face in FACES
+    )

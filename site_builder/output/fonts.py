@@ -5,7 +5,7 @@ Cutting takes seconds, hence a cache keyed by everything it depends on.
 
 import hashlib
 import io
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from importlib.resources import files
 from pathlib import Path
 
@@ -21,11 +21,13 @@ RECIPE = 3
 """Counts changes of `cut`, so that a cache filled by an earlier version is not used."""
 
 
-def subset_fonts(cache: Path | None = None) -> Mapping[str, bytes]:
+def subset_fonts(faces: Sequence[Face] = FACES, cache: Path | None = None) -> Mapping[str, bytes]:
     """The book's web fonts by file name, ready to be written beside the style sheet.
 
     Parameters
     ----------
+    faces
+        What is cut.
     cache
         Folder that keeps cut faces between builds; the user's cache folder unless given.
 
@@ -35,11 +37,12 @@ def subset_fonts(cache: Path | None = None) -> Mapping[str, bytes]:
         A package that should carry a face does not.
     """
     folder = cache or platformdirs.user_cache_path("image-formation") / "fonts"
-    return {face.file: _cut_once(face, folder) for face in FACES}
+    return {face.file: _cut_once(face, folder) for face in faces}
 
 
 def _cut_once(face: Face, cache: Path) -> bytes:
-    source = files(face.package).joinpath(face.source).read_bytes()
+    place = face.package if isinstance(face.package, Path) else files(face.package)
+    source = place.joinpath(face.source).read_bytes()
     kept = cache / f"{_fingerprint(face, source)}.woff2"
     if kept.is_file():
         return kept.read_bytes()
@@ -112,6 +115,8 @@ def _offer_script_forms(font: TTFont) -> None:
 
     The font offers it to the script ``math`` alone, which browsers do not set for MathML.
     """
+    if "GSUB" not in font:
+        return
     substitutions = font["GSUB"].table
     features = substitutions.FeatureList.FeatureRecord
     forms = [index for index, record in enumerate(features) if record.FeatureTag == "ssty"]

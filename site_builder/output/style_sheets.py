@@ -10,8 +10,11 @@ from site_builder.output.assets import Content, content_bytes
 IMPORT = re.compile(r'^@import "([^"]+)";\n', re.MULTILINE)
 
 
-def join_style_sheets(files: Mapping[str, Content], entry: str) -> dict[str, Content]:
-    """``files`` with the sheet ``entry`` holding, in order, what it imports from its own folder.
+def join_style_sheets(
+    files: Mapping[str, Content], entry: str, more: str = ""
+) -> dict[str, Content]:
+    """``files`` with the sheet ``entry`` holding, in order, what it imports from its own folder,
+    and ``more`` at its end.
 
     What it has taken in is left out. Raises `BuildError` where an imported sheet is missing or
     lies elsewhere: its relative addresses would then lead astray.
@@ -24,7 +27,7 @@ def join_style_sheets(files: Mapping[str, Content], entry: str) -> dict[str, Con
         raise BuildError(_mistake(sheet, name, entry) for name in wrong)
     rest = {path: content for path, content in files.items() if path not in taken.values()}
     joined = IMPORT.sub(lambda found: content_bytes(files[taken[found[1]]]).decode("utf-8"), sheet)
-    return {**rest, entry: joined.encode("utf-8")}
+    return {**rest, entry: (joined + more).encode("utf-8")}
 
 
 def _mistake(sheet: str, name: str, entry: str) -> Diagnostic:

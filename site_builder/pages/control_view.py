@@ -5,6 +5,7 @@ from dataclasses import dataclass
 
 from simulations.engine.controls import Action, Choice, Control, Slider, Value
 from simulations.engine.frame import format_number
+from site_builder.languages.words import ENGLISH, Words
 from site_builder.measured.quantities import with_unit
 from site_builder.pages.figure_grid import (
     FOLDED,
@@ -43,18 +44,18 @@ class CellView:
 
 
 def control_cells(
-    still: Still, tiers: Sequence[tuple[str, str]]
+    still: Still, tiers: Sequence[tuple[str, str]], words: Words = ENGLISH
 ) -> tuple[tuple[CellView, ...], tuple[CellView, ...]]:
     """The cells always in sight, and those that are folded where space is narrow.
 
     The last of all is the accuracy's, where there is a choice of it.
     """
     cells = [*gather_buttons(still.figure.scene.controls), *([()] if tiers else [])]
-    words = [max(map(len, _options(cell, tiers)), default=0) for cell in cells]
+    lengths = [max(map(len, _options(cell, tiers)), default=0) for cell in cells]
     # Three buttons need the room of two other controls; on a phone long words do, too.
     places = [2 if len(cell) > 2 else 1 for cell in cells]
     on_phones = [
-        2 if word > LONG_OPTION else place for word, place in zip(words, places, strict=True)
+        2 if length > LONG_OPTION else place for length, place in zip(lengths, places, strict=True)
     ]
     kept = cells_in_sight(on_phones, IN_A_ROW["narrow"])
 
@@ -67,7 +68,7 @@ def control_cells(
     by_room = zip(*(taken(room) for room in IN_A_ROW), strict=True)
     views = tuple(
         CellView(
-            tuple(_control(still, control) for control in cell),
+            tuple(_control(still, control, words) for control in cell),
             "; ".join(f"--{room}: {span}" for room, span in zip(IN_A_ROW, row, strict=True)),
         )
         for cell, row in zip(cells, by_room, strict=True)
@@ -82,19 +83,19 @@ def _options(cell: tuple[Control, ...], tiers: Sequence[tuple[str, str]]) -> lis
     return list(cell[0].options.values()) if isinstance(cell[0], Choice) else []
 
 
-def _control(still: Still, control: Control) -> ControlView:
+def _control(still: Still, control: Control, words: Words) -> ControlView:
     value = still.values[control.name]
-    text = value_text(control, value)
+    text = value_text(control, value, words)
     ends = (control.minimum, control.maximum) if isinstance(control, Slider) else ()
-    longest = max((text, *(value_text(control, end) for end in ends)), key=len)
+    longest = max((text, *(value_text(control, end, words) for end in ends)), key=len)
     return ControlView(control, f"{still.figure.id}-{control.name}", value, text, longest)
 
 
-def value_text(control: Control, value: Value) -> str:
+def value_text(control: Control, value: Value, words: Words = ENGLISH) -> str:
     """The value as ``controls.js`` writes it: ``f/2.8``, ``5.0 m``, ``30°``."""
     match control:
         case Slider():
-            number = format_number(float(value), control.decimals)
+            number = words.decimals(format_number(float(value), control.decimals))
             return with_unit(f"{control.prefix}{number}", control.unit)
         case Action():
             return control.labels[int(value)]

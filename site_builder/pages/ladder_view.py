@@ -4,10 +4,17 @@ from dataclasses import asdict, dataclass
 
 from simulations.engine.ladder import Metric
 from site_builder.charts.pareto import Chart, pareto_chart
+from site_builder.languages.words import ENGLISH, Words
 from site_builder.markdown.directives.ladder import LadderFigure
 from site_builder.measured.ladder_choice import Choice, default_choice
 from site_builder.measured.measurements import SIDES, MeasuredLadder, MeasuredTier
-from site_builder.measured.quantities import error_text, milliseconds, quantity, with_unit
+from site_builder.measured.quantities import (
+    error_text,
+    is_none,
+    milliseconds,
+    quantity,
+    with_unit,
+)
 from site_builder.measured.verdicts import verdict
 from site_builder.pages.embedding import json_for_html
 
@@ -44,17 +51,17 @@ class LadderView:
     """JSON for the page's script, safe inside a script element."""
 
 
-def view_ladder(figure: LadderFigure) -> LadderView:
+def view_ladder(figure: LadderFigure, words: Words = ENGLISH) -> LadderView:
     measured = figure.measured
-    chart = pareto_chart(measured)
+    chart = pareto_chart(measured, words)
     metrics = _metrics(measured)
-    choice = default_choice(measured) if figure.default_html else None
+    choice = default_choice(measured, words) if figure.default_html else None
     return LadderView(
         chart=chart,
         metrics=tuple((metric.label, metric.unit) for metric in metrics),
         choice=choice,
-        outcome=_chosen(measured, choice) if choice else _nearest(measured),
-        rows=tuple(_row(measured, item) for item in measured.tiers),
+        outcome=_chosen(measured, choice, words) if choice else _nearest(measured, words),
+        rows=tuple(_row(measured, item, words) for item in measured.tiers),
         data=json_for_html(
             {
                 "ladder": measured.ladder.id,
@@ -70,19 +77,18 @@ def view_ladder(figure: LadderFigure) -> LadderView:
     )
 
 
-def _chosen(measured: MeasuredLadder, choice: Choice) -> str:
+def _chosen(measured: MeasuredLadder, choice: Choice, words: Words) -> str:
     beaten = sum(bool(measured.beaten_by(item, "browser")) for item in measured.tiers)
-    return (
-        f"{choice.label}: {choice.ms} ms in the browser; {choice.metric}: {choice.error}. "
-        f"Of {len(measured.tiers)} tiers {beaten or 'none'} "
-        f"{'is' if beaten < 2 else 'are'} clearly beaten."
-    )
+    costs = {"ms": choice.ms, "metric": choice.metric, "error": choice.error}
+    chosen = words("ladder.chosen", tier=choice.label, **costs)
+    key = "ladder.beaten" if beaten else "ladder.none_beaten"
+    return f"{chosen} {words(key, count=beaten, tiers=len(measured.tiers))}"
 
 
-def _nearest(measured: MeasuredLadder) -> str:
+def _nearest(measured: MeasuredLadder, words: Words) -> str:
     best, metric = min(measured.tiers, key=measured.loss), measured.metric
-    error = with_unit(error_text(best.errors[metric.id], metric.unit), metric.unit)
-    return f"{metric.label}: at best {error}, by {best.tier.label}."
+    error = with_unit(error_text(best.errors[metric.id], metric.unit, words), metric.unit)
+    return words("ladder.nearest", metric=metric.label, error=error, tier=best.tier.label)
 
 
 def _metrics(measured: MeasuredLadder) -> tuple[Metric, ...]:
@@ -90,17 +96,17 @@ def _metrics(measured: MeasuredLadder) -> tuple[Metric, ...]:
     return (measured.metric, *others)
 
 
-def _row(measured: MeasuredLadder, item: MeasuredTier) -> TierRow:
+def _row(measured: MeasuredLadder, item: MeasuredTier, words: Words) -> TierRow:
     winners = [measured.beaten_by(item, side) for side in SIDES]
     return TierRow(
         id=item.tier.id,
         label=item.tier.label,
         cost=item.tier.cost,
         default=item.tier.id == measured.ladder.default_tier,
-        errors=tuple(error_text(item.errors[m.id], m.unit) for m in _metrics(measured)),
-        native_ms=milliseconds(item.times["native"].ms),
-        browser_ms=milliseconds(item.times["browser"].ms),
-        verdict=verdict(measured, item),
+        errors=tuple(error_text(item.errors[m.id], m.unit, words) for m in _metrics(measured)),
+        native_ms=words.decimals(milliseconds(item.times["native"].ms)),
+        browser_ms=words.decimals(milliseconds(item.times["browser"].ms)),
+        verdict=verdict(measured, item, words),
         beaten=any(winners),
     )
 
@@ -120,19 +126,21 @@ class SummaryRow:
     beaten: str
 
 
-def summary_row(measured: MeasuredLadder) -> SummaryRow:
+def summary_row(measured: MeasuredLadder, words: Words = ENGLISH) -> SummaryRow:
     default = measured[measured.ladder.default_tier]
     times = [item.times["browser"].ms for item in measured.tiers]
-    unit = measured.metric.unit
-    error = error_text(default.errors[measured.metric.id], unit)
+    unit, value = measured.metric.unit, default.errors[measured.metric.id]
+    error = error_text(value, unit, words)
     beaten = [i.tier.label for i in measured.tiers if measured.beaten_by(i, "browser")]
     return SummaryRow(
         id=measured.ladder.id,
         title=measured.ladder.title,
         tiers=len(measured.tiers),
-        span=f"{quantity(max(times) / min(times))}×",
+        span=f"{words.decimals(quantity(max(times) / min(times)))}×",
         default=default.tier.label,
-        default_ms=milliseconds(default.times["browser"].ms),
-        default_error=error if error == "none" else f"{error}{'' if unit == '°' else ' '}{unit}",
-        beaten="; ".join(beaten) or "none",
+        default_ms=words.decimals(milliseconds(default.times["browser"].ms)),
+        default_error=error
+        if is_none(value, unit)
+        else f"{error}{'' if unit == '°' else ' '}{unit}",
+        beaten="; ".join(beaten) or words("ladder.none"),
     )

@@ -6,8 +6,11 @@ from dataclasses import dataclass
 from importlib.metadata import PackageNotFoundError, distribution
 from pathlib import Path
 
+from site_builder.book import UNSET
 from site_builder.editor.bundle import Package
+from site_builder.languages.words import ENGLISH, Words
 from site_builder.runtime.pinned import Versions
+from site_builder.settings.model import Settings
 
 
 @dataclass(frozen=True, slots=True)
@@ -30,44 +33,46 @@ def gather_licences(
     versions: Versions,
     editor: Sequence[Package] = (),
     search: Sequence[Package] = (),
+    settings: Settings = UNSET,
+    words: Words = ENGLISH,
 ) -> tuple[Licence, ...]:
     """Licences of the book and of what it ships.
 
     The versions are the browser runtime's; ``editor`` are the packages in the code editor,
-    ``search`` those that search the pages.
+    ``search`` those that search the pages; ``settings`` are the book's, ``words`` its language's.
     """
     book = Licence(
-        "Image Formation",
+        settings.title,
         "",
-        "MIT (code) and CC BY 4.0 (text and figures)",
-        "This book.",
+        words("licences.book", code=settings.licence.code, text=settings.licence.text),
+        words("licences.this_book"),
         "",
         _text_of(root / "LICENSE"),
     )
     return (
         book,
-        *_of_the_runtime(versions),
-        *_of_the_editor(editor),
-        *_of_the_search(search),
-        *_of_the_fonts(),
+        *_of_the_runtime(versions, words),
+        *_of_the_editor(editor, words),
+        *_of_the_search(search, words),
+        *_of_the_fonts(root, settings, words),
     )
 
 
-def _of_the_runtime(versions: Versions) -> tuple[Licence, ...]:
+def _of_the_runtime(versions: Versions, words: Words) -> tuple[Licence, ...]:
     return (
         Licence(
             "Pyodide",
             versions.pyodide,
             "MPL 2.0",
-            "Python in the browser. Unmodified.",
+            words("licences.pyodide"),
             "https://github.com/pyodide/pyodide",
             _packaged_text("pathspec", "licenses/LICENSE"),
         ),
         Licence(
-            "CPython and its standard library",
+            words("licences.cpython_name"),
             versions.python,
             "PSF License 2.0",
-            "Inside Pyodide. Cut down to what the book imports, and compiled.",
+            words("licences.cpython"),
             "https://www.python.org/",
             _text_of(Path(os.__file__).parent / "LICENSE.txt")
             or _packaged_text("typing_extensions", "LICENSE"),
@@ -75,15 +80,15 @@ def _of_the_runtime(versions: Versions) -> tuple[Licence, ...]:
         Licence(
             "NumPy",
             versions.numpy,
-            "BSD 3-Clause, with parts under compatible licences",
-            "Arrays, in the browser and when the book is built. Cut down and compiled as well.",
+            words("licences.numpy_licence"),
+            words("licences.numpy"),
             "https://numpy.org/",
             _packaged_text("numpy", "licenses/LICENSE.txt"),
         ),
     )
 
 
-def _of_the_editor(packages: Sequence[Package]) -> tuple[Licence, ...]:
+def _of_the_editor(packages: Sequence[Package], words: Words) -> tuple[Licence, ...]:
     """One entry for all packages, each text once below the names of those that it covers."""
     if not packages:
         return ()
@@ -92,27 +97,28 @@ def _of_the_editor(packages: Sequence[Package]) -> tuple[Licence, ...]:
         texts.setdefault(package.text.strip(), []).append(f"{package.name} {package.version}")
     return (
         Licence(
-            "CodeMirror and Lezer",
+            words("licences.editor_name"),
             "",
-            " and ".join(sorted({package.license for package in packages})),
-            "The code editor of the figures. Cut down to what is used, and joined into one file.",
+            f" {words('licences.and')} ".join(sorted({package.license for package in packages})),
+            words("licences.editor"),
             "https://codemirror.net/",
             "\n\n\n".join(f"{', '.join(names)}\n\n{text}" for text, names in texts.items()),
         ),
     )
 
 
-def _of_the_search(packages: Sequence[Package]) -> tuple[Licence, ...]:
+def _of_the_search(packages: Sequence[Package], words: Words) -> tuple[Licence, ...]:
     uses = {
-        "minisearch": ("MiniSearch", "Finds sections by their words.", "lucaong/minisearch"),
-        "stemmer": ("stemmer", "Takes words back to their stems.", "words/stemmer"),
+        "minisearch": ("MiniSearch", words("licences.search"), "lucaong/minisearch"),
+        "stemmer": ("stemmer", words("licences.stemmer"), "words/stemmer"),
+        "@orama/stemmers": ("Orama stemmers", words("licences.stemmer"), "oramasearch/orama"),
     }
     return tuple(
         Licence(
             uses[package.name][0],
             package.version,
             package.license,
-            f"{uses[package.name][1]} Unmodified.",
+            uses[package.name][1],
             f"https://github.com/{uses[package.name][2]}",
             package.text,
         )
@@ -120,22 +126,38 @@ def _of_the_search(packages: Sequence[Package]) -> tuple[Licence, ...]:
     )
 
 
-def _of_the_fonts() -> tuple[Licence, ...]:
-    return (
+def _of_the_fonts(root: Path, settings: Settings, words: Words) -> tuple[Licence, ...]:
+    families = (settings.fonts.serif, settings.fonts.sans)
+    own = [
         Licence(
-            "Source Serif and Source Sans",
+            words("licences.fonts_name"),
             "",
             "SIL Open Font License 1.1",
-            "Text and labels. Cut down to the characters used, and renamed.",
+            words("licences.fonts"),
             "https://github.com/adobe-fonts",
             _packaged_text("font-source-serif-pro", "files/LICENSE.txt"),
-        ),
+        )
+    ]
+    given = [
+        Licence(
+            family.name,
+            "",
+            family.licence,
+            words("licences.fonts"),
+            "",
+            _text_of(root / "content" / family.licence_file),
+        )
+        for family in families
+        if family
+    ]
+    return (
+        *(own if None in families else []),
+        *given,
         Licence(
             "STIX Two Math",
             "",
             "SIL Open Font License 1.1",
-            "Formulae. Cut down to the characters used. Copyright 2001–2021 the STIX Fonts "
-            "Project Authors.",
+            words("licences.maths_font"),
             "https://github.com/stipub/stixfonts",
             _open_font_licence(),
         ),

@@ -9,6 +9,7 @@ from jinja2 import Environment, FileSystemLoader, StrictUndefined
 from markupsafe import Markup
 
 from site_builder.book import Block, Book, Chapter, Heading, Simulation
+from site_builder.book_root import own_or_engine
 from site_builder.markdown.directives.simulation import SIMULATION
 from site_builder.markdown.text.code import highlighted_lines
 from site_builder.pages.glossary_view import marked_terms, view_glossary
@@ -24,16 +25,19 @@ from site_builder.pages.simulation_view import SimulationView, view_simulation
 from site_builder.pages.stills import Stills
 from site_builder.pages.symbols_view import view_symbols
 from site_builder.search.page_text import reading_minutes
+from site_builder.settings.reading import storage_prefix
+from site_builder.settings.theme import colours
 
 TEMPLATES = Path(__file__).parents[1] / "templates"
 BACK_MATTER = {
-    "glossary": "Glossary",
-    "symbols": "Symbols",
-    "references": "References",
-    "index-of-terms": "Index of terms",
-    "lecture-plan": "A lecturer’s plan",
+    "glossary": "glossary.title",
+    "symbols": "symbols.title",
+    "references": "references.title",
+    "index-of-terms": "index.title",
+    "lecture-plan": "plan.title",
 }
-"""Pages that follow the chapters, by address; a book has those that it has something for."""
+"""Pages that follow the chapters, by address, and the keys of their titles; a book has those that
+it has something for."""
 FILTERS: Mapping[str, Callable[..., object]] = {
     "quiz_data": quiz_data,
     "in_any_order": in_any_order,
@@ -141,7 +145,7 @@ def _source_pages(site: Site) -> dict[str, str]:
     pages = {}
     for path in sorted({item.path for ch in site.book.chapters for item in ch.sources}):
         address = f"source/{path.removesuffix('.py')}/index.html"
-        code = (site.root / path).read_text(encoding="utf-8")
+        code = own_or_engine(site.root, path).read_text(encoding="utf-8")
         pages[address] = render_page(
             site,
             "source.html",
@@ -163,7 +167,7 @@ def render_page(site: Site, template: str, root: str, path: str = "", **context:
     chapter = given if isinstance(given, Chapter) else None
 
     def simulation_view(figure: Simulation) -> SimulationView:
-        return view_simulation(site.stills[figure.path, figure.line], assets)
+        return view_simulation(site.stills[figure.path, figure.line], assets, site.book.words)
 
     def block_html(block: Block) -> Markup:
         template = environment.get_template(f"blocks/{block.template}.html")
@@ -172,6 +176,7 @@ def render_page(site: Site, template: str, root: str, path: str = "", **context:
         )
 
     shared = {
+        **in_words(site.book),
         "root": root,
         "assets": assets,
         "anchors": chapter.anchors if chapter else (),
@@ -183,7 +188,6 @@ def render_page(site: Site, template: str, root: str, path: str = "", **context:
     return environment.get_template(template).render(
         shared,
         site=site,
-        book=site.book,
         back_matter=_back_matter(site.book),
         runtime=f"{root}{site.runtime}" if site.runtime else "",
         address=page_address(path) if path and site.book.address else None,
@@ -193,9 +197,21 @@ def render_page(site: Site, template: str, root: str, path: str = "", **context:
     )
 
 
-def render_template(template: str, **context: object) -> str:
+def render_template(template: str, book: Book, **context: object) -> str:
     """What needs nothing of the site."""
-    return _environment().get_template(template).render(**context)
+    return _environment().get_template(template).render(in_words(book), **context)
+
+
+def in_words(book: Book) -> dict[str, object]:
+    """What every template has of the book and its language; ``t`` is a text of the interface."""
+    return {
+        "book": book,
+        "words": book.words,
+        "t": book.words.html,
+        "storage": storage_prefix(book.settings),
+        "light": colours(book.settings, "light"),
+        "dark": colours(book.settings, "dark"),
+    }
 
 
 @cache
@@ -229,7 +245,7 @@ def _back_matter(book: Book) -> list[tuple[str, str]]:
         "index-of-terms": book.glossary or marked,
         "lecture-plan": book.lecture_plan,
     }
-    return [(address, title) for address, title in BACK_MATTER.items() if there[address]]
+    return [(address, book.words(key)) for address, key in BACK_MATTER.items() if there[address]]
 
 
 def _counts(book: Book) -> dict[str, int]:

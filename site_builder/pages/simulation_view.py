@@ -1,7 +1,7 @@
 """A still as its template needs it: addresses, texts and schema worked out, nothing left to do."""
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
 from simulations.engine.controls import Choice, Control, Slider, Value, describe
@@ -10,6 +10,7 @@ from simulations.engine.handles import Handle
 from simulations.engine.scene import Scene
 from simulations.registry import load_ladder
 from site_builder.book import Simulation
+from site_builder.languages.words import ENGLISH, Words
 from site_builder.pages.control_view import CellView, control_cells, value_text
 from site_builder.pages.embedding import json_for_html
 from site_builder.pages.figure_grid import even_columns
@@ -73,11 +74,11 @@ class SimulationView:
     """JSON that is safe inside a script element."""
 
 
-def view_simulation(still: Still, assets: str) -> SimulationView:
+def view_simulation(still: Still, assets: str, words: Words = ENGLISH) -> SimulationView:
     """``assets`` is the address of the assets folder, relative to the page."""
     figure, scene, frame = still.figure, still.figure.scene, still.frame
     tiers = tier_labels(scene)
-    cells, folded = control_cells(still, tiers)
+    cells, folded = control_cells(still, tiers, words)
     return SimulationView(
         id=figure.id,
         scene_id=scene.id,
@@ -85,11 +86,15 @@ def view_simulation(still: Still, assets: str) -> SimulationView:
         description=frame.description,
         caption_html=figure.caption_html,
         panels=tuple(
-            PanelView(panel, f"{assets}stills/{name}" if name else "", _handles(still, panel.name))
+            PanelView(
+                panel,
+                f"{assets}stills/{name}" if name else "",
+                _handles(still, panel.name, words),
+            )
             for panel in frame.panels
             for name in (still.pictures.get(panel.name, ""),)
         ),
-        readouts=frame.readouts,
+        readouts=tuple(replace(shown, text=words.decimals(shown.text)) for shown in frame.readouts),
         cells=cells,
         folded=folded,
         columns=(
@@ -102,7 +107,7 @@ def view_simulation(still: Still, assets: str) -> SimulationView:
         tier=figure.tier,
         judged=scene.estimate is not None,
         stages=frame.stages,
-        stages_text=count_stages(frame.stages),
+        stages_text=count_stages(frame.stages, words),
         workings_open=figure.workings_open,
         schema=json_for_html(schema(still)),
     )
@@ -113,7 +118,7 @@ def _name(figure: Simulation) -> str:
     return f"{figure.scene.title} ({number})" if number else figure.scene.title
 
 
-def _handles(still: Still, panel: str) -> tuple[HandleView, ...]:
+def _handles(still: Still, panel: str, words: Words) -> tuple[HandleView, ...]:
     """The handles of one panel, in the scene's order."""
     scene = still.figure.scene
     places = {place.name: place for place in still.frame.handles}
@@ -121,11 +126,11 @@ def _handles(still: Still, panel: str) -> tuple[HandleView, ...]:
 
     def view(handle: Handle[Any]) -> HandleView:
         driven = [controls[name] for name in handle.drives]
-        said = (f"{item.label} {value_text(item, still.values[item.name])}" for item in driven)
-        now = still.values[driven[0].name]
-        return HandleView(
-            handle, places.get(handle.name), ", ".join(said), _range(driven[0], now), _keys(driven)
-        )
+        values = still.values
+        said = (f"{item.label} {value_text(item, values[item.name], words)}" for item in driven)
+        reach = _range(driven[0], values[driven[0].name])
+        place = places.get(handle.name)
+        return HandleView(handle, place, ", ".join(said), reach, _keys(driven, words))
 
     return tuple(view(handle) for handle in scene.handles if handle.panel == panel)
 
@@ -141,11 +146,11 @@ def _range(control: Control, value: Value) -> tuple[float, float, float]:
             return (0, 0, 0)
 
 
-def _keys(driven: Sequence[Control]) -> str:
+def _keys(driven: Sequence[Control], words: Words) -> str:
     if len(driven) == 1:
-        return f"Arrow keys change {driven[0].label}."
+        return words("figure.arrows", control=driven[0].label)
     across, along = (control.label for control in driven)
-    return f"Left and right arrow keys change {across}, up and down {along}."
+    return words("figure.arrows_both", across=across, along=along)
 
 
 def schema(still: Still) -> dict[str, object]:
@@ -173,9 +178,9 @@ def tier_labels(scene: Scene[Any]) -> tuple[tuple[str, str], ...]:
     return tuple((tier, labels[tier]) for tier in scene.tiers)
 
 
-def count_stages(stages: Sequence[StageReport]) -> str:
+def count_stages(stages: Sequence[StageReport], words: Words = ENGLISH) -> str:
     """``13 computed, 0 reused, 1 skipped``, as ``workings.js`` writes it."""
     counts = {"computed": 0, "reused": 0, "skipped": 0}
     for stage in stages:
         counts[stage.status] += 1
-    return ", ".join(f"{count} {status}" for status, count in counts.items())
+    return words("script.workings.count", **counts)

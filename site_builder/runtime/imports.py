@@ -23,11 +23,17 @@ type Table = Mapping[str, Imports]
 
 def read_imports(package: Path) -> Table:
     """The imports of every module in the folder ``package``."""
-    files = module_files(package)
-    return {
-        name: _imports(file, file.relative_to(package.parent).as_posix(), files)
-        for name, file in files.items()
-    }
+    return imports_of(module_files(package))
+
+
+def imports_of(files: Mapping[str, Path]) -> Table:
+    """The imports of every module, given the files of all by their full names."""
+    return {name: _imports(file, archive_path(name, file), files) for name, file in files.items()}
+
+
+def archive_path(name: str, file: Path) -> str:
+    """Where the module lies, relative to what the package lies in."""
+    return name.replace(".", "/") + ("/__init__.py" if file.stem == "__init__" else ".py")
 
 
 def module_files(package: Path) -> dict[str, Path]:

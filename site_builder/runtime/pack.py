@@ -9,10 +9,18 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from simulations.registry import LADDER_MODULES, SCENE_MODULES
+from site_builder.book_root import ENGINE, is_engine
 from site_builder.runtime import store as stores
 from site_builder.runtime.fetch import fetch_runtime
 from site_builder.runtime.freeze import INTERPRETER, LOCK, Frozen, freeze_libraries
-from site_builder.runtime.imports import Table, module_files, outside, reach, read_imports
+from site_builder.runtime.imports import (
+    Table,
+    archive_path,
+    imports_of,
+    module_files,
+    outside,
+    reach,
+)
 from site_builder.runtime.pinned import NUMPY_WHEEL, PYTHON_LIBRARY, VERSIONS, Versions
 
 TABLE_NAME = "runtime.json"
@@ -30,10 +38,21 @@ class RuntimeBundle:
     versions: Versions
 
 
-def pack_runtime(simulations: Path, store: Path | None = None) -> RuntimeBundle:
-    """Fetch what is pinned, cut it into parts, and pack the folder ``simulations`` beside it.
+type Modules = Mapping[str, str]
+"""Id to the name of a module."""
 
-    Equal sources give equal bytes, so a hash over the files names the runtime.
+
+def pack_runtime(
+    simulations: Path,
+    store: Path | None = None,
+    scenes: Modules = SCENE_MODULES,
+    ladders: Modules = LADDER_MODULES,
+) -> RuntimeBundle:
+    """Fetch what is pinned, cut it into parts, and pack the simulations beside it.
+
+    Of a book's folder ``simulations``, that is what its pages run: the ``scenes`` and ``ladders``
+    that they show, and all that these import. Equal sources give equal bytes, so a hash over the
+    files names the runtime.
 
     Raises
     ------
@@ -44,8 +63,9 @@ def pack_runtime(simulations: Path, store: Path | None = None) -> RuntimeBundle:
     """
     folder = store or stores.default_store()
     fetched = fetch_runtime(folder)
-    imports = read_imports(simulations)
-    modules = page_modules(imports)
+    files = book_modules(simulations)
+    imports = imports_of(files)
+    modules = page_modules(imports, scenes, ladders)
     at_once = outside(imports, reach(imports, ENTRY))
     frozen = freeze_libraries(
         {name: fetched[name] for name in INTERPRETER},
@@ -55,9 +75,11 @@ def pack_runtime(simulations: Path, store: Path | None = None) -> RuntimeBundle:
         outside(imports, modules),
         folder,
     )
-    ours = stores.put(folder, "simulations.zip", source_archive(simulations, modules))
+    ours = stores.put(folder, "simulations.zip", source_archive(files, modules))
     archives = {**{f"{part}.zip": file for part, file in frozen.archives.items()}, ours.name: ours}
-    table = json.dumps(runtime_table(archives, frozen, imports), indent=1, sort_keys=True)
+    table = json.dumps(
+        runtime_table(archives, frozen, imports, scenes, ladders), indent=1, sort_keys=True
+    )
     return RuntimeBundle(
         {
             **{name: fetched[name] for name in INTERPRETER},
@@ -68,35 +90,47 @@ def pack_runtime(simulations: Path, store: Path | None = None) -> RuntimeBundle:
     )
 
 
-def page_modules(imports: Table) -> frozenset[str]:
+def book_modules(simulations: Path) -> dict[str, Path]:
+    """The file of every module, by full name: the engine's, and those of a book's folder."""
+    engine = {n: f for n, f in module_files(ENGINE / "simulations").items() if is_engine(n)}
+    own = {name: file for name, file in module_files(simulations).items() if not is_engine(name)}
+    return dict(sorted({**own, **engine}.items()))
+
+
+def page_modules(
+    imports: Table, scenes: Modules = SCENE_MODULES, ladders: Modules = LADDER_MODULES
+) -> frozenset[str]:
     """What the worker, the scenes and the ladders import.
 
     Tables of hard cases are not among it, nor models that only these ask: the book prints what
     they say.
     """
-    starts = (ENTRY, *SCENE_MODULES.values(), *LADDER_MODULES.values())
+    starts = (ENTRY, *scenes.values(), *ladders.values())
     return frozenset[str]().union(*(reach(imports, start) for start in starts))
 
 
-def source_archive(package: Path, modules: Collection[str]) -> bytes:
-    """Those ``modules`` that lie in the folder ``package``.
+def source_archive(files: Mapping[str, Path], modules: Collection[str]) -> bytes:
+    """Those ``modules`` that have one of the ``files``.
 
     Equal sources give equal bytes. As sources: their byte code is twice the size, and saves less
     time than the bytes take.
     """
     buffer = io.BytesIO()
     with zipfile.ZipFile(buffer, "w", zipfile.ZIP_DEFLATED, compresslevel=9) as archive:
-        for name, file in module_files(package).items():
+        for name, file in files.items():
             if name in modules:
-                path = (package.name / file.relative_to(package)).as_posix()
-                entry = zipfile.ZipInfo(path, EPOCH)
+                entry = zipfile.ZipInfo(archive_path(name, file), EPOCH)
                 entry.compress_type = zipfile.ZIP_DEFLATED
                 archive.writestr(entry, file.read_bytes())
     return buffer.getvalue()
 
 
 def runtime_table(
-    archives: Mapping[str, Path], frozen: Frozen, imports: Table
+    archives: Mapping[str, Path],
+    frozen: Frozen,
+    imports: Table,
+    scenes: Modules = SCENE_MODULES,
+    ladders: Modules = LADDER_MODULES,
 ) -> dict[str, object]:
     """What the worker knows of the files beside it.
 
@@ -109,8 +143,8 @@ def runtime_table(
         "lock": LOCK,
         "integrity": {name: integrity(file.read_bytes()) for name, file in archives.items()},
         "modules": later,
-        "scenes": {key: parts_of(imports, name, later) for key, name in SCENE_MODULES.items()},
-        "ladders": {key: parts_of(imports, name, later) for key, name in LADDER_MODULES.items()},
+        "scenes": {key: parts_of(imports, name, later) for key, name in scenes.items()},
+        "ladders": {key: parts_of(imports, name, later) for key, name in ladders.items()},
     }
 
 

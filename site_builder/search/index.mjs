@@ -1,17 +1,18 @@
 /**
  * Makes the index of the search: sections as JSON on standard input, the index on standard output.
  *
- * Arguments: the files of MiniSearch, of the stemmer, and of the book's own ranking.
+ * Arguments: the files of MiniSearch, of the stemmer, and of the book's own ranking; stop words.
  */
 
 import { readFileSync } from "node:fs";
 import { pathToFileURL } from "node:url";
 
-const [library, stemmer, ranking] = process.argv.slice(2).map((path) => pathToFileURL(path).href);
+const [paths, [stopWords]] = [process.argv.slice(2, 5), process.argv.slice(5)];
+const [library, stemmer, ranking] = paths.map((path) => pathToFileURL(path).href);
 const { default: MiniSearch } = await import(library);
 const { stemmer: stem } = await import(stemmer);
-const { settings } = await import(ranking);
+const { language, settings } = await import(ranking);
 
-const index = new MiniSearch(settings(stem));
+const index = new MiniSearch(settings(language(stem, stopWords)));
 index.addAll(JSON.parse(readFileSync(0, "utf8")));
 process.stdout.write(JSON.stringify(index));

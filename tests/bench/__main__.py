@@ -11,7 +11,6 @@ import argparse
 import sys
 import time
 from collections.abc import Callable, Iterable, Sequence
-from pathlib import Path
 from typing import Any
 
 from bench.browser_side import browser_meter
@@ -20,11 +19,11 @@ from bench.record import disagreements, ladder_record, merge, write
 
 from simulations.engine.ladder import Ladder, TierResult, measure_tier
 from simulations.registry import LADDER_MODULES, load_ladder
+from site_builder.book_root import ROOT
 from site_builder.diagnostics import Diagnostics
 from site_builder.measured.ladder_choice import off_the_front
 from site_builder.measured.measurements import read_measurements
 
-ROOT = Path(__file__).resolve().parents[2]
 DATA = ROOT / "content" / "measurements.json"
 ROUNDS = 5
 BUDGET_S = 0.08

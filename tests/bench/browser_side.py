@@ -16,6 +16,7 @@ from support.chromium import HOW_TO, find_chromium, launch_arguments
 from support.static_server import serving
 
 from simulations.engine.ladder import TierResult
+from site_builder.book_root import own_or_engine
 from site_builder.runtime.pack import pack_runtime
 
 PAGE = '<!DOCTYPE html><meta charset="utf-8"><title>Bench</title><link rel="icon" href="data:,">'
@@ -64,6 +65,6 @@ def _lay_out(root: Path, site: Path) -> str:
     (site / "runtime").mkdir()
     for name, file in bundle.files.items():
         shutil.copyfile(file, site / "runtime" / name)
-    shutil.copytree(root / "static" / "js", site / "js")
+    shutil.copytree(own_or_engine(root, "static") / "js", site / "js")
     (site / "index.html").write_text(PAGE, encoding="utf-8")
     return bundle.versions.pyodide

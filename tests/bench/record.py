@@ -84,7 +84,7 @@ def close(one: float | None, other: float | None) -> bool:
 def merge(
     file: Path, machine: Mapping[str, object], ladders: Mapping[str, Any], order: Sequence[str]
 ) -> dict[str, Any]:
-    """New measurements over old ones, in the order of the registry; the old must be of the same
+    """New measurements over old ones, in the order of their names; the old must be of the same
     machine, and those of ladders that no longer exist are dropped."""
     old = json.loads(file.read_text(encoding="utf-8")) if file.is_file() else {}
     kept = old.get("ladders", {})

@@ -10,7 +10,7 @@ from simulations.models.color.srgb import encode_srgb
 from simulations.models.light.brdf import Material, reflected, schlick, sent_back
 from simulations.models.light.interreflection import edge_factor
 from simulations.models.light.reflectance import attenuation, blinn_phong, lambert, phong
-from simulations.scenes.reflection.phong import SCENE
+from simulations.scenes.phong.scene import SCENE
 from simulations.scenes.second_bounce.scene import SCENE as BOUNCE
 from simulations.scenes.second_bounce.shown import shown_at
 

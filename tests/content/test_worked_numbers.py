@@ -6,11 +6,13 @@ stands.
 """
 
 from importlib import import_module
+from pathlib import Path
 
 import pytest
-from support.worked_numbers import CONTENT, Calculation, source
+from support.worked_numbers import Calculation, source
 
-CHAPTERS = [import_module(f"numbers_{file.stem[:2]}") for file in sorted(CONTENT.glob("*.md"))]
+HERE = Path(__file__).parent
+CHAPTERS = [import_module(file.stem) for file in sorted(HERE.glob("numbers_*.py"))]
 CALCULATIONS = [(module.CHAPTER, worked) for module in CHAPTERS for worked in module.WORKED]
 
 

@@ -10,8 +10,17 @@ from support.static_server import StaticServer
 
 pytestmark = pytest.mark.browser
 
-REST_MS = 400
-"""Longer than a finger must rest on the ground of a panel to take hold of it."""
+CENTRE = """async (element) => {
+  element.scrollIntoView({block: 'center', inline: 'center', behavior: 'instant'});
+  for (let still = 0, last = ''; still < 5; ) {
+    await new Promise(requestAnimationFrame);
+    const {x, y} = element.getBoundingClientRect();
+    still = `${x} ${y}` === last ? still + 1 : 0;
+    last = `${x} ${y}`;
+  }
+}"""
+"""Brings an element to the middle of the screen, and waits until it rests there: the strip of
+panels snaps to the nearest one, and a touch is led to what was painted last."""
 
 
 @pytest.fixture(scope="module")
@@ -29,9 +38,7 @@ def phone(long_visit_by_phone: Reader) -> Iterator[Reader]:
 def in_view(phone: Reader, book: Any, scene: str) -> Locator:
     """A figure of the scene, its panels in the middle of the screen."""
     figure = phone.turn_to_figure(book, scene)
-    figure.locator(".panels").evaluate(
-        "panels => panels.scrollIntoView({block: 'center', behavior: 'instant'})"
-    )
+    figure.locator(".panels").evaluate(CENTRE)
     return figure
 
 
@@ -43,11 +50,11 @@ def test_a_finger_moves_a_mark_and_scrolls_the_page_elsewhere(
 ) -> None:
     figure = in_view(phone, book, "lambertian-shading")
     grip = figure.locator(f'[data-handle="{name}"]')
-    grip.scroll_into_view_if_needed()
+    grip.evaluate(CENTRE)
     before, scrolled = value(figure, setting), scroll(phone)
-    swipe(phone, centre(grip), (0, -60))
-    swipe(phone, centre(grip), (-40, 0))
-    phone.settle(figure)
+    for way in [(0, -60), (-40, 0)]:
+        swipe(phone, centre(grip), way)
+        phone.settle(figure)
     assert value(figure, setting) != before
     assert scroll(phone) == scrolled
     box = figure.locator(".panel-title").first.bounding_box()
@@ -61,7 +68,7 @@ def test_a_finger_that_rests_on_the_ground_drags_it_up_and_down(phone: Reader, b
     ground = centre(figure.locator('[data-handle="view-attitude"]'))
     start = (ground[0] - 60, ground[1] - 90)
     before, scrolled = value(figure, "elevation"), scroll(phone)
-    swipe(phone, start, (0, 80), rest_ms=REST_MS)
+    swipe(phone, start, (0, 80), taken=figure.locator(".handles.taken"))
     phone.settle(figure)
     assert value(figure, "elevation") != before
     assert scroll(phone) == scrolled
@@ -82,7 +89,7 @@ def test_a_finger_sketches_a_curve_that_falls(phone: Reader) -> None:
     phone.turn_to("lighting-and-reflectance/")
     form = phone.page.locator("form[data-predict]", has=phone.page.locator(".sketch"))
     svg = form.locator(".sketch > svg")
-    svg.evaluate("svg => svg.scrollIntoView({block: 'center', behavior: 'instant'})")
+    svg.evaluate(CENTRE)
     box, scrolled = svg.bounding_box(), scroll(phone)
     assert box
     swipe(phone, (box["x"] + 0.2 * box["width"], box["y"] + 15), (0, 0.4 * box["height"]))
@@ -113,13 +120,17 @@ def scroll(phone: Reader) -> float:
 
 
 def swipe(
-    phone: Reader, start: tuple[float, float], way: tuple[float, float], rest_ms: int = 0
+    phone: Reader,
+    start: tuple[float, float],
+    way: tuple[float, float],
+    taken: Locator | None = None,
 ) -> None:
-    """A finger that goes down, rests, moves in steps and goes up."""
+    """A finger that goes down, rests until something is taken, moves in steps and goes up."""
     client = phone.page.context.new_cdp_session(phone.page)
     place = start
     client.send("Input.dispatchTouchEvent", touch("touchStart", [place]))
-    phone.page.wait_for_timeout(rest_ms)
+    if taken:
+        taken.wait_for()
     for step in range(1, 9):
         place = (start[0] + way[0] * step / 8, start[1] + way[1] * step / 8)
         client.send("Input.dispatchTouchEvent", touch("touchMove", [place]))

@@ -4,10 +4,10 @@ import re
 
 import numpy as np
 import pytest
+from support.found import TABLES
 from support.worked_numbers import CONTENT
 
 from simulations.engine.hard_cases import HardCase, HardCases, answer, naive_answer, show
-from simulations.hard_cases.tables import TABLES
 
 CASES = {f"{table.id}-{case.id}": (table, case) for table in TABLES for case in table.cases}
 NAIVE = {name: (table, case) for name, (table, case) in CASES.items() if case.naive}

@@ -15,9 +15,9 @@ import skimage.color
 import skimage.metrics
 from PIL import Image
 from scipy.spatial.transform import Rotation, Slerp
+from support.found import TABLES
 
 from simulations.engine.hard_cases import HardCase, show
-from simulations.hard_cases.tables import TABLES
 
 NAMES: dict[str, Any] = {
     "cv2": cv2,

@@ -7,11 +7,11 @@ from pathlib import Path
 from xml.etree import ElementTree
 
 import pytest
+from support.found import ILLUSTRATIONS
 from support.label_boxes import labels
 
 from simulations.engine.frame import Panel
 from simulations.engine.illustration import Illustration
-from simulations.illustrations.table import ILLUSTRATIONS
 from site_builder.charts.boxes import Box
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -95,18 +95,6 @@ def test_every_class_of_a_drawing_is_styled() -> None:
         for name in style.split()
     }
     assert {name for name in found if f".{name}" not in sheets} == set()
-
-
-@pytest.mark.parametrize("name", ILLUSTRATIONS)
-def test_an_illustration_is_drawn_by_the_module_of_its_name(name: str) -> None:
-    module = f"simulations.illustrations.{name.replace('-', '_')}"
-    assert ILLUSTRATIONS[name].__module__ == module
-
-
-def test_every_module_of_the_room_is_in_the_table() -> None:
-    room = ROOT / "simulations" / "illustrations"
-    files = {file.stem for file in room.glob("*.py")} - {"__init__", "table", "space"}
-    assert files == {name.replace("-", "_") for name in ILLUSTRATIONS}
 
 
 def test_every_illustration_is_shown_by_one_chapter() -> None:

@@ -13,11 +13,11 @@ from simulations.engine.stages import StageCache
 from simulations.models.arrays import Floats
 from simulations.models.color.srgb import decode_srgb
 from simulations.models.light.reflectance import blinn_phong, lambert, phong
-from simulations.scenes.reflection import ball as the_ball
-from simulations.scenes.reflection import lambertian
-from simulations.scenes.reflection import phong as glossy
-from simulations.scenes.reflection.ball import LIT, RADIUS_PX, build_ball, judge, light_direction
-from simulations.scenes.reflection.gloss import ALBEDO, true_light
+from simulations.scenes._ball import ball as the_ball
+from simulations.scenes._ball.ball import LIT, RADIUS_PX, build_ball, judge, light_direction
+from simulations.scenes.lambertian_shading import scene as lambertian
+from simulations.scenes.phong import scene as glossy
+from simulations.scenes.phong.gloss import ALBEDO, true_light
 
 BALL = build_ball()
 CELLS = {tier: int(tier.rpartition("-")[2]) for tier in LIT if tier.startswith("gouraud")}

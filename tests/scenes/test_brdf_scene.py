@@ -9,12 +9,12 @@ from simulations.engine.frame import Frame
 from simulations.engine.stages import StageCache
 from simulations.models.color.srgb import encode_srgb
 from simulations.models.light.brdf import Material, reflected
+from simulations.scenes._ball.ball import PIXELS_PER_UNIT
+from simulations.scenes._ball.marks import on_equator
 from simulations.scenes.brdf import energy, lobe
 from simulations.scenes.brdf.scene import SCENE
 from simulations.scenes.brdf.settings import MODELS
 from simulations.scenes.brdf.stages import AROUND_DEG, TINT
-from simulations.scenes.reflection.ball import PIXELS_PER_UNIT
-from simulations.scenes.reflection.marks import on_equator
 
 
 def frame(**given: object) -> Frame:

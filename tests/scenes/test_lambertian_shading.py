@@ -7,7 +7,7 @@ import pytest
 from support.frames import frame_of, pixels_of, texts_of
 
 from simulations.engine.stages import StageCache
-from simulations.scenes.reflection.lambertian import SCENE
+from simulations.scenes.lambertian_shading.scene import SCENE
 
 frame = partial(frame_of, SCENE)
 

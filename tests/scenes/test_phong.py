@@ -10,16 +10,16 @@ from support.frames import frame_of, pixels_of, texts_of
 
 from simulations.engine.stages import StageCache
 from simulations.models.color.srgb import decode_srgb, encode_srgb
-from simulations.scenes.reflection.ball import build_ball, light_direction
-from simulations.scenes.reflection.gloss import (
+from simulations.scenes._ball.ball import build_ball, light_direction
+from simulations.scenes.phong.drawing import FOOT
+from simulations.scenes.phong.gloss import (
     ALBEDO,
     angles_at,
     half_width_rad,
     highlight,
     lobe,
 )
-from simulations.scenes.reflection.phong import SCENE
-from simulations.scenes.reflection.phong_drawing import FOOT
+from simulations.scenes.phong.scene import SCENE
 
 BALL = build_ball()
 

@@ -1,6 +1,6 @@
 """Numbers that a chapter works out in its own text, and where they stand in its source.
 
-Each chapter has a module ``tests/content/numbers_NN.py``: ``CHAPTER`` is its file, ``WORKED`` its
+A chapter may have a module ``tests/content/numbers_NN.py``: ``CHAPTER`` is its file, ``WORKED`` its
 calculations, functions that compute again with the models and yield the phrases in which the
 results stand.
 """

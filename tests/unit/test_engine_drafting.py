@@ -8,7 +8,6 @@ import numpy as np
 import pytest
 
 from simulations.engine import drafting
-from simulations.engine.drafting import Axis, Plot
 from simulations.engine.frame import Panel
 from simulations.engine.illustration import Illustration
 
@@ -64,34 +63,6 @@ def test_angles_of_an_arc_count_upwards_from_the_right() -> None:
 def test_a_lens_is_as_high_and_as_thick_as_asked() -> None:
     places = np.array(points(drafting.glass((50, 60), 30, 8)))
     assert np.ptp(places, axis=0) == pytest.approx([16, 60], abs=0.02)
-
-
-@pytest.mark.parametrize(
-    ("axis", "value", "place"),
-    [
-        (Axis(0, 10, 100, 200), 2.5, 125),
-        (Axis(0, 10, 200, 100), 2.5, 175),
-        (Axis(1, 1e4, 0, 100, log=True), 100, 50),
-    ],
-)
-def test_an_axis_puts_a_value_in_its_place(axis: Axis, value: float, place: float) -> None:
-    assert float(axis.position(value)) == pytest.approx(place)
-
-
-def test_a_logarithmic_axis_has_no_place_for_zero() -> None:
-    assert np.isnan(Axis(1, 10, 0, 100, log=True).position([0.0, -1.0])).all()
-
-
-def test_a_curve_is_broken_where_it_leaves_the_plot_or_is_undefined() -> None:
-    plot = Plot(Axis(0, 8, 0, 80), Axis(0, 1, 10, 0))
-    heights = [0.5, 0.5, 2.0, 0.5, 0.5, np.nan, 0.5, 0.5, 0.5]
-    runs = plot.pieces(range(9), heights)
-    assert [[x for x, _ in run] for run in runs] == [[0, 10], [30, 40], [60, 70, 80]]
-
-
-def test_an_area_stands_on_the_foot_of_the_plot() -> None:
-    plot = Plot(Axis(0, 1, 0, 100), Axis(0, 1, 50, 0))
-    assert points(plot.area([0.2, 0.6], [1.0, 0.5])) == [(20, 50), (20, 0), (60, 25), (60, 50)]
 
 
 @pytest.mark.parametrize(

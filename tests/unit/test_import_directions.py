@@ -11,6 +11,8 @@ from pathlib import Path
 
 import pytest
 
+from site_builder.book_root import ENGINE_PARTS
+
 ROOT = Path(__file__).resolve().parents[2]
 LEGAL = {
     "models": {"models"},
@@ -20,15 +22,11 @@ LEGAL = {
     "illustrations": {"illustrations", "models", "engine"},
     "ladders": {"ladders", "pictures", "models", "engine"},
     "scenes": {"scenes", "ladders", "pictures", "models", "engine"},
-    "registry": {"scenes", "ladders", "pictures", "models", "engine"},
+    "registry": {"engine"},
     "editing": {"editing", "engine"},
     "late_imports": set(),
     "script": {"registry", "engine"},
-    "browser": {
-        *("registry", "editing", "late_imports", "script", "scenes", "ladders", "pictures"),
-        "models",
-        "engine",
-    },
+    "browser": {"registry", "editing", "late_imports", "script", "engine"},
 }
 """Part of ``simulations`` to the parts that it may import."""
 
@@ -39,10 +37,11 @@ MODELS = (
 """Rooms of ``simulations/models``: each imports itself and what stands before it."""
 
 BUILDER = (
-    "diagnostics", "addresses", "source_text", "bibliography", "glossary", "symbols", "news",
-    "runtime", "editor", "output", "measured", "charts", "book", "markdown", "lecture_plan",
-    "source", "question_checks", "figure_questions", "glossary_checks", "symbol_checks", "checks",
-    "search", "pages", "publishing", "build", "editions", "serve", "__main__",
+    "book_root", "diagnostics", "source_text", "languages", "settings", "addresses", "bibliography",
+    "glossary", "symbols", "news", "runtime", "editor", "output", "measured", "charts", "book",
+    "markdown", "lecture_plan", "source", "question_checks", "figure_questions", "declared",
+    "glossary_checks", "symbol_checks", "checks", "search", "pages", "publishing", "build",
+    "editions", "serve", "__main__",
 )  # fmt: skip
 """Parts of ``site_builder``, likewise."""
 MARKDOWN = (
@@ -81,6 +80,17 @@ def test_a_part_imports_only_what_lies_below_it(part: str) -> None:
             names = module.split(".")
             if names[0] == "simulations" and len(names) > 1:
                 assert names[1] in LEGAL[part], f"{file.relative_to(ROOT)} imports {module}"
+
+
+def test_the_engine_imports_nothing_of_a_book() -> None:
+    """Neither does the builder: what a book has is found, and handed to them."""
+    own = [file for file in FILES if part_of(file) in ENGINE_PARTS]
+    for file in (*own, *sorted((ROOT / "site_builder").rglob("*.py"))):
+        for module in imported_modules(file):
+            package, _, rest = module.partition(".")
+            if package == "simulations" and rest:
+                part = rest.partition(".")[0]
+                assert part in ENGINE_PARTS, f"{file.relative_to(ROOT)} imports {module}"
 
 
 def test_simulations_need_only_numpy_and_the_standard_library() -> None:

@@ -6,9 +6,9 @@ from collections.abc import Mapping
 from simulations.engine.controls import Value
 from simulations.engine.handles import Handle, Point
 from simulations.engine.stages import Outputs
+from simulations.scenes._ball.marks import angle_of_normal, on_equator
 from simulations.scenes.brdf import energy, lobe
 from simulations.scenes.brdf.settings import Settings
-from simulations.scenes.reflection.marks import angle_of_normal, on_equator
 
 
 def _lamp(settings: Settings, _outputs: Outputs) -> Point:

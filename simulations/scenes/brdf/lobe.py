@@ -10,8 +10,8 @@ import numpy as np
 
 from simulations.engine.drawing import Point, arrow, circle, dot, line, polygon, polyline, text
 from simulations.models.arrays import Floats
+from simulations.scenes._ball.marks import HEIGHT, WIDTH, lamp
 from simulations.scenes.brdf.stages import AROUND_DEG
-from simulations.scenes.reflection.marks import HEIGHT, WIDTH, lamp
 
 FOOT = (WIDTH / 2, 262.0)
 LAMP, CAMERA = 186.0, 170.0

@@ -9,13 +9,13 @@ import math
 from simulations.engine.frame import Frame, Panel, Readout, format_number, readout
 from simulations.engine.scene import Scene
 from simulations.engine.stages import Outputs
+from simulations.scenes._ball.ball import camera_panel
+from simulations.scenes._ball.marks import HEIGHT, WIDTH, probed_point, shadow_edge
 from simulations.scenes.brdf.energy import energy_plot
 from simulations.scenes.brdf.handles import HANDLES
 from simulations.scenes.brdf.lobe import lobe_plot
 from simulations.scenes.brdf.settings import MODELS, Settings
 from simulations.scenes.brdf.stages import STAGES, Exchange
-from simulations.scenes.reflection.ball import camera_panel
-from simulations.scenes.reflection.marks import HEIGHT, WIDTH, probed_point, shadow_edge
 
 EQUAL = 1e-6
 """Relative difference up to which two directions count as alike."""

@@ -13,7 +13,7 @@ from simulations.engine.frame import Raster
 from simulations.engine.stages import Stage
 from simulations.models.arrays import Floats
 from simulations.models.light.brdf import Material, parts, reflected, sent_back
-from simulations.scenes.reflection.ball import Ball, build_ball, light_direction, paint
+from simulations.scenes._ball.ball import Ball, build_ball, light_direction, paint
 
 TINT = np.array([1.0, 0.13, 0.1], np.float32)
 """Albedo of the ball in green and blue, as a share of that in red; the figure follows red."""

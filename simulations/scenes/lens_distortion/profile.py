@@ -4,48 +4,48 @@ import math
 
 import numpy as np
 
-from simulations.engine.drawing import Point, dot, line, path, polyline, text
+from simulations.engine.drawing import Point, dot, line, text
+from simulations.engine.plotting.axis import Axis
+from simulations.engine.plotting.plot import Plot
+from simulations.engine.plotting.scale import Scale
 from simulations.models.distortion.lens_model import (
     Distortion,
     fold_radius,
     largest_distorted_radius,
 )
 from simulations.models.distortion.radial_profile import evaluate
-from simulations.scenes.lens_distortion.drawing import SAMPLE, VIEW_HEIGHT, runs
+from simulations.scenes.lens_distortion.drawing import SAMPLE
 
-LEFT, RIGHT, TOP, BOTTOM = 44.0, 386.0, 16.0, 258.0
 LARGEST = 1.25
 """Radius at the ends of the axes."""
+PLOT = Plot(Axis(0.0, LARGEST, 44.0, 386.0), Axis(0.0, LARGEST, 250.0, 16.0))
+IDEAL, SEEN = Scale(ticks=(0, 0.5, 1), grid=(1,)), Scale(ticks=(0, 0.5, 1), grid=(1,))
 
 
 def profile_overlay(lens: Distortion) -> str:
     """Image radius against ideal radius: the curve that the coefficients describe."""
     fold = fold_radius(lens)
-    radius = np.linspace(0.0, LARGEST, 101)
-    if fold < LARGEST:
-        radius = np.sort(np.append(radius, fold))
-    image = evaluate(lens.radial, radius)
-    curve = np.stack([at_radii(r, f) for r, f in zip(radius, image, strict=True)])
-    visible = (image <= LARGEST) & (image >= 0.0)
+    before = np.linspace(0.0, min(fold, LARGEST), 101)
     parts = [
         _axes(),
-        polyline((at_radii(0, 0), at_radii(LARGEST, LARGEST)), "muted thin dashed"),
+        line(at_radii(0, 0), at_radii(LARGEST, LARGEST), "muted thin dashed"),
         text(_identity_label(lens), "no distortion", "muted small halo", "end"),
-        path(runs(curve, (radius >= fold) & visible), "error dashed") if fold < LARGEST else "",
-        path(runs(curve, (radius <= fold) & visible), "image bold"),
+        PLOT.curve(before, evaluate(lens.radial, before), "image bold"),
     ]
     if fold < LARGEST:
+        after = np.linspace(fold, LARGEST, 51)
         peak = at_radii(fold, largest_distorted_radius(lens))
         parts += [
-            line(peak, (peak[0], BOTTOM), "error thin dashed"),
+            PLOT.curve(after, evaluate(lens.radial, after), "error dashed"),
+            line(peak, (peak[0], PLOT.y.start), "error thin dashed"),
             dot(peak, "error"),
             text((peak[0], peak[1] - 10.0), "fold", "error small halo", "middle"),
         ]
     ideal = math.hypot(*SAMPLE)
     here = at_radii(ideal, float(evaluate(lens.radial, ideal)))
     parts += [
-        line((here[0], BOTTOM), here, "world thin"),
-        line((LEFT, here[1]), here, "image thin"),
+        line((here[0], PLOT.y.start), here, "world thin"),
+        line((PLOT.x.start, here[1]), here, "image thin"),
         dot(here, "image"),
     ]
     return "".join(parts)
@@ -53,16 +53,12 @@ def profile_overlay(lens: Distortion) -> str:
 
 def at_radii(radius: float, image: float) -> tuple[float, float]:
     """A point of the profile as view box units."""
-    across = (RIGHT - LEFT) / LARGEST
-    up = (BOTTOM - TOP) / LARGEST
-    return (LEFT + across * float(radius), BOTTOM - up * float(image))
+    return PLOT.at(float(radius), float(image))
 
 
 def radius_at(place: Point) -> tuple[float, float]:
     """Ideal radius and radius in the image of a place of the panel."""
-    across = (RIGHT - LEFT) / LARGEST
-    up = (BOTTOM - TOP) / LARGEST
-    return ((float(place[0]) - LEFT) / across, (BOTTOM - float(place[1])) / up)
+    return PLOT.values(place)
 
 
 def _identity_label(lens: Distortion) -> Point:
@@ -72,18 +68,12 @@ def _identity_label(lens: Distortion) -> Point:
 
 
 def _axes() -> str:
-    corner_x, corner_y = at_radii(1.0, 0.0)[0], at_radii(0.0, 1.0)[1]
-    parts = [
-        line((LEFT, BOTTOM), (RIGHT, BOTTOM), "muted"),
-        line((LEFT, BOTTOM), (LEFT, TOP), "muted"),
-        line((corner_x, BOTTOM), (corner_x, TOP), "muted thin faint"),
-        line((LEFT, corner_y), (RIGHT, corner_y), "muted thin faint"),
-        text((corner_x - 5, TOP + 212), "corner", "muted small halo", "end"),
-        text((0.5 * (LEFT + RIGHT), VIEW_HEIGHT - 8), "ideal radius", "world", "middle"),
-        text((LEFT + 8, TOP + 8), "radius in the image", "image halo"),
-    ]
-    for value in (0.0, 0.5, 1.0):
-        x, y = at_radii(value, 0.0)[0], at_radii(0.0, value)[1]
-        parts.append(text((x, BOTTOM + 16), f"{value:g}", "muted small", "middle"))
-        parts.append(text((LEFT - 8, y + 4), f"{value:g}", "muted small", "end"))
-    return "".join(parts)
+    x, foot = at_radii(1.0, 0.0)
+    return "".join(
+        (
+            PLOT.frame(IDEAL, SEEN),
+            text((x - 5, foot - 14), "corner", "muted small halo", "end"),
+            text((0.5 * (PLOT.x.start + PLOT.x.end), foot + 41), "ideal radius", "world", "middle"),
+            text((PLOT.x.start + 8, PLOT.y.end + 8), "radius in the image", "image halo"),
+        )
+    )

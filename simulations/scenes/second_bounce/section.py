@@ -4,7 +4,7 @@ import math
 
 from simulations.engine.drawing import Point, arrow, circle, dot, line, polygon, text
 from simulations.models.light.interreflection import shadow_end
-from simulations.scenes.reflection.marks import lamp
+from simulations.scenes._ball.marks import lamp
 from simulations.scenes.second_bounce.settings import Settings
 
 WIDTH, HEIGHT = 400, 320

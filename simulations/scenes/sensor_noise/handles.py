@@ -6,17 +6,15 @@ from collections.abc import Mapping
 
 from simulations.engine.controls import Value
 from simulations.engine.handles import Handle, Point
+from simulations.engine.plotting.plot import Plot
 from simulations.engine.stages import Outputs
 from simulations.scenes.sensor_noise.drawing import (
     COLUMNS,
-    LEFT,
     PATCH_SIDES,
-    RIGHT,
     ROWS,
-    Axes,
-    axes_for,
     floor_place,
     level_place,
+    plot_of,
 )
 from simulations.scenes.sensor_noise.settings import Settings
 from simulations.scenes.sensor_noise.stages import (
@@ -39,40 +37,47 @@ def _patch_pulled(_settings: Settings, place: Point) -> Mapping[str, Value]:
     return {"patch": row * COLUMNS + column + 1}
 
 
-def _axes(settings: Settings) -> tuple[Axes, float]:
-    """The axes of the plot, and electrons per code."""
+def _plot(settings: Settings) -> tuple[Plot, float]:
+    """The plot, and electrons per code."""
     camera = sensor_of(settings.bits, settings.iso, settings.read_noise)
-    return axes_for(curve_of(camera, settings.dark)), camera.gain_e_per_dn
+    return plot_of(curve_of(camera, settings.dark)), camera.gain_e_per_dn
+
+
+def _values(plot: Plot, place: Point) -> tuple[float, float]:
+    """Mean and variance; what lies outside is brought to the border."""
+    x = min(max(place[0], plot.x.start), plot.x.end)
+    y = min(max(place[1], plot.y.end), plot.y.start)
+    return plot.values((x, y))
 
 
 def _level(settings: Settings, outputs: Outputs) -> Point | None:
     """Of the wedge alone: the light of a reader's patches is in no order."""
     if outputs["photograph"]:
         return None
-    axes, gain = _axes(settings)
-    return level_place(axes, float(patch_means_e(settings.exposure)[settings.patch - 1]) / gain)
+    plot, gain = _plot(settings)
+    return level_place(plot, float(patch_means_e(settings.exposure)[settings.patch - 1]) / gain)
 
 
 def _level_pulled(settings: Settings, place: Point) -> Mapping[str, Value]:
-    axes, gain = _axes(settings)
-    mean_e = axes.values(place)[0] * gain
+    plot, gain = _plot(settings)
+    mean_e = _values(plot, place)[0] * gain
     patch = 1.0 + 2.0 * (settings.exposure - math.log2(mean_e / BRIGHTEST_E))
     # All that lies beyond an end of the axis is drawn there: not short of it.
-    beyond = 0.5 * ((place[0] <= LEFT) - (place[0] >= RIGHT))
+    beyond = 0.5 * ((place[0] <= plot.x.start) - (place[0] >= plot.x.end))
     return {"patch": patch + beyond}
 
 
 def _floor(settings: Settings, _outputs: Outputs) -> Point:
     camera = sensor_of(settings.bits, settings.iso, settings.read_noise)
     curve = curve_of(camera, settings.dark)
-    return floor_place(axes_for(curve), curve)
+    return floor_place(plot_of(curve), curve)
 
 
 def _floor_pulled(settings: Settings, place: Point) -> Mapping[str, Value]:
     """The read noise that adds to dark signal and rounding what is missing to this floor."""
-    axes, gain = _axes(settings)
+    plot, gain = _plot(settings)
     others = floor_e2(sensor_of(settings.bits, settings.iso, 0.0), settings.dark)
-    return {"read_noise": math.sqrt(max(axes.values(place)[1] * gain**2 - others, 0.0))}
+    return {"read_noise": math.sqrt(max(_values(plot, place)[1] * gain**2 - others, 0.0))}
 
 
 HANDLES: tuple[Handle[Settings], ...] = (

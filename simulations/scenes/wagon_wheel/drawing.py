@@ -16,6 +16,11 @@ from simulations.engine.drawing import (
     text,
 )
 from simulations.engine.frame import format_number
+from simulations.engine.plotting.axis import Axis
+from simulations.engine.plotting.clipping import clipped
+from simulations.engine.plotting.legend import Entry, legend
+from simulations.engine.plotting.plot import Plot
+from simulations.engine.plotting.scale import Scale
 
 WIDTH, HEIGHT = 400.0, 300.0
 CENTRE, RADIUS = (200.0, 150.0), 115.0
@@ -26,11 +31,12 @@ DIAL, DIAL_END, FASTEST = 18.0, math.radians(80.0), 6.0
 EXPOSED = 7.0
 """Likewise, the arc of the exposure over the film."""
 
-LEFT, RIGHT, TOP, BOTTOM = 48.0, 386.0, 44.0, 246.0
 BEFORE, AFTER = 6.0, 2.0
 """Frames of the past and the future that the plot shows."""
 ROWS = 3.0
 """Spoke spacings on its other axis."""
+PLOT = Plot(Axis(-BEFORE, AFTER, 48.0, 386.0), Axis(0.0, ROWS, 246.0, 44.0))
+"""Frames from now, and spoke spacings."""
 
 
 def wheel(spokes: int, angle_rad: float, speed: float) -> str:
@@ -145,7 +151,7 @@ def track(per_frame: float, seen_per_frame: float, certain: bool, time: float) -
         shift = (per_frame - slope) * at
         parts.append(_lines(slope, shift, time, time - BEFORE, float(last), "error dashed"))
     parts += _dots(per_frame, frames, time)
-    return "".join((*parts, *_legend()))
+    return "".join((*parts, legend((PLOT.x.start, 17.0), LEGEND)))
 
 
 def _lines(slope: float, shift: float, now: float, start: float, end: float, style: str) -> str:
@@ -157,22 +163,11 @@ def _lines(slope: float, shift: float, now: float, start: float, end: float, sty
     low, high = math.ceil(-max(ends)), math.floor(ROWS - min(ends))
     pieces = []
     for whole in range(low, high + 1):
-        piece = _clipped(start, ends[0] + whole, end, ends[1] + whole)
+        first, last = (start, ends[0] + whole), (end, ends[1] + whole)
+        piece = clipped(first, last, (start, end), (0.0, ROWS))
         if piece:
-            pieces.append([_at(t - now, u) for t, u in piece])
+            pieces.append([PLOT.at(t - now, u) for t, u in piece])
     return path(pieces, style) if pieces else ""
-
-
-def _clipped(t0: float, u0: float, t1: float, u1: float) -> list[tuple[float, float]]:
-    """The part of a segment with 0 <= u <= ROWS, or nothing."""
-    rise = u1 - u0
-    if abs(rise) < 1e-12:
-        return [(t0, u0), (t1, u1)] if 0 <= u0 <= ROWS else []
-    shares = sorted(((0.0 - u0) / rise, (ROWS - u0) / rise))
-    low, high = max(0.0, shares[0]), min(1.0, shares[1])
-    if low >= high:
-        return []
-    return [(t0 + share * (t1 - t0), u0 + share * rise) for share in (low, high)]
 
 
 def _dots(per_frame: float, frames: list[int], now: float) -> Iterator[str]:
@@ -182,46 +177,29 @@ def _dots(per_frame: float, frames: list[int], now: float) -> Iterator[str]:
         # Rounded, so that a dot on the very edge is on the same side on every machine.
         first = math.ceil(round(-u, 9))
         places = np.arange(first, math.floor(round(ROWS - u, 9)) + 1) + u
-        yield from (dot(_at(frame - now, float(place)), "image", 4.0) for place in places)
+        yield from (dot(PLOT.at(frame - now, float(place)), "image", 4.0) for place in places)
 
 
 def _axes(now: float) -> Iterator[str]:
-    yield path([[_at(-BEFORE, ROWS), _at(-BEFORE, 0), _at(AFTER, 0)]], "muted")
-    ticks = range(math.ceil(now - BEFORE), math.floor(now + AFTER) + 1)
-    for frame in ticks:
-        if frame < 0:
-            continue
-        x, y = _at(frame - now, 0)
-        yield line((x, y), (x, y + 5), "muted thin")
-        if LEFT + 4 < x < RIGHT - 4:
-            yield text((x, y + 19), str(frame), "muted", "middle")
-    for row in range(int(ROWS) + 1):
-        x, y = _at(-BEFORE, row)
-        yield text((x - 8, y + 4.5), str(row), "muted", "end")
-    yield line(_at(0, -0.02), _at(0, ROWS), "muted dashed")
-    yield text((_at(0, 0)[0], TOP - 7), "now", "muted small halo", "middle")
-    yield text((RIGHT, BOTTOM + 42), "time, frames", "", "end")
-    yield text((LEFT - 34, BOTTOM + 42), "↑ turn, in spoke spacings")
+    frames = range(max(math.ceil(now - BEFORE), 0), math.floor(now + AFTER) + 1)
+    # A name in a corner would be cut in half as it comes or goes.
+    clear = [frame for frame in frames if -BEFORE + 0.1 < frame - now < AFTER - 0.1]
+    ticks = [(frame - now, str(frame)) for frame in clear]
+    yield PLOT.frame(Scale("time", "frames", ticks), Scale(ticks=range(int(ROWS) + 1)))
+    x, foot = PLOT.at(0, 0)
+    yield line((x, foot + 4), (x, PLOT.y.end), "muted dashed")
+    yield text((x, PLOT.y.end - 7), "now", "muted small halo", "middle")
+    yield text((PLOT.x.start - 34, foot + 41), "↑ turn, in spoke spacings")
 
 
-def _legend() -> Iterator[str]:
-    y = 17.0
-    yield line((LEFT, y - 4.5), (LEFT + 20, y - 4.5), "world")
-    yield text((LEFT + 26, y), "spokes", "world")
-    yield dot((LEFT + 94, y - 4.5), "image", 4.0)
-    yield text((LEFT + 104, y), "frames", "image")
-    yield line((LEFT + 172, y - 4.5), (LEFT + 196, y - 4.5), "error dashed")
-    yield text((LEFT + 202, y), "what it seems", "error")
+LEGEND = (
+    Entry("spokes", "world"),
+    Entry("frames", "image", "dot"),
+    Entry("what it seems", "error dashed"),
+)
 
 
-UNITS_PER_FRAME = (RIGHT - LEFT) / (BEFORE + AFTER)
-
-
-def _at(frames_from_now: float, spacings: float) -> Point:
-    return (
-        LEFT + UNITS_PER_FRAME * (frames_from_now + BEFORE),
-        BOTTOM - (BOTTOM - TOP) * spacings / ROWS,
-    )
+UNITS_PER_FRAME = (PLOT.x.end - PLOT.x.start) / (BEFORE + AFTER)
 
 
 def _polar(angle_rad: float, radius: float) -> tuple[float, float]:

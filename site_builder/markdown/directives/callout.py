@@ -9,14 +9,6 @@ from site_builder.markdown.directive import Argument, Directive, Use
 from site_builder.markdown.inline import inline_html
 from site_builder.markdown.reading import Reading
 
-TITLES = {
-    "tip": "Tip",
-    "note": "Note",
-    "warning": "Warning",
-    "key-idea": "Key idea",
-}
-"""Kinds of callout, and the title of each where the author gives none."""
-
 
 @dataclass(frozen=True, slots=True)
 class Callout:
@@ -28,7 +20,8 @@ class Callout:
 
 
 def read_callout(use: Use, _body: Sequence[Block], reading: Reading) -> Callout:
-    return Callout(use.name, inline_html(use.argument or TITLES[use.name], use.line, reading))
+    title = use.argument or reading.words(f"callout.{use.name}")
+    return Callout(use.name, inline_html(title, use.line, reading))
 
 
 def _callout(name: str, says: str) -> Directive[tuple[Block, ...]]:

@@ -1,14 +1,16 @@
 """``{extremes} model``: the hard cases of a model, asked while the book is built."""
 
 from dataclasses import dataclass
+from importlib import import_module
 
 from simulations.engine.hard_cases import HardCase, HardCases, answer, naive_answer, show
-from simulations.hard_cases.tables import TABLES
+from simulations.registry import found
 from site_builder.markdown.bodies import no_body
 from site_builder.markdown.directive import Argument, Directive, Numbered, Use
 from site_builder.markdown.reading import Reading
 
-BY_MODEL = {table.id: table for table in TABLES}
+MODULES = found("hard_cases")
+ROOM = "simulations/hard_cases/"
 
 
 @dataclass(frozen=True, slots=True)
@@ -36,8 +38,11 @@ class HardCaseTable:
     rows: tuple[HardCaseRow, ...]
 
 
-def read_hard_cases(use: Use, _body: None, reading: Reading) -> HardCaseTable:
-    table = BY_MODEL[use.argument]
+def read_hard_cases(use: Use, _body: None, reading: Reading) -> HardCaseTable | None:
+    if not MODULES:
+        reading.problem(use.line, f"the book has no hard cases; legal: a table in {ROOM}")
+        return None
+    table: HardCases = import_module(MODULES[use.argument]).TABLE
     name = reading.placed[use.line].id
     return HardCaseTable(name, table.title, tuple(_row(table, case) for case in table.cases))
 
@@ -59,7 +64,7 @@ def _row(table: HardCases, case: HardCase) -> HardCaseRow:
 EXTREMES = Directive(
     name="extremes",
     says="the hard cases of a model",
-    argument=Argument("model", legal=tuple(BY_MODEL), kind="table of extremes"),
+    argument=Argument("model", "names no table", tuple(MODULES), "table of extremes"),
     body=no_body("the table speaks alone"),
     read=read_hard_cases,
     template="extremes",

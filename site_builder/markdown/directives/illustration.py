@@ -1,13 +1,17 @@
 """``{illustration} name``: a drawing that our own models make while the book is built."""
 
 from dataclasses import dataclass
+from importlib import import_module
 
 from simulations.engine.illustration import Illustration
-from simulations.illustrations.table import ILLUSTRATIONS
+from simulations.registry import found
 from site_builder.diagnostics import cause
 from site_builder.markdown.bodies import CAPTION
 from site_builder.markdown.directive import LABEL, Argument, Directive, Numbered, OptionLine, Use
 from site_builder.markdown.reading import Reading
+
+MODULES = found("illustrations")
+ROOM = "simulations/illustrations/"
 
 
 @dataclass(frozen=True, slots=True)
@@ -20,8 +24,11 @@ class Drawn:
 
 
 def read_illustration(use: Use, caption_html: str, reading: Reading) -> Drawn | None:
+    if not MODULES:
+        reading.problem(use.line, f"the book has no illustrations; legal: one in {ROOM}")
+        return None
     try:
-        illustration = ILLUSTRATIONS[use.argument]()
+        illustration: Illustration = import_module(MODULES[use.argument]).draw()
     except Exception as error:  # whatever its code may raise is the author's to see
         message = f"illustration {use.argument!r} cannot be drawn: {cause(error)}"
         reading.problem(use.line, message)
@@ -36,7 +43,7 @@ def read_illustration(use: Use, caption_html: str, reading: Reading) -> Drawn | 
 ILLUSTRATION = Directive(
     name="illustration",
     says="a drawing made by the book's models",
-    argument=Argument("name", legal=tuple(ILLUSTRATIONS), kind="illustration"),
+    argument=Argument("name", "names no drawing", tuple(MODULES), "illustration"),
     options=(
         OptionLine("alt", says="what it shows, instead of its own description"),
         LABEL,

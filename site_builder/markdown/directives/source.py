@@ -5,6 +5,7 @@ from pathlib import Path
 from textwrap import dedent
 
 from site_builder.book import Source
+from site_builder.book_root import is_engine, own_or_engine
 from site_builder.diagnostics import unknown
 from site_builder.markdown.bodies import CAPTION
 from site_builder.markdown.directive import Argument, Directive, Use
@@ -37,7 +38,7 @@ def _text_of(module: str, name: str, path: str, use: Use, reading: Reading) -> s
         legal = f"':::{{source}} {FORM}'"
         reading.problem(use.line, f"{{source}} {use.argument!r}; legal: {legal}")
         return None
-    file = reading.root / path
+    file = own_or_engine(reading.root, path) if is_engine(module) else reading.root / path
     if not file.is_file() or not module.startswith("simulations."):
         modules = _modules(reading.root / "simulations")
         reading.problem(use.line, unknown("module", module, modules))

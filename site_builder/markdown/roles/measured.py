@@ -9,29 +9,30 @@ the machine was: ``processor``, ``python``, ``numpy``, ``browser``, ``pyodide``.
 """
 
 from site_builder.diagnostics import unknown
+from site_builder.languages.words import ENGLISH, Words
 from site_builder.markdown.reading import Reading
 from site_builder.markdown.role import Role
 from site_builder.measured.measurements import SIDES, MeasuredLadder, MeasurementError, Measurements
-from site_builder.measured.quantities import error_text, milliseconds, quantity, with_unit
+from site_builder.measured.quantities import error_text, is_none, milliseconds, quantity, with_unit
 from site_builder.measured.verdicts import verdict
 
 COUNTS = ("ladders", "tiers", "beaten")
 LEGAL = "legal: 'LADDER TIER native|browser|METRIC|verdict', or 'LADDER TIER over TIER …'"
 
 
-def measured_text(words: str, measurements: Measurements) -> str:
-    """What stands in the text for ``words``. Raises `MeasurementError`."""
-    match words.split():
+def measured_text(asked: str, measurements: Measurements, words: Words = ENGLISH) -> str:
+    """What stands in the text for what is ``asked``. Raises `MeasurementError`."""
+    match asked.split():
         case [name]:
             return _about_all(name, measurements)
         case [ladder, tier, wanted]:
-            return _one(measurements.find(ladder), tier, wanted)
+            return _one(measurements.find(ladder), tier, wanted, words)
         case [ladder, tier, wanted, "bare"]:
             measured = measurements.find(ladder)
-            return error_text(*_value(measured, tier, wanted))
+            return error_text(*_value(measured, tier, wanted), words)
         case [ladder, tier, "over", other, wanted]:
-            return _ratio(measurements.find(ladder), tier, other, wanted)
-    raise MeasurementError(f"{{measured}} {words!r}; {LEGAL}")
+            return words.decimals(_ratio(measurements.find(ladder), tier, other, wanted))
+    raise MeasurementError(f"{{measured}} {asked!r}; {LEGAL}")
 
 
 def _about_all(name: str, measurements: Measurements) -> str:
@@ -49,15 +50,15 @@ def _about_all(name: str, measurements: Measurements) -> str:
     return str(len(tiers))
 
 
-def _one(measured: MeasuredLadder, tier: str, wanted: str) -> str:
+def _one(measured: MeasuredLadder, tier: str, wanted: str, words: Words) -> str:
     _check_tier(measured, tier)
     if wanted == "verdict":
-        return verdict(measured, measured[tier])
+        return verdict(measured, measured[tier], words)
     if wanted in SIDES:
-        return with_unit(milliseconds(measured[tier].times[wanted].ms), "ms")
+        return with_unit(words.decimals(milliseconds(measured[tier].times[wanted].ms)), "ms")
     value, unit = _value(measured, tier, wanted)
-    text = error_text(value, unit)
-    return text if text == "none" else with_unit(text, unit)
+    text = error_text(value, unit, words)
+    return text if is_none(value, unit) else with_unit(text, unit)
 
 
 def _ratio(measured: MeasuredLadder, tier: str, other: str, wanted: str) -> str:
@@ -86,7 +87,7 @@ def _value(measured: MeasuredLadder, tier: str, wanted: str) -> tuple[float | No
 
 
 def _text(words: str, reading: Reading) -> str:
-    return measured_text(words, reading.measurements)
+    return measured_text(words, reading.measurements, reading.words)
 
 
 MEASURED = Role(

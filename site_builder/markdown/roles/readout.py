@@ -21,7 +21,8 @@ def readout_text(words: str, reading: Reading) -> str:
     settings = dict(pair.split("=", 1) for pair in pairs[: len(pairs) - bare] if "=" in pair)
     if not name or "=" in name or len(settings) + bare < len(pairs):
         raise ReadoutError(f"{{readout}} {words!r}; legal: '{FORM}', each control once")
-    return reading.readouts.text(scene_id, name, settings, bare=bare)
+    shown = reading.readouts.text(scene_id, name, settings, bare=bare)
+    return reading.words.decimals(shown)
 
 
 READOUT = Role(

@@ -47,7 +47,8 @@ def _name(target: Target, chapter: Target, reading: Reading) -> str:
     """What the link says; a chapter is introduced with its title."""
     here = target.chapter == reading.chapter
     if target.kind == "Section":
-        return target.name if here else f"{target.name} in {chapter.name}"
+        elsewhere = {"title": target.title, "chapter": chapter.name}
+        return target.name if here else reading.words("labels.section_elsewhere", **elsewhere)
     if target is chapter and not here and target.chapter not in reading.introduced:
         reading.introduced.add(target.chapter)
         return f"{target.name} ({target.title})"

@@ -13,7 +13,7 @@ from markdown_it.token import Token
 
 from site_builder.markdown.text.typography import UNITS
 
-OPENING = re.compile(r"[(\[“‘]+$")
+OPENING = re.compile(r"[(\[“‘„‚]+$")
 MARKS = r"^(?:[^\s\w(\[“‘]{1,3})?"
 CLOSING = re.compile(MARKS)
 CLOSING_AND_UNIT = re.compile(rf"{MARKS}(?:[\u00a0\u202f][^\s]+|^ (?:{UNITS})\b)?")

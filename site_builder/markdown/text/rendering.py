@@ -8,6 +8,7 @@ from markdown_it.token import Token
 from markdown_it.utils import EnvType, OptionsDict
 
 from site_builder.book import Target
+from site_builder.languages.words import Words
 
 
 def formula(token: Token) -> str:
@@ -31,11 +32,11 @@ def heading_open(token: Token) -> str:
     return f'<div class="heading"><{token.tag} id="{token.attrGet("id")}">'
 
 
-def heading_close(token: Token) -> str:
+def heading_close(words: Words, token: Token) -> str:
     """With a link to the section beside it, which is no part of the heading's name."""
     target: Target = token.meta["target"]
-    words = escape(f"Link to {target.title}")
-    link = f'<a class="anchor" href="#{target.id}" aria-label="{words}"></a>'
+    label = escape(words("frame.link_to", title=target.title))
+    link = f'<a class="anchor" href="#{target.id}" aria-label="{label}"></a>'
     return f"</{token.tag}>{link}</div>\n"
 
 
@@ -43,16 +44,17 @@ def code(token: Token) -> str:
     return str(token.meta.get("html", ""))
 
 
-def table_open(_token: Token) -> str:
+def table_open(words: Words, _token: Token) -> str:
     """A wrapper that scrolls on narrow screens; focusable, so that it can by keyboard."""
-    return '<div class="table-wrapper" tabindex="0" role="group" aria-label="Table"><table>\n'
+    label = escape(words("frame.table"))
+    return f'<div class="table-wrapper" tabindex="0" role="group" aria-label="{label}"><table>\n'
 
 
 def table_close(_token: Token) -> str:
     return "</table></div>\n"
 
 
-def words(
+def role(
     renderer: RendererProtocol,
     tokens: Sequence[Token],
     index: int,

@@ -3,7 +3,8 @@
  * there, the book's interpreter and all other figures never meet it.
  */
 
-import { Runtime, RuntimeFailure } from "../runtime/runtime.js";
+import { Runtime, RuntimeFailure, closed } from "../runtime/runtime.js";
+import { words } from "../page/words.js";
 
 /** @import { Caller, Payload } from "../runtime/runtime.js" */
 /** @typedef {{message: string, definition: string, line: number}} Problem */
@@ -162,22 +163,21 @@ export class EditedRuntime {
    */
   async #ask(name, payload, edits, urgency) {
     const limit = await this.warm(payload);
-    if (!this.#own) throw new RuntimeFailure("lost", "closed");
+    if (!this.#own) throw closed();
     try {
       return await this.#own.call(name, { ...payload, edits, limit }, urgency);
     } catch (error) {
       if (!(error instanceof RuntimeFailure) || error.kind !== "lost") throw error;
       this.#warm = null; // the next interpreter is a new one
-      throw new RuntimeFailure("lost", inWords(error.message, limit));
+      throw new RuntimeFailure("lost", inWords(error, limit));
     }
   }
 }
 
 /**
- * @param {string} message
+ * @param {RuntimeFailure} failure
  * @param {number} limit
  */
-function inWords(message, limit) {
-  const seconds = Math.round(limit / 1000);
-  return message.includes("in time") ? `it did not end within ${seconds} s` : message;
+function inWords({ late, message }, limit) {
+  return late ? words("runtime.late_by", { seconds: Math.round(limit / 1000) }) : message;
 }

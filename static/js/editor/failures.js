@@ -3,6 +3,7 @@
 import { message } from "../errors.js";
 import { RuntimeFailure } from "../runtime/runtime.js";
 import { EditFailure } from "./edited_runtime.js";
+import { words } from "../page/words.js";
 
 /** @import { Problem } from "./edited_runtime.js" */
 
@@ -10,8 +11,8 @@ import { EditFailure } from "./edited_runtime.js";
 export function wordsOf(error) {
   if (error instanceof EditFailure) return error.message;
   return isLost(error)
-    ? `Your code was stopped: ${error.message}. The figure stays as it was.`
-    : `Your code did not run (${message(error)}).`;
+    ? words("workshop.stopped_first", { reason: error.message })
+    : words("workshop.did_not_run", { reason: message(error) });
 }
 
 /**
@@ -28,11 +29,11 @@ export function problemOf(error) {
 /**
  * A problem that no line is known for.
  *
- * @param {string} words
+ * @param {string} told
  * @returns {Problem}
  */
-export function problemWithout(words) {
-  return { message: words, definition: "", line: 0 };
+export function problemWithout(told) {
+  return { message: told, definition: "", line: 0 };
 }
 
 /**

@@ -1,6 +1,7 @@
 /** What the workshop is made of, fetched when the first one opens. */
 
 import { one } from "../page/dom.js";
+import { words } from "../page/words.js";
 
 /** @import { CodeEditor } from "../../../site_builder/editor/code_editor.js" */
 
@@ -41,7 +42,7 @@ function styled() {
   link.href = SHEET;
   return new Promise((resolve, reject) => {
     link.onload = () => resolve();
-    link.onerror = () => reject(new Error(`${SHEET} could not be had`));
+    link.onerror = () => reject(new Error(words("workshop.no_file", { file: SHEET })));
     document.head.append(link);
   });
 }

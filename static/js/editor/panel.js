@@ -3,15 +3,13 @@
 import { all, one } from "../page/dom.js";
 import { setText } from "../page/text.js";
 import { nameOf } from "./sources.js";
+import { words } from "../page/words.js";
 
 /** @import { CodeEditor } from "../../../site_builder/editor/code_editor.js" */
 /** @import { Stage } from "../figure/workings.js" */
 /** @import { Problem } from "./edited_runtime.js" */
 /** @import { Edits } from "./edits.js" */
 /** @import { Sources } from "./sources.js" */
-
-/** What the part that draws is called in the list. */
-const DRAWING = "drawing";
 
 /**
  * What the reader does with the panel.
@@ -100,7 +98,12 @@ export class Panel {
     const { path, line, text, uses } = this.sources.definitions[key];
     const name = nameOf(key);
     this.key = key;
-    this.#write(key, this.edits.text(key) ?? text, line, `${name} in ${path}`);
+    this.#write(
+      key,
+      this.edits.text(key) ?? text,
+      line,
+      words("workshop.in_file", { name, file: path }),
+    );
     setText(one(this.element, ".place-name", HTMLElement), name);
     setText(one(this.element, ".path", HTMLElement), path);
     setText(one(this.element, ".place-line", HTMLElement), String(line));
@@ -142,26 +145,27 @@ export class Panel {
       const status = part.dataset.stage ? (stage?.status ?? "") : "computed";
       part.dataset.status = status;
       part.title = stage?.reason ?? "";
-      setText(part.querySelector(".part-status"), status);
+      setText(part.querySelector(".part-status"), status && words(`workings.${status}`));
     }
   }
 
   /**
    * What came of running.
    *
-   * @param {string} words
+   * @param {string} told
    * @param {Problem} [problem]
    */
-  tell(words, problem) {
+  tell(told, problem) {
     const place = one(this.element, ".result-place", HTMLButtonElement);
     const { definition = "", line = 0 } = problem ?? {};
     const known = this.sources.definitions[definition];
     one(this.element, ".workshop-result", HTMLElement).classList.toggle("failed", !!problem);
-    setText(one(this.element, ".result-words", HTMLElement), words);
+    setText(one(this.element, ".result-words", HTMLElement), told);
     place.hidden = !known || line === 0;
     place.dataset.definition = definition;
     place.dataset.line = String(line);
-    if (known) setText(place, `Line ${line + known.line - 1} of ${nameOf(definition)}`);
+    const where = { line: line + (known?.line ?? 0) - 1, name: nameOf(definition) };
+    if (known) setText(place, words("workshop.line", where));
     this.#editor?.mark(definition === this.key ? line : 0);
   }
 
@@ -183,7 +187,7 @@ export class Panel {
     const list = one(this.element, ".workshop-parts", HTMLOListElement);
     const model = one(list, "li", HTMLLIElement);
     const parts = this.sources.stages.map((stage) => ({ ...stage, stage: stage.name }));
-    parts.push({ name: DRAWING, definition: this.sources.draw, stage: "" });
+    parts.push({ name: words("workshop.drawing"), definition: this.sources.draw, stage: "" });
     for (const { name, definition, stage } of parts.filter((part) => part.definition)) {
       const item = model.cloneNode(true);
       if (!(item instanceof HTMLLIElement)) return;

@@ -13,21 +13,11 @@ import { problemOf, problemWithout, wordsOf } from "./failures.js";
 import { loadEditor, loadPanel } from "./load.js";
 import { Panel } from "./panel.js";
 import { fetchSources, firstPart } from "./sources.js";
+import { words } from "../page/words.js";
 
 /** @import { LiveFigure } from "../figure/live.js" */
 /** @import { Runtime } from "../runtime/runtime.js" */
 /** @import { Problem } from "./edited_runtime.js" */
-
-const WORDS = {
-  running: "Running …",
-  runs: "The figure runs your code now.",
-  book: "The figure runs the book's code.",
-  mark: "This figure runs your Python, not the book's.",
-  kept: "Your changes to its Python are kept.",
-  noEditor:
-    "To be read only: this copy of the book was built where the code editor could not be had.",
-  noPython: "To be read only: this browser does not run Python.",
-};
 
 export class Workshop {
   /** @type {Panel | null} */
@@ -54,7 +44,7 @@ export class Workshop {
     this.edited = new EditedRuntime(book, {
       drawn: (printed) => this.#drew(printed),
       failed: (failure) => this.#failed(failure),
-      stopped: (words) => this.#stopped(words),
+      stopped: (reason) => this.#stopped(reason),
     });
   }
 
@@ -69,7 +59,7 @@ export class Workshop {
     try {
       await this.#open();
     } catch (error) {
-      setText(this.state, `The Python could not be fetched (${message(error)}).`);
+      setText(this.state, words("workshop.not_fetched", { reason: message(error) }));
     } finally {
       this.#opening = false;
     }
@@ -113,7 +103,7 @@ export class Workshop {
     ]);
     const panel = new Panel(element, this.button.id, edits.sources, edits, this.#wishes(edits));
     if (Editor) panel.edit(Editor);
-    else panel.readOnly(this.live ? WORDS.noEditor : WORDS.noPython);
+    else panel.readOnly(words(this.live ? "workshop.no_editor" : "workshop.no_python"));
     element.id = this.button.getAttribute("aria-controls") ?? "";
     one(this.figure, ".python", HTMLElement).append(element);
     this.#panel = panel;
@@ -165,7 +155,7 @@ export class Workshop {
       return;
     }
     this.#setRunning(true);
-    this.#tell(WORDS.running);
+    this.#tell(words("workshop.running"));
     edits.runs = false; // until it is known to end
     edits.save();
     try {
@@ -211,7 +201,7 @@ export class Workshop {
     this.live?.drawnBy(this.book);
     this.#panel?.print("");
     this.#panel?.refresh();
-    this.#tell(WORDS.book);
+    this.#tell(words("workshop.book"));
     this.#mark(edits);
   }
 
@@ -223,22 +213,22 @@ export class Workshop {
   /** @param {string} printed */
   async #drew(printed) {
     this.#panel?.print(printed);
-    this.#tell(WORDS.runs);
+    this.#tell(words("workshop.runs"));
     this.#mark(await this.#kept());
   }
 
   /**
    * Edited code did not end while the reader used the figure: the book's draws it again.
    *
-   * @param {string} words
+   * @param {string} reason
    */
-  async #stopped(words) {
+  async #stopped(reason) {
     this.live?.drawnBy(this.book);
     const edits = await this.#kept();
     edits.runs = false;
     edits.save();
     this.#mark(edits);
-    this.#tell(`Your code was stopped: ${words}. ${WORDS.book}`, problemWithout(words));
+    this.#tell(words("workshop.stopped", { reason }), problemWithout(reason));
   }
 
   /** @param {unknown} error */
@@ -248,12 +238,12 @@ export class Workshop {
   }
 
   /**
-   * @param {string} words
+   * @param {string} told
    * @param {Problem} [problem]
    */
-  #tell(words, problem) {
-    this.#panel?.tell(words, problem);
-    if (!this.#panel && problem) setText(this.state, words);
+  #tell(told, problem) {
+    this.#panel?.tell(told, problem);
+    if (!this.#panel && problem) setText(this.state, told);
   }
 
   /** @param {boolean} running */
@@ -269,6 +259,9 @@ export class Workshop {
    */
   #mark(edits) {
     this.figure.toggleAttribute("data-edited", this.#drawn);
-    setText(this.state, this.#drawn ? WORDS.mark : edits.all.size > 0 ? WORDS.kept : "");
+    setText(
+      this.state,
+      this.#drawn ? words("workshop.mark") : edits.all.size > 0 ? words("workshop.kept") : "",
+    );
   }
 }

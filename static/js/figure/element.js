@@ -6,6 +6,7 @@ import { recall } from "../page/storage.js";
 import { Runtime, sharedRuntime } from "../runtime/runtime.js";
 import { LiveFigure } from "./live.js";
 import { say } from "./status.js";
+import { words } from "../page/words.js";
 
 /** @import { Workshop } from "../editor/workshop.js" */
 
@@ -49,7 +50,7 @@ export class SimulationFigure extends HTMLElement {
       await (await this.#python(runtime)).toggle();
     } catch (error) {
       this.#workshop = null;
-      say(this, `The Python could not be opened (${message(error)}).`);
+      say(this, words("figure.no_python", { reason: message(error) }));
     }
   }
 
@@ -83,7 +84,7 @@ export class SimulationFigure extends HTMLElement {
    * @throws {Error} Where the figure does not run.
    */
   async judge(conditions) {
-    if (!this.#live) throw new Error("the figure does not run in this browser");
+    if (!this.#live) throw new Error(words("figure.does_not_run"));
     return this.#live.judge(conditions);
   }
 
@@ -117,7 +118,7 @@ export class SimulationFigure extends HTMLElement {
   #refuse() {
     one(this, "form.controls", HTMLFormElement).hidden = true;
     this.dataset.state = "failed";
-    say(this, "This figure stays as it is: the browser does not offer WebAssembly.");
+    say(this, words("figure.no_assembly"));
   }
 }
 

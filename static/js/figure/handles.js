@@ -16,6 +16,7 @@ import { keyed } from "./handle_keys.js";
 import { holdGround, mayScroll } from "./hold.js";
 import { LatestWins } from "./scheduler.js";
 import { say } from "./status.js";
+import { words } from "../page/words.js";
 
 /** @import { Control, Schema, Value } from "./controls.js" */
 /** @import { Point } from "./handle_elements.js" */
@@ -142,7 +143,8 @@ export class Handles {
       moveControls(this.form, controls, changed(reply.values, values), "input");
       if (done) moveControls(this.form, controls, reply.values, "change");
     } catch (error) {
-      if (this.figure.isConnected) say(this.figure, `It stays where it is. (${message(error)})`);
+      if (this.figure.isConnected)
+        say(this.figure, words("figure.stays", { reason: message(error) }));
     }
   }
 

@@ -19,6 +19,7 @@ import { LatestWins } from "./scheduler.js";
 import { say, sayNothingOfFailure } from "./status.js";
 import { chosenTier, isDrafted, shownTier } from "./tiers.js";
 import { Accuracy, showStages } from "./workings.js";
+import { words } from "../page/words.js";
 
 /** @import { Caller } from "../runtime/runtime.js" */
 /** @import { Stage } from "./workings.js" */
@@ -32,13 +33,6 @@ import { Accuracy, showStages } from "./workings.js";
 const URGENCY = { far: 0, near: 1, touched: 2, held: 3 };
 /** How often a frame is asked for again, by itself, after the worker was lost. */
 const RESTARTS = 1;
-/** What a figure says of a frame that it did not get. */
-const REASONS = {
-  start: "Python did not start, so the figure stands still.",
-  lost: "The computation did not end, so the figure shows the frame before.",
-  python: "This setting could not be computed.",
-  page: "The frame could not be drawn.",
-};
 
 let figures = 0;
 
@@ -298,8 +292,8 @@ export class LiveFigure {
     this.motion.stop();
     this.#asked = "";
     this.figure.dataset.state = "failed";
-    const reason = error instanceof RuntimeFailure ? error.kind : "page";
-    say(this.figure, `${REASONS[reason]} (${message(error)})`, { retry: true });
+    const kind = error instanceof RuntimeFailure ? error.kind : "page";
+    say(this.figure, words(`figure.${kind}`, { reason: message(error) }), { retry: true });
   }
 }
 

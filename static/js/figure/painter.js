@@ -10,6 +10,7 @@
 
 import { maybe, one } from "../page/dom.js";
 import { setText } from "../page/text.js";
+import { decimals, words } from "../page/words.js";
 
 /**
  * @param {HTMLElement} figure
@@ -35,7 +36,7 @@ export function paint(figure, meta, rasters) {
  * @param {ArrayBuffer | undefined} pixels
  */
 function paintRaster(view, panel, { width, height }, pixels) {
-  if (!pixels) throw new Error(`the frame has no pixels for the panel "${panel.name}"`);
+  if (!pixels) throw new Error(words("figure.no_pixels", { panel: panel.name }));
   const image = new ImageData(new Uint8ClampedArray(pixels), width, height);
   const canvas = maybe(view, "canvas.live", HTMLCanvasElement) ?? document.createElement("canvas");
   if (canvas.width !== width || canvas.height !== height) {
@@ -74,8 +75,9 @@ function paintReadout(figure, readout) {
   const output = figure.querySelector(`output[name="${CSS.escape(readout.name)}"]`);
   const box = output?.parentElement;
   if (!box) return;
-  if (output.textContent !== readout.text) box.dataset.moved = "";
-  setText(output, readout.text);
+  const text = decimals(readout.text);
+  if (output.textContent !== text) box.dataset.moved = "";
+  setText(output, text);
   const unit = box.querySelector(".unit");
   setText(unit, readout.unit);
   unit?.classList.toggle("close", readout.unit === "°");

@@ -11,6 +11,7 @@ import { all, data, one } from "../page/dom.js";
 import { isArrived } from "../page/navigate.js";
 import { moveControls, readValues, uncover } from "./controls.js";
 import { say } from "./status.js";
+import { words } from "../page/words.js";
 
 /** @import { Control, Schema, Value } from "./controls.js" */
 
@@ -27,7 +28,13 @@ export function settingsOf(figure) {
   const all = tiers.length
     ? [
         ...controls,
-        { kind: "choice", name: "tier", label: "Accuracy", default: tier, options: tiers },
+        {
+          kind: "choice",
+          name: "tier",
+          label: words("figure.accuracy"),
+          default: tier,
+          options: tiers,
+        },
       ]
     : controls;
   return {
@@ -168,9 +175,7 @@ function parse(control, text) {
 function tell(figure, ignored) {
   if (ignored.length === 0) return;
   const what = ignored.map((text) => (text.length > 60 ? `${text.slice(0, 60)}…` : text));
-  say(figure, `The address asks for what this figure does not have: ${what.join(", ")}.`, {
-    lasting: true,
-  });
+  say(figure, words("figure.ignored", { settings: what.join(", ") }), { lasting: true });
   figure.addEventListener("input", () => say(figure, ""), { once: true });
 }
 

@@ -5,6 +5,8 @@
  * @typedef {{number: number, pixels: Uint8ClampedArray, width: number, height: number}} Photograph
  */
 
+import { words } from "../page/words.js";
+
 /** Larger files, and pictures of more pixels, are refused before they fill the memory. */
 const LARGEST_MB = 60;
 const LARGEST_MEGAPIXELS = 120;
@@ -25,10 +27,11 @@ let pictures = 0;
 export async function decode(file, width, height) {
   const mb = file.size / 1e6;
   if (mb > LARGEST_MB) {
-    throw new Error(`“${file.name}” has ${mb.toFixed(0)} MB; up to ${LARGEST_MB} MB will do.`);
+    const sizes = { size: mb.toFixed(0), most: LARGEST_MB };
+    throw new Error(words("photograph.large", { file: file.name, ...sizes }));
   }
   const bitmap = await createImageBitmap(file).catch(() => {
-    throw new Error(`“${file.name}” is no picture that this browser can read; try JPEG or PNG.`);
+    throw new Error(words("photograph.unreadable", { file: file.name }));
   });
   try {
     refuseSize(file.name, bitmap);
@@ -43,12 +46,12 @@ export async function decode(file, width, height) {
  * @param {ImageBitmap} bitmap
  */
 function refuseSize(name, { width, height }) {
-  const size = `“${name}” has ${width} × ${height} pixels`;
+  const size = { file: name, width, height };
   if (Math.min(width, height) < SMALLEST_PX) {
-    throw new Error(`${size}; at least ${SMALLEST_PX} each way are needed.`);
+    throw new Error(words("photograph.small", { ...size, least: SMALLEST_PX }));
   }
   if (width * height > LARGEST_MEGAPIXELS * 1e6) {
-    throw new Error(`${size}; up to ${LARGEST_MEGAPIXELS} million will do.`);
+    throw new Error(words("photograph.huge", { ...size, most: LARGEST_MEGAPIXELS }));
   }
 }
 
@@ -60,7 +63,7 @@ function refuseSize(name, { width, height }) {
 function cut(bitmap, width, height) {
   const canvas = new OffscreenCanvas(width, height);
   const context = canvas.getContext("2d");
-  if (!context) throw new Error("This browser offers no canvas to read the picture from.");
+  if (!context) throw new Error(words("photograph.no_canvas"));
   const scale = Math.max(width / bitmap.width, height / bitmap.height);
   const [across, down] = [bitmap.width * scale, bitmap.height * scale];
   context.imageSmoothingQuality = "high";

@@ -4,6 +4,7 @@
  */
 
 import { all, maybe, one } from "../page/dom.js";
+import { words } from "../page/words.js";
 
 /** Pixels of the file for each pixel of the page. */
 const SCALE = 2;
@@ -154,7 +155,7 @@ async function flattened(view, pixels, drawing) {
   canvas.width = SCALE * view.clientWidth;
   canvas.height = SCALE * view.clientHeight;
   const context = canvas.getContext("2d");
-  if (!context) throw new Error("this browser draws no pictures");
+  if (!context) throw new Error(words("tools.no_canvas"));
   context.fillStyle = getComputedStyle(view).backgroundColor;
   context.fillRect(0, 0, canvas.width, canvas.height);
   context.imageSmoothingEnabled = !pixels.classList.contains("pixelated");
@@ -165,6 +166,6 @@ async function flattened(view, pixels, drawing) {
     context.drawImage(/** @type {CanvasImageSource} */ (layer), 0, 0, canvas.width, canvas.height);
   }
   return new Promise((resolve, reject) => {
-    canvas.toBlob((blob) => (blob ? resolve(blob) : reject(new Error("no picture came out"))));
+    canvas.toBlob((blob) => (blob ? resolve(blob) : reject(new Error(words("tools.no_picture")))));
   });
 }

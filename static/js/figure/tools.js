@@ -8,6 +8,7 @@ import { glide, jump } from "./moves.js";
 import { numbersOf } from "./numbers.js";
 import { permalink, settingsOf } from "./permalink.js";
 import { pictureOf } from "./picture.js";
+import { words } from "../page/words.js";
 
 /** @typedef {(figure: HTMLElement, button: HTMLButtonElement) => unknown} Tool */
 
@@ -19,7 +20,7 @@ import { pictureOf } from "./picture.js";
 const TOOLS = {
   reset,
   fullScreen,
-  copyLink: (figure) => copy(figure, permalink(figure), "Link"),
+  copyLink: (figure) => copy(figure, permalink(figure), words("tools.link_copied")),
   copyPython,
   saveNumbers: (figure) =>
     save(figure, new Blob([numbersOf(figure)], { type: "text/csv" }), "numbers.csv"),
@@ -40,7 +41,7 @@ export async function use(button) {
   try {
     await TOOLS[name](figure, button);
   } catch (error) {
-    tell(figure, `That did not work: ${message(error)}`);
+    tell(figure, words("tools.failed", { reason: message(error) }));
   }
 }
 
@@ -88,8 +89,8 @@ async function copyPython(figure) {
   const own = figure.querySelector(".photograph-back:not([hidden])") !== null;
   const payload = { scene, values: JSON.stringify(values), tier, edited, own };
   const reply = await sharedRuntime()?.call("script", payload, () => 2);
-  const unlike = [...(edited ? ["code"] : []), ...(own ? ["picture"] : [])].join(" and ");
-  await copy(figure, reply.script, unlike ? `Python, with the book’s ${unlike},` : "Python");
+  const unlike = edited && own ? "_both" : edited ? "_code" : own ? "_picture" : "";
+  await copy(figure, reply.script, words(`tools.python_copied${unlike}`));
 }
 
 /**
@@ -108,18 +109,18 @@ async function savePanel(figure, button) {
  *
  * @param {HTMLElement} figure
  * @param {string} text
- * @param {string} what
+ * @param {string} done What is said once it is copied.
  */
-async function copy(figure, text, what) {
+async function copy(figure, text, done) {
   try {
     await navigator.clipboard.writeText(text);
-    tell(figure, `${what} copied.`);
+    tell(figure, done);
   } catch {
     const field = one(figure, ".copied", HTMLTextAreaElement);
     field.value = text;
     field.hidden = false;
     field.select();
-    tell(figure, "The browser does not let the page copy. Here it is, selected:");
+    tell(figure, words("tools.copy_yourself"));
   }
 }
 
@@ -134,14 +135,14 @@ function save(figure, blob, name) {
   link.download = `${figure.closest("figure")?.id ?? "figure"}-${name}`;
   link.click();
   setTimeout(() => URL.revokeObjectURL(link.href), 10_000);
-  tell(figure, `Saved as ${link.download}.`);
+  tell(figure, words("tools.saved", { file: link.download }));
 }
 
 /**
  * @param {HTMLElement} figure
- * @param {string} words
+ * @param {string} text
  */
-function tell(figure, words) {
+function tell(figure, text) {
   const line = maybe(figure, ".tools-said", HTMLElement);
-  if (line) line.textContent = words;
+  if (line) line.textContent = text;
 }

@@ -9,6 +9,7 @@
 import { message } from "../errors.js";
 import { all, maybe } from "../page/dom.js";
 import { setText, withUnit } from "../page/text.js";
+import { decimals, words } from "../page/words.js";
 
 /** @import { Readout } from "./painter.js" */
 /** @typedef {{values: string, tier: string}} Judged */
@@ -42,7 +43,7 @@ export function showStages(figure, stages) {
 function showStage(item, stage) {
   item.dataset.status = stage.status;
   setText(item.querySelector(".stage-name"), stage.name);
-  setText(item.querySelector(".stage-status"), stage.status);
+  setText(item.querySelector(".stage-status"), words(`workings.${stage.status}`));
   setText(item.querySelector(".stage-reason"), stage.reason);
 }
 
@@ -52,11 +53,10 @@ function showStage(item, stage) {
  * @param {Stage[]} stages
  */
 export function countStages(stages) {
-  const counted = ["computed", "reused", "skipped"].map((status) => {
-    const count = stages.filter((stage) => stage.status === status).length;
-    return `${count} ${status}`;
-  });
-  return counted.join(", ");
+  const count = (/** @type {string} */ status) =>
+    stages.filter((stage) => stage.status === status).length;
+  const [computed, reused, skipped] = ["computed", "reused", "skipped"].map(count);
+  return words("workings.count", { computed, reused, skipped });
 }
 
 /** The line with error and time under a figure that has a reference. */
@@ -92,8 +92,14 @@ export class Accuracy {
     if (!this.line) return;
     this.stop();
     this.#frames += 1;
-    setText(this.line.querySelector(".accuracy-frame"), this.#frames > 1 ? "frame" : "first frame");
-    setText(this.line.querySelector(".accuracy-ms"), withUnit(ms.toFixed(ms < 10 ? 1 : 0), "ms"));
+    setText(
+      this.line.querySelector(".accuracy-frame"),
+      words(this.#frames > 1 ? "workings.frame" : "workings.first_frame"),
+    );
+    setText(
+      this.line.querySelector(".accuracy-ms"),
+      withUnit(decimals(ms.toFixed(ms < 10 ? 1 : 0)), "ms"),
+    );
     setText(this.line.querySelector(".accuracy-value"), "…");
     delete this.line.dataset.judged;
     if (!settled) return;
@@ -147,13 +153,14 @@ export class Accuracy {
     } catch (error) {
       if (this.#waiting !== job) return;
       this.#waiting = null;
-      this.#write({ label: "Error", text: `not measured (${message(error)})`, unit: "" });
+      const text = words("workings.not_measured", { reason: message(error) });
+      this.#write({ label: words("workings.error"), text, unit: "" });
     }
   }
 
   /** @param {Pick<Readout, "label" | "text" | "unit">} estimate */
   #write({ label, text, unit }) {
     setText(this.line?.querySelector(".accuracy-label"), label);
-    setText(this.line?.querySelector(".accuracy-value"), withUnit(text, unit));
+    setText(this.line?.querySelector(".accuracy-value"), withUnit(decimals(text), unit));
   }
 }

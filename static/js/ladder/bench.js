@@ -11,6 +11,7 @@ import { message } from "../errors.js";
 import { all, data, one } from "../page/dom.js";
 import { Runtime, sharedRuntime } from "../runtime/runtime.js";
 import { addPoint } from "./chart.js";
+import { decimals, words } from "../page/words.js";
 
 /** @import { Axis } from "./chart.js" */
 
@@ -65,14 +66,14 @@ export class LadderBench extends HTMLElement {
     try {
       for (const tier of this.ladder.tiers) {
         if (this.#stopped) break;
-        this.#say(`Measuring ${tier.label} …`);
+        this.#say(words("ladder.measuring", { tier: tier.label }));
         results.push(await this.#measure(runtime, tier.id));
         if (!this.isConnected) return;
         this.#show(results);
       }
       this.#end(this.#stopped ? "stopped" : "done", this.#summary(results));
     } catch (error) {
-      this.#end("failed", `The measurement broke off (${message(error)}). You can try again.`);
+      this.#end("failed", words("ladder.broke_off", { reason: message(error) }));
     }
   }
 
@@ -98,7 +99,7 @@ export class LadderBench extends HTMLElement {
 
   #stop() {
     this.#stopped = true;
-    this.#say("Stopping after this tier …");
+    this.#say(words("ladder.stopping"));
   }
 
   /**
@@ -134,15 +135,14 @@ export class LadderBench extends HTMLElement {
     this.dataset.measured = String(results.length);
     addPoint(this.#points, result, this.ladder);
     const cell = one(this, `tr[data-tier="${CSS.escape(result.tier)}"] td.own`, HTMLElement);
-    cell.textContent = milliseconds(result.milliseconds);
+    cell.textContent = decimals(milliseconds(result.milliseconds));
     this.#progress(results.length);
     this.#offer(results);
   }
 
   /** @param {Result[]} results */
   #summary(results) {
-    const counted = `${results.length} of ${this.ladder.tiers.length} tiers measured here`;
-    return `${counted}; the table and the chart show the medians.`;
+    return words("ladder.measured", { count: results.length, all: this.ladder.tiers.length });
   }
 
   /**

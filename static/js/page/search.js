@@ -6,6 +6,7 @@
 import { message } from "../errors.js";
 import { all, maybe, one, within } from "./dom.js";
 import { setText } from "./text.js";
+import { words } from "./words.js";
 
 /** @typedef {typeof import("../search/results.js")} Results */
 
@@ -50,13 +51,13 @@ function clicked(event) {
 async function refresh(dialog) {
   const failed = one(dialog, ".search-failed", HTMLElement);
   const status = one(dialog, ".search-status", HTMLElement);
-  const waits = setTimeout(() => setText(status, "Fetching the index …"), 300);
+  const waits = setTimeout(() => setText(status, words("search.fetching")), 300);
   try {
     const { show, index } = await fetchResults();
     show(dialog, index);
     failed.hidden = true;
   } catch (error) {
-    setText(status, `The search could not be fetched: ${message(error)}.`);
+    setText(status, words("search.failed", { reason: message(error) }));
     failed.hidden = false;
   } finally {
     clearTimeout(waits);

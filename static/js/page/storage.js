@@ -1,6 +1,6 @@
 /** Small things worth remembering. Where the browser forbids storage, nothing is remembered. */
 
-const PREFIX = "image-formation:";
+import { STORAGE } from "../book.js";
 
 /**
  * What was kept under `key`, or null.
@@ -10,7 +10,7 @@ const PREFIX = "image-formation:";
  */
 export function recall(key) {
   try {
-    return JSON.parse(localStorage.getItem(PREFIX + key) ?? "null");
+    return JSON.parse(localStorage.getItem(STORAGE + key) ?? "null");
   } catch {
     return null;
   }
@@ -24,8 +24,8 @@ export function recall(key) {
  */
 export function remember(key, value) {
   try {
-    if (value === null) localStorage.removeItem(PREFIX + key);
-    else localStorage.setItem(PREFIX + key, JSON.stringify(value));
+    if (value === null) localStorage.removeItem(STORAGE + key);
+    else localStorage.setItem(STORAGE + key, JSON.stringify(value));
   } catch {
     // Blocked or full: the page works the same, only without memory.
   }
@@ -39,8 +39,8 @@ export function remember(key, value) {
  */
 export function kept(names) {
   try {
-    const keys = Object.keys(localStorage).filter((key) => key.startsWith(PREFIX));
-    const fitting = keys.map((key) => key.slice(PREFIX.length)).filter((key) => names.test(key));
+    const keys = Object.keys(localStorage).filter((key) => key.startsWith(STORAGE));
+    const fitting = keys.map((key) => key.slice(STORAGE.length)).filter((key) => names.test(key));
     return Object.fromEntries(fitting.map((key) => [key, recall(key)]));
   } catch {
     return {};

@@ -3,12 +3,13 @@
  * applies the remembered theme before the first paint.
  */
 
+import { STORAGE } from "../book.js";
 import { all, within } from "./dom.js";
+import { words } from "./words.js";
 
 /** @typedef {"system" | "light" | "dark"} Theme */
 
-const KEY = "theme";
-const NAMES = { system: "System", light: "Light", dark: "Dark" };
+const KEY = `${STORAGE}theme`;
 /** @type {Record<Theme, Theme>} */
 const NEXT = { system: "light", light: "dark", dark: "system" };
 
@@ -24,11 +25,11 @@ export function installTheme() {
 
 /** Let every theme button say which theme is on. */
 export function showTheme() {
-  const name = NAMES[currentTheme()];
+  const name = words(`theme.${currentTheme()}`);
   for (const button of all(document, ".theme-toggle", HTMLButtonElement)) {
     button.dataset.choice = currentTheme();
-    button.setAttribute("aria-label", `Theme: ${name}. Press to change.`);
-    button.title = `Theme: ${name}`;
+    button.setAttribute("aria-label", words("theme.label", { name }));
+    button.title = words("theme.title", { name });
   }
 }
 

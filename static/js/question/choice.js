@@ -4,10 +4,11 @@
 
 import { all, one } from "../page/dom.js";
 import { shuffled } from "./shuffle.js";
+import { words } from "../page/words.js";
 
 /** @type {Kind} */
 export const choice = {
-  missing: "Choose an answer first.",
+  missing: "question.choose",
 
   prepare(form, question) {
     shuffleOptions(form, question.id);
@@ -74,9 +75,9 @@ function boxes(form) {
  * @param {boolean} right
  */
 function verdict(question, chosen, right) {
-  if (right) return "Right.";
+  if (right) return words("question.right");
   if (chosen.every((index) => question.options[index].correct)) {
-    return "Right so far, but something is missing.";
+    return words("question.missing");
   }
-  return question.kind === "multiple" ? "Not all of these. Try again." : "Not quite. Try again.";
+  return words(question.kind === "multiple" ? "question.not_all" : "question.wrong");
 }

@@ -3,6 +3,7 @@
 /** @import { Kind } from "./questions.js" */
 
 import { SimulationFigure } from "../figure/element.js";
+import { words } from "../page/words.js";
 
 /** @type {Kind} */
 export const figure = {
@@ -14,7 +15,7 @@ export const figure = {
     const conditions = question.conditions ?? [];
     const place = document.getElementById(form.dataset.figure ?? "");
     const shown = place?.querySelector("simulation-figure");
-    if (!(shown instanceof SimulationFigure)) throw new Error("the page has no such figure");
+    if (!(shown instanceof SimulationFigure)) throw new Error(words("question.no_figure"));
     form.setAttribute("aria-busy", "true");
     try {
       return (await shown.judge(conditions)) ?? conditions.length;
@@ -31,8 +32,8 @@ export const figure = {
 
   judge(question, given) {
     const option = question.options[given];
-    const words = option.correct ? "Right." : "Not yet. Try again.";
-    return { right: option.correct, words, replies: [option] };
+    const told = words(option.correct ? "question.right" : "question.not_yet");
+    return { right: option.correct, words: told, replies: [option] };
   },
 
   mark() {},

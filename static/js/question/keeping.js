@@ -6,6 +6,7 @@ import { forget } from "../page/storage.js";
 import { forgetPredictions, restorePredictions } from "./predictions.js";
 import { forgetQuestions, restoreQuestions } from "./questions.js";
 import { showProgress } from "./progress.js";
+import { words } from "../page/words.js";
 
 /** Listen for them on any page. */
 export function installKeeping() {
@@ -29,14 +30,14 @@ function reset(section) {
   if (section.dataset.progress === "book") forget(/^(quiz|predict):/);
   forgetQuestions();
   forgetPredictions();
-  say(section, "Forgotten.");
+  say(section, words("progress.forgotten"));
 }
 
 /** @param {HTMLElement} section */
 async function save(section) {
   const { saveProgress } = await import("./progress_file.js");
   const count = saveProgress();
-  say(section, `Saved: ${count} ${count === 1 ? "answer" : "answers"}.`);
+  say(section, words("progress.saved", { count }));
 }
 
 /**
@@ -50,9 +51,9 @@ async function read(section, file) {
     restoreQuestions();
     restorePredictions();
     showProgress();
-    say(section, `Read from ${file.name}: ${count} ${count === 1 ? "answer" : "answers"}.`);
+    say(section, words("progress.read", { file: file.name, count }));
   } catch (error) {
-    say(section, `${file.name} was not read: ${message(error)}.`);
+    say(section, words("progress.not_read", { file: file.name, reason: message(error) }));
   }
 }
 

@@ -6,6 +6,7 @@ import { all, one } from "../page/dom.js";
 import { say } from "./feedback.js";
 import { recognised } from "./number.js";
 import { farthest } from "./sketch.js";
+import { decimals, words } from "../page/words.js";
 
 /** How far, of the height of its axis, a sketched curve may be off and pass for the true one. */
 const CLOSE = 0.1;
@@ -41,7 +42,7 @@ function meetNumber(form, prediction, guess) {
   const agrees = taken === right;
   say(feedback(form), verdict(guess, agrees), taken ? [taken] : []);
   const unit = one(form, ".unit", HTMLElement).textContent ?? "";
-  const said = guess === null ? null : [`${guess} ${unit}`.trim()];
+  const said = guess === null ? null : [`${decimals(String(guess))} ${unit}`.trim()];
   sideBySide(form, said, [prediction.truth ?? ""]);
   return agrees;
 }
@@ -56,12 +57,12 @@ function meetChoice(form, { options }, guess) {
   const agrees = guess === right;
   const replies = agrees || guess === null ? [options[right]] : [options[guess], options[right]];
   say(feedback(form), verdict(guess, agrees), replies);
-  const words = (/** @type {number} */ index) => {
+  const wordsOf = (/** @type {number} */ index) => {
     const input = one(form, `input[name="guess"][value="${index}"]`, HTMLInputElement);
     const text = one(input.parentElement ?? form, ".option-text", HTMLElement);
     return [...text.cloneNode(true).childNodes];
   };
-  sideBySide(form, guess === null ? null : words(guess), words(right));
+  sideBySide(form, guess === null ? null : wordsOf(guess), wordsOf(right));
   for (const input of all(form, 'input[name="guess"]', HTMLInputElement)) {
     const { correct } = options[Number(input.value)];
     const chosen = Number(input.value) === guess;
@@ -86,7 +87,8 @@ function meetSketch(form, { sketch }, guess) {
   say(feedback(form), verdict(guess, agrees), []);
   const where = document.createElement("p");
   where.className = "explanation";
-  where.textContent = `The curves are farthest apart at ${short(x)}: you drew ${short(drawn)}, and ${short(truth)} is computed.`;
+  const numbers = { x: short(x), drawn: short(drawn), truth: short(truth) };
+  where.textContent = words("predict.farthest", numbers);
   feedback(form).append(where);
   return agrees;
 }
@@ -97,7 +99,7 @@ function meetSketch(form, { sketch }, guess) {
  * @param {number} value
  */
 function short(value) {
-  return String(Number(value.toPrecision(3))).replace("-", "\u2212");
+  return decimals(String(Number(value.toPrecision(3))).replace("-", "\u2212"));
 }
 
 /**
@@ -105,8 +107,8 @@ function short(value) {
  * @param {boolean} agrees
  */
 function verdict(guess, agrees) {
-  if (guess === null) return "Without a guess.";
-  return agrees ? "As you said." : "Not as you said.";
+  if (guess === null) return words("predict.without");
+  return words(agrees ? "predict.agrees" : "predict.differs");
 }
 
 /** @param {HTMLFormElement} form */
@@ -122,16 +124,16 @@ function feedback(form) {
 function sideBySide(form, guess, truth) {
   const list = document.createElement("dl");
   list.className = "meeting";
-  for (const [name, words, kind] of [
-    ["Your guess", guess, "guessed"],
-    ["Computed", truth, "computed"],
+  for (const [name, said, kind] of [
+    [words("predict.your_guess"), guess, "guessed"],
+    [words("predict.computed"), truth, "computed"],
   ]) {
-    if (!Array.isArray(words)) continue;
+    if (!Array.isArray(said)) continue;
     const group = document.createElement("div");
     group.className = String(kind);
     const [term, value] = [document.createElement("dt"), document.createElement("dd")];
     term.textContent = String(name);
-    value.append(...words);
+    value.append(...said);
     group.append(term, value);
     list.append(group);
   }

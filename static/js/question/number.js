@@ -3,10 +3,11 @@
 /** @import { Kind, Option } from "./questions.js" */
 
 import { one } from "../page/dom.js";
+import { words } from "../page/words.js";
 
 /** @type {Kind} */
 export const number = {
-  missing: "Type a number first.",
+  missing: "question.type",
 
   prepare() {},
 
@@ -27,7 +28,7 @@ export const number = {
       recognised(question.options, given, question.tolerance ?? 0) ??
       question.options.filter(({ value }) => value === undefined)[0];
     const right = option.correct;
-    return { right, words: right ? "Right." : "Not quite. Try again.", replies: [option] };
+    return { right, words: words(right ? "question.right" : "question.wrong"), replies: [option] };
   },
 
   mark() {},

@@ -5,6 +5,7 @@
 import { all, maybe, one, within } from "../page/dom.js";
 import { setText } from "../page/text.js";
 import { shuffled } from "./shuffle.js";
+import { words } from "../page/words.js";
 
 /** @type {Kind} */
 export const order = {
@@ -29,10 +30,11 @@ export const order = {
     const wrong = given.findIndex((/** @type {number} */ place, /** @type {number} */ at) => {
       return place !== at;
     });
-    if (wrong < 0) return { right: true, words: "Right.", replies: question.options };
-    const words = `Not quite: number ${wrong + 1} is something else. Try again.`;
+    if (wrong < 0)
+      return { right: true, words: words("question.right"), replies: question.options };
+    const told = words("question.misplaced", { place: wrong + 1 });
     const { explanation_html: html } = question.options[given[wrong]];
-    return { right: false, words, replies: [{ correct: false, explanation_html: html }] };
+    return { right: false, words: told, replies: [{ correct: false, explanation_html: html }] };
   },
 
   mark(form, _question, given) {
@@ -138,9 +140,10 @@ function tellPlace(item) {
   const form = item.closest("form");
   if (!form) return;
   const all = items(form);
-  const name = item.querySelector(".option-text")?.textContent ?? "";
+  const thing = item.querySelector(".option-text")?.textContent ?? "";
   const place = maybe(form, ".order-place", HTMLElement);
-  setText(place, `${name}: number ${all.indexOf(item) + 1} of ${all.length}`);
+  const there = { place: all.indexOf(item) + 1, count: all.length };
+  setText(place, words("question.place", { thing, ...there }));
 }
 
 /** @param {HTMLFormElement} form */

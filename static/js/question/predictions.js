@@ -16,12 +16,7 @@ import { shuffleOptions } from "./choice.js";
 import { meet } from "./meeting.js";
 import { typed } from "./number.js";
 import { curve, fitsSketch, installSketches, prepareSketch, putCurve } from "./sketch.js";
-
-const MISSING = {
-  number: "Type a number first, or ask for the answer.",
-  choice: "Choose an answer first, or ask for it.",
-  sketch: "Draw your curve first, or ask for the answer.",
-};
+import { words } from "../page/words.js";
 
 /** Listen for guesses on any page. */
 export function installPredictions() {
@@ -83,7 +78,7 @@ function commit(form) {
   const prediction = predictionOf(form);
   const guess = read(form, prediction);
   if (guess !== null) settle(form, guess);
-  else one(form, ".feedback", HTMLElement).textContent = MISSING[prediction.kind];
+  else one(form, ".feedback", HTMLElement).textContent = words(`predict.${prediction.kind}`);
 }
 
 /**

@@ -3,6 +3,7 @@
 import { all, data, maybe, one } from "../page/dom.js";
 import { recall } from "../page/storage.js";
 import { setText } from "../page/text.js";
+import { words } from "../page/words.js";
 
 /** @typedef {{right: number, wrong: number, count: number}} Tally */
 
@@ -21,9 +22,9 @@ export function showProgress() {
  */
 function inWords({ right, wrong, count }) {
   const open = count - right - wrong;
-  const parts = [`${right} of ${count} ${count === 1 ? "question" : "questions"} answered right`];
-  if (wrong > 0) parts.push(`${wrong} missed`);
-  if (open > 0 && open < count) parts.push(`${open} still to answer`);
+  const parts = [words("progress.answered", { right, count })];
+  if (wrong > 0) parts.push(words("progress.missed", { count: wrong }));
+  if (open > 0 && open < count) parts.push(words("progress.open", { count: open }));
   return `${parts.join(", ")}.`;
 }
 

@@ -3,9 +3,11 @@
  * checked as a whole before any of it is kept.
  */
 
+import { STORAGE } from "../book.js";
 import { kept, remember } from "../page/storage.js";
+import { words } from "../page/words.js";
 
-const FORMAT = "image-formation-progress";
+const FORMAT = `${STORAGE.replace(":", "")}-progress`;
 const VERSION = 1;
 const NAMES = /^(quiz|predict):[a-z0-9]+(-[a-z0-9]+)*$/;
 const LARGEST = 1_000_000;
@@ -34,7 +36,7 @@ export function saveProgress() {
  * @throws {Error} Where it is no file of answers; nothing of it is kept then.
  */
 export async function readProgress(file) {
-  if (file.size > LARGEST) throw new Error("it is too large for a file of answers");
+  if (file.size > LARGEST) throw new Error(words("progress.too_large"));
   const answers = Object.entries(checked(parsed(await file.text())));
   for (const [name, entry] of answers) remember(name, entry);
   return answers.length;
@@ -45,7 +47,7 @@ function parsed(text) {
   try {
     return JSON.parse(text);
   } catch {
-    throw new Error("it is not JSON, or only a part of it");
+    throw new Error(words("progress.no_json"));
   }
 }
 
@@ -54,19 +56,19 @@ function parsed(text) {
  * @returns {Record<string, unknown>}
  */
 function checked(content) {
-  if (content?.format !== FORMAT) throw new Error("it is no file of answers to this book");
+  if (content?.format !== FORMAT) throw new Error(words("progress.no_answers_file"));
   if (content.version !== VERSION) {
-    throw new Error(`its version is ${content.version}, and this page reads version ${VERSION}`);
+    throw new Error(words("progress.version", { version: content.version, legal: VERSION }));
   }
   const { answers } = content;
   if (typeof answers !== "object" || answers === null || Array.isArray(answers)) {
-    throw new Error("it has no answers");
+    throw new Error(words("progress.no_answers"));
   }
   for (const [name, entry] of Object.entries(answers)) {
     const given = name.startsWith("quiz:") ? entry?.answer : entry?.guess;
     const judged = name.startsWith("quiz:") ? typeof entry?.right === "boolean" : true;
     if (!NAMES.test(name) || typeof entry?.edition !== "string" || !judged || !isGiven(given)) {
-      throw new Error(`its answer ${JSON.stringify(name)} is broken`);
+      throw new Error(words("progress.broken", { name: JSON.stringify(name) }));
     }
   }
   return answers;

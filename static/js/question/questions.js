@@ -13,7 +13,7 @@
  * What one kind of question does.
  *
  * @typedef {object} Kind
- * @property {string} missing What is said where there is no answer yet.
+ * @property {string} missing Key of what is said where there is no answer yet.
  * @property {(form: HTMLFormElement, question: Question) => void} prepare Before it is answered.
  * @property {(form: HTMLFormElement, question: Question) => Given | null | Promise<Given>} read
  * @property {(question: Question, given: any) => boolean} fits Whether a remembered answer can be
@@ -33,6 +33,7 @@ import { figure } from "./figure.js";
 import { number } from "./number.js";
 import { installOrder, order } from "./order.js";
 import { showProgress } from "./progress.js";
+import { words } from "../page/words.js";
 
 /** @type {Record<string, Kind>} */
 const KINDS = { single: choice, multiple: choice, number, order, figure };
@@ -91,7 +92,8 @@ function answer(form) {
 function settle(form, question, given) {
   show(form, question, given);
   if (given === null) {
-    one(form, ".feedback", HTMLElement).textContent = KINDS[question.kind].missing;
+    const { missing } = KINDS[question.kind];
+    one(form, ".feedback", HTMLElement).textContent = missing && words(missing);
   } else {
     const right = form.dataset.answered === "correct";
     remember(`quiz:${question.id}`, { edition: question.edition, answer: given, right });
@@ -106,7 +108,7 @@ function settle(form, question, given) {
 function fail(form, error) {
   show(form, questionOf(form), null);
   const reason = message(error);
-  one(form, ".feedback", HTMLElement).textContent = `This cannot be judged now: ${reason}.`;
+  one(form, ".feedback", HTMLElement).textContent = words("question.no_judge", { reason });
   showProgress();
 }
 

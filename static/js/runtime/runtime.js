@@ -7,6 +7,7 @@
  */
 
 import { all } from "../page/dom.js";
+import { words } from "../page/words.js";
 
 /**
  * Longest wait for an answer in milliseconds. Starting may include a slow download.
@@ -31,11 +32,18 @@ export class RuntimeFailure extends Error {
   /**
    * @param {"python" | "start" | "lost"} kind
    * @param {string} message
+   * @param {boolean} [late] Whether the time was up.
    */
-  constructor(kind, message) {
+  constructor(kind, message, late = false) {
     super(message);
     this.kind = kind;
+    this.late = late;
   }
+}
+
+/** Of an interpreter that is ended on purpose. */
+export function closed() {
+  return new RuntimeFailure("lost", words("runtime.closed"));
 }
 
 /**
@@ -119,14 +127,14 @@ export class Runtime {
   forget(figure) {
     const leaving = this.#waiting.filter((call) => call.payload.figure === figure);
     this.#waiting = this.#waiting.filter((call) => !leaving.includes(call));
-    for (const call of leaving) call.reject(new RuntimeFailure("lost", "the figure has gone"));
+    for (const call of leaving) call.reject(new RuntimeFailure("lost", words("runtime.gone")));
     if (this.#worker) this.call("forget", { figure }).catch(() => {});
   }
 
   /** End the worker; who waits for it hears that it is gone. */
   close() {
-    for (const call of this.#waiting.splice(0)) call.reject(new RuntimeFailure("lost", "closed"));
-    if (this.#worker) this.#lose("closed");
+    for (const call of this.#waiting.splice(0)) call.reject(closed());
+    if (this.#worker) this.#lose(closed().message);
   }
 
   #next() {
@@ -147,9 +155,9 @@ export class Runtime {
     this.#worker.onmessage = (event) => this.#receive(event.data);
     this.#worker.onerror = (event) => {
       event.preventDefault();
-      this.#lose(event.message || "the worker could not be loaded");
+      this.#lose(event.message || words("runtime.no_worker"));
     };
-    this.#worker.onmessageerror = () => this.#lose("an answer could not be read");
+    this.#worker.onmessageerror = () => this.#lose(words("runtime.unreadable"));
     this.#send({
       id: ++this.#lastId,
       name: "start",
@@ -166,7 +174,7 @@ export class Runtime {
     const { scene, limit: given } = call.payload;
     const limit = given ?? (scene && !this.#seen.has(scene) ? LIMITS.first : LIMITS[call.name]);
     if (scene) this.#seen.add(scene);
-    this.#watchdog = setTimeout(() => this.#lose("the computation did not end in time"), limit);
+    this.#watchdog = setTimeout(() => this.#lose(words("runtime.late"), true), limit);
     this.#worker?.postMessage({ id: call.id, call: call.name, ...call.payload });
   }
 
@@ -188,13 +196,14 @@ export class Runtime {
    * The worker is of no more use: end it, tell its caller, and go on with a new one.
    *
    * @param {string} message
+   * @param {boolean} [late]
    */
-  #lose(message) {
+  #lose(message, late = false) {
     const call = this.#active;
     this.#settle();
     this.#worker?.terminate();
     this.#worker = null;
-    call?.reject(new RuntimeFailure(call.name === "start" ? "start" : "lost", message));
+    call?.reject(new RuntimeFailure(call.name === "start" ? "start" : "lost", message, late));
     this.#next();
   }
 

@@ -45,18 +45,28 @@ const OPENING = 0.6;
 const ENTRY = 0.4;
 /** For the last section of the book; the first has 1. What comes again was explained before. */
 const LAST = 0.9;
-const STOP_WORDS = new Set(
-  "a an and are as at be by for from how in is it its of on or that the this to what which with why".split(
-    " ",
-  ),
-);
+
+/**
+ * How words of a language are compared.
+ *
+ * @typedef {{stem: (word: string) => string, stopWords: Set<string>}} Language
+ */
+
+/**
+ * @param {(word: string) => string} stem
+ * @param {string} stopWords Words that say nothing of what is looked for, parted by blanks.
+ * @returns {Language}
+ */
+export function language(stem, stopWords) {
+  return { stem, stopWords: new Set(stopWords.split(" ").map(fold)) };
+}
 
 /**
  * What the index is made with; it must be opened with the same.
  *
- * @param {(word: string) => string} stem
+ * @param {Language} language
  */
-export function settings(stem) {
+export function settings({ stem, stopWords }) {
   return {
     fields: FIELDS,
     storeFields: ["address", ...FIELDS],
@@ -65,7 +75,7 @@ export function settings(stem) {
     /** @param {string} word */
     processTerm: (word) => {
       const plain = fold(word);
-      if (STOP_WORDS.has(plain)) return null;
+      if (stopWords.has(plain)) return null;
       const root = stem(plain);
       return root === plain ? plain : [plain, root];
     },
@@ -86,12 +96,13 @@ export function fold(text) {
  * there is none of these, those with some of the words. Best first.
  *
  * @param {any} index A MiniSearch.
- * @param {(word: string) => string} stem
+ * @param {Language} language
  * @param {string} query
  * @returns {{hits: Hit[], exact: boolean}}
  */
-export function find(index, stem, query) {
-  const words = wordsOf(query);
+export function find(index, language, query) {
+  const { stem } = language;
+  const words = wordsOf(query, language);
   if (words.length === 0) return { hits: [], exact: true };
   const attempts = [
     { combineWith: "AND", fuzzy: false },
@@ -114,15 +125,18 @@ export function find(index, stem, query) {
         processTerm: (/** @type {string} */ word) => word,
       },
     );
-    if (found.length > 0) return { hits: ranked(index, found, words, stem), exact: !fuzzy };
+    if (found.length > 0) return { hits: ranked(index, found, words, language), exact: !fuzzy };
   }
   return { hits: [], exact: true };
 }
 
-/** @param {string} query */
-function wordsOf(query) {
+/**
+ * @param {string} query
+ * @param {Language} language
+ */
+function wordsOf(query, { stopWords }) {
   const words = fold(query).match(/[\p{L}\p{N}]+/gu) ?? [];
-  const telling = words.filter((word) => !STOP_WORDS.has(word));
+  const telling = words.filter((word) => !stopWords.has(word));
   return telling.length > 0 ? telling : words;
 }
 
@@ -130,13 +144,14 @@ function wordsOf(query) {
  * @param {any} index
  * @param {any[]} found As MiniSearch tells it.
  * @param {string[]} words
- * @param {(word: string) => string} stem
+ * @param {Language} language
  * @returns {Hit[]}
  */
-function ranked(index, found, words, stem) {
+function ranked(index, found, words, language) {
+  const { stem } = language;
   const asked = words.map(stem).join(" ");
   /** @param {string} text */
-  const roots = (text) => wordsOf(text).map(stem).join(" ");
+  const roots = (text) => wordsOf(text, language).map(stem).join(" ");
   const hits = found.map(({ terms: matched, ...section }) => {
     let { score } = section;
     const isAsked = (/** @type {string} */ term) => roots(term) === asked;

@@ -2,17 +2,18 @@
 
 import { one } from "../page/dom.js";
 import { setText } from "../page/text.js";
+import { words } from "../page/words.js";
 import { excerpt } from "./excerpt.js";
-import { find, settings } from "./ranking.js";
+import { find, language, settings } from "./ranking.js";
 
-/** @import { Hit } from "./ranking.js" */
+/** @import { Hit, Language } from "./ranking.js" */
 
 /**
- * The sections of the book, and how their words are brought to their stems.
+ * The sections of the book, and how their words are compared.
  *
  * @typedef {object} Index
  * @property {any} sections A MiniSearch.
- * @property {(word: string) => string} stem
+ * @property {Language} language
  */
 
 /** Links that are shown at once. */
@@ -37,9 +38,12 @@ export async function fetchIndex() {
     library("stemmer.js"),
     fetch(address("root", "search/index.json"), { cache: "no-cache" }),
   ]);
-  if (!reply.ok) throw new Error(`the index answered ${reply.status}`);
-  const stem = remembering(stemmer);
-  return { sections: MiniSearch.loadJS(await reply.json(), settings(stem)), stem };
+  if (!reply.ok) throw new Error(words("search.index_answered", { status: reply.status }));
+  const compared = language(remembering(stemmer), words("search.stop_words"));
+  return {
+    sections: MiniSearch.loadJS(await reply.json(), settings(compared)),
+    language: compared,
+  };
 }
 
 /**
@@ -59,33 +63,30 @@ const shown = new WeakMap();
  * @param {HTMLDialogElement} dialog
  * @param {Index} index
  */
-export function show(dialog, { sections, stem }) {
-  const words = one(dialog, "input", HTMLInputElement).value.trim();
+export function show(dialog, { sections, language: compared }) {
+  const query = one(dialog, "input", HTMLInputElement).value.trim();
   const list = one(dialog, ".search-results", HTMLElement);
-  if (shown.get(list) === words) return;
-  shown.set(list, words);
-  const { hits, exact } = find(sections, stem, words);
+  if (shown.get(list) === query) return;
+  shown.set(list, query);
+  const { hits, exact } = find(sections, compared, query);
   const template = one(dialog, "template", HTMLTemplateElement);
-  list.replaceChildren(...hits.slice(0, MOST).map((hit) => item(template, hit, stem)));
+  list.replaceChildren(...hits.slice(0, MOST).map((hit) => item(template, hit, compared.stem)));
   list.scrollTop = 0;
-  setText(one(dialog, ".search-status", HTMLElement), summary(words, hits.length, exact));
-  one(dialog, ".search-hint", HTMLElement).hidden = words !== "";
-  one(dialog, ".search-nothing", HTMLElement).hidden = words === "" || hits.length > 0;
+  setText(one(dialog, ".search-status", HTMLElement), summary(query, hits.length, exact));
+  one(dialog, ".search-hint", HTMLElement).hidden = query !== "";
+  one(dialog, ".search-nothing", HTMLElement).hidden = query === "" || hits.length > 0;
 }
 
 /**
- * @param {string} words
+ * @param {string} query
  * @param {number} count
  * @param {boolean} exact
  */
-function summary(words, count, exact) {
-  if (words === "") return "";
-  if (count === 0) return `Nothing found for “${words}”.`;
-  const sections = `${count} section${count === 1 ? "" : "s"}`;
-  const best = count > MOST ? `, of which the best ${MOST} are shown` : "";
-  return exact
-    ? `${sections}${best}.`
-    : `Nothing has just these words. Near them: ${sections}${best}.`;
+function summary(query, count, exact) {
+  if (query === "") return "";
+  if (count === 0) return words("search.none", { words: query });
+  const key = exact ? "search.found" : "search.near";
+  return words(count > MOST ? `${key}_best` : key, { count, most: MOST });
 }
 
 /**

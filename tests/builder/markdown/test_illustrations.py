@@ -4,12 +4,12 @@ from collections.abc import Callable
 from dataclasses import replace
 
 import pytest
+from support.found import ILLUSTRATIONS
 
 from simulations.engine.frame import Panel
 from simulations.engine.illustration import Illustration
-from simulations.illustrations.table import ILLUSTRATIONS
+from simulations.illustrations import similar_triangles
 from site_builder.build import Options, render_site
-from site_builder.markdown.directives import illustration
 
 NAME = "similar-triangles"
 CAPTION = "Two *triangles*.\n:::\n"
@@ -71,7 +71,7 @@ def test_a_drawing_that_fails_is_the_author_s_to_see(
     def draw() -> Illustration:
         return replace(Illustration((Panel("a", "", 1, 1),), "Shows."), description="")
 
-    monkeypatch.setattr(illustration, "ILLUSTRATIONS", {NAME: draw})
+    monkeypatch.setattr(similar_triangles, "draw", draw)
     found = mistakes(f":::{{illustration}} {NAME}\n{CAPTION}")
     assert len(found) == 1
     assert f"content/00-first.md:5: illustration '{NAME}' cannot be drawn: " in found[0]

@@ -25,16 +25,16 @@ def test_an_address_ends_in_a_slash(given: str) -> None:
         "javascript://host/%0aalert(1)",
     ],
 )
-def test_what_is_no_address_is_refused(given: object) -> None:
-    with pytest.raises(ValueError, match="legal: 'https://host/'"):
+def test_what_is_no_address_is_refused(given: str) -> None:
+    with pytest.raises(ValueError, match='legal: "https://host/path/"'):
         site_address(given)
 
 
 @pytest.mark.parametrize(
-    "given", ["https://host/", "{path}", "https://host/{path}/{path}", "javascript:{path}", 1]
+    "given", ["https://host/", "{path}", "https://host/{path}/{path}", "javascript:{path}"]
 )
-def test_an_address_of_sources_has_one_place_for_a_path(given: object) -> None:
-    with pytest.raises(ValueError, match=r"with \{path\} once"):
+def test_an_address_of_sources_has_one_place_for_a_path(given: str) -> None:
+    with pytest.raises(ValueError, match=r"legal: .*\{path\}"):
         source_address(given)
 
 

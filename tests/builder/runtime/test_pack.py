@@ -8,13 +8,14 @@ import shutil
 import subprocess
 import sys
 import zipfile
+from collections.abc import Collection
 from io import BytesIO
 from pathlib import Path
 
 import pytest
 
 from site_builder.runtime.freeze import Frozen
-from site_builder.runtime.imports import read_imports
+from site_builder.runtime.imports import module_files, read_imports
 from site_builder.runtime.pack import (
     pack_runtime,
     page_modules,
@@ -49,26 +50,30 @@ def names(archive: bytes) -> list[str]:
 EVERY_MODULE = ("simulations", "simulations.models", "simulations.models.noise")
 
 
+def archive(package: Path, modules: Collection[str] = EVERY_MODULE) -> bytes:
+    return source_archive(module_files(package), modules)
+
+
 def test_equal_sources_give_equal_bytes(package: Path, tmp_path: Path) -> None:
     copy = tmp_path / "elsewhere" / "simulations"
     shutil.copytree(package, copy)
     for file in copy.rglob("*"):
         os.utime(file, (1_000_000_000, 1_000_000_000))
-    assert source_archive(package, EVERY_MODULE) == source_archive(copy, EVERY_MODULE)
+    assert archive(package) == archive(copy)
 
 
 def test_a_changed_source_changes_the_archive(package: Path) -> None:
-    before = source_archive(package, EVERY_MODULE)
+    before = archive(package)
     (package / "models" / "__init__.py").write_text("ANSWER = 43\n")
-    assert source_archive(package, EVERY_MODULE) != before
+    assert archive(package) != before
 
 
 def test_the_archive_holds_the_modules_and_nothing_else(package: Path) -> None:
-    assert names(source_archive(package, EVERY_MODULE)) == [
+    assert names(archive(package)) == [
         *("simulations/__init__.py", "simulations/models/__init__.py"),
         "simulations/models/noise.py",
     ]
-    few = source_archive(package, EVERY_MODULE[:2])
+    few = archive(package, EVERY_MODULE[:2])
     assert names(few) == ["simulations/__init__.py", "simulations/models/__init__.py"]
 
 

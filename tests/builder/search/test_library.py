@@ -14,7 +14,6 @@ from site_builder.output.assets import content_bytes
 from site_builder.search import library
 from site_builder.search.library import (
     HERE,
-    PARTS,
     SearchLibrary,
     SearchLibraryError,
     fetch_library,
@@ -33,19 +32,19 @@ def test_the_library_is_fetched_once_and_kept(
 ) -> None:
     fetched: list[int] = []
 
-    def fetch() -> Mapping[str, bytes]:
+    def fetch(shipped: Mapping[str, str]) -> Mapping[str, bytes]:
         fetched.append(1)
-        return {**dict.fromkeys(PARTS, b"export {}"), "packages.json": b"[]"}
+        return {**dict.fromkeys(shipped, b"export {}"), "packages.json": b"[]"}
 
     monkeypatch.setattr(library, "_fetch", fetch)
-    assert fetch_library(tmp_path) == fetch_library(tmp_path)
+    assert fetch_library("en", tmp_path) == fetch_library("en", tmp_path)
     assert len(fetched) == 1
 
 
 def test_without_the_library_the_book_is_built_without_search_and_says_so(
     make_book: Callable[..., build.Options], monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    def refuse() -> SearchLibrary:
+    def refuse(_language: str) -> SearchLibrary:
         raise SearchLibraryError("its packages could not be had from npm: no network")
 
     monkeypatch.setattr(build, "fetch_library", refuse)

@@ -1,0 +1,159 @@
+"""Labels beside their points: within the panel, not on each other, off the curves where they can.
+
+    place_labels([Label(peak, "peak", "ray"), Label(foot, "Nyquist")], Room(0, 0, 400, 300))
+
+Each takes the best place left by those before it, so the most important comes first. Costs are
+rounded, so that CPython and Pyodide choose alike.
+"""
+
+from collections.abc import Iterable, Iterator, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from simulations.engine.drafting import label
+from simulations.engine.drawing import Point
+from simulations.engine.plotting.letters import ASCENT, DESCENT, size_of, width_of
+
+SIDES = {
+    "above right": (1, -1),
+    "right": (1, 0),
+    "above": (0, -1),
+    "left": (-1, 0),
+    "above left": (-1, -1),
+    "below right": (1, 1),
+    "below": (0, 1),
+    "below left": (-1, 1),
+}
+"""Where a label may stand, the places liked best first, and in which directions that is."""
+FARTHER = (1.0, 2.0, 3.5)
+"""Multiples of the label's own distance."""
+OUTSIDE, ON_LABEL, ON_CURVE, LATER = 1e3, 1e2, 20.0, 2.0
+"""Costs: of a unit outside, of a unit of area in common, of a point hidden, of each place later."""
+SPACING = 5.0
+"""Of the points at which a curve is asked whether it is hidden."""
+
+
+@dataclass(frozen=True, slots=True)
+class Room:
+    """A rectangle in view box units."""
+
+    left: float
+    top: float
+    right: float
+    bottom: float
+
+    def shared(self, other: "Room") -> float:
+        """Area in common."""
+        width = min(self.right, other.right) - max(self.left, other.left)
+        height = min(self.bottom, other.bottom) - max(self.top, other.top)
+        return max(width, 0.0) * max(height, 0.0)
+
+    def sticks_out_of(self, other: "Room") -> float:
+        """Units, over all sides."""
+        beyond = (
+            (other.left - self.left, self.right - other.right),
+            (other.top - self.top, self.bottom - other.bottom),
+        )
+        return sum(max(units, 0.0) for pair in beyond for units in pair)
+
+    def holds(self, points: np.ndarray) -> int:
+        """How many of the points (n, 2) lie in it."""
+        across = (points[:, 0] > self.left) & (points[:, 0] < self.right)
+        return int((across & (points[:, 1] > self.top) & (points[:, 1] < self.bottom)).sum())
+
+
+@dataclass(frozen=True, slots=True)
+class Label:
+    """Words that belong to a point."""
+
+    point: Point
+    words: str
+    style: str = ""
+    prefer: str = "above right"
+    """The side that is tried first; a key of `SIDES`."""
+    distance: float = 9.0
+
+    def __post_init__(self) -> None:
+        if self.prefer not in SIDES:
+            raise ValueError(f"prefer={self.prefer!r}; legal: {', '.join(map(repr, SIDES))}")
+
+
+@dataclass(frozen=True, slots=True)
+class Placed:
+    """Where a label may stand."""
+
+    baseline: tuple[float, float]
+    anchor: str
+    room: Room
+
+
+def place_labels(
+    labels: Sequence[Label],
+    inside: Room,
+    curves: Iterable[Sequence[Point]] = (),
+    taken: Sequence[Room] = (),
+) -> str:
+    """SVG of the labels; ``curves`` are not hidden if that can be, and ``taken`` is kept free."""
+    hidden = _along(curves)
+    rooms, marks = list(taken), []
+    for wanted in labels:
+        best = _best(_places(wanted, inside), inside, rooms, hidden)
+        rooms.append(best.room)
+        marks.append(label(best.baseline, wanted.words, wanted.style, best.anchor))
+    return "".join(marks)
+
+
+def _places(wanted: Label, inside: Room) -> Iterator[Placed]:
+    sides = [SIDES[wanted.prefer], *(s for name, s in SIDES.items() if name != wanted.prefer)]
+    width, size = width_of(wanted.words, wanted.style), size_of(wanted.style)
+    height = (ASCENT + DESCENT) * size
+    for farther in FARTHER:
+        away = wanted.distance * farther
+        for right, down in sides:
+            slant = 0.7 if right and down else 1.0
+            x = float(wanted.point[0]) + right * away * slant
+            middle = float(wanted.point[1]) + down * (away * slant + 0.5 * height)
+            left = x - width * (0.5 - 0.5 * right)
+            if not right:  # above and below, a label may be pushed along to stay inside
+                left = min(max(left, inside.left), inside.right - width)
+                x = left + 0.5 * width
+            top = middle - 0.5 * height
+            anchor = ("end", "middle", "start")[right + 1]
+            room = Room(left, top, left + width, top + height)
+            yield Placed((x, top + ASCENT * size), anchor, room)
+
+
+def _best(
+    places: Iterator[Placed], inside: Room, rooms: Sequence[Room], hidden: np.ndarray
+) -> Placed:
+    chosen = next(places)
+    least = _cost(chosen.room, inside, rooms, hidden)
+    for later, place in enumerate(places, start=1):
+        if least <= LATER * later:
+            break  # no place after this one can cost less
+        cost = LATER * later + _cost(place.room, inside, rooms, hidden)
+        if cost < least:
+            chosen, least = place, cost
+    return chosen
+
+
+def _cost(room: Room, inside: Room, rooms: Sequence[Room], hidden: np.ndarray) -> float:
+    cost = OUTSIDE * room.sticks_out_of(inside)
+    cost += ON_LABEL * sum(room.shared(other) for other in rooms)
+    return round(cost + ON_CURVE * room.holds(hidden), 3)
+
+
+def _along(curves: Iterable[Sequence[Point]]) -> np.ndarray:
+    """Points (n, 2) along the curves, close enough that no label fits between two of them."""
+    found = [np.empty((0, 2))]
+    for curve in curves:
+        places = np.asarray([(point[0], point[1]) for point in curve], float)
+        if len(places) < 2:
+            found.append(places.reshape(-1, 2))
+            continue
+        steps = np.hypot(*np.diff(places, axis=0).T)
+        way = np.concatenate(([0.0], np.cumsum(steps)))
+        at = np.linspace(0.0, way[-1], max(2, int(np.ceil(way[-1] / SPACING)) + 1))
+        found.append(np.stack([np.interp(at, way, places[:, n]) for n in (0, 1)], axis=-1))
+    return np.concatenate(found)

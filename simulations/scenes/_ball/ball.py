@@ -1,0 +1,181 @@
+"""The ball of the two scenes on reflection: its pixels, and where light is computed on it.
+
+It is seen from far away, so that a point of the picture, counted in radii from the centre, is
+the sideways part of the normal there. Directions in the horizontal plane are given by their
+angle from the camera's, positive to the right.
+"""
+
+import math
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+from functools import partial
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from simulations.engine.frame import Panel, Raster, Readout, format_magnitude
+from simulations.engine.raster import to_rgba8
+from simulations.models.arrays import Floats, Mask
+from simulations.models.color.srgb import encode_srgb, encode_srgb_table
+from simulations.models.error_measures import root_mean_square
+from simulations.models.light.cell_blending import blend_cells, blend_normals
+from simulations.scenes._ball.marks import CENTRE, HEIGHT, RADIUS, WIDTH
+
+type Picture = NDArray[np.float32]
+
+PIXELS_PER_UNIT = 1.25
+"""Raster pixels per unit of the view box."""
+RADIUS_PX = RADIUS * PIXELS_PER_UNIT
+
+
+@dataclass(frozen=True, slots=True)
+class Ball:
+    """What of the picture does not depend on any control."""
+
+    x: Picture
+    """(w,) pixels to the right of the centre, of the columns of the square around the ball."""
+    y: Picture
+    """(h,) pixels above the centre, of its rows."""
+    normals: Picture
+    """(h, w, 3) unit normals in the square; z towards the camera."""
+    inner: Mask
+    """(h, w) pixels that the ball covers whole."""
+    rim: Mask
+    """(h, w) pixels that it covers in part."""
+    rim_coverage: Picture
+    """(rim pixels, 1) share that it covers."""
+    behind_rim: Picture
+    """(rim pixels, 3) linear light of the wall there."""
+    backdrop: NDArray[np.uint8]
+    """(H, W, 4) the wall alone."""
+    square: tuple[slice, slice]
+    """Where the square lies in the picture."""
+
+
+def build_ball() -> Ball:
+    """Normals, edge coverage and backdrop, once."""
+    scale = PIXELS_PER_UNIT
+    height, width = round(HEIGHT * scale), round(WIDTH * scale)
+    across = np.arange(width, dtype=np.float32) + 0.5 - CENTRE[0] * scale
+    up = CENTRE[1] * scale - np.arange(height, dtype=np.float32) - 0.5
+    rows, columns = (np.flatnonzero(np.abs(axis) < RADIUS_PX + 1) for axis in (up, across))
+    square = (slice(rows[0], rows[-1] + 1), slice(columns[0], columns[-1] + 1))
+    y, x = up[square[0]], across[square[1]]
+    coverage = np.clip(RADIUS_PX - np.hypot(x, y[:, None]) + 0.5, 0, 1).astype(np.float32)
+    rim = (coverage > 0) & (coverage < 1)
+    wall = _wall(across, up)
+    return Ball(
+        x=x,
+        y=y,
+        normals=unit_normals(x, y),
+        inner=coverage == 1,
+        rim=rim,
+        rim_coverage=coverage[rim][:, None],
+        behind_rim=wall[square][rim],
+        backdrop=to_rgba8(encode_srgb(wall)),
+        square=square,
+    )
+
+
+def unit_normals(x: Floats, y: Floats) -> Picture:
+    """(h, w, 3) at columns ``x`` and rows ``y``; beside the ball, those of its rim."""
+    across, up = np.meshgrid(x, y)
+    distance = np.hypot(across, up)
+    outer = np.maximum(distance, RADIUS_PX)
+    depth = np.sqrt(np.maximum(RADIUS_PX**2 - distance**2, 0))
+    return np.stack([across / outer, up / outer, depth / outer], axis=-1).astype(np.float32)
+
+
+def _wall(x: Picture, y: Picture) -> Picture:
+    """A slate wall in linear light, a little lighter behind the ball."""
+    distance = np.hypot(x, y[:, None]) / (WIDTH * PIXELS_PER_UNIT)
+    level = 0.105 - 0.085 * np.minimum(distance, 0.8)
+    return (level[..., None] * np.array([0.92, 1.0, 1.12])).astype(np.float32)
+
+
+def light_direction(angle_deg: float) -> NDArray[np.float64]:
+    """Unit vector in the horizontal plane: 0° from the camera, 90° from the right.
+
+    At ±90° and ±180° its zeros are exact. With sin 180° = 1.2e-16 a light from behind would
+    light the rim on one side.
+    """
+    off_axis = angle_deg if abs(angle_deg) <= 90 else math.copysign(180, angle_deg) - angle_deg
+    across, along = math.sin(math.radians(off_axis)), math.sin(math.radians(90 - abs(angle_deg)))
+    return np.array([across, 0.0, along])
+
+
+def _corner_normals(ball: Ball, cells: int) -> Picture:
+    """(cells + 1, cells + 1, 3) at the corners of a grid over the square."""
+    x, y = (np.linspace(axis[0], axis[-1], cells + 1) for axis in (ball.x, ball.y))
+    return unit_normals(x, y)
+
+
+def _blended_normals(ball: Ball, cells: int) -> Floats:
+    """(h, w, 3) of all pixels, from those at the corners of a grid."""
+    return blend_normals(_corner_normals(ball, cells), *ball.inner.shape)
+
+
+LIT: Mapping[str, Callable[[Ball], Floats]] = {
+    **{f"gouraud-{cells}": partial(_corner_normals, cells=cells) for cells in (8, 16, 32, 64)},
+    "phong": lambda ball: ball.normals,
+    "blended-normals-16": partial(_blended_normals, cells=16),
+}
+"""The normals that a tier computes light for: of all pixels, or of its grid's corners.
+
+Tiers are rungs of the ladder `shading`; its Blinn–Phong is a control of a scene.
+"""
+DEFAULT_TIER = "phong"
+TIER_LABELS = {"phong": "Light in every pixel"}
+
+
+def lit_normals(ball: Ball, tier: str) -> Floats:
+    """(..., 3) unit normals, by the tier's entry in `LIT`."""
+    return LIT[tier](ball)
+
+
+def light_of_pixels(light: Floats, ball: Ball) -> Floats:
+    """(h, w, ...) light, blended across the cells where only their corners were lit."""
+    return light if light.shape[:2] == ball.inner.shape else blend_cells(light, *ball.inner.shape)
+
+
+def paint(ball: Ball, linear: Floats) -> NDArray[np.uint8]:
+    """(H, W, 4) bytes of (h, w) or (h, w, 3) light. Only the rim mixes ball and wall."""
+    picture = ball.backdrop.copy()
+    square = picture[ball.square]
+    shown = to_rgba8(encode_srgb_table(linear))
+    # Four bytes are one number here: picked and laid down at once, not row by row of a mask.
+    np.copyto(_whole_pixels(square), _whole_pixels(shown), where=ball.inner)
+    on_rim = linear[ball.rim].reshape(len(ball.behind_rim), -1)
+    mixed = ball.behind_rim + ball.rim_coverage * (on_rim - ball.behind_rim)
+    square[ball.rim] = to_rgba8(encode_srgb_table(mixed)[None])[0]
+    return picture
+
+
+def _whole_pixels(rgba: NDArray[np.uint8]) -> NDArray[np.uint32]:
+    """The same bytes (h, w, 4), each pixel as one number (h, w)."""
+    return rgba.view(np.uint32)[..., 0]
+
+
+def camera_panel(picture: Raster, overlay: str) -> Panel:
+    """The picture with its marks."""
+    return Panel("camera", "What the camera sees", WIDTH, HEIGHT, picture, overlay)
+
+
+def true_cosine(ball: Ball, angle_deg: float) -> NDArray[np.float64]:
+    """n · d (h, w) with the direction at that angle, from the equation of the sphere, float64."""
+    return true_normals(ball) @ light_direction(angle_deg)
+
+
+def true_normals(ball: Ball) -> NDArray[np.float64]:
+    """(h, w, 3) from the equation of the sphere, float64; z is 0 beside the ball."""
+    x, y = np.meshgrid(*(axis.astype(np.float64) / RADIUS_PX for axis in (ball.x, ball.y)))
+    return np.stack([x, y, np.sqrt(np.maximum(1.0 - x * x - y * y, 0.0))], axis=-1)
+
+
+def judge(ball: Ball, light: ArrayLike, truth: Floats) -> Readout:
+    """RMS difference of (h, w) linear light from the truth, over the pixels of the ball alone."""
+    wrong = (np.asarray(light, np.float64) - truth)[ball.inner]
+    label = "RMS error of the light against its formula in float64"
+    return Readout(
+        "error", label, format_magnitude(root_mean_square(wrong), 1e-9), "of white", "error"
+    )

@@ -1,0 +1,173 @@
+"""The drawings of the Lambertian scene: over the sphere, and the sphere from above.
+
+World axes: x right, y up, z towards the camera. Directions in the horizontal plane are given
+by their angle from the camera's direction, positive to the right: ``(sin, 0, cos)``.
+"""
+
+import math
+from collections.abc import Iterator
+
+from simulations.engine.drawing import (
+    Point,
+    arrow,
+    circle,
+    dot,
+    line,
+    polygon,
+    polyline,
+    rectangle,
+    text,
+)
+from simulations.engine.frame import format_number
+from simulations.scenes._ball.marks import (
+    CENTRE,
+    HEIGHT,
+    RADIUS,
+    lamp,
+    on_equator,
+    probed_point,
+    shadow_edge,
+)
+
+PLAN_CENTRE, PLAN_RADIUS, VECTOR = (200.0, 136.0), 74.0, 62.0
+"""The sphere from above, and the length of a unit vector there."""
+LAMP_DISTANCE = 126.0
+"""From the middle of the sphere to where the lamp is drawn: it shines from far away."""
+
+
+def over_sphere(light_rad: float, probe_rad: float, show_normals: bool) -> str:
+    """Terminator, brightest point, light rays and probed point on the camera's view."""
+    parts = [*_picture_normals()] if show_normals else []
+    parts += shadow_edge(light_rad)
+    parts += _picture_rays(light_rad)
+    if math.cos(light_rad) > 0.05:
+        brightest = on_equator(light_rad)
+        parts += [circle(brightest, 7, "casing"), circle(brightest, 7, "light")]
+    return "".join((*parts, *probed_point(probe_rad, "ray")))
+
+
+def _picture_rays(light_rad: float) -> Iterator[str]:
+    """Three parallel rays beside the sphere, foreshortened as the camera sees them."""
+    across = math.sin(light_rad)
+    length = 62 * abs(across)
+    if length < 12:
+        return
+    side = math.copysign(1, across)
+    for offset in (-46, 0, 46):
+        edge = math.sqrt(RADIUS**2 - offset**2) + 8
+        start = (CENTRE[0] + side * (edge + length), CENTRE[1] + offset)
+        end = (CENTRE[0] + side * edge, CENTRE[1] + offset)
+        yield from _cased_arrow(start, end, "light")
+
+
+def _picture_normals() -> Iterator[str]:
+    """Normals of the visible half, foreshortened; those towards the camera shrink to a point."""
+    for latitude in (-60, -30, 0, 30, 60):
+        for longitude in (-75, -50, -25, 0, 25, 50, 75):
+            x = math.cos(math.radians(latitude)) * math.sin(math.radians(longitude))
+            y = -math.sin(math.radians(latitude))
+            foot = (CENTRE[0] + RADIUS * x, CENTRE[1] + RADIUS * y)
+            tip = (foot[0] + 30 * x, foot[1] + 30 * y)
+            yield from _cased_arrow(foot, tip, "world thin", head=6)
+
+
+def _cased_arrow(start: Point, end: Point, style: str, head: float = 8) -> Iterator[str]:
+    """An arrow that stands out from any picture: over a wider one in the paper's colour."""
+    length = math.hypot(end[0] - start[0], end[1] - start[1])
+    if length < head:
+        yield circle(end, 2.5, "casing")
+        yield dot(end, style, 2)
+        return
+    past = 1 + 2 / length
+    wide_end = (start[0] + (end[0] - start[0]) * past, start[1] + (end[1] - start[1]) * past)
+    yield arrow(start, wide_end, "casing", head + 5)
+    yield arrow(start, end, style, head)
+
+
+def from_above(light_rad: float, probe_rad: float, theta_rad: float, show_normals: bool) -> str:
+    """The equator seen from above, the camera at the bottom: every angle is true here."""
+    night = [in_plan(light_rad + math.pi * (0.5 + step / 32), PLAN_RADIUS) for step in range(33)]
+    day = [in_plan(light_rad + math.pi * (step / 32 - 0.5), PLAN_RADIUS) for step in range(33)]
+    probed = in_plan(probe_rad, PLAN_RADIUS)
+    n_tip, l_tip = _from(probed, probe_rad, VECTOR), _from(probed, light_rad, VECTOR)
+    n_label, l_label = _label_places(probed, probe_rad, light_rad)
+    parts = [
+        *_plan_rays(light_rad),
+        polygon(night, "muted fill"),
+        polyline(day, "light bold"),
+        line(night[0], night[-1], "light dashed"),
+        *lamp(in_plan(light_rad, LAMP_DISTANCE)),
+        *(_plan_normals() if show_normals else ()),
+        _camera(),
+        _angle(probed, probe_rad, light_rad, theta_rad),
+        arrow(probed, l_tip, "light bold"),
+        arrow(probed, n_tip, "world bold"),
+        dot(probed, "ray", 5.5),
+        text(n_label, "n", "world strong halo", "middle"),
+        text(l_label, "l", "light strong halo", "middle"),
+    ]
+    return "".join(parts)
+
+
+def _plan_rays(light_rad: float) -> Iterator[str]:
+    """Parallel rays that end on the lit half of the equator."""
+    towards = (math.sin(light_rad), math.cos(light_rad))
+    aside = (towards[1], -towards[0])
+    for share in (-0.8, -0.4, 0, 0.4, 0.8):
+        near = PLAN_RADIUS * math.sqrt(1 - share**2) + 4
+        foot = (
+            PLAN_CENTRE[0] + aside[0] * share * PLAN_RADIUS,
+            PLAN_CENTRE[1] + aside[1] * share * PLAN_RADIUS,
+        )
+        start = (foot[0] + towards[0] * 124, foot[1] + towards[1] * 124)
+        end = (foot[0] + towards[0] * near, foot[1] + towards[1] * near)
+        yield arrow(start, end, "light thin faint", head=7)
+
+
+def _plan_normals() -> Iterator[str]:
+    for degrees in range(-90, 91, 15):
+        angle = math.radians(degrees)
+        foot = in_plan(angle, PLAN_RADIUS)
+        yield arrow(foot, _from(foot, angle, 24), "world thin", head=6)
+
+
+def _angle(probed: Point, probe_rad: float, light_rad: float, theta_rad: float) -> str:
+    """The arc from n to l, the short way round, with its size."""
+    turn = math.remainder(light_rad - probe_rad, 2 * math.pi)
+    arc = [_from(probed, probe_rad + turn * step / 24, 30) for step in range(25)]
+    middle = probe_rad + turn / 2
+    # Just outside the arc, or across from it where the arms leave no room between them.
+    sideways = abs(math.sin(middle))
+    label = _from(probed, middle, 44 + 26 * sideways if theta_rad > 1.2 else -22 - 18 * sideways)
+    degrees = format_number(math.degrees(theta_rad), 0)
+    return polyline(arc, "ray") + text(
+        (label[0], label[1] + 4), f"θ = {degrees}°", "ray strong halo", "middle"
+    )
+
+
+def _label_places(probed: Point, probe_rad: float, light_rad: float) -> tuple[Point, Point]:
+    """Beside the tips of n and l, each on the side away from the other."""
+    turn = math.copysign(0.2, math.remainder(light_rad - probe_rad, 2 * math.pi))
+    n = _from(probed, probe_rad - turn, VECTOR + 2)
+    l_ = _from(probed, light_rad + turn, VECTOR + 2)
+    return (n[0], n[1] + 4), (l_[0], l_[1] + 4)
+
+
+def _camera() -> str:
+    x, y = PLAN_CENTRE[0], HEIGHT - 24.0
+    lens = [(x - 5, y - 8), (x - 9, y - 15), (x + 9, y - 15), (x + 5, y - 8)]
+    return (
+        rectangle((x - 14, y - 8), 28, 16, "camera fill")
+        + polygon(lens, "camera fill")
+        + text((x + 22, y + 5), "camera", "camera")
+    )
+
+
+def in_plan(angle_rad: float, radius: float) -> tuple[float, float]:
+    """A place at that distance from the middle of the sphere seen from above."""
+    return _from(PLAN_CENTRE, angle_rad, radius)
+
+
+def _from(start: Point, angle_rad: float, length: float) -> tuple[float, float]:
+    """Go from a point of the plan in a direction; the camera's direction is down the page."""
+    return (start[0] + length * math.sin(angle_rad), start[1] + length * math.cos(angle_rad))

@@ -1,0 +1,157 @@
+"""The drawings of the Phong scene: marks on the ball, and the lobe at the probed point.
+
+In the lobe's plot the normal of the surface points up; angles count from it, positive to the
+right, and the length from the foot to the curve is the brightness seen from that side.
+"""
+
+import math
+from collections.abc import Iterator
+from functools import cache
+
+import numpy as np
+
+from simulations.engine.drawing import (
+    Point,
+    arrow,
+    circle,
+    dot,
+    line,
+    path,
+    polygon,
+    polyline,
+    text,
+)
+from simulations.models.arrays import Floats
+from simulations.scenes._ball.marks import WIDTH, lamp, on_equator, probed_point, shadow_edge
+
+type Direction = tuple[str, float, str]
+"""Letter, angle from the normal in radians, colour role."""
+
+FOOT = (WIDTH / 2, 196.0)
+VECTOR = 104.0
+"""Length of a unit vector, and of a brightness of 1."""
+LAMP_DISTANCE = 128.0
+"""From the foot to where the lamp is drawn: it shines from far away."""
+AROUND_HIGHLIGHT = 15.0
+"""Radius of the mark of a highlight: a sharp one shows inside it."""
+SAME_RAD = math.radians(9.0)
+"""Directions nearer than this share one label."""
+
+
+def over_ball(light_rad: float, probe_rad: float) -> str:
+    """Terminator, centre of the highlight, probed point."""
+    parts = shadow_edge(light_rad)
+    if abs(abs(light_rad) - math.pi) > 1e-9:
+        spot = on_equator(light_rad / 2)
+        parts += [circle(spot, AROUND_HIGHLIGHT, style) for style in ("casing", "ray")]
+    return "".join((*parts, *probed_point(probe_rad, "world")))
+
+
+def lobe_plot(
+    light_rad: float,
+    view_rad: float,
+    brightness: Floats,
+    other: Floats,
+    matte: float,
+) -> str:
+    """Directions and lobe, all relative to the normal.
+
+    ``brightness`` and ``other`` (181,) are what cameras at −90°…90° see by the chosen model and
+    by the other one; ``matte`` is the part that all of them see.
+    """
+    parts = [
+        _scale(),
+        line((24, FOOT[1]), (WIDTH - 24, FOOT[1]), "world bold"),
+        text((26, FOOT[1] + 20), "surface", "world small"),
+    ]
+    seen = VECTOR * float(brightness[round(math.degrees(view_rad)) + 90])
+    if brightness.max() > 0:
+        at = towards(view_rad, seen)
+        parts += [
+            polyline(_outline(other), "muted thin dashed"),
+            polygon(_outline(brightness), "ray fill"),
+            polyline(_outline(np.full(181, matte)), "world dashed"),
+            *(circle(at, 5.5, "casing"), dot(at, "image", 5.5)),  # what the camera's pixel shows
+        ]
+    parts += _vectors(light_rad, view_rad, seen)
+    return "".join(parts)
+
+
+@cache
+def _scale() -> str:
+    """Half circles of brightness 0.5 and 1: the same in every frame, so drawn once."""
+    circles = [polyline(_outline(np.full(181, level)), "muted thin faint") for level in (0.5, 1.0)]
+    white = text((FOOT[0] + VECTOR + 4, FOOT[1] + 15), "I = 1", "muted small", "middle")
+    half = text((FOOT[0] + VECTOR / 2, FOOT[1] + 15), "0.5", "muted small", "middle")
+    return "".join((*circles, white, half))
+
+
+def _outline(brightness: Floats) -> list[Point]:
+    around = np.radians(np.arange(-90.0, 91.0))
+    x, y = FOOT[0] + VECTOR * brightness * np.sin(around), FOOT[1]
+    return list(zip(x, y - VECTOR * brightness * np.cos(around), strict=True))
+
+
+def _vectors(light_rad: float, view_rad: float, seen: float) -> list[str]:
+    """n, l, v, the mirrored r and the halfway h; a label where two coincide names both.
+
+    ``seen`` is the distance from the foot of the dot on v, which no label may cover.
+    """
+    vectors = [("n", 0.0, "world"), ("l", light_rad, "light"), ("v", view_rad, "camera")]
+    lit = math.cos(light_rad) > 0
+    if lit:
+        vectors.append(("r", -light_rad, "ray"))
+    between = math.remainder(light_rad - view_rad, 2 * math.pi)
+    if lit and abs(abs(between) - math.pi) > 1e-9:
+        vectors.append(("h", view_rad + between / 2, "muted"))
+    parts = [arrow(FOOT, towards(turn, VECTOR), f"{role} bold") for _, turn, role in vectors]
+    parts += [dot(FOOT, "world", 4.5), dot(towards(view_rad, VECTOR), "camera", 4.5)]
+    parts += lamp(towards(light_rad, LAMP_DISTANCE))
+    if lit:
+        parts.append(_equal_angles(light_rad))
+    return parts + list(_labels(vectors, seen))
+
+
+def _equal_angles(light_rad: float) -> str:
+    """Arcs on both sides of the normal: the mirror turns l into r."""
+    if abs(light_rad) < SAME_RAD:
+        return ""
+    arcs = [[towards(turn * step / 16, 30.0) for step in range(17)] for turn in (light_rad,)]
+    arcs.append([towards(-light_rad * step / 16, 30.0) for step in range(17)])
+    return path(arcs, "muted thin")
+
+
+def _labels(vectors: list[Direction], seen: float) -> Iterator[str]:
+    """One label for each group of directions that lie within a few degrees of one another."""
+    groups: list[list[Direction]] = []
+    for vector in sorted(vectors, key=lambda item: math.remainder(item[1], 2 * math.pi)):
+        if groups and _apart(groups[-1][-1], vector) < SAME_RAD:
+            groups[-1].append(vector)
+        else:
+            groups.append([vector])
+    for group in groups:
+        middle = group[len(group) // 2][1]
+        names_in = {name for name, _, _ in group}
+        length = VECTOR + 22 + 5 * (len(group) - 1)
+        if "v" in names_in and abs(seen - length) < 18:
+            length = seen + 18
+        place = towards(middle, length)
+        if "l" in names_in:  # beside the arrow, since the lamp is beyond it
+            place = towards(middle + math.copysign(0.2, math.sin(middle)), VECTOR - 16)
+        names = " = " if _coincide(group) else ", "
+        label = names.join(name for name, _, _ in group)
+        level = -9.0 if abs(math.cos(middle)) < 0.12 else 4.5  # clear of the surface's own line
+        yield text((place[0], place[1] + level), label, f"{group[0][2]} strong halo", "middle")
+
+
+def _coincide(group: list[Direction]) -> bool:
+    return _apart(group[0], group[-1]) < 1e-6
+
+
+def _apart(first: Direction, second: Direction) -> float:
+    return abs(math.remainder(first[1] - second[1], 2 * math.pi))
+
+
+def towards(turn_rad: float, length: float) -> tuple[float, float]:
+    """The place at that angle from the normal and that distance from the foot."""
+    return FOOT[0] + length * math.sin(turn_rad), FOOT[1] - length * math.cos(turn_rad)

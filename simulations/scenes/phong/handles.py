@@ -1,0 +1,73 @@
+"""What of the Phong figure can be grabbed: the highlight, the probed point, lamp and camera."""
+
+import math
+from collections.abc import Mapping
+
+from simulations.engine.controls import Value
+from simulations.engine.handles import Handle, Point
+from simulations.engine.stages import Outputs
+from simulations.scenes._ball.marks import angle_of_normal, on_equator
+from simulations.scenes._ball.probe import bearing_deg, probe_on_ball
+from simulations.scenes.phong.drawing import FOOT, LAMP_DISTANCE, VECTOR, towards
+from simulations.scenes.phong.settings import Settings
+
+
+def _highlight(settings: Settings, _outputs: Outputs) -> Point | None:
+    """Where the normal halves the angle of lamp and camera; opposed, they have no highlight."""
+    if abs(settings.light_angle) == 180:
+        return None
+    return on_equator(math.radians(settings.light_angle / 2))
+
+
+def _highlight_pulled(_settings: Settings, place: Point) -> Mapping[str, Value]:
+    """Short of the rim: there is no light there that the camera could see mirrored."""
+    return {"light_angle": min(max(2 * angle_of_normal(place), -179.0), 179.0)}
+
+
+def _lamp(settings: Settings, _outputs: Outputs) -> Point:
+    return towards(math.radians(settings.light_angle - settings.probe), LAMP_DISTANCE)
+
+
+def _lamp_pulled(settings: Settings, place: Point) -> Mapping[str, Value]:
+    turn = _angle_at_foot(place, settings.light_angle - settings.probe)
+    return {"light_angle": math.remainder(settings.probe + turn, 360)}
+
+
+def _camera(settings: Settings, _outputs: Outputs) -> Point:
+    return towards(math.radians(-settings.probe), VECTOR)
+
+
+def _camera_pulled(settings: Settings, place: Point) -> Mapping[str, Value]:
+    """The camera stands still; it is the point, with its normal, that turns."""
+    return {"probe": -_angle_at_foot(place, -settings.probe)}
+
+
+def _angle_at_foot(place: Point, present_deg: float) -> float:
+    """The angle of a place from the normal; at the foot itself, as it is."""
+    across, up = place[0] - FOOT[0], FOOT[1] - place[1]
+    return bearing_deg(across, up, present_deg)
+
+
+HANDLES: tuple[Handle[Settings], ...] = (
+    Handle(
+        "highlight",
+        "camera",
+        "Highlight",
+        ("light_angle",),
+        _highlight,
+        _highlight_pulled,
+        role="ray",
+    ),
+    probe_on_ball("world"),
+    Handle("lamp", "lobe", "Lamp", ("light_angle",), _lamp, _lamp_pulled, role="light"),
+    Handle(
+        "camera",
+        "lobe",
+        "Camera",
+        ("probe",),
+        _camera,
+        _camera_pulled,
+        role="camera",
+        reversed=("probe",),
+    ),
+)

@@ -1,0 +1,97 @@
+"""Words of the interface in one language: ``LANGUAGE.toml`` beside this file.
+
+A key is the name of its table and its own: ``search.close``. A text has placeholders,
+``{count} of {most}``; one that depends on a number is a table with the forms ``one`` and ``other``,
+chosen by ``count``. What stands below ``script`` is what scripts say.
+"""
+
+import re
+import tomllib
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass, replace
+from functools import cache
+from pathlib import Path
+
+from markupsafe import Markup
+
+HERE = Path(__file__).parent
+FORMS = frozenset({"one", "other"})
+SCRIPT = "script."
+"""Begins the keys of what scripts say."""
+DECIMAL = re.compile(r"(?<=\d)\.(?=\d)")
+
+type Text = str | Mapping[str, str]
+"""One text, or its forms by number."""
+
+
+@dataclass(frozen=True, slots=True)
+class Words:
+    """All texts of a language by their keys."""
+
+    language: str
+    """Its tag, as in ``lang``: ``de``."""
+    texts: Mapping[str, Text]
+
+    def __call__(self, key: str, **values: object) -> str:
+        """The text with its placeholders filled. Raises `KeyError` where there is none."""
+        return self._form(key, values).format(**values)
+
+    def html(self, key: str, **values: object) -> Markup:
+        """The same for a page: what is put in is escaped, unless it is markup."""
+        return Markup(_escaped(self._form(key, values))).format(**values)
+
+    def label(self, kind: str) -> str:
+        """What a numbered thing is called: ``Figure``."""
+        return self(f"labels.{kind.lower()}")
+
+    def decimals(self, text: str) -> str:
+        """A number in digits, with the language's decimal sign."""
+        sign = self("language.decimal")
+        return text if sign == "." else DECIMAL.sub(sign, text)
+
+    def labelled(self, labels: Mapping[str, str]) -> "Words":
+        """With other words for some numbered things."""
+        own = {f"labels.{kind}": label for kind, label in labels.items() if label}
+        return replace(self, texts={**self.texts, **own})
+
+    @property
+    def of_scripts(self) -> dict[str, Text]:
+        """What scripts say, by keys that begin behind ``script.``."""
+        return {
+            key.removeprefix(SCRIPT): text
+            for key, text in self.texts.items()
+            if key.startswith(SCRIPT)
+        }
+
+    def _form(self, key: str, values: Mapping[str, object]) -> str:
+        text = self.texts[key]
+        if isinstance(text, str):
+            return text
+        return text["one" if values["count"] == 1 else "other"]
+
+
+@cache
+def load_words(language: str) -> Words:
+    """Raises `FileNotFoundError` where there is no such language."""
+    file = HERE / f"{language}.toml"
+    return Words(language, dict(_flat(tomllib.loads(file.read_text(encoding="utf-8")), "")))
+
+
+def languages() -> tuple[str, ...]:
+    """All that there are."""
+    return tuple(sorted(file.stem for file in HERE.glob("*.toml")))
+
+
+def _flat(table: Mapping[str, object], prefix: str) -> Iterator[tuple[str, Text]]:
+    for name, value in table.items():
+        if isinstance(value, dict) and set(value) != FORMS:
+            yield from _flat(value, f"{prefix}{name}.")
+        elif isinstance(value, str | dict):
+            yield f"{prefix}{name}", value
+
+
+def _escaped(text: str) -> str:
+    return text.replace("&", "&amp;").replace("<", "&lt;").replace(">", "&gt;")
+
+
+ENGLISH = load_words("en")

@@ -1,0 +1,37 @@
+"""What style sheet and scripts must know of the book: its words, its colours, its prefix."""
+
+import json
+
+from site_builder.languages.words import Words
+from site_builder.settings.model import Settings
+from site_builder.settings.reading import storage_prefix
+from site_builder.settings.theme import theme_css
+
+STYLE = "style."
+"""Begins the keys of what the style sheet says."""
+
+
+def book_css(settings: Settings, words: Words) -> str:
+    """Rules for the end of the style sheet."""
+    texts = {key.removeprefix(STYLE): words(key) for key in words.texts if key.startswith(STYLE)}
+    # CSS takes the strings of JSON but for escapes of control characters, which no text has.
+    rules = (
+        f"  --word-{name}: {json.dumps(text, ensure_ascii=False)};\n"
+        for name, text in texts.items()
+    )
+    return f"\n:root {{\n{''.join(rules)}}}\n{theme_css(settings)}"
+
+
+def book_script(settings: Settings, words: Words) -> bytes:
+    """The module ``js/book.js``, which all scripts import; ``.ci/web/book.d.ts`` has its types."""
+    exports = {
+        "LANGUAGE": words.language,
+        "DECIMAL": words("language.decimal"),
+        "STORAGE": f"{storage_prefix(settings)}:",
+        "WORDS": words.of_scripts,
+    }
+    lines = (
+        f"export const {name} = {json.dumps(value, ensure_ascii=False)};\n"
+        for name, value in exports.items()
+    )
+    return "".join(lines).encode()

@@ -1,0 +1,115 @@
+"""Kinds of values in ``book.toml``: what is legal, how it is read, how a JSON schema says it."""
+
+import re
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any, Protocol
+
+
+class Kind(Protocol):
+    """One kind of value."""
+
+    @property
+    def legal(self) -> str:
+        """What may stand there, as a mistake's message says it."""
+
+    def read(self, value: object) -> Any:
+        """The value as the builder has it. Raises `ValueError` where it is not legal."""
+
+    def schema(self) -> dict[str, object]:
+        """The same as JSON schema."""
+
+
+@dataclass(frozen=True, slots=True)
+class Text:
+    """Words, of a certain form where there is a pattern."""
+
+    legal: str = '"some text"'
+    pattern: str = r"[\s\S]*\S[\s\S]*"
+
+    def read(self, value: object) -> str:
+        if not isinstance(value, str) or not re.fullmatch(self.pattern, value):
+            raise ValueError
+        return value
+
+    def schema(self) -> dict[str, object]:
+        form = {} if self.pattern == Text().pattern else {"pattern": f"^(?:{self.pattern})$"}
+        return {"type": "string", "minLength": 1, **form}
+
+
+COLOUR = Text('"#rrggbb"', "#[0-9a-fA-F]{6}")
+ADDRESS = Text('"https://host/path/"', r"""https?://[^\s?#/"'<>\\]+(?:/[^\s?#"'<>\\]*)?/""")
+SOURCE = Text('"https://host/…/{path}"', r"""https?://[^\s{}"'<>\\]+\{path\}[^\s{}"'<>\\]*""")
+PREFIX = Text("small letters, digits and hyphens", "[a-z0-9]+(?:-[a-z0-9]+)*")
+FILE = Text("a file below content/", r"[^/\\\s][^\\]*")
+
+
+@dataclass(frozen=True, slots=True)
+class Whole:
+    """A whole number from ``least`` on."""
+
+    least: int
+
+    @property
+    def legal(self) -> str:
+        return f"a whole number from {self.least}"
+
+    def read(self, value: object) -> int:
+        if not isinstance(value, int) or isinstance(value, bool) or value < self.least:
+            raise ValueError
+        return value
+
+    def schema(self) -> dict[str, object]:
+        return {"type": "integer", "minimum": self.least}
+
+
+@dataclass(frozen=True, slots=True)
+class OneOf:
+    """One of some names."""
+
+    names: Callable[[], Sequence[str]]
+
+    @property
+    def legal(self) -> str:
+        return ", ".join(f'"{name}"' for name in self.names())
+
+    def read(self, value: object) -> str:
+        if value not in self.names():
+            raise ValueError
+        return str(value)
+
+    def schema(self) -> dict[str, object]:
+        return {"enum": list(self.names())}
+
+
+@dataclass(frozen=True, slots=True)
+class Names:
+    """A list of texts."""
+
+    legal: str
+    least: int = 0
+
+    def read(self, value: object) -> tuple[str, ...]:
+        listed = isinstance(value, list) and all(isinstance(item, str) for item in value)
+        if not isinstance(value, list) or not listed or len(value) < self.least:
+            raise ValueError
+        return tuple(value)
+
+    def schema(self) -> dict[str, object]:
+        return {"type": "array", "items": {"type": "string"}, "minItems": self.least}
+
+
+@dataclass(frozen=True, slots=True)
+class Table:
+    """A table of its own; ``of`` is the class that declares its keys."""
+
+    of: type[Any]
+    legal: str = "a table"
+
+    def read(self, value: object) -> Mapping[str, object]:
+        if not isinstance(value, dict):
+            raise ValueError
+        return value
+
+    def schema(self) -> dict[str, object]:
+        raise TypeError("a table's schema is made of those of its keys")

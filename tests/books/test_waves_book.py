@@ -1,0 +1,100 @@
+"""A book on another subject: built whole by this engine, of its own parts alone."""
+
+import json
+import re
+import zipfile
+from pathlib import Path
+from typing import Any
+
+import pytest
+from playwright.sync_api import Browser
+from support.found import ILLUSTRATIONS, TABLES
+from support.reader import visit
+from support.static_server import serving
+from support.waves import WAVES, on_waves
+
+from simulations.registry import LADDER_MODULES, SCENE_MODULES
+from site_builder.book_root import is_engine
+
+SCENES = ["leakage", "standing-waves", "wave-packet"]
+
+
+def modules_of(site: Path) -> set[str]:
+    (archive,) = site.glob("runtime/*/simulations.zip")
+    with zipfile.ZipFile(archive) as opened:
+        paths = [Path(name).with_suffix("").parts for name in opened.namelist()]
+    return {".".join(parts).removesuffix(".__init__") for parts in paths}
+
+
+def test_it_has_its_own_chapters_figures_and_questions(waves_book: Any) -> None:
+    assert [chapter["id"] for chapter in waves_book["chapters"]] == ["strings", "spectra", "beats"]
+    assert sorted(scene["id"] for scene in waves_book["simulations"]) == SCENES
+    kinds = {quiz["kind"] for quiz in waves_book["quizzes"]}
+    assert kinds == {"single", "multiple", "number", "order", "figure"}
+
+
+def test_its_readers_get_its_modules_and_the_engine_s_and_no_others(waves_site: Path) -> None:
+    of_the_book = {name for name in modules_of(waves_site) if not is_engine(name)}
+    own = {
+        ".".join(file.relative_to(WAVES).with_suffix("").parts).removesuffix(".__init__")
+        for file in (WAVES / "simulations").rglob("*.py")
+    }
+    assert of_the_book == own
+
+
+def test_its_runtime_names_its_scenes_and_ladders_alone(waves_site: Path) -> None:
+    (file,) = waves_site.glob("runtime/*/runtime.json")
+    table = json.loads(file.read_text(encoding="utf-8"))
+    assert sorted(table["scenes"]) == SCENES
+    assert list(table["ladders"]) == ["tone-frequency"]
+
+
+def test_nothing_that_readers_get_is_of_this_book(waves_site: Path) -> None:
+    ours = [*SCENE_MODULES, *LADDER_MODULES, *ILLUSTRATIONS, *(table.id for table in TABLES)]
+    ids = re.compile(rf"""["'#/](?:figure-|ladder-|extremes-)?({"|".join(ours)})["'/]""")
+    told = [
+        f"{file.relative_to(waves_site)}: {found[1]}"
+        for file in waves_site.rglob("*")
+        if file.suffix in (".html", ".json") and "licences" not in file.parts
+        for found in ids.finditer(file.read_text(encoding="utf-8"))
+    ]
+    assert told == []
+
+
+def test_the_page_that_a_book_has_nothing_for_is_not_made(waves_site: Path) -> None:
+    assert (waves_site / "glossary" / "index.html").is_file()
+    assert not (waves_site / "lecture-plan").exists()
+
+
+def test_what_it_quotes_is_its_own_code(waves_site: Path) -> None:
+    page = waves_site / "source" / "simulations" / "models" / "spectra" / "index.html"
+    assert "by_definition" in page.read_text(encoding="utf-8")
+
+
+def test_its_own_tests_pass() -> None:
+    folder = str(WAVES / "tests")
+    done = on_waves("-m", "pytest", "-q", "-p", "no:cacheprovider", "--confcutdir", folder, folder)
+    assert done.returncode == 0, done.stdout + done.stderr
+
+
+def test_nothing_of_the_book_around_the_engine_can_be_imported() -> None:
+    done = on_waves("-c", "import site_builder, simulations.models.color.srgb")
+    assert done.stderr.rstrip().endswith("No module named 'simulations.models.color'")
+
+
+def test_a_folder_that_is_no_book_is_refused_in_words(tmp_path: Path) -> None:
+    done = on_waves("-m", "site_builder", "check", book=tmp_path)
+    assert done.returncode == 1
+    assert done.stderr == f"BOOK={tmp_path} is no book; legal: a folder that holds content/\n"
+
+
+@pytest.mark.browser
+def test_its_figures_live(waves_site: Path, waves_book: Any, brisk_chromium: Browser) -> None:
+    with serving(waves_site) as server, visit(brisk_chromium, server) as reader:
+        figure = reader.open_figure(waves_book, "standing-waves")
+        before = reader.frames(figure)
+        figure.locator("input[name=number]").fill("5")
+        reader.wait_frame(figure, before)
+        assert figure.locator("output[name=still]").inner_text().startswith("6")
+        reader.turn_to_figure(waves_book, "leakage")
+        reader.assert_no_complaints()

@@ -1,0 +1,220 @@
+"""Plots: values find their places and back, ticks are round, nothing is drawn outside."""
+
+import math
+import re
+from itertools import combinations
+from xml.etree import ElementTree
+
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+from support.label_boxes import in_figures, labels
+
+from simulations.engine.plotting.axis import Axis
+from simulations.engine.plotting.clipping import clipped
+from simulations.engine.plotting.labels import Label, Room, place_labels
+from simulations.engine.plotting.legend import Entry, legend
+from simulations.engine.plotting.letters import width_of
+from simulations.engine.plotting.plot import Plot
+from simulations.engine.plotting.scale import Scale
+from simulations.engine.plotting.ticks import log_ticks, round_ticks
+from site_builder.charts.boxes import Box
+
+PLOT = Plot(Axis(0, 10, 40, 390), Axis(1e-3, 10, 240, 20, log=True))
+WORDS = (
+    "Nyquist", "cut-off 1/λN", "shot noise: mean / g", "WWW", "illicit", "0.001", "variance, DN²",
+    "angle of the light from the normal, °", "f = 0.30", "10⁻⁵", "MTF50", "ÅÉÖ",
+    "radius in the image",
+)  # fmt: skip
+
+
+def points(markup: str) -> list[tuple[float, float]]:
+    """All points of a polyline, a polygon or a path."""
+    element = ElementTree.fromstring(markup)
+    data = element.get("points") or element.get("d") or ""
+    values = [float(value) for value in re.findall(r"-?[\d.]+", data)]
+    return list(zip(values[::2], values[1::2], strict=True))
+
+
+@pytest.mark.parametrize(
+    ("axis", "value", "place"),
+    [
+        (Axis(0, 10, 100, 200), 2.5, 125),
+        (Axis(0, 10, 200, 100), 2.5, 175),
+        (Axis(1, 1e4, 0, 100, log=True), 100, 50),
+    ],
+)
+def test_an_axis_puts_a_value_in_its_place(axis: Axis, value: float, place: float) -> None:
+    assert axis.place(value) == pytest.approx(place)
+    assert float(axis.position(value)) == pytest.approx(place)
+
+
+@given(st.floats(-20, 20), st.booleans())
+def test_a_place_leads_back_to_its_value(exponent: float, log: bool) -> None:
+    axis = Axis(0.01, 1000, 380, 20, log)
+    value = 10.0 ** (exponent / 4) if log else exponent
+    assert axis.value(axis.place(value)) == pytest.approx(value, rel=1e-9, abs=1e-9)
+
+
+@pytest.mark.parametrize("value", [-5.0, 0.0, 1e9])
+def test_what_is_held_lies_between_the_ends(value: float) -> None:
+    assert Axis(1, 100, 10, 90, log=True).held(value) in (10, 90)
+
+
+def test_a_logarithmic_axis_has_no_place_for_zero() -> None:
+    axis = Axis(1, 10, 0, 100, log=True)
+    assert np.isnan(axis.position([0.0, -1.0])).all()
+    with pytest.raises(ValueError, match="no place"):
+        axis.place(0.0)
+
+
+@pytest.mark.parametrize("ends", [(1.0, 1.0), (0.0, math.inf), (math.nan, 1.0)])
+def test_an_axis_without_extent_is_refused(ends: tuple[float, float]) -> None:
+    with pytest.raises(ValueError, match="two finite ends"):
+        Axis(*ends, 0, 100)
+
+
+def test_a_logarithmic_axis_from_zero_is_refused() -> None:
+    with pytest.raises(ValueError, match="not above 0"):
+        Axis(0, 10, 0, 100, log=True)
+
+
+@given(st.floats(-1e6, 1e6), st.floats(1e-6, 1e6), st.integers(2, 9))
+def test_ticks_are_round_inside_even_and_not_too_many(low: float, span: float, most: int) -> None:
+    high = low + span
+    ticks = [value for value, _ in round_ticks(low, high, most)]
+    assert len(ticks) <= most
+    assert all(low - 1e-6 * span <= value <= high + 1e-6 * span for value in ticks)
+    for step in np.diff(ticks):
+        first = f"{step:.3e}"
+        assert first[:5] in ("1.000", "2.000", "5.000"), first
+
+
+@pytest.mark.parametrize(
+    ("ends", "words"),
+    [
+        ((0, 1.5), ["0", "0.5", "1", "1.5"]),
+        ((-3, 3), ["−2", "0", "2"]),
+        ((0, 90), ["0", "20", "40", "60", "80"]),
+    ],
+)
+def test_ticks_are_written_short(ends: tuple[float, float], words: list[str]) -> None:
+    assert [name for _, name in round_ticks(*ends)] == words
+
+
+@pytest.mark.parametrize(
+    ("ends", "words"),
+    [
+        ((0.8, 24), ["1", "2", "5", "10", "20"]),
+        ((0.02, 4), ["0.03", "0.1", "0.3", "1", "3"]),
+        ((1, 1e4), ["1", "10", "100", "1000", "10000"]),
+        ((1e-17, 0.1), ["10⁻¹⁵", "10⁻¹²", "10⁻⁹", "10⁻⁶", "10⁻³"]),
+    ],
+)
+def test_logarithmic_ticks_are_powers_and_what_fits_between(
+    ends: tuple[float, float], words: list[str]
+) -> None:
+    assert [name for _, name in log_ticks(*ends)] == words
+
+
+def test_a_curve_is_cut_at_the_edge_and_broken_where_it_is_undefined() -> None:
+    plot = Plot(Axis(0, 8, 0, 80), Axis(0, 1, 10, 0))
+    heights = [0.5, 0.5, 1.5, 0.5, 0.5, np.nan, 0.5, 0.5, 0.5]
+    runs = plot.pieces(range(9), heights)
+    assert [[x for x, _ in run] for run in runs] == [[0, 10, 15], [25, 30, 40], [60, 70, 80]]
+
+
+@given(*(st.floats(-30, 130) for _ in range(4)))
+def test_what_is_left_of_a_segment_is_what_lies_inside(
+    x0: float, y0: float, x1: float, y1: float
+) -> None:
+    left = clipped((x0, y0), (x1, y1), (0.0, 100.0), (0.0, 50.0))
+    shares = np.linspace(0, 1, 401)
+    x, y = x0 + shares * (x1 - x0), y0 + shares * (y1 - y0)
+    depth = np.minimum(np.minimum(x, 100 - x), np.minimum(y, 50 - y))
+    if left is None:
+        assert not (depth > 1e-6).any()
+        return
+    inside = depth > -1e-6
+    length = math.dist((x0, y0), (x1, y1))
+    assert math.dist(*left) == pytest.approx(length * inside.mean(), abs=length / 100 + 1e-6)
+
+
+def test_an_area_stands_on_the_foot_of_the_plot() -> None:
+    plot = Plot(Axis(0, 1, 0, 100), Axis(0, 1, 50, 0))
+    assert points(plot.area([0.2, 0.6], [1.0, 0.5])) == [(20, 50), (20, 0), (60, 25), (60, 50)]
+
+
+def test_a_region_ends_where_the_plot_does() -> None:
+    plot = Plot(Axis(0, 1, 0, 100), Axis(0, 1, 50, 0))
+    corners = points(plot.region(x=(0.5, 7.0)))
+    assert sorted(corners) == [(50, 0), (50, 50), (100, 0), (100, 50)]
+
+
+def test_a_rule_beyond_the_ends_is_not_drawn() -> None:
+    assert PLOT.upright(11) == PLOT.level(1e-4) == ""
+
+
+def test_the_places_of_a_plot_lead_back_to_its_values() -> None:
+    assert PLOT.values(PLOT.at(3.0, 0.2)) == pytest.approx((3.0, 0.2))
+
+
+def test_each_tick_stands_under_its_value() -> None:
+    frame = PLOT.frame(Scale("time", "s", ticks=(2, 5, 8)), Scale("light"))
+    names = {label.text: label.box for label in labels(frame, in_figures)}
+    for value in (2, 5, 8):
+        box = names[f"{value}"]
+        assert (box.left + box.right) / 2 == pytest.approx(PLOT.x.place(value), abs=0.1)
+    assert {"time, s", "light"} <= set(names)
+
+
+@pytest.mark.parametrize("words", WORDS)
+@pytest.mark.parametrize("style", ["", "small", "strong"])
+def test_words_take_no_more_room_than_is_kept_for_them(words: str, style: str) -> None:
+    set_label = next(iter(labels(f'<text class="{style}" x="0" y="0">{words}</text>', in_figures)))
+    measured = set_label.box.right - set_label.box.left
+    assert measured <= width_of(words, style) <= 1.5 * measured
+
+
+@given(
+    st.lists(st.tuples(st.floats(60, 340), st.floats(40, 260)), min_size=1, max_size=5),
+    st.lists(st.sampled_from(WORDS[:6]), min_size=5, max_size=5),
+)
+def test_labels_stand_inside_and_not_on_each_other(
+    where: list[tuple[float, float]], words: list[str]
+) -> None:
+    wanted = [Label(point, name) for point, name in zip(where, words, strict=False)]
+    boxes = [label.box for label in labels(place_labels(wanted, Room(0, 0, 400, 300)), in_figures)]
+    assert len(boxes) == len(wanted)
+    assert all(box.outside(Box(0, 0, 400, 300)) < 1e-6 for box in boxes)
+    assert all(a.overlap(b) < 1e-6 for a, b in combinations(boxes, 2))
+
+
+def test_a_label_makes_room_for_a_curve() -> None:
+    curve = [(0.0, 138.0), (400.0, 138.0)]  # through the words right above the point
+    (box,) = (
+        label.box
+        for label in labels(
+            place_labels([Label((200, 150), "peak")], Room(0, 0, 400, 300), [curve]), in_figures
+        )
+    )
+    assert not box.top < 138 < box.bottom
+
+
+def test_an_unknown_side_is_refused() -> None:
+    with pytest.raises(ValueError, match="legal: 'above right'"):
+        Label((0, 0), "peak", prefer="over")
+
+
+def test_what_a_legend_leaves_out_keeps_its_place() -> None:
+    def places(shown: bool) -> list[float]:
+        entries = [
+            Entry("lens", "ray"),
+            Entry("plate", "muted", shown=shown),
+            Entry("all", "image"),
+        ]
+        names = labels(legend((34, 282), entries), in_figures)
+        return [label.box.left for label in names if label.text != "plate"]
+
+    assert places(True) == places(False)
