@@ -29,11 +29,8 @@ class Fonts:
 def whole_fonts(faces: Sequence[Face] = FACES) -> Fonts:
     """The files that ``faces`` are cut from, and the names that they give themselves."""
     paths = {face.file: _path(face) for face in faces}
-    families = {
-        role: TTFont(paths[f"{role}-regular.woff2"], lazy=True)["name"].getBestFamilyName()
-        for role in ("serif", "sans")
-    }
-    return Fonts(tuple(paths.values()), families["serif"], families["sans"])
+    serif, sans = (_family(paths[f"{role}-regular.woff2"]) for role in ("serif", "sans"))
+    return Fonts(tuple(paths.values()), serif, sans)
 
 
 def png_of(svg: str, width: int, fonts: Fonts) -> bytes:
@@ -47,6 +44,11 @@ def png_of(svg: str, width: int, fonts: Fonts) -> bytes:
         serif_family=fonts.serif,
         sans_serif_family=fonts.sans,
     )
+
+
+def _family(file: Path) -> str:
+    with TTFont(file, lazy=True) as font:
+        return str(font["name"].getBestFamilyName())
 
 
 def _path(face: Face) -> Path:
