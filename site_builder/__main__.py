@@ -9,8 +9,10 @@ from pathlib import Path
 
 from site_builder.addresses import site_address, source_address
 from site_builder.book_root import ROOT
-from site_builder.build import Options, build_site, check_site
-from site_builder.diagnostics import BuildError, Diagnostic
+from site_builder.build import Options, build_site
+from site_builder.check_command import Wanted, check
+from site_builder.diagnostic_formats import FORMATS
+from site_builder.diagnostics import BuildError, Diagnostic, counted
 from site_builder.settings.schema import book_schema
 
 
@@ -35,8 +37,9 @@ def main(arguments: list[str] | None = None) -> int:
                 )  # fmt: skip
                 print(f"{given.out}: {len(files)} files{_and_count(warnings)}")
             case "check":
-                check_site(Options(ROOT, warn=warn))
-                print(f"no mistakes{_and_count(warnings)}")
+                form = "json" if given.json else given.format
+                options = Options(ROOT, runtime=given.runtime)
+                return check(options, Wanted(form, links=given.links))
             case "schema":
                 print(json.dumps(book_schema(), indent=2, ensure_ascii=False))
             case "pdf":
@@ -56,7 +59,7 @@ def main(arguments: list[str] | None = None) -> int:
                 serve(ROOT, given.out, given.port, runtime=given.runtime)
     except BuildError as error:
         print(error, file=sys.stderr)
-        mistakes = _counted(error.diagnostics, "mistake")
+        mistakes = counted(error.diagnostics, "mistake")
         print(f"{mistakes}; nothing was written", file=sys.stderr)
         return 1
     except (OSError, ValueError, RuntimeError) as error:
@@ -73,12 +76,8 @@ def written(out: Path, edition: bytes) -> None:
     print(f"{out}: {len(edition) / 1e6:.1f} MB")
 
 
-def _counted(found: Sequence[Diagnostic], name: str) -> str:
-    return f"{len(found)} {name}{'s' * (len(found) != 1)}"
-
-
 def _and_count(warnings: Sequence[Diagnostic]) -> str:
-    return f"; {_counted(warnings, 'warning')}" if warnings else ""
+    return f"; {counted(warnings, 'warning')}" if warnings else ""
 
 
 def _parser() -> argparse.ArgumentParser:
@@ -93,6 +92,8 @@ def _parser() -> argparse.ArgumentParser:
         ("epub", "pack the whole book for a reader of e-books"),
     ):
         command = commands.add_parser(name, help=purpose)
+        if name == "check":
+            _add_check_options(command)
         if name in ("check", "schema"):
             continue
         if name in ("pdf", "epub"):
@@ -115,6 +116,22 @@ def _parser() -> argparse.ArgumentParser:
         if name == "serve":
             command.add_argument("--port", type=int, default=8000)
     return parser
+
+
+def _add_check_options(command: argparse.ArgumentParser) -> None:
+    command.add_argument(
+        "--format", choices=FORMATS, default="text", help="text for people and editors"
+    )
+    command.add_argument("--json", action="store_true", help="the same as --format json")
+    command.add_argument(
+        "--links", action="store_true", help="follow the links out of the book; needs a network"
+    )
+    command.add_argument(
+        "--no-runtime",
+        dest="runtime",
+        action="store_false",
+        help="do not ask whether the browser can import what the simulations do",
+    )
 
 
 if __name__ == "__main__":

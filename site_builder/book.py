@@ -356,6 +356,10 @@ class Chapter:
     """What to know before reading it."""
     after: tuple[str, ...] = ()
     """What its reader can do afterwards, each as HTML."""
+    figures: tuple[str, ...] = ()
+    """Element ids of its simulations, also of those that cannot be shown."""
+    outside: tuple[Link, ...] = ()
+    """Links that lead out of the book."""
 
     @property
     def url(self) -> str:

@@ -12,6 +12,7 @@ from typing import Any
 from simulations.engine.ladder import Ladder
 from simulations.engine.scene import Scene
 from simulations.registry import LADDER_MODULES, SCENE_MODULES, load_ladder, load_scene
+from site_builder.blame import place_of
 from site_builder.book import Book, contents
 from site_builder.book_root import own_or_engine
 from site_builder.checks import check_book
@@ -19,6 +20,7 @@ from site_builder.declared import check_declarations
 from site_builder.diagnostics import BuildError, Diagnostic, Diagnostics
 from site_builder.editor.bundle import EditorBundle, EditorBundleError, bundle_editor
 from site_builder.editor.sources import scene_sources
+from site_builder.frame_checks import check_frames
 from site_builder.markdown.directives.figure import SUFFIXES
 from site_builder.markdown.directives.ladder import LadderFigure
 from site_builder.measured.measurements import read_measurements
@@ -32,10 +34,13 @@ from site_builder.pages.catalogue import catalogue
 from site_builder.pages.licences import gather_licences
 from site_builder.pages.render import Site, render_pages, render_template
 from site_builder.pages.stills import Stills, render_stills
+from site_builder.picture_checks import check_pictures
 from site_builder.publishing.cards import make_cards
 from site_builder.publishing.icons import make_icons
 from site_builder.publishing.listings import make_listings
-from site_builder.runtime.pack import pack_runtime
+from site_builder.purity import check_purity
+from site_builder.runtime.freeze import MissingModuleError
+from site_builder.runtime.pack import RuntimeBundle, pack_runtime
 from site_builder.runtime.pinned import Versions
 from site_builder.search.index import ADDRESS as SEARCH_INDEX
 from site_builder.search.index import make_index
@@ -131,7 +136,10 @@ def check_site(options: Options) -> tuple[Book, Stills, dict[str, bytes]]:
     measurements = read_measurements(options.root, problems, options.load_ladder)
     book = read_book(options.root, problems, options.load_scene, measurements)
     check_book(book, problems)
+    check_pictures(options.root, problems)
+    check_purity(options.root / "simulations", problems)
     stills, pictures = render_stills(book, problems)
+    check_frames(book, stills, own_or_engine(options.root, "static"), problems)
     for warning in sorted(set(problems.doubts)):
         options.warn(warning)
     if problems:
@@ -171,16 +179,33 @@ def gather_assets(
 
 def _runtime(options: Options, book: Book) -> tuple[str, dict[str, Content], Versions]:
     """Python for the browser, with the scenes and ladders inside that the book shows."""
-    ladders = {item.measured.ladder.id for item in _shown(book, LadderFigure)}
-    if not options.runtime or not (book.scenes or ladders):
+    bundle = pack_for_browser(options.root, book) if options.runtime else None
+    if bundle is None:
         return "", {}, Versions()
-    bundle = pack_runtime(
-        options.root / "simulations",
-        scenes=_only(SCENE_MODULES, {scene.id for scene in book.scenes}),
-        ladders=_only(LADDER_MODULES, ladders),
-    )
     folder, files = hashed_folder("runtime", dict(bundle.files))
     return folder, files, bundle.versions
+
+
+def pack_for_browser(root: Path, book: Book) -> RuntimeBundle | None:
+    """What the browser runs, with the scenes and ladders inside that the book shows; None of a book
+    that shows none. Raises `BuildError` where it could not run it."""
+    scenes = {scene.id for scene in book.scenes}
+    ladders = {item.measured.ladder.id for item in _shown(book, LadderFigure)}
+    if not (scenes or ladders):
+        return None
+    try:
+        return pack_runtime(
+            root / "simulations",
+            scenes=_only(SCENE_MODULES, scenes),
+            ladders=_only(LADDER_MODULES, ladders),
+        )
+    except MissingModuleError as error:
+        path, _, line = error.place.rpartition(":")
+        told = f"{error.message}; legal: its standard library, and numpy"
+        raise BuildError([Diagnostic(path, int(line), told)]) from error
+    except SyntaxError as error:  # in a module that no chapter shows
+        path, _, line = place_of(error).rpartition(":")
+        raise BuildError([Diagnostic(path, int(line), f"no Python: {error.msg}")]) from error
 
 
 def _shown[T](book: Book, kind: type[T]) -> list[T]:

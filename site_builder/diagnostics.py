@@ -4,8 +4,10 @@ A mistake fails the build, once, when all are found. A warning is of something t
 """
 
 import difflib
-from collections.abc import Iterable
+from collections.abc import Iterable, Sized
 from dataclasses import dataclass, field
+
+from site_builder.blame import place_of
 
 MOST_LISTED = 20
 """Legal names that a message lists before it only counts them."""
@@ -57,6 +59,11 @@ class BuildError(Exception):
         super().__init__("\n".join(map(str, self.diagnostics)))
 
 
+def counted(found: Sized, name: str) -> str:
+    """``2 mistakes``."""
+    return f"{len(found)} {name}{'s' * (len(found) != 1)}"
+
+
 def unknown(kind: str, given: str, legal: Iterable[str]) -> str:
     """``unknown KIND 'given'``, then the nearest legal name or, where none is near, the legal ones:
     all of them, or the first of many."""
@@ -71,5 +78,9 @@ def unknown(kind: str, given: str, legal: Iterable[str]) -> str:
 
 
 def cause(error: Exception) -> str:
-    """``ZeroDivisionError: division by zero``: what stopped code that is not the builder's own."""
-    return f"{type(error).__name__}: {error}"
+    """``ZeroDivisionError: division by zero, at simulations/…/scene.py:12``: what stopped code that
+    is not the builder's own, and where."""
+    said = error.msg if isinstance(error, SyntaxError) else str(error)
+    told = f"{type(error).__name__}: {said}" if said else type(error).__name__
+    place = place_of(error)
+    return f"{told}, at {place}" if place else told

@@ -18,11 +18,12 @@ def check_figure_questions(chapter: Chapter, problems: Diagnostics) -> None:
         if quiz.kind != "figure" or not quiz.figure or not quiz.solution:
             continue
         figure = figures.get(quiz.figure)
-        message = (
-            fault_of(quiz, figure)
-            if figure
-            else unknown("figure of this page", quiz.figure, figures)
-        )
+        if figure:
+            message = fault_of(quiz, figure)
+        elif quiz.figure in chapter.figures:  # it cannot be shown, which is told there
+            message = ""
+        else:
+            message = unknown("figure of this page", quiz.figure, chapter.figures)
         if message:
             problems.add(quiz.path, quiz.line, message)
 

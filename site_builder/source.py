@@ -78,6 +78,7 @@ def read_book(
             words=words,
             chapter=chapter_id(path),
             position=position,
+            raw_html=settings.trust.raw_html,
             bibliography=bibliography,
             glossary=glossary,
         )

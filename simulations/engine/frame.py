@@ -35,6 +35,12 @@ class Panel:
 
     def __post_init__(self) -> None:
         raster = self.raster
+        if not isinstance(self.overlay, str):
+            kind = type(self.overlay).__name__
+            raise TypeError(f"panel {self.name!r}: overlay {kind}; legal: a str of SVG")
+        if raster is not None and not isinstance(raster, np.ndarray):
+            kind = type(raster).__name__
+            raise TypeError(f"panel {self.name!r}: raster {kind}; legal: (H, W, 4) uint8")
         if raster is not None and (
             raster.ndim != 3
             or raster.shape[2] != 4
@@ -66,6 +72,9 @@ class Readout:
     """One of `ROLES`: the colour of the idea that the number belongs to."""
 
     def __post_init__(self) -> None:
+        if not isinstance(self.text, str):
+            kind = type(self.text).__name__
+            raise TypeError(f"readout {self.name!r}: text {kind}; legal: a str, as by readout()")
         if self.role not in ROLES:
             raise ValueError(f"readout {self.name!r}: role {self.role!r}; legal: {ROLES}")
 
@@ -103,13 +112,21 @@ class Frame:
     """Where the handles are that can be grabbed now; the engine sets this, no scene does."""
 
     def __post_init__(self) -> None:
+        for name, entries, legal in (
+            ("panels", self.panels, Panel),
+            ("readouts", self.readouts, Readout),
+        ):
+            if not isinstance(entries, tuple) or not all(isinstance(e, legal) for e in entries):
+                told = entries if isinstance(entries, tuple) else (entries,)
+                given = ", ".join(type(entry).__name__ for entry in told)
+                raise TypeError(f"{name} {given}; legal: a tuple of {legal.__name__}")
         for kind, names in (
             ("panel", [panel.name for panel in self.panels]),
             ("readout", [readout.name for readout in self.readouts]),
         ):
             if len(set(names)) != len(names):
                 raise ValueError(f"duplicate {kind} name in {names}; legal: each once")
-        if not self.description.strip():
+        if not isinstance(self.description, str) or not self.description.strip():
             raise ValueError("no description; legal: a sentence on what the frame shows")
 
 

@@ -108,6 +108,9 @@ class Scene[S]:
         """The frame at these settings. The cache changes how long it takes, never the result."""
         done = self.run(settings, tier, cache, photograph)
         frame = self.draw(settings, done.outputs)
+        if not isinstance(frame, Frame):
+            kind = type(frame).__name__
+            raise TypeError(f"scene {self.id!r}: draw returned {kind}; legal: a Frame")
         where = places(self.handles, settings, done.outputs, frame.panels)
         return replace(frame, stages=done.reports, handles=where)
 

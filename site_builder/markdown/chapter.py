@@ -83,6 +83,8 @@ def read_chapter(draft: Draft, targets: Targets) -> Chapter:
         formulae=tuple(_formula(line, tex, draft) for line, tex in reading.formulae),
         before=before,
         after=after,
+        figures=tuple(place.id for place in reading.figures),
+        outside=tuple(reading.outside),
     )
 
 

@@ -46,4 +46,10 @@ def read_meanings(symbols: Symbols, reading: Reading) -> Mapping[str, tuple[Mean
 
 def _meaning(symbol: Symbol, reading: Reading) -> Meaning:
     html = inline_html(f"${symbol.tex}$", symbol.line, reading)
-    return Meaning(symbol, html, inline_html(symbol.means, symbol.line, reading))
+    means_html = inline_html(symbol.means, symbol.line, reading)
+    if reading.links or reading.citations:
+        message = f"link or citation in the meaning of {symbol.tex!r}; legal: a {{ref}}"
+        reading.problem(symbol.line, message)
+        reading.links.clear()
+        reading.citations.clear()
+    return Meaning(symbol, html, means_html)

@@ -1,6 +1,7 @@
 """The lines between ``---`` at the top of a chapter: its title and its summary, what to know before
 it, and what one can do after it."""
 
+import re
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 
@@ -16,6 +17,25 @@ LISTS = ("before", "after")
 KEYS = (*TEXTS, *LISTS)
 OUTCOMES = range(2, 5)
 """How many things a reader can do after a chapter."""
+KINDS = {
+    "int": "a number", "float": "a number", "bool": "a yes or no", "timestamp": "a date",
+    "null": "empty", "seq": "a list", "map": "a mapping",
+}  # fmt: skip
+MARKUP = re.compile(r"\*[^*\s][^*]*\*|`[^`]+`|\$[^$\s][^$]*\$|\]\([^)]*\)|</?\w[^>]*>")
+REASONS = (
+    ("mapping values are not allowed", "a second ': ' in a line; legal: quotes around the text"),
+    ("could not find expected ':'", "a line without ':'; legal: 'name: text'"),
+    ("found character '\\t'", "a tab; legal: spaces"),
+    ("that cannot start any token", "a text that begins with a mark; legal: quotes around it"),
+    ("unexpected end of stream", "a quotation mark is never closed; legal: a second one"),
+    ("expected ',' or", "a bracket is never closed; legal: quotes around a text that begins so"),
+    ("expected <block end>", "a line out of place; legal: 'name: text' at the margin, or '- text'"),
+    ("unknown escape", "a backslash between double quotes; legal: single quotes"),
+    ("undefined alias", "a text that begins with '*'; legal: quotes around it"),
+    ("expected alphabetic or numeric", "a text that begins with a mark; legal: quotes around it"),
+    ("expected a single document", "a second '---'; legal: one above and one below"),
+)
+"""What the parser says, in part, and what its author did."""
 LEGAL = "legal: '---', 'title: …', 'summary: …', '---'"
 BEFORE = "legal: a list of texts, each alone or as 'chapter-id: what of it'"
 AFTER = f"legal: a list of {OUTCOMES[0]} to {OUTCOMES[-1]} texts"
@@ -50,8 +70,7 @@ def read_front_matter(tokens: Sequence[Token], reading: Reading) -> FrontMatter:
         root = yaml.compose(tokens[0].content, Loader=yaml.SafeLoader)
     except yaml.YAMLError as error:
         mark = getattr(error, "problem_mark", None)  # a character that YAML forbids has none
-        reason = getattr(error, "problem", None) or str(error).partition("\n")[0]
-        reading.problem(mark.line + 2 if mark else 1, f"malformed YAML: {reason}")
+        reading.problem(mark.line + 2 if mark else 1, f"malformed YAML: {_reason(error)}")
         return FrontMatter()
     if not isinstance(root, yaml.MappingNode):
         reading.problem(1, f"front matter is no mapping; {LEGAL}")
@@ -62,6 +81,12 @@ def read_front_matter(tokens: Sequence[Token], reading: Reading) -> FrontMatter:
         before=_read_before(entries.get("before"), reading),
         after=_read_after(entries.get("after"), reading),
     )
+
+
+def _reason(error: yaml.YAMLError) -> str:
+    """In our words, where we have some."""
+    said = getattr(error, "problem", None) or str(error).partition("\n")[0]
+    return next((ours for theirs, ours in REASONS if theirs in said), said)
 
 
 def _read_entries(root: yaml.MappingNode, reading: Reading) -> dict[str, yaml.Node]:
@@ -78,9 +103,20 @@ def _read_entries(root: yaml.MappingNode, reading: Reading) -> dict[str, yaml.No
 
 def _read_texts(entries: Mapping[str, yaml.Node], reading: Reading) -> dict[str, str]:
     texts = {name: _text(entries.get(name)) for name in TEXTS}
-    for name in (name for name, text in texts.items() if not text):
-        line = _line(entries[name]) if name in entries else 1
-        reading.problem(line, f"front matter without {name!r}; legal: '{name}: some text'")
+    for name, text in texts.items():
+        node = entries.get(name)
+        line = _line(node) if node else 1
+        if not text:
+            given = _kind(node)
+            said = f"{name!r} is {given}" if given else f"front matter without {name!r}"
+            legal = f'{name}: "{node.value}"' if node and _is_scalar(node) else f"'{name}: text'"
+            reading.problem(line, f"{said}; legal: {legal}")
+        elif found := MARKUP.search(text):
+            reading.problem(
+                line,
+                f"{found[0]!r} in {name!r}, which is shown as it stands; "
+                "legal: words without marks",
+            )
     return texts
 
 
@@ -115,6 +151,15 @@ def _read_after(node: yaml.Node | None, reading: Reading) -> tuple[Entry, ...]:
 def _text(node: yaml.Node | None) -> str:
     """The text of a node; nothing where it is none."""
     return node.value.strip() if node and node.tag == "tag:yaml.org,2002:str" else ""
+
+
+def _kind(node: yaml.Node | None) -> str:
+    """What YAML takes a node for that is no text; nothing of what is one, or is not there."""
+    return KINDS.get(node.tag.rpartition(":")[2], "") if node else ""
+
+
+def _is_scalar(node: yaml.Node | None) -> bool:
+    return isinstance(node, yaml.ScalarNode) and bool(node.value)
 
 
 def _line(node: yaml.Node) -> int:

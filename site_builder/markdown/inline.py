@@ -115,6 +115,7 @@ def _gather_link(token: Token, line: int, reading: Reading) -> None:
     target = str(token.attrGet("href") or "")
     if target.startswith(("https://", "http://")):
         token.attrSet("rel", "external")
+        reading.outside.append(Link(target, line))
         return
     reading.links.append(Link(target, line))
     file, mark, anchor = target.partition("#")
@@ -123,8 +124,11 @@ def _gather_link(token: Token, line: int, reading: Reading) -> None:
 
 
 def _drop_html(token: Token, line: int, reading: Reading) -> None:
-    """Comments are the author's own; other HTML would escape every check."""
+    """Comments are the author's own; other HTML, which would escape every check, is let through
+    only where ``book.toml`` says so."""
     markup = token.content.strip()
+    if reading.raw_html and not markup.startswith("<!--"):
+        return
     start = markup.partition("\n")[0][:40]
     if not markup.startswith("<!--"):
         reading.problem(line, f"raw HTML {start!r}; legal: Markdown and directives")

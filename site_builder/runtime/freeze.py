@@ -31,6 +31,18 @@ class FreezeError(RuntimeError):
     """The browser's interpreter could not import or compile what it was given."""
 
 
+class MissingModuleError(FreezeError):
+    """The browser has no such module; ``place`` asks for it, ``path:line``."""
+
+    def __init__(self, name: str, place: str) -> None:
+        self.name, self.place = name, place
+        super().__init__(f"{place}: {self.message}")
+
+    @property
+    def message(self) -> str:
+        return f"imports {self.name}, which the browser's Python lacks"
+
+
 @dataclass(frozen=True, slots=True)
 class Frozen:
     """The parts that came out."""
@@ -65,8 +77,10 @@ def freeze_libraries(
 
     Raises
     ------
+    MissingModuleError
+        Where a module does not exist in the browser.
     FreezeError
-        Where a module does not exist in the browser, and where the interpreter fails.
+        Where the interpreter fails.
     """
     order = {"at_once": sorted(at_once), "later": sorted(set(later) - set(at_once))}
     ingredients = [*(interpreter[name] for name in INTERPRETER), python, numpy, DRIVER, PROGRAM]
@@ -112,7 +126,7 @@ def _run(
     missing = freezer / "missing"
     if missing.is_file():
         name = missing.read_text(encoding="utf-8")
-        raise FreezeError(f"{places[name]}: imports {name}, which the browser's Python lacks")
+        raise MissingModuleError(name, places[name])
     if done.returncode:
         lines = [line for line in str(done.stderr).splitlines() if line.strip()]
         raise FreezeError("compiling for the browser failed:\n" + "\n".join(lines[-15:]))

@@ -68,7 +68,7 @@ def outside(table: Table, modules: Iterable[str]) -> dict[str, str]:
 
 def _imports(file: Path, path: str, files: Mapping[str, Path]) -> Imports:
     inside, others = set[str](), dict[str, str]()
-    for name, line, certain in _mentions(ast.parse(file.read_text(encoding="utf-8"))):
+    for name, line, certain in _mentions(ast.parse(file.read_bytes(), path)):
         if name in files:
             inside.add(name)
         elif name.partition(".")[0] not in files and (certain or _is_module(name)):

@@ -64,6 +64,21 @@ class Whole:
 
 
 @dataclass(frozen=True, slots=True)
+class YesOrNo:
+    """Whether."""
+
+    legal: str = "true or false"
+
+    def read(self, value: object) -> bool:
+        if not isinstance(value, bool):
+            raise ValueError
+        return value
+
+    def schema(self) -> dict[str, object]:
+        return {"type": "boolean"}
+
+
+@dataclass(frozen=True, slots=True)
 class OneOf:
     """One of some names."""
 

@@ -16,6 +16,7 @@ from site_builder.settings.kinds import (
     Table,
     Text,
     Whole,
+    YesOrNo,
 )
 
 FILE_NAME = "content/book.toml"
@@ -119,6 +120,15 @@ class Fonts:
 
 
 @dataclass(frozen=True, slots=True)
+class Trust:
+    """What of the authors' sources goes into the pages unseen."""
+
+    raw_html: bool = key(
+        YesOrNo(), "whether Markdown may hold HTML, scripts included", False, without="`false`"
+    )
+
+
+@dataclass(frozen=True, slots=True)
 class Settings:
     """The whole file."""
 
@@ -149,6 +159,7 @@ class Settings:
     labels: Labels = key(Table(Labels), "what numbered things are called", Labels())
     theme: Theme = key(Table(Theme), "the colours", Theme())
     fonts: Fonts = key(Table(Fonts), "the faces", Fonts())
+    trust: Trust = key(Table(Trust), "what goes into the pages unseen", Trust())
 
 
 @dataclass(frozen=True, slots=True)

@@ -107,7 +107,7 @@ def make_book(tmp_path: Path) -> MakeBook:
             "static/js/main.js": "export {};\n",
             "static/js/search/ranking.js": RANKING.read_text(encoding="utf-8"),
             "static/images/favicon.svg": ICON,
-            "content/images/plan.svg": "<svg/>\n",
+            "content/images/plan.svg": '<svg xmlns="http://www.w3.org/2000/svg"/>\n',
             **(files or {}),
         }
         for path, content in sources.items():

@@ -25,7 +25,7 @@ def run(make_book: Callable[..., Options], monkeypatch: pytest.MonkeyPatch) -> R
 
 
 def test_a_book_in_order_is_said_to_be(run: Run, capsys: pytest.CaptureFixture[str]) -> None:
-    assert run("check") == 0
+    assert run("check", "--no-runtime") == 0
     assert capsys.readouterr().out == "no mistakes\n"
 
 
@@ -35,7 +35,7 @@ WARNED = ":::{{quiz}} q\nWhich?\n- [x] {}\n  : Yes.\n- [ ] That\n  : No.\n:::\n"
 def test_warnings_are_listed_and_counted_and_fail_nothing(
     run: Run, capsys: pytest.CaptureFixture[str], tmp_path: Path
 ) -> None:
-    assert run("check", body=WARNED) == 0
+    assert run("check", "--no-runtime", body=WARNED) == 0
     said = capsys.readouterr()
     assert said.err.startswith("content/00-first.md:5: warning: the key of quiz 'q' stands out")
     assert said.out == "no mistakes; 1 warning\n"
@@ -46,7 +46,7 @@ def test_warnings_are_listed_and_counted_and_fail_nothing(
 
 
 def test_warnings_are_not_counted_as_mistakes(run: Run, capsys: pytest.CaptureFixture[str]) -> None:
-    assert run("check", body=f"# A\n\n{WARNED}") == 1
+    assert run("check", "--no-runtime", body=f"# A\n\n{WARNED}") == 1
     said = capsys.readouterr().err
     assert said.count("warning:") == 1
     assert said.endswith("1 mistake; nothing was written\n")
@@ -56,7 +56,7 @@ def test_warnings_are_not_counted_as_mistakes(run: Run, capsys: pytest.CaptureFi
 def test_mistakes_are_listed_and_counted(
     run: Run, capsys: pytest.CaptureFixture[str], body: str, count: str
 ) -> None:
-    assert run("check", body=body) == 1
+    assert run("check", "--no-runtime", body=body) == 1
     first, *_, last = capsys.readouterr().err.splitlines()
     assert first.startswith("content/00-first.md:5: heading '# A'")
     assert last == f"{count}; nothing was written"
@@ -91,5 +91,5 @@ def test_an_interrupted_command_ends_without_a_traceback(
     def interrupted(_options: Options) -> None:
         raise KeyboardInterrupt
 
-    monkeypatch.setattr("site_builder.__main__.check_site", interrupted)
-    assert run("check") == 130
+    monkeypatch.setattr("site_builder.check_command.check_site", interrupted)
+    assert run("check", "--no-runtime") == 130

@@ -191,8 +191,7 @@ def test_front_matter_that_is_no_mapping_is_reported(mistakes: Find) -> None:
 def test_a_book_without_an_outline_is_told_what_one_holds(mistakes: Find) -> None:
     assert mistakes(files={"content/book.toml": None}) == [
         "content/book.toml:1: no outline; legal: a file with "
-        "title, subtitle, prerequisites, chapters, appendices, hero, hero_caption, "
-        "address, source"
+        "title, subtitle, prerequisites, chapters"
     ]
 
 

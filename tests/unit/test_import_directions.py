@@ -37,11 +37,12 @@ MODELS = (
 """Rooms of ``simulations/models``: each imports itself and what stands before it."""
 
 BUILDER = (
-    "book_root", "diagnostics", "source_text", "languages", "settings", "addresses", "bibliography",
-    "glossary", "symbols", "news", "runtime", "editor", "output", "measured", "charts", "book",
-    "markdown", "lecture_plan", "source", "question_checks", "figure_questions", "declared",
-    "glossary_checks", "symbol_checks", "checks", "search", "pages", "publishing", "build",
-    "editions", "serve", "__main__",
+    "blame", "book_root", "diagnostics", "source_text", "svg", "purity", "languages", "settings",
+    "addresses", "bibliography", "glossary", "symbols", "news", "runtime", "editor", "output",
+    "measured", "charts", "book", "markdown", "lecture_plan", "source", "question_checks",
+    "figure_questions", "declared", "glossary_checks", "symbol_checks", "checks", "picture_checks",
+    "search", "pages", "publishing", "frame_checks", "build", "diagnostic_formats",
+    "outside_links", "check_command", "editions", "serve", "__main__",
 )  # fmt: skip
 """Parts of ``site_builder``, likewise."""
 MARKDOWN = (

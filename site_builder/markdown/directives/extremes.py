@@ -5,6 +5,7 @@ from importlib import import_module
 
 from simulations.engine.hard_cases import HardCase, HardCases, answer, naive_answer, show
 from simulations.registry import found
+from site_builder.diagnostics import cause
 from site_builder.markdown.bodies import no_body
 from site_builder.markdown.directive import Argument, Directive, Numbered, Use
 from site_builder.markdown.reading import Reading
@@ -42,9 +43,14 @@ def read_hard_cases(use: Use, _body: None, reading: Reading) -> HardCaseTable | 
     if not MODULES:
         reading.problem(use.line, f"the book has no hard cases; legal: a table in {ROOM}")
         return None
-    table: HardCases = import_module(MODULES[use.argument]).TABLE
     name = reading.placed[use.line].id
-    return HardCaseTable(name, table.title, tuple(_row(table, case) for case in table.cases))
+    try:
+        table: HardCases = import_module(MODULES[use.argument]).TABLE
+        return HardCaseTable(name, table.title, tuple(_row(table, case) for case in table.cases))
+    except Exception as error:  # whatever its code may raise is the author's to see
+        message = f"hard cases {use.argument!r} cannot be asked: {cause(error)}"
+        reading.problem(use.line, message)
+        return None
 
 
 def _row(table: HardCases, case: HardCase) -> HardCaseRow:

@@ -33,6 +33,11 @@ def read_illustration(use: Use, caption_html: str, reading: Reading) -> Drawn | 
         message = f"illustration {use.argument!r} cannot be drawn: {cause(error)}"
         reading.problem(use.line, message)
         return None
+    if not isinstance(illustration, Illustration):
+        kind = type(illustration).__name__
+        message = f"illustration {use.argument!r}: draw returned {kind}; legal: an Illustration"
+        reading.problem(use.line, message)
+        return None
     if not caption_html:
         legal = "one to three sentences"
         reading.problem(use.line, f"illustration {use.argument!r} has no caption; legal: {legal}")

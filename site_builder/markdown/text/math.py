@@ -21,6 +21,7 @@ ENVIRONMENTS = (
     "aligned", "array", "cases", "matrix", "pmatrix", "bmatrix", "Bmatrix", "vmatrix", "Vmatrix",
     "smallmatrix",
 )  # fmt: skip
+EMPTY = r"a formula that shows nothing; legal: '$…$' around one, or '\$' for the sign itself"
 CHILDREN = {
     "mfrac": 2, "mroot": 2, "msub": 2, "msup": 2, "mover": 2, "munder": 2,
     "msubsup": 3, "munderover": 3,
@@ -38,6 +39,8 @@ class UnsupportedTexError(ValueError):
 def to_mathml(tex: str, *, display: bool) -> str:
     """A ``<math>`` element. Raises `UnsupportedTexError`."""
     _check_balance(tex)
+    if not tex.strip():
+        raise UnsupportedTexError(EMPTY)
     try:
         markup = convert(_rewrite(tex), display="block" if display else "inline")
         # The converter leaves & bare outside of tables; as an entity it is found by _check.
@@ -48,6 +51,8 @@ def to_mathml(tex: str, *, display: bool) -> str:
         raise UnsupportedTexError(f"cannot set {quoted(tex)}: {_in_words(error)}") from error
     _strip_namespace(tree)
     _check(tree, tex)
+    if not any((element.text or "").strip() for element in tree.iter()):
+        raise UnsupportedTexError(EMPTY)
     _mend(tree, display=display)
     space_formula(tree)
     return ElementTree.tostring(tree, encoding="unicode")

@@ -8,6 +8,7 @@ from markdown_it.rules_block.table import escapedSplit
 from markdown_it.rules_core import StateCore
 from markdown_it.token import Token
 
+from site_builder.markdown.text.foreign_marks import foreign_marks
 from site_builder.markdown.text.tokens import located
 
 STRAY = (
@@ -47,6 +48,7 @@ def stray_marks_rule(state: StateCore) -> None:
                 problems.append((line, message))
             case "table_open":
                 problems += _in_table(token, lines)
+    problems += foreign_marks(state.tokens)
     problems += _lost_footnotes(state, lines)
 
 
@@ -62,14 +64,18 @@ def _is_closed(fence: Token, lines: Sequence[str]) -> bool:
 
 
 def _in_table(table: Token, lines: Sequence[str]) -> Iterator[tuple[int, str]]:
-    """Rows of more cells than the table has heads: the rest would not be shown."""
+    """Rows of more cells than the table has heads, or of fewer: cells are lost, or empty."""
     first, end = table.map or [0, 0]
     heads = len(_cells(lines[first]))
     for number in range(first + 2, end):
         count = len(_cells(lines[number]))
-        if count > heads:
-            message = f"a row of {count} cells below {heads} heads; legal: as many, or '\\|'"
+        if count != heads:
+            message = f"a row of {_cells_told(count)} below {heads} heads; legal: as many, or '\\|'"
             yield number + 1, message
+
+
+def _cells_told(count: int) -> str:
+    return "1 cell" if count == 1 else f"{count} cells"
 
 
 def _cells(line: str) -> list[str]:

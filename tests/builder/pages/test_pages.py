@@ -225,7 +225,7 @@ def test_a_picture_stands_with_its_words_and_its_file(
 ) -> None:
     (picture,) = (item for item in chapter.all("img") if item.attributes["alt"] == "A plan")
     assert "figure" in picture.inside
-    assert site[_resolve("first/index.html", picture.attributes["src"] or "")] == b"<svg/>\n"
+    assert site[_resolve("first/index.html", picture.attributes["src"] or "")].startswith(b"<svg ")
 
 
 def test_licences_of_what_is_shipped_are_given_in_full(site: Mapping[str, bytes]) -> None:

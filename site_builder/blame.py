@@ -1,0 +1,39 @@
+"""Where the author's own code failed, as far as an exception tells."""
+
+import sysconfig
+import traceback
+from pathlib import Path
+
+HERE = Path(__file__).resolve().parent
+LIBRARIES = tuple(Path(sysconfig.get_path(name)).resolve() for name in ("stdlib", "purelib"))
+
+
+def place_of(error: BaseException) -> str:
+    """``simulations/scenes/orbit/scene.py:12``: the innermost line that is neither the builder's,
+    nor the engine's, nor a library's; nothing where there is none."""
+    if isinstance(error, SyntaxError) and error.filename:
+        file = Path(error.filename)
+        return f"{_told(file) if file.is_absolute() else file}:{error.lineno or 1}"
+    for frame in reversed(traceback.extract_tb(error.__traceback__)):
+        file = Path(frame.filename)
+        if file.is_file() and _is_authors(file.resolve()):
+            return f"{_told(file)}:{frame.lineno or 1}"
+    return ""
+
+
+def _is_authors(file: Path) -> bool:
+    is_packed = (file.parent / "__init__.py").is_file()
+    is_engine = file.parent.name == "engine"
+    return (
+        is_packed
+        and not is_engine
+        and not any(file.is_relative_to(folder) for folder in (HERE, *LIBRARIES))
+    )
+
+
+def _told(file: Path) -> str:
+    """From the folder that holds its outermost package."""
+    folder = file.resolve().parent
+    while (folder / "__init__.py").is_file():
+        folder = folder.parent
+    return file.resolve().relative_to(folder).as_posix()

@@ -1,0 +1,85 @@
+"""What scenes and illustrations drew: that it is SVG, that style sheets know its classes, and that
+it is no larger than a page can carry."""
+
+import re
+from collections.abc import Iterator, Sequence
+from pathlib import Path
+
+from simulations.engine.frame import Panel
+from site_builder.book import Block, Book
+from site_builder.diagnostics import Diagnostics, unknown
+from site_builder.markdown.directives.illustration import Drawn
+from site_builder.pages.stills import Stills
+from site_builder.svg import read_overlay
+
+MOST_PIXELS, MANY_PIXELS = 4_000_000, 1_000_000
+MOST_LETTERS, MANY_LETTERS = 1_000_000, 250_000
+"""What is refused, and what is warned of: a slider draws it anew at every step."""
+CLASS = re.compile(r"\.([A-Za-z][\w-]*)")
+NO_NUMBER = re.compile(r"[\s,\"'](-?(?:nan|inf))[\s,\"']")
+
+
+def check_frames(book: Book, stills: Stills, static: Path, problems: Diagnostics) -> None:
+    """Those of the figures as they first appear, and the illustrations."""
+    known = known_classes(static)
+    for (path, line), still in stills.items():
+        _check(still.figure.scene.id, still.frame.panels, known, (path, line), problems)
+    for chapter in book.chapters:
+        for block in _all(chapter.body):
+            if isinstance(block.content, Drawn):
+                line = block.target.line if block.target else 1
+                panels = block.content.illustration.panels
+                _check("illustration", panels, known, (chapter.path, line), problems)
+
+
+def known_classes(static: Path) -> frozenset[str]:
+    """Classes that the style sheets speak of; none where these say nothing of drawings."""
+    texts = [file.read_text(encoding="utf-8") for file in sorted((static / "css").glob("*.css"))]
+    names = frozenset(name for text in texts for name in CLASS.findall(text))
+    return names if "overlay" in names else frozenset()
+
+
+def _all(blocks: Sequence[Block]) -> Iterator[Block]:
+    for block in blocks:
+        yield block
+        yield from _all(block.inside)
+
+
+def _check(
+    who: str,
+    panels: Sequence[Panel],
+    known: frozenset[str],
+    place: tuple[str, int],
+    problems: Diagnostics,
+) -> None:
+    for panel in panels:
+        for message in _faults(panel, known):
+            problems.add(*place, f"{who}: panel {panel.name!r}: {message}")
+        for message in _doubts(panel):
+            problems.warn(*place, f"{who}: panel {panel.name!r}: {message}")
+
+
+def _faults(panel: Panel, known: frozenset[str]) -> Iterator[str]:
+    if _pixels(panel) > MOST_PIXELS:
+        yield f"a raster of {_pixels(panel):,} pixels; legal: at most {MOST_PIXELS:,}"
+    if len(panel.overlay) > MOST_LETTERS:
+        yield f"an overlay of {len(panel.overlay):,} letters; legal: at most {MOST_LETTERS:,}"
+        return
+    drawing = read_overlay(panel.overlay)
+    yield from (f"overlay: {fault.message}" for fault in drawing.faults[:3])
+    if found := NO_NUMBER.search(panel.overlay):
+        yield f"overlay: {found[1]!r} as a place or a size; legal: a finite number"
+    if known:
+        strange = sorted(drawing.classes - known)
+        yield from (unknown("class", name, sorted(known)) for name in strange)
+
+
+def _doubts(panel: Panel) -> Iterator[str]:
+    if MANY_PIXELS < _pixels(panel) <= MOST_PIXELS:
+        yield f"a raster of {_pixels(panel):,} pixels; better: at most {MANY_PIXELS:,}"
+    if MANY_LETTERS < len(panel.overlay) <= MOST_LETTERS:
+        yield f"an overlay of {len(panel.overlay):,} letters; better: at most {MANY_LETTERS:,}"
+
+
+def _pixels(panel: Panel) -> int:
+    return 0 if panel.raster is None else panel.raster.shape[0] * panel.raster.shape[1]

@@ -1,0 +1,74 @@
+"""The author's picture files: whole, of the kind that their names say, of a size that a page can
+carry, and inert."""
+
+import warnings
+from collections.abc import Iterator
+from contextlib import contextmanager
+from pathlib import Path
+
+from PIL import Image, UnidentifiedImageError
+
+from site_builder.diagnostics import Diagnostics
+from site_builder.markdown.directives.figure import SUFFIXES
+from site_builder.svg import read_svg
+
+KINDS = {".png": "PNG", ".jpg": "JPEG", ".jpeg": "JPEG", ".webp": "WEBP"}
+MOST_PIXELS, MANY_PIXELS = 40_000_000, 6_000_000
+"""What is refused, and what is warned of: figures are at most some 1000 px wide, twice that on a
+dense screen."""
+MOST_BYTES, MANY_BYTES = 20_000_000, 1_500_000
+
+
+def check_pictures(root: Path, problems: Diagnostics) -> None:
+    """All that would be published, shown or not."""
+    content = root / "content"
+    for file in sorted(content.rglob("*")):
+        if file.suffix in SUFFIXES and file.is_file():
+            _check_picture(file, file.relative_to(root).as_posix(), problems)
+
+
+def _check_picture(file: Path, path: str, problems: Diagnostics) -> None:
+    size = file.stat().st_size
+    if size > MOST_BYTES:
+        legal = f"at most {MOST_BYTES / 1e6:g} MB"
+        problems.add(path, 1, f"a picture of {size / 1e6:.1f} MB; legal: {legal}")
+        return
+    if size > MANY_BYTES:
+        better = f"at most {MANY_BYTES / 1e6:g} MB"
+        problems.warn(path, 1, f"a picture of {size / 1e6:.1f} MB; better: {better}")
+    if file.suffix == ".svg":
+        for fault in read_svg(file.read_bytes()).faults:
+            problems.add(path, fault.line, fault.message)
+    elif fault_of_raster := _fault_of_raster(file, path, problems):
+        problems.add(path, 1, fault_of_raster)
+
+
+def _fault_of_raster(file: Path, path: str, problems: Diagnostics) -> str:
+    """What is wrong with a picture of pixels; nothing where nothing is."""
+    try:
+        with _reading(file) as picture:
+            width, height = picture.size
+            if width * height > MOST_PIXELS:
+                return f"{width} × {height} px; legal: at most {MOST_PIXELS:,} pixels"
+            if width * height > MANY_PIXELS:
+                message = f"{width} × {height} px; better: at most {MANY_PIXELS:,} pixels"
+                problems.warn(path, 1, message)
+            if picture.format != KINDS[file.suffix]:
+                return f"holds {picture.format}; legal: {KINDS[file.suffix]}, as its name says"
+            picture.load()
+    except UnidentifiedImageError:
+        return f"no picture; legal: {KINDS[file.suffix]}"
+    except (Image.DecompressionBombError, Image.DecompressionBombWarning):
+        return f"more pixels than can be read; legal: at most {MOST_PIXELS:,}"
+    except (OSError, SyntaxError, ValueError, Warning) as error:
+        return f"a damaged picture: {error}; legal: a whole {KINDS[file.suffix]}"
+    return ""
+
+
+@contextmanager
+def _reading(file: Path) -> Iterator[Image.Image]:
+    """The picture, opened and not yet decoded; its library's doubts about it are errors."""
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        with Image.open(file, formats=tuple(dict.fromkeys(KINDS.values()))) as picture:
+            yield picture

@@ -1,0 +1,186 @@
+"""SVG by a strict list: shapes, text and paint, all of it inert. Whatever else a file or a drawing
+holds, such as scripts, handlers of events or addresses outside of it, is told with its line."""
+
+import io
+import re
+from dataclasses import dataclass, field
+from xml.sax import SAXParseException
+from xml.sax.handler import ContentHandler, feature_namespaces
+from xml.sax.xmlreader import AttributesNSImpl
+
+from defusedxml import DefusedXmlException
+from defusedxml.sax import make_parser
+
+from site_builder.diagnostics import unknown
+
+SVG = "http://www.w3.org/2000/svg"
+XLINK = "http://www.w3.org/1999/xlink"
+XML = "http://www.w3.org/XML/1998/namespace"
+NOTES = (
+    "http://www.inkscape.org/namespaces/inkscape",
+    "http://sodipodi.sourceforge.net/DTD/sodipodi-0.dtd",
+    "http://www.w3.org/1999/02/22-rdf-syntax-ns#",
+    "http://creativecommons.org/ns#",
+    "http://purl.org/dc/elements/1.1/",
+)
+"""What drawing programs write for themselves; browsers pass over it."""
+
+DRAWN = (
+    "svg g defs symbol use title desc metadata style path rect circle ellipse line polyline polygon"
+    " text tspan textPath image marker pattern clipPath mask linearGradient radialGradient stop"
+)
+FILTERS = (
+    "filter feGaussianBlur feOffset feMerge feMergeNode feBlend feColorMatrix feFlood feComposite"
+    " feComponentTransfer feFuncR feFuncG feFuncB feFuncA feMorphology feTile feTurbulence"
+)
+ELEMENTS = f"{DRAWN} {FILTERS}".split()
+PLACES = (
+    "x y x1 y1 x2 y2 cx cy r rx ry fx fy fr dx dy d points width height viewBox transform rotate"
+    " preserveAspectRatio pathLength textLength lengthAdjust startOffset method spacing side offset"
+    " refX refY markerWidth markerHeight markerUnits orient overflow clip patternUnits"
+    " patternContentUnits patternTransform maskUnits maskContentUnits clipPathUnits gradientUnits"
+    " gradientTransform spreadMethod filterUnits primitiveUnits zoomAndPan"
+)
+PAINT = (
+    "fill fill-opacity fill-rule stroke stroke-width stroke-opacity stroke-linecap stroke-linejoin"
+    " stroke-miterlimit stroke-dasharray stroke-dashoffset opacity color color-interpolation"
+    " color-interpolation-filters color-rendering stop-color stop-opacity flood-color flood-opacity"
+    " display visibility clip-path clip-rule mask filter marker-start marker-mid marker-end"
+    " paint-order vector-effect shape-rendering text-rendering image-rendering enable-background"
+    " mix-blend-mode isolation"
+)
+LETTERS = (
+    "font-family font-size font-style font-weight font-variant font-stretch font text-anchor"
+    " dominant-baseline alignment-baseline baseline-shift letter-spacing word-spacing kerning"
+    " text-decoration writing-mode direction unicode-bidi line-height"
+)
+OF_FILTERS = (
+    "in in2 result stdDeviation edgeMode mode values operator k1 k2 k3 k4 radius baseFrequency"
+    " numOctaves seed stitchTiles tableValues slope intercept amplitude exponent"
+)
+OTHERS = "id class style lang role tabindex version baseProfile type media"
+ATTRIBUTES = f"{PLACES} {PAINT} {LETTERS} {OF_FILTERS} {OTHERS}".split()
+"""Attributes without a prefix, beside ``aria-…`` and ``data-…``."""
+ADDRESSES = ("href", "src")
+OWN_PLACE = re.compile(r"\s*#[^\s]*\s*")
+OWN_PICTURE = re.compile(r"\s*data:image/(?:png|jpe?g|gif|webp);base64,[A-Za-z0-9+/=\s]*")
+REACHES_OUT = re.compile(
+    r"@import|url\(\s*['\"]?(?!#|\s*['\"]?#)|expression\s*\(|-moz-binding|behavior\s*:|\\|<"
+    r"|javascript:|image-set|\bsrc\(",
+    re.IGNORECASE,
+)
+"""What a style can say that is more than paint; a backslash could spell any of it."""
+
+
+@dataclass(frozen=True, slots=True, order=True)
+class Fault:
+    """What is wrong in a drawing."""
+
+    line: int
+    """Counted from 1."""
+    message: str
+
+
+@dataclass(frozen=True, slots=True)
+class Drawing:
+    """What was found in some SVG."""
+
+    faults: tuple[Fault, ...]
+    classes: frozenset[str]
+
+
+def read_svg(data: bytes) -> Drawing:
+    """The faults of a file, in the order of its lines; none where it may be published."""
+    reader = _Reader()
+    parser = make_parser()
+    parser.setFeature(feature_namespaces, True)
+    parser.forbid_dtd = True
+    parser.setContentHandler(reader)
+    try:
+        parser.parse(io.BytesIO(data))
+    except SAXParseException as error:
+        reader.faults.append(Fault(error.getLineNumber() or 1, f"no SVG: {error.getMessage()}"))
+    except DefusedXmlException:
+        message = "a DOCTYPE or an entity; legal: neither"
+        reader.faults.append(Fault(reader.line, message))
+    except (ValueError, LookupError) as error:  # an encoding that nobody knows
+        reader.faults.append(Fault(1, f"no SVG: {error}; legal: UTF-8"))
+    return Drawing(tuple(sorted(set(reader.faults))), frozenset(reader.classes))
+
+
+def read_overlay(markup: str) -> Drawing:
+    """The same of what stands within ``<svg>``, as scenes and illustrations draw it."""
+    return read_svg(f'<svg xmlns="{SVG}">{markup}</svg>'.encode())
+
+
+@dataclass(slots=True)
+class _Reader(ContentHandler):
+    faults: list[Fault] = field(default_factory=list)
+    classes: set[str] = field(default_factory=set)
+    inside: list[str] = field(default_factory=list)
+    style: str = ""
+    """What the present ``<style>`` has said so far."""
+    locator: object = None
+
+    def setDocumentLocator(self, locator: object) -> None:  # noqa: N802 (the parser's name)
+        self.locator = locator
+
+    @property
+    def line(self) -> int:
+        return int(getattr(self.locator, "getLineNumber", lambda: 1)() or 1)
+
+    def fault(self, message: str) -> None:
+        self.faults.append(Fault(self.line, message))
+
+    def processingInstruction(self, target: str, _data: str) -> None:  # noqa: N802
+        self.fault(f"<?{target}?>; legal: no such instruction")
+
+    def startElementNS(  # noqa: N802
+        self, name: tuple[str | None, str], _qname: str | None, attrs: AttributesNSImpl
+    ) -> None:
+        space, local = name
+        if not self.inside and (space, local) != (SVG, "svg"):
+            self.fault(f'<{local}> at the top; legal: <svg xmlns="{SVG}">')
+        elif space == SVG and local not in ELEMENTS:
+            self.fault(_strange("element", local, ELEMENTS))
+        elif space != SVG and space not in NOTES:
+            self.fault(f"<{local}> of {space or 'no'} namespace; legal: SVG")
+        self.inside.append(local)
+        for (prefix, attribute), value in attrs.items():
+            self._attribute(prefix, attribute, str(value), local)
+
+    def endElementNS(self, _name: tuple[str | None, str], _qname: str | None) -> None:  # noqa: N802
+        if self.inside.pop() == "style":
+            if found := REACHES_OUT.search(self.style):
+                self.fault(f"{found[0]!r} in a style; legal: paint, and 'url(#id)'")
+            self.style = ""
+
+    def characters(self, content: str) -> None:
+        if "style" in self.inside:
+            self.style += content
+
+    def _attribute(self, space: str | None, name: str, value: str, element: str) -> None:
+        if name == "class" and not space:
+            self.classes.update(value.split())
+        if name in ADDRESSES:
+            own = OWN_PLACE.fullmatch(value) or (
+                element == "image" and OWN_PICTURE.fullmatch(value)
+            )
+            if space not in (None, XLINK) or not own:
+                shown = value if len(value) <= 40 else f"{value[:40]}…"
+                legal = "'#id' of its own, and in <image> 'data:image/png;base64,…'"
+                self.fault(f"address {shown!r} in <{element}>; legal: {legal}")
+        elif space is None and not (name in ATTRIBUTES or name.startswith(("aria-", "data-"))):
+            self.fault(_strange("attribute", name, ATTRIBUTES))
+        elif space == XML and name not in ("space", "lang", "id"):
+            self.fault(f"attribute 'xml:{name}'; legal: xml:space, xml:lang, xml:id")
+        elif space not in (None, XML, XLINK, *NOTES):
+            self.fault(f"attribute {name!r} of {space}; legal: SVG's")
+        elif not space and name not in ("id", "class") and (found := REACHES_OUT.search(value)):
+            self.fault(f"{found[0]!r} in {name!r}; legal: paint, and 'url(#id)'")
+
+
+def _strange(kind: str, name: str, legal: list[str]) -> str:
+    """Of a name so unlike all legal ones, that these are many: nothing is listed."""
+    said = unknown(kind, name, legal)
+    return said if "did you mean" in said else f"{kind} {name!r}; legal: shapes, text and paint"

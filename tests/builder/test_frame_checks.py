@@ -1,0 +1,130 @@
+"""What a scene may not return or draw, told where the figure stands and where the scene failed."""
+
+from collections.abc import Callable
+from dataclasses import replace
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+
+from simulations.engine.frame import Frame, Panel, Readout
+from simulations.engine.scene import Scene
+from site_builder import frame_checks
+from site_builder.blame import place_of
+from site_builder.build import Options, check_site
+from site_builder.diagnostics import BuildError, Diagnostic
+
+COVERLESS = (
+    'title = "T"\nsubtitle = "S"\nprerequisites = "P"\nchapters = ["00-first", "01-second"]\n'
+)
+STYLES = ".overlay .ray { stroke: red }\n.world {}\n"
+type Draw = Callable[[Any, Any], Any]
+
+
+def frame(overlay: str = "", raster: Any = None) -> Frame:
+    return Frame((Panel("plan", "Plan", 40, 30, raster, overlay),), (), "A plan.")
+
+
+def raising(*_: object) -> Frame:
+    raise ZeroDivisionError("division by zero")
+
+
+@pytest.fixture
+def told(make_book: Callable[..., Options]) -> Callable[[Draw], list[str]]:
+    """What is said of a chapter's figure that is drawn so."""
+
+    def find(draw: Draw) -> list[str]:
+        body = ":::{simulation} demo\n:::\n"
+        options = make_book(body, {"content/book.toml": COVERLESS, "static/css/book.css": STYLES})
+
+        def load(scene_id: str) -> Scene[Any]:
+            return replace(options.load_scene(scene_id), draw=draw)
+
+        found: list[Diagnostic] = []
+        try:
+            check_site(replace(options, load_scene=load, warn=found.append))
+        except BuildError as error:
+            found += error.diagnostics
+        return [str(one) for one in found]
+
+    return find
+
+
+@pytest.mark.parametrize(
+    ("draw", "says"),
+    [
+        (raising, "ZeroDivisionError: division by zero"),
+        (lambda *_: None, "draw returned NoneType; legal: a Frame"),
+        (lambda *_: {"panels": ()}, "draw returned dict; legal: a Frame"),
+        (lambda *_: Frame([], (), "A."), "panels list; legal: a tuple of Panel"),  # type: ignore[arg-type]
+        (lambda *_: Frame(("a",), (), "A."), "panels str; legal: a tuple of Panel"),  # type: ignore[arg-type]
+        (lambda *_: Frame((), ("a",), "A."), "readouts str; legal: a tuple of Readout"),  # type: ignore[arg-type]
+        (lambda *_: Frame((), (), None), "no description; legal: a sentence"),  # type: ignore[arg-type]
+        (lambda *_: Readout("x", "x", 3.0), "readout 'x': text float; legal: a str"),  # type: ignore[arg-type]
+        (lambda *_: frame(overlay=3), "panel 'plan': overlay int; legal: a str of SVG"),  # type: ignore[arg-type]
+        (lambda *_: frame(raster=[[0]]), "panel 'plan': raster list; legal: (H, W, 4) uint8"),
+        (lambda *_: frame(raster=np.zeros((2, 2, 4))), "raster (2, 2, 4) float64; legal: "),
+        (lambda *_: frame("<circel/>"), "overlay: unknown element 'circel'; did you mean 'circle'"),
+        (lambda *_: frame("<g>"), "overlay: no SVG: mismatched tag"),
+        (lambda *_: frame("<g onclick='x'/>"), "overlay: attribute 'onclick'; legal: "),
+        (lambda *_: frame("<circle r='nan'/>"), "overlay: 'nan' as a place or a size; legal: "),
+        (lambda *_: frame("<path d='M0,-inf L1 1'/>"), "overlay: '-inf' as a place or a size"),
+        (lambda *_: frame("<g class='rya'/>"), "unknown class 'rya'; did you mean 'ray'?"),
+    ],
+)
+def test_what_a_scene_may_not_draw_is_reported_once_where_it_stands(
+    told: Callable[[Draw], list[str]], draw: Draw, says: str
+) -> None:
+    (found,) = told(draw)
+    assert found.startswith("content/00-first.md:5: ")
+    assert says in found
+
+
+def test_what_a_scene_may_draw_is_in_order(told: Callable[[Draw], list[str]]) -> None:
+    drawn = frame("<g class='ray world'><text>nan</text></g>", np.zeros((2, 2, 4), np.uint8))
+    assert told(lambda *_: drawn) == []
+
+
+def test_a_raster_or_a_drawing_beyond_measure_is_warned_of_and_then_refused(
+    told: Callable[[Draw], list[str]], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    for name in ("MANY_PIXELS", "MANY_LETTERS"):
+        monkeypatch.setattr(frame_checks, name, 5)
+    drawn = frame("<g></g>", np.zeros((3, 2, 4), np.uint8))
+    assert [line.split("; ")[1] for line in told(lambda *_: drawn)] == ["better: at most 5"] * 2
+    for name in ("MOST_PIXELS", "MOST_LETTERS"):
+        monkeypatch.setattr(frame_checks, name, 5)
+    assert [line.split("; ")[1] for line in told(lambda *_: drawn)] == ["legal: at most 5"] * 2
+
+
+def module(folder: Path, source: str) -> Path:
+    """A scene's module in a package of its own."""
+    file = folder / "simulations" / "scenes" / "orbit" / "scene.py"
+    file.parent.mkdir(parents=True)
+    for package in (file.parent, *list(file.parents)[1:3]):
+        (package / "__init__.py").write_text("")
+    file.write_text(source)
+    return file
+
+
+def failure_of(file: Path) -> Exception:
+    try:
+        exec(compile(file.read_text(), file, "exec"), {})
+    except Exception as error:
+        return error
+    raise AssertionError("nothing failed")
+
+
+@pytest.mark.parametrize(
+    ("source", "line"),
+    [
+        ("x = 1\ny = 1 / 0\n", 2),
+        ("x = 1\ny = (2\n", 2),
+        ("import json\n\njson.loads('{')\n", 3),
+        ("from simulations.engine.drawing import dot\n\ndot(None, 'ray')\n", 3),
+    ],
+)
+def test_the_line_of_a_scene_that_fails_is_found(tmp_path: Path, source: str, line: int) -> None:
+    error = failure_of(module(tmp_path, source))
+    assert place_of(error) == f"simulations/scenes/orbit/scene.py:{line}"

@@ -1,0 +1,102 @@
+"""Picture files that a page cannot show, or cannot carry."""
+
+import io
+import zlib
+from collections.abc import Callable
+from dataclasses import replace
+from pathlib import Path
+
+import pytest
+from PIL import Image
+
+from site_builder import picture_checks
+from site_builder.build import Options, check_site
+from site_builder.diagnostics import BuildError, Diagnostic
+
+SHOWN = ":::{figure} images/a.png\n:alt: A\n:::\n"
+
+
+def picture(width: int, height: int, kind: str = "PNG") -> bytes:
+    buffer = io.BytesIO()
+    Image.new("L", (width, height), 200).save(buffer, kind)
+    return buffer.getvalue()
+
+
+@pytest.fixture
+def told(make_book: Callable[..., Options]) -> Callable[..., list[str]]:
+    """What is said of a picture file."""
+
+    def find(name: str, data: bytes) -> list[str]:
+        options = make_book()
+        (options.root / "content" / "images" / name).write_bytes(data)
+        found: list[Diagnostic] = []
+        try:
+            check_site(replace(options, warn=found.append))
+        except BuildError as error:
+            found += error.diagnostics
+        return [str(one).removeprefix(f"content/images/{name}:") for one in found]
+
+    return find
+
+
+@pytest.mark.parametrize(
+    ("name", "data", "says"),
+    [
+        ("a.png", b"", "1: no picture; legal: PNG"),
+        ("a.png", b"<html><script>alert(1)</script>", "1: no picture; legal: PNG"),
+        ("a.png", picture(60, 60)[:-20], "1: a damaged picture: "),
+        ("a.jpg", picture(60, 60, "JPEG")[:-200], "1: a damaged picture: "),
+        ("a.png", picture(60, 60, "JPEG"), "1: holds JPEG; legal: PNG, as its name says"),
+        ("a.svg", b"<svg>", "1: <svg> at the top; legal: "),
+        ("a.svg", b'<svg xmlns="http://www.w3.org/2000/svg">\n<script/></svg>', "2: element 'scr"),
+    ],
+)
+def test_a_picture_that_cannot_be_shown_is_reported(
+    told: Callable[..., list[str]], name: str, data: bytes, says: str
+) -> None:
+    assert told(name, data)[0].startswith(says)
+
+
+def test_a_whole_picture_is_in_order(told: Callable[..., list[str]]) -> None:
+    for kind in ("png", "webp", "jpeg"):
+        assert told(f"a.{kind}", picture(8, 8, kind.upper())) == []
+
+
+def test_a_picture_too_large_to_be_read_is_refused_unread(told: Callable[..., list[str]]) -> None:
+    small = picture(8, 8)
+    for side, says in (
+        (7_000, "7000 × 7000 px; legal: "),
+        (50_000, "more pixels than can be read"),
+    ):
+        chunk = b"IHDR" + side.to_bytes(4) * 2 + small[24:29]
+        vast = small[:12] + chunk + zlib.crc32(chunk).to_bytes(4) + small[33:]
+        assert told("a.png", vast)[-1].startswith(f"1: {says}")
+
+
+def test_a_large_picture_is_warned_of_and_one_too_large_refused(
+    told: Callable[..., list[str]], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(picture_checks, "MANY_PIXELS", 50)
+    assert told("a.png", picture(8, 8)) == ["1: warning: 8 × 8 px; better: at most 50 pixels"]
+    monkeypatch.setattr(picture_checks, "MOST_PIXELS", 60)
+    assert told("a.png", picture(8, 8)) == ["1: 8 × 8 px; legal: at most 60 pixels"]
+
+
+def test_a_heavy_file_is_refused_unread(
+    told: Callable[..., list[str]], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(picture_checks, "MOST_BYTES", 2_000_000)
+    (warning, refusal) = (told("a.svg", b" " * size)[0] for size in (1_600_000, 2_100_000))
+    assert warning == "1: warning: a picture of 1.6 MB; better: at most 1.5 MB"
+    assert refusal == "1: a picture of 2.1 MB; legal: at most 2 MB"
+
+
+def test_a_picture_of_the_book_is_published_only_as_checked(
+    make_book: Callable[..., Options], tmp_path: Path
+) -> None:
+    """A folder beside ``images`` is no way around the check."""
+    options = make_book()
+    (tmp_path / "content/other").mkdir()
+    (tmp_path / "content/other/b.svg").write_bytes(b"<html/>")
+    with pytest.raises(BuildError, match=r"content/other/b\.svg:1:"):
+        check_site(options)
