@@ -1,3 +1,3 @@
 """From Markdown and simulations to a static site. Start reading at `site_builder.build`."""
 
-from site_builder import book_root as book_root  # before anything looks for scenes: whose
+from site_builder.book_root import ROOT as ROOT  # before anything looks for scenes: whose

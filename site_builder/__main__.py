@@ -1,4 +1,4 @@
-"""``python -m site_builder build|check|serve|pdf|epub|schema``: what is said, and
+"""``python -m site_builder build|check|serve|pdf|epub|schema|new``: what is said, and
 the exit code."""
 
 import argparse
@@ -14,6 +14,9 @@ from site_builder.check_command import Wanted, check
 from site_builder.diagnostic_formats import FORMATS
 from site_builder.diagnostics import BuildError, Diagnostic, counted
 from site_builder.settings.schema import book_schema
+
+NEW = ("book", "chapter", "scene", "model", "ladder", "directive")
+"""What ``new`` makes."""
 
 
 def main(arguments: list[str] | None = None) -> int:
@@ -42,6 +45,10 @@ def main(arguments: list[str] | None = None) -> int:
                 return check(options, Wanted(form, links=given.links))
             case "schema":
                 print(json.dumps(book_schema(), indent=2, ensure_ascii=False))
+            case "new":
+                from site_builder.scaffold.command import make_new  # needed only here
+
+                print(make_new(ROOT, given.kind, given.name))
             case "pdf":
                 # Its reader of pages and its printer are needed only here.
                 from site_builder.editions.compose import compose
@@ -88,6 +95,7 @@ def _parser() -> argparse.ArgumentParser:
         ("serve", "build, show, and build again on every change"),
         ("check", "report the mistakes in the sources"),
         ("schema", "print the JSON schema of content/book.toml, for editors"),
+        ("new", "make a book, or a skeleton in this one, with its tests"),
         ("pdf", "set the whole book on pages; needs Chromium"),
         ("epub", "pack the whole book for a reader of e-books"),
     ):
@@ -99,6 +107,10 @@ def _parser() -> argparse.ArgumentParser:
         if name in ("pdf", "epub"):
             edition = ROOT / "build" / f"image-formation.{name}"
             command.add_argument("--out", type=Path, default=edition, help="the file")
+            continue
+        if name == "new":
+            command.add_argument("kind", choices=NEW)
+            command.add_argument("name", help="such as falling-ball; of a book, its folder")
             continue
         command.add_argument("--out", type=Path, default=ROOT / "build" / "site", help="the site")
         command.add_argument(

@@ -109,11 +109,11 @@ def _grid(time: Axis, error: Axis, measured: MeasuredLadder, words: Words) -> st
     for value, label in time.ticks():
         x = time.position(value)
         rules.append([(x, TOP), (x, BOTTOM)])
-        labels.append(drawing.text((x, BOTTOM + 17), words.decimals(label), "muted", "middle"))
+        labels.append(drawing.text((x, BOTTOM + 17), words.numeral(label), "muted", "middle"))
     for value, label in error.ticks():
         y = error.position(value)
         rules.append([(LEFT, y), (RIGHT, y)])
-        labels.append(drawing.text((LEFT - 7, y + 4.5), words.decimals(label), "muted", "end"))
+        labels.append(drawing.text((LEFT - 7, y + 4.5), words.numeral(label), "muted", "end"))
     if error.none is not None:
         word = "∞" if metric.higher_is_better else words("ladder.none")
         labels.append(drawing.text((LEFT - 7, error.none + 4.5), word, "muted", "end"))

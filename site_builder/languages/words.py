@@ -44,8 +44,13 @@ class Words:
         """What a numbered thing is called: ``Figure``."""
         return self(f"labels.{kind.lower()}")
 
-    def decimals(self, text: str) -> str:
-        """A number in digits, with the language's decimal sign."""
+    def numeral(self, text: str) -> str:
+        """A number as the language writes it: its decimal sign, and words for what is none. As
+        ``numeral`` of ``static/js/page/words.js``."""
+        if text == "undefined":
+            return self("script.number.undefined")
+        if text.startswith("under "):
+            return self("script.number.under", limit=self.numeral(text.removeprefix("under ")))
         sign = self("language.decimal")
         return text if sign == "." else DECIMAL.sub(sign, text)
 

@@ -54,7 +54,7 @@ def default_choice(measured: MeasuredLadder, words: Words = ENGLISH) -> Choice:
     dearer = [item for item in front if item.times[SIDE].ms > ms]
     return Choice(
         label=default.tier.label,
-        ms=words.decimals(milliseconds(ms)),
+        ms=words.numeral(milliseconds(ms)),
         metric=_in_a_sentence(measured.metric.label, words),
         error=_error(measured, default, words),
         cheaper=_neighbour(measured, default, cheaper[-1], words) if cheaper else None,
@@ -84,7 +84,7 @@ def _neighbour(
     measured: MeasuredLadder, default: MeasuredTier, item: MeasuredTier, words: Words
 ) -> Neighbour:
     ratio = item.times[SIDE].ms / default.times[SIDE].ms
-    times = words.decimals(quantity(ratio))
+    times = words.numeral(quantity(ratio))
     return Neighbour(item.tier.label, times, _error(measured, item, words))
 
 

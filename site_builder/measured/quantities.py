@@ -30,7 +30,7 @@ def error_text(value: float | None, unit: str, words: Words = ENGLISH) -> str:
         return words("ladder.none")
     if value is None:
         return "∞"
-    return words.decimals(format_number(value, 1) if unit == "dB" else quantity(value))
+    return words.numeral(format_number(value, 1) if unit == "dB" else quantity(value))
 
 
 def is_none(value: float | None, unit: str) -> bool:

@@ -95,7 +95,7 @@ def value_text(control: Control, value: Value, words: Words = ENGLISH) -> str:
     """The value as ``controls.js`` writes it: ``f/2.8``, ``5.0 m``, ``30°``."""
     match control:
         case Slider():
-            number = words.decimals(format_number(float(value), control.decimals))
+            number = words.numeral(format_number(float(value), control.decimals))
             return with_unit(f"{control.prefix}{number}", control.unit)
         case Action():
             return control.labels[int(value)]

@@ -104,8 +104,8 @@ def _row(measured: MeasuredLadder, item: MeasuredTier, words: Words) -> TierRow:
         cost=item.tier.cost,
         default=item.tier.id == measured.ladder.default_tier,
         errors=tuple(error_text(item.errors[m.id], m.unit, words) for m in _metrics(measured)),
-        native_ms=words.decimals(milliseconds(item.times["native"].ms)),
-        browser_ms=words.decimals(milliseconds(item.times["browser"].ms)),
+        native_ms=words.numeral(milliseconds(item.times["native"].ms)),
+        browser_ms=words.numeral(milliseconds(item.times["browser"].ms)),
         verdict=verdict(measured, item, words),
         beaten=any(winners),
     )
@@ -136,9 +136,9 @@ def summary_row(measured: MeasuredLadder, words: Words = ENGLISH) -> SummaryRow:
         id=measured.ladder.id,
         title=measured.ladder.title,
         tiers=len(measured.tiers),
-        span=f"{words.decimals(quantity(max(times) / min(times)))}×",
+        span=f"{words.numeral(quantity(max(times) / min(times)))}×",
         default=default.tier.label,
-        default_ms=words.decimals(milliseconds(default.times["browser"].ms)),
+        default_ms=words.numeral(milliseconds(default.times["browser"].ms)),
         default_error=error
         if is_none(value, unit)
         else f"{error}{'' if unit == '°' else ' '}{unit}",

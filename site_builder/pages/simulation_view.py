@@ -1,6 +1,6 @@
 """A still as its template needs it: addresses, texts and schema worked out, nothing left to do."""
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import Any
 
@@ -15,6 +15,17 @@ from site_builder.pages.control_view import CellView, control_cells, value_text
 from site_builder.pages.embedding import json_for_html
 from site_builder.pages.figure_grid import even_columns
 from site_builder.pages.stills import Still
+
+PHRASES: Mapping[str, str] = {
+    "nothing takes it": "unneeded",
+    "nothing it reads has changed": "unchanged",
+    "depends on nothing": "independent",
+}
+BEGINNINGS: Mapping[str, str] = {
+    "reads ": "reads", "follows ": "follows", "changed: ": "changed",
+}  # fmt: skip
+"""What the engine says of a stage (`simulations/engine/stages.py`), and its key among the words of
+the interface."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -94,7 +105,7 @@ def view_simulation(still: Still, assets: str, words: Words = ENGLISH) -> Simula
             for panel in frame.panels
             for name in (still.pictures.get(panel.name, ""),)
         ),
-        readouts=tuple(replace(shown, text=words.decimals(shown.text)) for shown in frame.readouts),
+        readouts=tuple(replace(shown, text=words.numeral(shown.text)) for shown in frame.readouts),
         cells=cells,
         folded=folded,
         columns=(
@@ -106,7 +117,9 @@ def view_simulation(still: Still, assets: str, words: Words = ENGLISH) -> Simula
         tiers=tiers,
         tier=figure.tier,
         judged=scene.estimate is not None,
-        stages=frame.stages,
+        stages=tuple(
+            replace(stage, reason=reason_text(stage.reason, words)) for stage in frame.stages
+        ),
         stages_text=count_stages(frame.stages, words),
         workings_open=figure.workings_open,
         schema=json_for_html(schema(still)),
@@ -176,6 +189,21 @@ def tier_labels(scene: Scene[Any]) -> tuple[tuple[str, str], ...]:
         ladder = load_ladder(scene.ladder)
         labels = {tier: ladder.tier(tier).label for tier in scene.tiers} | labels
     return tuple((tier, labels[tier]) for tier in scene.tiers)
+
+
+def reason_text(reason: str, words: Words = ENGLISH) -> str:
+    """Why a stage was computed or not, as ``workings.js`` writes it: the engine's words in the
+    language of the book; those of a scene are the book's own."""
+    return "; ".join(_reason(part, words) for part in reason.split("; "))
+
+
+def _reason(part: str, words: Words) -> str:
+    if key := PHRASES.get(part):
+        return words(f"script.workings.{key}")
+    for begin, key in BEGINNINGS.items():
+        if part.startswith(begin):
+            return words(f"script.workings.{key}", names=part.removeprefix(begin))
+    return part
 
 
 def count_stages(stages: Sequence[StageReport], words: Words = ENGLISH) -> str:

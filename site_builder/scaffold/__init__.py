@@ -1,4 +1,4 @@
 """``python -m site_builder new book|chapter|scene|model|ladder|directive NAME``.
 
-What is made stands in files: ``skeletons/`` and ``book/``, templates whose ``«names»`` are filled in.
+What is made stands in ``skeletons/`` and ``book/``: templates whose ``«names»`` are filled in.
 """

@@ -19,10 +19,11 @@ def chapter(root: Path, text: str) -> Made:
     listed = re.search(r"^chapters\s*=\s*\[(.*?)\]", outline, re.MULTILINE | re.DOTALL)
     if listed is None:
         raise ScaffoldError(f"{OUTLINE} has no list of chapters; legal: chapters = [ … ]")
-    taken = re.findall(r"[\"'](?:\d+-)?([a-z0-9-]+)[\"']", listed[1])
-    if name.text in taken:
+    taken = re.findall(r"[\"'](?:(\d+)-)?([a-z0-9-]+)[\"']", listed[1])
+    if name.text in (slug for _, slug in taken):
         raise ScaffoldError(f"chapter {name.text!r} is there already; legal: another name")
-    file = f"{len(taken):02}-{name.text}"
+    number = max((int(number) + 1 for number, _ in taken if number), default=len(taken))
+    file = f"{number:02}-{name.text}"
     before = listed[1].rstrip()
     comma = "" if not before or before.endswith(",") else ","
     listing = f'chapters = [{before}{comma}\n  "{file}",\n]'

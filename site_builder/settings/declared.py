@@ -84,9 +84,12 @@ class Given:
         name = ".".join(place)
         if item.required and (given is MISSING or not given):
             # Of lists the name is a plural, and no word of the file.
-            what = item.name if isinstance(given, list) or "[" in item.kind.legal else repr(name)
-            form = item.kind.legal if "[" in item.kind.legal else f"{name} = {item.kind.legal}"
-            self.report(place, f"no {what}; legal: {form}")
+            what = (
+                item.name if isinstance(given, list) or "[" in item.kind.legal else repr(item.name)
+            )
+            form = item.kind.legal if "[" in item.kind.legal else f"{item.name} = {item.kind.legal}"
+            where = f" in [{'.'.join(place[:-1])}]" if place[1:] else ""
+            self.report(place, f"no {what}{where}; legal: {form}")
         else:
             self.report(place, f"{name} is {_toml(given)}; legal: {item.kind.legal}")
 

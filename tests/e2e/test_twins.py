@@ -12,9 +12,10 @@ from simulations.engine.controls import Slider, describe
 from simulations.engine.frame import StageReport
 from simulations.registry import SCENE_MODULES, load_scene
 from site_builder.charts.axes import linear_axis, log_axis
+from site_builder.languages.words import ENGLISH
 from site_builder.measured.quantities import milliseconds, with_unit
 from site_builder.pages.control_view import value_text
-from site_builder.pages.simulation_view import count_stages
+from site_builder.pages.simulation_view import count_stages, reason_text
 
 pytestmark = pytest.mark.browser
 
@@ -75,6 +76,18 @@ def test_the_count_of_stages(visitor: Reader, statuses: list[Any]) -> None:
     stages = [StageReport("stage", status, "") for status in statuses]
     calls = [[[asdict(stage) for stage in stages]]]
     assert ask(visitor, "figure/workings", "countStages", calls) == [count_stages(stages)]
+
+
+def test_why_a_stage_was_computed_or_not(visitor: Reader) -> None:
+    reasons = ["reads a, b; follows c", "changed: k1", "nothing takes it", "no blur", ""]
+    texts = [reason_text(reason) for reason in reasons]
+    assert ask(visitor, "figure/workings", "reasonText", [[text] for text in reasons]) == texts
+
+
+def test_a_number_as_the_language_writes_it(visitor: Reader) -> None:
+    numbers = ["1.50", "undefined", "under 10⁻⁹", "∞", "f/2.8"]
+    texts = [ENGLISH.numeral(number) for number in numbers]
+    assert ask(visitor, "page/words", "numeral", [[number] for number in numbers]) == texts
 
 
 @pytest.mark.parametrize(

@@ -5,6 +5,7 @@ from collections.abc import Sequence
 
 from simulations.engine.frame import format_number
 from site_builder.book import Option
+from site_builder.languages.words import Words
 from site_builder.markdown.directive import OptionLine, Use
 from site_builder.markdown.questions.answers import Answer, Item, read_answer
 from site_builder.markdown.questions.computed import names_for, number, truth
@@ -77,19 +78,22 @@ def number_options(
     right = next((value for answer, value in values if answer.mark == "right"), None)
     tolerance = _tolerance(use, right, reading)
     _check_apart(values, tolerance, reading)
-    return tuple(_number_option(use, *pair, tolerance) for pair in values), tolerance
+    options = (_number_option(use, *pair, tolerance, reading.words) for pair in values)
+    return tuple(options), tolerance
 
 
-def _number_option(use: Use, answer: Answer, value: float | None, tolerance: float) -> Option:
-    text = OTHERWISE if value is None else number_text(value, tolerance, use.text("unit"))
+def _number_option(
+    use: Use, answer: Answer, value: float | None, tolerance: float, words: Words
+) -> Option:
+    text = OTHERWISE if value is None else number_text(value, tolerance, use.text("unit"), words)
     right = answer.mark == "right"
     return Option(text, text, right, answer.reply_html, value)
 
 
-def number_text(value: float, tolerance: float, unit: str) -> str:
+def number_text(value: float, tolerance: float, unit: str, words: Words) -> str:
     """The number to the last digit that its tolerance leaves a meaning, with its unit."""
     decimals = max(0, math.ceil(-math.log10(tolerance) - 1e-9)) if tolerance else 2
-    return with_unit(format_number(value, decimals), unit)
+    return with_unit(words.numeral(format_number(value, decimals)), unit)
 
 
 def _tolerance(use: Use, right: float | None, reading: Reading) -> float:

@@ -31,7 +31,7 @@ def measured_text(asked: str, measurements: Measurements, words: Words = ENGLISH
             measured = measurements.find(ladder)
             return error_text(*_value(measured, tier, wanted), words)
         case [ladder, tier, "over", other, wanted]:
-            return words.decimals(_ratio(measurements.find(ladder), tier, other, wanted))
+            return words.numeral(_ratio(measurements.find(ladder), tier, other, wanted))
     raise MeasurementError(f"{{measured}} {asked!r}; {LEGAL}")
 
 
@@ -55,7 +55,7 @@ def _one(measured: MeasuredLadder, tier: str, wanted: str, words: Words) -> str:
     if wanted == "verdict":
         return verdict(measured, measured[tier], words)
     if wanted in SIDES:
-        return with_unit(words.decimals(milliseconds(measured[tier].times[wanted].ms)), "ms")
+        return with_unit(words.numeral(milliseconds(measured[tier].times[wanted].ms)), "ms")
     value, unit = _value(measured, tier, wanted)
     text = error_text(value, unit, words)
     return text if is_none(value, unit) else with_unit(text, unit)

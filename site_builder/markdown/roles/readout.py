@@ -22,7 +22,7 @@ def readout_text(words: str, reading: Reading) -> str:
     if not name or "=" in name or len(settings) + bare < len(pairs):
         raise ReadoutError(f"{{readout}} {words!r}; legal: '{FORM}', each control once")
     shown = reading.readouts.text(scene_id, name, settings, bare=bare)
-    return reading.words.decimals(shown)
+    return reading.words.numeral(shown)
 
 
 READOUT = Role(

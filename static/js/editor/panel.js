@@ -2,6 +2,7 @@
 
 import { all, one } from "../page/dom.js";
 import { setText } from "../page/text.js";
+import { reasonText } from "../figure/workings.js";
 import { nameOf } from "./sources.js";
 import { words } from "../page/words.js";
 
@@ -144,7 +145,7 @@ export class Panel {
       const stage = done.get(part.dataset.stage ?? "");
       const status = part.dataset.stage ? (stage?.status ?? "") : "computed";
       part.dataset.status = status;
-      part.title = stage?.reason ?? "";
+      part.title = reasonText(stage?.reason ?? "");
       setText(part.querySelector(".part-status"), status && words(`workings.${status}`));
     }
   }

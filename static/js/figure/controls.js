@@ -17,7 +17,7 @@
 
 import { one } from "../page/dom.js";
 import { setText, withUnit } from "../page/text.js";
-import { decimals } from "../page/words.js";
+import { numeral } from "../page/words.js";
 
 /**
  * @param {HTMLFormElement} form
@@ -197,5 +197,5 @@ function actionState(pressed) {
 export function formatValue(slider, value) {
   const number = value.toFixed(slider.decimals ?? 0);
   const signed = Number(number) === 0 ? number.replace("-", "") : number.replace("-", "\u2212");
-  return withUnit(`${slider.prefix ?? ""}${decimals(signed)}`, slider.unit ?? "");
+  return withUnit(`${slider.prefix ?? ""}${numeral(signed)}`, slider.unit ?? "");
 }

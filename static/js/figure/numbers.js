@@ -1,7 +1,7 @@
 /** What a figure is set to and what it measures, as a table for other programs. */
 
 import { all } from "../page/dom.js";
-import { undecimals } from "../page/words.js";
+import { fromNumeral } from "../page/words.js";
 import { readValues } from "./controls.js";
 import { settingsOf } from "./permalink.js";
 
@@ -33,7 +33,7 @@ function readoutRows(output) {
   const box = output.parentElement;
   const label = box?.querySelector(".readout-label")?.textContent ?? "";
   const unit = box?.querySelector(".unit")?.textContent ?? "";
-  const lines = undecimals(output.value).replaceAll("\u2212", "-").split("\n");
+  const lines = fromNumeral(output.value).replaceAll("\u2212", "-").split("\n");
   if (lines.length === 1) return [["readout", output.name, label, lines[0], unit]];
   return lines.flatMap((line, row) =>
     line

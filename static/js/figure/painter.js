@@ -10,7 +10,7 @@
 
 import { maybe, one } from "../page/dom.js";
 import { setText } from "../page/text.js";
-import { decimals, words } from "../page/words.js";
+import { numeral, words } from "../page/words.js";
 
 /**
  * @param {HTMLElement} figure
@@ -75,7 +75,7 @@ function paintReadout(figure, readout) {
   const output = figure.querySelector(`output[name="${CSS.escape(readout.name)}"]`);
   const box = output?.parentElement;
   if (!box) return;
-  const text = decimals(readout.text);
+  const text = numeral(readout.text);
   if (output.textContent !== text) box.dataset.moved = "";
   setText(output, text);
   const unit = box.querySelector(".unit");

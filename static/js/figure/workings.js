@@ -9,13 +9,25 @@
 import { message } from "../errors.js";
 import { all, maybe } from "../page/dom.js";
 import { setText, withUnit } from "../page/text.js";
-import { decimals, words } from "../page/words.js";
+import { numeral, words } from "../page/words.js";
 
 /** @import { Readout } from "./painter.js" */
 /** @typedef {{values: string, tier: string}} Judged */
 
 /** Milliseconds without a new frame after which the error is measured. */
 const REST = 400;
+/**
+ * What the engine says of a stage, and its key among the words of the interface.
+ *
+ * @type {Record<string, string>}
+ */
+const PHRASES = {
+  "nothing takes it": "unneeded",
+  "nothing it reads has changed": "unchanged",
+  "depends on nothing": "independent",
+};
+/** @type {Record<string, string>} */
+const BEGINNINGS = { "reads ": "reads", "follows ": "follows", "changed: ": "changed" };
 /** Anything that the reader waits for goes before it. */
 const LEAST_URGENT = () => -1;
 
@@ -44,7 +56,24 @@ function showStage(item, stage) {
   item.dataset.status = stage.status;
   setText(item.querySelector(".stage-name"), stage.name);
   setText(item.querySelector(".stage-status"), words(`workings.${stage.status}`));
-  setText(item.querySelector(".stage-reason"), stage.reason);
+  setText(item.querySelector(".stage-reason"), reasonText(stage.reason));
+}
+
+/**
+ * Why a stage was computed or not: the engine's words in the language of the book; those of a scene
+ * are the book's own. As `simulation_view.py` writes it.
+ *
+ * @param {string} reason
+ */
+export function reasonText(reason) {
+  return reason.split("; ").map(inWords).join("; ");
+}
+
+/** @param {string} part */
+function inWords(part) {
+  if (part in PHRASES) return words(`workings.${PHRASES[part]}`);
+  const begin = Object.keys(BEGINNINGS).find((each) => part.startsWith(each));
+  return begin ? words(`workings.${BEGINNINGS[begin]}`, { names: part.slice(begin.length) }) : part;
 }
 
 /**
@@ -98,7 +127,7 @@ export class Accuracy {
     );
     setText(
       this.line.querySelector(".accuracy-ms"),
-      withUnit(decimals(ms.toFixed(ms < 10 ? 1 : 0)), "ms"),
+      withUnit(numeral(ms.toFixed(ms < 10 ? 1 : 0)), "ms"),
     );
     setText(this.line.querySelector(".accuracy-value"), "…");
     delete this.line.dataset.judged;
@@ -161,6 +190,6 @@ export class Accuracy {
   /** @param {Pick<Readout, "label" | "text" | "unit">} estimate */
   #write({ label, text, unit }) {
     setText(this.line?.querySelector(".accuracy-label"), label);
-    setText(this.line?.querySelector(".accuracy-value"), withUnit(decimals(text), unit));
+    setText(this.line?.querySelector(".accuracy-value"), withUnit(numeral(text), unit));
   }
 }

@@ -11,7 +11,7 @@ import { message } from "../errors.js";
 import { all, data, one } from "../page/dom.js";
 import { Runtime, sharedRuntime } from "../runtime/runtime.js";
 import { addPoint } from "./chart.js";
-import { decimals, words } from "../page/words.js";
+import { numeral, words } from "../page/words.js";
 
 /** @import { Axis } from "./chart.js" */
 
@@ -135,7 +135,7 @@ export class LadderBench extends HTMLElement {
     this.dataset.measured = String(results.length);
     addPoint(this.#points, result, this.ladder);
     const cell = one(this, `tr[data-tier="${CSS.escape(result.tier)}"] td.own`, HTMLElement);
-    cell.textContent = decimals(milliseconds(result.milliseconds));
+    cell.textContent = numeral(milliseconds(result.milliseconds));
     this.#progress(results.length);
     this.#offer(results);
   }

@@ -17,11 +17,16 @@ export function words(key, values = {}) {
 }
 
 /**
- * A number in digits with the decimal sign of the language, as `Words.decimals` of the builder.
+ * A number as the language writes it: its decimal sign, and words for what is none. As `numeral` of
+ * the builder's `languages/words.py`.
  *
  * @param {string} text
+ * @returns {string}
  */
-export function decimals(text) {
+export function numeral(text) {
+  if (text === "undefined") return words("number.undefined");
+  const [, limit] = /^under (.+)$/.exec(text) ?? [];
+  if (limit) return words("number.under", { limit: numeral(limit) });
   return DECIMAL === "." ? text : text.replaceAll(/(?<=\d)\.(?=\d)/g, DECIMAL);
 }
 
@@ -30,6 +35,6 @@ export function decimals(text) {
  *
  * @param {string} text
  */
-export function undecimals(text) {
+export function fromNumeral(text) {
   return DECIMAL === "." ? text : text.replaceAll(DECIMAL, ".");
 }

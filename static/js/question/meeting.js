@@ -6,7 +6,7 @@ import { all, one } from "../page/dom.js";
 import { say } from "./feedback.js";
 import { recognised } from "./number.js";
 import { farthest } from "./sketch.js";
-import { decimals, words } from "../page/words.js";
+import { numeral, words } from "../page/words.js";
 
 /** How far, of the height of its axis, a sketched curve may be off and pass for the true one. */
 const CLOSE = 0.1;
@@ -42,7 +42,7 @@ function meetNumber(form, prediction, guess) {
   const agrees = taken === right;
   say(feedback(form), verdict(guess, agrees), taken ? [taken] : []);
   const unit = one(form, ".unit", HTMLElement).textContent ?? "";
-  const said = guess === null ? null : [`${decimals(String(guess))} ${unit}`.trim()];
+  const said = guess === null ? null : [`${numeral(String(guess))} ${unit}`.trim()];
   sideBySide(form, said, [prediction.truth ?? ""]);
   return agrees;
 }
@@ -99,7 +99,7 @@ function meetSketch(form, { sketch }, guess) {
  * @param {number} value
  */
 function short(value) {
-  return decimals(String(Number(value.toPrecision(3))).replace("-", "\u2212"));
+  return numeral(String(Number(value.toPrecision(3))).replace("-", "\u2212"));
 }
 
 /**

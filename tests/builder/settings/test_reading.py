@@ -1,0 +1,106 @@
+"""``book.toml``: what it says, and what is said of its mistakes."""
+
+from collections.abc import Callable
+from pathlib import Path
+
+import pytest
+
+from site_builder.diagnostics import Diagnostics
+from site_builder.settings.model import Settings
+from site_builder.settings.reading import read_settings, storage_prefix
+
+LEAST = 'title = "Small Book"\nsubtitle = "S"\nprerequisites = "P"\nchapters = ["00-first"]\n'
+type Read = Callable[[str], tuple[Settings, list[str]]]
+
+
+@pytest.fixture
+def read(tmp_path: Path) -> Read:
+    """Settings of a file that begins with the least that one must say, and its mistakes."""
+
+    def reading(more: str) -> tuple[Settings, list[str]]:
+        (tmp_path / "content").mkdir(exist_ok=True)
+        (tmp_path / "content" / "book.toml").write_text(LEAST + more, encoding="utf-8")
+        problems = Diagnostics()
+        settings, _ = read_settings(tmp_path, problems)
+        return settings, [str(problem) for problem in problems.found]
+
+    return reading
+
+
+def test_what_is_left_out_has_its_default(read: Read) -> None:
+    settings, mistakes = read("")
+    assert mistakes == []
+    assert (settings.language, settings.first_number, settings.licence.code) == ("en", 0, "MIT")
+
+
+def test_what_is_said_holds(read: Read) -> None:
+    settings, mistakes = read(
+        'language = "de"\nfirst_number = 1\n'
+        '[licence]\ntext = "CC0"\n[theme.dark]\nray = "#ffffff"\n'
+    )
+    assert mistakes == []
+    assert (settings.language, settings.first_number) == ("de", 1)
+    assert (settings.licence.text, settings.theme.dark.ray) == ("CC0", "#ffffff")
+
+
+@pytest.mark.parametrize(
+    ("more", "mistake"),
+    [
+        ("lenguage = 1\n", "5: unknown key 'lenguage'; did you mean 'language'?"),
+        ('language = "fr"\n', '5: language is "fr"; legal: "de", "en"'),
+        ("first_number = -1\n", "5: first_number is -1; legal: a whole number from 0"),
+        ("first_number = true\n", "5: first_number is true; legal: a whole number from 0"),
+        ('address = "a.b"\n', '5: address is "a.b"; legal: "https://host/path/"'),
+        ('storage = "A b"\n', '5: storage is "A b"; legal: small letters, digits and hyphens'),
+        ('licence = "MIT"\n', '5: licence is "MIT"; legal: a table'),
+        (
+            '[licence]\ncod = "MIT"\n',
+            "6: unknown key of [licence] 'cod'; did you mean 'code'?",
+        ),
+        (
+            '[theme.light]\n\nray = "red"\n',
+            '7: theme.light.ray is "red"; legal: "#rrggbb"',
+        ),
+        ('[labels]\nfigure = ""\n', '6: labels.figure is ""; legal: "some text"'),
+    ],
+)
+def test_a_mistake_is_told_with_its_line_and_what_is_legal(
+    read: Read, more: str, mistake: str
+) -> None:
+    assert read(more)[1] == [f"content/book.toml:{mistake}"]
+
+
+def test_a_colour_that_nobody_can_read_is_told_with_its_contrast(read: Read) -> None:
+    _, mistakes = read('[theme.light]\nray = "#faf6ed"\n')
+    assert mistakes[0] == (
+        'content/book.toml:6: theme.light.ray "#faf6ed" has a contrast of 1.00:1 to paper '
+        '"#faf6ed"; legal: 4.5:1 or more'
+    )
+
+
+def test_a_ground_is_judged_by_the_text_that_lies_on_it(read: Read) -> None:
+    _, mistakes = read('[theme.dark]\npaper = "#777777"\n')
+    assert any('theme.dark.paper "#777777"' in mistake for mistake in mistakes)
+
+
+def test_fonts_that_are_not_there_are_told(read: Read, tmp_path: Path) -> None:
+    (tmp_path / "content").mkdir()
+    (tmp_path / "content" / "a.ttf").write_bytes(b"")
+    _, mistakes = read(
+        '[fonts.sans]\nname = "A"\nlicence = "OFL"\nlicence_file = "OFL.txt"\n'
+        'regular = "a.ttf"\nitalic = "b.ttf"\nsemibold = "a.ttf"\n'
+    )
+    assert [mistake.split("; ")[0] for mistake in mistakes] == [
+        'content/book.toml:8: fonts.sans.licence_file is "OFL.txt", which is no such file',
+        'content/book.toml:10: fonts.sans.italic is "b.ttf", which is no such file',
+    ]
+
+
+def test_a_family_without_a_face_is_told_which(read: Read) -> None:
+    _, mistakes = read('[fonts.sans]\nname = "A"\nlicence = "OFL"\nlicence_file = "OFL.txt"\n')
+    assert "5: no 'regular' in [fonts.sans]; legal: regular = a file below content/" in mistakes[0]
+
+
+def test_what_a_browser_keeps_is_named_after_the_book_or_as_its_author_says(read: Read) -> None:
+    assert storage_prefix(read("")[0]) == "small-book"
+    assert storage_prefix(read('storage = "mine"\n')[0]) == "mine"
