@@ -42,7 +42,7 @@ BUILDER = (
     "measured", "charts", "book", "markdown", "lecture_plan", "source", "question_checks",
     "figure_questions", "declared", "glossary_checks", "symbol_checks", "checks", "picture_checks",
     "search", "pages", "publishing", "frame_checks", "build", "diagnostic_formats",
-    "outside_links", "check_command", "editions", "serve", "scaffold", "__main__",
+    "outside_links", "check_command", "editions", "serve", "scaffold", "guide", "__main__",
 )  # fmt: skip
 """Parts of ``site_builder``, likewise."""
 MARKDOWN = (
