@@ -110,8 +110,8 @@ lock: | $(BIN)/python
 	$(BIN)/python -m pip install --quiet --disable-pip-version-check uv
 	$(LOCK) --group book --output-file .locks/book.txt >/dev/null
 	$(LOCK) --group test --output-file .locks/test.txt >/dev/null
-	$(LOCK) --group bench --output-file .locks/bench.txt >/dev/null
 	$(LOCK) --group author --constraints .locks/test.txt --output-file .locks/author.txt >/dev/null
+	$(LOCK) --group bench --output-file .locks/bench.txt >/dev/null
 
 clean:
 	rm -rf build .pytest_cache .mypy_cache .ruff_cache .hypothesis

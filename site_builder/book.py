@@ -162,6 +162,8 @@ class Reveal:
     prediction: str
     id: str
     """Element id."""
+    asked: str
+    """What the prediction is called: ``Prediction 4.2``."""
     path: str
     line: int
 
@@ -212,8 +214,8 @@ class Target:
     """What a reference may lead to: a chapter, a section, or a thing that is numbered."""
 
     kind: str
-    """``Chapter``, ``Appendix``, ``Section``, ``Figure``, ``Equation``, ``Table``, ``Example`` or
-    ``Question``."""
+    """``Chapter``, ``Appendix``, ``Section``, ``Figure``, ``Equation``, ``Table``, ``Example``,
+    ``Prediction`` or ``Question``."""
     chapter: str
     """Id of the chapter that it is, or stands in."""
     id: str
@@ -333,6 +335,8 @@ class Chapter:
     index_marks: tuple[IndexMark, ...] = ()
     formulae: tuple[Formula, ...] = ()
     """Of text and questions, in the order in which they were read."""
+    files: frozenset[str] = frozenset()
+    """Files below ``content/`` that it hands out, besides pictures."""
 
     @property
     def number(self) -> int:
@@ -430,22 +434,16 @@ class Book:
     """In alphabetical order."""
     symbols: Mapping[str, tuple[Meaning, ...]] = field(default_factory=dict)
     """By the chapter for which they are declared, or `BOOK`."""
-    news: tuple[News, ...] = ()
-    """Newest first."""
     settings: Settings = UNSET
     """All that ``book.toml`` says."""
     words: Words = ENGLISH
     """Those of the interface."""
-
-    @property
-    def address(self) -> str:
-        """Where the site will be, a slash at the end; nothing where that is not known."""
-        return self.settings.address
-
-    @property
-    def source(self) -> str:
-        """Where its sources can be read, with ``{path}`` in it; nothing where they cannot."""
-        return self.settings.source
+    address: str = ""
+    """Where the site will be, a slash at the end; nothing where that is not known."""
+    source: str = ""
+    """Where its sources can be read, with ``{path}`` in it; nothing where they cannot."""
+    news: tuple[News, ...] = ()
+    """Newest first."""
 
     @property
     def scenes(self) -> tuple[Scene[Any], ...]:

@@ -24,6 +24,8 @@ from site_builder.frame_checks import check_frames
 from site_builder.markdown.directives.figure import SUFFIXES
 from site_builder.markdown.directives.ladder import LadderFigure
 from site_builder.measured.measurements import read_measurements
+from site_builder.offline.manifest import MANIFEST, manifest
+from site_builder.offline.release import no_release, release_files
 from site_builder.output.assets import Content, folder_files, hashed_folder
 from site_builder.output.book_files import book_css, book_script
 from site_builder.output.font_faces import chosen_faces
@@ -109,7 +111,12 @@ def render_site(options: Options) -> Files:
     runtime, runtime_files, versions = _runtime(options, book)
     editor, library = _editor(options), _search_library(options, book)
     scripts = {f"{LIBRARY}/{name}": path for name, path in library.scripts.items()}
-    made = {**_python(options, book, editor), **scripts, **make_icons(options.root)}
+    made = {
+        **_python(options, book, editor),
+        **scripts,
+        **_handed_out(options, book),
+        **make_icons(options.root),
+    }
     assets, asset_files = gather_assets(book, options.root, pictures, made)
     site = Site(
         options.root, book, stills, assets, runtime, bool(editor.script),
@@ -119,14 +126,16 @@ def render_site(options: Options) -> Files:
         options.root, versions, editor.packages, library.packages, book.settings, book.words
     )
     pages = render_pages(site, licences)
-    return {
+    files = {
         **pages,
         **_search_index(options, book, pages, library),
         **_outside(options, book, pages, stills, pictures),
         **asset_files,
         **runtime_files,
         "book.json": catalogue(book, versions),
+        MANIFEST: manifest(book.title, book.subtitle, assets, book.words.language),
     }
+    return files | (no_release(assets) if options.reload else release_files(files, assets))
 
 
 def check_site(options: Options) -> tuple[Book, Stills, dict[str, bytes]]:
@@ -144,12 +153,10 @@ def check_site(options: Options) -> tuple[Book, Stills, dict[str, bytes]]:
         options.warn(warning)
     if problems:
         raise BuildError(problems.found)
-    settings = replace(
-        book.settings,
-        address=options.address or book.address,
-        source=options.source or book.source,
+    book = replace(
+        book, address=options.address or book.address, source=options.source or book.source
     )
-    return replace(book, settings=settings), stills, pictures
+    return book, stills, pictures
 
 
 def gather_assets(
@@ -175,6 +182,12 @@ def gather_assets(
             **made,
         },
     )
+
+
+def _handed_out(options: Options, book: Book) -> Files:
+    """The author's films, captions and downloads."""
+    names = {name for chapter in book.chapters for name in chapter.files}
+    return {f"content/{name}": options.root / "content" / name for name in sorted(names)}
 
 
 def _runtime(options: Options, book: Book) -> tuple[str, dict[str, Content], Versions]:

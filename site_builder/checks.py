@@ -39,7 +39,8 @@ def _check_ids(kind: str, items: Sequence[Quiz | Prediction], problems: Diagnost
     for item in items:
         other = first.setdefault(item.id, item)
         if other.path != item.path:  # within a page its reading tells
-            message = f"duplicate {kind} id {item.id!r}; first used at {other.path}:{other.line}"
+            path, line = problems.place(other.path, other.line)
+            message = f"duplicate {kind} id {item.id!r}; first used at {path}:{line}"
             problems.add(item.path, item.line, message)
 
 

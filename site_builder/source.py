@@ -97,9 +97,11 @@ def read_book(
         title=settings.title,
         subtitle=settings.subtitle,
         prerequisites=settings.prerequisites,
+        address=settings.address,
+        source=settings.source,
+        news=read_news(root, targets.chapters, problems),
         settings=settings,
         words=words,
-        news=read_news(root, targets.chapters, problems),
         hero=_read_hero(outline, root, problems, load_scene),
         chapters=tuple(read_chapter(draft, targets) for draft in drafts),
         bibliography=bibliography,
@@ -157,10 +159,15 @@ def _check_addresses(outline: Outline, problems: Diagnostics) -> None:
 
 def _check_unlisted(root: Path, outline: Outline, problems: Diagnostics) -> None:
     listed = {f"content/{name}.md" for name, _, _ in outline.chapters}
+    included = {path for places in problems.spliced.values() for path, _ in places}
     for file in sorted((root / "content").rglob("*.md")):
         path = file.relative_to(root).as_posix()
-        if listed and path not in listed:
-            problems.add(path, 1, f"not in {OUTLINE}; legal: listed in 'chapters' or 'appendices'")
+        if listed and path not in listed | included:
+            problems.add(
+                path,
+                1,
+                f"not in {OUTLINE}; legal: listed in 'chapters' or 'appendices', or included",
+            )
 
 
 def _read_hero(

@@ -11,7 +11,7 @@ from typing import Any
 import pytest
 from filelock import FileLock
 from hypothesis import settings
-from playwright.sync_api import Browser, sync_playwright
+from playwright.sync_api import Browser, expect, sync_playwright
 from support.chromium import HOW_TO, find_chromium, launch_arguments
 from support.reader import DESK, Reader, visit
 from support.static_server import StaticServer, serving
@@ -22,6 +22,7 @@ ROOT = Path(__file__).resolve().parents[1]
 # run `pytest --hypothesis-profile=default`.
 settings.register_profile("repeatable", derandomize=True, deadline=None)
 settings.load_profile("repeatable")
+expect.set_options(timeout=30_000)  # a machine that is busy answers late
 
 
 def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
@@ -132,6 +133,14 @@ def visitor(long_visit: Reader) -> Iterator[Reader]:
     long_visit.page.set_viewport_size(DESK)
     long_visit.turn_to("licences/", live=False)
     long_visit.forget()
+    yield long_visit
+    long_visit.assert_no_complaints()
+
+
+@pytest.fixture
+def guest(long_visit: Reader) -> Iterator[Reader]:
+    """The same reader, on the page of the test before: for `Reader.stay_at_figure`."""
+    long_visit.page.set_viewport_size(DESK)
     yield long_visit
     long_visit.assert_no_complaints()
 

@@ -5,7 +5,11 @@ import js from "@eslint/js";
 import jsdoc from "eslint-plugin-jsdoc";
 import globals from "globals";
 
-const WORKER = ["static/js/runtime/worker.js", "static/js/runtime/parts.js"];
+const WORKER = [
+  "static/js/runtime/worker.js",
+  "static/js/runtime/parts.js",
+  "static/js/offline/service_worker.js",
+];
 
 export default [
   { files: ["**/*.js", "**/*.mjs"], ...js.configs.recommended },

@@ -11,6 +11,7 @@ DROPPED_CLASSES = frozenset(
         *("controls", "figure-foot", "figure-status", "panel-dots", "handles", "anchor"),
         *("on-this-page", "progress", "ladder-actions", "own", "reading-time"),
         *("feedback", "answer-waits", "predict-actions", "sketch-points", "sketch-legend"),
+        "on-dark",
         *("letters", "truth", "drawn", "points", "grip", "order-place", "figure-link"),
     }
 )
@@ -26,6 +27,7 @@ def article(page: bytes) -> Element:
     found = first(parse(page.decode("utf-8")), "article")
     _drop(found)
     _open(found)
+    _still(found)
     _letter_options(found)
     _quieten(found)
     return found
@@ -57,6 +59,18 @@ def _open(root: Element) -> None:
         for summary in elements(fold, "summary"):
             summary.tag = "p"
             summary.set("class", "fold-title")
+
+
+def _still(root: Element) -> None:
+    """A film is the picture that it begins with."""
+    for film in list(elements(root, "video")):
+        kept = {"src": film.get("poster", ""), "alt": film.get("aria-label", "")}
+        kept |= {name: film.attrib[name] for name in ("width", "height") if name in film.attrib}
+        for child in list(film):
+            film.remove(child)
+        film.tag, film.text = "img", None
+        film.attrib.clear()
+        film.attrib.update(kept)
 
 
 def _letter_options(root: Element) -> None:

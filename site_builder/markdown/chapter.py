@@ -11,6 +11,7 @@ from site_builder.markdown.front_matter import FrontMatter, read_front_matter
 from site_builder.markdown.inline import annotate, inline_html
 from site_builder.markdown.placing import place_targets
 from site_builder.markdown.reading import PAGE_IDS, Reading
+from site_builder.markdown.splicing import splice
 from site_builder.markdown.targets import Targets
 from site_builder.markdown.terms import mark_terms
 
@@ -28,7 +29,9 @@ class Draft:
 
 def parse_chapter(text: str, reading: Reading) -> Draft:
     """The chapter in ``text``; mistakes are reported and reading goes on."""
-    tokens = reading.parser.parse(text, reading.env)
+    lines = splice(text, reading.path, reading.root, reading.problems)
+    reading.problems.spliced[reading.path] = [(line.path, line.number) for line in lines]
+    tokens = reading.parser.parse("\n".join(line.text for line in lines), reading.env)
     for line, message in reading.env.pop("problems", ()):
         reading.problem(line, message)
     matter = read_front_matter(tokens, reading)
@@ -47,7 +50,8 @@ def find_targets(drafts: Sequence[Draft]) -> Targets:
                 continue
             other, path = first.setdefault(target.id, (target, draft.reading.path))
             if other.chapter != target.chapter:
-                message = f"duplicate label {target.id!r}; first used at {path}:{other.line}"
+                first_path, first_line = draft.reading.problems.place(path, other.line)
+                message = f"duplicate label {target.id!r}; first used at {first_path}:{first_line}"
                 draft.reading.problem(target.line, message)
     return Targets(
         {draft.target.chapter: draft.target for draft in drafts},
@@ -80,6 +84,7 @@ def read_chapter(draft: Draft, targets: Targets) -> Chapter:
         citations=tuple(reading.citations),
         term_uses=tuple(reading.term_uses),
         index_marks=tuple(reading.index_marks),
+        files=frozenset(reading.files),
         formulae=tuple(_formula(line, tex, draft) for line, tex in reading.formulae),
         before=before,
         after=after,

@@ -1,7 +1,8 @@
 """Numbers and ids of a page, given out before a word is looked at, since words speak of them.
 
-Figures, equations, tables, examples and questions are counted by chapter, in the order of the
-page. An id comes from what its author wrote, never from a number, and so stays when things move.
+Figures, equations, tables, examples, predictions and questions are counted by chapter, in the
+order of the page. An id comes from what its author wrote, never from a number, and so stays when
+things move.
 """
 
 import hashlib

@@ -84,6 +84,10 @@ class Reading:
     index_marks: list[IndexMark] = field(default_factory=list)
     formulae: list[tuple[int, str]] = field(default_factory=list)
     """Line and TeX of each."""
+    tabs: set[int] = field(default_factory=set)
+    """Lines of the tabs that stand where they may."""
+    files: set[str] = field(default_factory=set)
+    """Files below ``content/`` that the page hands out, besides pictures."""
     readouts: Readouts = field(init=False)
     """Where numbers that figures show come from."""
 
@@ -93,6 +97,10 @@ class Reading:
     def problem(self, line: int, message: str) -> None:
         self.problems.add(self.path, line, message)
 
+    def _where(self, line: int) -> str:
+        path, number = self.problems.place(self.path, line)
+        return f"on line {number}" if path == self.path else f"at {path}:{number}"
+
     def html(self, tokens: Sequence[Token]) -> str:
         """Tokens without directives, as HTML."""
         return str(self.parser.renderer.render(list(tokens), self.parser.options, self.env)).strip()
@@ -101,7 +109,7 @@ class Reading:
         """Claim an element id; taking one twice is a mistake."""
         if wanted in self.ids:
             first = self.ids[wanted]
-            place = f"first used on line {first}" if first else "the page itself uses it"
+            place = f"first used {self._where(first)}" if first else "the page itself uses it"
             self.problem(line, f"duplicate {kind} id {wanted!r}; {place}")
         self.ids.setdefault(wanted, line)
         return wanted

@@ -62,10 +62,10 @@ class Face:
 
     file: str
     """Name of the woff2 file, as the style sheet refers to it."""
-    package: str | Path
-    """Installed package that carries the source; of an author's own, their folder of files."""
+    package: str
+    """Installed package that carries the source."""
     source: str
-    """Path of the source inside that."""
+    """Path of the source inside the package, or the folder."""
     family: str
     """Family name written into the cut face."""
     style: str
@@ -74,6 +74,8 @@ class Face:
     """Code points to keep, where the source has them."""
     features: tuple[str, ...] = BASIC_FEATURES
     """OpenType features to keep."""
+    folder: Path | None = None
+    """Where an author's own source lies, which is in no package."""
 
 
 def _serif(file: str, source: str, style: str, *extra_features: str) -> Face:
@@ -118,6 +120,6 @@ def chosen_faces(settings: Settings, root: Path) -> tuple[Face, ...]:
         for face in font_files(family, role)
     }
     return tuple(
-        replace(face, package=root / "content", source=own[face.file]) if face.file in own else face
+        replace(face, folder=root / "content", source=own[face.file]) if face.file in own else face
         for face in FACES
     )

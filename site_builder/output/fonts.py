@@ -41,7 +41,7 @@ def subset_fonts(faces: Sequence[Face] = FACES, cache: Path | None = None) -> Ma
 
 
 def _cut_once(face: Face, cache: Path) -> bytes:
-    place = face.package if isinstance(face.package, Path) else files(face.package)
+    place = face.folder or files(face.package)
     source = place.joinpath(face.source).read_bytes()
     kept = cache / f"{_fingerprint(face, source)}.woff2"
     if kept.is_file():

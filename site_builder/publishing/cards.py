@@ -16,7 +16,7 @@ from site_builder.pages.render import render_template
 from site_builder.pages.stills import Stills
 from site_builder.publishing.title_lines import set_title
 from site_builder.publishing.vector import Fonts, png_of, whole_fonts
-from site_builder.settings.model import Settings
+from site_builder.settings.theme import colours
 
 WIDTH, HEIGHT = 1200, 630
 TITLE_WIDTH = 440
@@ -46,8 +46,9 @@ def make_cards(
 
     ``pictures`` are the files of the stills; ``root`` is the book's folder.
     """
+    own = {f"--{name}": colour for name, colour in colours(book.settings, "light").items()}
     fonts = whole_fonts(chosen_faces(book.settings, root))
-    style = card_style(own_or_engine(root, "static/css"), book.settings, fonts)
+    style = card_style(own_or_engine(root, "static/css"), own, fonts)
     cover = _still(book.hero, stills, pictures)
 
     def card(chapter: Chapter | None, title: str, figure: Placed | None) -> bytes:
@@ -66,12 +67,11 @@ def make_cards(
     }
 
 
-def card_style(styles: Path, settings: Settings, fonts: Fonts) -> str:
-    """How cards and the drawings on them look, in plain CSS."""
+def card_style(styles: Path, own: Mapping[str, str], fonts: Fonts) -> str:
+    """How cards and the drawings on them look, in plain CSS; ``own`` are the book's colours."""
     sheets = {name: _read(styles / name) for name in ("tokens.css", "overlay.css")}
-    own = {f"--{name}": colour for name, colour in settings.theme.light.chosen().items()}
     families = {"--serif": f"'{fonts.serif}'", "--sans": f"'{fonts.sans}'"}
-    tokens = light_tokens(sheets["tokens.css"]) | own | families
+    tokens = light_tokens(sheets["tokens.css"]) | dict(own) | families
     sheet = without_containers(sheets["overlay.css"]) + _read(OWN)
     return resolve(sheet, tokens) if sheets["tokens.css"] else ""
 

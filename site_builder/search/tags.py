@@ -18,13 +18,13 @@ INLINE = {
 HEADINGS = {"h1", "h2", "h3"}
 """Each begins a section; ``h1`` is the title of what stands before the first."""
 SILENT_TAGS = {
-    "button", "footer", "nav", "noscript", "pre", "script", "select", "style", "svg",
+    "button", "footer", "nav", "noscript", "pre", "script", "select", "style", "svg", "video",
 }  # fmt: skip
 SILENT_CLASSES = {
     "answer", "chapter-facts", "feedback",  # what waits, and what is not of the text
     "callout-title", "chapter-number", "panel-title", "question-number",
     "controls", "figure-foot", "figure-status", "handles", "panel-dots", "predict-actions",
-    "progress", "tools", "entry-places", "letter-name",
+    "download-size", "progress", "tools", "entry-places", "letter-name",
     "extremes", "ladder-actions", "ladder-key", "ladder-table", "readouts", "source",
     "stage-costs",
 }  # fmt: skip
@@ -63,6 +63,10 @@ def title_in(tag: str, attributes: Mapping[str, str], outer: Channel) -> str:
         return ""
     if tag == "form" or attributes.get("role") == "img":
         return attributes.get("aria-label", "")
+    if tag == "video":
+        return attributes.get("aria-label", "")
+    if "on-dark" in attributes.get("class", "").split():
+        return ""  # its twin on light paper has said it
     return attributes.get("alt", "") if tag == "img" else ""
 
 

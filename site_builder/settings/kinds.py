@@ -5,6 +5,8 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any, Protocol
 
+from site_builder.addresses import PATH, site_address, source_address
+
 
 class Kind(Protocol):
     """One kind of value."""
@@ -38,10 +40,28 @@ class Text:
 
 
 COLOUR = Text('"#rrggbb"', "#[0-9a-fA-F]{6}")
-ADDRESS = Text('"https://host/path/"', r"""https?://[^\s?#/"'<>\\]+(?:/[^\s?#"'<>\\]*)?/""")
-SOURCE = Text('"https://host/…/{path}"', r"""https?://[^\s{}"'<>\\]+\{path\}[^\s{}"'<>\\]*""")
 PREFIX = Text("small letters, digits and hyphens", "[a-z0-9]+(?:-[a-z0-9]+)*")
 FILE = Text("a file below content/", r"[^/\\\s][^\\]*")
+
+
+@dataclass(frozen=True, slots=True)
+class Address:
+    """An address that a function of `site_builder.addresses` takes."""
+
+    legal: str
+    checked: Callable[[object], str]
+
+    def read(self, value: object) -> str:
+        if value == "":
+            raise ValueError
+        return self.checked(value)
+
+    def schema(self) -> dict[str, object]:
+        return {"type": "string", "minLength": 1, "pattern": "^https?://[^/?#\\s]+"}
+
+
+SITE = Address('"https://host/path/"', site_address)
+SOURCE = Address(f'"https://host/…/{PATH}"', source_address)
 
 
 @dataclass(frozen=True, slots=True)

@@ -6,10 +6,10 @@ from dataclasses import dataclass, field, fields
 from site_builder.languages.words import languages
 from site_builder.settings.declared import key
 from site_builder.settings.kinds import (
-    ADDRESS,
     COLOUR,
     FILE,
     PREFIX,
+    SITE,
     SOURCE,
     Names,
     OneOf,
@@ -46,6 +46,7 @@ class Labels:
     equation: str = key(Text(), "a displayed equation", "", without="the language's word")
     table: str = key(Text(), "a table", "", without="the language's word")
     example: str = key(Text(), "a worked example", "", without="the language's word")
+    prediction: str = key(Text(), "a prediction", "", without="the language's word")
     question: str = key(Text(), "a question", "", without="the language's word")
 
 
@@ -151,9 +152,9 @@ class Settings:
     storage: str = key(
         PREFIX, "begins the names of what a browser keeps", "", without="made of the title"
     )
-    address: str = key(ADDRESS, "where the book is published", "", without="unknown")
+    address: str = key(SITE, "where the book is published", "", without="unknown")
     source: str = key(
-        SOURCE, "where its files can be read, with `{path}` in it", "", without="nowhere"
+        SOURCE, "where its sources can be read, `{path}` for a file's path", "", without="unknown"
     )
     licence: Licence = key(Table(Licence), "under which terms the book is here", Licence())
     labels: Labels = key(Table(Labels), "what numbered things are called", Labels())

@@ -52,7 +52,7 @@ def test_a_link_to_a_heading_arrives_at_it(plain_reader: Reader, book: Any) -> N
     link = plain_reader.page.locator("#contents .sections a").last
     target = (link.get_attribute("href") or "").removeprefix("#")
     link.click()
-    plain_reader.page.wait_for_function(IN_VIEW, arg=target, timeout=5000)
+    plain_reader.page.wait_for_function(IN_VIEW, arg=target)
 
 
 def test_a_mangled_address_does_no_harm(plain_reader: Reader, book: Any) -> None:
@@ -106,8 +106,9 @@ def test_on_paper_there_is_nothing_to_press_and_nothing_shut(
     plain_reader: Reader, book: Any
 ) -> None:
     plain_reader.page.emulate_media(media="print")
-    for address in ["", *(chapter["url"] for chapter in book["chapters"])]:
-        plain_reader.open(address, live=False)
+    for address in plain_reader.leaf_through(
+        ["", *(chapter["url"] for chapter in book["chapters"])]
+    ):
         pressed = plain_reader.page.locator("button:visible, select:visible, [type=range]:visible")
         assert pressed.count() == 0, address
         tables = plain_reader.page.locator(":is(.extremes, .ladder-table) tbody tr")

@@ -1,6 +1,7 @@
 """Links into the text: to a section, from a citation to its work and back."""
 
 import pytest
+from playwright.sync_api import expect
 from support.reader import Reader
 
 pytestmark = pytest.mark.browser
@@ -27,10 +28,10 @@ def test_a_section_s_link_is_shown_to_the_keyboard(plain_reader: Reader) -> None
     page = plain_reader.page
     plain_reader.open("lens-distortion/", live=False)
     link = page.locator("a.anchor").first
-    assert link.evaluate("link => getComputedStyle(link).opacity") == "0"
+    expect(link).to_have_css("opacity", "0")
     link.focus()
     page.keyboard.press("Shift+Tab")
     page.keyboard.press("Tab")
-    assert link.evaluate("link => getComputedStyle(link).opacity") == "1"
+    expect(link).to_have_css("opacity", "1")
     page.keyboard.press("Enter")
     page.wait_for_function("href => location.hash === href", arg=link.get_attribute("href"))

@@ -58,8 +58,7 @@ OUTSIDE = """() => {
 def test_a_phone_shows_the_first_panel_and_the_main_controls_at_once(
     phone: Reader, book: Any
 ) -> None:
-    for address in pages(book):
-        open_page(phone, address)
+    for address in phone.leaf_through(pages(book)):
         assert phone.page.evaluate(OUTSIDE) == [], address
 
 
@@ -89,8 +88,7 @@ def test_an_address_that_names_a_folded_control_unfolds_it(phone: Reader, book: 
 
 def test_on_a_desk_all_controls_are_in_sight(phone: Reader, book: Any) -> None:
     phone.page.set_viewport_size({"width": 1280, "height": 900})
-    for address in pages(book):
-        open_page(phone, address)
+    for address in phone.leaf_through(pages(book)):
         controls = phone.page.locator("simulation-figure .control")
         assert controls.locator("visible=true").count() == controls.count(), address
 
@@ -106,8 +104,7 @@ TOO_SMALL = """() => {
 
 
 def test_what_a_finger_touches_is_44_pixels_high(phone: Reader, book: Any) -> None:
-    for address in pages(book):
-        open_page(phone, address)
+    for address in phone.leaf_through(pages(book)):
         assert phone.page.evaluate(TOO_SMALL) == [], address
 
 
@@ -132,8 +129,7 @@ MOVED = """() => {
 
 
 def test_values_at_their_longest_are_whole_and_move_nothing(phone: Reader, book: Any) -> None:
-    for address in pages(book):
-        open_page(phone, address)
+    for address in phone.leaf_through(pages(book)):
         for width in (390, 320):
             phone.page.set_viewport_size({"width": width, "height": 800})
             assert phone.page.evaluate(MOVED) == [], f"{address} at {width}"
@@ -149,13 +145,13 @@ SMALL_LABELS = """(least) => [...document.querySelectorAll(
   .filter(([, size]) => size < least)"""
 
 
-def test_labels_in_pictures_are_large_enough_to_read(reader: Reader, book: Any) -> None:
-    reader.page.add_init_script(SILENT_WORKER)
-    for address in ["", *(chapter["url"] for chapter in book["chapters"])]:
-        open_page(reader, address)
+def test_labels_in_pictures_are_large_enough_to_read(plain_reader: Reader, book: Any) -> None:
+    urls = ["", *(chapter["url"] for chapter in book["chapters"])]
+    for address in plain_reader.leaf_through(urls):
         for width, least_px in ((1920, 12.5), (1440, 12.5), (390, 10.5)):
-            reader.page.set_viewport_size({"width": width, "height": 900})
-            assert reader.page.evaluate(SMALL_LABELS, least_px) == [], f"{address} at {width}"
+            plain_reader.page.set_viewport_size({"width": width, "height": 900})
+            small = plain_reader.page.evaluate(SMALL_LABELS, least_px)
+            assert small == [], f"{address} at {width}"
 
 
 def test_a_panel_that_was_pushed_into_view_stays_while_a_slider_moves(
@@ -166,7 +162,7 @@ def test_a_panel_that_was_pushed_into_view_stays_while_a_slider_moves(
     strip = figure.locator(".panels")
     strip.focus()
     visitor.page.keyboard.press("ArrowRight")
-    visitor.page.wait_for_function(SECOND_IS_SHOWN, arg=strip.element_handle(), timeout=5000)
+    visitor.page.wait_for_function(SECOND_IS_SHOWN, arg=strip.element_handle())
     frames = visitor.frames(figure)
     figure.locator("input[name=frequency]").focus()
     visitor.page.keyboard.press("ArrowRight")
@@ -180,7 +176,7 @@ def test_a_dot_brings_its_panel_into_view_and_tells_of_it(phone: Reader, book: A
     dots = figure.locator(".panel-dots > button")
     dots.nth(1).tap()
     strip = figure.locator(".panels").element_handle()
-    phone.page.wait_for_function(SECOND_IS_SHOWN, arg=strip, timeout=5000)
+    phone.page.wait_for_function(SECOND_IS_SHOWN, arg=strip)
     figure.locator('.panel-dots > button:nth-child(2)[aria-current="true"]').wait_for()
 
 

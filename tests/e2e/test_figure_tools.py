@@ -65,7 +65,7 @@ def test_reset_returns_to_the_start_of_the_page_and_back_undoes_it(
     is_at = "([figure, value]) => figure.querySelector('[name=k1]').value === value"
     start = figure.locator("script.schema").evaluate("s => JSON.parse(s.text).values.k1")
     visitor.page.wait_for_function(is_at, arg=[figure.element_handle(), str(start)])
-    assert visitor.page.evaluate("location.search") == ""
+    visitor.page.wait_for_function("location.search === ''")
     visitor.page.go_back()
     visitor.page.wait_for_function(is_at, arg=[figure.element_handle(), "-0.3"])
 
@@ -153,6 +153,5 @@ def test_words_and_readouts_light_up_what_has_their_colour(visitor: Reader) -> N
 
 
 def test_numbers_do_not_speak_while_they_change(plain_reader: Reader, book: Any) -> None:
-    for chapter in book["chapters"]:
-        plain_reader.open(chapter["url"], live=False)
+    for _ in plain_reader.leaf_through(chapter["url"] for chapter in book["chapters"]):
         assert plain_reader.page.locator('output:not([aria-live="off"])').count() == 0

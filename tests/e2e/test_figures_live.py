@@ -36,8 +36,8 @@ def test_every_figure_comes_alive_in_place(reader: Reader, book: Any) -> None:
 def test_every_chapter_shows_the_figures_and_questions_that_the_catalogue_names(
     plain_reader: Reader, book: Any
 ) -> None:
-    for chapter in book["chapters"]:
-        plain_reader.open(chapter["url"], live=False)
+    urls = [chapter["url"] for chapter in book["chapters"]]
+    for chapter, url in zip(book["chapters"], plain_reader.leaf_through(urls), strict=True):
         assert plain_reader.page.locator("h1").inner_text().strip() == chapter["title"]
         found = plain_reader.page.evaluate(
             "[...document.querySelectorAll('simulation-figure')].map(f => f.dataset.simulation)"
@@ -47,8 +47,7 @@ def test_every_chapter_shows_the_figures_and_questions_that_the_catalogue_names(
             "[...document.querySelectorAll('form.quiz')].map(form => form.dataset.quiz)"
         )
         assert quizzes == chapter["quizzes"]
-        plain_reader.page.evaluate("document.fonts.ready")
-        _assert_unmoved(plain_reader, chapter["url"])
+        _assert_unmoved(plain_reader, url)
 
 
 def _assert_unmoved(reader: Reader, where: str) -> None:
@@ -96,31 +95,31 @@ def scene(request: pytest.FixtureRequest, book: Any) -> Any:
 
 
 @pytest.fixture
-def figure(visitor: Reader, book: Any, scene: Any) -> Locator:
-    return visitor.turn_to_figure(book, scene["id"])
+def figure(guest: Reader, book: Any, scene: Any) -> Locator:
+    return guest.stay_at_figure(book, scene["id"])
 
 
 def test_each_kind_of_control_changes_the_figure_by_keyboard(
-    visitor: Reader, scene: Any, figure: Locator
+    guest: Reader, scene: Any, figure: Locator
 ) -> None:
     for control in _one_of_each_kind(scene):
-        _assert_changes(visitor, figure, control, _press)
+        _assert_changes(guest, figure, control, _press)
 
 
 def test_each_kind_of_control_changes_the_figure_by_mouse(
-    visitor: Reader, scene: Any, figure: Locator
+    guest: Reader, scene: Any, figure: Locator
 ) -> None:
     for control in _one_of_each_kind(scene):
-        _assert_changes(visitor, figure, control, _click)
+        _assert_changes(guest, figure, control, _click)
 
 
-def test_every_tier_draws_a_frame(visitor: Reader, scene: Any, figure: Locator) -> None:
+def test_every_tier_draws_a_frame(guest: Reader, scene: Any, figure: Locator) -> None:
     if not scene["tiers"]:
         return
     menu = figure.locator('select[name="tier"]')
     chosen = menu.input_value()
     for tier in [*(tier for tier in scene["tiers"] if tier != chosen), chosen]:
-        visitor.choose(figure, "tier", tier)
+        guest.choose(figure, "tier", tier)
 
 
 def _one_of_each_kind(scene: Any) -> Iterator[Any]:
@@ -166,11 +165,9 @@ def _press(reader: Reader, element: Locator, control: Any, _attempt: int) -> Non
 
 
 def _click(reader: Reader, element: Locator, control: Any, attempt: int) -> None:
-    element.evaluate("element => element.scrollIntoView({block: 'center', behavior: 'instant'})")
+    box = reader.bring(element)
     match control["kind"]:
         case "slider":
-            box = element.bounding_box()
-            assert box
             share = (0.2, 0.8, 0.4, 0.6)[attempt]
             x, y = box["x"] + share * box["width"], box["y"] + box["height"] / 2
             reader.page.mouse.click(x, y)

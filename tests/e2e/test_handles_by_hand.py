@@ -5,7 +5,7 @@ from typing import Any
 
 import pytest
 from playwright.sync_api import Locator, expect
-from support.reader import Reader, chapter_of
+from support.reader import Reader
 
 from simulations.engine.handles import Handle
 from simulations.registry import SCENE_MODULES, load_scene
@@ -20,27 +20,28 @@ place far."""
 
 @pytest.mark.parametrize("scene", WITH_HANDLES)
 def test_every_handle_moves_its_settings_and_goes_along(
-    visitor: Reader, book: Any, scene: str
+    guest: Reader, book: Any, scene: str
 ) -> None:
-    figure = turn_to_figure(visitor, book, scene)
+    figure = guest.stay_at_figure(book, scene)
+    guest.bring(figure.locator(".panels"))
     for handle in load_scene(scene).handles:
         grip = figure.locator(f'[data-handle="{handle.name}"]')
         if not grip.is_visible():
             continue
-        before, start = settings(figure, handle), centre(grip)
-        frames = visitor.frames(figure)
+        guest.settle(figure)
+        before, start = settings(figure, handle), middle(grip)
+        frames = guest.frames(figure)
         for right, down in PULLS:
-            drag(visitor, start, (start[0] + right, start[1] + down))
-            visitor.settle(figure)
+            drag(guest, start, (start[0] + right, start[1] + down))
+            guest.settle(figure)
             if settings(figure, handle) != before:
                 break
-        visitor.wait_frame(figure, frames)
-        visitor.settle(figure)
+        guest.wait_frame(figure, frames)
         assert settings(figure, handle) != before, handle.name
         grip.focus()
         for key in ("ArrowLeft", "ArrowUp", "ArrowRight", "ArrowDown"):
             before = settings(figure, handle)
-            visitor.page.keyboard.press(key)
+            guest.page.keyboard.press(key)
             if settings(figure, handle) != before:
                 break
         assert settings(figure, handle) != before, f"{handle.name} by keyboard"
@@ -50,9 +51,10 @@ def test_every_handle_moves_its_settings_and_goes_along(
 def test_a_handle_stays_under_the_pointer_and_ends_at_the_last_of_many_moves(
     visitor: Reader, book: Any
 ) -> None:
-    figure = turn_to_figure(visitor, book, "lambertian-shading")
+    figure = visitor.turn_to_figure(book, "lambertian-shading")
     grip = figure.locator('[data-handle="probe"]')
-    start = centre(grip)
+    visitor.bring(grip)
+    start = middle(grip)
     end = (start[0] + 60, start[1])
     page = visitor.page
     page.mouse.move(*start)
@@ -62,16 +64,7 @@ def test_a_handle_stays_under_the_pointer_and_ends_at_the_last_of_many_moves(
     page.mouse.move(*end)
     page.mouse.up()
     visitor.settle(figure)
-    assert centre(grip)[0] == pytest.approx(end[0], abs=2)
-
-
-def turn_to_figure(visitor: Reader, book: Any, scene: str) -> Locator:
-    """The scene's first figure as the page has it, in view."""
-    visitor.turn_to(chapter_of(book, scene))
-    figure = visitor.figure(scene)
-    figure.locator(".panels").scroll_into_view_if_needed()
-    visitor.page.mouse.move(0, 0)
-    return figure
+    assert middle(grip)[0] == pytest.approx(end[0], abs=2)
 
 
 def settings(figure: Locator, handle: Handle[Any]) -> list[str]:
@@ -96,10 +89,10 @@ def described(figure: Locator, handle: Handle[Any]) -> str:
     return words
 
 
-def centre(grip: Locator) -> tuple[float, float]:
-    box = grip.bounding_box()
-    assert box
-    return box["x"] + box["width"] / 2, box["y"] + box["height"] / 2
+def middle(grip: Locator) -> tuple[float, float]:
+    place = grip.bounding_box()
+    assert place
+    return place["x"] + place["width"] / 2, place["y"] + place["height"] / 2
 
 
 def drag(visitor: Reader, start: tuple[float, float], end: tuple[float, float]) -> None:

@@ -139,7 +139,7 @@ def test_an_endless_loop_is_stopped_and_told_and_the_figure_is_as_the_book_draws
     figure, other = figures(visitor)[:2]
     book = visitor.shown(figure)
     open_python(figure)
-    usual = visitor.page.evaluate(LIMIT, 1500)
+    usual = visitor.page.evaluate(LIMIT, 500)
     write(visitor, figure, "def _encoded(photo):\n    while True:\n        pass\n")
     figure.locator(".workshop .run").click()
     assert move(visitor, other, "ArrowRight"), "another figure does not wait for it"
@@ -149,6 +149,7 @@ def test_an_endless_loop_is_stopped_and_told_and_the_figure_is_as_the_book_draws
     assert "figure stays as it was" in told
     moved = move(visitor, figure, "ArrowRight")
     assert move(visitor, figure, "ArrowLeft") == book
+    visitor.page.evaluate(LIMIT, 1500)  # of which this takes a hundredth, until it is to loop
     loops_later = ("while k1 != 0.15:", "    pass", "return Drawings('', '', '', '')")
     figure.locator(".put-all-back").click()
     figure.locator(".workshop-part", has_text="drawings").click()

@@ -36,6 +36,7 @@ def test_a_figure_shows_the_reader_s_picture_and_then_the_book_s_again(
     visitor: Reader, book: Any, red_picture: Path
 ) -> None:
     figure = visitor.turn_to_figure(book, SCENE)
+    visitor.settle(figure)
     before, frames = middle_pixel(visitor), visitor.frames(figure)
     figure.locator("input[type=file]").set_input_files(red_picture)
     visitor.wait_frame(figure, frames)

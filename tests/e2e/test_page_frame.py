@@ -37,11 +37,10 @@ def test_the_section_that_is_read_is_marked(plain_reader: Reader, book: Any) -> 
 
 
 def test_contents_beside_the_text_cover_no_figure(plain_reader: Reader, book: Any) -> None:
-    for chapter in book["chapters"]:
-        plain_reader.open(chapter["url"], live=False)
+    for url in plain_reader.leaf_through(chapter["url"] for chapter in book["chapters"]):
         for width in (1280, 1440):
             plain_reader.page.set_viewport_size({"width": width, "height": 900})
-            assert plain_reader.page.evaluate(COVERED) == [], f"{chapter['id']} at {width}"
+            assert plain_reader.page.evaluate(COVERED) == [], f"{url} at {width}"
 
 
 def test_on_a_narrow_screen_the_sections_are_in_a_fold(plain_reader: Reader, book: Any) -> None:
@@ -161,8 +160,7 @@ def test_without_scripts_nothing_is_offered_that_does_nothing(
 
 
 def test_each_chapter_says_what_it_takes_and_what_it_gives(plain_reader: Reader, book: Any) -> None:
-    for chapter in book["chapters"]:
-        plain_reader.open(chapter["url"], live=False)
+    for url in plain_reader.leaf_through(chapter["url"] for chapter in book["chapters"]):
         facts = plain_reader.page.locator(".chapter-facts")
-        assert facts.locator(".before li").count() >= 1, chapter["id"]
-        assert 2 <= facts.locator(".after li").count() <= 4, chapter["id"]
+        assert facts.locator(".before li").count() >= 1, url
+        assert 2 <= facts.locator(".after li").count() <= 4, url

@@ -80,5 +80,5 @@ def _right(quiz: Any) -> list[int]:
 
 def _open(reader: Reader, quiz: Any, url: str) -> Locator:
     if not reader.page.url.endswith(url):
-        reader.open(url, live=False)
+        reader.turn_to(url, live=False)
     return reader.page.locator(f'form.quiz[data-quiz="{quiz["id"]}"]')

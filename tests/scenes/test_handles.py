@@ -2,7 +2,7 @@
 
 import itertools
 import math
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, replace
 from typing import Any
 
@@ -30,27 +30,27 @@ def named(part: object) -> str:
 
 
 class Outputs(Mapping[str, Any]):
-    """What the stages make of some settings, computed when a handle first asks for any of it."""
+    """What the stages make of some settings: of them only those that a handle asks for."""
 
     def __init__(self, scene: Scene[Any], settings: object) -> None:
-        self._make: Callable[[], Mapping[str, Any]] = lambda: (
-            scene.run(settings, scene.default_tier, StageCache()).outputs
-        )
-        self._made: Mapping[str, Any] | None = None
-
-    def _all(self) -> Mapping[str, Any]:
-        if self._made is None:
-            self._made = self._make()
-        return self._made
+        self._scene, self._settings, self._cache = scene, settings, StageCache()
 
     def __getitem__(self, name: str) -> Any:
-        return self._all()[name]
+        wanted = {name}
+        for stage in reversed(self._scene.stages):
+            if stage.name in wanted:
+                wanted.update((*stage.after, stage.source))
+        stages = tuple(stage for stage in self._scene.stages if stage.name in wanted)
+        return self._run(replace(self._scene, stages=stages))[name]
 
     def __iter__(self) -> Iterator[str]:
-        return iter(self._all())
+        return iter(self._run(self._scene))
 
     def __len__(self) -> int:
-        return len(self._all())
+        return len(self._run(self._scene))
+
+    def _run(self, scene: Scene[Any]) -> Mapping[str, Any]:
+        return scene.run(self._settings, scene.default_tier, self._cache).outputs
 
 
 @dataclass(frozen=True)

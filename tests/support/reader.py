@@ -1,6 +1,6 @@
 """A reader in front of the book: opens chapters, waits for figures, notes every complaint."""
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from contextlib import contextmanager
 from typing import Any
 
@@ -8,6 +8,7 @@ from playwright.sync_api import (
     Browser,
     BrowserContext,
     ConsoleMessage,
+    FloatRect,
     Locator,
     Request,
     ViewportSize,
@@ -68,19 +69,33 @@ class Reader:
         self.page.evaluate("localStorage.clear(); sessionStorage.clear()")
 
     def begin_anew(self, screen: ViewportSize = DESK) -> None:
-        """As in a fresh profile: a page that was just loaded, and nothing kept."""
+        """As in a fresh profile: nothing kept, and no page but what is loaded next."""
         self.page.set_viewport_size(screen)
         self.page.emulate_media(
             media="null", color_scheme="light", reduced_motion="null", forced_colors="null"
         )
-        self.open("licences/", live=False)
-        self.forget()
+        if self.page.url != "about:blank":
+            self.forget()
+            self.page.goto("about:blank")
 
     def open(self, address: str = "", *, live: bool = True) -> None:
         """Open a page of the book, and wait until its figures live if there are any."""
         self.page.goto(self.root + address)
         if live:
             self.wait_live()
+
+    def leaf_through(self, addresses: Iterable[str]) -> Iterator[str]:
+        """Each of these pages in turn, with its fonts: the first is loaded, the others turned to.
+
+        Leaves the figures as they are.
+        """
+        for number, address in enumerate(addresses):
+            if number:
+                self.turn_to(address, live=False)
+            else:
+                self.open(address, live=False)
+            self.page.evaluate("document.fonts.ready")
+            yield address
 
     def turn_to(self, address: str, *, live: bool = True) -> None:
         """Follow a link to a page of the book, as a reader does; the interpreter stays alive."""
@@ -117,10 +132,25 @@ class Reader:
         self.turn_to(chapter_of(book, scene))
         return self._in_view(scene)
 
+    def stay_at_figure(self, book: Any, scene: str) -> Locator:
+        """As `turn_to_figure`, but where this led to the page already, as it was left since."""
+        chapter = chapter_of(book, scene)
+        if self.page.evaluate("document.getElementById('main')?.stays") != chapter:
+            self.turn_to(chapter)
+            self.page.evaluate("at => { document.getElementById('main').stays = at; }", chapter)
+        return self._in_view(scene)
+
     def _in_view(self, scene: str) -> Locator:
         figure = self.figure(scene)
-        figure.locator("form.controls").scroll_into_view_if_needed()
+        self.bring(figure.locator("form.controls"))
         return figure
+
+    def bring(self, element: Locator) -> FloatRect:
+        """Bring an element to the middle of the window; its place, once it rests there."""
+        element.evaluate(BRING)
+        place = element.bounding_box()
+        assert place, "it is not shown"
+        return place
 
     def choose(self, figure: Locator, name: str, option: str) -> None:
         """Choose an option of a menu, and wait for the frame that it makes."""
@@ -166,8 +196,11 @@ class Reader:
 def visit(
     chromium: Browser, server: StaticServer, script: str = "", **options: Any
 ) -> Iterator[Reader]:
-    """A reader with a fresh browser profile, in whose pages ``script`` runs first."""
-    context = chromium.new_context(**{"viewport": DESK, **options})
+    """A reader with a fresh browser profile, in whose pages ``script`` runs first.
+
+    Nothing is kept for reading offline unless ``options`` allow it.
+    """
+    context = chromium.new_context(**{"viewport": DESK, "service_workers": "block", **options})
     someone = Reader(context, server.url)
     if script:
         someone.page.add_init_script(script)
@@ -182,6 +215,17 @@ def chapter_of(book: Any, scene: str) -> str:
     url: str = next(c["url"] for c in book["chapters"] if scene in c["simulations"])
     return url
 
+
+BRING = """async (element) => {
+  element.scrollIntoView({block: 'center', inline: 'center', behavior: 'instant'});
+  for (let still = 0, last = ''; still < 5; ) {
+    await new Promise(requestAnimationFrame);
+    const {x, y} = element.getBoundingClientRect();
+    still = `${x} ${y}` === last ? still + 1 : 0;
+    last = `${x} ${y}`;
+  }
+}"""
+"""A strip of panels snaps to the nearest one, and a touch is led to what was painted last."""
 
 FOLLOW = """(url) => {
   if (location.href === url) document.getElementById('main').focus();

@@ -29,13 +29,16 @@ class QuietServer(ThreadingHTTPServer):
 
 
 class StaticServer:
-    """The folder ``root`` at ``url``; ``damaged`` maps ends of paths to other bytes."""
+    """The folder ``root`` at ``url``; ``damaged`` maps ends of paths to other bytes.
+
+    While it is ``gone``, nobody answers.
+    """
 
     def __init__(self, root: Path) -> None:
+        self.root = root
+        self.gone = False
         self.damaged: dict[str, bytes] = {}
-        self.server = QuietServer(
-            ("127.0.0.1", 0), partial(Handler, owner=self, directory=str(root))
-        )
+        self.server = QuietServer(("127.0.0.1", 0), partial(Handler, owner=self))
         self.url = f"http://127.0.0.1:{self.server.server_address[1]}/book/"
 
 
@@ -45,11 +48,15 @@ class Handler(SimpleHTTPRequestHandler):
     extensions_map = SimpleHTTPRequestHandler.extensions_map | TYPES
     protocol_version = "HTTP/1.1"
 
-    def __init__(self, *arguments: object, owner: StaticServer, directory: str) -> None:
+    def __init__(self, *arguments: object, owner: StaticServer) -> None:
         self.owner = owner
-        super().__init__(*arguments, directory=directory)  # type: ignore[arg-type]
+        super().__init__(*arguments, directory=str(owner.root))  # type: ignore[arg-type]
 
     def do_GET(self) -> None:
+        self.directory = str(self.owner.root)
+        if self.owner.gone:
+            self.close_connection = True
+            return
         path = self.path.partition("?")[0]
         for ending, content in self.owner.damaged.items():
             if path.endswith(ending):

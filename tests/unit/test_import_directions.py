@@ -37,16 +37,18 @@ MODELS = (
 """Rooms of ``simulations/models``: each imports itself and what stands before it."""
 
 BUILDER = (
-    "blame", "book_root", "diagnostics", "source_text", "svg", "purity", "languages", "settings",
-    "addresses", "bibliography", "glossary", "symbols", "news", "runtime", "editor", "output",
-    "measured", "charts", "book", "markdown", "lecture_plan", "source", "question_checks",
-    "figure_questions", "declared", "glossary_checks", "symbol_checks", "checks", "picture_checks",
-    "search", "pages", "publishing", "frame_checks", "build", "diagnostic_formats",
-    "outside_links", "check_command", "editions", "serve", "scaffold", "guide", "__main__",
+    "blame", "book_root", "diagnostics", "addresses", "source_text", "svg", "purity", "languages",
+    "settings", "bibliography", "glossary", "symbols", "news", "runtime", "editor", "output",
+    "offline", "measured", "charts", "book", "markdown", "lecture_plan", "source",
+    "question_checks", "figure_questions", "declared", "glossary_checks", "symbol_checks", "checks",
+    "picture_checks", "search", "pages", "publishing", "frame_checks", "build",
+    "diagnostic_formats", "outside_links", "check_command", "editions", "serve", "scaffold",
+    "guide", "__main__",
 )  # fmt: skip
 """Parts of ``site_builder``, likewise."""
 MARKDOWN = (
-    "text", "targets", "reading", "scenes", "front_matter", "headings", "role", "roles", "inline",
+    "text", "targets", "reading", "content_files", "splicing", "scenes", "front_matter", "headings",
+    "role", "roles", "inline",
     "directive", "questions", "usage", "blocks", "bodies", "fences",
     "directives", "placing", "guide", "parser", "definitions", "terms", "chapter",
 )  # fmt: skip

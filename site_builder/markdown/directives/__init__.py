@@ -8,10 +8,12 @@ from typing import Any
 from site_builder.markdown.directive import Directive
 from site_builder.markdown.directives.answer import ANSWER
 from site_builder.markdown.directives.callout import CALLOUTS
+from site_builder.markdown.directives.download import DOWNLOAD
 from site_builder.markdown.directives.example import EXAMPLE
 from site_builder.markdown.directives.extremes import EXTREMES
 from site_builder.markdown.directives.figure import FIGURE
 from site_builder.markdown.directives.illustration import ILLUSTRATION
+from site_builder.markdown.directives.include import INCLUDE
 from site_builder.markdown.directives.ladder import LADDER
 from site_builder.markdown.directives.ladder_table import LADDER_TABLE
 from site_builder.markdown.directives.predict import PREDICT
@@ -20,6 +22,8 @@ from site_builder.markdown.directives.simulation import SIMULATION
 from site_builder.markdown.directives.source import SOURCE
 from site_builder.markdown.directives.stage_costs import STAGE_COSTS
 from site_builder.markdown.directives.table import TABLE
+from site_builder.markdown.directives.tabs import TAB, TABS
+from site_builder.markdown.directives.video import VIDEO
 
 DIRECTIVES: tuple[Directive[Any], ...] = (
     SIMULATION,
@@ -28,9 +32,14 @@ DIRECTIVES: tuple[Directive[Any], ...] = (
     ANSWER,
     *CALLOUTS,
     EXAMPLE,
+    TABS,
+    TAB,
     SOURCE,
     ILLUSTRATION,
     FIGURE,
+    VIDEO,
+    DOWNLOAD,
+    INCLUDE,
     TABLE,
     EXTREMES,
     LADDER,

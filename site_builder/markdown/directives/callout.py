@@ -1,13 +1,40 @@
-"""``{tip}``, ``{note}``, ``{warning}``, ``{key-idea}``: asides, with a title."""
+"""``{note}``, ``{tip}``, ``{warning}`` and their kin: asides, with a title."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
 
 from site_builder.book import Block
 from site_builder.markdown.bodies import BLOCKS
-from site_builder.markdown.directive import Argument, Directive, Use
+from site_builder.markdown.directive import Argument, Directive, OptionLine, Use
 from site_builder.markdown.inline import inline_html
 from site_builder.markdown.reading import Reading
+
+
+@dataclass(frozen=True, slots=True)
+class Kind:
+    """One name that an aside may have; where the author gives no title, the language does."""
+
+    look: str
+    """Its class in the style sheet: several kinds look alike."""
+    says: str
+
+
+KINDS = {
+    "tip": Kind("tip", "an aside that helps"),
+    "hint": Kind("tip", "an aside that helps"),
+    "note": Kind("note", "an aside that adds"),
+    "seealso": Kind("note", "an aside that leads on"),
+    "important": Kind("important", "an aside not to be missed"),
+    "attention": Kind("warning", "an aside that warns"),
+    "caution": Kind("warning", "an aside that warns"),
+    "warning": Kind("warning", "an aside that warns"),
+    "danger": Kind("danger", "an aside that warns of harm"),
+    "error": Kind("danger", "an aside on what goes wrong"),
+    "key-idea": Kind("key-idea", "what to remember"),
+}
+"""Kinds of callout: those of MyST, and ours."""
+LOOKS = tuple(dict.fromkeys(["note", *(kind.look for kind in KINDS.values())]))
+"""Ways to look; the first where the author says none."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -15,29 +42,38 @@ class Callout:
     """An aside; what it says is in the blocks inside."""
 
     kind: str
-    """The name of its directive."""
+    """Its class."""
     title_html: str
 
 
 def read_callout(use: Use, _body: Sequence[Block], reading: Reading) -> Callout:
     title = use.argument or reading.words(f"callout.{use.name}")
-    return Callout(use.name, inline_html(title, use.line, reading))
+    return Callout(KINDS[use.name].look, inline_html(title, use.line, reading))
 
 
-def _callout(name: str, says: str) -> Directive[tuple[Block, ...]]:
-    return Directive(
-        name=name,
-        says=says,
-        argument=Argument("Title"),
-        body=BLOCKS,
-        read=read_callout,
-        template="callout",
-    )
+def read_admonition(use: Use, _body: Sequence[Block], reading: Reading) -> Callout:
+    return Callout(use.text("class"), inline_html(use.argument, use.line, reading))
 
 
 CALLOUTS = (
-    _callout("tip", "an aside that helps"),
-    _callout("note", "an aside that adds"),
-    _callout("warning", "an aside that warns"),
-    _callout("key-idea", "what to remember"),
+    *(
+        Directive(
+            name=name,
+            says=kind.says,
+            argument=Argument("Title"),
+            body=BLOCKS,
+            read=read_callout,
+            template="callout",
+        )
+        for name, kind in KINDS.items()
+    ),
+    Directive(
+        name="admonition",
+        says="an aside of another kind",
+        argument=Argument("Title", lacks="has no title"),
+        options=(OptionLine("class", says="what it looks like", legal=LOOKS),),
+        body=BLOCKS,
+        read=read_admonition,
+        template="callout",
+    ),
 )

@@ -1,14 +1,19 @@
 """``{figure} images/file.svg``: a picture from ``content/``, with ``:alt:`` and a caption."""
 
+import re
 from dataclasses import dataclass
-from pathlib import Path, PurePosixPath
+from pathlib import PurePosixPath
 
-from site_builder.diagnostics import unknown
 from site_builder.markdown.bodies import CAPTION
+from site_builder.markdown.content_files import PICTURES, Size, found, picture_size
 from site_builder.markdown.directive import LABEL, Argument, Directive, Numbered, OptionLine, Use
 from site_builder.markdown.reading import Reading
 
-SUFFIXES = (".svg", ".png", ".jpg", ".jpeg", ".webp")
+SUFFIXES = PICTURES
+WIDTH = re.compile(r"([1-9]\d?|100)%|([1-9]\d{1,3})px")
+LEGAL_WIDTH = "'60%' of the text, or '320px'"
+ALIKE = 0.01
+"""Of the proportions of a picture and its dark variant, by how much they may differ."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -19,37 +24,55 @@ class Figure:
     """Path below ``content/``."""
     alt: str
     caption_html: str
+    size: Size | None
+    """Its own, so that its room is kept before it is there."""
+    width: str = ""
+    """How wide it is shown, where its author says it: ``60%`` or ``320px``."""
+    dark: str = ""
+    """Path of what is shown in its place on dark paper."""
 
 
 def read_figure(use: Use, caption_html: str, reading: Reading) -> Figure | None:
-    fault = _fault_of(use.argument, reading.root / "content")
-    if fault:
-        reading.problem(use.line, fault)
+    file = found(use.argument, use.line, reading, "picture file", PICTURES)
+    size = picture_size(file) if file else None
+    dark, width = _dark(use, size, reading), _width(use, reading)
+    if file is None:
         return None
-    return Figure(use.argument, use.text("alt"), caption_html)
+    return Figure(use.argument, use.text("alt"), caption_html, size, width, dark)
 
 
-def _fault_of(file: str, content: Path) -> str:
-    """What is wrong with the picture ``file``; nothing where it can be shown."""
-    path = PurePosixPath(file)
-    inside = file and not path.is_absolute() and ".." not in path.parts
-    if not inside or not (content / file).is_file():
-        pictures = (
-            picture.relative_to(content).as_posix()
-            for picture in sorted(content.rglob("*"))
-            if picture.suffix in SUFFIXES
-        )
-        return unknown("picture file", file, pictures)
-    if not file.endswith(SUFFIXES):
-        return f"picture file {file!r}; legal: a name that ends in {', '.join(SUFFIXES)}"
+def _width(use: Use, reading: Reading) -> str:
+    given = use.options.get("width")
+    if given is None or WIDTH.fullmatch(given.text):
+        return given.text if given else ""
+    reading.problem(given.line, f"width {given.text!r}; legal: {LEGAL_WIDTH}")
     return ""
+
+
+def _dark(use: Use, size: Size | None, reading: Reading) -> str:
+    given = use.options.get("dark")
+    if given is None:
+        return ""
+    file = found(given.text, given.line, reading, "picture file", PICTURES)
+    other = picture_size(file) if file else None
+    if size and other and abs(size[0] * other[1] / (size[1] * other[0]) - 1) > ALIKE:
+        each = [f"{width} × {height}" for width, height in (size, other)]
+        reading.problem(
+            given.line, f"dark variant of {each[1]} for a picture of {each[0]}; legal: its shape"
+        )
+    return given.text if file else ""
 
 
 FIGURE = Directive(
     name="figure",
     says="a picture of yours",
     argument=Argument("images/file.svg", lacks="names no picture"),
-    options=(OptionLine("alt", says="what the picture shows", required=True), LABEL),
+    options=(
+        OptionLine("alt", says="what the picture shows", required=True),
+        OptionLine("width", says="how wide it is shown, `60%` or `320px`"),
+        OptionLine("dark", says="a picture for dark paper, `images/dark.svg`"),
+        LABEL,
+    ),
     body=CAPTION,
     read=read_figure,
     template="figure",

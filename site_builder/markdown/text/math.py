@@ -26,8 +26,22 @@ CHILDREN = {
     "mfrac": 2, "mroot": 2, "msub": 2, "msup": 2, "mover": 2, "munder": 2,
     "msubsup": 3, "munderover": 3,
 }  # fmt: skip
+ELEMENTS = (
+    "math", "mi", "mn", "mo", "mtext", "mspace", "mrow", "mfrac", "msqrt", "mroot", "mstyle",
+    "mpadded", "mphantom", "menclose", "msub", "msup", "msubsup", "munder", "mover", "munderover",
+    "mtable", "mtr", "mtd",
+)  # fmt: skip
+ATTRIBUTES = (
+    "display", "stretchy", "width", "height", "depth", "voffset", "lspace", "rspace", "mathvariant",
+    "mathsize", "mathcolor", "mathbackground", "class", "fence", "form", "separator", "accent",
+    "largeop", "linebreak", "displaystyle", "scriptlevel", "minsize", "maxsize", "movablelimits",
+    "linethickness", "notation", "columnalign", "columnspacing", "columnlines", "rowspacing",
+    "rowlines",
+)  # fmt: skip
+"""Of MathML, what TeX can ask for. The converter lets through what looks like markup in a formula,
+scripts included."""
 SPACES = {"negativethinmathspace": "-0.167em"}
-LETTERS = {"∞", "∅"}
+LETTERS = {"∞", "∅", "⊤"}
 OPERATORS = {"~": "∼", "‖": "‖", "⌊": "⌊", "⌋": "⌋", "⌈": "⌈", "⌉": "⌉"}
 FUNCTIONS_WITH_LIMITS = {"max", "min", "argmax", "argmin", "sup", "inf", "lim"}
 
@@ -110,6 +124,11 @@ def _strip_namespace(tree: ElementTree.Element) -> None:
 
 def _check(tree: ElementTree.Element, tex: str) -> None:
     for element in tree.iter():
+        strange = next((name for name in element.attrib if name not in ATTRIBUTES), "")
+        if element.tag not in ELEMENTS or strange:
+            found = strange or f"<{element.tag}>"
+            message = f"{found!r} in {quoted(tex)}; legal: TeX, and '\\lt' for the sign '<'"
+            raise UnsupportedTexError(message)
         text = element.text or ""
         if element.tag != "mtext" and (command := re.search(r"\\\w*", text)):
             message = f"unsupported TeX command '{command[0]}' in {quoted(tex)}"

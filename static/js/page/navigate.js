@@ -10,7 +10,7 @@ import { isPlain, within } from "./dom.js";
 const OF_A_PAGE = [
   'meta[name="description"]',
   'meta[property^="og:"]',
-  ...["icon", "apple-touch-icon", "canonical", "alternate", "prev", "next"].map(
+  ...["icon", "apple-touch-icon", "canonical", "alternate", "manifest", "prev", "next"].map(
     (rel) => `link[rel="${rel}"]`,
   ),
 ].join();

@@ -149,7 +149,7 @@ def test_fallbacks_take_the_same_height_of_line(
 
 def test_cutting_twice_gives_the_same_bytes() -> None:
     face = next(face for face in FACES if face.file == "sans-italic.woff2")
-    source = files(str(face.package)).joinpath(face.source).read_bytes()
+    source = files(face.package).joinpath(face.source).read_bytes()
     assert cut(face, source) == cut(face, source)
 
 

@@ -14,20 +14,27 @@ def test_an_address_ends_in_a_slash(given: str) -> None:
     "given",
     [
         *("host.example", "ftp://host.example/", "https:///book", "https://host/?a=1"),
-        *('https://host/"><script>', "https://host/a b", "https://host/\n", "https://host/\\"),
+        *(
+            'https://host/"><script>',
+            "https://host/a b",
+            "https://host/\n",
+            3,
+            None,
+            ["https://h/"],
+        ),
         "javascript://host/%0aalert(1)",
     ],
 )
-def test_what_is_no_address_is_refused(given: str) -> None:
-    with pytest.raises(ValueError, match='legal: "https://host/path/"'):
+def test_what_is_no_address_is_refused(given: object) -> None:
+    with pytest.raises(ValueError, match="legal: 'https://host/'"):
         site_address(given)
 
 
 @pytest.mark.parametrize(
-    "given", ["https://host/", "{path}", "https://host/{path}/{path}", "javascript:{path}"]
+    "given", ["https://host/", "{path}", "https://host/{path}/{path}", "javascript:{path}", 1]
 )
-def test_an_address_of_sources_has_one_place_for_a_path(given: str) -> None:
-    with pytest.raises(ValueError, match=r"legal: .*\{path\}"):
+def test_an_address_of_sources_has_one_place_for_a_path(given: object) -> None:
+    with pytest.raises(ValueError, match=r"with \{path\} once"):
         source_address(given)
 
 

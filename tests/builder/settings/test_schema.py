@@ -8,7 +8,7 @@ from typing import Any
 import pytest
 
 from site_builder.settings.guide import settings_table
-from site_builder.settings.kinds import ADDRESS, COLOUR, PREFIX, Kind, Names, OneOf, Text, Whole
+from site_builder.settings.kinds import COLOUR, PREFIX, SITE, Kind, Names, OneOf, Text, Whole
 from site_builder.settings.schema import book_schema
 
 ROOT = Path(__file__).parents[3]
@@ -53,7 +53,7 @@ def test_an_unknown_key_does_not_fit() -> None:
 
 
 @pytest.mark.parametrize(
-    "kind", [Text(), COLOUR, ADDRESS, PREFIX, Whole(0), OneOf(lambda: ("a", "b")), Names("", 1)]
+    "kind", [Text(), COLOUR, SITE, PREFIX, Whole(0), OneOf(lambda: ("a", "b")), Names("", 1)]
 )
 @pytest.mark.parametrize(
     "value",

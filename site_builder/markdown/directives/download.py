@@ -1,0 +1,54 @@
+"""``{download} data/file.csv``: a file of ``content/`` for the reader to keep."""
+
+from dataclasses import dataclass
+from pathlib import PurePosixPath
+
+from site_builder.languages.words import ENGLISH, Words
+from site_builder.markdown.bodies import CAPTION
+from site_builder.markdown.content_files import found
+from site_builder.markdown.directive import Argument, Directive, Use
+from site_builder.markdown.reading import Reading
+
+UNITS = ("bytes", "kB", "MB", "GB")
+
+
+@dataclass(frozen=True, slots=True)
+class Download:
+    """A file to keep."""
+
+    file: str
+    """Path below ``content/``."""
+    name: str
+    """What it is called once it is there."""
+    size: str
+    words_html: str
+    """What is in it; nothing where the name says it."""
+
+
+def read_download(use: Use, words_html: str, reading: Reading) -> Download | None:
+    file = found(use.argument, use.line, reading, "file")
+    if file is None:
+        return None
+    reading.files.add(use.argument)
+    name = PurePosixPath(use.argument).name
+    return Download(use.argument, name, size_words(file.stat().st_size, reading.words), words_html)
+
+
+def size_words(size: int, words: Words = ENGLISH) -> str:
+    """``340 bytes``, ``1.2 kB``, ``35 MB``: two digits, or all below a thousand."""
+    amount, unit = float(size), 0
+    while amount >= 999.5 and unit < len(UNITS) - 1:
+        amount, unit = amount / 1000, unit + 1
+    digits = 1 if unit and amount < 9.95 else 0
+    named = UNITS[unit] if unit else words("download.bytes")
+    return f"{words.numeral(f'{amount:.{digits}f}')} {named}"
+
+
+DOWNLOAD = Directive(
+    name="download",
+    says="a file of yours for the reader to keep",
+    argument=Argument("data/file.csv", lacks="names no file"),
+    body=CAPTION,
+    read=read_download,
+    template="download",
+)

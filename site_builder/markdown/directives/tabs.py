@@ -1,0 +1,84 @@
+"""``{tabs}`` and, in it, ``{tab} Title``: the same thing in several ways, one on show at a time.
+
+On paper, and where no script runs, they stand one below the other.
+"""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+from markdown_it.token import Token
+
+from site_builder.book import Block
+from site_builder.markdown.blocks import read_blocks
+from site_builder.markdown.bodies import BLOCKS
+from site_builder.markdown.directive import Argument, Body, Directive, Use
+from site_builder.markdown.headings import slug
+from site_builder.markdown.inline import inline_html
+from site_builder.markdown.reading import Reading
+
+LEGAL = "two or more ':::{tab} Title'"
+
+
+@dataclass(frozen=True, slots=True)
+class Tabs:
+    """Alternatives; each is a `Tab` in a block inside."""
+
+
+@dataclass(frozen=True, slots=True)
+class Tab:
+    """One of several alternatives; what it says is in the blocks inside."""
+
+    id: str
+    """Element id."""
+    title_html: str
+
+
+def _read_tabs_body(use: Use, tokens: Sequence[Token], reading: Reading) -> tuple[Block, ...]:
+    margin = [token for token in tokens if token.level == tokens[0].level]
+    openings = [token for token in margin if token.type == "directive_open"]
+    tabs = [token for token in openings if _name(token) == "tab"]
+    for token in margin:
+        if token.nesting >= 0 and token not in tabs:
+            what = f"directive {{{_name(token)}}}" if token in openings else "text"
+            line = (token.map or [use.line - 1])[0] + 1
+            reading.problem(line, f"{what} between the tabs of {{tabs}}; legal: {LEGAL}")
+    if len(tabs) < 2:
+        count = "one" if tabs else "no"
+        reading.problem(use.line, f"{{tabs}} with {count} tab; legal: {LEGAL}")
+    reading.tabs.update(token.meta["use"].line for token in tabs)
+    return read_blocks(tokens, reading)
+
+
+def _name(token: Token) -> str:
+    use: Use = token.meta["use"]
+    return use.name
+
+
+def read_tabs(_use: Use, _body: Sequence[Block], _reading: Reading) -> Tabs:
+    return Tabs()
+
+
+def read_tab(use: Use, _body: Sequence[Block], reading: Reading) -> Tab | None:
+    if use.line not in reading.tabs:
+        reading.problem(use.line, "{tab} outside of {tabs}; legal: inside ':::{tabs}'")
+        return None
+    name = reading.free_id(f"tab-{slug(use.argument)}", use.line)
+    return Tab(name, inline_html(use.argument, use.line, reading))
+
+
+TABS = Directive(
+    name="tabs",
+    says="alternatives, of which the reader chooses one",
+    argument=None,
+    body=Body(LEGAL.replace("':::{tab} Title'", "`{tab}`"), _read_tabs_body, nests=True),
+    read=read_tabs,
+    template="tabs",
+)
+TAB = Directive(
+    name="tab",
+    says="one of them",
+    argument=Argument("Title", lacks="has no title"),
+    body=BLOCKS,
+    read=read_tab,
+    template="tab",
+)

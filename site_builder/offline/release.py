@@ -1,0 +1,47 @@
+"""What ``static/js/offline/service_worker.js`` keeps: the files of a release, and its name."""
+
+import base64
+import hashlib
+import json
+from collections.abc import Mapping
+
+from site_builder.output.assets import Content, content_bytes
+
+LIST = "offline.json"
+WORKER = "sw.js"
+SCRIPT = "js/offline/service_worker.js"
+"""Of the worker, among the assets."""
+
+
+def release_files(files: Mapping[str, Content], assets: str) -> dict[str, bytes]:
+    """The list of all ``files`` by address and hash, and a worker that keeps these.
+
+    Each hash is written as the ``integrity`` of a request (W3C Subresource Integrity), so that the
+    browser itself refuses a file of another release. A page is listed by the address that links
+    lead to, as some hosts send readers on from ``index.html``.
+    """
+    hashes = {address(name): integrity(content_bytes(files[name])) for name in sorted(files)}
+    listed = json.dumps(hashes, indent=0).encode()
+    return {LIST: listed, WORKER: worker(assets, integrity(listed))}
+
+
+def no_release(assets: str) -> dict[str, bytes]:
+    """A worker that gives back what an earlier one kept, for a site that is not to be kept."""
+    return {WORKER: worker(assets, "")}
+
+
+def worker(assets: str, release: str) -> bytes:
+    name, script = json.dumps(release), json.dumps(assets + SCRIPT)
+    return f"self.RELEASE = {name};\nimportScripts({script});\n".encode()
+
+
+def address(name: str) -> str:
+    """
+    >>> address("lens-distortion/index.html")
+    'lens-distortion/'
+    """
+    return name.removesuffix("index.html") if name.split("/")[-1] == "index.html" else name
+
+
+def integrity(data: bytes) -> str:
+    return "sha256-" + base64.b64encode(hashlib.sha256(data).digest()).decode()

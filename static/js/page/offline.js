@@ -1,0 +1,53 @@
+/** Has the whole book kept on the device, once the page is at rest and where that costs nothing. */
+
+/** Milliseconds between two looks at whether the figures have started. */
+const LOOK = 1000;
+/** Milliseconds after which the book is kept even if they have not. */
+const PATIENCE = 60_000;
+/** Milliseconds between two questions whether there is a new release. */
+const AGAIN = 3_600_000;
+
+/** Ask for it in the background; where service workers are not to be had, nothing happens. */
+export function installOffline() {
+  const { offline, root = "", assets = "" } = document.body.dataset;
+  if (offline === undefined || !navigator.serviceWorker || isMetered()) return;
+  const release = new URL(`${assets}js/main.js`, location.href).href;
+  const tell = () => navigator.serviceWorker.controller?.postMessage({ assets: release });
+  const address = new URL(`${root}sw.js`, location.href);
+  navigator.serviceWorker.addEventListener("controllerchange", tell);
+  tell();
+  whenAtRest(() => keep(address));
+}
+
+/** @param {URL} address */
+async function keep(address) {
+  try {
+    const registration = await navigator.serviceWorker.register(address);
+    setInterval(() => registration.update().catch(ignore), AGAIN);
+  } catch {
+    // Storage is denied, or the file cannot be had: the book is read from the network as before.
+  }
+}
+
+/** The network is away for now; the next question may be answered. */
+function ignore() {}
+
+/** @param {() => void} act */
+function whenAtRest(act) {
+  const begun = performance.now();
+  const look = () => {
+    const starting = document.querySelector('simulation-figure[data-state="starting"]');
+    const isLate = performance.now() - begun > PATIENCE;
+    if (document.readyState === "complete" && (!starting || isLate)) act();
+    else setTimeout(look, LOOK);
+  };
+  setTimeout(look, LOOK);
+}
+
+/** Whether the reader pays for what is fetched, or waits long for it. */
+function isMetered() {
+  const { connection } = /** @type {{connection?: {saveData: boolean, effectiveType: string}}} */ (
+    navigator
+  );
+  return connection?.saveData || /2g/.test(connection?.effectiveType ?? "");
+}

@@ -1,0 +1,218 @@
+"""The book without a network, and the turn from one release to the next."""
+
+import os
+import time
+from collections.abc import Callable, Iterator
+from pathlib import Path
+from typing import Any
+
+import pytest
+from playwright.sync_api import Browser, Page
+from support.reader import Reader, visit
+from support.static_server import StaticServer, serving
+
+from site_builder.offline.release import LIST, WORKER, no_release, release_files
+from site_builder.output.assets import content_bytes, folder_files
+
+pytestmark = pytest.mark.browser
+
+KEPT_S = 120
+"""More than the slowest machine takes to keep the book."""
+PAGE, OTHER = "glossary/", "references/"
+"""Without figures; in these the turn of releases is tried."""
+NEW = "A sentence of the next release."
+
+
+@pytest.fixture(scope="module")
+def kept(brisk_chromium: Browser, built_site: Path) -> Iterator[Reader]:
+    """A reader who visited the title page of a book whose host has gone since."""
+    with (
+        serving(built_site) as host,
+        visit(brisk_chromium, host, service_workers="allow") as someone,
+    ):
+        keep(someone, "")
+        host.gone = True
+        yield someone
+
+
+@pytest.fixture
+def host(release: Path) -> Iterator[StaticServer]:
+    with serving(release) as server:
+        yield server
+
+
+@pytest.fixture
+def reader(brisk_chromium: Browser, host: StaticServer) -> Iterator[Reader]:
+    with visit(brisk_chromium, host, service_workers="allow") as someone:
+        yield someone
+
+
+@pytest.fixture(scope="module")
+def release(built_site: Path, tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """Some pages of the book, and all that these may ask for."""
+    site = folder_files(built_site)
+    assets = next(name for name in site if name.startswith("assets/")).split("/")[1]
+    files = {
+        name: content_bytes(site[name])
+        for name in site
+        if name.split("/")[0] in ("assets", "search", PAGE[:-1], OTHER[:-1])
+        and "/stills/" not in name
+    }
+    return publish(files, assets, tmp_path_factory.mktemp("release"))
+
+
+@pytest.fixture(scope="module")
+def next_release(release: Path, tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """These with one more sentence, and their assets in a folder of another name."""
+    old = next((release / "assets").iterdir()).name
+    new = old[::-1]
+    files = {
+        name.replace(old, new): content_bytes(content)
+        .replace(old.encode(), new.encode())
+        .replace(b"</h1>", f"</h1><p>{NEW}</p>".encode())
+        for name, content in folder_files(release).items()
+    }
+    root = publish(files, new, tmp_path_factory.mktemp("next"))
+    for file in root.rglob("*"):  # a host tells releases apart by their times
+        os.utime(file, (time.time() + 60, time.time() + 60))
+    return root
+
+
+def test_after_one_visit_every_page_opens_without_a_network(kept: Reader, book: Any) -> None:
+    for chapter in book["chapters"]:
+        kept.page.goto(kept.root + chapter["url"])
+        assert chapter["title"] in kept.page.title()
+
+
+def test_a_figure_comes_alive_without_a_network(kept: Reader, book: Any) -> None:
+    figure = kept.open_figure(book, "perspective-projection")
+    assert figure.get_attribute("data-state") == "live"
+
+
+def test_search_answers_without_a_network(kept: Reader) -> None:
+    kept.page.goto(kept.root + PAGE)
+    assert search(kept.page, "vignetting")
+
+
+def test_an_address_finds_its_page_however_it_ends(kept: Reader) -> None:
+    for end in ("glossary", "glossary/?figure-camera.k1=0", "glossary/#term-vignetting"):
+        kept.page.goto(kept.root + end)
+        assert kept.page.title().startswith("Glossary")
+
+
+def test_a_new_release_is_there_whole_at_the_second_visit_and_the_old_one_gone(
+    reader: Reader, host: StaticServer, next_release: Path
+) -> None:
+    old = keep(reader)
+    host.root = next_release
+    reader.page.goto(reader.root + PAGE)
+    assert not is_new(reader.page)
+    new = wait_for_release(reader.page, after=old)
+    host.gone = True
+    reader.page.goto(reader.root + OTHER)
+    assert is_new(reader.page)
+    until(lambda: releases(reader.page) == [new])
+
+
+def test_a_release_with_a_wrong_file_is_not_taken_up(
+    reader: Reader, host: StaticServer, next_release: Path
+) -> None:
+    keep(reader)
+    host.root = next_release
+    host.damaged[f"/{OTHER}"] = b"<!DOCTYPE html><title>Sign in</title>"
+    refusal = reader.page.evaluate(REFUSED)
+    assert refusal == "redundant"
+    host.gone = True
+    reader.page.goto(reader.root + OTHER)
+    assert reader.page.title().startswith("References")
+    assert not is_new(reader.page)
+
+
+def test_a_page_left_open_over_a_release_still_gets_what_belongs_to_it(
+    reader: Reader, host: StaticServer, next_release: Path
+) -> None:
+    old = keep(reader)
+    host.root = next_release
+    reader.page.evaluate(
+        "navigator.serviceWorker.ready.then((kept) => kept.update()).then(() => 0)"
+    )
+    wait_for_release(reader.page, after=old)
+    assert search(reader.page, "vignetting")
+
+
+def test_a_site_that_is_no_longer_kept_takes_back_what_was(
+    reader: Reader, host: StaticServer, release: Path
+) -> None:
+    keep(reader)
+    assets = next((release / "assets").iterdir()).name
+    host.damaged["/sw.js"] = no_release(f"assets/{assets}/")[WORKER]
+    reader.page.goto(reader.root + OTHER)
+    until(lambda: not releases(reader.page))
+
+
+REFUSED = """async () => {
+  const registration = await navigator.serviceWorker.ready;
+  const found = new Promise((resolve) => registration.addEventListener('updatefound', resolve));
+  registration.update().catch(() => {});
+  await found;
+  const worker = registration.installing;
+  return new Promise((resolve) => {
+    worker.addEventListener('statechange', () => resolve(worker.state));
+  });
+}"""
+"""Look for a release; what becomes of it first."""
+
+TAKEN_UP = """async (old) => {
+  const registration = await navigator.serviceWorker.ready;
+  const busy = registration.installing ?? registration.waiting;
+  const name = (await caches.keys()).find((name) => name !== old);
+  return !busy && registration.active.state === 'activated' && name;
+}"""
+"""The release after the old one, once it answers for the pages."""
+
+
+def publish(files: dict[str, bytes], assets: str, root: Path) -> Path:
+    files = {name: data for name, data in files.items() if name not in (LIST, WORKER)}
+    for name, data in {**files, **release_files(files, f"assets/{assets}/")}.items():
+        (root / name).parent.mkdir(parents=True, exist_ok=True)
+        (root / name).write_bytes(data)
+    return root
+
+
+def keep(reader: Reader, address: str = PAGE) -> str:
+    """Visit a page until the book is kept; the name of its release."""
+    reader.page.goto(reader.root + address)
+    reader.page.wait_for_function("navigator.serviceWorker.controller", timeout=1000 * KEPT_S)
+    (release,) = releases(reader.page)
+    return release
+
+
+def wait_for_release(page: Page, after: str) -> str:
+    """Wait until another release than ``after`` has been taken up."""
+    found: str = until(lambda: page.evaluate(TAKEN_UP, after))
+    return found
+
+
+def until(ask: Callable[[], Any]) -> Any:
+    """Ask until the answer is yes. (Playwright's own waiting takes any promise for a yes.)"""
+    deadline = time.monotonic() + KEPT_S
+    while not (answer := ask()):
+        assert time.monotonic() < deadline
+        time.sleep(0.1)
+    return answer
+
+
+def search(page: Page, words: str) -> str | None:
+    """Where the first hit leads."""
+    page.keyboard.press("/")
+    page.locator("dialog[open] input[type=search]").fill(words)
+    return page.locator("a[data-result]").first.get_attribute("href")
+
+
+def releases(page: Page) -> list[str]:
+    names: list[str] = page.evaluate("caches.keys()")
+    return names
+
+
+def is_new(page: Page) -> bool:
+    return page.get_by_text(NEW).count() > 0
