@@ -14,6 +14,7 @@
 # make clean     remove what was built; the packages in .venv stay
 
 PORT ?= 8000
+HOST ?= 127.0.0.1
 PAGE ?=
 LADDER ?=
 CHAPTERS ?= 10 100 1000
@@ -37,7 +38,7 @@ PYTHON ?= $(firstword $(foreach python,$(PYTHONS),\
 .PHONY: serve guide site pdf epub test test-quick check lock screenshot bench bench-scale mutants clean
 
 serve: $(VENV)/book.stamp
-	@$(BIN)/python -m site_builder serve --port $(PORT)
+	@$(BIN)/python -m site_builder serve --port $(PORT) --host $(HOST)
 
 guide: $(VENV)/book.stamp
 	@$(BIN)/python -m site_builder guide --port $(PORT)

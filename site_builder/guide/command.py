@@ -11,11 +11,11 @@ from site_builder.guide.book import write_guide
 FOLDER = ENGINE / "build" / "guide"
 
 
-def run_guide(port: int | None, *, runtime: bool = True, folder: Path = FOLDER) -> int:
-    """Serve it at ``port``, or only build it; the exit code of that."""
+def run_guide(place: tuple[str, int] | None, *, runtime: bool = True, folder: Path = FOLDER) -> int:
+    """Serve it at ``place``, host and port, or only build it; the exit code of that."""
     book, site = folder / "book", folder / "site"
     write_guide(book)
-    how = ["build"] if port is None else ["serve", "--port", str(port)]
+    how = ["serve", "--host", place[0], "--port", str(place[1])] if place else ["build"]
     command = [sys.executable, "-m", "site_builder", *how, "--out", str(site)]
     given = [] if runtime else ["--no-runtime"]
     environment = {**os.environ, VARIABLE: str(book)}

@@ -12,6 +12,7 @@ from latex2mathml.converter import convert
 
 from simulations.engine import frame
 from site_builder.diagnostics import unknown
+from site_builder.kept.keeper import kept
 from site_builder.markdown.text.math_spacing import space_formula
 
 NAMESPACE = "http://www.w3.org/1998/Math/MathML"
@@ -40,6 +41,7 @@ ATTRIBUTES = (
 )  # fmt: skip
 """Of MathML, what TeX can ask for. The converter lets through what looks like markup in a formula,
 scripts included."""
+IN_WORDS = {"no available tokens": "a command at the end lacks what it is to work on"}
 SPACES = {"negativethinmathspace": "-0.167em"}
 LETTERS = {"∞", "∅", "⊤"}
 OPERATORS = {"~": "∼", "‖": "‖", "⌊": "⌊", "⌋": "⌋", "⌈": "⌈", "⌉": "⌉"}
@@ -50,6 +52,7 @@ class UnsupportedTexError(ValueError):
     """The formula cannot be set; the message says which part of it."""
 
 
+@kept
 def to_mathml(tex: str, *, display: bool) -> str:
     """A ``<math>`` element. Raises `UnsupportedTexError`."""
     _check_balance(tex)
@@ -80,7 +83,8 @@ def quoted(tex: str) -> str:
 def _in_words(error: Exception) -> str:
     """``double subscripts`` for a `DoubleSubscriptsError`, which says no more than its name."""
     name = type(error).__name__.removesuffix("Error")
-    return str(error) or re.sub(r"(?<=[a-z])(?=[A-Z])", " ", name).lower()
+    words = str(error) or re.sub(r"(?<=[a-z])(?=[A-Z])", " ", name).lower()
+    return IN_WORDS.get(words, words)
 
 
 def _rewrite(tex: str) -> str:
