@@ -2,6 +2,7 @@
 # make site      build it into build/site/ (ADDRESS=https://…/: for this place)
 # make pdf       typeset it into build/image-formation.pdf
 # make epub      pack it for readers of e-books, into build/image-formation.epub
+# make guide     read the guide for authors: http://localhost:8000
 # make test      all tests; the first run may install a browser
 # make test-quick            those that need no browser
 # make check     formatting, lint and types of Python, scripts and style sheets; edits nothing
@@ -34,10 +35,13 @@ PYTHON ?= $(firstword $(foreach python,$(PYTHONS),\
 	$(shell command -v $(python) >/dev/null 2>&1 && $(python) -c '$(IS_NEW)' 2>/dev/null && echo $(python))))
 
 .DELETE_ON_ERROR:
-.PHONY: serve site pdf epub test test-quick check lock screenshot bench bench-scale mutants clean
+.PHONY: serve guide site pdf epub test test-quick check lock screenshot bench bench-scale mutants clean
 
 serve: $(VENV)/book.stamp
 	@$(BIN)/python -m site_builder serve --port $(PORT) --host $(HOST)
+
+guide: $(VENV)/book.stamp
+	@$(BIN)/python -m site_builder guide --port $(PORT)
 
 site: $(VENV)/book.stamp
 	@$(BIN)/python -m site_builder build $(ADDRESS:%=--address "%") $(SOURCE:%=--source "%")

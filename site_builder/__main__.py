@@ -1,4 +1,4 @@
-"""``python -m site_builder build|check|serve|pdf|epub|schema|new``: what is said, and
+"""``python -m site_builder build|check|serve|guide|pdf|epub|schema|new``: what is said, and
 the exit code."""
 
 import argparse
@@ -84,6 +84,11 @@ def _run(given: argparse.Namespace, warn: Warn, warnings: Sequence[Diagnostic]) 
 
             composed = compose(Options(ROOT, warn=warn))
             written(given.out or _edition(composed.book, "epub"), make_epub(composed, ROOT))
+        case "guide":
+            from site_builder.guide.command import run_guide
+
+            place = None if given.build_only else (given.host, given.port)
+            return run_guide(place, runtime=given.runtime)
         case "serve":
             from site_builder.serve import serve  # its watcher is needed only here
 
@@ -116,6 +121,7 @@ def _parser() -> argparse.ArgumentParser:
         ("serve", "build, show, and build again on every change"),
         ("check", "report the mistakes in the sources"),
         ("schema", "print the JSON schema of content/book.toml, for editors"),
+        ("guide", "show the guide for authors, a book of its own"),
         ("new", "make a book, or a skeleton in this one, with its tests"),
         ("pdf", "set the whole book on pages; needs Chromium"),
         ("epub", "pack the whole book for a reader of e-books"),
@@ -132,7 +138,9 @@ def _parser() -> argparse.ArgumentParser:
             command.add_argument("kind", choices=NEW)
             command.add_argument("name", help="such as falling-ball; of a book, its folder")
             continue
-        command.add_argument("--out", type=Path, default=ROOT / "build" / "site", help="the site")
+        if name != "guide":
+            out = ROOT / "build" / "site"
+            command.add_argument("--out", type=Path, default=out, help="the site")
         command.add_argument(
             "--no-runtime",
             dest="runtime",
@@ -145,7 +153,9 @@ def _parser() -> argparse.ArgumentParser:
             command.add_argument(
                 "--source", default="", help="where its sources are, with {path} in it"
             )
-        if name == "serve":
+        if name == "guide":
+            command.add_argument("--build-only", action="store_true", help="do not serve it")
+        if name in ("serve", "guide"):
             command.add_argument("--port", type=int, default=8000)
             legal = "whom to listen for; 0.0.0.0 for everyone on the network"
             command.add_argument("--host", default="127.0.0.1", help=legal)

@@ -144,7 +144,7 @@ def render_parts(options: Options) -> RenderedSite:
         **_python(options, book, editor),
         **scripts,
         **_handed_out(options, book),
-        **make_icons(own_or_engine(options.root, "static").parent),
+        **make_icons(options.root),
     }
     folder = NOW if options.reload else ""
     assets, asset_files = gather_assets(book, options.root, pictures, made, folder)
@@ -333,8 +333,7 @@ def _outside(
     """What others see of a site that has an address."""
     if not book.address:
         return {}
-    cards = make_cards(book, stills, pictures, own_or_engine(options.root, "static") / "css")
-    return {**make_listings(book, pages), **cards}
+    return {**make_listings(book, pages), **make_cards(book, stills, pictures, options.root)}
 
 
 def _python(options: Options, book: Book, editor: EditorBundle) -> Files:
