@@ -145,7 +145,7 @@ def check_site(options: Options) -> tuple[Book, Stills, dict[str, bytes]]:
     measurements = read_measurements(options.root, problems, options.load_ladder)
     book = read_book(options.root, problems, options.load_scene, measurements)
     check_book(book, problems)
-    check_pictures(options.root, problems)
+    check_pictures(options.root, problems, trusted=book.settings.trust.raw_html)
     check_purity(options.root / "simulations", problems)
     stills, pictures = render_stills(book, problems)
     check_frames(book, stills, own_or_engine(options.root, "static"), problems)
