@@ -42,7 +42,7 @@ ATTRIBUTES = (
 scripts included."""
 IN_WORDS = {"no available tokens": "a command at the end lacks what it is to work on"}
 SPACES = {"negativethinmathspace": "-0.167em"}
-LETTERS = {"∞", "∅"}
+LETTERS = {"∞", "∅", "⊤"}
 OPERATORS = {"~": "∼", "‖": "‖", "⌊": "⌊", "⌋": "⌋", "⌈": "⌈", "⌉": "⌉"}
 FUNCTIONS_WITH_LIMITS = {"max", "min", "argmax", "argmin", "sup", "inf", "lim"}
 

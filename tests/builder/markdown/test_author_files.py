@@ -29,13 +29,14 @@ FILM = """
 The board slides by.
 :::
 """
+SVG = 'xmlns="http://www.w3.org/2000/svg"'
 FILES: dict[str, str | None] = {
     "content/clips/pan.mp4": MP4,
     "content/clips/pan.vtt": "WEBVTT\n\n00:00.000 --> 00:01.000\nHello.\n",
     "content/clips/tale.vtt": "1\nHello.\n",
-    "content/images/plan.svg": '<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 640 400"/>',
-    "content/images/night.svg": '<svg xmlns="http://www.w3.org/2000/svg" width="320px" height="200"/>',
-    "content/images/tall.svg": '<svg xmlns="http://www.w3.org/2000/svg" width="10" height="20"/>',
+    "content/images/plan.svg": f'<svg {SVG} viewBox="0 0 640 400"/>',
+    "content/images/night.svg": f'<svg {SVG} width="320px" height="200"/>',
+    "content/images/tall.svg": f'<svg {SVG} width="10" height="20"/>',
     "content/data/points.csv": "x,y\n1,2\n",
 }
 
