@@ -14,6 +14,7 @@
 # make clean     remove what was built; the packages in .venv stay
 
 PORT ?= 8000
+HOST ?= 127.0.0.1
 PAGE ?=
 LADDER ?=
 CHAPTERS ?= 10 100 1000
@@ -38,7 +39,7 @@ PYTHON ?= $(firstword $(foreach python,$(PYTHONS),\
 .PHONY: serve site pdf epub test test-quick check lock screenshot bench bench-scale mutants mutations clean
 
 serve: $(VENV)/book.stamp
-	@$(BIN)/python -m site_builder serve --port $(PORT)
+	@$(BIN)/python -m site_builder serve --port $(PORT) --host $(HOST)
 
 site: $(VENV)/book.stamp
 	@$(BIN)/python -m site_builder build $(ADDRESS:%=--address "%") $(SOURCE:%=--source "%")

@@ -7,12 +7,16 @@ import sys
 from collections.abc import Sequence
 from pathlib import Path
 
+from site_builder import STARTED_NS
 from site_builder.addresses import site_address, source_address
 from site_builder.book_root import ROOT
-from site_builder.build import Options, build_site
+from site_builder.build import Options, Warn, build_site
 from site_builder.check_command import Wanted, check
 from site_builder.diagnostic_formats import FORMATS
 from site_builder.diagnostics import BuildError, Diagnostic, counted
+from site_builder.drawing.apart import Limits, limited
+from site_builder.kept.keeper import Keeper, keeping
+from site_builder.kept.store import Store, default_folder
 from site_builder.settings.schema import book_schema
 
 NEW = ("book", "chapter", "scene", "model", "ladder", "directive")
@@ -32,38 +36,8 @@ def main(arguments: list[str] | None = None) -> int:
         print(warning, file=sys.stderr)
 
     try:
-        match given.command:
-            case "build":
-                files = build_site(
-                    ROOT, given.out, runtime=given.runtime, reload=given.reload, warn=warn,
-                    address=site_address(given.address), source=source_address(given.source),
-                )  # fmt: skip
-                print(f"{given.out}: {len(files)} files{_and_count(warnings)}")
-            case "check":
-                form = "json" if given.json else given.format
-                options = Options(ROOT, runtime=given.runtime)
-                return check(options, Wanted(form, links=given.links))
-            case "schema":
-                print(json.dumps(book_schema(), indent=2, ensure_ascii=False))
-            case "new":
-                from site_builder.scaffold.command import make_new  # needed only here
-
-                print(make_new(ROOT, given.kind, given.name))
-            case "pdf":
-                # Its reader of pages and its printer are needed only here.
-                from site_builder.editions.compose import compose
-                from site_builder.editions.pdf import make_pdf
-
-                written(given.out, make_pdf(compose(Options(ROOT, warn=warn))))
-            case "epub":
-                from site_builder.editions.compose import compose
-                from site_builder.editions.epub import make_epub
-
-                written(given.out, make_epub(compose(Options(ROOT, warn=warn)), ROOT))
-            case "serve":
-                from site_builder.serve import serve  # its watcher is needed only here
-
-                serve(ROOT, given.out, given.port, runtime=given.runtime)
+        with keeping(Keeper(Store(default_folder()), STARTED_NS)), limited(Limits()):
+            return _run(given, warn, warnings)
     except BuildError as error:
         print(error, file=sys.stderr)
         mistakes = counted(error.diagnostics, "mistake")
@@ -74,6 +48,43 @@ def main(arguments: list[str] | None = None) -> int:
         return 1
     except KeyboardInterrupt:
         return 130
+    return 0
+
+
+def _run(given: argparse.Namespace, warn: Warn, warnings: Sequence[Diagnostic]) -> int:
+    """The command's number where nothing was raised."""
+    match given.command:
+        case "build":
+            files = build_site(
+                ROOT, given.out, runtime=given.runtime, reload=given.reload, warn=warn,
+                address=site_address(given.address), source=source_address(given.source),
+            )  # fmt: skip
+            print(f"{given.out}: {len(files)} files{_and_count(warnings)}")
+        case "check":
+            form = "json" if given.json else given.format
+            options = Options(ROOT, runtime=given.runtime)
+            return check(options, Wanted(form, links=given.links))
+        case "schema":
+            print(json.dumps(book_schema(), indent=2, ensure_ascii=False))
+        case "new":
+            from site_builder.scaffold.command import make_new  # needed only here
+
+            print(make_new(ROOT, given.kind, given.name))
+        case "pdf":
+            # Its reader of pages and its printer are needed only here.
+            from site_builder.editions.compose import compose
+            from site_builder.editions.pdf import make_pdf
+
+            written(given.out, make_pdf(compose(Options(ROOT, warn=warn))))
+        case "epub":
+            from site_builder.editions.compose import compose
+            from site_builder.editions.epub import make_epub
+
+            written(given.out, make_epub(compose(Options(ROOT, warn=warn)), ROOT))
+        case "serve":
+            from site_builder.serve import serve  # its watcher is needed only here
+
+            serve(ROOT, given.out, given.port, runtime=given.runtime, host=given.host)
     return 0
 
 
@@ -127,6 +138,8 @@ def _parser() -> argparse.ArgumentParser:
             )
         if name == "serve":
             command.add_argument("--port", type=int, default=8000)
+            legal = "whom to listen for; 0.0.0.0 for everyone on the network"
+            command.add_argument("--host", default="127.0.0.1", help=legal)
     return parser
 
 

@@ -5,12 +5,21 @@ import traceback
 from pathlib import Path
 
 HERE = Path(__file__).resolve().parent
+REMEMBERED = "place_in_the_book"
 LIBRARIES = tuple(Path(sysconfig.get_path(name)).resolve() for name in ("stdlib", "purelib"))
+
+
+def remember_place[E: BaseException](error: E, place: str) -> E:
+    """The error, whose traceback gets lost between processes."""
+    setattr(error, REMEMBERED, place)
+    return error
 
 
 def place_of(error: BaseException) -> str:
     """``simulations/scenes/orbit/scene.py:12``: the innermost line that is neither the builder's,
     nor the engine's, nor a library's; nothing where there is none."""
+    if remembered := getattr(error, REMEMBERED, ""):
+        return str(remembered)
     if isinstance(error, SyntaxError) and error.filename:
         file = Path(error.filename)
         return f"{_told(file) if file.is_absolute() else file}:{error.lineno or 1}"

@@ -14,13 +14,16 @@ from simulations.engine.scene import Scene
 from simulations.registry import LADDER_MODULES, SCENE_MODULES, load_ladder, load_scene
 from site_builder.blame import place_of
 from site_builder.book import Book, contents
-from site_builder.book_root import own_or_engine
+from site_builder.book_root import ENGINE, own_or_engine
 from site_builder.checks import check_book
 from site_builder.declared import check_declarations
 from site_builder.diagnostics import BuildError, Diagnostic, Diagnostics
 from site_builder.editor.bundle import EditorBundle, EditorBundleError, bundle_editor
 from site_builder.editor.sources import scene_sources
 from site_builder.frame_checks import check_frames
+from site_builder.kept.files import folder_hash
+from site_builder.kept.keeper import kept_as, reads_file, reads_folder
+from site_builder.kept.told import kept_reading
 from site_builder.markdown.directives.figure import SUFFIXES
 from site_builder.markdown.directives.ladder import LadderFigure
 from site_builder.measured.measurements import read_measurements
@@ -33,7 +36,7 @@ from site_builder.output.fonts import subset_fonts
 from site_builder.output.style_sheets import join_style_sheets
 from site_builder.output.writer import write_site
 from site_builder.pages.catalogue import catalogue
-from site_builder.pages.licences import gather_licences
+from site_builder.pages.licences import Licence, gather_licences
 from site_builder.pages.render import Site, render_pages, render_template
 from site_builder.pages.stills import Stills, render_stills
 from site_builder.picture_checks import check_pictures
@@ -42,21 +45,26 @@ from site_builder.publishing.icons import make_icons
 from site_builder.publishing.listings import make_listings
 from site_builder.purity import check_purity
 from site_builder.runtime.freeze import MissingModuleError
-from site_builder.runtime.pack import RuntimeBundle, pack_runtime
+from site_builder.runtime.pack import Modules, RuntimeBundle, pack_runtime
 from site_builder.runtime.pinned import Versions
+from site_builder.runtime.store import is_whole
 from site_builder.search.index import ADDRESS as SEARCH_INDEX
-from site_builder.search.index import make_index
+from site_builder.search.index import index_of
 from site_builder.search.library import SearchLibrary, SearchLibraryError, fetch_library
 from site_builder.search.records import explained_terms, make_records
 from site_builder.source import read_book
 
+RUNTIME = Path(__file__).parent / "runtime"
+"""What makes it, with programs for other interpreters."""
+NOW = "assets/now/"
+"""Folder of the assets while the book is written: a changed style sheet changes no page."""
 LIBRARY = "search"
 """Folder of what searches, among the assets."""
 STYLE_SHEET = "css/book.css"
 """The one that pages link to, below ``static/``."""
 
 type Files = Mapping[str, Content]
-type Write = Callable[[Files, Path], None]
+type Write = Callable[[Files, Path], object]
 type Warn = Callable[[Diagnostic], None]
 
 
@@ -105,8 +113,27 @@ def build_site(
     return files
 
 
+@dataclass(frozen=True, slots=True)
+class RenderedSite:
+    """The site, with the index of its search still to be made: that takes longer than all else of
+    a rebuild."""
+
+    files: Files
+    index: Callable[[], Files]
+    """Nothing where there is no search."""
+    finish: Callable[[Files], Files]
+    """What follows from all files."""
+
+
 def render_site(options: Options) -> Files:
     """Every file of the site. Raises `BuildError` with all mistakes found."""
+    site = render_parts(options)
+    files = {**site.files, **site.index()}
+    return {**files, **site.finish(files)}
+
+
+def render_parts(options: Options) -> RenderedSite:
+    """The site in parts. Raises `BuildError` with all mistakes found."""
     book, stills, pictures = check_site(options)
     runtime, runtime_files, versions = _runtime(options, book)
     editor, library = _editor(options), _search_library(options, book)
@@ -117,36 +144,39 @@ def render_site(options: Options) -> Files:
         **_handed_out(options, book),
         **make_icons(own_or_engine(options.root, "static").parent),
     }
-    assets, asset_files = gather_assets(book, options.root, pictures, made)
+    folder = NOW if options.reload else ""
+    assets, asset_files = gather_assets(book, options.root, pictures, made, folder)
     site = Site(
         options.root, book, stills, assets, runtime, bool(editor.script),
         search=bool(scripts), reload=options.reload,
     )  # fmt: skip
-    licences = gather_licences(
-        options.root, versions, editor.packages, library.packages, book.settings, book.words
-    )
+    licences = _licences(options.root, versions, editor, library, book)
     pages = render_pages(site, licences)
+    records = make_records(pages, explained_terms(book)) if scripts else ()
+    static = own_or_engine(options.root, "static")
     files = {
         **pages,
-        **_search_index(options, book, pages, library),
         **_outside(options, book, pages, stills, pictures),
         **asset_files,
         **runtime_files,
         "book.json": catalogue(book, versions),
         MANIFEST: manifest(book.title, book.subtitle, assets, book.words.language),
     }
-    return files | (no_release(assets) if options.reload else release_files(files, assets))
+    return RenderedSite(
+        files,
+        lambda: {SEARCH_INDEX: index_of(records, library, static, book.words)} if scripts else {},
+        lambda files: no_release(assets) if options.reload else release_files(files, assets),
+    )
 
 
 def check_site(options: Options) -> tuple[Book, Stills, dict[str, bytes]]:
     """Read and check everything, figures drawn included. Raises `BuildError`."""
     problems = Diagnostics()
-    check_declarations(options.root, problems)
+    _check_declared(options.root, problems)
     measurements = read_measurements(options.root, problems, options.load_ladder)
     book = read_book(options.root, problems, options.load_scene, measurements)
     check_book(book, problems)
-    check_pictures(options.root, problems, trusted=book.settings.trust.raw_html)
-    check_purity(options.root / "simulations", problems)
+    _check_pictures(options.root, problems, trusted=book.settings.trust.raw_html)
     stills, pictures = render_stills(book, problems)
     check_frames(book, stills, own_or_engine(options.root, "static"), problems)
     for warning in sorted(set(problems.doubts)):
@@ -159,29 +189,44 @@ def check_site(options: Options) -> tuple[Book, Stills, dict[str, bytes]]:
     return book, stills, pictures
 
 
+def _check_declared(root: Path, problems: Diagnostics) -> None:
+    def check(own: Diagnostics) -> None:
+        reads_folder(root / "simulations")
+        check_declarations(root, own)
+        check_purity(root / "simulations", own)
+
+    kept_reading("declared", str(root), problems, check)
+
+
+def _check_pictures(root: Path, problems: Diagnostics, *, trusted: bool) -> None:
+    def check(own: Diagnostics) -> None:
+        reads_folder(root / "content")
+        check_pictures(root, own, trusted=trusted)
+
+    kept_reading("pictures", f"{root} {trusted}", problems, check)
+
+
 def gather_assets(
-    book: Book, root: Path, pictures: Mapping[str, bytes], made: Files
+    book: Book, root: Path, pictures: Mapping[str, bytes], made: Files, folder: str = ""
 ) -> tuple[str, Files]:
     """Style sheets, scripts, fonts, stills, the author's pictures, what opens the figures' Python
-    and what searches, in one folder."""
+    and what searches, in one folder: ``folder``, or one that is named by what is in it."""
     content = folder_files(root / "content")
     own = book_css(book.settings, book.words)
-    return hashed_folder(
-        "assets",
-        {
-            **join_style_sheets(folder_files(own_or_engine(root, "static")), STYLE_SHEET, own),
-            "js/book.js": book_script(book.settings, book.words),
-            **{
-                f"fonts/{name}": data
-                for name, data in subset_fonts(chosen_faces(book.settings, root)).items()
-            },
-            **{f"stills/{name}": data for name, data in pictures.items()},
-            **{
-                f"content/{name}": file for name, file in content.items() if name.endswith(SUFFIXES)
-            },
-            **made,
+    files: Files = {
+        **join_style_sheets(folder_files(own_or_engine(root, "static")), STYLE_SHEET, own),
+        "js/book.js": book_script(book.settings, book.words),
+        **{
+            f"fonts/{name}": data
+            for name, data in subset_fonts(chosen_faces(book.settings, root)).items()
         },
-    )
+        **{f"stills/{name}": data for name, data in pictures.items()},
+        **{f"content/{name}": file for name, file in content.items() if name.endswith(SUFFIXES)},
+        **made,
+    }
+    if folder:
+        return folder, {folder + name: content for name, content in files.items()}
+    return hashed_folder("assets", files)
 
 
 def _handed_out(options: Options, book: Book) -> Files:
@@ -207,10 +252,10 @@ def pack_for_browser(root: Path, book: Book) -> RuntimeBundle | None:
     if not (scenes or ladders):
         return None
     try:
-        return pack_runtime(
+        return _bundle(
             root / "simulations",
-            scenes=_only(SCENE_MODULES, scenes),
-            ladders=_only(LADDER_MODULES, ladders),
+            _only(SCENE_MODULES, scenes),
+            _only(LADDER_MODULES, ladders),
         )
     except MissingModuleError as error:
         path, _, line = error.place.rpartition(":")
@@ -219,6 +264,31 @@ def pack_for_browser(root: Path, book: Book) -> RuntimeBundle | None:
     except SyntaxError as error:  # in a module that no chapter shows
         path, _, line = place_of(error).rpartition(":")
         raise BuildError([Diagnostic(path, int(line), f"no Python: {error.msg}")]) from error
+
+
+def _bundle(simulations: Path, scenes: Modules, ladders: Modules) -> RuntimeBundle:
+    """The runtime, packed anew where nothing is kept of these sources or files of it are gone."""
+
+    def pack() -> RuntimeBundle:
+        reads_folder(RUNTIME)
+        return pack_runtime(simulations, scenes=scenes, ladders=ladders)
+
+    sources = [folder_hash(folder, "*.py") for folder in (simulations, ENGINE / "simulations")]
+    bundle = kept_as("runtime", (sources, scenes, ladders), pack)[0]
+    return bundle if all(map(is_whole, bundle.files.values())) else pack()
+
+
+def _licences(
+    root: Path, versions: Versions, editor: EditorBundle, search: SearchLibrary, book: Book
+) -> tuple[Licence, ...]:
+    given = (versions, editor.packages, search.packages, book.settings, book.words)
+
+    def gather() -> tuple[Licence, ...]:
+        reads_file(root / "LICENSE")
+        reads_folder(root / "content")
+        return gather_licences(root, *given)
+
+    return kept_as("licences", given, gather)[0]
 
 
 def _shown[T](book: Book, kind: type[T]) -> list[T]:
@@ -251,16 +321,6 @@ def _search_library(options: Options, book: Book) -> SearchLibrary:
         told = f"the book cannot be searched, for want of the library: {error}"
         options.warn(Diagnostic("site_builder/search/package-lock.json", 1, told, fails=False))
         return SearchLibrary({})
-
-
-def _search_index(
-    options: Options, book: Book, pages: Mapping[str, bytes], library: SearchLibrary
-) -> Files:
-    if not library.scripts:
-        return {}
-    records = make_records(pages, explained_terms(book))
-    static = own_or_engine(options.root, "static")
-    return {SEARCH_INDEX: make_index(records, library, static, book.words)}
 
 
 def _outside(

@@ -5,9 +5,9 @@ from collections.abc import Mapping
 from simulations.engine.conditions import first_met
 from simulations.engine.controls import ControlError, Slider
 from simulations.engine.expressions import ExpressionError
-from simulations.engine.stages import StageCache
 from site_builder.book import Chapter, Option, Quiz, Simulation
 from site_builder.diagnostics import Diagnostics, cause, unknown
+from site_builder.drawing.frames import frame_at
 from site_builder.markdown.questions.options import OTHERWISE
 
 
@@ -59,7 +59,7 @@ def _unreachable(quiz: Quiz, figure: Simulation) -> str:
 def reply_at(quiz: Quiz, figure: Simulation, values: Mapping[str, object]) -> Option:
     """The answer that stands for these settings. Raises `ControlError`, `ExpressionError`."""
     settings = figure.scene.check(values)
-    frame = figure.scene.render(settings, figure.tier, StageCache())
+    frame = frame_at(figure.scene, settings, figure.tier)
     conditions = [option.text for option in quiz.options if option.text != OTHERWISE]
     met = first_met(conditions, settings, frame)
     return quiz.options[len(conditions) if met is None else met]

@@ -23,13 +23,16 @@ def check_frames(book: Book, stills: Stills, static: Path, problems: Diagnostics
     """Those of the figures as they first appear, and the illustrations."""
     known = known_classes(static)
     for (path, line), still in stills.items():
-        _check(still.figure.scene.id, still.frame.panels, known, (path, line), problems)
+        for panel in still.frame.panels:
+            picture = still.pictures.get(panel.name)
+            pixels = picture.width * picture.height if picture else 0
+            _check(still.figure.scene.id, panel, pixels, known, (path, line), problems)
     for chapter in book.chapters:
         for block in _all(chapter.body):
             if isinstance(block.content, Drawn):
                 line = block.target.line if block.target else 1
-                panels = block.content.illustration.panels
-                _check("illustration", panels, known, (chapter.path, line), problems)
+                for panel in block.content.illustration.panels:
+                    _check("illustration", panel, 0, known, (chapter.path, line), problems)
 
 
 def known_classes(static: Path) -> frozenset[str]:
@@ -47,21 +50,21 @@ def _all(blocks: Sequence[Block]) -> Iterator[Block]:
 
 def _check(
     who: str,
-    panels: Sequence[Panel],
+    panel: Panel,
+    pixels: int,
     known: frozenset[str],
     place: tuple[str, int],
     problems: Diagnostics,
 ) -> None:
-    for panel in panels:
-        for message in _faults(panel, known):
-            problems.add(*place, f"{who}: panel {panel.name!r}: {message}")
-        for message in _doubts(panel):
-            problems.warn(*place, f"{who}: panel {panel.name!r}: {message}")
+    for message in _faults(panel, pixels, known):
+        problems.add(*place, f"{who}: panel {panel.name!r}: {message}")
+    for message in _doubts(panel, pixels):
+        problems.warn(*place, f"{who}: panel {panel.name!r}: {message}")
 
 
-def _faults(panel: Panel, known: frozenset[str]) -> Iterator[str]:
-    if _pixels(panel) > MOST_PIXELS:
-        yield f"a raster of {_pixels(panel):,} pixels; legal: at most {MOST_PIXELS:,}"
+def _faults(panel: Panel, pixels: int, known: frozenset[str]) -> Iterator[str]:
+    if pixels > MOST_PIXELS:
+        yield f"a raster of {pixels:,} pixels; legal: at most {MOST_PIXELS:,}"
     if len(panel.overlay) > MOST_LETTERS:
         yield f"an overlay of {len(panel.overlay):,} letters; legal: at most {MOST_LETTERS:,}"
         return
@@ -74,12 +77,8 @@ def _faults(panel: Panel, known: frozenset[str]) -> Iterator[str]:
         yield from (unknown("class", name, sorted(known)) for name in strange)
 
 
-def _doubts(panel: Panel) -> Iterator[str]:
-    if MANY_PIXELS < _pixels(panel) <= MOST_PIXELS:
-        yield f"a raster of {_pixels(panel):,} pixels; better: at most {MANY_PIXELS:,}"
+def _doubts(panel: Panel, pixels: int) -> Iterator[str]:
+    if MANY_PIXELS < pixels <= MOST_PIXELS:
+        yield f"a raster of {pixels:,} pixels; better: at most {MANY_PIXELS:,}"
     if MANY_LETTERS < len(panel.overlay) <= MOST_LETTERS:
         yield f"an overlay of {len(panel.overlay):,} letters; better: at most {MANY_LETTERS:,}"
-
-
-def _pixels(panel: Panel) -> int:
-    return 0 if panel.raster is None else panel.raster.shape[0] * panel.raster.shape[1]

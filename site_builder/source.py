@@ -1,27 +1,32 @@
 """Reading ``content/``: the outline in ``book.toml``, and the chapters it lists."""
 
 import re
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Mapping
 from dataclasses import asdict, dataclass
 from pathlib import Path
 from string import ascii_uppercase
 from typing import Any
 
 from simulations.engine.scene import Scene
-from site_builder.bibliography import read_bibliography
-from site_builder.book import OUTLINE, Book, Position, Simulation, chapter_id
+from site_builder.bibliography import FILE as BIBLIOGRAPHY
+from site_builder.bibliography import Bibliography, read_bibliography
+from site_builder.book import OUTLINE, Book, Definition, Meaning, Position, Simulation, chapter_id
+from site_builder.chapters import Page, Shared, targets_hash
 from site_builder.diagnostics import Diagnostics, unknown
 from site_builder.glossary import FILE as GLOSSARY
-from site_builder.glossary import read_glossary
+from site_builder.glossary import Glossary, read_glossary
+from site_builder.kept.keeper import reads_file
+from site_builder.kept.told import kept_reading
 from site_builder.languages.words import Words, load_words
 from site_builder.lecture_plan import read_lecture_plan
-from site_builder.markdown.chapter import Draft, find_targets, parse_chapter, read_chapter
+from site_builder.markdown.chapter import find_targets
 from site_builder.markdown.definitions import read_definitions, read_meanings
 from site_builder.markdown.inline import inline_html
 from site_builder.markdown.parser import make_parser
 from site_builder.markdown.reading import Reading
 from site_builder.markdown.scenes import find_scene
 from site_builder.markdown.text.macros import Macros, faults_of
+from site_builder.measured.measurements import DATA as MEASUREMENTS
 from site_builder.measured.measurements import Measurements
 from site_builder.news import read_news
 from site_builder.settings.model import Settings
@@ -61,10 +66,24 @@ def read_book(
     outline = _read_outline(root, problems)
     settings, words = outline.settings, outline.words
     numbers = measurements or Measurements()
-    macros = outline.macros
-    bibliography = read_bibliography(root, problems, words)
-    glossary = read_glossary(root, problems, words)
-    drafts: list[Draft] = []
+
+    def read_references(own: Diagnostics) -> Bibliography:
+        return read_bibliography(root, own, words)
+
+    def read_terms(own: Diagnostics) -> Glossary:
+        return read_glossary(root, own, words)
+
+    shared = Shared(
+        root,
+        load_scene,
+        numbers,
+        words,
+        settings.trust.raw_html,
+        outline.macros,
+        bibliography=_read_kept(root, BIBLIOGRAPHY, problems, read_references, words),
+        glossary=_read_kept(root, GLOSSARY, problems, read_terms, words),
+    )
+    pages: list[Page] = []
     for name, line, position in outline.chapters:
         file = root / "content" / f"{name}.md"
         if not file.is_file():
@@ -72,27 +91,16 @@ def read_book(
             continue
         _check_name(name, line, problems)
         path = file.relative_to(root).as_posix()
-        reading = Reading(
-            path,
-            root,
-            problems,
-            load_scene,
-            make_parser(words),
-            numbers,
-            words=words,
-            macros=macros,
-            chapter=chapter_id(path),
-            position=position,
-            raw_html=settings.trust.raw_html,
-            bibliography=bibliography,
-            glossary=glossary,
-        )
-        drafts.append(parse_chapter(read_text(root, path, problems), reading))
-    targets = find_targets(drafts)
+        pages.append(Page(path, read_text(root, path, problems), position, shared))
+    surveys = [page.survey() for page in pages]
+    problems.spliced.update({found.path: found.lines for found in surveys if found.lines})
+    targets = find_targets(surveys, problems)
+    known = targets_hash(targets)
     _check_addresses(outline, problems)
     _check_unlisted(root, outline, problems)
 
-    def beside(file: str) -> Reading:
+    def beside(file: str, problems: Diagnostics) -> Reading:
+        reads_file(root / MEASUREMENTS)
         parser = make_parser(words)
         return Reading(
             file,
@@ -103,8 +111,14 @@ def read_book(
             numbers,
             words=words,
             targets=targets,
-            macros=macros,
+            macros=outline.macros,
         )
+
+    def definitions(own: Diagnostics) -> tuple[Definition, ...]:
+        return read_definitions(shared.glossary, beside(GLOSSARY, own))
+
+    def meanings(own: Diagnostics) -> Mapping[str, tuple[Meaning, ...]]:
+        return read_meanings(read_symbols(root, own), beside(SYMBOLS, own))
 
     return Book(
         title=settings.title,
@@ -116,12 +130,25 @@ def read_book(
         settings=settings,
         words=words,
         hero=_read_hero(outline, root, problems, load_scene),
-        chapters=tuple(read_chapter(draft, targets) for draft in drafts),
-        bibliography=bibliography,
+        chapters=tuple(page.read(targets, known, problems) for page in pages),
+        bibliography=shared.bibliography,
         lecture_plan=read_lecture_plan(root, targets, problems),
-        glossary=read_definitions(glossary, beside(GLOSSARY)),
-        symbols=read_meanings(read_symbols(root, problems), beside(SYMBOLS)),
+        glossary=_read_kept(root, GLOSSARY, problems, definitions, "definitions", known, words),
+        symbols=_read_kept(root, SYMBOLS, problems, meanings, "meanings", known, words),
     )
+
+
+def _read_kept[T](
+    root: Path, path: str, problems: Diagnostics, read: Callable[[Diagnostics], T], *given: object
+) -> T:
+    """What ``read`` finds in the file ``path``, kept."""
+
+    def read_file(own: Diagnostics) -> T:
+        reads_file(root / path)
+        return read(own)
+
+    read_file.__module__ = read.__module__
+    return kept_reading(path, (str(root), *given), problems, read_file)[0]
 
 
 def _read_outline(root: Path, problems: Diagnostics) -> Outline:

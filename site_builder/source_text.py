@@ -9,6 +9,7 @@ from pathlib import Path
 from typing import Any
 
 from site_builder.diagnostics import Diagnostics
+from site_builder.kept.keeper import reads_file
 
 HEAD = re.compile(r"\s*\[(\[?)([^\[\]]+)\]\]?\s*(?:#.*)?")
 KEY = re.compile(r"""\s*((?:[\w-]+|"[^"]*"|'[^']*')(?:\s*\.\s*(?:[\w-]+|"[^"]*"|'[^']*'))*)\s*=""")
@@ -44,6 +45,7 @@ class Toml:
 
 def read_text(root: Path, path: str, problems: Diagnostics) -> str:
     """The file below ``root``, with or without the mark that some editors put before the text."""
+    reads_file(root / path)
     data = (root / path).read_bytes()
     try:
         text = data.decode("utf-8-sig")

@@ -12,6 +12,7 @@ from simulations.engine import drawing
 from site_builder.charts.axes import Axis, linear_axis, log_axis
 from site_builder.charts.boxes import Box, Point, Segment
 from site_builder.charts.label_placement import Label, place_labels
+from site_builder.kept.keeper import kept_as
 from site_builder.languages.words import ENGLISH, Words
 from site_builder.measured.measurements import SIDES, MeasuredLadder, MeasuredTier
 
@@ -42,6 +43,14 @@ class Chart:
 
 
 def pareto_chart(measured: MeasuredLadder, words: Words = ENGLISH) -> Chart:
+    """The chart, kept by what it shows."""
+    metric = measured.metric
+    tiers = [(item.tier.id, item.tier.label, item.errors, item.times) for item in measured.tiers]
+    given = (tiers, metric.id, metric.label, metric.unit, metric.higher_is_better, words)
+    return kept_as("chart", given, lambda: _draw(measured, words))[0]
+
+
+def _draw(measured: MeasuredLadder, words: Words) -> Chart:
     time, error = _time_axis(measured), _error_axis(measured)
 
     def at(item: MeasuredTier, side: str) -> tuple[float, float]:

@@ -64,8 +64,8 @@ def compose(options: Options) -> Composed:
     ]
     cover = ""
     if book.hero:
-        names = stills[book.hero.path, book.hero.line].pictures.values()
-        cover = next((f"{assets}stills/{name}" for name in names), "")
+        shown = stills[book.hero.path, book.hero.line].pictures.values()
+        cover = next((f"{assets}stills/{picture.file}" for picture in shown), "")
     return Composed(book, tuple(sections), cover, assets, files, licences)
 
 

@@ -10,9 +10,10 @@ from simulations.engine.controls import Action, Choice, Control, Slider, Toggle,
 from simulations.engine.frame import Frame, Panel
 from simulations.engine.stages import StageCache
 from site_builder.book import Book, Simulation
+from site_builder.drawing.frames import png
 from site_builder.languages.words import Words
 from site_builder.pages.control_view import value_text
-from site_builder.pages.stills import Still, Stills, png
+from site_builder.pages.stills import Still, Stills
 
 MOST = 4
 """Stills in a row, at most."""

@@ -18,6 +18,7 @@ from simulations.editing.definitions import (
     module_source,
 )
 from simulations.engine.scene import Scene
+from site_builder.kept.keeper import kept
 
 
 @dataclass(frozen=True, slots=True)
@@ -33,6 +34,7 @@ class Module:
     """Each definition to the names in it, those of attributes with a dot, in order."""
 
 
+@kept
 def scene_sources(scene: Scene[Any]) -> bytes:
     """What makes the frames of ``scene``, as JSON.
 

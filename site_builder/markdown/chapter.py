@@ -6,6 +6,7 @@ from dataclasses import dataclass
 from markdown_it.token import Token
 
 from site_builder.book import Chapter, Formula, Need, Target
+from site_builder.diagnostics import Diagnostics
 from site_builder.markdown.blocks import read_blocks
 from site_builder.markdown.front_matter import FrontMatter, read_front_matter
 from site_builder.markdown.inline import annotate, inline_html
@@ -41,21 +42,37 @@ def parse_chapter(text: str, reading: Reading) -> Draft:
     return Draft(tokens, matter, target, place_targets(tokens, name, reading), reading)
 
 
-def find_targets(drafts: Sequence[Draft]) -> Targets:
+@dataclass(frozen=True, slots=True)
+class Survey:
+    """What other chapters may refer to in one."""
+
+    path: str
+    target: Target
+    inside: tuple[Target, ...]
+    lines: Sequence[tuple[str, int]]
+    """Where each line of it stands, if it comes from several files."""
+
+
+def survey(draft: Draft) -> Survey:
+    path = draft.reading.path
+    return Survey(path, draft.target, draft.inside, draft.reading.problems.spliced.get(path, ()))
+
+
+def find_targets(surveys: Sequence[Survey], problems: Diagnostics) -> Targets:
     """What references may lead to. Two of one label in different chapters are reported."""
     first: dict[str, tuple[Target, str]] = {}
-    for draft in drafts:
-        for target in draft.inside:
+    for found in surveys:
+        for target in found.inside:
             if not target.labelled:
                 continue
-            other, path = first.setdefault(target.id, (target, draft.reading.path))
+            other, path = first.setdefault(target.id, (target, found.path))
             if other.chapter != target.chapter:
-                first_path, first_line = draft.reading.problems.place(path, other.line)
-                message = f"duplicate label {target.id!r}; first used at {first_path}:{first_line}"
-                draft.reading.problem(target.line, message)
+                where, line = problems.place(path, other.line)
+                message = f"duplicate label {target.id!r}; first used at {where}:{line}"
+                problems.add(found.path, target.line, message)
     return Targets(
-        {draft.target.chapter: draft.target for draft in drafts},
-        {draft.target.chapter: draft.inside for draft in drafts},
+        {found.target.chapter: found.target for found in surveys},
+        {found.target.chapter: found.inside for found in surveys},
     )
 
 

@@ -7,6 +7,7 @@ from pathlib import Path, PurePosixPath
 from PIL import Image
 
 from site_builder.diagnostics import unknown
+from site_builder.kept.keeper import reads_file
 from site_builder.markdown.reading import Reading
 
 PICTURES = (".svg", ".png", ".jpg", ".jpeg", ".webp")
@@ -25,6 +26,8 @@ def fault_of_file(name: str, content: Path, kind: str, suffixes: Sequence[str] =
     """
     path = PurePosixPath(name)
     inside = bool(name) and not path.is_absolute() and ".." not in path.parts
+    if inside:
+        reads_file(content / name)
     if not inside or not (content / name).is_file():
         return unknown(kind, name, _names(content, suffixes))
     if suffixes and not name.endswith(tuple(suffixes)):

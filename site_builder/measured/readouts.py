@@ -7,8 +7,8 @@ from typing import Any
 from simulations.engine.controls import ControlError
 from simulations.engine.frame import Frame, Readout
 from simulations.engine.scene import Scene
-from simulations.engine.stages import StageCache
 from site_builder.diagnostics import cause, unknown
+from site_builder.drawing.frames import frame_at
 from site_builder.measured.loading import loaded
 from site_builder.measured.quantities import with_unit
 
@@ -46,7 +46,7 @@ class Readouts:
         key = (scene.id, tier, settings)
         if key not in self.frames:
             try:
-                self.frames[key] = scene.render(settings, tier, StageCache())
+                self.frames[key] = frame_at(scene, settings, tier)
             except Exception as error:  # whatever a scene's own code may raise
                 message = f"simulation {scene.id!r} cannot be drawn: {cause(error)}"
                 raise ReadoutError(message) from error

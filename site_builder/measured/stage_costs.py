@@ -12,10 +12,10 @@ from pathlib import Path
 from typing import Any
 
 from simulations.engine.controls import ControlError
-from simulations.engine.frame import StageReport
 from simulations.engine.scene import Scene
-from simulations.engine.stages import StageCache
 from site_builder.diagnostics import cause
+from site_builder.drawing.frames import reports_at
+from site_builder.kept.keeper import reads_file
 
 DATA = Path("content") / "stage-costs.json"
 REMEASURE = "run `PYTHONPATH=tests python -m bench.stage_costs`"
@@ -52,6 +52,7 @@ class StageCosts:
 
 def read_stage_costs(root: Path, scene: Scene[Any]) -> StageCosts:
     """Raises `StageCostError` where nothing, or something else, was measured."""
+    reads_file(root / DATA)
     try:
         entry = json.loads((root / DATA).read_text(encoding="utf-8"))[scene.id]
     except (OSError, ValueError, KeyError, TypeError):
@@ -60,7 +61,7 @@ def read_stage_costs(root: Path, scene: Scene[Any]) -> StageCosts:
         start, costs = entry["start"], entry["moves"]
         moves = tuple(_move(scene, start, control, cost) for control, cost in costs.items())
         whole_ms = statistics.median_high(cost["whole_ms"] for cost in costs.values())
-        return StageCosts(scene, len(after_move(scene, start, {})), whole_ms, moves)
+        return StageCosts(scene, len(reports_at(scene, start, {})), whole_ms, moves)
     except (ControlError, KeyError, TypeError, statistics.StatisticsError) as error:
         reason = str(error) if isinstance(error, ControlError) else cause(error)
         raise StageCostError(f"{DATA}: {scene.id}: {reason}; {REMEASURE}") from None
@@ -69,7 +70,7 @@ def read_stage_costs(root: Path, scene: Scene[Any]) -> StageCosts:
 def _move(
     scene: Scene[Any], start: Mapping[str, object], control: str, cost: Mapping[str, Any]
 ) -> MoveCost:
-    reports = after_move(scene, start, {control: cost["to"]})
+    reports = reports_at(scene, start, {control: cost["to"]})
     labels = {item.name: item.label for item in scene.controls}
     status = [report.status for report in reports]
     return MoveCost(
@@ -80,14 +81,3 @@ def _move(
         milliseconds=cost["ms"],
         share=cost["share"],
     )
-
-
-def after_move(
-    scene: Scene[Any], start: Mapping[str, object], moved: Mapping[str, object]
-) -> tuple[StageReport, ...]:
-    """What becomes of each stage when controls move from ``start``."""
-    cache = StageCache()
-    reports = scene.run(scene.check(start), scene.default_tier, cache).reports
-    if moved:
-        reports = scene.run(scene.check({**start, **moved}), scene.default_tier, cache).reports
-    return reports

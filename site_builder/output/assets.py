@@ -4,6 +4,8 @@ import hashlib
 from collections.abc import Mapping
 from pathlib import Path
 
+from site_builder.kept.files import bytes_hash, file_hash
+
 type Content = bytes | Path
 """The bytes of a file, or where they lie."""
 
@@ -16,11 +18,15 @@ def hashed_folder(kind: str, files: Mapping[str, Content]) -> tuple[str, dict[st
     """
     digest = hashlib.sha256()
     for name in sorted(files):
-        data = content_bytes(files[name])
-        digest.update(f"{name}\0{len(data)}\0".encode())
-        digest.update(data)
+        digest.update(name.encode() + b"\0" + _hash_of(files[name]))
     folder = f"{kind}/{digest.hexdigest()[:12]}/"
     return folder, {folder + name: content for name, content in files.items()}
+
+
+def _hash_of(content: Content) -> bytes:
+    if isinstance(content, bytes):
+        return bytes_hash(content)
+    return file_hash(content) or bytes_hash(content.read_bytes())
 
 
 def content_bytes(content: Content) -> bytes:

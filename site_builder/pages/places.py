@@ -9,12 +9,24 @@ from site_builder.book import Chapter
 
 
 @dataclass(frozen=True, slots=True)
+class Card:
+    """What other pages say of a chapter; nothing that it says itself."""
+
+    id: str
+    url: str
+    mark: str
+    name: str
+    title: str
+    summary: str
+
+
+@dataclass(frozen=True, slots=True)
 class Place:
     """Where a link leads, and what it says."""
 
     address: str
     """Relative to the site's root."""
-    chapter: Chapter
+    chapter: Card
     section: str
     """Words of its heading, as HTML; nothing before a chapter's first."""
     explains: bool = False
@@ -30,7 +42,11 @@ def place(chapter: Chapter, section: str, element: str, *, explains: bool = Fals
     words = {heading.id: heading.html for heading in chapter.headings}.get(section, "")
     anchor = element or section
     address = f"{chapter.url}#{anchor}" if anchor else chapter.url
-    return Place(address, chapter, words, explains)
+    return Place(address, card(chapter), words, explains)
+
+
+def card(chapter: Chapter) -> Card:
+    return Card(chapter.id, chapter.url, chapter.mark, chapter.name, chapter.title, chapter.summary)
 
 
 def by_letter[T](named: Iterable[tuple[str, T]]) -> Letters[T]:

@@ -1,9 +1,10 @@
 """The list of references as its template needs it: each work with the places that cite it."""
 
 from site_builder.bibliography import Work
-from site_builder.book import Book, Chapter
+from site_builder.book import Book
+from site_builder.pages.places import Card, card
 
-type Places = list[tuple[Chapter, list[str]]]
+type Places = list[tuple[Card, list[str]]]
 
 
 def cited_works(book: Book) -> list[tuple[Work, Places]]:
@@ -16,4 +17,4 @@ def _places(key: str, book: Book) -> Places:
         (chapter, [citation.id for citation in chapter.citations if citation.key == key])
         for chapter in book.chapters
     )
-    return [(chapter, ids) for chapter, ids in by_chapter if ids]
+    return [(card(chapter), ids) for chapter, ids in by_chapter if ids]

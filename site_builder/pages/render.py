@@ -1,15 +1,19 @@
 """From the page model to HTML, by templates. No markup is made here."""
 
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cache
 from pathlib import Path
+from typing import Any
 
 from jinja2 import Environment, FileSystemLoader, StrictUndefined
 from markupsafe import Markup
 
+from site_builder.bibliography import EMPTY
 from site_builder.book import Block, Book, Chapter, Heading, Simulation
 from site_builder.book_root import own_or_engine
+from site_builder.kept.files import folder_hash
+from site_builder.kept.keeper import given_hash, kept_as
 from site_builder.markdown.directives.simulation import SIMULATION
 from site_builder.markdown.text.code import highlighted_lines
 from site_builder.pages.glossary_view import marked_terms, view_glossary
@@ -17,6 +21,7 @@ from site_builder.pages.index_view import view_index
 from site_builder.pages.ladder_view import summary_row, view_ladder
 from site_builder.pages.licences import Licence
 from site_builder.pages.outside import card_path, origin, page_address
+from site_builder.pages.places import card
 from site_builder.pages.predict_view import predict_data, view_sketch
 from site_builder.pages.progress_view import progress_data
 from site_builder.pages.quiz_view import in_any_order, quiz_data
@@ -43,11 +48,11 @@ FILTERS: Mapping[str, Callable[..., object]] = {
     "in_any_order": in_any_order,
     "predict_data": predict_data,
     "view_sketch": view_sketch,
-    "progress_data": progress_data,
     "view_ladder": view_ladder,
     "summary_row": summary_row,
     "reading_minutes": reading_minutes,
     "marked_terms": marked_terms,
+    "highlighted": lambda code: highlighted_lines(code, "python"),
 }
 """What templates ask for where they show more than lies ready in the page model."""
 
@@ -74,88 +79,92 @@ class Site:
 
 def render_pages(site: Site, licences: tuple[Licence, ...]) -> dict[str, bytes]:
     """Every page of the site, by its path."""
+    book, render = site.book, _renderer(site)
     pages = {
-        "index.html": render_page(
-            site, "landing.html", "./", "index.html", counts=_counts(site.book), cover=_cover(site)
+        "index.html": render(
+            "landing.html",
+            "index.html",
+            counts=_counts(book),
+            cover=_cover(book),
+            progress=progress_data(book),
         ),
-        "404.html": render_page(site, "not-found.html", "./"),
-        "licences/index.html": render_page(
-            site, "licences.html", "../", "licences/index.html", licences=licences
-        ),
+        "404.html": render("not-found.html"),
+        "licences/index.html": render("licences.html", "licences/index.html", licences=licences),
     }
-    if site.book.bibliography.works:
-        works = cited_works(site.book)
-        pages["references/index.html"] = render_page(
-            site, "references.html", "../", "references/index.html", here="references", works=works
-        )
-    if plan := site.book.lecture_plan:
-        pages["lecture-plan/index.html"] = render_page(
-            site,
-            "lecture-plan.html",
-            "../",
-            "lecture-plan/index.html",
-            here="lecture-plan",
-            plan=plan,
-        )
-    chapters = site.book.chapters
-    for index, chapter in enumerate(chapters):
-        pages[f"{chapter.url}index.html"] = render_page(
-            site,
+
+    def follow(name: str, **context: object) -> None:
+        path = f"{name}/index.html"
+        pages[path] = render(f"{name}.html", path, here=name, **context)
+
+    if book.bibliography.works:
+        follow("references", works=cited_works(book))
+    if book.lecture_plan:
+        follow("lecture-plan", plan=book.lecture_plan)
+    cards = [None, *map(card, book.chapters), None]
+    for index, chapter in enumerate(book.chapters):
+        pages[f"{chapter.url}index.html"] = render(
             "chapter.html",
-            "../",
             f"{chapter.url}index.html",
             chapter=chapter,
             sections=nest_headings(chapter.headings),
             place=index + 1,
-            previous=chapters[index - 1] if index else None,
-            following=chapters[index + 1] if index + 1 < len(chapters) else None,
+            previous=cards[index],
+            following=cards[index + 2],
         )
-    if site.book.glossary:
-        pages["glossary/index.html"] = render_page(
-            site,
-            "glossary.html",
-            "../",
-            "glossary/index.html",
-            here="glossary",
-            letters=view_glossary(site.book),
-        )
-    if site.book.symbols:
-        pages["symbols/index.html"] = render_page(
-            site,
-            "symbols.html",
-            "../",
-            "symbols/index.html",
-            here="symbols",
-            chapters=view_symbols(site.book),
-        )
-    if letters := view_index(site.book):
-        pages["index-of-terms/index.html"] = render_page(
-            site,
-            "index-of-terms.html",
-            "../",
-            "index-of-terms/index.html",
-            here="index-of-terms",
-            letters=letters,
-        )
-    return {path: page.encode() for path, page in {**pages, **_source_pages(site)}.items()}
-
-
-def _source_pages(site: Site) -> dict[str, str]:
-    """The modules that chapters quote from, whole."""
-    pages = {}
-    for path in sorted({item.path for ch in site.book.chapters for item in ch.sources}):
+    if book.glossary:
+        follow("glossary", letters=view_glossary(book))
+    if book.symbols:
+        follow("symbols", chapters=view_symbols(book))
+    if letters := view_index(book):
+        follow("index-of-terms", letters=letters)
+    for path in sorted({item.path for chapter in book.chapters for item in chapter.sources}):
         address = f"source/{path.removesuffix('.py')}/index.html"
-        code = own_or_engine(site.root, path).read_text(encoding="utf-8")
-        pages[address] = render_page(
-            site,
+        pages[address] = render(
             "source.html",
-            "../" * address.count("/"),
             address,
             folder=path.rpartition("/")[0],
             file=path.rpartition("/")[2],
-            lines=highlighted_lines(code, "python"),
+            code=own_or_engine(site.root, path).read_text(encoding="utf-8"),
         )
     return pages
+
+
+def _renderer(site: Site) -> Callable[..., bytes]:
+    """Makes the pages of a site, each kept by what all share and what it is given. The stills of a
+    page follow from its figures, which it is given."""
+    shared = replace(site, root=Path(), book=_bare(site.book), stills={})
+    back_matter = _back_matter(site.book)
+    shared_hash = given_hash(shared, back_matter, folder_hash(TEMPLATES))
+    seen = replace(shared, stills=site.stills)
+
+    def render(template: str, path: str = "", **context: object) -> bytes:
+        root = "../" * path.count("/") or "./"
+
+        def make() -> bytes:
+            page = render_page(seen, template, root, path, back_matter=back_matter, **context)
+            return page.encode()
+
+        return kept_as("page", (shared_hash, template, path, context), make)[0]
+
+    return render
+
+
+def _bare(book: Book) -> Book:
+    """The book as every page may show it: of its chapters the cards, and no line of a file."""
+    cards: tuple[Any, ...] = tuple(map(card, book.chapters))
+    glossary = (
+        replace(item, explained=item.explained and replace(item.explained, line=0))
+        for item in book.glossary
+    )
+    return replace(
+        book,
+        hero=None,
+        chapters=cards,
+        bibliography=EMPTY,
+        lecture_plan=None,
+        glossary=tuple(glossary),
+        symbols={},
+    )
 
 
 def render_page(site: Site, template: str, root: str, path: str = "", **context: object) -> str:
@@ -188,12 +197,11 @@ def render_page(site: Site, template: str, root: str, path: str = "", **context:
     return environment.get_template(template).render(
         shared,
         site=site,
-        back_matter=_back_matter(site.book),
         runtime=f"{root}{site.runtime}" if site.runtime else "",
         address=page_address(path) if path and site.book.address else None,
         card=card_path(chapter),
         origin=origin(site.book, path, chapter),
-        **{"chapter": None, "here": "", "sections": (), **context},
+        **{"chapter": None, "here": "", "sections": (), "back_matter": (), **context},
     )
 
 
@@ -229,9 +237,9 @@ def _environment() -> Environment:
     return environment
 
 
-def _cover(site: Site) -> Block | None:
+def _cover(book: Book) -> Block | None:
     """The figure of the landing page."""
-    hero = site.book.hero
+    hero = book.hero
     return Block(SIMULATION.template, hero) if hero else None
 
 

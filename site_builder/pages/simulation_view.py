@@ -10,6 +10,7 @@ from simulations.engine.handles import Handle
 from simulations.engine.scene import Scene
 from simulations.registry import load_ladder
 from site_builder.book import Simulation
+from site_builder.kept.keeper import reads_code
 from site_builder.languages.words import ENGLISH, Words
 from site_builder.pages.control_view import CellView, control_cells, value_text
 from site_builder.pages.embedding import json_for_html
@@ -50,6 +51,8 @@ class PanelView:
     panel: Panel
     src: str
     """Relative to the page; nothing for a pure diagram."""
+    size: tuple[int, int]
+    """Pixels of the picture."""
     handles: tuple[HandleView, ...]
 
 
@@ -98,12 +101,9 @@ def view_simulation(still: Still, assets: str, words: Words = ENGLISH) -> Simula
         caption_html=figure.caption_html,
         panels=tuple(
             PanelView(
-                panel,
-                f"{assets}stills/{name}" if name else "",
-                _handles(still, panel.name, words),
+                panel, *_picture(still, panel.name, assets), _handles(still, panel.name, words)
             )
             for panel in frame.panels
-            for name in (still.pictures.get(panel.name, ""),)
         ),
         readouts=tuple(replace(shown, text=words.numeral(shown.text)) for shown in frame.readouts),
         cells=cells,
@@ -124,6 +124,14 @@ def view_simulation(still: Still, assets: str, words: Words = ENGLISH) -> Simula
         workings_open=figure.workings_open,
         schema=json_for_html(schema(still)),
     )
+
+
+def _picture(still: Still, panel: str, assets: str) -> tuple[str, tuple[int, int]]:
+    """Address and size of a panel's pixels."""
+    picture = still.pictures.get(panel)
+    if picture is None:
+        return "", (0, 0)
+    return f"{assets}stills/{picture.file}", (picture.width, picture.height)
 
 
 def _name(figure: Simulation) -> str:
@@ -187,6 +195,7 @@ def tier_labels(scene: Scene[Any]) -> tuple[tuple[str, str], ...]:
     labels = dict(scene.tier_labels)
     if scene.ladder:
         ladder = load_ladder(scene.ladder)
+        reads_code(ladder)
         labels = {tier: ladder.tier(tier).label for tier in scene.tiers} | labels
     return tuple((tier, labels[tier]) for tier in scene.tiers)
 

@@ -4,7 +4,7 @@ from dataclasses import dataclass
 
 from site_builder.book import Book, Chapter, Meaning
 from site_builder.markdown.text.symbols import covers, spelt, symbols_of
-from site_builder.pages.places import Place, place
+from site_builder.pages.places import Card, Place, card, place
 from site_builder.symbol_checks import meanings
 
 
@@ -16,10 +16,10 @@ class Row:
     introduced: Place
 
 
-def view_symbols(book: Book) -> list[tuple[Chapter, list[Row]]]:
+def view_symbols(book: Book) -> list[tuple[Card, list[Row]]]:
     """What each chapter's formulae say, in the order in which they say it."""
     chapters = ((chapter, _rows(book, chapter)) for chapter in book.chapters)
-    return [(chapter, rows) for chapter, rows in chapters if rows]
+    return [(card(chapter), rows) for chapter, rows in chapters if rows]
 
 
 def _rows(book: Book, chapter: Chapter) -> list[Row]:

@@ -89,9 +89,9 @@ def _still(
         return None
     still = stills[simulation.path, simulation.line]
     panels = still.frame.panels
-    panel = next((panel for panel in panels if panel.raster is not None), panels[0])
-    name = still.pictures.get(panel.name)
-    data = b64encode(pictures[name]).decode() if name else ""
+    panel = next((panel for panel in panels if panel.name in still.pictures), panels[0])
+    picture = still.pictures.get(panel.name)
+    data = b64encode(pictures[picture.file]).decode() if picture else ""
     return _placed(panel, data and f"data:image/png;base64,{data}")
 
 

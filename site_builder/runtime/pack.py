@@ -10,6 +10,8 @@ from pathlib import Path
 
 from simulations.registry import LADDER_MODULES, SCENE_MODULES
 from site_builder.book_root import ENGINE, is_engine
+from site_builder.kept.files import file_hash
+from site_builder.kept.keeper import kept_as
 from site_builder.runtime import store as stores
 from site_builder.runtime.fetch import fetch_runtime
 from site_builder.runtime.freeze import INTERPRETER, LOCK, Frozen, freeze_libraries
@@ -64,7 +66,8 @@ def pack_runtime(
     folder = store or stores.default_store()
     fetched = fetch_runtime(folder)
     files = book_modules(simulations)
-    imports = imports_of(files)
+    given = {name: file_hash(file) for name, file in files.items()}
+    imports, _ = kept_as("imports", given, lambda: imports_of(files))
     modules = page_modules(imports, scenes, ladders)
     at_once = outside(imports, reach(imports, ENTRY))
     frozen = freeze_libraries(

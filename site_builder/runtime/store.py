@@ -11,6 +11,9 @@ from platformdirs import user_cache_path
 
 from site_builder.runtime.pinned import RuntimeFile
 
+_intact: set[tuple[Path, int, int, int]] = set()
+"""Files that were found whole, as they were then."""
+
 
 def default_store() -> Path:
     """Where this user's runtime files are kept between builds."""
@@ -29,10 +32,20 @@ def location(store: Path, file: RuntimeFile) -> Path:
 
 def is_intact(store: Path, file: RuntimeFile) -> bool:
     """Whether the stored copy exists and is byte for byte what its address says."""
+    place = location(store, file)
     try:
-        return sha256(location(store, file).read_bytes()) == file.sha256
+        stat = place.stat()
+        state = (place, stat.st_mtime_ns, stat.st_size, stat.st_ino)
+        if state not in _intact and sha256(place.read_bytes()) == file.sha256:
+            _intact.add(state)
     except OSError:
         return False
+    return state in _intact
+
+
+def is_whole(stored: Path) -> bool:
+    """The same of a file by its place."""
+    return is_intact(stored.parents[1], RuntimeFile(stored.name, stored.parent.name))
 
 
 def put(store: Path, name: str, content: bytes) -> Path:

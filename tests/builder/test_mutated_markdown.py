@@ -23,7 +23,7 @@ from simulations.registry import UnknownIdError
 from site_builder.book import Chapter
 from site_builder.diagnostics import Diagnostics
 from site_builder.languages.words import load_words
-from site_builder.markdown.chapter import find_targets, parse_chapter, read_chapter
+from site_builder.markdown.chapter import find_targets, parse_chapter, read_chapter, survey
 from site_builder.markdown.parser import make_parser
 from site_builder.markdown.reading import Reading
 
@@ -109,7 +109,7 @@ def read(text: str) -> tuple[Chapter, Diagnostics]:
         chapter="first",
     )  # fmt: skip
     draft = parse_chapter(text, reading)
-    return read_chapter(draft, find_targets([draft])), problems
+    return read_chapter(draft, find_targets([survey(draft)], problems)), problems
 
 
 def holds(text: str) -> None:

@@ -6,6 +6,7 @@ from importlib import import_module
 from simulations.engine.hard_cases import HardCase, HardCases, answer, naive_answer, show
 from simulations.registry import found
 from site_builder.diagnostics import cause
+from site_builder.kept.keeper import reads_code
 from site_builder.markdown.bodies import no_body
 from site_builder.markdown.directive import Argument, Directive, Numbered, Use
 from site_builder.markdown.reading import Reading
@@ -46,6 +47,7 @@ def read_hard_cases(use: Use, _body: None, reading: Reading) -> HardCaseTable | 
     name = reading.placed[use.line].id
     try:
         table: HardCases = import_module(MODULES[use.argument]).TABLE
+        reads_code(table)
         return HardCaseTable(name, table.title, tuple(_row(table, case) for case in table.cases))
     except Exception as error:  # whatever its code may raise is the author's to see
         message = f"hard cases {use.argument!r} cannot be asked: {cause(error)}"

@@ -1,11 +1,14 @@
 """``{illustration} name``: a drawing that our own models make while the book is built."""
 
+from collections.abc import Callable
 from dataclasses import dataclass
 from importlib import import_module
 
 from simulations.engine.illustration import Illustration
 from simulations.registry import found
 from site_builder.diagnostics import cause
+from site_builder.drawing.apart import apart
+from site_builder.kept.keeper import kept, reads_code
 from site_builder.markdown.bodies import CAPTION
 from site_builder.markdown.directive import LABEL, Argument, Directive, Numbered, OptionLine, Use
 from site_builder.markdown.reading import Reading
@@ -28,7 +31,7 @@ def read_illustration(use: Use, caption_html: str, reading: Reading) -> Drawn | 
         reading.problem(use.line, f"the book has no illustrations; legal: one in {ROOM}")
         return None
     try:
-        illustration: Illustration = import_module(MODULES[use.argument]).draw()
+        illustration = _drawn(import_module(MODULES[use.argument]).draw)
     except Exception as error:  # whatever its code may raise is the author's to see
         message = f"illustration {use.argument!r} cannot be drawn: {cause(error)}"
         reading.problem(use.line, message)
@@ -43,6 +46,16 @@ def read_illustration(use: Use, caption_html: str, reading: Reading) -> Drawn | 
         reading.problem(use.line, f"illustration {use.argument!r} has no caption; legal: {legal}")
     words = use.text("alt") or illustration.description
     return Drawn(illustration, words, caption_html)
+
+
+def _drawn(draw: Callable[[], Illustration]) -> Illustration:
+    reads_code(draw)
+    return illustration_of(draw)
+
+
+@kept
+def illustration_of(draw: Callable[[], Illustration]) -> Illustration:
+    return apart(draw)
 
 
 ILLUSTRATION = Directive(

@@ -7,6 +7,7 @@ from textwrap import dedent
 from site_builder.book import Source
 from site_builder.book_root import is_engine, own_or_engine
 from site_builder.diagnostics import unknown
+from site_builder.kept.keeper import reads_file
 from site_builder.markdown.bodies import CAPTION
 from site_builder.markdown.directive import Argument, Directive, Use
 from site_builder.markdown.reading import Reading
@@ -39,6 +40,7 @@ def _text_of(module: str, name: str, path: str, use: Use, reading: Reading) -> s
         reading.problem(use.line, f"{{source}} {use.argument!r}; legal: {legal}")
         return None
     file = own_or_engine(reading.root, path) if is_engine(module) else reading.root / path
+    reads_file(file)
     if not file.is_file() or not module.startswith("simulations."):
         modules = _modules(reading.root / "simulations")
         reading.problem(use.line, unknown("module", module, modules))

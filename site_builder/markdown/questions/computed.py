@@ -12,6 +12,7 @@ from importlib import import_module
 from simulations.engine.conditions import shown_value
 from simulations.engine.expressions import ExpressionError, evaluate
 from site_builder.diagnostics import unknown
+from site_builder.kept.keeper import reads_code
 from site_builder.markdown.directive import Use
 from site_builder.markdown.reading import Reading
 from site_builder.measured.measurements import SIDES
@@ -80,4 +81,5 @@ def _function(path: str) -> Callable[..., object]:
     if name not in functions:
         raise LookupError(unknown(f"function of {module}", name, functions))
     function: Callable[..., object] = functions[name]
+    reads_code(function)
     return function

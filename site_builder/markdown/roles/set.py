@@ -16,6 +16,7 @@ from site_builder.diagnostics import unknown
 from site_builder.markdown.reading import Place, Reading
 from site_builder.markdown.role import Linked, Role
 from site_builder.markdown.scenes import read_setting, read_tier
+from site_builder.measured.loading import loaded
 
 FORM = "WORDS <[FIGURE] CONTROL=VALUE … [tier=ID]>"
 
@@ -72,8 +73,8 @@ def _find_figure(name: str, line: int, reading: Reading) -> Place | None:
 def _load(figure: Place, reading: Reading) -> Scene[Any] | None:
     """None where it cannot be loaded, which its directive reports."""
     try:
-        return reading.load_scene(figure.scene_id)
-    except Exception:  # whatever a scene's own code may raise
+        return loaded("simulation", figure.scene_id, reading.load_scene, LookupError)
+    except LookupError:
         return None
 
 

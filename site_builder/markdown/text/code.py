@@ -8,6 +8,7 @@ from pygments.lexers import get_lexer_by_name
 from pygments.util import ClassNotFound
 
 from site_builder.diagnostics import unknown
+from site_builder.kept.keeper import kept
 
 LANGUAGES = ("python", "console", "text", "bash", "javascript", "json", "toml", "markdown")
 
@@ -25,6 +26,7 @@ def code_html(code: str, language: str) -> str:
     return f"{opening}{body}\n</code></pre>\n"
 
 
+@kept
 def highlighted_lines(code: str, language: str) -> list[str]:
     """Each line of ``code`` as HTML of its own. Raises `UnknownLanguageError`."""
     try:

@@ -12,6 +12,7 @@ from latex2mathml.converter import convert
 
 from simulations.engine import frame
 from site_builder.diagnostics import unknown
+from site_builder.kept.keeper import kept
 from site_builder.markdown.text.math_spacing import space_formula
 
 NAMESPACE = "http://www.w3.org/1998/Math/MathML"
@@ -51,6 +52,7 @@ class UnsupportedTexError(ValueError):
     """The formula cannot be set; the message says which part of it."""
 
 
+@kept
 def to_mathml(tex: str, *, display: bool) -> str:
     """A ``<math>`` element. Raises `UnsupportedTexError`."""
     _check_balance(tex)

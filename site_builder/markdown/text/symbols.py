@@ -5,7 +5,7 @@ differentials and primes are no part of a symbol.
 """
 
 import re
-from collections.abc import Iterator
+from functools import cache
 
 GREEK = (
     "alpha", "beta", "gamma", "delta", "epsilon", "varepsilon", "zeta", "eta", "theta", "kappa",
@@ -29,20 +29,19 @@ SYMBOL = re.compile(
 )
 
 
-def symbols_of(tex: str) -> Iterator[str]:
+@cache
+def symbols_of(tex: str) -> tuple[str, ...]:
     """Each symbol as often as it stands there, in the spelling of `spelt`."""
     text = WORD_IN_INDEX.sub(lambda found: f"_{{{found[1] or ''}«{found[2].strip()}»}}", tex)
     text = DIFFERENTIAL.sub("", WORDS.sub(" ", text))
-    for match in SYMBOL.finditer(text):
-        if not match["over"]:
-            continue
-        yield _joined(_bare(match["over"]), match["index"])
+    found = (match for match in SYMBOL.finditer(text) if match["over"])
+    return tuple(_joined(_bare(match["over"]), match["index"]) for match in found)
 
 
 def spelt(symbol: str) -> str:
     r"""A symbol as an author writes it in the spelling of `symbols_of`: ``\bar x`` is ``\bar{x}``.
     Nothing where it is not one symbol."""
-    found = list(symbols_of(symbol))
+    found = symbols_of(symbol)
     return found[0] if len(found) == 1 else ""
 
 
@@ -61,6 +60,7 @@ def _joined(base: str, index: str | None) -> str:
     return f"{base}_{{{inner}}}"
 
 
+@cache
 def covers(declared: str, symbol: str) -> bool:
     r"""Whether the meaning of one says the other's: ``h_{11}`` that of ``h_{32}``, ``t_x`` that of
     ``t_y``, ``x`` and ``\mathbf{x}`` that of ``x_0``."""

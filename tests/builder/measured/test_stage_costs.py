@@ -9,11 +9,11 @@ from support.html_outline import read_html
 
 from simulations.registry import load_scene
 from site_builder.build import Options, render_site
+from site_builder.drawing.frames import reports_at
 from site_builder.measured.stage_costs import (
     DATA,
     StageCostError,
     StageCosts,
-    after_move,
     read_stage_costs,
 )
 from site_builder.output.assets import content_bytes
@@ -51,7 +51,7 @@ def test_a_move_far_upstream_runs_every_stage_that_would_change_something(
 
 
 def test_nothing_moved_from_nothing_computes_all_but_the_neutral() -> None:
-    statuses = {stage.status for stage in after_move(load_scene("camera"), {}, {})}
+    statuses = {stage.status for stage in reports_at(load_scene("camera"), {}, {})}
     assert statuses == {"computed", "skipped"}
 
 

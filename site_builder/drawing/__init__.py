@@ -1,0 +1,1 @@
+"""The authors' own code while the book is built: within limits, and once for each setting."""

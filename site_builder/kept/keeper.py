@@ -1,0 +1,298 @@
+"""Results kept under a hash of everything that they depend on.
+
+``@kept`` marks a pure function of plain values: its result is looked up by the hash of its
+arguments and of its code. A `Keeper` is at work only inside ``with keeping(…)``; without one every
+function simply runs. What a function reads besides its arguments it tells while it runs, by
+`reads_file`, `reads_folder` and `reads_code`, and the next time that is part of what is looked up.
+"""
+
+import functools
+import hashlib
+import pickle
+from collections.abc import Callable, Iterator, Mapping
+from contextlib import contextmanager, suppress
+from contextvars import ContextVar
+from dataclasses import dataclass, field
+from pathlib import Path
+from types import FunctionType
+from typing import Any, Protocol
+
+from site_builder.kept.code import code_hash
+from site_builder.kept.files import file_hash, folder_hash
+from site_builder.kept.fingerprint import SIZE, fingerprint
+from site_builder.kept.packing import HOLDERS, home_of, packed, unpacked
+
+GENERATIONS = 3
+"""Builds after which what nobody asked for leaves the memory."""
+UNKNOWN = b"unknown"
+
+type Read = tuple[str, str]
+"""``file`` or ``folder`` and a path, or ``code`` and a module."""
+type Reads = Mapping[Read, bytes]
+"""With the hash of each."""
+
+
+class Bytes(Protocol):
+    """Where results are kept beyond the process."""
+
+    def get(self, key: bytes, /) -> bytes | None: ...
+    def put(self, entries: Mapping[bytes, bytes], /) -> None: ...
+
+
+class Nowhere:
+    """Keeps nothing."""
+
+    def get(self, _key: bytes) -> bytes | None:
+        return None
+
+    def put(self, _entries: Mapping[bytes, bytes]) -> None:
+        pass
+
+
+class UnkeepableError(Exception):
+    """What a value depends on cannot be told."""
+
+
+@dataclass(slots=True)
+class _Entry:
+    value: Any
+    used: int
+
+
+@dataclass(slots=True)
+class Keeper:
+    """Looks up results, first in memory, then in a store."""
+
+    store: Bytes = field(default_factory=Nowhere)
+    since_ns: float = float("inf")
+    """When the process began to import its code: of a module written later nobody can say what
+    ran, so nothing that it made is stored."""
+    made: list[str] = field(default_factory=list)
+    """Names of the functions that ran, in their order: what was not found."""
+    _memory: dict[bytes, _Entry] = field(default_factory=dict)
+    _fresh: dict[bytes, bytes] = field(default_factory=dict)
+    """Not yet in the store."""
+    _codes: dict[str, bytes] = field(default_factory=dict)
+    _hearing: list[dict[Read, bytes]] = field(default_factory=list)
+    """What the functions read that are running now, the innermost last."""
+    _age: int = 0
+    _latest_ns: int = 0
+    """When the latest module was written."""
+
+    def find[T](self, name: str, module: str, given: object, make: Callable[[], T]) -> T:
+        """What ``make`` gives, made only where it is not known; see `find_named`."""
+        return self.find_named(name, module, given, make)[0]
+
+    def find_named[T](
+        self, name: str, module: str, given: object, make: Callable[[], T]
+    ) -> tuple[T, bytes]:
+        """The result, and the hash of all that it was made from; empty where that is unknown.
+
+        ``given`` is what it depends on, besides the code of ``module`` and what ``make`` tells
+        while it runs.
+        """
+        try:
+            own = self.fingerprint(given)
+        except UnkeepableError:
+            self.hear(("unknown", name), UNKNOWN)
+            return make(), b""
+        key = _hash(name.encode(), self.code(module), own)
+        listed = self._recall(key)
+        if listed is not None:
+            reads = {read: self.state(read) for read in listed}
+            address = _address(key, reads)
+            entry = self._memory.get(address) or self._load(address)
+            if entry is not None:
+                entry.used = self._age
+                self._pass_on(reads)
+                return entry.value, address
+        return self._make(name, key, make)
+
+    def fingerprint(self, given: object) -> bytes:
+        """Of plain data, scenes and ladders. Raises `UnkeepableError` for a scene of no module."""
+        return fingerprint(given, self._own_fingerprint)
+
+    def code(self, module: str) -> bytes:
+        """The hash of what a module can do."""
+        if module not in self._codes:
+            self._codes[module], written = code_hash(module, self._imports)
+            self._latest_ns = max(self._latest_ns, written)
+        return self._codes[module]
+
+    def state(self, read: Read) -> bytes:
+        """The hash of what is read, as it is now."""
+        kind, name = read
+        match kind:
+            case "code":
+                return self.code(name)
+            case "folder":
+                return folder_hash(Path(name))
+            case "file":
+                return file_hash(Path(name)) or b"none"
+            case _:
+                return UNKNOWN
+
+    def hear(self, read: Read, state: bytes) -> None:
+        """Take note of what the running function reads."""
+        if self._hearing:
+            self._hearing[-1][read] = state
+
+    def flush(self) -> None:
+        """Put what is new into the store, and let go of what was not asked for lately."""
+        fresh, self._fresh = self._fresh, {}
+        if fresh and self._latest_ns < self.since_ns:
+            self.store.put(fresh)
+        self._age += 1
+        old = [key for key, item in self._memory.items() if item.used + GENERATIONS < self._age]
+        for key in old:
+            del self._memory[key]
+
+    def _make[T](self, name: str, key: bytes, make: Callable[[], T]) -> tuple[T, bytes]:
+        self._hearing.append({})
+        try:
+            value = make()
+        finally:
+            reads = self._hearing.pop()
+        self.made.append(name)
+        self._pass_on(reads)
+        if any(state == UNKNOWN or state != self.state(read) for read, state in reads.items()):
+            return value, b""
+        address = _address(key, reads)
+        self._keep(key, tuple(sorted(reads)))
+        self._keep(address, value)
+        return value, address
+
+    def _pass_on(self, reads: Reads) -> None:
+        for read, state in reads.items():
+            self.hear(read, state)
+
+    def _keep(self, key: bytes, value: object) -> None:
+        self._memory[key] = _Entry(value, self._age)
+        with suppress(pickle.PicklingError):  # then it is kept in memory alone
+            self._fresh[key] = packed(value)
+
+    def _recall(self, key: bytes) -> Any:
+        """The value under that key, or None."""
+        entry = self._memory.get(key) or self._load(key)
+        if entry is None:
+            return None
+        entry.used = self._age
+        return entry.value
+
+    def _load(self, key: bytes) -> _Entry | None:
+        data = self.store.get(key)
+        if data is None:
+            return None
+        try:
+            entry = _Entry(unpacked(data), self._age)
+        except Exception:  # whatever a pickle that fits no more may raise: it is made anew
+            return None
+        self._memory[key] = entry
+        return entry
+
+    def _own_fingerprint(self, value: object) -> bytes | None:
+        """Scenes, ladders and functions are code and are known by their modules; a value that was
+        kept itself, by what it was made from."""
+        if type(value) not in (*HOLDERS, FunctionType):
+            return getattr(value, "kept_as", None) or None
+        module = home_of(value)
+        if module is None or getattr(value, "__closure__", None):
+            raise UnkeepableError
+        return f"{module}:{getattr(value, '__qualname__', '')}".encode() + self.code(module)
+
+    def _imports(self, hashed: bytes, read: Callable[[], tuple[str, ...]]) -> tuple[str, ...]:
+        key = _hash(b"imports", hashed)
+        names = self._recall(key)
+        if names is None:
+            names = read()
+            self._keep(key, names)
+        return tuple(names)
+
+
+_at_work: ContextVar[Keeper | None] = ContextVar("keeper", default=None)
+
+
+@contextmanager
+def keeping(keeper: Keeper | None) -> Iterator[None]:
+    """Within, results are kept by ``keeper``, and stored in the end, whatever happens."""
+    if keeper is None:
+        yield
+        return
+    before = _at_work.set(keeper)
+    try:
+        yield
+    finally:
+        _at_work.reset(before)
+        keeper.flush()
+
+
+def kept[**P, T](function: Callable[P, T]) -> Callable[P, T]:
+    """``function``, asked only for what is not known. Its arguments are plain data, scenes and
+    ladders; its result can be pickled and is never changed."""
+    name, module = f"{function.__module__}.{function.__qualname__}", function.__module__
+
+    @functools.wraps(function)
+    def found(*args: P.args, **kwargs: P.kwargs) -> T:
+        keeper = _at_work.get()
+        if keeper is None:
+            return function(*args, **kwargs)
+        return keeper.find(name, module, (args, kwargs), lambda: function(*args, **kwargs))
+
+    return found
+
+
+def kept_as[T](
+    name: str, given: object, make: Callable[[], T], module: str = ""
+) -> tuple[T, bytes]:
+    """What ``make`` gives for ``given``, and the hash of all that it was made from: empty where
+    nothing is kept. ``module`` is where the code is; that of ``make`` unless told."""
+    keeper = _at_work.get()
+    if keeper is None:
+        return make(), b""
+    module = module or str(make.__module__)
+    return keeper.find_named(f"{module}.{name}", module, given, make)
+
+
+def given_hash(*given: object) -> bytes:
+    """One hash in place of much that many ask with; nothing where nothing is kept."""
+    keeper = _at_work.get()
+    return keeper.fingerprint(given) if keeper else b""
+
+
+def reads_file(file: Path) -> None:
+    """Tell that the running function reads ``file``, or whether it is there."""
+    _tell("file", str(file))
+
+
+def reads_folder(folder: Path) -> None:
+    """Tell that the running function reads whatever lies in ``folder``."""
+    _tell("folder", str(folder))
+
+
+def reads_code(thing: object) -> None:
+    """Tell that the running function depends on the code of a scene, ladder or function."""
+    module = home_of(thing)
+    _tell("code" if module else "unknown", module or "")
+
+
+def reads_unknown() -> None:
+    """Tell that nobody can say what the running function depends on: its result is not kept."""
+    _tell("unknown", "")
+
+
+def _tell(kind: str, name: str) -> None:
+    if keeper := _at_work.get():
+        keeper.hear((kind, name), keeper.state((kind, name)))
+
+
+def _address(key: bytes, reads: Reads) -> bytes:
+    return _hash(
+        key, *(f"{kind} {name} ".encode() + reads[kind, name] for kind, name in sorted(reads))
+    )
+
+
+def _hash(*parts: bytes) -> bytes:
+    digest = hashlib.blake2b(digest_size=SIZE)
+    for part in parts:
+        digest.update(len(part).to_bytes(4, "little") + part)
+    return digest.digest()

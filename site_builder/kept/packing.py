@@ -1,0 +1,58 @@
+"""Values as bytes and back. Scenes and ladders are packed as the names of what holds them."""
+
+import io
+import pickle
+import sys
+from collections.abc import Mapping
+from importlib import import_module
+from typing import Any
+
+from simulations.engine.hard_cases import HardCases
+from simulations.engine.ladder import Ladder
+from simulations.engine.scene import Scene
+
+HOLDERS: Mapping[type, str] = {Scene: "SCENE", Ladder: "LADDER", HardCases: "TABLE"}
+"""What is code and no plain data, and the name of a module's that holds it."""
+
+_homes: dict[int, tuple[object, str | None]] = {}
+
+
+def home_of(thing: object) -> str | None:
+    """The module that holds a scene, ladder or table of hard cases, or that defines a function;
+    None where there is none."""
+    name = HOLDERS.get(type(thing))
+    if name is None:
+        return getattr(thing, "__module__", None)
+    known = _homes.get(id(thing))
+    if known is None or known[0] is not thing:
+        modules = (module for module in list(sys.modules.values()) if module is not None)
+        held = (module.__name__ for module in modules if vars(module).get(name) is thing)
+        known = _homes[id(thing)] = (thing, next(held, None))
+    return known[1]
+
+
+def packed(value: object) -> bytes:
+    buffer = io.BytesIO()
+    _Packer(buffer, protocol=pickle.HIGHEST_PROTOCOL).dump(value)
+    return buffer.getvalue()
+
+
+def unpacked(data: bytes) -> Any:
+    return _Unpacker(io.BytesIO(data)).load()
+
+
+class _Packer(pickle.Pickler):
+    def persistent_id(self, thing: Any) -> tuple[str, str] | None:
+        name = HOLDERS.get(type(thing))
+        if name is None:
+            return None
+        home = home_of(thing)
+        if home is None:
+            raise pickle.PicklingError(f"{thing.id!r} is in no module")
+        return home, name
+
+
+class _Unpacker(pickle.Unpickler):
+    def persistent_load(self, pid: Any) -> Any:
+        module, name = pid
+        return getattr(import_module(module), name)

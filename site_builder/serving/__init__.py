@@ -1,0 +1,1 @@
+"""``serve``: the book shown while it is written."""

@@ -1,0 +1,70 @@
+"""What a worker builds with: all that earlier builds have made, in memory."""
+
+import threading
+import traceback
+from collections.abc import Iterator
+from pathlib import Path
+
+from site_builder.build import Files, Options, RenderedSite, render_parts
+from site_builder.diagnostics import BuildError, Diagnostic
+from site_builder.drawing.apart import Limits, limited
+from site_builder.kept.keeper import Keeper, keeping
+from site_builder.kept.store import Store, default_folder
+from site_builder.output.assets import content_bytes
+from site_builder.output.writer import replace_file, write_site
+from site_builder.search.index import ADDRESS
+
+
+class Bench:
+    """Builds the same book again and again."""
+
+    def __init__(self, root: Path, out: Path, runtime: bool, since_ns: int) -> None:
+        self._root, self._out, self._runtime = root, out, runtime
+        self._keeper = Keeper(Store(default_folder()), since_ns)
+        self._turn = 0
+        self._index = b""
+        """What can be searched now: it is made after the pages, and may be of the build before."""
+        self._writing = threading.Lock()
+
+    def build(self) -> Iterator[dict[str, object]]:
+        """Build once; yields what came of it as soon as the pages are there."""
+        self._turn += 1
+        warnings: list[Diagnostic] = []
+        options = Options(self._root, runtime=self._runtime, reload=True, warn=warnings.append)
+        try:
+            with keeping(self._keeper), limited(Limits()):
+                site = render_parts(options)
+                with self._writing:
+                    changed = write_site(self._with_index(site), self._out)
+                yield _answer(warnings, f"{len(site.files)} files", changed=changed)
+        except BuildError as error:
+            yield _answer(warnings, "", mistakes=str(error))
+        except (OSError, ValueError, RuntimeError) as error:
+            yield _answer(warnings, "", mistakes=str(error) or repr(error))
+        except Exception:  # a mistake of the builder's own must not end it
+            yield _answer(warnings, "", mistakes=traceback.format_exc())
+        else:
+            thread = threading.Thread(target=self._make_index, args=(site, self._turn), daemon=True)
+            thread.start()
+
+    def _with_index(self, site: RenderedSite) -> Files:
+        place = self._out / ADDRESS
+        if not self._index and place.is_file():
+            self._index = place.read_bytes()
+        files = {**site.files, ADDRESS: self._index or b"{}"}
+        return {**files, **site.finish(files)}
+
+    def _make_index(self, site: RenderedSite, turn: int) -> None:
+        """Beside the next build, if there is one: Node takes longer than a page."""
+        made = content_bytes(site.index().get(ADDRESS, b""))
+        with self._writing:
+            if turn == self._turn and made != self._index and made:
+                self._index = made
+                replace_file(self._out / ADDRESS, self._index)
+
+
+def _answer(
+    warnings: list[Diagnostic], said: str, *, mistakes: str = "", changed: object = ()
+) -> dict[str, object]:
+    printed = "".join(f"{warning}\n" for warning in sorted(set(warnings)))
+    return {"printed": printed, "said": said, "mistakes": mistakes, "changed": changed}

@@ -1,0 +1,163 @@
+// Sent only by `site_builder serve`: puts what has changed into open pages, and lays the mistakes
+// of a bad build over them. Scroll, figures and answers that were not sent stay as they are.
+//
+// Browsers open few connections to one host. Of all open pages one listens, and tells the others.
+
+const KEPT = "unsent-answers";
+const FIXED = "simulation-figure, ladder-bench, form, [data-predict], script, h1, h2, h3";
+const channel = new BroadcastChannel("builds");
+let shown = 0;
+let source = fetchSource();
+
+channel.addEventListener("message", ({ data }) => hear(data));
+putBack();
+if (navigator.locks) navigator.locks.request("builds", listen);
+else listen();
+
+function listen() {
+  const events = new EventSource("/.reload/events");
+  for (const kind of ["built", "failed"]) {
+    events.addEventListener(kind, (event) => {
+      const told = { kind, said: JSON.parse(event.data) };
+      channel.postMessage(told);
+      hear(told);
+    });
+  }
+  return new Promise(() => {}); // for as long as this page is open
+}
+
+/** @param {{ kind: string, said: any }} told */
+function hear({ kind, said }) {
+  document.getElementById("build-mistakes")?.remove();
+  if (kind === "failed") showMistakes(said);
+  else if (document.title === "Being built") location.reload();
+  else if (!shown) shown = said.number;
+  else if (said.number !== shown) {
+    const missed = said.number !== shown + 1;
+    shown = said.number;
+    show(said.changed, missed);
+  }
+}
+
+/**
+ * @param {string[]} changed Files, relative to the site's root.
+ * @param {boolean} missed Whether there were other builds in between.
+ */
+async function show(changed, missed) {
+  const page = location.pathname.slice(1).replace(/(^|\/)$/, "$1index.html");
+  const assets = changed.filter((name) => name.startsWith("assets/") && name !== sheet());
+  const mine = changed.includes(page) || pictures().some((name) => changed.includes(name));
+  const scripts = assets.some((name) => /\/(js|fonts|editor|search)\//.test(name));
+  if (missed || scripts) return reload();
+  if (changed.includes(sheet())) swapSheet();
+  if (mine && !(changed.includes(page) && (await swapText()))) reload();
+}
+
+function sheet() {
+  return new URL(link().href).pathname.slice(1);
+}
+
+function link() {
+  return /** @type {HTMLLinkElement} */ (document.querySelector('link[rel="stylesheet"]'));
+}
+
+function pictures() {
+  return [...document.querySelectorAll("img[src]")].map((image) =>
+    new URL(/** @type {HTMLImageElement} */ (image).src).pathname.slice(1),
+  );
+}
+
+/** The old sheet stays until the new one is there, so that nothing flashes. */
+function swapSheet() {
+  const old = link();
+  const fresh = /** @type {HTMLLinkElement} */ (old.cloneNode());
+  const address = new URL(old.href);
+  address.searchParams.set("build", String(shown));
+  fresh.href = address.href;
+  fresh.addEventListener("load", () => old.remove());
+  old.after(fresh);
+}
+
+/** The page as it was sent: what scripts have made of it is not compared. */
+async function fetchSource() {
+  const reply = await fetch(location.pathname, { cache: "no-cache" });
+  return new DOMParser().parseFromString(await reply.text(), "text/html");
+}
+
+/** Put in the paragraphs that differ; false where more than text has changed. */
+async function swapText() {
+  const before = await source;
+  source = fetchSource();
+  const after = await source;
+  const now = blocks(document);
+  const [old, fresh] = [blocks(before), blocks(after)];
+  if (!old.length || now.length !== old.length || rest(before) !== rest(after)) return false;
+  let start = 0;
+  while (start < old.length && old[start].outerHTML === fresh[start]?.outerHTML) start += 1;
+  let end = 0;
+  const most = Math.min(old.length, fresh.length) - start;
+  while (end < most && old.at(-1 - end)?.outerHTML === fresh.at(-1 - end)?.outerHTML) end += 1;
+  const gone = now.slice(start, now.length - end);
+  const come = fresh.slice(start, fresh.length - end);
+  if ([...gone, ...come].some((block) => block.matches(FIXED) || block.querySelector(FIXED)))
+    return false;
+  const anchor = now[start - 1];
+  if (!anchor) return false;
+  anchor.after(...come.map((block) => document.importNode(block, true)));
+  gone.forEach((block) => block.remove());
+  return true;
+}
+
+/** @param {Document} page */
+function blocks(page) {
+  return [...(page.querySelector("main > article")?.children ?? [])];
+}
+
+/**
+ * All but the text.
+ *
+ * @param {Document} page
+ */
+function rest(page) {
+  const copy = /** @type {Document} */ (page.cloneNode(true));
+  blocks(copy).forEach((block) => block.remove());
+  return copy.documentElement.outerHTML;
+}
+
+function reload() {
+  const answers = fields().map(({ type, value, checked }) =>
+    type === "checkbox" || type === "radio" ? checked : value,
+  );
+  sessionStorage.setItem(KEPT, JSON.stringify({ page: location.pathname, answers }));
+  location.reload();
+}
+
+/** What was typed and not sent before the page was loaded anew. */
+function putBack() {
+  const { page, answers } = JSON.parse(sessionStorage.getItem(KEPT) ?? "{}");
+  sessionStorage.removeItem(KEPT);
+  if (page !== location.pathname || answers.length !== fields().length) return;
+  fields().forEach((field, index) => {
+    if (typeof answers[index] === "boolean") field.checked = answers[index];
+    else if (field.value !== answers[index]) field.value = answers[index];
+  });
+}
+
+/** Those of questions; what figures are set to is in the address. */
+function fields() {
+  return /** @type {HTMLInputElement[]} */ ([
+    ...document.querySelectorAll("main form input:not([type=file])"),
+  ]);
+}
+
+/** @param {string} mistakes */
+function showMistakes(mistakes) {
+  const report = document.createElement("pre");
+  report.id = "build-mistakes";
+  report.setAttribute("role", "alert");
+  report.textContent = mistakes;
+  report.style.cssText =
+    "position:fixed;inset:auto 0 0 0;z-index:99;max-height:60vh;margin:0;padding:1rem 1.5rem;" +
+    "overflow:auto;white-space:pre-wrap;font:14px/1.5 monospace;background:#3b0d0d;color:#fff";
+  document.body.append(report);
+}
