@@ -10,6 +10,7 @@ from pathlib import Path
 
 from site_builder import STARTED_NS
 from site_builder.addresses import site_address, source_address
+from site_builder.book import Book
 from site_builder.book_root import ROOT
 from site_builder.build import Options, Warn, build_site
 from site_builder.check_command import Wanted, check
@@ -80,17 +81,26 @@ def _run(given: argparse.Namespace, warn: Warn, warnings: Sequence[Diagnostic]) 
             from site_builder.editions.compose import compose
             from site_builder.editions.pdf import make_pdf
 
-            written(given.out, make_pdf(compose(Options(ROOT, warn=warn))))
+            composed = compose(Options(ROOT, warn=warn))
+            written(given.out or _edition(composed.book, "pdf"), make_pdf(composed))
         case "epub":
             from site_builder.editions.compose import compose
             from site_builder.editions.epub import make_epub
 
-            written(given.out, make_epub(compose(Options(ROOT, warn=warn)), ROOT))
+            composed = compose(Options(ROOT, warn=warn))
+            written(given.out or _edition(composed.book, "epub"), make_epub(composed, ROOT))
         case "serve":
             from site_builder.serve import serve  # its watcher is needed only here
 
             serve(ROOT, given.out, given.port, runtime=given.runtime, host=given.host)
     return 0
+
+
+def _edition(book: Book, kind: str) -> Path:
+    """``build/the-book-s-title.pdf``."""
+    from site_builder.markdown.headings import slug
+
+    return ROOT / "build" / f"{slug(book.title)}.{kind}"
 
 
 def written(out: Path, edition: bytes) -> None:
@@ -121,8 +131,7 @@ def _parser() -> argparse.ArgumentParser:
         if name in ("check", "schema"):
             continue
         if name in ("pdf", "epub"):
-            edition = ROOT / "build" / f"image-formation.{name}"
-            command.add_argument("--out", type=Path, default=edition, help="the file")
+            command.add_argument("--out", type=Path, help="the file")
             continue
         if name == "new":
             command.add_argument("kind", choices=NEW)

@@ -60,6 +60,8 @@ NOW = "assets/now/"
 """Folder of the assets while the book is written: a changed style sheet changes no page."""
 LIBRARY = "search"
 """Folder of what searches, among the assets."""
+EDITOR = "js/editor/"
+"""Scripts that open the Python of figures."""
 STYLE_SHEET = "css/book.css"
 """The one that pages link to, below ``static/``."""
 
@@ -136,7 +138,7 @@ def render_parts(options: Options) -> RenderedSite:
     """The site in parts. Raises `BuildError` with all mistakes found."""
     book, stills, pictures = check_site(options)
     runtime, runtime_files, versions = _runtime(options, book)
-    editor, library = _editor(options), _search_library(options, book)
+    editor, library = _editor(options, book), _search_library(options, book)
     scripts = {f"{LIBRARY}/{name}": path for name, path in library.scripts.items()}
     made = {
         **_python(options, book, editor),
@@ -213,8 +215,10 @@ def gather_assets(
     and what searches, in one folder: ``folder``, or one that is named by what is in it."""
     content = folder_files(root / "content")
     own = book_css(book.settings, book.words)
+    engine = folder_files(own_or_engine(root, "static"))
+    wanted = {name: file for name, file in engine.items() if book.scenes or EDITOR not in name}
     files: Files = {
-        **join_style_sheets(folder_files(own_or_engine(root, "static")), STYLE_SHEET, own),
+        **join_style_sheets(wanted, STYLE_SHEET, own),
         "js/book.js": book_script(book.settings, book.words),
         **{
             f"fonts/{name}": data
@@ -299,9 +303,9 @@ def _only(modules: Mapping[str, str], shown: Collection[str]) -> dict[str, str]:
     return {name: module for name, module in modules.items() if name in shown}
 
 
-def _editor(options: Options) -> EditorBundle:
+def _editor(options: Options, book: Book) -> EditorBundle:
     """The code editor of the figures; where it cannot be had, a warning, and they do without."""
-    if not options.runtime:
+    if not (options.runtime and book.scenes):
         return EditorBundle()
     try:
         return bundle_editor()
@@ -335,7 +339,7 @@ def _outside(
 
 def _python(options: Options, book: Book, editor: EditorBundle) -> Files:
     """What opens the Python of the figures: the sources of each scene, and the code editor."""
-    if not options.runtime:
+    if not (options.runtime and book.scenes):
         return {}
     script = {"editor/code_editor.js": editor.script} if editor.script else {}
     return {

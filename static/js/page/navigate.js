@@ -101,6 +101,8 @@ async function turnTo(url, turned, commit) {
   try {
     const page = await fetchPage(url, signal);
     if (signal.aborted) return;
+    // Before the address is another: from there, an icon of this page would be asked for in vain.
+    for (const part of document.head.querySelectorAll(OF_A_PAGE)) part.remove();
     commit();
     putInPlace(page);
     shownPath = location.pathname;
@@ -145,7 +147,6 @@ function assetsOf(body, base) {
  */
 function putInPlace(page) {
   document.title = page.title;
-  for (const part of document.head.querySelectorAll(OF_A_PAGE)) part.remove();
   document.head.append(...page.head.querySelectorAll(OF_A_PAGE));
   for (const name of Object.keys(document.body.dataset)) delete document.body.dataset[name];
   Object.assign(document.body.dataset, page.body.dataset);
@@ -167,7 +168,7 @@ function restoreScroll() {
 }
 
 /** The element that the address points to; none where its end is mangled. */
-function hashTarget() {
+export function hashTarget() {
   try {
     return document.getElementById(decodeURIComponent(location.hash.slice(1)));
   } catch {
