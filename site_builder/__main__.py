@@ -5,6 +5,7 @@ import argparse
 import json
 import sys
 from collections.abc import Sequence
+from contextlib import closing
 from pathlib import Path
 
 from site_builder import STARTED_NS
@@ -37,7 +38,11 @@ def main(arguments: list[str] | None = None) -> int:
         print(warning, file=sys.stderr)
 
     try:
-        with keeping(Keeper(Store(default_folder()), STARTED_NS)), limited(Limits()):
+        with (
+            closing(Store(default_folder())) as store,
+            keeping(Keeper(store, STARTED_NS)),
+            limited(Limits()),
+        ):
             return _run(given, warn, warnings)
     except BuildError as error:
         print(error, file=sys.stderr)

@@ -178,7 +178,7 @@ def check_site(options: Options) -> tuple[Book, Stills, dict[str, bytes]]:
     measurements = read_measurements(options.root, problems, options.load_ladder)
     book = read_book(options.root, problems, options.load_scene, measurements)
     check_book(book, problems)
-    _check_pictures(options.root, problems)
+    _check_pictures(options.root, problems, trusted=book.settings.trust.raw_html)
     stills, pictures = render_stills(book, problems)
     check_frames(book, stills, own_or_engine(options.root, "static"), problems)
     for warning in sorted(set(problems.doubts)):
@@ -200,12 +200,12 @@ def _check_declared(root: Path, problems: Diagnostics) -> None:
     kept_reading("declared", str(root), problems, check)
 
 
-def _check_pictures(root: Path, problems: Diagnostics) -> None:
+def _check_pictures(root: Path, problems: Diagnostics, *, trusted: bool) -> None:
     def check(own: Diagnostics) -> None:
         reads_folder(root / "content")
-        check_pictures(root, own)
+        check_pictures(root, own, trusted=trusted)
 
-    kept_reading("pictures", str(root), problems, check)
+    kept_reading("pictures", f"{root} {trusted}", problems, check)
 
 
 def gather_assets(
