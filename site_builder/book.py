@@ -162,6 +162,8 @@ class Reveal:
     prediction: str
     id: str
     """Element id."""
+    asked: str
+    """What the prediction is called: ``Prediction 4.2``."""
     path: str
     line: int
 
@@ -212,8 +214,8 @@ class Target:
     """What a reference may lead to: a chapter, a section, or a thing that is numbered."""
 
     kind: str
-    """``Chapter``, ``Appendix``, ``Section``, ``Figure``, ``Equation``, ``Table``, ``Example`` or
-    ``Question``."""
+    """``Chapter``, ``Appendix``, ``Section``, ``Figure``, ``Equation``, ``Table``, ``Example``,
+    ``Prediction`` or ``Question``."""
     chapter: str
     """Id of the chapter that it is, or stands in."""
     id: str

@@ -19,6 +19,7 @@ from site_builder.markdown.chapter import Draft, Survey, parse_chapter, read_cha
 from site_builder.markdown.parser import make_parser
 from site_builder.markdown.reading import Reading
 from site_builder.markdown.targets import Targets
+from site_builder.markdown.text.macros import Macros
 from site_builder.measured.measurements import DATA as MEASUREMENTS
 from site_builder.measured.measurements import Measurements
 
@@ -33,6 +34,8 @@ class Shared:
     words: Words
     raw_html: bool
     """Whether the author's own HTML is let through."""
+    macros: Macros
+    """TeX commands of the author's own."""
     bibliography: Bibliography
     glossary: Glossary
 
@@ -64,7 +67,8 @@ class Page:
 
     def _given(self) -> tuple[object, ...]:
         shared = self.shared
-        return self.path, self.text, self.position, shared.words, shared.raw_html
+        own = tuple(sorted(shared.macros.items()))
+        return self.path, self.text, self.position, shared.words, shared.raw_html, own
 
     def _read(self, targets: Targets, problems: Diagnostics) -> Chapter:
         for file in (BIBLIOGRAPHY, GLOSSARY, MEASUREMENTS):
@@ -88,6 +92,7 @@ class Page:
                 shared.measurements,
                 words=shared.words,
                 raw_html=shared.raw_html,
+                macros=shared.macros,
                 chapter=chapter_id(self.path),
                 position=self.position,
                 bibliography=shared.bibliography,

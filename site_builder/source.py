@@ -25,12 +25,13 @@ from site_builder.markdown.inline import inline_html
 from site_builder.markdown.parser import make_parser
 from site_builder.markdown.reading import Reading
 from site_builder.markdown.scenes import find_scene
+from site_builder.markdown.text.macros import Macros, faults_of
 from site_builder.measured.measurements import DATA as MEASUREMENTS
 from site_builder.measured.measurements import Measurements
 from site_builder.news import read_news
 from site_builder.settings.model import Settings
 from site_builder.settings.reading import read_settings
-from site_builder.source_text import read_text
+from site_builder.source_text import Toml, read_text
 from site_builder.symbols import FILE as SYMBOLS
 from site_builder.symbols import read_symbols
 
@@ -51,6 +52,8 @@ class Outline:
     chapters: tuple[tuple[str, int, Position], ...]
     """File names without ``.md``, each with its line in this file and its place in the book."""
     hero_line: int
+    macros: Macros
+    """Those that can be written out."""
 
 
 def read_book(
@@ -76,6 +79,7 @@ def read_book(
         numbers,
         words,
         settings.trust.raw_html,
+        outline.macros,
         bibliography=_read_kept(root, BIBLIOGRAPHY, problems, read_references, words),
         glossary=_read_kept(root, GLOSSARY, problems, read_terms, words),
     )
@@ -99,7 +103,15 @@ def read_book(
         reads_file(root / MEASUREMENTS)
         parser = make_parser(words)
         return Reading(
-            file, root, problems, load_scene, parser, numbers, words=words, targets=targets
+            file,
+            root,
+            problems,
+            load_scene,
+            parser,
+            numbers,
+            words=words,
+            targets=targets,
+            macros=outline.macros,
         )
 
     def definitions(own: Diagnostics) -> tuple[Definition, ...]:
@@ -150,7 +162,16 @@ def _read_outline(root: Path, problems: Diagnostics) -> Outline:
             for name, position in _positions(settings, words)
         ),
         hero_line=toml.line("hero"),
+        macros=_sound_macros(settings.macros, toml, problems),
     )
+
+
+def _sound_macros(macros: Macros, toml: Toml, problems: Diagnostics) -> Macros:
+    """Those without a fault; the others are reported."""
+    faults = dict(faults_of(macros))
+    for name, fault in faults.items():
+        problems.add(OUTLINE, toml.line("macros", name), f"macro {name!r} {fault}")
+    return {name: body for name, body in macros.items() if name not in faults}
 
 
 def _positions(settings: Settings, words: Words) -> Iterator[tuple[str, Position]]:

@@ -8,12 +8,12 @@ from simulations.engine.drafting import label
 from simulations.engine.drawing import arrow, dot, line, polyline
 from simulations.engine.frame import Panel
 from simulations.engine.illustration import Illustration
-from simulations.illustrations._space import seen_from
+from simulations.engine.space.view import View, axes_towards
 from simulations.models.arrays import Floats
 from simulations.models.geometry.rotations import from_axis_angle
 
 WIDTH, HEIGHT = 400.0, 254.0
-SPACE = seen_from((1.0, -2.6, 1.25), 112.0, (196.0, 236.0))
+SPACE = View(axes_towards((1.0, -2.6, 1.25)), (196.0, 236.0), 112.0)
 AXIS = (0.0, 0.0, 1.0)
 VECTOR = np.array([1.15, -0.35, 1.45])
 ANGLE_RAD = math.radians(145)

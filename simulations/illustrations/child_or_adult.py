@@ -62,7 +62,7 @@ def draw() -> Illustration:
         y = CENTRE[1] + 26 + 30 * row
         marks.append(dimension((CENTRE[0], y), (at(0, distance)[0], y), "muted"))
         middle = (CENTRE[0] + at(0, distance)[0]) / 2
-        marks.append(label((middle, y + 4), f"{distance:g} m", "muted halo", "middle"))
+        marks.append(label((middle, y - 6), f"{distance:g} m", "muted", "middle"))
     words = (
         f"A camera on the floor. A child {PEOPLE[0][0]:g} m tall at {PEOPLE[0][1]:g} m and an "
         f"adult {x:g} m tall at {z:g} m have their crowns on one ray, which meets the image plane "

@@ -6,10 +6,10 @@ from simulations.engine.drafting import label
 from simulations.engine.drawing import arrow, dot, line, polygon
 from simulations.engine.frame import Panel
 from simulations.engine.illustration import Illustration
-from simulations.illustrations._space import seen_from
+from simulations.engine.space.view import View, axes_towards
 
 WIDTH, HEIGHT = 400.0, 256.0
-SPACE = seen_from((1.1, -3.0, 1.35), 59.0, (64.0, 206.0))
+SPACE = View(axes_towards((1.1, -3.0, 1.35)), (64.0, 206.0), 59.0)
 POINT = (2.0, 1.0)
 """On the plane w = 1."""
 ALONG = (0.5, 2.0)

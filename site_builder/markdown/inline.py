@@ -14,6 +14,7 @@ from site_builder.markdown.roles import ROLES
 from site_builder.markdown.text.code import UnknownLanguageError, code_html
 from site_builder.markdown.text.formula_breaks import displayed_parts, glue_formulae
 from site_builder.markdown.text.math import UnsupportedTexError, to_mathml
+from site_builder.markdown.text.shorthand import written_out
 from site_builder.markdown.text.tokens import located, plain_text
 
 ROLE_NAMES = tuple(role.name for role in ROLES)
@@ -65,11 +66,13 @@ def inline_html(markdown: str, line: int, reading: Reading) -> str:
 
 
 def _set_formula(token: Token, line: int, reading: Reading) -> None:
-    reading.formulae.append((line, token.content))
+    tex = token.content
     try:
-        token.meta["mathml"] = _mathml(token.content.strip(), display=token.type != "math_inline")
+        tex = written_out(tex, reading.macros)
+        token.meta["mathml"] = _mathml(tex.strip(), display=token.type != "math_inline")
     except UnsupportedTexError as error:
         reading.problem(line, str(error))
+    reading.formulae.append((line, tex))
 
 
 def _mathml(tex: str, *, display: bool) -> str:

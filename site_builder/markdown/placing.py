@@ -1,7 +1,8 @@
 """Numbers and ids of a page, given out before a word is looked at, since words speak of them.
 
-Figures, equations, tables, examples and questions are counted by chapter, in the order of the
-page. An id comes from what its author wrote, never from a number, and so stays when things move.
+Figures, equations, tables, examples, predictions and questions are counted by chapter, in the
+order of the page. An id comes from what its author wrote, never from a number, and so stays when
+things move.
 """
 
 import hashlib
@@ -20,6 +21,8 @@ from site_builder.markdown.headings import slug
 from site_builder.markdown.reading import Place, Reading
 from site_builder.markdown.text.tokens import plain_text
 
+TAG = re.compile(r"\\tag\*?\{([^{}]*)\}")
+TAG_FORM = re.compile(r"[^\s\\$&#^_~%]{1,12}")
 LABEL_FORM = re.compile(r"[a-z0-9]+(-[a-z0-9]+)*")
 
 
@@ -49,6 +52,8 @@ class _Placing:
     reading: Reading
     targets: list[Target] = field(default_factory=list)
     counts: Counter[str] = field(default_factory=Counter)
+    tags: dict[str, int] = field(default_factory=dict)
+    """Those of equations, with their lines."""
 
     def directive(self, directive: Directive[Any] | None, token: Token) -> None:
         if directive is None or directive.numbered is None:
@@ -71,18 +76,37 @@ class _Placing:
     def equation(self, token: Token, *, inside: bool) -> None:
         """``inside`` of a question or caption it carries no number: it belongs to that."""
         line, label = (token.map or [0])[0] + 1, str(token.info or "")
+        tag = self._tag(token, line)
         if inside:
-            if label:
+            if label or tag:
                 legal = "on a formula of the running text"
                 where = "in a question or caption"
-                self.reading.problem(line, f"label {label!r} {where}; legal: {legal}")
+                what = f"label {label!r}" if label else f"tag {tag!r}"
+                self.reading.problem(line, f"{what} {where}; legal: {legal}")
             return
         if label:
             name = self._labelled(label, line, "equation")
         else:
             digest = hashlib.sha256("".join(token.content.split()).encode()).hexdigest()
             name = self.reading.free_id(f"equation-{digest[:6]}", line)
-        token.meta["target"] = self._count("Equation", name, line, labelled=bool(label))
+        token.meta["target"] = self._count("Equation", name, line, labelled=bool(label), tag=tag)
+
+    def _tag(self, token: Token, line: int) -> str:
+        r"""What stands in ``\tag{…}`` in place of a number; it is taken out of the formula."""
+        found = TAG.search(token.content)
+        if not found:
+            return ""
+        token.content = token.content[: found.start()] + token.content[found.end() :]
+        tag = found[1].strip()
+        if not TAG_FORM.fullmatch(tag) or TAG.search(token.content):
+            legal = "one \\tag, up to 12 letters, digits and marks"
+            self.reading.problem(line, f"\\tag{{{found[1]}}}; legal: {legal}")
+            return ""
+        if tag in self.tags:
+            first = self.reading.where(self.tags[tag])
+            self.reading.problem(line, f"duplicate tag {tag!r}; first used {first}")
+        self.tags.setdefault(tag, line)
+        return tag
 
     def heading(self, tokens: Sequence[Token]) -> None:
         opening, inline, closing = tokens
@@ -100,9 +124,10 @@ class _Placing:
             self.reading.problem(line, f"label {label!r}; legal: {legal}")
         return self.reading.take_id(label, line, kind)
 
-    def _count(self, kind: str, name: str, line: int, *, labelled: bool) -> Target:
-        self.counts[kind] += 1
-        number = f"{self.reading.position.mark}.{self.counts[kind]}"
+    def _count(self, kind: str, name: str, line: int, *, labelled: bool, tag: str = "") -> Target:
+        """``tag`` in place of the next number."""
+        self.counts[kind] += not tag
+        number = tag or f"{self.reading.position.mark}.{self.counts[kind]}"
         label = self.reading.words.label(kind)
         said = f"{label} ({number})" if kind == "Equation" else f"{label} {number}"
         target = Target(kind, self.chapter, name, number, "", line, labelled, said)

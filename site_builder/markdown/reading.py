@@ -16,6 +16,7 @@ from site_builder.glossary import EMPTY as NO_TERMS
 from site_builder.glossary import Glossary
 from site_builder.languages.words import ENGLISH, Words
 from site_builder.markdown.targets import Targets
+from site_builder.markdown.text.macros import Macros
 from site_builder.measured.measurements import Measurements
 from site_builder.measured.readouts import Readouts
 
@@ -63,6 +64,8 @@ class Reading:
     """What references may lead to: none before all chapters are parsed."""
     bibliography: Bibliography = EMPTY
     glossary: Glossary = NO_TERMS
+    macros: Macros = field(default_factory=dict)
+    """TeX commands of the book's own."""
     env: dict[str, Any] = field(default_factory=dict)
     """What the parser keeps between parsing and rendering: link references, footnotes."""
     raw_html: bool = False
@@ -97,7 +100,8 @@ class Reading:
     def problem(self, line: int, message: str) -> None:
         self.problems.add(self.path, line, message)
 
-    def _where(self, line: int) -> str:
+    def where(self, line: int) -> str:
+        """``on line 12``, or ``at content/parts/file.md:3`` of what is included."""
         path, number = self.problems.place(self.path, line)
         return f"on line {number}" if path == self.path else f"at {path}:{number}"
 
@@ -109,7 +113,7 @@ class Reading:
         """Claim an element id; taking one twice is a mistake."""
         if wanted in self.ids:
             first = self.ids[wanted]
-            place = f"first used {self._where(first)}" if first else "the page itself uses it"
+            place = f"first used {self.where(first)}" if first else "the page itself uses it"
             self.problem(line, f"duplicate {kind} id {wanted!r}; {place}")
         self.ids.setdefault(wanted, line)
         return wanted

@@ -11,6 +11,7 @@ from pathlib import Path
 
 from site_builder.diagnostics import Diagnostics
 from site_builder.markdown.content_files import fault_of_file
+from site_builder.source_text import read_text
 
 INCLUDE = re.compile(r"(:{3,})\{include\}[ \t]*(.*)")
 CODE_FENCE = re.compile(r" {0,3}(`{3,}|~{3,})")
@@ -81,7 +82,7 @@ def _included(
     if fault:
         problems.add(files[-1], number, fault)
         return
-    text = (root / path).read_text(encoding="utf-8-sig", errors="replace")
+    text = read_text(root, path, problems)
     if text.startswith("---\n"):
         problems.add(path, 1, "front matter in an included file; legal: the chapter's alone")
     yield from _lines(text.removesuffix("\n"), (*files, path), root, problems)

@@ -20,6 +20,7 @@ UNREAD = re.compile(
     re.DOTALL,
 )
 """What is long, silent and never inside its like: left out before a page is taken apart."""
+FOLDED = re.compile(r"<details(?![^>]*\bopen\b).*?</details>", re.DOTALL)
 LONGEST_FORMULA = 14
 """Characters of a formula in a line of text; a longer one becomes an ellipsis."""
 
@@ -77,9 +78,10 @@ def read_sections(html: str) -> tuple[Section, ...]:
 
 @kept
 def reading_minutes(body: str) -> int:
-    """How long an article's body takes to read: its text, captions and questions; figures are
-    played with for as long as one likes."""
-    sections = read_sections(f"<article {ARTICLE}>{body}</article>")
+    """How long an article's body takes to read: its text, captions and questions. What is folded
+    is opened, and figures are played with, by those who like."""
+    shown = FOLDED.sub("", body)
+    sections = read_sections(f"<article {ARTICLE}>{shown}</article>")
     words = sum(len(f"{s.title} {s.text} {s.figures} {s.questions}".split()) for s in sections)
     return max(1, round(words / WORDS_A_MINUTE))
 

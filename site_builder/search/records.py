@@ -22,7 +22,8 @@ class Record:
     introduced: tuple[str, ...]
     """Terms that the book emphasises here first."""
     explains: tuple[str, ...]
-    """Names of the glossary's terms that are explained here."""
+    """Names of the glossary's terms that are explained here, and entries of the index that lead
+    here."""
     text: str
     figures: str
     questions: str
@@ -37,12 +38,17 @@ def make_records(
 
 
 def explained_terms(book: Book) -> Mapping[str, Sequence[str]]:
-    """The names of the glossary's terms by the address of the section that explains them."""
+    """The names of the glossary's terms by the address of the section that explains them, and the
+    entries that authors have marked for the index by that of the section of the mark."""
     explained: dict[str, list[str]] = {}
     for definition in book.glossary:
         if target := definition.explained:
             address = _address(f"{target.chapter}/index.html", target.id)
             explained.setdefault(address, []).extend(definition.term.names)
+    for chapter in book.chapters:
+        for mark in chapter.index_marks:
+            address = _address(f"{chapter.url}index.html", mark.section)
+            explained.setdefault(address, []).append(mark.entry)
     return explained
 
 

@@ -135,6 +135,21 @@ class Names:
 
 
 @dataclass(frozen=True, slots=True)
+class Entries:
+    """A table whose keys are the author's, each with a text."""
+
+    legal: str
+
+    def read(self, value: object) -> Mapping[str, str]:
+        if not isinstance(value, dict) or not all(isinstance(item, str) for item in value.values()):
+            raise ValueError
+        return dict(value)
+
+    def schema(self) -> dict[str, object]:
+        return {"type": "object", "additionalProperties": {"type": "string"}}
+
+
+@dataclass(frozen=True, slots=True)
 class Table:
     """A table of its own; ``of`` is the class that declares its keys."""
 

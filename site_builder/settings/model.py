@@ -1,7 +1,9 @@
 """What ``content/book.toml`` may say. Reading, checks, the JSON schema and the author's table all
 follow from these classes."""
 
+from collections.abc import Mapping
 from dataclasses import dataclass, field, fields
+from types import MappingProxyType
 
 from site_builder.languages.words import languages
 from site_builder.settings.declared import key
@@ -11,6 +13,7 @@ from site_builder.settings.kinds import (
     PREFIX,
     SITE,
     SOURCE,
+    Entries,
     Names,
     OneOf,
     Table,
@@ -46,6 +49,7 @@ class Labels:
     equation: str = key(Text(), "a displayed equation", "", without="the language's word")
     table: str = key(Text(), "a table", "", without="the language's word")
     example: str = key(Text(), "a worked example", "", without="the language's word")
+    prediction: str = key(Text(), "a prediction", "", without="the language's word")
     question: str = key(Text(), "a question", "", without="the language's word")
 
 
@@ -159,6 +163,12 @@ class Settings:
     labels: Labels = key(Table(Labels), "what numbered things are called", Labels())
     theme: Theme = key(Table(Theme), "the colours", Theme())
     fonts: Fonts = key(Table(Fonts), "the faces", Fonts())
+    macros: Mapping[str, str] = key(
+        Entries("a table of names with TeX, R = '\\mathbb{R}'"),
+        "TeX commands of the book's own, `#1` for an argument",
+        MappingProxyType({}),
+        without="none",
+    )
     trust: Trust = key(Table(Trust), "what goes into the pages unseen", Trust())
 
 

@@ -50,6 +50,9 @@ def focal_length_in_pixels() -> Says:
     yield f"has $f_x = {50 * 6000 / 36:.0f}$ px"
     angle = degrees(field_of_view_rad(50, 36))
     yield rf"2\arctan {36 / (2 * 50):g} = {angle:.1f}^\circ$"
+    cropped = degrees(field_of_view_rad(50, 24))
+    assert isclose(cropped, degrees(field_of_view_rad(75, 36)))
+    yield rf"2\arctan {24 / (2 * 50):g} = {cropped:.1f}^\circ$, as much as"
 
 
 def focusing_makes_the_picture_larger() -> Says:

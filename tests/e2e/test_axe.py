@@ -59,6 +59,8 @@ NARROW = """violations({only: ['aria-hidden-focus', 'button-name', 'color-contra
   'nested-interactive', 'select-name', 'summary-name', 'target-size']})"""
 """What may differ where other things are shown."""
 CONTRAST = "violations({only: ['color-contrast']})"
+OTHERS = ("glossary/", "symbols/", "references/", "index-of-terms/", "lecture-plan/", "licences/")
+"""Lists of text, the same on a phone."""
 
 
 def violations(reader: Reader, scheme: Any, screen: ViewportSize, asked: str) -> list[str]:
@@ -74,11 +76,14 @@ def violations(reader: Reader, scheme: Any, screen: ViewportSize, asked: str) ->
 
 def test_no_page_shuts_readers_out(plain_reader: Reader, book: Any) -> None:
     urls = (chapter["url"] for chapter in book["chapters"])
-    for address in plain_reader.leaf_through(["", *urls, "licences/"]):
+    for address in plain_reader.leaf_through(["", *urls]):
         assert violations(plain_reader, "light", DESK, ALL) == [], address
         assert violations(plain_reader, "dark", PHONE, NARROW) == [], f"{address}, on a phone"
     plain_reader.turn_to(book["chapters"][-1]["url"], live=False)
     assert violations(plain_reader, "dark", DESK, CONTRAST) == [], "what no phone shows"
+    for address in plain_reader.leaf_through(OTHERS):
+        assert violations(plain_reader, "light", DESK, ALL) == [], address
+        assert violations(plain_reader, "dark", DESK, CONTRAST) == [], f"{address}, dark"
 
 
 def test_a_live_figure_shuts_no_reader_out(visitor: Reader) -> None:

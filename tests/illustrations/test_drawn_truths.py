@@ -13,6 +13,7 @@ from scipy.spatial.transform import Rotation
 from simulations.illustrations import (
     axis_and_angle,
     bayer_cell,
+    beam_on_desk,
     child_or_adult,
     circle_and_ellipse,
     circle_of_confusion,
@@ -25,10 +26,13 @@ from simulations.illustrations import (
     inverse_square,
     line_at_infinity,
     newton_steps,
+    one_colour_two_spectra,
     order_of_turns,
     paint_or_light,
+    parallax,
     pixel_footprint,
     reflection_lobes,
+    rolling_shutter,
     sharpest_pinhole,
     sheet_pinhole_lens,
     similar_triangles,
@@ -247,3 +251,28 @@ def test_the_image_of_a_circle_is_an_ellipse_about_another_point_than_its_centre
     assert 0.75 * x**2 + x + y**2 - 1 == pytest.approx(np.zeros_like(x), abs=1e-12)
     assert circle_and_ellipse.middle(np.stack([x, y], axis=-1)) == pytest.approx([-2 / 3, 0])
     assert circle_and_ellipse.image(np.zeros(2)) == pytest.approx([0, 0])
+
+
+def test_the_beam_meets_the_desk_where_its_plane_says() -> None:
+    x, y, z = 0.0, 0.0, beam_on_desk.spot()
+    p, q, r = beam_on_desk.CORNERS
+    assert np.linalg.det(np.stack([q - p, r - p, np.array([x, y, z]) - p])) == pytest.approx(0)
+    foot = beam_on_desk.foot()
+    assert np.linalg.norm(foot) == pytest.approx(math.sqrt(8))  # the distance to y + z = 4
+    assert foot[1] + foot[2] == pytest.approx(4)
+
+
+def test_a_pixel_slides_by_focal_length_times_step_over_depth() -> None:
+    for depth in parallax.DEPTHS_M:
+        assert parallax.PIXEL - parallax.column(depth) == pytest.approx(800 * 0.1 / depth)
+
+
+def test_the_eye_cannot_tell_the_two_surfaces_apart() -> None:
+    paint, inks = one_colour_two_spectra.seen()
+    assert paint == pytest.approx(inks, abs=1e-12)
+    assert np.abs(np.subtract(*one_colour_two_spectra.twins())).max() > 0.1
+
+
+def test_the_bus_leans_by_what_it_moves_while_the_rows_are_read() -> None:
+    assert rolling_shutter.shift_px(1080) == pytest.approx(9600 * 0.020)
+    assert math.tan(math.radians(rolling_shutter.lean_deg())) == pytest.approx(192 / 1080)

@@ -12,7 +12,7 @@ from simulations.engine.stages import StageCache
 from simulations.ladders.rotation_interpolation import LADDER
 from simulations.models.projection.pinhole import look_at
 from simulations.scenes.rotation_3d import aircraft
-from simulations.scenes.rotation_3d.rings import pieces, rings
+from simulations.scenes.rotation_3d.rings import rings
 from simulations.scenes.rotation_3d.scene import SCENE
 from simulations.scenes.rotation_3d.stages import attitude, ways
 
@@ -120,13 +120,6 @@ def test_faces_are_painted_from_far_to_near() -> None:
         x, y, _ = aircraft.screen(wing, VIEW, (0.0, 0.0), 100.0)[0]
         places.append(drawn.index(f"{x:.2f}".rstrip("0") + "," + f"{y:.2f}".rstrip("0")))
     assert places[0] < places[1]
-
-
-def test_a_ring_is_cut_where_it_passes_behind() -> None:
-    ring = np.array([[0, 0, -1], [1, 0, -1], [2, 0, 1], [3, 0, 1], [4, 0, -1], [5, 0, -2]], float)
-    near, far = pieces(ring, front=True), pieces(ring, front=False)
-    assert near == [[[0, 0], [1, 0], [2, 0]], [[3, 0], [4, 0], [5, 0]]]
-    assert far == [[[2, 0], [3, 0]]]
 
 
 def test_moving_along_the_way_leaves_the_rings_alone() -> None:

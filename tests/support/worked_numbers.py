@@ -15,8 +15,9 @@ type Calculation = Callable[[], Says]
 
 
 def source(chapter: str) -> str:
-    """The chapter as written; no-break spaces count as spaces, links as their words, and citations
-    are left out."""
+    """The chapter as written; no-break spaces count as spaces, links as their words, symbols have
+    no colour, and citations are left out."""
     text = (CONTENT / f"{chapter}.md").read_text(encoding="utf-8").replace("\u00a0", " ")
     text = re.sub(r" ?\{cite\}`[^`]*`", "", text)
+    text = re.sub(r"\\role\{\w+\}\{((?:[^{}]|\{[^{}]*\})*)\}", r"\1", text)
     return re.sub(r"\{(?:set|ref)\}`([^`<]*?)\s*<[^`]*>`", r"\1", text)

@@ -4,13 +4,12 @@ Body axes as pilots use them: x forward, y along the right wing, z down. With th
 pitch and roll of R = Rz Ry Rx that means: nose to the right, nose up, right wing down.
 """
 
-import math
 from collections.abc import Sequence
 
 import numpy as np
-from numpy.typing import NDArray
 
-from simulations.engine.drawing import polygon
+from simulations.engine.space.solids import Face, drawn, shaded
+from simulations.engine.space.view import View, orbit_axes
 from simulations.models.arrays import Floats
 
 type Point = Sequence[float]
@@ -27,17 +26,12 @@ def view_from(azimuth: float, elevation: float) -> Floats:
 
     The eye's direction in degrees: round from straight ahead towards the right, and upwards.
     """
-    round_, up = math.radians(azimuth), math.radians(elevation)
-    right = (math.sin(round_), -math.cos(round_), 0.0)
-    down = (math.sin(up) * math.cos(round_), math.sin(up) * math.sin(round_), math.cos(up))
-    away = (-math.cos(up) * math.cos(round_), -math.cos(up) * math.sin(round_), math.sin(up))
-    return np.array([right, down, away])
+    return orbit_axes(azimuth, elevation, z_down=True)
 
 
 def screen(points: Floats, view: Floats, centre: tuple[float, float], unit: float) -> Floats:
     """Parallel projection of world points (..., 3): view box x, y, and depth in the third."""
-    seen = points @ view.T
-    return np.concatenate([seen[..., :2] * unit + centre, seen[..., 2:]], axis=-1)
+    return View(view, centre, unit).place(points)
 
 
 def _faces() -> tuple[Floats, ...]:
@@ -61,9 +55,6 @@ def _faces() -> tuple[Floats, ...]:
 
 
 FACES = _faces()
-_CORNERS = np.concatenate(FACES)
-_ENDS = np.cumsum([len(face) for face in FACES])
-_STARTS = _ENDS - [len(face) for face in FACES]
 
 
 def draw(R: Floats, view: Floats, centre: tuple[float, float], unit: float, role: str) -> str:
@@ -71,30 +62,6 @@ def draw(R: Floats, view: Floats, centre: tuple[float, float], unit: float, role
 
     R may be any matrix: that of a faulty blend shows as a crushed aircraft.
     """
-    turned = _CORNERS @ R.T
-    placed = screen(turned, view, centre, unit)
-    depths = np.add.reduceat(placed[:, 2], _STARTS) / (_ENDS - _STARTS)
-    washes = _washes(turned, view)
-    # Rounded, so that faces equally far keep their order on every machine.
-    order = np.argsort(-np.round(depths, 9), kind="stable")
-    return "".join(
-        _face(placed[_STARTS[i] : _ENDS[i], :2].tolist(), int(washes[i]), role) for i in order
-    )
-
-
-def _face(corners: list[Point], washes: int, role: str) -> str:
-    """Paper, then as many washes of the role's colour as the face is dark."""
-    wash = polygon(corners, f"{role} thin fill")
-    return polygon(corners, "casing solid") + wash * washes
-
-
-def _washes(turned: Floats, view: Floats) -> NDArray[np.int64]:
-    """One for a face that looks at the light, to four for one that looks away.
-
-    Both sides of a plate are drawn: the side that faces the viewer counts.
-    """
-    corner, second, third = (turned[_STARTS + step] for step in range(3))
-    normals = np.cross(second - corner, third - corner)
-    sizes = np.maximum(np.sqrt((normals * normals).sum(axis=-1)), 1e-9)
-    lit = -np.sign(normals @ view[2]) * (normals @ _TOWARDS_LIGHT) / sizes
-    return 1 + np.rint(1.5 * (1.0 - lit)).astype(np.int64)
+    look = View(view, centre, unit)
+    turned = [face @ R.T for face in FACES]
+    return drawn([Face(face, role, shaded(face, look, _TOWARDS_LIGHT)) for face in turned], look)

@@ -14,6 +14,7 @@ from numpy.typing import ArrayLike
 
 from simulations.engine.drawing import Point, arrow, dot, line, path, polyline, text
 from simulations.engine.frame import format_number
+from simulations.engine.space.view import runs
 from simulations.models.arrays import Floats
 from simulations.models.geometry import euler
 from simulations.models.geometry.rotation_paths import rate_axes
@@ -62,35 +63,19 @@ def draw(yaw_rad: float, pitch_rad: float, roll_rad: float, view: Floats) -> str
     R = euler.to_matrix("ZYX", (yaw_rad, pitch_rad, roll_rad))
     circles = [on_screen(ring.at(np.linspace(0.0, 2 * math.pi, STEPS + 1)), view) for ring in three]
     parts = [
-        path(pieces(circle, front=False), f"{ring.role} thin faint")
+        path(runs(circle, front=False), f"{ring.role} thin faint")
         for ring, circle in zip(three, circles, strict=True)
     ]
     parts += [_axis(ring, view, front=False) for ring in three]
     parts.append(aircraft.draw(R, view, CENTRE, 104.0, "camera"))
     parts += [_axis(ring, view, front=True) for ring in three]
     parts += [
-        path(pieces(circle, front=True), f"{ring.role} thin")
+        path(runs(circle, front=True), f"{ring.role} thin")
         for ring, circle in zip(three, circles, strict=True)
     ]
     parts += [mark for ring in three for mark in _angle(ring, view)]
     parts += _legend(three)
     return "".join(parts)
-
-
-def pieces(points: Floats, *, front: bool) -> list[list[list[float]]]:
-    """Connected runs of the segments whose middle lies before the centre, or behind it.
-
-    ``points`` (n, 3) hold view box x, y and depth.
-    """
-    rows, depths = points[:, :2].tolist(), points[:, 2]
-    here = ((depths[:-1] + depths[1:]) <= 0) == front
-    runs: list[list[list[float]]] = []
-    for index in np.flatnonzero(here).tolist():
-        if runs and index > 0 and here[index - 1]:
-            runs[-1].append(rows[index + 1])
-        else:
-            runs.append([rows[index], rows[index + 1]])
-    return runs
 
 
 def _axis(ring: Ring, view: Floats, *, front: bool) -> str:

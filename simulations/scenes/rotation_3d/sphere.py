@@ -11,12 +11,12 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from simulations.engine.drawing import circle, dot, line, path, text
+from simulations.engine.space.view import runs
 from simulations.models.arrays import Floats
 from simulations.models.geometry import quaternions
 from simulations.models.geometry.quaternion_blends import Blend
 from simulations.models.geometry.rotation_paths import euler_blend, matrix_blend
 from simulations.scenes.rotation_3d import aircraft
-from simulations.scenes.rotation_3d.rings import pieces
 
 WIDTH, HEIGHT = 400.0, 400.0
 CENTRE, RADIUS = (200.0, 212.0), 150.0
@@ -96,13 +96,13 @@ def _globe(view: Floats) -> Iterator[str]:
         np.stack([around[0], flat, around[1]], axis=-1),
         np.stack([flat, *around], axis=-1),
     )
-    halves = [run for ring in rings for run in pieces(on_screen(ring, view), front=True)]
+    halves = [run for ring in rings for run in runs(on_screen(ring, view), front=True)]
     yield path(halves, "muted thin faint")
 
 
 def _trace(points: Floats, name: str, *, front: bool) -> str:
     style = f"{ROLES[name]} {MANNERS[name]}" + ("" if front else " faint")
-    return path(pieces(points, front=front), style)
+    return path(runs(points, front=front), style)
 
 
 def _marks(trace: Floats) -> Iterator[str]:

@@ -1,7 +1,7 @@
 """The drawings of the sensor-noise scene: labels of the wedge, and the photon-transfer plot."""
 
 import math
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -154,7 +154,7 @@ def _names(plot: Plot, curve: Curve, chosen: Point) -> str:
             "below right",
         ),
     ]
-    seen = [
+    seen: list[Sequence[Point]] = [
         *plot.pieces(means, np.maximum(shot + floor, LOWEST_DN2)),
         *plot.pieces(means, shot),
         [plot.held(low, floor), plot.held(high, floor)],

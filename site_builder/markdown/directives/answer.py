@@ -5,12 +5,14 @@ from collections.abc import Sequence
 from site_builder.book import Block, Reveal
 from site_builder.markdown.bodies import BLOCKS
 from site_builder.markdown.directive import Argument, Directive, Use
+from site_builder.markdown.questions.question import prediction_id
 from site_builder.markdown.reading import Reading
 
 
 def read_reveal(use: Use, _body: Sequence[Block], reading: Reading) -> Reveal:
     name = reading.free_id(f"answer-{use.argument}", use.line)
-    return Reveal(use.argument, name, reading.path, use.line)
+    asked = (item.name for item in reading.placed.values() if item.id == prediction_id(use))
+    return Reveal(use.argument, name, next(asked, ""), reading.path, use.line)
 
 
 ANSWER = Directive(

@@ -6,7 +6,7 @@ from markdown_it.token import Token
 
 from site_builder.book import Option, Prediction
 from site_builder.markdown.bodies import plain_tokens
-from site_builder.markdown.directive import Argument, Body, Directive, OptionLine, Use
+from site_builder.markdown.directive import Argument, Body, Directive, Numbered, OptionLine, Use
 from site_builder.markdown.questions.answers import Parts, check_parts, split_body
 from site_builder.markdown.questions.options import (
     UNIT,
@@ -19,6 +19,7 @@ from site_builder.markdown.questions.question import (
     check_answers,
     check_id,
     check_options_belong,
+    prediction_id,
     prompt_text,
 )
 from site_builder.markdown.questions.sketches import read_curve
@@ -39,7 +40,6 @@ LEAST = {"choice": (2, "- [ ] …"), "number": (1, "- [x] `expression`")}
 
 def read_predict(use: Use, body: Sequence[Token], reading: Reading) -> Prediction | None:
     check_id(use, reading)
-    reading.take_id(f"predict-{use.argument}", use.line, use.name)
     kind = use.text("kind")
     check_options_belong(use, kind, BELONGS, reading)
     parts = Parts(tuple(body), (), ()) if kind == "sketch" else split_body(body)
@@ -93,4 +93,5 @@ PREDICT = Directive(
     body=Body("the question, and its answers as a list", plain_tokens),
     read=read_predict,
     template="predict",
+    numbered=Numbered("Prediction", prediction_id),
 )

@@ -19,6 +19,11 @@ def check_id(use: Use, reading: Reading) -> None:
         reading.problem(use.line, f"{use.name} id {use.argument!r}; legal: {legal}")
 
 
+def prediction_id(use: Use) -> str:
+    """Element id of the prediction that this is, or is the answer to."""
+    return f"predict-{use.argument}"
+
+
 def check_options_belong(
     use: Use, kind: str, belongs: Mapping[str, tuple[str, ...]], reading: Reading
 ) -> None:

@@ -41,8 +41,9 @@ ATTRIBUTES = (
 )  # fmt: skip
 """Of MathML, what TeX can ask for. The converter lets through what looks like markup in a formula,
 scripts included."""
+IN_WORDS = {"no available tokens": "a command at the end lacks what it is to work on"}
 SPACES = {"negativethinmathspace": "-0.167em"}
-LETTERS = {"∞", "∅"}
+LETTERS = {"∞", "∅", "⊤"}
 OPERATORS = {"~": "∼", "‖": "‖", "⌊": "⌊", "⌋": "⌋", "⌈": "⌈", "⌉": "⌉"}
 FUNCTIONS_WITH_LIMITS = {"max", "min", "argmax", "argmin", "sup", "inf", "lim"}
 
@@ -82,7 +83,8 @@ def quoted(tex: str) -> str:
 def _in_words(error: Exception) -> str:
     """``double subscripts`` for a `DoubleSubscriptsError`, which says no more than its name."""
     name = type(error).__name__.removesuffix("Error")
-    return str(error) or re.sub(r"(?<=[a-z])(?=[A-Z])", " ", name).lower()
+    words = str(error) or re.sub(r"(?<=[a-z])(?=[A-Z])", " ", name).lower()
+    return IN_WORDS.get(words, words)
 
 
 def _rewrite(tex: str) -> str:

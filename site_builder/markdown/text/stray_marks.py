@@ -50,6 +50,7 @@ def stray_marks_rule(state: StateCore) -> None:
                 problems += _in_table(token, lines)
     problems += foreign_marks(state.tokens)
     problems += _lost_footnotes(state, lines)
+    problems += _lost_addresses(state)
 
 
 def _in_text(text: str) -> Iterator[str]:
@@ -80,6 +81,17 @@ def _cells_told(count: int) -> str:
 
 def _cells(line: str) -> list[str]:
     return escapedSplit(line.strip().removeprefix("|").removesuffix("|"))
+
+
+def _lost_addresses(state: StateCore) -> Iterator[tuple[int, str]]:
+    """Lines like ``[Note]: beware`` that give an address to a link which is nowhere: all that they
+    say would be lost."""
+    source = " ".join(state.src.casefold().split())
+    for label, found in state.env.get("references", {}).items():
+        if source.count(f"[{label.casefold()}]") == 1:
+            legal = "words in bold, or a link '[words](https://…)'"
+            message = f"'[{label.lower()}]: …' is the address of no link; legal: {legal}"
+            yield found["map"][0] + 1, message
 
 
 def _lost_footnotes(state: StateCore, lines: Sequence[str]) -> Iterator[tuple[int, str]]:

@@ -12,6 +12,9 @@ from site_builder.languages.words import ENGLISH, SCRIPT, Words, languages, load
 ROOT = Path(__file__).parents[3]
 OTHERS = [language for language in languages() if language != "en"]
 PLACEHOLDER = re.compile(r"\{(\w+)\}")
+BLOCK_COMMENT = re.compile(r"/\*.*?\*/", re.DOTALL)
+NAMES = {"CPython", "Esc", "ISBN", "feed", "xml", "urn", "uuid"}
+"""What is called the same in all languages, and parts of addresses."""
 OF_TEMPLATES = re.compile(r"""\bt\(\s*"([\w.-]+)("\s*~)?""")
 OF_PYTHON = re.compile(r"""\bwords\(\s*(f?)"([\w.-]+)""")
 OF_SCRIPTS = re.compile(r"""\bwords\(\s*(["`])([\w.-]+)""")
@@ -122,3 +125,25 @@ def test_numbers_are_written_as_the_language_does(text: str, german: str) -> Non
 def test_an_authors_label_takes_the_place_of_the_languages() -> None:
     words = load_words("de").labelled({"figure": "Bild", "table": ""})
     assert (words.label("Figure"), words.label("Table")) == ("Bild", "Tabelle")
+
+
+def test_templates_say_nothing_of_their_own() -> None:
+    said = {word for file, text in sources() if "templates" in file.parts for word in bare(text)}
+    assert said <= NAMES
+
+
+def test_scripts_say_nothing_of_their_own() -> None:
+    sentence = re.compile(r"""["`]([A-Z][a-z]+ [a-z][^"`]*)["`]""")
+    texts = (BLOCK_COMMENT.sub("", text) for file, text in sources() if file.suffix == ".js")
+    assert [found for text in texts for found in sentence.findall(text)] == []
+
+
+def bare(template: str) -> list[str]:
+    """Words that stand in a template itself, between its tags or in what is read out."""
+    for hidden in (r"\{#.*?#\}", r"<(script|style)\b.*?</\1>", r"\{[{%].*?[%}]\}", r"&\w+;"):
+        template = re.sub(hidden, "", template, flags=re.DOTALL)
+    read = re.findall(
+        r'\b(?:aria-label|aria-description|title|alt|placeholder)="([^"#-]*)"', template
+    )
+    text = re.sub(r"<[^>]*>", " ", template)
+    return [word for part in (text, *read) for word in re.findall(r"[A-Za-z]{2,}", part)]

@@ -66,3 +66,8 @@ def test_questions_are_found_and_their_answers_are_not(sections: tuple[Section, 
 
 def test_text_of_three_minutes_takes_three_minutes() -> None:
     assert reading_minutes("<p>" + "word " * 540 + "</p>") == 3
+
+
+@pytest.mark.parametrize(("fold", "minutes"), [("<details>", 1), ("<details open>", 3)])
+def test_what_is_folded_takes_no_time_to_read(fold: str, minutes: int) -> None:
+    assert reading_minutes(f"<p>Some.</p>{fold}<p>{'word ' * 540}</p></details>") == minutes

@@ -1,6 +1,9 @@
 """Records of the search: addresses, and where the book introduces a term."""
 
-from site_builder.search.records import make_records
+from collections.abc import Callable
+
+from site_builder.build import Options, check_site
+from site_builder.search.records import explained_terms, make_records
 
 
 def page(body: str) -> bytes:
@@ -35,3 +38,10 @@ def test_a_section_says_which_terms_of_the_glossary_it_explains() -> None:
     pages = {"first/index.html": page('<p>A.</p><h2 id="b">B</h2><p>C.</p>')}
     records = make_records(pages, {"first/#b": ["pose"]})
     assert [record.explains for record in records] == [(), ("pose",)]
+
+
+def test_a_section_is_found_by_what_its_author_marked_for_the_index(
+    make_book: Callable[..., Options],
+) -> None:
+    book, *_ = check_site(make_book("Text.\n\n## Discs\n\nIt cuts {index}`a disc <bokeh>`.\n"))
+    assert explained_terms(book) == {"first/#discs": ["bokeh"]}

@@ -1,0 +1,196 @@
+"""Faces, wires, arrows and points of space, drawn back to front.
+
+    drawn([*box_faces, Wire(track, "ray bold"), Arrow(origin, tip, "camera")], VIEW)
+
+What lies farther is drawn first, each face by the mean depth of its corners, wires segment by
+segment. That is right for what does not pass through one another and is of like size; cut long
+faces where it is not. Depths are rounded, so that CPython and Pyodide draw in one order.
+"""
+
+import math
+from collections.abc import Iterable, Iterator, Sequence
+from dataclasses import dataclass
+from itertools import accumulate, groupby, pairwise
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from simulations.engine import drawing
+from simulations.engine.space.view import Points, View
+
+DIGITS = 9
+"""Of depths that are compared."""
+DARKEST = 3
+"""Washes more on a face that looks away from the light than on one that looks at it."""
+
+
+@dataclass(frozen=True, slots=True)
+class Face:
+    """A flat polygon, whose back is as its front."""
+
+    corners: ArrayLike
+    """(n, 3), in order round it."""
+    role: str
+    washes: int = 1
+    """Layers of the role's colour: how dark it is. `shaded` counts them."""
+
+
+@dataclass(frozen=True, slots=True)
+class Wire:
+    """A curve through points (n, 3)."""
+
+    points: ArrayLike
+    style: str
+
+
+@dataclass(frozen=True, slots=True)
+class Arrow:
+    """A straight line with a head at its end."""
+
+    start: ArrayLike
+    end: ArrayLike
+    style: str
+    head: float = 8.0
+
+
+@dataclass(frozen=True, slots=True)
+class Dot:
+    """A point."""
+
+    point: ArrayLike
+    style: str
+    radius: float = 4.0
+
+
+@dataclass(frozen=True, slots=True)
+class Words:
+    """A label beside a point; it hides what lies behind it and is hidden by what lies before."""
+
+    point: ArrayLike
+    words: str
+    style: str = "halo"
+    offset: tuple[float, float] = (8.0, -6.0)
+    anchor: str = "start"
+
+
+type Solid = Face | Wire | Arrow | Dot | Words
+
+
+@dataclass(frozen=True, slots=True)
+class _Piece:
+    """Something of one depth."""
+
+    depth: float
+    thing: int
+    """Which of the solids it is of."""
+    markup: str = ""
+    segment: tuple[list[float], list[float]] | None = None
+    """Of a wire, instead of markup."""
+
+
+def drawn(solids: Sequence[Solid], view: View) -> str:
+    """SVG of all of them; what the eye has too near is left out."""
+    pieces = [
+        piece
+        for n, (solid, places) in enumerate(zip(solids, _placed(solids, view), strict=True))
+        for piece in _pieces(n, solid, places)
+    ]
+    pieces.sort(key=lambda piece: -round(piece.depth, DIGITS))  # stable: equals keep their order
+    parts: list[str] = []
+    for thing, group in groupby(pieces, key=lambda piece: piece.thing):
+        solid, together = solids[thing], list(group)
+        if isinstance(solid, Wire):
+            segments = [piece.segment for piece in together if piece.segment]
+            parts.append(drawing.path(_joined(segments), solid.style))
+        else:
+            parts += [piece.markup for piece in together]
+    return "".join(parts)
+
+
+def _placed(solids: Sequence[Solid], view: View) -> list[list[list[float]]]:
+    """The places of each one's points: view box x, y, and depth. All at once, which is quicker."""
+    points = [_points(solid) for solid in solids]
+    if not points:
+        return []
+    places = view.place(np.concatenate(points)).tolist()
+    ends = list(accumulate(map(len, points)))
+    return [places[end - len(own) : end] for end, own in zip(ends, points, strict=True)]
+
+
+def _points(solid: Solid) -> Points:
+    match solid:
+        case Face(corners):
+            return np.asarray(corners, float)
+        case Wire(curve):
+            return np.asarray(curve, float)
+        case Arrow(start, end):
+            return np.stack([np.asarray(start, float), np.asarray(end, float)])
+        case Dot(point) | Words(point):
+            return np.asarray(point, float)[None]
+
+
+def _pieces(n: int, solid: Solid, places: list[list[float]]) -> Iterator[_Piece]:
+    if isinstance(solid, Wire):
+        for start, end in pairwise(places):
+            if math.isfinite(start[0]) and math.isfinite(end[0]):
+                yield _Piece((start[2] + end[2]) / 2, n, segment=(start[:2], end[:2]))
+        return
+    if not all(math.isfinite(place[0]) for place in places):
+        return
+    depth = sum(place[2] for place in places) / len(places)
+    match solid:
+        case Face(_, role, washes):
+            markup = _face(places, role, washes)
+        case Arrow(_, _, style, head):
+            markup = drawing.arrow(places[0], places[1], style, head)
+        case Dot(_, style, radius):
+            markup = drawing.dot(places[0], style, radius)
+        case Words(_, words, style, (right, down), anchor):
+            at = (places[0][0] + right, places[0][1] + down)
+            markup = drawing.text(at, words, style, anchor)
+    yield _Piece(depth, n, markup)
+
+
+def _face(places: list[list[float]], role: str, washes: int) -> str:
+    """Paper, then as many washes of the role's colour as the face is dark."""
+    wash = drawing.polygon(places, f"{role} thin fill")
+    return drawing.polygon(places, "casing solid") + wash * washes
+
+
+def _joined(segments: Iterable[tuple[list[float], list[float]]]) -> list[list[list[float]]]:
+    """Segments as runs, where one ends at the beginning of another, in any order."""
+    runs: list[list[list[float]]] = []
+    for start, end in segments:
+        for run in runs:
+            if run[-1] == start:
+                run.append(end)
+                break
+            if run[0] == end:
+                run.insert(0, start)
+                break
+        else:
+            runs.append([start, end])
+    return runs
+
+
+def shaded(corners: ArrayLike, view: View, towards_light: ArrayLike) -> int:
+    """Washes of a face (n, 3): 1 where it looks at a distant light, to 4 where it looks away.
+
+    The side that faces the viewer counts.
+    """
+    (x0, y0, z0), (x1, y1, z1), (x2, y2, z2) = np.asarray(corners, float)[:3].tolist()
+    one, other = (x1 - x0, y1 - y0, z1 - z0), (x2 - x0, y2 - y0, z2 - z0)
+    normal = (
+        one[1] * other[2] - one[2] * other[1],
+        one[2] * other[0] - one[0] * other[2],
+        one[0] * other[1] - one[1] * other[0],
+    )
+    size = max(math.hypot(*normal), 1e-9)
+    away = _dot(normal, view.axes[2].tolist())
+    light = [float(value) for value in np.asarray(towards_light, float)]
+    lit = -math.copysign(1.0, away) * _dot(normal, light) / size if away else 0.0
+    return 1 + round(0.5 * DARKEST * (1.0 - lit))
+
+
+def _dot(one: Sequence[float], other: Sequence[float]) -> float:
+    return sum(a * b for a, b in zip(one, other, strict=True))

@@ -1,0 +1,125 @@
+"""A view of space: where points of three dimensions lie in the panel, and how far away.
+
+VIEW = orbit(30, 20, centre=(200, 150), unit=90)           # parallels stay parallel
+NEAR = orbit(30, 20, centre=(200, 150), unit=90, distance=5)  # what is near is larger
+
+arrow(VIEW.at(0, 0, 0), VIEW.at(1, 0, 0), "world")
+"""
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+type Points = NDArray[np.floating]
+
+NEAREST = 0.05
+"""Of the eye's distance: what lies closer to the eye, or behind it, is not seen."""
+UP = (0.0, 0.0, 1.0)
+
+
+@dataclass(frozen=True, slots=True)
+class View:
+    """An eye that looks at a point of the world from a direction."""
+
+    axes: Points
+    """(3, 3) rows: right, down and away, unit vectors of the world."""
+    centre: tuple[float, float] = (0.0, 0.0)
+    """Where the point that is looked at lies in the view box."""
+    unit: float = 1.0
+    """View box units for a length of 1 there."""
+    target: tuple[float, float, float] = (0.0, 0.0, 0.0)
+    """The point that is looked at."""
+    distance: float = math.inf
+    """Of the eye from it; at infinity parallels stay parallel."""
+
+    def place(self, points: ArrayLike) -> Points:
+        """Points (..., 3) in the panel: view box x, y, and the depth behind the target.
+
+        NaN for x and y of what the eye has too near, or behind it.
+        """
+        seen = (np.asarray(points, float) - self.target) @ self.axes.T
+        depth = seen[..., 2:]
+        flat = seen[..., :2]
+        if math.isfinite(self.distance):
+            before = self.distance + depth
+            shown = before >= NEAREST * self.distance
+            flat = np.where(shown, flat * self.distance / np.where(shown, before, 1.0), np.nan)
+        return np.concatenate([flat * self.unit + self.centre, depth], axis=-1)
+
+    def all(self, points: ArrayLike) -> Points:
+        """Points (..., 3) in view box units (..., 2)."""
+        return self.place(points)[..., :2]
+
+    def at(self, *point: float) -> tuple[float, float]:
+        """One point in view box units."""
+        x, y = self.all(point).tolist()
+        return x, y
+
+
+def axes_towards(direction: ArrayLike, up: ArrayLike = UP) -> Points:
+    """Axes (3, 3) of an eye in that direction, upright as ``up`` says; the two not parallel."""
+    away = -_unit(np.asarray(direction, float))
+    right = np.cross(away, np.asarray(up, float))
+    if not np.linalg.norm(right) > 1e-12:
+        raise ValueError("direction and up are parallel; legal: any other direction")
+    right = _unit(right)
+    return np.stack([right, np.cross(away, right), away])
+
+
+def _unit(vector: Points) -> Points:
+    length = float(np.linalg.norm(vector))
+    if not 0.0 < length < math.inf:
+        raise ValueError(f"direction {vector.tolist()}; legal: three numbers, not all 0")
+    return vector / length
+
+
+def orbit(
+    azimuth_deg: float,
+    elevation_deg: float,
+    *,
+    centre: tuple[float, float] = (0.0, 0.0),
+    unit: float = 1.0,
+    distance: float = math.inf,
+    target: Sequence[float] = (0.0, 0.0, 0.0),
+) -> View:
+    """From a direction in degrees, with z upwards: round from x towards y, and up. Straight from
+    above and below, x is down or up in the panel."""
+    return View(
+        orbit_axes(azimuth_deg, elevation_deg),
+        centre,
+        unit,
+        (float(target[0]), float(target[1]), float(target[2])),
+        distance,
+    )
+
+
+def orbit_axes(azimuth_deg: float, elevation_deg: float, *, z_down: bool = False) -> Points:
+    """The axes (3, 3) of that eye, also where it looks straight down; with ``z_down`` of a world
+    whose z points to the ground, as pilots have it."""
+    turn, rise = math.radians(azimuth_deg), math.radians(elevation_deg)
+    sign = -1.0 if z_down else 1.0
+    ahead, aside = math.cos(turn), math.sin(turn)
+    right = (-sign * aside, sign * ahead, 0.0)
+    down = (math.sin(rise) * ahead, math.sin(rise) * aside, -sign * math.cos(rise))
+    away = (-math.cos(rise) * ahead, -math.cos(rise) * aside, -sign * math.sin(rise))
+    return np.array([right, down, away])
+
+
+def runs(places: Points, *, front: bool) -> list[list[list[float]]]:
+    """Connected runs of a curve's segments whose middle lies before the target, or behind it.
+
+    ``places`` (n, 3) hold view box x, y and depth, as `View.place` gives them.
+    """
+    rows, depths = places[:, :2].tolist(), places[:, 2]
+    here = ((depths[:-1] + depths[1:]) <= 0) == front
+    here &= np.isfinite(places[:-1, 0]) & np.isfinite(places[1:, 0])
+    found: list[list[list[float]]] = []
+    for index in np.flatnonzero(here).tolist():
+        if found and index > 0 and here[index - 1]:
+            found[-1].append(rows[index + 1])
+        else:
+            found.append([rows[index], rows[index + 1]])
+    return found

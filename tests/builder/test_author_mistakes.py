@@ -1,0 +1,71 @@
+"""Slips of authors, more than two hundred, a few lines each: none is silent, none ends in a
+traceback, each is told at its place.
+
+In ``fixtures/author_mistakes``, ``=== LINE: GIST`` stands above what is written in the first
+chapter below its front matter, and ``=== FILE:LINE: GIST`` above a whole file.
+"""
+
+import re
+from collections.abc import Callable
+from dataclasses import dataclass, replace
+from pathlib import Path
+
+import pytest
+
+from site_builder.build import Options, check_site
+from site_builder.diagnostics import BuildError, Diagnostic
+
+FIXTURES = Path(__file__).parents[1] / "fixtures" / "author_mistakes"
+HEAD = re.compile(r"^=== (?:(\S+):)?(\d+): (.*)\n", re.MULTILINE)
+CHAPTER = "content/00-first.md"
+FRONT = "---\ntitle: First\nsummary: The first chapter.\n---\n"
+
+
+@dataclass(frozen=True, slots=True)
+class Slip:
+    """One mistake."""
+
+    files: dict[str, str]
+    path: str
+    line: int
+    gist: str
+    """How the message begins."""
+
+
+def read_slips(file: Path) -> list[Slip]:
+    _, *parts = HEAD.split(file.read_text(encoding="utf-8"))
+    found = []
+    for path, line, gist, body in zip(*(parts[n::4] for n in range(4)), strict=True):
+        files = {path: body} if path else {CHAPTER: FRONT + body}
+        if path and path.endswith("/scene.py"):
+            files[path.replace("scene.py", "__init__.py")] = ""
+        below = 0 if path else FRONT.count("\n")
+        found.append(Slip(files, path or CHAPTER, int(line) + below, gist))
+    return found
+
+
+SLIPS = [
+    pytest.param(slip, id=f"{file.stem}-{number}")
+    for file in sorted(FIXTURES.glob("*.txt"))
+    for number, slip in enumerate(read_slips(file), start=1)
+]
+
+
+def test_there_are_at_least_two_hundred() -> None:
+    assert len(SLIPS) >= 200
+
+
+@pytest.mark.parametrize("slip", SLIPS)
+def test_a_slip_is_told_at_its_place(make_book: Callable[..., Options], slip: Slip) -> None:
+    outline = 'title = "T"\nsubtitle = "S"\nprerequisites = "P"\n'
+    outline += 'chapters = ["00-first", "01-second"]\n'
+    options = make_book(files={"content/book.toml": outline, **slip.files})
+    found: list[Diagnostic] = []
+    try:
+        check_site(replace(options, warn=found.append))
+    except BuildError as error:
+        found += error.diagnostics
+    assert any(
+        (one.path, one.line) == (slip.path, slip.line) and one.message.startswith(slip.gist)
+        for one in found
+    ), [str(one) for one in found]
