@@ -24,7 +24,7 @@ from simulations.registry import UnknownIdError
 from site_builder.book import Chapter
 from site_builder.diagnostics import Diagnostics
 from site_builder.languages.words import load_words
-from site_builder.markdown.chapter import parse_chapter, read_chapter, survey
+from site_builder.markdown.chapter import find_targets, parse_chapter, read_chapter, survey
 from site_builder.markdown.parser import make_parser
 from site_builder.markdown.reading import Reading
 
