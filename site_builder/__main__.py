@@ -2,6 +2,7 @@
 the exit code."""
 
 import argparse
+import errno
 import json
 import sys
 from collections.abc import Sequence
@@ -49,7 +50,10 @@ def main(arguments: list[str] | None = None) -> int:
         mistakes = counted(error.diagnostics, "mistake")
         print(f"{mistakes}; nothing was written", file=sys.stderr)
         return 1
-    except (OSError, ValueError, RuntimeError) as error:
+    except OSError as error:
+        print(f"{error}{_way_out(error)}", file=sys.stderr)
+        return 1
+    except (ValueError, RuntimeError) as error:
         print(error, file=sys.stderr)
         return 1
     except KeyboardInterrupt:
@@ -106,6 +110,16 @@ def _edition(book: Book, kind: str) -> Path:
     from site_builder.markdown.headings import slug
 
     return ROOT / "build" / f"{slug(book.title)}.{kind}"
+
+
+def _way_out(error: OSError) -> str:
+    """What to do where the disk takes nothing more."""
+    full = error.errno in (errno.ENOSPC, errno.EDQUOT)
+    shut = error.errno in (errno.EROFS, errno.EACCES, errno.EPERM)
+    if not (full or shut):
+        return ""
+    better = "make room" if full else "choose a folder that can be written, by --out"
+    return f"; what was built before is as it was; {better}, and build again"
 
 
 def written(out: Path, edition: bytes) -> None:

@@ -114,6 +114,8 @@ def read_book(
             macros=outline.macros,
         )
 
+    given = (known, words, tuple(sorted(outline.macros.items())))
+
     def definitions(own: Diagnostics) -> tuple[Definition, ...]:
         return read_definitions(shared.glossary, beside(GLOSSARY, own))
 
@@ -133,8 +135,8 @@ def read_book(
         chapters=tuple(page.read(targets, known, problems) for page in pages),
         bibliography=shared.bibliography,
         lecture_plan=read_lecture_plan(root, targets, problems),
-        glossary=_read_kept(root, GLOSSARY, problems, definitions, "definitions", known, words),
-        symbols=_read_kept(root, SYMBOLS, problems, meanings, "meanings", known, words),
+        glossary=_read_kept(root, GLOSSARY, problems, definitions, "definitions", *given),
+        symbols=_read_kept(root, SYMBOLS, problems, meanings, "meanings", *given),
     )
 
 

@@ -10,24 +10,33 @@ let shown = 0;
 let source = fetchSource();
 
 channel.addEventListener("message", ({ data }) => hear(data));
+channel.postMessage({ kind: "asked" });
 putBack();
 if (navigator.locks) navigator.locks.request("builds", listen);
 else listen();
 
+/** For as long as this page is open. */
 function listen() {
   const events = new EventSource("/.reload/events");
+  /** @type {object | null} */
+  let last = null;
+  channel.addEventListener("message", ({ data }) => {
+    if (data.kind === "asked" && last) channel.postMessage(last);
+  });
   for (const kind of ["built", "failed"]) {
     events.addEventListener(kind, (event) => {
       const told = { kind, said: JSON.parse(event.data) };
+      last = told;
       channel.postMessage(told);
       hear(told);
     });
   }
-  return new Promise(() => {}); // for as long as this page is open
+  return new Promise(() => {});
 }
 
 /** @param {{ kind: string, said: any }} told */
 function hear({ kind, said }) {
+  if (kind === "asked") return;
   document.getElementById("build-mistakes")?.remove();
   if (kind === "failed") showMistakes(said);
   else if (document.title === "Being built") location.reload();

@@ -1,11 +1,17 @@
 """The site is written whole or not at all."""
 
+import errno
 import os
+import subprocess
+import sys
 from pathlib import Path
 
 import pytest
 
+from site_builder.output.exchange import exchange
 from site_builder.output.writer import write_site
+
+ROOT = Path(__file__).parents[3]
 
 
 def test_the_site_is_replaced_as_a_whole(tmp_path: Path) -> None:
@@ -32,6 +38,7 @@ def test_a_swap_that_fails_brings_the_last_site_back(
 ) -> None:
     out = tmp_path / "site"
     write_site({"book.json": b"{}"}, out)
+    monkeypatch.setattr("site_builder.output.writer.exchange", lambda *_: False)
     rename = Path.rename
 
     def refuse_the_new(self: Path, target: Path) -> Path:
@@ -67,3 +74,64 @@ def test_a_file_is_never_replaced_by_a_site(tmp_path: Path) -> None:
     (tmp_path / "thesis.tex").write_text("years of work")
     with pytest.raises(ValueError, match="holds no site"):
         write_site({"book.json": b"{}"}, tmp_path / "thesis.tex")
+
+
+def test_what_has_changed_is_told(tmp_path: Path) -> None:
+    out = tmp_path / "site"
+    assert set(write_site({"book.json": b"{}", "a": b"a"}, out)) == {"book.json", "a"}
+    assert set(write_site({"book.json": b"{}", "b": b"b"}, out)) == {"a", "b"}
+    assert write_site({"book.json": b"{}", "b": b"b"}, out) == ()
+
+
+def test_what_a_killed_build_left_behind_goes_with_the_next(tmp_path: Path) -> None:
+    (tmp_path / ".site-999999999-new" / "a").mkdir(parents=True)
+    (tmp_path / ".other-999999999-new").mkdir()
+    write_site({"book.json": b"{}"}, tmp_path / "site")
+    assert sorted(path.name for path in tmp_path.iterdir()) == [".other-999999999-new", "site"]
+
+
+def test_a_site_that_a_killed_build_had_moved_away_is_put_back(tmp_path: Path) -> None:
+    write_site({"book.json": b"{}", "kept": b"good"}, tmp_path / "site")
+    (tmp_path / "site").rename(tmp_path / ".site-999999999-old")
+    with pytest.raises(FileNotFoundError):
+        write_site({"book.json": b"new", "gone": tmp_path / "gone"}, tmp_path / "site")
+    assert (tmp_path / "site" / "kept").read_bytes() == b"good"
+
+
+def test_two_builds_at_once_leave_one_whole_site(tmp_path: Path) -> None:
+    """Each in a process of its own, as they would be."""
+    program = (
+        "import sys; from pathlib import Path; from site_builder.output.writer import write_site\n"
+        "files = {f'{n}.html': sys.argv[2].encode() for n in range(99)} | {'book.json': b'{}'}\n"
+        "for _ in range(9): write_site(files, Path(sys.argv[1]))"
+    )
+    command = [sys.executable, "-c", program, str(tmp_path / "site")]
+    both = [subprocess.Popen([*command, name], cwd=ROOT) for name in ("one", "two")]
+    assert [build.wait() for build in both] == [0, 0]
+    found = {file.read_bytes() for file in (tmp_path / "site").glob("*.html")}
+    assert found in ({b"one"}, {b"two"})
+    assert [path.name for path in tmp_path.iterdir()] == ["site"]
+
+
+def test_a_full_disk_leaves_the_last_site(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    out = tmp_path / "site"
+    write_site({"book.json": b"{}", "a": b"a"}, out)
+
+    def refuse(_self: Path, _data: bytes) -> int:
+        raise OSError(errno.ENOSPC, os.strerror(errno.ENOSPC))
+
+    monkeypatch.setattr(Path, "write_bytes", refuse)
+    with pytest.raises(OSError, match="No space left"):
+        write_site({"book.json": b"{}", "a": b"b"}, out)
+    assert (out / "a").read_bytes() == b"a"
+    assert [path.name for path in tmp_path.iterdir()] == ["site"]
+
+
+def test_a_folder_changes_places_with_another(tmp_path: Path) -> None:
+    for name in ("one", "two"):
+        (tmp_path / name).mkdir()
+        (tmp_path / name / name).touch()
+    if not exchange(tmp_path / "one", tmp_path / "two"):
+        pytest.skip("this system cannot")
+    assert (tmp_path / "one" / "two").exists()
+    assert (tmp_path / "two" / "one").exists()
