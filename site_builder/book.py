@@ -13,12 +13,12 @@ from pathlib import PurePosixPath
 from typing import Any
 
 from simulations.engine.scene import Scene
-from site_builder.bibliography import EMPTY, Bibliography
-from site_builder.glossary import Term
+from site_builder.beside.bibliography import EMPTY, Bibliography
+from site_builder.beside.glossary import Term
+from site_builder.beside.news import News
+from site_builder.beside.symbols import Symbol
 from site_builder.languages.words import ENGLISH, Words
-from site_builder.news import News
 from site_builder.settings.model import FILE_NAME, Settings
-from site_builder.symbols import Symbol
 
 OUTLINE = FILE_NAME
 """The file that names the book, its chapters and the figure on its cover."""

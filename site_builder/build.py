@@ -15,12 +15,14 @@ from simulations.registry import LADDER_MODULES, SCENE_MODULES, load_ladder, loa
 from site_builder.blame import place_of
 from site_builder.book import Book, contents
 from site_builder.book_root import ENGINE, own_or_engine
-from site_builder.checks import check_book
-from site_builder.declared import check_declarations
+from site_builder.checks.declared import check_declarations
+from site_builder.checks.frames import check_frames
+from site_builder.checks.pictures import check_pictures
+from site_builder.checks.purity import check_purity
+from site_builder.checks.whole_book import check_book
 from site_builder.diagnostics import BuildError, Diagnostic, Diagnostics
 from site_builder.editor.bundle import EditorBundle, EditorBundleError, bundle_editor
 from site_builder.editor.sources import scene_sources
-from site_builder.frame_checks import check_frames
 from site_builder.kept.files import folder_hash
 from site_builder.kept.keeper import kept_as, reads_file, reads_folder
 from site_builder.kept.told import kept_reading
@@ -39,11 +41,9 @@ from site_builder.pages.catalogue import catalogue
 from site_builder.pages.licences import Licence, gather_licences
 from site_builder.pages.render import Site, render_pages, render_template
 from site_builder.pages.stills import Stills, render_stills
-from site_builder.picture_checks import check_pictures
 from site_builder.publishing.cards import make_cards
 from site_builder.publishing.icons import make_icons
 from site_builder.publishing.listings import make_listings
-from site_builder.purity import check_purity
 from site_builder.runtime.freeze import MissingModuleError
 from site_builder.runtime.pack import Modules, RuntimeBundle, pack_runtime
 from site_builder.runtime.pinned import Versions

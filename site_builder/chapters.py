@@ -6,12 +6,12 @@ from pathlib import Path
 from typing import Any
 
 from simulations.engine.scene import Scene
-from site_builder.bibliography import FILE as BIBLIOGRAPHY
-from site_builder.bibliography import Bibliography
+from site_builder.beside.bibliography import FILE as BIBLIOGRAPHY
+from site_builder.beside.bibliography import Bibliography
+from site_builder.beside.glossary import FILE as GLOSSARY
+from site_builder.beside.glossary import Glossary
 from site_builder.book import Chapter, Position, Target, chapter_id
 from site_builder.diagnostics import Diagnostics
-from site_builder.glossary import FILE as GLOSSARY
-from site_builder.glossary import Glossary
 from site_builder.kept.keeper import given_hash, kept_as, reads_file
 from site_builder.kept.told import kept_reading
 from site_builder.languages.words import Words

@@ -8,32 +8,32 @@ from string import ascii_uppercase
 from typing import Any
 
 from simulations.engine.scene import Scene
-from site_builder.bibliography import FILE as BIBLIOGRAPHY
-from site_builder.bibliography import Bibliography, read_bibliography
+from site_builder.beside.bibliography import FILE as BIBLIOGRAPHY
+from site_builder.beside.bibliography import Bibliography, read_bibliography
+from site_builder.beside.glossary import FILE as GLOSSARY
+from site_builder.beside.glossary import Glossary, read_glossary
+from site_builder.beside.news import read_news
+from site_builder.beside.symbols import FILE as SYMBOLS
+from site_builder.beside.symbols import read_symbols
 from site_builder.book import OUTLINE, Book, Definition, Meaning, Position, Simulation, chapter_id
 from site_builder.chapters import Page, Shared, targets_hash
 from site_builder.diagnostics import Diagnostics, unknown
-from site_builder.glossary import FILE as GLOSSARY
-from site_builder.glossary import Glossary, read_glossary
 from site_builder.kept.keeper import reads_file
 from site_builder.kept.told import kept_reading
 from site_builder.languages.words import Words, load_words
 from site_builder.lecture_plan import read_lecture_plan
 from site_builder.markdown.chapter import find_targets
-from site_builder.markdown.definitions import read_definitions, read_meanings
 from site_builder.markdown.inline import inline_html
 from site_builder.markdown.parser import make_parser
 from site_builder.markdown.reading import Reading
 from site_builder.markdown.scenes import find_scene
 from site_builder.markdown.text.macros import Macros, faults_of
+from site_builder.markdown.vocabulary.definitions import read_definitions, read_meanings
 from site_builder.measured.measurements import DATA as MEASUREMENTS
 from site_builder.measured.measurements import Measurements
-from site_builder.news import read_news
 from site_builder.settings.model import Settings
 from site_builder.settings.reading import read_settings
 from site_builder.source_text import Toml, read_text
-from site_builder.symbols import FILE as SYMBOLS
-from site_builder.symbols import read_symbols
 
 OWN_FOLDERS = (
     "assets", "cards", "glossary", "index-of-terms", "lecture-plan", "licences", "references",

@@ -12,8 +12,8 @@ from simulations.engine.stages import StageCache
 from site_builder.book import Book, Simulation
 from site_builder.drawing.frames import png
 from site_builder.languages.words import Words
-from site_builder.pages.control_view import value_text
 from site_builder.pages.stills import Still, Stills
+from site_builder.pages.views.control import value_text
 
 MOST = 4
 """Stills in a row, at most."""

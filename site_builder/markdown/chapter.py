@@ -8,13 +8,13 @@ from markdown_it.token import Token
 from site_builder.book import Chapter, Formula, Need, Target
 from site_builder.diagnostics import Diagnostics
 from site_builder.markdown.blocks import read_blocks
-from site_builder.markdown.front_matter import FrontMatter, read_front_matter
+from site_builder.markdown.files.front_matter import FrontMatter, read_front_matter
+from site_builder.markdown.files.splicing import splice
 from site_builder.markdown.inline import annotate, inline_html
 from site_builder.markdown.placing import place_targets
 from site_builder.markdown.reading import PAGE_IDS, Reading
-from site_builder.markdown.splicing import splice
 from site_builder.markdown.targets import Targets
-from site_builder.markdown.terms import mark_terms
+from site_builder.markdown.vocabulary.terms import mark_terms
 
 
 @dataclass(frozen=True, slots=True)

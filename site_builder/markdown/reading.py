@@ -9,11 +9,11 @@ from markdown_it import MarkdownIt
 from markdown_it.token import Token
 
 from simulations.engine.scene import Scene
-from site_builder.bibliography import EMPTY, Bibliography
+from site_builder.beside.bibliography import EMPTY, Bibliography
+from site_builder.beside.glossary import EMPTY as NO_TERMS
+from site_builder.beside.glossary import Glossary
 from site_builder.book import Citation, Heading, IndexMark, Link, Position, Target, TermUse
 from site_builder.diagnostics import Diagnostics
-from site_builder.glossary import EMPTY as NO_TERMS
-from site_builder.glossary import Glossary
 from site_builder.languages.words import ENGLISH, Words
 from site_builder.markdown.targets import Targets
 from site_builder.markdown.text.macros import Macros

@@ -9,26 +9,26 @@ from typing import Any
 from jinja2 import Environment, FileSystemLoader, StrictUndefined
 from markupsafe import Markup
 
-from site_builder.bibliography import EMPTY
+from site_builder.beside.bibliography import EMPTY
 from site_builder.book import Block, Book, Chapter, Heading, Simulation
 from site_builder.book_root import own_or_engine
 from site_builder.kept.files import folder_hash
 from site_builder.kept.keeper import given_hash, kept_as
 from site_builder.markdown.directives.simulation import SIMULATION
 from site_builder.markdown.text.code import highlighted_lines
-from site_builder.pages.glossary_view import marked_terms, view_glossary
-from site_builder.pages.index_view import view_index
-from site_builder.pages.ladder_view import summary_row, view_ladder
 from site_builder.pages.licences import Licence
 from site_builder.pages.outside import card_path, origin, page_address
 from site_builder.pages.places import card
-from site_builder.pages.predict_view import predict_data, view_sketch
-from site_builder.pages.progress_view import progress_data
-from site_builder.pages.quiz_view import in_any_order, quiz_data
-from site_builder.pages.references_view import cited_works
-from site_builder.pages.simulation_view import SimulationView, view_simulation
 from site_builder.pages.stills import Stills
-from site_builder.pages.symbols_view import view_symbols
+from site_builder.pages.views.glossary import marked_terms, view_glossary
+from site_builder.pages.views.index import view_index
+from site_builder.pages.views.ladder import summary_row, view_ladder
+from site_builder.pages.views.predict import predict_data, view_sketch
+from site_builder.pages.views.progress import progress_data
+from site_builder.pages.views.quiz import in_any_order, quiz_data
+from site_builder.pages.views.references import cited_works
+from site_builder.pages.views.simulation import SimulationView, view_simulation
+from site_builder.pages.views.symbols import view_symbols
 from site_builder.search.page_text import reading_minutes
 from site_builder.settings.reading import storage_prefix
 from site_builder.settings.theme import colours

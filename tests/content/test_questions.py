@@ -7,7 +7,7 @@ from statistics import mean
 import pytest
 from support.worked_numbers import CONTENT, source
 
-from site_builder.question_checks import FEW_LETTERS
+from site_builder.checks.questions import FEW_LETTERS
 
 CHAPTERS = tuple(sorted(file.stem for file in CONTENT.glob("*.md")))
 

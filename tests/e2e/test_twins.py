@@ -14,8 +14,8 @@ from simulations.registry import SCENE_MODULES, load_scene
 from site_builder.charts.axes import linear_axis, log_axis
 from site_builder.languages.words import ENGLISH
 from site_builder.measured.quantities import milliseconds, with_unit
-from site_builder.pages.control_view import value_text
-from site_builder.pages.simulation_view import count_stages, reason_text
+from site_builder.pages.views.control import value_text
+from site_builder.pages.views.simulation import count_stages, reason_text
 
 pytestmark = pytest.mark.browser
 

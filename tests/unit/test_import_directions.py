@@ -37,13 +37,11 @@ MODELS = (
 """Rooms of ``simulations/models``: each imports itself and what stands before it."""
 
 BUILDER = (
-    "blame", "book_root", "diagnostics", "kept", "drawing", "addresses", "source_text", "svg",
-    "purity", "languages", "settings", "bibliography", "glossary", "symbols", "news", "runtime",
-    "editor", "output", "offline", "measured", "charts", "book", "markdown", "lecture_plan",
-    "chapters", "source", "question_checks", "figure_questions", "declared", "glossary_checks",
-    "symbol_checks", "checks", "picture_checks", "search", "pages", "publishing", "frame_checks",
-    "build", "diagnostic_formats", "outside_links", "check_command", "editions", "serving", "serve",
-    "scaffold", "guide", "__main__",
+    "blame", "book_root", "diagnostics", "kept", "drawing", "addresses", "source_text",
+    "languages", "settings", "beside", "runtime", "editor", "output", "offline", "measured",
+    "charts", "book", "markdown", "lecture_plan", "chapters", "source", "search", "pages",
+    "checks", "publishing", "build", "diagnostic_formats", "check_command", "editions", "serving",
+    "serve", "scaffold", "guide", "__main__",
 )  # fmt: skip
 """Parts of ``site_builder``, likewise."""
 MARKDOWN = (

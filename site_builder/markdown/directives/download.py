@@ -5,8 +5,8 @@ from pathlib import Path, PurePosixPath
 
 from site_builder.languages.words import ENGLISH, Words
 from site_builder.markdown.bodies import CAPTION
-from site_builder.markdown.content_files import found
 from site_builder.markdown.directive import Argument, Directive, Use
+from site_builder.markdown.files.content_files import found
 from site_builder.markdown.reading import Reading
 
 ACTIVE = (

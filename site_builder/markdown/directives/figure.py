@@ -5,8 +5,8 @@ from dataclasses import dataclass
 from pathlib import PurePosixPath
 
 from site_builder.markdown.bodies import CAPTION
-from site_builder.markdown.content_files import PICTURES, Size, found, picture_size
 from site_builder.markdown.directive import LABEL, Argument, Directive, Numbered, OptionLine, Use
+from site_builder.markdown.files.content_files import PICTURES, Size, found, picture_size
 from site_builder.markdown.reading import Reading
 
 SUFFIXES = PICTURES

@@ -4,7 +4,6 @@ from dataclasses import dataclass
 from pathlib import Path, PurePosixPath
 
 from site_builder.markdown.bodies import CAPTION
-from site_builder.markdown.content_files import PICTURES, Size, found, picture_size
 from site_builder.markdown.directive import (
     LABEL,
     Argument,
@@ -14,6 +13,7 @@ from site_builder.markdown.directive import (
     OptionValue,
     Use,
 )
+from site_builder.markdown.files.content_files import PICTURES, Size, found, picture_size
 from site_builder.markdown.reading import Reading
 
 KINDS = {".mp4": "video/mp4", ".webm": "video/webm"}

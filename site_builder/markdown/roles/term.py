@@ -2,7 +2,7 @@
 a second use is to be marked. ``{term}`the stop sign <none>```: words that are no term.
 """
 
-from site_builder.glossary import Term
+from site_builder.beside.glossary import Term
 from site_builder.markdown.reading import Reading
 from site_builder.markdown.role import Linked, Role
 

@@ -11,8 +11,8 @@ from support.html_outline import read_html
 from site_builder.build import Options, render_site
 from site_builder.editions.reduce import article
 from site_builder.editions.tree import elements
-from site_builder.markdown.content_files import picture_size
 from site_builder.markdown.directives.download import size_words
+from site_builder.markdown.files.content_files import picture_size
 from site_builder.output.assets import content_bytes
 from site_builder.search.page_text import read_sections
 

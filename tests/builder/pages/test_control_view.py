@@ -8,8 +8,8 @@ from simulations.engine.scene import Scene
 from simulations.engine.settings import choice, slider
 from simulations.engine.stages import Outputs
 from site_builder.book import Simulation
-from site_builder.pages.control_view import control_cells
 from site_builder.pages.stills import Still
+from site_builder.pages.views.control import control_cells
 
 
 def draw(_settings: Any, _outputs: Outputs) -> Frame:

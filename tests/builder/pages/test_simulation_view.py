@@ -7,7 +7,7 @@ from simulations.engine.frame import Frame
 from simulations.engine.scene import Scene
 from simulations.engine.stages import Outputs
 from simulations.registry import load_ladder
-from site_builder.pages.simulation_view import tier_labels
+from site_builder.pages.views.simulation import tier_labels
 
 
 @dataclass(frozen=True, slots=True)

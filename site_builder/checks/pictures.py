@@ -8,9 +8,9 @@ from pathlib import Path
 
 from PIL import Image, UnidentifiedImageError
 
+from site_builder.checks.svg import read_svg
 from site_builder.diagnostics import Diagnostics
 from site_builder.markdown.directives.figure import SUFFIXES
-from site_builder.svg import read_svg
 
 KINDS = {".png": "PNG", ".jpg": "JPEG", ".jpeg": "JPEG", ".webp": "WEBP"}
 MOST_PIXELS, MANY_PIXELS = 40_000_000, 6_000_000

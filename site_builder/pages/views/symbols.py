@@ -4,8 +4,8 @@ from dataclasses import dataclass
 
 from site_builder.book import Book, Chapter, Meaning
 from site_builder.markdown.text.symbols import covers, spelt, symbols_of
+from site_builder.markdown.vocabulary.definitions import meanings_in
 from site_builder.pages.places import Card, Place, card, place
-from site_builder.symbol_checks import meanings
 
 
 @dataclass(frozen=True, slots=True)
@@ -24,7 +24,7 @@ def view_symbols(book: Book) -> list[tuple[Card, list[Row]]]:
 
 def _rows(book: Book, chapter: Chapter) -> list[Row]:
     rows: dict[str, Row] = {}
-    legal = [(spelt(item.symbol.tex), item) for item in meanings(book, chapter)]
+    legal = [(spelt(item.symbol.tex), item) for item in meanings_in(book, chapter)]
     for formula in sorted(chapter.formulae, key=lambda formula: formula.line):
         for symbol in symbols_of(formula.tex):
             # Its own meaning before that of a symbol without the index.

@@ -1,6 +1,6 @@
 """The list of references as its template needs it: each work with the places that cite it."""
 
-from site_builder.bibliography import Work
+from site_builder.beside.bibliography import Work
 from site_builder.book import Book
 from site_builder.pages.places import Card, card
 

@@ -4,8 +4,8 @@ from pathlib import Path
 
 import pytest
 
+from site_builder.checks.purity import check_purity, impurities
 from site_builder.diagnostics import Diagnostics
-from site_builder.purity import check_purity, impurities
 
 HEAD = """\
 import os, random, secrets, time, uuid

@@ -10,7 +10,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from site_builder.diagnostics import Diagnostics
-from site_builder.markdown.content_files import fault_of_file
+from site_builder.markdown.files.content_files import fault_of_file
 from site_builder.source_text import read_text
 
 INCLUDE = re.compile(r"(:{3,})\{include\}[ \t]*(.*)")

@@ -7,7 +7,7 @@ from markupsafe import Markup
 from simulations.engine.drawing import coordinate
 from site_builder.book import Axis, Curve, Prediction
 from site_builder.pages.embedding import json_for_html
-from site_builder.pages.quiz_view import option_data
+from site_builder.pages.views.quiz import option_data
 
 WIDTH, HEIGHT = 400.0, 250.0
 LEFT, RIGHT, TOP, BOTTOM = 52.0, 384.0, 32.0, 206.0

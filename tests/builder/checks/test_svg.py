@@ -2,7 +2,7 @@
 
 import pytest
 
-from site_builder.svg import SVG, read_overlay, read_svg
+from site_builder.checks.svg import SVG, read_overlay, read_svg
 
 HEAD = f'<svg xmlns="{SVG}" xmlns:xlink="http://www.w3.org/1999/xlink" viewBox="0 0 9 9">'
 

@@ -5,7 +5,7 @@ from pathlib import Path
 
 import pytest
 
-from site_builder.declared import check_declarations
+from site_builder.checks.declared import check_declarations
 from site_builder.diagnostics import Diagnostics
 
 ROOT = Path(__file__).resolve().parents[2]

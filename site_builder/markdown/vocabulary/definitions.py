@@ -1,12 +1,13 @@
 """The glossary's definitions and the meanings of symbols, set as the text of the chapters is."""
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 
-from site_builder.book import Definition, Meaning
-from site_builder.glossary import Glossary, Term
+from site_builder.beside.glossary import Glossary, Term
+from site_builder.beside.symbols import BOOK, Symbol, Symbols
+from site_builder.book import Book, Chapter, Definition, Meaning
 from site_builder.markdown.inline import inline_html
 from site_builder.markdown.reading import Reading
-from site_builder.symbols import Symbol, Symbols
+from site_builder.markdown.text.symbols import spelt
 
 
 def read_definitions(glossary: Glossary, reading: Reading) -> tuple[Definition, ...]:
@@ -53,3 +54,11 @@ def _meaning(symbol: Symbol, reading: Reading) -> Meaning:
         reading.links.clear()
         reading.citations.clear()
     return Meaning(symbol, html, means_html)
+
+
+def meanings_in(book: Book, chapter: Chapter) -> Sequence[Meaning]:
+    """Those of a chapter: its own, then those of the book that it leaves as they are."""
+    own = book.symbols.get(chapter.id, ())
+    taken = {spelt(item.symbol.tex) for item in own}
+    shared = book.symbols.get(BOOK, ())
+    return [*own, *(item for item in shared if spelt(item.symbol.tex) not in taken)]

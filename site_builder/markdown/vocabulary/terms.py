@@ -9,8 +9,8 @@ from typing import Any
 
 from markdown_it.token import Token
 
+from site_builder.beside.glossary import Term
 from site_builder.book import IndexMark, TermUse
-from site_builder.glossary import Term
 from site_builder.markdown.directive import Directive, Use
 from site_builder.markdown.reading import Reading
 from site_builder.markdown.roles.term import term_link

@@ -12,10 +12,10 @@ from simulations.registry import load_ladder
 from site_builder.book import Simulation
 from site_builder.kept.keeper import reads_code
 from site_builder.languages.words import ENGLISH, Words
-from site_builder.pages.control_view import CellView, control_cells, value_text
 from site_builder.pages.embedding import json_for_html
 from site_builder.pages.figure_grid import even_columns
 from site_builder.pages.stills import Still
+from site_builder.pages.views.control import CellView, control_cells, value_text
 
 PHRASES: Mapping[str, str] = {
     "nothing takes it": "unneeded",

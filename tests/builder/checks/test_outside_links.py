@@ -7,7 +7,7 @@ from http.server import BaseHTTPRequestHandler, ThreadingHTTPServer
 import pytest
 
 from site_builder.build import Options, check_site
-from site_builder.outside_links import Patience, check_outside_links, outside_links
+from site_builder.checks.outside_links import Patience, check_outside_links, outside_links
 
 PATIENT = Patience(timeout=20.0, pause=0.0)
 BRIEF = Patience(timeout=0.2, pause=0.0)

@@ -1,11 +1,12 @@
 """Whether each symbol of a chapter's formulae has its one meaning there."""
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator
 
-from site_builder.book import Book, Chapter, Formula, Meaning
+from site_builder.beside.symbols import BOOK, FILE
+from site_builder.book import Book, Chapter, Formula
 from site_builder.diagnostics import Diagnostics, unknown
 from site_builder.markdown.text.symbols import covers, spelt, symbols_of
-from site_builder.symbols import BOOK, FILE
+from site_builder.markdown.vocabulary.definitions import meanings_in
 
 
 def check_symbols(book: Book, problems: Diagnostics) -> None:
@@ -15,7 +16,7 @@ def check_symbols(book: Book, problems: Diagnostics) -> None:
     chapters = {chapter.id: chapter for chapter in book.chapters}
     used: set[int] = set()
     for chapter in book.chapters:
-        legal = meanings(book, chapter)
+        legal = meanings_in(book, chapter)
         for tex, formula in _first_uses(chapter):
             covering = [item for item in legal if covers(spelt(item.symbol.tex), tex)]
             used |= {item.symbol.line for item in covering}
@@ -33,14 +34,6 @@ def check_symbols(book: Book, problems: Diagnostics) -> None:
                 problems.add(FILE, symbol.line, f"{symbol.tex!r}; legal: one symbol, such as 'k_1'")
             elif symbol.line not in used:
                 problems.warn(FILE, symbol.line, f"'{symbol.tex}' is in no formula of {name}")
-
-
-def meanings(book: Book, chapter: Chapter) -> Sequence[Meaning]:
-    """Those of a chapter: its own, then those of the book that it leaves as they are."""
-    own = book.symbols.get(chapter.id, ())
-    taken = {spelt(item.symbol.tex) for item in own}
-    shared = book.symbols.get(BOOK, ())
-    return [*own, *(item for item in shared if spelt(item.symbol.tex) not in taken)]
 
 
 def _first_uses(chapter: Chapter) -> Iterator[tuple[str, Formula]]:

@@ -7,10 +7,10 @@ from pathlib import Path
 
 from simulations.engine.frame import Panel
 from site_builder.book import Block, Book
+from site_builder.checks.svg import read_overlay
 from site_builder.diagnostics import Diagnostics, unknown
 from site_builder.markdown.directives.illustration import Drawn
 from site_builder.pages.stills import Stills
-from site_builder.svg import read_overlay
 
 MOST_PIXELS, MANY_PIXELS = 4_000_000, 1_000_000
 MOST_LETTERS, MANY_LETTERS = 1_000_000, 250_000

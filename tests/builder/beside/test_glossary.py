@@ -5,8 +5,8 @@ from collections.abc import Callable, Sequence
 import pytest
 from support.html_outline import Page, read_html
 
+from site_builder.beside.glossary import Glossary, Term
 from site_builder.build import Options, render_site
-from site_builder.glossary import Glossary, Term
 from site_builder.output.assets import content_bytes
 
 type MakeBook = Callable[..., Options]

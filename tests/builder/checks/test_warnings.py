@@ -15,8 +15,8 @@ import pytest
 from scipy.stats import binom
 
 from site_builder.build import Options, check_site
+from site_builder.checks.questions import chance_of
 from site_builder.diagnostics import BuildError, Diagnostic
-from site_builder.question_checks import chance_of
 
 FIXTURES = Path(__file__).parents[1] / "fixtures" / "warnings"
 FRONT_MATTER = "---\ntitle: T\nsummary: s\n---\n"

@@ -1,8 +1,8 @@
 """Whether the section that is to explain a term speaks of it."""
 
+from site_builder.beside.glossary import FILE
 from site_builder.book import Book
 from site_builder.diagnostics import Diagnostics
-from site_builder.glossary import FILE
 
 
 def check_glossary(book: Book, problems: Diagnostics) -> None:

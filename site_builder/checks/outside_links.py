@@ -16,7 +16,7 @@ from http.client import HTTPException
 from typing import IO
 from urllib.parse import quote, urldefrag, urlsplit
 
-from site_builder.bibliography import FILE as BIBLIOGRAPHY
+from site_builder.beside.bibliography import FILE as BIBLIOGRAPHY
 from site_builder.book import Book
 from site_builder.diagnostics import Diagnostic
 

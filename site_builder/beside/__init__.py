@@ -1,0 +1,1 @@
+"""What stands beside the chapters: the works cited, the terms, the symbols, the news."""

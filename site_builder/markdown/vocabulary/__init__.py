@@ -1,0 +1,1 @@
+"""The terms and symbols that a text uses, and what they mean."""

@@ -1,0 +1,1 @@
+"""What templates are given of one thing: a figure, a question, a list."""
