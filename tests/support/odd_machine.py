@@ -14,10 +14,16 @@ class Backwards:
 
     def __init__(self, *folder: Any) -> None:
         with scan(*folder) as entries:
-            self.entries = sorted(entries, key=lambda entry: entry.name, reverse=True)
+            found = sorted(entries, key=lambda entry: entry.name, reverse=True)
+        self.entries: Iterator[os.DirEntry[str]] = iter(found)
 
     def __iter__(self) -> Iterator[os.DirEntry[str]]:
-        return iter(self.entries)
+        return self.entries
+
+    def __next__(self) -> os.DirEntry[str]:
+        return next(self.entries)
+
+    def close(self) -> None: ...
 
     def __enter__(self) -> "Backwards":
         return self

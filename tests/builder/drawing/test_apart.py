@@ -7,7 +7,9 @@ import time
 import numpy as np
 import pytest
 
-from site_builder.drawing.apart import LimitError, Limits, apart, in_time, limited, place_of
+from simulations.models.require import require_positive
+from site_builder.blame import place_of
+from site_builder.drawing.apart import LimitError, Limits, apart, in_time, limited
 
 QUICK = Limits(seconds=0.3)
 
@@ -80,12 +82,10 @@ def test_an_error_that_cannot_be_sent_is_told_in_words() -> None:
         apart(fail)
 
 
-def test_the_place_of_an_error_is_the_last_line_of_the_book_s_own_code() -> None:
-    from simulations.engine.frame import format_magnitude
-
-    with pytest.raises(TypeError) as raised:
-        format_magnitude("no number", 1.0)  # type: ignore[arg-type]
-    assert place_of(raised.value).startswith("simulations/engine/frame.py:")
+def test_the_place_of_an_error_comes_back_with_it() -> None:
+    with limited(Limits()), pytest.raises(ValueError) as raised:  # noqa: PT011
+        apart(lambda: require_positive("depth", -1.0))
+    assert place_of(raised.value).startswith("simulations/models/require.py:")
 
 
 def test_nothing_is_left_running() -> None:
