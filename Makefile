@@ -2,10 +2,12 @@
 # make site      build it into build/site/ (ADDRESS=https://…/: for this place)
 # make pdf       typeset it into build/image-formation.pdf
 # make epub      pack it for readers of e-books, into build/image-formation.epub
+# make guide     read the guide for authors: http://localhost:8000
 # make test      all tests; the first run may install a browser
 # make test-quick            those that need no browser
 # make check     formatting, lint and types of Python, scripts and style sheets; edits nothing
 # make bench     time and judge all ladders, here and in Chromium (LADDER=srgb: only one)
+# make mutations read ten thousand maimed chapters (MUTATIONS=500: as many)
 # make bench-scale           build books of 10, 100 and 1000 chapters, beside MkDocs and Sphinx
 #                (CHAPTERS="10 100": these sizes)
 # make screenshot            the README's picture (PAGE=lens-distortion/: that page, into build/)
@@ -20,6 +22,7 @@ CHAPTERS ?= 10 100 1000
 ADDRESS ?=
 SOURCE ?=
 SAMPLE ?= 30
+MUTATIONS ?= 10000
 MODULE ?=
 # What each process of the tests imports is compiled once, even where nothing else is kept.
 unexport PYTHONDONTWRITEBYTECODE
@@ -34,10 +37,13 @@ PYTHON ?= $(firstword $(foreach python,$(PYTHONS),\
 	$(shell command -v $(python) >/dev/null 2>&1 && $(python) -c '$(IS_NEW)' 2>/dev/null && echo $(python))))
 
 .DELETE_ON_ERROR:
-.PHONY: serve site pdf epub test test-quick check lock screenshot bench bench-scale mutants clean
+.PHONY: serve guide site pdf epub test test-quick check lock screenshot bench bench-scale mutants mutations clean
 
 serve: $(VENV)/book.stamp
 	@$(BIN)/python -m site_builder serve --port $(PORT) --host $(HOST)
+
+guide: $(VENV)/book.stamp
+	@$(BIN)/python -m site_builder guide --port $(PORT)
 
 site: $(VENV)/book.stamp
 	@$(BIN)/python -m site_builder build $(ADDRESS:%=--address "%") $(SOURCE:%=--source "%")
@@ -77,6 +83,10 @@ build/bench/others.stamp: .locks/bench.txt | $(BIN)/python
 	build/bench/others/bin/python -m pip install --quiet --disable-pip-version-check \
 		--require-hashes -r $<
 	@touch $@
+
+# New ones in each run, where the suite tries the same few.
+mutations: $(VENV)/test.stamp
+	@MUTATIONS=$(MUTATIONS) $(BIN)/python -m pytest -q -k maimed tests/builder/test_mutated_markdown.py
 
 mutants: $(VENV)/test.stamp
 	@OPENBLAS_NUM_THREADS=1 PYTHONWARNINGS=ignore PYTHONPATH=tests $(BIN)/python -m mutation \

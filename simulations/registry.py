@@ -71,7 +71,8 @@ def _module(kind: str, wanted: str, room: str, inside: str, listed: Mapping[str,
     name = f"simulations.{room}.{wanted.replace('-', '_')}"
     spec = _spec(name) if not {"_", "."} & {*wanted} and not wanted.startswith("-") else None
     if spec is None:
-        hint = suggestion(wanted, listed) or f"; legal: {', '.join(listed)}"
+        legal = f"; legal: {', '.join(listed)}" if listed else ""
+        hint = suggestion(wanted, listed) or legal
         raise UnknownIdError(f"unknown {kind} {wanted!r}{hint}")
     return name if spec.submodule_search_locations is None else f"{name}.{inside}"
 

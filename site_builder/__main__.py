@@ -1,4 +1,4 @@
-"""``python -m site_builder build|check|serve|pdf|epub|schema|new``: what is said, and
+"""``python -m site_builder build|check|serve|guide|pdf|epub|schema|new``: what is said, and
 the exit code."""
 
 import argparse
@@ -6,10 +6,12 @@ import errno
 import json
 import sys
 from collections.abc import Sequence
+from contextlib import closing
 from pathlib import Path
 
 from site_builder import STARTED_NS
 from site_builder.addresses import site_address, source_address
+from site_builder.book import Book
 from site_builder.book_root import ROOT
 from site_builder.build import Options, Warn, build_site
 from site_builder.check_command import Wanted, check
@@ -37,7 +39,11 @@ def main(arguments: list[str] | None = None) -> int:
         print(warning, file=sys.stderr)
 
     try:
-        with keeping(Keeper(Store(default_folder()), STARTED_NS)), limited(Limits()):
+        with (
+            closing(Store(default_folder())) as store,
+            keeping(Keeper(store, STARTED_NS)),
+            limited(Limits()),
+        ):
             return _run(given, warn, warnings)
     except BuildError as error:
         print(error, file=sys.stderr)
@@ -79,17 +85,31 @@ def _run(given: argparse.Namespace, warn: Warn, warnings: Sequence[Diagnostic]) 
             from site_builder.editions.compose import compose
             from site_builder.editions.pdf import make_pdf
 
-            written(given.out, make_pdf(compose(Options(ROOT, warn=warn))))
+            composed = compose(Options(ROOT, warn=warn))
+            written(given.out or _edition(composed.book, "pdf"), make_pdf(composed))
         case "epub":
             from site_builder.editions.compose import compose
             from site_builder.editions.epub import make_epub
 
-            written(given.out, make_epub(compose(Options(ROOT, warn=warn)), ROOT))
+            composed = compose(Options(ROOT, warn=warn))
+            written(given.out or _edition(composed.book, "epub"), make_epub(composed, ROOT))
+        case "guide":
+            from site_builder.guide.command import run_guide
+
+            place = None if given.build_only else (given.host, given.port)
+            return run_guide(place, runtime=given.runtime)
         case "serve":
             from site_builder.serve import serve  # its watcher is needed only here
 
             serve(ROOT, given.out, given.port, runtime=given.runtime, host=given.host)
     return 0
+
+
+def _edition(book: Book, kind: str) -> Path:
+    """``build/the-book-s-title.pdf``."""
+    from site_builder.markdown.headings import slug
+
+    return ROOT / "build" / f"{slug(book.title)}.{kind}"
 
 
 def _way_out(error: OSError) -> str:
@@ -120,6 +140,7 @@ def _parser() -> argparse.ArgumentParser:
         ("serve", "build, show, and build again on every change"),
         ("check", "report the mistakes in the sources"),
         ("schema", "print the JSON schema of content/book.toml, for editors"),
+        ("guide", "show the guide for authors, a book of its own"),
         ("new", "make a book, or a skeleton in this one, with its tests"),
         ("pdf", "set the whole book on pages; needs Chromium"),
         ("epub", "pack the whole book for a reader of e-books"),
@@ -130,14 +151,15 @@ def _parser() -> argparse.ArgumentParser:
         if name in ("check", "schema"):
             continue
         if name in ("pdf", "epub"):
-            edition = ROOT / "build" / f"image-formation.{name}"
-            command.add_argument("--out", type=Path, default=edition, help="the file")
+            command.add_argument("--out", type=Path, help="the file")
             continue
         if name == "new":
             command.add_argument("kind", choices=NEW)
             command.add_argument("name", help="such as falling-ball; of a book, its folder")
             continue
-        command.add_argument("--out", type=Path, default=ROOT / "build" / "site", help="the site")
+        if name != "guide":
+            out = ROOT / "build" / "site"
+            command.add_argument("--out", type=Path, default=out, help="the site")
         command.add_argument(
             "--no-runtime",
             dest="runtime",
@@ -150,7 +172,9 @@ def _parser() -> argparse.ArgumentParser:
             command.add_argument(
                 "--source", default="", help="where its sources are, with {path} in it"
             )
-        if name == "serve":
+        if name == "guide":
+            command.add_argument("--build-only", action="store_true", help="do not serve it")
+        if name in ("serve", "guide"):
             command.add_argument("--port", type=int, default=8000)
             legal = "whom to listen for; 0.0.0.0 for everyone on the network"
             command.add_argument("--host", default="127.0.0.1", help=legal)

@@ -60,6 +60,8 @@ NOW = "assets/now/"
 """Folder of the assets while the book is written: a changed style sheet changes no page."""
 LIBRARY = "search"
 """Folder of what searches, among the assets."""
+EDITOR = "js/editor/"
+"""Scripts that open the Python of figures."""
 STYLE_SHEET = "css/book.css"
 """The one that pages link to, below ``static/``."""
 
@@ -136,13 +138,13 @@ def render_parts(options: Options) -> RenderedSite:
     """The site in parts. Raises `BuildError` with all mistakes found."""
     book, stills, pictures = check_site(options)
     runtime, runtime_files, versions = _runtime(options, book)
-    editor, library = _editor(options), _search_library(options, book)
+    editor, library = _editor(options, book), _search_library(options, book)
     scripts = {f"{LIBRARY}/{name}": path for name, path in library.scripts.items()}
     made = {
         **_python(options, book, editor),
         **scripts,
         **_handed_out(options, book),
-        **make_icons(own_or_engine(options.root, "static").parent),
+        **make_icons(options.root),
     }
     folder = NOW if options.reload else ""
     assets, asset_files = gather_assets(book, options.root, pictures, made, folder)
@@ -176,7 +178,7 @@ def check_site(options: Options) -> tuple[Book, Stills, dict[str, bytes]]:
     measurements = read_measurements(options.root, problems, options.load_ladder)
     book = read_book(options.root, problems, options.load_scene, measurements)
     check_book(book, problems)
-    _check_pictures(options.root, problems)
+    _check_pictures(options.root, problems, trusted=book.settings.trust.raw_html)
     stills, pictures = render_stills(book, problems)
     check_frames(book, stills, own_or_engine(options.root, "static"), problems)
     for warning in sorted(set(problems.doubts)):
@@ -198,12 +200,12 @@ def _check_declared(root: Path, problems: Diagnostics) -> None:
     kept_reading("declared", str(root), problems, check)
 
 
-def _check_pictures(root: Path, problems: Diagnostics) -> None:
+def _check_pictures(root: Path, problems: Diagnostics, *, trusted: bool) -> None:
     def check(own: Diagnostics) -> None:
         reads_folder(root / "content")
-        check_pictures(root, own)
+        check_pictures(root, own, trusted=trusted)
 
-    kept_reading("pictures", str(root), problems, check)
+    kept_reading("pictures", f"{root} {trusted}", problems, check)
 
 
 def gather_assets(
@@ -213,8 +215,10 @@ def gather_assets(
     and what searches, in one folder: ``folder``, or one that is named by what is in it."""
     content = folder_files(root / "content")
     own = book_css(book.settings, book.words)
+    engine = folder_files(own_or_engine(root, "static"))
+    wanted = {name: file for name, file in engine.items() if book.scenes or EDITOR not in name}
     files: Files = {
-        **join_style_sheets(folder_files(own_or_engine(root, "static")), STYLE_SHEET, own),
+        **join_style_sheets(wanted, STYLE_SHEET, own),
         "js/book.js": book_script(book.settings, book.words),
         **{
             f"fonts/{name}": data
@@ -299,9 +303,9 @@ def _only(modules: Mapping[str, str], shown: Collection[str]) -> dict[str, str]:
     return {name: module for name, module in modules.items() if name in shown}
 
 
-def _editor(options: Options) -> EditorBundle:
+def _editor(options: Options, book: Book) -> EditorBundle:
     """The code editor of the figures; where it cannot be had, a warning, and they do without."""
-    if not options.runtime:
+    if not (options.runtime and book.scenes):
         return EditorBundle()
     try:
         return bundle_editor()
@@ -329,13 +333,12 @@ def _outside(
     """What others see of a site that has an address."""
     if not book.address:
         return {}
-    cards = make_cards(book, stills, pictures, own_or_engine(options.root, "static") / "css")
-    return {**make_listings(book, pages), **cards}
+    return {**make_listings(book, pages), **make_cards(book, stills, pictures, options.root)}
 
 
 def _python(options: Options, book: Book, editor: EditorBundle) -> Files:
     """What opens the Python of the figures: the sources of each scene, and the code editor."""
-    if not options.runtime:
+    if not (options.runtime and book.scenes):
         return {}
     script = {"editor/code_editor.js": editor.script} if editor.script else {}
     return {

@@ -79,6 +79,8 @@ class Fault:
     line: int
     """Counted from 1."""
     message: str
+    unreadable: bool = False
+    """Whether no browser would show it either."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -99,12 +101,13 @@ def read_svg(data: bytes) -> Drawing:
     try:
         parser.parse(io.BytesIO(data))
     except SAXParseException as error:
-        reader.faults.append(Fault(error.getLineNumber() or 1, f"no SVG: {error.getMessage()}"))
+        message = f"no SVG: {error.getMessage()}"
+        reader.faults.append(Fault(error.getLineNumber() or 1, message, unreadable=True))
     except DefusedXmlException:
         message = "a DOCTYPE or an entity; legal: neither"
         reader.faults.append(Fault(reader.line, message))
     except (ValueError, LookupError) as error:  # an encoding that nobody knows
-        reader.faults.append(Fault(1, f"no SVG: {error}; legal: UTF-8"))
+        reader.faults.append(Fault(1, f"no SVG: {error}; legal: UTF-8", unreadable=True))
     return Drawing(tuple(sorted(set(reader.faults))), frozenset(reader.classes))
 
 

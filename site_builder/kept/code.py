@@ -82,8 +82,13 @@ def _reach(module: str, recall: Recall) -> dict[str, tuple[Path, bytes]]:
 
 
 def _imported(file: Path) -> tuple[str, ...]:
-    """Names that may be modules of ours: a name imported from a package may be one too."""
-    return tuple(dict.fromkeys(_names(ast.parse(file.read_text(encoding="utf-8")))))
+    """Names that may be modules of ours: a name imported from a package may be one too. None of
+    what is no Python, which is told where it is imported."""
+    try:
+        tree = ast.parse(file.read_bytes())
+    except (SyntaxError, ValueError):
+        return ()
+    return tuple(dict.fromkeys(_names(tree)))
 
 
 def _names(tree: ast.Module) -> Iterator[str]:

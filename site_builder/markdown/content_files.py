@@ -60,7 +60,8 @@ def found(
 def picture_size(file: Path) -> Size | None:
     """As the picture says of itself; None where it does not, or cannot be read."""
     read: Callable[[Path], Size | None] = _svg_size if file.suffix == ".svg" else _raster_size
-    return read(file)
+    size = read(file)
+    return size if size and all(size) else None
 
 
 def _raster_size(file: Path) -> Size | None:

@@ -51,7 +51,7 @@ def gather_licences(
     )
     return (
         book,
-        *_of_the_runtime(versions, words),
+        *(_of_the_runtime(versions, words) if versions.pyodide else ()),
         *_of_the_editor(editor, words),
         *_of_the_search(search, words),
         *_of_the_fonts(root, settings, words),

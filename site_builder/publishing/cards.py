@@ -7,13 +7,15 @@ from pathlib import Path
 
 from simulations.engine.frame import Panel
 from site_builder.book import Book, Chapter, Simulation, contents
+from site_builder.book_root import own_or_engine
 from site_builder.markdown.directives.illustration import Drawn as DrawnIllustration
+from site_builder.output.font_faces import chosen_faces
 from site_builder.output.light_theme import light_tokens, resolve, without_containers
 from site_builder.pages.outside import BOOK_CARD, card_path
 from site_builder.pages.render import render_template
 from site_builder.pages.stills import Stills
 from site_builder.publishing.title_lines import set_title
-from site_builder.publishing.vector import SANS, SERIF, png_of
+from site_builder.publishing.vector import Fonts, png_of, whole_fonts
 from site_builder.settings.theme import colours
 
 WIDTH, HEIGHT = 1200, 630
@@ -38,23 +40,24 @@ class Placed:
 
 
 def make_cards(
-    book: Book, stills: Stills, pictures: Mapping[str, bytes], styles: Path
+    book: Book, stills: Stills, pictures: Mapping[str, bytes], root: Path
 ) -> dict[str, bytes]:
     """PNG files by path: one for the book, one for each chapter.
 
-    ``pictures`` are the files of the stills; ``styles`` is the folder of the style sheets.
+    ``pictures`` are the files of the stills; ``root`` is the book's folder.
     """
     own = {f"--{name}": colour for name, colour in colours(book.settings, "light").items()}
-    style = card_style(styles, own)
+    fonts = whole_fonts(chosen_faces(book.settings, root))
+    style = card_style(own_or_engine(root, "static/css"), own, fonts)
     cover = _still(book.hero, stills, pictures)
 
     def card(chapter: Chapter | None, title: str, figure: Placed | None) -> bytes:
-        size, lines = set_title(title, TITLE_WIDTH if figure else WIDTH - 180)
+        size, lines = set_title(title, TITLE_WIDTH if figure else WIDTH - 180, fonts.title)
         svg = render_template(
-            "publishing/card.svg", style=style, book=book, chapter=chapter, size=size, lines=lines,
+            "publishing/card.svg", book, style=style, chapter=chapter, size=size, lines=lines,
             figure=figure,
         )  # fmt: skip
-        return png_of(svg, WIDTH)
+        return png_of(svg, WIDTH, fonts)
 
     return {BOOK_CARD: card(None, book.title, cover)} | {
         card_path(chapter): card(
@@ -64,10 +67,11 @@ def make_cards(
     }
 
 
-def card_style(styles: Path, own: Mapping[str, str]) -> str:
+def card_style(styles: Path, own: Mapping[str, str], fonts: Fonts) -> str:
     """How cards and the drawings on them look, in plain CSS; ``own`` are the book's colours."""
     sheets = {name: _read(styles / name) for name in ("tokens.css", "overlay.css")}
-    tokens = light_tokens(sheets["tokens.css"]) | dict(own) | {"--serif": SERIF, "--sans": SANS}
+    families = {"--serif": f"'{fonts.serif}'", "--sans": f"'{fonts.sans}'"}
+    tokens = light_tokens(sheets["tokens.css"]) | dict(own) | families
     sheet = without_containers(sheets["overlay.css"]) + _read(OWN)
     return resolve(sheet, tokens) if sheets["tokens.css"] else ""
 

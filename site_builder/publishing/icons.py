@@ -2,8 +2,9 @@
 
 from pathlib import Path
 
+from site_builder.book_root import own_or_engine
 from site_builder.diagnostics import BuildError, Diagnostic
-from site_builder.publishing.vector import png_of
+from site_builder.publishing.vector import png_of, whole_fonts
 
 FILE = "static/images/favicon.svg"
 SIZES = {"images/favicon.png": 32, "images/touch-icon.png": 180}
@@ -11,12 +12,11 @@ SIZES = {"images/favicon.png": 32, "images/touch-icon.png": 180}
 
 
 def make_icons(root: Path) -> dict[str, bytes]:
-    """From the book's icon; nothing without one. Raises `BuildError` where it is no drawing."""
-    file = root / FILE
-    if not file.is_file():
-        return {}
+    """From the book's icon, or the engine's. Raises `BuildError` where it is no drawing."""
+    file = own_or_engine(root, FILE)
     svg = file.read_text(encoding="utf-8")
+    fonts = whole_fonts()
     try:
-        return {name: png_of(svg, width) for name, width in SIZES.items()}
+        return {name: png_of(svg, width, fonts) for name, width in SIZES.items()}
     except ValueError as error:
         raise BuildError([Diagnostic(FILE, 1, f"{error}; legal: a drawing in SVG")]) from error

@@ -15,9 +15,9 @@ def make_listings(book: Book, pages: Iterable[str]) -> dict[str, bytes]:
     if not book.address:
         return {}
     listed = [page_address(path) for path in pages if path != NOT_LISTED]
-    made = {"sitemap.xml": render_template("publishing/sitemap.xml", book=book, pages=listed)}
+    made = {"sitemap.xml": render_template("publishing/sitemap.xml", book, pages=listed)}
     if book.news:
-        made["feed.xml"] = render_template("publishing/feed.xml", book=book)
+        made["feed.xml"] = render_template("publishing/feed.xml", book)
     if urlsplit(book.address).path == "/":  # elsewhere on a host it is not looked for
-        made["robots.txt"] = render_template("publishing/robots.txt", book=book)
+        made["robots.txt"] = render_template("publishing/robots.txt", book)
     return {path: text.encode() for path, text in made.items()}

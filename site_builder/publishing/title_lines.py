@@ -1,20 +1,18 @@
 """A title set in lines, as large as its place allows."""
 
-import io
-from importlib.resources import files
+from pathlib import Path
 
 from PIL import ImageFont
-
-from site_builder.output.font_faces import FACES
 
 SIZES = (68, 60, 52, 46, 40, 34)
 MOST_LINES = 4
 
 
-def set_title(title: str, width: float) -> tuple[int, list[str]]:
-    """Size in pixels, and the lines; a title that is too long at any size ends in ``…``."""
+def set_title(title: str, width: float, font: Path) -> tuple[int, list[str]]:
+    """Size in pixels, and the lines, in the face of the file ``font``. A title that is too long at
+    any size ends in ``…``."""
     for size in SIZES:
-        face = _face(size)
+        face = _face(font, size)
         lines = break_lines(title, width, face)
         if len(lines) <= MOST_LINES and all(face.getlength(line) <= width for line in lines):
             return size, lines
@@ -34,8 +32,6 @@ def break_lines(words: str, width: float, face: ImageFont.FreeTypeFont) -> list[
     return lines
 
 
-def _face(size: int) -> ImageFont.FreeTypeFont:
-    face = FACES[0]
-    outlines = io.BytesIO(files(face.package).joinpath(face.source).read_bytes())
+def _face(font: Path, size: int) -> ImageFont.FreeTypeFont:
     # The basic layout is in every Pillow; the other one depends on what else is installed.
-    return ImageFont.truetype(outlines, size, layout_engine=ImageFont.Layout.BASIC)
+    return ImageFont.truetype(font, size, layout_engine=ImageFont.Layout.BASIC)

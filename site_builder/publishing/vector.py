@@ -1,22 +1,56 @@
 """Drawings as PNG, with the book's own faces: no browser, and the same bytes on every machine."""
 
+from collections.abc import Sequence
+from dataclasses import dataclass
 from importlib.resources import files
+from pathlib import Path
 
 import resvg_py
+from fontTools.ttLib import TTFont
 
-from site_builder.output.font_faces import FACES
-
-SERIF, SANS = "Source Serif Pro", "Source Sans Pro"
+from site_builder.output.font_faces import FACES, Face
 
 
-def png_of(svg: str, width: int) -> bytes:
+@dataclass(frozen=True, slots=True)
+class Fonts:
+    """Whole faces, as drawings need them."""
+
+    files: tuple[Path, ...]
+    serif: str
+    """Name of the family of the text, as its file says it."""
+    sans: str
+
+    @property
+    def title(self) -> Path:
+        """The face of titles: the first."""
+        return self.files[0]
+
+
+def whole_fonts(faces: Sequence[Face] = FACES) -> Fonts:
+    """The files that ``faces`` are cut from, and the names that they give themselves."""
+    paths = {face.file: _path(face) for face in faces}
+    serif, sans = (_family(paths[f"{role}-regular.woff2"]) for role in ("serif", "sans"))
+    return Fonts(tuple(paths.values()), serif, sans)
+
+
+def png_of(svg: str, width: int, fonts: Fonts) -> bytes:
     """A drawing, ``width`` pixels wide. Raises `ValueError` where it is not a drawing."""
     return resvg_py.svg_to_bytes(
         svg_string=svg,
         width=width,
         skip_system_fonts=True,
-        font_files=[str(files(face.package).joinpath(face.source)) for face in FACES],
-        font_family=SERIF,
-        serif_family=SERIF,
-        sans_serif_family=SANS,
+        font_files=list(map(str, fonts.files)),
+        font_family=fonts.serif,
+        serif_family=fonts.serif,
+        sans_serif_family=fonts.sans,
     )
+
+
+def _family(file: Path) -> str:
+    with TTFont(file, lazy=True) as font:
+        return str(font["name"].getBestFamilyName())
+
+
+def _path(face: Face) -> Path:
+    place = face.package if isinstance(face.package, Path) else Path(str(files(face.package)))
+    return place / face.source

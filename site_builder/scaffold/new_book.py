@@ -9,6 +9,7 @@ from site_builder.scaffold.files import HERE, SUFFIX, filled
 from site_builder.scaffold.names import ScaffoldError, read_name
 
 TOOLS = (
+    ".github/workflows/publish.yml",
     ".locks/author.txt",
     ".locks/book.txt",
     ".python-version",
@@ -20,7 +21,7 @@ TOOLS = (
     "tests/support/chromium.py",
     "tests/support/static_server.py",
 )
-"""What every book needs beside the engine: pins, and the bench."""
+"""What every book needs beside the engine: pins, the bench, and a way to publish."""
 LEFT_OUT = ("__pycache__", "node_modules")
 
 

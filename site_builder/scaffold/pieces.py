@@ -19,11 +19,11 @@ def chapter(root: Path, text: str) -> Made:
     listed = re.search(r"^chapters\s*=\s*\[(.*?)\]", outline, re.MULTILINE | re.DOTALL)
     if listed is None:
         raise ScaffoldError(f"{OUTLINE} has no list of chapters; legal: chapters = [ … ]")
-    taken = re.findall(r"[\"'](?:(\d+)-)?([a-z0-9-]+)[\"']", listed[1])
-    if name.text in (slug for _, slug in taken):
+    there = [file.stem for file in (root / "content").glob("*.md")]
+    if name.text in (re.sub(r"^\d+-", "", stem) for stem in there):
         raise ScaffoldError(f"chapter {name.text!r} is there already; legal: another name")
-    number = max((int(number) + 1 for number, _ in taken if number), default=len(taken))
-    file = f"{number:02}-{name.text}"
+    numbers = [int(stem.partition("-")[0]) for stem in there if stem.partition("-")[0].isdigit()]
+    file = f"{max(numbers, default=0) + 1:02}-{name.text}"
     before = listed[1].rstrip()
     comma = "" if not before or before.endswith(",") else ","
     listing = f'chapters = [{before}{comma}\n  "{file}",\n]'

@@ -69,3 +69,26 @@ def test_a_slip_is_told_at_its_place(make_book: Callable[..., Options], slip: Sl
         (one.path, one.line) == (slip.path, slip.line) and one.message.startswith(slip.gist)
         for one in found
     ), [str(one) for one in found]
+
+
+@pytest.mark.parametrize("broken", ["x = (\n", "x = '\udce9'\n"])
+def test_a_module_that_is_no_python_is_told_where_it_is_quoted(
+    make_book: Callable[..., Options], broken: str
+) -> None:
+    options = make_book(":::{source} simulations.models.thing:double\n:::\n")
+    file = options.root / "simulations/models/thing.py"
+    file.write_bytes(broken.encode("utf-8", errors="surrogateescape"))
+    with pytest.raises(BuildError, match=r"content/00-first\.md:5: "):
+        check_site(options)
+
+
+def test_a_condition_that_cannot_be_worked_out_is_told_once(
+    make_book: Callable[..., Options],
+) -> None:
+    body = (
+        ":::{predict} p\nWhich?\n- [?] `1 / 0 > 1` one\n  : a\n"
+        "- [?] `1 / 0 < 1` other\n  : b\n:::\n\n:::{answer} p\nText.\n:::\n"
+    )
+    with pytest.raises(BuildError) as raised:
+        check_site(make_book(body))
+    assert [found.line for found in raised.value.diagnostics] == [7, 9]

@@ -58,6 +58,16 @@ def test_a_scene_that_raises_is_a_mistake_at_its_figure(make_book: MakeBook) -> 
     ]
 
 
+def test_a_book_without_figures_ships_no_interpreter_and_no_editor(make_book: MakeBook) -> None:
+    outline = 'title = "T"\nsubtitle = "S"\nprerequisites = "P"\n'
+    chapters = 'chapters = ["00-first", "01-second"]\n'
+    options = make_book("Text.\n", {"content/book.toml": outline + chapters})
+    files = render_site(Options(options.root, search=False))
+    told = content_bytes(files["licences/index.html"]).decode()
+    assert not [path for path in files if path.startswith("runtime/") or "/js/editor/" in path]
+    assert [name for name in ("Pyodide", "CodeMirror", "NumPy") if name in told] == []
+
+
 def test_pages_listen_for_rebuilds_only_while_serving(make_book: MakeBook) -> None:
     options = make_book()
     for reload in (False, True):

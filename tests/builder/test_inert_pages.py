@@ -159,6 +159,26 @@ def test_without_that_word_it_is_refused(make_book: Callable[..., Options]) -> N
         assert is_refused(make_book("A <b>bold</b> word.\n", {"content/book.toml": outline}))
 
 
+def test_a_page_among_the_downloads_is_refused_unless_trusted(
+    make_book: Callable[..., Options],
+) -> None:
+    body = ":::{download} data/own.HTML\n:::\n"
+    files = {"content/data/own.HTML": SCRIPT, "content/book.toml": OUTLINE.format("x")}
+    assert is_refused(make_book(body, files))
+    files["content/book.toml"] += "[trust]\nraw_html = true\n"
+    assert not is_refused(make_book(body, files))
+
+
+def test_a_drawing_that_could_run_is_refused_unless_trusted(
+    make_book: Callable[..., Options],
+) -> None:
+    drawing = f'<svg xmlns="http://www.w3.org/2000/svg">{SCRIPT}</svg>'
+    files = {"content/images/own.svg": drawing, "content/book.toml": OUTLINE.format("x")}
+    assert is_refused(make_book("Text.\n", files))
+    files["content/book.toml"] += "[trust]\nraw_html = true\n"
+    assert not is_refused(make_book("Text.\n", files))
+
+
 def test_the_address_of_a_work_is_one_of_the_web(make_book: Callable[..., Options]) -> None:
     work = "@book{a, author={A}, title={T}, year={2000}, publisher={P}, url={javascript:alert(1)}}"
     options = make_book("{cite}`a`\n", {"content/references.bib": work})

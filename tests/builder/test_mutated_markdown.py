@@ -1,8 +1,7 @@
 """Markdown as no author would write it: pieces of the book's own chapters, cut, repeated, joined
 and sprinkled with marks. Whatever it is, reading it ends, and ends in diagnostics.
 
-The suite tries some hundreds, always the same; ``make bench`` ten thousand new ones, by setting
-``MUTATIONS``.
+The suite tries some hundreds, always the same; ``make mutations`` ten thousand new ones.
 """
 
 import os

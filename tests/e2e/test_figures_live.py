@@ -95,27 +95,29 @@ def scene(request: pytest.FixtureRequest, book: Any) -> Any:
 
 
 @pytest.fixture
-def figure(guest: Reader, book: Any, scene: Any) -> Locator:
-    return guest.stay_at_figure(book, scene["id"])
+def figure(visitor: Reader, book: Any, scene: Any) -> Locator:
+    return visitor.stay_at_figure(book, scene["id"])
 
 
 def test_each_kind_of_control_changes_the_figure_by_keyboard(
-    guest: Reader, scene: Any, figure: Locator
+    visitor: Reader, scene: Any, figure: Locator
 ) -> None:
     for control in _one_of_each_kind(scene):
-        _assert_changes(guest, figure, control, _press)
+        _assert_changes(visitor, figure, control, _press)
 
 
 def test_each_kind_of_control_changes_the_figure_by_mouse(
-    guest: Reader, scene: Any, figure: Locator
+    visitor: Reader, scene: Any, figure: Locator
 ) -> None:
     for control in _one_of_each_kind(scene):
-        _assert_changes(guest, figure, control, _click)
+        _assert_changes(visitor, figure, control, _click)
 
 
-def test_every_tier_draws_a_frame(guest: Reader, scene: Any, figure: Locator) -> None:
+def test_every_tier_draws_a_frame(guest: Reader, book: Any, scene: Any) -> None:
     if not scene["tiers"]:
         return
+    figure = guest.stay_at_figure(book, scene["id"])
+    guest.settle(figure)
     menu = figure.locator('select[name="tier"]')
     chosen = menu.input_value()
     for tier in [*(tier for tier in scene["tiers"] if tier != chosen), chosen]:

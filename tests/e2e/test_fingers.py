@@ -71,7 +71,7 @@ def test_a_finger_that_goes_up_the_ground_at_once_scrolls_the_page(
     phone.page.evaluate(SLOW_CLOCK)
     swipe(phone, (ground[0] - 60, ground[1] - 90), (0, -120))
     phone.page.wait_for_function("before => scrollY !== before", arg=scrolled)
-    phone.page.evaluate("setTimeout = usualTimeout")
+    phone.page.evaluate("() => { setTimeout = usualTimeout; }")
     assert value(figure, "elevation") == before
 
 

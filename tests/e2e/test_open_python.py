@@ -69,42 +69,39 @@ def move(reader: Reader, figure: Locator, key: str) -> Any:
 
 
 def test_edited_code_draws_its_own_figure_and_no_other_until_it_is_put_back(
-    reader: Reader,
+    visitor: Reader,
 ) -> None:
-    requested: list[str] = []
-    reader.page.on("request", lambda request: requested.append(request.url))
-    reader.open(CHAPTER)
-    assert not [url for url in requested if "editor" in url or "/python/" in url], "not asked for"
-    edited, other = figures(reader)[:2]
-    book, others = reader.shown(edited), reader.shown(other)
+    visitor.turn_to(CHAPTER)
+    edited, other = figures(visitor)[:2]
+    book, others = visitor.shown(edited), visitor.shown(other)
     open_python(edited)
     assert "def _encoded" in edited.locator(".cm-content").inner_text()
-    write(reader, edited, NEGATIVE + "print('hello')\n")
-    assert "runs your code" in run(reader, edited)
+    write(visitor, edited, NEGATIVE + "print('hello')\n")
+    assert "runs your code" in run(visitor, edited)
     assert edited.locator(".workshop-printed").inner_text() == "hello\n"
-    reader.settle(edited)
-    changed = reader.shown(edited)
+    visitor.settle(edited)
+    changed = visitor.shown(edited)
     assert changed["pixels"] != book["pixels"]
     assert changed["readouts"] == book["readouts"]
     assert edited.locator(".workshop-part", has_text="encoded").inner_text().endswith("computed")
-    assert move(reader, other, "ArrowRight") != others
-    assert move(reader, other, "ArrowLeft") == others
-    assert move(reader, edited, "ArrowRight")["pixels"] != changed["pixels"]
-    assert move(reader, edited, "ArrowLeft") == changed
+    assert move(visitor, other, "ArrowRight") != others
+    assert move(visitor, other, "ArrowLeft") == others
+    assert move(visitor, edited, "ArrowRight")["pixels"] != changed["pixels"]
+    assert move(visitor, edited, "ArrowLeft") == changed
     assert edited.locator(".workshop-part", has_text="pinhole").inner_text().endswith("reused")
     edited.locator(".use", has_text="encode_srgb").click()
     assert "simulations/models/color/srgb.py" in edited.locator(".workshop-place").inner_text()
-    write(reader, edited, "def encode_srgb(linear):\n    return linear\n")
-    run(reader, edited)
-    reader.settle(edited)
-    assert reader.shown(edited)["pixels"] not in (book["pixels"], changed["pixels"]), "a model too"
+    write(visitor, edited, "def encode_srgb(linear):\n    return linear\n")
+    run(visitor, edited)
+    visitor.settle(edited)
+    assert visitor.shown(edited)["pixels"] not in (book["pixels"], changed["pixels"]), "a model too"
     edited.locator(".put-all-back").click()
     edited.locator(".workshop-result", has_text="book's code").wait_for()
-    reader.settle(edited)
-    assert reader.shown(edited) == book
+    visitor.settle(edited)
+    assert visitor.shown(edited) == book
     edited.locator(".workshop-part", has_text="encoded").click()
     assert "def _encoded(photo: Photo)" in edited.locator(".cm-content").inner_text()
-    assert len(reader.page.workers) == 1
+    assert len(visitor.page.workers) == 1
 
 
 def test_mistakes_point_at_their_line_and_leave_the_figure_as_it_is(visitor: Reader) -> None:

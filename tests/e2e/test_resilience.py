@@ -162,7 +162,11 @@ def test_what_python_refuses_is_told_and_the_next_call_is_answered(visitor: Read
         ("render", frame | {"values": '{"k1": 1e300}'}),
     ]
     answers = visitor.page.evaluate(ANSWERS, calls)
-    told = ["did you mean 'lens-distortion'?", "'NaN' is not finite", "'sunset' is not an option"]
+    told = [
+        "unknown simulation 'lens-distorsion'",
+        "'NaN' is not finite",
+        "'sunset' is not an option",
+    ]
     for answer, words in zip(answers, [*told, "has no tier 'perfect'"], strict=False):
         assert answer.startswith("python: "), answer
         assert words in answer

@@ -77,12 +77,15 @@ def test_a_page_whose_scenes_need_no_more_fetches_no_more_until_ladders_ask_for_
 def test_a_page_fetches_what_its_scenes_import_and_a_later_page_what_is_still_missing(
     reader: Reader, book: Any, table: Any, fetched: list[str]
 ) -> None:
+    asked: list[str] = []
+    reader.page.on("request", lambda request: asked.append(request.url))
     first, few = a_chapter(book, table, lambda parts: len(parts) == 1)
     second, many = a_chapter(book, table, lambda parts: parts > few)
     reader.open(first)
     assert sorted(fetched) == sorted(AT_ONCE | few)
     reader.turn_to(second)
     assert sorted(fetched) == sorted(AT_ONCE | many), "each of them once"
+    assert not [url for url in asked if "editor" in url or "/python/" in url], "not opened yet"
 
 
 def test_a_part_that_nobody_foresaw_is_fetched_when_python_asks_for_it(

@@ -36,7 +36,7 @@ def figure(visitor: Reader) -> Iterator[Locator]:
     visitor.turn_to(CHAPTER)
     visitor.page.evaluate(STEADY_CLOCK)
     yield visitor.figure("lens-distortion")
-    visitor.page.evaluate("requestAnimationFrame = usualFrame")
+    visitor.page.evaluate("() => { requestAnimationFrame = usualFrame; }")
     visitor.page.emulate_media(reduced_motion="null")
 
 

@@ -31,6 +31,11 @@ def truth() -> Floats:
 
 
 @cache
+def through_a_pinhole() -> Floats:
+    return depth_of_field_truth.picture(80, 0.0, 4096)
+
+
+@cache
 def psnr() -> dict[str, float]:
     return {tier.id: fidelity_db(tier.run(WORK), truth(), WORK) for tier in LADDER.tiers}
 
@@ -82,7 +87,7 @@ def test_a_spiral_of_many_rays_leads_to_the_reference() -> None:
 def test_a_pinhole_sees_the_mean_over_each_pixel() -> None:
     """Rays of no width against formulas for areas: neither has a line of the other."""
     areas = cards.radiance(WORK.seen, 0.0, 0.0)
-    rays = depth_of_field_truth.picture(80, 0.0, 4096)
+    rays = through_a_pinhole()
     assert fidelity_db(areas, rays, WORK) > 43
 
 
@@ -117,7 +122,7 @@ def test_layers_of_narrow_discs_are_the_same_however_they_are_drawn() -> None:
 
 
 def test_what_lies_in_focus_is_as_sharp_as_through_a_pinhole() -> None:
-    sharp = depth_of_field_truth.picture(80, 0.0, 4096)
+    sharp = through_a_pinhole()
     on_the_middle_card = (slice(None), slice(17, 24), slice(44, 49))
     np.testing.assert_allclose(truth()[on_the_middle_card], sharp[on_the_middle_card], atol=0.01)
 

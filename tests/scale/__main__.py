@@ -12,7 +12,9 @@ from pathlib import Path
 
 from scale.cost import Cost, cost_of
 from scale.report import Run, report
-from scale.trees import BUILDERS, ROOT, Builder, edit_line, write_book
+from scale.trees import BUILDERS, Builder, edit_line, write_book
+
+ROOT = Path(__file__).resolve().parents[2]
 
 
 def main() -> None:
@@ -35,7 +37,7 @@ def main() -> None:
                 book = work / f"{builder.title}-{count}"
                 cold = _build(builder, count, book, tools, kept)
                 edit_line(builder, count, book, "then")
-                edited = cost_of(builder.again(tools, book), book, _settings(kept))
+                edited = cost_of(builder.again(tools, book), book, _settings(kept, book))
                 runs.append(Run(builder.title, count, cold, edited))
                 print(f"{builder.title}, {count}: {cold.cpu_s:.1f} s of processor", flush=True)
                 shutil.rmtree(book)
@@ -47,11 +49,11 @@ def main() -> None:
 
 def _build(builder: Builder, count: int, book: Path, tools: Path, kept: Path) -> Cost:
     write_book(builder, count, book)
-    return cost_of(builder.command(tools, book), book, _settings(kept))
+    return cost_of(builder.command(tools, book), book, _settings(kept, book))
 
 
-def _settings(kept: Path) -> dict[str, str]:
-    return {"XDG_CACHE_HOME": str(kept), "PYTHONPATH": f"{ROOT}:{ROOT / 'tests'}"}
+def _settings(kept: Path, book: Path) -> dict[str, str]:
+    return {"XDG_CACHE_HOME": str(kept), "PYTHONPATH": str(ROOT), "BOOK": str(book)}
 
 
 if __name__ == "__main__":

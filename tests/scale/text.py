@@ -91,8 +91,9 @@ def _section(number: int, part: int, random: Random, notation: Notation, followi
     def some(count: int) -> str:
         return " ".join(next(words) for _ in range(count))
 
-    formulae = random.sample(FORMULAE, 2)
     key = f"{number}-{part}"
+    # No two alike: what was set or highlighted once must not serve twice.
+    formulae = [f"{formula} + {number}_{{{part}}}" for formula in random.sample(FORMULAE, 2)]
     rows = "".join(f"| {some(2)} | {random.random():.3f} | ${n}x$ |\n" for n in range(1, 6))
     blocks = [
         f"## Section {part} on {some(3)}\n",
@@ -100,7 +101,7 @@ def _section(number: int, part: int, random: Random, notation: Notation, followi
         f"Then {some(60)}; see [what follows]({name(following)}.md).\n",
         f"$$\n{formulae[1]}\n$$\n",
         f"- {some(12)}\n- {some(9)} `{some(1)}_{part}`\n- {some(11)}\n",
-        f"```python\n{CODE.format(n=part)}```\n",
+        f"```python\n{CODE.format(n=f'{number}{part}')}```\n",
         f"| What | Value | Times |\n|---|---|---|\n{rows}",
         f"So {some(70)}.\n",
     ]

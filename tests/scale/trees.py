@@ -7,7 +7,6 @@ from pathlib import Path
 
 from scale.text import MKDOCS, MYST, OURS, Notation, chapter, name, picture, picture_name, title
 
-ROOT = Path(__file__).resolve().parents[2]
 FRONT_MATTER = "---\ntitle: {title}\nsummary: What part {n} says.\n---\n\n"
 BOOK = """\
 title = "The Whole"
@@ -71,7 +70,7 @@ def _sphinx_files(count: int) -> Mapping[str, str]:
 
 
 def _ours(_tools: Path, _book: Path) -> list[str]:
-    return [sys.executable, "-m", "scale.ours", ".", "site"]
+    return [sys.executable, "-m", "site_builder", "build", "--no-runtime", "--out", "site"]
 
 
 def _mkdocs(*more: str) -> Callable[[Path, Path], list[str]]:
@@ -99,9 +98,6 @@ def write_book(builder: Builder, count: int, folder: Path) -> None:
         text = builder.begin(number) + chapter(number, count, builder.notation)
         _write(folder / builder.content / f"{name(number)}.md", text)
         _write(folder / builder.content / picture_name(number), picture(number))
-    if builder.notation is OURS:
-        (folder / "static").symlink_to(ROOT / "static")
-        (folder / "simulations").symlink_to(ROOT / "simulations")
 
 
 def edit_line(builder: Builder, count: int, folder: Path, word: str) -> None:

@@ -14,16 +14,13 @@ class Backwards:
 
     def __init__(self, *folder: Any) -> None:
         with scan(*folder) as entries:
-            found = sorted(entries, key=lambda entry: entry.name, reverse=True)
-        self.entries: Iterator[os.DirEntry[str]] = iter(found)
+            self.entries = iter(sorted(entries, key=lambda entry: entry.name, reverse=True))
 
     def __iter__(self) -> Iterator[os.DirEntry[str]]:
         return self.entries
 
     def __next__(self) -> os.DirEntry[str]:
         return next(self.entries)
-
-    def close(self) -> None: ...
 
     def __enter__(self) -> "Backwards":
         return self

@@ -43,7 +43,7 @@ BUILDER = (
     "chapters", "source", "question_checks", "figure_questions", "declared", "glossary_checks",
     "symbol_checks", "checks", "picture_checks", "search", "pages", "publishing", "frame_checks",
     "build", "diagnostic_formats", "outside_links", "check_command", "editions", "serving", "serve",
-    "scaffold", "__main__",
+    "scaffold", "guide", "__main__",
 )  # fmt: skip
 """Parts of ``site_builder``, likewise."""
 MARKDOWN = (

@@ -1,7 +1,7 @@
 """``{download} data/file.csv``: a file of ``content/`` for the reader to keep."""
 
 from dataclasses import dataclass
-from pathlib import PurePosixPath
+from pathlib import Path, PurePosixPath
 
 from site_builder.languages.words import ENGLISH, Words
 from site_builder.markdown.bodies import CAPTION
@@ -9,6 +9,11 @@ from site_builder.markdown.content_files import found
 from site_builder.markdown.directive import Argument, Directive, Use
 from site_builder.markdown.reading import Reading
 
+ACTIVE = (
+    ".html", ".htm", ".xhtml", ".xht", ".shtml", ".mht", ".mhtml", ".xml", ".xsl", ".xslt", ".svgz",
+    ".js", ".mjs",
+)  # fmt: skip
+"""Opened at the book's address, a page of these could do there what the book's own can."""
 UNITS = ("bytes", "kB", "MB", "GB")
 
 
@@ -29,9 +34,20 @@ def read_download(use: Use, words_html: str, reading: Reading) -> Download | Non
     file = found(use.argument, use.line, reading, "file")
     if file is None:
         return None
+    if _runs(file) and not reading.raw_html:
+        legal = "packed, as a '.zip', or trusted in book.toml"
+        message = f"file {use.argument!r}, which a browser would run; legal: {legal}"
+        reading.problem(use.line, message)
+        return None
     reading.files.add(use.argument)
     name = PurePosixPath(use.argument).name
     return Download(use.argument, name, size_words(file.stat().st_size, reading.words), words_html)
+
+
+def _runs(file: Path) -> bool:
+    """Of SVG only what is looked for, and checked, as a picture is inert."""
+    kind = file.suffix.lower()
+    return kind in ACTIVE or (kind == ".svg" and file.suffix != kind)
 
 
 def size_words(size: int, words: Words = ENGLISH) -> str:

@@ -23,7 +23,12 @@ def read_source(use: Use, caption_html: str, reading: Reading) -> Source | None:
     source = _text_of(module, name, path, use, reading)
     if source is None:
         return None
-    definitions = _definitions(source)
+    try:
+        definitions = _definitions(source)
+    except (SyntaxError, ValueError) as error:
+        line = getattr(error, "lineno", None) or 1
+        reading.problem(use.line, f"module {module!r} is no Python: {path}:{line}")
+        return None
     if name not in definitions:
         public = [known for known in definitions if not known.startswith("_")]
         reading.problem(use.line, unknown(f"definition in {module}", name, public))
@@ -45,7 +50,7 @@ def _text_of(module: str, name: str, path: str, use: Use, reading: Reading) -> s
         modules = _modules(reading.root / "simulations")
         reading.problem(use.line, unknown("module", module, modules))
         return None
-    return file.read_text(encoding="utf-8")
+    return file.read_text(encoding="utf-8", errors="replace")
 
 
 def _definitions(source: str) -> dict[str, Definition]:

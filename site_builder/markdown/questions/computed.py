@@ -11,7 +11,7 @@ from importlib import import_module
 
 from simulations.engine.conditions import shown_value
 from simulations.engine.expressions import ExpressionError, evaluate
-from site_builder.diagnostics import unknown
+from site_builder.diagnostics import cause, unknown
 from site_builder.kept.keeper import reads_code
 from site_builder.markdown.directive import Use
 from site_builder.markdown.reading import Reading
@@ -77,6 +77,8 @@ def _function(path: str) -> Callable[..., object]:
         found = import_module(module)
     except ImportError:
         raise LookupError(f"no module {module!r}; legal: {FORM!r}") from None
+    except Exception as error:  # whatever its code may raise is the author's to see
+        raise LookupError(f"module {module!r} cannot be loaded: {cause(error)}") from error
     functions = {key: value for key, value in vars(found).items() if callable(value)}
     if name not in functions:
         raise LookupError(unknown(f"function of {module}", name, functions))

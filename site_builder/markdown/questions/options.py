@@ -23,20 +23,23 @@ def chosen_options(use: Use, items: Sequence[Item], reading: Reading) -> tuple[O
     """Answers to choose from, right by their mark or by a condition."""
     names = names_for(use, reading)
     answers = (read_answer(item, reading) for item in items)
+    judged = ((answer, _is_right(answer, names, reading)) for answer in answers if answer)
     return tuple(
-        Option(answer.html, answer.text, _is_right(answer, names, reading), answer.reply_html)
-        for answer in answers
-        if answer
+        Option(answer.html, answer.text, right, answer.reply_html)
+        for answer, right in judged
+        if right is not None
     )
 
 
-def _is_right(answer: Answer, names: dict[str, object], reading: Reading) -> bool:
+def _is_right(answer: Answer, names: dict[str, object], reading: Reading) -> bool | None:
+    """None, and a report, of a condition that cannot be worked out."""
     if answer.mark != "computed":
         return answer.mark == "right"
     if not answer.code:
         legal = "'- [?] `condition` some text'"
         reading.problem(answer.line, f"answer {answer.text!r} has no condition; legal: {legal}")
-    return bool(answer.code and truth(answer.code, names, answer.line, reading))
+        return None
+    return truth(answer.code, names, answer.line, reading)
 
 
 def ordered_options(items: Sequence[Item], reading: Reading) -> tuple[Option, ...]:

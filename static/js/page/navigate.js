@@ -4,7 +4,7 @@
  * loads the page itself.
  */
 
-import { isPlain, within } from "./dom.js";
+import { all, isPlain, within } from "./dom.js";
 
 /** What a head says of its own page, or with addresses relative to it. */
 const OF_A_PAGE = [
@@ -101,6 +101,7 @@ async function turnTo(url, turned, commit) {
   try {
     const page = await fetchPage(url, signal);
     if (signal.aborted) return;
+    keepAddresses();
     commit();
     putInPlace(page);
     shownPath = location.pathname;
@@ -138,6 +139,13 @@ function assetsOf(body, base) {
   return new URL(body.dataset.assets ?? "", base).href;
 }
 
+/** From the next page's address, too, the browser is to find the icons until it has others. */
+function keepAddresses() {
+  for (const link of all(document.head, "link[rel=icon]", HTMLLinkElement)) {
+    link.setAttribute("href", link.href);
+  }
+}
+
 /**
  * Called when the address is already the new page's, so that relative links resolve.
  *
@@ -145,8 +153,9 @@ function assetsOf(body, base) {
  */
 function putInPlace(page) {
   document.title = page.title;
-  for (const part of document.head.querySelectorAll(OF_A_PAGE)) part.remove();
+  const old = document.head.querySelectorAll(OF_A_PAGE);
   document.head.append(...page.head.querySelectorAll(OF_A_PAGE));
+  for (const part of old) part.remove();
   for (const name of Object.keys(document.body.dataset)) delete document.body.dataset[name];
   Object.assign(document.body.dataset, page.body.dataset);
   document.body.className = page.body.className;
@@ -167,7 +176,7 @@ function restoreScroll() {
 }
 
 /** The element that the address points to; none where its end is mangled. */
-function hashTarget() {
+export function hashTarget() {
   try {
     return document.getElementById(decodeURIComponent(location.hash.slice(1)));
   } catch {

@@ -4,6 +4,7 @@
  */
 
 import { all, maybe, within } from "./dom.js";
+import { hashTarget } from "./navigate.js";
 
 const STEPS = new Map([
   ["ArrowRight", 1],
@@ -101,7 +102,7 @@ function reveal(inside) {
 }
 
 function revealTarget() {
-  const target = document.getElementById(decodeURIComponent(location.hash.slice(1)));
+  const target = hashTarget();
   if (!target?.closest(".tab[hidden]")) return;
   reveal(target);
   target.scrollIntoView();

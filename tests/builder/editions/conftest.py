@@ -1,4 +1,4 @@
-"""A chapter with a figure, links and a question, for both editions."""
+"""A chapter with figures, links, a question, alternatives and a download, for both editions."""
 
 import pytest
 
@@ -17,6 +17,23 @@ Which one?
   : No, for a reason.
 - [x] That
   : Yes, for a reason.
+:::
+
+:::{figure} images/plan.svg
+:alt: A plan
+:dark: images/plan.svg
+:::
+
+::::{tabs}
+:::{tab} One
+This.
+:::
+:::{tab} Other
+That.
+:::
+::::
+
+:::{download} book.toml
 :::
 """
 

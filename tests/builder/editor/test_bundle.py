@@ -67,7 +67,7 @@ def test_without_the_editor_the_book_is_built_and_says_so(
         raise EditorBundleError("its packages could not be had from npm: no network")
 
     monkeypatch.setattr(build, "bundle_editor", refuse)
-    monkeypatch.setattr(build, "pack_runtime", lambda _root: RuntimeBundle({}, VERSIONS))
+    monkeypatch.setattr(build, "pack_runtime", lambda _root, **_shown: RuntimeBundle({}, VERSIONS))
     warnings: list[Diagnostic] = []
     files = render_site(replace(make_book(PAGE), runtime=True, warn=warnings.append))
     page = files["first/index.html"]

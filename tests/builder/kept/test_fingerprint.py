@@ -25,7 +25,7 @@ class Pair:
     y: object
 
 
-DIFFERENT = [
+DIFFERENT: list[object] = [
     None, True, 1, 1.0, -0.0, 0.0, "1", b"1", Markup("1"), (), (1,), ((1,),), (1, 2), ("1", "2"),
     ("12",), {1: 2}, {2: 1}, {1: 2, 3: 4}, {3: 4, 1: 2}, {1, 2}, frozenset(), Point(1, 2),
     Point(2, 1), Pair(1, 2), np.zeros(2), np.zeros(2, np.float32), np.zeros((2, 1)), np.float64(0),

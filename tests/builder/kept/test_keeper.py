@@ -3,6 +3,7 @@
 import sys
 from collections.abc import Callable, Iterator, Mapping
 from pathlib import Path
+from typing import Any
 
 import pytest
 
@@ -50,7 +51,7 @@ def shouted(file: Path) -> str:
     return first_line(file).upper()
 
 
-def made(store: Shelf, ask: Callable[[], object], **options: float) -> list[str]:
+def made(store: Shelf, ask: Callable[[], object], **options: Any) -> list[str]:
     """Names of the functions that ran in a new process, as it were."""
     keeper = Keeper(store, **options)
     with keeping(keeper):

@@ -34,8 +34,8 @@ FILES: dict[str, str | None] = {
     "content/clips/pan.vtt": "WEBVTT\n\n00:00.000 --> 00:01.000\nHello.\n",
     "content/clips/tale.vtt": "1\nHello.\n",
     "content/images/plan.svg": '<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 640 400"/>',
-    "content/images/night.svg": '<svg width="320px" height="200"/>',
-    "content/images/tall.svg": '<svg width="10" height="20"/>',
+    "content/images/night.svg": '<svg xmlns="http://www.w3.org/2000/svg" width="32" height="20"/>',
+    "content/images/tall.svg": '<svg xmlns="http://www.w3.org/2000/svg" width="10" height="20"/>',
     "content/data/points.csv": "x,y\n1,2\n",
 }
 
@@ -58,6 +58,15 @@ def test_an_included_file_is_read_where_it_is_named(make_book: MakeBook) -> None
 def test_what_is_included_may_include(make_book: MakeBook) -> None:
     parts = {"content/a.md": ":::{include} parts/b.md\n:::\n", "content/parts/b.md": "Deep.\n"}
     assert "<p>Deep.</p>" in page(make_book(":::{include} a.md\n:::\n", parts))
+
+
+def test_an_included_file_that_changes_is_read_anew(make_book: MakeBook) -> None:
+    options = make_book(":::{include} a.md\n:::\n", {"content/a.md": "First words.\n"})
+    assert "First words." in page(options)
+    (options.root / "content" / "a.md").write_text("Second words.\n", encoding="utf-8")
+    html = page(options)
+    assert "Second words." in html
+    assert "First words." not in html
 
 
 def test_in_a_listing_an_include_is_code(make_book: MakeBook) -> None:

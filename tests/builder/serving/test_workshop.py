@@ -8,7 +8,6 @@ from typing import Any
 
 import pytest
 
-from site_builder.serving import workshop as workshops
 from site_builder.serving.workshop import GRACE_S, Workshop
 
 
@@ -68,7 +67,7 @@ def bench(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> Iterator[Bench]:
         processes.append(Process())
         return processes[-1]
 
-    monkeypatch.setattr(workshops.subprocess, "Popen", start)
+    monkeypatch.setattr("site_builder.serving.workshop.subprocess.Popen", start)
     reports: queue.Queue[Mapping[str, Any]] = queue.Queue()
     now = [0.0]
     shop = Workshop(tmp_path, tmp_path / "site", False, reports.put, clock=lambda: now[0])

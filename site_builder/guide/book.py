@@ -1,0 +1,56 @@
+"""The guide as a book's folder: text written for it, pages made of declarations, and the figures
+that every new book begins with."""
+
+from pathlib import Path
+
+from site_builder.book_root import ENGINE
+from site_builder.guide.classes import read_classes
+from site_builder.guide.pages import directive_page, drawing_page, role_page, settings_page
+from site_builder.scaffold.files import HERE as SCAFFOLD
+from site_builder.scaffold.files import SUFFIX, filled
+
+OWN = Path(__file__).with_name("book")
+TAKEN = ("simulations", "content/measurements.json")
+"""What the guide has of a new book."""
+
+
+def guide_files() -> dict[str, bytes]:
+    """Every file of the guide by its path. Raises `NoExampleError`."""
+    classes = read_classes(ENGINE / "static" / "css" / "overlay.css")
+    made = {
+        "content/03-directives.md": directive_page(),
+        "content/04-roles.md": role_page(),
+        "content/05-drawings.md": drawing_page(classes.roles, classes.manners, classes.texts),
+        "content/08-settings.md": settings_page(),
+        "simulations/models/classes.py": (
+            f'"""Made by the guide."""\n\nROLES = {classes.roles!r}\n'
+            f"MANNERS = {tuple(classes.manners)!r}\nTEXTS = {classes.texts!r}\n"
+        ),
+    }
+    new_book = {
+        path: filled(f"book/{file.relative_to(SCAFFOLD / 'book').as_posix()}").encode()
+        for file in sorted((SCAFFOLD / "book").rglob("*"))
+        if file.is_file()
+        for path in (file.relative_to(SCAFFOLD / "book").as_posix().removesuffix(SUFFIX),)
+        if path.startswith(TAKEN)
+    }
+    own = {
+        file.relative_to(OWN).as_posix().removesuffix(SUFFIX): file.read_bytes()
+        for file in sorted(OWN.rglob("*"))
+        if file.is_file()
+    }
+    return {**new_book, **own, **{path: text.encode() for path, text in made.items()}}
+
+
+def write_guide(folder: Path) -> None:
+    """Write the guide into ``folder``, in the place of what was there; what has not changed keeps
+    its time, so that a server of the guide builds only for what has."""
+    files = guide_files()
+    for old in sorted(folder.rglob("*")) if folder.is_dir() else ():
+        if old.is_file() and old.relative_to(folder).as_posix() not in files:
+            old.unlink()
+    for path, data in files.items():
+        file = folder / path
+        if not file.is_file() or file.read_bytes() != data:
+            file.parent.mkdir(parents=True, exist_ok=True)
+            file.write_bytes(data)

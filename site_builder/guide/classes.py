@@ -1,0 +1,31 @@
+"""The classes of drawings, as the style sheet declares them."""
+
+import re
+from dataclasses import dataclass
+from pathlib import Path
+
+from simulations.engine.frame import ROLES
+
+RULE = re.compile(r"^\.overlay (text)?\.([a-z]+) \{\n((?:  .*\n)+)\}", re.MULTILINE)
+UNSEEN = ("swatch",)
+"""Classes of what has a colour of its own."""
+
+
+@dataclass(frozen=True, slots=True)
+class Classes:
+    """What a mark may be."""
+
+    roles: tuple[str, ...]
+    manners: dict[str, str]
+    """With how they look: ``stroke-width: 1px``."""
+    texts: tuple[str, ...]
+    """Classes of labels."""
+
+
+def read_classes(overlay: Path) -> Classes:
+    """``overlay`` is the style sheet of drawings."""
+    found = RULE.findall(overlay.read_text(encoding="utf-8"))
+    looks = {name: " ".join(body.split()).rstrip(";") for text, name, body in found if not text}
+    roles = tuple(name for name in looks if name in ROLES or name == "muted")
+    manners = {name: look for name, look in looks.items() if name not in (*roles, *UNSEEN)}
+    return Classes(roles, manners, tuple(name for text, name, _ in found if text))
