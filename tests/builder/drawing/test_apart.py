@@ -7,6 +7,8 @@ import time
 import numpy as np
 import pytest
 
+from simulations.models.require import require_positive
+from site_builder.blame import place_of
 from site_builder.drawing.apart import LimitError, Limits, apart, in_time, limited
 
 QUICK = Limits(seconds=0.3)
@@ -78,6 +80,12 @@ def test_an_error_that_cannot_be_sent_is_told_in_words() -> None:
 
     with limited(Limits()), pytest.raises(RuntimeError, match="AwkwardError: 1 and 2"):
         apart(fail)
+
+
+def test_the_place_of_an_error_comes_back_with_it() -> None:
+    with limited(Limits()), pytest.raises(ValueError) as raised:  # noqa: PT011
+        apart(lambda: require_positive("depth", -1.0))
+    assert place_of(raised.value).startswith("simulations/models/require.py:")
 
 
 def test_nothing_is_left_running() -> None:
