@@ -45,10 +45,9 @@ BUILDER = (
 )  # fmt: skip
 """Parts of ``site_builder``, likewise."""
 MARKDOWN = (
-    "text", "targets", "reading", "content_files", "splicing", "scenes", "front_matter", "headings",
-    "role", "roles", "inline",
+    "text", "targets", "reading", "files", "scenes", "headings", "role", "roles", "inline",
     "directive", "questions", "usage", "blocks", "bodies", "fences",
-    "directives", "placing", "guide", "parser", "definitions", "terms", "chapter",
+    "directives", "placing", "guide", "parser", "vocabulary", "chapter",
 )  # fmt: skip
 """Parts of ``site_builder/markdown``, likewise."""
 
