@@ -13,7 +13,7 @@ from simulations.engine.ladder import Ladder
 from simulations.engine.scene import Scene
 from simulations.registry import LADDER_MODULES, SCENE_MODULES, load_ladder, load_scene
 from site_builder.blame import place_of
-from site_builder.book import Book, contents
+from site_builder.book import Book
 from site_builder.book_root import ENGINE, own_or_engine
 from site_builder.checks.declared import check_declarations
 from site_builder.checks.frames import check_frames
@@ -37,6 +37,7 @@ from site_builder.output.font_faces import chosen_faces
 from site_builder.output.fonts import subset_fonts
 from site_builder.output.style_sheets import join_style_sheets
 from site_builder.output.writer import write_site
+from site_builder.page_model.blocks import contents
 from site_builder.pages.catalogue import catalogue
 from site_builder.pages.licences import Licence, gather_licences
 from site_builder.pages.render import Site, render_pages, render_template

@@ -10,7 +10,7 @@ from site_builder.beside.bibliography import FILE as BIBLIOGRAPHY
 from site_builder.beside.bibliography import Bibliography
 from site_builder.beside.glossary import FILE as GLOSSARY
 from site_builder.beside.glossary import Glossary
-from site_builder.book import Chapter, Position, Target, chapter_id
+from site_builder.book import Chapter
 from site_builder.diagnostics import Diagnostics
 from site_builder.kept.keeper import given_hash, kept_as, reads_file
 from site_builder.kept.told import kept_reading
@@ -22,6 +22,7 @@ from site_builder.markdown.targets import Targets
 from site_builder.markdown.text.macros import Macros
 from site_builder.measured.measurements import DATA as MEASUREMENTS
 from site_builder.measured.measurements import Measurements
+from site_builder.page_model.places import Position, Target, chapter_id
 
 
 @dataclass(frozen=True, slots=True)

@@ -6,9 +6,10 @@ Only the sections are named there. What each shows and asks is read off the chap
 from collections.abc import Mapping, Sequence
 from pathlib import Path
 
-from site_builder.book import LecturePlan, Lesson, Target, Taught
+from site_builder.book import LecturePlan, Lesson, Taught
 from site_builder.diagnostics import Diagnostics, unknown
 from site_builder.markdown.targets import Targets
+from site_builder.page_model.places import Target
 from site_builder.source_text import Toml, read_toml
 
 FILE = "content/lecture-plan.toml"

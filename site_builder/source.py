@@ -15,7 +15,7 @@ from site_builder.beside.glossary import Glossary, read_glossary
 from site_builder.beside.news import read_news
 from site_builder.beside.symbols import FILE as SYMBOLS
 from site_builder.beside.symbols import read_symbols
-from site_builder.book import OUTLINE, Book, Definition, Meaning, Position, Simulation, chapter_id
+from site_builder.book import OUTLINE, Book
 from site_builder.chapters import Page, Shared, targets_hash
 from site_builder.diagnostics import Diagnostics, unknown
 from site_builder.kept.keeper import reads_file
@@ -31,6 +31,8 @@ from site_builder.markdown.text.macros import Macros, faults_of
 from site_builder.markdown.vocabulary.definitions import read_definitions, read_meanings
 from site_builder.measured.measurements import DATA as MEASUREMENTS
 from site_builder.measured.measurements import Measurements
+from site_builder.page_model.blocks import Simulation
+from site_builder.page_model.places import Definition, Meaning, Position, chapter_id
 from site_builder.settings.model import Settings
 from site_builder.settings.reading import read_settings
 from site_builder.source_text import Toml, read_text

@@ -6,10 +6,11 @@ from collections.abc import Iterator, Sequence
 from pathlib import Path
 
 from simulations.engine.frame import Panel
-from site_builder.book import Block, Book
+from site_builder.book import Book
 from site_builder.checks.svg import read_overlay
 from site_builder.diagnostics import Diagnostics, unknown
 from site_builder.markdown.directives.illustration import Drawn
+from site_builder.page_model.blocks import Block
 from site_builder.pages.stills import Stills
 
 MOST_PIXELS, MANY_PIXELS = 4_000_000, 1_000_000

@@ -10,8 +10,9 @@ import html
 import re
 from collections.abc import Sequence
 
-from site_builder.book import Book, Chapter, Option, Quiz
+from site_builder.book import Book, Chapter
 from site_builder.diagnostics import Diagnostics
+from site_builder.page_model.questions import Option, Quiz
 
 STANDS_OUT = 1.4
 """How many times as long as the longest wrong answer a key may be, or the shortest wrong answer as

@@ -3,10 +3,11 @@
 from collections.abc import Iterator
 
 from site_builder.beside.symbols import BOOK, FILE
-from site_builder.book import Book, Chapter, Formula
+from site_builder.book import Book, Chapter
 from site_builder.diagnostics import Diagnostics, unknown
 from site_builder.markdown.text.symbols import covers, spelt, symbols_of
 from site_builder.markdown.vocabulary.definitions import meanings_in
+from site_builder.page_model.places import Formula
 
 
 def check_symbols(book: Book, problems: Diagnostics) -> None:

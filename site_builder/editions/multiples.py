@@ -9,9 +9,10 @@ import numpy as np
 from simulations.engine.controls import Action, Choice, Control, Slider, Toggle, Value
 from simulations.engine.frame import Frame, Panel
 from simulations.engine.stages import StageCache
-from site_builder.book import Book, Simulation
+from site_builder.book import Book
 from site_builder.drawing.frames import png
 from site_builder.languages.words import Words
+from site_builder.page_model.blocks import Simulation
 from site_builder.pages.stills import Still, Stills
 from site_builder.pages.views.control import value_text
 

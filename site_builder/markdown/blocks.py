@@ -6,10 +6,10 @@ from typing import Any
 
 from markdown_it.token import Token
 
-from site_builder.book import Block, Prose
 from site_builder.markdown.directive import Directive, Use
 from site_builder.markdown.reading import Reading
 from site_builder.markdown.usage import checked
+from site_builder.page_model.blocks import Block, Prose
 
 
 def read_blocks(tokens: Sequence[Token], reading: Reading) -> tuple[Block, ...]:

@@ -4,10 +4,10 @@ from collections.abc import Sequence
 
 from markdown_it.token import Token
 
-from site_builder.book import Block
 from site_builder.markdown.blocks import read_blocks
 from site_builder.markdown.directive import Body, Use
 from site_builder.markdown.reading import Reading
+from site_builder.page_model.blocks import Block
 
 
 def plain_tokens(use: Use, tokens: Sequence[Token], reading: Reading) -> Sequence[Token]:

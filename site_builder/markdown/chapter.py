@@ -5,7 +5,7 @@ from dataclasses import dataclass
 
 from markdown_it.token import Token
 
-from site_builder.book import Chapter, Formula, Need, Target
+from site_builder.book import Chapter
 from site_builder.diagnostics import Diagnostics
 from site_builder.markdown.blocks import read_blocks
 from site_builder.markdown.files.front_matter import FrontMatter, read_front_matter
@@ -15,6 +15,7 @@ from site_builder.markdown.placing import place_targets
 from site_builder.markdown.reading import PAGE_IDS, Reading
 from site_builder.markdown.targets import Targets
 from site_builder.markdown.vocabulary.terms import mark_terms
+from site_builder.page_model.places import Formula, Need, Target
 
 
 @dataclass(frozen=True, slots=True)

@@ -6,9 +6,9 @@ from itertools import pairwise
 
 from markdown_it.token import Token
 
-from site_builder.book import Heading
 from site_builder.markdown.reading import Reading
 from site_builder.markdown.text.tokens import plain_text
+from site_builder.page_model.places import Heading
 
 
 def list_headings(tokens: Sequence[Token], reading: Reading) -> None:

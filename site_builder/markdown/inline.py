@@ -5,7 +5,6 @@ from collections.abc import Sequence
 
 from markdown_it.token import Token
 
-from site_builder.book import Link, chapter_id
 from site_builder.diagnostics import unknown
 from site_builder.markdown.headings import list_headings
 from site_builder.markdown.reading import Reading
@@ -16,6 +15,7 @@ from site_builder.markdown.text.formula_breaks import displayed_parts, glue_form
 from site_builder.markdown.text.math import UnsupportedTexError, to_mathml
 from site_builder.markdown.text.shorthand import written_out
 from site_builder.markdown.text.tokens import located, plain_text
+from site_builder.page_model.places import Link, chapter_id
 
 ROLE_NAMES = tuple(role.name for role in ROLES)
 MISPLACED_OPTION = re.compile(r":[a-z_][\w-]*:[ \t]+\S+")

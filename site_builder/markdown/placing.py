@@ -14,12 +14,12 @@ from typing import Any
 
 from markdown_it.token import Token
 
-from site_builder.book import Target
 from site_builder.markdown.directive import LABEL, Directive, Use
 from site_builder.markdown.directives.simulation import SIMULATION
 from site_builder.markdown.headings import slug
 from site_builder.markdown.reading import Place, Reading
 from site_builder.markdown.text.tokens import plain_text
+from site_builder.page_model.places import Target
 
 TAG = re.compile(r"\\tag\*?\{([^{}]*)\}")
 TAG_FORM = re.compile(r"[^\s\\$&#^_~%]{1,12}")

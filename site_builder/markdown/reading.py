@@ -12,13 +12,21 @@ from simulations.engine.scene import Scene
 from site_builder.beside.bibliography import EMPTY, Bibliography
 from site_builder.beside.glossary import EMPTY as NO_TERMS
 from site_builder.beside.glossary import Glossary
-from site_builder.book import Citation, Heading, IndexMark, Link, Position, Target, TermUse
 from site_builder.diagnostics import Diagnostics
 from site_builder.languages.words import ENGLISH, Words
 from site_builder.markdown.targets import Targets
 from site_builder.markdown.text.macros import Macros
 from site_builder.measured.measurements import Measurements
 from site_builder.measured.readouts import Readouts
+from site_builder.page_model.places import (
+    Citation,
+    Heading,
+    IndexMark,
+    Link,
+    Position,
+    Target,
+    TermUse,
+)
 
 FIRST = Position(0, "0")
 PAGE_IDS = ("main", "contents", "progress-title", "keys-title")

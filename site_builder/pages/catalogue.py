@@ -6,7 +6,8 @@ from typing import Any
 
 from simulations.engine.controls import describe
 from simulations.engine.scene import Scene
-from site_builder.book import Book, Chapter, Option, Prediction, Quiz
+from site_builder.book import Book, Chapter
+from site_builder.page_model.questions import Option, Prediction, Quiz
 from site_builder.runtime.pinned import Versions
 
 

@@ -10,12 +10,14 @@ from jinja2 import Environment, FileSystemLoader, StrictUndefined
 from markupsafe import Markup
 
 from site_builder.beside.bibliography import EMPTY
-from site_builder.book import Block, Book, Chapter, Heading, Simulation
+from site_builder.book import Book, Chapter
 from site_builder.book_root import own_or_engine
 from site_builder.kept.files import folder_hash
 from site_builder.kept.keeper import given_hash, kept_as
 from site_builder.markdown.directives.simulation import SIMULATION
 from site_builder.markdown.text.code import highlighted_lines
+from site_builder.page_model.blocks import Block, Simulation
+from site_builder.page_model.places import Heading
 from site_builder.pages.licences import Licence
 from site_builder.pages.outside import card_path, origin, page_address
 from site_builder.pages.places import card

@@ -6,9 +6,10 @@ from dataclasses import dataclass
 from simulations.engine.controls import Value
 from simulations.engine.frame import Frame
 from simulations.engine.settings import values_of
-from site_builder.book import Book, Simulation
+from site_builder.book import Book
 from site_builder.diagnostics import Diagnostics, cause
 from site_builder.drawing.frames import print_at
+from site_builder.page_model.blocks import Simulation
 
 
 @dataclass(frozen=True, slots=True)

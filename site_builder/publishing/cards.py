@@ -6,11 +6,12 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from simulations.engine.frame import Panel
-from site_builder.book import Book, Chapter, Simulation, contents
+from site_builder.book import Book, Chapter
 from site_builder.book_root import own_or_engine
 from site_builder.markdown.directives.illustration import Drawn as DrawnIllustration
 from site_builder.output.font_faces import chosen_faces
 from site_builder.output.light_theme import light_tokens, resolve, without_containers
+from site_builder.page_model.blocks import Simulation, contents
 from site_builder.pages.outside import BOOK_CARD, card_path
 from site_builder.pages.render import render_template
 from site_builder.pages.stills import Stills

@@ -2,11 +2,12 @@
 
 from collections.abc import Sequence
 
-from site_builder.book import Block, Reveal
 from site_builder.markdown.bodies import BLOCKS
 from site_builder.markdown.directive import Argument, Directive, Use
 from site_builder.markdown.questions.question import prediction_id
 from site_builder.markdown.reading import Reading
+from site_builder.page_model.blocks import Block
+from site_builder.page_model.questions import Reveal
 
 
 def read_reveal(use: Use, _body: Sequence[Block], reading: Reading) -> Reveal:

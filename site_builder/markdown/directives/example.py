@@ -3,12 +3,12 @@
 from collections.abc import Sequence
 from dataclasses import dataclass
 
-from site_builder.book import Block
 from site_builder.markdown.bodies import BLOCKS
 from site_builder.markdown.directive import LABEL, Argument, Directive, Numbered, Use
 from site_builder.markdown.headings import slug
 from site_builder.markdown.inline import inline_html
 from site_builder.markdown.reading import Reading
+from site_builder.page_model.blocks import Block
 
 
 @dataclass(frozen=True, slots=True)

@@ -4,7 +4,6 @@ from collections.abc import Mapping, Sequence
 
 from markdown_it.token import Token
 
-from site_builder.book import Option, Prediction
 from site_builder.markdown.bodies import plain_tokens
 from site_builder.markdown.directive import Argument, Body, Directive, Numbered, OptionLine, Use
 from site_builder.markdown.questions.answers import Parts, check_parts, split_body
@@ -24,6 +23,7 @@ from site_builder.markdown.questions.question import (
 )
 from site_builder.markdown.questions.sketches import read_curve
 from site_builder.markdown.reading import Reading
+from site_builder.page_model.questions import Option, Prediction
 
 KINDS = ("choice", "number", "sketch")
 BELONGS: Mapping[str, tuple[str, ...]] = {

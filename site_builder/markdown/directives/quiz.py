@@ -4,7 +4,6 @@ from collections.abc import Mapping, Sequence
 
 from markdown_it.token import Token
 
-from site_builder.book import Option, Quiz
 from site_builder.markdown.bodies import plain_tokens
 from site_builder.markdown.directive import Argument, Body, Directive, Numbered, OptionLine, Use
 from site_builder.markdown.questions.answers import Item, Parts, check_parts, split_body
@@ -25,6 +24,7 @@ from site_builder.markdown.questions.question import (
     prompt_text,
 )
 from site_builder.markdown.reading import Reading
+from site_builder.page_model.questions import Option, Quiz
 
 KINDS = ("single", "multiple", "number", "order", "figure")
 BELONGS: Mapping[str, tuple[str, ...]] = {

@@ -8,11 +8,11 @@ from typing import Any
 from markdown_it.token import Token
 
 from simulations.engine.scene import Scene
-from site_builder.book import Simulation
 from site_builder.markdown.bodies import plain_tokens
 from site_builder.markdown.directive import Argument, Body, Directive, Numbered, OptionLine, Use
 from site_builder.markdown.reading import Reading
 from site_builder.markdown.scenes import find_scene, read_setting, read_tier
+from site_builder.page_model.blocks import Simulation
 
 OWN_OPTIONS = ("tier", "workings")
 """Those that are no control of the scene."""

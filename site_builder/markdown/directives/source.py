@@ -4,7 +4,6 @@ import ast
 from pathlib import Path
 from textwrap import dedent
 
-from site_builder.book import Source
 from site_builder.book_root import is_engine, own_or_engine
 from site_builder.diagnostics import unknown
 from site_builder.kept.keeper import reads_file
@@ -12,6 +11,7 @@ from site_builder.markdown.bodies import CAPTION
 from site_builder.markdown.directive import Argument, Directive, Use
 from site_builder.markdown.reading import Reading
 from site_builder.markdown.text.code import code_html
+from site_builder.page_model.blocks import Source
 
 FORM = "package.module:function"
 type Definition = ast.FunctionDef | ast.ClassDef

@@ -8,13 +8,13 @@ from dataclasses import dataclass
 
 from markdown_it.token import Token
 
-from site_builder.book import Block
 from site_builder.markdown.blocks import read_blocks
 from site_builder.markdown.bodies import BLOCKS
 from site_builder.markdown.directive import Argument, Body, Directive, Use
 from site_builder.markdown.headings import slug
 from site_builder.markdown.inline import inline_html
 from site_builder.markdown.reading import Reading
+from site_builder.page_model.blocks import Block
 
 LEGAL = "two or more ':::{tab} Title'"
 

@@ -4,13 +4,13 @@ import math
 from collections.abc import Sequence
 
 from simulations.engine.frame import format_number
-from site_builder.book import Option
 from site_builder.languages.words import Words
 from site_builder.markdown.directive import OptionLine, Use
 from site_builder.markdown.questions.answers import Answer, Item, read_answer
 from site_builder.markdown.questions.computed import names_for, number, truth
 from site_builder.markdown.reading import Reading
 from site_builder.measured.quantities import with_unit
+from site_builder.page_model.questions import Option
 
 OTHERWISE = "otherwise"
 """The answer that stands for whatever no other recognises."""

@@ -3,11 +3,11 @@
 import re
 from collections.abc import Mapping, Sequence
 
-from site_builder.book import Option
 from site_builder.markdown.directive import Use
 from site_builder.markdown.questions.answers import Parts
 from site_builder.markdown.reading import Reading
 from site_builder.markdown.text.tokens import plain_text
+from site_builder.page_model.questions import Option
 
 ID = re.compile(r"[a-z0-9]+(-[a-z0-9]+)*")
 

@@ -1,9 +1,9 @@
 """A curve that the reader is asked to sketch: an expression in ``x`` and two axes."""
 
-from site_builder.book import Axis, Curve
 from site_builder.markdown.directive import Use
 from site_builder.markdown.questions.computed import names_for, number
 from site_builder.markdown.reading import Reading
+from site_builder.page_model.questions import Axis, Curve
 
 SAMPLES = 97
 """Points of a true curve: twelve for each step between the nine places of a sketch."""

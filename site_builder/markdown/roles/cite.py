@@ -10,10 +10,10 @@ from collections.abc import Callable, Iterator, Sequence
 from markdown_it.token import Token
 
 from site_builder.beside.bibliography import Work
-from site_builder.book import Citation
 from site_builder.diagnostics import unknown
 from site_builder.markdown.reading import Reading
 from site_builder.markdown.role import Role
+from site_builder.page_model.places import Citation
 
 FORM = "KEY[, PLACE]; …"
 

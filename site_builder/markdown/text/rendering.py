@@ -7,8 +7,8 @@ from markdown_it.renderer import RendererProtocol
 from markdown_it.token import Token
 from markdown_it.utils import EnvType, OptionsDict
 
-from site_builder.book import Target
 from site_builder.languages.words import Words
+from site_builder.page_model.places import Target
 
 
 def formula(token: Token) -> str:

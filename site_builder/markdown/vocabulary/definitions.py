@@ -4,10 +4,11 @@ from collections.abc import Mapping, Sequence
 
 from site_builder.beside.glossary import Glossary, Term
 from site_builder.beside.symbols import BOOK, Symbol, Symbols
-from site_builder.book import Book, Chapter, Definition, Meaning
+from site_builder.book import Book, Chapter
 from site_builder.markdown.inline import inline_html
 from site_builder.markdown.reading import Reading
 from site_builder.markdown.text.symbols import spelt
+from site_builder.page_model.places import Definition, Meaning
 
 
 def read_definitions(glossary: Glossary, reading: Reading) -> tuple[Definition, ...]:

@@ -10,11 +10,11 @@ from typing import Any
 from markdown_it.token import Token
 
 from site_builder.beside.glossary import Term
-from site_builder.book import IndexMark, TermUse
 from site_builder.markdown.directive import Directive, Use
 from site_builder.markdown.reading import Reading
 from site_builder.markdown.roles.term import term_link
 from site_builder.markdown.text.tokens import located
+from site_builder.page_model.places import IndexMark, TermUse
 
 QUESTIONS = ("quiz", "predict")
 """Directives whose words are no uses: they say what is wrong, too."""

@@ -3,7 +3,8 @@
 from collections.abc import Iterator
 from dataclasses import dataclass
 
-from site_builder.book import Book, Chapter, Definition
+from site_builder.book import Book, Chapter
+from site_builder.page_model.places import Definition
 from site_builder.pages.places import Letters, Place, by_letter, place
 
 

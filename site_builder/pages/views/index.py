@@ -5,7 +5,8 @@ from collections import Counter
 from collections.abc import Iterator
 from dataclasses import dataclass
 
-from site_builder.book import Book, Definition
+from site_builder.book import Book
+from site_builder.page_model.places import Definition
 from site_builder.pages.places import Letters, Place, by_letter, place
 
 OFTEN = 2

@@ -5,7 +5,7 @@ from dataclasses import dataclass
 from markupsafe import Markup
 
 from simulations.engine.drawing import coordinate
-from site_builder.book import Axis, Curve, Prediction
+from site_builder.page_model.questions import Axis, Curve, Prediction
 from site_builder.pages.embedding import json_for_html
 from site_builder.pages.views.quiz import option_data
 

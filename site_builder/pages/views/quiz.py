@@ -5,8 +5,8 @@ from collections.abc import Sequence
 
 from markupsafe import Markup
 
-from site_builder.book import Option, Quiz
 from site_builder.markdown.questions.options import OTHERWISE
+from site_builder.page_model.questions import Option, Quiz
 from site_builder.pages.embedding import json_for_html
 
 

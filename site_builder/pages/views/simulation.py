@@ -9,9 +9,9 @@ from simulations.engine.frame import Panel, Place, Readout, StageReport
 from simulations.engine.handles import Handle
 from simulations.engine.scene import Scene
 from simulations.registry import load_ladder
-from site_builder.book import Simulation
 from site_builder.kept.keeper import reads_code
 from site_builder.languages.words import ENGLISH, Words
+from site_builder.page_model.blocks import Simulation
 from site_builder.pages.embedding import json_for_html
 from site_builder.pages.figure_grid import even_columns
 from site_builder.pages.stills import Still

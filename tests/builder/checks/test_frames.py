@@ -10,9 +10,9 @@ import pytest
 
 from simulations.engine.frame import Frame, Panel, Readout
 from simulations.engine.scene import Scene
-from site_builder.checks import frames as frame_checks
 from site_builder.blame import place_of
 from site_builder.build import Options, check_site
+from site_builder.checks import frames as frame_checks
 from site_builder.diagnostics import BuildError, Diagnostic
 
 COVERLESS = (

@@ -9,8 +9,8 @@ from pathlib import Path
 import pytest
 from PIL import Image
 
-from site_builder.checks import pictures as picture_checks
 from site_builder.build import Options, check_site
+from site_builder.checks import pictures as picture_checks
 from site_builder.diagnostics import BuildError, Diagnostic
 
 SHOWN = ":::{figure} images/a.png\n:alt: A\n:::\n"

@@ -1,0 +1,1 @@
+"""What a chapter is made of, between Markdown and HTML. Frozen all the way down."""

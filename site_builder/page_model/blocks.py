@@ -1,0 +1,70 @@
+"""The parts of a page, and those of them that other parts of the builder ask for: simulations are
+drawn, quoted modules get a page. A directive keeps the class of what it shows in its own file.
+"""
+
+from collections.abc import Iterable, Iterator, Mapping
+from dataclasses import dataclass
+from typing import Any
+
+from simulations.engine.scene import Scene
+from site_builder.page_model.places import Target
+
+
+@dataclass(frozen=True, slots=True)
+class Block:
+    """A part of a page: a run of plain Markdown, or what one directive says."""
+
+    template: str
+    """Its file below ``templates/blocks/``, without ``.html``."""
+    content: object
+    """What the template shows; most directives have a class of their own for it."""
+    inside: "tuple[Block, ...]" = ()
+    """The blocks in it, as a callout has them."""
+    target: "Target | None" = None
+    """Its number and where a link to it leads; None where it is not numbered."""
+
+
+def contents[T](blocks: Iterable[Block], kind: type[T]) -> Iterator[T]:
+    """What the blocks of one kind show, those inside other blocks included."""
+    for block in blocks:
+        if isinstance(block.content, kind):
+            yield block.content
+        yield from contents(block.inside, kind)
+
+
+@dataclass(frozen=True, slots=True)
+class Prose:
+    """Paragraphs, lists, headings, formulae: anything that plain Markdown makes."""
+
+    html: str
+
+
+@dataclass(frozen=True, slots=True)
+class Simulation:
+    """A figure that comes alive in the page."""
+
+    scene: Scene[Any]
+    id: str
+    """Element id: ``figure-`` and the scene's id, numbered where a page shows a scene twice."""
+    values: Mapping[str, object]
+    """Starting values that differ from the scene's defaults, already checked."""
+    tier: str
+    """Starting accuracy; the scene's default where the author named none."""
+    caption_html: str
+    path: str
+    line: int
+    workings_open: bool = False
+    """Whether it shows at first how it was computed."""
+
+
+@dataclass(frozen=True, slots=True)
+class Source:
+    """The real source of a function of the book's own code."""
+
+    module: str
+    name: str
+    path: str
+    """File of the module, relative to the root of the project."""
+    first_line: int
+    html: str
+    caption_html: str
