@@ -25,6 +25,8 @@ from site_builder.blame import place_of, remember_place
 GRACE_S = 2.0
 """How long the code may ignore that its time is over, as a call into numpy does, until it is
 killed."""
+PATIENCE = 4.0
+"""How much longer it may take by the clock than of the processor, which it shares with others."""
 CHUNK = 1 << 20
 
 
@@ -33,6 +35,7 @@ class Limits:
     """What one drawing may take."""
 
     seconds: float = 15.0
+    """Of the processor's time."""
     bytes: int = 4_000_000_000
     """Of memory, beside what the builder has."""
 
@@ -68,7 +71,7 @@ def apart[T](job: Callable[[], T]) -> T:
         _run_and_exit(job, writer, limits)
     os.close(writer)
     try:
-        answer = _read_all(reader, time.monotonic() + limits.seconds + GRACE_S)
+        answer = _read_all(reader, time.monotonic() + PATIENCE * limits.seconds + GRACE_S)
     finally:
         os.close(reader)
         with suppress(ProcessLookupError):
@@ -88,16 +91,21 @@ def apart[T](job: Callable[[], T]) -> T:
 def in_time() -> Iterator[None]:
     """For what must run here, as imports: raises `LimitError` in it where it takes too long."""
     limits = _limits.get()
-    if limits is None or threading.current_thread() is not threading.main_thread():
+    aside = threading.current_thread() is not threading.main_thread()
+    if limits is None or aside or not hasattr(signal, "setitimer"):
         yield
         return
-    before = signal.signal(signal.SIGALRM, _alarm(limits))
-    signal.setitimer(signal.ITIMER_REAL, limits.seconds)
+    alarm = _alarm(limits)
+    before = {ring: signal.signal(ring, alarm) for ring in (signal.SIGPROF, signal.SIGALRM)}
+    signal.setitimer(signal.ITIMER_PROF, limits.seconds)
+    signal.setitimer(signal.ITIMER_REAL, PATIENCE * limits.seconds)
     try:
         yield
     finally:
+        signal.setitimer(signal.ITIMER_PROF, 0)
         signal.setitimer(signal.ITIMER_REAL, 0)
-        signal.signal(signal.SIGALRM, before)
+        for ring, handler in before.items():
+            signal.signal(ring, handler)
 
 
 def _run_and_exit(job: Callable[[], Any], writer: int, limits: Limits) -> Never:
