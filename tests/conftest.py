@@ -26,16 +26,21 @@ expect.set_options(timeout=30_000)  # a machine that is busy answers late
 
 
 def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
-    """What needs the site goes first: one worker builds it while the others test the rest.
+    """The longest go first, then what needs the site: one worker builds it while the others test
+    the rest.
 
     A test in a browser that fails is tried once more under continuous integration, and told of:
     there other work can starve it for seconds.
     """
-    items.sort(key=lambda item: item.get_closest_marker("browser") is None)
+    items.sort(key=lambda item: (not marked(item, "long"), not marked(item, "browser")))
     if os.environ.get("CI"):
         for item in items:
-            if item.get_closest_marker("browser"):
+            if marked(item, "browser"):
                 item.add_marker(pytest.mark.flaky(reruns=1))
+
+
+def marked(item: pytest.Item, name: str) -> bool:
+    return item.get_closest_marker(name) is not None
 
 
 def pytest_xdist_auto_num_workers(config: pytest.Config) -> int | None:

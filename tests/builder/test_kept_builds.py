@@ -213,6 +213,7 @@ EDITS = [
 ]
 
 
+@pytest.mark.long
 @given(st.lists(st.sampled_from(EDITS), min_size=1, max_size=5))
 @settings(max_examples=12, suppress_health_check=[HealthCheck.function_scoped_fixture])
 def test_any_edits_one_after_the_other_give_what_a_clean_build_gives(

@@ -16,6 +16,7 @@ pytestmark = pytest.mark.browser
 type Gesture = Callable[[Reader, Locator, Any, int], None]
 
 
+@pytest.mark.long
 def test_every_figure_comes_alive_in_place(reader: Reader, book: Any) -> None:
     reader.page.add_init_script(HOLD)
     first, *others = (chapter["url"] for chapter in book["chapters"])

@@ -18,6 +18,7 @@ PULLS = ((41.0, 32.0), (-34.0, 26.0), (40.0, -60.0), (120.0, 0.0))
 place far."""
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("scene", WITH_HANDLES)
 def test_every_handle_moves_its_settings_and_goes_along(
     guest: Reader, book: Any, scene: str
@@ -48,6 +49,7 @@ def test_every_handle_moves_its_settings_and_goes_along(
         expect(grip).to_have_attribute("aria-valuetext", described(figure, handle))
 
 
+@pytest.mark.long
 def test_a_handle_stays_under_the_pointer_and_ends_at_the_last_of_many_moves(
     visitor: Reader, book: Any
 ) -> None:

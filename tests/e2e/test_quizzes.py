@@ -32,6 +32,7 @@ ANSWER_EACH = """(form, choices) => choices.map((chosen) => {
 """The verdict on each choice, and its explanations. Hands answer in the tests below."""
 
 
+@pytest.mark.long
 def test_every_answer_is_remembered_on_the_next_visit(plain_reader: Reader, book: Any) -> None:
     for quiz, url in _quizzes(book):
         _open(plain_reader, quiz, url).evaluate(ANSWER_EACH, [_right(quiz)])

@@ -54,6 +54,7 @@ def a_chapter(book: Any, table: Any, wanted: Callable[[set[str]], bool]) -> tupl
     raise AssertionError("no such chapter")
 
 
+@pytest.mark.long
 def test_a_page_whose_scenes_need_no_more_fetches_no_more_until_ladders_ask_for_theirs(
     chromium: Browser, server: StaticServer, book: Any, table: Any
 ) -> None:

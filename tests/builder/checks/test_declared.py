@@ -8,7 +8,7 @@ import pytest
 from site_builder.checks.declared import check_declarations
 from site_builder.diagnostics import Diagnostics
 
-ROOT = Path(__file__).resolve().parents[2]
+ROOT = Path(__file__).resolve().parents[3]
 INIT = "__init__.py"
 type Check = Callable[[dict[str, str]], list[str]]
 

@@ -18,7 +18,7 @@ from site_builder.build import Options, check_site
 from site_builder.checks.questions import chance_of
 from site_builder.diagnostics import BuildError, Diagnostic
 
-FIXTURES = Path(__file__).parents[1] / "fixtures" / "warnings"
+FIXTURES = Path(__file__).parents[2] / "fixtures" / "warnings"
 FRONT_MATTER = "---\ntitle: T\nsummary: s\n---\n"
 type Find = Callable[..., list[str]]
 

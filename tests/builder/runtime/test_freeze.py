@@ -87,6 +87,7 @@ def test_what_is_kept_is_taken_again(
     assert freeze_for_the_book(kept).modules == frozen.modules
 
 
+@pytest.mark.long
 def test_after_damage_the_same_bytes_are_made_again(frozen: Frozen, kept: Path) -> None:
     damaged = kept / frozen.archives["numpy-fft"].relative_to(store.default_store())
     damaged.write_bytes(damaged.read_bytes()[:-1])
