@@ -3,11 +3,13 @@
 import os
 import time
 from collections.abc import Callable, Iterator
+from contextlib import suppress
 from pathlib import Path
 from typing import Any
 
 import pytest
 from playwright.sync_api import Browser, Page
+from playwright.sync_api import Error as PlaywrightError
 from support.reader import Reader, visit
 from support.static_server import StaticServer, serving
 
@@ -196,10 +198,12 @@ def wait_for_release(page: Page, after: str) -> str:
 def until(ask: Callable[[], Any]) -> Any:
     """Ask until the answer is yes. (Playwright's own waiting takes any promise for a yes.)"""
     deadline = time.monotonic() + KEPT_S
-    while not (answer := ask()):
-        assert time.monotonic() < deadline
+    while time.monotonic() < deadline:
+        with suppress(PlaywrightError):  # the page was turned while it was asked
+            if answer := ask():
+                return answer
         time.sleep(0.1)
-    return answer
+    pytest.fail(f"not within {KEPT_S} s")
 
 
 def search(page: Page, words: str) -> str | None:
