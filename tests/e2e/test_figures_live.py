@@ -1,15 +1,21 @@
-"""Every chapter opens, every figure comes alive in place, every kind of control does something."""
+"""Every chapter opens, every figure comes alive in place, every kind of control and each
+handle does something."""
 
 from collections.abc import Callable, Iterator
 from typing import Any
 
 import pytest
-from playwright.sync_api import Locator
+from playwright.sync_api import Locator, expect
+from support.hands import described, drag, middle, settings
 from support.reader import Reader
 
-from simulations.registry import SCENE_MODULES
+from simulations.registry import SCENE_MODULES, load_scene
 
 pytestmark = pytest.mark.browser
+
+PULLS = ((41.0, 32.0), (-34.0, 26.0), (40.0, -60.0), (120.0, 0.0))
+"""CSS pixels by which a handle is pulled until something moves: it may be at an end, or its next
+place far."""
 
 type Gesture = Callable[[Reader, Locator, Any, int], None]
 
@@ -123,6 +129,35 @@ def test_every_tier_draws_a_frame(guest: Reader, scene: Any, figure: Locator) ->
     chosen = menu.input_value()
     for tier in [*(tier for tier in scene["tiers"] if tier != chosen), chosen]:
         guest.choose(figure, "tier", tier)
+
+
+def test_every_handle_moves_its_settings_and_goes_along(
+    guest: Reader, scene: Any, figure: Locator
+) -> None:
+    """By a hand, and by the arrow keys."""
+    guest.bring(figure.locator(".panels"))
+    for handle in load_scene(scene["id"]).handles:
+        grip = figure.locator(f'[data-handle="{handle.name}"]')
+        if not grip.is_visible():
+            continue
+        guest.settle(figure)
+        before, start = settings(figure, handle), middle(grip)
+        frames = guest.frames(figure)
+        for right, down in PULLS:
+            drag(guest, start, (start[0] + right, start[1] + down))
+            guest.settle(figure)
+            if settings(figure, handle) != before:
+                break
+        guest.wait_frame(figure, frames)
+        assert settings(figure, handle) != before, handle.name
+        grip.focus()
+        for key in ("ArrowLeft", "ArrowUp", "ArrowRight", "ArrowDown"):
+            before = settings(figure, handle)
+            guest.page.keyboard.press(key)
+            if settings(figure, handle) != before:
+                break
+        assert settings(figure, handle) != before, f"{handle.name} by keyboard"
+        expect(grip).to_have_attribute("aria-valuetext", described(figure, handle))
 
 
 def _one_of_each_kind(scene: Any) -> Iterator[Any]:
