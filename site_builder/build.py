@@ -23,15 +23,15 @@ from site_builder.checks.whole_book import check_book
 from site_builder.diagnostics import BuildError, Diagnostic, Diagnostics
 from site_builder.editor.bundle import EditorBundle, EditorBundleError, bundle_editor
 from site_builder.editor.sources import scene_sources
-from site_builder.kept.files import folder_hash
-from site_builder.kept.keeper import kept_as, reads_file, reads_folder
+from site_builder.kept.files import folder_files, folder_hash
+from site_builder.kept.keeper import kept_as, reads_folder
 from site_builder.kept.told import kept_reading
 from site_builder.markdown.directives.figure import SUFFIXES
 from site_builder.markdown.directives.ladder import LadderFigure
 from site_builder.measured.measurements import read_measurements
 from site_builder.offline.manifest import MANIFEST, manifest
 from site_builder.offline.release import no_release, release_files
-from site_builder.output.assets import Content, folder_files, hashed_folder
+from site_builder.output.assets import Content, hashed_folder
 from site_builder.output.book_files import book_css, book_script
 from site_builder.output.font_faces import chosen_faces
 from site_builder.output.fonts import subset_fonts
@@ -179,7 +179,7 @@ def check_site(options: Options) -> tuple[Book, Stills, dict[str, bytes]]:
     measurements = read_measurements(options.root, problems, options.load_ladder)
     book = read_book(options.root, problems, options.load_scene, measurements)
     check_book(book, problems)
-    _check_pictures(options.root, problems, trusted=book.settings.trust.raw_html)
+    check_pictures(options.root, problems, trusted=book.settings.trust.raw_html)
     stills, pictures = render_stills(book, problems)
     check_frames(book, stills, own_or_engine(options.root, "static"), problems)
     for warning in sorted(set(problems.doubts)):
@@ -201,23 +201,16 @@ def _check_declared(root: Path, problems: Diagnostics) -> None:
     kept_reading("declared", str(root), problems, check)
 
 
-def _check_pictures(root: Path, problems: Diagnostics, *, trusted: bool) -> None:
-    def check(own: Diagnostics) -> None:
-        reads_folder(root / "content")
-        check_pictures(root, own, trusted=trusted)
-
-    kept_reading("pictures", f"{root} {trusted}", problems, check)
-
-
 def gather_assets(
     book: Book, root: Path, pictures: Mapping[str, bytes], made: Files, folder: str = ""
 ) -> tuple[str, Files]:
     """Style sheets, scripts, fonts, stills, the author's pictures, what opens the figures' Python
     and what searches, in one folder: ``folder``, or one that is named by what is in it."""
     content = folder_files(root / "content")
+    figures = bool(book.scenes)
     own = book_css(book.settings, book.words)
     engine = folder_files(own_or_engine(root, "static"))
-    wanted = {name: file for name, file in engine.items() if book.scenes or EDITOR not in name}
+    wanted = {name: file for name, file in engine.items() if figures or EDITOR not in name}
     files: Files = {
         **join_style_sheets(wanted, STYLE_SHEET, own),
         "js/book.js": book_script(book.settings, book.words),
@@ -289,8 +282,6 @@ def _licences(
     given = (versions, editor.packages, search.packages, book.settings, book.words)
 
     def gather() -> tuple[Licence, ...]:
-        reads_file(root / "LICENSE")
-        reads_folder(root / "content")
         return gather_licences(root, *given)
 
     return kept_as("licences", given, gather)[0]

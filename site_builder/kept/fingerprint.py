@@ -1,11 +1,16 @@
-"""One hash of a value: equal values have equal ones, whatever process made them."""
+"""One hash of a value: equal values have equal ones, whatever process made them.
+
+A frozen dataclass counts as the hash of its own, so that the hash of one that was seen before can
+be had from `Prints`: most of what a build asks with is what the build before has made.
+"""
 
 import functools
 import hashlib
 from collections.abc import Callable, Mapping, Sequence, Set
-from dataclasses import fields, is_dataclass
+from dataclasses import dataclass, field, fields, is_dataclass
 from enum import Enum
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 
@@ -14,12 +19,41 @@ type Special = Callable[[object], bytes | None]
 """The fingerprint of a value that has one of its own; None for all others."""
 
 
-def fingerprint(value: object, special: Special = lambda _value: None) -> bytes:
+@dataclass(slots=True)
+class Prints:
+    """The hashes of frozen values, by identity; each value is held, so that no other can take its
+    place in memory."""
+
+    _known: dict[int, tuple[object, bytes]] = field(default_factory=dict)
+    _before: dict[int, tuple[object, bytes]] = field(default_factory=dict)
+    """Those of the round before."""
+
+    def get(self, value: object) -> bytes | None:
+        known = self._known.get(id(value))
+        if known is None:
+            known = self._before.get(id(value))
+            if known is None:
+                return None
+            self._known[id(value)] = known
+        return known[1]
+
+    def put(self, value: object, found: bytes) -> None:
+        self._known[id(value)] = value, found
+
+    def next_round(self) -> None:
+        """Let go of what was not asked for in this round."""
+        self._before, self._known = self._known, {}
+
+
+def fingerprint(
+    value: object, special: Special = lambda _value: None, prints: Prints | None = None
+) -> bytes:
     """The hash of ``value``: plain data, arrays, and dataclasses of them. A mapping is its items
-    in their order.
+    in their order. ``prints`` has what was found before, and gets what is found now.
 
     Raises `TypeError` for anything else: what it depends on could not be told.
     """
+    prints = Prints() if prints is None else prints
     digest = hashlib.blake2b(digest_size=SIZE)
 
     def put(kind: bytes, data: bytes) -> None:
@@ -49,13 +83,19 @@ def fingerprint(value: object, special: Special = lambda _value: None) -> bytes:
             case np.generic() | np.ndarray():
                 put(b"a", f"{value.dtype.str}{value.shape}".encode())
                 put(b"a", value.tobytes())
+            case _ if (known := prints.get(value)) is not None:
+                put(b"h", known)
             case _ if (own := special(value)) is not None:
                 put(b"x", own)
             case _ if is_dataclass(value) and not isinstance(value, type):
-                name, names = _shape(type(value))
-                put(b"d", name)
-                for field in names:
-                    add(getattr(value, field))
+                shape = _shape(type(value))
+                parts = (shape.name, *(getattr(value, name) for name in shape.names))
+                if shape.frozen:
+                    found = fingerprint(parts, special, prints)
+                    prints.put(value, found)
+                    put(b"h", found)
+                else:
+                    add_all(b"d", parts)
             case Mapping():
                 add_items(value)
             case Set():
@@ -80,8 +120,18 @@ def fingerprint(value: object, special: Special = lambda _value: None) -> bytes:
     return digest.digest()
 
 
+@dataclass(frozen=True, slots=True)
+class _Shape:
+    """Of a dataclass."""
+
+    name: str
+    names: tuple[str, ...]
+    """Of its fields."""
+    frozen: bool
+
+
 @functools.cache
-def _shape(kind: type) -> tuple[bytes, tuple[str, ...]]:
-    """Name and fields of a dataclass."""
-    names = tuple(field.name for field in fields(kind))
-    return f"{kind.__module__}.{kind.__qualname__}".encode(), names
+def _shape(kind: Any) -> _Shape:
+    names = tuple(each.name for each in fields(kind))
+    frozen = kind.__dataclass_params__.frozen
+    return _Shape(f"{kind.__module__}.{kind.__qualname__}", names, frozen)

@@ -19,7 +19,7 @@ from typing import Any, Protocol
 
 from site_builder.kept.code import code_hash
 from site_builder.kept.files import file_hash, folder_hash
-from site_builder.kept.fingerprint import SIZE, fingerprint
+from site_builder.kept.fingerprint import SIZE, Prints, fingerprint
 from site_builder.kept.packing import HOLDERS, home_of, packed, unpacked
 
 GENERATIONS = 3
@@ -73,6 +73,7 @@ class Keeper:
     _fresh: dict[bytes, bytes] = field(default_factory=dict)
     """Not yet in the store."""
     _codes: dict[str, bytes] = field(default_factory=dict)
+    _prints: Prints = field(default_factory=Prints)
     _hearing: list[dict[Read, bytes]] = field(default_factory=list)
     """What the functions read that are running now, the innermost last."""
     _age: int = 0
@@ -110,7 +111,7 @@ class Keeper:
 
     def fingerprint(self, given: object) -> bytes:
         """Of plain data, scenes and ladders. Raises `UnkeepableError` for a scene of no module."""
-        return fingerprint(given, self._own_fingerprint)
+        return fingerprint(given, self._own_fingerprint, self._prints)
 
     def code(self, module: str) -> bytes:
         """The hash of what a module can do."""
@@ -143,6 +144,7 @@ class Keeper:
         if fresh and self._latest_ns < self.since_ns:
             self.store.put(fresh)
         self._age += 1
+        self._prints.next_round()
         old = [key for key, item in self._memory.items() if item.used + GENERATIONS < self._age]
         for key in old:
             del self._memory[key]

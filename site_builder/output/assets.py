@@ -31,13 +31,3 @@ def _hash_of(content: Content) -> bytes:
 
 def content_bytes(content: Content) -> bytes:
     return content if isinstance(content, bytes) else content.read_bytes()
-
-
-def folder_files(folder: Path) -> dict[str, Content]:
-    """All files below ``folder``, by their path in it; what is hidden is left out."""
-    paths = (file.relative_to(folder) for file in sorted(folder.rglob("*")) if file.is_file())
-    return {
-        path.as_posix(): folder / path
-        for path in paths
-        if not any(part.startswith(".") for part in path.parts)
-    }
