@@ -4,7 +4,7 @@ All pages are checked before one is written, so a mistake anywhere leaves the la
 it was. `render_site` touches no output folder: it returns the site in memory.
 """
 
-from collections.abc import Callable, Collection, Mapping
+from collections.abc import Callable, Collection, Mapping, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
@@ -52,7 +52,7 @@ from site_builder.runtime.store import is_whole
 from site_builder.search.index import ADDRESS as SEARCH_INDEX
 from site_builder.search.index import index_of
 from site_builder.search.library import SearchLibrary, SearchLibraryError, fetch_library
-from site_builder.search.records import explained_terms, make_records
+from site_builder.search.records import Record, explained_terms, make_records
 from site_builder.source import read_book
 
 RUNTIME = Path(__file__).parent / "runtime"
@@ -118,12 +118,13 @@ def build_site(
 
 @dataclass(frozen=True, slots=True)
 class RenderedSite:
-    """The site, with the index of its search still to be made: that takes longer than all else of
-    a rebuild."""
+    """The site, with its search still to be made: that takes longer than all else of a rebuild."""
 
     files: Files
-    index: Callable[[], Files]
-    """Nothing where there is no search."""
+    records: Callable[[], Sequence[Record]]
+    """What can be found; nothing where there is no search."""
+    index: Callable[[Sequence[Record]], Files]
+    """Of these records; nothing where there is no search."""
     finish: Callable[[Files], Files]
     """What follows from all files."""
 
@@ -131,7 +132,7 @@ class RenderedSite:
 def render_site(options: Options) -> Files:
     """Every file of the site. Raises `BuildError` with all mistakes found."""
     site = render_parts(options)
-    files = {**site.files, **site.index()}
+    files = {**site.files, **site.index(site.records())}
     return {**files, **site.finish(files)}
 
 
@@ -155,8 +156,14 @@ def render_parts(options: Options) -> RenderedSite:
     )  # fmt: skip
     licences = _licences(options.root, versions, editor, library, book)
     pages = render_pages(site, licences)
-    records = make_records(pages, explained_terms(book)) if scripts else ()
     static = own_or_engine(options.root, "static")
+
+    def records() -> Sequence[Record]:
+        return make_records(pages, explained_terms(book)) if scripts else ()
+
+    def index(records: Sequence[Record]) -> Files:
+        return {SEARCH_INDEX: index_of(records, library, static, book.words)} if scripts else {}
+
     files = {
         **pages,
         **_outside(options, book, pages, stills, pictures),
@@ -167,7 +174,8 @@ def render_parts(options: Options) -> RenderedSite:
     }
     return RenderedSite(
         files,
-        lambda: {SEARCH_INDEX: index_of(records, library, static, book.words)} if scripts else {},
+        records,
+        index,
         lambda files: no_release(assets) if options.reload else release_files(files, assets),
     )
 

@@ -55,83 +55,112 @@ def fingerprint(
     """
     prints = Prints() if prints is None else prints
     digest = hashlib.blake2b(digest_size=SIZE)
-
-    def put(kind: bytes, data: bytes) -> None:
-        digest.update(kind + len(data).to_bytes(4, "little") + data)
-
-    def add(value: object) -> None:
-        match value:
-            case str():
-                put(
-                    b"s" if type(value) is str else type(value).__name__.encode(),
-                    value.encode("utf-8", "surrogatepass"),
-                )
-            case None | bool() | int() | float() | complex():
-                put(b"v", f"{type(value).__name__}{value!r}".encode())
-            case bytes():
-                put(b"b", value)
-            case tuple() | list():
-                add_all(b"l", value)
-            case dict():
-                add_items(value)
-            case Path():
-                put(b"p", str(value).encode())
-            case functools.partial():
-                add_all(b"c", (value.func, value.args, value.keywords))
-            case Enum():
-                put(b"e", f"{type(value).__qualname__}.{value.name}".encode())
-            case np.generic() | np.ndarray():
-                put(b"a", f"{value.dtype.str}{value.shape}".encode())
-                put(b"a", value.tobytes())
-            case _ if (known := prints.get(value)) is not None:
-                put(b"h", known)
-            case _ if (own := special(value)) is not None:
-                put(b"x", own)
-            case _ if is_dataclass(value) and not isinstance(value, type):
-                shape = _shape(type(value))
-                parts = (shape.name, *(getattr(value, name) for name in shape.names))
-                if shape.frozen:
-                    found = fingerprint(parts, special, prints)
-                    prints.put(value, found)
-                    put(b"h", found)
-                else:
-                    add_all(b"d", parts)
-            case Mapping():
-                add_items(value)
-            case Set():
-                add_all(b"f", sorted(fingerprint(item, special) for item in value))
-            case Sequence():
-                add_all(b"l", value)
-            case _:
-                raise TypeError(f"{type(value).__qualname__} has no fingerprint; legal: plain data")
-
-    def add_all(kind: bytes, items: Sequence[object]) -> None:
-        put(kind, str(len(items)).encode())
-        for item in items:
-            add(item)
-
-    def add_items(items: Mapping[object, object]) -> None:
-        put(b"m", str(len(items)).encode())
-        for key, item in items.items():
-            add(key)
-            add(item)
-
-    add(value)
+    _add(value, digest.update, special, prints)
     return digest.digest()
+
+
+type _Update = Callable[[bytes], None]
+
+
+def _add(value: object, update: _Update, special: Special, prints: Prints) -> None:
+    """Quickly, where it is one of the few types that most values are of."""
+    kind = type(value)
+    if kind is str:
+        _put(update, b"s", value.encode("utf-8", "surrogatepass"))  # type: ignore[attr-defined]
+    elif kind is tuple or kind is list:
+        _add_all(b"l", value, update, special, prints)  # type: ignore[arg-type]
+    elif value is None or kind is bool or kind is int or kind is float:
+        _put(update, b"v", f"{kind.__name__}{value!r}".encode())
+    elif kind is dict:
+        _add_items(value, update, special, prints)  # type: ignore[arg-type]
+    elif (known := prints.get(value)) is not None:
+        _put(update, b"h", known)
+    elif (own := special(value)) is not None:
+        _put(update, b"x", own)
+    elif (shape := _shape(kind)) is None:
+        _add_other(value, update, special, prints)
+    elif shape.frozen:
+        digest = hashlib.blake2b(shape.head, digest_size=SIZE)
+        for name in shape.names:
+            _add(getattr(value, name), digest.update, special, prints)
+        found = digest.digest()
+        prints.put(value, found)
+        _put(update, b"h", found)
+    else:
+        _put(update, b"d", shape.head)
+        for name in shape.names:
+            _add(getattr(value, name), update, special, prints)
+
+
+def _add_other(value: object, update: _Update, special: Special, prints: Prints) -> None:
+    match value:
+        case str():
+            kind = type(value).__name__.encode()
+            _put(update, kind, value.encode("utf-8", "surrogatepass"))
+        case complex():
+            _put(update, b"v", f"{type(value).__name__}{value!r}".encode())
+        case bytes():
+            _put(update, b"b", value)
+        case Path():
+            _put(update, b"p", str(value).encode())
+        case functools.partial():
+            parts = (value.func, value.args, value.keywords)
+            _add_all(b"c", parts, update, special, prints)
+        case Enum():
+            _put(update, b"e", f"{type(value).__qualname__}.{value.name}".encode())
+        case np.generic() | np.ndarray():
+            _put(update, b"a", f"{value.dtype.str}{value.shape}".encode())
+            _put(update, b"a", value.tobytes())
+        case int() | float():
+            _put(update, b"v", f"{type(value).__name__}{value!r}".encode())
+        case Mapping():
+            _add_items(value, update, special, prints)
+        case Set():
+            items = sorted(fingerprint(item, special, prints) for item in value)
+            _add_all(b"f", items, update, special, prints)
+        case Sequence():
+            _add_all(b"l", value, update, special, prints)
+        case _:
+            raise TypeError(f"{type(value).__qualname__} has no fingerprint; legal: plain data")
+
+
+def _add_all(
+    kind: bytes, items: Sequence[object], update: _Update, special: Special, prints: Prints
+) -> None:
+    _put(update, kind, str(len(items)).encode())
+    for item in items:
+        _add(item, update, special, prints)
+
+
+def _add_items(
+    items: Mapping[Any, object], update: _Update, special: Special, prints: Prints
+) -> None:
+    _put(update, b"m", str(len(items)).encode())
+    for key, item in items.items():
+        _add(key, update, special, prints)
+        _add(item, update, special, prints)
+
+
+def _put(update: _Update, kind: bytes, data: bytes) -> None:
+    update(kind + len(data).to_bytes(4, "little") + data)
 
 
 @dataclass(frozen=True, slots=True)
 class _Shape:
     """Of a dataclass."""
 
-    name: str
+    head: bytes
+    """Its name, and how many fields it has."""
     names: tuple[str, ...]
     """Of its fields."""
     frozen: bool
 
 
 @functools.cache
-def _shape(kind: Any) -> _Shape:
+def _shape(kind: Any) -> _Shape | None:
+    """None of what is no dataclass."""
+    if not is_dataclass(kind):
+        return None
     names = tuple(each.name for each in fields(kind))
-    frozen = kind.__dataclass_params__.frozen
-    return _Shape(f"{kind.__module__}.{kind.__qualname__}", names, frozen)
+    head = f"{kind.__module__}.{kind.__qualname__} {len(names)}".encode()
+    return _Shape(head, names, kind.__dataclass_params__.frozen)  # type: ignore[attr-defined]

@@ -18,12 +18,12 @@ def hashed_folder(kind: str, files: Mapping[str, Content]) -> tuple[str, dict[st
     """
     digest = hashlib.sha256()
     for name in sorted(files):
-        digest.update(name.encode() + b"\0" + _hash_of(files[name]))
+        digest.update(name.encode() + b"\0" + content_hash(files[name]))
     folder = f"{kind}/{digest.hexdigest()[:12]}/"
     return folder, {folder + name: content for name, content in files.items()}
 
 
-def _hash_of(content: Content) -> bytes:
+def content_hash(content: Content) -> bytes:
     if isinstance(content, bytes):
         return bytes_hash(content)
     return file_hash(content) or bytes_hash(content.read_bytes())
