@@ -59,6 +59,8 @@ RUNTIME = Path(__file__).parent / "runtime"
 """What makes it, with programs for other interpreters."""
 NOW = "assets/now/"
 """Folder of the assets while the book is written: a changed style sheet changes no page."""
+RUNTIME_NOW = "runtime/now/"
+"""Likewise of the browser's Python: a changed scene changes the pages that show it."""
 LIBRARY = "search"
 """Folder of what searches, among the assets."""
 EDITOR = "js/editor/"
@@ -241,11 +243,14 @@ def _handed_out(options: Options, book: Book) -> Files:
     return {f"content/{name}": options.root / "content" / name for name in sorted(names)}
 
 
-def _runtime(options: Options, book: Book) -> tuple[str, dict[str, Content], Versions]:
+def _runtime(options: Options, book: Book) -> tuple[str, Files, Versions]:
     """Python for the browser, with the scenes and ladders inside that the book shows."""
     bundle = pack_for_browser(options.root, book) if options.runtime else None
     if bundle is None:
         return "", {}, Versions()
+    if options.reload:
+        files: Files = {RUNTIME_NOW + name: content for name, content in bundle.files.items()}
+        return RUNTIME_NOW, files, bundle.versions
     folder, files = hashed_folder("runtime", dict(bundle.files))
     return folder, files, bundle.versions
 
