@@ -64,7 +64,7 @@ type _Update = Callable[[bytes], None]
 
 def _add(value: Any, update: _Update, special: Special, prints: Prints) -> None:
     """Quickly, where it is one of the few types that most values are of."""
-    kind = type(value)
+    kind: type = type(value)
     if kind is str:
         _put(update, b"s", value.encode("utf-8", "surrogatepass"))
     elif kind is tuple or kind is list:
