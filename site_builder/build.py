@@ -4,7 +4,7 @@ All pages are checked before one is written, so a mistake anywhere leaves the la
 it was. `render_site` touches no output folder: it returns the site in memory.
 """
 
-from collections.abc import Callable, Collection, Mapping
+from collections.abc import Callable, Collection, Mapping, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
@@ -23,15 +23,15 @@ from site_builder.checks.whole_book import check_book
 from site_builder.diagnostics import BuildError, Diagnostic, Diagnostics
 from site_builder.editor.bundle import EditorBundle, EditorBundleError, bundle_editor
 from site_builder.editor.sources import scene_sources
-from site_builder.kept.files import folder_hash
-from site_builder.kept.keeper import kept_as, reads_file, reads_folder
+from site_builder.kept.files import folder_files, folder_hash
+from site_builder.kept.keeper import kept_as, reads_folder
 from site_builder.kept.told import kept_reading
 from site_builder.markdown.directives.figure import SUFFIXES
 from site_builder.markdown.directives.ladder import LadderFigure
 from site_builder.measured.measurements import read_measurements
 from site_builder.offline.manifest import MANIFEST, manifest
 from site_builder.offline.release import no_release, release_files
-from site_builder.output.assets import Content, folder_files, hashed_folder
+from site_builder.output.assets import Content, hashed_folder
 from site_builder.output.book_files import book_css, book_script
 from site_builder.output.font_faces import chosen_faces
 from site_builder.output.fonts import subset_fonts
@@ -52,7 +52,7 @@ from site_builder.runtime.store import is_whole
 from site_builder.search.index import ADDRESS as SEARCH_INDEX
 from site_builder.search.index import index_of
 from site_builder.search.library import SearchLibrary, SearchLibraryError, fetch_library
-from site_builder.search.records import explained_terms, make_records
+from site_builder.search.records import Record, explained_terms, make_records
 from site_builder.source import read_book
 
 RUNTIME = Path(__file__).parent / "runtime"
@@ -118,12 +118,13 @@ def build_site(
 
 @dataclass(frozen=True, slots=True)
 class RenderedSite:
-    """The site, with the index of its search still to be made: that takes longer than all else of
-    a rebuild."""
+    """The site, with its search still to be made: that takes longer than all else of a rebuild."""
 
     files: Files
-    index: Callable[[], Files]
-    """Nothing where there is no search."""
+    records: Callable[[], Sequence[Record]]
+    """What can be found; nothing where there is no search."""
+    index: Callable[[Sequence[Record]], Files]
+    """Of these records; nothing where there is no search."""
     finish: Callable[[Files], Files]
     """What follows from all files."""
 
@@ -131,7 +132,7 @@ class RenderedSite:
 def render_site(options: Options) -> Files:
     """Every file of the site. Raises `BuildError` with all mistakes found."""
     site = render_parts(options)
-    files = {**site.files, **site.index()}
+    files = {**site.files, **site.index(site.records())}
     return {**files, **site.finish(files)}
 
 
@@ -156,8 +157,14 @@ def render_parts(options: Options) -> RenderedSite:
     )  # fmt: skip
     licences = _licences(options.root, versions, editor, library, book)
     pages = render_pages(site, licences)
-    records = make_records(pages, explained_terms(book)) if scripts else ()
     static = own_or_engine(options.root, "static")
+
+    def records() -> Sequence[Record]:
+        return make_records(pages, explained_terms(book)) if scripts else ()
+
+    def index(records: Sequence[Record]) -> Files:
+        return {SEARCH_INDEX: index_of(records, library, static, book.words)} if scripts else {}
+
     files = {
         **pages,
         **_outside(options, book, pages, stills, pictures),
@@ -168,7 +175,8 @@ def render_parts(options: Options) -> RenderedSite:
     }
     return RenderedSite(
         files,
-        lambda: {SEARCH_INDEX: index_of(records, library, static, book.words)} if scripts else {},
+        records,
+        index,
         lambda files: no_release(assets) if options.reload else release_files(files, assets),
     )
 
@@ -180,7 +188,7 @@ def check_site(options: Options) -> tuple[Book, Stills, dict[str, bytes]]:
     measurements = read_measurements(options.root, problems, options.load_ladder)
     book = read_book(options.root, problems, options.load_scene, measurements)
     check_book(book, problems)
-    _check_pictures(options.root, problems, trusted=book.settings.trust.raw_html)
+    check_pictures(options.root, problems, trusted=book.settings.trust.raw_html)
     stills, pictures = render_stills(book, problems, strips=options.runtime and not options.reload)
     check_frames(book, stills, own_or_engine(options.root, "static"), problems)
     for warning in sorted(set(problems.doubts)):
@@ -202,23 +210,16 @@ def _check_declared(root: Path, problems: Diagnostics) -> None:
     kept_reading("declared", str(root), problems, check)
 
 
-def _check_pictures(root: Path, problems: Diagnostics, *, trusted: bool) -> None:
-    def check(own: Diagnostics) -> None:
-        reads_folder(root / "content")
-        check_pictures(root, own, trusted=trusted)
-
-    kept_reading("pictures", f"{root} {trusted}", problems, check)
-
-
 def gather_assets(
     book: Book, root: Path, pictures: Mapping[str, bytes], made: Files, folder: str = ""
 ) -> tuple[str, Files]:
     """Style sheets, scripts, fonts, stills, the author's pictures, what opens the figures' Python
     and what searches, in one folder: ``folder``, or one that is named by what is in it."""
     content = folder_files(root / "content")
+    figures = bool(book.scenes)
     own = book_css(book.settings, book.words)
     engine = folder_files(own_or_engine(root, "static"))
-    wanted = {name: file for name, file in engine.items() if book.scenes or EDITOR not in name}
+    wanted = {name: file for name, file in engine.items() if figures or EDITOR not in name}
     files: Files = {
         **join_style_sheets(wanted, STYLE_SHEET, own),
         "js/book.js": book_script(book.settings, book.words),
@@ -295,8 +296,6 @@ def _licences(
     given = (versions, editor.packages, search.packages, book.settings, book.words)
 
     def gather() -> tuple[Licence, ...]:
-        reads_file(root / "LICENSE")
-        reads_folder(root / "content")
         return gather_licences(root, *given)
 
     return kept_as("licences", given, gather)[0]
