@@ -2,13 +2,15 @@
 
 from collections.abc import Mapping
 from dataclasses import dataclass
+from functools import partial
 
 from simulations.engine.controls import Value
 from simulations.engine.frame import Frame
 from simulations.engine.settings import values_of
 from site_builder.book import Book
 from site_builder.diagnostics import Diagnostics, cause
-from site_builder.drawing.frames import print_at
+from site_builder.drawing.frames import Print, print_at
+from site_builder.kept.ahead import make_ahead
 from site_builder.page_model.blocks import Simulation
 
 
@@ -46,10 +48,10 @@ def render_stills(book: Book, problems: Diagnostics) -> tuple[Stills, dict[str, 
     places = [(chapter.id, figure) for chapter in book.chapters for figure in chapter.simulations]
     if book.hero:
         places.insert(0, ("cover", book.hero))
+    make_ahead([partial(_printed, figure) for _, figure in places])
     for page, figure in places:
-        settings = figure.scene.check(figure.values)
         try:
-            printed = print_at(figure.scene, settings, figure.tier)
+            printed = _printed(figure)
         except Exception as error:  # whatever a scene's own code may raise is the author's to see
             message = f"simulation {figure.scene.id!r} cannot be drawn: {cause(error)}"
             problems.add(figure.path, figure.line, message)
@@ -59,6 +61,10 @@ def render_stills(book: Book, problems: Diagnostics) -> tuple[Stills, dict[str, 
             name = f"{page}--{figure.id}--{panel}.png"
             pictures[panel] = StillPicture(name, picture.width, picture.height)
             files[name] = picture.png
-        values = values_of(settings)
+        values = values_of(figure.scene.check(figure.values))
         stills[figure.path, figure.line] = Still(figure, values, printed.frame, pictures)
     return stills, files
+
+
+def _printed(figure: Simulation) -> Print:
+    return print_at(figure.scene, figure.scene.check(figure.values), figure.tier)
