@@ -42,18 +42,16 @@ class Helpers:
     _at_work: list[Helper] = field(default_factory=list)
 
     def begin(self, asks: Sequence[Ask]) -> None:
-        """Begin to make those that are missing, each core one at a time; the first of ``asks``
-        first. Without a keeper nothing is begun."""
+        """Begin to make those that are missing, each core one at a time, the first of them first.
+        Each asks for what is kept; without a keeper nothing is begun."""
         keeper = self._keeper
         missing = [ask for ask in asks if keeper.lacks(ask)] if keeper else []
-        if not (keeper and missing):
-            return
-        turns = _turns(len(missing))
-        try:
-            for _ in range(min(cores(), len(missing))):
-                self._at_work.append(_begin(missing, turns, keeper))
-        finally:
-            os.close(turns)
+        self._begin(missing, min(cores(), len(missing)))
+
+    def send(self, errand: Ask) -> None:
+        """Begin, in the first build of this process, what keeps its own results somewhere else."""
+        if self._keeper and self._keeper.is_new:
+            self._begin([errand], 1)
 
     def join(self) -> None:
         """Wait for all of them, and take in what they have kept."""
@@ -72,6 +70,15 @@ class Helpers:
             if parts and self._keeper:
                 self._keeper.take_in(b"".join(parts))
         self.end()
+
+    def _begin(self, asks: Sequence[Ask], count: int) -> None:
+        if self._keeper and count:
+            turns = _turns(len(asks))
+            try:
+                for _ in range(count):
+                    self._at_work.append(_begun(asks, turns, self._keeper))
+            finally:
+                os.close(turns)
 
     def end(self) -> None:
         """Let go of them, whatever they do."""
@@ -101,7 +108,7 @@ def make_ahead(asks: Sequence[Ask]) -> None:
             found.join()
 
 
-def _begin(asks: Sequence[Ask], turns: int, keeper: Keeper) -> Helper:
+def _begun(asks: Sequence[Ask], turns: int, keeper: Keeper) -> Helper:
     reader, writer = os.pipe()
 
     def life() -> None:
