@@ -6,6 +6,7 @@ it was. `render_site` touches no output folder: it returns the site in memory.
 
 from collections.abc import Callable, Collection, Mapping, Sequence
 from dataclasses import dataclass, replace
+from functools import partial
 from pathlib import Path
 from typing import Any
 
@@ -15,6 +16,7 @@ from simulations.registry import LADDER_MODULES, SCENE_MODULES, load_ladder, loa
 from site_builder.blame import place_of
 from site_builder.book import Book
 from site_builder.book_root import ENGINE, own_or_engine
+from site_builder.charts.pareto import pareto_chart
 from site_builder.checks.declared import check_declarations
 from site_builder.checks.frames import check_frames
 from site_builder.checks.pictures import check_pictures
@@ -23,6 +25,7 @@ from site_builder.checks.whole_book import check_book
 from site_builder.diagnostics import BuildError, Diagnostic, Diagnostics
 from site_builder.editor.bundle import EditorBundle, EditorBundleError, bundle_editor
 from site_builder.editor.sources import scene_sources
+from site_builder.kept.ahead import Ask, helpers
 from site_builder.kept.files import folder_files, folder_hash
 from site_builder.kept.keeper import kept_as, reads_folder
 from site_builder.kept.told import kept_reading
@@ -54,6 +57,7 @@ from site_builder.search.index import index_of
 from site_builder.search.library import SearchLibrary, SearchLibraryError, fetch_library
 from site_builder.search.records import Record, explained_terms, make_records
 from site_builder.source import read_book
+from site_builder.tools import tools
 
 RUNTIME = Path(__file__).parent / "runtime"
 """What makes it, with programs for other interpreters."""
@@ -138,7 +142,12 @@ def render_site(options: Options) -> Files:
 
 def render_parts(options: Options) -> RenderedSite:
     """The site in parts. Raises `BuildError` with all mistakes found."""
-    book, stills, pictures = check_site(options)
+    with helpers() as beside:
+        for tool in tools(options.root, runtime=options.runtime, search=options.search):
+            beside.send(tool)
+        book, stills, pictures = check_site(options)
+        beside.begin([*_charts(book), *_sources(options, book)])
+        beside.join()
     runtime, runtime_files, versions = _runtime(options, book)
     editor, library = _editor(options, book), _search_library(options, book)
     scripts = {f"{LIBRARY}/{name}": path for name, path in library.scripts.items()}
@@ -333,6 +342,11 @@ def _search_library(options: Options, book: Book) -> SearchLibrary:
         return SearchLibrary({})
 
 
+def _charts(book: Book) -> list[Ask]:
+    shown = _shown(book, LadderFigure)
+    return [partial(pareto_chart, item.measured, book.words) for item in shown]
+
+
 def _outside(
     options: Options, book: Book, pages: Files, stills: Stills, pictures: Mapping[str, bytes]
 ) -> Files:
@@ -340,6 +354,12 @@ def _outside(
     if not book.address:
         return {}
     return {**make_listings(book, pages), **make_cards(book, stills, pictures, options.root)}
+
+
+def _sources(options: Options, book: Book) -> list[Ask]:
+    """In one, since scenes share modules."""
+    shown = book.scenes if options.runtime else ()
+    return [lambda: [scene_sources(scene) for scene in shown]]
 
 
 def _python(options: Options, book: Book, editor: EditorBundle) -> Files:
