@@ -33,17 +33,20 @@ from site_builder.markdown.directives.figure import SUFFIXES
 from site_builder.markdown.directives.ladder import LadderFigure
 from site_builder.measured.measurements import read_measurements
 from site_builder.offline.manifest import MANIFEST, manifest
+from site_builder.offline.release import SCRIPT as RELEASE_SCRIPT
 from site_builder.offline.release import no_release, release_files
 from site_builder.output.assets import Content, hashed_folder
 from site_builder.output.book_files import book_css, book_script
 from site_builder.output.font_faces import chosen_faces
 from site_builder.output.fonts import subset_fonts
+from site_builder.output.scripts import reachable
 from site_builder.output.style_sheets import join_style_sheets
 from site_builder.output.writer import write_site
 from site_builder.page_model.blocks import contents
 from site_builder.pages.catalogue import catalogue
+from site_builder.pages.features import kinds_script, parts_script, sheets_not_for, shown_in
 from site_builder.pages.licences import Licence, gather_licences
-from site_builder.pages.render import Site, render_pages, render_template
+from site_builder.pages.render import Site, back_matter, render_pages, render_template
 from site_builder.pages.stills import Stills, render_stills
 from site_builder.publishing.cards import make_cards
 from site_builder.publishing.icons import make_icons
@@ -65,8 +68,8 @@ NOW = "assets/now/"
 """Folder of the assets while the book is written: a changed style sheet changes no page."""
 LIBRARY = "search"
 """Folder of what searches, among the assets."""
-EDITOR = "js/editor/"
-"""Scripts that open the Python of figures."""
+ENTRIES = ("js/main.js", RELEASE_SCRIPT)
+"""Scripts that something else than a script asks for."""
 STYLE_SHEET = "css/book.css"
 """The one that pages link to, below ``static/``."""
 
@@ -225,13 +228,8 @@ def gather_assets(
     """Style sheets, scripts, fonts, stills, the author's pictures, what opens the figures' Python
     and what searches, in one folder: ``folder``, or one that is named by what is in it."""
     content = folder_files(root / "content")
-    figures = bool(book.scenes)
-    own = book_css(book.settings, book.words)
-    engine = folder_files(own_or_engine(root, "static"))
-    wanted = {name: file for name, file in engine.items() if figures or EDITOR not in name}
     files: Files = {
-        **join_style_sheets(wanted, STYLE_SHEET, own),
-        "js/book.js": book_script(book.settings, book.words),
+        **_engine_files(book, folder_files(own_or_engine(root, "static"))),
         **{
             f"fonts/{name}": data
             for name, data in subset_fonts(chosen_faces(book.settings, root)).items()
@@ -243,6 +241,23 @@ def gather_assets(
     if folder:
         return folder, {folder + name: content for name, content in files.items()}
     return hashed_folder("assets", files)
+
+
+def _engine_files(book: Book, static: Files) -> Files:
+    """Of the engine's style sheets and scripts those that the book uses."""
+    shown = shown_in(book, dict(back_matter(book)))
+    own = book_css(book.settings, book.words)
+    files = {
+        **join_style_sheets(static, STYLE_SHEET, own, without=sheets_not_for(shown)),
+        "js/book.js": book_script(book.settings, book.words),
+        "js/book_parts.js": parts_script(shown),
+        "js/question/book_kinds.js": kinds_script(shown),
+    }
+    used = reachable(files, ENTRIES) | {STYLE_SHEET}
+    loaded = ("css/", "js/")
+    return {
+        name: file for name, file in files.items() if name in used or not name.startswith(loaded)
+    }
 
 
 def _strips(stills: Stills) -> Files:

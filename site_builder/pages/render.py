@@ -135,15 +135,15 @@ def _renderer(site: Site) -> Callable[..., bytes]:
     """Makes the pages of a site, each kept by what all share and what it is given. The stills of a
     page follow from its figures, which it is given."""
     shared = replace(site, root=Path(), book=_bare(site.book), stills={})
-    back_matter = _back_matter(site.book)
-    shared_hash = given_hash(shared, back_matter, folder_hash(TEMPLATES))
+    follows = back_matter(site.book)
+    shared_hash = given_hash(shared, follows, folder_hash(TEMPLATES))
     seen = replace(shared, stills=site.stills)
 
     def render(template: str, path: str = "", **context: object) -> bytes:
         root = "../" * path.count("/") or "./"
 
         def make() -> bytes:
-            page = render_page(seen, template, root, path, back_matter=back_matter, **context)
+            page = render_page(seen, template, root, path, back_matter=follows, **context)
             return page.encode()
 
         return kept_as("page", (shared_hash, template, path, context), make)[0]
@@ -245,7 +245,7 @@ def _cover(book: Book) -> Block | None:
     return Block(SIMULATION.template, hero) if hero else None
 
 
-def _back_matter(book: Book) -> list[tuple[str, str]]:
+def back_matter(book: Book) -> list[tuple[str, str]]:
     """Address and title of the pages that the contents list after the chapters."""
     marked = any(chapter.index_marks for chapter in book.chapters)
     there = {

@@ -134,11 +134,11 @@ const calls = {
   /**
    * A script that prints what a frame of these values says, of the book's code and picture.
    *
-   * @param {FrameCall & {edited: boolean, own: boolean}} call
+   * @param {FrameCall & {told: string}} call `told`: JSON of the paragraphs that it begins with.
    */
-  async script({ scene, values, tier, edited, own }) {
+  async script({ scene, values, tier, told }) {
     await parts.provide(parts.table.scenes[scene]);
-    return { reply: { script: python.script(scene, values, tier, edited, own) } };
+    return { reply: { script: python.script(scene, values, tier, told) } };
   },
 
   /**
