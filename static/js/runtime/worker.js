@@ -4,9 +4,11 @@
  */
 
 import { message } from "../errors.js";
-import { NUMPY, Parts, PYTHON, SIMULATIONS, TABLE } from "./parts.js";
+import { Fault } from "./fault.js";
+import { NUMPY, Parts, PYTHON, SIMULATIONS } from "./parts.js";
 
-const PYODIDE = ["pyodide.mjs", "pyodide.asm.mjs", "pyodide.asm.wasm"];
+const SCRIPTS = ["pyodide.mjs", "pyodide.asm.mjs"];
+const MACHINE = "pyodide.asm.wasm";
 
 /**
  * Proxies of `simulations.browser`, held for the life of the worker.
@@ -25,30 +27,36 @@ let parts;
 
 const calls = {
   /**
-   * Start the interpreter from the folder `url`, past the HTTP cache if `fresh`, and fetch what
-   * `scenes` will import.
+   * Start the interpreter from the folder `url`, with a new table if `fresh`, and fetch what `scenes`
+   * will import. Every file is known to be whole before any of it runs.
    *
    * @param {{url: string, fresh: boolean, scenes: string[]}} call
    */
   async start({ url, fresh, scenes }) {
-    if (fresh) await refetch(url);
-    const pyodideScript = import(`${url}pyodide.mjs`);
-    parts = await Parts.listed(url);
+    parts = await Parts.listed(url, fresh);
     const { table } = parts;
+    const scripts = SCRIPTS.map((name) => parts.reply(name));
+    const [machine, library] = [parts.reply(MACHINE), parts.reply(PYTHON)];
     const [numpy, simulations] = [parts.fetch(NUMPY), parts.fetch(SIMULATIONS)];
+    const all = Promise.all([...scripts, machine, library, numpy, simulations]);
     for (const scene of scenes) parts.expect(table.scenes[scene]);
+    answerWith({ [url + MACHINE]: machine, [url + PYTHON]: library });
     const options = {
       indexURL: url,
       stdLibURL: url + PYTHON,
       lockFileContents: JSON.stringify(table.lock),
     };
-    const { loadPyodide } = await pyodideScript;
-    const pyodide = await Promise.race([loadPyodide(options), webAssemblyFailure()]);
+    const failure = Promise.race([rejection(all), webAssemblyFailure()]);
+    await Promise.race([Promise.all(scripts), failure]);
+    const { loadPyodide } = await import(`${url}pyodide.mjs`);
+    const pyodide = await Promise.race([loadPyodide(options), failure]);
     parts.pyodide = pyodide;
     parts.unpack(await numpy); // its machine code cannot be loaded from within an archive
     pyodide.FS.writeFile(`/lib/${SIMULATIONS}`, await simulations);
     pyodide.pyimport("sys").path.append(`/lib/${SIMULATIONS}`);
+    const begun = performance.now();
     const module = pyodide.pyimport("simulations.browser");
+    const importMs = performance.now() - begun;
     const {
       render,
       render_edited: renderEdited,
@@ -63,7 +71,7 @@ const calls = {
     const fetchNow = (/** @type {string} */ part) => parts.fetchNow(part);
     module.fetch_missing(JSON.stringify(table.modules), fetchNow, parts.folder);
     python = { render, renderEdited, pull, error, photograph, forget, judge, measure, script };
-    return { reply: { version: pyodide.version } };
+    return { reply: { version: pyodide.version, importMs } };
   },
 
   /**
@@ -72,7 +80,6 @@ const calls = {
    * @param {FrameCall} call
    */
   async render({ figure, scene, values, tier }) {
-    await parts.provide(parts.table.scenes[scene]);
     const begun = performance.now();
     const { meta, rasters } = takeFrame(python.render(figure, scene, values, tier));
     const computeMs = performance.now() - begun;
@@ -85,7 +92,6 @@ const calls = {
    * @param {FrameCall & {edits: string}} call
    */
   async renderEdited({ figure, scene, values, tier, edits }) {
-    await parts.provide(parts.table.scenes[scene]);
     const begun = performance.now();
     const answer = python.renderEdited(figure, scene, values, tier, edits);
     try {
@@ -107,7 +113,6 @@ const calls = {
    *   y: number}} call
    */
   async pull({ scene, values, tier, handle, x, y }) {
-    await parts.provide(parts.table.scenes[scene]);
     return { reply: { values: JSON.parse(python.pull(scene, values, tier, handle, x, y)) } };
   },
 
@@ -126,7 +131,6 @@ const calls = {
    * @param {FrameCall & {conditions: string[]}} call
    */
   async judge({ figure, scene, values, tier, conditions }) {
-    await parts.provide(parts.table.scenes[scene]);
     const met = python.judge(figure, scene, values, tier, JSON.stringify(conditions));
     return { reply: { met: met ?? null } };
   },
@@ -137,7 +141,6 @@ const calls = {
    * @param {FrameCall & {told: string}} call `told`: JSON of the paragraphs that it begins with.
    */
   async script({ scene, values, tier, told }) {
-    await parts.provide(parts.table.scenes[scene]);
     return { reply: { script: python.script(scene, values, tier, told) } };
   },
 
@@ -164,7 +167,6 @@ const calls = {
    * @param {{ladder: string, tier: string, budget: number}} call
    */
   async measure({ ladder, tier, budget }) {
-    await parts.provide(parts.table.ladders[ladder]);
     return { reply: { result: python.measure(ladder, tier, budget) } };
   },
 };
@@ -181,12 +183,27 @@ async function answer(request) {
 
 self.onmessage = async ({ data }) => {
   try {
+    await provideFor(data);
     const { reply, transfer = [] } = await answer(data);
     self.postMessage({ id: data.id, ok: true, ...reply }, { transfer });
   } catch (error) {
     self.postMessage({ id: data.id, ok: false, ...explain(error) });
   }
 };
+
+/**
+ * Have in place what a call's scene or ladder imports. The page is told when that has to be waited
+ * for, since a network may be slow where the machine is not.
+ *
+ * @param {{id: number, scene?: string, ladder?: string}} call
+ */
+async function provideFor({ id, scene = "", ladder = "" }) {
+  const names = parts?.table.scenes[scene] ?? parts?.table.ladders[ladder] ?? [];
+  if (!parts?.lacks(names)) return;
+  self.postMessage({ id, fetching: true });
+  await parts.provide(names);
+  self.postMessage({ id, fetching: false });
+}
 
 /**
  * What a frame holds, copied out of the interpreter's memory; the frame itself is let go.
@@ -232,14 +249,20 @@ function takeRaster(array) {
 }
 
 /**
- * A Python exception leaves the interpreter sound; anything else does not.
+ * A Python exception leaves the interpreter sound, and so does a file that cannot be had; anything
+ * else does not. Of memory there is no more to be had before there is a new interpreter.
  *
  * @param {unknown} error
  */
 function explain(error) {
   const text = message(error).trim();
+  if (error instanceof Fault) return { error: text, fault: error.told, fatal: false };
   const raised = error instanceof Error && error.name === "PythonError";
-  return { error: raised ? lastException(text) : text, fatal: !raised };
+  const last = raised ? lastException(text) : text;
+  if (/MemoryError\b|^Array buffer allocation failed/.test(last)) {
+    return { error: last, fault: { kind: "memory" }, fatal: true };
+  }
+  return { error: last, fatal: !raised };
 }
 
 /**
@@ -264,7 +287,6 @@ function webAssemblyFailure() {
     WebAssembly.instantiateStreaming = async (source, imports) => {
       try {
         const response = await source;
-        if (!response.ok) throw new Error(`${response.url}: ${response.status}`);
         const typed = response.headers.get("content-type")?.startsWith("application/wasm");
         return typed
           ? await streaming(response, imports)
@@ -278,11 +300,21 @@ function webAssemblyFailure() {
 }
 
 /**
- * Replace what the HTTP cache holds: a damaged file must not come back on a second try.
+ * Have Pyodide's own requests for files answered by what has been found whole.
  *
- * @param {string} url
+ * @param {Record<string, Promise<Response>>} replies By address.
  */
-async function refetch(url) {
-  const names = [...PYODIDE, PYTHON, NUMPY, SIMULATIONS, TABLE];
-  await Promise.all(names.map((name) => fetch(url + name, { cache: "reload" })));
+function answerWith(replies) {
+  const fetchOther = self.fetch;
+  self.fetch = (address, options) => replies[String(address)] ?? fetchOther(address, options);
+}
+
+/**
+ * Rejects as `promise` does, and never resolves.
+ *
+ * @param {Promise<unknown>} promise
+ * @returns {Promise<never>}
+ */
+function rejection(promise) {
+  return new Promise((_, reject) => promise.catch(reject));
 }
