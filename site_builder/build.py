@@ -35,6 +35,7 @@ from site_builder.output.assets import Content, folder_files, hashed_folder
 from site_builder.output.book_files import book_css, book_script
 from site_builder.output.font_faces import chosen_faces
 from site_builder.output.fonts import subset_fonts
+from site_builder.output.scripts import imported_scripts
 from site_builder.output.style_sheets import join_style_sheets
 from site_builder.output.writer import write_site
 from site_builder.page_model.blocks import contents
@@ -64,7 +65,8 @@ LIBRARY = "search"
 EDITOR = "js/editor/"
 """Scripts that open the Python of figures."""
 STYLE_SHEET = "css/book.css"
-"""The one that pages link to, below ``static/``."""
+SCRIPT = "js/main.js"
+"""Those that pages link to, below ``static/``."""
 
 type Files = Mapping[str, Content]
 type Write = Callable[[Files, Path], object]
@@ -151,7 +153,7 @@ def render_parts(options: Options) -> RenderedSite:
     assets, asset_files = gather_assets(book, options.root, pictures, made, folder)
     site = Site(
         options.root, book, stills, assets, runtime, bool(editor.script),
-        search=bool(scripts), reload=options.reload,
+        search=bool(scripts), reload=options.reload, scripts=_scripts(asset_files, assets),
     )  # fmt: skip
     licences = _licences(options.root, versions, editor, library, book)
     pages = render_pages(site, licences)
@@ -232,6 +234,11 @@ def gather_assets(
     if folder:
         return folder, {folder + name: content for name, content in files.items()}
     return hashed_folder("assets", files)
+
+
+def _scripts(files: Files, assets: str) -> tuple[str, ...]:
+    """What pages run at once, below the folder ``assets``."""
+    return imported_scripts({name.removeprefix(assets): files[name] for name in files}, SCRIPT)
 
 
 def _handed_out(options: Options, book: Book) -> Files:

@@ -8,6 +8,7 @@
 
 import { all } from "../page/dom.js";
 import { words } from "../page/words.js";
+import { takeBegun } from "./begin.js";
 
 /**
  * Longest wait for an answer in milliseconds. Starting may include a slow download.
@@ -93,10 +94,12 @@ export class Runtime {
   /**
    * @param {string} url Absolute address of the runtime folder.
    * @param {() => string[]} [scenes] Asked when a worker starts: what it will be asked for.
+   * @param {() => Worker | null} [begun] A worker that is on its way already, if there is one.
    */
-  constructor(url, scenes = scenesOfPage) {
+  constructor(url, scenes = scenesOfPage, begun = () => null) {
     this.url = url;
     this.scenes = scenes;
+    this.begun = begun;
   }
 
   /** Whether this browser can run the interpreter at all. */
@@ -151,7 +154,8 @@ export class Runtime {
   #boot() {
     this.#seen.clear();
     this.generation = ++interpreters;
-    this.#worker = new Worker(new URL("./worker.js", import.meta.url), { type: "module" });
+    const address = new URL("./worker.js", import.meta.url);
+    this.#worker = this.begun() ?? new Worker(address, { type: "module" });
     this.#worker.onmessage = (event) => this.#receive(event.data);
     this.#worker.onerror = (event) => {
       event.preventDefault();
@@ -235,6 +239,8 @@ let shared = null;
 /** The page's only interpreter, or null where the book was built without one. */
 export function sharedRuntime() {
   const address = document.body.dataset.runtime;
-  if (!shared && address) shared = new Runtime(new URL(address, location.href).href);
+  if (!shared && address) {
+    shared = new Runtime(new URL(address, location.href).href, scenesOfPage, takeBegun);
+  }
   return shared;
 }

@@ -20,10 +20,27 @@ let python = null;
  * @type {Parts}
  */
 let parts;
+/**
+ * The interpreter on its way, and its version.
+ *
+ * @type {Promise<string> | null}
+ */
+let starting = null;
 
 /** @typedef {{figure: string, scene: string, values: string, tier: string}} FrameCall */
 
 const calls = {
+  /**
+   * Begin to start, before anyone needs it: what goes wrong is told to who calls `start`.
+   *
+   * @param {{url: string, scenes: string[]}} call
+   */
+  begin({ url, scenes }) {
+    starting = load(url, scenes);
+    starting.catch(() => {});
+    return { reply: {} };
+  },
+
   /**
    * Start the interpreter from the folder `url`, past the HTTP cache if `fresh`, and fetch what
    * `scenes` will import.
@@ -32,38 +49,8 @@ const calls = {
    */
   async start({ url, fresh, scenes }) {
     if (fresh) await refetch(url);
-    const pyodideScript = import(`${url}pyodide.mjs`);
-    parts = await Parts.listed(url);
-    const { table } = parts;
-    const [numpy, simulations] = [parts.fetch(NUMPY), parts.fetch(SIMULATIONS)];
-    for (const scene of scenes) parts.expect(table.scenes[scene]);
-    const options = {
-      indexURL: url,
-      stdLibURL: url + PYTHON,
-      lockFileContents: JSON.stringify(table.lock),
-    };
-    const { loadPyodide } = await pyodideScript;
-    const pyodide = await Promise.race([loadPyodide(options), webAssemblyFailure()]);
-    parts.pyodide = pyodide;
-    parts.unpack(await numpy); // its machine code cannot be loaded from within an archive
-    pyodide.FS.writeFile(`/lib/${SIMULATIONS}`, await simulations);
-    pyodide.pyimport("sys").path.append(`/lib/${SIMULATIONS}`);
-    const module = pyodide.pyimport("simulations.browser");
-    const {
-      render,
-      render_edited: renderEdited,
-      pull,
-      error,
-      photograph,
-      forget,
-      judge,
-      measure,
-      script,
-    } = module;
-    const fetchNow = (/** @type {string} */ part) => parts.fetchNow(part);
-    module.fetch_missing(JSON.stringify(table.modules), fetchNow, parts.folder);
-    python = { render, renderEdited, pull, error, photograph, forget, judge, measure, script };
-    return { reply: { version: pyodide.version } };
+    starting ??= load(url, scenes);
+    return { reply: { version: await starting } };
   },
 
   /**
@@ -168,6 +155,48 @@ const calls = {
     return { reply: { result: python.measure(ladder, tier, budget) } };
   },
 };
+
+/**
+ * The interpreter from the folder `url`, with all that is asked of it at hand.
+ *
+ * @param {string} url
+ * @param {string[]} scenes Whose parts are fetched meanwhile.
+ * @returns {Promise<string>} Its version.
+ */
+async function load(url, scenes) {
+  const pyodideScript = import(`${url}pyodide.mjs`);
+  parts = await Parts.listed(url);
+  const { table } = parts;
+  const [numpy, simulations] = [parts.fetch(NUMPY), parts.fetch(SIMULATIONS)];
+  for (const scene of scenes) parts.expect(table.scenes[scene]);
+  const options = {
+    indexURL: url,
+    stdLibURL: url + PYTHON,
+    lockFileContents: JSON.stringify(table.lock),
+  };
+  const { loadPyodide } = await pyodideScript;
+  const pyodide = await Promise.race([loadPyodide(options), webAssemblyFailure()]);
+  parts.pyodide = pyodide;
+  parts.unpack(await numpy); // its machine code cannot be loaded from within an archive
+  pyodide.FS.writeFile(`/lib/${SIMULATIONS}`, await simulations);
+  pyodide.pyimport("sys").path.append(`/lib/${SIMULATIONS}`);
+  const module = pyodide.pyimport("simulations.browser");
+  const {
+    render,
+    render_edited: renderEdited,
+    pull,
+    error,
+    photograph,
+    forget,
+    judge,
+    measure,
+    script,
+  } = module;
+  const fetchNow = (/** @type {string} */ part) => parts.fetchNow(part);
+  module.fetch_missing(JSON.stringify(table.modules), fetchNow, parts.folder);
+  python = { render, renderEdited, pull, error, photograph, forget, judge, measure, script };
+  return pyodide.version;
+}
 
 /**
  * @param {{id: number, call: keyof typeof calls} & Record<string, any>} request
