@@ -80,13 +80,13 @@ def pack_runtime(
     )
     ours = stores.put(folder, "simulations.zip", source_archive(files, modules))
     archives = {**{f"{part}.zip": file for part, file in frozen.archives.items()}, ours.name: ours}
+    loaded = {**{name: fetched[name] for name in INTERPRETER}, **archives}
     table = json.dumps(
-        runtime_table(archives, frozen, imports, scenes, ladders), indent=1, sort_keys=True
+        runtime_table(loaded, frozen, imports, scenes, ladders), indent=1, sort_keys=True
     )
     return RuntimeBundle(
         {
-            **{name: fetched[name] for name in INTERPRETER},
-            **archives,
+            **loaded,
             TABLE_NAME: stores.put(folder, TABLE_NAME, table.encode()),
         },
         VERSIONS,
@@ -129,7 +129,7 @@ def source_archive(files: Mapping[str, Path], modules: Collection[str]) -> bytes
 
 
 def runtime_table(
-    archives: Mapping[str, Path],
+    loaded: Mapping[str, Path],
     frozen: Frozen,
     imports: Table,
     scenes: Modules = SCENE_MODULES,
@@ -137,14 +137,14 @@ def runtime_table(
 ) -> dict[str, object]:
     """What the worker knows of the files beside it.
 
-    ``lock``: what Pyodide asks for. ``integrity``: hash of each archive. ``modules``: of each
-    part that is not loaded at once, the modules in it. ``scenes`` and ``ladders``: which of these
-    parts each of them imports.
+    ``lock``: what Pyodide asks for. ``integrity``: hash of each of the files ``loaded``.
+    ``modules``: of each part that is not loaded at once, the modules in it. ``scenes`` and
+    ``ladders``: which of these parts each of them imports.
     """
     later = {part: names for part, names in frozen.modules.items() if part not in AT_ONCE}
     return {
         "lock": LOCK,
-        "integrity": {name: integrity(file.read_bytes()) for name, file in archives.items()},
+        "integrity": {name: integrity(file.read_bytes()) for name, file in loaded.items()},
         "modules": later,
         "scenes": {key: parts_of(imports, name, later) for key, name in scenes.items()},
         "ladders": {key: parts_of(imports, name, later) for key, name in ladders.items()},
