@@ -140,7 +140,7 @@ def render_site(options: Options) -> Files:
 def render_parts(options: Options) -> RenderedSite:
     """The site in parts. Raises `BuildError` with all mistakes found."""
     book, stills, pictures = check_site(options)
-    runtime, runtime_files, versions = _runtime(options, book)
+    runtime, runtime_files, bundle = _runtime(options, book)
     editor, library = _editor(options, book), _search_library(options, book)
     scripts = {f"{LIBRARY}/{name}": path for name, path in library.scripts.items()}
     made = {
@@ -153,10 +153,11 @@ def render_parts(options: Options) -> RenderedSite:
     folder = NOW if options.reload else ""
     assets, asset_files = gather_assets(book, options.root, pictures, made, folder)
     site = Site(
-        options.root, book, stills, assets, runtime, bool(editor.script),
-        search=bool(scripts), reload=options.reload, scripts=_scripts(asset_files, assets),
+        options.root, book, stills, assets, runtime, code_editor=bool(editor.script),
+        sources=bundle.sources, search=bool(scripts), reload=options.reload,
+        scripts=_scripts(asset_files, assets),
     )  # fmt: skip
-    licences = _licences(options.root, versions, editor, library, book)
+    licences = _licences(options.root, bundle.versions, editor, library, book)
     pages = render_pages(site, licences)
     records = make_records(pages, explained_terms(book)) if scripts else ()
     static = own_or_engine(options.root, "static")
@@ -165,7 +166,7 @@ def render_parts(options: Options) -> RenderedSite:
         **_outside(options, book, pages, stills, pictures),
         **asset_files,
         **runtime_files,
-        "book.json": catalogue(book, versions),
+        "book.json": catalogue(book, bundle.versions),
         MANIFEST: manifest(book.title, book.subtitle, assets, book.words.language),
     }
     return RenderedSite(
@@ -253,13 +254,13 @@ def _handed_out(options: Options, book: Book) -> Files:
     return {f"content/{name}": options.root / "content" / name for name in sorted(names)}
 
 
-def _runtime(options: Options, book: Book) -> tuple[str, dict[str, Content], Versions]:
+def _runtime(options: Options, book: Book) -> tuple[str, dict[str, Content], RuntimeBundle]:
     """Python for the browser, with the scenes and ladders inside that the book shows."""
     bundle = pack_for_browser(options.root, book) if options.runtime else None
     if bundle is None:
-        return "", {}, Versions()
+        return "", {}, RuntimeBundle({}, Versions())
     folder, files = hashed_folder("runtime", dict(bundle.files))
-    return folder, files, bundle.versions
+    return folder, files, bundle
 
 
 def pack_for_browser(root: Path, book: Book) -> RuntimeBundle | None:

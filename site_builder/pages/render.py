@@ -71,6 +71,8 @@ class Site:
     """Folder of style sheets, scripts, fonts and stills, relative to the site's root."""
     runtime: str
     """Folder of the browser's Python, relative to the site's root; nothing without a runtime."""
+    sources: str = ""
+    """Hash of the simulations that this Python has: those that drew the stills."""
     code_editor: bool = False
     """Whether readers can rewrite the Python of a figure, or only read it."""
     search: bool = False

@@ -26,6 +26,7 @@ from site_builder.runtime.imports import (
 from site_builder.runtime.pinned import NUMPY_WHEEL, PYTHON_LIBRARY, VERSIONS, Versions
 
 TABLE_NAME = "runtime.json"
+SIMULATIONS = "simulations.zip"
 ENTRY = "simulations.browser"
 """The module that the browser's worker imports."""
 EPOCH = (2020, 1, 1, 0, 0, 0)
@@ -38,6 +39,12 @@ class RuntimeBundle:
     files: Mapping[str, Path]
     """Name in the site's runtime folder to where the file lies now."""
     versions: Versions
+
+    @property
+    def sources(self) -> str:
+        """Hash of the simulations, as the worker knows it; nothing where there are none."""
+        file = self.files.get(SIMULATIONS)
+        return integrity(file.read_bytes()) if file else ""
 
 
 type Modules = Mapping[str, str]
@@ -78,7 +85,7 @@ def pack_runtime(
         outside(imports, modules),
         folder,
     )
-    ours = stores.put(folder, "simulations.zip", source_archive(files, modules))
+    ours = stores.put(folder, SIMULATIONS, source_archive(files, modules))
     archives = {**{f"{part}.zip": file for part, file in frozen.archives.items()}, ours.name: ours}
     loaded = {**{name: fetched[name] for name in INTERPRETER}, **archives}
     table = json.dumps(
