@@ -1,5 +1,6 @@
 /** Starts the Python interpreter, with the simulations and what they import at hand. */
 
+import { replaced } from "./fault.js";
 import { NUMPY, Parts, PYTHON, SIMULATIONS } from "./parts.js";
 
 const SCRIPTS = ["pyodide.mjs", "pyodide.asm.mjs"];
@@ -14,30 +15,39 @@ const MACHINE = "pyodide.asm.wasm";
  */
 
 /**
- * Every file is known to be whole before any of it runs.
+ * Every file is known to be whole before Python runs. Until then all are fetched at once, the scripts
+ * are read and the machine code is compiled.
  *
  * @param {string} url The runtime's folder.
- * @param {boolean} fresh Whether the table of its files is to be a new one.
+ * @param {boolean} fresh Whether the browser may hold damaged copies of its files.
  * @param {string[]} scenes Whose parts are fetched meanwhile.
  * @returns {Promise<Started>}
  */
 export async function startInterpreter(url, fresh, scenes) {
+  const read = fresh ? [] : SCRIPTS.map((name) => readScript(url + name));
   const parts = await Parts.listed(url, fresh);
   const { table } = parts;
   const scripts = SCRIPTS.map((name) => parts.reply(name));
-  const [machine, library] = [parts.reply(MACHINE), parts.reply(PYTHON)];
-  const [numpy, simulations] = [parts.fetch(NUMPY), parts.fetch(SIMULATIONS)];
+  const machine = parts.reply(MACHINE);
+  const [library, numpy, simulations] = [PYTHON, NUMPY, SIMULATIONS].map((name) =>
+    parts.fetch(name),
+  );
   const all = Promise.all([...scripts, machine, library, numpy, simulations]);
   for (const scene of scenes) parts.expect(table.scenes[scene]);
-  answerWith({ [url + MACHINE]: machine, [url + PYTHON]: library });
+  const compiled = compile(machine);
+  const failure = rejection(Promise.all([all, compiled]));
+  await Promise.race([Promise.all(scripts), failure]);
+  const [{ loadPyodide }, { default: createPyodideModule }] = await Promise.all(
+    SCRIPTS.map((name, index) => scriptOf(url + name, read[index])),
+  );
+  answerWith({ [url + MACHINE]: machine, [url + PYTHON]: library.then((zip) => new Response(zip)) });
+  instantiateFrom(compiled);
   const options = {
     indexURL: url,
     stdLibURL: url + PYTHON,
     lockFileContents: JSON.stringify(table.lock),
+    createPyodideModule,
   };
-  const failure = Promise.race([rejection(all), webAssemblyFailure()]);
-  await Promise.race([Promise.all(scripts), failure]);
-  const { loadPyodide } = await import(`${url}pyodide.mjs`);
   const pyodide = await Promise.race([loadPyodide(options), failure]);
   parts.pyodide = pyodide;
   parts.unpack(await numpy); // its machine code cannot be loaded from within an archive
@@ -49,6 +59,28 @@ export async function startInterpreter(url, fresh, scenes) {
   const fetchNow = (/** @type {string} */ part) => parts.fetchNow(part);
   module.fetch_missing(JSON.stringify(table.modules), fetchNow, parts.folder);
   return { version: pyodide.version, parts, python: functionsOf(module), importMs };
+}
+
+/**
+ * A script of Pyodide, which on its own only defines what is called later; nothing where it cannot
+ * be read.
+ *
+ * @param {string} address
+ * @returns {Promise<any>}
+ */
+function readScript(address) {
+  return import(address).catch(() => null);
+}
+
+/**
+ * The script that has been read, unless that was a damaged copy.
+ *
+ * @param {string} address Of a file that is whole.
+ * @param {Promise<any>} [read]
+ */
+async function scriptOf(address, read) {
+  const script = replaced.has(address) ? null : await read;
+  return script ?? (await import(read ? `${address}?again` : address));
 }
 
 /**
@@ -66,27 +98,29 @@ function functionsOf(module) {
 }
 
 /**
- * Rejects if the interpreter's WebAssembly cannot be had: Pyodide itself would only warn, and
- * wait for ever. A host that sends it with another type than `application/wasm` is served too.
+ * Machine code, compiled while it arrives. A host that sends it with another type than
+ * `application/wasm` is served too.
  *
- * @returns {Promise<never>}
+ * @param {Promise<Response>} coming
+ * @returns {Promise<WebAssembly.Module>}
  */
-function webAssemblyFailure() {
-  return new Promise((_, reject) => {
-    const streaming = WebAssembly.instantiateStreaming;
-    WebAssembly.instantiateStreaming = async (source, imports) => {
-      try {
-        const response = await source;
-        const typed = response.headers.get("content-type")?.startsWith("application/wasm");
-        return typed
-          ? await streaming(response, imports)
-          : await WebAssembly.instantiate(await response.arrayBuffer(), imports);
-      } catch (error) {
-        reject(error);
-        throw error;
-      }
-    };
-  });
+async function compile(coming) {
+  const reply = await coming;
+  return reply.headers.get("content-type")?.startsWith("application/wasm")
+    ? await WebAssembly.compileStreaming(reply)
+    : await WebAssembly.compile(await reply.arrayBuffer());
+}
+
+/**
+ * Have Pyodide take the machine code that is compiled already.
+ *
+ * @param {Promise<WebAssembly.Module>} compiled
+ */
+function instantiateFrom(compiled) {
+  WebAssembly.instantiateStreaming = async (_, imports) => {
+    const module = await compiled;
+    return { module, instance: await WebAssembly.instantiate(module, imports) };
+  };
 }
 
 /**
