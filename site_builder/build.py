@@ -47,7 +47,8 @@ from site_builder.publishing.cards import make_cards
 from site_builder.publishing.icons import make_icons
 from site_builder.publishing.listings import make_listings
 from site_builder.runtime.freeze import MissingModuleError
-from site_builder.runtime.pack import Modules, RuntimeBundle, pack_runtime
+from site_builder.runtime.modules import Modules
+from site_builder.runtime.pack import RuntimeBundle, pack_runtime
 from site_builder.runtime.pinned import Versions
 from site_builder.runtime.store import is_whole
 from site_builder.search.index import ADDRESS as SEARCH_INDEX
@@ -256,16 +257,18 @@ def _handed_out(options: Options, book: Book) -> Files:
 
 def _runtime(options: Options, book: Book) -> tuple[str, dict[str, Content], RuntimeBundle]:
     """Python for the browser, with the scenes and ladders inside that the book shows."""
-    bundle = pack_for_browser(options.root, book) if options.runtime else None
+    root, compiled = options.root, not options.reload
+    bundle = pack_for_browser(root, book, compiled=compiled) if options.runtime else None
     if bundle is None:
         return "", {}, RuntimeBundle({}, Versions())
     folder, files = hashed_folder("runtime", dict(bundle.files))
     return folder, files, bundle
 
 
-def pack_for_browser(root: Path, book: Book) -> RuntimeBundle | None:
+def pack_for_browser(root: Path, book: Book, *, compiled: bool) -> RuntimeBundle | None:
     """What the browser runs, with the scenes and ladders inside that the book shows; None of a book
-    that shows none. Raises `BuildError` where it could not run it."""
+    that shows none. An author who tries a change does not wait until it is ``compiled``. Raises
+    `BuildError` where the browser could not run it."""
     scenes = {scene.id for scene in book.scenes}
     ladders = {item.measured.ladder.id for item in _shown(book, LadderFigure)}
     if not (scenes or ladders):
@@ -275,6 +278,7 @@ def pack_for_browser(root: Path, book: Book) -> RuntimeBundle | None:
             root / "simulations",
             _only(SCENE_MODULES, scenes),
             _only(LADDER_MODULES, ladders),
+            compiled=compiled,
         )
     except MissingModuleError as error:
         path, _, line = error.place.rpartition(":")
@@ -285,15 +289,17 @@ def pack_for_browser(root: Path, book: Book) -> RuntimeBundle | None:
         raise BuildError([Diagnostic(path, int(line), f"no Python: {error.msg}")]) from error
 
 
-def _bundle(simulations: Path, scenes: Modules, ladders: Modules) -> RuntimeBundle:
+def _bundle(
+    simulations: Path, scenes: Modules, ladders: Modules, *, compiled: bool
+) -> RuntimeBundle:
     """The runtime, packed anew where nothing is kept of these sources or files of it are gone."""
 
     def pack() -> RuntimeBundle:
         reads_folder(RUNTIME)
-        return pack_runtime(simulations, scenes=scenes, ladders=ladders)
+        return pack_runtime(simulations, scenes=scenes, ladders=ladders, compiled=compiled)
 
     sources = [folder_hash(folder, "*.py") for folder in (simulations, ENGINE / "simulations")]
-    bundle = kept_as("runtime", (sources, scenes, ladders), pack)[0]
+    bundle = kept_as("runtime", (sources, scenes, ladders, compiled), pack)[0]
     return bundle if all(map(is_whole, bundle.files.values())) else pack()
 
 

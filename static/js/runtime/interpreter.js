@@ -1,7 +1,7 @@
 /** Starts the Python interpreter, with the simulations and what they import at hand. */
 
 import { replaced } from "./fault.js";
-import { NUMPY, Parts, PYTHON, SIMULATIONS } from "./parts.js";
+import { CORE, NUMPY, Parts, PYTHON } from "./parts.js";
 
 const SCRIPTS = ["pyodide.mjs", "pyodide.asm.mjs"];
 const MACHINE = "pyodide.asm.wasm";
@@ -29,10 +29,8 @@ export async function startInterpreter(url, fresh, scenes) {
   const { table } = parts;
   const scripts = SCRIPTS.map((name) => parts.reply(name));
   const machine = parts.reply(MACHINE);
-  const [library, numpy, simulations] = [PYTHON, NUMPY, SIMULATIONS].map((name) =>
-    parts.fetch(name),
-  );
-  const all = Promise.all([...scripts, machine, library, numpy, simulations]);
+  const [library, numpy, core] = [PYTHON, NUMPY, CORE].map((name) => parts.fetch(name));
+  const all = Promise.all([...scripts, machine, library, numpy, core]);
   for (const scene of scenes) parts.expect(table.scenes[scene]);
   const compiled = compile(machine);
   const failure = rejection(Promise.all([all, compiled]));
@@ -51,8 +49,7 @@ export async function startInterpreter(url, fresh, scenes) {
   const pyodide = await Promise.race([loadPyodide(options), failure]);
   parts.pyodide = pyodide;
   parts.unpack(await numpy); // its machine code cannot be loaded from within an archive
-  pyodide.FS.writeFile(`/lib/${SIMULATIONS}`, await simulations);
-  pyodide.pyimport("sys").path.append(`/lib/${SIMULATIONS}`);
+  parts.unpack(await core);
   const begun = performance.now();
   const module = pyodide.pyimport("simulations.browser");
   const importMs = performance.now() - begun;

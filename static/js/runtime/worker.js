@@ -6,7 +6,7 @@
 import { message } from "../errors.js";
 import { Fault } from "./fault.js";
 import { startInterpreter } from "./interpreter.js";
-import { SIMULATIONS } from "./parts.js";
+import { SOURCES } from "./parts.js";
 
 /** @import { Started } from "./interpreter.js" */
 /** @import { Parts } from "./parts.js" */
@@ -76,7 +76,7 @@ const calls = {
    */
   prepare({ scene }) {
     python.prepare(scene);
-    return { reply: { sources: parts.table.integrity[SIMULATIONS] } };
+    return { reply: { sources: parts.table.integrity[`${SOURCES}.zip`] } };
   },
 
   /**
@@ -188,10 +188,11 @@ self.onmessage = async ({ data }) => {
  * Have in place what a call's scene or ladder imports. The page is told when that has to be waited
  * for, since a network may be slow where the machine is not.
  *
- * @param {{id: number, scene?: string, ladder?: string}} call
+ * @param {{id: number, scene?: string, ladder?: string, edits?: string}} call
  */
-async function provideFor({ id, scene = "", ladder = "" }) {
-  const names = parts?.table.scenes[scene] ?? parts?.table.ladders[ladder] ?? [];
+async function provideFor({ id, scene = "", ladder = "", edits }) {
+  const imported = parts?.table.scenes[scene] ?? parts?.table.ladders[ladder] ?? [];
+  const names = edits === undefined ? imported : [...imported, SOURCES];
   if (!parts?.lacks(names)) return;
   self.postMessage({ id, fetching: true });
   await parts.provide(names);
