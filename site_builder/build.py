@@ -39,7 +39,7 @@ from site_builder.output.assets import Content, hashed_folder
 from site_builder.output.book_files import book_css, book_script
 from site_builder.output.font_faces import chosen_faces
 from site_builder.output.fonts import subset_fonts
-from site_builder.output.scripts import reachable
+from site_builder.output.scripts import imported_scripts, reachable
 from site_builder.output.style_sheets import join_style_sheets
 from site_builder.output.writer import write_site
 from site_builder.page_model.blocks import contents
@@ -52,7 +52,8 @@ from site_builder.publishing.cards import make_cards
 from site_builder.publishing.icons import make_icons
 from site_builder.publishing.listings import make_listings
 from site_builder.runtime.freeze import MissingModuleError
-from site_builder.runtime.pack import Modules, RuntimeBundle, pack_runtime
+from site_builder.runtime.modules import Modules
+from site_builder.runtime.pack import RuntimeBundle, pack_runtime
 from site_builder.runtime.pinned import Versions
 from site_builder.runtime.store import is_whole
 from site_builder.search.index import ADDRESS as SEARCH_INDEX
@@ -68,10 +69,11 @@ NOW = "assets/now/"
 """Folder of the assets while the book is written: a changed style sheet changes no page."""
 LIBRARY = "search"
 """Folder of what searches, among the assets."""
-ENTRIES = ("js/main.js", RELEASE_SCRIPT)
-"""Scripts that something else than a script asks for."""
 STYLE_SHEET = "css/book.css"
-"""The one that pages link to, below ``static/``."""
+SCRIPT = "js/main.js"
+"""Those that pages link to, below ``static/``."""
+ENTRIES = (SCRIPT, "js/runtime/begin.js", RELEASE_SCRIPT)
+"""Scripts that something else than a script asks for."""
 
 type Files = Mapping[str, Content]
 type Write = Callable[[Files, Path], object]
@@ -151,7 +153,7 @@ def render_parts(options: Options) -> RenderedSite:
         book, stills, pictures = check_site(options)
         beside.begin([*_charts(book), *_sources(options, book)])
         beside.join()
-    runtime, runtime_files, versions = _runtime(options, book)
+    runtime, runtime_files, bundle = _runtime(options, book)
     editor, library = _editor(options, book), _search_library(options, book)
     scripts = {f"{LIBRARY}/{name}": path for name, path in library.scripts.items()}
     made = {
@@ -164,10 +166,11 @@ def render_parts(options: Options) -> RenderedSite:
     folder = NOW if options.reload else ""
     assets, asset_files = gather_assets(book, options.root, pictures, made, folder)
     site = Site(
-        options.root, book, stills, assets, runtime, bool(editor.script),
-        search=bool(scripts), reload=options.reload,
+        options.root, book, stills, assets, runtime, code_editor=bool(editor.script),
+        sources=bundle.sources, search=bool(scripts), reload=options.reload,
+        scripts=_scripts(asset_files, assets),
     )  # fmt: skip
-    licences = _licences(options.root, versions, editor, library, book)
+    licences = _licences(options.root, bundle.versions, editor, library, book)
     pages = render_pages(site, licences)
     static = own_or_engine(options.root, "static")
 
@@ -182,7 +185,7 @@ def render_parts(options: Options) -> RenderedSite:
         **_outside(options, book, pages, stills, pictures),
         **asset_files,
         **runtime_files,
-        "book.json": catalogue(book, versions),
+        "book.json": catalogue(book, bundle.versions),
         MANIFEST: manifest(book.title, book.subtitle, assets, book.words.language),
     }
     return RenderedSite(
@@ -260,6 +263,11 @@ def _engine_files(book: Book, static: Files) -> Files:
     }
 
 
+def _scripts(files: Files, assets: str) -> tuple[str, ...]:
+    """What pages run at once, below the folder ``assets``."""
+    return imported_scripts({name.removeprefix(assets): files[name] for name in files}, SCRIPT)
+
+
 def _strips(stills: Stills) -> Files:
     strips = [still.strip for still in stills.values() if still.strip]
     return {f"strips/{strip.file}": strip.data for strip in strips}
@@ -271,18 +279,20 @@ def _handed_out(options: Options, book: Book) -> Files:
     return {f"content/{name}": options.root / "content" / name for name in sorted(names)}
 
 
-def _runtime(options: Options, book: Book) -> tuple[str, dict[str, Content], Versions]:
+def _runtime(options: Options, book: Book) -> tuple[str, dict[str, Content], RuntimeBundle]:
     """Python for the browser, with the scenes and ladders inside that the book shows."""
-    bundle = pack_for_browser(options.root, book) if options.runtime else None
+    root, compiled = options.root, not options.reload
+    bundle = pack_for_browser(root, book, compiled=compiled) if options.runtime else None
     if bundle is None:
-        return "", {}, Versions()
+        return "", {}, RuntimeBundle({}, Versions())
     folder, files = hashed_folder("runtime", dict(bundle.files))
-    return folder, files, bundle.versions
+    return folder, files, bundle
 
 
-def pack_for_browser(root: Path, book: Book) -> RuntimeBundle | None:
+def pack_for_browser(root: Path, book: Book, *, compiled: bool) -> RuntimeBundle | None:
     """What the browser runs, with the scenes and ladders inside that the book shows; None of a book
-    that shows none. Raises `BuildError` where it could not run it."""
+    that shows none. An author who tries a change does not wait until it is ``compiled``. Raises
+    `BuildError` where the browser could not run it."""
     scenes = {scene.id for scene in book.scenes}
     ladders = {item.measured.ladder.id for item in _shown(book, LadderFigure)}
     if not (scenes or ladders):
@@ -292,6 +302,7 @@ def pack_for_browser(root: Path, book: Book) -> RuntimeBundle | None:
             root / "simulations",
             _only(SCENE_MODULES, scenes),
             _only(LADDER_MODULES, ladders),
+            compiled=compiled,
         )
     except MissingModuleError as error:
         path, _, line = error.place.rpartition(":")
@@ -302,15 +313,17 @@ def pack_for_browser(root: Path, book: Book) -> RuntimeBundle | None:
         raise BuildError([Diagnostic(path, int(line), f"no Python: {error.msg}")]) from error
 
 
-def _bundle(simulations: Path, scenes: Modules, ladders: Modules) -> RuntimeBundle:
+def _bundle(
+    simulations: Path, scenes: Modules, ladders: Modules, *, compiled: bool
+) -> RuntimeBundle:
     """The runtime, packed anew where nothing is kept of these sources or files of it are gone."""
 
     def pack() -> RuntimeBundle:
         reads_folder(RUNTIME)
-        return pack_runtime(simulations, scenes=scenes, ladders=ladders)
+        return pack_runtime(simulations, scenes=scenes, ladders=ladders, compiled=compiled)
 
     sources = [folder_hash(folder, "*.py") for folder in (simulations, ENGINE / "simulations")]
-    bundle = kept_as("runtime", (sources, scenes, ladders), pack)[0]
+    bundle = kept_as("runtime", (sources, scenes, ladders, compiled), pack)[0]
     return bundle if all(map(is_whole, bundle.files.values())) else pack()
 
 

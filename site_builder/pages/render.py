@@ -71,10 +71,14 @@ class Site:
     """Folder of style sheets, scripts, fonts and stills, relative to the site's root."""
     runtime: str
     """Folder of the browser's Python, relative to the site's root; nothing without a runtime."""
+    sources: str = ""
+    """Hash of the simulations that this Python has: those that drew the stills."""
     code_editor: bool = False
     """Whether readers can rewrite the Python of a figure, or only read it."""
     search: bool = False
     """Whether there is an index to search."""
+    scripts: tuple[str, ...] = ()
+    """What the pages' script imports, below ``assets``."""
     reload: bool = False
     """Whether pages reload themselves when the site has been built anew."""
 
@@ -202,9 +206,18 @@ def render_page(site: Site, template: str, root: str, path: str = "", **context:
         runtime=f"{root}{site.runtime}" if site.runtime else "",
         address=page_address(path) if path and site.book.address else None,
         card=card_path(chapter),
+        scenes=_scenes(chapter, context.get("cover")) if site.runtime else (),
         origin=origin(site.book, path, chapter),
         **{"chapter": None, "here": "", "sections": (), "back_matter": (), **context},
     )
+
+
+def _scenes(chapter: Chapter | None, cover: object) -> tuple[str, ...]:
+    """The scenes of a page, for whose sake it begins Python at once."""
+    figures = chapter.simulations if chapter else ()
+    if isinstance(cover, Block) and isinstance(cover.content, Simulation):
+        figures = (cover.content,)
+    return tuple(dict.fromkeys(figure.scene.id for figure in figures))
 
 
 def render_template(template: str, book: Book, **context: object) -> str:

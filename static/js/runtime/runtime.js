@@ -8,6 +8,7 @@
 
 import { all } from "../page/dom.js";
 import { words } from "../page/words.js";
+import { takeBegun } from "./begin.js";
 import { findFault } from "./fault.js";
 import { LIMITS, Patience } from "./patience.js";
 import { Watchdog } from "./watchdog.js";
@@ -85,10 +86,12 @@ export class Runtime {
   /**
    * @param {string} url Absolute address of the runtime folder.
    * @param {() => string[]} [scenes] Asked when a worker starts: what it will be asked for.
+   * @param {() => Worker | null} [begun] A worker that is on its way already, if there is one.
    */
-  constructor(url, scenes = scenesOfPage) {
+  constructor(url, scenes = scenesOfPage, begun = () => null) {
     this.url = url;
     this.scenes = scenes;
+    this.begun = begun;
   }
 
   /** Whether this browser can run the interpreter at all. */
@@ -144,7 +147,7 @@ export class Runtime {
     this.#seen.clear();
     this.generation = ++interpreters;
     const script = new URL("./worker.js", import.meta.url);
-    const worker = new Worker(script, { type: "module" });
+    const worker = this.begun() ?? new Worker(script, { type: "module" });
     this.#worker = worker;
     worker.onmessage = (event) => this.#receive(event.data);
     worker.onerror = async (event) => {
@@ -254,6 +257,8 @@ let shared = null;
 /** The page's only interpreter, or null where the book was built without one. */
 export function sharedRuntime() {
   const address = document.body.dataset.runtime;
-  if (!shared && address) shared = new Runtime(new URL(address, location.href).href);
+  if (!shared && address) {
+    shared = new Runtime(new URL(address, location.href).href, scenesOfPage, takeBegun);
+  }
   return shared;
 }
