@@ -14,7 +14,7 @@ import { pressAction, readValues, showSliderValue } from "./controls.js";
 import { Handles } from "./handles.js";
 import { Motion } from "./motion.js";
 import { OwnPicture } from "./own_picture.js";
-import { paint } from "./painter.js";
+import { Painter } from "./painter.js";
 import { LatestWins } from "./scheduler.js";
 import { say, sayNothingOfFailure } from "./status.js";
 import { chosenTier, isDrafted, shownTier } from "./tiers.js";
@@ -58,6 +58,7 @@ export class LiveFigure {
     this.schema = data(figure, "script.schema");
     this.form = one(figure, "form.controls", HTMLFormElement);
     this.announce = announcer(one(figure, ".description", HTMLElement));
+    this.painter = new Painter(figure);
     this.accuracy = new Accuracy(figure, (job, urgency) => this.#askError(job, urgency));
     this.motion = new Motion(this.form, this.schema, (moving, time) => this.#ask(time, moving));
     const again = () => this.#ask(performance.now(), false);
@@ -272,7 +273,8 @@ export class LiveFigure {
   #show(reply, job) {
     const { figure } = this;
     const meta = JSON.parse(reply.meta);
-    paint(figure, meta, reply.rasters);
+    this.painter.paint(meta, reply.rasters);
+    this.runtime.recycle(reply.rasters);
     this.stages = meta.stages;
     this.handles.show(meta.handles);
     showStages(figure, meta.stages);
@@ -281,9 +283,9 @@ export class LiveFigure {
     sayNothingOfFailure(figure);
     figure.dataset.computeMs = reply.computeMs.toFixed(1);
     figure.dataset.latencyMs = (performance.now() - job.time).toFixed(1);
-    figure.dataset.tier = job.tier;
+    if (figure.dataset.tier !== job.tier) figure.dataset.tier = job.tier;
     figure.dataset.frames = String(Number(figure.dataset.frames ?? 0) + 1);
-    figure.dataset.state = "live";
+    if (figure.dataset.state !== "live") figure.dataset.state = "live";
     figure.dispatchEvent(new Event("painted"));
   }
 

@@ -55,7 +55,7 @@ export function closed() {
 /**
  * What a figure needs of a runtime.
  *
- * @typedef {Pick<Runtime, "call" | "forget" | "generation">} Caller
+ * @typedef {Pick<Runtime, "call" | "forget" | "recycle" | "generation">} Caller
  */
 
 /**
@@ -79,6 +79,8 @@ export class Runtime {
   #worker = null;
   /** @type {ReturnType<typeof setTimeout> | undefined} */
   #watchdog;
+  /** @type {ArrayBuffer[]} Memory of frames that are painted, on its way back to the worker. */
+  #spare = [];
   #lastId = 0;
   #failedStarts = 0;
   /** Which interpreter it is: a new one knows nothing of what the last was told. */
@@ -131,6 +133,15 @@ export class Runtime {
     if (this.#worker) this.call("forget", { figure }).catch(() => {});
   }
 
+  /**
+   * Give the memory of a frame's pixels back, once they are painted: the next frame is put there.
+   *
+   * @param {ArrayBuffer[]} rasters
+   */
+  recycle(rasters) {
+    if (this.#worker) this.#spare.push(...rasters);
+  }
+
   /** End the worker; who waits for it hears that it is gone. */
   close() {
     for (const call of this.#waiting.splice(0)) call.reject(closed());
@@ -175,7 +186,9 @@ export class Runtime {
     const limit = given ?? (scene && !this.#seen.has(scene) ? LIMITS.first : LIMITS[call.name]);
     if (scene) this.#seen.add(scene);
     this.#watchdog = setTimeout(() => this.#lose(words("runtime.late"), true), limit);
-    this.#worker?.postMessage({ id: call.id, call: call.name, ...call.payload });
+    const spare = this.#spare.splice(0);
+    const message = { id: call.id, call: call.name, ...call.payload, spare };
+    this.#worker?.postMessage(message, { transfer: spare });
   }
 
   /** @param {any} reply */
@@ -203,6 +216,7 @@ export class Runtime {
     this.#settle();
     this.#worker?.terminate();
     this.#worker = null;
+    this.#spare = [];
     call?.reject(new RuntimeFailure(call.name === "start" ? "start" : "lost", message, late));
     this.#next();
   }
