@@ -11,6 +11,7 @@ import { all, data, one, within } from "../page/dom.js";
 import { RuntimeFailure } from "../runtime/runtime.js";
 import { announcer } from "./announce.js";
 import { pressAction, readValues, showSliderValue } from "./controls.js";
+import { Early } from "./early.js";
 import { Handles } from "./handles.js";
 import { Motion } from "./motion.js";
 import { OwnPicture } from "./own_picture.js";
@@ -57,8 +58,11 @@ export class LiveFigure {
     /** @type {Schema} */
     this.schema = data(figure, "script.schema");
     this.form = one(figure, "form.controls", HTMLFormElement);
-    this.announce = announcer(one(figure, ".description", HTMLElement));
     this.painter = new Painter(figure);
+    this.early = new Early(this.painter, this.form, this.schema, (handles) => {
+      this.handles.show(handles);
+    });
+    this.announce = announcer(one(figure, ".description", HTMLElement));
     this.accuracy = new Accuracy(figure, (job, urgency) => this.#askError(job, urgency));
     this.motion = new Motion(this.form, this.schema, (moving, time) => this.#ask(time, moving));
     const again = () => this.#ask(performance.now(), false);
@@ -78,6 +82,7 @@ export class LiveFigure {
   leave() {
     this.#observer.disconnect();
     this.#listeners.abort();
+    this.early.end();
     this.motion.stop();
     this.accuracy.stop();
     this.#scheduler.clear();
@@ -133,6 +138,7 @@ export class LiveFigure {
       ([entry]) => {
         this.#near = entry.isIntersecting;
         this.accuracy.near = this.#near;
+        if (this.#near) this.early.near();
         if (!this.#asked) this.#ask(performance.now(), false, URGENCY.far);
       },
       { rootMargin: "50% 0px" },
@@ -273,6 +279,7 @@ export class LiveFigure {
   #show(reply, job) {
     const { figure } = this;
     const meta = JSON.parse(reply.meta);
+    this.early.end();
     this.painter.paint(meta, reply.rasters);
     this.runtime.recycle(reply.rasters);
     this.stages = meta.stages;
