@@ -65,7 +65,7 @@ export class LiveFigure {
     this.announce = announcer(one(figure, ".description", HTMLElement));
     this.accuracy = new Accuracy(figure, (job, urgency) => this.#askError(job, urgency));
     this.motion = new Motion(this.form, this.schema, (moving, time) => this.#ask(time, moving));
-    const again = () => this.#ask(performance.now(), false);
+    const again = () => this.#ask(performance.now(), "");
     this.own = new OwnPicture(figure, this.schema.photograph, again, this.#listeners.signal);
     this.#listen();
     this.handles = new Handles(
@@ -98,7 +98,7 @@ export class LiveFigure {
   retry() {
     this.figure.dataset.state = "starting";
     say(this.figure, "");
-    this.#ask(performance.now(), false);
+    this.#ask(performance.now(), "");
   }
 
   /**
@@ -109,13 +109,13 @@ export class LiveFigure {
   drawnBy(runtime) {
     this.runtime = runtime;
     this.#asked = "";
-    this.#ask(performance.now(), false);
+    this.#ask(performance.now(), "");
   }
 
   /** What is asked for the frame of the form's present values. */
   request() {
     const values = JSON.stringify(readValues(this.form, this.schema.controls));
-    return this.#request(values, this.#tier(false));
+    return this.#request(values, this.#tier(""));
   }
 
   /**
@@ -139,7 +139,7 @@ export class LiveFigure {
         this.#near = entry.isIntersecting;
         this.accuracy.near = this.#near;
         if (this.#near) this.early.near();
-        if (!this.#asked) this.#ask(performance.now(), false, URGENCY.far);
+        if (!this.#asked) this.#ask(performance.now(), "", URGENCY.far);
       },
       { rootMargin: "50% 0px" },
     );
@@ -175,7 +175,8 @@ export class LiveFigure {
       this.motion.stop();
       showSliderValue(this.form, control);
     }
-    this.#ask(event.timeStamp, dragging && isDrafted(this.form, this.schema, control));
+    const drafted = dragging && isDrafted(this.form, this.schema, control);
+    this.#ask(event.timeStamp, drafted && control ? control.name : "");
   }
 
   /** @param {Event} event */
@@ -186,7 +187,7 @@ export class LiveFigure {
       this.motion.press(control, event.timeStamp);
     } else {
       pressAction(this.form, control);
-      this.#ask(event.timeStamp, false);
+      this.#ask(event.timeStamp, "");
     }
   }
 
@@ -194,7 +195,7 @@ export class LiveFigure {
    * Ask for the frame of the form's present values, unless it is the one asked for last.
    *
    * @param {number} time
-   * @param {boolean} moving
+   * @param {string} moving Name of the control whose moves are drafted, if one moves.
    * @param {number} [urgency]
    */
   #ask(time, moving, urgency = URGENCY.touched) {
@@ -207,7 +208,7 @@ export class LiveFigure {
     this.#scheduler.submit({ values, tier, time, urgency });
   }
 
-  /** @param {boolean} moving */
+  /** @param {string} moving */
   #tier(moving) {
     return shownTier(this.form, this.schema, moving);
   }
@@ -285,7 +286,7 @@ export class LiveFigure {
     this.stages = meta.stages;
     this.handles.show(meta.handles);
     showStages(figure, meta.stages);
-    this.accuracy.shown(job, reply.computeMs, job.tier === this.#tier(false));
+    this.accuracy.shown(job, reply.computeMs, job.tier === this.#tier(""));
     this.announce(meta.description);
     sayNothingOfFailure(figure);
     figure.dataset.computeMs = reply.computeMs.toFixed(1);
