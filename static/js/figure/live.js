@@ -15,7 +15,7 @@ import { Early } from "./early.js";
 import { Handles } from "./handles.js";
 import { Motion } from "./motion.js";
 import { OwnPicture } from "./own_picture.js";
-import { paint } from "./painter.js";
+import { Painter } from "./painter.js";
 import { LatestWins } from "./scheduler.js";
 import { isOfPage, isServed } from "./served.js";
 import { say, sayNothingOfFailure } from "./status.js";
@@ -59,13 +59,14 @@ export class LiveFigure {
     /** @type {Schema} */
     this.schema = data(figure, "script.schema");
     this.form = one(figure, "form.controls", HTMLFormElement);
-    this.early = new Early(figure, this.form, this.schema, (handles) => {
+    this.painter = new Painter(figure);
+    this.early = new Early(this.painter, this.form, this.schema, (handles) => {
       this.handles.show(handles);
     });
     this.announce = announcer(one(figure, ".description", HTMLElement));
     this.accuracy = new Accuracy(figure, (job, urgency) => this.#askError(job, urgency));
     this.motion = new Motion(this.form, this.schema, (moving, time) => this.#ask(time, moving));
-    const again = () => this.#ask(performance.now(), false);
+    const again = () => this.#ask(performance.now(), "");
     this.own = new OwnPicture(figure, this.schema.photograph, again, this.#listeners.signal);
     this.#listen();
     this.handles = new Handles(
@@ -98,7 +99,7 @@ export class LiveFigure {
   retry() {
     this.figure.dataset.state = "starting";
     say(this.figure, "");
-    this.#ask(performance.now(), false);
+    this.#ask(performance.now(), "");
   }
 
   /**
@@ -109,13 +110,13 @@ export class LiveFigure {
   drawnBy(runtime) {
     this.runtime = runtime;
     this.#asked = "";
-    this.#ask(performance.now(), false);
+    this.#ask(performance.now(), "");
   }
 
   /** What is asked for the frame of the form's present values. */
   request() {
     const values = JSON.stringify(readValues(this.form, this.schema.controls));
-    return this.#request(values, this.#tier(false));
+    return this.#request(values, this.#tier(""));
   }
 
   /**
@@ -139,7 +140,7 @@ export class LiveFigure {
         this.#near = entry.isIntersecting;
         this.accuracy.near = this.#near;
         if (this.#near) this.early.near();
-        if (!this.#asked) this.#ask(performance.now(), false, URGENCY.far);
+        if (!this.#asked) this.#ask(performance.now(), "", URGENCY.far);
       },
       { rootMargin: "50% 0px" },
     );
@@ -175,7 +176,8 @@ export class LiveFigure {
       this.motion.stop();
       showSliderValue(this.form, control);
     }
-    this.#ask(event.timeStamp, dragging && isDrafted(this.form, this.schema, control));
+    const drafted = dragging && isDrafted(this.form, this.schema, control);
+    this.#ask(event.timeStamp, drafted && control ? control.name : "");
   }
 
   /** @param {Event} event */
@@ -186,7 +188,7 @@ export class LiveFigure {
       this.motion.press(control, event.timeStamp);
     } else {
       pressAction(this.form, control);
-      this.#ask(event.timeStamp, false);
+      this.#ask(event.timeStamp, "");
     }
   }
 
@@ -194,7 +196,7 @@ export class LiveFigure {
    * Ask for the frame of the form's present values, unless it is the one asked for last.
    *
    * @param {number} time
-   * @param {boolean} moving
+   * @param {string} moving Name of the control whose moves are drafted, if one moves.
    * @param {number} [urgency]
    */
   #ask(time, moving, urgency = URGENCY.touched) {
@@ -207,7 +209,7 @@ export class LiveFigure {
     this.#scheduler.submit({ values, tier, time, urgency });
   }
 
-  /** @param {boolean} moving */
+  /** @param {string} moving */
   #tier(moving) {
     return shownTier(this.form, this.schema, moving);
   }
@@ -324,11 +326,12 @@ export class LiveFigure {
     const { figure } = this;
     const meta = JSON.parse(reply.meta);
     this.early.end();
-    paint(figure, meta, reply.rasters);
+    this.painter.paint(meta, reply.rasters);
+    this.runtime.recycle(reply.rasters);
     this.stages = meta.stages;
     this.handles.show(meta.handles);
     showStages(figure, meta.stages);
-    this.accuracy.shown(job, reply.computeMs, job.tier === this.#tier(false));
+    this.accuracy.shown(job, reply.computeMs, job.tier === this.#tier(""));
     this.announce(meta.description);
     sayNothingOfFailure(figure);
     this.#lives(job, reply.computeMs);
@@ -344,9 +347,9 @@ export class LiveFigure {
     const { figure } = this;
     figure.dataset.computeMs = computeMs.toFixed(1);
     figure.dataset.latencyMs = (performance.now() - job.time).toFixed(1);
-    figure.dataset.tier = job.tier;
+    if (figure.dataset.tier !== job.tier) figure.dataset.tier = job.tier;
     figure.dataset.frames = String(Number(figure.dataset.frames ?? 0) + 1);
-    figure.dataset.state = "live";
+    if (figure.dataset.state !== "live") figure.dataset.state = "live";
     figure.dispatchEvent(new Event("painted"));
   }
 

@@ -48,7 +48,7 @@ export function closed() {
 /**
  * What a figure needs of a runtime.
  *
- * @typedef {Pick<Runtime, "call" | "forget" | "generation">} Caller
+ * @typedef {Pick<Runtime, "call" | "forget" | "recycle" | "generation">} Caller
  */
 
 /**
@@ -72,6 +72,8 @@ export class Runtime {
   #worker = null;
   #watchdog = new Watchdog();
   #patience = new Patience();
+  /** @type {ArrayBuffer[]} Memory of frames that are painted, on its way back to the worker. */
+  #spare = [];
   #lastId = 0;
   #failedStarts = 0;
   /** Which interpreter it is: a new one knows nothing of what the last was told. */
@@ -126,6 +128,15 @@ export class Runtime {
     if (this.#worker) this.call("forget", { figure }).catch(() => {});
   }
 
+  /**
+   * Give the memory of a frame's pixels back, once they are painted: the next frame is put there.
+   *
+   * @param {ArrayBuffer[]} rasters
+   */
+  recycle(rasters) {
+    if (this.#worker) this.#spare.push(...rasters);
+  }
+
   /** End the worker; who waits for it hears that it is gone. */
   close() {
     for (const call of this.#waiting.splice(0)) call.reject(closed());
@@ -178,7 +189,9 @@ export class Runtime {
     const name = scene && !this.#seen.has(scene) ? "first" : call.name;
     if (scene) this.#seen.add(scene);
     this.#watch(limit ?? this.#patience.limit(name, scene));
-    this.#worker?.postMessage({ id: call.id, call: call.name, ...call.payload });
+    const spare = this.#spare.splice(0);
+    const message = { id: call.id, call: call.name, ...call.payload, spare };
+    this.#worker?.postMessage(message, { transfer: spare });
   }
 
   /** @param {number} limit */
@@ -220,6 +233,7 @@ export class Runtime {
     this.#settle();
     this.#worker?.terminate();
     this.#worker = null;
+    this.#spare = [];
     call?.reject(new RuntimeFailure(call.name === "start" ? "start" : "lost", message, more));
     this.#next();
   }

@@ -29,6 +29,14 @@ let parts;
  * @type {Promise<Started> | null}
  */
 let starting = null;
+/**
+ * Memory of frames that the page has painted: the next pixels of that size are put there.
+ *
+ * @type {ArrayBuffer[]}
+ */
+let spare = [];
+/** As many as a page that paints frames of two figures in turn. */
+const MOST_SPARE = 8;
 
 /** @typedef {{figure: string, scene: string, values: string, tier: string}} FrameCall */
 
@@ -177,6 +185,7 @@ async function answer(request) {
 self.onmessage = async ({ data }) => {
   try {
     await provideFor(data);
+    spare = [...(data.spare ?? []), ...spare].slice(0, MOST_SPARE);
     const { reply, transfer = [] } = await answer(data);
     self.postMessage({ id: data.id, ok: true, ...reply }, { transfer });
   } catch (error) {
@@ -235,7 +244,11 @@ function takeRasters(frame) {
 function takeRaster(array) {
   const view = array.getBuffer("u8");
   try {
-    return view.data.slice().buffer;
+    const index = spare.findIndex(({ byteLength }) => byteLength === view.data.length);
+    if (index < 0) return view.data.slice().buffer;
+    const [pixels] = spare.splice(index, 1);
+    new Uint8Array(pixels).set(view.data);
+    return pixels;
   } finally {
     view.release();
     array.destroy();
