@@ -30,12 +30,12 @@ from site_builder.markdown.directives.figure import SUFFIXES
 from site_builder.markdown.directives.ladder import LadderFigure
 from site_builder.measured.measurements import read_measurements
 from site_builder.offline.manifest import MANIFEST, manifest
-from site_builder.offline.release import no_release, release_files
-from site_builder.output.assets import Content, folder_files, hashed_folder
+from site_builder.offline.release import integrity, no_release, release_files
+from site_builder.output.assets import Content, content_bytes, folder_files, hashed_folder
 from site_builder.output.book_files import book_css, book_script
 from site_builder.output.font_faces import chosen_faces
 from site_builder.output.fonts import subset_fonts
-from site_builder.output.style_sheets import join_style_sheets
+from site_builder.output.style_sheets import join_style_sheets, without_comments
 from site_builder.output.writer import write_site
 from site_builder.page_model.blocks import contents
 from site_builder.pages.catalogue import catalogue
@@ -64,7 +64,9 @@ LIBRARY = "search"
 EDITOR = "js/editor/"
 """Scripts that open the Python of figures."""
 STYLE_SHEET = "css/book.css"
-"""The one that pages link to, below ``static/``."""
+"""The one that pages hold or, while the book is written, link to, below ``static/``."""
+IN_HEAD = ("js/main.js",)
+"""Scripts that the head of a page names."""
 
 type Files = Mapping[str, Content]
 type Write = Callable[[Files, Path], object]
@@ -151,7 +153,7 @@ def render_parts(options: Options) -> RenderedSite:
     assets, asset_files = gather_assets(book, options.root, pictures, made, folder)
     site = Site(
         options.root, book, stills, assets, runtime, bool(editor.script),
-        search=bool(scripts), reload=options.reload,
+        search=bool(scripts), reload=options.reload, **_in_page(asset_files, assets, options),
     )  # fmt: skip
     licences = _licences(options.root, versions, editor, library, book)
     pages = render_pages(site, licences)
@@ -170,6 +172,17 @@ def render_parts(options: Options) -> RenderedSite:
         lambda: {SEARCH_INDEX: index_of(records, library, static, book.words)} if scripts else {},
         lambda files: no_release(assets) if options.reload else release_files(files, assets),
     )
+
+
+def _in_page(files: Files, assets: str, options: Options) -> dict[str, Any]:
+    """What a page holds of its assets, besides their addresses. While the book is written nothing,
+    so that a changed style sheet changes no page."""
+    if options.reload:
+        return {}
+    sheet = content_bytes(files[assets + STYLE_SHEET]).decode("utf-8")
+    named = {name: files[assets + name] for name in IN_HEAD if assets + name in files}
+    hashes = {name: integrity(content_bytes(file)) for name, file in named.items()}
+    return {"styles": without_comments(sheet), "hashes": hashes}
 
 
 def check_site(options: Options) -> tuple[Book, Stills, dict[str, bytes]]:
