@@ -147,6 +147,7 @@ def render_parts(options: Options) -> RenderedSite:
         **_python(options, book, editor),
         **scripts,
         **_handed_out(options, book),
+        **_strips(stills),
         **make_icons(options.root),
     }
     folder = NOW if options.reload else ""
@@ -193,7 +194,7 @@ def check_site(options: Options) -> tuple[Book, Stills, dict[str, bytes]]:
     book = read_book(options.root, problems, options.load_scene, measurements)
     check_book(book, problems)
     _check_pictures(options.root, problems, trusted=book.settings.trust.raw_html)
-    stills, pictures = render_stills(book, problems)
+    stills, pictures = render_stills(book, problems, strips=options.runtime and not options.reload)
     check_frames(book, stills, own_or_engine(options.root, "static"), problems)
     for warning in sorted(set(problems.doubts)):
         options.warn(warning)
@@ -245,6 +246,11 @@ def gather_assets(
     if folder:
         return folder, {folder + name: content for name, content in files.items()}
     return hashed_folder("assets", files)
+
+
+def _strips(stills: Stills) -> Files:
+    strips = [still.strip for still in stills.values() if still.strip]
+    return {f"strips/{strip.file}": strip.data for strip in strips}
 
 
 def _handed_out(options: Options, book: Book) -> Files:

@@ -86,6 +86,8 @@ class SimulationView:
     workings_open: bool
     schema: str
     """JSON that is safe inside a script element."""
+    strip: str
+    """Address of what can be shown before Python has started; nothing where that is nothing."""
 
 
 def view_simulation(still: Still, assets: str, words: Words = ENGLISH) -> SimulationView:
@@ -123,6 +125,7 @@ def view_simulation(still: Still, assets: str, words: Words = ENGLISH) -> Simula
         stages_text=count_stages(frame.stages, words),
         workings_open=figure.workings_open,
         schema=json_for_html(schema(still)),
+        strip=f"{assets}strips/{still.strip.file}" if still.strip else "",
     )
 
 

@@ -11,6 +11,7 @@ import { all, data, one, within } from "../page/dom.js";
 import { RuntimeFailure } from "../runtime/runtime.js";
 import { announcer } from "./announce.js";
 import { pressAction, readValues, showSliderValue } from "./controls.js";
+import { Early } from "./early.js";
 import { Handles } from "./handles.js";
 import { Motion } from "./motion.js";
 import { OwnPicture } from "./own_picture.js";
@@ -57,6 +58,9 @@ export class LiveFigure {
     /** @type {Schema} */
     this.schema = data(figure, "script.schema");
     this.form = one(figure, "form.controls", HTMLFormElement);
+    this.early = new Early(figure, this.form, this.schema, (handles) => {
+      this.handles.show(handles);
+    });
     this.announce = announcer(one(figure, ".description", HTMLElement));
     this.accuracy = new Accuracy(figure, (job, urgency) => this.#askError(job, urgency));
     this.motion = new Motion(this.form, this.schema, (moving, time) => this.#ask(time, moving));
@@ -77,6 +81,7 @@ export class LiveFigure {
   leave() {
     this.#observer.disconnect();
     this.#listeners.abort();
+    this.early.end();
     this.motion.stop();
     this.accuracy.stop();
     this.#scheduler.clear();
@@ -132,6 +137,7 @@ export class LiveFigure {
       ([entry]) => {
         this.#near = entry.isIntersecting;
         this.accuracy.near = this.#near;
+        if (this.#near) this.early.near();
         if (!this.#asked) this.#ask(performance.now(), false, URGENCY.far);
       },
       { rootMargin: "50% 0px" },
@@ -272,6 +278,7 @@ export class LiveFigure {
   #show(reply, job) {
     const { figure } = this;
     const meta = JSON.parse(reply.meta);
+    this.early.end();
     paint(figure, meta, reply.rasters);
     this.stages = meta.stages;
     this.handles.show(meta.handles);
