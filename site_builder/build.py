@@ -34,13 +34,13 @@ from site_builder.markdown.directives.ladder import LadderFigure
 from site_builder.measured.measurements import read_measurements
 from site_builder.offline.manifest import MANIFEST, manifest
 from site_builder.offline.release import SCRIPT as RELEASE_SCRIPT
-from site_builder.offline.release import no_release, release_files
-from site_builder.output.assets import Content, hashed_folder
+from site_builder.offline.release import integrity, no_release, release_files
+from site_builder.output.assets import Content, content_bytes, hashed_folder
 from site_builder.output.book_files import book_css, book_script
 from site_builder.output.font_faces import chosen_faces
 from site_builder.output.fonts import subset_fonts
 from site_builder.output.scripts import imported_scripts, reachable
-from site_builder.output.style_sheets import join_style_sheets
+from site_builder.output.style_sheets import join_style_sheets, without_comments
 from site_builder.output.writer import write_site
 from site_builder.page_model.blocks import contents
 from site_builder.pages.catalogue import catalogue
@@ -70,9 +70,11 @@ NOW = "assets/now/"
 LIBRARY = "search"
 """Folder of what searches, among the assets."""
 STYLE_SHEET = "css/book.css"
+"""The one that pages hold or, while the book is written, link to, below ``static/``."""
 SCRIPT = "js/main.js"
-"""Those that pages link to, below ``static/``."""
-ENTRIES = (SCRIPT, "js/runtime/begin.js", RELEASE_SCRIPT)
+IN_HEAD = (SCRIPT, "js/runtime/begin.js")
+"""Scripts that the head of a page runs."""
+ENTRIES = (*IN_HEAD, RELEASE_SCRIPT)
 """Scripts that something else than a script asks for."""
 
 type Files = Mapping[str, Content]
@@ -168,7 +170,7 @@ def render_parts(options: Options) -> RenderedSite:
     site = Site(
         options.root, book, stills, assets, runtime, code_editor=bool(editor.script),
         sources=bundle.sources, search=bool(scripts), reload=options.reload,
-        scripts=_scripts(asset_files, assets),
+        **_in_page(asset_files, assets, options),
     )  # fmt: skip
     licences = _licences(options.root, bundle.versions, editor, library, book)
     pages = render_pages(site, licences)
@@ -194,6 +196,18 @@ def render_parts(options: Options) -> RenderedSite:
         index,
         lambda files: no_release(assets) if options.reload else release_files(files, assets),
     )
+
+
+def _in_page(files: Files, assets: str, options: Options) -> dict[str, Any]:
+    """What a page holds of its assets, besides their addresses. While the book is written no more
+    than the scripts' names, so that a changed style sheet changes no page."""
+    scripts = _scripts(files, assets)
+    if options.reload:
+        return {"scripts": scripts}
+    sheet = content_bytes(files[assets + STYLE_SHEET]).decode("utf-8")
+    named = {name: files[assets + name] for name in (*IN_HEAD, *scripts) if assets + name in files}
+    hashes = {name: integrity(content_bytes(file)) for name, file in named.items()}
+    return {"scripts": scripts, "styles": without_comments(sheet), "hashes": hashes}
 
 
 def check_site(options: Options) -> tuple[Book, Stills, dict[str, bytes]]:

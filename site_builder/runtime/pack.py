@@ -28,7 +28,7 @@ from site_builder.runtime.imports import (
     outside,
     reach,
 )
-from site_builder.runtime.modules import CORE, ENTRY, Modules, archive_of, cut, sources_of
+from site_builder.runtime.modules import ENTRY, Modules, archive_of, cut, sources_of
 from site_builder.runtime.pinned import NUMPY_WHEEL, PYTHON_LIBRARY, VERSIONS, Versions
 
 TABLE_NAME = "runtime.json"
@@ -177,8 +177,7 @@ def runtime_table(
             key: [f"scene-{key}", *parts_of(imports, name, later)] for key, name in scenes.items()
         },
         "ladders": {
-            key: [f"ladder-{key}", *parts_of(imports, name, later)]
-            for key, name in ladders.items()
+            key: [f"ladder-{key}", *parts_of(imports, name, later)] for key, name in ladders.items()
         },
     }
 
