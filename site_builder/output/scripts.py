@@ -1,4 +1,4 @@
-"""ES modules: which files a page runs at once, and which the browser may ask for once it has one."""
+"""ES modules: which files a page runs at once, and which it may ask for afterwards."""
 
 import re
 from collections.abc import Collection, Iterator, Mapping

@@ -247,7 +247,9 @@ def in_words(book: Book) -> dict[str, object]:
         "book": book,
         "words": book.words,
         "t": book.words.html,
-        "policy": partial(page_policy, raw_html=book.settings.trust.raw_html),
+        "policy": partial(
+            page_policy, raw_html=book.settings.trust.raw_html, published=bool(book.address)
+        ),
         "storage": storage_prefix(book.settings),
         "light": colours(book.settings, "light"),
         "dark": colours(book.settings, "dark"),
