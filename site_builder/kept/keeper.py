@@ -17,6 +17,7 @@ from pathlib import Path
 from types import FunctionType
 from typing import Any, Protocol
 
+from site_builder.blame import is_remembered
 from site_builder.kept.code import Modules, code_hash, is_as_it_was
 from site_builder.kept.files import file_hash, folder_hash
 from site_builder.kept.fingerprint import SIZE, Prints, fingerprint
@@ -39,6 +40,9 @@ class Bytes(Protocol):
 
     def get(self, key: bytes, /) -> bytes | None: ...
     def put(self, entries: Mapping[bytes, bytes], /) -> None: ...
+    def reopened(self) -> "Bytes":
+        """The same, for a process that was forked."""
+        ...
 
 
 class Nowhere:
@@ -50,9 +54,16 @@ class Nowhere:
     def put(self, _entries: Mapping[bytes, bytes]) -> None:
         pass
 
+    def reopened(self) -> "Nowhere":
+        return self
+
 
 class UnkeepableError(Exception):
     """What a value depends on cannot be told."""
+
+
+class MissingError(Exception):
+    """What is asked for would have to be made."""
 
 
 @dataclass(slots=True)
@@ -84,6 +95,12 @@ class Keeper:
     _age: int = 0
     _latest_ns: int = 0
     """When the latest module was written."""
+    _looking: bool = False
+    """Whether nothing is to be made."""
+    _failed: dict[bytes, Exception] = field(default_factory=dict)
+    """Why authors' code did not do what a process beside this one asked of it, in this build."""
+    _beside: bool = False
+    """Whether this is such a process."""
 
     def find[T](self, name: str, module: str, given: object, make: Callable[[], T]) -> T:
         """What ``make`` gives, made only where it is not known; see `find_named`."""
@@ -100,6 +117,8 @@ class Keeper:
         try:
             own = self.fingerprint(given)
         except UnkeepableError:
+            if self._looking:
+                raise
             self.hear(("unknown", name), UNKNOWN)
             return make(), b""
         key = _hash(name.encode(), self.code(module), own)
@@ -143,9 +162,46 @@ class Keeper:
         if self._hearing:
             self._hearing[-1][read] = state
 
+    @property
+    def is_new(self) -> bool:
+        """Whether nothing was built with it yet."""
+        return not self._age
+
+    def lacks(self, ask: Callable[[], object]) -> bool:
+        """Whether ``ask`` would have to make something that can be kept."""
+        self._looking = True
+        try:
+            ask()
+        except MissingError:
+            return True
+        except UnkeepableError:
+            return False
+        finally:
+            self._looking = False
+        return False
+
+    def begin_parcel(self) -> None:
+        """In a process that was forked: what is made from here on goes into a parcel."""
+        self.store, self._fresh, self.made = self.store.reopened(), {}, []
+        self._beside = True
+
+    def parcel(self) -> bytes:
+        """What was made since it was begun, for `take_in`."""
+        return pickle.dumps((self._fresh, self.made, self._failed, self._latest_ns))
+
+    def take_in(self, parcel: bytes) -> None:
+        """What another process made."""
+        fresh, made, failed, latest_ns = pickle.loads(parcel)
+        self._fresh |= fresh
+        self._fresh_bytes += sum(map(len, fresh.values()))
+        self.made += made
+        self._failed |= failed
+        self._latest_ns = max(self._latest_ns, latest_ns)
+
     def flush(self) -> None:
         """Put what is new into the store, and let go of what was not asked for lately."""
         self._put_away()
+        self._failed = {}
         self._age += 1
         self._prints.next_round()
         old = [key for key, item in self._memory.items() if item.used + GENERATIONS < self._age]
@@ -158,9 +214,17 @@ class Keeper:
             self.store.put(fresh)
 
     def _make[T](self, name: str, key: bytes, make: Callable[[], T]) -> tuple[T, bytes]:
+        if self._looking:
+            raise MissingError
+        if error := self._failed.get(key):
+            raise error
         self._hearing.append({})
         try:
             value = make()
+        except Exception as error:
+            if self._beside and is_remembered(error):
+                self._failed[key] = error
+            raise
         finally:
             reads = self._hearing.pop()
         self.made.append(name)
@@ -181,7 +245,7 @@ class Keeper:
         with suppress(pickle.PicklingError):  # then it is kept in memory alone
             self._fresh[key] = packed(value)
             self._fresh_bytes += len(self._fresh[key])
-        if self._fresh_bytes > MOST_FRESH_BYTES:
+        if self._fresh_bytes > MOST_FRESH_BYTES and not self._beside:
             self._put_away()
 
     def _recall(self, key: bytes) -> Any:
@@ -193,7 +257,7 @@ class Keeper:
         return entry.value
 
     def _load(self, key: bytes) -> _Entry | None:
-        data = self.store.get(key)
+        data = self._fresh.get(key) or self.store.get(key)
         if data is None:
             return None
         try:
@@ -237,6 +301,10 @@ def keeping(keeper: Keeper | None) -> Iterator[None]:
     finally:
         _at_work.reset(before)
         keeper.flush()
+
+
+def keeper_at_work() -> Keeper | None:
+    return _at_work.get()
 
 
 def kept[**P, T](function: Callable[P, T]) -> Callable[P, T]:

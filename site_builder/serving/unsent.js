@@ -94,4 +94,3 @@ function texts(form) {
 function inputs(form, kind) {
   return /** @type {HTMLInputElement[]} */ ([...form.querySelectorAll(`input${kind}`)]);
 }
-
