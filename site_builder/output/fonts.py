@@ -6,7 +6,7 @@ Cutting takes seconds, hence a cache keyed by everything it depends on.
 import hashlib
 import io
 from collections.abc import Mapping, Sequence
-from importlib.resources import files
+from importlib.util import find_spec
 from pathlib import Path
 
 import fontTools
@@ -41,8 +41,7 @@ def subset_fonts(faces: Sequence[Face] = FACES, cache: Path | None = None) -> Ma
 
 
 def _cut_once(face: Face, cache: Path) -> bytes:
-    place = face.folder or files(face.package)
-    source = place.joinpath(face.source).read_bytes()
+    source = source_file(face).read_bytes()
     kept = cache / f"{_fingerprint(face, source)}.woff2"
     if kept.is_file():
         return kept.read_bytes()
@@ -52,6 +51,16 @@ def _cut_once(face: Face, cache: Path) -> bytes:
     unfinished.write_bytes(packed)
     unfinished.replace(kept)
     return packed
+
+
+def source_file(face: Face) -> Path:
+    """What it is cut from. Its package is found but not run: some read all their fonts first."""
+    if face.folder:
+        return face.folder / face.source
+    found = find_spec(face.package)
+    if not (found and found.origin):
+        raise FileNotFoundError(f"{face.package} carries {face.source} and is not installed")
+    return Path(found.origin).parent / face.source
 
 
 def _fingerprint(face: Face, source: bytes) -> str:
