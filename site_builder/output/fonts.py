@@ -11,9 +11,7 @@ from pathlib import Path
 
 import fontTools
 import platformdirs
-from fontTools import subset
 from fontTools.ttLib import TTFont
-from fontTools.ttLib.tables._g_l_y_f import USE_MY_METRICS
 
 from site_builder.output.font_faces import FACES, Face
 
@@ -77,6 +75,8 @@ def _fingerprint(face: Face, source: bytes) -> str:
 
 def cut(face: Face, source: bytes) -> bytes:
     """The font file ``source`` reduced to what ``face`` keeps, as woff2."""
+    from fontTools import subset  # it is long to load, and needed once on each machine
+
     options = subset.Options(
         flavor="woff2",
         layout_features=list(face.features),
@@ -113,6 +113,8 @@ def _keep_own_widths(font: TTFont) -> None:
     Some are marked to take the width of a part: a “ would be as narrow as a ‘ in browsers that
     draw with FreeType, and tabular figures uneven.
     """
+    from fontTools.ttLib.tables._g_l_y_f import USE_MY_METRICS
+
     outlines = font.get("glyf")
     for name in font.getGlyphOrder() if outlines else ():
         for part in getattr(outlines[name], "components", ()):
