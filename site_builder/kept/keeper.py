@@ -20,11 +20,13 @@ from typing import Any, Protocol
 from site_builder.blame import is_remembered
 from site_builder.kept.code import code_hash
 from site_builder.kept.files import file_hash, folder_hash
-from site_builder.kept.fingerprint import SIZE, fingerprint
+from site_builder.kept.fingerprint import SIZE, Prints, fingerprint
 from site_builder.kept.packing import HOLDERS, home_of, packed, unpacked
 
 GENERATIONS = 3
 """Builds after which what nobody asked for leaves the memory."""
+MOST_FRESH_BYTES = 16_000_000
+"""What waits at most for the store: a large book's pages would fill the memory twice."""
 UNKNOWN = b"unknown"
 
 type Read = tuple[str, str]
@@ -83,7 +85,9 @@ class Keeper:
     _memory: dict[bytes, _Entry] = field(default_factory=dict)
     _fresh: dict[bytes, bytes] = field(default_factory=dict)
     """Not yet in the store."""
+    _fresh_bytes: int = 0
     _codes: dict[str, bytes] = field(default_factory=dict)
+    _prints: Prints = field(default_factory=Prints)
     _hearing: list[dict[Read, bytes]] = field(default_factory=list)
     """What the functions read that are running now, the innermost last."""
     _age: int = 0
@@ -129,7 +133,7 @@ class Keeper:
 
     def fingerprint(self, given: object) -> bytes:
         """Of plain data, scenes and ladders. Raises `UnkeepableError` for a scene of no module."""
-        return fingerprint(given, self._own_fingerprint)
+        return fingerprint(given, self._own_fingerprint, self._prints)
 
     def code(self, module: str) -> bytes:
         """The hash of what a module can do."""
@@ -182,19 +186,25 @@ class Keeper:
         """What another process made."""
         fresh, made, failed, latest_ns = pickle.loads(parcel)
         self._fresh |= fresh
+        self._fresh_bytes += sum(map(len, fresh.values()))
         self.made += made
         self._failed |= failed
         self._latest_ns = max(self._latest_ns, latest_ns)
 
     def flush(self) -> None:
         """Put what is new into the store, and let go of what was not asked for lately."""
-        fresh, self._fresh, self._failed = self._fresh, {}, {}
-        if fresh and self._latest_ns < self.since_ns:
-            self.store.put(fresh)
+        self._put_away()
+        self._failed = {}
         self._age += 1
+        self._prints.next_round()
         old = [key for key, item in self._memory.items() if item.used + GENERATIONS < self._age]
         for key in old:
             del self._memory[key]
+
+    def _put_away(self) -> None:
+        fresh, self._fresh, self._fresh_bytes = self._fresh, {}, 0
+        if fresh and self._latest_ns < self.since_ns:
+            self.store.put(fresh)
 
     def _make[T](self, name: str, key: bytes, make: Callable[[], T]) -> tuple[T, bytes]:
         if self._looking:
@@ -227,6 +237,9 @@ class Keeper:
         self._memory[key] = _Entry(value, self._age)
         with suppress(pickle.PicklingError):  # then it is kept in memory alone
             self._fresh[key] = packed(value)
+            self._fresh_bytes += len(self._fresh[key])
+        if self._fresh_bytes > MOST_FRESH_BYTES and not self._beside:
+            self._put_away()
 
     def _recall(self, key: bytes) -> Any:
         """The value under that key, or None."""

@@ -10,8 +10,9 @@ from simulations.engine.settings import values_of
 from site_builder.book import Book
 from site_builder.diagnostics import Diagnostics, cause
 from site_builder.drawing.frames import Print, print_at
-from site_builder.kept.ahead import make_ahead
+from site_builder.kept.ahead import Ask, make_ahead
 from site_builder.page_model.blocks import Simulation
+from site_builder.pages.strips import Strip, render_strip
 
 
 @dataclass(frozen=True, slots=True)
@@ -35,23 +36,31 @@ class Still:
     """Without its pixels."""
     pictures: Mapping[str, StillPicture]
     """By panel, for panels that have pixels."""
+    strip: Strip | None = None
+    """What can be shown of it before Python has started."""
 
 
 type Stills = dict[tuple[str, int], Still]
 """By the place of the directive: path and line."""
 
 
-def render_stills(book: Book, problems: Diagnostics) -> tuple[Stills, dict[str, bytes]]:
-    """The frames of all figures, and their PNG files by name."""
+def render_stills(
+    book: Book, problems: Diagnostics, *, strips: bool = False
+) -> tuple[Stills, dict[str, bytes]]:
+    """The frames of all figures, and their PNG files by name; with their ``strips``, if wanted."""
     stills: Stills = {}
     files: dict[str, bytes] = {}
     places = [(chapter.id, figure) for chapter in book.chapters for figure in chapter.simulations]
     if book.hero:
         places.insert(0, ("cover", book.hero))
-    make_ahead([partial(_printed, figure) for _, figure in places])
+    wanted: list[Ask] = [partial(_printed, figure) for _, figure in places]
+    if strips:
+        wanted += [partial(render_strip, page, figure) for page, figure in places]
+    make_ahead(wanted)
     for page, figure in places:
         try:
             printed = _printed(figure)
+            strip = render_strip(page, figure) if strips else None
         except Exception as error:  # whatever a scene's own code may raise is the author's to see
             message = f"simulation {figure.scene.id!r} cannot be drawn: {cause(error)}"
             problems.add(figure.path, figure.line, message)
@@ -62,7 +71,7 @@ def render_stills(book: Book, problems: Diagnostics) -> tuple[Stills, dict[str, 
             pictures[panel] = StillPicture(name, picture.width, picture.height)
             files[name] = picture.png
         values = values_of(figure.scene.check(figure.values))
-        stills[figure.path, figure.line] = Still(figure, values, printed.frame, pictures)
+        stills[figure.path, figure.line] = Still(figure, values, printed.frame, pictures, strip)
     return stills, files
 
 
