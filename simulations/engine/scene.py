@@ -61,6 +61,7 @@ class Scene[S]:
         if not self.draft_tier:
             object.__setattr__(self, "draft_tier", self.default_tier)
         for mistake in (
+            *self._wrong_stages(),
             *self._wrong_buttons(),
             *self._wrong_tiers(),
             *self._wrong_drafts(),
@@ -135,6 +136,12 @@ class Scene[S]:
 
     def _settled(self, tier: str) -> str:
         return tier if tier in self.tiers else self.default_tier
+
+    def _wrong_stages(self) -> Iterator[str]:
+        names = [stage.name for stage in self.stages]
+        for name in dict.fromkeys(names):
+            if names.count(name) > 1:
+                yield f"two stages named {name!r}; legal: a name for each"
 
     def _wrong_buttons(self) -> Iterator[str]:
         sliders = [control.name for control in self.controls if isinstance(control, Slider)]
