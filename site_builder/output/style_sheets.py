@@ -7,6 +7,8 @@ from pathlib import PurePosixPath
 from site_builder.diagnostics import BuildError, Diagnostic
 from site_builder.output.assets import Content, content_bytes
 
+COMMENT = re.compile(r"""("(?:\\.|[^"\\])*"|'(?:\\.|[^'\\])*')|/\*.*?\*/""", re.DOTALL)
+"""A comment; or a string, in which there is none."""
 IMPORT = re.compile(r'^@import "([^"]+)";\n', re.MULTILINE)
 
 
@@ -32,6 +34,16 @@ def join_style_sheets(
 
     joined = IMPORT.sub(lambda found: text(found[1]), sheet)
     return {**rest, entry: (joined + more).encode("utf-8")}
+
+
+def without_comments(sheet: str) -> str:
+    """A sheet as it is sent inside a page: without what only its authors read.
+
+    >>> without_comments('a { /* red */\\n  content: "/* b */";\\n}')
+    'a { \\ncontent: "/* b */";\\n}'
+    """
+    bare = COMMENT.sub(lambda found: found[1] or "", sheet)
+    return re.sub(r"\n\s+", "\n", bare)
 
 
 def _mistake(sheet: str, name: str, entry: str) -> Diagnostic:

@@ -180,6 +180,7 @@ def schema(still: Still) -> dict[str, object]:
         "drafted": list(scene.drafted),
         "photograph": scene.photograph,
         "drafted_in": {tier: list(names) for tier, names in scene.drafted_in.items()},
+        "own_drafts": {tier: scene.drafts_of(tier) for tier in scene.tiers or ("",)},
     }
 
 

@@ -95,6 +95,11 @@ export class EditedRuntime {
     this.#ready = { asked: JSON.stringify(payload), reply };
   }
 
+  /** @param {ArrayBuffer[]} rasters */
+  recycle(rasters) {
+    this.#own?.recycle(rasters);
+  }
+
   /** @param {string} figure */
   forget(figure) {
     this.close();
