@@ -85,13 +85,13 @@ def _run(given: argparse.Namespace, warn: Warn, warnings: Sequence[Diagnostic]) 
             from site_builder.editions.compose import compose
             from site_builder.editions.pdf import make_pdf
 
-            composed = compose(Options(ROOT, warn=warn))
+            composed = compose(Options(ROOT, runtime=False, warn=warn))
             written(given.out or _edition(composed.book, "pdf"), make_pdf(composed))
         case "epub":
             from site_builder.editions.compose import compose
             from site_builder.editions.epub import make_epub
 
-            composed = compose(Options(ROOT, warn=warn))
+            composed = compose(Options(ROOT, runtime=False, warn=warn))
             written(given.out or _edition(composed.book, "epub"), make_epub(composed, ROOT))
         case "guide":
             from site_builder.guide.command import run_guide

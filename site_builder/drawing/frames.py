@@ -1,7 +1,8 @@
 """Frames of scenes: drawn within limits, and kept."""
 
 import io
-from collections.abc import Mapping
+from base64 import b64encode
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import Any
 
@@ -12,6 +13,10 @@ from simulations.engine.scene import Scene
 from simulations.engine.stages import StageCache
 from site_builder.drawing.apart import apart
 from site_builder.kept.keeper import kept
+
+SKETCH_PX = 320
+"""The longer side of a sketch's pictures, at most."""
+SKETCH_QUALITY = 70
 
 
 @dataclass(frozen=True, slots=True)
@@ -31,6 +36,16 @@ class Print:
     """Without its pixels."""
     pictures: Mapping[str, Picture]
     """By panel; of those that have pixels."""
+
+
+@dataclass(frozen=True, slots=True)
+class Sketch:
+    """A frame for the moment: its pixels are small, and not exact."""
+
+    frame: Frame
+    """Without its pixels."""
+    pictures: Mapping[str, str]
+    """Their addresses by panel, with the pictures in them."""
 
 
 @kept
@@ -57,6 +72,20 @@ def print_at(scene: Scene[Any], settings: Any, tier: str) -> Print:
 
 
 @kept
+def sketches_at(
+    scene: Scene[Any], settings: Sequence[Mapping[str, object]], tier: str
+) -> tuple[Sketch, ...]:
+    """The frames of several settings, one after the other. Raises whatever the scene does, and
+    `LimitError`."""
+
+    def drawn() -> tuple[Sketch, ...]:
+        cache = StageCache()
+        return tuple(_sketch(scene.render(scene.check(one), tier, cache)) for one in settings)
+
+    return apart(drawn)
+
+
+@kept
 def reports_at(
     scene: Scene[Any], start: Mapping[str, object], moved: Mapping[str, object]
 ) -> tuple[StageReport, ...]:
@@ -70,6 +99,25 @@ def reports_at(
         return reports
 
     return apart(run)
+
+
+def _sketch(frame: Frame) -> Sketch:
+    pictures = {
+        panel.name: _small(panel.raster, pixelated=panel.pixelated)
+        for panel in frame.panels
+        if panel.raster is not None
+    }
+    return Sketch(_without_pixels(frame), pictures)
+
+
+def _small(raster: Raster, *, pixelated: bool) -> str:
+    """A raster as an address that holds it. Where the page shows its pixels as squares, each stays
+    what it is."""
+    image, buffer = Image.fromarray(raster), io.BytesIO()
+    if not pixelated:
+        image.thumbnail((SKETCH_PX, SKETCH_PX))
+    image.save(buffer, "WEBP", quality=SKETCH_QUALITY, lossless=pixelated, method=4)
+    return f"data:image/webp;base64,{b64encode(buffer.getvalue()).decode()}"
 
 
 def _without_pixels(frame: Frame) -> Frame:

@@ -6,13 +6,14 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from simulations.engine.controls import Action, Choice, Control, Slider, Toggle, Value
+from simulations.engine.controls import Choice, Control, Slider, Value
 from simulations.engine.frame import Frame, Panel
 from simulations.engine.stages import StageCache
 from site_builder.book import Book
 from site_builder.drawing.frames import png
 from site_builder.languages.words import Words
 from site_builder.page_model.blocks import Simulation
+from site_builder.pages.main_control import main_control
 from site_builder.pages.stills import Still, Stills
 from site_builder.pages.views.control import value_text
 
@@ -73,16 +74,6 @@ def _row(page: str, still: Still, files: dict[str, bytes], words: Words) -> Row 
             files[name] = png(panel.raster)
         multiples.append(Multiple(value_text(control, value, words), panel, name))
     return Row(control.label, tuple(multiples))
-
-
-def main_control(figure: Simulation) -> Control | None:
-    """The first whose values can be shown side by side. A menu that chooses a picture tells less
-    than a slider."""
-    controls = figure.scene.controls
-    ordered = [*(c for c in controls if isinstance(c, Slider)), *controls]
-    if controls and isinstance(controls[0], Choice):
-        ordered.insert(0, controls[0])
-    return next((c for c in ordered if not isinstance(c, Action | Toggle)), None)
 
 
 def shown_values(control: Control, now: Value) -> list[Value]:

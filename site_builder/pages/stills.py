@@ -2,14 +2,17 @@
 
 from collections.abc import Mapping
 from dataclasses import dataclass
+from functools import partial
 
 from simulations.engine.controls import Value
 from simulations.engine.frame import Frame
 from simulations.engine.settings import values_of
 from site_builder.book import Book
 from site_builder.diagnostics import Diagnostics, cause
-from site_builder.drawing.frames import print_at
+from site_builder.drawing.frames import Print, print_at
+from site_builder.kept.ahead import Ask, make_ahead
 from site_builder.page_model.blocks import Simulation
+from site_builder.pages.strips import Strip, render_strip
 
 
 @dataclass(frozen=True, slots=True)
@@ -33,23 +36,31 @@ class Still:
     """Without its pixels."""
     pictures: Mapping[str, StillPicture]
     """By panel, for panels that have pixels."""
+    strip: Strip | None = None
+    """What can be shown of it before Python has started."""
 
 
 type Stills = dict[tuple[str, int], Still]
 """By the place of the directive: path and line."""
 
 
-def render_stills(book: Book, problems: Diagnostics) -> tuple[Stills, dict[str, bytes]]:
-    """The frames of all figures, and their PNG files by name."""
+def render_stills(
+    book: Book, problems: Diagnostics, *, strips: bool = False
+) -> tuple[Stills, dict[str, bytes]]:
+    """The frames of all figures, and their PNG files by name; with their ``strips``, if wanted."""
     stills: Stills = {}
     files: dict[str, bytes] = {}
     places = [(chapter.id, figure) for chapter in book.chapters for figure in chapter.simulations]
     if book.hero:
         places.insert(0, ("cover", book.hero))
+    wanted: list[Ask] = [partial(_printed, figure) for _, figure in places]
+    if strips:
+        wanted += [partial(render_strip, page, figure) for page, figure in places]
+    make_ahead(wanted)
     for page, figure in places:
-        settings = figure.scene.check(figure.values)
         try:
-            printed = print_at(figure.scene, settings, figure.tier)
+            printed = _printed(figure)
+            strip = render_strip(page, figure) if strips else None
         except Exception as error:  # whatever a scene's own code may raise is the author's to see
             message = f"simulation {figure.scene.id!r} cannot be drawn: {cause(error)}"
             problems.add(figure.path, figure.line, message)
@@ -59,6 +70,10 @@ def render_stills(book: Book, problems: Diagnostics) -> tuple[Stills, dict[str, 
             name = f"{page}--{figure.id}--{panel}.png"
             pictures[panel] = StillPicture(name, picture.width, picture.height)
             files[name] = picture.png
-        values = values_of(settings)
-        stills[figure.path, figure.line] = Still(figure, values, printed.frame, pictures)
+        values = values_of(figure.scene.check(figure.values))
+        stills[figure.path, figure.line] = Still(figure, values, printed.frame, pictures, strip)
     return stills, files
+
+
+def _printed(figure: Simulation) -> Print:
+    return print_at(figure.scene, figure.scene.check(figure.values), figure.tier)

@@ -30,6 +30,13 @@ export class Fault extends Error {
 }
 
 /**
+ * Files of which the browser's cache held a damaged copy, by address.
+ *
+ * @type {Set<string>}
+ */
+export const replaced = new Set();
+
+/**
  * The reply with a file that is whole and the right one. A damaged copy in the browser's cache is
  * replaced.
  *
@@ -48,6 +55,7 @@ export async function fetchWhole(url, integrity, caches = ["default", "reload"])
       return reply;
     } catch (error) {
       if (error instanceof Fault) throw error;
+      replaced.add(url);
     }
   }
   throw await findFault(url);

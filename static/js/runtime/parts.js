@@ -9,7 +9,9 @@ import { fetchWhole, findFault } from "./fault.js";
 /** What the interpreter starts with; the other parts wait until something imports from them. */
 export const PYTHON = "python.zip";
 export const NUMPY = "numpy.zip";
-export const SIMULATIONS = "simulations.zip";
+export const CORE = "core.zip";
+/** The part with the sources of all simulations, for who edits them; `editing/` looks for it there. */
+export const SOURCES = "simulations";
 export const TABLE = "runtime.json";
 
 /**
@@ -153,7 +155,8 @@ export class Parts {
    * @param {Uint8Array} archive
    */
   #place(name, archive) {
-    this.unpack(archive);
+    if (name === SOURCES) this.#pyodide.FS.writeFile(`/lib/${name}.zip`, archive);
+    else this.unpack(archive);
     this.#here.add(name);
   }
 }

@@ -8,6 +8,7 @@
 
 import { all } from "../page/dom.js";
 import { words } from "../page/words.js";
+import { takeBegun } from "./begin.js";
 import { findFault } from "./fault.js";
 import { LIMITS, Patience } from "./patience.js";
 import { Watchdog } from "./watchdog.js";
@@ -47,7 +48,7 @@ export function closed() {
 /**
  * What a figure needs of a runtime.
  *
- * @typedef {Pick<Runtime, "call" | "forget" | "generation">} Caller
+ * @typedef {Pick<Runtime, "call" | "forget" | "recycle" | "generation">} Caller
  */
 
 /**
@@ -71,6 +72,8 @@ export class Runtime {
   #worker = null;
   #watchdog = new Watchdog();
   #patience = new Patience();
+  /** @type {ArrayBuffer[]} Memory of frames that are painted, on its way back to the worker. */
+  #spare = [];
   #lastId = 0;
   #failedStarts = 0;
   /** Which interpreter it is: a new one knows nothing of what the last was told. */
@@ -85,10 +88,12 @@ export class Runtime {
   /**
    * @param {string} url Absolute address of the runtime folder.
    * @param {() => string[]} [scenes] Asked when a worker starts: what it will be asked for.
+   * @param {() => Worker | null} [begun] A worker that is on its way already, if there is one.
    */
-  constructor(url, scenes = scenesOfPage) {
+  constructor(url, scenes = scenesOfPage, begun = () => null) {
     this.url = url;
     this.scenes = scenes;
+    this.begun = begun;
   }
 
   /** Whether this browser can run the interpreter at all. */
@@ -123,6 +128,15 @@ export class Runtime {
     if (this.#worker) this.call("forget", { figure }).catch(() => {});
   }
 
+  /**
+   * Give the memory of a frame's pixels back, once they are painted: the next frame is put there.
+   *
+   * @param {ArrayBuffer[]} rasters
+   */
+  recycle(rasters) {
+    if (this.#worker) this.#spare.push(...rasters);
+  }
+
   /** End the worker; who waits for it hears that it is gone. */
   close() {
     for (const call of this.#waiting.splice(0)) call.reject(closed());
@@ -144,7 +158,7 @@ export class Runtime {
     this.#seen.clear();
     this.generation = ++interpreters;
     const script = new URL("./worker.js", import.meta.url);
-    const worker = new Worker(script, { type: "module" });
+    const worker = this.begun() ?? new Worker(script, { type: "module" });
     this.#worker = worker;
     worker.onmessage = (event) => this.#receive(event.data);
     worker.onerror = async (event) => {
@@ -175,7 +189,9 @@ export class Runtime {
     const name = scene && !this.#seen.has(scene) ? "first" : call.name;
     if (scene) this.#seen.add(scene);
     this.#watch(limit ?? this.#patience.limit(name, scene));
-    this.#worker?.postMessage({ id: call.id, call: call.name, ...call.payload });
+    const spare = this.#spare.splice(0);
+    const message = { id: call.id, call: call.name, ...call.payload, spare };
+    this.#worker?.postMessage(message, { transfer: spare });
   }
 
   /** @param {number} limit */
@@ -217,6 +233,7 @@ export class Runtime {
     this.#settle();
     this.#worker?.terminate();
     this.#worker = null;
+    this.#spare = [];
     call?.reject(new RuntimeFailure(call.name === "start" ? "start" : "lost", message, more));
     this.#next();
   }
@@ -254,6 +271,8 @@ let shared = null;
 /** The page's only interpreter, or null where the book was built without one. */
 export function sharedRuntime() {
   const address = document.body.dataset.runtime;
-  if (!shared && address) shared = new Runtime(new URL(address, location.href).href);
+  if (!shared && address) {
+    shared = new Runtime(new URL(address, location.href).href, scenesOfPage, takeBegun);
+  }
   return shared;
 }

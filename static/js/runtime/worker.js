@@ -5,10 +5,11 @@
 
 import { message } from "../errors.js";
 import { Fault } from "./fault.js";
-import { NUMPY, Parts, PYTHON, SIMULATIONS } from "./parts.js";
+import { startInterpreter } from "./interpreter.js";
+import { SOURCES } from "./parts.js";
 
-const SCRIPTS = ["pyodide.mjs", "pyodide.asm.mjs"];
-const MACHINE = "pyodide.asm.wasm";
+/** @import { Started } from "./interpreter.js" */
+/** @import { Parts } from "./parts.js" */
 
 /**
  * Proxies of `simulations.browser`, held for the life of the worker.
@@ -22,56 +23,46 @@ let python = null;
  * @type {Parts}
  */
 let parts;
+/**
+ * The interpreter on its way.
+ *
+ * @type {Promise<Started> | null}
+ */
+let starting = null;
+/**
+ * Memory of frames that the page has painted: the next pixels of that size are put there.
+ *
+ * @type {ArrayBuffer[]}
+ */
+let spare = [];
+/** As many as a page that paints frames of two figures in turn. */
+const MOST_SPARE = 8;
 
 /** @typedef {{figure: string, scene: string, values: string, tier: string}} FrameCall */
 
 const calls = {
   /**
+   * Begin to start, before anyone needs it: what goes wrong is told to who calls `start`.
+   *
+   * @param {{url: string, scenes: string[]}} call
+   */
+  begin({ url, scenes }) {
+    starting = startInterpreter(url, false, scenes);
+    starting.catch(() => {});
+    return { reply: {} };
+  },
+
+  /**
    * Start the interpreter from the folder `url`, with a new table if `fresh`, and fetch what `scenes`
-   * will import. Every file is known to be whole before any of it runs.
+   * will import.
    *
    * @param {{url: string, fresh: boolean, scenes: string[]}} call
    */
   async start({ url, fresh, scenes }) {
-    parts = await Parts.listed(url, fresh);
-    const { table } = parts;
-    const scripts = SCRIPTS.map((name) => parts.reply(name));
-    const [machine, library] = [parts.reply(MACHINE), parts.reply(PYTHON)];
-    const [numpy, simulations] = [parts.fetch(NUMPY), parts.fetch(SIMULATIONS)];
-    const all = Promise.all([...scripts, machine, library, numpy, simulations]);
-    for (const scene of scenes) parts.expect(table.scenes[scene]);
-    answerWith({ [url + MACHINE]: machine, [url + PYTHON]: library });
-    const options = {
-      indexURL: url,
-      stdLibURL: url + PYTHON,
-      lockFileContents: JSON.stringify(table.lock),
-    };
-    const failure = Promise.race([rejection(all), webAssemblyFailure()]);
-    await Promise.race([Promise.all(scripts), failure]);
-    const { loadPyodide } = await import(`${url}pyodide.mjs`);
-    const pyodide = await Promise.race([loadPyodide(options), failure]);
-    parts.pyodide = pyodide;
-    parts.unpack(await numpy); // its machine code cannot be loaded from within an archive
-    pyodide.FS.writeFile(`/lib/${SIMULATIONS}`, await simulations);
-    pyodide.pyimport("sys").path.append(`/lib/${SIMULATIONS}`);
-    const begun = performance.now();
-    const module = pyodide.pyimport("simulations.browser");
-    const importMs = performance.now() - begun;
-    const {
-      render,
-      render_edited: renderEdited,
-      pull,
-      error,
-      photograph,
-      forget,
-      judge,
-      measure,
-      script,
-    } = module;
-    const fetchNow = (/** @type {string} */ part) => parts.fetchNow(part);
-    module.fetch_missing(JSON.stringify(table.modules), fetchNow, parts.folder);
-    python = { render, renderEdited, pull, error, photograph, forget, judge, measure, script };
-    return { reply: { version: pyodide.version, importMs } };
+    starting ??= startInterpreter(url, fresh, scenes);
+    const { version, importMs, ...started } = await starting;
+    ({ parts, python } = started);
+    return { reply: { version, importMs } };
   },
 
   /**
@@ -84,6 +75,16 @@ const calls = {
     const { meta, rasters } = takeFrame(python.render(figure, scene, values, tier));
     const computeMs = performance.now() - begun;
     return { reply: { meta, rasters, computeMs }, transfer: rasters };
+  },
+
+  /**
+   * Have a scene ready to draw, and tell of which sources it is.
+   *
+   * @param {{scene: string}} call
+   */
+  prepare({ scene }) {
+    python.prepare(scene);
+    return { reply: { sources: parts.table.integrity[`${SOURCES}.zip`] } };
   },
 
   /**
@@ -138,10 +139,10 @@ const calls = {
   /**
    * A script that prints what a frame of these values says, of the book's code and picture.
    *
-   * @param {FrameCall & {edited: boolean, own: boolean}} call
+   * @param {FrameCall & {told: string}} call `told`: JSON of the paragraphs that it begins with.
    */
-  async script({ scene, values, tier, edited, own }) {
-    return { reply: { script: python.script(scene, values, tier, edited, own) } };
+  async script({ scene, values, tier, told }) {
+    return { reply: { script: python.script(scene, values, tier, told) } };
   },
 
   /**
@@ -184,6 +185,7 @@ async function answer(request) {
 self.onmessage = async ({ data }) => {
   try {
     await provideFor(data);
+    spare = [...(data.spare ?? []), ...spare].slice(0, MOST_SPARE);
     const { reply, transfer = [] } = await answer(data);
     self.postMessage({ id: data.id, ok: true, ...reply }, { transfer });
   } catch (error) {
@@ -195,10 +197,11 @@ self.onmessage = async ({ data }) => {
  * Have in place what a call's scene or ladder imports. The page is told when that has to be waited
  * for, since a network may be slow where the machine is not.
  *
- * @param {{id: number, scene?: string, ladder?: string}} call
+ * @param {{id: number, scene?: string, ladder?: string, edits?: string}} call
  */
-async function provideFor({ id, scene = "", ladder = "" }) {
-  const names = parts?.table.scenes[scene] ?? parts?.table.ladders[ladder] ?? [];
+async function provideFor({ id, scene = "", ladder = "", edits }) {
+  const imported = parts?.table.scenes[scene] ?? parts?.table.ladders[ladder] ?? [];
+  const names = edits === undefined ? imported : [...imported, SOURCES];
   if (!parts?.lacks(names)) return;
   self.postMessage({ id, fetching: true });
   await parts.provide(names);
@@ -241,7 +244,11 @@ function takeRasters(frame) {
 function takeRaster(array) {
   const view = array.getBuffer("u8");
   try {
-    return view.data.slice().buffer;
+    const index = spare.findIndex(({ byteLength }) => byteLength === view.data.length);
+    if (index < 0) return view.data.slice().buffer;
+    const [pixels] = spare.splice(index, 1);
+    new Uint8Array(pixels).set(view.data);
+    return pixels;
   } finally {
     view.release();
     array.destroy();
@@ -273,48 +280,4 @@ function explain(error) {
 function lastException(traceback) {
   const named = traceback.split("\n").filter((line) => /^[\w.]+(:|$)/.test(line));
   return named.at(-1) ?? traceback;
-}
-
-/**
- * Rejects if the interpreter's WebAssembly cannot be had: Pyodide itself would only warn, and
- * wait for ever. A host that sends it with another type than `application/wasm` is served too.
- *
- * @returns {Promise<never>}
- */
-function webAssemblyFailure() {
-  return new Promise((_, reject) => {
-    const streaming = WebAssembly.instantiateStreaming;
-    WebAssembly.instantiateStreaming = async (source, imports) => {
-      try {
-        const response = await source;
-        const typed = response.headers.get("content-type")?.startsWith("application/wasm");
-        return typed
-          ? await streaming(response, imports)
-          : await WebAssembly.instantiate(await response.arrayBuffer(), imports);
-      } catch (error) {
-        reject(error);
-        throw error;
-      }
-    };
-  });
-}
-
-/**
- * Have Pyodide's own requests for files answered by what has been found whole.
- *
- * @param {Record<string, Promise<Response>>} replies By address.
- */
-function answerWith(replies) {
-  const fetchOther = self.fetch;
-  self.fetch = (address, options) => replies[String(address)] ?? fetchOther(address, options);
-}
-
-/**
- * Rejects as `promise` does, and never resolves.
- *
- * @param {Promise<unknown>} promise
- * @returns {Promise<never>}
- */
-function rejection(promise) {
-  return new Promise((_, reject) => promise.catch(reject));
 }

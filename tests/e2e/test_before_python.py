@@ -1,0 +1,47 @@
+"""While Python is on its way, a figure's main control shows frames that were drawn beforehand."""
+
+import json
+from pathlib import Path
+from typing import Any
+
+import pytest
+from playwright.sync_api import Route
+from support.reader import Reader, chapter_of
+
+pytestmark = pytest.mark.browser
+
+SCENE, CONTROL = "lens-distortion", "k1"
+MOVE = """(figure, [name, value]) => {
+  const slider = figure.querySelector(`input[name="${name}"]`);
+  slider.value = value;
+  slider.dispatchEvent(new Event('input', {bubbles: true}));
+}"""
+
+
+def test_the_nearest_frame_is_shown_until_the_live_one_takes_its_place(
+    reader: Reader, built_site: Path, book: Any
+) -> None:
+    held: list[Route] = []
+    page = reader.page
+    page.context.route("**/runtime.json", lambda route: held.append(route))
+    reader.open(chapter_of(book, SCENE), live=False)
+    figure = reader.figure(SCENE)
+    place = figure.get_attribute("data-strip") or ""
+    strip = json.loads((built_site / place.removeprefix("../")).read_text(encoding="utf-8"))
+    wanted = strip["frames"][-2]
+    box = reader.bring(figure)
+
+    figure.evaluate(MOVE, [CONTROL, wanted["value"] + 0.01])
+    figure.locator(".early-mark").wait_for()
+    early = reader.shown(figure)
+    assert figure.get_attribute("data-early") == str(wanted["value"])
+    assert figure.get_attribute("data-frames") == "0"
+    for readout in wanted["readouts"]:
+        assert readout["text"] in figure.locator(f"output[name={readout['name']}]").inner_text()
+
+    for route in held:
+        route.continue_()
+    reader.wait_live()
+    assert reader.shown(figure) != early, "not the frame of just this value"
+    assert figure.locator(".early-mark").count() == 0
+    assert reader.bring(figure) == box

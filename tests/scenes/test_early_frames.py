@@ -1,0 +1,33 @@
+"""What a figure shows before Python has started is what Python would show."""
+
+import json
+from typing import Any
+
+import pytest
+
+from simulations.engine.frame import to_json
+from simulations.engine.scene import Scene
+from simulations.engine.settings import values_of
+from simulations.engine.stages import StageCache
+from simulations.registry import SCENE_MODULES, load_scene
+from site_builder.page_model.blocks import Simulation
+from site_builder.pages.strips import render_strip
+
+
+@pytest.mark.parametrize("scene", [pytest.param(name, id=name) for name in SCENE_MODULES])
+def test_each_frame_says_and_draws_what_its_scene_does(scene: str) -> None:
+    of: Scene[Any] = load_scene(scene)
+    start = values_of(of.check({}))
+    figure = Simulation(of, f"figure-{scene}", {}, of.default_tier, "", "", 1)
+    strip = render_strip("page", figure)
+    if strip is None:
+        return
+    told = json.loads(strip.data)
+    for frame in (told["frames"][0], told["frames"][-1]):
+        settings = of.check({**start, told["control"]: frame["value"]})
+        truth = json.loads(to_json(of.render(settings, of.default_tier, StageCache())))
+        assert frame["readouts"] == truth["readouts"]
+        assert frame["description"] == truth["description"]
+        assert [panel["overlay"] for panel in frame["panels"]] == [
+            panel["overlay"] for panel in truth["panels"]
+        ]
