@@ -36,11 +36,12 @@ class Toml:
 
     def line_of_text(self, value: str, first: int = 1) -> int:
         """Where a text stands in quotes, looked for from line ``first``; this where it does not."""
-        quoted = (f'"{value}"', f"'{value}'")
-        for number, line in enumerate(self.text.split("\n")[first - 1 :], start=first):
-            if any(form in line for form in quoted):
-                return number
-        return first
+        start = 0
+        for _ in range(first - 1):
+            start = self.text.find("\n", start) + 1
+        found = [self.text.find(form, start) for form in (f'"{value}"', f"'{value}'")]
+        place = min((each for each in found if each >= 0), default=start)
+        return first + self.text.count("\n", start, place)
 
 
 def read_text(root: Path, path: str, problems: Diagnostics) -> str:

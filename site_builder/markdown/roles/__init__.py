@@ -2,6 +2,7 @@
 
 from site_builder.markdown.roles.cite import CITES
 from site_builder.markdown.roles.colours import COLOURS
+from site_builder.markdown.roles.cost import COST
 from site_builder.markdown.roles.index import INDEX
 from site_builder.markdown.roles.measured import MEASURED
 from site_builder.markdown.roles.readout import READOUT
@@ -9,4 +10,4 @@ from site_builder.markdown.roles.ref import REF
 from site_builder.markdown.roles.set import SET
 from site_builder.markdown.roles.term import TERM
 
-ROLES = (*COLOURS, REF, *CITES, TERM, INDEX, MEASURED, READOUT, SET)
+ROLES = (*COLOURS, REF, *CITES, TERM, INDEX, MEASURED, COST, READOUT, SET)

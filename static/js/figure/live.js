@@ -8,7 +8,7 @@
 
 import { message } from "../errors.js";
 import { all, data, one, within } from "../page/dom.js";
-import { RuntimeFailure } from "../runtime/runtime.js";
+import { RuntimeFailure, sharedRuntime } from "../runtime/runtime.js";
 import { announcer } from "./announce.js";
 import { pressAction, readValues, showSliderValue } from "./controls.js";
 import { Early } from "./early.js";
@@ -17,6 +17,7 @@ import { Motion } from "./motion.js";
 import { OwnPicture } from "./own_picture.js";
 import { Painter } from "./painter.js";
 import { LatestWins } from "./scheduler.js";
+import { isOfPage, isServed } from "./served.js";
 import { say, sayNothingOfFailure } from "./status.js";
 import { chosenTier, isDrafted, shownTier } from "./tiers.js";
 import { Accuracy, showStages } from "./workings.js";
@@ -31,7 +32,7 @@ import { words } from "../page/words.js";
 /** @typedef {{values: string, tier: string, time: number, urgency: number}} Job */
 
 /** A frame that the reader waits for goes before one that only should be ready. */
-const URGENCY = { far: 0, near: 1, touched: 2, held: 3 };
+const URGENCY = { idle: -2, far: 0, near: 1, touched: 2, held: 3 };
 /** How often a frame is asked for again, by itself, after the worker was lost. */
 const RESTARTS = 1;
 
@@ -218,6 +219,7 @@ export class LiveFigure {
     for (let attempt = 0; ; attempt += 1) {
       try {
         await this.own.handOver(this.runtime, this.#key);
+        if (await this.#adopt(job)) return;
         const reply = await this.#call(job);
         if (this.figure.isConnected) this.#show(reply, job);
         return;
@@ -236,9 +238,52 @@ export class LiveFigure {
 
   /** @param {Job} job */
   #call({ values, tier, urgency }) {
-    return this.runtime.call("render", this.#request(values, tier), () =>
-      Math.max(urgency, this.#near ? URGENCY.near : URGENCY.far),
-    );
+    return this.runtime.call("render", this.#request(values, tier), () => this.#urgency(urgency));
+  }
+
+  /** @param {number} least */
+  #urgency(least) {
+    return Math.max(least, this.#near ? URGENCY.near : URGENCY.far);
+  }
+
+  /**
+   * Take the page's own frame for the live one where it is that, as soon as the worker could draw
+   * others; then have the stages of those ready.
+   *
+   * @param {Job} job
+   */
+  async #adopt(job) {
+    const isStill = () => !this.own.number && isServed(this.figure, this.schema, job);
+    if (this.runtime !== sharedRuntime() || !isStill()) return false;
+    const scene = { figure: this.#key, scene: this.#scene };
+    const urgency = () => this.#urgency(job.urgency);
+    const { sources } = await this.runtime.call("prepare", scene, urgency);
+    if (!isOfPage(sources) || !isStill()) return false;
+    if (this.figure.isConnected) {
+      this.early.end();
+      sayNothingOfFailure(this.figure);
+      this.#lives(job, 0);
+      this.#warm(job);
+    }
+    return true;
+  }
+
+  /**
+   * Compute, while nobody waits, what the next frame shares with the page's own.
+   *
+   * @param {Job} job
+   */
+  async #warm(job) {
+    try {
+      const asked = this.#request(job.values, job.tier);
+      const reply = await this.runtime.call("render", asked, () => URGENCY.idle);
+      if (this.figure.dataset.frames !== "1" || !this.rests) return;
+      this.stages = JSON.parse(reply.meta).stages;
+      this.figure.dataset.computeMs = reply.computeMs.toFixed(1);
+      this.accuracy.shown(job, reply.computeMs, true);
+    } catch {
+      // Whoever touches the figure hears of it.
+    }
   }
 
   /**
@@ -289,7 +334,18 @@ export class LiveFigure {
     this.accuracy.shown(job, reply.computeMs, job.tier === this.#tier(""));
     this.announce(meta.description);
     sayNothingOfFailure(figure);
-    figure.dataset.computeMs = reply.computeMs.toFixed(1);
+    this.#lives(job, reply.computeMs);
+  }
+
+  /**
+   * The frame of a job is in the page.
+   *
+   * @param {Job} job
+   * @param {number} computeMs
+   */
+  #lives(job, computeMs) {
+    const { figure } = this;
+    figure.dataset.computeMs = computeMs.toFixed(1);
     figure.dataset.latencyMs = (performance.now() - job.time).toFixed(1);
     if (figure.dataset.tier !== job.tier) figure.dataset.tier = job.tier;
     figure.dataset.frames = String(Number(figure.dataset.frames ?? 0) + 1);
