@@ -92,6 +92,7 @@ def server(site_server: StaticServer) -> Iterator[StaticServer]:
     """The served book; what a test damages is whole again after it."""
     yield site_server
     site_server.damaged.clear()
+    site_server.faults.clear()
 
 
 @pytest.fixture(scope="session")

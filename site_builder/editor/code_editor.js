@@ -22,6 +22,7 @@ import {
   lineNumbers,
 } from "@codemirror/view";
 import { classHighlighter } from "@lezer/highlight";
+import { StyleModule } from "style-mod";
 
 /** Milliseconds after Escape in which Tab moves on instead of indenting. */
 const WAY_OUT = 5000;
@@ -70,6 +71,21 @@ const theme = EditorView.theme({
     outline: "1px solid var(--accent)",
   },
 });
+
+/**
+ * Have CodeMirror adopt its styles as a sheet of the document's. Left to itself it does so only in
+ * shadow trees, and elsewhere writes a style element, which the page's policy refuses. What it has
+ * mounted it finds again on the root under a symbol of its own.
+ */
+function adoptStyles() {
+  const root = { ownerDocument: document, adoptedStyleSheets: document.adoptedStyleSheets };
+  StyleModule.mount(/** @type {any} */ (root), []);
+  for (const key of Object.getOwnPropertySymbols(root)) {
+    Object.defineProperty(document, key, { value: Reflect.get(root, key) });
+  }
+}
+
+adoptStyles();
 
 export class CodeEditor {
   /** @type {Map<string, EditorState>} */

@@ -1,20 +1,22 @@
 """One style sheet in place of a tree of imports: a browser fetches each ``@import`` in turn."""
 
 import re
-from collections.abc import Mapping
+from collections.abc import Collection, Mapping
 from pathlib import PurePosixPath
 
 from site_builder.diagnostics import BuildError, Diagnostic
 from site_builder.output.assets import Content, content_bytes
 
+COMMENT = re.compile(r"""("(?:\\.|[^"\\])*"|'(?:\\.|[^'\\])*')|/\*.*?\*/""", re.DOTALL)
+"""A comment; or a string, in which there is none."""
 IMPORT = re.compile(r'^@import "([^"]+)";\n', re.MULTILINE)
 
 
 def join_style_sheets(
-    files: Mapping[str, Content], entry: str, more: str = ""
+    files: Mapping[str, Content], entry: str, more: str = "", without: Collection[str] = ()
 ) -> dict[str, Content]:
     """``files`` with the sheet ``entry`` holding, in order, what it imports from its own folder,
-    and ``more`` at its end.
+    but for the sheets ``without``, and ``more`` at its end.
 
     What it has taken in is left out. Raises `BuildError` where an imported sheet is missing or
     lies elsewhere: its relative addresses would then lead astray.
@@ -26,8 +28,22 @@ def join_style_sheets(
     if wrong:
         raise BuildError(_mistake(sheet, name, entry) for name in wrong)
     rest = {path: content for path, content in files.items() if path not in taken.values()}
-    joined = IMPORT.sub(lambda found: content_bytes(files[taken[found[1]]]).decode("utf-8"), sheet)
+
+    def text(name: str) -> str:
+        return "" if name in without else content_bytes(files[taken[name]]).decode("utf-8")
+
+    joined = IMPORT.sub(lambda found: text(found[1]), sheet)
     return {**rest, entry: (joined + more).encode("utf-8")}
+
+
+def without_comments(sheet: str) -> str:
+    """A sheet as it is sent inside a page: without what only its authors read.
+
+    >>> without_comments('a { /* red */\\n  content: "/* b */";\\n}')
+    'a { \\ncontent: "/* b */";\\n}'
+    """
+    bare = COMMENT.sub(lambda found: found[1] or "", sheet)
+    return re.sub(r"\n\s+", "\n", bare)
 
 
 def _mistake(sheet: str, name: str, entry: str) -> Diagnostic:

@@ -1,0 +1,52 @@
+"""What a page may run and load: its content security policy (W3C, level 3).
+
+Everything comes from the book itself. An inline script or style is known by the hash of its text;
+only attributes may hold any style, as the sizes of panels and the columns of formulae do.
+"""
+
+from collections.abc import Sequence
+
+from site_builder.offline.release import integrity
+
+ALWAYS = {
+    "default-src": "'none'",
+    "style-src-attr": "'unsafe-inline'",
+    "img-src": "'self' data: blob:",
+    "media-src": "'self'",
+    "font-src": "'self'",
+    "connect-src": "'self'",
+    "worker-src": "'self'",
+    "manifest-src": "'self'",
+    "base-uri": "'none'",
+    "form-action": "'none'",
+}
+ANYTHING_INLINE = "'unsafe-inline'"
+"""A hash beside it would take it back."""
+
+
+FOR_TOOLS = "'unsafe-eval'"
+"""What drives a browser may wait for a condition by evaluating its text in the page, as Playwright
+does."""
+
+
+def page_policy(
+    scripts: Sequence[str] = (),
+    styles: Sequence[str] = (),
+    *,
+    raw_html: bool = False,
+    published: bool = True,
+) -> str:
+    """The policy of a page that holds these inline ``scripts`` and ``styles``, and no others unless
+    its author may write ``raw_html``. Python runs as WebAssembly, which needs a leave of its own.
+    One that is not ``published`` also runs what tools of its author's own evaluate.
+    """
+    script_src = ["'self'", "'wasm-unsafe-eval'", *_inline(scripts, raw_html)]
+    if not published:
+        script_src.append(FOR_TOOLS)
+    style_src = ["'self'", *_inline(styles, raw_html)]
+    rules = {**ALWAYS, "script-src": " ".join(script_src), "style-src": " ".join(style_src)}
+    return "; ".join(f"{name} {value}" for name, value in rules.items())
+
+
+def _inline(texts: Sequence[str], raw_html: bool) -> list[str]:
+    return [ANYTHING_INLINE] if raw_html else [f"'{integrity(text.encode())}'" for text in texts]
