@@ -3,7 +3,7 @@
 import pytest
 from support.turns import Turn, deal
 
-LONG = {f"build {n}": Turn("build", long=True) for n in range(2)}
+LONG = {f"build {n}": Turn("build", long=True) for n in range(3)}
 BROWSER = {f"{file} {n}": Turn(file, browser=True) for file in ("page", "quiz") for n in range(4)}
 LONG_BROWSER = {f"visit {n}": Turn("visit", long=True, browser=True) for n in range(3)}
 QUICK = {f"lens {n}": Turn("lens") for n in range(40)}
@@ -29,17 +29,18 @@ def test_one_worker_begins_with_the_long_ones_and_then_the_browser() -> None:
 
 
 @pytest.mark.parametrize("count", [2, 3])
-def test_each_worker_ends_with_quick_tests_and_has_its_share_of_the_others(count: int) -> None:
+def test_each_worker_begins_with_a_long_test_and_ends_with_a_quick_one(count: int) -> None:
     for hand in hands(deal([*TURNS], count, TURNS.__getitem__), count):
+        assert hand[0] in LONG
         assert hand[-1] in QUICK
         assert len(LONG_BROWSER.keys() & {*hand}) >= len(LONG_BROWSER) // count
 
 
 def test_only_the_first_worker_asks_for_the_site_at_once() -> None:
     first, *others = hands(deal([*TURNS], 3, TURNS.__getitem__), 3)
-    assert TURNS[first[1]].browser
+    assert first[1] in LONG_BROWSER
     for hand in others:
-        assert not any(TURNS[test].browser for test in hand[:2])
+        assert hand[1] in QUICK
 
 
 def test_tests_of_a_file_stay_with_one_worker() -> None:
