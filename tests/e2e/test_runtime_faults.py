@@ -86,7 +86,9 @@ def test_a_page_older_than_its_host_offers_to_be_loaded_anew_and_keeps_its_setti
 ) -> None:
     host.faults = {
         "/numpy.zip": Fault(status=404),
-        "/lens-distortion/": Fault(lambda page: page.replace(b"/runtime/", b"/runtime/next-")),
+        "/lens-distortion/": Fault(
+            lambda page: page.replace(b"/runtime/", b"/runtime/next-"), media_type="text/html"
+        ),
     }
     told(reader)
     slider = reader.figure("lens-distortion").locator("input[type=range]").first

@@ -36,6 +36,7 @@ FRAME = {"figure": "figure-x", "scene": "any"}
 def page(plain_reader: Reader) -> Iterator[Page]:
     """A page of its own, whose clock stands, in the browser without WebAssembly."""
     own = plain_reader.page.context.new_page()
+    own.add_init_script("delete Navigator.prototype.serviceWorker")
     own.clock.install()
     own.goto(plain_reader.root + "licences/")
     yield own

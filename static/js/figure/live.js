@@ -362,6 +362,7 @@ export class LiveFigure {
     if (error instanceof RuntimeFailure && error.fault === "status") offerRelease();
     const kind = error instanceof RuntimeFailure ? error.kind : "page";
     say(this.figure, words(`figure.${kind}`, { reason: message(error) }), { retry: true });
+    this.figure.dispatchEvent(new Event("figure-rest", { bubbles: true }));
   }
 }
 
