@@ -38,7 +38,13 @@ def module_source(module: str) -> str:
     if not is_editable(module):
         raise ValueError(f"module {module!r}; legal: one in simulations/{', '.join(ROOMS)}")
     loader: Any = import_module(module).__loader__
-    return str(loader.get_source(module) or zipimporter(SOURCES).get_source(module))
+    return str(loader.get_source(module) or _kept_source(module))
+
+
+def _kept_source(module: str) -> str | None:
+    """From `SOURCES`: an importer finds what lies in its own folder, by the last part of its name."""
+    package = module.rpartition(".")[0]
+    return zipimporter(f"{SOURCES}/{package.replace('.', '/')}").get_source(module)
 
 
 def definitions(source: str) -> dict[str, Definition]:

@@ -8,13 +8,17 @@ import { installContents } from "./page/contents.js";
 import { ask as followScroll, installHeader } from "./page/header.js";
 import { installKeys } from "./page/keys.js";
 import { installNavigation } from "./page/navigate.js";
+import { notice } from "./page/notice.js";
 import { watchScrollers } from "./page/scrollers.js";
 import { installOffline } from "./page/offline.js";
+import { FORGETFUL } from "./page/storage.js";
 import { installSearch } from "./page/search.js";
 import { watchSections } from "./page/sections.js";
 import { installTheme, showTheme } from "./page/theme.js";
+import { words } from "./page/words.js";
 
 installTheme();
+addEventListener(FORGETFUL, () => notice(words("page.forgetful")));
 installContents();
 installHeader();
 installSearch();

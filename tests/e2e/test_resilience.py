@@ -143,21 +143,6 @@ WHOLE = """() => {
 }"""
 
 
-def test_blocked_storage_breaks_nothing(reader: Reader, book: Any) -> None:
-    reader.page.add_init_script(
-        "delete globalThis.WebAssembly;"
-        "Object.defineProperty(window, 'localStorage', {get() { throw new Error('blocked'); }})"
-    )
-    chapter = next(chapter for chapter in book["chapters"] if chapter["quizzes"])
-    reader.open(chapter["url"], live=False)
-    form = reader.page.locator("form.quiz:has(input[type=radio])").first
-    form.locator("input").first.check()
-    form.locator("button[type=submit]").click()
-    assert form.get_attribute("data-answered") in ("correct", "wrong")
-    reader.page.locator(".theme-toggle").click()
-    assert reader.page.locator("html").get_attribute("data-theme") == "light"
-
-
 ANSWERS = """async (calls) => {
   const url = new URL(document.body.dataset.assets + 'js/runtime/runtime.js', location.href);
   const runtime = (await import(url)).sharedRuntime();

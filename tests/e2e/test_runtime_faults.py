@@ -35,7 +35,7 @@ FAULTS = {
     "pyodide.asm.mjs": ("changed", "type"),
     "pyodide.asm.wasm": ("changed", "login as file"),
     "python.zip": ("missing", "changed"),
-    "simulations.zip": ("changed", "login"),
+    "core.zip": ("changed", "login"),
     "runtime.json": ("half", "login as file"),
     "worker.js": ("missing", "login", "type"),
 }
@@ -81,20 +81,44 @@ def test_what_is_wrong_with_a_file_is_told(
     assert words in message
 
 
-def test_files_that_come_late_and_under_other_types_start_python_at_the_next_try(
+def test_a_page_older_than_its_host_offers_to_be_loaded_anew_and_keeps_its_settings(
     reader: Reader, host: StaticServer
 ) -> None:
-    host.faults = {"/numpy.zip": Fault(status=404)}
+    host.faults = {
+        "/numpy.zip": Fault(status=404),
+        "/lens-distortion/": Fault(
+            lambda page: page.replace(b"/runtime/", b"/runtime/next-"), media_type="text/html"
+        ),
+    }
     told(reader)
     slider = reader.figure("lens-distortion").locator("input[type=range]").first
     slider.press("ArrowRight")
     moved = slider.input_value()
+    notice = reader.page.locator(".notice")
+    assert "has been renewed" in notice.inner_text()
+    reader.page.wait_for_function("location.search !== ''")
+    del host.faults["/lens-distortion/"]
+    notice.get_by_role("button", name="Load the page anew").click()
+    reader.figure("lens-distortion").locator(".retry").wait_for(timeout=START_MS)
+    assert slider.input_value() == moved
+
+
+def test_python_starts_by_itself_once_the_host_is_back_with_late_files_of_other_types(
+    reader: Reader, host: StaticServer
+) -> None:
+    host.gone = True
+    assert "did not arrive" in told(reader)
+    slider = reader.figure("lens-distortion").locator("input[type=range]").first
+    slider.press("ArrowRight")
+    moved = slider.input_value()
+    host.gone = False
     host.faults = {
         "/numpy.zip": Fault(late_s=10),
         **{f"/{name}": Fault(media_type="text/plain") for name in ("python.zip", "runtime.json")},
         "/pyodide.asm.wasm": Fault(media_type="application/octet-stream"),
     }
-    reader.figure("lens-distortion").locator(".retry").click()
+    reader.page.context.set_offline(True)
+    reader.page.context.set_offline(False)
     reader.wait_live()
     assert slider.input_value() == moved
     assert not reader.page.locator(".figure-status:visible").count()

@@ -84,6 +84,7 @@ class Handler(SimpleHTTPRequestHandler):
         for ending, fault in self.owner.faults.items():
             if path.endswith(ending):
                 file = self.owner.root / path.removeprefix("/book/")
+                file = file / "index.html" if file.is_dir() else file
                 self.hand_out(path, fault.change(file.read_bytes()), fault)
                 return
         if not path.startswith("/book/"):

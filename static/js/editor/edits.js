@@ -48,7 +48,7 @@ export class Edits {
    */
   fits(key) {
     const edit = this.all.get(key);
-    return edit !== undefined && edit.original === this.sources.definitions[key]?.hash;
+    return typeof edit?.text === "string" && edit.original === this.sources.definitions[key]?.hash;
   }
 
   /** Keys of the edits that fit. */

@@ -100,8 +100,12 @@ async function rested(event) {
     readout.removeAttribute("data-moved");
   }
   if (!figure || !form || !touched.has(form) || "moving" in figure.dataset) return;
-  const { record } = await import("./permalink.js");
-  record(figure, "replace");
+  try {
+    const { record } = await import("./permalink.js");
+    record(figure, "replace");
+  } catch {
+    // The host is gone: the address stays as it is.
+  }
 }
 
 /** @param {Event} event */

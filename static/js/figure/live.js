@@ -21,6 +21,7 @@ import { isOfPage, isServed } from "./served.js";
 import { say, sayNothingOfFailure } from "./status.js";
 import { chosenTier, isDrafted, shownTier } from "./tiers.js";
 import { Accuracy, showStages } from "./workings.js";
+import { offerRelease } from "../page/release.js";
 import { words } from "../page/words.js";
 
 /** @import { Caller } from "../runtime/runtime.js" */
@@ -358,10 +359,14 @@ export class LiveFigure {
     this.motion.stop();
     this.#asked = "";
     this.figure.dataset.state = "failed";
+    if (error instanceof RuntimeFailure && error.fault === "status") offerRelease();
     const kind = error instanceof RuntimeFailure ? error.kind : "page";
     say(this.figure, words(`figure.${kind}`, { reason: message(error) }), { retry: true });
+    this.figure.dispatchEvent(new Event("figure-rest", { bubbles: true }));
   }
 }
+
+addEventListener("online", retryAll);
 
 /** What kept one figure from its frame has most often kept them all. */
 function retryAll() {

@@ -15,6 +15,9 @@ import { words } from "../page/words.js";
 
 /** @import { Control, Schema, Value } from "./controls.js" */
 
+/** How many settings of an address that mean nothing are told. */
+const MOST_TOLD = 4;
+
 /**
  * A figure's form, and all that can be set in it, the accuracy included.
  *
@@ -174,9 +177,15 @@ function parse(control, text) {
  */
 function tell(figure, ignored) {
   if (ignored.length === 0) return;
-  const what = ignored.map((text) => (text.length > 60 ? `${text.slice(0, 60)}…` : text));
+  const what = ignored.slice(0, MOST_TOLD).map(shortened);
+  if (ignored.length > MOST_TOLD) what.push("…");
   say(figure, words("figure.ignored", { settings: what.join(", ") }), { lasting: true });
   figure.addEventListener("input", () => say(figure, ""), { once: true });
+}
+
+/** @param {string} text */
+function shortened(text) {
+  return text.length > 60 ? `${text.slice(0, 60)}…` : text;
 }
 
 /** @param {HTMLElement} figure */

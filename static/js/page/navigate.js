@@ -1,10 +1,12 @@
 /**
  * Turning to another chapter without leaving the page, so that the interpreter stays alive.
  * The next page is fetched and its body takes the place of this one. On any doubt the browser
- * loads the page itself.
+ * loads the page itself; where the host does not answer, this one stays.
  */
 
 import { all, isPlain, within } from "./dom.js";
+import { notice } from "./notice.js";
+import { words } from "./words.js";
 
 /** What a head says of its own page, or with addresses relative to it. */
 const OF_A_PAGE = [
@@ -107,9 +109,19 @@ async function turnTo(url, turned, commit) {
     shownPath = location.pathname;
     turned();
     arrive();
-  } catch {
-    if (!signal.aborted) location.assign(url);
+  } catch (error) {
+    if (signal.aborted) return;
+    if (error instanceof Away) sayAway(() => turnTo(url, turned, commit));
+    else location.assign(url);
   }
+}
+
+/** The host does not answer. */
+class Away extends Error {}
+
+/** @param {() => void} again */
+function sayAway(again) {
+  notice(words("page.away"), { label: words("page.again"), act: again });
 }
 
 /**
@@ -120,7 +132,9 @@ async function turnTo(url, turned, commit) {
  * @returns {Promise<Document>}
  */
 async function fetchPage(url, signal) {
-  const reply = await fetch(url, { signal });
+  const reply = await fetch(url, { signal }).catch((error) => {
+    throw new Away(error);
+  });
   const isPage = reply.headers.get("content-type")?.startsWith("text/html");
   if (!reply.ok || !isPage || reply.redirected) throw new Error("not a page of the book");
   const page = new DOMParser().parseFromString(await reply.text(), "text/html");

@@ -8,7 +8,11 @@ import { STORAGE } from "../book.js";
 /** What could not be kept. @type {Map<string, unknown>} */
 const passing = new Map();
 
-/** Dispatched on `window` at the first thing that could not be kept. */
+/** What a reader would miss. */
+const DEAR = /^(quiz|predict|python):/;
+let isTold = false;
+
+/** Dispatched on `window` when something dear could not be kept, once. */
 export const FORGETFUL = "forgetful";
 
 /**
@@ -38,9 +42,10 @@ export function remember(key, value) {
     else localStorage.setItem(STORAGE + key, JSON.stringify(value));
     passing.delete(key);
   } catch {
-    const isFirst = passing.size === 0;
     passing.set(key, value);
-    if (isFirst) dispatchEvent(new Event(FORGETFUL));
+    if (isTold || value === null || !DEAR.test(key)) return;
+    isTold = true;
+    dispatchEvent(new Event(FORGETFUL));
   }
 }
 

@@ -20,7 +20,8 @@ export const choice = {
   },
 
   fits(question, given) {
-    const known = (/** @type {unknown} */ index) => Number(index) in question.options;
+    const known = (/** @type {any} */ index) =>
+      Number.isInteger(index) && index in question.options;
     return Array.isArray(given) && given.length > 0 && given.every(known);
   },
 

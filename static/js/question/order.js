@@ -34,7 +34,8 @@ export const order = {
 
   fits(question, given) {
     const places = [...question.options.keys()];
-    return Array.isArray(given) && String(given.toSorted()) === String(places.toSorted());
+    if (!Array.isArray(given) || !given.every(Number.isInteger)) return false;
+    return String(given.toSorted()) === String(places.toSorted());
   },
 
   put: arrange,

@@ -11,7 +11,7 @@
  */
 
 import { all, data, maybe, one, within } from "../page/dom.js";
-import { recall, remember } from "../page/storage.js";
+import { onOtherTab, recall, remember } from "../page/storage.js";
 import { shuffleOptions } from "./choice.js";
 import { meet } from "./meeting.js";
 import { typed } from "./number.js";
@@ -35,19 +35,33 @@ export function install() {
   });
   document.addEventListener("answers-forgotten", forget);
   document.addEventListener("answers-read", arrive);
+  onOtherTab((key) => {
+    for (const form of all(document, "form[data-predict]", HTMLFormElement)) {
+      if (key === `predict:${form.dataset.predict}`) restore(form);
+    }
+  });
   installSketches();
 }
 
 /** Show what was guessed on an earlier visit. */
 export function arrive() {
   for (const form of all(document, "form[data-predict]", HTMLFormElement)) {
-    const prediction = predictionOf(form);
-    prepare(form, prediction);
-    const kept = recall(`predict:${prediction.id}`);
-    if (kept?.edition !== prediction.edition || !fits(prediction, kept.guess)) continue;
-    if (kept.guess !== null) put(form, prediction, kept.guess);
-    show(form, prediction, kept.guess);
+    prepare(form, predictionOf(form));
+    restore(form);
   }
+}
+
+/**
+ * Show what was guessed, here or in another tab.
+ *
+ * @param {HTMLFormElement} form
+ */
+function restore(form) {
+  const prediction = predictionOf(form);
+  const kept = recall(`predict:${prediction.id}`);
+  if (kept?.edition !== prediction.edition || !fits(prediction, kept.guess)) return;
+  if (kept.guess !== null) put(form, prediction, kept.guess);
+  show(form, prediction, kept.guess);
 }
 
 /** Forget the guesses of this page. */

@@ -27,7 +27,7 @@
 
 import { message } from "../errors.js";
 import { all, data, one, within } from "../page/dom.js";
-import { recall, remember } from "../page/storage.js";
+import { onOtherTab, recall, remember } from "../page/storage.js";
 import { KINDS } from "./book_kinds.js";
 import { say } from "./feedback.js";
 import { showProgress } from "./progress.js";
@@ -43,21 +43,57 @@ export function install() {
   });
   document.addEventListener("answers-forgotten", forget);
   document.addEventListener("answers-read", arrive);
+  onOtherTab((key) => {
+    for (const form of all(document, "form.quiz", HTMLFormElement)) {
+      if (key === null || key === keyOf(form)) restore(form);
+    }
+  });
+  addEventListener("pageshow", ({ persisted }) => {
+    if (!persisted) return; // else other pages may have been read meanwhile
+    for (const form of all(document, "form.quiz", HTMLFormElement)) {
+      if (recall(keyOf(form))) restore(form);
+    }
+  });
   for (const kind of new Set(Object.values(KINDS))) kind.install?.();
 }
 
 /** Put each question of the page in the reader's order, with the answer of an earlier visit. */
 export function arrive() {
-  for (const form of all(document, "form.quiz", HTMLFormElement)) {
-    const question = questionOf(form);
-    const kind = KINDS[question.kind];
-    kind.prepare(form, question);
-    const kept = recall(`quiz:${question.id}`);
-    const known = kept?.edition === question.edition && kind.fits(question, kept.answer);
-    if (known) kind.put(form, kept.answer);
-    show(form, question, known ? kept.answer : null);
-  }
+  for (const form of all(document, "form.quiz", HTMLFormElement)) put(form);
   showProgress();
+}
+
+/**
+ * @param {HTMLFormElement} form Untouched.
+ */
+function put(form) {
+  const question = questionOf(form);
+  const kind = KINDS[question.kind];
+  kind.prepare(form, question);
+  const kept = recall(keyOf(form));
+  const known = kept?.edition === question.edition && kind.fits(question, kept.answer);
+  if (known) kind.put(form, kept.answer);
+  show(form, question, known ? kept.answer : null);
+}
+
+/**
+ * Show what was answered elsewhere meanwhile.
+ *
+ * @param {HTMLFormElement} form
+ */
+function restore(form) {
+  form.reset();
+  put(form);
+  showProgress();
+}
+
+/**
+ * Under which name the answer is kept.
+ *
+ * @param {HTMLFormElement} form
+ */
+function keyOf(form) {
+  return `quiz:${form.dataset.quiz}`;
 }
 
 /** Forget the answers of this page. */

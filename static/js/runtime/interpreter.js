@@ -38,7 +38,10 @@ export async function startInterpreter(url, fresh, scenes) {
   const [{ loadPyodide }, { default: createPyodideModule }] = await Promise.all(
     SCRIPTS.map((name, index) => scriptOf(url + name, read[index])),
   );
-  answerWith({ [url + MACHINE]: machine, [url + PYTHON]: library.then((zip) => new Response(zip)) });
+  answerWith({
+    [url + MACHINE]: machine,
+    [url + PYTHON]: library.then((zip) => new Response(zip)),
+  });
   instantiateFrom(compiled);
   const options = {
     indexURL: url,

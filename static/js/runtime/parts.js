@@ -84,7 +84,7 @@ export class Parts {
    * The bytes of a file that is whole.
    *
    * @param {string} name
-   * @returns {Promise<Uint8Array>}
+   * @returns {Promise<Uint8Array<ArrayBuffer>>}
    * @throws {import("./fault.js").Fault}
    */
   async fetch(name) {

@@ -1,0 +1,188 @@
+"""Storage that fails, a second tab, a host that goes, hostile addresses: no answer is lost."""
+
+import json
+from typing import Any
+from urllib.parse import quote
+
+import pytest
+from playwright.sync_api import Locator, Page
+from support.reader import Reader
+from support.static_server import StaticServer
+
+pytestmark = pytest.mark.browser
+
+CHAPTER, OTHER = "perspective-projection/", "glossary/"
+FULL = """() => {
+  for (let size = 2 ** 22; size >= 1; size /= 2) {
+    try {
+      for (let at = 0; ; at += 1) localStorage.setItem(`other ${size} ${at}`, 'x'.repeat(size));
+    } catch {}
+  }
+}"""
+"""Leave no room in the storage of this host."""
+DENIED = """Object.defineProperty(window, 'localStorage', {
+  configurable: true, get() { throw new DOMException('denied', 'SecurityError'); }
+})"""
+JUNK = """(junk) => {
+  const prefix = Object.keys(localStorage).find((key) => key.includes('quiz:')).split('quiz:')[0];
+  for (const form of document.querySelectorAll('form.quiz')) {
+    const {id, edition} = JSON.parse(form.querySelector('script.quiz-data').textContent);
+    localStorage.setItem(`${prefix}quiz:${id}`, junk.replace('EDITION', edition));
+  }
+}"""
+
+
+@pytest.fixture
+def chapter(book: Any) -> str:
+    """A chapter with two questions of the simplest kind."""
+    single = {quiz["id"] for quiz in book["quizzes"] if quiz["kind"] == "single"}
+    return str(next(c["url"] for c in book["chapters"] if len(single & set(c["quizzes"])) > 1))
+
+
+def form(page: Page, number: int = 0) -> Locator:
+    return page.locator("form.quiz:has(input[type=radio])").nth(number)
+
+
+def answer(page: Page, option: int, number: int = 0) -> None:
+    """Give the answer that the author wrote in that place."""
+    asked = form(page, number)
+    asked.locator(f"input[value='{option}']").check()
+    asked.locator("button[type=submit]").click()
+
+
+def chosen(page: Page, number: int = 0) -> str | None:
+    """The answer that was given and judged."""
+    asked = form(page, number)
+    if asked.get_attribute("data-answered") is None:
+        return None
+    return asked.locator("input:checked").get_attribute("value")
+
+
+@pytest.mark.parametrize("fault", [FULL, DENIED], ids=["full", "denied"])
+def test_what_storage_does_not_take_lasts_until_the_book_is_left_and_that_is_said_once(
+    plain_reader: Reader, chapter: str, fault: str
+) -> None:
+    plain_reader.open(chapter, live=False)
+    page = plain_reader.page
+    page.evaluate(fault)
+    answer(page, 1)
+    notice = page.locator(".notice")
+    assert "keeps nothing for the book" in notice.inner_text()
+    notice.get_by_role("button", name="Close").click()
+    answer(page, 0, number=1)
+    assert notice.count() == 0
+    plain_reader.turn_to(OTHER, live=False)
+    plain_reader.turn_to(chapter, live=False)
+    assert (chosen(page), chosen(page, 1)) == ("1", "0")
+    with page.expect_download() as download:
+        page.locator("[data-progress-export]").click()
+    saved = json.loads(download.value.path().read_text(encoding="utf-8"))
+    assert len(saved["answers"]) == 2
+    page.reload()  # with storage as it was
+
+
+@pytest.mark.parametrize(
+    "junk",
+    [
+        *("[[[", "5", '{"edition": "EDITION"}'),
+        *(f'{{"edition": "EDITION", "answer": {answer}}}' for answer in ("[null]", "[[0]]")),
+    ],
+)
+def test_junk_in_storage_is_no_answer_and_the_question_can_be_answered(
+    plain_reader: Reader, chapter: str, junk: str
+) -> None:
+    plain_reader.open(chapter, live=False)
+    page = plain_reader.page
+    answer(page, 0)
+    page.evaluate(JUNK, junk)
+    page.reload()
+    page.wait_for_function("document.querySelector('.progress-count')?.textContent")
+    assert page.locator("form.quiz[data-answered]").count() == 0
+    answer(page, 1)
+    assert chosen(page) == "1"
+
+
+def test_an_answer_in_one_tab_shows_in_another_and_takes_nothing_from_it(
+    plain_reader: Reader, chapter: str
+) -> None:
+    plain_reader.open(chapter, live=False)
+    one = plain_reader.page
+    other = one.context.new_page()
+    other.goto(one.url)
+    unsent = form(other, 1).locator("input[value='1']")
+    unsent.check()
+    answer(one, 1)
+    form(other).and_(other.locator("[data-answered]")).wait_for()
+    assert chosen(other) == "1"
+    assert unsent.is_checked(), "not yet given"
+    answer(other, 0)
+    one.wait_for_function(
+        "document.querySelector('form.quiz:has(input[type=radio]) input:checked').value === '0'"
+    )
+    other.close()
+    one.reload()
+    assert chosen(one) == "0", "the last one"
+
+
+def test_a_page_stays_while_the_host_is_gone_and_turns_once_it_is_back(
+    plain_reader: Reader, site_server: StaticServer, chapter: str
+) -> None:
+    plain_reader.open(chapter, live=False)
+    page = plain_reader.page
+    answer(page, 1)
+    site_server.gone = True
+    page.evaluate("document.querySelector('nav a[href*=glossary], a[href*=glossary]').click()")
+    notice = page.locator(".notice")
+    notice.wait_for()
+    site_server.gone = False
+    assert "does not answer" in notice.inner_text()
+    assert chosen(page) == "1"
+    notice.get_by_role("button", name="Try again").click()
+    page.wait_for_url(f"**/{OTHER}")
+    plain_reader.complaints.clear()  # the browser's own, of the host
+
+
+@pytest.mark.parametrize(
+    "end",
+    [
+        "?a.b=<script>window.harmed = true</script>",
+        "?figure-perspective-projection.depth=<script>window.harmed = true</script>",
+        "?figure-perspective-projection.__proto__=1&__proto__.depth=2",
+        "?figure-perspective-projection.depth=1e309&figure-perspective-projection.depth=NaN",
+        "?figure-perspective-projection.depth=",
+        "?" + "&".join(f"figure-perspective-projection.{at}=1" for at in range(1000)),
+        *("?%00=%00#%00", "#%", "#%E0%A4%A", "#__proto__", "#" + "x" * 100_000),
+    ],
+    ids=lambda end: end[:40],
+)
+def test_a_hostile_address_shows_the_page_as_it_is(visitor: Reader, end: str) -> None:
+    page = visitor.page
+    page.evaluate(
+        "end => { const link = document.createElement('a'); link.href = end; link.id = 'hostile';"
+        "document.getElementById('main').append(link); link.click(); }",
+        visitor.root + CHAPTER + (end if "%" in end else quote(end, safe="?#&=")),
+    )
+    page.wait_for_url(lambda address: CHAPTER in address)
+    visitor.wait_live()
+    figure = visitor.figure("perspective-projection")
+    assert figure.locator("input[name=depth]").input_value() == "5"
+    assert page.evaluate("window.harmed") is None
+    assert len(figure.locator(".figure-message").text_content() or "") < 500
+
+
+@pytest.mark.parametrize("value", ["NaN", "1e309", "-1e309", ""])
+def test_a_slider_that_a_script_sets_to_no_number_of_its_own_draws_one_of_its_own(
+    visitor: Reader, value: str
+) -> None:
+    visitor.turn_to(CHAPTER)
+    figure = visitor.figure("perspective-projection")
+    slider = figure.locator("input[name=focal_length]")
+    frames = visitor.frames(figure)
+    slider.evaluate(
+        "(slider, value) => { slider.value = value; slider.dispatchEvent(new Event('input',"
+        " {bubbles: true})); }",
+        value,
+    )
+    visitor.wait_frame(figure, frames)
+    assert figure.get_attribute("data-state") == "live"
+    assert 20 <= float(slider.input_value()) <= 200

@@ -1,0 +1,104 @@
+"""When a worker that does not answer is given up: not while it may be at work, or while all slept.
+
+The worker is a stand-in that answers when the test lets it; the clock is the test's, too.
+"""
+
+from collections.abc import Iterator
+
+import pytest
+from playwright.sync_api import Page
+from support.reader import Reader
+
+pytestmark = pytest.mark.browser
+
+BEGIN = """async (importMs) => {
+  const url = new URL(document.body.dataset.assets + 'js/runtime/runtime.js', location.href);
+  const {Runtime} = await import(url);
+  window.ended = 0;
+  window.Worker = class {
+    postMessage({id, call}) {
+      window.answer = (more) => this.onmessage({data: {id, ok: true, ...more}});
+      if (call === 'start') setTimeout(() => this.onmessage({data: {id, ok: true, importMs}}));
+    }
+    terminate() { window.ended += 1; }
+  };
+  window.runtime = new Runtime(location.href, () => []);
+}"""
+ASK = """([name, payload]) => {
+  window.told = null;
+  window.runtime.call(name, payload).then(
+    () => { window.told = 'answered'; }, (error) => { window.told = error.kind; });
+}"""
+FRAME = {"figure": "figure-x", "scene": "any"}
+
+
+@pytest.fixture
+def page(plain_reader: Reader) -> Iterator[Page]:
+    """A page of its own, whose clock stands, in the browser without WebAssembly."""
+    own = plain_reader.page.context.new_page()
+    own.add_init_script("delete Navigator.prototype.serviceWorker")
+    own.clock.install()
+    own.goto(plain_reader.root + "licences/")
+    yield own
+    own.close()
+
+
+def begin(page: Page, import_ms: int = 400) -> None:
+    """Start a worker that has told how fast it is, and had a scene's first frame."""
+    page.evaluate(BEGIN, import_ms)
+    ask(page)
+    page.clock.run_for(100)
+    page.evaluate("answer({computeMs: 5})")
+    told(page, "answered")
+    ask(page)
+
+
+def ask(page: Page) -> None:
+    page.evaluate(ASK, ["render", FRAME])
+
+
+def told(page: Page, what: str | None) -> None:
+    page.evaluate("Promise.resolve()")
+    assert page.evaluate("told") == what
+
+
+def test_a_silent_worker_is_given_up_after_ten_seconds(page: Page) -> None:
+    begin(page)
+    page.clock.run_for(9_000)
+    told(page, None)
+    page.clock.run_for(2_000)
+    told(page, "lost")
+    assert page.evaluate("ended") == 1
+
+
+def test_a_machine_six_times_slower_is_waited_for_six_times_as_long(page: Page) -> None:
+    begin(page, import_ms=6 * 500)
+    page.clock.run_for(55_000)
+    told(page, None)
+    page.evaluate("answer({computeMs: 55000})")
+    told(page, "answered")
+    ask(page)
+    page.clock.run_for(600_000)
+    told(page, None)
+    page.evaluate("answer({computeMs: 600000})")
+    told(page, "answered")
+
+
+def test_an_hour_of_sleep_is_no_waiting(page: Page) -> None:
+    begin(page)
+    page.clock.run_for(5_000)
+    page.clock.fast_forward("01:00:00")
+    page.clock.run_for(3_000)
+    told(page, None)
+    page.evaluate("answer({computeMs: 5})")
+    told(page, "answered")
+
+
+def test_a_slow_download_is_not_a_slow_frame(page: Page) -> None:
+    begin(page)
+    page.evaluate("answer({fetching: true})")
+    page.clock.run_for(120_000)
+    told(page, None)
+    page.evaluate("answer({fetching: false})")
+    page.evaluate("answer({computeMs: 5})")
+    told(page, "answered")
