@@ -108,7 +108,7 @@ def test_an_exception_in_a_scene_is_told_and_the_next_try_finds_the_values_as_th
 
 RUNTIME = (
     *("pyodide.mjs", "pyodide.asm.mjs", "pyodide.asm.wasm", "runtime.json"),
-    *("/python.zip", "/numpy.zip", "/simulations.zip"),
+    *("/python.zip", "/numpy.zip", "/core.zip"),
 )
 
 
