@@ -74,7 +74,7 @@ LIBRARY = "search"
 STYLE_SHEET = "css/book.css"
 """The one that pages hold or, while the book is written, link to, below ``static/``."""
 SCRIPT = "js/main.js"
-IN_HEAD = (SCRIPT, "js/runtime/begin.js")
+IN_HEAD = (SCRIPT,)
 """Scripts that the head of a page runs."""
 ENTRIES = (*IN_HEAD, RELEASE_SCRIPT)
 """Scripts that something else than a script asks for."""

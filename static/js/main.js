@@ -4,6 +4,7 @@
  */
 
 import { PARTS } from "./book_parts.js";
+import { installAhead } from "./page/ahead.js";
 import { installContents } from "./page/contents.js";
 import { ask as followScroll, installHeader } from "./page/header.js";
 import { installKeys } from "./page/keys.js";
@@ -26,6 +27,7 @@ installKeys();
 for (const part of PARTS) part.install();
 arrive();
 installOffline();
+installAhead();
 installNavigation(
   () => {
     showTheme();

@@ -14,7 +14,7 @@ from simulations.registry import LADDER_MODULES, load_ladder
 
 pytestmark = pytest.mark.browser
 
-AT_ONCE = {"python", "numpy", "simulations"}
+AT_ONCE = {"python", "numpy", "core"}
 CALL = """async ([name, payload]) => {
   const url = new URL(document.body.dataset.assets + 'js/runtime/runtime.js', location.href);
   const {sharedRuntime} = await import(url);

@@ -2,6 +2,7 @@
 
 import { SimulationFigure } from "./element.js";
 import { installGestures, offerWords, returned } from "./gestures.js";
+import { readyNext, watchHand } from "./next.js";
 import { installStrips } from "./strip.js";
 
 /** Called once; before links to other pages are listened for, since some are answered here. */
@@ -9,6 +10,13 @@ export function install() {
   customElements.define("simulation-figure", SimulationFigure);
   installStrips();
   installGestures();
+  watchHand();
 }
 
-export { offerWords as arrive, returned };
+/** Called for each page. */
+export function arrive() {
+  offerWords();
+  readyNext();
+}
+
+export { returned };

@@ -4,7 +4,9 @@
  * loads the page itself; where the host does not answer, this one stays.
  */
 
+import { Away, fetchText } from "./ahead.js";
 import { all, isPlain, within } from "./dom.js";
+import { linkedPage } from "./links.js";
 import { notice } from "./notice.js";
 import { words } from "./words.js";
 
@@ -63,32 +65,7 @@ export function isArrived() {
 function pageLink(event) {
   const link = within(event, "a[href]", HTMLAnchorElement);
   if (!link || event.defaultPrevented || !isPlain(event)) return null;
-  if (link.target || link.hasAttribute("download")) return null;
-  const url = new URL(link.href);
-  const root = siteRoot(document.body, location.href);
-  const inBook = root && url.href.startsWith(root) && /(\/|\.html)$/.test(url.pathname);
-  return inBook && addressOf(url) !== addressOf(location) ? url : null;
-}
-
-/**
- * Of a page, with the state of its figures.
- *
- * @param {URL | Location} url
- */
-function addressOf({ pathname, search }) {
-  return pathname + search;
-}
-
-/**
- * The address of the book that a page belongs to.
- *
- * @param {HTMLElement} body
- * @param {string} base
- * @returns {string | null}
- */
-function siteRoot(body, base) {
-  const root = body.dataset.root;
-  return root === undefined ? null : new URL(root || "./", base).href;
+  return linkedPage(link);
 }
 
 /**
@@ -116,9 +93,6 @@ async function turnTo(url, turned, commit) {
   }
 }
 
-/** The host does not answer. */
-class Away extends Error {}
-
 /** @param {() => void} again */
 function sayAway(again) {
   notice(words("page.away"), { label: words("page.again"), act: again });
@@ -132,12 +106,9 @@ function sayAway(again) {
  * @returns {Promise<Document>}
  */
 async function fetchPage(url, signal) {
-  const reply = await fetch(url, { signal }).catch((error) => {
-    throw new Away(error);
-  });
-  const isPage = reply.headers.get("content-type")?.startsWith("text/html");
-  if (!reply.ok || !isPage || reply.redirected) throw new Error("not a page of the book");
-  const page = new DOMParser().parseFromString(await reply.text(), "text/html");
+  const { text, type, redirected } = await fetchText(url, signal);
+  if (!type.startsWith("text/html") || redirected) throw new Error("not a page of the book");
+  const page = new DOMParser().parseFromString(text, "text/html");
   if (!page.querySelector("main#main")) throw new Error("no text in the page");
   if (assetsOf(page.body, url.href) !== assetsOf(document.body, location.href)) {
     throw new Error("the book has been built anew");

@@ -45,7 +45,7 @@ function whenAtRest(act) {
 }
 
 /** Whether the reader pays for what is fetched, or waits long for it. */
-function isMetered() {
+export function isMetered() {
   const { connection } = /** @type {{connection?: {saveData: boolean, effectiveType: string}}} */ (
     navigator
   );

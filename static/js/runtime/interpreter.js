@@ -38,10 +38,8 @@ export async function startInterpreter(url, fresh, scenes) {
   const [{ loadPyodide }, { default: createPyodideModule }] = await Promise.all(
     SCRIPTS.map((name, index) => scriptOf(url + name, read[index])),
   );
-  answerWith({
-    [url + MACHINE]: machine,
-    [url + PYTHON]: library.then((zip) => new Response(zip)),
-  });
+  const zipped = library.then((zip) => new Response(/** @type {Uint8Array<ArrayBuffer>} */ (zip)));
+  answerWith({ [url + MACHINE]: machine, [url + PYTHON]: zipped });
   instantiateFrom(compiled);
   const options = {
     indexURL: url,

@@ -8,7 +8,6 @@
 
 import { all } from "../page/dom.js";
 import { words } from "../page/words.js";
-import { takeBegun } from "./begin.js";
 import { findFault } from "./fault.js";
 import { LIMITS, Patience } from "./patience.js";
 import { Watchdog } from "./watchdog.js";
@@ -263,6 +262,19 @@ function inWords(fault) {
 function scenesOfPage() {
   const figures = all(document, "simulation-figure", HTMLElement);
   return [...new Set(figures.map((figure) => figure.dataset.simulation ?? ""))];
+}
+
+/**
+ * The worker that the page's head has begun, while the page was still being read; null where there is
+ * none, or none any more.
+ *
+ * @returns {Worker | null}
+ */
+function takeBegun() {
+  const page = /** @type {{begunWorker?: Worker}} */ (globalThis);
+  const begun = page.begunWorker ?? null;
+  delete page.begunWorker;
+  return begun;
 }
 
 /** @type {Runtime | null} */

@@ -1,0 +1,61 @@
+/**
+ * The next chapter's figures before they are asked for: once all of this one live and the hand rests,
+ * the scenes of that are imported, so that its figures live as soon as the page is turned.
+ */
+
+import { expect } from "../page/ahead.js";
+import { all, maybe } from "../page/dom.js";
+import { linkedPage } from "../page/links.js";
+import { isMetered } from "../page/offline.js";
+import { sharedRuntime } from "../runtime/runtime.js";
+
+/** Milliseconds between two looks, and of rest after the hand has moved. */
+const REST = 500;
+/** Anything that the reader waits for goes before it. */
+const LEAST_URGENT = () => -3;
+
+let lastInput = 0;
+
+/** Called once. */
+export function watchHand() {
+  for (const kind of ["pointerdown", "pointermove", "keydown", "input"]) {
+    addEventListener(kind, () => (lastInput = performance.now()), { passive: true });
+  }
+}
+
+/** Called for each page. */
+export async function readyNext() {
+  const main = document.getElementById("main");
+  const rested = async (/** @type {() => boolean} */ isAtRest) => {
+    do await new Promise((resolve) => setTimeout(resolve, REST));
+    while (main?.isConnected && !isAtRest());
+    return main?.isConnected;
+  };
+  if (isMetered() || !(await rested(allLive))) return;
+  const next = maybe(document, ".pager a[rel=next]", HTMLAnchorElement);
+  const url = next && linkedPage(next);
+  const page = url && (await expect(url));
+  for (const scene of page ? scenesOf(page.text) : []) {
+    if (!(await rested(handRests))) return;
+    await sharedRuntime()
+      ?.call("prepare", { scene }, LEAST_URGENT)
+      .catch(() => {}); // told when the figure asks
+  }
+}
+
+/** @param {string} text Of a page. */
+function scenesOf(text) {
+  const page = new DOMParser().parseFromString(text, "text/html");
+  const figures = all(page, "simulation-figure", HTMLElement);
+  return new Set(figures.map(({ dataset }) => dataset.simulation ?? ""));
+}
+
+/** Whether there are figures, and all of them live. */
+function allLive() {
+  const figures = all(document, "simulation-figure", HTMLElement);
+  return figures.length > 0 && figures.every(({ dataset }) => dataset.state === "live");
+}
+
+function handRests() {
+  return performance.now() - lastInput > REST;
+}
