@@ -152,8 +152,7 @@ def render_site(options: Options) -> Files:
 def render_parts(options: Options) -> RenderedSite:
     """The site in parts. Raises `BuildError` with all mistakes found."""
     with helpers() as beside:
-        for tool in tools(options.root, runtime=options.runtime, search=options.search):
-            beside.send(tool)
+        beside.begin([*tools(options.root, runtime=options.runtime, search=options.search)])
         book, stills, pictures = check_site(options)
         beside.begin([*_charts(book), *_sources(options, book)])
         beside.join()

@@ -162,11 +162,6 @@ class Keeper:
         if self._hearing:
             self._hearing[-1][read] = state
 
-    @property
-    def is_new(self) -> bool:
-        """Whether nothing was built with it yet."""
-        return not self._age
-
     def lacks(self, ask: Callable[[], object]) -> bool:
         """Whether ``ask`` would have to make something that can be kept."""
         self._looking = True
