@@ -158,6 +158,6 @@ def test_a_changed_scene_loads_its_page_with_the_settings_of_the_figure(author: 
     page.locator("a.set", has_text="deep water").first.click()
     scene = "simulations/scenes/wave_packet/scene.py"
     author.edit(scene, "Beat over crest", "Beat by crest")
-    expect(page.locator("main")).to_contain_text("Beat by crest")
+    expect(page.locator("main")).to_contain_text("Beat by crest", timeout=LONGEST_S * 1000)
     assert not author.is_same_load()
     expect(medium).to_have_value("water")
