@@ -12,7 +12,7 @@ from pathlib import Path
 import pytest
 
 from site_builder.output.exchange import exchange
-from site_builder.output.writer import way_out, write_site
+from site_builder.output.writer import Hashes, way_out, write_site
 
 ROOT = Path(__file__).parents[3]
 NOBODY = 65534
@@ -66,6 +66,25 @@ def test_unchanged_files_keep_their_modification_time(tmp_path: Path) -> None:
     write_site({"book.json": b"{}", "a.html": b"b"}, out)
     assert (out / "book.json").stat().st_mtime == 1000
     assert (out / "a.html").stat().st_mtime > 1000
+
+
+def test_a_single_changed_file_is_replaced_in_the_folder_that_there_is(tmp_path: Path) -> None:
+    out = tmp_path / "site"
+    write_site({"book.json": b"{}", "a.html": b"a"}, out)
+    folder = out.stat().st_ino
+    write_site({"book.json": b"{}", "a.html": b"b"}, out)
+    assert (out / "a.html").read_bytes() == b"b"
+    assert out.stat().st_ino == folder
+
+
+def test_what_others_did_to_a_written_site_is_put_right(tmp_path: Path) -> None:
+    out, files = tmp_path / "site", {"book.json": b"{}", "a": b"a"}
+    hashes: Hashes = {}
+    write_site(files, out, hashes)
+    (out / "a").write_bytes(b"damaged")
+    (out / "stray").touch()
+    assert set(write_site(files, out, hashes)) == {"a", "stray"}
+    assert {file.name: file.read_bytes() for file in out.iterdir()} == files
 
 
 def test_a_folder_that_holds_something_else_is_never_replaced(tmp_path: Path) -> None:
