@@ -10,6 +10,8 @@
 # make mutations read ten thousand maimed chapters (MUTATIONS=500: as many)
 # make bench-scale           build books of 10, 100 and 1000 chapters, beside MkDocs and Sphinx
 #                (CHAPTERS="10 100": these sizes)
+# make bench-edit            how long an author waits for an edit to be seen (CHAPTERS=100: in a
+#                book of so many chapters, beside this one)
 # make screenshot            the README's picture (PAGE=lens-distortion/: that page, into build/)
 # make lock      pin the newest packages that pyproject.toml allows
 # make clean     remove what was built; the packages in .venv stay
@@ -37,7 +39,7 @@ PYTHON ?= $(firstword $(foreach python,$(PYTHONS),\
 	$(shell command -v $(python) >/dev/null 2>&1 && $(python) -c '$(IS_NEW)' 2>/dev/null && echo $(python))))
 
 .DELETE_ON_ERROR:
-.PHONY: serve guide site pdf epub test test-quick check lock screenshot bench bench-scale mutants mutations clean
+.PHONY: serve guide site pdf epub test test-quick check lock screenshot bench bench-scale bench-edit mutants mutations clean
 
 serve: $(VENV)/book.stamp
 	@$(BIN)/python -m site_builder serve --port $(PORT) --host $(HOST)
@@ -80,6 +82,9 @@ bench: $(VENV)/test.stamp $(VENV)/chromium.stamp
 # What it compares with stands in an environment of its own, and goes with `make clean`.
 bench-scale: $(VENV)/book.stamp build/bench/others.stamp
 	@PYTHONPATH=tests $(BIN)/python -m scale --tools build/bench/others/bin --chapters $(CHAPTERS)
+
+bench-edit: $(VENV)/test.stamp $(VENV)/chromium.stamp
+	@PYTHONPATH=tests $(BIN)/python -m bench.edit_loop --chapters $(lastword $(CHAPTERS))
 
 build/bench/others.stamp: .locks/bench.txt | $(BIN)/python
 	$(BIN)/python -m venv build/bench/others

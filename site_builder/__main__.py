@@ -2,7 +2,6 @@
 the exit code."""
 
 import argparse
-import errno
 import json
 import sys
 from collections.abc import Sequence
@@ -20,6 +19,7 @@ from site_builder.diagnostics import BuildError, Diagnostic, counted
 from site_builder.drawing.apart import Limits, limited
 from site_builder.kept.keeper import Keeper, keeping
 from site_builder.kept.store import Store, default_folder
+from site_builder.output.writer import way_out
 from site_builder.settings.schema import book_schema
 
 NEW = ("book", "chapter", "scene", "model", "ladder", "directive")
@@ -51,7 +51,7 @@ def main(arguments: list[str] | None = None) -> int:
         print(f"{mistakes}; nothing was written", file=sys.stderr)
         return 1
     except OSError as error:
-        print(f"{error}{_way_out(error)}", file=sys.stderr)
+        print(f"{error}{way_out(error)}", file=sys.stderr)
         return 1
     except (ValueError, RuntimeError) as error:
         print(error, file=sys.stderr)
@@ -110,16 +110,6 @@ def _edition(book: Book, kind: str) -> Path:
     from site_builder.markdown.headings import slug
 
     return ROOT / "build" / f"{slug(book.title)}.{kind}"
-
-
-def _way_out(error: OSError) -> str:
-    """What to do where the disk takes nothing more."""
-    full = error.errno in (errno.ENOSPC, errno.EDQUOT)
-    shut = error.errno in (errno.EROFS, errno.EACCES, errno.EPERM)
-    if not (full or shut):
-        return ""
-    better = "make room" if full else "choose a folder that can be written, by --out"
-    return f"; what was built before is as it was; {better}, and build again"
 
 
 def written(out: Path, edition: bytes) -> None:

@@ -170,7 +170,9 @@ def render_parts(options: Options) -> RenderedSite:
     assets, asset_files = gather_assets(book, options.root, pictures, made, folder)
     site = Site(
         options.root, book, stills, assets, runtime, code_editor=bool(editor.script),
-        sources=bundle.sources, search=bool(scripts), reload=options.reload,
+        # A changed scene would change all pages that say what it was.
+        sources="" if options.reload else bundle.sources,
+        search=bool(scripts), reload=options.reload,
         **_in_page(asset_files, assets, options),
     )  # fmt: skip
     licences = _licences(options.root, bundle.versions, editor, library, book)

@@ -48,7 +48,7 @@ def serve(root: Path, out: Path, port: int, *, runtime: bool, host: str = LOOPBA
         for changes in _rounds(sorted(folder for folder in folders if folder.is_dir())):
             # The first build, too, is made under watch: what is saved meanwhile makes a second.
             if changes or not begun:
-                workshop.build(afresh=begun and any(_is_code(path) for path in changes))
+                workshop.build(afresh=begun and any(is_code(path) for path in changes))
                 begun = True
             workshop.tick()
     except KeyboardInterrupt:
@@ -59,9 +59,10 @@ def serve(root: Path, out: Path, port: int, *, runtime: bool, host: str = LOOPBA
         server.server_close()
 
 
-def _is_code(path: str) -> bool:
-    """Whether a worker has it in memory for good."""
-    return path.endswith((".py", ".mjs")) or ("site_builder" in path and path.endswith(".json"))
+def is_code(path: str) -> bool:
+    """Whether a worker has it in memory for good: code, and what code reads once."""
+    data = "site_builder" in path and path.endswith((".json", ".toml"))
+    return data or path.endswith((".py", ".mjs"))
 
 
 def _rounds(folders: list[Path]) -> Iterator[list[str]]:

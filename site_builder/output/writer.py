@@ -1,6 +1,7 @@
 """Writing the site: beside the old one first, then swapped in whole. Where it is a single file that
 differs, as after most edits, that alone is replaced, which is whole as well."""
 
+import errno
 import fcntl
 import os
 import re
@@ -70,6 +71,16 @@ def _replace_all(files: Mapping[str, Content], out: Path, changed: Collection[st
     finally:
         shutil.rmtree(fresh, ignore_errors=True)
         shutil.rmtree(old, ignore_errors=True)
+
+
+def way_out(error: OSError) -> str:
+    """What to do where the disk takes nothing more."""
+    full = error.errno in (errno.ENOSPC, errno.EDQUOT)
+    shut = error.errno in (errno.EROFS, errno.EACCES, errno.EPERM)
+    if not (full or shut):
+        return ""
+    better = "make room" if full else "choose a folder that can be written, by --out"
+    return f"; what was built before is as it was; {better}, and build again"
 
 
 def replace_file(file: Path, data: bytes) -> None:

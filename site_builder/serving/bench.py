@@ -11,7 +11,7 @@ from site_builder.drawing.apart import Limits, limited
 from site_builder.kept.keeper import Keeper, keeping
 from site_builder.kept.store import Store, default_folder
 from site_builder.output.assets import content_bytes
-from site_builder.output.writer import Hashes, replace_file, write_site
+from site_builder.output.writer import Hashes, replace_file, way_out, write_site
 from site_builder.search.index import ADDRESS
 from site_builder.search.records import Record
 
@@ -44,7 +44,9 @@ class Bench:
                 records = site.records()
         except BuildError as error:
             yield _answer(warnings, "", mistakes=str(error))
-        except (OSError, ValueError, RuntimeError) as error:
+        except OSError as error:
+            yield _answer(warnings, "", mistakes=f"{error}{way_out(error)}")
+        except (ValueError, RuntimeError) as error:
             yield _answer(warnings, "", mistakes=str(error) or repr(error))
         except Exception:  # a mistake of the builder's own must not end it
             yield _answer(warnings, "", mistakes=traceback.format_exc())

@@ -62,7 +62,7 @@ THIS_BOOK = (
     ),
     Edit(
         "a scene", 1.5, "simulations/scenes/lens_distortion/scene.py",
-        "Lens Distortion Simulator", "Lens Distortion {word}", SENTENCE,
+        '"Largest bow"', '"Bow {word}"', SENTENCE,
     ),
 )  # fmt: skip
 LARGE_BOOK = ("\nSo ", "\nSo {word} ", SENTENCE)

@@ -1,9 +1,12 @@
 """A build that keeps results makes what a clean one makes, and no more than has changed."""
 
+import json
+import shutil
 from collections import Counter
 from collections.abc import Callable, Iterator, Mapping
 from contextlib import contextmanager
 from dataclasses import replace
+from pathlib import Path
 from typing import Any
 
 import pytest
@@ -16,7 +19,11 @@ from site_builder.build import Options, render_site
 from site_builder.diagnostics import BuildError
 from site_builder.kept import ahead
 from site_builder.kept.keeper import Keeper, keeping
+from site_builder.measured.measurements import DATA as MEASUREMENTS
 from site_builder.output.assets import content_bytes
+from site_builder.pages import render
+
+ROOT = Path(__file__).parents[2]
 
 OUTLINE = """\
 title = "Small Book"
@@ -105,6 +112,17 @@ def book(make_book: Callable[..., Options]) -> Options:
     return replace(make_book(files=FILES), load_scene=load)
 
 
+@pytest.fixture
+def templates(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[Path]:
+    """The engine's, as a copy that can be edited."""
+    copy = tmp_path / "templates"
+    shutil.copytree(render.TEMPLATES, copy)
+    monkeypatch.setattr(render, "TEMPLATES", copy)
+    render._environment.cache_clear()
+    yield copy
+    render._environment.cache_clear()
+
+
 @contextmanager
 def incrementally(options: Options) -> Iterator[Bake]:
     """Builds with what earlier builds have made; says what ran anew."""
@@ -129,13 +147,13 @@ def change(options: Options, path: str, old: str, new: str) -> None:
 EDGES = [
     ("content/01-second.md", "Text, and", "Words, and", {"survey": 1, "read": 1, "page": 1}),
     ("content/02-third.md", "x = 1", "x = 2", {"survey": 1, "read": 1, "page": 1}),
-    ("content/images/plan.svg", "<svg", "<svg ", {"read": 1, "pictures": 1}),
+    ("content/images/plan.svg", "<svg", "<svg ", {"read": 1, "picture": 1}),
     ("content/02-third.md", "title: Third", "title: 3rd", {"survey": 1, "read": 3}),
     ("content/references.bib", "{2000}", "{2001}", {"read": 3}),
     ("content/glossary.toml", "A small", "A tiny", {"read": 3}),
     ("content/book.toml", "Small Book", "Large Book", {"read": 0, "survey": 0}),
     ("simulations/models/thing.py", "Twice", "Two times", {"read": 1, "declared": 1}),
-    ("static/css/book.css", "{}", "{ }", {"read": 0, "survey": 0, "pictures": 0}),
+    ("static/css/book.css", "{}", "{ }", {"read": 0, "survey": 0, "picture": 0}),
 ]
 
 
@@ -152,6 +170,38 @@ def test_what_has_changed_is_made_anew_and_no_more(
         assert files == built(book)
         change(book, path, new, old)
         assert bake()[1].total() == 0
+
+
+def test_an_edited_template_makes_the_pages_that_a_clean_build_makes(
+    book: Options, templates: Path
+) -> None:
+    with incrementally(book) as bake:
+        before, _ = bake()
+        frame = templates / "base.html"
+        text = frame.read_text(encoding="utf-8").replace("<main ", '<main data-edited="" ')
+        frame.write_text(text, encoding="utf-8")
+        after, made = bake()
+        assert isinstance(before, dict)
+        assert made["page"] == sum(name.endswith(".html") for name in before)
+        assert after == built(book)
+        assert after != before
+
+
+def test_edited_measurements_change_the_numbers_that_a_clean_build_changes(book: Options) -> None:
+    measured = json.loads((ROOT / MEASUREMENTS).read_text(encoding="utf-8"))
+    file = book.root / MEASUREMENTS
+    file.write_text(json.dumps(measured), encoding="utf-8")
+    change(book, "content/02-third.md", "## Code", "## Code\n\n{measured}`precision float32 far`.")
+    with incrementally(book) as bake:
+        before, _ = bake()
+        measured["ladders"]["precision"]["tiers"]["float32"]["errors"]["far"] *= 2
+        file.write_text(json.dumps(measured), encoding="utf-8")
+        after, _ = bake()
+        assert isinstance(before, dict)
+        assert isinstance(after, dict)
+        assert after == built(book)
+        page = "third/index.html"
+        assert after[page] != before[page]
 
 
 def test_one_word_of_a_chapter_changes_its_page_alone(book: Options) -> None:

@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 from markupsafe import Markup
 
-from site_builder.kept.fingerprint import fingerprint
+from site_builder.kept.fingerprint import Prints, fingerprint
 
 
 @dataclass(frozen=True)
@@ -56,6 +56,43 @@ def test_another_process_with_another_hash_seed_agrees() -> None:
         capture_output=True, text=True, check=True,
     )  # fmt: skip
     assert done.stdout.strip() == fingerprint(({"b", "a", "c"}, {"k": 1.5}, "é")).hex()
+
+
+@dataclass
+class Open:
+    x: object
+
+
+def test_a_frozen_value_is_walked_once_and_then_known_by_identity() -> None:
+    asked: list[object] = []
+
+    def count(value: object) -> bytes | None:
+        asked.append(value)
+        return None
+
+    prints, point = Prints(), Point(1, Point(2, ()))
+    first = fingerprint([point], count, prints)
+    assert len(asked) == 2
+    assert fingerprint([point], count, prints) == first == fingerprint([point])
+    assert len(asked) == 2
+    assert fingerprint([Point(1, Point(2, ()))], count, prints) == first
+
+
+def test_a_value_that_can_be_changed_is_looked_at_again() -> None:
+    prints, value = Prints(), Open(1)
+    before = fingerprint(value, prints=prints)
+    value.x = 2
+    assert fingerprint(value, prints=prints) != before
+
+
+def test_the_hash_of_what_nobody_asks_for_any_more_is_let_go() -> None:
+    prints, kept, left = Prints(), Point(1, 1), Point(2, 2)
+    fingerprint((kept, left), prints=prints)
+    for _ in range(2):
+        prints.next_round()
+        fingerprint(kept, prints=prints)
+    assert prints.get(kept)
+    assert prints.get(left) is None
 
 
 def test_what_cannot_be_told_is_refused() -> None:

@@ -203,6 +203,18 @@ def test_what_code_did_that_was_written_after_the_start_is_not_stored(package: P
     assert made(store, ask, since_ns=newest) == made(store, ask, since_ns=newest) == ["run"]
 
 
+def test_what_code_did_that_was_written_meanwhile_is_not_stored(package: Path) -> None:
+    from toy_kept.top import shown
+
+    def ask() -> None:
+        kept_as("run", shown, lambda: shown())
+        (package / "low" / "deep.py").write_text("# not what was looked at\n")
+
+    store = Shelf()
+    made(store, ask)
+    assert store.entries == {}
+
+
 def test_what_nobody_asked_for_lately_leaves_the_memory() -> None:
     keeper = Keeper()
     with keeping(keeper):

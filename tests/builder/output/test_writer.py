@@ -2,16 +2,21 @@
 
 import errno
 import os
+import shutil
 import subprocess
 import sys
+import tempfile
+from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
 
 from site_builder.output.exchange import exchange
-from site_builder.output.writer import write_site
+from site_builder.output.writer import Hashes, way_out, write_site
 
 ROOT = Path(__file__).parents[3]
+NOBODY = 65534
+"""The user without rights."""
 
 
 def test_the_site_is_replaced_as_a_whole(tmp_path: Path) -> None:
@@ -61,6 +66,25 @@ def test_unchanged_files_keep_their_modification_time(tmp_path: Path) -> None:
     write_site({"book.json": b"{}", "a.html": b"b"}, out)
     assert (out / "book.json").stat().st_mtime == 1000
     assert (out / "a.html").stat().st_mtime > 1000
+
+
+def test_a_single_changed_file_is_replaced_in_the_folder_that_there_is(tmp_path: Path) -> None:
+    out = tmp_path / "site"
+    write_site({"book.json": b"{}", "a.html": b"a"}, out)
+    folder = out.stat().st_ino
+    write_site({"book.json": b"{}", "a.html": b"b"}, out)
+    assert (out / "a.html").read_bytes() == b"b"
+    assert out.stat().st_ino == folder
+
+
+def test_what_others_did_to_a_written_site_is_put_right(tmp_path: Path) -> None:
+    out, files = tmp_path / "site", {"book.json": b"{}", "a": b"a"}
+    hashes: Hashes = {}
+    write_site(files, out, hashes)
+    (out / "a").write_bytes(b"damaged")
+    (out / "stray").touch()
+    assert set(write_site(files, out, hashes)) == {"a", "stray"}
+    assert {file.name: file.read_bytes() for file in out.iterdir()} == files
 
 
 def test_a_folder_that_holds_something_else_is_never_replaced(tmp_path: Path) -> None:
@@ -130,6 +154,38 @@ def test_a_full_disk_leaves_the_last_site(tmp_path: Path, monkeypatch: pytest.Mo
         "a": b"a",
     }
     assert [path.name for path in tmp_path.iterdir()] == ["site"]
+
+
+@pytest.fixture
+def sealed() -> Iterator[Path]:
+    """A folder with a site in it, where nobody may write: neither root, who may everything."""
+    folder = Path(tempfile.mkdtemp())
+    write_site({"book.json": b"{}", "a": b"a"}, folder / "site")
+    for each in (folder / "site", folder):
+        each.chmod(0o555)
+    before = os.geteuid()
+    if not before:
+        os.seteuid(NOBODY)
+    yield folder / "site"
+    if not before:
+        os.seteuid(before)
+    for each in (folder, folder / "site"):
+        each.chmod(0o755)
+    shutil.rmtree(folder)
+
+
+@pytest.mark.parametrize("more", [{}, {"b": b"b"}], ids=["one file", "several"])
+def test_where_nobody_may_write_the_last_site_stays_and_the_message_has_a_way_out(
+    sealed: Path, more: dict[str, bytes]
+) -> None:
+    with pytest.raises(PermissionError) as raised:
+        write_site({"book.json": b"{}", "a": b"new", **more}, sealed)
+    assert "choose a folder that can be written, by --out" in way_out(raised.value)
+    assert {file.name: file.read_bytes() for file in sealed.iterdir()} == {
+        "book.json": b"{}",
+        "a": b"a",
+    }
+    assert [place.name for place in sealed.parent.iterdir()] == ["site"]
 
 
 def test_a_folder_changes_places_with_another(tmp_path: Path) -> None:
