@@ -152,7 +152,8 @@ def render_site(options: Options) -> Files:
 def render_parts(options: Options) -> RenderedSite:
     """The site in parts. Raises `BuildError` with all mistakes found."""
     with helpers() as beside:
-        beside.begin([*tools(options.root, runtime=options.runtime, search=options.search)])
+        wanted = {"runtime": options.runtime, "search": options.search}
+        beside.begin([*tools(options.root, **wanted, compiled=not options.reload)])
         book, stills, pictures = check_site(options)
         beside.begin([*_charts(book), *_sources(options, book)])
         beside.join()

@@ -19,10 +19,10 @@ from site_builder.settings.model import Settings
 from site_builder.settings.reading import read_settings
 
 
-def tools(root: Path, *, runtime: bool, search: bool) -> Iterator[Ask]:
+def tools(root: Path, *, runtime: bool, compiled: bool, search: bool) -> Iterator[Ask]:
     """Makes each of them for the book at ``root``; that it was made is kept."""
     settings, _ = read_settings(root, Diagnostics())
-    for name, make in _makers(root, settings, runtime=runtime, search=search):
+    for name, make in _makers(root, settings, runtime=runtime, compiled=compiled, search=search):
         yield partial(
             kept_as, f"tool {name}", (str(root), settings.fonts), partial(_made, make), __name__
         )
@@ -33,11 +33,11 @@ def _made(make: Callable[[], object]) -> None:
 
 
 def _makers(
-    root: Path, settings: Settings, *, runtime: bool, search: bool
+    root: Path, settings: Settings, *, runtime: bool, compiled: bool, search: bool
 ) -> Iterator[tuple[str, Callable[[], object]]]:
     if runtime and (SCENE_MODULES or LADDER_MODULES):
         # Of all that the book has: what its pages do not show rarely imports anything else.
-        yield "runtime", partial(pack_runtime, root / "simulations")
+        yield f"runtime {compiled}", partial(pack_runtime, root / "simulations", compiled=compiled)
         yield "editor", bundle_editor
     yield "fonts", lambda: subset_fonts(chosen_faces(settings, root))
     if search:

