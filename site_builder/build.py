@@ -76,7 +76,7 @@ STYLE_SHEET = "css/book.css"
 SCRIPT = "js/main.js"
 IN_HEAD = (SCRIPT,)
 """Scripts that the head of a page runs."""
-ENTRIES = (*IN_HEAD, RELEASE_SCRIPT)
+ENTRIES = (SCRIPT, RELEASE_SCRIPT)
 """Scripts that something else than a script asks for."""
 
 type Files = Mapping[str, Content]

@@ -52,8 +52,15 @@ def _shown(folder: Path | str, inside: str) -> Iterator[str]:
                 continue
             if entry.is_dir(follow_symlinks=False):
                 yield from _shown(entry.path, f"{inside}{entry.name}/")
-            elif entry.is_file():
+            elif _is_file(entry):
                 yield inside + entry.name
+
+
+def _is_file(entry: os.DirEntry[str]) -> bool:
+    try:
+        return entry.is_file()
+    except OSError:  # a link that leads to itself
+        return False
 
 
 def _files(folder: str, pattern: str) -> Iterator[str]:

@@ -3,8 +3,10 @@ speak as its pages do."""
 
 import json
 import re
+import zipfile
 from pathlib import Path
 from typing import Any
+from xml.etree import ElementTree
 
 import pytest
 from filelock import FileLock
@@ -18,6 +20,7 @@ from site_builder.languages.words import ENGLISH, load_words
 
 GERMAN_BOOK = ROOT / "tests" / "fixtures" / "german-book"
 WORDS = load_words("de")
+XML = "{http://www.w3.org/XML/1998/namespace}"
 
 
 @pytest.fixture(scope="session")
@@ -72,6 +75,26 @@ def test_the_engine_of_its_figures_says_no_english_sentence(german_site: Path) -
     assert left == []
 
 
+def test_its_e_book_is_in_german(tmp_path: Path) -> None:
+    file = tmp_path / "buch.epub"
+    made = on_waves("-m", "site_builder", "epub", "--out", str(file), book=GERMAN_BOOK)
+    assert made.returncode == 0, made.stderr
+    with zipfile.ZipFile(file) as book:
+        texts = {name: book.read(name).decode() for name in book.namelist() if is_text(name)}
+    roots = {name: ElementTree.fromstring(text) for name, text in texts.items()}
+    pages = [root for name, root in roots.items() if name.endswith(".xhtml")]
+    assert {page.get(f"{XML}lang") or page.get("lang") for page in pages} == {"de"}
+    german = "\n".join(phrase for _, phrase in phrases(WORDS))
+    shown = "\n".join("\n".join(root.itertext()) for root in roots.values())
+    assert [said for _, said in phrases(ENGLISH) if said in shown and said not in german] == []
+    for key in ("edition.answers", "edition.contents", "glossary.title"):
+        assert WORDS(key) in shown
+
+
+def is_text(name: str) -> bool:
+    return name.endswith((".xhtml", ".opf"))
+
+
 def test_every_page_says_its_language(german_site: Path) -> None:
     pages = [file for file in german_site.rglob("*.html") if "assets" not in file.parts]
     tags = {tag for file in pages for tag in re.findall(r'<html lang="([^"]*)"', said(file))}
@@ -103,7 +126,7 @@ def test_its_licence_and_its_colour_are_its_own(german_site: Path) -> None:
 
 @pytest.mark.browser
 def test_a_visit_in_german(german_site: Path, german_book: Any, brisk_chromium: Browser) -> None:
-    with serving(german_site) as server, visit(brisk_chromium, server) as reader:
+    with serving(german_site) as server, visit(brisk_chromium, server, bypass_csp=True) as reader:
         figure = reader.open_figure(german_book, "fadenpendel")
         before = reader.frames(figure)
         figure.locator("input[name=length]").fill("1")

@@ -19,6 +19,10 @@ from site_builder.book_root import is_engine
 SCENES = ["leakage", "standing-waves", "wave-packet"]
 
 
+STYLES = re.compile(r"<style>.*?</style>", re.DOTALL)
+"""The engine's; their colours have names that a book's figures may have, too."""
+
+
 def modules_of(site: Path) -> set[str]:
     (archive,) = site.glob("runtime/*/simulations.zip")
     with zipfile.ZipFile(archive) as opened:
@@ -56,7 +60,7 @@ def test_nothing_that_readers_get_is_of_this_book(waves_site: Path) -> None:
         f"{file.relative_to(waves_site)}: {found[1]}"
         for file in waves_site.rglob("*")
         if file.suffix in (".html", ".json") and "licences" not in file.parts
-        for found in ids.finditer(file.read_text(encoding="utf-8"))
+        for found in ids.finditer(STYLES.sub("", file.read_text(encoding="utf-8")))
     ]
     assert told == []
 

@@ -4,6 +4,7 @@ traceback, and none brings more mistakes with it than it is."""
 from collections.abc import Callable, Mapping
 from dataclasses import replace
 from pathlib import Path
+from typing import Any
 
 import pytest
 
@@ -126,10 +127,12 @@ def test_marks_and_line_ends_of_other_editors_are_no_mistake(
     ],
 )
 def test_a_handle_that_would_fail_in_its_reader_s_hand_is_told_when_the_book_is_built(
-    make_book: MakeBook, handle: Mapping[str, object], told: str
+    make_book: MakeBook, handle: Mapping[str, Any], told: str
 ) -> None:
     options = make_book("\n:::{simulation} demo\n:::\n")
-    sound = Handle("h", "plan", "H", ("k1",), lambda _s, _o: (1.0, 1.0), lambda _s, _p: {"k1": 0})
+    sound: Handle[Any] = Handle(
+        "h", "plan", "H", ("k1",), lambda _s, _o: (1.0, 1.0), lambda _s, _p: {"k1": 0}
+    )
 
     def load(scene_id: str) -> Scene[object]:
         return replace(options.load_scene(scene_id), handles=(replace(sound, **handle),))
