@@ -25,7 +25,7 @@ def open_book(site: Path) -> Iterator[tuple[Page, str]]:
     with sync_playwright() as playwright, serving(site) as server:
         browser = playwright.chromium.launch(executable_path=executable, args=launch_arguments())
         try:
-            page = browser.new_page(viewport=DESK, service_workers="block")
+            page = browser.new_page(viewport=DESK, service_workers="block", bypass_csp=True)
             page.set_default_timeout(60_000)
             yield page, server.url
         finally:
