@@ -81,8 +81,9 @@ bench: $(VENV)/test.stamp $(VENV)/chromium.stamp
 
 # Of use on a machine that does nothing else.
 bench-latency: $(VENV)/test.stamp $(VENV)/chromium.stamp site
-	@PYTHONPATH=tests $(BIN)/python -m bench.latency $(SCENE:%=--scene %)
 	@$(if $(SCENE),,PYTHONPATH=tests $(BIN)/python -m bench.memory)
+	@$(if $(SCENE),,PYTHONPATH=tests $(BIN)/python -m bench.twins)
+	@PYTHONPATH=tests $(BIN)/python -m bench.latency $(SCENE:%=--scene %)
 
 # What it compares with stands in an environment of its own, and goes with `make clean`.
 bench-scale: $(VENV)/book.stamp build/bench/others.stamp
