@@ -8,6 +8,7 @@
 # make check     formatting, lint and types of Python, scripts and style sheets; edits nothing
 # make bench     time and judge all ladders, here and in Chromium (LADDER=srgb: only one)
 # make mutations read ten thousand maimed chapters (MUTATIONS=500: as many)
+# make bench-latency         how soon figures follow a hand (SCENE=camera: one), what piles up
 # make bench-scale           build books of 10, 100 and 1000 chapters, beside MkDocs and Sphinx
 #                (CHAPTERS="10 100": these sizes)
 # make bench-edit            how long an author waits for an edit to be seen (CHAPTERS=100: in a
@@ -20,6 +21,7 @@ PORT ?= 8000
 HOST ?= 127.0.0.1
 PAGE ?=
 LADDER ?=
+SCENE ?=
 CHAPTERS ?= 10 100 1000
 ADDRESS ?=
 SOURCE ?=
@@ -39,7 +41,7 @@ PYTHON ?= $(firstword $(foreach python,$(PYTHONS),\
 	$(shell command -v $(python) >/dev/null 2>&1 && $(python) -c '$(IS_NEW)' 2>/dev/null && echo $(python))))
 
 .DELETE_ON_ERROR:
-.PHONY: serve guide site pdf epub test test-quick check lock screenshot bench bench-scale bench-edit mutants mutations clean
+.PHONY: serve guide site pdf epub test test-quick check lock screenshot bench bench-latency bench-scale bench-edit mutants mutations clean
 
 serve: $(VENV)/book.stamp
 	@$(BIN)/python -m site_builder serve --port $(PORT) --host $(HOST)
@@ -78,6 +80,12 @@ screenshot: $(VENV)/test.stamp $(VENV)/chromium.stamp site
 bench: $(VENV)/test.stamp $(VENV)/chromium.stamp
 	@OPENBLAS_NUM_THREADS=1 PYTHONPATH=tests $(BIN)/python -m bench $(LADDER:%=--ladder %)
 	@$(if $(LADDER),,OPENBLAS_NUM_THREADS=1 PYTHONPATH=tests $(BIN)/python -m bench.stage_costs)
+
+# Of use on a machine that does nothing else.
+bench-latency: $(VENV)/test.stamp $(VENV)/chromium.stamp site
+	@$(if $(SCENE),,PYTHONPATH=tests $(BIN)/python -m bench.memory)
+	@$(if $(SCENE),,PYTHONPATH=tests $(BIN)/python -m bench.twins)
+	@PYTHONPATH=tests $(BIN)/python -m bench.latency $(SCENE:%=--scene %)
 
 # What it compares with stands in an environment of its own, and goes with `make clean`.
 bench-scale: $(VENV)/book.stamp build/bench/others.stamp

@@ -3,8 +3,6 @@
 from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
-from typing import Any
-
 from playwright.sync_api import JSHandle, Page, sync_playwright
 from support.chromium import HOW_TO, find_chromium, launch_arguments
 from support.reader import DESK
@@ -25,7 +23,7 @@ def open_book(site: Path) -> Iterator[tuple[Page, str]]:
     with sync_playwright() as playwright, serving(site) as server:
         browser = playwright.chromium.launch(executable_path=executable, args=launch_arguments())
         try:
-            page = browser.new_page(viewport=DESK, service_workers="block")
+            page = browser.new_page(viewport=DESK, service_workers="block", bypass_csp=True)
             page.set_default_timeout(60_000)
             yield page, server.url
         finally:
@@ -43,7 +41,9 @@ def script(page: Page, name: str) -> JSHandle:
 
 def figure_at_rest(page: Page, scene: str) -> JSHandle:
     """The figure of a scene in the middle of the window, when all of the page have their frames."""
-    figure: Any = page.query_selector(f'simulation-figure[data-simulation="{scene}"]')
+    figure = page.query_selector(f'simulation-figure[data-simulation="{scene}"]')
+    if figure is None:
+        raise ValueError(f"scene {scene!r}; legal: one that this page shows")
     figure.evaluate(CENTRE)
     page.wait_for_function(RESTS)
     return figure

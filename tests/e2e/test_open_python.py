@@ -10,7 +10,7 @@ pytestmark = pytest.mark.browser
 
 CHAPTER = "lens-distortion/"
 """Has two figures of one scene with stages."""
-NEGATIVE = "def _encoded(photo):\n    return to_rgba8(encode_srgb(1 - photo.linear))\n"
+NEGATIVE = "def _encoded(photo):\n    return to_rgba8(encode_srgb_table(1 - photo.linear))\n"
 LIMIT = """async (ms) => {
   const url = new URL(document.body.dataset.assets + 'js/editor/edited_runtime.js', location.href);
   const {LIMITS} = await import(url);
@@ -92,7 +92,7 @@ def test_edited_code_draws_its_own_figure_and_no_other_until_it_is_put_back(
     assert edited.locator(".workshop-part", has_text="pinhole").inner_text().endswith("reused")
     edited.locator(".use", has_text="encode_srgb").click()
     assert "simulations/models/color/srgb.py" in edited.locator(".workshop-place").inner_text()
-    write(visitor, edited, "def encode_srgb(linear):\n    return linear\n")
+    write(visitor, edited, "def encode_srgb_table(linear):\n    return linear\n")
     run(visitor, edited)
     visitor.settle(edited)
     assert visitor.shown(edited)["pixels"] not in (book["pixels"], changed["pixels"]), "a model too"

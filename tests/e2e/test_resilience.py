@@ -28,7 +28,7 @@ HARM = """async (edits) => {
 """Run edited code in the interpreter of the book: the page itself never does."""
 
 CODE = """def _encoded(photo):
-    return to_rgba8(encode_srgb(photo.linear))
+    return to_rgba8(encode_srgb_table(photo.linear))
 
 import sys
 book = sys.modules["simulations.browser"]

@@ -92,6 +92,25 @@ def test_only_controls_of_the_scene_can_be_drafted() -> None:
         scene_of(**TIERS, ladder="srgb", drafted_in={"fine": ("sise",)})
 
 
+def test_a_draft_of_its_own_stands_in_for_the_default_and_what_is_dearer() -> None:
+    tiers = {"tiers": ("coarse", "fine", "finest"), "default_tier": "fine"}
+    words = {tier: tier for tier in tiers["tiers"]}
+    scene = scene_of(**tiers, tier_labels=words, stages=STAGES, own_drafts={"rough": ("size",)})
+    assert [scene.drafts_of(tier) for tier in tiers["tiers"]] == [
+        {},
+        {"size": "rough"},
+        {"size": "rough"},
+    ]
+    assert "rough of 1" in scene.render(Settings(), "rough", StageCache()).description
+
+
+def test_a_draft_of_its_own_is_no_tier_and_serves_controls_that_there_are() -> None:
+    with pytest.raises(ValueError, match="own draft 'coarse' is a tier; legal: another name"):
+        scene_of(**TIERS, ladder="srgb", own_drafts={"coarse": ("size",)})
+    with pytest.raises(ValueError, match="drafted 'sise'"):
+        scene_of(own_drafts={"rough": ("sise",)})
+
+
 def test_only_tiers_of_the_scene_can_have_drags_of_their_own() -> None:
     with pytest.raises(ValueError, match=r"drafted_in .*'finer'.*legal: \('coarse', 'fine'\)"):
         scene_of(**TIERS, ladder="srgb", drafted_in={"finer": ("size",)})

@@ -115,7 +115,7 @@ def _map(radii: Radii, k1: float, k2: float, tier: str, margin: bool) -> Warp:
     beyond_x, beyond_y = _margin_px(margin)
     centre = np.array((beyond_x + 0.5 * (WIDTH_PX - 1), beyond_y + 0.5 * (HEIGHT_PX - 1)))
     shape = (HEIGHT_PX + 2 * beyond_y, WIDTH_PX + 2 * beyond_x)
-    table = gather_table(centre + centred_pixels() * ratio, shape)
+    table = gather_table(centre + centred_pixels() * ratio, shape, dtype=np.float32)
     # A soft edge, one pixel wide, where the image ends.
     limit = min(largest_distorted_radius(lens), 1e6)
     edge = np.clip((limit - radii.distinct) * FOCAL_PX + 0.5, 0.0, 1.0).astype(np.float32)
@@ -144,6 +144,8 @@ def _corrected(photo: Photo, k1: float, k2: float) -> Photo:
 
 
 def _encoded(photo: Photo) -> NDArray[np.uint8]:
+    if photo.coverage.min() == 1.0:
+        return to_rgba8(encode_srgb_table(photo.linear))
     covered = photo.coverage[..., None]
     unseen = np.asarray(UNSEEN, np.float32)
     return to_rgba8(encode_srgb_table(unseen + (photo.linear - unseen) * covered))

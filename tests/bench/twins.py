@@ -1,0 +1,178 @@
+"""Figures beside plain JavaScript: ``PYTHONPATH=tests python -m bench.twins``.
+
+The pictures of two figures are drawn by hand-written scripts too (``js/twins.js``), from the same
+data; that they are the same pictures is checked first. Then a hand drags the slider of each,
+seen from outside as in `bench.latency`. The ratio of the medians is the bound: what the figure does
+besides, its drawings, readouts and words, counts against it.
+"""
+
+import argparse
+import base64
+import json
+import statistics
+from collections.abc import Mapping
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from bench.built_book import figure_at_rest, open_book, script
+from bench.latency import DRAG, MOVES, ROUNDS
+from numpy.typing import NDArray
+from playwright.sync_api import JSHandle, Page
+
+from simulations.engine.controls import Slider
+from simulations.engine.frame import Raster
+from simulations.engine.stages import StageCache
+from simulations.registry import load_scene
+from simulations.scenes._ball.ball import PIXELS_PER_UNIT, RADIUS_PX
+from simulations.scenes._ball.marks import CENTRE, HEIGHT, WIDTH
+from simulations.scenes.lens_distortion.radii import FOCAL_PX, HEIGHT_PX, WIDTH_PX
+from simulations.scenes.lens_distortion.stages import MARGIN_PX
+from site_builder.book_root import ROOT
+
+MOST = 3.0
+"""Times as long as plain JavaScript, at the median."""
+FAR_CODES, FAR_SHARE = 2, 0.005
+"""Codes by which this share of a picture may differ: at edges of the model, such as a rim."""
+
+INSTALL = """([twins, twin, given, slider]) => {
+  const bytes = text => Uint8Array.from(atob(text), letter => letter.charCodeAt(0));
+  const data = Object.fromEntries(Object.entries(given).map(([name, value]) => [name,
+    value.floats ? new Float32Array(bytes(value.floats).buffer)
+    : value.bytes ? bytes(value.bytes) : value]));
+  const figure = document.createElement('div');
+  const canvas = Object.assign(document.createElement('canvas'),
+    {width: data.width, height: data.height});
+  const hand = Object.assign(document.createElement('input'), {type: 'range', ...slider});
+  document.body.replaceChildren(figure);
+  figure.append(canvas, hand);
+  Object.assign(figure.dataset, {frames: 0, simulation: twin});
+  figure.rests = true;
+  const context = canvas.getContext('2d');
+  const image = new ImageData(data.width, data.height);
+  figure.draw = value => twins[twin](data, value, image.data);
+  hand.oninput = () => {
+    const begun = performance.now();
+    figure.draw(hand.valueAsNumber);
+    context.putImageData(image, 0, 0);
+    figure.dataset.computeMs = performance.now() - begun;
+    figure.dataset.frames = Number(figure.dataset.frames) + 1;
+  };
+  figure.pixels = value => (figure.draw(value), [...image.data]);
+  return figure;
+}"""
+
+
+@dataclass(frozen=True, slots=True)
+class Twin:
+    """A picture that both can draw."""
+
+    scene: str
+    control: str
+    function: str
+    """Of ``js/twins.js``."""
+    panel: str
+    given: Mapping[str, Any]
+    """What is computed once."""
+
+
+def text(array: NDArray[Any]) -> str:
+    return base64.b64encode(np.ascontiguousarray(array).tobytes()).decode()
+
+
+def lens_distortion() -> Twin:
+    scene = load_scene("lens-distortion")
+    outputs = scene.run(scene.check({"k1": -0.1}), "", StageCache()).outputs
+    given = {
+        "width": WIDTH_PX,
+        "height": HEIGHT_PX,
+        "marginX": MARGIN_PX[0],
+        "marginY": MARGIN_PX[1],
+        "focal": FOCAL_PX,
+        "picture": {"floats": text(outputs["pinhole"].astype(np.float32))},
+    }
+    return Twin("lens-distortion", "k1", "distortion", "picture", given)
+
+
+def matte_ball() -> Twin:
+    scene = load_scene("lambertian-shading")
+    settings = scene.check({})
+    outputs = scene.run(settings, "", StageCache()).outputs
+    ball, scale = outputs["ball"], PIXELS_PER_UNIT
+    wall = np.zeros((*ball.backdrop.shape[:2], 3), np.float32)
+    wall[ball.square][ball.rim] = ball.behind_rim
+    given = {
+        "width": round(WIDTH * scale),
+        "height": round(HEIGHT * scale),
+        "centreX": CENTRE[0] * scale,
+        "centreY": CENTRE[1] * scale,
+        "radius": RADIUS_PX,
+        "albedo": settings.albedo,
+        "backdrop": {"bytes": text(ball.backdrop)},
+        "wall": {"floats": text(wall)},
+    }
+    return Twin("lambertian-shading", "light_angle", "sphere", "camera", given)
+
+
+def slider_of(twin: Twin) -> Slider:
+    (found,) = (each for each in load_scene(twin.scene).controls if each.name == twin.control)
+    assert isinstance(found, Slider)
+    return found
+
+
+def expected(twin: Twin, value: float) -> Raster:
+    """The picture by Python."""
+    scene = load_scene(twin.scene)
+    frame = scene.render(scene.check({twin.control: value}), "", StageCache())
+    (raster,) = (panel.raster for panel in frame.panels if panel.name == twin.panel)
+    assert raster is not None
+    return raster
+
+
+def installed(page: Page, twin: Twin) -> JSHandle:
+    """The twin on the page, as a figure that can be dragged; raises where it draws otherwise."""
+    slider = slider_of(twin)
+    ends = {"min": slider.minimum, "max": slider.maximum, "step": slider.step}
+    hand = {"name": twin.control, **{name: str(value) for name, value in ends.items()}}
+    figure = page.evaluate_handle(
+        INSTALL, [script(page, "twins.js"), twin.function, twin.given, hand]
+    )
+    for value in (slider.minimum / 2, slider.maximum / 2):
+        drawn = np.array(figure.evaluate("(figure, value) => figure.pixels(value)", value))
+        ours = expected(twin, value).reshape(-1).astype(int)
+        far = float(np.mean(np.abs(drawn - ours) > FAR_CODES))
+        if far > FAR_SHARE:
+            raise SystemExit(f"{twin.function} at {value}: {far:.1%} of the codes are others")
+    return figure
+
+
+def medians(page: Page, twin: Twin, figure: JSHandle) -> tuple[float, float]:
+    """Of the time from outside, and of the picture alone; milliseconds."""
+    hand = {"name": twin.control, "moves": MOVES, "rounds": 2 * ROUNDS}
+    found = page.evaluate(DRAG, [script(page, "drag.js"), figure, hand])
+    return statistics.median(found["latencies"]), statistics.median(found["computes"])
+
+
+def main() -> int:
+    parser = argparse.ArgumentParser(prog="bench.twins", description=__doc__)
+    parser.add_argument("--site", type=Path, default=ROOT / "build" / "site")
+    site = parser.parse_args().site
+    chapters = json.loads((site / "book.json").read_text(encoding="utf-8"))["chapters"]
+    worst = 0.0
+    with open_book(site) as (page, address):
+        for twin in (lens_distortion(), matte_ball()):
+            url = next(each["url"] for each in chapters if twin.scene in each["simulations"])
+            page.goto(address + url)
+            python, whole = medians(page, twin, figure_at_rest(page, twin.scene))
+            plain, loop = medians(page, twin, installed(page, twin))
+            worst = max(worst, python / plain)
+            print(
+                f"{twin.scene:20} {twin.control:12} figure {python:5.1f} ms, plain JavaScript "
+                f"{plain:5.1f} ms: × {python / plain:.2f} (computing {whole:.1f} and {loop:.1f} ms)"
+            )
+    return 1 if worst > MOST else 0
+
+
+if __name__ == "__main__":
+    raise SystemExit(main())
