@@ -41,12 +41,13 @@ class Helpers:
     _at_work: list[Helper] = field(default_factory=list)
     _asked: list[Ask] = field(default_factory=list)
 
-    def begin(self, asks: Sequence[Ask]) -> None:
+    def begin(self, asks: Sequence[Ask], least: int = 1) -> None:
         """Begin to make those that are missing, each core one at a time, the first of them first.
-        Each asks for what is kept; without a keeper nothing is begun."""
+        Each asks for what is kept; without a keeper, or of fewer than ``least``, nothing is
+        begun."""
         keeper = self._keeper
         missing = [ask for ask in asks if keeper.lacks(ask)] if keeper else []
-        if not (keeper and missing):
+        if not keeper or len(missing) < least:
             return
         self._asked += missing
         turns = _turns(len(missing))
@@ -97,10 +98,11 @@ def helpers() -> Iterator[Helpers]:
 
 
 def make_ahead(asks: Sequence[Ask]) -> None:
-    """Make those that are missing on all cores, where there is more than one of either."""
+    """Make those that are missing on all cores, where there is more than one of either: to begin
+    a process takes longer than to read one chapter after an edit."""
     if cores() > 1 and len(asks) > 1:
         with helpers() as found:
-            found.begin(asks)
+            found.begin(asks, least=2)
             found.join()
 
 

@@ -4,6 +4,7 @@ import re
 from collections.abc import Collection, Iterator, Mapping
 from posixpath import dirname, normpath
 
+from site_builder.kept.keeper import kept
 from site_builder.output.assets import Content, content_bytes
 
 COMMENT = re.compile(r"/\*.*?\*/|^\s*//.*?$", re.DOTALL | re.MULTILINE)
@@ -53,9 +54,15 @@ def reachable(files: Mapping[str, Content], entries: Collection[str]) -> frozens
 
 
 def _named_in(name: str, content: Content, *kinds: re.Pattern[str]) -> Iterator[str]:
-    if not name.endswith((".js", ".mjs")):
-        return
-    text = COMMENT.sub("", content_bytes(content).decode("utf-8"))
-    for kind in kinds:
-        for match in kind.finditer(text):
-            yield normpath(f"{dirname(name)}/{match[match.lastindex or 1]}")
+    if name.endswith((".js", ".mjs")):
+        named = _addresses(
+            content_bytes(content), tuple((kind.pattern, kind.flags) for kind in kinds)
+        )
+        yield from (normpath(f"{dirname(name)}/{address}") for address in named)
+
+
+@kept
+def _addresses(script: bytes, patterns: tuple[tuple[str, int], ...]) -> tuple[str, ...]:
+    text = COMMENT.sub("", script.decode("utf-8"))
+    found = (match for pattern, flags in patterns for match in re.finditer(pattern, text, flags))
+    return tuple(match[match.lastindex or 1] for match in found)
