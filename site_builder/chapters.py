@@ -64,6 +64,7 @@ class Page:
         chapter, made_from = kept_reading(
             "read", given, problems, lambda own: self._read(targets, own)
         )
+        self._draft = None  # read, here or beside
         return replace(chapter, kept_as=made_from)
 
     def _given(self) -> tuple[object, ...]:

@@ -14,7 +14,7 @@ from dataclasses import dataclass, field
 from struct import Struct
 
 from site_builder.forking import CAN_FORK, cores, forked
-from site_builder.kept.keeper import Keeper, keeper_at_work
+from site_builder.kept.keeper import Keeper, MissingError, UnkeepableError, keeper_at_work
 
 NUMBER = Struct("=H")
 MOST_TURNS = 1000
@@ -104,6 +104,17 @@ def make_ahead(asks: Sequence[Ask]) -> None:
         with helpers() as found:
             found.begin(asks, least=2)
             found.join()
+
+
+def answers[T](asks: Sequence[Callable[[], T]]) -> list[T]:
+    """What each of them gives; those that are missing are made ahead."""
+    given: dict[int, T] = {}
+    if keeper := keeper_at_work():
+        for place, ask in enumerate(asks):
+            with suppress(MissingError, UnkeepableError):
+                given[place] = keeper.found(ask)
+    make_ahead([ask for place, ask in enumerate(asks) if place not in given])
+    return [given[place] if place in given else ask() for place, ask in enumerate(asks)]
 
 
 def _begin(asks: Sequence[Ask], turns: int, keeper: Keeper) -> Helper:

@@ -164,16 +164,21 @@ class Keeper:
 
     def lacks(self, ask: Callable[[], object]) -> bool:
         """Whether ``ask`` would have to make something that can be kept."""
-        self._looking = True
         try:
-            ask()
+            self.found(ask)
         except MissingError:
             return True
         except UnkeepableError:
-            return False
+            pass
+        return False
+
+    def found[T](self, ask: Callable[[], T]) -> T:
+        """What ``ask`` gives, nothing being made. Raises `MissingError`, and `UnkeepableError`."""
+        self._looking = True
+        try:
+            return ask()
         finally:
             self._looking = False
-        return False
 
     def begin_parcel(self) -> None:
         """In a process that was forked: what is made from here on goes into a parcel."""

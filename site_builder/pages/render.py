@@ -12,6 +12,7 @@ from markupsafe import Markup
 from site_builder.beside.bibliography import EMPTY
 from site_builder.book import Book, Chapter
 from site_builder.book_root import own_or_engine
+from site_builder.kept.ahead import answers
 from site_builder.kept.files import folder_hash
 from site_builder.kept.keeper import given_hash, kept_as
 from site_builder.markdown.directives.simulation import SIMULATION
@@ -96,21 +97,24 @@ class Site:
 def render_pages(site: Site, licences: tuple[Licence, ...]) -> dict[str, bytes]:
     """Every page of the site, by its path."""
     book, render = site.book, _renderer(site)
-    pages = {
-        "index.html": render(
+    pages: dict[str, Callable[[], bytes]] = {
+        "index.html": partial(
+            render,
             "landing.html",
             "index.html",
             counts=_counts(book),
             cover=_cover(book),
             progress=progress_data(book),
         ),
-        "404.html": render("not-found.html"),
-        "licences/index.html": render("licences.html", "licences/index.html", licences=licences),
+        "404.html": partial(render, "not-found.html"),
+        "licences/index.html": partial(
+            render, "licences.html", "licences/index.html", licences=licences
+        ),
     }
 
     def follow(name: str, **context: object) -> None:
         path = f"{name}/index.html"
-        pages[path] = render(f"{name}.html", path, here=name, **context)
+        pages[path] = partial(render, f"{name}.html", path, here=name, **context)
 
     if book.bibliography.works:
         follow("references", works=cited_works(book))
@@ -118,7 +122,8 @@ def render_pages(site: Site, licences: tuple[Licence, ...]) -> dict[str, bytes]:
         follow("lecture-plan", plan=book.lecture_plan)
     cards = [None, *map(card, book.chapters), None]
     for index, chapter in enumerate(book.chapters):
-        pages[f"{chapter.url}index.html"] = render(
+        pages[f"{chapter.url}index.html"] = partial(
+            render,
             "chapter.html",
             f"{chapter.url}index.html",
             chapter=chapter,
@@ -135,14 +140,15 @@ def render_pages(site: Site, licences: tuple[Licence, ...]) -> dict[str, bytes]:
         follow("index-of-terms", letters=letters)
     for path in sorted({item.path for chapter in book.chapters for item in chapter.sources}):
         address = f"source/{path.removesuffix('.py')}/index.html"
-        pages[address] = render(
+        pages[address] = partial(
+            render,
             "source.html",
             address,
             folder=path.rpartition("/")[0],
             file=path.rpartition("/")[2],
             code=own_or_engine(site.root, path).read_text(encoding="utf-8"),
         )
-    return pages
+    return dict(zip(pages, answers([*pages.values()]), strict=True))
 
 
 def _renderer(site: Site) -> Callable[..., bytes]:

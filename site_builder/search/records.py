@@ -2,10 +2,12 @@
 
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
+from functools import partial
 from itertools import count
 
 from site_builder.book import Book
-from site_builder.search.page_text import read_sections
+from site_builder.kept.ahead import answers
+from site_builder.search.page_text import Section, read_sections
 
 
 @dataclass(frozen=True, slots=True)
@@ -57,8 +59,8 @@ def _records(
 ) -> Iterator[Record]:
     introduced: set[str] = set()
     numbers = count()
-    for path, page in pages.items():
-        sections = read_sections(page.decode())
+    read = answers([partial(_sections, page) for page in pages.values()])
+    for path, sections in zip(pages, read, strict=True):
         for section in sections:
             fresh = [term for term in section.terms if term.casefold() not in introduced]
             if section.anchor:  # what stands before it names things that are explained later
@@ -75,6 +77,10 @@ def _records(
                 figures=section.figures,
                 questions=section.questions,
             )
+
+
+def _sections(page: bytes) -> tuple[Section, ...]:
+    return read_sections(page.decode())
 
 
 def _address(path: str, anchor: str) -> str:

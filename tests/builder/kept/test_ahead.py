@@ -68,6 +68,18 @@ def test_of_more_than_a_pipe_can_count_all_are_made(monkeypatch: pytest.MonkeyPa
     assert HERE not in {maker(number) for number in range(5)}
 
 
+@pytest.mark.usefixtures("keeper")
+def test_answers_come_in_the_order_of_what_was_asked() -> None:
+    @kept
+    def tens(number: int) -> tuple[int, int]:
+        return 10 * number, os.getpid()
+
+    tens(1)
+    found = ahead.answers([partial(tens, number) for number in (3, 1, 2)])
+    assert [value for value, _ in found] == [30, 10, 20]
+    assert [process == HERE for _, process in found] == [False, True, False]
+
+
 def test_where_all_is_kept_no_process_is_begun(keeper: Keeper) -> None:
     asks = [partial(maker, number) for number in range(2)]
     make_ahead(asks)
