@@ -10,7 +10,7 @@ pytestmark = pytest.mark.browser
 
 CHAPTER = "lens-distortion/"
 """Has two figures of one scene with stages."""
-NEGATIVE = "def _encoded(photo):\n    return to_rgba8(encode_srgb(1 - photo.linear))\n"
+NEGATIVE = "def _encoded(photo):\n    return to_rgba8(encode_srgb_table(1 - photo.linear))\n"
 LIMIT = """async (ms) => {
   const url = new URL(document.body.dataset.assets + 'js/editor/edited_runtime.js', location.href);
   const {LIMITS} = await import(url);

@@ -28,7 +28,7 @@ HARM = """async (edits) => {
 """Run edited code in the interpreter of the book: the page itself never does."""
 
 CODE = """def _encoded(photo):
-    return to_rgba8(encode_srgb(photo.linear))
+    return to_rgba8(encode_srgb_table(photo.linear))
 
 import sys
 book = sys.modules["simulations.browser"]
@@ -69,7 +69,7 @@ def harm(visitor: Reader, code: str) -> Locator:
     [
         "import js; js.self.close(); return asked(*given)",
         "while True: pass",
-        "import numpy; book.hoard = []\n    while True: book.hoard.append(numpy.empty(1 << 27, 'u1'))",
+        "import numpy; kept = book.kept = []\n    while True: kept.append(numpy.empty(2**27, 'u1'))",
     ],
     ids=["ended", "endless loop", "memory exhausted"],
 )
