@@ -69,7 +69,7 @@ def harm(visitor: Reader, code: str) -> Locator:
     [
         "import js; js.self.close(); return asked(*given)",
         "while True: pass",
-        "import numpy; book.hoard = []\n    while True: book.hoard.append(numpy.empty(1 << 27, 'u1'))",
+        "import numpy; kept = book.kept = []\n    while True: kept.append(numpy.empty(2**24))",
     ],
     ids=["ended", "endless loop", "memory exhausted"],
 )

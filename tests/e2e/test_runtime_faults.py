@@ -84,8 +84,9 @@ def test_what_is_wrong_with_a_file_is_told(
 def test_a_page_older_than_its_host_offers_to_be_loaded_anew_and_keeps_its_settings(
     reader: Reader, host: StaticServer
 ) -> None:
-    host.faults = {
-        "/numpy.zip": Fault(status=404),
+    host.faults = {"/numpy.zip": Fault(status=404)}
+    told(reader)
+    host.faults |= {
         "/lens-distortion/": Fault(
             lambda page: page.replace(b"/runtime/", b"/runtime/next-"), media_type="text/html"
         ),
