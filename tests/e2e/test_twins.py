@@ -88,7 +88,12 @@ def test_the_count_of_stages(visitor: Reader, statuses: list[Any]) -> None:
 
 def test_why_a_stage_was_computed_or_not(visitor: Reader) -> None:
     reads, follows = (Said(f"workings.{key}", {"names": "a, b"}) for key in ("reads", "follows"))
-    reasons: list[str | tuple[Said, ...]] = [(reads, follows), (Said("workings.unneeded"),), "no blur", ""]
+    reasons: list[str | tuple[Said, ...]] = [
+        (reads, follows),
+        (Said("workings.unneeded"),),
+        "no blur",
+        "",
+    ]
     texts = [reason_text(reason) for reason in reasons]
     calls = [[sent(StageReport("s", "skipped", reason))[0]["reason"]] for reason in reasons]
     assert ask(visitor, "figure/workings", "reasonText", calls) == texts
