@@ -67,6 +67,8 @@ RUNTIME = Path(__file__).parent / "runtime"
 """What makes it, with programs for other interpreters."""
 NOW = "assets/now/"
 """Folder of the assets while the book is written: a changed style sheet changes no page."""
+RUNTIME_NOW = "runtime/now/"
+"""Likewise of the browser's Python: a changed scene changes the pages that show it."""
 LIBRARY = "search"
 """Folder of what searches, among the assets."""
 STYLE_SHEET = "css/book.css"
@@ -150,8 +152,7 @@ def render_site(options: Options) -> Files:
 def render_parts(options: Options) -> RenderedSite:
     """The site in parts. Raises `BuildError` with all mistakes found."""
     with helpers() as beside:
-        for tool in tools(options.root, runtime=options.runtime, search=options.search):
-            beside.send(tool)
+        beside.begin([*tools(options.root, runtime=options.runtime, search=options.search)])
         book, stills, pictures = check_site(options)
         beside.begin([*_charts(book), *_sources(options, book)])
         beside.join()
@@ -293,12 +294,15 @@ def _handed_out(options: Options, book: Book) -> Files:
     return {f"content/{name}": options.root / "content" / name for name in sorted(names)}
 
 
-def _runtime(options: Options, book: Book) -> tuple[str, dict[str, Content], RuntimeBundle]:
+def _runtime(options: Options, book: Book) -> tuple[str, Files, RuntimeBundle]:
     """Python for the browser, with the scenes and ladders inside that the book shows."""
     root, compiled = options.root, not options.reload
     bundle = pack_for_browser(root, book, compiled=compiled) if options.runtime else None
     if bundle is None:
         return "", {}, RuntimeBundle({}, Versions())
+    if options.reload:
+        there: Files = {RUNTIME_NOW + name: content for name, content in bundle.files.items()}
+        return RUNTIME_NOW, there, bundle
     folder, files = hashed_folder("runtime", dict(bundle.files))
     return folder, files, bundle
 

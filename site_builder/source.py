@@ -196,7 +196,7 @@ def _positions(settings: Settings, words: Words) -> Iterator[tuple[str, Position
 
 
 def _chapter_files(root: Path) -> list[str]:
-    return sorted(file.stem for file in (root / "content").glob("*.md"))
+    return sorted(file.stem for file in (root / "content").glob("*.md") if file.is_file())
 
 
 def _check_name(name: str, line: int, problems: Diagnostics) -> None:
@@ -221,7 +221,7 @@ def _check_unlisted(root: Path, outline: Outline, problems: Diagnostics) -> None
     included = {path for places in problems.spliced.values() for path, _ in places}
     for file in sorted((root / "content").rglob("*.md")):
         path = file.relative_to(root).as_posix()
-        if listed and path not in listed | included:
+        if listed and file.is_file() and path not in listed | included:
             problems.add(
                 path,
                 1,

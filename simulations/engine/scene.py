@@ -64,6 +64,7 @@ class Scene[S]:
         if not self.draft_tier:
             object.__setattr__(self, "draft_tier", self.default_tier)
         for mistake in (
+            *self._wrong_stages(),
             *self._wrong_buttons(),
             *self._wrong_tiers(),
             *self._wrong_drafts(),
@@ -144,6 +145,12 @@ class Scene[S]:
         dear = tier in self.tiers[self.tiers.index(self.default_tier) :] if self.tiers else True
         drafts = self.own_drafts.items() if dear else ()
         return {control: draft for draft, controls in drafts for control in controls}
+
+    def _wrong_stages(self) -> Iterator[str]:
+        names = [stage.name for stage in self.stages]
+        for name in dict.fromkeys(names):
+            if names.count(name) > 1:
+                yield f"two stages named {name!r}; legal: a name for each"
 
     def _wrong_buttons(self) -> Iterator[str]:
         sliders = [control.name for control in self.controls if isinstance(control, Slider)]

@@ -78,7 +78,13 @@ class Stage:
         """Why the stage would change nothing now; empty where it would."""
         if self.neutral is None:
             return ""
-        return self.neutral(**_picked(self.neutral, parameters, f"stage {self.name!r} asks for"))
+        given = _picked(self.neutral, parameters, f"stage {self.name!r} asks for")
+        reason = self.neutral(**given)
+        if not isinstance(reason, str):
+            raise TypeError(
+                f"stage {self.name!r}: neutral gives {reason!r}; legal: why, as text, or ''"
+            )
+        return reason
 
 
 @lru_cache(maxsize=1024)
@@ -179,7 +185,7 @@ def _needed(stages: Sequence[Stage], reasons: Mapping[str, str]) -> set[str]:
 def _require(names: Sequence[str], known: Mapping[str, object], who: str) -> None:
     for name in names:
         if name not in known:
-            raise KeyError(f"{who} {name!r}; legal: {', '.join(known)}")
+            raise KeyError(f"{who} {name!r}; legal: {', '.join(known) or 'none'}")
 
 
 def _why(stage: Stage, key: Key, cache: StageCache) -> tuple[Said, ...]:

@@ -7,7 +7,7 @@ be had from `Prints`: most of what a build asks with is what the build before ha
 import functools
 import hashlib
 from collections.abc import Callable, Mapping, Sequence, Set
-from dataclasses import dataclass, field, fields, is_dataclass
+from dataclasses import dataclass, field, fields
 from enum import Enum
 from pathlib import Path
 from typing import Any
@@ -62,17 +62,17 @@ def fingerprint(
 type _Update = Callable[[bytes], None]
 
 
-def _add(value: object, update: _Update, special: Special, prints: Prints) -> None:
+def _add(value: Any, update: _Update, special: Special, prints: Prints) -> None:
     """Quickly, where it is one of the few types that most values are of."""
-    kind = type(value)
+    kind: type = type(value)
     if kind is str:
-        _put(update, b"s", value.encode("utf-8", "surrogatepass"))  # type: ignore[attr-defined]
+        _put(update, b"s", value.encode("utf-8", "surrogatepass"))
     elif kind is tuple or kind is list:
-        _add_all(b"l", value, update, special, prints)  # type: ignore[arg-type]
+        _add_all(b"l", value, update, special, prints)
     elif value is None or kind is bool or kind is int or kind is float:
         _put(update, b"v", f"{kind.__name__}{value!r}".encode())
     elif kind is dict:
-        _add_items(value, update, special, prints)  # type: ignore[arg-type]
+        _add_items(value, update, special, prints)
     elif (known := prints.get(value)) is not None:
         _put(update, b"h", known)
     elif (own := special(value)) is not None:
@@ -159,8 +159,8 @@ class _Shape:
 @functools.cache
 def _shape(kind: Any) -> _Shape | None:
     """None of what is no dataclass."""
-    if not is_dataclass(kind):
+    if not hasattr(kind, "__dataclass_params__"):
         return None
     names = tuple(each.name for each in fields(kind))
     head = f"{kind.__module__}.{kind.__qualname__} {len(names)}".encode()
-    return _Shape(head, names, kind.__dataclass_params__.frozen)  # type: ignore[attr-defined]
+    return _Shape(head, names, kind.__dataclass_params__.frozen)

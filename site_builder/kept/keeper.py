@@ -18,7 +18,7 @@ from types import FunctionType
 from typing import Any, Protocol
 
 from site_builder.blame import is_remembered
-from site_builder.kept.code import code_hash
+from site_builder.kept.code import Modules, code_hash, is_as_it_was
 from site_builder.kept.files import file_hash, folder_hash
 from site_builder.kept.fingerprint import SIZE, Prints, fingerprint
 from site_builder.kept.packing import HOLDERS, home_of, packed, unpacked
@@ -87,6 +87,8 @@ class Keeper:
     """Not yet in the store."""
     _fresh_bytes: int = 0
     _codes: dict[str, bytes] = field(default_factory=dict)
+    _modules: Modules = field(default_factory=dict)
+    """Looked at for these; as they were, since it is this that the process has imported."""
     _prints: Prints = field(default_factory=Prints)
     _hearing: list[dict[Read, bytes]] = field(default_factory=list)
     """What the functions read that are running now, the innermost last."""
@@ -138,7 +140,7 @@ class Keeper:
     def code(self, module: str) -> bytes:
         """The hash of what a module can do."""
         if module not in self._codes:
-            self._codes[module], written = code_hash(module, self._imports)
+            self._codes[module], written = code_hash(module, self._imports, self._modules)
             self._latest_ns = max(self._latest_ns, written)
         return self._codes[module]
 
@@ -159,11 +161,6 @@ class Keeper:
         """Take note of what the running function reads."""
         if self._hearing:
             self._hearing[-1][read] = state
-
-    @property
-    def is_new(self) -> bool:
-        """Whether nothing was built with it yet."""
-        return not self._age
 
     def lacks(self, ask: Callable[[], object]) -> bool:
         """Whether ``ask`` would have to make something that can be kept."""
@@ -208,7 +205,7 @@ class Keeper:
 
     def _put_away(self) -> None:
         fresh, self._fresh, self._fresh_bytes = self._fresh, {}, 0
-        if fresh and self._latest_ns < self.since_ns:
+        if fresh and self._latest_ns < self.since_ns and is_as_it_was(self._modules):
             self.store.put(fresh)
 
     def _make[T](self, name: str, key: bytes, make: Callable[[], T]) -> tuple[T, bytes]:

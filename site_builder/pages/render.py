@@ -23,6 +23,7 @@ from site_builder.pages.outside import card_path, origin, page_address
 from site_builder.pages.places import card
 from site_builder.pages.policy import page_policy
 from site_builder.pages.stills import Stills
+from site_builder.pages.views.contents import Entries, chapter_entries
 from site_builder.pages.views.glossary import marked_terms, view_glossary
 from site_builder.pages.views.index import view_index
 from site_builder.pages.views.ladder import summary_row, view_ladder
@@ -151,13 +152,19 @@ def _renderer(site: Site) -> Callable[..., bytes]:
     follows = back_matter(site.book)
     shared_hash = given_hash(shared, follows, folder_hash(TEMPLATES))
     seen = replace(shared, stills=site.stills)
+    cards = [card(chapter) for chapter in site.book.chapters]
+    line = _environment().get_template("frame/contents-entry.html")
+
+    @cache
+    def entries(root: str) -> Entries:
+        return chapter_entries(cards, lambda entry: line.render(root=root, entry=entry))
 
     def render(template: str, path: str = "", **context: object) -> bytes:
         root = "../" * path.count("/") or "./"
 
         def make() -> bytes:
-            page = render_page(seen, template, root, path, back_matter=follows, **context)
-            return page.encode()
+            frame = {"back_matter": follows, "entries": entries(root)}
+            return render_page(seen, template, root, path, **frame, **context).encode()
 
         return kept_as("page", (shared_hash, template, path, context), make)[0]
 

@@ -106,36 +106,6 @@ def test_an_exception_in_a_scene_is_told_and_the_next_try_finds_the_values_as_th
     assert not figure.locator(".figure-status").is_visible()
 
 
-RUNTIME = (
-    *("pyodide.mjs", "pyodide.asm.mjs", "pyodide.asm.wasm", "runtime.json"),
-    *("/python.zip", "/numpy.zip", "/core.zip"),
-)
-
-
-def test_a_damaged_runtime_file_is_told_and_can_be_tried_again(
-    reader: Reader, server: StaticServer, chapter: str
-) -> None:
-    """One file after the other: each try finds whole what was damaged in the one before."""
-    figure = reader.page.locator("simulation-figure").first
-    retry = figure.locator(".retry")
-    for attempt, name in enumerate(RUNTIME):
-        server.damaged.clear()
-        server.damaged[name] = b"not what it should be"
-        if attempt:
-            retry.click()
-        else:
-            reader.open(chapter, live=False)
-        retry.wait_for(state="visible", timeout=START_MS)
-        told = figure.locator(".figure-message").inner_text()
-        assert "Python did not start" in told, name
-        assert "[object" not in told, name
-    server.damaged.clear()
-    retry.click()
-    reader.wait_live()
-    assert not figure.locator(".figure-status").is_visible()
-    reader.complaints.clear()  # Pyodide's own words about the damaged file
-
-
 def test_a_browser_without_webassembly_is_told_so_and_keeps_the_stills(
     plain_reader: Reader, chapter: str
 ) -> None:

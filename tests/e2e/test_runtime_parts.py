@@ -51,7 +51,7 @@ def fetched_by(reader: Reader) -> list[str]:
 
 
 def a_chapter(book: Any, table: Any, wanted: Callable[[set[str]], bool]) -> tuple[str, set[str]]:
-    """Address of a chapter, and the parts that its scenes import: of the libraries' as ``wanted``."""
+    """Address of a chapter, and the parts its scenes import: those of libraries as ``wanted``."""
     for chapter in book["chapters"]:
         parts = {part for scene in chapter["simulations"] for part in table["scenes"][scene]}
         if chapter["simulations"] and wanted(of_libraries(parts)):

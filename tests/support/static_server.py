@@ -46,7 +46,7 @@ class QuietServer(ThreadingHTTPServer):
 
 class StaticServer:
     """The folder ``root`` at ``url``; ``damaged`` maps ends of paths to other bytes, ``faults`` to
-    what else is wrong with them.
+    what else is wrong with them. ``uncached``, browsers keep nothing of it.
 
     While it is ``gone``, nobody answers.
     """
@@ -54,6 +54,7 @@ class StaticServer:
     def __init__(self, root: Path) -> None:
         self.root = root
         self.gone = False
+        self.uncached = False
         self.damaged: dict[str, bytes] = {}
         self.faults: dict[str, Fault] = {}
         self.server = QuietServer(("127.0.0.1", 0), partial(Handler, owner=self))
@@ -99,6 +100,11 @@ class Handler(SimpleHTTPRequestHandler):
         self.end_headers()
         self.wfile.write(content[: len(content) // 2] if fault.cut else content)
         self.close_connection = fault.cut
+
+    def end_headers(self) -> None:
+        if self.owner.uncached:
+            self.send_header("Cache-Control", "no-store")
+        super().end_headers()
 
     def log_message(self, *_: object) -> None:
         """Tests have their own words."""

@@ -77,6 +77,13 @@ def test_a_skipped_stage_says_why(counting: Counting) -> None:
     assert (report.status, report.reason) == ("skipped", "the factor is one")
 
 
+def test_a_stage_that_is_neutral_for_no_reason_is_refused() -> None:
+    first = Stage("first", lambda: 1)
+    careless: Any = lambda factor: factor == 1  # noqa: E731
+    with pytest.raises(TypeError, match="stage 'a': neutral gives False; legal: why, as text"):
+        run((first, Stage("a", lambda x: x, ("first",), careless)), values(), StageCache())
+
+
 def test_the_cache_changes_nothing_but_time(counting: Counting) -> None:
     cache = StageCache()
     for factor in (2, 1, 3, 2, 1, 7, 3):
