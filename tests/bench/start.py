@@ -8,7 +8,7 @@ Pyodide, numpy and the modules, import them, draw. It has the files of Pyodide's
 same server.
 
 ``--json FILE`` adds the runs to those that the file holds, so that they can be made a few at a
-time; medians and ratios are of all.
+time; medians and ratios are of all. ``--keep`` puts these among the costs that the book tells.
 """
 
 import argparse
@@ -22,6 +22,7 @@ from pathlib import Path
 from statistics import median
 from typing import Any
 
+from bench.costs import keep
 from bench.machine import describe_machine
 from bench.record import significant
 from playwright.sync_api import BrowserContext, BrowserType, sync_playwright
@@ -114,6 +115,7 @@ def main() -> None:
     parser.add_argument("--site", type=Path, default=SITE)
     parser.add_argument("--rounds", type=int, default=5)
     parser.add_argument("--json", type=Path, help="add the runs to those of this file")
+    parser.add_argument("--keep", action="store_true", help="tell them in the book")
     given = parser.parse_args()
     executable = find_chromium()
     if executable is None:
@@ -121,12 +123,14 @@ def main() -> None:
     kept = given.json and given.json.is_file()
     runs: list[Run] = json.loads(given.json.read_text())["runs"] if kept else []
     with sync_playwright() as playwright, laid_out(given.site) as address:
-        start = partial(profile, playwright.chromium, executable)
+        start = partial(profile, playwright.chromium, str(executable))
         for _ in range(given.rounds):
             runs.append({**measure_book(start, address), **measure_plain(start, address)})
             print(" ".join(f"{name} {value:.0f}" for name, value in runs[-1].items()), flush=True)
     record = summary(runs)
     print(json.dumps(record, indent=1))
+    if given.keep:
+        keep("start", record)
     if given.json:
         machine = describe_machine("Chromium", VERSIONS.pyodide)
         kept_as = {"scene": SCENE, "machine": machine, **record, "runs": runs}
@@ -135,14 +139,17 @@ def main() -> None:
 
 def summary(runs: Sequence[Run]) -> dict[str, Any]:
     """Medians, and how the book's starts compare with those of plain Pyodide."""
-    medians = {name: median(run[name] for run in runs) for name in runs[0]}
-    return {
-        "ms": {name: significant(value, 3) for name, value in medians.items()},
-        "ratios": {
-            kind: significant(medians[kind] / medians[f"plain {kind}"], 3)
-            for kind in ("cold", "warm")
-        },
+    found = {name: median(run[name] for run in runs) for name in runs[0]}
+    starts = {
+        kind: {
+            "ms": significant(found[kind], 3),
+            "plain_ms": significant(found[f"plain {kind}"], 3),
+            "ratio": significant(found[kind] / found[f"plain {kind}"], 3),
+        }
+        for kind in ("cold", "warm")
     }
+    rest = {f"{name}_ms": significant(found[name], 3) for name in ("worker", "turned", "touched")}
+    return {**starts, **rest}
 
 
 def measure_book(start: Start, address: str) -> Run:

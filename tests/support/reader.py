@@ -256,7 +256,12 @@ SETTLE = """async (figure) => {
 }"""
 
 SHOWN = """(figure) => ({
-  pixels: [...figure.querySelectorAll('canvas.live')].map((canvas) => {
+  pixels: [...figure.querySelectorAll('canvas.live, img.still')].map((shown) => {
+    const canvas = shown instanceof HTMLCanvasElement ? shown : document.createElement('canvas');
+    if (canvas !== shown) {
+      [canvas.width, canvas.height] = [shown.naturalWidth, shown.naturalHeight];
+      canvas.getContext('2d').drawImage(shown, 0, 0);
+    }
     const {data} = canvas.getContext('2d').getImageData(0, 0, canvas.width, canvas.height);
     let sum = 0;
     for (let i = 0; i < data.length; i += 1) sum = (sum * 31 + data[i]) | 0;

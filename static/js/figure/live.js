@@ -33,7 +33,7 @@ import { words } from "../page/words.js";
 /** @typedef {{values: string, tier: string, time: number, urgency: number}} Job */
 
 /** A frame that the reader waits for goes before one that only should be ready. */
-const URGENCY = { idle: -2, far: 0, near: 1, touched: 2, held: 3 };
+const URGENCY = { idle: -1, far: 0, near: 1, touched: 2, held: 3 };
 /** How often a frame is asked for again, by itself, after the worker was lost. */
 const RESTARTS = 1;
 

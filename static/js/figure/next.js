@@ -45,9 +45,8 @@ export async function readyNext() {
 
 /** @param {string} text Of a page. */
 function scenesOf(text) {
-  const page = new DOMParser().parseFromString(text, "text/html");
-  const figures = all(page, "simulation-figure", HTMLElement);
-  return new Set(figures.map(({ dataset }) => dataset.simulation ?? ""));
+  const figures = text.matchAll(/<simulation-figure data-simulation="([^"]+)"/g);
+  return new Set([...figures].map(([, scene]) => scene));
 }
 
 /** Whether there are figures, and all of them live. */
