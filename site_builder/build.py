@@ -33,16 +33,19 @@ from site_builder.offline.manifest import MANIFEST, manifest
 from site_builder.offline.release import integrity, no_release, release_files
 from site_builder.output.assets import Content, content_bytes, folder_files, hashed_folder
 from site_builder.output.book_files import book_css, book_script
-from site_builder.output.font_faces import chosen_faces
+from site_builder.output.font_faces import chosen_faces, face_rule, used_maths
 from site_builder.output.fonts import subset_fonts
 from site_builder.output.style_sheets import join_style_sheets, without_comments
 from site_builder.output.writer import write_site
 from site_builder.page_model.blocks import contents
 from site_builder.pages.catalogue import catalogue
+from site_builder.pages.formulae import formula_characters
 from site_builder.pages.licences import Licence, gather_licences
 from site_builder.pages.render import Site, render_pages, render_template
 from site_builder.pages.stills import Stills, render_stills
 from site_builder.publishing.cards import make_cards
+from site_builder.publishing.compressed import compressed_copies
+from site_builder.publishing.hosting import host_files
 from site_builder.publishing.icons import make_icons
 from site_builder.publishing.listings import make_listings
 from site_builder.runtime.freeze import MissingModuleError
@@ -171,8 +174,16 @@ def render_parts(options: Options) -> RenderedSite:
     return RenderedSite(
         files,
         lambda: {SEARCH_INDEX: index_of(records, library, static, book.words)} if scripts else {},
-        lambda files: no_release(assets) if options.reload else release_files(files, assets),
+        lambda files: no_release(assets) if options.reload else _finished(files, assets, book),
     )
+
+
+def _finished(files: Files, assets: str, book: Book) -> Files:
+    """What makes the files a release, and what their host is given beside them."""
+    release = release_files(files, assets)
+    whole = {**files, **release}
+    copies = compressed_copies(whole) if book.settings.publishing.compressed else {}
+    return {**release, **host_files(whole, book), **copies}
 
 
 def _in_page(files: Files, assets: str, options: Options) -> dict[str, Any]:
@@ -229,7 +240,9 @@ def gather_assets(
     """Style sheets, scripts, fonts, stills, the author's pictures, what opens the figures' Python
     and what searches, in one folder: ``folder``, or one that is named by what is in it."""
     content = folder_files(root / "content")
-    own = book_css(book.settings, book.words)
+    # While the book is written, a new letter in a formula is to change no style sheet.
+    used = () if folder else (used_maths(formula_characters(book)),)
+    own = book_css(book.settings, book.words) + "".join(map(face_rule, used))
     engine = folder_files(own_or_engine(root, "static"))
     wanted = {name: file for name, file in engine.items() if book.scenes or EDITOR not in name}
     files: Files = {
@@ -237,7 +250,7 @@ def gather_assets(
         "js/book.js": book_script(book.settings, book.words),
         **{
             f"fonts/{name}": data
-            for name, data in subset_fonts(chosen_faces(book.settings, root)).items()
+            for name, data in subset_fonts((*chosen_faces(book.settings, root), *used)).items()
         },
         **{f"stills/{name}": data for name, data in pictures.items()},
         **{f"content/{name}": file for name, file in content.items() if name.endswith(SUFFIXES)},
