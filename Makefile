@@ -54,6 +54,9 @@ pdf: $(VENV)/test.stamp $(VENV)/chromium.stamp
 epub: $(VENV)/book.stamp
 	@$(BIN)/python -m site_builder epub
 
+# One thread in each process, since the processes share the cores already.
+test test-quick: export OPENBLAS_NUM_THREADS = 1
+
 test: $(VENV)/test.stamp $(VENV)/chromium.stamp
 	@$(BIN)/python -m pytest $(PARALLEL)
 

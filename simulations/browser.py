@@ -27,6 +27,7 @@ __all__ = [
     "judge",
     "measure",
     "photograph",
+    "prepare",
     "pull",
     "render",
     "render_edited",
@@ -93,6 +94,11 @@ def render_edited(figure: str, scene_id: str, values: str, tier: str, edits: str
         problem = asdict(problem_with(error, edits))
     text = json.dumps(problem, ensure_ascii=False)
     return EditedReply(reply, text, printed.getvalue()[:MOST_PRINTED])
+
+
+def prepare(scene_id: str) -> None:
+    """Import a scene, so that its frames can be asked for. Raises `UnknownIdError`."""
+    load_scene(scene_id)
 
 
 def _reply(frame: Frame) -> Reply:

@@ -50,7 +50,7 @@ class PartFinder:
         try:
             self._fetch(part)
         except Exception as error:  # whatever keeps the page from having it
-            raise ImportError(f"{part} could not be fetched: {error}", name=name) from error
+            raise ImportError(f"{part}: {error}", name=name) from error
         finally:
             self._fetching.remove(part)
         parent = name.rpartition(".")[0].replace(".", "/")

@@ -53,12 +53,13 @@ LADDER_MODULES: Mapping[str, str] = found("ladders", inside="ladder")
 
 def load_scene(scene_id: str) -> Scene[Any]:
     """The scene ``scene_id``: the ``SCENE`` of its module. Raises `UnknownIdError`."""
-    return import_module(scene_module(scene_id)).SCENE
+    return _value(scene_module(scene_id), "SCENE", Scene)
 
 
 def load_ladder(ladder_id: str) -> Ladder:
     """The ladder ``ladder_id``: the ``LADDER`` of its module. Raises `UnknownIdError`."""
-    return import_module(_module("ladder", ladder_id, "ladders", "ladder", LADDER_MODULES)).LADDER
+    module = _module("ladder", ladder_id, "ladders", "ladder", LADDER_MODULES)
+    return _value(module, "LADDER", Ladder)
 
 
 def scene_module(scene_id: str) -> str:
@@ -75,6 +76,15 @@ def _module(kind: str, wanted: str, room: str, inside: str, listed: Mapping[str,
         hint = suggestion(wanted, listed) or legal
         raise UnknownIdError(f"unknown {kind} {wanted!r}{hint}")
     return name if spec.submodule_search_locations is None else f"{name}.{inside}"
+
+
+def _value[T](module: str, name: str, kind: type[T]) -> T:
+    """What the module defines under that name. Raises `UnknownIdError` where it is of no use."""
+    found = getattr(import_module(module), name, None)
+    if not isinstance(found, kind):
+        given = "no" if found is None else f"{type(found).__name__} as"
+        raise UnknownIdError(f"{module} has {given} {name}; legal: a {kind.__name__}")
+    return found
 
 
 def _spec(name: str) -> ModuleSpec | None:

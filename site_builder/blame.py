@@ -15,6 +15,11 @@ def remember_place[E: BaseException](error: E, place: str) -> E:
     return error
 
 
+def is_remembered(error: BaseException) -> bool:
+    """Whether it comes from another process, or can go to one."""
+    return hasattr(error, REMEMBERED)
+
+
 def place_of(error: BaseException) -> str:
     """``simulations/scenes/orbit/scene.py:12``: the innermost line that is neither the builder's,
     nor the engine's, nor a library's; nothing where there is none."""

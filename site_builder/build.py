@@ -4,8 +4,9 @@ All pages are checked before one is written, so a mistake anywhere leaves the la
 it was. `render_site` touches no output folder: it returns the site in memory.
 """
 
-from collections.abc import Callable, Collection, Mapping
+from collections.abc import Callable, Collection, Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
+from functools import partial
 from pathlib import Path
 from typing import Any
 
@@ -15,6 +16,7 @@ from simulations.registry import LADDER_MODULES, SCENE_MODULES, load_ladder, loa
 from site_builder.blame import place_of
 from site_builder.book import Book
 from site_builder.book_root import ENGINE, own_or_engine
+from site_builder.charts.pareto import pareto_chart
 from site_builder.checks.declared import check_declarations
 from site_builder.checks.frames import check_frames
 from site_builder.checks.pictures import check_pictures
@@ -23,25 +25,29 @@ from site_builder.checks.whole_book import check_book
 from site_builder.diagnostics import BuildError, Diagnostic, Diagnostics
 from site_builder.editor.bundle import EditorBundle, EditorBundleError, bundle_editor
 from site_builder.editor.sources import scene_sources
-from site_builder.kept.files import folder_hash
-from site_builder.kept.keeper import kept_as, reads_file, reads_folder
+from site_builder.kept.ahead import Ask, helpers
+from site_builder.kept.files import folder_files, folder_hash
+from site_builder.kept.keeper import kept_as, reads_folder
 from site_builder.kept.told import kept_reading
 from site_builder.markdown.directives.figure import SUFFIXES
 from site_builder.markdown.directives.ladder import LadderFigure
 from site_builder.measured.measurements import read_measurements
 from site_builder.offline.manifest import MANIFEST, manifest
+from site_builder.offline.release import SCRIPT as RELEASE_SCRIPT
 from site_builder.offline.release import integrity, no_release, release_files
-from site_builder.output.assets import Content, content_bytes, folder_files, hashed_folder
+from site_builder.output.assets import Content, content_bytes, hashed_folder
 from site_builder.output.book_files import book_css, book_script
-from site_builder.output.font_faces import chosen_faces, face_rule, used_maths
+from site_builder.output.font_faces import Face, chosen_faces, face_rule, used_maths
 from site_builder.output.fonts import subset_fonts
+from site_builder.output.scripts import imported_scripts, reachable
 from site_builder.output.style_sheets import join_style_sheets, without_comments
 from site_builder.output.writer import write_site
 from site_builder.page_model.blocks import contents
 from site_builder.pages.catalogue import catalogue
+from site_builder.pages.features import kinds_script, parts_script, sheets_not_for, shown_in
 from site_builder.pages.formulae import formula_characters
 from site_builder.pages.licences import Licence, gather_licences
-from site_builder.pages.render import Site, render_pages, render_template
+from site_builder.pages.render import Site, back_matter, render_pages, render_template
 from site_builder.pages.stills import Stills, render_stills
 from site_builder.publishing.cards import make_cards
 from site_builder.publishing.compressed import compressed_copies
@@ -49,27 +55,32 @@ from site_builder.publishing.hosting import host_files
 from site_builder.publishing.icons import make_icons
 from site_builder.publishing.listings import make_listings
 from site_builder.runtime.freeze import MissingModuleError
-from site_builder.runtime.pack import Modules, RuntimeBundle, pack_runtime
+from site_builder.runtime.modules import Modules
+from site_builder.runtime.pack import RuntimeBundle, pack_runtime
 from site_builder.runtime.pinned import Versions
 from site_builder.runtime.store import is_whole
 from site_builder.search.index import ADDRESS as SEARCH_INDEX
 from site_builder.search.index import index_of
 from site_builder.search.library import SearchLibrary, SearchLibraryError, fetch_library
-from site_builder.search.records import explained_terms, make_records
+from site_builder.search.records import Record, explained_terms, make_records
 from site_builder.source import read_book
+from site_builder.tools import tools
 
 RUNTIME = Path(__file__).parent / "runtime"
 """What makes it, with programs for other interpreters."""
 NOW = "assets/now/"
 """Folder of the assets while the book is written: a changed style sheet changes no page."""
+RUNTIME_NOW = "runtime/now/"
+"""Likewise of the browser's Python: a changed scene changes the pages that show it."""
 LIBRARY = "search"
 """Folder of what searches, among the assets."""
-EDITOR = "js/editor/"
-"""Scripts that open the Python of figures."""
 STYLE_SHEET = "css/book.css"
 """The one that pages hold or, while the book is written, link to, below ``static/``."""
-IN_HEAD = ("js/main.js",)
-"""Scripts that the head of a page names."""
+SCRIPT = "js/main.js"
+IN_HEAD = (SCRIPT, "js/runtime/begin.js")
+"""Scripts that the head of a page runs."""
+ENTRIES = (*IN_HEAD, RELEASE_SCRIPT)
+"""Scripts that something else than a script asks for."""
 
 type Files = Mapping[str, Content]
 type Write = Callable[[Files, Path], object]
@@ -123,12 +134,13 @@ def build_site(
 
 @dataclass(frozen=True, slots=True)
 class RenderedSite:
-    """The site, with the index of its search still to be made: that takes longer than all else of
-    a rebuild."""
+    """The site, with its search still to be made: that takes longer than all else of a rebuild."""
 
     files: Files
-    index: Callable[[], Files]
-    """Nothing where there is no search."""
+    records: Callable[[], Sequence[Record]]
+    """What can be found; nothing where there is no search."""
+    index: Callable[[Sequence[Record]], Files]
+    """Of these records; nothing where there is no search."""
     finish: Callable[[Files], Files]
     """What follows from all files."""
 
@@ -136,14 +148,18 @@ class RenderedSite:
 def render_site(options: Options) -> Files:
     """Every file of the site. Raises `BuildError` with all mistakes found."""
     site = render_parts(options)
-    files = {**site.files, **site.index()}
+    files = {**site.files, **site.index(site.records())}
     return {**files, **site.finish(files)}
 
 
 def render_parts(options: Options) -> RenderedSite:
     """The site in parts. Raises `BuildError` with all mistakes found."""
-    book, stills, pictures = check_site(options)
-    runtime, runtime_files, versions = _runtime(options, book)
+    with helpers() as beside:
+        beside.begin([*tools(options.root, runtime=options.runtime, search=options.search)])
+        book, stills, pictures = check_site(options)
+        beside.begin([*_charts(book), *_sources(options, book)])
+        beside.join()
+    runtime, runtime_files, bundle = _runtime(options, book)
     editor, library = _editor(options, book), _search_library(options, book)
     scripts = {f"{LIBRARY}/{name}": path for name, path in library.scripts.items()}
     made = {
@@ -156,24 +172,32 @@ def render_parts(options: Options) -> RenderedSite:
     folder = NOW if options.reload else ""
     assets, asset_files = gather_assets(book, options.root, pictures, made, folder)
     site = Site(
-        options.root, book, stills, assets, runtime, bool(editor.script),
-        search=bool(scripts), reload=options.reload, **_in_page(asset_files, assets, options),
+        options.root, book, stills, assets, runtime, code_editor=bool(editor.script),
+        sources=bundle.sources, search=bool(scripts), reload=options.reload,
+        **_in_page(asset_files, assets, options),
     )  # fmt: skip
-    licences = _licences(options.root, versions, editor, library, book)
+    licences = _licences(options.root, bundle.versions, editor, library, book)
     pages = render_pages(site, licences)
-    records = make_records(pages, explained_terms(book)) if scripts else ()
     static = own_or_engine(options.root, "static")
+
+    def records() -> Sequence[Record]:
+        return make_records(pages, explained_terms(book)) if scripts else ()
+
+    def index(records: Sequence[Record]) -> Files:
+        return {SEARCH_INDEX: index_of(records, library, static, book.words)} if scripts else {}
+
     files = {
         **pages,
         **_outside(options, book, pages, stills, pictures),
         **asset_files,
         **runtime_files,
-        "book.json": catalogue(book, versions),
+        "book.json": catalogue(book, bundle.versions),
         MANIFEST: manifest(book.title, book.subtitle, assets, book.words.language),
     }
     return RenderedSite(
         files,
-        lambda: {SEARCH_INDEX: index_of(records, library, static, book.words)} if scripts else {},
+        records,
+        index,
         lambda files: no_release(assets) if options.reload else _finished(files, assets, book),
     )
 
@@ -187,14 +211,15 @@ def _finished(files: Files, assets: str, book: Book) -> Files:
 
 
 def _in_page(files: Files, assets: str, options: Options) -> dict[str, Any]:
-    """What a page holds of its assets, besides their addresses. While the book is written nothing,
-    so that a changed style sheet changes no page."""
+    """What a page holds of its assets, besides their addresses. While the book is written no more
+    than the scripts' names, so that a changed style sheet changes no page."""
+    scripts = _scripts(files, assets)
     if options.reload:
-        return {}
+        return {"scripts": scripts}
     sheet = content_bytes(files[assets + STYLE_SHEET]).decode("utf-8")
-    named = {name: files[assets + name] for name in IN_HEAD if assets + name in files}
+    named = {name: files[assets + name] for name in (*IN_HEAD, *scripts) if assets + name in files}
     hashes = {name: integrity(content_bytes(file)) for name, file in named.items()}
-    return {"styles": without_comments(sheet), "hashes": hashes}
+    return {"scripts": scripts, "styles": without_comments(sheet), "hashes": hashes}
 
 
 def check_site(options: Options) -> tuple[Book, Stills, dict[str, bytes]]:
@@ -204,7 +229,7 @@ def check_site(options: Options) -> tuple[Book, Stills, dict[str, bytes]]:
     measurements = read_measurements(options.root, problems, options.load_ladder)
     book = read_book(options.root, problems, options.load_scene, measurements)
     check_book(book, problems)
-    _check_pictures(options.root, problems, trusted=book.settings.trust.raw_html)
+    check_pictures(options.root, problems, trusted=book.settings.trust.raw_html)
     stills, pictures = render_stills(book, problems, strips=options.runtime and not options.reload)
     check_frames(book, stills, own_or_engine(options.root, "static"), problems)
     for warning in sorted(set(problems.doubts)):
@@ -226,14 +251,6 @@ def _check_declared(root: Path, problems: Diagnostics) -> None:
     kept_reading("declared", str(root), problems, check)
 
 
-def _check_pictures(root: Path, problems: Diagnostics, *, trusted: bool) -> None:
-    def check(own: Diagnostics) -> None:
-        reads_folder(root / "content")
-        check_pictures(root, own, trusted=trusted)
-
-    kept_reading("pictures", f"{root} {trusted}", problems, check)
-
-
 def gather_assets(
     book: Book, root: Path, pictures: Mapping[str, bytes], made: Files, folder: str = ""
 ) -> tuple[str, Files]:
@@ -242,12 +259,8 @@ def gather_assets(
     content = folder_files(root / "content")
     # While the book is written, a new letter in a formula is to change no style sheet.
     used = () if folder else (used_maths(formula_characters(book)),)
-    own = book_css(book.settings, book.words) + "".join(map(face_rule, used))
-    engine = folder_files(own_or_engine(root, "static"))
-    wanted = {name: file for name, file in engine.items() if book.scenes or EDITOR not in name}
     files: Files = {
-        **join_style_sheets(wanted, STYLE_SHEET, own),
-        "js/book.js": book_script(book.settings, book.words),
+        **_engine_files(book, folder_files(own_or_engine(root, "static")), used),
         **{
             f"fonts/{name}": data
             for name, data in subset_fonts((*chosen_faces(book.settings, root), *used)).items()
@@ -261,6 +274,29 @@ def gather_assets(
     return hashed_folder("assets", files)
 
 
+def _engine_files(book: Book, static: Files, faces: Iterable[Face]) -> Files:
+    """Of the engine's style sheets and scripts those that the book uses, with rules for ``faces``
+    that are the book's own."""
+    shown = shown_in(book, dict(back_matter(book)))
+    own = book_css(book.settings, book.words) + "".join(map(face_rule, faces))
+    files = {
+        **join_style_sheets(static, STYLE_SHEET, own, without=sheets_not_for(shown)),
+        "js/book.js": book_script(book.settings, book.words),
+        "js/book_parts.js": parts_script(shown),
+        "js/question/book_kinds.js": kinds_script(shown),
+    }
+    used = reachable(files, ENTRIES) | {STYLE_SHEET}
+    loaded = ("css/", "js/")
+    return {
+        name: file for name, file in files.items() if name in used or not name.startswith(loaded)
+    }
+
+
+def _scripts(files: Files, assets: str) -> tuple[str, ...]:
+    """What pages run at once, below the folder ``assets``."""
+    return imported_scripts({name.removeprefix(assets): files[name] for name in files}, SCRIPT)
+
+
 def _strips(stills: Stills) -> Files:
     strips = [still.strip for still in stills.values() if still.strip]
     return {f"strips/{strip.file}": strip.data for strip in strips}
@@ -272,18 +308,23 @@ def _handed_out(options: Options, book: Book) -> Files:
     return {f"content/{name}": options.root / "content" / name for name in sorted(names)}
 
 
-def _runtime(options: Options, book: Book) -> tuple[str, dict[str, Content], Versions]:
+def _runtime(options: Options, book: Book) -> tuple[str, Files, RuntimeBundle]:
     """Python for the browser, with the scenes and ladders inside that the book shows."""
-    bundle = pack_for_browser(options.root, book) if options.runtime else None
+    root, compiled = options.root, not options.reload
+    bundle = pack_for_browser(root, book, compiled=compiled) if options.runtime else None
     if bundle is None:
-        return "", {}, Versions()
+        return "", {}, RuntimeBundle({}, Versions())
+    if options.reload:
+        there: Files = {RUNTIME_NOW + name: content for name, content in bundle.files.items()}
+        return RUNTIME_NOW, there, bundle
     folder, files = hashed_folder("runtime", dict(bundle.files))
-    return folder, files, bundle.versions
+    return folder, files, bundle
 
 
-def pack_for_browser(root: Path, book: Book) -> RuntimeBundle | None:
+def pack_for_browser(root: Path, book: Book, *, compiled: bool) -> RuntimeBundle | None:
     """What the browser runs, with the scenes and ladders inside that the book shows; None of a book
-    that shows none. Raises `BuildError` where it could not run it."""
+    that shows none. An author who tries a change does not wait until it is ``compiled``. Raises
+    `BuildError` where the browser could not run it."""
     scenes = {scene.id for scene in book.scenes}
     ladders = {item.measured.ladder.id for item in _shown(book, LadderFigure)}
     if not (scenes or ladders):
@@ -293,6 +334,7 @@ def pack_for_browser(root: Path, book: Book) -> RuntimeBundle | None:
             root / "simulations",
             _only(SCENE_MODULES, scenes),
             _only(LADDER_MODULES, ladders),
+            compiled=compiled,
         )
     except MissingModuleError as error:
         path, _, line = error.place.rpartition(":")
@@ -303,15 +345,17 @@ def pack_for_browser(root: Path, book: Book) -> RuntimeBundle | None:
         raise BuildError([Diagnostic(path, int(line), f"no Python: {error.msg}")]) from error
 
 
-def _bundle(simulations: Path, scenes: Modules, ladders: Modules) -> RuntimeBundle:
+def _bundle(
+    simulations: Path, scenes: Modules, ladders: Modules, *, compiled: bool
+) -> RuntimeBundle:
     """The runtime, packed anew where nothing is kept of these sources or files of it are gone."""
 
     def pack() -> RuntimeBundle:
         reads_folder(RUNTIME)
-        return pack_runtime(simulations, scenes=scenes, ladders=ladders)
+        return pack_runtime(simulations, scenes=scenes, ladders=ladders, compiled=compiled)
 
     sources = [folder_hash(folder, "*.py") for folder in (simulations, ENGINE / "simulations")]
-    bundle = kept_as("runtime", (sources, scenes, ladders), pack)[0]
+    bundle = kept_as("runtime", (sources, scenes, ladders, compiled), pack)[0]
     return bundle if all(map(is_whole, bundle.files.values())) else pack()
 
 
@@ -321,8 +365,6 @@ def _licences(
     given = (versions, editor.packages, search.packages, book.settings, book.words)
 
     def gather() -> tuple[Licence, ...]:
-        reads_file(root / "LICENSE")
-        reads_folder(root / "content")
         return gather_licences(root, *given)
 
     return kept_as("licences", given, gather)[0]
@@ -360,6 +402,11 @@ def _search_library(options: Options, book: Book) -> SearchLibrary:
         return SearchLibrary({})
 
 
+def _charts(book: Book) -> list[Ask]:
+    shown = _shown(book, LadderFigure)
+    return [partial(pareto_chart, item.measured, book.words) for item in shown]
+
+
 def _outside(
     options: Options, book: Book, pages: Files, stills: Stills, pictures: Mapping[str, bytes]
 ) -> Files:
@@ -367,6 +414,12 @@ def _outside(
     if not book.address:
         return {}
     return {**make_listings(book, pages), **make_cards(book, stills, pictures, options.root)}
+
+
+def _sources(options: Options, book: Book) -> list[Ask]:
+    """In one, since scenes share modules."""
+    shown = book.scenes if options.runtime else ()
+    return [lambda: [scene_sources(scene) for scene in shown]]
 
 
 def _python(options: Options, book: Book, editor: EditorBundle) -> Files:

@@ -47,7 +47,7 @@ def find(options: Options, *, links: bool = False) -> Sequence[Diagnostic]:
     try:
         book, *_ = check_site(replace(options, warn=found.append))
         if options.runtime:
-            pack_for_browser(options.root, book)
+            pack_for_browser(options.root, book, compiled=False)
         if links:
             found += check_outside_links(outside_links(book))
     except BuildError as error:

@@ -18,6 +18,7 @@ from site_builder.beside.symbols import read_symbols
 from site_builder.book import OUTLINE, Book
 from site_builder.chapters import Page, Shared, targets_hash
 from site_builder.diagnostics import Diagnostics, unknown
+from site_builder.kept.ahead import Ask, make_ahead
 from site_builder.kept.keeper import reads_file
 from site_builder.kept.told import kept_reading
 from site_builder.languages.words import Words, load_words
@@ -116,6 +117,11 @@ def read_book(
             macros=outline.macros,
         )
 
+    def read_ahead(page: Page) -> Ask:
+        return lambda: page.read(targets, known, Diagnostics())
+
+    longest_first = sorted(pages, key=lambda page: -len(page.text))
+    make_ahead([read_ahead(page) for page in longest_first])
     given = (known, words, tuple(sorted(outline.macros.items())))
 
     def definitions(own: Diagnostics) -> tuple[Definition, ...]:
@@ -190,7 +196,7 @@ def _positions(settings: Settings, words: Words) -> Iterator[tuple[str, Position
 
 
 def _chapter_files(root: Path) -> list[str]:
-    return sorted(file.stem for file in (root / "content").glob("*.md"))
+    return sorted(file.stem for file in (root / "content").glob("*.md") if file.is_file())
 
 
 def _check_name(name: str, line: int, problems: Diagnostics) -> None:
@@ -215,7 +221,7 @@ def _check_unlisted(root: Path, outline: Outline, problems: Diagnostics) -> None
     included = {path for places in problems.spliced.values() for path, _ in places}
     for file in sorted((root / "content").rglob("*.md")):
         path = file.relative_to(root).as_posix()
-        if listed and path not in listed | included:
+        if listed and file.is_file() and path not in listed | included:
             problems.add(
                 path,
                 1,

@@ -3,6 +3,7 @@ reading goes on without it."""
 
 import re
 import tomllib
+from codecs import BOM_UTF16_BE, BOM_UTF16_LE
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
@@ -13,6 +14,7 @@ from site_builder.kept.keeper import reads_file
 
 HEAD = re.compile(r"\s*\[(\[?)([^\[\]]+)\]\]?\s*(?:#.*)?")
 KEY = re.compile(r"""\s*((?:[\w-]+|"[^"]*"|'[^']*')(?:\s*\.\s*(?:[\w-]+|"[^"]*"|'[^']*'))*)\s*=""")
+CONTROL = re.compile(r"[\x00-\x08\x0b\x0c\x0e-\x1f\x7f]")
 QUOTES = re.compile(r"\"\"\"|'''")
 
 type Keys = tuple[str | int, ...]
@@ -36,24 +38,36 @@ class Toml:
 
     def line_of_text(self, value: str, first: int = 1) -> int:
         """Where a text stands in quotes, looked for from line ``first``; this where it does not."""
-        quoted = (f'"{value}"', f"'{value}'")
-        for number, line in enumerate(self.text.split("\n")[first - 1 :], start=first):
-            if any(form in line for form in quoted):
-                return number
-        return first
+        start = 0
+        for _ in range(first - 1):
+            start = self.text.find("\n", start) + 1
+        found = [self.text.find(form, start) for form in (f'"{value}"', f"'{value}'")]
+        place = min((each for each in found if each >= 0), default=start)
+        return first + self.text.count("\n", start, place)
 
 
 def read_text(root: Path, path: str, problems: Diagnostics) -> str:
     """The file below ``root``, with or without the mark that some editors put before the text."""
     reads_file(root / path)
     data = (root / path).read_bytes()
+    if data.startswith((BOM_UTF16_LE, BOM_UTF16_BE)):
+        problems.add(path, 1, "UTF-16; legal: UTF-8")
+        data = data.decode("utf-16", errors="replace").encode()
     try:
         text = data.decode("utf-8-sig")
     except UnicodeDecodeError as error:
         line = data.count(b"\n", 0, error.start) + 1
         problems.add(path, line, f"byte 0x{data[error.start]:02x} is not UTF-8; legal: UTF-8")
         text = data.decode("utf-8-sig", errors="replace")
-    return text.replace("\r\n", "\n")
+    return _without_controls(text.replace("\r\n", "\n"), path, problems)
+
+
+def _without_controls(text: str, path: str, problems: Diagnostics) -> str:
+    """No page can show such a character, and an e-book with one in it cannot be opened."""
+    for found in CONTROL.finditer(text):
+        line = text.count("\n", 0, found.start()) + 1
+        problems.add(path, line, f"control character U+{ord(found[0]):04X}; legal: visible text")
+    return CONTROL.sub(" ", text)
 
 
 def read_toml(root: Path, path: str, problems: Diagnostics) -> Toml | None:

@@ -15,6 +15,7 @@ from playwright.sync_api import Browser, expect, sync_playwright
 from support.chromium import HOW_TO, find_chromium, launch_arguments
 from support.reader import DESK, Reader, visit
 from support.static_server import StaticServer, serving
+from support.turns import Turn, deal
 
 ROOT = Path(__file__).resolve().parents[1]
 
@@ -26,23 +27,27 @@ expect.set_options(timeout=30_000)  # a machine that is busy answers late
 
 
 def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
-    """The longest go first, then what needs the site: one worker builds it while the others test
-    the rest.
+    """In an order that keeps all workers busy to the end: see `support.turns`.
 
     A test in a browser that fails is tried once more under continuous integration, and told of:
     there other work can starve it for seconds.
     """
-    items.sort(key=lambda item: (not marked(item, "long"), not marked(item, "browser")))
+    items[:] = deal(items, int(os.environ.get("PYTEST_XDIST_WORKER_COUNT", 1)), turn)
     if os.environ.get("CI"):
         for item in items:
             if marked(item, "browser"):
                 item.add_marker(pytest.mark.flaky(reruns=1))
 
 
+def turn(item: pytest.Item) -> Turn:
+    return Turn(str(item.path), marked(item, "long"), marked(item, "browser"))
+
+
 def marked(item: pytest.Item, name: str) -> bool:
     return item.get_closest_marker(name) is not None
 
 
+@pytest.hookimpl(optionalhook=True)
 def pytest_xdist_auto_num_workers(config: pytest.Config) -> int | None:
     """One more than there are cores: tests of the browser often wait for it to paint or to rest."""
     return None if "not browser" in config.option.markexpr else (os.cpu_count() or 1) + 1
@@ -87,6 +92,7 @@ def server(site_server: StaticServer) -> Iterator[StaticServer]:
     """The served book; what a test damages is whole again after it."""
     yield site_server
     site_server.damaged.clear()
+    site_server.faults.clear()
 
 
 @pytest.fixture(scope="session")

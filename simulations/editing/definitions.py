@@ -6,9 +6,14 @@ from dataclasses import dataclass
 from importlib import import_module
 from inspect import unwrap
 from typing import Any
+from zipimport import zipimporter
 
 ROOMS = ("models", "pictures", "ladders", "scenes")
 """Parts of ``simulations`` that may be rewritten; the engine below runs all figures alike."""
+
+
+SOURCES = "/lib/simulations.zip"
+"""Where the browser has the sources of modules that it runs as byte code."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -33,7 +38,7 @@ def module_source(module: str) -> str:
     if not is_editable(module):
         raise ValueError(f"module {module!r}; legal: one in simulations/{', '.join(ROOMS)}")
     loader: Any = import_module(module).__loader__
-    return str(loader.get_source(module))
+    return str(loader.get_source(module) or zipimporter(SOURCES).get_source(module))
 
 
 def definitions(source: str) -> dict[str, Definition]:

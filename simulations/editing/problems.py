@@ -6,13 +6,15 @@ from traceback import walk_tb
 
 from simulations.editing.definitions import is_editable
 from simulations.editing.program import Place, RefusedEditError
+from simulations.engine.said import Said
 
 
 @dataclass(frozen=True, slots=True)
 class Problem:
     """An exception, and the line of the reader's that it came from."""
 
-    message: str
+    message: str | Said
+    """What Python says, or the engine."""
     definition: str = ""
     """``MODULE:NAME`` of the edited definition; nothing where none of them was at work."""
     line: int = 0
@@ -26,7 +28,7 @@ def problem_of(error: BaseException, places: Sequence[Place]) -> Problem:
     the message says where.
     """
     if isinstance(error, RefusedEditError):
-        return Problem(str(error), error.definition, error.line)
+        return Problem(error.message, error.definition, error.line)
     told = f"{type(error).__name__}: {error}".removesuffix(": ")
     steps = [
         (str(frame.f_globals.get("__name__")), line) for frame, line in walk_tb(error.__traceback__)
@@ -38,16 +40,19 @@ def problem_of(error: BaseException, places: Sequence[Place]) -> Problem:
         if place.holds(module, line)
     ]
     if not edited:
-        return Problem(told + _raised_in(steps, places))
+        return Problem(_with_place(told, steps, places))
     depth, place, line = edited[-1]
-    told += _raised_in(steps[depth + 1 :], places)
-    return Problem(told, place.definition, line - place.first + 1)
+    message = _with_place(told, steps[depth + 1 :], places)
+    return Problem(message, place.definition, line - place.first + 1)
 
 
-def _raised_in(steps: Sequence[tuple[str, int]], places: Sequence[Place]) -> str:
-    """The innermost of the steps that is the book's, in words: its line in the book's file."""
+def _with_place(
+    error: str, steps: Sequence[tuple[str, int]], places: Sequence[Place]
+) -> str | Said:
+    """With the line in the book's file of the innermost of the steps that is the book's."""
     for module, line in reversed(steps):
         if is_editable(module):
             above = (p.added for p in places if p.module == module and p.first < line)
-            return f" (raised in {module.replace('.', '/')}.py, line {line - sum(above)})"
-    return ""
+            place = {"file": f"{module.replace('.', '/')}.py", "line": str(line - sum(above))}
+            return Said("workshop.raised_in", {"error": error, **place})
+    return error

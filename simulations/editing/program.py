@@ -22,6 +22,7 @@ from simulations.editing.definitions import (
     is_editable,
     module_source,
 )
+from simulations.engine.said import Said
 
 type Edits = Mapping[str, str]
 """Definition, ``MODULE:NAME``, to the text in its place."""
@@ -30,8 +31,9 @@ type Edits = Mapping[str, str]
 class RefusedEditError(Exception):
     """A text that cannot stand in the place of its definition."""
 
-    def __init__(self, definition: str, line: int, message: str) -> None:
+    def __init__(self, definition: str, line: int, message: str | Said) -> None:
         super().__init__(message)
+        self.message = message
         self.definition = definition
         self.line = line
         """Line of the text, from 1."""
@@ -115,8 +117,7 @@ def _check(definition: str, text: str) -> None:
     except SyntaxError as error:
         raise RefusedEditError(definition, error.lineno or 1, f"SyntaxError: {error.msg}") from None
     if name not in {defined_name(statement) for statement in statements}:
-        message = f"the text does not define {name!r}; legal: it does, and anything beside it"
-        raise RefusedEditError(definition, 1, message)
+        raise RefusedEditError(definition, 1, Said("workshop.undefined", {"name": name}))
 
 
 class _EditedLoader:

@@ -2,11 +2,13 @@
 
 import json
 from collections.abc import Sequence
-from dataclasses import dataclass, field
+from dataclasses import asdict, dataclass, field
 from typing import Literal
 
 import numpy as np
 from numpy.typing import NDArray
+
+from simulations.engine.said import Said
 
 type Raster = NDArray[np.uint8]
 
@@ -96,7 +98,8 @@ class StageReport:
 
     name: str
     status: Literal["computed", "reused", "skipped"]
-    reason: str
+    reason: str | tuple[Said, ...]
+    """Why: in the scene's own words, or what the engine says."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -224,7 +227,7 @@ def to_json(frame: Frame) -> str:
             ],
             "description": frame.description,
             "stages": [
-                {"name": stage.name, "status": stage.status, "reason": stage.reason}
+                {"name": stage.name, "status": stage.status, "reason": _reason(stage)}
                 for stage in frame.stages
             ],
             "handles": [
@@ -234,4 +237,10 @@ def to_json(frame: Frame) -> str:
         },
         ensure_ascii=False,
         allow_nan=False,
+    )
+
+
+def _reason(stage: StageReport) -> object:
+    return (
+        stage.reason if isinstance(stage.reason, str) else [asdict(part) for part in stage.reason]
     )

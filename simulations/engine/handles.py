@@ -17,6 +17,7 @@ import inspect
 import math
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
+from numbers import Real
 from typing import Any, Literal
 
 from simulations.engine.controls import Control, Slider, Value
@@ -69,6 +70,8 @@ def places(
             legal = ", ".join(sizes)
             raise ValueError(f"handle {handle.name!r}: panel {handle.panel!r}; legal: {legal}")
         place = handle.at(settings, outputs)
+        if place is not None and not _is_point(place):
+            raise TypeError(f"handle {handle.name!r}: at gives {place!r}; legal: (x, y) or None")
         if place is None or not all(map(math.isfinite, place)):
             continue
         x, y = (float(value) for value in place)
@@ -96,7 +99,11 @@ def pulled(
     by_name = {control.name: control for control in controls}
     values: dict[str, Value] = {}
     shown = {"tier": tier} if "tier" in inspect.signature(handle.pull).parameters else {}
-    for name, wanted in handle.pull(settings, place, **shown).items():
+    given = handle.pull(settings, place, **shown)
+    if not isinstance(given, Mapping):
+        legal = ", ".join(f"{name!r}: …" for name in handle.drives)
+        raise TypeError(f"handle {handle.name!r}: pull gives {given!r}; legal: {{{legal}}}")
+    for name, wanted in given.items():
         if name not in handle.drives:
             legal = ", ".join(handle.drives)
             raise ValueError(f"handle {handle.name!r}: a pull changes {name!r}; legal: {legal}")
@@ -106,6 +113,10 @@ def pulled(
         elif not math.isnan(float(wanted)):
             values[name] = control.nearest(float(wanted))
     return values
+
+
+def _is_point(place: object) -> bool:
+    return isinstance(place, tuple) and len(place) == 2 and all(isinstance(v, Real) for v in place)
 
 
 def mistakes(handles: tuple[Handle[Any], ...], controls: tuple[Control, ...]) -> list[str]:

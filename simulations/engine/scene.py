@@ -48,6 +48,9 @@ class Scene[S]:
     """The controls whose drags need the draft; all of them where none is named."""
     drafted_in: Mapping[str, tuple[str, ...]] = field(default_factory=dict)
     """Further controls by tier, where a dear one must redo what the default keeps at hand."""
+    own_drafts: Mapping[str, tuple[str, ...]] = field(default_factory=dict)
+    """Drafts that are no tiers, since they are of use only while one of their controls is dragged:
+    there they stand in for the default tier and for all dearer ones."""
     ladder: str = ""
     """The ladder that the tiers are rungs of: it labels them and tells what they cost. Without
     tiers, a control of the scene's own chooses between its rungs."""
@@ -61,6 +64,7 @@ class Scene[S]:
         if not self.draft_tier:
             object.__setattr__(self, "draft_tier", self.default_tier)
         for mistake in (
+            *self._wrong_stages(),
             *self._wrong_buttons(),
             *self._wrong_tiers(),
             *self._wrong_drafts(),
@@ -134,7 +138,19 @@ class Scene[S]:
             yield from self.estimate(settings, outputs, self._settled(tier))
 
     def _settled(self, tier: str) -> str:
-        return tier if tier in self.tiers else self.default_tier
+        return tier if tier in (*self.tiers, *self.own_drafts) else self.default_tier
+
+    def drafts_of(self, tier: str) -> dict[str, str]:
+        """By control, the draft of its own that answers its drags in place of a tier."""
+        dear = tier in self.tiers[self.tiers.index(self.default_tier) :] if self.tiers else True
+        drafts = self.own_drafts.items() if dear else ()
+        return {control: draft for draft, controls in drafts for control in controls}
+
+    def _wrong_stages(self) -> Iterator[str]:
+        names = [stage.name for stage in self.stages]
+        for name in dict.fromkeys(names):
+            if names.count(name) > 1:
+                yield f"two stages named {name!r}; legal: a name for each"
 
     def _wrong_buttons(self) -> Iterator[str]:
         sliders = [control.name for control in self.controls if isinstance(control, Slider)]
@@ -158,6 +174,10 @@ class Scene[S]:
         names = [control.name for control in self.controls]
         if not set(self.drafted_in) <= set(self.tiers):
             yield f"drafted_in {self.drafted_in}; legal: {self.tiers}"
-        for name in itertools.chain(self.drafted, *self.drafted_in.values()):
+        for draft in self.own_drafts:
+            if draft in self.tiers:
+                yield f"own draft {draft!r} is a tier; legal: another name"
+        drafts = (self.drafted, *self.drafted_in.values(), *self.own_drafts.values())
+        for name in itertools.chain(*drafts):
             if name not in names:
                 yield f"drafted {name!r}; legal: {names}"

@@ -12,7 +12,7 @@ rely on all come from its field.
 """
 
 from collections.abc import Callable, Mapping
-from dataclasses import Field, field, fields
+from dataclasses import Field, field, fields, is_dataclass
 from functools import lru_cache
 from typing import Any, cast
 
@@ -100,6 +100,9 @@ def controls_of(settings: type) -> tuple[Control, ...]:
 
 @lru_cache
 def _controls(settings: type) -> tuple[Control, ...]:
+    if not is_dataclass(settings) or not settings.__dataclass_params__.frozen:
+        legal = "@dataclass(frozen=True, slots=True)"
+        raise TypeError(f"settings {settings.__name__} can be changed; legal: {legal}")
     return tuple(_control(entry) for entry in fields(settings))
 
 

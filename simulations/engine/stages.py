@@ -16,6 +16,7 @@ from typing import Any
 from simulations.engine.controls import Value
 from simulations.engine.frame import StageReport
 from simulations.engine.photograph import Photograph
+from simulations.engine.said import Said
 
 type Parameter = Value | Photograph | None
 """What a stage may read: settings, the tier, and the reader's own picture."""
@@ -23,6 +24,10 @@ type Key = tuple[str, tuple[tuple[str, Parameter], ...], tuple[Key, ...]]
 """A stage's name, the parameters that it read, and the keys of its inputs."""
 type Outputs = Mapping[str, Any]
 """What each stage made, by its name; see `simulations.engine.scene.Scene.run` for what else."""
+
+
+UNNEEDED = (Said("workings.unneeded"),)
+UNCHANGED = (Said("workings.unchanged"),)
 
 
 @dataclass(frozen=True, slots=True)
@@ -73,7 +78,13 @@ class Stage:
         """Why the stage would change nothing now; empty where it would."""
         if self.neutral is None:
             return ""
-        return self.neutral(**_picked(self.neutral, parameters, f"stage {self.name!r} asks for"))
+        given = _picked(self.neutral, parameters, f"stage {self.name!r} asks for")
+        reason = self.neutral(**given)
+        if not isinstance(reason, str):
+            raise TypeError(
+                f"stage {self.name!r}: neutral gives {reason!r}; legal: why, as text, or ''"
+            )
+        return reason
 
 
 @lru_cache(maxsize=1024)
@@ -141,7 +152,7 @@ def run(stages: Sequence[Stage], parameters: Mapping[str, Parameter], cache: Sta
         _require(stage.reads, parameters, f"stage {stage.name!r} reads")
         reason = reasons[stage.name]
         if stage.name not in needed:
-            reports.append(StageReport(stage.name, "skipped", reason or "nothing takes it"))
+            reports.append(StageReport(stage.name, "skipped", reason or UNNEEDED))
             continue
         _require(stage.takes(bool(reason)), outputs, f"stage {stage.name!r} follows")
         if reason:
@@ -152,7 +163,7 @@ def run(stages: Sequence[Stage], parameters: Mapping[str, Parameter], cache: Sta
         key: Key = (stage.name, tuple(read.items()), tuple(keys[name] for name in stage.after))
         found, output = cache.get(stage.name, key)
         if found:
-            reports.append(StageReport(stage.name, "reused", "nothing it reads has changed"))
+            reports.append(StageReport(stage.name, "reused", UNCHANGED))
         else:
             output = stage.compute(*(outputs[name] for name in stage.after), **read)
             reports.append(StageReport(stage.name, "computed", _why(stage, key, cache)))
@@ -174,19 +185,21 @@ def _needed(stages: Sequence[Stage], reasons: Mapping[str, str]) -> set[str]:
 def _require(names: Sequence[str], known: Mapping[str, object], who: str) -> None:
     for name in names:
         if name not in known:
-            raise KeyError(f"{who} {name!r}; legal: {', '.join(known)}")
+            raise KeyError(f"{who} {name!r}; legal: {', '.join(known) or 'none'}")
 
 
-def _why(stage: Stage, key: Key, cache: StageCache) -> str:
-    """What has changed since the most similar result that is kept, in words for the page.
+def _why(stage: Stage, key: Key, cache: StageCache) -> tuple[Said, ...]:
+    """What has changed since the most similar result that is kept.
 
     Where none is kept, what the stage depends on.
     """
     kept = cache.entries.get(stage.name, {})
     changes = min((_changes(stage, key, old) for old in kept), key=len, default=())
-    told = {"changed:": changes} if changes else {"reads": stage.reads, "follows": stage.after}
-    words = (f"{verb} {_in_words(names)}" for verb, names in told.items() if names)
-    return "; ".join(words) or "depends on nothing"
+    if changes:
+        return (Said("workings.changed", _named(changes)),)
+    reads = (Said("workings.reads", _named(stage.reads)),) if stage.reads else ()
+    follows = (Said("workings.follows", _named(stage.after)),) if stage.after else ()
+    return (*reads, *follows) or (Said("workings.independent"),)
 
 
 def _changes(stage: Stage, key: Key, kept: Key) -> tuple[str, ...]:
@@ -199,5 +212,5 @@ def _changes(stage: Stage, key: Key, kept: Key) -> tuple[str, ...]:
     )
 
 
-def _in_words(names: Sequence[str]) -> str:
-    return ", ".join(name.replace("_", " ") for name in names)
+def _named(names: Sequence[str]) -> dict[str, str]:
+    return {"names": ", ".join(name.replace("_", " ") for name in names)}

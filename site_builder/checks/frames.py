@@ -3,12 +3,14 @@ it is no larger than a page can carry."""
 
 import re
 from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
 from pathlib import Path
 
 from simulations.engine.frame import Panel
 from site_builder.book import Book
 from site_builder.checks.svg import read_overlay
 from site_builder.diagnostics import Diagnostics, unknown
+from site_builder.kept.keeper import kept, kept_as, reads_folder
 from site_builder.markdown.directives.illustration import Drawn
 from site_builder.page_model.blocks import Block
 from site_builder.pages.stills import Stills
@@ -18,6 +20,14 @@ MOST_LETTERS, MANY_LETTERS = 1_000_000, 250_000
 """What is refused, and what is warned of: a slider draws it anew at every step."""
 CLASS = re.compile(r"\.([A-Za-z][\w-]*)")
 NO_NUMBER = re.compile(r"[\s,\"'](-?(?:nan|inf))[\s,\"']")
+
+
+@dataclass(frozen=True, slots=True)
+class _Overlay:
+    """What was found in the drawing of a panel."""
+
+    faults: tuple[str, ...]
+    classes: frozenset[str]
 
 
 def check_frames(book: Book, stills: Stills, static: Path, problems: Diagnostics) -> None:
@@ -38,9 +48,15 @@ def check_frames(book: Book, stills: Stills, static: Path, problems: Diagnostics
 
 def known_classes(static: Path) -> frozenset[str]:
     """Classes that the style sheets speak of; none where these say nothing of drawings."""
-    texts = [file.read_text(encoding="utf-8") for file in sorted((static / "css").glob("*.css"))]
-    names = frozenset(name for text in texts for name in CLASS.findall(text))
-    return names if "overlay" in names else frozenset()
+    folder = static / "css"
+
+    def find() -> frozenset[str]:
+        reads_folder(folder)
+        texts = [file.read_text(encoding="utf-8") for file in sorted(folder.glob("*.css"))]
+        names = frozenset(name for text in texts for name in CLASS.findall(text))
+        return names if "overlay" in names else frozenset()
+
+    return kept_as("classes", str(folder), find)[0]
 
 
 def _all(blocks: Sequence[Block]) -> Iterator[Block]:
@@ -69,13 +85,20 @@ def _faults(panel: Panel, pixels: int, known: frozenset[str]) -> Iterator[str]:
     if len(panel.overlay) > MOST_LETTERS:
         yield f"an overlay of {len(panel.overlay):,} letters; legal: at most {MOST_LETTERS:,}"
         return
-    drawing = read_overlay(panel.overlay)
-    yield from (f"overlay: {fault.message}" for fault in drawing.faults[:3])
-    if found := NO_NUMBER.search(panel.overlay):
-        yield f"overlay: {found[1]!r} as a place or a size; legal: a finite number"
+    overlay = _read(panel.overlay)
+    yield from overlay.faults
     if known:
-        strange = sorted(drawing.classes - known)
+        strange = sorted(overlay.classes - known)
         yield from (unknown("class", name, sorted(known)) for name in strange)
+
+
+@kept
+def _read(markup: str) -> _Overlay:
+    drawing = read_overlay(markup)
+    faults = [f"overlay: {fault.message}" for fault in drawing.faults[:3]]
+    if found := NO_NUMBER.search(markup):
+        faults.append(f"overlay: {found[1]!r} as a place or a size; legal: a finite number")
+    return _Overlay(tuple(faults), drawing.classes)
 
 
 def _doubts(panel: Panel, pixels: int) -> Iterator[str]:

@@ -1,7 +1,8 @@
 """Links that lead out of the book, followed: only where an author asks, for it needs a network.
 
 Hosts are asked side by side, and each one link at a time with a pause between them. A host is
-asked for the head of a page alone; where it does not tell, for the page.
+asked for the head of a page alone; where it does not tell, for the page. No host is waited for
+longer than `Patience` allows, also one that answers a letter at a time or leads on for ever.
 """
 
 import threading
@@ -13,6 +14,7 @@ from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
 from email.message import Message
 from http.client import HTTPException
+from queue import Empty, SimpleQueue
 from typing import IO
 from urllib.parse import quote, urldefrag, urlsplit
 
@@ -35,7 +37,10 @@ class Patience:
     """How long a host is waited for, and left alone between two links, in seconds."""
 
     timeout: float = 10.0
+    """For a link, with all redirections and tries."""
     pause: float = 0.5
+    tries: int = 2
+    """Links that a host may leave unanswered; those after them are not asked for."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -101,10 +106,15 @@ def _ask_all(addresses: Sequence[str], patience: Patience) -> dict[str, Answer]:
     lock = threading.Lock()
 
     def ask_host(own: Sequence[str]) -> None:
+        unanswered = 0
         for index, address in enumerate(own):
-            if index:
-                time.sleep(patience.pause)
-            answer = ask(address, patience.timeout)
+            if unanswered < patience.tries:
+                if index:
+                    time.sleep(patience.pause)
+                answer = ask(address, patience.timeout)
+                unanswered += not answer.status
+            else:
+                answer = Answer(reason=f"its host did not answer {unanswered} other links")
             with lock:
                 answers[address] = answer
 
@@ -114,7 +124,21 @@ def _ask_all(addresses: Sequence[str], patience: Patience) -> dict[str, Answer]:
 
 
 def ask(address: str, timeout: float) -> Answer:
-    """What the host says of a link, followed wherever it leads."""
+    """What the host says of a link within ``timeout`` seconds, followed wherever it leads.
+
+    A timeout of the socket's begins again with each letter that comes, and a name is looked up
+    without one: so a thread asks, which is left to itself when the time is over.
+    """
+    answers: SimpleQueue[Answer] = SimpleQueue()
+    asks = threading.Thread(target=lambda: answers.put(_follow(address, timeout)), daemon=True)
+    asks.start()
+    try:
+        return answers.get(timeout=timeout)
+    except Empty:
+        return Answer(reason=f"no answer within {timeout:g} s")
+
+
+def _follow(address: str, timeout: float) -> Answer:
     answer = _request(address, "HEAD", timeout)
     if 200 <= answer.status < 300 or not answer.status:
         return answer

@@ -10,6 +10,9 @@ from PIL import Image, UnidentifiedImageError
 
 from site_builder.checks.svg import read_svg
 from site_builder.diagnostics import Diagnostics
+from site_builder.kept.files import folder_files
+from site_builder.kept.keeper import reads_file
+from site_builder.kept.told import kept_reading
 from site_builder.markdown.directives.figure import SUFFIXES
 
 KINDS = {".png": "PNG", ".jpg": "JPEG", ".jpeg": "JPEG", ".webp": "WEBP"}
@@ -21,10 +24,17 @@ MOST_BYTES, MANY_BYTES = 20_000_000, 1_500_000
 
 def check_pictures(root: Path, problems: Diagnostics, *, trusted: bool = False) -> None:
     """All that would be published, shown or not; ``trusted``: SVG may do what it likes."""
-    content = root / "content"
-    for file in sorted(content.rglob("*")):
-        if file.suffix in SUFFIXES and file.is_file():
-            _check_picture(file, file.relative_to(root).as_posix(), problems, trusted)
+    for name, file in folder_files(root / "content").items():
+        if file.suffix in SUFFIXES:
+            _check_kept(file, f"content/{name}", problems, trusted)
+
+
+def _check_kept(file: Path, path: str, problems: Diagnostics, trusted: bool) -> None:
+    def check(own: Diagnostics) -> None:
+        reads_file(file)
+        _check_picture(file, path, own, trusted)
+
+    kept_reading("picture", (str(file), path, trusted), problems, check)
 
 
 def _check_picture(file: Path, path: str, problems: Diagnostics, trusted: bool) -> None:

@@ -10,6 +10,8 @@ import html
 import re
 from collections.abc import Sequence
 
+import numpy as np
+
 from site_builder.book import Book, Chapter
 from site_builder.diagnostics import Diagnostics
 from site_builder.page_model.questions import Option, Quiz
@@ -80,12 +82,10 @@ def habit_of_length(quizzes: Sequence[Quiz]) -> str:
 
 def chance_of(hits: int, chances: Sequence[float]) -> float:
     """Probability of at least ``hits`` of independent events that have these probabilities."""
-    exactly = [1.0]
+    exactly = np.ones(1)
     for chance in chances:
-        missed = [(1.0 - chance) * before for before in (*exactly, 0.0)]
-        happened = [chance * before for before in (0.0, *exactly)]
-        exactly = [a + b for a, b in zip(missed, happened, strict=True)]
-    return sum(exactly[hits:])
+        exactly = np.convolve(exactly, (1.0 - chance, chance))
+    return float(exactly[hits:].sum())
 
 
 def _lengths(quiz: Quiz) -> list[int]:

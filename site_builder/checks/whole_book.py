@@ -23,6 +23,8 @@ def check_book(book: Book, problems: Diagnostics) -> None:
     guesses = [item for chapter in book.chapters for item in chapter.predictions]
     _check_ids("predict", guesses, problems)
     for chapter in book.chapters:
+        if not chapter.body and not any(told.path == chapter.path for told in problems.found):
+            problems.add(chapter.path, 1, "no text; legal: some below the front matter")
         _check_reveals(chapter, problems)
         check_figure_questions(chapter, problems)
     _check_needs(book, problems)

@@ -11,7 +11,6 @@ import signal
 import sys
 import threading
 import time
-import warnings
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager, suppress
 from contextvars import ContextVar
@@ -21,6 +20,7 @@ from types import FrameType
 from typing import Any, Never
 
 from site_builder.blame import place_of, remember_place
+from site_builder.forking import CAN_FORK, forked
 
 GRACE_S = 2.0
 """How long the code may ignore that its time is over, as a call into numpy does, until it is
@@ -60,15 +60,15 @@ def apart[T](job: Callable[[], T]) -> T:
     """What ``job`` returns, or raises, in a process of its own that is gone afterwards. Raises
     `LimitError`."""
     limits = _limits.get()
-    if limits is None or not hasattr(os, "fork"):
+    if limits is None or not CAN_FORK:
         return job()
     reader, writer = os.pipe()
-    with warnings.catch_warnings():
-        warnings.simplefilter("ignore", DeprecationWarning)  # of threads: the child starts none
-        child = os.fork()
-    if not child:
+
+    def life() -> None:
         os.close(reader)
-        _run_and_exit(job, writer, limits)
+        _answer(job, writer, limits)
+
+    child = forked(life)
     os.close(writer)
     try:
         answer = _read_all(reader, time.monotonic() + PATIENCE * limits.seconds + GRACE_S)
@@ -77,10 +77,9 @@ def apart[T](job: Callable[[], T]) -> T:
         with suppress(ProcessLookupError):
             os.kill(child, signal.SIGKILL)
         status = os.waitpid(child, 0)[1]
-    if answer is None:
-        raise LimitError(_too_long(limits))
     if not answer:
-        raise LimitError(f"its process was ended by {_signal_name(status)}")
+        ended = f"its process was ended by {_signal_name(status)}"
+        raise remember_place(LimitError(_too_long(limits) if answer is None else ended), "")
     good, value = pickle.loads(answer)
     if not good:
         raise value
@@ -108,23 +107,18 @@ def in_time() -> Iterator[None]:
             signal.signal(ring, handler)
 
 
-def _run_and_exit(job: Callable[[], Any], writer: int, limits: Limits) -> Never:
+def _answer(job: Callable[[], Any], writer: int, limits: Limits) -> None:
     """The child's whole life."""
-    code = 1
+    _limit_memory(limits.bytes)
     try:
-        _limit_memory(limits.bytes)
-        try:
-            with in_time():
-                answer = (True, job())
-            data = pickle.dumps(answer)
-        except Exception as error:
-            data = _failure(error)
-        view = memoryview(data)
-        while view:
-            view = view[os.write(writer, view[:CHUNK]) :]
-        code = 0
-    finally:
-        os._exit(code)
+        with in_time():
+            answer = (True, job())
+        data = pickle.dumps(answer)
+    except Exception as error:
+        data = _failure(error)
+    view = memoryview(data)
+    while view:
+        view = view[os.write(writer, view[:CHUNK]) :]
 
 
 def _failure(error: Exception) -> bytes:

@@ -63,6 +63,8 @@ def print_at(scene: Scene[Any], settings: Any, tier: str) -> Print:
 
     def drawn() -> Print:
         frame = scene.render(settings, tier, StageCache())
+        for place in frame.handles:  # a pull that raises would do so in its reader's hand
+            scene.pull(settings, place.name, (place.x, place.y), tier)
         pictures = {
             panel.name: Picture(panel.raster.shape[1], panel.raster.shape[0], webp(panel.raster))
             for panel in frame.panels

@@ -8,6 +8,7 @@ import platform
 import sys
 import sysconfig
 from collections.abc import Callable, Iterator
+from dataclasses import dataclass
 from importlib.util import find_spec
 from pathlib import Path
 
@@ -25,12 +26,30 @@ def read_at_once(_hash: bytes, read: Callable[[], tuple[str, ...]]) -> tuple[str
     return read()
 
 
-def code_hash(module: str, recall: Recall = read_at_once) -> tuple[bytes, int]:
-    """Of the module and what it imports; and when the latest of these files was written."""
+@dataclass(frozen=True, slots=True)
+class Module:
+    """One of ours, as it was when it was looked at."""
+
+    file: Path
+    hashed: bytes
+    written_ns: int
+    imported: tuple[str, ...]
+    """Names that may be modules of ours; its package too."""
+
+
+type Modules = dict[str, Module | None]
+"""By name; None of what is none of ours."""
+
+
+def code_hash(
+    module: str, recall: Recall = read_at_once, known: Modules | None = None
+) -> tuple[bytes, int]:
+    """Of the module and what it imports; and when the latest of these files was written. ``known``
+    are modules that were looked at before, and get those that are looked at now."""
     digest, latest = hashlib.blake2b(libraries(), digest_size=SIZE), 0
-    for name, (file, found) in sorted(_reach(module, recall).items()):
-        digest.update(name.encode() + b"\0" + found)
-        latest = max(latest, file.stat().st_mtime_ns)
+    for name, found in sorted(_reach(module, recall, {} if known is None else known).items()):
+        digest.update(name.encode() + b"\0" + found.hashed)
+        latest = max(latest, found.written_ns)
     return digest.digest(), latest
 
 
@@ -63,8 +82,8 @@ def libraries() -> bytes:
     return hashlib.blake2b(told.encode(), digest_size=SIZE).digest()
 
 
-def _reach(module: str, recall: Recall) -> dict[str, tuple[Path, bytes]]:
-    found: dict[str, tuple[Path, bytes]] = {}
+def _reach(module: str, recall: Recall, known: Modules) -> dict[str, Module]:
+    found: dict[str, Module] = {}
     seen = {""}
     waiting = [module]
     while waiting:
@@ -72,13 +91,26 @@ def _reach(module: str, recall: Recall) -> dict[str, tuple[Path, bytes]]:
         if name in seen:
             continue
         seen.add(name)
-        file = module_file(name)
-        if file is None or (hashed := file_hash(file)) is None:
-            continue
-        found[name] = file, hashed
-        waiting += recall(hashed, functools.partial(_imported, file))
-        waiting.append(name.rpartition(".")[0])
+        if name not in known:
+            known[name] = _look_at(name, recall)
+        if there := known[name]:
+            found[name] = there
+            waiting += there.imported
     return found
+
+
+def _look_at(name: str, recall: Recall) -> Module | None:
+    file = module_file(name)
+    if file is None or (hashed := file_hash(file)) is None:
+        return None
+    imported = recall(hashed, functools.partial(_imported, file))
+    return Module(file, hashed, file.stat().st_mtime_ns, (*imported, name.rpartition(".")[0]))
+
+
+def is_as_it_was(modules: Modules) -> bool:
+    """Whether no file has been written since it was looked at: what is imported later is no other
+    code than what was hashed."""
+    return all(file_hash(each.file) == each.hashed for each in modules.values() if each)
 
 
 def _imported(file: Path) -> tuple[str, ...]:

@@ -1,4 +1,4 @@
-"""The hash of a file, read again only where the file has changed."""
+"""The files of a folder, and the hash of a file, read again only where it has changed."""
 
 import hashlib
 import os
@@ -38,6 +38,22 @@ def folder_hash(folder: Path, pattern: str = "*") -> bytes:
             relative = name[start:].encode()
             digest.update(len(relative).to_bytes(4, "little") + relative + found)
     return digest.digest()
+
+
+def folder_files(folder: Path) -> dict[str, Path]:
+    """All files below ``folder``, by their path in it; what is hidden is left out."""
+    return {name: folder / name for name in sorted(_shown(folder, ""))}
+
+
+def _shown(folder: Path | str, inside: str) -> Iterator[str]:
+    with os.scandir(folder) as entries:
+        for entry in entries:
+            if entry.name.startswith("."):
+                continue
+            if entry.is_dir(follow_symlinks=False):
+                yield from _shown(entry.path, f"{inside}{entry.name}/")
+            elif entry.is_file():
+                yield inside + entry.name
 
 
 def _files(folder: str, pattern: str) -> Iterator[str]:

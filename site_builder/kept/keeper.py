@@ -17,13 +17,16 @@ from pathlib import Path
 from types import FunctionType
 from typing import Any, Protocol
 
-from site_builder.kept.code import code_hash
+from site_builder.blame import is_remembered
+from site_builder.kept.code import Modules, code_hash, is_as_it_was
 from site_builder.kept.files import file_hash, folder_hash
-from site_builder.kept.fingerprint import SIZE, fingerprint
+from site_builder.kept.fingerprint import SIZE, Prints, fingerprint
 from site_builder.kept.packing import HOLDERS, home_of, packed, unpacked
 
 GENERATIONS = 3
 """Builds after which what nobody asked for leaves the memory."""
+MOST_FRESH_BYTES = 16_000_000
+"""What waits at most for the store: a large book's pages would fill the memory twice."""
 UNKNOWN = b"unknown"
 
 type Read = tuple[str, str]
@@ -37,6 +40,9 @@ class Bytes(Protocol):
 
     def get(self, key: bytes, /) -> bytes | None: ...
     def put(self, entries: Mapping[bytes, bytes], /) -> None: ...
+    def reopened(self) -> "Bytes":
+        """The same, for a process that was forked."""
+        ...
 
 
 class Nowhere:
@@ -48,9 +54,16 @@ class Nowhere:
     def put(self, _entries: Mapping[bytes, bytes]) -> None:
         pass
 
+    def reopened(self) -> "Nowhere":
+        return self
+
 
 class UnkeepableError(Exception):
     """What a value depends on cannot be told."""
+
+
+class MissingError(Exception):
+    """What is asked for would have to be made."""
 
 
 @dataclass(slots=True)
@@ -72,12 +85,22 @@ class Keeper:
     _memory: dict[bytes, _Entry] = field(default_factory=dict)
     _fresh: dict[bytes, bytes] = field(default_factory=dict)
     """Not yet in the store."""
+    _fresh_bytes: int = 0
     _codes: dict[str, bytes] = field(default_factory=dict)
+    _modules: Modules = field(default_factory=dict)
+    """Looked at for these; as they were, since it is this that the process has imported."""
+    _prints: Prints = field(default_factory=Prints)
     _hearing: list[dict[Read, bytes]] = field(default_factory=list)
     """What the functions read that are running now, the innermost last."""
     _age: int = 0
     _latest_ns: int = 0
     """When the latest module was written."""
+    _looking: bool = False
+    """Whether nothing is to be made."""
+    _failed: dict[bytes, Exception] = field(default_factory=dict)
+    """Why authors' code did not do what a process beside this one asked of it, in this build."""
+    _beside: bool = False
+    """Whether this is such a process."""
 
     def find[T](self, name: str, module: str, given: object, make: Callable[[], T]) -> T:
         """What ``make`` gives, made only where it is not known; see `find_named`."""
@@ -94,6 +117,8 @@ class Keeper:
         try:
             own = self.fingerprint(given)
         except UnkeepableError:
+            if self._looking:
+                raise
             self.hear(("unknown", name), UNKNOWN)
             return make(), b""
         key = _hash(name.encode(), self.code(module), own)
@@ -110,12 +135,12 @@ class Keeper:
 
     def fingerprint(self, given: object) -> bytes:
         """Of plain data, scenes and ladders. Raises `UnkeepableError` for a scene of no module."""
-        return fingerprint(given, self._own_fingerprint)
+        return fingerprint(given, self._own_fingerprint, self._prints)
 
     def code(self, module: str) -> bytes:
         """The hash of what a module can do."""
         if module not in self._codes:
-            self._codes[module], written = code_hash(module, self._imports)
+            self._codes[module], written = code_hash(module, self._imports, self._modules)
             self._latest_ns = max(self._latest_ns, written)
         return self._codes[module]
 
@@ -137,20 +162,64 @@ class Keeper:
         if self._hearing:
             self._hearing[-1][read] = state
 
+    def lacks(self, ask: Callable[[], object]) -> bool:
+        """Whether ``ask`` would have to make something that can be kept."""
+        self._looking = True
+        try:
+            ask()
+        except MissingError:
+            return True
+        except UnkeepableError:
+            return False
+        finally:
+            self._looking = False
+        return False
+
+    def begin_parcel(self) -> None:
+        """In a process that was forked: what is made from here on goes into a parcel."""
+        self.store, self._fresh, self.made = self.store.reopened(), {}, []
+        self._beside = True
+
+    def parcel(self) -> bytes:
+        """What was made since it was begun, for `take_in`."""
+        return pickle.dumps((self._fresh, self.made, self._failed, self._latest_ns))
+
+    def take_in(self, parcel: bytes) -> None:
+        """What another process made."""
+        fresh, made, failed, latest_ns = pickle.loads(parcel)
+        self._fresh |= fresh
+        self._fresh_bytes += sum(map(len, fresh.values()))
+        self.made += made
+        self._failed |= failed
+        self._latest_ns = max(self._latest_ns, latest_ns)
+
     def flush(self) -> None:
         """Put what is new into the store, and let go of what was not asked for lately."""
-        fresh, self._fresh = self._fresh, {}
-        if fresh and self._latest_ns < self.since_ns:
-            self.store.put(fresh)
+        self._put_away()
+        self._failed = {}
         self._age += 1
+        self._prints.next_round()
         old = [key for key, item in self._memory.items() if item.used + GENERATIONS < self._age]
         for key in old:
             del self._memory[key]
 
+    def _put_away(self) -> None:
+        fresh, self._fresh, self._fresh_bytes = self._fresh, {}, 0
+        if fresh and self._latest_ns < self.since_ns and is_as_it_was(self._modules):
+            self.store.put(fresh)
+
     def _make[T](self, name: str, key: bytes, make: Callable[[], T]) -> tuple[T, bytes]:
+        if self._looking:
+            raise MissingError
+        if error := self._failed.get(key):
+            raise error
         self._hearing.append({})
         try:
             value = make()
+        except Exception as error:
+            if self._beside and is_remembered(error):
+                self._failed[key] = error
+            raise
         finally:
             reads = self._hearing.pop()
         self.made.append(name)
@@ -170,6 +239,9 @@ class Keeper:
         self._memory[key] = _Entry(value, self._age)
         with suppress(pickle.PicklingError):  # then it is kept in memory alone
             self._fresh[key] = packed(value)
+            self._fresh_bytes += len(self._fresh[key])
+        if self._fresh_bytes > MOST_FRESH_BYTES and not self._beside:
+            self._put_away()
 
     def _recall(self, key: bytes) -> Any:
         """The value under that key, or None."""
@@ -180,7 +252,7 @@ class Keeper:
         return entry.value
 
     def _load(self, key: bytes) -> _Entry | None:
-        data = self.store.get(key)
+        data = self._fresh.get(key) or self.store.get(key)
         if data is None:
             return None
         try:
@@ -224,6 +296,10 @@ def keeping(keeper: Keeper | None) -> Iterator[None]:
     finally:
         _at_work.reset(before)
         keeper.flush()
+
+
+def keeper_at_work() -> Keeper | None:
+    return _at_work.get()
 
 
 def kept[**P, T](function: Callable[P, T]) -> Callable[P, T]:

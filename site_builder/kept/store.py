@@ -72,6 +72,10 @@ class Store:
             else:
                 return
 
+    def reopened(self) -> "Store":
+        """The same file, for a process that was forked: a connection serves only its own."""
+        return Store(self._file.parent, self._most_bytes)
+
     def close(self) -> None:
         if self._connection is not None:
             with suppress(sqlite3.Error):

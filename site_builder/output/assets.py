@@ -18,12 +18,12 @@ def hashed_folder(kind: str, files: Mapping[str, Content]) -> tuple[str, dict[st
     """
     digest = hashlib.sha256()
     for name in sorted(files):
-        digest.update(name.encode() + b"\0" + _hash_of(files[name]))
+        digest.update(name.encode() + b"\0" + content_hash(files[name]))
     folder = f"{kind}/{digest.hexdigest()[:12]}/"
     return folder, {folder + name: content for name, content in files.items()}
 
 
-def _hash_of(content: Content) -> bytes:
+def content_hash(content: Content) -> bytes:
     if isinstance(content, bytes):
         return bytes_hash(content)
     return file_hash(content) or bytes_hash(content.read_bytes())
@@ -31,13 +31,3 @@ def _hash_of(content: Content) -> bytes:
 
 def content_bytes(content: Content) -> bytes:
     return content if isinstance(content, bytes) else content.read_bytes()
-
-
-def folder_files(folder: Path) -> dict[str, Content]:
-    """All files below ``folder``, by their path in it; what is hidden is left out."""
-    paths = (file.relative_to(folder) for file in sorted(folder.rglob("*")) if file.is_file())
-    return {
-        path.as_posix(): folder / path
-        for path in paths
-        if not any(part.startswith(".") for part in path.parts)
-    }

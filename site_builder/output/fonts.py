@@ -6,14 +6,12 @@ Cutting takes seconds, hence a cache keyed by everything it depends on.
 import hashlib
 import io
 from collections.abc import Mapping, Sequence
-from importlib.resources import files
+from importlib.util import find_spec
 from pathlib import Path
 
 import fontTools
 import platformdirs
-from fontTools import subset
 from fontTools.ttLib import TTFont
-from fontTools.ttLib.tables._g_l_y_f import USE_MY_METRICS
 
 from site_builder.output.font_faces import FACES, Face
 
@@ -41,8 +39,7 @@ def subset_fonts(faces: Sequence[Face] = FACES, cache: Path | None = None) -> Ma
 
 
 def _cut_once(face: Face, cache: Path) -> bytes:
-    place = face.folder or files(face.package)
-    source = place.joinpath(face.source).read_bytes()
+    source = source_file(face).read_bytes()
     kept = cache / f"{_fingerprint(face, source)}.woff2"
     if kept.is_file():
         return kept.read_bytes()
@@ -52,6 +49,16 @@ def _cut_once(face: Face, cache: Path) -> bytes:
     unfinished.write_bytes(packed)
     unfinished.replace(kept)
     return packed
+
+
+def source_file(face: Face) -> Path:
+    """What it is cut from. Its package is found but not run: some read all their fonts first."""
+    if face.folder:
+        return face.folder / face.source
+    found = find_spec(face.package)
+    if not (found and found.origin):
+        raise FileNotFoundError(f"{face.package} carries {face.source} and is not installed")
+    return Path(found.origin).parent / face.source
 
 
 def _fingerprint(face: Face, source: bytes) -> str:
@@ -68,6 +75,8 @@ def _fingerprint(face: Face, source: bytes) -> str:
 
 def cut(face: Face, source: bytes) -> bytes:
     """The font file ``source`` reduced to what ``face`` keeps, as woff2."""
+    from fontTools import subset  # it is long to load, and needed once on each machine
+
     options = subset.Options(
         flavor="woff2",
         layout_features=list(face.features),
@@ -104,6 +113,8 @@ def _keep_own_widths(font: TTFont) -> None:
     Some are marked to take the width of a part: a “ would be as narrow as a ‘ in browsers that
     draw with FreeType, and tabular figures uneven.
     """
+    from fontTools.ttLib.tables._g_l_y_f import USE_MY_METRICS
+
     outlines = font.get("glyf")
     for name in font.getGlyphOrder() if outlines else ():
         for part in getattr(outlines[name], "components", ()):

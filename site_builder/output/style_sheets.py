@@ -1,7 +1,7 @@
 """One style sheet in place of a tree of imports: a browser fetches each ``@import`` in turn."""
 
 import re
-from collections.abc import Mapping
+from collections.abc import Collection, Mapping
 from pathlib import PurePosixPath
 
 from site_builder.diagnostics import BuildError, Diagnostic
@@ -13,10 +13,10 @@ IMPORT = re.compile(r'^@import "([^"]+)";\n', re.MULTILINE)
 
 
 def join_style_sheets(
-    files: Mapping[str, Content], entry: str, more: str = ""
+    files: Mapping[str, Content], entry: str, more: str = "", without: Collection[str] = ()
 ) -> dict[str, Content]:
     """``files`` with the sheet ``entry`` holding, in order, what it imports from its own folder,
-    and ``more`` at its end.
+    but for the sheets ``without``, and ``more`` at its end.
 
     What it has taken in is left out. Raises `BuildError` where an imported sheet is missing or
     lies elsewhere: its relative addresses would then lead astray.
@@ -28,7 +28,11 @@ def join_style_sheets(
     if wrong:
         raise BuildError(_mistake(sheet, name, entry) for name in wrong)
     rest = {path: content for path, content in files.items() if path not in taken.values()}
-    joined = IMPORT.sub(lambda found: content_bytes(files[taken[found[1]]]).decode("utf-8"), sheet)
+
+    def text(name: str) -> str:
+        return "" if name in without else content_bytes(files[taken[name]]).decode("utf-8")
+
+    joined = IMPORT.sub(lambda found: text(found[1]), sheet)
     return {**rest, entry: (joined + more).encode("utf-8")}
 
 

@@ -1,40 +1,75 @@
-"""Writing the site: beside the old one first, then swapped in whole."""
+"""Writing the site: beside the old one first, then swapped in whole. Where it is a single file that
+differs, as after most edits, that alone is replaced, which is whole as well."""
 
 import fcntl
 import os
 import re
 import shutil
 import tempfile
-from collections.abc import Iterator, Mapping
+from collections.abc import Collection, Iterator, Mapping
 from contextlib import contextmanager, suppress
 from pathlib import Path
 
-from site_builder.kept.files import bytes_hash, file_hash
-from site_builder.output.assets import Content
+from site_builder.kept.files import file_hash
+from site_builder.output.assets import Content, content_bytes, content_hash
 from site_builder.output.exchange import exchange
 
+type Hashes = dict[str, tuple[Content, bytes]]
+"""Of contents by the names of their files, with these contents: hashed once while they are the
+same in memory."""
 
-def write_site(files: Mapping[str, Content], out: Path) -> tuple[str, ...]:
+
+def write_site(
+    files: Mapping[str, Content], out: Path, hashes: Hashes | None = None
+) -> tuple[str, ...]:
     """Replace the folder ``out`` by ``files``; returns the names of those that are not as before.
 
     The last good site stays as it is until the new one is complete; of two builds into one folder
-    the later one stays. Files that have not changed keep their modification time. Raises
-    `ValueError` where ``out`` holds something else than a site, which would be lost.
+    the later one stays. Files that have not changed keep their modification time. ``hashes`` are
+    of the files as they were written last, and become those of ``files``. Raises `ValueError`
+    where ``out`` holds something else than a site, which would be lost.
     """
     _check_holds_a_site(out)
     out.parent.mkdir(parents=True, exist_ok=True)
     _clear_away(out)
+    known = {} if hashes is None else hashes
+    found = {name: _hash_once(name, content, known) for name, content in files.items()}
+    with _alone(out.parent):
+        there = set(_names_in(out))
+        changed = [name for name in files if file_hash(f"{out}{os.sep}{name}") != found[name]]
+        gone = sorted(there.difference(files))
+        if len(changed) == 1 and not gone and changed[0] in there:
+            replace_file(out / changed[0], content_bytes(files[changed[0]]))
+        elif changed or gone:
+            _replace_all(files, out, set(changed))
+    known.clear()
+    known.update({name: (content, found[name]) for name, content in files.items()})
+    return (*changed, *gone)
+
+
+def _hash_once(name: str, content: Content, known: Hashes) -> bytes:
+    before = known.get(name)
+    if before is not None and before[0] is content and isinstance(content, bytes):
+        return before[1]
+    return content_hash(content)
+
+
+def _replace_all(files: Mapping[str, Content], out: Path, changed: Collection[str]) -> None:
+    """The new site beside the old one, then in its place; what has not changed is the same file."""
     fresh = out.with_name(f".{out.name}-{os.getpid()}-new")
     old = out.with_name(f".{out.name}-{os.getpid()}-old")
     try:
-        changed = [name for name in files if not _write_file(fresh / name, files[name], out / name)]
-        gone = [name for name in _names_in(out) if name not in files]
-        with _alone(out.parent):
-            _swap(fresh, out, old)
+        for folder in {(fresh / name).parent for name in files}:
+            folder.mkdir(parents=True, exist_ok=True)
+        for name, content in files.items():
+            if name in changed:
+                (fresh / name).write_bytes(content_bytes(content))
+            else:
+                _link(out / name, fresh / name)
+        _swap(fresh, out, old)
     finally:
         shutil.rmtree(fresh, ignore_errors=True)
         shutil.rmtree(old, ignore_errors=True)
-    return (*changed, *gone)
 
 
 def replace_file(file: Path, data: bytes) -> None:
@@ -108,16 +143,8 @@ def _names_in(out: Path) -> Iterator[str]:
         yield from (f"{place}{os.sep}{name}"[start:].replace(os.sep, "/") for name in names)
 
 
-def _write_file(target: Path, content: Content, previous: Path) -> bool:
-    """Whether it is as it was; then it is the same file."""
-    target.parent.mkdir(parents=True, exist_ok=True)
-    data = content if isinstance(content, bytes) else None
-    hashed = file_hash(content) if isinstance(content, Path) else bytes_hash(content)
-    if hashed is not None and file_hash(previous) == hashed:
-        try:
-            os.link(previous, target)
-        except OSError:  # some file systems have no links
-            shutil.copy2(previous, target)
-        return True
-    target.write_bytes(content.read_bytes() if isinstance(content, Path) else data or b"")
-    return False
+def _link(previous: Path, target: Path) -> None:
+    try:
+        os.link(previous, target)
+    except OSError:  # some file systems have no links
+        shutil.copy2(previous, target)

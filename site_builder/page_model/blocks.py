@@ -24,12 +24,16 @@ class Block:
     """Its number and where a link to it leads; None where it is not numbered."""
 
 
+def walk(blocks: Iterable[Block]) -> Iterator[Block]:
+    """All of them, each before those inside it."""
+    for block in blocks:
+        yield block
+        yield from walk(block.inside)
+
+
 def contents[T](blocks: Iterable[Block], kind: type[T]) -> Iterator[T]:
     """What the blocks of one kind show, those inside other blocks included."""
-    for block in blocks:
-        if isinstance(block.content, kind):
-            yield block.content
-        yield from contents(block.inside, kind)
+    return (block.content for block in walk(blocks) if isinstance(block.content, kind))
 
 
 @dataclass(frozen=True, slots=True)

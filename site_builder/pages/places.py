@@ -1,7 +1,7 @@
 """Places in the text that a list of terms leads to, and such lists by letter."""
 
 import unicodedata
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 from itertools import groupby
 
@@ -37,12 +37,25 @@ type Letters[T] = list[tuple[str, list[T]]]
 """Entries under their letters."""
 
 
-def place(chapter: Chapter, section: str, element: str, *, explains: bool = False) -> Place:
-    """The place of an element below the heading ``section``; of the heading without an element."""
-    words = {heading.id: heading.html for heading in chapter.headings}.get(section, "")
-    anchor = element or section
-    address = f"{chapter.url}#{anchor}" if anchor else chapter.url
-    return Place(address, card(chapter), words, explains)
+@dataclass(frozen=True, slots=True)
+class Atlas:
+    """The places of a chapter."""
+
+    chapter: Chapter
+    card: Card
+    words: Mapping[str, str]
+    """Of its headings, as HTML, by element id."""
+
+    def place(self, section: str, element: str, *, explains: bool = False) -> Place:
+        """Of an element below the heading ``section``; of the heading without an element."""
+        anchor = element or section
+        address = f"{self.card.url}#{anchor}" if anchor else self.card.url
+        return Place(address, self.card, self.words.get(section, ""), explains)
+
+
+def atlas(chapter: Chapter) -> Atlas:
+    words = {heading.id: heading.html for heading in chapter.headings}
+    return Atlas(chapter, card(chapter), words)
 
 
 def card(chapter: Chapter) -> Card:

@@ -24,13 +24,25 @@ ANYTHING_INLINE = "'unsafe-inline'"
 """A hash beside it would take it back."""
 
 
+FOR_TOOLS = "'unsafe-eval'"
+"""What drives a browser may wait for a condition by evaluating its text in the page, as Playwright
+does."""
+
+
 def page_policy(
-    scripts: Sequence[str] = (), styles: Sequence[str] = (), *, raw_html: bool = False
+    scripts: Sequence[str] = (),
+    styles: Sequence[str] = (),
+    *,
+    raw_html: bool = False,
+    published: bool = True,
 ) -> str:
     """The policy of a page that holds these inline ``scripts`` and ``styles``, and no others unless
     its author may write ``raw_html``. Python runs as WebAssembly, which needs a leave of its own.
+    One that is not ``published`` also runs what tools of its author's own evaluate.
     """
     script_src = ["'self'", "'wasm-unsafe-eval'", *_inline(scripts, raw_html)]
+    if not published:
+        script_src.append(FOR_TOOLS)
     style_src = ["'self'", *_inline(styles, raw_html)]
     rules = {**ALWAYS, "script-src": " ".join(script_src), "style-src": " ".join(style_src)}
     return "; ".join(f"{name} {value}" for name, value in rules.items())

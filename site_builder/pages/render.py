@@ -23,6 +23,7 @@ from site_builder.pages.outside import card_path, origin, page_address
 from site_builder.pages.places import card
 from site_builder.pages.policy import page_policy
 from site_builder.pages.stills import Stills
+from site_builder.pages.views.contents import Entries, chapter_entries
 from site_builder.pages.views.glossary import marked_terms, view_glossary
 from site_builder.pages.views.index import view_index
 from site_builder.pages.views.ladder import summary_row, view_ladder
@@ -74,10 +75,14 @@ class Site:
     """Folder of style sheets, scripts, fonts and stills, relative to the site's root."""
     runtime: str
     """Folder of the browser's Python, relative to the site's root; nothing without a runtime."""
+    sources: str = ""
+    """Hash of the simulations that this Python has: those that drew the stills."""
     code_editor: bool = False
     """Whether readers can rewrite the Python of a figure, or only read it."""
     search: bool = False
     """Whether there is an index to search."""
+    scripts: tuple[str, ...] = ()
+    """What the pages' script imports, below ``assets``."""
     reload: bool = False
     """Whether pages reload themselves when the site has been built anew."""
     styles: str = ""
@@ -144,16 +149,22 @@ def _renderer(site: Site) -> Callable[..., bytes]:
     """Makes the pages of a site, each kept by what all share and what it is given. The stills of a
     page follow from its figures, which it is given."""
     shared = replace(site, root=Path(), book=_bare(site.book), stills={})
-    back_matter = _back_matter(site.book)
-    shared_hash = given_hash(shared, back_matter, folder_hash(TEMPLATES))
+    follows = back_matter(site.book)
+    shared_hash = given_hash(shared, follows, folder_hash(TEMPLATES))
     seen = replace(shared, stills=site.stills)
+    cards = [card(chapter) for chapter in site.book.chapters]
+    line = _environment().get_template("frame/contents-entry.html")
+
+    @cache
+    def entries(root: str) -> Entries:
+        return chapter_entries(cards, lambda entry: line.render(root=root, entry=entry))
 
     def render(template: str, path: str = "", **context: object) -> bytes:
         root = "../" * path.count("/") or "./"
 
         def make() -> bytes:
-            page = render_page(seen, template, root, path, back_matter=back_matter, **context)
-            return page.encode()
+            frame = {"back_matter": follows, "entries": entries(root)}
+            return render_page(seen, template, root, path, **frame, **context).encode()
 
         return kept_as("page", (shared_hash, template, path, context), make)[0]
 
@@ -219,9 +230,18 @@ def render_page(site: Site, template: str, root: str, path: str = "", **context:
         integrity=integrity,
         address=page_address(path) if path and site.book.address else None,
         card=card_path(chapter),
+        scenes=_scenes(chapter, context.get("cover")) if site.runtime else (),
         origin=origin(site.book, path, chapter),
         **{"chapter": None, "here": "", "sections": (), "back_matter": (), **context},
     )
+
+
+def _scenes(chapter: Chapter | None, cover: object) -> tuple[str, ...]:
+    """The scenes of a page, for whose sake it begins Python at once."""
+    figures = chapter.simulations if chapter else ()
+    if isinstance(cover, Block) and isinstance(cover.content, Simulation):
+        figures = (cover.content,)
+    return tuple(dict.fromkeys(figure.scene.id for figure in figures))
 
 
 def render_template(template: str, book: Book, **context: object) -> str:
@@ -235,7 +255,9 @@ def in_words(book: Book) -> dict[str, object]:
         "book": book,
         "words": book.words,
         "t": book.words.html,
-        "policy": partial(page_policy, raw_html=book.settings.trust.raw_html),
+        "policy": partial(
+            page_policy, raw_html=book.settings.trust.raw_html, published=bool(book.address)
+        ),
         "storage": storage_prefix(book.settings),
         "light": colours(book.settings, "light"),
         "dark": colours(book.settings, "dark"),
@@ -263,7 +285,7 @@ def _cover(book: Book) -> Block | None:
     return Block(SIMULATION.template, hero) if hero else None
 
 
-def _back_matter(book: Book) -> list[tuple[str, str]]:
+def back_matter(book: Book) -> list[tuple[str, str]]:
     """Address and title of the pages that the contents list after the chapters."""
     marked = any(chapter.index_marks for chapter in book.chapters)
     there = {

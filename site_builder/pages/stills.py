@@ -2,13 +2,15 @@
 
 from collections.abc import Mapping
 from dataclasses import dataclass
+from functools import partial
 
 from simulations.engine.controls import Value
 from simulations.engine.frame import Frame
 from simulations.engine.settings import values_of
 from site_builder.book import Book
 from site_builder.diagnostics import Diagnostics, cause
-from site_builder.drawing.frames import print_at
+from site_builder.drawing.frames import Print, print_at
+from site_builder.kept.ahead import Ask, make_ahead
 from site_builder.page_model.blocks import Simulation
 from site_builder.pages.strips import Strip, render_strip
 
@@ -51,12 +53,14 @@ def render_stills(
     places = [(chapter.id, figure) for chapter in book.chapters for figure in chapter.simulations]
     if book.hero:
         places.insert(0, ("cover", book.hero))
+    wanted: list[Ask] = [partial(_printed, figure) for _, figure in places]
+    if strips:
+        wanted += [partial(render_strip, page, figure) for page, figure in places]
+    make_ahead(wanted)
     for page, figure in places:
-        settings = figure.scene.check(figure.values)
-        values = values_of(settings)
         try:
-            printed = print_at(figure.scene, settings, figure.tier)
-            strip = render_strip(page, figure, values) if strips else None
+            printed = _printed(figure)
+            strip = render_strip(page, figure) if strips else None
         except Exception as error:  # whatever a scene's own code may raise is the author's to see
             message = f"simulation {figure.scene.id!r} cannot be drawn: {cause(error)}"
             problems.add(figure.path, figure.line, message)
@@ -66,5 +70,10 @@ def render_stills(
             name = f"{page}--{figure.id}--{panel}.webp"
             pictures[panel] = StillPicture(name, picture.width, picture.height)
             files[name] = picture.webp
+        values = values_of(figure.scene.check(figure.values))
         stills[figure.path, figure.line] = Still(figure, values, printed.frame, pictures, strip)
     return stills, files
+
+
+def _printed(figure: Simulation) -> Print:
+    return print_at(figure.scene, figure.scene.check(figure.values), figure.tier)

@@ -1,13 +1,13 @@
 """What a figure can show of its main control before Python has started: frames drawn beforehand."""
 
 import json
-from collections.abc import Mapping
 from dataclasses import dataclass
 
 import numpy as np
 
 from simulations.engine.controls import Choice, Control, Slider, Value
 from simulations.engine.frame import to_json
+from simulations.engine.settings import values_of
 from site_builder.drawing.frames import sketches_at
 from site_builder.page_model.blocks import Simulation
 from site_builder.pages.main_control import main_control
@@ -26,12 +26,13 @@ class Strip:
     would send with them."""
 
 
-def render_strip(page: str, figure: Simulation, start: Mapping[str, Value]) -> Strip | None:
-    """The strip of a figure that starts with the values ``start``; None where it has no control
-    that can be shown so. Raises whatever the scene does, and `LimitError`."""
+def render_strip(page: str, figure: Simulation) -> Strip | None:
+    """The strip of a figure; None where it has no control that can be shown so. Raises whatever
+    the scene does, and `LimitError`."""
     control = main_control(figure)
     if control is None:
         return None
+    start = values_of(figure.scene.check(figure.values))
     values = shown_values(control, start[control.name])
     settings = tuple({**start, control.name: value} for value in values)
     frames = [

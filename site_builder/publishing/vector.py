@@ -2,13 +2,13 @@
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from importlib.resources import files
 from pathlib import Path
 
 import resvg_py
 from fontTools.ttLib import TTFont
 
 from site_builder.output.font_faces import FACES, Face
+from site_builder.output.fonts import source_file
 
 
 @dataclass(frozen=True, slots=True)
@@ -28,7 +28,7 @@ class Fonts:
 
 def whole_fonts(faces: Sequence[Face] = FACES) -> Fonts:
     """The files that ``faces`` are cut from, and the names that they give themselves."""
-    paths = {face.file: _path(face) for face in faces}
+    paths = {face.file: source_file(face) for face in faces}
     serif, sans = (_family(paths[f"{role}-regular.woff2"]) for role in ("serif", "sans"))
     return Fonts(tuple(paths.values()), serif, sans)
 
@@ -49,8 +49,3 @@ def png_of(svg: str, width: int, fonts: Fonts) -> bytes:
 def _family(file: Path) -> str:
     with TTFont(file, lazy=True) as font:
         return str(font["name"].getBestFamilyName())
-
-
-def _path(face: Face) -> Path:
-    place = face.package if isinstance(face.package, Path) else Path(str(files(face.package)))
-    return place / face.source

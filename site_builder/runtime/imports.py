@@ -6,6 +6,8 @@ from dataclasses import dataclass
 from importlib.util import find_spec
 from pathlib import Path
 
+from site_builder.kept.keeper import kept
+
 
 @dataclass(frozen=True, slots=True)
 class Imports:
@@ -68,12 +70,17 @@ def outside(table: Table, modules: Iterable[str]) -> dict[str, str]:
 
 def _imports(file: Path, path: str, files: Mapping[str, Path]) -> Imports:
     inside, others = set[str](), dict[str, str]()
-    for name, line, certain in _mentions(ast.parse(file.read_bytes(), path)):
+    for name, line, certain in _mentioned(file.read_bytes(), path):
         if name in files:
             inside.add(name)
         elif name.partition(".")[0] not in files and (certain or _is_module(name)):
             others.setdefault(name, f"{path}:{line}")
     return Imports(frozenset(inside), others)
+
+
+@kept
+def _mentioned(source: bytes, path: str) -> tuple[tuple[str, int, bool], ...]:
+    return tuple(dict.fromkeys(_mentions(ast.parse(source, path))))
 
 
 def _mentions(tree: ast.Module) -> Iterator[tuple[str, int, bool]]:

@@ -2,7 +2,8 @@
 
 Runs in Pyodide, started by ``interpreter.mjs``, with its standard library and nothing else. Reads
 ``/freezer/order.json`` and writes ``/freezer/out/``: zip archives of modules, and
-``modules.json`` with the names of the modules in each.
+``modules.json`` with the names of the modules in each. Where the order asks for nothing, what lies
+in ``/freezer/sources/`` is compiled into one archive.
 """
 
 import ast
@@ -29,6 +30,9 @@ type Members = Mapping[str, bytes]
 def main() -> None:
     order = json.loads((FREEZER / "order.json").read_text())
     OUT.mkdir()
+    if not order:
+        write("sources", compiled(read_folder(FREEZER / "sources")))
+        return
     parts = freeze_libraries(order["at_once"], order["later"])
     for part, members in parts.items():
         write(part, members)

@@ -15,7 +15,10 @@ try {
     indexURL: `${pyodideFolder}/`,
     stdLibURL: `${pyodideFolder}/python.zip`,
     lockFileContents: await readFile(`${freezer}/lock.json`, "utf8"),
-    env: { PYTHONHASHSEED: "0" }, // so that equal sources give equal bytes
+    env: {
+      PYTHONHASHSEED: "0", // so that equal sources give equal bytes
+      PYTHONNODEBUGRANGES: "1", // nobody sees in which column a library failed
+    },
   });
   pyodide.mountNodeFS("/freezer", freezer);
   pyodide.runPython(await readFile(program, "utf8"));

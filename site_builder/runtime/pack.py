@@ -1,9 +1,7 @@
 """Everything that the browser loads to run our Python, and the table of it: ``runtime.json``."""
 
 import base64
-import io
 import json
-import zipfile
 from collections.abc import Collection, Mapping
 from dataclasses import dataclass
 from pathlib import Path
@@ -14,21 +12,27 @@ from site_builder.kept.files import file_hash
 from site_builder.kept.keeper import kept_as
 from site_builder.runtime import store as stores
 from site_builder.runtime.fetch import fetch_runtime
-from site_builder.runtime.freeze import INTERPRETER, LOCK, Frozen, freeze_libraries
+from site_builder.runtime.freeze import (
+    DRIVER,
+    INTERPRETER,
+    LOCK,
+    PROGRAM,
+    Frozen,
+    compile_sources,
+    freeze_libraries,
+)
 from site_builder.runtime.imports import (
     Table,
-    archive_path,
     imports_of,
     module_files,
     outside,
     reach,
 )
+from site_builder.runtime.modules import ENTRY, Modules, archive_of, cut, sources_of
 from site_builder.runtime.pinned import NUMPY_WHEEL, PYTHON_LIBRARY, VERSIONS, Versions
 
 TABLE_NAME = "runtime.json"
-ENTRY = "simulations.browser"
-"""The module that the browser's worker imports."""
-EPOCH = (2020, 1, 1, 0, 0, 0)
+SIMULATIONS = "simulations.zip"
 
 
 @dataclass(frozen=True, slots=True)
@@ -39,9 +43,11 @@ class RuntimeBundle:
     """Name in the site's runtime folder to where the file lies now."""
     versions: Versions
 
-
-type Modules = Mapping[str, str]
-"""Id to the name of a module."""
+    @property
+    def sources(self) -> str:
+        """Hash of the simulations, as the worker knows it; nothing where there are none."""
+        file = self.files.get(SIMULATIONS)
+        return integrity(file.read_bytes()) if file else ""
 
 
 def pack_runtime(
@@ -49,12 +55,15 @@ def pack_runtime(
     store: Path | None = None,
     scenes: Modules = SCENE_MODULES,
     ladders: Modules = LADDER_MODULES,
+    *,
+    compiled: bool = True,
 ) -> RuntimeBundle:
     """Fetch what is pinned, cut it into parts, and pack the simulations beside it.
 
     Of a book's folder ``simulations``, that is what its pages run: the ``scenes`` and ``ladders``
-    that they show, and all that these import. Equal sources give equal bytes, so a hash over the
-    files names the runtime.
+    that they show, and all that these import: ``compiled``, as every reader would else wait for
+    that, and as sources beside it, for those who edit them. Equal sources give equal bytes, so a
+    hash over the files names the runtime.
 
     Raises
     ------
@@ -70,23 +79,35 @@ def pack_runtime(
     imports, _ = kept_as("imports", given, lambda: imports_of(files))
     modules = page_modules(imports, scenes, ladders)
     at_once = outside(imports, reach(imports, ENTRY))
+    machine = {name: fetched[name] for name in INTERPRETER}
     frozen = freeze_libraries(
-        {name: fetched[name] for name in INTERPRETER},
+        machine,
         fetched[PYTHON_LIBRARY.name],
         fetched[NUMPY_WHEEL.name],
         at_once,
         outside(imports, modules),
         folder,
     )
-    ours = stores.put(folder, "simulations.zip", source_archive(files, modules))
-    archives = {**{f"{part}.zip": file for part, file in frozen.archives.items()}, ours.name: ours}
+    sources = sources_of(files, modules)
+    hashes = {path: file_hash(file) for path, file in sources.items()}
+    byte_code: Mapping[str, bytes] = {}
+    if compiled:
+        python = fetched[PYTHON_LIBRARY.name]
+        key = (hashes, PYTHON_LIBRARY, file_hash(PROGRAM), file_hash(DRIVER))
+        byte_code, _ = kept_as("byte code", key, lambda: compile_sources(machine, python, sources))
+    ours = module_parts(files, cut(imports, scenes, ladders), byte_code)
+    ours[SIMULATIONS.removesuffix(".zip")] = source_archive(files, modules)
+    archives = {
+        **{f"{part}.zip": file for part, file in frozen.archives.items()},
+        **{f"{part}.zip": stores.put(folder, f"{part}.zip", data) for part, data in ours.items()},
+    }
+    loaded = {**machine, **archives}
     table = json.dumps(
-        runtime_table(archives, frozen, imports, scenes, ladders), indent=1, sort_keys=True
+        runtime_table(loaded, frozen, imports, scenes, ladders), indent=1, sort_keys=True
     )
     return RuntimeBundle(
         {
-            **{name: fetched[name] for name in INTERPRETER},
-            **archives,
+            **loaded,
             TABLE_NAME: stores.put(folder, TABLE_NAME, table.encode()),
         },
         VERSIONS,
@@ -113,23 +134,29 @@ def page_modules(
 
 
 def source_archive(files: Mapping[str, Path], modules: Collection[str]) -> bytes:
-    """Those ``modules`` that have one of the ``files``.
+    """Those ``modules`` that have one of the ``files``. Equal sources give equal bytes."""
+    sources = sources_of(files, modules)
+    return archive_of({path: file.read_bytes() for path, file in sources.items()})
 
-    Equal sources give equal bytes. As sources: their byte code is twice the size, and saves less
-    time than the bytes take.
-    """
-    buffer = io.BytesIO()
-    with zipfile.ZipFile(buffer, "w", zipfile.ZIP_DEFLATED, compresslevel=9) as archive:
-        for name, file in files.items():
-            if name in modules:
-                entry = zipfile.ZipInfo(archive_path(name, file), EPOCH)
-                entry.compress_type = zipfile.ZIP_DEFLATED
-                archive.writestr(entry, file.read_bytes())
-    return buffer.getvalue()
+
+def module_parts(
+    files: Mapping[str, Path], parts: Mapping[str, Collection[str]], byte_code: Mapping[str, bytes]
+) -> dict[str, bytes]:
+    """The archive of each part; of a module without ``byte_code``, its source."""
+
+    def members(modules: Collection[str]) -> dict[str, bytes]:
+        sources = sources_of(files, modules)
+        return {
+            path + "c" if path + "c" in byte_code else path: byte_code.get(path + "c")
+            or file.read_bytes()
+            for path, file in sources.items()
+        }
+
+    return {part: archive_of(members(modules)) for part, modules in parts.items()}
 
 
 def runtime_table(
-    archives: Mapping[str, Path],
+    loaded: Mapping[str, Path],
     frozen: Frozen,
     imports: Table,
     scenes: Modules = SCENE_MODULES,
@@ -137,17 +164,21 @@ def runtime_table(
 ) -> dict[str, object]:
     """What the worker knows of the files beside it.
 
-    ``lock``: what Pyodide asks for. ``integrity``: hash of each archive. ``modules``: of each
-    part that is not loaded at once, the modules in it. ``scenes`` and ``ladders``: which of these
-    parts each of them imports.
+    ``lock``: what Pyodide asks for. ``integrity``: hash of each of the files ``loaded``.
+    ``modules``: of each part of a library that is not loaded at once, the modules in it. ``scenes``
+    and ``ladders``: which parts each of them imports.
     """
     later = {part: names for part, names in frozen.modules.items() if part not in AT_ONCE}
     return {
         "lock": LOCK,
-        "integrity": {name: integrity(file.read_bytes()) for name, file in archives.items()},
+        "integrity": {name: integrity(file.read_bytes()) for name, file in loaded.items()},
         "modules": later,
-        "scenes": {key: parts_of(imports, name, later) for key, name in scenes.items()},
-        "ladders": {key: parts_of(imports, name, later) for key, name in ladders.items()},
+        "scenes": {
+            key: [f"scene-{key}", *parts_of(imports, name, later)] for key, name in scenes.items()
+        },
+        "ladders": {
+            key: [f"ladder-{key}", *parts_of(imports, name, later)] for key, name in ladders.items()
+        },
     }
 
 

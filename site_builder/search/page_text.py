@@ -20,6 +20,9 @@ UNREAD = re.compile(
     re.DOTALL,
 )
 """What is long, silent and never inside its like: left out before a page is taken apart."""
+FORMULA = re.compile(r"(?<=<math)([^>]*>)(.*?)(?=</math>)", re.DOTALL)
+"""Of its many elements nothing is asked but their text, which is all that is then left."""
+TAG = re.compile(r"<[^>]*>")
 FOLDED = re.compile(r"<details(?![^>]*\bopen\b).*?</details>", re.DOTALL)
 LONGEST_FORMULA = 14
 """Characters of a formula in a line of text; a longer one becomes an ellipsis."""
@@ -71,7 +74,8 @@ def read_sections(html: str) -> tuple[Section, ...]:
     """The sections of the page's article, in order; those that say nothing are left out."""
     reader = _Reader()
     main = MAIN.search(html)  # the contents around it are as long as the book
-    reader.feed(UNREAD.sub(r"\1", main[0] if main else html))
+    shown = UNREAD.sub(r"\1", main[0] if main else html)
+    reader.feed(FORMULA.sub(lambda found: found[1] + TAG.sub("", found[2]), shown))
     reader.close()
     return tuple(section for section in reader.sections() if section.title or section.text)
 

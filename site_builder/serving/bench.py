@@ -2,7 +2,7 @@
 
 import threading
 import traceback
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from pathlib import Path
 
 from site_builder.build import Files, Options, RenderedSite, render_parts
@@ -11,8 +11,9 @@ from site_builder.drawing.apart import Limits, limited
 from site_builder.kept.keeper import Keeper, keeping
 from site_builder.kept.store import Store, default_folder
 from site_builder.output.assets import content_bytes
-from site_builder.output.writer import replace_file, write_site
+from site_builder.output.writer import Hashes, replace_file, write_site
 from site_builder.search.index import ADDRESS
+from site_builder.search.records import Record
 
 
 class Bench:
@@ -21,22 +22,26 @@ class Bench:
     def __init__(self, root: Path, out: Path, runtime: bool, since_ns: int) -> None:
         self._root, self._out, self._runtime = root, out, runtime
         self._keeper = Keeper(Store(default_folder()), since_ns)
-        self._turn = 0
         self._index = b""
         """What can be searched now: it is made after the pages, and may be of the build before."""
+        self._records: Sequence[Record] = ()
+        """What the last index was to be made of."""
+        self._hashes: Hashes = {}
+        """Of the files as they were written."""
         self._writing = threading.Lock()
 
     def build(self) -> Iterator[dict[str, object]]:
         """Build once; yields what came of it as soon as the pages are there."""
-        self._turn += 1
         warnings: list[Diagnostic] = []
         options = Options(self._root, runtime=self._runtime, reload=True, warn=warnings.append)
         try:
             with keeping(self._keeper), limited(Limits()):
                 site = render_parts(options)
                 with self._writing:
-                    changed = write_site(self._with_index(site), self._out)
+                    changed = write_site(self._with_index(site), self._out, self._hashes)
                 yield _answer(warnings, f"{len(site.files)} files", changed=changed)
+                # From here on nobody waits: what is new goes into the store, too.
+                records = site.records()
         except BuildError as error:
             yield _answer(warnings, "", mistakes=str(error))
         except (OSError, ValueError, RuntimeError) as error:
@@ -44,8 +49,10 @@ class Bench:
         except Exception:  # a mistake of the builder's own must not end it
             yield _answer(warnings, "", mistakes=traceback.format_exc())
         else:
-            thread = threading.Thread(target=self._make_index, args=(site, self._turn), daemon=True)
-            thread.start()
+            if records != self._records:
+                self._records = records
+                given = (site, records)
+                threading.Thread(target=self._make_index, args=given, daemon=True).start()
 
     def _with_index(self, site: RenderedSite) -> Files:
         place = self._out / ADDRESS
@@ -54,11 +61,11 @@ class Bench:
         files = {**site.files, ADDRESS: self._index or b"{}"}
         return {**files, **site.finish(files)}
 
-    def _make_index(self, site: RenderedSite, turn: int) -> None:
+    def _make_index(self, site: RenderedSite, records: Sequence[Record]) -> None:
         """Beside the next build, if there is one: Node takes longer than a page."""
-        made = content_bytes(site.index().get(ADDRESS, b""))
+        made = content_bytes(site.index(records).get(ADDRESS, b""))
         with self._writing:
-            if turn == self._turn and made != self._index and made:
+            if records is self._records and made != self._index and made:
                 self._index = made
                 replace_file(self._out / ADDRESS, self._index)
 

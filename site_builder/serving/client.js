@@ -3,7 +3,8 @@
 //
 // Browsers open few connections to one host. Of all open pages one listens, and tells the others.
 
-const KEPT = "unsent-answers";
+import { keepAnswers, putBackAnswers } from "./unsent.js";
+
 const FIXED = "simulation-figure, ladder-bench, form, [data-predict], script, h1, h2, h3";
 const channel = new BroadcastChannel("builds");
 let shown = 0;
@@ -11,7 +12,7 @@ let source = fetchSource();
 
 channel.addEventListener("message", ({ data }) => hear(data));
 channel.postMessage({ kind: "asked" });
-putBack();
+putBackAnswers();
 if (navigator.locks) navigator.locks.request("builds", listen);
 else listen();
 
@@ -55,9 +56,10 @@ function hear({ kind, said }) {
 async function show(changed, missed) {
   const page = location.pathname.slice(1).replace(/(^|\/)$/, "$1index.html");
   const assets = changed.filter((name) => name.startsWith("assets/") && name !== sheet());
+  const python = changed.some((name) => name.startsWith("runtime/"));
   const mine = changed.includes(page) || pictures().some((name) => changed.includes(name));
   const scripts = assets.some((name) => /\/(js|fonts|editor|search)\//.test(name));
-  if (missed || scripts) return reload();
+  if (missed || scripts || python) return reload();
   if (changed.includes(sheet())) swapSheet();
   if (mine && !(changed.includes(page) && (await swapText()))) reload();
 }
@@ -134,29 +136,8 @@ function rest(page) {
 }
 
 function reload() {
-  const answers = fields().map(({ type, value, checked }) =>
-    type === "checkbox" || type === "radio" ? checked : value,
-  );
-  sessionStorage.setItem(KEPT, JSON.stringify({ page: location.pathname, answers }));
+  keepAnswers();
   location.reload();
-}
-
-/** What was typed and not sent before the page was loaded anew. */
-function putBack() {
-  const { page, answers } = JSON.parse(sessionStorage.getItem(KEPT) ?? "{}");
-  sessionStorage.removeItem(KEPT);
-  if (page !== location.pathname || answers.length !== fields().length) return;
-  fields().forEach((field, index) => {
-    if (typeof answers[index] === "boolean") field.checked = answers[index];
-    else if (field.value !== answers[index]) field.value = answers[index];
-  });
-}
-
-/** Those of questions; what figures are set to is in the address. */
-function fields() {
-  return /** @type {HTMLInputElement[]} */ ([
-    ...document.querySelectorAll("main form input:not([type=file])"),
-  ]);
 }
 
 /** @param {string} mistakes */

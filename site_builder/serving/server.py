@@ -16,14 +16,15 @@ from pathlib import Path
 
 from site_builder.serving.news import News
 
-CLIENT = Path(__file__).with_name("client.js")
+SCRIPTS = Path(__file__).parent
+CLIENT = ("client.js", "unsent.js")
 KEEP_ALIVE_S = 15.0
 LOOPBACK = "127.0.0.1"
 OWN_NAMES = ("localhost", "127.0.0.1", "::1")
 WAITING = (
     b"<!DOCTYPE html><meta charset=utf-8><title>Being built</title>"
     b"<body><p>The book is being built. This page shows it as soon as it is there.</p>"
-    b"<script src=/.reload/client.js></script>"
+    b"<script type=module src=/.reload/client.js></script>"
 )
 """Shown until the first build is done; what is wrong with the book is laid over it."""
 
@@ -70,8 +71,8 @@ class Handler(SimpleHTTPRequestHandler):
             self.send_error(HTTPStatus.MISDIRECTED_REQUEST, "not a name of this server")
         elif self.path == "/.reload/events":
             self._stream_events()
-        elif self.path == "/.reload/client.js":
-            self._send("text/javascript", CLIENT.read_bytes())
+        elif (name := self.path.removeprefix("/.reload/")) in CLIENT:
+            self._send("text/javascript", (SCRIPTS / name).read_bytes())
         elif not self.news.number:
             self._send("text/html; charset=utf-8", WAITING, status=503)
         else:

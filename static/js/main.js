@@ -3,10 +3,7 @@
  * Listeners sit on the document, so that they outlive a change of chapter.
  */
 
-import { SimulationFigure } from "./figure/element.js";
-import { installStrips } from "./figure/strip.js";
-import { installGestures, offerWords, returned } from "./figure/gestures.js";
-import { LadderBench } from "./ladder/bench.js";
+import { PARTS } from "./book_parts.js";
 import { installContents } from "./page/contents.js";
 import { ask as followScroll, installHeader } from "./page/header.js";
 import { installKeys } from "./page/keys.js";
@@ -15,41 +12,30 @@ import { watchScrollers } from "./page/scrollers.js";
 import { installOffline } from "./page/offline.js";
 import { installSearch } from "./page/search.js";
 import { watchSections } from "./page/sections.js";
-import { arrangeTabs, installTabs } from "./page/tabs.js";
-import { installTerms } from "./page/terms.js";
 import { installTheme, showTheme } from "./page/theme.js";
-import { installKeeping } from "./question/keeping.js";
-import { installPredictions, restorePredictions } from "./question/predictions.js";
-import { installQuestions, restoreQuestions } from "./question/questions.js";
 
-customElements.define("simulation-figure", SimulationFigure);
-customElements.define("ladder-bench", LadderBench);
 installTheme();
 installContents();
 installHeader();
 installSearch();
 installKeys();
-installTerms();
-installTabs();
-arrangeTabs();
-installStrips();
-watchScrollers();
-watchSections();
-installQuestions();
-installPredictions();
-installKeeping();
-installGestures();
-restoreQuestions();
-restorePredictions();
-offerWords();
+for (const part of PARTS) part.install();
+arrive();
 installOffline();
-installNavigation(() => {
-  showTheme();
-  arrangeTabs();
-  followScroll();
+installNavigation(
+  () => {
+    showTheme();
+    followScroll();
+    arrive();
+  },
+  () => {
+    for (const part of PARTS) part.returned?.();
+  },
+);
+
+/** A page has come into place. */
+function arrive() {
+  for (const part of PARTS) part.arrive?.();
   watchScrollers();
   watchSections();
-  restoreQuestions();
-  restorePredictions();
-  offerWords();
-}, returned);
+}

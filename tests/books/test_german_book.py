@@ -9,7 +9,7 @@ from typing import Any
 import pytest
 from filelock import FileLock
 from playwright.sync_api import Browser, expect
-from support.interface_words import phrases, said
+from support.interface_words import engine_sentences, phrases, said
 from support.reader import Reader, visit
 from support.static_server import serving
 from support.waves import ROOT, on_waves
@@ -18,8 +18,6 @@ from site_builder.languages.words import ENGLISH, load_words
 
 GERMAN_BOOK = ROOT / "tests" / "fixtures" / "german-book"
 WORDS = load_words("de")
-OF_THE_ENGINE = ("unneeded", "unchanged", "independent")
-"""Scripts look for these words in what the engine says of a stage, and show others."""
 
 
 @pytest.fixture(scope="session")
@@ -57,7 +55,19 @@ def test_no_english_word_of_the_interface_is_left(german_site: Path) -> None:
         for file in files
         for text in (said(file),)
         for key, phrase in phrases(ENGLISH)
-        if phrase in text and phrase not in german and not key.endswith(OF_THE_ENGINE)
+        if phrase in text and phrase not in german
+    ]
+    assert left == []
+
+
+def test_the_engine_of_its_figures_says_no_english_sentence(german_site: Path) -> None:
+    shown = [file for file in german_site.rglob("*.html") if "assets" not in file.parts]
+    texts = {file: re.sub(r"<[^>]*>", "\n", said(file)) for file in shown}
+    left = [
+        f"{file.relative_to(german_site)}: {sentence!r}"
+        for file, text in texts.items()
+        for sentence in engine_sentences()
+        if sentence in text
     ]
     assert left == []
 
@@ -100,6 +110,10 @@ def test_a_visit_in_german(german_site: Path, german_book: Any, brisk_chromium: 
         reader.wait_frame(figure, before)
         expect(figure.locator("output[name=dauer]")).to_have_text("2,02")
         expect(figure.locator(".control-value").first).to_have_text("1,00\u00a0m")
+        workings = figure.locator("details.workings")
+        workings.locator("summary").click()
+        expect(workings).to_contain_text(WORDS("script.workings.changed", names="length"))
+        assert not [said for said in engine_sentences() if said in figure.inner_text()]
         _answer(reader)
         _search(reader)
         kept = reader.page.evaluate("Object.keys(localStorage)")

@@ -14,6 +14,7 @@ from simulations.engine.scene import Scene
 from simulations.registry import load_scene
 from site_builder.build import Options, render_site
 from site_builder.diagnostics import BuildError
+from site_builder.kept import ahead
 from site_builder.kept.keeper import Keeper, keeping
 from site_builder.output.assets import content_bytes
 
@@ -230,3 +231,15 @@ def test_any_edits_one_after_the_other_give_what_a_clean_build_gives(
             text = text.replace(new, old) if new in text else text.replace(old, new)
             file.write_text(text, encoding="utf-8")
             assert bake()[0] == built(book)
+
+
+def test_a_book_is_the_same_however_many_processes_make_it(
+    book: Options, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    found = []
+    for number in (1, 3):
+        monkeypatch.setattr(ahead, "cores", lambda number=number: number)
+        with keeping(Keeper()):
+            found.append(built(book))
+    assert found[0] == found[1]
+    assert isinstance(found[0], Mapping)

@@ -18,7 +18,6 @@ PULLS = ((41.0, 32.0), (-34.0, 26.0), (40.0, -60.0), (120.0, 0.0))
 place far."""
 
 
-@pytest.mark.long
 @pytest.mark.parametrize("scene", WITH_HANDLES)
 def test_every_handle_moves_its_settings_and_goes_along(
     guest: Reader, book: Any, scene: str

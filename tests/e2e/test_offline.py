@@ -13,8 +13,9 @@ from playwright.sync_api import Error as PlaywrightError
 from support.reader import Reader, visit
 from support.static_server import StaticServer, serving
 
+from site_builder.kept.files import folder_files
 from site_builder.offline.release import LIST, WORKER, no_release, release_files
-from site_builder.output.assets import content_bytes, folder_files
+from site_builder.output.assets import content_bytes
 
 pytestmark = pytest.mark.browser
 

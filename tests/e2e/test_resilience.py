@@ -1,21 +1,45 @@
 """What the reader meets when something breaks: a message, a way on, and nothing lost."""
 
+import json
 from typing import Any
 
 import pytest
-from playwright.sync_api import Browser
+from playwright.sync_api import Browser, Locator
 from support.reader import START_MS, Reader
 from support.static_server import StaticServer
 
 pytestmark = pytest.mark.browser
 
 LIMIT = """async (ms) => {
-  const url = new URL(document.body.dataset.assets + 'js/runtime/runtime.js', location.href);
+  const url = new URL(document.body.dataset.assets + 'js/runtime/patience.js', location.href);
   const {LIMITS} = await import(url);
   const before = LIMITS.render;
   LIMITS.render = ms;
   return before;
 }"""
+"""Of the wait for a frame."""
+
+HARM = """async (edits) => {
+  const url = new URL(document.body.dataset.assets + 'js/runtime/runtime.js', location.href);
+  const runtime = (await import(url)).sharedRuntime();
+  const frame = {figure: 'figure-x', scene: 'lens-distortion', values: '{}', tier: '', edits};
+  return (await runtime.call('renderEdited', frame)).problem;
+}"""
+"""Run edited code in the interpreter of the book: the page itself never does."""
+
+CODE = """def _encoded(photo):
+    return to_rgba8(encode_srgb(photo.linear))
+
+import sys
+book = sys.modules["simulations.browser"]
+asked = book._asked
+
+def next_frame(*given):
+    {}
+
+book._asked = next_frame
+"""
+"""Whatever is asked of the book's interpreter next meets with a harm."""
 
 
 @pytest.fixture
@@ -29,63 +53,57 @@ def chapter(book: Any) -> str:
     return str(next(c["url"] for c in book["chapters"] if sliders & set(c["simulations"])))
 
 
-@pytest.mark.parametrize(
-    "harm",
-    ["self.close()", "setTimeout(() => { for (;;); })"],
-    ids=["killed worker", "hung worker"],
-)
-def test_a_lost_worker_is_replaced_and_the_values_are_kept(
-    visitor: Reader, chapter: str, harm: str
-) -> None:
-    visitor.turn_to(chapter)
-    page = visitor.page
-    figure = page.locator("simulation-figure:has(input[type=range])").first
-    slider = figure.locator("input[type=range]").first
-    slider.focus()
-    page.keyboard.press("PageUp")
+def harm(visitor: Reader, code: str) -> Locator:
+    """A live figure, whose next frame meets with ``code``; its first slider has been moved."""
+    visitor.turn_to("lens-distortion/")
+    figure = visitor.figure("lens-distortion")
+    figure.locator("input[type=range]").first.press("PageUp")
     visitor.settle(figure)
+    edits = {"simulations.scenes.lens_distortion.stages:_encoded": CODE.format(code)}
+    assert visitor.page.evaluate(HARM, json.dumps(edits)) is None
+    return figure
+
+
+@pytest.mark.parametrize(
+    "code",
+    [
+        "import js; js.self.close(); return asked(*given)",
+        "while True: pass",
+        "import numpy; book.hoard = []\n    while True: book.hoard.append(numpy.empty(1 << 27, 'u1'))",
+    ],
+    ids=["ended", "endless loop", "memory exhausted"],
+)
+def test_a_worker_lost_in_the_midst_of_a_frame_is_replaced_and_the_values_are_kept(
+    visitor: Reader, code: str
+) -> None:
+    figure = harm(visitor, code)
+    slider = figure.locator("input[type=range]").first
     kept = slider.input_value()
-    limit = page.evaluate(LIMIT, 1500)
-    page.workers[-1].evaluate(harm)
     frames = visitor.frames(figure)
-    slider.focus()
-    page.keyboard.press("ArrowRight")
+    limit = visitor.page.evaluate(LIMIT, 1500)
+    slider.press("ArrowRight")
     visitor.wait_frame(figure, frames, START_MS)
-    page.evaluate(LIMIT, limit)
+    visitor.page.evaluate(LIMIT, limit)
     assert figure.get_attribute("data-state") == "live"
     assert slider.input_value() != kept
-    page.keyboard.press("ArrowLeft")
+    slider.press("ArrowLeft")
     assert slider.input_value() == kept
 
 
-RUNTIME = (
-    *("pyodide.mjs", "pyodide.asm.mjs", "pyodide.asm.wasm", "runtime.json"),
-    *("/python.zip", "/numpy.zip", "/simulations.zip"),
-)
-
-
-def test_a_damaged_runtime_file_is_told_and_can_be_tried_again(
-    reader: Reader, server: StaticServer, chapter: str
+def test_an_exception_in_a_scene_is_told_and_the_next_try_finds_the_values_as_they_were(
+    visitor: Reader,
 ) -> None:
-    """One file after the other: each try finds whole what was damaged in the one before."""
-    figure = reader.page.locator("simulation-figure").first
-    retry = figure.locator(".retry")
-    for attempt, name in enumerate(RUNTIME):
-        server.damaged.clear()
-        server.damaged[name] = b"not what it should be"
-        if attempt:
-            retry.click()
-        else:
-            reader.open(chapter, live=False)
-        retry.wait_for(state="visible", timeout=START_MS)
-        told = figure.locator(".figure-message").inner_text()
-        assert "Python did not start" in told, name
-        assert "[object" not in told, name
-    server.damaged.clear()
-    retry.click()
-    reader.wait_live()
+    figure = harm(visitor, "book._asked = asked; raise ZeroDivisionError('the scene divides')")
+    slider = figure.locator("input[type=range]").first
+    slider.press("ArrowRight")
+    kept = slider.input_value()
+    figure.locator(".retry").wait_for()
+    assert "ZeroDivisionError: the scene divides" in figure.locator(".figure-message").inner_text()
+    frames = visitor.frames(figure)
+    figure.locator(".retry").click()
+    visitor.wait_frame(figure, frames)
+    assert slider.input_value() == kept
     assert not figure.locator(".figure-status").is_visible()
-    reader.complaints.clear()  # Pyodide's own words about the damaged file
 
 
 def test_a_browser_without_webassembly_is_told_so_and_keeps_the_stills(

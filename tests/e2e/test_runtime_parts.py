@@ -112,7 +112,7 @@ def test_a_part_that_cannot_be_had_stops_only_the_figures_that_need_it(
     ).first
     figure.locator(".retry").wait_for(state="visible", timeout=60_000)
     message = figure.locator(".figure-message").inner_text()
-    assert f"{part} could not be fetched" in message
+    assert f"{part}.zip arrived damaged" in message
     server.damaged.clear()
     figure.locator(".retry").click()
     reader.wait_live()

@@ -61,6 +61,7 @@ def test_the_script_of_every_figure_prints_the_numbers_of_its_page(
             figure["scene"],
             json.dumps(figure["schema"]["values"]),
             figure["schema"]["default_tier"],
+            "[]",
         )
         for figure in figures
     ]
@@ -68,11 +69,13 @@ def test_the_script_of_every_figure_prints_the_numbers_of_its_page(
     assert printed == [says(figure["says"]) for figure in figures]
 
 
-def test_a_script_of_a_figure_that_its_reader_changed_says_so_and_is_the_books() -> None:
+def test_a_script_begins_with_what_it_is_told_and_is_the_same_otherwise() -> None:
     plain, noted = (
-        ast.parse(script("camera", "{}", "", edited=own, own_picture=own)) for own in (False, True)
+        ast.parse(script("camera", "{}", "", json.dumps(["Camera.", *more])))
+        for more in ([], ["It ran other Python."])
     )
-    assert ast.get_docstring(plain) != ast.get_docstring(noted)
+    assert ast.get_docstring(plain) == "Camera."
+    assert ast.get_docstring(noted) == "Camera.\n\nIt ran other Python."
     assert [ast.dump(part) for part in plain.body[1:]] == [ast.dump(p) for p in noted.body[1:]]
 
 

@@ -1,6 +1,7 @@
 """What is written twice, in Python for the page as served and in JavaScript for the page as used,
 says the same."""
 
+import json
 from dataclasses import asdict
 from math import inf
 from typing import Any
@@ -9,7 +10,8 @@ import pytest
 from support.reader import Reader
 
 from simulations.engine.controls import Slider, describe
-from simulations.engine.frame import StageReport
+from simulations.engine.frame import Frame, Panel, StageReport, to_json
+from simulations.engine.said import Said
 from simulations.registry import SCENE_MODULES, load_scene
 from site_builder.charts.axes import linear_axis, log_axis
 from site_builder.languages.words import ENGLISH
@@ -29,6 +31,12 @@ CALL = """async ([module, name, calls]) => {
 def ask(visitor: Reader, module: str, name: str, calls: list[list[Any]]) -> list[Any]:
     """What the function ``name`` of a script answers to each list of arguments."""
     return list(visitor.page.evaluate(CALL, [module, name, calls]))
+
+
+def sent(*stages: StageReport) -> list[Any]:
+    """What a frame tells the page of them."""
+    frame = Frame((Panel("panel", "", 400, 300),), (), "Shows.", stages)
+    return list(json.loads(to_json(frame))["stages"])
 
 
 def test_the_value_beside_a_slider(visitor: Reader) -> None:
@@ -74,14 +82,21 @@ def test_milliseconds_in_the_table_of_a_ladder(visitor: Reader) -> None:
 )
 def test_the_count_of_stages(visitor: Reader, statuses: list[Any]) -> None:
     stages = [StageReport("stage", status, "") for status in statuses]
-    calls = [[[asdict(stage) for stage in stages]]]
+    calls = [[sent(*stages)]]
     assert ask(visitor, "figure/workings", "countStages", calls) == [count_stages(stages)]
 
 
 def test_why_a_stage_was_computed_or_not(visitor: Reader) -> None:
-    reasons = ["reads a, b; follows c", "changed: k1", "nothing takes it", "no blur", ""]
+    reads, follows = (Said(f"workings.{key}", {"names": "a, b"}) for key in ("reads", "follows"))
+    reasons: list[str | tuple[Said, ...]] = [
+        (reads, follows),
+        (Said("workings.unneeded"),),
+        "no blur",
+        "",
+    ]
     texts = [reason_text(reason) for reason in reasons]
-    assert ask(visitor, "figure/workings", "reasonText", [[text] for text in reasons]) == texts
+    calls = [[sent(StageReport("s", "skipped", reason))[0]["reason"]] for reason in reasons]
+    assert ask(visitor, "figure/workings", "reasonText", calls) == texts
 
 
 def test_a_number_as_the_language_writes_it(visitor: Reader) -> None:

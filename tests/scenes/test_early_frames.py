@@ -19,7 +19,7 @@ def test_each_frame_says_and_draws_what_its_scene_does(scene: str) -> None:
     of: Scene[Any] = load_scene(scene)
     start = values_of(of.check({}))
     figure = Simulation(of, f"figure-{scene}", {}, of.default_tier, "", "", 1)
-    strip = render_strip("page", figure, start)
+    strip = render_strip("page", figure)
     if strip is None:
         return
     told = json.loads(strip.data)

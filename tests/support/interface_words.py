@@ -1,10 +1,13 @@
 """Words of the interface looked for in finished files."""
 
+import ast
 import html
 import re
 from collections.abc import Iterator
+from functools import cache
 from pathlib import Path
 
+from site_builder.book_root import ENGINE, ENGINE_PARTS
 from site_builder.languages.words import Words
 
 NOT_OURS = re.compile(r"<(pre|code)\b.*?</\1>", re.DOTALL)
@@ -29,3 +32,21 @@ def said(file: Path) -> str:
     if file.suffix == ".html":
         return html.unescape(NOT_OURS.sub("", text))
     return COMMENTS.sub("", text)
+
+
+SENTENCE = re.compile(r"[A-Za-z]{2,} [A-Za-z]{2,}")
+
+
+@cache
+def engine_sentences() -> frozenset[str]:
+    """Whatever in the Python of the engine might be a sentence, or a part of one."""
+    parts = [ENGINE / "simulations" / part for part in ENGINE_PARTS]
+    files = [file for part in parts for file in (*part.rglob("*.py"), part.with_suffix(".py"))]
+    texts = (
+        node.value.strip(" .,:;()")
+        for file in files
+        if file.is_file()
+        for node in ast.walk(ast.parse(file.read_text(encoding="utf-8")))
+        if isinstance(node, ast.Constant) and isinstance(node.value, str)
+    )
+    return frozenset(text for text in texts if SENTENCE.search(text))

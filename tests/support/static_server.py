@@ -3,8 +3,10 @@
 import io
 import sys
 import threading
-from collections.abc import Iterator
+import time
+from collections.abc import Callable, Iterator
 from contextlib import contextmanager
+from dataclasses import dataclass
 from functools import partial
 from http.server import SimpleHTTPRequestHandler, ThreadingHTTPServer
 from pathlib import Path
@@ -25,6 +27,20 @@ in Playwright does. Their pages allow that, and nothing else beyond what the pag
 STRICT, LAX = b"'wasm-unsafe-eval'", b"'wasm-unsafe-eval' 'unsafe-eval'"
 
 
+@dataclass(frozen=True, slots=True)
+class Fault:
+    """What becomes of a file on its way."""
+
+    change: Callable[[bytes], bytes] = bytes
+    """Of its bytes."""
+    status: int = 200
+    media_type: str = ""
+    """Another than the right one."""
+    cut: bool = False
+    """Whether the connection breaks off in the middle."""
+    late_s: float = 0
+
+
 class QuietServer(ThreadingHTTPServer):
     """A browser that leaves a page drops its downloads; that is no error of the server's."""
 
@@ -36,7 +52,8 @@ class QuietServer(ThreadingHTTPServer):
 
 
 class StaticServer:
-    """The folder ``root`` at ``url``; ``damaged`` maps ends of paths to other bytes.
+    """The folder ``root`` at ``url``; ``damaged`` maps ends of paths to other bytes, ``faults`` to
+    what else is wrong with them. ``uncached``, browsers keep nothing of it.
 
     While it is ``gone``, nobody answers.
     """
@@ -44,7 +61,9 @@ class StaticServer:
     def __init__(self, root: Path) -> None:
         self.root = root
         self.gone = False
+        self.uncached = False
         self.damaged: dict[str, bytes] = {}
+        self.faults: dict[str, Fault] = {}
         self.server = QuietServer(("127.0.0.1", 0), partial(Handler, owner=self))
         self.url = f"http://127.0.0.1:{self.server.server_address[1]}/book/"
 
@@ -67,11 +86,12 @@ class Handler(SimpleHTTPRequestHandler):
         path = self.path.partition("?")[0]
         for ending, content in self.owner.damaged.items():
             if path.endswith(ending):
-                self.send_response(200)
-                self.send_header("Content-Type", self.guess_type(path))
-                self.send_header("Content-Length", str(len(content)))
-                self.end_headers()
-                self.wfile.write(content)
+                self.hand_out(path, content, Fault())
+                return
+        for ending, fault in self.owner.faults.items():
+            if path.endswith(ending):
+                file = self.owner.root / path.removeprefix("/book/")
+                self.hand_out(path, fault.change(file.read_bytes()), fault)
                 return
         if not path.startswith("/book/"):
             self.send_error(404)
@@ -92,6 +112,20 @@ class Handler(SimpleHTTPRequestHandler):
         self.send_header("Content-Length", str(len(body)))
         self.end_headers()
         return io.BytesIO(body)
+
+    def hand_out(self, path: str, content: bytes, fault: Fault) -> None:
+        time.sleep(fault.late_s)
+        self.send_response(fault.status)
+        self.send_header("Content-Type", fault.media_type or self.guess_type(path))
+        self.send_header("Content-Length", str(len(content)))
+        self.end_headers()
+        self.wfile.write(content[: len(content) // 2] if fault.cut else content)
+        self.close_connection = fault.cut
+
+    def end_headers(self) -> None:
+        if self.owner.uncached:
+            self.send_header("Cache-Control", "no-store")
+        super().end_headers()
 
     def log_message(self, *_: object) -> None:
         """Tests have their own words."""

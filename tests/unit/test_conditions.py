@@ -1,12 +1,10 @@
 """Conditions judge a figure by what it shows."""
 
-import json
 import math
 from dataclasses import dataclass
 
 import pytest
 
-from simulations.browser import judge
 from simulations.engine.conditions import first_met, shown_value
 from simulations.engine.frame import Frame, Readout, readout
 from simulations.engine.settings import choice, slider
@@ -45,10 +43,3 @@ def test_the_first_condition_that_holds_is_the_one() -> None:
 
 def test_what_is_undefined_is_no_number() -> None:
     assert math.isnan(float(shown_value("undefined")))
-
-
-def test_the_worker_judges_a_figure_at_the_reader_s_values() -> None:
-    conditions = json.dumps(["k1 > 0", "-20.5 <= corner <= -19.5"])
-    for values, met in (({"k1": -0.1}, 1), ({"k1": 0.1}, 0), ({"k1": -0.3}, None)):
-        place = judge("test", "lens-distortion", json.dumps(values), "checked-table", conditions)
-        assert place == met

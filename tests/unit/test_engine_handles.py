@@ -7,7 +7,6 @@ from typing import Any
 
 import pytest
 
-from simulations import browser
 from simulations.engine.controls import ControlError, Slider, Value
 from simulations.engine.frame import Frame, Panel, Place, to_json
 from simulations.engine.handles import Handle, Point
@@ -135,8 +134,3 @@ def test_a_handle_lies_in_a_panel_that_there_is() -> None:
 def test_the_nearest_value_is_one_that_whole_steps_lead_to(number: float, nearest: float) -> None:
     uneven = Slider(name="s", label="S", default=0, minimum=0, maximum=0.9, step=0.25)
     assert uneven.nearest(number) == nearest
-
-
-def test_the_browser_asks_for_a_pull_by_names_and_numbers() -> None:
-    scene_id, values = "lambertian-shading", '{"light_angle": 30}'
-    assert json.loads(browser.pull(scene_id, values, "", "lamp", 200, 0)) == {"light_angle": 180}

@@ -3,6 +3,7 @@
 import json
 from collections.abc import Iterator
 from dataclasses import dataclass
+from importlib import import_module
 from typing import Any
 
 import pytest
@@ -33,6 +34,21 @@ STAGES = (Stage("told", lambda size, tier: f"{tier} of {size:g}"),)
 
 def scene_of(**changed: Any) -> Scene[Settings]:
     return Scene("s", "S", Settings, draw, **changed)
+
+
+def test_two_stages_of_one_name_are_refused() -> None:
+    with pytest.raises(ValueError, match="two stages named 'told'; legal: a name for each"):
+        scene_of(stages=(*STAGES, *STAGES))
+
+
+@pytest.mark.parametrize("value", [None, 3])
+def test_a_module_without_a_scene_is_refused(
+    monkeypatch: pytest.MonkeyPatch, value: object
+) -> None:
+    known = next(iter(SCENE_MODULES))
+    monkeypatch.setattr(import_module(SCENE_MODULES[known]), "SCENE", value)
+    with pytest.raises(UnknownIdError, match=r"has (no|int as) SCENE; legal: a Scene"):
+        load_scene(known)
 
 
 def test_a_button_must_drive_a_slider_of_its_scene() -> None:
@@ -155,11 +171,10 @@ def test_a_scene_without_a_reference_has_no_error(monkeypatch: pytest.MonkeyPatc
 
 
 def test_an_unknown_scene_is_named_with_the_nearest_legal_one() -> None:
+    known = next(iter(SCENE_MODULES))
     with pytest.raises(UnknownIdError) as raised:
-        load_scene("lens-distorsion")
-    assert str(raised.value) == (
-        "unknown simulation 'lens-distorsion'; did you mean 'lens-distortion'?"
-    )
+        load_scene(f"{known}x")
+    assert str(raised.value) == f"unknown simulation '{known}x'; did you mean {known!r}?"
 
 
 @pytest.mark.parametrize("scene_id", SCENE_MODULES)

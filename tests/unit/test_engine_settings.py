@@ -123,6 +123,16 @@ def test_a_field_without_a_control_or_of_another_type_is_refused() -> None:
         controls_of(Crossed)
 
 
+def test_settings_that_can_be_changed_are_refused() -> None:
+    @dataclass
+    class Loose:
+        depth: float = slider("Depth", 0.5, 0, 1, 0.1)
+
+    for settings in (Loose, int):
+        with pytest.raises(TypeError, match=r"can be changed; legal: @dataclass\(frozen=True"):
+            controls_of(settings)
+
+
 def test_a_field_whose_control_contradicts_itself_is_refused() -> None:
     @dataclass(frozen=True)
     class Wrong:

@@ -1,6 +1,5 @@
 """Measuring a ladder: with a clock that the test winds, every number is known beforehand."""
 
-import json
 from dataclasses import replace
 from typing import Any
 
@@ -8,7 +7,6 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from simulations import browser
 from simulations.engine.ladder import Ladder, Metric, Tier, measure_tier, pareto_front
 from simulations.registry import LADDER_MODULES, UnknownIdError, load_ladder
 
@@ -148,12 +146,6 @@ def test_every_registered_ladder_is_found_under_its_own_id(ladder_id: str) -> No
 
 
 def test_an_unknown_ladder_is_answered_with_the_nearest_name() -> None:
-    with pytest.raises(UnknownIdError, match=r"unknown ladder 'sgrb'.*srgb"):
-        load_ladder("sgrb")
-
-
-def test_the_browser_measures_a_tier_of_a_real_ladder() -> None:
-    result = json.loads(browser.measure("srgb", "power-1/2.2", budget_s=0.01))
-    assert result["tier"] == "power-1/2.2"
-    assert 0.0 < result["low_ms"] <= result["milliseconds"] <= result["high_ms"]
-    assert result["errors"]["worst"] == pytest.approx(8.55, abs=0.01)
+    known = next(iter(LADDER_MODULES))
+    with pytest.raises(UnknownIdError, match=rf"unknown ladder '{known}x'.*did you mean '{known}'"):
+        load_ladder(f"{known}x")

@@ -13,6 +13,7 @@ lenses*, 1966; the rational form is OpenCV's.
 """
 
 from dataclasses import dataclass
+from functools import lru_cache
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -25,6 +26,9 @@ from simulations.models.require import require
 
 FAR = 1e45
 """Radius beyond which r⁶ and its products might overflow: only the direction counts there."""
+
+
+_profile = lru_cache(maxsize=64)(RadialProfile)  # asked for a hundred times a frame
 
 
 @dataclass(frozen=True, slots=True)
@@ -55,7 +59,7 @@ class Distortion:
     @property
     def radial(self) -> RadialProfile:
         """The part that depends on the radius alone."""
-        return RadialProfile((self.k1, self.k2, self.k3), (self.k4, self.k5, self.k6))
+        return _profile((self.k1, self.k2, self.k3), (self.k4, self.k5, self.k6))
 
     @property
     def tangential(self) -> bool:

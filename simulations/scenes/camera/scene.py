@@ -29,7 +29,7 @@ from simulations.scenes.camera.lens import (
 from simulations.scenes.camera.plan import PLAN_HEIGHT, PLAN_WIDTH, Standing, draw_plan
 from simulations.scenes.camera.sensor import develop_ideal, expose, shutter_s, vignette
 from simulations.scenes.camera.settings import Settings
-from simulations.scenes.camera.stages import STAGES, TIERS, through_lens
+from simulations.scenes.camera.stages import SCALED, STAGES, TIERS, drawing_of, through_lens
 
 REFERENCE_GRID = 7
 """Points across the lens of the picture that errors are measured against: 37 in all."""
@@ -37,11 +37,13 @@ REFERENCE_GRID = 7
 
 def parameters(settings: Settings, tier: str) -> dict[str, Value]:
     """What the stages read besides the controls: set by the tier, or worked out."""
-    accuracy, across, down, now = TIERS[tier], 0, 0, after_step(settings)
+    draft, now = tier == SCALED, after_step(settings)
+    accuracy, across, down = TIERS["layers" if draft else tier], 0, 0
     if not accuracy.bent_rays:
         across, down = margin_px(now.focal_length, now.focus, now.k1)
     return {
         **asdict(accuracy),
+        **drawing_of(draft, now.focal_length, now.focus),
         "focal_length": now.focal_length,
         "focus": now.focus,
         "margin_columns": across,
@@ -181,9 +183,9 @@ SCENE = Scene(
     tiers=tuple(TIERS),
     default_tier="layers",
     draft_tier="draft",
-    # Not the focus: a coarse picture would look out of focus everywhere.
     drafted=("focal_length", "light_angle", "back"),
-    drafted_in={"bent-rays": ("k1",), "aperture-rays": ("aperture", "focus", "k1")},
+    drafted_in={"bent-rays": ("k1",), "aperture-rays": ("aperture", "k1")},
+    own_drafts={SCALED: ("focus",)},
     tier_labels={
         "draft": "Draft: a ray for four pixels",
         "layers": "Bent picture, blurred layers",

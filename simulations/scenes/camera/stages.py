@@ -5,11 +5,13 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
+from simulations.engine.controls import Value
 from simulations.engine.stages import Stage
 from simulations.models.arrays import Planes
 from simulations.models.lens.aperture import fibonacci_disc
 from simulations.models.lens.depth_of_field import blur_by_depth, blur_layer, composite
 from simulations.models.lens.disc_pyramid import double
+from simulations.models.sampling.magnification import magnify
 from simulations.pictures.still_life import light as still_life_light
 from simulations.pictures.still_life import surfaces
 from simulations.pictures.still_life import things as still_life
@@ -39,6 +41,21 @@ TIERS: Mapping[str, Accuracy] = {
 }
 
 
+FARTHEST_M = 10.0
+"""Where the draft `SCALED` is drawn in focus: at the end of the slider, so that all other pictures
+are part of this one, enlarged."""
+SCALED = "scaled"
+"""The draft of a moving focus: one picture, drawn sharp, is blurred anew and enlarged as the lens
+breathes. A coarser one would look out of focus everywhere."""
+
+
+def drawing_of(draft: bool, focal_length: float, focus: float) -> dict[str, Value]:
+    """At which focus the picture is drawn, and how much larger it is shown."""
+    drawn = max(FARTHEST_M, focus) if draft else focus
+    larger = lens.principal_mm(focal_length, focus) / lens.principal_mm(focal_length, drawn)
+    return {"drawn_focus": drawn, "enlarged": larger}
+
+
 def _surfaces(rays: Rays, back: float) -> tuple[Surface, ...]:
     return surfaces.surfaces(still_life.view(rays.directions, rays.valid, back))
 
@@ -48,9 +65,14 @@ def _light(parts: tuple[Surface, ...], light_angle: float) -> LitScene:
 
 
 def _defocus(
-    lit: LitScene, focal_length: float, aperture: float, focus: float, reduction: int
+    lit: LitScene,
+    focal_length: float,
+    aperture: float,
+    focus: float,
+    reduction: int,
+    enlarged: float,
 ) -> LitScene:
-    per_radius = 2 * reduction
+    per_radius = 2 * reduction * enlarged
     discs = blur_px(focal_length, aperture, focus, lit.base_depth)
     base = blur_by_depth(lit.base, discs / per_radius)
     radii = (blur_px(focal_length, aperture, focus, depth) / per_radius for depth in lit.depths)
@@ -61,8 +83,13 @@ def _defocus(
     return replace(lit, base=base, layers=layers)
 
 
-def _overlay(lit: LitScene) -> Planes:
-    return composite(lit.base, lit.layers)
+def overlay(lit: LitScene, enlarged: float) -> Planes:
+    """All layers as one picture (3, H, W), so much larger."""
+    picture = composite(lit.base, lit.layers)
+    if enlarged == 1:
+        return picture
+    # Cubics dip a little below the dark side of an edge, but no light is negative.
+    return np.maximum(np.stack([magnify(plane, enlarged) for plane in picture]), 0.0)
 
 
 def through_lens(
@@ -78,7 +105,7 @@ def through_lens(
     radius = focal_length / aperture / 2000.0  # metres
     place = (radius * at[0], radius * at[1])
     seen = still_life.view_through(rays.directions, rays.valid, place, focus, back)
-    return _overlay(_light(surfaces.surfaces(seen), light_angle))
+    return overlay(_light(surfaces.surfaces(seen), light_angle), 1.0)
 
 
 def _aperture_rays(
@@ -98,7 +125,8 @@ def _aperture_rays(
     return np.asarray(total / np.float32(lens_rays), np.float32)
 
 
-def _enlarge(overlaid: Planes, reduction: int) -> Planes:
+def enlarge(overlaid: Planes, reduction: int) -> Planes:
+    """A picture (3, h, w) of so many pixels per ray each way, with all its pixels."""
     for _ in range(reduction.bit_length() - 1):
         overlaid = double(overlaid)
     return overlaid
@@ -149,9 +177,9 @@ STAGES = (
     Stage("surfaces", _surfaces, ("bent rays",)),
     Stage("light", _light, ("surfaces",)),
     Stage("defocus", _defocus, ("light",), in_focus),
-    Stage("overlay", _overlay, ("defocus",)),
+    Stage("overlay", overlay, ("defocus",)),
     Stage("aperture rays", _aperture_rays, ("bent rays",), _no_rays, hands_on="overlay"),
-    Stage("enlargement", _enlarge, ("aperture rays",), _own_rays),
+    Stage("enlargement", enlarge, ("aperture rays",), _own_rays),
     Stage("lens map", lens.lens_map, ("pinhole rays",), _no_warp),
     Stage("lens distortion", lens.distort_picture, ("enlargement", "lens map"), _no_warp),
     Stage("trimming", lens.trim, ("lens distortion",), _no_trim),

@@ -18,11 +18,19 @@ from simulations.engine.scene import Scene
 from simulations.engine.stages import Outputs
 from simulations.models.lens import thin_lens
 from simulations.scenes.camera.lens import COLUMNS, PITCH_MM, ROWS
+from simulations.scenes.camera.stages import SCALED, drawing_of
 from simulations.scenes.depth_of_field import drawing
 from simulations.scenes.depth_of_field.handles import HANDLES
 from simulations.scenes.depth_of_field.settings import Settings, has_image
 from simulations.scenes.depth_of_field.sharpness import FAR_M, NEAR_M, Sharpness, sharpness
-from simulations.scenes.depth_of_field.stages import FIXED, STAGES, TIERS, judge, widest_px
+from simulations.scenes.depth_of_field.stages import (
+    COARSE,
+    FIXED,
+    STAGES,
+    TIERS,
+    judge,
+    widest_px,
+)
 
 LARGEST_DRAWN_PX = 48.0
 """Wider discs leave nothing to recognise, and take seconds to draw: the picture stops here."""
@@ -40,13 +48,19 @@ def drawn_f_number(settings: Settings) -> float:
     return settings.aperture * max(asked / LARGEST_DRAWN_PX, 1.0)
 
 
-def parameters(settings: Settings, _tier: str) -> dict[str, Value] | None:
+def parameters(settings: Settings, tier: str) -> dict[str, Value] | None:
     """What the camera's stages read besides: fixed here, or as it is drawn. None for no picture."""
     if not has_image(settings):
         return None
     f_number = drawn_f_number(settings)
     widest = widest_px(settings.focal_length, f_number, settings.focus)
-    return {**FIXED, "aperture": f_number, "largest_blur": widest}
+    return {
+        **FIXED,
+        **drawing_of(tier == SCALED, settings.focal_length, settings.focus),
+        "reduction": 2 if tier == COARSE else 1,
+        "aperture": f_number,
+        "largest_blur": widest,
+    }
 
 
 def draw(settings: Settings, outputs: Outputs) -> Frame:
@@ -161,8 +175,8 @@ SCENE = Scene(
     handles=HANDLES,
     parameters=parameters,
     tiers=TIERS,
-    # It is the draft as well: a coarse picture would look like defocus.
     default_tier="layered",
+    own_drafts={SCALED: ("focus",), COARSE: ("focal_length",)},
     ladder="depth-of-field",
     estimate=estimate,
 )

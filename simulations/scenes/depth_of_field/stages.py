@@ -25,10 +25,14 @@ from simulations.models.lens.screen_blur import binned_gaussian, gather_discs
 from simulations.pictures.still_life.light import LitScene
 from simulations.scenes.camera import stages as camera_stages
 from simulations.scenes.camera.lens import Rays, blur_px, largest_blur_px
-from simulations.scenes.camera.stages import in_focus, through_lens
+from simulations.scenes.camera.stages import SCALED, enlarge, in_focus, overlay, through_lens
 
 TIERS = ("pinhole", "discs", "layered", "binned", "gather", "fibonacci-16")
 """Rungs of the ladder `depth-of-field`; its random rays are left out, and 64 would take seconds."""
+COARSE = "coarse"
+"""The draft of a moving focal length: a ray for four pixels."""
+LAYERED = ("layered", COARSE, SCALED)
+"""Those that blur each layer by itself."""
 FILTERS: Mapping[str, Callable[[Planes, Floats, Floats], Planes]] = {
     "discs": lambda sharp, radius, _depth: blur_by_depth(sharp, radius),
     "binned": lambda sharp, radius, _depth: binned_gaussian(sharp, radius),
@@ -40,7 +44,6 @@ SPIRALS: Mapping[str, Floats] = {"fibonacci-16": fibonacci_disc(16)}
 LIGHT_ANGLE_DEG = 40.0
 FIXED: Mapping[str, Value] = {
     "light_angle": LIGHT_ANGLE_DEG,
-    "reduction": 1,
     "margin_columns": 0,
     "margin_rows": 0,
     "back": 0.0,
@@ -67,6 +70,10 @@ def depth_of(lit: LitScene) -> Floats:
         covered = cover[: max(bottom - top, 0), : max(right - left, 0)] > 0.5
         depth[top:bottom, left:right][covered] = layer_depth
     return depth
+
+
+def _overlay(lit: LitScene, enlarged: float, reduction: int) -> Planes:
+    return enlarge(overlay(lit, enlarged), reduction)
 
 
 def _filter(
@@ -104,10 +111,8 @@ STAGES = (
     CAMERA["pinhole rays"],
     replace(CAMERA["surfaces"], after=("pinhole rays",)),
     CAMERA["light"],
-    replace(
-        CAMERA["defocus"], neutral=partial(_unless, ("layered",), "no layer is blurred by itself")
-    ),
-    CAMERA["overlay"],
+    replace(CAMERA["defocus"], neutral=partial(_unless, LAYERED, "no layer is blurred by itself")),
+    replace(CAMERA["overlay"], compute=_overlay),
     Stage(
         "filter",
         _filter,

@@ -9,6 +9,7 @@ from simulations.models.arrays import Floats, Planes
 from simulations.models.error_measures import root_mean_square
 from simulations.models.lens.chromatic_aberration import lateral_chromatic_scale
 from simulations.models.lens.disc_blur import disc_blur
+from simulations.models.sampling.magnification import magnify
 from simulations.scenes.lens_aberrations.spectrum import LINES_UM, WIDTH_UM
 from simulations.scenes.lens_aberrations.stages import (
     FOCAL_MM,
@@ -20,7 +21,6 @@ from simulations.scenes.lens_aberrations.stages import (
     encode,
     field_tangents,
     light,
-    magnify,
 )
 
 CLOSE_TOP, CLOSE_LEFT = HEIGHT_PX - 48, WIDTH_PX - 64

@@ -108,8 +108,8 @@ SCENE = Scene(
     handles=HANDLES,
     tiers=tuple(BANDS),
     default_tier="even-16",
-    draft_tier="gauss-3",
-    drafted=("stop",),
+    draft_tier="gauss-1",
+    drafted=("stop", "aperture"),
     ladder="chromatic-aberration",
     estimate=estimate,
 )

@@ -22,7 +22,7 @@ from simulations.models.lens.chromatic_aberration import (
 from simulations.models.lens.disc_blur import disc_blur
 from simulations.models.lens.vignetting import mechanical_vignetting, vignetting_cos4
 from simulations.models.pixel_grid import centred
-from simulations.models.sampling.resampling import KERNELS
+from simulations.models.sampling.magnification import magnify
 from simulations.pictures.resolution_chart import resolution_chart
 from simulations.scenes.lens_aberrations.spectrum import bands
 
@@ -72,25 +72,6 @@ def field_tangents() -> Floats:
     """(H, W) tangent of the angle from the axis at which each pixel looks."""
     x, y = centred(WIDTH_PX) / FOCAL_PX, centred(HEIGHT_PX) / FOCAL_PX
     return np.hypot(x, y[:, None])
-
-
-def magnify(plane: NDArray[np.float32], scale: float) -> NDArray[np.float32]:
-    """A plane (H, W) scaled about its centre by bicubic interpolation, one axis after the other."""
-    if scale == 1.0:
-        return plane
-    turned = np.ascontiguousarray(_magnify_rows(plane, scale).T)  # rows are quick to gather
-    return np.ascontiguousarray(_magnify_rows(turned, scale).T)
-
-
-def _magnify_rows(plane: NDArray[np.float32], scale: float) -> NDArray[np.float32]:
-    size, kernel = plane.shape[0], KERNELS["bicubic"]
-    position = 0.5 * (size - 1) + centred(size) / scale
-    base = np.floor(position)
-    result = np.zeros_like(plane)
-    for tap in range(-1, 3):
-        weight = kernel.weigh(base + tap - position).astype(np.float32)
-        result += weight[:, None] * plane[np.clip(base.astype(int) + tap, 0, size - 1)]
-    return result
 
 
 def _chart() -> Planes:

@@ -5,6 +5,7 @@ The view box is 400 × 300 for the photograph's 320 × 240 px, so that r = 1 is 
 
 import math
 from collections.abc import Callable
+from functools import lru_cache
 
 import numpy as np
 
@@ -36,23 +37,25 @@ VISIBLE_RADIUS_UNITS = 238.0
 """Larger circles show too little of themselves in the corners to be worth a label."""
 
 
-def grid_lines() -> list[Floats]:
-    """Straight lines of the grid, (65, 2) points each, 0.2 apart in normalised coordinates."""
+@lru_cache(maxsize=1)
+def grid_lines() -> Floats:
+    """Straight lines of the grid (16, 65, 2), 0.2 apart in normalised coordinates."""
     along_x, along_y = np.linspace(-0.8, 0.8, 65), np.linspace(-0.6, 0.6, 65)
     upright = [np.stack((np.full(65, x), along_y), -1) for x in np.linspace(-0.8, 0.8, 9)]
     level = [np.stack((along_x, np.full(65, y)), -1) for y in np.linspace(-0.6, 0.6, 7)]
-    return upright + level
+    return np.stack(upright + level)
 
 
 def grid_overlay(lens: Distortion) -> str:
     """The straight grid, its image, the limits, and one point on its way."""
     fold = fold_radius(lens)
-    straight, bent, folded = [], [], []
-    for ideal in grid_lines():
-        straight.append(to_view(ideal[[0, -1]]))
-        seen = to_view(distort(ideal, lens))
-        inside = np.hypot(ideal[:, 0], ideal[:, 1]) < fold
-        visible = np.all(np.abs(seen - CENTRE) <= (220.0, 170.0), axis=-1)
+    lines = grid_lines()
+    straight = to_view(lines[:, [0, -1]]).tolist()
+    images = to_view(distort(lines, lens))
+    within = np.hypot(lines[..., 0], lines[..., 1]) < fold
+    in_view = np.all(np.abs(images - CENTRE) <= (220.0, 170.0), axis=-1)
+    bent, folded = [], []
+    for seen, inside, visible in zip(images, within, in_view, strict=True):
         bent += runs(seen, inside & visible)
         folded += runs(seen, grown(~inside) & visible)
     parts = [

@@ -62,9 +62,11 @@ def kind_of(lens: Distortion) -> str:
 
 def largest_bow_px(lens: Distortion) -> float:
     """How far the worst line of the grid leaves its chord, as far as it lies inside the fold."""
-    fold, largest = fold_radius(lens), 0.0
-    for ideal in grid_lines():
-        inside = np.hypot(ideal[:, 0], ideal[:, 1]) < fold
+    fold, largest, lines = fold_radius(lens), 0.0, grid_lines()
+    within = np.hypot(lines[..., 0], lines[..., 1]) < fold
+    if within.all():
+        return float(line_bow(distort(lines, lens)).max()) * FOCAL_PX
+    for ideal, inside in zip(lines, within, strict=True):
         if inside.sum() > 2:
             largest = max(largest, float(line_bow(distort(ideal[inside], lens))))
     return largest * FOCAL_PX

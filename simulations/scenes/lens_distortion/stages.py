@@ -9,7 +9,7 @@ from simulations.engine.photograph import Photograph
 from simulations.engine.raster import to_rgba8
 from simulations.engine.stages import Stage
 from simulations.models.arrays import Floats
-from simulations.models.color.srgb import decode_srgb, encode_srgb
+from simulations.models.color.srgb import decode_srgb, encode_srgb_table
 from simulations.models.distortion.lens_model import (
     Distortion,
     distort,
@@ -146,7 +146,7 @@ def _corrected(photo: Photo, k1: float, k2: float) -> Photo:
 def _encoded(photo: Photo) -> NDArray[np.uint8]:
     covered = photo.coverage[..., None]
     unseen = np.asarray(UNSEEN, np.float32)
-    return to_rgba8(encode_srgb(unseen + (photo.linear - unseen) * covered))
+    return to_rgba8(encode_srgb_table(unseen + (photo.linear - unseen) * covered))
 
 
 def _ideal_lens(k1: float, k2: float) -> str:

@@ -3,6 +3,7 @@
 import math
 from collections.abc import Iterator
 from dataclasses import dataclass
+from functools import cached_property, lru_cache
 
 import numpy as np
 
@@ -24,7 +25,7 @@ AT_INFINITY_PX = 1e5
 BOX_WIDTH_M = 1.0
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True)  # without slots: what follows from a camera is kept with it
 class Camera:
     """A camera above the floor."""
 
@@ -34,19 +35,19 @@ class Camera:
     height: float
     """Metres."""
 
-    @property
+    @cached_property
     def directions(self) -> Floats:
         """The three axes of the floor (3, 3) in the camera frame, one a row."""
         return AXES @ self.pose[:3, :3].T
 
-    @property
+    @cached_property
     def vanishing(self) -> tuple[Floats, Mask]:
         """Their vanishing points (3, 2) in pixels, and which of them are not at infinity."""
         pixels, valid = vanishing_point(self.directions, self.K)
         valid &= (np.abs(np.where(valid[:, None], pixels, 0.0)) < AT_INFINITY_PX).all(axis=1)
         return np.where(valid[:, None], pixels, np.nan), valid
 
-    @property
+    @cached_property
     def horizon(self) -> Floats:
         """Its line (3,), a² + b² = 1, positive below it."""
         line, _ = horizon(-self.directions[2], self.K)
@@ -57,6 +58,7 @@ class Camera:
         return project(world_to_camera(points, self.pose), self.K)
 
 
+@lru_cache(maxsize=4)  # handles, overlays and readouts ask for it several times a frame
 def camera(
     pitch: float,
     yaw: float,

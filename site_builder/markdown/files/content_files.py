@@ -30,6 +30,8 @@ def fault_of_file(name: str, content: Path, kind: str, suffixes: Sequence[str] =
         reads_file(content / name)
     if not inside or not (content / name).is_file():
         return unknown(kind, name, _names(content, suffixes))
+    if not (content / name).resolve().is_relative_to(content.resolve()):
+        return f"{kind} {name!r} leads out of content/; legal: a file that lies in it"
     if suffixes and not name.endswith(tuple(suffixes)):
         return f"{kind} {name!r}; legal: a name that ends in {', '.join(suffixes)}"
     return ""

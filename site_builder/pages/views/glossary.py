@@ -1,11 +1,11 @@
 """The glossary as its template needs it, and what a chapter's marks tell."""
 
-from collections.abc import Iterator
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
 from site_builder.book import Book, Chapter
 from site_builder.page_model.places import Definition
-from site_builder.pages.places import Letters, Place, by_letter, place
+from site_builder.pages.places import Atlas, Letters, Place, atlas, by_letter
 
 
 @dataclass(frozen=True, slots=True)
@@ -27,21 +27,37 @@ def marked_terms(chapter: Chapter, book: Book) -> list[Definition]:
 
 def view_glossary(book: Book) -> Letters[Entry]:
     """Every entry, under its letter."""
-    return by_letter((item.term.name, _entry(item, book)) for item in book.glossary)
+    places = {chapter.id: atlas(chapter) for chapter in book.chapters}
+    uses = _first_uses(list(places.values()))
+    by_name = {item.term.name: item for item in book.glossary}
+    return by_letter(
+        (item.term.name, _entry(item, places, uses.get(item.term.name, ()), by_name))
+        for item in book.glossary
+    )
 
 
-def _entry(definition: Definition, book: Book) -> Entry:
+def _entry(
+    definition: Definition,
+    places: Mapping[str, Atlas],
+    uses: Sequence[Place],
+    by_name: Mapping[str, Definition],
+) -> Entry:
     target, explained = definition.explained, None
-    for chapter in book.chapters:
-        if target and chapter.id == target.chapter:
-            explained = place(chapter, target.id, target.id, explains=True)
-    related = [other for other in book.glossary if other.term.name in definition.term.related]
-    return Entry(definition, explained, tuple(_first_uses(definition, book)), tuple(related))
+    if target and target.chapter in places:
+        explained = places[target.chapter].place(target.id, target.id, explains=True)
+    related = set(definition.term.related)
+    others = tuple(other for name, other in by_name.items() if name in related)
+    return Entry(definition, explained, tuple(uses), others)
 
 
-def _first_uses(definition: Definition, book: Book) -> Iterator[Place]:
-    """By chapter, the use that is marked or, where none is, the first."""
-    for chapter in book.chapters:
-        uses = [use for use in chapter.term_uses if use.term == definition.term.name]
-        for use in sorted(uses, key=lambda use: not use.element)[:1]:
-            yield place(chapter, use.section, use.element)
+def _first_uses(chapters: Sequence[Atlas]) -> Mapping[str, Sequence[Place]]:
+    """By term and chapter, the use that is marked or, where none is, the first."""
+    found: dict[str, list[Place]] = {}
+    for places in chapters:
+        first: dict[str, Place] = {}
+        for use in sorted(places.chapter.term_uses, key=lambda use: not use.element):
+            if use.term not in first:
+                first[use.term] = places.place(use.section, use.element)
+        for term, place in first.items():
+            found.setdefault(term, []).append(place)
+    return found

@@ -2,12 +2,12 @@
 marks stand."""
 
 from collections import Counter
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 
 from site_builder.book import Book
-from site_builder.page_model.places import Definition
-from site_builder.pages.places import Letters, Place, by_letter, place
+from site_builder.page_model.places import Target
+from site_builder.pages.places import Atlas, Letters, Place, atlas, by_letter
 
 OFTEN = 2
 """Uses of a term in a section from which the index leads there: named once is not spoken of."""
@@ -25,12 +25,15 @@ class IndexEntry:
 
 def view_index(book: Book) -> Letters[IndexEntry]:
     """Terms with the sections that speak of them, their other names, and what authors marked."""
-    places: dict[str, list[Place]] = {}
-    for definition in book.glossary:
-        places.setdefault(definition.term.name, []).extend(_sections(definition, book))
-    for chapter in book.chapters:
-        for mark in chapter.index_marks:
-            there = place(chapter, mark.section, mark.element)
+    places: dict[str, list[Place]] = {item.term.name: [] for item in book.glossary}
+    explained = {item.term.name: item.explained for item in book.glossary}
+    chapters = [atlas(chapter) for chapter in book.chapters]
+    for chapter in chapters:
+        for name, place in _sections(chapter, explained):
+            places[name].append(place)
+    for chapter in chapters:
+        for mark in chapter.chapter.index_marks:
+            there = chapter.place(mark.section, mark.element)
             places.setdefault(mark.entry, []).append(there)
     entries = [IndexEntry(name, tuple(found)) for name, found in places.items()]
     entries += [
@@ -41,12 +44,16 @@ def view_index(book: Book) -> Letters[IndexEntry]:
     return by_letter((entry.name, entry) for entry in entries)
 
 
-def _sections(definition: Definition, book: Book) -> Iterator[Place]:
-    """Those that explain the term or use it often."""
-    target = definition.explained
-    for chapter in book.chapters:
-        uses = [use for use in chapter.term_uses if use.term == definition.term.name]
-        for section, count in Counter(use.section for use in uses).items():
-            explains = target is not None and (target.chapter, target.id) == (chapter.id, section)
-            if explains or count >= OFTEN:
-                yield place(chapter, section, "", explains=explains)
+def _sections(places: Atlas, explained: Mapping[str, Target | None]) -> Iterator[tuple[str, Place]]:
+    """Of the chapter, those that explain a term or use it often."""
+    uses = Counter((use.term, use.section) for use in places.chapter.term_uses)
+    for (name, section), count in uses.items():
+        if name not in explained:
+            continue
+        target = explained[name]
+        explains = target is not None and (target.chapter, target.id) == (
+            places.card.id,
+            section,
+        )
+        if explains or count >= OFTEN:
+            yield name, places.place(section, "", explains=explains)

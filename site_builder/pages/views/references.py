@@ -9,12 +9,11 @@ type Places = list[tuple[Card, list[str]]]
 
 def cited_works(book: Book) -> list[tuple[Work, Places]]:
     """Each work with, by chapter, the element ids of its citations."""
-    return [(work, _places(key, book)) for key, work in book.bibliography.works.items()]
-
-
-def _places(key: str, book: Book) -> Places:
-    by_chapter = (
-        (chapter, [citation.id for citation in chapter.citations if citation.key == key])
-        for chapter in book.chapters
-    )
-    return [(card(chapter), ids) for chapter, ids in by_chapter if ids]
+    places: dict[str, Places] = {key: [] for key in book.bibliography.works}
+    for chapter in book.chapters:
+        ids: dict[str, list[str]] = {}
+        for citation in chapter.citations:
+            ids.setdefault(citation.key, []).append(citation.id)
+        for key, found in ids.items():
+            places.setdefault(key, []).append((card(chapter), found))
+    return [(work, places[key]) for key, work in book.bibliography.works.items()]

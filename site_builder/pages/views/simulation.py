@@ -1,12 +1,13 @@
 """A still as its template needs it: addresses, texts and schema worked out, nothing left to do."""
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from typing import Any
 
 from simulations.engine.controls import Choice, Control, Slider, Value, describe
 from simulations.engine.frame import Panel, Place, Readout, StageReport
 from simulations.engine.handles import Handle
+from simulations.engine.said import Said
 from simulations.engine.scene import Scene
 from simulations.registry import load_ladder
 from site_builder.kept.keeper import reads_code
@@ -16,17 +17,6 @@ from site_builder.pages.embedding import json_for_html
 from site_builder.pages.figure_grid import even_columns
 from site_builder.pages.stills import Still
 from site_builder.pages.views.control import CellView, control_cells, value_text
-
-PHRASES: Mapping[str, str] = {
-    "nothing takes it": "unneeded",
-    "nothing it reads has changed": "unchanged",
-    "depends on nothing": "independent",
-}
-BEGINNINGS: Mapping[str, str] = {
-    "reads ": "reads", "follows ": "follows", "changed: ": "changed",
-}  # fmt: skip
-"""What the engine says of a stage (`simulations/engine/stages.py`), and its key among the words of
-the interface."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -190,6 +180,7 @@ def schema(still: Still) -> dict[str, object]:
         "drafted": list(scene.drafted),
         "photograph": scene.photograph,
         "drafted_in": {tier: list(names) for tier, names in scene.drafted_in.items()},
+        "own_drafts": {tier: scene.drafts_of(tier) for tier in scene.tiers or ("",)},
     }
 
 
@@ -203,19 +194,11 @@ def tier_labels(scene: Scene[Any]) -> tuple[tuple[str, str], ...]:
     return tuple((tier, labels[tier]) for tier in scene.tiers)
 
 
-def reason_text(reason: str, words: Words = ENGLISH) -> str:
-    """Why a stage was computed or not, as ``workings.js`` writes it: the engine's words in the
-    language of the book; those of a scene are the book's own."""
-    return "; ".join(_reason(part, words) for part in reason.split("; "))
-
-
-def _reason(part: str, words: Words) -> str:
-    if key := PHRASES.get(part):
-        return words(f"script.workings.{key}")
-    for begin, key in BEGINNINGS.items():
-        if part.startswith(begin):
-            return words(f"script.workings.{key}", names=part.removeprefix(begin))
-    return part
+def reason_text(reason: str | Sequence[Said], words: Words = ENGLISH) -> str:
+    """Why a stage was computed or not, as ``workings.js`` writes it."""
+    if isinstance(reason, str):
+        return reason
+    return "; ".join(words(f"script.{part.key}", **part.values) for part in reason)
 
 
 def count_stages(stages: Sequence[StageReport], words: Words = ENGLISH) -> str:

@@ -6,7 +6,7 @@ from site_builder.book import Book, Chapter
 from site_builder.markdown.text.symbols import covers, spelt, symbols_of
 from site_builder.markdown.vocabulary.definitions import meanings_in
 from site_builder.page_model.places import Meaning
-from site_builder.pages.places import Card, Place, card, place
+from site_builder.pages.places import Atlas, Card, Place, atlas
 
 
 @dataclass(frozen=True, slots=True)
@@ -19,19 +19,31 @@ class Row:
 
 def view_symbols(book: Book) -> list[tuple[Card, list[Row]]]:
     """What each chapter's formulae say, in the order in which they say it."""
-    chapters = ((chapter, _rows(book, chapter)) for chapter in book.chapters)
-    return [(card(chapter), rows) for chapter, rows in chapters if rows]
+    chapters = ((atlas(chapter), _rows(book, chapter)) for chapter in book.chapters)
+    return [
+        (places.card, [_row(item, section, places) for item, section in rows])
+        for places, rows in chapters
+        if rows
+    ]
 
 
-def _rows(book: Book, chapter: Chapter) -> list[Row]:
-    rows: dict[str, Row] = {}
+def _row(meaning: Meaning, section: str, places: Atlas) -> Row:
+    return Row(meaning, places.place(section, section))
+
+
+def _rows(book: Book, chapter: Chapter) -> list[tuple[Meaning, str]]:
+    """Each meaning, and the section in which its symbol first stands."""
+    rows: dict[str, tuple[Meaning, str]] = {}
+    seen: set[str] = set()
     legal = [(spelt(item.symbol.tex), item) for item in meanings_in(book, chapter)]
     for formula in sorted(chapter.formulae, key=lambda formula: formula.line):
         for symbol in symbols_of(formula.tex):
+            if symbol in seen:
+                continue
+            seen.add(symbol)
             # Its own meaning before that of a symbol without the index.
             found = sorted(legal, key=lambda pair: pair[0] != symbol)
             item = next((item for name, item in found if covers(name, symbol)), None)
-            if item and item.symbol.tex not in rows:
-                where = place(chapter, formula.section, formula.section)
-                rows[item.symbol.tex] = Row(item, where)
+            if item:
+                rows.setdefault(item.symbol.tex, (item, formula.section))
     return list(rows.values())

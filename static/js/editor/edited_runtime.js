@@ -4,10 +4,11 @@
  */
 
 import { Runtime, RuntimeFailure, closed } from "../runtime/runtime.js";
-import { words } from "../page/words.js";
+import { told, words } from "../page/words.js";
 
 /** @import { Caller, Payload } from "../runtime/runtime.js" */
-/** @typedef {{message: string, definition: string, line: number}} Problem */
+/** @import { Said } from "../page/words.js" */
+/** @typedef {{message: string | Said, definition: string, line: number}} Problem */
 
 /** Longest that edited code may take for a frame, in milliseconds. */
 export const LIMITS = { edited: 5000 };
@@ -21,7 +22,7 @@ export class EditFailure extends RuntimeFailure {
    * @param {string} printed
    */
   constructor(problem, printed) {
-    super("python", problem.message);
+    super("python", told(problem.message));
     this.problem = problem;
     this.printed = printed;
   }
@@ -92,6 +93,11 @@ export class EditedRuntime {
   adopt(edits, payload, reply) {
     this.#edits = edits;
     this.#ready = { asked: JSON.stringify(payload), reply };
+  }
+
+  /** @param {ArrayBuffer[]} rasters */
+  recycle(rasters) {
+    this.#own?.recycle(rasters);
   }
 
   /** @param {string} figure */

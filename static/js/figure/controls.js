@@ -12,7 +12,8 @@
  * @typedef {number | string | boolean} Value
  * @typedef {{title: string, controls: Control[], values: Record<string, Value>, tiers: string[],
  *   default_tier: string, draft_tier: string, drafted: string[],
- *   drafted_in: Record<string, string[]>, photograph: [number, number] | null}} Schema
+ *   drafted_in: Record<string, string[]>,
+ *   own_drafts: Record<string, Record<string, string>>, photograph: [number, number] | null}} Schema
  */
 
 import { one } from "../page/dom.js";

@@ -7,11 +7,10 @@
 import { maybe, one } from "../page/dom.js";
 import { words } from "../page/words.js";
 import { formatValue, readValues } from "./controls.js";
-import { paint } from "./painter.js";
 
 /** @import { Schema, Value } from "./controls.js" */
 /** @import { Place } from "./handles.js" */
-/** @import { Meta } from "./painter.js" */
+/** @import { Meta, Painter } from "./painter.js" */
 /** @typedef {Meta & {value: Value, pictures: Record<string, string>}} Frame */
 /** @typedef {{control: string, frames: Frame[]}} Strip */
 
@@ -24,13 +23,15 @@ export class Early {
   #over = new AbortController();
 
   /**
-   * @param {HTMLElement} figure
+   * @param {Painter} painter The figure's.
    * @param {HTMLFormElement} form
    * @param {Schema} schema
    * @param {(handles: Place[]) => void} place Told where the handles of a shown frame are.
    */
-  constructor(figure, form, schema, place) {
+  constructor(painter, form, schema, place) {
+    const { figure } = painter;
     this.figure = figure;
+    this.painter = painter;
     this.form = form;
     this.schema = schema;
     this.place = place;
@@ -71,7 +72,7 @@ export class Early {
   #show({ control }, frame) {
     const { figure } = this;
     const bare = frame.panels.map((panel) => ({ ...panel, raster: null }));
-    paint(figure, { ...frame, panels: bare }, []);
+    this.painter.paint({ ...frame, panels: bare }, []);
     for (const [name, address] of Object.entries(frame.pictures)) {
       const panel = one(figure, `.panel[data-panel="${CSS.escape(name)}"]`, HTMLElement);
       const still = maybe(panel, "img.still", HTMLImageElement);

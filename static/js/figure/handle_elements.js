@@ -92,8 +92,17 @@ export function center(element) {
  */
 export function put(element, place) {
   const { width, height } = viewBox(element);
-  element.style.setProperty("--x", `${((100 * place.x) / width).toFixed(3)}%`);
-  element.style.setProperty("--y", `${((100 * place.y) / height).toFixed(3)}%`);
+  setProperty(element, "--x", `${((100 * place.x) / width).toFixed(3)}%`);
+  setProperty(element, "--y", `${((100 * place.y) / height).toFixed(3)}%`);
+}
+
+/**
+ * @param {HTMLElement} element
+ * @param {string} property
+ * @param {string} value
+ */
+function setProperty({ style }, property, value) {
+  if (style.getPropertyValue(property) !== value) style.setProperty(property, value);
 }
 
 /**

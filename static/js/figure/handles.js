@@ -10,6 +10,7 @@
 
 import { message } from "../errors.js";
 import { all, within } from "../page/dom.js";
+import { setAttribute } from "../page/text.js";
 import { formatValue, moveControls, named, readValues, uncover } from "./controls.js";
 import { center, driven, grabbed, inPanel, name, put } from "./handle_elements.js";
 import { keyed } from "./handle_keys.js";
@@ -166,10 +167,10 @@ export class Handles {
       const controls = this.schema.controls.filter(({ name }) => driven(element).includes(name));
       const text = controls.map((control) => this.#said(control, values[control.name]));
       const slider = element.getAttribute("role") === "slider";
-      if (slider) element.setAttribute("aria-valuenow", this.#now(controls[0]));
+      if (slider) setAttribute(element, "aria-valuenow", this.#now(controls[0]));
       // Only a slider may carry a value at rest; the other kind tells its own while it is used.
       if (slider || element === document.activeElement) {
-        element.setAttribute("aria-valuetext", text.join(", "));
+        setAttribute(element, "aria-valuetext", text.join(", "));
       } else {
         element.removeAttribute("aria-valuetext");
       }

@@ -8,15 +8,16 @@
 
 import { message } from "../errors.js";
 import { all, data, one, within } from "../page/dom.js";
-import { RuntimeFailure } from "../runtime/runtime.js";
+import { RuntimeFailure, sharedRuntime } from "../runtime/runtime.js";
 import { announcer } from "./announce.js";
 import { pressAction, readValues, showSliderValue } from "./controls.js";
 import { Early } from "./early.js";
 import { Handles } from "./handles.js";
 import { Motion } from "./motion.js";
 import { OwnPicture } from "./own_picture.js";
-import { paint } from "./painter.js";
+import { Painter } from "./painter.js";
 import { LatestWins } from "./scheduler.js";
+import { isOfPage, isServed } from "./served.js";
 import { say, sayNothingOfFailure } from "./status.js";
 import { chosenTier, isDrafted, shownTier } from "./tiers.js";
 import { Accuracy, showStages } from "./workings.js";
@@ -31,7 +32,7 @@ import { words } from "../page/words.js";
 /** @typedef {{values: string, tier: string, time: number, urgency: number}} Job */
 
 /** A frame that the reader waits for goes before one that only should be ready. */
-const URGENCY = { far: 0, near: 1, touched: 2, held: 3 };
+const URGENCY = { idle: -2, far: 0, near: 1, touched: 2, held: 3 };
 /** How often a frame is asked for again, by itself, after the worker was lost. */
 const RESTARTS = 1;
 
@@ -58,13 +59,14 @@ export class LiveFigure {
     /** @type {Schema} */
     this.schema = data(figure, "script.schema");
     this.form = one(figure, "form.controls", HTMLFormElement);
-    this.early = new Early(figure, this.form, this.schema, (handles) => {
+    this.painter = new Painter(figure);
+    this.early = new Early(this.painter, this.form, this.schema, (handles) => {
       this.handles.show(handles);
     });
     this.announce = announcer(one(figure, ".description", HTMLElement));
     this.accuracy = new Accuracy(figure, (job, urgency) => this.#askError(job, urgency));
     this.motion = new Motion(this.form, this.schema, (moving, time) => this.#ask(time, moving));
-    const again = () => this.#ask(performance.now(), false);
+    const again = () => this.#ask(performance.now(), "");
     this.own = new OwnPicture(figure, this.schema.photograph, again, this.#listeners.signal);
     this.#listen();
     this.handles = new Handles(
@@ -97,7 +99,7 @@ export class LiveFigure {
   retry() {
     this.figure.dataset.state = "starting";
     say(this.figure, "");
-    this.#ask(performance.now(), false);
+    this.#ask(performance.now(), "");
   }
 
   /**
@@ -108,13 +110,13 @@ export class LiveFigure {
   drawnBy(runtime) {
     this.runtime = runtime;
     this.#asked = "";
-    this.#ask(performance.now(), false);
+    this.#ask(performance.now(), "");
   }
 
   /** What is asked for the frame of the form's present values. */
   request() {
     const values = JSON.stringify(readValues(this.form, this.schema.controls));
-    return this.#request(values, this.#tier(false));
+    return this.#request(values, this.#tier(""));
   }
 
   /**
@@ -138,7 +140,7 @@ export class LiveFigure {
         this.#near = entry.isIntersecting;
         this.accuracy.near = this.#near;
         if (this.#near) this.early.near();
-        if (!this.#asked) this.#ask(performance.now(), false, URGENCY.far);
+        if (!this.#asked) this.#ask(performance.now(), "", URGENCY.far);
       },
       { rootMargin: "50% 0px" },
     );
@@ -174,7 +176,8 @@ export class LiveFigure {
       this.motion.stop();
       showSliderValue(this.form, control);
     }
-    this.#ask(event.timeStamp, dragging && isDrafted(this.form, this.schema, control));
+    const drafted = dragging && isDrafted(this.form, this.schema, control);
+    this.#ask(event.timeStamp, drafted && control ? control.name : "");
   }
 
   /** @param {Event} event */
@@ -185,7 +188,7 @@ export class LiveFigure {
       this.motion.press(control, event.timeStamp);
     } else {
       pressAction(this.form, control);
-      this.#ask(event.timeStamp, false);
+      this.#ask(event.timeStamp, "");
     }
   }
 
@@ -193,7 +196,7 @@ export class LiveFigure {
    * Ask for the frame of the form's present values, unless it is the one asked for last.
    *
    * @param {number} time
-   * @param {boolean} moving
+   * @param {string} moving Name of the control whose moves are drafted, if one moves.
    * @param {number} [urgency]
    */
   #ask(time, moving, urgency = URGENCY.touched) {
@@ -206,7 +209,7 @@ export class LiveFigure {
     this.#scheduler.submit({ values, tier, time, urgency });
   }
 
-  /** @param {boolean} moving */
+  /** @param {string} moving */
   #tier(moving) {
     return shownTier(this.form, this.schema, moving);
   }
@@ -216,6 +219,7 @@ export class LiveFigure {
     for (let attempt = 0; ; attempt += 1) {
       try {
         await this.own.handOver(this.runtime, this.#key);
+        if (await this.#adopt(job)) return;
         const reply = await this.#call(job);
         if (this.figure.isConnected) this.#show(reply, job);
         return;
@@ -234,9 +238,52 @@ export class LiveFigure {
 
   /** @param {Job} job */
   #call({ values, tier, urgency }) {
-    return this.runtime.call("render", this.#request(values, tier), () =>
-      Math.max(urgency, this.#near ? URGENCY.near : URGENCY.far),
-    );
+    return this.runtime.call("render", this.#request(values, tier), () => this.#urgency(urgency));
+  }
+
+  /** @param {number} least */
+  #urgency(least) {
+    return Math.max(least, this.#near ? URGENCY.near : URGENCY.far);
+  }
+
+  /**
+   * Take the page's own frame for the live one where it is that, as soon as the worker could draw
+   * others; then have the stages of those ready.
+   *
+   * @param {Job} job
+   */
+  async #adopt(job) {
+    const isStill = () => !this.own.number && isServed(this.figure, this.schema, job);
+    if (this.runtime !== sharedRuntime() || !isStill()) return false;
+    const scene = { figure: this.#key, scene: this.#scene };
+    const urgency = () => this.#urgency(job.urgency);
+    const { sources } = await this.runtime.call("prepare", scene, urgency);
+    if (!isOfPage(sources) || !isStill()) return false;
+    if (this.figure.isConnected) {
+      this.early.end();
+      sayNothingOfFailure(this.figure);
+      this.#lives(job, 0);
+      this.#warm(job);
+    }
+    return true;
+  }
+
+  /**
+   * Compute, while nobody waits, what the next frame shares with the page's own.
+   *
+   * @param {Job} job
+   */
+  async #warm(job) {
+    try {
+      const asked = this.#request(job.values, job.tier);
+      const reply = await this.runtime.call("render", asked, () => URGENCY.idle);
+      if (this.figure.dataset.frames !== "1" || !this.rests) return;
+      this.stages = JSON.parse(reply.meta).stages;
+      this.figure.dataset.computeMs = reply.computeMs.toFixed(1);
+      this.accuracy.shown(job, reply.computeMs, true);
+    } catch {
+      // Whoever touches the figure hears of it.
+    }
   }
 
   /**
@@ -279,18 +326,30 @@ export class LiveFigure {
     const { figure } = this;
     const meta = JSON.parse(reply.meta);
     this.early.end();
-    paint(figure, meta, reply.rasters);
+    this.painter.paint(meta, reply.rasters);
+    this.runtime.recycle(reply.rasters);
     this.stages = meta.stages;
     this.handles.show(meta.handles);
     showStages(figure, meta.stages);
-    this.accuracy.shown(job, reply.computeMs, job.tier === this.#tier(false));
+    this.accuracy.shown(job, reply.computeMs, job.tier === this.#tier(""));
     this.announce(meta.description);
     sayNothingOfFailure(figure);
-    figure.dataset.computeMs = reply.computeMs.toFixed(1);
+    this.#lives(job, reply.computeMs);
+  }
+
+  /**
+   * The frame of a job is in the page.
+   *
+   * @param {Job} job
+   * @param {number} computeMs
+   */
+  #lives(job, computeMs) {
+    const { figure } = this;
+    figure.dataset.computeMs = computeMs.toFixed(1);
     figure.dataset.latencyMs = (performance.now() - job.time).toFixed(1);
-    figure.dataset.tier = job.tier;
+    if (figure.dataset.tier !== job.tier) figure.dataset.tier = job.tier;
     figure.dataset.frames = String(Number(figure.dataset.frames ?? 0) + 1);
-    figure.dataset.state = "live";
+    if (figure.dataset.state !== "live") figure.dataset.state = "live";
     figure.dispatchEvent(new Event("painted"));
   }
 

@@ -23,7 +23,8 @@ export class Motion {
   /**
    * @param {HTMLFormElement} form
    * @param {Schema} schema
-   * @param {(moving: boolean, time: number) => void} moved Called after each move of a slider.
+   * @param {(moving: string, time: number) => void} moved Called after each move of a slider, with
+   *   its name where the move goes on.
    */
   constructor(form, schema, moved) {
     this.form = form;
@@ -46,7 +47,7 @@ export class Motion {
     }
     const first = Number(this.schema.values[slider.name]);
     writeSlider(this.form, slider, action.effect === "step" ? this.#next(slider, 1) : first);
-    this.moved(false, time);
+    this.moved("", time);
   }
 
   /** Stop playing, if it is. */
@@ -56,7 +57,7 @@ export class Motion {
     this.#playing = null;
     stop();
     setActionState(button(this.form, action.name), action, 0);
-    this.moved(false, performance.now());
+    this.moved("", performance.now());
   }
 
   /**
@@ -148,7 +149,7 @@ export class Motion {
     writeSlider(this.form, slider, Math.min(value, slider.max));
     const now = this.#value(slider);
     if (now >= slider.max) this.stop();
-    else if (now !== before) this.moved(true, time);
+    else if (now !== before) this.moved(slider.name, time);
   }
 
   /** @param {Slider} slider */

@@ -1,32 +1,65 @@
 /**
  * Frames into the page. The first live frame takes the still's place in the same box, so
- * nothing moves.
+ * nothing moves. Only what differs from the frame before is written.
  *
  * @typedef {{name: string, title: string, width: number, height: number, overlay: string,
  *   raster: {width: number, height: number} | null, pixelated: boolean}} Panel
  * @typedef {{name: string, label: string, text: string, unit: string, role: string}} Readout
  * @typedef {{panels: Panel[], readouts: Readout[], description: string, handles: import("./handles.js").Place[]}} Meta
+ * @typedef {{view: HTMLElement, overlay: Overlay | null, title: Element | null}} Box
  */
 
 import { maybe, one } from "../page/dom.js";
 import { setText } from "../page/text.js";
 import { numeral, words } from "../page/words.js";
+import { Overlay } from "./overlay.js";
 
-/**
- * @param {HTMLElement} figure
- * @param {Meta} meta
- * @param {ArrayBuffer[]} rasters The pixels of the panels that have any, in their order.
- */
-export function paint(figure, meta, rasters) {
-  const pixels = rasters.values();
-  for (const panel of meta.panels) {
-    const box = one(figure, `.panel[data-panel="${CSS.escape(panel.name)}"]`, HTMLElement);
-    const view = one(box, ".panel-view", HTMLElement);
-    if (panel.raster) paintRaster(view, panel, panel.raster, pixels.next().value);
-    paintOverlay(view.querySelector("svg.overlay"), panel);
-    setText(box.querySelector(".panel-title"), panel.title);
+export class Painter {
+  /** @type {Map<string, Box>} By the panel's name. */
+  #boxes = new Map();
+  /** @type {Map<string, string>} Each readout as it was written last. */
+  #written = new Map();
+
+  /** @param {HTMLElement} figure */
+  constructor(figure) {
+    this.figure = figure;
   }
-  for (const readout of meta.readouts) paintReadout(figure, readout);
+
+  /**
+   * @param {Meta} meta
+   * @param {ArrayBuffer[]} rasters The pixels of the panels that have any, in their order.
+   */
+  paint(meta, rasters) {
+    const pixels = rasters.values();
+    for (const panel of meta.panels) {
+      const { view, overlay, title } = this.#box(panel.name);
+      if (panel.raster) paintRaster(view, panel, panel.raster, pixels.next().value);
+      overlay?.show(panel.overlay);
+      setText(title, panel.title);
+    }
+    for (const readout of meta.readouts) this.#write(readout);
+  }
+
+  /** @param {string} name */
+  #box(name) {
+    let box = this.#boxes.get(name);
+    if (!box) {
+      const panel = one(this.figure, `.panel[data-panel="${CSS.escape(name)}"]`, HTMLElement);
+      const view = one(panel, ".panel-view", HTMLElement);
+      const svg = view.querySelector("svg.overlay");
+      box = { view, overlay: svg && new Overlay(svg), title: panel.querySelector(".panel-title") };
+      this.#boxes.set(name, box);
+    }
+    return box;
+  }
+
+  /** @param {Readout} readout */
+  #write(readout) {
+    const now = `${readout.text}|${readout.unit}|${readout.role}`;
+    if (this.#written.get(readout.name) === now) return;
+    this.#written.set(readout.name, now);
+    paintReadout(this.figure, readout);
+  }
 }
 
 /**
@@ -37,7 +70,7 @@ export function paint(figure, meta, rasters) {
  */
 function paintRaster(view, panel, { width, height }, pixels) {
   if (!pixels) throw new Error(words("figure.no_pixels", { panel: panel.name }));
-  const image = new ImageData(new Uint8ClampedArray(pixels), width, height);
+  const image = new ImageData(new Uint8ClampedArray(pixels), width, height); // a view, no copy
   const canvas = maybe(view, "canvas.live", HTMLCanvasElement) ?? document.createElement("canvas");
   if (canvas.width !== width || canvas.height !== height) {
     canvas.width = width;
@@ -57,14 +90,6 @@ function putInPlace(view, canvas) {
   const still = view.querySelector("img.still");
   if (still) still.replaceWith(canvas);
   else view.prepend(canvas);
-}
-
-/**
- * @param {Element | null} svg
- * @param {Panel} panel
- */
-function paintOverlay(svg, panel) {
-  if (svg) svg.innerHTML = panel.overlay;
 }
 
 /**

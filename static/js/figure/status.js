@@ -1,6 +1,7 @@
 /** The line under a figure that tells what went wrong. */
 
 import { one } from "../page/dom.js";
+import { setText } from "../page/text.js";
 
 /**
  * Show `message` under the figure, or nothing.
@@ -12,7 +13,7 @@ import { one } from "../page/dom.js";
  */
 export function say(figure, message, { retry = false, lasting = false } = {}) {
   const status = one(figure, ".figure-status", HTMLElement);
-  one(figure, ".figure-message", HTMLElement).textContent = message;
+  setText(one(figure, ".figure-message", HTMLElement), message);
   status.hidden = !message;
   status.classList.toggle("lasting", lasting);
   one(figure, ".retry", HTMLButtonElement).hidden = !retry;

@@ -15,15 +15,17 @@ export function chosenTier(form, { tiers, default_tier: settled }) {
 }
 
 /**
- * The tier chosen, or the draft where that is cheaper and things are moving.
+ * The tier chosen, or a draft where a control is moving: its own, or the scene's where that is
+ * cheaper.
  *
  * @param {HTMLFormElement} form
  * @param {Schema} schema
- * @param {boolean} moving
+ * @param {string} moving Name of the control whose moves are drafted; empty where all is at rest.
  */
 export function shownTier(form, schema, moving) {
-  const { tiers, draft_tier: draft } = schema;
+  const { tiers, draft_tier: draft, own_drafts: own } = schema;
   const chosen = chosenTier(form, schema);
+  if (moving && own[chosen]?.[moving]) return own[chosen][moving];
   return moving && tiers.indexOf(draft) < tiers.indexOf(chosen) ? draft : chosen;
 }
 
@@ -35,8 +37,9 @@ export function shownTier(form, schema, moving) {
  * @param {Control | undefined} control
  */
 export function isDrafted(form, schema, control) {
-  const { drafted, drafted_in: byTier } = schema;
+  const { drafted, drafted_in: byTier, own_drafts: own } = schema;
   if (control?.kind !== "slider") return false;
+  if (own[chosenTier(form, schema)]?.[control.name]) return true;
   if (drafted.length === 0 || drafted.includes(control.name)) return true;
   return byTier[chosenTier(form, schema)]?.includes(control.name) ?? false;
 }

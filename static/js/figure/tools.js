@@ -1,6 +1,6 @@
 /** What can be done with a figure as a whole: the row of buttons below it. */
 
-import { maybe, one } from "../page/dom.js";
+import { data, maybe, one } from "../page/dom.js";
 import { sharedRuntime } from "../runtime/runtime.js";
 import { message } from "../errors.js";
 import { readValues } from "./controls.js";
@@ -87,7 +87,14 @@ async function copyPython(figure) {
   const scene = figure.dataset.simulation ?? "";
   const edited = "edited" in figure.dataset;
   const own = figure.querySelector(".photograph-back:not([hidden])") !== null;
-  const payload = { scene, values: JSON.stringify(values), tier, edited, own };
+  const { title } = data(figure, "script.schema");
+  const told = [
+    words("script.title", { title }),
+    ...(edited ? [words("script.edited")] : []),
+    ...(own ? [words("script.own_picture")] : []),
+    words("script.needs"),
+  ];
+  const payload = { scene, values: JSON.stringify(values), tier, told: JSON.stringify(told) };
   const reply = await sharedRuntime()?.call("script", payload, () => 2);
   const unlike = edited && own ? "_both" : edited ? "_code" : own ? "_picture" : "";
   await copy(figure, reply.script, words(`tools.python_copied${unlike}`));

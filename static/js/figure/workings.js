@@ -3,31 +3,21 @@
  * and how far it is from the truth. The last is asked for only while the figure rests and the
  * reader has this unfolded.
  *
- * @typedef {{name: string, status: "computed" | "reused" | "skipped", reason: string}} Stage
+ * @typedef {{name: string, status: "computed" | "reused" | "skipped", reason: Reason}} Stage
+ * @typedef {string | Said[]} Reason A scene's own words, or what the engine says.
  */
 
 import { message } from "../errors.js";
 import { all, maybe } from "../page/dom.js";
 import { setText, withUnit } from "../page/text.js";
-import { numeral, words } from "../page/words.js";
+import { numeral, told, words } from "../page/words.js";
 
 /** @import { Readout } from "./painter.js" */
+/** @import { Said } from "../page/words.js" */
 /** @typedef {{values: string, tier: string}} Judged */
 
 /** Milliseconds without a new frame after which the error is measured. */
 const REST = 400;
-/**
- * What the engine says of a stage, and its key among the words of the interface.
- *
- * @type {Record<string, string>}
- */
-const PHRASES = {
-  "nothing takes it": "unneeded",
-  "nothing it reads has changed": "unchanged",
-  "depends on nothing": "independent",
-};
-/** @type {Record<string, string>} */
-const BEGINNINGS = { "reads ": "reads", "follows ": "follows", "changed: ": "changed" };
 /** Anything that the reader waits for goes before it. */
 const LEAST_URGENT = () => -1;
 
@@ -60,20 +50,12 @@ function showStage(item, stage) {
 }
 
 /**
- * Why a stage was computed or not: the engine's words in the language of the book; those of a scene
- * are the book's own. As `simulation_view.py` writes it.
+ * Why a stage was computed or not, as `pages/views/simulation.py` writes it.
  *
- * @param {string} reason
+ * @param {Reason} reason
  */
 export function reasonText(reason) {
-  return reason.split("; ").map(inWords).join("; ");
-}
-
-/** @param {string} part */
-function inWords(part) {
-  if (part in PHRASES) return words(`workings.${PHRASES[part]}`);
-  const begin = Object.keys(BEGINNINGS).find((each) => part.startsWith(each));
-  return begin ? words(`workings.${BEGINNINGS[begin]}`, { names: part.slice(begin.length) }) : part;
+  return [reason].flat().map(told).join("; ");
 }
 
 /**

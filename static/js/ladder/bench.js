@@ -28,7 +28,12 @@ const BUDGET = 0.4;
  *   time: Axis, error: Axis}} Ladder
  */
 
-export class LadderBench extends HTMLElement {
+/** Called once. */
+export function install() {
+  customElements.define("ladder-bench", LadderBench);
+}
+
+class LadderBench extends HTMLElement {
   /** @type {AbortController | null} */
   #listeners = null;
   #stopped = false;

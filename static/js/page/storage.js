@@ -1,6 +1,15 @@
-/** Small things worth remembering. Where the browser forbids storage, nothing is remembered. */
+/**
+ * Small things worth remembering. What the browser will not keep, denied or full as its storage may
+ * be, is remembered until the page is left for good, and the page is told of it once.
+ */
 
 import { STORAGE } from "../book.js";
+
+/** What could not be kept. @type {Map<string, unknown>} */
+const passing = new Map();
+
+/** Dispatched on `window` at the first thing that could not be kept. */
+export const FORGETFUL = "forgetful";
 
 /**
  * What was kept under `key`, or null.
@@ -9,6 +18,7 @@ import { STORAGE } from "../book.js";
  * @returns {any}
  */
 export function recall(key) {
+  if (passing.has(key)) return passing.get(key);
   try {
     return JSON.parse(localStorage.getItem(STORAGE + key) ?? "null");
   } catch {
@@ -26,9 +36,27 @@ export function remember(key, value) {
   try {
     if (value === null) localStorage.removeItem(STORAGE + key);
     else localStorage.setItem(STORAGE + key, JSON.stringify(value));
+    passing.delete(key);
   } catch {
-    // Blocked or full: the page works the same, only without memory.
+    const isFirst = passing.size === 0;
+    passing.set(key, value);
+    if (isFirst) dispatchEvent(new Event(FORGETFUL));
   }
+}
+
+/**
+ * Hear of what another tab kept or forgot.
+ *
+ * @param {(key: string | null) => void} changed Called with its key; null where all was forgotten.
+ */
+export function onOtherTab(changed) {
+  addEventListener("storage", ({ key, storageArea }) => {
+    if (key !== null && !key.startsWith(STORAGE)) return;
+    if (storageArea === sessionStorage) return;
+    const own = key && key.slice(STORAGE.length);
+    if (own) passing.delete(own); // theirs came later
+    changed(own);
+  });
 }
 
 /**
@@ -38,12 +66,18 @@ export function remember(key, value) {
  * @returns {Record<string, unknown>}
  */
 export function kept(names) {
+  const fitting = new Set([...keptKeys(), ...passing.keys()].filter((key) => names.test(key)));
+  const all = [...fitting].map((key) => [key, recall(key)]);
+  return Object.fromEntries(all.filter(([, value]) => value !== null));
+}
+
+/** Names of what the browser keeps for the book. */
+function keptKeys() {
   try {
     const keys = Object.keys(localStorage).filter((key) => key.startsWith(STORAGE));
-    const fitting = keys.map((key) => key.slice(STORAGE.length)).filter((key) => names.test(key));
-    return Object.fromEntries(fitting.map((key) => [key, recall(key)]));
+    return keys.map((key) => key.slice(STORAGE.length));
   } catch {
-    return {};
+    return [];
   }
 }
 

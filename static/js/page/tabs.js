@@ -12,7 +12,7 @@ const STEPS = new Map([
 ]);
 
 /** Listeners on the document, so that they outlive a change of chapter. */
-export function installTabs() {
+export function install() {
   document.addEventListener("click", (event) => {
     const tab = within(event, ".tab-list > button", HTMLButtonElement);
     if (tab) choose(tab);
@@ -33,8 +33,8 @@ export function installTabs() {
   addEventListener("hashchange", revealTarget);
 }
 
-/** Give every group of the page its row of tabs, and show the first, or what the address names. */
-export function arrangeTabs() {
+/** Give every group of a page its row of tabs, and show the first, or what the address names. */
+export function arrive() {
   for (const group of all(document, ".tabs:not(.arranged)", HTMLElement)) {
     const list = document.createElement("div");
     list.className = "tab-list";

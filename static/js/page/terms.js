@@ -16,7 +16,7 @@ let shown = null;
 let timer = 0;
 
 /** Listeners on the document, so that they outlive a change of chapter. */
-export function installTerms() {
+export function install() {
   document.addEventListener("pointerover", (event) => {
     if (event.pointerType !== "mouse") return;
     const mark = markOf(event);

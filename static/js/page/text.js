@@ -11,6 +11,17 @@ export function setText(element, text) {
 }
 
 /**
+ * As `setText`, of an attribute.
+ *
+ * @param {Element} element
+ * @param {string} name
+ * @param {string} value
+ */
+export function setAttribute(element, name, value) {
+  if (element.getAttribute(name) !== value) element.setAttribute(name, value);
+}
+
+/**
  * `16.0 px`, on one line; degrees stand close: as `with_unit` of the builder's quantities.py.
  *
  * @param {string} text

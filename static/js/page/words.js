@@ -17,6 +17,16 @@ export function words(key, values = {}) {
 }
 
 /**
+ * What the engine says, in the language of the book; what a scene, or Python itself, says is text.
+ *
+ * @typedef {{key: string, values: Record<string, string>}} Said As `simulations/engine/said.py`.
+ * @param {string | Said} said
+ */
+export function told(said) {
+  return typeof said === "string" ? said : words(said.key, said.values);
+}
+
+/**
  * A number as the language writes it: its decimal sign, and words for what is none. As `numeral` of
  * the builder's `languages/words.py`.
  *

@@ -1,15 +1,15 @@
-/** The buttons below a chapter's questions: forget the answers, save them, read them again. */
+/**
+ * The buttons below a chapter's questions: forget the answers, save them, read them again. What
+ * shows answers on the page hears of it by the events `answers-forgotten` and `answers-read`.
+ */
 
 import { message } from "../errors.js";
 import { maybe, one, within } from "../page/dom.js";
 import { forget } from "../page/storage.js";
-import { forgetPredictions, restorePredictions } from "./predictions.js";
-import { forgetQuestions, restoreQuestions } from "./questions.js";
-import { showProgress } from "./progress.js";
 import { words } from "../page/words.js";
 
 /** Listen for them on any page. */
-export function installKeeping() {
+export function install() {
   document.addEventListener("click", (event) => {
     const section = within(event, "section.progress", HTMLElement);
     if (!section) return;
@@ -28,8 +28,7 @@ export function installKeeping() {
 /** @param {HTMLElement} section */
 function reset(section) {
   if (section.dataset.progress === "book") forget(/^(quiz|predict):/);
-  forgetQuestions();
-  forgetPredictions();
+  document.dispatchEvent(new Event("answers-forgotten"));
   say(section, words("progress.forgotten"));
 }
 
@@ -48,9 +47,7 @@ async function read(section, file) {
   const { readProgress } = await import("./progress_file.js");
   try {
     const count = await readProgress(file);
-    restoreQuestions();
-    restorePredictions();
-    showProgress();
+    document.dispatchEvent(new Event("answers-read"));
     say(section, words("progress.read", { file: file.name, count }));
   } catch (error) {
     say(section, words("progress.not_read", { file: file.name, reason: message(error) }));

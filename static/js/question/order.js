@@ -9,6 +9,19 @@ import { words } from "../page/words.js";
 
 /** @type {Kind} */
 export const order = {
+  install() {
+    document.addEventListener("click", (event) => {
+      const button = within(event, ".order [data-move]", HTMLButtonElement);
+      if (!button) return;
+      step(button);
+      button.focus();
+    });
+    document.addEventListener("pointerdown", (event) => {
+      const item = within(event, ".order-item", HTMLElement);
+      if (item && within(event, ".grip", Element) && event.button === 0) drag(item, event);
+    });
+  },
+
   missing: "",
 
   prepare(form, question) {
@@ -44,20 +57,6 @@ export const order = {
     }
   },
 };
-
-/** Listen for grips and buttons on any page. */
-export function installOrder() {
-  document.addEventListener("click", (event) => {
-    const button = within(event, ".order [data-move]", HTMLButtonElement);
-    if (!button) return;
-    step(button);
-    button.focus();
-  });
-  document.addEventListener("pointerdown", (event) => {
-    const item = within(event, ".order-item", HTMLElement);
-    if (item && within(event, ".grip", Element) && event.button === 0) drag(item, event);
-  });
-}
 
 /**
  * The reader's order, which is never the right one.

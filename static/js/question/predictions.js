@@ -19,7 +19,7 @@ import { curve, fitsSketch, installSketches, prepareSketch, putCurve } from "./s
 import { words } from "../page/words.js";
 
 /** Listen for guesses on any page. */
-export function installPredictions() {
+export function install() {
   document.addEventListener("submit", (event) => {
     const form = within(event, "form[data-predict]", HTMLFormElement);
     if (!form) return;
@@ -33,11 +33,13 @@ export function installPredictions() {
     if (form) settle(form, null);
     leadToWaiting(event);
   });
+  document.addEventListener("answers-forgotten", forget);
+  document.addEventListener("answers-read", arrive);
   installSketches();
 }
 
 /** Show what was guessed on an earlier visit. */
-export function restorePredictions() {
+export function arrive() {
   for (const form of all(document, "form[data-predict]", HTMLFormElement)) {
     const prediction = predictionOf(form);
     prepare(form, prediction);
@@ -49,7 +51,7 @@ export function restorePredictions() {
 }
 
 /** Forget the guesses of this page. */
-export function forgetPredictions() {
+function forget() {
   for (const form of all(document, "form[data-predict]", HTMLFormElement)) {
     remember(`predict:${form.dataset.predict}`, null);
     form.reset();

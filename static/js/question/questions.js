@@ -13,6 +13,7 @@
  * What one kind of question does.
  *
  * @typedef {object} Kind
+ * @property {() => void} [install] Listen for what it alone knows; called once.
  * @property {string} missing Key of what is said where there is no answer yet.
  * @property {(form: HTMLFormElement, question: Question) => void} prepare Before it is answered.
  * @property {(form: HTMLFormElement, question: Question) => Given | null | Promise<Given>} read
@@ -27,30 +28,26 @@
 import { message } from "../errors.js";
 import { all, data, one, within } from "../page/dom.js";
 import { recall, remember } from "../page/storage.js";
-import { choice } from "./choice.js";
+import { KINDS } from "./book_kinds.js";
 import { say } from "./feedback.js";
-import { figure } from "./figure.js";
-import { number } from "./number.js";
-import { installOrder, order } from "./order.js";
 import { showProgress } from "./progress.js";
 import { words } from "../page/words.js";
 
-/** @type {Record<string, Kind>} */
-const KINDS = { single: choice, multiple: choice, number, order, figure };
-
 /** Listen for answers on any page, now and after a change of chapter. */
-export function installQuestions() {
+export function install() {
   document.addEventListener("submit", (event) => {
     const form = within(event, "form.quiz", HTMLFormElement);
     if (!form) return;
     event.preventDefault();
     answer(form);
   });
-  installOrder();
+  document.addEventListener("answers-forgotten", forget);
+  document.addEventListener("answers-read", arrive);
+  for (const kind of new Set(Object.values(KINDS))) kind.install?.();
 }
 
 /** Put each question of the page in the reader's order, with the answer of an earlier visit. */
-export function restoreQuestions() {
+export function arrive() {
   for (const form of all(document, "form.quiz", HTMLFormElement)) {
     const question = questionOf(form);
     const kind = KINDS[question.kind];
@@ -64,12 +61,12 @@ export function restoreQuestions() {
 }
 
 /** Forget the answers of this page. */
-export function forgetQuestions() {
+function forget() {
   for (const form of all(document, "form.quiz", HTMLFormElement)) {
     remember(`quiz:${form.dataset.quiz}`, null);
     form.reset();
   }
-  restoreQuestions();
+  arrive();
 }
 
 /**

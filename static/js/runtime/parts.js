@@ -4,12 +4,14 @@
  * interpreter starts; anything else when Python asks for it.
  */
 
-import { message } from "../errors.js";
+import { fetchWhole, findFault } from "./fault.js";
 
 /** What the interpreter starts with; the other parts wait until something imports from them. */
 export const PYTHON = "python.zip";
 export const NUMPY = "numpy.zip";
-export const SIMULATIONS = "simulations.zip";
+export const CORE = "core.zip";
+/** The part with the sources of all simulations, for who edits them; `editing/` looks for it there. */
+export const SOURCES = "simulations";
 export const TABLE = "runtime.json";
 
 /**
@@ -24,8 +26,6 @@ export class Parts {
   #coming = new Map();
   /** @type {Set<string>} */
   #here = new Set();
-  /** @type {Set<string>} */
-  #damaged = new Set();
   /**
    * The interpreter; any, since Pyodide's own types are not at hand.
    *
@@ -46,11 +46,17 @@ export class Parts {
 
   /**
    * @param {string} url The runtime's folder.
+   * @param {boolean} fresh Whether to pass by the HTTP cache, which may hold a damaged table.
    * @returns {Promise<Parts>}
+   * @throws {import("./fault.js").Fault}
    */
-  static async listed(url) {
-    const reply = good(await fetch(url + TABLE));
-    return new Parts(url, await reply.json());
+  static async listed(url, fresh) {
+    const reply = await fetchWhole(url + TABLE, undefined, fresh ? ["reload"] : undefined);
+    try {
+      return new Parts(url, await reply.json());
+    } catch {
+      throw await findFault(url + TABLE);
+    }
   }
 
   /**
@@ -64,20 +70,25 @@ export class Parts {
   }
 
   /**
-   * The file, if it is whole.
+   * The reply with a file that is whole.
+   *
+   * @param {string} name
+   * @returns {Promise<Response>}
+   * @throws {import("./fault.js").Fault}
+   */
+  reply(name) {
+    return fetchWhole(this.url + name, this.table.integrity[name]);
+  }
+
+  /**
+   * The bytes of a file that is whole.
    *
    * @param {string} name
    * @returns {Promise<Uint8Array>}
+   * @throws {import("./fault.js").Fault}
    */
   async fetch(name) {
-    const cache = this.#damaged.has(name) ? "reload" : "default";
-    try {
-      const reply = await fetch(this.url + name, { cache, integrity: this.table.integrity[name] });
-      return new Uint8Array(await good(reply).arrayBuffer());
-    } catch (error) {
-      this.#damaged.add(name);
-      throw new Error(`${name}: ${message(error)}`, { cause: error });
-    }
+    return new Uint8Array(await (await this.reply(name)).arrayBuffer());
   }
 
   /**
@@ -95,16 +106,26 @@ export class Parts {
   }
 
   /**
-   * Have parts in place; one that cannot be had is asked for again by whoever imports it.
+   * Whether any of these is not yet in place.
    *
-   * @param {string[]} [names]
+   * @param {string[]} names
    */
-  async provide(names = []) {
+  lacks(names) {
+    return !names.every((name) => this.#here.has(name));
+  }
+
+  /**
+   * Have parts in place.
+   *
+   * @param {string[]} names
+   * @throws {import("./fault.js").Fault} Where one cannot be had; it is asked for again when it is next needed.
+   */
+  async provide(names) {
     this.expect(names);
     for (const name of names) {
       const coming = this.#coming.get(name);
-      const archive = await coming?.catch(() => null);
       this.#coming.delete(name);
+      const archive = await coming;
       if (archive && !this.#here.has(name)) this.#place(name, archive);
     }
   }
@@ -134,17 +155,8 @@ export class Parts {
    * @param {Uint8Array} archive
    */
   #place(name, archive) {
-    this.unpack(archive);
+    if (name === SOURCES) this.#pyodide.FS.writeFile(`/lib/${name}.zip`, archive);
+    else this.unpack(archive);
     this.#here.add(name);
   }
-}
-
-/**
- * A reply, which must be a good one.
- *
- * @param {Response} reply
- */
-function good(reply) {
-  if (!reply.ok) throw new Error(`${reply.url}: ${reply.status}`);
-  return reply;
 }

@@ -8,36 +8,29 @@
 
 import { all } from "../page/dom.js";
 import { words } from "../page/words.js";
+import { takeBegun } from "./begin.js";
+import { findFault } from "./fault.js";
+import { LIMITS, Patience } from "./patience.js";
+import { Watchdog } from "./watchdog.js";
+
+/** @import { FaultKind, Told } from "./fault.js" */
 
 /**
- * Longest wait for an answer in milliseconds. Starting may include a slow download.
- *
- * @type {Record<string, number>}
+ * Why a call failed: `python` (our code raised), `start` (no interpreter), `part` (one of its files
+ * could not be had), `lost` (no answer).
  */
-export const LIMITS = {
-  start: 300_000,
-  first: 30_000,
-  render: 10_000,
-  pull: 10_000,
-  photograph: 10_000,
-  error: 10_000,
-  judge: 10_000,
-  forget: 10_000,
-  script: 10_000,
-  measure: 120_000,
-};
-
-/** Why a call failed: `python` (our code raised), `start` (no interpreter), `lost` (no answer). */
 export class RuntimeFailure extends Error {
   /**
-   * @param {"python" | "start" | "lost"} kind
+   * @param {"python" | "start" | "part" | "lost"} kind
    * @param {string} message
-   * @param {boolean} [late] Whether the time was up.
+   * @param {{late?: boolean, fault?: FaultKind}} [more] Whether the time was up; what is wrong with
+   *   a file.
    */
-  constructor(kind, message, late = false) {
+  constructor(kind, message, { late = false, fault } = {}) {
     super(message);
     this.kind = kind;
     this.late = late;
+    this.fault = fault;
   }
 }
 
@@ -55,7 +48,7 @@ export function closed() {
 /**
  * What a figure needs of a runtime.
  *
- * @typedef {Pick<Runtime, "call" | "forget" | "generation">} Caller
+ * @typedef {Pick<Runtime, "call" | "forget" | "recycle" | "generation">} Caller
  */
 
 /**
@@ -77,8 +70,10 @@ export class Runtime {
   #active = null;
   /** @type {Worker | null} */
   #worker = null;
-  /** @type {ReturnType<typeof setTimeout> | undefined} */
-  #watchdog;
+  #watchdog = new Watchdog();
+  #patience = new Patience();
+  /** @type {ArrayBuffer[]} Memory of frames that are painted, on its way back to the worker. */
+  #spare = [];
   #lastId = 0;
   #failedStarts = 0;
   /** Which interpreter it is: a new one knows nothing of what the last was told. */
@@ -93,10 +88,12 @@ export class Runtime {
   /**
    * @param {string} url Absolute address of the runtime folder.
    * @param {() => string[]} [scenes] Asked when a worker starts: what it will be asked for.
+   * @param {() => Worker | null} [begun] A worker that is on its way already, if there is one.
    */
-  constructor(url, scenes = scenesOfPage) {
+  constructor(url, scenes = scenesOfPage, begun = () => null) {
     this.url = url;
     this.scenes = scenes;
+    this.begun = begun;
   }
 
   /** Whether this browser can run the interpreter at all. */
@@ -131,6 +128,15 @@ export class Runtime {
     if (this.#worker) this.call("forget", { figure }).catch(() => {});
   }
 
+  /**
+   * Give the memory of a frame's pixels back, once they are painted: the next frame is put there.
+   *
+   * @param {ArrayBuffer[]} rasters
+   */
+  recycle(rasters) {
+    if (this.#worker) this.#spare.push(...rasters);
+  }
+
   /** End the worker; who waits for it hears that it is gone. */
   close() {
     for (const call of this.#waiting.splice(0)) call.reject(closed());
@@ -151,19 +157,27 @@ export class Runtime {
   #boot() {
     this.#seen.clear();
     this.generation = ++interpreters;
-    this.#worker = new Worker(new URL("./worker.js", import.meta.url), { type: "module" });
-    this.#worker.onmessage = (event) => this.#receive(event.data);
-    this.#worker.onerror = (event) => {
+    const script = new URL("./worker.js", import.meta.url);
+    const worker = this.begun() ?? new Worker(script, { type: "module" });
+    this.#worker = worker;
+    worker.onmessage = (event) => this.#receive(event.data);
+    worker.onerror = async (event) => {
       event.preventDefault();
-      this.#lose(event.message || words("runtime.no_worker"));
+      const { kind, file, detail } = (await findFault(script.href)).told;
+      if (this.#worker !== worker) return;
+      if (kind === "other") this.#lose(event.message || words("runtime.no_worker"));
+      else this.#lose(inWords({ kind, file, detail }), { fault: kind });
     };
-    this.#worker.onmessageerror = () => this.#lose(words("runtime.unreadable"));
+    worker.onmessageerror = () => this.#lose(words("runtime.unreadable"));
     this.#send({
       id: ++this.#lastId,
       name: "start",
       payload: { url: this.url, fresh: this.#failedStarts > 0, scenes: this.scenes() },
       urgency: () => 0,
-      resolve: () => (this.#failedStarts = 0),
+      resolve: ({ importMs }) => {
+        this.#failedStarts = 0;
+        this.#patience.started(importMs);
+      },
       reject: (reason) => this.#giveUp(reason),
     });
   }
@@ -171,24 +185,40 @@ export class Runtime {
   /** @param {Call} call */
   #send(call) {
     this.#active = call;
-    const { scene, limit: given } = call.payload;
-    const limit = given ?? (scene && !this.#seen.has(scene) ? LIMITS.first : LIMITS[call.name]);
+    const { scene, limit } = call.payload;
+    const name = scene && !this.#seen.has(scene) ? "first" : call.name;
     if (scene) this.#seen.add(scene);
-    this.#watchdog = setTimeout(() => this.#lose(words("runtime.late"), true), limit);
-    this.#worker?.postMessage({ id: call.id, call: call.name, ...call.payload });
+    this.#watch(limit ?? this.#patience.limit(name, scene));
+    const spare = this.#spare.splice(0);
+    const message = { id: call.id, call: call.name, ...call.payload, spare };
+    this.#worker?.postMessage(message, { transfer: spare });
+  }
+
+  /** @param {number} limit */
+  #watch(limit) {
+    this.#watchdog.watch(limit, () => this.#lose(words("runtime.late"), { late: true }));
   }
 
   /** @param {any} reply */
   #receive(reply) {
     const call = this.#active;
     if (!call || call.id !== reply.id) return;
+    const { scene, limit } = call.payload;
+    if ("fetching" in reply) {
+      this.#watch(reply.fetching ? LIMITS.start : (limit ?? this.#patience.limit("first", scene)));
+      return;
+    }
+    const message = reply.fault ? inWords(reply.fault) : reply.error;
+    const more = { fault: reply.fault?.kind };
     if (!reply.ok && (reply.fatal || call.name === "start")) {
-      this.#lose(reply.error);
+      this.#lose(message, more);
       return;
     }
     this.#settle();
-    if (reply.ok) call.resolve(reply);
-    else call.reject(new RuntimeFailure("python", reply.error));
+    if (reply.ok) {
+      if (scene && reply.computeMs) this.#patience.learn(scene, reply.computeMs);
+      call.resolve(reply);
+    } else call.reject(new RuntimeFailure(reply.fault ? "part" : "python", message, more));
     this.#next();
   }
 
@@ -196,19 +226,20 @@ export class Runtime {
    * The worker is of no more use: end it, tell its caller, and go on with a new one.
    *
    * @param {string} message
-   * @param {boolean} [late]
+   * @param {{late?: boolean, fault?: FaultKind}} [more]
    */
-  #lose(message, late = false) {
+  #lose(message, more) {
     const call = this.#active;
     this.#settle();
     this.#worker?.terminate();
     this.#worker = null;
-    call?.reject(new RuntimeFailure(call.name === "start" ? "start" : "lost", message, late));
+    this.#spare = [];
+    call?.reject(new RuntimeFailure(call.name === "start" ? "start" : "lost", message, more));
     this.#next();
   }
 
   #settle() {
-    clearTimeout(this.#watchdog);
+    this.#watchdog.rest();
     this.#active = null;
   }
 
@@ -218,9 +249,14 @@ export class Runtime {
    * @param {RuntimeFailure} reason
    */
   #giveUp(reason) {
-    this.#failedStarts += 1;
+    if (!reason.late) this.#failedStarts += 1; // what has come of a slow download is good
     for (const call of this.#waiting.splice(0)) call.reject(reason);
   }
+}
+
+/** @param {Told | {kind: "memory"}} fault */
+function inWords(fault) {
+  return words(`runtime.${fault.kind}`, fault);
 }
 
 /** The scenes that the page will ask for. */
@@ -235,6 +271,8 @@ let shared = null;
 /** The page's only interpreter, or null where the book was built without one. */
 export function sharedRuntime() {
   const address = document.body.dataset.runtime;
-  if (!shared && address) shared = new Runtime(new URL(address, location.href).href);
+  if (!shared && address) {
+    shared = new Runtime(new URL(address, location.href).href, scenesOfPage, takeBegun);
+  }
   return shared;
 }

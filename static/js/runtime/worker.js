@@ -4,9 +4,12 @@
  */
 
 import { message } from "../errors.js";
-import { NUMPY, Parts, PYTHON, SIMULATIONS, TABLE } from "./parts.js";
+import { Fault } from "./fault.js";
+import { startInterpreter } from "./interpreter.js";
+import { SOURCES } from "./parts.js";
 
-const PYODIDE = ["pyodide.mjs", "pyodide.asm.mjs", "pyodide.asm.wasm"];
+/** @import { Started } from "./interpreter.js" */
+/** @import { Parts } from "./parts.js" */
 
 /**
  * Proxies of `simulations.browser`, held for the life of the worker.
@@ -20,50 +23,46 @@ let python = null;
  * @type {Parts}
  */
 let parts;
+/**
+ * The interpreter on its way.
+ *
+ * @type {Promise<Started> | null}
+ */
+let starting = null;
+/**
+ * Memory of frames that the page has painted: the next pixels of that size are put there.
+ *
+ * @type {ArrayBuffer[]}
+ */
+let spare = [];
+/** As many as a page that paints frames of two figures in turn. */
+const MOST_SPARE = 8;
 
 /** @typedef {{figure: string, scene: string, values: string, tier: string}} FrameCall */
 
 const calls = {
   /**
-   * Start the interpreter from the folder `url`, past the HTTP cache if `fresh`, and fetch what
-   * `scenes` will import.
+   * Begin to start, before anyone needs it: what goes wrong is told to who calls `start`.
+   *
+   * @param {{url: string, scenes: string[]}} call
+   */
+  begin({ url, scenes }) {
+    starting = startInterpreter(url, false, scenes);
+    starting.catch(() => {});
+    return { reply: {} };
+  },
+
+  /**
+   * Start the interpreter from the folder `url`, with a new table if `fresh`, and fetch what `scenes`
+   * will import.
    *
    * @param {{url: string, fresh: boolean, scenes: string[]}} call
    */
   async start({ url, fresh, scenes }) {
-    if (fresh) await refetch(url);
-    const pyodideScript = import(`${url}pyodide.mjs`);
-    parts = await Parts.listed(url);
-    const { table } = parts;
-    const [numpy, simulations] = [parts.fetch(NUMPY), parts.fetch(SIMULATIONS)];
-    for (const scene of scenes) parts.expect(table.scenes[scene]);
-    const options = {
-      indexURL: url,
-      stdLibURL: url + PYTHON,
-      lockFileContents: JSON.stringify(table.lock),
-    };
-    const { loadPyodide } = await pyodideScript;
-    const pyodide = await Promise.race([loadPyodide(options), webAssemblyFailure()]);
-    parts.pyodide = pyodide;
-    parts.unpack(await numpy); // its machine code cannot be loaded from within an archive
-    pyodide.FS.writeFile(`/lib/${SIMULATIONS}`, await simulations);
-    pyodide.pyimport("sys").path.append(`/lib/${SIMULATIONS}`);
-    const module = pyodide.pyimport("simulations.browser");
-    const {
-      render,
-      render_edited: renderEdited,
-      pull,
-      error,
-      photograph,
-      forget,
-      judge,
-      measure,
-      script,
-    } = module;
-    const fetchNow = (/** @type {string} */ part) => parts.fetchNow(part);
-    module.fetch_missing(JSON.stringify(table.modules), fetchNow, parts.folder);
-    python = { render, renderEdited, pull, error, photograph, forget, judge, measure, script };
-    return { reply: { version: pyodide.version } };
+    starting ??= startInterpreter(url, fresh, scenes);
+    const { version, importMs, ...started } = await starting;
+    ({ parts, python } = started);
+    return { reply: { version, importMs } };
   },
 
   /**
@@ -72,11 +71,20 @@ const calls = {
    * @param {FrameCall} call
    */
   async render({ figure, scene, values, tier }) {
-    await parts.provide(parts.table.scenes[scene]);
     const begun = performance.now();
     const { meta, rasters } = takeFrame(python.render(figure, scene, values, tier));
     const computeMs = performance.now() - begun;
     return { reply: { meta, rasters, computeMs }, transfer: rasters };
+  },
+
+  /**
+   * Have a scene ready to draw, and tell of which sources it is.
+   *
+   * @param {{scene: string}} call
+   */
+  prepare({ scene }) {
+    python.prepare(scene);
+    return { reply: { sources: parts.table.integrity[`${SOURCES}.zip`] } };
   },
 
   /**
@@ -85,7 +93,6 @@ const calls = {
    * @param {FrameCall & {edits: string}} call
    */
   async renderEdited({ figure, scene, values, tier, edits }) {
-    await parts.provide(parts.table.scenes[scene]);
     const begun = performance.now();
     const answer = python.renderEdited(figure, scene, values, tier, edits);
     try {
@@ -107,7 +114,6 @@ const calls = {
    *   y: number}} call
    */
   async pull({ scene, values, tier, handle, x, y }) {
-    await parts.provide(parts.table.scenes[scene]);
     return { reply: { values: JSON.parse(python.pull(scene, values, tier, handle, x, y)) } };
   },
 
@@ -126,7 +132,6 @@ const calls = {
    * @param {FrameCall & {conditions: string[]}} call
    */
   async judge({ figure, scene, values, tier, conditions }) {
-    await parts.provide(parts.table.scenes[scene]);
     const met = python.judge(figure, scene, values, tier, JSON.stringify(conditions));
     return { reply: { met: met ?? null } };
   },
@@ -134,11 +139,10 @@ const calls = {
   /**
    * A script that prints what a frame of these values says, of the book's code and picture.
    *
-   * @param {FrameCall & {edited: boolean, own: boolean}} call
+   * @param {FrameCall & {told: string}} call `told`: JSON of the paragraphs that it begins with.
    */
-  async script({ scene, values, tier, edited, own }) {
-    await parts.provide(parts.table.scenes[scene]);
-    return { reply: { script: python.script(scene, values, tier, edited, own) } };
+  async script({ scene, values, tier, told }) {
+    return { reply: { script: python.script(scene, values, tier, told) } };
   },
 
   /**
@@ -164,7 +168,6 @@ const calls = {
    * @param {{ladder: string, tier: string, budget: number}} call
    */
   async measure({ ladder, tier, budget }) {
-    await parts.provide(parts.table.ladders[ladder]);
     return { reply: { result: python.measure(ladder, tier, budget) } };
   },
 };
@@ -181,12 +184,29 @@ async function answer(request) {
 
 self.onmessage = async ({ data }) => {
   try {
+    await provideFor(data);
+    spare = [...(data.spare ?? []), ...spare].slice(0, MOST_SPARE);
     const { reply, transfer = [] } = await answer(data);
     self.postMessage({ id: data.id, ok: true, ...reply }, { transfer });
   } catch (error) {
     self.postMessage({ id: data.id, ok: false, ...explain(error) });
   }
 };
+
+/**
+ * Have in place what a call's scene or ladder imports. The page is told when that has to be waited
+ * for, since a network may be slow where the machine is not.
+ *
+ * @param {{id: number, scene?: string, ladder?: string, edits?: string}} call
+ */
+async function provideFor({ id, scene = "", ladder = "", edits }) {
+  const imported = parts?.table.scenes[scene] ?? parts?.table.ladders[ladder] ?? [];
+  const names = edits === undefined ? imported : [...imported, SOURCES];
+  if (!parts?.lacks(names)) return;
+  self.postMessage({ id, fetching: true });
+  await parts.provide(names);
+  self.postMessage({ id, fetching: false });
+}
 
 /**
  * What a frame holds, copied out of the interpreter's memory; the frame itself is let go.
@@ -224,7 +244,11 @@ function takeRasters(frame) {
 function takeRaster(array) {
   const view = array.getBuffer("u8");
   try {
-    return view.data.slice().buffer;
+    const index = spare.findIndex(({ byteLength }) => byteLength === view.data.length);
+    if (index < 0) return view.data.slice().buffer;
+    const [pixels] = spare.splice(index, 1);
+    new Uint8Array(pixels).set(view.data);
+    return pixels;
   } finally {
     view.release();
     array.destroy();
@@ -232,14 +256,20 @@ function takeRaster(array) {
 }
 
 /**
- * A Python exception leaves the interpreter sound; anything else does not.
+ * A Python exception leaves the interpreter sound, and so does a file that cannot be had; anything
+ * else does not. Of memory there is no more to be had before there is a new interpreter.
  *
  * @param {unknown} error
  */
 function explain(error) {
   const text = message(error).trim();
+  if (error instanceof Fault) return { error: text, fault: error.told, fatal: false };
   const raised = error instanceof Error && error.name === "PythonError";
-  return { error: raised ? lastException(text) : text, fatal: !raised };
+  const last = raised ? lastException(text) : text;
+  if (/MemoryError\b|^Array buffer allocation failed/.test(last)) {
+    return { error: last, fault: { kind: "memory" }, fatal: true };
+  }
+  return { error: last, fatal: !raised };
 }
 
 /**
@@ -250,39 +280,4 @@ function explain(error) {
 function lastException(traceback) {
   const named = traceback.split("\n").filter((line) => /^[\w.]+(:|$)/.test(line));
   return named.at(-1) ?? traceback;
-}
-
-/**
- * Rejects if the interpreter's WebAssembly cannot be had: Pyodide itself would only warn, and
- * wait for ever. A host that sends it with another type than `application/wasm` is served too.
- *
- * @returns {Promise<never>}
- */
-function webAssemblyFailure() {
-  return new Promise((_, reject) => {
-    const streaming = WebAssembly.instantiateStreaming;
-    WebAssembly.instantiateStreaming = async (source, imports) => {
-      try {
-        const response = await source;
-        if (!response.ok) throw new Error(`${response.url}: ${response.status}`);
-        const typed = response.headers.get("content-type")?.startsWith("application/wasm");
-        return typed
-          ? await streaming(response, imports)
-          : await WebAssembly.instantiate(await response.arrayBuffer(), imports);
-      } catch (error) {
-        reject(error);
-        throw error;
-      }
-    };
-  });
-}
-
-/**
- * Replace what the HTTP cache holds: a damaged file must not come back on a second try.
- *
- * @param {string} url
- */
-async function refetch(url) {
-  const names = [...PYODIDE, PYTHON, NUMPY, SIMULATIONS, TABLE];
-  await Promise.all(names.map((name) => fetch(url + name, { cache: "reload" })));
 }

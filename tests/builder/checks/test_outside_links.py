@@ -21,7 +21,7 @@ class Host(BaseHTTPRequestHandler):
 
     def do_HEAD(self) -> None:
         self.asked.append((self.command, self.path))
-        match self.path.strip("/").split("/"):
+        match self.path.partition("?")[0].strip("/").split("/"):
             case ["moved" | "moved-on" as kind, *rest]:
                 self.answer(301 if kind == "moved" else 302, "/" + "/".join(rest))
             case ["round"]:
@@ -30,6 +30,10 @@ class Host(BaseHTTPRequestHandler):
                 self.answer(405)
             case ["hangs"]:
                 self.release.wait()
+            case ["letters"]:  # of a head that never ends
+                self.wfile.write(b"HTTP/1.1 200 OK\r\nX-")
+                while not self.release.wait(0.02):
+                    self.wfile.write(b"x")
             case ["silent"]:
                 self.close_connection = True
             case [status] if status.isdigit():
@@ -97,11 +101,19 @@ def test_a_link_that_leads_nowhere_or_elsewhere_is_told(host: str, path: str, sa
     assert found.startswith(says)
 
 
-def test_a_host_that_hangs_is_not_waited_for_for_ever(host: str) -> None:
-    links = {f"{host}/hangs": [("a.md", 1)]}
+@pytest.mark.parametrize("path", ["/hangs", "/letters"])
+def test_a_host_that_does_not_end_is_not_waited_for_for_ever(host: str, path: str) -> None:
+    links = {f"{host}{path}": [("a.md", 1)]}
     (found,) = check_outside_links(links, BRIEF)
     assert "timed out" in found.message or "no answer" in found.message
     assert not Host.release.is_set()
+
+
+def test_a_host_that_leaves_links_unanswered_is_not_asked_on(host: str) -> None:
+    paths = [f"/silent?{number}" for number in range(4)]
+    found = told(host, *paths)
+    assert [path for _, path in Host.asked] == ["/", *paths[:2]]
+    assert "its host did not answer 2 other links" in found[-1]
 
 
 def test_a_page_is_asked_for_only_where_its_head_is_not_told(host: str) -> None:

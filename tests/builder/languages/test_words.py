@@ -17,6 +17,7 @@ NAMES = {"CPython", "Esc", "ISBN", "feed", "xml", "urn", "uuid"}
 """What is called the same in all languages, and parts of addresses."""
 OF_TEMPLATES = re.compile(r"""\bt\(\s*"([\w.-]+)("\s*~)?""")
 OF_PYTHON = re.compile(r"""\bwords\(\s*(f?)"([\w.-]+)""")
+OF_THE_ENGINE = re.compile(r"""\bSaid\(\s*"([\w.-]+)""")
 OF_SCRIPTS = re.compile(r"""\bwords\(\s*(["`])([\w.-]+)""")
 QUOTED = re.compile(r"""["'`]([a-z][\w-]*(?:\.[\w-]+)+)["'`]""")
 MADE = (
@@ -28,7 +29,11 @@ MADE = (
 
 
 def sources() -> Iterator[tuple[Path, str]]:
-    for folder, kinds in (("site_builder", (".py", ".html", ".xml")), ("static/js", (".js",))):
+    for folder, kinds in (
+        ("site_builder", (".py", ".html", ".xml")),
+        ("static/js", (".js",)),
+        *((f"simulations/{part}", (".py",)) for part in ("engine", "editing")),
+    ):
         for file in sorted((ROOT / folder).rglob("*")):
             if file.suffix in kinds:
                 yield file, file.read_text(encoding="utf-8")
@@ -41,6 +46,7 @@ def asked() -> Iterator[tuple[str, bool]]:
             yield from ((SCRIPT + key, mark == '"') for mark, key in OF_SCRIPTS.findall(text))
         elif file.suffix == ".py":
             yield from ((key, not made) for made, key in OF_PYTHON.findall(text))
+            yield from ((SCRIPT + key, True) for key in OF_THE_ENGINE.findall(text))
         else:
             yield from ((key, not joined) for key, joined in OF_TEMPLATES.findall(text))
 

@@ -48,7 +48,7 @@ def test_a_swap_that_fails_brings_the_last_site_back(
 
     monkeypatch.setattr(Path, "rename", refuse_the_new)
     with pytest.raises(PermissionError):
-        write_site({"book.json": b"new"}, out)
+        write_site({"book.json": b"new", "more": b""}, out)
     assert (out / "book.json").read_bytes() == b"{}"
     assert [path.name for path in tmp_path.iterdir()] == ["site"]
 
@@ -117,13 +117,18 @@ def test_a_full_disk_leaves_the_last_site(tmp_path: Path, monkeypatch: pytest.Mo
     out = tmp_path / "site"
     write_site({"book.json": b"{}", "a": b"a"}, out)
 
-    def refuse(_self: Path, _data: bytes) -> int:
+    def refuse(*_given: object) -> int:
         raise OSError(errno.ENOSPC, os.strerror(errno.ENOSPC))
 
     monkeypatch.setattr(Path, "write_bytes", refuse)
-    with pytest.raises(OSError, match="No space left"):
-        write_site({"book.json": b"{}", "a": b"b"}, out)
-    assert (out / "a").read_bytes() == b"a"
+    monkeypatch.setattr(os, "fdopen", refuse)
+    for site in ({"book.json": b"{}", "a": b"b"}, {"book.json": b"{}", "a": b"b", "b": b"b"}):
+        with pytest.raises(OSError, match="No space left"):
+            write_site(site, out)
+    assert {file.name: file.read_bytes() for file in out.iterdir()} == {
+        "book.json": b"{}",
+        "a": b"a",
+    }
     assert [path.name for path in tmp_path.iterdir()] == ["site"]
 
 

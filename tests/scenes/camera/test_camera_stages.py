@@ -140,7 +140,7 @@ def test_skipped_defocus_would_have_changed_nothing() -> None:
     stages = {stage.name: stage for stage in STAGES}
     lit = outputs(aperture=5.6)["light"]
     blurred = stages["defocus"].compute(
-        lit, focal_length=50.0, aperture=5.6, focus=3.2, reduction=1
+        lit, focal_length=50.0, aperture=5.6, focus=3.2, reduction=1, enlarged=1.0
     )
     assert blurred.base is lit.base
     assert all(a.planes is b.planes for a, b in zip(blurred.layers, lit.layers, strict=True))

@@ -60,8 +60,9 @@ def test_an_exception_in_the_books_code_is_told_with_the_line_that_called_it() -
     text += "    return jpeg.encode(planes, -5, subsampling, TRANSFORMS[tier])"
     told = problem_with({f"{STAGES}:_coded": text})
     assert (told["definition"], told["line"]) == (f"{STAGES}:_coded", 2)
-    assert told["message"].startswith("ValueError: quality -5; legal")
-    assert "(raised in simulations/models/" in told["message"]
+    said = told["message"]["values"]
+    assert said["error"].startswith("ValueError: quality -5; legal")
+    assert said["file"].startswith("simulations/models/")
 
 
 def test_a_line_of_the_books_is_that_of_its_file_also_below_an_edit() -> None:
@@ -69,7 +70,9 @@ def test_a_line_of_the_books_is_that_of_its_file_also_below_an_edit() -> None:
     raised = next(number for number, text in enumerate(lines, 1) if "return psnr_db" in text)
     text = "\n" * 7 + "def _original():\n    return balloon()\n\npsnr_db = None"
     told = problem_with({f"{STAGES}:_original": text})
-    assert f"(raised in simulations/scenes/jpeg/stages.py, line {raised})" in told["message"]
+    assert told["message"]["key"] == "workshop.raised_in"
+    place = {"file": "simulations/scenes/jpeg/stages.py", "line": str(raised)}
+    assert place.items() <= told["message"]["values"].items()
 
 
 def test_lines_are_right_where_two_definitions_of_a_module_are_edited() -> None:
@@ -93,7 +96,7 @@ def test_a_mistake_that_no_line_of_the_reader_made_has_none() -> None:
     text = "def _quality(decoded):\n    return 1.0"
     told = problem_with({f"{STAGES}:_quality": text})
     assert told["line"] == 0
-    assert "stage 'psnr' comes after" in told["message"]
+    assert "stage 'psnr' comes after" in told["message"]["values"]["error"]
 
 
 def test_what_the_code_prints_is_told_up_to_a_length() -> None:

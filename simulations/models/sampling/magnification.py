@@ -1,0 +1,32 @@
+"""A picture in another size, on the same grid."""
+
+import numpy as np
+from numpy.typing import NDArray
+
+from simulations.models.pixel_grid import centred
+from simulations.models.require import require_positive
+from simulations.models.sampling.resampling import KERNELS
+
+
+def magnify(plane: NDArray[np.float32], scale: float) -> NDArray[np.float32]:
+    """A plane (H, W) scaled about its centre by bicubic interpolation, one axis after the other.
+
+    It keeps its shape: what grows beyond it is lost. Raises `ValueError` for a scale that is not
+    above 0 and finite.
+    """
+    require_positive("scale", scale)
+    if scale == 1.0:
+        return plane
+    turned = np.ascontiguousarray(_magnify_rows(plane, scale).T)  # rows are quick to gather
+    return np.ascontiguousarray(_magnify_rows(turned, scale).T)
+
+
+def _magnify_rows(plane: NDArray[np.float32], scale: float) -> NDArray[np.float32]:
+    size, kernel = plane.shape[0], KERNELS["bicubic"]
+    position = 0.5 * (size - 1) + centred(size) / scale
+    base = np.floor(position)
+    result = np.zeros_like(plane)
+    for tap in range(-1, 3):
+        weight = kernel.weigh(base + tap - position).astype(np.float32)
+        result += weight[:, None] * plane[np.clip(base.astype(int) + tap, 0, size - 1)]
+    return result

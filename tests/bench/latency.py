@@ -1,0 +1,123 @@
+"""How soon a figure follows a hand: ``PYTHONPATH=tests python -m bench.latency``.
+
+Every slider of every scene of the built book is dragged from end to end and back by a script that
+stands outside the book's own: see ``js/drag.js``. A time runs from an event to the first animation
+frame after the one that shows the answer, so that it is a whole number of display frames, about.
+What is found goes into a JSON file, one row a slider; a slider whose 95th percentile is beyond its
+scene's bound is named at the end. ``--scene`` for some scenes only: their rows replace the old.
+"""
+
+import argparse
+import json
+import statistics
+import sys
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import asdict, dataclass
+from pathlib import Path
+from typing import Any
+
+from bench.built_book import figure_at_rest, open_book, script
+from playwright.sync_api import Page
+
+from site_builder.book_root import ROOT
+
+FRAME_MS = 1000 / 60
+BOUND_FRAMES = 2
+"""Display frames at the 95th percentile."""
+BOUNDS = {"camera": 3, "depth-of-field": 3, "lens-distortion": 3}
+"""Those of scenes that compute a whole camera."""
+EARLY_MS = 1.0
+"""An animation frame that comes so much late is still that frame."""
+MOVES, ROUNDS = 6, 2
+DRAG = "([drag, figure, hand]) => drag.drag({...hand, figure})"
+
+
+@dataclass(frozen=True, slots=True)
+class Latency:
+    """A row of the table; times in milliseconds."""
+
+    scene: str
+    control: str
+    moves: int
+    median: float
+    p95: float
+    compute: float
+    """Median in Python."""
+
+    @property
+    def bound_ms(self) -> float:
+        return BOUNDS.get(self.scene, BOUND_FRAMES) * FRAME_MS
+
+    @property
+    def late(self) -> bool:
+        """Whether the hand has to wait for the figure."""
+        return self.p95 > self.bound_ms + EARLY_MS
+
+
+def row(scene: str, control: str, latencies: list[float], computes: list[float]) -> Latency:
+    """The figures of one slider's moves."""
+    p95 = statistics.quantiles(latencies, n=20, method="inclusive")[-1]
+    times = (statistics.median(latencies), p95, statistics.median(computes))
+    return Latency(scene, control, len(latencies), *(round(time, 1) for time in times))
+
+
+def line(found: Latency) -> str:
+    mark = f"  over {found.bound_ms:.0f} ms" if found.late else ""
+    return (
+        f"{found.scene:24} {found.control:16} {found.moves:4} "
+        f"{found.median:8.1f} {found.p95:8.1f} {found.compute:8.1f}{mark}"
+    )
+
+
+def measure(page: Page, address: str, book: Any, wanted: Sequence[str]) -> Iterator[Latency]:
+    """Each scene in the first chapter that shows it."""
+    controls = {each["id"]: each["controls"] for each in book["simulations"]}
+    waiting = set(wanted)
+    for chapter in book["chapters"]:
+        here = [scene for scene in chapter["simulations"] if scene in waiting]
+        waiting.difference_update(here)
+        if not here:
+            continue
+        page.goto(address + chapter["url"])
+        drag = script(page, "drag.js")
+        for scene in here:
+            figure = figure_at_rest(page, scene)
+            for control in controls[scene]:
+                if control["kind"] == "slider":
+                    hand = {"name": control["name"], "moves": MOVES, "rounds": ROUNDS}
+                    yield row(scene, control["name"], **page.evaluate(DRAG, [drag, figure, hand]))
+
+
+def merged(old: Sequence[Mapping[str, Any]], new: Sequence[Latency]) -> list[dict[str, Any]]:
+    """New rows in place of the old ones of their scenes."""
+    scenes = {found.scene for found in new}
+    kept = [dict(each) for each in old if each["scene"] not in scenes]
+    return [*kept, *(asdict(found) for found in new)]
+
+
+def main() -> int:
+    parser = argparse.ArgumentParser(prog="bench.latency", description=__doc__)
+    parser.add_argument("--scene", action="append", default=[])
+    parser.add_argument("--site", type=Path, default=ROOT / "build" / "site")
+    parser.add_argument("--json", type=Path, default=ROOT / "build" / "bench" / "latency.json")
+    asked = parser.parse_args()
+    book = json.loads((asked.site / "book.json").read_text(encoding="utf-8"))
+    wanted = asked.scene or [each["id"] for each in book["simulations"]]
+    print(f"{'scene':24} {'control':16} {'n':>4} {'median':>8} {'p95':>8} {'Python':>8}")
+    rows = []
+    with open_book(asked.site) as (page, address):
+        for found in measure(page, address, book, wanted):
+            rows.append(found)
+            print(line(found), flush=True)
+    old = json.loads(asked.json.read_text(encoding="utf-8")) if asked.json.is_file() else []
+    asked.json.parent.mkdir(parents=True, exist_ok=True)
+    text = json.dumps(merged(old, rows), ensure_ascii=False, indent=1)
+    asked.json.write_text(text + "\n", encoding="utf-8")
+    late = [found for found in rows if found.late]
+    print(f"{len(rows) - len(late)} of {len(rows)} sliders are followed in time")
+    print(*(line(found) for found in late), sep="\n", end="\n" if late else "", file=sys.stderr)
+    return 1 if late else 0
+
+
+if __name__ == "__main__":
+    raise SystemExit(main())

@@ -1,0 +1,233 @@
+"""How long a reader waits for a figure that lives, beside plain Pyodide drawing the same frame.
+
+``PYTHONPATH=tests python -m bench.start``, with a built book in ``build/site``. Runs take turns, so
+that a busy minute of the machine falls on all. Each begins in a browser profile of its own (cold);
+the page is then opened again in that profile (warm), and turned to the next chapter, where a slider
+is touched at once. The other page is what Pyodide's documentation tells authors to write: load
+Pyodide, numpy and the modules, import them, draw. It has the files of Pyodide's release, from the
+same server.
+
+``--json FILE`` adds the runs to those that the file holds, so that they can be made a few at a
+time; medians and ratios are of all.
+"""
+
+import argparse
+import json
+import shutil
+import tempfile
+from collections.abc import Callable, Iterator, Sequence
+from contextlib import AbstractContextManager, contextmanager
+from functools import partial
+from pathlib import Path
+from statistics import median
+from typing import Any
+
+from bench.machine import describe_machine
+from bench.record import significant
+from playwright.sync_api import BrowserContext, BrowserType, sync_playwright
+from support.chromium import HOW_TO, find_chromium, launch_arguments
+from support.reader import DESK
+from support.static_server import serving
+
+from simulations.registry import scene_module
+from site_builder.book_root import ROOT
+from site_builder.runtime.fetch import fetch_runtime
+from site_builder.runtime.imports import imports_of, reach
+from site_builder.runtime.pack import book_modules, source_archive
+from site_builder.runtime.pinned import LOCK_INFO, NUMPY_WHEEL, VERSIONS
+
+SITE = ROOT / "build" / "site"
+SCENE = "lens-distortion"
+REST_MS = 4000
+"""What a reader takes at least before turning the page: the book may prepare for it."""
+LONGEST_MS = 60_000
+PLAIN = "plain/"
+
+type Run = dict[str, float]
+"""Milliseconds by what was measured."""
+type Start = Callable[[], AbstractContextManager[BrowserContext]]
+
+NOTE = """(() => {
+  const Plain = globalThis.Worker;
+  globalThis.Worker = class extends Plain {
+    constructor(...given) {
+      globalThis.workerBegun ??= performance.now();
+      super(...given);
+    }
+  };
+  new MutationObserver((changes) => {
+    if (changes.some(({target}) => target.dataset?.state === 'live')) {
+      globalThis.lived ??= performance.now();
+    }
+  }).observe(document, {subtree: true, attributeFilter: ['data-state']});
+})()"""
+"""In every page: notes when its worker began and when its first figure lived."""
+
+TURN = """() => {
+  const begun = performance.now();
+  globalThis.lived = undefined;
+  new MutationObserver((_, observer) => {
+    if (!globalThis.lived) return;
+    observer.disconnect();
+    globalThis.turned = globalThis.lived - begun;
+    const figure = document.querySelector('simulation-figure[data-state=live]');
+    const slider = figure.querySelector('input[type=range]');
+    const touched = performance.now();
+    new MutationObserver(() => { globalThis.touched = performance.now() - touched; })
+      .observe(figure, {attributeFilter: ['data-frames']});
+    slider.stepUp();
+    slider.dispatchEvent(new Event('input', {bubbles: true}));
+  }).observe(document, {subtree: true, attributeFilter: ['data-state']});
+  document.querySelector('.pager a[rel=next]').click();
+}"""
+"""Turns the page, and moves a slider of the first figure that lives there as soon as it does."""
+
+DRAWN = """<!DOCTYPE html>
+<meta charset="utf-8"><title>Plain</title><link rel="icon" href="data:,">
+<script type="module">
+  import {loadPyodide} from './pyodide.mjs';
+  const pyodide = await loadPyodide({packages: ['numpy']});
+  pyodide.unpackArchive(await (await fetch('simulations.zip')).arrayBuffer(), 'zip');
+  const frame = pyodide.runPython(`
+from simulations.engine.stages import StageCache
+from MODULE import SCENE
+SCENE.render(SCENE.check({}), SCENE.default_tier, StageCache())`);
+  for (const panel of frame.panels) {
+    const box = document.createElement('div');
+    box.innerHTML = `<svg viewBox="0 0 ${panel.width} ${panel.height}">${panel.overlay}</svg>`;
+    if (panel.raster) {
+      const {data, shape: [height, width], release} = panel.raster.getBuffer('u8clamped');
+      const canvas = Object.assign(document.createElement('canvas'), {width, height});
+      canvas.getContext('2d').putImageData(new ImageData(data.slice(), width, height), 0, 0);
+      box.prepend(canvas);
+    }
+    document.body.append(box);
+  }
+  globalThis.lived = performance.now();
+</script>
+"""
+"""The other page."""
+
+
+def main() -> None:
+    parser = argparse.ArgumentParser(prog="bench.start", description=__doc__)
+    parser.add_argument("--site", type=Path, default=SITE)
+    parser.add_argument("--rounds", type=int, default=5)
+    parser.add_argument("--json", type=Path, help="add the runs to those of this file")
+    given = parser.parse_args()
+    executable = find_chromium()
+    if executable is None:
+        raise SystemExit(HOW_TO)
+    kept = given.json and given.json.is_file()
+    runs: list[Run] = json.loads(given.json.read_text())["runs"] if kept else []
+    with sync_playwright() as playwright, laid_out(given.site) as address:
+        start = partial(profile, playwright.chromium, executable)
+        for _ in range(given.rounds):
+            runs.append({**measure_book(start, address), **measure_plain(start, address)})
+            print(" ".join(f"{name} {value:.0f}" for name, value in runs[-1].items()), flush=True)
+    record = summary(runs)
+    print(json.dumps(record, indent=1))
+    if given.json:
+        machine = describe_machine("Chromium", VERSIONS.pyodide)
+        kept_as = {"scene": SCENE, "machine": machine, **record, "runs": runs}
+        given.json.write_text(json.dumps(kept_as, indent=1) + "\n", encoding="utf-8")
+
+
+def summary(runs: Sequence[Run]) -> dict[str, Any]:
+    """Medians, and how the book's starts compare with those of plain Pyodide."""
+    medians = {name: median(run[name] for run in runs) for name in runs[0]}
+    return {
+        "ms": {name: significant(value, 3) for name, value in medians.items()},
+        "ratios": {
+            kind: significant(medians[kind] / medians[f"plain {kind}"], 3)
+            for kind in ("cold", "warm")
+        },
+    }
+
+
+def measure_book(start: Start, address: str) -> Run:
+    """Starts of a chapter, the turn to the next, and the first touch there."""
+    chapter = address + "lens-distortion/"
+    with start() as browser:
+        cold = opened(browser, chapter)
+        page = browser.pages[-1]
+        begun = page.evaluate("globalThis.workerBegun")
+        page.wait_for_timeout(REST_MS)
+        warm = opened(browser, chapter)
+        page.wait_for_timeout(REST_MS)
+        page.evaluate(TURN)
+        page.wait_for_function("globalThis.touched")
+        turned, touched = page.evaluate("[globalThis.turned, globalThis.touched]")
+        return {"worker": begun, "cold": cold, "warm": warm, "turned": turned, "touched": touched}
+
+
+def measure_plain(start: Start, address: str) -> Run:
+    """Starts of the other page."""
+    with start() as browser:
+        cold = opened(browser, address + PLAIN)
+        browser.pages[-1].wait_for_timeout(REST_MS)
+        return {"plain cold": cold, "plain warm": opened(browser, address + PLAIN)}
+
+
+def opened(browser: BrowserContext, address: str) -> float:
+    """Milliseconds until the first figure of a page lives. The page is the browser's only one."""
+    page = browser.pages[0]
+    page.goto("about:blank")
+    page.goto(address)
+    page.wait_for_function("globalThis.lived")
+    return float(page.evaluate("globalThis.lived"))
+
+
+@contextmanager
+def profile(chromium: BrowserType, executable: str) -> Iterator[BrowserContext]:
+    """A browser that has seen nothing yet, and keeps what it sees as a reader's does."""
+    with tempfile.TemporaryDirectory() as folder:
+        context = chromium.launch_persistent_context(
+            folder, executable_path=executable, args=launch_arguments(), viewport=DESK
+        )
+        try:
+            context.set_default_timeout(LONGEST_MS)
+            context.add_init_script(NOTE)
+            yield context
+        finally:
+            context.close()
+
+
+@contextmanager
+def laid_out(site: Path) -> Iterator[str]:
+    """The address of the book, with the other page beside it."""
+    with tempfile.TemporaryDirectory() as folder:
+        served = Path(folder) / "site"
+        shutil.copytree(site, served)
+        lay_out_plain(served / PLAIN)
+        with serving(served) as server:
+            yield server.url
+
+
+def lay_out_plain(folder: Path) -> None:
+    """The other page: Pyodide's release, the modules of the scene, and a table of packages."""
+    folder.mkdir()
+    fetched = fetch_runtime()
+    for file in fetched.values():
+        shutil.copyfile(file, folder / file.name)
+    numpy = {
+        "name": "numpy",
+        "version": VERSIONS.numpy,
+        "file_name": NUMPY_WHEEL.name,
+        "sha256": NUMPY_WHEEL.sha256,
+        "install_dir": "site",
+        "package_type": "package",
+        "imports": ["numpy"],
+        "depends": [],
+    }
+    lock = {"info": LOCK_INFO, "packages": {"numpy": numpy}}
+    (folder / "pyodide-lock.json").write_text(json.dumps(lock), encoding="utf-8")
+    modules = book_modules(ROOT / "simulations")
+    used = reach(imports_of(modules), scene_module(SCENE))
+    (folder / "simulations.zip").write_bytes(source_archive(modules, used))
+    page = DRAWN.replace("MODULE", scene_module(SCENE))
+    (folder / "index.html").write_text(page, encoding="utf-8")
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,100 @@
+"""Each file of the runtime missing, maimed, late or another: told in plain words, tried again."""
+
+from collections.abc import Iterator
+from pathlib import Path
+
+import pytest
+from playwright.sync_api import Browser
+from support.reader import START_MS, Reader, visit
+from support.static_server import Fault, StaticServer, serving
+
+pytestmark = pytest.mark.browser
+
+LOGIN = b"<!DOCTYPE html><title>Sign in to this network</title>"
+
+
+def changed(content: bytes) -> bytes:
+    """One bit of it is another."""
+    middle = len(content) // 2
+    return content[:middle] + bytes([content[middle] ^ 1]) + content[middle + 1 :]
+
+
+KINDS = {
+    "missing": (Fault(status=404), "could not be had: the host answers 404"),
+    "cut": (Fault(cut=True), "did not arrive"),
+    "half": (Fault(lambda content: content[: len(content) // 2]), "arrived damaged"),
+    "changed": (Fault(changed), "arrived damaged"),
+    "login": (Fault(lambda _: LOGIN, media_type="text/html"), "came a web page"),
+    "login as file": (Fault(lambda _: LOGIN), "came a web page"),
+    "type": (Fault(media_type="text/plain"), "the host calls"),
+}
+"""What is wrong with a file, and what is said of it."""
+FAULTS = {
+    "numpy.zip": ("missing", "cut", "half", "changed", "login", "login as file"),
+    "pyodide.mjs": ("missing", "cut", "half", "changed", "login", "type"),
+    "pyodide.asm.mjs": ("changed", "type"),
+    "pyodide.asm.wasm": ("changed", "login as file"),
+    "python.zip": ("missing", "changed"),
+    "simulations.zip": ("changed", "login"),
+    "runtime.json": ("half", "login as file"),
+    "worker.js": ("missing", "login", "type"),
+}
+
+
+@pytest.fixture(scope="module")
+def host(built_site: Path) -> Iterator[StaticServer]:
+    with serving(built_site) as server:
+        server.uncached = True
+        yield server
+
+
+@pytest.fixture(scope="module")
+def reader(brisk_chromium: Browser, host: StaticServer) -> Iterator[Reader]:
+    """A reader who stays on one page and tries again; the browser complains of each file."""
+    with visit(brisk_chromium, host) as someone:
+        yield someone
+
+
+def told(reader: Reader) -> str:
+    """What the figure says of the next try."""
+    figure = reader.figure("lens-distortion")
+    retry = figure.locator(".retry")
+    if reader.page.url == "about:blank":
+        reader.open("lens-distortion/", live=False)
+    else:
+        retry.click()
+    retry.wait_for(timeout=START_MS)
+    return figure.locator(".figure-message").inner_text()
+
+
+@pytest.mark.parametrize(
+    ("name", "kind"), [(name, kind) for name, kinds in FAULTS.items() for kind in kinds]
+)
+def test_what_is_wrong_with_a_file_is_told(
+    reader: Reader, host: StaticServer, name: str, kind: str
+) -> None:
+    fault, words = KINDS[kind]
+    host.faults = {f"/{name}": fault}
+    message = told(reader)
+    assert message.startswith("Python did not start")
+    assert name in message
+    assert words in message
+
+
+def test_files_that_come_late_and_under_other_types_start_python_at_the_next_try(
+    reader: Reader, host: StaticServer
+) -> None:
+    host.faults = {"/numpy.zip": Fault(status=404)}
+    told(reader)
+    slider = reader.figure("lens-distortion").locator("input[type=range]").first
+    slider.press("ArrowRight")
+    moved = slider.input_value()
+    host.faults = {
+        "/numpy.zip": Fault(late_s=10),
+        **{f"/{name}": Fault(media_type="text/plain") for name in ("python.zip", "runtime.json")},
+        "/pyodide.asm.wasm": Fault(media_type="application/octet-stream"),
+    }
+    reader.figure("lens-distortion").locator(".retry").click()
+    reader.wait_live()
+    assert slider.input_value() == moved
+    assert not reader.page.locator(".figure-status:visible").count()

@@ -1,0 +1,86 @@
+"""What the browser's worker asks of scenes and ladders, asked of the book's."""
+
+import json
+
+import numpy as np
+import pytest
+
+from simulations import browser
+from simulations.engine.photograph import Photograph
+from simulations.engine.stages import StageCache
+from simulations.registry import SCENE_MODULES, load_scene
+
+TAKING = [id_ for id_ in SCENE_MODULES if load_scene(id_).photograph]
+
+
+def test_the_worker_judges_a_figure_at_the_reader_s_values() -> None:
+    conditions = json.dumps(["k1 > 0", "-20.5 <= corner <= -19.5"])
+    for values, met in (({"k1": -0.1}, 1), ({"k1": 0.1}, 0), ({"k1": -0.3}, None)):
+        place = browser.judge(
+            "test", "lens-distortion", json.dumps(values), "checked-table", conditions
+        )
+        assert place == met
+
+
+def test_the_browser_asks_for_a_pull_by_names_and_numbers() -> None:
+    scene_id, values = "lambertian-shading", '{"light_angle": 30}'
+    assert json.loads(browser.pull(scene_id, values, "", "lamp", 200, 0)) == {"light_angle": 180}
+
+
+def test_the_browser_measures_a_tier_of_a_real_ladder() -> None:
+    result = json.loads(browser.measure("srgb", "power-1/2.2", budget_s=0.01))
+    assert result["tier"] == "power-1/2.2"
+    assert 0.0 < result["low_ms"] <= result["milliseconds"] <= result["high_ms"]
+    assert result["errors"]["worst"] == pytest.approx(8.55, abs=0.01)
+
+
+@pytest.mark.parametrize("scene_id", TAKING)
+def test_a_scene_shows_the_reader_s_picture_and_then_the_book_s_again(scene_id: str) -> None:
+    scene = load_scene(scene_id)
+    assert scene.photograph
+    width, height = scene.photograph
+    rng = np.random.default_rng(0)
+    codes = rng.integers(0, 256, (height, width, 4), np.uint8)
+    own = Photograph.from_canvas(1, codes.tobytes(), width, height)
+    settings, cache = scene.check({}), StageCache()
+    book_s = scene.render(settings, scene.default_tier, cache)
+    reader_s = scene.render(settings, scene.default_tier, cache, own)
+    again = scene.render(settings, scene.default_tier, cache)
+    pictures = [
+        [panel.raster for panel in frame.panels if panel.raster is not None]
+        for frame in (book_s, reader_s, again)
+    ]
+    assert any((a != b).any() for a, b in zip(pictures[0], pictures[1], strict=True))
+    assert all((a == b).all() for a, b in zip(pictures[0], pictures[2], strict=True))
+
+
+class Pixels:
+    """What JavaScript hands over."""
+
+    def __init__(self, data: bytes) -> None:
+        self.data = data
+
+    def to_bytes(self) -> bytes:
+        return self.data
+
+
+def test_each_figure_keeps_a_picture_of_its_own_until_it_is_taken_away() -> None:
+    scene = load_scene("lens-distortion")
+    assert scene.photograph
+    width, height = scene.photograph
+
+    def picture(figure: str) -> bytes:
+        return b"".join(
+            raster.tobytes() for raster in browser.render(figure, scene.id, "{}", "").rasters
+        )
+
+    try:
+        before = picture("one")
+        browser.photograph("one", 1, Pixels(bytes(4 * width * height)), width, height)
+        assert picture("one") != before
+        assert picture("two") == before
+        browser.photograph("one", 0, None, 0, 0)
+        assert picture("one") == before
+    finally:
+        browser.forget("one")
+        browser.forget("two")
