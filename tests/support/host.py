@@ -21,15 +21,19 @@ KINDS = TYPES | {
 ENCODINGS = {"br": ".br", "gzip": ".gz"}
 """The best first."""
 
+type Rules = Mapping[str, Mapping[str, str]]
+"""Headers by pattern of paths."""
+
 
 class Host:
-    """The folder ``root`` at ``url``, with these packed ``copies`` beside those in it."""
+    """The folder ``root`` at ``url``, with these packed ``copies`` beside those in it; ``rules`` in
+    place of what ``_headers`` says."""
 
-    def __init__(self, root: Path, copies: Mapping[str, bytes]) -> None:
+    def __init__(self, root: Path, copies: Mapping[str, bytes], rules: Rules | None) -> None:
         self.root, self.copies = root, copies
         self.sent: list[tuple[str, int]] = []
         """Files and the bytes of their bodies, in the order in which they were sent."""
-        self.rules = read_rules(root / "_headers")
+        self.rules = read_rules(root / "_headers") if rules is None else rules
         handler = type("Bound", (Handler,), {"host": self})
         self.server = QuietServer(("127.0.0.1", 0), handler)
         self.url = f"http://127.0.0.1:{self.server.server_address[1]}/"
@@ -76,8 +80,8 @@ class Handler(BaseHTTPRequestHandler):
         """Who asks has words of their own."""
 
 
-def read_rules(file: Path) -> dict[str, dict[str, str]]:
-    """Headers by pattern of paths, as such a file says them; none without one."""
+def read_rules(file: Path) -> Rules:
+    """As such a file says them; none without one."""
     rules: dict[str, dict[str, str]] = {}
     pattern = ""
     for line in file.read_text(encoding="utf-8").splitlines() if file.is_file() else ():
@@ -91,8 +95,10 @@ def read_rules(file: Path) -> dict[str, dict[str, str]]:
 
 
 @contextmanager
-def hosting(root: Path, copies: Mapping[str, bytes] | None = None) -> Iterator[Host]:
-    host = Host(root, copies or {})
+def hosting(
+    root: Path, copies: Mapping[str, bytes] | None = None, rules: Rules | None = None
+) -> Iterator[Host]:
+    host = Host(root, copies or {}, rules)
     thread = threading.Thread(target=host.server.serve_forever, daemon=True)
     thread.start()
     try:

@@ -13,7 +13,7 @@ from playwright.sync_api import (
     Request,
     ViewportSize,
 )
-from support.static_server import EVALUATES, StaticServer
+from support.static_server import StaticServer
 
 FIGURES = "document.querySelectorAll('simulation-figure')"
 LIVE = f"[...{FIGURES}].every((figure) => figure.dataset.state === 'live')"
@@ -198,17 +198,9 @@ def visit(
 ) -> Iterator[Reader]:
     """A reader with a fresh browser profile, in whose pages ``script`` runs first.
 
-    Nothing is kept for reading offline unless ``options`` allow it. The policy of pages holds, but
-    for evaluating text as script, which waiting in Playwright does.
+    Nothing is kept for reading offline unless ``options`` allow it.
     """
-    usual: dict[str, Any] = {
-        "viewport": DESK,
-        "service_workers": "block",
-        "extra_http_headers": {EVALUATES: "1"},
-    }
-    if options.get("service_workers") == "allow":  # which takes no page that is not as built
-        usual |= {"extra_http_headers": {}, "bypass_csp": True}
-    context = chromium.new_context(**{**usual, **options})
+    context = chromium.new_context(**{"viewport": DESK, "service_workers": "block", **options})
     someone = Reader(context, server.url)
     if script:
         someone.page.add_init_script(script)

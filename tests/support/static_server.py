@@ -1,6 +1,5 @@
 """A static file server for tests: it can hand out a damaged file in place of the right one."""
 
-import io
 import sys
 import threading
 import time
@@ -10,7 +9,6 @@ from dataclasses import dataclass
 from functools import partial
 from http.server import SimpleHTTPRequestHandler, ThreadingHTTPServer
 from pathlib import Path
-from typing import BinaryIO
 
 TYPES = {
     ".mjs": "text/javascript",
@@ -20,11 +18,6 @@ TYPES = {
     ".woff2": "font/woff2",
     ".svg": "image/svg+xml",
 }
-
-EVALUATES = "X-Evaluates"
-"""A header of requests by readers whose tests evaluate text as script, as waiting for a condition
-in Playwright does. Their pages allow that, and nothing else beyond what the page's policy does."""
-STRICT, LAX = b"'wasm-unsafe-eval'", b"'wasm-unsafe-eval' 'unsafe-eval'"
 
 
 @dataclass(frozen=True, slots=True)
@@ -98,20 +91,6 @@ class Handler(SimpleHTTPRequestHandler):
             return
         self.path = self.path.removeprefix("/book")
         super().do_GET()
-
-    def send_head(self) -> io.BytesIO | BinaryIO | None:
-        place = Path(self.translate_path(self.path))
-        page = place / "index.html" if place.is_dir() else place
-        if not self.headers.get(EVALUATES) or page.suffix != ".html" or not page.is_file():
-            return super().send_head()
-        if place.is_dir() and not self.path.partition("?")[0].endswith("/"):
-            return super().send_head()
-        body = page.read_bytes().replace(STRICT, LAX)
-        self.send_response(200)
-        self.send_header("Content-Type", "text/html")
-        self.send_header("Content-Length", str(len(body)))
-        self.end_headers()
-        return io.BytesIO(body)
 
     def hand_out(self, path: str, content: bytes, fault: Fault) -> None:
         time.sleep(fault.late_s)
