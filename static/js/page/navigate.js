@@ -15,6 +15,10 @@ const OF_A_PAGE = [
   ),
 ].join();
 
+/** The book's style sheet in a page's head, which is in this one too; addresses in it differ, so
+ * that this page's policy knows it not. */
+const STYLES = /<style>[^]*?<\/style>/;
+
 /** @type {AbortController | null} */
 let turning = null;
 let shownPath = location.pathname;
@@ -123,7 +127,8 @@ async function fetchPage(url, signal) {
   const reply = await fetch(url, { signal });
   const isPage = reply.headers.get("content-type")?.startsWith("text/html");
   if (!reply.ok || !isPage || reply.redirected) throw new Error("not a page of the book");
-  const page = new DOMParser().parseFromString(await reply.text(), "text/html");
+  const text = (await reply.text()).replace(STYLES, "");
+  const page = new DOMParser().parseFromString(text, "text/html");
   if (!page.querySelector("main#main")) throw new Error("no text in the page");
   if (assetsOf(page.body, url.href) !== assetsOf(document.body, location.href)) {
     throw new Error("the book has been built anew");

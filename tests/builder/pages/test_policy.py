@@ -18,7 +18,8 @@ POLICY = re.compile(r'<meta http-equiv="Content-Security-Policy" content="([^"]*
 SCRIPT = re.compile(r"<script>(.*?)</script>", re.DOTALL)
 STYLE = re.compile(r"<style>(.*?)</style>", re.DOTALL)
 TRUSTING = (
-    'title = "Small"\nsubtitle = "A book"\nprerequisites = "None."\nchapters = ["00-first", "01-second"]\n'
+    'title = "Small"\nsubtitle = "A book"\nprerequisites = "None."\n'
+    'chapters = ["00-first", "01-second"]\n'
     f'address = "{ADDRESS}"\n[trust]\nraw_html = true\n'
 )
 
