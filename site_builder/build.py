@@ -77,10 +77,9 @@ LIBRARY = "search"
 STYLE_SHEET = "css/book.css"
 """The one that pages hold or, while the book is written, link to, below ``static/``."""
 SCRIPT = "js/main.js"
-IN_HEAD = (SCRIPT, "js/runtime/begin.js")
-"""Scripts that the head of a page runs."""
-ENTRIES = (*IN_HEAD, RELEASE_SCRIPT)
-"""Scripts that something else than a script asks for."""
+BEGIN = "js/runtime/begin.js"
+IN_HEAD = (SCRIPT, BEGIN)
+"""Scripts that the head of a page runs, the second where there are figures."""
 
 type Files = Mapping[str, Content]
 type Write = Callable[[Files, Path], object]
@@ -285,7 +284,9 @@ def _engine_files(book: Book, static: Files, faces: Iterable[Face]) -> Files:
         "js/book_parts.js": parts_script(shown),
         "js/question/book_kinds.js": kinds_script(shown),
     }
-    used = reachable(files, ENTRIES) | {STYLE_SHEET}
+    # What something else than a script asks for.
+    entries = (SCRIPT, RELEASE_SCRIPT, *([BEGIN] if book.scenes else []))
+    used = reachable(files, entries) | {STYLE_SHEET}
     loaded = ("css/", "js/")
     return {
         name: file for name, file in files.items() if name in used or not name.startswith(loaded)

@@ -14,9 +14,9 @@ from support.host import Host, hosting
 
 from site_builder import STARTED_NS
 from site_builder.book_root import ROOT
+from site_builder.kept.files import folder_files
 from site_builder.kept.keeper import Keeper, keeping
 from site_builder.kept.store import Store, default_folder
-from site_builder.output.assets import folder_files
 from site_builder.publishing.compressed import compressed_copies
 
 SITE = ROOT / "build" / "site"

@@ -15,8 +15,10 @@ const OF_A_PAGE = [
   ),
 ].join();
 
-/** The book's style sheet in a page's head, which is in this one too; addresses in it differ, so
- * that this page's policy knows it not. */
+/**
+ * The book's style sheet in a page's head, which is in this one too; addresses in it differ, so
+ * that this page's policy does not know it.
+ */
 const STYLES = /<style>[^]*?<\/style>/;
 
 /** @type {AbortController | null} */

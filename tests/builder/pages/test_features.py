@@ -4,9 +4,9 @@ from collections.abc import Callable
 from pathlib import Path
 
 from site_builder.build import Options, render_site
+from site_builder.kept.files import folder_files
 from site_builder.markdown.directives import DIRECTIVES
 from site_builder.markdown.directives.quiz import KINDS as QUESTION_KINDS
-from site_builder.kept.files import folder_files
 from site_builder.output.assets import content_bytes
 from site_builder.output.style_sheets import IMPORT
 from site_builder.pages.features import KINDS, PARTS, SHEETS
