@@ -7,6 +7,7 @@
 # make test-quick            those that need no browser
 # make check     formatting, lint and types of Python, scripts and style sheets; edits nothing
 # make bench     time and judge all ladders, here and in Chromium (LADDER=srgb: only one)
+# make bench-pages           bytes of each page, and what Lighthouse says of some
 # make mutations read ten thousand maimed chapters (MUTATIONS=500: as many)
 # make bench-latency         how soon figures follow a hand (SCENE=camera: one), what piles up
 # make bench-scale           build books of 10, 100 and 1000 chapters, beside MkDocs and Sphinx
@@ -41,7 +42,7 @@ PYTHON ?= $(firstword $(foreach python,$(PYTHONS),\
 	$(shell command -v $(python) >/dev/null 2>&1 && $(python) -c '$(IS_NEW)' 2>/dev/null && echo $(python))))
 
 .DELETE_ON_ERROR:
-.PHONY: serve guide site pdf epub test test-quick check lock screenshot bench bench-latency bench-scale bench-edit mutants mutations clean
+.PHONY: serve guide site pdf epub test test-quick check lock screenshot bench bench-pages bench-latency bench-scale bench-edit mutants mutations clean
 
 serve: $(VENV)/book.stamp
 	@$(BIN)/python -m site_builder serve --port $(PORT) --host $(HOST)
@@ -86,6 +87,11 @@ bench-latency: $(VENV)/test.stamp $(VENV)/chromium.stamp site
 	@$(if $(SCENE),,PYTHONPATH=tests $(BIN)/python -m bench.memory)
 	@$(if $(SCENE),,PYTHONPATH=tests $(BIN)/python -m bench.twins)
 	@PYTHONPATH=tests $(BIN)/python -m bench.latency $(SCENE:%=--scene %)
+
+# Served packed, as a host would.
+bench-pages: $(VENV)/test.stamp $(VENV)/chromium.stamp site
+	@PYTHONPATH=tests $(BIN)/python -m bench.bytes
+	@PYTHONPATH=tests $(BIN)/python -m bench.lighthouse
 
 # What it compares with stands in an environment of its own, and goes with `make clean`.
 bench-scale: $(VENV)/book.stamp build/bench/others.stamp

@@ -4,7 +4,7 @@ All pages are checked before one is written, so a mistake anywhere leaves the la
 it was. `render_site` touches no output folder: it returns the site in memory.
 """
 
-from collections.abc import Callable, Collection, Mapping, Sequence
+from collections.abc import Callable, Collection, Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import partial
 from pathlib import Path
@@ -37,7 +37,7 @@ from site_builder.offline.release import SCRIPT as RELEASE_SCRIPT
 from site_builder.offline.release import integrity, no_release, release_files
 from site_builder.output.assets import Content, content_bytes, hashed_folder
 from site_builder.output.book_files import book_css, book_script
-from site_builder.output.font_faces import chosen_faces
+from site_builder.output.font_faces import Face, chosen_faces, face_rule, used_maths
 from site_builder.output.fonts import subset_fonts
 from site_builder.output.scripts import imported_scripts, reachable
 from site_builder.output.style_sheets import join_style_sheets, without_comments
@@ -45,10 +45,13 @@ from site_builder.output.writer import write_site
 from site_builder.page_model.blocks import contents
 from site_builder.pages.catalogue import catalogue
 from site_builder.pages.features import kinds_script, parts_script, sheets_not_for, shown_in
+from site_builder.pages.formulae import formula_characters
 from site_builder.pages.licences import Licence, gather_licences
 from site_builder.pages.render import Site, back_matter, render_pages, render_template
 from site_builder.pages.stills import Stills, render_stills
 from site_builder.publishing.cards import make_cards
+from site_builder.publishing.compressed import compressed_copies
+from site_builder.publishing.hosting import host_files
 from site_builder.publishing.icons import make_icons
 from site_builder.publishing.listings import make_listings
 from site_builder.runtime.freeze import MissingModuleError
@@ -198,8 +201,16 @@ def render_parts(options: Options) -> RenderedSite:
         files,
         records,
         index,
-        lambda files: no_release(assets) if options.reload else release_files(files, assets),
+        lambda files: no_release(assets) if options.reload else _finished(files, assets, book),
     )
+
+
+def _finished(files: Files, assets: str, book: Book) -> Files:
+    """What makes the files a release, and what their host is given beside them."""
+    release = release_files(files, assets)
+    whole = {**files, **release}
+    copies = compressed_copies(whole) if book.settings.publishing.compressed else {}
+    return {**release, **host_files(whole, book), **copies}
 
 
 def _in_page(files: Files, assets: str, options: Options) -> dict[str, Any]:
@@ -249,11 +260,13 @@ def gather_assets(
     """Style sheets, scripts, fonts, stills, the author's pictures, what opens the figures' Python
     and what searches, in one folder: ``folder``, or one that is named by what is in it."""
     content = folder_files(root / "content")
+    # While the book is written, a new letter in a formula is to change no style sheet.
+    used = () if folder else (used_maths(formula_characters(book)),)
     files: Files = {
-        **_engine_files(book, folder_files(own_or_engine(root, "static"))),
+        **_engine_files(book, folder_files(own_or_engine(root, "static")), used),
         **{
             f"fonts/{name}": data
-            for name, data in subset_fonts(chosen_faces(book.settings, root)).items()
+            for name, data in subset_fonts((*chosen_faces(book.settings, root), *used)).items()
         },
         **{f"stills/{name}": data for name, data in pictures.items()},
         **{f"content/{name}": file for name, file in content.items() if name.endswith(SUFFIXES)},
@@ -264,17 +277,20 @@ def gather_assets(
     return hashed_folder("assets", files)
 
 
-def _engine_files(book: Book, static: Files) -> Files:
-    """Of the engine's style sheets and scripts those that the book uses."""
+def _engine_files(book: Book, static: Files, faces: Iterable[Face]) -> Files:
+    """Of the engine's style sheets and scripts those that the book uses, with rules for ``faces``
+    that are the book's own."""
     shown = shown_in(book, dict(back_matter(book)))
-    own = book_css(book.settings, book.words)
+    own = book_css(book.settings, book.words) + "".join(map(face_rule, faces))
     files = {
         **join_style_sheets(static, STYLE_SHEET, own, without=sheets_not_for(shown)),
         "js/book.js": book_script(book.settings, book.words),
         "js/book_parts.js": parts_script(shown),
         "js/question/book_kinds.js": kinds_script(shown),
     }
-    used = reachable(files, ENTRIES) | {STYLE_SHEET}
+    # What something else than a script asks for.
+    entries = (SCRIPT, RELEASE_SCRIPT, *([BEGIN] if book.scenes else []))
+    used = reachable(files, entries) | {STYLE_SHEET}
     loaded = ("css/", "js/")
     return {
         name: file for name, file in files.items() if name in used or not name.startswith(loaded)

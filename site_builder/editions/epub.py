@@ -13,6 +13,7 @@ from xml.etree.ElementTree import Element
 
 from site_builder.book import Book
 from site_builder.book_root import own_or_engine
+from site_builder.drawing.frames import as_png
 from site_builder.editions.compose import ANSWERS, Composed, Section, answer_id
 from site_builder.editions.epub_style import book_style
 from site_builder.editions.places import is_external, place_of
@@ -95,8 +96,11 @@ def _take_images(trees: Mapping[str, Element], composed: Composed) -> dict[str, 
             ("href", e) for e in elements(tree, "image")
         ]:
             source = element.get(name, "").removeprefix("../")
+            content = content_bytes(composed.files[source])
+            if source.startswith(f"{composed.assets}stills/") and source.endswith(".webp"):
+                source, content = source.removesuffix("webp") + "png", as_png(content)
             target = f"images/{Path(source).name}"
-            taken[target] = content_bytes(composed.files[source])
+            taken[target] = content
             element.set(name, target)
     return taken
 

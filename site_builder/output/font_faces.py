@@ -5,7 +5,9 @@ the SIL Open Font License, from installed packages. A subset is a modified versi
 is a reserved name, so the cut faces are called ``Book …`` while copyright and licence stay in them.
 """
 
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, replace
+from itertools import groupby
 from pathlib import Path
 
 from site_builder.settings.model import Settings, font_files
@@ -107,6 +109,41 @@ FACES = (
         FORMULA_FEATURES,
     ),
 )
+
+
+USED_MATHS = "maths-used.woff2"
+"""Of the face of formulae, what the book's formulae use."""
+ITALIC = {
+    **{ord("A") + place: 0x1D434 + place for place in range(26)},
+    **{ord("a") + place: 0x1D44E + place for place in range(26)},
+    **{ord("Α") + place: 0x1D6E2 + place for place in range(25)},
+    **{ord("α") + place: 0x1D6FC + place for place in range(25)},
+    **dict(zip(map(ord, "h∂ϵϑϰϕϱϖ-"), map(ord, "ℎ𝜕𝜖𝜗𝜘𝜙𝜚𝜛−"), strict=True)),
+}
+"""What browsers draw for a single letter in a formula, and for a hyphen: MathML Core, 2.1.3."""
+
+
+def used_maths(characters: Iterable[str]) -> Face:
+    """The face of formulae, cut to ``characters``. Pages that need others fetch the whole face."""
+    codes = {*map(ord, characters)} | set(range(0x20, 0x7F))
+    shown = codes | {ITALIC[code] for code in codes & ITALIC.keys()}
+    return replace(FACES[-1], file=USED_MATHS, characters=FORMULAE & shown)
+
+
+def face_rule(face: Face) -> str:
+    """The rule that has a browser fetch the face for its characters alone."""
+    codes = ", ".join(f"U+{first:X}-{last:X}" for first, last in _spans(face.characters))
+    return (
+        f'@font-face {{\n  font-family: "{face.family}";\n  font-display: swap;\n'
+        f'  src: url("../fonts/{face.file}") format("woff2");\n  unicode-range: {codes};\n}}\n'
+    )
+
+
+def _spans(codes: Iterable[int]) -> Iterator[tuple[int, int]]:
+    """First and last of each run of neighbours."""
+    for _, run in groupby(enumerate(sorted(codes)), lambda item: item[1] - item[0]):
+        found = [code for _, code in run]
+        yield found[0], found[-1]
 
 
 def chosen_faces(settings: Settings, root: Path) -> tuple[Face, ...]:

@@ -221,6 +221,7 @@ def render_page(site: Site, template: str, root: str, path: str = "", **context:
         "root": root,
         "assets": assets,
         "anchors": chapter.anchors if chapter else (),
+        "later_figures": [figure.id for figure in chapter.simulations[1:]] if chapter else (),
         "python": bool(site.runtime),
         "code_editor": site.code_editor,
         "block_html": block_html,

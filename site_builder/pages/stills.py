@@ -20,7 +20,7 @@ class StillPicture:
     """The pixels of a panel, as a page asks for them."""
 
     file: str
-    """Name of the PNG."""
+    """Name of the WebP."""
     width: int
     height: int
 
@@ -47,7 +47,7 @@ type Stills = dict[tuple[str, int], Still]
 def render_stills(
     book: Book, problems: Diagnostics, *, strips: bool = False
 ) -> tuple[Stills, dict[str, bytes]]:
-    """The frames of all figures, and their PNG files by name; with their ``strips``, if wanted."""
+    """The frames of all figures, and their pictures by file name; ``strips`` too, if wanted."""
     stills: Stills = {}
     files: dict[str, bytes] = {}
     places = [(chapter.id, figure) for chapter in book.chapters for figure in chapter.simulations]
@@ -67,9 +67,9 @@ def render_stills(
             continue
         pictures = {}
         for panel, picture in printed.pictures.items():
-            name = f"{page}--{figure.id}--{panel}.png"
+            name = f"{page}--{figure.id}--{panel}.webp"
             pictures[panel] = StillPicture(name, picture.width, picture.height)
-            files[name] = picture.png
+            files[name] = picture.webp
         values = values_of(figure.scene.check(figure.values))
         stills[figure.path, figure.line] = Still(figure, values, printed.frame, pictures, strip)
     return stills, files

@@ -8,6 +8,7 @@ from pathlib import Path
 from simulations.engine.frame import Panel
 from site_builder.book import Book, Chapter
 from site_builder.book_root import own_or_engine
+from site_builder.drawing.frames import as_png
 from site_builder.markdown.directives.illustration import Drawn as DrawnIllustration
 from site_builder.output.font_faces import chosen_faces
 from site_builder.output.light_theme import light_tokens, resolve, without_containers
@@ -96,7 +97,7 @@ def _still(
     panels = still.frame.panels
     panel = next((panel for panel in panels if panel.name in still.pictures), panels[0])
     picture = still.pictures.get(panel.name)
-    data = b64encode(pictures[picture.file]).decode() if picture else ""
+    data = b64encode(as_png(pictures[picture.file])).decode() if picture else ""
     return _placed(panel, data and f"data:image/png;base64,{data}")
 
 

@@ -135,6 +135,25 @@ class Names:
 
 
 @dataclass(frozen=True, slots=True)
+class SomeOf:
+    """A list of some of these names."""
+
+    names: tuple[str, ...]
+
+    @property
+    def legal(self) -> str:
+        return f"[some of {', '.join(f'"{name}"' for name in self.names)}]"
+
+    def read(self, value: object) -> tuple[str, ...]:
+        if not isinstance(value, list) or any(item not in self.names for item in value):
+            raise ValueError
+        return tuple(value)
+
+    def schema(self) -> dict[str, object]:
+        return {"type": "array", "items": {"enum": [*self.names]}}
+
+
+@dataclass(frozen=True, slots=True)
 class Entries:
     """A table whose keys are the author's, each with a text."""
 

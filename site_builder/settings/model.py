@@ -16,6 +16,7 @@ from site_builder.settings.kinds import (
     Entries,
     Names,
     OneOf,
+    SomeOf,
     Table,
     Text,
     Whole,
@@ -24,6 +25,8 @@ from site_builder.settings.kinds import (
 
 FILE_NAME = "content/book.toml"
 OWN = "as in this book"
+HOSTS = ("apache", "netlify", "nginx")
+"""Those of static sites that a configuration can be written for."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -124,6 +127,18 @@ class Fonts:
 
 
 @dataclass(frozen=True, slots=True)
+class Publishing:
+    """What lies beside the site's files, for the host that serves them."""
+
+    hosts: tuple[str, ...] = key(
+        SomeOf(HOSTS), "hosts that a configuration is written for, into the site's folder", ()
+    )
+    compressed: bool = key(
+        YesOrNo(), "whether each file has copies packed by gzip and brotli beside it", False
+    )
+
+
+@dataclass(frozen=True, slots=True)
 class Trust:
     """What of the authors' sources goes into the pages unseen."""
 
@@ -169,6 +184,7 @@ class Settings:
         MappingProxyType({}),
         without="none",
     )
+    publishing: Publishing = key(Table(Publishing), "what the site's host is given", Publishing())
     trust: Trust = key(Table(Trust), "what goes into the pages unseen", Trust())
 
 

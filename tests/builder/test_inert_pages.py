@@ -132,7 +132,8 @@ def test_in_a_browser_nothing_of_it_runs(
         (tmp_path / "site" / name).parent.mkdir(parents=True, exist_ok=True)
         (tmp_path / "site" / name).write_bytes(content_bytes(content))
     alarms: list[str] = []
-    with serving(tmp_path / "site") as server, chromium.new_context() as context:
+    # Without the policy, which would stop it in any case.
+    with serving(tmp_path / "site") as server, chromium.new_context(bypass_csp=True) as context:
         context.add_init_script("globalThis.alert = (said) => { globalThis.ran = said; };")
         page = context.new_page()
         page.on("dialog", lambda dialog: alarms.append(dialog.message))

@@ -7,7 +7,8 @@ from support.reader import Reader
 
 pytestmark = pytest.mark.browser
 
-HEAD = """() => [...document.head.querySelectorAll("link:not([rel=stylesheet]), meta")]
+HEAD = """() => [...document.head.querySelectorAll(
+    "link:not([rel=stylesheet], [rel=preload], [rel=modulepreload]), meta:not([http-equiv])")]
   .map((part) => `${part.rel ?? part.name} ${part.href ?? part.content}`).sort()"""
 
 

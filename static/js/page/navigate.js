@@ -19,6 +19,12 @@ const OF_A_PAGE = [
   ),
 ].join();
 
+/**
+ * The book's style sheet in a page's head, which is in this one too; addresses in it differ, so
+ * that this page's policy does not know it.
+ */
+const STYLES = /<style>[^]*?<\/style>/;
+
 /** @type {AbortController | null} */
 let turning = null;
 let shownPath = location.pathname;
@@ -108,7 +114,7 @@ function sayAway(again) {
 async function fetchPage(url, signal) {
   const { text, type, redirected } = await fetchText(url, signal);
   if (!type.startsWith("text/html") || redirected) throw new Error("not a page of the book");
-  const page = new DOMParser().parseFromString(text, "text/html");
+  const page = new DOMParser().parseFromString(text.replace(STYLES, ""), "text/html");
   if (!page.querySelector("main#main")) throw new Error("no text in the page");
   if (assetsOf(page.body, url.href) !== assetsOf(document.body, location.href)) {
     throw new Error("the book has been built anew");

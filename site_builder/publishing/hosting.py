@@ -1,0 +1,41 @@
+"""How hosts are to serve the site: as what, kept for how long, and with which policy."""
+
+import re
+from collections.abc import Iterable, Mapping
+from urllib.parse import urlsplit
+
+from site_builder.book import Book
+from site_builder.output.assets import Content
+from site_builder.pages.render import render_template
+
+FILES: Mapping[str, str] = {"apache": ".htaccess", "netlify": "_headers", "nginx": "nginx.conf"}
+"""What each of them reads; ``_headers`` is known to others too."""
+POLICY = re.compile(rb'<meta http-equiv="Content-Security-Policy" content="([^"]*)">')
+FRAMES = "frame-ancestors 'self'"
+"""Who may show pages in frames can only be said by a header."""
+
+
+def host_files(files: Mapping[str, Content], book: Book) -> dict[str, bytes]:
+    """The configuration of each host that the book names."""
+    given = book.settings.publishing
+    pages = [page for name, page in files.items() if name.endswith(".html")]
+    policy = common_policy(page for page in pages if isinstance(page, bytes))
+    place = urlsplit(book.address).path or "/"
+    return {
+        FILES[host]: render_template(
+            f"publishing/{host}.txt", book, policy=policy, place=place, compressed=given.compressed
+        ).encode()
+        for host in given.hosts
+    }
+
+
+def common_policy(pages: Iterable[bytes]) -> str:
+    """What the policies of all pages allow together: a header is one for all, and pages hold to
+    their own besides. It holds workers too, which no page's policy reaches."""
+    allowed: dict[str, dict[str, None]] = {}
+    for policy in sorted({found[1].decode() for page in pages if (found := POLICY.search(page))}):
+        for rule in policy.split("; "):
+            name, *sources = rule.split()
+            allowed.setdefault(name, {}).update(dict.fromkeys(sources))
+    rules = (f"{name} {' '.join(sources)}" for name, sources in allowed.items())
+    return "; ".join([*rules, FRAMES])

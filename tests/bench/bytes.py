@@ -1,0 +1,99 @@
+"""What a reader fetches, packed: until a page is first painted, and until its first figure lives.
+``python -m bench.bytes`` measures the built site, writes the section ``bytes`` of
+``content/costs.json`` and prints each page."""
+
+import re
+from collections.abc import Iterator, Mapping
+from contextlib import closing, contextmanager
+from pathlib import Path
+
+from bench.costs import keep
+from playwright.sync_api import Browser, sync_playwright
+from support.chromium import HOW_TO, find_chromium, launch_arguments
+from support.host import Host, hosting
+
+from site_builder import STARTED_NS
+from site_builder.book_root import ROOT
+from site_builder.kept.files import folder_files
+from site_builder.kept.keeper import Keeper, keeping
+from site_builder.kept.store import Store, default_folder
+from site_builder.publishing.compressed import compressed_copies
+
+SITE = ROOT / "build" / "site"
+NEEDED = re.compile(r'<link rel="(?:preload" as="font|stylesheet)"[^>]* href="([^"]+)"')
+"""What a head names that the first paint waits for, or is fetched before what it does not."""
+KB = 1000
+
+
+def packed_copies(site: Path) -> dict[str, bytes]:
+    """Those of all files; what was packed once is kept."""
+    with (
+        closing(Store(default_folder())) as store,
+        keeping(Keeper(store, STARTED_NS)),
+    ):
+        return compressed_copies(folder_files(site))
+
+
+def first_paint(host: Host, page: str) -> int:
+    """Bytes of a page and of what its head names for the first paint."""
+    folder = (host.root / page).parent
+    html = (host.root / page).read_text(encoding="utf-8")
+    names = [page, *(_below(host.root, folder / address) for address in NEEDED.findall(html))]
+    return sum(len(host.packed(name, "br")[1]) for name in names)
+
+
+def first_live_frame(browser: Browser, host: Host, address: str) -> int:
+    """Bytes sent until the first figure of a page lives, in a browser that has nothing of it."""
+    with browser.new_context(service_workers="block") as context:
+        page = context.new_page()
+        host.sent.clear()
+        page.goto(host.url + address)
+        page.wait_for_selector("simulation-figure[data-state=live]", timeout=60_000)
+        return sum(size for _, size in host.sent)
+
+
+def measure(browser: Browser, host: Host) -> Iterator[tuple[str, int, int | None]]:
+    """Each page's address, and both numbers in bytes; the second None where no figure is."""
+    for file in sorted(host.root.rglob("index.html")):
+        page = _below(host.root, file)
+        address = page.removesuffix("index.html")
+        has_figure = "<simulation-figure" in file.read_text(encoding="utf-8")
+        live = first_live_frame(browser, host, address) if has_figure else None
+        yield address, first_paint(host, page), live
+
+
+@contextmanager
+def browser_and_host(site: Path = SITE) -> Iterator[tuple[Browser, Host]]:
+    executable = find_chromium()
+    assert executable, HOW_TO
+    with (
+        sync_playwright() as playwright,
+        playwright.chromium.launch(executable_path=executable, args=launch_arguments()) as browser,
+        hosting(site, packed_copies(site)) as host,
+    ):
+        yield browser, host
+
+
+def worst(found: Mapping[str, int]) -> dict[str, float]:
+    """The greatest of some numbers of bytes, in kilobytes."""
+    return {"worst": round(max(found.values()) / KB, 1)}
+
+
+def _below(root: Path, file: Path) -> str:
+    return file.resolve().relative_to(root.resolve()).as_posix()
+
+
+def main() -> None:
+    painted, live = {}, {}
+    with browser_and_host() as (browser, host):
+        for address, paint, frame in measure(browser, host):
+            painted[address] = paint
+            if frame is not None:
+                live[address] = frame
+            after = f"{frame / KB:8.0f} kB to the first live frame" if frame else ""
+            print(f"{address or './':60} {paint / KB:6.1f} kB to the first paint {after}")
+    keep("bytes", {"first_paint": worst(painted), "first_live_frame": worst(live)})
+
+
+if __name__ == "__main__":
+    main()
