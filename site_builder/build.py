@@ -288,9 +288,7 @@ def _engine_files(book: Book, static: Files, faces: Iterable[Face]) -> Files:
         "js/book_parts.js": parts_script(shown),
         "js/question/book_kinds.js": kinds_script(shown),
     }
-    # What something else than a script asks for.
-    entries = (SCRIPT, RELEASE_SCRIPT, *([BEGIN] if book.scenes else []))
-    used = reachable(files, entries) | {STYLE_SHEET}
+    used = reachable(files, ENTRIES) | {STYLE_SHEET}
     loaded = ("css/", "js/")
     return {
         name: file for name, file in files.items() if name in used or not name.startswith(loaded)

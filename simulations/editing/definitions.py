@@ -42,7 +42,7 @@ def module_source(module: str) -> str:
 
 
 def _kept_source(module: str) -> str | None:
-    """From `SOURCES`: an importer finds what lies in its own folder, by the last part of its name."""
+    """From `SOURCES`: an importer finds what lies in its folder, by the last part of its name."""
     package = module.rpartition(".")[0]
     return zipimporter(f"{SOURCES}/{package.replace('.', '/')}").get_source(module)
 

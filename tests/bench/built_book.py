@@ -3,6 +3,7 @@
 from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
+
 from playwright.sync_api import JSHandle, Page, sync_playwright
 from support.chromium import HOW_TO, find_chromium, launch_arguments
 from support.reader import DESK

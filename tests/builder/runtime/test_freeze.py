@@ -11,7 +11,8 @@ from site_builder.runtime import store
 from site_builder.runtime.fetch import fetch_runtime
 from site_builder.runtime.freeze import INTERPRETER, FreezeError, Frozen, freeze_libraries
 from site_builder.runtime.imports import outside, reach, read_imports
-from site_builder.runtime.pack import ENTRY, page_modules
+from site_builder.runtime.modules import ENTRY
+from site_builder.runtime.pack import page_modules
 from site_builder.runtime.pinned import NUMPY_WHEEL, PYTHON_LIBRARY
 
 FETCHED = fetch_runtime()
