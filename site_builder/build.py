@@ -4,7 +4,7 @@ All pages are checked before one is written, so a mistake anywhere leaves the la
 it was. `render_site` touches no output folder: it returns the site in memory.
 """
 
-from collections.abc import Callable, Collection, Iterable, Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import partial
 from pathlib import Path
@@ -12,10 +12,10 @@ from typing import Any
 
 from simulations.engine.ladder import Ladder
 from simulations.engine.scene import Scene
-from simulations.registry import LADDER_MODULES, SCENE_MODULES, load_ladder, load_scene
-from site_builder.blame import place_of
+from simulations.registry import load_ladder, load_scene
 from site_builder.book import Book
-from site_builder.book_root import ENGINE, own_or_engine
+from site_builder.book_root import own_or_engine
+from site_builder.browser_python import pack_for_browser, shown_ladders
 from site_builder.charts.pareto import pareto_chart
 from site_builder.checks.declared import check_declarations
 from site_builder.checks.frames import check_frames
@@ -26,63 +26,36 @@ from site_builder.diagnostics import BuildError, Diagnostic, Diagnostics
 from site_builder.editor.bundle import EditorBundle, EditorBundleError, bundle_editor
 from site_builder.editor.sources import scene_sources
 from site_builder.kept.ahead import Ask, helpers
-from site_builder.kept.files import folder_files, folder_hash
 from site_builder.kept.keeper import kept_as, reads_folder
 from site_builder.kept.told import kept_reading
-from site_builder.markdown.directives.figure import SUFFIXES
-from site_builder.markdown.directives.ladder import LadderFigure
 from site_builder.measured.measurements import read_measurements
 from site_builder.offline.manifest import MANIFEST, manifest
-from site_builder.offline.release import SCRIPT as RELEASE_SCRIPT
-from site_builder.offline.release import integrity, no_release, release_files
-from site_builder.output.assets import Content, content_bytes, hashed_folder
-from site_builder.output.book_files import book_css, book_script
-from site_builder.output.font_faces import Face, chosen_faces, face_rule, used_maths
-from site_builder.output.fonts import subset_fonts
-from site_builder.output.scripts import imported_scripts, reachable
-from site_builder.output.style_sheets import join_style_sheets, without_comments
+from site_builder.offline.release import no_release, release_files
+from site_builder.output.assets import hashed_folder
 from site_builder.output.writer import write_site
-from site_builder.page_model.blocks import contents
 from site_builder.pages.catalogue import catalogue
-from site_builder.pages.features import kinds_script, parts_script, sheets_not_for, shown_in
-from site_builder.pages.formulae import formula_characters
 from site_builder.pages.licences import Licence, gather_licences
-from site_builder.pages.render import Site, back_matter, render_pages, render_template
+from site_builder.pages.render import Site, render_pages, render_template
 from site_builder.pages.stills import Stills, render_stills
 from site_builder.publishing.cards import make_cards
 from site_builder.publishing.compressed import compressed_copies
 from site_builder.publishing.hosting import host_files
 from site_builder.publishing.icons import make_icons
 from site_builder.publishing.listings import make_listings
-from site_builder.runtime.freeze import MissingModuleError
-from site_builder.runtime.modules import Modules
-from site_builder.runtime.pack import RuntimeBundle, pack_runtime
+from site_builder.runtime.pack import RuntimeBundle
 from site_builder.runtime.pinned import Versions
-from site_builder.runtime.store import is_whole
 from site_builder.search.index import ADDRESS as SEARCH_INDEX
 from site_builder.search.index import index_of
 from site_builder.search.library import SearchLibrary, SearchLibraryError, fetch_library
 from site_builder.search.records import Record, explained_terms, make_records
+from site_builder.site_assets import NOW, Files, gather_assets, handed_out, in_page, strips_of
 from site_builder.source import read_book
 from site_builder.tools import tools
 
-RUNTIME = Path(__file__).parent / "runtime"
-"""What makes it, with programs for other interpreters."""
-NOW = "assets/now/"
-"""Folder of the assets while the book is written: a changed style sheet changes no page."""
 RUNTIME_NOW = "runtime/now/"
 """Likewise of the browser's Python: a changed scene changes the pages that show it."""
 LIBRARY = "search"
 """Folder of what searches, among the assets."""
-STYLE_SHEET = "css/book.css"
-"""The one that pages hold or, while the book is written, link to, below ``static/``."""
-SCRIPT = "js/main.js"
-IN_HEAD = (SCRIPT,)
-"""Scripts that the head of a page runs."""
-ENTRIES = (SCRIPT, RELEASE_SCRIPT)
-"""Scripts that something else than a script asks for."""
-
-type Files = Mapping[str, Content]
 type Write = Callable[[Files, Path], object]
 type Warn = Callable[[Diagnostic], None]
 
@@ -166,8 +139,8 @@ def render_parts(options: Options) -> RenderedSite:
     made = {
         **_python(options, book, editor),
         **scripts,
-        **_handed_out(options, book),
-        **_strips(stills),
+        **handed_out(book, options.root),
+        **strips_of(stills),
         **make_icons(options.root),
     }
     folder = NOW if options.reload else ""
@@ -177,7 +150,7 @@ def render_parts(options: Options) -> RenderedSite:
         # A changed scene would change all pages that say what it was.
         sources="" if options.reload else bundle.sources,
         search=bool(scripts), reload=options.reload,
-        **_in_page(asset_files, assets, options),
+        **in_page(asset_files, assets, reload=options.reload),
     )  # fmt: skip
     licences = _licences(options.root, bundle.versions, editor, library, book)
     pages = render_pages(site, licences)
@@ -213,18 +186,6 @@ def _finished(files: Files, assets: str, book: Book) -> Files:
     return {**release, **host_files(whole, book), **copies}
 
 
-def _in_page(files: Files, assets: str, options: Options) -> dict[str, Any]:
-    """What a page holds of its assets, besides their addresses. While the book is written no more
-    than the scripts' names, so that a changed style sheet changes no page."""
-    scripts = _scripts(files, assets)
-    if options.reload:
-        return {"scripts": scripts}
-    sheet = content_bytes(files[assets + STYLE_SHEET]).decode("utf-8")
-    named = {name: files[assets + name] for name in (*IN_HEAD, *scripts) if assets + name in files}
-    hashes = {name: integrity(content_bytes(file)) for name, file in named.items()}
-    return {"scripts": scripts, "styles": without_comments(sheet), "hashes": hashes}
-
-
 def check_site(options: Options) -> tuple[Book, Stills, dict[str, bytes]]:
     """Read and check everything, figures drawn included. Raises `BuildError`."""
     problems = Diagnostics()
@@ -254,63 +215,6 @@ def _check_declared(root: Path, problems: Diagnostics) -> None:
     kept_reading("declared", str(root), problems, check)
 
 
-def gather_assets(
-    book: Book, root: Path, pictures: Mapping[str, bytes], made: Files, folder: str = ""
-) -> tuple[str, Files]:
-    """Style sheets, scripts, fonts, stills, the author's pictures, what opens the figures' Python
-    and what searches, in one folder: ``folder``, or one that is named by what is in it."""
-    content = folder_files(root / "content")
-    # While the book is written, a new letter in a formula is to change no style sheet.
-    used = () if folder else (used_maths(formula_characters(book)),)
-    files: Files = {
-        **_engine_files(book, folder_files(own_or_engine(root, "static")), used),
-        **{
-            f"fonts/{name}": data
-            for name, data in subset_fonts((*chosen_faces(book.settings, root), *used)).items()
-        },
-        **{f"stills/{name}": data for name, data in pictures.items()},
-        **{f"content/{name}": file for name, file in content.items() if name.endswith(SUFFIXES)},
-        **made,
-    }
-    if folder:
-        return folder, {folder + name: content for name, content in files.items()}
-    return hashed_folder("assets", files)
-
-
-def _engine_files(book: Book, static: Files, faces: Iterable[Face]) -> Files:
-    """Of the engine's style sheets and scripts those that the book uses, with rules for ``faces``
-    that are the book's own."""
-    shown = shown_in(book, dict(back_matter(book)))
-    own = book_css(book.settings, book.words) + "".join(map(face_rule, faces))
-    files = {
-        **join_style_sheets(static, STYLE_SHEET, own, without=sheets_not_for(shown)),
-        "js/book.js": book_script(book.settings, book.words),
-        "js/book_parts.js": parts_script(shown),
-        "js/question/book_kinds.js": kinds_script(shown),
-    }
-    used = reachable(files, ENTRIES) | {STYLE_SHEET}
-    loaded = ("css/", "js/")
-    return {
-        name: file for name, file in files.items() if name in used or not name.startswith(loaded)
-    }
-
-
-def _scripts(files: Files, assets: str) -> tuple[str, ...]:
-    """What pages run at once, below the folder ``assets``."""
-    return imported_scripts({name.removeprefix(assets): files[name] for name in files}, SCRIPT)
-
-
-def _strips(stills: Stills) -> Files:
-    strips = [still.strip for still in stills.values() if still.strip]
-    return {f"strips/{strip.file}": strip.data for strip in strips}
-
-
-def _handed_out(options: Options, book: Book) -> Files:
-    """The author's films, captions and downloads."""
-    names = {name for chapter in book.chapters for name in chapter.files}
-    return {f"content/{name}": options.root / "content" / name for name in sorted(names)}
-
-
 def _runtime(options: Options, book: Book) -> tuple[str, Files, RuntimeBundle]:
     """Python for the browser, with the scenes and ladders inside that the book shows."""
     root, compiled = options.root, not options.reload
@@ -324,44 +228,6 @@ def _runtime(options: Options, book: Book) -> tuple[str, Files, RuntimeBundle]:
     return folder, files, bundle
 
 
-def pack_for_browser(root: Path, book: Book, *, compiled: bool) -> RuntimeBundle | None:
-    """What the browser runs, with the scenes and ladders inside that the book shows; None of a book
-    that shows none. An author who tries a change does not wait until it is ``compiled``. Raises
-    `BuildError` where the browser could not run it."""
-    scenes = {scene.id for scene in book.scenes}
-    ladders = {item.measured.ladder.id for item in _shown(book, LadderFigure)}
-    if not (scenes or ladders):
-        return None
-    try:
-        return _bundle(
-            root / "simulations",
-            _only(SCENE_MODULES, scenes),
-            _only(LADDER_MODULES, ladders),
-            compiled=compiled,
-        )
-    except MissingModuleError as error:
-        path, _, line = error.place.rpartition(":")
-        told = f"{error.message}; legal: its standard library, and numpy"
-        raise BuildError([Diagnostic(path, int(line), told)]) from error
-    except SyntaxError as error:  # in a module that no chapter shows
-        path, _, line = place_of(error).rpartition(":")
-        raise BuildError([Diagnostic(path, int(line), f"no Python: {error.msg}")]) from error
-
-
-def _bundle(
-    simulations: Path, scenes: Modules, ladders: Modules, *, compiled: bool
-) -> RuntimeBundle:
-    """The runtime, packed anew where nothing is kept of these sources or files of it are gone."""
-
-    def pack() -> RuntimeBundle:
-        reads_folder(RUNTIME)
-        return pack_runtime(simulations, scenes=scenes, ladders=ladders, compiled=compiled)
-
-    sources = [folder_hash(folder, "*.py") for folder in (simulations, ENGINE / "simulations")]
-    bundle = kept_as("runtime", (sources, scenes, ladders, compiled), pack)[0]
-    return bundle if all(map(is_whole, bundle.files.values())) else pack()
-
-
 def _licences(
     root: Path, versions: Versions, editor: EditorBundle, search: SearchLibrary, book: Book
 ) -> tuple[Licence, ...]:
@@ -371,14 +237,6 @@ def _licences(
         return gather_licences(root, *given)
 
     return kept_as("licences", given, gather)[0]
-
-
-def _shown[T](book: Book, kind: type[T]) -> list[T]:
-    return [item for chapter in book.chapters for item in contents(chapter.body, kind)]
-
-
-def _only(modules: Mapping[str, str], shown: Collection[str]) -> dict[str, str]:
-    return {name: module for name, module in modules.items() if name in shown}
 
 
 def _editor(options: Options, book: Book) -> EditorBundle:
@@ -406,8 +264,7 @@ def _search_library(options: Options, book: Book) -> SearchLibrary:
 
 
 def _charts(book: Book) -> list[Ask]:
-    shown = _shown(book, LadderFigure)
-    return [partial(pareto_chart, item.measured, book.words) for item in shown]
+    return [partial(pareto_chart, item.measured, book.words) for item in shown_ladders(book)]
 
 
 def _outside(

@@ -5,7 +5,8 @@ import sys
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
-from site_builder.build import Options, check_site, pack_for_browser
+from site_builder.browser_python import pack_for_browser
+from site_builder.build import Options, check_site
 from site_builder.checks.outside_links import check_outside_links, outside_links
 from site_builder.diagnostic_formats import listed
 from site_builder.diagnostics import BuildError, Diagnostic, counted

@@ -5,7 +5,7 @@ from dataclasses import dataclass
 from xml.etree.ElementTree import Element
 
 from site_builder.book import Book, Chapter
-from site_builder.build import Files, Options, check_site, gather_assets
+from site_builder.build import Options, check_site
 from site_builder.editions.multiples import Row, render_rows
 from site_builder.editions.reduce import article, put_rows
 from site_builder.editions.tree import parse_fragment
@@ -14,6 +14,7 @@ from site_builder.page_model.questions import Quiz
 from site_builder.pages.licences import Licence, gather_licences
 from site_builder.pages.render import BACK_MATTER, Site, render_page, render_pages
 from site_builder.runtime.pinned import Versions
+from site_builder.site_assets import Files, gather_assets
 
 ANSWERS = "answers"
 

@@ -5,7 +5,7 @@ import traceback
 from collections.abc import Iterator, Sequence
 from pathlib import Path
 
-from site_builder.build import Files, Options, RenderedSite, render_parts
+from site_builder.build import Options, RenderedSite, render_parts
 from site_builder.diagnostics import BuildError, Diagnostic
 from site_builder.drawing.apart import Limits, limited
 from site_builder.kept.keeper import Keeper, keeping
@@ -14,6 +14,7 @@ from site_builder.output.assets import content_bytes
 from site_builder.output.writer import Hashes, replace_file, way_out, write_site
 from site_builder.search.index import ADDRESS
 from site_builder.search.records import Record
+from site_builder.site_assets import Files
 
 
 class Bench:

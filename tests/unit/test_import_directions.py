@@ -40,8 +40,9 @@ BUILDER = (
     "blame", "book_root", "forking", "diagnostics", "kept", "drawing", "addresses", "source_text",
     "languages", "settings", "beside", "runtime", "editor", "output", "offline", "measured",
     "charts", "page_model", "book", "markdown", "lecture_plan", "chapters", "source", "search",
-    "pages", "checks", "publishing", "tools", "build", "diagnostic_formats", "check_command",
-    "editions", "serving", "serve", "scaffold", "guide", "__main__",
+    "pages", "checks", "publishing", "tools", "browser_python",
+    "site_assets", "build", "diagnostic_formats", "check_command", "editions",
+    "serving", "serve", "scaffold", "guide", "__main__",
 )  # fmt: skip
 """Parts of ``site_builder``, likewise."""
 MARKDOWN = (

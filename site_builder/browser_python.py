@@ -1,0 +1,67 @@
+"""What the browser runs of a book: the scenes and ladders that its pages show."""
+
+from collections.abc import Collection, Mapping
+from pathlib import Path
+
+from simulations.registry import LADDER_MODULES, SCENE_MODULES
+from site_builder.blame import place_of
+from site_builder.book import Book
+from site_builder.book_root import ENGINE
+from site_builder.diagnostics import BuildError, Diagnostic
+from site_builder.kept.files import folder_hash
+from site_builder.kept.keeper import kept_as, reads_folder
+from site_builder.markdown.directives.ladder import LadderFigure
+from site_builder.page_model.blocks import contents
+from site_builder.runtime.freeze import MissingModuleError
+from site_builder.runtime.modules import Modules
+from site_builder.runtime.pack import RuntimeBundle, pack_runtime
+from site_builder.runtime.store import is_whole
+
+RUNTIME = Path(__file__).parent / "runtime"
+"""What makes it, with programs for other interpreters."""
+
+
+def pack_for_browser(root: Path, book: Book, *, compiled: bool) -> RuntimeBundle | None:
+    """What the browser runs, with the scenes and ladders inside that the book shows; None of a book
+    that shows none. An author who tries a change does not wait until it is ``compiled``. Raises
+    `BuildError` where the browser could not run it."""
+    scenes = {scene.id for scene in book.scenes}
+    ladders = {item.measured.ladder.id for item in shown_ladders(book)}
+    if not (scenes or ladders):
+        return None
+    try:
+        return _bundle(
+            root / "simulations",
+            _only(SCENE_MODULES, scenes),
+            _only(LADDER_MODULES, ladders),
+            compiled=compiled,
+        )
+    except MissingModuleError as error:
+        path, _, line = error.place.rpartition(":")
+        told = f"{error.message}; legal: its standard library, and numpy"
+        raise BuildError([Diagnostic(path, int(line), told)]) from error
+    except SyntaxError as error:  # in a module that no chapter shows
+        path, _, line = place_of(error).rpartition(":")
+        raise BuildError([Diagnostic(path, int(line), f"no Python: {error.msg}")]) from error
+
+
+def _bundle(
+    simulations: Path, scenes: Modules, ladders: Modules, *, compiled: bool
+) -> RuntimeBundle:
+    """The runtime, packed anew where nothing is kept of these sources or files of it are gone."""
+
+    def pack() -> RuntimeBundle:
+        reads_folder(RUNTIME)
+        return pack_runtime(simulations, scenes=scenes, ladders=ladders, compiled=compiled)
+
+    sources = [folder_hash(folder, "*.py") for folder in (simulations, ENGINE / "simulations")]
+    bundle = kept_as("runtime", (sources, scenes, ladders, compiled), pack)[0]
+    return bundle if all(map(is_whole, bundle.files.values())) else pack()
+
+
+def shown_ladders(book: Book) -> list[LadderFigure]:
+    return [item for chapter in book.chapters for item in contents(chapter.body, LadderFigure)]
+
+
+def _only(modules: Mapping[str, str], shown: Collection[str]) -> dict[str, str]:
+    return {name: module for name, module in modules.items() if name in shown}
