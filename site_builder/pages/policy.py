@@ -14,7 +14,7 @@ ALWAYS = {
     "img-src": "'self' data: blob:",
     "media-src": "'self'",
     "font-src": "'self'",
-    "connect-src": "'self'",
+    "connect-src": "'self' blob:",
     "worker-src": "'self'",
     "manifest-src": "'self'",
     "base-uri": "'none'",
@@ -25,8 +25,8 @@ ANYTHING_INLINE = "'unsafe-inline'"
 
 
 FOR_TOOLS = "'unsafe-eval'"
-"""What drives a browser may wait for a condition by evaluating its text in the page, as Playwright
-does."""
+"""What drives a browser may wait for a condition by evaluating its text in the page and put a style
+into it, as Playwright does."""
 
 
 def page_policy(
@@ -38,12 +38,12 @@ def page_policy(
 ) -> str:
     """The policy of a page that holds these inline ``scripts`` and ``styles``, and no others unless
     its author may write ``raw_html``. Python runs as WebAssembly, which needs a leave of its own.
-    One that is not ``published`` also runs what tools of its author's own evaluate.
+    In one that is not ``published`` tools of its author's own may evaluate text and add styles.
     """
     script_src = ["'self'", "'wasm-unsafe-eval'", *_inline(scripts, raw_html)]
     if not published:
         script_src.append(FOR_TOOLS)
-    style_src = ["'self'", *_inline(styles, raw_html)]
+    style_src = ["'self'", *_inline(styles, raw_html or not published)]
     rules = {**ALWAYS, "script-src": " ".join(script_src), "style-src": " ".join(style_src)}
     return "; ".join(f"{name} {value}" for name, value in rules.items())
 

@@ -163,7 +163,8 @@ def a_draft_is_for_what_moves_everything() -> Says:
     assert camera.SCENE.drafted == ("focal_length", "light_angle", "back")
     assert TIERS["draft"].reduction ** 2 == 4
     yield "For the focal length, the lamp and the step back, the simulator sends one ray"
-    yield "The focus has no draft."
+    assert list(camera.SCENE.own_drafts.values()) == [("focus",)]
+    yield "The focus cannot have that draft."
 
 
 def the_table_close_to_the_fold() -> Says:

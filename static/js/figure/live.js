@@ -15,7 +15,7 @@ import { Early } from "./early.js";
 import { Handles } from "./handles.js";
 import { Motion } from "./motion.js";
 import { OwnPicture } from "./own_picture.js";
-import { Painter } from "./painter.js";
+import { Painter, takeStills } from "./painter.js";
 import { LatestWins } from "./scheduler.js";
 import { isOfPage, isServed } from "./served.js";
 import { say, sayNothingOfFailure } from "./status.js";
@@ -262,6 +262,7 @@ export class LiveFigure {
     if (!isOfPage(sources) || !isStill()) return false;
     if (this.figure.isConnected) {
       this.early.end();
+      takeStills(this.figure);
       sayNothingOfFailure(this.figure);
       this.#lives(job, 0);
       this.#warm(job);

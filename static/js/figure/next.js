@@ -31,7 +31,7 @@ export async function readyNext() {
     while (main?.isConnected && !isAtRest());
     return main?.isConnected;
   };
-  if (isMetered() || !(await rested(allLive))) return;
+  if (isMetered() || !(await rested(allLive)) || !navigator.onLine) return;
   const next = maybe(document, ".pager a[rel=next]", HTMLAnchorElement);
   const url = next && linkedPage(next);
   const page = url && (await expect(url));

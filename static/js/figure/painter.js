@@ -9,7 +9,7 @@
  * @typedef {{view: HTMLElement, overlay: Overlay | null, title: Element | null}} Box
  */
 
-import { maybe, one } from "../page/dom.js";
+import { all, maybe, one } from "../page/dom.js";
 import { setText } from "../page/text.js";
 import { numeral, words } from "../page/words.js";
 import { Overlay } from "./overlay.js";
@@ -79,6 +79,30 @@ function paintRaster(view, panel, { width, height }, pixels) {
   canvas.getContext("2d")?.putImageData(image, 0, 0);
   canvas.classList.toggle("pixelated", panel.pixelated);
   if (!canvas.isConnected) putInPlace(view, canvas);
+}
+
+/**
+ * Have the pixels of a figure's stills on canvases, as those of live frames are: they are the first.
+ *
+ * @param {HTMLElement} figure
+ */
+export function takeStills(figure) {
+  for (const still of all(figure, "img.still", HTMLImageElement)) {
+    if (still.complete) putOnCanvas(still);
+    else still.addEventListener("load", () => putOnCanvas(still), { once: true });
+  }
+}
+
+/** @param {HTMLImageElement} still */
+function putOnCanvas(still) {
+  const view = still.parentElement;
+  if (!view || !still.naturalWidth) return;
+  const canvas = document.createElement("canvas");
+  canvas.width = still.naturalWidth;
+  canvas.height = still.naturalHeight;
+  canvas.getContext("2d")?.drawImage(still, 0, 0);
+  canvas.classList.toggle("pixelated", still.classList.contains("pixelated"));
+  putInPlace(view, canvas);
 }
 
 /**

@@ -42,7 +42,7 @@ export async function fetchText(url, signal) {
 function hint(event) {
   const link = within(event, "a[href]", HTMLAnchorElement);
   const url = link && linkedPage(link);
-  if (url && !isMetered()) expect(url);
+  if (url && navigator.onLine && !isMetered()) expect(url);
 }
 
 /**

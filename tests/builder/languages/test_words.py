@@ -22,7 +22,7 @@ OF_SCRIPTS = re.compile(r"""\bwords\(\s*(["`])([\w.-]+)""")
 QUOTED = re.compile(r"""["'`]([a-z][\w-]*(?:\.[\w-]+)+)["'`]""")
 MADE = (
     "labels.", "style.", "callout.", "landing.count_", "script.theme.", "script.figure.",
-    "script.predict.", "script.workings.", "script.tools.python_copied", "script.search.found",
+    "script.predict.", "script.runtime.", "script.workings.", "script.tools.python_copied", "script.search.found",
     "script.search.near",
 )  # fmt: skip
 """Begin the keys that are put together where they are asked for."""
@@ -146,7 +146,14 @@ def test_scripts_say_nothing_of_their_own() -> None:
 
 def bare(template: str) -> list[str]:
     """Words that stand in a template itself, between its tags or in what is read out."""
-    for hidden in (r"\{#.*?#\}", r"<(script|style)\b.*?</\1>", r"\{[{%].*?[%}]\}", r"&\w+;"):
+    scripts = r"\{% set (begin|find_home|looks) %\}.*?\{% endset %\}"
+    for hidden in (
+        scripts,
+        r"\{#.*?#\}",
+        r"<(script|style)\b.*?</\1>",
+        r"\{[{%].*?[%}]\}",
+        r"&\w+;",
+    ):
         template = re.sub(hidden, "", template, flags=re.DOTALL)
     read = re.findall(
         r'\b(?:aria-label|aria-description|title|alt|placeholder)="([^"#-]*)"', template
