@@ -13,7 +13,8 @@ from playwright.sync_api import Browser, ConsoleMessage
 from support.host import hosting
 from support.reader import DESK
 
-from site_builder.pages.policy import FOR_TOOLS
+from site_builder.offline.release import integrity
+from site_builder.pages.policy import ANYTHING_INLINE, FOR_TOOLS
 from site_builder.publishing.hosting import common_policy
 
 pytestmark = pytest.mark.browser
@@ -37,6 +38,7 @@ INTRUDE = """async () => {
   await fetch('https://elsewhere.example/').catch(() => {});
   await new Promise((resolve) => setTimeout(resolve));
 }"""
+STYLE = re.compile(r"<style>(.*?)</style>", re.DOTALL)
 NAMED = re.compile(r'(?:src|href)="([^"]+)" integrity="([^"]+)"')
 
 
@@ -59,11 +61,23 @@ class Visit:
         return found
 
 
+def published_policy(site: Path) -> str:
+    """Without the leave that pages at home give to tools."""
+    pages = [page.read_bytes() for page in site.rglob("*.html")]
+    styles = {style for page in pages for style in STYLE.findall(page.decode())}
+    hashes = " ".join(sorted(f"'{integrity(style.encode())}'" for style in styles))
+    lax = common_policy(pages)
+    strict = lax.replace(f" {FOR_TOOLS}", "").replace(
+        f"style-src 'self' {ANYTHING_INLINE}", f"style-src 'self' {hashes}"
+    )
+    assert len(strict) != len(lax)
+    assert f"{ANYTHING_INLINE};" not in strict.replace("style-src-attr 'unsafe-inline';", "")
+    return strict
+
+
 @pytest.fixture(scope="module")
 def guarded(brisk_chromium: Browser, built_site: Path) -> Iterator[Visit]:
-    pages = (page.read_bytes() for page in built_site.rglob("*.html"))
-    published = common_policy(pages).replace(f" {FOR_TOOLS}", "")
-    header = {"/*": {"Content-Security-Policy": published}}
+    header = {"/*": {"Content-Security-Policy": published_policy(built_site)}}
     with (
         hosting(built_site, rules=header) as host,
         brisk_chromium.new_context(viewport=DESK, service_workers="block") as context,

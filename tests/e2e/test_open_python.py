@@ -74,6 +74,8 @@ def test_edited_code_draws_its_own_figure_and_no_other_until_it_is_put_back(
 ) -> None:
     visitor.turn_to(CHAPTER)
     edited, other = figures(visitor)[:2]
+    for figure in (other, edited):
+        visitor.bring(figure)
     book, others = visitor.shown(edited), visitor.shown(other)
     open_python(edited)
     assert "def _encoded" in edited.locator(".cm-content").inner_text()
