@@ -1,10 +1,17 @@
 /** Starts the Python interpreter, with the simulations and what they import at hand. */
 
-import { replaced } from "./fault.js";
+import { Fault, replaced } from "./fault.js";
 import { CORE, NUMPY, Parts, PYTHON } from "./parts.js";
 
 const SCRIPTS = ["pyodide.mjs", "pyodide.asm.mjs"];
 const MACHINE = "pyodide.asm.wasm";
+/**
+ * First the copy that was compiled: asked whether it is still new, a host would renew it, and the
+ * browser forget its code.
+ *
+ * @type {RequestCache[]}
+ */
+const AS_COMPILED = ["force-cache", "reload"];
 
 /**
  * @typedef {object} Started
@@ -15,8 +22,8 @@ const MACHINE = "pyodide.asm.wasm";
  */
 
 /**
- * Every file is known to be whole before Python runs. Until then all are fetched at once, the scripts
- * are read and the machine code is compiled.
+ * Every file is known to be whole before Python runs, but the machine code, which is before anything
+ * is asked of it. Until then all are fetched at once, the scripts are read and the code is compiled.
  *
  * @param {string} url The runtime's folder.
  * @param {boolean} fresh Whether the browser may hold damaged copies of its files.
@@ -25,21 +32,23 @@ const MACHINE = "pyodide.asm.wasm";
  */
 export async function startInterpreter(url, fresh, scenes) {
   const read = fresh ? [] : SCRIPTS.map((name) => readScript(url + name));
+  const early = fresh ? Promise.resolve(null) : compileEarly(url + MACHINE);
   const parts = await Parts.listed(url, fresh);
   const { table } = parts;
   const scripts = SCRIPTS.map((name) => parts.reply(name));
-  const machine = parts.reply(MACHINE);
+  const machine = early.then(() => parts.reply(MACHINE, AS_COMPILED));
   const [library, numpy, core] = [PYTHON, NUMPY, CORE].map((name) => parts.fetch(name));
-  const all = Promise.all([...scripts, machine, library, numpy, core]);
+  const all = Promise.all([...scripts, library, numpy, core]);
   for (const scene of scenes) parts.expect(table.scenes[scene]);
-  const compiled = compile(machine);
+  machine.catch(() => {}); // told below
+  const compiled = early.then(async (module) => module ?? compile(await machine));
   const failure = rejection(Promise.all([all, compiled]));
   await Promise.race([Promise.all(scripts), failure]);
   const [{ loadPyodide }, { default: createPyodideModule }] = await Promise.all(
     SCRIPTS.map((name, index) => scriptOf(url + name, read[index])),
   );
   const zipped = library.then((zip) => new Response(/** @type {Uint8Array<ArrayBuffer>} */ (zip)));
-  answerWith({ [url + MACHINE]: machine, [url + PYTHON]: zipped });
+  answerWith({ [url + MACHINE]: Promise.resolve(new Response()), [url + PYTHON]: zipped });
   instantiateFrom(compiled);
   const options = {
     indexURL: url,
@@ -56,6 +65,8 @@ export async function startInterpreter(url, fresh, scenes) {
   const importMs = performance.now() - begun;
   const fetchNow = (/** @type {string} */ part) => parts.fetchNow(part);
   module.fetch_missing(JSON.stringify(table.modules), fetchNow, parts.folder);
+  await machine;
+  if ((await early) && replaced.has(url + MACHINE)) throw new Fault("other", url + MACHINE);
   return { version: pyodide.version, parts, python: functionsOf(module), importMs };
 }
 
@@ -96,17 +107,28 @@ function functionsOf(module) {
 }
 
 /**
- * Machine code, compiled while it arrives. A host that sends it with another type than
- * `application/wasm` is served too.
+ * Machine code, compiled while it arrives. The browser keeps for the next visit what it compiled, but
+ * only of a file that was fetched without a hash; whether it is whole is found out afterwards.
  *
- * @param {Promise<Response>} coming
+ * @param {string} address
+ * @returns {Promise<WebAssembly.Module | null>} Nothing where it cannot be had so.
+ */
+async function compileEarly(address) {
+  try {
+    return await WebAssembly.compileStreaming(fetch(address));
+  } catch {
+    return null;
+  }
+}
+
+/**
+ * Machine code that came with another type than `application/wasm`, or damaged at first.
+ *
+ * @param {Response} whole
  * @returns {Promise<WebAssembly.Module>}
  */
-async function compile(coming) {
-  const reply = await coming;
-  return reply.headers.get("content-type")?.startsWith("application/wasm")
-    ? await WebAssembly.compileStreaming(reply)
-    : await WebAssembly.compile(await reply.arrayBuffer());
+async function compile(whole) {
+  return WebAssembly.compile(await whole.arrayBuffer());
 }
 
 /**

@@ -73,11 +73,12 @@ export class Parts {
    * The reply with a file that is whole.
    *
    * @param {string} name
+   * @param {RequestCache[]} [caches] How it is asked for, one way after the other.
    * @returns {Promise<Response>}
    * @throws {import("./fault.js").Fault}
    */
-  reply(name) {
-    return fetchWhole(this.url + name, this.table.integrity[name]);
+  reply(name, caches) {
+    return fetchWhole(this.url + name, this.table.integrity[name], caches);
   }
 
   /**
