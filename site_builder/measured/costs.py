@@ -49,7 +49,7 @@ class Costs:
             raise CostError(f"{path!r} is no single cost; go on with one of {', '.join(at)}")
         if isinstance(at, str):
             return at
-        return Cost(float(at), UNITS.get(path.rpartition("_")[2], ""))
+        return Cost(float(at), UNITS.get(path.split()[-1].rpartition("_")[2], ""))
 
 
 def read_costs(root: Path) -> Costs:
