@@ -7,7 +7,7 @@ from pathlib import Path
 
 import pytest
 
-from site_builder import build
+from site_builder import browser_python, build
 from site_builder.build import render_site
 from site_builder.diagnostics import Diagnostic
 from site_builder.editor import bundle
@@ -67,7 +67,8 @@ def test_without_the_editor_the_book_is_built_and_says_so(
         raise EditorBundleError("its packages could not be had from npm: no network")
 
     monkeypatch.setattr(build, "bundle_editor", refuse)
-    monkeypatch.setattr(build, "pack_runtime", lambda _root, **_shown: RuntimeBundle({}, VERSIONS))
+    bare = RuntimeBundle({}, VERSIONS)
+    monkeypatch.setattr(browser_python, "pack_runtime", lambda _root, **_shown: bare)
     warnings: list[Diagnostic] = []
     files = render_site(replace(make_book(PAGE), runtime=True, warn=warnings.append))
     page = files["first/index.html"]
