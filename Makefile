@@ -78,9 +78,11 @@ screenshot: $(VENV)/test.stamp $(VENV)/chromium.stamp site
 	@PYTHONPATH=tests $(BIN)/python -m support.screenshot "$(PAGE)"
 
 # One thread, as in the browser, so that the two sides can be compared.
-bench: $(VENV)/test.stamp $(VENV)/chromium.stamp
+bench: $(VENV)/test.stamp $(VENV)/chromium.stamp site
 	@OPENBLAS_NUM_THREADS=1 PYTHONPATH=tests $(BIN)/python -m bench $(LADDER:%=--ladder %)
 	@$(if $(LADDER),,OPENBLAS_NUM_THREADS=1 PYTHONPATH=tests $(BIN)/python -m bench.stage_costs)
+	@$(if $(LADDER),,PYTHONPATH=tests $(BIN)/python -m bench.start --keep)
+	@$(if $(LADDER),,PYTHONPATH=tests $(BIN)/python -m bench.costs)
 
 # Of use on a machine that does nothing else.
 bench-latency: $(VENV)/test.stamp $(VENV)/chromium.stamp site

@@ -49,18 +49,29 @@ def test_numbers_are_brought_into_range_and_onto_the_steps(visitor: Reader) -> N
     assert values(open_at(visitor, k1="-7", k2="0.1234"), "k1", "k2") == ["-0.5", "0.12"]
 
 
-def test_what_an_address_cannot_mean_is_ignored_with_a_word(visitor: Reader) -> None:
-    figure = open_at(
-        visitor, k1="1e", k2="", k9="1", picture="%E0%A4%A", correct="yes", tier="best"
-    )
+@pytest.mark.parametrize(
+    "meaningless",
+    [{"k1": "1e", "k2": "", "k9": "1"}, {"picture": "%E0%A4%A", "correct": "yes", "tier": "best"}],
+)
+def test_what_an_address_cannot_mean_is_ignored_with_a_word(
+    visitor: Reader, meaningless: dict[str, str]
+) -> None:
+    figure = open_at(visitor, **meaningless)
     names = ("k1", "k2", "picture")
     assert values(figure, *names) == [start(figure, name) for name in names]
     assert values(figure, "tier") == ["checked-table"]
     said = figure.locator(".figure-message").inner_text()
-    assert all(f"{name}=" in said for name in ("k1", "k2", "k9", "picture")), "the first of many"
-    assert said.endswith("….")
+    assert all(f"{name}=" in said for name in meaningless)
     figure.locator("[name=k1]").fill("0.1")
     figure.locator(".figure-status").wait_for(state="hidden")
+
+
+def test_of_much_that_an_address_cannot_mean_the_first_is_told(visitor: Reader) -> None:
+    figure = open_at(visitor, **{f"k{number}": "1" for number in range(5, 10)})
+    said = figure.locator(".figure-message").inner_text()
+    assert all(f"k{number}=" in said for number in range(5, 9))
+    assert "k9=" not in said
+    assert said.endswith("….")
 
 
 def test_a_hand_at_rest_is_kept_in_the_address_without_an_entry_of_the_history(
