@@ -143,6 +143,21 @@ def test_a_page_left_open_over_a_release_still_gets_what_belongs_to_it(
     assert search(reader.page, "vignetting")
 
 
+def test_who_asks_for_the_browsers_own_copy_gets_that_and_not_the_kept_one(
+    reader: Reader,
+) -> None:
+    """With its own copy the browser keeps what it compiled of it."""
+    keep(reader)
+    script = reader.page.evaluate(
+        "new URL(document.body.dataset.assets + 'js/main.js', location).href"
+    )
+    for cache, is_kept in (("default", True), ("only-if-cached", False)):
+        with reader.page.expect_response(script) as reply:
+            reader.page.evaluate(ASK, [script, cache])
+        assert reply.value.from_service_worker is is_kept
+        assert reply.value.ok
+
+
 def test_a_site_that_is_no_longer_kept_takes_back_what_was(
     reader: Reader, host: StaticServer, release: Path
 ) -> None:
@@ -152,6 +167,8 @@ def test_a_site_that_is_no_longer_kept_takes_back_what_was(
     reader.page.goto(reader.root + OTHER)
     until(lambda: not releases(reader.page))
 
+
+ASK = """([url, cache]) => fetch(url, {cache, mode: "same-origin"}).then(() => 0)"""
 
 REFUSED = """async () => {
   const registration = await navigator.serviceWorker.ready;

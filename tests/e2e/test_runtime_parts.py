@@ -28,8 +28,9 @@ def table(built_site: Path) -> Any:
     return json.loads(next(built_site.glob("runtime/*/runtime.json")).read_text(encoding="utf-8"))
 
 
-FRUGAL = "Object.defineProperty(navigator, 'connection', {value: {saveData: true}})"
-"""Nothing is fetched for a page that may come."""
+FRUGAL = """Object.defineProperty(navigator, 'connection', {value: {saveData: true}});
+sessionStorage.setItem('image-formation:asked', 'yes')"""
+"""Python is asked for, but nothing is fetched for a page that may come."""
 
 
 @pytest.fixture

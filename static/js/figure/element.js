@@ -6,6 +6,7 @@ import { recall } from "../page/storage.js";
 import { Runtime, sharedRuntime } from "../runtime/runtime.js";
 import { LiveFigure } from "./live.js";
 import { say } from "./status.js";
+import { isSparing } from "../page/sparing.js";
 import { words } from "../page/words.js";
 
 /** @import { Workshop } from "../editor/workshop.js" */
@@ -37,6 +38,13 @@ export class SimulationFigure extends HTMLElement {
   /** Whether the frame that was asked for last is shown, or has failed. */
   get rests() {
     return this.#live?.rests ?? true;
+  }
+
+  /** Start what waited for the reader to ask. */
+  begin() {
+    const runtime = sharedRuntime();
+    this.#live?.retry();
+    if (runtime) this.#resume(runtime);
   }
 
   /** Try again what failed; the figure keeps its values. */
@@ -97,6 +105,15 @@ export class SimulationFigure extends HTMLElement {
   /** @param {Runtime} runtime */
   #begin(runtime) {
     this.#live = new LiveFigure(this, runtime);
+    if (!isSparing()) this.#resume(runtime);
+  }
+
+  /**
+   * Have the reader's own version of the figure's Python draw, where there is one.
+   *
+   * @param {Runtime} runtime
+   */
+  #resume(runtime) {
     if (recall(keptUnder(this))?.runs) this.#resumePython(runtime);
   }
 

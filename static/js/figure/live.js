@@ -1,8 +1,9 @@
 /**
  * The life of a figure: its controls ask for frames, the worker draws them, the page shows them.
  *
- * States, in `data-state`: `still` as served; `starting` once a frame is asked for; `live` after
- * each painted frame; `failed` with a message and a button. `data-frames` counts frames after
+ * States, in `data-state`: `still` as served; `waiting` for the reader to ask, where the link is to
+ * be spared; `starting` once a frame is asked for; `live` after each painted frame; `failed` with a
+ * message and a button. `data-frames` counts frames after
  * their pixels are in the page. `data-tier` is the accuracy of the frame that is shown.
  */
 
@@ -22,6 +23,7 @@ import { say, sayNothingOfFailure } from "./status.js";
 import { chosenTier, isDrafted, shownTier } from "./tiers.js";
 import { Accuracy, showStages } from "./workings.js";
 import { offerRelease } from "../page/release.js";
+import { isSparing, spareNoMore } from "../page/sparing.js";
 import { words } from "../page/words.js";
 
 /** @import { Caller } from "../runtime/runtime.js" */
@@ -96,7 +98,7 @@ export class LiveFigure {
     return this.#scheduler.idle;
   }
 
-  /** Try again what failed; the figure keeps its values. */
+  /** Try again what failed, or what waited to be asked for; the figure keeps its values. */
   retry() {
     this.figure.dataset.state = "starting";
     say(this.figure, "");
@@ -128,6 +130,7 @@ export class LiveFigure {
    * @throws {RuntimeFailure} Where Python cannot tell.
    */
   async judge(conditions) {
+    beginAll();
     const values = JSON.stringify(readValues(this.form, this.schema.controls));
     const state = this.#request(values, chosenTier(this.form, this.schema));
     return (await this.runtime.call("judge", { ...state, conditions }, () => URGENCY.touched)).met;
@@ -135,7 +138,8 @@ export class LiveFigure {
 
   /** Ask for the first frame as soon as it is known whether the figure is in view. */
   #startInView() {
-    this.figure.dataset.state = "starting";
+    this.figure.dataset.state = isSparing() ? "waiting" : "starting";
+    if (this.#waits) say(this.figure, words("figure.sparing"), { begin: true, lasting: true });
     const observer = new IntersectionObserver(
       ([entry]) => {
         this.#near = entry.isIntersecting;
@@ -156,6 +160,12 @@ export class LiveFigure {
     this.form.addEventListener("change", (event) => this.#changed(event, false), { signal });
     this.form.addEventListener("click", (event) => this.#pressed(event), { signal });
     one(this.figure, ".retry", HTMLButtonElement).addEventListener("click", retryAll, { signal });
+    one(this.figure, ".begin", HTMLButtonElement).addEventListener("click", beginAll, { signal });
+  }
+
+  /** Whether Python is not to start before the reader asks. */
+  get #waits() {
+    return this.figure.dataset.state === "waiting";
   }
 
   /**
@@ -201,7 +211,7 @@ export class LiveFigure {
    * @param {number} [urgency]
    */
   #ask(time, moving, urgency = URGENCY.touched) {
-    if (!this.figure.isConnected) return;
+    if (!this.figure.isConnected || this.#waits) return;
     const values = JSON.stringify(readValues(this.form, this.schema.controls));
     const tier = this.#tier(moving);
     const asked = `${values} ${tier} ${this.own.number}`;
@@ -293,7 +303,8 @@ export class LiveFigure {
    *
    * @param {Pull} pull
    */
-  #askPull(pull) {
+  async #askPull(pull) {
+    if (this.#waits) throw new RuntimeFailure("start", words("figure.sparing"));
     const { tier } = this.figure.dataset;
     const payload = { figure: this.#key, scene: this.#scene, tier, ...pull };
     return this.runtime.call("pull", payload, () => URGENCY.held);
@@ -368,6 +379,14 @@ export class LiveFigure {
 }
 
 addEventListener("online", retryAll);
+
+/** The reader has asked for Python in one figure: it serves them all. */
+function beginAll() {
+  spareNoMore();
+  for (const figure of all(document, 'simulation-figure[data-state="waiting"]', HTMLElement)) {
+    if ("begin" in figure && typeof figure.begin === "function") figure.begin();
+  }
+}
 
 /** What kept one figure from its frame has most often kept them all. */
 function retryAll() {

@@ -6,7 +6,7 @@
 import { expect } from "../page/ahead.js";
 import { all, maybe } from "../page/dom.js";
 import { linkedPage } from "../page/links.js";
-import { isMetered } from "../page/offline.js";
+import { isMetered } from "../page/sparing.js";
 import { sharedRuntime } from "../runtime/runtime.js";
 
 /** Milliseconds between two looks, and of rest after the hand has moved. */

@@ -8,15 +8,17 @@ import { setText } from "../page/text.js";
  *
  * @param {HTMLElement} figure
  * @param {string} message
- * @param {{retry?: boolean, lasting?: boolean}} [options] Whether to offer another try; whether the
- *   message is no failure, and so stays when a frame comes.
+ * @param {{retry?: boolean, begin?: boolean, lasting?: boolean}} [options] Whether to offer another
+ *   try, or to start Python at all; whether the message is no failure, and so stays when a frame
+ *   comes.
  */
-export function say(figure, message, { retry = false, lasting = false } = {}) {
+export function say(figure, message, { retry = false, begin = false, lasting = false } = {}) {
   const status = one(figure, ".figure-status", HTMLElement);
   setText(one(figure, ".figure-message", HTMLElement), message);
   status.hidden = !message;
   status.classList.toggle("lasting", lasting);
   one(figure, ".retry", HTMLButtonElement).hidden = !retry;
+  one(figure, ".begin", HTMLButtonElement).hidden = !begin;
 }
 
 /**

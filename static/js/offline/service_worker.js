@@ -39,7 +39,8 @@ worker.addEventListener("message", (event) => {
   event.waitUntil(pause(TURN).then(tidy));
 });
 worker.addEventListener("fetch", (event) => {
-  const { method, url } = event.request;
+  const { method, url, cache } = event.request;
+  if (cache === "only-if-cached") return; // the browser's own copy, with what it compiled of it
   if (release && method === "GET" && url.startsWith(root)) {
     event.respondWith(answer(event.request));
   }
@@ -71,11 +72,16 @@ async function takeUp() {
 }
 
 /**
+ * Machine code as the browser has it, if it has: asked whether that is still new, a host would renew
+ * it, and the browser forget what it compiled of it.
+ *
  * @param {string} url
  * @param {string} hash
  */
 async function fetchExactly(url, hash) {
-  const reply = await fetch(url, { cache: "no-cache", integrity: hash });
+  const ask = (/** @type {RequestCache} */ cache) => fetch(url, { cache, integrity: hash });
+  const asIs = url.endsWith(".wasm") ? await ask("force-cache").catch(() => null) : null;
+  const reply = asIs ?? (await ask("no-cache"));
   if (!reply.ok) throw new Error(`${url} cannot be had: ${reply.status}`);
   return reply.redirected ? new Response(reply.body, { headers: reply.headers }) : reply;
 }

@@ -5,7 +5,7 @@
 
 import { within } from "./dom.js";
 import { linkedPage } from "./links.js";
-import { isMetered } from "./offline.js";
+import { isMetered } from "./sparing.js";
 
 const HINTS = ["pointerover", "focusin", "touchstart"];
 /** Milliseconds after which a page is fetched again, as the book may have been built anew. */

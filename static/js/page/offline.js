@@ -1,5 +1,7 @@
 /** Has the whole book kept on the device, once the page is at rest and where that costs nothing. */
 
+import { isMetered } from "./sparing.js";
+
 /** Milliseconds between two looks at whether the figures have started. */
 const LOOK = 1000;
 /** Milliseconds after which the book is kept even if they have not. */
@@ -42,12 +44,4 @@ function whenAtRest(act) {
     else setTimeout(look, LOOK);
   };
   setTimeout(look, LOOK);
-}
-
-/** Whether the reader pays for what is fetched, or waits long for it. */
-export function isMetered() {
-  const { connection } = /** @type {{connection?: {saveData: boolean, effectiveType: string}}} */ (
-    navigator
-  );
-  return connection?.saveData || /2g/.test(connection?.effectiveType ?? "");
 }

@@ -15,6 +15,9 @@
 /** The browser's own: the worker has what Pyodide asks for answered by these replies. */
 const ask = globalThis.fetch;
 
+/** The browser's own copy or nothing: it is to be had only by pages of the same origin. */
+export const OWN_COPY = "only-if-cached";
+
 export class Fault extends Error {
   /**
    * @param {FaultKind} kind
@@ -49,7 +52,8 @@ export const replaced = new Set();
 export async function fetchWhole(url, integrity, caches = ["default", "reload"]) {
   for (const cache of caches) {
     try {
-      const reply = await ask(url, { cache, integrity });
+      const mode = cache === OWN_COPY ? "same-origin" : "cors";
+      const reply = await ask(url, { cache, integrity, mode });
       if (!reply.ok) throw new Fault("status", url, String(reply.status));
       checkType(reply);
       return reply;

@@ -1,18 +1,10 @@
 /** Starts the Python interpreter, with the simulations and what they import at hand. */
 
-import { Fault, replaced } from "./fault.js";
+import { Fault, OWN_COPY, replaced } from "./fault.js";
 import { CORE, NUMPY, Parts, PYTHON } from "./parts.js";
 
 const SCRIPTS = ["pyodide.mjs", "pyodide.asm.mjs"];
 const MACHINE = "pyodide.asm.wasm";
-/**
- * First the copy that was compiled: asked whether it is still new, a host would renew it, and the
- * browser forget its code.
- *
- * @type {RequestCache[]}
- */
-const AS_COMPILED = ["force-cache", "reload"];
-
 /**
  * @typedef {object} Started
  * @property {string} version Pyodide's.
@@ -22,26 +14,34 @@ const AS_COMPILED = ["force-cache", "reload"];
  */
 
 /**
+ * What a page asks for who wants an interpreter.
+ *
+ * @typedef {object} Wanted
+ * @property {string} url The runtime's folder.
+ * @property {boolean} [fresh] Whether the browser may hold damaged copies of its files.
+ * @property {boolean} [known] Whether it has been started in this browser before.
+ * @property {string[]} scenes Whose parts are fetched meanwhile.
+ */
+
+/**
  * Every file is known to be whole before Python runs, but the machine code, which is before anything
  * is asked of it. Until then all are fetched at once, the scripts are read and the code is compiled.
  *
- * @param {string} url The runtime's folder.
- * @param {boolean} fresh Whether the browser may hold damaged copies of its files.
- * @param {string[]} scenes Whose parts are fetched meanwhile.
+ * @param {Wanted} wanted
  * @returns {Promise<Started>}
  */
-export async function startInterpreter(url, fresh, scenes) {
+export async function startInterpreter({ url, fresh = false, known = false, scenes }) {
   const read = fresh ? [] : SCRIPTS.map((name) => readScript(url + name));
-  const early = fresh ? Promise.resolve(null) : compileEarly(url + MACHINE);
+  const early = fresh ? Promise.resolve(null) : compileEarly(url + MACHINE, known);
   const parts = await Parts.listed(url, fresh);
   const { table } = parts;
   const scripts = SCRIPTS.map((name) => parts.reply(name));
-  const machine = early.then(() => parts.reply(MACHINE, AS_COMPILED));
+  const machine = early.then((found) => parts.reply(MACHINE, found?.again));
   const [library, numpy, core] = [PYTHON, NUMPY, CORE].map((name) => parts.fetch(name));
   const all = Promise.all([...scripts, library, numpy, core]);
   for (const scene of scenes) parts.expect(table.scenes[scene]);
   machine.catch(() => {}); // told below
-  const compiled = early.then(async (module) => module ?? compile(await machine));
+  const compiled = early.then(async (found) => found?.module ?? compile(await machine));
   const failure = rejection(Promise.all([all, compiled]));
   await Promise.race([Promise.all(scripts), failure]);
   const [{ loadPyodide }, { default: createPyodideModule }] = await Promise.all(
@@ -107,18 +107,34 @@ function functionsOf(module) {
 }
 
 /**
+ * @typedef {object} Compiled
+ * @property {WebAssembly.Module} module
+ * @property {RequestCache[]} again How to ask for the copy that it was compiled from. Asked whether
+ *   that is still new, a host would renew it, and the browser forget its code.
+ */
+
+/**
  * Machine code, compiled while it arrives. The browser keeps for the next visit what it compiled, but
  * only of a file that was fetched without a hash; whether it is whole is found out afterwards.
  *
+ * What it compiled it keeps with its own copy of the file, not with the service worker's: of a file
+ * that is known that copy is asked for first, which the service worker lets pass.
+ *
  * @param {string} address
- * @returns {Promise<WebAssembly.Module | null>} Nothing where it cannot be had so.
+ * @param {boolean} known
+ * @returns {Promise<Compiled | null>} Nothing where it cannot be had so.
  */
-async function compileEarly(address) {
-  try {
-    return await WebAssembly.compileStreaming(fetch(address));
-  } catch {
-    return null;
+async function compileEarly(address, known) {
+  for (const cache of /** @type {RequestCache[]} */ (known ? [OWN_COPY, "default"] : ["default"])) {
+    try {
+      const reply = fetch(address, { cache, mode: "same-origin" });
+      const module = await WebAssembly.compileStreaming(reply);
+      return { module, again: [cache === OWN_COPY ? OWN_COPY : "force-cache", "reload"] };
+    } catch {
+      // The next way, or with the hash at once.
+    }
   }
+  return null;
 }
 
 /**

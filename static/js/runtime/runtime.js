@@ -7,6 +7,7 @@
  */
 
 import { all } from "../page/dom.js";
+import { recall, remember } from "../page/storage.js";
 import { words } from "../page/words.js";
 import { findFault } from "./fault.js";
 import { LIMITS, Patience } from "./patience.js";
@@ -59,6 +60,9 @@ export function closed() {
  * @property {(reply: any) => void} resolve
  * @property {(reason: RuntimeFailure) => void} reject
  */
+
+/** Under which name the browser keeps which runtime it has started; the page's head reads it. */
+const STARTED = "started";
 
 let interpreters = 0;
 
@@ -171,10 +175,16 @@ export class Runtime {
     this.#send({
       id: ++this.#lastId,
       name: "start",
-      payload: { url: this.url, fresh: this.#failedStarts > 0, scenes: this.scenes() },
+      payload: {
+        url: this.url,
+        fresh: this.#failedStarts > 0,
+        known: recall(STARTED) === this.url,
+        scenes: this.scenes(),
+      },
       urgency: () => 0,
       resolve: ({ importMs }) => {
         this.#failedStarts = 0;
+        remember(STARTED, this.url);
         this.#patience.started(importMs);
       },
       reject: (reason) => this.#giveUp(reason),

@@ -8,7 +8,7 @@ import { Fault } from "./fault.js";
 import { startInterpreter } from "./interpreter.js";
 import { SOURCES } from "./parts.js";
 
-/** @import { Started } from "./interpreter.js" */
+/** @import { Started, Wanted } from "./interpreter.js" */
 /** @import { Parts } from "./parts.js" */
 
 /**
@@ -44,22 +44,21 @@ const calls = {
   /**
    * Begin to start, before anyone needs it: what goes wrong is told to who calls `start`.
    *
-   * @param {{url: string, scenes: string[]}} call
+   * @param {Wanted} call
    */
-  begin({ url, scenes }) {
-    starting = startInterpreter(url, false, scenes);
+  begin(call) {
+    starting = startInterpreter(call);
     starting.catch(() => {});
     return { reply: {} };
   },
 
   /**
-   * Start the interpreter from the folder `url`, with a new table if `fresh`, and fetch what `scenes`
-   * will import.
+   * Start the interpreter, unless it is on its way.
    *
-   * @param {{url: string, fresh: boolean, scenes: string[]}} call
+   * @param {Wanted} call
    */
-  async start({ url, fresh, scenes }) {
-    starting ??= startInterpreter(url, fresh, scenes);
+  async start(call) {
+    starting ??= startInterpreter(call);
     const { version, importMs, ...started } = await starting;
     ({ parts, python } = started);
     return { reply: { version, importMs } };
