@@ -14,8 +14,6 @@ from site_builder.markdown.roles import ROLES
 from site_builder.settings.guide import settings_table
 
 EXAMPLES = Path(__file__).with_name("examples")
-NOT_HERE = ("video",)
-"""Directives whose example would need a file that this repository does not keep."""
 
 
 class NoExampleError(LookupError):
@@ -102,7 +100,7 @@ def _directive_section(
         parts.append(_shown(written[item.name]))
     elif within:
         parts.append(f"The example of [{within}](#{within}) has it.\n")
-    elif item.name not in NOT_HERE:
+    else:
         parts.append(_shown(_plain_example(item)))
     return "\n".join(parts)
 
