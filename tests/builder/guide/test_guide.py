@@ -13,7 +13,7 @@ from support.html_outline import read_html
 from support.static_server import serving
 
 from site_builder.book_root import ENGINE, VARIABLE
-from site_builder.guide.book import write_guide
+from site_builder.guide.book import guide_files, write_guide
 from site_builder.guide.classes import read_classes
 from site_builder.guide.film import RATE_HZ, SECONDS, SIZE, falling_ball, webm
 from site_builder.guide.pages import (
@@ -85,6 +85,29 @@ def test_the_classes_of_drawings_are_those_of_the_style_sheet() -> None:
     assert {"world", "camera", "ray", "image", "light", "error", "muted"} == set(classes.roles)
     assert {"thin", "bold", "dashed", "faint", "fill", "solid"} <= set(classes.manners)
     assert {"small", "strong", "italic", "halo"} <= set(classes.texts)
+
+
+def test_every_option_of_a_directive_is_in_its_section() -> None:
+    flags = re.MULTILINE | re.DOTALL
+    sections = dict(re.findall(r"^## ([\w-]+)\n(.*?)(?=^## |\Z)", directive_page(), flags))
+    for directive in DIRECTIVES:
+        for option in directive.options:
+            assert f"| `:{option.name}:` |" in sections[directive.name], directive.name
+
+
+def test_every_class_that_a_drawing_may_have_is_on_the_page_of_drawings() -> None:
+    sheets = ("overlay", "illustrations")
+    css = "".join((ENGINE / "static" / "css" / f"{name}.css").read_text("utf-8") for name in sheets)
+    rules = re.findall(r"^\.overlay (?!>)([^{]+) \{", css, re.MULTILINE)
+    styled = {name for rule in rules for name in re.findall(r"\.([a-z-]+)", rule)}
+    assert {"world", "dashed", "halo", "on-swatch", "sub"} <= styled
+    page = guide_files()["content/05-drawings.md"].decode()
+    assert {name for name in styled if f"`{name}`" not in page} == set()
+
+
+def test_every_colour_role_can_be_written_in_a_sentence() -> None:
+    classes = read_classes(ENGINE / "static" / "css" / "overlay.css")
+    assert set(classes.roles) <= {role.name for role in ROLES}
 
 
 def test_its_film_is_as_long_as_its_frames_and_holds_each() -> None:
