@@ -9,7 +9,7 @@ from dataclasses import dataclass
 from itertools import pairwise
 
 from simulations.engine import drawing
-from site_builder.charts.axes import Axis, linear_axis, log_axis
+from site_builder.charts.axes import ChartAxis, linear_axis, log_axis
 from site_builder.charts.boxes import Box, Point, Segment
 from site_builder.charts.label_placement import Label, place_labels
 from site_builder.kept.keeper import kept_as
@@ -35,8 +35,8 @@ class Chart:
     """Everything but the names."""
     names: str
     """Drawn over the reader's own points, so that they stay readable."""
-    time: Axis
-    error: Axis
+    time: ChartAxis
+    error: ChartAxis
     description: str
     width: float = WIDTH
     height: float = HEIGHT
@@ -93,12 +93,12 @@ def describe(measured: MeasuredLadder, words: Words = ENGLISH) -> str:
     return " ".join(sentences)
 
 
-def _time_axis(measured: MeasuredLadder) -> Axis:
+def _time_axis(measured: MeasuredLadder) -> ChartAxis:
     spans = (i.times[side] for i in measured.tiers for side in SIDES)
     return log_axis((value for t in spans for value in (t.low, t.ms, t.high)), LEFT, RIGHT)
 
 
-def _error_axis(measured: MeasuredLadder) -> Axis:
+def _error_axis(measured: MeasuredLadder) -> ChartAxis:
     """Errors grow upwards, so that low is good; ratios of signal to noise too: there high is."""
     higher = measured.metric.higher_is_better
     values = [item.errors[measured.metric.id] for item in measured.tiers]
@@ -111,7 +111,7 @@ def _error_axis(measured: MeasuredLadder) -> Axis:
     return log_axis(finite, high, TOP, BOTTOM - 6.0 if some_free else None)
 
 
-def _grid(time: Axis, error: Axis, measured: MeasuredLadder, words: Words) -> str:
+def _grid(time: ChartAxis, error: ChartAxis, measured: MeasuredLadder, words: Words) -> str:
     metric = measured.metric
     better = "chart.higher" if metric.higher_is_better else "chart.lower"
     rules, labels = [], []
@@ -150,7 +150,7 @@ def _marks(native: tuple[float, float], browser: tuple[float, float], grey: Sequ
     )
 
 
-def _spread(item: MeasuredTier, side: str, y: float, time: Axis) -> tuple[Point, Point]:
+def _spread(item: MeasuredTier, side: str, y: float, time: ChartAxis) -> tuple[Point, Point]:
     """Ends of the bar over the middle half of the samples."""
     low, high = (time.position(v) for v in (item.times[side].low, item.times[side].high))
     return (low, y), (high, y)

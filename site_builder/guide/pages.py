@@ -13,9 +13,15 @@ from site_builder.markdown.role import Role
 from site_builder.markdown.roles import ROLES
 from site_builder.settings.guide import settings_table
 
+MEASURED = """\
+## Colours that are measured
+
+Where a colour is the result, `swatch` of `simulations/engine/drafting.py` fills a rectangle \
+with it, the same on every paper; its class is `swatch`. What is drawn upon it is `on-swatch`. \
+In the words of `label`, there too, `_` lowers what follows and `^` raises it: those parts are \
+`sub` and `super`.
+"""
 EXAMPLES = Path(__file__).with_name("examples")
-NOT_HERE = ("video",)
-"""Directives whose example would need a file that this repository does not keep."""
 
 
 class NoExampleError(LookupError):
@@ -65,6 +71,7 @@ def drawing_page(roles: Sequence[str], manners: Mapping[str, str], texts: Sequen
         [
             f"## Roles of colour\n\n| Role | In a sentence |\n|---|---|\n{colours}",
             f"## Manners\n\n| Class | Looks |\n|---|---|\n{looks}\nLabels may also be {words}.\n",
+            MEASURED,
         ],
     )
 
@@ -102,7 +109,7 @@ def _directive_section(
         parts.append(_shown(written[item.name]))
     elif within:
         parts.append(f"The example of [{within}](#{within}) has it.\n")
-    elif item.name not in NOT_HERE:
+    else:
         parts.append(_shown(_plain_example(item)))
     return "\n".join(parts)
 

@@ -4,7 +4,7 @@ The parser, the checks, the table of templates and the author's guide all follow
 values; ``directives/__init__.py`` lists them.
 """
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Collection, Mapping, Sequence
 from dataclasses import dataclass
 
 from markdown_it.token import Token
@@ -44,7 +44,7 @@ class Argument:
     """As the author's guide shows it: ``scene-id``."""
     lacks: str = ""
     """What is said of a directive without it: ``names no scene``. Nothing: it may be left out."""
-    legal: tuple[str, ...] = ()
+    legal: Collection[str] = ()
     """All that it may be; any text, for the reader to judge, where there are none."""
     kind: str = ""
     """What it is one of, where ``legal`` says: ``table of extremes``."""

@@ -115,6 +115,6 @@ def test_a_number_as_the_language_writes_it(visitor: Reader) -> None:
     ids=["time", "error", "decibels"],
 )
 def test_the_place_of_a_point_on_an_axis(visitor: Reader, axis: Any) -> None:
-    values = [1e-12, 1e-6, 0.5, 20.0, 1e4] + ([0.0 if axis.log else inf] if axis.none else [])
+    values = [1e-12, 1e-6, 0.5, 20.0, 1e4] + ([0.0 if axis.scale.log else inf] if axis.none else [])
     places = ask(visitor, "ladder/chart", "position", [[asdict(axis), v] for v in values])
     assert places == pytest.approx([axis.position(value) for value in values])

@@ -7,6 +7,12 @@ from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
 WAVES = ROOT / "tests" / "fixtures" / "waves-book"
+SCENES = {
+    name.replace("_", "-"): f"simulations.scenes.{name}.scene"
+    for name in ("leakage", "standing_waves", "wave_packet")
+}
+LADDERS = {"tone-frequency": "simulations.ladders.tone_frequency"}
+"""Its scenes and ladders, each id to its module."""
 
 
 def on_waves(*words: str, book: Path = WAVES) -> "subprocess.CompletedProcess[str]":

@@ -108,6 +108,7 @@ def test_ticks_are_written_short(ends: tuple[float, float], words: list[str]) ->
     [
         ((0.8, 24), ["1", "2", "5", "10", "20"]),
         ((0.02, 4), ["0.03", "0.1", "0.3", "1", "3"]),
+        ((0.0005, 0.05), ["0.001", "0.003", "0.01", "0.03"]),
         ((1, 1e4), ["1", "10", "100", "1000", "10000"]),
         ((1e-17, 0.1), ["10⁻¹⁵", "10⁻¹²", "10⁻⁹", "10⁻⁶", "10⁻³"]),
     ],
@@ -167,6 +168,12 @@ def test_each_tick_stands_under_its_value() -> None:
         box = names[f"{value}"]
         assert (box.left + box.right) / 2 == pytest.approx(PLOT.x.place(value), abs=0.1)
     assert {"time, s", "light"} <= set(names)
+
+
+def test_a_tick_without_words_has_its_stroke_alone() -> None:
+    marks = PLOT.below(Scale(ticks=[(2, "two"), (3, "")]))
+    assert marks.count("M") == 2
+    assert re.findall(">([^<]*)</text>", marks) == ["two"]
 
 
 @pytest.mark.parametrize("words", WORDS)

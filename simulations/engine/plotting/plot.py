@@ -130,7 +130,9 @@ class Plot:
         """The ticks of x and its name."""
         foot, ticks = self.y.start + scale.gap, tuple(scale.ticks_on(self.x))
         strokes = path([[(x, foot), (x, foot + STROKE)] for x, _ in ticks], "muted thin")
-        words = [label((x, foot + BELOW), name, scale.tick_style, "middle") for x, name in ticks]
+        words = [
+            label((x, foot + BELOW), name, scale.tick_style, "middle") for x, name in ticks if name
+        ]
         if scale.title:
             x, anchor = (self.x.start + self.x.end) / 2, "middle"
             if not scale.centred:
@@ -143,7 +145,9 @@ class Plot:
         edge, ticks = self.x.start - scale.gap, tuple(scale.ticks_on(self.y))
         strokes = path([[(edge - STROKE, y), (edge, y)] for y, _ in ticks], "muted thin")
         words = [
-            label((edge - BESIDE, y + UNDER), name, scale.tick_style, "end") for y, name in ticks
+            label((edge - BESIDE, y + UNDER), name, scale.tick_style, "end")
+            for y, name in ticks
+            if name
         ]
         if scale.title:
             place = (max(edge - TITLE_LEFT, 2.0), self.y.end - TITLE_ABOVE)

@@ -14,7 +14,7 @@ class Scale:
     name: str = ""
     unit: str = ""
     ticks: int | Sequence[float] | Sequence[Tick] = 6
-    """At most so many round numbers; or these; or these, each with its words."""
+    """At most so many round numbers; or these; or these, each with its words, which may be none."""
     grid: Sequence[float] = ()
     """Values with a faint line through the plot."""
     style: str = ""

@@ -46,8 +46,8 @@ def number_words(value: float) -> str:
 
 
 def log_name(value: float) -> str:
-    """``0.05``, ``200``, ``10⁻⁵``, ``2 × 10⁵``."""
-    if 1e-3 < value < 1e4 * (1 - NEAR):
+    """``0.001``, ``200``, ``10⁻⁵``, ``2 × 10⁵``."""
+    if 1e-3 * (1 - NEAR) <= value < 1e4 * (1 - NEAR):
         return number_words(float(f"{value:.6g}"))
     exponent = math.floor(math.log10(value) + NEAR)
     first = round(value / 10.0**exponent)

@@ -5,15 +5,24 @@ from collections.abc import Iterator
 
 import numpy as np
 
-from simulations.engine.drawing import Point, circle, dot, line, path, polyline, rectangle, text
+from simulations.engine.drawing import Point, circle, dot, rectangle, text
+from simulations.engine.plotting.axis import Axis
+from simulations.engine.plotting.legend import Entry, legend
+from simulations.engine.plotting.plot import Plot
+from simulations.engine.plotting.scale import Scale
 from simulations.models.arrays import Floats
 from simulations.models.sampling.prefilters import Prefilter, prefilter, transfer
 from simulations.scenes.aliasing.own import FIRST, Own
 from simulations.scenes.aliasing.pattern import SHOWN, Pattern, samples_shown
 
 WIDTH, HEIGHT = 400.0, 300.0
-LEFT, RIGHT = 22.0, 386.0
-MIDDLE, AMPLITUDE = 158.0, 78.0
+PLOT = Plot(Axis(0.0, SHOWN - 1.0, 22.0, 386.0), Axis(-1.15, 1.15, 248.0, 68.0))
+PIXELS = Scale(
+    "pixels from the left of the frame",
+    ticks=[(n, "" if n % 5 else str(n)) for n in range(SHOWN)],
+    style="muted small",
+    tick_style="muted small",
+)
 FINE = 24
 """Points of a curve to a pixel."""
 
@@ -74,7 +83,7 @@ def draw(pattern: Pattern, kernel: Prefilter) -> str:
         *_dots(samples / pattern.rate, pattern.wave(kernel, at + samples)),
         dot(knob, "world", 5) if (knob := crest(pattern)) else "",
     ]
-    return "".join((*parts, *_legend(filtered, alias is not None)))
+    return "".join((*parts, _legend(filtered, alias is not None)))
 
 
 def draw_own(own: Own, filtered: bool) -> str:
@@ -82,7 +91,7 @@ def draw_own(own: Own, filtered: bool) -> str:
     x = np.linspace(0, SHOWN - 1, own.curve.size)
     behind = 2 * own.filtered - 1 if filtered else None
     parts = [*_curves(x, 2 * own.curve - 1, behind, None), *_dots(own.places, 2 * own.samples - 1)]
-    return "".join((*parts, *_legend(filtered, aliased=False, name="light")))
+    return "".join((*parts, _legend(filtered, aliased=False, name="light")))
 
 
 def crest(pattern: Pattern) -> tuple[float, float] | None:
@@ -90,7 +99,7 @@ def crest(pattern: Pattern) -> tuple[float, float] | None:
     if pattern.kind != "stripes" or pattern.frequency == 0.0:
         return None
     pixels = crest_turns(pattern.phase_rad) / (pattern.frequency * pattern.rate)
-    return _place(pixels, 1.0) if pixels <= SHOWN - 1 else None
+    return PLOT.at(pixels, 1.0) if pixels <= SHOWN - 1 else None
 
 
 def crest_turns(phase_rad: float) -> float:
@@ -100,7 +109,7 @@ def crest_turns(phase_rad: float) -> float:
 
 def pixels_at(place: Point) -> float:
     """How far from the left a place of the panel is, in pixels."""
-    return (float(place[0]) - LEFT) / (RIGHT - LEFT) * (SHOWN - 1)
+    return PLOT.values(place)[0]
 
 
 def _fine(rate: float) -> Floats:
@@ -112,17 +121,18 @@ def _curves(
     x: Floats, wave: Floats, filtered: Floats | None, alias: Floats | None
 ) -> Iterator[str]:
     """``x`` in pixels."""
-    yield from _axis()
-    yield _curve(x, wave, "world thin" if filtered is None else "world thin faint")
+    yield PLOT.level(0.0, "muted thin")
+    yield PLOT.below(PIXELS)
+    yield PLOT.curve(x, wave, "world thin" if filtered is None else "world thin faint")
     if filtered is not None:
-        yield _curve(x, filtered, "light thin")
+        yield PLOT.curve(x, filtered, "light thin")
     if alias is not None:
-        yield _curve(x, alias, "error dashed")
+        yield PLOT.curve(x, alias, "error dashed")
 
 
 def _dots(x: Floats, samples: Floats) -> Iterator[str]:
     for place, value in zip(x.tolist(), samples.tolist(), strict=True):
-        yield dot(_place(place, value), "image", 4.0)
+        yield dot(PLOT.at(place, value), "image", 4.0)
 
 
 def alias_curve(pattern: Pattern, kernel: Prefilter, at: float) -> Floats | None:
@@ -143,34 +153,12 @@ def alias_curve(pattern: Pattern, kernel: Prefilter, at: float) -> Floats | None
     return transfer(kernel, local) * np.sin(phase - 2 * math.pi * whole * x)
 
 
-def _axis() -> Iterator[str]:
-    yield line(_place(0, 0.0), _place(SHOWN - 1, 0.0), "muted thin")
-    ticks = [[_place(n, -1.14), _place(n, -1.2)] for n in range(SHOWN)]
-    yield path(ticks, "muted thin")
-    for n in range(0, SHOWN, 5):
-        x, y = _place(n, -1.2)
-        yield text((x, y + 16), str(n), "muted small", "middle")
-    yield text((RIGHT, HEIGHT - 12), "pixels from the left of the frame", "muted small", "end")
-
-
-def _curve(x: Floats, wave: Floats, style: str) -> str:
-    return polyline([_place(a, b) for a, b in zip(x.tolist(), wave.tolist(), strict=True)], style)
-
-
-def _legend(filtered: bool, aliased: bool, name: str = "wave") -> Iterator[str]:
+def _legend(filtered: bool, aliased: bool, name: str = "wave") -> str:
     """One line of signs; what is not drawn is left out, and its place stays empty."""
-    y = 22.0
-    yield line((LEFT, y - 4.5), (LEFT + 20, y - 4.5), "world")
-    yield text((LEFT + 26, y), name, "world")
-    yield dot((LEFT + 82, y - 4.5), "image", 4.0)
-    yield text((LEFT + 92, y), "samples", "image")
-    if aliased:
-        yield line((LEFT + 160, y - 4.5), (LEFT + 184, y - 4.5), "error dashed")
-        yield text((LEFT + 190, y), "alias", "error")
-    if filtered:
-        yield line((LEFT + 240, y - 4.5), (LEFT + 262, y - 4.5), "light")
-        yield text((LEFT + 268, y), f"filtered {name}", "light")
-
-
-def _place(pixels: float, value: float) -> tuple[float, float]:
-    return (LEFT + (RIGHT - LEFT) * pixels / (SHOWN - 1), MIDDLE - AMPLITUDE * value)
+    entries = (
+        Entry(name, "world"),
+        Entry("samples", "image", "dot"),
+        Entry("alias", "error dashed", shown=aliased),
+        Entry(f"filtered {name}", "light", shown=filtered),
+    )
+    return legend((PLOT.x.start, 22.0), entries, room=PLOT.x.end - PLOT.x.start)

@@ -4,14 +4,15 @@ Both show the same piece of the axis, so that what lies above one another in the
 same place.
 """
 
-import math
-from collections.abc import Iterator
-from itertools import pairwise
+from collections.abc import Iterator, Sequence
+from dataclasses import replace
 
 import numpy as np
 
-from simulations.engine.drawing import Point, dot, line, path, text
-from simulations.engine.frame import format_number
+from simulations.engine.drawing import Point, dot, path, text
+from simulations.engine.plotting.axis import Axis
+from simulations.engine.plotting.plot import Plot
+from simulations.engine.plotting.scale import Scale
 from simulations.models.arrays import Floats
 from simulations.models.lens.singlet import Rays
 from simulations.scenes.real_lens.stages import HEIGHTS_MM, Glass
@@ -20,141 +21,101 @@ WIDTH = 400.0
 LEFT, RIGHT, TOP, FLOOR = 40.0, 388.0, 26.0, 240.0
 BEFORE_MM, BEHIND_MM = 20.0, 9.0
 """How much of the axis is shown on either side of the thick lens's image."""
-ASIDE_MM = 3.0
-"""How far from the axis the second panel reaches."""
-HIGHEST_MM = 20.0
-
-
-def column(glass: Glass, along_mm: float) -> float | None:
-    """Of a place on the axis; None outside the plots, or where there is no image."""
-    if not glass.real:
-        return None
-    share = (along_mm - glass.paraxial_mm + BEFORE_MM) / (BEFORE_MM + BEHIND_MM)
-    return LEFT + (RIGHT - LEFT) * share if 0.0 <= share <= 1.0 else None
-
-
-def row(height_mm: float) -> float:
-    """Of a ray's height, in the third panel."""
-    return FLOOR - (FLOOR - TOP) * height_mm / HIGHEST_MM
+ASIDE = Axis(-3.0, 3.0, FLOOR, TOP)
+"""Millimetres from the axis, in the second panel."""
+HEIGHTS = Axis(0.0, 20.0, FLOOR, TOP)
+"""Of rays, in the third."""
+ALONG = Scale("mm behind the lens’s middle", ticks=7, style="small", tick_style="muted small")
 
 
 def height_at(place: Point) -> float:
-    """The inverse of `row`."""
-    return HIGHEST_MM * (FLOOR - float(place[1])) / (FLOOR - TOP)
+    """The height of a ray that is drawn at a place of the third panel."""
+    return HEIGHTS.value(float(place[1]))
 
 
 def close(glass: Glass, fan: Rays, marked: Rays) -> str:
     """The rays around the image; heights are drawn larger than lengths."""
-    middle = 0.5 * (TOP + FLOOR)
+    plot = _plot(glass, ASIDE)
     parts = [
-        *_frame(glass),
-        line((LEFT, middle), (RIGHT, middle), "muted thin dashed"),
-        text((LEFT - 28, TOP - 10), "mm from the axis", "small"),
+        *_frame(glass, plot, "mm from the axis", (-2, 2) if glass.real else ()),
+        plot.level(0.0),
     ]
     if glass.real:
         parts += [
-            path(_close_ways(glass, fan), "light thin"),
-            path(_close_ways(glass, marked), "ray bold"),
-            *_models(glass),
-            *_crossing(glass, marked, middle),
+            _ways(glass, plot, fan, "light thin"),
+            _ways(glass, plot, marked, "ray bold"),
+            *_models(glass, plot),
+            *_crossing(plot, marked, 0.0),
         ]
-        for up in (-2, 2):
-            y = middle - up * (FLOOR - TOP) / (2.0 * ASIDE_MM)
-            parts.append(text((LEFT - 6, y + 4), format_number(up, 0), "muted small", "end"))
     return "".join(parts)
 
 
 def aberration(glass: Glass, curve: Floats, height: float, marked: Rays, opening: float) -> str:
     """Where rays cross the axis, by their height: a real lens, and the two lines of the models."""
-    parts = [*_frame(glass)]
-    for tick in (0, 5, 10, 15, 20):
-        parts.append(text((LEFT - 6, row(tick) + 4), f"{tick}", "muted small", "end"))
-    parts.append(line((LEFT, row(opening)), (RIGHT, row(opening)), "thin dashed"))
-    parts.append(text((RIGHT, row(opening) - 5), "opening", "small halo", "end"))
+    plot = _plot(glass, HEIGHTS)
+    parts = [
+        *_frame(glass, plot, "height h, mm", (0, 5, 10, 15, 20)),
+        plot.level(opening, "thin dashed"),
+        text((RIGHT, HEIGHTS.place(opening) - 5), "opening", "small halo", "end"),
+    ]
     if glass.real:
-        parts += [*_models(glass), path(_stretches(glass, curve), "light bold")]
-    parts += [*_crossing(glass, marked, row(height))]
-    parts.append(text((LEFT - 28, TOP - 10), "height h, mm", "small"))
+        parts += [*_models(glass, plot), plot.curve(curve, HEIGHTS_MM, "light bold")]
+        parts += _crossing(plot, marked, height)
     return "".join(parts)
 
 
 def mark(glass: Glass, marked: Rays, height: float) -> tuple[float, float]:
     """Of the marked ray in the third panel: on the axis of heights where it does not cross."""
-    place = _column_of(glass, marked)
-    return (LEFT if place is None else place, row(height))
+    plot = _plot(glass, HEIGHTS)
+    crosses = _crosses_within(plot, marked) if glass.real else None
+    return plot.at(plot.x.low if crosses is None else crosses, height)
 
 
-def _column_of(glass: Glass, marked: Rays) -> float | None:
-    along = float(marked.crossing_mm[0])
-    return column(glass, along) if math.isfinite(along) else None
+def _plot(glass: Glass, up: Axis) -> Plot:
+    """Around the image; where there is none, nothing is placed along the axis."""
+    image_mm = glass.paraxial_mm if glass.real else 0.0
+    return Plot(Axis(image_mm - BEFORE_MM, image_mm + BEHIND_MM, LEFT, RIGHT), up)
 
 
-def _frame(glass: Glass) -> Iterator[str]:
-    yield path([[(LEFT, TOP), (LEFT, FLOOR), (RIGHT, FLOOR)]], "muted")
+def _frame(glass: Glass, plot: Plot, name: str, ticks: Sequence[float]) -> Iterator[str]:
+    yield plot.axes()
+    yield plot.beside(Scale(name, ticks=ticks, style="small", tick_style="muted small"))
+    yield plot.below(ALONG if glass.real else replace(ALONG, name="", ticks=()))
     if not glass.real:
         middle = (0.5 * (LEFT + RIGHT), 0.5 * (TOP + FLOOR) - 16)
         yield text(middle, "no image behind this lens", "error halo", "middle")
-        return
-    first = math.ceil((glass.paraxial_mm - BEFORE_MM) / 5.0)
-    last = math.floor((glass.paraxial_mm + BEHIND_MM) / 5.0)
-    for tick in range(first, last + 1):
-        x = column(glass, 5.0 * tick)
-        if x is not None:
-            yield line((x, FLOOR), (x, FLOOR + 5), "muted thin")
-            yield text((x, FLOOR + 20), f"{5 * tick}", "muted small", "middle")
-    yield text((RIGHT, FLOOR + 42), "mm behind the lens’s middle", "small", "end")
 
 
-def _models(glass: Glass) -> Iterator[str]:
+def _models(glass: Glass, plot: Plot) -> Iterator[str]:
     """The images of the thin lens and of the thick one."""
     names = (("thin", glass.thin_mm, "muted"), ("thick", glass.paraxial_mm, "image"))
     for name, along, role in names:
-        x = column(glass, along)
-        if x is not None:
-            yield line((x, TOP), (x, FLOOR), f"{role} dashed")
+        if plot.x.low <= along <= plot.x.high:
+            yield plot.upright(along, f"{role} dashed")
             side = "end" if glass.thin_mm < glass.paraxial_mm else "start"
             anchor = side if name == "thin" else {"end": "start", "start": "end"}[side]
             shift = 4 if anchor == "start" else -4
-            yield text((x + shift, FLOOR - 6), name, f"{role} small halo", anchor)
+            place = (plot.x.place(along) + shift, FLOOR - 6)
+            yield text(place, name, f"{role} small halo", anchor)
 
 
-def _crossing(glass: Glass, marked: Rays, y: float) -> Iterator[str]:
-    x = _column_of(glass, marked)
-    if x is not None:
-        yield dot((x, y), "ray", 5)
+def _crosses_within(plot: Plot, marked: Rays) -> float | None:
+    """Where the marked ray crosses the axis, if it does so within the plot."""
+    along = float(marked.crossing_mm[0])
+    return along if plot.x.low <= along <= plot.x.high else None
 
 
-def _close_ways(glass: Glass, rays: Rays) -> list[list[tuple[float, float]]]:
-    """Of each ray the piece that lies in the second panel."""
-    middle, per_mm = 0.5 * (TOP + FLOOR), (FLOOR - TOP) / (2.0 * ASIDE_MM)
-    first = max(glass.paraxial_mm - BEFORE_MM, glass.lens.thickness_mm / 2.0)
-    last = glass.paraxial_mm + BEHIND_MM
-    pieces = []
-    for (x, y), slope in zip(rays.back, rays.slope, strict=True):
-        if not math.isfinite(slope):
-            continue
-        start, end = max(first, float(x)), last
-        if abs(slope) > 1e-12:
-            bounds = sorted(
-                float(x) + (side * ASIDE_MM - float(y)) / float(slope) for side in (-1, 1)
-            )
-            start, end = max(start, bounds[0]), min(end, bounds[1])
-        elif abs(y) > ASIDE_MM:
-            continue
-        if end > start:
-            ends = [(column(glass, a), float(y + slope * (a - x))) for a in (start, end)]
-            pieces.append([(c, middle - per_mm * h) for c, h in ends if c is not None])
-    return [piece for piece in pieces if len(piece) == 2]
+def _crossing(plot: Plot, marked: Rays, height: float) -> Iterator[str]:
+    along = _crosses_within(plot, marked)
+    if along is not None:
+        yield dot(plot.at(along, height), "ray", 5)
 
 
-def _stretches(glass: Glass, curve: Floats) -> list[list[tuple[float, float]]]:
-    """The pieces of the curve that lie in the plot."""
-    places = [
-        (column(glass, along) if np.isfinite(along) else None, row(height))
-        for along, height in zip(curve.tolist(), HEIGHTS_MM.tolist(), strict=True)
-    ]
-    return [
-        [(one[0], one[1]), (other[0], other[1])]
-        for one, other in pairwise(places)
-        if one[0] is not None and other[0] is not None
-    ]
+def _ways(glass: Glass, plot: Plot, rays: Rays, style: str) -> str:
+    """Of each ray the piece behind the lens that lies in the second panel."""
+    behind = max(plot.x.low, glass.lens.thickness_mm / 2.0)
+    runs = []
+    for (x, y), slope in zip(rays.back.tolist(), rays.slope.tolist(), strict=True):
+        ends = np.array([max(behind, x), plot.x.high])
+        runs += plot.pieces(ends, y + slope * (ends - x))
+    return path(runs, style) if runs else ""

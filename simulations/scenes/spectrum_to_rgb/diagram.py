@@ -5,7 +5,10 @@ from functools import cache
 
 import numpy as np
 
-from simulations.engine.drawing import Point, circle, dot, path, polygon, polyline, text
+from simulations.engine.drawing import Point, circle, dot, polygon, polyline, text
+from simulations.engine.plotting.axis import Axis
+from simulations.engine.plotting.plot import Plot
+from simulations.engine.plotting.scale import Scale
 from simulations.models.arrays import Floats
 from simulations.models.color.chromaticity import xyz_to_xyy
 from simulations.models.color.cie import D65_XY, SRGB_PRIMARIES_XY
@@ -13,9 +16,9 @@ from simulations.models.color.illuminants import DAYLIGHT_K
 from simulations.models.color.observer import matching_functions, tristimulus
 from simulations.scenes.spectrum_to_rgb.stages import light_of
 
-LEFT, FLOOR = 44.0, 284.0
-SCALE = 310.0
-"""Units of the view box per unit of x and of y."""
+PLOT = Plot(Axis(0.0, 0.82, 44.0, 298.2), Axis(0.0, 0.88, 284.0, 11.2))
+"""310 units of the view box per unit of x and of y."""
+TICKS = Scale(ticks=(0.2, 0.4, 0.6, 0.8), grid=(0.2, 0.4, 0.6, 0.8))
 PURE_NM = np.arange(420.0, 641.0, 4.0)
 """Pure colours that the edge is drawn through: beyond these it hardly moves, and the fits stray."""
 MARKED_NM = {460: "end", 480: "end", 500: "start", 520: "middle", 560: "start", 600: "start"}
@@ -26,7 +29,7 @@ TEMPERATURES_K = np.arange(2000.0, 12001.0, 50.0)
 
 def at(xy: Point) -> tuple[float, float]:
     """View box units of a chromaticity."""
-    return LEFT + SCALE * float(xy[0]), FLOOR - SCALE * float(xy[1])
+    return PLOT.at(float(xy[0]), float(xy[1]))
 
 
 @cache
@@ -69,27 +72,15 @@ def _ground() -> str:
     """Axes, the edge of all colours, and the display's triangle."""
     edge = xyz_to_xyy(matching_functions(PURE_NM))[:, :2]
     marked = xyz_to_xyy(matching_functions(np.array(list(MARKED_NM))))[:, :2]
-    ticks = [0.2, 0.4, 0.6, 0.8]
+    corner = at((0, 0))
     parts = [
-        path([[at((0, 0.88)), at((0, 0)), at((0.82, 0))]], "muted"),
-        path(
-            [
-                line
-                for t in ticks
-                for line in ([at((t, 0)), at((t, 0.85))], [at((0, t)), at((0.8, t))])
-            ],
-            "muted thin faint",
-        ),
+        PLOT.frame(TICKS, TICKS),
+        text((PLOT.x.end + 8, corner[1] + 19), "x", "italic"),
+        text((corner[0] - 8, PLOT.y.end + 2), "y", "italic", "end"),
         polygon([at(xy) for xy in edge], "world thin"),
         polygon([at(xy) for xy in SRGB_PRIMARIES_XY], "image fill thin"),
         text(at((0.30, 0.615)), "sRGB", "image small halo", "middle"),
     ]
-    for tick in ticks:
-        x, y = at((tick, 0))[0], at((0, tick))[1]
-        parts.append(text((x, FLOOR + 18), f"{tick:g}", "muted", "middle"))
-        parts.append(text((LEFT - 7, y + 4.5), f"{tick:g}", "muted", "end"))
-    parts.append(text((LEFT + 0.86 * SCALE, FLOOR + 18), "x", "italic", "middle"))
-    parts.append(text((LEFT - 12, FLOOR - 0.87 * SCALE), "y", "italic", "end"))
     for (nm, side), xy in zip(MARKED_NM.items(), marked, strict=True):
         x, y = at(xy)
         shift = {"end": -7.0, "middle": 0.0, "start": 7.0}[side]

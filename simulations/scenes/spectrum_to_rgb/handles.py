@@ -6,7 +6,7 @@ from simulations.engine.controls import Value
 from simulations.engine.handles import Handle, Point
 from simulations.engine.stages import Outputs
 from simulations.scenes.spectrum_to_rgb import diagram, patches, spectra
-from simulations.scenes.spectrum_to_rgb.axes import wavelength_at
+from simulations.scenes.spectrum_to_rgb.axes import PLOT
 from simulations.scenes.spectrum_to_rgb.settings import Settings
 
 WITH_TEMPERATURE = ("planck", "daylight")
@@ -27,7 +27,7 @@ def _band(settings: Settings, _outputs: Outputs) -> Point | None:
 
 
 def _band_pulled(_settings: Settings, place: Point) -> Mapping[str, Value]:
-    return {"band": wavelength_at(place)}
+    return {"band": PLOT.values(place)[0]}
 
 
 def _width(settings: Settings, _outputs: Outputs) -> Point | None:

@@ -3,11 +3,11 @@
 import math
 from collections.abc import Iterator
 
-from simulations.engine.drawing import Point, dot, polygon, polyline, text
+from simulations.engine.drawing import Point, dot, text
 from simulations.models.arrays import Floats
 from simulations.models.color.spectra import WAVELENGTHS_NM
 from simulations.models.color.surfaces import LEAST, MOST
-from simulations.scenes.spectrum_to_rgb.axes import area, at, axes, curve, wavelength_at
+from simulations.scenes.spectrum_to_rgb.axes import PLOT, area, axes, curve
 
 HALF_HEIGHT = math.sqrt(2.0 * math.log(2.0))
 """Standard deviations from the peak of a bell to half its height."""
@@ -21,10 +21,10 @@ def light_and_surface(light: Floats, pair: Floats, *, twin: bool, cloth: bool) -
     height = light / light.max()
     parts = [
         axes(),
-        polygon(area(height * pair[0]), "ray fill thin"),
-        polyline(curve(height), "light"),
-        polyline(curve(pair[1]), "world dashed") if twin else "",
-        polyline(curve(pair[0]), "world bold"),
+        area(height * pair[0], "ray fill thin"),
+        curve(height, "light"),
+        curve(pair[1], "world dashed") if twin else "",
+        curve(pair[0], "world bold"),
         text((40, LEGEND), "light", "light strong"),
         text((92, LEGEND), "× surface", "world strong"),
         text((178, LEGEND), "= what it sends back", "ray strong"),
@@ -39,17 +39,17 @@ def light_and_surface(light: Floats, pair: Floats, *, twin: bool, cloth: bool) -
 
 def band_mark(band_nm: float) -> tuple[float, float]:
     """Where the cloth's band peaks."""
-    return at(band_nm, MOST)
+    return PLOT.at(band_nm, MOST)
 
 
 def width_mark(band_nm: float, width_nm: float) -> tuple[float, float]:
     """Where the band has fallen to half its height, to the right."""
-    return at(band_nm + HALF_HEIGHT * width_nm, 0.5 * (LEAST + MOST))
+    return PLOT.at(band_nm + HALF_HEIGHT * width_nm, 0.5 * (LEAST + MOST))
 
 
 def width_at(place: Point, band_nm: float) -> float:
     """The width at which the band would have half its height at a place."""
-    return (wavelength_at(place) - band_nm) / HALF_HEIGHT
+    return (PLOT.values(place)[0] - band_nm) / HALF_HEIGHT
 
 
 def sensed(light: Floats, reflectance: Floats, curves: Floats, sensor: str, raw: Floats) -> str:
@@ -57,8 +57,8 @@ def sensed(light: Floats, reflectance: Floats, curves: Floats, sensor: str, raw:
     back = light / light.max() * reflectance
     scale = curves.max()
     parts = [axes()]
-    parts += [polygon(area(back * each / scale), "image fill thin") for each in curves.T]
-    parts += [polyline(curve(each / scale), "camera thin") for each in curves.T]
+    parts += [area(back * each / scale, "image fill thin") for each in curves.T]
+    parts += [curve(each / scale, "camera thin") for each in curves.T]
     parts += _letters(curves / scale, LETTERS[sensor])
     sums = ", ".join(
         f"{letter} {value:.2f}" for letter, value in zip(LETTERS[sensor], raw, strict=True)
@@ -72,5 +72,5 @@ def _letters(curves: Floats, letters: tuple[str, ...]) -> Iterator[str]:
     """The name of each curve above its peak."""
     for each, letter in zip(curves.T, letters, strict=True):
         peak = int(each.argmax())
-        x, y = at(float(WAVELENGTHS_NM[peak]), float(each[peak]))
+        x, y = PLOT.at(float(WAVELENGTHS_NM[peak]), float(each[peak]))
         yield text((x, y - 6), letter, "camera halo", "middle")

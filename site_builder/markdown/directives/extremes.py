@@ -72,7 +72,7 @@ def _row(table: HardCases, case: HardCase) -> HardCaseRow:
 EXTREMES = Directive(
     name="extremes",
     says="the hard cases of a model",
-    argument=Argument("model", "names no table", tuple(MODULES), "table of extremes"),
+    argument=Argument("model", "names no table", MODULES, "table of extremes"),
     body=no_body("the table speaks alone"),
     read=read_hard_cases,
     template="extremes",

@@ -61,7 +61,7 @@ def illustration_of(draw: Callable[[], Illustration]) -> Illustration:
 ILLUSTRATION = Directive(
     name="illustration",
     says="a drawing made by the book's models",
-    argument=Argument("name", "names no drawing", tuple(MODULES), "illustration"),
+    argument=Argument("name", "names no drawing", MODULES, "illustration"),
     options=(
         OptionLine("alt", says="what it shows, instead of its own description"),
         LABEL,

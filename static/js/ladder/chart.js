@@ -1,9 +1,9 @@
 /**
  * The reader's own points in the chart of a ladder. The axes come from the builder, which drew
- * the rest: `position` is `Axis.position` of the builder's axes.py.
+ * the rest: `position` is `ChartAxis.position` of the builder's axes.py.
  *
- * @typedef {{low: number, high: number, start: number, end: number, log: boolean,
- *   none: number | null}} Axis
+ * @typedef {{low: number, high: number, start: number, end: number, log: boolean}} Scale
+ * @typedef {{scale: Scale, none: number | null}} Axis
  */
 
 const SVG = "http://www.w3.org/2000/svg";
@@ -35,12 +35,14 @@ export function addPoint(group, result, { time, error, metrics }) {
  * @param {Axis} axis
  * @param {number} value
  */
-export function position(axis, value) {
-  const isNone = axis.log ? value <= 0 : !Number.isFinite(value);
-  if (isNone && axis.none !== null) return axis.none;
-  const scaled = axis.log ? Math.log10(value) : value;
-  const inside = Math.min(Math.max(scaled, axis.low), axis.high);
-  return axis.start + ((inside - axis.low) / (axis.high - axis.low)) * (axis.end - axis.start);
+export function position({ scale, none }, value) {
+  const isNone = scale.log ? value <= 0 : !Number.isFinite(value);
+  if (isNone && none !== null) return none;
+  const inside = Math.min(Math.max(value, scale.low), scale.high);
+  const [at, low, high] = [inside, scale.low, scale.high].map((end) =>
+    scale.log ? Math.log10(end) : end,
+  );
+  return scale.start + ((at - low) / (high - low)) * (scale.end - scale.start);
 }
 
 /**
@@ -49,9 +51,8 @@ export function position(axis, value) {
  * @param {Axis} axis
  * @param {number} value
  */
-function sideOf(axis, value) {
-  const scaled = axis.log ? Math.log10(value) : value;
-  return scaled < axis.low ? -1 : scaled > axis.high ? 1 : 0;
+function sideOf({ scale }, value) {
+  return value < scale.low ? -1 : value > scale.high ? 1 : 0;
 }
 
 /**

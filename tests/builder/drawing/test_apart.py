@@ -3,11 +3,13 @@
 import os
 import signal
 import time
+from importlib import import_module
+from pathlib import Path
 
 import numpy as np
 import pytest
+from support.small_package import PACKAGE, small_package
 
-from simulations.models.require import require_positive
 from site_builder.blame import place_of
 from site_builder.drawing.apart import LimitError, Limits, apart, in_time, limited
 
@@ -82,10 +84,13 @@ def test_an_error_that_cannot_be_sent_is_told_in_words() -> None:
         apart(fail)
 
 
-def test_the_place_of_an_error_comes_back_with_it() -> None:
-    with limited(Limits()), pytest.raises(ValueError) as raised:  # noqa: PT011
-        apart(lambda: require_positive("depth", -1.0))
-    assert place_of(raised.value).startswith("simulations/models/require.py:")
+def test_the_place_of_an_error_comes_back_with_it(tmp_path: Path) -> None:
+    optics = "def focus():\n    raise ValueError('no image')\n"
+    with small_package(tmp_path, {"optics": optics}):
+        focus = import_module(f"{PACKAGE}.optics").focus
+        with limited(Limits()), pytest.raises(ValueError, match="no image") as raised:
+            apart(focus)
+    assert place_of(raised.value).endswith("small/optics.py:2")
 
 
 def test_nothing_is_left_running() -> None:

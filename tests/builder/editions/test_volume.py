@@ -9,8 +9,9 @@ from typing import Any
 import pytest
 from pypdf import PdfReader
 
-from simulations.engine.scene import Scene
-from simulations.registry import load_scene
+from simulations.engine.drawing import line
+from simulations.engine.frame import Frame
+from simulations.engine.stages import Outputs
 from site_builder.build import Options
 from site_builder.editions.compose import compose
 from site_builder.editions.pdf import anchor_pages, make_pdf
@@ -35,15 +36,19 @@ def test_nothing_is_left_that_needs_a_hand(make_book: MakeBook, body: str) -> No
 
 
 def test_a_figure_shows_its_main_control_at_several_values(make_book: MakeBook, body: str) -> None:
-    options = make_book(body + ":::{simulation} lens-distortion\n:k1: 0.1\n:::\n")
-    own = options.load_scene
+    options = make_book(body.replace("{simulation} demo", "{simulation} demo\n:k1: 0.1"))
 
-    def either(scene: str) -> Scene[Any]:
-        return own(scene) if scene == "demo" else load_scene(scene)
+    demo = options.load_scene("demo")
 
-    article = compose(replace(options, load_scene=either)).sections[0].article
+    def follow(settings: Any, outputs: Outputs) -> Frame:
+        frame = demo.draw(settings, outputs)
+        turned = replace(frame.panels[1], overlay=line((0, 0), (100 * settings.k1, 10)))
+        return replace(frame, panels=(frame.panels[0], turned))
+
+    scene = replace(demo, draw=follow)
+    article = compose(replace(options, load_scene=lambda _id: scene)).sections[0].article
     values = [words(item) for item in elements(article, kind="multiple-value")]
-    assert values == ["k₁: −0.20", "k₁: 0.10", "k₁: 0.30"]
+    assert values == ["Distortion: −0.20 px", "Distortion: 0.10 px", "Distortion: 0.30 px"]
 
 
 def test_every_id_of_the_whole_is_unique_and_every_link_leads_to_one(

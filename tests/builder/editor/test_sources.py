@@ -1,16 +1,41 @@
 """The Python of a scene, as its readers open it."""
 
 import json
+from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
 import pytest
+from support.small_package import PACKAGE, small_package
 
+from simulations.editing import definitions
 from simulations.registry import SCENE_MODULES, load_scene
 from site_builder.editor.sources import read_module, scene_sources, uses_of
 
 ROOT = Path(__file__).resolve().parents[3]
-STAGES = "simulations.scenes.bayer_demosaic.stages"
+OPTICS = """\
+INDEX = 1.5
+
+
+def bend(angle):
+    return angle / INDEX
+
+
+def spread(bend):
+    return 2 * bend
+"""
+FIGURE = """\
+from simulations.small import optics
+from simulations.small.optics import spread as widened
+
+
+def both(spread):
+    return optics.bend(spread) + widened(spread)
+
+
+def one(optics):
+    return optics.bend
+"""
 
 
 def sources(scene_id: str) -> Any:
@@ -36,15 +61,27 @@ def test_all_that_a_scene_names_can_be_opened(scene_id: str) -> None:
     ]
 
 
-def test_what_a_definition_uses_is_found_through_imports_of_modules_and_names() -> None:
-    assert list(uses_of("simulations.scenes.jpeg.stages:_coded")) == [
-        "simulations.models.compression.jpeg:Coded",
-        "simulations.models.compression.jpeg:encode",
-        "simulations.models.compression.cosine_transforms:TRANSFORMS",
+@pytest.fixture
+def small(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[str]:
+    """Two modules that readers may rewrite; the name of their package."""
+    monkeypatch.setattr(definitions, "ROOMS", ("small",))
+    with small_package(tmp_path, {"optics": OPTICS, "figure": FIGURE}):
+        yield PACKAGE
+    read_module.cache_clear()
+
+
+def test_what_a_definition_uses_is_found_through_imports_of_modules_and_names(small: str) -> None:
+    assert list(uses_of(f"{small}.figure:both")) == [
+        f"{small}.optics:bend",
+        f"{small}.optics:spread",
     ]
 
 
-def test_the_name_of_an_argument_is_no_use_of_what_the_module_calls_so() -> None:
-    module = read_module(STAGES)
-    assert "demosaic" in module.imported
-    assert "demosaic" not in {key.partition(":")[2] for key in uses_of(f"{STAGES}:_mosaic_alone")}
+def test_what_it_uses_of_its_own_module_is_found(small: str) -> None:
+    assert list(uses_of(f"{small}.optics:bend")) == [f"{small}.optics:INDEX"]
+
+
+def test_the_name_of_an_argument_is_no_use_of_what_the_module_calls_so(small: str) -> None:
+    assert "optics" in read_module(f"{small}.figure").imported
+    assert list(uses_of(f"{small}.figure:one")) == []
+    assert list(uses_of(f"{small}.optics:spread")) == []

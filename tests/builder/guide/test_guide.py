@@ -8,14 +8,16 @@ from dataclasses import replace
 from pathlib import Path
 
 import pytest
+from playwright.sync_api import Browser
 from support.html_outline import read_html
+from support.static_server import serving
 
 from site_builder.book_root import ENGINE, VARIABLE
-from site_builder.guide.book import write_guide
+from site_builder.guide.book import guide_files, write_guide
 from site_builder.guide.classes import read_classes
+from site_builder.guide.film import RATE_HZ, SECONDS, SIZE, falling_ball, webm
 from site_builder.guide.pages import (
     EXAMPLES,
-    NOT_HERE,
     NoExampleError,
     directive_page,
     read_examples,
@@ -55,7 +57,7 @@ def test_every_declared_thing_is_used_in_the_built_text(guide: Path) -> None:
     page = directive_page()
     listings = re.sub(r"^(````|```).*?^\1$", "", page, flags=re.MULTILINE | re.DOTALL)
     used = set(re.findall(r"^:+\{([\w-]+)\}", listings, re.MULTILINE))
-    assert used == {item.name for item in DIRECTIVES} - set(NOT_HERE)
+    assert used == {item.name for item in DIRECTIVES}
 
 
 def test_there_is_a_question_of_each_kind() -> None:
@@ -83,6 +85,56 @@ def test_the_classes_of_drawings_are_those_of_the_style_sheet() -> None:
     assert {"world", "camera", "ray", "image", "light", "error", "muted"} == set(classes.roles)
     assert {"thin", "bold", "dashed", "faint", "fill", "solid"} <= set(classes.manners)
     assert {"small", "strong", "italic", "halo"} <= set(classes.texts)
+
+
+def test_every_option_of_a_directive_is_in_its_section() -> None:
+    flags = re.MULTILINE | re.DOTALL
+    sections = dict(re.findall(r"^## ([\w-]+)\n(.*?)(?=^## |\Z)", directive_page(), flags))
+    for directive in DIRECTIVES:
+        for option in directive.options:
+            assert f"| `:{option.name}:` |" in sections[directive.name], directive.name
+
+
+def test_every_class_that_a_drawing_may_have_is_on_the_page_of_drawings() -> None:
+    sheets = ("overlay", "illustrations")
+    css = "".join((ENGINE / "static" / "css" / f"{name}.css").read_text("utf-8") for name in sheets)
+    rules = re.findall(r"^\.overlay (?!>)([^{]+) \{", css, re.MULTILINE)
+    styled = {name for rule in rules for name in re.findall(r"\.([a-z-]+)", rule)}
+    assert {"world", "dashed", "halo", "on-swatch", "sub"} <= styled
+    page = guide_files()["content/05-drawings.md"].decode()
+    assert {name for name in styled if f"`{name}`" not in page} == set()
+
+
+def test_every_colour_role_can_be_written_in_a_sentence() -> None:
+    classes = read_classes(ENGINE / "static" / "css" / "overlay.css")
+    assert set(classes.roles) <= {role.name for role in ROLES}
+
+
+def test_its_film_is_as_long_as_its_frames_and_holds_each() -> None:
+    frames = falling_ball()
+    film = webm(frames, RATE_HZ)
+    assert film == webm(frames, RATE_HZ)
+    assert film.startswith(b"\x1a\x45\xdf\xa3")
+    assert film.count(b"\x9d\x01\x2a") == len(frames), "the start code of each key frame"
+
+
+@pytest.mark.browser
+def test_its_film_plays_in_the_browser_with_its_captions(guide: Path, chromium: Browser) -> None:
+    with serving(guide) as server, chromium.new_context() as context:
+        page = context.new_page()
+        page.goto(f"{server.url}directives/", wait_until="domcontentloaded")
+        found = page.locator("video").evaluate(
+            """async (film) => {
+                film.muted = true;
+                await film.play();
+                await new Promise((done) => { film.onended = done; setTimeout(done, 10000); });
+                const cues = [...film.textTracks[0].cues].map((cue) => cue.text);
+                return { cues, ended: film.ended, seconds: film.duration, width: film.videoWidth };
+            }"""
+        )
+    assert (found["ended"], found["width"]) == (True, SIZE[0])
+    assert found["seconds"] == pytest.approx(SECONDS, abs=0.2)
+    assert found["cues"][0] == "In its first second the ball falls five metres."
 
 
 def test_a_guide_written_again_leaves_what_is_the_same(tmp_path: Path) -> None:

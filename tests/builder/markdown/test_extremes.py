@@ -2,18 +2,61 @@
 
 from collections.abc import Callable
 
-from simulations.engine.hard_cases import answer, show
-from simulations.hard_cases import projection
+import pytest
+
+from simulations.engine.hard_cases import HardCase, HardCases, LibraryAnswer, near, refused
 from site_builder.build import Options, render_site
+from site_builder.markdown.directives import extremes
 
 
-def test_a_table_shows_every_case_and_its_answer(make_book: Callable[..., Options]) -> None:
-    options = make_book(":::{extremes} projection\n:::\n")
-    page = render_site(options)["first/index.html"]
-    assert isinstance(page, bytes)
-    text = page.decode()
-    for case in projection.TABLE.cases:
-        assert f'id="extremes-projection-{case.id}"' in text
-    first = projection.TABLE.cases[0]
-    assert show(answer(projection.TABLE, first)) in text
-    assert "[320, 240]" in text, "the library's answer"
+def half_of(length: float) -> float:
+    if length < 0:
+        raise ValueError(f"length={length:g}; legal: 0 or more")
+    return length / 2
+
+
+TABLE = HardCases(
+    id="halves",
+    title="Halving a length",
+    names={"half_of": half_of},
+    cases=(
+        HardCase(
+            id="odd",
+            call="half_of(641)",
+            why="no whole number",
+            returns="the fraction",
+            expected=near(320.5),
+            naive="641 // 2",
+            library=LibraryAnswer("numpy.divide(641, 2)", "[320, 240]"),
+        ),
+        HardCase(
+            id="less-than-nothing",
+            call="half_of(-1)",
+            why="no length at all",
+            returns="a refusal",
+            expected=refused("length"),
+        ),
+    ),
+)
+
+
+@pytest.fixture
+def page(make_book: Callable[..., Options], monkeypatch: pytest.MonkeyPatch) -> str:
+    """With this file's table, as if it lay where a book has its tables."""
+    monkeypatch.setitem(extremes.MODULES, "halves", __name__)
+    html = render_site(make_book(":::{extremes} halves\n:::\n"))["first/index.html"]
+    assert isinstance(html, bytes)
+    return html.decode()
+
+
+def test_a_table_shows_every_case_and_what_is_asked(page: str) -> None:
+    for case in TABLE.cases:
+        assert f'id="extremes-halves-{case.id}"' in page
+        assert case.call in page
+
+
+def test_it_shows_what_the_model_answers_and_what_others_do(page: str) -> None:
+    assert "320.5" in page
+    assert "ValueError: length=-1; legal: 0 or more" in page
+    assert ">320<" in page, "the textbook's formula"
+    assert "[320, 240]" in page, "the library's answer"

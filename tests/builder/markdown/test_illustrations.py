@@ -1,19 +1,32 @@
 """Illustrations in a page: drawn, told in words, captioned; every mistake has its place."""
 
+import sys
 from collections.abc import Callable
 from dataclasses import replace
 
 import pytest
-from support.found import ILLUSTRATIONS
 
+from simulations.engine.drawing import polygon
 from simulations.engine.frame import Panel
 from simulations.engine.illustration import Illustration
-from simulations.illustrations import similar_triangles
 from site_builder.build import Options, render_site
+from site_builder.markdown.directives import illustration
 
 NAME = "similar-triangles"
 CAPTION = "Two *triangles*.\n:::\n"
 type Find = Callable[..., list[str]]
+
+
+def draw() -> Illustration:
+    triangles = "".join(polygon([(0, 0), (size, 0), (0, size)]) for size in (30, 60))
+    panel = Panel("plan", "Plan", 400, 300, overlay=triangles)
+    return Illustration((panel,), "One triangle has twice the sides of the other.")
+
+
+@pytest.fixture(autouse=True)
+def _of_the_book(monkeypatch: pytest.MonkeyPatch) -> None:
+    """This file's ``draw``, as if it lay where a book has its illustrations."""
+    monkeypatch.setitem(illustration.MODULES, NAME, __name__)
 
 
 @pytest.fixture
@@ -28,7 +41,7 @@ def page(make_book: Callable[..., Options]) -> Callable[[str], str]:
 
 def test_a_page_shows_the_drawing_its_words_and_its_caption(page: Callable[[str], str]) -> None:
     html = page(f":::{{illustration}} {NAME}\n{CAPTION}")
-    drawn = ILLUSTRATIONS[NAME]()
+    drawn = draw()
     assert f'id="figure-{NAME}"' in html
     assert drawn.panels[0].overlay in html
     assert f'aria-label="{drawn.description}"' in html
@@ -68,10 +81,10 @@ def test_a_mistake_is_told_with_its_line(mistakes: Find, body: str, message: str
 def test_a_drawing_that_fails_is_the_author_s_to_see(
     mistakes: Find, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    def draw() -> Illustration:
+    def tell_nothing() -> Illustration:
         return replace(Illustration((Panel("a", "", 1, 1),), "Shows."), description="")
 
-    monkeypatch.setattr(similar_triangles, "draw", draw)
+    monkeypatch.setattr(sys.modules[__name__], "draw", tell_nothing)
     found = mistakes(f":::{{illustration}} {NAME}\n{CAPTION}")
     assert len(found) == 1
     assert f"content/00-first.md:5: illustration '{NAME}' cannot be drawn: " in found[0]

@@ -2,12 +2,16 @@
 
 import json
 from collections.abc import Callable
+from dataclasses import dataclass
 from pathlib import Path
 
 import pytest
 from support.html_outline import read_html
 
-from simulations.registry import load_scene
+from simulations.engine.frame import Frame
+from simulations.engine.scene import Scene
+from simulations.engine.settings import slider
+from simulations.engine.stages import Outputs, Stage
 from site_builder.build import Options, render_site
 from site_builder.drawing.frames import reports_at
 from site_builder.measured.stage_costs import (
@@ -18,41 +22,62 @@ from site_builder.measured.stage_costs import (
 )
 from site_builder.output.assets import content_bytes
 
-ROOT = Path(__file__).resolve().parents[3]
 MOVE = {"to": 1, "ms": 1.0, "whole_ms": 2.0, "share": 0.5}
 
 
-@pytest.fixture(scope="module")
-def costs() -> StageCosts:
-    """What is recorded of the camera."""
-    return read_stage_costs(ROOT, load_scene("camera"))
+@dataclass(frozen=True, slots=True)
+class Settings:
+    number: float = slider("Number", 2, 0, 9, 1)
+    gain: float = slider("Gain", 3, 0, 9, 1)
+    offset: float = slider("Offset", 0, 0, 9, 1)
 
 
-def test_the_recorded_shares_are_what_the_book_promises(costs: StageCosts) -> None:
-    """Times of another machine are not tested; that the recorded ones bear the claim is."""
-    share = {move.label: move.share for move in costs.moves}
-    assert max(share["Read noise σ"], share["Exposure"]) <= 0.10
-    late = max(share["Aperture"], share["Light angle"], share["Distortion k₁"])
-    assert late <= 0.50
-    # What moves the rays is followed by nearly everything.
-    assert min(share["Focus distance"], share["Focal length"]) > late
-    assert all(0 < each <= 1 for each in share.values())
+def lifted(value: float, offset: float) -> float:
+    return value + offset
 
 
-def test_a_move_far_upstream_runs_every_stage_that_would_change_something(
-    costs: StageCosts,
-) -> None:
-    by_label = {move.label: move for move in costs.moves}
-    assert by_label["Read noise σ"].again == ("read noise", "quantisation", "sRGB")
-    for moved in (by_label["Focal length"], by_label["Focus distance"]):
-        assert "grain" not in moved.again
-        assert moved.reused == 1  # the grain, which follows from nothing but the picture's number
-        assert len(moved.again) + moved.skipped == costs.stages - 1
+def draw(_settings: Settings, outputs: Outputs) -> Frame:
+    return Frame((), (), f"{outputs['lifted']:g} in all.")
+
+
+SUMS = Scene(
+    "sums", "Sums", Settings, draw,
+    stages=(
+        Stage("tens", lambda number: 10 * number),
+        Stage("gained", lambda tens, gain: gain * tens, ("tens",)),
+        Stage("lifted", lifted, ("gained",), neutral=lambda offset: "" if offset else "no offset"),
+    ),
+)  # fmt: skip
+
+
+def moved(control: str, to: float, start: dict[str, float], folder: Path) -> StageCosts:
+    """Of one measured move of the scene of sums."""
+    recorded = {"sums": {"start": start, "moves": {control: {**MOVE, "to": to}}}}
+    (folder / DATA).parent.mkdir()
+    (folder / DATA).write_text(json.dumps(recorded), encoding="utf-8")
+    return read_stage_costs(folder, SUMS)
+
+
+def test_a_move_at_the_end_leaves_what_comes_before_it(tmp_path: Path) -> None:
+    (move,) = moved("offset", 1, {}, tmp_path).moves
+    assert (move.again, move.reused, move.skipped) == (("lifted",), 2, 0)
+
+
+def test_a_move_far_upstream_runs_every_stage_that_would_change_something(tmp_path: Path) -> None:
+    costs = moved("number", 1, {}, tmp_path)
+    (move,) = costs.moves
+    assert (move.again, move.reused, move.skipped) == (("tens", "gained"), 0, 1)
+    assert costs.stages == 3
+
+
+def test_a_move_begins_at_the_start_that_was_measured(tmp_path: Path) -> None:
+    (move,) = moved("number", 1, {"offset": 4}, tmp_path).moves
+    assert move.again == ("tens", "gained", "lifted")
 
 
 def test_nothing_moved_from_nothing_computes_all_but_the_neutral() -> None:
-    statuses = {stage.status for stage in reports_at(load_scene("camera"), {}, {})}
-    assert statuses == {"computed", "skipped"}
+    reports = {stage.name: stage.status for stage in reports_at(SUMS, {}, {})}
+    assert reports == {"tens": "computed", "gained": "computed", "lifted": "skipped"}
 
 
 def test_a_page_lists_every_move_and_a_frame_with_nothing_at_hand(

@@ -3,10 +3,12 @@
 from dataclasses import dataclass
 from typing import Any
 
+import pytest
+from support.toy_ladder import toy_ladder
+
 from simulations.engine.frame import Frame
 from simulations.engine.scene import Scene
 from simulations.engine.stages import Outputs
-from simulations.registry import load_ladder
 from site_builder.pages.views.simulation import tier_labels
 
 
@@ -20,23 +22,24 @@ def draw(_settings: Settings, _outputs: Outputs) -> Frame:
 
 
 def tiered(**fields: Any) -> Scene[Settings]:
-    tiers = ("gouraud-8", "phong")
-    return Scene("s", "S", Settings, draw, tiers=tiers, default_tier="phong", **fields)
+    tiers = ("rough", "fine")
+    return Scene("s", "S", Settings, draw, tiers=tiers, default_tier="fine", **fields)
+
+
+@pytest.fixture(autouse=True)
+def _of_the_book(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr("site_builder.pages.views.simulation.load_ladder", toy_ladder)
 
 
 def test_tiers_are_named_as_in_their_ladder() -> None:
-    words = dict(tier_labels(tiered(ladder="shading")))
-    assert words == {name: load_ladder("shading").tier(name).label for name in words}
+    assert tier_labels(tiered(ladder="toy")) == (("rough", "Rough"), ("fine", "Fine"))
 
 
 def test_a_scenes_own_words_go_before_the_ladders() -> None:
-    scene = tiered(ladder="shading", tier_labels={"phong": "In every pixel"})
-    assert tier_labels(scene) == (
-        ("gouraud-8", load_ladder("shading").tier("gouraud-8").label),
-        ("phong", "In every pixel"),
-    )
+    scene = tiered(ladder="toy", tier_labels={"fine": "In every pixel"})
+    assert tier_labels(scene) == (("rough", "Rough"), ("fine", "In every pixel"))
 
 
 def test_a_scene_without_a_ladder_names_all_of_its_tiers() -> None:
-    scene = tiered(tier_labels={"phong": "Fine", "gouraud-8": "Coarse"})
-    assert tier_labels(scene) == (("gouraud-8", "Coarse"), ("phong", "Fine"))
+    scene = tiered(tier_labels={"fine": "Smooth", "rough": "Coarse"})
+    assert tier_labels(scene) == (("rough", "Coarse"), ("fine", "Smooth"))

@@ -6,17 +6,17 @@ from collections.abc import Mapping
 from pathlib import Path
 
 import pytest
+from support.waves import LADDERS, SCENES, WAVES
 
 from site_builder.runtime import store
 from site_builder.runtime.fetch import fetch_runtime
 from site_builder.runtime.freeze import INTERPRETER, FreezeError, Frozen, freeze_libraries
-from site_builder.runtime.imports import outside, reach, read_imports
+from site_builder.runtime.imports import imports_of, outside, reach
 from site_builder.runtime.modules import ENTRY
-from site_builder.runtime.pack import page_modules
+from site_builder.runtime.pack import book_modules, page_modules
 from site_builder.runtime.pinned import NUMPY_WHEEL, PYTHON_LIBRARY
 
 FETCHED = fetch_runtime()
-SIMULATIONS = Path(__file__).resolve().parents[3] / "simulations"
 
 
 def freeze(folder: Path, at_once: Mapping[str, str], later: Mapping[str, str]) -> Frozen:
@@ -25,16 +25,16 @@ def freeze(folder: Path, at_once: Mapping[str, str], later: Mapping[str, str]) -
     return freeze_libraries(interpreter, python, numpy, at_once, later, folder)
 
 
-def freeze_for_the_book(folder: Path) -> Frozen:
-    imports = read_imports(SIMULATIONS)
+def freeze_for_waves(folder: Path) -> Frozen:
+    imports = imports_of(book_modules(WAVES / "simulations"))
     at_once = outside(imports, reach(imports, ENTRY))
-    return freeze(folder, at_once, outside(imports, page_modules(imports)))
+    return freeze(folder, at_once, outside(imports, page_modules(imports, SCENES, LADDERS)))
 
 
 @pytest.fixture(scope="module")
 def frozen() -> Frozen:
-    """The book's own parts, which are kept between builds."""
-    return freeze_for_the_book(store.default_store())
+    """What the book on waves needs, which is kept between builds."""
+    return freeze_for_waves(store.default_store())
 
 
 def members(archive: Path) -> list[str]:
@@ -85,14 +85,14 @@ def test_what_is_kept_is_taken_again(
     frozen: Frozen, kept: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.delattr("site_builder.runtime.freeze.node")
-    assert freeze_for_the_book(kept).modules == frozen.modules
+    assert freeze_for_waves(kept).modules == frozen.modules
 
 
 @pytest.mark.long
 def test_after_damage_the_same_bytes_are_made_again(frozen: Frozen, kept: Path) -> None:
     damaged = kept / frozen.archives["numpy-fft"].relative_to(store.default_store())
     damaged.write_bytes(damaged.read_bytes()[:-1])
-    again = freeze_for_the_book(kept)
+    again = freeze_for_waves(kept)
     assert {part: archive.parent.name for part, archive in again.archives.items()} == {
         part: archive.parent.name for part, archive in frozen.archives.items()
     }, "every archive lies where its hash says"

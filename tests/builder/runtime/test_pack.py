@@ -5,18 +5,18 @@ import hashlib
 import json
 import os
 import shutil
-import subprocess
-import sys
 import zipfile
 from collections.abc import Collection
 from io import BytesIO
 from pathlib import Path
 
 import pytest
+from support.waves import LADDERS, SCENES, WAVES, on_waves
 
 from site_builder.runtime.freeze import Frozen
-from site_builder.runtime.imports import module_files, read_imports
+from site_builder.runtime.imports import imports_of, module_files, read_imports
 from site_builder.runtime.pack import (
+    book_modules,
     pack_runtime,
     page_modules,
     parts_of,
@@ -24,8 +24,6 @@ from site_builder.runtime.pack import (
     source_archive,
 )
 from site_builder.runtime.pinned import NUMPY_VERSION
-
-ROOT = Path(__file__).resolve().parents[3]
 
 
 @pytest.fixture
@@ -78,6 +76,7 @@ def test_the_archive_holds_the_modules_and_nothing_else(package: Path) -> None:
 
 
 IMPORT_ALL = """
+import site_builder.book_root
 import json, sys
 from simulations import browser, registry
 from simulations.editing import copies  # these two by the worker, once they are asked for
@@ -89,9 +88,9 @@ print(json.dumps([name for name in sys.modules if name.split(".")[0] == "simulat
 
 
 def test_the_page_gets_just_the_modules_that_the_worker_scenes_and_ladders_import() -> None:
-    command = [sys.executable, "-c", IMPORT_ALL]
-    done = subprocess.run(command, cwd=ROOT, capture_output=True, text=True, check=True)
-    assert page_modules(read_imports(ROOT / "simulations")) == set(json.loads(done.stdout))
+    done = on_waves("-c", IMPORT_ALL)
+    imports = imports_of(book_modules(WAVES / "simulations"))
+    assert page_modules(imports, SCENES, LADDERS) == set(json.loads(done.stdout))
 
 
 def test_the_table_tells_the_hash_of_each_archive(package: Path, tmp_path: Path) -> None:
@@ -110,13 +109,13 @@ def test_a_module_needs_the_parts_that_it_imports_from(package: Path) -> None:
 
 
 def test_the_runtime_folder_holds_every_file_that_its_table_names() -> None:
-    bundle = pack_runtime(ROOT / "simulations")
+    bundle = pack_runtime(WAVES / "simulations", scenes=SCENES, ladders=LADDERS)
     table = json.loads(bundle.files["runtime.json"].read_text())
     assert {*table["integrity"], "runtime.json"} == set(bundle.files)
     assert {f"{part}.zip" for part in table["modules"]} <= set(bundle.files)
     wanted = set().union(*table["scenes"].values(), *table["ladders"].values())
     assert {f"{part}.zip" for part in wanted} <= set(table["integrity"])
-    assert wanted & set(table["modules"]), "some scene draws random numbers"
+    assert wanted & set(table["modules"]), "some scene asks for more than numpy's core"
 
 
 def test_browser_and_host_run_the_same_numpy() -> None:

@@ -11,7 +11,7 @@ from site_builder.diagnostics import Diagnostics
 from site_builder.measured.ladder_choice import off_the_front
 from site_builder.measured.measurements import Measurements, read_measurements
 
-ROOT = Path(__file__).resolve().parents[3]
+ROOT = Path(__file__).resolve().parents[2]
 
 
 @pytest.fixture(scope="module")
