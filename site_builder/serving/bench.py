@@ -2,7 +2,7 @@
 
 import threading
 import traceback
-from collections.abc import Iterator, Sequence
+from collections.abc import Collection, Iterator, Sequence
 from pathlib import Path
 
 from site_builder.build import Options, RenderedSite, render_parts
@@ -14,6 +14,7 @@ from site_builder.output.assets import content_bytes
 from site_builder.output.writer import Hashes, replace_file, way_out, write_site
 from site_builder.search.index import ADDRESS
 from site_builder.search.records import Record
+from site_builder.serving.loaded_code import let_go, may_let_go
 from site_builder.site_assets import Files
 
 
@@ -30,6 +31,23 @@ class Bench:
         self._hashes: Hashes = {}
         """Of the files as they were written."""
         self._writing = threading.Lock()
+        self._indexing: threading.Thread | None = None
+
+    def rest(self) -> None:
+        """Wait for what is still being done; then the process can be forked."""
+        if self._indexing:
+            self._indexing.join()
+
+    def renew(self, files: Collection[Path]) -> bool:
+        """In a process that was forked: from here on, code is as these changed ``files`` have it.
+        False where only a fresh process knows that: where the builder itself imports it."""
+        gone = self._keeper.importers(files)
+        if gone is None or not may_let_go(gone):
+            return False
+        let_go(gone)
+        self._keeper.forget(gone)
+        self._writing, self._indexing = threading.Lock(), None
+        return True
 
     def build(self) -> Iterator[dict[str, object]]:
         """Build once; yields what came of it as soon as the pages are there."""
@@ -55,7 +73,8 @@ class Bench:
             if records != self._records:
                 self._records = records
                 given = (site, records)
-                threading.Thread(target=self._make_index, args=given, daemon=True).start()
+                self._indexing = threading.Thread(target=self._make_index, args=given, daemon=True)
+                self._indexing.start()
 
     def _with_index(self, site: RenderedSite) -> Files:
         place = self._out / ADDRESS
