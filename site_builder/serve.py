@@ -48,7 +48,7 @@ def serve(root: Path, out: Path, port: int, *, runtime: bool, host: str = LOOPBA
         for changes in _rounds(sorted(folder for folder in folders if folder.is_dir())):
             # The first build, too, is made under watch: what is saved meanwhile makes a second.
             if changes or not begun:
-                workshop.build(afresh=begun and any(is_code(path) for path in changes))
+                workshop.build([path for path in changes if is_code(path)] if begun else ())
                 begun = True
             workshop.tick()
     except KeyboardInterrupt:

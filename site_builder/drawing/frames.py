@@ -1,16 +1,19 @@
 """Frames of scenes: drawn within limits, and kept."""
 
+import functools
 import io
 from base64 import b64encode
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
-from typing import Any
+from typing import Any, cast
 
 import numpy as np
 from PIL import Image
 
+from simulations.engine.controls import Value
 from simulations.engine.frame import Frame, Raster, StageReport
 from simulations.engine.scene import Scene
+from simulations.engine.settings import values_of
 from simulations.engine.stages import StageCache
 from site_builder.drawing.apart import apart
 from site_builder.kept.keeper import kept
@@ -50,6 +53,36 @@ class Sketch:
     """Their addresses by panel, with the pictures in them."""
 
 
+type Draw = Callable[[Scene[Any], Any, str], object]
+"""What draws a scene with its settings, in a tier."""
+type Drawn = tuple[Draw, tuple[tuple[str, Value], ...], str]
+"""By what a scene was drawn: with these values, all others as it starts, in this tier."""
+
+_drawn: dict[str, dict[Drawn, None]] = {}
+"""Of each scene, by its id; in the order in which they were asked for."""
+
+
+def drawn_of(scene_id: str) -> list[Drawn]:
+    """What this process has asked for of a scene; once its code changes, it is asked for again."""
+    return [*_drawn.get(scene_id, ())]
+
+
+def _noted[D: Draw](draw: D) -> D:
+    @functools.wraps(draw)
+    def note(scene: Scene[Any], settings: Any, tier: str) -> object:
+        start = values_of(scene.check({}))
+        given = tuple(
+            (name, value)
+            for name, value in values_of(settings).items()
+            if (type(value), value) != (type(start[name]), start[name])
+        )
+        _drawn.setdefault(scene.id, {})[note, given, tier] = None
+        return draw(scene, settings, tier)
+
+    return cast(D, note)
+
+
+@_noted
 @kept
 def frame_at(scene: Scene[Any], settings: Any, tier: str) -> Frame:
     """What the scene says and draws at these settings, without its pixels. Raises whatever the
@@ -57,6 +90,7 @@ def frame_at(scene: Scene[Any], settings: Any, tier: str) -> Frame:
     return apart(lambda: _without_pixels(scene.render(settings, tier, StageCache())))
 
 
+@_noted
 @kept
 def print_at(scene: Scene[Any], settings: Any, tier: str) -> Print:
     """The same with its pixels, as files."""

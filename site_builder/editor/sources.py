@@ -6,7 +6,9 @@ import json
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass
 from functools import cache
+from importlib import import_module
 from importlib.util import find_spec
+from types import ModuleType
 from typing import Any
 
 from simulations.editing.definitions import (
@@ -109,9 +111,13 @@ def _resolve(module: Module, mention: str) -> str:
     return _key(source, wanted) if wanted in origin.definitions else _resolve(origin, wanted)
 
 
-@cache
 def read_module(name: str) -> Module:
-    """An editable module, by its full name."""
+    """An editable module, by its full name; read once for as long as it is not imported anew."""
+    return _read_module(name, import_module(name))
+
+
+@cache
+def _read_module(name: str, _imported: ModuleType) -> Module:
     source = module_source(name)
     tree = ast.parse(source)
     mentions: dict[str, tuple[str, ...]] = {}

@@ -7,13 +7,12 @@ book comes out the same whatever the number of processes, and one that is lost c
 
 import os
 import selectors
-import signal
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager, suppress
 from dataclasses import dataclass, field
 from struct import Struct
 
-from site_builder.forking import CAN_FORK, cores, forked
+from site_builder.forking import CAN_FORK, clear_away_when_ended, cores, end_process, forked
 from site_builder.kept.keeper import Keeper, MissingError, UnkeepableError, keeper_at_work
 
 NUMBER = Struct("=H")
@@ -81,10 +80,7 @@ class Helpers:
         """Let go of them, whatever they do."""
         while self._at_work:
             helper = self._at_work.pop()
-            os.close(helper.reader)
-            with suppress(ProcessLookupError):
-                os.kill(helper.process, signal.SIGTERM)
-            os.waitpid(helper.process, 0)
+            end_process(helper.process, helper.reader)
 
 
 @contextmanager
@@ -122,8 +118,7 @@ def _begin(asks: Sequence[Ask], turns: int, keeper: Keeper) -> Helper:
 
     def life() -> None:
         os.close(reader)
-        # As the terminal does it, so that what is half done is cleared away.
-        signal.signal(signal.SIGTERM, signal.default_int_handler)
+        clear_away_when_ended()
         keeper.begin_parcel()
         while number := os.read(turns, NUMBER.size):
             (first,) = NUMBER.unpack(number)

@@ -7,7 +7,7 @@ import hashlib
 import platform
 import sys
 import sysconfig
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Collection, Iterator
 from dataclasses import dataclass
 from importlib.util import find_spec
 from pathlib import Path
@@ -111,6 +111,30 @@ def is_as_it_was(modules: Modules) -> bool:
     """Whether no file has been written since it was looked at: what is imported later is no other
     code than what was hashed."""
     return all(file_hash(each.file) == each.hashed for each in modules.values() if each)
+
+
+def importers(changed: Collection[str], modules: Modules) -> frozenset[str]:
+    """The names of those that are ``changed`` and, of ``modules``, of all that import one of them,
+    however indirectly."""
+    importing: dict[str, list[str]] = {}
+    for name, module in modules.items():
+        for each in module.imported if module else ():
+            importing.setdefault(each, []).append(name)
+    found: set[str] = set()
+    waiting = list(changed)
+    while waiting:
+        name = waiting.pop()
+        if name not in found:
+            found.add(name)
+            waiting += importing.get(name, ())
+    return frozenset(found)
+
+
+def look_at_loaded(recall: Recall, known: Modules) -> None:
+    """Add to ``known`` the modules of ours that this process has imported."""
+    for name in list(sys.modules):
+        if name not in known and is_ours(name):
+            known[name] = _look_at(name, recall)
 
 
 def _imported(file: Path) -> tuple[str, ...]:

@@ -9,7 +9,8 @@ function simply runs. What a function reads besides its arguments it tells while
 import functools
 import hashlib
 import pickle
-from collections.abc import Callable, Iterator, Mapping
+import time
+from collections.abc import Callable, Collection, Iterator, Mapping
 from contextlib import contextmanager, suppress
 from contextvars import ContextVar
 from dataclasses import dataclass, field
@@ -18,10 +19,16 @@ from types import FunctionType
 from typing import Any, Protocol
 
 from site_builder.blame import is_remembered
-from site_builder.kept.code import Modules, code_hash, is_as_it_was
+from site_builder.kept.code import (
+    Modules,
+    code_hash,
+    importers,
+    is_as_it_was,
+    look_at_loaded,
+)
 from site_builder.kept.files import file_hash, folder_hash
 from site_builder.kept.fingerprint import SIZE, Prints, fingerprint
-from site_builder.kept.packing import HOLDERS, home_of, packed, unpacked
+from site_builder.kept.packing import HOLDERS, home_of, names_any, packed, unpacked
 
 GENERATIONS = 3
 """Builds after which what nobody asked for leaves the memory."""
@@ -197,6 +204,36 @@ class Keeper:
         self.made += made
         self._failed |= failed
         self._latest_ns = max(self._latest_ns, latest_ns)
+
+    def importers(self, files: Collection[Path]) -> frozenset[str] | None:
+        """The modules of ``files``, and all of ours that import one of them: what this process may
+        know no more when these have changed. Files that were written since it began are counted
+        among them, whoever tells of them. None where one of them is no module that is known."""
+        look_at_loaded(self._imports, self._modules)
+        there = {each.file: name for name, each in self._modules.items() if each}
+        changed = {file.resolve() for file in files}
+        try:
+            changed |= {file for file in there if file.stat().st_mtime_ns >= self.since_ns}
+        except OSError:  # one is gone
+            return None
+        if not changed <= there.keys():
+            return None
+        return importers([there[file] for file in changed], self._modules)
+
+    def forget(self, modules: Collection[str]) -> None:
+        """In a process that was forked and has let go of ``modules``, and will import them as they
+        are from here on: nothing that came of them is looked up, and none of them is found in what
+        is."""
+        self.store, self.since_ns = self.store.reopened(), time.time_ns()
+        for name in modules:
+            self._modules.pop(name, None)
+            self._codes.pop(name, None)
+        self._latest_ns = max(
+            (each.written_ns for each in self._modules.values() if each), default=0
+        )
+        gone = [key for key, entry in self._memory.items() if names_any(entry.value, modules)]
+        for key in gone:
+            del self._memory[key]
 
     def flush(self) -> None:
         """Put what is new into the store, and let go of what was not asked for lately."""

@@ -3,7 +3,7 @@
 import io
 import pickle
 import sys
-from collections.abc import Mapping
+from collections.abc import Collection, Mapping
 from importlib import import_module
 from typing import Any
 
@@ -39,6 +39,18 @@ def packed(value: object) -> bytes:
 
 def unpacked(data: bytes) -> Any:
     return _Unpacker(io.BytesIO(data)).load()
+
+
+def names_any(value: object, modules: Collection[str]) -> bool:
+    """Whether something of one of ``modules`` may be in ``value``; of what cannot be packed, nobody
+    can say, so it may."""
+    if isinstance(value, bytes | str):
+        return False
+    try:
+        data = packed(value)
+    except pickle.PicklingError:
+        return True
+    return any(name.encode() in data for name in modules)
 
 
 class _Packer(pickle.Pickler):

@@ -80,7 +80,15 @@ def _imports(file: Path, path: str, files: Mapping[str, Path]) -> Imports:
 
 @kept
 def _mentioned(source: bytes, path: str) -> tuple[tuple[str, int, bool], ...]:
-    return tuple(dict.fromkeys(_mentions(ast.parse(source, path))))
+    """Of names that only may be modules, those of the package that the module at ``path`` is of,
+    which may come and go, and those that are modules here."""
+    package = f"{path.partition('/')[0]}."
+    mentions = dict.fromkeys(_mentions(ast.parse(source, path)))
+    return tuple(
+        (name, line, certain or not own)
+        for name, line, certain in mentions
+        if (own := name.startswith(package)) or certain or _is_module(name)
+    )
 
 
 def _mentions(tree: ast.Module) -> Iterator[tuple[str, int, bool]]:

@@ -6,6 +6,7 @@ from collections import Counter
 from collections.abc import Collection, Mapping
 from pathlib import Path
 
+from site_builder.kept.keeper import kept
 from site_builder.runtime.imports import Table, archive_path, reach
 
 ENTRY = "simulations.browser"
@@ -37,12 +38,14 @@ def sources_of(files: Mapping[str, Path], modules: Collection[str]) -> dict[str,
     return {archive_path(name, file): file for name, file in files.items() if name in modules}
 
 
-def archive_of(members: Mapping[str, bytes]) -> bytes:
-    """Equal members give equal bytes."""
+@kept
+def archive_of(members: Mapping[str, bytes], *, small: bool = True) -> bytes:
+    """Equal members give equal bytes. One that need not be ``small`` is sooner made."""
     buffer = io.BytesIO()
-    with zipfile.ZipFile(buffer, "w", zipfile.ZIP_DEFLATED, compresslevel=9) as archive:
+    packing = zipfile.ZIP_DEFLATED if small else zipfile.ZIP_STORED
+    with zipfile.ZipFile(buffer, "w", packing, compresslevel=9) as archive:
         for path, content in members.items():
             entry = zipfile.ZipInfo(path, EPOCH)
-            entry.compress_type = zipfile.ZIP_DEFLATED
+            entry.compress_type = packing
             archive.writestr(entry, content)
     return buffer.getvalue()

@@ -47,7 +47,7 @@ class RuntimeBundle:
     def sources(self) -> str:
         """Hash of the simulations, as the worker knows it; nothing where there are none."""
         file = self.files.get(SIMULATIONS)
-        return integrity(file.read_bytes()) if file else ""
+        return _integrity(file) if file else ""
 
 
 def pack_runtime(
@@ -61,9 +61,9 @@ def pack_runtime(
     """Fetch what is pinned, cut it into parts, and pack the simulations beside it.
 
     Of a book's folder ``simulations``, that is what its pages run: the ``scenes`` and ``ladders``
-    that they show, and all that these import: ``compiled``, as every reader would else wait for
-    that, and as sources beside it, for those who edit them. Equal sources give equal bytes, so a
-    hash over the files names the runtime.
+    that they show, and all that these import: ``compiled`` and small, as every reader would else
+    wait for that, and as sources beside it, for those who edit them. Equal sources give equal
+    bytes, so a hash over the files names the runtime.
 
     Raises
     ------
@@ -95,8 +95,8 @@ def pack_runtime(
         python = fetched[PYTHON_LIBRARY.name]
         key = (hashes, PYTHON_LIBRARY, file_hash(PROGRAM), file_hash(DRIVER))
         byte_code, _ = kept_as("byte code", key, lambda: compile_sources(machine, python, sources))
-    ours = module_parts(files, cut(imports, scenes, ladders), byte_code)
-    ours[SIMULATIONS.removesuffix(".zip")] = source_archive(files, modules)
+    ours = module_parts(files, cut(imports, scenes, ladders), byte_code, small=compiled)
+    ours[SIMULATIONS.removesuffix(".zip")] = source_archive(files, modules, small=compiled)
     archives = {
         **{f"{part}.zip": file for part, file in frozen.archives.items()},
         **{f"{part}.zip": stores.put(folder, f"{part}.zip", data) for part, data in ours.items()},
@@ -133,14 +133,20 @@ def page_modules(
     return frozenset[str]().union(*(reach(imports, start) for start in starts))
 
 
-def source_archive(files: Mapping[str, Path], modules: Collection[str]) -> bytes:
+def source_archive(
+    files: Mapping[str, Path], modules: Collection[str], *, small: bool = True
+) -> bytes:
     """Those ``modules`` that have one of the ``files``. Equal sources give equal bytes."""
     sources = sources_of(files, modules)
-    return archive_of({path: file.read_bytes() for path, file in sources.items()})
+    return archive_of({path: file.read_bytes() for path, file in sources.items()}, small=small)
 
 
 def module_parts(
-    files: Mapping[str, Path], parts: Mapping[str, Collection[str]], byte_code: Mapping[str, bytes]
+    files: Mapping[str, Path],
+    parts: Mapping[str, Collection[str]],
+    byte_code: Mapping[str, bytes],
+    *,
+    small: bool = True,
 ) -> dict[str, bytes]:
     """The archive of each part; of a module without ``byte_code``, its source."""
 
@@ -152,7 +158,7 @@ def module_parts(
             for path, file in sources.items()
         }
 
-    return {part: archive_of(members(modules)) for part, modules in parts.items()}
+    return {part: archive_of(members(modules), small=small) for part, modules in parts.items()}
 
 
 def runtime_table(
@@ -171,7 +177,7 @@ def runtime_table(
     later = {part: names for part, names in frozen.modules.items() if part not in AT_ONCE}
     return {
         "lock": LOCK,
-        "integrity": {name: integrity(file.read_bytes()) for name, file in loaded.items()},
+        "integrity": {name: _integrity(file) for name, file in loaded.items()},
         "modules": later,
         "scenes": {
             key: [f"scene-{key}", *parts_of(imports, name, later)] for key, name in scenes.items()
@@ -194,4 +200,13 @@ def parts_of(imports: Table, module: str, modules: Mapping[str, tuple[str, ...]]
 
 def integrity(content: bytes) -> str:
     """As `fetch` takes it."""
-    return "sha256-" + base64.b64encode(bytes.fromhex(stores.sha256(content))).decode()
+    return _told(stores.sha256(content))
+
+
+def _integrity(file: Path) -> str:
+    """The same of a file, whose place in the store says it."""
+    return _told(file.parent.name if stores.is_whole(file) else stores.sha256(file.read_bytes()))
+
+
+def _told(sha256: str) -> str:
+    return "sha256-" + base64.b64encode(bytes.fromhex(sha256)).decode()

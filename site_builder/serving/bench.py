@@ -2,18 +2,21 @@
 
 import threading
 import traceback
-from collections.abc import Iterator, Sequence
+from collections.abc import Collection, Iterator, Sequence
 from pathlib import Path
 
 from site_builder.build import Options, RenderedSite, render_parts
 from site_builder.diagnostics import BuildError, Diagnostic
 from site_builder.drawing.apart import Limits, limited
+from site_builder.kept.ahead import Ask, make_ahead
 from site_builder.kept.keeper import Keeper, keeping
 from site_builder.kept.store import Store, default_folder
 from site_builder.output.assets import content_bytes
 from site_builder.output.writer import Hashes, replace_file, way_out, write_site
 from site_builder.search.index import ADDRESS
 from site_builder.search.records import Record
+from site_builder.serving.loaded_code import let_go, may_let_go
+from site_builder.serving.redrawn import redrawn
 from site_builder.site_assets import Files
 
 
@@ -30,6 +33,26 @@ class Bench:
         self._hashes: Hashes = {}
         """Of the files as they were written."""
         self._writing = threading.Lock()
+        self._indexing: threading.Thread | None = None
+        self._first: list[Ask] = []
+        """What the next build will certainly ask for."""
+
+    def rest(self) -> None:
+        """Wait for what is still being done; then the process can be forked."""
+        if self._indexing:
+            self._indexing.join()
+
+    def renew(self, files: Collection[Path]) -> bool:
+        """In a process that was forked: from here on, code is as these changed ``files`` have it.
+        False where only a fresh process knows that: where the builder itself imports it."""
+        gone = self._keeper.importers(files)
+        if gone is None or not may_let_go(gone):
+            return False
+        let_go(gone)
+        self._keeper.forget(gone)
+        self._first = redrawn(gone)
+        self._writing, self._indexing = threading.Lock(), None
+        return True
 
     def build(self) -> Iterator[dict[str, object]]:
         """Build once; yields what came of it as soon as the pages are there."""
@@ -37,6 +60,8 @@ class Bench:
         options = Options(self._root, runtime=self._runtime, reload=True, warn=warnings.append)
         try:
             with keeping(self._keeper), limited(Limits()):
+                first, self._first = self._first, []
+                make_ahead(first)
                 site = render_parts(options)
                 with self._writing:
                     changed = write_site(self._with_index(site), self._out, self._hashes)
@@ -55,7 +80,8 @@ class Bench:
             if records != self._records:
                 self._records = records
                 given = (site, records)
-                threading.Thread(target=self._make_index, args=given, daemon=True).start()
+                self._indexing = threading.Thread(target=self._make_index, args=given, daemon=True)
+                self._indexing.start()
 
     def _with_index(self, site: RenderedSite) -> Files:
         place = self._out / ADDRESS

@@ -7,13 +7,14 @@ import subprocess
 import sys
 import threading
 import time
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
 from site_builder.book_root import ENGINE, VARIABLE
+from site_builder.serving.worker import command
 
 GRACE_S = 0.7
 """How long a build may still go on once its sources have changed: most are done by then."""
@@ -27,10 +28,10 @@ class Worker:
 
     process: subprocess.Popen[str]
 
-    def tell(self) -> None:
+    def tell(self, changed: Sequence[str]) -> None:
         assert self.process.stdin is not None
         with suppress(BrokenPipeError):
-            self.process.stdin.write("build\n")
+            self.process.stdin.write(command(changed))
             self.process.stdin.flush()
 
     def end(self) -> None:
@@ -57,16 +58,16 @@ class Workshop:
     """When a build was asked for while one was running."""
     _lock: threading.RLock = field(default_factory=threading.RLock)
 
-    def build(self, *, afresh: bool = False) -> None:
-        """Build, as soon as the present build is done or has outlived its grace. ``afresh``: with
-        code as it is now, in a process that has imported none."""
+    def build(self, changed: Sequence[str] = ()) -> None:
+        """Build, as soon as the present build is done or has outlived its grace. ``changed`` are
+        files of code: what is running had them as they were, and is ended at once."""
         with self._lock:
-            if afresh:
+            if changed and self._busy:
                 self._replace()
             if self._busy:
                 self._wanted_since = self._wanted_since or self.clock()
             else:
-                self._begin()
+                self._begin(changed)
 
     def tick(self) -> None:
         """To be called every now and then: ends a build that has been overtaken."""
@@ -83,12 +84,12 @@ class Workshop:
                     worker.end()
             self._worker = self._spare = None
 
-    def _begin(self) -> None:
+    def _begin(self, changed: Sequence[str] = ()) -> None:
         self._wanted_since, self._busy = None, True
         if self._worker is None:
             self._worker, self._spare = self._spare or self._start(), None
             threading.Thread(target=self._listen, args=(self._worker,), daemon=True).start()
-        self._worker.tell()
+        self._worker.tell(changed)
 
     def _replace(self) -> None:
         if self._worker is not None:
@@ -113,6 +114,10 @@ class Workshop:
     def _done(self, worker: Worker, told: Mapping[str, Any]) -> None:
         with self._lock:
             if worker is not self._worker:
+                return
+            if told.get("afresh"):
+                self._replace()
+                self._begin()
                 return
             self._busy = False
             if worker.process.poll() is not None:

@@ -1,5 +1,6 @@
 """Who builds, and what becomes of a build that is overtaken."""
 
+import json
 import queue
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
@@ -8,7 +9,11 @@ from typing import Any
 
 import pytest
 
+from site_builder.serving.worker import AFRESH, command
 from site_builder.serving.workshop import GRACE_S, Workshop
+
+BUILD = command()
+SCENE = "simulations/scenes/camera/scene.py"
 
 
 @dataclass
@@ -79,14 +84,34 @@ def test_one_worker_builds_again_and_again(bench: Bench) -> None:
     for said in ("one", "two"):
         bench.shop.build()
         assert bench.finish(bench.processes[0], said)["said"] == said
-    assert bench.processes[0].told == ["build\n"] * 2
+    assert bench.processes[0].told == [BUILD] * 2
 
 
-def test_a_second_stands_by_and_builds_when_code_has_changed(bench: Bench) -> None:
+def test_a_worker_is_told_what_code_has_changed(bench: Bench) -> None:
     bench.shop.build()
     bench.finish(bench.processes[0], "one")
-    assert [process.told for process in bench.processes] == [["build\n"], []]
-    bench.shop.build(afresh=True)
+    bench.shop.build([SCENE])
+    assert not bench.processes[0].ended
+    assert bench.processes[0].told == [BUILD, command([SCENE])]
+    assert bench.finish(bench.processes[0], "two")["said"] == "two"
+
+
+def test_a_second_stands_by_and_builds_where_the_first_cannot_have_the_changed_code(
+    bench: Bench,
+) -> None:
+    bench.shop.build()
+    bench.finish(bench.processes[0], "one")
+    assert [process.told for process in bench.processes] == [[BUILD], []]
+    bench.shop.build([SCENE])
+    bench.processes[0].answers.put(f"{json.dumps(AFRESH)}\n")
+    assert bench.finish(bench.processes[1], "two")["said"] == "two"
+    assert bench.processes[0].ended
+    assert bench.reports.empty()
+
+
+def test_a_build_whose_code_changes_is_ended_at_once(bench: Bench) -> None:
+    bench.shop.build()
+    bench.shop.build([SCENE])
     assert bench.processes[0].ended
     assert bench.finish(bench.processes[1], "two")["said"] == "two"
 
@@ -95,11 +120,11 @@ def test_what_changes_during_a_build_is_built_after_it_once(bench: Bench) -> Non
     bench.shop.build()
     bench.shop.build()
     bench.shop.build()
-    assert bench.processes[0].told == ["build\n"]
+    assert bench.processes[0].told == [BUILD]
     bench.finish(bench.processes[0], "one")
-    assert bench.processes[0].told == ["build\n"] * 2
+    assert bench.processes[0].told == [BUILD] * 2
     bench.finish(bench.processes[0], "two")
-    assert bench.processes[0].told == ["build\n"] * 2
+    assert bench.processes[0].told == [BUILD] * 2
 
 
 def test_a_build_that_outlives_its_grace_is_killed(bench: Bench) -> None:
@@ -111,7 +136,7 @@ def test_a_build_that_outlives_its_grace_is_killed(bench: Bench) -> None:
     bench.now[0] = GRACE_S + 0.1
     bench.shop.tick()
     assert bench.processes[0].ended
-    assert bench.processes[1].told == ["build\n"]
+    assert bench.processes[1].told == [BUILD]
     assert bench.finish(bench.processes[1], "newer")["said"] == "newer"
     assert bench.reports.empty()
 
