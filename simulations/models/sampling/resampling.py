@@ -98,17 +98,28 @@ def gather_table(
     and quicker for them. Beyond the border the border pixels repeat. Coordinates off the picture,
     huge or NaN (which counts as 0) are legal; ``inside`` tells which.
     """
+    positions = as_vectors("xy_px", xy_px, 2)
+    return gather_table_at(positions[..., 0], positions[..., 1], source_shape, kernel, dtype)
+
+
+def gather_table_at(
+    x_px: Floats,
+    y_px: Floats,
+    source_shape: tuple[int, int],
+    kernel: str = "bilinear",
+    dtype: type[np.floating] = np.float64,
+) -> GatherTable:
+    """`gather_table` of coordinates that lie apart, (...) each."""
     chosen = _kernel(kernel)
     height, width = source_shape
     if height < 1 or width < 1:
         raise ValueError(f"source_shape {source_shape}; legal: 1 x 1 or more")
-    positions = as_vectors("xy_px", xy_px, 2)
-    x, y = positions[..., 0].ravel(), positions[..., 1].ravel()
+    x, y = x_px.ravel(), y_px.ravel()
     inside = (x >= -0.5) & (x < width - 0.5) & (y >= -0.5) & (y < height - 0.5)
     column, across = _axis_taps(x, width, chosen, dtype)
     row, down = _axis_taps(y, height, chosen, dtype)
     corner = row * (width + 2 * (chosen.taps // 2)) + column
-    return GatherTable(positions.shape[:-1], source_shape, chosen, corner, across, down, inside)
+    return GatherTable(x_px.shape, source_shape, chosen, corner, across, down, inside)
 
 
 def gather(table: GatherTable, image: ArrayLike, fill: float | None = 0.0) -> Floats:
@@ -145,18 +156,21 @@ def _weighed(framed: Floats, corner: NDArray[np.intp], across: Floats, down: Flo
     width, flat = framed.shape[1], np.ascontiguousarray(framed).reshape(-1)
     if len(across) == 1:  # a single tap has weight 1
         return flat[corner]
-    total = np.zeros(corner.shape, flat.dtype)
+    total = np.empty(corner.shape, flat.dtype)
     row, tap = np.empty_like(total), np.empty_like(total)
-    for first, row_weight in zip(range(0, len(down) * width, width), down, strict=True):
-        row[:] = 0
+    for down_by, row_weight in enumerate(down):
+        into = row if down_by else total
         for column, weight in enumerate(across):
             # Shifting the picture instead of the indices needs one index per output. It is never
             # out of range; "clip" only spares a copy that "raise" makes to be safe.
-            np.take(flat[first + column :], corner, out=tap, mode="clip")
-            tap *= weight
-            row += tap
-        row *= row_weight
-        total += row
+            read = tap if column else into
+            np.take(flat[down_by * width + column :], corner, out=read, mode="clip")
+            read *= weight
+            if column:
+                into += tap
+        into *= row_weight
+        if down_by:
+            total += row
     return total
 
 
@@ -201,7 +215,10 @@ def _axis_taps(
     position: Floats, size: int, kernel: Kernel, dtype: type[np.floating]
 ) -> tuple[NDArray[np.intp], Floats]:
     """First of the taps (N,) along one axis, counted with the margin, and weights (taps, N)."""
-    bounded = np.clip(np.nan_to_num(position, nan=0.0), -0.5, size - 0.5)
+    bounded = np.clip(position, -0.5, size - 0.5)
+    missing = np.isnan(bounded)
+    if missing.any():
+        bounded[missing] = 0.0
     if kernel.taps == 1:
         nearest = np.floor(bounded + 0.5).astype(np.intp)
         return np.minimum(nearest, size - 1), np.ones((1, nearest.size), dtype)
@@ -209,7 +226,8 @@ def _axis_taps(
     weights = np.empty((kernel.taps, bounded.size))
     for row, offset in zip(weights, range(1 - kernel.taps // 2, 1 + kernel.taps // 2), strict=True):
         row[:] = kernel.weigh((base - bounded) + offset)
-    weights /= weights.sum(axis=0)  # Lanczos alone does not quite sum to 1
+    if kernel.taps > 2:  # two are what is left of 1 and that; Lanczos does not quite sum to 1
+        weights /= weights.sum(axis=0)
     return base.astype(np.intp) + 1, weights.astype(dtype, copy=False)
 
 

@@ -16,7 +16,13 @@ from simulations.models.distortion.lens_model import (
     fold_radius,
     largest_distorted_radius,
 )
-from simulations.models.sampling.resampling import GatherTable, gather, gather_table
+from simulations.models.pixel_grid import centred
+from simulations.models.sampling.resampling import (
+    GatherTable,
+    gather,
+    gather_table,
+    gather_table_at,
+)
 from simulations.pictures.checker_room import checker_room
 from simulations.pictures.resolution_chart import resolution_chart
 from simulations.scenes.lens_distortion.drawing import grid_overlay, picture_overlay
@@ -111,11 +117,12 @@ def _map(radii: Radii, k1: float, k2: float, tier: str, margin: bool) -> Warp:
     """For each pixel of the photograph, where in the pinhole picture its light comes from."""
     lens = Distortion(k1=k1, k2=k2)
     ideal = ideal_radii(radii.distinct, lens, tier)
-    ratio = (ideal / radii.distinct)[radii.of_pixel].reshape(HEIGHT_PX, WIDTH_PX, 1)
+    ratio = (ideal / radii.distinct)[radii.of_pixel].reshape(HEIGHT_PX, WIDTH_PX)
     beyond_x, beyond_y = _margin_px(margin)
-    centre = np.array((beyond_x + 0.5 * (WIDTH_PX - 1), beyond_y + 0.5 * (HEIGHT_PX - 1)))
+    x = beyond_x + 0.5 * (WIDTH_PX - 1) + centred(WIDTH_PX) * ratio
+    y = beyond_y + 0.5 * (HEIGHT_PX - 1) + centred(HEIGHT_PX)[:, None] * ratio
     shape = (HEIGHT_PX + 2 * beyond_y, WIDTH_PX + 2 * beyond_x)
-    table = gather_table(centre + centred_pixels() * ratio, shape, dtype=np.float32)
+    table = gather_table_at(x, y, shape, dtype=np.float32)
     # A soft edge, one pixel wide, where the image ends.
     limit = min(largest_distorted_radius(lens), 1e6)
     edge = np.clip((limit - radii.distinct) * FOCAL_PX + 0.5, 0.0, 1.0).astype(np.float32)
@@ -146,9 +153,15 @@ def _corrected(photo: Photo, k1: float, k2: float) -> Photo:
 def _encoded(photo: Photo) -> NDArray[np.uint8]:
     if photo.coverage.min() == 1.0:
         return to_rgba8(encode_srgb_table(photo.linear))
-    covered = photo.coverage[..., None]
-    unseen = np.asarray(UNSEEN, np.float32)
-    return to_rgba8(encode_srgb_table(unseen + (photo.linear - unseen) * covered))
+    return to_rgba8(encode_srgb_table(_over_unseen(photo)))
+
+
+def _over_unseen(photo: Photo) -> Floats:
+    """The photograph where it covers a pixel, grey where it does not."""
+    laid = np.empty_like(photo.linear)
+    for channel, grey in enumerate(np.asarray(UNSEEN, np.float32)):
+        laid[..., channel] = grey + (photo.linear[..., channel] - grey) * photo.coverage
+    return laid
 
 
 def _ideal_lens(k1: float, k2: float) -> str:
