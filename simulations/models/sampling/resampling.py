@@ -7,6 +7,7 @@ Szeliski, 2nd ed., §3.5.1–3.5.2; R. G. Keys, *Cubic convolution interpolation
 
 from collections.abc import Callable
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -122,33 +123,65 @@ def gather_table_at(
     return GatherTable(x_px.shape, source_shape, chosen, corner, across, down, inside)
 
 
-def gather(table: GatherTable, image: ArrayLike, fill: float | None = 0.0) -> Floats:
-    """Apply a table to a picture (H, W) or (H, W, C).
+@dataclass(frozen=True, slots=True)
+class Source:
+    """A picture made ready for many tables of one kernel."""
+
+    shape: tuple[int, ...]
+    """Of the picture: (H, W) or (H, W, C)."""
+    kernel: Kernel
+    planes: tuple[Floats, ...]
+    """A channel each, its border repeated as far as the kernel reaches, filtered for it."""
+
+
+def gather_source(image: ArrayLike, kernel: str = "bilinear") -> Source:
+    """What `gather` reads of a picture (H, W) or (H, W, C), where several tables are to read it.
+
+    float32 pictures stay float32, everything else becomes float64.
+    """
+    return _source(np.asarray(image), _kernel(kernel))
+
+
+def _source(picture: NDArray[Any], kernel: Kernel) -> Source:
+    if picture.ndim not in (2, 3):
+        raise ValueError(f"image of shape {picture.shape}; legal: (H, W) or (H, W, channels)")
+    dtype = np.float32 if picture.dtype == np.float32 else np.float64
+    channels = picture.astype(dtype, copy=False).reshape(*picture.shape[:2], -1)
+    planes = [  # each in one piece
+        np.pad(channels[..., channel], kernel.taps // 2, mode="edge")
+        for channel in range(channels.shape[2])
+    ]
+    if kernel.prefiltered:
+        planes = [bspline.coefficients(plane) for plane in planes]
+    return Source(picture.shape, kernel, tuple(planes))
+
+
+def gather(table: GatherTable, image: ArrayLike | Source, fill: float | None = 0.0) -> Floats:
+    """Apply a table to a picture (H, W) or (H, W, C), or to what `gather_source` made of one.
 
     ``fill`` is the value off the picture; None repeats the border. float32 pictures stay
     float32, everything else is weighed in float64.
     """
-    picture = np.asarray(image)
-    if picture.shape[:2] != table.source_shape or picture.ndim not in (2, 3):
+    picture = image if isinstance(image, Source) else np.asarray(image)
+    if picture.shape[:2] != table.source_shape or len(picture.shape) not in (2, 3):
         raise ValueError(
             f"image of shape {picture.shape}; legal for the table: {table.source_shape} or "
             f"{table.source_shape} + (channels,)"
         )
-    dtype = np.float32 if picture.dtype == np.float32 else np.float64
-    if table.across.dtype.itemsize < np.dtype(dtype).itemsize:
-        raise ValueError(f"image of {picture.dtype}; legal: float32, since the table's weights are")
+    source = picture if isinstance(picture, Source) else _source(picture, table.kernel)
+    if source.kernel is not table.kernel:
+        raise ValueError("source for another kernel; legal: for that of the table")
+    dtype = source.planes[0].dtype if source.planes else np.dtype(np.float32)
+    if table.across.dtype.itemsize < dtype.itemsize:
+        raise ValueError(f"image of {dtype}; legal: float32, since the table's weights are")
     across: Floats = table.across.astype(dtype, copy=False)
     down: Floats = table.down.astype(dtype, copy=False)
-    planes = picture.astype(dtype, copy=False).reshape(*table.source_shape, -1)
-    result = np.empty((table.corner.size, planes.shape[2]), dtype)
-    for channel in range(planes.shape[2]):  # each from a plane of its own, in one piece
-        framed = np.pad(planes[..., channel], table.margin, mode="edge")
-        if table.kernel.prefiltered:
-            framed = bspline.coefficients(framed)
-        result[:, channel] = _weighed(framed, table.corner, across, down)
+    result = np.empty((table.corner.size, len(source.planes)), dtype)
+    for channel, plane in enumerate(source.planes):
+        result[:, channel] = _weighed(plane, table.corner, across, down)
     if fill is not None:
         result[~table.inside] = fill
-    return result.reshape((*table.shape, *picture.shape[2:]))
+    return result.reshape((*table.shape, *source.shape[2:]))
 
 
 def _weighed(framed: Floats, corner: NDArray[np.intp], across: Floats, down: Floats) -> Floats:

@@ -19,7 +19,9 @@ from simulations.models.distortion.lens_model import (
 from simulations.models.pixel_grid import centred
 from simulations.models.sampling.resampling import (
     GatherTable,
+    Source,
     gather,
+    gather_source,
     gather_table,
     gather_table_at,
 )
@@ -96,15 +98,19 @@ def _margin_px(margin: bool) -> tuple[int, int]:
     return MARGIN_PX if margin else (0, 0)
 
 
-def _pinhole(picture: str, margin: bool, photograph: Photograph | None) -> Floats:
-    beyond_x, beyond_y = _margin_px(margin)
-    width, height = WIDTH_PX + 2 * beyond_x, HEIGHT_PX + 2 * beyond_y
+def _scenery(picture: str, photograph: Photograph | None) -> Floats:
+    """All that may come into view, drawn once: no touch on k₁ has to wait for a margin."""
     if photograph:
-        x, y = MARGIN_PX[0] - beyond_x, MARGIN_PX[1] - beyond_y
-        codes = photograph.codes[y : y + height, x : x + width]
-        return decode_srgb(np.float32(1 / 255) * codes)
+        return decode_srgb(np.float32(1 / 255) * photograph.codes)
     draw = {"room": checker_room, "chart": resolution_chart}[picture]
-    return draw(width, height, FOCAL_PX)
+    return draw(*PHOTOGRAPH_PX, FOCAL_PX)
+
+
+def _pinhole(scenery: Floats, margin: bool) -> Floats:
+    if margin:
+        return scenery
+    x, y = MARGIN_PX
+    return scenery[y : y + HEIGHT_PX, x : x + WIDTH_PX]
 
 
 def _undistorted_frame(pinhole: Floats, margin: bool) -> Photo:
@@ -130,8 +136,8 @@ def _map(radii: Radii, k1: float, k2: float, tier: str, margin: bool) -> Warp:
     return Warp(table, coverage * table.inside.reshape(coverage.shape))
 
 
-def _through_lens(_undistorted: Photo, pinhole: Floats, warp: Warp) -> Photo:
-    return Photo(gather(warp.table, pinhole, fill=None), warp.coverage)
+def _through_lens(_undistorted: Photo, source: Source, warp: Warp) -> Photo:
+    return Photo(gather(warp.table, source, fill=None), warp.coverage)
 
 
 def _corrected(photo: Photo, k1: float, k2: float) -> Photo:
@@ -175,10 +181,12 @@ def _not_corrected(k1: float, k2: float, correct: bool) -> str:
 STAGES = (
     Stage("drawings", _drawings),
     Stage("radii", pixel_radii),
-    Stage("pinhole", _pinhole),
+    Stage("scenery", _scenery),
+    Stage("pinhole", _pinhole, ("scenery",)),
     Stage("undistorted", _undistorted_frame, ("pinhole",)),
+    Stage("source", gather_source, ("pinhole",)),
     Stage("map", _map, ("radii",), _ideal_lens),
-    Stage("through-lens", _through_lens, ("undistorted", "pinhole", "map"), _ideal_lens),
+    Stage("through-lens", _through_lens, ("undistorted", "source", "map"), _ideal_lens),
     Stage("corrected", _corrected, ("through-lens",), _not_corrected),
     Stage("encoded", _encoded, ("corrected",)),
 )
