@@ -15,6 +15,9 @@ from numpy.typing import NDArray
 
 type Point = Sequence[float] | NDArray[np.floating]
 
+SHORTER = (("-0.00", "0"), (".00", ""), *((f".{digit}0", f".{digit}") for digit in range(1, 10)))
+"""What two decimals are written as: in this order, and right only where all have two."""
+
 
 def coordinate(value: float) -> str:
     """A number for an SVG attribute; refuses what no renderer can draw."""
@@ -25,9 +28,22 @@ def coordinate(value: float) -> str:
 
 
 def _points(points: Iterable[Point], joint: str = " ") -> str:
-    # Plain numbers are written several times as fast as those of numpy.
-    plain = points.tolist() if isinstance(points, np.ndarray) else points
-    return joint.join([f"{coordinate(point[0])},{coordinate(point[1])}" for point in plain])
+    if isinstance(points, np.ndarray):
+        return _array_points(points, joint)
+    return joint.join([f"{coordinate(point[0])},{coordinate(point[1])}" for point in points])
+
+
+def _array_points(points: NDArray[np.floating], joint: str) -> str:
+    """`coordinate` of every number (N, 2), written at once: a curve has hundreds, in each frame."""
+    if not len(points):
+        return ""
+    numbers = points[:, :2].ravel().tolist()
+    if not all(map(math.isfinite, numbers)):
+        coordinate(next(number for number in numbers if not math.isfinite(number)))
+    text = joint.join(["%.2f,%.2f"] * len(points)) % tuple(numbers)
+    for written, meant in SHORTER:
+        text = text.replace(written, meant)
+    return text
 
 
 def line(start: Point, end: Point, style: str = "") -> str:

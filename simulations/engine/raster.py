@@ -24,7 +24,9 @@ def to_rgba8(srgb: ArrayLike, alpha: ArrayLike | None = None) -> NDArray[np.uint
         picture = picture[..., None]
     height, width = picture.shape[:2]
     rgba = np.empty((height, width, 4), np.uint8)
-    rgba[..., :3] = _to_uint8(picture)
+    codes = np.broadcast_to(_to_uint8(picture), (height, width, 3))
+    for channel in range(3):  # each in one go, where all together go pixel by pixel
+        rgba[..., channel] = codes[..., channel]
     rgba[..., 3] = 255 if alpha is None else _to_uint8(np.asarray(alpha))
     return rgba
 
@@ -32,4 +34,5 @@ def to_rgba8(srgb: ArrayLike, alpha: ArrayLike | None = None) -> NDArray[np.uint
 def _to_uint8(picture: NDArray[np.floating]) -> NDArray[np.uint8]:
     held = np.asarray(np.fmax(picture, 0.0))  # unlike maximum, takes NaN as the other
     np.minimum(held, 1.0, out=held)
-    return np.rint(held * 255.0).astype(np.uint8)
+    codes = held * 255.0
+    return np.rint(codes, out=codes).astype(np.uint8)

@@ -10,6 +10,7 @@ from simulations.engine.frame import Frame, Raster
 from simulations.engine.settings import values_of
 from simulations.engine.stages import StageCache, run
 from simulations.models.distortion.lens_model import Distortion, distort
+from simulations.models.sampling.resampling import gather_source
 from simulations.pictures.checker_room import checker_room
 from simulations.scenes.lens_distortion.drawing import IN_PICTURE
 from simulations.scenes.lens_distortion.radii import TIERS, inversion_error_px, pixel_radii
@@ -84,7 +85,7 @@ def test_a_linear_ramp_through_the_lens_shows_the_ideal_coordinate() -> None:
     y, x = np.mgrid[:420, :560].astype(np.float32)
     ramp = np.stack((x, y), axis=-1)
     warp = _map(pixel_radii(), -0.2, 0.05, TIER, margin=True)
-    seen = _through_lens(UNSEEN, ramp, warp).linear
+    seen = _through_lens(UNSEEN, gather_source(ramp), warp).linear
     ideal = (seen - [279.5, 209.5]) / 200.0
     rows, columns = np.mgrid[:240, :320]
     expected = (np.stack((columns, rows), axis=-1) - [159.5, 119.5]) / 200.0
@@ -109,7 +110,8 @@ def test_the_fixed_point_is_told_by_its_error(tier: str) -> None:
 
 def test_the_correction_restores_the_picture_where_the_photograph_had_it() -> None:
     pinhole = checker_room(560, 420, 200.0)
-    photo = _through_lens(UNSEEN, pinhole, _map(pixel_radii(), -0.1, 0.0, TIER, margin=True))
+    warp = _map(pixel_radii(), -0.1, 0.0, TIER, margin=True)
+    photo = _through_lens(UNSEEN, gather_source(pinhole), warp)
     restored = _corrected(photo, -0.1, 0.0)
     truth = pinhole[90:330, 120:440]
     error = np.abs(restored.linear - truth)[restored.coverage > 0.99]
@@ -124,6 +126,12 @@ def test_only_what_a_control_touches_is_computed_again() -> None:
     assert (again["radii"], again["pinhole"], again["map"]) == ("reused", "reused", "computed")
     other = statuses(render(cache, k1=-0.2, picture="chart"))
     assert (other["pinhole"], other["map"]) == ("computed", "reused")
+
+
+def test_a_barrel_finds_what_it_pulls_into_view_already_drawn() -> None:
+    cache = StageCache()
+    render(cache)
+    assert statuses(render(cache, k1=-0.3))["scenery"] == "reused"
 
 
 def test_what_does_not_bend_lines_does_not_draw_them_anew() -> None:

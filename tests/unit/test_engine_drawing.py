@@ -3,8 +3,9 @@
 import math
 from xml.etree import ElementTree
 
+import numpy as np
 import pytest
-from hypothesis import given
+from hypothesis import example, given
 from hypothesis import strategies as st
 
 from simulations.engine import drawing
@@ -23,6 +24,20 @@ def test_coordinates_are_rounded_to_a_hundredth(value: float, text: str) -> None
 def test_what_no_renderer_can_draw_is_refused(value: float) -> None:
     with pytest.raises(ValueError, match="cannot draw at"):
         drawing.line((0, 0), (value, 0))
+
+
+@given(st.lists(st.tuples(finite, finite), max_size=5))
+@example([(-0.001, 100.0), (0.1, 10.5), (-0.004, -0.006), (-10.0, 1e4)])
+def test_an_array_of_points_is_written_as_each_of_them_would_be(
+    points: list[tuple[float, float]],
+) -> None:
+    array = np.array(points, float).reshape(-1, 2)
+    assert drawing.polyline(array, "ray") == drawing.polyline(points, "ray")
+
+
+def test_an_array_with_a_point_that_cannot_be_drawn_is_refused() -> None:
+    with pytest.raises(ValueError, match="cannot draw at inf"):
+        drawing.polyline(np.array([(0.0, 0.0), (1.0, math.inf)]))
 
 
 @given(finite, finite, finite, finite)

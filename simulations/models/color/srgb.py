@@ -62,4 +62,5 @@ def encode_srgb_table(linear: ArrayLike) -> NDArray[np.float32]:
     np.minimum(place, 1, out=place)
     place *= len(_TABLE) - 1
     place += 0.5
-    return _TABLE[place.astype(np.intp)]  # int32 would be converted
+    # int32 would be converted; no index is out of range, "clip" only spares the check for it.
+    return _TABLE.take(place.astype(np.intp), mode="clip")

@@ -6,6 +6,7 @@ found once, here; its inverse in `radial_table` and `radial_inverse`.
 """
 
 from dataclasses import dataclass
+from functools import lru_cache
 from math import inf, isfinite, sqrt
 
 import numpy as np
@@ -90,6 +91,7 @@ def slope_at_squared(profile: RadialProfile, radius_squared: ArrayLike) -> Float
         return _series(odd, s)
 
 
+@lru_cache(maxsize=64)  # asked for some twenty times a frame
 def fold_radius(profile: RadialProfile) -> float:
     """The radius where f stops increasing, or inf where it never does.
 

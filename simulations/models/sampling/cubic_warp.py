@@ -67,18 +67,20 @@ def warp(table: CubicWarp, planes: Planes) -> Planes:
     height, width = table.source_shape
     if planes.ndim != 3 or planes.shape[1:] != table.source_shape:
         raise ValueError(f"planes {planes.shape}; legal: (channels, {height}, {width})")
-    result = np.zeros((len(planes), *table.corner.shape), np.float32)
+    result = np.empty((len(planes), *table.corner.shape), np.float32)
     row, tap = np.empty_like(result[0]), np.empty_like(result[0])
     for plane, total in zip(np.ascontiguousarray(planes, np.float32), result, strict=True):
         flat = plane.reshape(-1)
         for down in range(TAPS):
-            row[:] = 0.0
+            into = row if down else total
             for across in range(TAPS):
                 # Shifting the picture instead of the indices needs one index per output.
-                shifted = flat[down * width + across :]
-                np.take(shifted, table.corner, out=tap, mode="clip")
-                tap *= table.across[across]
-                row += tap
-            row *= table.down[down]
-            total += row
+                read = tap if across else into
+                np.take(flat[down * width + across :], table.corner, out=read, mode="clip")
+                read *= table.across[across]
+                if across:
+                    into += tap
+            into *= table.down[down]
+            if down:
+                total += row
     return result

@@ -7,6 +7,7 @@ Szeliski, 2nd ed., §3.5.1–3.5.2; R. G. Keys, *Cubic convolution interpolation
 
 from collections.abc import Callable
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -98,46 +99,89 @@ def gather_table(
     and quicker for them. Beyond the border the border pixels repeat. Coordinates off the picture,
     huge or NaN (which counts as 0) are legal; ``inside`` tells which.
     """
+    positions = as_vectors("xy_px", xy_px, 2)
+    return gather_table_at(positions[..., 0], positions[..., 1], source_shape, kernel, dtype)
+
+
+def gather_table_at(
+    x_px: Floats,
+    y_px: Floats,
+    source_shape: tuple[int, int],
+    kernel: str = "bilinear",
+    dtype: type[np.floating] = np.float64,
+) -> GatherTable:
+    """`gather_table` of coordinates that lie apart, (...) each."""
     chosen = _kernel(kernel)
     height, width = source_shape
     if height < 1 or width < 1:
         raise ValueError(f"source_shape {source_shape}; legal: 1 x 1 or more")
-    positions = as_vectors("xy_px", xy_px, 2)
-    x, y = positions[..., 0].ravel(), positions[..., 1].ravel()
+    x, y = x_px.ravel(), y_px.ravel()
     inside = (x >= -0.5) & (x < width - 0.5) & (y >= -0.5) & (y < height - 0.5)
     column, across = _axis_taps(x, width, chosen, dtype)
     row, down = _axis_taps(y, height, chosen, dtype)
     corner = row * (width + 2 * (chosen.taps // 2)) + column
-    return GatherTable(positions.shape[:-1], source_shape, chosen, corner, across, down, inside)
+    return GatherTable(x_px.shape, source_shape, chosen, corner, across, down, inside)
 
 
-def gather(table: GatherTable, image: ArrayLike, fill: float | None = 0.0) -> Floats:
-    """Apply a table to a picture (H, W) or (H, W, C).
+@dataclass(frozen=True, slots=True)
+class Source:
+    """A picture made ready for many tables of one kernel."""
+
+    shape: tuple[int, ...]
+    """Of the picture: (H, W) or (H, W, C)."""
+    kernel: Kernel
+    planes: tuple[Floats, ...]
+    """A channel each, its border repeated as far as the kernel reaches, filtered for it."""
+
+
+def gather_source(image: ArrayLike, kernel: str = "bilinear") -> Source:
+    """What `gather` reads of a picture (H, W) or (H, W, C), where several tables are to read it.
+
+    float32 pictures stay float32, everything else becomes float64.
+    """
+    return _source(np.asarray(image), _kernel(kernel))
+
+
+def _source(picture: NDArray[Any], kernel: Kernel) -> Source:
+    if picture.ndim not in (2, 3):
+        raise ValueError(f"image of shape {picture.shape}; legal: (H, W) or (H, W, channels)")
+    dtype = np.float32 if picture.dtype == np.float32 else np.float64
+    channels = picture.astype(dtype, copy=False).reshape(*picture.shape[:2], -1)
+    planes = [  # each in one piece
+        np.pad(channels[..., channel], kernel.taps // 2, mode="edge")
+        for channel in range(channels.shape[2])
+    ]
+    if kernel.prefiltered:
+        planes = [bspline.coefficients(plane) for plane in planes]
+    return Source(picture.shape, kernel, tuple(planes))
+
+
+def gather(table: GatherTable, image: ArrayLike | Source, fill: float | None = 0.0) -> Floats:
+    """Apply a table to a picture (H, W) or (H, W, C), or to what `gather_source` made of one.
 
     ``fill`` is the value off the picture; None repeats the border. float32 pictures stay
     float32, everything else is weighed in float64.
     """
-    picture = np.asarray(image)
-    if picture.shape[:2] != table.source_shape or picture.ndim not in (2, 3):
+    picture = image if isinstance(image, Source) else np.asarray(image)
+    if picture.shape[:2] != table.source_shape or len(picture.shape) not in (2, 3):
         raise ValueError(
             f"image of shape {picture.shape}; legal for the table: {table.source_shape} or "
             f"{table.source_shape} + (channels,)"
         )
-    dtype = np.float32 if picture.dtype == np.float32 else np.float64
-    if table.across.dtype.itemsize < np.dtype(dtype).itemsize:
-        raise ValueError(f"image of {picture.dtype}; legal: float32, since the table's weights are")
+    source = picture if isinstance(picture, Source) else _source(picture, table.kernel)
+    if source.kernel is not table.kernel:
+        raise ValueError("source for another kernel; legal: for that of the table")
+    dtype = source.planes[0].dtype if source.planes else np.dtype(np.float32)
+    if table.across.dtype.itemsize < dtype.itemsize:
+        raise ValueError(f"image of {dtype}; legal: float32, since the table's weights are")
     across: Floats = table.across.astype(dtype, copy=False)
     down: Floats = table.down.astype(dtype, copy=False)
-    planes = picture.astype(dtype, copy=False).reshape(*table.source_shape, -1)
-    result = np.empty((table.corner.size, planes.shape[2]), dtype)
-    for channel in range(planes.shape[2]):  # each from a plane of its own, in one piece
-        framed = np.pad(planes[..., channel], table.margin, mode="edge")
-        if table.kernel.prefiltered:
-            framed = bspline.coefficients(framed)
-        result[:, channel] = _weighed(framed, table.corner, across, down)
+    result = np.empty((table.corner.size, len(source.planes)), dtype)
+    for channel, plane in enumerate(source.planes):
+        result[:, channel] = _weighed(plane, table.corner, across, down)
     if fill is not None:
         result[~table.inside] = fill
-    return result.reshape((*table.shape, *picture.shape[2:]))
+    return result.reshape((*table.shape, *source.shape[2:]))
 
 
 def _weighed(framed: Floats, corner: NDArray[np.intp], across: Floats, down: Floats) -> Floats:
@@ -145,18 +189,21 @@ def _weighed(framed: Floats, corner: NDArray[np.intp], across: Floats, down: Flo
     width, flat = framed.shape[1], np.ascontiguousarray(framed).reshape(-1)
     if len(across) == 1:  # a single tap has weight 1
         return flat[corner]
-    total = np.zeros(corner.shape, flat.dtype)
+    total = np.empty(corner.shape, flat.dtype)
     row, tap = np.empty_like(total), np.empty_like(total)
-    for first, row_weight in zip(range(0, len(down) * width, width), down, strict=True):
-        row[:] = 0
+    for down_by, row_weight in enumerate(down):
+        into = row if down_by else total
         for column, weight in enumerate(across):
             # Shifting the picture instead of the indices needs one index per output. It is never
             # out of range; "clip" only spares a copy that "raise" makes to be safe.
-            np.take(flat[first + column :], corner, out=tap, mode="clip")
-            tap *= weight
-            row += tap
-        row *= row_weight
-        total += row
+            read = tap if column else into
+            np.take(flat[down_by * width + column :], corner, out=read, mode="clip")
+            read *= weight
+            if column:
+                into += tap
+        into *= row_weight
+        if down_by:
+            total += row
     return total
 
 
@@ -201,7 +248,10 @@ def _axis_taps(
     position: Floats, size: int, kernel: Kernel, dtype: type[np.floating]
 ) -> tuple[NDArray[np.intp], Floats]:
     """First of the taps (N,) along one axis, counted with the margin, and weights (taps, N)."""
-    bounded = np.clip(np.nan_to_num(position, nan=0.0), -0.5, size - 0.5)
+    bounded = np.clip(position, -0.5, size - 0.5)
+    missing = np.isnan(bounded)
+    if missing.any():
+        bounded[missing] = 0.0
     if kernel.taps == 1:
         nearest = np.floor(bounded + 0.5).astype(np.intp)
         return np.minimum(nearest, size - 1), np.ones((1, nearest.size), dtype)
@@ -209,7 +259,8 @@ def _axis_taps(
     weights = np.empty((kernel.taps, bounded.size))
     for row, offset in zip(weights, range(1 - kernel.taps // 2, 1 + kernel.taps // 2), strict=True):
         row[:] = kernel.weigh((base - bounded) + offset)
-    weights /= weights.sum(axis=0)  # Lanczos alone does not quite sum to 1
+    if kernel.taps > 2:  # two are what is left of 1 and that; Lanczos does not quite sum to 1
+        weights /= weights.sum(axis=0)
     return base.astype(np.intp) + 1, weights.astype(dtype, copy=False)
 
 

@@ -99,6 +99,17 @@ def _margin(reach_mm: float, size: int) -> int:
     return next(margin for margin in MARGINS_PX if margin >= needed)
 
 
+def widest_barrel(focal_length: float, focus: float, strongest: float) -> float:
+    """The k₁ from ``strongest`` upwards whose picture needs the widest margin.
+
+    The corner, at radius h, is seen from 3/2 h where the image of the fold, √(−4 / (27 k₁)), lies
+    right on it. A stronger barrel shows less of the world, behind a circle.
+    """
+    half_diagonal = math.hypot(SENSOR_WIDTH_MM, SENSOR_HEIGHT_MM) / 2
+    corner = half_diagonal / principal_mm(focal_length, focus)
+    return max(strongest, -4 / (27 * corner**2))
+
+
 def nearest_depth(principal: float, k1: float, back: float = 0.0) -> float:
     """Depth of the nearest thing or spot of floor that the sensor sees, metres."""
     _, down = ideal_reach(principal, k1)

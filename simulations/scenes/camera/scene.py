@@ -25,11 +25,19 @@ from simulations.scenes.camera.lens import (
     margin_px,
     principal_mm,
     sensor_rays,
+    widest_barrel,
 )
 from simulations.scenes.camera.plan import PLAN_HEIGHT, PLAN_WIDTH, Standing, draw_plan
 from simulations.scenes.camera.sensor import develop_ideal, expose, shutter_s, vignette
-from simulations.scenes.camera.settings import Settings
-from simulations.scenes.camera.stages import SCALED, STAGES, TIERS, drawing_of, through_lens
+from simulations.scenes.camera.settings import STRONGEST_BARREL, Settings
+from simulations.scenes.camera.stages import (
+    BOWED,
+    SCALED,
+    STAGES,
+    TIERS,
+    drawing_of,
+    through_lens,
+)
 
 REFERENCE_GRID = 7
 """Points across the lens of the picture that errors are measured against: 37 in all."""
@@ -38,9 +46,11 @@ REFERENCE_GRID = 7
 def parameters(settings: Settings, tier: str) -> dict[str, Value]:
     """What the stages read besides the controls: set by the tier, or worked out."""
     draft, now = tier == SCALED, after_step(settings)
-    accuracy, across, down = TIERS["layers" if draft else tier], 0, 0
+    accuracy, across, down = TIERS[tier if tier in TIERS else "layers"], 0, 0
     if not accuracy.bent_rays:
-        across, down = margin_px(now.focal_length, now.focus, now.k1)
+        lens = now.focal_length, now.focus
+        widest = widest_barrel(*lens, STRONGEST_BARREL) if tier == BOWED else now.k1
+        across, down = margin_px(*lens, widest)
     return {
         **asdict(accuracy),
         **drawing_of(draft, now.focal_length, now.focus),
@@ -184,8 +194,8 @@ SCENE = Scene(
     default_tier="layers",
     draft_tier="draft",
     drafted=("focal_length", "light_angle", "back"),
-    drafted_in={"bent-rays": ("k1",), "aperture-rays": ("aperture", "k1")},
-    own_drafts={SCALED: ("focus",)},
+    drafted_in={"aperture-rays": ("aperture",)},
+    own_drafts={SCALED: ("focus",), BOWED: ("k1",)},
     tier_labels={
         "draft": "Draft: a ray for four pixels",
         "layers": "Bent picture, blurred layers",

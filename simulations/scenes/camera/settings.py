@@ -4,6 +4,9 @@ from dataclasses import dataclass
 
 from simulations.engine.settings import action, slider, toggle
 
+STRONGEST_BARREL = -0.4
+"""The lowest k₁ of the slider."""
+
 
 @dataclass(frozen=True, slots=True)
 class Settings:
@@ -16,7 +19,7 @@ class Settings:
     back: float = slider("Step back, zooming in", 0.0, 0.0, 4.0, 0.1, unit="m")
     light_angle: float = slider("Light angle", 40.0, -80.0, 80.0, 1.0, unit="°")
     exposure: float = slider("Exposure", 0.0, -3.0, 3.0, 0.1, unit="EV")
-    k1: float = slider("Distortion k₁", 0.0, -0.4, 0.4, 0.01)
+    k1: float = slider("Distortion k₁", 0.0, STRONGEST_BARREL, 0.4, 0.01)
     noise_sigma: float = slider("Read noise σ", 5.0, 0.0, 40.0, 1.0, unit="codes")
     shot_noise: bool = toggle("Photon shot noise", default=True)
     new_noise: int = action(*("Take it again",) * 8)

@@ -49,6 +49,11 @@ SCALED = "scaled"
 breathes. A coarser one would look out of focus everywhere."""
 
 
+BOWED = "bowed"
+"""The draft of a moving k₁: one straight picture, drawn with the widest margin that any k₁ of the
+slider needs, is bent anew. At rest the margin is that of the lens's own k₁."""
+
+
 def drawing_of(draft: bool, focal_length: float, focus: float) -> dict[str, Value]:
     """At which focus the picture is drawn, and how much larger it is shown."""
     drawn = max(FARTHEST_M, focus) if draft else focus

@@ -16,7 +16,15 @@ from simulations.models.distortion.lens_model import (
     fold_radius,
     largest_distorted_radius,
 )
-from simulations.models.sampling.resampling import GatherTable, gather, gather_table
+from simulations.models.pixel_grid import centred
+from simulations.models.sampling.resampling import (
+    GatherTable,
+    Source,
+    gather,
+    gather_source,
+    gather_table,
+    gather_table_at,
+)
 from simulations.pictures.checker_room import checker_room
 from simulations.pictures.resolution_chart import resolution_chart
 from simulations.scenes.lens_distortion.drawing import grid_overlay, picture_overlay
@@ -90,15 +98,19 @@ def _margin_px(margin: bool) -> tuple[int, int]:
     return MARGIN_PX if margin else (0, 0)
 
 
-def _pinhole(picture: str, margin: bool, photograph: Photograph | None) -> Floats:
-    beyond_x, beyond_y = _margin_px(margin)
-    width, height = WIDTH_PX + 2 * beyond_x, HEIGHT_PX + 2 * beyond_y
+def _scenery(picture: str, photograph: Photograph | None) -> Floats:
+    """All that may come into view, drawn once: no touch on k₁ has to wait for a margin."""
     if photograph:
-        x, y = MARGIN_PX[0] - beyond_x, MARGIN_PX[1] - beyond_y
-        codes = photograph.codes[y : y + height, x : x + width]
-        return decode_srgb(np.float32(1 / 255) * codes)
+        return decode_srgb(np.float32(1 / 255) * photograph.codes)
     draw = {"room": checker_room, "chart": resolution_chart}[picture]
-    return draw(width, height, FOCAL_PX)
+    return draw(*PHOTOGRAPH_PX, FOCAL_PX)
+
+
+def _pinhole(scenery: Floats, margin: bool) -> Floats:
+    if margin:
+        return scenery
+    x, y = MARGIN_PX
+    return scenery[y : y + HEIGHT_PX, x : x + WIDTH_PX]
 
 
 def _undistorted_frame(pinhole: Floats, margin: bool) -> Photo:
@@ -111,11 +123,12 @@ def _map(radii: Radii, k1: float, k2: float, tier: str, margin: bool) -> Warp:
     """For each pixel of the photograph, where in the pinhole picture its light comes from."""
     lens = Distortion(k1=k1, k2=k2)
     ideal = ideal_radii(radii.distinct, lens, tier)
-    ratio = (ideal / radii.distinct)[radii.of_pixel].reshape(HEIGHT_PX, WIDTH_PX, 1)
+    ratio = (ideal / radii.distinct)[radii.of_pixel].reshape(HEIGHT_PX, WIDTH_PX)
     beyond_x, beyond_y = _margin_px(margin)
-    centre = np.array((beyond_x + 0.5 * (WIDTH_PX - 1), beyond_y + 0.5 * (HEIGHT_PX - 1)))
+    x = beyond_x + 0.5 * (WIDTH_PX - 1) + centred(WIDTH_PX) * ratio
+    y = beyond_y + 0.5 * (HEIGHT_PX - 1) + centred(HEIGHT_PX)[:, None] * ratio
     shape = (HEIGHT_PX + 2 * beyond_y, WIDTH_PX + 2 * beyond_x)
-    table = gather_table(centre + centred_pixels() * ratio, shape, dtype=np.float32)
+    table = gather_table_at(x, y, shape, dtype=np.float32)
     # A soft edge, one pixel wide, where the image ends.
     limit = min(largest_distorted_radius(lens), 1e6)
     edge = np.clip((limit - radii.distinct) * FOCAL_PX + 0.5, 0.0, 1.0).astype(np.float32)
@@ -123,8 +136,8 @@ def _map(radii: Radii, k1: float, k2: float, tier: str, margin: bool) -> Warp:
     return Warp(table, coverage * table.inside.reshape(coverage.shape))
 
 
-def _through_lens(_undistorted: Photo, pinhole: Floats, warp: Warp) -> Photo:
-    return Photo(gather(warp.table, pinhole, fill=None), warp.coverage)
+def _through_lens(_undistorted: Photo, source: Source, warp: Warp) -> Photo:
+    return Photo(gather(warp.table, source, fill=None), warp.coverage)
 
 
 def _corrected(photo: Photo, k1: float, k2: float) -> Photo:
@@ -146,9 +159,15 @@ def _corrected(photo: Photo, k1: float, k2: float) -> Photo:
 def _encoded(photo: Photo) -> NDArray[np.uint8]:
     if photo.coverage.min() == 1.0:
         return to_rgba8(encode_srgb_table(photo.linear))
-    covered = photo.coverage[..., None]
-    unseen = np.asarray(UNSEEN, np.float32)
-    return to_rgba8(encode_srgb_table(unseen + (photo.linear - unseen) * covered))
+    return to_rgba8(encode_srgb_table(_over_unseen(photo)))
+
+
+def _over_unseen(photo: Photo) -> Floats:
+    """The photograph where it covers a pixel, grey where it does not."""
+    laid = np.empty_like(photo.linear)
+    for channel, grey in enumerate(np.asarray(UNSEEN, np.float32)):
+        laid[..., channel] = grey + (photo.linear[..., channel] - grey) * photo.coverage
+    return laid
 
 
 def _ideal_lens(k1: float, k2: float) -> str:
@@ -162,10 +181,12 @@ def _not_corrected(k1: float, k2: float, correct: bool) -> str:
 STAGES = (
     Stage("drawings", _drawings),
     Stage("radii", pixel_radii),
-    Stage("pinhole", _pinhole),
+    Stage("scenery", _scenery),
+    Stage("pinhole", _pinhole, ("scenery",)),
     Stage("undistorted", _undistorted_frame, ("pinhole",)),
+    Stage("source", gather_source, ("pinhole",)),
     Stage("map", _map, ("radii",), _ideal_lens),
-    Stage("through-lens", _through_lens, ("undistorted", "pinhole", "map"), _ideal_lens),
+    Stage("through-lens", _through_lens, ("undistorted", "source", "map"), _ideal_lens),
     Stage("corrected", _corrected, ("through-lens",), _not_corrected),
     Stage("encoded", _encoded, ("corrected",)),
 )

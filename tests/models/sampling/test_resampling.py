@@ -8,7 +8,14 @@ import pytest
 from PIL import Image
 from scipy.ndimage import map_coordinates
 
-from simulations.models.sampling.resampling import KERNELS, gather, gather_table, resize, sample
+from simulations.models.sampling.resampling import (
+    KERNELS,
+    gather,
+    gather_source,
+    gather_table,
+    resize,
+    sample,
+)
 
 RNG = np.random.default_rng(3)
 PICTURE = RNG.random((40, 50)).astype(np.float32)
@@ -274,3 +281,17 @@ def test_channels_are_resized_each_on_its_own() -> None:
         np.testing.assert_allclose(
             resized[..., channel], resize(colour[..., channel], 13, 17, "bicubic"), atol=1e-6
         )
+
+
+@pytest.mark.parametrize("kernel", KERNELS)
+def test_a_picture_made_ready_once_is_read_as_the_picture_is(kernel: str) -> None:
+    picture = np.random.default_rng(3).random((7, 9, 3), np.float32)
+    table = gather_table([[2.3, 4.6], [-0.4, 0.1]], (7, 9), kernel, np.float32)
+    ready = gather_source(picture, kernel)
+    np.testing.assert_array_equal(gather(table, ready), gather(table, picture))
+
+
+def test_a_picture_made_ready_for_another_kernel_is_refused() -> None:
+    table = gather_table([[2.3, 4.6]], (7, 9), "bicubic")
+    with pytest.raises(ValueError, match="another kernel"):
+        gather(table, gather_source(np.zeros((7, 9)), "bilinear"))
