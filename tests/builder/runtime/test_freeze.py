@@ -10,13 +10,12 @@ import pytest
 from site_builder.runtime import store
 from site_builder.runtime.fetch import fetch_runtime
 from site_builder.runtime.freeze import INTERPRETER, FreezeError, Frozen, freeze_libraries
-from site_builder.runtime.imports import outside, reach, read_imports
+from site_builder.runtime.imports import Table, outside, reach
 from site_builder.runtime.modules import ENTRY
 from site_builder.runtime.pack import page_modules
 from site_builder.runtime.pinned import NUMPY_WHEEL, PYTHON_LIBRARY
 
 FETCHED = fetch_runtime()
-SIMULATIONS = Path(__file__).resolve().parents[3] / "simulations"
 
 
 def freeze(folder: Path, at_once: Mapping[str, str], later: Mapping[str, str]) -> Frozen:
@@ -25,16 +24,15 @@ def freeze(folder: Path, at_once: Mapping[str, str], later: Mapping[str, str]) -
     return freeze_libraries(interpreter, python, numpy, at_once, later, folder)
 
 
-def freeze_for_the_book(folder: Path) -> Frozen:
-    imports = read_imports(SIMULATIONS)
+def freeze_for_the_book(folder: Path, imports: Table) -> Frozen:
     at_once = outside(imports, reach(imports, ENTRY))
     return freeze(folder, at_once, outside(imports, page_modules(imports)))
 
 
 @pytest.fixture(scope="module")
-def frozen() -> Frozen:
+def frozen(imports_of_the_book: Table) -> Frozen:
     """The book's own parts, which are kept between builds."""
-    return freeze_for_the_book(store.default_store())
+    return freeze_for_the_book(store.default_store(), imports_of_the_book)
 
 
 def members(archive: Path) -> list[str]:
@@ -82,17 +80,19 @@ def kept(frozen: Frozen, tmp_path: Path) -> Path:
 
 
 def test_what_is_kept_is_taken_again(
-    frozen: Frozen, kept: Path, monkeypatch: pytest.MonkeyPatch
+    frozen: Frozen, kept: Path, imports_of_the_book: Table, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.delattr("site_builder.runtime.freeze.node")
-    assert freeze_for_the_book(kept).modules == frozen.modules
+    assert freeze_for_the_book(kept, imports_of_the_book).modules == frozen.modules
 
 
 @pytest.mark.long
-def test_after_damage_the_same_bytes_are_made_again(frozen: Frozen, kept: Path) -> None:
+def test_after_damage_the_same_bytes_are_made_again(
+    frozen: Frozen, kept: Path, imports_of_the_book: Table
+) -> None:
     damaged = kept / frozen.archives["numpy-fft"].relative_to(store.default_store())
     damaged.write_bytes(damaged.read_bytes()[:-1])
-    again = freeze_for_the_book(kept)
+    again = freeze_for_the_book(kept, imports_of_the_book)
     assert {part: archive.parent.name for part, archive in again.archives.items()} == {
         part: archive.parent.name for part, archive in frozen.archives.items()
     }, "every archive lies where its hash says"

@@ -15,7 +15,7 @@ from pathlib import Path
 import pytest
 
 from site_builder.runtime.freeze import Frozen
-from site_builder.runtime.imports import module_files, read_imports
+from site_builder.runtime.imports import Table, module_files, read_imports
 from site_builder.runtime.pack import (
     pack_runtime,
     page_modules,
@@ -88,10 +88,12 @@ print(json.dumps([name for name in sys.modules if name.split(".")[0] == "simulat
 """
 
 
-def test_the_page_gets_just_the_modules_that_the_worker_scenes_and_ladders_import() -> None:
+def test_the_page_gets_just_the_modules_that_the_worker_scenes_and_ladders_import(
+    imports_of_the_book: Table,
+) -> None:
     command = [sys.executable, "-c", IMPORT_ALL]
     done = subprocess.run(command, cwd=ROOT, capture_output=True, text=True, check=True)
-    assert page_modules(read_imports(ROOT / "simulations")) == set(json.loads(done.stdout))
+    assert page_modules(imports_of_the_book) == set(json.loads(done.stdout))
 
 
 def test_the_table_tells_the_hash_of_each_archive(package: Path, tmp_path: Path) -> None:
