@@ -17,6 +17,8 @@ from support.reader import DESK, Reader, visit
 from support.static_server import StaticServer, serving
 from support.turns import Turn, deal
 
+from site_builder.runtime.imports import Table, read_imports
+
 ROOT = Path(__file__).resolve().parents[1]
 
 # The same examples in every run: a change is judged by its own failures. To look for new ones,
@@ -55,6 +57,12 @@ def pytest_xdist_auto_num_workers(config: pytest.Config) -> int | None:
 
 def pytest_addoption(parser: pytest.Parser) -> None:
     parser.addoption("--site", type=Path, help="test this built site instead of building one")
+
+
+@pytest.fixture(scope="session")
+def imports_of_the_book() -> Table:
+    """What each module of the simulations imports: four hundred sources, read once."""
+    return read_imports(ROOT / "simulations")
 
 
 @pytest.fixture(scope="session")

@@ -140,20 +140,35 @@ def look_at_loaded(recall: Recall, known: Modules) -> None:
 def _imported(file: Path) -> tuple[str, ...]:
     """Names that may be modules of ours: a name imported from a package may be one too. None of
     what is no Python, which is told where it is imported."""
+    return _imported_by(file.read_bytes())
+
+
+@functools.lru_cache(maxsize=1024)
+def _imported_by(source: bytes) -> tuple[str, ...]:
+    """Remembered, as each keeper begins with the same few hundred modules."""
     try:
-        tree = ast.parse(file.read_bytes())
+        tree = ast.parse(source)
     except (SyntaxError, ValueError):
         return ()
     return tuple(dict.fromkeys(_names(tree)))
 
 
 def _names(tree: ast.Module) -> Iterator[str]:
-    for node in ast.walk(tree):
+    for node in _statements(tree):
         if isinstance(node, ast.Import):
             yield from (alias.name for alias in node.names if is_ours(alias.name))
         elif isinstance(node, ast.ImportFrom) and node.module and is_ours(node.module):
             yield node.module
             yield from (f"{node.module}.{alias.name}" for alias in node.names)
+
+
+def _statements(block: ast.AST) -> Iterator[ast.stmt]:
+    """All in it, however deep: in no expression is a statement, and expressions are most nodes."""
+    for part in ("body", "handlers", "cases", "orelse", "finalbody"):
+        for node in getattr(block, part, ()):
+            if isinstance(node, ast.stmt):
+                yield node
+            yield from _statements(node)
 
 
 @functools.cache

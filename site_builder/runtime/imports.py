@@ -97,8 +97,11 @@ def _mentions(tree: ast.Module) -> Iterator[tuple[str, int, bool]]:
     A package of numpy need not be imported by name: ``np.fft`` imports it on first use.
     """
     aliases: dict[str, str] = {}
+    attributes: list[ast.Attribute] = []
     for node in ast.walk(tree):
-        if isinstance(node, ast.Import):
+        if isinstance(node, ast.Attribute):
+            attributes.append(node)
+        elif isinstance(node, ast.Import):
             for alias in node.names:
                 aliases[alias.asname or alias.name] = alias.name
                 yield alias.name, node.lineno, True
@@ -106,8 +109,8 @@ def _mentions(tree: ast.Module) -> Iterator[tuple[str, int, bool]]:
             yield node.module, node.lineno, True
             for alias in node.names:
                 yield f"{node.module}.{alias.name}", node.lineno, False
-    for node in ast.walk(tree):
-        if isinstance(node, ast.Attribute) and isinstance(node.value, ast.Name):
+    for node in attributes:
+        if isinstance(node.value, ast.Name):
             package = aliases.get(node.value.id)
             if package:
                 yield f"{package}.{node.attr}", node.lineno, False

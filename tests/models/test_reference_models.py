@@ -3,10 +3,8 @@
 import ast
 from pathlib import Path
 
-import pytest
-
 from simulations.registry import found
-from site_builder.runtime.imports import Table, module_files, reach, read_imports
+from site_builder.runtime.imports import Table, module_files, reach
 from site_builder.runtime.pack import page_modules
 
 SIMULATIONS = Path(__file__).resolve().parents[2] / "simulations"
@@ -17,25 +15,20 @@ MODELS = {
 }
 
 
-@pytest.fixture(scope="module")
-def imports() -> Table:
-    return read_imports(SIMULATIONS)
-
-
 def is_marked(file: Path) -> bool:
     words = ast.get_docstring(ast.parse(file.read_text(encoding="utf-8"))) or ""
     return any(line.startswith("Reference: ") for line in words.splitlines())
 
 
 def test_the_models_marked_as_reference_are_those_that_no_figure_and_no_ladder_imports(
-    imports: Table,
+    imports_of_the_book: Table,
 ) -> None:
     marked = {name for name, file in MODELS.items() if is_marked(file)}
-    assert marked == MODELS.keys() - page_modules(imports)
+    assert marked == MODELS.keys() - page_modules(imports_of_the_book)
 
 
 def test_every_model_is_run_by_a_figure_or_a_ladder_or_asked_in_a_hard_case(
-    imports: Table,
+    imports_of_the_book: Table,
 ) -> None:
-    asked = [reach(imports, table) for table in found("hard_cases").values()]
-    assert MODELS.keys() <= page_modules(imports).union(*asked)
+    asked = [reach(imports_of_the_book, table) for table in found("hard_cases").values()]
+    assert MODELS.keys() <= page_modules(imports_of_the_book).union(*asked)

@@ -61,7 +61,7 @@ def host(monkeypatch: pytest.MonkeyPatch) -> Iterator[str]:
     Host.asked, Host.release = [], threading.Event()
     server = ThreadingHTTPServer(("127.0.0.1", 0), Host)
     server.daemon_threads = True
-    thread = threading.Thread(target=server.serve_forever, daemon=True)
+    thread = threading.Thread(target=server.serve_forever, args=(0.01,), daemon=True)
     thread.start()
     yield f"http://127.0.0.1:{server.server_address[1]}"
     Host.release.set()

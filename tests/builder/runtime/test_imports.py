@@ -14,9 +14,9 @@ from site_builder.runtime.imports import Table, outside, reach, read_imports
 ROOT = Path(__file__).resolve().parents[3]
 
 
-@pytest.fixture(scope="module")
-def table() -> Table:
-    return read_imports(ROOT / "simulations")
+@pytest.fixture
+def table(imports_of_the_book: Table) -> Table:
+    return imports_of_the_book
 
 
 @pytest.fixture

@@ -6,6 +6,7 @@ import threading
 import urllib.error
 import urllib.request
 from collections.abc import Iterator
+from functools import partialmethod
 from pathlib import Path
 
 import pytest
@@ -22,13 +23,15 @@ def news() -> News:
 
 
 @pytest.fixture
-def server(tmp_path: Path, news: News) -> Iterator[Server]:
+def server(tmp_path: Path, news: News, monkeypatch: pytest.MonkeyPatch) -> Iterator[Server]:
     (tmp_path / "outside.txt").write_text("secret")
     out = tmp_path / "site"
     for name in FILES:
         (out / name).parent.mkdir(parents=True, exist_ok=True)
         (out / name).write_text(f"<p>{name}</p>")
     (out / "link.txt").symlink_to(tmp_path / "outside.txt")
+    at_once = partialmethod(Server.serve_forever, poll_interval=0.01)  # notices that it is to end
+    monkeypatch.setattr(Server, "serve_forever", at_once)
     server = start_server(out, 0, news)
     yield server
     server.shutdown()
