@@ -68,6 +68,12 @@ class Reader:
         """Have the browser keep nothing for the book."""
         self.page.evaluate("localStorage.clear(); sessionStorage.clear()")
 
+    def keep_no_files(self) -> None:
+        """Have the browser ask the host for each file anew, whatever it was sent before."""
+        session = self.page.context.new_cdp_session(self.page)
+        session.send("Network.clearBrowserCache")
+        session.detach()
+
     def begin_anew(self, screen: ViewportSize = DESK) -> None:
         """As in a fresh profile: nothing kept, and no page but what is loaded next."""
         self.page.set_viewport_size(screen)
