@@ -97,8 +97,9 @@ def site_server(built_site: Path) -> Iterator[StaticServer]:
 
 @pytest.fixture
 def server(site_server: StaticServer) -> Iterator[StaticServer]:
-    """The served book; what a test damages is whole again after it."""
+    """The served book; what a test damages is whole again after it, and who was gone is back."""
     yield site_server
+    site_server.gone = False
     site_server.damaged.clear()
     site_server.faults.clear()
 

@@ -125,16 +125,17 @@ def test_an_answer_in_one_tab_shows_in_another_and_takes_nothing_from_it(
 
 
 def test_a_page_stays_while_the_host_is_gone_and_turns_once_it_is_back(
-    plain_reader: Reader, site_server: StaticServer, chapter: str
+    plain_reader: Reader, server: StaticServer, chapter: str
 ) -> None:
     plain_reader.open(chapter, live=False)
     page = plain_reader.page
     answer(page, 1)
-    site_server.gone = True
+    plain_reader.keep_no_files()
+    server.gone = True
     page.evaluate("document.querySelector('nav a[href*=glossary], a[href*=glossary]').click()")
     notice = page.locator(".notice")
     notice.wait_for()
-    site_server.gone = False
+    server.gone = False
     assert "does not answer" in notice.inner_text()
     assert chosen(page) == "1"
     notice.get_by_role("button", name="Try again").click()

@@ -68,6 +68,12 @@ class Reader:
         """Have the browser keep nothing for the book."""
         self.page.evaluate("localStorage.clear(); sessionStorage.clear()")
 
+    def keep_no_files(self) -> None:
+        """Have the browser ask the host for each file anew, whatever it was sent before."""
+        session = self.page.context.new_cdp_session(self.page)
+        session.send("Network.clearBrowserCache")
+        session.detach()
+
     def begin_anew(self, screen: ViewportSize = DESK) -> None:
         """As in a fresh profile: nothing kept, and no page but what is loaded next."""
         self.page.set_viewport_size(screen)
@@ -183,6 +189,11 @@ class Reader:
         """Wait until the figure has painted nothing new for a while; stop what plays."""
         figure.evaluate(SETTLE)
 
+    def put_back(self, figure: Locator) -> None:
+        """Have the figure as the page has put it, at once and at rest."""
+        figure.evaluate(PUT_BACK)
+        self.settle(figure)
+
     def wait_frame(self, figure: Locator, after: int, within_ms: int = 30_000) -> None:
         """Wait for a frame later than number ``after``."""
         self.page.wait_for_function(
@@ -218,7 +229,7 @@ def chapter_of(book: Any, scene: str) -> str:
 
 BRING = """async (element) => {
   element.scrollIntoView({block: 'center', inline: 'center', behavior: 'instant'});
-  for (let still = 0, last = ''; still < 5; ) {
+  for (let still = 0, last = ''; still < 2; ) {
     await new Promise(requestAnimationFrame);
     const {x, y} = element.getBoundingClientRect();
     still = `${x} ${y}` === last ? still + 1 : 0;
@@ -238,21 +249,37 @@ OFFER = """(url) => {
   document.getElementById('main').append(link);
 }"""
 
-SETTLE = """async (figure) => {
-  const pause = (ms) => new Promise((resolve) => setTimeout(resolve, ms));
+PULLED = """async () => {
   const url = new URL(document.body.dataset.assets + 'js/runtime/runtime.js', location.href);
   const runtime = (await import(url)).sharedRuntime();
-  for (let quiet = 0, frames = -1; quiet < 3; ) {
+  for (let pull = 0; pull < 3; pull += 1) await runtime.call('forget', {figure: ''}, () => 3);
+}"""
+"""Wait until all pulls are answered: one that is asked, the one that waits for it, and the last
+word on them; what is as urgent as they are is asked in its turn."""
+
+SETTLE = """async (figure) => {
+  const pulled = PULLED;
+  const frame = () => new Promise(requestAnimationFrame);
+  for (let quiet = 0, frames = figure.dataset.frames; quiet < 2; ) {
     for (const play of figure.querySelectorAll('button[data-state="1"]')) {
       const effect = JSON.parse(figure.querySelector('script.schema').textContent).controls
         .find((control) => control.name === play.name).effect;
       if (effect === 'play') play.click();
     }
-    await pause(40);
-    await runtime.call('forget', {figure: ''}, () => -1); // answered after all that waits, as pulls
-    quiet = figure.rests && figure.dataset.frames === frames ? quiet + 1 : 0;
+    await frame();
+    await frame(); // what moves has moved
+    await pulled();
+    const still = figure.rests && figure.dataset.frames === frames;
+    quiet = still && !('moving' in figure.dataset) ? quiet + 1 : 0;
     frames = figure.dataset.frames;
   }
+}""".replace("PULLED", PULLED)
+
+PUT_BACK = """async (figure) => {
+  const url = new URL(document.body.dataset.assets + 'js/figure/controls.js', location.href);
+  const {moveControls} = await import(url);
+  const {controls, values} = JSON.parse(figure.querySelector('script.schema').textContent);
+  moveControls(figure.querySelector('form.controls'), controls, values, 'change');
 }"""
 
 SHOWN = """(figure) => ({
