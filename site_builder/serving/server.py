@@ -16,8 +16,7 @@ from pathlib import Path
 
 from site_builder.serving.news import News
 
-SCRIPTS = Path(__file__).parent
-CLIENT = ("client.js", "unsent.js")
+CLIENT = Path(__file__).with_name("client.js")
 KEEP_ALIVE_S = 15.0
 LOOPBACK = "127.0.0.1"
 OWN_NAMES = ("localhost", "127.0.0.1", "::1")
@@ -71,8 +70,8 @@ class Handler(SimpleHTTPRequestHandler):
             self.send_error(HTTPStatus.MISDIRECTED_REQUEST, "not a name of this server")
         elif self.path == "/.reload/events":
             self._stream_events()
-        elif (name := self.path.removeprefix("/.reload/")) in CLIENT:
-            self._send("text/javascript", (SCRIPTS / name).read_bytes())
+        elif self.path == "/.reload/client.js":
+            self._send("text/javascript", CLIENT.read_bytes())
         elif not self.news.number:
             self._send("text/html; charset=utf-8", WAITING, status=503)
         else:

@@ -37,6 +37,9 @@ installNavigation(
   () => {
     for (const part of PARTS) part.returned?.();
   },
+  (page) => {
+    for (const part of PARTS) part.leave?.(page);
+  },
 );
 
 /** A page has come into place. */

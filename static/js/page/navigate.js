@@ -35,22 +35,28 @@ let scrollTimer = 0;
  *
  * @param {() => void} turned Called when a new page has been put in place.
  * @param {() => void} returned Called when another state of this page is to be shown.
+ * @param {(page: string) => void} leave Called with the path of the page that is about to go.
  */
-export function installNavigation(turned, returned) {
+export function installNavigation(turned, returned, leave) {
   history.scrollRestoration = "manual";
   if (history.state?.scroll && !location.hash) scrollTo(0, history.state.scroll);
+  const goes = () => leave(shownPath);
+  addEventListener("pagehide", goes);
   document.addEventListener("click", (event) => {
     const url = pageLink(event);
     if (!url) return;
     event.preventDefault();
     saveScroll();
-    turnTo(url, turned, () => history.pushState({}, "", url));
+    turnTo(url, turned, () => {
+      goes();
+      history.pushState({}, "", url);
+    });
   });
   addEventListener("popstate", () => {
     if (isArrived()) {
       restoreScroll();
       returned();
-    } else turnTo(new URL(location.href), turned, () => {});
+    } else turnTo(new URL(location.href), turned, goes);
   });
   addEventListener("scroll", () => {
     clearTimeout(scrollTimer);
