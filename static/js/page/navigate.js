@@ -122,18 +122,21 @@ async function fetchPage(url, signal) {
   if (!type.startsWith("text/html") || redirected) throw new Error("not a page of the book");
   const page = new DOMParser().parseFromString(text.replace(STYLES, ""), "text/html");
   if (!page.querySelector("main#main")) throw new Error("no text in the page");
-  if (assetsOf(page.body, url.href) !== assetsOf(document.body, location.href)) {
+  if (releaseOf(page.body, url.href) !== releaseOf(document.body, location.href)) {
     throw new Error("the book has been built anew");
   }
   return page;
 }
 
 /**
+ * What the page loads: scripts, and the Python that runs as long as pages are turned.
+ *
  * @param {HTMLElement} body
  * @param {string} base
  */
-function assetsOf(body, base) {
-  return new URL(body.dataset.assets ?? "", base).href;
+function releaseOf({ dataset }, base) {
+  const whole = (/** @type {string} */ folder) => folder && new URL(folder, base).href;
+  return [dataset.assets ?? "", dataset.runtime ?? ""].map(whole).join(" ");
 }
 
 /** From the next page's address, too, the browser is to find the icons until it has others. */

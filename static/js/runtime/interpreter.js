@@ -28,12 +28,13 @@ const AS_COMPILED = ["force-cache", "reload"];
  * @param {string} url The runtime's folder.
  * @param {boolean} fresh Whether the browser may hold damaged copies of its files.
  * @param {string[]} scenes Whose parts are fetched meanwhile.
+ * @param {string} [listed] Hash of the table of these files.
  * @returns {Promise<Started>}
  */
-export async function startInterpreter(url, fresh, scenes) {
+export async function startInterpreter(url, fresh, scenes, listed) {
   const read = fresh ? [] : SCRIPTS.map((name) => readScript(url + name));
   const early = fresh ? Promise.resolve(null) : compileEarly(url + MACHINE);
-  const parts = await Parts.listed(url, fresh);
+  const parts = await Parts.listed(url, listed, fresh);
   const { table } = parts;
   const scripts = SCRIPTS.map((name) => parts.reply(name));
   const machine = early.then(() => parts.reply(MACHINE, AS_COMPILED));

@@ -154,6 +154,7 @@ export class Runtime {
   }
 
   #boot() {
+    const { table } = document.body.dataset;
     this.#seen.clear();
     this.generation = ++interpreters;
     const script = new URL("./worker.js", import.meta.url);
@@ -171,7 +172,7 @@ export class Runtime {
     this.#send({
       id: ++this.#lastId,
       name: "start",
-      payload: { url: this.url, fresh: this.#failedStarts > 0, scenes: this.scenes() },
+      payload: { url: this.url, fresh: this.#failedStarts > 0, scenes: this.scenes(), table },
       urgency: () => 0,
       resolve: ({ importMs }) => {
         this.#failedStarts = 0;

@@ -44,10 +44,10 @@ const calls = {
   /**
    * Begin to start, before anyone needs it: what goes wrong is told to who calls `start`.
    *
-   * @param {{url: string, scenes: string[]}} call
+   * @param {{url: string, scenes: string[], table?: string}} call
    */
-  begin({ url, scenes }) {
-    starting = startInterpreter(url, false, scenes);
+  begin({ url, scenes, table }) {
+    starting = startInterpreter(url, false, scenes, table);
     starting.catch(() => {});
     return { reply: {} };
   },
@@ -56,10 +56,10 @@ const calls = {
    * Start the interpreter from the folder `url`, with a new table if `fresh`, and fetch what `scenes`
    * will import.
    *
-   * @param {{url: string, fresh: boolean, scenes: string[]}} call
+   * @param {{url: string, fresh: boolean, scenes: string[], table?: string}} call
    */
-  async start({ url, fresh, scenes }) {
-    starting ??= startInterpreter(url, fresh, scenes);
+  async start({ url, fresh, scenes, table }) {
+    starting ??= startInterpreter(url, fresh, scenes, table);
     const { version, importMs, ...started } = await starting;
     ({ parts, python } = started);
     return { reply: { version, importMs } };
@@ -184,6 +184,7 @@ async function answer(request) {
 
 self.onmessage = async ({ data }) => {
   try {
+    if (parts) parts.missed = null;
     await provideFor(data);
     spare = [...(data.spare ?? []), ...spare].slice(0, MOST_SPARE);
     const { reply, transfer = [] } = await answer(data);
@@ -262,9 +263,10 @@ function takeRaster(array) {
  * @param {unknown} error
  */
 function explain(error) {
-  const text = message(error).trim();
-  if (error instanceof Fault) return { error: text, fault: error.told, fatal: false };
   const raised = error instanceof Error && error.name === "PythonError";
+  const missed = raised ? parts?.missed : error;
+  const text = message(error).trim();
+  if (missed instanceof Fault) return { error: text, fault: missed.told, fatal: false };
   const last = raised ? lastException(text) : text;
   if (/MemoryError\b|^Array buffer allocation failed/.test(last)) {
     return { error: last, fault: { kind: "memory" }, fatal: true };
