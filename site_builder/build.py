@@ -149,6 +149,7 @@ def render_parts(options: Options) -> RenderedSite:
         options.root, book, stills, assets, runtime, code_editor=bool(editor.script),
         # A changed scene would change all pages that say what it was.
         sources="" if options.reload else bundle.sources,
+        table="" if options.reload else bundle.table,
         search=bool(scripts), reload=options.reload,
         **in_page(asset_files, assets, reload=options.reload),
     )  # fmt: skip

@@ -110,8 +110,8 @@ def launch() -> Iterator[Callable[..., Browser]]:
     executable = find_chromium()
     assert executable, HOW_TO
     with sync_playwright() as playwright:
-        yield lambda *arguments: playwright.chromium.launch(
-            executable_path=executable, args=[*launch_arguments(), *arguments]
+        yield lambda *arguments, **options: playwright.chromium.launch(
+            executable_path=executable, args=[*launch_arguments(), *arguments], **options
         )
 
 

@@ -17,6 +17,8 @@ declare module "*/book_parts.js" {
     arrive?(): void;
     /** The address has become another one of the same page. */
     returned?(): void;
+    /** The page is about to make way for another; its address may be that one's already. */
+    leave?(page: string): void;
   }
   export const PARTS: Part[];
 }

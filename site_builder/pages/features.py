@@ -18,6 +18,7 @@ PARTS: Mapping[str, str] = {
     "terms": "page/terms.js",
     "quiz": "question/questions.js",
     "predict": "question/predictions.js",
+    "asked": "question/unsent.js",
     "progress": "question/keeping.js",
 }
 """Modules that `main.js` installs, below ``static/js/``."""
@@ -74,6 +75,8 @@ def _shown(book: Book) -> Iterator[str]:
     for chapter in book.chapters:
         for block in walk(chapter.body):
             yield block.template
+            if block.template in ASKED:
+                yield "asked"
             if isinstance(block.content, Quiz):
                 yield f"{KIND} {block.content.kind}"
         if chapter.term_uses:

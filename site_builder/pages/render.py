@@ -78,6 +78,8 @@ class Site:
     """Folder of the browser's Python, relative to the site's root; nothing without a runtime."""
     sources: str = ""
     """Hash of the simulations that this Python has: those that drew the stills."""
+    table: str = ""
+    """Hash of the table of this Python's files, which has the hashes of all others."""
     code_editor: bool = False
     """Whether readers can rewrite the Python of a figure, or only read it."""
     search: bool = False

@@ -46,7 +46,15 @@ class RuntimeBundle:
     @property
     def sources(self) -> str:
         """Hash of the simulations, as the worker knows it; nothing where there are none."""
-        file = self.files.get(SIMULATIONS)
+        return self._hash(SIMULATIONS)
+
+    @property
+    def table(self) -> str:
+        """Hash of the table of the files, likewise."""
+        return self._hash(TABLE_NAME)
+
+    def _hash(self, name: str) -> str:
+        file = self.files.get(name)
         return _integrity(file) if file else ""
 
 

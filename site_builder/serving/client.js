@@ -3,8 +3,6 @@
 //
 // Browsers open few connections to one host. Of all open pages one listens, and tells the others.
 
-import { keepAnswers, putBackAnswers } from "./unsent.js";
-
 const FIXED = "simulation-figure, ladder-bench, form, [data-predict], script, h1, h2, h3";
 const channel = new BroadcastChannel("builds");
 let shown = 0;
@@ -12,7 +10,6 @@ let source = fetchSource();
 
 channel.addEventListener("message", ({ data }) => hear(data));
 channel.postMessage({ kind: "asked" });
-putBackAnswers();
 if (navigator.locks) navigator.locks.request("builds", listen);
 else listen();
 
@@ -59,9 +56,9 @@ async function show(changed, missed) {
   const python = changed.some((name) => name.startsWith("runtime/"));
   const mine = changed.includes(page) || pictures().some((name) => changed.includes(name));
   const scripts = assets.some((name) => /\/(js|fonts|editor|search)\//.test(name));
-  if (missed || scripts || python) return reload();
+  if (missed || scripts || python) return location.reload();
   if (changed.includes(sheet())) swapSheet();
-  if (mine && !(changed.includes(page) && (await swapText()))) reload();
+  if (mine && !(changed.includes(page) && (await swapText()))) location.reload();
 }
 
 function sheet() {
@@ -133,11 +130,6 @@ function rest(page) {
   const copy = /** @type {Document} */ (page.cloneNode(true));
   blocks(copy).forEach((block) => block.remove());
   return copy.documentElement.outerHTML;
-}
-
-function reload() {
-  keepAnswers();
-  location.reload();
 }
 
 /** @param {string} mistakes */

@@ -15,9 +15,9 @@ from http.server import SimpleHTTPRequestHandler, ThreadingHTTPServer
 from pathlib import Path
 
 from site_builder.serving.news import News
+from site_builder.serving.ranges import asked_part
 
-SCRIPTS = Path(__file__).parent
-CLIENT = ("client.js", "unsent.js")
+CLIENT = Path(__file__).with_name("client.js")
 KEEP_ALIVE_S = 15.0
 LOOPBACK = "127.0.0.1"
 OWN_NAMES = ("localhost", "127.0.0.1", "::1")
@@ -71,8 +71,8 @@ class Handler(SimpleHTTPRequestHandler):
             self.send_error(HTTPStatus.MISDIRECTED_REQUEST, "not a name of this server")
         elif self.path == "/.reload/events":
             self._stream_events()
-        elif (name := self.path.removeprefix("/.reload/")) in CLIENT:
-            self._send("text/javascript", (SCRIPTS / name).read_bytes())
+        elif self.path == "/.reload/client.js":
+            self._send("text/javascript", CLIENT.read_bytes())
         elif not self.news.number:
             self._send("text/html; charset=utf-8", WAITING, status=503)
         else:
@@ -85,7 +85,25 @@ class Handler(SimpleHTTPRequestHandler):
         if not self._is_inside():
             self.send_error(HTTPStatus.NOT_FOUND)
             return None
+        file = Path(self.translate_path(self.path))
+        if "Range" in self.headers and file.is_file():
+            content, state = file.read_bytes(), self.date_time_string(file.stat().st_mtime)
+            part = asked_part(self.headers["Range"], len(content))
+            if part is not None and self.headers.get("If-Range", state) == state:
+                return self._send_part(content, part, state)
         return super().send_head()  # type: ignore[return-value]
+
+    def _send_part(self, content: bytes, part: range, state: str) -> io.BytesIO:
+        """Of a file that was changed last at ``state``."""
+        asked = content[part.start : part.stop]
+        self.send_response(HTTPStatus.PARTIAL_CONTENT if part else 416)
+        where = f"{part.start}-{part.stop - 1}" if part else "*"
+        self.send_header("Content-Range", f"bytes {where}/{len(content)}")
+        self.send_header("Content-Type", self.guess_type(self.path.partition("?")[0]))
+        self.send_header("Content-Length", str(len(asked)))
+        self.send_header("Last-Modified", state)
+        self.end_headers()
+        return io.BytesIO(asked)
 
     def list_directory(self, _path: object) -> None:
         """Not of a folder without a page."""

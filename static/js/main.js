@@ -12,6 +12,7 @@ import { installNavigation } from "./page/navigate.js";
 import { notice } from "./page/notice.js";
 import { watchScrollers } from "./page/scrollers.js";
 import { installOffline } from "./page/offline.js";
+import { watchScripts } from "./page/release.js";
 import { FORGETFUL } from "./page/storage.js";
 import { installSearch } from "./page/search.js";
 import { watchSections } from "./page/sections.js";
@@ -28,6 +29,7 @@ for (const part of PARTS) part.install();
 arrive();
 installOffline();
 installAhead();
+watchScripts();
 installNavigation(
   () => {
     showTheme();
@@ -36,6 +38,9 @@ installNavigation(
   },
   () => {
     for (const part of PARTS) part.returned?.();
+  },
+  (page) => {
+    for (const part of PARTS) part.leave?.(page);
   },
 );
 

@@ -10,6 +10,7 @@ from typing import Any
 import pytest
 from playwright.sync_api import Browser, Page
 from playwright.sync_api import Error as PlaywrightError
+from support.ranges import ANSWERS, WHOLE
 from support.reader import Reader, visit
 from support.static_server import StaticServer, serving
 
@@ -23,6 +24,8 @@ KEPT_S = 120
 """More than the slowest machine takes to keep the book."""
 PAGE, OTHER = "glossary/", "references/"
 """Without figures; in these the turn of releases is tried."""
+FILM = "film.bin"
+"""That a page could show."""
 NEW = "A sentence of the next release."
 
 
@@ -61,6 +64,7 @@ def release(built_site: Path, tmp_path_factory: pytest.TempPathFactory) -> Path:
         if name.split("/")[0] in ("assets", "search", PAGE[:-1], OTHER[:-1])
         and "/stills/" not in name
     }
+    files[FILM] = WHOLE
     return publish(files, assets, tmp_path_factory.mktemp("release"))
 
 
@@ -169,6 +173,28 @@ def test_a_site_that_is_no_longer_kept_takes_back_what_was(
 
 
 ASK = """([url, cache]) => fetch(url, {cache, mode: "same-origin"}).then(() => 0)"""
+
+
+def test_without_a_network_a_film_is_wound_forward_and_a_download_taken_up_again(
+    reader: Reader, host: StaticServer
+) -> None:
+    keep(reader)
+    host.gone = True
+    *_, changed = reader.page.evaluate(PART, {})
+    for asked, answer in ANSWERS.items():
+        status, body, place, _ = reader.page.evaluate(PART, {"Range": asked})
+        assert (status, body.encode(), place) == answer, asked
+    for since, status in ((changed, 206), ("Mon, 01 Jan 2024 00:00:00 GMT", 200)):
+        conditional = {"Range": "bytes=2-4", "If-Range": since}
+        assert reader.page.evaluate(PART, conditional)[0] == status
+
+
+PART = f"""async (headers) => {{
+  const reply = await fetch(new URL('../{FILM}', location.href), {{headers}});
+  const told = (name) => reply.headers.get(name);
+  return [reply.status, await reply.text(), told('content-range'), told('last-modified')];
+}}"""
+"""What is answered to a request with these headers."""
 
 REFUSED = """async () => {
   const registration = await navigator.serviceWorker.ready;

@@ -27,6 +27,7 @@ KINDS = {
     "login": (Fault(lambda _: LOGIN, media_type="text/html"), "came a web page"),
     "login as file": (Fault(lambda _: LOGIN), "came a web page"),
     "type": (Fault(media_type="text/plain"), "the host calls"),
+    "other release": (Fault(lambda table: table.replace(b'"sha256-', b'"sha256-A')), "damaged, or"),
 }
 """What is wrong with a file, and what is said of it."""
 FAULTS = {
@@ -36,7 +37,7 @@ FAULTS = {
     "pyodide.asm.wasm": ("changed", "login as file"),
     "python.zip": ("missing", "changed"),
     "core.zip": ("changed", "login"),
-    "runtime.json": ("half", "login as file"),
+    "runtime.json": ("half", "login as file", "other release"),
     "worker.js": ("missing", "login", "type"),
 }
 

@@ -1,14 +1,15 @@
 """What the browser fetches: what the page's scenes import, the rest only when asked for."""
 
 import json
+import re
 from collections.abc import Callable, Iterable
 from pathlib import Path
 from typing import Any
 
 import pytest
-from playwright.sync_api import Browser, Request
-from support.reader import Reader, visit
-from support.static_server import StaticServer
+from playwright.sync_api import Browser, Request, expect
+from support.reader import START_MS, Reader, visit
+from support.static_server import Fault, StaticServer
 
 from simulations.registry import LADDER_MODULES, load_ladder
 
@@ -104,12 +105,41 @@ def test_a_part_that_nobody_foresaw_is_fetched_when_python_asks_for_it(
     reader: Reader, server: StaticServer, book: Any, table: Any, fetched: list[str]
 ) -> None:
     address, parts = a_chapter(book, table, bool)
-    foreseen = {scene: [f"scene-{scene}"] for scene in table["scenes"]}
-    server.damaged["/runtime.json"] = json.dumps({**table, "scenes": foreseen}).encode()
+    foresee_nothing(server, table, address)
     reader.open(address)
     for figure in reader.page.locator("simulation-figure").all():
         reader.settle(figure)  # what only frames import comes after the page's own
     assert sorted(fetched) == sorted(AT_ONCE | parts)
+
+
+def test_a_part_that_python_asks_for_in_vain_is_named_and_asked_for_again_at_the_next_try(
+    reader: Reader, server: StaticServer, book: Any, table: Any
+) -> None:
+    address, parts = a_chapter(book, table, bool)
+    part = max(of_libraries(parts))
+    foresee_nothing(server, table, address)
+    server.faults[f"/{part}.zip"] = Fault(status=404)
+    reader.open(address, live=False)
+    figure = reader.page.locator("simulation-figure").first
+    retry, message = figure.locator(".retry"), figure.locator(".figure-message")
+    figure.locator("input[type=range]").first.press("ArrowRight")  # the page's own needs no part
+    retry.wait_for(timeout=START_MS)
+    assert f"{part}.zip could not be had: the host answers 404" in message.inner_text()
+    server.faults[f"/{part}.zip"] = Fault(lambda _: b"<title>Sign in</title>")
+    retry.click()
+    expect(message).to_contain_text(f"instead of {part}.zip came a web page")
+    del server.faults[f"/{part}.zip"]
+    retry.click()
+    reader.wait_live()
+    reader.complaints.clear()  # the browser's own words about the missing file
+
+
+def foresee_nothing(server: StaticServer, table: Any, address: str) -> None:
+    """Have the page at an address told of no scene what it imports."""
+    foreseen = {scene: [f"scene-{scene}"] for scene in table["scenes"]}
+    server.damaged["/runtime.json"] = json.dumps({**table, "scenes": foreseen}).encode()
+    own = re.compile(rb' data-table="[^"]*"')  # by which the page knows the table as it was
+    server.faults[f"/{address}"] = Fault(lambda page: own.sub(b"", page), media_type="text/html")
 
 
 def test_a_part_that_cannot_be_had_stops_only_the_figures_that_need_it(

@@ -40,11 +40,25 @@ function read(form, control) {
       return input(form, control.name).valueAsNumber;
     case "toggle":
       return input(form, control.name).checked;
-    case "action":
-      return actionState(button(form, control.name));
+    case "action": {
+      const state = actionState(button(form, control.name));
+      return control.labels[state] === undefined ? 0 : state;
+    }
     case "choice":
-      return choice(form, control.name).value;
+      return chosen(choice(form, control.name), control.options, control.default);
   }
+}
+
+/**
+ * What a menu says. Where a script has it say what nobody could choose, it is put back.
+ *
+ * @param {HTMLSelectElement} menu
+ * @param {string[]} options
+ * @param {string} otherwise
+ */
+export function chosen(menu, options, otherwise) {
+  if (!options.includes(menu.value)) menu.value = otherwise;
+  return menu.value;
 }
 
 /**

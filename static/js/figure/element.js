@@ -2,6 +2,7 @@
 
 import { message } from "../errors.js";
 import { one, within } from "../page/dom.js";
+import { offerRelease } from "../page/release.js";
 import { recall } from "../page/storage.js";
 import { Runtime, sharedRuntime } from "../runtime/runtime.js";
 import { LiveFigure } from "./live.js";
@@ -59,6 +60,7 @@ export class SimulationFigure extends HTMLElement {
     } catch (error) {
       this.#workshop = null;
       say(this, words("figure.no_python", { reason: message(error) }));
+      offerRelease();
     }
   }
 

@@ -21,7 +21,7 @@ export function installGestures() {
   document.addEventListener("keydown", leaveFullScreen);
   document.addEventListener("keydown", walkFormula);
   document.documentElement.classList.toggle("full-screen", document.fullscreenEnabled);
-  for (const type of ["pointerover", "focusin"]) document.addEventListener(type, light);
+  for (const type of ["pointerover", "focusin"]) document.addEventListener(type, lightUp);
 }
 
 /**
@@ -110,7 +110,7 @@ async function rested(event) {
 
 /** @param {Event} event */
 function fetchTools(event) {
-  if (within(event, ".tools .share", HTMLElement)) import("./tools.js");
+  if (within(event, ".tools .share", HTMLElement)) import("./tools.js").catch(ignore);
 }
 
 /** @param {KeyboardEvent} event */
@@ -119,9 +119,12 @@ function leaveFullScreen({ key }) {
 }
 
 /** @param {Event} event */
-async function light(event) {
+async function lightUp(event) {
   const pointed = within(event, COLOURED, Element);
   if (!pointed) return;
-  const { point } = await import("./light.js");
-  point(pointed);
+  const light = await import("./light.js").catch(ignore);
+  light?.point(pointed);
 }
+
+/** Nobody has asked for it: nobody is told that it cannot be had. */
+function ignore() {}

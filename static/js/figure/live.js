@@ -371,8 +371,8 @@ export class LiveFigure {
     this.motion.stop();
     this.#asked = "";
     this.figure.dataset.state = "failed";
-    if (error instanceof RuntimeFailure && error.fault === "status") offerRelease();
-    const kind = error instanceof RuntimeFailure ? error.kind : "page";
+    const { kind, fault = "" } = error instanceof RuntimeFailure ? error : { kind: "page" };
+    if (["status", "other"].includes(fault)) offerRelease();
     say(this.figure, words(`figure.${kind}`, { reason: message(error) }), { retry: true });
     this.figure.dispatchEvent(new Event("figure-rest", { bubbles: true }));
   }

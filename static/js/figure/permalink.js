@@ -161,7 +161,7 @@ function parse(control, text) {
     case "slider":
       return Number.isFinite(number) ? number : undefined;
     case "toggle":
-      return { true: true, false: false }[text];
+      return text === "true" || (text === "false" ? false : undefined);
     case "choice":
       return control.options.includes(text) ? text : undefined;
     case "action":

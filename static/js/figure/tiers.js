@@ -1,6 +1,6 @@
 /** How accurately a figure computes: as the reader chose, or cheaper while things move. */
 
-import { choice } from "./controls.js";
+import { choice, chosen } from "./controls.js";
 
 /** @import { Control, Schema } from "./controls.js" */
 
@@ -11,7 +11,7 @@ import { choice } from "./controls.js";
  * @param {Schema} schema
  */
 export function chosenTier(form, { tiers, default_tier: settled }) {
-  return tiers.length === 0 ? settled : choice(form, "tier").value;
+  return tiers.length === 0 ? settled : chosen(choice(form, "tier"), tiers, settled);
 }
 
 /**

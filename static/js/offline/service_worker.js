@@ -122,13 +122,56 @@ async function answer(request) {
   const own = await caches.open(OWN);
   const url = fileOf(request.url);
   const kept = await own.match(url);
-  if (kept) return kept;
+  if (kept) return asAsked(kept, request);
   if (await own.match(`${url}/`)) return Response.redirect(`${url}/`);
   for (const name of await releases()) {
     const left = await (await caches.open(name)).match(url);
-    if (left) return left;
+    if (left) return asAsked(left, request);
   }
   return fetch(request);
+}
+
+/**
+ * The whole file, or the part that a film or a download asks for (RFC 9110, section 14): browsers
+ * take no whole file for a part.
+ *
+ * @param {Response} kept
+ * @param {Request} request
+ * @returns {Promise<Response>}
+ */
+async function asAsked(kept, { headers }) {
+  const range = headers.get("range");
+  const of = headers.get("if-range");
+  const isOther = of && ![kept.headers.get("etag"), kept.headers.get("last-modified")].includes(of);
+  if (!range || isOther) return kept;
+  const file = await kept.clone().blob();
+  const part = partOf(range, file.size);
+  if (!part) return kept;
+  const [start, end] = part;
+  const where = start < end ? `${start}-${end - 1}` : "*";
+  const told = new Headers({ "content-range": `bytes ${where}/${file.size}` });
+  for (const name of ["content-type", "etag", "last-modified"]) {
+    told.set(name, kept.headers.get(name) ?? "");
+  }
+  const asked = file.slice(start, Math.max(start, end));
+  return new Response(asked, { status: start < end ? 206 : 416, headers: told });
+}
+
+/**
+ * The first byte that is asked for and the one after the last; null where that means nothing, or
+ * several parts at once.
+ *
+ * @param {string} range
+ * @param {number} size
+ * @returns {[number, number] | null}
+ */
+function partOf(range, size) {
+  const asked = /^bytes=(\d*)-(\d*)$/.exec(range.trim());
+  if (!asked || (!asked[1] && !asked[2])) return null;
+  const [first, last] = [Number(asked[1]), Number(asked[2])];
+  if (!asked[1]) return [Math.max(size - last, 0), size];
+  if (!asked[2]) return [first, size];
+  return last < first ? null : [first, Math.min(last + 1, size)];
 }
 
 /**

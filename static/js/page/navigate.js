@@ -35,22 +35,28 @@ let scrollTimer = 0;
  *
  * @param {() => void} turned Called when a new page has been put in place.
  * @param {() => void} returned Called when another state of this page is to be shown.
+ * @param {(page: string) => void} leave Called with the path of the page that is about to go.
  */
-export function installNavigation(turned, returned) {
+export function installNavigation(turned, returned, leave) {
   history.scrollRestoration = "manual";
   if (history.state?.scroll && !location.hash) scrollTo(0, history.state.scroll);
+  const goes = () => leave(shownPath);
+  addEventListener("pagehide", goes);
   document.addEventListener("click", (event) => {
     const url = pageLink(event);
     if (!url) return;
     event.preventDefault();
     saveScroll();
-    turnTo(url, turned, () => history.pushState({}, "", url));
+    turnTo(url, turned, () => {
+      goes();
+      history.pushState({}, "", url);
+    });
   });
   addEventListener("popstate", () => {
     if (isArrived()) {
       restoreScroll();
       returned();
-    } else turnTo(new URL(location.href), turned, () => {});
+    } else turnTo(new URL(location.href), turned, goes);
   });
   addEventListener("scroll", () => {
     clearTimeout(scrollTimer);
@@ -116,18 +122,21 @@ async function fetchPage(url, signal) {
   if (!type.startsWith("text/html") || redirected) throw new Error("not a page of the book");
   const page = new DOMParser().parseFromString(text.replace(STYLES, ""), "text/html");
   if (!page.querySelector("main#main")) throw new Error("no text in the page");
-  if (assetsOf(page.body, url.href) !== assetsOf(document.body, location.href)) {
+  if (releaseOf(page.body, url.href) !== releaseOf(document.body, location.href)) {
     throw new Error("the book has been built anew");
   }
   return page;
 }
 
 /**
+ * What the page loads: scripts, and the Python that runs as long as pages are turned.
+ *
  * @param {HTMLElement} body
  * @param {string} base
  */
-function assetsOf(body, base) {
-  return new URL(body.dataset.assets ?? "", base).href;
+function releaseOf({ dataset }, base) {
+  const whole = (/** @type {string} */ folder) => folder && new URL(folder, base).href;
+  return [dataset.assets ?? "", dataset.runtime ?? ""].map(whole).join(" ");
 }
 
 /** From the next page's address, too, the browser is to find the icons until it has others. */

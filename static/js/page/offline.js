@@ -12,19 +12,32 @@ const AGAIN = 3_600_000;
 /** Ask for it in the background; where service workers are not to be had, nothing happens. */
 export function installOffline() {
   const { offline, root = "", assets = "" } = document.body.dataset;
-  if (offline === undefined || !navigator.serviceWorker || isMetered()) return;
+  const workers = serviceWorkers();
+  if (offline === undefined || !workers || isMetered()) return;
   const release = new URL(`${assets}js/main.js`, location.href).href;
-  const tell = () => navigator.serviceWorker.controller?.postMessage({ assets: release });
+  const tell = () => workers.controller?.postMessage({ assets: release });
   const address = new URL(`${root}sw.js`, location.href);
-  navigator.serviceWorker.addEventListener("controllerchange", tell);
+  workers.addEventListener("controllerchange", tell);
   tell();
-  whenAtRest(() => keep(address));
+  whenAtRest(() => keep(workers, address));
 }
 
-/** @param {URL} address */
-async function keep(address) {
+/** What keeps the book; nothing where the browser has none, or denies it as in a sandboxed frame. */
+function serviceWorkers() {
   try {
-    const registration = await navigator.serviceWorker.register(address);
+    return navigator.serviceWorker;
+  } catch {
+    return null;
+  }
+}
+
+/**
+ * @param {ServiceWorkerContainer} workers
+ * @param {URL} address
+ */
+async function keep(workers, address) {
+  try {
+    const registration = await workers.register(address);
     setInterval(() => registration.update().catch(ignore), AGAIN);
   } catch {
     // Storage is denied, or the file cannot be had: the book is read from the network as before.

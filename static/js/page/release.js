@@ -3,11 +3,32 @@
 import { notice } from "./notice.js";
 import { words } from "./words.js";
 
-/** Where the host has another release than this page came from, offer to load the page anew. */
+/** What browsers say of a script that is asked for late and cannot be had. */
+const MISSING = /dynamically imported module|[Ii]mporting a module script/;
+
+/** Whatever a press asks for may have gone with its release, or its host: called once. */
+export function watchScripts() {
+  addEventListener("unhandledrejection", (event) => {
+    if (!MISSING.test(event.reason?.message)) return;
+    event.preventDefault();
+    tellMissing();
+  });
+}
+
+async function tellMissing() {
+  if (!(await offerRelease())) notice(words("page.missing"));
+}
+
+/**
+ * Where the host has another release than this page came from, offer to load the page anew.
+ *
+ * @returns {Promise<boolean>} Whether it has.
+ */
 export async function offerRelease() {
   const page = await newest().catch(() => null);
-  if (!page?.body.dataset.assets || releaseOf(page.body) === releaseOf(document.body)) return;
+  if (!page?.body.dataset.assets || releaseOf(page.body) === releaseOf(document.body)) return false;
   notice(words("page.renewed"), { label: words("page.reload"), act: () => location.reload() });
+  return true;
 }
 
 /** This page as the host has it now. */

@@ -21,6 +21,7 @@ const MACHINE = "pyodide.asm.wasm";
  * @property {boolean} [fresh] Whether the browser may hold damaged copies of its files.
  * @property {boolean} [known] Whether it has been started in this browser before.
  * @property {string[]} scenes Whose parts are fetched meanwhile.
+ * @property {string} [table] Hash of the table of its files.
  */
 
 /**
@@ -30,10 +31,11 @@ const MACHINE = "pyodide.asm.wasm";
  * @param {Wanted} wanted
  * @returns {Promise<Started>}
  */
-export async function startInterpreter({ url, fresh = false, known = false, scenes }) {
+export async function startInterpreter(wanted) {
+  const { url, fresh = false, known = false, scenes } = wanted;
   const read = fresh ? [] : SCRIPTS.map((name) => readScript(url + name));
   const early = fresh ? Promise.resolve(null) : compileEarly(url + MACHINE, known);
-  const parts = await Parts.listed(url, fresh);
+  const parts = await Parts.listed(url, wanted.table, fresh);
   const { table } = parts;
   const scripts = SCRIPTS.map((name) => parts.reply(name));
   const machine = early.then((found) => parts.reply(MACHINE, found?.again));

@@ -4,7 +4,7 @@
  * interpreter starts; anything else when Python asks for it.
  */
 
-import { fetchWhole, findFault } from "./fault.js";
+import { Fault, fetchWhole, findFault } from "./fault.js";
 
 /** What the interpreter starts with; the other parts wait until something imports from them. */
 export const PYTHON = "python.zip";
@@ -34,6 +34,8 @@ export class Parts {
   #pyodide = null;
   /** Where parts are unpacked. */
   folder = "";
+  /** @type {Fault | null} What kept Python last from a part that it asked for. */
+  missed = null;
 
   /**
    * @param {string} url The runtime's folder.
@@ -46,12 +48,14 @@ export class Parts {
 
   /**
    * @param {string} url The runtime's folder.
-   * @param {boolean} fresh Whether to pass by the HTTP cache, which may hold a damaged table.
+   * @param {string} [integrity] Hash of the table, as the page knows it: with it, all files are of
+   *   the page's release.
+   * @param {boolean} [fresh] Whether to pass by the HTTP cache, which may hold a damaged table.
    * @returns {Promise<Parts>}
    * @throws {import("./fault.js").Fault}
    */
-  static async listed(url, fresh) {
-    const reply = await fetchWhole(url + TABLE, undefined, fresh ? ["reload"] : undefined);
+  static async listed(url, integrity, fresh) {
+    const reply = await fetchWhole(url + TABLE, integrity, fresh ? ["reload"] : undefined);
     try {
       return new Parts(url, await reply.json());
     } catch {
@@ -135,15 +139,16 @@ export class Parts {
    * Have a part in place at once: Python is in the midst of importing from it.
    *
    * @param {string} name
+   * @throws {Fault} Which is kept in `missed`, too: who imports tells of it in words of its own.
    */
   fetchNow(name) {
     if (this.#here.has(name)) return;
-    const request = new XMLHttpRequest();
-    request.open("GET", `${this.url}${name}.zip`, false);
-    request.responseType = "arraybuffer";
-    request.send();
-    if (request.status !== 200) throw new Error(`${request.responseURL}: ${request.status}`);
-    this.#place(name, new Uint8Array(request.response));
+    try {
+      this.#place(name, loadNow(`${this.url}${name}.zip`));
+    } catch (error) {
+      this.missed = error instanceof Fault ? error : new Fault("other", `${name}.zip`);
+      throw this.missed;
+    }
   }
 
   /** @param {Uint8Array} archive */
@@ -160,4 +165,26 @@ export class Parts {
     else this.unpack(archive);
     this.#here.add(name);
   }
+}
+
+/**
+ * An archive, while Python waits.
+ *
+ * @param {string} url
+ * @returns {Uint8Array}
+ * @throws {Fault}
+ */
+function loadNow(url) {
+  const request = new XMLHttpRequest();
+  request.open("GET", url, false);
+  request.responseType = "arraybuffer";
+  try {
+    request.send();
+  } catch {
+    throw new Fault("network", url);
+  }
+  if (request.status !== 200) throw new Fault("status", url, String(request.status));
+  const archive = new Uint8Array(request.response);
+  if (archive[0] === "<".charCodeAt(0)) throw new Fault("page", url);
+  return archive;
 }

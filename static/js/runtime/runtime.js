@@ -158,6 +158,7 @@ export class Runtime {
   }
 
   #boot() {
+    const { table } = document.body.dataset;
     this.#seen.clear();
     this.generation = ++interpreters;
     const script = new URL("./worker.js", import.meta.url);
@@ -180,6 +181,7 @@ export class Runtime {
         fresh: this.#failedStarts > 0,
         known: recall(STARTED) === this.url,
         scenes: this.scenes(),
+        table,
       },
       urgency: () => 0,
       resolve: ({ importMs }) => {

@@ -183,6 +183,7 @@ async function answer(request) {
 
 self.onmessage = async ({ data }) => {
   try {
+    if (parts) parts.missed = null;
     await provideFor(data);
     spare = [...(data.spare ?? []), ...spare].slice(0, MOST_SPARE);
     const { reply, transfer = [] } = await answer(data);
@@ -261,9 +262,10 @@ function takeRaster(array) {
  * @param {unknown} error
  */
 function explain(error) {
-  const text = message(error).trim();
-  if (error instanceof Fault) return { error: text, fault: error.told, fatal: false };
   const raised = error instanceof Error && error.name === "PythonError";
+  const missed = raised ? parts?.missed : error;
+  const text = message(error).trim();
+  if (missed instanceof Fault) return { error: text, fault: missed.told, fatal: false };
   const last = raised ? lastException(text) : text;
   if (/MemoryError\b|^Array buffer allocation failed/.test(last)) {
     return { error: last, fault: { kind: "memory" }, fatal: true };

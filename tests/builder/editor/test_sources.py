@@ -10,7 +10,7 @@ from support.small_package import PACKAGE, small_package
 
 from simulations.editing import definitions
 from simulations.registry import SCENE_MODULES, load_scene
-from site_builder.editor.sources import read_module, scene_sources, uses_of
+from site_builder.editor.sources import scene_sources, uses_of
 
 ROOT = Path(__file__).resolve().parents[3]
 OPTICS = """\
@@ -67,7 +67,6 @@ def small(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[str]:
     monkeypatch.setattr(definitions, "ROOMS", ("small",))
     with small_package(tmp_path, {"optics": OPTICS, "figure": FIGURE}):
         yield PACKAGE
-    read_module.cache_clear()
 
 
 def test_what_a_definition_uses_is_found_through_imports_of_modules_and_names(small: str) -> None:

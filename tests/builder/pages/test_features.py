@@ -61,7 +61,7 @@ def test_what_a_script_imports_is_shipped_with_it(make_book: MakeBook) -> None:
 
 def test_the_table_names_what_there_is() -> None:
     blocks = {directive.template for directive in DIRECTIVES} | {"prose"}
-    told = {"terms", "progress", "lecture-plan", "glossary", "index-of-terms"}
+    told = {"terms", "asked", "progress", "lecture-plan", "glossary", "index-of-terms"}
     uses = {use for uses in SHEETS.values() for use in uses} | set(PARTS)
     assert uses <= blocks | told
     assert set(KINDS) == set(QUESTION_KINDS)

@@ -10,11 +10,12 @@ from functools import partialmethod
 from pathlib import Path
 
 import pytest
+from support.ranges import ANSWERS, WHOLE
 
 from site_builder.serving.news import News
 from site_builder.serving.server import Server, is_own, start_server
 
-FILES = ("a.mjs", "a.wasm", "a.zip", "404.html", "book.json", "a.woff2", "folder/a.css")
+FILES = ("a.bin", "a.mjs", "a.wasm", "a.zip", "404.html", "book.json", "a.woff2", "folder/a.css")
 
 
 @pytest.fixture
@@ -29,6 +30,7 @@ def server(tmp_path: Path, news: News, monkeypatch: pytest.MonkeyPatch) -> Itera
     for name in FILES:
         (out / name).parent.mkdir(parents=True, exist_ok=True)
         (out / name).write_text(f"<p>{name}</p>")
+    (out / "a.bin").write_bytes(WHOLE)
     (out / "link.txt").symlink_to(tmp_path / "outside.txt")
     at_once = partialmethod(Server.serve_forever, poll_interval=0.01)  # notices that it is to end
     monkeypatch.setattr(Server, "serve_forever", at_once)
@@ -75,6 +77,35 @@ def test_an_unknown_address_gets_the_book_s_own_page(address: str) -> None:
         urllib.request.urlopen(f"{address}/nothing/here")
     with raised.value as reply:
         assert (reply.code, reply.read()) == (404, b"<p>404.html</p>")
+
+
+def part(address: str, **headers: str) -> tuple[int, bytes, str | None, str]:
+    """Status, body, place and time of what is asked for with these headers."""
+    named = {name.replace("_", "-"): value for name, value in headers.items()}
+    request = urllib.request.Request(f"{address}/a.bin", headers=named)
+    try:
+        reply = urllib.request.urlopen(request)
+    except urllib.error.HTTPError as refused:
+        reply = refused
+    with reply:
+        told = reply.headers
+        return reply.status, reply.read(), told["Content-Range"], told["Last-Modified"]
+
+
+@pytest.mark.parametrize("asked", ANSWERS)
+def test_a_film_that_is_wound_forward_gets_the_part_that_it_asks_for(
+    address: str, asked: str
+) -> None:
+    assert part(address, Range=asked)[:3] == ANSWERS[asked]
+
+
+def test_a_part_of_a_file_that_has_changed_since_is_not_sent_for_the_rest_of_the_old(
+    address: str,
+) -> None:
+    *_, changed = part(address)
+    assert part(address, Range="bytes=2-4", If_Range=changed)[:2] == (206, b"234")
+    before = "Mon, 01 Jan 2024 00:00:00 GMT"
+    assert part(address, Range="bytes=2-4", If_Range=before)[:2] == (200, WHOLE)
 
 
 @pytest.mark.parametrize(

@@ -1,0 +1,73 @@
+"""The first build of a fresh machine without a network: nothing is cached, nothing can be had."""
+
+import os
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+from site_builder.book_root import VARIABLE
+from site_builder.runtime.pinned import RUNTIME_FILES
+
+pytestmark = pytest.mark.long
+
+ROOT = Path(__file__).parents[3]
+BOOK = ROOT / "tests" / "fixtures" / "german-book"
+REFUSED = "http://127.0.0.1:9"
+"""A proxy at a port where nobody listens: every connection is refused at once."""
+LAST = "<!DOCTYPE html><title>The last good site</title>"
+
+
+@pytest.fixture(scope="module")
+def machine(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """Home and caches of someone who has built this book elsewhere, and has the site of it."""
+    folder = tmp_path_factory.mktemp("machine")
+    for name in ("home", "cache", "work/site"):
+        (folder / name).mkdir(parents=True)
+    (folder / "work" / "site" / "index.html").write_text(LAST, encoding="utf-8")
+    return folder
+
+
+@pytest.fixture(scope="module")
+def said(machine: Path) -> str:
+    """What ``make serve`` says until it says where the book is to be seen."""
+    proxies = {name: REFUSED for kind in ("http", "https", "all") for name in names(kind)}
+    own = {"HOME": machine / "home", "XDG_CACHE_HOME": machine / "cache", VARIABLE: BOOK}
+    settings = {name: str(place) for name, place in own.items()}
+    command = [sys.executable, "-m", "site_builder", "serve", "--port", "0"]
+    with subprocess.Popen(
+        [*command, "--out", str(machine / "work" / "site")], cwd=ROOT, text=True,
+        stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
+        env={**os.environ, **proxies, **settings, "NO_PROXY": "", "no_proxy": ""},
+    ) as serving:  # fmt: skip
+        assert serving.stdout
+        lines = []
+        for line in serving.stdout:
+            lines.append(line)
+            if line.startswith("http://localhost"):
+                break
+        serving.terminate()
+    return "".join(lines)
+
+
+def names(kind: str) -> tuple[str, str]:
+    """Under which programs look for a proxy."""
+    return f"{kind}_proxy", f"{kind}_PROXY".upper()
+
+
+def test_what_is_missing_and_what_to_do_is_said_without_a_traceback(said: str) -> None:
+    assert "Connect to the internet once: the files are kept and never requested again." in said
+    assert "Or put each file where it is looked for:" in said
+    assert all(said.count(f"{file.sha256}/{file.name}\n") == 1 for file in RUNTIME_FILES)
+    assert said.count("refused") == 2, "both sources, in a line each"
+    assert "Traceback" not in said
+
+
+@pytest.mark.usefixtures("said")
+def test_the_last_good_site_stays_and_nothing_half_done_is_left_behind(machine: Path) -> None:
+    work = [path.relative_to(machine) for path in (machine / "work").rglob("*")]
+    assert sorted(map(str, work)) == ["work/site", "work/site/index.html"]
+    assert (machine / "work" / "site" / "index.html").read_text(encoding="utf-8") == LAST
+    kept = [path for path in (machine / "cache").rglob("*") if path.is_file()]
+    assert not [path for path in kept if "partial" in path.name or "runtime" in path.parts]

@@ -1,0 +1,141 @@
+"""A page that is left and come back to: figures and answers are as they were, sent or not."""
+
+from collections.abc import Callable, Iterator
+from contextlib import ExitStack
+
+import pytest
+from playwright.sync_api import Browser
+from support.reader import Reader, visit
+from support.static_server import StaticServer, serving
+
+pytestmark = pytest.mark.browser
+
+ALL_KINDS = ("why-image-formation/", "perspective-projection/")
+"""Chapters with every kind of question between them; the first has one figure."""
+GIVE = """() => {
+  for (const form of document.querySelectorAll('main form:is([data-quiz], [data-predict])')) {
+    for (const input of form.querySelectorAll('input:not([type=hidden])')) {
+      const isBox = ['radio', 'checkbox'].includes(input.type);
+      if (isBox) input.checked = true;
+      else input.value = input.type === 'range' ? input.max : '12';
+      input.dispatchEvent(new Event('input', {bubbles: true}));
+    }
+    form.querySelector('[data-move=down]')?.click();
+  }
+}"""
+"""An answer to each question of the page, none of them sent."""
+GIVEN = """() => [...document.querySelectorAll('main form:is([data-quiz], [data-predict])')]
+  .map((form) => [form.id, form.dataset.answered, 'drawn' in form.dataset,
+    ...[...form.querySelectorAll('input')].map(({value, checked}) => [value, checked])])"""
+LEAVE = """(url) => {
+  const link = document.createElement('a');
+  link.href = url;
+  document.getElementById('main').append(link);
+  link.click();
+}"""
+TELL = "addEventListener('pageshow', ({persisted}) => { window.persisted = persisted; })"
+
+
+@pytest.fixture(scope="module")
+def elsewhere(tmp_path_factory: pytest.TempPathFactory) -> Iterator[str]:
+    """Address of a page that is none of the book's."""
+    root = tmp_path_factory.mktemp("elsewhere")
+    (root / "index.html").write_text("<!DOCTYPE html><title>Elsewhere</title>")
+    with serving(root) as host:
+        yield host.url
+
+
+@pytest.mark.parametrize("kept", [True, False], ids=["page kept", "page loaded anew"])
+def test_back_from_elsewhere_settings_and_answers_are_as_they_were_and_the_figure_answers(
+    brisk_chromium: Browser,
+    launch: Callable[..., Browser],
+    server: StaticServer,
+    elsewhere: str,
+    kept: bool,
+) -> None:
+    with ExitStack() as end:
+        browser = brisk_chromium
+        if kept:  # as browsers do of themselves; Playwright has them not do it
+            forbidden = ["--disable-back-forward-cache"]
+            browser = launch("--js-flags=--liftoff-only", ignore_default_args=forbidden)
+            end.enter_context(browser)
+        reader = end.enter_context(visit(browser, server, TELL))
+        page = reader.page
+        reader.open(ALL_KINDS[0])
+        figure = page.locator("simulation-figure")
+        slider = figure.locator("input[type=range]").first
+        slider.press("PageUp")
+        moved = slider.input_value()
+        page.wait_for_function("location.search !== ''")
+        page.evaluate(GIVE)
+        sent = page.locator("form.quiz:has([type=radio])").first
+        sent.locator("button[type=submit]").click()
+        given = page.evaluate(GIVEN)
+
+        page.evaluate(LEAVE, elsewhere)
+        page.wait_for_url(elsewhere)
+        page.evaluate("setTimeout(() => history.back())")  # `go_back` waits for a page to load
+        page.wait_for_url(lambda url: ALL_KINDS[0] in url, wait_until="commit")
+        page.wait_for_function("window.persisted !== undefined")
+        assert page.evaluate("window.persisted") is kept
+
+        reader.wait_live()
+        assert slider.input_value() == moved
+        assert page.evaluate(GIVEN) == given
+        assert sent.get_attribute("data-answered")
+        frames = reader.frames(figure)
+        slider.press("PageDown")
+        reader.wait_frame(figure, frames)
+
+
+@pytest.mark.parametrize("chapter", ALL_KINDS)
+def test_answers_that_are_not_sent_outlive_a_turn_of_the_page_and_a_reload(
+    plain_reader: Reader, chapter: str
+) -> None:
+    plain_reader.open(chapter, live=False)
+    page = plain_reader.page
+    page.evaluate(GIVE)
+    given = page.evaluate(GIVEN)
+    plain_reader.turn_to("glossary/", live=False)
+    plain_reader.turn_to(chapter, live=False)
+    assert page.evaluate(GIVEN) == given
+    page.reload()
+    assert page.evaluate(GIVEN) == given
+    page.locator("[data-progress-reset]").click()
+    plain_reader.turn_to("glossary/", live=False)
+    plain_reader.turn_to(chapter, live=False)
+    assert page.locator("form.quiz input:checked").count() == 0, "forgotten with the others"
+
+
+def test_after_an_hour_in_a_hidden_tab_python_is_the_same_and_answers(visitor: Reader) -> None:
+    visitor.turn_to(ALL_KINDS[0])
+    page, figure = visitor.page, visitor.page.locator("simulation-figure")
+    (worker,) = page.workers
+    devtools = page.context.new_cdp_session(page)
+    page.evaluate(ASK, 1.5)
+    devtools.send("Page.setWebLifecycleState", {"state": "frozen"})
+    devtools.send("Page.setWebLifecycleState", {"state": "active"})
+    page.evaluate(PASS, 3_600_000)
+    page.wait_for_function("window.answered !== undefined")
+    assert page.evaluate("window.answered") == "in time"
+    page.evaluate("delete performance.now")
+    frames = visitor.frames(figure)
+    figure.locator("input[type=range]").first.press("PageUp")
+    visitor.wait_frame(figure, frames)
+    assert page.workers == [worker]
+
+
+ASK = """async (seconds) => {
+  const url = new URL(document.body.dataset.assets + 'js/runtime/runtime.js', location.href);
+  const runtime = (await import(url)).sharedRuntime();
+  delete window.answered;
+  const long = {ladder: 'srgb', tier: 'table', budget: seconds};
+  runtime.call('measure', long).then(
+    () => { window.answered = 'in time'; }, (error) => { window.answered = error.message; });
+}"""
+"""Ask Python for what takes some seconds."""
+PASS = """(ms) => {
+  const now = performance.now.bind(performance);
+  performance.now = () => now() + ms;
+}"""
+"""Let so much time go by at once."""

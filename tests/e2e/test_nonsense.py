@@ -1,0 +1,174 @@
+"""Settings and answers that no hand could have given: the page takes none of it, and goes on."""
+
+import pytest
+from playwright.sync_api import Browser, Locator
+from support.reader import Reader, visit
+from support.static_server import StaticServer
+
+pytestmark = pytest.mark.browser
+
+CHAPTER, SCENE = "lens-distortion/", "lens-distortion"
+SETTINGS = """(figure) => [...figure.querySelectorAll('form.controls [name]')]
+  .map((control) => [control.name, control.checked ?? control.dataset.state, control.value])"""
+FORCE = """(control, value) => {
+  if (control instanceof HTMLButtonElement) control.dataset.state = value;
+  else {
+    if (control instanceof HTMLSelectElement) control.add(new Option('none', 'nonsense'));
+    control.value = value;
+  }
+  control.dispatchEvent(new Event('input', {bubbles: true}));
+  control.dispatchEvent(new Event('change', {bubbles: true}));
+}"""
+JUNK = """(junk) => {
+  const prefix = Object.keys(localStorage).find((key) => key.endsWith(':order')).slice(0, -5);
+  for (const form of document.querySelectorAll('main form:is([data-quiz], [data-predict])')) {
+    const {id, edition} = JSON.parse(form.querySelector('script[type="application/json"]').text);
+    const kind = form.dataset.quiz ? 'quiz' : 'predict';
+    localStorage.setItem(`${prefix}${kind}:${id}`, junk.replace('EDITION', edition));
+  }
+  const page = location.pathname.split('/').slice(-2).join('/');
+  for (const figure of document.querySelectorAll('figure[id]')) {
+    localStorage.setItem(`${prefix}python:${page}#${figure.id}`, junk);
+  }
+  for (const key of ['theme', 'order', 'keys']) localStorage.setItem(prefix + key, junk);
+  sessionStorage.setItem(`${prefix}unsent`, junk);
+}"""
+"""Under every name that the book keeps anything."""
+JUNKS = (
+    *("[[[", "5", '"text"', "[]", "null", "{}"),
+    '{"edition": "EDITION", "runs": true}',
+    *(
+        f'{{"edition": "EDITION", "answer": {junk}, "guess": {junk}, "edits": {junk}}}'
+        for junk in ('"5"', "[null]", "[[0]]", "[-1]", "{}", "1e400", '{"length": 2}')
+    ),
+)
+DENIED = """delete globalThis.WebAssembly;
+for (const [owner, name] of [[window, 'localStorage'], [window, 'sessionStorage'],
+    [window, 'indexedDB'], [window, 'caches'], [Navigator.prototype, 'serviceWorker']]) {
+  const get = () => { throw new DOMException('denied', 'SecurityError'); };
+  Object.defineProperty(owner, name, {get});
+}"""
+
+
+def test_a_menu_that_a_script_sets_to_what_nobody_could_choose_goes_back(
+    visitor: Reader,
+) -> None:
+    visitor.turn_to(CHAPTER)
+    figure = visitor.figure(SCENE)
+    for menu in figure.locator("select").all():
+        start = menu.input_value()
+        for value in ("nonsense", "", "NaN", "__proto__"):
+            menu.evaluate(FORCE, value)
+            assert menu.input_value() == start
+    answers(visitor, figure)
+
+
+@pytest.mark.parametrize("value", ["NaN", "1e309", "-1", "", "nonsense"])
+def test_a_button_that_a_script_puts_into_no_state_of_its_own_draws_its_first(
+    visitor: Reader, value: str
+) -> None:
+    visitor.turn_to("sampling-and-aliasing/")
+    figure = visitor.figure("bayer-demosaic")
+    figure.locator("button[name=demosaic]").evaluate(FORCE, value)
+    answers(visitor, figure)
+
+
+@pytest.mark.parametrize(
+    "end",
+    [
+        "?figure-lens-distortion.picture=sunset&figure-lens-distortion.correct=maybe"
+        "&figure-lens-distortion.tier=perfect&figure-lens-distortion.k1=nothing",
+        "?figure-lens-distortion.picture=&figure-lens-distortion.correct=&figure-lens-distortion.k1=",
+        "?figure-lens-distortion.picture=__proto__&figure-lens-distortion.correct=constructor",
+        "?figure-lens-distortion.k1=-1e309&figure-lens-distortion.k1=Infinity",
+    ],
+)
+def test_an_address_that_sets_controls_to_what_they_cannot_be_leaves_them_and_says_so(
+    visitor: Reader, end: str
+) -> None:
+    visitor.turn_to(CHAPTER)
+    start = visitor.figure(SCENE).evaluate(SETTINGS)
+    visitor.turn_to("licences/", live=False)
+    visitor.turn_to_unlinked(CHAPTER + end)
+    figure = visitor.figure(SCENE)
+    assert figure.evaluate(SETTINGS) == start
+    assert "k1=" in figure.locator(".figure-message").inner_text() or "k1" not in end
+    answers(visitor, figure)
+
+
+@pytest.mark.parametrize(
+    "end",
+    [
+        "#figure-lens-distortion.k1=NaN",
+        "#figure-lens-distortion?k1=1e309",
+        "#<script>window.harmed = true</script>",
+        "#javascript:window.harmed=true",
+        "#:~:text=__proto__",
+        "?" + "x" * 60_000,
+    ],
+    ids=lambda end: end[:40],
+)
+def test_the_end_of_an_address_runs_and_sets_nothing(plain_reader: Reader, end: str) -> None:
+    page = plain_reader.page
+    plain_reader.open(CHAPTER, live=False)
+    start = plain_reader.figure(SCENE).evaluate(SETTINGS)
+    plain_reader.open(CHAPTER + end, live=False)
+    page.reload()
+    assert plain_reader.figure(SCENE).evaluate(SETTINGS) == start
+    assert page.evaluate("window.harmed") is None
+
+
+@pytest.mark.parametrize("chapter", ["why-image-formation/", "perspective-projection/"])
+def test_junk_under_every_name_that_the_book_keeps_is_no_answer_and_does_no_harm(
+    plain_reader: Reader, chapter: str
+) -> None:
+    """Between them the chapters have every kind of question and of prediction."""
+    plain_reader.open(chapter, live=False)
+    page = plain_reader.page
+    for junk in JUNKS:
+        page.evaluate(JUNK, junk)
+        page.evaluate("document.dispatchEvent(new Event('answers-read'))")  # as from a file
+        assert page.locator("[data-answered]").count() == 0, junk
+        plain_reader.assert_no_complaints()
+    page.evaluate(JUNK, "[[[")
+    page.reload()
+    page.wait_for_function("document.querySelector('.progress-count')?.textContent")
+    assert page.locator("[data-answered]").count() == 0
+    form = page.locator("form.quiz:has([type=radio])").first
+    form.locator("[type=radio]").first.check()
+    form.locator("button[type=submit]").click()
+    assert form.get_attribute("data-answered")
+
+
+def test_a_browser_that_denies_every_kind_of_storage_shows_a_book_that_works(
+    chromium: Browser, server: StaticServer
+) -> None:
+    with visit(chromium, server, DENIED) as reader:
+        page = reader.page
+        reader.open("why-image-formation/", live=False)
+        page.locator(".theme-toggle").click()
+        assert page.locator("html").get_attribute("data-theme") == "light"
+        form = page.locator("form.quiz:has([type=radio])").first
+        form.locator("[type=radio]").first.check()
+        form.locator("button[type=submit]").click()
+        verdict = form.get_attribute("data-answered")
+        assert verdict
+        unsent = page.locator("form.quiz input[type=number], form.quiz input[inputmode]").first
+        unsent.fill("12")
+        reader.turn_to("glossary/", live=False)
+        reader.turn_to("why-image-formation/", live=False)
+        assert form.get_attribute("data-answered") == verdict
+        assert unsent.input_value() == "12"
+        reader.assert_no_complaints()
+
+
+def answers(reader: Reader, figure: Locator) -> None:
+    """A hand at the figure's first slider or button has its frame."""
+    frames = reader.frames(figure)
+    slider = figure.locator("input[type=range]")
+    if slider.count():
+        slider.first.press("PageUp")
+    else:
+        figure.locator("form.controls button").first.click()
+    reader.wait_frame(figure, frames)
+    assert figure.get_attribute("data-state") == "live"
