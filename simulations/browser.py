@@ -32,9 +32,14 @@ __all__ = [
     "render",
     "render_edited",
     "script",
+    "warm",
 ]
 
 _caches: dict[str, StageCache] = {}
+_ahead: dict[str, StageCache] = {}
+"""Of scenes whose figures are expected: the first figure that asks takes what is kept."""
+MOST_AHEAD = 8
+"""As many as a chapter has; what has waited longest goes."""
 _photographs: dict[str, Photograph] = {}
 """Of figures that show the reader's own picture."""
 _judgements: dict[str, tuple[object, Iterator[Readout]]] = {}
@@ -101,6 +106,35 @@ def prepare(scene_id: str) -> None:
     load_scene(scene_id)
 
 
+def warm(figure: str, scene_id: str, values: str, tier: str) -> None:
+    """Have the stages of a frame at hand before it is asked for.
+
+    Without a ``figure``, for the first one that shows the scene. Raises as `render` does.
+    """
+    scene = load_scene(scene_id)
+    if figure:
+        cache = _cache_of(figure, scene)
+    else:
+        cache = _ahead[scene_id] = _taken_ahead(scene)
+        while len(_ahead) > MOST_AHEAD:
+            _ahead.pop(next(iter(_ahead)))
+    scene.render(scene.clamp(json.loads(values)), tier, cache, _photographs.get(figure))
+
+
+def _cache_of(figure: str, scene: Scene[Any]) -> StageCache:
+    if figure not in _caches:
+        _caches[figure] = _taken_ahead(scene)
+    return _caches[figure]
+
+
+def _taken_ahead(scene: Scene[Any]) -> StageCache:
+    """What is kept of the scene, no longer for others, or room for the outputs at rest, of the
+    draft, and of each draft of the scene's own."""
+    if scene.id in _ahead:
+        return _ahead.pop(scene.id)
+    return StageCache(depth=StageCache().depth + len(scene.own_drafts))
+
+
 def _reply(frame: Frame) -> Reply:
     rasters = tuple(panel.raster for panel in frame.panels if panel.raster is not None)
     return Reply(to_json(frame), rasters)
@@ -164,7 +198,8 @@ def _asked(
 
         scene, cache = copy_of(figure, scene_module(scene_id), edits)
     else:
-        scene, cache = load_scene(scene_id), _caches.setdefault(figure, StageCache())
+        scene = load_scene(scene_id)
+        cache = _cache_of(figure, scene)
     return scene, (scene.clamp(json.loads(values)), tier, cache, _photographs.get(figure))
 
 

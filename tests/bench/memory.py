@@ -2,12 +2,15 @@
 
 One figure draws two thousand frames, and a hundred chapters are turned; after each part of it the
 garbage is collected and what is left is counted: the heap of the scripts, nodes of the page,
-listeners, and the memory of the interpreter, which never shrinks.
+listeners, and the memory of the interpreter, which never shrinks and grows by a fifth at a time.
+The first half fills what is kept on purpose; what has grown from there to the end is named, and
+fails.
 """
 
 import argparse
 import json
-from collections.abc import Iterator
+import sys
+from collections.abc import Iterator, Sequence
 from pathlib import Path
 
 from bench.built_book import figure_at_rest, open_book, script
@@ -25,10 +28,30 @@ TURN = """url => {
   link.remove();
 }"""
 COUNTED = {"JSHeapUsedSize": "heap MB", "Nodes": "nodes", "JSEventListeners": "listeners"}
+INTERPRETER = "interpreter MB"
+MOST_GROWTH = {"heap MB": 0.05, "nodes": 0.01, "listeners": 0.0, INTERPRETER: 0.02}
+"""Share of what was there at half: what compiled code and the collector leave open."""
+TOLD_BY = "simulations.scenes.lens_distortion.stages:_encoded"
+TELLS = """def _encoded(photo):
+    return to_rgba8(encode_srgb_table(photo.linear))
+
+import pyodide_js
+print(pyodide_js._module.HEAPU8.length)
+"""
+"""Told while the edited module is executed, which it is anew for every other text."""
+ASK = """async ([edits]) => {
+  const url = new URL(document.body.dataset.assets + 'js/runtime/runtime.js', location.href);
+  const runtime = (await import(url)).sharedRuntime();
+  const frame = {figure: 'memory', scene: 'lens-distortion', values: '{}', tier: '', edits};
+  return await runtime.call('renderEdited', frame);
+}"""
+
+type Held = dict[str, float]
 
 
-def held(page: Page) -> dict[str, float]:
+def held(page: Page, number: int) -> Held:
     """What the page and its worker hold once the garbage is gone."""
+    interpreter = interpreter_bytes(page, number)
     session = page.context.new_cdp_session(page)
     session.send("HeapProfiler.collectGarbage")
     session.send("Performance.enable")
@@ -36,24 +59,43 @@ def held(page: Page) -> dict[str, float]:
     session.detach()
     found = {COUNTED[each["name"]]: each["value"] for each in metrics if each["name"] in COUNTED}
     found["heap MB"] = round(found["heap MB"] / 2**20, 2)
+    found[INTERPRETER] = round(interpreter / 2**20, 2)
     return found
 
 
-def tell(what: str, found: dict[str, float]) -> None:
+def interpreter_bytes(page: Page, number: int) -> int:
+    """Length of the interpreter's memory; ``number`` is another with each call."""
+    edits = json.dumps({TOLD_BY: f"{TELLS}# {number}\n"})
+    answer = page.evaluate(ASK, [edits])
+    if answer["problem"]:
+        raise RuntimeError(f"the interpreter tells nothing: {answer['problem']}")
+    return int(answer["printed"])
+
+
+def grown(parts: Sequence[Held]) -> Iterator[str]:
+    """What is more after the last part than at half, by more than it may be."""
+    half, last = parts[len(parts) // 2 - 1], parts[-1]
+    for name, most in MOST_GROWTH.items():
+        growth = last[name] / half[name] - 1
+        if growth > most:
+            yield f"{name}: {half[name]:g} to {last[name]:g}, {growth:.1%}; at most {most:.0%}"
+
+
+def tell(what: str, found: Held) -> None:
     print(f"{what:24}", *(f"{name} {value:g}" for name, value in found.items()), flush=True)
 
 
-def drawn(page: Page, address: str, url: str) -> Iterator[tuple[str, dict[str, float]]]:
+def drawn(page: Page, address: str, url: str) -> Iterator[tuple[str, Held]]:
     page.goto(address + url)
     figure, drag = figure_at_rest(page, SCENE), script(page, "drag.js")
-    yield "at rest", held(page)
+    tell("at rest", held(page, 0))
     for part in range(1, PARTS + 1):
         hand = {"name": CONTROL, "frames": FRAMES // PARTS}
         page.evaluate(EXERCISE, [drag, figure, hand])
-        yield f"{part * FRAMES // PARTS} frames", held(page)
+        yield f"{part * FRAMES // PARTS} frames", held(page, part)
 
 
-def turned(page: Page, address: str, urls: list[str]) -> Iterator[tuple[str, dict[str, float]]]:
+def turned(page: Page, address: str, urls: list[str]) -> Iterator[tuple[str, Held]]:
     """The same chapter after each part: others have figures of their own size."""
     for turn in range(1, TURNS + 1):
         url = address + urls[turn % len(urls) if turn % (TURNS // PARTS) else 0]
@@ -61,10 +103,10 @@ def turned(page: Page, address: str, urls: list[str]) -> Iterator[tuple[str, dic
         page.wait_for_function("url => location.href === url", arg=url)
         if turn % (TURNS // PARTS) == 0:
             figure_at_rest(page, SCENE)
-            yield f"{turn} chapters", held(page)
+            yield f"{turn} chapters", held(page, FRAMES + turn)
 
 
-def main() -> None:
+def main() -> int:
     parser = argparse.ArgumentParser(prog="bench.memory", description=__doc__)
     parser.add_argument("--site", type=Path, default=ROOT / "build" / "site")
     site = parser.parse_args().site
@@ -72,11 +114,19 @@ def main() -> None:
     urls = [each["url"] for each in chapters if each["simulations"]]
     urls.sort(key=lambda url: not url.startswith(SCENE))
     with open_book(site) as (page, address):
-        for what, found in drawn(page, address, urls[0]):
-            tell(what, found)
-        for what, found in turned(page, address, urls):
-            tell(what, found)
+        more = [*judged(drawn(page, address, urls[0])), *judged(turned(page, address, urls))]
+    print(*more or ["nothing piles up"], sep="\n", file=sys.stderr if more else sys.stdout)
+    return 1 if more else 0
+
+
+def judged(parts: Iterator[tuple[str, Held]]) -> list[str]:
+    """Each part told as it is measured, and what has `grown` over all."""
+    kept = []
+    for what, found in parts:
+        tell(what, found)
+        kept.append(found)
+    return [*grown(kept)]
 
 
 if __name__ == "__main__":
-    main()
+    raise SystemExit(main())

@@ -1,9 +1,9 @@
 """Figures beside plain JavaScript: ``PYTHONPATH=tests python -m bench.twins``.
 
-The pictures of two figures are drawn by hand-written scripts too (``js/twins.js``), from the same
-data; that they are the same pictures is checked first. Then a hand drags the slider of each,
-seen from outside as in `bench.latency`. The ratio of the medians is the bound: what the figure does
-besides, its drawings, readouts and words, counts against it.
+The pictures of three figures are drawn by hand-written scripts too (``js/twins.js``), from the same
+data; that they are the same pictures is checked first. Then a hand drags the slider of each, or
+chooses from its list, seen from outside as in `bench.latency`. The ratio of the medians is the
+bound: what the figure does besides, its drawings, readouts and words, counts against it.
 """
 
 import argparse
@@ -11,7 +11,7 @@ import base64
 import json
 import statistics
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
@@ -35,6 +35,8 @@ MOST = 3.0
 """Times as long as plain JavaScript, at the median."""
 FAR_CODES, FAR_SHARE = 2, 0.005
 """Codes by which this share of a picture may differ: at edges of the model, such as a rim."""
+CHOOSE = "([drag, figure, hand]) => drag.choose({...hand, figure})"
+PRESS = """(figure, name) => figure.querySelector(`button[name="${name}"]`).click()"""
 
 INSTALL = """([twins, twin, given, slider]) => {
   const bytes = text => Uint8Array.from(atob(text), letter => letter.charCodeAt(0));
@@ -44,7 +46,11 @@ INSTALL = """([twins, twin, given, slider]) => {
   const figure = document.createElement('div');
   const canvas = Object.assign(document.createElement('canvas'),
     {width: data.width, height: data.height});
-  const hand = Object.assign(document.createElement('input'), {type: 'range', ...slider});
+  const hand = slider.options ? document.createElement('select')
+    : Object.assign(document.createElement('input'), {type: 'range'});
+  const {options = [], ...rest} = slider;
+  hand.append(...options.map(option => new Option(option, option)));
+  Object.assign(hand, rest);
   document.body.replaceChildren(figure);
   figure.append(canvas, hand);
   Object.assign(figure.dataset, {frames: 0, simulation: twin});
@@ -52,14 +58,17 @@ INSTALL = """([twins, twin, given, slider]) => {
   const context = canvas.getContext('2d');
   const image = new ImageData(data.width, data.height);
   figure.draw = value => twins[twin](data, value, image.data);
-  hand.oninput = () => {
+  hand[slider.options ? 'onchange' : 'oninput'] = () => {
     const begun = performance.now();
-    figure.draw(hand.valueAsNumber);
+    figure.draw(slider.options ? hand.value : hand.valueAsNumber);
     context.putImageData(image, 0, 0);
     figure.dataset.computeMs = performance.now() - begun;
     figure.dataset.frames = Number(figure.dataset.frames) + 1;
   };
-  figure.pixels = value => (figure.draw(value), [...image.data]);
+  figure.pixels = value => {
+    figure.draw(value);
+    return btoa(Array.from(image.data, byte => String.fromCharCode(byte)).join(''));
+  };
   return figure;
 }"""
 
@@ -75,6 +84,30 @@ class Twin:
     panel: str
     given: Mapping[str, Any]
     """What is computed once."""
+    entries: tuple[str, ...] = ()
+    """Of a list in place of a slider: the one that is timed, then others that figures may not have
+    at hand beside it."""
+    settings: Mapping[str, Any] = field(default_factory=dict)
+    """Of the other controls."""
+    press: str = ""
+    """Button that the figure needs beforehand."""
+
+    @property
+    def values(self) -> tuple[Any, ...]:
+        """At which the pictures are compared."""
+        if self.entries:
+            return self.entries[:1]
+        slider = slider_of(self)
+        return (slider.minimum / 2, slider.maximum / 2)
+
+    @property
+    def hand(self) -> dict[str, Any]:
+        """What the plain control is made of."""
+        if self.entries:
+            return {"name": self.control, "options": [*self.entries]}
+        slider = slider_of(self)
+        ends = {"min": slider.minimum, "max": slider.maximum, "step": slider.step}
+        return {"name": self.control, **{name: str(value) for name, value in ends.items()}}
 
 
 def text(array: NDArray[Any]) -> str:
@@ -115,16 +148,33 @@ def matte_ball() -> Twin:
     return Twin("lambertian-shading", "light_angle", "sphere", "camera", given)
 
 
+def bilinear_mosaic() -> Twin:
+    scene = load_scene("bayer-demosaic")
+    settings = {"demosaic": 1}
+    outputs = scene.run(scene.check(settings), "", StageCache()).outputs
+    height, width = outputs["mosaic"].shape
+    cells = {"floats": text(outputs["mosaic"].astype(np.float32))}
+    given = {"width": width, "height": height, "cells": cells}
+    entries = ("bilinear", "nearest", "malvar")
+    return Twin(
+        *("bayer-demosaic", "method", "demosaic", "picture", given),
+        *(entries, settings, "demosaic"),
+    )
+
+
+TWINS = (lens_distortion, matte_ball, bilinear_mosaic)
+
+
 def slider_of(twin: Twin) -> Slider:
     (found,) = (each for each in load_scene(twin.scene).controls if each.name == twin.control)
     assert isinstance(found, Slider)
     return found
 
 
-def expected(twin: Twin, value: float) -> Raster:
+def expected(twin: Twin, value: Any) -> Raster:
     """The picture by Python."""
     scene = load_scene(twin.scene)
-    frame = scene.render(scene.check({twin.control: value}), "", StageCache())
+    frame = scene.render(scene.check({**twin.settings, twin.control: value}), "", StageCache())
     (raster,) = (panel.raster for panel in frame.panels if panel.name == twin.panel)
     assert raster is not None
     return raster
@@ -132,14 +182,12 @@ def expected(twin: Twin, value: float) -> Raster:
 
 def installed(page: Page, twin: Twin) -> JSHandle:
     """The twin on the page, as a figure that can be dragged; raises where it draws otherwise."""
-    slider = slider_of(twin)
-    ends = {"min": slider.minimum, "max": slider.maximum, "step": slider.step}
-    hand = {"name": twin.control, **{name: str(value) for name, value in ends.items()}}
     figure = page.evaluate_handle(
-        INSTALL, [script(page, "twins.js"), twin.function, twin.given, hand]
+        INSTALL, [script(page, "twins.js"), twin.function, twin.given, twin.hand]
     )
-    for value in (slider.minimum / 2, slider.maximum / 2):
-        drawn = np.array(figure.evaluate("(figure, value) => figure.pixels(value)", value))
+    for value in twin.values:
+        pixels = figure.evaluate("(figure, value) => figure.pixels(value)", value)
+        drawn = np.frombuffer(base64.b64decode(pixels), np.uint8).astype(int)
         ours = expected(twin, value).reshape(-1).astype(int)
         far = float(np.mean(np.abs(drawn - ours) > FAR_CODES))
         if far > FAR_SHARE:
@@ -149,8 +197,14 @@ def installed(page: Page, twin: Twin) -> JSHandle:
 
 def medians(page: Page, twin: Twin, figure: JSHandle) -> tuple[float, float]:
     """Of the time from outside, and of the picture alone; milliseconds."""
-    hand = {"name": twin.control, "moves": MOVES, "rounds": 2 * ROUNDS}
-    found = page.evaluate(DRAG, [script(page, "drag.js"), figure, hand])
+    drag = script(page, "drag.js")
+    if twin.entries:
+        value, *others = twin.entries
+        hand = {"value": value, "others": others, "rounds": 4 * MOVES}
+        found = page.evaluate(CHOOSE, [drag, figure, {"name": twin.control, **hand}])
+    else:
+        hand = {"moves": MOVES, "rounds": 2 * ROUNDS}
+        found = page.evaluate(DRAG, [drag, figure, {"name": twin.control, **hand}])
     return statistics.median(found["latencies"]), statistics.median(found["computes"])
 
 
@@ -161,10 +215,15 @@ def main() -> int:
     chapters = json.loads((site / "book.json").read_text(encoding="utf-8"))["chapters"]
     worst = 0.0
     with open_book(site) as (page, address):
-        for twin in (lens_distortion(), matte_ball()):
+        for make in TWINS:
+            twin = make()
             url = next(each["url"] for each in chapters if twin.scene in each["simulations"])
             page.goto(address + url)
-            python, whole = medians(page, twin, figure_at_rest(page, twin.scene))
+            figure = figure_at_rest(page, twin.scene)
+            if twin.press:
+                figure.evaluate(PRESS, twin.press)
+                figure = figure_at_rest(page, twin.scene)
+            python, whole = medians(page, twin, figure)
             plain, loop = medians(page, twin, installed(page, twin))
             worst = max(worst, python / plain)
             print(

@@ -21,6 +21,7 @@ import { LatestWins } from "./scheduler.js";
 import { isOfPage, isServed } from "./served.js";
 import { say, sayNothingOfFailure } from "./status.js";
 import { chosenTier, isDrafted, shownTier } from "./tiers.js";
+import { warmDrafts } from "./warming.js";
 import { Accuracy, showStages } from "./workings.js";
 import { offerRelease } from "../page/release.js";
 import { isSparing, spareNoMore } from "../page/sparing.js";
@@ -150,6 +151,8 @@ export class LiveFigure {
       { rootMargin: "50% 0px" },
     );
     observer.observe(this.figure);
+    // What is imported is no work: it need not wait for the page to be laid out.
+    if (sharedRuntime()?.knows(this.#scene)) this.#ask(performance.now(), "", URGENCY.far);
     return observer;
   }
 
@@ -293,6 +296,8 @@ export class LiveFigure {
       this.stages = JSON.parse(reply.meta).stages;
       this.figure.dataset.computeMs = reply.computeMs.toFixed(1);
       this.accuracy.shown(job, reply.computeMs, true);
+      const isUntouched = () => this.figure.isConnected && this.figure.dataset.frames === "1";
+      await warmDrafts(this.runtime, asked, this.schema, isUntouched);
     } catch {
       // Whoever touches the figure hears of it.
     }

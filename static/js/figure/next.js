@@ -1,6 +1,7 @@
 /**
  * The next chapter's figures before they are asked for: once all of this one live and the hand rests,
- * the scenes of that are imported, so that its figures live as soon as the page is turned.
+ * the scenes of that are imported, so that its figures live as soon as the page is turned, and then
+ * their stages computed, so that they answer the first touch.
  */
 
 import { expect } from "../page/ahead.js";
@@ -8,11 +9,10 @@ import { all, maybe } from "../page/dom.js";
 import { linkedPage } from "../page/links.js";
 import { isMetered } from "../page/sparing.js";
 import { sharedRuntime } from "../runtime/runtime.js";
+import { aheadOf, LEAST_URGENT } from "./warming.js";
 
 /** Milliseconds between two looks, and of rest after the hand has moved. */
 const REST = 500;
-/** Anything that the reader waits for goes before it. */
-const LEAST_URGENT = () => -3;
 
 let lastInput = 0;
 
@@ -35,18 +35,16 @@ export async function readyNext() {
   const next = maybe(document, ".pager a[rel=next]", HTMLAnchorElement);
   const url = next && linkedPage(next);
   const page = url && (await expect(url));
-  for (const scene of page ? scenesOf(page.text) : []) {
-    if (!(await rested(handRests))) return;
+  const frames = page ? aheadOf(page.text) : [];
+  const imports = [...new Set(frames.map(({ scene }) => scene))].map((scene) => ({ scene }));
+  for (const asked of [...imports, ...frames]) {
+    if (!handRests() && !(await rested(handRests))) return;
+    if (!main?.isConnected) return;
+    const name = "tier" in asked ? "warm" : "prepare";
     await sharedRuntime()
-      ?.call("prepare", { scene }, LEAST_URGENT)
+      ?.call(name, asked, LEAST_URGENT)
       .catch(() => {}); // told when the figure asks
   }
-}
-
-/** @param {string} text Of a page. */
-function scenesOf(text) {
-  const figures = text.matchAll(/<simulation-figure data-simulation="([^"]+)"/g);
-  return new Set([...figures].map(([, scene]) => scene));
 }
 
 /** Whether there are figures, and all of them live. */

@@ -100,10 +100,10 @@ async function scriptOf(address, read) {
  * @param {any} module `simulations.browser`.
  */
 function functionsOf(module) {
-  const { render, pull, error, photograph, forget, judge, measure, script, prepare } = module;
-  const renderEdited = module.render_edited;
+  const { render, pull, error, photograph, forget, judge, measure, script } = module;
+  const { prepare, warm, render_edited: renderEdited } = module;
   return {
-    ...{ render, renderEdited, pull, error, photograph, prepare },
+    ...{ render, renderEdited, pull, error, photograph, prepare, warm },
     ...{ forget, judge, measure, script },
   };
 }

@@ -10,6 +10,7 @@ export const LIMITS = {
   start: 300_000,
   first: 30_000,
   prepare: 30_000,
+  warm: 10_000,
   render: 10_000,
   renderEdited: 10_000,
   pull: 10_000,

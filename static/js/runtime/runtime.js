@@ -120,6 +120,15 @@ export class Runtime {
   }
 
   /**
+   * Whether this worker has imported a scene.
+   *
+   * @param {string} scene
+   */
+  knows(scene) {
+    return this.#seen.has(scene);
+  }
+
+  /**
    * Drop what belongs to a figure that left the page, here and in the worker.
    *
    * @param {string} figure

@@ -87,6 +87,17 @@ const calls = {
   },
 
   /**
+   * Have the stages of a frame at hand: of a figure, or, where that is empty, of the first that will
+   * show the scene.
+   *
+   * @param {FrameCall} call
+   */
+  warm({ figure, scene, values, tier }) {
+    python.warm(figure, scene, values, tier);
+    return { reply: {} };
+  },
+
+  /**
    * One frame by the reader's own code, as `render`; or what went wrong in it. With what it printed.
    *
    * @param {FrameCall & {edits: string}} call

@@ -26,19 +26,55 @@ export async function drag({ figure, name, moves, rounds }) {
     const last = range.value;
     range.value = String(from + (to - from) * place);
     if (range.value === last) continue;
-    await nextFrame();
-    const begun = performance.now();
-    const painted = frameAfter(figure);
-    range.dispatchEvent(new Event("input", { bubbles: true }));
-    await painted;
-    await nextFrame();
-    found.latencies.push(performance.now() - begun);
+    found.latencies.push(await answered(figure, range, "input"));
     found.computes.push(Number(figure.dataset.computeMs));
   }
   range.value = before;
   for (const type of ["input", "change"]) range.dispatchEvent(new Event(type, { bubbles: true }));
   await resting(figure);
   return found;
+}
+
+/**
+ * Choose one entry of a list again and again, others in between: as many as a figure may have at
+ * hand, so that it draws the one anew.
+ *
+ * @param {{figure: HTMLElement, name: string, value: string, others: string[], rounds: number}} hand
+ * @returns {Promise<{latencies: number[], computes: number[]}>} Of that one, as of `drag`.
+ */
+export async function choose({ figure, name, value, others, rounds }) {
+  const list = /** @type {HTMLSelectElement} */ (figure.querySelector(`select[name="${name}"]`));
+  /** @type {{latencies: number[], computes: number[]}} */
+  const found = { latencies: [], computes: [] };
+  for (let round = 0; round < rounds; round += 1) {
+    for (const entry of [...others, value]) {
+      list.value = entry;
+      const latency = await answered(figure, list, "change");
+      if (entry !== value) continue;
+      found.latencies.push(latency);
+      found.computes.push(Number(figure.dataset.computeMs));
+    }
+  }
+  await resting(figure);
+  return found;
+}
+
+/**
+ * Give the event of a control, at the start of an animation frame.
+ *
+ * @param {HTMLElement} figure
+ * @param {HTMLElement} control
+ * @param {string} type
+ * @returns {Promise<number>} Milliseconds to the animation frame after the one that shows the answer.
+ */
+async function answered(figure, control, type) {
+  await nextFrame();
+  const begun = performance.now();
+  const painted = frameAfter(figure);
+  control.dispatchEvent(new Event(type, { bubbles: true }));
+  await painted;
+  await nextFrame();
+  return performance.now() - begun;
 }
 
 /**

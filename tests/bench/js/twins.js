@@ -1,5 +1,5 @@
 /**
- * Pictures of two figures by plain JavaScript, as one would write it by hand: one loop over the
+ * Pictures of three figures by plain JavaScript, as one would write it by hand: one loop over the
  * pixels, from what Python computed once to the bytes of a canvas.
  */
 
@@ -10,6 +10,8 @@
  * @typedef {Size & {centreX: number, centreY: number, radius: number, albedo: number,
  *   backdrop: Uint8Array,
  *   wall: Float32Array}} Ball The wall behind the ball, as bytes and in linear light.
+ * @typedef {Size & {cells: Float32Array}} Mosaic What each cell counted, in linear light: red ones
+ *   on even rows and columns, blue ones on odd.
  */
 
 /** @param {number} light */
@@ -87,6 +89,39 @@ export function sphere(ball, angle, rgba) {
         const behind = wall[0.75 * at + channel];
         rgba[at + channel] = encode(cover === 1 ? light : behind + cover * (light - behind));
       }
+    }
+  }
+}
+
+/**
+ * The mosaic with its missing colours interpolated, each from the two or four nearest cells that
+ * have it. Beyond the border the cells are mirrored about those at the border.
+ *
+ * @param {Mosaic} mosaic
+ * @param {string} method Others than the bilinear one draw nothing.
+ * @param {Uint8ClampedArray} rgba Where the bytes go.
+ */
+export function demosaic({ width, height, cells }, method, rgba) {
+  if (method !== "bilinear") return;
+  for (let y = 0, at = 0; y < height; y += 1) {
+    const row = y * width;
+    const above = (y > 0 ? y - 1 : 1) * width;
+    const below = (y < height - 1 ? y + 1 : height - 2) * width;
+    for (let x = 0; x < width; x += 1, at += 4) {
+      const left = x > 0 ? x - 1 : 1;
+      const right = x < width - 1 ? x + 1 : width - 2;
+      const own = cells[row + x];
+      const level = (cells[row + left] + cells[row + right]) / 2;
+      const upright = (cells[above + x] + cells[below + x]) / 2;
+      const isGreen = (x + y) % 2 === 1;
+      const upper = (cells[above + left] + cells[above + right]) / 2;
+      const corners = (upper + (cells[below + left] + cells[below + right]) / 2) / 2;
+      const inRow = isGreen ? level : own;
+      const across = isGreen ? upright : corners;
+      rgba[at] = encode(y % 2 === 0 ? inRow : across);
+      rgba[at + 1] = encode(isGreen ? own : (level + upright) / 2);
+      rgba[at + 2] = encode(y % 2 === 0 ? across : inRow);
+      rgba[at + 3] = 255;
     }
   }
 }

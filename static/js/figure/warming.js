@@ -1,0 +1,56 @@
+/**
+ * Stages before they are asked for: computed while nobody waits, so that the first touch on a figure
+ * finds what its frame shares with the one at rest. A call is a slice: whoever asks for a frame
+ * meanwhile goes before the next.
+ */
+
+import { servedValues } from "./served.js";
+import { draftTiers } from "./tiers.js";
+
+/** @import { Caller } from "../runtime/runtime.js" */
+/** @import { Schema } from "./controls.js" */
+/** @typedef {{figure: string, scene: string, values: string, tier: string}} Asked */
+
+/** After the frames that figures rest in, before the next chapter. */
+const DRAFTS = () => -2;
+/** Anything that the reader waits for goes before it. */
+export const LEAST_URGENT = () => -3;
+
+/**
+ * The drafts of a figure whose frame at rest is computed.
+ *
+ * @param {Caller} runtime
+ * @param {Asked} asked That frame.
+ * @param {Schema} schema
+ * @param {() => boolean} isWanted Asked before each.
+ */
+export async function warmDrafts(runtime, asked, schema, isWanted) {
+  for (const tier of draftTiers(schema, asked.tier)) {
+    if (isWanted()) await runtime.call("warm", { ...asked, tier }, DRAFTS);
+  }
+}
+
+/**
+ * What to call for the figures of a page that is not yet open, of each scene the first: the frame
+ * at rest, then its drafts.
+ *
+ * @param {string} text Of the page.
+ * @returns {Asked[]}
+ */
+export function aheadOf(text) {
+  const page = new DOMParser().parseFromString(text, "text/html");
+  /** @type {Map<string, Asked[]>} */
+  const scenes = new Map();
+  for (const figure of page.querySelectorAll("simulation-figure")) {
+    const scene = figure.getAttribute("data-simulation") ?? "";
+    const schema = JSON.parse(figure.querySelector("script.schema")?.textContent ?? "null");
+    if (!schema || scenes.has(scene)) continue;
+    const values = servedValues(schema);
+    const tiers = [schema.default_tier, ...draftTiers(schema, schema.default_tier)];
+    scenes.set(
+      scene,
+      tiers.map((tier) => ({ figure: "", scene, values, tier })),
+    );
+  }
+  return [...scenes.values()].flat();
+}
