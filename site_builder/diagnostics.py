@@ -8,6 +8,7 @@ from collections.abc import Iterable, Sequence, Sized
 from dataclasses import dataclass, field
 
 from site_builder.blame import place_of
+from site_builder.raised import words_of
 
 MOST_LISTED = 20
 """Legal names that a message lists before it only counts them."""
@@ -85,9 +86,9 @@ def unknown(kind: str, given: str, legal: Iterable[str]) -> str:
 
 
 def cause(error: Exception) -> str:
-    """``ZeroDivisionError: division by zero, at simulations/…/scene.py:12``: what stopped code that
-    is not the builder's own, and where."""
-    said = error.msg if isinstance(error, SyntaxError) else str(error)
+    """``ZeroDivisionError: a division by zero, at simulations/…/scene.py:12``: what stopped code
+    that is not the builder's own, and where."""
+    said = words_of(error)
     told = f"{type(error).__name__}: {said}" if said else type(error).__name__
     place = place_of(error)
     return f"{told}, at {place}" if place else told

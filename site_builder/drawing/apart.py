@@ -21,6 +21,7 @@ from typing import Any, Never
 
 from site_builder.blame import place_of, remember_place
 from site_builder.forking import CAN_FORK, forked
+from site_builder.raised import remember_words, words_of
 
 GRACE_S = 2.0
 """How long the code may ignore that its time is over, as a call into numpy does, until it is
@@ -122,9 +123,10 @@ def _answer(job: Callable[[], Any], writer: int, limits: Limits) -> None:
 
 
 def _failure(error: Exception) -> bytes:
-    """The error as it can be sent, which is without its traceback: its place goes with it."""
-    place = place_of(error)
-    bare = remember_place(error.with_traceback(None), place)
+    """The error as it can be sent, which is without its traceback: its place goes with it, and what
+    its words take from there."""
+    place, words = place_of(error), words_of(error)
+    bare = remember_words(remember_place(error.with_traceback(None), place), words)
     bare.__cause__ = bare.__context__ = None
     try:
         data = pickle.dumps((False, bare))

@@ -7,6 +7,8 @@ from site_builder.editions.tree import elements
 
 PAGE_OF = "data-page-of"
 """Names the element whose page is to be printed here."""
+PAGE_AS = "data-page-as"
+"""In which words, with ``{page}`` for the number."""
 UNKNOWN = "000"
 """Stands for a number while none is known: as wide as most."""
 MOST_TOLD = 5
@@ -16,9 +18,9 @@ class PageNumberError(ValueError):
     """A place to which a number leads is on no page."""
 
 
-def page_number(anchor: str, kind: str) -> Element:
-    """Where a number is to be printed: ``kind`` is its class."""
-    return Element("span", {"class": kind, PAGE_OF: anchor})
+def page_number(anchor: str, kind: str, words: str = "{page}") -> Element:
+    """Where a number is to be printed in these words: ``kind`` is its class."""
+    return Element("span", {"class": kind, PAGE_OF: anchor, PAGE_AS: words})
 
 
 def fill(root: Element, pages: Mapping[str, int] | None) -> None:
@@ -33,5 +35,4 @@ def fill(root: Element, pages: Mapping[str, int] | None) -> None:
         raise PageNumberError(f"{len(missing)} anchors are on no page, first of them: {told}")
     for element in asked:
         number = str(pages[element.get(PAGE_OF, "")]) if pages else UNKNOWN
-        plain = "toc-page" in element.get("class", "")
-        element.text = number if plain else f"(p.\N{NO-BREAK SPACE}{number})"
+        element.text = element.get(PAGE_AS, "{page}").replace("{page}", number)

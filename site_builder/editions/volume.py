@@ -75,6 +75,7 @@ def _bind_links(content: Element, page: str, composed: Composed) -> None:
             continue
         link.set("href", f"#{anchor(place)}")
         if place.page not in (page, *BACK_MATTER):
-            number = page_number(anchor(place), "page-ref")
+            on_page = composed.book.words("edition.on_page", page="{page}")
+            number = page_number(anchor(place), "page-ref", on_page)
             insert_after(parent_of[link], link, number)
             number.tail, link.tail = number.tail, "\N{NO-BREAK SPACE}"

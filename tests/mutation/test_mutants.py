@@ -4,6 +4,7 @@ from pathlib import Path
 
 import pytest
 from mutation import trial
+from mutation.__main__ import SCORES
 from mutation.mutants import mutants, names
 from mutation.scores import Row, Score, read_table, write_table
 from mutation.trial import file_of, modules, survives
@@ -114,6 +115,10 @@ def test_an_endless_mutant_is_noticed(tmp_path: Path) -> None:
 
 def test_every_model_has_tests_of_its_own_or_of_a_model_that_uses_it() -> None:
     assert [module for module in modules() if not trial.tests_of(module)] == []
+
+
+def test_every_score_is_of_a_module_that_there_is() -> None:
+    assert set(read_table(SCORES)) - set(modules()) == set()
 
 
 def test_scores_are_read_as_they_were_written_and_summed(tmp_path: Path) -> None:

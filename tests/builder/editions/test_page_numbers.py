@@ -7,7 +7,8 @@ import pytest
 from site_builder.editions.page_numbers import PageNumberError, fill
 from site_builder.editions.pdf import UnsettledError, settle
 
-TEXT = '<p><span class="toc-page" data-page-of="a"/> <span class="page-ref" data-page-of="b"/></p>'
+NUMBER = "(p.\N{NO-BREAK SPACE}{page})"
+TEXT = f'<p><span data-page-of="a"/> <span data-page-of="b" data-page-as="{NUMBER}"/></p>'
 
 
 def test_each_number_is_that_of_its_anchor() -> None:
