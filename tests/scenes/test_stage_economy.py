@@ -15,6 +15,8 @@ from simulations.engine.settings import values_of
 from simulations.engine.stages import Stage, StageCache
 from simulations.models.arrays import Floats
 from simulations.models.lens.aperture import fibonacci_disc
+from simulations.pictures.checker_room import checker_room
+from simulations.pictures.resolution_chart import resolution_chart
 from simulations.registry import SCENE_MODULES, load_scene
 from simulations.scenes.camera import scene as camera
 from simulations.scenes.camera import stages as camera_stages
@@ -143,8 +145,8 @@ def read_only(draw: Callable[..., Floats]) -> Callable[..., Floats]:
     return drawn
 
 
-CHECKER_ROOM = read_only(distortion_stages.checker_room)
-RESOLUTION_CHART = read_only(distortion_stages.resolution_chart)
+CHECKER_ROOM = read_only(checker_room)
+RESOLUTION_CHART = read_only(resolution_chart)
 
 
 @cache
