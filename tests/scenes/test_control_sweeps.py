@@ -9,6 +9,7 @@ import itertools
 import json
 import re
 from collections.abc import Iterable, Iterator, Mapping
+from functools import lru_cache
 from typing import Any
 from xml.etree import ElementTree
 
@@ -111,16 +112,8 @@ def assert_sound(scene: Scene[Any], frame: Frame, setting: Mapping[str, object])
     """Everything that a frame holds can be drawn, read and sent."""
     json.loads(to_json(frame))
     for panel in frame.panels:
-        drawing = ElementTree.fromstring(f"<svg>{panel.overlay}</svg>")
-        for element in drawing.iter():
-            for name, value in element.attrib.items():
-                if name != "class":
-                    assert not NOT_FINITE.search(value), (setting, panel.name, element.attrib)
-        for label in labels(panel.overlay, in_figures):
-            box = label.box
-            inside = min(box.left, box.top) >= 0
-            inside = inside and box.right <= panel.width and box.bottom <= panel.height
-            assert inside, (setting, panel.name, label)
+        fault = fault_of_drawing(panel.overlay, panel.width, panel.height)
+        assert not fault, (setting, panel.name, fault)
         if panel.raster is not None:
             opaque = panel.raster[..., 3].max()
             assert opaque > 0, (setting, panel.name, "nothing to be seen")
@@ -129,6 +122,21 @@ def assert_sound(scene: Scene[Any], frame: Frame, setting: Mapping[str, object])
         assert item.text.strip(), (setting, item)
         assert item.text != "undefined" or (scene.id, item.name) in UNDEFINED, (setting, item)
     assert not NOT_FINITE.search(frame.description), (setting, frame.description)
+
+
+@lru_cache(maxsize=64)
+def fault_of_drawing(overlay: str, width: float, height: float) -> str:
+    """What in it is no number, or which label lies outside; most controls leave some panel as it
+    was."""
+    for element in ElementTree.fromstring(f"<svg>{overlay}</svg>").iter():
+        for name, value in element.attrib.items():
+            if name != "class" and NOT_FINITE.search(value):
+                return str(element.attrib)
+    for label in labels(overlay, in_figures):
+        box = label.box
+        if min(box.left, box.top) < 0 or box.right > width or box.bottom > height:
+            return str(label)
+    return ""
 
 
 def shown(frame: Frame) -> object:

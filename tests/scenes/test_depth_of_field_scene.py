@@ -1,6 +1,7 @@
 """The depth-of-field figure: numbers by hand, limits, refusals, and the blur in the picture."""
 
 import math
+from functools import cache
 
 import numpy as np
 import pytest
@@ -28,8 +29,16 @@ from simulations.scenes.depth_of_field.sharpness import FAR_M, NEAR_M, sharpness
 from simulations.scenes.depth_of_field.stages import depth_of, encode
 
 
-def frame(tier: str = "", cache: StageCache | None = None, /, **given: Value) -> Frame:
-    return SCENE.render(SCENE.check(given), tier, cache or StageCache())
+def frame(tier: str = "", stages: StageCache | None = None, /, **given: Value) -> Frame:
+    """Without a cache of ``stages``, all of them are computed: by the first test that asks."""
+    if stages is None:
+        return drawn_whole(tier, **given)
+    return SCENE.render(SCENE.check(given), tier, stages)
+
+
+@cache
+def drawn_whole(tier: str, **given: Value) -> Frame:
+    return SCENE.render(SCENE.check(given), tier, StageCache())
 
 
 def picture_of(shown: Frame) -> Raster:
@@ -38,8 +47,8 @@ def picture_of(shown: Frame) -> Raster:
     return raster
 
 
-def picture(tier: str = "", cache: StageCache | None = None, /, **given: Value) -> Raster:
-    return picture_of(frame(tier, cache, **given))
+def picture(tier: str = "", stages: StageCache | None = None, /, **given: Value) -> Raster:
+    return picture_of(frame(tier, stages, **given))
 
 
 def texts(**given: Value) -> dict[str, str]:
@@ -179,9 +188,9 @@ def test_every_extreme_can_be_drawn_in_the_same_layout(
 
 
 def test_aperture_reuses_the_lit_scene() -> None:
-    cache = StageCache()
-    frame("", cache)
-    again = frame("", cache, aperture=2)
+    stages = StageCache()
+    frame("", stages)
+    again = frame("", stages, aperture=2)
     assert [s.name for s in again.stages if s.status == "computed"] == [
         "defocus",
         "overlay",
@@ -235,19 +244,19 @@ def test_the_tiers_differ_in_the_picture_and_in_nothing_else() -> None:
 
 def test_blur_is_measured_against_rays_through_the_whole_lens() -> None:
     """A pinhole is off by all of the blur, filters by edges only, and rays by least."""
-    cache, settings = StageCache(), SCENE.check({})
-    rays = SCENE.run(settings, "pinhole", cache).outputs["pinhole rays"]
+    stages, settings = StageCache(), SCENE.check({})
+    rays = SCENE.run(settings, "pinhole", stages).outputs["pinhole rays"]
     through = (through_lens(rays, at, 40.0, 50.0, 1.4, 3.2) for at in aperture_grid(7))
     truth = encode(np.mean(list(through), axis=0)).astype(float)
 
     def off(tier: str) -> float:
-        return math.sqrt(np.mean((picture(tier, cache) - truth)[..., :3] ** 2))
+        return math.sqrt(np.mean((picture(tier, stages) - truth)[..., :3] ** 2))
 
     final = {tier: off(tier) for tier in SCENE.tiers}
     filters = [final[tier] for tier in ("discs", "binned", "gather")]
     assert final["pinhole"] > 2.5 * max(filters)
     assert min(filters) > final["layered"] > 2 * final["fibonacci-16"]
-    *_, last = SCENE.estimates(settings, "layered", cache)
+    *_, last = SCENE.estimates(settings, "layered", stages)
     assert float(last.text) == pytest.approx(final["layered"], abs=0.01)
 
 

@@ -62,7 +62,12 @@ def _box(element: ElementTree.Element, size_of: Callable[[Sequence[str]], float]
 
 
 def _width(text: str, face: str, size: float) -> float:
-    return float(_font(face).getlength(text)) * size / MEASURED_AT
+    return _length(text, face) * size / MEASURED_AT
+
+
+@cache
+def _length(text: str, face: str) -> float:
+    return float(_font(face).getlength(text))
 
 
 @cache

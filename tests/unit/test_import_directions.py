@@ -6,6 +6,7 @@ Nowhere do files import each other in a circle."""
 import ast
 import sys
 from collections.abc import Iterator, Sequence
+from functools import cache
 from graphlib import CycleError, TopologicalSorter
 from pathlib import Path
 
@@ -53,7 +54,12 @@ MARKDOWN = (
 """Parts of ``site_builder/markdown``, likewise."""
 
 
-def imported_modules(file: Path) -> Iterator[str]:
+@cache
+def imported_modules(file: Path) -> tuple[str, ...]:
+    return tuple(read_imports(file))
+
+
+def read_imports(file: Path) -> Iterator[str]:
     for node in ast.walk(ast.parse(file.read_text(encoding="utf-8"))):
         if isinstance(node, ast.Import):
             yield from (alias.name for alias in node.names)
