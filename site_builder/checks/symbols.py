@@ -17,12 +17,12 @@ def check_symbols(book: Book, problems: Diagnostics) -> None:
     chapters = {chapter.id: chapter for chapter in book.chapters}
     used: set[int] = set()
     for chapter in book.chapters:
-        legal = meanings_in(book, chapter)
+        legal = [(spelt(item.symbol.tex), item) for item in meanings_in(book, chapter)]
         for tex, formula in _first_uses(chapter):
-            covering = [item for item in legal if covers(spelt(item.symbol.tex), tex)]
+            covering = [item for name, item in legal if covers(name, tex)]
             used |= {item.symbol.line for item in covering}
             if not covering:
-                names = [spelt(item.symbol.tex) for item in legal]
+                names = [name for name, _ in legal]
                 message = unknown(f"symbol in {chapter.id}", tex, names)
                 problems.add(chapter.path, formula.line, f"{message} (in {FILE})")
     for name, declared in book.symbols.items():

@@ -103,7 +103,7 @@ def read_chapter(draft: Draft, targets: Targets) -> Chapter:
         term_uses=tuple(reading.term_uses),
         index_marks=tuple(reading.index_marks),
         files=frozenset(reading.files),
-        formulae=tuple(_formula(line, tex, draft) for line, tex in reading.formulae),
+        formulae=tuple(_formula(*found, draft) for found in reading.formulae),
         before=before,
         after=after,
         figures=tuple(place.id for place in reading.figures),
@@ -111,6 +111,6 @@ def read_chapter(draft: Draft, targets: Targets) -> Chapter:
     )
 
 
-def _formula(line: int, tex: str, draft: Draft) -> Formula:
+def _formula(line: int, tex: str, displayed: bool, draft: Draft) -> Formula:
     above = [item.id for item in draft.inside if item.kind == "Section" and item.line <= line]
-    return Formula(tex, line, above[-1] if above else "")
+    return Formula(tex, line, above[-1] if above else "", displayed=displayed)

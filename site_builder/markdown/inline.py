@@ -72,7 +72,7 @@ def _set_formula(token: Token, line: int, reading: Reading) -> None:
         token.meta["mathml"] = _mathml(tex.strip(), display=token.type != "math_inline")
     except UnsupportedTexError as error:
         reading.problem(line, str(error))
-    reading.formulae.append((line, tex))
+    reading.formulae.append((line, tex, token.type != "math_inline"))
 
 
 def _mathml(tex: str, *, display: bool) -> str:

@@ -93,8 +93,8 @@ class Reading:
     citations: list[Citation] = field(default_factory=list)
     term_uses: list[TermUse] = field(default_factory=list)
     index_marks: list[IndexMark] = field(default_factory=list)
-    formulae: list[tuple[int, str]] = field(default_factory=list)
-    """Line and TeX of each."""
+    formulae: list[tuple[int, str, bool]] = field(default_factory=list)
+    """Line and TeX of each, and whether it is displayed."""
     tabs: set[int] = field(default_factory=set)
     """Lines of the tabs that stand where they may."""
     files: set[str] = field(default_factory=set)

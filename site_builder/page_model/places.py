@@ -96,6 +96,8 @@ class Formula:
     line: int
     section: str
     """Element id of the heading above it; nothing before a chapter's first."""
+    displayed: bool = False
+    """Whether it stands on lines of its own."""
 
 
 @dataclass(frozen=True, slots=True)

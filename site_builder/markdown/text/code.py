@@ -1,5 +1,6 @@
 """Code blocks, coloured by classes."""
 
+from functools import cache
 from html import escape
 
 from pygments import highlight
@@ -26,13 +27,18 @@ def code_html(code: str, language: str) -> str:
     return f"{opening}{body}\n</code></pre>\n"
 
 
+FORMATTER = HtmlFormatter(nowrap=True)
+_lexer = cache(get_lexer_by_name)
+"""It takes as long to make one as to colour some lines."""
+
+
 @kept
 def highlighted_lines(code: str, language: str) -> list[str]:
     """Each line of ``code`` as HTML of its own. Raises `UnknownLanguageError`."""
     try:
-        lexer = get_lexer_by_name(language)
+        lexer = _lexer(language)
     except ClassNotFound:
         raise UnknownLanguageError(unknown("language", language, LANGUAGES)) from None
     # Pygments closes its spans at the end of each line.
-    lines: list[str] = highlight(code, lexer, HtmlFormatter(nowrap=True)).rstrip("\n").split("\n")
+    lines: list[str] = highlight(code, lexer, FORMATTER).rstrip("\n").split("\n")
     return lines

@@ -44,6 +44,8 @@ FOREIGN = (
 )
 """What of them is found in running text, and what would be legal."""
 PATTERNS = tuple((re.compile(pattern), legal) for pattern, legal in FOREIGN)
+IN_ANY = re.compile(r"[@{~=^\[!#*<&:\\]")
+"""Each pattern asks for one of these, and most lines have none."""
 OLD_ROLE = re.compile(r"(:[a-z]+:)$")
 TASK = re.compile(r"\[[ xX?]\](?:\s|$)")
 DEFINITION = re.compile(r"^: +\S")
@@ -68,6 +70,8 @@ def foreign_marks(tokens: Sequence[Token]) -> Iterator[tuple[int, str]]:
 
 
 def _in_text(text: str) -> Iterator[str]:
+    if not IN_ANY.search(text):
+        return
     for pattern, legal in PATTERNS:
         if found := pattern.search(text):
             yield f"'{found[1]}' {legal}"
