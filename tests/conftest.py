@@ -6,12 +6,13 @@ import subprocess
 import sys
 from collections.abc import Callable, Iterator
 from pathlib import Path
+from subprocess import CompletedProcess
 from typing import Any
 
 import pytest
-from filelock import FileLock
 from hypothesis import settings
 from playwright.sync_api import Browser, expect, sync_playwright
+from support.built import built_once
 from support.chromium import HOW_TO, find_chromium, launch_arguments
 from support.reader import DESK, Reader, visit
 from support.static_server import StaticServer, serving
@@ -73,14 +74,12 @@ def built_site(
     given: Path | None = request.config.getoption("--site")
     if given:
         return given
-    own = tmp_path_factory.getbasetemp()
-    out = (own if worker_id == "master" else own.parent) / "book" / "site"
-    with FileLock(f"{out.parent}.lock"):
-        if not out.exists():
-            command = [sys.executable, "-m", "site_builder", "build", "--out", str(out)]
-            build = subprocess.run(command, cwd=ROOT, capture_output=True, text=True, check=False)
-            assert build.returncode == 0, build.stderr
-    return out
+
+    def build(out: Path) -> CompletedProcess[str]:
+        command = [sys.executable, "-m", "site_builder", "build", "--out", str(out)]
+        return subprocess.run(command, cwd=ROOT, capture_output=True, text=True, check=False)
+
+    return built_once(tmp_path_factory, worker_id, "book", build)
 
 
 @pytest.fixture(scope="session")

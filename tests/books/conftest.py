@@ -2,23 +2,22 @@
 
 import json
 from pathlib import Path
+from subprocess import CompletedProcess
 from typing import Any
 
 import pytest
-from filelock import FileLock
+from support.built import built_once
 from support.waves import on_waves
 
 
 @pytest.fixture(scope="session")
 def waves_site(tmp_path_factory: pytest.TempPathFactory, worker_id: str) -> Path:
-    own = tmp_path_factory.getbasetemp()
-    out = (own if worker_id == "master" else own.parent) / "waves" / "site"
-    with FileLock(f"{out.parent}.lock"):
-        if not out.exists():
-            build = on_waves("-m", "site_builder", "build", "--out", str(out))
-            assert build.returncode == 0, build.stderr
-            assert "warning" not in build.stderr
-    return out
+    def build(out: Path) -> CompletedProcess[str]:
+        done = on_waves("-m", "site_builder", "build", "--out", str(out))
+        assert "warning" not in done.stderr
+        return done
+
+    return built_once(tmp_path_factory, worker_id, "waves", build)
 
 
 @pytest.fixture(scope="session")

@@ -5,12 +5,13 @@ import json
 import re
 import zipfile
 from pathlib import Path
+from subprocess import CompletedProcess
 from typing import Any
 from xml.etree import ElementTree
 
 import pytest
-from filelock import FileLock
 from playwright.sync_api import Browser, expect
+from support.built import built_once
 from support.interface_words import engine_sentences, phrases, said
 from support.reader import Reader, visit
 from support.static_server import serving
@@ -25,13 +26,10 @@ XML = "{http://www.w3.org/XML/1998/namespace}"
 
 @pytest.fixture(scope="session")
 def german_site(tmp_path_factory: pytest.TempPathFactory, worker_id: str) -> Path:
-    own = tmp_path_factory.getbasetemp()
-    out = (own if worker_id == "master" else own.parent) / "german" / "site"
-    with FileLock(f"{out.parent}.lock"):
-        if not out.exists():
-            build = on_waves("-m", "site_builder", "build", "--out", str(out), book=GERMAN_BOOK)
-            assert build.returncode == 0, build.stderr
-    return out
+    def build(out: Path) -> CompletedProcess[str]:
+        return on_waves("-m", "site_builder", "build", "--out", str(out), book=GERMAN_BOOK)
+
+    return built_once(tmp_path_factory, worker_id, "german", build)
 
 
 @pytest.fixture(scope="session")

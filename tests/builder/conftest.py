@@ -120,6 +120,21 @@ def make_book(tmp_path: Path) -> MakeBook:
 
 
 @pytest.fixture
+def run(make_book: MakeBook, monkeypatch: pytest.MonkeyPatch) -> Callable[..., int]:
+    """The command on a small book whose first chapter is ``body``; it shows no figure."""
+    from site_builder.__main__ import main
+
+    outline = "".join(line for line in OUTLINE.splitlines(True) if not line.startswith("hero"))
+
+    def command(*words: str, body: str = "Text.\n") -> int:
+        options = make_book(body, {"content/book.toml": outline})
+        monkeypatch.setattr("site_builder.__main__.ROOT", options.root)
+        return main(list(words))
+
+    return command
+
+
+@pytest.fixture
 def mistakes(make_book: MakeBook) -> Callable[..., list[str]]:
     """The diagnostics of a book, as printed."""
     from site_builder.build import check_site

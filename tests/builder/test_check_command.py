@@ -11,7 +11,6 @@ from typing import Any
 import pytest
 import yaml
 
-from site_builder.__main__ import main
 from site_builder.build import Options, render_site
 from site_builder.check_command import find
 from site_builder.diagnostic_formats import column_of, listed, suggestion_of
@@ -26,15 +25,9 @@ type Run = Callable[..., int]
 
 
 @pytest.fixture
-def run(make_book: Callable[..., Options], monkeypatch: pytest.MonkeyPatch) -> Run:
-    """The command on a small book."""
-
-    def command(*words: str, body: str = "Text.\n") -> int:
-        options = make_book(body, {"content/book.toml": OUTLINE})
-        monkeypatch.setattr("site_builder.__main__.ROOT", options.root)
-        return main([*words, "--no-runtime"])
-
-    return command
+def run(run: Run) -> Run:
+    """The command on a small book, without the browser's Python."""
+    return lambda name, *more, **book: run(name, "--no-runtime", *more, **book)
 
 
 def test_programs_get_the_fields_that_are_promised(

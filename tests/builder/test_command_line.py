@@ -5,23 +5,9 @@ from pathlib import Path
 
 import pytest
 
-from site_builder.__main__ import main
 from site_builder.build import Options
 
-OUTLINE = 'title = "T"\nsubtitle = "S"\nprerequisites = "P"\nchapters = ["00-first", "01-second"]\n'
 type Run = Callable[..., int]
-
-
-@pytest.fixture
-def run(make_book: Callable[..., Options], monkeypatch: pytest.MonkeyPatch) -> Run:
-    """The command on a small book whose first chapter is ``body``."""
-
-    def command(*words: str, body: str = "Text.\n") -> int:
-        options = make_book(body, {"content/book.toml": OUTLINE})
-        monkeypatch.setattr("site_builder.__main__.ROOT", options.root)
-        return main(list(words))
-
-    return command
 
 
 def test_a_book_in_order_is_said_to_be(run: Run, capsys: pytest.CaptureFixture[str]) -> None:

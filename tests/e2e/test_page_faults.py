@@ -23,13 +23,6 @@ FULL = """() => {
 DENIED = """Object.defineProperty(window, 'localStorage', {
   configurable: true, get() { throw new DOMException('denied', 'SecurityError'); }
 })"""
-JUNK = """(junk) => {
-  const prefix = Object.keys(localStorage).find((key) => key.includes('quiz:')).split('quiz:')[0];
-  for (const form of document.querySelectorAll('form.quiz')) {
-    const {id, edition} = JSON.parse(form.querySelector('script.quiz-data').textContent);
-    localStorage.setItem(`${prefix}quiz:${id}`, junk.replace('EDITION', edition));
-  }
-}"""
 
 
 @pytest.fixture
@@ -79,27 +72,6 @@ def test_what_storage_does_not_take_lasts_until_the_book_is_left_and_that_is_sai
     saved = json.loads(download.value.path().read_text(encoding="utf-8"))
     assert len(saved["answers"]) == 2
     page.reload()  # with storage as it was
-
-
-@pytest.mark.parametrize(
-    "junk",
-    [
-        *("[[[", "5", '{"edition": "EDITION"}'),
-        *(f'{{"edition": "EDITION", "answer": {answer}}}' for answer in ("[null]", "[[0]]")),
-    ],
-)
-def test_junk_in_storage_is_no_answer_and_the_question_can_be_answered(
-    plain_reader: Reader, chapter: str, junk: str
-) -> None:
-    plain_reader.open(chapter, live=False)
-    page = plain_reader.page
-    answer(page, 0)
-    page.evaluate(JUNK, junk)
-    page.reload()
-    page.wait_for_function("document.querySelector('.progress-count')?.textContent")
-    assert page.locator("form.quiz[data-answered]").count() == 0
-    answer(page, 1)
-    assert chosen(page) == "1"
 
 
 def test_an_answer_in_one_tab_shows_in_another_and_takes_nothing_from_it(

@@ -1,7 +1,6 @@
 """A host as `_headers` and the packed copies are meant for: it sends what the one says, and of each
 file the smallest copy that the browser takes."""
 
-import threading
 from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
 from fnmatch import fnmatchcase
@@ -9,7 +8,7 @@ from http.server import BaseHTTPRequestHandler
 from pathlib import Path
 from urllib.parse import unquote
 
-from support.static_server import TYPES, QuietServer
+from support.static_server import TYPES, QuietServer, running
 
 KINDS = TYPES | {
     ".html": "text/html; charset=utf-8",
@@ -99,11 +98,5 @@ def hosting(
     root: Path, copies: Mapping[str, bytes] | None = None, rules: Rules | None = None
 ) -> Iterator[Host]:
     host = Host(root, copies or {}, rules)
-    thread = threading.Thread(target=host.server.serve_forever, daemon=True)
-    thread.start()
-    try:
+    with running(host.server):
         yield host
-    finally:
-        host.server.shutdown()
-        host.server.server_close()
-        thread.join()

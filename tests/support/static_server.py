@@ -112,13 +112,20 @@ class Handler(SimpleHTTPRequestHandler):
 
 
 @contextmanager
-def serving(root: Path) -> Iterator[StaticServer]:
-    server = StaticServer(root)
-    thread = threading.Thread(target=server.server.serve_forever, daemon=True)
+def running(server: ThreadingHTTPServer) -> Iterator[None]:
+    """While this lasts, it answers."""
+    thread = threading.Thread(target=server.serve_forever, args=(0.01,), daemon=True)
     thread.start()
     try:
-        yield server
+        yield
     finally:
-        server.server.shutdown()
-        server.server.server_close()
+        server.shutdown()
+        server.server_close()
         thread.join()
+
+
+@contextmanager
+def serving(root: Path) -> Iterator[StaticServer]:
+    server = StaticServer(root)
+    with running(server.server):
+        yield server

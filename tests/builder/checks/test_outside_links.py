@@ -2,9 +2,10 @@
 
 import threading
 from collections.abc import Callable, Iterator
-from http.server import BaseHTTPRequestHandler, ThreadingHTTPServer
+from http.server import BaseHTTPRequestHandler
 
 import pytest
+from support.static_server import QuietServer, running
 
 from site_builder.build import Options, check_site
 from site_builder.checks.outside_links import Patience, check_outside_links, outside_links
@@ -59,15 +60,10 @@ class Host(BaseHTTPRequestHandler):
 def host(monkeypatch: pytest.MonkeyPatch) -> Iterator[str]:
     monkeypatch.setenv("no_proxy", "*")
     Host.asked, Host.release = [], threading.Event()
-    server = ThreadingHTTPServer(("127.0.0.1", 0), Host)
-    server.daemon_threads = True
-    thread = threading.Thread(target=server.serve_forever, args=(0.01,), daemon=True)
-    thread.start()
-    yield f"http://127.0.0.1:{server.server_address[1]}"
-    Host.release.set()
-    server.shutdown()
-    server.server_close()
-    thread.join()
+    server = QuietServer(("127.0.0.1", 0), Host)
+    with running(server):
+        yield f"http://127.0.0.1:{server.server_address[1]}"
+        Host.release.set()
 
 
 def told(host: str, *paths: str, patience: Patience = PATIENT) -> list[str]:
