@@ -77,11 +77,16 @@ check: $(VENV)/test.stamp
 screenshot: $(VENV)/test.stamp $(VENV)/chromium.stamp site
 	@PYTHONPATH=tests $(BIN)/python -m support.screenshot "$(PAGE)"
 
-# One thread, as in the browser, so that the two sides can be compared.
+# One thread, as in the browser, so that the two sides can be compared. What is beyond its budget is
+# told when all is measured.
 bench: $(VENV)/test.stamp $(VENV)/chromium.stamp site
 	@OPENBLAS_NUM_THREADS=1 PYTHONPATH=tests $(BIN)/python -m bench $(LADDER:%=--ladder %)
 	@$(if $(LADDER),,OPENBLAS_NUM_THREADS=1 PYTHONPATH=tests $(BIN)/python -m bench.stage_costs)
 	@$(if $(LADDER),,PYTHONPATH=tests $(BIN)/python -m bench.start --keep)
+	@$(if $(LADDER),,PYTHONPATH=tests $(BIN)/python -m bench.bytes)
+	@$(if $(LADDER),,PYTHONPATH=tests $(BIN)/python -m bench.memory || :)
+	@$(if $(LADDER),,PYTHONPATH=tests $(BIN)/python -m bench.twins || :)
+	@$(if $(LADDER),,PYTHONPATH=tests $(BIN)/python -m bench.latency || :)
 	@$(if $(LADDER),,PYTHONPATH=tests $(BIN)/python -m bench.costs)
 
 # Of use on a machine that does nothing else.

@@ -76,7 +76,7 @@ def browser_and_host(site: Path = SITE) -> Iterator[tuple[Browser, Host]]:
 
 def worst(found: Mapping[str, int]) -> dict[str, float]:
     """The greatest of some numbers of bytes, in kilobytes."""
-    return {"worst": round(max(found.values()) / KB, 1)}
+    return {"worst_kb": round(max(found.values()) / KB, 1)}
 
 
 def _below(root: Path, file: Path) -> str:

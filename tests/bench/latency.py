@@ -5,6 +5,7 @@ stands outside the book's own: see ``js/drag.js``. A time runs from an event to 
 frame after the one that shows the answer, so that it is a whole number of display frames, about.
 What is found goes into a JSON file, one row a slider; a slider whose 95th percentile is beyond its
 scene's bound is named at the end. ``--scene`` for some scenes only: their rows replace the old.
+Of all scenes, a summary goes to what pages cost, for the book to tell.
 """
 
 import argparse
@@ -17,6 +18,7 @@ from pathlib import Path
 from typing import Any
 
 from bench.built_book import figure_at_rest, open_book, script
+from bench.costs import keep
 from playwright.sync_api import Page
 
 from site_builder.book_root import ROOT
@@ -88,6 +90,18 @@ def measure(page: Page, address: str, book: Any, wanted: Sequence[str]) -> Itera
                     yield row(scene, control["name"], **page.evaluate(DRAG, [drag, figure, hand]))
 
 
+def summary(rows: Sequence[Latency]) -> dict[str, float]:
+    """All sliders in few numbers."""
+    late = sum(found.late for found in rows)
+    return {
+        "sliders": len(rows),
+        "late": late,
+        "in_time": len(rows) - late,
+        "median_ms": round(statistics.median(found.median for found in rows), 1),
+        "slowest_ms": max(found.p95 for found in rows),
+    }
+
+
 def merged(old: Sequence[Mapping[str, Any]], new: Sequence[Latency]) -> list[dict[str, Any]]:
     """New rows in place of the old ones of their scenes."""
     scenes = {found.scene for found in new}
@@ -113,6 +127,8 @@ def main() -> int:
     asked.json.parent.mkdir(parents=True, exist_ok=True)
     text = json.dumps(merged(old, rows), ensure_ascii=False, indent=1)
     asked.json.write_text(text + "\n", encoding="utf-8")
+    if not asked.scene:
+        keep("frames", summary(rows))
     late = [found for found in rows if found.late]
     print(f"{len(rows) - len(late)} of {len(rows)} sliders are followed in time")
     print(*(line(found) for found in late), sep="\n", end="\n" if late else "", file=sys.stderr)

@@ -4,7 +4,7 @@ One figure draws two thousand frames, and a hundred chapters are turned; after e
 garbage is collected and what is left is counted: the heap of the scripts, nodes of the page,
 listeners, and the memory of the interpreter, which never shrinks and grows by a fifth at a time.
 The first half fills what is kept on purpose; what has grown from there to the end is named, and
-fails.
+fails. What is held in the end goes to what pages cost, for the book to tell.
 """
 
 import argparse
@@ -14,6 +14,7 @@ from collections.abc import Iterator, Sequence
 from pathlib import Path
 
 from bench.built_book import figure_at_rest, open_book, script
+from bench.costs import keep
 from playwright.sync_api import Page
 
 from site_builder.book_root import ROOT
@@ -114,18 +115,33 @@ def main() -> int:
     urls = [each["url"] for each in chapters if each["simulations"]]
     urls.sort(key=lambda url: not url.startswith(SCENE))
     with open_book(site) as (page, address):
-        more = [*judged(drawn(page, address, urls[0])), *judged(turned(page, address, urls))]
+        after_frames = told(drawn(page, address, urls[0]))
+        after_chapters = told(turned(page, address, urls))
+    keep("memory", {"frames": as_cost(after_frames), "chapters": as_cost(after_chapters)})
+    more = [*grown(after_frames), *grown(after_chapters)]
     print(*more or ["nothing piles up"], sep="\n", file=sys.stderr if more else sys.stdout)
     return 1 if more else 0
 
 
-def judged(parts: Iterator[tuple[str, Held]]) -> list[str]:
-    """Each part told as it is measured, and what has `grown` over all."""
+def told(parts: Iterator[tuple[str, Held]]) -> list[Held]:
+    """Each part, told as it is measured."""
     kept = []
     for what, found in parts:
         tell(what, found)
         kept.append(found)
-    return [*grown(kept)]
+    return kept
+
+
+def as_cost(parts: Sequence[Held]) -> dict[str, float]:
+    """What is held in the end, and how much more that is than at half."""
+    half, last = parts[len(parts) // 2 - 1], parts[-1]
+    megabytes = {
+        name.replace(" MB", "_mb"): round(held * 2**20 / 1e6, 1)
+        for name, held in last.items()
+        if name.endswith(" MB")
+    }
+    growth = max(last[name] / half[name] for name in MOST_GROWTH) - 1
+    return {**megabytes, "growth": round(growth, 3)}
 
 
 if __name__ == "__main__":
