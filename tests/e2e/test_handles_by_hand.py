@@ -4,7 +4,7 @@ from typing import Any
 
 import pytest
 from support.hands import drag, middle
-from support.reader import PULLED, Reader
+from support.reader import Reader
 
 from simulations.registry import SCENE_MODULES, load_scene
 
@@ -46,6 +46,14 @@ def test_every_handle_moves_its_settings_and_goes_along(
         assert led["values"] != pulled["values"], f"{handle.name} by keyboard"
         assert led["told"] == led["words"], handle.name
 
+
+PULLED = """async () => {
+  const url = new URL(document.body.dataset.assets + 'js/runtime/runtime.js', location.href);
+  const runtime = (await import(url)).sharedRuntime();
+  for (let pull = 0; pull < 3; pull += 1) await runtime.call('forget', {figure: ''}, () => 3);
+}"""
+"""Wait until all pulls are answered: one that is asked, the one that waits for it, and the last
+word on them; what is as urgent as they are is asked in its turn."""
 
 GRASP = """async (grip) => {
   const figure = grip.closest('simulation-figure');

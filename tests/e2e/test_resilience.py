@@ -10,19 +10,23 @@ from support.static_server import StaticServer
 
 pytestmark = pytest.mark.browser
 
-LIMIT = """async (ms) => {
+HASTE = """async (ms) => {
   const url = new URL(document.body.dataset.assets + 'js/runtime/patience.js', location.href);
-  const {LIMITS} = await import(url);
-  const before = LIMITS.render;
-  LIMITS.render = ms;
-  return before;
+  const {Patience} = await import(url);
+  const usual = Patience.prototype.limit;
+  Patience.prototype.limit = function (name, scene) {
+    if (name !== 'render') return usual.call(this, name, scene);
+    Patience.prototype.limit = usual;
+    return ms;
+  };
 }"""
-"""Of the wait for a frame."""
+"""Of the wait for the next frame: how long that is else, `test_watchdog.py` asks."""
 
 HARM = """async (edits) => {
   const url = new URL(document.body.dataset.assets + 'js/runtime/runtime.js', location.href);
   const runtime = (await import(url)).sharedRuntime();
   const frame = {figure: 'figure-x', scene: 'lens-distortion', values: '{}', tier: '', edits};
+  await runtime.call('forget', {figure: ''}, () => -1); // nothing else is on its way to the harm
   return (await runtime.call('renderEdited', frame)).problem;
 }"""
 """Run edited code in the interpreter of the book: the page itself never does."""
@@ -67,7 +71,7 @@ def harm(visitor: Reader, code: str) -> Locator:
 @pytest.mark.parametrize(
     "code",
     [
-        "import js; js.self.close(); return asked(*given)",
+        "import js; js.self.postMessage = lambda *_: None; js.self.close(); return asked(*given)",
         "while True: pass",
         "import numpy; kept = book.kept = []\n    while True: kept.append(numpy.empty(2**24))",
     ],
@@ -80,10 +84,9 @@ def test_a_worker_lost_in_the_midst_of_a_frame_is_replaced_and_the_values_are_ke
     slider = figure.locator("input[type=range]").first
     kept = slider.input_value()
     frames = visitor.frames(figure)
-    limit = visitor.page.evaluate(LIMIT, 1500)
+    visitor.page.evaluate(HASTE, 1500)
     slider.press("ArrowRight")
     visitor.wait_frame(figure, frames, START_MS)
-    visitor.page.evaluate(LIMIT, limit)
     assert figure.get_attribute("data-state") == "live"
     assert slider.input_value() != kept
     slider.press("ArrowLeft")

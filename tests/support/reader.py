@@ -229,7 +229,7 @@ def chapter_of(book: Any, scene: str) -> str:
 
 BRING = """async (element) => {
   element.scrollIntoView({block: 'center', inline: 'center', behavior: 'instant'});
-  for (let still = 0, last = ''; still < 2; ) {
+  for (let still = 0, last = ''; still < 5; ) {
     await new Promise(requestAnimationFrame);
     const {x, y} = element.getBoundingClientRect();
     still = `${x} ${y}` === last ? still + 1 : 0;
@@ -249,16 +249,9 @@ OFFER = """(url) => {
   document.getElementById('main').append(link);
 }"""
 
-PULLED = """async () => {
+SETTLE = """async (figure) => {
   const url = new URL(document.body.dataset.assets + 'js/runtime/runtime.js', location.href);
   const runtime = (await import(url)).sharedRuntime();
-  for (let pull = 0; pull < 3; pull += 1) await runtime.call('forget', {figure: ''}, () => 3);
-}"""
-"""Wait until all pulls are answered: one that is asked, the one that waits for it, and the last
-word on them; what is as urgent as they are is asked in its turn."""
-
-SETTLE = """async (figure) => {
-  const pulled = PULLED;
   const frame = () => new Promise(requestAnimationFrame);
   for (let quiet = 0, frames = figure.dataset.frames; quiet < 2; ) {
     for (const play of figure.querySelectorAll('button[data-state="1"]')) {
@@ -268,12 +261,12 @@ SETTLE = """async (figure) => {
     }
     await frame();
     await frame(); // what moves has moved
-    await pulled();
+    await runtime.call('forget', {figure: ''}, () => -1); // answered after all that waits, as pulls
     const still = figure.rests && figure.dataset.frames === frames;
     quiet = still && !('moving' in figure.dataset) ? quiet + 1 : 0;
     frames = figure.dataset.frames;
   }
-}""".replace("PULLED", PULLED)
+}"""
 
 PUT_BACK = """async (figure) => {
   const url = new URL(document.body.dataset.assets + 'js/figure/controls.js', location.href);
