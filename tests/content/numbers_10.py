@@ -28,7 +28,7 @@ from simulations.pictures.still_life.things import THINGS, thing_depth
 from simulations.scenes.camera import scene as camera
 from simulations.scenes.camera.lens import PITCH_MM, margin_px
 from simulations.scenes.camera.settings import Settings
-from simulations.scenes.camera.stages import TIERS
+from simulations.scenes.camera.stages import BOWED, SCALED, TIERS
 from simulations.scenes.lens_distortion.radii import FOCAL_PX
 
 CHAPTER = "10-speed-and-accuracy"
@@ -163,8 +163,9 @@ def a_draft_is_for_what_moves_everything() -> Says:
     assert camera.SCENE.drafted == ("focal_length", "light_angle", "back")
     assert TIERS["draft"].reduction ** 2 == 4
     yield "For the focal length, the lamp and the step back, the simulator sends one ray"
-    assert list(camera.SCENE.own_drafts.values()) == [("focus",)]
+    assert camera.SCENE.own_drafts == {SCALED: ("focus",), BOWED: ("k1",)}
     yield "The focus cannot have that draft."
+    yield "the draft of $k_1$ bends one picture"
 
 
 def the_table_close_to_the_fold() -> Says:

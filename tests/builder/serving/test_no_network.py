@@ -56,16 +56,14 @@ def names(kind: str) -> tuple[str, str]:
     return f"{kind}_proxy", f"{kind}_PROXY".upper()
 
 
-def test_what_is_missing_and_what_to_do_is_said_without_a_traceback(said: str) -> None:
+def test_it_says_what_to_do_and_leaves_the_last_good_site_and_nothing_half_done(
+    machine: Path, said: str
+) -> None:
     assert "Connect to the internet once: the files are kept and never requested again." in said
     assert "Or put each file where it is looked for:" in said
     assert all(said.count(f"{file.sha256}/{file.name}\n") == 1 for file in RUNTIME_FILES)
     assert said.count("refused") == 2, "both sources, in a line each"
     assert "Traceback" not in said
-
-
-@pytest.mark.usefixtures("said")
-def test_the_last_good_site_stays_and_nothing_half_done_is_left_behind(machine: Path) -> None:
     work = [path.relative_to(machine) for path in (machine / "work").rglob("*")]
     assert sorted(map(str, work)) == ["work/site", "work/site/index.html"]
     assert (machine / "work" / "site" / "index.html").read_text(encoding="utf-8") == LAST
