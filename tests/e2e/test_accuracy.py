@@ -73,18 +73,30 @@ def test_a_drag_that_leaves_geometry_alone_needs_no_draft(
     assert figure.locator(".stages-count").inner_text().startswith("3 computed")
 
 
-def test_a_drag_may_need_the_draft_in_a_dear_tier_only(
-    visitor: Reader, open_figure: OpenFigure
+@pytest.mark.parametrize(
+    ("chosen", "control", "value", "while_dragging"),
+    [
+        ("layers", "k1", -0.2, "bowed"),
+        ("layers", "aperture", 4.0, "layers"),
+        ("aperture-rays", "aperture", 4.0, "draft"),
+    ],
+)
+def test_a_drag_has_its_control_s_own_draft_or_where_it_is_too_dear_the_coarse_one(
+    visitor: Reader,
+    open_figure: OpenFigure,
+    chosen: str,
+    control: str,
+    value: float,
+    while_dragging: str,
 ) -> None:
     figure = open_figure("camera")
-    for chosen, while_dragging in (("layers", "layers"), ("bent-rays", "draft")):
-        if figure.get_attribute("data-tier") != chosen:
-            visitor.choose(figure, "tier", chosen)
-        visitor.settle(figure)
-        frames = visitor.frames(figure)
-        set_slider(figure, "k1", -0.2 if chosen == "layers" else -0.3, release=False)
-        visitor.wait_frame(figure, frames)
-        assert figure.get_attribute("data-tier") == while_dragging
+    if figure.get_attribute("data-tier") != chosen:
+        visitor.choose(figure, "tier", chosen)
+    visitor.settle(figure)
+    frames = visitor.frames(figure)
+    set_slider(figure, control, value, release=False)
+    visitor.wait_frame(figure, frames)
+    assert figure.get_attribute("data-tier") == while_dragging
 
 
 def test_the_error_is_told_at_rest_and_differs_by_tier(
@@ -142,6 +154,7 @@ def test_a_refused_setting_leaves_the_list_of_stages_ready_for_the_next(
         frames = visitor.frames(figure)
         set_slider(figure, "focus", focus, release=True)
         visitor.wait_frame(figure, frames)
+        visitor.settle(figure)
         assert figure.get_attribute("data-state") == "live"
     assert figure.locator(".stages > ol > li:not([hidden])").count() > 5
 

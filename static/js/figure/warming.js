@@ -17,7 +17,8 @@ const DRAFTS = () => -2;
 export const LEAST_URGENT = () => -3;
 
 /**
- * The drafts of a figure whose frame at rest is computed.
+ * The drafts of a figure whose frame at rest is computed; at last that one again, which is at hand,
+ * so that what is kept for it is not the first to go.
  *
  * @param {Caller} runtime
  * @param {Asked} asked That frame.
@@ -25,14 +26,15 @@ export const LEAST_URGENT = () => -3;
  * @param {() => boolean} isWanted Asked before each.
  */
 export async function warmDrafts(runtime, asked, schema, isWanted) {
-  for (const tier of draftTiers(schema, asked.tier)) {
+  const drafts = draftTiers(schema, asked.tier);
+  for (const tier of drafts.length ? [...drafts, asked.tier] : []) {
     if (isWanted()) await runtime.call("warm", { ...asked, tier }, DRAFTS);
   }
 }
 
 /**
  * What to call for the figures of a page that is not yet open, of each scene the first: the frame
- * at rest, then its drafts.
+ * at rest, then its drafts, and at last that one again.
  *
  * @param {string} text Of the page.
  * @returns {Asked[]}
@@ -46,7 +48,8 @@ export function aheadOf(text) {
     const schema = JSON.parse(figure.querySelector("script.schema")?.textContent ?? "null");
     if (!schema || scenes.has(scene)) continue;
     const values = servedValues(schema);
-    const tiers = [schema.default_tier, ...draftTiers(schema, schema.default_tier)];
+    const [rest, drafts] = [schema.default_tier, draftTiers(schema, schema.default_tier)];
+    const tiers = drafts.length ? [rest, ...drafts, rest] : [rest];
     scenes.set(
       scene,
       tiers.map((tier) => ({ figure: "", scene, values, tier })),
