@@ -31,6 +31,8 @@ BOUNDS = {"camera": 3, "depth-of-field": 3, "lens-distortion": 3}
 EARLY_MS = 1.0
 """An animation frame that comes so much late is still that frame."""
 MOVES, ROUNDS = 6, 2
+READ_MS = 2000
+"""What a reader takes at least before a hand comes: drafts are computed meanwhile."""
 DRAG = "([drag, figure, hand]) => drag.drag({...hand, figure})"
 
 
@@ -84,6 +86,7 @@ def measure(page: Page, address: str, book: Any, wanted: Sequence[str]) -> Itera
         drag = script(page, "drag.js")
         for scene in here:
             figure = figure_at_rest(page, scene)
+            page.wait_for_timeout(READ_MS)
             for control in controls[scene]:
                 if control["kind"] == "slider":
                     hand = {"name": control["name"], "moves": MOVES, "rounds": ROUNDS}

@@ -28,6 +28,8 @@ TURN = """url => {
   link.click();
   link.remove();
 }"""
+COLLECTIONS, REST_MS = 3, 1000
+"""Pages that were turned go bit by bit: what one collection frees lets the next one free more."""
 COUNTED = {"JSHeapUsedSize": "heap MB", "Nodes": "nodes", "JSEventListeners": "listeners"}
 INTERPRETER = "interpreter MB"
 MOST_GROWTH = {"heap MB": 0.05, "nodes": 0.01, "listeners": 0.0, INTERPRETER: 0.02}
@@ -54,7 +56,9 @@ def held(page: Page, number: int) -> Held:
     """What the page and its worker hold once the garbage is gone."""
     interpreter = interpreter_bytes(page, number)
     session = page.context.new_cdp_session(page)
-    session.send("HeapProfiler.collectGarbage")
+    for _ in range(COLLECTIONS):
+        page.wait_for_timeout(REST_MS)
+        session.send("HeapProfiler.collectGarbage")
     session.send("Performance.enable")
     metrics = session.send("Performance.getMetrics")["metrics"]
     session.detach()
@@ -103,7 +107,7 @@ def turned(page: Page, address: str, urls: list[str]) -> Iterator[tuple[str, Hel
         page.evaluate(TURN, url)
         page.wait_for_function("url => location.href === url", arg=url)
         if turn % (TURNS // PARTS) == 0:
-            figure_at_rest(page, SCENE)
+            figure_at_rest(page, SCENE).dispose()  # who holds a figure holds its page
             yield f"{turn} chapters", held(page, FRAMES + turn)
 
 

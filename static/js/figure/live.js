@@ -151,8 +151,8 @@ export class LiveFigure {
       { rootMargin: "50% 0px" },
     );
     observer.observe(this.figure);
-    // What is imported is no work: it need not wait for the page to be laid out.
-    if (sharedRuntime()?.knows(this.#scene)) this.#ask(performance.now(), "", URGENCY.far);
+    // What is ready is no work: it need not wait for the page to be laid out.
+    if (sharedRuntime()?.sourcesOf(this.#scene)) this.#ask(performance.now(), "", URGENCY.far);
     return observer;
   }
 
@@ -271,7 +271,9 @@ export class LiveFigure {
     if (this.runtime !== sharedRuntime() || !isStill()) return false;
     const scene = { figure: this.#key, scene: this.#scene };
     const urgency = () => this.#urgency(job.urgency);
-    const { sources } = await this.runtime.call("prepare", scene, urgency);
+    const sources =
+      sharedRuntime()?.sourcesOf(this.#scene) ??
+      (await this.runtime.call("prepare", scene, urgency)).sources;
     if (!isOfPage(sources) || !isStill()) return false;
     if (this.figure.isConnected) {
       this.early.end();

@@ -87,6 +87,12 @@ export class Runtime {
    * @type {Set<string>}
    */
   #seen = new Set();
+  /**
+   * Scenes that this worker has ready to draw, and of which sources they are.
+   *
+   * @type {Map<string, string>}
+   */
+  #sources = new Map();
 
   /**
    * @param {string} url Absolute address of the runtime folder.
@@ -120,12 +126,12 @@ export class Runtime {
   }
 
   /**
-   * Whether this worker has imported a scene.
+   * Of which sources a scene is that this worker has at hand; nothing where it has not.
    *
    * @param {string} scene
    */
-  knows(scene) {
-    return this.#seen.has(scene);
+  sourcesOf(scene) {
+    return this.#sources.get(scene);
   }
 
   /**
@@ -169,6 +175,7 @@ export class Runtime {
   #boot() {
     const { table } = document.body.dataset;
     this.#seen.clear();
+    this.#sources.clear();
     this.generation = ++interpreters;
     const script = new URL("./worker.js", import.meta.url);
     const worker = this.begun() ?? new Worker(script, { type: "module" });
@@ -236,6 +243,7 @@ export class Runtime {
     }
     this.#settle();
     if (reply.ok) {
+      if (scene && reply.sources) this.#sources.set(scene, reply.sources);
       if (scene && reply.computeMs) this.#patience.learn(scene, reply.computeMs);
       call.resolve(reply);
     } else call.reject(new RuntimeFailure(reply.fault ? "part" : "python", message, more));
@@ -254,6 +262,7 @@ export class Runtime {
     this.#worker?.terminate();
     this.#worker = null;
     this.#spare = [];
+    this.#sources.clear();
     call?.reject(new RuntimeFailure(call.name === "start" ? "start" : "lost", message, more));
     this.#next();
   }

@@ -8,6 +8,8 @@
 
 /** Longest wait for a frame, in milliseconds. */
 const PATIENCE = 5000;
+/** From a hand's first move to its hold on a slider: nothing new is computed ahead meanwhile. */
+const APPROACH = 400;
 
 /**
  * Drag a slider of a figure from end to end and back.
@@ -22,6 +24,8 @@ export async function drag({ figure, name, moves, rounds }) {
   const [before, from, to] = [range.value, Number(range.min), Number(range.max)];
   /** @type {{latencies: number[], computes: number[]}} */
   const found = { latencies: [], computes: [] };
+  figure.dispatchEvent(new PointerEvent("pointermove", { bubbles: true }));
+  await new Promise((resolve) => setTimeout(resolve, APPROACH));
   for (const place of way(moves, rounds)) {
     const last = range.value;
     range.value = String(from + (to - from) * place);
