@@ -1,10 +1,11 @@
 """The only functions that the browser's worker calls."""
 
+import gc
 import io
 import json
 import time
 from collections.abc import Iterator
-from contextlib import redirect_stdout
+from contextlib import redirect_stdout, suppress
 from dataclasses import asdict, dataclass
 from functools import lru_cache
 from math import isfinite
@@ -24,6 +25,7 @@ __all__ = [
     "error",
     "fetch_missing",
     "forget",
+    "import_scenes",
     "judge",
     "measure",
     "photograph",
@@ -104,6 +106,20 @@ def render_edited(figure: str, scene_id: str, values: str, tier: str, edits: str
 def prepare(scene_id: str) -> None:
     """Import a scene, so that its frames can be asked for. Raises `UnknownIdError`."""
     load_scene(scene_id)
+
+
+def import_scenes(scene_ids: str) -> str:
+    """Import those of the scenes, a JSON list, whose modules are all at hand; JSON of these.
+
+    For an interpreter whose memory is kept: it holds nothing that nobody needs any more.
+    """
+    found = []
+    for scene_id in json.loads(scene_ids):
+        with suppress(ImportError):
+            load_scene(scene_id)
+            found.append(scene_id)
+    gc.collect()
+    return json.dumps(found)
 
 
 def warm(figure: str, scene_id: str, values: str, tier: str) -> None:

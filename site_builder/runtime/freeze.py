@@ -8,7 +8,7 @@ import io
 import json
 import shutil
 import tempfile
-from collections.abc import Mapping
+from collections.abc import Collection, Mapping
 from dataclasses import dataclass
 from importlib.metadata import version
 from pathlib import Path
@@ -22,6 +22,8 @@ from site_builder.runtime.unpack import unpack_for_browser
 
 HERE = Path(__file__).parent
 DRIVER, PROGRAM = HERE / "interpreter.mjs", HERE / "inside.py"
+FORMAT = 2
+"""Another one where archives of the same ingredients hold something else."""
 LOCK = {"info": LOCK_INFO, "packages": {}}
 """Pyodide's table of packages: there are none, for ours are not packages but parts."""
 INTERPRETER = ("pyodide.mjs", "pyodide.asm.mjs", "pyodide.asm.wasm")
@@ -53,6 +55,9 @@ class Frozen:
     """Part to its zip archive."""
     modules: Mapping[str, tuple[str, ...]]
     """Part to the names of the modules in it."""
+    libraries: Files
+    """Machine code of what is imported at once, by its path among the modules. In its archive
+    there is an empty file in its place."""
 
 
 def freeze_libraries(
@@ -87,7 +92,7 @@ def freeze_libraries(
     order = {"at_once": sorted(at_once), "later": sorted(set(later) - set(at_once))}
     ingredients = [*(interpreter[name] for name in INTERPRETER), python, numpy, DRIVER, PROGRAM]
     hashes = [stores.sha256(file.read_bytes()) for file in ingredients]
-    recipe = json.dumps([order, LOCK, version("pyodide-build"), hashes])
+    recipe = json.dumps([FORMAT, order, LOCK, version("pyodide-build"), hashes])
     record = store / "frozen" / f"{stores.sha256(recipe.encode())}.json"
     kept = _recall(record, store)
     if kept:
@@ -155,23 +160,49 @@ def _run(
 
 def _keep(out: Path, record: Path, store: Path) -> Frozen:
     modules = json.loads((out / "modules.json").read_text(encoding="utf-8"))
+    machine_code = libraries_of(out / "numpy.zip")
     archives = {
-        part: stores.put(store, f"{part}.zip", _compressed(out / f"{part}.zip")) for part in modules
+        part: stores.put(
+            store,
+            f"{part}.zip",
+            _compressed(out / f"{part}.zip", machine_code if part == "numpy" else {}),
+        )
+        for part in modules
+    }
+    libraries = {
+        path: stores.put(store, library_name(path), code) for path, code in machine_code.items()
     }
     hashes = {part: file.parent.name for part, file in archives.items()}
+    kept = {
+        "hashes": hashes,
+        "modules": modules,
+        "libraries": {path: file.parent.name for path, file in libraries.items()},
+    }
     record.parent.mkdir(parents=True, exist_ok=True)
     temporary = record.with_suffix(f".{hashes[min(hashes)][:8]}")
-    temporary.write_text(json.dumps({"hashes": hashes, "modules": modules}), encoding="utf-8")
+    temporary.write_text(json.dumps(kept), encoding="utf-8")
     temporary.replace(record)
-    return Frozen(archives, {part: tuple(names) for part, names in modules.items()})
+    return Frozen(archives, {part: tuple(names) for part, names in modules.items()}, libraries)
 
 
-def _compressed(archive: Path) -> bytes:
-    """Equal members give equal bytes."""
+def libraries_of(archive: Path) -> dict[str, bytes]:
+    """The files of machine code in an archive, by path."""
+    with ZipFile(archive) as opened:
+        return {name: opened.read(name) for name in opened.namelist() if name.endswith(".so")}
+
+
+def library_name(path: str) -> str:
+    """What browsers and hosts call machine code: ``numpy/a.cpython.so`` → ``numpy.a.wasm``."""
+    return path.partition(".")[0].replace("/", ".") + ".wasm"
+
+
+def _compressed(archive: Path, apart: Collection[str] = ()) -> bytes:
+    """Equal members give equal bytes. Of those that lie ``apart``, the name alone."""
     buffer = io.BytesIO()
     with ZipFile(archive) as given, ZipFile(buffer, "w", ZIP_DEFLATED, compresslevel=9) as packed:
         for entry in given.infolist():
-            packed.writestr(entry, given.read(entry), ZIP_DEFLATED)
+            content = b"" if entry.filename in apart else given.read(entry)
+            packed.writestr(entry, content, ZIP_DEFLATED)
     return buffer.getvalue()
 
 
@@ -180,9 +211,14 @@ def _recall(record: Path, store: Path) -> Frozen | None:
     try:
         data = json.loads(record.read_text(encoding="utf-8"))
         files = {part: RuntimeFile(f"{part}.zip", sha) for part, sha in data["hashes"].items()}
+        machine_code = {
+            path: RuntimeFile(library_name(path), sha) for path, sha in data["libraries"].items()
+        }
     except (OSError, ValueError, LookupError):
         return None
-    if not all(stores.is_intact(store, file) for file in files.values()):
+    if not all(stores.is_intact(store, f) for f in [*files.values(), *machine_code.values()]):
         return None
     archives = {part: stores.location(store, file) for part, file in files.items()}
-    return Frozen(archives, {part: tuple(names) for part, names in data["modules"].items()})
+    libraries = {path: stores.location(store, file) for path, file in machine_code.items()}
+    modules = {part: tuple(names) for part, names in data["modules"].items()}
+    return Frozen(archives, modules, libraries)

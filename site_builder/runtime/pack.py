@@ -20,6 +20,7 @@ from site_builder.runtime.freeze import (
     Frozen,
     compile_sources,
     freeze_libraries,
+    libraries_of,
 )
 from site_builder.runtime.imports import (
     Table,
@@ -29,7 +30,13 @@ from site_builder.runtime.imports import (
     reach,
 )
 from site_builder.runtime.modules import ENTRY, Modules, archive_of, cut, sources_of
-from site_builder.runtime.pinned import NUMPY_WHEEL, PYTHON_LIBRARY, VERSIONS, Versions
+from site_builder.runtime.pinned import (
+    NUMPY_WHEEL,
+    PYTHON_LIBRARY,
+    PYTHON_VERSION,
+    VERSIONS,
+    Versions,
+)
 
 TABLE_NAME = "runtime.json"
 SIMULATIONS = "simulations.zip"
@@ -109,7 +116,8 @@ def pack_runtime(
         **{f"{part}.zip": file for part, file in frozen.archives.items()},
         **{f"{part}.zip": stores.put(folder, f"{part}.zip", data) for part, data in ours.items()},
     }
-    loaded = {**machine, **archives}
+    libraries = {file.name: file for file in frozen.libraries.values()}
+    loaded = {**machine, **libraries, **archives}
     table = json.dumps(
         runtime_table(loaded, frozen, imports, scenes, ladders), indent=1, sort_keys=True
     )
@@ -179,12 +187,17 @@ def runtime_table(
     """What the worker knows of the files beside it.
 
     ``lock``: what Pyodide asks for. ``integrity``: hash of each of the files ``loaded``.
-    ``modules``: of each part of a library that is not loaded at once, the modules in it. ``scenes``
-    and ``ladders``: which parts each of them imports.
+    ``folder``: where modules are unpacked. ``libraries``: where in it the machine code of each
+    library belongs that is loaded at once. ``modules``: of each part of a library that is not, the
+    modules in it; ``machine_code``: which of these parts hold some. ``scenes`` and ``ladders``:
+    which parts each of them imports.
     """
     later = {part: names for part, names in frozen.modules.items() if part not in AT_ONCE}
     return {
         "lock": LOCK,
+        "folder": SITE_PACKAGES,
+        "libraries": {file.name: path for path, file in frozen.libraries.items()},
+        "machine_code": sorted(part for part in later if libraries_of(frozen.archives[part])),
         "integrity": {name: _integrity(file) for name, file in loaded.items()},
         "modules": later,
         "scenes": {
@@ -196,6 +209,7 @@ def runtime_table(
     }
 
 
+SITE_PACKAGES = f"/lib/python{PYTHON_VERSION.rpartition('.')[0]}/site-packages"
 AT_ONCE = ("python", "numpy")
 """The parts that the interpreter starts with."""
 

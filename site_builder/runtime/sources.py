@@ -2,7 +2,6 @@
 
 import subprocess
 import sys
-import urllib.request
 from collections.abc import Callable, Iterator, Sequence
 
 from site_builder.runtime.pinned import PYODIDE_VERSION, RuntimeFile
@@ -19,6 +18,8 @@ TIMEOUT_SECONDS = 30
 
 def official_release(wanted: Sequence[RuntimeFile]) -> Iterator[tuple[RuntimeFile, bytes]]:
     """The files of Pyodide's own release."""
+    import urllib.request  # needed once on each machine
+
     for file in wanted:
         with urllib.request.urlopen(RELEASE_URL + file.name, timeout=TIMEOUT_SECONDS) as reply:
             yield file, reply.read()

@@ -17,6 +17,7 @@ import { FORGETFUL } from "./page/storage.js";
 import { installSearch } from "./page/search.js";
 import { watchSections } from "./page/sections.js";
 import { installTheme, showTheme } from "./page/theme.js";
+import { installUnfolding, unfold } from "./page/unfolding.js";
 import { words } from "./page/words.js";
 
 installTheme();
@@ -25,6 +26,7 @@ installContents();
 installHeader();
 installSearch();
 installKeys();
+installUnfolding();
 for (const part of PARTS) part.install();
 arrive();
 installOffline();
@@ -45,8 +47,8 @@ installNavigation(
 );
 
 /** A page has come into place. */
-function arrive() {
+async function arrive() {
   for (const part of PARTS) part.arrive?.();
-  watchScrollers();
   watchSections();
+  if (await unfold()) watchScrollers();
 }

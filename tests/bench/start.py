@@ -43,6 +43,8 @@ REST_MS = 4000
 """What a reader takes at least before turning the page: the book may prepare for it."""
 LONGEST_MS = 60_000
 PLAIN = "plain/"
+KEPT = "caches.keys().then((names) => names.some((name) => name.endsWith('#memory')))"
+"""The first visit lasts until the browser has what it keeps for the second: some ten seconds."""
 
 type Run = dict[str, float]
 """Milliseconds by what was measured."""
@@ -159,6 +161,8 @@ def measure_book(start: Start, address: str) -> Run:
         cold = opened(browser, chapter)
         page = browser.pages[-1]
         begun = page.evaluate("globalThis.workerBegun")
+        page.wait_for_timeout(REST_MS)
+        page.wait_for_function(KEPT, polling=1000)
         page.wait_for_timeout(REST_MS)
         warm = opened(browser, chapter)
         page.wait_for_timeout(REST_MS)

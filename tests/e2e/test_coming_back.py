@@ -2,6 +2,7 @@
 
 from collections.abc import Callable, Iterator
 from contextlib import ExitStack
+from pathlib import Path
 
 import pytest
 from playwright.sync_api import Browser
@@ -49,6 +50,7 @@ def elsewhere(tmp_path_factory: pytest.TempPathFactory) -> Iterator[str]:
 def test_back_from_elsewhere_settings_and_answers_are_as_they_were_and_the_figure_answers(
     brisk_chromium: Browser,
     launch: Callable[..., Browser],
+    whole_browser: Path,
     server: StaticServer,
     elsewhere: str,
     kept: bool,
@@ -57,7 +59,11 @@ def test_back_from_elsewhere_settings_and_answers_are_as_they_were_and_the_figur
         browser = brisk_chromium
         if kept:  # as browsers do of themselves; Playwright has them not do it
             forbidden = ["--disable-back-forward-cache"]
-            browser = launch("--js-flags=--liftoff-only", ignore_default_args=forbidden)
+            browser = launch(
+                "--js-flags=--liftoff-only",
+                executable_path=whole_browser,
+                ignore_default_args=forbidden,
+            )
             end.enter_context(browser)
         reader = end.enter_context(visit(browser, server, TELL))
         page = reader.page

@@ -23,6 +23,7 @@ import { say, sayNothingOfFailure } from "./status.js";
 import { chosenTier, isDrafted, shownTier } from "./tiers.js";
 import { warmDrafts } from "./warming.js";
 import { Accuracy, showStages } from "./workings.js";
+import { painted } from "../page/pauses.js";
 import { offerRelease } from "../page/release.js";
 import { isSparing, spareNoMore } from "../page/sparing.js";
 import { words } from "../page/words.js";
@@ -291,6 +292,8 @@ export class LiveFigure {
    * @param {Job} job
    */
   async #warm(job) {
+    await painted();
+    if (this.figure.dataset.frames !== "1" || !this.figure.isConnected) return;
     try {
       const asked = this.#request(job.values, job.tier);
       const reply = await this.runtime.call("render", asked, () => URGENCY.idle);

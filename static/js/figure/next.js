@@ -13,6 +13,7 @@ import { aheadOf, LEAST_URGENT } from "./warming.js";
 
 /** Milliseconds between two looks, and of rest after the hand has moved. */
 const REST = 500;
+const LONG_REST = 3000;
 
 let lastInput = 0;
 
@@ -53,6 +54,12 @@ function allLive() {
   return figures.length > 0 && figures.every(({ dataset }) => dataset.state === "live");
 }
 
-function handRests() {
-  return performance.now() - lastInput > REST;
+/** @param {number} [ms] For how long at least. */
+function handRests(ms = REST) {
+  return performance.now() - lastInput > ms;
+}
+
+/** Whether nothing goes on in the page, and for a while has not. */
+export function isAtRest() {
+  return allLive() && handRests(LONG_REST);
 }

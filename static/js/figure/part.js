@@ -2,7 +2,8 @@
 
 import { SimulationFigure } from "./element.js";
 import { installGestures, offerWords, returned } from "./gestures.js";
-import { readyNext, watchHand } from "./next.js";
+import { readyNextVisit } from "../runtime/next_visit.js";
+import { isAtRest, readyNext, watchHand } from "./next.js";
 import { installStrips } from "./strip.js";
 
 /** Called once; before links to other pages are listened for, since some are answered here. */
@@ -11,6 +12,7 @@ export function install() {
   installStrips();
   installGestures();
   watchHand();
+  readyNextVisit(isAtRest);
 }
 
 /** Called for each page. */

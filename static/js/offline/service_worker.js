@@ -18,6 +18,8 @@ const root = worker.registration.scope;
 const LIST = `${root}offline.json`;
 const PREFIX = `${root} `;
 const OWN = PREFIX + release;
+/** What `runtime/memory.js` keeps: it goes with the book. */
+const MEMORY = `${root}#memory`;
 /** Files fetched at once: readers may be reading. */
 const AT_ONCE = 4;
 /** Milliseconds after which the page that was left for another is certainly gone. */
@@ -211,7 +213,7 @@ function ownFiles() {
 
 /** Give everything back, and have the pages come from the network again. */
 async function leave() {
-  for (const name of await releases()) await caches.delete(name);
+  for (const name of [...(await releases()), MEMORY]) await caches.delete(name);
   await worker.registration.unregister();
   const pages = await worker.clients.matchAll({ type: "window", includeUncontrolled: true });
   for (const page of pages) if (page.url.startsWith(root)) await page.navigate(page.url);

@@ -23,7 +23,7 @@ export function installOffline() {
 }
 
 /** What keeps the book; nothing where the browser has none, or denies it as in a sandboxed frame. */
-function serviceWorkers() {
+export function serviceWorkers() {
   try {
     return navigator.serviceWorker;
   } catch {

@@ -1,16 +1,23 @@
 /** Starts the Python interpreter, with the simulations and what they import at hand. */
 
-import { Fault, OWN_COPY, replaced } from "./fault.js";
-import { CORE, NUMPY, Parts, PYTHON } from "./parts.js";
+import { Fault, replaced } from "./fault.js";
+import { compileEarly, instantiateFrom, loadBefore, MachineCode } from "./machine_code.js";
+import { forgetMemory, goOnWith, NO_BYTES, recallMemory } from "./memory.js";
+import { AT_ONCE, Parts, PYTHON } from "./parts.js";
+
+/** @import { About, Memory } from "./memory.js" */
 
 const SCRIPTS = ["pyodide.mjs", "pyodide.asm.mjs"];
 const MACHINE = "pyodide.asm.wasm";
+
 /**
  * @typedef {object} Started
  * @property {string} version Pyodide's.
  * @property {Parts} parts
  * @property {any} python Functions of `simulations.browser`.
  * @property {number} importMs How long it took to import that: how quick the machine is.
+ * @property {() => Promise<void>} judge Finds out whether what an earlier visit had found whole still
+ *   is; rejects where it is not. Another start will do without.
  */
 
 /**
@@ -25,51 +32,111 @@ const MACHINE = "pyodide.asm.wasm";
  */
 
 /**
- * Every file is known to be whole before Python runs, but the machine code, which is before anything
- * is asked of it. Until then all are fetched at once, the scripts are read and the code is compiled.
+ * An interpreter with the simulations imported, and what it was made of.
+ *
+ * @typedef {object} Imported
+ * @property {any} pyodide
+ * @property {Parts} parts
+ * @property {number} importMs
+ * @property {() => Promise<void>} judge
+ */
+
+/**
+ * From the memory that an earlier visit has kept, where there is one that is good.
  *
  * @param {Wanted} wanted
  * @returns {Promise<Started>}
  */
 export async function startInterpreter(wanted) {
+  const memory = wanted.fresh ? Promise.resolve(null) : recallMemory(wanted.url);
+  if (wanted.fresh) await forgetMemory(wanted.url);
+  const { pyodide, parts, ...more } = await importSimulations(wanted, memory).catch(
+    async (error) => {
+      if (error instanceof Fault || !(await memory)) throw error;
+      await forgetMemory(wanted.url);
+      return importSimulations(wanted);
+    },
+  );
+  const module = pyodide.pyimport("simulations.browser");
+  const fetchNow = (/** @type {string} */ part) => parts.fetchNow(part);
+  module.fetch_missing(JSON.stringify(parts.table.modules), fetchNow, parts.table.folder);
+  return { version: pyodide.version, parts, python: functionsOf(module), ...more };
+}
+
+/**
+ * Every file is known to be whole before Python runs, but the machine code, which is before anything
+ * is asked of it; what an earlier visit has found whole is judged again, but later. Until then all
+ * are fetched at once, the scripts are read and the code is compiled.
+ *
+ * @param {Wanted} wanted
+ * @param {Promise<Memory | null>} recalled What Python is to begin with.
+ * @param {object} more Options of Pyodide.
+ * @returns {Promise<Imported>}
+ */
+export async function importSimulations(wanted, recalled = Promise.resolve(null), more = {}) {
   const { url, fresh = false, known = false, scenes } = wanted;
   const read = fresh ? [] : SCRIPTS.map((name) => readScript(url + name));
-  const early = fresh ? Promise.resolve(null) : compileEarly(url + MACHINE, known);
+  const early = (/** @type {string} */ name) =>
+    fresh ? Promise.resolve(null) : compileEarly(url + name, known);
+  const earlyMachine = early(MACHINE);
   const parts = await Parts.listed(url, wanted.table, fresh);
   const { table } = parts;
   const scripts = SCRIPTS.map((name) => parts.reply(name));
-  const machine = early.then((found) => parts.reply(MACHINE, found?.again));
-  const [library, numpy, core] = [PYTHON, NUMPY, CORE].map((name) => parts.fetch(name));
-  const all = Promise.all([...scripts, library, numpy, core]);
-  for (const scene of scenes) parts.expect(table.scenes[scene]);
-  machine.catch(() => {}); // told below
-  const compiled = early.then(async (found) => found?.module ?? compile(await machine));
-  const failure = rejection(Promise.all([all, compiled]));
+  const machine = new MachineCode(parts, MACHINE, earlyMachine);
+  const libraries = Object.entries(table.libraries).map(([name, path]) => ({
+    path: `${table.folder}/${path}`,
+    code: new MachineCode(parts, name, early(name)),
+  }));
+  const codes = [machine, ...libraries.map(({ code }) => code)];
+  const library = parts.fetch(PYTHON);
+  parts.expect([...AT_ONCE, ...scenes.flatMap((scene) => table.scenes[scene] ?? [])]);
+  const failure = rejection(
+    Promise.all([...scripts, library, ...codes.map(({ module }) => module)]),
+  );
   await Promise.race([Promise.all(scripts), failure]);
   const [{ loadPyodide }, { default: createPyodideModule }] = await Promise.all(
     SCRIPTS.map((name, index) => scriptOf(url + name, read[index])),
   );
+  const memory = await recalled;
   const zipped = library.then((zip) => new Response(/** @type {Uint8Array<ArrayBuffer>} */ (zip)));
   answerWith({ [url + MACHINE]: Promise.resolve(new Response()), [url + PYTHON]: zipped });
-  instantiateFrom(compiled);
+  instantiateFrom(machine.module);
   const options = {
     indexURL: url,
     stdLibURL: url + PYTHON,
     lockFileContents: JSON.stringify(table.lock),
-    createPyodideModule,
+    async createPyodideModule(/** @type {any} */ settings) {
+      const early = libraries.map(
+        ({ path, code }) =>
+          /** @type {[string, Promise<WebAssembly.Module>]} */ ([path, code.module]),
+      );
+      const hindered = loadBefore(settings, early);
+      const module = await Promise.race([createPyodideModule(settings), hindered]);
+      if (memory) goOnWith(module, await memory.bytes);
+      return module;
+    },
+    ...(memory ? { _loadSnapshot: NO_BYTES } : {}),
+    ...more,
   };
   const pyodide = await Promise.race([loadPyodide(options), failure]);
   parts.pyodide = pyodide;
-  parts.unpack(await numpy); // its machine code cannot be loaded from within an archive
-  parts.unpack(await core);
+  const { scenes: imported, importMs } = memory?.about ?? (await importNow(pyodide, parts));
+  parts.imported = new Set(imported);
+  await Promise.all(codes.map(async (code) => (await code.wasKnown()) || code.judged()));
+  const judge = async () => void (await Promise.all(codes.map((code) => code.judged())));
+  return { pyodide, parts, importMs, judge };
+}
+
+/**
+ * @param {any} pyodide
+ * @param {Parts} parts
+ * @returns {Promise<About>}
+ */
+async function importNow(pyodide, parts) {
+  await parts.provide();
   const begun = performance.now();
-  const module = pyodide.pyimport("simulations.browser");
-  const importMs = performance.now() - begun;
-  const fetchNow = (/** @type {string} */ part) => parts.fetchNow(part);
-  module.fetch_missing(JSON.stringify(table.modules), fetchNow, parts.folder);
-  await machine;
-  if ((await early) && replaced.has(url + MACHINE)) throw new Fault("other", url + MACHINE);
-  return { version: pyodide.version, parts, python: functionsOf(module), importMs };
+  pyodide.runPython("import simulations.browser");
+  return { scenes: [], importMs: performance.now() - begun };
 }
 
 /**
@@ -105,59 +172,6 @@ function functionsOf(module) {
   return {
     ...{ render, renderEdited, pull, error, photograph, prepare, warm },
     ...{ forget, judge, measure, script },
-  };
-}
-
-/**
- * @typedef {object} Compiled
- * @property {WebAssembly.Module} module
- * @property {RequestCache[]} again How to ask for the copy that it was compiled from. Asked whether
- *   that is still new, a host would renew it, and the browser forget its code.
- */
-
-/**
- * Machine code, compiled while it arrives. The browser keeps for the next visit what it compiled, but
- * only of a file that was fetched without a hash; whether it is whole is found out afterwards.
- *
- * What it compiled it keeps with its own copy of the file, not with the service worker's: of a file
- * that is known that copy is asked for first, which the service worker lets pass.
- *
- * @param {string} address
- * @param {boolean} known
- * @returns {Promise<Compiled | null>} Nothing where it cannot be had so.
- */
-async function compileEarly(address, known) {
-  for (const cache of /** @type {RequestCache[]} */ (known ? [OWN_COPY, "default"] : ["default"])) {
-    try {
-      const reply = fetch(address, { cache, mode: "same-origin" });
-      const module = await WebAssembly.compileStreaming(reply);
-      return { module, again: [cache === OWN_COPY ? OWN_COPY : "force-cache", "reload"] };
-    } catch {
-      // The next way, or with the hash at once.
-    }
-  }
-  return null;
-}
-
-/**
- * Machine code that came with another type than `application/wasm`, or damaged at first.
- *
- * @param {Response} whole
- * @returns {Promise<WebAssembly.Module>}
- */
-async function compile(whole) {
-  return WebAssembly.compile(await whole.arrayBuffer());
-}
-
-/**
- * Have Pyodide take the machine code that is compiled already.
- *
- * @param {Promise<WebAssembly.Module>} compiled
- */
-function instantiateFrom(compiled) {
-  WebAssembly.instantiateStreaming = async (_, imports) => {
-    const module = await compiled;
-    return { module, instance: await WebAssembly.instantiate(module, imports) };
   };
 }
 

@@ -6,10 +6,10 @@
 
 import { Fault, fetchWhole, findFault } from "./fault.js";
 
-/** What the interpreter starts with; the other parts wait until something imports from them. */
+/** The part of Python's library that the interpreter starts with. */
 export const PYTHON = "python.zip";
-export const NUMPY = "numpy.zip";
-export const CORE = "core.zip";
+/** The parts that are imported at once; the others wait until something imports from them. */
+export const AT_ONCE = ["numpy", "core"];
 /** The part with the sources of all simulations, for who edits them; `editing/` looks for it there. */
 export const SOURCES = "simulations";
 export const TABLE = "runtime.json";
@@ -18,7 +18,8 @@ export const TABLE = "runtime.json";
  * What `runtime.json` says.
  *
  * @typedef {{integrity: Record<string, string>, scenes: Record<string, string[]>,
- *   ladders: Record<string, string[]>, modules: Record<string, string>, lock: object}} Table
+ *   ladders: Record<string, string[]>, modules: Record<string, string>, lock: object,
+ *   folder: string, libraries: Record<string, string>, machine_code: string[]}} Table
  */
 
 export class Parts {
@@ -32,8 +33,12 @@ export class Parts {
    * @type {any}
    */
   #pyodide = null;
-  /** Where parts are unpacked. */
-  folder = "";
+  /**
+   * Scenes that were imported when the interpreter began.
+   *
+   * @type {Set<string>}
+   */
+  imported = new Set();
   /** @type {Fault | null} What kept Python last from a part that it asked for. */
   missed = null;
 
@@ -70,7 +75,6 @@ export class Parts {
    */
   set pyodide(pyodide) {
     this.#pyodide = pyodide;
-    this.folder = pyodide.pyimport("site").getsitepackages().get(0);
   }
 
   /**
@@ -111,21 +115,22 @@ export class Parts {
   }
 
   /**
-   * Whether any of these is not yet in place.
+   * Whether any of these, or of what they build on, is not yet in place.
    *
    * @param {string[]} names
    */
   lacks(names) {
-    return !names.every((name) => this.#here.has(name));
+    return ![...AT_ONCE, ...names].every((name) => this.#here.has(name));
   }
 
   /**
-   * Have parts in place.
+   * Have parts in place, and what they build on: an interpreter that began with a memory did without.
    *
-   * @param {string[]} names
+   * @param {string[]} [parts]
    * @throws {import("./fault.js").Fault} Where one cannot be had; it is asked for again when it is next needed.
    */
-  async provide(names) {
+  async provide(parts = []) {
+    const names = [...AT_ONCE, ...parts];
     this.expect(names);
     for (const name of names) {
       const coming = this.#coming.get(name);
@@ -152,8 +157,8 @@ export class Parts {
   }
 
   /** @param {Uint8Array} archive */
-  unpack(archive) {
-    this.#pyodide.unpackArchive(archive, "zip", { extractDir: this.folder });
+  #unpack(archive) {
+    this.#pyodide.unpackArchive(archive, "zip", { extractDir: this.table.folder });
   }
 
   /**
@@ -162,7 +167,7 @@ export class Parts {
    */
   #place(name, archive) {
     if (name === SOURCES) this.#pyodide.FS.writeFile(`/lib/${name}.zip`, archive);
-    else this.unpack(archive);
+    else this.#unpack(archive);
     this.#here.add(name);
   }
 }

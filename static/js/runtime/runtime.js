@@ -143,7 +143,10 @@ export class Runtime {
     const leaving = this.#waiting.filter((call) => call.payload.figure === figure);
     this.#waiting = this.#waiting.filter((call) => !leaving.includes(call));
     for (const call of leaving) call.reject(new RuntimeFailure("lost", words("runtime.gone")));
-    if (this.#worker) this.call("forget", { figure }).catch(() => {});
+    // In a task of its own: what the next page's figures ask for meanwhile goes first.
+    setTimeout(() => {
+      if (this.#worker) this.call("forget", { figure }).catch(() => {});
+    });
   }
 
   /**

@@ -37,6 +37,14 @@ let starting = null;
 let spare = [];
 /** As many as a page that paints frames of two figures in turn. */
 const MOST_SPARE = 8;
+/** Milliseconds after the start in which the first figures are drawn. */
+const JUDGE_MS = 5000;
+/**
+ * What has been found wrong with what the interpreter was made of: it is to be used no more.
+ *
+ * @type {unknown}
+ */
+let unsound = null;
 
 /** @typedef {{figure: string, scene: string, values: string, tier: string}} FrameCall */
 
@@ -59,8 +67,9 @@ const calls = {
    */
   async start(call) {
     starting ??= startInterpreter(call);
-    const { version, importMs, ...started } = await starting;
+    const { version, importMs, judge, ...started } = await starting;
     ({ parts, python } = started);
+    setTimeout(() => judge().catch((error) => (unsound = error)), JUDGE_MS);
     return { reply: { version, importMs } };
   },
 
@@ -194,6 +203,7 @@ async function answer(request) {
 
 self.onmessage = async ({ data }) => {
   try {
+    if (unsound) throw unsound;
     if (parts) parts.missed = null;
     await provideFor(data);
     spare = [...(data.spare ?? []), ...spare].slice(0, MOST_SPARE);
@@ -208,9 +218,10 @@ self.onmessage = async ({ data }) => {
  * Have in place what a call's scene or ladder imports. The page is told when that has to be waited
  * for, since a network may be slow where the machine is not.
  *
- * @param {{id: number, scene?: string, ladder?: string, edits?: string}} call
+ * @param {{id: number, call: string, scene?: string, ladder?: string, edits?: string}} asked
  */
-async function provideFor({ id, scene = "", ladder = "", edits }) {
+async function provideFor({ id, call, scene = "", ladder = "", edits }) {
+  if (call === "prepare" && parts?.imported.has(scene)) return;
   const imported = parts?.table.scenes[scene] ?? parts?.table.ladders[ladder] ?? [];
   const names = edits === undefined ? imported : [...imported, SOURCES];
   if (!parts?.lacks(names)) return;
@@ -276,7 +287,8 @@ function explain(error) {
   const raised = error instanceof Error && error.name === "PythonError";
   const missed = raised ? parts?.missed : error;
   const text = message(error).trim();
-  if (missed instanceof Fault) return { error: text, fault: missed.told, fatal: false };
+  const fatal = error === unsound;
+  if (missed instanceof Fault) return { error: text, fault: missed.told, fatal };
   const last = raised ? lastException(text) : text;
   if (/MemoryError\b|^Array buffer allocation failed/.test(last)) {
     return { error: last, fault: { kind: "memory" }, fatal: true };

@@ -61,6 +61,19 @@ def test_nothing_is_lost_but_tests(frozen: Frozen) -> None:
     assert sorted(name.replace(".pyc", ".py") for name in packed) == sorted(sources)
 
 
+def test_machine_code_that_is_loaded_at_once_lies_apart_and_an_empty_file_in_its_place(
+    frozen: Frozen,
+) -> None:
+    libraries = {path for path in members(frozen.archives["numpy"]) if path.endswith(".so")}
+    assert libraries == {*frozen.libraries}
+    with zipfile.ZipFile(frozen.archives["numpy"]) as archive:
+        assert not any(archive.read(path) for path in libraries)
+    with zipfile.ZipFile(FETCHED[NUMPY_WHEEL.name]) as wheel:
+        for path, file in frozen.libraries.items():
+            assert file.read_bytes() == wheel.read(path)
+            assert file.suffix == ".wasm", "hosts know what to call it"
+
+
 def test_what_the_page_waits_for_is_byte_code_of_the_browsers_python(frozen: Frozen) -> None:
     for part in ("python", "numpy", "numpy-fft"):
         with zipfile.ZipFile(frozen.archives[part]) as archive:
@@ -76,7 +89,7 @@ def test_what_the_page_waits_for_is_byte_code_of_the_browsers_python(frozen: Fro
 def kept(frozen: Frozen, tmp_path: Path) -> Path:
     """A store that holds those parts."""
     shutil.copytree(store.default_store() / "frozen", tmp_path / "frozen")
-    for archive in frozen.archives.values():
+    for archive in (*frozen.archives.values(), *frozen.libraries.values()):
         store.put(tmp_path, archive.name, archive.read_bytes())
     return tmp_path
 

@@ -96,7 +96,7 @@ def test_the_page_gets_just_the_modules_that_the_worker_scenes_and_ladders_impor
 def test_the_table_tells_the_hash_of_each_archive(package: Path, tmp_path: Path) -> None:
     archive = tmp_path / "simulations.zip"
     archive.write_bytes(b"modules")
-    table = runtime_table({archive.name: archive}, Frozen({}, {}), read_imports(package))
+    table = runtime_table({archive.name: archive}, Frozen({}, {}, {}), read_imports(package))
     digest = base64.b64encode(hashlib.sha256(b"modules").digest()).decode()
     assert table["integrity"] == {"simulations.zip": f"sha256-{digest}"}
 
