@@ -20,13 +20,18 @@ class Entries:
 
     def before(self, chapter: Chapter | None) -> Markup:
         """Those before the page's own; all on a page that is no chapter."""
-        return Markup().join(self.entries[: self.places[chapter.id]] if chapter else self.entries)
+        return _joined(self.entries[: self.places[chapter.id]] if chapter else self.entries)
 
     def behind(self, chapter: Chapter | None) -> Markup:
-        return Markup().join(self.entries[self.places[chapter.id] + 1 :] if chapter else ())
+        return _joined(self.entries[self.places[chapter.id] + 1 :] if chapter else ())
 
 
 def chapter_entries(cards: Sequence[Card], entry: Callable[[Card], str]) -> Entries:
     """Those of all chapters, of which ``entry`` makes one."""
     places = {card.id: place for place, card in enumerate(cards)}
     return Entries([Markup(entry(card)) for card in cards], places)
+
+
+def _joined(entries: Sequence[Markup]) -> Markup:
+    """As `Markup.join` does it, which looks at each of them once more."""
+    return Markup("".join(entries))

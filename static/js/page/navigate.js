@@ -8,6 +8,7 @@ import { Away, fetchText } from "./ahead.js";
 import { all, isPlain, within } from "./dom.js";
 import { linkedPage } from "./links.js";
 import { notice } from "./notice.js";
+import { fold, layOut } from "./unfolding.js";
 import { words } from "./words.js";
 
 /** What a head says of its own page, or with addresses relative to it. */
@@ -54,6 +55,7 @@ export function installNavigation(turned, returned, leave) {
   });
   addEventListener("popstate", () => {
     if (isArrived()) {
+      layOut();
       restoreScroll();
       returned();
     } else turnTo(new URL(location.href), turned, goes);
@@ -94,6 +96,7 @@ async function turnTo(url, turned, commit) {
     if (signal.aborted) return;
     keepAddresses();
     commit();
+    if (!location.hash && !history.state?.scroll) fold(page);
     putInPlace(page);
     shownPath = location.pathname;
     turned();

@@ -2,21 +2,30 @@
 
 const BOXES = ".panels, .formula, .table-wrapper, .nowrap, :is(p, li) > math, pre";
 
-const sizes = new ResizeObserver((entries) => {
-  for (const { target } of entries) mark(target);
-});
+const sizes = new ResizeObserver((entries) => mark(entries.map(({ target }) => target)));
 
 /** Look after the boxes of the page that is shown. */
 export function watchScrollers() {
   sizes.disconnect();
   for (const box of document.querySelectorAll(BOXES)) sizes.observe(box);
   // A font that comes late makes the contents wider, and not the box.
-  document.fonts.ready.then(() => document.querySelectorAll(BOXES).forEach(mark));
+  document.fonts.ready.then(() => mark([...document.querySelectorAll(BOXES)]));
+}
+
+/**
+ * All are looked at before one is changed, or the page would be laid out for each.
+ *
+ * @param {Element[]} boxes
+ */
+function mark(boxes) {
+  const wrong = boxes.filter((box) => scrolls(box) !== box.hasAttribute("tabindex"));
+  for (const box of wrong) {
+    if (box.hasAttribute("tabindex")) box.removeAttribute("tabindex");
+    else box.setAttribute("tabindex", "0");
+  }
 }
 
 /** @param {Element} box */
-function mark(box) {
-  const scrolls = getComputedStyle(box).overflowX !== "visible";
-  if (scrolls && box.scrollWidth > box.clientWidth + 1) box.setAttribute("tabindex", "0");
-  else box.removeAttribute("tabindex");
+function scrolls(box) {
+  return box.scrollWidth > box.clientWidth + 1 && getComputedStyle(box).overflowX !== "visible";
 }

@@ -1,0 +1,82 @@
+/**
+ * A chapter that has just been opened is laid out as far as the window shows it, and painted: who
+ * touches a figure there need not wait for what is far below. That stands in by estimate
+ * (`unfolding.css`) until the hand rests, a moment later; then it is laid out step by step, and
+ * nothing is left of this. Places, searches and scrolling are those of any page.
+ */
+
+import { all, within } from "./dom.js";
+import { idle, painted } from "./pauses.js";
+
+/** On the root where the page's head, which comes before the blocks, has found that they may wait. */
+const UNFOLDING = "unfolding";
+/** On a block that waits. */
+const FOLDED = "data-folded";
+/** Blocks that a window shows, and more. */
+const SHOWN = 8;
+/** Those that never wait, and those that do not on a page that is loaded: as in `unfolding.css`. */
+const CHEAP = ".heading";
+const LOADED = ".heading, form, .simulation";
+/** Blocks of the first step, of which nobody knows yet how long they take. */
+const FIRST = 2;
+/** Milliseconds that a step may take. Shorter ones would be dearer together. */
+const STEP = 20;
+/** Milliseconds for a first touch. */
+const REST = 100;
+
+const { classList } = document.documentElement;
+
+/** Who goes to another place of the page needs to know where that is. */
+export function installUnfolding() {
+  const away = (/** @type {Event} */ event) => within(event, 'a[href*="#"]', Element);
+  document.addEventListener("click", (event) => away(event) && layOut(), { capture: true });
+}
+
+/**
+ * Have what is far below the top of a page stand in.
+ *
+ * @param {Document} page
+ * @param {string} [apart] Blocks that do not.
+ */
+export function fold(page, apart = CHEAP) {
+  for (const block of all(page, ".chapter > *", Element).slice(SHOWN)) {
+    block.toggleAttribute(FOLDED, !block.matches(apart));
+  }
+}
+
+/**
+ * Lay out what stands in, when nobody waits.
+ *
+ * @returns {Promise<boolean>} Whether the page is still there.
+ */
+export async function unfold() {
+  const main = document.getElementById("main");
+  if (classList.contains(UNFOLDING)) fold(document, LOADED);
+  classList.remove(UNFOLDING);
+  if (folded().length) {
+    await painted();
+    await new Promise((resolve) => setTimeout(resolve, REST));
+  }
+  for (let count = FIRST; main?.isConnected && folded().length;) {
+    await idle();
+    if (!main.isConnected) break;
+    const begun = performance.now();
+    layOut(Math.ceil(count));
+    main.getBoundingClientRect(); // has it done now
+    count = Math.min((count * STEP) / (performance.now() - begun), 4 * count);
+  }
+  return main?.isConnected ?? false;
+}
+
+/**
+ * Lay out what stands in, now.
+ *
+ * @param {number} [count] The first so many blocks of it.
+ */
+export function layOut(count = Infinity) {
+  for (const block of folded().slice(0, count)) block.removeAttribute(FOLDED);
+}
+
+function folded() {
+  return all(document, `[${FOLDED}]`, Element);
+}
