@@ -5,6 +5,7 @@ import re
 
 import numpy as np
 import pytest
+from numpy.typing import NDArray
 from support.frames import frame_of, pixels_of, texts_of
 
 from simulations.engine.frame import Frame
@@ -54,6 +55,28 @@ def test_turned_cameras_are_told_wrong_depths_by_the_formula_for_parallel_ones()
     assert float(shown["d"]) == pytest.approx(30 - right, abs=0.051)
     assert float(shown["parallel"]) == pytest.approx(80 / (30 - right), abs=0.051)
     assert texts(toe_in=20)["parallel"] == "none: d < 0"
+
+
+def test_while_the_focal_length_moves_the_same_is_shown_in_fewer_pixels() -> None:
+    (draft,) = {SCENE.drafts_of("")["focal_length"]}
+    rest, moving = frame(focal_length=200), frame_of(SCENE, draft, focal_length=200)
+    assert texts_of(moving) == texts_of(rest)
+    for panel in (1, 2):
+        fine, coarse = pixels_of(rest, panel), pixels_of(moving, panel)
+        assert coarse.size < fine.size / 2
+        assert [fine[at].mean() for at in halves(fine)] == pytest.approx(
+            [coarse[at].mean() for at in halves(coarse)], abs=2
+        )
+
+
+def halves(picture: NDArray[np.uint8]) -> list[tuple[slice, slice]]:
+    """Upper and lower, each left and right."""
+    rows, columns = (size // 2 for size in picture.shape[:2])
+    return [
+        (down, across)
+        for down in (slice(rows), slice(rows, None))
+        for across in (slice(columns), slice(columns, None))
+    ]
 
 
 def test_the_two_rays_meet_in_the_lamp_however_the_camera_is_turned() -> None:

@@ -14,7 +14,7 @@ from simulations.scenes.two_views.handles import HANDLES
 from simulations.scenes.two_views.pictures import left_panel, right_panel
 from simulations.scenes.two_views.plan import plan_panel
 from simulations.scenes.two_views.settings import Settings
-from simulations.scenes.two_views.stages import STAGES
+from simulations.scenes.two_views.stages import COARSE, STAGES, parameters
 from simulations.scenes.two_views.view import View, in_picture, view_of
 
 
@@ -98,4 +98,6 @@ SCENE = Scene(
     draw=draw,
     stages=STAGES,
     handles=HANDLES,
+    parameters=parameters,
+    own_drafts={COARSE: ("focal_length",)},
 )
