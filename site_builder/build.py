@@ -47,7 +47,7 @@ from site_builder.runtime.pinned import Versions
 from site_builder.search.index import ADDRESS as SEARCH_INDEX
 from site_builder.search.index import index_of
 from site_builder.search.library import SearchLibrary, SearchLibraryError, fetch_library
-from site_builder.search.records import Record, explained_terms, make_records
+from site_builder.search.records import Record, explained_terms, make_records, read_page
 from site_builder.site_assets import NOW, Files, gather_assets, handed_out, in_page, strips_of
 from site_builder.source import read_book
 from site_builder.tools import tools
@@ -154,7 +154,8 @@ def render_parts(options: Options) -> RenderedSite:
         **in_page(asset_files, assets, reload=options.reload),
     )  # fmt: skip
     licences = _licences(options.root, bundle.versions, editor, library, book)
-    pages = render_pages(site, licences)
+    ahead = scripts and not options.reload  # there, nobody waits for what can be searched
+    pages = render_pages(site, licences, read_page if ahead else None)
     static = own_or_engine(options.root, "static")
 
     def records() -> Sequence[Record]:

@@ -5,6 +5,8 @@ from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import Any
 
+from markdown_it import MarkdownIt
+
 from simulations.engine.scene import Scene
 from site_builder.beside.bibliography import FILE as BIBLIOGRAPHY
 from site_builder.beside.bibliography import Bibliography
@@ -39,6 +41,11 @@ class Shared:
     """TeX commands of the author's own."""
     bibliography: Bibliography
     glossary: Glossary
+    parser: MarkdownIt = field(init=False)
+    """Of no chapter's own: to make one takes half as long as to parse a short chapter."""
+
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "parser", make_parser(self.words))
 
 
 @dataclass(slots=True)
@@ -90,7 +97,7 @@ class Page:
                 shared.root,
                 Diagnostics(),
                 shared.load_scene,
-                make_parser(shared.words),
+                shared.parser,
                 shared.measurements,
                 words=shared.words,
                 raw_html=shared.raw_html,

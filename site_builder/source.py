@@ -18,7 +18,7 @@ from site_builder.beside.symbols import read_symbols
 from site_builder.book import OUTLINE, Book
 from site_builder.chapters import Page, Shared, targets_hash
 from site_builder.diagnostics import Diagnostics, unknown
-from site_builder.kept.ahead import Ask, make_ahead
+from site_builder.kept.ahead import Ask, answers
 from site_builder.kept.keeper import reads_file
 from site_builder.kept.told import kept_reading
 from site_builder.languages.words import Words, load_words
@@ -104,13 +104,12 @@ def read_book(
 
     def beside(file: str, problems: Diagnostics) -> Reading:
         reads_file(root / MEASUREMENTS)
-        parser = make_parser(words)
         return Reading(
             file,
             root,
             problems,
             load_scene,
-            parser,
+            shared.parser,
             numbers,
             words=words,
             targets=targets,
@@ -120,8 +119,7 @@ def read_book(
     def read_ahead(page: Page) -> Ask:
         return lambda: page.read(targets, known, Diagnostics())
 
-    longest_first = sorted(pages, key=lambda page: -len(page.text))
-    make_ahead([read_ahead(page) for page in longest_first])
+    answers([read_ahead(page) for page in pages], lambda place: len(pages[place].text))
     given = (known, words, tuple(sorted(outline.macros.items())))
 
     def definitions(own: Diagnostics) -> tuple[Definition, ...]:

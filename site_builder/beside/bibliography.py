@@ -12,10 +12,6 @@ from pathlib import Path
 from string import ascii_lowercase
 from typing import Any
 
-from pybtex.database import BibliographyDataError, parse_string
-from pybtex.richtext import Text
-from pybtex.scanner import PybtexSyntaxError
-
 from site_builder.diagnostics import Diagnostics, unknown
 from site_builder.languages.words import ENGLISH, Words
 from site_builder.source_text import read_text
@@ -143,6 +139,10 @@ def read_bibliography(root: Path, problems: Diagnostics, words: Words = ENGLISH)
     """What the file holds; nothing where there is none. Mistakes go to ``problems``."""
     if not (root / FILE).is_file():
         return EMPTY
+    # Here and below: not every book has references, and they are kept.
+    from pybtex.database import BibliographyDataError, parse_string
+    from pybtex.scanner import PybtexSyntaxError
+
     text = read_text(root, FILE, problems)
     try:
         entries = parse_string(text, "bibtex").entries
@@ -192,6 +192,8 @@ def _work(key: str, entry: Any, line: int, words: Words) -> Work:
 
 def _plain(latex: str) -> str:
     """Text without braces and accents' commands; two hyphens are a range's dash."""
+    from pybtex.richtext import Text
+
     return str(Text.from_latex(latex)).replace("--", "–").strip()
 
 

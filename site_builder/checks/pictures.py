@@ -5,8 +5,7 @@ import warnings
 from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
-
-from PIL import Image, UnidentifiedImageError
+from typing import TYPE_CHECKING
 
 from site_builder.checks.svg import read_svg
 from site_builder.diagnostics import Diagnostics
@@ -14,6 +13,9 @@ from site_builder.kept.files import folder_files
 from site_builder.kept.keeper import reads_file
 from site_builder.kept.told import kept_reading
 from site_builder.markdown.directives.figure import SUFFIXES
+
+if TYPE_CHECKING:
+    from PIL.Image import Image
 
 KINDS = {".png": "PNG", ".jpg": "JPEG", ".jpeg": "JPEG", ".webp": "WEBP"}
 MOST_PIXELS, MANY_PIXELS = 40_000_000, 6_000_000
@@ -56,6 +58,8 @@ def _check_picture(file: Path, path: str, problems: Diagnostics, trusted: bool) 
 
 def _fault_of_raster(file: Path, path: str, problems: Diagnostics) -> str:
     """What is wrong with a picture of pixels; nothing where nothing is."""
+    from PIL import Image, UnidentifiedImageError  # not every book has such pictures
+
     try:
         with _reading(file) as picture:
             width, height = picture.size
@@ -77,9 +81,11 @@ def _fault_of_raster(file: Path, path: str, problems: Diagnostics) -> str:
 
 
 @contextmanager
-def _reading(file: Path) -> Iterator[Image.Image]:
+def _reading(file: Path) -> "Iterator[Image]":
     """The picture, opened and not yet decoded; its library's doubts about it are errors."""
+    from PIL.Image import open as opened
+
     with warnings.catch_warnings():
         warnings.simplefilter("error")
-        with Image.open(file, formats=tuple(dict.fromkeys(KINDS.values()))) as picture:
+        with opened(file, formats=tuple(dict.fromkeys(KINDS.values()))) as picture:
             yield picture

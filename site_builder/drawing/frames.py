@@ -8,7 +8,6 @@ from dataclasses import dataclass, replace
 from typing import Any, cast
 
 import numpy as np
-from PIL import Image
 
 from simulations.engine.controls import Value
 from simulations.engine.frame import Frame, Raster, StageReport
@@ -87,26 +86,14 @@ def _noted[D: Draw](draw: D) -> D:
 def frame_at(scene: Scene[Any], settings: Any, tier: str) -> Frame:
     """What the scene says and draws at these settings, without its pixels. Raises whatever the
     scene does, and `LimitError`."""
-    return apart(lambda: _without_pixels(scene.render(settings, tier, StageCache())))
+    return apart(functools.partial(_frame, scene, settings, tier))
 
 
 @_noted
 @kept
 def print_at(scene: Scene[Any], settings: Any, tier: str) -> Print:
     """The same with its pixels, as files."""
-
-    def drawn() -> Print:
-        frame = scene.render(settings, tier, StageCache())
-        for place in frame.handles:  # a pull that raises would do so in its reader's hand
-            scene.pull(settings, place.name, (place.x, place.y), tier)
-        pictures = {
-            panel.name: Picture(panel.raster.shape[1], panel.raster.shape[0], webp(panel.raster))
-            for panel in frame.panels
-            if panel.raster is not None
-        }
-        return Print(_without_pixels(frame), pictures)
-
-    return apart(drawn)
+    return apart(functools.partial(_print, scene, settings, tier))
 
 
 @kept
@@ -115,12 +102,7 @@ def sketches_at(
 ) -> tuple[Sketch, ...]:
     """The frames of several settings, one after the other. Raises whatever the scene does, and
     `LimitError`."""
-
-    def drawn() -> tuple[Sketch, ...]:
-        cache = StageCache()
-        return tuple(_sketch(scene.render(scene.check(one), tier, cache)) for one in settings)
-
-    return apart(drawn)
+    return apart(functools.partial(_sketches, scene, settings, tier))
 
 
 @kept
@@ -128,15 +110,40 @@ def reports_at(
     scene: Scene[Any], start: Mapping[str, object], moved: Mapping[str, object]
 ) -> tuple[StageReport, ...]:
     """What becomes of each stage when controls move from ``start``."""
+    return apart(functools.partial(_reports, scene, start, moved))
 
-    def run() -> tuple[StageReport, ...]:
-        cache = StageCache()
-        reports = scene.run(scene.check(start), scene.default_tier, cache).reports
-        if moved:
-            reports = scene.run(scene.check({**start, **moved}), scene.default_tier, cache).reports
-        return reports
 
-    return apart(run)
+def _frame(scene: Scene[Any], settings: Any, tier: str) -> Frame:
+    return _without_pixels(scene.render(settings, tier, StageCache()))
+
+
+def _print(scene: Scene[Any], settings: Any, tier: str) -> Print:
+    frame = scene.render(settings, tier, StageCache())
+    for place in frame.handles:  # a pull that raises would do so in its reader's hand
+        scene.pull(settings, place.name, (place.x, place.y), tier)
+    pictures = {
+        panel.name: Picture(panel.raster.shape[1], panel.raster.shape[0], webp(panel.raster))
+        for panel in frame.panels
+        if panel.raster is not None
+    }
+    return Print(_without_pixels(frame), pictures)
+
+
+def _sketches(
+    scene: Scene[Any], settings: Sequence[Mapping[str, object]], tier: str
+) -> tuple[Sketch, ...]:
+    cache = StageCache()
+    return tuple(_sketch(scene.render(scene.check(one), tier, cache)) for one in settings)
+
+
+def _reports(
+    scene: Scene[Any], start: Mapping[str, object], moved: Mapping[str, object]
+) -> tuple[StageReport, ...]:
+    cache = StageCache()
+    reports = scene.run(scene.check(start), scene.default_tier, cache).reports
+    if moved:
+        reports = scene.run(scene.check({**start, **moved}), scene.default_tier, cache).reports
+    return reports
 
 
 def _sketch(frame: Frame) -> Sketch:
@@ -151,6 +158,8 @@ def _sketch(frame: Frame) -> Sketch:
 def _small(raster: Raster, *, pixelated: bool) -> str:
     """A raster as an address that holds it. Where the page shows its pixels as squares, each stays
     what it is."""
+    from PIL import Image  # here and below: a book without pictures does without
+
     image, buffer = Image.fromarray(raster), io.BytesIO()
     if not pixelated:
         image.thumbnail((SKETCH_PX, SKETCH_PX))
@@ -164,6 +173,8 @@ def _without_pixels(frame: Frame) -> Frame:
 
 def webp(raster: Raster) -> bytes:
     """A raster as a WebP that has all of it: three quarters of a PNG, and sooner packed."""
+    from PIL import Image
+
     buffer = io.BytesIO()
     Image.fromarray(raster).save(buffer, "WEBP", lossless=True, exact=True, method=4)
     return buffer.getvalue()
@@ -171,6 +182,8 @@ def webp(raster: Raster) -> bytes:
 
 def png(raster: Raster) -> bytes:
     """A raster as a PNG; without its alpha channel where that says nothing."""
+    from PIL import Image
+
     opaque = bool((raster[..., 3] == 255).all())
     buffer = io.BytesIO()
     Image.fromarray(raster[..., :3] if opaque else raster).save(buffer, "PNG", optimize=True)
@@ -179,5 +192,7 @@ def png(raster: Raster) -> bytes:
 
 def as_png(picture: bytes) -> bytes:
     """A picture as a PNG, for what knows no other kind."""
+    from PIL import Image
+
     with Image.open(io.BytesIO(picture)) as image:
         return png(np.asarray(image.convert("RGBA")))

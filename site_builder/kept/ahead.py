@@ -7,6 +7,7 @@ book comes out the same whatever the number of processes, and one that is lost c
 
 import os
 import selectors
+import time
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager, suppress
 from dataclasses import dataclass, field
@@ -19,6 +20,10 @@ NUMBER = Struct("=H")
 MOST_TURNS = 1000
 """Numbers that wait in a pipe, which must hold them all."""
 CHUNK = 1 << 20
+TRIED_S = 0.005
+"""After which it is seen how long things take."""
+WORTH_S = 0.3
+"""Of work: to begin processes, and to hand over what they have made, takes half of that."""
 
 type Ask = Callable[[], object]
 
@@ -102,14 +107,28 @@ def make_ahead(asks: Sequence[Ask]) -> None:
             found.join()
 
 
-def answers[T](asks: Sequence[Callable[[], T]]) -> list[T]:
-    """What each of them gives; those that are missing are made ahead."""
+def answers[T](
+    asks: Sequence[Callable[[], T]], weigh: Callable[[int], float] = lambda _place: 1
+) -> list[T]:
+    """What each of them gives. Of those that are missing the lightest are made here, until it is
+    known whether the others take so long that processes are worth their while; then those are made
+    ahead, the heaviest first. ``weigh`` tells how long one takes beside another."""
     given: dict[int, T] = {}
     if keeper := keeper_at_work():
         for place, ask in enumerate(asks):
             with suppress(MissingError, UnkeepableError):
                 given[place] = keeper.found(ask)
-    make_ahead([ask for place, ask in enumerate(asks) if place not in given])
+    missing = sorted((place for place in range(len(asks)) if place not in given), key=weigh)
+    left, made = sum(map(weigh, missing)), 0.0
+    begin = time.perf_counter()
+    while missing:
+        spent = time.perf_counter() - begin
+        if made and spent > TRIED_S and spent / made * left > WORTH_S:
+            make_ahead([asks[place] for place in reversed(missing)])
+            break
+        place = missing.pop(0)
+        given[place] = asks[place]()
+        left, made = left - weigh(place), made + weigh(place)
     return [given[place] if place in given else ask() for place, ask in enumerate(asks)]
 
 

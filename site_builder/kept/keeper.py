@@ -105,7 +105,7 @@ class Keeper:
     _looking: bool = False
     """Whether nothing is to be made."""
     _failed: dict[bytes, Exception] = field(default_factory=dict)
-    """Why authors' code did not do what a process beside this one asked of it, in this build."""
+    """Why authors' code did not do what was asked of it, in this build: it is not tried again."""
     _beside: bool = False
     """Whether this is such a process."""
 
@@ -259,7 +259,7 @@ class Keeper:
         try:
             value = make()
         except Exception as error:
-            if self._beside and is_remembered(error):
+            if is_remembered(error):
                 self._failed[key] = error
             raise
         finally:

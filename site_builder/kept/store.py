@@ -7,15 +7,19 @@ anew, and the build goes on.
 import hashlib
 import sqlite3
 import time
-import zlib
 from collections.abc import Iterable, Mapping
 from contextlib import suppress
 from pathlib import Path
 
+import brotli
 from platformdirs import user_cache_path
 
-NAME = "kept-1.sqlite"
+NAME = "kept-2.sqlite"
 """With the number of its format."""
+BEFORE = "kept-1.sqlite"
+"""Nobody opens it any more."""
+QUALITY = 0
+"""Of what is packed: as small as by zlib at its quickest, in half the time."""
 MOST_BYTES = 400_000_000
 """What is kept at most; the entries used longest ago go first."""
 SHARE_LEFT = 0.75
@@ -91,6 +95,7 @@ class Store:
         if self._connection is None:
             try:
                 self._file.parent.mkdir(parents=True, exist_ok=True)
+                self._file.with_name(BEFORE).unlink(missing_ok=True)
             except OSError as error:
                 raise sqlite3.OperationalError(str(error)) from error
             self._connection = sqlite3.connect(self._file, timeout=WAIT_S)
@@ -148,7 +153,7 @@ def _first_of(rows: Iterable[tuple[bytes, int]], wanted: float) -> list[tuple[by
 
 
 def _sealed(value: bytes) -> bytes:
-    packed = zlib.compress(value, 1)
+    packed: bytes = brotli.compress(value, quality=QUALITY)
     return hashlib.sha256(packed).digest() + packed
 
 
@@ -156,4 +161,5 @@ def _opened(sealed: bytes) -> bytes | None:
     check, packed = sealed[:CHECK], sealed[CHECK:]
     if hashlib.sha256(packed).digest() != check:
         return None
-    return zlib.decompress(packed)
+    value: bytes = brotli.decompress(packed)
+    return value

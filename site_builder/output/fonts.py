@@ -8,12 +8,15 @@ import io
 from collections.abc import Mapping, Sequence
 from importlib.util import find_spec
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 import fontTools
 import platformdirs
-from fontTools.ttLib import TTFont
 
 from site_builder.output.font_faces import FACES, Face
+
+if TYPE_CHECKING:
+    from fontTools.ttLib import TTFont
 
 RECIPE = 3
 """Counts changes of `cut`, so that a cache filled by an earlier version is not used."""
@@ -76,6 +79,7 @@ def _fingerprint(face: Face, source: bytes) -> str:
 def cut(face: Face, source: bytes) -> bytes:
     """The font file ``source`` reduced to what ``face`` keeps, as woff2."""
     from fontTools import subset  # it is long to load, and needed once on each machine
+    from fontTools.ttLib import TTFont
 
     options = subset.Options(
         flavor="woff2",
@@ -99,7 +103,7 @@ def cut(face: Face, source: bytes) -> bytes:
     return packed.getvalue()
 
 
-def _rename(font: TTFont, family: str, style: str) -> None:
+def _rename(font: "TTFont", family: str, style: str) -> None:
     full = f"{family} {style}"
     names = {1: family, 2: style, 3: full, 4: full, 6: full.replace(" ", "-")}
     for record in font["name"].names:
@@ -107,7 +111,7 @@ def _rename(font: TTFont, family: str, style: str) -> None:
             record.string = names[record.nameID]
 
 
-def _keep_own_widths(font: TTFont) -> None:
+def _keep_own_widths(font: "TTFont") -> None:
     """Give each glyph the width that its metrics state.
 
     Some are marked to take the width of a part: a “ would be as narrow as a ‘ in browsers that
@@ -121,7 +125,7 @@ def _keep_own_widths(font: TTFont) -> None:
             part.flags &= ~USE_MY_METRICS
 
 
-def _offer_script_forms(font: TTFont) -> None:
+def _offer_script_forms(font: "TTFont") -> None:
     """Let style sheets ask for ``ssty``, the forms of indices and primes, whatever the script.
 
     The font offers it to the script ``math`` alone, which browsers do not set for MathML.

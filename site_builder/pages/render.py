@@ -19,6 +19,7 @@ from site_builder.markdown.directives.simulation import SIMULATION
 from site_builder.markdown.text.code import highlighted_lines
 from site_builder.page_model.blocks import Block, Simulation
 from site_builder.page_model.places import Heading
+from site_builder.pages.compiled import KeptEnvironment
 from site_builder.pages.licences import Licence
 from site_builder.pages.outside import card_path, origin, page_address
 from site_builder.pages.places import card
@@ -96,8 +97,11 @@ class Site:
     """
 
 
-def render_pages(site: Site, licences: tuple[Licence, ...]) -> dict[str, bytes]:
-    """Every page of the site, by its path."""
+def render_pages(
+    site: Site, licences: tuple[Licence, ...], read: Callable[[bytes], object] | None = None
+) -> dict[str, bytes]:
+    """Every page of the site, by its path. ``read`` keeps what will be asked of each page, and is
+    asked where the page is made."""
     book, render = site.book, _renderer(site)
     pages: dict[str, Callable[[], bytes]] = {
         "index.html": partial(
@@ -150,7 +154,15 @@ def render_pages(site: Site, licences: tuple[Licence, ...]) -> dict[str, bytes]:
             file=path.rpartition("/")[2],
             code=own_or_engine(site.root, path).read_text(encoding="utf-8"),
         )
-    return dict(zip(pages, answers([*pages.values()]), strict=True))
+    asks = [*pages.values()]
+    ahead = [partial(_then, ask, read) for ask in asks] if read else asks
+    return dict(zip(pages, answers(ahead), strict=True))
+
+
+def _then(make: Callable[[], bytes], read: Callable[[bytes], object]) -> bytes:
+    page = make()
+    read(page)
+    return page
 
 
 def _renderer(site: Site) -> Callable[..., bytes]:
@@ -275,7 +287,7 @@ def in_words(book: Book) -> dict[str, object]:
 @cache
 def _environment() -> Environment:
     """Kept, so that each template is compiled once a build and not once a page."""
-    environment = Environment(
+    environment = KeptEnvironment(
         loader=FileSystemLoader(TEMPLATES),
         autoescape=True,
         undefined=StrictUndefined,

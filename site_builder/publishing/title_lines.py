@@ -1,8 +1,10 @@
 """A title set in lines, as large as its place allows."""
 
 from pathlib import Path
+from typing import TYPE_CHECKING
 
-from PIL import ImageFont
+if TYPE_CHECKING:
+    from PIL.ImageFont import FreeTypeFont
 
 SIZES = (68, 60, 52, 46, 40, 34)
 MOST_LINES = 4
@@ -21,7 +23,7 @@ def set_title(title: str, width: float, font: Path) -> tuple[int, list[str]]:
     return size, lines
 
 
-def break_lines(words: str, width: float, face: ImageFont.FreeTypeFont) -> list[str]:
+def break_lines(words: str, width: float, face: "FreeTypeFont") -> list[str]:
     """Each no wider than ``width`` pixels, but for a word that is wider alone."""
     lines: list[str] = []
     for word in words.split():
@@ -32,6 +34,8 @@ def break_lines(words: str, width: float, face: ImageFont.FreeTypeFont) -> list[
     return lines
 
 
-def _face(font: Path, size: int) -> ImageFont.FreeTypeFont:
+def _face(font: Path, size: int) -> "FreeTypeFont":
+    from PIL import ImageFont  # not every book has cards
+
     # The basic layout is in every Pillow; the other one depends on what else is installed.
     return ImageFont.truetype(font, size, layout_engine=ImageFont.Layout.BASIC)

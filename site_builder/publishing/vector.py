@@ -5,7 +5,6 @@ from dataclasses import dataclass
 from pathlib import Path
 
 import resvg_py
-from fontTools.ttLib import TTFont
 
 from site_builder.output.font_faces import FACES, Face
 from site_builder.output.fonts import source_file
@@ -47,5 +46,7 @@ def png_of(svg: str, width: int, fonts: Fonts) -> bytes:
 
 
 def _family(file: Path) -> str:
+    from fontTools.ttLib import TTFont  # here alone: what is drawn is kept
+
     with TTFont(file, lazy=True) as font:
         return str(font["name"].getBestFamilyName())

@@ -13,6 +13,14 @@ const { default: MiniSearch } = await import(library);
 const { stemmer: stem } = await import(stemmer);
 const { language, settings } = await import(ranking);
 
-const index = new MiniSearch(settings(language(stem, stopWords)));
+const ours = settings(language(stem, stopWords));
+/** Of words seen before: a book says most of them again and again. */
+const known = new Map();
+/** @param {string} word */
+const processTerm = (word) => {
+  if (!known.has(word)) known.set(word, ours.processTerm(word));
+  return known.get(word);
+};
+const index = new MiniSearch({ ...ours, processTerm });
 index.addAll(JSON.parse(readFileSync(0, "utf8")));
 process.stdout.write(JSON.stringify(index));

@@ -59,7 +59,7 @@ def _records(
 ) -> Iterator[Record]:
     introduced: set[str] = set()
     numbers = count()
-    read = answers([partial(_sections, page) for page in pages.values()])
+    read = answers([partial(read_page, page) for page in pages.values()])
     for path, sections in zip(pages, read, strict=True):
         for section in sections:
             fresh = [term for term in section.terms if term.casefold() not in introduced]
@@ -79,8 +79,12 @@ def _records(
             )
 
 
-def _sections(page: bytes) -> tuple[Section, ...]:
-    return read_sections(page.decode())
+def read_page(page: bytes) -> tuple[Section, ...]:
+    """What it says; kept by what stands in the middle: the contents around it are as long as the
+    book."""
+    begin = max(page.find(b"<main"), 0)
+    end = page.find(b"</main>", begin)
+    return read_sections(page[begin : end if end >= 0 else None].decode())
 
 
 def _address(path: str, anchor: str) -> str:

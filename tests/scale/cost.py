@@ -28,7 +28,7 @@ def cost_of(command: Sequence[str], folder: Path, settings: Mapping[str, str]) -
     output = folder / "output.txt"
     with output.open("wb") as told:
         process = subprocess.Popen(
-            command, cwd=folder, env={**os.environ, **settings}, stdout=told, stderr=told
+            command, cwd=folder, env={**_environment(), **settings}, stdout=told, stderr=told
         )
         _, status, used = os.wait4(process.pid, 0)
     wall_s = time.perf_counter() - begin
@@ -36,6 +36,11 @@ def cost_of(command: Sequence[str], folder: Path, settings: Mapping[str, str]) -
     if process.returncode:
         raise RuntimeError(f"{' '.join(command)}\n{output.read_text(errors='replace')[-3000:]}")
     return Cost(used.ru_utime + used.ru_stime, wall_s, used.ru_maxrss * KIB / 1e6)
+
+
+def _environment() -> dict[str, str]:
+    """Compiled modules are kept: an installer compiles those of others, nobody those of ours."""
+    return {name: value for name, value in os.environ.items() if name != "PYTHONDONTWRITEBYTECODE"}
 
 
 def growth(sizes: Sequence[int], costs: Sequence[float]) -> float:

@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 from scale.cost import Cost, growth
 from scale.report import Run, report
-from scale.text import MKDOCS, MYST, OURS, chapter
+from scale.text import BOOKS, MKDOCS, MYST, OURS, chapter, plain_chapter
 from scale.trees import BUILDERS, edit_line, write_book
 
 from site_builder.build import Options, check_site
@@ -24,10 +24,11 @@ def test_of_one_size_no_growth_is_known() -> None:
     assert math.isnan(growth([10], [1.0]))
 
 
-def test_our_long_book_has_no_mistakes(tmp_path: Path) -> None:
-    write_book(BUILDERS[0], 2, tmp_path)
+@pytest.mark.parametrize(("kind", "questions"), [("everything", 2), ("prose", 0)])
+def test_our_long_books_have_no_mistakes(kind: str, questions: int, tmp_path: Path) -> None:
+    write_book(BUILDERS[0], 2, tmp_path, kind)
     book, _, _ = check_site(Options(tmp_path, runtime=False))
-    assert [len(chapter.quizzes) for chapter in book.chapters] == [2, 2]
+    assert [len(chapter.quizzes) for chapter in book.chapters] == [questions, questions]
 
 
 def test_builders_get_the_same_words() -> None:
@@ -37,16 +38,21 @@ def test_builders_get_the_same_words() -> None:
     assert sentences.findall(myst) == sentences.findall(ours)
 
 
+def test_prose_is_the_same_for_all_builders() -> None:
+    assert len({plain_chapter(3, 9, notation) for notation in (OURS, MKDOCS, MYST)}) == 1
+
+
 def test_no_two_formulae_are_alike() -> None:
     texts = [chapter(number, 9, OURS) for number in (1, 2)]
     shown = [tex for text in texts for tex in re.findall(r"\$\$\n(.*)\n\$\$", text)]
     assert len({to_mathml(tex, display=True) for tex in shown}) == len(shown) == 10
 
 
+@pytest.mark.parametrize("kind", BOOKS)
 @pytest.mark.parametrize("builder", BUILDERS, ids=lambda builder: builder.title)
-def test_an_edit_changes_one_line_of_one_file(builder: object, tmp_path: Path) -> None:
+def test_an_edit_changes_one_line_of_one_file(builder: object, kind: str, tmp_path: Path) -> None:
     (chosen,) = (item for item in BUILDERS if item is builder)
-    write_book(chosen, 3, tmp_path)
+    write_book(chosen, 3, tmp_path, kind)
     before = {file: file.read_text() for file in tmp_path.rglob("*") if file.is_file()}
     edit_line(chosen, 3, tmp_path, "then")
     changed = [file for file, text in before.items() if file.read_text() != text]

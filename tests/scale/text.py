@@ -1,9 +1,11 @@
-"""Chapters of a book that nobody wrote: of every kind of thing as much as in a real one.
+"""Chapters of books that nobody wrote: one has of every kind of thing as much as a real one, the
+other nothing but prose.
 
 A chapter is the same whenever it is made, and the same text for each builder: only what has a
 notation of its own, a figure and a question, is written as that builder's authors write it.
 """
 
+from collections.abc import Callable
 from dataclasses import dataclass
 from random import Random
 
@@ -46,6 +48,8 @@ class Notation:
     question: str
 
 
+type Chapter = Callable[[int, int, Notation], str]
+"""The text below the title of a chapter, from 1, of so many."""
 DIRECTIVE_FIGURE = ":::{{figure}} {file}\n:alt: A curve.\nThe curve {n}.\n:::\n"
 LIST = "{ask}\n\n- {right}: it follows.\n- {wrong}: it does not.\n"
 OURS = Notation(
@@ -67,6 +71,13 @@ def chapter(number: int, count: int, notation: Notation) -> str:
     return "\n".join(parts)
 
 
+def plain_chapter(number: int, count: int, _notation: Notation) -> str:
+    """As long as the others, of nothing but prose: headings, paragraphs, lists, links."""
+    random = Random(number)
+    following = number % count + 1
+    return "\n".join(_plain_section(part, random, following) for part in range(1, SECTIONS + 1))
+
+
 def title(number: int) -> str:
     return f"Part {number} of the whole"
 
@@ -85,12 +96,7 @@ def picture(number: int) -> str:
 
 
 def _section(number: int, part: int, random: Random, notation: Notation, following: int) -> str:
-    vocabulary = VOCABULARY.split()
-    words = iter(lambda: random.choice(vocabulary), "")
-
-    def some(count: int) -> str:
-        return " ".join(next(words) for _ in range(count))
-
+    some = _phrases(random)
     key = f"{number}-{part}"
     # No two alike: what was set or highlighted once must not serve twice.
     formulae = [f"{formula} + {number}_{{{part}}}" for formula in random.sample(FORMULAE, 2)]
@@ -112,3 +118,29 @@ def _section(number: int, part: int, random: Random, notation: Notation, followi
         told = {"right": f"It {some(3)}", "wrong": f"It {some(3)} not"}
         blocks.append(notation.question.format(n=key, ask=ask, **told))
     return "\n".join(blocks)
+
+
+def _plain_section(part: int, random: Random, following: int) -> str:
+    some = _phrases(random)
+    blocks = [
+        f"## Section {part} on {some(3)}\n",
+        f"The {some(40)}, with *{some(2)}* and **{some(1)}**.\n",
+        f"Then {some(60)}; see [what follows]({name(following)}.md).\n",
+        f"### Of {some(3)}\n",
+        f"- {some(12)}\n- {some(9)}\n- {some(11)}\n",
+        f"Then {some(50)}, as [others](https://example.org/{part}) have it.\n",
+        f"1. {some(8)}\n2. {some(14)}\n",
+        f"> The {some(20)}\n",
+        f"So {some(70)}.\n",
+    ]
+    return "\n".join(blocks)
+
+
+def _phrases(random: Random) -> Callable[[int], str]:
+    """Makes so many words."""
+    vocabulary = VOCABULARY.split()
+    return lambda count: " ".join(random.choice(vocabulary) for _ in range(count))
+
+
+BOOKS: dict[str, Chapter] = {"everything": chapter, "prose": plain_chapter}
+"""What is compared, each by itself: who sets no formulae is quick where there are some."""

@@ -5,7 +5,7 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from pathlib import Path
 
-from scale.text import MKDOCS, MYST, OURS, Notation, chapter, name, picture, picture_name, title
+from scale.text import BOOKS, MKDOCS, MYST, OURS, Notation, name, picture, picture_name, title
 
 FRONT_MATTER = "---\ntitle: {title}\nsummary: What part {n} says.\n---\n\n"
 BOOK = """\
@@ -90,14 +90,15 @@ BUILDERS = (
 )
 
 
-def write_book(builder: Builder, count: int, folder: Path) -> None:
-    """The sources of a book of ``count`` chapters."""
+def write_book(builder: Builder, count: int, folder: Path, kind: str = "everything") -> None:
+    """The sources of a book of ``count`` chapters, of one of the kinds of `BOOKS`."""
     for path, text in builder.others(count).items():
         _write(folder / path, text)
     for number in range(1, count + 1):
-        text = builder.begin(number) + chapter(number, count, builder.notation)
+        text = builder.begin(number) + BOOKS[kind](number, count, builder.notation)
         _write(folder / builder.content / f"{name(number)}.md", text)
-        _write(folder / builder.content / picture_name(number), picture(number))
+        if kind == "everything":
+            _write(folder / builder.content / picture_name(number), picture(number))
 
 
 def edit_line(builder: Builder, count: int, folder: Path, word: str) -> None:

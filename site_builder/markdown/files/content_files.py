@@ -4,8 +4,6 @@ import re
 from collections.abc import Callable, Sequence
 from pathlib import Path, PurePosixPath
 
-from PIL import Image
-
 from site_builder.diagnostics import unknown
 from site_builder.kept.keeper import reads_file
 from site_builder.markdown.reading import Reading
@@ -67,6 +65,8 @@ def picture_size(file: Path) -> Size | None:
 
 
 def _raster_size(file: Path) -> Size | None:
+    from PIL import Image  # not every book has such pictures
+
     try:
         with Image.open(file) as picture:
             return picture.size

@@ -2,14 +2,13 @@
 
 from functools import cache
 from html import escape
-
-from pygments import highlight
-from pygments.formatters import HtmlFormatter
-from pygments.lexers import get_lexer_by_name
-from pygments.util import ClassNotFound
+from typing import TYPE_CHECKING
 
 from site_builder.diagnostics import unknown
 from site_builder.kept.keeper import kept
+
+if TYPE_CHECKING:
+    from pygments.lexer import Lexer
 
 LANGUAGES = ("python", "console", "text", "bash", "javascript", "json", "toml", "markdown")
 
@@ -27,18 +26,26 @@ def code_html(code: str, language: str) -> str:
     return f"{opening}{body}\n</code></pre>\n"
 
 
-FORMATTER = HtmlFormatter(nowrap=True)
-_lexer = cache(get_lexer_by_name)
-"""It takes as long to make one as to colour some lines."""
+@cache
+def _lexer(language: str) -> "Lexer":
+    """It takes as long to make one as to colour some lines."""
+    from pygments.lexers import get_lexer_by_name
+
+    return get_lexer_by_name(language)
 
 
 @kept
 def highlighted_lines(code: str, language: str) -> list[str]:
     """Each line of ``code`` as HTML of its own. Raises `UnknownLanguageError`."""
+    # Not every book has code, and what is coloured is kept.
+    from pygments import highlight
+    from pygments.formatters import HtmlFormatter
+    from pygments.util import ClassNotFound
+
     try:
         lexer = _lexer(language)
     except ClassNotFound:
         raise UnknownLanguageError(unknown("language", language, LANGUAGES)) from None
     # Pygments closes its spans at the end of each line.
-    lines: list[str] = highlight(code, lexer, FORMATTER).rstrip("\n").split("\n")
+    lines: list[str] = highlight(code, lexer, HtmlFormatter(nowrap=True)).rstrip("\n").split("\n")
     return lines

@@ -5,9 +5,6 @@ from collections.abc import Iterator, Mapping, Sequence
 from functools import cache
 from graphlib import CycleError, TopologicalSorter
 
-from latex2mathml import commands
-from latex2mathml.symbols_parser import convert_symbol
-
 from site_builder.markdown.text.math import UnsupportedTexError, quoted
 from site_builder.markdown.text.tex_arguments import arguments
 
@@ -82,12 +79,16 @@ def _fault_of(name: str, body: object) -> str:
 
 @cache
 def _is_known(name: str) -> bool:
+    from latex2mathml.symbols_parser import convert_symbol  # here and below: few books have macros
+
     return convert_symbol(f"\\{name}") is not None or f"\\{name}" in _commands()
 
 
 @cache
 def _commands() -> frozenset[str]:
     """All that the converter's own lists name."""
+    from latex2mathml import commands
+
     lists = [value for key, value in vars(commands).items() if key.isupper()]
     names = (name for each in lists for name in ([each] if isinstance(each, str) else each))
     return frozenset(name for name in names if isinstance(name, str))

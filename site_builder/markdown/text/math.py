@@ -8,8 +8,6 @@ unknown operators wide spaces, and stretches all brackets of one row to the same
 import re
 from xml.etree import ElementTree
 
-from latex2mathml.converter import convert
-
 from simulations.engine import frame
 from site_builder.diagnostics import unknown
 from site_builder.kept.keeper import kept
@@ -55,6 +53,8 @@ class UnsupportedTexError(ValueError):
 @kept
 def to_mathml(tex: str, *, display: bool) -> str:
     """A ``<math>`` element. Raises `UnsupportedTexError`."""
+    from latex2mathml.converter import convert  # not every book has formulae, and they are kept
+
     _check_balance(tex)
     if not tex.strip():
         raise UnsupportedTexError(EMPTY)

@@ -25,6 +25,8 @@ STRAY = (
     ),
 )
 """What stands in running text only by mistake, and what would be legal."""
+IN_ANY = re.compile(r"[$`*\[:\d]")
+"""Each pattern asks for one of these, or for an appendix, and most lines have none."""
 FOOTNOTE = re.compile(r"[ >]*\[\^([^\]]+)\]:")
 PATTERNS = tuple((re.compile(pattern), legal) for pattern, legal in STRAY)
 
@@ -54,6 +56,8 @@ def stray_marks_rule(state: StateCore) -> None:
 
 
 def _in_text(text: str) -> Iterator[str]:
+    if not (IN_ANY.search(text) or "ppendix " in text):
+        return
     for pattern, legal in PATTERNS:
         if found := pattern.search(text):
             yield f"{found[1]!r} {legal}"

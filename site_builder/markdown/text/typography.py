@@ -15,12 +15,14 @@ REPLACEMENTS = (
     (re.compile(r"(?<!\.)\.\.\.(?!\.)"), "…"),
     (re.compile(rf"(?<=\d) (?=(?:{UNITS})\b)"), "\u00a0"),
 )
+IN_ANY = re.compile(r"[-.\d]")
+"""Each pattern asks for one of these."""
 
 
 def typography_rule(state: StateCore) -> None:
     """Replace in running text; code and formulae stay as they are."""
     for block in state.tokens:
         for token in block.children or ():
-            if token.type == "text":
+            if token.type == "text" and IN_ANY.search(token.content):
                 for pattern, character in REPLACEMENTS:
                     token.content = pattern.sub(character, token.content)

@@ -3,6 +3,7 @@
 import os
 import signal
 import time
+from functools import partial
 from importlib import import_module
 from pathlib import Path
 
@@ -98,3 +99,39 @@ def test_nothing_is_left_running() -> None:
         process = apart(os.getpid)
     with pytest.raises(ProcessLookupError):
         os.kill(process, 0)
+
+
+def test_what_can_be_told_is_done_by_one_process() -> None:
+    with limited(Limits()):
+        assert len({apart(os.getpid) for _ in range(3)}) == 1
+        assert apart(lambda: os.getpid()) != apart(os.getpid)
+
+
+def fail() -> None:
+    raise ValueError(os.getpid())
+
+
+def leave() -> None:
+    os.kill(os.getpid(), signal.SIGKILL)
+
+
+@pytest.mark.parametrize(("job", "error"), [(fail, ValueError), (leave, LimitError)])
+def test_after_a_failure_another_process_goes_on(job: object, error: type[Exception]) -> None:
+    with limited(Limits()):
+        before = apart(os.getpid)
+        with pytest.raises(error):
+            apart(job)  # type: ignore[arg-type]
+        assert apart(os.getpid) not in (before, os.getpid())
+
+
+def test_a_forked_process_has_one_of_its_own() -> None:
+    with limited(Limits()):
+        before = apart(os.getpid)
+        assert apart(lambda: apart(os.getpid)) != before
+        assert apart(os.getpid) == before
+
+
+def test_much_is_told_and_comes_back() -> None:
+    with limited(Limits()):
+        many = np.arange(1_000_000)
+        assert (apart(partial(np.flip, many)) == many[::-1]).all()

@@ -68,16 +68,26 @@ def test_of_more_than_a_pipe_can_count_all_are_made(monkeypatch: pytest.MonkeyPa
     assert HERE not in {maker(number) for number in range(5)}
 
 
-@pytest.mark.usefixtures("keeper")
-def test_answers_come_in_the_order_of_what_was_asked() -> None:
-    @kept
-    def tens(number: int) -> tuple[int, int]:
-        return 10 * number, os.getpid()
+@kept
+def tens(number: int) -> tuple[int, int]:
+    return 10 * number, os.getpid()
 
+
+@pytest.mark.usefixtures("keeper")
+def test_answers_come_in_the_order_of_what_was_asked(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(ahead, "TRIED_S", 0)
+    monkeypatch.setattr(ahead, "WORTH_S", 0)
     tens(1)
-    found = ahead.answers([partial(tens, number) for number in (3, 1, 2)])
-    assert [value for value, _ in found] == [30, 10, 20]
-    assert [process == HERE for _, process in found] == [False, True, False]
+    found = ahead.answers([partial(tens, number) for number in (3, 1, 2, 5, 4)], lambda at: at + 1)
+    assert [value for value, _ in found] == [30, 10, 20, 50, 40]
+    made_here = [process == HERE for _, process in found]
+    assert made_here == [True, True, False, False, False]  # the lightest is tried
+
+
+@pytest.mark.usefixtures("keeper")
+def test_for_what_is_soon_done_no_process_is_begun() -> None:
+    found = ahead.answers([partial(tens, number) for number in range(9)])
+    assert {process for _, process in found} == {HERE}
 
 
 def test_where_all_is_kept_no_process_is_begun(keeper: Keeper) -> None:
