@@ -1,5 +1,6 @@
 """Fixtures that tests of several folders share."""
 
+import gc
 import json
 import os
 import subprocess
@@ -13,7 +14,7 @@ import pytest
 from hypothesis import settings
 from playwright.sync_api import Browser, expect, sync_playwright
 from support.built import built_once
-from support.chromium import HOW_TO, find_chromium, launch_arguments
+from support.chromium import HOW_TO, find_chromium, find_headless_shell, launch_arguments
 from support.reader import DESK, Reader, visit
 from support.static_server import StaticServer, serving
 from support.turns import Turn, deal
@@ -40,6 +41,12 @@ def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
         for item in items:
             if marked(item, "browser"):
                 item.add_marker(pytest.mark.flaky(reruns=1))
+
+
+def pytest_collection_finish() -> None:
+    """What was collected lives to the end: the collector of garbage need not look at it again."""
+    gc.collect()
+    gc.freeze()
 
 
 def turn(item: pytest.Item) -> Turn:
@@ -104,13 +111,20 @@ def server(site_server: StaticServer) -> Iterator[StaticServer]:
 
 
 @pytest.fixture(scope="session")
-def launch() -> Iterator[Callable[..., Browser]]:
+def whole_browser() -> Path:
+    """For tests of what a browser without a window lacks, such as keeping a page that was left."""
+    found = find_chromium()
+    assert found, HOW_TO
+    return found
+
+
+@pytest.fixture(scope="session")
+def launch(whole_browser: Path) -> Iterator[Callable[..., Browser]]:
     """Starts a browser with these arguments beside those that it needs."""
-    executable = find_chromium()
-    assert executable, HOW_TO
+    usual = {"executable_path": find_headless_shell() or whole_browser}
     with sync_playwright() as playwright:
         yield lambda *arguments, **options: playwright.chromium.launch(
-            executable_path=executable, args=[*launch_arguments(), *arguments], **options
+            args=[*launch_arguments(), *arguments], **{**usual, **options}
         )
 
 
@@ -150,7 +164,7 @@ def visitor(long_visit: Reader) -> Iterator[Reader]:
     keeps for the book, and the size of its window.
     """
     long_visit.page.set_viewport_size(DESK)
-    long_visit.turn_to("licences/", live=False)
+    long_visit.turn_to("lecture-plan/", live=False)  # the lightest page
     long_visit.forget()
     yield long_visit
     long_visit.assert_no_complaints()

@@ -86,9 +86,11 @@ def next_release(release: Path, tmp_path_factory: pytest.TempPathFactory) -> Pat
 
 
 def test_after_one_visit_every_page_opens_without_a_network(kept: Reader, book: Any) -> None:
-    for chapter in book["chapters"]:
-        kept.page.goto(kept.root + chapter["url"])
-        assert chapter["title"] in kept.page.title()
+    with kept.page.context.new_page() as page:
+        page.add_init_script("delete globalThis.WebAssembly")  # for Python see the next test
+        for chapter in book["chapters"]:
+            page.goto(kept.root + chapter["url"])
+            assert chapter["title"] in page.title()
 
 
 def test_a_figure_comes_alive_without_a_network(kept: Reader, book: Any) -> None:

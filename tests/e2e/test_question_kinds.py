@@ -6,7 +6,7 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from playwright.sync_api import Locator
+from playwright.sync_api import Locator, expect
 from support.reader import Reader
 
 pytestmark = pytest.mark.browser
@@ -182,7 +182,7 @@ def test_progress_is_carried_over_as_a_file(
     page.reload()
     assert form.get_attribute("data-answered") is None
     give(plain_reader, file)
-    assert "1 answer" in section.locator(".progress-said").inner_text()
+    expect(section.locator(".progress-said")).to_contain_text("1 answer")
     assert form.get_attribute("data-answered") == "correct"
 
 

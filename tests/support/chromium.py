@@ -4,10 +4,12 @@ import os
 import shutil
 import subprocess
 import sys
+from collections.abc import Callable, Sequence
+from pathlib import Path
 
 from site_builder.editions.chromium import find_chromium, launch_arguments
 
-__all__ = ["find_chromium", "launch_arguments"]
+__all__ = ["find_chromium", "find_headless_shell", "launch_arguments"]
 
 HOW_TO = (
     "the browser tests need Chromium, and none could be found or installed; "
@@ -15,30 +17,51 @@ HOW_TO = (
 )
 
 
+SHELL = "chromium-headless-shell"
+
+
+def find_headless_shell() -> Path | None:
+    """The system's Chromium that has no window to draw, if it is installed.
+
+    It opens and paints the same pages with a quarter less work.
+    """
+    found = shutil.which(SHELL)
+    return Path(found) if found else None
+
+
 def install_commands() -> list[list[str]]:
     """Ways to get a browser, the least intrusive first."""
-    commands = [[sys.executable, "-m", "playwright", "install", "chromium"]]
-    if shutil.which("apt-get"):
-        if os.geteuid() == 0:
-            elevate: list[str] | None = []
-        else:
-            elevate = ["sudo", "-n"] if shutil.which("sudo") else None
-        if elevate is not None:
-            commands.append([*elevate, "apt-get", "update", "-qq"])
-            commands.append([*elevate, "apt-get", "install", "-y", "-qq", "chromium"])
-    return commands
+    return [[sys.executable, "-m", "playwright", "install", "chromium"], *packaged("chromium")]
+
+
+def packaged(name: str) -> list[list[str]]:
+    """How to install a package of the system's, where that is ours to do."""
+    if not shutil.which("apt-get"):
+        return []
+    elevate = [] if os.geteuid() == 0 else ["sudo", "-n"]
+    if elevate and not shutil.which("sudo"):
+        return []
+    apt = [*elevate, "apt-get"]
+    return [[*apt, "update", "-qq"], [*apt, "install", "-y", "-qq", name]]
 
 
 def main() -> int:
-    found = find_chromium()
-    for command in install_commands():
+    found = get(find_chromium, install_commands())
+    shell = get(find_headless_shell, packaged(SHELL)) if found else None
+    print(f"Chromium for the browser tests: {shell or found}" if found else HOW_TO)
+    return 0 if found else 1
+
+
+def get(find: Callable[[], Path | None], commands: Sequence[Sequence[str]]) -> Path | None:
+    """What is found, at first or after one of the commands."""
+    found = find()
+    for command in commands:
         if found:
             break
-        print("no Chromium yet; trying:", " ".join(command), flush=True)
+        print("not found yet; trying:", " ".join(command), flush=True)
         subprocess.run(command, check=False)
-        found = find_chromium()
-    print(f"Chromium for the browser tests: {found}" if found else HOW_TO)
-    return 0 if found else 1
+        found = find()
+    return found
 
 
 if __name__ == "__main__":
