@@ -33,14 +33,13 @@ expect.set_options(timeout=30_000)  # a machine that is busy answers late
 def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
     """In an order that keeps all workers busy to the end: see `support.turns`.
 
-    A test in a browser that fails is tried once more under continuous integration, and told of:
-    there other work can starve it for seconds.
+    A test that fails is tried once more under continuous integration, and told of: other work there
+    can starve browsers, servers and builds for seconds. What is wrong fails again: none draws lots.
     """
     items[:] = deal(items, int(os.environ.get("PYTEST_XDIST_WORKER_COUNT", 1)), turn)
     if os.environ.get("CI"):
         for item in items:
-            if marked(item, "browser"):
-                item.add_marker(pytest.mark.flaky(reruns=1))
+            item.add_marker(pytest.mark.flaky(reruns=1))
 
 
 def pytest_collection_finish() -> None:

@@ -7,6 +7,7 @@ and the share of those is held; text and drawings are rounded and must be equal.
 
 import base64
 import json
+from hashlib import sha256
 from typing import Any
 
 import numpy as np
@@ -22,33 +23,35 @@ pytestmark = pytest.mark.browser
 
 LARGEST_SHARE_OF_DIFFERENT_CODES = 1e-3
 
-RENDER = """async ([figure, scene, values, tier]) => {
+RENDER = """async ([figure, scene, values, tier, digests]) => {
   const url = new URL(document.body.dataset.assets + 'js/runtime/runtime.js', location.href);
   const {sharedRuntime} = await import(url);
   const reply = await sharedRuntime().call('render', {figure, scene, values, tier});
-  const encode = (buffer) => new Promise((resolve) => {
-    const reader = new FileReader();
-    reader.onload = () => resolve(reader.result.split(',')[1] ?? '');
-    reader.readAsDataURL(new Blob([buffer]));
-  });
+  const encode = async (buffer, number) => {
+    const digest = new Uint8Array(await crypto.subtle.digest('SHA-256', buffer)).toHex();
+    return digest === digests[number] ? null : new Uint8Array(buffer).toBase64();
+  };
   return {meta: reply.meta, rasters: await Promise.all(reply.rasters.map(encode))};
 }"""
+"""A raster with the digest that is given is not sent: most have the same bytes."""
 
 
 @pytest.mark.parametrize("scene_id", SCENE_MODULES)
 def test_scene_is_the_same_in_the_browser(visitor: Reader, scene_id: str) -> None:
     visitor.page.evaluate(
-        RENDER, [f"{scene_id}-ahead", scene_id, "{}", ""]
+        RENDER, [f"{scene_id}-ahead", scene_id, "{}", "", []]
     )  # takes what was computed ahead
     for values, tier in settings(load_scene(scene_id)):
         given = json.dumps(values)
         ours = native.render(scene_id, scene_id, given, tier)
-        theirs = visitor.page.evaluate(RENDER, [scene_id, scene_id, given, tier])
+        digests = [sha256(raster.tobytes()).hexdigest() for raster in ours.rasters]
+        theirs = visitor.page.evaluate(RENDER, [scene_id, scene_id, given, tier, digests])
         where = f"{scene_id} {given} {tier}"
         assert json.loads(theirs["meta"]) == json.loads(ours.meta), where
         assert len(theirs["rasters"]) == len(ours.rasters), where
         for raster, encoded in zip(ours.rasters, theirs["rasters"], strict=True):
-            _assert_same_pixels(raster, base64.b64decode(encoded), where)
+            if encoded is not None:
+                _assert_same_pixels(raster, base64.b64decode(encoded), where)
 
 
 def settings(scene: Scene[Any]) -> list[tuple[dict[str, Any], str]]:
