@@ -24,6 +24,7 @@ from site_builder.checks.purity import check_purity
 from site_builder.checks.whole_book import check_book
 from site_builder.diagnostics import BuildError, Diagnostic, Diagnostics
 from site_builder.editor.bundle import EditorBundle, EditorBundleError, bundle_editor
+from site_builder.editor.npm import NodeError
 from site_builder.editor.sources import scene_sources
 from site_builder.kept.ahead import Ask, helpers
 from site_builder.kept.keeper import kept_as, reads_folder
@@ -32,6 +33,7 @@ from site_builder.measured.measurements import read_measurements
 from site_builder.offline.manifest import MANIFEST, manifest
 from site_builder.offline.release import no_release, release_files
 from site_builder.output.assets import hashed_folder
+from site_builder.output.joined_scripts import join_scripts
 from site_builder.output.writer import write_site
 from site_builder.pages.catalogue import catalogue
 from site_builder.pages.licences import Licence, gather_licences
@@ -48,7 +50,15 @@ from site_builder.search.index import ADDRESS as SEARCH_INDEX
 from site_builder.search.index import index_of
 from site_builder.search.library import SearchLibrary, SearchLibraryError, fetch_library
 from site_builder.search.records import Record, explained_terms, make_records, read_page
-from site_builder.site_assets import NOW, Files, gather_assets, handed_out, in_page, strips_of
+from site_builder.site_assets import (
+    NOW,
+    SCRIPT,
+    Files,
+    gather_assets,
+    handed_out,
+    in_page,
+    strips_of,
+)
 from site_builder.source import read_book
 from site_builder.tools import tools
 
@@ -144,7 +154,9 @@ def render_parts(options: Options) -> RenderedSite:
         **make_icons(options.root),
     }
     folder = NOW if options.reload else ""
-    assets, asset_files = gather_assets(book, options.root, pictures, made, folder)
+    # While the book is written, a changed script is sent by itself.
+    join: Callable[[Files], Files] = dict if folder else partial(_joined, options)
+    assets, asset_files = gather_assets(book, options.root, pictures, made, folder, join)
     site = Site(
         options.root, book, stills, assets, runtime, code_editor=bool(editor.script),
         # A changed scene would change all pages that say what it was.
@@ -251,6 +263,17 @@ def _editor(options: Options, book: Book) -> EditorBundle:
         told = f"the figures' Python can be read but not edited, for want of the editor: {error}"
         options.warn(Diagnostic("site_builder/editor/package-lock.json", 1, told, fails=False))
         return EditorBundle()
+
+
+def _joined(options: Options, files: Files) -> Files:
+    """With the page's scripts in few files; where what joins them cannot be had, a warning, and
+    pages load them one by one."""
+    try:
+        return join_scripts(files, SCRIPT)
+    except NodeError as error:
+        told = f"pages load somewhat later, since their scripts could not be joined: {error}"
+        options.warn(Diagnostic("site_builder/editor/package-lock.json", 1, told, fails=False))
+        return files
 
 
 def _search_library(options: Options, book: Book) -> SearchLibrary:

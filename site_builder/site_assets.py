@@ -1,6 +1,6 @@
 """Style sheets, scripts, fonts and pictures: what pages have beside them, in one folder."""
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from pathlib import Path
 from typing import Any
 
@@ -36,15 +36,22 @@ type Files = Mapping[str, Content]
 
 
 def gather_assets(
-    book: Book, root: Path, pictures: Mapping[str, bytes], made: Files, folder: str = ""
+    book: Book,
+    root: Path,
+    pictures: Mapping[str, bytes],
+    made: Files,
+    folder: str = "",
+    join: Callable[[Files], Files] = dict,
 ) -> tuple[str, Files]:
     """Style sheets, scripts, fonts, stills, the author's pictures, what opens the figures' Python
-    and what searches, in one folder: ``folder``, or one that is named by what is in it."""
+    and what searches, in one folder: ``folder``, or one that is named by what is in it. The
+    engine's own are handed through ``join``."""
     content = folder_files(root / "content")
     # While the book is written, a new letter in a formula is to change no style sheet.
     used = () if folder else (used_maths(formula_characters(book)),)
+    static = folder_files(own_or_engine(root, "static"))
     files: Files = {
-        **_engine_files(book, folder_files(own_or_engine(root, "static")), used),
+        **join(_engine_files(book, static, used)),
         **{
             f"fonts/{name}": data
             for name, data in subset_fonts((*chosen_faces(book.settings, root), *used)).items()

@@ -16,6 +16,7 @@ const { metafile } = await build({
   minify: true,
   legalComments: "none", // the page of licences has them in full
   metafile: true,
+  preserveSymlinks: true, // packages are told apart by their places below `node_modules`
   target: "es2022",
 });
 const [output] = Object.values(metafile.outputs);

@@ -9,7 +9,7 @@ from pathlib import Path
 
 from platformdirs import user_cache_path
 
-from site_builder.editor.npm import HERE, NodeError, install_packages, run_node
+from site_builder.editor.npm import HERE, NodeError, installed_packages, run_node
 from site_builder.runtime.store import made_once, sha256
 
 INGREDIENTS = ("package.json", "package-lock.json", "bundle.mjs", "code_editor.js")
@@ -60,9 +60,10 @@ def _make() -> Mapping[str, bytes]:
     with tempfile.TemporaryDirectory() as scratch:
         folder = Path(scratch)
         try:
-            install_packages(HERE, folder)
+            packages = installed_packages(HERE) / "node_modules"
         except NodeError as error:
             raise EditorBundleError(f"its packages could not be had from npm: {error}") from None
+        (folder / "node_modules").symlink_to(packages, target_is_directory=True)
         for name in ("bundle.mjs", "code_editor.js"):
             shutil.copyfile(HERE / name, folder / name)
         try:

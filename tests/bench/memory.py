@@ -43,8 +43,8 @@ print(pyodide_js._module.HEAPU8.length)
 """
 """Told while the edited module is executed, which it is anew for every other text."""
 ASK = """async ([edits]) => {
-  const url = new URL(document.body.dataset.assets + 'js/runtime/runtime.js', location.href);
-  const runtime = (await import(url)).sharedRuntime();
+  const {inside} = await customElements.whenDefined('simulation-figure');
+  const runtime = inside.sharedRuntime();
   const frame = {figure: 'memory', scene: 'lens-distortion', values: '{}', tier: '', edits};
   return await runtime.call('renderEdited', frame);
 }"""

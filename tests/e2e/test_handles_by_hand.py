@@ -48,8 +48,8 @@ def test_every_handle_moves_its_settings_and_goes_along(
 
 
 PULLED = """async () => {
-  const url = new URL(document.body.dataset.assets + 'js/runtime/runtime.js', location.href);
-  const runtime = (await import(url)).sharedRuntime();
+  const {inside} = await customElements.whenDefined('simulation-figure');
+  const runtime = inside.sharedRuntime();
   for (let pull = 0; pull < 3; pull += 1) await runtime.call('forget', {figure: ''}, () => 3);
 }"""
 """Wait until all pulls are answered: one that is asked, the one that waits for it, and the last

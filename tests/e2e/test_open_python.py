@@ -12,8 +12,7 @@ CHAPTER = "lens-distortion/"
 """Has two figures of one scene with stages."""
 NEGATIVE = "def _encoded(photo):\n    return to_rgba8(encode_srgb_table(1 - photo.linear))\n"
 LIMIT = """async (ms) => {
-  const url = new URL(document.body.dataset.assets + 'js/editor/edited_runtime.js', location.href);
-  const {LIMITS} = await import(url);
+  const {LIMITS} = (await customElements.whenDefined('simulation-figure')).inside;
   const before = LIMITS.edited;
   LIMITS.edited = ms;
   return before;

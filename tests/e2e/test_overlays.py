@@ -13,8 +13,7 @@ from simulations.registry import SCENE_MODULES, load_scene
 pytestmark = pytest.mark.browser
 
 SHOW = """async ([sequences, look]) => {
-  const url = new URL(`${document.body.dataset.assets}js/figure/overlay.js`, location.href);
-  const { Overlay } = await import(url);
+  const { Overlay } = (await customElements.whenDefined('simulation-figure')).inside;
   const svg = () => document.createElementNS("http://www.w3.org/2000/svg", "svg");
   const looks = { wrong, kept };
   return sequences.flatMap(looks[look]);

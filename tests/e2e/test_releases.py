@@ -15,8 +15,8 @@ FRUGAL = """Object.defineProperty(navigator, 'connection', {value: {saveData: tr
 sessionStorage.setItem('image-formation:asked', 'yes')"""
 """Python is asked for, but nothing is fetched for a page that may come."""
 ASK = """async (part) => {
-  const url = new URL(document.body.dataset.assets + 'js/runtime/runtime.js', location.href);
-  const runtime = (await import(url)).sharedRuntime();
+  const {inside} = await customElements.whenDefined('simulation-figure');
+  const runtime = inside.sharedRuntime();
   const asked = {ladder: 'shading', tier: 'any', budget: 0.001};
   return runtime.call('measure', asked).then(() => '', (error) => error.message);
 }"""

@@ -11,8 +11,7 @@ from support.static_server import StaticServer
 pytestmark = pytest.mark.browser
 
 HASTE = """async (ms) => {
-  const url = new URL(document.body.dataset.assets + 'js/runtime/patience.js', location.href);
-  const {Patience} = await import(url);
+  const {Patience} = (await customElements.whenDefined('simulation-figure')).inside;
   const usual = Patience.prototype.limit;
   Patience.prototype.limit = function (name, scene) {
     if (name !== 'render') return usual.call(this, name, scene);
@@ -23,8 +22,8 @@ HASTE = """async (ms) => {
 """Of the wait for the next frame: how long that is else, `test_watchdog.py` asks."""
 
 HARM = """async (edits) => {
-  const url = new URL(document.body.dataset.assets + 'js/runtime/runtime.js', location.href);
-  const runtime = (await import(url)).sharedRuntime();
+  const {inside} = await customElements.whenDefined('simulation-figure');
+  const runtime = inside.sharedRuntime();
   const frame = {figure: 'figure-x', scene: 'lens-distortion', values: '{}', tier: '', edits};
   await runtime.call('forget', {figure: ''}, () => -1); // nothing else is on its way to the harm
   return (await runtime.call('renderEdited', frame)).problem;
@@ -147,8 +146,8 @@ WHOLE = """() => {
 
 
 ANSWERS = """async (calls) => {
-  const url = new URL(document.body.dataset.assets + 'js/runtime/runtime.js', location.href);
-  const runtime = (await import(url)).sharedRuntime();
+  const {inside} = await customElements.whenDefined('simulation-figure');
+  const runtime = inside.sharedRuntime();
   const answers = [];
   for (const [name, payload] of calls) {
     answers.push(await runtime.call(name, payload)

@@ -17,8 +17,7 @@ pytestmark = pytest.mark.browser
 
 AT_ONCE = {"python", "numpy", "core"}
 CALL = """async ([name, payload]) => {
-  const url = new URL(document.body.dataset.assets + 'js/runtime/runtime.js', location.href);
-  const {sharedRuntime} = await import(url);
+  const {sharedRuntime} = (await customElements.whenDefined('simulation-figure')).inside;
   return sharedRuntime().call(name, payload);
 }"""
 

@@ -8,8 +8,8 @@ from support.reader import Reader, chapter_of
 pytestmark = pytest.mark.browser
 
 NOTE = """async () => {
-  const url = new URL(`${document.body.dataset.assets}js/runtime/runtime.js`, location.href);
-  const runtime = (await import(url)).sharedRuntime();
+  const {inside} = await customElements.whenDefined('simulation-figure');
+  const runtime = inside.sharedRuntime();
   const call = runtime.call.bind(runtime);
   window.calls = [];
   runtime.call = async (name, payload, urgency) => {
@@ -25,8 +25,8 @@ WARMED = "scenes => scenes.every(scene => calls.some(" + (
 )
 STAGES = """async scene => {
   const figure = document.querySelector(`simulation-figure[data-simulation="${scene}"]`);
-  const url = new URL(`${document.body.dataset.assets}js/runtime/runtime.js`, location.href);
-  const runtime = (await import(url)).sharedRuntime();
+  const {inside} = await customElements.whenDefined('simulation-figure');
+  const runtime = inside.sharedRuntime();
   return (await new Promise(resolve => {
     const call = runtime.call.bind(runtime);
     runtime.call = async (name, payload, urgency) => {

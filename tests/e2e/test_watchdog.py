@@ -12,8 +12,7 @@ from support.reader import Reader
 pytestmark = pytest.mark.browser
 
 BEGIN = """async (importMs) => {
-  const url = new URL(document.body.dataset.assets + 'js/runtime/runtime.js', location.href);
-  const {Runtime} = await import(url);
+  const {Runtime} = (await customElements.whenDefined('simulation-figure')).inside;
   window.ended = 0;
   window.Worker = class {
     postMessage({id, call}) {

@@ -24,8 +24,7 @@ pytestmark = pytest.mark.browser
 LARGEST_SHARE_OF_DIFFERENT_CODES = 1e-3
 
 RENDER = """async ([figure, scene, values, tier, digests]) => {
-  const url = new URL(document.body.dataset.assets + 'js/runtime/runtime.js', location.href);
-  const {sharedRuntime} = await import(url);
+  const {sharedRuntime} = (await customElements.whenDefined('simulation-figure')).inside;
   const reply = await sharedRuntime().call('render', {figure, scene, values, tier});
   const encode = async (buffer, number) => {
     const digest = new Uint8Array(await crypto.subtle.digest('SHA-256', buffer)).toHex();

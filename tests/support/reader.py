@@ -260,8 +260,8 @@ OFFER = """(url) => {
 }"""
 
 SETTLE = """async (figure) => {
-  const url = new URL(document.body.dataset.assets + 'js/runtime/runtime.js', location.href);
-  const runtime = (await import(url)).sharedRuntime();
+  const {inside} = await customElements.whenDefined('simulation-figure');
+  const runtime = inside.sharedRuntime();
   const frame = () => new Promise(requestAnimationFrame);
   for (let quiet = 0, frames = figure.dataset.frames; quiet < 2; ) {
     for (const play of figure.querySelectorAll('button[data-state="1"]')) {
@@ -279,8 +279,7 @@ SETTLE = """async (figure) => {
 }"""
 
 PUT_BACK = """async (figure) => {
-  const url = new URL(document.body.dataset.assets + 'js/figure/controls.js', location.href);
-  const {moveControls} = await import(url);
+  const {moveControls} = (await customElements.whenDefined('simulation-figure')).inside;
   const {controls, values} = JSON.parse(figure.querySelector('script.schema').textContent);
   moveControls(figure.querySelector('form.controls'), controls, values, 'change');
 }"""

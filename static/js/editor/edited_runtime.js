@@ -3,6 +3,7 @@
  * there, the book's interpreter and all other figures never meet it.
  */
 
+import { LIMITS } from "../runtime/patience.js";
 import { Runtime, RuntimeFailure, closed } from "../runtime/runtime.js";
 import { told, words } from "../page/words.js";
 
@@ -10,8 +11,6 @@ import { told, words } from "../page/words.js";
 /** @import { Said } from "../page/words.js" */
 /** @typedef {{message: string | Said, definition: string, line: number}} Problem */
 
-/** Longest that edited code may take for a frame, in milliseconds. */
-export const LIMITS = { edited: 5000 };
 /** Where the book's own code takes long: how many times as long edited code may. */
 const TIMES = 10;
 

@@ -4,8 +4,11 @@ import { message } from "../errors.js";
 import { one, within } from "../page/dom.js";
 import { offerRelease } from "../page/release.js";
 import { recall } from "../page/storage.js";
+import { LIMITS, Patience } from "../runtime/patience.js";
 import { Runtime, sharedRuntime } from "../runtime/runtime.js";
+import { moveControls } from "./controls.js";
 import { LiveFigure } from "./live.js";
+import { Overlay } from "./overlay.js";
 import { say } from "./status.js";
 import { isSparing } from "../page/sparing.js";
 import { words } from "../page/words.js";
@@ -13,6 +16,11 @@ import { words } from "../page/words.js";
 /** @import { Workshop } from "../editor/workshop.js" */
 
 export class SimulationFigure extends HTMLElement {
+  /**
+   * What figures run on, for who drives a page from outside, as tests do: a page's scripts are joined,
+   * and no address leads to one of them.
+   */
+  static inside = { LIMITS, Overlay, Patience, Runtime, moveControls, sharedRuntime };
   /** @type {LiveFigure | null} */
   #live = null;
   /** @type {Promise<Workshop> | null} Where the reader opened the figure's Python, now or before. */

@@ -2,7 +2,8 @@
 
 /**
  * Longest wait for an answer in milliseconds, on a machine of usual speed. `first`: of a scene's
- * first call, which imports it. Starting includes the download, which may be slow on any machine.
+ * first call, which imports it. `edited`: of a frame by the reader's own code. Starting includes the
+ * download, which may be slow on any machine.
  *
  * @type {Record<string, number>}
  */
@@ -13,6 +14,7 @@ export const LIMITS = {
   warm: 10_000,
   render: 10_000,
   renderEdited: 10_000,
+  edited: 5000,
   pull: 10_000,
   photograph: 10_000,
   error: 10_000,

@@ -10,9 +10,10 @@ import pytest
 from site_builder import browser_python, build
 from site_builder.build import render_site
 from site_builder.diagnostics import Diagnostic
-from site_builder.editor import bundle
+from site_builder.editor import bundle, npm
 from site_builder.editor.bundle import EditorBundle, EditorBundleError, Package, bundle_editor
-from site_builder.editor.npm import HERE, NodeError, run_node
+from site_builder.editor.npm import HERE, NodeError, installed_packages, run_node
+from site_builder.output import joined_scripts
 from site_builder.pages.licences import gather_licences
 from site_builder.runtime.pack import RuntimeBundle
 from site_builder.runtime.pinned import VERSIONS
@@ -79,6 +80,43 @@ def test_without_the_editor_the_book_is_built_and_says_so(
     (told,) = [str(item) for item in warnings if "editor" in item.path]
     assert "warning: the figures' Python can be read but not edited" in told
     assert "no network" in told
+
+
+def test_without_what_joins_scripts_pages_load_them_one_by_one_and_the_author_is_told(
+    make_book: Callable[..., build.Options], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def refuse(_folder: Path) -> Path:
+        raise NodeError("no network")
+
+    monkeypatch.setattr(joined_scripts, "installed_packages", refuse)
+    monkeypatch.setattr(joined_scripts, "made_once", lambda _folder, _recipe, make: make())
+    scripts = {
+        "static/js/main.js": 'import "./page/lamp.js";\n',
+        "static/js/page/lamp.js": "export {};\n",
+    }
+    warnings: list[Diagnostic] = []
+    files = render_site(replace(make_book(files=scripts), warn=warnings.append))
+    assert any(name.endswith("js/page/lamp.js") for name in files)
+    page = files["first/index.html"]
+    assert isinstance(page, bytes)
+    assert b"js/page/lamp.js" in page
+    (told,) = (str(item) for item in warnings)
+    assert "warning: pages load somewhat later" in told
+    assert "no network" in told
+
+
+def test_packages_are_installed_once_and_kept(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def install(_lock: Path, target: Path) -> None:
+        (target / "node_modules" / "esbuild").mkdir(parents=True)
+
+    monkeypatch.setattr(npm, "install_packages", install)
+    folder = installed_packages(HERE, tmp_path)
+    assert (folder / "node_modules" / "esbuild").is_dir()
+    monkeypatch.delattr(npm, "install_packages")
+    assert installed_packages(HERE, tmp_path) == folder
+    assert [*tmp_path.iterdir()] == [folder], "nothing else is left behind"
 
 
 def test_a_licence_that_several_packages_share_is_shown_once_below_their_names() -> None:

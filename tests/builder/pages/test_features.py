@@ -3,6 +3,9 @@
 from collections.abc import Callable
 from pathlib import Path
 
+import pytest
+
+from site_builder import build
 from site_builder.build import Options, render_site
 from site_builder.kept.files import folder_files
 from site_builder.markdown.directives import DIRECTIVES
@@ -22,6 +25,12 @@ PLAIN = {
     **{f"static/{name}": None for name in OWN_STATIC},
 }
 QUESTION = ":::{quiz} sum\nOne and one?\n- [x] Two\n  : Yes.\n- [ ] One\n  : No.\n:::\n"
+
+
+@pytest.fixture(autouse=True)
+def one_by_one(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Scripts are not joined, so that it can be seen which there are."""
+    monkeypatch.setattr(build, "join_scripts", lambda files, _entry: files)
 
 
 def shipped(options: Options) -> dict[str, str]:
