@@ -2,35 +2,57 @@
 says the same."""
 
 import json
+import shutil
+from collections.abc import Iterator
 from dataclasses import asdict
 from math import inf
+from pathlib import Path
 from typing import Any
 
 import pytest
-from support.reader import Reader
+from playwright.sync_api import Browser, Page
+from support.static_server import serving
 
 from simulations.engine.controls import Slider, describe
 from simulations.engine.frame import Frame, Panel, StageReport, to_json
 from simulations.engine.said import Said
 from simulations.registry import SCENE_MODULES, load_scene
 from site_builder.charts.axes import linear_axis, log_axis
+from site_builder.diagnostics import Diagnostics
 from site_builder.languages.words import ENGLISH
 from site_builder.measured.quantities import milliseconds, with_unit
+from site_builder.output.book_files import book_script
 from site_builder.pages.views.control import value_text
 from site_builder.pages.views.simulation import count_stages, reason_text
+from site_builder.settings.reading import read_settings
 
 pytestmark = pytest.mark.browser
 
+ROOT = Path(__file__).parents[2]
 CALL = """async ([module, name, calls]) => {
-  const url = new URL(`${document.body.dataset.assets}js/${module}.js`, location.href);
+  const url = new URL(`js/${module}.js`, location.href);
   const twin = (await import(url))[name];
   return calls.map((given) => twin(...given));
 }"""
 
 
-def ask(visitor: Reader, module: str, name: str, calls: list[list[Any]]) -> list[Any]:
+@pytest.fixture(scope="module")
+def page(brisk_chromium: Browser, tmp_path_factory: pytest.TempPathFactory) -> Iterator[Page]:
+    """An empty page beside the scripts as they are written: in the book they are joined, and no
+    address leads to one."""
+    folder = tmp_path_factory.mktemp("scripts")
+    shutil.copytree(ROOT / "static" / "js", folder / "js")
+    settings, _ = read_settings(ROOT, Diagnostics())
+    (folder / "js" / "book.js").write_bytes(book_script(settings, ENGLISH))
+    (folder / "index.html").write_text("<!DOCTYPE html><title>Scripts</title>", encoding="utf-8")
+    with serving(folder) as server, brisk_chromium.new_page() as page:
+        page.goto(server.url)
+        yield page
+
+
+def ask(page: Page, module: str, name: str, calls: list[list[Any]]) -> list[Any]:
     """What the function ``name`` of a script answers to each list of arguments."""
-    return list(visitor.page.evaluate(CALL, [module, name, calls]))
+    return list(page.evaluate(CALL, [module, name, calls]))
 
 
 def sent(*stages: StageReport) -> list[Any]:
@@ -39,7 +61,7 @@ def sent(*stages: StageReport) -> list[Any]:
     return list(json.loads(to_json(frame))["stages"])
 
 
-def test_the_value_beside_a_slider(visitor: Reader) -> None:
+def test_the_value_beside_a_slider(page: Page) -> None:
     calls, texts = [], []
     for scene_id in SCENE_MODULES:
         for control in load_scene(scene_id).controls:
@@ -48,16 +70,16 @@ def test_the_value_beside_a_slider(visitor: Reader) -> None:
                 for value in (control.minimum, nearest, control.default, control.maximum):
                     calls.append([describe(control), value])
                     texts.append(value_text(control, value))
-    assert ask(visitor, "figure/controls", "formatValue", calls) == texts
+    assert ask(page, "figure/controls", "formatValue", calls) == texts
 
 
-def test_a_number_and_its_unit(visitor: Reader) -> None:
+def test_a_number_and_its_unit(page: Page) -> None:
     calls = [["16.0", "px"], ["30", "°"], ["none", ""], ["0.3", "codes of 255"]]
     texts = [with_unit(text, unit) for text, unit in calls]
-    assert ask(visitor, "page/text", "withUnit", calls) == texts
+    assert ask(page, "page/text", "withUnit", calls) == texts
 
 
-def test_milliseconds_in_the_table_of_a_ladder(visitor: Reader) -> None:
+def test_milliseconds_in_the_table_of_a_ladder(page: Page) -> None:
     times = [
         0.0,
         0.00123,
@@ -74,19 +96,19 @@ def test_milliseconds_in_the_table_of_a_ladder(visitor: Reader) -> None:
         56789.0,
     ]
     texts = [milliseconds(time) for time in times]
-    assert ask(visitor, "ladder/bench", "milliseconds", [[time] for time in times]) == texts
+    assert ask(page, "ladder/bench", "milliseconds", [[time] for time in times]) == texts
 
 
 @pytest.mark.parametrize(
     "statuses", [[], ["computed"], ["reused", "computed", "skipped", "reused"]]
 )
-def test_the_count_of_stages(visitor: Reader, statuses: list[Any]) -> None:
+def test_the_count_of_stages(page: Page, statuses: list[Any]) -> None:
     stages = [StageReport("stage", status, "") for status in statuses]
     calls = [[sent(*stages)]]
-    assert ask(visitor, "figure/workings", "countStages", calls) == [count_stages(stages)]
+    assert ask(page, "figure/workings", "countStages", calls) == [count_stages(stages)]
 
 
-def test_why_a_stage_was_computed_or_not(visitor: Reader) -> None:
+def test_why_a_stage_was_computed_or_not(page: Page) -> None:
     reads, follows = (Said(f"workings.{key}", {"names": "a, b"}) for key in ("reads", "follows"))
     reasons: list[str | tuple[Said, ...]] = [
         (reads, follows),
@@ -96,13 +118,13 @@ def test_why_a_stage_was_computed_or_not(visitor: Reader) -> None:
     ]
     texts = [reason_text(reason) for reason in reasons]
     calls = [[sent(StageReport("s", "skipped", reason))[0]["reason"]] for reason in reasons]
-    assert ask(visitor, "figure/workings", "reasonText", calls) == texts
+    assert ask(page, "figure/workings", "reasonText", calls) == texts
 
 
-def test_a_number_as_the_language_writes_it(visitor: Reader) -> None:
+def test_a_number_as_the_language_writes_it(page: Page) -> None:
     numbers = ["1.50", "undefined", "under 10⁻⁹", "∞", "f/2.8"]
     texts = [ENGLISH.numeral(number) for number in numbers]
-    assert ask(visitor, "page/words", "numeral", [[number] for number in numbers]) == texts
+    assert ask(page, "page/words", "numeral", [[number] for number in numbers]) == texts
 
 
 @pytest.mark.parametrize(
@@ -114,7 +136,7 @@ def test_a_number_as_the_language_writes_it(visitor: Reader) -> None:
     ],
     ids=["time", "error", "decibels"],
 )
-def test_the_place_of_a_point_on_an_axis(visitor: Reader, axis: Any) -> None:
+def test_the_place_of_a_point_on_an_axis(page: Page, axis: Any) -> None:
     values = [1e-12, 1e-6, 0.5, 20.0, 1e4] + ([0.0 if axis.scale.log else inf] if axis.none else [])
-    places = ask(visitor, "ladder/chart", "position", [[asdict(axis), v] for v in values])
+    places = ask(page, "ladder/chart", "position", [[asdict(axis), v] for v in values])
     assert places == pytest.approx([axis.position(value) for value in values])
