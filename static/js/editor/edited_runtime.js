@@ -10,10 +10,11 @@ import { told, words } from "../page/words.js";
 /** @import { Said } from "../page/words.js" */
 /** @typedef {{message: string | Said, definition: string, line: number}} Problem */
 
-/** Longest that edited code may take for a frame, in milliseconds. */
-export const LIMITS = { edited: 5000 };
-/** Where the book's own code takes long: how many times as long edited code may. */
-const TIMES = 10;
+/**
+ * Longest that edited code may take for a frame, in milliseconds; where the book's own code takes
+ * long, so many times as long.
+ */
+export const LIMITS = { edited: 5000, times: 10 };
 
 /** The reader's code failed; `problem` tells where. */
 export class EditFailure extends RuntimeFailure {
@@ -139,7 +140,7 @@ export class EditedRuntime {
     const { scene } = this.#frame;
     this.#own ??= new Runtime(this.book.url, () => (scene ? [scene] : []));
     this.#warm ??= this.#own.call("render", this.#frame).then(
-      ({ computeMs }) => Math.max(LIMITS.edited, TIMES * computeMs),
+      ({ computeMs }) => Math.max(LIMITS.edited, LIMITS.times * computeMs),
       (error) => {
         if (error instanceof RuntimeFailure && error.kind === "python") return LIMITS.edited;
         this.#warm = null;
