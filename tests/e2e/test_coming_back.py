@@ -1,12 +1,13 @@
 """A page that is left and come back to: figures and answers are as they were, sent or not."""
 
+import time
 from collections.abc import Callable, Iterator
 from contextlib import ExitStack
 from pathlib import Path
 
 import pytest
-from playwright.sync_api import Browser
-from support.reader import Reader, visit
+from playwright.sync_api import Browser, Page, Request
+from support.reader import FRUGAL, START_MS, Reader, visit
 from support.static_server import StaticServer, serving
 
 pytestmark = pytest.mark.browser
@@ -35,6 +36,8 @@ LEAVE = """(url) => {
   link.click();
 }"""
 TELL = "addEventListener('pageshow', ({persisted}) => { window.persisted = persisted; })"
+WHY_NOT = "JSON.stringify(performance.getEntriesByType('navigation')[0].notRestoredReasons)"
+"""What the browser says where it has not kept the page."""
 
 
 @pytest.fixture(scope="module")
@@ -65,8 +68,9 @@ def test_back_from_elsewhere_settings_and_answers_are_as_they_were_and_the_figur
                 ignore_default_args=forbidden,
             )
             end.enter_context(browser)
-        reader = end.enter_context(visit(browser, server, TELL))
+        reader = end.enter_context(visit(browser, server, f"{TELL}; {FRUGAL}"))
         page = reader.page
+        under_way = requests_under_way(page)
         reader.open(ALL_KINDS[0])
         figure = page.locator("simulation-figure")
         slider = figure.locator("input[type=range]").first
@@ -78,12 +82,15 @@ def test_back_from_elsewhere_settings_and_answers_are_as_they_were_and_the_figur
         sent.locator("button[type=submit]").click()
         given = page.evaluate(GIVEN)
 
+        deadline = time.monotonic() + START_MS / 1000
+        while under_way and time.monotonic() < deadline:  # what still asks for files is not kept
+            page.wait_for_timeout(50)
         page.evaluate(LEAVE, elsewhere)
         page.wait_for_url(elsewhere)
         page.evaluate("setTimeout(() => history.back())")  # `go_back` waits for a page to load
         page.wait_for_url(lambda url: ALL_KINDS[0] in url, wait_until="commit")
         page.wait_for_function("window.persisted !== undefined")
-        assert page.evaluate("window.persisted") is kept
+        assert page.evaluate("window.persisted") is kept, page.evaluate(WHY_NOT)
 
         reader.wait_live()
         assert slider.input_value() == moved
@@ -92,6 +99,15 @@ def test_back_from_elsewhere_settings_and_answers_are_as_they_were_and_the_figur
         frames = reader.frames(figure)
         slider.press("PageDown")
         reader.wait_frame(figure, frames)
+
+
+def requests_under_way(page: Page) -> set[Request]:
+    """Those that are not answered, now and whenever one looks."""
+    under_way: set[Request] = set()
+    page.on("request", lambda request: under_way.add(request))
+    page.on("requestfinished", lambda request: under_way.discard(request))
+    page.on("requestfailed", lambda request: under_way.discard(request))
+    return under_way
 
 
 @pytest.mark.parametrize("chapter", ALL_KINDS)

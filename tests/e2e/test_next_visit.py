@@ -9,7 +9,7 @@ from typing import Any
 
 import pytest
 from playwright.sync_api import Browser, expect
-from support.reader import START_MS, Reader, visit
+from support.reader import FRUGAL, START_MS, Reader, visit
 from support.static_server import Fault, StaticServer, serving
 
 pytestmark = pytest.mark.browser
@@ -42,11 +42,19 @@ SPARE = """async () => {
   return name;
 }"""
 PUT_BACK = """async (name) => {
+  if ((await caches.keys()).includes(name)) return;
   const spare = await caches.open('spare');
   const [entry] = await spare.keys();
   await (await caches.open(name)).put(entry, await spare.match(entry));
 }"""
 FORGET = "(name) => caches.delete(name)"
+READ = """async () => {
+  const {assets, runtime} = document.body.dataset;
+  const {recallMemory} = await import(new URL(assets + 'js/runtime/memory.js', location.href));
+  const memory = await recallMemory(new URL(runtime, location.href).href);
+  return memory.bytes.then(({length}) => `whole: ${length > 0}`, (error) => error.message);
+}"""
+"""What a start finds of it."""
 MAIM = """async (how) => {
   const name = (await caches.keys()).find((name) => name.endsWith('#memory'));
   const cache = await caches.open(name);
@@ -76,15 +84,15 @@ def host(built_site: Path) -> Iterator[StaticServer]:
 @pytest.fixture(scope="module")
 def returning(brisk_chromium: Browser, host: StaticServer) -> Iterator[tuple[Reader, str]]:
     """A reader whose browser keeps a memory, and the name of its cache."""
-    with visit(brisk_chromium, host) as someone:
-        someone.open(CHAPTER)
+    with visit(brisk_chromium, host, FRUGAL) as someone:
+        someone.open("licences/", live=False)
         assert someone.page.evaluate(KEEP)
         yield someone, someone.page.evaluate(SPARE)
 
 
 @pytest.fixture(autouse=True)
 def memory(returning: tuple[Reader, str]) -> str:
-    """The name of the cache with it, which is as it was kept."""
+    """The name of the cache with it, which is as it was kept: who maims it has it forgotten."""
     reader, name = returning
     reader.page.evaluate(PUT_BACK, name)
     return name
@@ -96,9 +104,8 @@ def reader(returning: tuple[Reader, str], host: StaticServer) -> Iterator[Reader
     host.faults = {}
 
 
-def moved(reader: Reader, address: str, scene: str) -> Any:
-    """What a figure shows after a key on its first slider, on a page loaded anew."""
-    reader.open(address)
+def moved(reader: Reader, scene: str) -> Any:
+    """What a figure shows after a key on its first slider."""
     figure = reader.figure(scene)
     frames = reader.frames(figure)
     figure.locator("input[type=range]").first.press("ArrowRight")
@@ -115,31 +122,50 @@ def test_python_begins_with_the_scenes_imported_before_their_files_have_come(
     expect(reader.figure(SCENE)).to_have_attribute("data-state", "live", timeout=START_MS)
 
 
+@pytest.fixture(scope="module")
+def plainly(brisk_chromium: Browser, host: StaticServer) -> Iterator[Reader]:
+    """A reader whose browser keeps no memory."""
+    with visit(brisk_chromium, host, FRUGAL) as someone:
+        yield someone
+
+
 @pytest.mark.parametrize(
     ("address", "scene"),
     [(CHAPTER, SCENE), ("sampling-and-aliasing/", "aliasing"), ("digital-sensor/", "sensor-noise")],
     ids=["what was imported", "a library without machine code", "a library with machine code"],
 )
 def test_figures_show_what_they_show_after_a_plain_start(
-    reader: Reader, memory: str, address: str, scene: str
+    reader: Reader, plainly: Reader, address: str, scene: str
 ) -> None:
-    after_memory = moved(reader, address, scene)
+    reader.open(address)
+    after_memory = moved(reader, scene)
     assert reader.page.evaluate(KEPT), "it was good"
-    reader.page.evaluate(FORGET, memory)
-    assert moved(reader, address, scene) == after_memory
+    plainly.turn_to(address)
+    assert moved(plainly, scene) == after_memory
 
 
-@pytest.mark.parametrize("how", ["short", "half", "one bit", "foreign"])
+def test_a_memory_is_read_whole_or_known_to_be_damaged(reader: Reader, memory: str) -> None:
+    assert reader.page.evaluate(READ) == "whole: true"
+    for how in ("short", "half", "one bit"):
+        reader.page.evaluate(MAIM, how)
+        assert reader.page.evaluate(READ) == "the memory is damaged", how
+        reader.page.evaluate(FORGET, memory)
+        reader.page.evaluate(PUT_BACK, memory)
+
+
+@pytest.mark.parametrize("how", ["one bit", "foreign"])
 def test_a_damaged_memory_is_forgotten_and_python_starts_plainly(reader: Reader, how: str) -> None:
+    """Or one that is as it was kept, and none of Python's."""
     reader.page.evaluate(MAIM, how)
-    moved(reader, CHAPTER, SCENE)
+    reader.open(CHAPTER)
+    moved(reader, SCENE)
     assert not reader.page.evaluate(KEPT)
 
 
 def test_machine_code_that_has_changed_since_is_replaced_after_the_first_figures(
     brisk_chromium: Browser, server: StaticServer, built_site: Path, tmp_path: Path
 ) -> None:
-    with visit(brisk_chromium, server) as someone:
+    with visit(brisk_chromium, server, FRUGAL) as someone:
         someone.open("licences/", live=False)
         server.root = other_words(built_site, tmp_path / "site")
         someone.page.evaluate(HAVE_STARTED)
@@ -151,6 +177,7 @@ def test_machine_code_that_has_changed_since_is_replaced_after_the_first_figures
         begun = time.monotonic()
         while someone.page.workers == [worker]:
             assert time.monotonic() - begun < START_MS / 1000
+            someone.page.wait_for_timeout(500)  # it is judged some seconds after the start
             frames, setting = someone.frames(figure), slider.input_value()
             slider.press("ArrowRight" if setting == "0" else "ArrowLeft")
             someone.wait_frame(figure, frames, START_MS)

@@ -9,7 +9,10 @@ from support.reader import Reader
 pytestmark = pytest.mark.browser
 
 
-def test_every_quiz_judges_right_and_wrong_and_explains(plain_reader: Reader, book: Any) -> None:
+@pytest.mark.long
+def test_every_quiz_judges_right_and_wrong_explains_and_remembers_until_the_next_visit(
+    plain_reader: Reader, book: Any
+) -> None:
     for quiz, url in _quizzes(book):
         form = _open(plain_reader, quiz, url)
         choices = [[index] for index in range(len(quiz["options"]))] + [_right(quiz)]
@@ -19,6 +22,10 @@ def test_every_quiz_judges_right_and_wrong_and_explains(plain_reader: Reader, bo
             assert verdict == ("correct" if chosen == _right(quiz) else "wrong"), quiz["id"]
             assert len(explanations) == len(chosen), quiz["id"]
             assert all(text.strip() for text in explanations), quiz["id"]
+    plain_reader.open(live=False)
+    for quiz, url in _quizzes(book):
+        verdict, checked = _open(plain_reader, quiz, url).evaluate(REMEMBERED)
+        assert (verdict, sorted(checked)) == ("correct", _right(quiz)), quiz["id"]
 
 
 ANSWER_EACH = """(form, choices) => choices.map((chosen) => {
@@ -30,18 +37,6 @@ ANSWER_EACH = """(form, choices) => choices.map((chosen) => {
   return [form.dataset.answered, told.map((one) => one.innerText)];
 })"""
 """The verdict on each choice, and its explanations. Hands answer in the tests below."""
-
-
-@pytest.mark.long
-def test_every_answer_is_remembered_on_the_next_visit(plain_reader: Reader, book: Any) -> None:
-    for quiz, url in _quizzes(book):
-        _open(plain_reader, quiz, url).evaluate(ANSWER_EACH, [_right(quiz)])
-    plain_reader.open(live=False)
-    for quiz, url in _quizzes(book):
-        verdict, checked = _open(plain_reader, quiz, url).evaluate(REMEMBERED)
-        assert (verdict, sorted(checked)) == ("correct", _right(quiz)), quiz["id"]
-
-
 REMEMBERED = """(form) => [
   form.dataset.answered,
   [...form.querySelectorAll('input[name="answer"]:checked')].map((box) => Number(box.value)),

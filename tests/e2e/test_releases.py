@@ -5,15 +5,12 @@ from pathlib import Path
 
 import pytest
 from playwright.sync_api import Browser
-from support.reader import Reader, visit
+from support.reader import FRUGAL, Reader, visit
 from support.static_server import StaticServer, serving
 
 pytestmark = pytest.mark.browser
 
 CHAPTER, SCENE, NEXT = "why-image-formation/", "formation-pipeline", "connections/"
-FRUGAL = """Object.defineProperty(navigator, 'connection', {value: {saveData: true}});
-sessionStorage.setItem('image-formation:asked', 'yes')"""
-"""Python is asked for, but nothing is fetched for a page that may come."""
 ASK = """async (part) => {
   const {inside} = await customElements.whenDefined('simulation-figure');
   const runtime = inside.sharedRuntime();

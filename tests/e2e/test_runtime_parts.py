@@ -8,7 +8,7 @@ from typing import Any
 
 import pytest
 from playwright.sync_api import Browser, Request, expect
-from support.reader import START_MS, Reader, visit
+from support.reader import FRUGAL, START_MS, Reader, visit
 from support.static_server import Fault, StaticServer
 
 from simulations.registry import LADDER_MODULES, load_ladder
@@ -26,11 +26,6 @@ CALL = """async ([name, payload]) => {
 def table(built_site: Path) -> Any:
     """``runtime.json``."""
     return json.loads(next(built_site.glob("runtime/*/runtime.json")).read_text(encoding="utf-8"))
-
-
-FRUGAL = """Object.defineProperty(navigator, 'connection', {value: {saveData: true}});
-sessionStorage.setItem('image-formation:asked', 'yes')"""
-"""Python is asked for, but nothing is fetched for a page that may come."""
 
 
 @pytest.fixture

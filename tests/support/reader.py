@@ -28,6 +28,10 @@ SILENT_WORKER = """globalThis.Worker = class extends EventTarget {
 };"""
 """Python that never answers: figures keep their stills and their controls."""
 
+FRUGAL = """Object.defineProperty(navigator, 'connection', {value: {saveData: true}});
+sessionStorage.setItem('image-formation:asked', 'yes')"""
+"""Python is asked for, but nothing is fetched or computed for a page that may come."""
+
 WATCH_SHIFTS = """
 window.shifts = [];
 new PerformanceObserver((list) => window.shifts.push(...list.getEntries()

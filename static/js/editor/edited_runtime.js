@@ -3,16 +3,13 @@
  * there, the book's interpreter and all other figures never meet it.
  */
 
-import { LIMITS } from "../runtime/patience.js";
+import { EDITED } from "../runtime/patience.js";
 import { Runtime, RuntimeFailure, closed } from "../runtime/runtime.js";
 import { told, words } from "../page/words.js";
 
 /** @import { Caller, Payload } from "../runtime/runtime.js" */
 /** @import { Said } from "../page/words.js" */
 /** @typedef {{message: string | Said, definition: string, line: number}} Problem */
-
-/** Where the book's own code takes long: how many times as long edited code may. */
-const TIMES = 10;
 
 /** The reader's code failed; `problem` tells where. */
 export class EditFailure extends RuntimeFailure {
@@ -138,9 +135,9 @@ export class EditedRuntime {
     const { scene } = this.#frame;
     this.#own ??= new Runtime(this.book.url, () => (scene ? [scene] : []));
     this.#warm ??= this.#own.call("render", this.#frame).then(
-      ({ computeMs }) => Math.max(LIMITS.edited, TIMES * computeMs),
+      ({ computeMs }) => Math.max(EDITED.ms, EDITED.times * computeMs),
       (error) => {
-        if (error instanceof RuntimeFailure && error.kind === "python") return LIMITS.edited;
+        if (error instanceof RuntimeFailure && error.kind === "python") return EDITED.ms;
         this.#warm = null;
         throw error;
       },

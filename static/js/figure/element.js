@@ -4,7 +4,7 @@ import { message } from "../errors.js";
 import { one, within } from "../page/dom.js";
 import { offerRelease } from "../page/release.js";
 import { recall } from "../page/storage.js";
-import { LIMITS, Patience } from "../runtime/patience.js";
+import { EDITED, Patience } from "../runtime/patience.js";
 import { Runtime, sharedRuntime } from "../runtime/runtime.js";
 import { moveControls } from "./controls.js";
 import { LiveFigure } from "./live.js";
@@ -20,7 +20,7 @@ export class SimulationFigure extends HTMLElement {
    * What figures run on, for who drives a page from outside, as tests do: a page's scripts are joined,
    * and no address leads to one of them.
    */
-  static inside = { LIMITS, Overlay, Patience, Runtime, moveControls, sharedRuntime };
+  static inside = { EDITED, Overlay, Patience, Runtime, moveControls, sharedRuntime };
   /** @type {LiveFigure | null} */
   #live = null;
   /** @type {Promise<Workshop> | null} Where the reader opened the figure's Python, now or before. */

@@ -2,8 +2,7 @@
 
 /**
  * Longest wait for an answer in milliseconds, on a machine of usual speed. `first`: of a scene's
- * first call, which imports it. `edited`: of a frame by the reader's own code. Starting includes the
- * download, which may be slow on any machine.
+ * first call, which imports it. Starting includes the download, which may be slow on any machine.
  *
  * @type {Record<string, number>}
  */
@@ -14,7 +13,6 @@ export const LIMITS = {
   warm: 10_000,
   render: 10_000,
   renderEdited: 10_000,
-  edited: 5000,
   pull: 10_000,
   photograph: 10_000,
   error: 10_000,
@@ -24,6 +22,11 @@ export const LIMITS = {
   measure: 120_000,
 };
 
+/**
+ * Longest that a reader's own code may take for a frame, in milliseconds; where the book's takes long,
+ * so many times as long.
+ */
+export const EDITED = { ms: 5000, times: 10 };
 /** Milliseconds in which a machine of usual speed imports the simulations. */
 const USUAL_IMPORT = 500;
 /** How many times slower a machine may seem: more than this is rather one that slept meanwhile. */
