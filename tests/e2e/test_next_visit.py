@@ -14,6 +14,7 @@ from support.static_server import Fault, StaticServer, serving
 
 pytestmark = pytest.mark.browser
 
+MEMORY = Path(__file__).parents[2] / "static" / "js" / "runtime" / "memory.js"
 CHAPTER, SCENE = "lens-distortion/", "lens-distortion"
 KEEP = """async () => {
   const {assets, runtime, table} = document.body.dataset;
@@ -49,8 +50,8 @@ PUT_BACK = """async (name) => {
 }"""
 FORGET = "(name) => caches.delete(name)"
 READ = """async () => {
-  const {assets, runtime} = document.body.dataset;
-  const {recallMemory} = await import(new URL(assets + 'js/runtime/memory.js', location.href));
+  const {recallMemory} = await import(new URL('memory.js', location.href));
+  const {runtime} = document.body.dataset;
   const memory = await recallMemory(new URL(runtime, location.href).href);
   return memory.bytes.then(({length}) => `whole: ${length > 0}`, (error) => error.message);
 }"""
@@ -145,12 +146,15 @@ def test_figures_show_what_they_show_after_a_plain_start(
 
 
 def test_a_memory_is_read_whole_or_known_to_be_damaged(reader: Reader, memory: str) -> None:
+    # As it is written: in the book the worker's modules are joined.
+    reader.page.route("**/memory.js", lambda route: route.fulfill(path=MEMORY))
     assert reader.page.evaluate(READ) == "whole: true"
     for how in ("short", "half", "one bit"):
         reader.page.evaluate(MAIM, how)
         assert reader.page.evaluate(READ) == "the memory is damaged", how
         reader.page.evaluate(FORGET, memory)
         reader.page.evaluate(PUT_BACK, memory)
+    reader.page.unroute("**/memory.js")
 
 
 @pytest.mark.parametrize("how", ["one bit", "foreign"])
