@@ -34,6 +34,8 @@ GENERATIONS = 3
 """Builds after which what nobody asked for leaves the memory."""
 MOST_FRESH_BYTES = 16_000_000
 """What waits at most for the store: a large book's pages would fill the memory twice."""
+MOST_SOURCES = 4000
+"""Of which it is kept what they import."""
 UNKNOWN = b"unknown"
 
 type Read = tuple[str, str]
@@ -93,9 +95,14 @@ class Keeper:
     _fresh: dict[bytes, bytes] = field(default_factory=dict)
     """Not yet in the store."""
     _fresh_bytes: int = 0
+    _missing: set[bytes] = field(default_factory=set)
+    """Keys that the store was asked for in this build, and has not."""
     _codes: dict[str, bytes] = field(default_factory=dict)
     _modules: Modules = field(default_factory=dict)
     """Looked at for these; as they were, since it is this that the process has imported."""
+    _sources: dict[bytes, tuple[str, ...]] = field(default_factory=dict)
+    """What a file imports, by its hash: in one entry of the store, as every build asks for all."""
+    _sources_fresh: bool = False
     _prints: Prints = field(default_factory=Prints)
     _hearing: list[dict[Read, bytes]] = field(default_factory=list)
     """What the functions read that are running now, the innermost last."""
@@ -225,6 +232,7 @@ class Keeper:
         are from here on: nothing that came of them is looked up, and none of them is found in what
         is."""
         self.store, self.since_ns = self.store.reopened(), time.time_ns()
+        self._missing.clear()
         for name in modules:
             self._modules.pop(name, None)
             self._codes.pop(name, None)
@@ -238,7 +246,7 @@ class Keeper:
     def flush(self) -> None:
         """Put what is new into the store, and let go of what was not asked for lately."""
         self._put_away()
-        self._failed = {}
+        self._failed, self._missing = {}, set()
         self._age += 1
         self._prints.next_round()
         old = [key for key, item in self._memory.items() if item.used + GENERATIONS < self._age]
@@ -247,6 +255,9 @@ class Keeper:
 
     def _put_away(self) -> None:
         fresh, self._fresh, self._fresh_bytes = self._fresh, {}, 0
+        if fresh and self._sources_fresh:
+            latest = dict([*self._sources.items()][-MOST_SOURCES:])
+            fresh[SOURCES], self._sources_fresh = packed(latest), False
         if fresh and self._latest_ns < self.since_ns and is_as_it_was(self._modules):
             self.store.put(fresh)
 
@@ -279,6 +290,7 @@ class Keeper:
 
     def _keep(self, key: bytes, value: object) -> None:
         self._memory[key] = _Entry(value, self._age)
+        self._missing.discard(key)
         with suppress(pickle.PicklingError):  # then it is kept in memory alone
             self._fresh[key] = packed(value)
             self._fresh_bytes += len(self._fresh[key])
@@ -294,8 +306,11 @@ class Keeper:
         return entry.value
 
     def _load(self, key: bytes) -> _Entry | None:
-        data = self._fresh.get(key) or self.store.get(key)
+        data = self._fresh.get(key)
+        if data is None and key not in self._missing:
+            data = self.store.get(key)
         if data is None:
+            self._missing.add(key)
             return None
         try:
             entry = _Entry(unpacked(data), self._age)
@@ -315,12 +330,13 @@ class Keeper:
         return f"{module}:{getattr(value, '__qualname__', '')}".encode() + self.code(module)
 
     def _imports(self, hashed: bytes, read: Callable[[], tuple[str, ...]]) -> tuple[str, ...]:
-        key = _hash(b"imports", hashed)
-        names = self._recall(key)
+        if not self._sources:
+            self._sources |= self._recall(SOURCES) or {}
+        names = self._sources.get(hashed)
         if names is None:
-            names = read()
-            self._keep(key, names)
-        return tuple(names)
+            names = self._sources[hashed] = read()
+            self._sources_fresh = True
+        return names
 
 
 _at_work: ContextVar[Keeper | None] = ContextVar("keeper", default=None)
@@ -414,3 +430,7 @@ def _hash(*parts: bytes) -> bytes:
     for part in parts:
         digest.update(len(part).to_bytes(4, "little") + part)
     return digest.digest()
+
+
+SOURCES = _hash(b"sources")
+"""The key of `Keeper._sources`."""
