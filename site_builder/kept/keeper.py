@@ -28,7 +28,7 @@ from site_builder.kept.code import (
 )
 from site_builder.kept.files import file_hash, folder_hash
 from site_builder.kept.fingerprint import SIZE, Prints, fingerprint
-from site_builder.kept.packing import HOLDERS, home_of, names_any, packed, unpacked
+from site_builder.kept.packing import HOLDERS, home_of, modules_in, packed, unpacked
 
 GENERATIONS = 3
 """Builds after which what nobody asked for leaves the memory."""
@@ -37,9 +37,10 @@ MOST_FRESH_BYTES = 16_000_000
 MOST_SOURCES = 4000
 """Of which it is kept what they import."""
 UNKNOWN = b"unknown"
+ASKED = b"asked"
 
 type Read = tuple[str, str]
-"""``file`` or ``folder`` and a path, or ``code`` and a module."""
+"""``file`` or ``folder`` and a path, ``code`` and a module, or ``asked`` and the words for it."""
 type Reads = Mapping[Read, bytes]
 """With the hash of each."""
 
@@ -79,6 +80,15 @@ class MissingError(Exception):
 class _Entry:
     value: Any
     used: int
+    modules: frozenset[str] | None = frozenset()
+    """Those that something in it may be of; None where nobody can say."""
+    packages: frozenset[str] = frozenset()
+    """Below which these were looked for."""
+
+    def may_be_of(self, modules: Collection[str], packages: frozenset[str]) -> bool:
+        if not packages <= self.packages:
+            self.modules, self.packages = modules_in(self.value, packages), packages
+        return self.modules is None or not self.modules.isdisjoint(modules)
 
 
 @dataclass(slots=True)
@@ -89,6 +99,8 @@ class Keeper:
     since_ns: float = float("inf")
     """When the process began to import its code: of a module written later nobody can say what
     ran, so nothing that it made is stored."""
+    asked: dict[str, None] = field(default_factory=dict)
+    """What was told by `asks`, of what is found as well as of what is made; in its order."""
     made: list[str] = field(default_factory=list)
     """Names of the functions that ran, in their order: what was not found."""
     _memory: dict[bytes, _Entry] = field(default_factory=dict)
@@ -168,11 +180,15 @@ class Keeper:
                 return folder_hash(Path(name))
             case "file":
                 return file_hash(Path(name)) or b"none"
+            case "asked":
+                return ASKED
             case _:
                 return UNKNOWN
 
     def hear(self, read: Read, state: bytes) -> None:
         """Take note of what the running function reads."""
+        if read[0] == "asked":
+            self.asked[read[1]] = None
         if self._hearing:
             self._hearing[-1][read] = state
 
@@ -212,6 +228,17 @@ class Keeper:
         self._failed |= failed
         self._latest_ns = max(self._latest_ns, latest_ns)
 
+    def get_ready(self) -> None:
+        """See what `importers` and `forget` will ask, while nobody waits."""
+        look_at_loaded(self._imports, self._modules)
+        packages = self._packages()
+        for entry in self._memory.values():
+            entry.may_be_of((), packages)
+
+    def _packages(self) -> frozenset[str]:
+        """Ours."""
+        return frozenset(name.partition(".")[0] for name, each in self._modules.items() if each)
+
     def importers(self, files: Collection[Path]) -> frozenset[str] | None:
         """The modules of ``files``, and all of ours that import one of them: what this process may
         know no more when these have changed. Files that were written since it began are counted
@@ -239,7 +266,8 @@ class Keeper:
         self._latest_ns = max(
             (each.written_ns for each in self._modules.values() if each), default=0
         )
-        gone = [key for key, entry in self._memory.items() if names_any(entry.value, modules)]
+        packages = self._packages() | {name.partition(".")[0] for name in modules}
+        gone = [key for key, entry in self._memory.items() if entry.may_be_of(modules, packages)]
         for key in gone:
             del self._memory[key]
 
@@ -407,6 +435,12 @@ def reads_code(thing: object) -> None:
     """Tell that the running function depends on the code of a scene, ladder or function."""
     module = home_of(thing)
     _tell("code" if module else "unknown", module or "")
+
+
+def asks(words: str) -> None:
+    """Tell in ``words`` what the running function asks for: whoever finds its result, which asks
+    for nothing, can ask for that himself, before it has to be made anew."""
+    _tell("asked", words)
 
 
 def reads_unknown() -> None:

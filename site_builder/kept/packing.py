@@ -2,6 +2,7 @@
 
 import io
 import pickle
+import re
 import sys
 from collections.abc import Collection, Mapping
 from importlib import import_module
@@ -41,16 +42,17 @@ def unpacked(data: bytes) -> Any:
     return _Unpacker(io.BytesIO(data)).load()
 
 
-def names_any(value: object, modules: Collection[str]) -> bool:
-    """Whether something of one of ``modules`` may be in ``value``; of what cannot be packed, nobody
-    can say, so it may."""
+def modules_in(value: object, packages: Collection[str]) -> frozenset[str] | None:
+    """The modules below ``packages`` that something in ``value`` may be of; of what cannot be
+    packed, nobody can say."""
     if isinstance(value, bytes | str):
-        return False
+        return frozenset()
     try:
         data = packed(value)
     except pickle.PicklingError:
-        return True
-    return any(name.encode() in data for name in modules)
+        return None
+    named = rf"(?:{'|'.join(map(re.escape, sorted(packages)))})(?:\.\w+)*"
+    return frozenset(name.decode() for name in re.findall(named.encode(), data))
 
 
 class _Packer(pickle.Pickler):
