@@ -1,5 +1,6 @@
 """Values as bytes and back. Scenes and ladders are packed as the names of what holds them."""
 
+import copyreg
 import io
 import pickle
 import re
@@ -34,12 +35,14 @@ def home_of(thing: object) -> str | None:
 
 def packed(value: object) -> bytes:
     buffer = io.BytesIO()
-    _Packer(buffer, protocol=pickle.HIGHEST_PROTOCOL).dump(value)
+    packer = pickle.Pickler(buffer, protocol=pickle.HIGHEST_PROTOCOL)
+    packer.dispatch_table = TABLE
+    packer.dump(value)
     return buffer.getvalue()
 
 
 def unpacked(data: bytes) -> Any:
-    return _Unpacker(io.BytesIO(data)).load()
+    return pickle.loads(data)
 
 
 def modules_in(value: object, packages: Collection[str]) -> frozenset[str] | None:
@@ -55,18 +58,16 @@ def modules_in(value: object, packages: Collection[str]) -> frozenset[str] | Non
     return frozenset(name.decode() for name in re.findall(named.encode(), data))
 
 
-class _Packer(pickle.Pickler):
-    def persistent_id(self, thing: Any) -> tuple[str, str] | None:
-        name = HOLDERS.get(type(thing))
-        if name is None:
-            return None
-        home = home_of(thing)
-        if home is None:
-            raise pickle.PicklingError(f"{thing.id!r} is in no module")
-        return home, name
+def _by_name(thing: Any) -> tuple[Any, tuple[str, str]]:
+    home = home_of(thing)
+    if home is None:
+        raise pickle.PicklingError(f"{thing.id!r} is in no module")
+    return _held, (home, HOLDERS[type(thing)])
 
 
-class _Unpacker(pickle.Unpickler):
-    def persistent_load(self, pid: Any) -> Any:
-        module, name = pid
-        return getattr(import_module(module), name)
+def _held(module: str, name: str) -> Any:
+    return getattr(import_module(module), name)
+
+
+TABLE = {**copyreg.dispatch_table, **dict.fromkeys(HOLDERS, _by_name)}
+"""How things are packed that are of no plain kind."""
