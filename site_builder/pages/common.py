@@ -15,6 +15,10 @@ STYLES, BEFORE, BEHIND = "\0styles\0", "\0before\0", "\0behind\0"
 it, in this order. No text has such a character."""
 
 
+type Listed = Chapter | Card
+"""One of the chapters."""
+
+
 @dataclass(frozen=True, slots=True)
 class Common:
     """Made once for all pages from which the site's root is as far."""
@@ -25,7 +29,7 @@ class Common:
     places: Mapping[str, int]
     """Of each chapter by its id."""
 
-    def put_into(self, page: bytes, chapter: Chapter | None) -> bytes:
+    def put_into(self, page: bytes, chapter: Listed | None) -> bytes:
         """The whole page; one that is no chapter has all entries in the first place. It may lack
         each of the places."""
         own = self.places[chapter.id] if chapter else len(self.entries)
