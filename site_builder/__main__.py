@@ -14,7 +14,6 @@ from site_builder.addresses import site_address, source_address
 from site_builder.book import Book
 from site_builder.book_root import ROOT
 from site_builder.build import Options, Warn, build_site
-from site_builder.check_command import Wanted, check
 from site_builder.diagnostic_formats import FORMATS
 from site_builder.diagnostics import BuildError, Diagnostic, counted
 from site_builder.drawing.apart import Limits, limited
@@ -74,6 +73,9 @@ def _run(given: argparse.Namespace, warn: Warn, warnings: Sequence[Diagnostic]) 
             )  # fmt: skip
             print(f"{given.out}: {len(files)} files{_and_count(warnings)}")
         case "check":
+            # What follows links, and speaks for it to hosts, is needed only here.
+            from site_builder.check_command import Wanted, check
+
             form = "json" if given.json else given.format
             options = Options(ROOT, runtime=given.runtime)
             return check(options, Wanted(form, links=given.links))

@@ -126,6 +126,8 @@ class RenderedSite:
     """Of these records; nothing where there is no search."""
     finish: Callable[[Files], Files]
     """What follows from all files."""
+    again: Sequence[Ask] = ()
+    """What has to be made again, besides drawings, once any code of the book has changed."""
 
 
 def render_site(options: Options) -> Files:
@@ -189,6 +191,10 @@ def render_parts(options: Options) -> RenderedSite:
         records,
         index,
         lambda files: no_release(assets) if options.reload else _finished(files, assets, book),
+        (
+            partial(_runtime, options, book),
+            partial(_check_declared, options.root, Diagnostics()),
+        ),
     )
 
 

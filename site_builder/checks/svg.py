@@ -9,7 +9,6 @@ from xml.sax.handler import ContentHandler, feature_namespaces
 from xml.sax.xmlreader import AttributesNSImpl
 
 from defusedxml import DefusedXmlException
-from defusedxml.sax import make_parser
 
 from site_builder.diagnostics import unknown
 
@@ -93,6 +92,8 @@ class Drawing:
 
 def read_svg(data: bytes) -> Drawing:
     """The faults of a file, in the order of its lines; none where it may be published."""
+    from defusedxml.sax import make_parser  # with it comes all that asks the web for something
+
     reader = _Reader()
     parser = make_parser()
     parser.setFeature(feature_namespaces, True)

@@ -2,8 +2,9 @@
 
 import functools
 import io
+import json
 from base64 import b64encode
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import Any, cast
 
@@ -15,7 +16,7 @@ from simulations.engine.scene import Scene
 from simulations.engine.settings import values_of
 from simulations.engine.stages import StageCache
 from site_builder.drawing.apart import apart
-from site_builder.kept.keeper import kept
+from site_builder.kept.keeper import asks, kept
 
 SKETCH_PX = 320
 """The longer side of a sketch's pictures, at most."""
@@ -57,25 +58,29 @@ type Draw = Callable[[Scene[Any], Any, str], object]
 type Drawn = tuple[Draw, tuple[tuple[str, Value], ...], str]
 """By what a scene was drawn: with these values, all others as it starts, in this tier."""
 
-_drawn: dict[str, dict[Drawn, None]] = {}
-"""Of each scene, by its id; in the order in which they were asked for."""
 
-
-def drawn_of(scene_id: str) -> list[Drawn]:
-    """What this process has asked for of a scene; once its code changes, it is asked for again."""
-    return [*_drawn.get(scene_id, ())]
+def drawn_of(scene_id: str, asked: Iterable[str]) -> list[Drawn]:
+    """What of all that was ``asked``, as a keeper has it, is of a scene; once its code changes, it
+    is asked for again."""
+    draws = {draw.__name__: draw for draw in (frame_at, print_at)}
+    told = (json.loads(words) for words in asked)
+    return [
+        (draws[name], tuple((key, value) for key, value in given), tier)
+        for name, of, given, tier in told
+        if of == scene_id
+    ]
 
 
 def _noted[D: Draw](draw: D) -> D:
     @functools.wraps(draw)
     def note(scene: Scene[Any], settings: Any, tier: str) -> object:
         start = values_of(scene.check({}))
-        given = tuple(
+        given = [
             (name, value)
             for name, value in values_of(settings).items()
             if (type(value), value) != (type(start[name]), start[name])
-        )
-        _drawn.setdefault(scene.id, {})[note, given, tier] = None
+        ]
+        asks(json.dumps([draw.__name__, scene.id, given, tier]))
         return draw(scene, settings, tier)
 
     return cast(D, note)

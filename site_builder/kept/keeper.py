@@ -28,16 +28,19 @@ from site_builder.kept.code import (
 )
 from site_builder.kept.files import file_hash, folder_hash
 from site_builder.kept.fingerprint import SIZE, Prints, fingerprint
-from site_builder.kept.packing import HOLDERS, home_of, names_any, packed, unpacked
+from site_builder.kept.packing import HOLDERS, home_of, modules_in, packed, unpacked
 
 GENERATIONS = 3
 """Builds after which what nobody asked for leaves the memory."""
 MOST_FRESH_BYTES = 16_000_000
 """What waits at most for the store: a large book's pages would fill the memory twice."""
+MOST_SOURCES = 4000
+"""Of which it is kept what they import."""
 UNKNOWN = b"unknown"
+ASKED = b"asked"
 
 type Read = tuple[str, str]
-"""``file`` or ``folder`` and a path, or ``code`` and a module."""
+"""``file`` or ``folder`` and a path, ``code`` and a module, or ``asked`` and the words for it."""
 type Reads = Mapping[Read, bytes]
 """With the hash of each."""
 
@@ -77,6 +80,15 @@ class MissingError(Exception):
 class _Entry:
     value: Any
     used: int
+    modules: frozenset[str] | None = frozenset()
+    """Those that something in it may be of; None where nobody can say."""
+    packages: frozenset[str] = frozenset()
+    """Below which these were looked for."""
+
+    def may_be_of(self, modules: Collection[str], packages: frozenset[str]) -> bool:
+        if not packages <= self.packages:
+            self.modules, self.packages = modules_in(self.value, packages), packages
+        return self.modules is None or not self.modules.isdisjoint(modules)
 
 
 @dataclass(slots=True)
@@ -87,15 +99,22 @@ class Keeper:
     since_ns: float = float("inf")
     """When the process began to import its code: of a module written later nobody can say what
     ran, so nothing that it made is stored."""
+    asked: dict[str, None] = field(default_factory=dict)
+    """What was told by `asks`, of what is found as well as of what is made; in its order."""
     made: list[str] = field(default_factory=list)
     """Names of the functions that ran, in their order: what was not found."""
     _memory: dict[bytes, _Entry] = field(default_factory=dict)
     _fresh: dict[bytes, bytes] = field(default_factory=dict)
     """Not yet in the store."""
     _fresh_bytes: int = 0
+    _missing: set[bytes] = field(default_factory=set)
+    """Keys that the store was asked for in this build, and has not."""
     _codes: dict[str, bytes] = field(default_factory=dict)
     _modules: Modules = field(default_factory=dict)
     """Looked at for these; as they were, since it is this that the process has imported."""
+    _sources: dict[bytes, tuple[str, ...]] = field(default_factory=dict)
+    """What a file imports, by its hash: in one entry of the store, as every build asks for all."""
+    _sources_fresh: bool = False
     _prints: Prints = field(default_factory=Prints)
     _hearing: list[dict[Read, bytes]] = field(default_factory=list)
     """What the functions read that are running now, the innermost last."""
@@ -161,11 +180,15 @@ class Keeper:
                 return folder_hash(Path(name))
             case "file":
                 return file_hash(Path(name)) or b"none"
+            case "asked":
+                return ASKED
             case _:
                 return UNKNOWN
 
     def hear(self, read: Read, state: bytes) -> None:
         """Take note of what the running function reads."""
+        if read[0] == "asked":
+            self.asked[read[1]] = None
         if self._hearing:
             self._hearing[-1][read] = state
 
@@ -205,6 +228,17 @@ class Keeper:
         self._failed |= failed
         self._latest_ns = max(self._latest_ns, latest_ns)
 
+    def get_ready(self) -> None:
+        """See what `importers` and `forget` will ask, while nobody waits."""
+        look_at_loaded(self._imports, self._modules)
+        packages = self._packages()
+        for entry in self._memory.values():
+            entry.may_be_of((), packages)
+
+    def _packages(self) -> frozenset[str]:
+        """Ours."""
+        return frozenset(name.partition(".")[0] for name, each in self._modules.items() if each)
+
     def importers(self, files: Collection[Path]) -> frozenset[str] | None:
         """The modules of ``files``, and all of ours that import one of them: what this process may
         know no more when these have changed. Files that were written since it began are counted
@@ -225,20 +259,22 @@ class Keeper:
         are from here on: nothing that came of them is looked up, and none of them is found in what
         is."""
         self.store, self.since_ns = self.store.reopened(), time.time_ns()
+        self._missing.clear()
         for name in modules:
             self._modules.pop(name, None)
             self._codes.pop(name, None)
         self._latest_ns = max(
             (each.written_ns for each in self._modules.values() if each), default=0
         )
-        gone = [key for key, entry in self._memory.items() if names_any(entry.value, modules)]
+        packages = self._packages() | {name.partition(".")[0] for name in modules}
+        gone = [key for key, entry in self._memory.items() if entry.may_be_of(modules, packages)]
         for key in gone:
             del self._memory[key]
 
     def flush(self) -> None:
         """Put what is new into the store, and let go of what was not asked for lately."""
         self._put_away()
-        self._failed = {}
+        self._failed, self._missing = {}, set()
         self._age += 1
         self._prints.next_round()
         old = [key for key, item in self._memory.items() if item.used + GENERATIONS < self._age]
@@ -247,6 +283,9 @@ class Keeper:
 
     def _put_away(self) -> None:
         fresh, self._fresh, self._fresh_bytes = self._fresh, {}, 0
+        if fresh and self._sources_fresh:
+            latest = dict([*self._sources.items()][-MOST_SOURCES:])
+            fresh[SOURCES], self._sources_fresh = packed(latest), False
         if fresh and self._latest_ns < self.since_ns and is_as_it_was(self._modules):
             self.store.put(fresh)
 
@@ -279,6 +318,7 @@ class Keeper:
 
     def _keep(self, key: bytes, value: object) -> None:
         self._memory[key] = _Entry(value, self._age)
+        self._missing.discard(key)
         with suppress(pickle.PicklingError):  # then it is kept in memory alone
             self._fresh[key] = packed(value)
             self._fresh_bytes += len(self._fresh[key])
@@ -294,8 +334,11 @@ class Keeper:
         return entry.value
 
     def _load(self, key: bytes) -> _Entry | None:
-        data = self._fresh.get(key) or self.store.get(key)
+        data = self._fresh.get(key)
+        if data is None and key not in self._missing:
+            data = self.store.get(key)
         if data is None:
+            self._missing.add(key)
             return None
         try:
             entry = _Entry(unpacked(data), self._age)
@@ -315,12 +358,13 @@ class Keeper:
         return f"{module}:{getattr(value, '__qualname__', '')}".encode() + self.code(module)
 
     def _imports(self, hashed: bytes, read: Callable[[], tuple[str, ...]]) -> tuple[str, ...]:
-        key = _hash(b"imports", hashed)
-        names = self._recall(key)
+        if not self._sources:
+            self._sources |= self._recall(SOURCES) or {}
+        names = self._sources.get(hashed)
         if names is None:
-            names = read()
-            self._keep(key, names)
-        return tuple(names)
+            names = self._sources[hashed] = read()
+            self._sources_fresh = True
+        return names
 
 
 _at_work: ContextVar[Keeper | None] = ContextVar("keeper", default=None)
@@ -393,6 +437,12 @@ def reads_code(thing: object) -> None:
     _tell("code" if module else "unknown", module or "")
 
 
+def asks(words: str) -> None:
+    """Tell in ``words`` what the running function asks for: whoever finds its result, which asks
+    for nothing, can ask for that himself, before it has to be made anew."""
+    _tell("asked", words)
+
+
 def reads_unknown() -> None:
     """Tell that nobody can say what the running function depends on: its result is not kept."""
     _tell("unknown", "")
@@ -414,3 +464,7 @@ def _hash(*parts: bytes) -> bytes:
     for part in parts:
         digest.update(len(part).to_bytes(4, "little") + part)
     return digest.digest()
+
+
+SOURCES = _hash(b"sources")
+"""The key of `Keeper._sources`."""

@@ -1,7 +1,9 @@
 """Values as bytes and back. Scenes and ladders are packed as the names of what holds them."""
 
+import copyreg
 import io
 import pickle
+import re
 import sys
 from collections.abc import Collection, Mapping
 from importlib import import_module
@@ -33,38 +35,39 @@ def home_of(thing: object) -> str | None:
 
 def packed(value: object) -> bytes:
     buffer = io.BytesIO()
-    _Packer(buffer, protocol=pickle.HIGHEST_PROTOCOL).dump(value)
+    packer = pickle.Pickler(buffer, protocol=pickle.HIGHEST_PROTOCOL)
+    packer.dispatch_table = TABLE
+    packer.dump(value)
     return buffer.getvalue()
 
 
 def unpacked(data: bytes) -> Any:
-    return _Unpacker(io.BytesIO(data)).load()
+    return pickle.loads(data)
 
 
-def names_any(value: object, modules: Collection[str]) -> bool:
-    """Whether something of one of ``modules`` may be in ``value``; of what cannot be packed, nobody
-    can say, so it may."""
+def modules_in(value: object, packages: Collection[str]) -> frozenset[str] | None:
+    """The modules below ``packages`` that something in ``value`` may be of; of what cannot be
+    packed, nobody can say."""
     if isinstance(value, bytes | str):
-        return False
+        return frozenset()
     try:
         data = packed(value)
     except pickle.PicklingError:
-        return True
-    return any(name.encode() in data for name in modules)
+        return None
+    named = rf"(?:{'|'.join(map(re.escape, sorted(packages)))})(?:\.\w+)*"
+    return frozenset(name.decode() for name in re.findall(named.encode(), data))
 
 
-class _Packer(pickle.Pickler):
-    def persistent_id(self, thing: Any) -> tuple[str, str] | None:
-        name = HOLDERS.get(type(thing))
-        if name is None:
-            return None
-        home = home_of(thing)
-        if home is None:
-            raise pickle.PicklingError(f"{thing.id!r} is in no module")
-        return home, name
+def _by_name(thing: Any) -> tuple[Any, tuple[str, str]]:
+    home = home_of(thing)
+    if home is None:
+        raise pickle.PicklingError(f"{thing.id!r} is in no module")
+    return _held, (home, HOLDERS[type(thing)])
 
 
-class _Unpacker(pickle.Unpickler):
-    def persistent_load(self, pid: Any) -> Any:
-        module, name = pid
-        return getattr(import_module(module), name)
+def _held(module: str, name: str) -> Any:
+    return getattr(import_module(module), name)
+
+
+TABLE = {**copyreg.dispatch_table, **dict.fromkeys(HOLDERS, _by_name)}
+"""How things are packed that are of no plain kind."""

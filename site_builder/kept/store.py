@@ -14,12 +14,16 @@ from pathlib import Path
 import brotli
 from platformdirs import user_cache_path
 
-NAME = "kept-2.sqlite"
+NAME = "kept-3.sqlite"
 """With the number of its format."""
-BEFORE = "kept-1.sqlite"
-"""Nobody opens it any more."""
+BEFORE = ("kept-1.sqlite", "kept-2.sqlite")
+"""Nobody opens them any more."""
 QUALITY = 0
 """Of what is packed: as small as by zlib at its quickest, in half the time."""
+LEAST_PACKED = 400
+"""Bytes of the least entry that is packed: to begin takes as long as to pack some thousand."""
+PLAIN, PACKED = b"\0", b"\1"
+"""How an entry begins."""
 MOST_BYTES = 400_000_000
 """What is kept at most; the entries used longest ago go first."""
 SHARE_LEFT = 0.75
@@ -95,7 +99,8 @@ class Store:
         if self._connection is None:
             try:
                 self._file.parent.mkdir(parents=True, exist_ok=True)
-                self._file.with_name(BEFORE).unlink(missing_ok=True)
+                for name in BEFORE:
+                    self._file.with_name(name).unlink(missing_ok=True)
             except OSError as error:
                 raise sqlite3.OperationalError(str(error)) from error
             self._connection = sqlite3.connect(self._file, timeout=WAIT_S)
@@ -153,13 +158,14 @@ def _first_of(rows: Iterable[tuple[bytes, int]], wanted: float) -> list[tuple[by
 
 
 def _sealed(value: bytes) -> bytes:
-    packed: bytes = brotli.compress(value, quality=QUALITY)
-    return hashlib.sha256(packed).digest() + packed
+    small = len(value) < LEAST_PACKED
+    told = PLAIN + value if small else PACKED + brotli.compress(value, quality=QUALITY)
+    return hashlib.sha256(told).digest() + told
 
 
 def _opened(sealed: bytes) -> bytes | None:
-    check, packed = sealed[:CHECK], sealed[CHECK:]
-    if hashlib.sha256(packed).digest() != check:
+    check, told = sealed[:CHECK], sealed[CHECK:]
+    if hashlib.sha256(told).digest() != check:
         return None
-    value: bytes = brotli.decompress(packed)
+    value: bytes = told[1:] if told.startswith(PLAIN) else brotli.decompress(told[1:])
     return value

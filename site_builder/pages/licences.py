@@ -3,7 +3,6 @@
 import os
 from collections.abc import Sequence
 from dataclasses import dataclass
-from importlib.metadata import PackageNotFoundError, distribution
 from pathlib import Path
 
 from site_builder.book import UNSET
@@ -167,6 +166,9 @@ def _of_the_fonts(root: Path, settings: Settings, words: Words) -> tuple[Licence
 
 def _packaged_text(package: str, ending: str) -> str:
     """A licence file of an installed package; nothing where it carries none."""
+    # What reads archives and letters, which takes long.
+    from importlib.metadata import PackageNotFoundError, distribution
+
     try:
         files = distribution(package).files or []
     except PackageNotFoundError:

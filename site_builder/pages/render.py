@@ -2,7 +2,7 @@
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field, replace
-from functools import cache, partial
+from functools import cache, lru_cache, partial
 from pathlib import Path
 from typing import Any
 
@@ -19,13 +19,13 @@ from site_builder.markdown.directives.simulation import SIMULATION
 from site_builder.markdown.text.code import highlighted_lines
 from site_builder.page_model.blocks import Block, Simulation
 from site_builder.page_model.places import Heading
+from site_builder.pages.common import BEFORE, BEHIND, STYLES, Common, common_parts
 from site_builder.pages.compiled import KeptEnvironment
 from site_builder.pages.licences import Licence
 from site_builder.pages.outside import card_path, origin, page_address
 from site_builder.pages.places import card
 from site_builder.pages.policy import page_policy
 from site_builder.pages.stills import Stills
-from site_builder.pages.views.contents import Entries, chapter_entries
 from site_builder.pages.views.glossary import marked_terms, view_glossary
 from site_builder.pages.views.index import view_index
 from site_builder.pages.views.ladder import summary_row, view_ladder
@@ -102,7 +102,7 @@ def render_pages(
 ) -> dict[str, bytes]:
     """Every page of the site, by its path. ``read`` keeps what will be asked of each page, and is
     asked where the page is made."""
-    book, render = site.book, _renderer(site)
+    book, render = site.book, _renderer(site, read)
     pages: dict[str, Callable[[], bytes]] = {
         "index.html": partial(
             render,
@@ -154,18 +154,15 @@ def render_pages(
             file=path.rpartition("/")[2],
             code=own_or_engine(site.root, path).read_text(encoding="utf-8"),
         )
-    asks = [*pages.values()]
-    ahead = [partial(_then, ask, read) for ask in asks] if read else asks
-    return dict(zip(pages, answers(ahead), strict=True))
+    return dict(zip(pages, answers([*pages.values()]), strict=True))
 
 
-def _then(make: Callable[[], bytes], read: Callable[[bytes], object]) -> bytes:
-    page = make()
-    read(page)
-    return page
+_whole: dict[str, tuple[bytes, bytes]] = {}
+"""By its path, a page as it is kept, and the whole of it: the same while the first is the same, as
+most are in the builds of a server."""
 
 
-def _renderer(site: Site) -> Callable[..., bytes]:
+def _renderer(site: Site, read: Callable[[bytes], object] | None) -> Callable[..., bytes]:
     """Makes the pages of a site, each kept by what all share and what it is given. The stills of a
     page follow from its figures, which it is given."""
     shared = replace(site, root=Path(), book=_bare(site.book), stills={})
@@ -176,17 +173,26 @@ def _renderer(site: Site) -> Callable[..., bytes]:
     line = _environment().get_template("frame/contents-entry.html")
 
     @cache
-    def entries(root: str) -> Entries:
-        return chapter_entries(cards, lambda entry: line.render(root=root, entry=entry))
+    def common(root: str) -> Common:
+        styles = page_styles(site, root)
+        return common_parts(styles, cards, lambda entry: line.render(root=root, entry=entry))
 
     def render(template: str, path: str = "", **context: object) -> bytes:
         root = "../" * path.count("/") or "./"
 
         def make() -> bytes:
-            frame = {"back_matter": follows, "entries": entries(root)}
-            return render_page(seen, template, root, path, **frame, **context).encode()
+            html = render_page(seen, template, root, path, back_matter=follows, **context)
+            return html.encode()
 
-        return kept_as("page", (shared_hash, template, path, context), make)[0]
+        page = kept_as("page", (shared_hash, template, path, context), make)[0]
+        if read:
+            read(page)
+        known = _whole.get(path)
+        if known is None or known[0] is not page:
+            chapter = context.get("chapter")
+            own = chapter if isinstance(chapter, Chapter) else None
+            known = _whole[path] = page, common(root).put_into(page, own)
+        return known[1]
 
     return render
 
@@ -246,14 +252,28 @@ def render_page(site: Site, template: str, root: str, path: str = "", **context:
         site=site,
         runtime=f"{root}{site.runtime}" if site.runtime else "",
         first_faces=FIRST_FACES,
-        styles=Markup(site.styles.replace('url("../', f'url("{assets}')),
+        styles=page_styles(site, root),
+        styles_place=Markup(STYLES),
         integrity=integrity,
         address=page_address(path) if path and site.book.address else None,
         card=card_path(chapter),
         scenes=_scenes(chapter, context.get("cover")) if site.runtime else (),
         origin=origin(site.book, path, chapter),
+        entries_before=Markup(BEFORE),
+        entries_behind=Markup(BEHIND),
         **{"chapter": None, "here": "", "sections": (), "back_matter": (), **context},
     )
+
+
+@lru_cache(maxsize=64)
+def _from(styles: str, assets: str) -> str:
+    """A style sheet that knows addresses relative to its folder among the ``assets``."""
+    return styles.replace('url("../', f'url("{assets}')
+
+
+def page_styles(site: Site, root: str) -> str:
+    """What a page holds in place of a link to the style sheet; nothing where it links to it."""
+    return _from(site.styles, f"{root}{site.assets}")
 
 
 def _scenes(chapter: Chapter | None, cover: object) -> tuple[str, ...]:

@@ -10,7 +10,6 @@ import shutil
 import tempfile
 from collections.abc import Collection, Mapping
 from dataclasses import dataclass
-from importlib.metadata import version
 from pathlib import Path
 from zipfile import ZIP_DEFLATED, ZipFile
 
@@ -92,6 +91,8 @@ def freeze_libraries(
     order = {"at_once": sorted(at_once), "later": sorted(set(later) - set(at_once))}
     ingredients = [*(interpreter[name] for name in INTERPRETER), python, numpy, DRIVER, PROGRAM]
     hashes = [stores.sha256(file.read_bytes()) for file in ingredients]
+    from importlib.metadata import version  # it can read archives and letters, and takes long
+
     recipe = json.dumps([FORMAT, order, LOCK, version("pyodide-build"), hashes])
     record = store / "frozen" / f"{stores.sha256(recipe.encode())}.json"
     kept = _recall(record, store)

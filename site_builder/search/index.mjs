@@ -21,6 +21,25 @@ const processTerm = (word) => {
   if (!known.has(word)) known.set(word, ours.processTerm(word));
   return known.get(word);
 };
-const index = new MiniSearch({ ...ours, processTerm });
+
+/** A MiniSearch that looks for a term in its tree once, and not wherever a text has it. */
+class Index extends MiniSearch {
+  /** @type {Map<string, Map<number, Map<number, number>>>} */
+  places = new Map();
+
+  /**
+   * @param {number} field
+   * @param {number} section
+   * @param {string} term
+   */
+  addTerm(field, section, term) {
+    let fields = this.places.get(term);
+    if (!fields) this.places.set(term, (fields = this._index.fetch(term, () => new Map())));
+    let counts = fields.get(field);
+    if (!counts) fields.set(field, (counts = new Map()));
+    counts.set(section, (counts.get(section) ?? 0) + 1);
+  }
+}
+const index = new Index({ ...ours, processTerm });
 index.addAll(JSON.parse(readFileSync(0, "utf8")));
 process.stdout.write(JSON.stringify(index));

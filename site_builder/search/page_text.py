@@ -21,13 +21,13 @@ UNREAD = re.compile(
     re.DOTALL,
 )
 """What is long, silent and never inside its like: left out before a page is taken apart."""
-FORMULA = re.compile(r"(?<=<math)([^>]*>)(.*?)(?=</math>)", re.DOTALL)
+FORMULA = re.compile(r"<math([^>]*>)(.*?)(?=</math>)", re.DOTALL)
 """Of its many elements nothing is asked but their text, which is all that is then left."""
 TAG = re.compile(r"<[^>]*>")
 FOLDED = re.compile(r"<details(?![^>]*\bopen\b).*?</details>", re.DOTALL)
 PART = re.compile(
     r"""([^<]+|<(?![/!a-zA-Z]))|<!--.*?-->|"""
-    r"""<(/?)([a-zA-Z][^\s/>]*)((?:[^>"']|"[^"]*"|'[^']*')*)>""",
+    r"""<(/?)([a-zA-Z][^\s/>]*)((?:[^>"']++|"[^"]*"|'[^']*')*)>""",
     re.DOTALL,
 )
 """Text, a comment, or the beginning or end of an element: `html.parser`, which reads what nobody
@@ -61,6 +61,16 @@ class _Draft:
     def add(self, channel: Channel, text: str) -> None:
         self.parts.setdefault(channel, []).append(text)
 
+    @property
+    def is_silent(self) -> bool:
+        said = (*self.parts.get("title", ()), *self.parts.get("text", ()))
+        return not any(part.strip() for part in said)
+
+    def count_words(self) -> int:
+        """Of title, text, figures and questions."""
+        channels: tuple[Channel, ...] = ("title", "text", "figure", "question")
+        return sum(len("".join(self.parts.get(channel, ())).split()) for channel in channels)
+
     def finished(self) -> Section:
         return Section(
             anchor=self.anchor,
@@ -85,29 +95,24 @@ def read_sections(html: str) -> tuple[Section, ...]:
 
 
 def _sections(html: str) -> tuple[Section, ...]:
+    return tuple(draft.finished() for draft in _drafts(html))
+
+
+def _drafts(html: str) -> Iterator[_Draft]:
+    """Those that say something."""
     reader = _Reader()
     shown = UNREAD.sub(r"\1", html)
-    reader.read(FORMULA.sub(lambda found: found[1] + TAG.sub("", found[2]), shown))
-    sections = (draft.finished() for draft in reader.drafts)
-    return tuple(section for section in sections if section.title or section.text)
+    reader.read(FORMULA.sub(lambda found: f"<math{found[1]}{TAG.sub('', found[2])}", shown))
+    return (draft for draft in reader.drafts if not draft.is_silent)
 
 
-@kept
 def reading_minutes(body: str) -> int:
     """How long an article's body takes to read: its text, captions and questions. What is folded
-    is opened, and figures are played with, by those who like."""
+    is opened, and figures are played with, by those who like. It is not kept: to look for it takes
+    as long."""
     shown = FOLDED.sub("", body)
-    sections = _sections(f"<article {ARTICLE}>{shown}</article>")
-    words = sum(len(f"{s.title} {s.text} {s.figures} {s.questions}".split()) for s in sections)
-    return max(1, round(words / WORDS_A_MINUTE))
-
-
-@dataclass(slots=True)
-class _Element:
-    tag: str
-    channel: Channel
-    started: int
-    """Where its text starts in what was read before."""
+    drafts = _drafts(f"<article {ARTICLE}>{shown}</article>")
+    return max(1, round(sum(draft.count_words() for draft in drafts) / WORDS_A_MINUTE))
 
 
 @dataclass(slots=True)
@@ -115,15 +120,16 @@ class _Reader:
     """Walks the page; each element hands its channel on to those inside."""
 
     drafts: list[_Draft] = field(default_factory=lambda: [_Draft()])
-    _open: list[_Element] = field(default_factory=list)
+    _open: list["_Opened"] = field(default_factory=list)
+    _started: list[int] = field(default_factory=list)
+    """Where the text of each of these starts in what was read before."""
     _words: list[str] = field(default_factory=list)
     """All that was read, whatever its channel: bold words and formulae are taken from here."""
     _formulae: int = 0
     """Of those that are open."""
 
     def read(self, html: str) -> None:
-        for found in PART.finditer(html):
-            text, closes, tag, attributes = found.groups()
+        for text, closes, tag, attributes in PART.findall(html):
             if text:
                 self._say(unescape(text) if "&" in text else text)
             elif tag and closes:
@@ -134,23 +140,23 @@ class _Reader:
                     self._close(tag.lower())
 
     def _begin(self, tag: str, attributes: str) -> None:
-        outer: Channel = self._open[-1].channel if self._open else "outside"
-        opened = _opened(tag, attributes, outer)
+        opened = _opened(tag, attributes, self._open[-1].channel if self._open else "outside")
         if opened.section is not None:
             self.drafts.append(_Draft(opened.section))
         if opened.said:
             self.drafts[-1].add("figure", opened.said)
         if tag not in NEVER_CLOSED:
-            self._open.append(_Element(tag, opened.channel, len(self._words)))
+            self._open.append(opened)
+            self._started.append(len(self._words))
             self._formulae += tag == "math"
 
     def _close(self, tag: str) -> None:
         if not any(element.tag == tag for element in reversed(self._open)):
             return
         while self._open:
-            element = self._open.pop()
+            element, started = self._open.pop(), self._started.pop()
             self._formulae -= element.tag == "math"
-            self._finish(element)
+            self._finish(element, started)
             if element.tag == tag:
                 return
 
@@ -162,12 +168,12 @@ class _Reader:
         if not self._formulae:
             self.drafts[-1].add("text" if channel == "term" else channel, text)
 
-    def _finish(self, element: _Element) -> None:
+    def _finish(self, element: "_Opened", started: int) -> None:
         outer: Channel = self._open[-1].channel if self._open else "outside"
         if element.channel == "term" and outer != "term":
-            self.drafts[-1].add("term", "".join(self._words[element.started :]))
+            self.drafts[-1].add("term", "".join(self._words[started:]))
         elif element.tag == "math" and element.channel != "hidden":
-            formula = "".join("".join(self._words[element.started :]).split())
+            formula = "".join("".join(self._words[started:]).split())
             shown = formula if len(formula) <= LONGEST_FORMULA else "…"
             self.drafts[-1].add("text" if element.channel == "term" else element.channel, shown)
         elif element.tag not in INLINE and element.channel in ("text", "figure", "question"):
@@ -175,8 +181,9 @@ class _Reader:
 
 
 class _Opened(NamedTuple):
-    """What an element's beginning does."""
+    """An element, and what its beginning does."""
 
+    tag: str
     channel: Channel
     section: str | None
     """Id of the section that it begins."""
@@ -194,4 +201,4 @@ def _opened(tag: str, written: str, outer: Channel) -> _Opened:
     begins = channel == "title" and outer != "title" and tag != "h1"
     title = title_in(tag, attributes, outer)
     said = f"{title.rstrip('.')}. " if title else ""
-    return _Opened(channel, attributes.get("id", "") if begins else None, said)
+    return _Opened(tag, channel, attributes.get("id", "") if begins else None, said)

@@ -10,6 +10,7 @@ from site_builder.build import Options, RenderedSite, render_parts
 from site_builder.diagnostics import BuildError, Diagnostic
 from site_builder.drawing.apart import Limits, limited
 from site_builder.kept.ahead import Ask, make_ahead
+from site_builder.kept.files import file_hash
 from site_builder.kept.keeper import Keeper, keeping
 from site_builder.kept.store import Store, default_folder
 from site_builder.output.assets import content_bytes
@@ -35,6 +36,8 @@ class Bench:
         """Of the files as they were written."""
         self._writing = threading.Lock()
         self._indexing: threading.Thread | None = None
+        self._again: Sequence[Ask] = ()
+        """What the last build asked for that any change of code makes necessary again."""
         self._first: list[Ask] = []
         """What the next build will certainly ask for."""
 
@@ -51,7 +54,7 @@ class Bench:
             return False
         let_go(gone)
         self._keeper.forget(gone)
-        self._first = redrawn(gone)
+        self._first = [*self._again, *redrawn(gone, self._keeper.asked)]
         self._writing, self._indexing = threading.Lock(), None
         return True
 
@@ -64,11 +67,13 @@ class Bench:
                 first, self._first = self._first, []
                 make_ahead(first)
                 site = render_parts(options)
+                self._again = site.again
                 with self._writing:
                     changed = write_site(self._with_index(site), self._out, self._hashes)
                 yield _answer(warnings, f"{len(site.files)} files", changed=changed)
                 # From here on nobody waits: what is new goes into the store, too.
                 records = site.records()
+                self._get_ready()
         except BuildError as error:
             yield _answer(warnings, "", mistakes=str(error))
         except OSError as error:
@@ -84,6 +89,12 @@ class Bench:
                 self._indexing = threading.Thread(target=self._make_index, args=given, daemon=True)
                 self._indexing.start()
         _set_apart()
+
+    def _get_ready(self) -> None:
+        """What the next build, or the copy that makes it, would have to see anew."""
+        self._keeper.get_ready()
+        for name in self._hashes:
+            file_hash(self._out / name)
 
     def _with_index(self, site: RenderedSite) -> Files:
         place = self._out / ADDRESS

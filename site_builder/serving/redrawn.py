@@ -1,7 +1,7 @@
 """What a book shows of scenes whose code has changed: one frame is asked for after the other as the
 book is read, but all of them can be drawn at once, on all cores, before."""
 
-from collections.abc import Collection, Iterator
+from collections.abc import Collection, Iterable, Iterator
 from contextlib import suppress
 from functools import partial
 
@@ -13,14 +13,16 @@ from site_builder.kept.ahead import Ask
 from site_builder.measured.loading import loaded
 
 
-def redrawn(modules: Collection[str]) -> list[Ask]:
-    """Asks again for what this process has asked for of the scenes that lie in ``modules``: what
+def redrawn(modules: Collection[str], asked: Iterable[str]) -> list[Ask]:
+    """Asks again for what of all that was ``asked`` is of the scenes that lie in ``modules``: what
     came last first, since that is the pictures, which take longest."""
-    return [ask for key, name in SCENE_MODULES.items() if name in modules for ask in _asks(key)]
+    before = [*asked]
+    changed = [key for key, name in SCENE_MODULES.items() if name in modules]
+    return [ask for key in changed for ask in _asks(key, before)]
 
 
-def _asks(scene_id: str) -> Iterator[Ask]:
-    before = drawn_of(scene_id)
+def _asks(scene_id: str, asked: Iterable[str]) -> Iterator[Ask]:
+    before = drawn_of(scene_id, asked)
     if before:
         yield partial(_read, scene_id)
     yield from (partial(_draw, scene_id, drawn) for drawn in reversed(before))

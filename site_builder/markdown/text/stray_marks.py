@@ -90,8 +90,11 @@ def _cells(line: str) -> list[str]:
 def _lost_addresses(state: StateCore) -> Iterator[tuple[int, str]]:
     """Lines like ``[Note]: beware`` that give an address to a link which is nowhere: all that they
     say would be lost."""
+    references = state.env.get("references")
+    if not references:
+        return
     source = " ".join(state.src.casefold().split())
-    for label, found in state.env.get("references", {}).items():
+    for label, found in references.items():
         if source.count(f"[{label.casefold()}]") == 1:
             legal = "words in bold, or a link '[words](https://…)'"
             message = f"'[{label.lower()}]: …' is the address of no link; legal: {legal}"
@@ -100,7 +103,9 @@ def _lost_addresses(state: StateCore) -> Iterator[tuple[int, str]]:
 
 def _lost_footnotes(state: StateCore, lines: Sequence[str]) -> Iterator[tuple[int, str]]:
     """Notes that nothing in the text leads to, and all but the first of one label."""
-    uses = state.env.get("footnotes", {}).get("refs", {})
+    uses = state.env.get("footnotes", {}).get("refs")
+    if not uses:
+        return
     places: dict[str, int] = {}
     for number, line in enumerate(lines, start=1):
         note = FOOTNOTE.match(line)

@@ -10,19 +10,20 @@ UNITS = "nm|µm|mm|cm|m|km|px|dB|rad|ms|s|Hz|EV|DN|kB|MB"
 """Units that stay on the line of their number."""
 
 REPLACEMENTS = (
-    (re.compile(r"(?<!-)---(?!-)"), "—"),
-    (re.compile(r"(?<!-)--(?!-)"), "–"),
-    (re.compile(r"(?<!\.)\.\.\.(?!\.)"), "…"),
-    (re.compile(rf"(?<=\d) (?=(?:{UNITS})\b)"), "\u00a0"),
+    ("---", re.compile(r"(?<!-)---(?!-)"), "—"),
+    ("--", re.compile(r"(?<!-)--(?!-)"), "–"),
+    ("...", re.compile(r"(?<!\.)\.\.\.(?!\.)"), "…"),
+    (" ", re.compile(rf"(\d) (?=(?:{UNITS})\b)"), "\\1\u00a0"),
 )
-IN_ANY = re.compile(r"[-.\d]")
-"""Each pattern asks for one of these."""
+"""Each after what it asks for, which most texts have not."""
 
 
 def typography_rule(state: StateCore) -> None:
     """Replace in running text; code and formulae stay as they are."""
     for block in state.tokens:
         for token in block.children or ():
-            if token.type == "text" and IN_ANY.search(token.content):
-                for pattern, character in REPLACEMENTS:
+            if token.type != "text":
+                continue
+            for asked, pattern, character in REPLACEMENTS:
+                if asked in token.content:
                     token.content = pattern.sub(character, token.content)

@@ -72,6 +72,22 @@ def test_a_result_is_found_in_the_same_process_and_in_the_next() -> None:
     assert made(store, lambda: doubled("a")) == []
 
 
+def test_the_store_is_asked_once_in_a_build_for_what_it_has_not() -> None:
+    class Counting(Shelf):
+        def get(self, key: bytes) -> bytes | None:
+            asked.append(key)
+            return super().get(key)
+
+    asked: list[bytes] = []
+    keeper = Keeper(Counting())
+    for _ in range(2):
+        asked.clear()
+        with keeping(keeper):
+            for _ in range(2):
+                assert keeper.lacks(lambda: doubled("many"))
+        assert len(asked) == len(set(asked)) > 0
+
+
 def test_a_file_that_is_read_is_depended_on_through_others(tmp_path: Path) -> None:
     store, file = Shelf(), tmp_path / "a"
     assert made(store, lambda: shouted(file)) == ["first_line", "shouted"]

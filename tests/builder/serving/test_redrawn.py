@@ -5,19 +5,13 @@ import sys
 import pytest
 
 from simulations.registry import load_scene, scene_module
-from site_builder.drawing import frames
 from site_builder.drawing.frames import frame_at, print_at
 from site_builder.editor.sources import scene_sources
-from site_builder.kept.keeper import Keeper, keeping
+from site_builder.kept.keeper import Keeper, keeping, kept_as
 from site_builder.serving.redrawn import redrawn
 
 SCENE_ID = "transform-2d"
 MODULE = scene_module(SCENE_ID)
-
-
-@pytest.fixture(autouse=True)
-def _nothing_drawn(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(frames, "_drawn", {})
 
 
 def draw() -> None:
@@ -27,38 +21,53 @@ def draw() -> None:
     scene_sources(scene)
 
 
-def test_all_that_was_asked_of_a_changed_scene_is_there_when_it_is_asked_again() -> None:
-    draw()
+@pytest.fixture(scope="module")
+def asked() -> list[str]:
+    """What a build notes of that."""
+    with keeping(keeper := Keeper()):
+        draw()
+    return [*keeper.asked]
+
+
+def test_all_that_was_asked_of_a_changed_scene_is_there_when_it_is_asked_again(
+    asked: list[str],
+) -> None:
     keeper = Keeper()
     with keeping(keeper):
-        for ask in redrawn([MODULE]):
+        for ask in redrawn([MODULE], asked):
             ask()
         keeper.made.clear()
         draw()
         assert keeper.made == []
 
 
-def test_of_a_scene_that_has_not_changed_nothing_is_asked() -> None:
-    draw()
-    assert redrawn(["simulations.scenes.camera.scene"]) == []
+def test_of_a_scene_that_has_not_changed_nothing_is_asked(asked: list[str]) -> None:
+    assert redrawn(["simulations.scenes.camera.scene"], asked) == []
 
 
 def test_what_is_wrong_with_a_changed_scene_is_left_to_who_asks_next(
-    monkeypatch: pytest.MonkeyPatch,
+    asked: list[str], monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    draw()
     monkeypatch.delattr(sys.modules[MODULE], "SCENE")
-    for ask in redrawn([MODULE]):
+    for ask in redrawn([MODULE], asked):
         ask()
 
 
 def test_settings_that_a_changed_scene_has_no_more_are_not_drawn(
-    monkeypatch: pytest.MonkeyPatch,
+    asked: list[str], monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    draw()
     monkeypatch.setattr(sys.modules[MODULE], "SCENE", load_scene("camera"))
     keeper = Keeper()
     with keeping(keeper):
-        for ask in redrawn([MODULE]):
+        for ask in redrawn([MODULE], asked):
             ask()
     assert not [name for name in keeper.made if name.endswith("frame_at")]
+
+
+def test_what_a_page_asks_for_is_known_though_the_page_is_only_found() -> None:
+    keeper = Keeper()
+    for _ in range(2):
+        keeper.asked.clear()
+        with keeping(keeper):
+            kept_as("page", SCENE_ID, draw)
+        assert len(redrawn([MODULE], keeper.asked)) == 3
