@@ -36,6 +36,8 @@ LEAVE = """(url) => {
   link.click();
 }"""
 TELL = "addEventListener('pageshow', ({persisted}) => { window.persisted = persisted; })"
+TRIES = 3
+"""A browser on a busy machine may decide not to keep a page."""
 WHY_NOT = "JSON.stringify(performance.getEntriesByType('navigation')[0].notRestoredReasons)"
 """What the browser says where it has not kept the page."""
 
@@ -82,17 +84,23 @@ def test_back_from_elsewhere_settings_and_answers_are_as_they_were_and_the_figur
         sent.locator("button[type=submit]").click()
         given = page.evaluate(GIVEN)
 
-        deadline = time.monotonic() + START_MS / 1000
-        while under_way and time.monotonic() < deadline:  # what still asks for files is not kept
-            page.wait_for_timeout(50)
-        page.evaluate(LEAVE, elsewhere)
-        page.wait_for_url(elsewhere)
-        page.evaluate("setTimeout(() => history.back())")  # `go_back` waits for a page to load
-        page.wait_for_url(lambda url: ALL_KINDS[0] in url, wait_until="commit")
-        page.wait_for_function("window.persisted !== undefined")
-        assert page.evaluate("window.persisted") is kept, page.evaluate(WHY_NOT)
+        for _ in range(TRIES if kept else 1):
+            reader.settle(figure)  # whose worker computes is not kept, nor who still asks for files
+            deadline = time.monotonic() + START_MS / 1000
+            while under_way and time.monotonic() < deadline:
+                page.wait_for_timeout(50)
+            page.evaluate("window.persisted = undefined")
+            page.evaluate(LEAVE, elsewhere)
+            page.wait_for_url(elsewhere)
+            page.evaluate("setTimeout(() => history.back())")  # `go_back` waits for a page to load
+            page.wait_for_url(lambda url: ALL_KINDS[0] in url, wait_until="commit")
+            page.wait_for_function("window.persisted !== undefined")
+            reader.wait_live()
+            if page.evaluate("window.persisted") is kept:
+                break
+        else:
+            pytest.fail(page.evaluate(WHY_NOT))
 
-        reader.wait_live()
         assert slider.input_value() == moved
         assert page.evaluate(GIVEN) == given
         assert sent.get_attribute("data-answered")
