@@ -9,6 +9,9 @@ from collections.abc import Sequence
 from contextlib import closing
 from pathlib import Path
 
+if __name__ == "__main__":
+    gc.disable()  # of what is imported now, all lives until the end
+
 from site_builder import STARTED_NS
 from site_builder.addresses import site_address, source_address
 from site_builder.book import Book
@@ -196,6 +199,7 @@ def _collect_rarely() -> None:
     """Garbage in circles, of which a build makes little: Python would look for it hundreds of times
     in what lives until the end, and take an eighth of the time."""
     gc.freeze()
+    gc.enable()
     gc.set_threshold(OBJECTS)
 
 

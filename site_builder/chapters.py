@@ -57,6 +57,8 @@ class Page:
     text: str
     position: Position
     shared: Shared
+    _made_of: tuple[object, ...] = field(default=(), init=False)
+    """Its path, and the hash of all that it is read with, which is asked for again and again."""
     _draft: Draft | None = field(default=None, init=False)
     """Parsed already, and not yet read: reading changes it."""
 
@@ -75,9 +77,12 @@ class Page:
         return replace(chapter, kept_as=made_from)
 
     def _given(self) -> tuple[object, ...]:
-        shared = self.shared
-        own = tuple(sorted(shared.macros.items()))
-        return self.path, self.text, self.position, shared.words, shared.raw_html, own
+        if not self._made_of:
+            shared = self.shared
+            own = tuple(sorted(shared.macros.items()))
+            given = self.path, self.text, self.position, shared.words, shared.raw_html, own
+            self._made_of = (self.path, given_hash(*given))
+        return self._made_of
 
     def _read(self, targets: Targets, problems: Diagnostics) -> Chapter:
         for file in (BIBLIOGRAPHY, GLOSSARY, MEASUREMENTS):

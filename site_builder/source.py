@@ -217,9 +217,10 @@ def _check_addresses(outline: Outline, problems: Diagnostics) -> None:
 def _check_unlisted(root: Path, outline: Outline, problems: Diagnostics) -> None:
     listed = {f"content/{name}.md" for name, _, _ in outline.chapters}
     included = {path for places in problems.spliced.values() for path, _ in places}
+    known = listed | included
     for file in sorted((root / "content").rglob("*.md")):
         path = file.relative_to(root).as_posix()
-        if listed and file.is_file() and path not in listed | included:
+        if listed and file.is_file() and path not in known:
             problems.add(
                 path,
                 1,

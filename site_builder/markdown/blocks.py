@@ -14,6 +14,9 @@ from site_builder.page_model.blocks import Block, Prose
 
 def read_blocks(tokens: Sequence[Token], reading: Reading) -> tuple[Block, ...]:
     """Tokens at one level of nesting as blocks, in order."""
+    if not any(token.type == "directive_open" for token in tokens):
+        html = reading.html(tokens) if tokens else ""
+        return (Block("prose", Prose(html)),) if html else ()
     blocks: list[Block] = []
     prose: list[Token] = []
 

@@ -9,7 +9,7 @@ from site_builder.book import Chapter
 from site_builder.diagnostics import Diagnostics
 from site_builder.markdown.blocks import read_blocks
 from site_builder.markdown.files.front_matter import FrontMatter, read_front_matter
-from site_builder.markdown.files.splicing import splice
+from site_builder.markdown.files.splicing import may_include, splice
 from site_builder.markdown.inline import annotate, inline_html
 from site_builder.markdown.placing import place_targets
 from site_builder.markdown.reading import PAGE_IDS, Reading
@@ -31,9 +31,12 @@ class Draft:
 
 def parse_chapter(text: str, reading: Reading) -> Draft:
     """The chapter in ``text``; mistakes are reported and reading goes on."""
-    lines = splice(text, reading.path, reading.root, reading.problems)
-    reading.problems.spliced[reading.path] = [(line.path, line.number) for line in lines]
-    tokens = reading.parser.parse("\n".join(line.text for line in lines), reading.env)
+    whole = text
+    if may_include(text):
+        lines = splice(text, reading.path, reading.root, reading.problems)
+        reading.problems.spliced[reading.path] = [(line.path, line.number) for line in lines]
+        whole = "\n".join(line.text for line in lines)
+    tokens = reading.parser.parse(whole, reading.env)
     for line, message in reading.env.pop("problems", ()):
         reading.problem(line, message)
     matter = read_front_matter(tokens, reading)

@@ -1,7 +1,7 @@
 """One pass over a page's tokens: set formulae, gather links and headings, report the illegal."""
 
 import re
-from collections.abc import Sequence
+from collections.abc import Callable, Mapping, Sequence
 
 from markdown_it.token import Token
 
@@ -24,31 +24,8 @@ MISPLACED_OPTION = re.compile(r":[a-z_][\w-]*:[ \t]+\S+")
 def annotate(tokens: Sequence[Token], reading: Reading) -> None:
     """Give formulae, code, links and headings what rendering needs; report what is illegal."""
     for token, line in located(tokens):
-        match token.type:
-            case "math_inline" | "math_block" | "math_block_label":
-                _set_formula(token, line, reading)
-            case "fence":
-                _set_code(token, line, reading)
-            case "link_open":
-                _gather_link(token, line, reading)
-            case "text" if MISPLACED_OPTION.fullmatch(token.content):
-                reading.problem(
-                    line,
-                    f"option {token.content!r} in running text; "
-                    "legal: directly below the line that opens the directive",
-                )
-            case "role":
-                _set_words(token, line, reading)
-            case "role_open" if token.info not in ROLE_NAMES:
-                reading.problem(line, unknown("role", token.info, ROLE_NAMES))
-            case "role_open" if "role" in token.meta:
-                _set_link(token, line, reading)
-            case "image":
-                reading.problem(
-                    line, "picture in running text; legal: ':::{figure} file' with ':alt:'"
-                )
-            case "html_inline" | "html_block":
-                _drop_html(token, line, reading)
+        if see := SEEN_TO.get(token.type):
+            see(token, line, reading)
     list_headings(tokens, reading)
     glue_formulae(tokens)
 
@@ -139,3 +116,40 @@ def _drop_html(token: Token, line: int, reading: Reading) -> None:
         message = "a comment that is not closed, or not at the end of a line"
         reading.problem(line, f"{start!r} begins {message}; legal: '<!-- … -->'")
     token.content = ""
+
+
+def _check_text(token: Token, line: int, reading: Reading) -> None:
+    if token.content.startswith(":") and MISPLACED_OPTION.fullmatch(token.content):
+        reading.problem(
+            line,
+            f"option {token.content!r} in running text; "
+            "legal: directly below the line that opens the directive",
+        )
+
+
+def _open_role(token: Token, line: int, reading: Reading) -> None:
+    if token.info not in ROLE_NAMES:
+        reading.problem(line, unknown("role", token.info, ROLE_NAMES))
+    elif "role" in token.meta:
+        _set_link(token, line, reading)
+
+
+def _refuse_picture(_token: Token, line: int, reading: Reading) -> None:
+    legal = "':::{figure} file' with ':alt:'"
+    reading.problem(line, f"picture in running text; legal: {legal}")
+
+
+SEEN_TO: Mapping[str, Callable[[Token, int, Reading], None]] = {
+    "math_inline": _set_formula,
+    "math_block": _set_formula,
+    "math_block_label": _set_formula,
+    "fence": _set_code,
+    "link_open": _gather_link,
+    "text": _check_text,
+    "role": _set_words,
+    "role_open": _open_role,
+    "image": _refuse_picture,
+    "html_inline": _drop_html,
+    "html_block": _drop_html,
+}
+"""What `annotate` does with each kind of token."""

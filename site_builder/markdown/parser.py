@@ -2,10 +2,11 @@
 
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
-from functools import partial
+from functools import lru_cache, partial
 from typing import Any
 
 from markdown_it import MarkdownIt
+from markdown_it.common.normalize_url import normalizeLink
 from markdown_it.renderer import RendererProtocol
 from markdown_it.token import Token
 from markdown_it.utils import EnvType, OptionsDict
@@ -16,6 +17,7 @@ from mdit_py_plugins.front_matter import front_matter_plugin
 from site_builder.languages.words import ENGLISH, Words
 from site_builder.markdown.directives import DIRECTIVES
 from site_builder.markdown.fences import directive_rule
+from site_builder.markdown.first_marks import ask_by_marks
 from site_builder.markdown.role import role_rule
 from site_builder.markdown.roles import ROLES
 from site_builder.markdown.text import rendering
@@ -87,10 +89,21 @@ WORDED: Mapping[str, Callable[[Words, Token], str]] = {
 """Likewise, with words of the interface."""
 
 
+class _Markdown(MarkdownIt):
+    def normalizeLink(self, url: str) -> str:  # noqa: N802  (markdown-it's name)
+        return _normalized(url)
+
+
+@lru_cache(maxsize=4096)
+def _normalized(url: str) -> str:
+    """Remembered, as a book links to the same places again and again."""
+    return normalizeLink(url)
+
+
 def make_parser(words: Words = ENGLISH) -> MarkdownIt:
     """CommonMark with the book's additions, and the quotation marks of its language."""
     quotes = words("language.quotes")
-    parser = MarkdownIt("commonmark", {"typographer": True, "html": True, "quotes": quotes})
+    parser = _Markdown("commonmark", {"typographer": True, "html": True, "quotes": quotes})
     parser.enable(list(STANDARD))
     for plugin in PLUGINS:
         parser.use(plugin)
@@ -103,6 +116,7 @@ def make_parser(words: Words = ENGLISH) -> MarkdownIt:
     for kind, worded in WORDED.items():
         parser.add_render_rule(kind, _render_rule(partial(worded, words)))
     parser.add_render_rule("role", rendering.role)
+    ask_by_marks(parser)
     return parser
 
 

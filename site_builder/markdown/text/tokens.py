@@ -11,11 +11,18 @@ def located(tokens: Sequence[Token]) -> Iterator[tuple[Token, int]]:
     for token in tokens:
         line = token.map[0] + 1 if token.map else line
         yield token, line
-        offset = 0
-        for child in token.children or ():
-            yield child, line + offset
-            is_break = child.type in ("softbreak", "hardbreak")
-            offset += 1 if is_break else child.content.count("\n")
+        if token.children:
+            yield from children_located(token, line)
+
+
+def children_located(inline: Token, line: int) -> Iterator[tuple[Token, int]]:
+    """What is inside of a paragraph, which begins on ``line``, each with its own line."""
+    for child in inline.children or ():
+        yield child, line
+        if child.type in ("softbreak", "hardbreak"):
+            line += 1
+        elif "\n" in child.content:
+            line += child.content.count("\n")
 
 
 def plain_text(inline: Token) -> str:

@@ -13,7 +13,7 @@ REPLACEMENTS = (
     ("---", re.compile(r"(?<!-)---(?!-)"), "—"),
     ("--", re.compile(r"(?<!-)--(?!-)"), "–"),
     ("...", re.compile(r"(?<!\.)\.\.\.(?!\.)"), "…"),
-    (" ", re.compile(rf"(\d) (?=(?:{UNITS})\b)"), "\\1\u00a0"),
+    (" ", re.compile(rf" (?<=\d )(?=(?:{UNITS})\b)"), "\u00a0"),  # spaces are found at once
 )
 """Each after what it asks for, which most texts have not."""
 
