@@ -56,7 +56,8 @@ def _bundle(
 
     sources = [folder_hash(folder, "*.py") for folder in (simulations, ENGINE / "simulations")]
     bundle = kept_as("runtime", (sources, scenes, ladders, compiled), pack)[0]
-    return bundle if all(map(is_whole, bundle.files.values())) else pack()
+    is_good = all(map(is_whole, bundle.files.values())) and not bundle.wants_memory
+    return bundle if is_good else pack()
 
 
 def shown_ladders(book: Book) -> list[LadderFigure]:

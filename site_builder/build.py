@@ -241,6 +241,9 @@ def _runtime(options: Options, book: Book) -> tuple[str, Files, RuntimeBundle]:
     bundle = pack_for_browser(root, book, compiled=compiled) if options.runtime else None
     if bundle is None:
         return "", {}, RuntimeBundle({}, Versions())
+    if bundle.wants_memory:
+        told = f"figures live later at a first visit: {bundle.wants_memory}"
+        options.warn(Diagnostic("site_builder/runtime/memory.mjs", 1, told, fails=False))
     if options.reload:
         there: Files = {RUNTIME_NOW + name: content for name, content in bundle.files.items()}
         return RUNTIME_NOW, there, bundle

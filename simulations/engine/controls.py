@@ -1,6 +1,5 @@
 """Controls: what the reader may change, within which range, starting where."""
 
-import difflib
 import math
 from collections.abc import Mapping
 from dataclasses import dataclass
@@ -199,6 +198,8 @@ type Control = Slider | Choice | Toggle | Action
 
 def suggestion(given: object, legal: Mapping[str, object]) -> str:
     """``; did you mean 'x'?`` where something legal is close, else nothing."""
+    import difflib  # long, and rarely needed
+
     near = difflib.get_close_matches(str(given), list(legal), n=1)
     return f"; did you mean {near[0]!r}?" if near else ""
 

@@ -7,7 +7,6 @@ They build on `simulations.engine.drawing` and follow its rules: view box units,
 import math
 import re
 from collections.abc import Sequence
-from html import escape
 
 import numpy as np
 
@@ -15,6 +14,7 @@ from simulations.engine.drawing import (
     Point,
     arrow,
     coordinate,
+    escaped,
     path,
     polygon,
     polyline,
@@ -48,7 +48,7 @@ def _spans(content: str) -> str:
 
 def _span(content: str, kind: str, down_em: float) -> str:
     """Words, so many of their own letters below those before."""
-    words = escape(content, quote=False)
+    words = escaped(content)
     if not words or not (kind or down_em):
         return words
     style = f' class="{kind}"' if kind else ""

@@ -8,7 +8,6 @@ differ in the last place draw the same markup.
 
 import math
 from collections.abc import Iterable, Sequence
-from html import escape
 
 import numpy as np
 from numpy.typing import NDArray
@@ -85,13 +84,16 @@ def dot(centre: Point, style: str = "", radius: float = 4.0) -> str:
     return circle(centre, radius, f"{style} solid".strip())
 
 
+def escaped(content: str) -> str:
+    """As text in SVG. The library's own function comes with a table of all of HTML's entities,
+    which is long in a browser's memory."""
+    return content.replace("&", "&amp;").replace("<", "&lt;").replace(">", "&gt;")
+
+
 def text(position: Point, content: str, style: str = "", anchor: str = "start") -> str:
     """A label; ``anchor`` is start, middle or end. The content is escaped."""
     x, y = coordinate(position[0]), coordinate(position[1])
-    return (
-        f'<text class="{style}" x="{x}" y="{y}" text-anchor="{anchor}">'
-        f"{escape(content, quote=False)}</text>"
-    )
+    return f'<text class="{style}" x="{x}" y="{y}" text-anchor="{anchor}">{escaped(content)}</text>'
 
 
 def arrow(start: Point, end: Point, style: str = "", head: float = 8.0) -> str:

@@ -5,7 +5,6 @@ metrics with units. Measuring one takes a clock from outside, so that this modul
 and the same code measures in CPython and in the reader's browser.
 """
 
-import statistics
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
@@ -118,6 +117,8 @@ def measure_tier(
     begun = clock()
     while len(samples) < at_most and (len(samples) < at_least or clock() - begun < budget_s):
         samples.append(_time_runs(tier, workload, clock, runs) / runs * 1e3)
+    import statistics  # long, and rarely needed
+
     low, _, high = statistics.quantiles(samples, n=4, method="inclusive")
     return TierResult(tier_id, statistics.median(samples), low, high, len(samples), errors)
 

@@ -15,6 +15,7 @@ from collections.abc import Iterable, Mapping
 from importlib import import_module
 from importlib._bootstrap_external import _code_to_hash_pyc  # type: ignore[attr-defined]
 from pathlib import Path
+from types import CodeType
 
 FREEZER = Path("/freezer")
 OUT = FREEZER / "out"
@@ -25,6 +26,8 @@ DOCUMENTED = (ast.Module, ast.ClassDef, ast.FunctionDef, ast.AsyncFunctionDef)
 SIMPLE = (ast.Expr, ast.Assign, ast.AnnAssign, ast.Return, ast.Import, ast.ImportFrom, ast.Raise)
 """Frequent statements that hold no others."""
 BLOCKS = ("body", "handlers", "cases", "orelse", "finalbody")
+SAME_LINE, MOST_UNITS = 0x80 | 13 << 3, 8
+"""Of a table of lines: the entry for at most so many units of code, without columns."""
 EPOCH = (2020, 1, 1, 0, 0, 0)
 
 type Members = Mapping[str, bytes]
@@ -35,7 +38,7 @@ def main() -> None:
     order = json.loads((FREEZER / "order.json").read_text())
     OUT.mkdir()
     if not order:
-        write("sources", compiled(read_folder(FREEZER / "sources")))
+        write("sources", compiled(read_folder(FREEZER / "sources"), lines=True))
         return
     parts = freeze_libraries(order["at_once"], order["later"])
     for part, members in parts.items():
@@ -121,23 +124,49 @@ def module_name(member: str) -> str:
     return member.partition(".")[0].replace("/", ".").removesuffix(".__init__")
 
 
-def compiled(members: Members) -> dict[str, bytes]:
-    """Sources as byte code that is never checked against its source; the rest as it is."""
+def compiled(members: Members, *, lines: bool = False) -> dict[str, bytes]:
+    """Sources as byte code that is never checked against its source; the rest as it is. With the
+    ``lines`` that each piece of code is of, or without."""
     return {
         (name + "c" if name.endswith(".py") else name): (
-            byte_code(name, content) if name.endswith(".py") else content
+            byte_code(name, content, lines=lines) if name.endswith(".py") else content
         )
         for name, content in members.items()
     }
 
 
-def byte_code(name: str, source: bytes) -> bytes:
+def byte_code(name: str, source: bytes, *, lines: bool) -> bytes:
     tree = ast.parse(source, name)
     if name.split("/")[0] not in ITS_OWN:  # which read theirs
         drop_docstrings(tree)
+    if name.rpartition("/")[2].startswith("_add_newdocs"):
+        tree.body = [each for each in tree.body if not adds_docs(each)]
     code = compile(tree, name, "exec", dont_inherit=True)
+    if not lines:
+        code = without_lines(code)
     content: bytes = _code_to_hash_pyc(code, importlib.util.source_hash(source), False)
     return content
+
+
+def adds_docs(statement: ast.stmt) -> bool:
+    """Whether it does nothing but give a function of numpy's machine code its docstring."""
+    match statement:
+        case ast.Expr(ast.Call(ast.Name("add_newdoc" | "add_newdoc_for_scalar_type"))):
+            return True
+    return False
+
+
+def without_lines(code: CodeType) -> CodeType:
+    """All of a function at its first line: in which of a library's lines something failed, nobody
+    sees, and the tables of lines are an eighth of the bytes."""
+    units = len(code.co_code) // 2
+    table = bytes(
+        byte
+        for start in range(0, units, MOST_UNITS)
+        for byte in (SAME_LINE | (min(MOST_UNITS, units - start) - 1), 0)
+    )
+    inner = (without_lines(each) if isinstance(each, CodeType) else each for each in code.co_consts)
+    return code.replace(co_linetable=table, co_consts=tuple(inner))
 
 
 def drop_docstrings(block: ast.AST) -> None:

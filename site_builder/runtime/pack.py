@@ -17,6 +17,7 @@ from site_builder.runtime.freeze import (
     INTERPRETER,
     LOCK,
     PROGRAM,
+    FreezeError,
     Frozen,
     compile_sources,
     freeze_libraries,
@@ -29,7 +30,8 @@ from site_builder.runtime.imports import (
     outside,
     reach,
 )
-from site_builder.runtime.modules import ENTRY, Modules, archive_of, cut, sources_of
+from site_builder.runtime.memory import MEMORY, make_memory
+from site_builder.runtime.modules import CORE, ENTRY, Modules, archive_of, cut, sources_of
 from site_builder.runtime.pinned import (
     NUMPY_WHEEL,
     PYTHON_LIBRARY,
@@ -49,6 +51,8 @@ class RuntimeBundle:
     files: Mapping[str, Path]
     """Name in the site's runtime folder to where the file lies now."""
     versions: Versions
+    wants_memory: str = ""
+    """Why there is no memory for Python to begin with, where there should be one."""
 
     @property
     def sources(self) -> str:
@@ -118,6 +122,21 @@ def pack_runtime(
     }
     libraries = {file.name: file for file in frozen.libraries.values()}
     loaded = {**machine, **libraries, **archives}
+    wants_memory = ""
+    if compiled:
+        core = cut(imports, scenes, ladders)[CORE]
+        try:
+            loaded[MEMORY] = make_memory(
+                machine,
+                archives["python.zip"],
+                frozen.libraries,
+                [archives["numpy.zip"], archives[f"{CORE}.zip"]],
+                [ENTRY, *sorted(core)],
+                SITE_PACKAGES,
+                folder,
+            )
+        except FreezeError as error:
+            wants_memory = str(error)
     table = json.dumps(
         runtime_table(loaded, frozen, imports, scenes, ladders), indent=1, sort_keys=True
     )
@@ -127,6 +146,7 @@ def pack_runtime(
             TABLE_NAME: stores.put(folder, TABLE_NAME, table.encode()),
         },
         VERSIONS,
+        wants_memory,
     )
 
 
@@ -187,15 +207,16 @@ def runtime_table(
     """What the worker knows of the files beside it.
 
     ``lock``: what Pyodide asks for. ``integrity``: hash of each of the files ``loaded``.
-    ``folder``: where modules are unpacked. ``libraries``: where in it the machine code of each
-    library belongs that is loaded at once. ``modules``: of each part of a library that is not, the
-    modules in it; ``machine_code``: which of these parts hold some. ``scenes`` and ``ladders``:
-    which parts each of them imports.
+    ``folder``: where modules are unpacked, and ``library``: where Python looks for its own.
+    ``libraries``: where in the folder the machine code of each library belongs that is loaded at
+    once. ``modules``: of each part of a library that is not, the modules in it; ``machine_code``:
+    which of these parts hold some. ``scenes`` and ``ladders``: which parts each of them imports.
     """
     later = {part: names for part, names in frozen.modules.items() if part not in AT_ONCE}
     return {
         "lock": LOCK,
         "folder": SITE_PACKAGES,
+        "library": LIBRARY,
         "libraries": {file.name: path for path, file in frozen.libraries.items()},
         "machine_code": sorted(part for part in later if libraries_of(frozen.archives[part])),
         "integrity": {name: _integrity(file) for name, file in loaded.items()},
@@ -210,6 +231,7 @@ def runtime_table(
 
 
 SITE_PACKAGES = f"/lib/python{PYTHON_VERSION.rpartition('.')[0]}/site-packages"
+LIBRARY = f"/lib/python{PYTHON_VERSION.rpartition('.')[0].replace('.', '')}.zip"
 AT_ONCE = ("python", "numpy")
 """The parts that the interpreter starts with."""
 

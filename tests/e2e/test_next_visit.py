@@ -53,7 +53,8 @@ READ = """async () => {
   const {recallMemory} = await import(new URL('memory.js', location.href));
   const {runtime} = document.body.dataset;
   const memory = await recallMemory(new URL(runtime, location.href).href);
-  return memory.bytes.then(({length}) => `whole: ${length > 0}`, (error) => error.message);
+  const large = {HEAP8: {length: Infinity}, API: {}};
+  return memory.goOn(large).then(({scenes}) => `${scenes.length > 0}`, (error) => error.message);
 }"""
 """What a start finds of it."""
 MAIM = """async (how) => {
@@ -148,7 +149,7 @@ def test_figures_show_what_they_show_after_a_plain_start(
 def test_a_memory_is_read_whole_or_known_to_be_damaged(reader: Reader, memory: str) -> None:
     # As it is written: in the book the worker's modules are joined.
     reader.page.route("**/memory.js", lambda route: route.fulfill(path=MEMORY))
-    assert reader.page.evaluate(READ) == "whole: true"
+    assert reader.page.evaluate(READ) == "true"
     for how in ("short", "half", "one bit"):
         reader.page.evaluate(MAIM, how)
         assert reader.page.evaluate(READ) == "the memory is damaged", how

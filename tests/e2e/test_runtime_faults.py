@@ -10,6 +10,8 @@ from support.static_server import Fault, StaticServer, serving
 
 pytestmark = pytest.mark.browser
 
+WITHOUT_MEMORY = {"/memory.wasm": Fault(status=404)}
+"""Python starts plainly, and needs all else."""
 LOGIN = b"<!DOCTYPE html><title>Sign in to this network</title>"
 
 
@@ -76,7 +78,7 @@ def test_what_is_wrong_with_a_file_is_told(
     reader: Reader, host: StaticServer, name: str, kind: str
 ) -> None:
     fault, words = KINDS[kind]
-    host.faults = {f"/{name}": fault}
+    host.faults = {**WITHOUT_MEMORY, f"/{name}": fault}
     message = told(reader)
     assert message.startswith("Python did not start")
     assert name in message
@@ -86,7 +88,7 @@ def test_what_is_wrong_with_a_file_is_told(
 def test_a_page_older_than_its_host_offers_to_be_loaded_anew_and_keeps_its_settings(
     reader: Reader, host: StaticServer
 ) -> None:
-    host.faults = {"/numpy.zip": Fault(status=404)}
+    host.faults = {**WITHOUT_MEMORY, "/numpy.zip": Fault(status=404)}
     told(reader)
     host.faults |= {
         "/lens-distortion/": Fault(
@@ -116,6 +118,7 @@ def test_python_starts_by_itself_once_the_host_is_back_with_late_files_of_other_
     moved = slider.input_value()
     host.gone = False
     host.faults = {
+        **WITHOUT_MEMORY,
         "/numpy.zip": Fault(late_s=10),
         **{f"/{name}": Fault(media_type="text/plain") for name in ("python.zip", "runtime.json")},
         "/pyodide.asm.wasm": Fault(media_type="application/octet-stream"),

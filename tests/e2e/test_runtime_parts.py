@@ -1,4 +1,5 @@
-"""What the browser fetches: what the page's scenes import, the rest only when asked for."""
+"""What the browser fetches where Python starts plainly: what the page's scenes import, the rest
+only when asked for. What a memory spares is held by ``test_shipped_memory``."""
 
 import json
 import re
@@ -15,6 +16,10 @@ from simulations.registry import LADDER_MODULES, load_ladder
 
 pytestmark = pytest.mark.browser
 
+
+MEMORY = "memory.wasm"
+OWN_TABLE = re.compile(rb' data-table="[^"]*"')
+"""By which a page knows the table as it was."""
 AT_ONCE = {"python", "numpy", "core"}
 CALL = """async ([name, payload]) => {
   const {sharedRuntime} = (await customElements.whenDefined('simulation-figure')).inside;
@@ -24,8 +29,17 @@ CALL = """async ([name, payload]) => {
 
 @pytest.fixture(scope="module")
 def table(built_site: Path) -> Any:
-    """``runtime.json``."""
-    return json.loads(next(built_site.glob("runtime/*/runtime.json")).read_text(encoding="utf-8"))
+    """``runtime.json`` of a book that comes with no memory."""
+    (file,) = built_site.glob("runtime/*/runtime.json")
+    told = json.loads(file.read_text(encoding="utf-8"))
+    return {**told, "integrity": {k: v for k, v in told["integrity"].items() if k != MEMORY}}
+
+
+@pytest.fixture(autouse=True)
+def plainly(server: StaticServer, table: Any) -> None:
+    """The host has that table, and pages do not know it as another."""
+    server.damaged["/runtime.json"] = json.dumps(table).encode()
+    server.faults["/"] = Fault(lambda page: OWN_TABLE.sub(b"", page), media_type="text/html")
 
 
 @pytest.fixture
@@ -99,7 +113,7 @@ def test_a_part_that_nobody_foresaw_is_fetched_when_python_asks_for_it(
     reader: Reader, server: StaticServer, book: Any, table: Any, fetched: list[str]
 ) -> None:
     address, parts = a_chapter(book, table, bool)
-    foresee_nothing(server, table, address)
+    foresee_nothing(server, table)
     reader.open(address)
     for figure in reader.page.locator("simulation-figure").all():
         reader.settle(figure)  # what only frames import comes after the page's own
@@ -111,7 +125,7 @@ def test_a_part_that_python_asks_for_in_vain_is_named_and_asked_for_again_at_the
 ) -> None:
     address, parts = a_chapter(book, table, bool)
     part = max(of_libraries(parts))
-    foresee_nothing(server, table, address)
+    foresee_nothing(server, table)
     server.faults[f"/{part}.zip"] = Fault(status=404)
     reader.open(address, live=False)
     figure = reader.page.locator("simulation-figure").first
@@ -128,12 +142,10 @@ def test_a_part_that_python_asks_for_in_vain_is_named_and_asked_for_again_at_the
     reader.complaints.clear()  # the browser's own words about the missing file
 
 
-def foresee_nothing(server: StaticServer, table: Any, address: str) -> None:
-    """Have the page at an address told of no scene what it imports."""
+def foresee_nothing(server: StaticServer, table: Any) -> None:
+    """Have pages told of no scene what it imports."""
     foreseen = {scene: [f"scene-{scene}"] for scene in table["scenes"]}
     server.damaged["/runtime.json"] = json.dumps({**table, "scenes": foreseen}).encode()
-    own = re.compile(rb' data-table="[^"]*"')  # by which the page knows the table as it was
-    server.faults[f"/{address}"] = Fault(lambda page: own.sub(b"", page), media_type="text/html")
 
 
 def test_a_part_that_cannot_be_had_stops_only_the_figures_that_need_it(

@@ -8,6 +8,8 @@ functions run on pictures, and `simulations.engine.raster.to_rgba8` cleans those
 Szeliski, 2nd ed., section 2.3.2.
 """
 
+from functools import cache
+
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
@@ -47,7 +49,10 @@ def encode_gamma(linear: ArrayLike, gamma: float = 2.2) -> Floats:
         return np.maximum(as_floats(linear), 0) ** (1 / gamma)
 
 
-_TABLE = encode_srgb(np.linspace(0.0, 1.0, 65536)).astype(np.float32)
+@cache
+def _table() -> NDArray[np.float32]:
+    """Made when the first picture asks for it."""
+    return encode_srgb(np.linspace(0.0, 1.0, 65536)).astype(np.float32)
 
 
 def encode_srgb_table(linear: ArrayLike) -> NDArray[np.float32]:
@@ -56,11 +61,12 @@ def encode_srgb_table(linear: ArrayLike) -> NDArray[np.float32]:
     Clips to [0, 1] and takes NaN as 0. In the shadows, where the curve is steepest, an entry
     stands for 0.05 codes of 255: the table is off by half of that at most.
     """
+    table = _table()
     place = np.asarray(np.maximum(as_floats(linear), 0))  # from here on in place: a new array
     if np.isnan(np.max(place, initial=0)):  # a cast of NaN to an index would be undefined
         np.fmax(place, 0, out=place)
     np.minimum(place, 1, out=place)
-    place *= len(_TABLE) - 1
+    place *= len(table) - 1
     place += 0.5
     # int32 would be converted; no index is out of range, "clip" only spares the check for it.
-    return _TABLE.take(place.astype(np.intp), mode="clip")
+    return table.take(place.astype(np.intp), mode="clip")

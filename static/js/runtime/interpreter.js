@@ -2,13 +2,21 @@
 
 import { Fault, replaced } from "./fault.js";
 import { compileEarly, instantiateFrom, loadBefore, MachineCode } from "./machine_code.js";
-import { forgetMemory, goOnWith, NO_BYTES, recallMemory } from "./memory.js";
-import { AT_ONCE, Parts, PYTHON } from "./parts.js";
+import { forgetMemory, NO_BYTES, recallMemory } from "./memory.js";
+import { Parts, PYTHON } from "./parts.js";
+import { shippedMemory } from "./shipped_memory.js";
 
 /** @import { About, Memory } from "./memory.js" */
 
 const SCRIPTS = ["pyodide.mjs", "pyodide.asm.mjs"];
 const MACHINE = "pyodide.asm.wasm";
+/**
+ * How many times as long as Pyodide takes to go on with a memory that the book came with it takes to
+ * import the simulations, on the same machine: which has not done that.
+ */
+const TIMES = 5;
+/** Chance is to be another one than when a memory was kept. */
+const CHANCE = "import random; random.seed()";
 
 /**
  * @typedef {object} Started
@@ -42,21 +50,34 @@ const MACHINE = "pyodide.asm.wasm";
  */
 
 /**
- * From the memory that an earlier visit has kept, where there is one that is good.
+ * From the memory that an earlier visit has kept, else from the one that the book comes with, where it
+ * is good; else from nothing.
  *
  * @param {Wanted} wanted
  * @returns {Promise<Started>}
  */
 export async function startInterpreter(wanted) {
-  const memory = wanted.fresh ? Promise.resolve(null) : recallMemory(wanted.url);
-  if (wanted.fresh) await forgetMemory(wanted.url);
-  const { pyodide, parts, ...more } = await importSimulations(wanted, memory).catch(
-    async (error) => {
-      if (error instanceof Fault || !(await memory)) throw error;
-      await forgetMemory(wanted.url);
-      return importSimulations(wanted);
-    },
-  );
+  const { url, fresh } = wanted;
+  const kept = fresh ? forgetMemory(url) : recallMemory(url);
+  /** @type {Memory | null} */
+  let memory = null;
+  /** @type {Parts | null} */
+  let asked = null;
+  const find = async (/** @type {Parts} */ parts) => {
+    asked = parts;
+    memory = fresh ? null : ((await kept) ?? shippedMemory(parts));
+    return memory;
+  };
+  const plainly = async (/** @type {Parts} */ parts) => {
+    if (asked) parts.takeFrom(asked);
+    return null;
+  };
+  const { pyodide, parts, ...more } = await importSimulations(wanted, find).catch(async (error) => {
+    if (error instanceof Fault || !memory) throw error;
+    console.warn(error);
+    await forgetMemory(url);
+    return importSimulations(wanted, plainly);
+  });
   const module = pyodide.pyimport("simulations.browser");
   const fetchNow = (/** @type {string} */ part) => parts.fetchNow(part);
   module.fetch_missing(JSON.stringify(parts.table.modules), fetchNow, parts.table.folder);
@@ -69,11 +90,11 @@ export async function startInterpreter(wanted) {
  * are fetched at once, the scripts are read and the code is compiled.
  *
  * @param {Wanted} wanted
- * @param {Promise<Memory | null>} recalled What Python is to begin with.
+ * @param {(parts: Parts) => Promise<Memory | null>} find What Python is to begin with.
  * @param {object} more Options of Pyodide.
  * @returns {Promise<Imported>}
  */
-export async function importSimulations(wanted, recalled = Promise.resolve(null), more = {}) {
+export async function importSimulations(wanted, find = async () => null, more = {}) {
   const { url, fresh = false, known = false, scenes } = wanted;
   const read = fresh ? [] : SCRIPTS.map((name) => readScript(url + name));
   const early = (/** @type {string} */ name) =>
@@ -88,8 +109,14 @@ export async function importSimulations(wanted, recalled = Promise.resolve(null)
     code: new MachineCode(parts, name, early(name)),
   }));
   const codes = [machine, ...libraries.map(({ code }) => code)];
-  const library = parts.fetch(PYTHON);
-  parts.expect([...AT_ONCE, ...scenes.flatMap((scene) => table.scenes[scene] ?? [])]);
+  const memory = await find(parts);
+  parts.hasMemory = memory !== null;
+  const library = memory ? Promise.resolve(NO_BYTES) : parts.fetch(PYTHON);
+  if (!memory) parts.expect(parts.toRun());
+  parts.expect(scenes.flatMap((scene) => parts.toImport(scene)));
+  /** @type {{about?: Partial<About> & {scenes: string[]}}} */
+  const told = {};
+  let restored = 0;
   const failure = rejection(
     Promise.all([...scripts, library, ...codes.map(({ module }) => module)]),
   );
@@ -97,7 +124,6 @@ export async function importSimulations(wanted, recalled = Promise.resolve(null)
   const [{ loadPyodide }, { default: createPyodideModule }] = await Promise.all(
     SCRIPTS.map((name, index) => scriptOf(url + name, read[index])),
   );
-  const memory = await recalled;
   const zipped = library.then((zip) => new Response(/** @type {Uint8Array<ArrayBuffer>} */ (zip)));
   answerWith({ [url + MACHINE]: Promise.resolve(new Response()), [url + PYTHON]: zipped });
   instantiateFrom(machine.module);
@@ -112,7 +138,8 @@ export async function importSimulations(wanted, recalled = Promise.resolve(null)
       );
       const hindered = loadBefore(settings, early);
       const module = await Promise.race([createPyodideModule(settings), hindered]);
-      if (memory) goOnWith(module, await memory.bytes);
+      if (memory) told.about = await memory.goOn(module);
+      restored = performance.now();
       return module;
     },
     ...(memory ? { _loadSnapshot: NO_BYTES } : {}),
@@ -120,11 +147,14 @@ export async function importSimulations(wanted, recalled = Promise.resolve(null)
   };
   const pyodide = await Promise.race([loadPyodide(options), failure]);
   parts.pyodide = pyodide;
-  const { scenes: imported, importMs } = memory?.about ?? (await importNow(pyodide, parts));
-  parts.imported = new Set(imported);
+  const importMs = TIMES * (performance.now() - restored);
+  const { about } = told;
+  const begun = about ? { importMs, ...about } : await importNow(pyodide, parts);
+  if (about) pyodide.runPython(CHANCE);
+  parts.imported = new Set(begun.scenes);
   await Promise.all(codes.map(async (code) => (await code.wasKnown()) || code.judged()));
   const judge = async () => void (await Promise.all(codes.map((code) => code.judged())));
-  return { pyodide, parts, importMs, judge };
+  return { pyodide, parts, importMs: begun.importMs, judge };
 }
 
 /**
@@ -133,7 +163,7 @@ export async function importSimulations(wanted, recalled = Promise.resolve(null)
  * @returns {Promise<About>}
  */
 async function importNow(pyodide, parts) {
-  await parts.provide();
+  await parts.provide(parts.toRun());
   const begun = performance.now();
   pyodide.runPython("import simulations.browser");
   return { scenes: [], importMs: performance.now() - begun };

@@ -21,7 +21,7 @@ async function keep(wanted) {
   });
   const { scenes, machine_code: machineCode } = parts.table;
   const needed = new Set(Object.values(scenes).flat());
-  await parts.provide([...needed].filter((part) => !machineCode.includes(part)));
+  await parts.provide(parts.toRun([...needed].filter((part) => !machineCode.includes(part))));
   const before = loadedLibraries(pyodide);
   const simulations = pyodide.pyimport("simulations.browser");
   const found = JSON.parse(simulations.import_scenes(JSON.stringify(Object.keys(scenes))));

@@ -18,8 +18,9 @@ export const NO_BYTES = new Uint8Array();
 
 /**
  * @typedef {object} Memory
- * @property {About} about
- * @property {Promise<Uint8Array>} bytes On their way; rejects where they are not as they were kept.
+ * @property {(module: any) => Promise<Partial<About> & {scenes: string[]}>} goOn Have an interpreter that is being made go on with
+ *   it instead of starting: Emscripten's, with `_loadSnapshot: NO_BYTES`. Rejects where it is not as
+ *   it was.
  */
 
 /**
@@ -50,7 +51,12 @@ export async function recallMemory(url) {
     const { hash, ...about } = JSON.parse(kept.headers.get("about") ?? "");
     const bytes = readWhole(kept, hash);
     bytes.catch(() => {}); // told to who waits for them
-    return { about, bytes };
+    return {
+      async goOn(module) {
+        goOnWith(module, await bytes);
+        return about;
+      },
+    };
   } catch {
     return null;
   }

@@ -8,6 +8,7 @@ import { Fault, fetchWhole, findFault } from "./fault.js";
 
 /** The part of Python's library that the interpreter starts with. */
 export const PYTHON = "python.zip";
+const LIBRARY = "python";
 /** The parts that are imported at once; the others wait until something imports from them. */
 export const AT_ONCE = ["numpy", "core"];
 /** The part with the sources of all simulations, for who edits them; `editing/` looks for it there. */
@@ -19,7 +20,8 @@ export const TABLE = "runtime.json";
  *
  * @typedef {{integrity: Record<string, string>, scenes: Record<string, string[]>,
  *   ladders: Record<string, string[]>, modules: Record<string, string>, lock: object,
- *   folder: string, libraries: Record<string, string>, machine_code: string[]}} Table
+ *   folder: string, library: string, libraries: Record<string, string>,
+ *   machine_code: string[]}} Table
  */
 
 export class Parts {
@@ -39,6 +41,8 @@ export class Parts {
    * @type {Set<string>}
    */
   imported = new Set();
+  /** Whether the interpreter began with a memory: with all that is imported at once, but its files. */
+  hasMemory = false;
   /** @type {Fault | null} What kept Python last from a part that it asked for. */
   missed = null;
 
@@ -115,22 +119,52 @@ export class Parts {
   }
 
   /**
-   * Whether any of these, or of what they build on, is not yet in place.
+   * What a start that failed has asked for is not asked for again.
+   *
+   * @param {Parts} other
+   */
+  takeFrom(other) {
+    for (const [name, coming] of other.#coming) this.#coming.set(name, coming);
+  }
+
+  /**
+   * The parts without which Python is not to run, with what all build on.
+   *
+   * @param {string[]} [parts] What a scene or a ladder imports.
+   */
+  toRun(parts = []) {
+    return [...(this.hasMemory ? [LIBRARY] : []), ...AT_ONCE, ...parts];
+  }
+
+  /**
+   * The parts without which a scene cannot be imported. What a memory holds comes later, and machine
+   * code: that is imported where a frame needs it.
+   *
+   * @param {string} scene
+   */
+  toImport(scene) {
+    const parts = this.table.scenes[scene] ?? [];
+    if (!this.hasMemory) return this.toRun(parts);
+    if (this.imported.has(scene)) return [];
+    return parts.filter((part) => !this.table.machine_code.includes(part));
+  }
+
+  /**
+   * Whether any of these is not yet in place.
    *
    * @param {string[]} names
    */
   lacks(names) {
-    return ![...AT_ONCE, ...names].every((name) => this.#here.has(name));
+    return !names.every((name) => this.#here.has(name));
   }
 
   /**
-   * Have parts in place, and what they build on: an interpreter that began with a memory did without.
+   * Have parts in place.
    *
-   * @param {string[]} [parts]
+   * @param {string[]} names
    * @throws {import("./fault.js").Fault} Where one cannot be had; it is asked for again when it is next needed.
    */
-  async provide(parts = []) {
-    const names = [...AT_ONCE, ...parts];
+  async provide(names) {
     this.expect(names);
     for (const name of names) {
       const coming = this.#coming.get(name);
@@ -166,7 +200,9 @@ export class Parts {
    * @param {Uint8Array} archive
    */
   #place(name, archive) {
-    if (name === SOURCES) this.#pyodide.FS.writeFile(`/lib/${name}.zip`, archive);
+    const { FS } = this.#pyodide;
+    if (name === LIBRARY) FS.writeFile(this.table.library, archive);
+    else if (name === SOURCES) FS.writeFile(`/lib/${name}.zip`, archive);
     else this.#unpack(archive);
     this.#here.add(name);
   }

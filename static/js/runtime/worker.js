@@ -86,12 +86,20 @@ const calls = {
   },
 
   /**
-   * Have a scene ready to draw, and tell of which sources it is.
+   * Have a scene ready to draw, and tell of which sources it is. What it imports that nobody has
+   * foreseen may lie in files that a memory does without.
    *
-   * @param {{scene: string}} call
+   * @param {{id: number, scene: string}} call
    */
-  prepare({ scene }) {
-    python.prepare(scene);
+  async prepare({ id, scene }) {
+    try {
+      python.prepare(scene);
+    } catch (error) {
+      const names = parts.toRun(parts.table.scenes[scene]);
+      if (!parts.lacks(names)) throw error;
+      await provide(id, names);
+      python.prepare(scene);
+    }
     return { reply: { sources: parts.table.integrity[`${SOURCES}.zip`] } };
   },
 
@@ -221,10 +229,18 @@ self.onmessage = async ({ data }) => {
  * @param {{id: number, call: string, scene?: string, ladder?: string, edits?: string}} asked
  */
 async function provideFor({ id, call, scene = "", ladder = "", edits }) {
-  if (call === "prepare" && parts?.imported.has(scene)) return;
-  const imported = parts?.table.scenes[scene] ?? parts?.table.ladders[ladder] ?? [];
-  const names = edits === undefined ? imported : [...imported, SOURCES];
-  if (!parts?.lacks(names)) return;
+  if (!parts) return;
+  if (call === "prepare") return provide(id, parts.toImport(scene));
+  const imported = parts.table.scenes[scene] ?? parts.table.ladders[ladder] ?? [];
+  await provide(id, parts.toRun(edits === undefined ? imported : [...imported, SOURCES]));
+}
+
+/**
+ * @param {number} id Of the call.
+ * @param {string[]} names
+ */
+async function provide(id, names) {
+  if (!parts.lacks(names)) return;
   self.postMessage({ id, fetching: true });
   await parts.provide(names);
   self.postMessage({ id, fetching: false });

@@ -1,0 +1,16 @@
+"""Brings the interpreter to rest whose memory is to be kept: run in it by ``memory.mjs``."""
+
+import gc
+import random
+import sys
+import tempfile
+from importlib.machinery import FileFinder
+
+random.seed(0)  # a reader's own begins anew
+tempfile._name_sequence = None  # type: ignore[attr-defined]
+for finder in sys.path_importer_cache.values():
+    if isinstance(finder, FileFinder):
+        finder.invalidate_caches()
+del finder
+sys._clear_internal_caches()  # type: ignore[attr-defined]
+gc.collect()

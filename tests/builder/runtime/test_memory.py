@@ -1,0 +1,67 @@
+"""The memory that readers begin with: the same wherever and whenever it is made."""
+
+from collections.abc import Sequence
+from pathlib import Path
+
+import pytest
+from support.waves import LADDERS, SCENES, WAVES
+
+from site_builder.runtime import pack
+from site_builder.runtime.fetch import fetch_runtime
+from site_builder.runtime.freeze import INTERPRETER, FreezeError
+from site_builder.runtime.memory import MEMORY, make_memory
+from site_builder.runtime.pack import SITE_PACKAGES, RuntimeBundle, pack_runtime
+
+FETCHED = fetch_runtime()
+
+
+@pytest.fixture(scope="module")
+def bundle() -> RuntimeBundle:
+    """Of the book on waves, which is kept between builds."""
+    return pack_runtime(WAVES / "simulations", None, SCENES, LADDERS)
+
+
+def make(bundle: RuntimeBundle, folder: Path, modules: Sequence[str]) -> Path:
+    machine = {name: FETCHED[name] for name in INTERPRETER}
+    files = bundle.files
+    archives = [files["core.zip"]]
+    return make_memory(machine, files["python.zip"], {}, archives, modules, SITE_PACKAGES, folder)
+
+
+def test_it_is_the_same_in_any_folder_time_zone_and_language(
+    bundle: RuntimeBundle, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    here = make(bundle, tmp_path / "a", ["json"]).read_bytes()
+    elsewhere = tmp_path / "a folder with a much longer name"
+    elsewhere.mkdir()
+    monkeypatch.setenv("TMPDIR", str(elsewhere))
+    monkeypatch.setattr("tempfile.tempdir", str(elsewhere))
+    for name, value in {"TZ": "Asia/Tokyo", "LANG": "de_CH.UTF-8", "PYTHONHASHSEED": "7"}.items():
+        monkeypatch.setenv(name, value)
+    assert make(bundle, elsewhere / "b", ["json"]).read_bytes() == here
+
+
+def test_it_is_among_the_files_of_the_runtime_where_these_are_compiled(
+    bundle: RuntimeBundle,
+) -> None:
+    assert bundle.wants_memory == ""
+    assert MEMORY in bundle.files
+    plain = pack_runtime(WAVES / "simulations", None, SCENES, LADDERS, compiled=False)
+    assert MEMORY not in plain.files, "an author who edits would wait for it"
+
+
+def test_a_module_that_fails_is_told(bundle: RuntimeBundle, tmp_path: Path) -> None:
+    with pytest.raises(FreezeError, match="No module named 'no_such'"):
+        make(bundle, tmp_path, ["no_such"])
+
+
+def test_without_it_the_runtime_is_whole_and_says_why(
+    bundle: RuntimeBundle, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def fails(*_given: object) -> Path:
+        raise FreezeError("no room")
+
+    monkeypatch.setattr(pack, "make_memory", fails)
+    without = pack_runtime(WAVES / "simulations", None, SCENES, LADDERS)
+    assert without.wants_memory == "no room"
+    assert {*bundle.files} - {*without.files} == {MEMORY}

@@ -1,0 +1,140 @@
+"""The memory of a started interpreter that the book comes with: a first visit begins with it, and
+starts plainly where it cannot be had as it was made."""
+
+import json
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+
+import pytest
+from playwright.sync_api import Browser, Request, expect
+from support.reader import FRUGAL, START_MS, Reader, visit
+from support.static_server import Fault, StaticServer, serving
+
+pytestmark = pytest.mark.browser
+
+CHAPTER, SCENE = "lens-distortion/", "lens-distortion"
+MEMORY = "/memory.wasm"
+BUILT_ON = ("python", "numpy", "core")
+"""The parts that a memory holds, so that they can come later."""
+LOGIN = b"<!DOCTYPE html><title>Sign in to this network</title>"
+
+
+def changed(content: bytes) -> bytes:
+    """One bit of it is another."""
+    middle = len(content) // 2
+    return content[:middle] + bytes([content[middle] ^ 1]) + content[middle + 1 :]
+
+
+@pytest.fixture(scope="module")
+def host(built_site: Path) -> Iterator[StaticServer]:
+    with serving(built_site) as server:
+        server.uncached = True
+        yield server
+
+
+@pytest.fixture
+def reader(brisk_chromium: Browser, host: StaticServer) -> Iterator[Reader]:
+    """Someone who opens the book for the first time."""
+    host.faults = {}
+    with visit(brisk_chromium, host, FRUGAL) as someone:
+        yield someone
+
+
+def parts_fetched_by(reader: Reader) -> list[str]:
+    """The parts that are asked for from now on, in order."""
+    parts: list[str] = []
+
+    def note(request: Request) -> None:
+        if request.url.endswith(".zip"):
+            parts.append(request.url.rpartition("/")[2].removesuffix(".zip"))
+
+    reader.page.on("request", note)
+    return parts
+
+
+def moved(reader: Reader) -> Any:
+    """What the figure shows after a key on its first slider."""
+    figure = reader.figure(SCENE)
+    frames = reader.frames(figure)
+    figure.locator("input[type=range]").first.press("ArrowRight")
+    reader.wait_frame(figure, frames)
+    reader.settle(figure)
+    return reader.shown(figure)
+
+
+def test_figures_live_before_what_the_memory_holds_has_come_and_machine_code_that_they_need_later(
+    reader: Reader, host: StaticServer, built_site: Path
+) -> None:
+    host.faults = {f"/{name}.zip": Fault(late_s=3600) for name in (*BUILT_ON, "numpy-fft")}
+    fetched = parts_fetched_by(reader)
+    reader.open(CHAPTER, live=False)
+    expect(reader.figure(SCENE)).to_have_attribute("data-state", "live", timeout=START_MS)
+    (listed,) = built_site.glob("runtime/*/runtime.json")
+    table = json.loads(listed.read_text(encoding="utf-8"))
+    needed = {*table["scenes"][SCENE]} - {*table["machine_code"]}
+    assert needed <= {*fetched}
+    assert len({*fetched}) == len(fetched), "nothing twice"
+
+
+def test_figures_show_what_they_show_after_a_plain_start(
+    reader: Reader, host: StaticServer, brisk_chromium: Browser
+) -> None:
+    fetched = parts_fetched_by(reader)
+    reader.open(CHAPTER)
+    after_memory = moved(reader)
+    assert {*BUILT_ON} <= {*fetched}, "they come when a frame is computed"
+    host.faults = {MEMORY: Fault(status=404)}
+    with visit(brisk_chromium, host, FRUGAL) as someone:
+        someone.open(CHAPTER)
+        assert moved(someone) == after_memory
+
+
+@pytest.mark.parametrize(
+    "fault",
+    [
+        Fault(status=404),
+        Fault(cut=True),
+        Fault(lambda content: content[: len(content) // 2]),
+        Fault(changed),
+        Fault(lambda _: LOGIN, media_type="text/html"),
+        Fault(lambda _: LOGIN),
+    ],
+    ids=["missing", "cut", "half", "changed", "login", "login as file"],
+)
+def test_without_a_whole_memory_python_starts_plainly_and_the_page_says_nothing(
+    reader: Reader, host: StaticServer, fault: Fault
+) -> None:
+    host.faults = {MEMORY: fault}
+    fetched = parts_fetched_by(reader)
+    reader.open(CHAPTER, live=False)
+    expect(reader.figure(SCENE)).to_have_attribute("data-state", "live", timeout=START_MS)
+    assert {*BUILT_ON} <= {*fetched}
+    assert not reader.page.locator(".figure-status:visible").count()
+
+
+def test_a_memory_that_comes_late_and_by_another_type_is_used(
+    reader: Reader, host: StaticServer
+) -> None:
+    host.faults = {MEMORY: Fault(late_s=3, media_type="application/octet-stream")}
+    host.faults |= {f"/{name}.zip": Fault(late_s=3600) for name in BUILT_ON}
+    reader.open(CHAPTER, live=False)
+    expect(reader.figure(SCENE)).to_have_attribute("data-state", "live", timeout=START_MS)
+
+
+@pytest.mark.parametrize("name", BUILT_ON)
+def test_what_a_frame_lacks_is_told_and_asked_for_again(
+    reader: Reader, host: StaticServer, name: str
+) -> None:
+    host.faults = {f"/{name}.zip": Fault(status=404)}
+    reader.open(CHAPTER, live=False)
+    figure = reader.figure(SCENE)
+    expect(figure).to_have_attribute("data-state", "live", timeout=START_MS)
+    figure.locator("input[type=range]").first.press("ArrowRight")
+    retry = figure.locator(".retry")
+    retry.wait_for(timeout=START_MS)
+    message = figure.locator(".figure-message").inner_text()
+    assert f"{name}.zip could not be had: the host answers 404" in message
+    host.faults = {}
+    retry.click()
+    reader.wait_live()
