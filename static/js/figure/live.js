@@ -3,8 +3,8 @@
  *
  * States, in `data-state`: `still` as served; `waiting` for the reader to ask, where the link is to
  * be spared; `starting` once a frame is asked for; `live` after each painted frame; `failed` with a
- * message and a button. `data-frames` counts frames after
- * their pixels are in the page. `data-tier` is the accuracy of the frame that is shown.
+ * message and a button. `data-frames` counts frames after their pixels are in the page. `data-tier`
+ * is the accuracy of the frame that is shown.
  */
 
 import { message } from "../errors.js";
@@ -38,10 +38,12 @@ import { words } from "../page/words.js";
 
 /** A frame that the reader waits for goes before one that only should be ready. */
 const URGENCY = { idle: -1, far: 0, near: 1, touched: 2, held: 3 };
-/** How often a frame is asked for again, by itself, after the worker was lost. */
+/** How often a frame is asked for again, by itself, after the worker was lost or a network found. */
 const RESTARTS = 1;
 
 let figures = 0;
+/** When the device last found a network again: what was tried before may have failed for that. */
+let backAt = 0;
 
 export class LiveFigure {
   #key = `figure-${++figures}`;
@@ -232,6 +234,7 @@ export class LiveFigure {
   /** @param {Job} job */
   async #run(job) {
     for (let attempt = 0; ; attempt += 1) {
+      const begun = performance.now();
       try {
         await this.own.handOver(this.runtime, this.#key);
         if (await this.#adopt(job)) return;
@@ -241,7 +244,7 @@ export class LiveFigure {
       } catch (error) {
         if (!this.figure.isConnected) return;
         const lost = error instanceof RuntimeFailure && error.kind === "lost";
-        if (!lost || attempt >= RESTARTS) {
+        if (!(lost || backAt > begun) || attempt >= RESTARTS) {
           this.#fail(error);
           return;
         }
@@ -388,7 +391,10 @@ export class LiveFigure {
   }
 }
 
-addEventListener("online", retryAll);
+addEventListener("online", () => {
+  backAt = performance.now();
+  retryAll();
+});
 
 /** The reader has asked for Python in one figure: it serves them all. */
 function beginAll() {
