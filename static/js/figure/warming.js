@@ -32,15 +32,20 @@ export async function warmDrafts(runtime, asked, schema, isWanted) {
   }
 }
 
+/** A figure's own tag and what it says of its controls, which comes first in it. */
+const FIGURES = /<simulation-figure\b[^>]*>\s*<script\b[^>]*\bschema\b[^>]*>[^<]*<\/script>/g;
+
 /**
  * What to call for the figures of a page that is not yet open, of each scene the first: the frame
  * at rest, then its drafts, and at last that one again.
  *
- * @param {string} text Of the page.
+ * @param {string} text Of the page, of which no more is parsed than that: a whole chapter would keep
+ *   the page that is read from answering.
  * @returns {Asked[]}
  */
 export function aheadOf(text) {
-  const page = new DOMParser().parseFromString(text, "text/html");
+  const figures = (text.match(FIGURES) ?? []).join("</simulation-figure>");
+  const page = new DOMParser().parseFromString(figures, "text/html");
   /** @type {Map<string, Asked[]>} */
   const scenes = new Map();
   for (const figure of page.querySelectorAll("simulation-figure")) {

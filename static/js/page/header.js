@@ -15,7 +15,7 @@ let asked = false;
 export function installHeader() {
   addEventListener("scroll", ask, { passive: true });
   addEventListener("resize", ask);
-  follow();
+  ask();
 }
 
 /** Show how far the page that is shown has been read. */

@@ -8,8 +8,14 @@ const sizes = new ResizeObserver((entries) => mark(entries.map(({ target }) => t
 export function watchScrollers() {
   sizes.disconnect();
   for (const box of document.querySelectorAll(BOXES)) sizes.observe(box);
-  // A font that comes late makes the contents wider, and not the box.
-  document.fonts.ready.then(() => mark([...document.querySelectorAll(BOXES)]));
+  // A font that comes late makes the contents wider, and not the box. What is not shown, as it is
+  // folded up, is not laid out for this: the observer tells of it once it is.
+  document.fonts.ready.then(() => mark([...document.querySelectorAll(BOXES)].filter(isShown)));
+}
+
+/** @param {Element} box */
+function isShown(box) {
+  return box.checkVisibility?.({ contentVisibilityAuto: true }) ?? true;
 }
 
 /**

@@ -17,10 +17,10 @@ const SHOWN = 8;
 /** Those that never wait, and those that do not on a page that is loaded: as in `unfolding.css`. */
 const CHEAP = ".heading";
 const LOADED = ".heading, form, .simulation";
-/** Blocks of the first step, of which nobody knows yet how long they take. */
-const FIRST = 2;
-/** Milliseconds that a step may take. Shorter ones would be dearer together. */
-const STEP = 20;
+/** What waits of a block that does not. */
+const DEAR = ".panel-view";
+/** Milliseconds after which a step ends. */
+const STEP = 8;
 /** Milliseconds for a first touch. */
 const REST = 100;
 
@@ -40,7 +40,8 @@ export function installUnfolding() {
  */
 export function fold(page, apart = CHEAP) {
   for (const block of all(page, ".chapter > *", Element).slice(SHOWN)) {
-    block.toggleAttribute(FOLDED, !block.matches(apart));
+    const parts = block.matches(apart) ? all(block, DEAR, Element) : [block];
+    for (const part of parts) part.setAttribute(FOLDED, "");
   }
 }
 
@@ -57,24 +58,32 @@ export async function unfold() {
     await painted();
     await new Promise((resolve) => setTimeout(resolve, REST));
   }
-  for (let count = FIRST; main?.isConnected && folded().length;) {
+  for (const waiting = folded(); main?.isConnected && waiting.length;) {
     await idle();
-    if (!main.isConnected) break;
     const begun = performance.now();
-    layOut(Math.ceil(count));
-    main.getBoundingClientRect(); // has it done now
-    count = Math.min((count * STEP) / (performance.now() - begun), 4 * count);
+    do layOutInside(waiting.shift());
+    while (waiting.length && performance.now() - begun < STEP);
   }
+  if (main?.isConnected) layOut();
   return main?.isConnected ?? false;
 }
 
+/** Lay out what stands in, now. */
+export function layOut() {
+  for (const block of folded()) block.removeAttribute(FOLDED);
+}
+
 /**
- * Lay out what stands in, now.
+ * Lay out what is in a block that still stands in: nothing else moves, and nothing is painted. What
+ * is closed in it stays as it is, so it is asked for one part of it only.
  *
- * @param {number} [count] The first so many blocks of it.
+ * @param {Element | undefined} block
  */
-export function layOut(count = Infinity) {
-  for (const block of folded().slice(0, count)) block.removeAttribute(FOLDED);
+function layOutInside(block) {
+  if (!block) return;
+  const inside = block.firstElementChild ?? document.createRange();
+  if (inside instanceof Range) inside.selectNodeContents(block);
+  inside.getBoundingClientRect();
 }
 
 function folded() {
