@@ -7,8 +7,9 @@ from typing import Any
 import pytest
 from playwright.sync_api import Locator
 from support.reader import Reader
+from support.reading_order import IN_READING_ORDER
 
-from simulations.registry import SCENE_MODULES, load_scene
+from simulations.registry import load_scene
 
 pytestmark = pytest.mark.browser
 
@@ -159,15 +160,15 @@ def test_a_refused_setting_leaves_the_list_of_stages_ready_for_the_next(
     assert figure.locator(".stages > ol > li:not([hidden])").count() > 5
 
 
-JUDGED = [name for name in SCENE_MODULES if load_scene(name).estimate is not None]
+JUDGED = [name for name in IN_READING_ORDER if load_scene(name).estimate is not None]
 
 
 @pytest.mark.parametrize("scene", JUDGED)
 def test_a_figure_with_a_reference_settles_in_its_default_tier_and_tells_its_error(
-    visitor: Reader, book: Any, scene: str
+    guest: Reader, book: Any, scene: str
 ) -> None:
-    figure, known = visitor.turn_to_figure(book, scene), load_scene(scene)
-    value = visitor.judged(figure)
+    figure, known = guest.stay_at_figure(book, scene), load_scene(scene)
+    value = guest.judged(figure)
     assert figure.get_attribute("data-tier") == known.default_tier
     offered = figure.locator("select[name=tier] option").evaluate_all(
         "options => options.map((option) => option.value)"

@@ -41,11 +41,37 @@ PREPARE = """() => {
       seen.add(kind);
     }
   };
-  axe.configure({rules: [{id: 'color-contrast', selector: '[data-new-text]'}]});
+  // So is the rule that links in a text are told from it: most of its work is to find what lies
+  // behind each.
+  const LOOKS = ['color', 'fontSize', 'fontWeight', 'fontStyle', 'fontFamily', 'borderBottom',
+    'outline', 'textDecoration', 'verticalAlign'];
+  const looksOf = (element) => {
+    const style = getComputedStyle(element);
+    return [element.getAttribute('class'), ...LOOKS.map((name) => style[name])].join();
+  };
+  const waysOut = (element) => getComputedStyle(element).display.startsWith('inline')
+    ? [looksOf(element), ...waysOut(element.parentElement)] : [looksOf(element)];
+  const markNewLinks = () => {
+    const known = new Map();
+    axe.setup(document);
+    for (const link of document.body.querySelectorAll('a[href], [role=link]')) {
+      delete link.dataset.newLink;
+      if (!link.checkVisibility() || !axe.commons.dom.isInTextBlock(link)) continue;
+      const kind = [...waysOut(link), groundOf(link, known)].join(' / ');
+      if (!seen.has(kind)) link.dataset.newLink = '';
+      seen.add(kind);
+    }
+    axe.teardown();
+  };
+  axe.configure({rules: [
+    {id: 'color-contrast', selector: '[data-new-text]'},
+    {id: 'link-in-text-block', selector: '[data-new-link]'},
+  ]});
   globalThis.violations = async ({only, but}) => {
     await document.fonts.ready;
     await new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done)));
     markNewTexts();
+    if (!only) markNewLinks();
     const rules = Object.fromEntries((but ?? []).map((name) => [name, {enabled: false}]));
     const runOnly = only && {type: 'rule', values: only};
     const found = await axe.run(document, {resultTypes: ['violations'], rules, runOnly});

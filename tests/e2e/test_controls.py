@@ -8,8 +8,7 @@ from typing import Any
 import pytest
 from playwright.sync_api import Locator
 from support.reader import SHOWN, Reader
-
-from simulations.registry import SCENE_MODULES
+from support.reading_order import IN_READING_ORDER
 
 pytestmark = pytest.mark.browser
 
@@ -29,7 +28,7 @@ KINDS: tuple[Kind, ...] = (
 """In the order in which the book first shows them, so that few pages are turned."""
 
 
-@pytest.fixture(scope="module", params=SCENE_MODULES)
+@pytest.fixture(scope="module", params=IN_READING_ORDER)
 def scene(request: pytest.FixtureRequest, book: Any) -> Any:
     shown = {id_ for chapter in book["chapters"] for id_ in chapter["simulations"]}
     assert request.param in shown, "no chapter shows it"

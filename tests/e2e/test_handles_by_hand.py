@@ -5,8 +5,9 @@ from typing import Any
 import pytest
 from support.hands import drag, middle
 from support.reader import Reader
+from support.reading_order import IN_READING_ORDER
 
-from simulations.registry import SCENE_MODULES, load_scene
+from simulations.registry import load_scene
 
 pytestmark = pytest.mark.browser
 
@@ -16,7 +17,7 @@ place far."""
 KEYS = ("ArrowLeft", "ArrowUp", "ArrowRight", "ArrowDown")
 
 
-@pytest.mark.parametrize("scene", SCENE_MODULES)
+@pytest.mark.parametrize("scene", IN_READING_ORDER)
 def test_every_handle_moves_its_settings_and_goes_along(
     guest: Reader, book: Any, scene: str
 ) -> None:

@@ -9,7 +9,9 @@ import itertools
 import json
 import re
 from collections.abc import Iterable, Iterator, Mapping
+from dataclasses import dataclass, field
 from functools import lru_cache
+from hashlib import blake2b
 from typing import Any
 from xml.etree import ElementTree
 
@@ -139,85 +141,99 @@ def fault_of_drawing(overlay: str, width: float, height: float) -> str:
     return ""
 
 
-def shown(frame: Frame) -> object:
-    """All that the reader sees, but for the words."""
-    rasters = [None if panel.raster is None else panel.raster.tobytes() for panel in frame.panels]
-    return rasters, [panel.overlay for panel in frame.panels], frame.readouts
+def shown(frame: Frame) -> bytes:
+    """A digest of all that the reader sees, but for the words."""
+    seen = blake2b(repr((frame.readouts, [panel.overlay for panel in frame.panels])).encode())
+    for panel in frame.panels:
+        if panel.raster is not None:
+            seen.update(repr(panel.raster.shape).encode())
+            seen.update(np.ascontiguousarray(panel.raster))
+    return seen.digest()
+
+
+@dataclass(frozen=True, slots=True)
+class Seen:
+    """What is left of a sound frame once it was looked at."""
+
+    shape: object
+    shown: bytes
+
+
+@dataclass(frozen=True, slots=True)
+class Swept:
+    """A scene whose frames are drawn and looked at once, however many of the tests meet them."""
+
+    scene: Scene[Any]
+    seen: dict[tuple[str, object], Seen] = field(default_factory=dict)
+    caches: dict[str, StageCache] = field(default_factory=dict)
+
+    def see(self, setting: Setting, tier: str = "") -> Seen:
+        """The frame of a setting, which is sound."""
+        scene, given = self.scene, self.scene.clamp(setting)
+        tier = tier or scene.default_tier
+        if (tier, given) not in self.seen:
+            frame = scene.render(given, tier, self.caches.setdefault(tier, StageCache()))
+            assert_sound(scene, frame, {"tier": tier, **setting})
+            self.seen[tier, given] = Seen(shape_of(scene, frame), shown(frame))
+        return self.seen[tier, given]
 
 
 @pytest.fixture(params=sorted(SCENE_MODULES), scope="module")
-def scene(request: pytest.FixtureRequest) -> Scene[Any]:
-    return load_scene(request.param)
+def swept(request: pytest.FixtureRequest) -> Swept:
+    return Swept(load_scene(request.param))
 
 
-def render(scene: Scene[Any], setting: Setting, cache: StageCache, tier: str = "") -> Frame:
-    return scene.render(scene.clamp(setting), tier, cache)
-
-
-def test_each_control_is_sound_over_its_whole_range(scene: Scene[Any]) -> None:
-    cache = StageCache()
-    expected = shape_of(scene, render(scene, {}, cache))
-    for control in scene.controls:
+def test_each_control_is_sound_over_its_whole_range(swept: Swept) -> None:
+    expected = swept.see({}).shape
+    for control in swept.scene.controls:
         for value in positions(control):
             setting = {control.name: value}
-            frame = render(scene, setting, cache)
-            assert_sound(scene, frame, setting)
-            assert shape_of(scene, frame) == expected, setting
+            assert swept.see(setting).shape == expected, setting
 
 
-def test_each_control_changes_the_frame(scene: Scene[Any]) -> None:
+def test_each_control_changes_the_frame(swept: Swept) -> None:
     """From the defaults, or once the controls before it were moved: one may turn another on.
 
     Buttons that drive a slider change nothing by themselves.
     """
-    cache, moved = StageCache(), dict[str, object]()
-    for control in scene.controls:
+    moved = dict[str, object]()
+    for control in swept.scene.controls:
         if isinstance(control, Action) and control.drives:
             continue
-        found = next(changes(scene, control, ({}, moved), cache), None)
+        found = next(changes(swept, control, ({}, moved)), None)
         assert found, control.name
         moved |= found
 
 
-def changes(
-    scene: Scene[Any], control: Control, starts: Iterable[Setting], cache: StageCache
-) -> Iterator[Setting]:
+def changes(swept: Swept, control: Control, starts: Iterable[Setting]) -> Iterator[Setting]:
     """Extremes of a control that show something else than one of the settings ``starts`` does."""
     for start in starts:
-        before = shown(render(scene, start, cache))
+        before = swept.see(start).shown
         for value in ends(control):
-            if shown(render(scene, {**start, control.name: value}, cache)) != before:
+            if swept.see({**start, control.name: value}).shown != before:
                 yield {control.name: value}
 
 
-def test_every_pair_of_extremes_is_sound(scene: Scene[Any]) -> None:
-    cache = StageCache()
-    expected = shape_of(scene, render(scene, {}, cache))
-    for setting in pairwise_settings(scene.controls):
-        frame = render(scene, setting, cache)
-        assert_sound(scene, frame, setting)
-        assert shape_of(scene, frame) == expected, setting
+def test_every_pair_of_extremes_is_sound(swept: Swept) -> None:
+    expected = swept.see({}).shape
+    for setting in pairwise_settings(swept.scene.controls):
+        assert swept.see(setting).shape == expected, setting
 
 
-def test_every_tier_is_sound_at_the_extremes(scene: Scene[Any]) -> None:
-    corners = [
-        {control.name: ends(control)[0] for control in scene.controls},
-        {control.name: ends(control)[-1] for control in scene.controls},
-    ]
-    expected = shape_of(scene, render(scene, {}, StageCache()))
-    for tier in scene.tiers:
-        cache = StageCache()
+def test_every_tier_is_sound_at_the_extremes(swept: Swept) -> None:
+    controls = swept.scene.controls
+    corners = [{control.name: ends(control)[end] for control in controls} for end in (0, -1)]
+    expected = swept.see({}).shape
+    for tier in swept.scene.tiers:
         for setting in corners:
-            frame = render(scene, setting, cache, tier)
-            assert_sound(scene, frame, {"tier": tier, **setting})
-            assert shape_of(scene, frame) == expected, (tier, setting)
+            assert swept.see(setting, tier).shape == expected, (tier, setting)
 
 
-def test_values_past_the_ends_are_brought_to_the_ends(scene: Scene[Any]) -> None:
-    for control in scene.controls:
+def test_values_past_the_ends_are_brought_to_the_ends(swept: Swept) -> None:
+    for control in swept.scene.controls:
         if isinstance(control, Slider):
             for beyond, end in overshoots(control):
-                assert getattr(scene.clamp({control.name: beyond}), control.name) == end
+                assert getattr(swept.scene.clamp({control.name: beyond}), control.name) == end
 
 
 def test_the_covering_settings_meet_every_pair() -> None:

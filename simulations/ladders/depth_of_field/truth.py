@@ -38,7 +38,7 @@ def picture(width: int, lens_radius: float, rays: int) -> Floats:
         radius, angle = lens_radius * np.sqrt(square), 2 * np.pi * turn
         x = seen.x + (right - 0.5) / seen.focal_px
         y = seen.y + (down - 0.5) / seen.focal_px
-        shades += shades_along(x, y, radius * np.cos(angle), radius * np.sin(angle))
+        _add_shades(shades, x, y, radius * np.cos(angle), radius * np.sin(angle))
     colours = np.array([TINT, *(card.colour for card in CARDS)])
     return np.einsum("sc,shw->chw", colours, shades / rays)
 
@@ -53,46 +53,57 @@ def spread_evenly(count: int) -> Floats:
     return (0.5 + np.arange(1, count + 1)[:, None] * g ** -np.arange(1.0, 5.0)) % 1.0
 
 
-def shades_along(x: Floats, y: Floats, lens_x: float, lens_y: float) -> Floats:
-    """Brightness (1 + cards, H, W) of the room and of each card, 0 for all but the one that is hit.
+def _add_shades(shades: Floats, x: Floats, y: Floats, lens_x: float, lens_y: float) -> None:
+    """Add to the room's or to a card's plane (1 + cards, H, W) how bright what is hit is.
 
-    The rays leave the lens at one point, for those of directions (x, y) on the plane in focus.
+    The rays leave the lens at one point, for those of directions x (1, W) and y (H, 1) on the
+    plane in focus.
     """
     ray = (np.array(lens_x), np.array(lens_y), x - lens_x / FOCUS_Z, y - lens_y / FOCUS_Z)
-    shades = [_room(ray)]
-    for card in CARDS:
-        hit = _hits(card, ray)
-        shades = [np.where(hit, 0.0, behind) for behind in shades]
-        shades.append(np.where(hit, _on_card(card, ray), 0.0))
-    return np.array(shades)
+    free = np.ones(shades.shape[1:], bool)
+    for card, shade in reversed([*zip(CARDS, shades[1:], strict=True)]):  # the nearest first
+        around, hit, light = _card_light(card, ray)
+        hit &= free[around]
+        shade[around] += hit * light
+        free[around] &= ~hit
+    shades[0] += free * _room(ray)
 
 
-def _place(ray: Ray, z: Floats | float) -> tuple[Floats, Floats]:
+def _place(ray: Ray, z: float) -> tuple[Floats, Floats]:
     return ray[0] + ray[2] * z, ray[1] + ray[3] * z
 
 
 def _room(ray: Ray) -> Floats:
     """Floor where the ray falls below it before the wall, else the wall: brightness (H, W)."""
     wall_x, wall_y = _place(ray, WALL_Z)
-    on_floor = wall_y > FLOOR_Y
-    z = (FLOOR_Y - ray[1]) / np.where(on_floor, ray[3], 1.0)
-    x, _ = _place(ray, z)
-    # Counted from the middle of a tile, which is light; light are those even or odd both ways.
-    same = np.rint(x / TILE) % 2 == np.rint(z / TILE) % 2
-    floor = np.where(same, LIGHT_TILE, DARK_TILE)
     wall = np.where(_striped(wall_x, BAR_PERIOD, BAR), LIGHT_BAR, DARK_BAR)
-    return np.where(on_floor, floor, wall)
+    room = np.repeat(wall, len(wall_y), axis=0)
+    on_floor = slice(np.count_nonzero(wall_y <= FLOOR_Y), None)  # y grows from row to row
+    z = (FLOOR_Y - ray[1]) / ray[3][on_floor]
+    x = ray[0] + ray[2] * z
+    # Counted from the middle of a tile, which is light; light are those even or odd both ways.
+    same = _is_odd(np.rint(x / TILE)) == _is_odd(np.rint(z / TILE))
+    room[on_floor] = np.where(same, LIGHT_TILE, DARK_TILE)
+    return room
 
 
-def _hits(card: Card, ray: Ray) -> Mask:
+def _is_odd(whole: Floats) -> Mask:
+    return whole.astype(np.int64) & 1 > 0
+
+
+def _card_light(card: Card, ray: Ray) -> tuple[tuple[slice, slice], Mask, Floats]:
+    """The rows and columns around a card; in these, which rays hit it and how bright it is."""
     x, y = _place(ray, card.z)
-    return np.hypot(x - card.x, y - card.y) < card.radius
-
-
-def _on_card(card: Card, ray: Ray) -> Floats:
-    x, y = _place(ray, card.z)
+    across, down = _within(x - card.x, card.radius), _within(y - card.y, card.radius)
+    x, y = x[:, across], y[down]
+    hit = np.hypot(x - card.x, y - card.y) < card.radius
     light = _striped(x + STRIPE_SLOPE * y, card.radius / 2, card.radius / 4)
-    return np.where(light, 1.0, 0.5)
+    return (down, across), hit, np.where(light, 1.0, 0.5)
+
+
+def _within(along: Floats, radius: float) -> slice:
+    """Those of growing places that are less than a radius away from 0."""
+    return slice(*np.searchsorted(along.ravel(), (-radius, radius)))
 
 
 def _striped(along: Floats, period: float, width: float) -> Mask:
