@@ -149,7 +149,8 @@ export class LiveFigure {
         this.#near = entry.isIntersecting;
         this.accuracy.near = this.#near;
         if (this.#near) this.early.near();
-        if (!this.#asked) this.#ask(performance.now(), "", URGENCY.far);
+        const isNew = !this.#asked && this.figure.dataset.state !== "failed";
+        if (isNew) this.#ask(performance.now(), "", URGENCY.far);
       },
       { rootMargin: "50% 0px" },
     );
