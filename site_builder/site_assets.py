@@ -12,7 +12,7 @@ from site_builder.offline.release import SCRIPT as RELEASE_SCRIPT
 from site_builder.offline.release import integrity
 from site_builder.output.assets import Content, content_bytes, hashed_folder
 from site_builder.output.book_files import book_css, book_script
-from site_builder.output.font_faces import Face, chosen_faces, face_rule, used_maths
+from site_builder.output.font_faces import WHOLE_MATHS, Face, chosen_faces, face_rule, maths_faces
 from site_builder.output.fonts import subset_fonts
 from site_builder.output.scripts import imported_scripts, reachable
 from site_builder.output.style_sheets import join_style_sheets, without_comments
@@ -48,13 +48,15 @@ def gather_assets(
     engine's own are handed through ``join``."""
     content = folder_files(root / "content")
     # While the book is written, a new letter in a formula is to change no style sheet.
-    used = () if folder else (used_maths(formula_characters(book)),)
+    maths = (WHOLE_MATHS,) if folder else maths_faces(formula_characters(book))
     static = folder_files(own_or_engine(root, "static"))
     files: Files = {
-        **join(_engine_files(book, static, used)),
+        **join(_engine_files(book, static, maths)),
         **{
             f"fonts/{name}": data
-            for name, data in subset_fonts((*chosen_faces(book.settings, root), *used)).items()
+            for name, data in subset_fonts(
+                (*chosen_faces(book.settings, root), *maths[:-1])
+            ).items()
         },
         **{f"stills/{name}": data for name, data in pictures.items()},
         **{f"content/{name}": file for name, file in content.items() if name.endswith(SUFFIXES)},

@@ -23,7 +23,8 @@ def _each(characters: str) -> frozenset[int]:
 
 LATIN = _span((0x20, 0x7E), (0xA0, 0x17F))
 GREEK = _span((0x391, 0x3A1), (0x3A3, 0x3C9)) | _each("ϑϕϵ")
-PUNCTUATION = _span((0x2002, 0x200A), (0x202F, 0x202F)) | _each("‐‑–—‘’‚“”„†‡•…‰′″‹›€№™")
+SPACES = _span((0x2002, 0x200A), (0x202F, 0x202F))
+PUNCTUATION = SPACES | _each("‐‑–—‘’‚“”„†‡•…‰′″‹›€№™")
 INLINE_MATHS = _each("←↑→↓↔⇒−×÷±·∙√∞≈≠≤≥∂∆∏∑∫∈∥⟂ℓ°⁻⁺ⁿ⁰¹²³⁴⁵⁶⁷⁸⁹₀₁₂₃₄₅₆₇₈₉½⅓⅔¼¾✓✗")
 TEXT = LATIN | GREEK | PUNCTUATION | INLINE_MATHS
 FORMULAE = (
@@ -52,6 +53,9 @@ FORMULAE = (
     )
     | _each("ℂℎℏℐℒℕℙℚℛℝℤ□◦⊤⊥⋅⋆⟨⟩⟵⟶⟷⦅⦆")
 )
+
+BORROWED = SPACES | _each("ϵ‑⁺⁻↔⇒∈∥⟂") | _span((0x300, 0x308))
+"""Spaces, signs and accents that text takes from the face of formulae: no other has them."""
 
 BASIC_FEATURES = ("ccmp", "kern", "liga", "lnum", "locl", "mark", "mkmk", "onum", "pnum", "tnum")
 SMALL_CAPITALS = ("c2sc", "smcp")
@@ -110,7 +114,7 @@ FACES = (
     ),
 )
 
-
+WHOLE_MATHS = FACES[-1]
 USED_MATHS = "maths-used.woff2"
 """Of the face of formulae, what the book's formulae use."""
 ITALIC = {
@@ -123,11 +127,13 @@ ITALIC = {
 """What browsers draw for a single letter in a formula, and for a hyphen: MathML Core, 2.1.3."""
 
 
-def used_maths(characters: Iterable[str]) -> Face:
-    """The face of formulae, cut to ``characters``. Pages that need others fetch the whole face."""
+def maths_faces(characters: Iterable[str]) -> tuple[Face, Face]:
+    """The face of formulae, cut to ``characters`` and to what text takes from it; and the whole
+    face, for the rest alone."""
     codes = {*map(ord, characters)} | set(range(0x20, 0x7F))
-    shown = codes | {ITALIC[code] for code in codes & ITALIC.keys()}
-    return replace(FACES[-1], file=USED_MATHS, characters=FORMULAE & shown)
+    shown = FORMULAE & (codes | {ITALIC[code] for code in codes & ITALIC.keys()} | BORROWED)
+    used = replace(WHOLE_MATHS, file=USED_MATHS, characters=shown)
+    return used, replace(WHOLE_MATHS, characters=FORMULAE - shown)
 
 
 def face_rule(face: Face) -> str:

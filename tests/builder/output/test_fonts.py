@@ -10,7 +10,7 @@ import pytest
 from fontTools.ttLib import TTFont
 from fontTools.ttLib.tables._g_l_y_f import USE_MY_METRICS
 
-from site_builder.output.font_faces import FACES, Face, chosen_faces
+from site_builder.output.font_faces import FACES, TEXT, WHOLE_MATHS, Face, chosen_faces, maths_faces
 from site_builder.output.fonts import cut, subset_fonts
 from site_builder.settings.model import Fonts, Sans, Settings
 
@@ -44,9 +44,9 @@ def descriptors(family: str) -> list[dict[str, str]]:
     return [face for face in parsed if face["font-family"] == f'"{family}"']
 
 
-def test_the_style_sheet_names_exactly_the_files_that_are_cut(fonts: Mapping[str, bytes]) -> None:
+def test_the_style_sheet_names_exactly_the_text_faces_that_are_cut() -> None:
     named = re.findall(r'url\("\.\./fonts/([^"]+)"\)', FONTS_CSS.read_text(encoding="utf-8"))
-    assert sorted(named) == sorted(fonts)
+    assert sorted(named) == sorted(TEXT_FACES)
 
 
 @pytest.mark.parametrize("file", TEXT_FACES)
@@ -127,6 +127,18 @@ def test_cut_faces_are_renamed_and_keep_their_licence(
     assert "Source" not in name.getDebugName(4)  # reserved by the licence for uncut fonts
     assert "SIL Open Font License" in name.getDebugName(13)
     assert name.getDebugName(0)
+
+
+def test_the_face_of_a_books_formulae_has_what_text_borrows_and_the_whole_face_only_the_rest(
+    fonts: Mapping[str, bytes],
+) -> None:
+    used, rest = maths_faces("x√")
+    assert used.characters | rest.characters == WHOLE_MATHS.characters
+    assert not used.characters & rest.characters
+    assert {ord(sign) for sign in "x𝑥√"} <= used.characters
+    of_text = set().union(*(opened(fonts, file).getBestCmap() for file in TEXT_FACES))
+    of_maths = set(opened(fonts, WHOLE_MATHS.file).getBestCmap())
+    assert (TEXT & of_maths) - of_text <= used.characters
 
 
 @pytest.mark.parametrize(
