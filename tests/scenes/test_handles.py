@@ -21,6 +21,8 @@ ALL = [(scene, handle) for scene in SCENES.values() for handle in scene.handles]
 PLACED = [(scene, handle) for scene, handle in ALL if handle.reach != "aim"]
 """Handles that have a place of their own."""
 FAR = 1e7
+FINGER = 24 / 267
+"""Of a panel's width: the 24 CSS pixels of WCAG 2.2 (2.5.8) where a phone is 320 pixels wide."""
 NOISE = 0.05
 """Units of the view box by which one step may seem nearer than another that is not."""
 
@@ -171,3 +173,18 @@ def test_a_handle_lies_in_a_panel_of_its_scene(scene: Scene[Any], handle: Handle
     panels = scene.draw(settings, outputs).panels
     places(scene.handles, settings, outputs, panels)
     assert handle.panel in {panel.name for panel in panels}
+
+
+@pytest.mark.parametrize("scene", SCENES.values(), ids=named)
+def test_a_finger_tells_the_marks_of_an_untouched_figure_apart(scene: Scene[Any]) -> None:
+    settings = scene.check({})
+    outputs = Outputs(scene, settings)
+    panels = scene.draw(settings, outputs).panels
+    marked = tuple(handle for handle in scene.handles if handle.reach in ("mark", "press"))
+    at = {place.name: (place.x, place.y) for place in places(marked, settings, outputs, panels)}
+    shown = [handle for handle in marked if handle.name in at]
+    for panel in panels:
+        near = FINGER * panel.width
+        names = [handle.name for handle in shown if handle.panel == panel.name]
+        for one, other in itertools.combinations(names, 2):
+            assert math.dist(at[one], at[other]) >= near, (one, other)

@@ -1,6 +1,7 @@
-"""Lighthouse on some pages, as on a phone with a slow line: ``make bench-pages``, or for some
+"""Lighthouse on every page, as on a phone with a slow line: ``make bench-pages``, or on some,
 ``PYTHONPATH=tests python -m bench.lighthouse lens-distortion/``. Writes the section ``lighthouse``
-of ``content/costs.json``, and each page's report into ``build/bench/pages/``.
+of ``content/costs.json``, and each page's report into ``build/bench/pages/``. Every page takes some
+ten minutes, on a machine that does nothing else.
 
 It needs npm once, for the packages that ``package-lock.json`` beside this file pins.
 """
@@ -24,16 +25,21 @@ HERE = Path(__file__).parent
 PLACE = ROOT / "build" / "bench" / "lighthouse"
 REPORTS = ROOT / "build" / "bench" / "pages"
 CATEGORIES = ("performance", "accessibility", "best-practices", "seo")
-PAGES = (
-    "",
-    "lens-distortion/",
-    "digital-sensor/",
-    "speed-and-accuracy/",
-    "where-the-models-break/",
-    "references/",
-)
-"""One of each kind, the heaviest of it."""
+LISTINGS = "source/"
 ROUNDS = 3
+
+
+def pages_of(site: Path) -> list[str]:
+    """Addresses under `site`. Of the listings of sources, which are all alike, the largest."""
+    files = sorted(site.rglob("index.html"))
+    addresses = {
+        f"{file.parent.relative_to(site).as_posix()}/".removeprefix("./"): file for file in files
+    }
+    listings = {
+        address: file for address, file in addresses.items() if address.startswith(LISTINGS)
+    }
+    largest = max(listings, key=lambda address: listings[address].stat().st_size, default="")
+    return [address for address in addresses if address not in listings or address == largest]
 
 
 def judge(url: str, report: Path) -> dict[str, float]:
@@ -66,7 +72,7 @@ def main(pages: Sequence[str]) -> None:
     found: dict[str, dict[str, float]] = {}
     with hosting(SITE, packed_copies(SITE)) as host:
         for page in pages:
-            report = REPORTS / f"{page.strip('/') or 'index'}.json"
+            report = REPORTS / f"{page.strip('/').replace('/', '.') or 'index'}.json"
             found[page] = median([judge(host.url + page, report) for _ in range(ROUNDS)])
             print(f"{page or './':30}", *(f"{found[page][name]:4.0f}" for name in CATEGORIES))
     lost = {name: 100 - min(one[name] for one in found.values()) for name in CATEGORIES}
@@ -74,4 +80,4 @@ def main(pages: Sequence[str]) -> None:
 
 
 if __name__ == "__main__":
-    main(sys.argv[1:] or PAGES)
+    main(sys.argv[1:] or pages_of(SITE))
