@@ -21,7 +21,7 @@ import { LatestWins } from "./scheduler.js";
 import { isOfPage, isServed } from "./served.js";
 import { say, sayNothingOfFailure } from "./status.js";
 import { chosenTier, isDrafted, shownTier } from "./tiers.js";
-import { warmDrafts } from "./warming.js";
+import { warmTouches } from "./warming.js";
 import { Accuracy, showStages } from "./workings.js";
 import { painted } from "../page/pauses.js";
 import { offerRelease } from "../page/release.js";
@@ -306,7 +306,7 @@ export class LiveFigure {
       this.figure.dataset.computeMs = reply.computeMs.toFixed(1);
       this.accuracy.shown(job, reply.computeMs, true);
       const isUntouched = () => this.figure.isConnected && this.figure.dataset.frames === "1";
-      await warmDrafts(this.runtime, asked, this.schema, isUntouched);
+      await warmTouches(this.runtime, asked, this.schema, isUntouched);
     } catch {
       // Whoever touches the figure hears of it.
     }

@@ -16,20 +16,48 @@ const DRAFTS = () => -2;
 /** Anything that the reader waits for goes before it. */
 export const LEAST_URGENT = () => -3;
 
+/** How often a move is tried: so often browsers see code run before they compile it well. */
+const MOVES = 14;
+/** @type {WeakSet<Caller>} Where moves have been tried. */
+const practised = new WeakSet();
+
 /**
- * The drafts of a figure whose frame at rest is computed; at last that one again, which is at hand,
- * so that what is kept for it is not the first to go.
+ * What a hand will ask of a figure whose frame at rest is computed: where nothing was moved yet, some
+ * moves of its first slider; then its drafts; at last that frame again, which is at hand, so that
+ * what is kept for it is not the first to go.
  *
  * @param {Caller} runtime
  * @param {Asked} asked That frame.
  * @param {Schema} schema
  * @param {() => boolean} isWanted Asked before each.
  */
-export async function warmDrafts(runtime, asked, schema, isWanted) {
-  const drafts = draftTiers(schema, asked.tier);
-  for (const tier of drafts.length ? [...drafts, asked.tier] : []) {
-    if (isWanted()) await runtime.call("warm", { ...asked, tier }, DRAFTS);
+export async function warmTouches(runtime, asked, schema, isWanted) {
+  const moves = practised.has(runtime) ? [] : movesOf(asked, schema);
+  if (moves.length) practised.add(runtime);
+  const drafts = draftTiers(schema, asked.tier).map((tier) => ({ ...asked, tier }));
+  const touches = [...moves, ...drafts];
+  for (const touch of touches.length ? [...touches, asked] : []) {
+    if (isWanted()) await runtime.call("warm", touch, DRAFTS);
   }
+}
+
+/**
+ * Frames of moves of the first slider, as the figure would ask for them.
+ *
+ * @param {Asked} asked
+ * @param {Schema} schema
+ * @returns {Asked[]}
+ */
+function movesOf(asked, schema) {
+  const slider = schema.controls.find((control) => control.kind === "slider");
+  if (!slider) return [];
+  const { name, min, max } = slider;
+  const tier = draftTiers(schema, asked.tier)[0] ?? asked.tier;
+  const values = JSON.parse(asked.values);
+  return Array.from({ length: MOVES }, (_, index) => {
+    const place = min + ((index + 0.5) / MOVES) * (max - min);
+    return { ...asked, tier, values: JSON.stringify({ ...values, [name]: place }) };
+  });
 }
 
 /** A figure's own tag and what it says of its controls, which comes first in it. */
