@@ -9,10 +9,13 @@ from collections.abc import Sequence
 from contextlib import closing
 from pathlib import Path
 
+from site_builder import STARTED_NS
+from site_builder.later import import_later
+
 if __name__ == "__main__":
     gc.disable()  # of what is imported now, all lives until the end
+    import_later("numpy")  # which a book of prose does without
 
-from site_builder import STARTED_NS
 from site_builder.addresses import site_address, source_address
 from site_builder.book import Book
 from site_builder.book_root import ROOT

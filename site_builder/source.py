@@ -21,13 +21,15 @@ from site_builder.diagnostics import Diagnostics, unknown
 from site_builder.kept.ahead import Ask, answers
 from site_builder.kept.keeper import reads_file
 from site_builder.kept.told import kept_reading
+from site_builder.kept.two_steps import Steps, in_two_steps
 from site_builder.languages.words import Words, load_words
 from site_builder.lecture_plan import read_lecture_plan
-from site_builder.markdown.chapter import find_targets
+from site_builder.markdown.chapter import Survey, find_targets
 from site_builder.markdown.inline import inline_html
 from site_builder.markdown.parser import make_parser
 from site_builder.markdown.reading import Reading
 from site_builder.markdown.scenes import find_scene
+from site_builder.markdown.targets import Targets
 from site_builder.markdown.text.macros import Macros, faults_of
 from site_builder.markdown.vocabulary.definitions import read_definitions, read_meanings
 from site_builder.measured.measurements import DATA as MEASUREMENTS
@@ -95,10 +97,12 @@ def read_book(
         _check_name(name, line, problems)
         path = file.relative_to(root).as_posix()
         pages.append(Page(path, read_text(root, path, problems), position, shared))
-    surveys = [page.survey() for page in pages]
-    problems.spliced.update({found.path: found.lines for found in surveys if found.lines})
-    targets = find_targets(surveys, problems)
-    known = targets_hash(targets)
+    with in_two_steps([_steps(page) for page in pages]) as work:
+        surveys = work.first()
+        problems.spliced.update({found.path: found.lines for found in surveys if found.lines})
+        targets = find_targets(surveys, problems)
+        known = targets_hash(targets)
+        work.second((targets, known))
     _check_addresses(outline, problems)
     _check_unlisted(root, outline, problems)
 
@@ -144,6 +148,13 @@ def read_book(
         glossary=_read_kept(root, GLOSSARY, problems, definitions, "definitions", *given),
         symbols=_read_kept(root, SYMBOLS, problems, meanings, "meanings", *given),
     )
+
+
+def _steps(page: Page) -> Steps[Survey, tuple[Targets, bytes]]:
+    def read(message: tuple[Targets, bytes]) -> None:
+        page.read(*message, Diagnostics())
+
+    return Steps(page.survey, read, len(page.text))
 
 
 def _read_kept[T](

@@ -8,11 +8,15 @@ differ in the last place draw the same markup.
 
 import math
 from collections.abc import Iterable, Sequence
+from typing import TYPE_CHECKING
 
 import numpy as np
-from numpy.typing import NDArray
 
-type Point = Sequence[float] | NDArray[np.floating]
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
+type Points = NDArray[np.floating]
+type Point = Sequence[float] | Points
 
 SHORTER = (("-0.00", "0"), (".00", ""), *((f".{digit}0", f".{digit}") for digit in range(1, 10)))
 """What two decimals are written as: in this order, and right only where all have two."""
@@ -32,7 +36,7 @@ def _points(points: Iterable[Point], joint: str = " ") -> str:
     return joint.join([f"{coordinate(point[0])},{coordinate(point[1])}" for point in points])
 
 
-def _array_points(points: NDArray[np.floating], joint: str) -> str:
+def _array_points(points: Points, joint: str) -> str:
     """`coordinate` of every number (N, 2), written at once: a curve has hundreds, in each frame."""
     if not len(points):
         return ""

@@ -3,12 +3,14 @@
 import json
 from collections.abc import Sequence
 from dataclasses import asdict, dataclass, field
-from typing import Literal
+from typing import TYPE_CHECKING, Literal
 
 import numpy as np
-from numpy.typing import NDArray
 
 from simulations.engine.said import Said
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
 
 type Raster = NDArray[np.uint8]
 

@@ -1,10 +1,14 @@
 """The reader's own picture, in place of the book's: never kept, never sent anywhere."""
 
 from dataclasses import dataclass, field
-from typing import Self
+from typing import TYPE_CHECKING, Self
 
 import numpy as np
-from numpy.typing import NDArray
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
+type Codes = NDArray[np.uint8]
 
 
 @dataclass(frozen=True, slots=True)
@@ -13,7 +17,7 @@ class Photograph:
 
     number: int
     """Which of the reader's pictures it is: what stages compare it by."""
-    codes: NDArray[np.uint8] = field(compare=False, repr=False)
+    codes: Codes = field(compare=False, repr=False)
     """(H, W, 3) sRGB."""
 
     @classmethod

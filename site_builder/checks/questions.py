@@ -7,10 +7,9 @@ here: each reader gets an order of their own. Questions with several keys are le
 """
 
 import html
+import math
 import re
 from collections.abc import Sequence
-
-import numpy as np
 
 from site_builder.book import Book, Chapter
 from site_builder.diagnostics import Diagnostics
@@ -82,10 +81,14 @@ def habit_of_length(quizzes: Sequence[Quiz]) -> str:
 
 def chance_of(hits: int, chances: Sequence[float]) -> float:
     """Probability of at least ``hits`` of independent events that have these probabilities."""
-    exactly = np.ones(1)
+    exactly = [1.0]
     for chance in chances:
-        exactly = np.convolve(exactly, (1.0 - chance, chance))
-    return float(exactly[hits:].sum())
+        one_less = [0.0, *exactly]
+        exactly = [
+            (1.0 - chance) * same + chance * less
+            for same, less in zip([*exactly, 0.0], one_less, strict=True)
+        ]
+    return math.fsum(exactly[hits:])
 
 
 def _lengths(quiz: Quiz) -> list[int]:

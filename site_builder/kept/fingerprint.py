@@ -112,9 +112,6 @@ def _add_other(value: object, update: _Update, special: Special, prints: Prints)
             _add_all(b"c", parts, update, special, prints)
         case Enum():
             _put(update, b"e", f"{type(value).__qualname__}.{value.name}".encode())
-        case np.generic() | np.ndarray():
-            _put(update, b"a", f"{value.dtype.str}{value.shape}".encode())
-            _put(update, b"a", value.tobytes())
         case int() | float():
             _put(update, b"v", f"{type(value).__name__}{value!r}".encode())
         case Mapping():
@@ -124,6 +121,9 @@ def _add_other(value: object, update: _Update, special: Special, prints: Prints)
             _add_all(b"f", items, update, special, prints)
         case Sequence():
             _add_all(b"l", value, update, special, prints)
+        case np.generic() | np.ndarray():
+            _put(update, b"a", f"{value.dtype.str}{value.shape}".encode())
+            _put(update, b"a", value.tobytes())
         case _:
             raise TypeError(f"{type(value).__qualname__} has no fingerprint; legal: plain data")
 

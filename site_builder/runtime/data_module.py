@@ -1,9 +1,12 @@
 """What a program changes in its memory, as a module of WebAssembly that writes it there."""
 
 from collections.abc import Mapping, Sequence
+from typing import TYPE_CHECKING
 
 import numpy as np
-from numpy.typing import NDArray
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
 
 type Bytes = NDArray[np.uint8]
 

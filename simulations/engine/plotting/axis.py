@@ -3,11 +3,17 @@
 import math
 from collections.abc import Iterable
 from dataclasses import dataclass
+from typing import TYPE_CHECKING
 
 import numpy as np
-from numpy.typing import ArrayLike
 
 from simulations.engine.plotting.ticks import log_ticks, round_ticks
+
+if TYPE_CHECKING:
+    from numpy.typing import ArrayLike, NDArray
+
+type Values = ArrayLike
+type Coordinates = NDArray[np.floating]
 
 
 @dataclass(frozen=True, slots=True)
@@ -27,7 +33,7 @@ class Axis:
         if self.log and min(self.low, self.high) <= 0:
             raise ValueError(f"logarithmic axis from {self.low:g} to {self.high:g}: not above 0")
 
-    def position(self, values: ArrayLike) -> np.ndarray:
+    def position(self, values: Values) -> Coordinates:
         """View box coordinates of values (...); NaN for those that a logarithm does not have."""
         scaled, low, high = np.asarray(values, float), self.low, self.high
         if self.log:
