@@ -7,7 +7,7 @@
 # make test-quick            those that need no browser
 # make check     formatting, lint and types of Python, scripts and style sheets; edits nothing
 # make bench     time and judge all ladders, here and in Chromium (LADDER=srgb: only one)
-# make bench-pages           bytes of each page, and what Lighthouse says of some
+# make bench-pages           bytes of each page, and what Lighthouse says of it
 # make mutations read ten thousand maimed chapters (MUTATIONS=500: as many)
 # make bench-latency         how soon figures follow a hand (SCENE=camera: one), what piles up
 # make bench-scale           build books of 10, 100 and 1000 chapters, beside MkDocs and Sphinx

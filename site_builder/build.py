@@ -27,7 +27,7 @@ from site_builder.editor.bundle import EditorBundle, EditorBundleError, bundle_e
 from site_builder.editor.npm import NodeError
 from site_builder.editor.sources import scene_sources
 from site_builder.kept.ahead import Ask, helpers
-from site_builder.kept.keeper import kept_as, reads_folder
+from site_builder.kept.keeper import kept_as, reads_folder, was_made
 from site_builder.kept.told import kept_reading
 from site_builder.measured.measurements import read_measurements
 from site_builder.offline.manifest import MANIFEST, manifest
@@ -37,7 +37,7 @@ from site_builder.output.joined_scripts import join_scripts
 from site_builder.output.writer import write_site
 from site_builder.pages.catalogue import catalogue
 from site_builder.pages.licences import Licence, gather_licences
-from site_builder.pages.render import Site, render_pages, render_template
+from site_builder.pages.render import Site, page_makers, render_pages, render_template
 from site_builder.pages.stills import Stills, render_stills
 from site_builder.publishing.cards import make_cards
 from site_builder.publishing.compressed import compressed_copies
@@ -47,9 +47,9 @@ from site_builder.publishing.listings import make_listings
 from site_builder.runtime.pack import RuntimeBundle
 from site_builder.runtime.pinned import Versions
 from site_builder.search.index import ADDRESS as SEARCH_INDEX
-from site_builder.search.index import index_of
+from site_builder.search.index import Indexer, index_of, indexing
 from site_builder.search.library import SearchLibrary, SearchLibraryError, fetch_library
-from site_builder.search.records import Record, explained_terms, make_records, read_page
+from site_builder.search.records import PageRecords, explained_terms, make_records
 from site_builder.site_assets import (
     NOW,
     SCRIPT,
@@ -120,9 +120,9 @@ class RenderedSite:
     """The site, with its search still to be made: that takes longer than all else of a rebuild."""
 
     files: Files
-    records: Callable[[], Sequence[Record]]
+    records: Callable[[], PageRecords]
     """What can be found; nothing where there is no search."""
-    index: Callable[[Sequence[Record]], Files]
+    index: Callable[[PageRecords], Files]
     """Of these records; nothing where there is no search."""
     finish: Callable[[Files], Files]
     """What follows from all files."""
@@ -132,13 +132,15 @@ class RenderedSite:
 
 def render_site(options: Options) -> Files:
     """Every file of the site. Raises `BuildError` with all mistakes found."""
-    site = render_parts(options)
-    files = {**site.files, **site.index(site.records())}
+    with Indexer() as indexer:
+        site = render_parts(options, indexer)
+        files = {**site.files, **site.index(site.records())}
     return {**files, **site.finish(files)}
 
 
-def render_parts(options: Options) -> RenderedSite:
-    """The site in parts. Raises `BuildError` with all mistakes found."""
+def render_parts(options: Options, indexer: Indexer | None = None) -> RenderedSite:
+    """The site in parts. Raises `BuildError` with all mistakes found. An ``indexer`` begins with
+    pages as they are made; without one, nobody waits for what can be searched."""
     with helpers() as beside:
         wanted = {"runtime": options.runtime, "search": options.search}
         beside.begin([*tools(options.root, **wanted, compiled=not options.reload)])
@@ -168,15 +170,20 @@ def render_parts(options: Options) -> RenderedSite:
         **in_page(asset_files, assets, reload=options.reload),
     )  # fmt: skip
     licences = _licences(options.root, bundle.versions, editor, library, book)
-    ahead = scripts and not options.reload  # there, nobody waits for what can be searched
-    pages = render_pages(site, licences, read_page if ahead else None)
-    static = own_or_engine(options.root, "static")
+    means = (
+        indexing(library, own_or_engine(options.root, "static"), book.words) if scripts else None
+    )
+    makers = page_makers(site, licences, indexer.hear if means and indexer else None)
+    if means and indexer and was_made():
+        indexer.begin(means, explained_terms(book), makers)
+    pages = render_pages(makers)
 
-    def records() -> Sequence[Record]:
-        return make_records(pages, explained_terms(book)) if scripts else ()
+    def records() -> PageRecords:
+        return make_records(pages, explained_terms(book)) if means else ()
 
-    def index(records: Sequence[Record]) -> Files:
-        return {SEARCH_INDEX: index_of(records, library, static, book.words)} if scripts else {}
+    def index(records: PageRecords) -> Files:
+        maker = indexer or Indexer()
+        return {SEARCH_INDEX: index_of(records, means, maker)} if means else {}
 
     files = {
         **pages,

@@ -272,8 +272,8 @@ class Keeper:
             del self._memory[key]
 
     def flush(self) -> None:
-        """Put what is new into the store, and let go of what was not asked for lately."""
-        self._put_away()
+        """As `put_away`, and let go of what was not asked for lately."""
+        self.put_away()
         self._failed, self._missing = {}, set()
         self._age += 1
         self._prints.next_round()
@@ -281,7 +281,8 @@ class Keeper:
         for key in old:
             del self._memory[key]
 
-    def _put_away(self) -> None:
+    def put_away(self) -> None:
+        """Put what is new into the store."""
         fresh, self._fresh, self._fresh_bytes = self._fresh, {}, 0
         if fresh and self._sources_fresh:
             latest = dict([*self._sources.items()][-MOST_SOURCES:])
@@ -323,7 +324,7 @@ class Keeper:
             self._fresh[key] = packed(value)
             self._fresh_bytes += len(self._fresh[key])
         if self._fresh_bytes > MOST_FRESH_BYTES and not self._beside:
-            self._put_away()
+            self.put_away()
 
     def _recall(self, key: bytes) -> Any:
         """The value under that key, or None."""
@@ -386,6 +387,18 @@ def keeping(keeper: Keeper | None) -> Iterator[None]:
 
 def keeper_at_work() -> Keeper | None:
     return _at_work.get()
+
+
+def store_now() -> None:
+    """Put what is new into the store, while another process is waited for."""
+    if keeper := _at_work.get():
+        keeper.put_away()
+
+
+def was_made() -> bool:
+    """Whether anything had to be made in this process; so it is where nothing is kept."""
+    keeper = _at_work.get()
+    return keeper is None or bool(keeper.made)
 
 
 def kept[**P, T](function: Callable[P, T]) -> Callable[P, T]:

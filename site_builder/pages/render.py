@@ -97,12 +97,12 @@ class Site:
     """
 
 
-def render_pages(
-    site: Site, licences: tuple[Licence, ...], read: Callable[[bytes], object] | None = None
-) -> dict[str, bytes]:
-    """Every page of the site, by its path. ``read`` keeps what will be asked of each page, and is
-    asked where the page is made."""
-    book, render = site.book, _renderer(site, read)
+def page_makers(
+    site: Site, licences: tuple[Licence, ...], hear: Callable[[str, bytes], object] | None = None
+) -> dict[str, Callable[[], bytes]]:
+    """What makes each page of the site, by its path. ``hear`` is told where a page is made, so that
+    it can keep what will be asked of it."""
+    book, render = site.book, _renderer(site)
     pages: dict[str, Callable[[], bytes]] = {
         "index.html": partial(
             render,
@@ -154,7 +154,20 @@ def render_pages(
             file=path.rpartition("/")[2],
             code=own_or_engine(site.root, path).read_text(encoding="utf-8"),
         )
-    return dict(zip(pages, answers([*pages.values()]), strict=True))
+    return (
+        {path: partial(_heard, hear, path, make) for path, make in pages.items()} if hear else pages
+    )
+
+
+def _heard(hear: Callable[[str, bytes], object], path: str, make: Callable[[], bytes]) -> bytes:
+    page = make()
+    hear(path, page)
+    return page
+
+
+def render_pages(makers: Mapping[str, Callable[[], bytes]]) -> dict[str, bytes]:
+    """Every page of the site, by its path."""
+    return dict(zip(makers, answers([*makers.values()]), strict=True))
 
 
 _whole: dict[str, tuple[bytes, bytes]] = {}
@@ -162,7 +175,7 @@ _whole: dict[str, tuple[bytes, bytes]] = {}
 most are in the builds of a server."""
 
 
-def _renderer(site: Site, read: Callable[[bytes], object] | None) -> Callable[..., bytes]:
+def _renderer(site: Site) -> Callable[..., bytes]:
     """Makes the pages of a site, each kept by what all share and what it is given. The stills of a
     page follow from its figures, which it is given."""
     shared = replace(site, root=Path(), book=_bare(site.book), stills={})
@@ -185,8 +198,6 @@ def _renderer(site: Site, read: Callable[[bytes], object] | None) -> Callable[..
             return html.encode()
 
         page = kept_as("page", (shared_hash, template, path, context), make)[0]
-        if read:
-            read(page)
         known = _whole.get(path)
         if known is None or known[0] is not page:
             chapter = context.get("chapter")

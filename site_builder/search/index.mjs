@@ -1,10 +1,11 @@
 /**
- * Makes the index of the search: sections as JSON on standard input, the index on standard output.
+ * Makes the index of the search: on standard input sections as JSON, a page a line, indexed as they
+ * come; on standard output the index.
  *
  * Arguments: the files of MiniSearch, of the stemmer, and of the book's own ranking; stop words.
  */
 
-import { readFileSync } from "node:fs";
+import { createInterface } from "node:readline";
 import { pathToFileURL } from "node:url";
 
 const [paths, [stopWords]] = [process.argv.slice(2, 5), process.argv.slice(5)];
@@ -41,5 +42,5 @@ class Index extends MiniSearch {
   }
 }
 const index = new Index({ ...ours, processTerm });
-index.addAll(JSON.parse(readFileSync(0, "utf8")));
+for await (const page of createInterface(process.stdin)) index.addAll(JSON.parse(page));
 process.stdout.write(JSON.stringify(index));

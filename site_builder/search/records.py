@@ -1,7 +1,7 @@
 """What of the book can be found: a record for each section of each page that is searched."""
 
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from functools import partial
 from itertools import count
 
@@ -31,12 +31,46 @@ class Record:
     questions: str
 
 
-def make_records(
-    pages: Mapping[str, bytes], explained: Mapping[str, Sequence[str]]
-) -> tuple[Record, ...]:
-    """The records of pages by their path, in the order of the pages; ``explained`` has terms by
-    the address of the section that explains them."""
-    return tuple(_records(pages, explained))
+@dataclass(slots=True)
+class Records:
+    """Makes the records of pages that come in their order."""
+
+    explained: Mapping[str, Sequence[str]]
+    """Terms by the address of the section that explains them."""
+    _introduced: set[str] = field(default_factory=set)
+    _numbers: Iterator[int] = field(default_factory=count)
+
+    def of_page(self, path: str, sections: Sequence[Section]) -> tuple[Record, ...]:
+        return tuple(self._record(path, section, sections[0].title) for section in sections)
+
+    def _record(self, path: str, section: Section, title: str) -> Record:
+        introduced = self._introduced
+        fresh = [term for term in section.terms if term.casefold() not in introduced]
+        if section.anchor:  # what stands before it names things that are explained later
+            introduced |= {term.casefold() for term in fresh}
+        address = _address(path, section.anchor)
+        return Record(
+            id=next(self._numbers),
+            address=address,
+            chapter=title,
+            title=section.title if section.anchor else "",
+            introduced=tuple(fresh),
+            explains=tuple(self.explained.get(address, ())),
+            text=section.text,
+            figures=section.figures,
+            questions=section.questions,
+        )
+
+
+type PageRecords = tuple[tuple[Record, ...], ...]
+"""Of each page, in the order of the pages."""
+
+
+def make_records(pages: Mapping[str, bytes], explained: Mapping[str, Sequence[str]]) -> PageRecords:
+    """The records of pages by their path; ``explained`` as `Records` has it."""
+    records = Records(explained)
+    read = answers([partial(read_page, page) for page in pages.values()])
+    return tuple(map(records.of_page, pages, read))
 
 
 def explained_terms(book: Book) -> Mapping[str, Sequence[str]]:
@@ -52,31 +86,6 @@ def explained_terms(book: Book) -> Mapping[str, Sequence[str]]:
             address = _address(f"{chapter.url}index.html", mark.section)
             explained.setdefault(address, []).append(mark.entry)
     return explained
-
-
-def _records(
-    pages: Mapping[str, bytes], explained: Mapping[str, Sequence[str]]
-) -> Iterator[Record]:
-    introduced: set[str] = set()
-    numbers = count()
-    read = answers([partial(read_page, page) for page in pages.values()])
-    for path, sections in zip(pages, read, strict=True):
-        for section in sections:
-            fresh = [term for term in section.terms if term.casefold() not in introduced]
-            if section.anchor:  # what stands before it names things that are explained later
-                introduced |= {term.casefold() for term in fresh}
-            address = _address(path, section.anchor)
-            yield Record(
-                id=next(numbers),
-                address=address,
-                chapter=sections[0].title,
-                title=section.title if section.anchor else "",
-                introduced=tuple(fresh),
-                explains=tuple(explained.get(address, ())),
-                text=section.text,
-                figures=section.figures,
-                questions=section.questions,
-            )
 
 
 def read_page(page: bytes) -> tuple[Section, ...]:

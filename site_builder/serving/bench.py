@@ -16,7 +16,7 @@ from site_builder.kept.store import Store, default_folder
 from site_builder.output.assets import content_bytes
 from site_builder.output.writer import Hashes, replace_file, way_out, write_site
 from site_builder.search.index import ADDRESS
-from site_builder.search.records import Record
+from site_builder.search.records import PageRecords
 from site_builder.serving.loaded_code import let_go, may_let_go
 from site_builder.serving.redrawn import redrawn
 from site_builder.site_assets import Files
@@ -30,7 +30,7 @@ class Bench:
         self._keeper = Keeper(Store(default_folder()), since_ns)
         self._index = b""
         """What can be searched now: it is made after the pages, and may be of the build before."""
-        self._records: Sequence[Record] = ()
+        self._records: PageRecords = ()
         """What the last index was to be made of."""
         self._hashes: Hashes = {}
         """Of the files as they were written."""
@@ -103,7 +103,7 @@ class Bench:
         files = {**site.files, ADDRESS: self._index or b"{}"}
         return {**files, **site.finish(files)}
 
-    def _make_index(self, site: RenderedSite, records: Sequence[Record]) -> None:
+    def _make_index(self, site: RenderedSite, records: PageRecords) -> None:
         """Beside the next build, if there is one: Node takes longer than a page."""
         made = content_bytes(site.index(records).get(ADDRESS, b""))
         with self._writing:

@@ -5,7 +5,6 @@
 import re
 from collections.abc import Iterator, Mapping
 from contextlib import closing, contextmanager
-from itertools import takewhile
 from pathlib import Path
 
 from bench.costs import keep
@@ -25,12 +24,14 @@ NEEDED = re.compile(r'<link rel="(?:preload" as="font|stylesheet)"[^>]* href="([
 """What a head names that the first paint waits for, or is fetched before what it does not."""
 KB = 1000
 LIVED = "404.html"
+SETTLED_MS = 500
+"""After which all is sent that was asked for until then."""
 TELL = f"""new MutationObserver((changes, observer) => {{
   if (!changes.some(({{target}}) => target.dataset?.state === 'live')) return;
   observer.disconnect();
-  fetch('{LIVED}');
+  fetch('{LIVED}?' + Date.now());
 }}).observe(document, {{subtree: true, attributeFilter: ['data-state']}})"""
-"""In every page: tells the host at once that a figure lives: then comes what is for the next."""
+"""In every page: tells the host when a figure lives: what is asked for later is for the next."""
 
 
 def packed_copies(site: Path) -> dict[str, bytes]:
@@ -58,10 +59,11 @@ def first_live_frame(browser: Browser, host: Host, address: str) -> int:
         host.sent.clear()
         page.goto(host.url + address)
         page.wait_for_selector("simulation-figure[data-state=live]", timeout=60_000)
-        while not any(name.endswith(LIVED) for name, _ in host.sent):
+        while not (told := [each.query for each in host.sent if each.name == LIVED]):
             page.wait_for_timeout(10)
-        sent = takewhile(lambda file: not file[0].endswith(LIVED), host.sent)
-        return sum(size for _, size in sent)
+        page.wait_for_timeout(SETTLED_MS)
+        files = [each for each in host.sent if each.name != LIVED]
+        return sum(each.size for each in files if each.asked_ms <= float(told[0]))
 
 
 def measure(browser: Browser, host: Host) -> Iterator[tuple[str, int, int | None]]:

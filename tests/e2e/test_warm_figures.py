@@ -3,7 +3,9 @@
 from typing import Any
 
 import pytest
-from support.reader import Reader, chapter_of
+from playwright.sync_api import Browser
+from support.reader import Reader, chapter_of, visit
+from support.static_server import StaticServer
 
 pytestmark = pytest.mark.browser
 
@@ -23,6 +25,15 @@ NOTE = """async () => {
 WARMED = "scenes => scenes.every(scene => calls.some(" + (
     "({name, figure, scene: of}) => name === 'warm' && figure === '' && of === scene))"
 )
+WATCH = """window.warmed = [];
+globalThis.Worker = class extends Worker {
+  postMessage(message, ...given) {
+    if (message.call === 'warm' && message.figure) window.warmed.push(message);
+    super.postMessage(message, ...given);
+  }
+};"""
+"""Note what of a page's own figures is computed ahead."""
+SETTINGS = "scene => new Set(warmed.filter(call => call.scene === scene).map(c => c.values)).size"
 STAGES = """async scene => {
   const figure = document.querySelector(`simulation-figure[data-simulation="${scene}"]`);
   const {inside} = await customElements.whenDefined('simulation-figure');
@@ -70,3 +81,17 @@ def test_a_figure_has_the_drafts_of_its_sliders_once_it_rests(visitor: Reader, b
         arg=["draft", "scaled", "bowed"],
         timeout=60_000,
     )
+
+
+def test_moves_of_a_slider_are_tried_once_a_visit_before_the_first_hand(
+    brisk_chromium: Browser, site_server: StaticServer
+) -> None:
+    with visit(brisk_chromium, site_server, WATCH) as reader:
+        reader.open("lens-distortion/")
+        reader.page.wait_for_function(f"({SETTINGS})('lens-distortion') > 10", timeout=60_000)
+        reader.turn_to("full-camera-model/")
+        reader.page.wait_for_function(f"({SETTINGS})('camera') > 0", timeout=60_000)
+        reader.page.wait_for_function(
+            "warmed.some(({scene, tier}) => scene === 'camera' && tier === 'bowed')", timeout=60_000
+        )
+        assert reader.page.evaluate(SETTINGS, "camera") == 1, "drafts, at rest"

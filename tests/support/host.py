@@ -3,9 +3,11 @@ file the smallest copy that the browser takes."""
 
 from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
+from dataclasses import dataclass
 from fnmatch import fnmatchcase
 from http.server import BaseHTTPRequestHandler
 from pathlib import Path
+from time import time
 from urllib.parse import unquote
 
 from support.static_server import TYPES, QuietServer, running
@@ -24,14 +26,27 @@ type Rules = Mapping[str, Mapping[str, str]]
 """Headers by pattern of paths."""
 
 
+@dataclass(frozen=True, slots=True)
+class Sent:
+    """An answer."""
+
+    name: str
+    """Of the file."""
+    query: str
+    """What stood behind it in the address."""
+    size: int
+    """Bytes of the body."""
+    asked_ms: float
+    """When it was asked for, as browsers tell the time."""
+
+
 class Host:
     """The folder ``root`` at ``url``, with these packed ``copies`` beside those in it; ``rules`` in
     place of what ``_headers`` says."""
 
     def __init__(self, root: Path, copies: Mapping[str, bytes], rules: Rules | None) -> None:
         self.root, self.copies = root, copies
-        self.sent: list[tuple[str, int]] = []
-        """Files and the bytes of their bodies, in the order in which they were sent."""
+        self.sent: list[Sent] = []
         self.rules = read_rules(root / "_headers") if rules is None else rules
         handler = type("Bound", (Handler,), {"host": self})
         self.server = QuietServer(("127.0.0.1", 0), handler)
@@ -55,7 +70,9 @@ class Handler(BaseHTTPRequestHandler):
     protocol_version = "HTTP/1.1"
 
     def do_GET(self) -> None:
-        path = unquote(self.path.partition("?")[0])
+        asked_ms = 1000 * time()
+        address, _, query = self.path.partition("?")
+        path = unquote(address)
         name = path.lstrip("/")
         if (self.host.root / name).is_dir():
             name = f"{name.rstrip('/')}/index.html".lstrip("/")
@@ -73,7 +90,7 @@ class Handler(BaseHTTPRequestHandler):
                     self.send_header(header, value)
         self.end_headers()
         self.wfile.write(body)
-        self.host.sent.append((name, len(body)))
+        self.host.sent.append(Sent(name, query, len(body), asked_ms))
 
     def log_message(self, *_: object) -> None:
         """Who asks has words of their own."""

@@ -38,10 +38,10 @@ MODELS = (
 """Rooms of ``simulations/models``: each imports itself and what stands before it."""
 
 BUILDER = (
-    "blame", "raised", "book_root", "forking", "diagnostics", "kept", "drawing", "addresses",
-    "source_text", "languages", "settings", "beside", "runtime", "editor", "output", "offline",
-    "measured", "charts", "page_model", "book", "markdown", "lecture_plan", "chapters", "source",
-    "search", "pages", "checks", "publishing", "tools", "browser_python",
+    "later", "blame", "raised", "book_root", "forking", "diagnostics", "kept", "drawing",
+    "addresses", "source_text", "languages", "settings", "beside", "runtime", "editor", "output",
+    "offline", "measured", "charts", "page_model", "book", "markdown", "lecture_plan", "chapters",
+    "source", "search", "pages", "checks", "publishing", "tools", "browser_python",
     "site_assets", "build", "diagnostic_formats", "check_command", "editions",
     "serving", "serve", "scaffold", "guide", "__main__",
 )  # fmt: skip

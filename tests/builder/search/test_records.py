@@ -1,9 +1,13 @@
 """Records of the search: addresses, and where the book introduces a term."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping, Sequence
 
 from site_builder.build import Options, check_site
-from site_builder.search.records import explained_terms, make_records
+from site_builder.search.records import Record, explained_terms, make_records
+
+
+def records_of(pages: Mapping[str, bytes], explained: Mapping[str, Sequence[str]]) -> list[Record]:
+    return [record for page in make_records(pages, explained) for record in page]
 
 
 def page(body: str) -> bytes:
@@ -11,7 +15,7 @@ def page(body: str) -> bytes:
 
 
 def test_a_section_is_found_at_its_heading_and_an_opening_at_its_page() -> None:
-    records = make_records({"first/index.html": page('<p>A.</p><h2 id="b">B</h2><p>C.</p>')}, {})
+    records = records_of({"first/index.html": page('<p>A.</p><h2 id="b">B</h2><p>C.</p>')}, {})
     assert [(r.address, r.chapter, r.title) for r in records] == [
         ("first/", "Title", ""),
         ("first/#b", "Title", "B"),
@@ -20,7 +24,7 @@ def test_a_section_is_found_at_its_heading_and_an_opening_at_its_page() -> None:
 
 def test_a_term_is_introduced_where_the_book_first_emphasises_it_below_a_heading() -> None:
     section = '<h2 id="s">S</h2><p><strong>Pose.</strong></p>'
-    records = make_records(
+    records = records_of(
         {
             "first/index.html": page(f"<p><em>pose</em></p>{section}"),
             "second/index.html": page(section),
@@ -31,12 +35,12 @@ def test_a_term_is_introduced_where_the_book_first_emphasises_it_below_a_heading
 
 
 def test_pages_that_are_not_marked_are_not_found() -> None:
-    assert make_records({"licences/index.html": b"<article><h1>Licences</h1></article>"}, {}) == ()
+    assert records_of({"licences/index.html": b"<article><h1>Licences</h1></article>"}, {}) == []
 
 
 def test_a_section_says_which_terms_of_the_glossary_it_explains() -> None:
     pages = {"first/index.html": page('<p>A.</p><h2 id="b">B</h2><p>C.</p>')}
-    records = make_records(pages, {"first/#b": ["pose"]})
+    records = records_of(pages, {"first/#b": ["pose"]})
     assert [record.explains for record in records] == [(), ("pose",)]
 
 
