@@ -34,6 +34,11 @@ LAMP_DISTANCE = 128.0
 """From the foot to where the lamp is drawn: it shines from far away."""
 AROUND_HIGHLIGHT = 15.0
 """Radius of the mark of a highlight: a sharp one shows inside it."""
+ABOVE_HIGHLIGHT = 38.0
+"""From its centre to where it is grabbed: nothing of it lies under the finger then, and the probed
+point can be told from it."""
+STEM = 31.0
+"""From its centre to the end of the line that leads there."""
 SAME_RAD = math.radians(9.0)
 """Directions nearer than this share one label."""
 
@@ -43,8 +48,16 @@ def over_ball(light_rad: float, probe_rad: float) -> str:
     parts = shadow_edge(light_rad)
     if abs(abs(light_rad) - math.pi) > 1e-9:
         spot = on_equator(light_rad / 2)
-        parts += [circle(spot, AROUND_HIGHLIGHT, style) for style in ("casing", "ray")]
+        rim, end = (spot[0], spot[1] - AROUND_HIGHLIGHT), (spot[0], spot[1] - STEM)
+        for style in ("casing", "ray"):
+            parts += [circle(spot, AROUND_HIGHLIGHT, style), line(rim, end, style)]
     return "".join((*parts, *probed_point(probe_rad, "world")))
+
+
+def highlight_grip(light_rad: float) -> tuple[float, float]:
+    """Where the highlight is grabbed."""
+    across, down = on_equator(light_rad / 2)
+    return across, down - ABOVE_HIGHLIGHT
 
 
 def lobe_plot(

@@ -6,17 +6,17 @@ from collections.abc import Mapping
 from simulations.engine.controls import Value
 from simulations.engine.handles import Handle, Point
 from simulations.engine.stages import Outputs
-from simulations.scenes._ball.marks import angle_of_normal, on_equator
+from simulations.scenes._ball.marks import angle_of_normal
 from simulations.scenes._ball.probe import bearing_deg, probe_on_ball
-from simulations.scenes.phong.drawing import FOOT, LAMP_DISTANCE, VECTOR, towards
+from simulations.scenes.phong.drawing import FOOT, LAMP_DISTANCE, VECTOR, highlight_grip, towards
 from simulations.scenes.phong.settings import Settings
 
 
 def _highlight(settings: Settings, _outputs: Outputs) -> Point | None:
-    """Where the normal halves the angle of lamp and camera; opposed, they have no highlight."""
+    """Above where the normal halves the angle of lamp and camera; opposed, they have none."""
     if abs(settings.light_angle) == 180:
         return None
-    return on_equator(math.radians(settings.light_angle / 2))
+    return highlight_grip(math.radians(settings.light_angle))
 
 
 def _highlight_pulled(_settings: Settings, place: Point) -> Mapping[str, Value]:

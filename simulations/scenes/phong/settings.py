@@ -11,7 +11,7 @@ class Settings:
     """What the reader may change."""
 
     light_angle: float = slider("Light angle", 60, -180, 180, 1, unit="°")
-    probe: float = slider("Probed point", 10, -90, 90, 1, unit="°")
+    probe: float = slider("Probed point", 20, -90, 90, 1, unit="°")
     shininess: float = slider("Shininess α", 20, 1, 500, 1)
     specular: float = slider("Specular strength kₛ", 0.6, 0, 1, 0.05)
     model: str = choice(

@@ -21,8 +21,8 @@ from simulations.scenes.real_lens.stages import Glass
 
 WIDTH, HEIGHT = 400.0, 300.0
 AXIS_Y = HEIGHT / 2
-MARK_MM = 7.0
-"""How far from the axis the surfaces can be grabbed."""
+MARK_MM = 6.5
+"""How far from the axis the surfaces can be grabbed: as far as that of the opening lets them."""
 ENTRY_MM = 20.0
 """How far before the middle the marked ray can."""
 BLADE_MM = 25.0
@@ -104,10 +104,10 @@ def height_of(view: View, place: Point, distance_mm: float) -> float:
 
 
 def surface_mark(view: View, settings: Settings, *, front: bool) -> tuple[float, float]:
-    """Above the axis, on the front or on the back: below it is the mark of the opening."""
+    """Below the axis, on the front or on the back."""
     bulge = settings.front if front else settings.back
     along = settings.thickness / 2.0 - float(sag_mm(bulge / 1000.0, MARK_MM))
-    return view.at(-along if front else along, MARK_MM)
+    return view.at(-along if front else along, -MARK_MM)
 
 
 def bulge_of(view: View, place: Point, thickness: float, *, front: bool) -> float:
