@@ -34,6 +34,8 @@ globalThis.Worker = class extends Worker {
 };"""
 """Note what of a page's own figures is computed ahead."""
 SETTINGS = "scene => new Set(warmed.filter(call => call.scene === scene).map(c => c.values)).size"
+TRIED = f"warmed.some(({{scene}}) => ({SETTINGS})(scene) > 10)"
+"""Whichever figure was the first to rest, moves of it have been tried."""
 STAGES = """async scene => {
   const figure = document.querySelector(`simulation-figure[data-simulation="${scene}"]`);
   const {inside} = await customElements.whenDefined('simulation-figure');
@@ -88,7 +90,7 @@ def test_moves_of_a_slider_are_tried_once_a_visit_before_the_first_hand(
 ) -> None:
     with visit(brisk_chromium, site_server, WATCH) as reader:
         reader.open("lens-distortion/")
-        reader.page.wait_for_function(f"({SETTINGS})('lens-distortion') > 10", timeout=60_000)
+        reader.page.wait_for_function(TRIED, timeout=60_000)
         reader.turn_to("full-camera-model/")
         reader.page.wait_for_function(f"({SETTINGS})('camera') > 0", timeout=60_000)
         reader.page.wait_for_function(
