@@ -1,6 +1,6 @@
 """Chapter 4: the distortion of lenses."""
 
-from math import atan, degrees, pi, sqrt, tan
+from math import asin, atan, degrees, inf, isclose, pi, sqrt, tan
 
 import numpy as np
 from support.worked_numbers import Says
@@ -15,6 +15,14 @@ from simulations.models.distortion.lens_model import (
     undistort,
 )
 from simulations.models.distortion.undistortion import undistort_fixed_point, undistort_newton
+from simulations.models.lens.singlet import (
+    Singlet,
+    paraxial_image_mm,
+    power_per_mm,
+    thin_image_mm,
+    thin_power_per_mm,
+    through_exact,
+)
 from simulations.models.lens.vignetting import vignetting_cos4
 from simulations.scenes.lens_aberrations.stages import RIM_MM, light
 from simulations.scenes.lens_distortion.radii import inversion_error_px
@@ -30,6 +38,39 @@ def opening_of_a_lens() -> Says:
     assert 0.24 < pinhole < 0.27, "about a quarter of a millimetre"
     assert 0.85e4 < (wide / pinhole) ** 2 < 1.15e4, "some ten thousand times as much light"
     yield "about a quarter of a millimetre wide. The lens gathers some ten thousand times"
+
+
+EXAMPLE = Singlet(1 / 40, -1 / 40, 10.0, 1.5)
+
+
+def two_spheres_of_40_mm() -> Says:
+    thin = 1000 * thin_power_per_mm(EXAMPLE)
+    yield f"$1/f = 0.5 \\cdot (25 + 25) = {thin:g}$, so $f = {1000 / thin:g}$ mm"
+    thick = 1000 * power_per_mm(EXAMPLE)
+    yield f"$25 - 0.5^2 \\cdot 0.010 \\cdot 25 \\cdot 25/1.5 = {thick:.2f}$ per metre"
+    yield f"and $f = {1000 / thick:.1f}$ mm"
+    image = paraxial_image_mm(EXAMPLE, inf)
+    yield f"The image of a star lies {image:.1f} mm behind the middle of the lens"
+    yield f"$\\arcsin(10/40) = {degrees(asin(0.25)):.1f}^\\circ$"
+    yield f"$\\arcsin(0.25/1.5) = {degrees(asin(0.25 / 1.5)):.1f}^\\circ$"
+    crossing = _crossing(10)
+    yield f"it crosses the axis at {crossing:.1f} mm, nearly 4 mm short of the image"
+    assert 3.5 < image - crossing < 4
+
+
+def how_much_lens_a_picture_needs() -> Says:
+    image = paraxial_image_mm(EXAMPLE, inf)
+    assert _crossing(2) - thin_image_mm(EXAMPLE, inf) > 3
+    yield "At 2 mm the thin lens is more than 3 mm off"
+    yield f"{image - _crossing(2):.2f} mm: here the thickness matters"
+    yield f"At 10 mm the thick lens is off by {image - _crossing(10):.1f} mm"
+    yield f"is off by {thin_image_mm(EXAMPLE, inf) - _crossing(10):.1f} mm only because"
+    assert isclose((image - _crossing(10)) / (image - _crossing(5)), 4, rel_tol=0.1)
+    yield "Half the opening means a quarter of the error along the axis"
+
+
+def _crossing(height_mm: float) -> float:
+    return float(through_exact(EXAMPLE, inf, [height_mm], 22.0).crossing_mm[0])
 
 
 def bending_a_line_by_hand() -> Says:
@@ -137,6 +178,8 @@ def cubic_growth() -> Says:
 
 WORKED = (
     opening_of_a_lens,
+    two_spheres_of_40_mm,
+    how_much_lens_a_picture_needs,
     bending_a_line_by_hand,
     how_far_the_corner_moves,
     where_two_coefficients_cancel,

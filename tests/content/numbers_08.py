@@ -1,7 +1,7 @@
 """Chapter 8: the whole camera."""
 
 from functools import cache
-from math import asin, degrees, hypot, inf, isclose, pi, sqrt, tan
+from math import hypot, isclose, pi, sqrt, tan
 
 from measured_words_10 import error
 from numpy import arange, interp
@@ -11,14 +11,6 @@ from simulations.engine.stages import StageCache
 from simulations.models.color.srgb import encode_srgb
 from simulations.models.distortion.lens_model import Distortion, distort, largest_distorted_radius
 from simulations.models.lens.aperture_grid import aperture_grid
-from simulations.models.lens.singlet import (
-    Singlet,
-    paraxial_image_mm,
-    power_per_mm,
-    thin_image_mm,
-    thin_power_per_mm,
-    through_exact,
-)
 from simulations.models.lens.thin_lens import (
     circle_of_confusion_mm,
     hyperfocal,
@@ -266,39 +258,6 @@ def what_arrives_from_a_page_in_the_sun() -> Says:
     yield rf"$400/(4 \cdot 16) = {400 / (4 * 4**2):g}$ W/m²"
 
 
-EXAMPLE = Singlet(1 / 40, -1 / 40, 10.0, 1.5)
-
-
-def two_spheres_of_40_mm() -> Says:
-    thin = 1000 * thin_power_per_mm(EXAMPLE)
-    yield f"$1/f = 0.5 \\cdot (25 + 25) = {thin:g}$, so $f = {1000 / thin:g}$ mm"
-    thick = 1000 * power_per_mm(EXAMPLE)
-    yield f"$25 - 0.5^2 \\cdot 0.010 \\cdot 25 \\cdot 25/1.5 = {thick:.2f}$ per metre"
-    yield f"and $f = {1000 / thick:.1f}$ mm"
-    image = paraxial_image_mm(EXAMPLE, inf)
-    yield f"The image of a star lies {image:.1f} mm behind the middle of the lens"
-    yield f"$\\arcsin(10/40) = {degrees(asin(0.25)):.1f}^\\circ$"
-    yield f"$\\arcsin(0.25/1.5) = {degrees(asin(0.25 / 1.5)):.1f}^\\circ$"
-    crossing = _crossing(10)
-    yield f"it crosses the axis at {crossing:.1f} mm, nearly 4 mm short"
-    assert 3.5 < image - crossing < 4
-
-
-def how_much_lens_a_picture_needs() -> Says:
-    image = paraxial_image_mm(EXAMPLE, inf)
-    assert _crossing(2) - thin_image_mm(EXAMPLE, inf) > 3
-    yield "At 2 mm the thin lens is more than 3 mm off"
-    yield f"{image - _crossing(2):.2f} mm: here the thickness counts"
-    yield f"At 10 mm the thick lens is off by {image - _crossing(10):.1f} mm"
-    yield f"by {thin_image_mm(EXAMPLE, inf) - _crossing(10):.1f} mm, which is luck"
-    assert isclose((image - _crossing(10)) / (image - _crossing(5)), 4, rel_tol=0.1)
-    yield "Half the opening means a quarter of the error along the axis"
-
-
-def _crossing(height_mm: float) -> float:
-    return float(through_exact(EXAMPLE, inf, [height_mm], 22.0).crossing_mm[0])
-
-
 WORKED = (
     what_arrives_from_a_page_in_the_sun,
     the_camera_s_pixels,
@@ -320,6 +279,4 @@ WORKED = (
     how_many_stages_there_are,
     what_a_step_of_the_focus_leaves,
     what_the_truth_is,
-    two_spheres_of_40_mm,
-    how_much_lens_a_picture_needs,
 )
