@@ -1,6 +1,6 @@
 """Style sheets, scripts, fonts and pictures: what pages have beside them, in one folder."""
 
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Mapping
 from pathlib import Path
 from typing import Any
 
@@ -12,12 +12,11 @@ from site_builder.offline.release import SCRIPT as RELEASE_SCRIPT
 from site_builder.offline.release import integrity
 from site_builder.output.assets import Content, content_bytes, hashed_folder
 from site_builder.output.book_files import book_css, book_script
-from site_builder.output.font_faces import WHOLE_MATHS, Face, chosen_faces, face_rule, maths_faces
+from site_builder.output.font_faces import MATHS_FACES, chosen_faces, face_rule
 from site_builder.output.fonts import subset_fonts
 from site_builder.output.scripts import imported_scripts, reachable
 from site_builder.output.style_sheets import join_style_sheets, without_comments
 from site_builder.pages.features import kinds_script, parts_script, sheets_not_for, shown_in
-from site_builder.pages.formulae import formula_characters
 from site_builder.pages.render import back_matter
 from site_builder.pages.stills import Stills
 
@@ -47,16 +46,12 @@ def gather_assets(
     and what searches, in one folder: ``folder``, or one that is named by what is in it. The
     engine's own are handed through ``join``."""
     content = folder_files(root / "content")
-    # While the book is written, a new letter in a formula is to change no style sheet.
-    maths = (WHOLE_MATHS,) if folder else maths_faces(formula_characters(book))
     static = folder_files(own_or_engine(root, "static"))
     files: Files = {
-        **join(_engine_files(book, static, maths)),
+        **join(_engine_files(book, static)),
         **{
             f"fonts/{name}": data
-            for name, data in subset_fonts(
-                (*chosen_faces(book.settings, root), *maths[:-1])
-            ).items()
+            for name, data in subset_fonts(chosen_faces(book.settings, root)).items()
         },
         **{f"stills/{name}": data for name, data in pictures.items()},
         **{f"content/{name}": file for name, file in content.items() if name.endswith(SUFFIXES)},
@@ -67,11 +62,10 @@ def gather_assets(
     return hashed_folder("assets", files)
 
 
-def _engine_files(book: Book, static: Files, faces: Iterable[Face]) -> Files:
-    """Of the engine's style sheets and scripts those that the book uses, with rules for ``faces``
-    that are the book's own."""
+def _engine_files(book: Book, static: Files) -> Files:
+    """Of the engine's style sheets and scripts those that the book uses."""
     shown = shown_in(book, dict(back_matter(book)))
-    own = book_css(book.settings, book.words) + "".join(map(face_rule, faces))
+    own = book_css(book.settings, book.words) + "".join(map(face_rule, MATHS_FACES))
     files = {
         **join_style_sheets(static, STYLE_SHEET, own, without=sheets_not_for(shown)),
         "js/book.js": book_script(book.settings, book.words),

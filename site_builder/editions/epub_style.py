@@ -4,7 +4,7 @@ e-books lack."""
 import re
 from pathlib import Path
 
-from site_builder.output.font_faces import WHOLE_MATHS, face_rule
+from site_builder.output.font_faces import MATHS_FACES, face_rule
 from site_builder.output.light_theme import light_tokens, resolve, without_containers
 
 OWN = Path(__file__).with_name("epub.css")
@@ -15,7 +15,7 @@ FAMILIES = {"--serif": '"Book Serif", serif', "--sans": '"Book Sans", sans-serif
 def book_style(folder: Path) -> str:
     """``folder`` holds the site's style sheets. Variables are resolved, to the light theme."""
     tokens = light_tokens(_read(folder / "tokens.css")) | FAMILIES
-    faces = "".join(FACE.findall(_read(folder / "fonts.css"))) + face_rule(WHOLE_MATHS)
+    faces = "".join((*FACE.findall(_read(folder / "fonts.css")), *map(face_rule, MATHS_FACES)))
     drawings = without_containers(_read(folder / "overlay.css"))
     return faces + resolve(drawings + _read(OWN), tokens)
 

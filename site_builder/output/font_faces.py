@@ -37,6 +37,7 @@ FORMULAE = (
         (0x300, 0x308),  # the same, combining
         (0x2016, 0x2016),  # ‖
         (0x2032, 0x2037),  # primes
+        (0x203E, 0x203E),  # overline
         (0x2061, 0x2064),  # invisible operators
         (0x20D7, 0x20D7),  # vector arrow
         (0x2190, 0x21FF),  # arrows
@@ -54,8 +55,24 @@ FORMULAE = (
     | _each("ℂℎℏℐℒℕℙℚℛℝℤ□◦⊤⊥⋅⋆⟨⟩⟵⟶⟷⦅⦆")
 )
 
-BORROWED = SPACES | _each("ϵ‑⁺⁻↔⇒∈∥⟂") | _span((0x300, 0x308))
-"""Spaces, signs and accents that text takes from the face of formulae: no other has them."""
+ALWAYS_WITH_FORMULAE = FORMULAE & (
+    _span((0x20, 0x7E))
+    | GREEK
+    | SPACES
+    | _span(
+        (0x2C6, 0x2DD),  # accents
+        (0x300, 0x308),
+        (0x2061, 0x2064),
+        (0x1D400, 0x1D467),  # Latin: bold, italic, the first of bold italic
+        (0x1D6E2, 0x1D71B),  # Greek: italic
+        (0x1D7CE, 0x1D7D7),  # bold digits
+    )
+    | _each("()/[]\\_{}|‖√∣∥∏∐∑∫∬∭∮⋀⋁⋂⋃⌈⌉⌊⌋⟨⟩⏜⏝⏞⏟⎴⎵‾¯")  # what stretches
+    | _each("←→↔⟶⇒⇔↑↓∈∉⊂⊆∪∩∀∃∧∨¬⊕⊗⟂⊤⊥⋅∘∙·×÷±∓−≈≠≤≥≪≫≡≃≅∼∝∂∇∞∆…⋯⋮⋱°′″⁻⁺\u2011\xa0µϵℎℓℝ\u20d7")
+)
+"""What the face that formulae need first holds: letters, common signs, and every sign that
+stretches. Browsers draw roots, fences, braces and big operators from the first face of a family
+only, even where no character of the text names them. Text takes its rarer signs from it too."""
 
 BASIC_FEATURES = ("ccmp", "kern", "liga", "lnum", "locl", "mark", "mkmk", "onum", "pnum", "tnum")
 SMALL_CAPITALS = ("c2sc", "smcp")
@@ -95,6 +112,11 @@ def _sans(file: str, source: str, style: str) -> Face:
     return Face(file, "font_source_sans_pro", source_path, "Book Sans", style)
 
 
+def _maths(file: str, characters: frozenset[int]) -> Face:
+    source = "fonts/STIXTwoMath-Regular.ttf"
+    return Face(file, "ziamath", source, "Book Maths", "Regular", characters, FORMULA_FEATURES)
+
+
 FACES = (
     _serif("serif-regular.woff2", "Regular", "Regular", *SMALL_CAPITALS),
     _serif("serif-italic.woff2", "It", "Italic"),
@@ -103,37 +125,12 @@ FACES = (
     _sans("sans-regular.woff2", "Regular", "Regular"),
     _sans("sans-italic.woff2", "It", "Italic"),
     _sans("sans-semibold.woff2", "Semibold", "Semibold"),
-    Face(
-        "maths.woff2",
-        "ziamath",
-        "fonts/STIXTwoMath-Regular.ttf",
-        "Book Maths",
-        "Regular",
-        FORMULAE,
-        FORMULA_FEATURES,
-    ),
+    _maths("maths.woff2", ALWAYS_WITH_FORMULAE),
+    _maths("maths-rare.woff2", FORMULAE - ALWAYS_WITH_FORMULAE),
 )
 
-WHOLE_MATHS = FACES[-1]
-USED_MATHS = "maths-used.woff2"
-"""Of the face of formulae, what the book's formulae use."""
-ITALIC = {
-    **{ord("A") + place: 0x1D434 + place for place in range(26)},
-    **{ord("a") + place: 0x1D44E + place for place in range(26)},
-    **{ord("Α") + place: 0x1D6E2 + place for place in range(25)},
-    **{ord("α") + place: 0x1D6FC + place for place in range(25)},
-    **dict(zip(map(ord, "h∂ϵϑϰϕϱϖ-"), map(ord, "ℎ𝜕𝜖𝜗𝜘𝜙𝜚𝜛−"), strict=True)),
-}
-"""What browsers draw for a single letter in a formula, and for a hyphen: MathML Core, 2.1.3."""
-
-
-def maths_faces(characters: Iterable[str]) -> tuple[Face, Face]:
-    """The face of formulae, cut to ``characters`` and to what text takes from it; and the whole
-    face, for the rest alone."""
-    codes = {*map(ord, characters)} | set(range(0x20, 0x7F))
-    shown = FORMULAE & (codes | {ITALIC[code] for code in codes & ITALIC.keys()} | BORROWED)
-    used = replace(WHOLE_MATHS, file=USED_MATHS, characters=shown)
-    return used, replace(WHOLE_MATHS, characters=FORMULAE - shown)
+MATHS_FACES = FACES[-2:]
+"""Formulae: common signs, and rare ones, which a browser fetches only for a page that shows one."""
 
 
 def face_rule(face: Face) -> str:

@@ -152,6 +152,8 @@ def _mend(tree: ElementTree.Element, *, display: bool) -> None:
             text = (element.text or "").strip()
             if element.tag == "mi" and text in OPERATORS:
                 element.tag, element.text = "mo", OPERATORS[text]
+            if element.tag == "mo" and text == "\u2015":  # \\overline: no font stretches its bar
+                element.text, element.attrib = "‾", {"stretchy": "true"}
             if element.tag == "mo" and text in LETTERS:
                 element.tag = "mi"
             if element.tag == "mo" and text.isalpha() and text.isascii():

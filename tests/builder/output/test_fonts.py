@@ -10,12 +10,12 @@ import pytest
 from fontTools.ttLib import TTFont
 from fontTools.ttLib.tables._g_l_y_f import USE_MY_METRICS
 
-from site_builder.output.font_faces import FACES, TEXT, WHOLE_MATHS, Face, chosen_faces, maths_faces
+from site_builder.output.font_faces import FACES, FORMULAE, MATHS_FACES, TEXT, Face, chosen_faces
 from site_builder.output.fonts import cut, subset_fonts
 from site_builder.settings.model import Fonts, Sans, Settings
 
 FONTS_CSS = Path(__file__).parents[3] / "static" / "css" / "fonts.css"
-TEXT_FACES = [face.file for face in FACES if face.file != "maths.woff2"]
+TEXT_FACES = [face.file for face in FACES if face not in MATHS_FACES]
 
 
 @pytest.fixture(scope="module")
@@ -54,8 +54,8 @@ def test_text_faces_stay_below_40_kb(fonts: Mapping[str, bytes], file: str) -> N
     assert len(fonts[file]) < 40_000
 
 
-def test_maths_face_stays_below_250_kb(fonts: Mapping[str, bytes]) -> None:
-    assert len(fonts["maths.woff2"]) < 250_000
+def test_maths_face_stays_below_100_kb(fonts: Mapping[str, bytes]) -> None:
+    assert len(fonts["maths.woff2"]) < 100_000
 
 
 @pytest.mark.parametrize("file", TEXT_FACES)
@@ -73,7 +73,7 @@ def test_upright_faces_show_greek_and_signs_of_the_labels(
 
 
 def test_maths_face_shows_the_alphabets_of_the_formulae(fonts: Mapping[str, bytes]) -> None:
-    text = "𝑥𝐱𝜃𝛼𝐀𝐑ℝℓ𝒪 ⊤⋅∥⟨⟩∑∫√∂∇∞≤≥≈≠→⇒⋯⋮⋱′ˆ"
+    text = "𝑥𝐱𝜃𝛼𝐀𝐑ℝℓ ⊤⋅∥⟨⟩∑∫√∂∇∞≤≥≈≠→⇒⋯⋮⋱′ˆ"
     assert missing(opened(fonts, "maths.woff2"), text.replace(" ", "")) == set()
 
 
@@ -129,16 +129,18 @@ def test_cut_faces_are_renamed_and_keep_their_licence(
     assert name.getDebugName(0)
 
 
-def test_the_face_of_a_books_formulae_has_what_text_borrows_and_the_whole_face_only_the_rest(
+def test_the_two_faces_of_formulae_share_no_character_and_miss_none() -> None:
+    common, rare = (face.characters for face in MATHS_FACES)
+    assert common | rare == FORMULAE
+    assert not common & rare
+
+
+def test_text_takes_its_rarer_signs_from_the_common_face_of_formulae(
     fonts: Mapping[str, bytes],
 ) -> None:
-    used, rest = maths_faces("x√")
-    assert used.characters | rest.characters == WHOLE_MATHS.characters
-    assert not used.characters & rest.characters
-    assert {ord(sign) for sign in "x𝑥√"} <= used.characters
     of_text = set().union(*(opened(fonts, file).getBestCmap() for file in TEXT_FACES))
-    of_maths = set(opened(fonts, WHOLE_MATHS.file).getBestCmap())
-    assert (TEXT & of_maths) - of_text <= used.characters
+    of_maths = set().union(*(opened(fonts, face.file).getBestCmap() for face in MATHS_FACES))
+    assert (TEXT & of_maths) - of_text <= MATHS_FACES[0].characters
 
 
 @pytest.mark.parametrize(
