@@ -1,8 +1,9 @@
-"""Whether the section that is to explain a term speaks of it."""
+"""Whether the section that is to explain a term uses it, and whether any text does before it."""
 
 from site_builder.beside.glossary import FILE
 from site_builder.book import Book
 from site_builder.diagnostics import Diagnostics
+from site_builder.page_model.places import Target, TermUse
 
 
 def check_glossary(book: Book, problems: Diagnostics) -> None:
@@ -19,3 +20,20 @@ def check_glossary(book: Book, problems: Diagnostics) -> None:
             legal = ", ".join(sections[:6]) or "a section that does"
             message = f"{term.name!r} is not in the text of {term.explained!r}; legal: {legal}"
             problems.add(FILE, term.line, message)
+
+
+def check_order(book: Book, problems: Diagnostics) -> None:
+    """Warn of terms used before the section that explains them, unless the author marked the use:
+    a mark shows the definition."""
+    unexplained = {item.term.name: item.explained for item in book.glossary if item.explained}
+    for chapter in book.chapters:
+        for use in chapter.term_uses:
+            place = unexplained.pop(use.term, None)
+            if place and not use.by_author and not _is_in(use, chapter.id, place):
+                message = f"{use.term!r} is used before {place.name}, which explains it"
+                better = f"explain it here, or mark it: {{term}}`{use.term}`"
+                problems.warn(chapter.path, use.line, f"{message}; better: {better}")
+
+
+def _is_in(use: TermUse, chapter: str, place: Target) -> bool:
+    return chapter == place.chapter and place.id in ("", use.section)

@@ -7,7 +7,7 @@ from pathlib import PurePosixPath
 from site_builder.beside.bibliography import FILE as BIBLIOGRAPHY
 from site_builder.book import Book, Chapter
 from site_builder.checks.figure_questions import check_figure_questions
-from site_builder.checks.glossary import check_glossary
+from site_builder.checks.glossary import check_glossary, check_order
 from site_builder.checks.questions import check_questions
 from site_builder.checks.symbols import check_symbols
 from site_builder.diagnostics import Diagnostics, unknown
@@ -31,6 +31,7 @@ def check_book(book: Book, problems: Diagnostics) -> None:
     check_questions(book, problems)
     _check_cited(book, problems)
     check_glossary(book, problems)
+    check_order(book, problems)
     check_symbols(book, problems)
     by_file = {PurePosixPath(chapter.path).name: chapter for chapter in book.chapters}
     for chapter in book.chapters:

@@ -77,6 +77,10 @@ class TermUse:
     """Element id of the heading above it; nothing before a chapter's first."""
     element: str
     """Element id of its mark; nothing where it has none."""
+    line: int
+    """In the source, counted from 1."""
+    by_author: bool
+    """Whether the author marked it with the role ``term``."""
 
 
 @dataclass(frozen=True, slots=True)

@@ -65,7 +65,7 @@ class _Walk:
             if token is inline:
                 continue
             if token.type in ("link_open", "role_open") and token.tag == "a":
-                self._given(token)
+                self._given(token, line)
                 linked += 1
             elif token.type in ("link_close", "role_close") and token.tag == "a":
                 linked -= 1
@@ -76,11 +76,11 @@ class _Walk:
                 yield token
             previous = token.type
 
-    def _given(self, token: Token) -> None:
+    def _given(self, token: Token, line: int) -> None:
         """A term that its author marked, or an entry of the index."""
         if term := token.meta.get("term"):
             self.marked.add(term.name)
-            self._note(term, str(token.attrGet("id")))
+            self._note(term, line, str(token.attrGet("id")), by_author=True)
         elif entry := token.meta.get("index"):
             mark = IndexMark(entry, self.section, str(token.attrGet("id")))
             self.reading.index_marks.append(mark)
@@ -92,11 +92,11 @@ class _Walk:
         for term, start, end in self.reading.glossary.uses(text):
             here = f"{self.reading.chapter}#{self.section}"
             if not marks or term.name in self.marked or (control and term.explained != here):
-                self._note(term)
+                self._note(term, line)
                 continue
             self.marked.add(term.name)
             attributes = term_link(term, line, self.reading)
-            self._note(term, attributes["id"])
+            self._note(term, line, attributes["id"])
             yield Token("text", "", 0, content=text[done:start])
             yield Token("link_open", "a", 1, attrs={**attributes})
             yield Token("text", "", 0, content=text[start:end])
@@ -104,8 +104,9 @@ class _Walk:
             done = end
         yield token if not done else Token("text", "", 0, content=text[done:])
 
-    def _note(self, term: Term, element: str = "") -> None:
-        self.reading.term_uses.append(TermUse(term.name, self.section, element))
+    def _note(self, term: Term, line: int, element: str = "", *, by_author: bool = False) -> None:
+        use = TermUse(term.name, self.section, element, line, by_author)
+        self.reading.term_uses.append(use)
 
 
 def _names_a_control(words: str) -> bool:

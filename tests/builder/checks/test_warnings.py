@@ -103,3 +103,22 @@ def test_the_chance_of_a_habit_is_the_sum_over_all_outcomes(hits: int) -> None:
         if sum(outcome) >= hits
     ]
     assert np.isclose(chance_of(hits, chances), sum(outcomes))
+
+
+GLOSSARY = '[pose]\nsays = "Where it is."\nexplained = "first#poses"\n'
+
+
+@pytest.mark.parametrize(
+    ("text", "warned"),
+    [
+        ("A pose.\n\n## Poses\n\nThe **pose**.\n", True),
+        ("## Poses\n\nThe **pose**.\n\n## Later\n\nA pose.\n", False),
+        ("A {term}`pose`.\n\n## Poses\n\nThe **pose**.\n", False),
+    ],
+)
+def test_a_term_used_before_its_explanation_is_warned_of_unless_it_is_marked(
+    text: str, warned: bool, warnings_of: Find
+) -> None:
+    found = warnings_of(text, {"content/glossary.toml": GLOSSARY})
+    assert [line for line in found if "'pose' is used before" in line] == found
+    assert bool(found) == warned
