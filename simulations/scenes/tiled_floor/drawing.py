@@ -7,6 +7,7 @@ import numpy as np
 from simulations.engine import drawing
 from simulations.engine.frame import format_number
 from simulations.models.arrays import Floats
+from simulations.models.geometry.line_clipping import line_in_rectangle
 from simulations.models.projection.pinhole import world_to_camera
 from simulations.pictures.tiled_floor import Box
 from simulations.scenes.tiled_floor.stages import WIDER
@@ -82,7 +83,7 @@ def picture_overlay(view: Camera, box: Box, lines: bool) -> str:
     return "".join(
         (
             towards_vanishing(view, box, (0, 1), in_picture) if lines else "",
-            horizon(view, in_picture),
+            horizon(view, in_picture, from_picture),
             upright(view, box),
             vanishing_points(view, in_picture),
         )
@@ -100,7 +101,7 @@ def plane_overlay(view: Camera, box: Box, lines: bool) -> str:
                 (corner[0] + 3.0, corner[1] + size[1] - 5.0), "picture", "image small halo"
             ),
             towards_vanishing(view, box, (0, 1, 2), in_plane) if lines else "",
-            horizon(view, in_plane),
+            horizon(view, in_plane, from_plane),
             drawing.dot(principal, "camera", 3.0),
             vanishing_points(view, in_plane),
         )
@@ -139,12 +140,11 @@ def _end(view: Camera, point: Floats, direction: Floats) -> Floats:
     return np.asarray(start + towards * (AT_INFINITY_PX / np.hypot(*towards)))
 
 
-def horizon(view: Camera, place: Place) -> str:
+def horizon(view: Camera, place: Place, back: Callable[[Point], Point]) -> str:
     """Its line and its name; where it is not in the panel, in which direction it lies."""
     a, b, c = view.horizon
-    middle, along = -c * np.array([a, b]), 1e4 * np.array([-b, a])
-    ends = clipped(place(middle - along), place(middle + along))
-    if ends is None:
+    found = line_in_rectangle(view.horizon, back((0.0, 0.0)), back((WIDTH, HEIGHT)))
+    if not len(found):
         above = b * (HEIGHT / 2.0) + a * (WIDTH / 2.0) + c > 0.0
         return drawing.text(
             (WIDTH / 2.0, 22.0 if above else HEIGHT - 12.0),
@@ -152,6 +152,7 @@ def horizon(view: Camera, place: Place) -> str:
             "camera halo",
             "middle",
         )
+    ends = place(found[0]), place(found[1])
     return drawing.line(*ends, "camera bold") + _horizon_name(view, place, ends)
 
 

@@ -8,6 +8,7 @@ from numpy.typing import ArrayLike
 from simulations.engine import drawing
 from simulations.engine.frame import format_number
 from simulations.models.arrays import Floats
+from simulations.models.geometry.line_clipping import line_in_rectangle
 from simulations.models.geometry.transforms import (
     apply_homography,
     clip_half_plane,
@@ -20,12 +21,16 @@ SCALE = 1.46
 """View box units per unit of the plane."""
 ORIGIN = np.array([100.0, 232.0])
 """Where the plane's origin lies in the view box; the plane's y axis points up."""
-FRAME = ((1, 0, 4), (-1, 0, WIDTH + 4), (0, 1, 4), (0, -1, HEIGHT + 4))
-"""The view box and a rim that hides cut edges, as half planes a x + b y + c ≥ 0."""
+RIM = 4.0
+"""View box units around the view box that hide cut edges."""
+FRAME = ((1, 0, RIM), (-1, 0, WIDTH + RIM), (0, 1, RIM), (0, -1, HEIGHT + RIM))
+"""The view box and its rim, as half planes a x + b y + c ≥ 0."""
 TAKEN_Y = {"start": 247.0, "end": 224.0}
 """Baselines, at the left and the right end, of the numbers below the x axis and of its name."""
 LABEL_HEIGHT = 12.0
 """Line height of a small label, in view box units."""
+LABEL_WIDTH = 60.0
+"""Room that a small label and its distance from a line take."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -52,6 +57,10 @@ def to_view(points: ArrayLike) -> Floats:
 def from_view(place: ArrayLike) -> Floats:
     """View box to plane."""
     return (np.asarray(place, float) - ORIGIN) / [SCALE, -SCALE]
+
+
+CORNERS = from_view((-RIM, HEIGHT + RIM)), from_view((WIDTH + RIM, -RIM))
+"""The lowest and the highest coordinates of the plane that the frame shows."""
 
 
 def label_at(point: ArrayLike, right: float, down: float) -> Floats:
@@ -114,25 +123,27 @@ def lines_at_infinity(H: Floats) -> str:
 def labelled_line(line: Floats, label: str, role: str, anchor: str) -> str:
     """A line a x + b y + c = 0 of the plane across the view, where it crosses it.
 
-    Its label stands at its left end (``start``) or its right end, on the side that the line leaves.
+    Its label stands at its left end (``start``) or its right end, on the side that the line
+    leaves; on the other side where it would run out of the view.
     """
-    normal = line[:2] / np.hypot(line[0], line[1])
-    foot = -line[2] / np.hypot(line[0], line[1]) * normal
-    along = np.array([-normal[1], normal[0]]) * 1e3
-    ends = in_frame([foot - along, foot + along], closed=False)
-    if len(ends) < 2 or np.hypot(*(ends[1] - ends[0])) < 160.0:
+    ends = line_in_rectangle(line, *CORNERS)
+    if not len(ends):
         return ""
-    left, right = ends[np.argsort(ends[:, 0])]
-    rises = right[1] < left[1]
-    y = (left[1] if anchor == "start" else right[1]) + (
-        18.0 if rises == (anchor == "start") else -9.0
-    )
-    y = min(max(y, 16.0), HEIGHT - 8.0)
-    taken = TAKEN_Y[anchor]
-    if abs(y - taken) < LABEL_HEIGHT:
-        y = taken + (LABEL_HEIGHT if rises == (anchor == "start") else -LABEL_HEIGHT)
-    on_line = left[0] + (y - left[1]) * (right[0] - left[0]) / (right[1] - left[1])
-    x = max(left[0], on_line) + 8.0 if anchor == "start" else min(right[0], on_line) - 8.0
+    left, right = ends = to_view(ends)
+    if np.hypot(*(right - left)) < 160.0:
+        return ""
+    at_start = anchor == "start"
+    x, y = left if at_start else right
+    below = (right[1] < left[1]) == at_start
+    y = min(max(y + (18.0 if below else -9.0), 16.0), HEIGHT - 8.0)
+    if abs(y - TAKEN_Y[anchor]) < LABEL_HEIGHT:
+        y = TAKEN_Y[anchor] + (LABEL_HEIGHT if below else -LABEL_HEIGHT)
+    beside = clip_half_plane(ends, (0.0, -1.0, y) if below else (0.0, 1.0, -y), closed=False)
+    if len(beside):  # of the line, as far as the label's row
+        x = beside[:, 0].min() if at_start else beside[:, 0].max()
+    if x > WIDTH - LABEL_WIDTH if at_start else x < LABEL_WIDTH:
+        anchor = "end" if at_start else "start"
+    place = (x + (8.0 if anchor == "start" else -8.0), y)
     return drawing.line(left, right, f"{role} dashed") + drawing.text(
-        (x, y), label, f"{role} small halo", anchor
+        place, label, f"{role} small halo", anchor
     )

@@ -7,6 +7,7 @@ import numpy as np
 from simulations.engine import drawing
 from simulations.engine.frame import Panel, Raster, format_number
 from simulations.models.arrays import Floats
+from simulations.models.geometry.line_clipping import line_in_rectangle
 from simulations.models.geometry.transforms import clip_half_plane
 from simulations.models.projection.pinhole import project
 from simulations.scenes.two_views.view import (
@@ -103,12 +104,10 @@ def _row(view: View) -> str:
 
 def _line(view: View) -> str:
     """All of it faintly; boldly what belongs to depths from 1 m to infinity."""
-    a, b, c = view.line
-    middle, along = -c * np.array([a, b]), 1e3 * np.array([-b, a])
+    borders = np.array([HALF_WIDTH_PX, HALF_HEIGHT_PX])
+    whole = line_in_rectangle(view.line, -borders, borders)
     seen = np.array([view.pair.right(view.at(1.0)), view.pair.vanishing(view.left)])
-    return _drawn(np.array([middle - along, middle + along]), "ray thin faint") + _drawn(
-        seen, "ray"
-    )
+    return _drawn(whole, "ray thin faint") + _drawn(seen, "ray")
 
 
 def _depths(view: View) -> str:
