@@ -1,10 +1,11 @@
 """Words of the text that set a figure: by mouse and keyboard, in motion and at once."""
 
+import json
 from collections.abc import Callable, Iterator
 from typing import Any
 
 import pytest
-from playwright.sync_api import Locator
+from playwright.sync_api import Locator, expect
 from support.reader import Reader
 
 pytestmark = pytest.mark.browser
@@ -111,6 +112,25 @@ def test_a_hand_on_the_figure_stops_the_motion_where_it_is(
     stopped = figure.locator("[name=k1]").input_value()
     visitor.settle(figure)
     assert figure.locator("[name=k1]").input_value() == stopped != "-0.2"
+
+
+def test_a_link_of_a_prediction_sets_all_that_its_claim_depends_on(
+    visitor: Reader, figure: Locator
+) -> None:
+    page = visitor.page
+    start = figure.evaluate("f => JSON.parse(f.querySelector('script.schema').textContent).values")
+    figure.locator("[name=correct]").check(force=True)
+    figure.locator("[name=k2]").fill("0.3")
+    link = page.locator("form[data-predict] a.set[data-figure=figure-lens-distortion]").first
+    link.click()
+    said = json.loads(link.get_attribute("data-values") or "")
+    for name, value in ({**start, **said}).items():
+        control = figure.locator(f"[name={name}]")
+        kind = control.get_attribute("type")
+        if kind == "checkbox":
+            expect(control).to_be_checked(checked=value)
+        elif kind == "range":
+            wait_value(visitor, figure, name, f"{value:g}")
 
 
 def test_back_undoes_what_the_words_did(visitor: Reader, figure: Locator) -> None:

@@ -3,7 +3,7 @@
  * on the figure, or Escape, stops them where they are.
  */
 
-import { one } from "../page/dom.js";
+import { all, one } from "../page/dom.js";
 import { moveControls, readValues, uncover } from "./controls.js";
 import { record, settingsOf } from "./permalink.js";
 
@@ -38,13 +38,56 @@ export async function follow(link) {
   const place = document.getElementById(link.dataset.figure ?? "");
   const figure = place && one(place, "simulation-figure", HTMLElement);
   if (!figure) return;
-  /** @type {Record<string, Value>} */
-  const values = JSON.parse(link.dataset.values ?? "{}");
+  const values = destination(link, figure);
+  const { form, controls } = settingsOf(figure);
+  const shown = readValues(form, controls);
   followed.set(figure, link);
-  uncover(settingsOf(figure).form, Object.keys(values));
+  uncover(
+    form,
+    Object.keys(values).filter((name) => values[name] !== shown[name]),
+  );
   jump(figure, values);
   await bringIntoView(one(figure, ".panels", HTMLElement));
   if (followed.get(figure) === link) glide(figure, values);
+}
+
+/**
+ * The values that a link sets. A link of a prediction or of its answer sets every control: to the
+ * page's start, to what earlier links of the same prediction say, and to what it says itself. So
+ * the claim holds whatever was tried before.
+ *
+ * @param {HTMLAnchorElement} link
+ * @param {HTMLElement} figure
+ * @returns {Record<string, Value>}
+ */
+function destination(link, figure) {
+  const prediction = predictionOf(link);
+  if (!prediction) return valuesOf(link);
+  const links = all(document, "a.set", HTMLAnchorElement).filter(
+    (other) => other.dataset.figure === link.dataset.figure && predictionOf(other) === prediction,
+  );
+  const upToHere = links.slice(0, links.indexOf(link) + 1);
+  return Object.assign({ ...settingsOf(figure).start }, ...upToHere.map(valuesOf));
+}
+
+/**
+ * @param {HTMLAnchorElement} link
+ * @returns {Record<string, Value>}
+ */
+function valuesOf(link) {
+  return JSON.parse(link.dataset.values ?? "{}");
+}
+
+/**
+ * Id of the prediction whose question or answer holds a link, if one does.
+ *
+ * @param {HTMLElement} link
+ */
+function predictionOf(link) {
+  const place = link.closest("[data-predict], [data-answers]");
+  return place instanceof HTMLElement
+    ? (place.dataset.predict ?? place.dataset.answers)
+    : undefined;
 }
 
 /**
