@@ -90,7 +90,8 @@ METHODS: dict[str, Callable[[Quads], Floats]] = {
 def demosaic(cfa: ArrayLike, pattern: str = "RGGB", method: str = "bilinear") -> Floats:
     """A full-colour picture (H, W, 3) from a mosaic (H, W).
 
-    The mosaic is mirrored at its borders, so that a flat colour survives exactly. The
+    The mosaic is mirrored at its borders, so that a flat colour survives: to the last bit with
+    `nearest`, `bilinear` and `malvar`, to a few units in the last place with the others. The
     gradient-corrected methods can overshoot: clip before showing. A mosaic of a single row
     or column is interpolated along it; a colour that it does not hold at all is taken to
     be the mean of those it holds, so that a single pixel comes out grey. Values that are not

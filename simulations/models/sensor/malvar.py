@@ -17,24 +17,25 @@ def malvar(quads: Quads) -> Floats:
     r, gr, gb, b = quads.red, quads.green_red, quads.green_blue, quads.blue
     gb_right, gr_below = right(gb), below(gr)
     # Greens next to, and at the corners of, each green pixel.
-    corners_gr = gb + gb_right + above(gb) + above(gb_right)
-    corners_gb = gr + gr_below + left(gr) + left(gr_below)
+    corners_gr = (gb + gb_right) + (above(gb) + above(gb_right))
+    corners_gb = (gr + gr_below) + (left(gr) + left(gr_below))
     aside_gr, upright_gr = left(gr) + right(gr), above(gr) + gr_below
     aside_gb, upright_gb = left(gb) + gb_right, above(gb) + below(gb)
 
-    green_at_red = (2 * (left(gr) + gr + above(gb) + gb) + 4 * r - _cross(r)) / 8
-    green_at_blue = (2 * (gb + gb_right + gr + gr_below) + 4 * b - _cross(b)) / 8
-    along_row_gr = 5 * gr - corners_gr - aside_gr + upright_gr / 2
-    along_row_gb = 5 * gb - corners_gb - aside_gb + upright_gb / 2
-    along_column_gr = 5 * gr - corners_gr - upright_gr + aside_gr / 2
-    along_column_gb = 5 * gb - corners_gb - upright_gb + aside_gb / 2
-    red_at_gr = (4 * (r + right(r)) + along_row_gr) / 8
-    red_at_gb = (4 * (r + below(r)) + along_column_gb) / 8
-    blue_at_gr = (4 * (above(b) + b) + along_column_gr) / 8
-    blue_at_gb = (4 * (left(b) + b) + along_row_gb) / 8
+    # Each is a mean plus a difference that is 0, without rounding, where the picture is flat.
+    r_excess, b_excess = (4 * plane - _cross(plane) for plane in (r, b))
+    gr_excess, gb_excess = 4 * gr - corners_gr, 4 * gb - corners_gb
+    green_at_red = ((left(gr) + gr) + (above(gb) + gb)) / 4 + r_excess / 8
+    green_at_blue = ((gb + gb_right) + (gr + gr_below)) / 4 + b_excess / 8
+    along_row_gr = (gr_excess + (gr + upright_gr / 2 - aside_gr)) / 8
+    along_row_gb = (gb_excess + (gb + upright_gb / 2 - aside_gb)) / 8
+    along_column_gr = (gr_excess + (gr + aside_gr / 2 - upright_gr)) / 8
+    along_column_gb = (gb_excess + (gb + aside_gb / 2 - upright_gb)) / 8
     reds, blues = r + right(r), left(b) + b
-    red_at_blue = (2 * (reds + below(reds)) + 6 * b - 1.5 * _cross(b)) / 8
-    blue_at_red = (2 * (above(blues) + blues) + 6 * r - 1.5 * _cross(r)) / 8
+    red_at_gr, red_at_gb = reds / 2 + along_row_gr, (r + below(r)) / 2 + along_column_gb
+    blue_at_gr, blue_at_gb = (above(b) + b) / 2 + along_column_gr, blues / 2 + along_row_gb
+    red_at_blue = (reds + below(reds)) / 4 + b_excess * (1.5 / 8)
+    blue_at_red = (above(blues) + blues) / 4 + r_excess * (1.5 / 8)
     return np.array(
         [
             [[r, red_at_gr], [red_at_gb, red_at_blue]],
@@ -46,4 +47,4 @@ def malvar(quads: Quads) -> Floats:
 
 def _cross(plane: Floats) -> Floats:
     """Sum of the four next pixels of the same colour, two pixels away."""
-    return left(plane) + right(plane) + above(plane) + below(plane)
+    return (left(plane) + right(plane)) + (above(plane) + below(plane))

@@ -21,8 +21,9 @@ type ShotModel = Literal["poisson", "quantile", "skewed", "gaussian"]
 SHOT_MODELS: tuple[ShotModel, ...] = ("gaussian", "skewed", "quantile", "poisson")
 """Rough to exact."""
 
-LARGEST_WELL_E = 1e15
-"""Electrons up to which float64 counts every single one, and samplers work."""
+LARGEST_WELL_E = 1e13
+"""Electrons up to which samplers work: numpy's draws a variance that is 2 % too large at 3e13 and
+10 % at 3e14, although float64 counts every single electron up to 9e15."""
 
 
 @dataclass(frozen=True, slots=True)

@@ -88,7 +88,8 @@ def test_flat_colour_survives_up_to_the_border(
     method: str, shape: tuple[int, int], pattern: str, colour: tuple[float, float, float]
 ) -> None:
     flat = np.broadcast_to(np.array(colour), (*shape, 3))
-    np.testing.assert_allclose(demosaic(mosaic(flat, pattern), pattern, method), flat, atol=1e-14)
+    off = np.abs(demosaic(mosaic(flat, pattern), pattern, method) - flat).max()
+    assert off <= (0 if method in ("nearest", "bilinear", "malvar") else 1e-14)
 
 
 @pytest.mark.parametrize("method", METHODS)

@@ -49,7 +49,7 @@ def test_twice_the_iso_doubles_the_codes() -> None:
 @pytest.mark.parametrize(
     ("field", "legal", "illegal"),
     [
-        ("full_well_e", [1e-3, 1e9, 1e15, np.inf], [0.0, -1.0, np.nan, 1.1e15]),
+        ("full_well_e", [1e-3, 1e9, 1e13, np.inf], [0.0, -1.0, np.nan, 1.1e13]),
         ("read_noise_e", [0.0, 5.0, 1e15], [-1e-9, np.nan, 1.1e15, np.inf]),
         ("dark_current_e_per_s", [0.0, 5.0, 1e30], [-1e-9, np.nan, 1.1e30, np.inf]),
         ("gain_e_per_dn", [1e-30, 1e30], [0.0, -1.0, np.nan, 9e-31, 1.1e30]),
