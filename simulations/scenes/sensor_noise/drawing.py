@@ -73,13 +73,20 @@ def transfer_plot(
     fitted: Mask,
     patch: int,
     level_dn: float | None,
+    one_frame_dn2: Floats | None,
 ) -> str:
     """Measured patches over the theory's three parts.
 
-    ``level_dn`` is the mean that the light of the chosen patch would have in a cell without end.
+    ``level_dn`` is the mean that the light of the chosen patch would have in a cell without end;
+    ``one_frame_dn2`` (24,) is drawn as crosses, the variance that a single frame would give.
     """
     plot = plot_of(curve)
     parts = [_frame(plot), *_theory(plot, curve)]
+    crosses: list[Point] = []
+    if one_frame_dn2 is not None:
+        pairs = zip(mean_dn, one_frame_dn2, strict=True)
+        crosses = [plot.held(float(mean), float(variance)) for mean, variance in pairs]
+        parts += map(_cross, crosses)
     for k, (mean, variance) in enumerate(zip(mean_dn, variance_dn, strict=True)):
         at = plot.held(float(mean), float(variance))
         parts.append(dot(at, "image", 3.5) if fitted[k] else circle(at, 3.5, "image"))
@@ -88,8 +95,15 @@ def transfer_plot(
         foot = level_place(plot, level_dn)
         parts += [line(foot, chosen, "image thin"), dot(foot, "image", 5)]
     parts += [circle(chosen, 8, "casing"), circle(chosen, 8, "image bold")]
-    parts += [dot(floor_place(plot, curve), "error", 5), _names(plot, curve, chosen)]
+    parts += [dot(floor_place(plot, curve), "error", 5), _names(plot, curve, chosen, crosses)]
     return "".join(parts)
+
+
+def _cross(place: Point) -> str:
+    x, y = place
+    return line((x - 3, y - 3), (x + 3, y + 3), "error") + line(
+        (x - 3, y + 3), (x + 3, y - 3), "error"
+    )
 
 
 def level_place(plot: Plot, level_dn: float) -> tuple[float, float]:
@@ -136,8 +150,9 @@ def _theory(plot: Plot, curve: Curve) -> Iterator[str]:
         yield plot.upright(full, "muted dashed")
 
 
-def _names(plot: Plot, curve: Curve, chosen: Point) -> str:
-    """Of the parts of the theory, where they hide neither these nor the chosen patch's line."""
+def _names(plot: Plot, curve: Curve, chosen: Point, crosses: Sequence[Point]) -> str:
+    """Of the parts of the theory, where they hide neither these nor the chosen patch's line; and
+    of the crosses of a single frame, beside the highest."""
     gain, floor = curve.gain_e_per_dn, curve.floor_dn2
     low, high = plot.x.low, plot.x.high
     full = max(curve.full_dn - curve.dark_dn, low)
@@ -154,6 +169,9 @@ def _names(plot: Plot, curve: Curve, chosen: Point) -> str:
             "below right",
         ),
     ]
+    if crosses:
+        highest = min(crosses, key=lambda place: place[1])
+        labels.append(Label(highest, "one frame", "error small halo", "left", distance=8.0))
     seen: list[Sequence[Point]] = [
         *plot.pieces(means, np.maximum(shot + floor, LOWEST_DN2)),
         *plot.pieces(means, shot),

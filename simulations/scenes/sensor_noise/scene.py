@@ -1,8 +1,8 @@
-"""A step wedge photographed by a noisy sensor, and what its noise gives away about the sensor.
+"""A step wedge photographed twice by a noisy sensor, and what its noise tells of the sensor.
 
 Twenty-four patches, each half a stop darker than the one before, are counted, read and rounded.
-The variance of each patch against its mean is the photon-transfer curve; the slope of its middle
-part measures the gain without opening the camera.
+Half the variance of the difference of two frames, against the mean, is the photon-transfer curve;
+the slope of its middle part measures the conversion gain without opening the camera.
 """
 
 import math
@@ -44,7 +44,13 @@ def draw(settings: Settings, outputs: Outputs) -> Frame:
     curve = curve_of(camera, settings.dark)
     level = None if own else float(means_e[patch]) / camera.gain_e_per_dn
     plot = drawing.transfer_plot(
-        curve, transfer.mean_dn, transfer.variance_dn, transfer.fitted, patch, level
+        curve,
+        transfer.mean_dn,
+        transfer.variance_dn,
+        transfer.fitted,
+        patch,
+        level,
+        transfer.one_frame_dn2 if settings.unequal and not own else None,
     )
     label = f"{format_electrons(float(means_e[patch]))} e⁻, {noise_share(transfer, patch)}"
     return Frame(
@@ -59,7 +65,7 @@ def draw(settings: Settings, outputs: Outputs) -> Frame:
                 "patch",
                 "The framed patch, brought to mid-grey",
                 drawing.over_patch(label),
-                enlarged(outputs["codes"][patch], camera),
+                enlarged(outputs["codes"][0, patch], camera),
             ),
             _panel("transfer", "Photon transfer", plot),
         ),
@@ -106,8 +112,10 @@ def sensor_readouts(gain: Gain | None, camera: Sensor, floor: float) -> tuple[Re
     """What all patches together tell of the sensor, and the truth."""
     span = math.log2(saturation_e(camera) / math.sqrt(floor))
     return (
-        Readout("gain", "Gain, measured", measured_gain(gain), "e⁻/DN", "image"),
-        readout("truth", "Gain, true", camera.gain_e_per_dn, "e⁻/DN", digits=3, role="light"),
+        Readout("gain", "Conversion gain, measured", measured_gain(gain), "e⁻/DN", "image"),
+        readout(
+            "truth", "Conversion gain, true", camera.gain_e_per_dn, "e⁻/DN", digits=3, role="light"
+        ),
         readout("range", "Dynamic range", span, "stops", digits=1),
     )
 
@@ -125,7 +133,7 @@ def measured_ratio(transfer: Transfer, patch: int) -> str:
 def measured_gain(gain: Gain | None) -> str:
     """With its standard error, of which two digits count."""
     if gain is None:
-        return "not to be told"
+        return "not measurable"
     digits = min(max(1 - math.floor(math.log10(gain.error_e_per_dn)), 0), 5)
     shown, error_shown = (
         format_number(part, digits) for part in (gain.e_per_dn, gain.error_e_per_dn)
@@ -147,12 +155,12 @@ def describe(settings: Settings, outputs: Outputs, camera: Sensor) -> str:
     shown = words.get(measured, f"has an SNR of {measured}")
     floor_dn = math.sqrt(floor_e2(camera, settings.dark)) / camera.gain_e_per_dn
     if transfer.gain is None:
-        fit = "too few patches with noise of their own are left to measure the gain"
+        fit = "too few patches with noise of their own are left to measure the conversion gain"
     elif floor_dn < 0.5:
         fit = "the dark patches vary by less than a code and fall into flat steps"
     else:
         off = abs(transfer.gain.e_per_dn / camera.gain_e_per_dn - 1)
-        fit = f"the variances give the gain to within {math.ceil(100 * off)} %"
+        fit = f"the variances give the conversion gain to within {math.ceil(100 * off)} %"
     return (
         f"{what} at ISO {settings.iso} and {settings.bits} bits: "
         f"{burnt}, patch {settings.patch} {shown}, and {fit}."
@@ -162,8 +170,9 @@ def describe(settings: Settings, outputs: Outputs, camera: Sensor) -> str:
 def estimate(settings: Settings, outputs: Outputs, tier: str) -> Iterator[Readout]:
     """How far the electrons of the patches are from Poisson's distribution."""
     mean_e = patch_light_e(outputs["light"]) + settings.dark
-    # The light of a picture differs within each patch: judged are even patches as bright.
-    counted = None if outputs["photograph"] else outputs["electrons"]
+    # Where the light or the cells differ within a patch, even patches as bright are judged.
+    even = not (outputs["photograph"] or settings.unequal)
+    counted = outputs["electrons"][0] if even else None
     return judge(counted, mean_e, settings.new_noise, cast(ShotModel, tier))
 
 
@@ -177,7 +186,7 @@ SCENE = Scene(
     photograph=PHOTOGRAPH_PX,
     tiers=SHOT_MODELS,
     default_tier="quantile",
-    drafted=("exposure", "dark"),
+    drafted=("exposure", "dark", "unequal"),
     ladder="shot-noise",
     estimate=estimate,
 )

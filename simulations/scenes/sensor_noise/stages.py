@@ -17,8 +17,10 @@ from simulations.models.sensor import photon_counting
 from simulations.models.sensor.photon_transfer import Gain, estimate_gain, straight_part
 from simulations.scenes.sensor_noise import drawing
 
-SHOT, READ = 1, 2
-"""Streams of chance, of the electrons and of the amplifier."""
+SHOT, READ, CELLS = 1, 2, 4
+"""Streams of chance: of the electrons, of the amplifier, and of how the cells were made."""
+FRAMES = 2
+"""Exposures of the same light. What both share is the pattern of the cells, not noise."""
 FULL_WELL_E = 20_000.0
 BRIGHTEST_E = 2 * FULL_WELL_E
 """Mean of the first patch at 0 EV: one stop more than a cell can hold."""
@@ -37,12 +39,14 @@ CLIPPED_SHARE = 0.001
 
 @dataclass(frozen=True, slots=True)
 class Transfer:
-    """The photon-transfer curve of one picture; black level and mean dark signal taken off."""
+    """The photon-transfer curve of two frames; black level and mean dark signal taken off."""
 
     mean_dn: Floats
     """(24,)"""
     variance_dn: Floats
-    """(24,)"""
+    """(24,) half of that of the difference of the frames: EMVA 1288."""
+    one_frame_dn2: Floats
+    """(24,) from cell to cell in the first frame, which holds the pattern too."""
     fitted: Mask
     """(24,) the patches that the gain was fitted to."""
     clipped: Mask
@@ -88,9 +92,20 @@ def curve_of(camera: photon_counting.Sensor, dark: float) -> drawing.Curve:
 
 
 def _grain(stream: int, new_noise: int) -> Floats:
-    """(24, 1600) standard normals, drawn once: the controls only decide how strongly they show."""
+    """(2, 24, 1600) standard normals of both frames, drawn once: the controls only decide how
+    strongly they show."""
     rng = np.random.default_rng((new_noise, stream))
-    return rng.standard_normal((STOPS.size, PATCH_PX**2), np.float32)
+    return rng.standard_normal((FRAMES, STOPS.size, PATCH_PX**2), np.float32)
+
+
+def _cells(light: Floats, unequal: float) -> Floats:
+    """The light as cells take it in whose sensitivities differ by ``unequal`` per cent: (24, 1600),
+    or as it was where none does. The pattern is the sensor's own: another take has the same."""
+    if not unequal:
+        return light
+    pattern = np.random.default_rng(CELLS).standard_normal((STOPS.size, PATCH_PX**2), np.float32)
+    mean_e = light if light.ndim == 2 else light[:, None].astype(np.float32)
+    return np.maximum(mean_e * (1 + np.float32(unequal / 100) * pattern), 0)
 
 
 def _light(exposure: float, photograph: Photograph | None) -> Floats:
@@ -109,13 +124,14 @@ def patch_light_e(light: Floats) -> Floats:
 
 
 def _count(
-    grain: Floats, light: Floats, dark: float, new_noise: int, tier: photon_counting.ShotModel
+    grain: Floats, cells: Floats, dark: float, new_noise: int, tier: photon_counting.ShotModel
 ) -> Floats:
-    """(24, 1600) electrons: light and warmth free them alike."""
-    mean_e = light + dark
+    """(2, 24, 1600) electrons of both frames, freed by light and by heat."""
+    mean_e = cells + dark
     if tier == "quantile":
         return photon_counting.shot_noise_from_normal(_flat(mean_e), grain, FULL_WELL_E)
-    return count_patches(mean_e, np.random.default_rng((new_noise, SHOT)), tier)
+    rng = np.random.default_rng((new_noise, SHOT))
+    return np.stack([count_patches(mean_e, rng, tier) for _ in range(FRAMES)])
 
 
 def count_patches(
@@ -147,34 +163,20 @@ def _read(
 
 
 def _measure(
-    codes: NDArray[np.uint16],
-    light: Floats,
-    bits: int,
-    iso: str,
-    read_noise: float,
-    dark: float,
+    codes: NDArray[np.uint16], bits: int, iso: str, read_noise: float, dark: float
 ) -> Transfer:
     camera = sensor_of(bits, iso, read_noise)
-    mean = codes.mean(axis=1, dtype=np.float64) - camera.black_level_dn
+    mean = codes.mean(axis=(0, 2), dtype=np.float64) - camera.black_level_dn
     mean -= dark / camera.gain_e_per_dn
-    variance = _noise(codes, light, camera).var(axis=1, ddof=1, dtype=np.float64)
+    first, second = codes.astype(np.float32)
+    variance = (first - second).var(axis=1, ddof=1, dtype=np.float64) / 2
+    one_frame = first.var(axis=1, ddof=1, dtype=np.float64)
     at_an_end = (codes == 0) | (codes == camera.highest_dn)
-    clipped = at_an_end.mean(axis=1) > CLIPPED_SHARE
+    clipped = at_an_end.mean(axis=(0, 2)) > CLIPPED_SHARE
     fitted = ~clipped
     fitted[fitted] = straight_part(mean[fitted], variance[fitted])
-    return Transfer(mean, variance, fitted, clipped, _gain(mean[~clipped], variance[~clipped]))
-
-
-def _noise(
-    codes: NDArray[np.uint16], light: Floats, camera: photon_counting.Sensor
-) -> Floats | NDArray[np.uint16]:
-    """(24, 1600) codes without what differs from cell to cell in the light itself.
-
-    A laboratory takes the difference of two exposures; here the light is known.
-    """
-    if light.ndim == 1:
-        return codes
-    return codes - np.minimum(light, saturation_e(camera)) / camera.gain_e_per_dn
+    gain = _gain(mean[~clipped], variance[~clipped])
+    return Transfer(mean, variance, one_frame, fitted, clipped, gain)
 
 
 def _gain(mean: Floats, variance: Floats) -> Gain | None:
@@ -186,8 +188,8 @@ def _gain(mean: Floats, variance: Floats) -> Gain | None:
 
 
 def _picture(codes: NDArray[np.uint16], bits: int) -> NDArray[np.uint8]:
-    """The patches in four rows of six, brightest first."""
-    tiles = _colour_of_code(bits)[codes]
+    """The patches of the first frame in four rows of six, brightest first."""
+    tiles = _colour_of_code(bits)[codes[0]]
     rows = tiles.reshape(drawing.ROWS, drawing.COLUMNS, PATCH_PX, PATCH_PX, 4).swapaxes(1, 2)
     return rows.reshape(drawing.ROWS * PATCH_PX, drawing.COLUMNS * PATCH_PX, 4)
 
@@ -212,8 +214,9 @@ STAGES = (
     Stage("light", _light),
     Stage("shot grain", partial(_grain, SHOT)),
     Stage("read grain", partial(_grain, READ)),
-    Stage("electrons", _count, ("shot grain", "light")),
+    Stage("cells", _cells, ("light",)),
+    Stage("electrons", _count, ("shot grain", "cells")),
     Stage("codes", _read, ("electrons", "read grain")),
-    Stage("transfer", _measure, ("codes", "light")),
+    Stage("transfer", _measure, ("codes",)),
     Stage("picture", _picture, ("codes",)),
 )

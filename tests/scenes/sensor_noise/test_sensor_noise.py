@@ -43,6 +43,32 @@ def test_the_slope_of_the_transfer_curve_is_the_gain(iso: str, bits: int) -> Non
     assert gain.e_per_dn == pytest.approx(truth, rel=0.06)
 
 
+@pytest.mark.parametrize("unequal", [1, 5])
+def test_two_frames_measure_the_gain_of_unequal_cells_and_one_frame_does_not(
+    unequal: float,
+) -> None:
+    truth = sensor_of(12, "100", 10).gain_e_per_dn
+    even, measured = transfer(), transfer(unequal=unequal)
+    assert measured.gain is not None
+    assert measured.gain.e_per_dn == pytest.approx(truth, rel=0.06)
+    inside = measured.fitted & even.fitted
+    pattern = (unequal / 100 * measured.mean_dn[inside]) ** 2
+    np.testing.assert_allclose(
+        measured.one_frame_dn2[inside] - measured.variance_dn[inside],
+        pattern,
+        rtol=0.1,
+        atol=4 * math.sqrt(2 / 1600) * measured.one_frame_dn2[inside].max(),
+    )
+
+
+def test_the_pattern_of_the_cells_stays_from_take_to_take() -> None:
+    """The takes of one patch are correlated by as much of their variance as the pattern makes."""
+    takes = [outputs_of(SCENE, "poisson", unequal=5, new_noise=n)["codes"][0, 4] for n in (0, 1)]
+    shared = (0.05 * patch_means_e(0)[4]) ** 2
+    expected = shared / (shared + patch_means_e(0)[4])
+    assert np.corrcoef(*takes)[0, 1] == pytest.approx(expected, abs=0.05)
+
+
 def test_at_base_iso_the_top_code_is_a_full_well() -> None:
     camera = sensor_of(12, "100", 0)
     assert camera.gain_e_per_dn * (4095 - camera.black_level_dn) == pytest.approx(20_000)
@@ -56,6 +82,9 @@ def test_patch_variances_are_shot_plus_read_plus_rounding() -> None:
     inside = ~measured.clipped
     assert np.count_nonzero(inside) > 18
     # Four standard deviations of a variance from 1600 samples.
+    assert measured.one_frame_dn2[inside] == pytest.approx(
+        expected[inside], rel=4 * math.sqrt(2 / 1600)
+    )
     assert measured.variance_dn[inside] == pytest.approx(
         expected[inside], rel=4 * math.sqrt(2 / 1600)
     )
@@ -93,7 +122,7 @@ def test_too_few_bits_leave_patches_without_noise() -> None:
 
 def test_where_no_patch_has_noise_no_gain_is_claimed() -> None:
     shown = frame(bits=4, exposure=-6, read_noise=0)
-    assert texts_of(shown)["gain"] == "not to be told"
+    assert texts_of(shown)["gain"] == "not measurable"
     assert "too few patches" in shown.description
 
 

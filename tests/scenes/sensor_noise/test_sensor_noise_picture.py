@@ -45,8 +45,9 @@ def test_another_patch_reuses_the_picture() -> None:
 @pytest.mark.parametrize(
     ("moved", "computed"),
     [
-        ({"exposure": -2}, ("light", "electrons", "codes", "transfer", "picture")),
+        ({"exposure": -2}, ("light", "cells", "electrons", "codes", "transfer", "picture")),
         ({"dark": 100}, ("electrons", "codes", "transfer", "picture")),
+        ({"unequal": 1}, ("cells", "electrons", "codes", "transfer", "picture")),
         ({"read_noise": 3}, ("codes", "transfer", "picture")),
         ({"iso": "400"}, ("codes", "transfer", "picture")),
         ({"bits": 10}, ("codes", "transfer", "picture")),
@@ -64,7 +65,7 @@ def test_chance_is_drawn_once_and_every_control_only_scales_it(
 @pytest.mark.parametrize("bits", [4, 12, 14])
 def test_the_picture_is_the_codes_developed_and_encoded(bits: int) -> None:
     done = outputs_of(SCENE, bits=bits)
-    linear = develop(done["codes"], sensor_of(bits, "100", 0))
+    linear = develop(done["codes"][0], sensor_of(bits, "100", 0))
     expected = np.rint(255 * encode_srgb(np.clip(linear, 0, 1)))
     shown = done["picture"][..., 0].reshape(4, 40, 6, 40).swapaxes(1, 2).reshape(24, 1600)
     np.testing.assert_array_equal(shown, expected)
