@@ -56,6 +56,12 @@ class Ladder:
     """The first is the one that charts show and that decides the Pareto front."""
     default_tier: str
     """What scenes settle in."""
+    items: int = 0
+    """How many pixels or points the workload has; 0 where that says nothing."""
+    item: str = "pixel"
+    """What they are."""
+    sampled: bool = False
+    """Whether the first metric is the noise of a finite sample, which more work averages out."""
 
     def __post_init__(self) -> None:
         ids = [tier.id for tier in self.tiers]

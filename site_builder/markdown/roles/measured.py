@@ -3,6 +3,8 @@
 The words are a ladder, one of its tiers, and what is wanted: ``native`` or ``browser`` for the
 time with its unit, a metric for the error with its unit, ``verdict`` for what the table says,
 and ``bare`` after a metric for the error without its unit.
+``each`` is the browser's time for one pixel or point, ``frame`` its share of a frame of a thirtieth
+of a second, ``efficiency`` 1/(variance × time) beside the ladder's first tier.
 ``TIER over TIER`` asks how many times as much the first is than the second, without a unit. A
 single word asks for something about all: ``ladders``, ``tiers`` or ``beaten`` (counts), or what
 the machine was: ``processor``, ``python``, ``numpy``, ``browser``, ``pyodide``.
@@ -14,10 +16,13 @@ from site_builder.markdown.reading import Reading
 from site_builder.markdown.role import Role
 from site_builder.measured.measurements import SIDES, MeasuredLadder, MeasurementError, Measurements
 from site_builder.measured.quantities import error_text, is_none, milliseconds, quantity, with_unit
+from site_builder.measured.unit_costs import efficiency, frame_percent, nanoseconds_each
 from site_builder.measured.verdicts import verdict
 
 COUNTS = ("ladders", "tiers", "beaten")
-LEGAL = "legal: 'LADDER TIER native|browser|METRIC|verdict', or 'LADDER TIER over TIER …'"
+UNIT_COSTS = ("each", "frame", "efficiency")
+WANTED = "native|browser|each|frame|efficiency|METRIC|verdict"
+LEGAL = f"legal: 'LADDER TIER {WANTED}', or 'LADDER TIER over TIER …'"
 
 
 def measured_text(asked: str, measurements: Measurements, words: Words = ENGLISH) -> str:
@@ -56,9 +61,23 @@ def _one(measured: MeasuredLadder, tier: str, wanted: str, words: Words) -> str:
         return verdict(measured, measured[tier], words)
     if wanted in SIDES:
         return with_unit(words.numeral(milliseconds(measured[tier].times[wanted].ms)), "ms")
+    if wanted in UNIT_COSTS:
+        return _unit_cost(measured, tier, wanted, words)
     value, unit = _value(measured, tier, wanted)
     text = error_text(value, unit, words)
     return text if is_none(value, unit) else with_unit(text, unit)
+
+
+def _unit_cost(measured: MeasuredLadder, tier: str, wanted: str, words: Words) -> str:
+    item, ladder = measured[tier], measured.ladder
+    if wanted == "frame":
+        return with_unit(words.numeral(quantity(frame_percent(item, "browser"))), "%")
+    if wanted == "each" and ladder.items:
+        each = quantity(nanoseconds_each(measured, item, "browser"))
+        return f"{with_unit(words.numeral(each), 'ns')} per {ladder.item}"
+    if wanted == "efficiency" and (ratio := efficiency(measured, item, "browser")) is not None:
+        return words.numeral(quantity(ratio))
+    raise MeasurementError(f"ladder {ladder.id!r} states no {wanted!r} of {tier!r}")
 
 
 def _ratio(measured: MeasuredLadder, tier: str, other: str, wanted: str) -> str:
@@ -81,7 +100,7 @@ def _value(measured: MeasuredLadder, tier: str, wanted: str) -> tuple[float | No
         return item.times[wanted].ms, "ms"
     units = {metric.id: metric.unit for metric in ladder.metrics}
     if wanted not in units:
-        legal = (*SIDES, "verdict", *units)
+        legal = (*SIDES, *UNIT_COSTS, "verdict", *units)
         raise MeasurementError(unknown(f"number of {ladder.id}", wanted, legal))
     return item.errors[wanted], units[wanted]
 
@@ -92,7 +111,7 @@ def _text(words: str, reading: Reading) -> str:
 
 MEASURED = Role(
     name="measured",
-    form="LADDER TIER [over TIER] native|browser|METRIC|verdict [bare]",
+    form=f"LADDER TIER [over TIER] {WANTED} [bare]",
     says="a number from the file that `make bench` writes",
     text=_text,
     refuses=MeasurementError,

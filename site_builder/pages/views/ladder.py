@@ -15,6 +15,7 @@ from site_builder.measured.quantities import (
     quantity,
     with_unit,
 )
+from site_builder.measured.unit_costs import efficiency, frame_percent, nanoseconds_each
 from site_builder.measured.verdicts import verdict
 from site_builder.pages.embedding import json_for_html
 
@@ -26,6 +27,8 @@ class TierRow:
     id: str
     label: str
     cost: str
+    unit_cost: str
+    """Time for a pixel or point, share of a frame, and efficiency, in the browser."""
     default: bool
     errors: tuple[str, ...]
     native_ms: str
@@ -102,6 +105,7 @@ def _row(measured: MeasuredLadder, item: MeasuredTier, words: Words) -> TierRow:
         id=item.tier.id,
         label=item.tier.label,
         cost=item.tier.cost,
+        unit_cost=_unit_cost(measured, item, words),
         default=item.tier.id == measured.ladder.default_tier,
         errors=tuple(error_text(item.errors[m.id], m.unit, words) for m in _metrics(measured)),
         native_ms=words.numeral(milliseconds(item.times["native"].ms)),
@@ -109,6 +113,18 @@ def _row(measured: MeasuredLadder, item: MeasuredTier, words: Words) -> TierRow:
         verdict=verdict(measured, item, words),
         beaten=any(winners),
     )
+
+
+def _unit_cost(measured: MeasuredLadder, item: MeasuredTier, words: Words) -> str:
+    if not measured.ladder.items:
+        return ""
+    each = words.numeral(quantity(nanoseconds_each(measured, item, "browser")))
+    share = words.numeral(quantity(frame_percent(item, "browser")))
+    text = words("ladder.unit_cost", ns=each, item=measured.ladder.item, percent=share)
+    ratio = efficiency(measured, item, "browser")
+    if ratio is None:
+        return text
+    return f"{text}; {words('ladder.efficiency', ratio=words.numeral(quantity(ratio)))}"
 
 
 @dataclass(frozen=True, slots=True)
