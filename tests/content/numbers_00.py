@@ -58,7 +58,7 @@ def from_light_to_a_code() -> Says:
     """The example is the figure's first exposure."""
     light = 0.6 * cos(radians(60))
     yield rf"$0.6 \cdot \cos 60^\circ = {light:.2f}$ of the light of a white wall"
-    yield f"Then {10_000 * light:.0f} are to be expected from our speck."
+    yield f"Then we expect {10_000 * light:.0f} from our speck."
     first = travel(4.0, 0.6, 0)
     yield f"this time {first.counted_e:.0f} electrons are counted"
     yield f"this time worth {first.read_e:.2f} electrons"
@@ -92,9 +92,28 @@ def stripes_finer_than_the_grid() -> Says:
 def the_point_at_twice_the_distance() -> Says:
     u, v = pixel_of(0.4, -0.3, 8.0)
     yield f"The place moves to $({u:.2f}, {v:.2f})$"
-    yield f"rather than to {149 / 2 + 0.5:.0f}: that is the sRGB curve"
+    yield f"not to {149 / 2 + 0.5:.0f}, because of the sRGB curve"
     near, far = (hypot(x - 320, y - 240) for x, y in (pixel_of(0.4, -0.3, 4.0), (u, v)))
     assert 0.49 < far / near < 0.51, "about half as far from the centre"
+
+
+def specks_on_one_ray() -> Says:
+    """Of the four answers only the key has the image of the speck that is asked about."""
+    x, y = 0.5 / 2.0, -0.2 / 2.0
+    yield f"the same $({x:g}, {y:g})$"
+    wrong = ((0.5, -0.2, 4.0), (2.5, 1.8, 4.0), (0.25, -0.1, 4.0))
+    for X, Y, Z in (*wrong, (1.0, -0.4, 4.0)):
+        assert np.allclose((X / Z, Y / Z), (x, y)) == ((X, Y, Z) not in wrong)
+        yield f"{Y:g}, {Z:.1f})$ m"
+
+
+def walls_of_one_brightness() -> Says:
+    def code(albedo: float, angle_deg: float) -> int:
+        return round(255 * float(encode_srgb(albedo * cos(radians(angle_deg)))))
+
+    assert code(0.9, 60) == code(0.45, 0) == code(0.5, 26) != code(0.45, 30)
+    yield rf"$0.5 \cdot \cos 26^\circ = {0.5 * cos(radians(26)):.2f}$"
+    yield rf"$0.45 \cdot \cos 30^\circ = {0.45 * cos(radians(30)):.2f}$"
 
 
 def differences_that_prove_an_edge() -> Says:
@@ -119,6 +138,8 @@ WORKED = (
     how_wide_a_step_of_the_file_is,
     stripes_finer_than_the_grid,
     the_point_at_twice_the_distance,
+    specks_on_one_ray,
+    walls_of_one_brightness,
     differences_that_prove_an_edge,
     where_models_break,
 )

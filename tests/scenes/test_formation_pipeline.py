@@ -72,7 +72,8 @@ def test_the_places_in_the_ledger_follow_from_one_another(distance: float) -> No
     room, camera, ideal, bent, pixel = (
         [float(each) for each in parts(r".*?\(([^)]*)\).*", line)[0].split(",")] for line in lines
     )
-    assert camera == pytest.approx([room[0], room[1], room[2] + 1], abs=1e-9)
+    assert room == [0.4, -0.3, 3.0]
+    assert camera == pytest.approx([room[0], room[1], distance], abs=1e-9)
     assert ideal == pytest.approx([camera[0] / camera[2], camera[1] / camera[2]], abs=6e-6)
     factor = 1 - 0.2 * (ideal[0] ** 2 + ideal[1] ** 2)
     assert bent == pytest.approx([factor * each for each in ideal], abs=2e-5)
@@ -86,8 +87,16 @@ def test_black_paint_is_black() -> None:
     assert journey.code <= 30  # read noise alone
 
 
-def test_distance_moves_the_pixel_and_leaves_the_light() -> None:
+def test_the_camera_moves_and_what_it_looks_at_stays() -> None:
+    near, far = route(2.0), route(8.0)
+    assert near[0][0] == far[0][0], "the point on its wall"
+    assert near[2][0][0] < far[2][0][0], "the lens"
+    assert SCENE.pull(SCENE.check({}), "camera", (46 + 24 * 5.5, 134)) == {"distance": 5.5}
+
+
+def test_the_cameras_distance_moves_the_pixel_and_leaves_the_light() -> None:
     near, far = travel(2.0, 0.6, 0), travel(8.0, 0.6, 0)
+    assert near.world_m == far.world_m
     assert near.pixel[0] > far.pixel[0] > 320
     assert near.mean_e == far.mean_e
 

@@ -11,8 +11,10 @@ WIDTH, HEIGHT = 400.0, 300.0
 type Point = tuple[float, float]
 
 AXIS_ROW = 100.0
-LENS_COLUMN, IMAGE_COLUMN = 232.0, 304.0
+WALL_COLUMN = 46.0
 UNITS_PER_METRE = 24.0
+"""Between the wall, which stays, and the lens."""
+LENS_TO_PLANE = 72.0
 POINT_RISE = 42.0
 """Height of the point above the axis; drawn larger than true, like the camera."""
 CELL, LIGHT, WELL, CODE = (352.0, 236.0), (284.0, 236.0), (200.0, 236.0), (84.0, 236.0)
@@ -22,12 +24,17 @@ SHEAF = 24.0
 LEDGER_TOP, ROW_HEIGHT = 3.0, 36.5
 
 
+def lens_column(distance_m: float) -> float:
+    """Where the lens stands when the camera is so far from the wall."""
+    return WALL_COLUMN + UNITS_PER_METRE * distance_m
+
+
 def route(distance_m: float) -> tuple[tuple[Point, ...], ...]:
     """The legs between stations 0 to 7, each a polyline."""
-    lens = (LENS_COLUMN, AXIS_ROW)
-    start = (LENS_COLUMN - UNITS_PER_METRE * distance_m, AXIS_ROW - POINT_RISE)
-    slope = POINT_RISE / (LENS_COLUMN - start[0])
-    hit = (IMAGE_COLUMN, AXIS_ROW + slope * (IMAGE_COLUMN - LENS_COLUMN))
+    lens = (lens_column(distance_m), AXIS_ROW)
+    start = (WALL_COLUMN, AXIS_ROW - POINT_RISE)
+    slope = POINT_RISE / (lens[0] - start[0])
+    hit = (lens[0] + LENS_TO_PLANE, AXIS_ROW + slope * LENS_TO_PLANE)
     middle = ((start[0] + lens[0]) / 2, (start[1] + lens[1]) / 2)
     return (
         (start, middle),
@@ -66,8 +73,8 @@ def draw_way(journey: Journey, distance_m: float, station: float) -> str:
     come = drawing.polyline(travelled, "ray bold") if len(travelled) > 1 else ""
     return "".join(
         (
-            _scene(legs[0][0]),
-            _camera(),
+            _scene(),
+            _camera(lens_column(distance_m)),
             _boxes(journey, int(station)),
             ahead,
             come,
@@ -78,8 +85,9 @@ def draw_way(journey: Journey, distance_m: float, station: float) -> str:
     )
 
 
-def _scene(point: Point) -> str:
-    """The painted wall that the point is on, the lamp, and the world's axes."""
+def _scene() -> str:
+    """The painted wall that the point is on, the lamp, and the world's axes: ahead and down."""
+    point = (WALL_COLUMN, AXIS_ROW - POINT_RISE)
     lamp = (point[0] + 34, 20.0)  # on the side that the camera sees
     tip = (point[0] + 0.2 * (lamp[0] - point[0]), point[1] + 0.25 * (lamp[1] - point[1]))
     return "".join(
@@ -88,22 +96,22 @@ def _scene(point: Point) -> str:
             drawing.arrow(lamp, tip, "light bold"),
             drawing.circle(lamp, 6, "light solid"),
             drawing.text((lamp[0] - 11, lamp[1] + 4), "lamp", "light small halo", "end"),
-            drawing.arrow((24, 146), (54, 146), "world", 6),
-            drawing.arrow((24, 146), (24, 176), "world", 6),
-            drawing.text((34, 164), "world", "world small"),
+            drawing.arrow((54, 146), (24, 146), "world", 6),
+            drawing.arrow((54, 146), (54, 176), "world", 6),
+            drawing.text((46, 164), "world", "world small", "end"),
         )
     )
 
 
-def _camera() -> str:
-    """Optical axis, lens, camera axes and image plane."""
-    lens, plane = LENS_COLUMN, IMAGE_COLUMN
+def _camera(lens: float) -> str:
+    """Optical axis, lens, the camera's axes, ahead and down, and image plane."""
+    plane = lens + LENS_TO_PLANE
     return "".join(
         (
             drawing.line((14, AXIS_ROW), (plane + 10, AXIS_ROW), "camera thin dashed faint"),
             drawing.ellipse((lens, AXIS_ROW), (7, 34), "camera fill"),
             drawing.text((lens, AXIS_ROW - 42), "lens", "camera", "middle"),
-            drawing.arrow((lens, AXIS_ROW), (lens + 30, AXIS_ROW), "camera", 6),
+            drawing.arrow((lens, AXIS_ROW), (lens - 30, AXIS_ROW), "camera", 6),
             drawing.arrow((lens, AXIS_ROW), (lens, AXIS_ROW + 30), "camera", 6),
             drawing.line((plane, AXIS_ROW - 60), (plane, AXIS_ROW + 76), "image bold"),
             drawing.text((plane, AXIS_ROW - 68), "image plane", "image", "middle"),

@@ -1,5 +1,5 @@
 """What of the formation pipeline can be grabbed: the marker on its way, a line of the ledger, and
-the wall that the point is on."""
+the camera."""
 
 import math
 from collections.abc import Mapping
@@ -11,17 +11,18 @@ from simulations.engine.stages import Outputs
 from simulations.scenes.formation_pipeline.drawing import (
     AXIS_ROW,
     LEDGER_TOP,
-    LENS_COLUMN,
     ROW_HEIGHT,
     UNITS_PER_METRE,
+    WALL_COLUMN,
+    lens_column,
     place,
     route,
 )
 from simulations.scenes.formation_pipeline.settings import LAST_STATION, Settings
 
 BULLET_COLUMN = 18.0
-WALL_FOOT = 20.0
-"""How far below the axis the wall is grabbed, in view box units."""
+LENS_FOOT = 34.0
+"""How far below the axis the lens is grabbed, in view box units."""
 
 
 def _marker(settings: Settings, _outputs: Outputs) -> Point:
@@ -56,27 +57,18 @@ def _line_pulled(_settings: Settings, pointer: Point) -> Mapping[str, Value]:
     return {"station": float(min(max(row, 0), LAST_STATION))}
 
 
-def _wall(settings: Settings, _outputs: Outputs) -> Point:
-    return (LENS_COLUMN - UNITS_PER_METRE * settings.distance, AXIS_ROW + WALL_FOOT)
+def _camera(settings: Settings, _outputs: Outputs) -> Point:
+    return (lens_column(settings.distance), AXIS_ROW + LENS_FOOT)
 
 
-def _wall_pulled(_settings: Settings, pointer: Point) -> Mapping[str, Value]:
-    return {"distance": (LENS_COLUMN - pointer[0]) / UNITS_PER_METRE}
+def _camera_pulled(_settings: Settings, pointer: Point) -> Mapping[str, Value]:
+    return {"distance": (pointer[0] - WALL_COLUMN) / UNITS_PER_METRE}
 
 
 HANDLES: tuple[Handle[Settings], ...] = (
     Handle(
         "marker", "way", "Light on its way", ("station",), _marker, _marker_pulled, "press", "ray"
     ),
-    Handle(
-        "wall",
-        "way",
-        "Wall",
-        ("distance",),
-        _wall,
-        _wall_pulled,
-        role="world",
-        reversed=("distance",),
-    ),
+    Handle("camera", "way", "Camera", ("distance",), _camera, _camera_pulled, role="camera"),
     Handle("line", "ledger", "Line of the ledger", ("station",), _line, _line_pulled, "press"),
 )

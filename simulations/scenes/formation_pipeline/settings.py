@@ -15,6 +15,6 @@ class Settings:
     play: int = action("Play", "Pause", drives="station", effect="play", seconds=14.0)
     step: int = action("Step", drives="station", effect="step")
     reset: int = action("Reset", drives="station", effect="reset")
-    distance: float = slider("Distance of the point", 4.0, 2.0, 8.0, 0.1, unit="m")
+    distance: float = slider("Distance of the camera", 4.0, 2.0, 8.0, 0.1, unit="m")
     albedo: float = slider("Albedo ρ", 0.6, 0.0, 1.0, 0.01)
     again: int = action(*("Take it again",) * 8)

@@ -12,10 +12,8 @@ from simulations.models.light.reflectance import lambert
 from simulations.models.projection import pinhole
 from simulations.models.sensor import photon_counting
 
-POINT_RIGHT_M, POINT_DOWN_M = 0.4, -0.3
-"""Of the point, in the world; world axes are right, down, ahead."""
-CAMERA_AHEAD_M = -1.0
-"""The camera stands this far behind the world's origin and looks straight ahead."""
+POINT_M = (0.4, -0.3, 3.0)
+"""The point in the world, whose axes are right, down and ahead. It stays, like wall and lamp."""
 FOCAL_PX, CENTRE_PX = 800.0, (320.0, 240.0)
 LENS = Distortion(k1=-0.2)
 LAMP_ANGLE_RAD = math.radians(60.0)
@@ -62,9 +60,10 @@ class Journey:
 
 
 def travel(distance_m: float, albedo: float, exposure: int) -> Journey:
-    """Follow a point ``distance_m`` in front of the camera; ``exposure`` counts from 0."""
-    world = np.array([POINT_RIGHT_M, POINT_DOWN_M, CAMERA_AHEAD_M + distance_m])
-    pose = pinhole.rigid_pose(np.eye(3), np.array([0.0, 0.0, -CAMERA_AHEAD_M]))
+    """Follow the point to a camera that stands ``distance_m`` before its wall and looks ahead;
+    ``exposure`` counts from 0."""
+    world = np.array(POINT_M)
+    pose = pinhole.rigid_pose(np.eye(3), np.array([0.0, 0.0, distance_m - POINT_M[2]]))
     camera = pinhole.world_to_camera(world, pose)
     ideal, _ = pinhole.project(camera, np.eye(3))
     distorted = distort(ideal, LENS)
