@@ -15,6 +15,7 @@ PARTS: Mapping[str, str] = {
     "simulation": "figure/part.js",
     "ladder": "ladder/bench.js",
     "tabs": "page/tabs.js",
+    "extremes": "page/case_filter.js",
     "terms": "page/terms.js",
     "quiz": "question/questions.js",
     "predict": "question/predictions.js",
