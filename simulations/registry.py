@@ -1,7 +1,7 @@
 """What a book is made of is found by the names of its files, and imported only when asked for.
 
     scenes/lens_distortion/scene.py      the scene lens-distortion: its ``SCENE``
-    ladders/srgb.py                      the ladder srgb: its ``LADDER``
+    ladders/precision.py                 the ladder precision: its ``LADDER``
     ladders/depth_of_field/ladder.py     the ladder depth-of-field, in a package
     illustrations/f_numbers.py           the illustration f-numbers: its ``draw``
     hard_cases/optics.py                 the hard cases of optics: its ``TABLE``

@@ -9,7 +9,9 @@ from simulations.ladders import shot_noise, wide_discs
 from simulations.ladders.depth_of_field import ladder as depth_of_field
 from simulations.ladders.depth_of_field.ladder import radius_px
 from site_builder.diagnostics import Diagnostics
-from site_builder.measured.measurements import Measurements, read_measurements
+from site_builder.measured.measurements import MeasuredTier, Measurements, read_measurements
+
+HALF_A_CODE = 0.5
 
 
 @cache
@@ -30,171 +32,90 @@ def browser_ms(ladder: str, tier: str) -> float:
     return ms(ladder, tier, "browser")
 
 
-def what_is_said_in_words_of_errors() -> Says:
-    yield "worst`, less than one code of 255; the ramp is off by up to"
-    assert error("edge-coverage", "straight", "worst") / 100 * 255 < 0.9
-    yield "worst-small` at worst, which is more than four codes"
-    assert error("edge-coverage", "straight", "worst-small") / 100 * 255 > 4.3
-    yield "Now the box of 16 × 16 is the better one"
+def about(value: float, said: float) -> bool:
+    """Times scatter: within four tenths."""
+    return 0.6 * said < value < 1.4 * said
+
+
+def codes_rms(psnr: float) -> float:
+    return 255 * 10 ** (-psnr / 20)
+
+
+def what_a_step_buys() -> Says:
+    points = 320 * 240
+    four = 1e6 * browser_ms("inverse-distortion", "newton-4") / points
+    yield "a few steps of Newton, about 30 ns a point, a fifteenth of what a pixel"
+    assert about(four, 30)
+    assert about(four / (33e6 / points), 1 / 15)
+    yield "the checked table: it costs less than twice as much"
+    assert browser_ms("inverse-distortion", "checked-table") < 2 * browser_ms(
+        "inverse-distortion", "newton-4"
+    )
+    yield "The first needs 20 steps for the accuracy that the second has after 4"
+    twenty, after = (error("inverse-distortion", t, "rms") for t in ("fixed-point-20", "newton-4"))
+    assert after < 1e-8 > twenty
+    yield "It is right almost to rounding"
+    yield "For a drawing three would do"
+    assert error("inverse-distortion", "newton-4", "worst") < 1e-6
+    assert error("inverse-distortion", "newton-3", "worst") < 0.01
+    yield "For the drawing alone the lookup table would do, at half the price"
+    for metric in ("pincushion", "fold"):
+        assert error("inverse-strong", "lookup-table", metric) < 0.01
+    dear = browser_ms("inverse-strong", "checked-table")
+    assert about(browser_ms("inverse-strong", "lookup-table") / dear, 0.5)
+    yield "This one is the cheaper of them"
+    assert dear < browser_ms("inverse-strong", "newton-bracketed")
+
+
+def what_an_area_costs() -> Says:
+    pixels = 96 * 96 + 16 * 16
+    yield "The straight edge, about 25 ns a pixel"
+    assert about(1e6 * browser_ms("edge-coverage", "straight") / pixels, 25)
+    yield "its error is below half a code in RMS, and the ramp's is not"
+    straight, ramp = (2.55 * error("edge-coverage", t, "rms") for t in ("straight", "ramp"))
+    assert straight < HALF_A_CODE < ramp
+    yield "and the box is better, with"
     assert error("edge-coverage", "box-16", "rms-small") < 0.6 * error(
         "edge-coverage", "straight", "rms-small"
     )
-    yield "bare` of white, more than a code"
-    assert error("shading", "gouraud-64", "worst") * 255 > 1
-    yield "a box leaves a third or a little more, however many samples it takes"
-    point = error("anti-aliasing", "point", "alias")
-    for box in ("box-2", "box-4", "box-8", "area"):
-        assert 0.32 < error("anti-aliasing", box, "alias") / point < 0.42
-    yield "64 samples a pixel buy next to nothing over 16 here"
-    box_4, box_8, area = (error("anti-aliasing", t, "alias") for t in ("box-4", "box-8", "area"))
-    assert 1 < box_4 / box_8 < 1.05
-    yield "has the same false rings as the box"
-    assert 1 < box_8 / area < 1.02
-    yield "the error falls roughly as $1/n$"
-    one = error("exposure-blur", "instants-1", "rms")
-    for count in (4, 16, 64):
-        assert 1 < count * error("exposure-blur", f"instants-{count}", "rms") / one < 2
-    yield "with a fifth only rounding is left"
-    assert error("inverse-distortion", "newton-5", "worst") < 1e-11
-    yield "To start from the radial solution is worth more than one step and less than two"
-    better, worse = (error("inverse-decentring", f"plane-{n}", "rms") for n in (4, 3))
-    assert 10 * better < error("inverse-decentring", "radial-plane-2", "rms") < worse / 10
-    yield "and that is also what it costs"
-    quicker, slower = (browser_ms("inverse-decentring", f"plane-{n}") for n in (3, 4))
-    assert quicker < browser_ms("inverse-decentring", "radial-plane-2") < slower
-    yield "It is the cheapest that leaves nothing but rounding"
-    assert error("inverse-decentring", "plane-4", "worst") < 1e-11
-    for cheaper in ("plane-3", "radial-plane-2", "fixed-point-20"):
-        assert error("inverse-decentring", cheaper, "worst") > 1e-10
-    yield "the usual refinement, trusts those points most that deserve it least"
-    wall = {t: error("homography-estimation", t, "wall") for t in ("one-sided", "normalised")}
-    assert wall["one-sided"] > 1.1 * wall["normalised"]
-    assert wall["normalised"] > 1.05 * error("homography-estimation", "two-sided", "wall")
-    yield "an error below half a code of 255"
-    assert 10 ** (-error("resampling", "spline", "psnr-once") / 20) * 255 < 0.5
-    yield "and is better only on the picture that is made of waves alone"
-    spline, lanczos = (error("resampling", tier, "psnr-once") for tier in ("spline", "lanczos3"))
-    assert spline > lanczos
-    yield "nearly all of it in place"
-    bilinear = {which: error("resampling", "bilinear", which) for which in ("present", "in-place")}
-    assert bilinear["in-place"] > 0.8 * bilinear["present"]
-    yield "better from one electron on, and worse at a tenth of one"
-    work, truth = shot_noise.prepare(), shot_noise.reference(shot_noise.prepare())
-    gaps, biases = {}, {}
-    for tier in shot_noise.LADDER.tiers:
-        counted = tier.run(work)
-        gaps[tier.id] = shot_noise.distances(counted, truth)
-        biases[tier.id] = counted.mean(axis=1, dtype=float) / shot_noise.LEVELS_E - 1
-    assert np.all(gaps["skewed"][2:6] < gaps["gaussian"][2:6] / 2)
-    assert biases["skewed"][0] > 10 * abs(biases["gaussian"][0])
-    yield "comes out up to {measured}`shot-noise gaussian bias` too high"
-    assert np.argmax(np.abs(biases["gaussian"])) == np.argmax(biases["gaussian"]) < 2
-    yield "At every mean its counts pass for exact ones"
-    assert gaps["quantile"].max() < 1.63 / np.sqrt(shot_noise.SAMPLES)
-    yield "Its error is rounding, far below half a code"
-    assert error("block-dct", "separable", "worst") < 1e-9
+    # The error goes as 1/R: half a code is passed at twice the small disc's radius or so.
+    yield "as long as nothing is smaller than a dozen pixels"
+    assert 2.55 * error("edge-coverage", "straight", "rms-small") * 5 / 6 > HALF_A_CODE
+    assert 2.55 * error("edge-coverage", "straight", "rms-small") * 5 / 12 < 2 * HALF_A_CODE
 
 
-def what_is_said_in_words_of_demosaicing() -> Says:
-    def better(one: str, other: str, metric: str, margin_db: float) -> bool:
-        return error("demosaicing", one, metric) > error("demosaicing", other, metric) + margin_db
-
-    default = "menon-unrefined"
-    yield "the best or close to the best of the methods that work on light itself"
-    for other in ("nearest", "bilinear", "malvar", "menon"):
-        assert better(default, other, "psnr-room", -0.3)
-        assert better(default, other, "light", 0.3)
-    yield "So the default does well in one chart and badly in the other"
-    assert better(default, "malvar", "psnr-room", 6)
-    assert better("bilinear", default, "psnr-soft", 6)
-    yield "and loses on the balloon"
-    assert better(default, "menon", "psnr-balloon", 0.3)
-    yield "The last tier is better on a screen, but not in light"
-    assert better("menon-encoded", default, "psnr-room", 1.5)
-    assert better("menon-encoded", default, "psnr-balloon", 1.0)
-    assert better(default, "menon-encoded", "light", 1.0)
-    yield "plain bilinear interpolation wins with"
-    for other in ("nearest", "malvar", default, "menon", "menon-encoded"):
-        assert better("bilinear", other, "psnr-soft", 4)
-    yield "There Malvar's method is ahead of bilinear interpolation"
-    assert better("malvar", "bilinear", "light", 2)
-    yield "On the screen it is not"
-    assert better("bilinear", "malvar", "psnr-balloon", 0.3)
-
-
-def what_is_said_in_words_of_filling_in_colour() -> Says:
-    def ranking(metric: str) -> list[str]:
-        tiers = ("repeated", "triangle", "parabola", "cubic", "guided")
-        return sorted(tiers, key=lambda tier: error("chroma-upsampling", tier, metric))
-
-    yield "The triangle has fallen from second place to fourth"
-    assert ranking("room")[:2] == ["guided", "triangle"]
-    assert ranking("room-means").index("triangle") == 3
-    yield "it is the best in the room and close to the best on the balloon"
-    balloon = {tier: error("chroma-upsampling", tier, "balloon") for tier in ranking("balloon")}
-    best_of_colour = min(value for tier, value in balloon.items() if tier != "guided")
-    assert balloon["triangle"] < 1.05 * best_of_colour
-    yield "Following luma improves little on it in a file of this quality"
-    file, means = (
-        [error("chroma-upsampling", tier, metric) for tier in ("guided", "triangle")]
-        for metric in ("room", "room-means")
+def what_samples_cost() -> Says:
+    independent, even = (
+        (error("exposure-blur", tier, "rms"), browser_ms("exposure-blur", tier))
+        for tier in ("random-16", "instants-16")
     )
-    assert 0.95 < file[0] / file[1] < 1
-    assert means[0] / means[1] < 0.7
+    yield "even instants are worth dozens of times as much as independent ones"
+    variance = (independent[0] / even[0]) ** 2
+    assert 24 < variance * independent[1] / even[1] < 120
+    yield "the variance is six times smaller"
+    assert 5.5 < variance < 6.5
+    yield "Only four instants or fewer are quicker"
+    assert browser_ms("exposure-blur", "instants-4") < browser_ms("exposure-blur", "integral")
+    assert browser_ms("exposure-blur", "instants-16") > browser_ms("exposure-blur", "integral")
+    yield "No tier here is below half a code: 64 rays are the nearest"
+    tiers = {item.tier.id: codes_rms(item.errors["psnr"] or 0) for item in _depth_of_field()}
+    assert HALF_A_CODE < min(tiers.values()) == tiers["fibonacci-64"] < 1
+    yield "The filters are all within two decibels of one another"
+    filters = [error("depth-of-field", tier, "psnr") for tier in ("discs", "binned", "gather")]
+    assert max(filters) - min(filters) < 2
+    yield "layers by their spectra, a little over 1 µs a pixel"
+    for ladder, pixels in (("depth-of-field", 80 * 60), ("wide-discs", 160 * 120)):
+        assert about(1e3 * browser_ms(ladder, "layered") / pixels, 1.2)
 
 
-def what_is_said_in_words_of_times() -> Says:
-    shortened, exact = (browser_ms("small-rotations", tier) for tier in ("second-order", "exact"))
-    assert exact > 1.2 * shortened
-    yield "Leaving the sines out still saves something"
-    yield "Its error vanishes in the rounding to bytes"
-    assert error("srgb", "table", "worst") < 0.1
-    assert browser_ms("srgb", "exact") > 1.1 * browser_ms("srgb", "table")
-    yield "*Four points* throws 36 matches away and saves little by it"
-    four, all_forty = (
-        browser_ms("homography-estimation", tier) for tier in ("four-points", "normalised")
-    )
-    assert four > 0.5 * all_forty
-    yield "What the table buys is not time. Eight steps of Newton would"
-    a_step = 0.5 * (
-        browser_ms("inverse-strong", "newton-5") - browser_ms("inverse-strong", "newton-3")
-    )
-    eight = browser_ms("inverse-strong", "newton-5") + 3 * a_step
-    assert eight < 1.25 * browser_ms("inverse-strong", "checked-table")
-    yield "That buys every digit"
-    assert error("precision", "relative-64", "far") < 1e-9
-    assert browser_ms("precision", "relative-64") < 2 * browser_ms("precision", "relative-32")
-    yield "single precision would save too little time to be worth a second number format"
-    assert browser_ms("block-dct", "separable") < 1.3 * browser_ms("block-dct", "separable-32")
-    yield "but not in light, which the steps that follow in a camera need, and it takes"
-    tiers = ("menon-encoded", "menon-unrefined")
-    assert browser_ms("demosaicing", tiers[0]) > 1.5 * browser_ms("demosaicing", tiers[1])
-    yield "Here they are the least accurate and not the quickest"
-    assert browser_ms("block-dct", "fixed-point") > 1.3 * browser_ms("block-dct", "separable")
-    worst = {item.tier.id: item.errors["worst"] for item in measurements().find("block-dct").tiers}
-    assert max(worst, key=lambda tier: worst[tier] or 0.0) == "fixed-point"
-    yield "half the digits would save too little time"
-    assert browser_ms("vignetting", "algebraic") < 1.3 * browser_ms("vignetting", "algebraic-32")
-    yield "For shot noise, motion blur and the inverse of a lens the true answer costs a small"
-    for ladder, true, wrong in (
-        ("shot-noise", "quantile", "gaussian"),
-        ("exposure-blur", "integral", "instants-4"),
-        ("inverse-distortion", "newton-5", "fixed-point-5"),
-    ):
-        assert browser_ms(ladder, true) < 4 * browser_ms(ladder, wrong)
-    yield "It leaves only rounding, and sixteen instants, which leave"
-    for side in ("native", "browser"):
-        assert ms("exposure-blur", "instants-16", side) > 1.4 * ms(
-            "exposure-blur", "integral", side
-        )
+def _depth_of_field() -> tuple[MeasuredTier, ...]:
+    return measurements().find("depth-of-field").tiers
 
 
 def what_is_said_of_wide_discs() -> Says:
     near, wall = (2 * float(radius_px(wide_discs.prepare(), z)) for z in (1.6, 8.0))
     assert near > wall
     narrow = 2 * float(radius_px(depth_of_field.prepare(), 1.6))
-    assert round(narrow) == 8
-    yield "Discs eight pixels wide flatter layers"
     yield f"until they are {near:.0f} pixels wide"
     yield f"Such a disc covers {round(np.pi * near**2 / 4, -2):.0f} pixels"
     assert round(near / narrow) == 6
@@ -209,19 +130,99 @@ def what_is_said_of_wide_discs() -> Says:
     }
     yield "Sixteen rays fall most"
     assert lost.pop("fibonacci-16") > 3 + max(lost.values())
-    yield "and the filters stay behind them"
-    filters = [error("wide-discs", tier, "psnr") for tier in ("discs", "binned", "gather")]
-    assert max(filters) < error("wide-discs", "layered", "psnr") - 3
     yield "comes as near the truth"
     drawn = [error("wide-discs", f"layered{how}", "psnr") for how in ("", "-taps", "-pyramid")]
     assert max(drawn) - min(drawn) < 0.1
-    yield "How a disc is drawn hardly matters to the error"
+
+
+def what_is_said_of_resampling() -> Says:
+    yield "an error below half a code of 255"
+    assert codes_rms(error("resampling", "spline", "psnr-once")) < HALF_A_CODE
+    yield "and is better only on the picture that is made of waves alone"
+    spline, lanczos = (error("resampling", tier, "psnr-once") for tier in ("spline", "lanczos3"))
+    assert spline > lanczos
+    yield "nearly all of it in place"
+    bilinear = {which: error("resampling", "bilinear", which) for which in ("present", "in-place")}
+    assert bilinear["in-place"] > 0.8 * bilinear["present"]
+
+
+def what_is_said_in_words_of_demosaicing() -> Says:
+    def better(one: str, other: str, metric: str, margin_db: float) -> bool:
+        return error("demosaicing", one, metric) > error("demosaicing", other, metric) + margin_db
+
+    default = "menon-unrefined"
+    yield "Of the methods that work on light itself it is the best or close to the best"
+    for other in ("nearest", "bilinear", "malvar", "menon"):
+        assert better(default, other, "psnr-room", -0.3)
+        assert better(default, other, "light", 0.3)
+    yield "The refinement changes little here, and loses on the balloon"
+    assert better(default, "menon", "psnr-balloon", 0.3)
+    yield "better on a screen, worse in light"
+    assert better("menon-encoded", default, "psnr-room", 1.5)
+    assert better("menon-encoded", default, "psnr-balloon", 1.0)
+    assert better(default, "menon-encoded", "light", 1.0)
+    yield "bilinear interpolation wins with"
+    for other in ("nearest", "malvar", default, "menon", "menon-encoded"):
+        assert better("bilinear", other, "psnr-soft", 4)
+    yield "Malvar's method is ahead of bilinear interpolation"
+    assert better("malvar", "bilinear", "light", 2)
+    yield "On the screen it is behind"
+    assert better("bilinear", "malvar", "psnr-balloon", 0.3)
+
+
+def what_is_said_of_formats() -> Says:
+    yield "In single precision it would do as well and cost the same"
+    assert error("precision", "relative-32", "far") < 1e-4
+    assert about(
+        browser_ms("precision", "relative-32") / browser_ms("precision", "relative-64"), 1.0
+    )
+    yield "It costs nothing: one subtraction in another place"
+    assert browser_ms("precision", "relative-64") < 1.2 * browser_ms("precision", "float64")
+
+
+def what_is_said_of_the_other_ladders() -> Says:
+    yield "comes out up to {measured}`shot-noise gaussian bias` too high"
+    work, truth = shot_noise.prepare(), shot_noise.reference(shot_noise.prepare())
+    counted = {
+        tier.id: tier.run(work)
+        for tier in shot_noise.LADDER.tiers
+        if tier.id in ("gaussian", "quantile")
+    }
+    bias = counted["gaussian"].mean(axis=1, dtype=float) / shot_noise.LEVELS_E - 1
+    assert np.argmax(np.abs(bias)) == np.argmax(bias) < 2
+    yield "Its counts pass for exact ones at every mean"
+    gaps = shot_noise.distances(counted["quantile"], truth)
+    assert gaps.max() < 1.63 / np.sqrt(shot_noise.SAMPLES)
+    yield "In RMS the finest grid would do. But it misses the peak of a highlight by more than"
+    assert 255 * error("shading", "gouraud-64", "rms") < HALF_A_CODE
+    assert 255 * error("shading", "gouraud-64", "worst") > 1
+    yield "On these chequers it leaves a little more than half a code"
+    assert HALF_A_CODE < 255 * error("chromatic-aberration", "even-16", "rms") < 0.7
+    yield "A drawing needs no more than the paced line"
+    assert error("rotation-interpolation", "paced-nlerp", "worst") < 0.05
+    yield "Nothing is quicker in the browser, and its error is rounding"
+    times = {it.tier.id: it.times["browser"].ms for it in measurements().find("block-dct").tiers}
+    assert min(times, key=times.__getitem__) == "separable"
+    assert error("block-dct", "separable", "worst") < 1e-9
+    yield "This chart measures numpy, where they are not"
+    for side in ("native", "browser"):
+        assert ms("block-dct", "fixed-point", side) > 1.3 * ms("block-dct", "separable", side)
+    yield "the true answer costs a small multiple of the wrong one"
+    for ladder, true, wrong in (
+        ("shot-noise", "quantile", "gaussian"),
+        ("exposure-blur", "integral", "instants-4"),
+        ("inverse-distortion", "newton-4", "fixed-point-5"),
+    ):
+        assert browser_ms(ladder, true) < 4 * browser_ms(ladder, wrong)
 
 
 SAID = (
-    what_is_said_in_words_of_errors,
-    what_is_said_in_words_of_demosaicing,
-    what_is_said_in_words_of_filling_in_colour,
-    what_is_said_in_words_of_times,
+    what_a_step_buys,
+    what_an_area_costs,
+    what_samples_cost,
     what_is_said_of_wide_discs,
+    what_is_said_of_resampling,
+    what_is_said_in_words_of_demosaicing,
+    what_is_said_of_formats,
+    what_is_said_of_the_other_ladders,
 )

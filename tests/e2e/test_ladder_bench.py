@@ -15,7 +15,7 @@ from support.static_server import StaticServer
 pytestmark = pytest.mark.browser
 
 CHAPTER = "speed-and-accuracy/"
-LADDER = "srgb"
+LADDER = "rotation-interpolation"
 """A quick one."""
 DATA = Path(__file__).resolve().parents[2] / "content" / "measurements.json"
 

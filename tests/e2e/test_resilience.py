@@ -193,7 +193,7 @@ def test_what_python_refuses_is_told_and_the_next_call_is_answered(visitor: Read
         ("render", frame | {"scene": "lens-distorsion"}),
         ("render", frame | {"values": '{"k1": "NaN"}'}),
         ("render", frame | {"values": '{"picture": "sunset"}'}),
-        ("measure", {"ladder": "srgb", "tier": "perfect", "budget": 0.01}),
+        ("measure", {"ladder": "precision", "tier": "perfect", "budget": 0.01}),
         ("render", frame | {"values": '{"k1": 1e300}'}),
     ]
     answers = visitor.page.evaluate(ANSWERS, calls)

@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 from simulations.engine.ladder import pareto_front
-from simulations.ladders import inverse_decentring, inverse_strong
+from simulations.ladders import inverse_strong
 from simulations.ladders.inverse_distortion import LADDER, prepare, reference, rms_px
 from simulations.models.distortion.lens_model import (
     Distortion,
@@ -132,55 +132,3 @@ def test_the_metric_over_both_lenses_is_their_root_mean_square() -> None:
     half = (moved[0], STRONG_TRUTH[1])
     assert METRICS["rms"](half, STRONG_TRUTH, STRONG) == pytest.approx(3.0 / np.sqrt(2.0))
     assert METRICS["fold"](half, STRONG_TRUTH, STRONG) == 0.0
-
-
-OFF_CENTRE = inverse_decentring.prepare()
-OFF_CENTRE_PX = {
-    tier.id: rms_px(tier.run(OFF_CENTRE), inverse_decentring.ideal_points(), OFF_CENTRE)
-    for tier in inverse_decentring.LADDER.tiers
-}
-
-
-def test_the_grid_is_imaged_off_centre_as_by_opencv() -> None:
-    lens, ideal = OFF_CENTRE.lens, inverse_decentring.ideal_points()
-    rays = np.column_stack((ideal, np.ones(len(ideal))))
-    still = np.zeros(3)
-    coefficients = np.array([lens.k1, lens.k2, lens.p1, lens.p2])
-    oracle, _ = cv2.projectPoints(rays, still, still, np.eye(3), coefficients)
-    np.testing.assert_allclose(OFF_CENTRE.seen, oracle[:, 0], atol=1e-14)
-
-
-def test_forgetting_that_the_lens_is_off_centre_costs_what_decentring_moves() -> None:
-    ideal, lens = inverse_decentring.ideal_points(), OFF_CENTRE.lens
-    centred = distort(ideal, replace(lens, p1=0.0, p2=0.0))
-    moved = 400.0 * np.sqrt(((OFF_CENTRE.seen - centred) ** 2).sum(axis=1).mean())
-    assert OFF_CENTRE_PX["radial-only"] == pytest.approx(moved, rel=0.6)
-    assert OFF_CENTRE_PX["radial-only"] > 0.3
-
-
-@pytest.mark.parametrize(
-    ("better", "worse", "at_least"),
-    [
-        ("fixed-point-5", "radial-only", 10),
-        ("fixed-point-10", "fixed-point-5", 100),
-        ("fixed-point-20", "fixed-point-10", 1e4),
-        ("radial-plane-1", "radial-only", 500),
-        ("radial-plane-2", "radial-plane-1", 1e5),
-        ("plane-4", "plane-3", 1e4),
-    ],
-)
-def test_off_centre_too_each_step_buys_what_its_theory_says(
-    better: str, worse: str, at_least: float
-) -> None:
-    assert OFF_CENTRE_PX[worse] > at_least * OFF_CENTRE_PX[better]
-
-
-@pytest.mark.parametrize("tier", ["plane-4", "plane-5", "checked"])
-def test_off_centre_the_careful_tiers_are_right_but_for_rounding(tier: str) -> None:
-    assert OFF_CENTRE_PX[tier] < 1e-12
-
-
-def test_off_centre_the_default_is_the_cheapest_that_is_right() -> None:
-    ids = [tier.id for tier in inverse_decentring.LADDER.tiers]
-    before = ids[: ids.index(inverse_decentring.LADDER.default_tier)]
-    assert all(OFF_CENTRE_PX[tier] > 1e-11 for tier in before)

@@ -19,7 +19,6 @@ from simulations.models.compression.chroma_subsampling import SUBSAMPLING, coars
 from simulations.models.compression.chroma_upsampling import METHODS
 from simulations.models.compression.cosine_transforms import TRANSFORMS
 from simulations.models.compression.jpeg import compress, decode, tables
-from simulations.registry import load_ladder
 from simulations.scenes.jpeg.error import BLOCKS_A_STEP
 from simulations.scenes.jpeg.scene import SCENE, cut
 from simulations.scenes.jpeg.settings import BLOCK_COLUMNS, BLOCK_ROWS
@@ -118,12 +117,11 @@ def test_the_original_is_shown_as_it_was() -> None:
     assert np.array_equal(raster[..., :3], np.rint(255 * outputs()["original"]))
 
 
-def test_the_ways_to_fill_in_colour_are_the_models_and_the_ladders() -> None:
+def test_the_ways_to_fill_in_colour_are_the_models() -> None:
     (choice,) = (control for control in SCENE.controls if control.name == "upsampling")
     assert isinstance(choice, Choice)
-    ladder = load_ladder("chroma-upsampling")
-    assert tuple(choice.options) == METHODS == tuple(tier.id for tier in ladder.tiers)
-    assert choice.default == ladder.default_tier
+    assert tuple(choice.options) == METHODS
+    assert choice.default == "triangle"
 
 
 @pytest.mark.parametrize("upsampling", METHODS)

@@ -71,25 +71,25 @@ def test_tiers_need_a_default_and_a_draft_among_them() -> None:
 
 
 def test_a_drag_is_answered_by_the_default_where_no_draft_is_named() -> None:
-    assert scene_of(tiers=("fast",), default_tier="fast", ladder="srgb").draft_tier == "fast"
+    assert scene_of(tiers=("fast",), default_tier="fast", ladder="shading").draft_tier == "fast"
 
 
 def test_tiers_need_labels_or_a_ladder_that_has_them() -> None:
     with pytest.raises(ValueError, match="no ladder to label them"):
         scene_of(**TIERS)
-    scene_of(**TIERS, ladder="srgb")
+    scene_of(**TIERS, ladder="shading")
 
 
 def test_words_for_a_tier_that_the_scene_lacks_are_refused() -> None:
     with pytest.raises(ValueError, match=r"labels .'slow'.*legal: .'coarse', 'fine'"):
-        scene_of(**TIERS, ladder="srgb", tier_labels={"slow": "Slow"})
+        scene_of(**TIERS, ladder="shading", tier_labels={"slow": "Slow"})
 
 
 def test_only_controls_of_the_scene_can_be_drafted() -> None:
     with pytest.raises(ValueError, match="drafted 'sise'"):
         scene_of(drafted=("sise",))
     with pytest.raises(ValueError, match="drafted 'sise'"):
-        scene_of(**TIERS, ladder="srgb", drafted_in={"fine": ("sise",)})
+        scene_of(**TIERS, ladder="shading", drafted_in={"fine": ("sise",)})
 
 
 def test_a_draft_of_its_own_stands_in_for_the_default_and_what_is_dearer() -> None:
@@ -106,21 +106,21 @@ def test_a_draft_of_its_own_stands_in_for_the_default_and_what_is_dearer() -> No
 
 def test_a_draft_of_its_own_is_no_tier_and_serves_controls_that_there_are() -> None:
     with pytest.raises(ValueError, match="own draft 'coarse' is a tier; legal: another name"):
-        scene_of(**TIERS, ladder="srgb", own_drafts={"coarse": ("size",)})
+        scene_of(**TIERS, ladder="shading", own_drafts={"coarse": ("size",)})
     with pytest.raises(ValueError, match="drafted 'sise'"):
         scene_of(own_drafts={"rough": ("sise",)})
 
 
 def test_only_tiers_of_the_scene_can_have_drags_of_their_own() -> None:
     with pytest.raises(ValueError, match=r"drafted_in .*'finer'.*legal: \('coarse', 'fine'\)"):
-        scene_of(**TIERS, ladder="srgb", drafted_in={"finer": ("size",)})
+        scene_of(**TIERS, ladder="shading", drafted_in={"finer": ("size",)})
 
 
 def test_stages_read_settings_the_tier_and_what_is_worked_out_from_both() -> None:
     double = Stage("told", lambda size, tier, double: f"{tier}: {size:g}, twice {double:g}")
     scene = scene_of(
         **TIERS,
-        ladder="srgb",
+        ladder="shading",
         stages=(double,),
         parameters=lambda settings, tier: {"double": 2 * settings.size + (tier == "coarse")},
     )
@@ -131,14 +131,14 @@ def test_stages_read_settings_the_tier_and_what_is_worked_out_from_both() -> Non
 
 def test_what_is_worked_out_may_stand_for_a_setting() -> None:
     scene = scene_of(
-        **TIERS, ladder="srgb", stages=STAGES, parameters=lambda _settings, _tier: {"size": 7}
+        **TIERS, ladder="shading", stages=STAGES, parameters=lambda _settings, _tier: {"size": 7}
     )
     assert scene.render(Settings(2), "", StageCache()).description == "Size 2, fine of 7."
 
 
 def test_where_there_is_nothing_to_compute_no_stage_runs_and_none_is_reported() -> None:
     scene = scene_of(
-        **TIERS, ladder="srgb", stages=STAGES, parameters=lambda _settings, _tier: None
+        **TIERS, ladder="shading", stages=STAGES, parameters=lambda _settings, _tier: None
     )
     frame = scene.render(Settings(2), "fine", StageCache())
     assert frame.description == "Size 2, nothing."
@@ -146,7 +146,7 @@ def test_where_there_is_nothing_to_compute_no_stage_runs_and_none_is_reported() 
 
 
 def test_a_tier_that_the_scene_lacks_is_its_default() -> None:
-    scene = scene_of(**TIERS, ladder="srgb", stages=STAGES)
+    scene = scene_of(**TIERS, ladder="shading", stages=STAGES)
     for tier in ("", "fine", "no such tier"):
         frame = scene.render(Settings(), tier, StageCache())
         assert frame.description == "Size 1, fine of 1."
@@ -202,7 +202,7 @@ def test_every_scene_of_the_table_loads_under_its_own_id(scene_id: str) -> None:
 
 
 def test_the_worker_gets_a_clamped_frame_and_its_pixels(monkeypatch: pytest.MonkeyPatch) -> None:
-    scene = scene_of(**TIERS, ladder="srgb", stages=STAGES)
+    scene = scene_of(**TIERS, ladder="shading", stages=STAGES)
     monkeypatch.setattr(browser, "load_scene", lambda _id: scene)
     reply = browser.render("figure-1", "s", '{"size": 99}', "no such tier")
     assert json.loads(reply.meta)["description"] == "Size 2, fine of 2."

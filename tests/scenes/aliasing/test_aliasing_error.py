@@ -4,11 +4,9 @@ import numpy as np
 import pytest
 
 from simulations.engine.stages import StageCache
-from simulations.ladders.anti_aliasing import LADDER
 from simulations.models.sampling.aliasing import zone_plate
 from simulations.scenes.aliasing.pattern import pattern_of
 from simulations.scenes.aliasing.scene import SCENE, ideal
-from simulations.scenes.aliasing.settings import FILTERS
 
 
 def judged(**given: object) -> str:
@@ -16,13 +14,6 @@ def judged(**given: object) -> str:
     (estimate,) = SCENE.estimates(SCENE.check(given), "", StageCache())
     assert estimate.unit == "of range"
     return estimate.text
-
-
-def test_the_filter_offers_the_rungs_of_the_ladder_and_no_second_control_repeats_it() -> None:
-    names = {"none": "point", "box": "area", "sinc": "sinc-4", "gaussian": None}
-    offered = [names.get(kind, kind) for kind in FILTERS]
-    assert {name for name in offered if name} == {tier.id for tier in LADDER.tiers}
-    assert SCENE.tiers == ()
 
 
 def test_a_wave_below_nyquist_that_no_filter_dulls_is_without_error() -> None:
