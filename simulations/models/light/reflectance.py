@@ -135,7 +135,10 @@ def phong(
 
     Returns
     -------
-    (...) relative radiance, which may exceed 1 in the highlight.
+    (...) relative radiance: up to ``albedo (ambient + 1) + specular``, which may exceed 1.
+    A power multiplies the rounding of the cosine: the highlight errs by up to
+    ``10 max(shininess, 1) specular`` times the precision of the floats. It multiplies a length
+    that is not quite 1 as well.
     """
     n = as_floats(normals)
     to_light = _direction("light", light, n.dtype)
@@ -166,7 +169,8 @@ def blinn_phong(
     The angle to ``h`` is about half of the angle to the mirrored light, so that a fourfold
     shininess gives a highlight of about Phong's size. Light and eye opposed, to the hundredth
     of a degree to which directions are told apart (`UNIT_TOLERANCE`), have no halfway direction
-    and no highlight, at any shininess. Parameters and return as for `phong`.
+    and no highlight, at any shininess. Parameters and return as for `phong`; the halfway
+    direction loses digits as light and eye come near to opposed, as one over ``|l + v|``.
     """
     n = as_floats(normals)
     to_light = _direction("light", light, n.dtype)

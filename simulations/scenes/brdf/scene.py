@@ -75,7 +75,7 @@ def describe(settings: Settings, exchange: Exchange, seen: float) -> str:
     )
 
 
-# The quadrature is good to the digits shown, and takes a few milliseconds: no tiers.
+# The quadrature is good to a percent at worst, and takes a few milliseconds: no tiers.
 SCENE = Scene(
     id="brdf",
     title="Reflectance Distribution (BRDF)",

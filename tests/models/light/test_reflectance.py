@@ -141,6 +141,25 @@ def test_phong_is_its_formula_with_the_mirrored_ray_made(vectors: Floats, shinin
     )
 
 
+@pytest.mark.parametrize("dtype", [np.float32, np.float64])
+@pytest.mark.parametrize("shininess", [1, 32, 1000])
+def test_a_power_multiplies_the_rounding_of_the_cosine(dtype: type, shininess: int) -> None:
+    """Near the mirror's direction, against the same in long double."""
+    rng = np.random.default_rng(5)
+    n = normalise(rng.normal(size=(20_000, 3)))
+    along = normalise(np.cross(n, rng.normal(size=n.shape)))
+    slant = rng.uniform(0, 1.5, (len(n), 1))
+    l = np.cos(slant) * n + np.sin(slant) * along  # noqa: E741
+    v = np.cos(slant) * n - np.sin(slant) * along + rng.normal(size=n.shape) / shininess**0.5
+    rounded = [normalise(each).astype(dtype) for each in (n, l, v)]
+    n, l, v = (each.astype(np.longdouble) for each in rounded)  # noqa: E741
+    n, l, v = (each / np.sqrt((each**2).sum(-1, keepdims=True)) for each in (n, l, v))  # noqa: E741
+    n_l, n_v, l_v = ((a * b).sum(-1) for a, b in ((n, l), (n, v), (l, v)))
+    truth = np.where(n_l > 0, np.maximum(2 * n_l * n_v - l_v, 0) ** shininess, 0)
+    found = phong(*rounded, 0.0, specular=1.0, shininess=shininess)
+    assert np.abs(found - truth).max() < 10 * shininess * np.finfo(dtype).eps
+
+
 def test_twice_the_distance_a_quarter_of_the_light() -> None:
     np.testing.assert_allclose(attenuation([1, 2, np.inf]), [1, 0.25, 0])
     assert attenuation(0, radius=0.1) == pytest.approx(100)
