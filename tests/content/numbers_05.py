@@ -1,13 +1,17 @@
 """Chapter 5: light on surfaces."""
 
-from math import acos, cos, degrees, pi, radians, sin, sqrt
+from collections.abc import Callable
+from math import acos, cos, degrees, isclose, pi, radians, sin, sqrt, tan
 
 import numpy as np
+from scipy.optimize import brentq
 from support.worked_numbers import Says
 
 from simulations.engine.stages import StageCache
+from simulations.illustrations import page_in_the_sun
+from simulations.models.arrays import Floats
 from simulations.models.color.srgb import encode_srgb
-from simulations.models.light.brdf import Material, reflected, schlick, sent_back
+from simulations.models.light.brdf import Material, parts, reflected, schlick, sent_back
 from simulations.models.light.interreflection import edge_factor
 from simulations.models.light.reflectance import attenuation, blinn_phong, lambert, phong
 from simulations.scenes.phong.scene import SCENE
@@ -66,7 +70,7 @@ def the_printed_formulae() -> Says:
 
 def a_highlight_between_corners() -> Says:
     """Green light, of which the ball itself returns next to none."""
-    yield "set **Light angle** to 75° and **Shininess** to 100"
+    yield "**Light angle** at 75° and **Shininess** at 100 makes a small and sharp highlight"
     yield "Move the light slowly to 60°, and it flares up as a square at a corner."
     brightest = {}
     for tier in ("gouraud-8", "phong", "blended-normals-16"):
@@ -112,14 +116,29 @@ def negative_dot_product() -> Says:
     yield f"- [x] `0.5 * max(0, {cosine:g})`\n"
 
 
+def turn_to_half_height(model: Callable[..., Floats], shininess: float) -> float:
+    """By how much the camera turns until a highlight of light from head-on is half as bright."""
+
+    def above_half(turn: float) -> float:
+        view = (sin(turn), 0, cos(turn))
+        return float(model(FRONT, FRONT, view, 0.0, specular=1.0, shininess=shininess)) - 0.5
+
+    return float(brentq(above_half, 0, 1))
+
+
 def halfway_exponent() -> Says:
-    yield "- [x] `25 * 2**2`\n"
+    yield "- [x] `200 / 2**2 * 3**2`\n"
+    yield "a quarter of the exponent, $200/4 = 50$"
+    yield "takes nine times the exponent, 450"
+    game = turn_to_half_height(blinn_phong, 200)
+    assert isclose(turn_to_half_height(phong, 50), game, rel_tol=0.01)
+    assert isclose(turn_to_half_height(phong, 450), game / 3, rel_tol=0.01)
     yield rf"Four times the exponent, $\alpha = {4 * 20}$"
 
 
 def a_cosine_just_above_one() -> Says:
     above = 1.0 + float(np.finfo(np.float32).eps)
-    yield f"may come out as {above:.7f}"
+    yield f"may come out as {above:.8f}"
     yield f"Raised to the power 1000 that is {above**1000:.4f}"
     yield f"a shininess of a million makes it {above**1e6:.2f}"
 
@@ -132,13 +151,25 @@ def fresnel(cosine: float, index: float) -> float:
     return (across + along) / 2
 
 
-def a_pane_at_a_slant() -> Says:
+def glass_at_a_slant() -> Says:
     head_on = fresnel(1.0, 1.5)
     yield rf"\right)^2 = {head_on:.2f}$ of the light"
-    at_60, at_80 = (float(schlick(np.array(cos(radians(a))), head_on)) for a in (60, 80))
-    yield rf"$0.04 + 0.96 \cdot 0.5^5 = {at_60:.2f}$"
-    yield rf"$0.04 + 0.96 \cdot {1 - cos(radians(80)):.3f}^5 = {at_80:.2f}$"
-    yield f"Fresnel's own formulae ${fresnel(cos(radians(80)), 1.5):.2f}$"
+    back_and_forth = sum(head_on * (1 - head_on) ** 2 * head_on ** (2 * k) for k in range(20))
+    yield f"$2F_0/(1 + F_0) = {100 * (head_on + back_and_forth):.1f}$ %"
+    at_80 = float(schlick(np.array(cos(radians(80))), head_on))
+    yield rf"$0.04 + 0.96 \cdot {1 - cos(radians(80)):.3f}^5 = {at_80:.2f}$ for one face"
+    yield f"Fresnel's own formulae give {fresnel(cos(radians(80)), 1.5):.2f} at 80°"
+
+
+def schlick_at_all_angles() -> Says:
+    """For glass, in steps of a tenth of a degree."""
+    cosines = np.cos(np.radians(np.arange(0, 90, 0.1)))
+    form = schlick(cosines, 0.04)
+    law = np.array([fresnel(cosine, 1.5) for cosine in cosines.tolist()])
+    far, low = (10 * round(i / 10) for i in (np.abs(form - law).argmax(), (form / law).argmin()))
+    yield f"at {far / 10:.0f}°, {form[far]:.2f} instead of {law[far]:.2f}"
+    yield f"near {low / 10:.0f}°, where {form[low]:.3f} stands for {law[low]:.3f}"
+    assert 0.75 < form[low] / law[low] < 0.78, "a quarter too little"
 
 
 def water_at_a_slant() -> Says:
@@ -154,22 +185,43 @@ def a_lobe_of_unit_reflectance() -> Says:
     for roughness in (0.2, 0.6, 1.0):
         returned = float(sent_back("normalised", Material(0.0, 0.5, roughness), 1.0))
         assert np.isclose(returned, 0.5, atol=1e-3)
-    yield "the lobe sends back the share $k_s$ of light that falls head-on, however narrow it is"
-    yield r"Put the factor $(\alpha + 2)/2$ in its place"
+    yield "its lobe then sends back the share $k_s$ of light that arrives head-on, however narrow it is"
+    yield r"Replace it by the factor $(\alpha + 2)/2$"
 
 
-def the_peak_of_plastic_lies_beyond_the_mirror() -> Says:
-    around = np.radians(np.arange(0.0, 90.0, 0.1))
-    light = radians(80)
-    seen = reflected(
-        "microfacets",
-        Material(0.5, 0.04, 0.25),
-        np.array(cos(light)),
-        np.cos(around),
-        np.cos(light + around),
-    )
-    assert degrees(around[seen.argmax()]) > 82
+def where_facets_shine_most(light_deg: float, material: Material) -> float:
+    """Degrees from the normal, on the side away from the lamp."""
+    around, light = np.radians(np.arange(0.0, 90.0, 0.1)), radians(light_deg)
+    cosines = np.array(cos(light)), np.cos(around), np.cos(light + around)
+    return float(degrees(around[reflected("microfacets", material, *cosines).argmax()]))
+
+
+def the_peak_lies_beyond_the_mirror() -> Says:
+    """With Fresnel's factor constant by projection and masking, and with it farther still."""
+    assert where_facets_shine_most(80, Material(0.5, 0.04, 0.25)) > 82
     yield "but *beyond* it, nearer to"
+    constant = where_facets_shine_most(60, Material(0.0, 1.0, 0.25))
+    yield f"With a lamp at 60° and a constant $F = 1$ the peak is already at {constant:.0f}°"
+    assert where_facets_shine_most(60, Material(0.0, 0.04, 0.25)) > 89.5
+    yield "the highlight at that lamp rises all the way to the horizon"
+
+
+def at_grazing_light_plastic_is_nearly_all_highlight() -> Says:
+    yield "Lower the lamp to 80°, and the highlight is nearly all there is."
+    slant = np.array(cos(radians(80)))
+    matte, highlight = parts(
+        "microfacets", Material(0.5, 0.04, 0.25), slant, slant, np.cos(radians(160.0))
+    )
+    assert highlight > 50 * 0.5 * matte
+
+
+def a_flat_full_moon() -> Says:
+    """Oren and Nayar's qualitative model, seen along the light; both angles are the slant."""
+    spread, slant = radians(40) ** 2, radians(60)
+    lambert_s, towards_the_light = 1 - 0.5 * spread / (spread + 0.33), spread / (spread + 0.09)
+    kept = 1 + 0.45 * towards_the_light * sin(slant) * tan(slant) / lambert_s
+    assert isclose(cos(slant), 0.5), "half of its brightness left"
+    yield f"with slopes that spread by 40°, it has {100 * cos(slant) * kept:.0f} % left"
 
 
 def the_corner_of_a_room() -> Says:
@@ -178,11 +230,13 @@ def the_corner_of_a_room() -> Says:
     yield rf"$1/(1 - 0.4) = {room:.2f}$"
     shares = [(0.8 / 2) ** bounce for bounce in (1, 2, 3)]
     first, second, third = (100 * share for share in shares)
-    yield f"brings {first:.0f} %, the second {second:.0f} %, the third {third:.1f} %"
+    yield f"adds {first:.0f} %, the second {second:.0f} %, the third {third:.1f} %"
     assert np.isclose(sum((0.8 / 2) ** k for k in range(60)), room)
-    yield f"it would be {edge_factor(0.05, right):.2f}, and you would not see it"
+    yield f"the factor is {edge_factor(0.05, right):.2f}, which you would not see"
     narrow = radians(40)
-    yield f"$V = {(1 + cos(narrow)) / 2:.2f}$, it is {edge_factor(0.9, narrow):.1f}"
+    share = round((1 + cos(narrow)) / 2, 3)
+    yield f"$V = {share}$, it is {edge_factor(0.9, narrow):.2f}"
+    assert round(1 / (1 - 0.9 * share), 2) == round(edge_factor(0.9, narrow), 2), "by hand as well"
     yield rf"$1/(1 - 0.9 \cdot 0.75) = {edge_factor(0.9, radians(60)):.2f}$"
 
 
@@ -199,16 +253,21 @@ def a_page_in_the_sun() -> Says:
     yield rf"$0.8 \cdot 500 = {0.8 * arrives:.0f}$ W/m²"
     yield rf"$0.8/\pi = {0.8 / pi:.3f}$ sr⁻¹"
     yield rf"$0.255 \cdot 500 = {0.8 / pi * arrives:.0f}$ W/(m² sr)"
+    yield rf"$\omega = 2\pi(1 - \cos 12^\circ) = {page_in_the_sun.solid_angle():.3f}$ sr"
+    yield rf"$127 \cos 30^\circ \cdot 0.137 = {page_in_the_sun.power():.0f}$ W"
 
 
 WORKED = (
     a_page_in_the_sun,
     the_corner_of_a_room,
     near_the_edge_of_two_white_planes,
-    a_pane_at_a_slant,
+    glass_at_a_slant,
+    schlick_at_all_angles,
     water_at_a_slant,
     a_lobe_of_unit_reflectance,
-    the_peak_of_plastic_lies_beyond_the_mirror,
+    the_peak_lies_beyond_the_mirror,
+    at_grazing_light_plastic_is_nearly_all_highlight,
+    a_flat_full_moon,
     a_cosine_just_above_one,
     light_that_falls_off,
     what_a_surface_returns,

@@ -28,6 +28,7 @@ from simulations.illustrations import (
     newton_steps,
     one_colour_two_spectra,
     order_of_turns,
+    page_in_the_sun,
     paint_or_light,
     parallax,
     pixel_footprint,
@@ -158,6 +159,23 @@ def test_highlights_are_brightest_in_the_mirror_s_direction() -> None:
             assert angles[np.argmax(seen)] == pytest.approx(reflection_lobes.LIGHT_RAD)
         else:
             assert seen == pytest.approx(np.full_like(seen, seen[0]))
+
+
+def test_the_page_sends_into_all_directions_what_its_albedo_says() -> None:
+    watts = (
+        page_in_the_sun.radiance()
+        * 2
+        * math.pi
+        * quad(lambda a: np.sin(a) * np.cos(a), 0, math.pi / 2)[0]
+    )
+    assert watts == pytest.approx(0.8 * 1000 * 0.5)
+
+
+def test_the_cone_of_the_page_is_so_narrow_that_one_direction_stands_for_all() -> None:
+    """Exactly, it takes π sin² of its half-angle, times the cosine of its axis."""
+    half, slant = math.radians(12), math.radians(30)
+    exactly = page_in_the_sun.radiance() * math.pi * math.sin(half) ** 2 * math.cos(slant)
+    assert page_in_the_sun.power() == pytest.approx(exactly, rel=0.015)
 
 
 def test_the_four_neighbours_of_the_red_cell_are_green() -> None:

@@ -101,10 +101,10 @@ def bounced(
 
 
 def edge_factor(albedo: float, opening_rad: float) -> float:
-    """How much brighter the edge is than by the lamp alone, where both planes are alike and lit.
+    """How much brighter the edge is than by the lamp alone, where both planes are equal and lit.
 
-    Next to the edge each place sees the other plane under the share F = (1 + cos φ)/2 of its view,
-    and there what it is itself: B = ρ (E + F B), which is ρE/(1 − ρF).
+    Next to the edge the other plane fills the share V = (1 + cos φ)/2 of each point's view, and
+    it is as bright as the point itself: B = I + ρVB, which is I/(1 − ρV).
     """
     _check_opening(opening_rad)
     require("albedo", albedo, 0 <= albedo <= 1, "0 to 1")

@@ -151,12 +151,12 @@ def test_a_power_multiplies_the_rounding_of_the_cosine(dtype: type, shininess: i
     slant = rng.uniform(0, 1.5, (len(n), 1))
     l = np.cos(slant) * n + np.sin(slant) * along  # noqa: E741
     v = np.cos(slant) * n - np.sin(slant) * along + rng.normal(size=n.shape) / shininess**0.5
-    rounded = [normalise(each).astype(dtype) for each in (n, l, v)]
-    n, l, v = (each.astype(np.longdouble) for each in rounded)  # noqa: E741
-    n, l, v = (each / np.sqrt((each**2).sum(-1, keepdims=True)) for each in (n, l, v))  # noqa: E741
-    n_l, n_v, l_v = ((a * b).sum(-1) for a, b in ((n, l), (n, v), (l, v)))
+    n, l, v = (normalise(each).astype(dtype) for each in (n, l, v))  # noqa: E741
+    found = phong(n, l, v, 0.0, specular=1.0, shininess=shininess)
+    exactly = np.array([n, l, v], np.longdouble)
+    exactly /= np.sqrt((exactly**2).sum(-1, keepdims=True))
+    n_l, n_v, l_v = ((exactly[a] * exactly[b]).sum(-1) for a, b in ((0, 1), (0, 2), (1, 2)))
     truth = np.where(n_l > 0, np.maximum(2 * n_l * n_v - l_v, 0) ** shininess, 0)
-    found = phong(*rounded, 0.0, specular=1.0, shininess=shininess)
     assert np.abs(found - truth).max() < 10 * shininess * np.finfo(dtype).eps
 
 
