@@ -215,7 +215,10 @@ def test_profiles_invert_to_finite_radii(a: list[float], images: Floats) -> None
 
 @given(coefficients | sensible_coefficients, arrays(7, 2))
 def test_pictures_are_undistorted_as_points_are(k: list[float], points: Floats) -> None:
-    """By the table where it holds: enough points for one to be made, however wild they are."""
+    """By the table where it holds: enough points for one to be made, however wild they are.
+
+    The image is right to nine digits or, close to a pole, as right as its slope allows.
+    """
     d = lens([*k[:3], 0.0, 0.0, *k[5:]])
     few_valid = lens_model.undistort(points, d)[1]
     ideal, valid = lens_model.undistort(np.tile(points, (300, 1)), d)
@@ -224,4 +227,6 @@ def test_pictures_are_undistorted_as_points_are(k: list[float], points: Floats) 
     assert not (few_valid & ~valid[:7]).any()
     radius, seen_radius = (np.hypot(*xy[:7][valid[:7]].T) for xy in (ideal, points))
     image = radial_profile.evaluate(d.radial, radius)
-    np.testing.assert_allclose(image, seen_radius, rtol=1e-9, atol=1e-300)
+    steep = radius * radial_profile.slope(d.radial, radius)
+    allowed = 1e-9 * np.fmax(seen_radius, np.where(np.isfinite(steep), steep, 0.0))
+    assert (np.abs(image - seen_radius) <= allowed + 1e-300).all()

@@ -17,6 +17,7 @@ from simulations.models.distortion.radial_profile import (
     fold_radius,
     image_of_fold,
     slope,
+    slope_towards,
 )
 
 MAX_NEWTON_STEPS = 100
@@ -41,7 +42,8 @@ def invert_bracketed(profile: RadialProfile, image_radius: ArrayLike) -> tuple[F
     radius : (...) floats
         The fold radius (0 where there is none) for entries that are not valid.
     valid : (...) bools
-        False where no such radius exists (past the fold or `FURTHEST`, negative or not finite).
+        False where no such radius exists (past the fold or `FURTHEST`, negative or not finite),
+        and so close before a pole that the radius rounds to the pole itself.
     """
     target = np.asarray(image_radius, float)
     fold = fold_radius(profile)
@@ -52,11 +54,22 @@ def invert_bracketed(profile: RadialProfile, image_radius: ArrayLike) -> tuple[F
     radius = np.full(target.shape, fold if fold < inf else 0.0)
     wanted = target[valid]
     found = _solve(profile, wanted, furthest_radius(profile, fold, wanted))
-    residual = np.abs(evaluate(profile, found) - wanted)
-    solved = residual <= 1e-10 * wanted
+    solved = _solved(profile, found, wanted)
     radius[valid] = np.where(solved, found, radius[valid])
     valid[valid] = solved
     return radius, valid
+
+
+def _solved(profile: RadialProfile, found: Floats, wanted: Floats) -> Mask:
+    """Whether the image is right to ten digits or, where the curve is steep, the radius is.
+
+    Close to a pole the last bit of the radius changes the image by more than that.
+    """
+    with np.errstate(over="ignore", invalid="ignore"):
+        residual = np.abs(evaluate(profile, found) - wanted)
+        steep = found * slope(profile, found)
+    solved: Mask = residual <= 1e-10 * np.maximum(wanted, np.where(np.isfinite(steep), steep, 0.0))
+    return solved
 
 
 def furthest_radius(profile: RadialProfile, fold: float, wanted: Floats | float) -> float:
@@ -73,7 +86,7 @@ def _solve(profile: RadialProfile, wanted: Floats, upper: float) -> Floats:
     for _ in range(MAX_NEWTON_STEPS):
         with np.errstate(over="ignore", invalid="ignore", divide="ignore"):
             excess = evaluate(profile, radius) - wanted
-            step = radius - excess / slope(profile, radius)
+            step = radius - excess / slope_towards(profile, radius, wanted)
         short = excess < 0.0
         low, high = np.where(short, radius, low), np.where(short, high, radius)
         inside = (step >= low) & (step <= high)  # false for NaN

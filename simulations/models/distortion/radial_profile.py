@@ -91,6 +91,22 @@ def slope_at_squared(profile: RadialProfile, radius_squared: ArrayLike) -> Float
         return _series(odd, s)
 
 
+def slope_towards(profile: RadialProfile, radius: ArrayLike, image: ArrayLike) -> Floats:
+    """The slope of ``r N − image · D``, over D: f' itself where ``f(r) = image``.
+
+    Newton's method for ``f(r) = image`` takes it for f', because it stays of moderate size where
+    D vanishes: close to a pole f bends too much to be followed along its tangent.
+    """
+    if not any(profile.denominator):
+        return slope(profile, radius)
+    r = np.asarray(radius, float)
+    with np.errstate(over="ignore", invalid="ignore", divide="ignore"):
+        s = r * r
+        n, n_slope = _series_and_slope(profile.numerator, s)
+        d, d_slope = _series_and_slope(profile.denominator, s)
+        return (n + 2.0 * s * n_slope - 2.0 * r * d_slope * np.asarray(image, float)) / d
+
+
 @lru_cache(maxsize=64)  # asked for some twenty times a frame
 def fold_radius(profile: RadialProfile) -> float:
     """The radius where f stops increasing, or inf where it never does.

@@ -9,6 +9,11 @@ nearly all digits, up to the fold itself.
 
 Each cell is checked where its polynomial errs most. Points whose cell is not good enough, and all
 that lie past the fold or out of reach, are left to `radial_inverse.invert_bracketed`.
+
+A cell is good enough if ρ is right to `TOLERANCE`. So away from folds the table is less exact than
+the bracket. In units of 2⁻⁵³ times the condition f / (r f'), its relative error is up to 21 for
+lenses of k₁ alone and up to 3400 where k₁ and k₂ have opposite signs, and by the tolerance never
+more than 9000; that of the bracket is 11 at most.
 """
 
 from dataclasses import dataclass

@@ -44,7 +44,8 @@ def mechanical_vignetting(
     Parameters
     ----------
     tan_field : (...) floats
-        Tangent of the field angle α.
+        Tangent of the field angle α, which may be infinite: a rim at the aperture itself
+        (separation 0) hides no more there than elsewhere.
     pupil_radius_mm, rim_radius_mm : float
         Radii of aperture and rim, positive and finite.
     separation_mm : float
@@ -57,8 +58,11 @@ def mechanical_vignetting(
     for name, value in (("pupil_radius_mm", pupil_radius_mm), ("rim_radius_mm", rim_radius_mm)):
         require_positive(name, value)
     require("separation_mm", separation_mm, 0.0 <= separation_mm < np.inf, "0 or more, finite")
+    tan = np.asarray(tan_field, float)
+    if separation_mm == 0.0:
+        tan = np.where(np.isinf(tan), 0.0, tan)
     with np.errstate(over="ignore"):
-        shift = np.asarray(tan_field, float) * separation_mm / pupil_radius_mm
+        shift = tan * separation_mm / pupil_radius_mm
     # In units of the pupil, so that tiny and huge lenses neither vanish nor overflow when squared.
     rim = min(max(rim_radius_mm / pupil_radius_mm, 1e-70), 1e70)
     return disc_overlap_area(shift, 1.0, rim) / np.pi

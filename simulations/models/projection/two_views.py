@@ -134,8 +134,13 @@ def depth_from_disparity(
 def depth_error(
     depth: ArrayLike, focal_px: float, baseline: float, disparity_error: ArrayLike
 ) -> Floats:
-    """ΔZ = Z² Δd / (f b): by how much a depth (...) is wrong, to first order."""
+    """ΔZ = Z² Δd / (f b): by how much a depth (...) is wrong, to first order.
+
+    A disparity without error leaves no depth in doubt, infinity included.
+    """
     require_positive("focal_px", focal_px)
     require_positive("baseline", baseline)
-    Z = np.asarray(depth, float)
-    return Z * Z * np.asarray(disparity_error, float) / (focal_px * baseline)
+    Z, error = np.broadcast_arrays(np.asarray(depth, float), np.asarray(disparity_error, float))
+    exact = (error == 0.0) & ~np.isnan(Z)
+    with np.errstate(over="ignore", invalid="ignore"):
+        return np.where(exact, 0.0, Z * (Z * (error / (focal_px * baseline))))

@@ -16,6 +16,7 @@ from simulations.models.distortion.radial_profile import (
     scale,
     scale_slope,
     slope,
+    slope_towards,
 )
 
 RADII = np.linspace(0.0, 1.2, 25)
@@ -43,6 +44,15 @@ def test_slopes_agree_with_differences(profile: RadialProfile) -> None:
     rise = scale(profile, square + step) - scale(profile, square - step)
     np.testing.assert_allclose(scale_slope(profile, square), rise / (2 * step), atol=1e-8)
     assert slope(profile, 0.0) == 1.0
+
+
+@pytest.mark.parametrize("profile", PROFILES)
+def test_the_slope_towards_an_image_is_the_slope_where_the_image_is_that(
+    profile: RadialProfile,
+) -> None:
+    radii = np.linspace(0.05, 0.9, 7) * min(fold_radius(profile), 2.0)
+    towards = slope_towards(profile, radii, evaluate(profile, radii))
+    np.testing.assert_allclose(towards, slope(profile, radii), rtol=1e-12, atol=1e-14)
 
 
 def test_nothing_set_is_neutral_and_anything_set_is_not() -> None:

@@ -34,6 +34,12 @@ def test_mechanical_vignetting_runs_from_a_free_to_a_closed_aperture() -> None:
     )
 
 
+def test_a_rim_at_the_aperture_itself_hides_no_more_at_a_right_angle_than_elsewhere() -> None:
+    seen = mechanical_vignetting([0.0, 1e300, np.inf, -np.inf], 5.0, 4.0, 0.0)
+    np.testing.assert_allclose(seen, 0.64)
+    assert np.isnan(mechanical_vignetting(np.nan, 5.0, 4.0, 0.0))
+
+
 def test_the_cats_eye_has_the_area_counted_on_a_fine_grid() -> None:
     axis = np.linspace(-5, 5, 1001)
     x, y = np.meshgrid(axis, axis)

@@ -134,6 +134,11 @@ def test_drawn_errors_of_disparity_spread_depth_as_the_formula_says(depth: float
     assert exact == pytest.approx(predicted, rel=0.011)
 
 
+def test_an_exact_disparity_leaves_no_depth_in_doubt_and_a_wrong_one_all_of_infinity() -> None:
+    wrong = depth_error([math.inf, 1e200, math.inf, math.nan], 800.0, 0.1, [0.0, 0.0, 0.5, 0.0])
+    np.testing.assert_array_equal(wrong, [0.0, 0.0, math.inf, math.nan])
+
+
 @pytest.mark.parametrize("t", [(0.0, 0.0, 0.0), (math.nan, 0.0, 1.0), (math.inf, 0.0, 0.0)])
 def test_without_a_baseline_there_is_no_epipolar_geometry(t: tuple[float, ...]) -> None:
     with pytest.raises(ValueError, match=r"t .*legal: finite, not zero"):
