@@ -79,9 +79,9 @@ TIERS = tuple(
     for name, label, cost in (
         ("first-order", "First order", "1 polynomial"),
         ("lookup-table", "Lookup table", "1 table look-up"),
-        ("newton-3", "Newton, 3 steps", "6 polynomials"),
-        ("newton-4", "Newton, 4 steps", "8 polynomials"),
-        ("newton-5", "Newton, 5 steps", "10 polynomials"),
+        ("newton-3", "Newton, 3 steps", "7 polynomials"),
+        ("newton-4", "Newton, 4 steps", "9 polynomials"),
+        ("newton-5", "Newton, 5 steps", "11 polynomials"),
         ("fixed-point-5", "Fixed point, 5 steps", "5 polynomials"),
         ("fixed-point-10", "Fixed point, 10 steps", "10 polynomials"),
         ("fixed-point-20", "Fixed point, 20 steps", "20 polynomials"),
@@ -113,5 +113,5 @@ LADDER = Ladder(
     reference=reference,
     reference_label="bisection of the radius down to the last bit",
     metrics=METRICS,
-    default_tier="newton-5",
+    default_tier="newton-4",
 )

@@ -39,6 +39,7 @@ def test_the_reference_agrees_with_opencv() -> None:
     [
         ("fixed-point-5", "first-order", 100),
         ("fixed-point-10", "fixed-point-5", 100),
+        ("newton-3", "fixed-point-10", 1000),
         ("newton-4", "newton-3", 1000),
         ("newton-4", "fixed-point-10", 1000),
     ],
@@ -103,19 +104,20 @@ def test_in_the_strong_pincushion_more_fixed_point_steps_make_it_worse() -> None
 
 def test_near_the_fold_newton_closes_in_by_halves_and_five_steps_are_too_few() -> None:
     worst = [strong_worst_px(f"newton-{steps}", "fold") for steps in (3, 4, 5)]
-    assert worst[2] > 0.01
+    assert worst[2] > 0.001
     assert strong_worst_px("lookup-table", "fold") > 0.001
 
 
-@pytest.mark.parametrize("tier", ["checked-table", "newton-bracketed"])
+@pytest.mark.parametrize("tier", ["closed-form", "checked-table", "newton-bracketed"])
 @pytest.mark.parametrize("metric", ["rms", "pincushion", "fold"])
 def test_on_strong_lenses_the_careful_tiers_lose_nothing(tier: str, metric: str) -> None:
     assert strong_worst_px(tier, metric) < 1e-11
 
 
-def test_both_ladders_climb_the_same_tiers_over_as_many_points() -> None:
-    strong = inverse_strong.LADDER.tiers
-    assert [tier.label for tier in strong] == [tier.label for tier in LADDER.tiers]
+def test_both_ladders_climb_the_same_tiers_but_for_the_formula_over_as_many_points() -> None:
+    strong = [tier.id for tier in inverse_strong.LADDER.tiers]
+    strong.remove("closed-form")
+    assert strong == [tier.id for tier in LADDER.tiers]
     assert sum(len(part.seen) for part in STRONG) == len(WORK.seen) == 76_800
     assert np.abs(WORK.seen).max(axis=0) == pytest.approx([319.5 / 400, 239.5 / 400])
     for part, focal_px in zip(STRONG, (200.0, 569.0), strict=True):

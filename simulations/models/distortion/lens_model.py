@@ -12,6 +12,7 @@ them out (pincushion). Szeliski, 2nd ed., §2.1.5; D. C. Brown, *Decentering dis
 lenses*, 1966; the rational form is OpenCV's.
 """
 
+from collections.abc import Callable
 from dataclasses import dataclass
 from functools import lru_cache
 
@@ -19,7 +20,12 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from simulations.models.arrays import Floats, Mask, as_vectors
-from simulations.models.distortion import radial_inverse, radial_profile, radial_table
+from simulations.models.distortion import (
+    cubic_inverse,
+    radial_inverse,
+    radial_profile,
+    radial_table,
+)
 from simulations.models.distortion.decentring import DecentredLens, undo_decentred
 from simulations.models.distortion.radial_profile import LARGEST_COEFFICIENT, RadialProfile
 from simulations.models.require import require
@@ -183,12 +189,28 @@ def undistort_clamped(xy: ArrayLike, d: Distortion) -> tuple[Floats, Mask]:
 
 
 def _undo_radial(seen: Floats, profile: RadialProfile) -> tuple[Floats, Mask]:
-    """By the table of the profile, and point by point what the table does not know."""
+    """By the formula for k₁ alone; else by the table, or for a few points one by one."""
+    if profile.cubic:
+        return _undo_by(cubic_inverse.shrinkage, seen, profile)
     if seen.size < 2 * radial_table.WORTH_A_TABLE:
         return _undo_surely(seen, profile)
+    return undo_by_table(seen, profile)
+
+
+def undo_by_table(seen: Floats, profile: RadialProfile) -> tuple[Floats, Mask]:
+    """`undistort_clamped` for points (..., 2) through any radial lens, however few they are."""
+    return _undo_by(radial_table.shrinkage, seen, profile)
+
+
+def _undo_by(
+    shrinkage: Callable[[RadialProfile, Floats], tuple[Floats, Mask]],
+    seen: Floats,
+    profile: RadialProfile,
+) -> tuple[Floats, Mask]:
+    """Each point by its factor, and one by one those that have none from ``shrinkage``."""
     x, y = seen[..., 0], seen[..., 1]
     with np.errstate(over="ignore", invalid="ignore"):
-        factor, valid = radial_table.shrinkage(profile, x * x + y * y)
+        factor, valid = shrinkage(profile, x * x + y * y)
         ideal = np.empty_like(seen)
         np.multiply(x, factor, out=ideal[..., 0])  # by columns: three times as quick as
         np.multiply(y, factor, out=ideal[..., 1])  # seen * factor[..., None]

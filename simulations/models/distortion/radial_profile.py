@@ -38,6 +38,12 @@ class RadialProfile:
         """Whether every coefficient is zero, so that f(r) = r."""
         return not any(self.numerator) and not any(self.denominator)
 
+    @property
+    def cubic(self) -> bool:
+        """Whether a₁ alone is not zero, so that f(r) = r + a₁r³."""
+        only_first = any(self.numerator[:1]) and not any(self.numerator[1:])
+        return only_first and not any(self.denominator)
+
 
 def scale(profile: RadialProfile, radius_squared: ArrayLike) -> Floats:
     """``f(r) / r`` from ``s = r²``: no square root is needed to distort a point."""

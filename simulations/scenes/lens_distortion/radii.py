@@ -52,7 +52,7 @@ def pixel_radii() -> Radii:
 def ideal_radii(seen: Floats, lens: Distortion, tier: str) -> Floats:
     """The radius without the lens of each radius in the photograph, as the tier computes it.
 
-    Only the last two notice the fold; the others run on past it, or out of range.
+    Only the last three notice the fold; the others run on past it, or out of range.
     """
     points = np.stack((seen, np.zeros_like(seen)), axis=-1)
     with np.errstate(over="ignore", invalid="ignore", divide="ignore"):

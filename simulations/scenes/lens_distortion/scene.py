@@ -136,7 +136,7 @@ SCENE = Scene(
     photograph=PHOTOGRAPH_PX,
     parameters=parameters,
     tiers=TIERS,
-    default_tier="checked-table",
+    default_tier="closed-form",
     ladder="inverse-strong",
     estimate=estimate,
 )

@@ -23,6 +23,7 @@ from simulations.models.distortion.radial_profile import (
     evaluate,
     fold_radius,
     largest_image_radius,
+    slope,
 )
 from simulations.models.distortion.radial_table import (
     CHECKS,
@@ -98,6 +99,20 @@ def test_a_table_errs_by_no_more_than_it_promises(k1: float) -> None:
     assert known.all()
     truth = bisect(profile, image_radius)
     assert np.abs(factor * image_radius / truth - 1.0).max() <= TOLERANCE
+
+
+@pytest.mark.parametrize(("k", "most"), [((-0.3,), 24), ((3.0,), 24), ((0.3, -0.1), 3400)])
+def test_away_from_folds_a_table_errs_by_so_many_times_the_condition(
+    k: tuple[float, ...], most: float
+) -> None:
+    profile = RadialProfile(k)
+    image_radius = np.linspace(0.0, min(0.9 * largest_image_radius(profile), 1.4), 20_000)[1:]
+    factor, known = shrinkage(profile, image_radius**2)
+    truth = bisect(profile, image_radius)
+    condition = image_radius / (truth * slope(profile, truth))
+    units = np.abs(factor * image_radius / truth - 1.0) / (2.0**-53 * condition)
+    assert known.all()
+    assert most / 5 < units.max() <= most
 
 
 PROFILES = [
@@ -232,8 +247,8 @@ def test_cells_are_checked_where_a_polynomial_through_the_nodes_errs_most() -> N
 def test_a_table_is_made_for_2048_points_and_more(count: int, tables: int) -> None:
     images = np.linspace(0.0, 0.5, count)
     calls: tuple[Callable[[], object], ...] = (
-        lambda: invert(RadialProfile((0.3,)), images),
-        lambda: undistort(np.stack((images, images), -1), Distortion(k1=0.3)),
+        lambda: invert(RadialProfile((0.3, 0.1)), images),
+        lambda: undistort(np.stack((images, images), -1), Distortion(k1=0.3, k2=0.1)),
     )
     for undo in calls:
         inverse_table.cache_clear()
