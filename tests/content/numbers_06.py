@@ -1,5 +1,6 @@
 """Chapter 6: the sensor."""
 
+import colorsys
 import io
 import re
 import warnings
@@ -7,9 +8,8 @@ from functools import cache
 from math import atan, degrees, erf, log2, log10, sqrt
 
 import numpy as np
+import skimage.data
 from PIL import Image
-from scipy.constants import c, h, k
-from scipy.optimize import brentq
 from scipy.stats import norm
 from support.worked_numbers import Says
 
@@ -17,11 +17,19 @@ from simulations.engine.stages import StageCache
 from simulations.models.arrays import Floats
 from simulations.models.color.chromatic_adaptation import adapt
 from simulations.models.color.chromaticity import ILLUMINANT_A_XY, lab_distance, white_xyz
-from simulations.models.color.cie import D65_XY, rgb_to_xyz_matrix, xyz_to_lab, xyz_to_linear_rgb
+from simulations.models.color.cie import (
+    D65_XY,
+    luminance,
+    rgb_to_xyz_matrix,
+    xyz_to_lab,
+    xyz_to_linear_rgb,
+)
 from simulations.models.color.illuminants import planck
 from simulations.models.color.spectra import WAVELENGTHS_NM
-from simulations.models.color.srgb import encode_srgb
+from simulations.models.color.srgb import decode_srgb, encode_srgb
 from simulations.models.color.white_balance import white_balance
+from simulations.models.color.ycbcr import rgb_to_ycbcr
+from simulations.models.compression import jpeg
 from simulations.models.compression.blocks import round_outwards
 from simulations.models.compression.chroma_upsampling import METHODS as UPSAMPLING
 from simulations.models.error_measures import psnr_db
@@ -34,6 +42,7 @@ from simulations.models.sensor.photon_counting import (
     signal_to_noise,
     with_iso,
 )
+from simulations.models.sensor.shared_detail import shared_detail
 from simulations.pictures.balloon import WHOLE
 from simulations.pictures.mosaic_subjects import SUBJECTS
 from simulations.scenes.jpeg.scene import SCENE as JPEG
@@ -47,7 +56,7 @@ def sensor(read_noise_e: float, gain: float = 5.0, dark: float = 0.0, bits: int 
     return Sensor(WELL, read_noise_e, dark, gain, bits)
 
 
-def choosing_a_gain() -> Says:
+def choosing_a_conversion_gain() -> Says:
     gain = WELL / (2**12 - 1)
     yield rf"$g = 20\,000/{2**12 - 1} = {gain:.2f}$ electrons per DN"
     deviation = 1 / sqrt(12)
@@ -94,8 +103,8 @@ def a_gaussian_of_hardly_an_electron() -> Says:
     one_e_dn = 1 / sensor_of(14, "6400", 0).gain_e_per_dn
     z = norm.ppf((np.arange(400_000) + 0.5) / 400_000)
     models: tuple[tuple[ShotModel, Floats, str], ...] = (
-        ("gaussian", 0 * z, "Too high: {:.1f} DN on average"),
-        ("skewed", (z * z - 1) / 6, "and the mean comes down to {:.1f} DN"),
+        ("gaussian", 0 * z, "and over many takes {:.1f} DN"),
+        ("skewed", (z * z - 1) / 6, "lowers the mean to {:.1f} DN over many takes"),
     )
     for model, lean, words in models:
         expected = np.maximum(np.rint(mean + sqrt(mean) * z + lean), 0).mean()
@@ -103,7 +112,157 @@ def a_gaussian_of_hardly_an_electron() -> Says:
         assert np.isclose(drawn.mean(), expected, atol=0.004)
         yield words.format(expected * one_e_dn)
     yield f"where {mean:.2f} electrons are {mean * one_e_dn:.1f} DN"
-    yield f"scatters about such numbers by {sqrt(mean) / PATCH_PX * one_e_dn:.1f} DN"
+    scatter = sqrt(mean / 2) / PATCH_PX * one_e_dn  # the mean is of two frames
+    yield f"The mean of a patch scatters by {scatter:.1f} DN"
+
+
+def read_noise_before_and_after() -> Says:
+    for gain, says in ((4.88, "4 + 53.6"), (4.88 / 8, "4 + 0.8")):
+        after = (gain * 1.5) ** 2
+        assert says == f"4 + {after:.1f}"
+        yield rf"$\sigma_r = \sqrt{{{says}}} = {sqrt(4 + after):.1f}$ electrons"
+    yield f"which leaves $g = {4.88 / 8:.2f}$"
+    yield f"its last code at {WELL / 8:.0f} electrons, an eighth of the well"
+
+
+def chips_and_cells() -> Says:
+    large, small = 36e3 / 6000, 6.17e3 / 4000
+    yield f"6000 × 4000 cells on it are {large:.1f} µm wide"
+    yield f"4000 cells across are {small:.2f} µm wide"
+    yield f"receives {(large / small) ** 2:.0f} times less light"
+    inches = 25.4 / 2.3
+    yield f"nothing on it is {inches:.0f} mm long"
+    assert 1.4 < inches / np.hypot(6.17, 4.55) < 1.6
+
+
+def a_pattern_that_overtakes() -> Says:
+    mean = np.geomspace(10, 1e5, 4001)
+    share = 0.01
+    first = mean[np.argmax((share * mean) ** 2 > mean)]
+    assert np.isclose(first, 10_000, rtol=0.01)
+    yield "which for $p = 1$ % is 10 000 electrons, half of our well"
+    assert (mean / np.sqrt(mean + (share * mean) ** 2)).max() < 100
+    yield "signal over pattern never exceeds $1/p = 100$"
+    yield rf"$\bar N = 1/0.008^2 = {1 / 0.008**2:,.0f}$".replace(",", r"\,")
+
+
+def one_picture_or_two() -> Says:
+    """By the formulas, and by two pictures of a million cells."""
+    gain, mean_e, share = 4.88, 10_000.0, 0.01
+    mean = mean_e / gain
+    shot, pattern = mean_e / gain**2, (share * mean) ** 2
+    yield f"so the mean is {mean:.0f} DN"
+    yield rf"$10\,000/4.88^2 = {shot:.0f}$ DN²"
+    yield f"1 % of the mean, {share * mean:.1f} DN, and so also a variance of {pattern:.0f} DN²"
+    yield f"varies from cell to cell by {shot + pattern:.0f} DN² in all"
+    yield f"$2049/840 = {mean / (shot + pattern):.2f}$ electrons per DN, half of the truth"
+    yield rf"$420 + 420 = {2 * shot:.0f}$ DN²"
+    yield f"$2049/420 = {2049 / 420:.2f}$"
+    rng = np.random.default_rng(6)
+    cells = mean_e * (1 + share * rng.standard_normal(1_000_000))
+    first, second = (shot_noise(cells, rng) / gain for _ in range(2))
+    assert np.isclose(first.var(), shot + pattern, rtol=0.01)
+    assert np.isclose((first - second).var() / 2, shot, rtol=0.01)
+
+
+def lightness_of_greys() -> Says:
+    white = white_xyz(D65_XY)
+    yield f"reflects 18 % of the light has $L^* = {xyz_to_lab(0.18 * white)[0]:.1f}$"
+    share = ((75 + 16) / 116) ** 3
+    assert np.isclose(xyz_to_lab(share * white)[0], 75)
+    yield f"$f = (75 + 16)/116 = {(75 + 16) / 116:.3f}$, and its cube is {share:.2f}"
+    yield "a straight line below 0.009"
+    assert round((6 / 29) ** 3, 3) == 0.009
+
+
+def an_orange_in_three_ways() -> Says:
+    codes = np.array([200.0, 100.0, 50.0])
+    hue, saturation, value = colorsys.rgb_to_hsv(*codes / 255)
+    yield (
+        f"The codes $(200, 100, 50)$ have the value {value:.2f}, "
+        f"the saturation {saturation:.2f} and the hue {360 * hue:.0f}°"
+    )
+    yellow, blue = (
+        float(luminance(colour)) for colour in (np.array([1.0, 1, 0]), np.array([0.0, 0, 1]))
+    )
+    yield f"their luminances are {yellow:.2f} and {blue:.2f}"
+    luma, c_b, c_r = 255 * rgb_to_ycbcr(codes / 255)
+    yield f"have the luma {luma:.1f}, $C_b = {c_b:.1f}$ and $C_r = {c_r:.1f}$"
+    largest = 255 * rgb_to_ycbcr(np.array([0.0, 0, 1]))[1]
+    yield f"the range from −{largest:.1f} to {largest:.1f}"
+    first, second, third = rgb_to_xyz_matrix()[1]
+    yield f"{first:.3f}, {second:.3f} and {third:.3f}"
+
+
+PHOTOGRAPHS = {"coffee": "coffee", "cat": "chelsea", "astronaut": "astronaut"}
+
+
+@cache
+def photograph(name: str) -> Floats:
+    """Of scikit-image, in linear light, at half size: its own camera has demosaiced it."""
+    linear = decode_srgb(getattr(skimage.data, PHOTOGRAPHS[name])() / 255)
+    rows, columns = (side // 2 for side in linear.shape[:2])
+    halves = linear[: 2 * rows, : 2 * columns].reshape(rows, 2, columns, 2, 3)
+    return np.asarray(halves.mean(axis=(1, 3)))
+
+
+def photographs_through_the_mosaic() -> Says:
+    on_screen, in_light = [], []
+    for name in PHOTOGRAPHS:
+        truth = photograph(name)
+        cells = [f"{share:.2f}" for share in shared_detail(truth)]
+        guessed = [
+            np.clip(demosaic(mosaic(truth), method=method), 0, 1)
+            for method in ("bilinear", "menon-unrefined")
+        ]
+        shown = [psnr_db(encode_srgb(g), encode_srgb(truth), crop=8) for g in guessed]
+        light = [psnr_db(g, truth, crop=8) for g in guessed]
+        on_screen.append(shown[1] - shown[0])
+        in_light.append(light[1] - light[0])
+        yield (
+            "| ".join(
+                [f"| {name} ", *(f"{c} " for c in cells + [f"{v:.1f}" for v in shown + light])]
+            )
+            + "|"
+        )
+    yield "it wins by 4 to 6 dB in light, and on the screen by as little as 0.4 dB"
+    assert round(min(in_light)) == 4
+    assert round(max(in_light)) == 6
+    assert round(min(on_screen), 1) == 0.4
+
+
+def photographs_with_coarser_colour() -> Says:
+    def psnr(name: str, subsampling: str, upsampling: str = "triangle") -> float:
+        picture = np.rint(255 * encode_srgb(photograph(name))) / 255
+        coded = jpeg.encode(jpeg.to_planes(picture), 100, subsampling)
+        return psnr_db(np.rint(255 * jpeg.decode(coded, upsampling)) / 255, picture)
+
+    coarse = {name: psnr(name, "4:2:0") for name in PHOTOGRAPHS}
+    lost = {name: psnr(name, "4:4:4") - coarse[name] for name in PHOTOGRAPHS}
+    yield (
+        "lose "
+        + ", ".join(f"{lost[n]:.0f} dB ({n})" for n in ("coffee", "cat"))
+        + (f" and {lost['astronaut']:.0f} dB (astronaut)")
+    )
+    yield f"end between {min(coarse.values()):.0f} and {max(coarse.values()):.0f} dB"
+    gains = [psnr(name, "4:2:0", "guided") - coarse[name] for name in PHOTOGRAPHS]
+    best = {m: jpeg_psnr(quality=100, upsampling=m) for m in ("triangle", "guided")}
+    yield (
+        f"following luma gains {min(gains):.1f} to {max(gains):.1f} dB over the triangle, "
+        f"and not {best['guided'] - best['triangle']:.1f} dB as here"
+    )
+    full = jpeg_psnr(quality=100, subsampling="4:4:4")
+    yield f"4:2:0 costs {full - best['triangle']:.0f} dB at quality 100"
+
+
+def nine_short_frames() -> Says:
+    yield rf"$900/\sqrt{{900 + 900}} = {900 / sqrt(900 + 900):.1f}$"
+    yield rf"$900/\sqrt{{900 + 100}} = {900 / sqrt(900 + 100):.1f}$"
+
+
+def jpeg_psnr(**given: object) -> float:
+    """What the figure shows."""
+    return float(JPEG.run(JPEG.check(given), "", StageCache()).outputs["psnr"])
 
 
 def transforms_that_round_otherwise() -> Says:
@@ -135,22 +294,13 @@ def coefficients_kept_and_lost() -> Says:
 
 
 def what_green_is_worth() -> Says:
-    red, green, blue = rgb_to_xyz_matrix()[1]
-    yield rf"${red:.2f}\,R + {green:.2f}\,G + {blue:.2f}\,B$"
-    yield f"about {100 * green:.0f} % of luminance"
-
-
-def where_sunlight_is_strongest() -> Says:
-    """Peaks of Planck's law at the sun's 5772 K, for powers of the frequency or wavelength."""
-    second_constant_nm_k = 1e9 * h * c / k
-
-    def peak_nm(power: int) -> float:
-        at = brentq(lambda x: x - power * (1 - np.exp(-x)), 1, 10)
-        return float(second_constant_nm_k / (at * 5772))
-
-    yield f"Energy per nanometre of wavelength peaks near {round(peak_nm(5), -2):.0f} nm"
-    yield f"photons per nanometre near {round(peak_nm(4), -1):.0f} nm, in the red"
-    yield f"energy per hertz near {round(peak_nm(3), -1):.0f} nm, in the infrared"
+    red, green, blue = (round(float(share), 2) for share in rgb_to_xyz_matrix()[1])
+    yield rf"$Y = {red:.2f}\,R + {green:.2f}\,G + {blue:.2f}\,B$"
+    yield rf"the luminance ${red:.2f}\,R + {green:.2f}\,G + {blue:.2f}\,B$"
+    assert 0.7 < green < 0.75
+    yield "nearly three quarters of it comes from green"
+    two_reds = sqrt(red**2 / 2 + green**2 + blue**2)
+    yield f"With two red cells and one green it would be {two_reds:.2f} %"
 
 
 def stripes_finer_than_a_cell() -> Says:
@@ -202,9 +352,9 @@ def what_the_methods_gain() -> Says:
     )
     default = "menon-unrefined"
     assert room[default] > room["bilinear"] + 7
-    yield "On the soft colours, which share none, it is the other way about"
+    yield "which share none, it is the other way round"
     assert soft[default] < soft["bilinear"] - 7
-    yield "On the balloon, which shares some, the two are level"
+    yield "which shares some, the two are level"
     assert abs(balloon[default] - balloon["bilinear"]) < 0.5
     yield "it gains two tenths of a decibel in the room, and loses on the other two pictures"
     assert round(room["menon"] - room[default], 1) == 0.2
@@ -232,16 +382,13 @@ def errors_in_the_dark() -> Says:
 
 
 def colour_filled_in_at_quality_30() -> Says:
-    def psnr(**given: object) -> float:
-        return float(JPEG.run(JPEG.check(given), "", StageCache()).outputs["psnr"])
-
-    coarse = {method: psnr(upsampling=method) for method in UPSAMPLING}
+    coarse = {method: jpeg_psnr(upsampling=method) for method in UPSAMPLING}
     best = max(coarse.values())
     yield "all but repetition lie within a quarter of a decibel"
     assert all(best - coarse[m] < 0.25 for m in UPSAMPLING if m != "repeated")
     assert best - coarse["repeated"] > 0.4
     assert coarse["triangle"] > best - 0.02
-    fine = {method: psnr(upsampling=method, quality=100) for method in UPSAMPLING}
+    fine = {method: jpeg_psnr(upsampling=method, quality=100) for method in UPSAMPLING}
     yield "The parabola and luma gain much at quality 100"
     assert fine["parabola"] > fine["triangle"] + 1
     assert fine["guided"] > fine["parabola"] + 2
@@ -338,7 +485,7 @@ def patches_by_lamplight_and_by_daylight() -> Says:
     negative = xyz_to_linear_rgb(lamp)[:, 2] < 0
     names = [str(name) for name in np.array(list(chart))[negative]]
     assert names == ["orange", "yellow green", "orange yellow", "yellow"]
-    yield "Gains in linear sRGB do well for greys and fail for yellows and oranges."
+    yield "Factors in linear sRGB do well for greys and fail for yellows and oranges."
     for words, xyz in rows.items():
         yield f"| {words} | {lab_distance(xyz_to_lab(xyz), xyz_to_lab(day)).mean():.1f} |"
 
@@ -346,7 +493,7 @@ def patches_by_lamplight_and_by_daylight() -> Says:
 def gains_for_a_grey_card() -> Says:
     red, green, blue = white_balance([1, 1, 1], [0.3, 0.4, 0.6])
     assert green == 1
-    yield f"- [ ] Red times {0.3 / 0.4:.2f} and blue times {0.6 / 0.4:.1f}"
+    yield f"- [ ] Red times {0.3 / 0.4:.2f} and blue times {0.6 / 0.4:.2f}"
     yield f"- [ ] Red plus {0.4 - 0.3:.2f} and blue minus {0.6 - 0.4:.2f}"
     yield f"- [x] Red times {red:.2f} and blue times {blue:.2f}"
     yield f"$0.40/0.30 = {0.4 / 0.3:.2f}$ and $0.40/0.60 = {0.4 / 0.6:.2f}$"
@@ -409,14 +556,22 @@ WORKED = (
     paint_at_three_wavelengths,
     the_matrix_of_srgb,
     stripes_finer_than_a_cell,
-    where_sunlight_is_strongest,
+    read_noise_before_and_after,
+    chips_and_cells,
+    a_pattern_that_overtakes,
+    one_picture_or_two,
+    lightness_of_greys,
+    an_orange_in_three_ways,
+    photographs_through_the_mosaic,
+    photographs_with_coarser_colour,
+    nine_short_frames,
     threads_of_red_and_cyan,
     what_the_methods_gain,
     errors_in_the_dark,
     colour_filled_in_at_quality_30,
     files_of_the_picture,
     a_coefficient_below_zero,
-    choosing_a_gain,
+    choosing_a_conversion_gain,
     adding_noise_up,
     the_thirteenth_patch,
     patches_burnt_out_at_iso_800,

@@ -68,8 +68,8 @@ def _readouts(colours: Colours, chosen: int) -> tuple[Readout, ...]:
         Readout("xyz", "X / Y / Z", _triple(xyz), role="world"),
         Readout("xy", "x / y", _triple(xyz_to_xyy(xyz)[:2]), role="world"),
         Readout("raw", "Raw R / G / B", _triple(colours.raw[0, chosen]), role="camera"),
-        readout("gain_red", "Gain of red", colours.gains[0], role="light"),
-        readout("gain_blue", "Gain of blue", colours.gains[2], role="light"),
+        readout("gain_red", "Factor for red", colours.gains[0], role="light"),
+        readout("gain_blue", "Factor for blue", colours.gains[2], role="light"),
         Readout("codes", "sRGB", _codes(colours.srgb[0, chosen]), "of 255", "image"),
         readout("error", "Colour error", colours.error[0, chosen], "ΔE", digits=1, role="error"),
         readout(
