@@ -185,7 +185,7 @@ def a_lobe_of_unit_reflectance() -> Says:
     for roughness in (0.2, 0.6, 1.0):
         returned = float(sent_back("normalised", Material(0.0, 0.5, roughness), 1.0))
         assert np.isclose(returned, 0.5, atol=1e-3)
-    yield "its lobe then sends back the share $k_s$ of light that arrives head-on, however narrow it is"
+    yield "its lobe then sends back the share $k_s$ of light that arrives head-on, however narrow"
     yield r"Replace it by the factor $(\alpha + 2)/2$"
 
 

@@ -26,7 +26,7 @@ def disparity_px(depth_m: float, focal_px: float, baseline_m: float) -> float:
 
 def a_finger_and_two_eyes() -> Says:
     near, far = (2 * degrees(atan(3.2 / distance)) for distance in (25, 60))
-    yield f"by about {near:.0f}°, since each eye is some 3.2 cm from the middle"
+    yield f"by about {near:.0f}°, since each eye is about 3.2 cm from the middle"
     yield rf"$2\arctan(3.2/25) = {near:.1f}^\circ$"
     yield f"At arm's length, 60 cm, it jumps by {far:.0f}°"
 
@@ -50,9 +50,10 @@ def how_well_depth_is_seen() -> Says:
 
 def the_square_of_the_depth() -> Says:
     yield rf"costs $64/80 \cdot 0.5 = {depth_error(8, 160, 0.5, 0.5):g}$ m"
-    yield f"at 20 m the formula says {depth_error(20, 800, 0.1, 0.5):.1f} m, and the example found"
-    yield rf"$Z = fb/d = 160 \cdot 0.5/16 = {depth_from_disparity(16, 160, 0.5)[0]:g}$ m"
-    yield "a sixteenth of the doubt for a fourth of the depth"
+    yield f"at 20 m it says {depth_error(20, 800, 0.1, 0.5):.1f} m, and the example found"
+    yield rf"$Z = fb/d = 200 \cdot 0.8/40 = {depth_from_disparity(40, 200, 0.8)[0]:g}$ m"
+    yield "a sixteenth for a fourth of the depth"
+    assert isclose(depth_error(8, 160, 0.5, 1), 16 * depth_error(2, 160, 0.5, 1))
 
 
 def a_line_from_its_two_ends() -> Says:
@@ -78,13 +79,17 @@ def a_baseline_for_a_metre() -> Says:
 
 
 def disparity_and_depth() -> Says:
-    yield f"$Z = fb/d = 80/16 = {80 / 16:g}$ m"
+    fb = 2 * 36
+    yield f"eight times the depth: {depth_from_disparity(4.5, fb, 1)[0]:g} m"
 
 
 def averaging_frames() -> Says:
-    yield "- [x] `sqrt(16)`\n"
-    frames = np.random.default_rng(0).standard_normal((16, 20_000))
-    assert isclose(frames.mean(axis=0).std(), 1 / sqrt(16), rel_tol=0.02)
+    """Random noise is drawn anew in each frame, the fixed pattern once."""
+    random = np.random.default_rng(0)
+    pattern = 2 * random.standard_normal(20_000)
+    frames = pattern + 8 * random.standard_normal((16, 20_000))
+    assert isclose(frames.mean(axis=0).std(), sqrt(8**2 / 16 + 2**2), rel_tol=0.02)
+    yield rf"$\sqrt{{4 + 4}} = {frames.mean(axis=0).std():.1f}$"
 
 
 def the_links_of_the_first_chapter() -> Says:
@@ -109,10 +114,14 @@ def the_least_noisy_mean() -> Says:
 
 
 def a_focal_length_off_by_five_percent() -> Says:
-    yield "A focal length that is 5 % too long makes all depths 5 % too large."
-    for depth in (2.0, 4.0, 20.0):
-        disparity = disparity_px(depth, 800, 0.10)
-        assert isclose(1.05 * 800 * 0.10 / disparity, 1.05 * depth)
+    """The other geometric answer, a shifted principal point, would not keep the proportion."""
+    yield "reports 2.1 m for a post 2 m away, and 10.5 m for a wall 10 m away"
+    near, far = (disparity_px(depth, 800, 0.10) for depth in (2.0, 10.0))
+    assert isclose(1.05 * 80 / near, 2.1)
+    assert isclose(1.05 * 80 / far, 10.5)
+    shift = near - 80 / 2.1
+    assert isclose(80 / (near - shift), 2.1)
+    assert 80 / (far - shift) > 12
 
 
 WORKED = (
