@@ -2,7 +2,8 @@
 
 Szeliski, 2nd ed., section 2.3. The chain is: photons per second -> mean electrons (exposure,
 quantum efficiency, dark current) -> counted electrons (Poisson, full well) -> volts in units
-of codes (read noise, gain, black level) -> whole codes (ADC). DN is a code, a *digital number*.
+of codes (read noise, conversion gain, black level) -> whole codes (ADC). DN is a code, a *digital
+number*.
 """
 
 import math
@@ -37,7 +38,7 @@ class Sensor:
     dark_current_e_per_s: float = 0.1
     """Electrons per second that warmth frees without any light."""
     gain_e_per_dn: float = 5.0
-    """Electrons per code: a higher ISO means fewer."""
+    """Conversion gain, in electrons per code: twice the amplification (the ISO) halves it."""
     bits: int = 12
     """Bits of the analogue-to-digital converter, 1 to 16."""
     black_level_dn: float = 64.0
@@ -150,7 +151,7 @@ def _normal_counts(mean: Floats, z: Floats, full_well_e: float, *, skewed: bool)
 
 
 def read_out(electrons: ArrayLike, sensor: Sensor, rng: np.random.Generator) -> Floats:
-    """The amplified signal (...) in codes, not yet rounded: gain, read noise, black level."""
+    """The amplified signal (...) in codes, not yet rounded: read noise, conversion, black level."""
     e = as_floats(electrons)
     with np.errstate(over="ignore"):  # the converter takes ∞ for its top code
         if sensor.read_noise_e > 0:

@@ -1,9 +1,9 @@
-"""The photon-transfer curve: what the noise of flat fields gives away about a sensor.
+"""The photon-transfer curve: what the noise of flat fields says of a sensor.
 
 With the black level taken off, a field that frees λ electrons in each pixel has the mean λ / g and
-the variance λ / g² + floor, in codes, g being the gain in electrons per code: a straight line of
-slope 1 / g. European Machine Vision Association, *Standard 1288: characterization of image sensors
-and cameras*, release 4.0. J. Janesick, *Photon Transfer*, 2007.
+the variance λ / g² + floor, in codes, g being the conversion gain in electrons per code: a straight
+line of slope 1 / g. European Machine Vision Association, *Standard 1288: characterization of image
+sensors and cameras*, release 4.0. J. Janesick, *Photon Transfer*, 2007.
 """
 
 import math
@@ -28,12 +28,12 @@ FEWEST_E = 10.0
 them adds several times as much, or takes away: gains would come out 2 % off."""
 
 LARGEST_ERROR = 0.1
-"""Standard error of a gain, as a share of it, from which on none is told."""
+"""Standard error of a gain, as a share of it, from which on it is refused."""
 
 
 @dataclass(frozen=True, slots=True)
 class Gain:
-    """What a transfer curve tells of a sensor's gain."""
+    """A sensor's conversion gain, measured."""
 
     e_per_dn: float
     """Electrons per code."""
