@@ -7,6 +7,7 @@ from support.worked_numbers import Says
 
 from simulations.models.geometry.rotations import exponential
 from simulations.models.geometry.transforms import apply_homography
+from simulations.models.lens.pinhole import sharpest_hole_mm, spread_mm
 from simulations.models.lens.thin_lens import principal_distance_mm
 from simulations.models.projection.affine_cameras import project_affine, scaled_orthographic_camera
 from simulations.models.projection.level_ground import height_by_horizon, pose_above_ground
@@ -15,6 +16,7 @@ from simulations.models.projection.pinhole import (
     intrinsics,
     look_at,
     project,
+    rigid_pose,
     world_to_camera,
 )
 from simulations.models.projection.vanishing import angle_between, vanishing_point
@@ -64,7 +66,7 @@ def focusing_makes_the_picture_larger() -> Says:
     far, near = (degrees(field_of_view_rad(distance, 36)) for distance in (50, sensor))
     yield rf"has shrunk from ${far:.1f}^\circ$ to ${near:.1f}^\circ$"
     face = principal_distance_mm(135, 1000) / 135 - 1
-    yield f"With a 135 mm lens and a face at 1 m it is {100 * face:.0f} %."
+    yield f"With a 135 mm lens and a face at 1 m, the picture grows by {100 * face:.0f} %."
 
 
 def photographing_the_lamp() -> Says:
@@ -78,7 +80,10 @@ def photographing_the_lamp() -> Says:
 
 
 def the_sharpest_pinhole() -> Says:
-    yield f"that is {sqrt(2.44 * 550e-6 * 100):.2f} mm"
+    best = sharpest_hole_mm(100, 0.55)
+    assert isclose(best, sqrt(2.44 * 550e-6 * 100), rel_tol=1e-3)
+    yield f"which is {best:.2f} mm for this box"
+    yield f"- [x] {spread_mm(0.1, 100, 0.55):.1f} mm, three times as wide"
 
 
 def where_two_rails_meet() -> Says:
@@ -91,7 +96,7 @@ def where_two_rails_meet() -> Says:
     u, v = meet[:2] / meet[2]
     yield rf"\sim \begin{{bmatrix}} {u:.0f} \\ {v:.0f} \\ 1 \end{{bmatrix}}"
     yield f"The rails meet at $({u:.0f}, {v:.0f})$."
-    yield f"There the rails meet {240 - v:.0f} px above it"
+    yield f"Then the rails meet {240 - v:.0f} px above the principal point"
     yield rf"$\arctan(24/800) = {degrees(atan(24 / 800)):.1f}^\circ$"
     down = look_at([0, 0, 0], [0, -24 / 800, 1], [0, 1, 0])  # heights upwards, z along the track
     seen, valid = vanishing_point(down[:3, :3] @ (0, 0, 1), intrinsics(800, (320, 240)))
@@ -116,35 +121,37 @@ def what_one_depth_for_all_costs() -> Says:
 
 def a_ball_near_the_border() -> Says:
     assert np.isclose(1 / cos(radians(60)), 2), "about twice as long as it is wide"
-    yield r"At $\theta = 60^\circ$ it is about twice as long as it is wide"
+    yield r"At $\theta = 60^\circ$ the ellipse is about twice as long as it is wide"
 
 
 def how_tall_the_tree_is() -> Says:
-    assert isclose(image_px(1, 20, 80) / image_px(1, 10, 80), 1 / 2)
-    yield "A tree is 200 px tall"
-    yield "- [x] `200 / 2`"
-    yield "- [ ] `200 / sqrt(2)`\n  : Halving the area would do that."
+    assert isclose(200 * image_px(1, 20, 40) / image_px(1, 30, 80), 150)
+    yield "- [x] `200 * (30 / 20) / 2`"
+    assert isclose(200 * 30 / 20, 300)
+    yield "which makes 300 px"
 
 
 def the_share_that_is_lost() -> Says:
     assert isclose((100.1 - 100) / 100, 1e-3, rel_tol=1e-6)
     assert isclose(0.1 / 0.6, 1 / 6)
-    yield "that is a thousandth: a tenth of a pixel for a nose that is 100 px"
+    yield "so its share is a thousandth: a tenth of a pixel for a nose that is 100 px"
 
 
 def focal_against_depth() -> Says:
-    yield "- [x] Focal length 120 px, depth 5 m\n  : $x$ is proportional to $f$"
-    assert isclose(image_px(1, 10, 160), image_px(1, 5, 80))
-    yield f"$x$ is 16/1.5 = {16 / 1.5:.1f} px"
-    yield rf"120/80 = {120 / 80:g}. With $X = 1$ m: $120 \cdot 1/5 = {image_px(1, 5, 120):g}$ px"
-    yield rf"only $8 \cdot 1/5 = {image_px(1, 5, 8):g}$ px"
+    assert isclose(image_px(1, 4, 120), 30)
+    yield "- [x] Focal length 180 px, depth 4 m\n  : $x$ is proportional to $f$"
+    assert isclose(image_px(1, 8, 240), image_px(1, 4, 120))
+    yield f"$x$ is $30/1.5 = {image_px(1, 6, 120):g}$ px"
+    yield rf"$180/120 = {180 / 120:g}$. With $X = 1$ m"
+    yield rf"$180 \cdot 1/4 = {image_px(1, 4, 180):g}$ px"
+    yield rf"only $15 \cdot 1/4 = {image_px(1, 4, 15):g}$ px"
 
 
 def a_right_angle_in_a_photograph() -> Says:
     K = intrinsics(320, (200, 150))
     pose = pose_above_ground(1.6, radians(30), 0)
     (rows, across), _ = vanishing_point(np.array([(0, 1, 0), (1, 0, 0)]) @ pose[:3, :3].T, K)
-    yield rf"at $x = 200 - 320\tan 30^\circ = {rows[0]:.2f}$ px"
+    yield rf"at $u = 200 - 320\tan 30^\circ = {rows[0]:.2f}$ px"
     yield rf"at $200 + 320\tan 60^\circ = {across[0]:.2f}$ px"
     slopes = [(round(x, 2) - 200) / 320 for x in (rows[0], across[0])]
     yield f"$({rows[0]:.2f} - 200)/320 = {slopes[0]:.3f}$"
@@ -160,9 +167,10 @@ def how_tall_the_box_is() -> Says:
     yield f"$150 + 320 \\cdot 1.6/4 = {foot:.0f}$ and its top in row {top:.0f}"
     yield f"it is {foot - top:.0f} px to the top and {foot - 150:.0f} px to the horizon"
     ratio, _ = height_by_horizon((200, foot), (200, top), (0, 1, -150), (0, 1, 0))
-    yield f"${foot - top:.0f}/{foot - 150:.0f} = {ratio:g}$ as tall as the camera is high"
+    yield f"${foot - top:.0f}/{foot - 150:.0f} = {ratio:g}$ of the camera's height"
     yield f"that is {1.6 * ratio:.1f} m"
-    yield rf"$f\tan 12^\circ = {320 * tan(radians(12)):.0f}$ px above the principal point"
+    yield rf"$320\tan 12^\circ = {320 * tan(radians(12)):.0f}$ px above the principal point"
+    yield rf"$320\tan 20^\circ = {320 * tan(radians(20)):.0f}$ px above the principal point"
 
 
 def the_cross_ratio_of_an_upright() -> Says:
@@ -209,7 +217,124 @@ def a_wall_between_two_views() -> Says:
     yield "$f$ times that is 20 px to the left"
 
 
+ROAD = np.array([[1, 0, 0], [0, 1, 0], [0.5, 0, 1]])
+
+
+def the_picture_of_a_circle() -> Says:
+    back = np.linalg.inv(ROAD)
+    C = back.T @ np.diag([1, 1, -1]) @ back
+    assert np.isclose(C[0, 1], 0)
+    yield f"${C[0, 0]:g}x^2 + x + y^2 - 1 = 0$"
+    assert np.allclose([2 * C[0, 2], C[1, 1], C[2, 2]], [1, 1, -1])
+    left, right = (float(apply_homography(ROAD, [x, 0.0])[0][0]) for x in (-1.0, 1.0))
+    yield f"from $x = {left:g}$ to $x = {right:.3f}$, the images of $(-1, 0)$ and $(1, 0)$"
+    yield f"Its middle is at ${(left + right) / 2:.3f}$"
+
+
+def a_ratio_of_ratios() -> Says:
+    def ratio(a: float, b: float, c: float, d: float) -> float:
+        return (b - a) * (d - c) / ((c - a) * (d - b))
+
+    after = [float(apply_homography(ROAD, [x, 0.0])[0][0]) for x in range(4)]
+    yield "become {:g}, {:.3f}, {:g} and {:g}".format(*after)
+    yield f"$1 \\cdot 1/(2 \\cdot 2) = {ratio(0, 1, 2, 3):g}$"
+    yield f"/(1 \\cdot {after[3] - after[1]:.3f}) = {ratio(*after):g}$"
+
+
+def depths_before_two_cameras() -> Says:
+    """A table 2 m below, seen by two cameras: w is the quotient of the depths."""
+    K = intrinsics(800.0, (320.0, 240.0))
+    pose = rigid_pose(exponential([0.2, -0.4, 0.1]), [0.5, -0.2, 0.3])
+    H = plane_between_views(K, K, pose, [0.0, 1.0, 0.2, -2.0])
+    X = np.array([0.4, 1.2, 4.0])
+    assert X @ [0.0, 1.0, 0.2] == 2.0
+    w = (H @ [*(K @ X)[:2] / X[2], 1.0])[2]
+    assert np.isclose(w, world_to_camera(X, pose)[2] / X[2])
+    yield "$w$ is the point's depth in front of the second camera divided by its depth in front"
+
+
+def a_step_forwards() -> Says:
+    """Two metres towards things 4 m and 8 m away: the slide goes with the second depth."""
+    K = intrinsics(800, (0, 0))
+    slides = []
+    for depth in (4.0, 8.0):
+        point = np.array([100 / 800 * depth, 0, depth])
+        assert isclose(project(point, K)[0][0], 100)
+        slides.append(project(point - (0, 0, 2.0), K)[0][0] - 100)
+    yield f"the pixel slides by {slides[0]:.0f} px. If it was 8 m away"
+    yield f"the pixel slides by {slides[1]:.1f} px"
+    assert isclose(slides[0] / slides[1], (8 - 2) / (4 - 2))
+
+
+def the_invertible_camera() -> Says:
+    K, pose = np.eye(4), rigid_pose(exponential([0.2, -0.4, 0.1]), [0.5, -0.2, 0.3])
+    K[:3, :3] = intrinsics(800, (320, 240))
+    X = np.array([0.4, 1.2, 4.0, 1.0])
+    image = K @ pose @ X
+    image /= image[2]
+    depth = (pose @ X)[2]
+    pixel, _ = project((pose @ X)[:3], K[:3, :3])
+    assert np.allclose(image, [*pixel, 1, 1 / depth])
+    yield r"\tilde{P}\,\mathbf{X} \sim (u,\ v,\ 1,\ 1/Z)^\top"
+    back = np.linalg.inv(K @ pose) @ image
+    assert np.allclose(back / back[3], X)
+    both = K @ pose @ np.linalg.inv(K)
+    R, t = pose[:3, :3], pose[:3, 3]
+    K3 = K[:3, :3]
+    assert np.allclose(both[:3], np.column_stack([K3 @ R @ np.linalg.inv(K3), K3 @ t]))
+    yield r"the upper three rows of $\tilde{P}_1\tilde{P}_0^{-1}$"
+    yield f"{1 / 8:g} per metre for the lamp"
+
+
+def an_object_centred_projection() -> Says:
+    K = intrinsics(800, (0, 0))
+    R, t, p = exponential([0.2, -0.4, 0.1]), np.array([0.5, -0.2, 10.0]), np.array([0.3, 0.1, -0.4])
+    a, eta = 800 / t[2], 1 / t[2]
+    x = a * (R[0] @ p + t[0]) / (1 + eta * R[2] @ p)
+    assert isclose(x, project(R @ p + t, K)[0][0])
+    near, far = (100 * (1 / (1 - 0.1 / depth) - 1) for depth in (10, 20))
+    yield f"$a$ is {800 / 10:g} px/m"
+    assert isclose(800 / 10, 1600 / 20)
+    yield f"is enlarged by {near:.1f} % and by {far:.1f} %"
+    assert isclose(0.25 * 80, 20), "a head 0.25 m wide"
+
+
+def normalised_coordinates_of_the_lamp() -> Says:
+    x, y, _ = np.linalg.inv(intrinsics(800, (320, 240))) @ (620, 140, 1)
+    yield f"$(3/8, -1/8) = ({x:g}, {y:g})$"
+
+
+def where_the_camera_stands() -> Says:
+    K = intrinsics(800, (320, 240))
+    t = np.linalg.inv(K) @ (1760, 720, 3)
+    t = np.round(t, 12)
+    yield "$\\mathbf{{t}} = K^{{-1}}(1760, 720, 3)^\\top = ({:g}, {:g}, {:g})$ m".format(*t)
+    yield "- [x] `(1760 - 320 * 3) / 800`"
+
+
+def only_a_level_view_along_the_rows_has_one_vanishing_point() -> Says:
+    K = intrinsics(320, (200, 150))
+    axes = np.array([(0.0, 1.0, 0.0), (1.0, 0.0, 0.0), (0.0, 0.0, 1.0)])
+    for (pitch, yaw), count in (((0, 0), 1), ((12, 0), 2), ((0, 45), 2), ((12, 45), 3)):
+        pose = pose_above_ground(1.6, radians(yaw), radians(pitch))
+        pixels, valid = vanishing_point(axes @ pose[:3, :3].T, K)
+        near = np.abs(np.where(valid[:, None], pixels, np.inf)).max(axis=1) < 1e9
+        assert near.sum() == count, (pitch, yaw)
+    yield "Look level and straight along the rows: the lines across"
+    yield "Turn by 45° and there are two"
+    yield "Look down as well and there are three"
+
+
 WORKED = (
+    the_picture_of_a_circle,
+    a_ratio_of_ratios,
+    depths_before_two_cameras,
+    a_step_forwards,
+    the_invertible_camera,
+    an_object_centred_projection,
+    normalised_coordinates_of_the_lamp,
+    where_the_camera_stands,
+    only_a_level_view_along_the_rows_has_one_vanishing_point,
     a_turn_and_a_step_aside,
     a_wall_between_two_views,
     a_thumb_s_distance,

@@ -34,7 +34,6 @@ from simulations.illustrations import (
     pixel_footprint,
     reflection_lobes,
     rolling_shutter,
-    sharpest_pinhole,
     sheet_pinhole_lens,
     similar_triangles,
     steps_and_error,
@@ -128,12 +127,6 @@ def test_images_along_the_rail_approach_the_vanishing_point() -> None:
     )
     gaps = [vanishing_point.end() - vanishing_point.image(metres) for metres in (1, 10, 100, 1000)]
     assert [far / near < 0.4 for near, far in pairwise(gaps)] == [True] * 3
-
-
-def test_no_pinhole_makes_a_smaller_spot_than_the_sharpest() -> None:
-    holes = np.geomspace(0.01, 10, 1001)
-    spots = np.maximum(holes, sharpest_pinhole.spread_mm(holes))
-    assert holes[np.argmin(spots)] == pytest.approx(sharpest_pinhole.sharpest_mm(), rel=0.01)
 
 
 def test_newton_s_guesses_run_to_the_root() -> None:

@@ -1,0 +1,15 @@
+"""The controls of the pinhole."""
+
+from dataclasses import dataclass
+
+from simulations.engine.settings import slider, toggle
+
+NARROWEST_MM, WIDEST_MM = 0.1, 2.0
+
+
+@dataclass(frozen=True, slots=True)
+class Settings:
+    """What the reader may change."""
+
+    hole: float = slider("Width of the hole", 1.0, NARROWEST_MM, WIDEST_MM, 0.01, unit="mm")
+    longer: bool = toggle("Expose a dim picture longer")
