@@ -1,0 +1,62 @@
+"""Near Trouble: what rounding makes of a formula, as written and rearranged."""
+
+import math
+
+from simulations.engine.frame import Frame, Panel, Readout, format_number, power_of_ten
+from simulations.engine.scene import Scene
+from simulations.engine.stages import Outputs, Stage
+from simulations.scenes.stability import plot
+from simulations.scenes.stability.errors import Errors, errors_of
+from simulations.scenes.stability.handles import HANDLES
+from simulations.scenes.stability.settings import FORMULAS, Settings
+
+
+def draw(settings: Settings, outputs: Outputs) -> Frame:
+    """Both errors and the bound, and how many digits are right where the mark stands."""
+    errors: Errors = outputs["errors"]
+    return Frame(
+        panels=(Panel("plot", "", plot.WIDTH, plot.HEIGHT, overlay=plot.draw(settings, errors)),),
+        readouts=(
+            Readout("digits", "Right digits, as written", _written(settings, errors), "", "error"),
+        ),
+        description=describe(settings, errors),
+    )
+
+
+def right_digits(error: float) -> str:
+    """To a tenth of a digit; no inputs where there is no error."""
+    return "no inputs" if math.isnan(error) else format_number(-math.log10(error), 1)
+
+
+def _written(settings: Settings, errors: Errors) -> str:
+    return right_digits(float(plot.shown(errors.written, settings.digits)[plot.place_of(settings)]))
+
+
+def describe(settings: Settings, errors: Errors) -> str:
+    """Both ways where the mark stands, in one sentence."""
+    at = plot.place_of(settings)
+    where = f"{FORMULAS[settings.formula]} in {settings.digits}"
+    if math.isnan(errors.written[at]):
+        return f"{where}: the format has no two numbers that close."
+    written, rearranged = (
+        right_digits(float(plot.shown(each, settings.digits)[at]))
+        for each in (errors.written, errors.rearranged)
+    )
+    ways = plot.WAYS[settings.formula]
+    power = format_number(settings.power, 2).rstrip("0").rstrip(".")
+    distance = power_of_ten(int(settings.power)) if settings.power % 1 == 0 else f"10^{power}"
+    return (
+        f"{where}, at a distance of {distance} from trouble: "
+        f"{written} right digits by {ways[0]}, {rearranged} by {ways[1]}."
+    )
+
+
+# The curves are worked out in some milliseconds, once for a formula and a format: no tiers.
+SCENE = Scene(
+    id="stability",
+    title="Near Trouble",
+    settings=Settings,
+    draw=draw,
+    stages=(Stage("errors", errors_of),),
+    handles=HANDLES,
+)

@@ -1,0 +1,24 @@
+"""The controls of the stability figure."""
+
+from dataclasses import dataclass
+
+from simulations.engine.settings import choice, slider
+
+FORMULAS = {
+    "angle": "Angle between two orientations",
+    "blur": "Blur beside the focus",
+    "origin": "Pixel, far from the origin",
+    "fold": "Ideal radius, near the fold",
+}
+FORMATS = {"float64": "float64", "float32": "float32"}
+LOWEST, STEP = -15.0, 0.25
+"""Power of ten of the smallest distance from trouble, and the step between two."""
+
+
+@dataclass(frozen=True, slots=True)
+class Settings:
+    """What the reader may change."""
+
+    formula: str = choice("Formula", FORMULAS)
+    digits: str = choice("Numbers", FORMATS)
+    power: float = slider("Distance, power of ten", -4.0, LOWEST, 0.0, STEP)
