@@ -54,9 +54,9 @@ def _section(rays: ChiefRays, glass: Singlet, stands: tuple[float, ...], stop: f
     return [
         line((4, AXIS_Y), (WIDTH - 4, AXIS_Y), "muted thin dashed"),
         *(polygon(_at(_outline(glass, place)), "camera fill") for place in stands),
-        *(line(*_at(np.array([[stop, 2.2 * up], [stop, 15.0 * up]])), "bold") for up in (1, -1)),
-        line(*_at(np.array([[sensor, -21.0], [sensor, 21.0]])), "image"),
-        line(*_at(np.stack([ways[-1], right])), "world thin dashed"),
+        *(polyline(_at(np.array([[stop, 2.2 * up], [stop, 15.0 * up]])), "bold") for up in (1, -1)),
+        polyline(_at(np.array([[sensor, -21.0], [sensor, 21.0]])), "image"),
+        polyline(_at(np.stack([ways[-1], right])), "world thin dashed"),
         polyline(_at(np.stack([start, *ways, wrong])), "ray"),
         dot(tuple(_at(right)), "world", 3),
         dot(tuple(_at(wrong)), "image", 3),
