@@ -123,7 +123,6 @@ def what_is_said_of_wide_discs() -> Says:
     yield f"until they are {near:.0f} pixels wide"
     yield f"Such a disc covers {round(np.pi * near**2 / 4, -2):.0f} pixels"
     assert round(near / narrow) == 6
-    yield "With discs six times as wide"
     wide, before = wide_discs.prepare(), depth_of_field.prepare()
     assert round(wide.lens_radius / before.lens_radius) == 3
     assert wide.seen.shape == (2 * before.seen.shape[0], 2 * before.seen.shape[1])

@@ -64,7 +64,6 @@ def how_near_the_fold_the_barrel_is_seen() -> Says:
 
 def samples_of_a_box() -> Says:
     yield f"A box of 16 × 16 samples a pixel has {16**2} times the work"
-    yield f"About {16**2}\n"
     yield f"every pixel of a blurred layer is a sum of {round(np.pi * 24**2, -2):.0f} terms"
     yield f"For a figure of 320 × 240 pixels that is {round(33e6 / (320 * 240), -1):.0f} ns"
 
