@@ -177,7 +177,7 @@ def water_at_a_slant() -> Says:
     shown = float(schlick(np.array(cos(radians(75))), 0.02))
     yield f"= {off:.3f}$, to the fifth {off**5:.3f}, and"
     yield rf"$0.02 + 0.98 \cdot {off**5:.3f} = {shown:.2f}$"
-    assert np.isclose(fresnel(cos(radians(75)), 1.33), shown, atol=0.035)
+    yield f"Fresnel's own formulae give {fresnel(cos(radians(75)), 1.33):.2f}."
 
 
 def a_lobe_of_unit_reflectance() -> Says:

@@ -39,7 +39,7 @@ def test_the_pixel_at_the_probed_point_has_the_brightness_read_out(
     assert pixel[0] == pytest.approx(255 * min(float(encode_srgb(seen)), 1), abs=3)
 
 
-def test_the_ground_has_the_balls_colour_and_the_skin_that_of_the_lamp() -> None:
+def test_the_matte_part_has_the_balls_colour_and_the_mirrored_that_of_the_lamp() -> None:
     matte = frame(model="lambert", light_angle=0, view_angle=0, albedo=0.6).panels[1].raster
     metal = frame(albedo=0, light_angle=0, view_angle=0, roughness=0.6).panels[1].raster
     assert matte is not None

@@ -53,7 +53,7 @@ class Material:
 
 
 type Parts = tuple[Floats, Floats]
-"""What the matte ground sends back for an albedo of 1, and what the skin does; both in 1/sr."""
+"""What the matte part sends back for an albedo of 1, and what the surface mirrors, in 1/sr."""
 
 
 def _lambert(n_l: Floats, n_v: Floats, l_v: Floats, _of: Material) -> Parts:
@@ -74,7 +74,7 @@ def _normalised_phong(n_l: Floats, n_v: Floats, l_v: Floats, of: Material) -> Pa
 
 
 def _microfacets(n_l: Floats, n_v: Floats, l_v: Floats, of: Material) -> Parts:
-    """F D G / (4 n·l n·v) over a matte ground, which gets what both passages of the skin let by."""
+    """F D G / (4 n·l n·v) over a matte body, which gets what the surface lets through both ways."""
     half = np.sqrt(np.maximum(2.0 + 2.0 * l_v, NEARLY_ZERO))
     n_h = np.minimum((n_l + n_v) / half, 1.0)
     mirror = schlick(0.5 * half, of.specular) * facets(n_h, of.roughness)
@@ -94,8 +94,8 @@ def reflected(
     model: str, material: Material, n_l: ArrayLike, n_v: ArrayLike, l_v: ArrayLike
 ) -> Floats:
     """The BRDF (...) in 1/sr. Raises `ValueError` for a model that is none of `MODELS`."""
-    ground, skin = parts(model, material, n_l, n_v, l_v)
-    return material.albedo * ground + skin
+    matte, mirrored = parts(model, material, n_l, n_v, l_v)
+    return material.albedo * matte + mirrored
 
 
 def parts(model: str, material: Material, n_l: ArrayLike, n_v: ArrayLike, l_v: ArrayLike) -> Parts:
@@ -103,8 +103,8 @@ def parts(model: str, material: Material, n_l: ArrayLike, n_v: ArrayLike, l_v: A
     require_one_of("model", model, MODELS)
     light, eye, between = as_floats(n_l), as_floats(n_v), as_floats(l_v)
     above = (light > 0) & (eye > 0)
-    ground, skin = MODELS[model](np.maximum(light, 0), np.maximum(eye, 0), between, material)
-    return np.where(above, ground, 0), np.where(above, skin, 0)
+    matte, mirrored = MODELS[model](np.maximum(light, 0), np.maximum(eye, 0), between, material)
+    return np.where(above, matte, 0), np.where(above, mirrored, 0)
 
 
 def schlick(cosine: Floats, head_on: float) -> Floats:

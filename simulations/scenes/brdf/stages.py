@@ -41,10 +41,10 @@ class Lit:
 
     pixels: NDArray[np.intp]
     """(N,) in the flattened square."""
-    ground: Floats
-    """(N,) brightness of what is below the skin, for an albedo of 1."""
-    skin: Floats
-    """(N,) brightness of the skin."""
+    matte: Floats
+    """(N,) brightness of the matte part, for an albedo of 1."""
+    mirrored: Floats
+    """(N,) brightness of what the surface mirrors."""
 
 
 def _material(albedo: float, specular: float, roughness: float) -> Material:
@@ -85,15 +85,15 @@ def _light(
     pixels = np.flatnonzero((n_l > 0) & (ball.inner | ball.rim))
     shade = n_l.flat[pixels]
     n_v, l_v = ball.normals[..., 2].flat[pixels], to_light[2]
-    ground, skin = parts(model, Material(1.0, specular, roughness), shade, n_v, l_v)
+    matte, mirrored = parts(model, Material(1.0, specular, roughness), shade, n_v, l_v)
     shade *= np.float32(np.pi)
-    return Lit(pixels, ground * shade, skin * shade)
+    return Lit(pixels, matte * shade, mirrored * shade)
 
 
 def _picture(ball: Ball, lit: Lit, albedo: float) -> Raster:
     """(H, W, 4) bytes."""
     light = np.zeros((ball.inner.size, 3), np.float32)
-    light[lit.pixels] = lit.skin[:, None] + lit.ground[:, None] * (np.float32(albedo) * TINT)
+    light[lit.pixels] = lit.mirrored[:, None] + lit.matte[:, None] * (np.float32(albedo) * TINT)
     return paint(ball, light.reshape(*ball.inner.shape, 3))
 
 

@@ -16,7 +16,7 @@ from simulations.models.light.reflectance import blinn_phong, lambert, phong
 from simulations.scenes._ball.ball import Ball, light_direction, true_cosine, true_normals
 
 ALBEDO = np.array([0.60, 0.06, 0.05], np.float32)
-"""Linear RGB of the ball's skin; the plot and the readouts follow red, the first."""
+"""Linear RGB of the ball's paint; the plot and the readouts follow red, the first."""
 VIEW = (0.0, 0.0, 1.0)
 """Towards the camera, the same for every point: it stands far away."""
 

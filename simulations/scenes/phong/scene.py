@@ -1,7 +1,7 @@
 """A glossy ball: matte colour plus a highlight, by Phong's model or Blinn's variant of it.
 
-The ball returns its own colour from below the skin and the lamp's colour from the skin itself,
-so only the red part of a pixel holds both in full.
+The ball returns its own colour from below its surface and the lamp's colour from the surface
+itself, so only the red part of a pixel holds both in full.
 """
 
 import math

@@ -64,8 +64,8 @@ def test_microfacets_are_those_of_walter_and_heitz() -> None:
         mirrored, into, out = (
             0.3 + 0.7 * (1 - cosine) ** 5 for cosine in (half @ light, light[2], eye[2])
         )
-        skin = mirrored * density / (1 + hidden) / (4 * light[2] * eye[2])
-        assert found[1][i] == pytest.approx(skin, rel=1e-9)
+        mirrored = mirrored * density / (1 + hidden) / (4 * light[2] * eye[2])
+        assert found[1][i] == pytest.approx(mirrored, rel=1e-9)
         assert found[0][i] == pytest.approx((1 - into) * (1 - out) / np.pi)
 
 
@@ -178,9 +178,9 @@ def test_schlick_joins_head_on_and_grazing_and_is_near_fresnel_between() -> None
 def peak_deg(light_deg: float, f_0: float) -> float:
     """Where the highlight alone is brightest, in degrees from the normal, away from the light."""
     light, around = np.radians(light_deg), np.radians(np.arange(0.0, 90.0, 0.05))
-    skin = Material(0.0, f_0, 0.25)
+    mirrored = Material(0.0, f_0, 0.25)
     cosines = np.cos(light), np.cos(around), np.cos(light + around)
-    return float(np.degrees(around[reflected("microfacets", skin, *cosines).argmax()]))
+    return float(np.degrees(around[reflected("microfacets", mirrored, *cosines).argmax()]))
 
 
 def test_projection_and_masking_push_the_peak_beyond_the_mirror_with_fresnel_constant() -> None:
@@ -206,8 +206,8 @@ def test_a_rougher_lobe_has_a_smaller_exponent() -> None:
 def test_single_precision_stays() -> None:
     cosine = np.full(3, 0.5, np.float32)
     for model in MODELS:
-        ground, skin = parts(model, SATIN, cosine, cosine, cosine)
-        assert ground.dtype == skin.dtype == np.float32
+        matte, mirrored = parts(model, SATIN, cosine, cosine, cosine)
+        assert matte.dtype == mirrored.dtype == np.float32
 
 
 @pytest.mark.parametrize(
