@@ -52,7 +52,7 @@ def the_square_of_the_depth() -> Says:
     yield rf"costs $64/80 \cdot 0.5 = {depth_error(8, 160, 0.5, 0.5):g}$ m"
     yield f"at 20 m it says {depth_error(20, 800, 0.1, 0.5):.1f} m, and the example found"
     yield rf"$Z = fb/d = 200 \cdot 0.8/40 = {depth_from_disparity(40, 200, 0.8)[0]:g}$ m"
-    yield "a sixteenth for a fourth of the depth"
+    yield "about a sixteenth for a fourth of the depth"
     assert isclose(depth_error(8, 160, 0.5, 1), 16 * depth_error(2, 160, 0.5, 1))
 
 
