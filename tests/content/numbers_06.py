@@ -207,10 +207,10 @@ def photograph(name: str) -> Floats:
 
 
 def photographs_through_the_mosaic() -> Says:
-    on_screen, in_light = [], []
+    shared, on_screen, in_light = [], [], []
     for name in PHOTOGRAPHS:
         truth = photograph(name)
-        cells = [f"{share:.2f}" for share in shared_detail(truth)]
+        shared.extend(shared_detail(truth))
         guessed = [
             np.clip(demosaic(mosaic(truth), method=method), 0, 1)
             for method in ("bilinear", "menon-unrefined")
@@ -219,12 +219,9 @@ def photographs_through_the_mosaic() -> Says:
         light = [psnr_db(g, truth, crop=8) for g in guessed]
         on_screen.append(shown[1] - shown[0])
         in_light.append(light[1] - light[0])
-        yield (
-            "| ".join(
-                [f"| {name} ", *(f"{c} " for c in cells + [f"{v:.1f}" for v in shown + light])]
-            )
-            + "|"
-        )
+        cells = (f"{bilinear:.1f}, {menon:.1f}" for bilinear, menon in (shown, light))
+        yield f"| {name} | {' | '.join(cells)} |"
+    yield f"the correlations lie between {min(shared):.2f} and {max(shared):.2f}"
     yield "it wins by 4 to 6 dB in light, and on the screen by as little as 0.4 dB"
     assert round(min(in_light)) == 4
     assert round(max(in_light)) == 6

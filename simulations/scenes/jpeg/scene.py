@@ -66,7 +66,7 @@ def _readouts(psnr: float, size: Size, block_kept: int) -> tuple[Readout, ...]:
         readout("psnr", "PSNR", psnr, "dB", digits=1, role="error"),
         readout("kept", "Coefficients kept, of 3 a pixel", kept_percent, "%", digits=1),
         readout("rate", "Size", size.bits / PIXELS, "bits a pixel", role="image"),
-        Readout("ratio", "24 bits a pixel against it", ratio),
+        Readout("ratio", "Compression, from 24 bits a pixel", ratio),
         readout("block_kept", "Kept in the block", block_kept, "of 64", digits=0, role="image"),
     )
 

@@ -76,7 +76,7 @@ def _readouts(colours: Colours, chosen: int) -> tuple[Readout, ...]:
             "mean", "Mean of the chart", colours.error[0, 1:].mean(), "ΔE", digits=1, role="error"
         ),
         readout(
-            "apart", "To its twin, by the eye", colours.apart[chosen], "ΔE", digits=1, role="world"
+            "apart", "To its twin, for the eye", colours.apart[chosen], "ΔE", digits=1, role="world"
         ),
     )
 
