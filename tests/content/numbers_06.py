@@ -207,7 +207,8 @@ def photograph(name: str) -> Floats:
 
 
 def photographs_through_the_mosaic() -> Says:
-    shared, on_screen, in_light = [], [], []
+    shared: list[float] = []
+    on_screen, in_light = [], []
     for name in PHOTOGRAPHS:
         truth = photograph(name)
         shared.extend(shared_detail(truth))
