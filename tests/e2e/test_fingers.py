@@ -53,7 +53,7 @@ def test_a_finger_moves_a_mark_and_scrolls_the_page_elsewhere(
 
 def test_a_finger_that_rests_on_the_ground_drags_it_up_and_down(phone: Reader, book: Any) -> None:
     figure = in_view(phone, book, "rotation-3d")
-    ground = centre(figure.locator('[data-handle="view-attitude"]'))
+    ground = centre(figure.locator('[data-handle="view"]'))
     start = (ground[0] - 60, ground[1] - 90)
     before, scrolled = value(figure, "elevation"), scroll(phone)
     swipe(phone, start, (0, 80), taken=figure.locator(".handles.taken"))
@@ -66,7 +66,7 @@ def test_a_finger_that_goes_up_the_ground_at_once_scrolls_the_page(
     phone: Reader, book: Any
 ) -> None:
     figure = in_view(phone, book, "rotation-3d")
-    ground = centre(figure.locator('[data-handle="view-attitude"]'))
+    ground = centre(figure.locator('[data-handle="view"]'))
     before, scrolled = value(figure, "elevation"), scroll(phone)
     phone.page.evaluate(SLOW_CLOCK)
     swipe(phone, (ground[0] - 60, ground[1] - 90), (0, -120))

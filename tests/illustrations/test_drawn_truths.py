@@ -39,7 +39,6 @@ from simulations.illustrations import (
     steps_and_error,
     tilted_surface,
     vanishing_point,
-    world_and_camera,
 )
 
 
@@ -78,12 +77,6 @@ def test_images_of_parallels_meet_on_the_drawn_line() -> None:
         x, y = p + share * (q - p)
         assert line_at_infinity.vanishing(direction) == pytest.approx([x, y])
         assert line_at_infinity.horizon(x)[1] == pytest.approx(y)
-
-
-def test_the_lamp_is_eight_metres_ahead_of_the_camera_and_three_to_its_right() -> None:
-    assert world_and_camera.from_camera(3, 8) == pytest.approx(
-        world_and_camera.above(world_and_camera.LAMP)
-    )
 
 
 def test_a_vector_is_turned_as_scipy_turns_it() -> None:

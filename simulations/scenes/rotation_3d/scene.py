@@ -1,7 +1,7 @@
-"""3D Rotation: Euler angles and their lock, and three ways to blend two orientations.
+"""3D Rotation: three ways to blend two orientations of a camera.
 
-R = Rz(yaw) Ry(pitch) Rx(roll), moving axes, x forward, y right, z down. The second panel goes
-from level flight, R = I, to the attitude of the first.
+The way goes from straight ahead, C = I, to C = Ry(pan) Rx(tilt) Rz(roll), in a world whose axes
+are right, down and ahead.
 """
 
 import math
@@ -9,115 +9,70 @@ from collections.abc import Iterator
 
 import numpy as np
 
-from simulations.engine.frame import (
-    Frame,
-    Panel,
-    Readout,
-    format_number,
-    matrix_readout,
-    readout,
-)
+from simulations.engine.frame import Frame, Panel, Readout, format_number, readout
 from simulations.engine.scene import Scene
 from simulations.engine.stages import Outputs
 from simulations.models.arrays import Floats
 from simulations.models.geometry import quaternions
 from simulations.models.geometry.quaternion_blends import BLENDS
 from simulations.models.geometry.rotation_paths import off_great_circle
-from simulations.scenes.rotation_3d import rings, sphere
+from simulations.scenes.rotation_3d import sphere
 from simulations.scenes.rotation_3d.handles import HANDLES
 from simulations.scenes.rotation_3d.settings import Settings
-from simulations.scenes.rotation_3d.sphere import LABELS, LEVEL, Way
-from simulations.scenes.rotation_3d.stages import STAGES, Attitude, judge
-
-LOST = 1e-6
-"""Singular value below which a direction of turning counts as lost."""
-ROUNDING = 1e-14
-"""Departure from a rotation that rounding explains; the digits below differ by machine."""
+from simulations.scenes.rotation_3d.sphere import LABELS, START, Way
+from simulations.scenes.rotation_3d.stages import STAGES, Orientation, judge
 
 
 def draw(settings: Settings, outputs: Outputs) -> Frame:
-    """The attitude in its rings, and the aircraft on its way there."""
-    here: Attitude = outputs["attitude"]
+    """The camera on its way, and the three traces of its line of sight."""
+    here: Orientation = outputs["orientation"]
     there: dict[str, Way] = outputs["ways"]
     share, chosen = settings.t, settings.blend
     blend = there[chosen](share)
-    off_rad = off_great_circle(quaternions.from_matrix(there["euler"](share)), LEVEL, here.q)
+    off_rad = off_great_circle(quaternions.from_matrix(there["euler"](share)), START, here.q)
     return Frame(
         panels=(
             Panel(
-                "attitude",
-                "Yaw, pitch and roll, each on its ring",
-                rings.WIDTH,
-                rings.HEIGHT,
-                overlay=outputs["rings"],
-            ),
-            Panel(
                 "blend",
-                "From level flight to that attitude: the way of the nose",
+                "From straight ahead to the end: the way of the line of sight",
                 sphere.WIDTH,
                 sphere.HEIGHT,
                 overlay=sphere.draw(there, outputs["traces"], outputs["view"], chosen, share),
             ),
         ),
-        readouts=_readouts(here, blend, off_rad),
-        description=describe(settings, here.smallest, off_rad, blend),
+        readouts=(
+            readout("turn", "Angle θ from start to end", _turn_deg(here.q), "°", digits=1),
+            readout(
+                "off", "Euler way off the arc", math.degrees(off_rad), "°", digits=1, role="error"
+            ),
+            readout("determinant", "det of the blend", float(np.linalg.det(blend)), digits=3),
+        ),
+        description=describe(settings, off_rad, blend),
     )
-
-
-def _readouts(here: Attitude, blend: Floats, off_rad: float) -> tuple[Readout, ...]:
-    rank = 3 if here.smallest > LOST else 2
-    return (
-        matrix_readout("matrix", "R of the attitude", here.R.tolist(), role="camera"),
-        Readout("quaternion", "Its quaternion (w, x, y, z)", _quaternion(here.q), role="camera"),
-        readout("turn", "Turn θ from level flight", _turn_deg(here.q), "°", digits=1, role="ray"),
-        readout("smallest", "Smallest singular value of J", here.smallest, digits=3),
-        Readout("rank", "Rank of J", f"{rank} of 3"),
-        readout("off", "Euler way off the arc", math.degrees(off_rad), "°", digits=1, role="error"),
-        Readout("residual", "RᵀR − I of the blend", _residual(blend)),
-        readout("determinant", "det R of the blend", float(np.linalg.det(blend)), digits=3),
-    )
-
-
-def _quaternion(q: Floats) -> str:
-    return "(" + ", ".join(format_number(float(part), 2) for part in q) + ")"
 
 
 def _turn_deg(q: Floats) -> float:
     return math.degrees(float(np.linalg.norm(quaternions.to_rotation_vector(q))))
 
 
-def _residual(blend: Floats) -> str:
-    largest = float(np.abs(blend.T @ blend - np.eye(3)).max())
-    return "under 10⁻¹⁴" if largest < ROUNDING else format_number(largest, 3)
-
-
-def describe(settings: Settings, smallest: float, off_rad: float, blend: Floats) -> str:
-    """Both panels in one or two sentences."""
-    angles = (settings.yaw, settings.pitch, settings.roll)
-    yaw, pitch, roll = (format_number(angle, 0) for angle in angles)
-    if smallest > LOST:
-        locked = (
-            f"All three angles still steer (smallest singular value {format_number(smallest, 2)})"
-        )
-    else:
-        locked = (
-            "The yaw and roll rings lie in one plane: both turn about the same axis, and one "
-            "degree of freedom is lost"
-        )
+def describe(settings: Settings, off_rad: float, blend: Floats) -> str:
+    """The picture in one or two sentences."""
+    angles = (settings.pan, settings.tilt, settings.roll)
+    pan, tilt, roll = (format_number(angle, 0) for angle in angles)
     share = format_number(100 * settings.t, 0)
     volume = float(np.linalg.det(blend))
     shrunk = f", shrunk to {format_number(100 * volume, 0)}\u00a0% of its volume"
     fault = shrunk if volume < 0.995 else ""
     return (
-        f"An aircraft at yaw {yaw}°, pitch {pitch}°, roll {roll}°. {locked}. On the way there by "
-        f"{LABELS[settings.blend]} it is at {share}\u00a0%{fault}; the Euler angles miss the "
-        f"shortest way by {format_number(math.degrees(off_rad), 1)}°."
+        f"A camera turns from straight ahead to pan {pan}°, tilt {tilt}°, roll {roll}°. By "
+        f"{LABELS[settings.blend]} it is at {share}\u00a0% of the way{fault}; the Euler angles "
+        f"miss the shortest way by {format_number(math.degrees(off_rad), 1)}°."
     )
 
 
 def estimate(_settings: Settings, outputs: Outputs, tier: str) -> Iterator[Readout]:
     """How far the quaternions' way is from even speed on the arc; found at once."""
-    yield judge(outputs["attitude"], tier)
+    yield judge(outputs["orientation"], tier)
 
 
 SCENE = Scene(

@@ -10,11 +10,11 @@ from simulations.scenes.rotation_3d.sphere import LABELS
 class Settings:
     """What the reader may change."""
 
-    yaw: float = slider("Yaw α", 105, -180, 180, 1, unit="°")
-    pitch: float = slider("Pitch β", 40, -90, 90, 1, unit="°")
-    roll: float = slider("Roll γ", -40, -180, 180, 1, unit="°")
-    play: int = action("Play", "Pause", drives="t", effect="play", seconds=6.0)
     blend: str = choice("Blend", LABELS)
     t: float = slider("Share s of the way", 0.5, 0, 1, 0.01)
+    play: int = action("Play", "Pause", drives="t", effect="play", seconds=6.0)
+    pan: float = slider("Pan ψ at the end", 105, -180, 180, 1, unit="°")
+    tilt: float = slider("Tilt τ at the end", 40, -90, 90, 1, unit="°")
+    roll: float = slider("Roll ρ at the end", -40, -180, 180, 1, unit="°")
     azimuth: float = slider("Seen from the right", 51, -180, 180, 1, unit="°")
     elevation: float = slider("Seen from above", 28, -90, 90, 1, unit="°")

@@ -1,7 +1,7 @@
-"""The second panel of the rotation scene: three ways from level flight to the attitude set.
+"""Three ways of a camera from straight ahead to the orientation set.
 
-The nose of the aircraft leaves a trace on a sphere. Along a slerp that is an arc of a circle
-about one fixed axis; blended Euler angles wander; blended matrices cut through the sphere.
+The line of sight leaves a trace on a sphere. Along a slerp that is an arc of a circle about one
+fixed axis; blended Euler angles wander; blended matrices cut through the sphere.
 """
 
 import math
@@ -16,14 +16,14 @@ from simulations.models.arrays import Floats
 from simulations.models.geometry import quaternions
 from simulations.models.geometry.quaternion_blends import Blend
 from simulations.models.geometry.rotation_paths import euler_blend, matrix_blend
-from simulations.scenes.rotation_3d import aircraft
+from simulations.scenes._turned_camera import body
 
 WIDTH, HEIGHT = 400.0, 400.0
 CENTRE, RADIUS = (200.0, 212.0), 150.0
 STEPS = 60
 MARK_EVERY = 6
 """Steps from one mark to the next on the quaternions' way: even marks are an even speed."""
-LEVEL = np.array([1.0, 0.0, 0.0, 0.0])
+START = np.array([1.0, 0.0, 0.0, 0.0])
 
 ROLES = {"slerp": "ray", "euler": "error", "matrix": "image"}
 LABELS = {"slerp": "quaternion slerp", "euler": "Euler angles", "matrix": "matrix entries"}
@@ -32,22 +32,22 @@ MANNERS = {"slerp": "bold", "euler": "dashed", "matrix": "thin"}
 type Way = Callable[[ArrayLike], Floats]
 
 
-def ways(angles_rad: Sequence[float], R: Floats, q: Floats, blend: Blend) -> dict[str, Way]:
-    """From shares (...), 0 at level flight and 1 at the attitude, to matrices (..., 3, 3).
+def ways(angles_rad: Sequence[float], C: Floats, q: Floats, blend: Blend) -> dict[str, Way]:
+    """From shares (...), 0 straight ahead and 1 at the end, to matrices (..., 3, 3).
 
     ``blend``, one of `quaternion_blends.BLENDS`, is how the quaternions are blended.
     """
     return {
-        "slerp": lambda share: quaternions.to_matrix(blend(LEVEL, q, share)),
-        "euler": lambda share: euler_blend("ZYX", (0.0, 0.0, 0.0), angles_rad, share),
-        "matrix": lambda share: matrix_blend(np.eye(3), R, share),
+        "slerp": lambda share: quaternions.to_matrix(blend(START, q, share)),
+        "euler": lambda share: euler_blend("YXZ", (0.0, 0.0, 0.0), angles_rad, share),
+        "matrix": lambda share: matrix_blend(np.eye(3), C, share),
     }
 
 
 def traces_of(all_ways: Mapping[str, Way], view: Floats) -> dict[str, Floats]:
-    """The nose's places (n, 3) on the whole of each way: view box x, y, and depth."""
+    """The places (n, 3) of the line of sight on the whole of each way: view box x, y, and depth."""
     shares = np.linspace(0.0, 1.0, STEPS + 1)
-    return {name: on_screen(way(shares)[:, :, 0], view) for name, way in all_ways.items()}
+    return {name: on_screen(way(shares)[:, :, 2], view) for name, way in all_ways.items()}
 
 
 def draw(
@@ -57,17 +57,17 @@ def draw(
     chosen: str,
     share: float,
 ) -> str:
-    """SVG markup of the panel: the traces, and the aircraft on the chosen way."""
+    """SVG markup of the panel: the traces, and the camera on the chosen way."""
     blends = {name: way(share) for name, way in all_ways.items()}
     beads = [
-        dot(on_screen(blend[:, 0], view), ROLES[name], 6.0 if name == chosen else 3.5)
+        dot(on_screen(blend[:, 2], view), ROLES[name], 6.0 if name == chosen else 3.5)
         for name, blend in blends.items()
     ]
     return "".join(
         (
             *_globe(view),
             *(_trace(traces[name], name, front=False) for name in traces),
-            *_craft(blends[chosen], view, chosen),
+            *_camera(blends[chosen], view, chosen),
             *(_trace(traces[name], name, front=True) for name in traces),
             *_marks(traces["slerp"]),
             *_ends(traces["slerp"]),
@@ -77,12 +77,12 @@ def draw(
     )
 
 
-def _craft(blend: Floats, view: Floats, chosen: str) -> tuple[str, str]:
-    """The aircraft at the centre, with the line from its nose to the sphere, back to front."""
-    inner, nose = on_screen(np.stack([0.6 * blend[:, 0], blend[:, 0]]), view)
-    sight = line(inner, nose, f"{ROLES[chosen]} thin")
-    craft = aircraft.draw(blend, view, CENTRE, 0.58 * RADIUS, "camera")
-    return (sight, craft) if nose[2] > 0 else (craft, sight)
+def _camera(blend: Floats, view: Floats, chosen: str) -> tuple[str, str]:
+    """The camera at the centre, with its line of sight to the sphere, back to front."""
+    inner, end = on_screen(np.stack([0.45 * blend[:, 2], blend[:, 2]]), view)
+    sight = line(inner, end, f"{ROLES[chosen]} thin")
+    camera = body.draw(blend, view, CENTRE, 0.52 * RADIUS)
+    return (sight, camera) if end[2] > 0 else (camera, sight)
 
 
 def _globe(view: Floats) -> Iterator[str]:
@@ -92,8 +92,8 @@ def _globe(view: Floats) -> Iterator[str]:
     flat = np.zeros_like(turns)
     around = (np.cos(turns), np.sin(turns))
     rings = (
-        np.stack([*around, flat], axis=-1),
         np.stack([around[0], flat, around[1]], axis=-1),
+        np.stack([*around, flat], axis=-1),
         np.stack([flat, *around], axis=-1),
     )
     halves = [run for ring in rings for run in runs(on_screen(ring, view), front=True)]
@@ -112,7 +112,7 @@ def _marks(trace: Floats) -> Iterator[str]:
 
 
 def _ends(trace: Floats) -> Iterator[str]:
-    for point, label in ((trace[0], "level"), (trace[-1], "attitude")):
+    for point, label in ((trace[0], "start"), (trace[-1], "end")):
         yield circle(point, 5.5, "camera")
         yield text((point[0], point[1] - 11), label, "camera small halo", "middle")
 
@@ -127,4 +127,4 @@ def _legend(chosen: str) -> Iterator[str]:
 
 def on_screen(points: Floats, view: Floats) -> Floats:
     """World points (..., 3) in the panel: view box x, y, and depth."""
-    return aircraft.screen(points, view, CENTRE, RADIUS)
+    return body.screen(points, view, CENTRE, RADIUS)

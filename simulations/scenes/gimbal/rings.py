@@ -1,8 +1,8 @@
-"""The first panel of the rotation scene: an aircraft in three rings, one for each Euler angle.
+"""A camera in three rings, one for each Euler angle.
 
-Each ring lies across the axis that its angle turns about. The yaw ring stays with the world,
-the pitch ring turns with the yaw, the roll ring with both; at a pitch of ±90° the roll ring has
-come to lie in the plane of the yaw ring.
+Each ring lies across the axis that its angle turns about. The pan ring stays with the world, the
+tilt ring turns with the pan, the roll ring with both; at a tilt of ±90° the roll ring lies in the
+plane of the pan ring.
 """
 
 import math
@@ -18,7 +18,7 @@ from simulations.engine.space.view import runs
 from simulations.models.arrays import Floats
 from simulations.models.geometry import euler
 from simulations.models.geometry.rotation_paths import rate_axes
-from simulations.scenes.rotation_3d import aircraft
+from simulations.scenes._turned_camera import body
 
 WIDTH, HEIGHT = 400.0, 400.0
 CENTRE = (200.0, 208.0)
@@ -45,29 +45,29 @@ class Ring:
         return self.radius * (np.cos(angle) * self.zero + np.sin(angle) * aside)
 
 
-def rings(yaw_rad: float, pitch_rad: float, roll_rad: float) -> tuple[Ring, Ring, Ring]:
+def rings(pan_rad: float, tilt_rad: float, roll_rad: float) -> tuple[Ring, Ring, Ring]:
     """Outer to inner. The angle's end on one ring is the next one's zero or axis."""
-    angles = (yaw_rad, pitch_rad, roll_rad)
-    yaw_axis, pitch_axis, roll_axis = rate_axes("ZYX", angles).T
-    turned = euler.to_matrix("ZYX", (yaw_rad, 0.0, 0.0))
+    angles = (pan_rad, tilt_rad, roll_rad)
+    pan_axis, tilt_axis, roll_axis = rate_axes("YXZ", angles).T
+    panned = euler.to_matrix("YXZ", (pan_rad, 0.0, 0.0))
     return (
-        Ring("yaw", "world", 178.0, yaw_axis, np.array([1.0, 0.0, 0.0]), yaw_rad),
-        Ring("pitch", "light", 156.0, pitch_axis, turned[:, 0], pitch_rad),
-        Ring("roll", "ray", 134.0, roll_axis, pitch_axis, roll_rad),
+        Ring("pan", "world", 178.0, pan_axis, np.array([0.0, 0.0, 1.0]), pan_rad),
+        Ring("tilt", "light", 156.0, tilt_axis, panned[:, 2], tilt_rad),
+        Ring("roll", "ray", 134.0, roll_axis, tilt_axis, roll_rad),
     )
 
 
-def draw(yaw_rad: float, pitch_rad: float, roll_rad: float, view: Floats) -> str:
-    """SVG markup of the panel, seen from a side: `aircraft.view_from`."""
-    three = rings(yaw_rad, pitch_rad, roll_rad)
-    R = euler.to_matrix("ZYX", (yaw_rad, pitch_rad, roll_rad))
+def draw(pan_rad: float, tilt_rad: float, roll_rad: float, view: Floats) -> str:
+    """SVG markup of the panel, seen from a side: `body.view_from`."""
+    three = rings(pan_rad, tilt_rad, roll_rad)
+    C = euler.to_matrix("YXZ", (pan_rad, tilt_rad, roll_rad))
     circles = [on_screen(ring.at(np.linspace(0.0, 2 * math.pi, STEPS + 1)), view) for ring in three]
     parts = [
         path(runs(circle, front=False), f"{ring.role} thin faint")
         for ring, circle in zip(three, circles, strict=True)
     ]
     parts += [_axis(ring, view, front=False) for ring in three]
-    parts.append(aircraft.draw(R, view, CENTRE, 104.0, "camera"))
+    parts.append(body.draw(C, view, CENTRE, 100.0))
     parts += [_axis(ring, view, front=True) for ring in three]
     parts += [
         path(runs(circle, front=True), f"{ring.role} thin")
@@ -79,7 +79,7 @@ def draw(yaw_rad: float, pitch_rad: float, roll_rad: float, view: Floats) -> str
 
 
 def _axis(ring: Ring, view: Floats, *, front: bool) -> str:
-    """One end of the axis, from beside the aircraft to just outside the ring."""
+    """One end of the axis, from beside the camera to just outside the ring."""
     depth = on_screen(ring.axis, view)[2]
     end = 1.0 if (depth < 0) == front else -1.0
     inner, outer = (
@@ -110,4 +110,4 @@ def _legend(three: tuple[Ring, Ring, Ring]) -> Iterator[str]:
 
 def on_screen(points: Floats, view: Floats) -> Floats:
     """World points (..., 3) in the panel: view box x, y, and depth."""
-    return aircraft.screen(points, view, CENTRE, 1.0)
+    return body.screen(points, view, CENTRE, 1.0)

@@ -1,0 +1,76 @@
+"""A camera to see orientations by, drawn back to front from flat faces.
+
+World and camera axes are x right, y down, z forward. The camera's axes are the columns of
+C = Ry(pan) Rx(tilt) Rz(roll): pan to the right, tilt upwards, roll to the right.
+"""
+
+import math
+
+import numpy as np
+
+from simulations.engine.space.solids import Face, drawn, shaded
+from simulations.engine.space.view import View, orbit_axes
+from simulations.models.arrays import Floats
+
+_TOWARDS_LIGHT = np.array([0.25, -0.86, 0.45])
+"""In the world, unit length: above and a little ahead."""
+_LENS_SIDES, _LENS_RADIUS, _LENS_END = 10, 0.3, 0.82
+
+
+def view_from(azimuth: float, elevation: float) -> Floats:
+    """World to view (3, 3) of a distant eye: x right, y down, z away.
+
+    The eye's direction in degrees: round from straight ahead towards the right, and upwards.
+    """
+    return orbit_axes(azimuth, elevation, z_down=True)[:, [1, 2, 0]]
+
+
+def screen(points: Floats, view: Floats, centre: tuple[float, float], unit: float) -> Floats:
+    """Parallel projection of world points (..., 3): view box x, y, and depth in the third."""
+    return View(view, centre, unit).place(points)
+
+
+def _box(low: tuple[float, float, float], high: tuple[float, float, float]) -> list[Floats]:
+    """Six faces (4, 3) between two corners."""
+    faces = []
+    for axis in range(3):
+        across, along = (other for other in range(3) if other != axis)
+        for level in (low[axis], high[axis]):
+            face = np.full((4, 3), level)
+            face[:, across] = [low[across], high[across], high[across], low[across]]
+            face[:, along] = [low[along], low[along], high[along], high[along]]
+            faces.append(face)
+    return faces
+
+
+def _lens() -> tuple[list[Floats], Floats]:
+    """The sides (4, 3) of the barrel, and the glass at its end."""
+    turns = 2 * math.pi * np.arange(_LENS_SIDES + 1) / _LENS_SIDES
+    near, far = (
+        np.stack([_LENS_RADIUS * np.cos(turns), _LENS_RADIUS * np.sin(turns), 0 * turns + z], -1)
+        for z in (0.3, _LENS_END)
+    )
+    sides = [np.array([near[i], near[i + 1], far[i + 1], far[i]]) for i in range(_LENS_SIDES)]
+    return sides, far[:-1]
+
+
+BARREL, GLASS = _lens()
+BODY: tuple[Floats, ...] = (
+    *_box((-0.62, -0.36, -0.22), (0.62, 0.4, 0.3)),
+    *_box((-0.22, -0.56, -0.18), (0.22, -0.36, 0.26)),  # the viewfinder: this side is up
+    *_box((0.4, -0.44, -0.05), (0.54, -0.36, 0.13)),  # the button: this side is right
+    *BARREL,
+)
+"""Corners (n, 3) of each face in camera axes; half the width of the body is 0.62."""
+
+
+def draw(C: Floats, view: Floats, centre: tuple[float, float], unit: float) -> str:
+    """SVG markup of the camera whose axes are the columns of ``C`` (3, 3), of a length ``unit``.
+
+    C may be any matrix: that of a faulty blend shows as a crushed camera.
+    """
+    look = View(view, centre, unit)
+    roles = [*((face, "camera") for face in BODY), (GLASS, "image")]
+    turned = [(face @ C.T, role) for face, role in roles]
+    faces = [Face(face, role, shaded(face, look, _TOWARDS_LIGHT)) for face, role in turned]
+    return drawn(faces, look)

@@ -1,0 +1,164 @@
+"""The room from above, twice: in world coordinates, and in the camera's."""
+
+from collections.abc import Callable
+
+import numpy as np
+
+from simulations.engine import drawing
+from simulations.engine.frame import Panel, format_number
+from simulations.models.arrays import Floats
+from simulations.models.geometry.transforms import clip_half_plane
+from simulations.scenes.camera_pose.room import AXIS_M, DOOR, LAMP, TABLE, WALLS, Standpoint
+
+WIDTH, HEIGHT = 400.0, 340.0
+UNITS_PER_M = 20.0
+"""In both panels, so that the same lengths look the same."""
+WORLD_ORIGIN = np.array([100.0, 270.0])
+CAMERA_ORIGIN = np.array([200.0, 250.0])
+"""Where the two origins lie in the view boxes; right is right, ahead or forward is up."""
+EDGES = ((1, 0, 0), (-1, 0, WIDTH), (0, 1, 0), (0, -1, HEIGHT))
+"""The view box, as half planes a x + b y + c ≥ 0."""
+CAMERA_OUTLINE = np.array(
+    [(-0.45, 0, -0.3), (-0.45, 0, 0.25), (-0.2, 0, 0.25), (-0.2, 0, 0.6), (0.2, 0, 0.6),
+     (0.2, 0, 0.25), (0.45, 0, 0.25), (0.45, 0, -0.3)]
+)  # fmt: skip
+"""In camera coordinates: body and lens, seen from above."""
+DOOR_NAME = np.array([0.0, 0.0, 0.7])
+"""How far before the door, in metres, its name stands."""
+LABEL_WIDTH = 136.0
+"""Room that the lamp's name and coordinates take, in view box units."""
+NAME_M = 0.45
+"""How far beyond an arrow its name stands."""
+
+type Place = Callable[[Floats], Floats]
+
+
+def in_world(points: Floats) -> Floats:
+    """World points (..., 3) in the first panel's view box (..., 2)."""
+    return WORLD_ORIGIN + UNITS_PER_M * np.asarray(points)[..., [0, 2]] * [1.0, -1.0]
+
+
+def metres_at(place: drawing.Point) -> tuple[float, float]:
+    """X and Z of the world at a place of the first panel."""
+    X, Z = (np.asarray(place, float) - WORLD_ORIGIN) / (UNITS_PER_M * np.array([1.0, -1.0]))
+    return float(X), float(Z)
+
+
+def in_camera(points: Floats) -> Floats:
+    """Points (..., 3) in camera coordinates in the second panel's view box (..., 2)."""
+    return CAMERA_ORIGIN + UNITS_PER_M * np.asarray(points)[..., [0, 2]] * [1.0, -1.0]
+
+
+def from_camera(stand: Standpoint) -> Place:
+    """Camera coordinates to the first panel."""
+    return lambda points: in_world((points - stand.t) @ stand.rotation)
+
+
+def to_camera(stand: Standpoint) -> Place:
+    """World coordinates to the second panel."""
+    return lambda points: in_camera(stand.seen(points))
+
+
+def world_panel(stand: Standpoint) -> Panel:
+    """Where the camera stands, and its axes."""
+    origin, centre = in_world(np.zeros(3)), in_world(stand.centre)
+    apart = float(np.hypot(*(centre - origin))) > UNITS_PER_M
+    parts = (
+        _furniture(in_world),
+        drawing.line(origin, centre, "muted thin dashed") if apart else "",
+        _axes(in_world, "world", ("X", "Z")),
+        _camera(from_camera(stand)),
+        _axes(from_camera(stand), "camera", ("x", "z")),
+        _lamp(in_world, LAMP),
+    )
+    return Panel("world", "In world coordinates", WIDTH, HEIGHT, overlay="".join(parts))
+
+
+def camera_panel(stand: Standpoint) -> Panel:
+    """The same room as the camera has it, and the arrow t to the world's origin."""
+    place = to_camera(stand)
+    centre, origin = CAMERA_ORIGIN, place(np.zeros(3))
+    inside = bool(np.all(origin > 0.0) and origin[0] < WIDTH and origin[1] < HEIGHT)
+    apart = float(np.hypot(*(origin - centre))) > UNITS_PER_M
+    name = (centre + origin) / 2.0 + [9.0, 4.0]
+    parts = (
+        _furniture(place),
+        _axes(place, "world", ("X", "Z")) if inside else "",
+        _segment(np.stack([centre, origin]), "ray bold") if apart else "",
+        drawing.text(name, "t", "ray strong halo") if apart and inside else "",
+        _camera(in_camera),
+        _axes(in_camera, "camera", ("x", "z")),
+        _lamp(place, stand.seen(LAMP)),
+    )
+    return Panel("camera", "In camera coordinates", WIDTH, HEIGHT, overlay="".join(parts))
+
+
+def _furniture(place: Place) -> str:
+    """Walls, door and table, as far as they lie in the panel."""
+    walls = [np.stack([WALLS[i], WALLS[(i + 1) % 4]]) for i in range(4)]
+    table = _cut(place(TABLE), closed=True)
+    middle, beside = place(np.stack([TABLE.mean(axis=0), DOOR.mean(axis=0) - DOOR_NAME]))
+    return "".join(
+        (
+            *(_segment(place(wall), "world thin") for wall in walls),
+            _segment(place(DOOR), "world bold"),
+            drawing.polygon(table, "world thin fill") if len(table) else "",
+            _name(middle, "table", "world small"),
+            _name(beside, "door", "world small"),
+        )
+    )
+
+
+def _axes(place: Place, role: str, names: tuple[str, str]) -> str:
+    """Right and ahead, from the origin of their own coordinates."""
+    start = place(np.zeros(3))
+    parts = []
+    for name, direction in zip(names, np.eye(3)[[0, 2]], strict=True):
+        parts.append(drawing.arrow(start, place(AXIS_M * direction), role, 7))
+        beyond = place((AXIS_M + NAME_M) * direction)
+        parts.append(_name(beyond, name, f"{role} italic"))
+    return "".join(parts) + drawing.dot(start, role, 3.5)
+
+
+def _camera(place: Place) -> str:
+    return drawing.polygon(place(CAMERA_OUTLINE), "camera fill")
+
+
+def _lamp(place: Place, coordinates: Floats) -> str:
+    spot = place(LAMP)
+    words = f"lamp {triple(coordinates)}"
+    # beside the lamp, on the side where there is room
+    left = spot[0] > WIDTH - LABEL_WIDTH
+    at = spot + ([-9.0, -8.0] if left else [9.0, -8.0])
+    if not bool(np.all(spot > 0.0) and spot[0] < WIDTH and spot[1] < HEIGHT):
+        return ""
+    return drawing.dot(spot, "light", 5.5) + drawing.text(
+        at, words, "light small halo", "end" if left else "start"
+    )
+
+
+def triple(values: Floats) -> str:
+    """Three coordinates to the decimetre."""
+    return f"({', '.join(format_number(float(value), 1) for value in values)})"
+
+
+def _name(at: Floats, words: str, style: str) -> str:
+    """A word in the middle of a place, if that lies well in the panel."""
+    inside = 12.0 < at[0] < WIDTH - 12.0 and 12.0 < at[1] < HEIGHT - 4.0
+    return drawing.text((at[0], at[1] + 4.0), words, f"{style} halo", "middle") if inside else ""
+
+
+def _segment(ends: Floats, style: str) -> str:
+    points = _cut(ends, closed=False)
+    if len(points) < 2:
+        return ""
+    if style.startswith("ray"):
+        return drawing.arrow(points[0], points[1], style, 9)
+    return drawing.line(points[0], points[1], style)
+
+
+def _cut(points: Floats, *, closed: bool) -> Floats:
+    """What of a line or an area lies in the view box."""
+    for edge in EDGES:
+        points = clip_half_plane(points, edge, closed)
+    return points

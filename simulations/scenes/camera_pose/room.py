@@ -1,0 +1,56 @@
+"""A room with a few things in it, and the camera that stands there.
+
+World axes are right, down and ahead, in metres; the camera stays level, at the height of the
+world's origin.
+"""
+
+import math
+from dataclasses import dataclass
+
+import numpy as np
+
+from simulations.models.arrays import Floats
+from simulations.models.geometry.rotations import from_axis_angle
+from simulations.models.projection.pinhole import invert_pose, rigid_pose, world_to_camera
+
+LAMP = np.array([2.0, -1.0, 3.0])
+"""1 m above the camera."""
+WALLS = np.array([(-1.0, 0.0, -1.0), (11.0, 0.0, -1.0), (11.0, 0.0, 9.0), (-1.0, 0.0, 9.0)])
+TABLE = np.array([(5.0, 0.0, 5.0), (8.0, 0.0, 5.0), (8.0, 0.0, 6.5), (5.0, 0.0, 6.5)])
+DOOR = np.array([(1.0, 0.0, 9.0), (2.5, 0.0, 9.0)])
+"""In the far wall."""
+AXIS_M = 2.0
+"""How long axes are drawn."""
+
+
+@dataclass(frozen=True, slots=True)
+class Standpoint:
+    """A level camera in the room."""
+
+    pose: Floats
+    """World to camera, (4, 4)."""
+
+    @property
+    def rotation(self) -> Floats:
+        """World to camera, (3, 3): the camera's axes as rows."""
+        return self.pose[:3, :3]
+
+    @property
+    def t(self) -> Floats:
+        """(3,) metres: the world's origin in camera coordinates."""
+        return self.pose[:3, 3]
+
+    @property
+    def centre(self) -> Floats:
+        """(3,) metres, in the world."""
+        return invert_pose(self.pose)[:3, 3]
+
+    def seen(self, points: Floats) -> Floats:
+        """World points (..., 3) in camera coordinates."""
+        return world_to_camera(points, self.pose)
+
+
+def stand(pan: float, camera_x: float, camera_z: float) -> Standpoint:
+    """A camera at (camera_x, 0, camera_z), panned by so many degrees to the right."""
+    R = from_axis_angle((0.0, 1.0, 0.0), math.radians(pan)).T
+    return Standpoint(rigid_pose(R, -R @ np.array([camera_x, 0.0, camera_z])))

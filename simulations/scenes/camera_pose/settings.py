@@ -1,0 +1,14 @@
+"""The controls of the pose figure."""
+
+from dataclasses import dataclass
+
+from simulations.engine.settings import slider
+
+
+@dataclass(frozen=True, slots=True)
+class Settings:
+    """What the reader may change."""
+
+    pan: float = slider("Pan ψ", -90, -180, 180, 1, unit="°")
+    camera_x: float = slider("Camera, right (X)", 10.0, 0, 10, 0.1, unit="m")
+    camera_z: float = slider("Camera, ahead (Z)", 0.0, 0, 8, 0.1, unit="m")

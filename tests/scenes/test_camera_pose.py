@@ -1,0 +1,69 @@
+"""The pose figure: p′ = R p + t with a camera that is dragged and turned."""
+
+import numpy as np
+import pytest
+from support.frames import texts_of
+
+from simulations.engine.frame import Frame
+from simulations.engine.stages import StageCache
+from simulations.models.projection.pinhole import look_at
+from simulations.scenes.camera_pose.plans import from_camera, in_world, metres_at
+from simulations.scenes.camera_pose.room import LAMP, WALLS, stand
+from simulations.scenes.camera_pose.scene import SCENE
+
+
+def frame(**values: float) -> Frame:
+    return SCENE.render(SCENE.check(values), "", StageCache())
+
+
+def test_the_figure_starts_with_the_worked_example() -> None:
+    expected = look_at((10, 0, 0), (0, 0, 0), (0, -1, 0))
+    np.testing.assert_allclose(stand(-90, 10, 0).pose, expected, atol=1e-12)
+    assert texts_of(frame())["t"] == "(0.0, 0.0, 10.0)"
+    assert texts_of(frame())["lamp"] == "(3.0, −1.0, 8.0)"
+
+
+@pytest.mark.parametrize("pan", [-180, -60, 0, 33, 90])
+def test_t_is_the_worlds_origin_and_the_centre_is_where_the_camera_was_put(pan: float) -> None:
+    here = stand(pan, 4.0, 2.5)
+    np.testing.assert_allclose(here.t, here.seen(np.zeros(3)), atol=1e-12)
+    np.testing.assert_allclose(here.centre, [4.0, 0.0, 2.5], atol=1e-12)
+
+
+def test_turning_on_the_spot_changes_both_parts_of_the_pose() -> None:
+    before, after = stand(-90, 10, 0), stand(-60, 10, 0)
+    np.testing.assert_allclose(before.centre, after.centre, atol=1e-12)
+    assert not np.allclose(before.rotation, after.rotation)
+    assert not np.allclose(before.t, after.t)
+
+
+def test_lengths_are_kept_in_the_cameras_coordinates() -> None:
+    seen = stand(37, 3.3, 6.1).seen(WALLS)
+    sides = [np.linalg.norm(c - np.roll(c, 1, axis=0), axis=1) for c in (WALLS, seen)]
+    np.testing.assert_allclose(*sides)
+
+
+def test_the_camera_follows_the_pointer_and_its_axis_turns_towards_it() -> None:
+    settings = SCENE.check({})
+    x, y = in_world(np.array([4.0, 0.0, 5.0]))
+    assert SCENE.pull(settings, "camera", (x, y)) == {"camera_x": 4.0, "camera_z": 5.0}
+    x, y = in_world(LAMP)
+    turned = SCENE.check({**SCENE.pull(settings, "tip", (x, y))})
+    seen = stand(turned.pan, turned.camera_x, turned.camera_z).seen(LAMP)
+    assert abs(seen[0]) < 0.1, "straight ahead, to the slider's degree"
+
+
+def test_places_of_the_panel_and_metres_are_each_others_inverse() -> None:
+    here = stand(-25, 6.0, 1.0)
+    spot = from_camera(here)(np.array([0.0, 0.0, 2.0]))
+    X, Z = metres_at((float(spot[0]), float(spot[1])))
+    np.testing.assert_allclose(here.seen(np.array([X, 0.0, Z])), [0, 0, 2], atol=1e-12)
+
+
+@pytest.mark.parametrize("pan", range(-180, 181, 30))
+def test_every_standpoint_can_be_drawn(pan: float) -> None:
+    for camera_x in (0, 10):
+        for camera_z in (0, 8):
+            shown = frame(pan=pan, camera_x=camera_x, camera_z=camera_z)
+            assert [panel.name for panel in shown.panels] == ["world", "camera"]
+            assert not any("nan" in panel.overlay for panel in shown.panels)
