@@ -25,7 +25,7 @@ CAMERA_OUTLINE = np.array(
 """In camera coordinates: body and lens, seen from above."""
 DOOR_NAME = np.array([0.0, 0.0, 0.7])
 """How far before the door, in metres, its name stands."""
-LABEL_WIDTH = 136.0
+LABEL_WIDTH = 150.0
 """Room that the lamp's name and coordinates take, in view box units."""
 NAME_M = 0.45
 """How far beyond an arrow its name stands."""
