@@ -27,7 +27,7 @@ DOOR_NAME = np.array([0.0, 0.0, 0.7])
 """How far before the door, in metres, its name stands."""
 LABEL_WIDTH = 150.0
 """Room that the lamp's name and coordinates take, in view box units."""
-NAME_M = 0.45
+NAME_M = 0.7
 """How far beyond an arrow its name stands."""
 
 type Place = Callable[[Floats], Floats]
