@@ -20,10 +20,17 @@ ALONE, OF_TWO = Singlet(1 / 50, -1 / 50, 6.0, 1.5), Singlet(1 / 100, -1 / 100, 6
 HALF_MM = 14.0
 SLOPES = np.linspace(0.001, 0.5, 500)
 CASES: tuple[tuple[str, str, ChiefRays, Singlet, tuple[float, ...], float], ...] = (
-    ("front", "Stop in front", chief_rays(ALONE, -APART_MM, SLOPES), ALONE, (0.0,), -APART_MM),
-    ("behind", "Stop behind", chief_rays(ALONE, APART_MM, SLOPES), ALONE, (0.0,), APART_MM),
     (
-        *("between", "Stop between two"),
+        "front",
+        "Aperture stop in front",
+        chief_rays(ALONE, -APART_MM, SLOPES),
+        ALONE,
+        (0.0,),
+        -APART_MM,
+    ),
+    ("behind", "Behind the lens", chief_rays(ALONE, APART_MM, SLOPES), ALONE, (0.0,), APART_MM),
+    (
+        *("between", "Between two lenses"),
         chief_rays_of_pair(OF_TWO, APART_MM, SLOPES),
         OF_TWO,
         (-APART_MM, APART_MM),

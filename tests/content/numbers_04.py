@@ -22,6 +22,7 @@ from simulations.models.lens.singlet import (
     thin_image_mm,
     thin_power_per_mm,
     through_exact,
+    through_paraxial,
 )
 from simulations.models.lens.vignetting import vignetting_cos4
 from simulations.scenes.lens_aberrations.stages import RIM_MM, light
@@ -56,6 +57,20 @@ def two_spheres_of_40_mm() -> Says:
     crossing = _crossing(10)
     yield f"it crosses the axis at {crossing:.1f} mm, nearly 4 mm short of the image"
     assert 3.5 < image - crossing < 4
+
+
+def which_way_round() -> Says:
+    """How much of the turn falls to the front, by small angles and by Snell's law."""
+    for front, share in ((1 / 25, 2 / 3), (0.0, 0.0)):
+        turn = -through_paraxial(Singlet(front, front - 1 / 25, 1e-6, 1.5), inf, [1.0]).slope[0]
+        assert isclose((1 - 1 / 1.5) * front / turn, share, abs_tol=1e-9)
+    yield "the first twice as much as the second"
+    forwards, backwards = (
+        paraxial_image_mm(lens, inf) - float(through_exact(lens, inf, [10.0], 22.0).crossing_mm[0])
+        for lens in (Singlet(1 / 25, 0.0, 6.0, 1.5), Singlet(0.0, -1 / 25, 6.0, 1.5))
+    )
+    assert 3.7 < backwards / forwards < 4.3
+    yield ": four times as much. A sine is smaller"
 
 
 def how_much_lens_a_picture_needs() -> Says:
@@ -214,6 +229,7 @@ def lines_between_coefficients_that_cancel() -> Says:
 WORKED = (
     opening_of_a_lens,
     two_spheres_of_40_mm,
+    which_way_round,
     how_much_lens_a_picture_needs,
     bending_a_line_by_hand,
     how_far_the_corner_moves,

@@ -59,7 +59,7 @@ def test_what_an_address_cannot_mean_is_ignored_with_a_word(
     figure = open_at(visitor, **meaningless)
     names = ("k1", "k2", "picture")
     assert values(figure, *names) == [start(figure, name) for name in names]
-    assert values(figure, "tier") == ["checked-table"]
+    assert values(figure, "tier") == ["closed-form"]
     said = figure.locator(".figure-message").inner_text()
     assert all(f"{name}=" in said for name in meaningless)
     figure.locator("[name=k1]").fill("0.1")

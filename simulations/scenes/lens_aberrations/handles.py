@@ -83,7 +83,7 @@ def _blue_pulled(settings: Settings, place: Point) -> Mapping[str, Value]:
 
 
 HANDLES: tuple[Handle[Settings], ...] = (
-    Handle("stop", "lens", "Stop", ("stop",), _stop, _stop_pulled, reversed=("stop",)),
+    Handle("stop", "lens", "Aperture stop", ("stop",), _stop, _stop_pulled, reversed=("stop",)),
     Handle(
         "opening",
         "lens",

@@ -87,7 +87,8 @@ def describe(settings: Settings, lens: Colours, corner: tuple[float, float]) -> 
 
 def _where(stop: float) -> str:
     side = "before" if stop > 0 else "behind"
-    return f"with the stop {abs(stop):.0f} mm {side} it" if stop else "with the stop in it"
+    where = f"{abs(stop):.0f} mm {side} it" if stop else "in it"
+    return f"with the aperture stop {where}"
 
 
 def estimate(settings: Settings, outputs: Outputs, _tier: str) -> Iterator[Readout]:

@@ -138,7 +138,7 @@ def _stop(stop: float, f_number: float) -> Iterator[str]:
         yield line(at(-stop, side * opening), at(-stop, side * BLADE_MM), style)
     yield dot(stop_mark(stop))
     yield dot(opening_mark(stop, f_number))
-    yield text((stop_mark(stop)[0], AXIS_Y - 116), "stop", "halo", "middle")
+    yield text((stop_mark(stop)[0], AXIS_Y - 116), "aperture stop", "halo", "middle")
 
 
 def _rim(stop: float, rim: float) -> Iterator[str]:
@@ -154,4 +154,4 @@ def _notes(stop: float, dispersive: bool) -> Iterator[str]:
     if dispersive:
         yield text((8, AXIS_Y + 156), f"dispersion × {SPREAD:.0f}", "muted small halo")
     if stop < 0:
-        yield text((8, 14), "stop as seen from the front", "muted small halo")
+        yield text((8, 14), "aperture stop as seen from the front", "muted small halo")
