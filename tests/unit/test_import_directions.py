@@ -39,7 +39,8 @@ MODELS = (
 
 BUILDER = (
     "later", "blame", "raised", "book_root", "forking", "diagnostics", "kept", "drawing",
-    "addresses", "source_text", "languages", "settings", "beside", "runtime", "editor", "output",
+    "addresses", "source_text", "languages", "settings", "beside", "runtime", "editor", "formulae",
+    "output",
     "offline", "measured", "charts", "page_model", "book", "markdown", "lecture_plan", "chapters",
     "source", "search", "pages", "checks", "publishing", "tools", "browser_python",
     "site_assets", "build", "diagnostic_formats", "check_command", "editions",

@@ -2,7 +2,6 @@ r"""TeX commands of an author's own: ``R = '\mathbb{R}'``, ``norm = '\lVert #1 \
 
 import re
 from collections.abc import Iterator, Mapping, Sequence
-from functools import cache
 from graphlib import CycleError, TopologicalSorter
 
 from site_builder.markdown.text.math import UnsupportedTexError, quoted
@@ -63,8 +62,8 @@ def _fault_of(name: str, body: object) -> str:
         return "is no name; legal: letters, without a backslash"
     if not isinstance(body, str) or not body.strip():
         return "stands for nothing; legal: TeX between single quotes"
-    if name in OURS or _is_known(name):
-        return "is a command of TeX; legal: a name of your own"
+    if name in OURS:
+        return "is a command of the book; legal: a name of your own"
     slots = {int(slot) for slot in SLOT.findall(body)}
     if slots != set(range(1, len(slots) + 1)):
         missing = min(set(range(1, max(slots))) - slots)
@@ -75,23 +74,6 @@ def _fault_of(name: str, body: object) -> str:
         if depth < 0:
             break
     return f"has unbalanced braces in {quoted(body)}" if depth else ""
-
-
-@cache
-def _is_known(name: str) -> bool:
-    from latex2mathml.symbols_parser import convert_symbol  # here and below: few books have macros
-
-    return convert_symbol(f"\\{name}") is not None or f"\\{name}" in _commands()
-
-
-@cache
-def _commands() -> frozenset[str]:
-    """All that the converter's own lists name."""
-    from latex2mathml import commands
-
-    lists = [value for key, value in vars(commands).items() if key.isupper()]
-    names = (name for each in lists for name in ([each] if isinstance(each, str) else each))
-    return frozenset(name for name in names if isinstance(name, str))
 
 
 def _filled(body: str, given: Sequence[str]) -> str:

@@ -1,8 +1,7 @@
-"""What TeX is short for: an author's macros, units and chemistry, written out before it is set."""
+"""What TeX is short for: an author's macros, and units, written out before it is set."""
 
 import re
 
-from site_builder.markdown.text.chemistry import with_chemistry
 from site_builder.markdown.text.macros import Macros, expanded
 from site_builder.markdown.text.math import UnsupportedTexError, quoted
 from site_builder.markdown.text.units import with_units
@@ -14,4 +13,4 @@ def written_out(tex: str, macros: Macros) -> str:
     """``tex`` in the commands that `math` sets. Raises `UnsupportedTexError`."""
     if TAG.search(tex):
         raise UnsupportedTexError(rf"\tag in {quoted(tex)}; legal: once, in a displayed formula")
-    return with_chemistry(with_units(expanded(tex, macros)))
+    return with_units(expanded(tex, macros))

@@ -20,6 +20,11 @@ WORDS = re.compile(
     r"\\(?:text|mathrm|operatorname\*?|begin|end|role|mathit|texttt)\s*\{[^{}]*\}'?"
     r"(?:_(?:\{[^{}]*\}|\w))?"
 )
+NO_SYMBOLS = re.compile(
+    r"\\\\\s*\[[^]]*\]|\\begin\{array\}\s*\{[^{}]*\}|\\(?:[hv]space|color|ce|pu)\s*\{[^{}]*\}"
+    r"|\\textcolor\s*\{[^{}]*\}|\\[hmk]?kern?\s*[\d.]+\s*(?:em|ex|mu|pt)"
+)
+"""Lengths, columns, colours and formulae of chemistry."""
 WORD_IN_INDEX = re.compile(r"_(?:\{([^{}]*?))?\\(?:text|mathrm)\{([^{}]*)\}(?(1)\})")
 DIFFERENTIAL = re.compile(rf"(?<=\\,)\s*d(?=\s*{LETTER})")
 SYMBOL = re.compile(
@@ -32,7 +37,8 @@ SYMBOL = re.compile(
 @cache
 def symbols_of(tex: str) -> tuple[str, ...]:
     """Each symbol as often as it stands there, in the spelling of `spelt`."""
-    text = WORD_IN_INDEX.sub(lambda found: f"_{{{found[1] or ''}«{found[2].strip()}»}}", tex)
+    text = NO_SYMBOLS.sub(" ", tex)
+    text = WORD_IN_INDEX.sub(lambda found: f"_{{{found[1] or ''}«{found[2].strip()}»}}", text)
     text = DIFFERENTIAL.sub("", WORDS.sub(" ", text))
     found = (match for match in SYMBOL.finditer(text) if match["over"])
     return tuple(_joined(_bare(match["over"]), match["index"]) for match in found)

@@ -1,4 +1,4 @@
-"""Macros, units and chemistry are TeX that the converter takes, or mistakes with their place."""
+"""Macros and units are written out as TeX, or are mistakes with their place."""
 
 from collections.abc import Callable
 from xml.etree import ElementTree
@@ -8,7 +8,6 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from site_builder.build import Options, render_site
-from site_builder.markdown.text.chemistry import with_chemistry
 from site_builder.markdown.text.macros import expanded, faults_of
 from site_builder.markdown.text.math import UnsupportedTexError, to_mathml
 from site_builder.markdown.text.shorthand import written_out
@@ -69,9 +68,7 @@ def test_a_macro_that_doubles_and_doubles_comes_to_an_end() -> None:
     [
         (r"R2 = '\mathbb{R}'", "is no name"),
         (r"'\R' = '\mathbb{R}'", "is no name"),
-        (r"frac = '#1/#2'", "is a command of TeX"),
-        (r"alpha = 'a'", "is a command of TeX"),
-        (r"qty = 'q'", "is a command of TeX"),
+        (r"qty = 'q'", "is a command of the book"),
         (r"norm = '|#2|'", "takes #2 but no #1"),
         (r"norm = '{#1'", "unbalanced braces"),
         (r"norm = ''", "stands for nothing"),
@@ -153,36 +150,9 @@ def test_a_unit_that_is_none_is_refused(tex: str, report: str) -> None:
     assert report.replace("\\\\", "\\") in str(caught.value).replace("\\\\", "\\")
 
 
-@pytest.mark.parametrize(
-    ("tex", "written"),
-    [
-        ("H2O", r"\text{H}_{2}\text{O}"),
-        ("SO4^2-", r"\text{S}\text{O}_{4}^{2-}"),
-        ("Fe^{3+}", r"\text{Fe}^{3+}"),
-        ("Na+ + Cl-", r"\text{Na}^{+} + \text{Cl}^{-}"),
-        ("Ca(OH)2", r"\text{Ca}(\text{O}\text{H})_{2}"),
-        ("2 H2 <- N", r"2\,\text{H}_{2} \longleftarrow \text{N}"),
-        ("CuSO4 * 5 H2O", r"\text{Cu}\text{S}\text{O}_{4} \cdot 5\,\text{H}_{2}\text{O}"),
-        ("1/2 O2", r"\frac{1}{2}\,\text{O}_{2}"),
-        ("H2(g) <=> H(s)", r"\text{H}_{2}\,\text{(g)} \rightleftharpoons \text{H}\,\text{(s)}"),
-        ("^{14}_{6}C", r"{}^{14}_{6}\text{C}"),
-        ("e- + H+", r"\text{e}^{-} + \text{H}^{+}"),
-    ],
-)  # fmt: skip
-def test_chemistry_reads_as_mhchem_sets_it(tex: str, written: str) -> None:
-    assert with_chemistry(rf"\ce{{{tex}}}") == f"{{{written}}}"
-    to_mathml(with_chemistry(rf"\ce{{{tex}}}"), display=False)
-
-
-@pytest.mark.parametrize("tex", [r"\ce{H2O&}", r"\ce{water}", r"\ce{}", r"\ce{Ca(OH2}", r"\ce{)}"])
-def test_what_is_no_chemistry_is_refused(tex: str) -> None:
-    with pytest.raises(UnsupportedTexError, match="chemistry"):
-        with_chemistry(tex)
-
-
 @given(st.text(alphabet="\\{}qtyceSIumR norm#123+-.^_/(ABab)", max_size=30))
 def test_whatever_is_written_is_set_or_refused(tex: str) -> None:
-    for command in ("", r"\qty", r"\ce", r"\norm", r"\unit"):
+    for command in ("", r"\qty", r"\norm", r"\unit"):
         try:
             written_out(f"{command}{tex}", MACROS)
         except UnsupportedTexError:

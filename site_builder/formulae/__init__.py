@@ -1,0 +1,1 @@
+"""Formulae: TeX to MathML, by Temml under Node."""

@@ -1,0 +1,44 @@
+/**
+ * Answers each line of its input, a request as JSON, with a line of its own, until the input ends.
+ * Called with the folder of the packages.
+ *
+ *   {"tex": "…", "display": true}   {"mathml": "…"} or {"error": "…"}
+ */
+
+import { createRequire } from "node:module";
+import { join } from "node:path";
+import { createInterface } from "node:readline";
+
+const require = createRequire(join(process.argv[2], "node_modules", "/"));
+const temml = require("temml/dist/temml.cjs");
+globalThis.temml = temml;
+require("temml/contrib/mhchem/mhchem.js");
+
+const OPTIONS = {
+  throwOnError: true,
+  strict: false,
+  trust: (context) => context.command === "\\class" && /^role-[\w-]+$/.test(context.class),
+  maxExpand: 1000,
+};
+/** What our style sheet does instead: a formula's display, and the spaces between columns. */
+const OURS = [
+  [/ class="tml-display" style="display:block math;"/g, ""],
+  [/padding-(?:left|right):(?:5\.9776|0)pt;/g, ""],
+  [/<mtd style="(?:padding-(?:left|right):0em;)*">/g, "<mtd>"],
+];
+
+/** @param {{tex: string, display: boolean}} request */
+function answer({ tex, display }) {
+  try {
+    const mathml = temml.renderToString(tex, { ...OPTIONS, displayMode: display });
+    return { mathml: OURS.reduce((text, [found, other]) => text.replaceAll(found, other), mathml) };
+  } catch (error) {
+    if (error.name !== "ParseError") return { error: "a part of it is missing" };
+    const [reason] = error.message.trim().split(/ at (?:position \d|end of input)/);
+    return { error: reason.replaceAll("'EOF'", "its end") };
+  }
+}
+
+for await (const line of createInterface({ input: process.stdin })) {
+  process.stdout.write(`${JSON.stringify(answer(JSON.parse(line)))}\n`);
+}

