@@ -1,7 +1,5 @@
 """The field that filters the tables of hard cases."""
 
-from collections.abc import Iterator
-
 import pytest
 from playwright.sync_api import Locator, expect
 from support.reader import Reader
@@ -10,9 +8,9 @@ pytestmark = pytest.mark.browser
 
 
 @pytest.fixture
-def field(plain_reader: Reader) -> Iterator[Locator]:
+def field(plain_reader: Reader) -> Locator:
     plain_reader.open("where-the-models-break/", live=False)
-    yield plain_reader.page.get_by_role("searchbox", name="Filter the cases")
+    return plain_reader.page.get_by_role("searchbox", name="Filter the cases")
 
 
 def test_only_the_cases_with_every_typed_word_are_shown(
