@@ -23,8 +23,8 @@ const OPTIONS = {
 /** What our style sheet does instead: a formula's display, and the spaces between columns. */
 const OURS = [
   [/ class="tml-display" style="display:block math;"/g, ""],
-  [/padding-(?:left|right):(?:5\.9776|0)pt;/g, ""],
-  [/<mtd style="(?:padding-(?:left|right):0em;)*">/g, "<mtd>"],
+  [/padding-(?:left|right):[\d.]+(?:em|pt);/g, ""],
+  [/ style=""/g, ""],
 ];
 
 /** @param {{tex: string, display: boolean}} request */
