@@ -60,4 +60,5 @@ LADDER = Ladder(
         Metric("changed", "Coefficients that round otherwise", "per million", changed_per_million),
     ),
     default_tier="separable",
+    items=65_536,
 )

@@ -158,4 +158,5 @@ LADDER = Ladder(
         Metric("worst", "Largest error", "of range", worst),
     ),
     default_tier="even-16",
+    items=36_864,
 )

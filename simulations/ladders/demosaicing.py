@@ -98,4 +98,5 @@ LADDER = Ladder(
         Metric("light", "PSNR, balloon, in light", "dB", _fidelity_in_light, higher_is_better=True),
     ),
     default_tier="menon-unrefined",
+    items=138_240,
 )

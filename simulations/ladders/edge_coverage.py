@@ -207,4 +207,5 @@ LADDER = Ladder(
         Metric("worst-small", "Largest, radius 5", "% of a pixel", partial(worst, which=1)),
     ),
     default_tier="straight",
+    items=9_472,
 )

@@ -114,4 +114,6 @@ LADDER = Ladder(
     reference_label="bisection of the radius down to the last bit",
     metrics=METRICS,
     default_tier="newton-4",
+    items=76_800,
+    item="point",
 )

@@ -81,4 +81,6 @@ LADDER = Ladder(
         Metric("fold", "Largest error, near the fold", "px", partial(worst_px, part=BARREL)),
     ),
     default_tier="closed-form",
+    items=76_800,
+    item="point",
 )

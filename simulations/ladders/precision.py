@@ -148,4 +148,6 @@ LADDER = Ladder(
         Metric("near", "RMS error, 6 m from the origin", "px", rms_near_px),
     ),
     default_tier="relative-64",
+    items=40_000,
+    item="point",
 )

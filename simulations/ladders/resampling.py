@@ -137,4 +137,5 @@ LADDER = Ladder(
         _better("present", "Fine detail present anywhere", "%", _share(lambda d: d.present)),
     ),
     default_tier="spline",
+    items=589_824,
 )

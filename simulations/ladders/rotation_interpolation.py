@@ -79,4 +79,6 @@ LADDER = Ladder(
         Metric("worst-small", "Largest error up to 10°", "°", worst_small_deg),
     ),
     default_tier="slerp",
+    items=5_760,
+    item="rotation",
 )

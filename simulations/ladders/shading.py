@@ -118,4 +118,5 @@ LADDER = Ladder(
         Metric("worst", "Largest error", "of white", worst),
     ),
     default_tier="phong",
+    items=66_049,
 )

@@ -103,4 +103,5 @@ LADDER = Ladder(
         Metric("bias", "Largest bias of the mean", "%", worst_bias_percent),
     ),
     default_tier="quantile",
+    items=524_288,
 )
