@@ -8,7 +8,6 @@ from typing import Any
 
 from site_builder.markdown.directive import Directive, OptionLine
 from site_builder.markdown.directives import DIRECTIVES
-from site_builder.markdown.guide import BAR
 from site_builder.markdown.role import Role
 from site_builder.markdown.roles import ROLES
 from site_builder.settings.guide import settings_table
@@ -21,6 +20,8 @@ with it, the same on every paper; its class is `swatch`. What is drawn upon it i
 In the words of `label`, there too, `_` lowers what follows and `^` raises it: those parts are \
 `sub` and `super`.
 """
+BAR = "\\|"
+"""A bar inside a table."""
 EXAMPLES = Path(__file__).with_name("examples")
 
 

@@ -92,7 +92,8 @@ def directive(root: Path, text: str) -> Made:
     }
     write_new(root, files)
     index.write_text(_listed(listed, name), encoding="utf-8")
-    return {**files, f"{rooms}/__init__.py": ""}, _in_the_guide(root, name)
+    next_step = f"give it its looks: static/css/{name.text}.css, imported in static/css/book.css"
+    return {**files, f"{rooms}/__init__.py": ""}, next_step
 
 
 def _listed(text: str, name: Name) -> str:
@@ -104,17 +105,6 @@ def _listed(text: str, name: Name) -> str:
         raise ScaffoldError("the list of directives is not as it was; legal: imports, then a tuple")
     ordered = "\n".join(sorted([*imports, line], key=lambda item: item.split(" import ")[0]))
     return text.replace(whole, ordered).replace("\n)\n", f"\n    {name.constant},\n)\n", 1)
-
-
-def _in_the_guide(root: Path, name: Name) -> str:
-    """Add its row to the table in the README, if there is one."""
-    readme = root / "README.md"
-    text = readme.read_text(encoding="utf-8") if readme.is_file() else ""
-    rows = re.findall(r"^\| `:::\{.*$", text, re.MULTILINE)
-    if rows:
-        row = f"| `:::{{{name.text}}} Title` | {name.words} |  | text and other directives |"
-        readme.write_text(text.replace(rows[-1], f"{rows[-1]}\n{row}"), encoding="utf-8")
-    return f"give it its looks: static/css/{name.text}.css, imported in static/css/book.css"
 
 
 def _refuse_taken(root: Path, folder: str, name: Name) -> None:

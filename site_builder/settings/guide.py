@@ -1,7 +1,4 @@
-"""The author's table of ``book.toml``, as the README has it.
-
-``python -m site_builder.settings.guide`` prints it; a test holds the README to it.
-"""
+"""The author's table of the keys of ``book.toml``, a page of the guide."""
 
 from collections.abc import Iterator
 from typing import Any
@@ -36,7 +33,3 @@ def _default(item: Key) -> str:
     if item.without or item.default == ():
         return item.without or "none"
     return f"`{item.default}`"
-
-
-if __name__ == "__main__":
-    print(settings_table())

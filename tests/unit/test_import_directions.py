@@ -50,7 +50,7 @@ BUILDER = (
 MARKDOWN = (
     "text", "targets", "reading", "files", "scenes", "headings", "role", "roles", "inline",
     "directive", "questions", "usage", "blocks", "bodies", "fences",
-    "directives", "placing", "guide", "first_marks", "parser", "vocabulary", "chapter",
+    "directives", "placing", "first_marks", "parser", "vocabulary", "chapter",
 )  # fmt: skip
 """Parts of ``site_builder/markdown``, likewise."""
 

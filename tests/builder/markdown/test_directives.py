@@ -1,4 +1,4 @@
-"""What follows from the values that declare directives and roles: checks, templates, the guide."""
+"""What follows from the values that declare directives and roles: checks, templates."""
 
 from collections import Counter
 from pathlib import Path
@@ -13,7 +13,6 @@ from site_builder.markdown.bodies import CAPTION, no_body
 from site_builder.markdown.directive import Argument, Directive, OptionLine, OptionValue, Use
 from site_builder.markdown.directives import DIRECTIVES
 from site_builder.markdown.fences import OPENING
-from site_builder.markdown.guide import directive_table, guide
 from site_builder.markdown.parser import RULES, make_parser
 from site_builder.markdown.reading import Reading
 from site_builder.markdown.role import USE
@@ -62,24 +61,6 @@ def test_names_are_given_once_and_can_be_written() -> None:
     assert max(*directives.values(), *roles.values()) == 1
     assert all(OPENING.fullmatch(f":::{{{name}}} words") for name in directives)
     assert all(USE.fullmatch(f"{{{name}}}`words`") for name in roles)
-
-
-def test_the_author_s_guide_lists_every_directive_and_role() -> None:
-    again = "write what `python -m site_builder.markdown.guide` prints into README.md"
-    assert guide() in README.read_text(encoding="utf-8"), again
-
-
-def test_the_guide_shows_what_may_be_left_out_and_what_must_not_be() -> None:
-    options = (
-        OptionLine("speed", says="how fast", legal=("slow", "fast")),
-        OptionLine("alt", says="what it shows", required=True),
-    )
-    table = directive_table([film(options=options, more_options="more"), film(argument=None)])
-    assert table.splitlines()[2:] == [
-        "| `:::{film} [file]` | a moving picture | `:speed:` how fast, `slow` or `fast`; "
-        "`:alt:` what it shows (required); more | a caption |",
-        "| `:::{film}` | a moving picture |  | a caption |",
-    ]
 
 
 def test_each_of_our_rules_stands_before_the_one_it_names() -> None:

@@ -1,4 +1,4 @@
-"""The JSON schema of ``book.toml`` and its table in the README say what the reading does."""
+"""The JSON schema of ``book.toml`` says what the reading does."""
 
 import re
 import tomllib
@@ -7,7 +7,6 @@ from typing import Any
 
 import pytest
 
-from site_builder.settings.guide import settings_table
 from site_builder.settings.kinds import COLOUR, PREFIX, SITE, Kind, Names, OneOf, Text, Whole
 from site_builder.settings.schema import book_schema
 
@@ -69,7 +68,3 @@ def test_schema_and_reading_agree(kind: Kind, value: object) -> None:
     except ValueError:
         legal = False
     assert admits(kind.schema(), value) == legal
-
-
-def test_the_readme_has_the_table_of_all_keys() -> None:
-    assert settings_table() in (ROOT / "README.md").read_text(encoding="utf-8")
