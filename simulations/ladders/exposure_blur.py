@@ -1,5 +1,6 @@
 """Motion blur: many instants averaged, one picture smeared, or the time integral itself."""
 
+from collections.abc import Callable
 from dataclasses import dataclass
 from functools import partial
 
@@ -8,8 +9,17 @@ import numpy as np
 from simulations.engine.ladder import Ladder, Metric, Tier
 from simulations.models.arrays import Floats, Mask
 from simulations.models.error_measures import root_mean_square
-from simulations.models.sensor.exposure import mean_of_instants, mean_of_random_instants
+from simulations.models.sensor.exposure import (
+    mean_of_instants,
+    mean_of_jittered_instants,
+    mean_of_random_instants,
+)
 from simulations.pictures import moving_ball
+
+type OwnInstants = Callable[
+    [Callable[[Floats], Floats], int, tuple[int, ...], np.random.Generator], Floats
+]
+"""A mean of so many pictures, given the picture at the times of all pixels."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -43,11 +53,12 @@ def _instants(workload: Workload, *, count: int) -> Floats:
     )
 
 
-def _random_instants(workload: Workload, *, count: int) -> Floats:
+def _own_instants(workload: Workload, *, mean: OwnInstants, count: int) -> Floats:
+    """Every pixel sees instants of its own."""
     shape = (moving_ball.HEIGHT, moving_ball.WIDTH)
     rng = np.random.default_rng(11)
     behind = moving_ball.wall(workload.x, workload.y)
-    return mean_of_random_instants(
+    return mean(
         lambda times: moving_ball.instant(workload.x, workload.y, times, behind), count, shape, rng
     )
 
@@ -124,7 +135,18 @@ LADDER = Ladder(
         _instants_tier(4),
         Tier("smear", "One instant, smeared", "1 picture, 1 running sum", _smear),
         _instants_tier(16),
-        Tier("random-16", "16 random instants", "16 pictures", partial(_random_instants, count=16)),
+        Tier(
+            "random-16",
+            "16 independent instants",
+            "16 pictures",
+            partial(_own_instants, mean=mean_of_random_instants, count=16),
+        ),
+        Tier(
+            "jittered-16",
+            "16 instants, one in each share",
+            "16 pictures",
+            partial(_own_instants, mean=mean_of_jittered_instants, count=16),
+        ),
         _instants_tier(64),
     ),
     reference=reference,

@@ -5,13 +5,13 @@ from functools import partial
 from simulations.engine.ladder import Ladder, Tier
 from simulations.ladders.depth_of_field.ladder import (
     METRICS,
+    SPIRALS,
     Workload,
     binned,
     discs,
     gather,
     layered,
     pinhole,
-    ray_tiers,
     reference,
     workload_of,
 )
@@ -26,7 +26,7 @@ def prepare() -> Workload:
 
 
 def _by_taps(planes: Planes, radius_px: float) -> Planes:
-    return summed(planes, disc_kernel(radius_px)) if radius_px > 0.5 else planes
+    return summed(planes, disc_kernel(radius_px))
 
 
 def _reference(workload: Workload) -> Floats:
@@ -55,7 +55,7 @@ LADDER = Ladder(
             "4 layers, up to 2700 taps a pixel",
             partial(layered, blur=_by_taps),
         ),
-        *ray_tiers(),
+        *SPIRALS,
         Tier("gather", "Gather from neighbours", "1 ray, 2700 taps a pixel", gather),
     ),
     reference=_reference,

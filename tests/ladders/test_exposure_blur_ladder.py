@@ -63,6 +63,10 @@ def test_random_instants_err_by_the_spread_of_the_light_over_the_root_of_their_n
     assert RMS["random-16"] > 2 * RMS["instants-16"]
 
 
+def test_an_instant_in_each_share_of_the_time_is_nearly_as_good_as_even_ones() -> None:
+    assert RMS["instants-16"] < RMS["jittered-16"] < 1.2 * RMS["instants-16"]
+
+
 def test_a_smear_stays_within_the_outline_that_the_ball_has_at_half_time() -> None:
     smeared = LADDER.tier("smear").run(WORK)
     outside = ~moving_ball.on_ball(WORK.x, WORK.y, 0.5)
@@ -85,6 +89,6 @@ def test_the_metrics_notice_an_exposure_that_begins_too_late() -> None:
 
 def test_the_default_is_not_beaten_in_both_work_and_error() -> None:
     work = {"instants-1": 1, "smear": 2, "integral": 1.5, "instants-4": 4}
-    work |= {"random-16": 16, "instants-16": 16, "instants-64": 64}
+    work |= {"random-16": 16, "jittered-16": 16, "instants-16": 16, "instants-64": 64}
     front = pareto_front([(cost, RMS[tier]) for tier, cost in work.items()])
     assert front[list(work).index(LADDER.default_tier)]

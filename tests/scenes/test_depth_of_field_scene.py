@@ -26,7 +26,7 @@ from simulations.scenes.depth_of_field.scene import (
     parameters,
 )
 from simulations.scenes.depth_of_field.sharpness import FAR_M, NEAR_M, sharpness
-from simulations.scenes.depth_of_field.stages import depth_of, encode
+from simulations.scenes.depth_of_field.stages import SPIRALS, depth_of, encode
 
 
 def frame(tier: str = "", stages: StageCache | None = None, /, **given: Value) -> Frame:
@@ -210,11 +210,16 @@ def test_the_tiers_are_rungs_of_the_ladder_and_start_at_its_default() -> None:
     np.testing.assert_array_equal(picture(""), picture(LADDER.default_tier))
 
 
-@pytest.mark.parametrize("tier", SCENE.tiers)
-def test_a_lens_that_is_a_pinhole_needs_none_of_the_ways(tier: str) -> None:
+@pytest.mark.parametrize("tier", [tier for tier in SCENE.tiers if tier not in SPIRALS])
+def test_a_lens_that_is_nearly_a_pinhole_is_drawn_without_a_blur(tier: str) -> None:
     shown = frame(tier, aperture=22)
     np.testing.assert_array_equal(picture_of(shown), picture("pinhole", aperture=22))
     assert sum(stage.status == "skipped" for stage in shown.stages) == 3
+
+
+def test_rays_through_the_lens_are_sent_however_narrow_it_is() -> None:
+    off = {tier: float(judged(tier, aperture=22)[-1].text) for tier in ("pinhole", "fibonacci-16")}
+    assert off["fibonacci-16"] < 0.8 * off["pinhole"]
 
 
 @pytest.mark.parametrize(

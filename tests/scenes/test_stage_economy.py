@@ -200,16 +200,3 @@ def test_dearer_tiers_of_the_camera_are_nearer_to_rays_through_the_whole_lens() 
         errors[tier] = camera.rms_codes(outputs["noiseless picture"], truth)
     assert errors["draft"] > 3 * errors["layers"]
     assert errors["layers"] > 1.4 * errors["aperture-rays"]
-
-
-def test_a_lens_that_is_a_pinhole_needs_no_rays() -> None:
-    scene = camera.SCENE
-    given = scene.check({"aperture": 22})
-    layers = scene.render(given, "layers", StageCache()).panels[0].raster
-    rays = scene.render(given, "aperture-rays", StageCache())
-    assert "aperture rays" in {item.name for item in rays.stages if item.status == "skipped"}
-    ours, theirs = np.asarray(layers, int), np.asarray(rays.panels[0].raster, int)
-    inner = (slice(2, -2), slice(2, -2))
-    np.testing.assert_array_equal(ours[inner], theirs[inner])
-    # Only the picture with a margin knows how patterns go on beyond the edge.
-    np.testing.assert_allclose(ours, theirs, atol=1)

@@ -9,7 +9,12 @@ from simulations.engine.ladder import Ladder, Metric, Tier
 from simulations.ladders.depth_of_field import truth as depth_of_field_truth
 from simulations.models.arrays import Floats, Planes
 from simulations.models.error_measures import psnr_db
-from simulations.models.lens.aperture import fibonacci_disc, random_disc
+from simulations.models.lens.aperture import (
+    fibonacci_disc,
+    jittered_disc,
+    random_disc,
+    turned_disc,
+)
 from simulations.models.lens.depth_of_field import Blur, Layer, blur_by_depth, blur_layer, composite
 from simulations.models.lens.disc_blur import disc_blur
 from simulations.models.lens.screen_blur import binned_gaussian, gather_discs
@@ -83,20 +88,32 @@ def layered(workload: Workload, blur: Blur = disc_blur) -> Planes:
 
 
 def _fibonacci(workload: Workload, *, rays: int) -> Planes:
-    """Every pixel looks through the same points."""
-    total = np.zeros((3, *workload.seen.shape), np.float32)
-    for x, y in (workload.lens_radius * fibonacci_disc(rays)).tolist():
-        total += cards.radiance(workload.seen, x, y)
-    return total / np.float32(rays)
+    """Every pixel looks through the same points: the error is ghosts."""
+    return _through(workload, fibonacci_disc(rays).astype(np.float32))
 
 
 def _random(workload: Workload, *, rays: int) -> Planes:
     """Every pixel looks through points of its own: the error is grain."""
+    return _through(workload, random_disc(rays, workload.seen.shape, np.random.default_rng(7)))
+
+
+def _jittered(workload: Workload) -> Planes:
+    """Every pixel looks through a point of its own in each of sixteen cells of the lens."""
+    return _through(workload, jittered_disc(2, 8, workload.seen.shape, np.random.default_rng(7)))
+
+
+def _turned(workload: Workload, *, rays: int) -> Planes:
+    """Every pixel looks through the same points, turned by an angle of its own."""
+    spiral, rng = fibonacci_disc(rays), np.random.default_rng(7)
+    return _through(workload, turned_disc(spiral, workload.seen.shape, rng))
+
+
+def _through(workload: Workload, points: Floats) -> Planes:
+    """Mean of what is seen through ``points`` (n, 2) of the unit disc, or (n, 2, H, W)."""
     total = np.zeros((3, *workload.seen.shape), np.float32)
-    points = random_disc(rays, workload.seen.shape, np.random.default_rng(7))
     for x, y in np.float32(workload.lens_radius) * points:
         total += cards.radiance(workload.seen, x, y)
-    return total / np.float32(rays)
+    return total / np.float32(len(points))
 
 
 def reference(workload: Workload, rays: int = 4096) -> Floats:
@@ -116,15 +133,15 @@ def worst(result: Planes, truth: Floats, workload: Workload) -> float:
     return float(np.abs(result[:, inner, inner].astype(np.float64) - truth[:, inner, inner]).max())
 
 
-def ray_tiers() -> tuple[Tier, ...]:
-    """Sixteen and 64 rays, thrown at random and laid on a spiral."""
-    kinds = (("random", "random rays", _random), ("fibonacci", "rays on a spiral", _fibonacci))
-    return tuple(
-        Tier(f"{kind}-{rays}", f"{rays} {label}", f"{rays} rays a pixel", partial(run, rays=rays))
-        for rays in (16, 64)
-        for kind, label, run in kinds
+SPIRALS = tuple(
+    Tier(
+        f"fibonacci-{rays}",
+        f"{rays} rays on a spiral",
+        f"{rays} rays a pixel",
+        partial(_fibonacci, rays=rays),
     )
-
+    for rays in (16, 64)
+)
 
 METRICS = (
     Metric("psnr", "PSNR", "dB", fidelity_db, higher_is_better=True),
@@ -142,7 +159,10 @@ LADDER = Ladder(
         Tier("layered", "Layers blurred and laid over", "4 layers, 1 to 4 blurs each", layered),
         Tier("binned", "Gaussians chosen by depth", "1 ray, 6 blurred pictures", binned),
         Tier("gather", "Gather from neighbours", "1 ray, 89 taps a pixel", gather),
-        *ray_tiers(),
+        Tier("random-16", "16 independent rays", "16 rays a pixel", partial(_random, rays=16)),
+        Tier("jittered-16", "16 rays, one in each cell", "16 rays a pixel", _jittered),
+        Tier("turned-16", "16 rays, a spiral turned", "16 rays a pixel", partial(_turned, rays=16)),
+        *SPIRALS,
     ),
     reference=reference,
     reference_label="4096 rays a pixel that hit or miss, by code of their own, in float64",

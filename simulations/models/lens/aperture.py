@@ -1,6 +1,7 @@
-"""Points on a lens, for rays that sample it: evenly by a spiral, or by chance.
+"""Points on a lens, for rays that sample it: on a spiral, by chance, or by chance in cells.
 
-Szeliski, 2nd ed., section 2.2.3; H. Vogel, *A better way to construct the sunflower head*, 1979.
+Szeliski, 2nd ed., section 2.2.3; H. Vogel, *A better way to construct the sunflower head*, 1979;
+Cook, Porter and Carpenter, "Distributed ray tracing", SIGGRAPH 1984.
 """
 
 import numpy as np
@@ -25,6 +26,35 @@ def fibonacci_disc(count: int) -> Floats:
 def random_disc(count: int, shape: tuple[int, ...], rng: np.random.Generator) -> Floats:
     """(count, 2, *shape) points, uniform on the unit disc and independent of one another."""
     count = as_whole("count", count, 1)
-    radius = np.sqrt(rng.random((count, *shape), dtype=np.float32))
-    angle = np.float32(2 * np.pi) * rng.random((count, *shape), dtype=np.float32)
+    return _on_disc(*(rng.random((count, *shape), dtype=np.float32) for _ in range(2)))
+
+
+def jittered_disc(
+    rings: int, parts: int, shape: tuple[int, ...], rng: np.random.Generator
+) -> Floats:
+    """(rings × parts, 2, *shape) points on the unit disc: one by chance in each cell.
+
+    The cells are rings of equal area, each cut into as many equal parts. Raises `ValueError` for
+    no ring or no part.
+    """
+    rings, parts = as_whole("rings", rings, 1), as_whole("parts", parts, 1)
+    ring, part = (
+        cell.reshape(-1, *(1 for _ in shape)) for cell in np.indices((rings, parts), np.float32)
+    )
+    area, turn = rng.random((2, rings * parts, *shape), dtype=np.float32)
+    return _on_disc((ring + area) / rings, (part + turn) / parts)
+
+
+def turned_disc(points: Floats, shape: tuple[int, ...], rng: np.random.Generator) -> Floats:
+    """The ``points`` (count, 2) as (count, 2, *shape): turned together, by an angle of its own in
+    each place of ``shape``."""
+    angle = np.float32(2 * np.pi) * rng.random(shape, dtype=np.float32)
+    x, y = np.asarray(points, np.float32).T.reshape(2, -1, *(1 for _ in shape))
+    cosine, sine = np.cos(angle), np.sin(angle)
+    return np.stack([x * cosine - y * sine, x * sine + y * cosine], axis=1)
+
+
+def _on_disc(area: Floats, turn: Floats) -> Floats:
+    """Points (count, 2, ...) at shares (count, ...) of the disc's area, outwards, and of a turn."""
+    radius, angle = np.sqrt(area), np.float32(2 * np.pi) * turn
     return np.stack([radius * np.cos(angle), radius * np.sin(angle)], axis=1)

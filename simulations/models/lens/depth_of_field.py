@@ -19,10 +19,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from simulations.models.arrays import Floats, Planes
-from simulations.models.lens.disc_blur import check_radius, disc_blur
+from simulations.models.lens.disc_blur import NARROW_RADIUS, check_radius, disc_blur
 
 type Blur = Callable[[Planes, float], Planes]
-"""A picture (C, H, W) convolved with a disc of a radius in pixels; itself for ½ and less."""
+"""A picture (C, H, W) convolved with a disc of a radius in pixels; itself for 0."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -44,13 +44,13 @@ def blur_by_depth(planes: Planes, radius_px: Floats, blur: Blur = disc_blur) -> 
 
     The picture is blurred at the largest radius, half of it, a quarter, ... and each pixel mixes
     the two nearest so that its second moment is right, along each axis to 0.12 px²: what is blurred
-    most, often a wall of one depth, has its own disc. Returns the same object where no radius
-    exceeds half a pixel.
+    most, often a wall of one depth, has its own disc. Returns the same object where every radius
+    is 0.
     """
     smallest, largest = float(radius_px.min(initial=0.0)), float(radius_px.max(initial=0.0))
     for radius in (smallest, largest):
         check_radius(radius)
-    if largest <= 0.5:
+    if largest == 0:
         return planes
     levels = blur_levels(largest)
     square = np.asarray(radius_px, np.float32) ** 2
@@ -63,9 +63,11 @@ def blur_by_depth(planes: Planes, radius_px: Floats, blur: Blur = disc_blur) -> 
 
 
 def blur_levels(largest: float) -> list[float]:
-    """Radii from ½, where a disc begins to matter, to ``largest``, each at most twice the last."""
-    halvings = max(0, math.ceil(math.log2(largest)))
-    return [0.5, *(largest / 2**k for k in range(halvings, -1, -1))]
+    """Radii from 0 to ``largest``; from `NARROW_RADIUS` on, each is at most twice the last."""
+    lowest = min(NARROW_RADIUS, largest)
+    halvings = max(0, math.ceil(math.log2(largest / (2 * NARROW_RADIUS))))
+    wider = (largest / 2**k for k in range(halvings, -1, -1))
+    return [0.0, lowest, *(radius for radius in wider if radius > lowest)]
 
 
 def _hat(value: NDArray[np.float32], knots: list[float], index: int) -> NDArray[np.float32]:
@@ -78,7 +80,7 @@ def _hat(value: NDArray[np.float32], knots: list[float], index: int) -> NDArray[
 def blur_layer(layer: Layer, blur: Blur = disc_blur) -> Layer:
     """The layer with its disc applied, on a window grown to hold the spread."""
     check_radius(layer.radius_px)
-    if layer.radius_px <= 0.5:
+    if layer.radius_px == 0:
         return layer
     grow = math.ceil(layer.radius_px) + 1
     padded = np.pad(layer.planes, ((0, 0), (grow, grow), (grow, grow)), mode="edge")

@@ -20,27 +20,41 @@ LARGEST_SUMMED_RADIUS = 6.0
 LARGEST_RADIUS = 1024.0
 """Pixels. The picture is continued beyond its edge as far as the disc reaches: memory sets it."""
 
+NARROW_RADIUS = 0.6153864
+"""Pixels. The shares of pixels that this disc covers have its own variance, R²/4 along each axis.
+Those of a narrower disc have less, and none at all up to ½."""
+
 
 def disc_kernel(radius_px: float) -> Planes:
     """(2n+1, 2n+1) weights of a uniform disc, summing to 1: the area it covers of each pixel.
 
     As each weight is a mean over a pixel, the variance along either axis is that of the disc and
-    that of a pixel, ``R²/4 + 1/12``, to 0.02 px² from R = 1.5 on and to 0.06 px² below. A disc
-    within a pixel (R ≤ ½) is a single 1, and the weights change with the radius without a jump.
+    that of a pixel, ``R²/4 + 1/12``, to 0.02 px² from R = 1.5 on and to 0.11 px² below. A disc
+    below `NARROW_RADIUS` is a mixture of that disc and of none, whose variance is R²/4. The
+    weights change with the radius without a jump.
     """
     check_radius(radius_px)
-    reach = math.ceil(radius_px - 0.5) if radius_px > 0.5 else 0
-    if reach == 0:
+    if radius_px == 0:
         return np.ones((1, 1), np.float32)
-    borders = np.minimum(np.arange(reach + 1) + 0.5, radius_px)
-    to_corner = np.pad(_area_to_corner(borders, borders[:, None], radius_px), ((1, 0), (1, 0)))
+    weights = _shares(max(radius_px, NARROW_RADIUS))
+    if radius_px < NARROW_RADIUS:
+        weights *= (radius_px / NARROW_RADIUS) ** 2
+        weights[1, 1] += 1.0 - weights.sum()
+    return np.asarray(weights, np.float32)
+
+
+def _shares(radius: float) -> Floats:
+    """Area of each pixel that a disc wider than a pixel covers, in shares of the disc."""
+    reach = math.ceil(radius - 0.5)
+    borders = np.minimum(np.arange(reach + 1) + 0.5, radius)
+    to_corner = np.pad(_area_to_corner(borders, borders[:, None], radius), ((1, 0), (1, 0)))
     # The middle pixel's borders lie on both sides of the centre: there twice the area to one.
     to_corner[0], to_corner[:, 0] = -to_corner[1], -to_corner[:, 1]
     to_corner[0, 0] = to_corner[1, 1]
     quarter = np.maximum(np.diff(np.diff(to_corner, axis=0), axis=1), 0.0)
     half = np.concatenate((quarter[:, :0:-1], quarter), axis=1)
     weights = np.concatenate((half[:0:-1], half))
-    return np.asarray(weights / weights.sum(), np.float32)
+    return np.asarray(weights / weights.sum())
 
 
 def _area_to_corner(x: Floats, y: Floats, radius: float) -> Floats:
@@ -63,10 +77,10 @@ def check_radius(radius_px: float) -> None:
 def disc_blur(planes: Planes, radius_px: float) -> Planes:
     """``planes`` (C, H, W) convolved with a disc; the picture goes on beyond its edge unchanged.
 
-    Returns the same object where the disc lies within a pixel (radius up to ½).
+    Returns the same object for the radius 0.
     """
     check_radius(radius_px)
-    if radius_px <= 0.5:
+    if radius_px == 0:
         return planes
     convolve = summed if radius_px <= LARGEST_SUMMED_RADIUS else transformed
     return convolve(planes, disc_kernel(radius_px))

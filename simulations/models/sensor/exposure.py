@@ -37,6 +37,21 @@ def mean_of_random_instants(
     return _mean(picture_at(rng.random(shape)) for _ in range(count))
 
 
+def mean_of_jittered_instants(
+    picture_at: Callable[[Floats], Floats],
+    count: int,
+    shape: tuple[int, ...],
+    rng: np.random.Generator,
+) -> Floats:
+    """Mean of ``count`` pictures: each pixel draws a time of its own in each equal share of it all.
+
+    ``picture_at`` takes the times of all pixels, of ``shape``. Grain as from independent times, but
+    less of it. Cook, Porter and Carpenter, "Distributed ray tracing", SIGGRAPH 1984.
+    """
+    count = as_whole("count", count, 1)
+    return _mean(picture_at((share + rng.random(shape)) / count) for share in range(count))
+
+
 def _mean(pictures: Iterator[Floats]) -> Floats:
     """Of one picture or more, of which only one is kept at a time."""
     total, count = as_floats(next(pictures)).copy(), 1  # sums of whole codes would wrap around

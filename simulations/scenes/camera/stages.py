@@ -30,7 +30,7 @@ class Accuracy:
     bent_rays: bool = False
     """Whether the lens bends the rays, or else the finished picture."""
     lens_rays: int = 0
-    """Rays through the lens's opening, in place of a blur; none where there is a blur."""
+    """Rays through the lens's opening, in place of a blur; 0 where there is a blur."""
 
 
 TIERS: Mapping[str, Accuracy] = {
@@ -137,13 +137,19 @@ def enlarge(overlaid: Planes, reduction: int) -> Planes:
     return overlaid
 
 
+SHARP_PX = 0.3
+"""Width of the widest disc of confusion of a picture that is not blurred. Against 37 rays through
+the lens such a picture is off by half a code of 255 RMS at most, at nine lenses and distances. With
+a widest disc of one pixel it would be up to 2.2 codes. Pictures made of rays are never spared."""
+
+
 def in_focus(largest_blur: float) -> str:
-    """Why a picture would not be blurred, of a lens whose widest disc is so many pixels wide."""
-    return "every circle of confusion is under a pixel" if largest_blur <= 1.0 else ""
+    """Why a picture is not blurred, of a lens whose widest disc is so many pixels wide."""
+    return f"no disc is wider than {SHARP_PX} px" if largest_blur <= SHARP_PX else ""
 
 
-def _no_rays(largest_blur: float, lens_rays: int) -> str:
-    return in_focus(largest_blur) or ("" if lens_rays else "the blur stands in for rays")
+def _no_rays(lens_rays: int) -> str:
+    return "" if lens_rays else "the blur stands in for rays"
 
 
 def _no_bending(k1: float, bent_rays: bool) -> str:

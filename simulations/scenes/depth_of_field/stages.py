@@ -101,9 +101,14 @@ def encode(light: Planes) -> Raster:
     return to_rgba8(encode_srgb_table(light.transpose(1, 2, 0)))
 
 
-def _unless(tiers: Container[str], otherwise: str, largest_blur: float, tier: str) -> str:
+def _unless(tiers: Container[str], otherwise: str, tier: str) -> str:
     """Why a stage of ``tiers`` would change nothing."""
-    return in_focus(largest_blur) or ("" if tier in tiers else otherwise)
+    return "" if tier in tiers else otherwise
+
+
+def _unless_sharp(tiers: Container[str], otherwise: str, largest_blur: float, tier: str) -> str:
+    """Why a blur of ``tiers`` would change nothing; rays do without it, however narrow the lens."""
+    return in_focus(largest_blur) or _unless(tiers, otherwise, tier)
 
 
 CAMERA = {stage.name: stage for stage in camera_stages.STAGES}
@@ -111,13 +116,15 @@ STAGES = (
     CAMERA["pinhole rays"],
     replace(CAMERA["surfaces"], after=("pinhole rays",)),
     CAMERA["light"],
-    replace(CAMERA["defocus"], neutral=partial(_unless, LAYERED, "no layer is blurred by itself")),
+    replace(
+        CAMERA["defocus"], neutral=partial(_unless_sharp, LAYERED, "no layer is blurred by itself")
+    ),
     replace(CAMERA["overlay"], compute=_overlay),
     Stage(
         "filter",
         _filter,
         ("overlay", "light"),
-        partial(_unless, FILTERS, "the finished picture is not filtered"),
+        partial(_unless_sharp, FILTERS, "the finished picture is not filtered"),
     ),
     Stage(
         "rays through the lens",

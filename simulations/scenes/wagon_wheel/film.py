@@ -9,11 +9,23 @@ import numpy as np
 from simulations.engine.frame import Raster, Readout, format_magnitude
 from simulations.engine.stages import Stage
 from simulations.models.arrays import Floats
-from simulations.models.sensor.exposure import mean_of_instants, mean_of_random_instants
+from simulations.models.sensor.exposure import (
+    mean_of_instants,
+    mean_of_jittered_instants,
+    mean_of_random_instants,
+)
 from simulations.pictures import spoked_wheel
 from simulations.pictures.spoked_wheel import Bars, Canvas, Exposure
 
-TIERS = ("instants-1", "integral", "instants-4", "instants-16", "random-16", "instants-64")
+TIERS = (
+    "instants-1",
+    "integral",
+    "instants-4",
+    "instants-16",
+    "random-16",
+    "jittered-16",
+    "instants-64",
+)
 """Rungs of the ladder `exposure-blur`, all but the smear: it needs a motion in a straight line."""
 PARTS = 12
 """Steps in which the pixels are judged: each takes a few milliseconds."""
@@ -27,9 +39,10 @@ def exposure_of(tier: str, frame: int) -> Exposure:
             return spoked_wheel.throughout
         case "instants":
             return lambda row: mean_of_instants(partial(spoked_wheel.at_moment, row), int(count))
-        case "random":
+        case "random" | "jittered":
             rng = np.random.default_rng((frame, 11))
-            return lambda row: mean_of_random_instants(
+            mean = mean_of_random_instants if kind == "random" else mean_of_jittered_instants
+            return lambda row: mean(
                 partial(spoked_wheel.at_moment, row), int(count), row.place.shape, rng
             )
     raise ValueError(f"tier {tier!r}; legal: {', '.join(TIERS)}")

@@ -5,7 +5,12 @@ import math
 import numpy as np
 import pytest
 
-from simulations.models.lens.aperture import fibonacci_disc, random_disc
+from simulations.models.lens.aperture import (
+    fibonacci_disc,
+    jittered_disc,
+    random_disc,
+    turned_disc,
+)
 
 
 @pytest.mark.parametrize("count", [1, 16, 500])
@@ -40,9 +45,46 @@ def test_random_points_of_each_pixel_are_its_own() -> None:
     assert abs(np.corrcoef(points[:-1, 0, 0], points[1:, 0, 0])[0, 1]) < 0.08
 
 
+def test_each_cell_of_the_lens_holds_one_jittered_point() -> None:
+    points = jittered_disc(3, 5, (20, 30), np.random.default_rng(3))
+    assert points.shape == (15, 2, 20, 30)
+    assert points.dtype == np.float32
+    ring = np.floor(3 * np.sum(points**2, axis=1) * (1 - 1e-6))
+    part = np.floor(5 * np.arctan2(points[:, 1], points[:, 0]) / (2 * np.pi)) % 5
+    assert (np.sort(5 * ring + part, axis=0) == np.arange(15)[:, None, None]).mean() > 0.999
+    assert len(np.unique(points[0, 0])) > 590
+
+
+def test_jittered_points_are_uniform_on_the_disc() -> None:
+    points = jittered_disc(4, 16, (40, 50), np.random.default_rng(5))
+    square = np.sum(points**2, axis=1)
+    for power in (1, 2):
+        assert np.mean(square**power) == pytest.approx(1 / (power + 1), abs=0.002)
+    assert np.mean(points, axis=(0, 2, 3)) == pytest.approx([0, 0], abs=0.002)
+
+
+def test_a_spiral_is_turned_as_a_whole_and_for_each_pixel_by_another_angle() -> None:
+    spiral = fibonacci_disc(7)
+    points = turned_disc(spiral, (20, 30), np.random.default_rng(3)).astype(float)
+    assert points.shape == (7, 2, 20, 30)
+    np.testing.assert_allclose(
+        np.hypot(*points.swapaxes(0, 1)),
+        np.hypot(*spiral.T)[:, None, None] + np.zeros((20, 30)),
+        atol=1e-6,
+    )
+    turns = ((points[:, 0] + 1j * points[:, 1]).T / (spiral @ [1, 1j])).T
+    np.testing.assert_allclose(turns, turns[:1] + np.zeros_like(turns), atol=1e-5)
+    assert len(np.unique(np.angle(turns[0]).round(3))) > 550
+    assert abs(turns[0].mean()) < 0.1
+
+
 def test_no_points_at_all_are_refused_and_one_is_not() -> None:
     with pytest.raises(ValueError, match=r"count 0; legal: whole numbers, 1 or more"):
         fibonacci_disc(0)
     with pytest.raises(ValueError, match=r"count 0; legal: whole numbers, 1 or more"):
         random_disc(0, (), np.random.default_rng(0))
+    with pytest.raises(ValueError, match=r"rings 0; legal: whole numbers, 1 or more"):
+        jittered_disc(0, 5, (), np.random.default_rng(0))
+    with pytest.raises(ValueError, match=r"parts 0; legal: whole numbers, 1 or more"):
+        jittered_disc(5, 0, (), np.random.default_rng(0))
     assert random_disc(1, (), np.random.default_rng(0)).shape == (1, 2)

@@ -6,10 +6,11 @@ import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
-from scipy import integrate, ndimage
+from scipy import integrate, ndimage, special
 
 from simulations.models.arrays import Floats
 from simulations.models.lens.disc_blur import (
+    NARROW_RADIUS,
     disc_blur,
     disc_kernel,
     fast_length,
@@ -50,7 +51,7 @@ def covered(radius: float, x: float, y: float) -> float:
     return area
 
 
-@pytest.mark.parametrize("radius", [0.51, 0.6, 0.8, 1.0, 1.5, 2.2, 3.4, 3.6])
+@pytest.mark.parametrize("radius", [0.62, 0.8, 1.0, 1.5, 2.2, 3.4, 3.6])
 def test_each_weight_is_the_area_that_the_disc_covers_of_its_pixel(radius: float) -> None:
     kernel = disc_kernel(radius)
     for x, y, weight in zip(
@@ -70,7 +71,7 @@ def test_weights_add_up_to_one_and_look_the_same_from_all_sides(radius: float) -
 
 
 @settings(deadline=None)
-@given(radius=st.floats(0.5, 60))
+@given(radius=st.floats(NARROW_RADIUS, 60))
 def test_the_variance_is_that_of_a_disc_and_of_a_pixel(radius: float) -> None:
     """Alike along the axes and the diagonals."""
     kernel = disc_kernel(radius)
@@ -93,7 +94,9 @@ def test_a_disc_is_as_round_as_pixels_allow(radius: float, within: float) -> Non
     assert along == pytest.approx(disc, rel=within + 0.4 / radius**2)
 
 
-@pytest.mark.parametrize("radius", [0.5, 0.75, 1.5, 2.5, 3.5, 6.0, 7.0, 12.0, 14.0])
+@pytest.mark.parametrize(
+    "radius", [0.1, 0.5, NARROW_RADIUS, 0.75, 1.5, 2.5, 3.5, 6.0, 7.0, 12.0, 14.0]
+)
 def test_the_blur_changes_with_the_radius_without_a_jump(radius: float) -> None:
     """A weight gains what the disc's edge, 2πR long, sweeps over, and loses by 1/(πR²) falling."""
     light = np.zeros((1, 61, 61), np.float32)
@@ -103,19 +106,37 @@ def test_the_blur_changes_with_the_radius_without_a_jump(radius: float) -> None:
     assert np.abs(larger - smaller).max() < 2 * step * (2 / radius + 2 / radius) + 1e-6
 
 
-@pytest.mark.parametrize("radius", [0.0, 0.3, 0.5])
-def test_a_disc_within_a_pixel_is_a_point_and_returns_the_very_picture(radius: float) -> None:
+def test_a_disc_of_no_width_is_a_point_and_returns_the_very_picture() -> None:
     picture = np.ones((3, 4, 4), np.float32)
-    assert disc_kernel(radius).tolist() == [[1.0]]
-    assert disc_blur(picture, radius) is picture
+    assert disc_kernel(0.0).tolist() == [[1.0]]
+    assert disc_blur(picture, 0.0) is picture
 
 
-@pytest.mark.parametrize(("radius", "width"), [(0.51, 3), (1.5, 3), (1.51, 5), (3.4, 7), (3.6, 9)])
+@given(radius=st.floats(1e-6, NARROW_RADIUS))
+def test_a_narrow_disc_has_the_variance_of_the_disc_alone(radius: float) -> None:
+    kernel = disc_kernel(radius)
+    columns, _ = offsets(kernel)
+    assert mean(kernel, columns**2) == pytest.approx(radius**2 / 4, rel=1e-3)
+
+
+@pytest.mark.parametrize("radius", [0.15, 0.38, 0.5, 0.6])
+def test_a_narrow_disc_lowers_contrast_as_its_spectrum_says(radius: float) -> None:
+    """Of waves of four pixels and more, by 2 J₁(2πRf) / (2πRf)."""
+    columns, _ = offsets(disc_kernel(radius))
+    for frequency in (0.05, 0.15, 0.25):
+        x = 2 * math.pi * radius * frequency
+        kept = mean(disc_kernel(radius), np.cos(2 * math.pi * frequency * columns))
+        assert kept == pytest.approx(2 * special.j1(x) / x, abs=0.02)
+
+
+@pytest.mark.parametrize(
+    ("radius", "width"), [(0.1, 3), (0.51, 3), (1.5, 3), (1.51, 5), (3.4, 7), (3.6, 9)]
+)
 def test_a_kernel_is_just_wide_enough_for_its_disc(radius: float, width: int) -> None:
     assert disc_kernel(radius).shape == (width, width)
 
 
-@pytest.mark.parametrize("radius", [0.52, 1.5, 2.4, 4.9, 6.0, 6.1, 9.3, 24.0])
+@pytest.mark.parametrize("radius", [0.2, 0.52, 1.5, 2.4, 4.9, 6.0, 6.1, 9.3, 24.0])
 def test_blur_is_convolution_with_the_weights(radius: float) -> None:
     picture = RNG.random((2, 20, 24)).astype(np.float32)
     kernel = disc_kernel(radius).astype(float)

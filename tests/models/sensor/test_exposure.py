@@ -6,7 +6,11 @@ import numpy as np
 import pytest
 
 from simulations.models.arrays import Floats
-from simulations.models.sensor.exposure import mean_of_instants, mean_of_random_instants
+from simulations.models.sensor.exposure import (
+    mean_of_instants,
+    mean_of_jittered_instants,
+    mean_of_random_instants,
+)
 
 
 def ramp(time: float) -> Floats:
@@ -59,12 +63,36 @@ def test_random_instants_are_right_on_average_and_off_by_the_root_of_their_count
     assert found.std() == pytest.approx(np.sqrt(1 / 12 / 16), rel=0.02)
 
 
+def test_every_pixel_draws_one_jittered_time_in_each_share_of_the_exposure() -> None:
+    asked: list[Floats] = []
+
+    def note(times: Floats) -> Floats:
+        asked.append(times)
+        return times
+
+    mean_of_jittered_instants(note, 5, (40, 30), np.random.default_rng(3))
+    times = np.array(asked)
+    assert np.unique(times).size == times.size
+    np.testing.assert_array_equal(np.floor(5 * times), np.arange(5)[:, None, None] + 0 * times)
+
+
+def test_jittered_instants_of_a_ramp_are_off_by_a_share_s_spread_over_the_root_of_their_count() -> (
+    None
+):
+    rng = np.random.default_rng(4)
+    found = mean_of_jittered_instants(lambda times: times, 16, (20_000,), rng)
+    assert found.mean() == pytest.approx(0.5, abs=4 * np.sqrt(1 / 12 / 16**3 / 20_000))
+    assert found.std() == pytest.approx(np.sqrt(1 / 12 / 16**3), rel=0.02)
+
+
 def test_no_instant_is_refused() -> None:
     for refused in (0, -3):
         with pytest.raises(ValueError, match=f"count {refused}; legal: whole numbers, 1 or more"):
             mean_of_instants(ramp, refused)
         with pytest.raises(ValueError, match="legal: whole numbers, 1 or more"):
             mean_of_random_instants(lambda times: times, refused, (2, 3), np.random.default_rng(1))
+        with pytest.raises(ValueError, match="legal: whole numbers, 1 or more"):
+            mean_of_jittered_instants(lambda times: times, refused, (2,), np.random.default_rng(1))
 
 
 def test_pictures_in_whole_codes_do_not_wrap_around() -> None:

@@ -8,8 +8,8 @@ from support.frames import computed_in, frame_of, outputs_of
 
 from simulations.engine.controls import Value
 from simulations.engine.stages import Outputs, StageCache
-from simulations.scenes.camera.scene import SCENE, blur_of
-from simulations.scenes.camera.stages import STAGES
+from simulations.scenes.camera.scene import SCENE, blur_of, references, rms_codes
+from simulations.scenes.camera.stages import SHARP_PX
 
 type Setting = dict[str, Value]
 LAST = ("quantisation", "sRGB", "noiseless picture")
@@ -68,7 +68,7 @@ def test_a_control_runs_its_own_stages_and_no_other(control: str) -> None:
 
 
 def test_a_straight_and_sharp_picture_skips_blur_and_bending() -> None:
-    after = computed_after({"light_angle": -20})
+    after = computed_after({"light_angle": -20}, {"aperture": 16})
     assert after == ("light", *FROM_OVERLAY)
 
 
@@ -118,6 +118,12 @@ def test_rays_through_the_lens_need_no_picture_of_its_centre() -> None:
     assert not {"surfaces", "light", "defocus", "overlay"} & set(computed_in(frame))
 
 
+def test_rays_are_sent_through_the_lens_however_narrow_it_is() -> None:
+    """A picture of rays is the dearest there is: it is never exchanged for one of a pinhole."""
+    assert blur_of(SCENE.check({"aperture": 22})) < SHARP_PX
+    assert "aperture rays" in computed_in(shown("aperture-rays", aperture=22))
+
+
 def test_bent_rays_must_look_again_at_every_change_of_the_lens() -> None:
     cache = StageCache()
     shown("bent-rays", cache, k1=-0.10)
@@ -134,13 +140,45 @@ def test_neutral_stages_hand_on_the_same_object() -> None:
     assert result["read noise"] is result["shot noise"] is result["exposure"]
 
 
-def test_skipped_defocus_would_have_changed_nothing() -> None:
-    """The pinhole shortcut is taken only where the blur would return the picture it was given."""
-    assert blur_of(SCENE.check({"aperture": 5.6})) <= 1
-    stages = {stage.name: stage for stage in STAGES}
-    lit = outputs(aperture=5.6)["light"]
-    blurred = stages["defocus"].compute(
-        lit, focal_length=50.0, aperture=5.6, focus=3.2, reduction=1, enlarged=1.0
+def codes_off(tier: str, **given: Value) -> float:
+    """RMS against many rays through the lens."""
+    *_, truth = references(SCENE.check(given))
+    return rms_codes(outputs(tier, **given)["noiseless picture"], truth)
+
+
+@pytest.mark.parametrize(
+    "lens",
+    [
+        {"focal_length": 50, "focus": 3.2, "aperture": 15.6, "light_angle": 40},
+        {"focal_length": 35, "focus": 1.9, "aperture": 12.3, "light_angle": 0},
+        {"focal_length": 24, "focus": 1.0, "aperture": 12.8, "light_angle": -40},
+        {"focal_length": 24, "focus": 3.2, "aperture": 11.1, "light_angle": 40},
+    ],
+)
+def test_a_picture_whose_blur_is_skipped_is_off_by_half_a_code_at_most(lens: Setting) -> None:
+    """At the widest opening of each lens at which it is skipped."""
+    widest = blur_of(SCENE.check(lens))
+    assert 0.97 * SHARP_PX < widest <= SHARP_PX
+    assert "defocus" not in computed_in(shown(**lens))
+    assert codes_off("layers", **lens) < 0.52
+
+
+@pytest.mark.parametrize(("focal_length", "focus"), [(50, 3.2), (35, 1.9)])
+def test_a_blur_narrower_than_a_pixel_brings_the_picture_nearer_to_the_truth(
+    focal_length: int, focus: float
+) -> None:
+    """By a quarter of the error, to which hard edges add some that no blur of layers mends."""
+    lens: Setting = {"focal_length": focal_length, "focus": focus}
+    *_, truth = references(SCENE.check({**lens, "aperture": 5.6}))
+    pinhole, blurred = (
+        rms_codes(outputs(aperture=aperture, **lens)["noiseless picture"], truth)
+        for aperture in (22, 5.6)
     )
-    assert blurred.base is lit.base
-    assert all(a.planes is b.planes for a, b in zip(blurred.layers, lit.layers, strict=True))
+    assert blur_of(SCENE.check({**lens, "aperture": 5.6})) < 1
+    assert blurred < 0.8 * pinhole
+
+
+def test_stopping_down_brings_every_tier_nearer_to_the_truth() -> None:
+    for tier in ("layers", "aperture-rays"):
+        off = [codes_off(tier, aperture=aperture) for aperture in (4, 5.6, 11, 22)]
+        assert off == sorted(off, reverse=True)
