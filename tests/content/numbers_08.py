@@ -1,10 +1,12 @@
 """Chapter 8: the whole camera."""
 
+from dataclasses import replace
 from functools import cache
-from math import hypot, isclose, pi, sqrt, tan
+from math import ceil, hypot, inf, isclose, pi, sqrt
 
 from measured_words_10 import error
 from numpy import arange, interp
+from scipy.special import j1
 from support.worked_numbers import Says
 
 from simulations.engine.stages import StageCache
@@ -13,18 +15,24 @@ from simulations.models.distortion.lens_model import Distortion, distort, larges
 from simulations.models.lens.aperture_grid import aperture_grid
 from simulations.models.lens.thin_lens import (
     circle_of_confusion_mm,
+    depth_of_field,
     hyperfocal,
     principal_distance_mm,
     working_f_number,
 )
 from simulations.models.lens.vignetting import vignetting_cos4
-from simulations.models.projection.pinhole import field_of_view_rad
 from simulations.pictures.still_life.things import THINGS, WALL_DISTANCE, thing_depth
 from simulations.scenes.camera import scene as camera
-from simulations.scenes.camera.lens import COLUMNS, ROWS, bend_rays, sensor_rays
+from simulations.scenes.camera.lens import (
+    COLUMNS,
+    ROWS,
+    bend_rays,
+    largest_blur_px,
+    sensor_rays,
+)
 from simulations.scenes.camera.sensor import ADC
-from simulations.scenes.camera.settings import Settings
-from simulations.scenes.camera.stages import STAGES, TIERS
+from simulations.scenes.camera.stages import SHARP_PX, STAGES, TIERS
+from simulations.scenes.depth_of_field.sharpness import sharpness
 
 CHAPTER = "08-full-camera-model"
 PIXEL_MM = 36 / 264
@@ -103,7 +111,47 @@ def when_the_lens_is_a_pinhole() -> Says:
     wall, near = (
         float(circle_of_confusion_mm(50, 5.6, 3200, depth)) / PIXEL_MM for depth in (8000, 1850)
     )
-    yield f"{wall:.2f} and {near:.2f} pixels. No disc is as wide as a pixel"
+    yield f"so is every disc: {wall:.2f} and {near:.2f} pixels"
+    nyquist = pi * near * 0.5
+    taken = 100 * (1 - 2 * j1(nyquist) / nyquist)
+    yield f"a disc of {near:.2f} pixels takes away {taken:.0f} %"
+    yield f"an error of {without_blur(50, 3.2, 5.6):.1f} codes of 255"
+
+
+def without_blur(focal_length: float, focus: float, aperture: float) -> float:
+    """Codes by which a picture that is not blurred differs from rays through the lens."""
+    settings = camera.SCENE.check({"focal_length": focal_length, "focus": focus})
+    *_, truth = camera.references(replace(settings, aperture=aperture))
+    sharp = camera.SCENE.run(replace(settings, aperture=1e6), "layers", StageCache())
+    return camera.rms_codes(sharp.outputs["noiseless picture"], truth)
+
+
+def what_leaving_out_the_blur_costs() -> Says:
+    lenses = ((50, 3.2), (35, 1.9), (24, 1.0), (24, 3.2))
+    errors = {
+        width: max(without_blur(*lens, f_number_of(*lens, width)) for lens in lenses)
+        for width in (SHARP_PX, 1.0)
+    }
+    assert 0.45 < errors[SHARP_PX] < 0.52
+    yield f"If its widest disc is {SHARP_PX:g} pixels wide, the error is half a code of 255"
+    yield f"At one pixel it can be {errors[1.0]:.1f} codes"
+    from_here_on = ceil(10 * f_number_of(50, 3.2, SHARP_PX)) / 10
+    yield f"at 50 mm and a focus of 3.2 m from f/{from_here_on} on"
+
+
+def f_number_of(focal_length: float, focus: float, widest_px: float) -> float:
+    """At which the widest disc in the picture is so wide: discs go as one over the f-number."""
+    return largest_blur_px(focal_length, 1.0, focus, 0.0) / widest_px
+
+
+def how_far_the_lens_must_be_stopped_down() -> Says:
+    def sharp_from_2_m_on(aperture: float) -> bool:
+        at = (sharpness(50, aperture, focus) for focus in arange(3, 6, 0.05))
+        return any(one.near_limit_m <= 2 and one.far_limit_m == inf for one in at)
+
+    assert not sharp_from_2_m_on(4.6)
+    assert sharp_from_2_m_on(4.7)
+    yield "stopped down to f/4.7 at least"
 
 
 def focus_breathing() -> Says:
@@ -132,18 +180,6 @@ def the_still_life() -> Says:
     yield f"a test chart hangs on the wall at {'eight' if WALL_DISTANCE == 8 else WALL_DISTANCE}"
 
 
-def half_the_field_of_view() -> Says:
-    sensor, longer = (principal_distance_mm(focal, 3200) for focal in (50, 100))
-    angle = field_of_view_rad(sensor, 36)
-    half = 18 / tan(angle / 4)
-    yield f"half the angle takes {half / sensor:.2f} times the distance"
-    yield f"Twice the focal length gives only {longer / sensor:.2f} times"
-    focal = 1 / (1 / half + 1 / 3200)
-    yield f"Half is reached at {focal:.0f} mm."
-    assert isclose(2 * field_of_view_rad(principal_distance_mm(focal, 3200), 36), angle)
-    assert isclose(camera.view_of(Settings()), angle)
-
-
 def a_quarter_as_deep() -> Says:
     limits = [
         camera.depth_of_field_m(camera.SCENE.check({"aperture": 1.4, "focal_length": focal}))
@@ -153,7 +189,7 @@ def a_quarter_as_deep() -> Says:
     assert 0.23 < (far_long - near_long) / (far - near) < 0.27
     assert all(behind - 3.2 > 3.2 - before for before, behind in limits)
     yield "about a quarter as deep"
-    yield "In both cases the band reaches farther behind the focus than in front of it."
+    yield "At both focal lengths the band reaches farther behind the focus than in front of it."
 
 
 def past_the_fold() -> Says:
@@ -176,10 +212,9 @@ def a_code_in_electrons() -> Says:
 
 
 def what_bending_the_picture_costs() -> Says:
-    picture, rays = errors_in_codes(aperture=8, k1=-0.1)
+    picture, rays = errors_in_codes(aperture=16, k1=-0.1)
     yield f"through the lens by {picture:.1f} codes of 255"
-    assert 0.85 < rays < 1.15
-    yield "With bent rays it is about one code."
+    yield f"With bent rays it is {rays:.1f} codes."
     picture, rays = errors_in_codes(focal_length=135, aperture=1.4, k1=0.4)
     assert 2 < picture < 0.98 * rays
     assert rays < 3
@@ -241,13 +276,36 @@ def what_the_truth_is() -> Says:
 
 
 def where_the_points_of_a_lens_lie() -> Says:
-    yield "more than even 64 random ones"
-    assert error("depth-of-field", "fibonacci-16", "psnr") > error(
-        "depth-of-field", "random-64", "psnr"
-    )
-    yield "no cleverness takes them beyond"
     filters = [error("depth-of-field", tier, "psnr") for tier in ("discs", "binned", "gather")]
     assert max(filters) == filters[2] < error("depth-of-field", "layered", "psnr")
+    yield "the best of them reaches a PSNR"
+    independent, cells, spiral, turned = (
+        error("depth-of-field", f"{tier}-16", "psnr")
+        for tier in ("random", "jittered", "fibonacci", "turned")
+    )
+    yield f"the cells are {10 ** ((cells - independent) / 10):.1f} times as efficient"
+    yield f"the spiral is {10 ** ((spiral - independent) / 10):.0f} times as efficient"
+    assert abs(turned - spiral) < 0.3
+    yield "the error hardly changes"
+
+
+def the_ball_that_gets_softer() -> Says:
+    ball = thing_depth(next(thing for thing in THINGS if thing.name == "striped ball"))
+    yield f"The striped ball, {ball:.1f} m away, gets softer"
+    near, far = (
+        float(circle_of_confusion_mm(135, 22, focus, 1000 * ball)) / PIXEL_MM
+        for focus in (1000, 10_000)
+    )
+    assert near > 3 * far
+
+
+def hyperfocal_of_a_real_camera() -> Says:
+    distance = hyperfocal(35, 8, 0.005) / 1000
+    yield rf"$35^2/(8 \cdot 0.005)$ mm, or about {35**2 / (8 * 0.005) / 1000:.1f} m"
+    assert isclose(distance / 2, 35**2 / (8 * 0.005) / 2 / 1000, rel_tol=0.02)
+    near, far = depth_of_field(35, 8, 1000 * distance * (1 + 1e-9), 0.005)
+    assert far == inf
+    assert isclose(near, 500 * distance, rel_tol=1e-6)
 
 
 def what_arrives_from_a_page_in_the_sun() -> Says:
@@ -265,10 +323,11 @@ WORKED = (
     the_same_place_in_the_simulator,
     what_the_pixel_counts,
     when_the_lens_is_a_pinhole,
+    what_leaving_out_the_blur_costs,
+    how_far_the_lens_must_be_stopped_down,
     focus_breathing,
     the_hyperfocal_distance,
     the_still_life,
-    half_the_field_of_view,
     a_quarter_as_deep,
     past_the_fold,
     wide_lens_distortion,
@@ -276,6 +335,8 @@ WORKED = (
     what_bending_the_picture_costs,
     a_lens_that_hardly_bends,
     where_the_points_of_a_lens_lie,
+    the_ball_that_gets_softer,
+    hyperfocal_of_a_real_camera,
     how_many_stages_there_are,
     what_a_step_of_the_focus_leaves,
     what_the_truth_is,

@@ -171,7 +171,7 @@ def test_a_blur_narrower_than_a_pixel_brings_the_picture_nearer_to_the_truth(
     lens: Setting = {"focal_length": focal_length, "focus": focus}
     *_, truth = references(SCENE.check({**lens, "aperture": 5.6}))
     pinhole, blurred = (
-        rms_codes(outputs(aperture=aperture, **lens)["noiseless picture"], truth)
+        rms_codes(outputs("layers", **{**lens, "aperture": aperture})["noiseless picture"], truth)
         for aperture in (22, 5.6)
     )
     assert blur_of(SCENE.check({**lens, "aperture": 5.6})) < 1
