@@ -119,7 +119,8 @@ def how_far_the_corner_moves() -> Says:
 def where_two_coefficients_cancel() -> Says:
     back, farthest = sqrt(0.2 / 0.2), sqrt(0.2 / (2 * 0.2))
     assert distort([back, 0], Distortion(k1=-0.2, k2=0.2))[0] == back
-    yield f"these radii are {back:g} and {farthest:.2f}"
+    yield f"this is {back:g}: a point at $r = {back:g}$ does not move at all"
+    yield rf"$r = \sqrt{{-k_1 / (2k_2)}} = {farthest:.2f}$"
 
 
 def two_steps_back() -> Says:
