@@ -22,7 +22,7 @@ def test_only_the_cases_with_every_typed_word_are_shown(
     for text in rows.all_inner_texts():
         assert "quaternion" in text.lower()
         assert "zero" in text.lower()
-    count = plain_reader.page.locator(".case-filter output")
+    count = plain_reader.page.locator(".case-filter [role=status]")
     expect(count).to_have_text(f"{rows.count()} case{'s' if rows.count() > 1 else ''}")
 
 

@@ -20,7 +20,7 @@ def test_a_citation_leads_to_its_work_and_the_work_back(plain_reader: Reader) ->
     place = citation.get_attribute("id")
     citation.click()
     page.wait_for_function(IN_VIEW, arg=key)
-    page.locator(f'#{key} a[href$="#{place}"]').click()
+    page.locator(f'#{key} a[href$="lens-distortion/#{place}"]').click()
     page.wait_for_function(IN_VIEW, arg=place)
 
 

@@ -159,7 +159,7 @@ ASK = """async (seconds) => {
   const {inside} = await customElements.whenDefined('simulation-figure');
   const runtime = inside.sharedRuntime();
   delete window.answered;
-  const long = {ladder: 'srgb', tier: 'table', budget: seconds};
+  const long = {ladder: 'shot-noise', tier: 'quantile', budget: seconds};
   runtime.call('measure', long).then(
     () => { window.answered = 'in time'; }, (error) => { window.answered = error.message; });
 }"""

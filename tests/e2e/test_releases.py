@@ -69,6 +69,7 @@ def test_a_page_of_an_earlier_release_runs_on_says_so_and_leads_to_a_whole_page_
     move(reader, figure)
     host.root = next_release
 
+    page.locator("[data-reveal]:visible").first.click()
     page.locator("a.set:visible").first.click()
     assert "has been renewed" in notice.inner_text(), "the script that moves figures is gone"
     notice.get_by_role("button", name="Close").click()

@@ -14,7 +14,7 @@ CHAPTER = "lens-distortion/"
 BARREL = 'a.set[href="?figure-lens-distortion.k1=-0.2&figure-lens-distortion.k2=0#{}"]'.format(
     "figure-lens-distortion"
 )
-CORRECTED = "a.set[data-values='{\"correct\": true}']"
+CORRECTED = "a.set[data-values*='\"correct\": true']"
 
 NOTE_VALUES = """(figure) => {
   const k1 = figure.querySelector('[name=k1]');
@@ -35,6 +35,7 @@ STEADY_CLOCK = """() => {
 @pytest.fixture
 def figure(visitor: Reader) -> Iterator[Locator]:
     visitor.turn_to(CHAPTER)
+    visitor.page.evaluate("document.querySelectorAll('[data-reveal]').forEach((b) => b.click())")
     visitor.page.evaluate(STEADY_CLOCK)
     yield visitor.figure("lens-distortion")
     visitor.page.evaluate("() => { requestAnimationFrame = usualFrame; }")
@@ -121,7 +122,7 @@ def test_a_link_of_a_prediction_sets_all_that_its_claim_depends_on(
     start = figure.evaluate("f => JSON.parse(f.querySelector('script.schema').textContent).values")
     figure.locator("[name=correct]").check(force=True)
     figure.locator("[name=k2]").fill("0.3")
-    link = page.locator("form[data-predict] a.set[data-figure=figure-lens-distortion]").first
+    link = page.locator("[data-answers] a.set[data-figure=figure-lens-distortion]").first
     link.click()
     said = json.loads(link.get_attribute("data-values") or "")
     for name, value in ({**start, **said}).items():

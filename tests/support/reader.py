@@ -288,8 +288,13 @@ PUT_BACK = """async (figure) => {
   moveControls(figure.querySelector('form.controls'), controls, values, 'change');
 }"""
 
-SHOWN = """(figure) => ({
-  pixels: [...figure.querySelectorAll('canvas.live, img.still')].map((shown) => {
+SHOWN = """async (figure) => ({
+  pixels: await Promise.all([...figure.querySelectorAll('canvas.live, img.still')].map(
+   async (shown) => {
+    if (shown instanceof HTMLImageElement) {
+      shown.loading = 'eager'; // far down the page it has not been fetched yet
+      await shown.decode();
+    }
     const canvas = shown instanceof HTMLCanvasElement ? shown : document.createElement('canvas');
     if (canvas !== shown) {
       [canvas.width, canvas.height] = [shown.naturalWidth, shown.naturalHeight];
@@ -299,7 +304,7 @@ SHOWN = """(figure) => ({
     let sum = 0;
     for (let i = 0; i < data.length; i += 1) sum = (sum * 31 + data[i]) | 0;
     return sum;
-  }),
+  })),
   drawings: [...figure.querySelectorAll('svg.overlay')].map((svg) => svg.innerHTML),
   readouts: [...figure.querySelectorAll('output')].map((output) => output.textContent),
 })"""

@@ -20,9 +20,9 @@ export function arrive() {
   const field = document.createElement("form");
   field.className = "case-filter";
   field.role = "search";
-  field.innerHTML = '<label><span></span> <input type="search"></label> <output></output>';
+  field.innerHTML = '<label><span></span> <input type="search"></label> <span role="status"></span>';
   field.addEventListener("submit", (event) => event.preventDefault());
-  one(field, "span", HTMLElement).textContent = words("extremes.filter");
+  one(field, "label > span", HTMLElement).textContent = words("extremes.filter");
   first.before(field);
 }
 
@@ -41,7 +41,7 @@ function filter(input) {
     table.open = wanted.length > 0 && left > 0;
     found += left;
   }
-  const count = one(input.closest("form") ?? document, "output", HTMLElement);
+  const count = one(input.closest("form") ?? document, "[role=status]", HTMLElement);
   count.textContent = wanted.length ? words("extremes.found", { count: found }) : "";
 }
 
