@@ -61,17 +61,17 @@ def draw() -> Illustration:
         dimension((OPENING, AXIS + 34), (SENSOR, AXIS + 34), "muted"),
         label((OPENING + 66, AXIS - 16), "θ", "ray italic"),
         label(((OPENING + SENSOR) / 2, AXIS + 29), "f", "muted italic", "middle"),
-        label((OPENING - 12, AXIS - 78), "opening, seen aslant:", "camera small", "middle"),
+        label((OPENING - 12, AXIS - 78), "opening, seen at a slant:", "camera small", "middle"),
         label((OPENING - 12, AXIS - 62), "cos θ", "camera", "middle"),
-        label((OPENING + 58, AXIS - 134), "way longer by 1/cos θ:", "ray small", "middle"),
+        label((OPENING + 58, AXIS - 134), "path longer by 1/cos θ:", "ray small", "middle"),
         label((OPENING + 58, AXIS - 118), "cos^2 θ", "ray", "middle"),
-        label((SENSOR + 18, spot[1] - 2), "lit aslant:", "image small"),
+        label((SENSOR + 18, spot[1] - 2), "lit at a slant:", "image small"),
         label((SENSOR + 18, spot[1] + 14), "cos θ", "image"),
     ]
     words = (
         f"Light through an opening reaches the sensor at {math.degrees(ANGLE_RAD):.0f}° to the "
-        "axis. The opening looks narrower by the cosine, the way is longer by one over it, which "
-        "costs its square, and the sensor is lit aslant, which costs the cosine again: "
+        "axis. The opening looks narrower by the cosine, the path is longer by one over it, which "
+        "costs its square, and the sensor is lit at a slant, which costs the cosine again: "
         f"{100 * share:.0f} % is left."
     )
     return Illustration((Panel("section", "", WIDTH, HEIGHT, overlay="".join(marks)),), words)
