@@ -8,6 +8,7 @@ from simulations.models.lens import (
     diffraction,
     disc_blur,
     singlet,
+    stop_position,
     thin_lens,
     vignetting,
 )
@@ -20,6 +21,7 @@ TABLE = HardCases(
         **vars(chromatic_aberration),
         **vars(diffraction),
         **vars(singlet),
+        **vars(stop_position),
         **vars(vignetting),
         **vars(thin_lens),
         "BK7": chromatic_aberration.Glass(),
@@ -352,6 +354,13 @@ TABLE = HardCases(
             why="Two strong bulges on a thin lens meet before its rim.",
             returns="√(25² − 24²) = 7 mm: there the glass ends.",
             expected=near(7.0, 1e-12),
+        ),
+        HardCase(
+            id="stop-inside-the-glass",
+            call="chief_rays(Singlet(0.02, -0.02, 6.0, 1.5), 1.0, [0.1])",
+            why="The aperture stop stands between the two faces of the lens.",
+            returns="Refused: a ray cannot start in the glass.",
+            expected=refused("stop_mm", "outside the glass"),
         ),
     ),
 )

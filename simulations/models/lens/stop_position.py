@@ -4,6 +4,8 @@ The middle ray of each bundle goes through the centre of the stop. It is traced 
 there, forwards and backwards, so that nothing has to be searched for. Lengths in millimetres, light
 from the left; the object is infinitely far.
 
+Reference: the book explains it; no figure and no ladder runs it.
+
 Kingslake and Johnson, Lens Design Fundamentals, 2nd ed., 2010.
 """
 
