@@ -235,7 +235,7 @@ TABLE = HardCases(
             id="grazing-phong",
             call="reflected('phong', Material(0.0, 0.5, 0.5), 0.0, 0.5, 0.8)",
             why="As a BRDF, Phong's highlight is divided by n · l, which is 0 here.",
-            returns="0: no light arrives, and of none no share is sent on.",
+            returns="0: no light arrives, so none is sent on.",
             expected=exactly(0.0),
             naive="np.divide(0.5 * 0.2**1.5, np.pi * 0.0)",
         ),

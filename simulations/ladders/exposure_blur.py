@@ -156,4 +156,6 @@ LADDER = Ladder(
         Metric("worst", "Largest error", "of range", worst),
     ),
     default_tier="integral",
+    items=15_360,
+    sampled=True,
 )

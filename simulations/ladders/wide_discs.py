@@ -62,4 +62,5 @@ LADDER = Ladder(
     reference_label="2048 rays a pixel that hit or miss, by code of their own, in float64",
     metrics=METRICS,
     default_tier="layered",
+    items=19_200,
 )

@@ -5,6 +5,9 @@ from site_builder.measured.measurements import MeasuredLadder, MeasuredTier
 FRAME_MS = 1000 / 30
 """Time between two frames, at the rate at which a drag still looks smooth."""
 
+ROUNDING = 1e-12
+"""Errors below it are of rounding, and no noise of a sample."""
+
 
 def nanoseconds_each(measured: MeasuredLadder, item: MeasuredTier, side: str) -> float:
     """Time for one item of the workload. Raises `ZeroDivisionError` where these are not counted."""
@@ -30,6 +33,6 @@ def efficiency(measured: MeasuredLadder, item: MeasuredTier, side: str) -> float
 def _variance(measured: MeasuredLadder, item: MeasuredTier) -> float:
     metric = measured.ladder.metrics[0]
     error = item.errors[metric.id]
-    if error is None:
+    if error is None or (metric.unit != "dB" and error < ROUNDING):
         return 0.0
     return float(10 ** (-error / 10) if metric.unit == "dB" else error**2)

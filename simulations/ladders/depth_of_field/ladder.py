@@ -168,4 +168,6 @@ LADDER = Ladder(
     reference_label="4096 rays a pixel that hit or miss, by code of their own, in float64",
     metrics=METRICS,
     default_tier="layered",
+    items=4_800,
+    sampled=True,
 )

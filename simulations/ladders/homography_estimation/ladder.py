@@ -97,4 +97,6 @@ LADDER = Ladder(
         Metric("exact", "RMS error without noise", "px", partial(rms_px, views=("exact",))),
     ),
     default_tier="two-sided",
+    items=33,
+    item="homography",
 )
