@@ -46,11 +46,6 @@ def codes_rms(psnr: float) -> float:
 
 
 def what_a_step_buys() -> Says:
-    points = 320 * 240
-    four = 1e6 * browser_ms("inverse-distortion", "newton-4") / points
-    yield "a few steps of Newton, about 30 ns a point, a fifteenth of what a pixel"
-    assert about(four, 30)
-    assert about(four / (33e6 / points), 1 / 15)
     yield "the checked table: it costs less than twice as much"
     assert browser_ms("inverse-distortion", "checked-table") < 2 * browser_ms(
         "inverse-distortion", "newton-4"
@@ -74,9 +69,6 @@ def what_a_step_buys() -> Says:
 
 
 def what_an_area_costs() -> Says:
-    pixels = 96 * 96 + 16 * 16
-    yield "The straight edge, about 25 ns a pixel"
-    assert about(1e6 * browser_ms("edge-coverage", "straight") / pixels, 25)
     yield "its error is below half a code in RMS, and the ramp's is not"
     straight, ramp = (2.55 * error("edge-coverage", t, "rms") for t in ("straight", "ramp"))
     assert straight < HALF_A_CODE < ramp
@@ -91,15 +83,6 @@ def what_an_area_costs() -> Says:
 
 
 def what_samples_cost() -> Says:
-    independent, even = (
-        (error("exposure-blur", tier, "rms"), browser_ms("exposure-blur", tier))
-        for tier in ("random-16", "instants-16")
-    )
-    yield "even instants are worth dozens of times as much as independent ones"
-    variance = (independent[0] / even[0]) ** 2
-    assert 24 < variance * independent[1] / even[1] < 120
-    yield "the variance is six times smaller"
-    assert 5.5 < variance < 6.5
     yield "Only four instants or fewer are quicker"
     assert browser_ms("exposure-blur", "instants-4") < browser_ms("exposure-blur", "integral")
     assert browser_ms("exposure-blur", "instants-16") > browser_ms("exposure-blur", "integral")
@@ -109,9 +92,12 @@ def what_samples_cost() -> Says:
     yield "The filters are all within two decibels of one another"
     filters = [error("depth-of-field", tier, "psnr") for tier in ("discs", "binned", "gather")]
     assert max(filters) - min(filters) < 2
-    yield "layers by their spectra, a little over 1 µs a pixel"
-    for ladder, pixels in (("depth-of-field", 80 * 60), ("wide-discs", 160 * 120)):
-        assert about(1e3 * browser_ms(ladder, "layered") / pixels, 1.2)
+    yield "a small picture thirty times a second, a large one not"
+    pixels = 1e3 / 30 * 160 * 120 / browser_ms("wide-discs", "layered")
+    assert 160 * 120 < pixels < 320 * 240
+    yield "It is the best of the filters. Sixteen rays are nearer the truth"
+    best = error("depth-of-field", "layered", "psnr")
+    assert max(filters) < best < error("depth-of-field", "fibonacci-16", "psnr")
 
 
 def _depth_of_field() -> tuple[MeasuredTier, ...]:
@@ -167,10 +153,6 @@ def what_is_said_in_words_of_demosaicing() -> Says:
     yield "bilinear interpolation wins with"
     for other in ("nearest", "malvar", default, "menon", "menon-encoded"):
         assert better("bilinear", other, "psnr-soft", 4)
-    yield "Malvar's method is ahead of bilinear interpolation"
-    assert better("malvar", "bilinear", "light", 2)
-    yield "On the screen it is behind"
-    assert better("bilinear", "malvar", "psnr-balloon", 0.3)
 
 
 def what_is_said_of_formats() -> Says:
@@ -210,9 +192,6 @@ def what_is_said_of_the_other_ladders() -> Says:
     times = {it.tier.id: it.times["browser"].ms for it in measurements().find("block-dct").tiers}
     assert min(times, key=times.__getitem__) == "separable"
     assert error("block-dct", "separable", "worst") < 1e-9
-    yield "This chart measures numpy, where they are not"
-    for side in ("native", "browser"):
-        assert ms("block-dct", "fixed-point", side) > 1.3 * ms("block-dct", "separable", side)
     yield "the true answer costs a small multiple of the wrong one"
     for ladder, true, wrong in (
         ("shot-noise", "quantile", "gaussian"),

@@ -3,8 +3,6 @@
 What the text says of the measurements in words is in `measured_words_10`.
 """
 
-from itertools import pairwise
-
 import numpy as np
 from carried_10 import CARRIED
 from left_out_10 import LEFT_OUT
@@ -23,9 +21,7 @@ from simulations.models.error_measures import psnr_db
 from simulations.models.light.raycasting import Sphere
 from simulations.pictures.still_life.things import THINGS, thing_depth
 from simulations.scenes.camera import scene as camera
-from simulations.scenes.camera.lens import PITCH_MM, margin_px
-from simulations.scenes.camera.settings import Settings
-from simulations.scenes.camera.stages import BOWED, SCALED, TIERS
+from simulations.scenes.camera.lens import PITCH_MM
 
 CHAPTER = "10-speed-and-accuracy"
 
@@ -121,26 +117,7 @@ def how_round_the_outlines_of_the_book_are() -> Says:
     yield f"with radii of {int(smallest)} pixels or more"
 
 
-def how_seldom_the_straight_picture_is_drawn_again() -> Says:
-    again, start = [], Settings()
-    for lens in range(24, 136, 10):
-        sweep = [margin_px(lens, start.focus, k1 / 100) for k1 in range(-40, 41)]
-        again += [before != after for before, after in pairwise(sweep)]
-    assert 20 < len(again) / sum(again) < 30
-    yield "about one step of the slider in twenty-five has to draw the straight picture again"
-
-
-def a_draft_is_for_what_moves_everything() -> Says:
-    assert camera.SCENE.drafted == ("focal_length", "light_angle", "back")
-    assert TIERS["draft"].reduction ** 2 == 4
-    yield "For the focal length, the lamp and the step back, it sends one ray for four pixels"
-    assert camera.SCENE.own_drafts == {SCALED: ("focus",), BOWED: ("k1",)}
-    yield "The focus cannot have that draft"
-
-
 WORKED = (
-    how_seldom_the_straight_picture_is_drawn_again,
-    a_draft_is_for_what_moves_everything,
     the_slope_of_the_fixed_point_s_map,
     the_places_of_a_checked_table,
     guesses_that_jump_back_and_forth,
