@@ -283,7 +283,7 @@ TABLE = HardCases(
             call="np.ptp(tristimulus((metameric_twins(dyed_cloth(500.0, 5.0), daylight(6500.0))"
             " - dyed_cloth(500.0, 5.0)) * daylight(6500.0), daylight(6500.0)))",
             why="Three inks match so pure a colour with less than nothing of one of them.",
-            returns="0: of the black that is added, only a share is, but the match stays exact.",
+            returns="0: only a share of the black is added, but the match stays exact.",
             expected=near(0.0, 1e-12),
         ),
         HardCase(

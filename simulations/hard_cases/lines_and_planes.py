@@ -60,7 +60,7 @@ TABLE = HardCases(
             id="nearly-parallel",
             call="intersection([0.0, 1.0, 0.0], [1e-12, 1.0, -1.0])",
             why="At an angle of 1e−12 the crossing is real, and a long way off.",
-            returns="It, to the digits that the angle has.",
+            returns="The crossing, to the digits that the angle has.",
             expected=valid([1e12, 0.0], 1e-3),
         ),
         HardCase(

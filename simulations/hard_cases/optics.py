@@ -305,7 +305,7 @@ TABLE = HardCases(
         HardCase(
             id="hopelessly-out-of-focus",
             call="lens_transfer(10.0, 0.55, 1.4, 1e4)",
-            why="1159 waves of defocus: the integrand swings more often than it is asked.",
+            why="1159 waves of defocus: the integrand swings faster than it is sampled.",
             returns="Refused, rather than a number that is noise.",
             expected=refused("defocus in waves", "12"),
         ),

@@ -303,7 +303,7 @@ TABLE = HardCases(
             id="two-views-from-one-place",
             call="essential_matrix(np.eye(3), [0.0, 0.0, 0.0])",
             why="The camera has turned, but not moved: E would be 0, and any two pixels a match.",
-            returns="Refused. Such pictures are related by a homography, and tell no depth.",
+            returns="Refused. Such pictures are related by a homography, and give no depth.",
             expected=refused("t [0.0, 0.0, 0.0]", "not zero"),
         ),
         HardCase(

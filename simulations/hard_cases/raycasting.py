@@ -190,7 +190,7 @@ TABLE = HardCases(
             id="eye-nowhere",
             call="intersect(BALL, (inf, 0.0, 0.0), AHEAD)",
             why="From infinity every ray misses and every distance is infinite.",
-            returns="Refused: what a hit holds is finite.",
+            returns="Refused: the numbers of a hit are finite.",
             expected=refused("origin", "inf"),
         ),
     ),

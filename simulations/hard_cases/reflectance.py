@@ -128,7 +128,7 @@ TABLE = HardCases(
             "shininess=0.0)",
             why="No halfway direction, and no shininess: the cosine that is not there, to the "
             "power 0, is 0⁰ = 1.",
-            returns="0: what no direction mirrors into the eye has no highlight, of any shape.",
+            returns="0: without a halfway direction there is no highlight, of any shape.",
             expected=exactly(0.0),
             naive="0.5 * np.float64(0.0) ** 0.0",
         ),

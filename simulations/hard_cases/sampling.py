@@ -86,7 +86,7 @@ TABLE = HardCases(
             id="half-a-spoke",
             call="apparent_wheel_speed(1.5, 8, 24.0)",
             why="Half a spoke spacing per frame: forwards and backwards look alike.",
-            returns="A speed, and the word that its direction is not certain.",
+            returns="A speed, and a flag that its direction is not certain.",
             expected=lambda got: abs(abs(got[0]) - 1.5) < 1e-12 and not got[1],
         ),
         HardCase(

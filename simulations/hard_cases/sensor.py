@@ -222,7 +222,7 @@ TABLE = HardCases(
         HardCase(
             id="curve-without-noise",
             call="estimate_gain([100.0, 150.0, 300.0], [3.0, 3.0, 3.1])",
-            why="A slope of 0 but for rounding, of which one over is the gain.",
+            why="A slope of 0, up to rounding, and the gain is one over the slope.",
             returns="Refused: where the variance does not rise, no shot noise is seen.",
             expected=refused("variance", "does not rise"),
         ),
