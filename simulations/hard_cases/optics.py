@@ -222,8 +222,8 @@ TABLE = HardCases(
             id="disc-within-a-pixel",
             call="disc_kernel(0.3)",
             why="A blur disc smaller than a pixel: sampled at pixel centres it may vanish.",
-            returns="A single 1: light is kept.",
-            expected=exactly(np.array([[1.0]])),
+            returns="A sum of 1, with R²/4 as the variance: light is kept, and so is the blur.",
+            expected=lambda got: np.allclose((got.sum(), 2 * got[1, 2]), (1.0, 0.3**2 / 4)),
         ),
         HardCase(
             id="disc-infinite",
