@@ -60,8 +60,9 @@ class Ladder:
     """How many pixels or points the workload has; 0 where that says nothing."""
     item: str = "pixel"
     """What they are."""
-    sampled: bool = False
-    """Whether the first metric is the noise of a finite sample, which more work averages out."""
+    sampled: tuple[str, ...] = ()
+    """Tiers whose error is the noise of a finite sample, which more work averages out. The first is
+    the unit of their efficiency."""
 
     def __post_init__(self) -> None:
         ids = [tier.id for tier in self.tiers]

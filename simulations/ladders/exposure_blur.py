@@ -157,5 +157,5 @@ LADDER = Ladder(
     ),
     default_tier="integral",
     items=15_360,
-    sampled=True,
+    sampled=("random-16", "jittered-16", "instants-4", "instants-16", "instants-64"),
 )

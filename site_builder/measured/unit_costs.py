@@ -5,9 +5,6 @@ from site_builder.measured.measurements import MeasuredLadder, MeasuredTier
 FRAME_MS = 1000 / 30
 """Time between two frames, at the rate at which a drag still looks smooth."""
 
-ROUNDING = 1e-12
-"""Errors below it are of rounding, and no noise of a sample."""
-
 
 def nanoseconds_each(measured: MeasuredLadder, item: MeasuredTier, side: str) -> float:
     """Time for one item of the workload. Raises `ZeroDivisionError` where these are not counted."""
@@ -20,19 +17,17 @@ def frame_percent(item: MeasuredTier, side: str) -> float:
 
 
 def efficiency(measured: MeasuredLadder, item: MeasuredTier, side: str) -> float | None:
-    """1/(variance × time) in units of the ladder's first tier: how much less time a tier takes for
-    the noise of the other, since a sample's variance falls with the work (Pharr, Jakob and
-    Humphreys, *Physically Based Rendering*, 4th ed., 2.2). None where there is no noise."""
-    first = measured.tiers[0]
-    variances = [_variance(measured, each) for each in (first, item)]
-    if not measured.ladder.sampled or not all(variances):
+    """1/(variance × time) in units of the ladder's first sampled tier: how much less time a tier
+    takes for the same noise, since a sample's variance falls with the work (Pharr, Jakob and
+    Humphreys, *Physically Based Rendering*, 4th ed., 2.2). None where a tier is not sampled."""
+    if item.tier.id not in measured.ladder.sampled:
         return None
-    return (variances[0] * first.times[side].ms) / (variances[1] * item.times[side].ms)
+    unit = measured[measured.ladder.sampled[0]]
+    return _cost_of_noise(measured, unit, side) / _cost_of_noise(measured, item, side)
 
 
-def _variance(measured: MeasuredLadder, item: MeasuredTier) -> float:
+def _cost_of_noise(measured: MeasuredLadder, item: MeasuredTier, side: str) -> float:
     metric = measured.ladder.metrics[0]
-    error = item.errors[metric.id]
-    if error is None or (metric.unit != "dB" and error < ROUNDING):
-        return 0.0
-    return float(10 ** (-error / 10) if metric.unit == "dB" else error**2)
+    error = item.errors[metric.id] or 0.0
+    variance = 10 ** (-error / 10) if metric.unit == "dB" else error**2
+    return float(variance * item.times[side].ms)

@@ -73,12 +73,13 @@ def gaussian_excess(mean: float) -> float:
     return float((counts * chances).sum() / mean - 1)
 
 
-def grey_without_falloff(corner_deg: float) -> float:
-    """Middle grey, 4 : 3, whose corner lies so far off the axis: codes lost to cos⁴."""
+def white_without_falloff(corner_deg: float) -> float:
+    """White, 4 : 3, whose corner lies so far off the axis: codes lost to cos⁴. Darker greys lose
+    less."""
     slope = np.tan(np.radians(corner_deg))
     x, y = np.meshgrid(np.linspace(-0.8, 0.8, 161), np.linspace(-0.6, 0.6, 121))
-    dimmed = 0.18 * np.cos(np.arctan(np.hypot(x, y) * slope)) ** 4
-    return codes_apart(dimmed, np.full_like(dimmed, 0.18))
+    dimmed = np.cos(np.arctan(np.hypot(x, y) * slope)) ** 4
+    return codes_apart(dimmed, np.ones_like(dimmed))
 
 
 def later_bounces(albedo: float) -> float:
@@ -118,8 +119,8 @@ def what_may_be_left_out() -> Says:
     yield f"by less than 0.1 px | {near:.1f} codes | {far:.1f} codes at 1 px |"
     few, one = (100 * gaussian_excess(mean) for mean in (5, 1))
     yield f"| 5 electrons or more arrive | {few:.1f} % in the mean | {one:.0f} % at 1 electron |"
-    near, far = map(grey_without_falloff, (6, 20))
-    yield f"lie within 6° of the axis | {near:.1f} codes | {far:.1f} codes at 20° |"
+    near, far = map(white_without_falloff, (4, 20))
+    yield f"lie within 4° of the axis | {near:.1f} codes | {far:.1f} codes at 20° |"
     assert near < HALF_A_CODE
     dark, white = map(later_bounces, (0.25, 0.8))
     yield f"| the albedo is below 0.25 | {dark:.1f} codes | {white:.0f} codes at 0.8 |"

@@ -169,5 +169,5 @@ LADDER = Ladder(
     metrics=METRICS,
     default_tier="layered",
     items=4_800,
-    sampled=True,
+    sampled=("random-16", "jittered-16", "turned-16", "fibonacci-16", "fibonacci-64"),
 )

@@ -23,9 +23,9 @@ def test_half_the_noise_in_the_same_time_is_four_times_as_efficient() -> None:
     tiers["fine"]["errors"]["rms"] = tiers["rough"]["errors"]["rms"] / 2
     tiers["fine"]["browser"] = tiers["rough"]["browser"]
     measured = toy_measurements(tiers=tiers).find("toy")
-    sampled = replace(measured, ladder=replace(measured.ladder, sampled=True))
+    sampled = replace(measured, ladder=replace(measured.ladder, sampled=("rough", "fine")))
     assert efficiency(sampled, sampled["fine"], "browser") == pytest.approx(4)
-    assert efficiency(measured, measured["fine"], "browser") is None
+    assert efficiency(sampled, sampled["exact"], "browser") is None
 
 
 def test_the_role_refuses_a_cost_that_the_ladder_does_not_state() -> None:
