@@ -68,7 +68,7 @@ def what_an_error_becomes() -> Says:
 def what_an_error_becomes_in_a_pose() -> Says:
     near, far = np.zeros(3), np.array([4e5, 4e6, 100.0])
     place, turn = pose_errors(near, np.float64, NOISE_PX)
-    yield f"| noise of 0.3 px in one picture | {1000 * place:.1f} mm and {turn:.3f}° in pose |"
+    yield f"| noise of 0.3 px in one picture | {1000 * place:.0f} mm and {turn:.2f}° in pose |"
     exact, _ = pose_errors(near, np.float64, 0.0)
     assert exact < 1e-12
     single, _ = pose_errors(near, np.float32, 0.0)
