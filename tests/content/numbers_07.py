@@ -1,6 +1,6 @@
 """Chapter 7: sampling."""
 
-from math import acos, pi, radians, sin, sqrt
+from math import acos, pi, radians, sin, sqrt, tan
 
 import numpy as np
 from measured_words_10 import error
@@ -8,16 +8,20 @@ from support.worked_numbers import Says, source
 
 from simulations.ladders import resampling
 from simulations.models.arrays import Floats
+from simulations.models.color.srgb import encode_srgb
+from simulations.models.error_measures import root_mean_square
 from simulations.models.lens.diffraction import cutoff_per_mm, lens_transfer, spot_diameter_um
 from simulations.models.pixel_grid import centred
 from simulations.models.sampling.aliasing import alias_frequency, apparent_wheel_speed, box_mtf
 from simulations.models.sampling.fine_detail import without_fine_detail
 from simulations.models.sampling.prefilters import prefilter
 from simulations.models.sampling.resampling import KERNELS
+from simulations.models.sampling.slanted_edge import edge_picture, read_edge
 from simulations.models.sensor.demosaicing import demosaic, mosaic
 from simulations.models.sensor.resolution import first_fall, nyquist_per_mm, pixel_transfer
 from simulations.pictures import round_windows, spoked_wheel
 from simulations.scenes.aliasing.pattern import pattern_of
+from simulations.scenes.wagon_wheel import film
 
 CHAPTER = "07-sampling-and-aliasing"
 
@@ -50,7 +54,11 @@ def folded_frequencies() -> Says:
     for true, shown in ((0.8, 0.2), (0.85, 0.15), (1.0, 0.0)):
         assert np.isclose(seen(true), shown)
     yield f"A frequency of 0.8 is shown as {seen(0.8):g}"
-    yield f"$|0.85 - \\mathrm{{round}}(0.85)| = |0.85 - 1| = {seen(0.85):g}$"
+    lines, samples = 7, 12
+    shown = samples * seen(lines / samples)
+    assert np.isclose(shown, samples - lines)
+    yield f"$7/12 = {lines / samples:.3f}$ lines per sample, which folds to"
+    yield f"$1 - 0.583 = {1 - 0.583:.3f}$. That is $12 - 7 = {shown:.0f}$ lines per millimetre"
 
 
 def the_border_belongs_to_neither_side() -> Says:
@@ -115,11 +123,46 @@ def the_ghosts_of_four_instants() -> Says:
     assert apart > 1.1 * spoked_wheel.SPOKE, "there they do not touch"
 
 
-def a_lens_as_the_filter() -> Says:
-    per_um = 1 / (0.55 * 4)
-    yield f"of 0.55 µm at $f/4$ that is {per_um:.2f} cycles per µm"
-    assert per_um < 0.5
-    yield f"On cells of 4 µm the same lens passes {4 * per_um:.1f} cycles per pixel"
+def a_pixel_s_mtf_by_hand() -> Says:
+    rise = np.diff([0, 0.25, 0.5, 0.75, 1])
+    halfway = np.array([-3, -1, 1, 3]) / 8
+    total = float(rise @ np.cos(2 * pi * 0.5 * halfway))
+    near, far = (float(np.cos(radians(deg))) for deg in (22.5, 67.5))
+    yield r"$\frac14 \cdot 2\,(\cos 22.5^\circ + \cos 67.5^\circ) = \frac12\,("
+    formula = float(box_mtf(0.5))
+    yield f"({near:.3f} + {far:.3f}) = {total:.2f}$. The pixel's formula gives {formula:.2f}"
+
+
+def what_a_slant_is_good_for() -> Says:
+    step = tan(radians(5))
+    yield rf"$\tan 5^\circ = {step:.3f}$ pixels"
+    yield f"after $1/{step:.3f} = {1 / step:.1f}$ rows"
+    assert round(1 / step) == 11
+    yield "Eleven rows meet the edge at eleven different places"
+    assert np.isclose(tan(radians(14)), 0.25, atol=0.001)
+    yield "The tangent of 14° is ¼, nearly: every fourth row"
+    measured, true = (_edge_mtf50(encode=False), _mtf50_at_f_8(4))
+    assert round(100 * (measured / true - 1)) == 1
+    yield "one per cent more than the"
+    yield f"would give an MTF50 of {_edge_mtf50(encode=True):.0f} cycles/mm"
+
+
+def _edge_mtf50(*, encode: bool) -> float:
+    """Of a slant of 5° at f/8 on pixels of 4 µm, from black to white."""
+    edge = edge_picture(45, 60, radians(5), lambda f: lens_transfer(250 * f, 0.55, 8))
+    reading = read_edge(encode_srgb(np.clip(edge, 0, 1)) if encode else edge)
+    frequency = np.linspace(0, 1, 501)
+    return 250 * first_fall(frequency, reading.transfer(frequency), 0.5)
+
+
+def random_instants_err_more_than_even_ones() -> Says:
+    yield "Their error is larger than that of 16 even ones"
+    canvas = spoked_wheel.build_canvas()
+    row = spoked_wheel.bars(canvas, 8, 0.0, 2 * pi * 2.9 / 24 * 0.5)
+    truth, even, random = (
+        film.exposure_of(tier, 5)(row) for tier in ("integral", "instants-16", "random-16")
+    )
+    assert root_mean_square(random - truth) > 2 * root_mean_square(even - truth)
 
 
 def two_pixels_at_f_8() -> Says:
@@ -136,18 +179,18 @@ def two_pixels_at_f_8() -> Says:
 
 def the_lens_is_the_filter_from_twice_the_pitch() -> Says:
     assert cutoff_per_mm(0.55, 14.6) < nyquist_per_mm(4) < cutoff_per_mm(0.55, 14.5)
-    yield "f/14.6 for pixels of 4 µm"
+    yield "For pixels of 4 µm that is f/14.6"
     yield f"$N = 2p/\\lambda = 5/0.55 = {5 / 0.55:.2f}$"
 
 
 def what_pixels_as_small_as_points_would_add() -> Says:
     frequency = np.linspace(0, 200, 20001)
     half = first_fall(frequency, lens_transfer(frequency, 0.55, 8), 0.5)
-    yield f"even a grid of points would not bring it beyond {half:.0f}"
+    yield f"even pixels as small as points would not bring it beyond {half:.0f}"
     four, two = (_mtf50_at_f_8(pitch) for pitch in (4, 2))
-    yield "by a seventh and not to the double"
+    yield "by a seventh, not by a factor of two"
     assert round(1 / (two / four - 1)) == 7
-    yield "at this frequency about a seventh of the contrast"
+    yield "At this frequency a pixel of 4 µm takes about a seventh of the contrast"
     assert round(1 / (1 - float(pixel_transfer(four, 4)))) == 7
 
 
@@ -181,7 +224,7 @@ def the_spline_s_weights() -> Says:
     assert np.isclose(2 * (far + near), 48)
     yield f"are ${far:g}/48$, ${near:g}/48$, ${near:.0f}/48$ and ${far:g}/48$"
     own, beside = 6 * KERNELS["spline"].weigh(np.array([0.0, 1.0]))
-    yield f"it has ${own:g}/6$ on its own and ${beside:g}/6$ on each"
+    yield f"it has ${own:g}/6$ on its own sample and ${beside:g}/6$ on each"
 
 
 def wagon_wheels() -> Says:
@@ -273,7 +316,9 @@ WORKED = (
     the_lens_is_the_filter_from_twice_the_pitch,
     what_pixels_as_small_as_points_would_add,
     the_finest_wave_on_a_pixel,
-    a_lens_as_the_filter,
+    a_pixel_s_mtf_by_hand,
+    what_a_slant_is_good_for,
+    random_instants_err_more_than_even_ones,
     a_shutter_open_for_more_than_a_spacing,
     the_cubic_s_weights_halfway,
     the_spline_s_weights,

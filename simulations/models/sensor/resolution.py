@@ -1,8 +1,7 @@
 """What the width of a pixel and a plate before it leave of a wave, and what is left in all.
 
 Frequencies in cycles per millimetre of the sensor, lengths in micrometres. Transfer functions of
-links that come one after the other are multiplied. Szeliski, 2nd ed., sections 2.3.1 and 3.4;
-ISO 12233 for the point of half contrast.
+links that come one after the other are multiplied. Szeliski, 2nd ed., sections 2.3.1 and 3.4.
 """
 
 import numpy as np

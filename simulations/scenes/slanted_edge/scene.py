@@ -1,0 +1,110 @@
+"""Slanted Edge: one picture of an edge, and the contrast of every wave out of it."""
+
+import math
+
+import numpy as np
+
+from simulations.engine.controls import Value
+from simulations.engine.frame import Frame, Panel, Readout, format_number, readout
+from simulations.engine.handles import Handle, Point
+from simulations.engine.raster import to_rgba8
+from simulations.engine.scene import Scene
+from simulations.engine.stages import Outputs
+from simulations.models.arrays import Floats
+from simulations.models.color.srgb import encode_srgb
+from simulations.models.sensor.resolution import first_fall
+from simulations.scenes.slanted_edge import drawing
+from simulations.scenes.slanted_edge.settings import Settings
+from simulations.scenes.slanted_edge.stages import FREQUENCIES, STAGES
+
+PER_MM = "cycles/mm"
+
+
+def draw(settings: Settings, outputs: Outputs) -> Frame:
+    """The picture, the light across the edge, and the contrast of waves."""
+    picture, reading = outputs["picture"], outputs["reading"]
+    width, height = drawing.WIDTH, drawing.HEIGHT
+    row = picture[drawing.MIDDLE_ROW]
+    return Frame(
+        panels=(
+            Panel(
+                "picture",
+                "The picture of an edge",
+                width,
+                height,
+                to_rgba8(encode_srgb(np.clip(picture, 0.0, 1.0))),
+                drawing.over_picture(settings.angle),
+                pixelated=True,
+            ),
+            Panel(
+                "across",
+                "Light across the edge",
+                width,
+                height,
+                overlay=drawing.light_across(reading, row, settings.angle),
+            ),
+            Panel(
+                "waves",
+                "What is left of a wave’s contrast",
+                width,
+                height,
+                overlay=drawing.waves_left(outputs["measured"], outputs["true"]),
+            ),
+        ),
+        readouts=(
+            _rows(settings.angle),
+            _mtf50("measured", "MTF50 from the edge", outputs["measured"], settings.pitch, "image"),
+            _mtf50("true", "MTF50 of lens × pixel", outputs["true"], settings.pitch, "ray"),
+        ),
+        description=describe(settings, outputs["measured"], outputs["true"]),
+    )
+
+
+def _rows(angle_deg: float) -> Readout:
+    """How many rows it takes the edge to move by one pixel."""
+    name, label = "rows", "Rows to one pixel"
+    if angle_deg == 0:
+        return Readout(name, label, "∞", "", "world")
+    return readout(name, label, 1 / math.tan(math.radians(angle_deg)), digits=1, role="world")
+
+
+def _mtf50(name: str, label: str, left: Floats, pitch: float, role: str) -> Readout:
+    if np.isnan(left).any():
+        return Readout(name, label, "—", "", role)
+    half = 1000.0 / pitch * first_fall(FREQUENCIES, left, 0.5)
+    return readout(name, label, half, PER_MM, digits=1, role=role)
+
+
+def describe(settings: Settings, measured: Floats, true: Floats) -> str:
+    """What the picture of the edge says, or why it says nothing."""
+    slant = f"An edge slanted by {format_number(settings.angle, 1)}° "
+    if np.isnan(measured).any():
+        return f"{slant}meets too many rows at the same place: they tell too little about it."
+    found, formula = (
+        format_number(1000.0 / settings.pitch * first_fall(FREQUENCIES, left, 0.5), 0)
+        for left in (measured, true)
+    )
+    return (
+        f"{slant}says that waves of {found} cycles per mm keep half of their contrast; "
+        f"lens and pixel say {formula}."
+    )
+
+
+def _end(settings: Settings, _outputs: Outputs) -> Point:
+    return drawing.edge_end(settings.angle)[0], 6.0
+
+
+def _end_pulled(_settings: Settings, place: Point) -> dict[str, Value]:
+    return {"angle": drawing.angle_of((place[0], 0.0))}
+
+
+SCENE = Scene(
+    id="slanted-edge",
+    title="Slanted Edge",
+    settings=Settings,
+    draw=draw,
+    stages=STAGES,
+    handles=(
+        Handle("end", "picture", "End of the edge", ("angle",), _end, _end_pulled, role="world"),
+    ),
+)
