@@ -142,7 +142,7 @@ def a_pattern_that_overtakes() -> Says:
     assert np.isclose(first, 10_000, rtol=0.01)
     yield "which for $p = 1$ % is 10 000 electrons, half of our well"
     assert (mean / np.sqrt(mean + (share * mean) ** 2)).max() < 100
-    yield "signal over pattern never exceeds $1/p = 100$"
+    yield "the SNR never exceeds $1/p = 100$"
     yield rf"$\bar N = 1/0.008^2 = {1 / 0.008**2:,.0f}$".replace(",", r"\,")
 
 
@@ -387,7 +387,7 @@ def colour_filled_in_at_quality_30() -> Says:
     assert best - coarse["repeated"] > 0.4
     assert coarse["triangle"] > best - 0.02
     fine = {method: jpeg_psnr(upsampling=method, quality=100) for method in UPSAMPLING}
-    yield "The parabola and luma gain much at quality 100"
+    yield "The parabola and *following luma* gain much at quality 100"
     assert fine["parabola"] > fine["triangle"] + 1
     assert fine["guided"] > fine["parabola"] + 2
 
@@ -524,7 +524,8 @@ def half_a_cell() -> Says:
     width = sqrt(0.5)
     yield f"only {width:.2f} spacings wide"
     half, full = (100 * float(box_mtf(0.5 * share)) for share in (width, 1.0))
-    yield f"leaves {half:.0f} % of the contrast where a full cell leaves {full:.0f} %"
+    yield f"leaves {half:.0f} % of the contrast of a wave two cells long"
+    yield f"where a full cell leaves {full:.0f} %"
 
 
 def daylight_s_chromaticity() -> Says:

@@ -20,7 +20,8 @@ export function arrive() {
   const field = document.createElement("form");
   field.className = "case-filter";
   field.role = "search";
-  field.innerHTML = '<label><span></span> <input type="search"></label> <span role="status"></span>';
+  field.innerHTML =
+    '<label><span></span> <input type="search"></label> <span role="status"></span>';
   field.addEventListener("submit", (event) => event.preventDefault());
   one(field, "label > span", HTMLElement).textContent = words("extremes.filter");
   first.before(field);
