@@ -128,7 +128,7 @@ def a_pixel_s_mtf_by_hand() -> Says:
     halfway = np.array([-3, -1, 1, 3]) / 8
     total = float(rise @ np.cos(2 * pi * 0.5 * halfway))
     near, far = (float(np.cos(radians(deg))) for deg in (22.5, 67.5))
-    yield r"$\frac14 \cdot 2\,(\cos 22.5^\circ + \cos 67.5^\circ) = \frac12\,("
+    yield r"$\frac14 \cdot 2\,(\cos 22.5^\circ + \cos 67.5^\circ)$, which is $\frac12\,("
     formula = float(box_mtf(0.5))
     yield f"({near:.3f} + {far:.3f}) = {total:.2f}$. The pixel's formula gives {formula:.2f}"
 

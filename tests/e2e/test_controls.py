@@ -101,7 +101,7 @@ TRY_CONTROLS = f"""async (figure, controls) => {{
     const top = document.elementFromPoint(x + width / 2, y + height / 2);
     element.focus({{preventScroll: true}});
     const focused = document.activeElement === element && !element.disabled;
-    const [before, frames] = [JSON.stringify(shown(figure)), count()];
+    const [before, frames] = [JSON.stringify(await shown(figure)), count()];
     let changed = false;
     for (let attempt = 0; attempt < 4 && !changed; attempt += 1) {{
       if (control.kind === 'action') {{
@@ -117,7 +117,7 @@ TRY_CONTROLS = f"""async (figure, controls) => {{
         }}
       }}
       await rest();
-      changed = JSON.stringify(shown(figure)) !== before;
+      changed = JSON.stringify(await shown(figure)) !== before;
     }}
     told.push({{
       name: control.name, hit: element.contains(top), cover: top?.outerHTML.slice(0, 99), focused,
