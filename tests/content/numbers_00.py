@@ -84,7 +84,7 @@ def how_wide_a_step_of_the_file_is() -> Says:
 def stripes_finer_than_the_grid() -> Says:
     """Five on four pixels: the average over a cell, and what the grid makes of the rest."""
     frequency = 5 / 4
-    yield f"{100 * float(box_mtf(frequency, 1.0)):.0f} % of their contrast gets through"
+    yield f"{100 * float(box_mtf(frequency, 1.0)):.0f} % of their contrast, the difference"
     period = 1 / abs(float(alias_frequency(frequency, 1.0)))
     yield f"one broad stripe every {SPELT[period]} pixels"
 
