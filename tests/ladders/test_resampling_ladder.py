@@ -81,16 +81,17 @@ def test_turns_of_thirty_degrees_put_most_pixels_back_where_they_were() -> None:
     """Three of them take the grid onto itself; so the ladder does not use this angle."""
     after = off_px(30.0, TURNS)
     assert rms_px(after) < 0.5 * np.sqrt(TURNS) * rms_px(off_px(30.0, 1))
-    assert np.mean(np.hypot(*after.T) < 1e-6) > 0.6
+    assert np.mean(np.hypot(*after.T) < 1e-6) == pytest.approx(2 / 3, abs=0.03)
     np.testing.assert_allclose(off_px(30.0, 2 * TURNS), after, atol=1e-9)
     assert np.rad2deg(TURN_RAD) in OTHER_ANGLES_DEG
 
 
-def test_thirty_degrees_would_turn_the_order_of_the_two_cheapest_round() -> None:
-    for nearest, bilinear in zip(
-        often_db(30.0, "nearest"), often_db(30.0, "bilinear"), strict=True
-    ):
-        assert nearest > bilinear + 1
+@pytest.mark.parametrize("angle_deg", [30.0, 45.0, 60.0])
+def test_angles_that_return_would_turn_the_order_of_the_two_cheapest_round(
+    angle_deg: float,
+) -> None:
+    pairs = zip(often_db(angle_deg, "nearest"), often_db(angle_deg, "bilinear"), strict=True)
+    assert all(nearest > bilinear + 1 for nearest, bilinear in pairs)
 
 
 @pytest.mark.parametrize("angle_deg", OTHER_ANGLES_DEG)

@@ -23,7 +23,7 @@ def test_the_edge_says_what_lens_and_pixel_say(aperture: float, angle: float) ->
 def test_an_upright_edge_says_nothing_and_the_figure_says_why() -> None:
     upright = frame(angle=0)
     assert texts_of(upright)["measured"] == "—"
-    assert "too little" in upright.description
+    assert "no MTF" in upright.description
 
 
 def test_the_edge_moves_by_one_pixel_in_as_many_rows_as_the_slant_says() -> None:

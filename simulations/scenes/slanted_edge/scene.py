@@ -77,16 +77,16 @@ def _mtf50(name: str, label: str, left: Floats, pitch: float, role: str) -> Read
 
 def describe(settings: Settings, measured: Floats, true: Floats) -> str:
     """What the picture of the edge says, or why it says nothing."""
-    slant = f"An edge slanted by {format_number(settings.angle, 1)}° "
+    slant = f"An edge slanted by {format_number(settings.angle, 1)}°"
     if np.isnan(measured).any():
-        return f"{slant}meets too many rows at the same place: they tell too little about it."
+        return f"{slant}: too many rows meet it at the same place, so the picture gives no MTF."
     found, formula = (
         format_number(1000.0 / settings.pitch * first_fall(FREQUENCIES, left, 0.5), 0)
         for left in (measured, true)
     )
     return (
-        f"{slant}says that waves of {found} cycles per mm keep half of their contrast; "
-        f"lens and pixel say {formula}."
+        f"{slant}: by this picture, waves of {found} cycles per mm keep half of their contrast; "
+        f"by the formulae of lens and pixel, {formula}."
     )
 
 
