@@ -47,10 +47,10 @@ FORMULAE = (
         (0x23DC, 0x23E1),  # braces over and under
         (0x27E6, 0x27EB),  # angle brackets
         (0x27F5, 0x27FC),  # long arrows
-        (0x1D400, 0x1D503),  # alphabets: bold, italic, bold italic, script
-        (0x1D538, 0x1D56B),  # double-struck
+        (0x1D400, 0x1D56B),  # alphabets: bold, italic, bold italic, script, Fraktur, double-struck
+        (0x1D5A0, 0x1D5D3),  # sans serif
         (0x1D6A4, 0x1D755),  # dotless; Greek bold, italic, bold italic
-        (0x1D7CE, 0x1D7D7),  # bold digits
+        (0x1D7CE, 0x1D7E1),  # bold and double-struck digits
     )
     | _each("ℂℎℏℐℒℕℙℚℛℝℤ□◦⊤⊥⋅⋆⟨⟩⟵⟶⟷⦅⦆")
 )

@@ -77,6 +77,13 @@ def test_maths_face_shows_the_alphabets_of_the_formulae(fonts: Mapping[str, byte
     assert missing(opened(fonts, "maths.woff2"), text.replace(" ", "")) == set()
 
 
+def test_the_rare_face_shows_the_alphabets_that_few_formulae_use(
+    fonts: Mapping[str, bytes],
+) -> None:
+    text = "𝒪𝔰𝔬𝖲𝖤𝟙𝔸"
+    assert missing(opened(fonts, "maths-rare.woff2"), text) == set()
+
+
 def test_maths_face_stretches_brackets_and_roots(fonts: Mapping[str, bytes]) -> None:
     font = opened(fonts, "maths.woff2")
     vertical = font["MATH"].table.MathVariants.VertGlyphCoverage.glyphs
