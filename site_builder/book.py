@@ -5,8 +5,6 @@ from dataclasses import dataclass, field
 from typing import Any
 
 from simulations.engine.scene import Scene
-from site_builder.beside.bibliography import EMPTY, Bibliography
-from site_builder.beside.news import News
 from site_builder.languages.words import ENGLISH, Words
 from site_builder.page_model.blocks import Block, Simulation, Source, contents
 from site_builder.page_model.places import (
@@ -23,6 +21,8 @@ from site_builder.page_model.places import (
     TermUse,
 )
 from site_builder.page_model.questions import Prediction, Quiz
+from site_builder.references.bibliography import EMPTY, Bibliography
+from site_builder.references.news import News
 from site_builder.settings.model import FILE_NAME, Settings
 
 OUTLINE = FILE_NAME

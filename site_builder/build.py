@@ -13,6 +13,7 @@ from typing import Any
 from simulations.engine.ladder import Ladder
 from simulations.engine.scene import Scene
 from simulations.registry import load_ladder, load_scene
+from site_builder.benchmarks.measurements import read_measurements
 from site_builder.book import Book
 from site_builder.book_root import own_or_engine
 from site_builder.browser_python import pack_for_browser, shown_ladders
@@ -29,16 +30,15 @@ from site_builder.editor.sources import scene_sources
 from site_builder.kept.ahead import Ask, helpers
 from site_builder.kept.keeper import kept_as, reads_folder, was_made
 from site_builder.kept.told import kept_reading
-from site_builder.measured.measurements import read_measurements
 from site_builder.offline.manifest import MANIFEST, manifest
 from site_builder.offline.release import no_release, release_files
 from site_builder.output.assets import hashed_folder
 from site_builder.output.joined_scripts import join_scripts
 from site_builder.output.writer import write_site
 from site_builder.pages.catalogue import catalogue
+from site_builder.pages.initial_frames import InitialFrames, render_initial_frames
 from site_builder.pages.licences import Licence, gather_licences
 from site_builder.pages.render import Site, page_makers, render_pages, render_template
-from site_builder.pages.stills import Stills, render_stills
 from site_builder.publishing.cards import make_cards
 from site_builder.publishing.compressed import compressed_copies
 from site_builder.publishing.hosting import host_files
@@ -144,7 +144,7 @@ def render_parts(options: Options, indexer: Indexer | None = None) -> RenderedSi
     with helpers() as beside:
         wanted = {"runtime": options.runtime, "search": options.search}
         beside.begin([*tools(options.root, **wanted, compiled=not options.reload)])
-        book, stills, pictures = check_site(options)
+        book, initial_frames, pictures = check_site(options)
         beside.begin([*_charts(book), *_sources(options, book)])
         beside.join()
     runtime, runtime_files, bundle = _runtime(options, book)
@@ -154,7 +154,7 @@ def render_parts(options: Options, indexer: Indexer | None = None) -> RenderedSi
         **_python(options, book, editor),
         **scripts,
         **handed_out(book, options.root),
-        **strips_of(stills),
+        **strips_of(initial_frames),
         **make_icons(options.root),
     }
     folder = NOW if options.reload else ""
@@ -162,7 +162,7 @@ def render_parts(options: Options, indexer: Indexer | None = None) -> RenderedSi
     join: Callable[[Files], Files] = dict if folder else partial(_joined, options)
     assets, asset_files = gather_assets(book, options.root, pictures, made, folder, join)
     site = Site(
-        options.root, book, stills, assets, runtime, code_editor=bool(editor.script),
+        options.root, book, initial_frames, assets, runtime, code_editor=bool(editor.script),
         # A changed scene would change all pages that say what it was.
         sources="" if options.reload else bundle.sources,
         table="" if options.reload else bundle.table,
@@ -187,7 +187,7 @@ def render_parts(options: Options, indexer: Indexer | None = None) -> RenderedSi
 
     files = {
         **pages,
-        **_outside(options, book, pages, stills, pictures),
+        **_outside(options, book, pages, initial_frames, pictures),
         **asset_files,
         **runtime_files,
         "book.json": catalogue(book, bundle.versions),
@@ -213,7 +213,7 @@ def _finished(files: Files, assets: str, book: Book) -> Files:
     return {**release, **host_files(whole, book), **copies}
 
 
-def check_site(options: Options) -> tuple[Book, Stills, dict[str, bytes]]:
+def check_site(options: Options) -> tuple[Book, InitialFrames, dict[str, bytes]]:
     """Read and check everything, figures drawn included. Raises `BuildError`."""
     problems = Diagnostics()
     _check_declared(options.root, problems)
@@ -221,8 +221,10 @@ def check_site(options: Options) -> tuple[Book, Stills, dict[str, bytes]]:
     book = read_book(options.root, problems, options.load_scene, measurements)
     check_book(book, problems)
     check_pictures(options.root, problems, trusted=book.settings.trust.raw_html)
-    stills, pictures = render_stills(book, problems, strips=options.runtime and not options.reload)
-    check_frames(book, stills, own_or_engine(options.root, "static"), problems)
+    initial_frames, pictures = render_initial_frames(
+        book, problems, strips=options.runtime and not options.reload
+    )
+    check_frames(book, initial_frames, own_or_engine(options.root, "static"), problems)
     for warning in sorted(set(problems.doubts)):
         options.warn(warning)
     if problems:
@@ -230,7 +232,7 @@ def check_site(options: Options) -> tuple[Book, Stills, dict[str, bytes]]:
     book = replace(
         book, address=options.address or book.address, source=options.source or book.source
     )
-    return book, stills, pictures
+    return book, initial_frames, pictures
 
 
 def _check_declared(root: Path, problems: Diagnostics) -> None:
@@ -309,12 +311,19 @@ def _charts(book: Book) -> list[Ask]:
 
 
 def _outside(
-    options: Options, book: Book, pages: Files, stills: Stills, pictures: Mapping[str, bytes]
+    options: Options,
+    book: Book,
+    pages: Files,
+    initial_frames: InitialFrames,
+    pictures: Mapping[str, bytes],
 ) -> Files:
     """What others see of a site that has an address."""
     if not book.address:
         return {}
-    return {**make_listings(book, pages), **make_cards(book, stills, pictures, options.root)}
+    return {
+        **make_listings(book, pages),
+        **make_cards(book, initial_frames, pictures, options.root),
+    }
 
 
 def _sources(options: Options, book: Book) -> list[Ask]:

@@ -8,23 +8,23 @@ from typing import Any
 from markdown_it import MarkdownIt
 
 from simulations.engine.scene import Scene
-from site_builder.beside.bibliography import FILE as BIBLIOGRAPHY
-from site_builder.beside.bibliography import Bibliography
-from site_builder.beside.glossary import FILE as GLOSSARY
-from site_builder.beside.glossary import Glossary
+from site_builder.benchmarks.measurements import DATA as MEASUREMENTS
+from site_builder.benchmarks.measurements import Measurements
 from site_builder.book import Chapter
 from site_builder.diagnostics import Diagnostics
 from site_builder.kept.keeper import given_hash, kept_as, reads_file
 from site_builder.kept.told import kept_reading
 from site_builder.languages.words import Words
 from site_builder.markdown.chapter import Draft, Survey, parse_chapter, read_chapter, survey
+from site_builder.markdown.parse_context import ParseContext
 from site_builder.markdown.parser import make_parser
-from site_builder.markdown.reading import Reading
 from site_builder.markdown.targets import Targets
 from site_builder.markdown.text.macros import Macros
-from site_builder.measured.measurements import DATA as MEASUREMENTS
-from site_builder.measured.measurements import Measurements
 from site_builder.page_model.places import Position, Target, chapter_id
+from site_builder.references.bibliography import FILE as BIBLIOGRAPHY
+from site_builder.references.bibliography import Bibliography
+from site_builder.references.glossary import FILE as GLOSSARY
+from site_builder.references.glossary import Glossary
 
 
 @dataclass(frozen=True, slots=True)
@@ -89,7 +89,7 @@ class Page:
             reads_file(self.shared.root / file)
         draft, self._draft = self._parsed(), None
         chapter = read_chapter(draft, targets)
-        own = draft.reading.problems
+        own = draft.context.problems
         problems.found.extend(own.found)
         problems.doubts.extend(own.doubts)
         return chapter
@@ -97,7 +97,7 @@ class Page:
     def _parsed(self) -> Draft:
         if self._draft is None:
             shared = self.shared
-            reading = Reading(
+            context = ParseContext(
                 self.path,
                 shared.root,
                 Diagnostics(),
@@ -112,7 +112,7 @@ class Page:
                 bibliography=shared.bibliography,
                 glossary=shared.glossary,
             )
-            self._draft = parse_chapter(self.text, reading)
+            self._draft = parse_chapter(self.text, context)
         return self._draft
 
 

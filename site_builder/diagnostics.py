@@ -72,10 +72,10 @@ def counted(found: Sized, name: str) -> str:
     return f"{len(found)} {name}{'s' * (len(found) != 1)}"
 
 
-def unknown(kind: str, given: str, legal: Iterable[str]) -> str:
+def unknown(kind: str, given: str, expected: Iterable[str]) -> str:
     """``unknown KIND 'given'``, then the nearest legal name or, where none is near, the legal ones:
     all of them, or the first of many."""
-    names = list(legal)
+    names = list(expected)
     near = difflib.get_close_matches(given, names, n=1)
     listed = ", ".join(names[:MOST_LISTED]) or "none"
     rest = len(names) - MOST_LISTED

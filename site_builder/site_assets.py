@@ -17,8 +17,8 @@ from site_builder.output.fonts import subset_fonts
 from site_builder.output.scripts import imported_scripts, reachable
 from site_builder.output.style_sheets import join_style_sheets, without_comments
 from site_builder.pages.features import kinds_script, parts_script, sheets_not_for, shown_in
+from site_builder.pages.initial_frames import InitialFrames
 from site_builder.pages.render import back_matter
-from site_builder.pages.stills import Stills
 
 STYLE_SHEET = "css/book.css"
 """The one that pages hold or, while the book is written, link to, below ``static/``."""
@@ -84,9 +84,9 @@ def _scripts(files: Files, assets: str) -> tuple[str, ...]:
     return imported_scripts({name.removeprefix(assets): files[name] for name in files}, SCRIPT)
 
 
-def strips_of(stills: Stills) -> Files:
+def strips_of(initial_frames: InitialFrames) -> Files:
     """What figures can show before Python has started."""
-    strips = [still.strip for still in stills.values() if still.strip]
+    strips = [still.strip for still in initial_frames.values() if still.strip]
     return {f"strips/{strip.file}": strip.data for strip in strips}
 
 

@@ -8,13 +8,8 @@ from string import ascii_uppercase
 from typing import Any
 
 from simulations.engine.scene import Scene
-from site_builder.beside.bibliography import FILE as BIBLIOGRAPHY
-from site_builder.beside.bibliography import Bibliography, read_bibliography
-from site_builder.beside.glossary import FILE as GLOSSARY
-from site_builder.beside.glossary import Glossary, read_glossary
-from site_builder.beside.news import read_news
-from site_builder.beside.symbols import FILE as SYMBOLS
-from site_builder.beside.symbols import read_symbols
+from site_builder.benchmarks.measurements import DATA as MEASUREMENTS
+from site_builder.benchmarks.measurements import Measurements
 from site_builder.book import OUTLINE, Book
 from site_builder.chapters import Page, Shared, targets_hash
 from site_builder.diagnostics import Diagnostics, unknown
@@ -25,17 +20,22 @@ from site_builder.kept.two_steps import Steps, in_two_steps
 from site_builder.languages.words import Words, load_words
 from site_builder.lecture_plan import read_lecture_plan
 from site_builder.markdown.chapter import Survey, find_targets
+from site_builder.markdown.glossary_links.definitions import read_definitions, read_meanings
 from site_builder.markdown.inline import inline_html
+from site_builder.markdown.parse_context import ParseContext
 from site_builder.markdown.parser import make_parser
-from site_builder.markdown.reading import Reading
 from site_builder.markdown.scenes import find_scene
 from site_builder.markdown.targets import Targets
 from site_builder.markdown.text.macros import Macros, faults_of
-from site_builder.markdown.vocabulary.definitions import read_definitions, read_meanings
-from site_builder.measured.measurements import DATA as MEASUREMENTS
-from site_builder.measured.measurements import Measurements
 from site_builder.page_model.blocks import Simulation
 from site_builder.page_model.places import Definition, Meaning, Position, chapter_id
+from site_builder.references.bibliography import FILE as BIBLIOGRAPHY
+from site_builder.references.bibliography import Bibliography, read_bibliography
+from site_builder.references.glossary import FILE as GLOSSARY
+from site_builder.references.glossary import Glossary, read_glossary
+from site_builder.references.news import read_news
+from site_builder.references.symbols import FILE as SYMBOLS
+from site_builder.references.symbols import read_symbols
 from site_builder.settings.model import Settings
 from site_builder.settings.reading import read_settings
 from site_builder.source_text import Toml, read_text
@@ -106,9 +106,9 @@ def read_book(
     _check_addresses(outline, problems)
     _check_unlisted(root, outline, problems)
 
-    def beside(file: str, problems: Diagnostics) -> Reading:
+    def beside(file: str, problems: Diagnostics) -> ParseContext:
         reads_file(root / MEASUREMENTS)
-        return Reading(
+        return ParseContext(
             file,
             root,
             problems,
@@ -245,10 +245,10 @@ def _read_hero(
     settings, words = outline.settings, outline.words
     if not settings.hero:
         return None
-    reading = Reading(OUTLINE, root, problems, load_scene, make_parser(words), words=words)
-    scene = find_scene(settings.hero, outline.hero_line, reading)
-    caption_html = inline_html(settings.hero_caption, outline.hero_line, reading)
-    for link in reading.links:
+    context = ParseContext(OUTLINE, root, problems, load_scene, make_parser(words), words=words)
+    scene = find_scene(settings.hero, outline.hero_line, context)
+    caption_html = inline_html(settings.hero_caption, outline.hero_line, context)
+    for link in context.links:
         problems.add(
             OUTLINE, link.line, f"link {link.target!r} in the cover's caption; legal: 'https://…'"
         )

@@ -9,12 +9,12 @@ from dataclasses import dataclass
 from itertools import pairwise
 
 from simulations.engine import drawing
+from site_builder.benchmarks.measurements import SIDES, MeasuredLadder, MeasuredTier
 from site_builder.charts.axes import ChartAxis, linear_axis, log_axis
 from site_builder.charts.boxes import Box, Point, Segment
 from site_builder.charts.label_placement import Label, place_labels
 from site_builder.kept.keeper import kept_as
 from site_builder.languages.words import ENGLISH, Words
-from site_builder.measured.measurements import SIDES, MeasuredLadder, MeasuredTier
 
 type Place = Callable[[MeasuredTier, str], Point]
 """Where a tier stands on one side."""

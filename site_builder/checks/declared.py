@@ -94,10 +94,10 @@ def _check_values(entry: Path, room: Room, root: Path, problems: Diagnostics) ->
         if (file, node) != right:
             problems.add(path, node.lineno, f"a {room.value} too many; legal: one, in {home.name}")
         elif given := _id_of(node):
-            legal = entry.stem.replace("_", "-")
-            if given.value != legal:
+            expected = entry.stem.replace("_", "-")
+            if given.value != expected:
                 problems.add(
-                    path, given.lineno, f"id {given.value!r} in {home.name}; legal: {legal!r}"
+                    path, given.lineno, f"id {given.value!r} in {home.name}; legal: {expected!r}"
                 )
 
 

@@ -53,8 +53,8 @@ def _unreachable(quiz: Quiz, figure: Simulation) -> str:
     for control in figure.scene.controls:
         value = quiz.solution.get(control.name)
         if isinstance(control, Slider) and value and not control.reaches(control.check(value)):
-            legal = f"{control.minimum:g} and steps of {control.step:g}"
-            return f"{control.name}: {value} is between two steps; legal: {legal}"
+            expected = f"{control.minimum:g} and steps of {control.step:g}"
+            return f"{control.name}: {value} is between two steps; legal: {expected}"
     return ""
 
 

@@ -13,7 +13,7 @@ from site_builder.diagnostics import Diagnostics, unknown
 from site_builder.kept.keeper import kept, kept_as, reads_folder
 from site_builder.markdown.directives.illustration import Drawn
 from site_builder.page_model.blocks import Block
-from site_builder.pages.stills import Stills
+from site_builder.pages.initial_frames import InitialFrames
 
 MOST_PIXELS, MANY_PIXELS = 4_000_000, 1_000_000
 MOST_LETTERS, MANY_LETTERS = 1_000_000, 250_000
@@ -30,10 +30,12 @@ class _Overlay:
     classes: frozenset[str]
 
 
-def check_frames(book: Book, stills: Stills, static: Path, problems: Diagnostics) -> None:
+def check_frames(
+    book: Book, initial_frames: InitialFrames, static: Path, problems: Diagnostics
+) -> None:
     """Those of the figures as they first appear, and the illustrations."""
     known = known_classes(static)
-    for (path, line), still in stills.items():
+    for (path, line), still in initial_frames.items():
         for panel in still.frame.panels:
             picture = still.pictures.get(panel.name)
             pixels = picture.width * picture.height if picture else 0

@@ -1,9 +1,9 @@
 """Whether the section that is to explain a term uses it, and whether any text does before it."""
 
-from site_builder.beside.glossary import FILE
 from site_builder.book import Book
 from site_builder.diagnostics import Diagnostics
 from site_builder.page_model.places import Target, TermUse
+from site_builder.references.glossary import FILE
 
 
 def check_glossary(book: Book, problems: Diagnostics) -> None:
@@ -17,8 +17,8 @@ def check_glossary(book: Book, problems: Diagnostics) -> None:
                 for name, chapter, section in sorted(used)
                 if name == term.name
             ]
-            legal = ", ".join(sections[:6]) or "a section that does"
-            message = f"{term.name!r} is not in the text of {term.explained!r}; legal: {legal}"
+            expected = ", ".join(sections[:6]) or "a section that does"
+            message = f"{term.name!r} is not in the text of {term.explained!r}; legal: {expected}"
             problems.add(FILE, term.line, message)
 
 

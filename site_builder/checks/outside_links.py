@@ -20,9 +20,9 @@ from queue import Empty, SimpleQueue
 from typing import IO
 from urllib.parse import quote, urldefrag, urlsplit
 
-from site_builder.beside.bibliography import FILE as BIBLIOGRAPHY
 from site_builder.book import Book
 from site_builder.diagnostics import Diagnostic
+from site_builder.references.bibliography import FILE as BIBLIOGRAPHY
 
 GONE = (404, 410)
 MOVED = (301, 308)
@@ -90,8 +90,8 @@ def check_outside_links(
 def _told(address: str, answer: Answer, place: Place) -> Iterator[Diagnostic]:
     ok = 200 <= answer.status < 300
     if answer.status in GONE or not answer.status:
-        legal = "an address that answers"
-        yield Diagnostic(*place, f"link {address!r}: {answer.reason}; legal: {legal}")
+        expected = "an address that answers"
+        yield Diagnostic(*place, f"link {address!r}: {answer.reason}; legal: {expected}")
     elif not ok:
         message = f"link {address!r} cannot be judged: {answer.reason}"
         yield Diagnostic(*place, message, fails=False)

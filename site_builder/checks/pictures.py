@@ -42,8 +42,8 @@ def _check_kept(file: Path, path: str, problems: Diagnostics, trusted: bool) -> 
 def _check_picture(file: Path, path: str, problems: Diagnostics, trusted: bool) -> None:
     size = file.stat().st_size
     if size > MOST_BYTES:
-        legal = f"at most {MOST_BYTES / 1e6:g} MB"
-        problems.add(path, 1, f"a picture of {size / 1e6:.1f} MB; legal: {legal}")
+        expected = f"at most {MOST_BYTES / 1e6:g} MB"
+        problems.add(path, 1, f"a picture of {size / 1e6:.1f} MB; legal: {expected}")
         return
     if size > MANY_BYTES:
         better = f"at most {MANY_BYTES / 1e6:g} MB"

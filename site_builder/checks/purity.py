@@ -57,8 +57,8 @@ def impurities(source: str) -> Iterator[tuple[int, str]]:
         if any(called == clock or called.startswith(f"{clock}.") for clock in CLOCKS):
             yield node.lineno, f"{called}() asks a clock; legal: what settings say alone"
         elif _is_chance(called, node):
-            legal = "numpy.random.default_rng(seed), its seed a setting or a number"
-            yield node.lineno, f"{called}() is chance without a seed; legal: {legal}"
+            expected = "numpy.random.default_rng(seed), its seed a setting or a number"
+            yield node.lineno, f"{called}() is chance without a seed; legal: {expected}"
 
 
 def _is_chance(called: str, call: ast.Call) -> bool:

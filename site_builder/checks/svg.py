@@ -172,8 +172,8 @@ class _Reader(ContentHandler):
             )
             if space not in (None, XLINK) or not own:
                 shown = value if len(value) <= 40 else f"{value[:40]}…"
-                legal = "'#id' of its own, and in <image> 'data:image/png;base64,…'"
-                self.fault(f"address {shown!r} in <{element}>; legal: {legal}")
+                expected = "'#id' of its own, and in <image> 'data:image/png;base64,…'"
+                self.fault(f"address {shown!r} in <{element}>; legal: {expected}")
         elif space is None and not (name in ATTRIBUTES or name.startswith(("aria-", "data-"))):
             self.fault(_strange("attribute", name, ATTRIBUTES))
         elif space == XML and name not in ("space", "lang", "id"):
@@ -184,7 +184,7 @@ class _Reader(ContentHandler):
             self.fault(f"{found[0]!r} in {name!r}; legal: paint, and 'url(#id)'")
 
 
-def _strange(kind: str, name: str, legal: list[str]) -> str:
+def _strange(kind: str, name: str, expected: list[str]) -> str:
     """Of a name so unlike all legal ones, that these are many: nothing is listed."""
-    said = unknown(kind, name, legal)
+    said = unknown(kind, name, expected)
     return said if "did you mean" in said else f"{kind} {name!r}; legal: shapes, text and paint"

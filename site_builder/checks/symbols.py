@@ -2,12 +2,12 @@
 
 from collections.abc import Iterator
 
-from site_builder.beside.symbols import BOOK, FILE
 from site_builder.book import Book, Chapter
 from site_builder.diagnostics import Diagnostics, unknown
+from site_builder.markdown.glossary_links.definitions import meanings_in
 from site_builder.markdown.text.symbols import covers, spelt, symbols_of
-from site_builder.markdown.vocabulary.definitions import meanings_in
 from site_builder.page_model.places import Formula
+from site_builder.references.symbols import BOOK, FILE
 
 
 def check_symbols(book: Book, problems: Diagnostics) -> None:
@@ -17,12 +17,12 @@ def check_symbols(book: Book, problems: Diagnostics) -> None:
     chapters = {chapter.id: chapter for chapter in book.chapters}
     used: set[int] = set()
     for chapter in book.chapters:
-        legal = [(spelt(item.symbol.tex), item) for item in meanings_in(book, chapter)]
+        expected = [(spelt(item.symbol.tex), item) for item in meanings_in(book, chapter)]
         for tex, formula in _first_uses(chapter):
-            covering = [item for name, item in legal if covers(name, tex)]
+            covering = [item for name, item in expected if covers(name, tex)]
             used |= {item.symbol.line for item in covering}
             if not covering:
-                names = [name for name, _ in legal]
+                names = [name for name, _ in expected]
                 message = unknown(f"symbol in {chapter.id}", tex, names)
                 problems.add(chapter.path, formula.line, f"{message} (in {FILE})")
     for name, declared in book.symbols.items():

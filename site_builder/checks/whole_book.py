@@ -4,7 +4,6 @@ what belongs together on a page."""
 from collections.abc import Sequence
 from pathlib import PurePosixPath
 
-from site_builder.beside.bibliography import FILE as BIBLIOGRAPHY
 from site_builder.book import Book, Chapter
 from site_builder.checks.figure_questions import check_figure_questions
 from site_builder.checks.glossary import check_glossary, check_order
@@ -14,6 +13,7 @@ from site_builder.diagnostics import Diagnostics, unknown
 from site_builder.page_model.blocks import contents
 from site_builder.page_model.places import Link
 from site_builder.page_model.questions import Prediction, Quiz, Reveal
+from site_builder.references.bibliography import FILE as BIBLIOGRAPHY
 
 
 def check_book(book: Book, problems: Diagnostics) -> None:

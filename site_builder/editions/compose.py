@@ -54,10 +54,10 @@ class Composed:
 
 def compose(options: Options) -> Composed:
     """Read, check and render the book. Raises `BuildError` with all mistakes found."""
-    book, stills, pictures = check_site(options)
-    rows, row_pictures = render_rows(book, stills)
+    book, initial_frames, pictures = check_site(options)
+    rows, row_pictures = render_rows(book, initial_frames)
     assets, files = gather_assets(book, options.root, {**pictures, **row_pictures}, {})
-    site = Site(options.root, book, stills, assets, "")
+    site = Site(options.root, book, initial_frames, assets, "")
     licences = gather_licences(options.root, Versions(), settings=book.settings, words=book.words)
     pages = render_pages(page_makers(site, licences))
     sections = [
@@ -67,7 +67,7 @@ def compose(options: Options) -> Composed:
     ]
     cover = ""
     if book.hero:
-        shown = stills[book.hero.path, book.hero.line].pictures.values()
+        shown = initial_frames[book.hero.path, book.hero.line].pictures.values()
         cover = next((f"{assets}stills/{picture.file}" for picture in shown), "")
     return Composed(book, tuple(sections), cover, assets, files, licences)
 

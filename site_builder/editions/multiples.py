@@ -13,8 +13,8 @@ from site_builder.book import Book
 from site_builder.drawing.frames import png
 from site_builder.languages.words import Words
 from site_builder.page_model.blocks import Simulation
+from site_builder.pages.initial_frames import InitialFrame, InitialFrames
 from site_builder.pages.main_control import main_control
-from site_builder.pages.stills import Still, Stills
 from site_builder.pages.views.control import value_text
 
 MOST = 4
@@ -43,19 +43,21 @@ class Row:
     multiples: tuple[Multiple, ...]
 
 
-def render_rows(book: Book, stills: Stills) -> tuple[dict[tuple[str, str], Row], dict[str, bytes]]:
+def render_rows(
+    book: Book, initial_frames: InitialFrames
+) -> tuple[dict[tuple[str, str], Row], dict[str, bytes]]:
     """The row of each figure that has one, by chapter and element id; and the PNG files."""
     rows: dict[tuple[str, str], Row] = {}
     files: dict[str, bytes] = {}
     for chapter in book.chapters:
         for figure in chapter.simulations:
-            row = _row(chapter.id, stills[figure.path, figure.line], files, book.words)
+            row = _row(chapter.id, initial_frames[figure.path, figure.line], files, book.words)
             if row:
                 rows[chapter.id, figure.id] = row
     return rows, files
 
 
-def _row(page: str, still: Still, files: dict[str, bytes], words: Words) -> Row | None:
+def _row(page: str, still: InitialFrame, files: dict[str, bytes], words: Words) -> Row | None:
     figure = still.figure
     control = main_control(figure)
     if control is None:

@@ -100,7 +100,7 @@ def _directive_section(
     argument = f" {item.argument.form}" if item.argument else ""
     parts = [
         f"## {item.name}\n",
-        f"Makes {item.says}. Between its fences: {item.body.says}.\n",
+        f"Makes {item.doc}. Between its fences: {item.body.doc}.\n",
         f"```text\n:::{{{item.name}}}{argument}\n```\n",
     ]
     if item.options or item.more_options:
@@ -138,7 +138,7 @@ def _role_section(role: Role, written: Mapping[str, str]) -> str:
             )
         example = f"The words {{{role.name}}}`in its colour`."
     form = role.form.replace("|", BAR)
-    return f"## {role.name}\n\nMakes {role.says}. It holds `{form}`.\n\n{_shown(example)}"
+    return f"## {role.name}\n\nMakes {role.doc}. It holds `{form}`.\n\n{_shown(example)}"
 
 
 def _options(options: Iterable[OptionLine], more: str) -> str:
@@ -148,9 +148,9 @@ def _options(options: Iterable[OptionLine], more: str) -> str:
 
 
 def _option(option: OptionLine) -> str:
-    legal = " or ".join(f"`{value}`" for value in option.legal)
-    says = f"{option.says}: {legal}" if legal else option.says
-    return f"| `:{option.name}:` | {says} | {'yes' if option.required else 'no'} |\n"
+    expected = " or ".join(f"`{value}`" for value in option.expected)
+    doc = f"{option.doc}: {expected}" if expected else option.doc
+    return f"| `:{option.name}:` | {doc} | {'yes' if option.required else 'no'} |\n"
 
 
 def _uses(name: str, example: str) -> bool:

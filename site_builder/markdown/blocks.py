@@ -6,22 +6,22 @@ from typing import Any
 
 from markdown_it.token import Token
 
-from site_builder.markdown.directive import Directive, Use
-from site_builder.markdown.reading import Reading
+from site_builder.markdown.directive import Directive, DirectiveCall
+from site_builder.markdown.parse_context import ParseContext
 from site_builder.markdown.usage import checked
 from site_builder.page_model.blocks import Block, Prose
 
 
-def read_blocks(tokens: Sequence[Token], reading: Reading) -> tuple[Block, ...]:
+def read_blocks(tokens: Sequence[Token], context: ParseContext) -> tuple[Block, ...]:
     """Tokens at one level of nesting as blocks, in order."""
     if not any(token.type == "directive_open" for token in tokens):
-        html = reading.html(tokens) if tokens else ""
+        html = context.html(tokens) if tokens else ""
         return (Block("prose", Prose(html)),) if html else ()
     blocks: list[Block] = []
     prose: list[Token] = []
 
     def end_prose() -> None:
-        if prose and (html := reading.html(prose)):
+        if prose and (html := context.html(prose)):
             blocks.append(Block("prose", Prose(html)))
         prose.clear()
 
@@ -31,27 +31,27 @@ def read_blocks(tokens: Sequence[Token], reading: Reading) -> tuple[Block, ...]:
         element = tokens[position:end]
         if element[0].type == "directive_open":
             end_prose()
-            if block := _read_directive(element, reading):
+            if block := _read_directive(element, context):
                 blocks.append(block)
         else:
-            prose.extend(_without_directives(element, reading))
+            prose.extend(_without_directives(element, context))
         position = end
     end_prose()
     return tuple(blocks)
 
 
-def _read_directive(element: Sequence[Token], reading: Reading) -> Block | None:
+def _read_directive(element: Sequence[Token], context: ParseContext) -> Block | None:
     directive: Directive[Any] | None = element[0].meta["directive"]
-    use: Use = element[0].meta["use"]
+    call: DirectiveCall = element[0].meta["call"]
     if directive is None:  # of an unknown name, which is reported
         return None
-    legal = checked(directive, use, reading)
-    body = directive.body.read(use, element[1:-1], reading)
-    content = directive.read(legal, body, reading) if legal else None
+    expected = checked(directive, call, context)
+    body = directive.body.read(call, element[1:-1], context)
+    content = directive.read(expected, body, context) if expected else None
     if content is None:
         return None
     inside = body if directive.body.nests else ()
-    return Block(directive.template, content, inside, reading.placed.get(use.line))
+    return Block(directive.template, content, inside, context.placed.get(call.line))
 
 
 def _end_of_element(tokens: Sequence[Token], start: int) -> int:
@@ -59,14 +59,14 @@ def _end_of_element(tokens: Sequence[Token], start: int) -> int:
     return start + next(count for count, depth in enumerate(depths, start=1) if depth == 0)
 
 
-def _without_directives(element: Sequence[Token], reading: Reading) -> list[Token]:
+def _without_directives(element: Sequence[Token], context: ParseContext) -> list[Token]:
     """Directives inside lists and quotations would be lost in a run of prose: report them."""
     for token in element:
         if token.type == "directive_open":
-            use: Use = token.meta["use"]
-            reading.problem(
-                use.line,
-                f"directive {{{use.name}}} inside a list or quotation; "
+            call: DirectiveCall = token.meta["call"]
+            context.problem(
+                call.line,
+                f"directive {{{call.name}}} inside a list or quotation; "
                 "legal: at the margin, or inside a callout or example",
             )
             return []

@@ -9,12 +9,12 @@ from site_builder.book import Chapter
 from site_builder.diagnostics import Diagnostics
 from site_builder.markdown.blocks import read_blocks
 from site_builder.markdown.files.front_matter import FrontMatter, read_front_matter
-from site_builder.markdown.files.splicing import may_include, splice
+from site_builder.markdown.files.includes import may_include, splice
+from site_builder.markdown.glossary_links.terms import mark_terms
 from site_builder.markdown.inline import annotate, inline_html
-from site_builder.markdown.placing import place_targets
-from site_builder.markdown.reading import PAGE_IDS, Reading
+from site_builder.markdown.numbering import number_targets
+from site_builder.markdown.parse_context import PAGE_IDS, ParseContext
 from site_builder.markdown.targets import Targets
-from site_builder.markdown.vocabulary.terms import mark_terms
 from site_builder.page_model.places import Formula, Need, Target
 
 
@@ -26,24 +26,24 @@ class Draft:
     matter: FrontMatter
     target: Target
     inside: tuple[Target, ...]
-    reading: Reading
+    context: ParseContext
 
 
-def parse_chapter(text: str, reading: Reading) -> Draft:
+def parse_chapter(text: str, context: ParseContext) -> Draft:
     """The chapter in ``text``; mistakes are reported and reading goes on."""
     whole = text
     if may_include(text):
-        lines = splice(text, reading.path, reading.root, reading.problems)
-        reading.problems.spliced[reading.path] = [(line.path, line.number) for line in lines]
+        lines = splice(text, context.path, context.root, context.problems)
+        context.problems.spliced[context.path] = [(line.path, line.number) for line in lines]
         whole = "\n".join(line.text for line in lines)
-    tokens = reading.parser.parse(whole, reading.env)
-    for line, message in reading.env.pop("problems", ()):
-        reading.problem(line, message)
-    matter = read_front_matter(tokens, reading)
-    position, name = reading.position, reading.chapter
+    tokens = context.parser.parse(whole, context.env)
+    for line, message in context.env.pop("problems", ()):
+        context.problem(line, message)
+    matter = read_front_matter(tokens, context)
+    position, name = context.position, context.chapter
     title, said = matter.title, position.name
     target = Target(position.kind, name, "", position.mark, title, 1, name=said)
-    return Draft(tokens, matter, target, place_targets(tokens, name, reading), reading)
+    return Draft(tokens, matter, target, number_targets(tokens, name, context), context)
 
 
 @dataclass(frozen=True, slots=True)
@@ -58,8 +58,8 @@ class Survey:
 
 
 def survey(draft: Draft) -> Survey:
-    path = draft.reading.path
-    return Survey(path, draft.target, draft.inside, draft.reading.problems.spliced.get(path, ()))
+    path = draft.context.path
+    return Survey(path, draft.target, draft.inside, draft.context.problems.spliced.get(path, ()))
 
 
 def find_targets(surveys: Sequence[Survey], problems: Diagnostics) -> Targets:
@@ -82,35 +82,35 @@ def find_targets(surveys: Sequence[Survey], problems: Diagnostics) -> Targets:
 
 def read_chapter(draft: Draft, targets: Targets) -> Chapter:
     """The whole chapter; mistakes are reported and reading goes on."""
-    reading = draft.reading
-    reading.targets = targets
-    annotate(draft.tokens, reading)
-    mark_terms(draft.tokens, reading)
-    body = read_blocks(draft.tokens, reading)
+    context = draft.context
+    context.targets = targets
+    annotate(draft.tokens, context)
+    mark_terms(draft.tokens, context)
+    body = read_blocks(draft.tokens, context)
     before = tuple(
-        Need(inline_html(entry.text, entry.line, reading), entry.chapter, entry.line)
+        Need(inline_html(entry.text, entry.line, context), entry.chapter, entry.line)
         for entry in draft.matter.before
     )
-    after = tuple(inline_html(entry.text, entry.line, reading) for entry in draft.matter.after)
+    after = tuple(inline_html(entry.text, entry.line, context) for entry in draft.matter.after)
     return Chapter(
-        position=reading.position,
-        id=reading.chapter,
-        path=reading.path,
+        position=context.position,
+        id=context.chapter,
+        path=context.path,
         title=draft.matter.title,
         summary=draft.matter.summary,
         body=body,
-        headings=tuple(reading.headings),
-        anchors=frozenset(reading.ids) - set(PAGE_IDS),
-        links=tuple(reading.links),
-        citations=tuple(reading.citations),
-        term_uses=tuple(reading.term_uses),
-        index_marks=tuple(reading.index_marks),
-        files=frozenset(reading.files),
-        formulae=tuple(_formula(*found, draft) for found in reading.formulae),
+        headings=tuple(context.headings),
+        anchors=frozenset(context.ids) - set(PAGE_IDS),
+        links=tuple(context.links),
+        citations=tuple(context.citations),
+        term_uses=tuple(context.term_uses),
+        index_marks=tuple(context.index_marks),
+        files=frozenset(context.files),
+        formulae=tuple(_formula(*found, draft) for found in context.formulae),
         before=before,
         after=after,
-        figures=tuple(place.id for place in reading.figures),
-        outside=tuple(reading.outside),
+        figures=tuple(place.id for place in context.figures),
+        outside=tuple(context.outside),
     )
 
 

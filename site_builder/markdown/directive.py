@@ -9,7 +9,7 @@ from dataclasses import dataclass
 
 from markdown_it.token import Token
 
-from site_builder.markdown.reading import Reading
+from site_builder.markdown.parse_context import ParseContext
 
 
 @dataclass(frozen=True, slots=True)
@@ -21,7 +21,7 @@ class OptionValue:
 
 
 @dataclass(frozen=True, slots=True)
-class Use:
+class DirectiveCall:
     """A directive as an author wrote it; its reader finds only legal options here."""
 
     name: str
@@ -44,14 +44,14 @@ class Argument:
     """As the author's guide shows it: ``scene-id``."""
     lacks: str = ""
     """What is said of a directive without it: ``names no scene``. Nothing: it may be left out."""
-    legal: Collection[str] = ()
+    expected: Collection[str] = ()
     """All that it may be; any text, for the reader to judge, where there are none."""
     kind: str = ""
     """What it is one of, where ``legal`` says: ``table of extremes``."""
 
     @property
     def required(self) -> bool:
-        return bool(self.lacks or self.legal)
+        return bool(self.lacks or self.expected)
 
 
 @dataclass(frozen=True, slots=True)
@@ -59,9 +59,9 @@ class OptionLine:
     """A line ``:name: value`` below the opening fence."""
 
     name: str
-    says: str
+    doc: str
     """What an author gives with it: ``what the picture shows``."""
-    legal: tuple[str, ...] = ()
+    expected: tuple[str, ...] = ()
     """All that it may be, its default first; any text where there are none."""
     required: bool = False
 
@@ -70,9 +70,9 @@ class OptionLine:
 class Body[B]:
     """What may stand between the fences."""
 
-    says: str
+    doc: str
     """In the author's guide: ``a caption``."""
-    read: Callable[[Use, Sequence[Token], Reading], B]
+    read: Callable[[DirectiveCall, Sequence[Token], ParseContext], B]
     """Its tokens as the directive's reader gets them; reports what may not stand there."""
     nests: bool = False
     """Whether it is made of blocks, which the page keeps with the directive's own."""
@@ -84,13 +84,13 @@ class Numbered:
 
     kind: str
     """What they are called: ``Figure``. Directives of one kind share a count."""
-    id: Callable[[Use], str]
+    id: Callable[[DirectiveCall], str]
     """Element id, where the author gives no ``:label:``."""
     again: bool = False
     """Whether a page may show the same twice; the id of the second then ends in ``-2``."""
 
 
-LABEL = OptionLine("label", says="what it is cited by")
+LABEL = OptionLine("label", doc="what it is cited by")
 
 
 @dataclass(frozen=True, slots=True)
@@ -98,11 +98,11 @@ class Directive[B]:
     """One directive, ``:::{name} argument``."""
 
     name: str
-    says: str
+    doc: str
     """What it makes, in the author's guide: ``a live figure``."""
     argument: Argument | None
     body: Body[B]
-    read: Callable[[Use, B, Reading], object | None]
+    read: Callable[[DirectiveCall, B, ParseContext], object | None]
     """What the template shows; None, and a report, where mistakes leave nothing to show."""
     template: str
     """Its file below ``templates/blocks/``, without ``.html``."""

@@ -12,7 +12,7 @@ from typing import Any
 from markdown_it.rules_block import StateBlock
 
 from site_builder.diagnostics import unknown
-from site_builder.markdown.directive import Directive, OptionValue, Use
+from site_builder.markdown.directive import Directive, DirectiveCall, OptionValue
 
 OPENING = re.compile(r"(:{3,})\{([\w-]+)\}[ \t]*(.*)")
 CLOSING = re.compile(r"(:{3,})[ \t]*")
@@ -28,7 +28,7 @@ def directive_rule(
     directives: Mapping[str, Directive[Any]], state: StateBlock, start: int, end: int, silent: bool
 ) -> bool:
     """Tokens ``directive_open`` and ``directive_close`` around the body; the former carries the
-    `Directive`, or None where the name is unknown, and its `Use`."""
+    `Directive`, or None where the name is unknown, and its `DirectiveCall`."""
     text = _line(state, start)
     if state.is_code_block(start) or not text.startswith(":::"):
         return False
@@ -46,8 +46,8 @@ def directive_rule(
     if name not in directives:
         _complain(state, start, unknown("directive", name, directives))
     options, body = _read_options(state, start + 1, last)
-    use = Use(name, argument.strip(), options, start + 1)
-    _push(state, directives.get(name), use, body, last)
+    call = DirectiveCall(name, argument.strip(), options, start + 1)
+    _push(state, directives.get(name), call, body, last)
     state.line = min(last + 1, end)
     return True
 
@@ -95,12 +95,12 @@ def _read_options(state: StateBlock, start: int, end: int) -> tuple[dict[str, Op
 
 
 def _push(
-    state: StateBlock, directive: Directive[Any] | None, use: Use, body: int, last: int
+    state: StateBlock, directive: Directive[Any] | None, call: DirectiveCall, body: int, last: int
 ) -> None:
     token = state.push("directive_open", "", 1)
     token.block = True
-    token.map = [use.line - 1, last]
-    token.meta = {"directive": directive, "use": use}
+    token.map = [call.line - 1, last]
+    token.meta = {"directive": directive, "call": call}
     parent, limit = state.parentType, state.lineMax
     state.parentType, state.lineMax = "container", last
     state.md.block.tokenize(state, body, last)

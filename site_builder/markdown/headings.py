@@ -6,12 +6,12 @@ from itertools import pairwise
 
 from markdown_it.token import Token
 
-from site_builder.markdown.reading import Reading
+from site_builder.markdown.parse_context import ParseContext
 from site_builder.markdown.text.tokens import plain_text
 from site_builder.page_model.places import Heading
 
 
-def list_headings(tokens: Sequence[Token], reading: Reading) -> None:
+def list_headings(tokens: Sequence[Token], context: ParseContext) -> None:
     """Give the page its list of headings, which have their ids."""
     for opening, inline in pairwise(tokens):
         if opening.type != "heading_open":
@@ -19,23 +19,23 @@ def list_headings(tokens: Sequence[Token], reading: Reading) -> None:
         line, level = (opening.map or [0])[0] + 1, int(opening.tag[1])
         text = plain_text(inline)
         if not text:
-            reading.problem(line, "heading without words; legal: '## Some words'")
+            context.problem(line, "heading without words; legal: '## Some words'")
         if opening.markup in ("-", "="):
-            legal = f"'## {text}', or an empty line above the rule"
-            reading.problem(line, f"{text!r} underlined is a heading; legal: {legal}")
-        _check_level(level, text, line, reading)
+            expected = f"'## {text}', or an empty line above the rule"
+            context.problem(line, f"{text!r} underlined is a heading; legal: {expected}")
+        _check_level(level, text, line, context)
         name = str(opening.attrGet("id"))
-        reading.headings.append(Heading(level, name, reading.html(_without_links(inline))))
+        context.headings.append(Heading(level, name, context.html(_without_links(inline))))
 
 
-def _check_level(level: int, text: str, line: int, reading: Reading) -> None:
-    previous = reading.headings[-1].level if reading.headings else 1
+def _check_level(level: int, text: str, line: int, context: ParseContext) -> None:
+    previous = context.headings[-1].level if context.headings else 1
     if level == 1:
-        reading.problem(line, f"heading '# {text}'; legal: '##' and deeper, below the title")
+        context.problem(line, f"heading '# {text}'; legal: '##' and deeper, below the title")
     elif level > previous + 1:
-        legal = f"{'#' * (previous + 1)!r} or higher"
-        reading.problem(
-            line, f"heading of level {level} below one of level {previous}; legal: {legal}"
+        expected = f"{'#' * (previous + 1)!r} or higher"
+        context.problem(
+            line, f"heading of level {level} below one of level {previous}; legal: {expected}"
         )
 
 

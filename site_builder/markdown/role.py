@@ -7,7 +7,7 @@ from dataclasses import dataclass, field
 from markdown_it.rules_inline import StateInline
 from markdown_it.token import Token
 
-from site_builder.markdown.reading import Reading
+from site_builder.markdown.parse_context import ParseContext
 
 USE = re.compile(r"\{([\w-]+)\}`([^`\n]+)`")
 MEANT = re.compile(r"(.*?)\s*(?:<([^<>]*)>)?")
@@ -32,14 +32,14 @@ class Role:
     name: str
     form: str
     """What stands between the backticks, as the author's guide shows it."""
-    says: str
+    doc: str
     """What becomes of it, for the same guide."""
-    text: Callable[[str, Reading], str] | None = None
+    text: Callable[[str, ParseContext], str] | None = None
     """What the page says instead of the words; without it the words stay, in the role's colour."""
-    link: Callable[[str, str | None, int, Reading], Linked] | None = None
+    link: Callable[[str, str | None, int, ParseContext], Linked] | None = None
     """The link that the words become. It gets them, what stands in ``<…>`` at their end, and its
     line; and reports what is wrong there."""
-    inline: Callable[[str, int, Reading], Sequence[Token]] | None = None
+    inline: Callable[[str, int, ParseContext], Sequence[Token]] | None = None
     """What stands instead of the words, several links for example; reports what is wrong."""
     refuses: type[Exception] = LookupError
     """What ``text`` raises where the words ask for nothing that there is."""

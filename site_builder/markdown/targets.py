@@ -42,8 +42,8 @@ class Targets:
         every = [target for targets in self.inside.values() for target in targets]
         found = [target for target in every if target.id == name]
         if len(found) > 1:
-            legal = " or ".join(repr(f"{target.chapter}#{name}") for target in found[:3])
-            raise LookupError(f"target {name!r} is in {len(found)} chapters; legal: {legal}")
+            expected = " or ".join(repr(f"{target.chapter}#{name}") for target in found[:3])
+            raise LookupError(f"target {name!r} is in {len(found)} chapters; legal: {expected}")
         if not found:
             names = dict.fromkeys((*self.chapters, *(target.id for target in every)))
             raise LookupError(unknown("target", name, names))

@@ -4,8 +4,8 @@ import re
 from dataclasses import dataclass
 from pathlib import PurePosixPath
 
-from site_builder.beside.glossary import Term
-from site_builder.beside.symbols import Symbol
+from site_builder.references.glossary import Term
+from site_builder.references.symbols import Symbol
 
 
 @dataclass(frozen=True, slots=True)

@@ -17,11 +17,11 @@ ROWS_IN_SIGHT = 2
 
 def even_columns(count: int, most: int) -> int:
     """Columns, at most ``most``, whose rows are few and whose last row is not a lonely item."""
-    legal = [n for n in range(2, most + 1) if n <= count and count % n != 1]
-    if not legal:
+    expected = [n for n in range(2, most + 1) if n <= count and count % n != 1]
+    if not expected:
         return min(max(count, 1), most)
-    fewest_rows = min(-(-count // n) for n in legal)
-    return min(n for n in legal if -(-count // n) == fewest_rows)
+    fewest_rows = min(-(-count // n) for n in expected)
+    return min(n for n in expected if -(-count // n) == fewest_rows)
 
 
 def gather_buttons(controls: Sequence[Control]) -> list[tuple[Control, ...]]:

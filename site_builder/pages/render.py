@@ -9,7 +9,6 @@ from typing import Any
 from jinja2 import Environment, FileSystemLoader, StrictUndefined
 from markupsafe import Markup
 
-from site_builder.beside.bibliography import EMPTY
 from site_builder.book import Book, Chapter
 from site_builder.book_root import own_or_engine
 from site_builder.kept.ahead import answers
@@ -21,11 +20,11 @@ from site_builder.page_model.blocks import Block, Simulation
 from site_builder.page_model.places import Heading
 from site_builder.pages.common import BEFORE, BEHIND, STYLES, Common, common_parts
 from site_builder.pages.compiled import KeptEnvironment
+from site_builder.pages.initial_frames import InitialFrames
 from site_builder.pages.licences import Licence
 from site_builder.pages.outside import card_path, origin, page_address
 from site_builder.pages.places import card
 from site_builder.pages.policy import page_policy
-from site_builder.pages.stills import Stills
 from site_builder.pages.views.glossary import marked_terms, view_glossary
 from site_builder.pages.views.index import view_index
 from site_builder.pages.views.ladder import summary_row, view_ladder
@@ -35,6 +34,7 @@ from site_builder.pages.views.quiz import in_any_order, quiz_data
 from site_builder.pages.views.references import cited_works
 from site_builder.pages.views.simulation import SimulationView, view_simulation
 from site_builder.pages.views.symbols import view_symbols
+from site_builder.references.bibliography import EMPTY
 from site_builder.search.page_text import reading_minutes
 from site_builder.settings.reading import storage_prefix
 from site_builder.settings.theme import colours
@@ -72,7 +72,7 @@ class Site:
     root: Path
     """The project: where quoted modules lie."""
     book: Book
-    stills: Stills
+    initial_frames: InitialFrames
     assets: str
     """Folder of style sheets, scripts, fonts and stills, relative to the site's root."""
     runtime: str
@@ -178,10 +178,10 @@ most are in the builds of a server."""
 def _renderer(site: Site) -> Callable[..., bytes]:
     """Makes the pages of a site, each kept by what all share and what it is given. The stills of a
     page follow from its figures, which it is given."""
-    shared = replace(site, root=Path(), book=_bare(site.book), stills={})
+    shared = replace(site, root=Path(), book=_bare(site.book), initial_frames={})
     follows = back_matter(site.book)
     shared_hash = given_hash(shared, follows, folder_hash(TEMPLATES))
-    seen = replace(shared, stills=site.stills)
+    seen = replace(shared, initial_frames=site.initial_frames)
     cards = [card(chapter) for chapter in site.book.chapters]
     line = _environment().get_template("frame/contents-entry.html")
 
@@ -235,7 +235,9 @@ def render_page(site: Site, template: str, root: str, path: str = "", **context:
     chapter = given if isinstance(given, Chapter) else None
 
     def simulation_view(figure: Simulation) -> SimulationView:
-        return view_simulation(site.stills[figure.path, figure.line], assets, site.book.words)
+        return view_simulation(
+            site.initial_frames[figure.path, figure.line], assets, site.book.words
+        )
 
     def block_html(block: Block) -> Markup:
         template = environment.get_template(f"blocks/{block.template}.html")

@@ -13,9 +13,9 @@ from site_builder.markdown.directives.illustration import Drawn as DrawnIllustra
 from site_builder.output.font_faces import chosen_faces
 from site_builder.output.light_theme import light_tokens, resolve, without_containers
 from site_builder.page_model.blocks import Simulation, contents
+from site_builder.pages.initial_frames import InitialFrames
 from site_builder.pages.outside import BOOK_CARD, card_path
 from site_builder.pages.render import render_template
-from site_builder.pages.stills import Stills
 from site_builder.publishing.title_lines import set_title
 from site_builder.publishing.vector import Fonts, png_of, whole_fonts
 from site_builder.settings.theme import colours
@@ -42,7 +42,7 @@ class Placed:
 
 
 def make_cards(
-    book: Book, stills: Stills, pictures: Mapping[str, bytes], root: Path
+    book: Book, initial_frames: InitialFrames, pictures: Mapping[str, bytes], root: Path
 ) -> dict[str, bytes]:
     """PNG files by path: one for the book, one for each chapter.
 
@@ -51,7 +51,7 @@ def make_cards(
     own = {f"--{name}": colour for name, colour in colours(book.settings, "light").items()}
     fonts = whole_fonts(chosen_faces(book.settings, root))
     style = card_style(own_or_engine(root, "static/css"), own, fonts)
-    cover = _still(book.hero, stills, pictures)
+    cover = _still(book.hero, initial_frames, pictures)
 
     def card(chapter: Chapter | None, title: str, figure: Placed | None) -> bytes:
         size, lines = set_title(title, TITLE_WIDTH if figure else WIDTH - 180, fonts.title)
@@ -63,7 +63,7 @@ def make_cards(
 
     return {BOOK_CARD: card(None, book.title, cover)} | {
         card_path(chapter): card(
-            chapter, chapter.title, next(_figures(chapter, stills, pictures), cover)
+            chapter, chapter.title, next(_figures(chapter, initial_frames, pictures), cover)
         )
         for chapter in book.chapters
     }
@@ -78,22 +78,24 @@ def card_style(styles: Path, own: Mapping[str, str], fonts: Fonts) -> str:
     return resolve(sheet, tokens) if sheets["tokens.css"] else ""
 
 
-def _figures(chapter: Chapter, stills: Stills, pictures: Mapping[str, bytes]) -> Iterator[Placed]:
+def _figures(
+    chapter: Chapter, initial_frames: InitialFrames, pictures: Mapping[str, bytes]
+) -> Iterator[Placed]:
     """What the chapter has to show: its first figure, else its first illustration."""
     for simulation in chapter.simulations[:1]:
-        if drawn := _still(simulation, stills, pictures):
+        if drawn := _still(simulation, initial_frames, pictures):
             yield drawn
     for item in contents(chapter.body, DrawnIllustration):
         yield _placed(item.illustration.panels[0], "")
 
 
 def _still(
-    simulation: Simulation | None, stills: Stills, pictures: Mapping[str, bytes]
+    simulation: Simulation | None, initial_frames: InitialFrames, pictures: Mapping[str, bytes]
 ) -> Placed | None:
     """A panel of a figure: the first that is a picture, else the first."""
     if simulation is None:
         return None
-    still = stills[simulation.path, simulation.line]
+    still = initial_frames[simulation.path, simulation.line]
     panels = still.frame.panels
     panel = next((panel for panel in panels if panel.name in still.pictures), panels[0])
     picture = still.pictures.get(panel.name)

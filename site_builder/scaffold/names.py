@@ -41,8 +41,8 @@ class Name:
 def read_name(kind: str, text: str) -> Name:
     """Raises `ScaffoldError`."""
     if not FORM.fullmatch(text):
-        legal = "small letters and digits, with hyphens between words, as in 'falling-ball'"
-        raise ScaffoldError(f"{kind} {text!r}; legal: {legal}")
+        expected = "small letters and digits, with hyphens between words, as in 'falling-ball'"
+        raise ScaffoldError(f"{kind} {text!r}; legal: {expected}")
     if keyword.iskeyword(text):
         raise ScaffoldError(f"{kind} {text!r} is a word of Python's own; legal: any other name")
     return Name(text)

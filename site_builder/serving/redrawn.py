@@ -7,10 +7,10 @@ from functools import partial
 
 from simulations.engine.controls import ControlError
 from simulations.registry import SCENE_MODULES, load_scene
+from site_builder.benchmarks.loading import loaded
 from site_builder.drawing.frames import Drawn, drawn_of
 from site_builder.editor.sources import scene_sources
 from site_builder.kept.ahead import Ask
-from site_builder.measured.loading import loaded
 
 
 def redrawn(modules: Collection[str], asked: Iterable[str]) -> list[Ask]:

@@ -15,7 +15,7 @@ class Key:
 
     name: str
     kind: Kind
-    says: str
+    doc: str
     """What it sets, for the author's table and for editors."""
     required: bool
     default: object
@@ -24,9 +24,9 @@ class Key:
     """What holds then, in words, where the default does not say it."""
 
 
-def key(kind: Kind, says: str, default: Any = MISSING, *, without: str = "") -> Any:
+def key(kind: Kind, doc: str, default: Any = MISSING, *, without: str = "") -> Any:
     """A field of a table's class; required where it has no default."""
-    metadata = {"kind": kind, "says": says, "without": without}
+    metadata = {"kind": kind, "says": doc, "without": without}
     if default is MISSING:
         return field(metadata=metadata)
     return field(default=default, metadata=metadata)
@@ -39,7 +39,7 @@ def keys_of(table: type[Any]) -> Iterator[Key]:
         yield Key(
             name=item.name,
             kind=item.metadata["kind"],
-            says=item.metadata["says"],
+            doc=item.metadata["says"],
             required=required,
             default=None if required else item.default,
             without=item.metadata["without"],
@@ -85,13 +85,19 @@ class Given:
         if item.required and (given is MISSING or not given):
             # Of lists the name is a plural, and no word of the file.
             what = (
-                item.name if isinstance(given, list) or "[" in item.kind.legal else repr(item.name)
+                item.name
+                if isinstance(given, list) or "[" in item.kind.expected
+                else repr(item.name)
             )
-            form = item.kind.legal if "[" in item.kind.legal else f"{item.name} = {item.kind.legal}"
+            form = (
+                item.kind.expected
+                if "[" in item.kind.expected
+                else f"{item.name} = {item.kind.expected}"
+            )
             where = f" in [{'.'.join(place[:-1])}]" if place[1:] else ""
             self.report(place, f"no {what}{where}; legal: {form}")
         else:
-            self.report(place, f"{name} is {_toml(given)}; legal: {item.kind.legal}")
+            self.report(place, f"{name} is {_toml(given)}; legal: {item.kind.expected}")
 
 
 def _empty(kind: Kind) -> object:

@@ -10,7 +10,7 @@ from site_builder.settings.model import Settings
 
 def settings_table() -> str:
     """A Markdown table with a line for each key, those of tables after their table's name."""
-    rows = [f"| {name} | {says} | {default} |" for name, says, default in _rows(Settings, "")]
+    rows = [f"| {name} | {doc} | {default} |" for name, doc, default in _rows(Settings, "")]
     return "\n".join(["| Key | Sets | Default |", "|---|---|---|", *rows])
 
 
@@ -20,11 +20,11 @@ def _rows(of: type[Any], prefix: str) -> Iterator[tuple[str, str, str]]:
         if isinstance(item.kind, Table):
             yield from _rows(item.kind.of, f"{name}.")
         else:
-            yield f"`{name}`", f"{item.says}: {_legal(item)}", _default(item)
+            yield f"`{name}`", f"{item.doc}: {_legal(item)}", _default(item)
 
 
 def _legal(item: Key) -> str:
-    return f"`{item.kind.legal}`" if item.kind.legal[0] in '"[' else item.kind.legal
+    return f"`{item.kind.expected}`" if item.kind.expected[0] in '"[' else item.kind.expected
 
 
 def _default(item: Key) -> str:

@@ -12,7 +12,7 @@ class Kind(Protocol):
     """One kind of value."""
 
     @property
-    def legal(self) -> str:
+    def expected(self) -> str:
         """What may stand there, as a mistake's message says it."""
 
     def read(self, value: object) -> Any:
@@ -26,7 +26,7 @@ class Kind(Protocol):
 class Text:
     """Words, of a certain form where there is a pattern."""
 
-    legal: str = '"some text"'
+    expected: str = '"some text"'
     pattern: str = r"[\s\S]*\S[\s\S]*"
 
     def read(self, value: object) -> str:
@@ -48,7 +48,7 @@ FILE = Text("a file below content/", r"[^/\\\s][^\\]*")
 class Address:
     """An address that a function of `site_builder.addresses` takes."""
 
-    legal: str
+    expected: str
     checked: Callable[[object], str]
 
     def read(self, value: object) -> str:
@@ -71,7 +71,7 @@ class Whole:
     least: int
 
     @property
-    def legal(self) -> str:
+    def expected(self) -> str:
         return f"a whole number from {self.least}"
 
     def read(self, value: object) -> int:
@@ -87,7 +87,7 @@ class Whole:
 class YesOrNo:
     """Whether."""
 
-    legal: str = "true or false"
+    expected: str = "true or false"
 
     def read(self, value: object) -> bool:
         if not isinstance(value, bool):
@@ -105,7 +105,7 @@ class OneOf:
     names: Callable[[], Sequence[str]]
 
     @property
-    def legal(self) -> str:
+    def expected(self) -> str:
         return ", ".join(f'"{name}"' for name in self.names())
 
     def read(self, value: object) -> str:
@@ -121,7 +121,7 @@ class OneOf:
 class Names:
     """A list of texts."""
 
-    legal: str
+    expected: str
     least: int = 0
 
     def read(self, value: object) -> tuple[str, ...]:
@@ -141,7 +141,7 @@ class SomeOf:
     names: tuple[str, ...]
 
     @property
-    def legal(self) -> str:
+    def expected(self) -> str:
         return f"[some of {', '.join(f'"{name}"' for name in self.names)}]"
 
     def read(self, value: object) -> tuple[str, ...]:
@@ -157,7 +157,7 @@ class SomeOf:
 class Entries:
     """A table whose keys are the author's, each with a text."""
 
-    legal: str
+    expected: str
 
     def read(self, value: object) -> Mapping[str, str]:
         if not isinstance(value, dict) or not all(isinstance(item, str) for item in value.values()):
@@ -173,7 +173,7 @@ class Table:
     """A table of its own; ``of`` is the class that declares its keys."""
 
     of: type[Any]
-    legal: str = "a table"
+    expected: str = "a table"
 
     def read(self, value: object) -> Mapping[str, object]:
         if not isinstance(value, dict):

@@ -45,9 +45,9 @@ def _check_family(role: str, family: Serif | Sans, root: Path, given: Given) -> 
     for face in font_files(family, role):
         fits = face.file.endswith(FONT_SUFFIXES) and (content / face.file).is_file()
         if face.file and not fits:
-            legal = f"a file below content/ that ends in {', '.join(FONT_SUFFIXES)}"
-            given.report(face.at, _lost(face.at, face.file, legal))
+            expected = f"a file below content/ that ends in {', '.join(FONT_SUFFIXES)}"
+            given.report(face.at, _lost(face.at, face.file, expected))
 
 
-def _lost(at: tuple[str, ...], file: str, legal: str) -> str:
-    return f'{".".join(at)} is "{file}", which is no such file; legal: {legal}'
+def _lost(at: tuple[str, ...], file: str, expected: str) -> str:
+    return f'{".".join(at)} is "{file}", which is no such file; legal: {expected}'

@@ -27,7 +27,7 @@ def _table(of: type[Any]) -> dict[str, object]:
 
 
 def _key(item: Key) -> dict[str, object]:
-    said = {"description": item.says}
+    said = {"description": item.doc}
     if isinstance(item.kind, Table):
         return {**said, **_table(item.kind.of)}
     default = {} if item.required or item.without else {"default": _plain(item.default)}

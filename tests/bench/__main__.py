@@ -19,10 +19,10 @@ from bench.record import disagreements, ladder_record, merge, write
 
 from simulations.engine.ladder import Ladder, TierResult, measure_tier
 from simulations.registry import LADDER_MODULES, load_ladder
+from site_builder.benchmarks.ladder_choice import off_the_front
+from site_builder.benchmarks.measurements import read_measurements
 from site_builder.book_root import ROOT
 from site_builder.diagnostics import Diagnostics
-from site_builder.measured.ladder_choice import off_the_front
-from site_builder.measured.measurements import read_measurements
 
 DATA = ROOT / "content" / "measurements.json"
 ROUNDS = 5

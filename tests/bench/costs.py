@@ -11,8 +11,8 @@ from typing import Any
 
 from bench.record import write
 
+from site_builder.benchmarks.costs import DATA
 from site_builder.book_root import ROOT
-from site_builder.measured.costs import DATA
 
 BUDGETS = Path(__file__).with_name("budgets.toml")
 

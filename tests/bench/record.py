@@ -1,5 +1,5 @@
 """From results to ``content/measurements.json``; what it holds is described in
-``site_builder/measured/measurements.py``, which reads it."""
+``site_builder/benchmarks/measurements.py``, which reads it."""
 
 import json
 import math

@@ -15,11 +15,11 @@ from hypothesis import strategies as st
 
 from simulations.engine.scene import Scene
 from simulations.registry import load_scene
+from site_builder.benchmarks.measurements import DATA as MEASUREMENTS
 from site_builder.build import Options, render_site
 from site_builder.diagnostics import BuildError
 from site_builder.kept import ahead
 from site_builder.kept.keeper import Keeper, keeping
-from site_builder.measured.measurements import DATA as MEASUREMENTS
 from site_builder.output.assets import content_bytes
 from site_builder.pages import render
 

@@ -24,8 +24,8 @@ from site_builder.book import Chapter
 from site_builder.diagnostics import Diagnostics
 from site_builder.languages.words import load_words
 from site_builder.markdown.chapter import find_targets, parse_chapter, read_chapter, survey
+from site_builder.markdown.parse_context import ParseContext
 from site_builder.markdown.parser import make_parser
-from site_builder.markdown.reading import Reading
 
 ROOT = Path(__file__).resolve().parents[2]
 FEW = 250
@@ -104,7 +104,7 @@ def read(text: str) -> tuple[Chapter, Diagnostics]:
     """As the build reads a chapter."""
     problems = Diagnostics()
     words = load_words("en")
-    reading = Reading(
+    reading = ParseContext(
         "content/00-first.md", ROOT, problems, load_demo, make_parser(words), words=words,
         chapter="first",
     )  # fmt: skip

@@ -12,8 +12,8 @@ from simulations.ladders.depth_of_field.ladder import radius_px
 from simulations.ladders.inverse_distortion import prepare, reference, worst_px
 from simulations.models.distortion.undistortion import undistort_newton
 from simulations.registry import load_scene
+from site_builder.benchmarks.measurements import MeasuredTier, Measurements, read_measurements
 from site_builder.diagnostics import Diagnostics
-from site_builder.measured.measurements import MeasuredTier, Measurements, read_measurements
 
 HALF_A_CODE = 0.5
 

@@ -5,8 +5,8 @@ from pathlib import Path
 import pytest
 
 from simulations.registry import load_scene
+from site_builder.benchmarks.stage_costs import StageCosts, read_stage_costs
 from site_builder.drawing.frames import reports_at
-from site_builder.measured.stage_costs import StageCosts, read_stage_costs
 
 ROOT = Path(__file__).resolve().parents[2]
 

@@ -17,10 +17,10 @@ from simulations.engine.controls import Slider, describe
 from simulations.engine.frame import Frame, Panel, StageReport, to_json
 from simulations.engine.said import Said
 from simulations.registry import SCENE_MODULES, load_scene
+from site_builder.benchmarks.quantities import milliseconds, with_unit
 from site_builder.charts.axes import linear_axis, log_axis
 from site_builder.diagnostics import Diagnostics
 from site_builder.languages.words import ENGLISH
-from site_builder.measured.quantities import milliseconds, with_unit
 from site_builder.output.book_files import book_script
 from site_builder.pages.views.control import value_text
 from site_builder.pages.views.simulation import count_stages, reason_text

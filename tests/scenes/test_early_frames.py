@@ -11,7 +11,7 @@ from simulations.engine.settings import values_of
 from simulations.engine.stages import StageCache
 from simulations.registry import SCENE_MODULES, load_scene
 from site_builder.page_model.blocks import Simulation
-from site_builder.pages.strips import render_strip
+from site_builder.pages.prerendered_frames import render_strip
 
 
 @pytest.mark.parametrize("scene", [pytest.param(name, id=name) for name in SCENE_MODULES])

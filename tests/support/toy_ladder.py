@@ -4,7 +4,7 @@ from typing import Any
 
 from simulations.engine.ladder import Ladder, Metric, Tier
 from simulations.registry import UnknownIdError
-from site_builder.measured.measurements import Measurements
+from site_builder.benchmarks.measurements import Measurements
 
 FILE = "content/measurements.json"
 ERRORS = {"rough": 3.0, "fine": 0.02, "waste": 0.5, "exact": 0.0}

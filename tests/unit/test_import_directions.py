@@ -39,18 +39,20 @@ MODELS = (
 
 BUILDER = (
     "later", "blame", "raised", "book_root", "forking", "diagnostics", "kept", "drawing",
-    "addresses", "source_text", "languages", "settings", "beside", "runtime", "editor", "formulae",
-    "output",
-    "offline", "measured", "charts", "page_model", "book", "markdown", "lecture_plan", "chapters",
-    "source", "search", "pages", "checks", "publishing", "tools", "browser_python",
+    "addresses", "source_text", "languages", "settings", "references", "runtime",
+    "editor", "formulae", "output",
+    "offline", "benchmarks", "charts", "page_model", "book", "markdown",
+    "lecture_plan", "chapters", "source", "search", "pages", "checks", "publishing", "tools",
+    "browser_python",
+    "browser_python",
     "site_assets", "build", "diagnostic_formats", "check_command", "editions",
     "serving", "serve", "scaffold", "guide", "__main__",
 )  # fmt: skip
 """Parts of ``site_builder``, likewise."""
 MARKDOWN = (
-    "text", "targets", "reading", "files", "scenes", "headings", "role", "roles", "inline",
+    "text", "targets", "parse_context", "files", "scenes", "headings", "role", "roles", "inline",
     "directive", "questions", "usage", "blocks", "bodies", "fences",
-    "directives", "placing", "first_marks", "parser", "vocabulary", "chapter",
+    "directives", "numbering", "first_marks", "parser", "glossary_links", "chapter",
 )  # fmt: skip
 """Parts of ``site_builder/markdown``, likewise."""
 

@@ -3,22 +3,22 @@
 from collections.abc import Sequence
 
 from site_builder.markdown.bodies import BLOCKS
-from site_builder.markdown.directive import Argument, Directive, Use
+from site_builder.markdown.directive import Argument, Directive, DirectiveCall
+from site_builder.markdown.parse_context import ParseContext
 from site_builder.markdown.questions.question import prediction_id
-from site_builder.markdown.reading import Reading
 from site_builder.page_model.blocks import Block
 from site_builder.page_model.questions import Reveal
 
 
-def read_reveal(use: Use, _body: Sequence[Block], reading: Reading) -> Reveal:
-    name = reading.free_id(f"answer-{use.argument}", use.line)
-    asked = (item.name for item in reading.placed.values() if item.id == prediction_id(use))
-    return Reveal(use.argument, name, next(asked, ""), reading.path, use.line)
+def read_reveal(call: DirectiveCall, _body: Sequence[Block], context: ParseContext) -> Reveal:
+    name = context.free_id(f"answer-{call.argument}", call.line)
+    asked = (item.name for item in context.placed.values() if item.id == prediction_id(call))
+    return Reveal(call.argument, name, next(asked, ""), context.path, call.line)
 
 
 ANSWER = Directive(
     name="answer",
-    says="what waits until the guess of that id is made",
+    doc="what waits until the guess of that id is made",
     argument=Argument("id", lacks="names no prediction"),
     body=BLOCKS,
     read=read_reveal,

@@ -4,9 +4,9 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 from site_builder.markdown.bodies import BLOCKS
-from site_builder.markdown.directive import Argument, Directive, OptionLine, Use
+from site_builder.markdown.directive import Argument, Directive, DirectiveCall, OptionLine
 from site_builder.markdown.inline import inline_html
-from site_builder.markdown.reading import Reading
+from site_builder.markdown.parse_context import ParseContext
 from site_builder.page_model.blocks import Block
 
 
@@ -16,7 +16,7 @@ class Kind:
 
     look: str
     """Its class in the style sheet: several kinds look alike."""
-    says: str
+    doc: str
 
 
 KINDS = {
@@ -46,20 +46,20 @@ class Callout:
     title_html: str
 
 
-def read_callout(use: Use, _body: Sequence[Block], reading: Reading) -> Callout:
-    title = use.argument or reading.words(f"callout.{use.name}")
-    return Callout(KINDS[use.name].look, inline_html(title, use.line, reading))
+def read_callout(call: DirectiveCall, _body: Sequence[Block], context: ParseContext) -> Callout:
+    title = call.argument or context.words(f"callout.{call.name}")
+    return Callout(KINDS[call.name].look, inline_html(title, call.line, context))
 
 
-def read_admonition(use: Use, _body: Sequence[Block], reading: Reading) -> Callout:
-    return Callout(use.text("class"), inline_html(use.argument, use.line, reading))
+def read_admonition(call: DirectiveCall, _body: Sequence[Block], context: ParseContext) -> Callout:
+    return Callout(call.text("class"), inline_html(call.argument, call.line, context))
 
 
 CALLOUTS = (
     *(
         Directive(
             name=name,
-            says=kind.says,
+            doc=kind.doc,
             argument=Argument("Title"),
             body=BLOCKS,
             read=read_callout,
@@ -69,9 +69,9 @@ CALLOUTS = (
     ),
     Directive(
         name="admonition",
-        says="an aside of another kind",
+        doc="an aside of another kind",
         argument=Argument("Title", lacks="has no title"),
-        options=(OptionLine("class", says="what it looks like", legal=LOOKS),),
+        options=(OptionLine("class", doc="what it looks like", expected=LOOKS),),
         body=BLOCKS,
         read=read_admonition,
         template="callout",

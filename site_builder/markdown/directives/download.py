@@ -5,9 +5,9 @@ from pathlib import Path, PurePosixPath
 
 from site_builder.languages.words import ENGLISH, Words
 from site_builder.markdown.bodies import CAPTION
-from site_builder.markdown.directive import Argument, Directive, Use
+from site_builder.markdown.directive import Argument, Directive, DirectiveCall
 from site_builder.markdown.files.content_files import found
-from site_builder.markdown.reading import Reading
+from site_builder.markdown.parse_context import ParseContext
 
 ACTIVE = (
     ".html", ".htm", ".xhtml", ".xht", ".shtml", ".mht", ".mhtml", ".xml", ".xsl", ".xslt", ".svgz",
@@ -30,18 +30,18 @@ class Download:
     """What is in it; nothing where the name says it."""
 
 
-def read_download(use: Use, words_html: str, reading: Reading) -> Download | None:
-    file = found(use.argument, use.line, reading, "file")
+def read_download(call: DirectiveCall, words_html: str, context: ParseContext) -> Download | None:
+    file = found(call.argument, call.line, context, "file")
     if file is None:
         return None
-    if _runs(file) and not reading.raw_html:
-        legal = "packed, as a '.zip', or trusted in book.toml"
-        message = f"file {use.argument!r}, which a browser would run; legal: {legal}"
-        reading.problem(use.line, message)
+    if _runs(file) and not context.raw_html:
+        expected = "packed, as a '.zip', or trusted in book.toml"
+        message = f"file {call.argument!r}, which a browser would run; legal: {expected}"
+        context.problem(call.line, message)
         return None
-    reading.files.add(use.argument)
-    name = PurePosixPath(use.argument).name
-    return Download(use.argument, name, size_words(file.stat().st_size, reading.words), words_html)
+    context.files.add(call.argument)
+    name = PurePosixPath(call.argument).name
+    return Download(call.argument, name, size_words(file.stat().st_size, context.words), words_html)
 
 
 def _runs(file: Path) -> bool:
@@ -62,7 +62,7 @@ def size_words(size: int, words: Words = ENGLISH) -> str:
 
 DOWNLOAD = Directive(
     name="download",
-    says="a file of yours for the reader to keep",
+    doc="a file of yours for the reader to keep",
     argument=Argument("data/file.csv", lacks="names no file"),
     body=CAPTION,
     read=read_download,

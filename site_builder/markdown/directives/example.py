@@ -4,10 +4,10 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 from site_builder.markdown.bodies import BLOCKS
-from site_builder.markdown.directive import LABEL, Argument, Directive, Numbered, Use
+from site_builder.markdown.directive import LABEL, Argument, Directive, DirectiveCall, Numbered
 from site_builder.markdown.headings import slug
 from site_builder.markdown.inline import inline_html
-from site_builder.markdown.reading import Reading
+from site_builder.markdown.parse_context import ParseContext
 from site_builder.page_model.blocks import Block
 
 
@@ -18,17 +18,17 @@ class Example:
     title_html: str
 
 
-def read_example(use: Use, _body: Sequence[Block], reading: Reading) -> Example:
-    return Example(inline_html(use.argument, use.line, reading))
+def read_example(call: DirectiveCall, _body: Sequence[Block], context: ParseContext) -> Example:
+    return Example(inline_html(call.argument, call.line, context))
 
 
 EXAMPLE = Directive(
     name="example",
-    says="a worked number",
+    doc="a worked number",
     argument=Argument("Title", lacks="has no title"),
     options=(LABEL,),
     body=BLOCKS,
     read=read_example,
     template="example",
-    numbered=Numbered("Example", lambda use: f"example-{slug(use.argument)}"),
+    numbered=Numbered("Example", lambda call: f"example-{slug(call.argument)}"),
 )

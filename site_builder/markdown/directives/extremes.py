@@ -8,8 +8,8 @@ from simulations.registry import found
 from site_builder.diagnostics import cause
 from site_builder.kept.keeper import reads_code
 from site_builder.markdown.bodies import no_body
-from site_builder.markdown.directive import Argument, Directive, Numbered, Use
-from site_builder.markdown.reading import Reading
+from site_builder.markdown.directive import Argument, Directive, DirectiveCall, Numbered
+from site_builder.markdown.parse_context import ParseContext
 
 MODULES = found("hard_cases")
 ROOM = "simulations/hard_cases/"
@@ -40,18 +40,20 @@ class HardCaseTable:
     rows: tuple[HardCaseRow, ...]
 
 
-def read_hard_cases(use: Use, _body: None, reading: Reading) -> HardCaseTable | None:
+def read_hard_cases(
+    call: DirectiveCall, _body: None, context: ParseContext
+) -> HardCaseTable | None:
     if not MODULES:
-        reading.problem(use.line, f"the book has no hard cases; legal: a table in {ROOM}")
+        context.problem(call.line, f"the book has no hard cases; legal: a table in {ROOM}")
         return None
-    name = reading.placed[use.line].id
+    name = context.placed[call.line].id
     try:
-        table: HardCases = import_module(MODULES[use.argument]).TABLE
+        table: HardCases = import_module(MODULES[call.argument]).TABLE
         reads_code(table)
         return HardCaseTable(name, table.title, tuple(_row(table, case) for case in table.cases))
     except Exception as error:  # whatever its code may raise is the author's to see
-        message = f"hard cases {use.argument!r} cannot be asked: {cause(error)}"
-        reading.problem(use.line, message)
+        message = f"hard cases {call.argument!r} cannot be asked: {cause(error)}"
+        context.problem(call.line, message)
         return None
 
 
@@ -71,10 +73,10 @@ def _row(table: HardCases, case: HardCase) -> HardCaseRow:
 
 EXTREMES = Directive(
     name="extremes",
-    says="the hard cases of a model",
+    doc="the hard cases of a model",
     argument=Argument("model", "names no table", MODULES, "table of extremes"),
     body=no_body("the table speaks alone"),
     read=read_hard_cases,
     template="extremes",
-    numbered=Numbered("Table", lambda use: f"extremes-{use.argument}"),
+    numbered=Numbered("Table", lambda call: f"extremes-{call.argument}"),
 )

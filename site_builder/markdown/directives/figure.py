@@ -5,9 +5,16 @@ from dataclasses import dataclass
 from pathlib import PurePosixPath
 
 from site_builder.markdown.bodies import CAPTION
-from site_builder.markdown.directive import LABEL, Argument, Directive, Numbered, OptionLine, Use
+from site_builder.markdown.directive import (
+    LABEL,
+    Argument,
+    Directive,
+    DirectiveCall,
+    Numbered,
+    OptionLine,
+)
 from site_builder.markdown.files.content_files import PICTURES, Size, found, picture_size
-from site_builder.markdown.reading import Reading
+from site_builder.markdown.parse_context import ParseContext
 
 SUFFIXES = PICTURES
 WIDTH = re.compile(r"([1-9]\d?|100)%|([1-9]\d{1,3})px")
@@ -32,32 +39,32 @@ class Figure:
     """Path of what is shown in its place on dark paper."""
 
 
-def read_figure(use: Use, caption_html: str, reading: Reading) -> Figure | None:
-    file = found(use.argument, use.line, reading, "picture file", PICTURES)
+def read_figure(call: DirectiveCall, caption_html: str, context: ParseContext) -> Figure | None:
+    file = found(call.argument, call.line, context, "picture file", PICTURES)
     size = picture_size(file) if file else None
-    dark, width = _dark(use, size, reading), _width(use, reading)
+    dark, width = _dark(call, size, context), _width(call, context)
     if file is None:
         return None
-    return Figure(use.argument, use.text("alt"), caption_html, size, width, dark)
+    return Figure(call.argument, call.text("alt"), caption_html, size, width, dark)
 
 
-def _width(use: Use, reading: Reading) -> str:
-    given = use.options.get("width")
+def _width(call: DirectiveCall, context: ParseContext) -> str:
+    given = call.options.get("width")
     if given is None or WIDTH.fullmatch(given.text):
         return given.text if given else ""
-    reading.problem(given.line, f"width {given.text!r}; legal: {LEGAL_WIDTH}")
+    context.problem(given.line, f"width {given.text!r}; legal: {LEGAL_WIDTH}")
     return ""
 
 
-def _dark(use: Use, size: Size | None, reading: Reading) -> str:
-    given = use.options.get("dark")
+def _dark(call: DirectiveCall, size: Size | None, context: ParseContext) -> str:
+    given = call.options.get("dark")
     if given is None:
         return ""
-    file = found(given.text, given.line, reading, "picture file", PICTURES)
+    file = found(given.text, given.line, context, "picture file", PICTURES)
     other = picture_size(file) if file else None
     if size and other and abs(size[0] * other[1] / (size[1] * other[0]) - 1) > ALIKE:
         each = [f"{width} × {height}" for width, height in (size, other)]
-        reading.problem(
+        context.problem(
             given.line, f"dark variant of {each[1]} for a picture of {each[0]}; legal: its shape"
         )
     return given.text if file else ""
@@ -65,18 +72,18 @@ def _dark(use: Use, size: Size | None, reading: Reading) -> str:
 
 FIGURE = Directive(
     name="figure",
-    says="a picture of yours",
+    doc="a picture of yours",
     argument=Argument("images/file.svg", lacks="names no picture"),
     options=(
-        OptionLine("alt", says="what the picture shows", required=True),
-        OptionLine("width", says="how wide it is shown, `60%` or `320px`"),
-        OptionLine("dark", says="a picture for dark paper, `images/dark.svg`"),
+        OptionLine("alt", doc="what the picture shows", required=True),
+        OptionLine("width", doc="how wide it is shown, `60%` or `320px`"),
+        OptionLine("dark", doc="a picture for dark paper, `images/dark.svg`"),
         LABEL,
     ),
     body=CAPTION,
     read=read_figure,
     template="figure",
     numbered=Numbered(
-        "Figure", lambda use: f"figure-{PurePosixPath(use.argument).stem}", again=True
+        "Figure", lambda call: f"figure-{PurePosixPath(call.argument).stem}", again=True
     ),
 )

@@ -10,8 +10,15 @@ from site_builder.diagnostics import cause
 from site_builder.drawing.apart import apart
 from site_builder.kept.keeper import kept, reads_code
 from site_builder.markdown.bodies import CAPTION
-from site_builder.markdown.directive import LABEL, Argument, Directive, Numbered, OptionLine, Use
-from site_builder.markdown.reading import Reading
+from site_builder.markdown.directive import (
+    LABEL,
+    Argument,
+    Directive,
+    DirectiveCall,
+    Numbered,
+    OptionLine,
+)
+from site_builder.markdown.parse_context import ParseContext
 
 MODULES = found("illustrations")
 ROOM = "simulations/illustrations/"
@@ -26,25 +33,29 @@ class Drawn:
     caption_html: str
 
 
-def read_illustration(use: Use, caption_html: str, reading: Reading) -> Drawn | None:
+def read_illustration(
+    call: DirectiveCall, caption_html: str, context: ParseContext
+) -> Drawn | None:
     if not MODULES:
-        reading.problem(use.line, f"the book has no illustrations; legal: one in {ROOM}")
+        context.problem(call.line, f"the book has no illustrations; legal: one in {ROOM}")
         return None
     try:
-        illustration = _drawn(import_module(MODULES[use.argument]).draw)
+        illustration = _drawn(import_module(MODULES[call.argument]).draw)
     except Exception as error:  # whatever its code may raise is the author's to see
-        message = f"illustration {use.argument!r} cannot be drawn: {cause(error)}"
-        reading.problem(use.line, message)
+        message = f"illustration {call.argument!r} cannot be drawn: {cause(error)}"
+        context.problem(call.line, message)
         return None
     if not isinstance(illustration, Illustration):
         kind = type(illustration).__name__
-        message = f"illustration {use.argument!r}: draw returned {kind}; legal: an Illustration"
-        reading.problem(use.line, message)
+        message = f"illustration {call.argument!r}: draw returned {kind}; legal: an Illustration"
+        context.problem(call.line, message)
         return None
     if not caption_html:
-        legal = "one to three sentences"
-        reading.problem(use.line, f"illustration {use.argument!r} has no caption; legal: {legal}")
-    words = use.text("alt") or illustration.description
+        expected = "one to three sentences"
+        context.problem(
+            call.line, f"illustration {call.argument!r} has no caption; legal: {expected}"
+        )
+    words = call.text("alt") or illustration.description
     return Drawn(illustration, words, caption_html)
 
 
@@ -60,14 +71,14 @@ def illustration_of(draw: Callable[[], Illustration]) -> Illustration:
 
 ILLUSTRATION = Directive(
     name="illustration",
-    says="a drawing made by the book's models",
+    doc="a drawing made by the book's models",
     argument=Argument("name", "names no drawing", MODULES, "illustration"),
     options=(
-        OptionLine("alt", says="what it shows, instead of its own description"),
+        OptionLine("alt", doc="what it shows, instead of its own description"),
         LABEL,
     ),
     body=CAPTION,
     read=read_illustration,
     template="illustration",
-    numbered=Numbered("Figure", lambda use: f"figure-{use.argument}", again=True),
+    numbered=Numbered("Figure", lambda call: f"figure-{call.argument}", again=True),
 )

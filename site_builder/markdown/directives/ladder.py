@@ -2,11 +2,11 @@
 
 from dataclasses import dataclass
 
+from site_builder.benchmarks.measurements import MeasuredLadder, MeasurementError
 from site_builder.markdown.bodies import CAPTION
-from site_builder.markdown.directive import Argument, Directive, Numbered, OptionLine, Use
+from site_builder.markdown.directive import Argument, Directive, DirectiveCall, Numbered, OptionLine
 from site_builder.markdown.inline import inline_html
-from site_builder.markdown.reading import Reading
-from site_builder.measured.measurements import MeasuredLadder, MeasurementError
+from site_builder.markdown.parse_context import ParseContext
 
 
 @dataclass(frozen=True, slots=True)
@@ -23,48 +23,50 @@ class LadderFigure:
     """Whether chart and table are shown before they are asked for."""
 
 
-def read_ladder(use: Use, caption_html: str, reading: Reading) -> LadderFigure | None:
+def read_ladder(
+    call: DirectiveCall, caption_html: str, context: ParseContext
+) -> LadderFigure | None:
     try:
-        measured = reading.measurements.find(use.argument, use.text("metric"))
+        measured = context.measurements.find(call.argument, call.text("metric"))
     except MeasurementError as error:
-        reading.problem(use.line, str(error))
+        context.problem(call.line, str(error))
         return None
-    name = reading.placed[use.line].id
+    name = context.placed[call.line].id
     return LadderFigure(
         measured,
         name,
         caption_html,
-        _read_default(use, measured, reading),
-        use.text("chart") == "open",
+        _read_default(call, measured, context),
+        call.text("chart") == "open",
     )
 
 
-def _read_default(use: Use, measured: MeasuredLadder, reading: Reading) -> str:
+def _read_default(call: DirectiveCall, measured: MeasuredLadder, context: ParseContext) -> str:
     """Explained where the metric judges that chose the default, and there always."""
-    ladder, option = measured.ladder, use.options.get("default")
-    chosen, explained = measured.metric is ladder.metrics[0], bool(use.text("default"))
+    ladder, option = measured.ladder, call.options.get("default")
+    chosen, explained = measured.metric is ladder.metrics[0], bool(call.text("default"))
     which = f"ladder {ladder.id!r} judged by {measured.metric.id!r}"
-    line = option.line if option else use.line
+    line = option.line if option else call.line
     if explained and not chosen:
-        legal = f"only where {ladder.metrics[0].id!r} judges"
-        reading.problem(line, f"{which} explains its default; legal: {legal}")
+        expected = f"only where {ladder.metrics[0].id!r} judges"
+        context.problem(line, f"{which} explains its default; legal: {expected}")
     if chosen and not explained:
-        legal = f"a line ':default: …', why its figures settle in {ladder.default_tier!r}"
-        reading.problem(line, f"{which} does not explain its default; legal: {legal}")
-    return inline_html(option.text, option.line, reading) if option else ""
+        expected = f"a line ':default: …', why its figures settle in {ladder.default_tier!r}"
+        context.problem(line, f"{which} does not explain its default; legal: {expected}")
+    return inline_html(option.text, option.line, context) if option else ""
 
 
 LADDER = Directive(
     name="ladder",
-    says="a measured speed/accuracy ladder",
+    doc="a measured speed/accuracy ladder",
     argument=Argument("id", lacks="names no ladder"),
     options=(
-        OptionLine("default", says="why its default was chosen"),
-        OptionLine("metric", says="another of its metrics to judge by"),
-        OptionLine("chart", says="chart and table at first", legal=("folded", "open")),
+        OptionLine("default", doc="why its default was chosen"),
+        OptionLine("metric", doc="another of its metrics to judge by"),
+        OptionLine("chart", doc="chart and table at first", expected=("folded", "open")),
     ),
     body=CAPTION,
     read=read_ladder,
     template="ladder",
-    numbered=Numbered("Figure", lambda use: f"ladder-{use.argument}", again=True),
+    numbered=Numbered("Figure", lambda call: f"ladder-{call.argument}", again=True),
 )

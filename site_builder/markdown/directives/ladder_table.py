@@ -2,11 +2,11 @@
 
 from dataclasses import dataclass
 
+from site_builder.benchmarks.measurements import MeasuredLadder, MeasurementError
 from site_builder.markdown.bodies import no_body
-from site_builder.markdown.directive import LABEL, Argument, Directive, Numbered, Use
+from site_builder.markdown.directive import LABEL, Argument, Directive, DirectiveCall, Numbered
 from site_builder.markdown.inline import inline_html
-from site_builder.markdown.reading import Reading
-from site_builder.measured.measurements import MeasuredLadder, MeasurementError
+from site_builder.markdown.parse_context import ParseContext
 
 
 @dataclass(frozen=True, slots=True)
@@ -17,18 +17,20 @@ class LadderTable:
     caption_html: str
 
 
-def read_ladder_table(use: Use, _body: None, reading: Reading) -> LadderTable | None:
+def read_ladder_table(
+    call: DirectiveCall, _body: None, context: ParseContext
+) -> LadderTable | None:
     try:
-        rows = reading.measurements.all()
+        rows = context.measurements.all()
     except MeasurementError as error:
-        reading.problem(use.line, str(error))
+        context.problem(call.line, str(error))
         return None
-    return LadderTable(rows, inline_html(use.argument, use.line, reading))
+    return LadderTable(rows, inline_html(call.argument, call.line, context))
 
 
 LADDER_TABLE = Directive(
     name="ladder-table",
-    says="all measured ladders",
+    doc="all measured ladders",
     argument=Argument("Caption", lacks="has no caption"),
     options=(LABEL,),
     body=no_body("a caption behind its name, no more"),

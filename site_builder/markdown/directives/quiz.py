@@ -5,7 +5,15 @@ from collections.abc import Mapping, Sequence
 from markdown_it.token import Token
 
 from site_builder.markdown.bodies import plain_tokens
-from site_builder.markdown.directive import Argument, Body, Directive, Numbered, OptionLine, Use
+from site_builder.markdown.directive import (
+    Argument,
+    Body,
+    Directive,
+    DirectiveCall,
+    Numbered,
+    OptionLine,
+)
+from site_builder.markdown.parse_context import ParseContext
 from site_builder.markdown.questions.answers import Item, Parts, check_parts, split_body
 from site_builder.markdown.questions.options import (
     OTHERWISE,
@@ -23,7 +31,6 @@ from site_builder.markdown.questions.question import (
     check_options_belong,
     prompt_text,
 )
-from site_builder.markdown.reading import Reading
 from site_builder.page_model.questions import Option, Quiz
 
 KINDS = ("single", "multiple", "number", "order", "figure")
@@ -37,66 +44,66 @@ BELONGS: Mapping[str, tuple[str, ...]] = {
 """The kinds that an option has a meaning for."""
 
 
-def read_quiz(use: Use, body: Sequence[Token], reading: Reading) -> Quiz:
-    check_id(use, reading)
-    kind = use.text("kind")
-    check_options_belong(use, kind, BELONGS, reading)
+def read_quiz(call: DirectiveCall, body: Sequence[Token], context: ParseContext) -> Quiz:
+    check_id(call, context)
+    kind = call.text("kind")
+    check_options_belong(call, kind, BELONGS, context)
     parts = split_body(body, "ordered" if kind == "order" else "bullet")
-    check_parts(use, parts, reading)
-    options, tolerance = _read_options(use, kind, parts.items, reading)
-    _check_answers(use, kind, options, len(parts.items), reading)
+    check_parts(call, parts, context)
+    options, tolerance = _read_options(call, kind, parts.items, context)
+    _check_answers(call, kind, options, len(parts.items), context)
     return Quiz(
-        id=use.argument,
+        id=call.argument,
         kind=kind,
-        prompt_html=_prompt_html(parts, use, reading),
+        prompt_html=_prompt_html(parts, call, context),
         prompt_text=prompt_text(parts),
         options=options,
-        path=reading.path,
-        line=use.line,
-        unit=use.text("unit"),
+        path=context.path,
+        line=call.line,
+        unit=call.text("unit"),
         tolerance=tolerance,
-        figure=use.text("figure"),
-        solution=_solution(use, kind, reading),
+        figure=call.text("figure"),
+        solution=_solution(call, kind, context),
     )
 
 
 def _read_options(
-    use: Use, kind: str, items: Sequence[Item], reading: Reading
+    call: DirectiveCall, kind: str, items: Sequence[Item], context: ParseContext
 ) -> tuple[tuple[Option, ...], float]:
     match kind:
         case "number":
-            return number_options(use, items, reading)
+            return number_options(call, items, context)
         case "order":
-            return ordered_options(items, reading), 0.0
+            return ordered_options(items, context), 0.0
         case "figure":
-            return state_options(items, reading), 0.0
+            return state_options(items, context), 0.0
         case _:
-            return chosen_options(use, items, reading), 0.0
+            return chosen_options(call, items, context), 0.0
 
 
-def _solution(use: Use, kind: str, reading: Reading) -> dict[str, str]:
+def _solution(call: DirectiveCall, kind: str, context: ParseContext) -> dict[str, str]:
     """The settings that solve a question about a figure: ``k1=-0.1 k2=0``."""
     if kind != "figure":
         return {}
-    pairs = use.text("solution").split()
-    if not use.text("figure") or not pairs or not all("=" in pair for pair in pairs):
-        legal = "lines ':figure: figure-SCENE' and ':solution: control=value …'"
-        reading.problem(use.line, f"quiz {use.argument!r} cannot be solved; legal: {legal}")
+    pairs = call.text("solution").split()
+    if not call.text("figure") or not pairs or not all("=" in pair for pair in pairs):
+        expected = "lines ':figure: figure-SCENE' and ':solution: control=value …'"
+        context.problem(call.line, f"quiz {call.argument!r} cannot be solved; legal: {expected}")
     return dict(pair.split("=", 1) for pair in pairs if "=" in pair)
 
 
-def _prompt_html(parts: Parts, use: Use, reading: Reading) -> str:
+def _prompt_html(parts: Parts, call: DirectiveCall, context: ParseContext) -> str:
     """The question as phrasing content: all that a ``legend`` may hold."""
     shown: list[str] = []
     for token in parts.prompt:
         if token.type == "inline":
-            shown.append(reading.html([token]))
+            shown.append(context.html([token]))
         elif token.type in ("math_block", "math_block_label"):
             shown.append(str(token.meta.get("mathml", "")))
         elif token.type not in ("paragraph_open", "paragraph_close"):
-            reading.problem(
-                use.line,
-                f"the question of quiz {use.argument!r} holds more than text and formulae; "
+            context.problem(
+                call.line,
+                f"the question of quiz {call.argument!r} holds more than text and formulae; "
                 "legal: put it above the quiz",
             )
             break
@@ -104,32 +111,32 @@ def _prompt_html(parts: Parts, use: Use, reading: Reading) -> str:
 
 
 def _check_answers(
-    use: Use, kind: str, options: Sequence[Option], items: int, reading: Reading
+    call: DirectiveCall, kind: str, options: Sequence[Option], items: int, context: ParseContext
 ) -> None:
     """As every question's, and with a reply to what no answer foresees."""
     form = "1. …" if kind == "order" else "- [ ] …"
     right = {"single": "one, or ':kind: multiple'", "multiple": "", "order": ""}.get(kind, "one")
-    sound = check_answers(use, options, items, reading, form=form, right=right)
+    sound = check_answers(call, options, items, context, form=form, right=right)
     if sound and kind in ("number", "figure") and options[-1].text != OTHERWISE:
-        what = f"quiz {use.argument!r} has no reply to other answers"
-        legal = f"'- [ ] {OTHERWISE}' at the end, with a ': …' line below it"
-        reading.problem(use.line, f"{what}; legal: {legal}")
+        what = f"quiz {call.argument!r} has no reply to other answers"
+        expected = f"'- [ ] {OTHERWISE}' at the end, with a ': …' line below it"
+        context.problem(call.line, f"{what}; legal: {expected}")
 
 
 QUIZ = Directive(
     name="quiz",
-    says="a question with explained answers",
+    doc="a question with explained answers",
     argument=Argument("id", lacks="has no id"),
     options=(
-        OptionLine("kind", says="how it is answered", legal=KINDS),
+        OptionLine("kind", doc="how it is answered", expected=KINDS),
         UNIT,
         WITHIN,
         USES,
-        OptionLine("figure", says="the element id of the figure that is to be set"),
-        OptionLine("solution", says="settings that solve it, `control=value …`"),
+        OptionLine("figure", doc="the element id of the figure that is to be set"),
+        OptionLine("solution", doc="settings that solve it, `control=value …`"),
     ),
     body=Body("the question, and its answers as a list", plain_tokens),
     read=read_quiz,
     template="quiz",
-    numbered=Numbered("Question", lambda use: f"quiz-{use.argument}"),
+    numbered=Numbered("Question", lambda call: f"quiz-{call.argument}"),
 )

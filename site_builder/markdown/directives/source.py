@@ -8,8 +8,8 @@ from site_builder.book_root import is_engine, own_or_engine
 from site_builder.diagnostics import unknown
 from site_builder.kept.keeper import reads_file
 from site_builder.markdown.bodies import CAPTION
-from site_builder.markdown.directive import Argument, Directive, Use
-from site_builder.markdown.reading import Reading
+from site_builder.markdown.directive import Argument, Directive, DirectiveCall
+from site_builder.markdown.parse_context import ParseContext
 from site_builder.markdown.text.code import code_html
 from site_builder.page_model.blocks import Source
 
@@ -17,38 +17,40 @@ FORM = "package.module:function"
 type Definition = ast.FunctionDef | ast.ClassDef
 
 
-def read_source(use: Use, caption_html: str, reading: Reading) -> Source | None:
-    module, _, name = use.argument.partition(":")
+def read_source(call: DirectiveCall, caption_html: str, context: ParseContext) -> Source | None:
+    module, _, name = call.argument.partition(":")
     path = f"{module.replace('.', '/')}.py"
-    source = _text_of(module, name, path, use, reading)
+    source = _text_of(module, name, path, call, context)
     if source is None:
         return None
     try:
         definitions = _definitions(source)
     except (SyntaxError, ValueError) as error:
         line = getattr(error, "lineno", None) or 1
-        reading.problem(use.line, f"module {module!r} is no Python: {path}:{line}")
+        context.problem(call.line, f"module {module!r} is no Python: {path}:{line}")
         return None
     if name not in definitions:
         public = [known for known in definitions if not known.startswith("_")]
-        reading.problem(use.line, unknown(f"definition in {module}", name, public))
+        context.problem(call.line, unknown(f"definition in {module}", name, public))
         return None
     first, last = _span(definitions[name])
     code = dedent("\n".join(source.splitlines()[first - 1 : last])) + "\n"
     return Source(module, name, path, first, code_html(code, "python"), caption_html)
 
 
-def _text_of(module: str, name: str, path: str, use: Use, reading: Reading) -> str | None:
+def _text_of(
+    module: str, name: str, path: str, call: DirectiveCall, context: ParseContext
+) -> str | None:
     """The module's file, or None and a diagnostic."""
     if not (module and name):
-        legal = f"':::{{source}} {FORM}'"
-        reading.problem(use.line, f"{{source}} {use.argument!r}; legal: {legal}")
+        expected = f"':::{{source}} {FORM}'"
+        context.problem(call.line, f"{{source}} {call.argument!r}; legal: {expected}")
         return None
-    file = own_or_engine(reading.root, path) if is_engine(module) else reading.root / path
+    file = own_or_engine(context.root, path) if is_engine(module) else context.root / path
     reads_file(file)
     if not file.is_file() or not module.startswith("simulations."):
-        modules = _modules(reading.root / "simulations")
-        reading.problem(use.line, unknown("module", module, modules))
+        modules = _modules(context.root / "simulations")
+        context.problem(call.line, unknown("module", module, modules))
         return None
     return file.read_text(encoding="utf-8", errors="replace")
 
@@ -82,7 +84,7 @@ def _modules(package: Path) -> list[str]:
 
 SOURCE = Directive(
     name="source",
-    says="the real code of a function",
+    doc="the real code of a function",
     argument=Argument(FORM, lacks="names no function"),
     body=CAPTION,
     read=read_source,

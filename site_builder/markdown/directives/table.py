@@ -6,10 +6,17 @@ from dataclasses import dataclass
 from markdown_it.token import Token
 
 from site_builder.markdown.bodies import plain_tokens
-from site_builder.markdown.directive import LABEL, Argument, Body, Directive, Numbered, Use
+from site_builder.markdown.directive import (
+    LABEL,
+    Argument,
+    Body,
+    Directive,
+    DirectiveCall,
+    Numbered,
+)
 from site_builder.markdown.headings import slug
 from site_builder.markdown.inline import inline_html
-from site_builder.markdown.reading import Reading
+from site_builder.markdown.parse_context import ParseContext
 
 
 @dataclass(frozen=True, slots=True)
@@ -20,25 +27,25 @@ class Table:
     html: str
 
 
-def _one_table(use: Use, tokens: Sequence[Token], reading: Reading) -> str:
+def _one_table(call: DirectiveCall, tokens: Sequence[Token], context: ParseContext) -> str:
     margin = [token.type for token in tokens if token.level == tokens[0].level]
     if margin != ["table_open", "table_close"]:
         found = "more than a table" if "table_open" in margin else "no table"
-        reading.problem(use.line, f"{{table}} holds {found}; legal: one table, nothing else")
-    return reading.html(plain_tokens(use, tokens, reading))
+        context.problem(call.line, f"{{table}} holds {found}; legal: one table, nothing else")
+    return context.html(plain_tokens(call, tokens, context))
 
 
-def read_table(use: Use, html: str, reading: Reading) -> Table:
-    return Table(inline_html(use.argument, use.line, reading), html)
+def read_table(call: DirectiveCall, html: str, context: ParseContext) -> Table:
+    return Table(inline_html(call.argument, call.line, context), html)
 
 
 TABLE = Directive(
     name="table",
-    says="a table that has a caption",
+    doc="a table that has a caption",
     argument=Argument("Caption", lacks="has no caption"),
     options=(LABEL,),
     body=Body("one table", _one_table),
     read=read_table,
     template="table",
-    numbered=Numbered("Table", lambda use: f"table-{slug(use.argument)}"),
+    numbered=Numbered("Table", lambda call: f"table-{slug(call.argument)}"),
 )

@@ -10,10 +10,10 @@ from markdown_it.token import Token
 
 from site_builder.markdown.blocks import read_blocks
 from site_builder.markdown.bodies import BLOCKS
-from site_builder.markdown.directive import Argument, Body, Directive, Use
+from site_builder.markdown.directive import Argument, Body, Directive, DirectiveCall
 from site_builder.markdown.headings import slug
 from site_builder.markdown.inline import inline_html
-from site_builder.markdown.reading import Reading
+from site_builder.markdown.parse_context import ParseContext
 from site_builder.page_model.blocks import Block
 
 LEGAL = "two or more ':::{tab} Title'"
@@ -33,42 +33,44 @@ class Tab:
     title_html: str
 
 
-def _read_tabs_body(use: Use, tokens: Sequence[Token], reading: Reading) -> tuple[Block, ...]:
+def _read_tabs_body(
+    call: DirectiveCall, tokens: Sequence[Token], context: ParseContext
+) -> tuple[Block, ...]:
     margin = [token for token in tokens if token.level == tokens[0].level]
     openings = [token for token in margin if token.type == "directive_open"]
     tabs = [token for token in openings if _name(token) == "tab"]
     for token in margin:
         if token.nesting >= 0 and token not in tabs:
             what = f"directive {{{_name(token)}}}" if token in openings else "text"
-            line = (token.map or [use.line - 1])[0] + 1
-            reading.problem(line, f"{what} between the tabs of {{tabs}}; legal: {LEGAL}")
+            line = (token.map or [call.line - 1])[0] + 1
+            context.problem(line, f"{what} between the tabs of {{tabs}}; legal: {LEGAL}")
     if len(tabs) < 2:
         count = "one" if tabs else "no"
-        reading.problem(use.line, f"{{tabs}} with {count} tab; legal: {LEGAL}")
-    reading.tabs.update(token.meta["use"].line for token in tabs)
-    return read_blocks(tokens, reading)
+        context.problem(call.line, f"{{tabs}} with {count} tab; legal: {LEGAL}")
+    context.tabs.update(token.meta["call"].line for token in tabs)
+    return read_blocks(tokens, context)
 
 
 def _name(token: Token) -> str:
-    use: Use = token.meta["use"]
-    return use.name
+    call: DirectiveCall = token.meta["call"]
+    return call.name
 
 
-def read_tabs(_use: Use, _body: Sequence[Block], _reading: Reading) -> Tabs:
+def read_tabs(_use: DirectiveCall, _body: Sequence[Block], _reading: ParseContext) -> Tabs:
     return Tabs()
 
 
-def read_tab(use: Use, _body: Sequence[Block], reading: Reading) -> Tab | None:
-    if use.line not in reading.tabs:
-        reading.problem(use.line, "{tab} outside of {tabs}; legal: inside ':::{tabs}'")
+def read_tab(call: DirectiveCall, _body: Sequence[Block], context: ParseContext) -> Tab | None:
+    if call.line not in context.tabs:
+        context.problem(call.line, "{tab} outside of {tabs}; legal: inside ':::{tabs}'")
         return None
-    name = reading.free_id(f"tab-{slug(use.argument)}", use.line)
-    return Tab(name, inline_html(use.argument, use.line, reading))
+    name = context.free_id(f"tab-{slug(call.argument)}", call.line)
+    return Tab(name, inline_html(call.argument, call.line, context))
 
 
 TABS = Directive(
     name="tabs",
-    says="alternatives, of which the reader chooses one",
+    doc="alternatives, of which the reader chooses one",
     argument=None,
     body=Body(LEGAL.replace("':::{tab} Title'", "`{tab}`"), _read_tabs_body, nests=True),
     read=read_tabs,
@@ -76,7 +78,7 @@ TABS = Directive(
 )
 TAB = Directive(
     name="tab",
-    says="one of them",
+    doc="one of them",
     argument=Argument("Title", lacks="has no title"),
     body=BLOCKS,
     read=read_tab,

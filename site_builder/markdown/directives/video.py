@@ -8,13 +8,13 @@ from site_builder.markdown.directive import (
     LABEL,
     Argument,
     Directive,
+    DirectiveCall,
     Numbered,
     OptionLine,
     OptionValue,
-    Use,
 )
 from site_builder.markdown.files.content_files import PICTURES, Size, found, picture_size
-from site_builder.markdown.reading import Reading
+from site_builder.markdown.parse_context import ParseContext
 
 KINDS = {".mp4": "video/mp4", ".webm": "video/webm"}
 SILENT = "none"
@@ -39,43 +39,43 @@ class Video:
     caption_html: str
 
 
-def read_video(use: Use, caption_html: str, reading: Reading) -> Video | None:
-    file = found(use.argument, use.line, reading, "film", tuple(KINDS))
-    poster = _file(use.options.get("poster"), reading, "picture file", PICTURES)
-    captions = use.options.get("captions")
+def read_video(call: DirectiveCall, caption_html: str, context: ParseContext) -> Video | None:
+    file = found(call.argument, call.line, context, "film", tuple(KINDS))
+    poster = _file(call.options.get("poster"), context, "picture file", PICTURES)
+    captions = call.options.get("captions")
     words = None
     if captions and captions.text and captions.text != SILENT:
-        words = _file(captions, reading, "captions", (".vtt",))
+        words = _file(captions, context, "captions", (".vtt",))
     if file is None:
         return None
     if not _is_film(file):
-        legal = f"a whole {file.suffix} file"
-        reading.problem(use.line, f"film {use.argument!r} is none inside; legal: {legal}")
+        expected = f"a whole {file.suffix} file"
+        context.problem(call.line, f"film {call.argument!r} is none inside; legal: {expected}")
     if captions and words and not _are_captions(words):
-        legal = "WebVTT, whose first line is 'WEBVTT'"
-        reading.problem(captions.line, f"captions {captions.text!r}; legal: {legal}")
-    reading.files.update(
-        path for path in (use.argument, captions.text if words and captions else "") if path
+        expected = "WebVTT, whose first line is 'WEBVTT'"
+        context.problem(captions.line, f"captions {captions.text!r}; legal: {expected}")
+    context.files.update(
+        path for path in (call.argument, captions.text if words and captions else "") if path
     )
     return Video(
-        file=use.argument,
+        file=call.argument,
         kind=KINDS[file.suffix],
-        alt=use.text("alt"),
-        poster=use.text("poster"),
+        alt=call.text("alt"),
+        poster=call.text("poster"),
         size=picture_size(poster) if poster else None,
         captions=captions.text if words and captions else "",
-        language=use.text("language") or reading.words.language,
+        language=call.text("language") or context.words.language,
         caption_html=caption_html,
     )
 
 
 def _file(
-    given: OptionValue | None, reading: Reading, kind: str, suffixes: tuple[str, ...]
+    given: OptionValue | None, context: ParseContext, kind: str, suffixes: tuple[str, ...]
 ) -> Path | None:
     """None where nothing is given too, which is reported of required options already."""
     if given is None or not given.text:
         return None
-    return found(given.text, given.line, reading, kind, suffixes)
+    return found(given.text, given.line, context, kind, suffixes)
 
 
 def _is_film(file: Path) -> bool:
@@ -92,19 +92,19 @@ def _are_captions(file: Path) -> bool:
 
 VIDEO = Directive(
     name="video",
-    says="a film of yours",
+    doc="a film of yours",
     argument=Argument("clips/file.mp4", lacks="names no film"),
     options=(
-        OptionLine("alt", says="what the film shows", required=True),
-        OptionLine("poster", says="the picture before it starts, and on paper", required=True),
-        OptionLine("captions", says="what is said, `clips/file.vtt`, or `none`", required=True),
-        OptionLine("language", says="of the captions, `de`; the book's where you say none"),
+        OptionLine("alt", doc="what the film shows", required=True),
+        OptionLine("poster", doc="the picture before it starts, and on paper", required=True),
+        OptionLine("captions", doc="what is said, `clips/file.vtt`, or `none`", required=True),
+        OptionLine("language", doc="of the captions, `de`; the book's where you say none"),
         LABEL,
     ),
     body=CAPTION,
     read=read_video,
     template="video",
     numbered=Numbered(
-        "Figure", lambda use: f"figure-{PurePosixPath(use.argument).stem}", again=True
+        "Figure", lambda call: f"figure-{PurePosixPath(call.argument).stem}", again=True
     ),
 )

@@ -6,7 +6,7 @@ from pathlib import Path, PurePosixPath
 
 from site_builder.diagnostics import unknown
 from site_builder.kept.keeper import reads_file
-from site_builder.markdown.reading import Reading
+from site_builder.markdown.parse_context import ParseContext
 
 PICTURES = (".svg", ".png", ".jpg", ".jpeg", ".webp")
 SVG_ROOT = re.compile(r"<svg\b[^>]*>")
@@ -46,13 +46,13 @@ def _names(content: Path, suffixes: Sequence[str]) -> list[str]:
 
 
 def found(
-    name: str, line: int, reading: Reading, kind: str, suffixes: Sequence[str] = ()
+    name: str, line: int, context: ParseContext, kind: str, suffixes: Sequence[str] = ()
 ) -> Path | None:
     """The file, or nothing and a report."""
-    content = reading.root / "content"
+    content = context.root / "content"
     fault = fault_of_file(name, content, kind, suffixes)
     if fault:
-        reading.problem(line, fault)
+        context.problem(line, fault)
         return None
     return content / name
 

@@ -10,7 +10,7 @@ import yaml
 from markdown_it.token import Token
 
 from site_builder.diagnostics import unknown
-from site_builder.markdown.reading import Reading
+from site_builder.markdown.parse_context import ParseContext
 
 TEXTS = ("title", "summary")
 """Required."""
@@ -64,25 +64,25 @@ class FrontMatter:
     after: tuple[Entry, ...] = ()
 
 
-def read_front_matter(tokens: Sequence[Token], reading: Reading) -> FrontMatter:
+def read_front_matter(tokens: Sequence[Token], context: ParseContext) -> FrontMatter:
     """What stands in the first of ``tokens``."""
     if not tokens or tokens[0].type != "front_matter":
-        reading.problem(1, f"no front matter; {LEGAL}")
+        context.problem(1, f"no front matter; {LEGAL}")
         return FrontMatter()
     try:
         root = _composed(tokens[0].content)
     except yaml.YAMLError as error:
         mark = getattr(error, "problem_mark", None)  # a character that YAML forbids has none
-        reading.problem(mark.line + 2 if mark else 1, f"malformed YAML: {_reason(error)}")
+        context.problem(mark.line + 2 if mark else 1, f"malformed YAML: {_reason(error)}")
         return FrontMatter()
     if not isinstance(root, yaml.MappingNode):
-        reading.problem(1, f"front matter is no mapping; {LEGAL}")
+        context.problem(1, f"front matter is no mapping; {LEGAL}")
         return FrontMatter()
-    entries = _read_entries(root, reading)
+    entries = _read_entries(root, context)
     return FrontMatter(
-        **_read_texts(entries, reading),
-        before=_read_before(entries.get("before"), reading),
-        after=_read_after(entries.get("after"), reading),
+        **_read_texts(entries, context),
+        before=_read_before(entries.get("before"), context),
+        after=_read_after(entries.get("after"), context),
     )
 
 
@@ -102,19 +102,19 @@ def _reason(error: yaml.YAMLError) -> str:
     return next((ours for theirs, ours in REASONS if theirs in said), said)
 
 
-def _read_entries(root: yaml.MappingNode, reading: Reading) -> dict[str, yaml.Node]:
+def _read_entries(root: yaml.MappingNode, context: ParseContext) -> dict[str, yaml.Node]:
     entries: dict[str, yaml.Node] = {}
     for key, value in root.value:
         if key.value not in KEYS:
-            reading.problem(_line(key), unknown("front matter key", str(key.value), KEYS))
+            context.problem(_line(key), unknown("front matter key", str(key.value), KEYS))
             continue
         if key.value in entries:
-            reading.problem(_line(key), f"{key.value!r} is given twice; legal: once")
+            context.problem(_line(key), f"{key.value!r} is given twice; legal: once")
         entries[key.value] = value
     return entries
 
 
-def _read_texts(entries: Mapping[str, yaml.Node], reading: Reading) -> dict[str, str]:
+def _read_texts(entries: Mapping[str, yaml.Node], context: ParseContext) -> dict[str, str]:
     texts = {name: _text(entries.get(name)) for name in TEXTS}
     for name, text in texts.items():
         node = entries.get(name)
@@ -122,10 +122,10 @@ def _read_texts(entries: Mapping[str, yaml.Node], reading: Reading) -> dict[str,
         if not text:
             given = _kind(node)
             said = f"{name!r} is {given}" if given else f"front matter without {name!r}"
-            legal = f'{name}: "{node.value}"' if node and _is_scalar(node) else f"'{name}: text'"
-            reading.problem(line, f"{said}; legal: {legal}")
+            expected = f'{name}: "{node.value}"' if node and _is_scalar(node) else f"'{name}: text'"
+            context.problem(line, f"{said}; legal: {expected}")
         elif found := MARKUP.search(text):
-            reading.problem(
+            context.problem(
                 line,
                 f"{found[0]!r} in {name!r}, which is shown as it stands; "
                 "legal: words without marks",
@@ -133,12 +133,12 @@ def _read_texts(entries: Mapping[str, yaml.Node], reading: Reading) -> dict[str,
     return texts
 
 
-def _read_before(node: yaml.Node | None, reading: Reading) -> tuple[Entry, ...]:
+def _read_before(node: yaml.Node | None, context: ParseContext) -> tuple[Entry, ...]:
     if node is None:
         return ()
     found = tuple(_needs(node))
     if not found or not all(entry.text for entry in found):
-        reading.problem(_line(node), f"what to know 'before' is not told; {BEFORE}")
+        context.problem(_line(node), f"what to know 'before' is not told; {BEFORE}")
     return found
 
 
@@ -151,13 +151,13 @@ def _needs(node: yaml.Node) -> Iterator[Entry]:
             yield Entry(_text(item), _line(item))
 
 
-def _read_after(node: yaml.Node | None, reading: Reading) -> tuple[Entry, ...]:
+def _read_after(node: yaml.Node | None, context: ParseContext) -> tuple[Entry, ...]:
     if node is None:
         return ()
     items = node.value if isinstance(node, yaml.SequenceNode) else ()
     found = tuple(Entry(_text(item), _line(item)) for item in items)
     if len(found) not in OUTCOMES or not all(entry.text for entry in found):
-        reading.problem(_line(node), f"what one can do 'after' is not told; {AFTER}")
+        context.problem(_line(node), f"what one can do 'after' is not told; {AFTER}")
     return found
 
 

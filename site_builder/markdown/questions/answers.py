@@ -9,8 +9,8 @@ from dataclasses import dataclass
 
 from markdown_it.token import Token
 
-from site_builder.markdown.directive import Use
-from site_builder.markdown.reading import Reading
+from site_builder.markdown.directive import DirectiveCall
+from site_builder.markdown.parse_context import ParseContext
 from site_builder.markdown.text.tokens import plain_text
 
 MARKS = {"[ ]": "wrong", "[x]": "right", "[X]": "right", "[?]": "computed"}
@@ -76,25 +76,30 @@ def split_body(body: Sequence[Token], kind: str = "bullet") -> Parts:
     return Parts(tuple(body[: starts[-1]]), tuple(items), tuple(body[end + 1 :]))
 
 
-def check_parts(use: Use, parts: Parts, reading: Reading) -> None:
+def check_parts(call: DirectiveCall, parts: Parts, context: ParseContext) -> None:
     """There is something above the answers, and nothing below: it would not be shown."""
-    what = f"{use.name} {use.argument!r}"
+    what = f"{call.name} {call.argument!r}"
     if not parts.prompt:
-        legal = "some text above its answers"
-        reading.problem(use.line, f"{what} asks no question; legal: {legal}")
+        expected = "some text above its answers"
+        context.problem(call.line, f"{what} asks no question; legal: {expected}")
     if parts.rest:
-        line = (parts.rest[0].map or [use.line - 1])[0] + 1
-        legal = "nothing after the answers, each explained by a ': …' line below it"
-        reading.problem(line, f"text below the answers of {what}; legal: {legal}")
+        line = (parts.rest[0].map or [call.line - 1])[0] + 1
+        expected = "nothing after the answers, each explained by a ': …' line below it"
+        context.problem(line, f"text below the answers of {what}; legal: {expected}")
 
 
 def read_answer(
-    item: Item, reading: Reading, *, marked: bool = True, coded: bool = False, replies: bool = True
+    item: Item,
+    context: ParseContext,
+    *,
+    marked: bool = True,
+    coded: bool = False,
+    replies: bool = True,
 ) -> Answer | None:
     """The item, or None and a diagnostic. ``coded``: it begins with an expression in code, as
     marks that are computed do too; ``replies``: it has a reply."""
     lines = [line for paragraph in item.paragraphs for line in _split_lines(paragraph)]
-    mark = _take_mark(lines, item.line, reading) if marked else ""
+    mark = _take_mark(lines, item.line, context) if marked else ""
     if mark is None:
         return None
     said, reply = _said_and_reply(lines)
@@ -102,27 +107,27 @@ def read_answer(
     words = Token("inline", "", 0, children=said)
     text = plain_text(words)
     if not text and not code:
-        reading.problem(item.line, "an answer without text; legal: '- [ ] some text'")
+        context.problem(item.line, "an answer without text; legal: '- [ ] some text'")
     if replies and not reply:
         what = text or code
-        legal = "a ': …' line below it"
-        reading.problem(item.line, f"answer {what!r} is not explained; legal: {legal}")
+        expected = "a ': …' line below it"
+        context.problem(item.line, f"answer {what!r} is not explained; legal: {expected}")
     return Answer(
         mark=mark,
         code=code,
-        html=reading.html([words]),
+        html=context.html([words]),
         text=text,
-        reply_html=reading.html([Token("inline", "", 0, children=reply)]),
+        reply_html=context.html([Token("inline", "", 0, children=reply)]),
         line=item.line,
     )
 
 
-def _take_mark(lines: list[list[Token]], line: int, reading: Reading) -> str | None:
+def _take_mark(lines: list[list[Token]], line: int, context: ParseContext) -> str | None:
     """The mark of an answer, which leaves its words; None and a diagnostic where there is none."""
     first = lines[0][0] if lines and lines[0] else None
     written = first.content[:3] if first and first.type == "text" else ""
     if first is None or written not in MARKS:
-        reading.problem(line, f"an answer without its mark; legal: {LEGAL_MARKS}")
+        context.problem(line, f"an answer without its mark; legal: {LEGAL_MARKS}")
         return None
     first.content = first.content[3:].lstrip()
     return MARKS[written]

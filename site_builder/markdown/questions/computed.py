@@ -11,43 +11,43 @@ from importlib import import_module
 
 from simulations.engine.conditions import shown_value
 from simulations.engine.expressions import ExpressionError, evaluate
+from site_builder.benchmarks.measurements import SIDES
 from site_builder.diagnostics import cause, unknown
 from site_builder.kept.keeper import reads_code
-from site_builder.markdown.directive import Use
-from site_builder.markdown.reading import Reading
-from site_builder.measured.measurements import SIDES
+from site_builder.markdown.directive import DirectiveCall
+from site_builder.markdown.parse_context import ParseContext
 
 FORM = "simulations.package.module:function"
 
 
-def names_for(use: Use, reading: Reading) -> dict[str, object]:
+def names_for(call: DirectiveCall, context: ParseContext) -> dict[str, object]:
     """What the expressions of a directive may name; a bad ``:uses:`` is reported."""
 
     def readout(scene: str, name: str, **settings: object) -> float | str:
         given = {control: str(value) for control, value in settings.items()}
-        return shown_value(reading.readouts.text(scene, name, given, bare=True))
+        return shown_value(context.readouts.text(scene, name, given, bare=True))
 
     def measured(ladder: str, tier: str, wanted: str) -> float | None:
-        item = reading.measurements.find(ladder)[tier]
+        item = context.measurements.find(ladder)[tier]
         return item.times[wanted].ms if wanted in SIDES else item.errors[wanted]
 
     names: dict[str, object] = {"readout": readout, "measured": measured}
-    for path in use.text("uses").split():
+    for path in call.text("uses").split():
         try:
             function = _function(path)
         except LookupError as error:
-            reading.problem(use.options["uses"].line, str(error.args[0]))
+            context.problem(call.options["uses"].line, str(error.args[0]))
         else:
             names[path.partition(":")[2]] = function
     return names
 
 
-def number(text: str, names: dict[str, object], line: int, reading: Reading) -> float | None:
+def number(text: str, names: dict[str, object], line: int, context: ParseContext) -> float | None:
     """The finite number that ``text`` stands for, or None and a diagnostic."""
     try:
         value = evaluate(text, names)
     except ExpressionError as error:
-        reading.problem(line, str(error))
+        context.problem(line, str(error))
         return None
     try:
         result = float(value)
@@ -55,16 +55,16 @@ def number(text: str, names: dict[str, object], line: int, reading: Reading) -> 
         result = float("nan")
     if abs(result) < float("inf"):
         return result
-    reading.problem(line, f"{text!r} is {value!r}; legal: what comes to a finite number")
+    context.problem(line, f"{text!r} is {value!r}; legal: what comes to a finite number")
     return None
 
 
-def truth(text: str, names: dict[str, object], line: int, reading: Reading) -> bool | None:
+def truth(text: str, names: dict[str, object], line: int, context: ParseContext) -> bool | None:
     """Whether the condition ``text`` holds, or None and a diagnostic."""
     try:
         return bool(evaluate(text, names))
     except ExpressionError as error:
-        reading.problem(line, str(error))
+        context.problem(line, str(error))
         return None
 
 

@@ -4,26 +4,28 @@ import math
 from collections.abc import Sequence
 
 from simulations.engine.frame import format_number
+from site_builder.benchmarks.quantities import with_unit
 from site_builder.languages.words import Words
-from site_builder.markdown.directive import OptionLine, Use
+from site_builder.markdown.directive import DirectiveCall, OptionLine
+from site_builder.markdown.parse_context import ParseContext
 from site_builder.markdown.questions.answers import Answer, Item, read_answer
 from site_builder.markdown.questions.computed import names_for, number, truth
-from site_builder.markdown.reading import Reading
-from site_builder.measured.quantities import with_unit
 from site_builder.page_model.questions import Option
 
 OTHERWISE = "otherwise"
 """The answer that stands for whatever no other recognises."""
-USES = OptionLine("uses", says="functions that its expressions call, `package.module:function`")
-UNIT = OptionLine("unit", says="of a number")
-WITHIN = OptionLine("within", says="how far from the right number is right, `0.5` or `2%`")
+USES = OptionLine("uses", doc="functions that its expressions call, `package.module:function`")
+UNIT = OptionLine("unit", doc="of a number")
+WITHIN = OptionLine("within", doc="how far from the right number is right, `0.5` or `2%`")
 
 
-def chosen_options(use: Use, items: Sequence[Item], reading: Reading) -> tuple[Option, ...]:
+def chosen_options(
+    call: DirectiveCall, items: Sequence[Item], context: ParseContext
+) -> tuple[Option, ...]:
     """Answers to choose from, right by their mark or by a condition."""
-    names = names_for(use, reading)
-    answers = (read_answer(item, reading) for item in items)
-    judged = ((answer, _is_right(answer, names, reading)) for answer in answers if answer)
+    names = names_for(call, context)
+    answers = (read_answer(item, context) for item in items)
+    judged = ((answer, _is_right(answer, names, context)) for answer in answers if answer)
     return tuple(
         Option(answer.html, answer.text, right, answer.reply_html)
         for answer, right in judged
@@ -31,64 +33,64 @@ def chosen_options(use: Use, items: Sequence[Item], reading: Reading) -> tuple[O
     )
 
 
-def _is_right(answer: Answer, names: dict[str, object], reading: Reading) -> bool | None:
+def _is_right(answer: Answer, names: dict[str, object], context: ParseContext) -> bool | None:
     """None, and a report, of a condition that cannot be worked out."""
     if answer.mark != "computed":
         return answer.mark == "right"
     if not answer.code:
-        legal = "'- [?] `condition` some text'"
-        reading.problem(answer.line, f"answer {answer.text!r} has no condition; legal: {legal}")
+        expected = "'- [?] `condition` some text'"
+        context.problem(answer.line, f"answer {answer.text!r} has no condition; legal: {expected}")
         return None
-    return truth(answer.code, names, answer.line, reading)
+    return truth(answer.code, names, answer.line, context)
 
 
-def ordered_options(items: Sequence[Item], reading: Reading) -> tuple[Option, ...]:
+def ordered_options(items: Sequence[Item], context: ParseContext) -> tuple[Option, ...]:
     """Things to put in order, in the right one."""
-    answers = (read_answer(item, reading, marked=False) for item in items)
+    answers = (read_answer(item, context, marked=False) for item in items)
     return tuple(
         Option(answer.html, answer.text, True, answer.reply_html) for answer in answers if answer
     )
 
 
-def state_options(items: Sequence[Item], reading: Reading) -> tuple[Option, ...]:
+def state_options(items: Sequence[Item], context: ParseContext) -> tuple[Option, ...]:
     """Conditions on a figure; what is wrong with them shows when the figure is drawn."""
     options: list[Option] = []
-    for answer in (read_answer(item, reading, coded=True) for item in items):
+    for answer in (read_answer(item, context, coded=True) for item in items):
         if answer and (answer.code or answer.text == OTHERWISE):
             right = answer.mark == "right"
             options.append(Option("", answer.code or OTHERWISE, right, answer.reply_html))
         elif answer:
-            _not_coded(answer, reading)
+            _not_coded(answer, context)
     return tuple(options)
 
 
 def number_options(
-    use: Use, items: Sequence[Item], reading: Reading, *, replies: bool = True
+    call: DirectiveCall, items: Sequence[Item], context: ParseContext, *, replies: bool = True
 ) -> tuple[tuple[Option, ...], float]:
     """Numbers worked out now, the right one and those that known mistakes lead to, and how far
     from them an answer may be."""
-    names = names_for(use, reading)
-    answers = [read_answer(item, reading, coded=True, replies=replies) for item in items]
+    names = names_for(call, context)
+    answers = [read_answer(item, context, coded=True, replies=replies) for item in items]
     values: list[tuple[Answer, float | None]] = []
     for answer in (answer for answer in answers if answer):
         if answer.code:
-            value = number(answer.code, names, answer.line, reading)
+            value = number(answer.code, names, answer.line, context)
             values += [(answer, value)] if value is not None else []
         elif answer.text == OTHERWISE and answer.mark == "wrong":
             values.append((answer, None))
         else:
-            _not_coded(answer, reading)
+            _not_coded(answer, context)
     right = next((value for answer, value in values if answer.mark == "right"), None)
-    tolerance = _tolerance(use, right, reading)
-    _check_apart(values, tolerance, reading)
-    options = (_number_option(use, *pair, tolerance, reading.words) for pair in values)
+    tolerance = _tolerance(call, right, context)
+    _check_apart(values, tolerance, context)
+    options = (_number_option(call, *pair, tolerance, context.words) for pair in values)
     return tuple(options), tolerance
 
 
 def _number_option(
-    use: Use, answer: Answer, value: float | None, tolerance: float, words: Words
+    call: DirectiveCall, answer: Answer, value: float | None, tolerance: float, words: Words
 ) -> Option:
-    text = OTHERWISE if value is None else number_text(value, tolerance, use.text("unit"), words)
+    text = OTHERWISE if value is None else number_text(value, tolerance, call.text("unit"), words)
     right = answer.mark == "right"
     return Option(text, text, right, answer.reply_html, value)
 
@@ -99,9 +101,9 @@ def number_text(value: float, tolerance: float, unit: str, words: Words) -> str:
     return with_unit(words.numeral(format_number(value, decimals)), unit)
 
 
-def _tolerance(use: Use, right: float | None, reading: Reading) -> float:
+def _tolerance(call: DirectiveCall, right: float | None, context: ParseContext) -> float:
     """In the unit of the answer."""
-    given = use.options.get("within")
+    given = call.options.get("within")
     text = given.text if given else ""
     share = text.endswith("%")
     try:
@@ -109,15 +111,15 @@ def _tolerance(use: Use, right: float | None, reading: Reading) -> float:
     except ValueError:
         tolerance = -1.0
     if not 0 < tolerance < math.inf:
-        legal = "a line ':within: 0.5' or ':within: 2%'"
-        what = f"{use.name} {use.argument!r} is right within {text!r}"
-        reading.problem(given.line if given else use.line, f"{what}; legal: {legal}")
+        expected = "a line ':within: 0.5' or ':within: 2%'"
+        what = f"{call.name} {call.argument!r} is right within {text!r}"
+        context.problem(given.line if given else call.line, f"{what}; legal: {expected}")
         return 1.0
     return tolerance / 100 * abs(right or 1.0) if share else tolerance
 
 
 def _check_apart(
-    values: Sequence[tuple[Answer, float | None]], tolerance: float, reading: Reading
+    values: Sequence[tuple[Answer, float | None]], tolerance: float, context: ParseContext
 ) -> None:
     """No two numbers are taken for one another."""
     seen: list[tuple[Answer, float]] = []
@@ -126,7 +128,7 @@ def _check_apart(
             continue
         for other, taken in seen:
             if abs(value - taken) <= tolerance:
-                reading.problem(
+                context.problem(
                     answer.line,
                     f"{answer.code!r} is {value:g} and {other.code!r} is {taken:g}: within "
                     f"{tolerance:g} they cannot be told apart; legal: numbers that differ by more",
@@ -134,6 +136,6 @@ def _check_apart(
         seen.append((answer, value))
 
 
-def _not_coded(answer: Answer, reading: Reading) -> None:
-    legal = f"an expression between backticks, or '- [ ] {OTHERWISE}'"
-    reading.problem(answer.line, f"answer {answer.text!r} is not computed; legal: {legal}")
+def _not_coded(answer: Answer, context: ParseContext) -> None:
+    expected = f"an expression between backticks, or '- [ ] {OTHERWISE}'"
+    context.problem(answer.line, f"answer {answer.text!r} is not computed; legal: {expected}")

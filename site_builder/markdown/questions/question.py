@@ -3,37 +3,37 @@
 import re
 from collections.abc import Mapping, Sequence
 
-from site_builder.markdown.directive import Use
+from site_builder.markdown.directive import DirectiveCall
+from site_builder.markdown.parse_context import ParseContext
 from site_builder.markdown.questions.answers import Parts
-from site_builder.markdown.reading import Reading
 from site_builder.markdown.text.tokens import plain_text
 from site_builder.page_model.questions import Option
 
 ID = re.compile(r"[a-z0-9]+(-[a-z0-9]+)*")
 
 
-def check_id(use: Use, reading: Reading) -> None:
+def check_id(call: DirectiveCall, context: ParseContext) -> None:
     """Report what is no id."""
-    if not ID.fullmatch(use.argument):
-        legal = "small letters, digits and hyphens"
-        reading.problem(use.line, f"{use.name} id {use.argument!r}; legal: {legal}")
+    if not ID.fullmatch(call.argument):
+        expected = "small letters, digits and hyphens"
+        context.problem(call.line, f"{call.name} id {call.argument!r}; legal: {expected}")
 
 
-def prediction_id(use: Use) -> str:
+def prediction_id(call: DirectiveCall) -> str:
     """Element id of the prediction that this is, or is the answer to."""
-    return f"predict-{use.argument}"
+    return f"predict-{call.argument}"
 
 
 def check_options_belong(
-    use: Use, kind: str, belongs: Mapping[str, tuple[str, ...]], reading: Reading
+    call: DirectiveCall, kind: str, belongs: Mapping[str, tuple[str, ...]], context: ParseContext
 ) -> None:
     """Report options that mean nothing to this kind of question."""
-    for name, option in use.options.items():
+    for name, option in call.options.items():
         kinds = belongs.get(name, (kind,))
         if kind not in kinds:
-            legal = " or ".join(f"with ':kind: {each}'" for each in kinds)
-            reading.problem(
-                option.line, f"option {name!r} of a {kind!r} {use.name}; legal: {legal}"
+            expected = " or ".join(f"with ':kind: {each}'" for each in kinds)
+            context.problem(
+                option.line, f"option {name!r} of a {kind!r} {call.name}; legal: {expected}"
             )
 
 
@@ -43,10 +43,10 @@ def prompt_text(parts: Parts) -> str:
 
 
 def check_answers(
-    use: Use,
+    call: DirectiveCall,
     options: Sequence[Option],
     items: int,
-    reading: Reading,
+    context: ParseContext,
     *,
     least: int = 2,
     form: str = "- [ ] …",
@@ -54,7 +54,7 @@ def check_answers(
 ) -> bool:
     """Whether ``items`` are enough, one of them is right and no two are alike; what is not so is
     reported. ``right`` says what is legal where several are; nothing: any number of them."""
-    what = f"{use.name} {use.argument!r}"
+    what = f"{call.name} {call.argument!r}"
     correct = sum(option.correct for option in options)
     if items < least:
         fault = f"{what} has {items} answers; legal: a list of {least} or more '{form}'"
@@ -68,5 +68,5 @@ def check_answers(
         fault = f"{what} gives the same answer twice; legal: answers that differ"
     else:
         return True
-    reading.problem(use.line, fault)
+    context.problem(call.line, fault)
     return False

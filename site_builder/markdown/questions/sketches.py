@@ -1,42 +1,42 @@
 """A curve that the reader is asked to sketch: an expression in ``x`` and two axes."""
 
-from site_builder.markdown.directive import Use
+from site_builder.markdown.directive import DirectiveCall
+from site_builder.markdown.parse_context import ParseContext
 from site_builder.markdown.questions.computed import names_for, number
-from site_builder.markdown.reading import Reading
 from site_builder.page_model.questions import Axis, Curve
 
 SAMPLES = 97
 """Points of a true curve: twelve for each step between the nine places of a sketch."""
 
 
-def read_curve(use: Use, reading: Reading) -> Curve | None:
+def read_curve(call: DirectiveCall, context: ParseContext) -> Curve | None:
     """The curve, worked out along its axis; None and a diagnostic where something is amiss."""
-    x, y = (_read_axis(use, name, reading) for name in ("x", "y"))
-    option = use.options.get("curve")
+    x, y = (_read_axis(call, name, context) for name in ("x", "y"))
+    option = call.options.get("curve")
     if option is None or not option.text:
-        legal = "a line ':curve: expression in x'"
-        reading.problem(use.line, f"predict {use.argument!r} has no curve; legal: {legal}")
+        expected = "a line ':curve: expression in x'"
+        context.problem(call.line, f"predict {call.argument!r} has no curve; legal: {expected}")
         return None
     if x is None or y is None:
         return None
-    names = names_for(use, reading)
+    names = names_for(call, context)
     samples: list[tuple[float, float]] = []
     for step in range(SAMPLES):
         place = x.start + (x.end - x.start) * step / (SAMPLES - 1)
-        value = number(option.text, {**names, "x": place}, option.line, reading)
+        value = number(option.text, {**names, "x": place}, option.line, context)
         if value is None:
             return None
         samples.append((place, value))
     outside = [value for _, value in samples if not y.start <= value <= y.end]
     if outside:
-        legal = f"{y.start:g} to {y.end:g}, the axis ':y:'"
-        reading.problem(option.line, f"the curve reaches {outside[0]:g}; legal: {legal}")
+        expected = f"{y.start:g} to {y.end:g}, the axis ':y:'"
+        context.problem(option.line, f"the curve reaches {outside[0]:g}; legal: {expected}")
     return Curve(x, y, tuple(samples))
 
 
-def _read_axis(use: Use, name: str, reading: Reading) -> Axis | None:
+def _read_axis(call: DirectiveCall, name: str, context: ParseContext) -> Axis | None:
     """``0 90 Angle of the light (°)``."""
-    option = use.options.get(name)
+    option = call.options.get(name)
     text = option.text if option else ""
     start, _, rest = text.partition(" ")
     end, _, label = rest.partition(" ")
@@ -46,7 +46,9 @@ def _read_axis(use: Use, name: str, reading: Reading) -> Axis | None:
         axis = Axis(0.0, 0.0, "")
     if axis.start < axis.end and axis.label:
         return axis
-    legal = f"a line ':{name}: 0 90 Angle of the light (°)'"
-    line = option.line if option else use.line
-    reading.problem(line, f"axis {name} of predict {use.argument!r} is {text!r}; legal: {legal}")
+    expected = f"a line ':{name}: 0 90 Angle of the light (°)'"
+    line = option.line if option else call.line
+    context.problem(
+        line, f"axis {name} of predict {call.argument!r} is {text!r}; legal: {expected}"
+    )
     return None

@@ -9,52 +9,52 @@ from collections.abc import Callable, Iterator, Sequence
 
 from markdown_it.token import Token
 
-from site_builder.beside.bibliography import Work
 from site_builder.diagnostics import unknown
-from site_builder.markdown.reading import Reading
+from site_builder.markdown.parse_context import ParseContext
 from site_builder.markdown.role import Role
 from site_builder.page_model.places import Citation
+from site_builder.references.bibliography import Work
 
 FORM = "KEY[, PLACE]; …"
 
 
-def bracketed(words: str, line: int, reading: Reading) -> Sequence[Token]:
+def bracketed(words: str, line: int, context: ParseContext) -> Sequence[Token]:
     """``(Zhang 2000; Hartley and Zisserman 2004, §4.4)``."""
 
     def link(work: Work, place: str) -> Iterator[Token]:
-        yield from _link(work, f"{work.who} {work.year}", line, reading)
+        yield from _link(work, f"{work.who} {work.year}", line, context)
         yield from _text(f", {place}" if place else "")
 
-    return [*_text("("), *_joined(words, link, line, reading), *_text(")")]
+    return [*_text("("), *_joined(words, link, line, context), *_text(")")]
 
 
-def in_the_sentence(words: str, line: int, reading: Reading) -> Sequence[Token]:
+def in_the_sentence(words: str, line: int, context: ParseContext) -> Sequence[Token]:
     """``Zhang (2000); Hartley and Zisserman (2004, §4.4)``."""
 
     def link(work: Work, place: str) -> Iterator[Token]:
         where = f", {place}" if place else ""
-        yield from _link(work, f"{work.who} ({work.year}{where})", line, reading)
+        yield from _link(work, f"{work.who} ({work.year}{where})", line, context)
 
-    return _joined(words, link, line, reading)
+    return _joined(words, link, line, context)
 
 
 def _joined(
-    words: str, link: Callable[[Work, str], Iterator[Token]], line: int, reading: Reading
+    words: str, link: Callable[[Work, str], Iterator[Token]], line: int, context: ParseContext
 ) -> list[Token]:
     tokens: list[Token] = []
     for part in words.split(";"):
         key, _, place = (piece.strip() for piece in part.partition(","))
-        work = reading.bibliography.works.get(key)
+        work = context.bibliography.works.get(key)
         if work is None:
-            reading.problem(line, unknown("work", key, reading.bibliography.works))
+            context.problem(line, unknown("work", key, context.bibliography.works))
             continue
         tokens += [*_text("; " if tokens else ""), *link(work, place)]
     return tokens
 
 
-def _link(work: Work, words: str, line: int, reading: Reading) -> Iterator[Token]:
-    name = reading.free_id(f"cite-{work.key}", line)
-    reading.citations.append(Citation(work.key, name))
+def _link(work: Work, words: str, line: int, context: ParseContext) -> Iterator[Token]:
+    name = context.free_id(f"cite-{work.key}", line)
+    context.citations.append(Citation(work.key, name))
     attributes: dict[str, str | int | float] = {
         "class": "citation",
         "id": name,
@@ -74,13 +74,13 @@ CITES = (
     Role(
         name="cite",
         form=FORM,
-        says="works of `content/references.bib` in brackets: (Zhang 2000)",
+        doc="works of `content/references.bib` in brackets: (Zhang 2000)",
         inline=bracketed,
     ),
     Role(
         name="citet",
         form=FORM,
-        says="the same in the sentence: Zhang (2000)",
+        doc="the same in the sentence: Zhang (2000)",
         inline=in_the_sentence,
     ),
 )

@@ -10,14 +10,25 @@ single word asks for something about all: ``ladders``, ``tiers`` or ``beaten`` (
 the machine was: ``processor``, ``python``, ``numpy``, ``browser``, ``pyodide``.
 """
 
+from site_builder.benchmarks.measurements import (
+    SIDES,
+    MeasuredLadder,
+    MeasurementError,
+    Measurements,
+)
+from site_builder.benchmarks.quantities import (
+    error_text,
+    is_none,
+    milliseconds,
+    quantity,
+    with_unit,
+)
+from site_builder.benchmarks.unit_costs import efficiency, frame_percent, nanoseconds_each
+from site_builder.benchmarks.verdicts import verdict
 from site_builder.diagnostics import unknown
 from site_builder.languages.words import ENGLISH, Words
-from site_builder.markdown.reading import Reading
+from site_builder.markdown.parse_context import ParseContext
 from site_builder.markdown.role import Role
-from site_builder.measured.measurements import SIDES, MeasuredLadder, MeasurementError, Measurements
-from site_builder.measured.quantities import error_text, is_none, milliseconds, quantity, with_unit
-from site_builder.measured.unit_costs import efficiency, frame_percent, nanoseconds_each
-from site_builder.measured.verdicts import verdict
 
 COUNTS = ("ladders", "tiers", "beaten")
 UNIT_COSTS = ("each", "frame", "efficiency")
@@ -41,9 +52,9 @@ def measured_text(asked: str, measurements: Measurements, words: Words = ENGLISH
 
 
 def _about_all(name: str, measurements: Measurements) -> str:
-    legal = (*COUNTS, *measurements.machine)
-    if name not in legal:
-        raise MeasurementError(unknown("measured thing", name, legal))
+    expected = (*COUNTS, *measurements.machine)
+    if name not in expected:
+        raise MeasurementError(unknown("measured thing", name, expected))
     if name in measurements.machine:
         return str(measurements.machine[name])
     ladders = measurements.all()
@@ -88,9 +99,9 @@ def _ratio(measured: MeasuredLadder, tier: str, other: str, wanted: str) -> str:
 
 
 def _check_tier(measured: MeasuredLadder, tier: str) -> None:
-    legal = [item.tier.id for item in measured.tiers]
-    if tier not in legal:
-        raise MeasurementError(unknown(f"tier of {measured.ladder.id}", tier, legal))
+    expected = [item.tier.id for item in measured.tiers]
+    if tier not in expected:
+        raise MeasurementError(unknown(f"tier of {measured.ladder.id}", tier, expected))
 
 
 def _value(measured: MeasuredLadder, tier: str, wanted: str) -> tuple[float | None, str]:
@@ -100,19 +111,19 @@ def _value(measured: MeasuredLadder, tier: str, wanted: str) -> tuple[float | No
         return item.times[wanted].ms, "ms"
     units = {metric.id: metric.unit for metric in ladder.metrics}
     if wanted not in units:
-        legal = (*SIDES, *UNIT_COSTS, "verdict", *units)
-        raise MeasurementError(unknown(f"number of {ladder.id}", wanted, legal))
+        expected = (*SIDES, *UNIT_COSTS, "verdict", *units)
+        raise MeasurementError(unknown(f"number of {ladder.id}", wanted, expected))
     return item.errors[wanted], units[wanted]
 
 
-def _text(words: str, reading: Reading) -> str:
-    return measured_text(words, reading.measurements, reading.words)
+def _text(words: str, context: ParseContext) -> str:
+    return measured_text(words, context.measurements, context.words)
 
 
 MEASURED = Role(
     name="measured",
     form=f"LADDER TIER [over TIER] {WANTED} [bare]",
-    says="a number from the file that `make bench` writes",
+    doc="a number from the file that `make bench` writes",
     text=_text,
     refuses=MeasurementError,
 )

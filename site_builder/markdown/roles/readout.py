@@ -6,14 +6,14 @@ with its unit; ``bare`` at the end leaves the unit out. The scene is drawn while
 built, once for each setting.
 """
 
-from site_builder.markdown.reading import Reading
+from site_builder.benchmarks.readouts import ReadoutError
+from site_builder.markdown.parse_context import ParseContext
 from site_builder.markdown.role import Role
-from site_builder.measured.readouts import ReadoutError
 
 FORM = "SCENE READOUT [CONTROL=VALUE …] [tier=ID] [bare]"
 
 
-def readout_text(words: str, reading: Reading) -> str:
+def readout_text(words: str, context: ParseContext) -> str:
     """What stands in the text for ``words``. Raises `ReadoutError`."""
     scene_id, _, rest = words.partition(" ")
     name, *pairs = rest.split() or [""]
@@ -21,14 +21,14 @@ def readout_text(words: str, reading: Reading) -> str:
     settings = dict(pair.split("=", 1) for pair in pairs[: len(pairs) - bare] if "=" in pair)
     if not name or "=" in name or len(settings) + bare < len(pairs):
         raise ReadoutError(f"{{readout}} {words!r}; legal: '{FORM}', each control once")
-    shown = reading.readouts.text(scene_id, name, settings, bare=bare)
-    return reading.words.numeral(shown)
+    shown = context.readouts.text(scene_id, name, settings, bare=bare)
+    return context.words.numeral(shown)
 
 
 READOUT = Role(
     name="readout",
     form=FORM,
-    says="a number that a figure shows at that setting",
+    doc="a number that a figure shows at that setting",
     text=readout_text,
     refuses=ReadoutError,
 )

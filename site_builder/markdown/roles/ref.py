@@ -10,47 +10,47 @@ import re
 from collections.abc import Mapping
 
 from site_builder.diagnostics import unknown
-from site_builder.markdown.reading import Reading
+from site_builder.markdown.parse_context import ParseContext
 from site_builder.markdown.role import Linked, Role
 from site_builder.page_model.places import Target
 
 PLACEHOLDER = re.compile(r"\{(\w+)\}")
 
 
-def reference(words: str, given: str | None, line: int, reading: Reading) -> Linked:
+def reference(words: str, given: str | None, line: int, context: ParseContext) -> Linked:
     """The link; one without attributes, and a report, where it leads nowhere."""
     try:
-        target = reading.targets.find(words if given is None else given, reading.chapter)
-        chapter = reading.targets.chapters[target.chapter]
+        target = context.targets.find(words if given is None else given, context.chapter)
+        chapter = context.targets.chapters[target.chapter]
         if given is None:
-            name = _name(target, chapter, reading)
-            return Linked(_attributes(target, chapter, reading), lambda _: name)
+            name = _name(target, chapter, context)
+            return Linked(_attributes(target, chapter, context), lambda _: name)
         filled = _filled(words, target, chapter)
     except LookupError as error:
-        reading.problem(line, str(error.args[0]))
+        context.problem(line, str(error.args[0]))
         return Linked({})
     return Linked(
-        _attributes(target, chapter, reading),
+        _attributes(target, chapter, context),
         lambda text: PLACEHOLDER.sub(lambda found: filled[found[1]], text),
     )
 
 
-def _attributes(target: Target, chapter: Target, reading: Reading) -> dict[str, str]:
-    here = target.chapter == reading.chapter
+def _attributes(target: Target, chapter: Target, context: ParseContext) -> dict[str, str]:
+    here = target.chapter == context.chapter
     page = "" if here else f"../{target.chapter}/"
     fragment = f"#{target.id or 'main'}" if here or target.id else ""
     title = {} if here else {"title": f"{chapter.name}: {chapter.title}"}
     return {"class": "reference", "href": page + fragment, **title}
 
 
-def _name(target: Target, chapter: Target, reading: Reading) -> str:
+def _name(target: Target, chapter: Target, context: ParseContext) -> str:
     """What the link says; a chapter is introduced with its title."""
-    here = target.chapter == reading.chapter
+    here = target.chapter == context.chapter
     if target.kind == "Section":
         elsewhere = {"title": target.title, "chapter": chapter.name}
-        return target.name if here else reading.words("labels.section_elsewhere", **elsewhere)
-    if target is chapter and not here and target.chapter not in reading.introduced:
-        reading.introduced.add(target.chapter)
+        return target.name if here else context.words("labels.section_elsewhere", **elsewhere)
+    if target is chapter and not here and target.chapter not in context.introduced:
+        context.introduced.add(target.chapter)
         return f"{target.name} ({target.title})"
     return target.name
 
@@ -63,17 +63,17 @@ def _filled(words: str, target: Target, chapter: Target) -> Mapping[str, str]:
         "title": target.title,
         "chapter": chapter.name,
     }
-    legal = {name: value for name, value in values.items() if value}
+    expected = {name: value for name, value in values.items() if value}
     for name in PLACEHOLDER.findall(words):
-        if name not in legal:
-            raise LookupError(unknown(f"part of a reference to {target.name}", name, legal))
-    return legal
+        if name not in expected:
+            raise LookupError(unknown(f"part of a reference to {target.name}", name, expected))
+    return expected
 
 
 REF = Role(
     name="ref",
     form="TARGET` or `WORDS <TARGET>",
-    says="a link to a chapter, section, figure, equation, table, example or question, with its "
+    doc="a link to a chapter, section, figure, equation, table, example or question, with its "
     "number; the words may say `{name}`, `{number}`, `{title}`, `{chapter}`",
     link=reference,
 )

@@ -12,34 +12,34 @@ from urllib.parse import urlencode
 
 from simulations.engine.controls import Value
 from simulations.engine.scene import Scene
+from site_builder.benchmarks.loading import loaded
 from site_builder.diagnostics import unknown
-from site_builder.markdown.reading import Place, Reading
+from site_builder.markdown.parse_context import ParseContext, Place
 from site_builder.markdown.role import Linked, Role
 from site_builder.markdown.scenes import read_setting, read_tier
-from site_builder.measured.loading import loaded
 
 FORM = "WORDS <[FIGURE] CONTROL=VALUE … [tier=ID]>"
 
 
-def set_link(_words: str, given: str | None, line: int, reading: Reading) -> Linked:
+def set_link(_words: str, given: str | None, line: int, context: ParseContext) -> Linked:
     """The link; one without attributes, and a report, where it would set nothing."""
-    return Linked(_attributes(given or "", line, reading))
+    return Linked(_attributes(given or "", line, context))
 
 
-def _attributes(given: str, line: int, reading: Reading) -> Mapping[str, str]:
+def _attributes(given: str, line: int, context: ParseContext) -> Mapping[str, str]:
     name, pairs = _parts(given)
     settings = dict(pair.split("=", 1) for pair in pairs if "=" in pair)
     if not settings or len(settings) < len(pairs):
-        reading.problem(line, f"{{set}} '<{given}>'; legal: '{FORM}', each control once")
+        context.problem(line, f"{{set}} '<{given}>'; legal: '{FORM}', each control once")
         return {}
-    figure = _find_figure(name, line, reading)
-    scene = _load(figure, reading) if figure else None
+    figure = _find_figure(name, line, context)
+    scene = _load(figure, context) if figure else None
     if figure is None or scene is None:
         return {}
     values = {
         control: value
         for control, text in settings.items()
-        for value in (_read(scene, control, text, line, reading),)
+        for value in (_read(scene, control, text, line, context),)
         if value is not None
     }
     query = urlencode({f"{figure.id}.{control}": _text(value) for control, value in values.items()})
@@ -57,31 +57,33 @@ def _parts(given: str) -> tuple[str, list[str]]:
     return ("", [first, *others]) if "=" in first else (first, others)
 
 
-def _find_figure(name: str, line: int, reading: Reading) -> Place | None:
+def _find_figure(name: str, line: int, context: ParseContext) -> Place | None:
     """The figure of that name; without one the nearest, the one before where two are as near."""
-    if not reading.figures:
-        reading.problem(line, "{set} on a page without a figure; legal: on the page of a figure")
+    if not context.figures:
+        context.problem(line, "{set} on a page without a figure; legal: on the page of a figure")
         return None
     if not name:
-        return min(reading.figures, key=lambda place: place.distance(line))
-    places = {place.id.removeprefix("figure-"): place for place in reading.figures}
+        return min(context.figures, key=lambda place: place.distance(line))
+    places = {place.id.removeprefix("figure-"): place for place in context.figures}
     if name not in places:
-        reading.problem(line, unknown("figure", name, places))
+        context.problem(line, unknown("figure", name, places))
     return places.get(name)
 
 
-def _load(figure: Place, reading: Reading) -> Scene[Any] | None:
+def _load(figure: Place, context: ParseContext) -> Scene[Any] | None:
     """None where it cannot be loaded, which its directive reports."""
     try:
-        return loaded("simulation", figure.scene_id, reading.load_scene, LookupError)
+        return loaded("simulation", figure.scene_id, context.load_scene, LookupError)
     except LookupError:
         return None
 
 
-def _read(scene: Scene[Any], control: str, text: str, line: int, reading: Reading) -> Value | None:
+def _read(
+    scene: Scene[Any], control: str, text: str, line: int, context: ParseContext
+) -> Value | None:
     if control == "tier":
-        return read_tier(scene, text, line, reading)
-    return read_setting(scene, control, text, line, reading)
+        return read_tier(scene, text, line, context)
+    return read_setting(scene, control, text, line, context)
 
 
 def _text(value: Value) -> str:
@@ -98,6 +100,6 @@ def _text(value: Value) -> str:
 SET = Role(
     name="set",
     form=FORM,
-    says="a link that moves the nearest figure there, or the one named",
+    doc="a link that moves the nearest figure there, or the one named",
     link=set_link,
 )

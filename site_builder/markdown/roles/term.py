@@ -2,31 +2,31 @@
 a second use is to be marked. ``{term}`the stop sign <none>```: words that are no term.
 """
 
-from site_builder.beside.glossary import Term
-from site_builder.markdown.reading import Reading
+from site_builder.markdown.parse_context import ParseContext
 from site_builder.markdown.role import Linked, Role
+from site_builder.references.glossary import Term
 
 NONE = "none"
 
 
-def marked(words: str, given: str | None, line: int, reading: Reading) -> Linked:
+def marked(words: str, given: str | None, line: int, context: ParseContext) -> Linked:
     """The link; one without attributes where no term is meant, or, with a report, where there is
     none of that name."""
     if given == NONE:
         return Linked({})
     try:
-        term = reading.glossary.find(words if given is None else given)
+        term = context.glossary.find(words if given is None else given)
     except LookupError as error:
-        reading.problem(line, str(error.args[0]))
+        context.problem(line, str(error.args[0]))
         return Linked({})
-    return Linked(term_link(term, line, reading), meta={"term": term})
+    return Linked(term_link(term, line, context), meta={"term": term})
 
 
-def term_link(term: Term, line: int, reading: Reading) -> dict[str, str]:
+def term_link(term: Term, line: int, context: ParseContext) -> dict[str, str]:
     """Attributes of a link to the glossary; its definition is told where it stands."""
     return {
         "class": "term",
-        "id": reading.free_id(f"term-{term.id}", line),
+        "id": context.free_id(f"term-{term.id}", line),
         "href": f"../glossary/#{term.id}",
         "aria-describedby": f"definition-{term.id}",
     }
@@ -35,6 +35,6 @@ def term_link(term: Term, line: int, reading: Reading) -> dict[str, str]:
 TERM = Role(
     name="term",
     form="WORDS` or `WORDS <TERM>` or `WORDS <none>",
-    says="a link to the glossary where none is made by itself; with `none`, no link",
+    doc="a link to the glossary where none is made by itself; with `none`, no link",
     link=marked,
 )

@@ -80,7 +80,9 @@ FOREIGN = (
 )
 """What of them is found in running text, and what would be legal; first what all that a pattern
 fits has in it."""
-SUSPECTS = tuple(Suspect(marks, re.compile(pattern), legal) for marks, pattern, legal in FOREIGN)
+SUSPECTS = tuple(
+    Suspect(marks, re.compile(pattern), expected) for marks, pattern, expected in FOREIGN
+)
 OLD_ROLE = re.compile(r"(:[a-z]+:)$")
 TASK = re.compile(r"\[[ xX?]\](?:\s|$)")
 DEFINITION = re.compile(r"^: +\S")
@@ -100,7 +102,7 @@ def foreign_marks(tokens: Sequence[Token], source: str) -> Iterator[tuple[int, s
     for token in tokens:
         match token.type:
             case "directive_open":
-                around.append(token.meta["use"].name)
+                around.append(token.meta["call"].name)
             case "directive_close":
                 around.pop()
             case "inline":
@@ -135,16 +137,16 @@ def _in_paragraph(
     """What is seen of several parts of a paragraph, each with the lines above it."""
     children, content = inline.children or [], inline.content
     if not asked and TASK.match(content):
-        legal = "an answer of ':::{quiz}', or a list without marks"
-        yield 0, f"{content[:3]!r} marks nothing outside of a question; legal: {legal}"
+        expected = "an answer of ':::{quiz}', or a list without marks"
+        yield 0, f"{content[:3]!r} marks nothing outside of a question; legal: {expected}"
     for below, run in enumerate(_runs(children)):
-        for what, legal in suspicious(run, suspects, marks):
-            yield below, f"'{what}' {legal}"
+        for what, expected in suspicious(run, suspects, marks):
+            yield below, f"'{what}' {expected}"
     if "\n" in content:
         for below, line in enumerate(content.split("\n")[1:], start=1):
             if not asked and DEFINITION.match(line.lstrip()):
-                legal = "a term in bold, or an empty line above"
-                yield below, f"{line.strip()[:30]!r} defines nothing; legal: {legal}"
+                expected = "a term in bold, or an empty line above"
+                yield below, f"{line.strip()[:30]!r} defines nothing; legal: {expected}"
     if "`" in content:
         yield from _old_roles(children)
     if "\\" in content:
@@ -174,6 +176,6 @@ def _tex_brackets(children: Sequence[Token]) -> Iterator[tuple[int, str]]:
         if child.markup == r"\(" or (child.markup == r"\[" and place == 0):
             opened = child.markup
         elif opened and child.markup == {r"\(": r"\)", r"\[": r"\]"}[opened]:
-            legal = "'$…$'" if opened == r"\(" else "'$$…$$'"
-            yield below, f"'{opened}…{child.markup}' makes no formula; legal: {legal}"
+            expected = "'$…$'" if opened == r"\(" else "'$$…$$'"
+            yield below, f"'{opened}…{child.markup}' makes no formula; legal: {expected}"
             opened = ""

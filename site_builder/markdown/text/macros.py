@@ -96,8 +96,8 @@ def expanded(tex: str, macros: Macros) -> str:
         tex = f"{tex[: found.start()]}{{{made}}}{tex[end:]}"
         rest = found.start()
         if len(tex) > LONGEST:
-            legal = "a shorter one"
+            expected = "a shorter one"
             raise UnsupportedTexError(
-                f"{found[0]} makes a formula of over {LONGEST} characters; legal: {legal}"
+                f"{found[0]} makes a formula of over {LONGEST} characters; legal: {expected}"
             )
     return tex

@@ -46,7 +46,9 @@ STRAY = (
 )
 """What stands in running text only by mistake, and what would be legal; first what all that a
 pattern fits has in it."""
-SUSPECTS = tuple(Suspect(marks, re.compile(pattern), legal) for marks, pattern, legal in STRAY)
+SUSPECTS = tuple(
+    Suspect(marks, re.compile(pattern), expected) for marks, pattern, expected in STRAY
+)
 FOOTNOTE = re.compile(r"[ >]*\[\^([^\]]+)\]:")
 
 
@@ -63,8 +65,8 @@ def stray_marks_rule(state: StateCore) -> None:
             case "inline":
                 if token.content.startswith("|"):
                     head = token.content.partition("\n")[0]
-                    legal = "one '---' below each of its heads"
-                    problems.append((line, f"{head!r} begins no table; legal: {legal}"))
+                    expected = "one '---' below each of its heads"
+                    problems.append((line, f"{head!r} begins no table; legal: {expected}"))
                 if has_one(token.content, marks):
                     problems += _in_paragraph(token, line, suspects, marks)
             case "code_block":
@@ -84,8 +86,8 @@ def _in_paragraph(
 ) -> Iterator[tuple[int, str]]:
     for child, place in children_located(inline, line):
         if child.type == "text":
-            for what, legal in suspicious(child.content, suspects, marks):
-                yield place, f"{what!r} {legal}"
+            for what, expected in suspicious(child.content, suspects, marks):
+                yield place, f"{what!r} {expected}"
 
 
 def _is_closed(fence: Token, lines: Sequence[str]) -> bool:
@@ -121,8 +123,8 @@ def _lost_addresses(state: StateCore) -> Iterator[tuple[int, str]]:
     source = " ".join(state.src.casefold().split())
     for label, found in references.items():
         if source.count(f"[{label.casefold()}]") == 1:
-            legal = "words in bold, or a link '[words](https://…)'"
-            message = f"'[{label.lower()}]: …' is the address of no link; legal: {legal}"
+            expected = "words in bold, or a link '[words](https://…)'"
+            message = f"'[{label.lower()}]: …' is the address of no link; legal: {expected}"
             yield found["map"][0] + 1, message
 
 

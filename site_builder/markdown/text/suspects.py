@@ -18,7 +18,7 @@ class Suspect(NamedTuple):
     quickly as two."""
     pattern: re.Pattern[str]
     """Its first group is what is reported."""
-    legal: str
+    expected: str
 
 
 def possible(suspects: Sequence[Suspect], source: str) -> list[Suspect]:
@@ -50,6 +50,6 @@ def suspicious(
 
 
 def _found(text: str, suspects: Sequence[Suspect]) -> Iterator[tuple[str, str]]:
-    for marks, pattern, legal in suspects:
+    for marks, pattern, expected in suspects:
         if has_one(text, marks) and (found := pattern.search(text)):
-            yield found[1], legal
+            yield found[1], expected

@@ -5,8 +5,8 @@ from dataclasses import dataclass
 
 from simulations.engine.controls import Action, Choice, Control, Slider, Value
 from simulations.engine.frame import format_number
+from site_builder.benchmarks.quantities import with_unit
 from site_builder.languages.words import ENGLISH, Words
-from site_builder.measured.quantities import with_unit
 from site_builder.pages.figure_grid import (
     FOLDED,
     IN_A_ROW,
@@ -14,7 +14,7 @@ from site_builder.pages.figure_grid import (
     gather_buttons,
     spans,
 )
-from site_builder.pages.stills import Still
+from site_builder.pages.initial_frames import InitialFrame
 
 LONG_OPTION = 13
 """Characters of an option, above which its menu would be cut in half the width of a phone."""
@@ -44,7 +44,7 @@ class CellView:
 
 
 def control_cells(
-    still: Still, tiers: Sequence[tuple[str, str]], words: Words = ENGLISH
+    still: InitialFrame, tiers: Sequence[tuple[str, str]], words: Words = ENGLISH
 ) -> tuple[tuple[CellView, ...], tuple[CellView, ...]]:
     """The cells always in sight, and those that are folded where space is narrow.
 
@@ -83,7 +83,7 @@ def _options(cell: tuple[Control, ...], tiers: Sequence[tuple[str, str]]) -> lis
     return list(cell[0].options.values()) if isinstance(cell[0], Choice) else []
 
 
-def _control(still: Still, control: Control, words: Words) -> ControlView:
+def _control(still: InitialFrame, control: Control, words: Words) -> ControlView:
     value = still.values[control.name]
     text = value_text(control, value, words)
     ends = (control.minimum, control.maximum) if isinstance(control, Slider) else ()

@@ -3,20 +3,20 @@
 from dataclasses import asdict, dataclass
 
 from simulations.engine.ladder import Metric
-from site_builder.charts.pareto import Chart, pareto_chart
-from site_builder.languages.words import ENGLISH, Words
-from site_builder.markdown.directives.ladder import LadderFigure
-from site_builder.measured.ladder_choice import Choice, default_choice
-from site_builder.measured.measurements import SIDES, MeasuredLadder, MeasuredTier
-from site_builder.measured.quantities import (
+from site_builder.benchmarks.ladder_choice import Choice, default_choice
+from site_builder.benchmarks.measurements import SIDES, MeasuredLadder, MeasuredTier
+from site_builder.benchmarks.quantities import (
     error_text,
     is_none,
     milliseconds,
     quantity,
     with_unit,
 )
-from site_builder.measured.unit_costs import efficiency, frame_percent, nanoseconds_each
-from site_builder.measured.verdicts import verdict
+from site_builder.benchmarks.unit_costs import efficiency, frame_percent, nanoseconds_each
+from site_builder.benchmarks.verdicts import verdict
+from site_builder.charts.pareto import Chart, pareto_chart
+from site_builder.languages.words import ENGLISH, Words
+from site_builder.markdown.directives.ladder import LadderFigure
 from site_builder.pages.embedding import json_for_html
 
 

@@ -15,7 +15,7 @@ from site_builder.languages.words import ENGLISH, Words
 from site_builder.page_model.blocks import Simulation
 from site_builder.pages.embedding import json_for_html
 from site_builder.pages.figure_grid import even_columns
-from site_builder.pages.stills import Still
+from site_builder.pages.initial_frames import InitialFrame
 from site_builder.pages.views.control import CellView, control_cells, value_text
 
 
@@ -80,7 +80,7 @@ class SimulationView:
     """Address of what can be shown before Python has started; nothing where that is nothing."""
 
 
-def view_simulation(still: Still, assets: str, words: Words = ENGLISH) -> SimulationView:
+def view_simulation(still: InitialFrame, assets: str, words: Words = ENGLISH) -> SimulationView:
     """``assets`` is the address of the assets folder, relative to the page."""
     figure, scene, frame = still.figure, still.figure.scene, still.frame
     tiers = tier_labels(scene)
@@ -119,7 +119,7 @@ def view_simulation(still: Still, assets: str, words: Words = ENGLISH) -> Simula
     )
 
 
-def _picture(still: Still, panel: str, assets: str) -> tuple[str, tuple[int, int]]:
+def _picture(still: InitialFrame, panel: str, assets: str) -> tuple[str, tuple[int, int]]:
     """Address and size of a panel's pixels."""
     picture = still.pictures.get(panel)
     if picture is None:
@@ -132,7 +132,7 @@ def _name(figure: Simulation) -> str:
     return f"{figure.scene.title} ({number})" if number else figure.scene.title
 
 
-def _handles(still: Still, panel: str, words: Words) -> tuple[HandleView, ...]:
+def _handles(still: InitialFrame, panel: str, words: Words) -> tuple[HandleView, ...]:
     """The handles of one panel, in the scene's order."""
     scene = still.figure.scene
     places = {place.name: place for place in still.frame.handles}
@@ -167,7 +167,7 @@ def _keys(driven: Sequence[Control], words: Words) -> str:
     return words("figure.arrows_both", across=across, along=along)
 
 
-def schema(still: Still) -> dict[str, object]:
+def schema(still: InitialFrame) -> dict[str, object]:
     """What the page's script must know of the figure: controls, starting values, tiers."""
     scene = still.figure.scene
     return {

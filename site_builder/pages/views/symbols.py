@@ -3,8 +3,8 @@
 from dataclasses import dataclass
 
 from site_builder.book import Book, Chapter
+from site_builder.markdown.glossary_links.definitions import meanings_in
 from site_builder.markdown.text.symbols import covers, spelt, symbols_of
-from site_builder.markdown.vocabulary.definitions import meanings_in
 from site_builder.page_model.places import Meaning
 from site_builder.pages.places import Atlas, Card, Place, atlas
 
@@ -35,14 +35,14 @@ def _rows(book: Book, chapter: Chapter) -> list[tuple[Meaning, str]]:
     """Each meaning, and the section in which its symbol first stands."""
     rows: dict[str, tuple[Meaning, str]] = {}
     seen: set[str] = set()
-    legal = [(spelt(item.symbol.tex), item) for item in meanings_in(book, chapter)]
+    expected = [(spelt(item.symbol.tex), item) for item in meanings_in(book, chapter)]
     for formula in sorted(chapter.formulae, key=lambda formula: formula.line):
         for symbol in symbols_of(formula.tex):
             if symbol in seen:
                 continue
             seen.add(symbol)
             # Its own meaning before that of a symbol without the index.
-            found = sorted(legal, key=lambda pair: pair[0] != symbol)
+            found = sorted(expected, key=lambda pair: pair[0] != symbol)
             item = next((item for name, item in found if covers(name, symbol)), None)
             if item:
                 rows.setdefault(item.symbol.tex, (item, formula.section))

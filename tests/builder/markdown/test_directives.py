@@ -10,11 +10,17 @@ from markdown_it.token import Token
 from simulations.registry import load_scene
 from site_builder.diagnostics import Diagnostics
 from site_builder.markdown.bodies import CAPTION, no_body
-from site_builder.markdown.directive import Argument, Directive, OptionLine, OptionValue, Use
+from site_builder.markdown.directive import (
+    Argument,
+    Directive,
+    DirectiveCall,
+    OptionLine,
+    OptionValue,
+)
 from site_builder.markdown.directives import DIRECTIVES
 from site_builder.markdown.fences import OPENING
+from site_builder.markdown.parse_context import ParseContext
 from site_builder.markdown.parser import RULES, make_parser
-from site_builder.markdown.reading import Reading
 from site_builder.markdown.role import USE
 from site_builder.markdown.roles import ROLES
 from site_builder.markdown.usage import checked
@@ -24,15 +30,15 @@ README = Path(__file__).parents[3] / "README.md"
 
 
 @pytest.fixture
-def reading(tmp_path: Path) -> Reading:
-    return Reading("a.md", tmp_path, Diagnostics(), load_scene, make_parser())
+def context(tmp_path: Path) -> ParseContext:
+    return ParseContext("a.md", tmp_path, Diagnostics(), load_scene, make_parser())
 
 
 def film(**fields: Any) -> Directive[str]:
     """A directive that the book does not have."""
     declared = {
         "name": "film",
-        "says": "a moving picture",
+        "doc": "a moving picture",
         "argument": Argument("file"),
         "body": CAPTION,
         "read": lambda _use, caption, _reading: caption,
@@ -41,13 +47,13 @@ def film(**fields: Any) -> Directive[str]:
     return Directive(**{**declared, **fields})
 
 
-def use(argument: str = "", **options: str) -> Use:
+def use(argument: str = "", **options: str) -> DirectiveCall:
     values = {name: OptionValue(text, 2) for name, text in options.items()}
-    return Use("film", argument, values, 1)
+    return DirectiveCall("film", argument, values, 1)
 
 
-def reported(reading: Reading) -> list[str]:
-    return [str(diagnostic) for diagnostic in reading.problems.found]
+def reported(context: ParseContext) -> list[str]:
+    return [str(diagnostic) for diagnostic in context.problems.found]
 
 
 def test_every_template_of_a_block_belongs_to_a_directive_or_to_prose() -> None:
@@ -80,53 +86,54 @@ def test_each_of_our_rules_stands_before_the_one_it_names() -> None:
             "",
             "{film} names no file; legal: ':::{film} file'",
         ),
-        (Argument("kind", legal=("dots", "bars"), kind="film"), "dots", None),
+        (Argument("kind", expected=("dots", "bars"), kind="film"), "dots", None),
         (
-            Argument("kind", legal=("dots", "bars"), kind="film"),
+            Argument("kind", expected=("dots", "bars"), kind="film"),
             "bras",
             "unknown film 'bras'; did you mean 'bars'?",
         ),
-        (Argument("kind", legal=("dots",), kind="film"), "", "unknown film ''; legal: dots"),
+        (Argument("kind", expected=("dots",), kind="film"), "", "unknown film ''; legal: dots"),
         (None, "", None),
         (None, "a", "{film} with an argument, 'a'; legal: ':::{film}', no more"),
     ],
 )
 def test_an_argument_is_what_its_directive_says(
-    reading: Reading, argument: Argument | None, given: str, report: str | None
+    context: ParseContext, argument: Argument | None, given: str, report: str | None
 ) -> None:
-    legal = checked(film(argument=argument), use(given), reading)
-    assert (legal is None) is (report is not None)
-    assert reported(reading) == ([f"a.md:1: {report}"] if report else [])
+    expected = checked(film(argument=argument), use(given), context)
+    assert (expected is None) is (report is not None)
+    assert reported(context) == ([f"a.md:1: {report}"] if report else [])
 
 
-def test_options_are_what_their_directive_says(reading: Reading) -> None:
+def test_options_are_what_their_directive_says(context: ParseContext) -> None:
     declared = film(
         options=(
-            OptionLine("speed", says="how fast", legal=("slow", "fast")),
-            OptionLine("alt", says="what it shows", required=True),
+            OptionLine("speed", doc="how fast", expected=("slow", "fast")),
+            OptionLine("alt", doc="what it shows", required=True),
         )
     )
-    legal = checked(declared, use(alt="Dots."), reading)
-    assert legal is not None
-    assert (legal.text("speed"), legal.text("alt"), legal.text("other")) == ("slow", "Dots.", "")
-    assert reported(reading) == []
-    legal = checked(declared, use(speed="fsat", spede="fast"), reading)
-    assert legal is not None
-    assert legal.text("speed") == "slow"
-    assert reported(reading) == [
+    expected = checked(declared, use(alt="Dots."), context)
+    assert expected is not None
+    given = (expected.text("speed"), expected.text("alt"), expected.text("other"))
+    assert given == ("slow", "Dots.", "")
+    assert reported(context) == []
+    expected = checked(declared, use(speed="fsat", spede="fast"), context)
+    assert expected is not None
+    assert expected.text("speed") == "slow"
+    assert reported(context) == [
         "a.md:2: unknown speed of film 'fsat'; did you mean 'fast'?",
         "a.md:2: unknown option of {film} 'spede'; did you mean 'speed'?",
         "a.md:1: {film} has no ':alt:'; legal: what it shows",
     ]
 
 
-def test_options_that_only_the_reader_can_judge_are_left_to_it(reading: Reading) -> None:
-    legal = checked(film(more_options="any"), use(anything="x"), reading)
-    assert legal is not None
-    assert legal.text("anything") == "x"
-    assert reported(reading) == []
+def test_options_that_only_the_reader_can_judge_are_left_to_it(context: ParseContext) -> None:
+    expected = checked(film(more_options="any"), use(anything="x"), context)
+    assert expected is not None
+    assert expected.text("anything") == "x"
+    assert reported(context) == []
 
 
-def test_a_directive_without_a_body_says_what_is_legal_instead(reading: Reading) -> None:
-    no_body("an argument").read(use(), [Token("inline", "", 0)], reading)
-    assert reported(reading) == ["a.md:1: {film} with a body; legal: an argument"]
+def test_a_directive_without_a_body_says_what_is_legal_instead(context: ParseContext) -> None:
+    no_body("an argument").read(use(), [Token("inline", "", 0)], context)
+    assert reported(context) == ["a.md:1: {film} with a body; legal: an argument"]

@@ -8,7 +8,7 @@ from simulations.engine.scene import Scene
 from simulations.engine.settings import choice, slider
 from simulations.engine.stages import Outputs
 from site_builder.page_model.blocks import Simulation
-from site_builder.pages.stills import Still
+from site_builder.pages.initial_frames import InitialFrame
 from site_builder.pages.views.control import control_cells
 
 
@@ -16,10 +16,12 @@ def draw(_settings: Any, _outputs: Outputs) -> Frame:
     return Frame((), (), "Nothing.")
 
 
-def still(settings: type) -> Still:
+def still(settings: type) -> InitialFrame:
     scene = Scene("s", "S", settings, draw)
     values = {control.name: control.default for control in scene.controls}
-    return Still(Simulation(scene, "figure-s", {}, "", "", "", 1), values, draw(None, {}), {})
+    return InitialFrame(
+        Simulation(scene, "figure-s", {}, "", "", "", 1), values, draw(None, {}), {}
+    )
 
 
 def test_a_slider_keeps_the_room_of_its_longest_value() -> None:

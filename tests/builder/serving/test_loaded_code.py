@@ -43,4 +43,4 @@ def test_a_module_that_was_never_imported_can_be_let_go_of() -> None:
 
 def test_what_the_builder_imports_cannot_be_let_go_of() -> None:
     assert may_let_go(["simulations.scenes.camera.scene", "simulations.models.light.lamp"])
-    assert not may_let_go(["simulations.engine.frame", "site_builder.pages.stills"])
+    assert not may_let_go(["simulations.engine.frame", "site_builder.pages.initial_frames"])

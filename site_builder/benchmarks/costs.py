@@ -42,8 +42,8 @@ class Costs:
         at: Any = self.known
         for name in path.split():
             if not isinstance(at, dict) or name not in at:
-                legal = tuple(at) if isinstance(at, dict) else ()
-                raise CostError(unknown("cost", name, legal))
+                expected = tuple(at) if isinstance(at, dict) else ()
+                raise CostError(unknown("cost", name, expected))
             at = at[name]
         if isinstance(at, dict):
             raise CostError(f"{path!r} is no single cost; go on with one of {', '.join(at)}")

@@ -5,9 +5,9 @@ from collections.abc import Callable, Sequence
 import pytest
 from support.html_outline import Page, read_html
 
-from site_builder.beside.glossary import Glossary, Term
 from site_builder.build import Options, render_site
 from site_builder.output.assets import content_bytes
+from site_builder.references.glossary import Glossary, Term
 
 type MakeBook = Callable[..., Options]
 type Find = Callable[..., list[str]]

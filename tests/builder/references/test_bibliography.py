@@ -6,10 +6,10 @@ from pathlib import Path
 import pytest
 from support.html_outline import read_html
 
-from site_builder.beside.bibliography import Bibliography, read_bibliography
 from site_builder.build import Options, render_site
 from site_builder.diagnostics import Diagnostics
 from site_builder.output.assets import content_bytes
+from site_builder.references.bibliography import Bibliography, read_bibliography
 
 type MakeBook = Callable[..., Options]
 type Find = Callable[..., list[str]]

@@ -6,7 +6,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from site_builder.measured.quantities import error_text, quantity
+from site_builder.benchmarks.quantities import error_text, quantity
 
 
 @pytest.mark.parametrize(

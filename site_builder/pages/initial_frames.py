@@ -12,7 +12,7 @@ from site_builder.diagnostics import Diagnostics, cause
 from site_builder.drawing.frames import Print, print_at
 from site_builder.kept.ahead import Ask, make_ahead
 from site_builder.page_model.blocks import Simulation
-from site_builder.pages.strips import Strip, render_strip
+from site_builder.pages.prerendered_frames import Strip, render_strip
 
 
 @dataclass(frozen=True, slots=True)
@@ -26,7 +26,7 @@ class StillPicture:
 
 
 @dataclass(frozen=True, slots=True)
-class Still:
+class InitialFrame:
     """A figure as it first appears."""
 
     figure: Simulation
@@ -40,15 +40,15 @@ class Still:
     """What can be shown of it before Python has started."""
 
 
-type Stills = dict[tuple[str, int], Still]
+type InitialFrames = dict[tuple[str, int], InitialFrame]
 """By the place of the directive: path and line."""
 
 
-def render_stills(
+def render_initial_frames(
     book: Book, problems: Diagnostics, *, strips: bool = False
-) -> tuple[Stills, dict[str, bytes]]:
+) -> tuple[InitialFrames, dict[str, bytes]]:
     """The frames of all figures, and their pictures by file name; ``strips`` too, if wanted."""
-    stills: Stills = {}
+    initial_frames: InitialFrames = {}
     files: dict[str, bytes] = {}
     places = [(chapter.id, figure) for chapter in book.chapters for figure in chapter.simulations]
     if book.hero:
@@ -71,8 +71,10 @@ def render_stills(
             pictures[panel] = StillPicture(name, picture.width, picture.height)
             files[name] = picture.webp
         values = values_of(figure.scene.check(figure.values))
-        stills[figure.path, figure.line] = Still(figure, values, printed.frame, pictures, strip)
-    return stills, files
+        initial_frames[figure.path, figure.line] = InitialFrame(
+            figure, values, printed.frame, pictures, strip
+        )
+    return initial_frames, files
 
 
 def _printed(figure: Simulation) -> Print:

@@ -1,7 +1,7 @@
 """What the measured numbers say of a tier, in words."""
 
+from site_builder.benchmarks.measurements import SIDES, MeasuredLadder, MeasuredTier
 from site_builder.languages.words import ENGLISH, Words
-from site_builder.measured.measurements import SIDES, MeasuredLadder, MeasuredTier
 
 
 def verdict(measured: MeasuredLadder, item: MeasuredTier, words: Words = ENGLISH) -> str:

@@ -9,21 +9,21 @@ from typing import Any
 
 from markdown_it.token import Token
 
-from site_builder.beside.glossary import Term
-from site_builder.markdown.directive import Directive, Use
-from site_builder.markdown.reading import Reading
+from site_builder.markdown.directive import Directive, DirectiveCall
+from site_builder.markdown.parse_context import ParseContext
 from site_builder.markdown.roles.term import term_link
 from site_builder.markdown.text.tokens import located
 from site_builder.page_model.places import IndexMark, TermUse
+from site_builder.references.glossary import Term
 
 QUESTIONS = ("quiz", "predict")
 """Directives whose words are no uses: they say what is wrong, too."""
 WAITING = ("answer",)
 
 
-def mark_terms(tokens: Sequence[Token], reading: Reading) -> None:
+def mark_terms(tokens: Sequence[Token], context: ParseContext) -> None:
     """Note every use of a term with its section, and mark the first of each."""
-    walk = _Walk(reading)
+    walk = _Walk(context)
     previous = ""
     for token in tokens:
         match token.type:
@@ -39,8 +39,8 @@ def mark_terms(tokens: Sequence[Token], reading: Reading) -> None:
 
 
 class _Walk:
-    def __init__(self, reading: Reading) -> None:
-        self.reading = reading
+    def __init__(self, context: ParseContext) -> None:
+        self.context = context
         self.section = ""
         self.open: list[tuple[str, bool]] = []
         """Directives around this place: name, and whether it is made of blocks."""
@@ -48,13 +48,13 @@ class _Walk:
 
     def enter(self, token: Token) -> None:
         directive: Directive[Any] | None = token.meta["directive"]
-        use: Use = token.meta["use"]
-        self.open.append((use.name, directive is not None and directive.body.nests))
+        call: DirectiveCall = token.meta["call"]
+        self.open.append((call.name, directive is not None and directive.body.nests))
 
     def paragraph(self, inline: Token, *, running: bool) -> None:
         if any(name in QUESTIONS for name, _ in self.open):
             return
-        if not self.reading.glossary.terms and "{" not in inline.content:
+        if not self.context.glossary.terms and "{" not in inline.content:
             return  # no term, and no mark of its author's
         marks = running and all(nests and name not in WAITING for name, nests in self.open)
         inline.children = list(self._marked(inline, marks=marks))
@@ -83,19 +83,19 @@ class _Walk:
             self._note(term, line, str(token.attrGet("id")), by_author=True)
         elif entry := token.meta.get("index"):
             mark = IndexMark(entry, self.section, str(token.attrGet("id")))
-            self.reading.index_marks.append(mark)
+            self.context.index_marks.append(mark)
 
     def _text(self, token: Token, line: int, *, marks: bool, control: bool) -> Iterator[Token]:
         """The text, in pieces where a term in it is marked. The name of a control is marked only
         where it is the term that the section explains."""
         text, done = token.content, 0
-        for term, start, end in self.reading.glossary.uses(text):
-            here = f"{self.reading.chapter}#{self.section}"
+        for term, start, end in self.context.glossary.uses(text):
+            here = f"{self.context.chapter}#{self.section}"
             if not marks or term.name in self.marked or (control and term.explained != here):
                 self._note(term, line)
                 continue
             self.marked.add(term.name)
-            attributes = term_link(term, line, self.reading)
+            attributes = term_link(term, line, self.context)
             self._note(term, line, attributes["id"])
             yield Token("text", "", 0, content=text[done:start])
             yield Token("link_open", "a", 1, attrs={**attributes})
@@ -105,8 +105,8 @@ class _Walk:
         yield token if not done else Token("text", "", 0, content=text[done:])
 
     def _note(self, term: Term, line: int, element: str = "", *, by_author: bool = False) -> None:
-        use = TermUse(term.name, self.section, element, line, by_author)
-        self.reading.term_uses.append(use)
+        call = TermUse(term.name, self.section, element, line, by_author)
+        self.context.term_uses.append(call)
 
 
 def _names_a_control(words: str) -> bool:

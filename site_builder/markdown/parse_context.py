@@ -9,15 +9,12 @@ from markdown_it import MarkdownIt
 from markdown_it.token import Token
 
 from simulations.engine.scene import Scene
-from site_builder.beside.bibliography import EMPTY, Bibliography
-from site_builder.beside.glossary import EMPTY as NO_TERMS
-from site_builder.beside.glossary import Glossary
+from site_builder.benchmarks.measurements import Measurements
+from site_builder.benchmarks.readouts import Readouts
 from site_builder.diagnostics import Diagnostics
 from site_builder.languages.words import ENGLISH, Words
 from site_builder.markdown.targets import Targets
 from site_builder.markdown.text.macros import Macros
-from site_builder.measured.measurements import Measurements
-from site_builder.measured.readouts import Readouts
 from site_builder.page_model.places import (
     Citation,
     Heading,
@@ -27,6 +24,9 @@ from site_builder.page_model.places import (
     Target,
     TermUse,
 )
+from site_builder.references.bibliography import EMPTY, Bibliography
+from site_builder.references.glossary import EMPTY as NO_TERMS
+from site_builder.references.glossary import Glossary
 
 FIRST = Position(0, "0")
 PAGE_IDS = ("main", "contents", "progress-title", "keys-title")
@@ -51,7 +51,7 @@ class Place:
 
 
 @dataclass(slots=True)
-class Reading:
+class ParseContext:
     """The state of reading one page; dropped once its `Chapter` is made."""
 
     path: str

@@ -224,9 +224,9 @@ def _check(work: Work, problems: Diagnostics) -> None:
         if name not in given:
             message = f"{work.key!r} has no {name!r}; legal: {name} = {{…}}"
             problems.add(FILE, work.line, message)
-    legal = (*REQUIRED[work.kind], *OPTIONAL)
-    for name in given - set(legal):
-        problems.add(FILE, work.line, unknown(f"field of {work.key!r}", name, legal))
+    expected = (*REQUIRED[work.kind], *OPTIONAL)
+    for name in given - set(expected):
+        problems.add(FILE, work.line, unknown(f"field of {work.key!r}", name, expected))
     if (doi := work.fields.get("doi")) and not re.fullmatch(r"10\.\d{4,9}/\S+", doi):
         message = f"doi {doi!r} of {work.key!r}; legal: '10.…/…', without an address"
         problems.add(FILE, work.line, message)

@@ -5,7 +5,7 @@ from pathlib import Path
 
 import pytest
 
-from site_builder.measured.costs import DATA, Cost, CostError, Costs, read_costs
+from site_builder.benchmarks.costs import DATA, Cost, CostError, Costs, read_costs
 
 COSTS = Costs({"start": {"cold": {"book_ms": 1234.5, "ratio": 0.41}}, "machine": {"cores": 2}})
 

@@ -23,8 +23,8 @@ from typing import Any
 
 from simulations.engine.ladder import Ladder, Metric, Tier, pareto_front
 from simulations.registry import load_ladder
+from site_builder.benchmarks.loading import loaded
 from site_builder.diagnostics import Diagnostics, cause
-from site_builder.measured.loading import loaded
 
 DATA = "content/measurements.json"
 SIDES = ("native", "browser")
@@ -202,5 +202,5 @@ def _find_metric(ladder: Ladder, metric_id: str) -> Metric:
     for metric in ladder.metrics:
         if metric.id == metric_id or not metric_id:
             return metric
-    legal = ", ".join(metric.id for metric in ladder.metrics)
-    raise MeasurementError(f"unknown metric {metric_id!r} of {ladder.id!r}; legal: {legal}")
+    expected = ", ".join(metric.id for metric in ladder.metrics)
+    raise MeasurementError(f"unknown metric {metric_id!r} of {ladder.id!r}; legal: {expected}")

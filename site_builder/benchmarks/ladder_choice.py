@@ -5,15 +5,15 @@ The front is the browser's, where the book runs, by the ladder's first metric.
 
 from dataclasses import dataclass
 
-from site_builder.languages.words import ENGLISH, Words
-from site_builder.measured.measurements import MeasuredLadder, MeasuredTier
-from site_builder.measured.quantities import (
+from site_builder.benchmarks.measurements import MeasuredLadder, MeasuredTier
+from site_builder.benchmarks.quantities import (
     error_text,
     is_none,
     milliseconds,
     quantity,
     with_unit,
 )
+from site_builder.languages.words import ENGLISH, Words
 
 SIDE = "browser"
 

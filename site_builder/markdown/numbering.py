@@ -14,10 +14,10 @@ from typing import Any
 
 from markdown_it.token import Token
 
-from site_builder.markdown.directive import LABEL, Directive, Use
+from site_builder.markdown.directive import LABEL, Directive, DirectiveCall
 from site_builder.markdown.directives.simulation import SIMULATION
 from site_builder.markdown.headings import slug
-from site_builder.markdown.reading import Place, Reading
+from site_builder.markdown.parse_context import ParseContext, Place
 from site_builder.markdown.text.tokens import plain_text
 from site_builder.page_model.places import Target
 
@@ -26,30 +26,32 @@ TAG_FORM = re.compile(r"[^\s\\$&#^_~%]{1,12}")
 LABEL_FORM = re.compile(r"[a-z0-9]+(-[a-z0-9]+)*")
 
 
-def place_targets(tokens: Sequence[Token], chapter: str, reading: Reading) -> tuple[Target, ...]:
+def number_targets(
+    tokens: Sequence[Token], chapter: str, context: ParseContext
+) -> tuple[Target, ...]:
     """Every thing of the page that a reference may lead to, in order. Directives, equations and
     headings learn their ids and numbers."""
-    placing = _Placing(chapter, reading)
+    numbering = _Numbering(chapter, context)
     closed: list[bool] = []
     for index, token in enumerate(tokens):
         match token.type:
             case "directive_open":
                 directive: Directive[Any] | None = token.meta["directive"]
-                placing.directive(directive, token)
+                numbering.directive(directive, token)
                 closed.append(directive is not None and not directive.body.nests)
             case "directive_close":
                 closed.pop()
             case "math_block" | "math_block_label":
-                placing.equation(token, inside=any(closed))
+                numbering.equation(token, inside=any(closed))
             case "heading_open":
-                placing.heading(tokens[index : index + 3])
-    return tuple(placing.targets)
+                numbering.heading(tokens[index : index + 3])
+    return tuple(numbering.targets)
 
 
 @dataclass(slots=True)
-class _Placing:
+class _Numbering:
     chapter: str
-    reading: Reading
+    context: ParseContext
     targets: list[Target] = field(default_factory=list)
     counts: Counter[str] = field(default_factory=Counter)
     tags: dict[str, int] = field(default_factory=dict)
@@ -58,20 +60,20 @@ class _Placing:
     def directive(self, directive: Directive[Any] | None, token: Token) -> None:
         if directive is None or directive.numbered is None:
             return
-        use: Use = token.meta["use"]
-        numbered, label = directive.numbered, use.text(LABEL.name)
+        call: DirectiveCall = token.meta["call"]
+        numbered, label = directive.numbered, call.text(LABEL.name)
         if label:
-            name = self._labelled(label, use.options[LABEL.name].line, use.name)
+            name = self._labelled(label, call.options[LABEL.name].line, call.name)
         elif numbered.again:
-            name = self.reading.free_id(numbered.id(use), use.line)
+            name = self.context.free_id(numbered.id(call), call.line)
         else:
-            name = self.reading.take_id(numbered.id(use), use.line, use.name)
-        self.reading.placed[use.line] = self._count(
-            numbered.kind, name, use.line, labelled=bool(label)
+            name = self.context.take_id(numbered.id(call), call.line, call.name)
+        self.context.placed[call.line] = self._count(
+            numbered.kind, name, call.line, labelled=bool(label)
         )
         if directive is SIMULATION:
             first, last = token.map or (0, 0)
-            self.reading.figures.append(Place(name, use.argument, (first + 1, last + 1)))
+            self.context.figures.append(Place(name, call.argument, (first + 1, last + 1)))
 
     def equation(self, token: Token, *, inside: bool) -> None:
         """``inside`` of a question or caption it carries no number: it belongs to that."""
@@ -79,16 +81,16 @@ class _Placing:
         tag = self._tag(token, line)
         if inside:
             if label or tag:
-                legal = "on a formula of the running text"
+                expected = "on a formula of the running text"
                 where = "in a question or caption"
                 what = f"label {label!r}" if label else f"tag {tag!r}"
-                self.reading.problem(line, f"{what} {where}; legal: {legal}")
+                self.context.problem(line, f"{what} {where}; legal: {expected}")
             return
         if label:
             name = self._labelled(label, line, "equation")
         else:
             digest = hashlib.sha256("".join(token.content.split()).encode()).hexdigest()
-            name = self.reading.free_id(f"equation-{digest[:6]}", line)
+            name = self.context.free_id(f"equation-{digest[:6]}", line)
         token.meta["target"] = self._count("Equation", name, line, labelled=bool(label), tag=tag)
 
     def _tag(self, token: Token, line: int) -> str:
@@ -99,36 +101,36 @@ class _Placing:
         token.content = token.content[: found.start()] + token.content[found.end() :]
         tag = found[1].strip()
         if not TAG_FORM.fullmatch(tag) or TAG.search(token.content):
-            legal = "one \\tag, up to 12 letters, digits and marks"
-            self.reading.problem(line, f"\\tag{{{found[1]}}}; legal: {legal}")
+            expected = "one \\tag, up to 12 letters, digits and marks"
+            self.context.problem(line, f"\\tag{{{found[1]}}}; legal: {expected}")
             return ""
         if tag in self.tags:
-            first = self.reading.where(self.tags[tag])
-            self.reading.problem(line, f"duplicate tag {tag!r}; first used {first}")
+            first = self.context.where(self.tags[tag])
+            self.context.problem(line, f"duplicate tag {tag!r}; first used {first}")
         self.tags.setdefault(tag, line)
         return tag
 
     def heading(self, tokens: Sequence[Token]) -> None:
         opening, inline, closing = tokens
         line, text = (opening.map or [0])[0] + 1, plain_text(inline)
-        name = self.reading.take_id(slug(text), line, "heading")
+        name = self.context.take_id(slug(text), line, "heading")
         opening.attrSet("id", name)
-        said = self.reading.words("labels.section", title=text)
+        said = self.context.words("labels.section", title=text)
         target = Target("Section", self.chapter, name, "", text, line, name=said)
         closing.meta["target"] = target
         self.targets.append(target)
 
     def _labelled(self, label: str, line: int, kind: str) -> str:
         if not LABEL_FORM.fullmatch(label):
-            legal = "small letters, digits and hyphens"
-            self.reading.problem(line, f"label {label!r}; legal: {legal}")
-        return self.reading.take_id(label, line, kind)
+            expected = "small letters, digits and hyphens"
+            self.context.problem(line, f"label {label!r}; legal: {expected}")
+        return self.context.take_id(label, line, kind)
 
     def _count(self, kind: str, name: str, line: int, *, labelled: bool, tag: str = "") -> Target:
         """``tag`` in place of the next number."""
         self.counts[kind] += not tag
-        number = tag or f"{self.reading.position.mark}.{self.counts[kind]}"
-        label = self.reading.words.label(kind)
+        number = tag or f"{self.context.position.mark}.{self.counts[kind]}"
+        label = self.context.words.label(kind)
         said = f"{label} ({number})" if kind == "Equation" else f"{label} {number}"
         target = Target(kind, self.chapter, name, number, "", line, labelled, said)
         self.targets.append(target)

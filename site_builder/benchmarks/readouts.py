@@ -7,10 +7,10 @@ from typing import Any
 from simulations.engine.controls import ControlError
 from simulations.engine.frame import Frame, Readout
 from simulations.engine.scene import Scene
+from site_builder.benchmarks.loading import loaded
+from site_builder.benchmarks.quantities import with_unit
 from site_builder.diagnostics import cause, unknown
 from site_builder.drawing.frames import frame_at
-from site_builder.measured.loading import loaded
-from site_builder.measured.quantities import with_unit
 
 
 class ReadoutError(LookupError):

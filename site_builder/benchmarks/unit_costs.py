@@ -1,6 +1,6 @@
 """What a tier costs for each pixel or point, of a frame, and for the noise that it leaves."""
 
-from site_builder.measured.measurements import MeasuredLadder, MeasuredTier
+from site_builder.benchmarks.measurements import MeasuredLadder, MeasuredTier
 
 FRAME_MS = 1000 / 30
 """Time between two frames, at the rate at which a drag still looks smooth."""

@@ -5,9 +5,9 @@ from dataclasses import replace
 import pytest
 from support.toy_ladder import toy_data, toy_ladder, toy_measurements
 
+from site_builder.benchmarks.measurements import MeasurementError
+from site_builder.benchmarks.unit_costs import efficiency, frame_percent, nanoseconds_each
 from site_builder.markdown.roles.measured import measured_text
-from site_builder.measured.measurements import MeasurementError
-from site_builder.measured.unit_costs import efficiency, frame_percent, nanoseconds_each
 
 
 def test_a_time_is_divided_among_the_points_and_compared_with_a_frame() -> None:

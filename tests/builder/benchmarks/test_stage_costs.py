@@ -12,14 +12,14 @@ from simulations.engine.frame import Frame
 from simulations.engine.scene import Scene
 from simulations.engine.settings import slider
 from simulations.engine.stages import Outputs, Stage
-from site_builder.build import Options, render_site
-from site_builder.drawing.frames import reports_at
-from site_builder.measured.stage_costs import (
+from site_builder.benchmarks.stage_costs import (
     DATA,
     StageCostError,
     StageCosts,
     read_stage_costs,
 )
+from site_builder.build import Options, render_site
+from site_builder.drawing.frames import reports_at
 from site_builder.output.assets import content_bytes
 
 MOVE = {"to": 1, "ms": 1.0, "whole_ms": 2.0, "share": 0.5}
