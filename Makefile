@@ -147,6 +147,8 @@ lock: | $(BIN)/python
 	$(LOCK) --group book --output-file .locks/book.txt >/dev/null
 	$(LOCK) --group test --output-file .locks/test.txt >/dev/null
 	$(LOCK) --group author --constraints .locks/test.txt --output-file .locks/author.txt >/dev/null
+	$(LOCK) --group mutation --constraints .locks/test.txt --output-file .locks/mutation.txt >/dev/null
+	$(LOCK) --group links --constraints .locks/test.txt --output-file .locks/links.txt >/dev/null
 	$(LOCK) --group bench --output-file .locks/bench.txt >/dev/null
 
 clean:
