@@ -12,8 +12,7 @@
 # make bench-latency         how soon figures follow a hand (SCENE=camera: one), what piles up
 # make bench-scale           build books of 10, 100 and 1000 chapters, beside MkDocs and Sphinx
 #                (CHAPTERS="10 100": these sizes)
-# make bench-edit            how long an author waits for an edit to be seen (CHAPTERS=100: in a
-#                book of so many chapters, beside this one)
+# make bench-edit            how long an author waits for an edit to be seen
 # make screenshot            the README's picture (PAGE=lens-distortion/: that page, into build/)
 # make lock      pin the newest packages that pyproject.toml allows
 # make clean     remove what was built; the packages in .venv stay
@@ -105,7 +104,7 @@ bench-scale: $(VENV)/book.stamp build/bench/others.stamp
 	@PYTHONPATH=tests $(BIN)/python -m scale --tools build/bench/others/bin --chapters $(CHAPTERS)
 
 bench-edit: $(VENV)/test.stamp $(VENV)/chromium.stamp
-	@PYTHONPATH=tests $(BIN)/python -m bench.edit_loop --chapters $(lastword $(CHAPTERS))
+	@PYTHONPATH=tests $(BIN)/python -m bench.edit_loop
 
 build/bench/others.stamp: .locks/bench.txt | $(BIN)/python
 	$(BIN)/python -m venv build/bench/others

@@ -110,7 +110,7 @@ def _run(given: argparse.Namespace, warn: Warn, warnings: Sequence[Diagnostic]) 
             place = None if given.build_only else (given.host, given.port)
             return run_guide(place, runtime=given.runtime)
         case "serve":
-            from site_builder.serve import serve  # its watcher is needed only here
+            from site_builder.server.command import serve  # its watcher is needed only here
 
             serve(ROOT, given.out, given.port, runtime=given.runtime, host=given.host)
     return 0

@@ -1,7 +1,7 @@
-"""``python -m bench.edit_loop [--rounds 7] [--chapters 1000]``: how long an author waits.
+"""``python -m bench.edit_loop [--rounds 7]``: how long an author waits for an edit.
 
-Serves copies of this book and of a large one without figures, edits them as an author does, and
-takes the time from the file's being saved to what an open page shows of it.
+Serves a copy of this book, edits it as an author does, and measures the time from saving the file
+until an open page shows the edit.
 """
 
 import argparse
@@ -15,21 +15,19 @@ import sys
 import tempfile
 import threading
 import time
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass
 from pathlib import Path
 
 from playwright.sync_api import Page, sync_playwright
-from scale.text import name
-from scale.trees import BUILDERS, write_book
 from support.chromium import find_chromium, launch_arguments
 
 ROOT = Path(__file__).resolve().parents[2]
 PARTS = ("content", "simulations", "site_builder", "static", "LICENSE")
 """Of the checkout: what a book is built from."""
 REST_S = 1.5
-"""Between two edits: what follows a build, such as the index of the search, is done by then."""
+"""Between two edits."""
 LONGEST_MS = 60_000
 
 
@@ -53,43 +51,32 @@ SENTENCE = "document.querySelector('main').textContent.includes('{word}')"
 RULE = "getComputedStyle(document.body).getPropertyValue('--edited').trim() === '{word}'"
 THIS_BOOK = (
     Edit(
-        "a sentence", 0.3, "content/04-lens-distortion.md",
+        "a sentence", 1.0, "content/04-lens-distortion.md",
         "\n\n## ", "\n\nA sentence of {word}.\n\n## ", SENTENCE,
     ),
     Edit(
-        "a style rule", 0.2, "static/css/prose.css",
+        "a style rule", 0.5, "static/css/prose.css",
         "", "body {{ --edited: {word}; }}\n", RULE,
     ),
     Edit(
-        "a scene", 1.5, "simulations/scenes/lens_distortion/scene.py",
+        "a scene", 4.0, "simulations/scenes/lens_distortion/scene.py",
         '"Largest bow"', '"Bow {word}"', SENTENCE,
     ),
 )  # fmt: skip
-LARGE_BOOK = ("\nSo ", "\nSo {word} ", SENTENCE)
 
 
 def main() -> None:
     parser = argparse.ArgumentParser(prog="bench.edit_loop", description=__doc__)
     parser.add_argument("--rounds", type=int, default=7)
-    parser.add_argument("--chapters", type=int, default=1000, help="of the large book; 0: none")
     given = parser.parse_args()
     with tempfile.TemporaryDirectory() as folder, browser_page() as page:
         book = Path(folder) / "book"
         copy_book(book)
-        with served(book, {}, book) as address:
+        with served(book) as address:
             page.goto(f"{address}lens-distortion/")
             page.wait_for_selector("simulation-figure[data-state=live]", timeout=LONGEST_MS)
             for edit in THIS_BOOK:
                 print(told(edit.title, waits(edit, book, page, given.rounds), edit.goal_s))
-        if given.chapters:
-            large = Path(folder) / "large"
-            write_book(BUILDERS[0], given.chapters, large)
-            chapter = name((given.chapters + 1) // 2)
-            edit = Edit("", 1.0, f"content/{chapter}.md", *LARGE_BOOK)
-            with served(large, {"BOOK": str(large)}, ROOT) as address:
-                page.goto(f"{address}{chapter}/")
-                title = f"a sentence, one of {given.chapters} chapters"
-                print(told(title, waits(edit, large, page, given.rounds), edit.goal_s))
 
 
 def copy_book(folder: Path) -> None:
@@ -113,15 +100,15 @@ def browser_page() -> Iterator[Page]:
 
 
 @contextmanager
-def served(book: Path, settings: Mapping[str, str], engine: Path) -> Iterator[str]:
-    """The address at which the engine serves the book, once its first page is there."""
+def served(book: Path) -> Iterator[str]:
+    """The address at which the book is served, after its first build."""
     with socket.socket() as free:
         free.bind(("127.0.0.1", 0))
         port = free.getsockname()[1]
     command = [sys.executable, "-m", "site_builder", "serve", "--port", str(port)]
-    environment = {**os.environ, **settings, "PYTHONPATH": str(engine)}
+    environment = {**os.environ, "PYTHONPATH": str(book)}
     process = subprocess.Popen(
-        [*command, "--out", str(book / "build" / "site")], cwd=engine, env=environment,
+        [*command, "--out", str(book / "build" / "site")], cwd=book, env=environment,
         stdout=subprocess.PIPE, text=True,
     )  # fmt: skip
     assert process.stdout is not None

@@ -46,7 +46,7 @@ BUILDER = (
     "browser_python",
     "browser_python",
     "site_assets", "build", "diagnostic_formats", "check_command", "editions",
-    "serving", "serve", "scaffold", "guide", "__main__",
+    "server", "scaffold", "guide", "__main__",
 )  # fmt: skip
 """Parts of ``site_builder``, likewise."""
 MARKDOWN = (

@@ -1,14 +1,16 @@
-// Sent only by `site_builder serve`: puts what has changed into open pages, and lays the mistakes
-// of a bad build over them. Scroll, figures and answers that were not sent stay as they are.
+// Only in pages that `site_builder serve` shows: updates an open page after a build, or shows the
+// mistakes of a failed one. An edited paragraph or style sheet is replaced in place, so that scroll
+// position, figures and answers stay; anything else reloads the page.
 //
-// Browsers open few connections to one host. Of all open pages one listens, and tells the others.
+// Browsers open few connections to one host, so one page receives the events and posts them to the
+// others.
 
 const FIXED = "simulation-figure, ladder-bench, form, [data-predict], script, h1, h2, h3";
 const channel = new BroadcastChannel("builds");
 let shown = 0;
 let source = fetchSource();
 
-channel.addEventListener("message", ({ data }) => hear(data));
+channel.addEventListener("message", ({ data }) => receive(data));
 channel.postMessage({ kind: "asked" });
 if (navigator.locks) navigator.locks.request("builds", listen);
 else listen();
@@ -23,26 +25,26 @@ function listen() {
   });
   for (const kind of ["built", "failed"]) {
     events.addEventListener(kind, (event) => {
-      const told = { kind, said: JSON.parse(event.data) };
-      last = told;
-      channel.postMessage(told);
-      hear(told);
+      const message = { kind, data: JSON.parse(event.data) };
+      last = message;
+      channel.postMessage(message);
+      receive(message);
     });
   }
   return new Promise(() => {});
 }
 
-/** @param {{ kind: string, said: any }} told */
-function hear({ kind, said }) {
+/** @param {{ kind: string, data: any }} message */
+function receive({ kind, data }) {
   if (kind === "asked") return;
   document.getElementById("build-mistakes")?.remove();
-  if (kind === "failed") showMistakes(said);
+  if (kind === "failed") showMistakes(data);
   else if (document.title === "Being built") location.reload();
-  else if (!shown) shown = said.number;
-  else if (said.number !== shown) {
-    const missed = said.number !== shown + 1;
-    shown = said.number;
-    show(said.changed, missed);
+  else if (!shown) shown = data.number;
+  else if (data.number !== shown) {
+    const missed = data.number !== shown + 1;
+    shown = data.number;
+    show(data.changed, missed);
   }
 }
 
@@ -75,7 +77,7 @@ function pictures() {
   );
 }
 
-/** The old sheet stays until the new one is there, so that nothing flashes. */
+/** The old sheet stays until the new one has loaded, so that nothing flashes. */
 function swapSheet() {
   const old = link();
   const fresh = /** @type {HTMLLinkElement} */ (old.cloneNode());
@@ -86,13 +88,13 @@ function swapSheet() {
   old.after(fresh);
 }
 
-/** The page as it was sent: what scripts have made of it is not compared. */
+/** The page as it was sent, without the changes that scripts have made. */
 async function fetchSource() {
   const reply = await fetch(location.pathname, { cache: "no-cache" });
   return new DOMParser().parseFromString(await reply.text(), "text/html");
 }
 
-/** Put in the paragraphs that differ; false where more than text has changed. */
+/** Replace the paragraphs that differ; false where more than text has changed. */
 async function swapText() {
   const before = await source;
   source = fetchSource();

@@ -1,0 +1,104 @@
+"""Each build in a process of its own, so that it runs the code as it is now."""
+
+import asyncio
+import os
+import signal
+import sys
+from collections.abc import Collection, Iterator
+from contextlib import suppress
+from dataclasses import dataclass, field
+from pathlib import Path
+
+from site_builder.book_root import ENGINE, VARIABLE
+from site_builder.output.writer import replace_file
+from site_builder.server.news import News
+from site_builder.site_assets import NOW, STYLE_SHEET
+
+type Files = dict[str, tuple[int, int]]
+"""Time of change and size of files, by name."""
+
+
+@dataclass(slots=True)
+class Builds:
+    """Builds the book at ``root`` into ``out``, and tells ``news`` what came of it."""
+
+    root: Path
+    out: Path
+    runtime: bool
+    news: News
+    address: str
+    """Printed after the first build."""
+    _sheets: dict[Path, str] = field(default_factory=dict)
+    """The style sheets as the site has them."""
+    _files: Files = field(default_factory=dict)
+    """The site as open pages have it: a cancelled build may have written without a word."""
+
+    async def build(self) -> None:
+        """One build. Cancelled, it ends the process; the last good site stays."""
+        self._sheets = dict(style_sheets(self.root))
+        runtime = [] if self.runtime else ["--no-runtime"]
+        process = await asyncio.create_subprocess_exec(
+            sys.executable, "-m", "site_builder", "build", "--reload", "--out", self.out, *runtime,
+            stdout=asyncio.subprocess.PIPE, stderr=asyncio.subprocess.PIPE,
+            cwd=ENGINE, env={**os.environ, VARIABLE: str(self.root)}, start_new_session=True,
+        )  # fmt: skip
+        try:
+            printed, problems = (part.decode() for part in await process.communicate())
+        finally:
+            with suppress(ProcessLookupError):
+                os.killpg(process.pid, signal.SIGKILL)
+            await process.wait()
+        if process.returncode:
+            self.news.fail(problems or f"the build ended with exit code {process.returncode}")
+            print(self.news.state.mistakes, flush=True)
+        else:
+            before, self._files = self._files, files_in(self.out)
+            self.news.succeed(differing(before, self._files))
+            print(problems, end="", file=sys.stderr, flush=True)
+            print(printed, end="", flush=True)
+        if self.address:
+            print(self.address, flush=True)
+            self.address = ""
+
+    def replace_styles(self, changed: Collection[Path]) -> bool:
+        """Put changed style sheets into the joined one, which needs no build. False where something
+        else has changed too, or where the joined sheet does not hold a sheet as it was."""
+        joined = self.out / NOW / STYLE_SHEET
+        if self.news.state.mistakes or not joined.is_file():
+            return False
+        text = joined.read_text(encoding="utf-8")
+        after = {path: sheet for path, sheet in style_sheets(self.root) if path in changed}
+        for path in changed:
+            old = self._sheets.get(path, "")
+            if path not in after or not old or text.count(old) != 1:
+                return False
+            text = text.replace(old, after[path])
+        replace_file(joined, text.encode())
+        self._sheets |= after
+        self._files = files_in(self.out)
+        self.news.succeed([NOW + STYLE_SHEET])
+        return True
+
+
+def style_sheets(root: Path) -> Iterator[tuple[Path, str]]:
+    for base in {root, ENGINE}:
+        for path in (base / "static" / "css").glob("*.css"):
+            yield path, path.read_text(encoding="utf-8", errors="replace")
+
+
+def files_in(folder: Path) -> Files:
+    found: Files = {}
+    for path in folder.rglob("*"):
+        with suppress(FileNotFoundError):  # another build may replace the site meanwhile
+            if path.is_file():
+                state = path.stat()
+                found[path.relative_to(folder).as_posix()] = (state.st_mtime_ns, state.st_size)
+    return found
+
+
+def differing(before: Files, after: Files) -> list[str]:
+    """
+    >>> differing({"a": (1, 1), "b": (1, 1), "c": (1, 1)}, {"a": (1, 1), "b": (2, 1)})
+    ['b', 'c']
+    """
+    return sorted(name for name in before | after if before.get(name) != after.get(name))

@@ -1,0 +1,74 @@
+"""Build, serve, and build again on every change."""
+
+import asyncio
+import signal
+import socket
+from collections.abc import AsyncIterator
+from pathlib import Path
+
+import uvicorn
+from watchfiles import DefaultFilter, awatch
+
+from site_builder.book_root import ENGINE
+from site_builder.server.app import make_app
+from site_builder.server.builds import Builds
+from site_builder.server.news import News
+
+LOOPBACK = "127.0.0.1"
+WATCHED = ("content", "simulations", "static", "site_builder")
+DEBOUNCE_MS = 100
+STEP_MS = 10
+"""How long nothing more must change before a change is reported."""
+
+
+def serve(root: Path, out: Path, port: int, *, runtime: bool, host: str = LOOPBACK) -> None:
+    """Serve until interrupted. Raises `OSError` with a clear message where the port is taken."""
+    with listen(host, port) as listener:
+        shown = "localhost" if host == LOOPBACK else host
+        address = f"http://{shown}:{listener.getsockname()[1]}/"
+        builds = Builds(root, out.resolve(), runtime, News(), address)
+        signal.signal(signal.SIGTERM, signal.default_int_handler)
+        try:
+            asyncio.run(_serve(builds, listener, host))
+        except KeyboardInterrupt:
+            print()  # the usual way to end
+
+
+def listen(host: str, port: int) -> socket.socket:
+    family = socket.AF_INET6 if ":" in host else socket.AF_INET
+    another = port + 1 if 0 < port < 65535 else 8000
+    refused = f"port {port} is taken or refused; try another: PORT={another}"
+    if not 0 <= port < 65536:
+        raise OSError(refused)
+    try:
+        return socket.create_server((host, port), family=family, backlog=128)
+    except OSError as error:
+        raise OSError(refused) from error
+
+
+async def _serve(builds: Builds, listener: socket.socket, host: str) -> None:
+    app = make_app(builds.out, builds.news, host)
+    config = uvicorn.Config(app, log_level="critical", lifespan="off", timeout_graceful_shutdown=0)
+    async with asyncio.TaskGroup() as tasks:
+        watching = tasks.create_task(_build_on_change(builds))
+        await uvicorn.Server(config).serve(sockets=[listener])
+        watching.cancel()
+
+
+async def _build_on_change(builds: Builds) -> None:
+    """The newest change wins: a build of an outdated state is cancelled."""
+    async with asyncio.TaskGroup() as tasks:
+        build = tasks.create_task(builds.build())
+        async for changed in _changes(builds.root):
+            if not (build.done() and builds.replace_styles(changed)):
+                build.cancel()
+                await asyncio.wait([build])
+                build = tasks.create_task(builds.build())
+
+
+async def _changes(root: Path) -> AsyncIterator[set[Path]]:
+    ignore = DefaultFilter(ignore_entity_patterns=(*DefaultFilter.ignore_entity_patterns, r"^\."))
+    folders = {base / name for base in (root, ENGINE) for name in WATCHED}
+    present = sorted(folder for folder in folders if folder.is_dir())
+    async for changes in awatch(*present, watch_filter=ignore, debounce=DEBOUNCE_MS, step=STEP_MS):
+        yield {Path(path) for _change, path in changes}

@@ -1,0 +1,113 @@
+"""What the development server sends: right types, parts, nothing outside the site."""
+
+from pathlib import Path
+
+import pytest
+from starlette.testclient import TestClient
+
+from site_builder.server.app import make_app
+from site_builder.server.command import listen
+from site_builder.server.news import News
+
+FILES = ("a.mjs", "a.wasm", "404.html", "book.json", "a.woff2", "folder/a.css", "b/index.html")
+
+
+@pytest.fixture
+def news() -> News:
+    return News()
+
+
+@pytest.fixture
+def site(tmp_path: Path) -> Path:
+    (tmp_path / "outside.txt").write_text("secret")
+    site = tmp_path / "site"
+    for name in FILES:
+        (site / name).parent.mkdir(parents=True, exist_ok=True)
+        (site / name).write_text(name)
+    (site / "link.txt").symlink_to(tmp_path / "outside.txt")
+    return site
+
+
+@pytest.fixture
+def client(site: Path, news: News) -> TestClient:
+    news.succeed([])
+    return TestClient(make_app(site, news, "127.0.0.1"), "http://localhost:8000")
+
+
+@pytest.mark.parametrize(
+    ("name", "media_type"),
+    [
+        ("a.mjs", "text/javascript; charset=utf-8"),
+        ("a.wasm", "application/wasm"),
+        ("a.woff2", "font/woff2"),
+        ("book.json", "application/json"),
+    ],
+)
+def test_a_file_has_the_type_that_browsers_insist_on(
+    client: TestClient, name: str, media_type: str
+) -> None:
+    assert client.get(f"/{name}").headers["Content-Type"] == media_type
+
+
+def test_browsers_ask_again_whether_a_file_has_changed(client: TestClient) -> None:
+    first = client.get("/book.json")
+    assert first.headers["Cache-Control"] == "no-cache"
+    again = client.get("/book.json", headers={"If-None-Match": first.headers["ETag"]})
+    assert again.status_code == 304
+
+
+def test_a_part_of_a_file_is_sent_alone(client: TestClient) -> None:
+    part = client.get("/book.json", headers={"Range": "bytes=2-4"})
+    assert (part.status_code, part.text) == (206, "ok.")
+
+
+@pytest.mark.parametrize("path", ["/nothing/here", "/%2e%2e/outside.txt", "/link.txt", "/folder/"])
+def test_what_is_no_file_of_the_site_gets_the_book_s_own_page(
+    client: TestClient, path: str
+) -> None:
+    reply = client.get(path)
+    assert (reply.status_code, reply.text) == (404, "404.html")
+
+
+@pytest.mark.parametrize(
+    ("host", "name", "status"),
+    [
+        ("127.0.0.1", "localhost:8000", 200),
+        ("127.0.0.1", "[::1]:8000", 200),
+        ("127.0.0.1", "evil.example", 400),
+        ("127.0.0.1", "localhost.evil.example", 400),
+        ("127.0.0.1", "192.168.1.5:8000", 400),
+        ("192.168.1.5", "192.168.1.5:8000", 200),
+        ("0.0.0.0", "192.168.1.5:8000", 200),
+    ],
+)
+def test_a_request_by_another_name_is_refused(
+    site: Path, news: News, host: str, name: str, status: int
+) -> None:
+    news.succeed([])
+    client = TestClient(make_app(site, news, host))
+    for path in ("/b/", "/.reload/client.js"):
+        assert client.get(path, headers={"Host": name}).status_code == status
+
+
+@pytest.mark.parametrize("mistakes", ["", "content/a.md:1: bad"])
+def test_before_the_first_good_build_a_page_waits_for_one(
+    site: Path, news: News, mistakes: str
+) -> None:
+    if mistakes:
+        news.fail(mistakes)
+    reply = TestClient(make_app(site, news, "127.0.0.1"), "http://localhost").get("/b/")
+    assert reply.status_code == 503
+    assert "/.reload/client.js" in reply.text
+
+
+def test_a_port_in_use_is_named() -> None:
+    with listen("127.0.0.1", 0) as other:
+        port = other.getsockname()[1]
+        with pytest.raises(OSError, match=f"port {port} is taken or refused; try .*={port + 1}"):
+            listen("127.0.0.1", port)
+
+
+def test_a_number_that_is_no_port_is_named() -> None:
+    with pytest.raises(OSError, match="port 99999 is taken or refused; try another: PORT=8000"):
+        listen("127.0.0.1", 99999)
