@@ -14,6 +14,7 @@
 #                (CHAPTERS="10 100": these sizes)
 # make bench-edit            how long an author waits for an edit to be seen
 # make screenshot            the README's picture (PAGE=lens-distortion/: that page, into build/)
+# make links     follow the links out of the book; needs a network
 # make lock      pin the newest packages that pyproject.toml allows
 # make clean     remove what was built; the packages in .venv stay
 
@@ -41,7 +42,7 @@ PYTHON ?= $(firstword $(foreach python,$(PYTHONS),\
 	$(shell command -v $(python) >/dev/null 2>&1 && $(python) -c '$(IS_NEW)' 2>/dev/null && echo $(python))))
 
 .DELETE_ON_ERROR:
-.PHONY: serve guide site pdf epub test test-quick check lock screenshot bench bench-pages bench-latency bench-scale bench-edit mutants mutations clean
+.PHONY: serve guide site pdf epub test test-quick check lock screenshot bench bench-pages bench-latency bench-scale bench-edit links mutants mutations clean
 
 serve: $(VENV)/book.stamp
 	@$(BIN)/python -m site_builder serve --port $(PORT) --host $(HOST)
@@ -109,6 +110,17 @@ bench-edit: $(VENV)/test.stamp $(VENV)/chromium.stamp
 build/bench/others.stamp: .locks/bench.txt | $(BIN)/python
 	$(BIN)/python -m venv build/bench/others
 	build/bench/others/bin/python -m pip install --quiet --disable-pip-version-check \
+		--require-hashes -r $<
+	@touch $@
+
+# The build has checked the links inside the site already.
+links: build/links/linkchecker.stamp site
+	@build/links/bin/linkchecker --check-extern --recursion-level=1 --ignore-url='^file:' \
+		--no-warnings --timeout=20 $$(find build/site -name '*.html')
+
+build/links/linkchecker.stamp: .locks/links.txt | $(BIN)/python
+	$(BIN)/python -m venv build/links
+	build/links/bin/python -m pip install --quiet --disable-pip-version-check \
 		--require-hashes -r $<
 	@touch $@
 

@@ -79,12 +79,11 @@ def _run(given: argparse.Namespace, warn: Warn, warnings: Sequence[Diagnostic]) 
             )  # fmt: skip
             print(f"{given.out}: {len(files)} files{_and_count(warnings)}")
         case "check":
-            # What follows links, and speaks for it to hosts, is needed only here.
-            from site_builder.check_command import Wanted, check
+            from site_builder.check_command import check
 
             form = "json" if given.json else given.format
             options = Options(ROOT, runtime=given.runtime)
-            return check(options, Wanted(form, links=given.links))
+            return check(options, form)
         case "schema":
             print(json.dumps(book_schema(), indent=2, ensure_ascii=False))
         case "new":
@@ -187,9 +186,6 @@ def _add_check_options(command: argparse.ArgumentParser) -> None:
         "--format", choices=FORMATS, default="text", help="text for people and editors"
     )
     command.add_argument("--json", action="store_true", help="the same as --format json")
-    command.add_argument(
-        "--links", action="store_true", help="follow the links out of the book; needs a network"
-    )
     command.add_argument(
         "--no-runtime",
         dest="runtime",

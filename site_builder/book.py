@@ -81,7 +81,6 @@ class Chapter:
     """What its reader can do afterwards, each as HTML."""
     figures: tuple[str, ...] = ()
     """Element ids of its simulations, also of those that cannot be shown."""
-    outside: tuple[Link, ...] = ()
     """Links that lead out of the book."""
 
     @property

@@ -3,36 +3,26 @@ programs. What it finds in order, the build builds."""
 
 import sys
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 from site_builder.browser_python import pack_for_browser
 from site_builder.build import Options, check_site
-from site_builder.checks.outside_links import check_outside_links, outside_links
 from site_builder.diagnostic_formats import listed
 from site_builder.diagnostics import BuildError, Diagnostic, counted
 
 
-@dataclass(frozen=True, slots=True)
-class Wanted:
-    """What an author asks for."""
+def check(options: Options, form: str) -> int:
+    """Print the diagnostics in ``form``, one of `diagnostic_formats.FORMATS`; 1 where one is a
+    mistake, else 0.
 
-    form: str = "text"
-    """One of `diagnostic_formats.FORMATS`."""
-    links: bool = False
-    """Whether to follow links out of the book."""
-
-
-def check(options: Options, wanted: Wanted) -> int:
-    """Print what is found; 1 where there is a mistake, else 0.
-
-    In words, mistakes and warnings go to the standard error, as the build's do; what is for
-    programs goes to the standard output, whole.
+    Text goes to the standard error, as the build's does; formats for programs go to the standard
+    output.
     """
-    found = find(options, links=wanted.links)
+    found = find(options)
     warnings = [one for one in found if not one.fails]
     mistakes = [one for one in found if one.fails]
-    if wanted.form != "text":
-        sys.stdout.write(listed(found, options.root, wanted.form))
+    if form != "text":
+        sys.stdout.write(listed(found, options.root, form))
         return int(bool(mistakes))
     sys.stderr.write(listed([*warnings, *mistakes], options.root, "text"))
     if mistakes:
@@ -42,15 +32,13 @@ def check(options: Options, wanted: Wanted) -> int:
     return 0
 
 
-def find(options: Options, *, links: bool = False) -> Sequence[Diagnostic]:
+def find(options: Options) -> Sequence[Diagnostic]:
     """Mistakes and warnings in the order of files and lines."""
     found: list[Diagnostic] = []
     try:
         book, *_ = check_site(replace(options, warn=found.append))
         if options.runtime:
             pack_for_browser(options.root, book, compiled=False)
-        if links:
-            found += check_outside_links(outside_links(book))
     except BuildError as error:
         found += error.diagnostics
     return sorted(set(found))

@@ -110,7 +110,6 @@ def read_chapter(draft: Draft, targets: Targets) -> Chapter:
         before=before,
         after=after,
         figures=tuple(place.id for place in context.figures),
-        outside=tuple(context.outside),
     )
 
 

@@ -95,7 +95,6 @@ def _gather_link(token: Token, line: int, context: ParseContext) -> None:
     target = str(token.attrGet("href") or "")
     if target.startswith(("https://", "http://")):
         token.attrSet("rel", "external")
-        context.outside.append(Link(target, line))
         return
     context.links.append(Link(target, line))
     file, mark, anchor = target.partition("#")

@@ -80,7 +80,6 @@ class ParseContext:
     """Whether the book's author trusts the HTML of its chapters."""
     headings: list[Heading] = field(default_factory=list)
     links: list[Link] = field(default_factory=list)
-    outside: list[Link] = field(default_factory=list)
     """Links that lead out of the book."""
     ids: dict[str, int] = field(default_factory=lambda: dict.fromkeys(PAGE_IDS, 0))
     """Element ids taken in the page, with their lines; 0 where the page itself took them."""
