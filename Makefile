@@ -9,6 +9,8 @@
 # make bench     time and judge all ladders, here and in Chromium (LADDER=srgb: only one)
 # make bench-pages           bytes of each page, and what Lighthouse says of it
 # make mutations read ten thousand maimed chapters (MUTATIONS=500: as many)
+# make mutants   change the models in small ways, and list the changes that no test notices
+#                (MODULE=color.srgb: only of one)
 # make bench-latency         how soon figures follow a hand (SCENE=camera: one), what piles up
 # make bench-scale           build books of 10, 100 and 1000 chapters, beside MkDocs and Sphinx
 #                (CHAPTERS="10 100": these sizes)
@@ -26,7 +28,6 @@ SCENE ?=
 CHAPTERS ?= 10 100 1000
 ADDRESS ?=
 SOURCE ?=
-SAMPLE ?= 30
 MUTATIONS ?= 10000
 MODULE ?=
 # What each process of the tests imports is compiled once, even where nothing else is kept.
@@ -128,9 +129,9 @@ build/links/linkchecker.stamp: .locks/links.txt | $(BIN)/python
 mutations: $(VENV)/test.stamp
 	@MUTATIONS=$(MUTATIONS) $(BIN)/python -m pytest -q -k maimed tests/builder/test_mutated_markdown.py
 
-mutants: $(VENV)/test.stamp
-	@OPENBLAS_NUM_THREADS=1 PYTHONWARNINGS=ignore PYTHONPATH=tests $(BIN)/python -m mutation \
-		--sample $(SAMPLE) $(MODULE:%=--module %)
+mutants: $(VENV)/mutation.stamp
+	@OPENBLAS_NUM_THREADS=1 $(BIN)/mutmut run $(MODULE:%="simulations.models.%*")
+	@$(BIN)/mutmut results | grep survived || :
 
 # Every pin carries its hashes, so a changed package cannot slip in.
 $(VENV)/book.stamp: .locks/book.txt | $(BIN)/python
@@ -140,6 +141,10 @@ $(VENV)/book.stamp: .locks/book.txt | $(BIN)/python
 $(VENV)/test.stamp: .locks/test.txt | $(BIN)/python
 	$(BIN)/python -m pip install --quiet --disable-pip-version-check --require-hashes -r $<
 	@touch $@ $(VENV)/book.stamp
+
+$(VENV)/mutation.stamp: .locks/mutation.txt $(VENV)/test.stamp
+	$(BIN)/python -m pip install --quiet --disable-pip-version-check --require-hashes -r $<
+	@touch $@
 
 $(VENV)/chromium.stamp: tests/support/chromium.py $(VENV)/test.stamp
 	@PYTHONPATH=tests $(BIN)/python -m support.chromium
@@ -163,4 +168,4 @@ lock: | $(BIN)/python
 	$(LOCK) --group bench --output-file .locks/bench.txt >/dev/null
 
 clean:
-	rm -rf build .pytest_cache .mypy_cache .ruff_cache .hypothesis
+	rm -rf build mutants .pytest_cache .mypy_cache .ruff_cache .hypothesis
