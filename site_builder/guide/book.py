@@ -5,7 +5,6 @@ from pathlib import Path
 
 from site_builder.book_root import ENGINE
 from site_builder.guide.classes import read_classes
-from site_builder.guide.film import RATE_HZ, falling_ball, still, webm
 from site_builder.guide.pages import directive_page, drawing_page, role_page, settings_page
 from site_builder.scaffold.files import HERE as SCAFFOLD
 from site_builder.scaffold.files import SUFFIX, filled
@@ -40,12 +39,7 @@ def guide_files() -> dict[str, bytes]:
         for file in sorted(OWN.rglob("*"))
         if file.is_file()
     }
-    frames = falling_ball()
-    film = {
-        "content/clips/fall.webm": webm(frames, RATE_HZ),
-        "content/clips/fall.png": still(frames[0]),
-    }
-    return {**new_book, **own, **film, **{path: text.encode() for path, text in made.items()}}
+    return {**new_book, **own, **{path: text.encode() for path, text in made.items()}}
 
 
 def write_guide(folder: Path) -> None:

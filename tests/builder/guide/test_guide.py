@@ -15,7 +15,6 @@ from support.static_server import serving
 from site_builder.book_root import ENGINE, VARIABLE
 from site_builder.guide.book import guide_files, write_guide
 from site_builder.guide.classes import read_classes
-from site_builder.guide.film import RATE_HZ, SECONDS, SIZE, falling_ball, webm
 from site_builder.guide.pages import (
     EXAMPLES,
     NoExampleError,
@@ -110,14 +109,6 @@ def test_every_colour_role_can_be_written_in_a_sentence() -> None:
     assert set(classes.roles) <= {role.name for role in ROLES}
 
 
-def test_its_film_is_as_long_as_its_frames_and_holds_each() -> None:
-    frames = falling_ball()
-    film = webm(frames, RATE_HZ)
-    assert film == webm(frames, RATE_HZ)
-    assert film.startswith(b"\x1a\x45\xdf\xa3")
-    assert film.count(b"\x9d\x01\x2a") == len(frames), "the start code of each key frame"
-
-
 @pytest.mark.browser
 def test_its_film_plays_in_the_browser_with_its_captions(guide: Path, chromium: Browser) -> None:
     with serving(guide) as server, chromium.new_context() as context:
@@ -129,11 +120,10 @@ def test_its_film_plays_in_the_browser_with_its_captions(guide: Path, chromium: 
                 await film.play();
                 await new Promise((done) => { film.onended = done; setTimeout(done, 10000); });
                 const cues = [...film.textTracks[0].cues].map((cue) => cue.text);
-                return { cues, ended: film.ended, seconds: film.duration, width: film.videoWidth };
+                return { cues, ended: film.ended };
             }"""
         )
-    assert (found["ended"], found["width"]) == (True, SIZE[0])
-    assert found["seconds"] == pytest.approx(SECONDS, abs=0.2)
+    assert found["ended"]
     assert found["cues"][0] == "In its first second the ball falls five metres."
 
 
