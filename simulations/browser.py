@@ -1,11 +1,10 @@
 """The only functions that the browser's worker calls."""
 
-import gc
 import io
 import json
 import time
 from collections.abc import Iterator
-from contextlib import redirect_stdout, suppress
+from contextlib import redirect_stdout
 from dataclasses import asdict, dataclass
 from functools import lru_cache
 from math import isfinite
@@ -25,7 +24,6 @@ __all__ = [
     "error",
     "fetch_missing",
     "forget",
-    "import_scenes",
     "judge",
     "measure",
     "photograph",
@@ -34,14 +32,9 @@ __all__ = [
     "render",
     "render_edited",
     "script",
-    "warm",
 ]
 
 _caches: dict[str, StageCache] = {}
-_ahead: dict[str, StageCache] = {}
-"""Of scenes whose figures are expected: the first figure that asks takes what is kept."""
-MOST_AHEAD = 8
-"""As many as a chapter has; what has waited longest goes."""
 _photographs: dict[str, Photograph] = {}
 """Of figures that show the reader's own picture."""
 _judgements: dict[str, tuple[object, Iterator[Readout]]] = {}
@@ -108,47 +101,11 @@ def prepare(scene_id: str) -> None:
     load_scene(scene_id)
 
 
-def import_scenes(scene_ids: str) -> str:
-    """Import those of the scenes, a JSON list, whose modules are all at hand; JSON of these.
-
-    For an interpreter whose memory is kept: it holds nothing that nobody needs any more.
-    """
-    found = []
-    for scene_id in json.loads(scene_ids):
-        with suppress(ImportError):
-            load_scene(scene_id)
-            found.append(scene_id)
-    gc.collect()
-    return json.dumps(found)
-
-
-def warm(figure: str, scene_id: str, values: str, tier: str) -> None:
-    """Have the stages of a frame at hand before it is asked for.
-
-    Without a ``figure``, for the first one that shows the scene. Raises as `render` does.
-    """
-    scene = load_scene(scene_id)
-    if figure:
-        cache = _cache_of(figure, scene)
-    else:
-        cache = _ahead[scene_id] = _taken_ahead(scene)
-        while len(_ahead) > MOST_AHEAD:
-            _ahead.pop(next(iter(_ahead)))
-    scene.render(scene.clamp(json.loads(values)), tier, cache, _photographs.get(figure))
-
-
 def _cache_of(figure: str, scene: Scene[Any]) -> StageCache:
+    """The figure's cache: room for the outputs at rest, of the draft, and of the scene's own drafts."""
     if figure not in _caches:
-        _caches[figure] = _taken_ahead(scene)
+        _caches[figure] = StageCache(depth=StageCache().depth + len(scene.own_drafts))
     return _caches[figure]
-
-
-def _taken_ahead(scene: Scene[Any]) -> StageCache:
-    """What is kept of the scene, no longer for others, or room for the outputs at rest, of the
-    draft, and of each draft of the scene's own."""
-    if scene.id in _ahead:
-        return _ahead.pop(scene.id)
-    return StageCache(depth=StageCache().depth + len(scene.own_drafts))
 
 
 def _reply(frame: Frame) -> Reply:

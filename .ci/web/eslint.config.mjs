@@ -7,7 +7,7 @@ import globals from "globals";
 
 const WORKER = [
   "static/js/runtime/worker.js",
-  "static/js/runtime/parts.js",
+  "static/js/runtime/chunks.js",
   "static/js/offline/service_worker.js",
 ];
 

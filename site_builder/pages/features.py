@@ -12,14 +12,14 @@ from site_builder.page_model.blocks import walk
 from site_builder.page_model.questions import Quiz
 
 PARTS: Mapping[str, str] = {
-    "simulation": "figure/part.js",
+    "simulation": "editor/feature.js",
     "ladder": "ladder/bench.js",
     "tabs": "page/tabs.js",
     "extremes": "page/case_filter.js",
     "terms": "page/terms.js",
     "quiz": "question/questions.js",
     "predict": "question/predictions.js",
-    "asked": "question/unsent.js",
+    "asked": "question/drafts.js",
     "progress": "question/keeping.js",
 }
 """Modules that `main.js` installs, below ``static/js/``."""
@@ -51,7 +51,7 @@ SHEETS: Mapping[str, Collection[str]] = {
     "readouts.css": ("simulation",),
     "control-grid.css": ("simulation",),
     "photograph.css": ("simulation",),
-    "workings.css": ("simulation", "stage-costs"),
+    "stage-report.css": ("simulation", "stage-costs"),
     "figure-foot.css": ("simulation",),
     "tools.css": ("simulation",),
     "quiz.css": ASKED,

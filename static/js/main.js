@@ -4,7 +4,7 @@
  */
 
 import { PARTS } from "./book_parts.js";
-import { installAhead } from "./page/ahead.js";
+import { installPrefetch } from "./page/prefetch.js";
 import { installContents } from "./page/contents.js";
 import { ask as followScroll, installHeader } from "./page/header.js";
 import { installKeys } from "./page/keys.js";
@@ -17,7 +17,6 @@ import { FORGETFUL } from "./page/storage.js";
 import { installSearch } from "./page/search.js";
 import { watchSections } from "./page/sections.js";
 import { installTheme, showTheme } from "./page/theme.js";
-import { installUnfolding, unfold } from "./page/unfolding.js";
 import { words } from "./page/words.js";
 
 installTheme();
@@ -26,11 +25,10 @@ installContents();
 installHeader();
 installSearch();
 installKeys();
-installUnfolding();
 for (const part of PARTS) part.install();
 arrive();
 installOffline();
-installAhead();
+installPrefetch();
 watchScripts();
 installNavigation(
   () => {
@@ -47,8 +45,8 @@ installNavigation(
 );
 
 /** A page has come into place. */
-async function arrive() {
+function arrive() {
   for (const part of PARTS) part.arrive?.();
   watchSections();
-  if (await unfold()) watchScrollers();
+  watchScrollers();
 }

@@ -10,7 +10,7 @@ from support.static_server import Fault, StaticServer, serving
 
 pytestmark = pytest.mark.browser
 
-WITHOUT_MEMORY = {"/memory.wasm": Fault(status=404)}
+WITHOUT_SNAPSHOT = {"/memory.wasm": Fault(status=404)}
 """Python starts plainly, and needs all else."""
 LOGIN = b"<!DOCTYPE html><title>Sign in to this network</title>"
 
@@ -36,8 +36,8 @@ FAULTS = {
     "numpy.zip": ("missing", "cut", "half", "changed", "login", "login as file"),
     "pyodide.mjs": ("missing", "cut", "half", "changed", "login", "type"),
     "pyodide.asm.mjs": ("changed", "type"),
-    "pyodide.asm.wasm": ("changed", "login as file"),
-    "numpy.linalg._umath_linalg.wasm": ("missing", "changed"),
+    "pyodide.asm.wasm": ("half", "login as file"),
+    "numpy.linalg._umath_linalg.wasm": ("missing", "half"),
     "python.zip": ("missing", "changed"),
     "core.zip": ("changed", "login"),
     "runtime.json": ("half", "login as file", "other release"),
@@ -78,7 +78,7 @@ def test_what_is_wrong_with_a_file_is_told(
     reader: Reader, host: StaticServer, name: str, kind: str
 ) -> None:
     fault, words = KINDS[kind]
-    host.faults = {**WITHOUT_MEMORY, f"/{name}": fault}
+    host.faults = {**WITHOUT_SNAPSHOT, f"/{name}": fault}
     message = told(reader)
     assert message.startswith("Python did not start")
     assert name in message
@@ -88,7 +88,7 @@ def test_what_is_wrong_with_a_file_is_told(
 def test_a_page_older_than_its_host_offers_to_be_loaded_anew_and_keeps_its_settings(
     reader: Reader, host: StaticServer
 ) -> None:
-    host.faults = {**WITHOUT_MEMORY, "/numpy.zip": Fault(status=404)}
+    host.faults = {**WITHOUT_SNAPSHOT, "/numpy.zip": Fault(status=404)}
     told(reader)
     host.faults |= {
         "/lens-distortion/": Fault(
@@ -118,7 +118,7 @@ def test_python_starts_by_itself_once_the_host_is_back_with_late_files_of_other_
     moved = slider.input_value()
     host.gone = False
     host.faults = {
-        **WITHOUT_MEMORY,
+        **WITHOUT_SNAPSHOT,
         "/numpy.zip": Fault(late_s=10),
         **{f"/{name}": Fault(media_type="text/plain") for name in ("python.zip", "runtime.json")},
         "/pyodide.asm.wasm": Fault(media_type="application/octet-stream"),

@@ -105,7 +105,7 @@ def test_milliseconds_in_the_table_of_a_ladder(page: Page) -> None:
 def test_the_count_of_stages(page: Page, statuses: list[Any]) -> None:
     stages = [StageReport("stage", status, "") for status in statuses]
     calls = [[sent(*stages)]]
-    assert ask(page, "figure/workings", "countStages", calls) == [count_stages(stages)]
+    assert ask(page, "figure/stage_report", "countStages", calls) == [count_stages(stages)]
 
 
 def test_why_a_stage_was_computed_or_not(page: Page) -> None:
@@ -118,7 +118,7 @@ def test_why_a_stage_was_computed_or_not(page: Page) -> None:
     ]
     texts = [reason_text(reason) for reason in reasons]
     calls = [[sent(StageReport("s", "skipped", reason))[0]["reason"]] for reason in reasons]
-    assert ask(page, "figure/workings", "reasonText", calls) == texts
+    assert ask(page, "figure/stage_report", "reasonText", calls) == texts
 
 
 def test_a_number_as_the_language_writes_it(page: Page) -> None:

@@ -11,13 +11,13 @@ from support.reader import Reader
 
 pytestmark = pytest.mark.browser
 
-BEGIN = """async (importMs) => {
+BEGIN = """async () => {
   const {Runtime} = (await customElements.whenDefined('simulation-figure')).inside;
   window.ended = 0;
   window.Worker = class {
     postMessage({id, call}) {
       window.answer = (more) => this.onmessage({data: {id, ok: true, ...more}});
-      if (call === 'start') setTimeout(() => this.onmessage({data: {id, ok: true, importMs}}));
+      if (call === 'start') setTimeout(() => this.onmessage({data: {id, ok: true}}));
     }
     terminate() { window.ended += 1; }
   };
@@ -42,9 +42,9 @@ def page(plain_reader: Reader) -> Iterator[Page]:
     own.close()
 
 
-def begin(page: Page, import_ms: int = 400) -> None:
-    """Start a worker that has told how fast it is, and had a scene's first frame."""
-    page.evaluate(BEGIN, import_ms)
+def begin(page: Page) -> None:
+    """Start a worker, and have a frame of it."""
+    page.evaluate(BEGIN)
     ask(page)
     page.clock.run_for(100)
     is_waited_for(page)
@@ -60,36 +60,27 @@ def told(page: Page, what: str | None) -> None:
     assert page.evaluate("told") == what
 
 
-def is_waited_for(page: Page, compute_ms: int = 5) -> None:
+def is_waited_for(page: Page) -> None:
     """The worker's answer is still taken, now."""
     told(page, None)
-    page.evaluate("computeMs => answer({computeMs})", compute_ms)
+    page.evaluate("answer({computeMs: 5})")
     told(page, "answered")
 
 
-def test_a_silent_worker_is_given_up_after_ten_seconds(page: Page) -> None:
+def test_a_silent_worker_is_given_up_after_a_minute(page: Page) -> None:
     begin(page)
-    page.clock.run_for(9_000)
+    page.clock.run_for(59_000)
     told(page, None)
     page.clock.run_for(2_000)
     told(page, "lost")
     assert page.evaluate("ended") == 1
 
 
-def test_a_machine_six_times_slower_is_waited_for_six_times_as_long(page: Page) -> None:
-    begin(page, import_ms=6 * 500)
-    page.clock.run_for(55_000)
-    is_waited_for(page, 55_000)
-    ask(page)
-    page.clock.run_for(600_000)
-    is_waited_for(page, 600_000)
-
-
 def test_an_hour_of_sleep_is_no_waiting(page: Page) -> None:
     begin(page)
-    page.clock.run_for(5_000)
+    page.clock.run_for(40_000)
     page.clock.fast_forward("01:00:00")
-    page.clock.run_for(3_000)
+    page.clock.run_for(15_000)
     is_waited_for(page)
 
 

@@ -22,18 +22,6 @@ def test_the_worker_judges_a_figure_at_the_reader_s_values() -> None:
         assert place == met
 
 
-def test_scenes_whose_modules_are_not_all_at_hand_are_left_out_of_those_imported(
-    monkeypatch: pytest.MonkeyPatch,
-) -> None:
-    def load(scene_id: str) -> None:
-        if scene_id == "jpeg":
-            raise ModuleNotFoundError("numpy.fft")
-
-    monkeypatch.setattr(browser, "load_scene", load)
-    asked = json.dumps(["camera", "jpeg", "phong"])
-    assert json.loads(browser.import_scenes(asked)) == ["camera", "phong"]
-
-
 def test_the_browser_asks_for_a_pull_by_names_and_numbers() -> None:
     scene_id, values = "lambertian-shading", '{"light_angle": 30}'
     assert json.loads(browser.pull(scene_id, values, "", "lamp", 200, 0)) == {"light_angle": 180}

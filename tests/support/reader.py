@@ -91,7 +91,6 @@ class Reader:
     def open(self, address: str = "", *, live: bool = True) -> None:
         """Open a page of the book, and wait until its figures live if there are any."""
         self.page.goto(self.root + address)
-        self.page.evaluate(LAY_OUT)
         if live:
             self.wait_live()
 
@@ -118,7 +117,6 @@ class Reader:
             "url => location.href === url && document.activeElement?.id === 'main'",
             arg=self.root + address,
         )
-        self.page.evaluate(LAY_OUT)
         if live:
             self.wait_live()
 
@@ -248,14 +246,6 @@ FOLLOW = """(url) => {
   if (location.href === url) document.getElementById('main').focus();
   else [...document.querySelectorAll('a[href]')].find((link) => link.href === url).click();
 }"""
-
-LAY_OUT = """() => {
-  document.documentElement.classList.remove('unfolding');
-  for (const block of document.querySelectorAll('[data-folded]')) {
-    block.removeAttribute('data-folded');
-  }
-}"""
-"""What a page puts off until its reader rests: whoever looks at once is to see all of it."""
 
 OFFER = """(url) => {
   const link = document.createElement('a');

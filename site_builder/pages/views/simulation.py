@@ -195,14 +195,14 @@ def tier_labels(scene: Scene[Any]) -> tuple[tuple[str, str], ...]:
 
 
 def reason_text(reason: str | Sequence[Said], words: Words = ENGLISH) -> str:
-    """Why a stage was computed or not, as ``workings.js`` writes it."""
+    """Why a stage was computed or not, as ``stage_report.js`` writes it."""
     if isinstance(reason, str):
         return reason
     return "; ".join(words(f"script.{part.key}", **part.values) for part in reason)
 
 
 def count_stages(stages: Sequence[StageReport], words: Words = ENGLISH) -> str:
-    """``13 computed, 0 reused, 1 skipped``, as ``workings.js`` writes it."""
+    """``13 computed, 0 reused, 1 skipped``, as ``stage_report.js`` writes it."""
     counts = {"computed": 0, "reused": 0, "skipped": 0}
     for stage in stages:
         counts[stage.status] += 1

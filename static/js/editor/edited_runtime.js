@@ -1,17 +1,18 @@
 /**
  * Draws one figure by its reader's own code, in an interpreter of its own: whatever that code does
- * there, the book's interpreter and all other figures never meet it.
+ * there, the book's interpreter and all other figures are unaffected.
  */
 
-import { EDITED } from "../runtime/patience.js";
-import { Runtime, RuntimeFailure, closed } from "../runtime/runtime.js";
 import { told, words } from "../page/words.js";
+import { EDITED } from "../runtime/messages.js";
+import { Runtime, RuntimeFailure, closed } from "../runtime/runtime.js";
 
-/** @import { Caller, Payload } from "../runtime/runtime.js" */
+/** @import { Caller } from "../runtime/runtime.js" */
+/** @import { FrameReply, FrameRequest } from "../runtime/messages.js" */
 /** @import { Said } from "../page/words.js" */
 /** @typedef {{message: string | Said, definition: string, line: number}} Problem */
 
-/** The reader's code failed; `problem` tells where. */
+/** The reader's code failed; `problem` says where. */
 export class EditFailure extends RuntimeFailure {
   /**
    * @param {Problem} problem
@@ -27,26 +28,26 @@ export class EditFailure extends RuntimeFailure {
 export class EditedRuntime {
   /** @type {Runtime | null} */
   #own = null;
-  /** @type {Promise<number> | null} What the limit is, once the interpreter is warm. */
-  #warm = null;
+  /** @type {Promise<number> | null} The time limit, once the interpreter has drawn the book's frame. */
+  #limit = null;
   /** What draws the figure: JSON of definitions and texts. */
   #edits = "{}";
-  /** @type {Payload} What was last asked for a frame. */
-  #frame = {};
-  /** @type {{asked: string, reply: any} | null} A frame that is ready, and what was asked for it. */
+  /** @type {FrameRequest | null} */
+  #frame = null;
+  /** @type {{request: string, reply: any} | null} A frame drawn already, and the request for it. */
   #ready = null;
 
   /**
    * @param {Runtime} book
-   * @param {object} told
-   * @param {(printed: string) => void} told.drawn Called with what a frame's code printed.
-   * @param {(failure: EditFailure) => void} told.failed Called when a frame could not be computed.
-   * @param {(message: string) => void} told.stopped Called when one did not end. From then on the
+   * @param {object} on
+   * @param {(printed: string) => void} on.drawn Called with what a frame's code printed.
+   * @param {(failure: EditFailure) => void} on.failed Called when a frame could not be computed.
+   * @param {(message: string) => void} on.stopped Called when one did not end. From then on the
    *   book's own code draws the figure.
    */
-  constructor(book, told) {
+  constructor(book, on) {
     this.book = book;
-    this.told = told;
+    this.on = on;
   }
 
   get generation() {
@@ -56,26 +57,23 @@ export class EditedRuntime {
   /**
    * As of any runtime; frames and their errors are those of the edited code.
    *
-   * @param {string} name
-   * @param {Payload} payload
-   * @param {() => number} [urgency]
-   * @returns {Promise<any>}
+   * @type {Caller["call"]}
    */
-  async call(name, payload, urgency) {
-    if (name === "pull") return await this.book.call(name, payload, urgency); // of the controls
-    if (name !== "render") {
-      if (name === "photograph") this.#ready = null; // it shows another picture
-      return await this.#ask(name, payload, this.#edits, urgency);
-    }
+  async call(name, request, urgency) {
+    /** @type {any} */
+    const any = request;
+    if (name === "pull") return await this.book.call(name, request, urgency); // of the controls
+    if (name === "photograph") this.#ready = null; // it shows another picture
+    if (name !== "render") return await this.#ask(name, any, this.#edits, urgency);
     try {
-      const reply = this.#take(payload) ?? (await this.draw(payload, this.#edits, urgency));
-      this.told.drawn(reply.printed);
+      const reply = this.#take(any) ?? (await this.draw(any, this.#edits, urgency));
+      this.on.drawn(reply.printed);
       return reply;
     } catch (error) {
-      if (error instanceof EditFailure) this.told.failed(error);
+      if (error instanceof EditFailure) this.on.failed(error);
       if (!(error instanceof RuntimeFailure) || error.kind !== "lost") throw error;
-      this.told.stopped(error.message);
-      return await this.book.call(name, payload, urgency);
+      this.on.stopped(error.message);
+      return await this.book.call(name, request, urgency);
     }
   }
 
@@ -83,17 +81,12 @@ export class EditedRuntime {
    * From now on, draw by `edits`, which have drawn a frame.
    *
    * @param {string} edits
-   * @param {Payload} payload What was asked for the frame.
-   * @param {any} reply The frame.
+   * @param {FrameRequest} request
+   * @param {FrameReply} reply
    */
-  adopt(edits, payload, reply) {
+  adopt(edits, request, reply) {
     this.#edits = edits;
-    this.#ready = { asked: JSON.stringify(payload), reply };
-  }
-
-  /** @param {ArrayBuffer[]} rasters */
-  recycle(rasters) {
-    this.#own?.recycle(rasters);
+    this.#ready = { request: JSON.stringify(request), reply };
   }
 
   /** @param {string} figure */
@@ -106,20 +99,20 @@ export class EditedRuntime {
   close() {
     this.#own?.close();
     this.#own = null;
-    this.#warm = null;
+    this.#limit = null;
   }
 
   /**
    * One frame by `edits`.
    *
-   * @param {Payload} payload
+   * @param {FrameRequest} request
    * @param {string} edits
    * @param {() => number} [urgency]
-   * @returns {Promise<any>}
+   * @returns {Promise<FrameReply & {printed: string}>}
    * @throws {RuntimeFailure} An `EditFailure` where the code raised, `lost` where it was stopped.
    */
-  async draw(payload, edits, urgency) {
-    const reply = await this.#ask("renderEdited", payload, edits, urgency);
+  async draw(request, edits, urgency) {
+    const reply = await this.#ask("renderEdited", request, edits, urgency);
     if (reply.problem) throw new EditFailure(reply.problem, reply.printed);
     return reply;
   }
@@ -127,59 +120,54 @@ export class EditedRuntime {
   /**
    * Have an interpreter with the figure's modules imported, before edited code is timed.
    *
-   * @param {Payload} payload
+   * @param {FrameRequest} frame
    * @returns {Promise<number>} The limit for edited code.
    */
-  warm(payload) {
-    if (payload.scene) this.#frame = payload;
-    const { scene } = this.#frame;
-    this.#own ??= new Runtime(this.book.url, () => (scene ? [scene] : []));
-    this.#warm ??= this.#own.call("render", this.#frame).then(
+  warm(frame) {
+    const { scene } = frame;
+    this.#frame = frame;
+    this.#own ??= new Runtime(this.book.url, () => [scene]);
+    this.#limit ??= this.#own.call("render", frame).then(
       ({ computeMs }) => Math.max(EDITED.ms, EDITED.times * computeMs),
       (error) => {
         if (error instanceof RuntimeFailure && error.kind === "python") return EDITED.ms;
-        this.#warm = null;
+        this.#limit = null;
         throw error;
       },
     );
-    return this.#warm;
+    return this.#limit;
   }
 
   /**
-   * The frame that is ready, if it is the one asked for. It can be had once.
+   * The frame that was adopted, if it is the one requested. It can be had once.
    *
-   * @param {Payload} payload
+   * @param {FrameRequest} request
    */
-  #take(payload) {
+  #take(request) {
     const ready = this.#ready;
     this.#ready = null;
-    return ready?.asked === JSON.stringify(payload) ? ready.reply : null;
+    return ready?.request === JSON.stringify(request) ? ready.reply : null;
   }
 
   /**
-   * @param {string} name
-   * @param {Payload} payload
+   * @param {import("../runtime/messages.js").CallName} name
+   * @param {any} request
    * @param {string} edits
    * @param {() => number} [urgency]
    * @returns {Promise<any>}
    */
-  async #ask(name, payload, edits, urgency) {
-    const limit = await this.warm(payload);
+  async #ask(name, request, edits, urgency) {
+    const frame = request.scene ? request : this.#frame;
+    const limit = await this.warm(frame);
     if (!this.#own) throw closed();
     try {
-      return await this.#own.call(name, { ...payload, edits, limit }, urgency);
+      return await this.#own.call(name, { ...request, edits, limit }, urgency);
     } catch (error) {
       if (!(error instanceof RuntimeFailure) || error.kind !== "lost") throw error;
-      this.#warm = null; // the next interpreter is a new one
-      throw new RuntimeFailure("lost", inWords(error, limit));
+      this.#limit = null; // the next interpreter is a new one
+      const seconds = Math.round(limit / 1000);
+      const reason = error.late ? words("runtime.late_by", { seconds }) : error.message;
+      throw new RuntimeFailure("lost", reason);
     }
   }
-}
-
-/**
- * @param {RuntimeFailure} failure
- * @param {number} limit
- */
-function inWords({ late, message }, limit) {
-  return late ? words("runtime.late_by", { seconds: Math.round(limit / 1000) }) : message;
 }

@@ -2,12 +2,12 @@
 
 import { all, one } from "../page/dom.js";
 import { setText } from "../page/text.js";
-import { reasonText } from "../figure/workings.js";
+import { reasonText } from "../figure/stage_report.js";
 import { nameOf } from "./sources.js";
 import { words } from "../page/words.js";
 
 /** @import { CodeEditor } from "../../../site_builder/editor/code_editor.js" */
-/** @import { Stage } from "../figure/workings.js" */
+/** @import { Stage } from "../figure/stage_report.js" */
 /** @import { Problem } from "./edited_runtime.js" */
 /** @import { Edits } from "./edits.js" */
 /** @import { Sources } from "./sources.js" */

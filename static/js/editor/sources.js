@@ -1,6 +1,6 @@
 /** The Python of a scene, as the build wrote it down; fetched when a reader first asks for it. */
 
-/** @import { Stage } from "../figure/workings.js" */
+/** @import { Stage } from "../figure/stage_report.js" */
 /**
  * @typedef {object} Definition
  * @property {string} path File of the project.

@@ -73,7 +73,7 @@ async function clicked(event) {
   const tool = within(event, ".tools button", HTMLButtonElement);
   if (link && isPlain(event)) {
     event.preventDefault();
-    const { follow } = await import("./moves.js");
+    const { follow } = await import("./animate.js");
     follow(link);
   }
   if (tool) {
@@ -122,7 +122,7 @@ function leaveFullScreen({ key }) {
 async function lightUp(event) {
   const pointed = within(event, COLOURED, Element);
   if (!pointed) return;
-  const light = await import("./light.js").catch(ignore);
+  const light = await import("./highlight.js").catch(ignore);
   light?.point(pointed);
 }
 

@@ -14,7 +14,7 @@ import { setAttribute } from "../page/text.js";
 import { formatValue, moveControls, named, readValues, uncover } from "./controls.js";
 import { center, driven, grabbed, inPanel, name, put } from "./handle_elements.js";
 import { keyed } from "./handle_keys.js";
-import { holdGround, mayScroll } from "./hold.js";
+import { holdGround, mayScroll } from "./pointer_capture.js";
 import { LatestWins } from "./scheduler.js";
 import { say } from "./status.js";
 import { words } from "../page/words.js";

@@ -1,64 +1,60 @@
 /**
- * The life of a figure: its controls ask for frames, the worker draws them, the page shows them.
+ * A figure in use: its controls ask for frames, the worker computes them, the page shows them.
  *
- * States, in `data-state`: `still` as served; `waiting` for the reader to ask, where the link is to
- * be spared; `starting` once a frame is asked for; `live` after each painted frame; `failed` with a
- * message and a button. `data-frames` counts frames after their pixels are in the page. `data-tier`
+ * States, in `data-state`: `still` as built; `waiting` for the reader to ask, where the link is
+ * metered; `starting` once a frame is requested; `live` after each painted frame; `failed` with a
+ * message and a button. `data-frames` counts frames after their pixels are in the page; `data-tier`
  * is the accuracy of the frame that is shown.
  */
 
 import { message } from "../errors.js";
+import { isSparing, stopSparing } from "../page/data_saver.js";
 import { all, data, one, within } from "../page/dom.js";
+import { offerRelease } from "../page/release.js";
+import { words } from "../page/words.js";
 import { RuntimeFailure, sharedRuntime } from "../runtime/runtime.js";
 import { announcer } from "./announce.js";
 import { pressAction, readValues, showSliderValue } from "./controls.js";
-import { Early } from "./early.js";
 import { Handles } from "./handles.js";
+import { isInitial } from "./initial_frame.js";
 import { Motion } from "./motion.js";
 import { OwnPicture } from "./own_picture.js";
 import { Painter, takeStills } from "./painter.js";
+import { Prerendered } from "./prerendered.js";
 import { LatestWins } from "./scheduler.js";
-import { isOfPage, isServed } from "./served.js";
-import { say, sayNothingOfFailure } from "./status.js";
+import { Accuracy, showStages } from "./stage_report.js";
+import { clearFailure, say } from "./status.js";
 import { chosenTier, isDrafted, shownTier } from "./tiers.js";
-import { warmTouches } from "./warming.js";
-import { Accuracy, showStages } from "./workings.js";
-import { painted } from "../page/pauses.js";
-import { offerRelease } from "../page/release.js";
-import { isSparing, spareNoMore } from "../page/sparing.js";
-import { words } from "../page/words.js";
 
+/** @import { FrameReply } from "../runtime/messages.js" */
 /** @import { Caller } from "../runtime/runtime.js" */
-/** @import { Stage } from "./workings.js" */
 /** @import { Control, Schema } from "./controls.js" */
-/** @import { Readout } from "./painter.js" */
 /** @import { Pull } from "./handles.js" */
-/** @import { Judged } from "./workings.js" */
+/** @import { Stage } from "./stage_report.js" */
 /** @typedef {{values: string, tier: string, time: number, urgency: number}} Job */
 
 /** A frame that the reader waits for goes before one that only should be ready. */
 const URGENCY = { idle: -1, far: 0, near: 1, touched: 2, held: 3 };
-/** How often a frame is asked for again, by itself, after the worker was lost or a network found. */
-const RESTARTS = 1;
 
 let figures = 0;
-/** When the device last found a network again: what was tried before may have failed for that. */
-let backAt = 0;
+/** When the device last found a network again: earlier requests may have failed for lack of it. */
+let onlineSince = 0;
 
 export class LiveFigure {
   #key = `figure-${++figures}`;
   /** @type {LatestWins<Job>} */
   #scheduler = new LatestWins((job) => this.#run(job));
   #listeners = new AbortController();
-  /** @type {IntersectionObserver} */
-  #observer;
   #near = false;
+  /** What the last frame was requested for. */
   #asked = "";
+
   /**
    * @param {HTMLElement} figure
    * @param {Caller} runtime
    */
   constructor(figure, runtime) {
+    const { signal } = this.#listeners;
     this.figure = figure;
     this.runtime = runtime;
     /** @type {Stage[]} What the stages of the shown frame did. */
@@ -67,77 +63,72 @@ export class LiveFigure {
     this.schema = data(figure, "script.schema");
     this.form = one(figure, "form.controls", HTMLFormElement);
     this.painter = new Painter(figure);
-    this.early = new Early(this.painter, this.form, this.schema, (handles) => {
-      this.handles.show(handles);
+    this.prerendered = new Prerendered(this.painter, this.form, this.schema, (places) => {
+      this.handles.show(places);
     });
     this.announce = announcer(one(figure, ".description", HTMLElement));
-    this.accuracy = new Accuracy(figure, (job, urgency) => this.#askError(job, urgency));
+    this.accuracy = new Accuracy(figure, async ({ values, tier }, urgency) => {
+      return (await this.runtime.call("error", this.#request(values, tier), urgency)).estimate;
+    });
     this.motion = new Motion(this.form, this.schema, (moving, time) => this.#ask(time, moving));
-    const again = () => this.#ask(performance.now(), "");
-    this.own = new OwnPicture(figure, this.schema.photograph, again, this.#listeners.signal);
-    this.#listen();
-    this.handles = new Handles(
-      figure,
-      this.form,
-      this.schema,
-      (pull) => this.#askPull(pull),
-      this.#listeners.signal,
-    );
-    this.#observer = this.#startInView();
+    this.own = new OwnPicture(figure, this.schema.photograph, () => this.#askAgain(), signal);
+    this.#listen(signal);
+    const pull = (/** @type {Pull} */ pull) => this.#pull(pull);
+    this.handles = new Handles(figure, this.form, this.schema, pull, signal);
+    this.observer = this.#startInView();
   }
 
   /** The figure has left the page. */
   leave() {
-    this.#observer.disconnect();
+    this.observer.disconnect();
     this.#listeners.abort();
-    this.early.end();
+    this.prerendered.end();
     this.motion.stop();
     this.accuracy.stop();
     this.#scheduler.clear();
     this.runtime.forget(this.#key);
   }
 
-  /** Whether the frame that was asked for last is shown, or has failed. */
+  /** Whether the frame that was requested last is shown, or has failed. */
   get rests() {
     return this.#scheduler.idle;
   }
 
-  /** Try again what failed, or what waited to be asked for; the figure keeps its values. */
+  /** Try again what failed, or start what waited for the reader; the figure keeps its values. */
   retry() {
     this.figure.dataset.state = "starting";
     say(this.figure, "");
-    this.#ask(performance.now(), "");
+    this.#askAgain();
   }
 
   /**
-   * From now on, have the frames of another, beginning with the present one.
+   * From now on, get frames from another runtime, beginning with the present one.
    *
    * @param {Caller} runtime
    */
   drawnBy(runtime) {
     this.runtime = runtime;
     this.#asked = "";
-    this.#ask(performance.now(), "");
+    this.#askAgain();
   }
 
-  /** What is asked for the frame of the form's present values. */
+  /** The request for the frame of the form's present values. */
   request() {
-    const values = JSON.stringify(readValues(this.form, this.schema.controls));
-    return this.#request(values, this.#tier(""));
+    return this.#request(this.#values, this.#tier(""));
   }
 
   /**
-   * Which condition is the first to hold of what the controls say now.
+   * Which condition is the first to hold of the form's present values.
    *
    * @param {string[]} conditions
    * @returns {Promise<number | null>}
-   * @throws {RuntimeFailure} Where Python cannot tell.
+   * @throws {RuntimeFailure}
    */
   async judge(conditions) {
     beginAll();
-    const values = JSON.stringify(readValues(this.form, this.schema.controls));
-    const state = this.#request(values, chosenTier(this.form, this.schema));
-    return (await this.runtime.call("judge", { ...state, conditions }, () => URGENCY.touched)).met;
+    const request = this.#request(this.#values, chosenTier(this.form, this.schema));
+    const judged = { ...request, conditions };
+    return (await this.runtime.call("judge", judged, () => URGENCY.touched)).met;
   }
 
   /** Ask for the first frame as soon as it is known whether the figure is in view. */
@@ -148,31 +139,41 @@ export class LiveFigure {
       ([entry]) => {
         this.#near = entry.isIntersecting;
         this.accuracy.near = this.#near;
-        if (this.#near) this.early.near();
+        if (this.#near) this.prerendered.near();
         const isNew = !this.#asked && this.figure.dataset.state !== "failed";
         if (isNew) this.#ask(performance.now(), "", URGENCY.far);
       },
       { rootMargin: "50% 0px" },
     );
     observer.observe(this.figure);
-    // What is ready is no work: it need not wait for the page to be laid out.
+    // A scene that is imported already need not wait for layout.
     if (sharedRuntime()?.sourcesOf(this.#scene)) this.#ask(performance.now(), "", URGENCY.far);
     return observer;
   }
 
-  #listen() {
-    const { signal } = this.#listeners;
-    this.form.addEventListener("submit", (event) => event.preventDefault(), { signal });
-    this.form.addEventListener("input", (event) => this.#changed(event, true), { signal });
-    this.form.addEventListener("change", (event) => this.#changed(event, false), { signal });
-    this.form.addEventListener("click", (event) => this.#pressed(event), { signal });
-    one(this.figure, ".retry", HTMLButtonElement).addEventListener("click", retryAll, { signal });
-    one(this.figure, ".begin", HTMLButtonElement).addEventListener("click", beginAll, { signal });
+  /** @param {AbortSignal} signal */
+  #listen(signal) {
+    const { form, figure } = this;
+    form.addEventListener("submit", (event) => event.preventDefault(), { signal });
+    form.addEventListener("input", (event) => this.#changed(event, true), { signal });
+    form.addEventListener("change", (event) => this.#changed(event, false), { signal });
+    form.addEventListener("click", (event) => this.#pressed(event), { signal });
+    one(figure, ".retry", HTMLButtonElement).addEventListener("click", retryAll, { signal });
+    one(figure, ".begin", HTMLButtonElement).addEventListener("click", beginAll, { signal });
   }
 
-  /** Whether Python is not to start before the reader asks. */
+  /** Whether Python must not start before the reader asks. */
   get #waits() {
     return this.figure.dataset.state === "waiting";
+  }
+
+  get #scene() {
+    return this.figure.dataset.simulation ?? "";
+  }
+
+  /** The form's present values, as JSON. */
+  get #values() {
+    return JSON.stringify(readValues(this.form, this.schema.controls));
   }
 
   /**
@@ -210,8 +211,12 @@ export class LiveFigure {
     }
   }
 
+  #askAgain() {
+    this.#ask(performance.now(), "");
+  }
+
   /**
-   * Ask for the frame of the form's present values, unless it is the one asked for last.
+   * Request the frame of the form's present values, unless it was the last one requested.
    *
    * @param {number} time
    * @param {string} moving Name of the control whose moves are drafted, if one moves.
@@ -219,8 +224,7 @@ export class LiveFigure {
    */
   #ask(time, moving, urgency = URGENCY.touched) {
     if (!this.figure.isConnected || this.#waits) return;
-    const values = JSON.stringify(readValues(this.form, this.schema.controls));
-    const tier = this.#tier(moving);
+    const [values, tier] = [this.#values, this.#tier(moving)];
     const asked = `${values} ${tier} ${this.own.number}`;
     if (asked === this.#asked) return;
     this.#asked = asked;
@@ -232,20 +236,30 @@ export class LiveFigure {
     return shownTier(this.form, this.schema, moving);
   }
 
-  /** @param {Job} job */
+  /**
+   * @param {string} values
+   * @param {string} tier
+   */
+  #request(values, tier) {
+    return { figure: this.#key, scene: this.#scene, values, tier };
+  }
+
+  /**
+   * Have a frame computed and shown; once more where the worker was lost, or the network was away.
+   *
+   * @param {Job} job
+   */
   async #run(job) {
     for (let attempt = 0; ; attempt += 1) {
       const begun = performance.now();
       try {
         await this.own.handOver(this.runtime, this.#key);
-        if (await this.#adopt(job)) return;
-        const reply = await this.#call(job);
-        if (this.figure.isConnected) this.#show(reply, job);
+        if (!(await this.#adopt(job))) await this.#render(job);
         return;
       } catch (error) {
         if (!this.figure.isConnected) return;
         const lost = error instanceof RuntimeFailure && error.kind === "lost";
-        if (!(lost || backAt > begun) || attempt >= RESTARTS) {
+        if (attempt > 0 || !(lost || onlineSince > begun)) {
           this.#fail(error);
           return;
         }
@@ -256,8 +270,10 @@ export class LiveFigure {
   }
 
   /** @param {Job} job */
-  #call({ values, tier, urgency }) {
-    return this.runtime.call("render", this.#request(values, tier), () => this.#urgency(urgency));
+  async #render(job) {
+    const request = this.#request(job.values, job.tier);
+    const reply = await this.runtime.call("render", request, () => this.#urgency(job.urgency));
+    if (this.figure.isConnected) this.#show(reply, job);
   }
 
   /** @param {number} least */
@@ -266,50 +282,38 @@ export class LiveFigure {
   }
 
   /**
-   * Take the page's own frame for the live one where it is that, as soon as the worker could draw
-   * others; then have the stages of those ready.
+   * Take the page's initial frame for the live one where it is that, as soon as the worker could
+   * draw others; then compute it at leisure, so that its stages are cached.
    *
    * @param {Job} job
    */
   async #adopt(job) {
-    const isStill = () => !this.own.number && isServed(this.figure, this.schema, job);
-    if (this.runtime !== sharedRuntime() || !isStill()) return false;
+    const runtime = sharedRuntime();
+    const isUnchanged = () => !this.own.number && isInitial(this.figure, this.schema, job);
+    if (!runtime || this.runtime !== runtime || !isUnchanged()) return false;
     const scene = { figure: this.#key, scene: this.#scene };
     const urgency = () => this.#urgency(job.urgency);
     const sources =
-      sharedRuntime()?.sourcesOf(this.#scene) ??
-      (await this.runtime.call("prepare", scene, urgency)).sources;
-    if (!isOfPage(sources) || !isStill()) return false;
+      runtime.sourcesOf(this.#scene) ?? (await runtime.call("prepare", scene, urgency)).sources;
+    if (sources !== document.body.dataset.sources || !isUnchanged()) return false;
     if (this.figure.isConnected) {
-      this.early.end();
+      this.prerendered.end();
       takeStills(this.figure);
-      sayNothingOfFailure(this.figure);
-      this.#lives(job, 0);
-      this.#warm(job);
+      clearFailure(this.figure);
+      this.#painted(job, 0);
+      this.#cache(job).catch(() => {}); // reported when the figure is touched
     }
     return true;
   }
 
-  /**
-   * Compute, while nobody waits, what the next frame shares with the page's own.
-   *
-   * @param {Job} job
-   */
-  async #warm(job) {
-    await painted();
-    if (this.figure.dataset.frames !== "1" || !this.figure.isConnected) return;
-    try {
-      const asked = this.#request(job.values, job.tier);
-      const reply = await this.runtime.call("render", asked, () => URGENCY.idle);
-      if (this.figure.dataset.frames !== "1" || !this.rests) return;
-      this.stages = JSON.parse(reply.meta).stages;
-      this.figure.dataset.computeMs = reply.computeMs.toFixed(1);
-      this.accuracy.shown(job, reply.computeMs, true);
-      const isUntouched = () => this.figure.isConnected && this.figure.dataset.frames === "1";
-      await warmTouches(this.runtime, asked, this.schema, isUntouched);
-    } catch {
-      // Whoever touches the figure hears of it.
-    }
+  /** @param {Job} job */
+  async #cache(job) {
+    const request = this.#request(job.values, job.tier);
+    const { meta, computeMs } = await this.runtime.call("render", request, () => URGENCY.idle);
+    if (this.figure.dataset.frames !== "1" || !this.rests) return;
+    this.stages = JSON.parse(meta).stages;
+    this.figure.dataset.computeMs = computeMs.toFixed(1);
+    this.accuracy.shown(job, computeMs, true);
   }
 
   /**
@@ -317,60 +321,34 @@ export class LiveFigure {
    *
    * @param {Pull} pull
    */
-  async #askPull(pull) {
+  async #pull(pull) {
     if (this.#waits) throw new RuntimeFailure("start", words("figure.sparing"));
-    const { tier } = this.figure.dataset;
-    const payload = { figure: this.#key, scene: this.#scene, tier, ...pull };
-    return this.runtime.call("pull", payload, () => URGENCY.held);
+    const request = this.#request(pull.values, this.figure.dataset.tier ?? "");
+    return this.runtime.call("pull", { ...request, ...pull }, () => URGENCY.held);
   }
 
   /**
-   * @param {string} values
-   * @param {string} tier
-   */
-  #request(values, tier) {
-    return { figure: this.#key, scene: this.#scene, values, tier };
-  }
-
-  get #scene() {
-    return this.figure.dataset.simulation ?? "";
-  }
-
-  /**
-   * @param {Judged} judged
-   * @param {() => number} urgency
-   * @returns {Promise<Readout | null>}
-   */
-  async #askError({ values, tier }, urgency) {
-    return (await this.runtime.call("error", this.#request(values, tier), urgency)).estimate;
-  }
-
-  /**
-   * @param {{meta: string, rasters: ArrayBuffer[], computeMs: number}} reply
+   * @param {FrameReply} reply
    * @param {Job} job
    */
   #show(reply, job) {
-    const { figure } = this;
     const meta = JSON.parse(reply.meta);
-    this.early.end();
+    this.prerendered.end();
     this.painter.paint(meta, reply.rasters);
-    this.runtime.recycle(reply.rasters);
     this.stages = meta.stages;
     this.handles.show(meta.handles);
-    showStages(figure, meta.stages);
+    showStages(this.figure, meta.stages);
     this.accuracy.shown(job, reply.computeMs, job.tier === this.#tier(""));
     this.announce(meta.description);
-    sayNothingOfFailure(figure);
-    this.#lives(job, reply.computeMs);
+    clearFailure(this.figure);
+    this.#painted(job, reply.computeMs);
   }
 
   /**
-   * The frame of a job is in the page.
-   *
    * @param {Job} job
    * @param {number} computeMs
    */
-  #lives(job, computeMs) {
+  #painted(job, computeMs) {
     const { figure } = this;
     figure.dataset.computeMs = computeMs.toFixed(1);
     figure.dataset.latencyMs = (performance.now() - job.time).toFixed(1);
@@ -385,29 +363,35 @@ export class LiveFigure {
     this.motion.stop();
     this.#asked = "";
     this.figure.dataset.state = "failed";
-    const { kind, fault = "" } = error instanceof RuntimeFailure ? error : { kind: "page" };
-    if (["status", "other"].includes(fault)) offerRelease();
+    const { kind, loadError = "" } = error instanceof RuntimeFailure ? error : { kind: "page" };
+    if (["status", "other"].includes(loadError)) offerRelease();
     say(this.figure, words(`figure.${kind}`, { reason: message(error) }), { retry: true });
     this.figure.dispatchEvent(new Event("figure-rest", { bubbles: true }));
   }
 }
 
 addEventListener("online", () => {
-  backAt = performance.now();
+  onlineSince = performance.now();
   retryAll();
 });
 
-/** The reader has asked for Python in one figure: it serves them all. */
+/** The reader has asked for Python in one figure: all start. */
 function beginAll() {
-  spareNoMore();
-  for (const figure of all(document, 'simulation-figure[data-state="waiting"]', HTMLElement)) {
-    if ("begin" in figure && typeof figure.begin === "function") figure.begin();
-  }
+  stopSparing();
+  callAll("waiting", "begin");
 }
 
 /** What kept one figure from its frame has most often kept them all. */
 function retryAll() {
-  for (const figure of all(document, 'simulation-figure[data-state="failed"]', HTMLElement)) {
-    if ("retry" in figure && typeof figure.retry === "function") figure.retry();
+  callAll("failed", "retry");
+}
+
+/**
+ * @param {"waiting" | "failed"} state
+ * @param {"begin" | "retry"} method
+ */
+function callAll(state, method) {
+  for (const figure of all(document, `simulation-figure[data-state="${state}"]`, HTMLElement)) {
+    /** @type {any} */ (figure)[method]();
   }
 }

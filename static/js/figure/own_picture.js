@@ -10,8 +10,8 @@ import { say } from "./status.js";
 export class OwnPicture {
   /** @type {Photograph | null} */
   #picture = null;
-  /** What the interpreter was last told of it: which interpreter, which picture. */
-  #told = "";
+  /** Number of the interpreter and of the picture that was last sent to it. */
+  #sent = "";
 
   /**
    * @param {HTMLElement} figure
@@ -34,17 +34,17 @@ export class OwnPicture {
   }
 
   /**
-   * Tell the interpreter of the picture, where it does not know.
+   * Send the picture to the interpreter, where that does not have it.
    *
    * @param {Caller} runtime
    * @param {string} key The figure's.
    */
   async handOver(runtime, key) {
     const { number = 0, ...picture } = this.#picture ?? {};
-    const telling = () => `${runtime.generation} ${number}`;
-    if (telling() === this.#told || (number === 0 && !this.#told)) return;
+    const sending = () => `${runtime.generation} ${number}`;
+    if (sending() === this.#sent || (number === 0 && !this.#sent)) return;
     await runtime.call("photograph", { figure: key, number, ...picture }, () => 2);
-    this.#told = telling();
+    this.#sent = sending();
   }
 
   /**

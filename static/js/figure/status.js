@@ -1,4 +1,4 @@
-/** The line under a figure that tells what went wrong. */
+/** The line under a figure that says what went wrong. */
 
 import { one } from "../page/dom.js";
 import { setText } from "../page/text.js";
@@ -9,8 +9,7 @@ import { setText } from "../page/text.js";
  * @param {HTMLElement} figure
  * @param {string} message
  * @param {{retry?: boolean, begin?: boolean, lasting?: boolean}} [options] Whether to offer another
- *   try, or to start Python at all; whether the message is no failure, and so stays when a frame
- *   comes.
+ *   try, or to start Python at all; whether the message is no failure, and stays when a frame comes.
  */
 export function say(figure, message, { retry = false, begin = false, lasting = false } = {}) {
   const status = one(figure, ".figure-status", HTMLElement);
@@ -26,6 +25,6 @@ export function say(figure, message, { retry = false, begin = false, lasting = f
  *
  * @param {HTMLElement} figure
  */
-export function sayNothingOfFailure(figure) {
+export function clearFailure(figure) {
   if (!figure.querySelector(".figure-status.lasting")) say(figure, "");
 }

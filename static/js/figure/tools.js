@@ -4,7 +4,7 @@ import { data, maybe, one } from "../page/dom.js";
 import { sharedRuntime } from "../runtime/runtime.js";
 import { message } from "../errors.js";
 import { readValues } from "./controls.js";
-import { glide, jump } from "./moves.js";
+import { glide, jump } from "./animate.js";
 import { numbersOf } from "./numbers.js";
 import { permalink, settingsOf } from "./permalink.js";
 import { pictureOf } from "./picture.js";
@@ -88,16 +88,18 @@ async function copyPython(figure) {
   const edited = "edited" in figure.dataset;
   const own = figure.querySelector(".photograph-back:not([hidden])") !== null;
   const { title } = data(figure, "script.schema");
-  const told = [
+  const notes = [
     words("script.title", { title }),
     ...(edited ? [words("script.edited")] : []),
     ...(own ? [words("script.own_picture")] : []),
     words("script.needs"),
   ];
-  const payload = { scene, values: JSON.stringify(values), tier, told: JSON.stringify(told) };
-  const reply = await sharedRuntime()?.call("script", payload, () => 2);
+  const request = { scene, values: JSON.stringify(values), tier: String(tier) };
+  const runtime = sharedRuntime();
+  if (!runtime) return;
+  const { script } = await runtime.call("script", { ...request, notes: JSON.stringify(notes) });
   const unlike = edited && own ? "_both" : edited ? "_code" : own ? "_picture" : "";
-  await copy(figure, reply.script, words(`tools.python_copied${unlike}`));
+  await copy(figure, script, words(`tools.python_copied${unlike}`));
 }
 
 /**

@@ -4,11 +4,10 @@
  * loads the page itself; where the host does not answer, this one stays.
  */
 
-import { Away, fetchText } from "./ahead.js";
 import { all, isPlain, within } from "./dom.js";
 import { linkedPage } from "./links.js";
 import { notice } from "./notice.js";
-import { fold, layOut } from "./unfolding.js";
+import { HostError, fetchPage } from "./prefetch.js";
 import { words } from "./words.js";
 
 /** What a head says of its own page, or with addresses relative to it. */
@@ -55,7 +54,6 @@ export function installNavigation(turned, returned, leave) {
   });
   addEventListener("popstate", () => {
     if (isArrived()) {
-      layOut();
       restoreScroll();
       returned();
     } else turnTo(new URL(location.href), turned, goes);
@@ -92,36 +90,32 @@ async function turnTo(url, turned, commit) {
   turning = new AbortController();
   const { signal } = turning;
   try {
-    const page = await fetchPage(url, signal);
+    const page = parsed(url, await fetchPage(url, signal));
     if (signal.aborted) return;
     keepAddresses();
     commit();
-    if (!location.hash && !history.state?.scroll) fold(page);
     putInPlace(page);
     shownPath = location.pathname;
     turned();
     arrive();
   } catch (error) {
     if (signal.aborted) return;
-    if (error instanceof Away) sayAway(() => turnTo(url, turned, commit));
-    else location.assign(url);
+    if (!(error instanceof HostError)) location.assign(url);
+    else {
+      const again = () => turnTo(url, turned, commit);
+      notice(words("page.away"), { label: words("page.again"), act: again });
+    }
   }
-}
-
-/** @param {() => void} again */
-function sayAway(again) {
-  notice(words("page.away"), { label: words("page.again"), act: again });
 }
 
 /**
  * The page, if it belongs to the same build of the book.
  *
  * @param {URL} url
- * @param {AbortSignal} signal
- * @returns {Promise<Document>}
+ * @param {import("./prefetch.js").Page} fetched
+ * @returns {Document}
  */
-async function fetchPage(url, signal) {
-  const { text, type, redirected } = await fetchText(url, signal);
+function parsed(url, { text, type, redirected }) {
   if (!type.startsWith("text/html") || redirected) throw new Error("not a page of the book");
   const page = new DOMParser().parseFromString(text.replace(STYLES, ""), "text/html");
   if (!page.querySelector("main#main")) throw new Error("no text in the page");

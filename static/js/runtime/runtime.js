@@ -1,36 +1,36 @@
 /**
  * The page's side of the worker that runs Python.
  *
- * One call is in the worker at a time; the rest wait here, so that the most urgent goes next
- * and a silent worker can be told from a busy one. A worker that does not answer in time is
- * ended and started anew; what waits is kept.
+ * One call is in the worker at a time; the rest wait here, so that the most urgent goes next and a
+ * worker that does not answer can be told from a busy one. Such a worker is replaced; waiting calls
+ * stay.
  */
 
 import { all } from "../page/dom.js";
-import { recall, remember } from "../page/storage.js";
 import { words } from "../page/words.js";
-import { findFault } from "./fault.js";
-import { LIMITS, Patience } from "./patience.js";
+import { findLoadError } from "./load_error.js";
+import { TIMEOUTS } from "./messages.js";
 import { Watchdog } from "./watchdog.js";
 
-/** @import { FaultKind, Told } from "./fault.js" */
+/** @import { LoadErrorData, LoadErrorKind } from "./load_error.js" */
+/** @import { CallName, Replies, Requests } from "./messages.js" */
 
 /**
  * Why a call failed: `python` (our code raised), `start` (no interpreter), `part` (one of its files
- * could not be had), `lost` (no answer).
+ * did not arrive), `lost` (no answer).
  */
 export class RuntimeFailure extends Error {
   /**
    * @param {"python" | "start" | "part" | "lost"} kind
    * @param {string} message
-   * @param {{late?: boolean, fault?: FaultKind}} [more] Whether the time was up; what is wrong with
-   *   a file.
+   * @param {{late?: boolean, loadError?: LoadErrorKind}} [more] Whether it was the time limit; what is
+   *   wrong with a file.
    */
-  constructor(kind, message, { late = false, fault } = {}) {
+  constructor(kind, message, { late = false, loadError } = {}) {
     super(message);
     this.kind = kind;
     this.late = late;
-    this.fault = fault;
+    this.loadError = loadError;
   }
 }
 
@@ -40,29 +40,24 @@ export function closed() {
 }
 
 /**
- * What a call carries; `limit` is the longest wait for its answer where the usual one will not do.
+ * What figures need of a runtime.
  *
- * @typedef {{figure?: string, scene?: string, limit?: number} & Record<string, unknown>} Payload
- */
-
-/**
- * What a figure needs of a runtime.
- *
- * @typedef {Pick<Runtime, "call" | "forget" | "recycle" | "generation">} Caller
+ * @typedef {object} Caller
+ * @property {<N extends CallName>(name: N, request: Requests[N], urgency?: () => number)
+ *   => Promise<Replies[N]>} call
+ * @property {(figure: string) => void} forget
+ * @property {number} generation
  */
 
 /**
  * @typedef {object} Call
  * @property {number} id
- * @property {string} name
- * @property {Payload} payload
+ * @property {CallName} name
+ * @property {Record<string, any>} request `limit` is a time limit of its own.
  * @property {() => number} urgency Asked when the worker is free: the highest goes first.
  * @property {(reply: any) => void} resolve
  * @property {(reason: RuntimeFailure) => void} reject
  */
-
-/** Under which name the browser keeps which runtime it has started; the page's head reads it. */
-const STARTED = "started";
 
 let interpreters = 0;
 
@@ -74,35 +69,22 @@ export class Runtime {
   /** @type {Worker | null} */
   #worker = null;
   #watchdog = new Watchdog();
-  #patience = new Patience();
-  /** @type {ArrayBuffer[]} Memory of frames that are painted, on its way back to the worker. */
-  #spare = [];
   #lastId = 0;
   #failedStarts = 0;
-  /** Which interpreter it is: a new one knows nothing of what the last was told. */
+  /** Number of the interpreter: a new one has nothing of what was sent to the last. */
   generation = 0;
-  /**
-   * Scenes that this worker has imported: their first frame takes longer.
-   *
-   * @type {Set<string>}
-   */
-  #seen = new Set();
-  /**
-   * Scenes that this worker has ready to draw, and of which sources they are.
-   *
-   * @type {Map<string, string>}
-   */
+  /** Scenes that this worker has imported, and the hash of their sources. @type {Map<string, string>} */
   #sources = new Map();
 
   /**
    * @param {string} url Absolute address of the runtime folder.
-   * @param {() => string[]} [scenes] Asked when a worker starts: what it will be asked for.
-   * @param {() => Worker | null} [begun] A worker that is on its way already, if there is one.
+   * @param {() => string[]} [scenes] Asked when a worker starts: which scenes it will need.
+   * @param {() => Worker | null} [early] A worker that is starting already, if there is one.
    */
-  constructor(url, scenes = scenesOfPage, begun = () => null) {
+  constructor(url, scenes = scenesOfPage, early = () => null) {
     this.url = url;
     this.scenes = scenes;
-    this.begun = begun;
+    this.early = early;
   }
 
   /** Whether this browser can run the interpreter at all. */
@@ -111,22 +93,23 @@ export class Runtime {
   }
 
   /**
-   * Answer of the worker to `name`, whenever its turn comes.
+   * The worker's answer, whenever the call's turn comes.
    *
-   * @param {string} name
-   * @param {Payload} payload
+   * @template {CallName} Name
+   * @param {Name} name
+   * @param {Requests[Name] & {limit?: number}} request
    * @param {() => number} [urgency]
-   * @returns {Promise<any>}
+   * @returns {Promise<Replies[Name]>}
    */
-  call(name, payload, urgency = () => 0) {
+  call(name, request, urgency = () => 0) {
     return new Promise((resolve, reject) => {
-      this.#waiting.push({ id: ++this.#lastId, name, payload, urgency, resolve, reject });
+      this.#waiting.push({ id: ++this.#lastId, name, request, urgency, resolve, reject });
       this.#next();
     });
   }
 
   /**
-   * Of which sources a scene is that this worker has at hand; nothing where it has not.
+   * Hash of the sources of a scene that this worker has imported.
    *
    * @param {string} scene
    */
@@ -140,25 +123,16 @@ export class Runtime {
    * @param {string} figure
    */
   forget(figure) {
-    const leaving = this.#waiting.filter((call) => call.payload.figure === figure);
+    const leaving = this.#waiting.filter(({ request }) => request.figure === figure);
     this.#waiting = this.#waiting.filter((call) => !leaving.includes(call));
     for (const call of leaving) call.reject(new RuntimeFailure("lost", words("runtime.gone")));
-    // In a task of its own: what the next page's figures ask for meanwhile goes first.
+    // In a task of its own, after what the next page's figures ask.
     setTimeout(() => {
       if (this.#worker) this.call("forget", { figure }).catch(() => {});
     });
   }
 
-  /**
-   * Give the memory of a frame's pixels back, once they are painted: the next frame is put there.
-   *
-   * @param {ArrayBuffer[]} rasters
-   */
-  recycle(rasters) {
-    if (this.#worker) this.#spare.push(...rasters);
-  }
-
-  /** End the worker; who waits for it hears that it is gone. */
+  /** End the worker; waiting calls fail. */
   close() {
     for (const call of this.#waiting.splice(0)) call.reject(closed());
     if (this.#worker) this.#lose(closed().message);
@@ -176,38 +150,29 @@ export class Runtime {
   }
 
   #boot() {
-    const { table } = document.body.dataset;
-    this.#seen.clear();
-    this.#sources.clear();
     this.generation = ++interpreters;
     const script = new URL("./worker.js", import.meta.url);
-    const worker = this.begun() ?? new Worker(script, { type: "module" });
+    const worker = this.early() ?? new Worker(script, { type: "module" });
     this.#worker = worker;
     worker.onmessage = (event) => this.#receive(event.data);
     worker.onerror = async (event) => {
       event.preventDefault();
-      const { kind, file, detail } = (await findFault(script.href)).told;
+      const { data } = await findLoadError(script.href);
       if (this.#worker !== worker) return;
-      if (kind === "other") this.#lose(event.message || words("runtime.no_worker"));
-      else this.#lose(inWords({ kind, file, detail }), { fault: kind });
+      if (data.kind === "other") this.#lose(event.message || words("runtime.no_worker"));
+      else this.#lose(inWords(data), { loadError: data.kind });
     };
     worker.onmessageerror = () => this.#lose(words("runtime.unreadable"));
+    const { table } = document.body.dataset;
+    const fresh = this.#failedStarts > 0;
+    /** @type {Requests["start"]} */
+    const request = { url: this.url, table, scenes: this.scenes(), fresh };
     this.#send({
       id: ++this.#lastId,
       name: "start",
-      payload: {
-        url: this.url,
-        fresh: this.#failedStarts > 0,
-        known: recall(STARTED) === this.url,
-        scenes: this.scenes(),
-        table,
-      },
+      request,
       urgency: () => 0,
-      resolve: ({ importMs }) => {
-        this.#failedStarts = 0;
-        remember(STARTED, this.url);
-        this.#patience.started(importMs);
-      },
+      resolve: () => (this.#failedStarts = 0),
       reject: (reason) => this.#giveUp(reason),
     });
   }
@@ -215,80 +180,75 @@ export class Runtime {
   /** @param {Call} call */
   #send(call) {
     this.#active = call;
-    const { scene, limit } = call.payload;
-    const name = scene && !this.#seen.has(scene) ? "first" : call.name;
-    if (scene) this.#seen.add(scene);
-    this.#watch(limit ?? this.#patience.limit(name, scene));
-    const spare = this.#spare.splice(0);
-    const message = { id: call.id, call: call.name, ...call.payload, spare };
-    this.#worker?.postMessage(message, { transfer: spare });
+    this.#watch(call.request.limit ?? TIMEOUTS[call.name]);
+    this.#worker?.postMessage({ id: call.id, call: call.name, ...call.request });
   }
 
   /** @param {number} limit */
   #watch(limit) {
-    this.#watchdog.watch(limit, () => this.#lose(words("runtime.late"), { late: true }));
+    this.#watchdog.start(limit, () => this.#lose(words("runtime.late"), { late: true }));
   }
 
   /** @param {any} reply */
   #receive(reply) {
     const call = this.#active;
     if (!call || call.id !== reply.id) return;
-    const { scene, limit } = call.payload;
+    const { scene, limit } = call.request;
     if ("fetching" in reply) {
-      this.#watch(reply.fetching ? LIMITS.start : (limit ?? this.#patience.limit("first", scene)));
+      this.#watch(reply.fetching ? TIMEOUTS.start : (limit ?? TIMEOUTS[call.name]));
       return;
     }
-    const message = reply.fault ? inWords(reply.fault) : reply.error;
-    const more = { fault: reply.fault?.kind };
+    const message = reply.loadError ? inWords(reply.loadError) : reply.error;
+    const more = { loadError: reply.loadError?.kind };
     if (!reply.ok && (reply.fatal || call.name === "start")) {
       this.#lose(message, more);
       return;
     }
     this.#settle();
-    if (reply.ok) {
+    if (!reply.ok) {
+      call.reject(new RuntimeFailure(reply.loadError ? "part" : "python", message, more));
+    } else {
       if (scene && reply.sources) this.#sources.set(scene, reply.sources);
-      if (scene && reply.computeMs) this.#patience.learn(scene, reply.computeMs);
       call.resolve(reply);
-    } else call.reject(new RuntimeFailure(reply.fault ? "part" : "python", message, more));
+    }
     this.#next();
   }
 
   /**
-   * The worker is of no more use: end it, tell its caller, and go on with a new one.
+   * The worker is of no more use: end it, reject its call, and go on with a new one.
    *
    * @param {string} message
-   * @param {{late?: boolean, fault?: FaultKind}} [more]
+   * @param {{late?: boolean, loadError?: LoadErrorKind}} [more]
    */
   #lose(message, more) {
     const call = this.#active;
     this.#settle();
     this.#worker?.terminate();
     this.#worker = null;
-    this.#spare = [];
     this.#sources.clear();
     call?.reject(new RuntimeFailure(call.name === "start" ? "start" : "lost", message, more));
     this.#next();
   }
 
   #settle() {
-    this.#watchdog.rest();
+    this.#watchdog.stop();
     this.#active = null;
   }
 
   /**
-   * No interpreter: everyone who waits hears why; the next call tries again.
+   * No interpreter: all waiting calls fail; the next one tries again.
    *
    * @param {RuntimeFailure} reason
    */
   #giveUp(reason) {
-    if (!reason.late) this.#failedStarts += 1; // what has come of a slow download is good
+    if (!reason.late) this.#failedStarts += 1; // what has arrived of a slow download is good
     for (const call of this.#waiting.splice(0)) call.reject(reason);
   }
 }
 
-/** @param {Told | {kind: "memory"}} fault */
-function inWords(fault) {
-  return words(`runtime.${fault.kind}`, fault);
+/** @param {LoadErrorData | {kind: "memory"}} error */
+function inWords(error) {
+  return words(`runtime.${error.kind}`, error);
 }
 
 /** The scenes that the page will ask for. */
@@ -297,17 +257,12 @@ function scenesOfPage() {
   return [...new Set(figures.map((figure) => figure.dataset.simulation ?? ""))];
 }
 
-/**
- * The worker that the page's head has begun, while the page was still being read; null where there is
- * none, or none any more.
- *
- * @returns {Worker | null}
- */
-function takeBegun() {
-  const page = /** @type {{begunWorker?: Worker}} */ (globalThis);
-  const begun = page.begunWorker ?? null;
-  delete page.begunWorker;
-  return begun;
+/** The worker that the page's head has started, once. */
+function takeEarlyWorker() {
+  const page = /** @type {{earlyWorker?: Worker}} */ (globalThis);
+  const worker = page.earlyWorker ?? null;
+  delete page.earlyWorker;
+  return worker;
 }
 
 /** @type {Runtime | null} */
@@ -317,7 +272,7 @@ let shared = null;
 export function sharedRuntime() {
   const address = document.body.dataset.runtime;
   if (!shared && address) {
-    shared = new Runtime(new URL(address, location.href).href, scenesOfPage, takeBegun);
+    shared = new Runtime(new URL(address, location.href).href, scenesOfPage, takeEarlyWorker);
   }
   return shared;
 }

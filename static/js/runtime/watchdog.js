@@ -1,9 +1,9 @@
 /**
- * Tells a worker that has stopped from one that is at work: by time in which both could run. An
- * hour in which the computer slept, or the tab was hidden and its timers held back, counts nothing.
+ * Notices that a worker does not answer. Only time in which it could run counts: not an hour in which
+ * the computer slept, or the tab was hidden and its timers were held back.
  */
 
-/** Milliseconds between two looks at the clock; a gap of more than twice as many was no waiting. */
+/** Milliseconds between two looks at the clock; a gap of more than twice as many was sleep. */
 const STEP = 1000;
 
 export class Watchdog {
@@ -11,27 +11,26 @@ export class Watchdog {
   #timer;
 
   /**
-   * Wait from now on.
-   *
-   * @param {number} limit Milliseconds of waiting after which it bites, once.
-   * @param {() => void} bite
+   * @param {number} limit In milliseconds.
+   * @param {() => void} act Called once it has passed.
    */
-  watch(limit, bite) {
-    this.rest();
-    const step = Math.min(limit, STEP);
+  start(limit, act) {
+    this.stop();
     let [left, last] = [limit, performance.now()];
-    this.#timer = setInterval(() => {
-      const now = performance.now();
-      if (now - last <= 2 * STEP) left -= now - last;
-      last = now;
-      if (left > 0) return;
-      this.rest();
-      bite();
-    }, step);
+    this.#timer = setInterval(
+      () => {
+        const now = performance.now();
+        if (now - last <= 2 * STEP) left -= now - last;
+        last = now;
+        if (left > 0) return;
+        this.stop();
+        act();
+      },
+      Math.min(limit, STEP),
+    );
   }
 
-  /** Wait no more. */
-  rest() {
+  stop() {
     clearInterval(this.#timer);
   }
 }

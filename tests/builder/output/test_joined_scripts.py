@@ -13,9 +13,9 @@ from site_builder.output.scripts import imported_scripts
 
 MODULES = {
     "js/main.js": b'import { shown } from "./page/shown.js";\n'
-    b'import "./figure/part.js";\nshown();\n',
+    b'import "./figure/feature.js";\nshown();\n',
     "js/page/shown.js": b"export const shown = () => console.log('shown');\n",
-    "js/figure/part.js": b'import { start } from "../runtime/runtime.js";\n'
+    "js/figure/feature.js": b'import { start } from "../runtime/runtime.js";\n'
     b'start();\nexport const open = () => import("../editor/load.js");\n'
     b"document.body.onclick = open;\n",
     "js/runtime/runtime.js": b'import { shown } from "../page/shown.js";\n'
@@ -40,7 +40,7 @@ def joined(tmp_path_factory: pytest.TempPathFactory) -> Mapping[str, bytes]:
 def test_the_entry_holds_what_runs_at_once(joined: Mapping[str, bytes]) -> None:
     assert imported_scripts(joined, "js/main.js") == ()
     assert b"'shown'" in joined["js/main.js"].replace(b'"', b"'")
-    assert not {"js/page/shown.js", "js/figure/part.js", "js/runtime/runtime.js"} & {*joined}
+    assert not {"js/page/shown.js", "js/figure/feature.js", "js/runtime/runtime.js"} & {*joined}
 
 
 def test_what_is_asked_for_later_stays_a_file_of_its_own(joined: Mapping[str, bytes]) -> None:

@@ -1,7 +1,7 @@
 /**
- * What a figure shows until Python has started: of frames that were drawn when the book was built,
- * along its main control, the one nearest to where the control stands. They are fetched when the
- * reader's hand comes near; on a slow link as soon as the figure does.
+ * What a figure shows until Python has started: of frames drawn when the book was built, along its
+ * main control, the one nearest to where the control stands. They are fetched when the reader points
+ * at the figure; on a slow link as soon as it is near.
  */
 
 import { maybe, one } from "../page/dom.js";
@@ -12,21 +12,21 @@ import { formatValue, readValues } from "./controls.js";
 /** @import { Place } from "./handles.js" */
 /** @import { Meta, Painter } from "./painter.js" */
 /** @typedef {Meta & {value: Value, pictures: Record<string, string>}} Frame */
-/** @typedef {{control: string, frames: Frame[]}} Strip */
+/** @typedef {{control: string, frames: Frame[]}} Frames */
 
-const HAND = ["pointerenter", "focusin", "touchstart"];
+const HINTS = ["pointerenter", "focusin", "touchstart"];
 const SLOW = ["slow-2g", "2g", "3g"];
 
-export class Early {
-  /** @type {Promise<Strip | null> | null} */
-  #strip = null;
-  #over = new AbortController();
+export class Prerendered {
+  /** @type {Promise<Frames | null> | null} */
+  #frames = null;
+  #listeners = new AbortController();
 
   /**
    * @param {Painter} painter The figure's.
    * @param {HTMLFormElement} form
    * @param {Schema} schema
-   * @param {(handles: Place[]) => void} place Told where the handles of a shown frame are.
+   * @param {(handles: Place[]) => void} place Called with the handles of a frame that is shown.
    */
   constructor(painter, form, schema, place) {
     const { figure } = painter;
@@ -35,44 +35,46 @@ export class Early {
     this.form = form;
     this.schema = schema;
     this.place = place;
-    const { signal } = this.#over;
+    const { signal } = this.#listeners;
     if (!figure.dataset.strip) return;
     const options = { signal, once: true, passive: true };
-    for (const kind of HAND) figure.addEventListener(kind, () => this.#fetched(), options);
+    for (const kind of HINTS) figure.addEventListener(kind, () => this.#fetch(), options);
     form.addEventListener("input", () => this.#follow(), { signal });
     form.addEventListener("change", () => this.#follow(), { signal });
   }
 
-  /** The figure has come near. */
+  /** The figure is near the window. */
   near() {
-    if (this.figure.dataset.strip && isSlow()) this.#fetched();
+    if (this.figure.dataset.strip && isSlow()) this.#fetch();
   }
 
   /** A live frame is there, or the figure has left the page. */
   end() {
-    this.#over.abort();
+    this.#listeners.abort();
     delete this.figure.dataset.early;
     maybe(this.figure, ".early-mark", HTMLElement)?.remove();
   }
 
-  /** Show what is nearest to the form's present values, if the strip tells of them. */
+  /** Show the frame nearest to the form's values, where no other control has been moved. */
   async #follow() {
-    const strip = await this.#fetched();
-    if (!strip || this.#over.signal.aborted) return;
+    const found = await this.#fetch();
+    if (!found || this.#listeners.signal.aborted) return;
     const values = readValues(this.form, this.schema.controls);
-    const others = Object.entries(this.schema.values).filter(([name]) => name !== strip.control);
-    const frame = nearest(strip.frames, values[strip.control]);
-    if (frame && others.every(([name, value]) => values[name] === value)) this.#show(strip, frame);
+    const others = Object.entries(this.schema.values).filter(([name]) => name !== found.control);
+    const frame = nearest(found.frames, values[found.control]);
+    if (frame && others.every(([name, value]) => values[name] === value)) {
+      this.#show(found.control, frame);
+    }
   }
 
   /**
-   * @param {Strip} strip
+   * @param {string} control
    * @param {Frame} frame
    */
-  #show({ control }, frame) {
+  #show(control, frame) {
     const { figure } = this;
-    const bare = frame.panels.map((panel) => ({ ...panel, raster: null }));
-    this.painter.paint({ ...frame, panels: bare }, []);
+    const drawings = frame.panels.map((panel) => ({ ...panel, raster: null }));
+    this.painter.paint({ ...frame, panels: drawings }, []);
     for (const [name, address] of Object.entries(frame.pictures)) {
       const panel = one(figure, `.panel[data-panel="${CSS.escape(name)}"]`, HTMLElement);
       const still = maybe(panel, "img.still", HTMLImageElement);
@@ -80,7 +82,7 @@ export class Early {
     }
     this.place(frame.handles);
     one(figure, ".description", HTMLElement).textContent = frame.description;
-    this.#mark(words("figure.early", { setting: this.#worded(control, frame.value) }));
+    this.#mark(words("figure.early", { setting: this.#setting(control, frame.value) }));
     figure.dataset.early = String(frame.value);
   }
 
@@ -88,7 +90,7 @@ export class Early {
    * @param {string} name
    * @param {Value} value
    */
-  #worded(name, value) {
+  #setting(name, value) {
     const control = this.schema.controls.find((one) => one.name === name);
     const text = control?.kind === "slider" ? formatValue(control, Number(value)) : String(value);
     return `${control?.label} ${text}`;
@@ -105,17 +107,17 @@ export class Early {
     mark.textContent = text;
   }
 
-  /** @returns {Promise<Strip | null>} Nothing where it cannot be had: Python is on its way. */
-  #fetched() {
-    this.#strip ??= fetch(this.figure.dataset.strip ?? "", { signal: this.#over.signal })
+  /** @returns {Promise<Frames | null>} Null where they do not arrive: Python is starting. */
+  #fetch() {
+    this.#frames ??= fetch(this.figure.dataset.strip ?? "", { signal: this.#listeners.signal })
       .then((reply) => (reply.ok ? reply.json() : null))
       .catch(() => null);
-    return this.#strip;
+    return this.#frames;
   }
 }
 
 /**
- * The frame of the nearest number, or of just this option.
+ * The frame of the nearest number, or of exactly this option.
  *
  * @param {Frame[]} frames
  * @param {Value} value
@@ -123,14 +125,12 @@ export class Early {
  */
 function nearest(frames, value) {
   if (typeof value !== "number") return frames.find((frame) => frame.value === value);
-  const away = (/** @type {Frame} */ frame) => Math.abs(Number(frame.value) - value);
-  return frames.reduce((best, frame) => (away(frame) < away(best) ? frame : best));
+  const distance = (/** @type {Frame} */ frame) => Math.abs(Number(frame.value) - value);
+  return frames.toSorted((first, second) => distance(first) - distance(second))[0];
 }
 
 /** Whether the browser says that the link is slow; some say nothing of it. */
 function isSlow() {
-  const link = /** @type {{connection?: {effectiveType?: string, saveData?: boolean}}} */ (
-    navigator
-  ).connection;
-  return !link?.saveData && SLOW.includes(link?.effectiveType ?? "");
+  const { connection } = /** @type {{connection?: any}} */ (navigator);
+  return !connection?.saveData && SLOW.includes(connection?.effectiveType);
 }

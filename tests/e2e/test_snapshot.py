@@ -1,5 +1,5 @@
-"""The memory of a started interpreter that the book comes with: a first visit begins with it, and
-starts plainly where it cannot be had as it was made."""
+"""The snapshot of a started interpreter that the book ships: Python continues from it, and starts
+plainly where it does not arrive whole."""
 
 import json
 from collections.abc import Iterator
@@ -14,9 +14,9 @@ from support.static_server import Fault, StaticServer, serving
 pytestmark = pytest.mark.browser
 
 CHAPTER, SCENE = "lens-distortion/", "lens-distortion"
-MEMORY = "/memory.wasm"
+SNAPSHOT = "/memory.wasm"
 BUILT_ON = ("python", "numpy", "core")
-"""The parts that a memory holds, so that they can come later."""
+"""The parts that a snapshot holds, so that they can come later."""
 LOGIN = b"<!DOCTYPE html><title>Sign in to this network</title>"
 
 
@@ -63,7 +63,7 @@ def moved(reader: Reader) -> Any:
     return reader.shown(figure)
 
 
-def test_figures_live_before_what_the_memory_holds_has_come_and_machine_code_that_they_need_later(
+def test_figures_live_before_what_the_snapshot_holds_has_come_and_machine_code_that_they_need_later(
     reader: Reader, host: StaticServer, built_site: Path
 ) -> None:
     host.faults = {f"/{name}.zip": Fault(late_s=3600) for name in (*BUILT_ON, "numpy-fft")}
@@ -82,12 +82,12 @@ def test_figures_show_what_they_show_after_a_plain_start(
 ) -> None:
     fetched = parts_fetched_by(reader)
     reader.open(CHAPTER)
-    after_memory = moved(reader)
+    after_snapshot = moved(reader)
     assert {*BUILT_ON} <= {*fetched}, "they come when a frame is computed"
-    host.faults = {MEMORY: Fault(status=404)}
+    host.faults = {SNAPSHOT: Fault(status=404)}
     with visit(brisk_chromium, host, FRUGAL) as someone:
         someone.open(CHAPTER)
-        assert moved(someone) == after_memory
+        assert moved(someone) == after_snapshot
 
 
 @pytest.mark.parametrize(
@@ -102,10 +102,10 @@ def test_figures_show_what_they_show_after_a_plain_start(
     ],
     ids=["missing", "cut", "half", "changed", "login", "login as file"],
 )
-def test_without_a_whole_memory_python_starts_plainly_and_the_page_says_nothing(
+def test_without_a_whole_snapshot_python_starts_plainly_and_the_page_says_nothing(
     reader: Reader, host: StaticServer, fault: Fault
 ) -> None:
-    host.faults = {MEMORY: fault}
+    host.faults = {SNAPSHOT: fault}
     fetched = parts_fetched_by(reader)
     reader.open(CHAPTER, live=False)
     expect(reader.figure(SCENE)).to_have_attribute("data-state", "live", timeout=START_MS)
@@ -113,10 +113,10 @@ def test_without_a_whole_memory_python_starts_plainly_and_the_page_says_nothing(
     assert not reader.page.locator(".figure-status:visible").count()
 
 
-def test_a_memory_that_comes_late_and_by_another_type_is_used(
+def test_a_snapshot_that_comes_late_and_by_another_type_is_used(
     reader: Reader, host: StaticServer
 ) -> None:
-    host.faults = {MEMORY: Fault(late_s=3, media_type="application/octet-stream")}
+    host.faults = {SNAPSHOT: Fault(late_s=3, media_type="application/octet-stream")}
     host.faults |= {f"/{name}.zip": Fault(late_s=3600) for name in BUILT_ON}
     reader.open(CHAPTER, live=False)
     expect(reader.figure(SCENE)).to_have_attribute("data-state", "live", timeout=START_MS)

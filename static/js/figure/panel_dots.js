@@ -5,8 +5,8 @@
 
 import { all, within } from "../page/dom.js";
 
-/** Listen for presses on dots, and for strips that are pushed. */
-export function installStrips() {
+/** Listen for presses on dots, and for panels that are scrolled. */
+export function installPanelDots() {
   document.addEventListener("click", (event) => {
     const dot = within(event, ".panel-dots > button", HTMLButtonElement);
     if (dot) show(dot);

@@ -1,7 +1,6 @@
 /**
- * Readers whose link or device is to be spared, as the page's head found: those who pay for what is
- * fetched or wait long for it, or whose device has little memory. For them Python waits to be asked
- * for, once in a visit.
+ * Readers who pay for what is fetched, or wait long for it, or whose device has little memory, as the
+ * page's head found: for them Python waits to be asked for, once in a visit.
  */
 
 import { STORAGE } from "../book.js";
@@ -13,13 +12,13 @@ export function isMetered() {
   return "metered" in dataset;
 }
 
-/** Whether Python is not to start before the reader asks. */
+/** Whether Python must not start before the reader asks. */
 export function isSparing() {
   return "sparing" in dataset;
 }
 
-/** The reader has asked: until the visit ends, pages start Python as they do for others. */
-export function spareNoMore() {
+/** The reader has asked: until the visit ends, pages start Python as for others. */
+export function stopSparing() {
   delete dataset.sparing;
   try {
     sessionStorage.setItem(`${STORAGE}asked`, "yes");

@@ -1,10 +1,11 @@
 /**
- * What a figure tells of its own computation: what became of each stage, how long the frame took,
- * and how far it is from the truth. The last is asked for only while the figure rests and the
- * reader has this unfolded.
+ * What a figure reports of its own computation: what became of each stage, how long the frame took,
+ * and how far it is from the truth. The last is asked for only while the figure rests and the report
+ * is open.
  *
  * @typedef {{name: string, status: "computed" | "reused" | "skipped", reason: Reason}} Stage
- * @typedef {string | Said[]} Reason A scene's own words, or what the engine says.
+ * @typedef {string | Said[]} Reason A scene's own words, or the engine's.
+ * @typedef {Pick<Readout, "label" | "text" | "unit">} Estimate
  */
 
 import { message } from "../errors.js";
@@ -14,12 +15,12 @@ import { numeral, told, words } from "../page/words.js";
 
 /** @import { Readout } from "./painter.js" */
 /** @import { Said } from "../page/words.js" */
-/** @typedef {{values: string, tier: string}} Judged */
+/** @typedef {{values: string, tier: string}} Shown */
 
 /** Milliseconds without a new frame after which the error is measured. */
 const REST = 400;
-/** Anything that the reader waits for goes before it. */
-const LEAST_URGENT = () => -1;
+/** After anything that the reader waits for. */
+const URGENCY = () => -1;
 
 /**
  * @param {HTMLElement} figure
@@ -33,24 +34,18 @@ export function showStages(figure, stages) {
   // A frame that refuses its values has no stages: its items wait for the next one.
   for (const [index, item] of all(list, ":scope > li", HTMLLIElement).entries()) {
     item.hidden = index >= stages.length;
-    if (!item.hidden) showStage(item, stages[index]);
+    if (item.hidden) continue;
+    const { name, status, reason } = stages[index];
+    item.dataset.status = status;
+    setText(item.querySelector(".stage-name"), name);
+    setText(item.querySelector(".stage-status"), words(`workings.${status}`));
+    setText(item.querySelector(".stage-reason"), reasonText(reason));
   }
   setText(figure.querySelector(".stages-count"), countStages(stages));
 }
 
 /**
- * @param {HTMLElement} item
- * @param {Stage} stage
- */
-function showStage(item, stage) {
-  item.dataset.status = stage.status;
-  setText(item.querySelector(".stage-name"), stage.name);
-  setText(item.querySelector(".stage-status"), words(`workings.${stage.status}`));
-  setText(item.querySelector(".stage-reason"), reasonText(stage.reason));
-}
-
-/**
- * Why a stage was computed or not, as `pages/views/simulation.py` writes it.
+ * Why a stage was computed or not, as the builder writes it.
  *
  * @param {Reason} reason
  */
@@ -59,7 +54,7 @@ export function reasonText(reason) {
 }
 
 /**
- * `4 computed, 8 reused, 1 skipped`, as `simulation_view.py` writes it.
+ * `4 computed, 8 reused, 1 skipped`, as the builder writes it.
  *
  * @param {Stage[]} stages
  */
@@ -72,7 +67,7 @@ export function countStages(stages) {
 
 /** The line with error and time under a figure that has a reference. */
 export class Accuracy {
-  /** @type {Judged | null} What is shown and not yet judged. */
+  /** @type {Shown | null} What is shown and not yet measured. */
   #waiting = null;
   /** @type {ReturnType<typeof setTimeout> | undefined} */
   #timer;
@@ -82,44 +77,38 @@ export class Accuracy {
 
   /**
    * @param {HTMLElement} figure
-   * @param {(job: Judged, urgency: () => number) => Promise<Readout | null>} ask
-   *   The next estimate for a frame: a readout, or null where there is no better one.
+   * @param {(shown: Shown, urgency: () => number) => Promise<Estimate | null>} ask The next estimate
+   *   for a frame; null where there is no better one.
    */
   constructor(figure, ask) {
     this.line = maybe(figure, ".accuracy", HTMLElement);
-    this.fold = maybe(figure, "details.workings", HTMLDetailsElement);
+    this.report = maybe(figure, "details.workings", HTMLDetailsElement);
     this.ask = ask;
-    this.fold?.addEventListener("toggle", () => this.#rest());
+    this.report?.addEventListener("toggle", () => this.#rest());
   }
 
   /**
    * A frame was painted.
    *
-   * @param {Judged} job
+   * @param {Shown} shown
    * @param {number} ms
-   * @param {boolean} settled False for drafts: those are not judged.
+   * @param {boolean} settled False for drafts: those are not measured.
    */
-  shown(job, ms, settled) {
+  shown({ values, tier }, ms, settled) {
     if (!this.line) return;
     this.stop();
     this.#frames += 1;
-    setText(
-      this.line.querySelector(".accuracy-frame"),
-      words(this.#frames > 1 ? "workings.frame" : "workings.first_frame"),
-    );
-    setText(
-      this.line.querySelector(".accuracy-ms"),
-      withUnit(numeral(ms.toFixed(ms < 10 ? 1 : 0)), "ms"),
-    );
-    setText(this.line.querySelector(".accuracy-value"), "…");
+    this.#set("frame", words(this.#frames > 1 ? "workings.frame" : "workings.first_frame"));
+    this.#set("ms", withUnit(numeral(ms.toFixed(ms < 10 ? 1 : 0)), "ms"));
+    this.#set("value", "…");
     delete this.line.dataset.judged;
     if (!settled) return;
-    this.#waiting = { values: job.values, tier: job.tier };
+    this.#waiting = { values, tier };
     this.#rest();
   }
 
   /**
-   * Figures far from view are not judged until the reader comes near.
+   * Figures far from view are not measured until the reader comes near.
    *
    * @param {boolean} near
    */
@@ -129,7 +118,7 @@ export class Accuracy {
   }
 
   get #isSeen() {
-    return this.#near && this.fold?.open;
+    return this.#near && this.report?.open;
   }
 
   stop() {
@@ -139,39 +128,45 @@ export class Accuracy {
 
   #rest() {
     clearTimeout(this.#timer);
-    if (!this.#waiting || !this.#isSeen) return;
-    const job = this.#waiting;
-    this.#timer = setTimeout(() => this.#judge(job), REST);
+    const shown = this.#waiting;
+    if (shown && this.#isSeen) this.#timer = setTimeout(() => this.#measure(shown), REST);
   }
 
   /**
    * One estimate after another, each a call of its own, so that a drag never waits for all.
    *
-   * @param {Judged} job
+   * @param {Shown} shown
    */
-  async #judge(job) {
+  async #measure(shown) {
     try {
-      while (this.#waiting === job && this.#isSeen) {
-        const estimate = await this.ask(job, LEAST_URGENT);
-        if (this.#waiting !== job) return;
-        if (estimate === null) {
+      while (this.#waiting === shown && this.#isSeen) {
+        const estimate = await this.ask(shown, URGENCY);
+        if (this.#waiting !== shown) return;
+        if (estimate) this.#write(estimate);
+        else {
           this.#waiting = null;
           if (this.line) this.line.dataset.judged = "true";
-          return;
         }
-        this.#write(estimate);
       }
     } catch (error) {
-      if (this.#waiting !== job) return;
+      if (this.#waiting !== shown) return;
       this.#waiting = null;
       const text = words("workings.not_measured", { reason: message(error) });
       this.#write({ label: words("workings.error"), text, unit: "" });
     }
   }
 
-  /** @param {Pick<Readout, "label" | "text" | "unit">} estimate */
+  /** @param {Estimate} estimate */
   #write({ label, text, unit }) {
-    setText(this.line?.querySelector(".accuracy-label"), label);
-    setText(this.line?.querySelector(".accuracy-value"), withUnit(numeral(text), unit));
+    this.#set("label", label);
+    this.#set("value", withUnit(numeral(text), unit));
+  }
+
+  /**
+   * @param {string} part
+   * @param {string} text
+   */
+  #set(part, text) {
+    setText(this.line?.querySelector(`.accuracy-${part}`), text);
   }
 }

@@ -1,24 +1,22 @@
-/** What a book with figures ships: the elements, and what the hand does with them. */
+/** What a book with figures ships: the elements, and gestures on them. */
 
 import { SimulationFigure } from "./element.js";
 import { installGestures, offerWords, returned } from "./gestures.js";
-import { readyNextVisit } from "../runtime/next_visit.js";
-import { isAtRest, readyNext, watchHand } from "./next.js";
-import { installStrips } from "./strip.js";
+import { installPanelDots } from "./panel_dots.js";
+import { prewarmNext, watchInput } from "./prewarm.js";
 
 /** Called once; before links to other pages are listened for, since some are answered here. */
 export function install() {
   customElements.define("simulation-figure", SimulationFigure);
-  installStrips();
+  installPanelDots();
   installGestures();
-  watchHand();
-  readyNextVisit(isAtRest);
+  watchInput();
 }
 
 /** Called for each page. */
 export function arrive() {
   offerWords();
-  readyNext();
+  prewarmNext();
 }
 
 export { returned };
