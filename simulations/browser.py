@@ -102,7 +102,7 @@ def prepare(scene_id: str) -> None:
 
 
 def _cache_of(figure: str, scene: Scene[Any]) -> StageCache:
-    """The figure's cache: room for the outputs at rest, of the draft, and of the scene's own drafts."""
+    """With room for the outputs at rest, of the draft, and of each of the scene's own drafts."""
     if figure not in _caches:
         _caches[figure] = StageCache(depth=StageCache().depth + len(scene.own_drafts))
     return _caches[figure]

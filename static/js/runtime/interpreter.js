@@ -37,7 +37,7 @@ async function start(request, fromSnapshot) {
   const { url, table: hash, scenes, cached = false, fresh = false } = request;
   const listing = Chunks.listed(url, hash, fresh);
   const compile = (/** @type {string} */ name) => {
-    const integrity = listing.then(({ table }) => table.integrity[name]);
+    const integrity = async () => (await listing).table.integrity[name];
     return compileFile(url + name, integrity, cached, fresh);
   };
   const compiling = compile(MACHINE_CODE);

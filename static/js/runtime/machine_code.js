@@ -7,7 +7,7 @@ import { fetchWhole } from "./load_error.js";
  * not with the service worker's, which passes on requests for only that copy.
  *
  * @param {string} url
- * @param {Promise<string>} integrity Its hash, once that is known: for a file that does not compile.
+ * @param {() => Promise<string>} integrity Its hash: asked where the file does not compile.
  * @param {boolean} cached Whether the browser may have a copy of its own.
  * @param {boolean} fresh Whether that may be damaged.
  * @returns {Promise<WebAssembly.Module>}
@@ -23,7 +23,7 @@ export async function compileFile(url, integrity, cached, fresh) {
       // The next way: there is no copy, or it is damaged, or of another media type.
     }
   }
-  const file = await fetchWhole(url, await integrity, ["reload"]);
+  const file = await fetchWhole(url, await integrity(), ["reload"]);
   return WebAssembly.compile(await file.arrayBuffer());
 }
 

@@ -93,7 +93,7 @@ const CALLS = {
 self.onmessage = async ({ data }) => {
   const { id } = data;
   try {
-    if (chunks) await provideFor(data, chunks);
+    if (chunks && data.call !== "start") await provideFor(data, chunks);
     /** @type {(request: any) => Promise<{}>} */
     const call = CALLS[/** @type {CallName} */ (data.call)];
     const reply = await call(data);
