@@ -22,7 +22,7 @@ export async function startInterpreter(request) {
     return await start(request, !request.fresh);
   } catch (error) {
     if (!(error instanceof SnapshotError)) throw error;
-    console.warn("Python starts without its snapshot:", error.cause);
+    console.warn(error.cause);
     return start(request, false);
   }
 }
