@@ -26,7 +26,7 @@ from site_builder.drawing.apart import Limits, limited
 from site_builder.kept.keeper import Keeper, keeping
 from site_builder.kept.store import Store, default_folder
 from site_builder.output.writer import way_out
-from site_builder.settings.schema import book_schema
+from site_builder.settings.described import book_schema
 
 NEW = ("book", "chapter", "scene", "model", "ladder", "directive")
 """What ``new`` makes."""

@@ -12,7 +12,7 @@ from site_builder.offline.release import SCRIPT as RELEASE_SCRIPT
 from site_builder.offline.release import integrity
 from site_builder.output.assets import Content, content_bytes, hashed_folder
 from site_builder.output.book_files import book_css, book_script
-from site_builder.output.font_faces import MATHS_FACES, chosen_faces, face_rule
+from site_builder.output.font_faces import MATHS_FACES, face_rule
 from site_builder.output.fonts import subset_fonts
 from site_builder.output.scripts import imported_scripts, reachable
 from site_builder.output.style_sheets import join_style_sheets, without_comments
@@ -49,10 +49,7 @@ def gather_assets(
     static = folder_files(own_or_engine(root, "static"))
     files: Files = {
         **join(_engine_files(book, static)),
-        **{
-            f"fonts/{name}": data
-            for name, data in subset_fonts(chosen_faces(book.settings, root)).items()
-        },
+        **{f"fonts/{name}": data for name, data in subset_fonts().items()},
         **{f"stills/{name}": data for name, data in pictures.items()},
         **{f"content/{name}": file for name, file in content.items() if name.endswith(SUFFIXES)},
         **made,

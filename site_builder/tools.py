@@ -11,7 +11,6 @@ from site_builder.diagnostics import Diagnostics
 from site_builder.editor.bundle import bundle_editor
 from site_builder.kept.ahead import Ask
 from site_builder.kept.keeper import kept_as
-from site_builder.output.font_faces import chosen_faces
 from site_builder.output.fonts import subset_fonts
 from site_builder.runtime.pack import pack_runtime
 from site_builder.search.library import fetch_library
@@ -23,9 +22,7 @@ def tools(root: Path, *, runtime: bool, compiled: bool, search: bool) -> Iterato
     """Makes each of them for the book at ``root``; that it was made is kept."""
     settings, _ = read_settings(root, Diagnostics())
     for name, make in _makers(root, settings, runtime=runtime, compiled=compiled, search=search):
-        yield partial(
-            kept_as, f"tool {name}", (str(root), settings.fonts), partial(_made, make), __name__
-        )
+        yield partial(kept_as, f"tool {name}", str(root), partial(_made, make), __name__)
 
 
 def _made(make: Callable[[], object]) -> None:
@@ -39,6 +36,6 @@ def _makers(
         # Of all that the book has: what its pages do not show rarely imports anything else.
         yield f"runtime {compiled}", partial(pack_runtime, root / "simulations", compiled=compiled)
         yield "editor", bundle_editor
-    yield "fonts", lambda: subset_fonts(chosen_faces(settings, root))
+    yield "fonts", subset_fonts
     if search:
         yield f"search {settings.language}", partial(fetch_library, settings.language)

@@ -10,7 +10,7 @@ from site_builder.markdown.directive import Directive, OptionLine
 from site_builder.markdown.directives import DIRECTIVES
 from site_builder.markdown.role import Role
 from site_builder.markdown.roles import ROLES
-from site_builder.settings.guide import settings_table
+from site_builder.settings.described import settings_table
 
 MEASURED = """\
 ## Colours that are measured

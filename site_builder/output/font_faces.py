@@ -6,11 +6,8 @@ is a reserved name, so the cut faces are called ``Book …`` while copyright and
 """
 
 from collections.abc import Iterable, Iterator
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from itertools import groupby
-from pathlib import Path
-
-from site_builder.settings.model import Settings, font_files
 
 
 def _span(*bounds: tuple[int, int]) -> frozenset[int]:
@@ -97,8 +94,6 @@ class Face:
     """Code points to keep, where the source has them."""
     features: tuple[str, ...] = BASIC_FEATURES
     """OpenType features to keep."""
-    folder: Path | None = None
-    """Where an author's own source lies, which is in no package."""
 
 
 def _serif(file: str, source: str, style: str, *extra_features: str) -> Face:
@@ -147,19 +142,3 @@ def _spans(codes: Iterable[int]) -> Iterator[tuple[int, int]]:
     for _, run in groupby(enumerate(sorted(codes)), lambda item: item[1] - item[0]):
         found = [code for _, code in run]
         yield found[0], found[-1]
-
-
-def chosen_faces(settings: Settings, root: Path) -> tuple[Face, ...]:
-    """The builder's faces, with the families of the author's own in their places. These are called
-    ``Book …`` too: whatever a cut face is cut from, its name may be reserved."""
-    families = (("serif", settings.fonts.serif), ("sans", settings.fonts.sans))
-    own = {
-        f"{role}-{face.style}.woff2": face.file
-        for role, family in families
-        if family
-        for face in font_files(family, role)
-    }
-    return tuple(
-        replace(face, folder=root / "content", source=own[face.file]) if face.file in own else face
-        for face in FACES
-    )

@@ -56,8 +56,6 @@ def _cut_once(face: Face, cache: Path) -> bytes:
 
 def source_file(face: Face) -> Path:
     """What it is cut from. Its package is found but not run: some read all their fonts first."""
-    if face.folder:
-        return face.folder / face.source
     found = find_spec(face.package)
     if not (found and found.origin):
         raise FileNotFoundError(f"{face.package} carries {face.source} and is not installed")

@@ -54,7 +54,7 @@ def gather_licences(
         *(_of_the_runtime(versions, words) if versions.pyodide else ()),
         *_of_the_editor(editor, words),
         *_of_the_search(search, words),
-        *_of_the_fonts(root, settings, words),
+        *_of_the_fonts(words),
     )
 
 
@@ -126,9 +126,8 @@ def _of_the_search(packages: Sequence[Package], words: Words) -> tuple[Licence, 
     )
 
 
-def _of_the_fonts(root: Path, settings: Settings, words: Words) -> tuple[Licence, ...]:
-    families = (settings.fonts.serif, settings.fonts.sans)
-    own = [
+def _of_the_fonts(words: Words) -> tuple[Licence, ...]:
+    return (
         Licence(
             words("licences.fonts_name"),
             "",
@@ -136,23 +135,7 @@ def _of_the_fonts(root: Path, settings: Settings, words: Words) -> tuple[Licence
             words("licences.fonts"),
             "https://github.com/adobe-fonts",
             _packaged_text("font-source-serif-pro", "files/LICENSE.txt"),
-        )
-    ]
-    given = [
-        Licence(
-            family.name,
-            "",
-            family.licence,
-            words("licences.fonts"),
-            "",
-            _text_of(root / "content" / family.licence_file),
-        )
-        for family in families
-        if family
-    ]
-    return (
-        *(own if None in families else []),
-        *given,
+        ),
         Licence(
             "STIX Two Math",
             "",

@@ -10,7 +10,6 @@ from site_builder.book import Book, Chapter
 from site_builder.book_root import own_or_engine
 from site_builder.drawing.frames import as_png
 from site_builder.markdown.directives.illustration import Drawn as DrawnIllustration
-from site_builder.output.font_faces import chosen_faces
 from site_builder.output.light_theme import light_tokens, resolve, without_containers
 from site_builder.page_model.blocks import Simulation, contents
 from site_builder.pages.initial_frames import InitialFrames
@@ -49,7 +48,7 @@ def make_cards(
     ``pictures`` are the files of the stills; ``root`` is the book's folder.
     """
     own = {f"--{name}": colour for name, colour in colours(book.settings, "light").items()}
-    fonts = whole_fonts(chosen_faces(book.settings, root))
+    fonts = whole_fonts()
     style = card_style(own_or_engine(root, "static/css"), own, fonts)
     cover = _still(book.hero, initial_frames, pictures)
 

@@ -5,7 +5,7 @@ from dataclasses import MISSING, dataclass, field, fields
 from typing import Any
 
 from site_builder.diagnostics import Diagnostics, unknown
-from site_builder.settings.kinds import Kind, Table
+from site_builder.settings.kinds import Kind
 from site_builder.source_text import Toml
 
 
@@ -17,51 +17,42 @@ class Key:
     kind: Kind
     doc: str
     """What it sets, for the author's table and for editors."""
-    required: bool
     default: object
-    """What holds where the key is absent; None where that follows from something else."""
+    """`MISSING` where the key is required."""
     without: str
-    """What holds then, in words, where the default does not say it."""
+    """What holds without the key, in words, where the default does not show it."""
+
+    @property
+    def required(self) -> bool:
+        return self.default is MISSING
 
 
 def key(kind: Kind, doc: str, default: Any = MISSING, *, without: str = "") -> Any:
     """A field of a table's class; required where it has no default."""
-    metadata = {"kind": kind, "says": doc, "without": without}
-    if default is MISSING:
-        return field(metadata=metadata)
-    return field(default=default, metadata=metadata)
+    return field(default=default, metadata={"kind": kind, "doc": doc, "without": without})
 
 
 def keys_of(table: type[Any]) -> Iterator[Key]:
     """The keys of a table, in their order."""
     for item in fields(table):
-        required = item.default is MISSING
-        yield Key(
-            name=item.name,
-            kind=item.metadata["kind"],
-            doc=item.metadata["says"],
-            required=required,
-            default=None if required else item.default,
-            without=item.metadata["without"],
-        )
+        yield Key(name=item.name, default=item.default, **item.metadata)
 
 
 @dataclass(frozen=True, slots=True)
-class Given:
-    """A TOML file that is read, and where its mistakes go."""
+class Reader:
+    """Reads the tables of a TOML file and reports their mistakes."""
 
     path: str
     toml: Toml
     problems: Diagnostics
 
     def table[T](self, of: type[T], values: Mapping[str, object], at: tuple[str, ...] = ()) -> T:
-        """What ``values`` say, with the defaults of what they leave out; mistakes are reported."""
+        """The table at the keys ``at``, with defaults for what is left out or wrong."""
         declared = {item.name: item for item in keys_of(of)}
         for name in values:
             if name not in declared:
                 where = f" of [{'.'.join(at)}]" if at else ""
-                message = unknown(f"key{where}", name, declared)
-                self.report((*at, name), message)
+                self.report((*at, name), unknown(f"key{where}", name, declared))
         read = {name: self._value(item, values, at) for name, item in declared.items()}
         return of(**{name: value for name, value in read.items() if value is not MISSING})
 
@@ -69,40 +60,19 @@ class Given:
         self.problems.add(self.path, self.toml.line(*at), message)
 
     def _value(self, item: Key, values: Mapping[str, object], at: tuple[str, ...]) -> Any:
-        place = (*at, item.name)
-        given = values.get(item.name, MISSING)
+        given, place = values.get(item.name, MISSING), (*at, item.name)
         if given is MISSING and not item.required:
             return MISSING
         try:
             value = item.kind.read(given)
         except ValueError:
-            self._refuse(item, given, place)
-            return _empty(item.kind) if item.required else MISSING
-        return self.table(item.kind.of, value, place) if isinstance(item.kind, Table) else value
-
-    def _refuse(self, item: Key, given: object, place: tuple[str, ...]) -> None:
-        name = ".".join(place)
-        if item.required and (given is MISSING or not given):
-            # Of lists the name is a plural, and no word of the file.
-            what = (
-                item.name
-                if isinstance(given, list) or "[" in item.kind.expected
-                else repr(item.name)
-            )
-            form = (
-                item.kind.expected
-                if "[" in item.kind.expected
-                else f"{item.name} = {item.kind.expected}"
-            )
-            where = f" in [{'.'.join(place[:-1])}]" if place[1:] else ""
-            self.report(place, f"no {what}{where}; legal: {form}")
-        else:
-            self.report(place, f"{name} is {_toml(given)}; legal: {item.kind.expected}")
-
-
-def _empty(kind: Kind) -> object:
-    """A stand-in for a required value that is missing, so that reading goes on."""
-    return () if kind.schema().get("type") == "array" else ""
+            expected = item.kind.expected
+            if item.required and (given is MISSING or not given):
+                self.report(place, f"no {item.name!r}; legal: {item.name} = {expected}")
+            else:
+                self.report(place, f"{'.'.join(place)} is {_toml(given)}; legal: {expected}")
+            return MISSING if not item.required else () if isinstance(given, list) else ""
+        return self.table(item.kind.table, value, place) if item.kind.table else value
 
 
 def _toml(value: object) -> str:

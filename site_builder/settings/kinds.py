@@ -1,184 +1,108 @@
-"""Kinds of values in ``book.toml``: what is legal, how it is read, how a JSON schema says it."""
+"""Kinds of values in ``book.toml``: what is legal, how it is read, and its JSON schema."""
 
 import re
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Collection, Mapping
 from dataclasses import dataclass
-from typing import Any, Protocol
+from typing import Any
 
 from site_builder.addresses import PATH, site_address, source_address
 
 
-class Kind(Protocol):
+@dataclass(frozen=True, slots=True)
+class Kind:
     """One kind of value."""
 
-    @property
-    def expected(self) -> str:
-        """What may stand there, as a mistake's message says it."""
-
-    def read(self, value: object) -> Any:
-        """The value as the builder has it. Raises `ValueError` where it is not legal."""
-
-    def schema(self) -> dict[str, object]:
-        """The same as JSON schema."""
-
-
-@dataclass(frozen=True, slots=True)
-class Text:
-    """Words, of a certain form where there is a pattern."""
-
-    expected: str = '"some text"'
-    pattern: str = r"[\s\S]*\S[\s\S]*"
-
-    def read(self, value: object) -> str:
-        if not isinstance(value, str) or not re.fullmatch(self.pattern, value):
-            raise ValueError
-        return value
-
-    def schema(self) -> dict[str, object]:
-        form = {} if self.pattern == Text().pattern else {"pattern": f"^(?:{self.pattern})$"}
-        return {"type": "string", "minLength": 1, **form}
-
-
-COLOUR = Text('"#rrggbb"', "#[0-9a-fA-F]{6}")
-PREFIX = Text("small letters, digits and hyphens", "[a-z0-9]+(?:-[a-z0-9]+)*")
-FILE = Text("a file below content/", r"[^/\\\s][^\\]*")
-
-
-@dataclass(frozen=True, slots=True)
-class Address:
-    """An address that a function of `site_builder.addresses` takes."""
-
     expected: str
-    checked: Callable[[object], str]
+    """What is legal, as error messages name it."""
+    read: Callable[[Any], Any]
+    """The value as the builder has it. Raises `ValueError` where it is not legal."""
+    schema: Mapping[str, object]
+    """The same as JSON schema."""
+    table: type[Any] | None = None
+    """Of a table, the class that declares its keys."""
 
-    def read(self, value: object) -> str:
+
+def text(expected: str = '"some text"', pattern: str = "") -> Kind:
+    """Text that is not blank, of a certain form where there is a pattern."""
+    form = {"pattern": f"^(?:{pattern})$"} if pattern else {}
+    full = pattern or r"[\s\S]*\S[\s\S]*"
+    return Kind(
+        expected,
+        _checked(lambda value: isinstance(value, str) and re.fullmatch(full, value) is not None),
+        {"type": "string", "minLength": 1, **form},
+    )
+
+
+def address(expected: str, check: Callable[[object], str]) -> Kind:
+    """An address that a function of `site_builder.addresses` accepts."""
+
+    def read(value: object) -> str:
         if value == "":
             raise ValueError
-        return self.checked(value)
+        return check(value)
 
-    def schema(self) -> dict[str, object]:
-        return {"type": "string", "minLength": 1, "pattern": "^https?://[^/?#\\s]+"}
-
-
-SITE = Address('"https://host/path/"', site_address)
-SOURCE = Address(f'"https://host/…/{PATH}"', source_address)
+    schema = {"type": "string", "minLength": 1, "pattern": "^https?://[^/?#\\s]+"}
+    return Kind(expected, read, schema)
 
 
-@dataclass(frozen=True, slots=True)
-class Whole:
-    """A whole number from ``least`` on."""
+def whole_number(least: int) -> Kind:
+    def legal(value: object) -> bool:
+        return isinstance(value, int) and not isinstance(value, bool) and value >= least
 
-    least: int
+    schema = {"type": "integer", "minimum": least}
+    return Kind(f"a whole number from {least}", _checked(legal), schema)
 
-    @property
-    def expected(self) -> str:
-        return f"a whole number from {self.least}"
 
-    def read(self, value: object) -> int:
-        if not isinstance(value, int) or isinstance(value, bool) or value < self.least:
+def one_of(names: Collection[str]) -> Kind:
+    expected = ", ".join(f'"{name}"' for name in names)
+    return Kind(expected, _checked(lambda value: value in names), {"enum": [*names]})
+
+
+def texts(expected: str, least: int = 0, among: Collection[str] = ()) -> Kind:
+    """A list of at least so many texts, all of them ``among`` those where any are named."""
+
+    def legal(value: object) -> bool:
+        return isinstance(value, list) and len(value) >= least and all(map(_text, value))
+
+    def _text(item: object) -> bool:
+        return item in among if among else isinstance(item, str)
+
+    items = {"enum": [*among]} if among else {"type": "string"}
+    schema = {"type": "array", "items": items, "minItems": least}
+    return Kind(expected, _checked(legal, tuple), schema)
+
+
+def entries(expected: str) -> Kind:
+    """A table of texts whose keys the author names."""
+
+    def legal(value: object) -> bool:
+        return isinstance(value, dict) and all(isinstance(item, str) for item in value.values())
+
+    schema = {"type": "object", "additionalProperties": {"type": "string"}}
+    return Kind(expected, _checked(legal), schema)
+
+
+def table(of: type[Any]) -> Kind:
+    """A table whose keys the class ``of`` declares."""
+    return Kind("a table", _checked(lambda value: isinstance(value, dict)), {}, of)
+
+
+def _checked(
+    legal: Callable[[Any], bool], convert: Callable[[Any], Any] = lambda value: value
+) -> Callable[[Any], Any]:
+    def read(value: Any) -> Any:
+        if not legal(value):
             raise ValueError
-        return value
+        return convert(value)
 
-    def schema(self) -> dict[str, object]:
-        return {"type": "integer", "minimum": self.least}
-
-
-@dataclass(frozen=True, slots=True)
-class YesOrNo:
-    """Whether."""
-
-    expected: str = "true or false"
-
-    def read(self, value: object) -> bool:
-        if not isinstance(value, bool):
-            raise ValueError
-        return value
-
-    def schema(self) -> dict[str, object]:
-        return {"type": "boolean"}
+    return read
 
 
-@dataclass(frozen=True, slots=True)
-class OneOf:
-    """One of some names."""
-
-    names: Callable[[], Sequence[str]]
-
-    @property
-    def expected(self) -> str:
-        return ", ".join(f'"{name}"' for name in self.names())
-
-    def read(self, value: object) -> str:
-        if value not in self.names():
-            raise ValueError
-        return str(value)
-
-    def schema(self) -> dict[str, object]:
-        return {"enum": list(self.names())}
-
-
-@dataclass(frozen=True, slots=True)
-class Names:
-    """A list of texts."""
-
-    expected: str
-    least: int = 0
-
-    def read(self, value: object) -> tuple[str, ...]:
-        listed = isinstance(value, list) and all(isinstance(item, str) for item in value)
-        if not isinstance(value, list) or not listed or len(value) < self.least:
-            raise ValueError
-        return tuple(value)
-
-    def schema(self) -> dict[str, object]:
-        return {"type": "array", "items": {"type": "string"}, "minItems": self.least}
-
-
-@dataclass(frozen=True, slots=True)
-class SomeOf:
-    """A list of some of these names."""
-
-    names: tuple[str, ...]
-
-    @property
-    def expected(self) -> str:
-        return f"[some of {', '.join(f'"{name}"' for name in self.names)}]"
-
-    def read(self, value: object) -> tuple[str, ...]:
-        if not isinstance(value, list) or any(item not in self.names for item in value):
-            raise ValueError
-        return tuple(value)
-
-    def schema(self) -> dict[str, object]:
-        return {"type": "array", "items": {"enum": [*self.names]}}
-
-
-@dataclass(frozen=True, slots=True)
-class Entries:
-    """A table whose keys are the author's, each with a text."""
-
-    expected: str
-
-    def read(self, value: object) -> Mapping[str, str]:
-        if not isinstance(value, dict) or not all(isinstance(item, str) for item in value.values()):
-            raise ValueError
-        return dict(value)
-
-    def schema(self) -> dict[str, object]:
-        return {"type": "object", "additionalProperties": {"type": "string"}}
-
-
-@dataclass(frozen=True, slots=True)
-class Table:
-    """A table of its own; ``of`` is the class that declares its keys."""
-
-    of: type[Any]
-    expected: str = "a table"
-
-    def read(self, value: object) -> Mapping[str, object]:
-        if not isinstance(value, dict):
-            raise ValueError
-        return value
-
-    def schema(self) -> dict[str, object]:
-        raise TypeError("a table's schema is made of those of its keys")
+TEXT = text()
+COLOUR = text('"#rrggbb"', "#[0-9a-fA-F]{6}")
+PREFIX = text("small letters, digits and hyphens", "[a-z0-9]+(?:-[a-z0-9]+)*")
+SITE = address('"https://host/path/"', site_address)
+SOURCE = address(f'"https://host/…/{PATH}"', source_address)
+BOOLEAN = Kind(
+    "true or false", _checked(lambda value: isinstance(value, bool)), {"type": "boolean"}
+)

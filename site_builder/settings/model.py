@@ -2,29 +2,28 @@
 follow from these classes."""
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field, fields
+from dataclasses import dataclass, fields
 from types import MappingProxyType
 
 from site_builder.languages.words import languages
 from site_builder.settings.declared import key
 from site_builder.settings.kinds import (
+    BOOLEAN,
     COLOUR,
-    FILE,
     PREFIX,
     SITE,
     SOURCE,
-    Entries,
-    Names,
-    OneOf,
-    SomeOf,
-    Table,
-    Text,
-    Whole,
-    YesOrNo,
+    TEXT,
+    entries,
+    one_of,
+    table,
+    texts,
+    whole_number,
 )
 
 FILE_NAME = "content/book.toml"
 OWN = "as in this book"
+WORD = "the language's word"
 HOSTS = ("apache", "netlify", "nginx")
 """Those of static sites that a configuration can be written for."""
 
@@ -33,10 +32,10 @@ HOSTS = ("apache", "netlify", "nginx")
 class Licence:
     """Under which terms the book is here."""
 
-    code: str = key(Text(), "the licence of the code, as the foot of every page names it", "MIT")
-    text: str = key(Text(), "that of text and figures", "CC BY 4.0")
+    code: str = key(TEXT, "the licence of the code, as the foot of every page names it", "MIT")
+    text: str = key(TEXT, "that of text and figures", "CC BY 4.0")
     text_in_full: str = key(
-        Text(),
+        TEXT,
         "the same, as the page of licences spells it",
         "Creative Commons Attribution 4.0 International",
     )
@@ -46,14 +45,14 @@ class Licence:
 class Labels:
     """What numbered things are called; nothing where the language's own word holds."""
 
-    chapter: str = key(Text(), "a chapter", "", without="the language's word")
-    appendix: str = key(Text(), "an appendix", "", without="the language's word")
-    figure: str = key(Text(), "a figure", "", without="the language's word")
-    equation: str = key(Text(), "a displayed equation", "", without="the language's word")
-    table: str = key(Text(), "a table", "", without="the language's word")
-    example: str = key(Text(), "a worked example", "", without="the language's word")
-    prediction: str = key(Text(), "a prediction", "", without="the language's word")
-    question: str = key(Text(), "a question", "", without="the language's word")
+    chapter: str = key(TEXT, "a chapter", "", without=WORD)
+    appendix: str = key(TEXT, "an appendix", "", without=WORD)
+    figure: str = key(TEXT, "a figure", "", without=WORD)
+    equation: str = key(TEXT, "a displayed equation", "", without=WORD)
+    table: str = key(TEXT, "a table", "", without=WORD)
+    example: str = key(TEXT, "a worked example", "", without=WORD)
+    prediction: str = key(TEXT, "a prediction", "", without=WORD)
+    question: str = key(TEXT, "a question", "", without=WORD)
 
 
 @dataclass(frozen=True, slots=True)
@@ -87,43 +86,8 @@ class Palette:
 class Theme:
     """Colours by role, for each theme."""
 
-    light: Palette = key(Table(Palette), "the colours of the light theme", Palette())
-    dark: Palette = key(Table(Palette), "those of the dark one", Palette())
-
-
-@dataclass(frozen=True, slots=True)
-class Serif:
-    """The family of the text."""
-
-    name: str = key(Text(), "the family's name")
-    licence: str = key(Text(), "the name of its licence")
-    licence_file: str = key(FILE, "the text of its licence")
-    regular: str = key(FILE, "a font file, TrueType or OpenType")
-    italic: str = key(FILE, "the same, italic")
-    semibold: str = key(FILE, "the same, semibold or bold")
-    semibold_italic: str = key(FILE, "the same, semibold or bold, and italic")
-
-
-@dataclass(frozen=True, slots=True)
-class Sans:
-    """The family of controls and labels."""
-
-    name: str = key(Text(), "the family's name")
-    licence: str = key(Text(), "the name of its licence")
-    licence_file: str = key(FILE, "the text of its licence")
-    regular: str = key(FILE, "a font file, TrueType or OpenType")
-    italic: str = key(FILE, "the same, italic")
-    semibold: str = key(FILE, "the same, semibold or bold")
-
-
-@dataclass(frozen=True, slots=True)
-class Fonts:
-    """Families in place of the builder's own."""
-
-    serif: Serif | None = key(Table(Serif), "the family of the text", None, without="Source Serif")
-    sans: Sans | None = key(
-        Table(Sans), "the family of controls and labels", None, without="Source Sans"
-    )
+    light: Palette = key(table(Palette), "the colours of the light theme", Palette())
+    dark: Palette = key(table(Palette), "those of the dark one", Palette())
 
 
 @dataclass(frozen=True, slots=True)
@@ -131,10 +95,12 @@ class Publishing:
     """What lies beside the site's files, for the host that serves them."""
 
     hosts: tuple[str, ...] = key(
-        SomeOf(HOSTS), "hosts that a configuration is written for, into the site's folder", ()
+        texts(f"[some of {', '.join(f'"{host}"' for host in HOSTS)}]", among=HOSTS),
+        "hosts that a configuration is written for, into the site's folder",
+        (),
     )
     compressed: bool = key(
-        YesOrNo(), "whether each file has copies packed by gzip and brotli beside it", False
+        BOOLEAN, "whether each file has copies packed by gzip and brotli beside it", False
     )
 
 
@@ -143,7 +109,7 @@ class Trust:
     """What of the authors' sources goes into the pages unseen."""
 
     raw_html: bool = key(
-        YesOrNo(), "whether Markdown may hold HTML, scripts included", False, without="`false`"
+        BOOLEAN, "whether Markdown may hold HTML, scripts included", False, without="`false`"
     )
 
 
@@ -151,22 +117,22 @@ class Trust:
 class Settings:
     """The whole file."""
 
-    title: str = key(Text(), "what the book is called")
-    subtitle: str = key(Text(), "what it is about, in a sentence")
-    prerequisites: str = key(Text(), "what its reader should know")
+    title: str = key(TEXT, "what the book is called")
+    subtitle: str = key(TEXT, "what it is about, in a sentence")
+    prerequisites: str = key(TEXT, "what its reader should know")
     chapters: tuple[str, ...] = key(
-        Names('["00-slug", …]', least=1), "the files of the chapters, in reading order"
+        texts('["00-slug", …]', least=1), "the files of the chapters, in reading order"
     )
-    appendices: tuple[str, ...] = key(Names('["00-slug", …]'), "those of the appendices", ())
-    hero: str = key(Text(), "the simulation on the title page", "", without="none")
-    hero_caption: str = key(Text(), "a sentence about it", "", without="none")
+    appendices: tuple[str, ...] = key(texts('["00-slug", …]'), "those of the appendices", ())
+    hero: str = key(TEXT, "the simulation on the title page", "", without="none")
+    hero_caption: str = key(TEXT, "a sentence about it", "", without="none")
     search_examples: tuple[str, ...] = key(
-        Names('["one", "another"]'), "what one may search for, as the search's card says it", ()
+        texts('["one", "another"]'), "what one may search for, as the search's card says it", ()
     )
     language: str = key(
-        OneOf(languages), "the language of text and interface, `site_builder/languages/`", "en"
+        one_of(languages()), "the language of text and interface, `site_builder/languages/`", "en"
     )
-    first_number: int = key(Whole(0), "the number of the first chapter", 0)
+    first_number: int = key(whole_number(0), "the number of the first chapter", 0)
     storage: str = key(
         PREFIX, "begins the names of what a browser keeps", "", without="made of the title"
     )
@@ -174,37 +140,14 @@ class Settings:
     source: str = key(
         SOURCE, "where its sources can be read, `{path}` for a file's path", "", without="unknown"
     )
-    licence: Licence = key(Table(Licence), "under which terms the book is here", Licence())
-    labels: Labels = key(Table(Labels), "what numbered things are called", Labels())
-    theme: Theme = key(Table(Theme), "the colours", Theme())
-    fonts: Fonts = key(Table(Fonts), "the faces", Fonts())
+    licence: Licence = key(table(Licence), "under which terms the book is here", Licence())
+    labels: Labels = key(table(Labels), "what numbered things are called", Labels())
+    theme: Theme = key(table(Theme), "the colours", Theme())
     macros: Mapping[str, str] = key(
-        Entries("a table of names with TeX, R = '\\mathbb{R}'"),
+        entries("a table of names with TeX, R = '\\mathbb{R}'"),
         "TeX commands of the book's own, `#1` for an argument",
         MappingProxyType({}),
         without="none",
     )
-    publishing: Publishing = key(Table(Publishing), "what the site's host is given", Publishing())
-    trust: Trust = key(Table(Trust), "what goes into the pages unseen", Trust())
-
-
-@dataclass(frozen=True, slots=True)
-class Face:
-    """A font file of the author's."""
-
-    style: str
-    """As in the names of the builder's own files: ``semibold-italic``."""
-    file: str
-    """Below ``content/``."""
-    at: tuple[str, ...] = field(default=())
-    """The key that names it."""
-
-
-def font_files(family: Serif | Sans, role: str) -> tuple[Face, ...]:
-    """The files of a family, each with the key that names it."""
-    styles = [item.name for item in fields(family) if item.metadata["kind"] is FILE]
-    return tuple(
-        Face(style.replace("_", "-"), getattr(family, style), ("fonts", role, style))
-        for style in styles
-        if style != "licence_file"
-    )
+    publishing: Publishing = key(table(Publishing), "what the site's host is given", Publishing())
+    trust: Trust = key(table(Trust), "what goes into the pages unseen", Trust())

@@ -2,7 +2,7 @@
 
 from collections.abc import Iterator, Mapping
 
-from site_builder.settings.declared import Given
+from site_builder.settings.declared import Reader
 from site_builder.settings.model import Settings
 
 THEMES = ("light", "dark")
@@ -51,7 +51,7 @@ def theme_css(settings: Settings) -> str:
     return f"\n:root {{\n{''.join(rules)}}}\n" if rules else ""
 
 
-def check_theme(settings: Settings, given: Given) -> None:
+def check_theme(settings: Settings, reader: Reader) -> None:
     """Report what nobody could read, where the author chose one of the two colours."""
     for theme in THEMES:
         found = colours(settings, theme)
@@ -63,7 +63,7 @@ def check_theme(settings: Settings, given: Given) -> None:
                 continue
             guilty, other = (name, ground) if name in chosen else (ground, name)
             at = ("theme", theme, guilty.replace("-", "_"))
-            given.report(
+            reader.report(
                 at,
                 f'{".".join(at)} "{found[guilty]}" has a contrast of {ratio:.2f}:1 to {other} '
                 f'"{found[other]}"; legal: {least:g}:1 or more',

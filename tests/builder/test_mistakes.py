@@ -195,7 +195,7 @@ def test_a_book_without_an_outline_is_told_what_one_holds(mistakes: Find) -> Non
 def test_an_outline_without_chapters_is_reported_at_its_line(mistakes: Find) -> None:
     outline = OUTLINE.partition("chapters")[0] + "chapters = []\n"
     found = mistakes(files={"content/book.toml": outline})
-    assert found == ['content/book.toml:6: no chapters; legal: ["00-slug", …]']
+    assert found == ["content/book.toml:6: no 'chapters'; legal: chapters = [\"00-slug\", …]"]
 
 
 def test_a_number_of_a_figure_that_cannot_be_drawn_is_reported_with_its_reason(

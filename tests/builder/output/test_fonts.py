@@ -10,9 +10,8 @@ import pytest
 from fontTools.ttLib import TTFont
 from fontTools.ttLib.tables._g_l_y_f import USE_MY_METRICS
 
-from site_builder.output.font_faces import FACES, FORMULAE, MATHS_FACES, TEXT, Face, chosen_faces
+from site_builder.output.font_faces import FACES, FORMULAE, MATHS_FACES, TEXT, Face
 from site_builder.output.fonts import cut, subset_fonts
-from site_builder.settings.model import Fonts, Sans, Settings
 
 FONTS_CSS = Path(__file__).parents[3] / "static" / "css" / "fonts.css"
 TEXT_FACES = [face.file for face in FACES if face not in MATHS_FACES]
@@ -181,18 +180,3 @@ def test_a_second_call_reads_what_the_first_one_kept(tmp_path: Path) -> None:
     assert len(kept) == len(fonts) == 2
     kept[0].write_bytes(b"kept")
     assert b"kept" in subset_fonts(two, tmp_path).values()
-
-
-def test_a_family_of_the_authors_takes_the_place_of_the_builders(tmp_path: Path) -> None:
-    source = files("font_source_sans_pro").joinpath("files/SourceSansPro-Light.ttf").read_bytes()
-    (tmp_path / "content").mkdir()
-    (tmp_path / "content" / "own.ttf").write_bytes(source)
-    family = Sans("Own", "OFL", "OFL.txt", "own.ttf", "own.ttf", "own.ttf")
-    settings = Settings("T", "S", "P", (), fonts=Fonts(sans=family))
-    face = next(
-        face for face in chosen_faces(settings, tmp_path) if face.file == "sans-regular.woff2"
-    )
-    cut_face = subset_fonts([face], tmp_path / "cache")["sans-regular.woff2"]
-    opened, original = TTFont(io.BytesIO(cut_face)), TTFont(io.BytesIO(source))
-    assert opened["hmtx"]["a"] == original["hmtx"]["a"]
-    assert opened["name"].getDebugName(1) == "Book Sans"

@@ -83,24 +83,6 @@ def test_a_ground_is_judged_by_the_text_that_lies_on_it(read: Read) -> None:
     assert any('theme.dark.paper "#777777"' in mistake for mistake in mistakes)
 
 
-def test_fonts_that_are_not_there_are_told(read: Read, tmp_path: Path) -> None:
-    (tmp_path / "content").mkdir()
-    (tmp_path / "content" / "a.ttf").write_bytes(b"")
-    _, mistakes = read(
-        '[fonts.sans]\nname = "A"\nlicence = "OFL"\nlicence_file = "OFL.txt"\n'
-        'regular = "a.ttf"\nitalic = "b.ttf"\nsemibold = "a.ttf"\n'
-    )
-    assert [mistake.split("; ")[0] for mistake in mistakes] == [
-        'content/book.toml:8: fonts.sans.licence_file is "OFL.txt", which is no such file',
-        'content/book.toml:10: fonts.sans.italic is "b.ttf", which is no such file',
-    ]
-
-
-def test_a_family_without_a_face_is_told_which(read: Read) -> None:
-    _, mistakes = read('[fonts.sans]\nname = "A"\nlicence = "OFL"\nlicence_file = "OFL.txt"\n')
-    assert "5: no 'regular' in [fonts.sans]; legal: regular = a file below content/" in mistakes[0]
-
-
 def test_what_a_browser_keeps_is_named_after_the_book_or_as_its_author_says(read: Read) -> None:
     assert storage_prefix(read("")[0]) == "small-book"
     assert storage_prefix(read('storage = "mine"\n')[0]) == "mine"

@@ -2,18 +2,28 @@
 
 import re
 import tomllib
+from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
 
 import pytest
 
-from site_builder.settings.kinds import COLOUR, PREFIX, SITE, Kind, Names, OneOf, Text, Whole
-from site_builder.settings.schema import book_schema
+from site_builder.settings.described import book_schema
+from site_builder.settings.kinds import (
+    COLOUR,
+    PREFIX,
+    SITE,
+    TEXT,
+    Kind,
+    one_of,
+    texts,
+    whole_number,
+)
 
 ROOT = Path(__file__).parents[3]
 
 
-def admits(schema: dict[str, Any], value: object) -> bool:
+def admits(schema: Mapping[str, Any], value: object) -> bool:
     """Whether a value is legal by the part of JSON schema that is used here."""
     if "enum" in schema:
         return value in schema["enum"]
@@ -52,7 +62,7 @@ def test_an_unknown_key_does_not_fit() -> None:
 
 
 @pytest.mark.parametrize(
-    "kind", [Text(), COLOUR, SITE, PREFIX, Whole(0), OneOf(lambda: ("a", "b")), Names("", 1)]
+    "kind", [TEXT, COLOUR, SITE, PREFIX, whole_number(0), one_of(("a", "b")), texts("", 1)]
 )
 @pytest.mark.parametrize(
     "value",
@@ -67,4 +77,4 @@ def test_schema_and_reading_agree(kind: Kind, value: object) -> None:
         legal = True
     except ValueError:
         legal = False
-    assert admits(kind.schema(), value) == legal
+    assert admits(kind.schema, value) == legal
