@@ -56,7 +56,7 @@ def _bundle(
 
     sources = [folder_hash(folder, "*.py") for folder in (simulations, ENGINE / "simulations")]
     bundle = kept_as("runtime", (sources, scenes, ladders, compiled), pack)[0]
-    is_good = all(map(is_whole, bundle.files.values())) and not bundle.wants_memory
+    is_good = all(map(is_whole, bundle.files.values())) and not bundle.snapshot_error
     return bundle if is_good else pack()
 
 

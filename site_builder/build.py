@@ -250,8 +250,8 @@ def _runtime(options: Options, book: Book) -> tuple[str, Files, RuntimeBundle]:
     bundle = pack_for_browser(root, book, compiled=compiled) if options.runtime else None
     if bundle is None:
         return "", {}, RuntimeBundle({}, Versions())
-    if bundle.wants_memory:
-        told = f"figures live later at a first visit: {bundle.wants_memory}"
+    if bundle.snapshot_error:
+        told = f"figures live later at a first visit: {bundle.snapshot_error}"
         options.warn(Diagnostic("site_builder/runtime/memory.mjs", 1, told, fails=False))
     if options.reload:
         there: Files = {RUNTIME_NOW + name: content for name, content in bundle.files.items()}

@@ -20,15 +20,13 @@ GAP = 64
 
 
 def changed_runs(
-    memory: Bytes, bases: Sequence[Bytes], always: slice = slice(0), gap: int = GAP
+    memory: Bytes, base: Bytes, always: slice = slice(0), gap: int = GAP
 ) -> list[tuple[int, bytes]]:
-    """Place and content of each run of bytes in which ``memory`` differs from any of the ``bases``,
-    which end where it is zero, and of those at ``always``."""
-    differs = np.zeros(len(memory), np.bool_)
+    """Place and content of each run of bytes in which ``memory`` differs from the ``base``, which
+    ends where it is zero, and of those at ``always``."""
+    differs = memory != 0
+    differs[: len(base)] = memory[: len(base)] != base
     differs[always] = True
-    for base in bases:
-        differs[: len(base)] |= memory[: len(base)] != base
-        differs[len(base) :] |= memory[len(base) :] != 0
     places = np.flatnonzero(differs)
     runs = np.split(places, np.flatnonzero(np.diff(places) > gap) + 1) if len(places) else []
     bounds = [(int(run[0]), int(run[-1]) + 1) for run in runs]

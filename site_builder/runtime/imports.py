@@ -3,10 +3,9 @@
 import ast
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass
+from functools import cache
 from importlib.util import find_spec
 from pathlib import Path
-
-from site_builder.kept.keeper import kept
 
 
 @dataclass(frozen=True, slots=True)
@@ -70,25 +69,12 @@ def outside(table: Table, modules: Iterable[str]) -> dict[str, str]:
 
 def _imports(file: Path, path: str, files: Mapping[str, Path]) -> Imports:
     inside, others = set[str](), dict[str, str]()
-    for name, line, certain in _mentioned(file.read_bytes(), path):
+    for name, line, certain in _mentions(ast.parse(file.read_bytes(), path)):
         if name in files:
             inside.add(name)
         elif name.partition(".")[0] not in files and (certain or _is_module(name)):
             others.setdefault(name, f"{path}:{line}")
     return Imports(frozenset(inside), others)
-
-
-@kept
-def _mentioned(source: bytes, path: str) -> tuple[tuple[str, int, bool], ...]:
-    """Of names that only may be modules, those of the package that the module at ``path`` is of,
-    which may come and go, and those that are modules here."""
-    package = f"{path.partition('/')[0]}."
-    mentions = dict.fromkeys(_mentions(ast.parse(source, path)))
-    return tuple(
-        (name, line, certain or not own)
-        for name, line, certain in mentions
-        if (own := name.startswith(package)) or certain or _is_module(name)
-    )
 
 
 def _mentions(tree: ast.Module) -> Iterator[tuple[str, int, bool]]:
@@ -116,6 +102,7 @@ def _mentions(tree: ast.Module) -> Iterator[tuple[str, int, bool]]:
                 yield f"{package}.{node.attr}", node.lineno, False
 
 
+@cache
 def _is_module(name: str) -> bool:
     try:
         return find_spec(name) is not None

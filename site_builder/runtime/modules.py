@@ -1,4 +1,4 @@
-"""The simulations in parts: what the worker starts with, and what each scene and ladder adds."""
+"""The simulations in chunks: what the worker starts with, and what each scene and ladder adds."""
 
 import io
 import zipfile
@@ -6,13 +6,12 @@ from collections import Counter
 from collections.abc import Collection, Mapping
 from pathlib import Path
 
-from site_builder.kept.keeper import kept
 from site_builder.runtime.imports import Table, archive_path, reach
 
 ENTRY = "simulations.browser"
 """The module that the browser's worker imports."""
 CORE = "core"
-"""The part that it starts with."""
+"""The chunk that it starts with."""
 EPOCH = (2020, 1, 1, 0, 0, 0)
 
 type Modules = Mapping[str, str]
@@ -20,17 +19,17 @@ type Modules = Mapping[str, str]
 
 
 def cut(imports: Table, scenes: Modules, ladders: Modules) -> dict[str, frozenset[str]]:
-    """Part to the modules in it: all that its scene or ladder imports, beyond the `CORE`.
+    """Chunk to the modules in it: all that its scene or ladder imports, beyond the `CORE`.
 
-    That has what most scenes import. What fewer share is in the part of each, so that a page
-    fetches one part for each of its scenes.
+    That has what most scenes import. What fewer share is in the chunk of each, so that a page
+    fetches one chunk for each of its scenes.
     """
     reached = {f"scene-{key}": reach(imports, name) for key, name in scenes.items()}
     uses = Counter(module for modules in reached.values() for module in modules)
     shared = {module for module, count in uses.items() if 2 * count > len(scenes)}
     core = reach(imports, ENTRY) | shared
     reached |= {f"ladder-{key}": reach(imports, name) for key, name in ladders.items()}
-    return {CORE: core, **{part: modules - core for part, modules in reached.items()}}
+    return {CORE: core, **{chunk: modules - core for chunk, modules in reached.items()}}
 
 
 def sources_of(files: Mapping[str, Path], modules: Collection[str]) -> dict[str, Path]:
@@ -38,14 +37,10 @@ def sources_of(files: Mapping[str, Path], modules: Collection[str]) -> dict[str,
     return {archive_path(name, file): file for name, file in files.items() if name in modules}
 
 
-@kept
-def archive_of(members: Mapping[str, bytes], *, small: bool = True) -> bytes:
-    """Equal members give equal bytes. One that need not be ``small`` is sooner made."""
+def archive_of(members: Mapping[str, bytes]) -> bytes:
+    """Equal members give equal bytes."""
     buffer = io.BytesIO()
-    packing = zipfile.ZIP_DEFLATED if small else zipfile.ZIP_STORED
-    with zipfile.ZipFile(buffer, "w", packing, compresslevel=9) as archive:
+    with zipfile.ZipFile(buffer, "w", zipfile.ZIP_DEFLATED) as archive:
         for path, content in members.items():
-            entry = zipfile.ZipInfo(path, EPOCH)
-            entry.compress_type = packing
-            archive.writestr(entry, content)
+            archive.writestr(zipfile.ZipInfo(path, EPOCH), content, zipfile.ZIP_DEFLATED)
     return buffer.getvalue()

@@ -23,14 +23,7 @@ from site_builder.runtime.freeze import (
     freeze_libraries,
     libraries_of,
 )
-from site_builder.runtime.imports import (
-    Table,
-    imports_of,
-    module_files,
-    outside,
-    reach,
-)
-from site_builder.runtime.memory import MEMORY, make_memory
+from site_builder.runtime.imports import Table, imports_of, module_files, outside, reach
 from site_builder.runtime.modules import CORE, ENTRY, Modules, archive_of, cut, sources_of
 from site_builder.runtime.pinned import (
     NUMPY_WHEEL,
@@ -39,9 +32,15 @@ from site_builder.runtime.pinned import (
     VERSIONS,
     Versions,
 )
+from site_builder.runtime.snapshot import SNAPSHOT, make_snapshot
 
 TABLE_NAME = "runtime.json"
-SIMULATIONS = "simulations.zip"
+SIMULATIONS = "simulations"
+"""The chunk with all sources, for readers who edit them."""
+SITE_PACKAGES = f"/lib/python{PYTHON_VERSION.rpartition('.')[0]}/site-packages"
+LIBRARY = f"/lib/python{PYTHON_VERSION.rpartition('.')[0].replace('.', '')}.zip"
+AT_ONCE = ("python", "numpy")
+"""The chunks that the interpreter starts with."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -51,13 +50,13 @@ class RuntimeBundle:
     files: Mapping[str, Path]
     """Name in the site's runtime folder to where the file lies now."""
     versions: Versions
-    wants_memory: str = ""
-    """Why there is no memory for Python to begin with, where there should be one."""
+    snapshot_error: str = ""
+    """Why there is no snapshot for Python to begin with, where there should be one."""
 
     @property
     def sources(self) -> str:
         """Hash of the simulations, as the worker knows it; nothing where there are none."""
-        return self._hash(SIMULATIONS)
+        return self._hash(f"{SIMULATIONS}.zip")
 
     @property
     def table(self) -> str:
@@ -77,12 +76,12 @@ def pack_runtime(
     *,
     compiled: bool = True,
 ) -> RuntimeBundle:
-    """Fetch what is pinned, cut it into parts, and pack the simulations beside it.
+    """Fetch what is pinned, cut it into chunks, and pack the simulations beside it.
 
     Of a book's folder ``simulations``, that is what its pages run: the ``scenes`` and ``ladders``
-    that they show, and all that these import: ``compiled`` and small, as every reader would else
-    wait for that, and as sources beside it, for those who edit them. Equal sources give equal
-    bytes, so a hash over the files names the runtime.
+    that they show, and all that these import; ``compiled``, with a snapshot of an interpreter that
+    has imported the core, as every reader would else wait for that; and as sources beside it, for
+    those who edit them. Equal sources give equal bytes, so a hash over the files names the runtime.
 
     Raises
     ------
@@ -93,61 +92,48 @@ def pack_runtime(
     """
     folder = store or stores.default_store()
     fetched = fetch_runtime(folder)
+    machine = {name: fetched[name] for name in INTERPRETER}
+    python, numpy = fetched[PYTHON_LIBRARY.name], fetched[NUMPY_WHEEL.name]
     files = book_modules(simulations)
     given = {name: file_hash(file) for name, file in files.items()}
     imports, _ = kept_as("imports", given, lambda: imports_of(files))
     modules = page_modules(imports, scenes, ladders)
-    at_once = outside(imports, reach(imports, ENTRY))
-    machine = {name: fetched[name] for name in INTERPRETER}
-    frozen = freeze_libraries(
-        machine,
-        fetched[PYTHON_LIBRARY.name],
-        fetched[NUMPY_WHEEL.name],
-        at_once,
-        outside(imports, modules),
-        folder,
-    )
-    sources = sources_of(files, modules)
-    hashes = {path: file_hash(file) for path, file in sources.items()}
+    at_once, later = outside(imports, reach(imports, ENTRY)), outside(imports, modules)
+    frozen = freeze_libraries(machine, python, numpy, at_once, later, folder)
     byte_code: Mapping[str, bytes] = {}
     if compiled:
-        python = fetched[PYTHON_LIBRARY.name]
+        sources = sources_of(files, modules)
+        hashes = {path: file_hash(file) for path, file in sources.items()}
         key = (hashes, PYTHON_LIBRARY, file_hash(PROGRAM), file_hash(DRIVER))
         byte_code, _ = kept_as("byte code", key, lambda: compile_sources(machine, python, sources))
-    ours = module_parts(files, cut(imports, scenes, ladders), byte_code, small=compiled)
-    ours[SIMULATIONS.removesuffix(".zip")] = source_archive(files, modules, small=compiled)
+    chunks = cut(imports, scenes, ladders)
+    ours = {chunk: chunk_archive(files, names, byte_code) for chunk, names in chunks.items()}
+    ours[SIMULATIONS] = source_archive(files, modules)
     archives = {
-        **{f"{part}.zip": file for part, file in frozen.archives.items()},
-        **{f"{part}.zip": stores.put(folder, f"{part}.zip", data) for part, data in ours.items()},
+        **{f"{chunk}.zip": file for chunk, file in frozen.archives.items()},
+        **{f"{chunk}.zip": stores.put(folder, f"{chunk}.zip", ours[chunk]) for chunk in ours},
     }
     libraries = {file.name: file for file in frozen.libraries.values()}
     loaded = {**machine, **libraries, **archives}
-    wants_memory = ""
+    snapshot_error = ""
     if compiled:
-        core = cut(imports, scenes, ladders)[CORE]
         try:
-            loaded[MEMORY] = make_memory(
+            loaded[SNAPSHOT] = make_snapshot(
                 machine,
                 archives["python.zip"],
                 frozen.libraries,
                 [archives["numpy.zip"], archives[f"{CORE}.zip"]],
-                [ENTRY, *sorted(core)],
+                [ENTRY, *sorted(chunks[CORE])],
                 SITE_PACKAGES,
                 folder,
             )
         except FreezeError as error:
-            wants_memory = str(error)
+            snapshot_error = str(error)
     table = json.dumps(
         runtime_table(loaded, frozen, imports, scenes, ladders), indent=1, sort_keys=True
     )
-    return RuntimeBundle(
-        {
-            **loaded,
-            TABLE_NAME: stores.put(folder, TABLE_NAME, table.encode()),
-        },
-        VERSIONS,
-        wants_memory,
-    )
+    listed = {TABLE_NAME: stores.put(folder, TABLE_NAME, table.encode())}
+    return RuntimeBundle({**loaded, **listed}, VERSIONS, snapshot_error)
 
 
 def book_modules(simulations: Path) -> dict[str, Path]:
@@ -169,32 +155,22 @@ def page_modules(
     return frozenset[str]().union(*(reach(imports, start) for start in starts))
 
 
-def source_archive(
-    files: Mapping[str, Path], modules: Collection[str], *, small: bool = True
+def source_archive(files: Mapping[str, Path], modules: Collection[str]) -> bytes:
+    """Those ``modules`` that have one of the ``files``."""
+    return chunk_archive(files, modules, {})
+
+
+def chunk_archive(
+    files: Mapping[str, Path], modules: Collection[str], byte_code: Mapping[str, bytes]
 ) -> bytes:
-    """Those ``modules`` that have one of the ``files``. Equal sources give equal bytes."""
-    sources = sources_of(files, modules)
-    return archive_of({path: file.read_bytes() for path, file in sources.items()}, small=small)
-
-
-def module_parts(
-    files: Mapping[str, Path],
-    parts: Mapping[str, Collection[str]],
-    byte_code: Mapping[str, bytes],
-    *,
-    small: bool = True,
-) -> dict[str, bytes]:
-    """The archive of each part; of a module without ``byte_code``, its source."""
-
-    def members(modules: Collection[str]) -> dict[str, bytes]:
-        sources = sources_of(files, modules)
-        return {
+    """The archive of a chunk; of a module without ``byte_code``, its source."""
+    return archive_of(
+        {
             path + "c" if path + "c" in byte_code else path: byte_code.get(path + "c")
             or file.read_bytes()
-            for path, file in sources.items()
+            for path, file in sources_of(files, modules).items()
         }
-
-    return {part: archive_of(members(modules), small=small) for part, modules in parts.items()}
+    )
 
 
 def runtime_table(
@@ -209,48 +185,38 @@ def runtime_table(
     ``lock``: what Pyodide asks for. ``integrity``: hash of each of the files ``loaded``.
     ``folder``: where modules are unpacked, and ``library``: where Python looks for its own.
     ``libraries``: where in the folder the machine code of each library belongs that is loaded at
-    once. ``modules``: of each part of a library that is not, the modules in it; ``machine_code``:
-    which of these parts hold some. ``scenes`` and ``ladders``: which parts each of them imports.
+    once. ``modules``: of each chunk of a library that is not, the modules in it; ``machine_code``:
+    which of these chunks hold some. ``scenes`` and ``ladders``: which chunks each of them imports.
     """
-    later = {part: names for part, names in frozen.modules.items() if part not in AT_ONCE}
+    later = {chunk: names for chunk, names in frozen.modules.items() if chunk not in AT_ONCE}
+
+    def chunks(kind: str, modules: Modules) -> dict[str, list[str]]:
+        return {
+            key: [f"{kind}-{key}", *chunks_of(imports, name, later)]
+            for key, name in modules.items()
+        }
+
     return {
         "lock": LOCK,
         "folder": SITE_PACKAGES,
         "library": LIBRARY,
         "libraries": {file.name: path for path, file in frozen.libraries.items()},
-        "machine_code": sorted(part for part in later if libraries_of(frozen.archives[part])),
+        "machine_code": sorted(chunk for chunk in later if libraries_of(frozen.archives[chunk])),
         "integrity": {name: _integrity(file) for name, file in loaded.items()},
         "modules": later,
-        "scenes": {
-            key: [f"scene-{key}", *parts_of(imports, name, later)] for key, name in scenes.items()
-        },
-        "ladders": {
-            key: [f"ladder-{key}", *parts_of(imports, name, later)] for key, name in ladders.items()
-        },
+        "scenes": chunks("scene", scenes),
+        "ladders": chunks("ladder", ladders),
     }
 
 
-SITE_PACKAGES = f"/lib/python{PYTHON_VERSION.rpartition('.')[0]}/site-packages"
-LIBRARY = f"/lib/python{PYTHON_VERSION.rpartition('.')[0].replace('.', '')}.zip"
-AT_ONCE = ("python", "numpy")
-"""The parts that the interpreter starts with."""
-
-
-def parts_of(imports: Table, module: str, modules: Mapping[str, tuple[str, ...]]) -> list[str]:
-    """The parts that ``module`` imports from, itself or through others of its package."""
+def chunks_of(imports: Table, module: str, modules: Mapping[str, tuple[str, ...]]) -> list[str]:
+    """The chunks that ``module`` imports from, itself or through others of its package."""
     wanted = outside(imports, reach(imports, module)) if module in imports else {}
-    return sorted(part for part, names in modules.items() if not wanted.keys().isdisjoint(names))
-
-
-def integrity(content: bytes) -> str:
-    """As `fetch` takes it."""
-    return _told(stores.sha256(content))
+    return sorted(chunk for chunk, names in modules.items() if not wanted.keys().isdisjoint(names))
 
 
 def _integrity(file: Path) -> str:
-    """The same of a file, whose place in the store says it."""
-    return _told(file.parent.name if stores.is_whole(file) else stores.sha256(file.read_bytes()))
-
-
-def _told(sha256: str) -> str:
+    """Hash of a file, as `fetch` takes it; of a file in the store, its place says it."""
+    stored = stores.is_whole(file)
+    sha256 = file.parent.name if stored else stores.sha256(file.read_bytes())
     return "sha256-" + base64.b64encode(bytes.fromhex(sha256)).decode()

@@ -10,7 +10,7 @@ from support.static_server import Fault, StaticServer, serving
 
 pytestmark = pytest.mark.browser
 
-WITHOUT_SNAPSHOT = {"/memory.wasm": Fault(status=404)}
+WITHOUT_SNAPSHOT = {"/snapshot.wasm": Fault(status=404)}
 """Python starts plainly, and needs all else."""
 LOGIN = b"<!DOCTYPE html><title>Sign in to this network</title>"
 

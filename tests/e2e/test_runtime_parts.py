@@ -17,7 +17,7 @@ from simulations.registry import LADDER_MODULES, load_ladder
 pytestmark = pytest.mark.browser
 
 
-MEMORY = "memory.wasm"
+MEMORY = "snapshot.wasm"
 OWN_TABLE = re.compile(rb' data-table="[^"]*"')
 """By which a page knows the table as it was."""
 AT_ONCE = {"python", "numpy", "core"}

@@ -14,7 +14,7 @@ from support.static_server import Fault, StaticServer, serving
 pytestmark = pytest.mark.browser
 
 CHAPTER, SCENE = "lens-distortion/", "lens-distortion"
-SNAPSHOT = "/memory.wasm"
+SNAPSHOT = "/snapshot.wasm"
 BUILT_ON = ("python", "numpy", "core")
 """The parts that a snapshot holds, so that they can come later."""
 LOGIN = b"<!DOCTYPE html><title>Sign in to this network</title>"

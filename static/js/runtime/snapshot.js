@@ -6,7 +6,7 @@
 
 /** @import { Chunks } from "./chunks.js" */
 
-const FILE = "memory.wasm";
+const FILE = "snapshot.wasm";
 /** The module's section with JSON: the size of the memory, and Pyodide's references into it. */
 const SECTION = "about";
 

@@ -17,9 +17,9 @@ from site_builder.runtime.freeze import Frozen
 from site_builder.runtime.imports import imports_of, module_files, read_imports
 from site_builder.runtime.pack import (
     book_modules,
+    chunks_of,
     pack_runtime,
     page_modules,
-    parts_of,
     runtime_table,
     source_archive,
 )
@@ -104,8 +104,8 @@ def test_the_table_tells_the_hash_of_each_archive(package: Path, tmp_path: Path)
 def test_a_module_needs_the_parts_that_it_imports_from(package: Path) -> None:
     modules = {"numpy-random": ("numpy.random", "numpy.random.mtrand"), "numpy-fft": ("numpy.fft",)}
     imports = read_imports(package)
-    assert parts_of(imports, "simulations.models.noise", modules) == ["numpy-random"]
-    assert parts_of(imports, "simulations.models", modules) == []
+    assert chunks_of(imports, "simulations.models.noise", modules) == ["numpy-random"]
+    assert chunks_of(imports, "simulations.models", modules) == []
 
 
 def test_the_runtime_folder_holds_every_file_that_its_table_names() -> None:

@@ -1,4 +1,4 @@
-"""Brings the interpreter to rest whose memory is to be kept: run in it by ``memory.mjs``."""
+"""Run in an interpreter before its snapshot is taken: nothing stays of the hour or of chance."""
 
 import gc
 import random
@@ -6,7 +6,7 @@ import sys
 import tempfile
 from importlib.machinery import FileFinder
 
-random.seed(0)  # a reader's own begins anew
+random.seed(0)  # readers' interpreters seed anew
 tempfile._name_sequence = None  # type: ignore[attr-defined]
 for finder in sys.path_importer_cache.values():
     if isinstance(finder, FileFinder):

@@ -15,19 +15,13 @@ from collections.abc import Iterable, Mapping
 from importlib import import_module
 from importlib._bootstrap_external import _code_to_hash_pyc  # type: ignore[attr-defined]
 from pathlib import Path
-from types import CodeType
 
 FREEZER = Path("/freezer")
 OUT = FREEZER / "out"
 SITE = Path("/lib/traced")
 ITS_OWN = ("_pyodide", "pyodide")
-"""Packages of the interpreter's own, which in a browser imports more of them than here."""
-DOCUMENTED = (ast.Module, ast.ClassDef, ast.FunctionDef, ast.AsyncFunctionDef)
-SIMPLE = (ast.Expr, ast.Assign, ast.AnnAssign, ast.Return, ast.Import, ast.ImportFrom, ast.Raise)
-"""Frequent statements that hold no others."""
-BLOCKS = ("body", "handlers", "cases", "orelse", "finalbody")
-SAME_LINE, MOST_UNITS = 0x80 | 13 << 3, 8
-"""Of a table of lines: the entry for at most so many units of code, without columns."""
+"""Packages of the interpreter's own: in a browser it imports more of them than here, and their
+docstrings are read."""
 EPOCH = (2020, 1, 1, 0, 0, 0)
 
 type Members = Mapping[str, bytes]
@@ -38,17 +32,17 @@ def main() -> None:
     order = json.loads((FREEZER / "order.json").read_text())
     OUT.mkdir()
     if not order:
-        write("sources", compiled(read_folder(FREEZER / "sources"), lines=True))
+        write("sources", compiled(read_folder(FREEZER / "sources")))
         return
-    parts = freeze_libraries(order["at_once"], order["later"])
-    for part, members in parts.items():
-        write(part, members)
-    modules = {part: sorted(map(module_name, members)) for part, members in parts.items()}
+    chunks = cut_libraries(order["at_once"], order["later"])
+    for chunk, members in chunks.items():
+        write(chunk, members)
+    modules = {chunk: sorted(map(module_name, members)) for chunk, members in chunks.items()}
     (OUT / "modules.json").write_text(json.dumps(modules, sort_keys=True))
 
 
-def freeze_libraries(at_once: list[str], later: list[str]) -> dict[str, Members]:
-    """Python's library and numpy, in parts.
+def cut_libraries(at_once: list[str], later: list[str]) -> dict[str, Members]:
+    """Python's library and numpy, in chunks.
 
     ``python`` and ``numpy``: what the interpreter itself and the modules ``at_once`` import; of
     Python's library also what the modules ``later`` import. ``numpy-PACKAGE``: each package that
@@ -60,18 +54,18 @@ def freeze_libraries(at_once: list[str], later: list[str]) -> dict[str, Members]
     core = set(sys.modules)
     trace(later)
     named = {top(name) for name in later} - core
-    parts: dict[str, dict[str, bytes]] = {}
+    chunks: dict[str, dict[str, bytes]] = {}
     for member, content in python.items():
-        part = "python" if is_needed(member, set(sys.modules)) else "python-rest"
-        parts.setdefault(part, {})[member] = content
+        chunk = "python" if is_needed(member, set(sys.modules)) else "python-rest"
+        chunks.setdefault(chunk, {})[member] = content
     for member, content in numpy.items():
         package = top(module_name(member))
-        later_part = package.replace(".", "-") if package in named else "numpy-rest"
-        part = "numpy" if is_needed(member, core) else later_part
-        parts.setdefault(part, {})[member] = content
+        later_chunk = package.replace(".", "-") if package in named else "numpy-rest"
+        chunk = "numpy" if is_needed(member, core) else later_chunk
+        chunks.setdefault(chunk, {})[member] = content
     return {
-        part: members if part.endswith("-rest") else compiled(members)
-        for part, members in parts.items()
+        chunk: members if chunk.endswith("-rest") else compiled(members)
+        for chunk, members in chunks.items()
     }
 
 
@@ -124,26 +118,23 @@ def module_name(member: str) -> str:
     return member.partition(".")[0].replace("/", ".").removesuffix(".__init__")
 
 
-def compiled(members: Members, *, lines: bool = False) -> dict[str, bytes]:
-    """Sources as byte code that is never checked against its source; the rest as it is. With the
-    ``lines`` that each piece of code is of, or without."""
+def compiled(members: Members) -> dict[str, bytes]:
+    """Sources as byte code that is never checked against its source; the rest as it is."""
     return {
         (name + "c" if name.endswith(".py") else name): (
-            byte_code(name, content, lines=lines) if name.endswith(".py") else content
+            byte_code(name, content) if name.endswith(".py") else content
         )
         for name, content in members.items()
     }
 
 
-def byte_code(name: str, source: bytes, *, lines: bool) -> bytes:
+def byte_code(name: str, source: bytes) -> bytes:
+    """Without assertions and docstrings, which nobody reads in the page."""
     tree = ast.parse(source, name)
-    if name.split("/")[0] not in ITS_OWN:  # which read theirs
-        drop_docstrings(tree)
     if name.rpartition("/")[2].startswith("_add_newdocs"):
         tree.body = [each for each in tree.body if not adds_docs(each)]
-    code = compile(tree, name, "exec", dont_inherit=True)
-    if not lines:
-        code = without_lines(code)
+    optimize = 0 if name.split("/")[0] in ITS_OWN else 2
+    code = compile(tree, name, "exec", dont_inherit=True, optimize=optimize)
     content: bytes = _code_to_hash_pyc(code, importlib.util.source_hash(source), False)
     return content
 
@@ -156,36 +147,9 @@ def adds_docs(statement: ast.stmt) -> bool:
     return False
 
 
-def without_lines(code: CodeType) -> CodeType:
-    """All of a function at its first line: in which of a library's lines something failed, nobody
-    sees, and the tables of lines are an eighth of the bytes."""
-    units = len(code.co_code) // 2
-    table = bytes(
-        byte
-        for start in range(0, units, MOST_UNITS)
-        for byte in (SAME_LINE | (min(MOST_UNITS, units - start) - 1), 0)
-    )
-    inner = (without_lines(each) if isinstance(each, CodeType) else each for each in code.co_consts)
-    return code.replace(co_linetable=table, co_consts=tuple(inner))
-
-
-def drop_docstrings(block: ast.AST) -> None:
-    """Nobody reads them in the page, and they are a good part of the bytes. They stand in blocks of
-    statements: to look into expressions as well would take half as long as to compile."""
-    body = getattr(block, "body", ())
-    if isinstance(block, DOCUMENTED) and body:
-        first = body[0]
-        if isinstance(first, ast.Expr) and isinstance(first.value, ast.Constant):
-            first.value.value = None
-    for part in BLOCKS:
-        for inner in getattr(block, part, ()):
-            if not isinstance(inner, SIMPLE):
-                drop_docstrings(inner)
-
-
-def write(part: str, members: Members) -> None:
-    """An archive that is not compressed: who reads it does that in a third of the time."""
-    with zipfile.ZipFile(OUT / f"{part}.zip", "w") as archive:
+def write(chunk: str, members: Members) -> None:
+    """An archive that is not compressed: it is read in a third of the time."""
+    with zipfile.ZipFile(OUT / f"{chunk}.zip", "w") as archive:
         for name, content in sorted(members.items()):
             archive.writestr(zipfile.ZipInfo(name, EPOCH), content)
 

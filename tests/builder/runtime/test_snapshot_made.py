@@ -1,4 +1,4 @@
-"""The memory that readers begin with: the same wherever and whenever it is made."""
+"""The snapshot that readers begin with: the same wherever and whenever it is made."""
 
 from collections.abc import Sequence
 from pathlib import Path
@@ -9,8 +9,8 @@ from support.waves import LADDERS, SCENES, WAVES
 from site_builder.runtime import pack
 from site_builder.runtime.fetch import fetch_runtime
 from site_builder.runtime.freeze import INTERPRETER, FreezeError
-from site_builder.runtime.memory import MEMORY, make_memory
 from site_builder.runtime.pack import SITE_PACKAGES, RuntimeBundle, pack_runtime
+from site_builder.runtime.snapshot import SNAPSHOT, make_snapshot
 
 FETCHED = fetch_runtime()
 
@@ -25,7 +25,7 @@ def make(bundle: RuntimeBundle, folder: Path, modules: Sequence[str]) -> Path:
     machine = {name: FETCHED[name] for name in INTERPRETER}
     files = bundle.files
     archives = [files["core.zip"]]
-    return make_memory(machine, files["python.zip"], {}, archives, modules, SITE_PACKAGES, folder)
+    return make_snapshot(machine, files["python.zip"], {}, archives, modules, SITE_PACKAGES, folder)
 
 
 def test_it_is_the_same_in_any_folder_time_zone_and_language(
@@ -44,10 +44,10 @@ def test_it_is_the_same_in_any_folder_time_zone_and_language(
 def test_it_is_among_the_files_of_the_runtime_where_these_are_compiled(
     bundle: RuntimeBundle,
 ) -> None:
-    assert bundle.wants_memory == ""
-    assert MEMORY in bundle.files
+    assert bundle.snapshot_error == ""
+    assert SNAPSHOT in bundle.files
     plain = pack_runtime(WAVES / "simulations", None, SCENES, LADDERS, compiled=False)
-    assert MEMORY not in plain.files, "an author who edits would wait for it"
+    assert SNAPSHOT not in plain.files, "an author who edits would wait for it"
 
 
 def test_a_module_that_fails_is_told(bundle: RuntimeBundle, tmp_path: Path) -> None:
@@ -61,7 +61,7 @@ def test_without_it_the_runtime_is_whole_and_says_why(
     def fails(*_given: object) -> Path:
         raise FreezeError("no room")
 
-    monkeypatch.setattr(pack, "make_memory", fails)
+    monkeypatch.setattr(pack, "make_snapshot", fails)
     without = pack_runtime(WAVES / "simulations", None, SCENES, LADDERS)
-    assert without.wants_memory == "no room"
-    assert {*bundle.files} - {*without.files} == {MEMORY}
+    assert without.snapshot_error == "no room"
+    assert {*bundle.files} - {*without.files} == {SNAPSHOT}
