@@ -135,63 +135,39 @@ def _and_count(warnings: Sequence[Diagnostic]) -> str:
 def _parser() -> argparse.ArgumentParser:
     parser = argparse.ArgumentParser(prog="site_builder", description="Build the book.")
     commands = parser.add_subparsers(dest="command", required=True)
+
+    def add(name: str, purpose: str, *options: argparse.ArgumentParser) -> argparse.ArgumentParser:
+        return commands.add_parser(name, help=purpose, parents=options)
+
+    out, runtime, place = (argparse.ArgumentParser(add_help=False) for _ in range(3))
+    out.add_argument("--out", type=Path, default=ROOT / "build" / "site", help="the site")
+    runtime.add_argument(
+        "--no-runtime", dest="runtime", action="store_false", help="leave out Python: stills only"
+    )
+    place.add_argument("--port", type=int, default=8000)
+    everyone = "address to listen at; 0.0.0.0 for everyone on the network"
+    place.add_argument("--host", default="127.0.0.1", help=everyone)
+
+    build = add("build", "check everything, then write the site", out, runtime)
+    build.add_argument("--reload", action="store_true", help=argparse.SUPPRESS)
+    build.add_argument("--address", default="", help="where the site will be")
+    build.add_argument("--source", default="", help="where its sources are, with {path} in it")
+    add("serve", "build, show, and build again on every change", out, runtime, place)
+    check = add("check", "report the mistakes in the sources", runtime)
+    check.add_argument("--format", choices=FORMATS, default="text")
+    check.add_argument("--json", action="store_true", help="the same as --format json")
+    add("schema", "print the JSON schema of content/book.toml, for editors")
+    guide = add("guide", "show the guide for authors, a book of its own", runtime, place)
+    guide.add_argument("--build-only", action="store_true", help="do not serve it")
+    new = add("new", "make a book, or a skeleton in this one, with its tests")
+    new.add_argument("kind", choices=NEW)
+    new.add_argument("name", help="such as falling-ball; of a book, its folder")
     for name, purpose in (
-        ("build", "check everything, then write the site"),
-        ("serve", "build, show, and build again on every change"),
-        ("check", "report the mistakes in the sources"),
-        ("schema", "print the JSON schema of content/book.toml, for editors"),
-        ("guide", "show the guide for authors, a book of its own"),
-        ("new", "make a book, or a skeleton in this one, with its tests"),
         ("pdf", "set the whole book on pages; needs Chromium"),
         ("epub", "pack the whole book for a reader of e-books"),
     ):
-        command = commands.add_parser(name, help=purpose)
-        if name == "check":
-            _add_check_options(command)
-        if name in ("check", "schema"):
-            continue
-        if name in ("pdf", "epub"):
-            command.add_argument("--out", type=Path, help="the file")
-            continue
-        if name == "new":
-            command.add_argument("kind", choices=NEW)
-            command.add_argument("name", help="such as falling-ball; of a book, its folder")
-            continue
-        if name != "guide":
-            out = ROOT / "build" / "site"
-            command.add_argument("--out", type=Path, default=out, help="the site")
-        command.add_argument(
-            "--no-runtime",
-            dest="runtime",
-            action="store_false",
-            help="leave out Python: stills only",
-        )
-        if name == "build":
-            command.add_argument("--reload", action="store_true", help=argparse.SUPPRESS)
-            command.add_argument("--address", default="", help="where the site will be")
-            command.add_argument(
-                "--source", default="", help="where its sources are, with {path} in it"
-            )
-        if name == "guide":
-            command.add_argument("--build-only", action="store_true", help="do not serve it")
-        if name in ("serve", "guide"):
-            command.add_argument("--port", type=int, default=8000)
-            legal = "whom to listen for; 0.0.0.0 for everyone on the network"
-            command.add_argument("--host", default="127.0.0.1", help=legal)
+        add(name, purpose).add_argument("--out", type=Path, help="the file")
     return parser
-
-
-def _add_check_options(command: argparse.ArgumentParser) -> None:
-    command.add_argument(
-        "--format", choices=FORMATS, default="text", help="text for people and editors"
-    )
-    command.add_argument("--json", action="store_true", help="the same as --format json")
-    command.add_argument(
-        "--no-runtime",
-        dest="runtime",
-        action="store_false",
-        help="do not ask whether the browser can import what the simulations do",
-    )
 
 
 def _collect_rarely() -> None:
