@@ -72,4 +72,5 @@ class _Site(StaticFiles):
             return HTMLResponse(WAITING, 503)
         response = await super().get_response(path, scope)
         response.headers["Cache-Control"] = "no-cache"
+        response.headers["Server-Timing"] = f'build;desc="{self._news.state.number}"'
         return response

@@ -4,6 +4,7 @@ import asyncio
 import os
 import signal
 import sys
+from asyncio.subprocess import PIPE, Process
 from collections.abc import Collection, Iterator
 from contextlib import suppress
 from dataclasses import dataclass, field
@@ -32,22 +33,20 @@ class Builds:
     """The style sheets as the site has them."""
     _files: Files = field(default_factory=dict)
     """The site as open pages have it: a cancelled build may have written without a word."""
+    _next: Process | None = None
+    """Has imported the builder and waits for the next change."""
 
-    async def build(self) -> None:
+    async def build(self, changed: Collection[Path] = ()) -> None:
         """One build. Cancelled, it ends the process; the last good site stays."""
+        if any(map(is_code, changed)):
+            await self.close()
         self._sheets = dict(style_sheets(self.root))
-        runtime = [] if self.runtime else ["--no-runtime"]
-        process = await asyncio.create_subprocess_exec(
-            sys.executable, "-m", "site_builder", "build", "--reload", "--out", self.out, *runtime,
-            stdout=asyncio.subprocess.PIPE, stderr=asyncio.subprocess.PIPE,
-            cwd=ENGINE, env={**os.environ, VARIABLE: str(self.root)}, start_new_session=True,
-        )  # fmt: skip
+        process, self._next = self._next or await self._start(), None
         try:
-            printed, problems = (part.decode() for part in await process.communicate())
+            printed, problems = (part.decode() for part in await process.communicate(b"\n"))
         finally:
-            with suppress(ProcessLookupError):
-                os.killpg(process.pid, signal.SIGKILL)
-            await process.wait()
+            await end(process)
+        self._next = await self._start()
         if process.returncode:
             self.news.fail(problems or f"the build ended with exit code {process.returncode}")
             print(self.news.state.mistakes, flush=True)
@@ -59,6 +58,20 @@ class Builds:
         if self.address:
             print(self.address, flush=True)
             self.address = ""
+
+    async def close(self) -> None:
+        waiting, self._next = self._next, None
+        if waiting:
+            await end(waiting)
+
+    async def _start(self) -> Process:
+        """A process that builds as soon as it is sent a line, and ends with its input."""
+        runtime = [] if self.runtime else ["--no-runtime"]
+        return await asyncio.create_subprocess_exec(
+            sys.executable, "-m", "site_builder", "build", "--reload", "--out", self.out, *runtime,
+            stdin=PIPE, stdout=PIPE, stderr=PIPE,
+            cwd=ENGINE, env={**os.environ, VARIABLE: str(self.root)}, start_new_session=True,
+        )  # fmt: skip
 
     def replace_styles(self, changed: Collection[Path]) -> bool:
         """Put changed style sheets into the joined one, which needs no build. False where something
@@ -78,6 +91,18 @@ class Builds:
         self._files = files_in(self.out)
         self.news.succeed([NOW + STYLE_SHEET])
         return True
+
+
+def is_code(path: Path) -> bool:
+    """Whether a process that has imported the builder may have read the file already."""
+    return path.suffix == ".py" or path.is_relative_to(ENGINE / "site_builder")
+
+
+async def end(process: Process) -> None:
+    """With all that it has started."""
+    with suppress(ProcessLookupError):
+        os.killpg(process.pid, signal.SIGKILL)
+    await process.wait()
 
 
 def style_sheets(root: Path) -> Iterator[tuple[Path, str]]:

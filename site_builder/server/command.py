@@ -57,13 +57,16 @@ async def _serve(builds: Builds, listener: socket.socket, host: str) -> None:
 
 async def _build_on_change(builds: Builds) -> None:
     """The newest change wins: a build of an outdated state is cancelled."""
-    async with asyncio.TaskGroup() as tasks:
-        build = tasks.create_task(builds.build())
-        async for changed in _changes(builds.root):
-            if not (build.done() and builds.replace_styles(changed)):
-                build.cancel()
-                await asyncio.wait([build])
-                build = tasks.create_task(builds.build())
+    try:
+        async with asyncio.TaskGroup() as tasks:
+            build = tasks.create_task(builds.build())
+            async for changed in _changes(builds.root):
+                if not (build.done() and builds.replace_styles(changed)):
+                    build.cancel()
+                    await asyncio.wait([build])
+                    build = tasks.create_task(builds.build(changed))
+    finally:
+        await builds.close()
 
 
 async def _changes(root: Path) -> AsyncIterator[set[Path]]:

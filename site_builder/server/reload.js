@@ -7,7 +7,8 @@
 
 const FIXED = "simulation-figure, ladder-bench, form, [data-predict], script, h1, h2, h3";
 const channel = new BroadcastChannel("builds");
-let shown = 0;
+let shown = sentBuild();
+let current = false; // whether the page is known to show the build numbered `shown`
 let source = fetchSource();
 
 channel.addEventListener("message", ({ data }) => receive(data));
@@ -40,12 +41,20 @@ function receive({ kind, data }) {
   document.getElementById("build-mistakes")?.remove();
   if (kind === "failed") showMistakes(data);
   else if (document.title === "Being built") location.reload();
-  else if (!shown) shown = data.number;
-  else if (data.number !== shown) {
-    const missed = data.number !== shown + 1;
+  else {
+    const before = shown || data.number;
+    const missed = !current || data.number !== before + 1;
+    current = true;
     shown = data.number;
-    show(data.changed, missed);
+    if (shown !== before) show(data.changed, missed);
   }
+}
+
+/** The build that the page is of; 0 where the browser does not say. */
+function sentBuild() {
+  const [load] = performance.getEntriesByType("navigation");
+  const timings = /** @type {PerformanceNavigationTiming | undefined} */ (load)?.serverTiming ?? [];
+  return Number(timings.find(({ name }) => name === "build")?.description ?? 0);
 }
 
 /**

@@ -1,7 +1,7 @@
 """Builds in processes of their own, and what open pages learn of them."""
 
 import asyncio
-from collections.abc import Coroutine
+from collections.abc import Coroutine, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
@@ -13,6 +13,8 @@ from site_builder.server.news import News, State
 SCRIPT = """\
 import pathlib, sys, time
 out = pathlib.Path(sys.argv[sys.argv.index("--out") + 1])
+(out.parent / "started").open("a").write("x")
+sys.stdin.readline() or sys.exit()
 (out / "a.html").write_text("new")
 {then}
 """
@@ -23,6 +25,14 @@ def run[T](task: Coroutine[object, object, T]) -> T:
     """In a thread of its own: the tests' browser has an event loop in this one."""
     with ThreadPoolExecutor(1) as pool:
         return pool.submit(asyncio.run, task).result()
+
+
+def build(builds: Builds, changed: Sequence[Path] = ()) -> None:
+    async def once() -> None:
+        await builds.build(changed)
+        await builds.close()
+
+    run(once())
 
 
 @pytest.fixture
@@ -44,25 +54,25 @@ def test_a_good_build_names_what_it_changed(
     builds: Builds, capsys: pytest.CaptureFixture[str]
 ) -> None:
     write_builder(builds, "print('1 file')")
-    run(builds.build())
+    build(builds)
     assert builds.news.state == State(1, ("a.html",))
     assert capsys.readouterr().out == "1 file\nhttp://localhost:8000/\n"
-    run(builds.build())
+    build(builds)
     assert capsys.readouterr().out == "1 file\n"
 
 
 def test_a_bad_build_says_what_is_wrong_until_the_next_good_one(builds: Builds) -> None:
     write_builder(builds, "sys.exit('content/a.md:1: bad')")
-    run(builds.build())
+    build(builds)
     assert builds.news.state.mistakes == "content/a.md:1: bad\n"
     write_builder(builds)
-    run(builds.build())
+    build(builds)
     assert builds.news.state.mistakes == ""
 
 
 def test_a_build_that_is_killed_is_told_by_its_exit_code(builds: Builds) -> None:
     write_builder(builds, "import os; os.kill(os.getpid(), 9)")
-    run(builds.build())
+    build(builds)
     assert builds.news.state.mistakes == "the build ended with exit code -9"
 
 
@@ -82,13 +92,34 @@ def test_a_cancelled_build_ends_its_process(builds: Builds) -> None:
     assert builds.news.state == State()
 
 
+@pytest.mark.parametrize(
+    ("changed", "text"),
+    [("content/a.md", "old"), ("simulations/a.py", "new"), ("site_builder/a.toml", "new")],
+)
+def test_a_build_runs_the_code_as_it_is_now(builds: Builds, changed: str, text: str) -> None:
+    def writing(word: str) -> str:
+        return f"import pathlib; pathlib.Path('{builds.out}/b.html').write_text('{word}')"
+
+    async def two_builds() -> None:
+        write_builder(builds, writing("old"))
+        await builds.build()
+        while (builds.root / "started").read_text() != "xx":
+            await asyncio.sleep(0.01)
+        write_builder(builds, writing("new"))
+        await builds.build([builds.root / changed])
+        await builds.close()
+
+    run(two_builds())
+    assert (builds.out / "b.html").read_text() == text
+
+
 def build_with_styles(builds: Builds) -> None:
     """Of two sheets, the first is in the joined one."""
     write_builder(builds)
     (builds.root / "static/css/a.css").write_text("a { top: 1px }")
     (builds.root / "static/css/unused.css").write_text("b { top: 2px }")
     (builds.out / SHEET).write_text("x {} a { top: 1px } y {}")
-    run(builds.build())
+    build(builds)
 
 
 def test_a_changed_style_sheet_is_replaced_without_a_build(builds: Builds) -> None:
