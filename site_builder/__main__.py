@@ -73,7 +73,7 @@ def _run(given: argparse.Namespace, warn: Warn, warnings: Sequence[Diagnostic]) 
     """The command's number where nothing was raised."""
     match given.command:
         case "build":
-            if given.reload and not sys.stdin.readline():
+            if given.wait and not sys.stdin.readline():
                 return 0  # the server has ended
             files = build_site(
                 ROOT, given.out, runtime=given.runtime, reload=given.reload, warn=warn,
@@ -151,8 +151,10 @@ def _parser() -> argparse.ArgumentParser:
     place.add_argument("--host", default="127.0.0.1", help=everyone)
 
     build = add("build", "check everything, then write the site", out, runtime)
-    reload = "for `serve`: begin after a line of input; pages reload themselves"
-    build.add_argument("--reload", action="store_true", help=reload)
+    build.add_argument("--reload", action="store_true", help="for `serve`: pages reload themselves")
+    build.add_argument(
+        "--wait", action="store_true", help="for `serve`: begin after a line of input"
+    )
     build.add_argument("--address", default="", help="where the site will be")
     build.add_argument("--source", default="", help="where its sources are, with {path} in it")
     add("serve", "build, show, and build again on every change", out, runtime, place)

@@ -68,8 +68,8 @@ class Builds:
         """A process that builds as soon as it is sent a line, and ends with its input."""
         runtime = [] if self.runtime else ["--no-runtime"]
         return await asyncio.create_subprocess_exec(
-            sys.executable, "-m", "site_builder", "build", "--reload", "--out", self.out, *runtime,
-            stdin=PIPE, stdout=PIPE, stderr=PIPE,
+            sys.executable, "-m", "site_builder", "build", "--reload", "--wait",
+            "--out", self.out, *runtime, stdin=PIPE, stdout=PIPE, stderr=PIPE,
             cwd=ENGINE, env={**os.environ, VARIABLE: str(self.root)}, start_new_session=True,
         )  # fmt: skip
 
