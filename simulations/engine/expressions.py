@@ -11,6 +11,10 @@ import operator
 from collections.abc import Callable, Mapping
 from typing import Any
 
+import numpy as np
+
+from simulations.engine.controls import suggestion
+
 BINARY: Mapping[type[ast.operator], Callable[[Any, Any], Any]] = {
     ast.Add: operator.add,
     ast.Sub: operator.sub,
@@ -19,6 +23,7 @@ BINARY: Mapping[type[ast.operator], Callable[[Any, Any], Any]] = {
     ast.FloorDiv: operator.floordiv,
     ast.Mod: operator.mod,
     ast.Pow: operator.pow,
+    ast.MatMult: np.matmul,
 }
 UNARY: Mapping[type[ast.unaryop], Callable[[Any], Any]] = {
     ast.USub: operator.neg,
@@ -58,8 +63,14 @@ def evaluate(text: str, names: Mapping[str, object]) -> Any:
         tree = ast.parse(text.strip(), mode="eval")
     except (SyntaxError, ValueError):
         raise ExpressionError(f"{text!r} is no expression; legal: as '2 * x < 1'") from None
+    return evaluate_node(tree.body, names, text)
+
+
+def evaluate_node(node: ast.expr, names: Mapping[str, object], text: str = "") -> Any:
+    """The same for an expression that is parsed already; ``text`` is quoted in errors."""
+    text = text or ast.unparse(node)
     try:
-        return _value(tree.body, {**MATHS, **names})
+        return _value(node, {**MATHS, **names})
     except ExpressionError as error:
         raise ExpressionError(f"{text!r}: {error}") from None
     except Exception as error:  # whatever the functions that it calls may raise
@@ -72,8 +83,7 @@ def _value(node: ast.expr, names: Mapping[str, object]) -> Any:
             return node.value
         case ast.Name(id=name):
             if name not in names:
-                own = [known for known in names if known not in MATHS]
-                raise ExpressionError(f"unknown name {name!r}; legal: {', '.join(own) or 'none'}")
+                raise ExpressionError(f"unknown name {name!r}{_expected(name, names)}")
             return names[name]
         case ast.UnaryOp(op=sign, operand=operand) if type(sign) in UNARY:
             return UNARY[type(sign)](_value(operand, names))
@@ -96,6 +106,11 @@ def _value(node: ast.expr, names: Mapping[str, object]) -> Any:
     raise ExpressionError(
         f"{ast.unparse(node)!r} has no meaning here; legal: numbers, names, calls, comparisons"
     )
+
+
+def _expected(name: str, names: Mapping[str, object]) -> str:
+    own = [known for known in names if known not in MATHS]
+    return suggestion(name, names) or f"; legal: {', '.join(own) or 'none'}"
 
 
 def _compared(node: ast.Compare, names: Mapping[str, object]) -> bool:

@@ -5,7 +5,9 @@ from collections.abc import Callable, Mapping, Sequence
 
 from markdown_it.token import Token
 
+from simulations.engine.expressions import ExpressionError
 from site_builder.diagnostics import unknown
+from site_builder.markdown.calculation import BLOCK, compute_formula, define_names
 from site_builder.markdown.headings import list_headings
 from site_builder.markdown.parse_context import ParseContext
 from site_builder.markdown.role import Role
@@ -45,9 +47,10 @@ def inline_html(markdown: str, line: int, context: ParseContext) -> str:
 def _set_formula(token: Token, line: int, context: ParseContext) -> None:
     tex = token.content
     try:
+        token.content = tex = compute_formula(tex, context)
         tex = written_out(tex, context.macros)
         token.meta["mathml"] = _mathml(tex.strip(), display=token.type != "math_inline")
-    except UnsupportedTexError as error:
+    except (ExpressionError, UnsupportedTexError) as error:
         context.problem(line, str(error))
     context.formulae.append((line, tex, token.type != "math_inline"))
 
@@ -58,6 +61,9 @@ def _mathml(tex: str, *, display: bool) -> str:
 
 
 def _set_code(token: Token, line: int, context: ParseContext) -> None:
+    if token.info.strip() == BLOCK:
+        define_names(token, line, context)
+        return
     try:
         token.meta["html"] = code_html(token.content, token.info.strip())
     except UnknownLanguageError as error:

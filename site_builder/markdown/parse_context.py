@@ -74,6 +74,8 @@ class ParseContext:
     glossary: Glossary = NO_TERMS
     macros: Macros = field(default_factory=dict)
     """TeX commands of the book's own."""
+    values: dict[str, object] = field(default_factory=dict)
+    """Functions and values that ``calc`` blocks of the page name."""
     env: dict[str, Any] = field(default_factory=dict)
     """What the parser keeps between parsing and rendering: link references, footnotes."""
     raw_html: bool = False

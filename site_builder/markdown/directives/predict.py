@@ -17,7 +17,6 @@ from site_builder.markdown.parse_context import ParseContext
 from site_builder.markdown.questions.answers import Parts, check_parts, split_body
 from site_builder.markdown.questions.options import (
     UNIT,
-    USES,
     WITHIN,
     chosen_options,
     number_options,
@@ -81,7 +80,7 @@ def _read_options(
         case "number":
             return number_options(call, parts.items, context, replies=False)
         case "choice":
-            return chosen_options(call, parts.items, context), 0.0
+            return chosen_options(parts.items, context), 0.0
         case _:
             return (), 0.0
 
@@ -94,7 +93,6 @@ PREDICT = Directive(
         OptionLine("kind", doc="what is guessed", expected=KINDS),
         UNIT,
         WITHIN,
-        USES,
         OptionLine("curve", doc="what is to be sketched, an expression in `x`"),
         OptionLine("x", doc="an axis, `0 90 Angle (°)`"),
         OptionLine("y", doc="the other axis"),

@@ -18,7 +18,6 @@ from site_builder.markdown.questions.answers import Item, Parts, check_parts, sp
 from site_builder.markdown.questions.options import (
     OTHERWISE,
     UNIT,
-    USES,
     WITHIN,
     chosen_options,
     number_options,
@@ -37,7 +36,6 @@ KINDS = ("single", "multiple", "number", "order", "figure")
 BELONGS: Mapping[str, tuple[str, ...]] = {
     "unit": ("number",),
     "within": ("number",),
-    "uses": ("single", "multiple", "number"),
     "figure": ("figure",),
     "solution": ("figure",),
 }
@@ -78,7 +76,7 @@ def _read_options(
         case "figure":
             return state_options(items, context), 0.0
         case _:
-            return chosen_options(call, items, context), 0.0
+            return chosen_options(items, context), 0.0
 
 
 def _solution(call: DirectiveCall, kind: str, context: ParseContext) -> dict[str, str]:
@@ -131,7 +129,6 @@ QUIZ = Directive(
         OptionLine("kind", doc="how it is answered", expected=KINDS),
         UNIT,
         WITHIN,
-        USES,
         OptionLine("figure", doc="the element id of the figure that is to be set"),
         OptionLine("solution", doc="settings that solve it, `control=value …`"),
     ),

@@ -6,26 +6,22 @@ from collections.abc import Sequence
 from simulations.engine.frame import format_number
 from site_builder.benchmarks.quantities import with_unit
 from site_builder.languages.words import Words
+from site_builder.markdown.calculation import number, truth
 from site_builder.markdown.directive import DirectiveCall, OptionLine
 from site_builder.markdown.parse_context import ParseContext
 from site_builder.markdown.questions.answers import Answer, Item, read_answer
-from site_builder.markdown.questions.computed import names_for, number, truth
 from site_builder.page_model.questions import Option
 
 OTHERWISE = "otherwise"
 """The answer that stands for whatever no other recognises."""
-USES = OptionLine("uses", doc="functions that its expressions call, `package.module:function`")
 UNIT = OptionLine("unit", doc="of a number")
 WITHIN = OptionLine("within", doc="how far from the right number is right, `0.5` or `2%`")
 
 
-def chosen_options(
-    call: DirectiveCall, items: Sequence[Item], context: ParseContext
-) -> tuple[Option, ...]:
+def chosen_options(items: Sequence[Item], context: ParseContext) -> tuple[Option, ...]:
     """Answers to choose from, right by their mark or by a condition."""
-    names = names_for(call, context)
     answers = (read_answer(item, context) for item in items)
-    judged = ((answer, _is_right(answer, names, context)) for answer in answers if answer)
+    judged = ((answer, _is_right(answer, context)) for answer in answers if answer)
     return tuple(
         Option(answer.html, answer.text, right, answer.reply_html)
         for answer, right in judged
@@ -33,7 +29,7 @@ def chosen_options(
     )
 
 
-def _is_right(answer: Answer, names: dict[str, object], context: ParseContext) -> bool | None:
+def _is_right(answer: Answer, context: ParseContext) -> bool | None:
     """None, and a report, of a condition that cannot be worked out."""
     if answer.mark != "computed":
         return answer.mark == "right"
@@ -41,7 +37,7 @@ def _is_right(answer: Answer, names: dict[str, object], context: ParseContext) -
         expected = "'- [?] `condition` some text'"
         context.problem(answer.line, f"answer {answer.text!r} has no condition; legal: {expected}")
         return None
-    return truth(answer.code, names, answer.line, context)
+    return truth(answer.code, answer.line, context)
 
 
 def ordered_options(items: Sequence[Item], context: ParseContext) -> tuple[Option, ...]:
@@ -69,12 +65,11 @@ def number_options(
 ) -> tuple[tuple[Option, ...], float]:
     """Numbers worked out now, the right one and those that known mistakes lead to, and how far
     from them an answer may be."""
-    names = names_for(call, context)
     answers = [read_answer(item, context, coded=True, replies=replies) for item in items]
     values: list[tuple[Answer, float | None]] = []
     for answer in (answer for answer in answers if answer):
         if answer.code:
-            value = number(answer.code, names, answer.line, context)
+            value = number(answer.code, answer.line, context)
             values += [(answer, value)] if value is not None else []
         elif answer.text == OTHERWISE and answer.mark == "wrong":
             values.append((answer, None))

@@ -1,8 +1,8 @@
 """A curve that the reader is asked to sketch: an expression in ``x`` and two axes."""
 
+from site_builder.markdown.calculation import number
 from site_builder.markdown.directive import DirectiveCall
 from site_builder.markdown.parse_context import ParseContext
-from site_builder.markdown.questions.computed import names_for, number
 from site_builder.page_model.questions import Axis, Curve
 
 SAMPLES = 97
@@ -19,11 +19,10 @@ def read_curve(call: DirectiveCall, context: ParseContext) -> Curve | None:
         return None
     if x is None or y is None:
         return None
-    names = names_for(call, context)
     samples: list[tuple[float, float]] = []
     for step in range(SAMPLES):
         place = x.start + (x.end - x.start) * step / (SAMPLES - 1)
-        value = number(option.text, {**names, "x": place}, option.line, context)
+        value = number(option.text, option.line, context, x=place)
         if value is None:
             return None
         samples.append((place, value))

@@ -1,0 +1,169 @@
+"""Numbers computed while the book is built, from expressions that a page writes.
+
+readout("lens-distortion", "corner", k1=-0.2)       what a figure shows at that setting
+measured("resampling", "nearest", "psnr-round")     a number from the benchmarks' file
+2 * degrees(atan(18 / focal_mm))                    arithmetic
+
+A code block ``calc`` of the page imports functions of the models and names values; expressions
+below it use both. The block itself is not shown.
+"""
+
+import ast
+import re
+from collections.abc import Callable, Iterator, Mapping
+from importlib import import_module
+from math import isfinite
+
+from markdown_it.token import Token
+
+from simulations.engine.conditions import shown_value
+from simulations.engine.expressions import ExpressionError, evaluate, evaluate_node
+from simulations.engine.frame import power_of_ten
+from site_builder.benchmarks.measurements import SIDES
+from site_builder.diagnostics import cause, unknown
+from site_builder.kept.keeper import reads_code
+from site_builder.markdown.parse_context import ParseContext
+
+BLOCK = "calc"
+LEGAL = "legal: 'from simulations.… import name', 'name = expression'"
+PACKAGES = ("simulations.", "numpy.linalg")
+FORM = re.compile(r"(.*?)(?::([^:\"']*))?", re.DOTALL)
+IN_FORMULA = re.compile(r"\\calc\{([^{}]*)\}")
+NARROW_SPACE = "\u202f"
+
+
+def names_for(context: ParseContext) -> dict[str, object]:
+    """What the expressions of a page may name, besides mathematical functions."""
+
+    def readout(scene: str, name: str, **settings: object) -> float | str:
+        given = {control: str(value) for control, value in settings.items()}
+        return shown_value(context.readouts.text(scene, name, given, bare=True))
+
+    def measured(ladder: str, tier: str, wanted: str) -> float | None:
+        item = context.measurements.find(ladder)[tier]
+        return item.times[wanted].ms if wanted in SIDES else item.errors[wanted]
+
+    return {"readout": readout, "measured": measured, **context.values}
+
+
+def number(text: str, line: int, context: ParseContext, **more: object) -> float | None:
+    """The finite number that ``text`` stands for, or None and a diagnostic; it may also name what
+    ``more`` holds."""
+    try:
+        return _finite(text, {**names_for(context), **more})
+    except ExpressionError as error:
+        context.problem(line, str(error))
+        return None
+
+
+def truth(text: str, line: int, context: ParseContext) -> bool | None:
+    """Whether the condition ``text`` holds, or None and a diagnostic."""
+    try:
+        return bool(evaluate(text, names_for(context)))
+    except ExpressionError as error:
+        context.problem(line, str(error))
+        return None
+
+
+def number_text(written: str, context: ParseContext) -> str:
+    """``expression`` or ``expression:.2f`` as running text shows it: 3, −0.25, 6.2 × 10⁻⁵.
+
+    Raises `ExpressionError`.
+    """
+    mantissa, exponent = _formatted(written, context)
+    if exponent:
+        mantissa += f"{NARROW_SPACE}×{NARROW_SPACE}{power_of_ten(int(exponent))}"
+    return context.words.numeral(mantissa.replace("-", "−").replace(",", "\u00a0"))
+
+
+def compute_formula(tex: str, context: ParseContext) -> str:
+    r"""The formula with a number in place of each ``\calc{expression:.2f}``.
+
+    Raises `ExpressionError`.
+    """
+
+    def number_tex(match: re.Match[str]) -> str:
+        mantissa, exponent = _formatted(match[1], context)
+        if exponent:
+            mantissa += rf" \cdot 10^{{{int(exponent)}}}"
+        return mantissa.replace(",", r"\,")
+
+    return IN_FORMULA.sub(number_tex, tex)
+
+
+def define_names(token: Token, line: int, context: ParseContext) -> None:
+    """Add what a ``calc`` block imports and computes to the page's names; show nothing."""
+    first = line + 1
+    try:
+        body = ast.parse(token.content).body
+    except SyntaxError as error:
+        context.problem(line + (error.lineno or 1), f"malformed calculation: {error.msg}; {LEGAL}")
+        body = []
+    for statement in body:
+        try:
+            context.values.update(_defined(statement, context))
+        except (ExpressionError, LookupError) as error:
+            context.problem(first + statement.lineno - 1, str(error.args[0]))
+    token.type, token.content = "html_block", ""
+
+
+def _defined(statement: ast.stmt, context: ParseContext) -> Iterator[tuple[str, object]]:
+    match statement:
+        case ast.ImportFrom(module=str(module), names=names):
+            for name in names:
+                yield name.asname or name.name, _function(module, name.name)
+        case ast.Assign(targets=[ast.Name(id=name)], value=value):
+            yield name, evaluate_node(value, names_for(context))
+        case ast.Assign(targets=[ast.Tuple(elts=targets)], value=value):
+            values = evaluate_node(value, names_for(context))
+            try:
+                yield from zip(map(ast.unparse, targets), values, strict=True)
+            except (TypeError, ValueError):
+                raise ExpressionError(
+                    f"{ast.unparse(statement)!r}; legal: as many names as values"
+                ) from None
+        case _:
+            raise ExpressionError(f"{ast.unparse(statement)!r} in a calculation; {LEGAL}")
+
+
+def _formatted(written: str, context: ParseContext) -> tuple[str, str]:
+    """Digits, and the exponent of ten or nothing."""
+    expression, spec = FORM.fullmatch(written).groups()  # type: ignore[union-attr]
+    value = _finite(expression, names_for(context))
+    try:
+        text = format(value, spec or "g")
+    except ValueError:
+        raise ExpressionError(
+            f"{written!r} has no number format; legal: 'expression' or 'expression:.2f'"
+        ) from None
+    mantissa, _, exponent = text.partition("e")
+    return re.sub(r"^-(?=[0.]*$)", "", mantissa), exponent
+
+
+def _finite(text: str, names: Mapping[str, object]) -> float:
+    value = evaluate(text, names)
+    try:
+        result = float(value)
+    except (TypeError, ValueError):
+        result = float("nan")
+    if not isfinite(result):
+        raise ExpressionError(f"{text!r} is {value!r}; legal: what comes to a finite number")
+    return result
+
+
+def _function(module: str, name: str) -> Callable[..., object]:
+    """A function of the models or of numpy.linalg. Raises `LookupError`."""
+    if not f"{module}.".startswith(PACKAGES):
+        raise LookupError(f"import from {module!r}; legal: 'simulations.…' or 'numpy.linalg'")
+    try:
+        found = import_module(module)
+    except ImportError:
+        raise LookupError(f"no module {module!r}; {LEGAL}") from None
+    except Exception as error:  # whatever its code may raise is the author's to see
+        raise LookupError(f"module {module!r} cannot be loaded: {cause(error)}") from error
+    functions = {key: value for key, value in vars(found).items() if callable(value)}
+    if name not in functions:
+        raise LookupError(unknown(f"function of {module}", name, functions))
+    function: Callable[..., object] = functions[name]
+    reads_code(function)
+    return function

@@ -1,0 +1,56 @@
+"""Numbers that a page computes from expressions."""
+
+from pathlib import Path
+
+import pytest
+
+from simulations.engine.scene import Scene
+from site_builder.diagnostics import Diagnostics
+from site_builder.markdown.inline import annotate
+from site_builder.markdown.parse_context import ParseContext
+from site_builder.markdown.parser import make_parser
+
+
+def load_scene(name: str) -> Scene[object]:
+    raise LookupError(name)
+
+
+def rendered(text: str) -> str:
+    context = ParseContext("a.md", Path(), Diagnostics(), load_scene, make_parser())
+    tokens = context.parser.parse(text, context.env)
+    annotate(tokens, context)
+    assert not context.problems.found
+    return context.html(tokens)
+
+
+@pytest.mark.parametrize(
+    ("written", "shown"),
+    [
+        ("1 / 4", "0.25"),
+        ("2 / 3:.2f", "0.67"),
+        ("-2 / 3:.1f", "−0.7"),
+        ("-0.001:.1f", "0.0"),
+        ("0.00006211:.1e", "6.2\u202f×\u202f10⁻⁵"),
+        ("12345:,.0f", "12\u00a0345"),
+        ("(1, 2)[1]", "2"),
+    ],
+)
+def test_a_number_in_a_sentence(written: str, shown: str) -> None:
+    assert rendered(f"It is {{calc}}`{written}`.") == f"<p>It is {shown}.</p>"
+
+
+def test_a_block_names_functions_and_values_for_what_stands_below_it() -> None:
+    lines = (
+        "from numpy.linalg import inv",
+        "half = 3 / 2",
+        "a, b = inv(((2, 0), (0, 4))) @ (1, 2)",
+    )
+    block = "\n".join(("```calc", *lines, "```"))
+    shown = rendered(block + "\n\nIt is {calc}`half`, {calc}`a` and {calc}`b`.")
+    assert shown == "<p>It is 1.5, 0.5 and 0.5.</p>"
+
+
+def test_a_number_in_a_formula() -> None:
+    assert rendered(r"$x = \calc{-1 / 3:.2f}$") == rendered("$x = -0.33$")
+    assert rendered(r"$x = \calc{0.002:.0e}$") == rendered(r"$x = 2 \cdot 10^{-3}$")
+    assert rendered(r"$\calc{12000:,.0f}$") == rendered(r"$12\,000$")
