@@ -30,7 +30,7 @@ ADDRESS ?=
 SOURCE ?=
 MUTATIONS ?= 10000
 MODULE ?=
-# What each process of the tests imports is compiled once, even where nothing else is kept.
+# Python compiles each module once, also where the environment forbids to write byte code.
 unexport PYTHONDONTWRITEBYTECODE
 PARALLEL := --numprocesses=auto --maxprocesses=4 --dist=worksteal
 VENV := .venv
@@ -78,8 +78,8 @@ check: $(VENV)/test.stamp
 screenshot: $(VENV)/test.stamp $(VENV)/chromium.stamp site
 	@PYTHONPATH=tests $(BIN)/python -m support.screenshot "$(PAGE)"
 
-# One thread, as in the browser, so that the two sides can be compared. What is beyond its budget is
-# told when all is measured.
+# One thread, as in the browser, so that the two sides can be compared. Exceeded budgets are
+# reported at the end.
 bench: $(VENV)/test.stamp $(VENV)/chromium.stamp site
 	@OPENBLAS_NUM_THREADS=1 PYTHONPATH=tests $(BIN)/python -m bench $(LADDER:%=--ladder %)
 	@$(if $(LADDER),,OPENBLAS_NUM_THREADS=1 PYTHONPATH=tests $(BIN)/python -m bench.stage_costs)
@@ -90,13 +90,13 @@ bench: $(VENV)/test.stamp $(VENV)/chromium.stamp site
 	@$(if $(LADDER),,PYTHONPATH=tests $(BIN)/python -m bench.latency || :)
 	@$(if $(LADDER),,PYTHONPATH=tests $(BIN)/python -m bench.costs)
 
-# Of use on a machine that does nothing else.
+# Needs a quiet machine.
 bench-latency: $(VENV)/test.stamp $(VENV)/chromium.stamp site
 	@$(if $(SCENE),,PYTHONPATH=tests $(BIN)/python -m bench.memory)
 	@$(if $(SCENE),,PYTHONPATH=tests $(BIN)/python -m bench.twins)
 	@PYTHONPATH=tests $(BIN)/python -m bench.latency $(SCENE:%=--scene %)
 
-# Served packed, as a host would.
+# Compressed, as a host serves them.
 bench-pages: $(VENV)/test.stamp $(VENV)/chromium.stamp site
 	@PYTHONPATH=tests $(BIN)/python -m bench.bytes
 	@PYTHONPATH=tests $(BIN)/python -m bench.lighthouse
