@@ -20,7 +20,6 @@ from site_builder.addresses import site_address, source_address
 from site_builder.book import Book
 from site_builder.book_root import ROOT
 from site_builder.build import Options, Warn, build_site
-from site_builder.diagnostic_formats import FORMATS
 from site_builder.diagnostics import BuildError, Diagnostic, counted
 from site_builder.drawing.apart import Limits, limited
 from site_builder.kept.keeper import Keeper, keeping
@@ -83,9 +82,7 @@ def _run(given: argparse.Namespace, warn: Warn, warnings: Sequence[Diagnostic]) 
         case "check":
             from site_builder.check_command import check
 
-            form = "json" if given.json else given.format
-            options = Options(ROOT, runtime=given.runtime)
-            return check(options, form)
+            return check(Options(ROOT, runtime=given.runtime), json=given.json)
         case "schema":
             print(json.dumps(book_schema(), indent=2, ensure_ascii=False))
         case "new":
@@ -159,8 +156,7 @@ def _parser() -> argparse.ArgumentParser:
     build.add_argument("--source", default="", help="where its sources are, with {path} in it")
     add("serve", "build, show, and build again on every change", out, runtime, place)
     check = add("check", "report the mistakes in the sources", runtime)
-    check.add_argument("--format", choices=FORMATS, default="text")
-    check.add_argument("--json", action="store_true", help="the same as --format json")
+    check.add_argument("--json", action="store_true", help="for editors and programs")
     add("schema", "print the JSON schema of content/book.toml, for editors")
     guide = add("guide", "show the guide for authors, a book of its own", runtime, place)
     guide.add_argument("--build-only", action="store_true", help="do not serve it")

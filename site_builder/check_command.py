@@ -1,5 +1,5 @@
-"""``python -m site_builder check``: all that is wrong with the sources, for people, editors and
-programs. What it finds in order, the build builds."""
+"""``python -m site_builder check``: all mistakes in the sources, as text or as JSON. Sources that it
+finds in order can be built."""
 
 import sys
 from collections.abc import Sequence
@@ -7,24 +7,23 @@ from dataclasses import replace
 
 from site_builder.browser_python import pack_for_browser
 from site_builder.build import Options, check_site
-from site_builder.diagnostic_formats import listed
+from site_builder.diagnostic_json import as_json
 from site_builder.diagnostics import BuildError, Diagnostic, counted
 
 
-def check(options: Options, form: str) -> int:
-    """Print the diagnostics in ``form``, one of `diagnostic_formats.FORMATS`; 1 where one is a
-    mistake, else 0.
+def check(options: Options, *, json: bool) -> int:
+    """Print the diagnostics; 1 where one is a mistake, else 0.
 
-    Text goes to the standard error, as the build's does; formats for programs go to the standard
-    output.
+    Text goes to the standard error, as the build's does, and JSON to the standard output.
     """
     found = find(options)
     warnings = [one for one in found if not one.fails]
     mistakes = [one for one in found if one.fails]
-    if form != "text":
-        sys.stdout.write(listed(found, options.root, form))
+    if json:
+        sys.stdout.write(as_json(found, options.root))
         return int(bool(mistakes))
-    sys.stderr.write(listed([*warnings, *mistakes], options.root, "text"))
+    for one in [*warnings, *mistakes]:
+        print(one, file=sys.stderr)
     if mistakes:
         print(f"{counted(mistakes, 'mistake')}; nothing was written", file=sys.stderr)
         return 1

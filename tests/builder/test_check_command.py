@@ -13,7 +13,7 @@ import yaml
 
 from site_builder.build import Options, render_site
 from site_builder.check_command import find
-from site_builder.diagnostic_formats import column_of, listed, suggestion_of
+from site_builder.diagnostic_json import column_of, suggestion_of
 from site_builder.diagnostics import BuildError, Diagnostic
 from site_builder.runtime import freeze, pack
 
@@ -66,21 +66,6 @@ def test_a_book_in_order_is_an_empty_list_for_programs(
 ) -> None:
     assert run("check", "--json") == 0
     assert json.loads(capsys.readouterr().out)["diagnostics"] == []
-
-
-def test_a_hosted_check_gets_a_command_for_each_line(
-    run: Run, capsys: pytest.CaptureFixture[str]
-) -> None:
-    assert run("check", "--format", "github", body=TWO) == 1
-    first, second = capsys.readouterr().out.splitlines()
-    assert first.startswith("::error file=content/00-first.md,line=5,col=5::unknown directive")
-    assert second.startswith("::error file=content/00-first.md,line=8,col=13::'$' opens")
-
-
-def test_what_a_command_cannot_hold_is_written_in_hexadecimal(tmp_path: Path) -> None:
-    odd = Diagnostic("content/a:b,c.md", 2, "100 %\nof it", fails=False)
-    told = listed([odd], tmp_path, "github")
-    assert told == "::warning file=content/a%3Ab%2Cc.md,line=2::100 %25%0Aof it\n"
 
 
 @pytest.mark.parametrize(

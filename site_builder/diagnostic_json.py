@@ -1,5 +1,4 @@
-"""Diagnostics as programs read them: JSON, and the commands that a hosted check shows beside the
-changed lines. What people and editors read, ``file:line: message``, is `Diagnostic`'s own form."""
+"""Diagnostics as JSON, for programs. The text form, ``file:line: message``, is `Diagnostic`'s own."""
 
 import json
 import re
@@ -8,20 +7,8 @@ from pathlib import Path
 
 from site_builder.diagnostics import Diagnostic
 
-FORMATS = ("text", "json", "github")
 SUGGESTION = re.compile(r"(?:.*; )?(?:did you mean (.*)\?|(?:legal|better): (.*))", re.DOTALL)
 QUOTED = re.compile(r"'((?:[^'\\]|\\.)+)'")
-
-
-def listed(found: Sequence[Diagnostic], root: Path, form: str) -> str:
-    """All of ``found`` in one of `FORMATS`, ending in a newline where there is anything."""
-    match form:
-        case "json":
-            return as_json(found, root)
-        case "github":
-            return "".join(f"{_annotation(one, root)}\n" for one in found)
-        case _:
-            return "".join(f"{one}\n" for one in found)
 
 
 def as_json(found: Sequence[Diagnostic], root: Path) -> str:
@@ -37,7 +24,7 @@ def as_json(found: Sequence[Diagnostic], root: Path) -> str:
                 "file": one.path,
                 "line": one.line,
                 "column": column_of(one, root),
-                "severity": _severity(one),
+                "severity": "error" if one.fails else "warning",
                 "message": one.message,
                 "suggestion": suggestion_of(one.message),
             }
@@ -48,14 +35,14 @@ def as_json(found: Sequence[Diagnostic], root: Path) -> str:
 
 
 def suggestion_of(message: str) -> str | None:
-    """What a message says would be right: the nearest name, or all that is legal."""
+    """The correction that a message proposes: the nearest name, or all that is legal."""
     match = SUGGESTION.match(message)
     return (match[1] or match[2]).strip() if match else None
 
 
 def column_of(diagnostic: Diagnostic, root: Path) -> int | None:
-    """Where in its line stands what the message quotes first, counted from 1; None where it does
-    not, or stands twice."""
+    """The column, from 1, of what the message quotes first; None where its line does not hold it
+    exactly once."""
     quoted = QUOTED.search(diagnostic.message)
     if quoted is None:
         return None
@@ -65,22 +52,3 @@ def column_of(diagnostic: Diagnostic, root: Path) -> int | None:
         return None
     line = lines[diagnostic.line - 1] if 0 < diagnostic.line <= len(lines) else ""
     return line.index(quoted[1]) + 1 if line.count(quoted[1]) == 1 else None
-
-
-def _severity(diagnostic: Diagnostic) -> str:
-    return "error" if diagnostic.fails else "warning"
-
-
-def _annotation(one: Diagnostic, root: Path) -> str:
-    """``::error file=F,line=1,col=3::message``, what may not stand there written in hexadecimal."""
-    column = column_of(one, root)
-    place = f"file={_property(one.path)},line={one.line}" + (f",col={column}" if column else "")
-    return f"::{_severity(one)} {place}::{_data(one.message)}"
-
-
-def _data(text: str) -> str:
-    return text.replace("%", "%25").replace("\r", "%0D").replace("\n", "%0A")
-
-
-def _property(text: str) -> str:
-    return _data(text).replace(":", "%3A").replace(",", "%2C")
