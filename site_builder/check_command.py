@@ -1,5 +1,4 @@
-"""``python -m site_builder check``: all mistakes in the sources, as text or as JSON. Sources that it
-finds in order can be built."""
+"""``python -m site_builder check``: all mistakes in the sources, as text or as JSON."""
 
 import sys
 from collections.abc import Sequence

@@ -1,4 +1,4 @@
-"""Diagnostics as JSON, for programs. The text form, ``file:line: message``, is `Diagnostic`'s own."""
+"""Diagnostics as JSON, for programs. The text, ``file:line: message``, is `Diagnostic`'s own."""
 
 import json
 import re
