@@ -12,8 +12,6 @@
 # make mutants   change the models in small ways, and list the changes that no test notices
 #                (MODULE=color.srgb: only of one)
 # make bench-latency         how soon figures follow a hand (SCENE=camera: one), what piles up
-# make bench-scale           build books of 10, 100 and 1000 chapters, beside MkDocs and Sphinx
-#                (CHAPTERS="10 100": these sizes)
 # make bench-edit            how long an author waits for an edit to be seen
 # make screenshot            the README's picture (PAGE=lens-distortion/: that page, into build/)
 # make links     follow the links out of the book; needs a network
@@ -25,7 +23,6 @@ HOST ?= 127.0.0.1
 PAGE ?=
 LADDER ?=
 SCENE ?=
-CHAPTERS ?= 10 100 1000
 ADDRESS ?=
 SOURCE ?=
 MUTATIONS ?= 10000
@@ -43,7 +40,7 @@ PYTHON ?= $(firstword $(foreach python,$(PYTHONS),\
 	$(shell command -v $(python) >/dev/null 2>&1 && $(python) -c '$(IS_NEW)' 2>/dev/null && echo $(python))))
 
 .DELETE_ON_ERROR:
-.PHONY: serve guide site pdf epub test test-quick check lock screenshot bench bench-pages bench-latency bench-scale bench-edit links mutants mutations clean
+.PHONY: serve guide site pdf epub test test-quick check lock screenshot bench bench-pages bench-latency bench-edit links mutants mutations clean
 
 serve: $(VENV)/book.stamp
 	@$(BIN)/python -m site_builder serve --port $(PORT) --host $(HOST)
@@ -101,18 +98,8 @@ bench-pages: $(VENV)/test.stamp $(VENV)/chromium.stamp site
 	@PYTHONPATH=tests $(BIN)/python -m bench.bytes
 	@PYTHONPATH=tests $(BIN)/python -m bench.lighthouse
 
-# What it compares with stands in an environment of its own, and goes with `make clean`.
-bench-scale: $(VENV)/book.stamp build/bench/others.stamp
-	@PYTHONPATH=tests $(BIN)/python -m scale --tools build/bench/others/bin --chapters $(CHAPTERS)
-
 bench-edit: $(VENV)/test.stamp $(VENV)/chromium.stamp
 	@PYTHONPATH=tests $(BIN)/python -m bench.edit_loop
-
-build/bench/others.stamp: .locks/bench.txt | $(BIN)/python
-	$(BIN)/python -m venv build/bench/others
-	build/bench/others/bin/python -m pip install --quiet --disable-pip-version-check \
-		--require-hashes -r $<
-	@touch $@
 
 # The build has checked the links inside the site already.
 links: build/links/linkchecker.stamp site
@@ -165,7 +152,6 @@ lock: | $(BIN)/python
 	$(LOCK) --group author --constraints .locks/test.txt --output-file .locks/author.txt >/dev/null
 	$(LOCK) --group mutation --constraints .locks/test.txt --output-file .locks/mutation.txt >/dev/null
 	$(LOCK) --group links --constraints .locks/test.txt --output-file .locks/links.txt >/dev/null
-	$(LOCK) --group bench --output-file .locks/bench.txt >/dev/null
 
 clean:
 	rm -rf build mutants .pytest_cache .mypy_cache .ruff_cache .hypothesis

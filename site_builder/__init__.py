@@ -9,4 +9,4 @@ os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
 from site_builder.book_root import ROOT as ROOT  # before anything looks for scenes: whose
 
 STARTED_NS = time.time_ns()
-"""Before any module of ours was imported that computes."""
+"""Before any module was imported whose results are cached."""

@@ -6,25 +6,19 @@ import gc
 import json
 import sys
 from collections.abc import Sequence
-from contextlib import closing
 from pathlib import Path
 
-from site_builder import STARTED_NS
-from site_builder.later import import_later
-
 if __name__ == "__main__":
-    gc.disable()  # of what is imported now, all lives until the end
-    import_later("numpy")  # which a book of prose does without
+    gc.disable()  # all that is imported now is needed until the end
 
 from site_builder.addresses import site_address, source_address
 from site_builder.book import Book
 from site_builder.book_root import ROOT
 from site_builder.build import Options, Warn, build_site
+from site_builder.cache import Cache, using
 from site_builder.diagnostics import BuildError, Diagnostic, counted
-from site_builder.drawing.apart import Limits, limited
-from site_builder.kept.keeper import Keeper, keeping
-from site_builder.kept.store import Store, default_folder
 from site_builder.output.writer import way_out
+from site_builder.sandbox import Limits, limited
 from site_builder.settings.described import book_schema
 
 NEW = ("book", "chapter", "scene", "model", "ladder", "directive")
@@ -46,11 +40,7 @@ def main(arguments: list[str] | None = None) -> int:
         print(warning, file=sys.stderr)
 
     try:
-        with (
-            closing(Store(default_folder())) as store,
-            keeping(Keeper(store, STARTED_NS)),
-            limited(Limits()),
-        ):
+        with using(Cache()), limited(Limits()):
             return _run(given, warn, warnings)
     except BuildError as error:
         print(error, file=sys.stderr)

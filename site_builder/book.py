@@ -54,8 +54,8 @@ class Chapter:
     """Of text and questions, in the order in which they were read."""
     files: frozenset[str] = frozenset()
     """Files below ``content/`` that it hands out, besides pictures."""
-    kept_as: bytes = b""
-    """The hash of all that it was made from; nothing where that is unknown."""
+    cache_key: bytes = b""
+    """The hash of all that it was made from."""
 
     @property
     def number(self) -> int:

@@ -7,9 +7,9 @@ from simulations.registry import LADDER_MODULES, SCENE_MODULES
 from site_builder.blame import place_of
 from site_builder.book import Book
 from site_builder.book_root import ENGINE
+from site_builder.cache import cached_result
 from site_builder.diagnostics import BuildError, Diagnostic
-from site_builder.kept.files import folder_hash
-from site_builder.kept.keeper import kept_as, reads_folder
+from site_builder.files import folder_hash
 from site_builder.markdown.directives.ladder import LadderFigure
 from site_builder.page_model.blocks import contents
 from site_builder.runtime.freeze import MissingModuleError
@@ -48,14 +48,14 @@ def pack_for_browser(root: Path, book: Book, *, compiled: bool) -> RuntimeBundle
 def _bundle(
     simulations: Path, scenes: Modules, ladders: Modules, *, compiled: bool
 ) -> RuntimeBundle:
-    """The runtime, packed anew where nothing is kept of these sources or files of it are gone."""
+    """The runtime, packed again where it is not cached or files of it are gone."""
 
     def pack() -> RuntimeBundle:
-        reads_folder(RUNTIME)
         return pack_runtime(simulations, scenes=scenes, ladders=ladders, compiled=compiled)
 
-    sources = [folder_hash(folder, "*.py") for folder in (simulations, ENGINE / "simulations")]
-    bundle = kept_as("runtime", (sources, scenes, ladders, compiled), pack)[0]
+    folders = (simulations, ENGINE / "simulations")
+    sources = [folder_hash(RUNTIME), *(folder_hash(folder, "*.py") for folder in folders)]
+    bundle = cached_result("runtime", (sources, scenes, ladders, compiled), pack)
     is_good = all(map(is_whole, bundle.files.values())) and not bundle.snapshot_error
     return bundle if is_good else pack()
 

@@ -6,7 +6,7 @@ from typing import Any
 
 from site_builder.book import Book
 from site_builder.book_root import own_or_engine
-from site_builder.kept.files import folder_files
+from site_builder.files import folder_files
 from site_builder.markdown.directives.figure import SUFFIXES
 from site_builder.offline.release import SCRIPT as RELEASE_SCRIPT
 from site_builder.offline.release import integrity

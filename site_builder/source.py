@@ -8,24 +8,21 @@ from string import ascii_uppercase
 from typing import Any
 
 from simulations.engine.scene import Scene
-from site_builder.benchmarks.measurements import DATA as MEASUREMENTS
 from site_builder.benchmarks.measurements import Measurements
 from site_builder.book import OUTLINE, Book
-from site_builder.chapters import Page, Shared, targets_hash
+from site_builder.book_root import ENGINE
+from site_builder.cache import cached_reading, hash_of
+from site_builder.chapters import Page, Shared, targets_state
 from site_builder.diagnostics import Diagnostics, unknown
-from site_builder.kept.ahead import Ask, answers
-from site_builder.kept.keeper import reads_file
-from site_builder.kept.told import kept_reading
-from site_builder.kept.two_steps import Steps, in_two_steps
+from site_builder.files import file_hash, folder_files, folder_hash
 from site_builder.languages.words import Words, load_words
 from site_builder.lecture_plan import read_lecture_plan
-from site_builder.markdown.chapter import Survey, find_targets
+from site_builder.markdown.chapter import find_targets
 from site_builder.markdown.glossary_links.definitions import read_definitions, read_meanings
 from site_builder.markdown.inline import inline_html
 from site_builder.markdown.parse_context import ParseContext
 from site_builder.markdown.parser import make_parser
 from site_builder.markdown.scenes import find_scene
-from site_builder.markdown.targets import Targets
 from site_builder.markdown.text.macros import Macros, faults_of
 from site_builder.page_model.blocks import Simulation
 from site_builder.page_model.places import Definition, Meaning, Position, chapter_id
@@ -85,8 +82,9 @@ def read_book(
         words,
         settings.trust.raw_html,
         outline.macros,
-        bibliography=_read_kept(root, BIBLIOGRAPHY, problems, read_references, words),
-        glossary=_read_kept(root, GLOSSARY, problems, read_terms, words),
+        bibliography=_read_cached(root, BIBLIOGRAPHY, problems, read_references, words),
+        glossary=_read_cached(root, GLOSSARY, problems, read_terms, words),
+        state=_shared_state(root, outline),
     )
     pages: list[Page] = []
     for name, line, position in outline.chapters:
@@ -97,17 +95,14 @@ def read_book(
         _check_name(name, line, problems)
         path = file.relative_to(root).as_posix()
         pages.append(Page(path, read_text(root, path, problems), position, shared))
-    with in_two_steps([_steps(page) for page in pages]) as work:
-        surveys = work.first()
-        problems.spliced.update({found.path: found.lines for found in surveys if found.lines})
-        targets = find_targets(surveys, problems)
-        known = targets_hash(targets)
-        work.second((targets, known))
+    surveys = [page.survey() for page in pages]
+    problems.spliced.update({found.path: found.lines for found in surveys if found.lines})
+    targets = find_targets(surveys, problems)
+    known = targets_state(targets)
     _check_addresses(outline, problems)
     _check_unlisted(root, outline, problems)
 
     def beside(file: str, problems: Diagnostics) -> ParseContext:
-        reads_file(root / MEASUREMENTS)
         return ParseContext(
             file,
             root,
@@ -120,11 +115,7 @@ def read_book(
             macros=outline.macros,
         )
 
-    def read_ahead(page: Page) -> Ask:
-        return lambda: page.read(targets, known, Diagnostics())
-
-    answers([read_ahead(page) for page in pages], lambda place: len(pages[place].text))
-    given = (known, words, tuple(sorted(outline.macros.items())))
+    given = (shared.state, known)
 
     def definitions(own: Diagnostics) -> tuple[Definition, ...]:
         return read_definitions(shared.glossary, beside(GLOSSARY, own))
@@ -145,29 +136,25 @@ def read_book(
         chapters=tuple(page.read(targets, known, problems) for page in pages),
         bibliography=shared.bibliography,
         lecture_plan=read_lecture_plan(root, targets, problems),
-        glossary=_read_kept(root, GLOSSARY, problems, definitions, "definitions", *given),
-        symbols=_read_kept(root, SYMBOLS, problems, meanings, "meanings", *given),
+        glossary=_read_cached(root, GLOSSARY, problems, definitions, "definitions", *given),
+        symbols=_read_cached(root, SYMBOLS, problems, meanings, "meanings", *given),
     )
 
 
-def _steps(page: Page) -> Steps[Survey, tuple[Targets, bytes]]:
-    def read(message: tuple[Targets, bytes]) -> None:
-        page.read(*message, Diagnostics())
-
-    return Steps(page.survey, read, len(page.text))
-
-
-def _read_kept[T](
+def _read_cached[T](
     root: Path, path: str, problems: Diagnostics, read: Callable[[Diagnostics], T], *given: object
 ) -> T:
-    """What ``read`` finds in the file ``path``, kept."""
+    """What ``read`` finds in the file ``path``."""
+    return cached_reading(path, (file_hash(root / path), *given), problems, read)
 
-    def read_file(own: Diagnostics) -> T:
-        reads_file(root / path)
-        return read(own)
 
-    read_file.__module__ = read.__module__
-    return kept_reading(path, (str(root), *given), problems, read_file)[0]
+def _shared_state(root: Path, outline: Outline) -> bytes:
+    """As `Shared` has it. All but the chapters and the code lies in ``content/``."""
+    chapters = {f"{name}.md" for name, _, _ in outline.chapters}
+    content = folder_files(root / "content").items()
+    files = {name: file_hash(file) for name, file in content if name not in chapters}
+    code = [folder_hash(base / "simulations", "*.py") for base in (root, ENGINE)]
+    return hash_of(files, code, outline.words)
 
 
 def _read_outline(root: Path, problems: Diagnostics) -> Outline:

@@ -10,7 +10,6 @@ from pathlib import Path
 from typing import Any
 
 from site_builder.diagnostics import Diagnostics
-from site_builder.kept.keeper import reads_file
 
 HEAD = re.compile(r"\s*\[(\[?)([^\[\]]+)\]\]?\s*(?:#.*)?")
 KEY = re.compile(r"""\s*((?:[\w-]+|"[^"]*"|'[^']*')(?:\s*\.\s*(?:[\w-]+|"[^"]*"|'[^']*'))*)\s*=""")
@@ -48,7 +47,6 @@ class Toml:
 
 def read_text(root: Path, path: str, problems: Diagnostics) -> str:
     """The file below ``root``, with or without the mark that some editors put before the text."""
-    reads_file(root / path)
     data = (root / path).read_bytes()
     if data.startswith((BOM_UTF16_LE, BOM_UTF16_BE)):
         problems.add(path, 1, "UTF-16; legal: UTF-8")

@@ -11,7 +11,6 @@ from pathlib import Path
 from typing import Any
 
 from site_builder.diagnostics import unknown
-from site_builder.kept.keeper import reads_file
 
 DATA = Path("content") / "costs.json"
 UNITS = {"ms": "ms", "kb": "KB", "mb": "MB", "s": "s"}
@@ -54,7 +53,6 @@ class Costs:
 
 def read_costs(root: Path) -> Costs:
     """Raises `CostError` where nothing was measured."""
-    reads_file(root / DATA)
     try:
         return Costs(json.loads((root / DATA).read_text(encoding="utf-8")))
     except (OSError, ValueError):

@@ -1,22 +1,44 @@
 """Scenes and ladders by their ids; why one cannot be had is told in one sentence."""
 
+import sys
 from collections.abc import Callable
+from functools import partial
+from importlib import import_module
+from types import ModuleType
 
-from simulations.registry import UnknownIdError
+from simulations.registry import LADDER_MODULES, SCENE_MODULES, UnknownIdError
+from site_builder.cache import cached, source_hash
 from site_builder.diagnostics import cause
-from site_builder.drawing.apart import in_time
-from site_builder.kept.keeper import reads_code
+from site_builder.sandbox import run_limited
+
+MODULES = {"simulation": SCENE_MODULES, "ladder": LADDER_MODULES}
 
 
 def loaded[T](kind: str, item_id: str, load: Callable[[str], T], error: type[Exception]) -> T:
     """What ``load`` makes of the id; an id that is not known, and whatever a scene's or ladder's
     own code may raise, is an ``error``. ``kind``: ``simulation`` or ``ladder``."""
     try:
-        with in_time():
-            found = load(item_id)
+        if module := MODULES[kind].get(item_id):
+            imported(module)
+        return load(item_id)
     except UnknownIdError as unknown:
         raise error(str(unknown)) from unknown
     except Exception as failure:
         raise error(f"{kind} {item_id!r} cannot be loaded: {cause(failure)}") from failure
-    reads_code(found)
-    return found
+
+
+def imported(module: str) -> ModuleType:
+    """A module of the author's, which may raise whatever it likes. It is imported in the sandbox
+    first: one that never ends, or ends its process, is an exception here."""
+    if module not in sys.modules:
+        _try_import(module, source_hash(module))
+    return import_module(module)
+
+
+@cached
+def _try_import(module: str, _sources: bytes) -> None:
+    run_limited(partial(_import, module))
+
+
+def _import(module: str) -> None:
+    import_module(module)

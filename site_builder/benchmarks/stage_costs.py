@@ -15,7 +15,6 @@ from simulations.engine.controls import ControlError
 from simulations.engine.scene import Scene
 from site_builder.diagnostics import cause
 from site_builder.drawing.frames import reports_at
-from site_builder.kept.keeper import reads_file
 
 DATA = Path("content") / "stage-costs.json"
 REMEASURE = "run `PYTHONPATH=tests python -m bench.stage_costs`"
@@ -52,7 +51,6 @@ class StageCosts:
 
 def read_stage_costs(root: Path, scene: Scene[Any]) -> StageCosts:
     """Raises `StageCostError` where nothing, or something else, was measured."""
-    reads_file(root / DATA)
     try:
         entry = json.loads((root / DATA).read_text(encoding="utf-8"))[scene.id]
     except (OSError, ValueError, KeyError, TypeError):

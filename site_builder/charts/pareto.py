@@ -10,10 +10,10 @@ from itertools import pairwise
 
 from simulations.engine import drawing
 from site_builder.benchmarks.measurements import SIDES, MeasuredLadder, MeasuredTier
+from site_builder.cache import cached_result
 from site_builder.charts.axes import ChartAxis, linear_axis, log_axis
 from site_builder.charts.boxes import Box, Point, Segment
 from site_builder.charts.label_placement import Label, place_labels
-from site_builder.kept.keeper import kept_as
 from site_builder.languages.words import ENGLISH, Words
 
 type Place = Callable[[MeasuredTier, str], Point]
@@ -43,11 +43,11 @@ class Chart:
 
 
 def pareto_chart(measured: MeasuredLadder, words: Words = ENGLISH) -> Chart:
-    """The chart, kept by what it shows."""
+    """The chart, cached by what it shows."""
     metric = measured.metric
     tiers = [(item.tier.id, item.tier.label, item.errors, item.times) for item in measured.tiers]
     given = (tiers, metric.id, metric.label, metric.unit, metric.higher_is_better, words)
-    return kept_as("chart", given, lambda: _draw(measured, words))[0]
+    return cached_result("chart", given, lambda: _draw(measured, words))
 
 
 def _draw(measured: MeasuredLadder, words: Words) -> Chart:

@@ -10,8 +10,6 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from site_builder.diagnostics import Diagnostics
-from site_builder.kept.keeper import reads_file, reads_folder
-from site_builder.kept.told import kept_reading
 
 
 @dataclass(frozen=True, slots=True)
@@ -47,7 +45,7 @@ def check_declarations(root: Path, problems: Diagnostics) -> None:
                 if message:
                     problems.add(entry.relative_to(root).as_posix(), 1, message)
                 else:
-                    _check_kept(entry, room, root, problems)
+                    _check_values(entry, room, root, problems)
                 taken.setdefault(entry.stem, entry.name)
 
 
@@ -66,14 +64,6 @@ def _fault_of_place(entry: Path, room: Room, taken: dict[str, str]) -> str:
     if entry.is_dir() and not (entry / "__init__.py").is_file():
         return "a folder that is no package; legal: an empty __init__.py in it"
     return ""
-
-
-def _check_kept(entry: Path, room: Room, root: Path, problems: Diagnostics) -> None:
-    def check(own: Diagnostics) -> None:
-        (reads_folder if entry.is_dir() else reads_file)(entry)
-        _check_values(entry, room, root, own)
-
-    kept_reading("values", (str(root), str(entry), room), problems, check)
 
 
 def _check_values(entry: Path, room: Room, root: Path, problems: Diagnostics) -> None:

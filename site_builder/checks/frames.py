@@ -8,9 +8,9 @@ from pathlib import Path
 
 from simulations.engine.frame import Panel
 from site_builder.book import Book
+from site_builder.cache import cached
 from site_builder.checks.svg import read_overlay
 from site_builder.diagnostics import Diagnostics, unknown
-from site_builder.kept.keeper import kept, kept_as, reads_folder
 from site_builder.markdown.directives.illustration import Drawn
 from site_builder.page_model.blocks import Block
 from site_builder.pages.initial_frames import InitialFrames
@@ -50,15 +50,9 @@ def check_frames(
 
 def known_classes(static: Path) -> frozenset[str]:
     """Classes that the style sheets speak of; none where these say nothing of drawings."""
-    folder = static / "css"
-
-    def find() -> frozenset[str]:
-        reads_folder(folder)
-        texts = [file.read_text(encoding="utf-8") for file in sorted(folder.glob("*.css"))]
-        names = frozenset(name for text in texts for name in CLASS.findall(text))
-        return names if "overlay" in names else frozenset()
-
-    return kept_as("classes", str(folder), find)[0]
+    texts = [file.read_text(encoding="utf-8") for file in sorted((static / "css").glob("*.css"))]
+    names = frozenset(name for text in texts for name in CLASS.findall(text))
+    return names if "overlay" in names else frozenset()
 
 
 def _all(blocks: Sequence[Block]) -> Iterator[Block]:
@@ -94,7 +88,7 @@ def _faults(panel: Panel, pixels: int, known: frozenset[str]) -> Iterator[str]:
         yield from (unknown("class", name, sorted(known)) for name in strange)
 
 
-@kept
+@cached
 def _read(markup: str) -> _Overlay:
     drawing = read_overlay(markup)
     faults = [f"overlay: {fault.message}" for fault in drawing.faults[:3]]

@@ -9,9 +9,7 @@ from typing import TYPE_CHECKING
 
 from site_builder.checks.svg import read_svg
 from site_builder.diagnostics import Diagnostics
-from site_builder.kept.files import folder_files
-from site_builder.kept.keeper import reads_file
-from site_builder.kept.told import kept_reading
+from site_builder.files import folder_files
 from site_builder.markdown.directives.figure import SUFFIXES
 
 if TYPE_CHECKING:
@@ -28,15 +26,7 @@ def check_pictures(root: Path, problems: Diagnostics, *, trusted: bool = False) 
     """All that would be published, shown or not; ``trusted``: SVG may do what it likes."""
     for name, file in folder_files(root / "content").items():
         if file.suffix in SUFFIXES:
-            _check_kept(file, f"content/{name}", problems, trusted)
-
-
-def _check_kept(file: Path, path: str, problems: Diagnostics, trusted: bool) -> None:
-    def check(own: Diagnostics) -> None:
-        reads_file(file)
-        _check_picture(file, path, own, trusted)
-
-    kept_reading("picture", (str(file), path, trusted), problems, check)
+            _check_picture(file, f"content/{name}", problems, trusted)
 
 
 def _check_picture(file: Path, path: str, problems: Diagnostics, trusted: bool) -> None:

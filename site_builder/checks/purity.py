@@ -6,7 +6,6 @@ from collections.abc import Iterator
 from pathlib import Path
 
 from site_builder.diagnostics import Diagnostics
-from site_builder.kept.keeper import kept
 
 FREE = ("engine", "editing")
 """Folders below ``simulations/`` that belong to no scene."""
@@ -34,13 +33,8 @@ def check_purity(simulations: Path, problems: Diagnostics) -> None:
         source = file.read_bytes().decode("utf-8", errors="replace")
         if HINT.search(source):
             path = file.relative_to(simulations.parent).as_posix()
-            for line, message in _found(source):
+            for line, message in impurities(source):
                 problems.add(path, line, message)
-
-
-@kept
-def _found(source: str) -> tuple[tuple[int, str], ...]:
-    return tuple(impurities(source))
 
 
 def impurities(source: str) -> Iterator[tuple[int, str]]:

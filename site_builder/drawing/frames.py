@@ -1,22 +1,19 @@
-"""Frames of scenes: drawn within limits, and kept."""
+"""Frames of scenes: drawn within limits, and cached."""
 
 import functools
 import io
-import json
 from base64 import b64encode
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
-from typing import Any, cast
+from typing import Any
 
 import numpy as np
 
-from simulations.engine.controls import Value
 from simulations.engine.frame import Frame, Raster, StageReport
 from simulations.engine.scene import Scene
-from simulations.engine.settings import values_of
 from simulations.engine.stages import StageCache
-from site_builder.drawing.apart import apart
-from site_builder.kept.keeper import asks, kept
+from site_builder.cache import cached
+from site_builder.sandbox import run_limited
 
 SKETCH_PX = 320
 """The longer side of a sketch's pictures, at most."""
@@ -53,69 +50,34 @@ class Sketch:
     """Their addresses by panel, with the pictures in them."""
 
 
-type Draw = Callable[[Scene[Any], Any, str], object]
-"""What draws a scene with its settings, in a tier."""
-type Drawn = tuple[Draw, tuple[tuple[str, Value], ...], str]
-"""By what a scene was drawn: with these values, all others as it starts, in this tier."""
-
-
-def drawn_of(scene_id: str, asked: Iterable[str]) -> list[Drawn]:
-    """What of all that was ``asked``, as a keeper has it, is of a scene; once its code changes, it
-    is asked for again."""
-    draws = {draw.__name__: draw for draw in (frame_at, print_at)}
-    told = (json.loads(words) for words in asked)
-    return [
-        (draws[name], tuple((key, value) for key, value in given), tier)
-        for name, of, given, tier in told
-        if of == scene_id
-    ]
-
-
-def _noted[D: Draw](draw: D) -> D:
-    @functools.wraps(draw)
-    def note(scene: Scene[Any], settings: Any, tier: str) -> object:
-        start = values_of(scene.check({}))
-        given = [
-            (name, value)
-            for name, value in values_of(settings).items()
-            if (type(value), value) != (type(start[name]), start[name])
-        ]
-        asks(json.dumps([draw.__name__, scene.id, given, tier]))
-        return draw(scene, settings, tier)
-
-    return cast(D, note)
-
-
-@_noted
-@kept
+@cached
 def frame_at(scene: Scene[Any], settings: Any, tier: str) -> Frame:
     """What the scene says and draws at these settings, without its pixels. Raises whatever the
     scene does, and `LimitError`."""
-    return apart(functools.partial(_frame, scene, settings, tier))
+    return run_limited(functools.partial(_frame, scene, settings, tier))
 
 
-@_noted
-@kept
+@cached
 def print_at(scene: Scene[Any], settings: Any, tier: str) -> Print:
     """The same with its pixels, as files."""
-    return apart(functools.partial(_print, scene, settings, tier))
+    return run_limited(functools.partial(_print, scene, settings, tier))
 
 
-@kept
+@cached
 def sketches_at(
     scene: Scene[Any], settings: Sequence[Mapping[str, object]], tier: str
 ) -> tuple[Sketch, ...]:
     """The frames of several settings, one after the other. Raises whatever the scene does, and
     `LimitError`."""
-    return apart(functools.partial(_sketches, scene, settings, tier))
+    return run_limited(functools.partial(_sketches, scene, settings, tier))
 
 
-@kept
+@cached
 def reports_at(
     scene: Scene[Any], start: Mapping[str, object], moved: Mapping[str, object]
 ) -> tuple[StageReport, ...]:
     """What becomes of each stage when controls move from ``start``."""
-    return apart(functools.partial(_reports, scene, start, moved))
+    return run_limited(functools.partial(_reports, scene, start, moved))
 
 
 def _frame(scene: Scene[Any], settings: Any, tier: str) -> Frame:

@@ -12,7 +12,7 @@ from site_builder.editions.tree import parse_fragment
 from site_builder.page_model.blocks import Block
 from site_builder.page_model.questions import Quiz
 from site_builder.pages.licences import Licence, gather_licences
-from site_builder.pages.render import BACK_MATTER, Site, page_makers, render_page, render_pages
+from site_builder.pages.render import BACK_MATTER, Site, render_page, render_pages
 from site_builder.runtime.pinned import Versions
 from site_builder.site_assets import Files, gather_assets
 
@@ -59,7 +59,7 @@ def compose(options: Options) -> Composed:
     assets, files = gather_assets(book, options.root, {**pictures, **row_pictures}, {})
     site = Site(options.root, book, initial_frames, assets, "")
     licences = gather_licences(options.root, Versions(), settings=book.settings, words=book.words)
-    pages = render_pages(page_makers(site, licences))
+    pages = render_pages(site, licences)
     sections = [
         *(_chapter(site, chapter, pages, rows) for chapter in book.chapters),
         *_answers(site),

@@ -1,4 +1,4 @@
-"""The code editor as one file, made once on each machine and kept."""
+"""The code editor as one file, made once on each machine."""
 
 import json
 import shutil

@@ -20,7 +20,7 @@ from simulations.editing.definitions import (
     module_source,
 )
 from simulations.engine.scene import Scene
-from site_builder.kept.keeper import kept
+from site_builder.cache import cached
 
 
 @dataclass(frozen=True, slots=True)
@@ -36,7 +36,7 @@ class Module:
     """Each definition to the names in it, those of attributes with a dot, in order."""
 
 
-@kept
+@cached
 def scene_sources(scene: Scene[Any]) -> bytes:
     """What makes the frames of ``scene``, as JSON.
 

@@ -11,7 +11,6 @@ below it use both. The block itself is not shown.
 import ast
 import re
 from collections.abc import Callable, Iterator, Mapping
-from importlib import import_module
 from math import isfinite
 
 from markdown_it.token import Token
@@ -19,9 +18,9 @@ from markdown_it.token import Token
 from simulations.engine.conditions import shown_value
 from simulations.engine.expressions import ExpressionError, evaluate, evaluate_node
 from simulations.engine.frame import power_of_ten
+from site_builder.benchmarks.loading import imported
 from site_builder.benchmarks.measurements import SIDES
 from site_builder.diagnostics import cause, unknown
-from site_builder.kept.keeper import reads_code
 from site_builder.markdown.parse_context import ParseContext
 
 BLOCK = "calc"
@@ -156,7 +155,7 @@ def _function(module: str, name: str) -> Callable[..., object]:
     if not f"{module}.".startswith(PACKAGES):
         raise LookupError(f"import from {module!r}; legal: 'simulations.…' or 'numpy.linalg'")
     try:
-        found = import_module(module)
+        found = imported(module)
     except ImportError:
         raise LookupError(f"no module {module!r}; {LEGAL}") from None
     except Exception as error:  # whatever its code may raise is the author's to see
@@ -165,5 +164,4 @@ def _function(module: str, name: str) -> Callable[..., object]:
     if name not in functions:
         raise LookupError(unknown(f"function of {module}", name, functions))
     function: Callable[..., object] = functions[name]
-    reads_code(function)
     return function

@@ -17,7 +17,6 @@ from mdit_py_plugins.front_matter import front_matter_plugin
 from site_builder.languages.words import ENGLISH, Words
 from site_builder.markdown.directives import DIRECTIVES
 from site_builder.markdown.fences import directive_rule
-from site_builder.markdown.first_marks import ask_by_marks
 from site_builder.markdown.role import role_rule
 from site_builder.markdown.roles import ROLES
 from site_builder.markdown.text import rendering
@@ -116,7 +115,6 @@ def make_parser(words: Words = ENGLISH) -> MarkdownIt:
     for kind, worded in WORDED.items():
         parser.add_render_rule(kind, _render_rule(partial(worded, words)))
     parser.add_render_rule("role", rendering.role)
-    ask_by_marks(parser)
     return parser
 
 

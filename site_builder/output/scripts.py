@@ -2,9 +2,9 @@
 
 import re
 from collections.abc import Collection, Iterator, Mapping
+from functools import cache
 from posixpath import dirname, normpath
 
-from site_builder.kept.keeper import kept
 from site_builder.output.assets import Content, content_bytes, content_hash
 
 COMMENT = re.compile(r"/\*.*?\*/|^\s*//.*?$", re.DOTALL | re.MULTILINE)
@@ -67,7 +67,7 @@ _seen: dict[tuple[bytes, tuple[re.Pattern[str], ...]], tuple[str, ...]] = {}
 files."""
 
 
-@kept
+@cache
 def _addresses(script: bytes, patterns: tuple[tuple[str, int], ...]) -> tuple[str, ...]:
     text = COMMENT.sub("", script.decode("utf-8"))
     found = (match for pattern, flags in patterns for match in re.finditer(pattern, text, flags))

@@ -11,7 +11,7 @@ from collections.abc import Collection, Iterator, Mapping
 from contextlib import contextmanager, suppress
 from pathlib import Path
 
-from site_builder.kept.files import file_hash
+from site_builder.files import file_hash
 from site_builder.output.assets import Content, content_bytes, content_hash
 from site_builder.output.exchange import exchange
 

@@ -10,9 +10,9 @@ from simulations.engine.settings import values_of
 from site_builder.book import Book
 from site_builder.diagnostics import Diagnostics, cause
 from site_builder.drawing.frames import Print, print_at
-from site_builder.kept.ahead import Ask, make_ahead
 from site_builder.page_model.blocks import Simulation
 from site_builder.pages.prerendered_frames import Strip, render_strip
+from site_builder.sandbox import side_by_side
 
 
 @dataclass(frozen=True, slots=True)
@@ -53,14 +53,10 @@ def render_initial_frames(
     places = [(chapter.id, figure) for chapter in book.chapters for figure in chapter.simulations]
     if book.hero:
         places.insert(0, ("cover", book.hero))
-    wanted: list[Ask] = [partial(_printed, figure) for _, figure in places]
-    if strips:
-        wanted += [partial(render_strip, page, figure) for page, figure in places]
-    make_ahead(wanted)
-    for page, figure in places:
+    drawn = side_by_side(partial(_drawn, page, figure, strips=strips) for page, figure in places)
+    for (page, figure), done in zip(places, drawn, strict=True):
         try:
-            printed = _printed(figure)
-            strip = render_strip(page, figure) if strips else None
+            printed, strip = done.result()
         except Exception as error:  # whatever a scene's own code may raise is the author's to see
             message = f"simulation {figure.scene.id!r} cannot be drawn: {cause(error)}"
             problems.add(figure.path, figure.line, message)
@@ -77,5 +73,6 @@ def render_initial_frames(
     return initial_frames, files
 
 
-def _printed(figure: Simulation) -> Print:
-    return print_at(figure.scene, figure.scene.check(figure.values), figure.tier)
+def _drawn(page: str, figure: Simulation, *, strips: bool) -> tuple[Print, Strip | None]:
+    printed = print_at(figure.scene, figure.scene.check(figure.values), figure.tier)
+    return printed, render_strip(page, figure) if strips else None

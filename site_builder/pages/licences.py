@@ -7,7 +7,6 @@ from pathlib import Path
 
 from site_builder.book import UNSET
 from site_builder.editor.bundle import Package
-from site_builder.kept.keeper import reads_file
 from site_builder.languages.words import ENGLISH, Words
 from site_builder.runtime.pinned import Versions
 from site_builder.settings.model import Settings
@@ -162,7 +161,6 @@ def _packaged_text(package: str, ending: str) -> str:
 
 def _text_of(file: Path) -> str:
     """The file; nothing where there is none."""
-    reads_file(file)
     return file.read_text(encoding="utf-8") if file.is_file() else ""
 
 

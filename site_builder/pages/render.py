@@ -1,25 +1,25 @@
 """From the page model to HTML, by templates. No markup is made here."""
 
+import os
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field, replace
 from functools import cache, lru_cache, partial
 from pathlib import Path
 from typing import Any
 
-from jinja2 import Environment, FileSystemLoader, StrictUndefined
+from jinja2 import Environment, FileSystemBytecodeCache, FileSystemLoader, StrictUndefined
 from markupsafe import Markup
+from platformdirs import user_cache_path
 
 from site_builder.book import Book, Chapter
 from site_builder.book_root import own_or_engine
-from site_builder.kept.ahead import answers
-from site_builder.kept.files import folder_hash
-from site_builder.kept.keeper import given_hash, kept_as
+from site_builder.cache import cached_result, hash_of
+from site_builder.files import folder_hash
 from site_builder.markdown.directives.simulation import SIMULATION
 from site_builder.markdown.text.code import highlighted_lines
 from site_builder.page_model.blocks import Block, Simulation
 from site_builder.page_model.places import Heading
 from site_builder.pages.common import BEFORE, BEHIND, STYLES, Common, common_parts
-from site_builder.pages.compiled import KeptEnvironment
 from site_builder.pages.initial_frames import InitialFrames
 from site_builder.pages.licences import Licence
 from site_builder.pages.outside import card_path, origin, page_address
@@ -97,11 +97,8 @@ class Site:
     """
 
 
-def page_makers(
-    site: Site, licences: tuple[Licence, ...], hear: Callable[[str, bytes], object] | None = None
-) -> dict[str, Callable[[], bytes]]:
-    """What makes each page of the site, by its path. ``hear`` is told where a page is made, so that
-    it can keep what will be asked of it."""
+def render_pages(site: Site, licences: tuple[Licence, ...]) -> dict[str, bytes]:
+    """Every page of the site, by its path."""
     book, render = site.book, _renderer(site)
     pages: dict[str, Callable[[], bytes]] = {
         "index.html": partial(
@@ -154,33 +151,15 @@ def page_makers(
             file=path.rpartition("/")[2],
             code=own_or_engine(site.root, path).read_text(encoding="utf-8"),
         )
-    return (
-        {path: partial(_heard, hear, path, make) for path, make in pages.items()} if hear else pages
-    )
-
-
-def _heard(hear: Callable[[str, bytes], object], path: str, make: Callable[[], bytes]) -> bytes:
-    page = make()
-    hear(path, page)
-    return page
-
-
-def render_pages(makers: Mapping[str, Callable[[], bytes]]) -> dict[str, bytes]:
-    """Every page of the site, by its path."""
-    return dict(zip(makers, answers([*makers.values()]), strict=True))
-
-
-_whole: dict[str, tuple[bytes, bytes]] = {}
-"""By its path, a page as it is kept, and the whole of it: the same while the first is the same, as
-most are in the builds of a server."""
+    return {path: make() for path, make in pages.items()}
 
 
 def _renderer(site: Site) -> Callable[..., bytes]:
-    """Makes the pages of a site, each kept by what all share and what it is given. The stills of a
-    page follow from its figures, which it is given."""
+    """Makes the pages of a site, each cached by what all share and what it is given; its initial
+    frames follow from its figures."""
     shared = replace(site, root=Path(), book=_bare(site.book), initial_frames={})
     follows = back_matter(site.book)
-    shared_hash = given_hash(shared, follows, folder_hash(TEMPLATES))
+    shared_hash = hash_of(shared, follows, folder_hash(TEMPLATES))
     seen = replace(shared, initial_frames=site.initial_frames)
     cards = [card(chapter) for chapter in site.book.chapters]
     line = _environment().get_template("frame/contents-entry.html")
@@ -197,13 +176,11 @@ def _renderer(site: Site) -> Callable[..., bytes]:
             html = render_page(seen, template, root, path, back_matter=follows, **context)
             return html.encode()
 
-        page = kept_as("page", (shared_hash, template, path, context), make)[0]
-        known = _whole.get(path)
-        if known is None or known[0] is not page:
-            chapter = context.get("chapter")
-            own = chapter if isinstance(chapter, Chapter) else None
-            known = _whole[path] = page, common(root).put_into(page, own)
-        return known[1]
+        chapter = context.get("chapter")
+        own = chapter if isinstance(chapter, Chapter) else None
+        given = {**context, "chapter": own.cache_key} if own else context
+        page = cached_result("page", (shared_hash, template, path, given), make)
+        return common(root).put_into(page, own)
 
     return render
 
@@ -319,8 +296,8 @@ def in_words(book: Book) -> dict[str, object]:
 
 @cache
 def _environment() -> Environment:
-    """Kept, so that each template is compiled once a build and not once a page."""
-    environment = KeptEnvironment(
+    environment = Environment(
+        bytecode_cache=_compiled_templates(),
         loader=FileSystemLoader(TEMPLATES),
         autoescape=True,
         undefined=StrictUndefined,
@@ -330,6 +307,16 @@ def _environment() -> Environment:
     )
     environment.filters.update(FILTERS)
     return environment
+
+
+def _compiled_templates() -> FileSystemBytecodeCache | None:
+    """In the user's cache folder: to compile templates takes longer than to fill them."""
+    folder = user_cache_path("image-formation", appauthor=False) / "templates"
+    try:
+        folder.mkdir(parents=True, exist_ok=True)
+    except OSError:
+        return None
+    return FileSystemBytecodeCache(str(folder)) if os.access(folder, os.W_OK) else None
 
 
 def _cover(book: Book) -> Block | None:

@@ -6,8 +6,8 @@ from pathlib import PurePosixPath
 
 import brotli
 
-from site_builder.kept.files import bytes_hash
-from site_builder.kept.keeper import kept_as
+from site_builder.cache import cached_result
+from site_builder.files import bytes_hash
 from site_builder.output.assets import Content, content_bytes
 
 PACKED = frozenset(
@@ -48,4 +48,4 @@ def compressed_copies(files: Mapping[str, Content]) -> dict[str, bytes]:
 
 def _pack_once(data: bytes, ending: str, pack: Callable[[bytes], bytes]) -> bytes:
     """Packing well takes long, so what is known by its hash is not packed again."""
-    return kept_as("packed", (bytes_hash(data), ending), lambda: pack(data))[0]
+    return cached_result("packed", (bytes_hash(data), ending), lambda: pack(data))

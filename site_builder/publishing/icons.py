@@ -4,8 +4,8 @@ from collections.abc import Mapping
 from pathlib import Path
 
 from site_builder.book_root import own_or_engine
+from site_builder.cache import cached
 from site_builder.diagnostics import BuildError, Diagnostic
-from site_builder.kept.keeper import kept
 from site_builder.publishing.vector import png_of, whole_fonts
 
 FILE = "static/images/favicon.svg"
@@ -22,7 +22,7 @@ def make_icons(root: Path) -> Mapping[str, bytes]:
         raise BuildError([Diagnostic(FILE, 1, f"{error}; legal: a drawing in SVG")]) from error
 
 
-@kept
+@cached
 def _drawn(svg: str) -> dict[str, bytes]:
     fonts = whole_fonts()
     return {name: png_of(svg, width, fonts) for name, width in SIZES.items()}

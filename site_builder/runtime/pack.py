@@ -8,8 +8,8 @@ from pathlib import Path
 
 from simulations.registry import LADDER_MODULES, SCENE_MODULES
 from site_builder.book_root import ENGINE, is_engine
-from site_builder.kept.files import file_hash
-from site_builder.kept.keeper import kept_as
+from site_builder.cache import cached_result
+from site_builder.files import file_hash
 from site_builder.runtime import store as stores
 from site_builder.runtime.fetch import fetch_runtime
 from site_builder.runtime.freeze import (
@@ -96,7 +96,7 @@ def pack_runtime(
     python, numpy = fetched[PYTHON_LIBRARY.name], fetched[NUMPY_WHEEL.name]
     files = book_modules(simulations)
     given = {name: file_hash(file) for name, file in files.items()}
-    imports, _ = kept_as("imports", given, lambda: imports_of(files))
+    imports = cached_result("imports", given, lambda: imports_of(files))
     modules = page_modules(imports, scenes, ladders)
     at_once, later = outside(imports, reach(imports, ENTRY)), outside(imports, modules)
     frozen = freeze_libraries(machine, python, numpy, at_once, later, folder)
@@ -105,7 +105,9 @@ def pack_runtime(
         sources = sources_of(files, modules)
         hashes = {path: file_hash(file) for path, file in sources.items()}
         key = (hashes, PYTHON_LIBRARY, file_hash(PROGRAM), file_hash(DRIVER))
-        byte_code, _ = kept_as("byte code", key, lambda: compile_sources(machine, python, sources))
+        byte_code = cached_result(
+            "byte code", key, lambda: compile_sources(machine, python, sources)
+        )
     chunks = cut(imports, scenes, ladders)
     ours = {chunk: chunk_archive(files, names, byte_code) for chunk, names in chunks.items()}
     ours[SIMULATIONS] = source_archive(files, modules)

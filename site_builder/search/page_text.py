@@ -11,7 +11,7 @@ from functools import lru_cache
 from html import unescape
 from typing import NamedTuple
 
-from site_builder.kept.keeper import kept
+from site_builder.cache import cached
 from site_builder.search.tags import INLINE, NEVER_CLOSED, Channel, channel_of, title_in
 
 WORDS_A_MINUTE = 180
@@ -93,7 +93,7 @@ class _Draft:
         return " ".join("".join(self.parts.get(channel, ())).split())
 
 
-@kept
+@cached
 def read_sections(html: str) -> tuple[Section, ...]:
     """The sections of a page's article, in order; those that say nothing are left out."""
     return _sections(html)
@@ -127,8 +127,7 @@ def _shown(html: str) -> str:
 
 def reading_minutes(body: str) -> int:
     """How long an article's body takes to read: its text, captions and questions. What is folded
-    is opened, and figures are played with, by those who like. It is not kept: to look for it takes
-    as long."""
+    is opened, and figures are played with, by those who like."""
     shown = _shown(FOLDED.sub("", body) if "<details" in body else body)
     reader = _Reader("text")
     reader.read(shown)

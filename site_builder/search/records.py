@@ -2,11 +2,9 @@
 
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
-from functools import partial
 from itertools import count
 
 from site_builder.book import Book
-from site_builder.kept.ahead import answers
 from site_builder.search.page_text import Section, read_sections
 
 
@@ -69,8 +67,7 @@ type PageRecords = tuple[tuple[Record, ...], ...]
 def make_records(pages: Mapping[str, bytes], explained: Mapping[str, Sequence[str]]) -> PageRecords:
     """The records of pages by their path; ``explained`` as `Records` has it."""
     records = Records(explained)
-    read = answers([partial(read_page, page) for page in pages.values()])
-    return tuple(map(records.of_page, pages, read))
+    return tuple(records.of_page(path, read_page(page)) for path, page in pages.items())
 
 
 def explained_terms(book: Book) -> Mapping[str, Sequence[str]]:
@@ -89,7 +86,7 @@ def explained_terms(book: Book) -> Mapping[str, Sequence[str]]:
 
 
 def read_page(page: bytes) -> tuple[Section, ...]:
-    """What it says; kept by what stands in the middle: the contents around it are as long as the
+    """What it says; cached by what stands in the middle: the contents around it are as long as the
     book."""
     begin = max(page.find(b"<main"), 0)
     end = page.find(b"</main>", begin)

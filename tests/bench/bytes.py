@@ -4,7 +4,7 @@
 
 import re
 from collections.abc import Iterator, Mapping
-from contextlib import closing, contextmanager
+from contextlib import contextmanager
 from pathlib import Path
 
 from bench.costs import keep
@@ -12,11 +12,9 @@ from playwright.sync_api import Browser, sync_playwright
 from support.chromium import HOW_TO, find_chromium, launch_arguments
 from support.host import Host, hosting
 
-from site_builder import STARTED_NS
 from site_builder.book_root import ROOT
-from site_builder.kept.files import folder_files
-from site_builder.kept.keeper import Keeper, keeping
-from site_builder.kept.store import Store, default_folder
+from site_builder.cache import Cache, using
+from site_builder.files import folder_files
 from site_builder.publishing.compressed import compressed_copies
 
 SITE = ROOT / "build" / "site"
@@ -35,11 +33,8 @@ TELL = f"""new MutationObserver((changes, observer) => {{
 
 
 def packed_copies(site: Path) -> dict[str, bytes]:
-    """Those of all files; what was packed once is kept."""
-    with (
-        closing(Store(default_folder())) as store,
-        keeping(Keeper(store, STARTED_NS)),
-    ):
+    """Those of all files."""
+    with using(Cache()):
         return compressed_copies(folder_files(site))
 
 

@@ -7,7 +7,6 @@ import pytest
 from support.small_package import PACKAGE, small_package
 
 from site_builder.diagnostics import cause
-from site_builder.drawing.apart import Limits, apart, limited
 
 SLIPS = [
     ("return {'curve': 1}['curves']", "KeyError: there is no 'curves'"),
@@ -32,15 +31,12 @@ SLIPS = [
 
 
 @pytest.mark.parametrize(("line", "says"), SLIPS)
-@pytest.mark.parametrize("limits", [None, Limits()], ids=["here", "in a process of its own"])
-def test_an_exception_is_told_in_words_with_its_place(
-    line: str, says: str, limits: Limits | None, tmp_path: Path
-) -> None:
+def test_an_exception_is_told_in_words_with_its_place(line: str, says: str, tmp_path: Path) -> None:
     source = f"import math\nheight = 3\n\ndef draw():\n    {line}\n"
     with small_package(tmp_path, {"scene": source}):
         draw = import_module(f"{PACKAGE}.scene").draw
-        with limited(limits), pytest.raises(Exception) as raised:  # noqa: PT011
-            apart(draw)
+        with pytest.raises(Exception) as raised:  # noqa: PT011
+            draw()
         assert cause(raised.value) == f"{says}, at small/scene.py:5"
 
 

@@ -14,7 +14,7 @@ from support.ranges import ANSWERS, WHOLE
 from support.reader import Reader, visit
 from support.static_server import StaticServer, serving
 
-from site_builder.kept.files import folder_files
+from site_builder.files import folder_files
 from site_builder.offline.release import LIST, WORKER, no_release, release_files
 from site_builder.output.assets import content_bytes
 

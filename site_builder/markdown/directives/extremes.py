@@ -1,12 +1,11 @@
 """``{extremes} model``: the hard cases of a model, asked while the book is built."""
 
 from dataclasses import dataclass
-from importlib import import_module
 
 from simulations.engine.hard_cases import HardCase, HardCases, answer, naive_answer, show
 from simulations.registry import found
+from site_builder.benchmarks.loading import imported
 from site_builder.diagnostics import cause
-from site_builder.kept.keeper import reads_code
 from site_builder.markdown.bodies import no_body
 from site_builder.markdown.directive import Argument, Directive, DirectiveCall, Numbered
 from site_builder.markdown.parse_context import ParseContext
@@ -48,8 +47,7 @@ def read_hard_cases(
         return None
     name = context.placed[call.line].id
     try:
-        table: HardCases = import_module(MODULES[call.argument]).TABLE
-        reads_code(table)
+        table: HardCases = imported(MODULES[call.argument]).TABLE
         return HardCaseTable(name, table.title, tuple(_row(table, case) for case in table.cases))
     except Exception as error:  # whatever its code may raise is the author's to see
         message = f"hard cases {call.argument!r} cannot be asked: {cause(error)}"

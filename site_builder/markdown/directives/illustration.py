@@ -2,13 +2,12 @@
 
 from collections.abc import Callable
 from dataclasses import dataclass
-from importlib import import_module
 
 from simulations.engine.illustration import Illustration
 from simulations.registry import found
+from site_builder.benchmarks.loading import imported
+from site_builder.cache import cached
 from site_builder.diagnostics import cause
-from site_builder.drawing.apart import apart
-from site_builder.kept.keeper import kept, reads_code
 from site_builder.markdown.bodies import CAPTION
 from site_builder.markdown.directive import (
     LABEL,
@@ -19,6 +18,7 @@ from site_builder.markdown.directive import (
     OptionLine,
 )
 from site_builder.markdown.parse_context import ParseContext
+from site_builder.sandbox import run_limited
 
 MODULES = found("illustrations")
 ROOM = "simulations/illustrations/"
@@ -40,7 +40,7 @@ def read_illustration(
         context.problem(call.line, f"the book has no illustrations; legal: one in {ROOM}")
         return None
     try:
-        illustration = _drawn(import_module(MODULES[call.argument]).draw)
+        illustration = illustration_of(imported(MODULES[call.argument]).draw)
     except Exception as error:  # whatever its code may raise is the author's to see
         message = f"illustration {call.argument!r} cannot be drawn: {cause(error)}"
         context.problem(call.line, message)
@@ -59,14 +59,9 @@ def read_illustration(
     return Drawn(illustration, words, caption_html)
 
 
-def _drawn(draw: Callable[[], Illustration]) -> Illustration:
-    reads_code(draw)
-    return illustration_of(draw)
-
-
-@kept
+@cached
 def illustration_of(draw: Callable[[], Illustration]) -> Illustration:
-    return apart(draw)
+    return run_limited(draw)
 
 
 ILLUSTRATION = Directive(

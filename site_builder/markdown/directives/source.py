@@ -6,7 +6,6 @@ from textwrap import dedent
 
 from site_builder.book_root import is_engine, own_or_engine
 from site_builder.diagnostics import unknown
-from site_builder.kept.keeper import reads_file
 from site_builder.markdown.bodies import CAPTION
 from site_builder.markdown.directive import Argument, Directive, DirectiveCall
 from site_builder.markdown.parse_context import ParseContext
@@ -47,7 +46,6 @@ def _text_of(
         context.problem(call.line, f"{{source}} {call.argument!r}; legal: {expected}")
         return None
     file = own_or_engine(context.root, path) if is_engine(module) else context.root / path
-    reads_file(file)
     if not file.is_file() or not module.startswith("simulations."):
         modules = _modules(context.root / "simulations")
         context.problem(call.line, unknown("module", module, modules))

@@ -5,7 +5,6 @@ from collections.abc import Callable, Sequence
 from pathlib import Path, PurePosixPath
 
 from site_builder.diagnostics import unknown
-from site_builder.kept.keeper import reads_file
 from site_builder.markdown.parse_context import ParseContext
 
 PICTURES = (".svg", ".png", ".jpg", ".jpeg", ".webp")
@@ -24,8 +23,6 @@ def fault_of_file(name: str, content: Path, kind: str, suffixes: Sequence[str] =
     """
     path = PurePosixPath(name)
     inside = bool(name) and not path.is_absolute() and ".." not in path.parts
-    if inside:
-        reads_file(content / name)
     if not inside or not (content / name).is_file():
         return unknown(kind, name, _names(content, suffixes))
     if not (content / name).resolve().is_relative_to(content.resolve()):

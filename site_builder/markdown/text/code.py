@@ -4,8 +4,8 @@ from functools import cache
 from html import escape
 from typing import TYPE_CHECKING
 
+from site_builder.cache import cached
 from site_builder.diagnostics import unknown
-from site_builder.kept.keeper import kept
 
 if TYPE_CHECKING:
     from pygments.lexer import Lexer
@@ -34,10 +34,10 @@ def _lexer(language: str) -> "Lexer":
     return get_lexer_by_name(language)
 
 
-@kept
+@cached
 def highlighted_lines(code: str, language: str) -> list[str]:
     """Each line of ``code`` as HTML of its own. Raises `UnknownLanguageError`."""
-    # Not every book has code, and what is coloured is kept.
+    # Imported only where something is not cached.
     from pygments import highlight
     from pygments.formatters import HtmlFormatter
     from pygments.util import ClassNotFound

@@ -3,9 +3,10 @@
 import re
 
 from simulations.engine import frame
+from site_builder.cache import cached
 from site_builder.diagnostics import unknown
+from site_builder.files import file_hash
 from site_builder.formulae.temml import LOCK, PROGRAM, TexError, set_tex
-from site_builder.kept.keeper import kept, reads_file
 
 COLOURS = (*frame.ROLES[1:], "muted")
 """Colours of ideas, and of what steps back; frames also know the empty role."""
@@ -17,11 +18,13 @@ class UnsupportedTexError(ValueError):
     """The formula cannot be set; the message says which part of it."""
 
 
-@kept
 def to_mathml(tex: str, *, display: bool) -> str:
     """A ``<math>`` element. Raises `UnsupportedTexError`."""
-    for file in (LOCK, PROGRAM):
-        reads_file(file)
+    return _to_mathml(tex, display, (file_hash(LOCK), file_hash(PROGRAM)))
+
+
+@cached
+def _to_mathml(tex: str, display: bool, _temml: object) -> str:
     if not tex.strip():
         raise UnsupportedTexError(EMPTY)
     written = re.sub(r"\\role\{([\w-]*)\}", _role, tex)

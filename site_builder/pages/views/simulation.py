@@ -10,7 +10,6 @@ from simulations.engine.handles import Handle
 from simulations.engine.said import Said
 from simulations.engine.scene import Scene
 from simulations.registry import load_ladder
-from site_builder.kept.keeper import reads_code
 from site_builder.languages.words import ENGLISH, Words
 from site_builder.page_model.blocks import Simulation
 from site_builder.pages.embedding import json_for_html
@@ -189,7 +188,6 @@ def tier_labels(scene: Scene[Any]) -> tuple[tuple[str, str], ...]:
     labels = dict(scene.tier_labels)
     if scene.ladder:
         ladder = load_ladder(scene.ladder)
-        reads_code(ladder)
         labels = {tier: ladder.tier(tier).label for tier in scene.tiers} | labels
     return tuple((tier, labels[tier]) for tier in scene.tiers)
 

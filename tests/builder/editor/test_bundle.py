@@ -7,8 +7,8 @@ from pathlib import Path
 
 import pytest
 
-from site_builder import browser_python, build
-from site_builder.build import render_site
+from site_builder import browser_parts, browser_python
+from site_builder.build import Options, render_site
 from site_builder.diagnostics import Diagnostic
 from site_builder.editor import bundle, npm
 from site_builder.editor.bundle import EditorBundle, EditorBundleError, Package, bundle_editor
@@ -62,12 +62,12 @@ def test_what_a_program_under_node_complains_is_told(tmp_path: Path) -> None:
 
 
 def test_without_the_editor_the_book_is_built_and_says_so(
-    make_book: Callable[..., build.Options], monkeypatch: pytest.MonkeyPatch
+    make_book: Callable[..., Options], monkeypatch: pytest.MonkeyPatch
 ) -> None:
     def refuse() -> EditorBundle:
         raise EditorBundleError("its packages could not be had from npm: no network")
 
-    monkeypatch.setattr(build, "bundle_editor", refuse)
+    monkeypatch.setattr(browser_parts, "bundle_editor", refuse)
     bare = RuntimeBundle({}, VERSIONS)
     monkeypatch.setattr(browser_python, "pack_runtime", lambda _root, **_shown: bare)
     warnings: list[Diagnostic] = []
@@ -83,7 +83,7 @@ def test_without_the_editor_the_book_is_built_and_says_so(
 
 
 def test_without_what_joins_scripts_pages_load_them_one_by_one_and_the_author_is_told(
-    make_book: Callable[..., build.Options], monkeypatch: pytest.MonkeyPatch
+    make_book: Callable[..., Options], monkeypatch: pytest.MonkeyPatch
 ) -> None:
     def refuse(_folder: Path) -> Path:
         raise NodeError("no network")

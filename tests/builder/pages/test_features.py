@@ -5,9 +5,9 @@ from pathlib import Path
 
 import pytest
 
-from site_builder import build
+from site_builder import browser_parts
 from site_builder.build import Options, render_site
-from site_builder.kept.files import folder_files
+from site_builder.files import folder_files
 from site_builder.markdown.directives import DIRECTIVES
 from site_builder.markdown.directives.quiz import KINDS as QUESTION_KINDS
 from site_builder.output.assets import content_bytes
@@ -30,7 +30,7 @@ QUESTION = ":::{quiz} sum\nOne and one?\n- [x] Two\n  : Yes.\n- [ ] One\n  : No.
 @pytest.fixture(autouse=True)
 def one_by_one(monkeypatch: pytest.MonkeyPatch) -> None:
     """Scripts are not joined, so that it can be seen which there are."""
-    monkeypatch.setattr(build, "join_scripts", lambda files, _entry: files)
+    monkeypatch.setattr(browser_parts, "join_scripts", lambda files, _entry: files)
 
 
 def shipped(options: Options) -> dict[str, str]:

@@ -7,7 +7,7 @@ from pathlib import Path
 
 import pytest
 
-from site_builder import build
+from site_builder import browser_parts, build
 from site_builder.build import render_site
 from site_builder.diagnostics import Diagnostic
 from site_builder.languages.words import languages
@@ -48,7 +48,7 @@ def test_without_the_library_the_book_is_built_without_search_and_says_so(
     def refuse(_language: str) -> SearchLibrary:
         raise SearchLibraryError("its packages could not be had from npm: no network")
 
-    monkeypatch.setattr(build, "fetch_library", refuse)
+    monkeypatch.setattr(browser_parts, "fetch_library", refuse)
     warnings: list[Diagnostic] = []
     files = render_site(replace(make_book(), search=True, warn=warnings.append))
     assert b"search-button" not in content_bytes(files["first/index.html"])

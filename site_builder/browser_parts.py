@@ -1,0 +1,102 @@
+"""What pages load beside their assets: Python, the code editor, and what searches. Where one cannot
+be had there is a warning, and the site does without."""
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from pathlib import Path
+
+from site_builder.book import Book
+from site_builder.browser_python import pack_for_browser
+from site_builder.diagnostics import Diagnostic
+from site_builder.editor.bundle import EditorBundle, EditorBundleError, bundle_editor
+from site_builder.editor.npm import NodeError
+from site_builder.editor.sources import scene_sources
+from site_builder.output.assets import hashed_folder
+from site_builder.output.joined_scripts import join_scripts
+from site_builder.pages.render import render_template
+from site_builder.runtime.pack import RuntimeBundle
+from site_builder.runtime.pinned import Versions
+from site_builder.search.library import SearchLibrary, SearchLibraryError, fetch_library
+from site_builder.site_assets import SCRIPT, Files
+
+RUNTIME_NOW = "runtime/now/"
+"""Folder of the browser's Python while the book is written: a changed scene changes only the pages
+that show it."""
+type Warn = Callable[[Diagnostic], None]
+
+
+@dataclass(frozen=True, slots=True)
+class BrowserParts:
+    """Each empty where the site does without."""
+
+    runtime: str
+    """Folder of the browser's Python, below the site's root."""
+    runtime_files: Files
+    bundle: RuntimeBundle
+    editor: EditorBundle
+    search: SearchLibrary
+
+
+def browser_parts(
+    root: Path, book: Book, warn: Warn, *, runtime: bool, search: bool, reload: bool
+) -> BrowserParts:
+    """Raises `BuildError` where the browser could not run the book's Python."""
+    bundle = pack_for_browser(root, book, compiled=not reload) if runtime else None
+    return BrowserParts(
+        *_runtime(bundle, warn, reload=reload),
+        bundle or RuntimeBundle({}, Versions()),
+        _editor(warn) if runtime and book.scenes else EditorBundle(),
+        _search_library(book, warn) if search else SearchLibrary({}),
+    )
+
+
+def _runtime(bundle: RuntimeBundle | None, warn: Warn, *, reload: bool) -> tuple[str, Files]:
+    if bundle is None:
+        return "", {}
+    if bundle.snapshot_error:
+        message = f"figures live later at a first visit: {bundle.snapshot_error}"
+        warn(Diagnostic("site_builder/runtime/snapshot.mjs", 1, message, fails=False))
+    if reload:
+        return RUNTIME_NOW, {RUNTIME_NOW + name: file for name, file in bundle.files.items()}
+    return hashed_folder("runtime", dict(bundle.files))
+
+
+def _editor(warn: Warn) -> EditorBundle:
+    try:
+        return bundle_editor()
+    except EditorBundleError as error:
+        message = f"the figures' Python can be read but not edited, for want of the editor: {error}"
+        warn(Diagnostic("site_builder/editor/package-lock.json", 1, message, fails=False))
+        return EditorBundle()
+
+
+def _search_library(book: Book, warn: Warn) -> SearchLibrary:
+    try:
+        return fetch_library(book.words.language)
+    except SearchLibraryError as error:
+        message = f"the book cannot be searched, for want of the library: {error}"
+        warn(Diagnostic("site_builder/search/package-lock.json", 1, message, fails=False))
+        return SearchLibrary({})
+
+
+def joined(files: Files, warn: Warn) -> Files:
+    """With the page's scripts in few files; where what joins them cannot be had, a warning, and
+    pages load them one by one."""
+    try:
+        return join_scripts(files, SCRIPT)
+    except NodeError as error:
+        message = f"pages load somewhat later, since their scripts could not be joined: {error}"
+        warn(Diagnostic("site_builder/editor/package-lock.json", 1, message, fails=False))
+        return files
+
+
+def scene_files(book: Book, editor: EditorBundle) -> Files:
+    """What opens the Python of the figures: the sources of each scene, and the code editor."""
+    if not book.scenes:
+        return {}
+    script = {"editor/code_editor.js": editor.script} if editor.script else {}
+    return {
+        "js/editor/workshop.html": render_template("editor/workshop.html", book).encode(),
+        **{f"python/{scene.id}.json": scene_sources(scene) for scene in book.scenes},
+        **script,
+    }

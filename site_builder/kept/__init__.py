@@ -1,1 +1,0 @@
-"""Results that are kept between builds, under a hash of all that they depend on."""

@@ -1,0 +1,192 @@
+"""Authors' code in processes with limits of time and memory.
+
+A scene that never ends, sleeps, or fills the memory is then a mistake like any other. Without
+`limited`, as in tests, the code runs in this process.
+"""
+
+import multiprocessing
+import os
+import pickle
+import signal
+import sys
+from collections.abc import Callable, Iterable, Iterator
+from concurrent.futures import Future, ThreadPoolExecutor
+from contextlib import contextmanager
+from dataclasses import dataclass
+from pathlib import Path
+from types import FrameType
+from typing import Any, Never
+
+from pebble import ProcessExpired, ProcessPool
+
+from site_builder.blame import place_of, remember_place
+from site_builder.raised import remember_words, words_of
+
+GRACE_S = 2.0
+"""How long the code may ignore that its time is over, as a call into numpy does, until its process
+is killed."""
+PRELOADED = ("site_builder.sandbox", "site_builder.cache", "simulations.registry")
+"""Modules that most jobs import."""
+
+
+@dataclass(frozen=True, slots=True)
+class Limits:
+    """What one call may take."""
+
+    seconds: float = 10.0
+    """By the clock."""
+    bytes: int = 4_000_000_000
+    """Of memory, beside what its process has at the start."""
+
+
+class LimitError(RuntimeError):
+    """The code took too long, or ended its process."""
+
+
+@dataclass(slots=True)
+class _Sandbox:
+    limits: Limits
+    pool: ProcessPool
+    """Which starts with the first job."""
+    failures: dict[bytes, Exception]
+    """By job: what failed once is not tried again, as it may take all its time again."""
+
+
+_active: _Sandbox | None = None
+
+
+@contextmanager
+def limited(limits: Limits | None) -> Iterator[None]:
+    """Within, `run_limited` keeps to these limits."""
+    global _active
+    before = _active
+    _active = _Sandbox(limits, _make_pool(limits), {}) if limits else None
+    try:
+        yield
+    finally:
+        ended, _active = _active, before
+        if ended:
+            ended.pool.stop()  # type: ignore[no-untyped-call]
+            ended.pool.join()
+
+
+def run_limited[T](job: Callable[[], T]) -> T:
+    """What ``job`` returns or raises; a job that cannot be pickled runs in this process. Raises
+    `LimitError`."""
+    if _active is None:
+        return job()
+    try:
+        pickled = pickle.dumps(job)
+    except (pickle.PicklingError, AttributeError, TypeError):
+        return job()
+    if pickled in _active.failures:
+        raise _active.failures[pickled]
+    try:
+        return _result(pickled, _active)  # type: ignore[no-any-return]
+    except Exception as error:
+        _active.failures[pickled] = error
+        raise
+
+
+def side_by_side[T](jobs: Iterable[Callable[[], T]]) -> list[Future[T]]:
+    """Each of ``jobs`` done; what of it calls `run_limited` runs on all cores."""
+    with ThreadPoolExecutor(cores() if _active else 1) as threads:
+        return [threads.submit(job) for job in jobs]
+
+
+def cores() -> int:
+    """How many processes can work at once."""
+    if hasattr(os, "sched_getaffinity"):
+        return len(os.sched_getaffinity(0))
+    return os.cpu_count() or 1
+
+
+def _result(pickled: bytes, sandbox: _Sandbox) -> Any:
+    limits = sandbox.limits
+    future = sandbox.pool.schedule(
+        _answer, args=(pickled, limits.seconds), timeout=limits.seconds + GRACE_S
+    )
+    try:
+        good, value = future.result()
+    except TimeoutError:
+        raise remember_place(LimitError(_too_long(limits.seconds)), "") from None
+    except ProcessExpired as error:
+        ended = f"its process was ended by {_signal_name(error.exitcode)}"
+        raise remember_place(LimitError(ended), "") from None
+    if not good:
+        raise value
+    return value
+
+
+def _make_pool(limits: Limits) -> ProcessPool:
+    """Of fresh processes, which share no thread or lock with this one."""
+    methods = multiprocessing.get_all_start_methods()
+    context = multiprocessing.get_context("forkserver" if "forkserver" in methods else "spawn")
+    if "forkserver" in methods:
+        context.set_forkserver_preload([*PRELOADED])
+    return ProcessPool(
+        cores(), initializer=_limit_memory, initargs=(limits.bytes,), context=context
+    )
+
+
+def _answer(pickled: bytes, seconds: float) -> tuple[bool, Any]:
+    """In the pool: whether the job succeeded, and its result or exception."""
+    try:
+        with _alarm(seconds):
+            answer = True, pickle.loads(pickled)()
+        pickle.dumps(answer)
+    except Exception as error:
+        return False, _portable(error)
+    return answer
+
+
+@contextmanager
+def _alarm(seconds: float) -> Iterator[None]:
+    """Raises `LimitError` at the line that is running when the time is over."""
+    if not hasattr(signal, "setitimer"):
+        yield
+        return
+
+    def ring(_signal: int, _frame: FrameType | None) -> Never:
+        raise LimitError(_too_long(seconds))
+
+    signal.signal(signal.SIGALRM, ring)
+    signal.setitimer(signal.ITIMER_REAL, seconds)
+    try:
+        yield
+    finally:
+        signal.setitimer(signal.ITIMER_REAL, 0)
+
+
+def _portable(error: Exception) -> Exception:
+    """The error as it can be pickled, which is without its traceback: its place, and the words that
+    come from there, go with it."""
+    place, words = place_of(error), words_of(error)
+    bare = remember_words(remember_place(error.with_traceback(None), place), words)
+    bare.__cause__ = bare.__context__ = None
+    try:
+        pickle.loads(pickle.dumps(bare))
+    except Exception:  # an error of a scene's own may need arguments to be made again
+        return remember_place(RuntimeError(f"{type(error).__name__}: {error}"), place)
+    return bare
+
+
+def _too_long(seconds: float) -> str:
+    return f"takes more than {seconds:g} s"
+
+
+def _signal_name(code: int | None) -> str:
+    return signal.Signals(-code).name if code and code < 0 else "its own code"
+
+
+def _limit_memory(more: int) -> None:
+    """So many bytes beside what the process has now, where the system can limit it."""
+    if sys.platform != "linux":
+        return
+    import resource
+
+    pages = int(Path("/proc/self/statm").read_text(encoding="ascii").split()[0])
+    wanted = pages * resource.getpagesize() + more
+    _, most = resource.getrlimit(resource.RLIMIT_AS)
+    if most == resource.RLIM_INFINITY or wanted < most:
+        resource.setrlimit(resource.RLIMIT_AS, (wanted, most))

@@ -1,0 +1,116 @@
+"""Authors' code runs within limits, and its errors come back as they were."""
+
+import os
+import signal
+import time
+from collections.abc import Callable, Iterator
+from functools import partial
+from importlib import import_module
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from site_builder.diagnostics import cause
+from site_builder.sandbox import LimitError, Limits, limited, run_limited, side_by_side
+
+QUICK = Limits(seconds=0.3, bytes=300_000_000)
+
+
+@pytest.fixture(scope="module", autouse=True)
+def sandbox() -> Iterator[None]:
+    with limited(QUICK):
+        yield
+
+
+def test_code_runs_in_another_process() -> None:
+    assert run_limited(os.getpid) != os.getpid()
+
+
+def test_without_limits_code_runs_here() -> None:
+    with limited(None):
+        assert run_limited(os.getpid) == os.getpid()
+
+
+def test_nothing_is_left_running() -> None:
+    with limited(Limits()):
+        process = run_limited(os.getpid)
+    with pytest.raises(ProcessLookupError):
+        os.kill(process, 0)
+
+
+def loop() -> None:
+    while True:
+        pass
+
+
+def ignore_the_alarm() -> None:
+    """As a call into a library does."""
+    signal.pthread_sigmask(signal.SIG_BLOCK, [signal.SIGALRM])
+    loop()
+
+
+def be_killed() -> None:
+    os.kill(os.getpid(), signal.SIGKILL)
+
+
+class AwkwardError(Exception):
+    """Cannot be made again from its message."""
+
+    def __init__(self, one: int, two: int) -> None:
+        super().__init__(f"{one} and {two}")
+
+
+def fail_awkwardly() -> None:
+    raise AwkwardError(1, 2)
+
+
+TOO_LONG = r"takes more than 0\.3 s"
+FAILURES: list[tuple[Callable[[], object], type[Exception], str]] = [
+    (loop, LimitError, TOO_LONG),
+    (ignore_the_alarm, LimitError, TOO_LONG),
+    (partial(time.sleep, 60), LimitError, TOO_LONG),
+    (partial(np.ones, 1_000_000_000), MemoryError, "allocate"),
+    (be_killed, LimitError, "ended by SIGKILL"),
+    (partial(divmod, 1, 0), ZeroDivisionError, "zero"),
+    (fail_awkwardly, RuntimeError, "AwkwardError: 1 and 2"),
+]
+
+
+@pytest.mark.parametrize(("job", "error", "words"), FAILURES)
+def test_a_failure_is_reported_and_the_next_job_runs(
+    job: Callable[[], object], error: type[Exception], words: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr("site_builder.sandbox.GRACE_S", 0.5)
+    with pytest.raises(error, match=words):
+        run_limited(job)
+    assert run_limited(partial(divmod, 7, 4)) == (1, 3)
+
+
+def test_a_job_that_failed_is_not_tried_again() -> None:
+    job = partial(time.sleep, 61)
+    with pytest.raises(LimitError):
+        run_limited(job)
+    begin = time.monotonic()
+    with pytest.raises(LimitError):
+        run_limited(job)
+    assert time.monotonic() - begin < QUICK.seconds
+
+
+def test_the_place_and_the_words_of_an_error_come_back_with_it(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    package = tmp_path / "sandboxed"
+    package.mkdir()
+    (package / "__init__.py").write_text("")
+    (package / "optics.py").write_text("height = 3\ndef focus():\n    return heigth\n")
+    monkeypatch.syspath_prepend(tmp_path)
+    with limited(Limits()), pytest.raises(NameError) as raised:
+        run_limited(import_module("sandboxed.optics").focus)
+    said = "NameError: nothing is called 'heigth'; did you mean 'height'?"
+    assert cause(raised.value) == f"{said}, at sandboxed/optics.py:3"
+
+
+def test_jobs_side_by_side_give_their_results_in_order() -> None:
+    jobs = [partial(run_limited, partial(divmod, number, 4)) for number in range(9)]
+    assert [done.result() for done in side_by_side(jobs)] == [divmod(n, 4) for n in range(9)]
