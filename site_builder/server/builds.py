@@ -21,7 +21,7 @@ type Files = dict[str, tuple[int, int]]
 
 @dataclass(slots=True)
 class Builds:
-    """Builds the book at ``root`` into ``out``, and tells ``news`` what came of it."""
+    """Builds the book at ``root`` into ``out``, and reports the outcome to ``news``."""
 
     root: Path
     out: Path
@@ -32,21 +32,19 @@ class Builds:
     _sheets: dict[Path, str] = field(default_factory=dict)
     """The style sheets as the site has them."""
     _files: Files = field(default_factory=dict)
-    """The site as open pages have it: a cancelled build may have written without a word."""
+    """The site as open pages have it: a cancelled build may have written it all the same."""
     _next: Process | None = None
-    """Has imported the builder and waits for the next change."""
+    """Has imported the builder and waits for a change."""
 
-    async def build(self, changed: Collection[Path] = ()) -> None:
+    async def build(self) -> None:
         """One build. Cancelled, it ends the process; the last good site stays."""
-        if any(map(is_code, changed)):
-            await self.close()
         self._sheets = dict(style_sheets(self.root))
         process, self._next = self._next or await self._start(), None
         try:
-            printed, problems = (part.decode() for part in await process.communicate(b"\n"))
+            output = await process.communicate(b"\n")
         finally:
             await end(process)
-        self._next = await self._start()
+        printed, problems = (part.decode(errors="replace") for part in output)
         if process.returncode:
             self.news.fail(problems or f"the build ended with exit code {process.returncode}")
             print(self.news.state.mistakes, flush=True)
@@ -58,8 +56,10 @@ class Builds:
         if self.address:
             print(self.address, flush=True)
             self.address = ""
+        self._next = await self._start()
 
-    async def close(self) -> None:
+    async def end_waiting(self) -> None:
+        """End the process that has imported the code as it was."""
         waiting, self._next = self._next, None
         if waiting:
             await end(waiting)

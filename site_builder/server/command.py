@@ -11,7 +11,7 @@ from watchfiles import DefaultFilter, awatch
 
 from site_builder.book_root import ENGINE
 from site_builder.server.app import make_app
-from site_builder.server.builds import Builds
+from site_builder.server.builds import Builds, is_code
 from site_builder.server.news import News
 
 LOOPBACK = "127.0.0.1"
@@ -61,12 +61,14 @@ async def _build_on_change(builds: Builds) -> None:
         async with asyncio.TaskGroup() as tasks:
             build = tasks.create_task(builds.build())
             async for changed in _changes(builds.root):
+                if any(map(is_code, changed)):
+                    await builds.end_waiting()
                 if not (build.done() and builds.replace_styles(changed)):
                     build.cancel()
                     await asyncio.wait([build])
-                    build = tasks.create_task(builds.build(changed))
+                    build = tasks.create_task(builds.build())
     finally:
-        await builds.close()
+        await builds.end_waiting()
 
 
 async def _changes(root: Path) -> AsyncIterator[set[Path]]:

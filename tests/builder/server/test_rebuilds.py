@@ -1,13 +1,14 @@
 """Builds in processes of their own, and what open pages learn of them."""
 
 import asyncio
-from collections.abc import Coroutine, Sequence
+from collections.abc import Coroutine
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
 import pytest
 
-from site_builder.server.builds import Builds
+from site_builder.book_root import ENGINE
+from site_builder.server.builds import Builds, is_code
 from site_builder.server.news import News, State
 
 SCRIPT = """\
@@ -27,10 +28,10 @@ def run[T](task: Coroutine[object, object, T]) -> T:
         return pool.submit(asyncio.run, task).result()
 
 
-def build(builds: Builds, changed: Sequence[Path] = ()) -> None:
+def build(builds: Builds) -> None:
     async def once() -> None:
-        await builds.build(changed)
-        await builds.close()
+        await builds.build()
+        await builds.end_waiting()
 
     run(once())
 
@@ -92,11 +93,10 @@ def test_a_cancelled_build_ends_its_process(builds: Builds) -> None:
     assert builds.news.state == State()
 
 
-@pytest.mark.parametrize(
-    ("changed", "text"),
-    [("content/a.md", "old"), ("simulations/a.py", "new"), ("site_builder/a.toml", "new")],
-)
-def test_a_build_runs_the_code_as_it_is_now(builds: Builds, changed: str, text: str) -> None:
+@pytest.mark.parametrize(("renewed", "text"), [(True, "new"), (False, "old")])
+def test_the_next_build_has_its_code_already_unless_that_has_changed(
+    builds: Builds, renewed: bool, text: str
+) -> None:
     def writing(word: str) -> str:
         return f"import pathlib; pathlib.Path('{builds.out}/b.html').write_text('{word}')"
 
@@ -106,11 +106,26 @@ def test_a_build_runs_the_code_as_it_is_now(builds: Builds, changed: str, text: 
         while (builds.root / "started").read_text() != "xx":
             await asyncio.sleep(0.01)
         write_builder(builds, writing("new"))
-        await builds.build([builds.root / changed])
-        await builds.close()
+        if renewed:
+            await builds.end_waiting()
+        await builds.build()
+        await builds.end_waiting()
 
     run(two_builds())
     assert (builds.out / "b.html").read_text() == text
+
+
+@pytest.mark.parametrize(
+    ("path", "code"),
+    [
+        ("simulations/scenes/camera/scene.py", True),
+        ("site_builder/languages/de.toml", True),
+        ("content/book.toml", False),
+        ("static/js/main.js", False),
+    ],
+)
+def test_what_an_imported_builder_may_have_read_already_is_code(path: str, code: bool) -> None:
+    assert is_code(ENGINE / path) is code
 
 
 def build_with_styles(builds: Builds) -> None:
