@@ -55,7 +55,7 @@ class Chapter:
     files: frozenset[str] = frozenset()
     """Files below ``content/`` that it hands out, besides pictures."""
     cache_key: bytes = b""
-    """The hash of all that it was made from."""
+    """The hash of all that it was made from, which the cache takes for that of its contents."""
 
     @property
     def number(self) -> int:

@@ -17,6 +17,7 @@ import re
 import sqlite3
 import sys
 import sysconfig
+import threading
 import time
 import zlib
 from collections.abc import Callable, Iterator, Mapping, Sequence, Set
@@ -66,6 +67,7 @@ class Cache:
         self._file = (folder or user_cache_path("image-formation", appauthor=False)) / FILE
         self._most_bytes = most_bytes
         self._connection: sqlite3.Connection | None = None
+        self._lock = threading.Lock()
         with self._usable():
             self._file.parent.mkdir(parents=True, exist_ok=True)
             self._connection = sqlite3.connect(
@@ -112,9 +114,11 @@ class Cache:
 
     @contextmanager
     def _usable(self) -> Iterator[None]:
-        """A file that is locked, full or read-only is done without; a damaged one is deleted."""
+        """By one thread at a time. A file that is locked, full or read-only is done without; a
+        damaged one is deleted."""
         try:
-            yield
+            with self._lock:
+                yield
         except (sqlite3.OperationalError, OSError, zlib.error):
             pass
         except sqlite3.DatabaseError:
@@ -247,6 +251,8 @@ def _add(value: Any, update: Callable[[bytes], None]) -> None:
                 raise UnhashableError(f"{value!r} belongs to no module")
             put("code", f"{module} {getattr(value, '__qualname__', '')} ".encode())
             put("sources", source_hash(module))
+        case _ if getattr(value, "cache_key", b""):
+            put("cached", value.cache_key)
         case _ if is_dataclass(value):
             put("dataclass", type(value).__qualname__.encode())
             for each in fields(value):

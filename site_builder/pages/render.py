@@ -155,8 +155,8 @@ def render_pages(site: Site, licences: tuple[Licence, ...]) -> dict[str, bytes]:
 
 
 def _renderer(site: Site) -> Callable[..., bytes]:
-    """Makes the pages of a site, each cached by what all share and what it is given; its initial
-    frames follow from its figures."""
+    """Makes the pages of a site. Those of chapters are cached by what all share and what they are
+    given; their initial frames follow from their figures."""
     shared = replace(site, root=Path(), book=_bare(site.book), initial_frames={})
     follows = back_matter(site.book)
     shared_hash = hash_of(shared, follows, folder_hash(TEMPLATES))
@@ -178,8 +178,8 @@ def _renderer(site: Site) -> Callable[..., bytes]:
 
         chapter = context.get("chapter")
         own = chapter if isinstance(chapter, Chapter) else None
-        given = {**context, "chapter": own.cache_key} if own else context
-        page = cached_result("page", (shared_hash, template, path, given), make)
+        given = (shared_hash, template, path, context)
+        page = cached_result("page", given, make) if own else make()
         return common(root).put_into(page, own)
 
     return render

@@ -3,6 +3,7 @@
 import multiprocessing
 import sqlite3
 from collections.abc import Callable, Iterator
+from concurrent.futures import ThreadPoolExecutor
 from contextlib import closing
 from dataclasses import dataclass
 from pathlib import Path
@@ -204,3 +205,10 @@ def test_warnings_are_stored_and_mistakes_are_not(tmp_path: Path) -> None:
             cached_reading(reader.__name__, "a", problems, reader)
             assert [*problems.found, *problems.doubts]
     assert calls == ["read", "fail", "fail"]
+
+
+def test_threads_share_a_cache(tmp_path: Path) -> None:
+    with using(Cache(tmp_path)), ThreadPoolExecutor(8) as threads:
+        for _ in range(2):
+            assert list(threads.map(double, range(200))) == [2 * n for n in range(200)]
+    assert sorted(map(str, calls)) == sorted(map(str, range(200)))
