@@ -5,12 +5,9 @@ import { recall, remember } from "../page/storage.js";
 /** @import { Sources } from "./sources.js" */
 /**
  * A text in place of a definition, and the hash of the text that was there when it was written.
- *
- * @typedef {{text: string, original: string}} Edit
- */
-/**
  * `runs`: whether the figure was drawn by these texts, as they are, when the reader left.
  *
+ * @typedef {{text: string, original: string}} Edit
  * @typedef {{runs: boolean, edits: Record<string, Edit>}} Kept
  */
 
@@ -29,7 +26,6 @@ export class Edits {
     const kept = recall(name);
     /** @type {Map<string, Edit>} */
     this.all = new Map(Object.entries(kept?.edits ?? {}));
-    this.ranBefore = kept?.runs ?? false;
   }
 
   /**
@@ -75,16 +71,16 @@ export class Edits {
     this.save();
   }
 
-  /** @param {string} key */
+  /** @param {string} [key] Of the edit to forget; all where it is left out. */
   drop(key) {
-    this.all.delete(key);
+    if (key === undefined) this.all.clear();
+    else this.all.delete(key);
     this.save();
   }
 
-  /** Forget all, also what fits no more. */
-  clear() {
-    this.all.clear();
-    this.runs = false;
+  /** @param {boolean} runs */
+  setRuns(runs) {
+    this.runs = runs;
     this.save();
   }
 

@@ -1,4 +1,4 @@
-/** What the workshop is made of, fetched when the first one opens. */
+/** What the workshop is made of, fetched when one opens. */
 
 import { one } from "../page/dom.js";
 import { words } from "../page/words.js";
@@ -8,41 +8,30 @@ import { words } from "../page/words.js";
 const SHEET = new URL("../../css/workshop.css", import.meta.url).href;
 const MARKUP = new URL("./workshop.html", import.meta.url);
 
-/** @type {Promise<HTMLElement> | null} */
-let fetched = null;
-
 /**
- * A fresh copy of the panel, its style sheet in place.
+ * A fresh panel, its style sheet in place.
  *
  * @returns {Promise<HTMLElement>}
  */
 export async function loadPanel() {
-  fetched ??= fetchPanel();
-  try {
-    const panel = (await fetched).cloneNode(true);
-    if (!(panel instanceof HTMLElement)) throw new Error("the panel is no element");
-    return panel;
-  } catch (error) {
-    fetched = null;
-    throw error;
-  }
-}
-
-async function fetchPanel() {
-  const [reply] = await Promise.all([fetch(MARKUP), styled()]);
+  const [reply] = await Promise.all([fetch(MARKUP), loadSheet()]);
   if (!reply.ok) throw new Error(`${reply.url}: ${reply.status}`);
   const page = new DOMParser().parseFromString(await reply.text(), "text/html");
-  return one(page, ".workshop", HTMLElement);
+  return document.adoptNode(one(page, ".workshop", HTMLElement));
 }
 
 /** @returns {Promise<void>} */
-function styled() {
+function loadSheet() {
+  if (document.head.querySelector(`link[href="${SHEET}"]`)) return Promise.resolve();
   const link = document.createElement("link");
   link.rel = "stylesheet";
   link.href = SHEET;
   return new Promise((resolve, reject) => {
     link.onload = () => resolve();
-    link.onerror = () => reject(new Error(words("workshop.no_file", { file: SHEET })));
+    link.onerror = () => {
+      link.remove();
+      reject(new Error(words("workshop.no_file", { file: SHEET })));
+    };
     document.head.append(link);
   });
 }

@@ -1,10 +1,10 @@
-/** The workshop in the page: the parts of a figure's Python, an editor, and what came of running. */
+/** The workshop in the page: the parts of a figure's Python, an editor, and the result of a run. */
 
+import { reasonText } from "../figure/stage_report.js";
 import { all, one } from "../page/dom.js";
 import { setText } from "../page/text.js";
-import { reasonText } from "../figure/stage_report.js";
-import { nameOf } from "./sources.js";
 import { words } from "../page/words.js";
+import { nameOf } from "./sources.js";
 
 /** @import { CodeEditor } from "../../../site_builder/editor/code_editor.js" */
 /** @import { Stage } from "../figure/stage_report.js" */
@@ -13,15 +13,10 @@ import { words } from "../page/words.js";
 /** @import { Sources } from "./sources.js" */
 
 /**
- * What the reader does with the panel.
+ * What the reader's actions lead to; `changed` where the text was.
  *
- * @typedef {object} Wishes
- * @property {() => void} changed A text was changed; `key` and `text` of the panel tell which.
- * @property {() => void} run
- * @property {(key: string) => void} putBack
- * @property {() => void} putAllBack
- * @property {() => void} download
- * @property {() => void} close
+ * @typedef {Record<"changed" | "run" | "putBack" | "putAllBack" | "download" | "close",
+ *   () => void>} Actions
  */
 
 export class Panel {
@@ -35,17 +30,17 @@ export class Panel {
    * @param {string} id Begins the ids of its parts.
    * @param {Sources} sources
    * @param {Edits} edits
-   * @param {Wishes} wishes
+   * @param {Actions} actions
    */
-  constructor(element, id, sources, edits, wishes) {
+  constructor(element, id, sources, edits, actions) {
     this.element = element;
     this.sources = sources;
     this.edits = edits;
-    this.wishes = wishes;
-    this.hint = one(element, ".workshop-hint", HTMLElement);
+    this.actions = actions;
+    this.hint = this.#part(".workshop-hint");
     this.hint.id = `${id}-hint`;
     this.#listParts();
-    this.#listen();
+    element.addEventListener("click", (event) => this.#press(event));
   }
 
   /** The text in the editor. */
@@ -59,11 +54,8 @@ export class Panel {
    * @param {typeof CodeEditor} Editor
    */
   edit(Editor) {
-    this.#editor = new Editor(one(this.element, ".workshop-code", HTMLElement), {
-      hint: this.hint.id,
-      changed: () => this.wishes.changed(),
-      run: () => this.wishes.run(),
-    });
+    const { changed, run } = this.actions;
+    this.#editor = new Editor(this.#part(".workshop-code"), { hint: this.hint.id, changed, run });
   }
 
   /**
@@ -75,7 +67,7 @@ export class Panel {
     const listing = document.createElement("pre");
     listing.tabIndex = 0;
     listing.className = "code";
-    one(this.element, ".workshop-code", HTMLElement).append(listing);
+    this.#part(".workshop-code").append(listing);
     this.hint.textContent = why;
     this.element.classList.add("read-only");
   }
@@ -96,18 +88,16 @@ export class Panel {
    * @param {string} key
    */
   open(key) {
-    const { path, line, text, uses } = this.sources.definitions[key];
+    const { path, line, text: original, uses } = this.sources.definitions[key];
     const name = nameOf(key);
+    const text = this.edits.text(key) ?? original;
+    const label = words("workshop.in_file", { name, file: path });
     this.key = key;
-    this.#write(
-      key,
-      this.edits.text(key) ?? text,
-      line,
-      words("workshop.in_file", { name, file: path }),
-    );
-    setText(one(this.element, ".place-name", HTMLElement), name);
-    setText(one(this.element, ".path", HTMLElement), path);
-    setText(one(this.element, ".place-line", HTMLElement), String(line));
+    if (this.#editor) this.#editor.open({ key, text, firstLine: line, label });
+    else this.#part(".workshop-code > pre").textContent = text;
+    setText(this.#part(".place-name"), name);
+    setText(this.#part(".path"), path);
+    setText(this.#part(".place-line"), String(line));
     this.#listUses(uses);
     this.refresh();
   }
@@ -121,16 +111,20 @@ export class Panel {
   refresh() {
     const { edits, key } = this;
     const edited = edits.text(key) !== null;
-    one(this.element, ".place-edited", HTMLElement).hidden = !edited;
-    one(this.element, ".workshop-offer", HTMLElement).hidden = edited || !edits.all.has(key);
-    one(this.element, ".put-back", HTMLButtonElement).disabled = !edited;
-    one(this.element, ".put-all-back", HTMLButtonElement).disabled = edits.all.size === 0;
-    one(this.element, ".download", HTMLButtonElement).disabled = edits.all.size === 0;
-    for (const part of all(this.element, ".workshop-part", HTMLButtonElement)) {
+    const none = edits.all.size === 0;
+    this.#part(".place-edited").hidden = !edited;
+    this.#part(".workshop-offer").hidden = edited || !edits.all.has(key);
+    for (const [name, disabled] of [
+      [".put-back", !edited],
+      [".put-all-back", none],
+      [".download", none],
+    ]) {
+      this.#part(String(name)).toggleAttribute("disabled", Boolean(disabled));
+    }
+    for (const part of this.#parts) {
       const { definition = "" } = part.dataset;
       part.toggleAttribute("data-edited", edits.text(definition) !== null);
-      if (definition === key) part.setAttribute("aria-current", "true");
-      else part.removeAttribute("aria-current");
+      part.ariaCurrent = definition === key ? "true" : null;
     }
   }
 
@@ -140,9 +134,8 @@ export class Panel {
    * @param {Stage[]} stages
    */
   showStages(stages) {
-    const done = new Map(stages.map((stage) => [stage.name, stage]));
-    for (const part of all(this.element, ".workshop-part", HTMLButtonElement)) {
-      const stage = done.get(part.dataset.stage ?? "");
+    for (const part of this.#parts) {
+      const stage = stages.find(({ name }) => name === part.dataset.stage);
       const status = part.dataset.stage ? (stage?.status ?? "") : "computed";
       part.dataset.status = status;
       part.title = reasonText(stage?.reason ?? "");
@@ -151,20 +144,19 @@ export class Panel {
   }
 
   /**
-   * What came of running.
+   * The result of a run.
    *
-   * @param {string} told
+   * @param {string} text
    * @param {Problem} [problem]
    */
-  tell(told, problem) {
-    const place = one(this.element, ".result-place", HTMLButtonElement);
+  report(text, problem) {
+    const place = this.#part(".result-place");
     const { definition = "", line = 0 } = problem ?? {};
     const known = this.sources.definitions[definition];
-    one(this.element, ".workshop-result", HTMLElement).classList.toggle("failed", !!problem);
-    setText(one(this.element, ".result-words", HTMLElement), told);
+    this.#part(".workshop-result").classList.toggle("failed", !!problem);
+    setText(this.#part(".result-words"), text);
     place.hidden = !known || line === 0;
-    place.dataset.definition = definition;
-    place.dataset.line = String(line);
+    Object.assign(place.dataset, { problem: definition, line });
     const where = { line: line + (known?.line ?? 0) - 1, name: nameOf(definition) };
     if (known) setText(place, words("workshop.line", where));
     this.#editor?.mark(definition === this.key ? line : 0);
@@ -172,7 +164,7 @@ export class Panel {
 
   /** @param {string} printed */
   print(printed) {
-    const box = one(this.element, ".workshop-printed", HTMLElement);
+    const box = this.#part(".workshop-printed");
     box.hidden = !printed;
     setText(box, printed);
   }
@@ -180,84 +172,83 @@ export class Panel {
   /** @param {boolean} busy Whether the code runs: it cannot be run or put back meanwhile. */
   set busy(busy) {
     for (const button of all(this.element, ".run, .put-back, .put-all-back", HTMLButtonElement)) {
-      button.setAttribute("aria-disabled", String(busy));
+      button.ariaDisabled = String(busy);
     }
   }
 
+  get #parts() {
+    return all(this.element, ".workshop-part", HTMLButtonElement);
+  }
+
+  /** @param {string} selector */
+  #part(selector) {
+    return one(this.element, selector, HTMLElement);
+  }
+
   #listParts() {
-    const list = one(this.element, ".workshop-parts", HTMLOListElement);
-    const model = one(list, "li", HTMLLIElement);
+    const [model] = this.#parts;
     const parts = this.sources.stages.map((stage) => ({ ...stage, stage: stage.name }));
     parts.push({ name: words("workshop.drawing"), definition: this.sources.draw, stage: "" });
-    for (const { name, definition, stage } of parts.filter((part) => part.definition)) {
-      const item = model.cloneNode(true);
-      if (!(item instanceof HTMLLIElement)) return;
-      const button = one(item, "button", HTMLButtonElement);
-      Object.assign(button.dataset, { definition, stage });
-      setText(button.querySelector(".part-name"), name);
-      list.append(item);
-    }
-    model.remove();
+    const items = parts
+      .filter(({ definition }) => definition)
+      .map(({ name, definition, stage }) => {
+        const [item, button] = [document.createElement("li"), copyOf(model)];
+        Object.assign(button.dataset, { definition, stage });
+        setText(button.querySelector(".part-name"), name);
+        item.append(button);
+        return item;
+      });
+    this.#part(".workshop-parts").replaceChildren(...items);
   }
 
   /** @param {string[]} uses */
   #listUses(uses) {
-    const list = one(this.element, ".uses-list", HTMLElement);
-    const buttons = all(list, ".use", HTMLButtonElement);
-    const [model] = buttons;
-    list.replaceChildren(
-      ...(uses.length > 0 ? uses : [""]).map((key) => {
-        const button = model.cloneNode();
-        if (!(button instanceof HTMLButtonElement)) throw new Error("no button");
-        button.dataset.definition = key;
-        button.textContent = nameOf(key);
-        return button;
-      }),
-    );
-    one(this.element, ".workshop-uses", HTMLElement).hidden = uses.length === 0;
+    const list = this.#part(".uses-list");
+    const model = one(list, ".use", HTMLButtonElement);
+    const buttons = (uses.length > 0 ? uses : [""]).map((key) => {
+      const button = copyOf(model);
+      button.dataset.definition = key;
+      button.textContent = nameOf(key);
+      return button;
+    });
+    list.replaceChildren(...buttons);
+    this.#part(".workshop-uses").hidden = uses.length === 0;
   }
 
-  /**
-   * @param {string} key
-   * @param {string} text
-   * @param {number} firstLine
-   * @param {string} label
-   */
-  #write(key, text, firstLine, label) {
-    if (this.#editor) this.#editor.open({ key, text, firstLine, label });
-    else one(this.element, ".workshop-code > pre", HTMLElement).textContent = text;
-  }
-
-  #listen() {
+  /** @param {MouseEvent} event */
+  #press(event) {
+    const button = event.target instanceof Element ? event.target.closest("button") : null;
     /** @type {Record<string, () => void>} */
     const actions = {
-      ".run": () => this.wishes.run(),
-      ".put-back": () => this.wishes.putBack(this.key),
-      ".put-all-back": () => this.wishes.putAllBack(),
-      ".download": () => this.wishes.download(),
-      ".close": () => this.wishes.close(),
+      ".run": this.actions.run,
+      ".put-back": this.actions.putBack,
+      ".put-all-back": this.actions.putAllBack,
+      ".download": this.actions.download,
+      ".close": this.actions.close,
       ".offer-show": () => this.#editor?.replace(this.edits.all.get(this.key)?.text ?? ""),
-      ".offer-forget": () => this.#forget(),
+      ".offer-forget": () => {
+        this.edits.drop(this.key);
+        this.refresh();
+      },
       ".result-place": () => this.#goToProblem(),
+      "[data-definition]": () => this.open(button?.dataset.definition ?? ""),
     };
-    this.element.addEventListener("click", (event) => {
-      const button = event.target instanceof Element ? event.target.closest("button") : null;
-      if (!button) return;
-      const action = Object.keys(actions).find((selector) => button.matches(selector));
-      if (action) actions[action]();
-      else if (button.dataset.definition) this.open(button.dataset.definition);
-    });
-  }
-
-  #forget() {
-    this.edits.drop(this.key);
-    this.refresh();
+    const action = Object.keys(actions).find((selector) => button?.matches(selector));
+    if (action) actions[action]();
   }
 
   #goToProblem() {
-    const { definition = "", line = "0" } = one(this.element, ".result-place", HTMLElement).dataset;
-    if (definition !== this.key) this.open(definition);
+    const { problem = "", line = "0" } = this.#part(".result-place").dataset;
+    if (problem !== this.key) this.open(problem);
     this.#editor?.mark(Number(line));
     this.#editor?.goTo(Number(line));
   }
+}
+
+/**
+ * @param {HTMLButtonElement} button
+ * @returns {HTMLButtonElement}
+ */
+function copyOf(button) {
+  return /** @type {HTMLButtonElement} */ (button.cloneNode(true));
 }

@@ -5,15 +5,15 @@
 
 import { message } from "../errors.js";
 import { one } from "../page/dom.js";
+import { download } from "../page/download.js";
 import { setText } from "../page/text.js";
-import { download } from "./download.js";
-import { EditedRuntime, EditFailure } from "./edited_runtime.js";
+import { words } from "../page/words.js";
+import { RuntimeFailure } from "../runtime/runtime.js";
+import { EditFailure, EditedRuntime } from "./edited_runtime.js";
 import { Edits } from "./edits.js";
-import { problemOf, problemWithout, wordsOf } from "./failures.js";
 import { loadEditor, loadPanel } from "./load.js";
 import { Panel } from "./panel.js";
-import { fetchSources, firstPart } from "./sources.js";
-import { words } from "../page/words.js";
+import { fetchSources, firstPart, nameOf } from "./sources.js";
 
 /** @import { LiveFigure } from "../figure/live.js" */
 /** @import { Runtime } from "../runtime/runtime.js" */
@@ -39,6 +39,7 @@ export class Workshop {
     this.live = live;
     this.book = book;
     this.name = name;
+    this.scene = figure.dataset.simulation ?? "";
     this.button = one(figure, ".open-python", HTMLButtonElement);
     this.state = one(figure, ".python-state", HTMLElement);
     this.edited = new EditedRuntime(book, {
@@ -80,12 +81,13 @@ export class Workshop {
   leave() {
     this.figure.removeEventListener("painted", this.#showStages);
     this.#panel?.leave();
+    this.#panel = null;
     this.edited.close();
   }
 
   /** The reader's edits, and the sources that they were made of. */
   #kept() {
-    this.#edits ??= fetchSources(this.figure.dataset.simulation ?? "").then(
+    this.#edits ??= fetchSources(this.scene).then(
       (sources) => new Edits(this.name, sources),
       (error) => {
         this.#edits = null;
@@ -101,7 +103,14 @@ export class Workshop {
       loadPanel(),
       this.live ? loadEditor(this.button.dataset.editor) : null,
     ]);
-    const panel = new Panel(element, this.button.id, edits.sources, edits, this.#wishes(edits));
+    const panel = new Panel(element, this.button.id, edits.sources, edits, {
+      changed: () => this.#changed(edits),
+      run: () => this.#run(),
+      putBack: () => this.#putBack(edits),
+      putAllBack: () => this.#putAllBack(edits),
+      download: () => this.#download(edits),
+      close: () => this.#close(),
+    });
     if (Editor) panel.edit(Editor);
     else panel.readOnly(words(this.live ? "workshop.no_editor" : "workshop.no_python"));
     element.id = this.button.getAttribute("aria-controls") ?? "";
@@ -122,28 +131,13 @@ export class Workshop {
     this.button.focus();
   }
 
-  /**
-   * @param {Edits} edits
-   * @returns {import("./panel.js").Wishes}
-   */
-  #wishes(edits) {
-    return {
-      changed: () => this.#changed(edits),
-      run: () => this.#run(),
-      putBack: (key) => this.#putBack(edits, key),
-      putAllBack: () => this.#putAllBack(edits),
-      download: () => download(this.figure.dataset.simulation ?? "", edits),
-      close: () => this.#close(),
-    };
-  }
-
   /** @param {Edits} edits */
   #changed(edits) {
     if (!this.#panel || !this.live) return;
     edits.write(this.#panel.key, this.#panel.text);
     this.#panel.refresh();
     this.#mark(edits);
-    this.edited.warm(this.live.request()).catch(() => {}); // told when it is run
+    this.edited.warm(this.live.request()).catch(() => {}); // reported when it is run
   }
 
   async #run() {
@@ -155,54 +149,56 @@ export class Workshop {
       return;
     }
     this.#setRunning(true);
-    this.#tell(words("workshop.running"));
-    edits.runs = false; // until it is known to end
-    edits.save();
+    this.#report(words("workshop.running"));
+    edits.setRuns(false); // until it is known to end
     try {
       const request = this.live.request();
       this.edited.adopt(json, request, await this.edited.draw(request, json));
-      edits.runs = edits.json === json;
-      edits.save();
+      edits.setRuns(edits.json === json);
       this.live.drawnBy(this.edited);
-      this.#mark(edits);
     } catch (error) {
-      this.#mark(edits);
       this.#failed(error);
     } finally {
+      this.#mark(edits);
       this.#setRunning(false);
     }
   }
 
-  /**
-   * @param {Edits} edits
-   * @param {string} key
-   */
-  #putBack(edits, key) {
-    if (this.#running) return;
-    edits.drop(key);
-    this.#panel?.putBack();
+  /** @param {Edits} edits */
+  #putBack(edits) {
+    if (this.#running || !this.#panel) return;
+    edits.drop(this.#panel.key);
+    this.#panel.putBack();
     if (this.#drawn) this.#run();
-    else this.#tell("");
+    else this.#report("");
   }
 
   /** @param {Edits} edits */
   #putAllBack(edits) {
     if (this.#running) return;
-    edits.clear();
+    edits.drop();
     this.#panel?.putBack();
     this.#toBook(edits);
   }
 
   /** @param {Edits} edits */
   #toBook(edits) {
-    edits.runs = false;
-    edits.save();
+    edits.setRuns(false);
     this.edited.close();
     this.live?.drawnBy(this.book);
     this.#panel?.print("");
     this.#panel?.refresh();
-    this.#tell(words("workshop.book"));
+    this.#report(words("workshop.book"));
     this.#mark(edits);
+  }
+
+  /** @param {Edits} edits */
+  #download(edits) {
+    const texts = [...edits.all].map(([key, { text }]) => {
+      const module = key.slice(0, key.indexOf(":"));
+      return `# ${nameOf(key)} in ${module.replaceAll(".", "/")}.py\n\n${text}\n`;
+    });
+    download(`${this.scene}-edited.py`, texts.join("\n\n"), "text/x-python");
   }
 
   /** Whether the figure is drawn by the reader's code. */
@@ -213,7 +209,7 @@ export class Workshop {
   /** @param {string} printed */
   async #drew(printed) {
     this.#panel?.print(printed);
-    this.#tell(words("workshop.runs"));
+    this.#report(words("workshop.runs"));
     this.#mark(await this.#kept());
   }
 
@@ -225,25 +221,31 @@ export class Workshop {
   async #stopped(reason) {
     this.live?.drawnBy(this.book);
     const edits = await this.#kept();
-    edits.runs = false;
-    edits.save();
+    edits.setRuns(false);
     this.#mark(edits);
-    this.#tell(words("workshop.stopped", { reason }), problemWithout(reason));
+    this.#report(words("workshop.stopped", { reason }), unplaced(reason));
   }
 
   /** @param {unknown} error */
   #failed(error) {
-    if (error instanceof EditFailure) this.#panel?.print(error.printed);
-    this.#tell(wordsOf(error), problemOf(error));
+    if (error instanceof EditFailure) {
+      this.#panel?.print(error.printed);
+      this.#report(error.message, error.problem);
+      return;
+    }
+    const lost = error instanceof RuntimeFailure && error.kind === "lost";
+    const reason = message(error);
+    const text = words(lost ? "workshop.stopped_first" : "workshop.did_not_run", { reason });
+    this.#report(text, unplaced(reason));
   }
 
   /**
-   * @param {string} told
+   * @param {string} text
    * @param {Problem} [problem]
    */
-  #tell(told, problem) {
-    this.#panel?.tell(told, problem);
-    if (!this.#panel && problem) setText(this.state, told);
+  #report(text, problem) {
+    this.#panel?.report(text, problem);
+    if (!this.#panel && problem) setText(this.state, text);
   }
 
   /** @param {boolean} running */
@@ -259,9 +261,17 @@ export class Workshop {
    */
   #mark(edits) {
     this.figure.toggleAttribute("data-edited", this.#drawn);
-    setText(
-      this.state,
-      this.#drawn ? words("workshop.mark") : edits.all.size > 0 ? words("workshop.kept") : "",
-    );
+    const kept = edits.all.size > 0 ? words("workshop.kept") : "";
+    setText(this.state, this.#drawn ? words("workshop.mark") : kept);
   }
+}
+
+/**
+ * A problem that no line is known for.
+ *
+ * @param {string} text
+ * @returns {Problem}
+ */
+function unplaced(text) {
+  return { message: text, definition: "", line: 0 };
 }

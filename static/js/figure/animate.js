@@ -16,18 +16,15 @@ const SCROLL = 1000;
 /** Share of the panels that must be in view for a move to be seen. */
 const IN_VIEW = 0.6;
 
-/**
- * The link that a figure follows: a later one makes an earlier one void.
- *
- * @type {WeakMap<HTMLElement, HTMLAnchorElement>}
- */
+/** The link that a figure follows: a later one supersedes it. @type {WeakMap<HTMLElement, Element>} */
 const followed = new WeakMap();
-/**
- * What ends the motion of a figure.
- *
- * @type {WeakMap<HTMLElement, () => void>}
- */
+/** What ends the motion of a figure. @type {WeakMap<HTMLElement, () => void>} */
 const moving = new WeakMap();
+
+/** Whether the reader asked for less motion. */
+export function isCalm() {
+  return matchMedia("(prefers-reduced-motion: reduce)").matches;
+}
 
 /**
  * Do what a link of the text says.
@@ -41,11 +38,9 @@ export async function follow(link) {
   const values = destination(link, figure);
   const { form, controls } = settingsOf(figure);
   const shown = readValues(form, controls);
+  const changed = Object.keys(values).filter((name) => values[name] !== shown[name]);
   followed.set(figure, link);
-  uncover(
-    form,
-    Object.keys(values).filter((name) => values[name] !== shown[name]),
-  );
+  uncover(form, changed);
   jump(figure, values);
   await bringIntoView(one(figure, ".panels", HTMLElement));
   if (followed.get(figure) === link) glide(figure, values);
@@ -61,6 +56,7 @@ export async function follow(link) {
  * @returns {Record<string, Value>}
  */
 function destination(link, figure) {
+  const valuesOf = (/** @type {HTMLElement} */ { dataset }) => JSON.parse(dataset.values ?? "{}");
   const prediction = predictionOf(link);
   if (!prediction) return valuesOf(link);
   const links = all(document, "a.set", HTMLAnchorElement).filter(
@@ -71,23 +67,13 @@ function destination(link, figure) {
 }
 
 /**
- * @param {HTMLAnchorElement} link
- * @returns {Record<string, Value>}
- */
-function valuesOf(link) {
-  return JSON.parse(link.dataset.values ?? "{}");
-}
-
-/**
  * Id of the prediction whose question or answer holds a link, if one does.
  *
  * @param {HTMLElement} link
  */
 function predictionOf(link) {
   const place = link.closest("[data-predict], [data-answers]");
-  return place instanceof HTMLElement
-    ? (place.dataset.predict ?? place.dataset.answers)
-    : undefined;
+  return place?.getAttribute("data-predict") ?? place?.getAttribute("data-answers");
 }
 
 /**
@@ -121,21 +107,8 @@ export function glide(figure, values) {
     delete figure.dataset.moving;
     return;
   }
-  const stop = everyFrame(GLIDE, (share) => {
-    if (!figure.isConnected) {
-      quit();
-      return;
-    }
-    const eased = share * share * (3 - 2 * share);
-    const now = Object.fromEntries(
-      sliders.map(({ name }) => {
-        const [start, end] = [Number(from[name]), Number(values[name])];
-        return [name, share < 1 ? start + eased * (end - start) : end];
-      }),
-    );
-    moveControls(form, sliders, now, "input");
-    if (share === 1) end();
-  });
+  const hands = new AbortController();
+  const { signal } = hands;
   const quit = () => {
     stop();
     hands.abort();
@@ -147,9 +120,23 @@ export function glide(figure, values) {
     moveControls(form, sliders, readValues(form, sliders), "change");
     record(figure, "replace");
   };
-  const hands = stopByHand(figure, end);
+  const stop = everyFrame(GLIDE, (share) => {
+    if (!figure.isConnected) {
+      quit();
+      return;
+    }
+    const eased = share * share * (3 - 2 * share);
+    const now = sliders.map(({ name }) => {
+      const [start, last] = [Number(from[name]), Number(values[name])];
+      return [name, share < 1 ? start + eased * (last - start) : last];
+    });
+    moveControls(form, sliders, Object.fromEntries(now), "input");
+    if (share === 1) end();
+  });
+  for (const type of ["pointerdown", "keydown"]) figure.addEventListener(type, end, { signal });
+  document.addEventListener("keydown", ({ key }) => key === "Escape" && end(), { signal });
   // Another state of the page is asked for: what the move would leave behind is not to be kept.
-  addEventListener("popstate", quit, { signal: hands.signal });
+  addEventListener("popstate", quit, { signal });
   moving.set(figure, end);
 }
 
@@ -157,52 +144,35 @@ export function glide(figure, values) {
  * Call `draw` with the share of the time that has gone by, the last time with 1.
  *
  * @param {number} ms
- * @param {(share: number) => void} draw
+ * @param {(share: number, now: number) => void} draw
  * @returns {() => void} Ends it.
  */
-function everyFrame(ms, draw) {
+export function everyFrame(ms, draw) {
   let begun = 0;
   const tick = (/** @type {number} */ now) => {
     begun ||= now;
     const share = Math.min((now - begun) / ms, 1);
     if (share < 1) request = requestAnimationFrame(tick);
-    draw(share);
+    draw(share, now);
   };
   let request = requestAnimationFrame(tick);
   return () => cancelAnimationFrame(request);
 }
 
 /**
- * @param {HTMLElement} figure
- * @param {() => void} end
- */
-function stopByHand(figure, end) {
-  const hands = new AbortController();
-  const { signal } = hands;
-  for (const type of ["pointerdown", "keydown"]) figure.addEventListener(type, end, { signal });
-  const onEscape = (/** @type {KeyboardEvent} */ event) => event.key === "Escape" && end();
-  document.addEventListener("keydown", onEscape, { signal });
-  return hands;
-}
-
-/**
  * @param {HTMLElement} panels
- * @returns {Promise<void>} Once they stand still.
+ * @returns {Promise<unknown>} Once they stand still.
  */
 function bringIntoView(panels) {
   const { top, bottom, height } = panels.getBoundingClientRect();
   const seen = Math.min(bottom, innerHeight) - Math.max(top, 0);
   if (seen >= IN_VIEW * Math.min(height, innerHeight)) return Promise.resolve();
   const calm = isCalm();
-  const block = height < innerHeight ? "nearest" : "start";
   const arrived = new Promise((resolve) => {
     document.addEventListener("scrollend", resolve, { once: true });
     setTimeout(resolve, calm ? 0 : SCROLL);
   });
+  const block = height < innerHeight ? "nearest" : "start";
   panels.scrollIntoView({ behavior: calm ? "instant" : "smooth", block });
   return arrived;
-}
-
-function isCalm() {
-  return matchMedia("(prefers-reduced-motion: reduce)").matches;
 }

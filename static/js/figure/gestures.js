@@ -7,6 +7,7 @@ import { isPlain, within } from "../page/dom.js";
 
 /** What may have the colour of an idea: words, parts of formulae, readouts, handles, controls. */
 const COLOURED = '[class*="role-"], .control';
+const SYMBOL = 'math [class^="role-"]';
 
 /** Figures that the reader has changed since the page was opened. */
 const touched = new WeakSet();
@@ -18,10 +19,9 @@ export function installGestures() {
   document.addEventListener("figure-rest", rested);
   // What a press copies must be at hand when it comes: browsers forbid it a moment later.
   document.addEventListener("toggle", fetchTools, true);
-  document.addEventListener("keydown", leaveFullScreen);
   document.addEventListener("keydown", walkFormula);
   document.documentElement.classList.toggle("full-screen", document.fullscreenEnabled);
-  for (const type of ["pointerover", "focusin"]) document.addEventListener(type, lightUp);
+  for (const type of ["pointerover", "focusin"]) document.addEventListener(type, highlight);
 }
 
 /**
@@ -33,24 +33,18 @@ export function offerWords() {
     word.setAttribute("tabindex", "0");
   }
   for (const formula of document.querySelectorAll("main math")) {
-    for (const [index, symbol] of symbolsOf(formula).entries()) {
+    for (const [index, symbol] of formula.querySelectorAll('[class^="role-"]').entries()) {
       symbol.setAttribute("tabindex", index === 0 ? "0" : "-1");
     }
   }
 }
 
-/** @param {Element} formula */
-function symbolsOf(formula) {
-  return [...formula.querySelectorAll('[class^="role-"]')];
-}
-
 /** @param {KeyboardEvent} event */
 function walkFormula(event) {
   const step = { ArrowRight: 1, ArrowLeft: -1 }[event.key];
-  const symbol = within(event, 'math [class^="role-"]', MathMLElement);
-  const formula = symbol?.closest("math");
-  if (!step || !symbol || !formula) return;
-  const symbols = symbolsOf(formula);
+  const symbol = within(event, SYMBOL, MathMLElement);
+  if (!step || !symbol) return;
+  const symbols = [...(symbol.closest("math")?.querySelectorAll('[class^="role-"]') ?? [])];
   const next = symbols[symbols.indexOf(symbol) + step];
   if (!(next instanceof MathMLElement)) return;
   event.preventDefault();
@@ -73,13 +67,9 @@ async function clicked(event) {
   const tool = within(event, ".tools button", HTMLButtonElement);
   if (link && isPlain(event)) {
     event.preventDefault();
-    const { follow } = await import("./animate.js");
-    follow(link);
+    (await import("./animate.js")).follow(link);
   }
-  if (tool) {
-    const { use } = await import("./tools.js");
-    await use(tool);
-  }
+  if (tool) (await import("./tools.js")).use(tool);
 }
 
 /** @param {Event} event */
@@ -100,12 +90,8 @@ async function rested(event) {
     readout.removeAttribute("data-moved");
   }
   if (!figure || !form || !touched.has(form) || "moving" in figure.dataset) return;
-  try {
-    const { record } = await import("./permalink.js");
-    record(figure, "replace");
-  } catch {
-    // The host is gone: the address stays as it is.
-  }
+  const permalink = await import("./permalink.js").catch(ignore); // else the address stays
+  permalink?.record(figure, "replace");
 }
 
 /** @param {Event} event */
@@ -113,18 +99,11 @@ function fetchTools(event) {
   if (within(event, ".tools .share", HTMLElement)) import("./tools.js").catch(ignore);
 }
 
-/** @param {KeyboardEvent} event */
-function leaveFullScreen({ key }) {
-  if (key === "Escape" && document.fullscreenElement) document.exitFullscreen();
-}
-
 /** @param {Event} event */
-async function lightUp(event) {
+async function highlight(event) {
   const pointed = within(event, COLOURED, Element);
-  if (!pointed) return;
-  const light = await import("./highlight.js").catch(ignore);
-  light?.point(pointed);
+  if (pointed) (await import("./highlight.js").catch(ignore))?.point(pointed);
 }
 
-/** Nobody has asked for it: nobody is told that it cannot be had. */
+/** Nobody has asked for it: nobody is told that it does not arrive. */
 function ignore() {}

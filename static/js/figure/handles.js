@@ -6,30 +6,29 @@
  * @typedef {{name: string, x: number, y: number}} Place In view box units of the handle's panel.
  * @typedef {{handle: string, x: number, y: number, values: string}} Pull
  * @typedef {{handle: string, place: Point, done: boolean}} Job
+ * @typedef {object} Held What is in the reader's hand.
+ * @property {HTMLElement} element
+ * @property {Point} offset How far from the pointer it was taken.
+ * @property {Point | null} last Where it was led.
+ * @property {PointerEvent | null} down Where a finger came down that may be about to scroll.
  */
 
 import { message } from "../errors.js";
 import { all, within } from "../page/dom.js";
 import { setAttribute } from "../page/text.js";
+import { words } from "../page/words.js";
 import { formatValue, moveControls, named, readValues, uncover } from "./controls.js";
 import { center, driven, grabbed, inPanel, name, put } from "./handle_elements.js";
 import { keyed } from "./handle_keys.js";
 import { holdGround, mayScroll } from "./pointer_capture.js";
 import { LatestWins } from "./scheduler.js";
 import { say } from "./status.js";
-import { words } from "../page/words.js";
 
 /** @import { Control, Schema, Value } from "./controls.js" */
 /** @import { Point } from "./handle_elements.js" */
 
 export class Handles {
-  /**
-   * What is in the reader's hand, how far from the pointer it was taken, and where it was led; of
-   * a finger that may still be on its way to scroll the page, where it came down.
-   *
-   * @type {{element: HTMLElement, offset: Point, last: Point | null, down: PointerEvent | null}
-   *   | null}
-   */
+  /** @type {Held | null} */
   #held = null;
   /** @type {LatestWins<Job>} */
   #pulls = new LatestWins((job) => this.#pull(job));
@@ -47,7 +46,7 @@ export class Handles {
     this.schema = schema;
     this.ask = ask;
     for (const layer of all(figure, ".handles", HTMLElement)) {
-      layer.addEventListener("pointerdown", (event) => this.#press(event), { signal });
+      layer.addEventListener("pointerdown", (event) => this.#press(event, layer), { signal });
       layer.addEventListener("pointermove", (event) => this.#move(event), { signal });
       layer.addEventListener("pointerup", (event) => this.#release(event), { signal });
       layer.addEventListener("pointercancel", () => this.#letGo(), { signal });
@@ -57,7 +56,7 @@ export class Handles {
       }
       holdGround(layer, signal);
     }
-    form.addEventListener("input", () => this.#tell(), { signal });
+    form.addEventListener("input", () => this.#describe(), { signal });
   }
 
   /**
@@ -66,27 +65,31 @@ export class Handles {
    * @param {Place[]} places
    */
   show(places) {
-    const found = new Map(places.map((place) => [place.name, place]));
-    for (const element of all(this.figure, "[data-handle]", HTMLElement)) {
-      const place = found.get(element.dataset.handle ?? "");
+    for (const element of this.#elements) {
+      const place = places.find((place) => place.name === name(element));
       element.hidden = !place;
       if (place) put(element, place);
     }
-    this.#tell();
+    this.#describe();
   }
 
-  /** @param {PointerEvent} event */
-  #press(event) {
-    const layer = within(event, ".handles", HTMLElement);
-    if (event.button !== 0 || !event.isPrimary || this.#held || !layer) return;
+  get #elements() {
+    return all(this.figure, "[data-handle]", HTMLElement);
+  }
+
+  /**
+   * @param {PointerEvent} event
+   * @param {HTMLElement} layer
+   */
+  #press(event, layer) {
+    if (event.button !== 0 || !event.isPrimary || this.#held) return;
     const element = grabbed(layer, event);
     if (!element) return;
     const free = !!within(event, ".handle-ground, .handle.aim", HTMLElement);
     const place = center(element);
     const pointer = inPanel(element, event);
-    const offset = /** @type {Point} */ (
-      free ? [0, 0] : [place[0] - pointer[0], place[1] - pointer[1]]
-    );
+    /** @type {Point} */
+    const offset = free ? [0, 0] : [place[0] - pointer[0], place[1] - pointer[1]];
     const ground = free || element.matches(".drag");
     const down = event.pointerType === "touch" && ground ? event : null;
     this.#held = { element, offset, last: null, down };
@@ -114,15 +117,13 @@ export class Handles {
     if (!this.#held) return;
     const { element, offset } = this.#held;
     const pointer = inPanel(element, event);
-    const place = /** @type {Point} */ ([pointer[0] + offset[0], pointer[1] + offset[1]]);
-    this.#held.last = place;
-    this.#pulls.submit({ handle: name(element), place, done: false });
+    this.#held.last = [pointer[0] + offset[0], pointer[1] + offset[1]];
+    this.#pulls.submit({ handle: name(element), place: this.#held.last, done: false });
   }
 
   /** @param {PointerEvent} event */
   #release(event) {
-    if (!this.#held) return;
-    if (this.#held.last || event.pointerType === "touch") this.#reach(event);
+    if (this.#held?.last || event.pointerType === "touch") this.#reach(event);
     this.#letGo();
   }
 
@@ -136,16 +137,17 @@ export class Handles {
 
   /** @param {Job} job */
   async #pull({ handle, place: [x, y], done }) {
+    const { figure, form } = this;
     const { controls } = this.schema;
     try {
-      const values = JSON.stringify(readValues(this.form, controls));
-      const reply = await this.ask({ handle, x, y, values });
-      if (!this.figure.isConnected) return;
-      moveControls(this.form, controls, changed(reply.values, values), "input");
-      if (done) moveControls(this.form, controls, reply.values, "change");
+      const sent = readValues(form, controls);
+      const { values } = await this.ask({ handle, x, y, values: JSON.stringify(sent) });
+      if (!figure.isConnected) return;
+      const changed = Object.entries(values).filter(([key, value]) => value !== sent[key]);
+      moveControls(form, controls, Object.fromEntries(changed), "input");
+      if (done) moveControls(form, controls, values, "change");
     } catch (error) {
-      if (this.figure.isConnected)
-        say(this.figure, words("figure.stays", { reason: message(error) }));
+      if (figure.isConnected) say(figure, words("figure.stays", { reason: message(error) }));
     }
   }
 
@@ -160,15 +162,15 @@ export class Handles {
     moveControls(this.form, controls, values, "change");
   }
 
-  /** Say what each handle is set to. */
-  #tell() {
+  /** Have each handle say what it is set to. */
+  #describe() {
     const values = readValues(this.form, this.schema.controls);
-    for (const element of all(this.figure, "[data-handle]", HTMLElement)) {
+    for (const element of this.#elements) {
       const controls = this.schema.controls.filter(({ name }) => driven(element).includes(name));
-      const text = controls.map((control) => this.#said(control, values[control.name]));
-      const slider = element.getAttribute("role") === "slider";
-      if (slider) setAttribute(element, "aria-valuenow", this.#now(controls[0]));
-      // Only a slider may carry a value at rest; the other kind tells its own while it is used.
+      const text = controls.map((control) => this.#valueText(control, values[control.name]));
+      const slider = element.role === "slider";
+      if (slider) setAttribute(element, "aria-valuenow", this.#number(controls[0]));
+      // Only a slider may carry a value at rest; the other kind has one while it is used.
       if (slider || element === document.activeElement) {
         setAttribute(element, "aria-valuetext", text.join(", "));
       } else {
@@ -181,7 +183,7 @@ export class Handles {
    * @param {Control} control
    * @param {Value} value
    */
-  #said(control, value) {
+  #valueText(control, value) {
     if (control.kind === "slider") return `${control.label} ${formatValue(control, Number(value))}`;
     const field = this.form.querySelector(named(control.name));
     const chosen = field instanceof HTMLSelectElement ? field.selectedOptions[0]?.text.trim() : "";
@@ -189,7 +191,7 @@ export class Handles {
   }
 
   /** @param {Control} control */
-  #now(control) {
+  #number(control) {
     const field = this.form.querySelector(named(control.name));
     if (field instanceof HTMLSelectElement) return String(field.selectedIndex);
     return field instanceof HTMLInputElement ? field.value : "0";
@@ -208,17 +210,6 @@ export class Handles {
       box?.classList.toggle("driven", begun);
     }
     if (element && event.type === "focusin") uncover(this.form, driven(element));
-    if (event.type.startsWith("focus")) this.#tell();
+    if (event.type.startsWith("focus")) this.#describe();
   }
-}
-
-/**
- * What of the values differs from those that were sent.
- *
- * @param {Record<string, Value>} values
- * @param {string} sent
- */
-function changed(values, sent) {
-  const before = JSON.parse(sent);
-  return Object.fromEntries(Object.entries(values).filter(([key, value]) => value !== before[key]));
 }

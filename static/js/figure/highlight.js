@@ -1,5 +1,5 @@
 /**
- * What has the colour of an idea lights up what else has it. Words, symbols and readouts let the
+ * What has the colour of an idea highlights what else has it. Words, symbols and readouts let the
  * rest of the nearest figure step back, and mark the same colour in the text and the controls that
  * move it. Controls and handles only mark the text: the hand that moves them needs the whole
  * picture.
@@ -8,14 +8,13 @@
 import { all, maybe } from "../page/dom.js";
 import { named } from "./controls.js";
 
-/** Milliseconds that a pointer must rest: one that passes lights nothing. */
+/** Milliseconds that a pointer must rest: one that passes highlights nothing. */
 const REST = 150;
 
 let timer = 0;
 /** @type {Element | null} */
 let pointed = null;
-/** @type {AbortController | null} */
-let leaving = null;
+let leaving = new AbortController();
 
 /**
  * The reader points at, or has focused, something that may have a colour.
@@ -26,12 +25,11 @@ export function point(element) {
   const figure = nearestFigure(element);
   const role = figure && roleOf(element, figure);
   if (element === pointed || !role) return;
-  putOut();
+  clear();
   pointed = element;
   leaving = new AbortController();
-  const { signal } = leaving;
   for (const type of ["pointerleave", "focusout"]) {
-    element.addEventListener(type, putOut, { signal });
+    element.addEventListener(type, clear, { signal: leaving.signal });
   }
   timer = setTimeout(() => {
     const text = figure.closest("article");
@@ -39,17 +37,16 @@ export function point(element) {
     if (element.matches(".control, .handle")) return;
     for (const control of controlsOf(figure, role)) control.classList.add("driven");
     // A figure that draws nothing in that colour has nothing to step back from.
-    const drawn = figure.querySelector(`.overlay .${role}`);
-    if (drawn) figure.dataset.lit = role;
+    if (figure.querySelector(`.overlay .${role}`)) figure.dataset.lit = role;
   }, REST);
 }
 
-function putOut() {
+function clear() {
   clearTimeout(timer);
-  leaving?.abort();
+  leaving.abort();
   if (pointed && !pointed.matches(".control, .handle")) {
-    for (const control of all(document, ".control.driven", HTMLElement)) {
-      control.classList.remove("driven");
+    for (const { classList } of document.querySelectorAll(".control.driven")) {
+      classList.remove("driven");
     }
   }
   pointed = null;
@@ -92,10 +89,10 @@ function nearestFigure(element) {
   const inside = element.closest("figure.simulation");
   if (inside) return maybe(inside, "simulation-figure", HTMLElement);
   const here = element.getBoundingClientRect();
-  const far = (/** @type {HTMLElement} */ figure) => {
+  const distance = (/** @type {HTMLElement} */ figure) => {
     const { top, bottom } = figure.getBoundingClientRect();
     return Math.max(top - here.bottom, here.top - bottom);
   };
   const figures = all(document, "simulation-figure", HTMLElement);
-  return figures.sort((one, other) => far(one) - far(other))[0] ?? null;
+  return figures.sort((one, other) => distance(one) - distance(other))[0] ?? null;
 }

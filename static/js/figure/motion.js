@@ -3,6 +3,7 @@
  * reset returns it to where the page put it.
  */
 
+import { everyFrame, isCalm } from "./animate.js";
 import { button, input, setActionState, uncover, writeSlider } from "./controls.js";
 
 /** @import { Action, Schema, Slider } from "./controls.js" */
@@ -11,9 +12,8 @@ import { button, input, setActionState, uncover, writeSlider } from "./controls.
 const CALM_PAUSE = 1;
 /** Pictures on a way that is too short for whole numbers. */
 const CALM_PICTURES = 4;
-/** Whole numbers on a way of more than these are too many to wait for. */
+/** On a way of more whole numbers than these, fewer pictures. */
 const MOST_WHOLE = 48;
-/** Pictures on such a way. */
 const CALM_MOST = 24;
 
 export class Motion {
@@ -37,7 +37,8 @@ export class Motion {
    * @param {number} time
    */
   press(action, time) {
-    const slider = this.#driven(action);
+    const slider = this.schema.controls.find(({ name }) => name === action.drives);
+    if (slider?.kind !== "slider") throw new Error(`${action.name} drives no slider`);
     const wasPlaying = this.#playing?.action === action;
     this.stop();
     uncover(this.form, [slider.name]);
@@ -61,18 +62,6 @@ export class Motion {
   }
 
   /**
-   * The slider that a button moves.
-   *
-   * @param {Action} action
-   * @returns {Slider}
-   */
-  #driven(action) {
-    const control = this.schema.controls.find(({ name }) => name === action.drives);
-    if (control?.kind !== "slider") throw new Error(`${action.name} drives no slider`);
-    return control;
-  }
-
-  /**
    * The place after the slider's value, of those a stride apart; past the end it starts over.
    *
    * @param {Slider} slider
@@ -92,8 +81,7 @@ export class Motion {
   #play(action, slider) {
     if (this.#value(slider) >= slider.max) writeSlider(this.form, slider, slider.min);
     setActionState(button(this.form, action.name), action, action.labels.length > 1 ? 1 : 0);
-    const calm = matchMedia("(prefers-reduced-motion: reduce)").matches;
-    const stop = calm ? this.#walk(action, slider) : this.#sweep(action, slider);
+    const stop = isCalm() ? this.#walk(action, slider) : this.#sweep(action, slider);
     this.#playing = { action, stop };
   }
 
@@ -106,15 +94,10 @@ export class Motion {
    */
   #sweep(action, slider) {
     const start = this.#value(slider);
-    const perMs = (slider.max - slider.min) / (action.seconds * 1000);
-    let begun = 0;
-    const tick = (/** @type {number} */ now) => {
-      begun ||= now;
-      request = requestAnimationFrame(tick);
-      this.#moveTo(slider, start + (now - begun) * perMs, now);
-    };
-    let request = requestAnimationFrame(tick);
-    return () => cancelAnimationFrame(request);
+    const way = slider.max - slider.min;
+    return everyFrame(action.seconds * 1000, (share, now) => {
+      this.#moveTo(slider, start + share * way, now);
+    });
   }
 
   /**
@@ -126,10 +109,8 @@ export class Motion {
    */
   #walk(action, slider) {
     const way = slider.max - slider.min;
-    const stride =
-      way > MOST_WHOLE
-        ? Math.ceil(way / CALM_MOST / slider.step) * slider.step
-        : Math.min(1, way / CALM_PICTURES);
+    const coarse = Math.ceil(way / CALM_MOST / slider.step) * slider.step;
+    const stride = way > MOST_WHOLE ? coarse : Math.min(1, way / CALM_PICTURES);
     const pause = Math.max(CALM_PAUSE, (action.seconds * stride) / way);
     const tick = () => {
       timer = setTimeout(tick, pause * 1000);

@@ -1,6 +1,7 @@
 /** What a figure is set to and what it measures, as a table for other programs. */
 
 import { all } from "../page/dom.js";
+import { csv } from "../page/download.js";
 import { fromNumeral } from "../page/words.js";
 import { readValues } from "./controls.js";
 import { settingsOf } from "./permalink.js";
@@ -12,17 +13,13 @@ import { settingsOf } from "./permalink.js";
  */
 export function numbersOf(figure) {
   const { form, controls } = settingsOf(figure);
-  const settings = Object.entries(readValues(form, controls));
-  const rows = [
-    ["kind", "name", "label", "value", "unit"],
-    ...settings.map(([name, value]) => {
-      const control = controls.find((one) => one.name === name);
-      const unit = control?.kind === "slider" ? control.unit : "";
-      return ["setting", name, control?.label ?? "", String(value), unit];
-    }),
-    ...all(figure, "output", HTMLOutputElement).flatMap(readoutRows),
-  ];
-  return rows.map((row) => `${row.map(cell).join(",")}\r\n`).join("");
+  const values = readValues(form, controls);
+  const settings = controls.map((control) => {
+    const unit = control.kind === "slider" ? control.unit : "";
+    return ["setting", control.name, control.label, String(values[control.name]), unit];
+  });
+  const readouts = all(figure, "output", HTMLOutputElement).flatMap(readoutRows);
+  return csv([["kind", "name", "label", "value", "unit"], ...settings, ...readouts]);
 }
 
 /**
@@ -44,9 +41,4 @@ function readoutRows(output) {
         return ["readout", name, label, entry, unit];
       }),
   );
-}
-
-/** @param {string} text */
-function cell(text) {
-  return /[",\r\n]/.test(text) ? `"${text.replaceAll('"', '""')}"` : text;
 }

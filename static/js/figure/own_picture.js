@@ -1,4 +1,4 @@
-/** The reader's own picture in a figure that takes one: chosen, handed to Python, and put back. */
+/** The reader's own picture in a figure that takes one: chosen, sent to Python, and put back. */
 
 import { message } from "../errors.js";
 import { maybe, one, within } from "../page/dom.js";
@@ -24,8 +24,16 @@ export class OwnPicture {
     this.size = size;
     this.changed = changed;
     const box = maybe(figure, ".photograph", HTMLElement);
-    box?.addEventListener("change", (event) => this.#choose(box, event), { signal });
-    box?.addEventListener("click", (event) => this.#press(box, event), { signal });
+    box?.addEventListener("change", (event) => this.#choose(event), { signal });
+    box?.addEventListener(
+      "click",
+      (event) => {
+        if (within(event, ".photograph-choose", HTMLElement))
+          one(box, "input", HTMLElement).click();
+        else if (within(event, "button", HTMLElement)) this.#show(null);
+      },
+      { signal },
+    );
   }
 
   /** Which picture it is; 0: that of the book. */
@@ -47,24 +55,8 @@ export class OwnPicture {
     this.#sent = sending();
   }
 
-  /**
-   * @param {HTMLElement} box
-   * @param {Event} event
-   */
-  #press(box, event) {
-    const button = within(event, "button", HTMLButtonElement);
-    if (button?.classList.contains("photograph-choose")) {
-      one(box, "input", HTMLInputElement).click();
-    } else if (button) {
-      this.#show(box, null);
-    }
-  }
-
-  /**
-   * @param {HTMLElement} box
-   * @param {Event} event
-   */
-  async #choose(box, event) {
+  /** @param {Event} event */
+  async #choose(event) {
     const input = within(event, "input", HTMLInputElement);
     const file = input?.files?.[0];
     if (!input || !file || !this.size) return;
@@ -73,7 +65,7 @@ export class OwnPicture {
       const picture = await decode(file, ...this.size);
       if (!this.figure.isConnected) return;
       say(this.figure, "");
-      this.#show(box, picture);
+      this.#show(picture);
     } catch (error) {
       say(this.figure, message(error));
     } finally {
@@ -81,13 +73,10 @@ export class OwnPicture {
     }
   }
 
-  /**
-   * @param {HTMLElement} box
-   * @param {Photograph | null} picture
-   */
-  #show(box, picture) {
+  /** @param {Photograph | null} picture */
+  #show(picture) {
     this.#picture = picture;
-    one(box, ".photograph-back", HTMLButtonElement).hidden = !picture;
+    one(this.figure, ".photograph-back", HTMLElement).hidden = !picture;
     this.changed();
   }
 }

@@ -88,21 +88,17 @@ function paintRaster(view, panel, { width, height }, pixels) {
  */
 export function takeStills(figure) {
   for (const still of all(figure, "img.still", HTMLImageElement)) {
-    if (still.complete) putOnCanvas(still);
-    else still.addEventListener("load", () => putOnCanvas(still), { once: true });
+    const take = () => {
+      if (!still.parentElement || !still.naturalWidth) return;
+      const canvas = document.createElement("canvas");
+      [canvas.width, canvas.height] = [still.naturalWidth, still.naturalHeight];
+      canvas.getContext("2d")?.drawImage(still, 0, 0);
+      canvas.classList.toggle("pixelated", still.classList.contains("pixelated"));
+      putInPlace(still.parentElement, canvas);
+    };
+    if (still.complete) take();
+    else still.addEventListener("load", take, { once: true });
   }
-}
-
-/** @param {HTMLImageElement} still */
-function putOnCanvas(still) {
-  const view = still.parentElement;
-  if (!view || !still.naturalWidth) return;
-  const canvas = document.createElement("canvas");
-  canvas.width = still.naturalWidth;
-  canvas.height = still.naturalHeight;
-  canvas.getContext("2d")?.drawImage(still, 0, 0);
-  canvas.classList.toggle("pixelated", still.classList.contains("pixelated"));
-  putInPlace(view, canvas);
 }
 
 /**

@@ -9,14 +9,15 @@
 
 import { all, data, one } from "../page/dom.js";
 import { isArrived } from "../page/navigate.js";
+import { words } from "../page/words.js";
 import { moveControls, readValues, uncover } from "./controls.js";
 import { say } from "./status.js";
-import { words } from "../page/words.js";
 
 /** @import { Control, Schema, Value } from "./controls.js" */
 
-/** How many settings of an address that mean nothing are told. */
-const MOST_TOLD = 4;
+/** How many settings of an address that mean nothing are named, and how much of each. */
+const MOST_NAMED = 4;
+const LONGEST_NAME = 60;
 
 /**
  * A figure's form, and all that can be set in it, the accuracy included.
@@ -25,26 +26,22 @@ const MOST_TOLD = 4;
  */
 export function settingsOf(figure) {
   /** @type {Schema} */
-  const schema = data(figure, "script.schema");
-  const { controls, tiers, default_tier: tier } = schema;
-  /** @type {Control[]} */
-  const all = tiers.length
-    ? [
-        ...controls,
-        {
-          kind: "choice",
-          name: "tier",
-          label: words("figure.accuracy"),
-          default: tier,
-          options: tiers,
-        },
-      ]
-    : controls;
+  const { controls, values, tiers, default_tier: tier } = data(figure, "script.schema");
+  /** @type {Control} */
+  const accuracy = {
+    kind: "choice",
+    name: "tier",
+    label: words("figure.accuracy"),
+    default: tier,
+    options: tiers,
+  };
   return {
     form: one(figure, "form.controls", HTMLFormElement),
     // A button that plays has no state worth keeping.
-    controls: all.filter((control) => control.kind !== "action" || !control.drives),
-    start: /** @type {Record<string, Value>} */ ({ ...schema.values, tier }),
+    controls: [...controls, ...(tiers.length ? [accuracy] : [])].filter(
+      (control) => control.kind !== "action" || !control.drives,
+    ),
+    start: /** @type {Record<string, Value>} */ ({ ...values, tier }),
   };
 }
 
@@ -55,7 +52,7 @@ export function settingsOf(figure) {
  * @param {Record<string, Value>} [values] What is left out is as the figure shows it.
  * @param {string} [search] What the address says so far.
  */
-export function addressOf(figure, values = {}, search = location.search) {
+function addressOf(figure, values = {}, search = location.search) {
   const { form, controls, start } = settingsOf(figure);
   const shown = { ...readValues(form, controls), ...values };
   const id = idOf(figure);
@@ -97,41 +94,34 @@ export function record(figure, entry, values) {
   else history.pushState({ scroll: Math.round(scrollY) }, "", url);
 }
 
+/** Bring every figure of the page to where the address says, or back to the page's start. */
+export function showAddress() {
+  for (const figure of all(document, "simulation-figure", HTMLElement)) arrive(figure);
+}
+
 /**
- * Put the controls of a figure that is not yet live to where the address says.
+ * Put the controls of a figure to where the address says, and the others to the page's start.
  *
  * @param {HTMLElement} figure
  */
 export function arrive(figure) {
-  const { form, controls } = settingsOf(figure);
-  const { values, ignored } = addressed(figure);
-  uncover(form, Object.keys(values));
-  moveControls(form, controls, values, "change");
-  tell(figure, ignored);
-}
-
-/** Bring every figure of the page to where the address says, or back to the page's start. */
-export function showAddress() {
-  for (const figure of all(document, "simulation-figure", HTMLElement)) {
-    const { form, controls, start } = settingsOf(figure);
-    const { values, ignored } = addressed(figure);
-    const wanted = { ...start, ...values };
-    const shown = readValues(form, controls);
-    const other = controls.filter(({ name }) => shown[name] !== wanted[name]);
-    const moved = other.map(({ name }) => name);
-    uncover(form, moved);
-    moveControls(form, other, wanted, "change");
-    tell(figure, ignored);
-  }
+  const { form, controls, start } = settingsOf(figure);
+  const { values, ignored } = addressed(figure, controls);
+  const wanted = { ...start, ...values };
+  const shown = readValues(form, controls);
+  const moved = controls.filter(({ name }) => shown[name] !== wanted[name]);
+  uncover(form, [...Object.keys(values), ...moved.map(({ name }) => name)]);
+  moveControls(form, moved, wanted, "change");
+  reportIgnored(figure, ignored);
 }
 
 /**
  * What the address says of a figure, and what of it cannot be meant.
  *
  * @param {HTMLElement} figure
+ * @param {Control[]} controls
  */
-function addressed(figure) {
-  const { controls } = settingsOf(figure);
+function addressed(figure, controls) {
   const prefix = `${idOf(figure)}.`;
   /** @type {Record<string, Value>} */
   const values = {};
@@ -175,17 +165,14 @@ function parse(control, text) {
  * @param {HTMLElement} figure
  * @param {string[]} ignored
  */
-function tell(figure, ignored) {
+function reportIgnored(figure, ignored) {
   if (ignored.length === 0) return;
-  const what = ignored.slice(0, MOST_TOLD).map(shortened);
-  if (ignored.length > MOST_TOLD) what.push("…");
-  say(figure, words("figure.ignored", { settings: what.join(", ") }), { lasting: true });
+  const named = ignored.slice(0, MOST_NAMED).map((text) => {
+    return text.length > LONGEST_NAME ? `${text.slice(0, LONGEST_NAME)}…` : text;
+  });
+  if (ignored.length > MOST_NAMED) named.push("…");
+  say(figure, words("figure.ignored", { settings: named.join(", ") }), { lasting: true });
   figure.addEventListener("input", () => say(figure, ""), { once: true });
-}
-
-/** @param {string} text */
-function shortened(text) {
-  return text.length > 60 ? `${text.slice(0, 60)}…` : text;
 }
 
 /** @param {HTMLElement} figure */

@@ -1,6 +1,6 @@
 /**
  * A panel as a file: a drawing as SVG, a picture with its drawing as PNG. Both stand alone, with the
- * colours of the theme that the reader sees and the letters of the page in them.
+ * colours of the theme that the reader sees and the fonts of the page in them.
  */
 
 import { all, maybe, one } from "../page/dom.js";
@@ -8,11 +8,8 @@ import { words } from "../page/words.js";
 
 /** Pixels of the file for each pixel of the page. */
 const SCALE = 2;
-/** Of these, what no element takes from the one around it. */
-const OWN = ["opacity", "vector-effect"];
 /** What a style sheet says of a drawing, and a file must say itself. */
 const PROPERTIES = [
-  ...OWN,
   "color",
   "fill",
   "fill-opacity",
@@ -21,6 +18,7 @@ const PROPERTIES = [
   "font-style",
   "font-variant-numeric",
   "font-weight",
+  "opacity",
   "paint-order",
   "stroke",
   "stroke-dasharray",
@@ -28,6 +26,7 @@ const PROPERTIES = [
   "stroke-linejoin",
   "stroke-width",
   "text-anchor",
+  "vector-effect",
 ];
 
 /**
@@ -38,15 +37,13 @@ export async function pictureOf(panel) {
   const view = one(panel, ".panel-view", HTMLElement);
   const pixels = maybe(view, "canvas, img", HTMLElement);
   const drawing = await standalone(one(view, "svg.overlay", SVGSVGElement), view);
-  if (!pixels) {
-    const ground = document.createElementNS(drawing.namespaceURI, "rect");
-    ground.setAttribute("width", "100%");
-    ground.setAttribute("height", "100%");
-    ground.setAttribute("fill", getComputedStyle(view).backgroundColor);
-    drawing.prepend(ground);
-    return { blob: fileOf(drawing), suffix: "svg" };
-  }
-  return { blob: await flattened(view, pixels, drawing), suffix: "png" };
+  if (pixels) return { blob: await flattened(view, pixels, drawing), suffix: "png" };
+  const ground = document.createElementNS(drawing.namespaceURI, "rect");
+  ground.setAttribute("width", "100%");
+  ground.setAttribute("height", "100%");
+  ground.setAttribute("fill", getComputedStyle(view).backgroundColor);
+  drawing.prepend(ground);
+  return { blob: fileOf(drawing), suffix: "svg" };
 }
 
 /**
@@ -57,10 +54,11 @@ export async function pictureOf(panel) {
  */
 async function standalone(svg, view) {
   const copy = /** @type {SVGSVGElement} */ (svg.cloneNode(true));
-  const originals = [svg, ...svg.querySelectorAll("*")];
   const copies = [copy, ...copy.querySelectorAll("*")];
-  for (const [index, original] of originals.entries()) {
-    copies[index].setAttribute("style", styleOf(original, original !== svg));
+  for (const [index, original] of [svg, ...svg.querySelectorAll("*")].entries()) {
+    const styles = getComputedStyle(original);
+    const said = PROPERTIES.map((name) => `${name}:${styles.getPropertyValue(name)}`);
+    copies[index].setAttribute("style", said.join(";"));
     copies[index].removeAttribute("class");
   }
   copy.style.filter = getComputedStyle(svg).filter;
@@ -74,42 +72,22 @@ async function standalone(svg, view) {
 }
 
 /**
- * What the style sheets say of an element, as its own style.
- *
- * @param {Element} element
- * @param {boolean} inherits Whether to leave out what it has from the element around it.
- */
-function styleOf(element, inherits) {
-  const [styles, around] = [element, element.parentElement ?? element].map((one) =>
-    getComputedStyle(one),
-  );
-  return PROPERTIES.filter(
-    (name) =>
-      !inherits ||
-      OWN.includes(name) ||
-      styles.getPropertyValue(name) !== around.getPropertyValue(name),
-  )
-    .map((name) => `${name}:${styles.getPropertyValue(name)}`)
-    .join(";");
-}
-
-/**
- * The faces that the words of a drawing may be set in, each with its letters in it.
+ * The font faces of a drawing's texts, each with its outlines in it.
  *
  * @param {SVGSVGElement} svg
  * @returns {Promise<string>}
  */
 async function fontsOf(svg) {
-  const words = all(svg, "text, tspan", SVGElement).map((text) => getComputedStyle(text));
-  const rules = [...document.styleSheets].flatMap((sheet) => [...sheet.cssRules]);
-  const faces = rules
+  const texts = all(svg, "text, tspan", SVGElement).map((text) => getComputedStyle(text));
+  const faces = [...document.styleSheets]
+    .flatMap((sheet) => [...sheet.cssRules])
     .filter((rule) => rule instanceof CSSFontFaceRule)
     .filter(({ style }) =>
-      words.some(
-        (word) =>
-          word.fontFamily.includes(style.getPropertyValue("font-family")) &&
-          word.fontStyle === (style.getPropertyValue("font-style") || "normal") &&
-          style.getPropertyValue("font-weight").split(" ").includes(word.fontWeight),
+      texts.some(
+        (text) =>
+          text.fontFamily.includes(style.getPropertyValue("font-family")) &&
+          text.fontStyle === (style.getPropertyValue("font-style") || "normal") &&
+          style.getPropertyValue("font-weight").split(" ").includes(text.fontWeight),
       ),
     );
   return (await Promise.all(faces.map(embedded))).join("\n");
@@ -148,12 +126,9 @@ function fileOf(drawing) {
  * @param {HTMLElement} view
  * @param {HTMLElement} pixels
  * @param {SVGSVGElement} drawing
- * @returns {Promise<Blob>}
  */
 async function flattened(view, pixels, drawing) {
-  const canvas = document.createElement("canvas");
-  canvas.width = SCALE * view.clientWidth;
-  canvas.height = SCALE * view.clientHeight;
+  const canvas = new OffscreenCanvas(SCALE * view.clientWidth, SCALE * view.clientHeight);
   const context = canvas.getContext("2d");
   if (!context) throw new Error(words("tools.no_canvas"));
   context.fillStyle = getComputedStyle(view).backgroundColor;
@@ -165,7 +140,5 @@ async function flattened(view, pixels, drawing) {
   for (const layer of [pixels, ink]) {
     context.drawImage(/** @type {CanvasImageSource} */ (layer), 0, 0, canvas.width, canvas.height);
   }
-  return new Promise((resolve, reject) => {
-    canvas.toBlob((blob) => (blob ? resolve(blob) : reject(new Error(words("tools.no_picture")))));
-  });
+  return canvas.convertToBlob();
 }

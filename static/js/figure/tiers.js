@@ -30,18 +30,6 @@ export function shownTier(form, schema, moving) {
 }
 
 /**
- * The tiers by which drags of a figure's sliders are answered, besides the one that it rests in.
- *
- * @param {Schema} schema
- * @param {string} chosen
- * @returns {string[]}
- */
-export function draftTiers({ tiers, draft_tier: draft, own_drafts: own }, chosen) {
-  const cheaper = tiers.indexOf(draft) < tiers.indexOf(chosen) ? [draft] : [];
-  return [...new Set([...cheaper, ...Object.values(own[chosen] ?? {})])];
-}
-
-/**
  * Whether a drag of a control is answered by drafts.
  *
  * @param {HTMLFormElement} form

@@ -1,14 +1,15 @@
 /** What can be done with a figure as a whole: the row of buttons below it. */
 
-import { data, maybe, one } from "../page/dom.js";
-import { sharedRuntime } from "../runtime/runtime.js";
 import { message } from "../errors.js";
-import { readValues } from "./controls.js";
+import { data, maybe, one } from "../page/dom.js";
+import { download } from "../page/download.js";
+import { words } from "../page/words.js";
+import { sharedRuntime } from "../runtime/runtime.js";
 import { glide, jump } from "./animate.js";
+import { readValues } from "./controls.js";
 import { numbersOf } from "./numbers.js";
 import { permalink, settingsOf } from "./permalink.js";
 import { pictureOf } from "./picture.js";
-import { words } from "../page/words.js";
 
 /** @typedef {(figure: HTMLElement, button: HTMLButtonElement) => unknown} Tool */
 
@@ -22,8 +23,7 @@ const TOOLS = {
   fullScreen,
   copyLink: (figure) => copy(figure, permalink(figure), words("tools.link_copied")),
   copyPython,
-  saveNumbers: (figure) =>
-    save(figure, new Blob([numbersOf(figure)], { type: "text/csv" }), "numbers.csv"),
+  saveNumbers: (figure) => save(figure, "numbers.csv", numbersOf(figure), "text/csv"),
   savePanel,
 };
 
@@ -36,12 +36,12 @@ export async function use(button) {
   const figure = button.closest("simulation-figure");
   const name = Object.keys(TOOLS).find((tool) => tool in button.dataset);
   if (!(figure instanceof HTMLElement) || !name) return;
-  tell(figure, "");
+  report(figure, "");
   one(figure, ".copied", HTMLTextAreaElement).hidden = true;
   try {
     await TOOLS[name](figure, button);
   } catch (error) {
-    tell(figure, words("tools.failed", { reason: message(error) }));
+    report(figure, words("tools.failed", { reason: message(error) }));
   }
 }
 
@@ -61,19 +61,19 @@ function reset(figure) {
  * @param {HTMLButtonElement} button
  */
 async function fullScreen(figure, button) {
-  const whole = figure.closest("figure");
   if (document.fullscreenElement) {
     await document.exitFullscreen();
     return;
   }
+  const whole = figure.closest("figure");
   await whole?.requestFullscreen();
-  button.setAttribute("aria-pressed", "true");
-  const left = () => {
+  button.ariaPressed = "true";
+  const changed = () => {
     if (document.fullscreenElement) return;
-    document.removeEventListener("fullscreenchange", left);
-    button.setAttribute("aria-pressed", "false");
+    document.removeEventListener("fullscreenchange", changed);
+    button.ariaPressed = "false";
   };
-  document.addEventListener("fullscreenchange", left);
+  document.addEventListener("fullscreenchange", changed);
 }
 
 /**
@@ -82,9 +82,10 @@ async function fullScreen(figure, button) {
  * @param {HTMLElement} figure
  */
 async function copyPython(figure) {
+  const runtime = sharedRuntime();
+  if (!runtime) return;
   const { form, controls } = settingsOf(figure);
   const { tier = "", ...values } = readValues(form, controls);
-  const scene = figure.dataset.simulation ?? "";
   const edited = "edited" in figure.dataset;
   const own = figure.querySelector(".photograph-back:not([hidden])") !== null;
   const { title } = data(figure, "script.schema");
@@ -94,10 +95,12 @@ async function copyPython(figure) {
     ...(own ? [words("script.own_picture")] : []),
     words("script.needs"),
   ];
-  const request = { scene, values: JSON.stringify(values), tier: String(tier) };
-  const runtime = sharedRuntime();
-  if (!runtime) return;
-  const { script } = await runtime.call("script", { ...request, notes: JSON.stringify(notes) });
+  const { script } = await runtime.call("script", {
+    scene: figure.dataset.simulation ?? "",
+    values: JSON.stringify(values),
+    tier: String(tier),
+    notes: JSON.stringify(notes),
+  });
   const unlike = edited && own ? "_both" : edited ? "_code" : own ? "_picture" : "";
   await copy(figure, script, words(`tools.python_copied${unlike}`));
 }
@@ -110,7 +113,7 @@ async function savePanel(figure, button) {
   const name = button.dataset.savePanel ?? "";
   const panel = one(figure, `.panel[data-panel="${CSS.escape(name)}"]`, HTMLElement);
   const { blob, suffix } = await pictureOf(panel);
-  save(figure, blob, `${name}.${suffix}`);
+  save(figure, `${name}.${suffix}`, blob);
 }
 
 /**
@@ -123,35 +126,33 @@ async function savePanel(figure, button) {
 async function copy(figure, text, done) {
   try {
     await navigator.clipboard.writeText(text);
-    tell(figure, done);
+    report(figure, done);
   } catch {
     const field = one(figure, ".copied", HTMLTextAreaElement);
     field.value = text;
     field.hidden = false;
     field.select();
-    tell(figure, words("tools.copy_yourself"));
+    report(figure, words("tools.copy_yourself"));
   }
 }
 
 /**
  * @param {HTMLElement} figure
- * @param {Blob} blob
  * @param {string} name
+ * @param {BlobPart} content
+ * @param {string} [type]
  */
-function save(figure, blob, name) {
-  const link = document.createElement("a");
-  link.href = URL.createObjectURL(blob);
-  link.download = `${figure.closest("figure")?.id ?? "figure"}-${name}`;
-  link.click();
-  setTimeout(() => URL.revokeObjectURL(link.href), 10_000);
-  tell(figure, words("tools.saved", { file: link.download }));
+function save(figure, name, content, type) {
+  const file = `${figure.closest("figure")?.id ?? "figure"}-${name}`;
+  download(file, content, type);
+  report(figure, words("tools.saved", { file }));
 }
 
 /**
  * @param {HTMLElement} figure
  * @param {string} text
  */
-function tell(figure, text) {
+function report(figure, text) {
   const line = maybe(figure, ".tools-said", HTMLElement);
   if (line) line.textContent = text;
 }

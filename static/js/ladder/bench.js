@@ -9,14 +9,15 @@
 
 import { message } from "../errors.js";
 import { all, data, one } from "../page/dom.js";
+import { csv } from "../page/download.js";
+import { numeral, words } from "../page/words.js";
 import { Runtime, sharedRuntime } from "../runtime/runtime.js";
 import { addPoint } from "./chart.js";
-import { numeral, words } from "../page/words.js";
 
 /** @import { Axis } from "./chart.js" */
 
-/** Figures that the reader waits for go first. */
-const URGENCY = -1;
+/** After figures that the reader waits for. */
+const URGENCY = () => -1;
 /** Seconds spent on the samples of one tier. */
 const BUDGET = 0.4;
 
@@ -34,10 +35,9 @@ export function install() {
 }
 
 class LadderBench extends HTMLElement {
-  /** @type {AbortController | null} */
-  #listeners = null;
+  #listeners = new AbortController();
   #stopped = false;
-  #csv = "";
+  #file = "";
 
   connectedCallback() {
     const runtime = sharedRuntime();
@@ -51,46 +51,38 @@ class LadderBench extends HTMLElement {
     this.#button("stop").addEventListener("click", () => this.#stop(), { signal });
   }
 
+  disconnectedCallback() {
+    this.#stopped = true;
+    this.#listeners.abort();
+    URL.revokeObjectURL(this.#file);
+  }
+
   /** @returns {Ladder} */
   get ladder() {
     return data(this, "script.ladder-data");
   }
 
-  disconnectedCallback() {
-    this.#stopped = true;
-    this.#listeners?.abort();
-    URL.revokeObjectURL(this.#csv);
-  }
-
   /** @param {Runtime} runtime */
   async #run(runtime) {
     if (this.dataset.state === "running") return;
+    const { ladder, tiers } = this.ladder;
     this.#begin();
     /** @type {Result[]} */
     const results = [];
     try {
-      for (const tier of this.ladder.tiers) {
+      for (const { id: tier, label } of tiers) {
         if (this.#stopped) break;
-        this.#say(words("ladder.measuring", { tier: tier.label }));
-        results.push(await this.#measure(runtime, tier.id));
+        this.#say(words("ladder.measuring", { tier: label }));
+        const reply = await runtime.call("measure", { ladder, tier, budget: BUDGET }, URGENCY);
         if (!this.isConnected) return;
+        results.push(JSON.parse(reply.result));
         this.#show(results);
       }
-      this.#end(this.#stopped ? "stopped" : "done", this.#summary(results));
+      const counts = { count: results.length, all: tiers.length };
+      this.#end(this.#stopped ? "stopped" : "done", words("ladder.measured", counts));
     } catch (error) {
       this.#end("failed", words("ladder.broke_off", { reason: message(error) }));
     }
-  }
-
-  /**
-   * @param {Runtime} runtime
-   * @param {string} tier
-   * @returns {Promise<Result>}
-   */
-  async #measure(runtime, tier) {
-    const payload = { ladder: this.ladder.ladder, tier, budget: BUDGET };
-    const reply = await runtime.call("measure", payload, () => URGENCY);
-    return JSON.parse(reply.result);
   }
 
   #begin() {
@@ -99,7 +91,7 @@ class LadderBench extends HTMLElement {
     this.#enable("stop", "run");
     this.#points.replaceChildren();
     for (const cell of all(this, "td.own", HTMLElement)) cell.textContent = "–";
-    this.#progress(0);
+    one(this, "progress", HTMLProgressElement).value = 0;
   }
 
   #stop() {
@@ -118,7 +110,7 @@ class LadderBench extends HTMLElement {
   }
 
   /**
-   * One of the two buttons in place of the other; who stood on that one is led over.
+   * One of the two buttons in place of the other, with its focus.
    *
    * @param {string} name
    * @param {string} other
@@ -141,32 +133,13 @@ class LadderBench extends HTMLElement {
     addPoint(this.#points, result, this.ladder);
     const cell = one(this, `tr[data-tier="${CSS.escape(result.tier)}"] td.own`, HTMLElement);
     cell.textContent = numeral(milliseconds(result.milliseconds));
-    this.#progress(results.length);
-    this.#offer(results);
-  }
-
-  /** @param {Result[]} results */
-  #summary(results) {
-    return words("ladder.measured", { count: results.length, all: this.ladder.tiers.length });
-  }
-
-  /**
-   * A link to the numbers as a file.
-   *
-   * @param {Result[]} results
-   */
-  #offer(results) {
-    URL.revokeObjectURL(this.#csv);
-    this.#csv = URL.createObjectURL(new Blob([toCsv(results, this.ladder)], { type: "text/csv" }));
+    one(this, "progress", HTMLProgressElement).value = results.length;
+    URL.revokeObjectURL(this.#file);
+    this.#file = URL.createObjectURL(new Blob([toCsv(results, this.ladder)], { type: "text/csv" }));
     const link = one(this, "a.download", HTMLAnchorElement);
-    link.href = this.#csv;
+    link.href = this.#file;
     link.download = `${this.ladder.ladder}.csv`;
     link.removeAttribute("aria-disabled");
-  }
-
-  /** @param {number} count */
-  #progress(count) {
-    one(this, "progress", HTMLProgressElement).value = count;
   }
 
   /** @param {string} text */
@@ -201,31 +174,16 @@ export function milliseconds(value) {
  * @param {Result[]} results
  * @param {Ladder} ladder
  */
-function toCsv(results, ladder) {
-  const errors = ladder.metrics.map((metric) => `${metric.id} (${metric.unit})`);
+function toCsv(results, { ladder, metrics }) {
+  const sixDigits = (/** @type {number} */ value) => Number(value.toPrecision(6));
   const head = ["ladder", "tier", "median (ms)", "lower quartile (ms)", "upper quartile (ms)"];
+  const errors = metrics.map(({ id, unit }) => `${id} (${unit})`);
   const rows = results.map((result) => [
-    ladder.ladder,
+    ladder,
     result.tier,
     ...[result.milliseconds, result.low_ms, result.high_ms].map(sixDigits),
     result.repeats,
-    ...ladder.metrics.map((metric) => result.errors[metric.id] ?? (metric.higher ? "inf" : 0)),
+    ...metrics.map(({ id, higher }) => result.errors[id] ?? (higher ? "inf" : 0)),
   ]);
-  const lines = [[...head, "samples", ...errors], ...rows];
-  return lines.map((line) => `${line.map(csvField).join(",")}\r\n`).join("");
-}
-
-/**
- * More than a clock can tell, and without the noise of binary fractions.
- *
- * @param {number} value
- */
-function sixDigits(value) {
-  return Number(value.toPrecision(6));
-}
-
-/** @param {string | number} value */
-function csvField(value) {
-  const text = String(value);
-  return /[",\r\n]/.test(text) ? `"${text.replaceAll('"', '""')}"` : text;
+  return csv([[...head, "samples", ...errors], ...rows]);
 }

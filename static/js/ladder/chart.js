@@ -6,10 +6,13 @@
  * @typedef {{scale: Scale, none: number | null}} Axis
  */
 
+/** @import { Ladder, Result } from "./bench.js" */
+
 const SVG = "http://www.w3.org/2000/svg";
 const HALF = 5.5;
-
-/** @import { Ladder, Result } from "./bench.js" */
+/** Corners of a diamond; of arrows that point off the chart, to its start and to its end. */
+const DIAMOND = `0,${-HALF} ${HALF},0 0,${HALF} ${-HALF},0`;
+const ARROWS = [-HALF, HALF].map((tip) => `${tip},0 ${-tip},${HALF} ${-tip},${-HALF}`);
 
 /**
  * A diamond at the median, on a bar over the middle half of the samples. Where the chart ends
@@ -25,9 +28,13 @@ export function addPoint(group, result, { time, error, metrics }) {
   const [low, x, high] = [result.low_ms, result.milliseconds, result.high_ms].map((value) =>
     position(time, value),
   );
+  const { scale } = time;
+  const beyond = result.milliseconds > scale.high ? ARROWS[1] : DIAMOND;
+  const points = result.milliseconds < scale.low ? ARROWS[0] : beyond;
+  const transform = `translate(${x.toFixed(2)} ${y.toFixed(2)})`;
   group.append(
     element("line", { class: "spread", x1: low, x2: high, y1: y, y2: y }),
-    element("polygon", { class: "solid", points: marker(x, y, sideOf(time, result.milliseconds)) }),
+    element("polygon", { class: "solid", points, transform }),
   );
 }
 
@@ -43,39 +50,6 @@ export function position({ scale, none }, value) {
     scale.log ? Math.log10(end) : end,
   );
   return scale.start + ((at - low) / (high - low)) * (scale.end - scale.start);
-}
-
-/**
- * −1 or 1 where the value lies before or beyond the axis.
- *
- * @param {Axis} axis
- * @param {number} value
- */
-function sideOf({ scale }, value) {
-  return value < scale.low ? -1 : value > scale.high ? 1 : 0;
-}
-
-/**
- * Corners of a diamond, or of an arrow that points off the chart.
- *
- * @param {number} x
- * @param {number} y
- * @param {number} side
- */
-function marker(x, y, side) {
-  const corners = side
-    ? [
-        [side * HALF, 0],
-        [-side * HALF, HALF],
-        [-side * HALF, -HALF],
-      ]
-    : [
-        [0, -HALF],
-        [HALF, 0],
-        [0, HALF],
-        [-HALF, 0],
-      ];
-  return corners.map(([dx, dy]) => `${(x + dx).toFixed(2)},${(y + dy).toFixed(2)}`).join(" ");
 }
 
 /**

@@ -5,16 +5,13 @@ import { maybe, within } from "./dom.js";
 /** Listen for the contents button on any page. */
 export function installContents() {
   document.addEventListener("click", (event) => {
-    const button = toggle();
-    if (!button) return;
-    if (within(event, ".contents-toggle", Element)) setOpen(button, !isOpen(button));
-    else if (isOpen(button) && !within(event, "#contents", Element)) setOpen(button, false);
+    const pressed = within(event, ".contents-toggle", Element);
+    if (pressed || !within(event, "#contents", Element)) setOpen(!!pressed && !isOpen());
   });
-  document.addEventListener("keydown", (event) => {
-    const button = toggle();
-    if (event.key !== "Escape" || !button || !isOpen(button)) return;
-    setOpen(button, false);
-    button.focus();
+  document.addEventListener("keydown", ({ key }) => {
+    if (key !== "Escape" || !isOpen()) return;
+    setOpen(false);
+    toggle()?.focus();
   });
 }
 
@@ -22,16 +19,12 @@ function toggle() {
   return maybe(document, ".contents-toggle", HTMLButtonElement);
 }
 
-/** @param {HTMLButtonElement} button */
-function isOpen(button) {
-  return button.getAttribute("aria-expanded") === "true";
+function isOpen() {
+  return toggle()?.ariaExpanded === "true";
 }
 
-/**
- * @param {HTMLButtonElement} button
- * @param {boolean} open
- */
-function setOpen(button, open) {
-  button.setAttribute("aria-expanded", String(open));
+/** @param {boolean} open */
+function setOpen(open) {
+  toggle()?.setAttribute("aria-expanded", String(open));
   document.getElementById("contents")?.classList.toggle("open", open);
 }

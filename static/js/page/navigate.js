@@ -8,6 +8,7 @@ import { all, isPlain, within } from "./dom.js";
 import { linkedPage } from "./links.js";
 import { notice } from "./notice.js";
 import { HostError, fetchPage } from "./prefetch.js";
+import { isOfRelease } from "./release.js";
 import { words } from "./words.js";
 
 /** What a head says of its own page, or with addresses relative to it. */
@@ -40,15 +41,16 @@ let scrollTimer = 0;
 export function installNavigation(turned, returned, leave) {
   history.scrollRestoration = "manual";
   if (history.state?.scroll && !location.hash) scrollTo(0, history.state.scroll);
-  const goes = () => leave(shownPath);
-  addEventListener("pagehide", goes);
+  const leaveShown = () => leave(shownPath);
+  addEventListener("pagehide", leaveShown);
   document.addEventListener("click", (event) => {
-    const url = pageLink(event);
+    const link = within(event, "a[href]", HTMLAnchorElement);
+    const url = link && !event.defaultPrevented && isPlain(event) ? linkedPage(link) : null;
     if (!url) return;
     event.preventDefault();
     saveScroll();
     turnTo(url, turned, () => {
-      goes();
+      leaveShown();
       history.pushState({}, "", url);
     });
   });
@@ -56,7 +58,7 @@ export function installNavigation(turned, returned, leave) {
     if (isArrived()) {
       restoreScroll();
       returned();
-    } else turnTo(new URL(location.href), turned, goes);
+    } else turnTo(new URL(location.href), turned, leaveShown);
   });
   addEventListener("scroll", () => {
     clearTimeout(scrollTimer);
@@ -67,17 +69,6 @@ export function installNavigation(turned, returned, leave) {
 /** Whether the address is of the page that is shown, and not of one that is still fetched. */
 export function isArrived() {
   return location.pathname === shownPath;
-}
-
-/**
- * Where a plain click on a link to another page of the book leads, or null.
- *
- * @param {MouseEvent} event
- */
-function pageLink(event) {
-  const link = within(event, "a[href]", HTMLAnchorElement);
-  if (!link || event.defaultPrevented || !isPlain(event)) return null;
-  return linkedPage(link);
 }
 
 /**
@@ -92,12 +83,16 @@ async function turnTo(url, turned, commit) {
   try {
     const page = parsed(url, await fetchPage(url, signal));
     if (signal.aborted) return;
-    keepAddresses();
+    // Until it has others, the browser finds the icons from the next page's address, too.
+    for (const link of all(document.head, "link[rel=icon]", HTMLLinkElement)) {
+      link.setAttribute("href", link.href);
+    }
     commit();
     putInPlace(page);
     shownPath = location.pathname;
     turned();
-    arrive();
+    document.getElementById("main")?.focus({ preventScroll: true });
+    restoreScroll();
   } catch (error) {
     if (signal.aborted) return;
     if (!(error instanceof HostError)) location.assign(url);
@@ -119,28 +114,8 @@ function parsed(url, { text, type, redirected }) {
   if (!type.startsWith("text/html") || redirected) throw new Error("not a page of the book");
   const page = new DOMParser().parseFromString(text.replace(STYLES, ""), "text/html");
   if (!page.querySelector("main#main")) throw new Error("no text in the page");
-  if (releaseOf(page.body, url.href) !== releaseOf(document.body, location.href)) {
-    throw new Error("the book has been built anew");
-  }
+  if (!isOfRelease(page, url.href)) throw new Error("the book has been built anew");
   return page;
-}
-
-/**
- * What the page loads: scripts, and the Python that runs as long as pages are turned.
- *
- * @param {HTMLElement} body
- * @param {string} base
- */
-function releaseOf({ dataset }, base) {
-  const whole = (/** @type {string} */ folder) => folder && new URL(folder, base).href;
-  return [dataset.assets ?? "", dataset.runtime ?? ""].map(whole).join(" ");
-}
-
-/** From the next page's address, too, the browser is to find the icons until it has others. */
-function keepAddresses() {
-  for (const link of all(document.head, "link[rel=icon]", HTMLLinkElement)) {
-    link.setAttribute("href", link.href);
-  }
 }
 
 /**
@@ -160,11 +135,6 @@ function putInPlace(page) {
 }
 
 /** Begin reading: at the link's target, where one left off, or at the top. */
-function arrive() {
-  document.getElementById("main")?.focus({ preventScroll: true });
-  restoreScroll();
-}
-
 function restoreScroll() {
   const target = hashTarget();
   const kept = history.state?.scroll;

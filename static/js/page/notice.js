@@ -13,30 +13,19 @@ export function notice(text, offer) {
   maybe(document, ".notice", HTMLElement)?.remove();
   const line = document.createElement("div");
   line.className = "notice";
-  line.setAttribute("role", "status");
+  line.role = "status";
   document.body.append(line); // before it says something, so that this is read out
   const said = document.createElement("p");
   said.textContent = text;
   line.append(said);
-  if (offer) {
-    line.append(
-      button(offer.label, () => {
-        line.remove();
-        offer.act();
-      }),
-    );
+  for (const { label, act } of [...(offer ? [offer] : []), { label: words("page.close") }]) {
+    const button = document.createElement("button");
+    button.type = "button";
+    button.textContent = label;
+    button.addEventListener("click", () => {
+      line.remove();
+      act?.();
+    });
+    line.append(button);
   }
-  line.append(button(words("page.close"), () => line.remove()));
-}
-
-/**
- * @param {string} label
- * @param {() => void} act
- */
-function button(label, act) {
-  const made = document.createElement("button");
-  made.type = "button";
-  made.textContent = label;
-  made.addEventListener("click", act);
-  return made;
 }

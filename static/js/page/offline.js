@@ -1,12 +1,12 @@
-/** Has the whole book kept on the device, once the page is at rest and where that costs nothing. */
+/** Has the whole book stored on the device, once the page is at rest and where that costs nothing. */
 
 import { isMetered } from "./data_saver.js";
 
 /** Milliseconds between two looks at whether the figures have started. */
 const LOOK = 1000;
-/** Milliseconds after which the book is kept even if they have not. */
-const PATIENCE = 60_000;
-/** Milliseconds between two questions whether there is a new release. */
+/** Milliseconds after which the book is stored even if they have not. */
+const LONGEST = 60_000;
+/** Milliseconds between two requests for a new release. */
 const AGAIN = 3_600_000;
 
 /** Ask for it in the background; where service workers are not to be had, nothing happens. */
@@ -15,15 +15,22 @@ export function installOffline() {
   const workers = serviceWorkers();
   if (offline === undefined || !workers || isMetered()) return;
   const release = new URL(`${assets}js/main.js`, location.href).href;
-  const tell = () => workers.controller?.postMessage({ assets: release });
+  const announce = () => workers.controller?.postMessage({ assets: release });
   const address = new URL(`${root}sw.js`, location.href);
-  workers.addEventListener("controllerchange", tell);
-  tell();
-  whenAtRest(() => keep(workers, address));
+  workers.addEventListener("controllerchange", announce);
+  announce();
+  const begun = performance.now();
+  const look = () => {
+    const starting = document.querySelector('simulation-figure[data-state="starting"]');
+    const isLate = performance.now() - begun > LONGEST;
+    if (document.readyState === "complete" && (!starting || isLate)) store(workers, address);
+    else setTimeout(look, LOOK);
+  };
+  setTimeout(look, LOOK);
 }
 
-/** What keeps the book; nothing where the browser has none, or denies it as in a sandboxed frame. */
-export function serviceWorkers() {
+/** Null where the browser has none, or denies it as in a sandboxed frame. */
+function serviceWorkers() {
   try {
     return navigator.serviceWorker;
   } catch {
@@ -35,26 +42,11 @@ export function serviceWorkers() {
  * @param {ServiceWorkerContainer} workers
  * @param {URL} address
  */
-async function keep(workers, address) {
+async function store(workers, address) {
   try {
     const registration = await workers.register(address);
-    setInterval(() => registration.update().catch(ignore), AGAIN);
+    setInterval(() => registration.update().catch(() => {}), AGAIN); // the network may be away
   } catch {
-    // Storage is denied, or the file cannot be had: the book is read from the network as before.
+    // Storage is denied, or the file does not arrive: the book is read from the network as before.
   }
-}
-
-/** The network is away for now; the next question may be answered. */
-function ignore() {}
-
-/** @param {() => void} act */
-function whenAtRest(act) {
-  const begun = performance.now();
-  const look = () => {
-    const starting = document.querySelector('simulation-figure[data-state="starting"]');
-    const isLate = performance.now() - begun > PATIENCE;
-    if (document.readyState === "complete" && (!starting || isLate)) act();
-    else setTimeout(look, LOOK);
-  };
-  setTimeout(look, LOOK);
 }

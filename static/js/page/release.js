@@ -1,22 +1,18 @@
-/** The turn from one release of the book to the next, as an open page meets it. */
+/** A new release of the book, as an open page notices it. */
 
 import { notice } from "./notice.js";
 import { words } from "./words.js";
 
-/** What browsers say of a script that is asked for late and cannot be had. */
+/** What browsers say of a script that is requested late and does not arrive. */
 const MISSING = /dynamically imported module|[Ii]mporting a module script/;
 
 /** Whatever a press asks for may have gone with its release, or its host: called once. */
 export function watchScripts() {
-  addEventListener("unhandledrejection", (event) => {
+  addEventListener("unhandledrejection", async (event) => {
     if (!MISSING.test(event.reason?.message)) return;
     event.preventDefault();
-    tellMissing();
+    if (!(await offerRelease())) notice(words("page.missing"));
   });
-}
-
-async function tellMissing() {
-  if (!(await offerRelease())) notice(words("page.missing"));
 }
 
 /**
@@ -25,19 +21,26 @@ async function tellMissing() {
  * @returns {Promise<boolean>} Whether it has.
  */
 export async function offerRelease() {
-  const page = await newest().catch(() => null);
-  if (!page?.body.dataset.assets || releaseOf(page.body) === releaseOf(document.body)) return false;
+  try {
+    const reply = await fetch(location.href, { cache: "no-cache" });
+    const page = new DOMParser().parseFromString(await reply.text(), "text/html");
+    if (!page.body.dataset.assets || isOfRelease(page)) return false;
+  } catch {
+    return false;
+  }
   notice(words("page.renewed"), { label: words("page.reload"), act: () => location.reload() });
   return true;
 }
 
-/** This page as the host has it now. */
-async function newest() {
-  const reply = await fetch(location.href, { cache: "no-cache" });
-  return new DOMParser().parseFromString(await reply.text(), "text/html");
-}
-
-/** @param {HTMLElement} body */
-function releaseOf({ dataset }) {
-  return `${dataset.assets} ${dataset.runtime}`;
+/**
+ * Whether a page loads what this one does: scripts, and the Python that runs as long as pages are
+ * turned.
+ *
+ * @param {Document} page
+ * @param {string} [address] The page's own.
+ */
+export function isOfRelease(page, address = location.href) {
+  const folders = (/** @type {HTMLElement} */ { dataset }, /** @type {string} */ base) =>
+    [dataset.assets, dataset.runtime].map((folder) => folder && new URL(folder, base).href).join();
+  return folders(page.body, address) === folders(document.body, location.href);
 }

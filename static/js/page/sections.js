@@ -5,12 +5,12 @@ import { all } from "./dom.js";
 /** A section is read once its heading is above this part of the window. */
 const LINE = 0.35;
 
-/** All that lies above counts as in sight, or a jump over a heading would not be told. */
+/** All that lies above counts as in sight: a jump over a heading is noticed, too. */
 const headings = new IntersectionObserver(mark, {
   rootMargin: `9999999px 0px -${100 * (1 - LINE)}% 0px`,
 });
 
-/** Look after the sections of the page that is shown. */
+/** Observe the sections of the page that is shown. */
 export function watchSections() {
   headings.disconnect();
   for (const heading of listed()) headings.observe(heading);
@@ -23,15 +23,13 @@ function listed() {
 }
 
 function mark() {
-  const passed = listed().filter(
+  const current = listed().findLast(
     (heading) => heading.getBoundingClientRect().top < LINE * innerHeight,
   );
-  const current = passed.at(-1)?.id;
   for (const link of all(document, ".sections a", HTMLAnchorElement)) {
-    if (idOf(link) === current) {
-      link.setAttribute("aria-current", "location");
-      reveal(link);
-    } else link.removeAttribute("aria-current");
+    const isCurrent = current !== undefined && idOf(link) === current.id;
+    link.ariaCurrent = isCurrent ? "location" : null;
+    if (isCurrent) reveal(link);
   }
 }
 

@@ -8,8 +8,6 @@ import { within } from "./dom.js";
 
 /** Before a definition opens under a mouse that may only be passing, and before it closes. */
 const PAUSE = 180;
-const GAP = 6;
-const MARGIN = 8;
 
 /** @type {HTMLElement | null} */
 let shown = null;
@@ -22,24 +20,20 @@ export function install() {
     const mark = markOf(event);
     clearTimeout(timer);
     if (mark) timer = setTimeout(() => show(mark), PAUSE);
-    else if (shown && !within(event, ".definition", HTMLElement)) timer = setTimeout(hide, PAUSE);
+    else if (shown && !isInside(event)) timer = setTimeout(hide, PAUSE);
   });
   document.addEventListener("focusin", (event) => {
     const mark = markOf(event);
     if (mark?.matches(":focus-visible")) show(mark);
-    else if (!within(event, ".definition", HTMLElement)) hide();
+    else if (!isInside(event)) hide();
   });
-  document.addEventListener("focusout", (event) => {
-    if (markOf(event)) hide();
-  });
-  document.addEventListener("keydown", (event) => {
-    if (event.key === "Escape") hide();
-  });
+  document.addEventListener("focusout", (event) => markOf(event) && hide());
+  document.addEventListener("keydown", ({ key }) => key === "Escape" && hide());
   document.addEventListener("click", (event) => {
     const mark = markOf(event);
     const touched = event instanceof PointerEvent && event.pointerType === "touch";
     if (!mark || !touched) {
-      if (!within(event, ".definition", HTMLElement)) hide();
+      if (!isInside(event)) hide();
       return;
     }
     if (shown === definitionOf(mark)) return; // a second tap follows the link
@@ -53,6 +47,11 @@ function markOf(event) {
   return within(event, "a.term", HTMLAnchorElement);
 }
 
+/** @param {Event} event */
+function isInside(event) {
+  return within(event, ".definition", HTMLElement) !== null;
+}
+
 /** @param {HTMLAnchorElement} mark */
 function definitionOf(mark) {
   return document.getElementById(mark.getAttribute("aria-describedby") ?? "");
@@ -64,28 +63,13 @@ function show(mark) {
   const definition = definitionOf(mark);
   if (definition === shown || !definition || !mark.isConnected) return;
   hide();
-  definition.showPopover();
+  // The mark becomes its anchor: `terms.css` places it there.
+  /** @type {any} */ (definition).showPopover({ source: mark });
   shown = definition;
-  place(definition, mark.getClientRects()[0] ?? mark.getBoundingClientRect());
 }
 
 function hide() {
   clearTimeout(timer);
   if (shown?.isConnected) shown.hidePopover();
   shown = null;
-}
-
-/**
- * Below the mark, or above where there is no room; within the window.
- *
- * @param {HTMLElement} definition
- * @param {DOMRect} mark
- */
-function place(definition, mark) {
-  const { width, height } = definition.getBoundingClientRect();
-  const right = document.documentElement.clientWidth - width - MARGIN;
-  const fits = mark.bottom + GAP + height < innerHeight;
-  const top = fits ? mark.bottom + GAP : mark.top - GAP - height;
-  definition.style.left = `${scrollX + Math.max(MARGIN, Math.min(mark.left, right))}px`;
-  definition.style.top = `${scrollY + top}px`;
 }

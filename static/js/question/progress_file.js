@@ -4,6 +4,7 @@
  */
 
 import { STORAGE } from "../book.js";
+import { download } from "../page/download.js";
 import { kept, remember } from "../page/storage.js";
 import { words } from "../page/words.js";
 
@@ -20,11 +21,7 @@ const LARGEST = 1_000_000;
 export function saveProgress() {
   const answers = kept(NAMES);
   const text = JSON.stringify({ format: FORMAT, version: VERSION, answers }, null, 1);
-  const link = document.createElement("a");
-  link.href = URL.createObjectURL(new Blob([text], { type: "application/json" }));
-  link.download = `${FORMAT}.json`;
-  link.click();
-  setTimeout(() => URL.revokeObjectURL(link.href), 10_000);
+  download(`${FORMAT}.json`, text, "application/json");
   return Object.keys(answers).length;
 }
 
@@ -37,18 +34,16 @@ export function saveProgress() {
  */
 export async function readProgress(file) {
   if (file.size > LARGEST) throw new Error(words("progress.too_large"));
-  const answers = Object.entries(checked(parsed(await file.text())));
-  for (const [name, entry] of answers) remember(name, entry);
-  return answers.length;
-}
-
-/** @param {string} text */
-function parsed(text) {
+  const text = await file.text();
+  let content;
   try {
-    return JSON.parse(text);
+    content = JSON.parse(text);
   } catch {
     throw new Error(words("progress.no_json"));
   }
+  const answers = Object.entries(checked(content));
+  for (const [name, entry] of answers) remember(name, entry);
+  return answers.length;
 }
 
 /**
@@ -65,8 +60,9 @@ function checked(content) {
     throw new Error(words("progress.no_answers"));
   }
   for (const [name, entry] of Object.entries(answers)) {
-    const given = name.startsWith("quiz:") ? entry?.answer : entry?.guess;
-    const judged = name.startsWith("quiz:") ? typeof entry?.right === "boolean" : true;
+    const isQuiz = name.startsWith("quiz:");
+    const given = isQuiz ? entry?.answer : entry?.guess;
+    const judged = !isQuiz || typeof entry?.right === "boolean";
     if (!NAMES.test(name) || typeof entry?.edition !== "string" || !judged || !isGiven(given)) {
       throw new Error(words("progress.broken", { name: JSON.stringify(name) }));
     }
@@ -76,6 +72,5 @@ function checked(content) {
 
 /** @param {unknown} given */
 function isGiven(given) {
-  const numbers = Array.isArray(given) ? given : [given ?? 0];
-  return given !== undefined && numbers.every(Number.isFinite);
+  return given !== undefined && [given ?? 0].flat().every(Number.isFinite);
 }
