@@ -3,7 +3,6 @@
 Cutting takes seconds, hence a cache keyed by everything it depends on.
 """
 
-import hashlib
 import io
 from collections.abc import Mapping, Sequence
 from importlib.util import find_spec
@@ -14,6 +13,7 @@ import fontTools
 import platformdirs
 
 from site_builder.output.font_faces import FACES, Face
+from site_builder.runtime.store import made_once, sha256
 
 if TYPE_CHECKING:
     from fontTools.ttLib import TTFont
@@ -41,17 +41,11 @@ def subset_fonts(faces: Sequence[Face] = FACES, cache: Path | None = None) -> Ma
     return {face.file: _cut_once(face, folder) for face in faces}
 
 
-def _cut_once(face: Face, cache: Path) -> bytes:
+def _cut_once(face: Face, folder: Path) -> bytes:
     source = source_file(face).read_bytes()
-    kept = cache / f"{_fingerprint(face, source)}.woff2"
-    if kept.is_file():
-        return kept.read_bytes()
-    packed = cut(face, source)
-    cache.mkdir(parents=True, exist_ok=True)
-    unfinished = kept.with_suffix(".part")
-    unfinished.write_bytes(packed)
-    unfinished.replace(kept)
-    return packed
+    recipe = (RECIPE, face.family, face.style, sorted(face.characters), face.features)
+    key = sha256(repr((*recipe, fontTools.version)).encode() + source)
+    return made_once(folder, key, lambda: {face.file: cut(face, source)})[face.file].read_bytes()
 
 
 def source_file(face: Face) -> Path:
@@ -60,18 +54,6 @@ def source_file(face: Face) -> Path:
     if not (found and found.origin):
         raise FileNotFoundError(f"{face.package} carries {face.source} and is not installed")
     return Path(found.origin).parent / face.source
-
-
-def _fingerprint(face: Face, source: bytes) -> str:
-    recipe = (
-        RECIPE,
-        face.family,
-        face.style,
-        sorted(face.characters),
-        face.features,
-        fontTools.version,
-    )
-    return hashlib.sha256(repr(recipe).encode() + source).hexdigest()[:32]
 
 
 def cut(face: Face, source: bytes) -> bytes:

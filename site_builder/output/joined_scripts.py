@@ -44,7 +44,6 @@ def join_scripts(
         if name in reachable(files, [entry]) and name.endswith(".js")
     }
     folder = kept or user_cache_path("image-formation", appauthor=False) / "scripts"
-    folder.mkdir(parents=True, exist_ok=True)
     given = [(name, content_hash(modules[name]).hex()) for name in sorted(modules)]
     tool = [sha256(path.read_bytes()) for path in (DRIVER, PACKAGES / "package-lock.json")]
     recipe = sha256(json.dumps([entry, given, tool]).encode())

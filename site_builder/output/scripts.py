@@ -2,10 +2,9 @@
 
 import re
 from collections.abc import Collection, Iterator, Mapping
-from functools import cache
 from posixpath import dirname, normpath
 
-from site_builder.output.assets import Content, content_bytes, content_hash
+from site_builder.output.assets import Content, content_bytes
 
 COMMENT = re.compile(r"/\*.*?\*/|^\s*//.*?$", re.DOTALL | re.MULTILINE)
 AT_ONCE = re.compile(r"""(?:\bfrom|(?:^|;)\s*import)\s*"(\.[^"]+)\"""", re.MULTILINE)
@@ -55,20 +54,6 @@ def reachable(files: Mapping[str, Content], entries: Collection[str]) -> frozens
 
 def _named_in(name: str, content: Content, *kinds: re.Pattern[str]) -> Iterator[str]:
     if name.endswith((".js", ".mjs")):
-        named = _seen.get(place := (content_hash(content), kinds))
-        if named is None:
-            patterns = tuple((kind.pattern, kind.flags) for kind in kinds)
-            named = _seen[place] = _addresses(content_bytes(content), patterns)
-        yield from (normpath(f"{dirname(name)}/{address}") for address in named)
-
-
-_seen: dict[tuple[bytes, tuple[re.Pattern[str], ...]], tuple[str, ...]] = {}
-"""What scripts name, by their hashes: a build asks for each some thirty times, and most lie in
-files."""
-
-
-@cache
-def _addresses(script: bytes, patterns: tuple[tuple[str, int], ...]) -> tuple[str, ...]:
-    text = COMMENT.sub("", script.decode("utf-8"))
-    found = (match for pattern, flags in patterns for match in re.finditer(pattern, text, flags))
-    return tuple(match[match.lastindex or 1] for match in found)
+        text = COMMENT.sub("", content_bytes(content).decode("utf-8"))
+        for match in (match for kind in kinds for match in kind.finditer(text)):
+            yield normpath(f"{dirname(name)}/{match[match.lastindex or 1]}")

@@ -68,6 +68,7 @@ def made_once(
 ) -> Mapping[str, Path]:
     """The files that ``make`` gives, by name; made only where none of that recipe, or no intact
     ones, are stored."""
+    store.mkdir(parents=True, exist_ok=True)
     record = store / f"{recipe}.json"
     if not (kept := _recorded(store, record)):
         kept = {name: put(store, name, content) for name, content in make().items()}

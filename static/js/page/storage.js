@@ -1,22 +1,22 @@
 /**
- * Small things worth remembering. What the browser will not keep, denied or full as its storage may
- * be, is remembered until the page is left for good, and the page is told of it once.
+ * Small things worth remembering. What the browser does not store, denied or full as its storage may
+ * be, is remembered until the page is left for good, and the reader is told of it once.
  */
 
 import { STORAGE } from "../book.js";
 
-/** What could not be kept. @type {Map<string, unknown>} */
+/** What could not be stored. @type {Map<string, unknown>} */
 const passing = new Map();
 
 /** What a reader would miss. */
 const DEAR = /^(quiz|predict|python):/;
-let isTold = false;
+let isReported = false;
 
-/** Dispatched on `window` when something dear could not be kept, once. */
+/** Dispatched on `window` when something dear could not be stored, once. */
 export const FORGETFUL = "forgetful";
 
 /**
- * What was kept under `key`, or null.
+ * What was remembered under `key`, or null.
  *
  * @param {string} key
  * @returns {any}
@@ -31,7 +31,7 @@ export function recall(key) {
 }
 
 /**
- * Keep `value` under `key`; null forgets.
+ * Remember `value` under `key`; null forgets.
  *
  * @param {string} key
  * @param {unknown} value
@@ -43,21 +43,20 @@ export function remember(key, value) {
     passing.delete(key);
   } catch {
     passing.set(key, value);
-    if (isTold || value === null || !DEAR.test(key)) return;
-    isTold = true;
+    if (isReported || value === null || !DEAR.test(key)) return;
+    isReported = true;
     dispatchEvent(new Event(FORGETFUL));
   }
 }
 
 /**
- * Hear of what another tab kept or forgot.
+ * Follow what another tab remembers or forgets.
  *
  * @param {(key: string | null) => void} changed Called with its key; null where all was forgotten.
  */
 export function onOtherTab(changed) {
   addEventListener("storage", ({ key, storageArea }) => {
-    if (key !== null && !key.startsWith(STORAGE)) return;
-    if (storageArea === sessionStorage) return;
+    if ((key !== null && !key.startsWith(STORAGE)) || storageArea === sessionStorage) return;
     const own = key && key.slice(STORAGE.length);
     if (own) passing.delete(own); // theirs came later
     changed(own);
@@ -65,29 +64,26 @@ export function onOtherTab(changed) {
 }
 
 /**
- * All that was kept under names that fit.
+ * All that was remembered under names that fit.
  *
  * @param {RegExp} names
  * @returns {Record<string, unknown>}
  */
 export function kept(names) {
-  const fitting = new Set([...keptKeys(), ...passing.keys()].filter((key) => names.test(key)));
-  const all = [...fitting].map((key) => [key, recall(key)]);
-  return Object.fromEntries(all.filter(([, value]) => value !== null));
-}
-
-/** Names of what the browser keeps for the book. */
-function keptKeys() {
+  /** @type {string[]} */
+  let stored = [];
   try {
-    const keys = Object.keys(localStorage).filter((key) => key.startsWith(STORAGE));
-    return keys.map((key) => key.slice(STORAGE.length));
+    stored = Object.keys(localStorage).filter((key) => key.startsWith(STORAGE));
   } catch {
-    return [];
+    // Denied: there is only what passes.
   }
+  const keys = new Set([...stored.map((key) => key.slice(STORAGE.length)), ...passing.keys()]);
+  const fitting = [...keys].filter((key) => names.test(key)).map((key) => [key, recall(key)]);
+  return Object.fromEntries(fitting.filter(([, value]) => value !== null));
 }
 
 /**
- * Forget what was kept under names that fit.
+ * Forget what was remembered under names that fit.
  *
  * @param {RegExp} names
  */

@@ -11,8 +11,7 @@ from pathlib import Path
 
 import pytest
 
-from site_builder.output.exchange import exchange
-from site_builder.output.writer import Hashes, way_out, write_site
+from site_builder.output.writer import way_out, write_site
 
 ROOT = Path(__file__).parents[3]
 NOBODY = 65534
@@ -43,7 +42,6 @@ def test_a_swap_that_fails_brings_the_last_site_back(
 ) -> None:
     out = tmp_path / "site"
     write_site({"book.json": b"{}"}, out)
-    monkeypatch.setattr("site_builder.output.writer.exchange", lambda *_: False)
     rename = Path.rename
 
     def refuse_the_new(self: Path, target: Path) -> Path:
@@ -68,22 +66,12 @@ def test_unchanged_files_keep_their_modification_time(tmp_path: Path) -> None:
     assert (out / "a.html").stat().st_mtime > 1000
 
 
-def test_a_single_changed_file_is_replaced_in_the_folder_that_there_is(tmp_path: Path) -> None:
-    out = tmp_path / "site"
-    write_site({"book.json": b"{}", "a.html": b"a"}, out)
-    folder = out.stat().st_ino
-    write_site({"book.json": b"{}", "a.html": b"b"}, out)
-    assert (out / "a.html").read_bytes() == b"b"
-    assert out.stat().st_ino == folder
-
-
 def test_what_others_did_to_a_written_site_is_put_right(tmp_path: Path) -> None:
     out, files = tmp_path / "site", {"book.json": b"{}", "a": b"a"}
-    hashes: Hashes = {}
-    write_site(files, out, hashes)
+    write_site(files, out)
     (out / "a").write_bytes(b"damaged")
     (out / "stray").touch()
-    assert set(write_site(files, out, hashes)) == {"a", "stray"}
+    assert set(write_site(files, out)) == {"a", "stray"}
     assert {file.name: file.read_bytes() for file in out.iterdir()} == files
 
 
@@ -186,13 +174,3 @@ def test_where_nobody_may_write_the_last_site_stays_and_the_message_has_a_way_ou
         "a": b"a",
     }
     assert [place.name for place in sealed.parent.iterdir()] == ["site"]
-
-
-def test_a_folder_changes_places_with_another(tmp_path: Path) -> None:
-    for name in ("one", "two"):
-        (tmp_path / name).mkdir()
-        (tmp_path / name / name).touch()
-    if not exchange(tmp_path / "one", tmp_path / "two"):
-        pytest.skip("this system cannot")
-    assert (tmp_path / "one" / "two").exists()
-    assert (tmp_path / "two" / "one").exists()
