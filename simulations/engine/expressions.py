@@ -2,7 +2,7 @@
 
 Chapters hold answers and conditions in it, which are worked out when the book is built and, for
 what the reader does to a figure, in the browser. It names only what it is given, so nothing that
-is written in a chapter can reach beyond that; attributes, lambdas and comprehensions do not exist.
+is written in a chapter can reach beyond that; methods and comprehensions do not exist.
 """
 
 import ast
@@ -99,6 +99,13 @@ def _value(node: ast.expr, names: Mapping[str, object]) -> Any:
             return tuple(_value(item, names) for item in items)
         case ast.Subscript(value=whole, slice=index):
             return _value(whole, names)[_value(index, names)]
+        case ast.Slice(lower=first, upper=last, step=step):
+            return slice(*(part and _value(part, names) for part in (first, last, step)))
+        case ast.Attribute(value=whole, attr=attr) if not attr.startswith("_"):
+            return _data(_value(whole, names), attr)
+        case ast.Lambda(args=parameters, body=body):
+            keys = [parameter.arg for parameter in parameters.args]
+            return lambda *given: _value(body, {**names, **dict(zip(keys, given, strict=True))})
         case ast.Call(func=ast.Name(), args=args, keywords=given):
             call = _value(node.func, names)
             named = {str(item.arg): _value(item.value, names) for item in given if item.arg}
@@ -106,6 +113,14 @@ def _value(node: ast.expr, names: Mapping[str, object]) -> Any:
     raise ExpressionError(
         f"{ast.unparse(node)!r} has no meaning here; legal: numbers, names, calls, comparisons"
     )
+
+
+def _data(whole: object, name: str) -> object:
+    """An attribute that is no method, which might do something."""
+    value = getattr(whole, name)
+    if callable(value):
+        raise ExpressionError(f"method {name!r}; legal: attributes that hold data")
+    return value
 
 
 def _expected(name: str, names: Mapping[str, object]) -> str:

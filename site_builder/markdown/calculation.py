@@ -10,9 +10,11 @@ below it use both. The block itself is not shown.
 
 import ast
 import re
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from math import isfinite
+from typing import Any
 
+import numpy as np
 from markdown_it.token import Token
 
 from simulations.engine.conditions import shown_value
@@ -65,14 +67,16 @@ def truth(text: str, line: int, context: ParseContext) -> bool | None:
 
 
 def number_text(written: str, context: ParseContext) -> str:
-    """``expression`` or ``expression:.2f`` as running text shows it: 3, −0.25, 6.2 × 10⁻⁵.
-
-    Raises `ExpressionError`.
+    """``expression`` or ``expression:.2f`` as running text shows it: 3, −0.25, 6.2 × 10⁻⁵; the
+    numbers of a vector with commas between them. Raises `ExpressionError`.
     """
-    mantissa, exponent = _formatted(written, context)
-    if exponent:
-        mantissa += f"{NARROW_SPACE}×{NARROW_SPACE}{power_of_ten(int(exponent))}"
-    return context.words.numeral(mantissa.replace("-", "−").replace(",", "\u00a0"))
+
+    def text(mantissa: str, exponent: str) -> str:
+        if exponent:
+            mantissa += f"{NARROW_SPACE}×{NARROW_SPACE}{power_of_ten(int(exponent))}"
+        return context.words.numeral(mantissa.replace("-", "−").replace(",", "\u00a0"))
+
+    return ", ".join(text(*parts) for parts in _formatted(written, context))
 
 
 def compute_formula(tex: str, context: ParseContext) -> str:
@@ -81,13 +85,14 @@ def compute_formula(tex: str, context: ParseContext) -> str:
     Raises `ExpressionError`.
     """
 
-    def number_tex(match: re.Match[str]) -> str:
-        mantissa, exponent = _formatted(match[1], context)
-        if exponent:
-            mantissa += rf" \cdot 10^{{{int(exponent)}}}"
-        return mantissa.replace(",", r"\,")
+    def number_tex(mantissa: str, exponent: str) -> str:
+        power = rf" \cdot 10^{{{int(exponent)}}}" if exponent else ""
+        return mantissa.replace(",", r"\,") + power
 
-    return IN_FORMULA.sub(number_tex, tex)
+    def numbers(match: re.Match[str]) -> str:
+        return ", ".join(number_tex(*parts) for parts in _formatted(match[1], context))
+
+    return IN_FORMULA.sub(numbers, tex)
 
 
 def define_names(token: Token, line: int, context: ParseContext) -> None:
@@ -111,36 +116,49 @@ def _defined(statement: ast.stmt, context: ParseContext) -> Iterator[tuple[str, 
         case ast.ImportFrom(module=str(module), names=names):
             for name in names:
                 yield name.asname or name.name, _function(module, name.name)
-        case ast.Assign(targets=[ast.Name(id=name)], value=value):
-            yield name, evaluate_node(value, names_for(context))
-        case ast.Assign(targets=[ast.Tuple(elts=targets)], value=value):
-            values = evaluate_node(value, names_for(context))
-            try:
-                yield from zip(map(ast.unparse, targets), values, strict=True)
-            except (TypeError, ValueError):
-                raise ExpressionError(
-                    f"{ast.unparse(statement)!r}; legal: as many names as values"
-                ) from None
+        case ast.Assign(targets=[target], value=value):
+            yield from _assigned(target, evaluate_node(value, names_for(context)))
         case _:
             raise ExpressionError(f"{ast.unparse(statement)!r} in a calculation; {LEGAL}")
 
 
-def _formatted(written: str, context: ParseContext) -> tuple[str, str]:
-    """Digits, and the exponent of ten or nothing."""
+def _assigned(target: ast.expr, value: object) -> Iterator[tuple[str, object]]:
+    match target:
+        case ast.Name(id=name):
+            yield name, value
+        case ast.Tuple(elts=targets) if isinstance(value, Iterable):
+            values = tuple(value)
+            if len(values) != len(targets):
+                message = f"{len(values)} values for {ast.unparse(target)!r}"
+                raise ExpressionError(f"{message}; legal: as many names as values")
+            for inner, item in zip(targets, values, strict=True):
+                yield from _assigned(inner, item)
+        case _:
+            raise ExpressionError(f"{ast.unparse(target)!r} is given {value!r}; {LEGAL}")
+
+
+def _formatted(written: str, context: ParseContext) -> Iterator[tuple[str, str]]:
+    """Digits, and the exponent of ten or nothing, of each number that is asked for."""
     expression, spec = FORM.fullmatch(written).groups()  # type: ignore[union-attr]
-    value = _finite(expression, names_for(context))
-    try:
-        text = format(value, spec or "g")
-    except ValueError:
-        raise ExpressionError(
-            f"{written!r} has no number format; legal: 'expression' or 'expression:.2f'"
-        ) from None
-    mantissa, _, exponent = text.partition("e")
-    return re.sub(r"^-(?=[0.]*$)", "", mantissa), exponent
+    value = evaluate(expression, names_for(context))
+    several = isinstance(value, tuple) or (isinstance(value, np.ndarray) and value.ndim > 0)
+    for item in value if several else (value,):
+        given = _as_number(item, expression)
+        try:
+            text = format(given, spec or "g")
+        except ValueError:
+            raise ExpressionError(
+                f"{written!r} has no number format; legal: 'expression' or 'expression:.2f'"
+            ) from None
+        mantissa, _, exponent = text.partition("e")
+        yield re.sub(r"^-(?=[0.]*$)", "", mantissa), exponent
 
 
 def _finite(text: str, names: Mapping[str, object]) -> float:
-    value = evaluate(text, names)
+    return _as_number(evaluate(text, names), text)
+
+
+def _as_number(value: Any, text: str) -> float:
     try:
         result = float(value)
     except (TypeError, ValueError):

@@ -45,14 +45,17 @@ def inline_html(markdown: str, line: int, context: ParseContext) -> str:
 
 
 def _set_formula(token: Token, line: int, context: ParseContext) -> None:
-    tex = token.content
     try:
-        token.content = tex = compute_formula(tex, context)
-        tex = written_out(tex, context.macros)
-        token.meta["mathml"] = _mathml(tex.strip(), display=token.type != "math_inline")
-    except (ExpressionError, UnsupportedTexError) as error:
+        token.content = tex = compute_formula(token.content, context)
+    except ExpressionError as error:
         context.problem(line, str(error))
+        return
     context.formulae.append((line, tex, token.type != "math_inline"))
+    try:
+        written = written_out(tex, context.macros)
+        token.meta["mathml"] = _mathml(written.strip(), display=token.type != "math_inline")
+    except UnsupportedTexError as error:
+        context.problem(line, str(error))
 
 
 def _mathml(tex: str, *, display: bool) -> str:

@@ -1,12 +1,11 @@
 """Chapter 0: from a speck of paint to 149."""
 
 import tomllib
-from math import cos, hypot, radians, sqrt
+from math import hypot, sqrt
 
 import numpy as np
 from support.worked_numbers import CONTENT, Says, source
 
-from simulations.models.color.srgb import decode_srgb, encode_srgb
 from simulations.models.distortion.lens_model import Distortion, distort
 from simulations.models.projection.pinhole import intrinsics, project
 from simulations.models.sampling.aliasing import alias_frequency, box_mtf
@@ -54,33 +53,6 @@ def from_a_speck_to_its_place() -> Says:
     assert 0.3 < hypot(u - straight[0], v - straight[1]) < 0.35, "about a third of a pixel"
 
 
-def from_light_to_a_code() -> Says:
-    """The example is the figure's first exposure."""
-    light = 0.6 * cos(radians(60))
-    yield rf"$0.6 \cdot \cos 60^\circ = {light:.2f}$ of the light of a white wall"
-    yield f"Then we expect {10_000 * light:.0f} from our speck."
-    first = travel(4.0, 0.6, 0)
-    yield f"this time {first.counted_e:.0f} electrons are counted"
-    yield f"this time worth {first.read_e:.2f} electrons"
-    reported = round((round(first.counted_e) + round(first.read_e, 2)) * 4095 / 10_000)
-    assert reported == first.raw_dn
-    yield rf"$({first.counted_e:.0f} + {first.read_e:.2f}) \cdot 4095/10\,000 = {reported}$"
-    linear = reported / 4095
-    encoded = float(encode_srgb(linear))
-    yield rf"${reported}/4095 = {linear:.4f}$"
-    yield f"It turns {linear:.4f} into {encoded:.3f}"
-    yield rf"${encoded:.3f} \cdot 255 = {encoded * 255:.0f}$"
-    assert round(encoded * 255) == first.code
-
-
-def how_wide_a_step_of_the_file_is() -> Says:
-    assert round(255 * float(encode_srgb(0.3))) == 149, "3000 electrons give 149 as well"
-    below, above = (10_000 * float(decode_srgb(code / 255)) for code in (148.5, 149.5))
-    yield f"about {above - below:.0f} electrons wide"
-    yield rf"$\sqrt{{3000}} \approx {sqrt(3000):.0f}$"
-    assert 0.8 < sqrt(3000) / (above - below) < 1.3, "about one"
-
-
 def stripes_finer_than_the_grid() -> Says:
     """Five on four pixels: the average over a cell, and what the grid makes of the rest."""
     frequency = 5 / 4
@@ -107,15 +79,6 @@ def specks_on_one_ray() -> Says:
         yield f"{Y:g}, {Z:.1f})$ m"
 
 
-def walls_of_one_brightness() -> Says:
-    def code(albedo: float, angle_deg: float) -> int:
-        return round(255 * float(encode_srgb(albedo * cos(radians(angle_deg)))))
-
-    assert code(0.9, 60) == code(0.45, 0) == code(0.5, 26) != code(0.45, 30)
-    yield rf"$0.5 \cdot \cos 26^\circ = {0.5 * cos(radians(26)):.2f}$"
-    yield rf"$0.45 \cdot \cos 30^\circ = {0.45 * cos(radians(30)):.2f}$"
-
-
 def differences_that_prove_an_edge() -> Says:
     """Two neighbours of 3000 electrons each differ by √2 times what one varies by."""
     yield "A difference of 40 electrons between neighbours is no evidence of an edge"
@@ -134,12 +97,9 @@ def where_models_break() -> Says:
 WORKED = (
     one_list_of_links,
     from_a_speck_to_its_place,
-    from_light_to_a_code,
-    how_wide_a_step_of_the_file_is,
     stripes_finer_than_the_grid,
     the_point_at_twice_the_distance,
     specks_on_one_ray,
-    walls_of_one_brightness,
     differences_that_prove_an_edge,
     where_models_break,
 )

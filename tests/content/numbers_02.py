@@ -7,10 +7,10 @@ from support.worked_numbers import Says
 
 from simulations.models.arrays import Floats
 from simulations.models.geometry import euler, quaternions, rotations, transforms_3d
-from simulations.models.geometry.lines_and_planes import plane_through, signed_distance
+from simulations.models.geometry.lines_and_planes import plane_through
 from simulations.models.geometry.quaternion_blends import bisected_arc, turn_between_rad
 from simulations.models.geometry.rotation_paths import matrix_blend, rate_axes
-from simulations.models.projection.pinhole import look_at, rigid_pose, world_to_camera
+from simulations.models.projection.pinhole import rigid_pose, world_to_camera
 
 CHAPTER = "02-3d-transformations"
 
@@ -19,19 +19,6 @@ def crossing(vector: Floats) -> Floats:
     """The matrix (3, 3) that takes the cross product with a vector (3,)."""
     x, y, z = vector
     return np.array([[0.0, -z, y], [z, 0.0, -x], [-y, x, 0.0]])
-
-
-def a_camera_that_looks_to_the_left() -> Says:
-    pose = look_at((10, 0, 0), (0, 0, 0), (0, -1, 0))
-    assert np.allclose(pose[:3, :3], [[0, 0, 1], [0, 1, 0], [-1, 0, 0]])
-    assert np.allclose(pose[:3, 3], [0, 0, 10])
-    lamp = np.array((2, -1, 3))
-    turned = pose[:3, :3] @ lamp
-    yield rf"Then $R\mathbf{{p}} = ({turned[0]:.0f}, {turned[1]:.0f}, {turned[2]:.0f})$"
-    seen = world_to_camera(lamp, rigid_pose(pose[:3, :3], pose[:3, 3]))
-    yield rf"+ (0, 0, 10) = ({seen[0]:.0f}, {seen[1]:.0f}, {seen[2]:.0f})\ \text{{m}}$$"
-    yield rf"$\sqrt{{9 + 1 + 64}} = {np.linalg.norm(seen):.2f}$ m"
-    assert np.isclose(np.linalg.norm(seen), np.linalg.norm(lamp - (10, 0, 0)))
 
 
 def the_shortcut_of_small_angles() -> Says:
@@ -167,10 +154,6 @@ def averages_of_matrices() -> Says:
     yield f"Its first two columns have length {np.linalg.norm(other[:, 0]):.2f}."
 
 
-def a_rolling_shutter() -> Says:
-    yield f"turns by {90 * 0.020:g}° between the first row and the last"
-
-
 def coordinates_far_from_the_origin() -> Says:
     step = float(np.spacing(np.float32(4e6)))
     yield f"neighbouring numbers there are {step:g} m apart"
@@ -228,16 +211,6 @@ def cosines_that_are_flat() -> Says:
     yield "It recovers $10^{-10}$ to all digits"
 
 
-def a_beam_on_a_desk() -> Says:
-    desk, valid = plane_through([0.0, 1, 3], [2.0, 1, 3], [0.0, 0, 4])
-    assert valid
-    yield f"\\mathbf{{n}} = (0, {desk[1]:.3f}, {desk[2]:.3f})"
-    away = float(signed_distance([0.0, 0, 0], desk))
-    yield f"= {away:.2f}\\ \\text{{m}}$$"
-    assert np.isclose(np.arccos(desk[:3] @ [0, -1, 0]), np.pi / 4)
-    yield f"= {-away / desk[2]:.0f}$ m, in the third corner"
-
-
 def a_line_by_six_numbers() -> Says:
     start, end = np.array([1.0, 0, 0]), np.array([1.0, 0, 2])
     v, m = end - start, np.cross(start, end)
@@ -260,10 +233,8 @@ def a_plane_that_keeps_its_points() -> Says:
 WORKED = (
     a_hundredth_of_a_degree,
     cosines_that_are_flat,
-    a_beam_on_a_desk,
     a_line_by_six_numbers,
     a_plane_that_keeps_its_points,
-    a_camera_that_looks_to_the_left,
     the_shortcut_of_small_angles,
     to_pan_tilt_and_roll_a_camera,
     two_frames_of_a_film,
@@ -274,7 +245,6 @@ WORKED = (
     gimbal_lock,
     near_the_lock,
     averages_of_matrices,
-    a_rolling_shutter,
     the_ladder_in_space,
     coordinates_far_from_the_origin,
 )

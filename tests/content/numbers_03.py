@@ -1,16 +1,14 @@
 """Chapter 3: perspective projection."""
 
-from math import acos, atan, cos, degrees, isclose, pi, radians, sqrt, tan
+from math import atan, cos, degrees, isclose, pi, radians, sqrt
 
 import numpy as np
 from support.worked_numbers import Says
 
 from simulations.models.geometry.rotations import exponential
 from simulations.models.geometry.transforms import apply_homography
-from simulations.models.lens.pinhole import sharpest_hole_mm, spread_mm
 from simulations.models.lens.thin_lens import principal_distance_mm
-from simulations.models.projection.affine_cameras import project_affine, scaled_orthographic_camera
-from simulations.models.projection.level_ground import height_by_horizon, pose_above_ground
+from simulations.models.projection.level_ground import pose_above_ground
 from simulations.models.projection.pinhole import (
     field_of_view_rad,
     intrinsics,
@@ -30,33 +28,6 @@ def image_px(x_m: float, depth_m: float, focal_px: float) -> float:
     return float(pixel[0])
 
 
-def a_thumb_s_distance() -> Says:
-    yield f"the person stands thirty times as far away: {0.60 * 1.8 / 0.06:.0f} m"
-
-
-def five_metres_away() -> Says:
-    yield rf"x = 80 \cdot \frac{{1.0}}{{5.0}} = {image_px(1, 5, 80):g}\ \text{{px}}"
-    yield f"Move the point to 10 m: $x = {image_px(1, 10, 80):g}$ px, half as much."
-    yield f"Move it to 2.5 m: $x = {image_px(1, 2.5, 80):g}$ px."
-    yield f"double the focal length to 160 px: $x = {image_px(1, 5, 160):g}$ px"
-
-
-def unequal_steps() -> Says:
-    yield f"$x$ falls by {image_px(1, 2, 80) - image_px(1, 3, 80):.1f} px"
-    far = image_px(1, 19, 80) - image_px(1, 20, 80)
-    assert 0.2 < far < 0.22, "a fifth of a pixel"
-    yield rf"$80 \cdot 1/(-2) = {80 * 1 / -2:.0f}$ px"
-
-
-def focal_length_in_pixels() -> Says:
-    yield f"has $f_x = {50 * 6000 / 36:.0f}$ px"
-    angle = degrees(field_of_view_rad(50, 36))
-    yield rf"2\arctan {36 / (2 * 50):g} = {angle:.1f}^\circ$"
-    cropped = degrees(field_of_view_rad(50, 24))
-    assert isclose(cropped, degrees(field_of_view_rad(75, 36)))
-    yield rf"2\arctan {24 / (2 * 50):g} = {cropped:.1f}^\circ$, as much as"
-
-
 def focusing_makes_the_picture_larger() -> Says:
     sensor = principal_distance_mm(50, 3200)
     yield rf"$50 \cdot 3200/3150 = {sensor:.3f}$ mm behind it"
@@ -67,23 +38,6 @@ def focusing_makes_the_picture_larger() -> Says:
     yield rf"has shrunk from ${far:.1f}^\circ$ to ${near:.1f}^\circ$"
     face = principal_distance_mm(135, 1000) / 135 - 1
     yield f"With a 135 mm lens and a face at 1 m, the picture grows by {100 * face:.0f} %."
-
-
-def photographing_the_lamp() -> Says:
-    K = intrinsics(800, (320, 240))
-    u, v, w = K @ (3, -1, 8)
-    yield rf"\begin{{bmatrix}} {u:.0f} \\ {v:.0f} \\ {w:.0f} \end{{bmatrix}}"
-    pixel, _ = project([3, -1, 8], K)
-    yield f"$(u, v) = ({pixel[0]:.0f}, {pixel[1]:.0f})$ px"
-    yield rf"$800 \cdot 3/8 = {pixel[0] - 320:.0f}$ px to the right of the centre"
-    yield f"$800/8 = {240 - pixel[1]:.0f}$ px above it"
-
-
-def the_sharpest_pinhole() -> Says:
-    best = sharpest_hole_mm(100, 0.55)
-    assert isclose(best, sqrt(2.44 * 550e-6 * 100), rel_tol=1e-3)
-    yield f"which is {best:.2f} mm for this box"
-    yield f"- [x] {spread_mm(0.1, 100, 0.55):.1f} mm, three times as wide"
 
 
 def where_two_rails_meet() -> Says:
@@ -104,16 +58,6 @@ def where_two_rails_meet() -> Says:
     yield f"the horizon is row {seen[1]:.0f}."
 
 
-def what_one_depth_for_all_costs() -> Says:
-    K = intrinsics(80, (0, 0))
-    (true, _), _ = project([1, 0, 20], K)
-    (wrong, _), _ = project_affine([1, 0, 20], scaled_orthographic_camera(K, 5.0))
-    yield (
-        f"At 20 m the true image is {true:g} px to the right of the middle, the share is "
-        f"{(wrong - true) / true:.0f}, and the error is {wrong - true:.0f} px"
-    )
-
-
 def a_ball_near_the_border() -> Says:
     assert np.isclose(1 / cos(radians(60)), 2), "about twice as long as it is wide"
     yield r"At $\theta = 60^\circ$ the ellipse is about twice as long as it is wide"
@@ -132,32 +76,6 @@ def the_share_that_is_lost() -> Says:
     yield "so its share is a thousandth: a tenth of a pixel for a nose that is 100 px"
 
 
-def a_right_angle_in_a_photograph() -> Says:
-    K = intrinsics(320, (200, 150))
-    pose = pose_above_ground(1.6, radians(30), 0)
-    (rows, across), _ = vanishing_point(np.array([(0, 1, 0), (1, 0, 0)]) @ pose[:3, :3].T, K)
-    yield rf"at $u = 200 - 320\tan 30^\circ = {rows[0]:.2f}$ px"
-    yield rf"at $200 + 320\tan 60^\circ = {across[0]:.2f}$ px"
-    slopes = [(round(x, 2) - 200) / 320 for x in (rows[0], across[0])]
-    yield f"$({rows[0]:.2f} - 200)/320 = {slopes[0]:.3f}$"
-    yield f"$({across[0]:.2f} - 200)/320 = {slopes[1]:.3f}$"
-    assert isclose(slopes[0] * slopes[1], -1, abs_tol=1e-3)
-    assert isclose(angle_between([*rows, 1], [*across, 1], K), radians(90))
-    yield rf"$f^2 = {200 - rows[0]:.2f} \cdot {across[0] - 200:.2f} = 320^2$"
-
-
-def how_tall_the_box_is() -> Says:
-    K, level = intrinsics(320, (200, 150)), pose_above_ground(1.6, 0, 0)
-    (_, foot), (_, top) = project(world_to_camera([(0, 4, 0), (0, 4, 1)], level), K)[0]
-    yield f"$150 + 320 \\cdot 1.6/4 = {foot:.0f}$ and its top in row {top:.0f}"
-    yield f"it is {foot - top:.0f} px to the top and {foot - 150:.0f} px to the horizon"
-    ratio, _ = height_by_horizon((200, foot), (200, top), (0, 1, -150), (0, 1, 0))
-    yield f"${foot - top:.0f}/{foot - 150:.0f} = {ratio:g}$ of the camera's height"
-    yield f"that is {1.6 * ratio:.1f} m"
-    yield rf"$320\tan 12^\circ = {320 * tan(radians(12)):.0f}$ px above the principal point"
-    yield rf"$320\tan 20^\circ = {320 * tan(radians(20)):.0f}$ px above the principal point"
-
-
 def the_cross_ratio_of_an_upright() -> Says:
     """As the formula has it, along the image of an upright that is seen from above."""
     yield r"\frac{h}{H} = \frac{(t - b)\,(g - c)}{(c - b)\,(g - t)}"
@@ -165,12 +83,6 @@ def the_cross_ratio_of_an_upright() -> Says:
     b, t, c = project(world_to_camera([(1, 4, z) for z in (0, 1, 1.6)], pose), K)[0][:, 1]
     v = vanishing_point(pose[:3, 2], K)[0][1]
     assert isclose((t - b) * (v - c) / ((c - b) * (v - t)), 1 / 1.6)
-
-
-def the_edge_of_the_sea() -> Says:
-    low, high = (degrees(sqrt(2 * height / 6371e3)) for height in (1.6, 10e3))
-    yield rf"that is ${low:.2f}^\circ$; from an aeroplane at 10 km it is ${high:.1f}^\circ$"
-    assert isclose(radians(high), acos(6371 / 6381), rel_tol=1e-3)
 
 
 def focal_length_from_a_floor() -> Says:
@@ -271,32 +183,6 @@ def the_invertible_camera() -> Says:
     yield f"{1 / 8:g} per metre for the lamp"
 
 
-def an_object_centred_projection() -> Says:
-    K = intrinsics(800, (0, 0))
-    R, t, p = exponential([0.2, -0.4, 0.1]), np.array([0.5, -0.2, 10.0]), np.array([0.3, 0.1, -0.4])
-    a, eta = 800 / t[2], 1 / t[2]
-    x = a * (R[0] @ p + t[0]) / (1 + eta * R[2] @ p)
-    assert isclose(x, project(R @ p + t, K)[0][0])
-    near, far = (100 * (1 / (1 - 0.1 / depth) - 1) for depth in (10, 20))
-    yield f"$a$ is {800 / 10:g} px/m"
-    assert isclose(800 / 10, 1600 / 20)
-    yield f"is enlarged by {near:.1f} % and by {far:.1f} %"
-    assert isclose(0.25 * 80, 20), "a head 0.25 m wide"
-
-
-def normalised_coordinates_of_the_lamp() -> Says:
-    x, y, _ = np.linalg.inv(intrinsics(800, (320, 240))) @ (620, 140, 1)
-    yield f"$(3/8, -1/8) = ({x:g}, {y:g})$"
-
-
-def where_the_camera_stands() -> Says:
-    K = intrinsics(800, (320, 240))
-    t = np.linalg.inv(K) @ (1760, 720, 3)
-    t = np.round(t, 12)
-    yield "$\\mathbf{{t}} = K^{{-1}}(1760, 720, 3)^\\top = ({:g}, {:g}, {:g})$ m".format(*t)
-    yield "- [x] `(1760 - 320 * 3) / 800`"
-
-
 def only_a_level_view_along_the_rows_has_one_vanishing_point() -> Says:
     K = intrinsics(320, (200, 150))
     axes = np.array([(0.0, 1.0, 0.0), (1.0, 0.0, 0.0), (0.0, 0.0, 1.0)])
@@ -316,27 +202,14 @@ WORKED = (
     depths_before_two_cameras,
     a_step_forwards,
     the_invertible_camera,
-    an_object_centred_projection,
-    normalised_coordinates_of_the_lamp,
-    where_the_camera_stands,
     only_a_level_view_along_the_rows_has_one_vanishing_point,
     a_turn_and_a_step_aside,
     a_wall_between_two_views,
-    a_thumb_s_distance,
-    five_metres_away,
-    unequal_steps,
-    focal_length_in_pixels,
     focusing_makes_the_picture_larger,
-    photographing_the_lamp,
-    the_sharpest_pinhole,
     where_two_rails_meet,
-    what_one_depth_for_all_costs,
     the_share_that_is_lost,
     how_tall_the_tree_is,
     a_ball_near_the_border,
-    a_right_angle_in_a_photograph,
-    how_tall_the_box_is,
     the_cross_ratio_of_an_upright,
-    the_edge_of_the_sea,
     focal_length_from_a_floor,
 )

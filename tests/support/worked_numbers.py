@@ -19,5 +19,6 @@ def source(chapter: str) -> str:
     no colour, and citations are left out."""
     text = (CONTENT / f"{chapter}.md").read_text(encoding="utf-8").replace("\u00a0", " ")
     text = re.sub(r" ?\{cite\}`[^`]*`", "", text)
+    text = re.sub(r"\{calc\}`[^`]*`|\\calc\{[^{}]*\}", "0", text)
     text = re.sub(r"\\role\{\w+\}\{((?:[^{}]|\{[^{}]*\})*)\}", r"\1", text)
     return re.sub(r"\{(?:set|ref)\}`([^`<]*?)\s*<[^`]*>`", r"\1", text)

@@ -15,6 +15,8 @@ SOUND = (
     "'kept' not in ['lost']",
     "max(1, abs(-3)) + round(2.675, 2)",
     "(1, (2, 3))[1][0]",
+    "(3, 4, 5)[1:]",
+    "(2.5).real",
 )
 
 
@@ -36,8 +38,9 @@ def test_or_and_and_look_no_further_than_they_must() -> None:
     "text",
     [
         "().__class__",
+        "().index",
         "[x for x in (1, 2)]",
-        "lambda: 1",
+        "(lambda: open)()",
         "f'{1}'",
         "(x := 1)",
         "1 if 2 else 3",

@@ -33,6 +33,7 @@ def rendered(text: str) -> str:
         ("0.00006211:.1e", "6.2\u202f×\u202f10⁻⁵"),
         ("12345:,.0f", "12\u00a0345"),
         ("(1, 2)[1]", "2"),
+        ("(1 / 4, -2):.1f", "0.2, −2.0"),
     ],
 )
 def test_a_number_in_a_sentence(written: str, shown: str) -> None:
@@ -42,11 +43,11 @@ def test_a_number_in_a_sentence(written: str, shown: str) -> None:
 def test_a_block_names_functions_and_values_for_what_stands_below_it() -> None:
     lines = (
         "from numpy.linalg import inv",
-        "half = 3 / 2",
+        "half = lambda x: x / 2",
         "a, b = inv(((2, 0), (0, 4))) @ (1, 2)",
     )
     block = "\n".join(("```calc", *lines, "```"))
-    shown = rendered(block + "\n\nIt is {calc}`half`, {calc}`a` and {calc}`b`.")
+    shown = rendered(block + "\n\nIt is {calc}`half(3)`, {calc}`a` and {calc}`b`.")
     assert shown == "<p>It is 1.5, 0.5 and 0.5.</p>"
 
 
