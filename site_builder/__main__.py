@@ -15,7 +15,7 @@ from site_builder.addresses import site_address, source_address
 from site_builder.book import Book
 from site_builder.book_root import ROOT
 from site_builder.build import Options, Warn, build_site
-from site_builder.cache import Cache, using
+from site_builder.cache import Cache, source_hash, using
 from site_builder.diagnostics import BuildError, Diagnostic, counted
 from site_builder.output.writer import way_out
 from site_builder.sandbox import Limits, limited
@@ -62,8 +62,10 @@ def _run(given: argparse.Namespace, warn: Warn, warnings: Sequence[Diagnostic]) 
     """The command's number where nothing was raised."""
     match given.command:
         case "build":
-            if given.wait and not sys.stdin.readline():
-                return 0  # the server has ended
+            if given.wait:
+                source_hash("site_builder.build")  # cached, for when a line comes
+                if not sys.stdin.readline():
+                    return 0  # the server has ended
             files = build_site(
                 ROOT, given.out, runtime=given.runtime, reload=given.reload, warn=warn,
                 address=site_address(given.address), source=source_address(given.source),
