@@ -18,7 +18,6 @@ import sqlite3
 import sys
 import sysconfig
 import threading
-import time
 import zlib
 from collections.abc import Callable, Iterator, Mapping, Sequence, Set
 from contextlib import contextmanager, suppress
@@ -44,11 +43,11 @@ from site_builder.files import SIZE
 FILE = "results-1.sqlite"
 """With the version of its format."""
 MOST_BYTES = 400_000_000
-"""Beyond this the half of the entries that was used longest ago is deleted."""
-DAY = 86_400
+"""Beyond this the older half of the entries is deleted."""
 WAIT_S = 5.0
 """For another build that is writing."""
-TABLE = "CREATE TABLE IF NOT EXISTS results (key BLOB PRIMARY KEY, value BLOB, used INTEGER)"
+TABLE = "CREATE TABLE IF NOT EXISTS results (key BLOB PRIMARY KEY, value BLOB)"
+OLDER_HALF = "SELECT rowid FROM results ORDER BY rowid LIMIT (SELECT count(*) / 2 FROM results)"
 HOLDERS: Mapping[type, str] = {Scene: "SCENE", Ladder: "LADDER", HardCases: "TABLE"}
 """Values that are code, and the name under which their module holds them."""
 IMPORT = re.compile(
@@ -65,7 +64,6 @@ class Cache:
 
     def __init__(self, folder: Path | None = None, most_bytes: int = MOST_BYTES) -> None:
         self._file = (folder or user_cache_path("image-formation", appauthor=False)) / FILE
-        self._most_bytes = most_bytes
         self._connection: sqlite3.Connection | None = None
         self._lock = threading.Lock()
         with self._usable():
@@ -76,41 +74,29 @@ class Cache:
             self._connection.execute("PRAGMA journal_mode = WAL")
             self._connection.execute("PRAGMA synchronous = OFF")
             self._connection.execute(TABLE)
+            if self._file.stat().st_size > most_bytes:
+                self._connection.execute(f"DELETE FROM results WHERE rowid IN ({OLDER_HALF})")
+                self._connection.execute("VACUUM")
 
     def get(self, key: bytes) -> bytes | None:
         with self._usable():
             if self._connection:
-                query = "SELECT value, used FROM results WHERE key = ?"
-                value, used = self._connection.execute(query, (key,)).fetchone() or (None, 0)
-                if value is not None and time.time() - used > DAY:
-                    touch = "UPDATE results SET used = ? WHERE key = ?"
-                    self._connection.execute(touch, (int(time.time()), key))
-                return value and zlib.decompress(value)
+                query = "SELECT value FROM results WHERE key = ?"
+                row = self._connection.execute(query, (key,)).fetchone()
+                return zlib.decompress(row[0]) if row else None
         return None
 
     def put(self, key: bytes, value: bytes) -> None:
         with self._usable():
             if self._connection:
-                row = (key, zlib.compress(value, 1), int(time.time()))
-                self._connection.execute("INSERT OR REPLACE INTO results VALUES (?, ?, ?)", row)
+                row = (key, zlib.compress(value, 1))
+                self._connection.execute("INSERT OR REPLACE INTO results VALUES (?, ?)", row)
 
     def close(self) -> None:
         with self._usable():
             if self._connection:
-                if self._size(self._connection) > self._most_bytes:
-                    oldest = "SELECT key FROM results ORDER BY used, key LIMIT"
-                    half = "(SELECT (count(*) + 1) / 2 FROM results)"
-                    self._connection.execute(f"DELETE FROM results WHERE key IN ({oldest} {half})")
                 self._connection.close()
         self._connection = None
-
-    @staticmethod
-    def _size(connection: sqlite3.Connection) -> int:
-        pages, free, page_bytes = (
-            int(connection.execute(f"PRAGMA {name}").fetchone()[0])
-            for name in ("page_count", "freelist_count", "page_size")
-        )
-        return (pages - free) * page_bytes
 
     @contextmanager
     def _usable(self) -> Iterator[None]:

@@ -158,15 +158,14 @@ def test_a_folder_that_cannot_be_made_is_done_without(tmp_path: Path) -> None:
         assert double(1) == 2
 
 
-def test_the_oldest_entries_go_where_there_are_too_many(tmp_path: Path) -> None:
-    cache = Cache(tmp_path, most_bytes=100_000)
-    for number in range(200):
-        cache.put(bytes([number]), np.random.default_rng(number).bytes(1000))
-    cache.close()
-    cache = Cache(tmp_path)
-    left = sum(cache.get(bytes([number])) is not None for number in range(200))
-    cache.close()
-    assert left == 100
+def test_the_older_half_goes_where_there_is_too_much(tmp_path: Path) -> None:
+    with closing(Cache(tmp_path)) as cache:
+        for number in range(200):
+            cache.put(bytes([number]), np.random.default_rng(number).bytes(1000))
+    with closing(Cache(tmp_path, most_bytes=100_000)) as cache:
+        left = [number for number in range(200) if cache.get(bytes([number])) is not None]
+    assert left == [*range(100, 200)]
+    assert (tmp_path / FILE).stat().st_size < 150_000
 
 
 def write_many(folder: Path, first: int) -> None:

@@ -8,9 +8,12 @@ import pytest
 
 from simulations.registry import load_scene
 from site_builder import cache, chapters
+from site_builder.book import Chapter
 from site_builder.build import Options, render_site
 from site_builder.cache import Cache, using
 from site_builder.diagnostics import BuildError
+from site_builder.markdown.chapter import Draft, read_chapter
+from site_builder.markdown.targets import Targets
 from site_builder.output.assets import content_bytes
 
 FILES = {
@@ -92,9 +95,8 @@ def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
 def read(monkeypatch: pytest.MonkeyPatch) -> list[str]:
     """Titles of the chapters that are read and not found in the cache."""
     titles: list[str] = []
-    read_chapter = chapters.read_chapter
 
-    def note(draft: chapters.Draft, targets: chapters.Targets) -> chapters.Chapter:
+    def note(draft: Draft, targets: Targets) -> Chapter:
         titles.append(draft.matter.title)
         return read_chapter(draft, targets)
 
