@@ -1,5 +1,4 @@
-"""``python -m site_builder build|check|serve|guide|pdf|epub|schema|new``: what is said, and
-the exit code."""
+"""The command line: ``python -m site_builder build|check|serve|guide|pdf|epub|schema|new``."""
 
 import argparse
 import gc
@@ -7,9 +6,6 @@ import json
 import sys
 from collections.abc import Sequence
 from pathlib import Path
-
-if __name__ == "__main__":
-    gc.disable()  # all that is imported now is needed until the end
 
 from site_builder.addresses import site_address, source_address
 from site_builder.book import Book
@@ -23,8 +19,6 @@ from site_builder.settings.described import book_schema
 
 NEW = ("book", "chapter", "scene", "model", "ladder", "directive")
 """What ``new`` makes."""
-OBJECTS = 100_000
-"""That are made between two looks for garbage."""
 
 
 def main(arguments: list[str] | None = None) -> int:
@@ -163,14 +157,6 @@ def _parser() -> argparse.ArgumentParser:
     return parser
 
 
-def _collect_rarely() -> None:
-    """Garbage in circles, of which a build makes little: Python would look for it hundreds of times
-    in what lives until the end, and take an eighth of the time."""
-    gc.freeze()
-    gc.enable()
-    gc.set_threshold(OBJECTS)
-
-
 if __name__ == "__main__":
-    _collect_rarely()
+    gc.set_threshold(100_000)  # a build makes many objects that stay, and few cycles
     sys.exit(main())
