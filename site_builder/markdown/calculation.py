@@ -10,8 +10,9 @@ below it use both. The block itself is not shown.
 
 import ast
 import re
-from collections.abc import Callable, Iterable, Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from math import isfinite
+from types import ModuleType
 from typing import Any
 
 import numpy as np
@@ -105,7 +106,8 @@ def define_names(token: Token, line: int, context: ParseContext) -> None:
         body = []
     for statement in body:
         try:
-            context.values.update(_defined(statement, context))
+            for name, value in _defined(statement, context):
+                context.values[name] = value
         except (ExpressionError, LookupError) as error:
             context.problem(first + statement.lineno - 1, str(error.args[0]))
     token.type, token.content = "html_block", ""
@@ -115,7 +117,7 @@ def _defined(statement: ast.stmt, context: ParseContext) -> Iterator[tuple[str, 
     match statement:
         case ast.ImportFrom(module=str(module), names=names):
             for name in names:
-                yield name.asname or name.name, _function(module, name.name)
+                yield name.asname or name.name, _imported(module, name.name)
         case ast.Assign(targets=[target], value=value):
             yield from _assigned(target, evaluate_node(value, names_for(context)))
         case _:
@@ -168,8 +170,8 @@ def _as_number(value: Any, text: str) -> float:
     return result
 
 
-def _function(module: str, name: str) -> Callable[..., object]:
-    """A function of the models or of numpy.linalg. Raises `LookupError`."""
+def _imported(module: str, name: str) -> object:
+    """A function or constant of the models or of numpy.linalg. Raises `LookupError`."""
     if not f"{module}.".startswith(PACKAGES):
         raise LookupError(f"import from {module!r}; legal: 'simulations.…' or 'numpy.linalg'")
     try:
@@ -178,8 +180,11 @@ def _function(module: str, name: str) -> Callable[..., object]:
         raise LookupError(f"no module {module!r}; {LEGAL}") from None
     except Exception as error:  # whatever its code may raise is the author's to see
         raise LookupError(f"module {module!r} cannot be loaded: {cause(error)}") from error
-    functions = {key: value for key, value in vars(found).items() if callable(value)}
-    if name not in functions:
-        raise LookupError(unknown(f"function of {module}", name, functions))
-    function: Callable[..., object] = functions[name]
-    return function
+    public = {
+        key: value
+        for key, value in vars(found).items()
+        if not key.startswith("_") and not isinstance(value, ModuleType)
+    }
+    if name not in public:
+        raise LookupError(unknown(f"name of {module}", name, public))
+    return public[name]

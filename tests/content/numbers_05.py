@@ -1,7 +1,7 @@
 """Chapter 5: light on surfaces."""
 
 from collections.abc import Callable
-from math import acos, cos, degrees, isclose, pi, radians, sin, sqrt, tan
+from math import cos, degrees, isclose, pi, radians, sin, sqrt
 
 import numpy as np
 from scipy.optimize import brentq
@@ -10,7 +10,6 @@ from support.worked_numbers import Says
 from simulations.engine.stages import StageCache
 from simulations.illustrations import page_in_the_sun
 from simulations.models.arrays import Floats
-from simulations.models.color.srgb import encode_srgb
 from simulations.models.light.brdf import Material, parts, reflected, schlick, sent_back
 from simulations.models.light.interreflection import edge_factor
 from simulations.models.light.reflectance import attenuation, blinn_phong, lambert, phong
@@ -84,31 +83,6 @@ def a_highlight_between_corners() -> Says:
     assert min(brightest[tier, 75] for tier in ("phong", "blended-normals-16")) > 200
 
 
-def a_number_to_check_by_hand() -> Says:
-    light = (sin(radians(30)), 0, cos(radians(30)))
-    normal = np.array((0.0, 0, 1))
-    yield rf"= ({light[0]:g}, 0, {light[2]:.3f})$"
-    yield f"Their dot product is ${light[2]:.3f}$."
-    brightness = float(lambert(normal, light, 0.8))
-    yield rf"$I = 0.8 \times {light[2]:.3f} = {brightness:.3f}$ of full white"
-    yield rf"${brightness:.3f} \times 255 = {255 * brightness:.0f}$"
-    encoded = float(encode_srgb(brightness))
-    yield f"${brightness:.3f}$ becomes ${encoded:.3f}$"
-    yield f"the pixel's value is **{255 * encoded:.0f}**"
-
-
-def how_wide_a_highlight_is() -> Says:
-    normal = np.array((0.0, 0, 1))
-    for shininess in (1, 10, 100, 1000):
-        width = acos(2 ** (-1 / shininess))
-        view = (sin(width), 0, cos(width))
-        seen = phong(normal, normal, view, 0.0, specular=1.0, shininess=shininess)
-        assert np.isclose(seen, 0.5), "half of the peak"
-        yield f"| {shininess} | {degrees(width):.1f}° |"
-    wide, narrow = (degrees(acos(2 ** (-1 / shininess))) for shininess in (10, 1000))
-    yield rf"$1/\sqrt{{\alpha}}$: from {wide:.1f}° to {narrow:.1f}° at half height"
-
-
 def negative_dot_product() -> Says:
     cosine = -0.4
     light = np.array((0, np.sqrt(1 - cosine**2), cosine))
@@ -172,14 +146,6 @@ def schlick_at_all_angles() -> Says:
     assert 0.75 < form[low] / law[low] < 0.78, "a quarter too little"
 
 
-def water_at_a_slant() -> Says:
-    off = 1 - cos(radians(75))
-    shown = float(schlick(np.array(cos(radians(75))), 0.02))
-    yield f"= {off:.3f}$, to the fifth {off**5:.3f}, and"
-    yield rf"$0.02 + 0.98 \cdot {off**5:.3f} = {shown:.2f}$"
-    yield f"Fresnel's own formulae give {fresnel(cos(radians(75)), 1.33):.2f}."
-
-
 def a_lobe_of_unit_reflectance() -> Says:
     """The factor of the normalised model, for any exponent."""
     for roughness in (0.2, 0.6, 1.0):
@@ -215,31 +181,6 @@ def at_grazing_light_plastic_is_nearly_all_highlight() -> Says:
     assert highlight > 50 * 0.5 * matte
 
 
-def a_flat_full_moon() -> Says:
-    """Oren and Nayar's qualitative model, seen along the light; both angles are the slant."""
-    spread, slant = radians(40) ** 2, radians(60)
-    lambert_s, towards_the_light = 1 - 0.5 * spread / (spread + 0.33), spread / (spread + 0.09)
-    kept = 1 + 0.45 * towards_the_light * sin(slant) * tan(slant) / lambert_s
-    assert isclose(cos(slant), 0.5), "half of its brightness left"
-    yield f"with slopes that spread by 40°, it has {100 * cos(slant) * kept:.0f} % left"
-
-
-def the_corner_of_a_room() -> Says:
-    right = radians(90)
-    room = edge_factor(0.8, right)
-    yield rf"$1/(1 - 0.4) = {room:.2f}$"
-    shares = [(0.8 / 2) ** bounce for bounce in (1, 2, 3)]
-    first, second, third = (100 * share for share in shares)
-    yield f"adds {first:.0f} %, the second {second:.0f} %, the third {third:.1f} %"
-    assert np.isclose(sum((0.8 / 2) ** k for k in range(60)), room)
-    yield f"the factor is {edge_factor(0.05, right):.2f}, which you would not see"
-    narrow = radians(40)
-    share = round((1 + cos(narrow)) / 2, 3)
-    yield f"$V = {share}$, it is {edge_factor(0.9, narrow):.2f}"
-    assert round(1 / (1 - 0.9 * share), 2) == round(edge_factor(0.9, narrow), 2), "by hand as well"
-    yield rf"$1/(1 - 0.9 \cdot 0.75) = {edge_factor(0.9, radians(60)):.2f}$"
-
-
 def near_the_edge_of_two_white_planes() -> Says:
     given = {"light_angle": 45, "wall": "white", "place": 0.01}
     planes = BOUNCE.run(BOUNCE.check(given), "", StageCache()).outputs["planes"]
@@ -259,22 +200,17 @@ def a_page_in_the_sun() -> Says:
 
 WORKED = (
     a_page_in_the_sun,
-    the_corner_of_a_room,
     near_the_edge_of_two_white_planes,
     glass_at_a_slant,
     schlick_at_all_angles,
-    water_at_a_slant,
     a_lobe_of_unit_reflectance,
     the_peak_lies_beyond_the_mirror,
     at_grazing_light_plastic_is_nearly_all_highlight,
-    a_flat_full_moon,
     a_cosine_just_above_one,
     light_that_falls_off,
     what_a_surface_returns,
     the_printed_formulae,
     a_highlight_between_corners,
-    a_number_to_check_by_hand,
-    how_wide_a_highlight_is,
     negative_dot_product,
     halfway_exponent,
 )

@@ -5,7 +5,7 @@ import io
 import re
 import warnings
 from functools import cache
-from math import atan, degrees, erf, log2, log10, sqrt
+from math import erf, log10, sqrt
 
 import numpy as np
 import skimage.data
@@ -16,7 +16,7 @@ from support.worked_numbers import Says
 from simulations.engine.stages import StageCache
 from simulations.models.arrays import Floats
 from simulations.models.color.chromatic_adaptation import adapt
-from simulations.models.color.chromaticity import ILLUMINANT_A_XY, lab_distance, white_xyz
+from simulations.models.color.chromaticity import ILLUMINANT_A_XY, lab_distance
 from simulations.models.color.cie import (
     D65_XY,
     luminance,
@@ -27,20 +27,14 @@ from simulations.models.color.cie import (
 from simulations.models.color.illuminants import planck
 from simulations.models.color.spectra import WAVELENGTHS_NM
 from simulations.models.color.srgb import decode_srgb, encode_srgb
-from simulations.models.color.white_balance import white_balance
 from simulations.models.color.ycbcr import rgb_to_ycbcr
 from simulations.models.compression import jpeg
-from simulations.models.compression.blocks import round_outwards
 from simulations.models.compression.chroma_upsampling import METHODS as UPSAMPLING
 from simulations.models.error_measures import psnr_db
-from simulations.models.sampling.aliasing import box_mtf
 from simulations.models.sensor.demosaicing import METHODS, demosaic, mosaic
 from simulations.models.sensor.photon_counting import (
-    Sensor,
     ShotModel,
     shot_noise,
-    signal_to_noise,
-    with_iso,
 )
 from simulations.models.sensor.shared_detail import shared_detail
 from simulations.pictures.balloon import WHOLE
@@ -50,42 +44,6 @@ from simulations.scenes.sensor_noise.stages import PATCH_PX, patch_means_e, satu
 
 CHAPTER = "06-digital-sensor"
 WELL = 20_000.0
-
-
-def sensor(read_noise_e: float, gain: float = 5.0, dark: float = 0.0, bits: int = 12) -> Sensor:
-    return Sensor(WELL, read_noise_e, dark, gain, bits)
-
-
-def choosing_a_conversion_gain() -> Says:
-    gain = WELL / (2**12 - 1)
-    yield rf"$g = 20\,000/{2**12 - 1} = {gain:.2f}$ electrons per DN"
-    deviation = 1 / sqrt(12)
-    yield rf"$1/\sqrt{{12}} = {deviation:.3f}$ DN, or {gain * deviation:.2f} electrons"
-
-
-def adding_noise_up() -> Says:
-    variance = 1000 + 0.5 * 2 + 3**2
-    sigma = sqrt(variance)
-    yield f"$1000 + 1 + 9 = {variance:.0f}$, so"
-    yield rf"$\sigma = {sigma:.1f}$ electrons"
-    yield f"the SNR is $1000 / {sigma:.1f} = {1000 / sigma:.1f}$"
-    yield f"Shot noise alone would give {sqrt(1000):.1f}."
-    shadow = 4 + 1 + 9
-    yield f"$4 + 1 + 9 = {shadow}$"
-    yield rf"$\sigma = {sqrt(shadow):.1f}$, and the SNR is {4 / sqrt(shadow):.1f}"
-    yield rf"$20\,000/3 = {WELL / 3:.0f}$"
-    yield rf"$\log_2 {WELL / 3:.0f} = {log2(WELL / 3):.1f}$ stops"
-
-
-def the_thirteenth_patch() -> Says:
-    assert np.isclose(patch_means_e(0.0)[12], 625)
-    rounding = sensor_of(12, "100", 10).gain_e_per_dn ** 2 / 12
-    variance = 625 + 100 + round(rounding)
-    yield f"plus {rounding:.0f} for rounding"
-    snr = 625 / sqrt(variance)
-    yield rf"$625/\sqrt{{{variance}}} = {snr:.1f}$"
-    model = float(signal_to_noise(625, sensor_of(12, "100", 10)))
-    assert np.isclose(model, snr, rtol=1e-3)
 
 
 def patches_burnt_out_at_iso_800() -> Says:
@@ -116,25 +74,6 @@ def a_gaussian_of_hardly_an_electron() -> Says:
     yield f"The mean of a patch scatters by {scatter:.1f} DN"
 
 
-def read_noise_before_and_after() -> Says:
-    for gain, says in ((4.88, "4 + 53.6"), (4.88 / 8, "4 + 0.8")):
-        after = (gain * 1.5) ** 2
-        assert says == f"4 + {after:.1f}"
-        yield rf"$\sigma_r = \sqrt{{{says}}} = {sqrt(4 + after):.1f}$ electrons"
-    yield f"which leaves $g = {4.88 / 8:.2f}$"
-    yield f"its last code at {WELL / 8:.0f} electrons, an eighth of the well"
-
-
-def chips_and_cells() -> Says:
-    large, small = 36e3 / 6000, 6.17e3 / 4000
-    yield f"6000 × 4000 cells on it are {large:.1f} µm wide"
-    yield f"4000 cells across are {small:.2f} µm wide"
-    yield f"receives {(large / small) ** 2:.0f} times less light"
-    inches = 25.4 / 2.3
-    yield f"nothing on it is {inches:.0f} mm long"
-    assert 1.4 < inches / np.hypot(6.17, 4.55) < 1.6
-
-
 def a_pattern_that_overtakes() -> Says:
     mean = np.geomspace(10, 1e5, 4001)
     share = 0.01
@@ -144,35 +83,6 @@ def a_pattern_that_overtakes() -> Says:
     assert (mean / np.sqrt(mean + (share * mean) ** 2)).max() < 100
     yield "the SNR never exceeds $1/p = 100$"
     yield rf"$\bar N = 1/0.008^2 = {1 / 0.008**2:,.0f}$".replace(",", r"\,")
-
-
-def one_picture_or_two() -> Says:
-    """By the formulas, and by two pictures of a million cells."""
-    gain, mean_e, share = 4.88, 10_000.0, 0.01
-    mean = mean_e / gain
-    shot, pattern = mean_e / gain**2, (share * mean) ** 2
-    yield f"so the mean is {mean:.0f} DN"
-    yield rf"$10\,000/4.88^2 = {shot:.0f}$ DN²"
-    yield f"1 % of the mean, {share * mean:.1f} DN, and so also a variance of {pattern:.0f} DN²"
-    yield f"varies from cell to cell by {shot + pattern:.0f} DN² in all"
-    yield f"$2049/840 = {mean / (shot + pattern):.2f}$ electrons per DN, half of the truth"
-    yield rf"$420 + 420 = {2 * shot:.0f}$ DN²"
-    yield f"$2049/420 = {2049 / 420:.2f}$"
-    rng = np.random.default_rng(6)
-    cells = mean_e * (1 + share * rng.standard_normal(1_000_000))
-    first, second = (shot_noise(cells, rng) / gain for _ in range(2))
-    assert np.isclose(first.var(), shot + pattern, rtol=0.01)
-    assert np.isclose((first - second).var() / 2, shot, rtol=0.01)
-
-
-def lightness_of_greys() -> Says:
-    white = white_xyz(D65_XY)
-    yield f"reflects 18 % of the light has $L^* = {xyz_to_lab(0.18 * white)[0]:.1f}$"
-    share = ((75 + 16) / 116) ** 3
-    assert np.isclose(xyz_to_lab(share * white)[0], 75)
-    yield f"$f = (75 + 16)/116 = {(75 + 16) / 116:.3f}$, and its cube is {share:.2f}"
-    yield "a straight line below 0.009"
-    assert round((6 / 29) ** 3, 3) == 0.009
 
 
 def an_orange_in_three_ways() -> Says:
@@ -253,11 +163,6 @@ def photographs_with_coarser_colour() -> Says:
     yield f"4:2:0 costs {full - best['triangle']:.0f} dB at quality 100"
 
 
-def nine_short_frames() -> Says:
-    yield rf"$900/\sqrt{{900 + 900}} = {900 / sqrt(900 + 900):.1f}$"
-    yield rf"$900/\sqrt{{900 + 100}} = {900 / sqrt(900 + 100):.1f}$"
-
-
 def jpeg_psnr(**given: object) -> float:
     """What the figure shows."""
     return float(JPEG.run(JPEG.check(given), "", StageCache()).outputs["psnr"])
@@ -281,24 +186,6 @@ def transforms_that_round_otherwise() -> Says:
     for tier in ("separable-32", "direct-32"):
         assert 25 <= changed(tier, **best)[1] <= 35
     yield "moves some thirty"
-
-
-def coefficients_kept_and_lost() -> Says:
-    step = 16
-    kept, lost = round_outwards(np.array([37.0, 7.0]) / step)
-    yield rf"$\mathrm{{round}}({37 / step:.2f}) = {kept:.0f}$ and comes back as {kept * step:.0f}"
-    assert lost == 0
-    yield "One of 7 becomes 0 and is gone."
-
-
-def what_green_is_worth() -> Says:
-    red, green, blue = (round(float(share), 2) for share in rgb_to_xyz_matrix()[1])
-    yield rf"$Y = {red:.2f}\,R + {green:.2f}\,G + {blue:.2f}\,B$"
-    yield rf"the luminance ${red:.2f}\,R + {green:.2f}\,G + {blue:.2f}\,B$"
-    assert 0.7 < green < 0.75
-    yield "nearly three quarters of it comes from green"
-    two_reds = sqrt(red**2 / 2 + green**2 + blue**2)
-    yield f"With two red cells and one green it would be {two_reds:.2f} %"
 
 
 def stripes_finer_than_a_cell() -> Says:
@@ -412,46 +299,11 @@ def files_of_the_picture() -> Says:
     yield "about five when they are the ready-made ones"
 
 
-def a_coefficient_below_zero() -> Says:
-    (kept,) = round_outwards(np.array([-45 / 24]))
-    yield f"$-45/24 = {-45 / 24:.3f}$, which rounds to ${kept:.0f}$, and ${kept:.0f} \\cdot 24 ="
-    assert kept * 24 == 24 * round(-45 / 24)
-    yield "- [x] `24 * round(-45 / 24)`"
-
-
 def an_error_of_one_code() -> Says:
     picture = np.zeros((32, 32, 3))
     psnr = psnr_db(picture + 1, picture, peak=255)
     assert np.isclose(psnr, 10 * log10(255**2))
     yield f"An error of one code everywhere gives {psnr:.1f} dB."
-
-
-def sixteen_bits() -> Says:
-    rounding = 1.2 / sqrt(12)
-    yield rf"$1.2/\sqrt{{12}} = {rounding:.2f}$ electrons"
-    yield f"In variance it adds {rounding**2:.2f} to {5**2}, half a per cent"
-    assert 0.0045 < rounding**2 / 5**2 < 0.0055
-    yield f"- [x] No: its rounding error of {rounding:.2f} electrons is lost in the read noise."
-
-
-def iso_and_snr() -> Says:
-    snr = 400 / sqrt(400 + 25)
-    yield rf"$400/\sqrt{{400 + 25}} = {snr:.1f}$"
-    yield "- [x] `400 / sqrt(400 + 5**2)`"
-    camera = sensor(5.0, gain=0.01, bits=16)
-    for iso in (100, 400):
-        assert np.isclose(float(signal_to_noise(400, with_iso(camera, iso))), snr, rtol=1e-3)
-
-
-def paper_under_a_lamp() -> Says:
-    paper = 0.5 * xyz_to_linear_rgb(white_xyz(ILLUMINANT_A_XY))
-    red, green, blue = paper
-    yield f"$({red:.3f}, {green:.3f}, {blue:.3f})$"
-    yield f"$0.413/0.923 = {green / red:.2f}$ for red"
-    yield f"$0.413/0.117 = {green / blue:.1f}$ for blue"
-    balanced = white_balance(paper, paper)
-    yield f"the sheet is $({balanced[0]:.3f}, {balanced[1]:.3f}, {balanced[2]:.3f})$"
-    yield f"is multiplied by {green / blue:.1f} as well"
 
 
 def patches_by_lamplight_and_by_daylight() -> Says:
@@ -488,15 +340,6 @@ def patches_by_lamplight_and_by_daylight() -> Says:
         yield f"| {words} | {lab_distance(xyz_to_lab(xyz), xyz_to_lab(day)).mean():.1f} |"
 
 
-def gains_for_a_grey_card() -> Says:
-    red, green, blue = white_balance([1, 1, 1], [0.3, 0.4, 0.6])
-    assert green == 1
-    yield f"- [ ] Red times {0.3 / 0.4:.2f} and blue times {0.6 / 0.4:.2f}"
-    yield f"- [ ] Red plus {0.4 - 0.3:.2f} and blue minus {0.6 - 0.4:.2f}"
-    yield f"- [x] Red times {red:.2f} and blue times {blue:.2f}"
-    yield f"$0.40/0.30 = {0.4 / 0.3:.2f}$ and $0.40/0.60 = {0.4 / 0.6:.2f}$"
-
-
 def paint_at_three_wavelengths() -> Says:
     lamp = np.interp([450, 550, 650], WAVELENGTHS_NM, planck(2850.0))
     lamp /= lamp[1]
@@ -520,68 +363,22 @@ def the_matrix_of_srgb() -> Says:
         yield " & ".join(f"{entry:.3f}" for entry in row)
 
 
-def half_a_cell() -> Says:
-    width = sqrt(0.5)
-    yield f"only {width:.2f} spacings wide"
-    half, full = (100 * float(box_mtf(0.5 * share)) for share in (width, 1.0))
-    yield f"leaves {half:.0f} % of the contrast of a wave two cells long"
-    yield f"where a full cell leaves {full:.0f} %"
-
-
-def daylight_s_chromaticity() -> Says:
-    X, Y, Z = white_xyz((0.3127, 0.3290))
-    yield f"$(X, Y, Z) = ({X:.3f}, {Y:g}, {Z:.3f})$"
-    total = round(X, 3) + Y + round(Z, 3)
-    yield f"$x = {X:.3f}/{total:.3f} = {X / total:.3f}$ and $y = 1/{total:.3f} = {Y / total:.3f}$"
-
-
-def a_bus_that_leans() -> Says:
-    lean = 960 * 0.020
-    yield rf"$960 \cdot 0.020 = {lean:.1f}$ px"
-    yield rf"$\arctan(19.2/1080) = {degrees(atan(lean / 1080)):.1f}^\circ$"
-    yield f"a comb of {960 / 50:.0f} px"
-
-
-def bytes_of_a_video() -> Says:
-    per_second = 1920 * 1080 * 1.5 * 30
-    yield rf"$1920 \cdot 1080 \cdot 1.5 \cdot 30 = {per_second / 1e6:.0f}$ million bytes"
-
-
 WORKED = (
-    half_a_cell,
-    daylight_s_chromaticity,
-    a_bus_that_leans,
-    bytes_of_a_video,
     paint_at_three_wavelengths,
     the_matrix_of_srgb,
     stripes_finer_than_a_cell,
-    read_noise_before_and_after,
-    chips_and_cells,
     a_pattern_that_overtakes,
-    one_picture_or_two,
-    lightness_of_greys,
     an_orange_in_three_ways,
     photographs_through_the_mosaic,
     photographs_with_coarser_colour,
-    nine_short_frames,
     threads_of_red_and_cyan,
     what_the_methods_gain,
     errors_in_the_dark,
     colour_filled_in_at_quality_30,
     files_of_the_picture,
-    a_coefficient_below_zero,
-    choosing_a_conversion_gain,
-    adding_noise_up,
-    the_thirteenth_patch,
     patches_burnt_out_at_iso_800,
     a_gaussian_of_hardly_an_electron,
     transforms_that_round_otherwise,
-    coefficients_kept_and_lost,
-    what_green_is_worth,
     an_error_of_one_code,
-    sixteen_bits,
-    iso_and_snr,
-    paper_under_a_lamp,
     patches_by_lamplight_and_by_daylight,
-    gains_for_a_grey_card,
 )

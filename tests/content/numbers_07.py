@@ -1,6 +1,6 @@
 """Chapter 7: sampling."""
 
-from math import acos, pi, radians, sin, sqrt, tan
+from math import pi, radians, sin, tan
 
 import numpy as np
 from measured_words_10 import error
@@ -10,7 +10,7 @@ from simulations.ladders import resampling
 from simulations.models.arrays import Floats
 from simulations.models.color.srgb import encode_srgb
 from simulations.models.error_measures import root_mean_square
-from simulations.models.lens.diffraction import cutoff_per_mm, lens_transfer, spot_diameter_um
+from simulations.models.lens.diffraction import lens_transfer
 from simulations.models.pixel_grid import centred
 from simulations.models.sampling.aliasing import alias_frequency, apparent_wheel_speed, box_mtf
 from simulations.models.sampling.fine_detail import without_fine_detail
@@ -18,7 +18,7 @@ from simulations.models.sampling.prefilters import prefilter
 from simulations.models.sampling.resampling import KERNELS
 from simulations.models.sampling.slanted_edge import edge_picture, read_edge
 from simulations.models.sensor.demosaicing import demosaic, mosaic
-from simulations.models.sensor.resolution import first_fall, nyquist_per_mm, pixel_transfer
+from simulations.models.sensor.resolution import first_fall, pixel_transfer
 from simulations.pictures import round_windows, spoked_wheel
 from simulations.scenes.aliasing.pattern import pattern_of
 from simulations.scenes.wagon_wheel import film
@@ -48,17 +48,6 @@ def the_shirt_at_twenty_metres() -> Says:
     wide_mm = pixel_um * 1e-3 / alias * 20_000 / focal_mm
     yield f"{wide_mm:.0f} mm wide, four times the truth"
     assert np.isclose(wide_mm, 4 * 2)
-
-
-def folded_frequencies() -> Says:
-    for true, shown in ((0.8, 0.2), (0.85, 0.15), (1.0, 0.0)):
-        assert np.isclose(seen(true), shown)
-    yield f"A frequency of 0.8 is shown as {seen(0.8):g}"
-    lines, samples = 7, 12
-    shown = samples * seen(lines / samples)
-    assert np.isclose(shown, samples - lines)
-    yield f"$7/12 = {lines / samples:.3f}$ lines per sample, which folds to"
-    yield f"$1 - 0.583 = {1 - 0.583:.3f}$. That is $12 - 7 = {shown:.0f}$ lines per millimetre"
 
 
 def the_border_belongs_to_neither_side() -> Says:
@@ -165,24 +154,6 @@ def random_instants_err_more_than_even_ones() -> Says:
     assert root_mean_square(random - truth) > 2 * root_mean_square(even - truth)
 
 
-def two_pixels_at_f_8() -> Says:
-    nyquist, cutoff = nyquist_per_mm(4), cutoff_per_mm(0.55, 8)
-    yield f"$1/(2 \\cdot 0.004\\ \\text{{mm}}) = {nyquist:g}$ cycles per millimetre"
-    yield f"$1/(0.00055\\ \\text{{mm}} \\cdot 8) = {cutoff:.0f}$ cycles per millimetre"
-    yield f"$2.44 \\cdot 0.55 \\cdot 8 = {spot_diameter_um(0.55, 8):.1f}$ µm"
-    nu = nyquist / cutoff
-    yield f"$\\nu = 125/227 = {nu:.2f}$"
-    lens, pixel = float(lens_transfer(nyquist, 0.55, 8)), float(pixel_transfer(nyquist, 4))
-    yield rf"({acos(nu):.3f} - 0.55 \cdot {sqrt(1 - nu**2):.3f}) = {lens:.2f}$"
-    yield f"the pixel {pixel:.2f} of that. Both together leave {lens * pixel:.2f}"
-
-
-def the_lens_is_the_filter_from_twice_the_pitch() -> Says:
-    assert cutoff_per_mm(0.55, 14.6) < nyquist_per_mm(4) < cutoff_per_mm(0.55, 14.5)
-    yield "For pixels of 4 µm that is f/14.6"
-    yield f"$N = 2p/\\lambda = 5/0.55 = {5 / 0.55:.2f}$"
-
-
 def what_pixels_as_small_as_points_would_add() -> Says:
     frequency = np.linspace(0, 200, 20001)
     half = first_fall(frequency, lens_transfer(frequency, 0.55, 8), 0.5)
@@ -198,18 +169,6 @@ def _mtf50_at_f_8(pitch: float) -> float:
     frequency = np.linspace(0, 200, 20001)
     both = lens_transfer(frequency, 0.55, 8) * pixel_transfer(frequency, pitch)
     return first_fall(frequency, both, 0.5)
-
-
-def the_finest_wave_on_a_pixel() -> Says:
-    per_um = cutoff_per_mm(0.55, 16) / 1000
-    yield rf"1/(0.55\ \text{{µm}} \cdot 16) = {per_um:.3f}$ cycles per µm"
-    assert per_um * 3 < 0.5, "nothing folds"
-
-
-def a_shutter_open_for_more_than_a_spacing() -> Says:
-    yield rf"$|\mathrm{{sinc}}(1.25)| = {float(box_mtf(1.25)):.2f}$ of the contrast"
-    assert np.isclose(float(alias_frequency(1.25)), 0.25), "forwards"
-    assert abs(float(box_mtf(2.0))) < 1e-15, "even grey at two spacings as well"
 
 
 def the_cubic_s_weights_halfway() -> Says:
@@ -235,10 +194,6 @@ def wagon_wheels() -> Says:
     yield f"at 12 spokes a second, which is half the frame rate: {12 / 8:g} turns a second"
     speed, _ = apparent_wheel_speed(5.0, 6, 24.0)
     yield f"$30 - 24 = 6$ spokes a second, and $6/6 = {float(speed):.0f}$ turn a second"
-
-
-def at_nyquist() -> Says:
-    yield rf"$|\sin 30^\circ| = {abs(sin(radians(30))):.1f}$"
 
 
 def _exact_pictures() -> list[Floats]:
@@ -305,23 +260,17 @@ WORKED = (
     what_a_wave_out_of_place_costs,
     twelve_turns,
     the_shirt_at_twenty_metres,
-    folded_frequencies,
     the_border_belongs_to_neither_side,
     the_same_picture_at_two_frequencies,
     what_a_cell_s_width_lets_through,
     what_cell_and_plate_let_through,
     red_and_blue_contradict_each_other_at_the_fence,
     the_ghosts_of_four_instants,
-    two_pixels_at_f_8,
-    the_lens_is_the_filter_from_twice_the_pitch,
     what_pixels_as_small_as_points_would_add,
-    the_finest_wave_on_a_pixel,
     a_pixel_s_mtf_by_hand,
     what_a_slant_is_good_for,
     random_instants_err_more_than_even_ones,
-    a_shutter_open_for_more_than_a_spacing,
     the_cubic_s_weights_halfway,
     the_spline_s_weights,
     wagon_wheels,
-    at_nyquist,
 )

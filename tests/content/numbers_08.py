@@ -2,7 +2,7 @@
 
 from dataclasses import replace
 from functools import cache
-from math import ceil, hypot, inf, isclose, pi, sqrt
+from math import ceil, inf, isclose, pi
 
 from measured_words_10 import error
 from numpy import arange, interp
@@ -10,17 +10,12 @@ from scipy.special import j1
 from support.worked_numbers import Says
 
 from simulations.engine.stages import StageCache
-from simulations.models.color.srgb import encode_srgb
-from simulations.models.distortion.lens_model import Distortion, distort, largest_distorted_radius
+from simulations.models.distortion.lens_model import Distortion, distort
 from simulations.models.lens.aperture_grid import aperture_grid
 from simulations.models.lens.thin_lens import (
     circle_of_confusion_mm,
-    depth_of_field,
-    hyperfocal,
     principal_distance_mm,
-    working_f_number,
 )
-from simulations.models.lens.vignetting import vignetting_cos4
 from simulations.pictures.still_life.things import THINGS, WALL_DISTANCE, thing_depth
 from simulations.scenes.camera import scene as camera
 from simulations.scenes.camera.lens import (
@@ -30,7 +25,6 @@ from simulations.scenes.camera.lens import (
     largest_blur_px,
     sensor_rays,
 )
-from simulations.scenes.camera.sensor import ADC
 from simulations.scenes.camera.stages import SHARP_PX, STAGES, TIERS
 from simulations.scenes.depth_of_field.sharpness import sharpness
 
@@ -38,25 +32,9 @@ CHAPTER = "08-full-camera-model"
 PIXEL_MM = 36 / 264
 
 
-def the_camera_s_pixels() -> Says:
-    yield f"$36/264 = {PIXEL_MM:.3f}$ mm wide"
-
-
 ASIDE = 0.30 / 1.90
 """Of the point whose way is told: its tangent to the optical axis."""
 LENS = Distortion(k1=-0.2)
-
-
-def where_a_point_lands() -> Says:
-    sensor = principal_distance_mm(50, 3200)
-    yield rf"$50 \cdot 3200/3150 = {sensor:.2f}$ mm behind the lens"
-    focal = sensor / PIXEL_MM
-    yield rf"${sensor:.2f} \cdot 264/36 = {focal:.1f}$ pixels"
-    yield rf"$x = {focal:.1f} \times 0.30/1.90 = {focal * ASIDE:.1f}$ pixels"
-    yield f"at $r = 0.30/1.90 = {ASIDE:.4f}$ from the centre"
-    yield rf"$1 - 0.2\,r^2 = {1 - 0.2 * ASIDE**2:.4f}$"
-    bent = float(distort([ASIDE, 0], LENS)[0])
-    yield f"It moves inwards to $r' = {bent:.4f}$, which is {focal * bent:.1f} pixels."
 
 
 def the_same_place_in_the_simulator() -> Says:
@@ -67,33 +45,6 @@ def the_same_place_in_the_simulator() -> Says:
     row = (rays[ROWS // 2 - 1] + rays[ROWS // 2]) / 2
     assert isclose(float(interp(column, arange(COLUMNS), row[:, 0])), ASIDE, rel_tol=1e-4)
     yield "This is the principal distance"
-
-
-def what_the_pixel_counts() -> Says:
-    corner = float(vignetting_cos4(float(distort([ASIDE, 0], LENS)[0])))
-    light = 0.6 * 0.8
-    yield rf"$0.6 \times 0.8 = {light:.2f}$ of what a white surface"
-    yield f"$1/(1 + r'^2)^2 = {corner:.4f}$ here"
-    arrives = light * corner
-    yield rf"${light:.2f} \times {corner:.4f} = {arrives:.4f}$"
-    mean = 10_000 * arrives
-    yield f"the mean count is {mean:.0f}. Shot noise is $\\sqrt{{{mean:.0f}}} = {sqrt(mean):.1f}$"
-    read = 5 / 255 * 10_000
-    yield rf"$5/255 \times 10\,000 = {read:.0f}$ electrons"
-    noise = sqrt(mean + read**2)
-    yield rf"$\sqrt{{{sqrt(mean):.1f}^2 + {read:.0f}^2}} = {noise:.0f}$ electrons"
-    yield f"the signal is {mean / noise:.0f} times the noise"
-    codes = 4095 - ADC.black_level_dn
-    gain = ADC.full_well_e / codes
-    black = ADC.black_level_dn
-    yield f"It gives {black:.0f} to no light at all, its *black level*"
-    dn = mean / gain + black
-    yield f"the {codes:.0f} above: ${mean:.0f} / {gain:.3f} + {black:.0f} = {dn:.0f}$"
-    encoded = float(encode_srgb(arrives))
-    yield f"${arrives:.4f}$ becomes ${encoded:.4f}$"
-    yield rf"${encoded:.4f} \times 255 = {255 * encoded:.0f}$"
-    spread = 255 * float(encode_srgb((mean + noise) / 10_000) - encoded)
-    yield f"give or take about {spread:.0f} codes of noise"
 
 
 def when_the_lens_is_a_pinhole() -> Says:
@@ -154,23 +105,6 @@ def how_far_the_lens_must_be_stopped_down() -> Says:
     yield "stopped down to f/4.7 at least"
 
 
-def focus_breathing() -> Says:
-    share, much = (
-        100 * (principal_distance_mm(focal, focus) / focal - 1)
-        for focal, focus in ((50, 3200), (135, 1000))
-    )
-    yield f"by {share:.1f} % at 50 mm and 3.2 m, by {much:.0f} % at 135 mm and 1 m"
-    left = (1 / working_f_number(135, 1.0, 1000)) ** 2
-    yield f"a share of $(f/z_s)^2$ is left, {100 * left:.0f} % in the second case"
-    near, far = (principal_distance_mm(135, focus) for focus in (1000, 10_000))
-    yield f"everything grows by {100 * (near / far - 1):.0f} %"
-
-
-def the_hyperfocal_distance() -> Says:
-    distance = hyperfocal(50, 2.8, PIXEL_MM)
-    yield rf"$2500/(2.8 \times {PIXEL_MM:.4f}) + 50 \approx {round(distance, -2):.0f}$ mm"
-
-
 def the_still_life() -> Says:
     depths = [thing_depth(thing) for thing in THINGS]
     assert len(depths) == 6
@@ -190,25 +124,6 @@ def a_quarter_as_deep() -> Says:
     assert all(behind - 3.2 > 3.2 - before for before, behind in limits)
     yield "about a quarter as deep"
     yield "At both focal lengths the band reaches farther behind the focus than in front of it."
-
-
-def past_the_fold() -> Says:
-    largest = largest_distorted_radius(Distortion(k1=-0.4))
-    yield f"past the largest distorted radius, {largest:.2f} for this $k_1$"
-    wide, long = (hypot(18, 12) / principal_distance_mm(focal, 3200) for focal in (24, 135))
-    yield f"at $r = {wide:.2f}$ with the wide lens and at {long:.2f} with the long one"
-    assert wide > largest
-
-
-def wide_lens_distortion() -> Says:
-    near, far = (r - distort([r, 0], Distortion(k1=-0.2))[0] for r in (0.2, 0.6))
-    yield f"{near:.4f} for A and {far:.4f} for B"
-    assert isclose(far / near, (0.6 / 0.2) ** 3)
-    yield "- [x] `(0.6 / 0.2) ** 3`"
-
-
-def a_code_in_electrons() -> Says:
-    yield f"a code is about {ADC.full_well_e / 255:.0f} electrons here"
 
 
 def what_bending_the_picture_costs() -> Says:
@@ -299,44 +214,17 @@ def the_ball_that_gets_softer() -> Says:
     assert near > 3 * far
 
 
-def hyperfocal_of_a_real_camera() -> Says:
-    distance = hyperfocal(35, 8, 0.005) / 1000
-    yield rf"$35^2/(8 \cdot 0.005)$ mm, or about {35**2 / (8 * 0.005) / 1000:.1f} m"
-    assert isclose(distance / 2, 35**2 / (8 * 0.005) / 2 / 1000, rel_tol=0.02)
-    near, far = depth_of_field(35, 8, 1000 * distance * (1 + 1e-9), 0.005)
-    assert far == inf
-    assert isclose(near, 500 * distance, rel_tol=1e-6)
-
-
-def what_arrives_from_a_page_in_the_sun() -> Says:
-    """Summed over the disc of the lens: radiance, cosine at the sensor, solid angle."""
-    radius = (arange(4000) + 0.5) / 4000 / 8
-    ring = 2 * pi * radius / 4000 / 8 / (1 + radius**2) ** 2
-    assert isclose(400 / pi * ring.sum(), 400 / 64, rel_tol=0.02)
-    yield rf"$400/(4 \cdot 16) = {400 / (4 * 4**2):g}$ W/m²"
-
-
 WORKED = (
-    what_arrives_from_a_page_in_the_sun,
-    the_camera_s_pixels,
-    where_a_point_lands,
     the_same_place_in_the_simulator,
-    what_the_pixel_counts,
     when_the_lens_is_a_pinhole,
     what_leaving_out_the_blur_costs,
     how_far_the_lens_must_be_stopped_down,
-    focus_breathing,
-    the_hyperfocal_distance,
     the_still_life,
     a_quarter_as_deep,
-    past_the_fold,
-    wide_lens_distortion,
-    a_code_in_electrons,
     what_bending_the_picture_costs,
     a_lens_that_hardly_bends,
     where_the_points_of_a_lens_lie,
     the_ball_that_gets_softer,
-    hyperfocal_of_a_real_camera,
     how_many_stages_there_are,
     what_a_step_of_the_focus_leaves,
     what_the_truth_is,

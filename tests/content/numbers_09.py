@@ -1,14 +1,12 @@
 """Chapter 9: depth from two views."""
 
-from math import atan, degrees, isclose, sqrt
+from math import isclose, sqrt
 
 import numpy as np
 from support.worked_numbers import Says, source
 
 from simulations.models.projection.pinhole import intrinsics, project
 from simulations.models.projection.two_views import (
-    depth_error,
-    depth_from_disparity,
     epipolar_lines,
     fundamental_matrix,
 )
@@ -22,38 +20,6 @@ def disparity_px(depth_m: float, focal_px: float, baseline_m: float) -> float:
     left, _ = project([1.0, 0.0, depth_m], K)
     right, _ = project([1.0 - baseline_m, 0.0, depth_m], K)
     return float(left[0] - right[0])
-
-
-def a_finger_and_two_eyes() -> Says:
-    near, far = (2 * degrees(atan(3.2 / distance)) for distance in (25, 60))
-    yield f"by about {near:.0f}°, since each eye is about 3.2 cm from the middle"
-    yield rf"$2\arctan(3.2/25) = {near:.1f}^\circ$"
-    yield f"At arm's length, 60 cm, it jumps by {far:.0f}°"
-
-
-def counting_equations() -> Says:
-    yield rf"$12 \cdot 50 \cdot 2 = {12 * 50 * 2}$"
-    yield rf"$12 \cdot 6 = {12 * 6}$"
-
-
-def how_well_depth_is_seen() -> Says:
-    for depth, shorter in ((4, 19.5), (20, 3.5)):
-        disparity = disparity_px(depth, 800, 0.10)
-        assert isclose(disparity - shorter, 0.5)
-        yield f"{disparity:.0f}$ px"
-        yield f"With $d = {disparity - 0.5:.1f}$ px"
-    near, far = 80 / 19.5, 80 / 3.5
-    yield f"at $80/19.5 = {near:.2f}$ m: an error of {100 * (near - 4):.0f} cm"
-    yield f"we would believe {far:.1f} m: an error of {far - 20:.1f} m"
-    assert 27 < (far - 20) / (near - 4) < 30, "nearly thirty times the error"
-
-
-def the_square_of_the_depth() -> Says:
-    yield rf"costs $64/80 \cdot 0.5 = {depth_error(8, 160, 0.5, 0.5):g}$ m"
-    yield f"at 20 m it says {depth_error(20, 800, 0.1, 0.5):.1f} m, and the example found"
-    yield rf"$Z = fb/d = 200 \cdot 0.8/40 = {depth_from_disparity(40, 200, 0.8)[0]:g}$ m"
-    yield "about a sixteenth for a fourth of the depth"
-    assert isclose(depth_error(8, 160, 0.5, 1), 16 * depth_error(2, 160, 0.5, 1))
 
 
 def a_line_from_its_two_ends() -> Says:
@@ -71,16 +37,6 @@ def a_line_from_its_two_ends() -> Says:
     F = fundamental_matrix(K, K, R, R @ (-0.5, 0, 0))
     line, _ = epipolar_lines(F, (30, -40))
     assert np.allclose([line @ (*end, 1), line @ (epipole, 0, 1)], 0, atol=1e-9)
-
-
-def a_baseline_for_a_metre() -> Says:
-    baseline = depth_error(20, 160, 1, 0.5)  # for which the error is in metres what it is here
-    yield rf"$b = Z^2\Delta d/(f\,\Delta Z) = 400 \cdot 0.5/160 = {baseline:g}$ m"
-
-
-def disparity_and_depth() -> Says:
-    fb = 2 * 36
-    yield f"eight times the depth: {depth_from_disparity(4.5, fb, 1)[0]:g} m"
 
 
 def averaging_frames() -> Says:
@@ -125,13 +81,7 @@ def a_focal_length_off_by_five_percent() -> Says:
 
 
 WORKED = (
-    a_finger_and_two_eyes,
-    counting_equations,
-    how_well_depth_is_seen,
-    the_square_of_the_depth,
     a_line_from_its_two_ends,
-    a_baseline_for_a_metre,
-    disparity_and_depth,
     averaging_frames,
     the_links_of_the_first_chapter,
     the_least_noisy_mean,

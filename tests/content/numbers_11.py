@@ -23,13 +23,6 @@ def power(value: float, digits: int = 1) -> str:
     return rf"{mantissa}\cdot 10^{{{int(exponent)}}}"
 
 
-def three_points_for_a_library() -> Says:
-    """OpenCV's own answers are asked in tests/hard_cases/test_library_column.py."""
-    for (x, y, z), divisor in (((1, 0, 0), 1), ((1, 0.5, -2), -2)):
-        yield f"| $({x:g}, {y:g}, {z})$"
-        yield f"$({320 + 800 * x / divisor:.0f}, {240 + 800 * y / divisor:.0f})$"
-
-
 def squares_that_overflow() -> Says:
     assert power(LARGEST) == r"1.8\cdot 10^{308}"
     yield rf"$\sqrt{{1.8\cdot 10^{{308}}}} = {power(sqrt(LARGEST))}$ is infinite"
@@ -100,7 +93,6 @@ def a_trace_above_three() -> Says:
 
 WORKED = (
     a_trace_above_three,
-    three_points_for_a_library,
     squares_that_overflow,
     units_of_rounding,
     a_cosine_of_half_a_small_angle,
