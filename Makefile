@@ -5,6 +5,7 @@
 # make guide     read the guide for authors: http://localhost:8000
 # make test      all tests; the first run may install a browser
 # make test-quick            those that need no browser
+# make test-deep             the wide sweeps, which run weekly and before a release (.ci/deep)
 # make check     formatting, lint and types of Python, scripts and style sheets; edits nothing
 # make bench     time and judge all ladders, here and in Chromium (LADDER=srgb: only one)
 # make bench-pages           bytes of each page, and what Lighthouse says of it
@@ -29,7 +30,9 @@ MUTATIONS ?= 10000
 MODULE ?=
 # Python compiles each module once, also where the environment forbids to write byte code.
 unexport PYTHONDONTWRITEBYTECODE
-PARALLEL := --numprocesses=auto --maxprocesses=4 --dist=worksteal
+# Under continuous integration a test that fails is tried once more: other work there can starve
+# browsers and servers for seconds.
+PARALLEL := --numprocesses=auto --maxprocesses=4 --dist=worksteal $(if $(CI),--reruns=1)
 VENV := .venv
 BIN := $(VENV)/bin
 
@@ -40,7 +43,7 @@ PYTHON ?= $(firstword $(foreach python,$(PYTHONS),\
 	$(shell command -v $(python) >/dev/null 2>&1 && $(python) -c '$(IS_NEW)' 2>/dev/null && echo $(python))))
 
 .DELETE_ON_ERROR:
-.PHONY: serve guide site pdf epub test test-quick check lock screenshot bench bench-pages bench-latency bench-edit links mutants mutations clean
+.PHONY: serve guide site pdf epub test test-quick test-deep check lock screenshot bench bench-pages bench-latency bench-edit links mutants mutations clean
 
 serve: $(VENV)/book.stamp
 	@$(BIN)/python -m site_builder serve --port $(PORT) --host $(HOST)
@@ -58,13 +61,16 @@ epub: $(VENV)/book.stamp
 	@$(BIN)/python -m site_builder epub
 
 # One thread in each process, since the processes share the cores already.
-test test-quick: export OPENBLAS_NUM_THREADS = 1
+test test-quick test-deep: export OPENBLAS_NUM_THREADS = 1
 
 test: $(VENV)/test.stamp $(VENV)/chromium.stamp
 	@$(BIN)/python -m pytest $(PARALLEL)
 
 test-quick: $(VENV)/test.stamp
-	@$(BIN)/python -m pytest $(PARALLEL) -m "not browser"
+	@$(BIN)/python -m pytest $(PARALLEL) -m "not (browser or deep)"
+
+test-deep: $(VENV)/test.stamp $(VENV)/chromium.stamp
+	@$(BIN)/python -m pytest $(PARALLEL) -m deep
 
 check: $(VENV)/test.stamp
 	@$(BIN)/ruff format --check

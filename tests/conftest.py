@@ -1,6 +1,5 @@
 """Fixtures that tests of several folders share."""
 
-import gc
 import json
 import os
 import subprocess
@@ -17,7 +16,6 @@ from support.built import built_once
 from support.chromium import HOW_TO, find_chromium, find_headless_shell, launch_arguments
 from support.reader import DESK, Reader, visit
 from support.static_server import StaticServer, serving
-from support.turns import Turn, deal
 
 from site_builder.runtime.imports import Table, read_imports
 
@@ -28,32 +26,6 @@ ROOT = Path(__file__).resolve().parents[1]
 settings.register_profile("repeatable", derandomize=True, deadline=None)
 settings.load_profile("repeatable")
 expect.set_options(timeout=30_000)  # a machine that is busy answers late
-
-
-def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
-    """In an order that keeps all workers busy to the end: see `support.turns`.
-
-    A test that fails is tried once more under continuous integration, and told of: other work there
-    can starve browsers, servers and builds for seconds. What is wrong fails again: none draws lots.
-    """
-    items[:] = deal(items, int(os.environ.get("PYTEST_XDIST_WORKER_COUNT", 1)), turn)
-    if os.environ.get("CI"):
-        for item in items:
-            item.add_marker(pytest.mark.flaky(reruns=1))
-
-
-def pytest_collection_finish() -> None:
-    """What was collected lives to the end: the collector of garbage need not look at it again."""
-    gc.collect()
-    gc.freeze()
-
-
-def turn(item: pytest.Item) -> Turn:
-    return Turn(str(item.path), marked(item, "long"), marked(item, "browser"))
-
-
-def marked(item: pytest.Item, name: str) -> bool:
-    return item.get_closest_marker(name) is not None
 
 
 @pytest.hookimpl(optionalhook=True)

@@ -100,7 +100,6 @@ def violations(reader: Reader, scheme: Any, screen: ViewportSize, asked: str) ->
     return list(page.evaluate(asked))
 
 
-@pytest.mark.long
 def test_no_page_shuts_readers_out(plain_reader: Reader, book: Any) -> None:
     urls = (chapter["url"] for chapter in book["chapters"])
     for address in plain_reader.leaf_through(["", *urls, *OTHERS]):

@@ -8,7 +8,6 @@ from support.reader import Reader
 pytestmark = pytest.mark.browser
 
 
-@pytest.mark.long
 def test_every_figure_comes_alive_in_place(reader: Reader, book: Any) -> None:
     reader.page.add_init_script(HOLD)
     first, *others = (chapter["url"] for chapter in book["chapters"])

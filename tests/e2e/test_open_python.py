@@ -67,7 +67,6 @@ def move(reader: Reader, figure: Locator, key: str) -> Any:
     return reader.shown(figure)
 
 
-@pytest.mark.long
 def test_edited_code_draws_its_own_figure_and_no_other_until_it_is_put_back(
     visitor: Reader,
 ) -> None:
@@ -131,7 +130,6 @@ def test_mistakes_point_at_their_line_and_leave_the_figure_as_it_is(visitor: Rea
     assert figure.locator(".python-state").inner_text() == "Your changes to its Python are kept."
 
 
-@pytest.mark.long
 def test_an_endless_loop_is_stopped_and_told_and_the_figure_is_as_the_book_draws_it(
     visitor: Reader,
 ) -> None:
@@ -164,7 +162,6 @@ def test_an_endless_loop_is_stopped_and_told_and_the_figure_is_as_the_book_draws
     visitor.page.evaluate(LIMIT, usual)
 
 
-@pytest.mark.long
 def test_an_edit_survives_a_reload_as_long_as_it_fits_and_can_be_taken_away(reader: Reader) -> None:
     reader.open(CHAPTER)
     figure, other = figures(reader)[:2]

@@ -71,7 +71,6 @@ def test_an_order_is_made_by_dragging(plain_reader: Reader, book: Any) -> None:
     assert order_of(form) == [before[-1], *before[:-1]]
 
 
-@pytest.mark.long
 def test_a_figure_is_judged_by_its_present_state(visitor: Reader, book: Any) -> None:
     for place in book["chapters"]:
         asked = questions(book, "figure", place["id"])

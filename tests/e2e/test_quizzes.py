@@ -9,7 +9,6 @@ from support.reader import Reader
 pytestmark = pytest.mark.browser
 
 
-@pytest.mark.long
 def test_every_quiz_judges_right_and_wrong_explains_and_remembers_until_the_next_visit(
     plain_reader: Reader, book: Any
 ) -> None:

@@ -74,7 +74,6 @@ def of_libraries(parts: Iterable[str]) -> set[str]:
     return {part for part in parts if not part.startswith(("scene-", "ladder-"))}
 
 
-@pytest.mark.long
 def test_a_page_whose_scenes_need_no_more_fetches_no_more_until_ladders_ask_for_theirs(
     chromium: Browser, server: StaticServer, book: Any, table: Any
 ) -> None:

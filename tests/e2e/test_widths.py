@@ -23,7 +23,6 @@ LARGER_LETTERS = """html { font-size: 34px !important; }"""
 """Twice those of a phone, as a reader may set them without enlarging the rest."""
 
 
-@pytest.mark.long
 def test_pages_tables_and_formulae_fit_every_width(plain_reader: Reader, book: Any) -> None:
     """And what does scroll, on the widest and on the narrowest, is reached by keyboard."""
     page = plain_reader.page

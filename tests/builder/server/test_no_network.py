@@ -9,8 +9,6 @@ import pytest
 
 from site_builder.book_root import VARIABLE
 
-pytestmark = pytest.mark.long
-
 ROOT = Path(__file__).parents[3]
 BOOK = ROOT / "tests" / "fixtures" / "german-book"
 REFUSED = "http://127.0.0.1:9"
