@@ -9,7 +9,6 @@
 # make check     formatting, lint and types of Python, scripts and style sheets; edits nothing
 # make bench     time and judge all ladders, here and in Chromium (LADDER=srgb: only one)
 # make bench-pages           bytes of each page, and what Lighthouse says of it
-# make mutations read ten thousand maimed chapters (MUTATIONS=500: as many)
 # make mutants   change the models in small ways, and list the changes that no test notices
 #                (MODULE=color.srgb: only of one)
 # make bench-latency         how soon figures follow a hand (SCENE=camera: one), what piles up
@@ -26,7 +25,6 @@ LADDER ?=
 SCENE ?=
 ADDRESS ?=
 SOURCE ?=
-MUTATIONS ?= 10000
 MODULE ?=
 # Python compiles each module once, also where the environment forbids to write byte code.
 unexport PYTHONDONTWRITEBYTECODE
@@ -43,7 +41,7 @@ PYTHON ?= $(firstword $(foreach python,$(PYTHONS),\
 	$(shell command -v $(python) >/dev/null 2>&1 && $(python) -c '$(IS_NEW)' 2>/dev/null && echo $(python))))
 
 .DELETE_ON_ERROR:
-.PHONY: serve guide site pdf epub test test-quick test-deep check lock screenshot bench bench-pages bench-latency bench-edit links mutants mutations clean
+.PHONY: serve guide site pdf epub test test-quick test-deep check lock screenshot bench bench-pages bench-latency bench-edit links mutants clean
 
 serve: $(VENV)/book.stamp
 	@$(BIN)/python -m site_builder serve --port $(PORT) --host $(HOST)
@@ -117,10 +115,6 @@ build/links/linkchecker.stamp: .locks/links.txt | $(BIN)/python
 	build/links/bin/python -m pip install --quiet --disable-pip-version-check \
 		--require-hashes -r $<
 	@touch $@
-
-# New ones in each run, where the suite tries the same few.
-mutations: $(VENV)/test.stamp
-	@MUTATIONS=$(MUTATIONS) $(BIN)/python -m pytest -q -k maimed tests/builder/test_mutated_markdown.py
 
 mutants: $(VENV)/mutation.stamp
 	@OPENBLAS_NUM_THREADS=1 $(BIN)/mutmut run $(MODULE:%="simulations.models.%*")

@@ -214,6 +214,7 @@ def changes(swept: Swept, control: Control, starts: Iterable[Setting]) -> Iterat
                 yield {control.name: value}
 
 
+@pytest.mark.deep
 def test_every_pair_of_extremes_is_sound(swept: Swept) -> None:
     expected = swept.see({}).shape
     for setting in pairwise_settings(swept.scene.controls):

@@ -155,7 +155,12 @@ def cold_start(scene_id: str, tier: str) -> Frame:
     return show(SCENES[scene_id], START.get(scene_id, {}), StageCache(), tier)
 
 
-EVERY_TIER = [(name, tier) for name, scene in SCENES.items() for tier in scene.tiers or ("",)]
+EVERY_TIER = [
+    pytest.param(
+        name, tier, marks=[] if tier in (scene.default_tier, "") else pytest.mark.deep,
+    )
+    for name, scene in SCENES.items() for tier in scene.tiers or ("",)
+]  # fmt: skip
 
 
 @pytest.mark.usefixtures("few_rays", "drawn_once")
