@@ -8,7 +8,7 @@ import { EDITED } from "../runtime/messages.js";
 import { Runtime, RuntimeFailure, closed } from "../runtime/runtime.js";
 
 /** @import { Caller } from "../runtime/runtime.js" */
-/** @import { FrameReply, FrameRequest } from "../runtime/messages.js" */
+/** @import { CallName, FrameReply, FrameRequest } from "../runtime/messages.js" */
 /** @import { Said } from "../page/words.js" */
 /** @typedef {{message: string | Said, definition: string, line: number}} Problem */
 
@@ -34,8 +34,6 @@ export class EditedRuntime {
   #edits = "{}";
   /** @type {FrameRequest | null} */
   #frame = null;
-  /** @type {{request: string, reply: any} | null} A frame drawn already, and the request for it. */
-  #ready = null;
 
   /**
    * @param {Runtime} book
@@ -63,10 +61,10 @@ export class EditedRuntime {
     /** @type {any} */
     const any = request;
     if (name === "pull") return await this.book.call(name, request, urgency); // of the controls
-    if (name === "photograph") this.#ready = null; // it shows another picture
     if (name !== "render") return await this.#ask(name, any, this.#edits, urgency);
     try {
-      const reply = this.#take(any) ?? (await this.draw(any, this.#edits, urgency));
+      /** @type {any} */
+      const reply = await this.draw(any, this.#edits, urgency);
       this.on.drawn(reply.printed);
       return reply;
     } catch (error) {
@@ -77,16 +75,9 @@ export class EditedRuntime {
     }
   }
 
-  /**
-   * From now on, draw by `edits`, which have drawn a frame.
-   *
-   * @param {string} edits
-   * @param {FrameRequest} request
-   * @param {FrameReply} reply
-   */
-  adopt(edits, request, reply) {
+  /** @param {string} edits From now on, what draws: it has drawn a frame. */
+  set edits(edits) {
     this.#edits = edits;
-    this.#ready = { request: JSON.stringify(request), reply };
   }
 
   /** @param {string} figure */
@@ -139,18 +130,7 @@ export class EditedRuntime {
   }
 
   /**
-   * The frame that was adopted, if it is the one requested. It can be had once.
-   *
-   * @param {FrameRequest} request
-   */
-  #take(request) {
-    const ready = this.#ready;
-    this.#ready = null;
-    return ready?.request === JSON.stringify(request) ? ready.reply : null;
-  }
-
-  /**
-   * @param {import("../runtime/messages.js").CallName} name
+   * @param {CallName} name
    * @param {any} request
    * @param {string} edits
    * @param {() => number} [urgency]

@@ -152,8 +152,8 @@ export class Workshop {
     this.#report(words("workshop.running"));
     edits.setRuns(false); // until it is known to end
     try {
-      const request = this.live.request();
-      this.edited.adopt(json, request, await this.edited.draw(request, json));
+      await this.edited.draw(this.live.request(), json);
+      this.edited.edits = json;
       edits.setRuns(edits.json === json);
       this.live.drawnBy(this.edited);
     } catch (error) {

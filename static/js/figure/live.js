@@ -146,8 +146,6 @@ export class LiveFigure {
       { rootMargin: "50% 0px" },
     );
     observer.observe(this.figure);
-    // A scene that is imported already need not wait for layout.
-    if (sharedRuntime()?.sourcesOf(this.#scene)) this.#ask(performance.now(), "", URGENCY.far);
     return observer;
   }
 
@@ -293,8 +291,7 @@ export class LiveFigure {
     if (!runtime || this.runtime !== runtime || !isUnchanged()) return false;
     const scene = { figure: this.#key, scene: this.#scene };
     const urgency = () => this.#urgency(job.urgency);
-    const sources =
-      runtime.sourcesOf(this.#scene) ?? (await runtime.call("prepare", scene, urgency)).sources;
+    const { sources } = await runtime.call("prepare", scene, urgency);
     if (sources !== document.body.dataset.sources || !isUnchanged()) return false;
     if (this.figure.isConnected) {
       this.prerendered.end();

@@ -73,8 +73,6 @@ export class Runtime {
   #failedStarts = 0;
   /** Number of the interpreter: a new one has nothing of what was sent to the last. */
   generation = 0;
-  /** Scenes that this worker has imported, and the hash of their sources. @type {Map<string, string>} */
-  #sources = new Map();
 
   /**
    * @param {string} url Absolute address of the runtime folder.
@@ -106,15 +104,6 @@ export class Runtime {
       this.#waiting.push({ id: ++this.#lastId, name, request, urgency, resolve, reject });
       this.#next();
     });
-  }
-
-  /**
-   * Hash of the sources of a scene that this worker has imported.
-   *
-   * @param {string} scene
-   */
-  sourcesOf(scene) {
-    return this.#sources.get(scene);
   }
 
   /**
@@ -193,7 +182,7 @@ export class Runtime {
   #receive(reply) {
     const call = this.#active;
     if (!call || call.id !== reply.id) return;
-    const { scene, limit } = call.request;
+    const { limit } = call.request;
     if ("fetching" in reply) {
       this.#watch(reply.fetching ? TIMEOUTS.start : (limit ?? TIMEOUTS[call.name]));
       return;
@@ -205,12 +194,8 @@ export class Runtime {
       return;
     }
     this.#settle();
-    if (!reply.ok) {
-      call.reject(new RuntimeFailure(reply.loadError ? "part" : "python", message, more));
-    } else {
-      if (scene && reply.sources) this.#sources.set(scene, reply.sources);
-      call.resolve(reply);
-    }
+    if (reply.ok) call.resolve(reply);
+    else call.reject(new RuntimeFailure(reply.loadError ? "part" : "python", message, more));
     this.#next();
   }
 
@@ -225,7 +210,6 @@ export class Runtime {
     this.#settle();
     this.#worker?.terminate();
     this.#worker = null;
-    this.#sources.clear();
     call?.reject(new RuntimeFailure(call.name === "start" ? "start" : "lost", message, more));
     this.#next();
   }

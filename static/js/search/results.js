@@ -39,7 +39,7 @@ export async function fetchIndex() {
     fetch(address("root", "search/index.json"), { cache: "no-cache" }),
   ]);
   if (!reply.ok) throw new Error(words("search.index_answered", { status: reply.status }));
-  const compared = language(remembering(stemmer), words("search.stop_words"));
+  const compared = language(stemmer, words("search.stop_words"));
   return {
     sections: MiniSearch.loadJS(await reply.json(), settings(compared)),
     language: compared,
@@ -123,19 +123,4 @@ function element({ text, hit }) {
   const element = document.createElement(hit ? "mark" : "span");
   element.textContent = text;
   return element;
-}
-
-/**
- * Each word is brought to its stem once.
- *
- * @param {(word: string) => string} stem
- */
-function remembering(stem) {
-  /** @type {Map<string, string>} */
-  const stems = new Map();
-  return (/** @type {string} */ word) => {
-    let root = stems.get(word);
-    if (root === undefined) stems.set(word, (root = stem(word)));
-    return root;
-  };
 }
