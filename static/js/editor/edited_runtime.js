@@ -8,7 +8,7 @@ import { EDITED } from "../runtime/messages.js";
 import { Runtime, RuntimeFailure, closed } from "../runtime/runtime.js";
 
 /** @import { Caller } from "../runtime/runtime.js" */
-/** @import { CallName, FrameReply, FrameRequest } from "../runtime/messages.js" */
+/** @import { FrameReply, FrameRequest } from "../runtime/messages.js" */
 /** @import { Said } from "../page/words.js" */
 /** @typedef {{message: string | Said, definition: string, line: number}} Problem */
 
@@ -34,6 +34,8 @@ export class EditedRuntime {
   #edits = "{}";
   /** @type {FrameRequest | null} */
   #frame = null;
+  /** @type {{request: string, reply: any} | null} A frame drawn already, and the request for it. */
+  #ready = null;
 
   /**
    * @param {Runtime} book
@@ -61,10 +63,10 @@ export class EditedRuntime {
     /** @type {any} */
     const any = request;
     if (name === "pull") return await this.book.call(name, request, urgency); // of the controls
+    if (name === "photograph") this.#ready = null; // it shows another picture
     if (name !== "render") return await this.#ask(name, any, this.#edits, urgency);
     try {
-      /** @type {any} */
-      const reply = await this.draw(any, this.#edits, urgency);
+      const reply = this.#take(any) ?? (await this.draw(any, this.#edits, urgency));
       this.on.drawn(reply.printed);
       return reply;
     } catch (error) {
@@ -75,9 +77,16 @@ export class EditedRuntime {
     }
   }
 
-  /** @param {string} edits From now on, what draws: it has drawn a frame. */
-  set edits(edits) {
+  /**
+   * From now on, draw by `edits`, which have drawn a frame.
+   *
+   * @param {string} edits
+   * @param {FrameRequest} request
+   * @param {FrameReply} reply
+   */
+  adopt(edits, request, reply) {
     this.#edits = edits;
+    this.#ready = { request: JSON.stringify(request), reply };
   }
 
   /** @param {string} figure */
@@ -130,7 +139,18 @@ export class EditedRuntime {
   }
 
   /**
-   * @param {CallName} name
+   * The frame that was adopted, if it is the one requested. It can be had once.
+   *
+   * @param {FrameRequest} request
+   */
+  #take(request) {
+    const ready = this.#ready;
+    this.#ready = null;
+    return ready?.request === JSON.stringify(request) ? ready.reply : null;
+  }
+
+  /**
+   * @param {import("../runtime/messages.js").CallName} name
    * @param {any} request
    * @param {string} edits
    * @param {() => number} [urgency]

@@ -152,8 +152,8 @@ export class Workshop {
     this.#report(words("workshop.running"));
     edits.setRuns(false); // until it is known to end
     try {
-      await this.edited.draw(this.live.request(), json);
-      this.edited.edits = json;
+      const request = this.live.request();
+      this.edited.adopt(json, request, await this.edited.draw(request, json));
       edits.setRuns(edits.json === json);
       this.live.drawnBy(this.edited);
     } catch (error) {
