@@ -24,12 +24,12 @@ from site_builder.checks.pictures import check_pictures
 from site_builder.checks.purity import check_purity
 from site_builder.checks.whole_book import check_book
 from site_builder.diagnostics import BuildError, Diagnostic, Diagnostics
+from site_builder.figures.initial_frames import InitialFrames, render_initial_frames
 from site_builder.files import file_hash, folder_hash
 from site_builder.offline.manifest import MANIFEST, manifest
 from site_builder.offline.release import no_release, release_files
 from site_builder.output.writer import write_site
 from site_builder.pages.catalogue import catalogue
-from site_builder.pages.initial_frames import InitialFrames, render_initial_frames
 from site_builder.pages.licences import Licence, gather_licences
 from site_builder.pages.render import Site, render_pages
 from site_builder.publishing.cards import make_cards
@@ -40,7 +40,14 @@ from site_builder.publishing.listings import make_listings
 from site_builder.search.index import ADDRESS as SEARCH_INDEX
 from site_builder.search.index import index_of, indexing
 from site_builder.search.records import explained_terms, make_records
-from site_builder.site_assets import NOW, Files, gather_assets, handed_out, in_page, strips_of
+from site_builder.site_assets import (
+    NOW,
+    Files,
+    gather_assets,
+    handed_out,
+    in_page,
+    prerendered_files,
+)
 from site_builder.source import read_book
 
 LIBRARY = "search"
@@ -148,7 +155,7 @@ def check(loaded: LoadedBook, options: Options) -> CheckedBook:
     check_book(book, problems)
     check_pictures(options.root, problems, trusted=book.settings.trust.raw_html)
     initial_frames, pictures = render_initial_frames(
-        book, problems, strips=options.runtime and not options.reload
+        book, problems, prerendered=options.runtime and not options.reload
     )
     check_frames(book, initial_frames, own_or_engine(options.root, "static"), problems)
     for warning in sorted(set(problems.doubts)):
@@ -171,7 +178,7 @@ def render(checked: CheckedBook, options: Options) -> RenderedSite:
         **(scene_files(book, parts.editor) if options.runtime else {}),
         **{f"{LIBRARY}/{name}": path for name, path in parts.search.scripts.items()},
         **handed_out(book, root),
-        **strips_of(initial_frames),
+        **prerendered_files(initial_frames),
         **make_icons(root),
     }
 

@@ -6,6 +6,7 @@ from typing import Any
 
 from site_builder.book import Book
 from site_builder.book_root import own_or_engine
+from site_builder.figures.initial_frames import InitialFrames
 from site_builder.files import folder_files
 from site_builder.markdown.directives.figure import SUFFIXES
 from site_builder.offline.release import SCRIPT as RELEASE_SCRIPT
@@ -17,7 +18,6 @@ from site_builder.output.fonts import subset_fonts
 from site_builder.output.scripts import imported_scripts, reachable
 from site_builder.output.style_sheets import join_style_sheets, without_comments
 from site_builder.pages.features import kinds_script, parts_script, sheets_not_for, shown_in
-from site_builder.pages.initial_frames import InitialFrames
 from site_builder.pages.render import back_matter
 
 STYLE_SHEET = "css/book.css"
@@ -81,10 +81,10 @@ def _scripts(files: Files, assets: str) -> tuple[str, ...]:
     return imported_scripts({name.removeprefix(assets): files[name] for name in files}, SCRIPT)
 
 
-def strips_of(initial_frames: InitialFrames) -> Files:
+def prerendered_files(initial_frames: InitialFrames) -> Files:
     """What figures can show before Python has started."""
-    strips = [still.strip for still in initial_frames.values() if still.strip]
-    return {f"strips/{strip.file}": strip.data for strip in strips}
+    frames = [each.prerendered for each in initial_frames.values() if each.prerendered]
+    return {f"prerendered/{each.file}": each.data for each in frames}
 
 
 def handed_out(book: Book, root: Path) -> Files:

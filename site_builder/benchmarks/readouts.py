@@ -10,7 +10,7 @@ from simulations.engine.scene import Scene
 from site_builder.benchmarks.loading import loaded
 from site_builder.benchmarks.quantities import with_unit
 from site_builder.diagnostics import cause, unknown
-from site_builder.drawing.frames import frame_at
+from site_builder.figures.frames import frame_at
 
 
 class ReadoutError(LookupError):

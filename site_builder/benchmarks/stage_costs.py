@@ -14,7 +14,7 @@ from typing import Any
 from simulations.engine.controls import ControlError
 from simulations.engine.scene import Scene
 from site_builder.diagnostics import cause
-from site_builder.drawing.frames import reports_at
+from site_builder.figures.frames import reports_at
 
 DATA = Path("content") / "stage-costs.json"
 REMEASURE = "run `PYTHONPATH=tests python -m bench.stage_costs`"

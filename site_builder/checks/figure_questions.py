@@ -7,7 +7,7 @@ from simulations.engine.controls import ControlError, Slider
 from simulations.engine.expressions import ExpressionError
 from site_builder.book import Chapter
 from site_builder.diagnostics import Diagnostics, cause, unknown
-from site_builder.drawing.frames import frame_at
+from site_builder.figures.frames import frame_at
 from site_builder.markdown.questions.options import OTHERWISE
 from site_builder.page_model.blocks import Simulation
 from site_builder.page_model.questions import Option, Quiz

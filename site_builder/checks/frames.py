@@ -11,9 +11,9 @@ from site_builder.book import Book
 from site_builder.cache import cached
 from site_builder.checks.svg import read_overlay
 from site_builder.diagnostics import Diagnostics, unknown
+from site_builder.figures.initial_frames import InitialFrames
 from site_builder.markdown.directives.illustration import Drawn
 from site_builder.page_model.blocks import Block
-from site_builder.pages.initial_frames import InitialFrames
 
 MOST_PIXELS, MANY_PIXELS = 4_000_000, 1_000_000
 MOST_LETTERS, MANY_LETTERS = 1_000_000, 250_000

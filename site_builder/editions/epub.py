@@ -13,13 +13,13 @@ from xml.etree.ElementTree import Element
 
 from site_builder.book import Book
 from site_builder.book_root import own_or_engine
-from site_builder.drawing.frames import as_png
 from site_builder.editions.compose import ANSWERS, Composed, Section, answer_id
 from site_builder.editions.epub_style import book_style
 from site_builder.editions.places import is_external, place_of
 from site_builder.editions.plain_markup import plain
 from site_builder.editions.reduce import note
 from site_builder.editions.tree import elements, first, parse, xhtml
+from site_builder.figures.frames import as_png
 from site_builder.output.assets import content_bytes
 from site_builder.pages.render import render_template
 

@@ -10,11 +10,11 @@ from simulations.engine.controls import Choice, Control, Slider, Value
 from simulations.engine.frame import Frame, Panel
 from simulations.engine.stages import StageCache
 from site_builder.book import Book
-from site_builder.drawing.frames import png
+from site_builder.figures.frames import png
+from site_builder.figures.initial_frames import InitialFrame, InitialFrames
+from site_builder.figures.main_control import main_control
 from site_builder.languages.words import Words
 from site_builder.page_model.blocks import Simulation
-from site_builder.pages.initial_frames import InitialFrame, InitialFrames
-from site_builder.pages.main_control import main_control
 from site_builder.pages.views.control import value_text
 
 MOST = 4

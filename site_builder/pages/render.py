@@ -14,13 +14,13 @@ from platformdirs import user_cache_path
 from site_builder.book import Book, Chapter
 from site_builder.book_root import own_or_engine
 from site_builder.cache import cached_result, hash_of
+from site_builder.figures.initial_frames import InitialFrames
 from site_builder.files import folder_hash
 from site_builder.markdown.directives.simulation import SIMULATION
 from site_builder.markdown.text.code import highlighted_lines
 from site_builder.page_model.blocks import Block, Simulation
 from site_builder.page_model.places import Heading
 from site_builder.pages.common import BEFORE, BEHIND, STYLES, Common, common_parts
-from site_builder.pages.initial_frames import InitialFrames
 from site_builder.pages.licences import Licence
 from site_builder.pages.outside import card_path, origin, page_address
 from site_builder.pages.places import card

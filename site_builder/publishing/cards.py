@@ -8,11 +8,11 @@ from pathlib import Path
 from simulations.engine.frame import Panel
 from site_builder.book import Book, Chapter
 from site_builder.book_root import own_or_engine
-from site_builder.drawing.frames import as_png
+from site_builder.figures.frames import as_png
+from site_builder.figures.initial_frames import InitialFrames
 from site_builder.markdown.directives.illustration import Drawn as DrawnIllustration
 from site_builder.output.light_theme import light_tokens, resolve, without_containers
 from site_builder.page_model.blocks import Simulation, contents
-from site_builder.pages.initial_frames import InitialFrames
 from site_builder.pages.outside import BOOK_CARD, card_path
 from site_builder.pages.render import render_template
 from site_builder.publishing.title_lines import set_title

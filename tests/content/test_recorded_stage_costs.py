@@ -6,7 +6,7 @@ import pytest
 
 from simulations.registry import load_scene
 from site_builder.benchmarks.stage_costs import StageCosts, read_stage_costs
-from site_builder.drawing.frames import reports_at
+from site_builder.figures.frames import reports_at
 
 ROOT = Path(__file__).resolve().parents[2]
 

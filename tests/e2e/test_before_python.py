@@ -26,7 +26,7 @@ def test_the_nearest_frame_is_shown_until_the_live_one_takes_its_place(
     page.context.route("**/runtime.json", lambda route: held.append(route))
     reader.open(chapter_of(book, SCENE), live=False)
     figure = reader.figure(SCENE)
-    place = figure.get_attribute("data-strip") or ""
+    place = figure.get_attribute("data-prerendered") or ""
     strip = json.loads((built_site / place.removeprefix("../")).read_text(encoding="utf-8"))
     wanted = strip["frames"][-2]
     box = reader.bring(figure)

@@ -10,8 +10,8 @@ from simulations.engine.scene import Scene
 from simulations.engine.settings import values_of
 from simulations.engine.stages import StageCache
 from simulations.registry import SCENE_MODULES, load_scene
+from site_builder.figures.prerendered_frames import prerender
 from site_builder.page_model.blocks import Simulation
-from site_builder.pages.prerendered_frames import render_strip
 
 
 @pytest.mark.parametrize("scene", [pytest.param(name, id=name) for name in SCENE_MODULES])
@@ -19,7 +19,7 @@ def test_each_frame_says_and_draws_what_its_scene_does(scene: str) -> None:
     of: Scene[Any] = load_scene(scene)
     start = values_of(of.check({}))
     figure = Simulation(of, f"figure-{scene}", {}, of.default_tier, "", "", 1)
-    strip = render_strip("page", figure)
+    strip = prerender("page", figure)
     if strip is None:
         return
     told = json.loads(strip.data)

@@ -6,6 +6,7 @@ from dataclasses import dataclass
 from simulations.engine.controls import Action, Choice, Control, Slider, Value
 from simulations.engine.frame import format_number
 from site_builder.benchmarks.quantities import with_unit
+from site_builder.figures.initial_frames import InitialFrame
 from site_builder.languages.words import ENGLISH, Words
 from site_builder.pages.figure_grid import (
     FOLDED,
@@ -14,7 +15,6 @@ from site_builder.pages.figure_grid import (
     gather_buttons,
     spans,
 )
-from site_builder.pages.initial_frames import InitialFrame
 
 LONG_OPTION = 13
 """Characters of an option, above which its menu would be cut in half the width of a phone."""

@@ -10,11 +10,11 @@ from simulations.engine.handles import Handle
 from simulations.engine.said import Said
 from simulations.engine.scene import Scene
 from simulations.registry import load_ladder
+from site_builder.figures.initial_frames import InitialFrame
 from site_builder.languages.words import ENGLISH, Words
 from site_builder.page_model.blocks import Simulation
 from site_builder.pages.embedding import json_for_html
 from site_builder.pages.figure_grid import even_columns
-from site_builder.pages.initial_frames import InitialFrame
 from site_builder.pages.views.control import CellView, control_cells, value_text
 
 
@@ -75,7 +75,7 @@ class SimulationView:
     workings_open: bool
     schema: str
     """JSON that is safe inside a script element."""
-    strip: str
+    prerendered: str
     """Address of what can be shown before Python has started; nothing where that is nothing."""
 
 
@@ -114,7 +114,7 @@ def view_simulation(still: InitialFrame, assets: str, words: Words = ENGLISH) ->
         stages_text=count_stages(frame.stages, words),
         workings_open=figure.workings_open,
         schema=json_for_html(schema(still)),
-        strip=f"{assets}strips/{still.strip.file}" if still.strip else "",
+        prerendered=f"{assets}prerendered/{still.prerendered.file}" if still.prerendered else "",
     )
 
 

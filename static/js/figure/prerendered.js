@@ -36,7 +36,7 @@ export class Prerendered {
     this.schema = schema;
     this.place = place;
     const { signal } = this.#listeners;
-    if (!figure.dataset.strip) return;
+    if (!figure.dataset.prerendered) return;
     const options = { signal, once: true, passive: true };
     for (const kind of HINTS) figure.addEventListener(kind, () => this.#fetch(), options);
     form.addEventListener("input", () => this.#follow(), { signal });
@@ -45,7 +45,7 @@ export class Prerendered {
 
   /** The figure is near the window. */
   near() {
-    if (this.figure.dataset.strip && isSlow()) this.#fetch();
+    if (this.figure.dataset.prerendered && isSlow()) this.#fetch();
   }
 
   /** A live frame is there, or the figure has left the page. */
@@ -109,7 +109,8 @@ export class Prerendered {
 
   /** @returns {Promise<Frames | null>} Null where they do not arrive: Python is starting. */
   #fetch() {
-    this.#frames ??= fetch(this.figure.dataset.strip ?? "", { signal: this.#listeners.signal })
+    const address = this.figure.dataset.prerendered ?? "";
+    this.#frames ??= fetch(address, { signal: this.#listeners.signal })
       .then((reply) => (reply.ok ? reply.json() : null))
       .catch(() => null);
     return this.#frames;

@@ -19,7 +19,7 @@ from site_builder.benchmarks.stage_costs import (
     read_stage_costs,
 )
 from site_builder.build import Options, render_site
-from site_builder.drawing.frames import reports_at
+from site_builder.figures.frames import reports_at
 from site_builder.output.assets import content_bytes
 
 MOVE = {"to": 1, "ms": 1.0, "whole_ms": 2.0, "share": 0.5}

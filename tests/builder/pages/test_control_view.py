@@ -7,8 +7,8 @@ from simulations.engine.frame import Frame
 from simulations.engine.scene import Scene
 from simulations.engine.settings import choice, slider
 from simulations.engine.stages import Outputs
+from site_builder.figures.initial_frames import InitialFrame
 from site_builder.page_model.blocks import Simulation
-from site_builder.pages.initial_frames import InitialFrame
 from site_builder.pages.views.control import control_cells
 
 

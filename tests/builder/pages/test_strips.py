@@ -1,7 +1,7 @@
 """Where a figure's main control is shown before Python has started."""
 
 from simulations.engine.controls import Choice, Slider, Toggle
-from site_builder.pages.prerendered_frames import FRAMES, shown_values
+from site_builder.figures.prerendered_frames import FRAMES, shown_values
 
 
 def test_a_slider_is_shown_from_end_to_end_and_where_it_starts() -> None:

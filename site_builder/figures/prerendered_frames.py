@@ -8,16 +8,16 @@ import numpy as np
 from simulations.engine.controls import Choice, Control, Slider, Value
 from simulations.engine.frame import to_json
 from simulations.engine.settings import values_of
-from site_builder.drawing.frames import sketches_at
+from site_builder.figures.frames import small_frames
+from site_builder.figures.main_control import main_control
 from site_builder.page_model.blocks import Simulation
-from site_builder.pages.main_control import main_control
 
 FRAMES = 11
 """Of a slider, from end to end."""
 
 
 @dataclass(frozen=True, slots=True)
-class Strip:
+class PrerenderedFrames:
     """Frames of one control, all others as the figure starts."""
 
     file: str
@@ -26,9 +26,9 @@ class Strip:
     would send with them."""
 
 
-def render_strip(page: str, figure: Simulation) -> Strip | None:
-    """The strip of a figure; None where it has no control that can be shown so. Raises whatever
-    the scene does, and `LimitError`."""
+def prerender(page: str, figure: Simulation) -> PrerenderedFrames | None:
+    """Those of a figure; None where it has no control that can be shown so. Raises whatever the
+    scene does, and `LimitError`."""
     control = main_control(figure)
     if control is None:
         return None
@@ -36,14 +36,14 @@ def render_strip(page: str, figure: Simulation) -> Strip | None:
     values = shown_values(control, start[control.name])
     settings = tuple({**start, control.name: value} for value in values)
     frames = [
-        {"value": value, "pictures": dict(sketch.pictures), **json.loads(to_json(sketch.frame))}
-        for value, sketch in zip(
-            values, sketches_at(figure.scene, settings, figure.tier), strict=True
+        {"value": value, "pictures": dict(small.pictures), **json.loads(to_json(small.frame))}
+        for value, small in zip(
+            values, small_frames(figure.scene, settings, figure.tier), strict=True
         )
     ]
-    told = {"control": control.name, "frames": frames}
-    text = json.dumps(told, ensure_ascii=False, separators=(",", ":"))
-    return Strip(f"{page}--{figure.id}.json", text.encode())
+    data = {"control": control.name, "frames": frames}
+    text = json.dumps(data, ensure_ascii=False, separators=(",", ":"))
+    return PrerenderedFrames(f"{page}--{figure.id}.json", text.encode())
 
 
 def shown_values(control: Control, start: Value) -> tuple[Value, ...]:

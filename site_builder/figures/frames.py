@@ -1,4 +1,4 @@
-"""Frames of scenes: drawn within limits, and cached."""
+"""Frames of scenes, drawn in the sandbox and cached."""
 
 import functools
 import io
@@ -15,9 +15,9 @@ from simulations.engine.stages import StageCache
 from site_builder.cache import cached
 from site_builder.sandbox import run_limited
 
-SKETCH_PX = 320
-"""The longer side of a sketch's pictures, at most."""
-SKETCH_QUALITY = 70
+SMALL_PX = 320
+"""The longer side of a small frame's pictures, at most."""
+SMALL_QUALITY = 70
 
 
 @dataclass(frozen=True, slots=True)
@@ -31,8 +31,8 @@ class Picture:
 
 
 @dataclass(frozen=True, slots=True)
-class Print:
-    """A frame as a page shows it before it comes alive."""
+class StaticFrame:
+    """A frame as a page shows it before Python has started."""
 
     frame: Frame
     """Without its pixels."""
@@ -41,42 +41,42 @@ class Print:
 
 
 @dataclass(frozen=True, slots=True)
-class Sketch:
-    """A frame for the moment: its pixels are small, and not exact."""
+class SmallFrame:
+    """A frame to be shown for a moment: its pictures are small and lossy."""
 
     frame: Frame
     """Without its pixels."""
     pictures: Mapping[str, str]
-    """Their addresses by panel, with the pictures in them."""
+    """By panel, as data URLs."""
 
 
 @cached
 def frame_at(scene: Scene[Any], settings: Any, tier: str) -> Frame:
-    """What the scene says and draws at these settings, without its pixels. Raises whatever the
-    scene does, and `LimitError`."""
+    """The frame at these settings, without its pixels. Raises whatever the scene does, and
+    `LimitError`."""
     return run_limited(functools.partial(_frame, scene, settings, tier))
 
 
 @cached
-def print_at(scene: Scene[Any], settings: Any, tier: str) -> Print:
+def static_frame(scene: Scene[Any], settings: Any, tier: str) -> StaticFrame:
     """The same with its pixels, as files."""
-    return run_limited(functools.partial(_print, scene, settings, tier))
+    return run_limited(functools.partial(_static_frame, scene, settings, tier))
 
 
 @cached
-def sketches_at(
+def small_frames(
     scene: Scene[Any], settings: Sequence[Mapping[str, object]], tier: str
-) -> tuple[Sketch, ...]:
+) -> tuple[SmallFrame, ...]:
     """The frames of several settings, one after the other. Raises whatever the scene does, and
     `LimitError`."""
-    return run_limited(functools.partial(_sketches, scene, settings, tier))
+    return run_limited(functools.partial(_small_frames, scene, settings, tier))
 
 
 @cached
 def reports_at(
     scene: Scene[Any], start: Mapping[str, object], moved: Mapping[str, object]
 ) -> tuple[StageReport, ...]:
-    """What becomes of each stage when controls move from ``start``."""
+    """Which stages run again when controls move from ``start``."""
     return run_limited(functools.partial(_reports, scene, start, moved))
 
 
@@ -84,23 +84,23 @@ def _frame(scene: Scene[Any], settings: Any, tier: str) -> Frame:
     return _without_pixels(scene.render(settings, tier, StageCache()))
 
 
-def _print(scene: Scene[Any], settings: Any, tier: str) -> Print:
+def _static_frame(scene: Scene[Any], settings: Any, tier: str) -> StaticFrame:
     frame = scene.render(settings, tier, StageCache())
-    for place in frame.handles:  # a pull that raises would do so in its reader's hand
+    for place in frame.handles:  # a pull that raises shall do so now
         scene.pull(settings, place.name, (place.x, place.y), tier)
     pictures = {
         panel.name: Picture(panel.raster.shape[1], panel.raster.shape[0], webp(panel.raster))
         for panel in frame.panels
         if panel.raster is not None
     }
-    return Print(_without_pixels(frame), pictures)
+    return StaticFrame(_without_pixels(frame), pictures)
 
 
-def _sketches(
+def _small_frames(
     scene: Scene[Any], settings: Sequence[Mapping[str, object]], tier: str
-) -> tuple[Sketch, ...]:
+) -> tuple[SmallFrame, ...]:
     cache = StageCache()
-    return tuple(_sketch(scene.render(scene.check(one), tier, cache)) for one in settings)
+    return tuple(_small_frame(scene.render(scene.check(one), tier, cache)) for one in settings)
 
 
 def _reports(
@@ -113,24 +113,23 @@ def _reports(
     return reports
 
 
-def _sketch(frame: Frame) -> Sketch:
+def _small_frame(frame: Frame) -> SmallFrame:
     pictures = {
-        panel.name: _small(panel.raster, pixelated=panel.pixelated)
+        panel.name: _small_picture(panel.raster, pixelated=panel.pixelated)
         for panel in frame.panels
         if panel.raster is not None
     }
-    return Sketch(_without_pixels(frame), pictures)
+    return SmallFrame(_without_pixels(frame), pictures)
 
 
-def _small(raster: Raster, *, pixelated: bool) -> str:
-    """A raster as an address that holds it. Where the page shows its pixels as squares, each stays
-    what it is."""
-    from PIL import Image  # here and below: a book without pictures does without
+def _small_picture(raster: Raster, *, pixelated: bool) -> str:
+    """A raster as a data URL. Where the page shows its pixels as squares, it is lossless."""
+    from PIL import Image  # here and below: only where something is not cached
 
     image, buffer = Image.fromarray(raster), io.BytesIO()
     if not pixelated:
-        image.thumbnail((SKETCH_PX, SKETCH_PX))
-    image.save(buffer, "WEBP", quality=SKETCH_QUALITY, lossless=pixelated, method=4)
+        image.thumbnail((SMALL_PX, SMALL_PX))
+    image.save(buffer, "WEBP", quality=SMALL_QUALITY, lossless=pixelated, method=4)
     return f"data:image/webp;base64,{b64encode(buffer.getvalue()).decode()}"
 
 

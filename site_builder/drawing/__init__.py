@@ -1,1 +1,0 @@
-"""The authors' own code while the book is built: within limits, and once for each setting."""

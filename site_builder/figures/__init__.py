@@ -1,0 +1,1 @@
+"""Frames of scenes that are drawn while the book is built."""
