@@ -9,13 +9,14 @@ from dataclasses import dataclass
 from itertools import pairwise
 
 from simulations.engine import drawing
+from simulations.engine.plotting.labels import Label, Room, place_labels
 from site_builder.benchmarks.measurements import SIDES, MeasuredLadder, MeasuredTier
 from site_builder.cache import cached_result
 from site_builder.charts.axes import ChartAxis, linear_axis, log_axis
-from site_builder.charts.boxes import Box, Point, Segment
-from site_builder.charts.label_placement import Label, place_labels
 from site_builder.languages.words import ENGLISH, Words
 
+type Point = tuple[float, float]
+type Segment = tuple[Point, Point]
 type Place = Callable[[MeasuredTier, str], Point]
 """Where a tier stands on one side."""
 
@@ -24,7 +25,9 @@ LEFT, RIGHT, TOP, BOTTOM = 51.0, 408.0, 34.0, 270.0
 NONE_ROW = 22.0
 """Height of the strip for tiers without any error."""
 RADIUS = 4.5
-FRAME = Box(LEFT, TOP - 6, RIGHT + 8, BOTTOM)
+FRAME = Room(LEFT, TOP - 6, RIGHT + 8, BOTTOM)
+LETTERS = 0.85
+"""Size of a name beside that of a figure's labels."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -74,10 +77,8 @@ def _draw(measured: MeasuredLadder, words: Words) -> Chart:
     bars = [drawing.line(*bar, "image spread") for bar in spreads]
     joins = [(at(i, "native"), at(i, "browser")) for i in measured.tiers]
     lines = [*spreads, *joins, *(step for front in fronts for step in pairwise(front))]
-    labels = _place_names(measured, at, lines)
-    leaders = [drawing.line(*label.leader, "muted thin") for label in labels if label.leader]
-    parts = [_grid(time, error, measured, words), *curves, *bars, *leaders, *marks]
-    names = _names(measured, labels, {tier for tier, side in beaten if side == "browser"})
+    parts = [_grid(time, error, measured, words), *curves, *bars, *marks]
+    names = _names(measured, at, lines, {tier for tier, side in beaten if side == "browser"})
     return Chart("".join(parts), names, time, error, describe(measured, words))
 
 
@@ -156,22 +157,20 @@ def _spread(item: MeasuredTier, side: str, y: float, time: ChartAxis) -> tuple[P
     return (low, y), (high, y)
 
 
-def _place_names(measured: MeasuredLadder, at: Place, lines: Sequence[Segment]) -> Sequence[Label]:
-    reach = RADIUS + 1.0
-    dots = [
-        [
-            Box(x - reach, y - reach, x + reach, y + reach)
-            for x, y in (at(item, side) for side in SIDES)
-        ]
+def _names(measured: MeasuredLadder, at: Place, lines: Sequence[Segment], grey: set[str]) -> str:
+    """A name beside the browser's dot of each tier."""
+    dots = [at(item, side) for item in measured.tiers for side in SIDES]
+    taken = [Room(x - RADIUS, y - RADIUS, x + RADIUS, y + RADIUS) for x, y in dots]
+    labels = [
+        Label(
+            at(item, "browser"),
+            item.tier.label,
+            "halo chart-name" + (" muted" if item.tier.id in grey else ""),
+            prefer="right",
+            leader="muted thin",
+            others=[at(item, "native")],
+            scale=LETTERS,
+        )
         for item in measured.tiers
     ]
-    names = [item.tier.label for item in measured.tiers]
-    return place_labels(list(zip(names, dots, strict=True)), FRAME, lines)
-
-
-def _names(measured: MeasuredLadder, labels: Sequence[Label], grey: set[str]) -> str:
-    styles = ["halo chart-name" + (" muted" if i.tier.id in grey else "") for i in measured.tiers]
-    return "".join(
-        drawing.text((label.x, label.y), label.text, style, label.anchor)
-        for label, style in zip(labels, styles, strict=True)
-    )
+    return place_labels(labels, FRAME, lines, taken)

@@ -12,7 +12,7 @@ from support.label_boxes import labels
 
 from simulations.engine.frame import Panel
 from simulations.engine.illustration import Illustration
-from site_builder.charts.boxes import Box
+from simulations.engine.plotting.labels import Room
 
 ROOT = Path(__file__).resolve().parents[2]
 DRAWN = {name: draw() for name, draw in ILLUSTRATIONS.items()}
@@ -58,14 +58,16 @@ def test_nothing_is_drawn_outside_the_view_box(panel: Panel) -> None:
 
 @pytest.mark.parametrize("panel", PANELS)
 def test_labels_lie_inside_the_view_box(panel: Panel) -> None:
-    frame = Box(-1.0, -1.0, panel.width + 1.0, panel.height + 1.0)
-    assert [label.text for label in labels(panel.overlay) if label.box.outside(frame) > 0] == []
+    frame = Room(-1.0, -1.0, panel.width + 1.0, panel.height + 1.0)
+    assert [
+        label.text for label in labels(panel.overlay) if label.box.sticks_out_of(frame) > 0
+    ] == []
 
 
 @pytest.mark.parametrize("panel", PANELS)
 def test_no_label_stands_on_another(panel: Panel) -> None:
     pairs = combinations(labels(panel.overlay), 2)
-    assert [(a.text, b.text) for a, b in pairs if a.box.overlap(b.box) > 0] == []
+    assert [(a.text, b.text) for a, b in pairs if a.box.shared(b.box) > 0] == []
 
 
 @pytest.mark.parametrize("panel", PANELS)

@@ -19,7 +19,6 @@ from simulations.engine.plotting.letters import width_of
 from simulations.engine.plotting.plot import Plot
 from simulations.engine.plotting.scale import Scale
 from simulations.engine.plotting.ticks import log_ticks, round_ticks
-from site_builder.charts.boxes import Box
 
 PLOT = Plot(Axis(0, 10, 40, 390), Axis(1e-3, 10, 240, 20, log=True))
 WORDS = (
@@ -194,8 +193,8 @@ def test_labels_stand_inside_and_not_on_each_other(
     wanted = [Label(point, name) for point, name in zip(where, words, strict=False)]
     boxes = [label.box for label in labels(place_labels(wanted, Room(0, 0, 400, 300)), in_figures)]
     assert len(boxes) == len(wanted)
-    assert all(box.outside(Box(0, 0, 400, 300)) < 1e-6 for box in boxes)
-    assert all(a.overlap(b) < 1e-6 for a, b in combinations(boxes, 2))
+    assert all(box.sticks_out_of(Room(0, 0, 400, 300)) < 1e-6 for box in boxes)
+    assert all(a.shared(b) < 1e-6 for a, b in combinations(boxes, 2))
 
 
 def test_a_label_makes_room_for_a_curve() -> None:
@@ -207,6 +206,24 @@ def test_a_label_makes_room_for_a_curve() -> None:
         )
     )
     assert not box.top < 138 < box.bottom
+
+
+def test_a_label_that_is_crowded_away_from_its_point_has_a_leader() -> None:
+    crowd = [Label((200, 150 + n), "a long name", leader="muted thin") for n in range(12)]
+    first, *_ = crowd
+    assert "<line" not in place_labels([first], Room(0, 0, 400, 300))
+    assert 'class="muted thin"' in place_labels(crowd, Room(0, 0, 400, 300))
+
+
+def test_a_label_may_stand_beside_another_of_its_points() -> None:
+    wanted = Label((200, 150), "peak", others=[(50, 150)])
+    (box,) = (
+        label.box
+        for label in labels(
+            place_labels([wanted], Room(0, 0, 400, 300), taken=[Room(100, 0, 400, 300)]), in_figures
+        )
+    )
+    assert box.right < 100
 
 
 def test_an_unknown_side_is_refused() -> None:

@@ -6,13 +6,15 @@ Each takes the best place left by those before it, so the most important comes f
 rounded, so that CPython and Pyodide choose alike.
 """
 
+import math
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
+from itertools import product
 
 import numpy as np
 
 from simulations.engine.drafting import label
-from simulations.engine.drawing import Point
+from simulations.engine.drawing import Point, line
 from simulations.engine.plotting.letters import ASCENT, DESCENT, size_of, width_of
 
 SIDES = {
@@ -26,8 +28,10 @@ SIDES = {
     "below left": (-1, 1),
 }
 """Where a label may stand, the places liked best first, and in which directions that is."""
-FARTHER = (1.0, 2.0, 3.5)
-"""Multiples of the label's own distance."""
+FARTHER, WITH_LEADER = (1.0, 2.0, 3.5), (5.0, 7.0)
+"""Multiples of the label's own distance, and more of them for what may have a leader."""
+APART = 1.5
+"""Likewise, from which on a label needs its leader."""
 OUTSIDE, ON_LABEL, ON_CURVE, LATER = 1e3, 1e2, 20.0, 2.0
 """Costs: of a unit outside, of a unit of area in common, of a point hidden, of each place later."""
 SPACING = 5.0
@@ -57,6 +61,11 @@ class Room:
         )
         return sum(max(units, 0.0) for pair in beyond for units in pair)
 
+    def nearest(self, point: Point) -> tuple[float, float]:
+        """The place in it that is nearest to a point."""
+        x, y = float(point[0]), float(point[1])
+        return min(max(x, self.left), self.right), min(max(y, self.top), self.bottom)
+
     def holds(self, points: np.ndarray) -> int:
         """How many of the points (n, 2) lie in it."""
         across = (points[:, 0] > self.left) & (points[:, 0] < self.right)
@@ -73,6 +82,12 @@ class Label:
     prefer: str = "above right"
     """The side that is tried first; a key of `SIDES`."""
     distance: float = 9.0
+    leader: str = ""
+    """Style of a line to the point, drawn where the label does not stand next to it."""
+    others: Sequence[Point] = ()
+    """Points that it may stand beside instead."""
+    scale: float = 1.0
+    """Of its letters, beside those of a figure."""
 
     def __post_init__(self) -> None:
         if self.prefer not in SIDES:
@@ -86,6 +101,7 @@ class Placed:
     baseline: tuple[float, float]
     anchor: str
     room: Room
+    point: Point
 
 
 def place_labels(
@@ -100,20 +116,23 @@ def place_labels(
     for wanted in labels:
         best = _best(_places(wanted, inside), inside, rooms, hidden)
         rooms.append(best.room)
+        end = best.room.nearest(best.point)
+        if wanted.leader and math.dist(end, best.point) > APART * wanted.distance:
+            marks.append(line(end, best.point, wanted.leader))
         marks.append(label(best.baseline, wanted.words, wanted.style, best.anchor))
     return "".join(marks)
 
 
 def _places(wanted: Label, inside: Room) -> Iterator[Placed]:
     sides = [SIDES[wanted.prefer], *(s for name, s in SIDES.items() if name != wanted.prefer)]
-    width, size = width_of(wanted.words, wanted.style), size_of(wanted.style)
-    height = (ASCENT + DESCENT) * size
-    for farther in FARTHER:
+    size = wanted.scale * size_of(wanted.style)
+    width, height = wanted.scale * width_of(wanted.words, wanted.style), (ASCENT + DESCENT) * size
+    for farther in FARTHER + WITH_LEADER * bool(wanted.leader):
         away = wanted.distance * farther
-        for right, down in sides:
+        for (right, down), point in product(sides, (wanted.point, *wanted.others)):
             slant = 0.7 if right and down else 1.0
-            x = float(wanted.point[0]) + right * away * slant
-            middle = float(wanted.point[1]) + down * (away * slant + 0.5 * height)
+            x = float(point[0]) + right * away * slant
+            middle = float(point[1]) + down * (away * slant + 0.5 * height)
             left = x - width * (0.5 - 0.5 * right)
             if not right:  # above and below, a label may be pushed along to stay inside
                 left = min(max(left, inside.left), inside.right - width)
@@ -121,7 +140,7 @@ def _places(wanted: Label, inside: Room) -> Iterator[Placed]:
             top = middle - 0.5 * height
             anchor = ("end", "middle", "start")[right + 1]
             room = Room(left, top, left + width, top + height)
-            yield Placed((x, top + ASCENT * size), anchor, room)
+            yield Placed((x, top + ASCENT * size), anchor, room, point)
 
 
 def _best(
