@@ -40,7 +40,7 @@ from site_builder.book_root import ENGINE, is_engine
 from site_builder.diagnostics import Diagnostics
 from site_builder.files import SIZE
 
-FILE = "results-1.sqlite"
+FILE = "results-2.sqlite"
 """With the version of its format."""
 MOST_BYTES = 400_000_000
 """Beyond this the older half of the entries is deleted."""
