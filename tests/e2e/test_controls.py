@@ -150,12 +150,6 @@ TRY_TIERS = """async (figure, tiers) => {
 }"""
 
 
-def test_the_book_has_no_kind_of_control_that_is_not_tried(book: Any) -> None:
-    """`KINDS` is what the tests below are given."""
-    shown = (control for scene in book["simulations"] for control in scene["controls"])
-    assert {kind_of(control) for control in shown} == set(KINDS)
-
-
 @pytest.fixture(params=KINDS, ids=" ".join, scope="module")
 def example(request: pytest.FixtureRequest, book: Any) -> tuple[str, Any]:
     """The first control of a kind in the book, and its scene."""

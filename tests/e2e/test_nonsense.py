@@ -10,15 +10,6 @@ pytestmark = pytest.mark.browser
 CHAPTER, SCENE = "lens-distortion/", "lens-distortion"
 SETTINGS = """(figure) => [...figure.querySelectorAll('form.controls [name]')]
   .map((control) => [control.name, control.checked ?? control.dataset.state, control.value])"""
-FORCE = """(control, value) => {
-  if (control instanceof HTMLButtonElement) control.dataset.state = value;
-  else {
-    if (control instanceof HTMLSelectElement) control.add(new Option('none', 'nonsense'));
-    control.value = value;
-  }
-  control.dispatchEvent(new Event('input', {bubbles: true}));
-  control.dispatchEvent(new Event('change', {bubbles: true}));
-}"""
 JUNK = """(junk) => {
   const prefix = Object.keys(localStorage).find((key) => key.endsWith(':order')).slice(0, -5);
   for (const form of document.querySelectorAll('main form:is([data-quiz], [data-predict])')) {
@@ -48,52 +39,6 @@ for (const [owner, name] of [[window, 'localStorage'], [window, 'sessionStorage'
   const get = () => { throw new DOMException('denied', 'SecurityError'); };
   Object.defineProperty(owner, name, {get});
 }"""
-
-
-def test_a_menu_that_a_script_sets_to_what_nobody_could_choose_goes_back(
-    visitor: Reader,
-) -> None:
-    visitor.turn_to(CHAPTER)
-    figure = visitor.figure(SCENE)
-    for menu in figure.locator("select").all():
-        start = menu.input_value()
-        for value in ("nonsense", "", "NaN", "__proto__"):
-            menu.evaluate(FORCE, value)
-            assert menu.input_value() == start
-    answers(visitor, figure)
-
-
-@pytest.mark.parametrize("value", ["NaN", "1e309", "-1", "", "nonsense"])
-def test_a_button_that_a_script_puts_into_no_state_of_its_own_draws_its_first(
-    visitor: Reader, value: str
-) -> None:
-    visitor.turn_to("sampling-and-aliasing/")
-    figure = visitor.figure("bayer-demosaic")
-    figure.locator("button[name=demosaic]").evaluate(FORCE, value)
-    answers(visitor, figure)
-
-
-@pytest.mark.parametrize(
-    "end",
-    [
-        "?figure-lens-distortion.picture=sunset&figure-lens-distortion.correct=maybe"
-        "&figure-lens-distortion.tier=perfect&figure-lens-distortion.k1=nothing",
-        "?figure-lens-distortion.picture=&figure-lens-distortion.correct=&figure-lens-distortion.k1=",
-        "?figure-lens-distortion.picture=__proto__&figure-lens-distortion.correct=constructor",
-        "?figure-lens-distortion.k1=-1e309&figure-lens-distortion.k1=Infinity",
-    ],
-)
-def test_an_address_that_sets_controls_to_what_they_cannot_be_leaves_them_and_says_so(
-    visitor: Reader, end: str
-) -> None:
-    visitor.turn_to(CHAPTER)
-    start = visitor.figure(SCENE).evaluate(SETTINGS)
-    visitor.turn_to("licences/", live=False)
-    visitor.turn_to_unlinked(CHAPTER + end)
-    figure = visitor.figure(SCENE)
-    assert figure.evaluate(SETTINGS) == start
-    assert "k1=" in figure.locator(".figure-message").inner_text() or "k1" not in end
-    answers(visitor, figure)
 
 
 @pytest.mark.parametrize(

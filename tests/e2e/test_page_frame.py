@@ -157,10 +157,3 @@ def test_without_scripts_nothing_is_offered_that_does_nothing(
     assert page.locator("dialog:visible").count() == 0
     expect(page.locator("#contents ol a").first).to_be_visible()
     context.close()
-
-
-def test_each_chapter_says_what_it_takes_and_what_it_gives(plain_reader: Reader, book: Any) -> None:
-    for url in plain_reader.leaf_through(chapter["url"] for chapter in book["chapters"]):
-        facts = plain_reader.page.locator(".chapter-facts")
-        assert facts.locator(".before li").count() >= 1, url
-        assert 2 <= facts.locator(".after li").count() <= 4, url

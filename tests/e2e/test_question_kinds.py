@@ -216,12 +216,6 @@ def test_a_broken_file_is_named_and_nothing_of_it_kept(
     assert kept == []
 
 
-def test_every_chapter_asks_for_a_number_or_a_figure_twice(book: Any) -> None:
-    for chapter in book["chapters"]:
-        kinds = [quiz["kind"] for quiz in book["quizzes"] if quiz["chapter"] == chapter["id"]]
-        assert kinds.count("number") + kinds.count("figure") >= 2, chapter["id"]
-
-
 ORDERS = """[...document.querySelectorAll('form.quiz fieldset')]
   .map((set) => [...set.querySelectorAll('input[type=radio], input[type=checkbox]')]
     .map((input) => Number(input.value)))

@@ -180,19 +180,3 @@ def test_a_highlight_between_two_corners_is_lost_and_blended_normals_keep_it() -
 )
 def test_quarter_turns_of_the_light_have_exact_zeros(angle: float, expected: list[float]) -> None:
     assert light_direction(angle).tolist() == expected
-
-
-@pytest.mark.parametrize("angle", [-179, -135, -91, -45, 1, 30, 89, 120, 179])
-def test_the_light_goes_round_by_sine_and_cosine(angle: float) -> None:
-    turn = math.radians(angle)
-    np.testing.assert_allclose(
-        light_direction(angle), [math.sin(turn), 0, math.cos(turn)], atol=1e-15
-    )
-
-
-@pytest.mark.parametrize("scene", [lambertian.SCENE, glossy.SCENE])
-def test_another_tier_leaves_the_ball_as_it_is(scene: Scene[Any]) -> None:
-    cache, given = StageCache(), scene.check({})
-    scene.render(given, "phong", cache)
-    again = scene.render(given, "gouraud-8", cache)
-    assert [stage.name for stage in again.stages if stage.status == "reused"] == ["ball"]

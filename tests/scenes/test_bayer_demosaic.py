@@ -68,14 +68,6 @@ def test_beside_the_mosaic_stands_what_it_was_taken_of(cache: StageCache) -> Non
     np.testing.assert_array_equal(pixels_of(frame(cache), 2)[..., :3], truth)
 
 
-def test_moving_the_loupe_computes_nothing() -> None:
-    for demosaic in (0, 1):
-        cache = StageCache()
-        frame(cache, demosaic=demosaic)
-        moved = frame(cache, demosaic=demosaic, column=40, row=116)
-        assert "computed" not in {report.status for report in moved.stages}
-
-
 def test_a_grey_picture_of_the_reader_s_has_nothing_to_get_wrong() -> None:
     own = Photograph.from_canvas(1, bytes((90, 90, 90, 255)) * 240 * 192, 240, 192)
     shown = SCENE.render(SCENE.check({"demosaic": 1}), "", StageCache(), own)
@@ -89,20 +81,8 @@ def test_a_quarter_a_half_and_a_quarter_are_measured(cache: StageCache) -> None:
     assert texts_of(frame(cache))["samples"] == "25 / 50 / 25"
 
 
-@pytest.mark.parametrize("method", METHODS)
-def test_pressing_demosaic_shows_the_error_of_the_method(cache: StageCache, method: str) -> None:
-    shown = frame(cache, demosaic=1, method=method)
-    assert 15 < float(texts_of(shown)["psnr"]) < 60
-    assert pixels_of(shown, 2)[..., :3].any()
-
-
 def told_psnr(cache: StageCache, name: str, **given: object) -> dict[str, float]:
     return {m: float(texts_of(frame(cache, demosaic=1, method=m, **given))[name]) for m in METHODS}
-
-
-def test_nearest_is_the_worst_of_the_balloon(cache: StageCache) -> None:
-    psnr = told_psnr(cache, "psnr")
-    assert min(psnr, key=lambda method: psnr[method]) == "nearest"
 
 
 def test_the_figure_and_the_ladder_say_the_same() -> None:
@@ -134,31 +114,6 @@ def test_the_more_detail_the_colours_share_the_more_the_clever_methods_gain(
         gain.append(psnr["menon-unrefined"] - psnr["bilinear"])
     assert np.all(np.diff(shared) > 0.1)
     assert np.all(np.diff(gain) > 5)
-
-
-@pytest.mark.parametrize("demosaic", [0, 1])
-def test_layout_never_changes(cache: StageCache, demosaic: int) -> None:
-    shown = frame(cache, demosaic=demosaic)
-    assert [(p.name, p.width, p.height) for p in shown.panels] == [
-        ("picture", 400, 320),
-        ("loupe", 400, 320),
-        ("error", 400, 320),
-    ]
-    assert list(texts_of(shown)) == ["samples", "shared", "psnr", "light", "worst"]
-
-
-def test_changing_the_method_keeps_picture_and_mosaic() -> None:
-    cache = StageCache()
-    frame(cache, demosaic=1)
-    reports = frame(cache, demosaic=1, method="menon").stages
-    computed = [report.name for report in reports if report.status == "computed"]
-    assert computed == [
-        "demosaic",
-        "display",
-        "error",
-        "bytes of the picture",
-        "bytes of the error",
-    ]
 
 
 def test_before_demosaic_is_pressed_nothing_is_demosaiced_or_judged() -> None:
@@ -202,9 +157,3 @@ def test_the_error_of_a_colour_is_that_of_the_bytes_shown(cache: StageCache) -> 
     seen = np.sqrt(np.mean(errors**2, axis=(0, 1)))
     parts = [float(part) for part in told(cache, **given).text.split(", ")]
     assert seen == pytest.approx(parts, abs=0.1)
-
-
-def test_a_mosaic_has_no_error_to_tell(cache: StageCache) -> None:
-    estimate = told(cache, demosaic=0)
-    assert estimate.text.startswith("none yet")
-    assert estimate.unit == ""

@@ -11,14 +11,12 @@ from simulations.engine.controls import Value
 from simulations.engine.frame import Frame, Raster, Readout
 from simulations.engine.settings import values_of
 from simulations.engine.stages import StageCache
-from simulations.ladders.depth_of_field.ladder import LADDER
 from simulations.models.lens import thin_lens
 from simulations.models.lens.aperture_grid import aperture_grid
 from simulations.models.lens.depth_of_field import Layer
 from simulations.pictures.still_life.light import LitScene
 from simulations.scenes.camera.lens import PITCH_MM
 from simulations.scenes.camera.stages import through_lens
-from simulations.scenes.depth_of_field.drawing import disc_scale, half_opening
 from simulations.scenes.depth_of_field.scene import (
     LARGEST_DRAWN_PX,
     SCENE,
@@ -105,12 +103,6 @@ def test_focus_decides_which_part_of_the_picture_has_detail() -> None:
     assert detail(far, *chart) > 1.5 * detail(near, *chart)
 
 
-def test_stopping_down_sharpens_what_is_out_of_focus() -> None:
-    chart = (slice(15, 60), slice(115, 160))
-    wide, narrow = (picture(aperture=n, focus=1.85) for n in (1.4, 16))
-    assert detail(narrow, *chart) > 1.5 * detail(wide, *chart)
-
-
 @pytest.mark.parametrize("focal", [24, 49, 135])
 @pytest.mark.parametrize("focus", [0.05, 0.15, 0.5, 3.2, 10])
 def test_the_drawn_blur_stops_at_its_limit_by_stopping_down(focal: float, focus: float) -> None:
@@ -158,56 +150,8 @@ def test_every_tier_and_what_it_is_judged_by_have_the_same_scale(tier: str) -> N
     assert float(last.text) < 3
 
 
-def test_rays_through_the_lens_draw_no_picture_of_a_pinhole_first() -> None:
-    shown = frame("fibonacci-16")
-    status = {stage.name: stage.status for stage in shown.stages}
-    assert {name for name, what in status.items() if what == "computed"} == {
-        "pinhole rays",
-        "rays through the lens",
-        "encoded",
-    }
-
-
-@pytest.mark.parametrize("largest_mm", [1e-12, 0.03, 0.4, 7, 900])
-def test_the_scale_is_a_round_number_and_the_largest_disc_fits(largest_mm: float) -> None:
-    half = half_opening(20)
-    scale = disc_scale(largest_mm, half)
-    assert scale * largest_mm <= 0.7 * half * (1 + 1e-9)
-    mantissa = scale / 10 ** math.floor(math.log10(scale) + 1e-9)
-    assert round(mantissa, 6) in (1, 2, 5)
-
-
-@pytest.mark.parametrize("focal", [24, 135])
-@pytest.mark.parametrize("aperture", [1.4, 22])
-@pytest.mark.parametrize("focus", [0.05, 0.15, 10])
-def test_every_extreme_can_be_drawn_in_the_same_layout(
-    focal: float, aperture: float, focus: float
-) -> None:
-    shown = frame(focal_length=focal, aperture=aperture, focus=focus)
-    assert [item.name for item in shown.readouts] == list(texts())
-
-
-def test_aperture_reuses_the_lit_scene() -> None:
-    stages = StageCache()
-    frame("", stages)
-    again = frame("", stages, aperture=2)
-    assert [s.name for s in again.stages if s.status == "computed"] == [
-        "defocus",
-        "overlay",
-        "encoded",
-    ]
-
-
 def judged(tier: str, **given: Value) -> list[Readout]:
     return list(SCENE.estimates(SCENE.check(given), tier, StageCache()))
-
-
-def test_the_tiers_are_rungs_of_the_ladder_and_start_at_its_default() -> None:
-    assert set(SCENE.tiers) < {tier.id for tier in LADDER.tiers}
-    order = [tier.id for tier in LADDER.tiers if tier.id in SCENE.tiers]
-    assert list(SCENE.tiers) == order
-    assert SCENE.default_tier == LADDER.default_tier == SCENE.draft_tier
-    np.testing.assert_array_equal(picture(""), picture(LADDER.default_tier))
 
 
 @pytest.mark.parametrize("tier", [tier for tier in SCENE.tiers if tier not in SPIRALS])
@@ -215,11 +159,6 @@ def test_a_lens_that_is_nearly_a_pinhole_is_drawn_without_a_blur(tier: str) -> N
     shown = frame(tier, aperture=22)
     np.testing.assert_array_equal(picture_of(shown), picture("pinhole", aperture=22))
     assert sum(stage.status == "skipped" for stage in shown.stages) == 3
-
-
-def test_rays_through_the_lens_are_sent_however_narrow_it_is() -> None:
-    off = {tier: float(judged(tier, aperture=22)[-1].text) for tier in ("pinhole", "fibonacci-16")}
-    assert off["fibonacci-16"] < 0.8 * off["pinhole"]
 
 
 @pytest.mark.parametrize(
@@ -240,13 +179,6 @@ def test_each_tier_blurs_in_its_own_stage_and_in_no_other(tier: str, stage: str 
     assert computed == ({stage} if stage else set())
 
 
-def test_the_tiers_differ_in_the_picture_and_in_nothing_else() -> None:
-    frames = [frame(tier) for tier in SCENE.tiers]
-    pictures = {picture_of(shown).tobytes() for shown in frames}
-    assert len(pictures) == len(SCENE.tiers)
-    assert len({shown.readouts for shown in frames}) == 1
-
-
 def test_blur_is_measured_against_rays_through_the_whole_lens() -> None:
     """A pinhole is off by all of the blur, filters by edges only, and rays by least."""
     stages, settings = StageCache(), SCENE.check({})
@@ -263,15 +195,6 @@ def test_blur_is_measured_against_rays_through_the_whole_lens() -> None:
     assert min(filters) > final["layered"] > 2 * final["fibonacci-16"]
     *_, last = SCENE.estimates(settings, "layered", stages)
     assert float(last.text) == pytest.approx(final["layered"], abs=0.01)
-
-
-def test_each_estimate_counts_one_ray_more_and_wide_discs_are_given_more_of_them() -> None:
-    estimates = judged("pinhole", aperture=4)
-    assert [each.label.split()[3] for each in estimates[:3]] == ["1", "2", "3"]
-    assert len(estimates) == 37
-    first = next(SCENE.estimates(SCENE.check({"focus": 0.3}), "", StageCache()))
-    assert "of 177 rays" in first.label
-    assert first.unit == "codes of 255"
 
 
 def test_where_no_picture_is_formed_no_error_is_claimed() -> None:

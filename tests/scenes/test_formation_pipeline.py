@@ -81,12 +81,6 @@ def test_the_places_in_the_ledger_follow_from_one_another(distance: float) -> No
     assert lines[4].endswith(f"in cell ({round(pixel[0])}, {round(pixel[1])})")
 
 
-def test_black_paint_is_black() -> None:
-    journey = travel(4.0, 0.0, exposure=0)
-    assert journey.counted_e == 0
-    assert journey.code <= 30  # read noise alone
-
-
 def test_the_camera_moves_and_what_it_looks_at_stays() -> None:
     near, far = route(2.0), route(8.0)
     assert near[0][0] == far[0][0], "the point on its wall"
@@ -112,31 +106,3 @@ def test_marker_never_jumps() -> None:
     legs = route(4.0)
     way = [place(legs, step / 50)[0] for step in range(50 * len(legs) + 1)]
     assert max(math.dist(a, b) for a, b in itertools.pairwise(way)) < 6
-
-
-def test_way_travelled_ends_at_the_marker() -> None:
-    marker, travelled = place(route(4.0), 3.3)
-    assert travelled[-1] == marker
-    assert len(travelled) == 5  # three whole legs, and a part of the fourth before its corner
-
-
-def test_moving_the_marker_computes_nothing() -> None:
-    cache = StageCache()
-    frame(cache, station=1)
-    assert [stage.status for stage in frame(cache, station=5).stages] == ["reused"]
-
-
-@pytest.mark.parametrize("station", range(8))
-def test_each_station_is_told_in_words(station: int) -> None:
-    entry = stations(travel(4.0, 0.6, 0))[station]
-    shown = frame(station=station)
-    assert shown.description == f"{entry.sentence}: {entry.numbers}."
-    assert shown.readouts[0].text == f"{station} · {entry.title}"
-
-
-def test_extremes_draw_cleanly_and_keep_their_readouts() -> None:
-    for station, distance, albedo in itertools.product((0, 3.5, 7), (2, 8), (0, 1)):
-        shown = frame(station=station, distance=distance, albedo=albedo)
-        assert [item.name for item in shown.readouts] == ["at", "electrons", "pixel_value"]
-        assert [panel.name for panel in shown.panels] == ["way", "ledger"]
-        assert 0 <= int(shown.readouts[2].text) <= 255

@@ -9,7 +9,6 @@ from PIL import Image
 from scipy.fft import dctn
 from support.frames import texts_of
 
-from simulations.engine.controls import Choice
 from simulations.engine.frame import Frame
 from simulations.engine.photograph import Photograph
 from simulations.engine.stages import Outputs, StageCache
@@ -19,7 +18,6 @@ from simulations.models.compression.chroma_subsampling import SUBSAMPLING, coars
 from simulations.models.compression.chroma_upsampling import METHODS
 from simulations.models.compression.cosine_transforms import TRANSFORMS
 from simulations.models.compression.jpeg import compress, decode, tables
-from simulations.scenes.jpeg.error import BLOCKS_A_STEP
 from simulations.scenes.jpeg.scene import SCENE, cut
 from simulations.scenes.jpeg.settings import BLOCK_COLUMNS, BLOCK_ROWS
 
@@ -103,25 +101,10 @@ def test_the_close_up_holds_its_block_at_every_border(row: int, column: int) -> 
     assert np.array_equal(window[top : top + 8, left : left + 8], block)
 
 
-@pytest.mark.parametrize("quality", [1, 100])
-@pytest.mark.parametrize("subsampling", PILLOW_SUBSAMPLING)
-def test_every_extreme_can_be_drawn_in_the_same_layout(quality: int, subsampling: str) -> None:
-    shown = frame(quality=quality, subsampling=subsampling, row=24, column=30)
-    assert [panel.name for panel in shown.panels] == ["picture", "block", "codes"]
-    assert shown.panels[2].overlay.count('text-anchor="middle"') == 64
-
-
 def test_the_original_is_shown_as_it_was() -> None:
     raster = frame(original="true", quality=1).panels[0].raster
     assert raster is not None
     assert np.array_equal(raster[..., :3], np.rint(255 * outputs()["original"]))
-
-
-def test_the_ways_to_fill_in_colour_are_the_models() -> None:
-    (choice,) = (control for control in SCENE.controls if control.name == "upsampling")
-    assert isinstance(choice, Choice)
-    assert tuple(choice.options) == METHODS
-    assert choice.default == "triangle"
 
 
 @pytest.mark.parametrize("upsampling", METHODS)
@@ -145,28 +128,10 @@ def test_at_4_2_0_the_decoded_picture_is_pillows_up_to_rounding() -> None:
     assert np.abs(255 * (done["decoded"] - theirs)).mean() < 0.9
 
 
-def test_another_block_reuses_everything() -> None:
-    cache = StageCache()
-    frame(cache)
-    assert "computed" not in {stage.status for stage in frame(cache, row=2).stages}
-
-
 def test_with_the_mean_alone_every_block_of_luma_is_even() -> None:
     done = outputs(first=1, subsampling="4:4:4")
     luma, *_ = done["restored"]
     assert np.ptp(to_blocks(luma), axis=(-2, -1)).max() < 1e-9
-
-
-def test_fewer_coefficients_cost_less_and_show_less() -> None:
-    shown = [texts(first=count, quality=90) for count in (1, 6, 20, 64)]
-    for name in ("psnr", "rate", "kept"):
-        numbers = [float(text[name]) for text in shown]
-        assert numbers == sorted(numbers)
-        assert numbers[0] < numbers[-1]
-
-
-def test_what_is_judged_is_the_rounding_and_not_what_the_reader_left_out() -> None:
-    assert judged("separable", first=1)[1] == 0
 
 
 @pytest.mark.parametrize(
@@ -204,10 +169,6 @@ def judged(tier: str, **given: object) -> tuple[float, int, int]:
     return float(digits), changed, blocks
 
 
-def test_the_tiers_are_all_transforms_of_the_model() -> None:
-    assert SCENE.tiers == tuple(TRANSFORMS)
-
-
 @pytest.mark.parametrize(
     ("tier", "subsampling"),
     [*zip(TRANSFORMS, ["4:2:0"] * 6, strict=True), ("fixed-point", "4:2:2")],
@@ -230,37 +191,9 @@ def test_the_error_told_is_that_against_scipys_transform(tier: str, subsampling:
     assert count == sum(codes.size for codes in coded.planes) // 64
 
 
-def test_double_precision_decides_every_code_as_the_standard_does() -> None:
-    for tier in ("separable", "direct", "fourier"):
-        error, changed, _ = judged(tier, quality=100)
-        assert error < 1e-11
-        assert changed == 0
-
-
 def test_integers_change_thousands_of_codes_at_the_highest_quality_and_hardly_any_at_low() -> None:
     """The chapter's comparison: steps of 1 feel what steps of 16 do not."""
     _, fine, _ = judged("fixed-point", quality=100)
     _, coarse, _ = judged("fixed-point", quality=30)
     assert fine > 1000
     assert coarse < fine / 50
-
-
-def test_every_step_judges_more_blocks_and_is_short() -> None:
-    told = list(SCENE.estimates(SCENE.check({}), "separable", StageCache()))
-    counts = [int(count) for item in told for count in re.findall(r"in (\d+) of", item.label)]
-    assert len(counts) == len(told)
-    assert np.all(np.diff([0, *counts]) > 0)
-    assert np.diff([0, *counts]).max() <= BLOCKS_A_STEP
-
-
-@pytest.mark.parametrize(
-    ("given", "words"),
-    [
-        ({"quality": 30}, "blocks and fringes show"),
-        ({"quality": 75, "subsampling": "4:4:4"}, "edges are surrounded by ripples"),
-        ({"quality": 100, "subsampling": "4:2:0"}, "colours run over the edges"),
-        ({"quality": 100, "subsampling": "4:4:4"}, "few traces show"),
-    ],
-)
-def test_the_sentence_names_what_is_lost(given: dict[str, object], words: str) -> None:
-    assert words in frame(**given).description

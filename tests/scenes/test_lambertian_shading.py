@@ -40,22 +40,6 @@ def test_light_from_left_and_right_mirror_one_another() -> None:
     assert off.max() <= 1
 
 
-@pytest.mark.parametrize("angle", [-180, -90, 0, 90, 180])
-@pytest.mark.parametrize("albedo", [0, 1])
-def test_every_extreme_can_be_drawn_in_the_same_layout(angle: float, albedo: float) -> None:
-    shown = frame(light_angle=angle, albedo=albedo, probe=-90, normals=True)
-    assert [panel.name for panel in shown.panels] == ["camera", "above", "curve"]
-    assert "nan" not in "".join(panel.overlay for panel in shown.panels)
-
-
-def test_black_paint_needs_no_light() -> None:
-    cache = StageCache()
-    before = frame("", cache, albedo=0)
-    after = frame("", cache, albedo=0, light_angle=-80)
-    assert {stage.status for stage in after.stages} == {"reused", "skipped"}
-    assert pixels_of(after) is pixels_of(before)
-
-
 def test_the_albedo_scales_light_that_is_there() -> None:
     cache = StageCache()
     frame("", cache)
@@ -64,13 +48,6 @@ def test_the_albedo_scales_light_that_is_there() -> None:
         "shade",
         "picture",
     ]
-
-
-def test_moving_the_probe_reuses_the_picture() -> None:
-    cache = StageCache()
-    frame("", cache)
-    again = frame("", cache, probe=20)
-    assert {stage.status for stage in again.stages} == {"reused"}
 
 
 @pytest.mark.parametrize(("light", "probe", "theta"), [(30, 0, 50), (30, 60, 45), (-120, -40, 100)])

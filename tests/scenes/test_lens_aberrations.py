@@ -8,7 +8,6 @@ from support.frames import texts_of
 
 from simulations.engine.frame import Frame, Raster, Readout
 from simulations.engine.stages import Outputs, StageCache
-from simulations.ladders.chromatic_aberration import LADDER
 from simulations.models.arrays import Floats
 from simulations.models.lens.chromatic_aberration import LINE_D_UM
 from simulations.pictures.resolution_chart import resolution_chart
@@ -17,8 +16,6 @@ from simulations.scenes.lens_aberrations.drawing import corner_light_mark, corne
 from simulations.scenes.lens_aberrations.error import (
     CLOSE_LEFT,
     CLOSE_TOP,
-    FIRST_ROUND,
-    reference_wavelengths,
 )
 from simulations.scenes.lens_aberrations.scene import SCENE, stops
 from simulations.scenes.lens_aberrations.section import at, passing
@@ -114,31 +111,6 @@ def test_an_ideal_lens_at_small_aperture_shows_the_chart_itself() -> None:
     assert (planes["vignetting"] == 1).all()
 
 
-@pytest.mark.parametrize("aperture", [1.4, 16])
-@pytest.mark.parametrize("stop", [-15, 15])
-@pytest.mark.parametrize("rim", [0, 12])
-def test_every_extreme_can_be_drawn_in_the_same_layout(
-    aperture: float, stop: float, rim: float
-) -> None:
-    shown = frame(aperture=aperture, stop=stop, rim=rim, glass="flint")
-    assert [panel.name for panel in shown.panels] == ["lens", "picture", "corner", "profile"]
-
-
-def test_the_rim_leaves_the_colours_alone() -> None:
-    cache = StageCache()
-    frame(cache)
-    again = frame(cache, rim=0)
-    assert [s.name for s in again.stages if s.status == "computed"] == ["vignetting", "encoded"]
-
-
-def test_the_tiers_are_the_rungs_of_the_ladder_and_start_at_its_default() -> None:
-    assert SCENE.tiers == tuple(tier.id for tier in LADDER.tiers)
-    assert SCENE.default_tier == LADDER.default_tier
-    assert SCENE.draft_tier == "gauss-1"
-    one, other = (raster(frame(tier=tier)) for tier in ("", LADDER.default_tier))
-    np.testing.assert_array_equal(one, other)
-
-
 def test_one_wavelength_a_colour_is_the_line_it_is_named_by() -> None:
     for band, line in zip(bands("gauss-1", "crown"), LINES_UM, strict=True):
         assert (band.wavelengths_um.tolist(), band.shares.tolist()) == ([line], [1.0])
@@ -194,36 +166,11 @@ def test_more_wavelengths_come_nearer_to_the_whole_spectrum() -> None:
     assert one > 3 * three > 9 * sixteen
 
 
-def test_the_reference_covers_the_spectrum_evenly_and_begins_with_all_of_it() -> None:
-    order = reference_wavelengths()
-    steps = np.diff(sorted(order))
-    np.testing.assert_allclose(steps, steps[0])
-    assert steps[0] < WIDTH_UM / 4.9
-    begun = order[:FIRST_ROUND]
-    assert min(begun) < LINES_UM[2] - 3 * WIDTH_UM
-    assert max(begun) > LINES_UM[0] + 3 * WIDTH_UM
-    assert max(np.diff(begun)) < 2 * WIDTH_UM
-
-
-def test_no_estimate_is_given_before_every_channel_has_light() -> None:
-    estimates = judged("gauss-1", glass="flint")
-    waiting, given = estimates[: FIRST_ROUND - 1], estimates[FIRST_ROUND - 1 :]
-    assert {(each.text, each.unit) for each in waiting} == {("…", "")}
-    assert {each.unit for each in given} == {"codes of 255"}
-    assert float(given[0].text) == pytest.approx(float(given[-1].text), rel=0.5)
-    assert estimates[-1].label.endswith(f"{len(estimates)} of {len(estimates)} wavelengths")
-
-
 def test_the_error_is_of_the_enlarged_corner_and_counts_its_vignetting() -> None:
     """Ideal glass without a rim: nothing is left that could differ."""
     assert final_error("even-16", glass="ideal", rim=0, natural="false") == 0
     shown = frame(glass="crown")
     np.testing.assert_array_equal(raster(shown, "corner"), raster(shown)[CLOSE_TOP:, CLOSE_LEFT:])
-
-
-def test_an_unknown_tier_is_refused() -> None:
-    with pytest.raises(ValueError, match="tier 'exact'; legal: gauss-1, gauss-3"):
-        bands("exact", "crown")
 
 
 def pulled(handle: str, place: tuple[float, float], **given: object) -> dict[str, object]:

@@ -107,32 +107,6 @@ def test_grazing_light_stretches_phongs_highlight_and_not_blinns(
     assert (counts[1] > 1.5 * counts[0]) == stretched
 
 
-def test_a_point_that_faces_away_from_the_lamp_has_neither_part() -> None:
-    shown = texts_of(frame(light_angle=140, probe=-30, specular=1, shininess=1))
-    assert (shown["matte"], shown["highlight"]) == ("0.000", "0.000")
-
-
-@pytest.mark.parametrize("light", [-180, -90, 0, 90, 180])
-@pytest.mark.parametrize("probe", [-90, 90])
-@pytest.mark.parametrize("shininess", [1, 500])
-def test_every_extreme_can_be_drawn_in_the_same_layout(
-    light: float, probe: float, shininess: float
-) -> None:
-    shown = frame(light_angle=light, probe=probe, shininess=shininess, model="blinn_phong")
-    assert [panel.name for panel in shown.panels] == ["camera", "lobe"]
-    assert list(texts_of(shown)) == list(texts_of(frame()))
-
-
-def test_strength_reuses_the_highlight() -> None:
-    cache = StageCache()
-    frame("", cache)
-    again = frame("", cache, specular=0.1)
-    assert [stage.name for stage in again.stages if stage.status == "computed"] == [
-        "light",
-        "picture",
-    ]
-
-
 @pytest.mark.parametrize("without", [{"specular": 0}, {"light_angle": 180}, {"light_angle": -180}])
 @pytest.mark.parametrize("moved", [{"shininess": 300}, {"model": "blinn_phong"}])
 def test_without_a_highlight_what_would_shape_it_computes_nothing(

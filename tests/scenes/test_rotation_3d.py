@@ -9,7 +9,6 @@ from support.frames import texts_of
 
 from simulations.engine.frame import Frame
 from simulations.engine.stages import StageCache
-from simulations.ladders.rotation_interpolation import LADDER
 from simulations.scenes.rotation_3d.scene import SCENE
 from simulations.scenes.rotation_3d.stages import orientation, ways
 
@@ -56,26 +55,10 @@ def test_one_angle_alone_takes_the_shortest_way(alone: str) -> None:
     assert texts_of(frame(**angles))["off"] == "0.0"
 
 
-@pytest.mark.parametrize("pan", [-180, 0, 180])
-@pytest.mark.parametrize("tilt", [-90, 0, 90])
-@pytest.mark.parametrize("blend", ["slerp", "euler", "matrix"])
-def test_every_extreme_can_be_drawn_in_the_same_layout(pan: float, tilt: float, blend: str) -> None:
-    shown = frame(pan=pan, tilt=tilt, roll=180, blend=blend, t=1)
-    assert [panel.name for panel in shown.panels] == ["blend"]
-    assert len(shown.readouts) == 3
-    assert not any("nan" in panel.overlay for panel in shown.panels)
-
-
 def test_the_right_half_turn_does_not_hang_on_rounding() -> None:
     exact, rounded = (orientation(pan, 0.0, 0.0).q for pan in (180.0, np.nextafter(180.0, 360.0)))
     np.testing.assert_array_equal(exact, [0, 0, 1, 0])
     np.testing.assert_array_equal(rounded, [0, 0, 1, 0])
-
-
-def test_the_tiers_are_the_rungs_of_the_ladder_and_start_at_its_default() -> None:
-    assert SCENE.tiers == tuple(tier.id for tier in LADDER.tiers)
-    assert SCENE.default_tier == LADDER.default_tier == SCENE.draft_tier
-    assert frame().panels == frame(tier=LADDER.default_tier).panels
 
 
 @pytest.mark.parametrize("tier", SCENE.tiers)
@@ -113,12 +96,6 @@ def test_the_error_of_a_straight_line_is_that_of_its_chord() -> None:
     shares = np.linspace(0, 1, 61)
     off = np.degrees(2 * np.abs(np.arctan2(shares, 1 - shares) - shares * np.pi / 2))
     assert judged("nlerp", pan=180, tilt=0, roll=0) == f"{off.max():.2f}"
-
-
-def test_slerp_errs_by_rounding_alone() -> None:
-    level = {"pan": 0, "tilt": 0, "roll": 0}
-    for angles in ({}, level | {"pan": 180}, level):
-        assert judged("slerp", **angles) == "under 10⁻¹²"
 
 
 def test_each_rung_errs_less_than_the_one_before() -> None:

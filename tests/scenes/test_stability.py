@@ -12,7 +12,7 @@ from simulations.models.arrays import Floats
 from simulations.models.distortion.lens_model import Distortion, undistort
 from simulations.models.lens.thin_lens import circle_of_confusion_mm
 from simulations.scenes.stability import formulas, truth
-from simulations.scenes.stability.errors import DISTANCES, NEAREST_SPACINGS, Errors, errors_of
+from simulations.scenes.stability.errors import DISTANCES, NEAREST_SPACINGS, errors_of
 from simulations.scenes.stability.scene import SCENE
 from simulations.scenes.stability.settings import FORMATS, FORMULAS
 
@@ -121,16 +121,3 @@ def readout(**given: object) -> str:
 def test_digits_are_counted_from_the_curve_as_written() -> None:
     assert 6.5 < float(readout(formula="angle", power=-4)) < 7.5
     assert readout(formula="angle", digits="float32", power=-12) == "no inputs"
-
-
-def test_only_the_choices_are_computed_anew() -> None:
-    cache = StageCache()
-    SCENE.render(SCENE.check({"formula": "blur"}), "", cache)
-    moved = SCENE.render(SCENE.check({"formula": "blur", "power": -7}), "", cache)
-    assert [stage.status for stage in moved.stages] == ["reused"]
-
-
-def test_errors_are_the_same_in_every_run() -> None:
-    one, other = (errors_of("origin", "float32") for _ in range(2))
-    assert isinstance(one, Errors)
-    np.testing.assert_array_equal(one.written, other.written)

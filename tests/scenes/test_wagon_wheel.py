@@ -8,11 +8,10 @@ from support.frames import texts_of
 from simulations.engine.controls import Action, Slider
 from simulations.engine.frame import Frame
 from simulations.engine.stages import StageCache
-from simulations.ladders.exposure_blur import LADDER
 from simulations.models.arrays import Floats
 from simulations.pictures import spoked_wheel
 from simulations.pictures.spoked_wheel import Bars
-from simulations.scenes.wagon_wheel.film import by_changes, exposure_of, frame_at
+from simulations.scenes.wagon_wheel.film import by_changes, exposure_of
 from simulations.scenes.wagon_wheel.scene import SCENE
 
 
@@ -85,10 +84,6 @@ def test_a_frame_is_held_until_the_next() -> None:
     assert frame(cache, time=6.0).panels[1].raster is not first
 
 
-def test_time_that_is_a_rounding_short_of_a_frame_shows_it() -> None:
-    assert frame_at(np.nextafter(7.0, 0)) == 7
-
-
 def test_a_long_exposure_hides_the_spokes() -> None:
     shown = frame(speed=3, spokes=8, frame_rate=24, shutter=1)
     assert texts_of(shown)["contrast"] == "0.00"
@@ -96,28 +91,6 @@ def test_a_long_exposure_hides_the_spokes() -> None:
     circle = raster[120, 160 + 40 : 160 + 44, 0]
     turned = raster[120 - 44 : 120 - 40, 160, 0]
     np.testing.assert_allclose(circle, turned[::-1], atol=2)
-
-
-@pytest.mark.parametrize("speed", [-6, 0, 6])
-@pytest.mark.parametrize("spokes", [2, 16])
-@pytest.mark.parametrize("rate", [8, 60])
-@pytest.mark.parametrize("time", [0, 48])
-def test_every_extreme_can_be_drawn_in_the_same_layout(
-    speed: float, spokes: int, rate: float, time: float
-) -> None:
-    shown = frame(speed=speed, spokes=spokes, frame_rate=rate, time=time, shutter=1)
-    assert [panel.name for panel in shown.panels] == ["wheel", "film", "track"]
-    assert len(shown.readouts) == 8
-    assert not any("nan" in panel.overlay for panel in shown.panels)
-
-
-def test_the_tiers_are_the_rungs_of_the_ladder_but_for_the_smear() -> None:
-    assert SCENE.tiers == tuple(tier.id for tier in LADDER.tiers if tier.id != "smear")
-    assert SCENE.default_tier == LADDER.default_tier
-    assert SCENE.draft_tier == "instants-16"
-    np.testing.assert_array_equal(
-        frame().panels[1].raster, frame(tier=LADDER.default_tier).panels[1].raster
-    )
 
 
 def brute_force(row: Bars, steps: int = 1500) -> Floats:
@@ -187,17 +160,6 @@ def test_random_grain_is_new_on_each_frame_and_the_same_when_asked_again() -> No
 
     assert not np.array_equal(picture(3), picture(4))
     np.testing.assert_array_equal(picture(3), picture(3.4))
-
-
-def test_the_error_is_found_in_steps_that_agree() -> None:
-    estimates = [float(text) for text in judged("instants-1", shutter=1)]
-    assert len(estimates) > 4
-    assert estimates[0] == pytest.approx(estimates[-1], rel=0.1)
-
-
-def test_an_unknown_tier_is_refused() -> None:
-    with pytest.raises(ValueError, match="tier 'smear'; legal: instants-1, integral"):
-        exposure_of("smear", 0)
 
 
 def place_of(name: str, **values: object) -> tuple[float, float]:

@@ -12,7 +12,6 @@ from simulations.models.arrays import Floats
 from simulations.models.color.srgb import decode_srgb
 from simulations.scenes.aliasing.pattern import SHOWN, pattern_of
 from simulations.scenes.aliasing.scene import SCENE
-from simulations.scenes.aliasing.settings import FILTERS
 
 frame = partial(frame_of, SCENE)
 
@@ -53,24 +52,6 @@ def test_one_cycle_a_pixel_is_flat() -> None:
 def test_the_pixels_area_leaves_what_the_chapter_says() -> None:
     passed = {f: texts_of(frame(frequency=f, prefilter="box"))["passed"] for f in (0.5, 0.8, 1.0)}
     assert passed == {0.5: "0.637", 0.8: "0.234", 1.0: "0.000"}
-
-
-@pytest.mark.parametrize("pattern", ["stripes", "zone_plate"])
-@pytest.mark.parametrize("frequency", [0, 0.5, 1, 1.2])
-@pytest.mark.parametrize("filtered", FILTERS)
-def test_every_extreme_can_be_drawn_in_the_same_layout(
-    pattern: str, frequency: float, filtered: str
-) -> None:
-    shown = frame(pattern=pattern, frequency=frequency, phase=0, prefilter=filtered)
-    assert [panel.name for panel in shown.panels] == ["picture", "row", "spectrum"]
-    assert len(shown.readouts) == 6
-    assert not any("nan" in panel.overlay for panel in shown.panels)
-
-
-def test_the_picture_is_kept_while_nothing_changes() -> None:
-    cache = StageCache()
-    first = frame("", cache)
-    assert pixels_of(frame("", cache)) is pixels_of(first)
 
 
 @pytest.mark.parametrize(

@@ -14,30 +14,6 @@ from simulations.scenes.camera.stages import SHARP_PX
 type Setting = dict[str, Value]
 LAST = ("quantisation", "sRGB", "noiseless picture")
 FROM_EXPOSURE = ("exposure", "shot noise", "read noise", *LAST)
-FROM_OVERLAY = ("overlay", "trimming", "vignetting", *FROM_EXPOSURE)
-BENT: Setting = {"aperture": 2.0, "k1": -0.1}
-"""Where no stage of the default tier is neutral, but for those of other tiers."""
-FROM_RAYS = (
-    *("pinhole rays", "surfaces", "light", "defocus", "overlay"),
-    *("lens map", "lens distortion", "vignetting", *FROM_EXPOSURE),
-)
-AFTER_MOVING: dict[str, tuple[Value, tuple[str, ...]]] = {
-    "noise_sigma": (9, ("read noise", "quantisation", "sRGB")),
-    "shot_noise": (False, ("read noise", "quantisation", "sRGB")),
-    "new_noise": (1, ("grain", "shot noise", "read noise", "quantisation", "sRGB")),
-    "exposure": (1, FROM_EXPOSURE),
-    "k1": (-0.11, ("lens map", "lens distortion", "vignetting", *FROM_EXPOSURE)),
-    "aperture": (2.8, ("defocus", "overlay", "lens distortion", "vignetting", *FROM_EXPOSURE)),
-    "light_angle": (
-        0,
-        ("light", "defocus", "overlay", "lens distortion", "vignetting", *FROM_EXPOSURE),
-    ),
-    "focal_length": (51, FROM_RAYS),
-    "focus": (5, FROM_RAYS),
-    "back": (1, FROM_RAYS),
-    "dolly": (1, ()),
-}
-"""Control to another value, and to the stages that must run again and no other."""
 
 
 shown = partial(frame_of, SCENE)
@@ -51,25 +27,6 @@ def computed_after(change: Setting, start: Setting | None = None) -> tuple[str, 
 
 def outputs(tier: str = "layers", **given: Value) -> Outputs:
     return outputs_of(SCENE, tier, **given)
-
-
-def test_nothing_is_computed_where_nothing_has_changed() -> None:
-    assert computed_after({}) == ()
-
-
-def test_every_control_has_its_list_of_stages() -> None:
-    assert set(AFTER_MOVING) == {control.name for control in SCENE.controls}
-
-
-@pytest.mark.parametrize("control", AFTER_MOVING)
-def test_a_control_runs_its_own_stages_and_no_other(control: str) -> None:
-    value, expected = AFTER_MOVING[control]
-    assert computed_after({control: value}, BENT) == expected
-
-
-def test_a_straight_and_sharp_picture_skips_blur_and_bending() -> None:
-    after = computed_after({"light_angle": -20}, {"aperture": 16})
-    assert after == ("light", *FROM_OVERLAY)
 
 
 def test_the_straight_picture_serves_every_lens_of_the_same_margin() -> None:
@@ -112,12 +69,6 @@ def test_grain_is_drawn_only_where_it_shows(noise: Setting, drawn: bool) -> None
     assert ("grain" in computed_in(frame)) is drawn
 
 
-def test_rays_through_the_lens_need_no_picture_of_its_centre() -> None:
-    frame = shown("aperture-rays", aperture=8, focal_length=135)
-    assert "aperture rays" in computed_in(frame)
-    assert not {"surfaces", "light", "defocus", "overlay"} & set(computed_in(frame))
-
-
 def test_rays_are_sent_through_the_lens_however_narrow_it_is() -> None:
     """A picture of rays is the dearest there is: it is never exchanged for one of a pinhole."""
     assert blur_of(SCENE.check({"aperture": 22})) < SHARP_PX
@@ -129,15 +80,6 @@ def test_bent_rays_must_look_again_at_every_change_of_the_lens() -> None:
     shown("bent-rays", cache, k1=-0.10)
     after = computed_in(shown("bent-rays", cache, k1=-0.11))
     assert after[:3] == ("bent rays", "surfaces", "light")
-
-
-def test_neutral_stages_hand_on_the_same_object() -> None:
-    result = outputs(k1=0, aperture=22, noise_sigma=0, shot_noise=False)
-    assert result["bent rays"] is result["pinhole rays"]
-    assert result["lens distortion"] is result["enlargement"] is result["overlay"]
-    assert result["trimming"].base is result["overlay"]
-    assert result["defocus"] is result["light"]
-    assert result["read noise"] is result["shot noise"] is result["exposure"]
 
 
 def codes_off(tier: str, **given: Value) -> float:

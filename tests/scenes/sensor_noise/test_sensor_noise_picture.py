@@ -36,12 +36,6 @@ def test_taking_it_again_draws_other_noise_of_the_same_light() -> None:
     assert np.array_equal(first, pixels_of(frame()))
 
 
-def test_another_patch_reuses_the_picture() -> None:
-    cache = StageCache()
-    frame("", cache)
-    assert {stage.status for stage in frame("", cache, patch=3).stages} == {"reused"}
-
-
 @pytest.mark.parametrize(
     ("moved", "computed"),
     [

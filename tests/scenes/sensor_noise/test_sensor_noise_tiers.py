@@ -43,10 +43,6 @@ def rounded_normal(mean: float, counts: NDArray[np.integer]) -> Floats:
     return share
 
 
-def test_the_tiers_are_all_models_of_the_sensor() -> None:
-    assert SCENE.tiers == SHOT_MODELS
-
-
 def test_more_light_adds_to_the_grain_that_is_there_and_does_not_reshuffle_it() -> None:
     """Half a stop: a new draw of the electrons would leave no correlation."""
     shown = {
