@@ -10,7 +10,7 @@ import pickle
 import signal
 import sys
 from collections.abc import Callable, Iterable, Iterator
-from concurrent.futures import Future, ThreadPoolExecutor
+from concurrent.futures import Future, ThreadPoolExecutor, wait
 from contextlib import contextmanager
 from dataclasses import dataclass
 from pathlib import Path
@@ -50,6 +50,7 @@ class _Sandbox:
     """Which starts with the first job."""
     failures: dict[bytes, Exception]
     """By job: what failed once is not tried again, as it may take all its time again."""
+    running: set[Future[Any]]
 
 
 _active: _Sandbox | None = None
@@ -60,12 +61,14 @@ def limited(limits: Limits | None) -> Iterator[None]:
     """Within, `run_limited` keeps to these limits."""
     global _active
     before = _active
-    _active = _Sandbox(limits, _make_pool(limits), {}) if limits else None
+    _active = _Sandbox(limits, _make_pool(limits), {}, set()) if limits else None
     try:
         yield
     finally:
         ended, _active = _active, before
         if ended:
+            for future in [*ended.running]:  # or a thread would wait for it for ever
+                future.cancel()
             ended.pool.stop()  # type: ignore[no-untyped-call]
             ended.pool.join()
 
@@ -90,8 +93,13 @@ def run_limited[T](job: Callable[[], T]) -> T:
 
 def side_by_side[T](jobs: Iterable[Callable[[], T]]) -> list[Future[T]]:
     """Each of ``jobs`` done; what of it calls `run_limited` runs on all cores."""
-    with ThreadPoolExecutor(cores() if _active else 1) as threads:
-        return [threads.submit(job) for job in jobs]
+    threads = ThreadPoolExecutor(cores() if _active else 1)
+    try:
+        futures = [threads.submit(job) for job in jobs]
+        wait(futures)
+    finally:
+        threads.shutdown(wait=False, cancel_futures=True)
+    return futures
 
 
 def cores() -> int:
@@ -106,6 +114,7 @@ def _result(pickled: bytes, sandbox: _Sandbox) -> Any:
     future = sandbox.pool.schedule(
         _answer, args=(pickled, limits.seconds), timeout=limits.seconds + GRACE_S
     )
+    sandbox.running.add(future)
     try:
         good, value = future.result()
     except TimeoutError:
@@ -113,6 +122,8 @@ def _result(pickled: bytes, sandbox: _Sandbox) -> Any:
     except ProcessExpired as error:
         ended = f"its process was ended by {_signal_name(error.exitcode)}"
         raise remember_place(LimitError(ended), "") from None
+    finally:
+        sandbox.running.discard(future)
     if not good:
         raise value
     return value

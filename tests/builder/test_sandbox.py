@@ -4,6 +4,7 @@ import os
 import signal
 import time
 from collections.abc import Callable, Iterator
+from concurrent.futures import CancelledError, ThreadPoolExecutor
 from functools import partial
 from importlib import import_module
 from pathlib import Path
@@ -114,3 +115,13 @@ def test_the_place_and_the_words_of_an_error_come_back_with_it(
 def test_jobs_side_by_side_give_their_results_in_order() -> None:
     jobs = [partial(run_limited, partial(divmod, number, 4)) for number in range(9)]
     assert [done.result() for done in side_by_side(jobs)] == [divmod(n, 4) for n in range(9)]
+
+
+def test_jobs_that_run_when_their_limits_end_are_cancelled() -> None:
+    threads = ThreadPoolExecutor(1)
+    with limited(Limits()):
+        waiting = threads.submit(run_limited, partial(time.sleep, 60))
+        run_limited(os.getpid)  # by when the other job has begun, too
+    with pytest.raises((CancelledError, LimitError)):
+        waiting.result(timeout=5)
+    threads.shutdown()
