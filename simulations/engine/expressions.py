@@ -48,7 +48,7 @@ MATHS: Mapping[str, object] = {
             "sqrt", "exp", "log", "log2", "log10", "floor", "ceil", "isfinite", "inf", "pi",
         )
     },
-    **{function.__name__: function for function in (abs, min, max, round, len, sum)},
+    **{function.__name__: function for function in (abs, min, max, round, len, sum, np.allclose)},
 }  # fmt: skip
 """What every expression may name."""
 

@@ -4,8 +4,8 @@ readout("lens-distortion", "corner", k1=-0.2)       what a figure shows at that 
 measured("resampling", "nearest", "psnr-round")     a number from the benchmarks' file
 2 * degrees(atan(18 / focal_mm))                    arithmetic
 
-A code block ``calc`` of the page imports functions of the models and names values; expressions
-below it use both. The block itself is not shown.
+A code block ``calc`` of the page imports functions of the models, names values, and asserts what
+the text claims; expressions below it use both. The block itself is not shown.
 """
 
 import ast
@@ -27,7 +27,7 @@ from site_builder.diagnostics import cause, unknown
 from site_builder.markdown.parse_context import ParseContext
 
 BLOCK = "calc"
-LEGAL = "legal: 'from simulations.… import name', 'name = expression'"
+LEGAL = "legal: 'from simulations.… import name', 'name = expression', 'assert condition'"
 PACKAGES = ("simulations.", "numpy.linalg")
 FORM = re.compile(r"(.*?)(?::([^:\"']*))?", re.DOTALL)
 IN_FORMULA = re.compile(r"\\calc\{([^{}]*)\}")
@@ -120,6 +120,9 @@ def _defined(statement: ast.stmt, context: ParseContext) -> Iterator[tuple[str, 
                 yield name.asname or name.name, _imported(module, name.name)
         case ast.Assign(targets=[target], value=value):
             yield from _assigned(target, evaluate_node(value, names_for(context)))
+        case ast.Assert(test=claim):
+            if not evaluate_node(claim, names_for(context)):
+                raise ExpressionError(f"{ast.unparse(claim)!r} does not hold; legal: what is true")
         case _:
             raise ExpressionError(f"{ast.unparse(statement)!r} in a calculation; {LEGAL}")
 

@@ -1,7 +1,7 @@
 """Chapter 0: from a speck of paint to 149."""
 
 import tomllib
-from math import hypot, sqrt
+from math import hypot
 
 import numpy as np
 from support.worked_numbers import CONTENT, Says, source
@@ -79,14 +79,6 @@ def specks_on_one_ray() -> Says:
         yield f"{Y:g}, {Z:.1f})$ m"
 
 
-def differences_that_prove_an_edge() -> Says:
-    """Two neighbours of 3000 electrons each differ by √2 times what one varies by."""
-    yield "A difference of 40 electrons between neighbours is no evidence of an edge"
-    spread = sqrt(2 * 3000)
-    assert 40 / spread < 1
-    assert 400 / spread > 5
-
-
 def where_models_break() -> Says:
     yield "Every chapter has a section on where its model breaks."
     for name in tomllib.loads((CONTENT / "book.toml").read_text(encoding="utf-8"))["chapters"]:
@@ -100,6 +92,5 @@ WORKED = (
     stripes_finer_than_the_grid,
     the_point_at_twice_the_distance,
     specks_on_one_ray,
-    differences_that_prove_an_edge,
     where_models_break,
 )

@@ -10,20 +10,15 @@ from support.worked_numbers import Says
 from simulations.engine.stages import StageCache
 from simulations.illustrations import page_in_the_sun
 from simulations.models.arrays import Floats
-from simulations.models.light.brdf import Material, parts, reflected, schlick, sent_back
+from simulations.models.light.brdf import Material, reflected, schlick
 from simulations.models.light.interreflection import edge_factor
-from simulations.models.light.reflectance import attenuation, blinn_phong, lambert, phong
+from simulations.models.light.reflectance import blinn_phong, lambert, phong
 from simulations.scenes.phong.scene import SCENE
 from simulations.scenes.second_bounce.scene import SCENE as BOUNCE
 from simulations.scenes.second_bounce.shown import shown_at
 
 CHAPTER = "05-lighting-and-reflectance"
 FRONT = np.array((0.0, 0, 1))
-
-
-def light_that_falls_off() -> Says:
-    yield "a surface receives a quarter of the light: the light falls off as $1/d^2$"
-    assert np.allclose(attenuation([2.0, 3.0, 10.0]), [1 / 4, 1 / 9, 1 / 100])
 
 
 def light_sent_into_the_hemisphere(shade: np.ndarray, seen_from_rad: np.ndarray) -> float:
@@ -83,13 +78,6 @@ def a_highlight_between_corners() -> Says:
     assert min(brightest[tier, 75] for tier in ("phong", "blended-normals-16")) > 200
 
 
-def negative_dot_product() -> Says:
-    cosine = -0.4
-    light = np.array((0, np.sqrt(1 - cosine**2), cosine))
-    assert float(lambert(np.array((0.0, 0, 1)), light, 0.5)) == 0.5 * max(0, cosine)
-    yield f"- [x] `0.5 * max(0, {cosine:g})`\n"
-
-
 def turn_to_half_height(model: Callable[..., Floats], shininess: float) -> float:
     """By how much the camera turns until a highlight of light from head-on is half as bright."""
 
@@ -146,15 +134,6 @@ def schlick_at_all_angles() -> Says:
     assert 0.75 < form[low] / law[low] < 0.78, "a quarter too little"
 
 
-def a_lobe_of_unit_reflectance() -> Says:
-    """The factor of the normalised model, for any exponent."""
-    for roughness in (0.2, 0.6, 1.0):
-        returned = float(sent_back("normalised", Material(0.0, 0.5, roughness), 1.0))
-        assert np.isclose(returned, 0.5, atol=1e-3)
-    yield "its lobe then sends back the share $k_s$ of light that arrives head-on, however narrow"
-    yield r"Replace it by the factor $(\alpha + 2)/2$"
-
-
 def where_facets_shine_most(light_deg: float, material: Material) -> float:
     """Degrees from the normal, on the side away from the lamp."""
     around, light = np.radians(np.arange(0.0, 90.0, 0.1)), radians(light_deg)
@@ -170,15 +149,6 @@ def the_peak_lies_beyond_the_mirror() -> Says:
     yield f"With a lamp at 60° and a constant $F = 1$ the peak is already at {constant:.0f}°"
     assert where_facets_shine_most(60, Material(0.0, 0.04, 0.25)) > 89.5
     yield "the highlight at that lamp rises all the way to the horizon"
-
-
-def at_grazing_light_plastic_is_nearly_all_highlight() -> Says:
-    yield "Lower the lamp to 80°, and the highlight is nearly all there is."
-    slant = np.array(cos(radians(80)))
-    matte, highlight = parts(
-        "microfacets", Material(0.5, 0.04, 0.25), slant, slant, np.cos(radians(160.0))
-    )
-    assert highlight > 50 * 0.5 * matte
 
 
 def near_the_edge_of_two_white_planes() -> Says:
@@ -203,14 +173,10 @@ WORKED = (
     near_the_edge_of_two_white_planes,
     glass_at_a_slant,
     schlick_at_all_angles,
-    a_lobe_of_unit_reflectance,
     the_peak_lies_beyond_the_mirror,
-    at_grazing_light_plastic_is_nearly_all_highlight,
     a_cosine_just_above_one,
-    light_that_falls_off,
     what_a_surface_returns,
     the_printed_formulae,
     a_highlight_between_corners,
-    negative_dot_product,
     halfway_exponent,
 )

@@ -1,6 +1,6 @@
 """Chapter 7: sampling."""
 
-from math import pi, radians, sin, tan
+from math import pi, radians, tan
 
 import numpy as np
 from measured_words_10 import error
@@ -14,13 +14,10 @@ from simulations.models.lens.diffraction import lens_transfer
 from simulations.models.pixel_grid import centred
 from simulations.models.sampling.aliasing import alias_frequency, apparent_wheel_speed, box_mtf
 from simulations.models.sampling.fine_detail import without_fine_detail
-from simulations.models.sampling.prefilters import prefilter
 from simulations.models.sampling.resampling import KERNELS
 from simulations.models.sampling.slanted_edge import edge_picture, read_edge
-from simulations.models.sensor.demosaicing import demosaic, mosaic
 from simulations.models.sensor.resolution import first_fall, pixel_transfer
 from simulations.pictures import round_windows, spoked_wheel
-from simulations.scenes.aliasing.pattern import pattern_of
 from simulations.scenes.wagon_wheel import film
 
 CHAPTER = "07-sampling-and-aliasing"
@@ -64,13 +61,6 @@ def the_border_belongs_to_neither_side() -> Says:
     yield f": {1000 / 16:g} samples per millimetre, *more than* twice 30."
 
 
-def the_same_picture_at_two_frequencies() -> Says:
-    """With the phase of the figure, 90°: a cosine."""
-    yield "At 0.70 the picture is the one you saw at 0.30, dot for dot."
-    one, other = (pattern_of("stripes", f, 90.0).picture(prefilter("none")) for f in (0.3, 0.7))
-    assert np.allclose(one, other, atol=1e-12)
-
-
 def what_a_cell_s_width_lets_through() -> Says:
     yield rf"At the Nyquist frequency that is $2/\pi = {2 / pi:.2f}$"
     assert np.isclose(box_mtf(0.5), 2 / pi)
@@ -92,24 +82,6 @@ def what_cell_and_plate_let_through() -> Says:
     yield f"and {np.interp(0.8, f, both):.2f} of the shirt's contrast is left"
     yield "at 0.4 cycles per pixel, which the grid could hold, the cell and the plate leave "
     yield f"the cell and the plate leave {np.interp(0.4, f, both):.2f}"
-
-
-def red_and_blue_contradict_each_other_at_the_fence() -> Says:
-    """Grey pickets two pixels wide, each colour interpolated by itself."""
-    yield "Its pickets are two pixels wide and two pixels apart: 0.25 cycles per pixel"
-    yield "one half of each cycle turns reddish, the other bluish"
-    fence = np.tile((np.arange(64) % 4 < 2).astype(float), (32, 1))
-    seen = demosaic(mosaic(np.repeat(fence[..., None], 3, axis=2)), method="bilinear")
-    tint = (seen[..., 0] - seen[..., 2])[8:24, 8:56].mean(axis=0)
-    assert np.allclose(np.abs(tint), 0.5, atol=1e-6), "nowhere is the white left white"
-    assert np.array_equal(np.sign(tint).reshape(-1, 4), np.tile([1, -1, -1, 1], (12, 1)))
-
-
-def the_ghosts_of_four_instants() -> Says:
-    yield "towards the rim every spoke turns into four ghosts"
-    spacing = 2 * pi * (spoked_wheel.RADIUS - spoked_wheel.RIM) / 8
-    apart = 2.9 * 8 / 24 * 0.5 / 4 * spacing
-    assert apart > 1.1 * spoked_wheel.SPOKE, "there they do not touch"
 
 
 def a_pixel_s_mtf_by_hand() -> Says:
@@ -219,17 +191,6 @@ def moved_and_dulled() -> Says:
     yield f"{discs:.1f} and {far_discs:.1f}. On photographs"
 
 
-def what_a_wave_out_of_place_costs() -> Says:
-    t = np.arange(720) * (2 * pi / 720)
-    cost = {deg: float(np.mean((np.cos(t) - np.cos(t - radians(deg))) ** 2)) for deg in (60, 180)}
-    assert np.allclose(list(cost.values()), [2 * sin(radians(deg / 2)) ** 2 for deg in cost])
-    missing = float(np.mean(np.cos(t) ** 2))
-    assert np.isclose(cost[60], missing)
-    yield "a sixth of its length off costs as much as one that is missing"
-    assert np.isclose(cost[180], 4 * missing)
-    yield "a wave that is half its length off costs four times as much"
-
-
 def twelve_turns() -> Says:
     tiers = ("nearest", "bilinear", "bicubic", "spline")
     once, often = (
@@ -257,15 +218,11 @@ def twelve_turns() -> Says:
 
 WORKED = (
     moved_and_dulled,
-    what_a_wave_out_of_place_costs,
     twelve_turns,
     the_shirt_at_twenty_metres,
     the_border_belongs_to_neither_side,
-    the_same_picture_at_two_frequencies,
     what_a_cell_s_width_lets_through,
     what_cell_and_plate_let_through,
-    red_and_blue_contradict_each_other_at_the_fence,
-    the_ghosts_of_four_instants,
     what_pixels_as_small_as_points_would_add,
     a_pixel_s_mtf_by_hand,
     what_a_slant_is_good_for,

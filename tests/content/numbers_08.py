@@ -25,7 +25,7 @@ from simulations.scenes.camera.lens import (
     largest_blur_px,
     sensor_rays,
 )
-from simulations.scenes.camera.stages import SHARP_PX, STAGES, TIERS
+from simulations.scenes.camera.stages import SHARP_PX, TIERS
 from simulations.scenes.depth_of_field.sharpness import sharpness
 
 CHAPTER = "08-full-camera-model"
@@ -155,11 +155,6 @@ def errors_in_codes(**setting: float) -> tuple[float, float]:
     return camera.rms_codes(bent_picture, truth), camera.rms_codes(bent_rays, truth)
 
 
-def how_many_stages_there_are() -> Says:
-    assert len(STAGES) == 19
-    yield "with the noiseless one that it is compared with, takes nineteen stages"
-
-
 def what_a_step_of_the_focus_leaves() -> Says:
     cache = StageCache()
     for focus in (3.2, 3.3):
@@ -225,7 +220,6 @@ WORKED = (
     a_lens_that_hardly_bends,
     where_the_points_of_a_lens_lie,
     the_ball_that_gets_softer,
-    how_many_stages_there_are,
     what_a_step_of_the_focus_leaves,
     what_the_truth_is,
 )

@@ -17,7 +17,6 @@ from simulations.models.distortion.lens_model import (
     largest_distorted_radius,
     undistort,
 )
-from simulations.models.error_measures import psnr_db
 from simulations.models.light.raycasting import Sphere
 from simulations.pictures.still_life.things import THINGS, thing_depth
 from simulations.scenes.camera import scene as camera
@@ -64,25 +63,6 @@ def samples_of_a_box() -> Says:
     yield f"For a figure of 320 × 240 pixels that is {round(33e6 / (320 * 240), -1):.0f} ns"
 
 
-def guesses_that_jump_back_and_forth() -> Says:
-    work = inverse_strong.prepare()[inverse_strong.PINCUSHION]
-    guess, guesses = 2.0, []
-    for _ in range(40):
-        guess = 2.0 / (1 + work.lens.k1 * guess**2)
-        guesses.append(guess)
-    assert np.allclose(guesses[-2:], guesses[-4:-2], rtol=1e-3)
-    assert abs(guesses[-1] - guesses[-2]) > 1
-    yield "until the guesses jump back and forth between two wrong places"
-
-
-def metrics_of_pictures() -> Says:
-    """PSNR is −20 lg of the RMS error as a share of the range."""
-    picture = np.linspace(0.0, 0.5, 400).reshape(20, 20)
-    for decibels, share, word in ((20, 0.1, "a tenth of it"), (40, 0.01, "a hundredth")):
-        assert np.isclose(psnr_db(picture + share, picture), decibels)
-        yield f"{decibels} dB is {word}" if decibels == 20 else f"{decibels} dB {word}"
-
-
 def a_front_of_four() -> Says:
     """The four methods of the first question."""
     times, errors = (2.0, 3.0, 9.0, 12.0), (0.1, 0.1, 0.001, 0.002)
@@ -120,11 +100,9 @@ def how_round_the_outlines_of_the_book_are() -> Says:
 WORKED = (
     the_slope_of_the_fixed_point_s_map,
     the_places_of_a_checked_table,
-    guesses_that_jump_back_and_forth,
     a_corner_of_the_pincushion,
     how_near_the_fold_the_barrel_is_seen,
     samples_of_a_box,
-    metrics_of_pictures,
     a_front_of_four,
     what_the_opening_says,
     how_round_the_outlines_of_the_book_are,

@@ -10,7 +10,8 @@ CALC = Role(
     doc=(
         "the number that an expression comes to, in Python's format (`:.2f`); in formulae "
         r"`\calc{EXPRESSION:FORMAT}`. A code block `calc`, which is not shown, imports functions "
-        "of the models and names values for the expressions below it"
+        "of the models, names values for the expressions below it, and checks what the text claims "
+        "by `assert CONDITION`"
     ),
     text=number_text,
     refuses=ExpressionError,
