@@ -8,7 +8,7 @@ from typing import Any
 import pytest
 from playwright.sync_api import Locator
 from support.reader import SHOWN, Reader
-from support.reading_order import IN_READING_ORDER
+from support.reading_order import SAMPLED
 
 pytestmark = pytest.mark.browser
 
@@ -28,7 +28,7 @@ KINDS: tuple[Kind, ...] = (
 """In the order in which the book first shows them, so that few pages are turned."""
 
 
-@pytest.fixture(scope="module", params=IN_READING_ORDER)
+@pytest.fixture(scope="module", params=SAMPLED)
 def scene(request: pytest.FixtureRequest, book: Any) -> Any:
     shown = {id_ for chapter in book["chapters"] for id_ in chapter["simulations"]}
     assert request.param in shown, "no chapter shows it"

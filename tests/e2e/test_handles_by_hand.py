@@ -5,7 +5,7 @@ from typing import Any
 import pytest
 from support.hands import drag, middle
 from support.reader import Reader
-from support.reading_order import IN_READING_ORDER
+from support.reading_order import SAMPLED
 
 from simulations.registry import load_scene
 
@@ -17,7 +17,7 @@ place far."""
 KEYS = ("ArrowLeft", "ArrowUp", "ArrowRight", "ArrowDown")
 
 
-@pytest.mark.parametrize("scene", IN_READING_ORDER)
+@pytest.mark.parametrize("scene", SAMPLED)
 def test_every_handle_moves_its_settings_and_goes_along(
     guest: Reader, book: Any, scene: str
 ) -> None:

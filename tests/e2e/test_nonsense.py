@@ -1,7 +1,7 @@
 """Settings and answers that no hand could have given: the page takes none of it, and goes on."""
 
 import pytest
-from playwright.sync_api import Browser, Locator
+from playwright.sync_api import Browser
 from support.reader import Reader, visit
 from support.static_server import StaticServer
 
@@ -105,15 +105,3 @@ def test_a_browser_that_denies_every_kind_of_storage_shows_a_book_that_works(
         assert form.get_attribute("data-answered") == verdict
         assert unsent.input_value() == "12"
         reader.assert_no_complaints()
-
-
-def answers(reader: Reader, figure: Locator) -> None:
-    """A hand at the figure's first slider or button has its frame."""
-    frames = reader.frames(figure)
-    slider = figure.locator("input[type=range]")
-    if slider.count():
-        slider.first.press("PageUp")
-    else:
-        figure.locator("form.controls button").first.click()
-    reader.wait_frame(figure, frames)
-    assert figure.get_attribute("data-state") == "live"

@@ -176,22 +176,19 @@ def test_a_site_that_is_no_longer_kept_takes_back_what_was(
 ASK = """([url, cache]) => fetch(url, {cache, mode: "same-origin"}).then(() => 0)"""
 
 
-@pytest.mark.parametrize(
-    ("asked", "answer"),
-    [
-        ("bytes=2-4", [206, "234", "bytes 2-4/10"]),
-        ("bytes=0-", [206, "0123456789", "bytes 0-9/10"]),
-        ("bytes=8-99", [206, "89", "bytes 8-9/10"]),
-        ("lines=1-2", [200, "0123456789", None]),
-    ],
-)
-def test_without_a_network_a_film_is_wound_forward(
-    reader: Reader, host: StaticServer, asked: str, answer: list[Any]
-) -> None:
-    """As RFC 9110, section 14, says."""
+PARTS = {
+    "bytes=2-4": [206, "234", "bytes 2-4/10"],
+    "bytes=0-": [206, "0123456789", "bytes 0-9/10"],
+    "bytes=8-99": [206, "89", "bytes 8-9/10"],
+    "lines=1-2": [200, "0123456789", None],
+}
+"""What RFC 9110, section 14, has a host answer to each range."""
+
+
+def test_without_a_network_a_film_is_wound_forward(reader: Reader, host: StaticServer) -> None:
     keep(reader)
     host.gone = True
-    assert reader.page.evaluate(PART, {"Range": asked}) == answer
+    assert {asked: reader.page.evaluate(PART, {"Range": asked}) for asked in PARTS} == PARTS
 
 
 PART = f"""async (headers) => {{

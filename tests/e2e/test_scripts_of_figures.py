@@ -49,6 +49,7 @@ def says(rows: list[list[str]]) -> str:
     return "".join(f"{label}: {text} {unit}".rstrip() + "\n" for label, text, unit in rows)
 
 
+@pytest.mark.deep
 def test_the_script_of_every_figure_prints_the_numbers_of_its_page(
     plain_reader: Reader, book: Any, tmp_path: Path
 ) -> None:

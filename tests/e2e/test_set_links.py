@@ -144,6 +144,7 @@ def test_back_undoes_what_the_words_did(visitor: Reader, figure: Locator) -> Non
     wait_value(visitor, figure, "k1", "-0.2")
 
 
+@pytest.mark.deep
 def test_every_link_of_the_book_brings_its_figure_to_what_it_says(
     plain_reader: Reader, book: Any
 ) -> None:

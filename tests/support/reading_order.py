@@ -3,6 +3,8 @@
 import re
 from pathlib import Path
 
+import pytest
+
 from simulations.registry import SCENE_MODULES
 
 CHAPTERS = sorted((Path(__file__).parents[2] / "content").glob("*.md"))
@@ -12,3 +14,11 @@ IN_READING_ORDER = tuple(
     dict.fromkeys([*filter(SCENE_MODULES.__contains__, SHOWN), *SCENE_MODULES])
 )
 """Every scene of the registry; what no chapter shows comes last."""
+
+SAMPLE = ("lens-distortion", "perspective-projection", "wagon-wheel")
+"""Of what browsers try at every scene, `make test` tries these: pixels in tiers, a drawing, a film.
+Python's own answers are tried at all, in `tests/scenes`."""
+SAMPLED = tuple(
+    pytest.param(name, marks=[] if name in SAMPLE else pytest.mark.deep)
+    for name in IN_READING_ORDER
+)

@@ -92,9 +92,14 @@ def codes_off(tier: str, **given: Value) -> float:
     "lens",
     [
         {"focal_length": 50, "focus": 3.2, "aperture": 15.6, "light_angle": 40},
-        {"focal_length": 35, "focus": 1.9, "aperture": 12.3, "light_angle": 0},
-        {"focal_length": 24, "focus": 1.0, "aperture": 12.8, "light_angle": -40},
-        {"focal_length": 24, "focus": 3.2, "aperture": 11.1, "light_angle": 40},
+        *(
+            pytest.param(lens, marks=pytest.mark.deep)
+            for lens in (
+                {"focal_length": 35, "focus": 1.9, "aperture": 12.3, "light_angle": 0},
+                {"focal_length": 24, "focus": 1.0, "aperture": 12.8, "light_angle": -40},
+                {"focal_length": 24, "focus": 3.2, "aperture": 11.1, "light_angle": 40},
+            )
+        ),
     ],
 )
 def test_a_picture_whose_blur_is_skipped_is_off_by_half_a_code_at_most(lens: Setting) -> None:
@@ -105,7 +110,9 @@ def test_a_picture_whose_blur_is_skipped_is_off_by_half_a_code_at_most(lens: Set
     assert codes_off("layers", **lens) < 0.52
 
 
-@pytest.mark.parametrize(("focal_length", "focus"), [(50, 3.2), (35, 1.9)])
+@pytest.mark.parametrize(
+    ("focal_length", "focus"), [(50, 3.2), pytest.param(35, 1.9, marks=pytest.mark.deep)]
+)
 def test_a_blur_narrower_than_a_pixel_brings_the_picture_nearer_to_the_truth(
     focal_length: int, focus: float
 ) -> None:
@@ -120,7 +127,7 @@ def test_a_blur_narrower_than_a_pixel_brings_the_picture_nearer_to_the_truth(
     assert blurred < 0.8 * pinhole
 
 
-def test_stopping_down_brings_every_tier_nearer_to_the_truth() -> None:
-    for tier in ("layers", "aperture-rays"):
-        off = [codes_off(tier, aperture=aperture) for aperture in (4, 5.6, 11, 22)]
-        assert off == sorted(off, reverse=True)
+@pytest.mark.parametrize("tier", ["layers", pytest.param("aperture-rays", marks=pytest.mark.deep)])
+def test_stopping_down_brings_every_tier_nearer_to_the_truth(tier: str) -> None:
+    off = [codes_off(tier, aperture=aperture) for aperture in (4, 5.6, 11, 22)]
+    assert off == sorted(off, reverse=True)
