@@ -70,7 +70,7 @@ def test_the_value_beside_a_slider(page: Page) -> None:
                 for value in (control.minimum, nearest, control.default, control.maximum):
                     calls.append([describe(control), value])
                     texts.append(value_text(control, value))
-    assert ask(page, "figure/controls", "formatValue", calls) == texts
+    assert ask(page, "figure/control_kinds", "formatValue", calls) == texts
 
 
 def test_a_number_and_its_unit(page: Page) -> None:

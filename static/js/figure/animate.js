@@ -7,7 +7,7 @@ import { all, one } from "../page/dom.js";
 import { moveControls, readValues, uncover } from "./controls.js";
 import { record, settingsOf } from "./permalink.js";
 
-/** @import { Value } from "./controls.js" */
+/** @import { Value } from "./control_kinds.js" */
 
 /** Milliseconds that sliders take to where they are sent. */
 const GLIDE = 700;

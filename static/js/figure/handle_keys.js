@@ -3,7 +3,7 @@
 import { named } from "./controls.js";
 import { driven, reversed } from "./handle_elements.js";
 
-/** @import { Control, Value } from "./controls.js" */
+/** @import { Control, Value } from "./control_kinds.js" */
 
 /** Steps of a slider that a page key takes at once. */
 const PAGE = 10;

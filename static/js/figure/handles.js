@@ -17,14 +17,16 @@ import { message } from "../errors.js";
 import { all, within } from "../page/dom.js";
 import { setAttribute } from "../page/text.js";
 import { words } from "../page/words.js";
-import { formatValue, moveControls, named, readValues, uncover } from "./controls.js";
+import { formatValue } from "./control_kinds.js";
+import { moveControls, named, readValues, uncover } from "./controls.js";
 import { center, driven, grabbed, inPanel, name, put } from "./handle_elements.js";
 import { keyed } from "./handle_keys.js";
 import { holdGround, mayScroll } from "./pointer_capture.js";
 import { LatestWins } from "./scheduler.js";
 import { say } from "./status.js";
 
-/** @import { Control, Schema, Value } from "./controls.js" */
+/** @import { Control, Value } from "./control_kinds.js" */
+/** @import { Schema } from "./controls.js" */
 /** @import { Point } from "./handle_elements.js" */
 
 export class Handles {

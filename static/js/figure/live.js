@@ -14,7 +14,8 @@ import { offerRelease } from "../page/release.js";
 import { words } from "../page/words.js";
 import { RuntimeFailure, sharedRuntime } from "../runtime/runtime.js";
 import { announcer } from "./announce.js";
-import { pressAction, readValues, showSliderValue } from "./controls.js";
+import { showValue } from "./control_kinds.js";
+import { fieldOf, readValue, readValues, writeValue } from "./controls.js";
 import { Handles } from "./handles.js";
 import { isInitial } from "./initial_frame.js";
 import { Motion } from "./motion.js";
@@ -28,7 +29,8 @@ import { chosenTier, isDrafted, shownTier } from "./tiers.js";
 
 /** @import { FrameReply } from "../runtime/messages.js" */
 /** @import { Caller } from "../runtime/runtime.js" */
-/** @import { Control, Schema } from "./controls.js" */
+/** @import { Control } from "./control_kinds.js" */
+/** @import { Schema } from "./controls.js" */
 /** @import { Pull } from "./handles.js" */
 /** @import { Stage } from "./stage_report.js" */
 /** @typedef {{values: string, tier: string, time: number, urgency: number}} Job */
@@ -191,7 +193,7 @@ export class LiveFigure {
     const control = this.#control(event);
     if (control?.kind === "slider") {
       this.motion.stop();
-      showSliderValue(this.form, control);
+      showValue(/** @type {HTMLInputElement} */ (fieldOf(this.form, control.name)), control);
     }
     const drafted = dragging && isDrafted(this.form, this.schema, control);
     this.#ask(event.timeStamp, drafted && control ? control.name : "");
@@ -204,7 +206,8 @@ export class LiveFigure {
     if (control.drives) {
       this.motion.press(control, event.timeStamp);
     } else {
-      pressAction(this.form, control);
+      const state = Number(readValue(this.form, control));
+      writeValue(this.form, control, (state + 1) % control.labels.length);
       this.#ask(event.timeStamp, "");
     }
   }

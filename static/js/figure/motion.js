@@ -4,9 +4,10 @@
  */
 
 import { everyFrame, isCalm } from "./animate.js";
-import { button, input, setActionState, uncover, writeSlider } from "./controls.js";
+import { readValue, uncover, writeValue } from "./controls.js";
 
-/** @import { Action, Schema, Slider } from "./controls.js" */
+/** @import { Action, Slider } from "./control_kinds.js" */
+/** @import { Schema } from "./controls.js" */
 
 /** Shortest pause between two pictures where the reader asked for less motion, in seconds. */
 const CALM_PAUSE = 1;
@@ -47,7 +48,7 @@ export class Motion {
       return;
     }
     const first = Number(this.schema.values[slider.name]);
-    writeSlider(this.form, slider, action.effect === "step" ? this.#next(slider, 1) : first);
+    writeValue(this.form, slider, action.effect === "step" ? this.#next(slider, 1) : first);
     this.moved("", time);
   }
 
@@ -57,7 +58,7 @@ export class Motion {
     const { action, stop } = this.#playing;
     this.#playing = null;
     stop();
-    setActionState(button(this.form, action.name), action, 0);
+    writeValue(this.form, action, 0);
     this.moved("", performance.now());
   }
 
@@ -79,8 +80,8 @@ export class Motion {
    * @param {Slider} slider
    */
   #play(action, slider) {
-    if (this.#value(slider) >= slider.max) writeSlider(this.form, slider, slider.min);
-    setActionState(button(this.form, action.name), action, action.labels.length > 1 ? 1 : 0);
+    if (this.#value(slider) >= slider.max) writeValue(this.form, slider, slider.min);
+    writeValue(this.form, action, action.labels.length > 1 ? 1 : 0);
     const stop = isCalm() ? this.#walk(action, slider) : this.#sweep(action, slider);
     this.#playing = { action, stop };
   }
@@ -127,7 +128,7 @@ export class Motion {
    */
   #moveTo(slider, value, time) {
     const before = this.#value(slider);
-    writeSlider(this.form, slider, Math.min(value, slider.max));
+    writeValue(this.form, slider, Math.min(value, slider.max));
     const now = this.#value(slider);
     if (now >= slider.max) this.stop();
     else if (now !== before) this.moved(slider.name, time);
@@ -135,6 +136,6 @@ export class Motion {
 
   /** @param {Slider} slider */
   #value(slider) {
-    return input(this.form, slider.name).valueAsNumber;
+    return Number(readValue(this.form, slider));
   }
 }

@@ -10,10 +10,12 @@
 import { all, data, one } from "../page/dom.js";
 import { isArrived } from "../page/navigate.js";
 import { words } from "../page/words.js";
+import { KINDS } from "./control_kinds.js";
 import { moveControls, readValues, uncover } from "./controls.js";
 import { say } from "./status.js";
 
-/** @import { Control, Schema, Value } from "./controls.js" */
+/** @import { Control, Value } from "./control_kinds.js" */
+/** @import { Schema } from "./controls.js" */
 
 /** How many settings of an address that mean nothing are named, and how much of each. */
 const MOST_NAMED = 4;
@@ -130,33 +132,11 @@ function addressed(figure, controls) {
     if (!key.startsWith(prefix)) continue;
     const name = key.slice(prefix.length);
     const control = controls.find((one) => one.name === name);
-    const value = control && parse(control, text);
+    const value = control && KINDS[control.kind].parse(control, text);
     if (value === undefined) ignored.push(`${name}=${text}`);
     else values[name] = value;
   }
   return { values, ignored };
-}
-
-/**
- * The value that a text means; undefined where it means none. Numbers are brought into the range
- * and onto the steps by the slider itself.
- *
- * @param {Control} control
- * @param {string} text
- * @returns {Value | undefined}
- */
-function parse(control, text) {
-  const number = text.trim() === "" ? Number.NaN : Number(text);
-  switch (control.kind) {
-    case "slider":
-      return Number.isFinite(number) ? number : undefined;
-    case "toggle":
-      return text === "true" || (text === "false" ? false : undefined);
-    case "choice":
-      return control.options.includes(text) ? text : undefined;
-    case "action":
-      return control.labels[number] === undefined ? undefined : number;
-  }
 }
 
 /**

@@ -6,9 +6,11 @@
 
 import { maybe, one } from "../page/dom.js";
 import { words } from "../page/words.js";
-import { formatValue, readValues } from "./controls.js";
+import { formatValue } from "./control_kinds.js";
+import { readValues } from "./controls.js";
 
-/** @import { Schema, Value } from "./controls.js" */
+/** @import { Value } from "./control_kinds.js" */
+/** @import { Schema } from "./controls.js" */
 /** @import { Place } from "./handles.js" */
 /** @import { Meta, Painter } from "./painter.js" */
 /** @typedef {Meta & {value: Value, pictures: Record<string, string>}} Frame */

@@ -1,8 +1,9 @@
 /** How accurately a figure computes: as the reader chose, or cheaper while things move. */
 
-import { choice, chosen } from "./controls.js";
+import { readValue } from "./controls.js";
 
-/** @import { Control, Schema } from "./controls.js" */
+/** @import { Control } from "./control_kinds.js" */
+/** @import { Schema } from "./controls.js" */
 
 /**
  * The tier that the reader chose.
@@ -10,8 +11,10 @@ import { choice, chosen } from "./controls.js";
  * @param {HTMLFormElement} form
  * @param {Schema} schema
  */
-export function chosenTier(form, { tiers, default_tier: settled }) {
-  return tiers.length === 0 ? settled : chosen(choice(form, "tier"), tiers, settled);
+export function chosenTier(form, { tiers, default_tier: tier }) {
+  if (tiers.length === 0) return tier;
+  const menu = { kind: "choice", name: "tier", label: "", default: tier, options: tiers };
+  return String(readValue(form, /** @type {Control} */ (menu)));
 }
 
 /**
