@@ -52,7 +52,7 @@ export const KINDS = {
   toggle: {
     read: (field) => field.checked,
     write: (field, _control, value) => (field.checked = Boolean(value)),
-    parse: (_control, text) => ({ true: true, false: false })[text],
+    parse: (_control, text) => text === "true" || (text === "false" ? false : undefined),
   },
   action: {
     read(field, control) {
