@@ -56,15 +56,6 @@ def test_a_link_to_a_heading_arrives_at_it(plain_reader: Reader, book: Any) -> N
     plain_reader.page.wait_for_function(IN_VIEW, arg=target)
 
 
-def test_a_mangled_address_does_no_harm(plain_reader: Reader, book: Any) -> None:
-    chapter = book["chapters"][1]
-    plain_reader.open(chapter["url"] + "#100%", live=False)
-    plain_reader.page.locator("#contents .sections a").last.click()
-    plain_reader.page.go_back()
-    plain_reader.page.wait_for_function("location.hash === '#100%'")
-    assert plain_reader.page.locator("h1").inner_text().strip() == chapter["title"]
-
-
 IN_VIEW = """(id) => {
   const {top} = document.getElementById(id).getBoundingClientRect();
   return top >= 0 && top < innerHeight;

@@ -66,14 +66,6 @@ def test_what_an_address_cannot_mean_is_ignored_with_a_word(
     figure.locator(".figure-status").wait_for(state="hidden")
 
 
-def test_of_much_that_an_address_cannot_mean_the_first_is_told(visitor: Reader) -> None:
-    figure = open_at(visitor, **{f"k{number}": "1" for number in range(5, 10)})
-    said = figure.locator(".figure-message").inner_text()
-    assert all(f"k{number}=" in said for number in range(5, 9))
-    assert "k9=" not in said
-    assert said.endswith("….")
-
-
 def test_a_hand_at_rest_is_kept_in_the_address_without_an_entry_of_the_history(
     visitor: Reader,
 ) -> None:

@@ -26,7 +26,6 @@ K = intrinsics(320.0, (200.0, 150.0))
 POSE = pose_above_ground(1.6, math.radians(30), math.radians(25), math.radians(5))
 FLOOR = tiled_floor(POSE, K, WIDTH, HEIGHT)
 BOX = Box(2.2, 4.2, 1.0, 1.0)
-RNG = np.random.default_rng(1)
 
 
 def pixels(points: Floats) -> np.ndarray:

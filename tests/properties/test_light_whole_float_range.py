@@ -26,8 +26,6 @@ from simulations.models.light import reflectance
 from simulations.models.sampling import aliasing
 from simulations.models.sensor import demosaicing, photon_counting, shared_detail
 
-light = st.floats(0.0, 1e30)
-
 
 @given(arrays(4, 3))
 def test_normalised_vectors_have_length_one_or_zero(vectors: Floats) -> None:

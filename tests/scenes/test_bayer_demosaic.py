@@ -116,13 +116,6 @@ def test_the_more_detail_the_colours_share_the_more_the_clever_methods_gain(
     assert np.all(np.diff(gain) > 5)
 
 
-def test_before_demosaic_is_pressed_nothing_is_demosaiced_or_judged() -> None:
-    status = {report.name: report.status for report in frame(StageCache()).stages}
-    assert {status[name] for name in ("shared detail", "demosaic", "display", "error")} == {
-        "skipped"
-    }
-
-
 def told(cache: StageCache, **given: object) -> Readout:
     (estimate,) = SCENE.estimates(SCENE.check(given), "", cache)
     return estimate

@@ -7,16 +7,10 @@ import re
 import numpy as np
 import pytest
 
-from simulations.engine.frame import Frame
-from simulations.engine.stages import StageCache
 from simulations.models.color.srgb import encode_srgb
 from simulations.scenes.formation_pipeline.drawing import place, route
 from simulations.scenes.formation_pipeline.scene import SCENE
 from simulations.scenes.formation_pipeline.stations import stations, travel
-
-
-def frame(cache: StageCache | None = None, /, **given: float) -> Frame:
-    return SCENE.render(SCENE.check(given), "", cache or StageCache())
 
 
 def parts(pattern: str, line: str) -> tuple[str, ...]:

@@ -1,7 +1,5 @@
 """Chromatic aberration and vignetting of the figure against their formulas, and in its pixels."""
 
-import math
-
 import numpy as np
 import pytest
 from support.frames import texts_of
@@ -17,7 +15,7 @@ from simulations.scenes.lens_aberrations.error import (
     CLOSE_LEFT,
     CLOSE_TOP,
 )
-from simulations.scenes.lens_aberrations.scene import SCENE, stops
+from simulations.scenes.lens_aberrations.scene import SCENE
 from simulations.scenes.lens_aberrations.section import at, passing
 from simulations.scenes.lens_aberrations.spectrum import LINES_UM, WIDTH_UM, bands
 from simulations.scenes.lens_aberrations.stages import (
@@ -85,11 +83,6 @@ def test_the_rim_cuts_wide_bundles_and_spares_narrow_ones() -> None:
     shares = [light(np.array([0.0, 1.0]), n, 6, False)[1] for n in (1.4, 2.8, 16)]
     assert all(share[0] == 1 for share in shares)
     assert shares[0][1] < shares[1][1] < shares[2][1] == 1
-
-
-def test_no_light_is_minus_infinity_stops() -> None:
-    assert stops(0) == -math.inf
-    assert stops(0.25) == -2
 
 
 def test_red_and_blue_edges_lie_apart_in_the_picture_by_the_shift_read_out() -> None:

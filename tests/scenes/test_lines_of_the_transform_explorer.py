@@ -4,22 +4,45 @@ Level, upright and coincident lines come about near zero, at single steps: ends 
 settings miss them.
 """
 
+import itertools
 import re
 
 import numpy as np
 import pytest
+from support.label_boxes import in_figures, labels
 
 from simulations.engine.controls import Slider
 from simulations.scenes.transform_2d.handles import matrix
-from simulations.scenes.transform_2d.plane import lines_at_infinity
+from simulations.scenes.transform_2d.plane import HEIGHT, WIDTH, lines_at_infinity
 from simulations.scenes.transform_2d.scene import SCENE
 
 SLIDERS = {control.name: control for control in SCENE.controls if isinstance(control, Slider)}
+PAIRS = list(itertools.permutations(("amount", "pull_x", "pull_y"), 2))
 
 
 def steps(name: str) -> list[float]:
     slider = SLIDERS[name]
     return np.arange(slider.minimum, slider.maximum + slider.step / 2.0, slider.step).tolist()
+
+
+def special(name: str) -> set[float]:
+    """The ends, and the steps around the rest position at which lines are level or upright."""
+    slider = SLIDERS[name]
+    around = {-slider.step, 0.0, slider.step}
+    return {slider.minimum, slider.maximum} | {
+        value for value in around if slider.minimum <= value <= slider.maximum
+    }
+
+
+@pytest.mark.deep
+@pytest.mark.parametrize(("swept", "special_one"), PAIRS)
+def test_lines_and_their_names_lie_in_the_view_at_every_step(swept: str, special_one: str) -> None:
+    for value, other in itertools.product(steps(swept), special(special_one)):
+        setting = {"transform": "projective", "amount": 0, swept: value, special_one: other}
+        drawn = lines_at_infinity(matrix(SCENE.check(setting)))
+        for name in labels(drawn, in_figures):
+            assert 0.0 <= name.box.left < name.box.right <= WIDTH, setting
+            assert 0.0 <= name.box.top < name.box.bottom <= HEIGHT, setting
 
 
 @pytest.mark.parametrize("pull_x", [59, 60, 61, 62])

@@ -38,11 +38,6 @@ def test_the_example_of_the_chapter_creeps_backwards() -> None:
     assert (shown["apparent"], shown["direction"]) == ("−0.10", "turn anticlockwise")
 
 
-def test_the_question_of_the_chapter_turns_forwards() -> None:
-    shown = texts_of(frame(speed=5, spokes=6, frame_rate=24))
-    assert (shown["apparent"], shown["direction"]) == ("+1.00", "turn clockwise")
-
-
 def test_a_whole_spacing_stands_still() -> None:
     shown = frame(speed=3, spokes=8, frame_rate=24)
     assert texts_of(shown)["direction"] == "stand still"

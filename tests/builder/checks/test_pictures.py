@@ -13,8 +13,6 @@ from site_builder.build import Options, check_site
 from site_builder.checks import pictures as picture_checks
 from site_builder.diagnostics import BuildError, Diagnostic
 
-SHOWN = ":::{figure} images/a.png\n:alt: A\n:::\n"
-
 
 def picture(width: int, height: int, kind: str = "PNG") -> bytes:
     buffer = io.BytesIO()

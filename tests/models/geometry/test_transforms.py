@@ -15,7 +15,6 @@ from simulations.models.geometry.transforms import apply_homography
 RNG = np.random.default_rng(5)
 TILTED = transforms.projective([1, 0, 0, 0, 1, 0, 1, 0, 1])
 """w = 1 + x: the line x = −1 goes to infinity."""
-SQUARE = np.array([(-2.0, 0.0), (2.0, 0.0), (2.0, 1.0), (-2.0, 1.0)])
 angles = st.floats(-10, 10)
 offsets = st.floats(-1e3, 1e3)
 
