@@ -74,11 +74,6 @@ class MeasuredLadder:
     machine: Mapping[str, object] = field(default_factory=dict)
     """What the times are of."""
 
-    def __reduce__(self) -> tuple[Callable[..., "MeasuredLadder"], tuple[object, ...]]:
-        """Packed without the ladder's own parts: they are its, and told apart by identity."""
-        tiers = [(item.tier.id, item.errors, item.times) for item in self.tiers]
-        return _put_together, (self.ladder, self.metric.id, tiers, self.machine)
-
     def __getitem__(self, tier_id: str) -> MeasuredTier:
         return next(item for item in self.tiers if item.tier.id == self.ladder.tier(tier_id).id)
 
@@ -112,16 +107,6 @@ class MeasuredLadder:
         if not self.metric.higher_is_better and max(ours, theirs) < ROUNDING:
             return True
         return ours <= theirs + EQUAL * abs(theirs)
-
-
-def _put_together(
-    ladder: Ladder,
-    metric_id: str,
-    tiers: list[tuple[str, Mapping[str, float | None], Mapping[str, Timing]]],
-    machine: Mapping[str, object],
-) -> MeasuredLadder:
-    items = tuple(MeasuredTier(ladder.tier(name), errors, times) for name, errors, times in tiers)
-    return MeasuredLadder(ladder, items, _find_metric(ladder, metric_id), machine)
 
 
 @dataclass(frozen=True, slots=True)

@@ -19,7 +19,7 @@ from bench.record import disagreements, ladder_record, merge, write
 
 from simulations.engine.ladder import Ladder, TierResult, measure_tier
 from simulations.registry import LADDER_MODULES, load_ladder
-from site_builder.benchmarks.ladder_choice import off_the_front
+from site_builder.benchmarks.judgements import off_the_front
 from site_builder.benchmarks.measurements import read_measurements
 from site_builder.book_root import ROOT
 from site_builder.diagnostics import Diagnostics

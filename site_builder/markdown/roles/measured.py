@@ -10,6 +10,7 @@ single word asks for something about all: ``ladders``, ``tiers`` or ``beaten`` (
 the machine was: ``processor``, ``python``, ``numpy``, ``browser``, ``pyodide``.
 """
 
+from site_builder.benchmarks.judgements import efficiency, frame_percent, nanoseconds_each, verdict
 from site_builder.benchmarks.measurements import (
     SIDES,
     MeasuredLadder,
@@ -23,8 +24,6 @@ from site_builder.benchmarks.quantities import (
     quantity,
     with_unit,
 )
-from site_builder.benchmarks.unit_costs import efficiency, frame_percent, nanoseconds_each
-from site_builder.benchmarks.verdicts import verdict
 from site_builder.diagnostics import unknown
 from site_builder.languages.words import ENGLISH, Words
 from site_builder.markdown.parse_context import ParseContext
@@ -82,11 +81,11 @@ def _one(measured: MeasuredLadder, tier: str, wanted: str, words: Words) -> str:
 def _unit_cost(measured: MeasuredLadder, tier: str, wanted: str, words: Words) -> str:
     item, ladder = measured[tier], measured.ladder
     if wanted == "frame":
-        return with_unit(words.numeral(quantity(frame_percent(item, "browser"))), "%")
+        return with_unit(words.numeral(quantity(frame_percent(item))), "%")
     if wanted == "each" and ladder.items:
-        each = quantity(nanoseconds_each(measured, item, "browser"))
+        each = quantity(nanoseconds_each(measured, item))
         return f"{with_unit(words.numeral(each), 'ns')} per {ladder.item}"
-    if wanted == "efficiency" and (ratio := efficiency(measured, item, "browser")) is not None:
+    if wanted == "efficiency" and (ratio := efficiency(measured, item)) is not None:
         return words.numeral(quantity(ratio))
     raise MeasurementError(f"ladder {ladder.id!r} states no {wanted!r} of {tier!r}")
 

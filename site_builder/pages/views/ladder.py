@@ -3,7 +3,14 @@
 from dataclasses import asdict, dataclass
 
 from simulations.engine.ladder import Metric
-from site_builder.benchmarks.ladder_choice import Choice, default_choice
+from site_builder.benchmarks.judgements import (
+    Choice,
+    default_choice,
+    efficiency,
+    frame_percent,
+    nanoseconds_each,
+    verdict,
+)
 from site_builder.benchmarks.measurements import SIDES, MeasuredLadder, MeasuredTier
 from site_builder.benchmarks.quantities import (
     error_text,
@@ -12,8 +19,6 @@ from site_builder.benchmarks.quantities import (
     quantity,
     with_unit,
 )
-from site_builder.benchmarks.unit_costs import efficiency, frame_percent, nanoseconds_each
-from site_builder.benchmarks.verdicts import verdict
 from site_builder.charts.pareto import Chart, pareto_chart
 from site_builder.languages.words import ENGLISH, Words
 from site_builder.markdown.directives.ladder import LadderFigure
@@ -118,10 +123,10 @@ def _row(measured: MeasuredLadder, item: MeasuredTier, words: Words) -> TierRow:
 def _unit_cost(measured: MeasuredLadder, item: MeasuredTier, words: Words) -> str:
     if not measured.ladder.items:
         return ""
-    each = words.numeral(quantity(nanoseconds_each(measured, item, "browser")))
-    share = words.numeral(quantity(frame_percent(item, "browser")))
+    each = words.numeral(quantity(nanoseconds_each(measured, item)))
+    share = words.numeral(quantity(frame_percent(item)))
     text = words("ladder.unit_cost", ns=each, item=measured.ladder.item, percent=share)
-    ratio = efficiency(measured, item, "browser")
+    ratio = efficiency(measured, item)
     if ratio is None:
         return text
     return f"{text}; {words('ladder.efficiency', ratio=words.numeral(quantity(ratio)))}"

@@ -5,8 +5,8 @@ from dataclasses import replace
 import pytest
 from support.toy_ladder import toy_data, toy_ladder, toy_measurements
 
+from site_builder.benchmarks.judgements import efficiency, frame_percent, nanoseconds_each
 from site_builder.benchmarks.measurements import MeasurementError
-from site_builder.benchmarks.unit_costs import efficiency, frame_percent, nanoseconds_each
 from site_builder.markdown.roles.measured import measured_text
 
 
@@ -14,8 +14,8 @@ def test_a_time_is_divided_among_the_points_and_compared_with_a_frame() -> None:
     ladder = replace(toy_ladder(), items=1000, item="point")
     measured = replace(toy_measurements().find("toy"), ladder=ladder)
     fine = measured["fine"]  # 6 ms in the browser
-    assert nanoseconds_each(measured, fine, "browser") == pytest.approx(6000)
-    assert frame_percent(fine, "browser") == pytest.approx(18)
+    assert nanoseconds_each(measured, fine) == pytest.approx(6000)
+    assert frame_percent(fine) == pytest.approx(18)
 
 
 def test_half_the_noise_in_the_same_time_is_four_times_as_efficient() -> None:
@@ -24,8 +24,8 @@ def test_half_the_noise_in_the_same_time_is_four_times_as_efficient() -> None:
     tiers["fine"]["browser"] = tiers["rough"]["browser"]
     measured = toy_measurements(tiers=tiers).find("toy")
     sampled = replace(measured, ladder=replace(measured.ladder, sampled=("rough", "fine")))
-    assert efficiency(sampled, sampled["fine"], "browser") == pytest.approx(4)
-    assert efficiency(sampled, sampled["exact"], "browser") is None
+    assert efficiency(sampled, sampled["fine"]) == pytest.approx(4)
+    assert efficiency(sampled, sampled["exact"]) is None
 
 
 def test_the_role_refuses_a_cost_that_the_ladder_does_not_state() -> None:

@@ -1,11 +1,12 @@
-"""Why a ladder's default stands where it does: its neighbours on the front, in numbers.
+"""What the measured numbers of a ladder say: why its default stands where it does, a verdict on
+each tier, and what a tier costs for each pixel or point, of a frame, and for its noise.
 
-The front is the browser's, where the book runs, by the ladder's first metric.
+The default and the costs are those of the browser, where the book runs.
 """
 
 from dataclasses import dataclass
 
-from site_builder.benchmarks.measurements import MeasuredLadder, MeasuredTier
+from site_builder.benchmarks.measurements import SIDES, MeasuredLadder, MeasuredTier
 from site_builder.benchmarks.quantities import (
     error_text,
     is_none,
@@ -16,6 +17,8 @@ from site_builder.benchmarks.quantities import (
 from site_builder.languages.words import ENGLISH, Words
 
 SIDE = "browser"
+FRAME_MS = 1000 / 30
+"""Time between two frames, at the rate at which a drag still looks smooth."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -103,3 +106,52 @@ def _error(measured: MeasuredLadder, item: MeasuredTier, words: Words = ENGLISH)
     if is_none(value, unit):
         return words("ladder.no_error")
     return with_unit(error_text(value, unit, words), unit)
+
+
+def verdict(measured: MeasuredLadder, item: MeasuredTier, words: Words = ENGLISH) -> str:
+    """What the numbers say of a tier, in a few words."""
+    native, browser = (measured.beaten_by(item, side) for side in SIDES)
+    if native and browser:
+        both = native.tier.id == browser.tier.id
+        key = "verdict.beaten" if both else "verdict.beaten_twice"
+        return words(key, tier=native.tier.label, other=browser.tier.label)
+    if native:
+        return words("verdict.beaten_native", tier=native.tier.label)
+    if browser:
+        return words("verdict.beaten_browser", tier=browser.tier.label)
+    match [side for side in SIDES if item in measured.front(side)]:
+        case [_, _]:
+            return words("verdict.front")
+        case ["native"]:
+            return words("verdict.front_native")
+        case ["browser"]:
+            return words("verdict.front_browser")
+        case _:
+            return words("verdict.close")
+
+
+def nanoseconds_each(measured: MeasuredLadder, item: MeasuredTier) -> float:
+    """Time for one item of the workload. Raises `ZeroDivisionError` where these are not counted."""
+    return item.times[SIDE].ms * 1e6 / measured.ladder.items
+
+
+def frame_percent(item: MeasuredTier) -> float:
+    """Share of a frame that the whole workload takes, in per cent."""
+    return 100 * item.times[SIDE].ms / FRAME_MS
+
+
+def efficiency(measured: MeasuredLadder, item: MeasuredTier) -> float | None:
+    """1/(variance × time) in units of the ladder's first sampled tier: how much less time a tier
+    takes for the same noise, since a sample's variance falls with the work (Pharr, Jakob and
+    Humphreys, *Physically Based Rendering*, 4th ed., 2.2). None where a tier is not sampled."""
+    if item.tier.id not in measured.ladder.sampled:
+        return None
+    unit = measured[measured.ladder.sampled[0]]
+    return _cost_of_noise(measured, unit) / _cost_of_noise(measured, item)
+
+
+def _cost_of_noise(measured: MeasuredLadder, item: MeasuredTier) -> float:
+    metric = measured.ladder.metrics[0]
+    error = item.errors[metric.id] or 0.0
+    variance = 10 ** (-error / 10) if metric.unit == "dB" else error**2
+    return float(variance * item.times[SIDE].ms)

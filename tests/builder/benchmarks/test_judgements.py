@@ -3,8 +3,7 @@
 import pytest
 from support.toy_ladder import timing, toy_data, toy_measurements
 
-from site_builder.benchmarks.ladder_choice import Neighbour, default_choice, off_the_front
-from site_builder.benchmarks.verdicts import verdict
+from site_builder.benchmarks.judgements import Neighbour, default_choice, off_the_front, verdict
 
 
 def test_a_tier_is_beaten_by_the_quickest_that_is_no_worse() -> None:
