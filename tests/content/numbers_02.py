@@ -12,13 +12,6 @@ from simulations.models.projection.pinhole import rigid_pose, world_to_camera
 CHAPTER = "02-3d-transformations"
 
 
-def the_shortcut_of_small_angles() -> Says:
-    p, angle = np.array((1.0, 0, 0)), radians(5)
-    short = p + angle * np.cross((0, 0, 1), p)
-    off = np.linalg.norm(short - rotations.exponential([0, 0, angle]) @ p)
-    yield rf"At 5° this is off by at most {off:.3f} of the length"
-
-
 def to_pan_tilt_and_roll_a_camera() -> Says:
     """The camera's axes as columns, in a world whose axes are right, down and ahead."""
     x, y, z = np.eye(3)
@@ -50,16 +43,6 @@ def to_pan_tilt_and_roll_a_camera() -> Says:
     yield f"looks up by only {up:.1f}°, and its horizon slants by {slant:.1f}°"
 
 
-def a_camera_centre_by_hand() -> Says:
-    R, t = np.array([[0, 0, -1], [0, 1, 0], [1, 0, 0]]), np.array([4, 1, -3])
-    assert np.isclose(np.linalg.det(R), 1.0)
-    assert np.allclose(R[2], [1, 0, 0]), "it looks along the world's right"
-    wrong = (R.T @ t, -R @ t, t)
-    for x, y, z in (-R.T @ t, *wrong):
-        yield f"At $({x}, {y}, {z})$ m"
-    assert not any(np.allclose(R @ each + t, 0) for each in wrong)
-
-
 def averages_of_matrices() -> Says:
     half = matrix_blend(np.eye(3), rotations.exponential([0, radians(90), 0]), 0.5)
     assert np.isclose(np.linalg.det(half), 0.5)
@@ -70,12 +53,6 @@ def averages_of_matrices() -> Says:
     yield "They become dependent only for half a turn."
     other = matrix_blend(np.eye(3), rotations.exponential([0, 0, radians(60)]), 0.5)
     yield f"Its first two columns have length {np.linalg.norm(other[:, 0]):.2f}."
-
-
-def coordinates_far_from_the_origin() -> Says:
-    step = float(np.spacing(np.float32(4e6)))
-    yield f"neighbouring numbers there are {step:g} m apart"
-    yield f"in steps of {100 * step:.0f} cm"
 
 
 def the_ladder_in_space() -> Says:
@@ -113,22 +90,9 @@ def a_hundredth_of_a_degree() -> Says:
     yield "The 0.01° are then right to eight digits."
 
 
-def a_line_by_six_numbers() -> Says:
-    start, end = np.array([1.0, 0, 0]), np.array([1.0, 0, 2])
-    v, m = end - start, np.cross(start, end)
-    assert v @ m == 0.0
-    for name, (x, y, z) in (("v", v), ("m", m)):
-        yield rf"$\mathbf{{{name}}} = ({x:g}, {y:g}, {z:g})$"
-    yield f"so it is {np.linalg.norm(m) / np.linalg.norm(v):g} m from the origin"
-
-
 WORKED = (
     a_hundredth_of_a_degree,
-    a_line_by_six_numbers,
-    the_shortcut_of_small_angles,
     to_pan_tilt_and_roll_a_camera,
-    a_camera_centre_by_hand,
     averages_of_matrices,
     the_ladder_in_space,
-    coordinates_far_from_the_origin,
 )

@@ -8,7 +8,6 @@ from scipy.optimize import brentq
 from support.worked_numbers import Says
 
 from simulations.engine.stages import StageCache
-from simulations.illustrations import page_in_the_sun
 from simulations.models.arrays import Floats
 from simulations.models.light.brdf import Material, reflected, schlick
 from simulations.models.light.interreflection import edge_factor
@@ -98,13 +97,6 @@ def halfway_exponent() -> Says:
     yield rf"Four times the exponent, $\alpha = {4 * 20}$"
 
 
-def a_cosine_just_above_one() -> Says:
-    above = 1.0 + float(np.finfo(np.float32).eps)
-    yield f"may come out as {above:.8f}"
-    yield f"Raised to the power 1000 that is {above**1000:.4f}"
-    yield f"a shininess of a million makes it {above**1e6:.2f}"
-
-
 def fresnel(cosine: float, index: float) -> float:
     """Unpolarised reflectance of a smooth dielectric, by Fresnel's own formulae."""
     inside = sqrt(1 - (1 - cosine**2) / index**2)
@@ -158,23 +150,11 @@ def near_the_edge_of_two_white_planes() -> Says:
     yield f"a factor of {shown.red / shown.lamp:.2f}, close to the {edge_factor(0.8, pi / 2):.2f}"
 
 
-def a_page_in_the_sun() -> Says:
-    arrives = 1000 * cos(radians(60))
-    yield rf"$E = 1000 \cos 60^\circ = {arrives:.0f}$ W/m²"
-    yield rf"$0.8 \cdot 500 = {0.8 * arrives:.0f}$ W/m²"
-    yield rf"$0.8/\pi = {0.8 / pi:.3f}$ sr⁻¹"
-    yield rf"$0.255 \cdot 500 = {0.8 / pi * arrives:.0f}$ W/(m² sr)"
-    yield rf"$\omega = 2\pi(1 - \cos 12^\circ) = {page_in_the_sun.solid_angle():.3f}$ sr"
-    yield rf"$127 \cos 30^\circ \cdot 0.137 = {page_in_the_sun.power():.0f}$ W"
-
-
 WORKED = (
-    a_page_in_the_sun,
     near_the_edge_of_two_white_planes,
     glass_at_a_slant,
     schlick_at_all_angles,
     the_peak_lies_beyond_the_mirror,
-    a_cosine_just_above_one,
     what_a_surface_returns,
     the_printed_formulae,
     a_highlight_between_corners,

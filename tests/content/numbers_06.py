@@ -1,11 +1,10 @@
 """Chapter 6: the sensor."""
 
-import colorsys
 import io
 import re
 import warnings
 from functools import cache
-from math import erf, log10, sqrt
+from math import erf, sqrt
 
 import numpy as np
 import skimage.data
@@ -19,7 +18,6 @@ from simulations.models.color.chromatic_adaptation import adapt
 from simulations.models.color.chromaticity import ILLUMINANT_A_XY, lab_distance
 from simulations.models.color.cie import (
     D65_XY,
-    luminance,
     rgb_to_xyz_matrix,
     xyz_to_lab,
     xyz_to_linear_rgb,
@@ -27,7 +25,6 @@ from simulations.models.color.cie import (
 from simulations.models.color.illuminants import planck
 from simulations.models.color.spectra import WAVELENGTHS_NM
 from simulations.models.color.srgb import decode_srgb, encode_srgb
-from simulations.models.color.ycbcr import rgb_to_ycbcr
 from simulations.models.compression import jpeg
 from simulations.models.compression.chroma_upsampling import METHODS as UPSAMPLING
 from simulations.models.error_measures import psnr_db
@@ -72,36 +69,6 @@ def a_gaussian_of_hardly_an_electron() -> Says:
     yield f"where {mean:.2f} electrons are {mean * one_e_dn:.1f} DN"
     scatter = sqrt(mean / 2) / PATCH_PX * one_e_dn  # the mean is of two frames
     yield f"The mean of a patch scatters by {scatter:.1f} DN"
-
-
-def a_pattern_that_overtakes() -> Says:
-    mean = np.geomspace(10, 1e5, 4001)
-    share = 0.01
-    first = mean[np.argmax((share * mean) ** 2 > mean)]
-    assert np.isclose(first, 10_000, rtol=0.01)
-    yield "which for $p = 1$ % is 10 000 electrons, half of our well"
-    assert (mean / np.sqrt(mean + (share * mean) ** 2)).max() < 100
-    yield "the SNR never exceeds $1/p = 100$"
-    yield rf"$\bar N = 1/0.008^2 = {1 / 0.008**2:,.0f}$".replace(",", r"\,")
-
-
-def an_orange_in_three_ways() -> Says:
-    codes = np.array([200.0, 100.0, 50.0])
-    hue, saturation, value = colorsys.rgb_to_hsv(*codes / 255)
-    yield (
-        f"The codes $(200, 100, 50)$ have the value {value:.2f}, "
-        f"the saturation {saturation:.2f} and the hue {360 * hue:.0f}°"
-    )
-    yellow, blue = (
-        float(luminance(colour)) for colour in (np.array([1.0, 1, 0]), np.array([0.0, 0, 1]))
-    )
-    yield f"their luminances are {yellow:.2f} and {blue:.2f}"
-    luma, c_b, c_r = 255 * rgb_to_ycbcr(codes / 255)
-    yield f"have the luma {luma:.1f}, $C_b = {c_b:.1f}$ and $C_r = {c_r:.1f}$"
-    largest = 255 * rgb_to_ycbcr(np.array([0.0, 0, 1]))[1]
-    yield f"the range from −{largest:.1f} to {largest:.1f}"
-    first, second, third = rgb_to_xyz_matrix()[1]
-    yield f"{first:.3f}, {second:.3f} and {third:.3f}"
 
 
 PHOTOGRAPHS = {"coffee": "coffee", "cat": "chelsea", "astronaut": "astronaut"}
@@ -299,13 +266,6 @@ def files_of_the_picture() -> Says:
     yield "about five when they are the ready-made ones"
 
 
-def an_error_of_one_code() -> Says:
-    picture = np.zeros((32, 32, 3))
-    psnr = psnr_db(picture + 1, picture, peak=255)
-    assert np.isclose(psnr, 10 * log10(255**2))
-    yield f"An error of one code everywhere gives {psnr:.1f} dB."
-
-
 def patches_by_lamplight_and_by_daylight() -> Says:
     """From the measured spectra of the chart, by another library."""
     with warnings.catch_warnings():
@@ -367,8 +327,6 @@ WORKED = (
     paint_at_three_wavelengths,
     the_matrix_of_srgb,
     stripes_finer_than_a_cell,
-    a_pattern_that_overtakes,
-    an_orange_in_three_ways,
     photographs_through_the_mosaic,
     photographs_with_coarser_colour,
     threads_of_red_and_cyan,
@@ -379,6 +337,5 @@ WORKED = (
     patches_burnt_out_at_iso_800,
     a_gaussian_of_hardly_an_electron,
     transforms_that_round_otherwise,
-    an_error_of_one_code,
     patches_by_lamplight_and_by_daylight,
 )

@@ -12,7 +12,7 @@ from simulations.models.color.srgb import encode_srgb
 from simulations.models.error_measures import root_mean_square
 from simulations.models.lens.diffraction import lens_transfer
 from simulations.models.pixel_grid import centred
-from simulations.models.sampling.aliasing import alias_frequency, apparent_wheel_speed, box_mtf
+from simulations.models.sampling.aliasing import box_mtf
 from simulations.models.sampling.fine_detail import without_fine_detail
 from simulations.models.sampling.resampling import KERNELS
 from simulations.models.sampling.slanted_edge import edge_picture, read_edge
@@ -21,30 +21,6 @@ from simulations.pictures import round_windows, spoked_wheel
 from simulations.scenes.wagon_wheel import film
 
 CHAPTER = "07-sampling-and-aliasing"
-
-
-def seen(cycles: float) -> float:
-    """The frequency in the picture, whichever way its wave runs."""
-    return abs(float(alias_frequency(cycles)))
-
-
-def the_shirt_at_twenty_metres() -> Says:
-    stripe_um, pixel_um, focal_mm = 2000, 4, 50
-    for distance_mm, cycles in ((4000, "{:.2f}"), (20_000, "{:.1f}")):
-        image_um = stripe_um * focal_mm / distance_mm
-        pixels = image_um / pixel_um
-        yield f"A stripe covers {image_um:g} µm"
-        yield f"or {pixels:g} pixels"
-        yield f"{cycles.format(1 / pixels)} cycles per pixel"
-        if distance_mm == 4000:
-            yield f"$50/4000 = 1/{distance_mm / focal_mm:g}$"
-        else:
-            yield f"$1/{distance_mm / focal_mm:g}$"
-    alias = seen(0.8)
-    yield f"$|0.8 - 1| = {alias:g}$ cycles per pixel, a false stripe every {1 / alias:g} pixels"
-    wide_mm = pixel_um * 1e-3 / alias * 20_000 / focal_mm
-    yield f"{wide_mm:.0f} mm wide, four times the truth"
-    assert np.isclose(wide_mm, 4 * 2)
 
 
 def the_border_belongs_to_neither_side() -> Says:
@@ -158,16 +134,6 @@ def the_spline_s_weights() -> Says:
     yield f"it has ${own:g}/6$ on its own sample and ${beside:g}/6$ on each"
 
 
-def wagon_wheels() -> Says:
-    speed, _ = apparent_wheel_speed(2.9, 8, 24.0)
-    yield f"brings {2.9 * 8:.1f} spokes a second"
-    yield f"${2.9 * 8:.1f} - 24 = {2.9 * 8 - 24:.1f}$ spokes a second"
-    assert np.isclose(speed, -0.1), "a tenth of a turn a second, backwards"
-    yield f"at 12 spokes a second, which is half the frame rate: {12 / 8:g} turns a second"
-    speed, _ = apparent_wheel_speed(5.0, 6, 24.0)
-    yield f"$30 - 24 = 6$ spokes a second, and $6/6 = {float(speed):.0f}$ turn a second"
-
-
 def _exact_pictures() -> list[Floats]:
     along = centred(round_windows.SIZE)
     x, y = np.meshgrid(along, along)
@@ -219,7 +185,6 @@ def twelve_turns() -> Says:
 WORKED = (
     moved_and_dulled,
     twelve_turns,
-    the_shirt_at_twenty_metres,
     the_border_belongs_to_neither_side,
     what_a_cell_s_width_lets_through,
     what_cell_and_plate_let_through,
@@ -229,5 +194,4 @@ WORKED = (
     random_instants_err_more_than_even_ones,
     the_cubic_s_weights_halfway,
     the_spline_s_weights,
-    wagon_wheels,
 )
