@@ -69,6 +69,7 @@ test-quick: $(VENV)/test.stamp
 
 test-deep: $(VENV)/test.stamp $(VENV)/chromium.stamp
 	@$(BIN)/python -m pytest $(PARALLEL) -m deep
+	@$(BIN)/python -m pytest $(PARALLEL) --hypothesis-profile=deep tests/properties
 
 check: $(VENV)/test.stamp
 	@$(BIN)/ruff format --check

@@ -10,7 +10,7 @@ from subprocess import CompletedProcess
 from typing import Any
 
 import pytest
-from hypothesis import settings
+from hypothesis import HealthCheck, settings
 from playwright.sync_api import Browser, expect, sync_playwright
 from support.built import built_once
 from support.chromium import HOW_TO, find_chromium, find_headless_shell, launch_arguments
@@ -21,9 +21,12 @@ from site_builder.runtime.imports import Table, read_imports
 
 ROOT = Path(__file__).resolve().parents[1]
 
-# The same examples in every run: a change is judged by its own failures. To look for new ones,
-# run `pytest --hypothesis-profile=default`.
+# The same examples in every run: a change is judged by its own failures. `make test-deep` looks
+# for new ones.
 settings.register_profile("repeatable", derandomize=True, deadline=None)
+settings.register_profile(
+    "deep", max_examples=1000, deadline=None, suppress_health_check=[HealthCheck.too_slow]
+)
 settings.load_profile("repeatable")
 expect.set_options(timeout=30_000)  # a machine that is busy answers late
 
