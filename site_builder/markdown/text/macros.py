@@ -11,6 +11,7 @@ NAME = re.compile(r"[A-Za-z]+")
 COMMAND = re.compile(r"\\([A-Za-z]+)")
 SLOT = re.compile(r"#([1-9])")
 OURS = (
+    "calc",
     "role",
     "qty",
     "SI",
