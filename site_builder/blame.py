@@ -1,4 +1,4 @@
-"""Where the author's own code failed, as far as an exception tells."""
+"""The place in the author's code at which an exception was raised."""
 
 import sysconfig
 import traceback
@@ -10,14 +10,9 @@ LIBRARIES = tuple(Path(sysconfig.get_path(name)).resolve() for name in ("stdlib"
 
 
 def remember_place[E: BaseException](error: E, place: str) -> E:
-    """The error, whose traceback gets lost between processes."""
+    """The error with its place, since a traceback does not pass between processes."""
     setattr(error, REMEMBERED, place)
     return error
-
-
-def is_remembered(error: BaseException) -> bool:
-    """Whether it comes from another process, or can go to one."""
-    return hasattr(error, REMEMBERED)
 
 
 def place_of(error: BaseException) -> str:
@@ -27,11 +22,11 @@ def place_of(error: BaseException) -> str:
         return str(remembered)
     if isinstance(error, SyntaxError) and error.filename:
         file = Path(error.filename)
-        return f"{_told(file) if file.is_absolute() else file}:{error.lineno or 1}"
+        return f"{_relative(file) if file.is_absolute() else file}:{error.lineno or 1}"
     for frame in reversed(traceback.extract_tb(error.__traceback__)):
         file = Path(frame.filename)
         if file.is_file() and _is_authors(file.resolve()):
-            return f"{_told(file)}:{frame.lineno or 1}"
+            return f"{_relative(file)}:{frame.lineno or 1}"
     return ""
 
 
@@ -45,8 +40,8 @@ def _is_authors(file: Path) -> bool:
     )
 
 
-def _told(file: Path) -> str:
-    """From the folder that holds its outermost package."""
+def _relative(file: Path) -> str:
+    """Its path from the folder that holds its outermost package."""
     folder = file.resolve().parent
     while (folder / "__init__.py").is_file():
         folder = folder.parent
