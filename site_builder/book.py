@@ -7,6 +7,7 @@ from typing import Any
 from simulations.engine.scene import Scene
 from site_builder.languages.words import ENGLISH, Words
 from site_builder.page_model.blocks import Block, Simulation, Source, contents
+from site_builder.page_model.passage import Passage
 from site_builder.page_model.places import (
     Citation,
     Definition,
@@ -77,8 +78,8 @@ class Chapter:
 
     before: tuple[Need, ...] = ()
     """What to know before reading it."""
-    after: tuple[str, ...] = ()
-    """What its reader can do afterwards, each as HTML."""
+    after: tuple[Passage, ...] = ()
+    """What its reader can do afterwards."""
     figures: tuple[str, ...] = ()
     """Element ids of its simulations, also of those that cannot be shown."""
     """Links that lead out of the book."""

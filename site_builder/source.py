@@ -19,7 +19,7 @@ from site_builder.languages.words import Words, load_words
 from site_builder.lecture_plan import read_lecture_plan
 from site_builder.markdown.chapter import find_targets
 from site_builder.markdown.glossary_links.definitions import read_definitions, read_meanings
-from site_builder.markdown.inline import inline_html
+from site_builder.markdown.inline import inline_passage
 from site_builder.markdown.parse_context import ParseContext
 from site_builder.markdown.parser import make_parser
 from site_builder.markdown.scenes import find_scene
@@ -234,7 +234,7 @@ def _read_hero(
         return None
     context = ParseContext(OUTLINE, root, problems, load_scene, make_parser(words), words=words)
     scene = find_scene(settings.hero, outline.hero_line, context)
-    caption_html = inline_html(settings.hero_caption, outline.hero_line, context)
+    caption = inline_passage(settings.hero_caption, outline.hero_line, context)
     for link in context.links:
         problems.add(
             OUTLINE, link.line, f"link {link.target!r} in the cover's caption; legal: 'https://…'"
@@ -246,7 +246,7 @@ def _read_hero(
         id=f"figure-{scene.id}",
         values={},
         tier=scene.default_tier,
-        caption_html=caption_html,
+        caption=caption,
         path=OUTLINE,
         line=outline.hero_line,
     )

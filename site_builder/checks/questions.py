@@ -6,14 +6,13 @@ the best known of the cues by which people answer who know nothing (Haladyna, Do
 here: each reader gets an order of their own. Questions with several keys are left alone.
 """
 
-import html
 import math
-import re
 from collections.abc import Sequence
 
 from site_builder.book import Book, Chapter
 from site_builder.diagnostics import Diagnostics
 from site_builder.page_model.questions import Option, Quiz
+from site_builder.render.words import plain_words
 
 STANDS_OUT = 1.4
 """How many times as long as the longest wrong answer a key may be, or the shortest wrong answer as
@@ -24,7 +23,6 @@ SEEN = 1.1
 """How many times as long as the next an answer must be to be seen as the longest."""
 CHANCE = 0.01
 """Probability below which it is no coincidence how often keys are longest."""
-TAG = re.compile(r"<[^>]*>")
 
 
 def check_questions(book: Book, problems: Diagnostics) -> None:
@@ -49,7 +47,7 @@ def single_choice(chapter: Chapter) -> list[Quiz]:
 
 def letters(option: Option) -> int:
     """Length of an answer as it is read: a formula counts what it shows, not its source."""
-    return len(html.unescape(TAG.sub("", option.html)).strip())
+    return len(plain_words(option.words).strip())
 
 
 def fault_of_length(quiz: Quiz) -> str:

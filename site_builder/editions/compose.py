@@ -13,6 +13,7 @@ from site_builder.page_model.blocks import Block
 from site_builder.page_model.questions import Quiz
 from site_builder.pages.licences import Licence, gather_licences
 from site_builder.pages.render import BACK_MATTER, Site, render_page, render_pages
+from site_builder.render.screen import screen_renderer
 from site_builder.runtime.pinned import Versions
 from site_builder.site_assets import Files, gather_assets
 
@@ -82,7 +83,11 @@ def _chapter(
         if page == chapter.id
     }
     put_rows(content, own)
-    headings = tuple((item.id, item.html) for item in chapter.headings if item.level == 2)
+    headings = tuple(
+        (item.id, str(screen_renderer(site.book.words)(item.words)))
+        for item in chapter.headings
+        if item.level == 2
+    )
     return Section(chapter.id, chapter.title, chapter.name, content, headings)
 
 

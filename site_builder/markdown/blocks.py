@@ -10,19 +10,20 @@ from site_builder.markdown.directive import Directive, DirectiveCall
 from site_builder.markdown.parse_context import ParseContext
 from site_builder.markdown.usage import checked
 from site_builder.page_model.blocks import Block, Prose
+from site_builder.page_model.passage import passage
 
 
 def read_blocks(tokens: Sequence[Token], context: ParseContext) -> tuple[Block, ...]:
     """Tokens at one level of nesting as blocks, in order."""
     if not any(token.type == "directive_open" for token in tokens):
-        html = context.html(tokens) if tokens else ""
-        return (Block("prose", Prose(html)),) if html else ()
+        words = passage(tokens)
+        return (Block("prose", Prose(words)),) if words else ()
     blocks: list[Block] = []
     prose: list[Token] = []
 
     def end_prose() -> None:
-        if prose and (html := context.html(prose)):
-            blocks.append(Block("prose", Prose(html)))
+        if words := passage(prose):
+            blocks.append(Block("prose", Prose(words)))
         prose.clear()
 
     position = 0

@@ -8,6 +8,7 @@ from site_builder.markdown.blocks import read_blocks
 from site_builder.markdown.directive import Body, DirectiveCall
 from site_builder.markdown.parse_context import ParseContext
 from site_builder.page_model.blocks import Block
+from site_builder.page_model.passage import Passage, passage
 
 
 def plain_tokens(
@@ -22,8 +23,8 @@ def plain_tokens(
     return tokens
 
 
-def _html(call: DirectiveCall, tokens: Sequence[Token], context: ParseContext) -> str:
-    return context.html(plain_tokens(call, tokens, context))
+def _passage(call: DirectiveCall, tokens: Sequence[Token], context: ParseContext) -> Passage:
+    return passage(plain_tokens(call, tokens, context))
 
 
 def _inner_blocks(
@@ -34,8 +35,8 @@ def _inner_blocks(
     return read_blocks(tokens, context)
 
 
-CAPTION = Body("a caption", _html)
-"""Plain Markdown, or nothing; the reader gets HTML."""
+CAPTION = Body("a caption", _passage)
+"""Plain Markdown, or nothing; the reader gets a `Passage`."""
 BLOCKS = Body("text and other directives", _inner_blocks, nests=True)
 """Anything, but something; the template gets it as ``inside``."""
 

@@ -11,7 +11,7 @@ from site_builder.markdown.blocks import read_blocks
 from site_builder.markdown.files.front_matter import FrontMatter, read_front_matter
 from site_builder.markdown.files.includes import may_include, splice
 from site_builder.markdown.glossary_links.terms import mark_terms
-from site_builder.markdown.inline import annotate, inline_html
+from site_builder.markdown.inline import annotate, inline_passage
 from site_builder.markdown.numbering import number_targets
 from site_builder.markdown.parse_context import PAGE_IDS, ParseContext
 from site_builder.markdown.targets import Targets
@@ -88,10 +88,10 @@ def read_chapter(draft: Draft, targets: Targets) -> Chapter:
     mark_terms(draft.tokens, context)
     body = read_blocks(draft.tokens, context)
     before = tuple(
-        Need(inline_html(entry.text, entry.line, context), entry.chapter, entry.line)
+        Need(inline_passage(entry.text, entry.line, context), entry.chapter, entry.line)
         for entry in draft.matter.before
     )
-    after = tuple(inline_html(entry.text, entry.line, context) for entry in draft.matter.after)
+    after = tuple(inline_passage(entry.text, entry.line, context) for entry in draft.matter.after)
     return Chapter(
         position=context.position,
         id=context.chapter,

@@ -8,6 +8,7 @@ from markdown_it.token import Token
 
 from site_builder.markdown.parse_context import ParseContext
 from site_builder.markdown.text.tokens import plain_text
+from site_builder.page_model.passage import passage
 from site_builder.page_model.places import Heading
 
 
@@ -25,7 +26,7 @@ def list_headings(tokens: Sequence[Token], context: ParseContext) -> None:
             context.problem(line, f"{text!r} underlined is a heading; legal: {expected}")
         _check_level(level, text, line, context)
         name = str(opening.attrGet("id"))
-        context.headings.append(Heading(level, name, context.html(_without_links(inline))))
+        context.headings.append(Heading(level, name, passage(_without_links(inline))))
 
 
 def _check_level(level: int, text: str, line: int, context: ParseContext) -> None:

@@ -12,11 +12,12 @@ from site_builder.markdown.headings import list_headings
 from site_builder.markdown.parse_context import ParseContext
 from site_builder.markdown.role import Role
 from site_builder.markdown.roles import ROLES
-from site_builder.markdown.text.code import UnknownLanguageError, code_html
+from site_builder.markdown.text.code import UnknownLanguageError, check_language
 from site_builder.markdown.text.formula_breaks import displayed_parts, glue_formulae
 from site_builder.markdown.text.math import UnsupportedTexError, to_mathml
 from site_builder.markdown.text.shorthand import written_out
 from site_builder.markdown.text.tokens import located, plain_text
+from site_builder.page_model.passage import Passage, passage
 from site_builder.page_model.places import Link, chapter_id
 
 ROLE_NAMES = tuple(role.name for role in ROLES)
@@ -32,8 +33,8 @@ def annotate(tokens: Sequence[Token], context: ParseContext) -> None:
     glue_formulae(tokens)
 
 
-def inline_html(markdown: str, line: int, context: ParseContext) -> str:
-    """One line of Markdown, such as a directive's title, as HTML without a paragraph."""
+def inline_passage(markdown: str, line: int, context: ParseContext) -> Passage:
+    """One line of Markdown, such as a directive's title, without a paragraph."""
     env = {"references": context.env.get("references", {})}
     tokens = context.parser.parseInline(markdown, env)
     for _, message in env.pop("problems", ()):
@@ -41,7 +42,7 @@ def inline_html(markdown: str, line: int, context: ParseContext) -> str:
     for token in tokens:
         token.map = [line - 1, line]
     annotate(tokens, context)
-    return context.html(tokens)
+    return passage(tokens)
 
 
 def _set_formula(token: Token, line: int, context: ParseContext) -> None:
@@ -68,7 +69,7 @@ def _set_code(token: Token, line: int, context: ParseContext) -> None:
         define_names(token, line, context)
         return
     try:
-        token.meta["html"] = code_html(token.content, token.info.strip())
+        check_language(token.info.strip())
     except UnknownLanguageError as error:
         context.problem(line, str(error))
 

@@ -1,12 +1,11 @@
 """What is at hand, and what is gathered, while one Markdown file is read."""
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
 from markdown_it import MarkdownIt
-from markdown_it.token import Token
 
 from simulations.engine.scene import Scene
 from site_builder.benchmarks.measurements import Measurements
@@ -113,10 +112,6 @@ class ParseContext:
         """``on line 12``, or ``at content/parts/file.md:3`` of what is included."""
         path, number = self.problems.place(self.path, line)
         return f"on line {number}" if path == self.path else f"at {path}:{number}"
-
-    def html(self, tokens: Sequence[Token]) -> str:
-        """Tokens without directives, as HTML."""
-        return str(self.parser.renderer.render(list(tokens), self.parser.options, self.env)).strip()
 
     def take_id(self, wanted: str, line: int, kind: str) -> str:
         """Claim an element id; taking one twice is a mistake."""

@@ -1,15 +1,12 @@
 """The Markdown of the book: CommonMark and what is added to it, in order. Each rule has a file."""
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable
 from dataclasses import dataclass
 from functools import lru_cache, partial
 from typing import Any
 
 from markdown_it import MarkdownIt
 from markdown_it.common.normalize_url import normalizeLink
-from markdown_it.renderer import RendererProtocol
-from markdown_it.token import Token
-from markdown_it.utils import EnvType, OptionsDict
 from mdit_py_plugins.dollarmath import dollarmath_plugin
 from mdit_py_plugins.footnote import footnote_plugin
 from mdit_py_plugins.front_matter import front_matter_plugin
@@ -19,7 +16,6 @@ from site_builder.markdown.directives import DIRECTIVES
 from site_builder.markdown.fences import directive_rule
 from site_builder.markdown.role import role_rule
 from site_builder.markdown.roles import ROLES
-from site_builder.markdown.text import rendering
 from site_builder.markdown.text.stray_marks import stray_marks_rule
 from site_builder.markdown.text.typography import typography_rule
 
@@ -72,21 +68,6 @@ RULES = (
 )
 """``make_parser().get_all_rules()`` shows them among all others."""
 
-HTML: Mapping[str, Callable[[Token], str]] = {
-    "math_inline": rendering.formula,
-    "math_block": rendering.equation,
-    "math_block_label": rendering.equation,
-    "heading_open": rendering.heading_open,
-    "fence": rendering.code,
-    "table_close": rendering.table_close,
-}
-"""Kinds of token that we render, each by itself."""
-WORDED: Mapping[str, Callable[[Words, Token], str]] = {
-    "heading_close": rendering.heading_close,
-    "table_open": rendering.table_open,
-}
-"""Likewise, with words of the interface."""
-
 
 class _Markdown(MarkdownIt):
     def normalizeLink(self, url: str) -> str:  # noqa: N802  (markdown-it's name)
@@ -110,24 +91,4 @@ def make_parser(words: Words = ENGLISH) -> MarkdownIt:
         ruler = getattr(parser, rule.chain).ruler
         ruler.before(rule.before, rule.name, rule.run, {"alt": list(rule.ends)})
     parser.inline.add_terminator_char("{")  # where a run of text stops, since a role may begin
-    for kind, html in HTML.items():
-        parser.add_render_rule(kind, _render_rule(html))
-    for kind, worded in WORDED.items():
-        parser.add_render_rule(kind, _render_rule(partial(worded, words)))
-    parser.add_render_rule("role", rendering.role)
     return parser
-
-
-def _render_rule(html: Callable[[Token], str]) -> Callable[..., str]:
-    """``html`` with the signature that the renderer wants."""
-
-    def rule(
-        _renderer: RendererProtocol,
-        tokens: Sequence[Token],
-        index: int,
-        _o: OptionsDict,
-        _e: EnvType,
-    ) -> str:
-        return html(tokens[index])
-
-    return rule

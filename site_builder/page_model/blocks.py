@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from typing import Any
 
 from simulations.engine.scene import Scene
+from site_builder.page_model.passage import Passage
 from site_builder.page_model.places import Target
 
 
@@ -40,7 +41,7 @@ def contents[T](blocks: Iterable[Block], kind: type[T]) -> Iterator[T]:
 class Prose:
     """Paragraphs, lists, headings, formulae: anything that plain Markdown makes."""
 
-    html: str
+    words: Passage
 
 
 @dataclass(frozen=True, slots=True)
@@ -54,7 +55,7 @@ class Simulation:
     """Starting values that differ from the scene's defaults, already checked."""
     tier: str
     """Starting accuracy; the scene's default where the author named none."""
-    caption_html: str
+    caption: Passage
     path: str
     line: int
     workings_open: bool = False
@@ -70,5 +71,5 @@ class Source:
     path: str
     """File of the module, relative to the root of the project."""
     first_line: int
-    html: str
-    caption_html: str
+    code: str
+    caption: Passage

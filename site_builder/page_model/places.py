@@ -4,6 +4,7 @@ import re
 from dataclasses import dataclass
 from pathlib import PurePosixPath
 
+from site_builder.page_model.passage import Passage
 from site_builder.references.glossary import Term
 from site_builder.references.symbols import Symbol
 
@@ -14,7 +15,7 @@ class Heading:
 
     level: int
     id: str
-    html: str
+    words: Passage
 
 
 @dataclass(frozen=True, slots=True)
@@ -109,8 +110,8 @@ class Meaning:
     """A symbol as it is printed, with what it stands for in a chapter."""
 
     symbol: Symbol
-    html: str
-    means_html: str
+    formula: Passage
+    means: Passage
 
 
 @dataclass(frozen=True, slots=True)
@@ -118,7 +119,7 @@ class Definition:
     """A term of the glossary as it is printed."""
 
     term: Term
-    html: str
+    words: Passage
     explained: Target | None
     """The section that explains it; None where there is none, which is reported."""
 
@@ -127,7 +128,7 @@ class Definition:
 class Need:
     """What a reader should know before a chapter."""
 
-    html: str
+    words: Passage
     chapter: str
     """Id of the chapter that teaches it; nothing where none does."""
     line: int

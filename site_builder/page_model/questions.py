@@ -4,15 +4,17 @@ import hashlib
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 
+from site_builder.page_model.passage import Passage
+
 
 @dataclass(frozen=True, slots=True)
 class Option:
     """One answer of a question, offered or recognised."""
 
-    html: str
+    words: Passage
     text: str
     correct: bool
-    explanation_html: str
+    explanation: Passage
     value: float | None = None
     """Where a number is asked for: the one that this answer is."""
 
@@ -24,7 +26,7 @@ class Question:
     id: str
     """Unique in the book among its like: the reader's answer is remembered under it."""
     kind: str
-    prompt_html: str
+    prompt: Passage
     prompt_text: str
     options: tuple[Option, ...]
     path: str

@@ -6,6 +6,7 @@ from dataclasses import dataclass
 from itertools import groupby
 
 from site_builder.book import Chapter
+from site_builder.page_model.passage import Passage
 
 
 @dataclass(frozen=True, slots=True)
@@ -27,8 +28,8 @@ class Place:
     address: str
     """Relative to the site's root."""
     chapter: Card
-    section: str
-    """Words of its heading, as HTML; nothing before a chapter's first."""
+    section: Passage
+    """Words of its heading; nothing before a chapter's first."""
     explains: bool = False
     """Whether the term is explained here."""
 
@@ -43,18 +44,18 @@ class Atlas:
 
     chapter: Chapter
     card: Card
-    words: Mapping[str, str]
-    """Of its headings, as HTML, by element id."""
+    words: Mapping[str, Passage]
+    """Of its headings, by element id."""
 
     def place(self, section: str, element: str, *, explains: bool = False) -> Place:
         """Of an element below the heading ``section``; of the heading without an element."""
         anchor = element or section
         address = f"{self.card.url}#{anchor}" if anchor else self.card.url
-        return Place(address, self.card, self.words.get(section, ""), explains)
+        return Place(address, self.card, self.words.get(section, Passage()), explains)
 
 
 def atlas(chapter: Chapter) -> Atlas:
-    words = {heading.id: heading.html for heading in chapter.headings}
+    words = {heading.id: heading.words for heading in chapter.headings}
     return Atlas(chapter, card(chapter), words)
 
 

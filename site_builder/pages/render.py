@@ -7,7 +7,14 @@ from functools import cache, lru_cache, partial
 from pathlib import Path
 from typing import Any
 
-from jinja2 import Environment, FileSystemBytecodeCache, FileSystemLoader, StrictUndefined
+from jinja2 import (
+    Environment,
+    FileSystemBytecodeCache,
+    FileSystemLoader,
+    StrictUndefined,
+    pass_context,
+)
+from jinja2.runtime import Context
 from markupsafe import Markup
 from platformdirs import user_cache_path
 
@@ -17,8 +24,9 @@ from site_builder.cache import cached_result, hash_of
 from site_builder.figures.initial_frames import InitialFrames
 from site_builder.files import folder_hash
 from site_builder.markdown.directives.simulation import SIMULATION
-from site_builder.markdown.text.code import highlighted_lines
+from site_builder.markdown.text.code import code_html, highlighted_lines
 from site_builder.page_model.blocks import Block, Simulation
+from site_builder.page_model.passage import Passage
 from site_builder.page_model.places import Heading
 from site_builder.pages.common import BEFORE, BEHIND, STYLES, Common, common_parts
 from site_builder.pages.licences import Licence
@@ -35,9 +43,17 @@ from site_builder.pages.views.references import cited_works
 from site_builder.pages.views.simulation import SimulationView, view_simulation
 from site_builder.pages.views.symbols import view_symbols
 from site_builder.references.bibliography import EMPTY
+from site_builder.render.screen import PassageRenderer, screen_renderer
 from site_builder.search.page_text import reading_minutes
 from site_builder.settings.reading import storage_prefix
 from site_builder.settings.theme import colours
+
+
+@pass_context
+def passage_html(context: Context, passage: Passage) -> Markup:
+    renderer: PassageRenderer = context["renderer"]
+    return renderer(passage)
+
 
 TEMPLATES = Path(__file__).parents[1] / "templates"
 BACK_MATTER = {
@@ -58,6 +74,8 @@ FILTERS: Mapping[str, Callable[..., object]] = {
     "summary_row": summary_row,
     "reading_minutes": reading_minutes,
     "marked_terms": marked_terms,
+    "passage": passage_html,
+    "code": lambda code: Markup(code_html(code, "python")),
     "highlighted": lambda code: highlighted_lines(code, "python"),
 }
 """What templates ask for where they show more than lies ready in the page model."""
@@ -285,6 +303,7 @@ def in_words(book: Book) -> dict[str, object]:
         "book": book,
         "words": book.words,
         "t": book.words.html,
+        "renderer": screen_renderer(book.words),
         "policy": partial(
             page_policy, raw_html=book.settings.trust.raw_html, published=bool(book.address)
         ),

@@ -12,13 +12,14 @@ from simulations.engine.stages import StageCache
 from simulations.registry import SCENE_MODULES, load_scene
 from site_builder.figures.prerendered_frames import prerender
 from site_builder.page_model.blocks import Simulation
+from site_builder.page_model.passage import Passage
 
 
 @pytest.mark.parametrize("scene", [pytest.param(name, id=name) for name in SCENE_MODULES])
 def test_each_frame_says_and_draws_what_its_scene_does(scene: str) -> None:
     of: Scene[Any] = load_scene(scene)
     start = values_of(of.check({}))
-    figure = Simulation(of, f"figure-{scene}", {}, of.default_tier, "", "", 1)
+    figure = Simulation(of, f"figure-{scene}", {}, of.default_tier, Passage(), "", 1)
     strip = prerender("page", figure)
     if strip is None:
         return

@@ -5,9 +5,10 @@ from dataclasses import dataclass
 
 from site_builder.markdown.bodies import BLOCKS
 from site_builder.markdown.directive import Argument, Directive, DirectiveCall, OptionLine
-from site_builder.markdown.inline import inline_html
+from site_builder.markdown.inline import inline_passage
 from site_builder.markdown.parse_context import ParseContext
 from site_builder.page_model.blocks import Block
+from site_builder.page_model.passage import Passage
 
 
 @dataclass(frozen=True, slots=True)
@@ -43,16 +44,16 @@ class Callout:
 
     kind: str
     """Its class."""
-    title_html: str
+    title: Passage
 
 
 def read_callout(call: DirectiveCall, _body: Sequence[Block], context: ParseContext) -> Callout:
     title = call.argument or context.words(f"callout.{call.name}")
-    return Callout(KINDS[call.name].look, inline_html(title, call.line, context))
+    return Callout(KINDS[call.name].look, inline_passage(title, call.line, context))
 
 
 def read_admonition(call: DirectiveCall, _body: Sequence[Block], context: ParseContext) -> Callout:
-    return Callout(call.text("class"), inline_html(call.argument, call.line, context))
+    return Callout(call.text("class"), inline_passage(call.argument, call.line, context))
 
 
 CALLOUTS = (

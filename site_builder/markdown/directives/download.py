@@ -8,6 +8,7 @@ from site_builder.markdown.bodies import CAPTION
 from site_builder.markdown.directive import Argument, Directive, DirectiveCall
 from site_builder.markdown.files.content_files import found
 from site_builder.markdown.parse_context import ParseContext
+from site_builder.page_model.passage import Passage
 
 ACTIVE = (
     ".html", ".htm", ".xhtml", ".xht", ".shtml", ".mht", ".mhtml", ".xml", ".xsl", ".xslt", ".svgz",
@@ -26,11 +27,11 @@ class Download:
     name: str
     """What it is called once it is there."""
     size: str
-    words_html: str
+    words: Passage
     """What is in it; nothing where the name says it."""
 
 
-def read_download(call: DirectiveCall, words_html: str, context: ParseContext) -> Download | None:
+def read_download(call: DirectiveCall, words: Passage, context: ParseContext) -> Download | None:
     file = found(call.argument, call.line, context, "file")
     if file is None:
         return None
@@ -41,7 +42,7 @@ def read_download(call: DirectiveCall, words_html: str, context: ParseContext) -
         return None
     context.files.add(call.argument)
     name = PurePosixPath(call.argument).name
-    return Download(call.argument, name, size_words(file.stat().st_size, context.words), words_html)
+    return Download(call.argument, name, size_words(file.stat().st_size, context.words), words)
 
 
 def _runs(file: Path) -> bool:

@@ -6,20 +6,21 @@ from dataclasses import dataclass
 from site_builder.markdown.bodies import BLOCKS
 from site_builder.markdown.directive import LABEL, Argument, Directive, DirectiveCall, Numbered
 from site_builder.markdown.headings import slug
-from site_builder.markdown.inline import inline_html
+from site_builder.markdown.inline import inline_passage
 from site_builder.markdown.parse_context import ParseContext
 from site_builder.page_model.blocks import Block
+from site_builder.page_model.passage import Passage
 
 
 @dataclass(frozen=True, slots=True)
 class Example:
     """A worked example; what it says is in the blocks inside."""
 
-    title_html: str
+    title: Passage
 
 
 def read_example(call: DirectiveCall, _body: Sequence[Block], context: ParseContext) -> Example:
-    return Example(inline_html(call.argument, call.line, context))
+    return Example(inline_passage(call.argument, call.line, context))
 
 
 EXAMPLE = Directive(

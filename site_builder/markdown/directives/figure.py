@@ -15,6 +15,7 @@ from site_builder.markdown.directive import (
 )
 from site_builder.markdown.files.content_files import PICTURES, Size, found, picture_size
 from site_builder.markdown.parse_context import ParseContext
+from site_builder.page_model.passage import Passage
 
 SUFFIXES = PICTURES
 WIDTH = re.compile(r"([1-9]\d?|100)%|([1-9]\d{1,3})px")
@@ -30,7 +31,7 @@ class Figure:
     file: str
     """Path below ``content/``."""
     alt: str
-    caption_html: str
+    caption: Passage
     size: Size | None
     """Its own, so that its room is kept before it is there."""
     width: str = ""
@@ -39,13 +40,13 @@ class Figure:
     """Path of what is shown in its place on dark paper."""
 
 
-def read_figure(call: DirectiveCall, caption_html: str, context: ParseContext) -> Figure | None:
+def read_figure(call: DirectiveCall, caption: Passage, context: ParseContext) -> Figure | None:
     file = found(call.argument, call.line, context, "picture file", PICTURES)
     size = picture_size(file) if file else None
     dark, width = _dark(call, size, context), _width(call, context)
     if file is None:
         return None
-    return Figure(call.argument, call.text("alt"), caption_html, size, width, dark)
+    return Figure(call.argument, call.text("alt"), caption, size, width, dark)
 
 
 def _width(call: DirectiveCall, context: ParseContext) -> str:

@@ -18,6 +18,7 @@ from site_builder.markdown.directive import (
     OptionLine,
 )
 from site_builder.markdown.parse_context import ParseContext
+from site_builder.page_model.passage import Passage
 from site_builder.sandbox import run_limited
 
 MODULES = found("illustrations")
@@ -30,12 +31,10 @@ class Drawn:
 
     illustration: Illustration
     description: str
-    caption_html: str
+    caption: Passage
 
 
-def read_illustration(
-    call: DirectiveCall, caption_html: str, context: ParseContext
-) -> Drawn | None:
+def read_illustration(call: DirectiveCall, caption: Passage, context: ParseContext) -> Drawn | None:
     if not MODULES:
         context.problem(call.line, f"the book has no illustrations; legal: one in {ROOM}")
         return None
@@ -50,13 +49,13 @@ def read_illustration(
         message = f"illustration {call.argument!r}: draw returned {kind}; legal: an Illustration"
         context.problem(call.line, message)
         return None
-    if not caption_html:
+    if not caption:
         expected = "one to three sentences"
         context.problem(
             call.line, f"illustration {call.argument!r} has no caption; legal: {expected}"
         )
     words = call.text("alt") or illustration.description
-    return Drawn(illustration, words, caption_html)
+    return Drawn(illustration, words, caption)
 
 
 @cached

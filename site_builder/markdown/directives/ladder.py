@@ -5,8 +5,9 @@ from dataclasses import dataclass
 from site_builder.benchmarks.measurements import MeasuredLadder, MeasurementError
 from site_builder.markdown.bodies import CAPTION
 from site_builder.markdown.directive import Argument, Directive, DirectiveCall, Numbered, OptionLine
-from site_builder.markdown.inline import inline_html
+from site_builder.markdown.inline import inline_passage
 from site_builder.markdown.parse_context import ParseContext
+from site_builder.page_model.passage import Passage
 
 
 @dataclass(frozen=True, slots=True)
@@ -16,15 +17,15 @@ class LadderFigure:
     measured: MeasuredLadder
     id: str
     """Element id: ``ladder-`` and the ladder's id, numbered where a page shows one twice."""
-    caption_html: str
-    default_html: str
+    caption: Passage
+    default_reason: Passage
     """Why its default was chosen; nothing where another metric than the first judges."""
     open: bool
     """Whether chart and table are shown before they are asked for."""
 
 
 def read_ladder(
-    call: DirectiveCall, caption_html: str, context: ParseContext
+    call: DirectiveCall, caption: Passage, context: ParseContext
 ) -> LadderFigure | None:
     try:
         measured = context.measurements.find(call.argument, call.text("metric"))
@@ -35,13 +36,13 @@ def read_ladder(
     return LadderFigure(
         measured,
         name,
-        caption_html,
+        caption,
         _read_default(call, measured, context),
         call.text("chart") == "open",
     )
 
 
-def _read_default(call: DirectiveCall, measured: MeasuredLadder, context: ParseContext) -> str:
+def _read_default(call: DirectiveCall, measured: MeasuredLadder, context: ParseContext) -> Passage:
     """Explained where the metric judges that chose the default, and there always."""
     ladder, option = measured.ladder, call.options.get("default")
     chosen, explained = measured.metric is ladder.metrics[0], bool(call.text("default"))
@@ -53,7 +54,7 @@ def _read_default(call: DirectiveCall, measured: MeasuredLadder, context: ParseC
     if chosen and not explained:
         expected = f"a line ':default: …', why its figures settle in {ladder.default_tier!r}"
         context.problem(line, f"{which} does not explain its default; legal: {expected}")
-    return inline_html(option.text, option.line, context) if option else ""
+    return inline_passage(option.text, option.line, context) if option else Passage()
 
 
 LADDER = Directive(

@@ -5,8 +5,9 @@ from dataclasses import dataclass
 from site_builder.benchmarks.measurements import MeasuredLadder, MeasurementError
 from site_builder.markdown.bodies import no_body
 from site_builder.markdown.directive import LABEL, Argument, Directive, DirectiveCall, Numbered
-from site_builder.markdown.inline import inline_html
+from site_builder.markdown.inline import inline_passage
 from site_builder.markdown.parse_context import ParseContext
+from site_builder.page_model.passage import Passage
 
 
 @dataclass(frozen=True, slots=True)
@@ -14,7 +15,7 @@ class LadderTable:
     """All measured ladders, a line each."""
 
     rows: tuple[MeasuredLadder, ...]
-    caption_html: str
+    caption: Passage
 
 
 def read_ladder_table(
@@ -25,7 +26,7 @@ def read_ladder_table(
     except MeasurementError as error:
         context.problem(call.line, str(error))
         return None
-    return LadderTable(rows, inline_html(call.argument, call.line, context))
+    return LadderTable(rows, inline_passage(call.argument, call.line, context))
 
 
 LADDER_TABLE = Directive(

@@ -29,6 +29,7 @@ from site_builder.markdown.questions.question import (
     prompt_text,
 )
 from site_builder.markdown.questions.sketches import read_curve
+from site_builder.page_model.passage import passage
 from site_builder.page_model.questions import Option, Prediction
 
 KINDS = ("choice", "number", "sketch")
@@ -62,7 +63,7 @@ def read_predict(
     return Prediction(
         id=call.argument,
         kind=kind,
-        prompt_html=context.html(parts.prompt),
+        prompt=passage(parts.prompt),
         prompt_text=prompt_text(parts),
         options=options,
         path=context.path,

@@ -30,6 +30,7 @@ from site_builder.markdown.questions.question import (
     check_options_belong,
     prompt_text,
 )
+from site_builder.page_model.passage import Passage, passage
 from site_builder.page_model.questions import Option, Quiz
 
 KINDS = ("single", "multiple", "number", "order", "figure")
@@ -53,7 +54,7 @@ def read_quiz(call: DirectiveCall, body: Sequence[Token], context: ParseContext)
     return Quiz(
         id=call.argument,
         kind=kind,
-        prompt_html=_prompt_html(parts, call, context),
+        prompt=_prompt(parts, call, context),
         prompt_text=prompt_text(parts),
         options=options,
         path=context.path,
@@ -90,14 +91,14 @@ def _solution(call: DirectiveCall, kind: str, context: ParseContext) -> dict[str
     return dict(pair.split("=", 1) for pair in pairs if "=" in pair)
 
 
-def _prompt_html(parts: Parts, call: DirectiveCall, context: ParseContext) -> str:
-    """The question as phrasing content: all that a ``legend`` may hold."""
-    shown: list[str] = []
+def _prompt(parts: Parts, call: DirectiveCall, context: ParseContext) -> Passage:
+    """The question as phrasing content, all that a ``legend`` may hold: one line below another."""
+    shown: list[list[Token]] = []
     for token in parts.prompt:
         if token.type == "inline":
-            shown.append(context.html([token]))
+            shown.append(list(token.children or ()))
         elif token.type in ("math_block", "math_block_label"):
-            shown.append(str(token.meta.get("mathml", "")))
+            shown.append([Token("math_inline", "math", 0, content=token.content, meta=token.meta)])
         elif token.type not in ("paragraph_open", "paragraph_close"):
             context.problem(
                 call.line,
@@ -105,7 +106,11 @@ def _prompt_html(parts: Parts, call: DirectiveCall, context: ParseContext) -> st
                 "legal: put it above the quiz",
             )
             break
-    return "<br>".join(shown)
+    first, *others = shown or [[]]
+    lines = [*first]
+    for line in others:
+        lines += [Token("hardbreak", "br", 0), *line]
+    return passage([Token("inline", "", 0, children=lines)])
 
 
 def _check_answers(

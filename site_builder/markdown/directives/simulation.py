@@ -20,6 +20,7 @@ from site_builder.markdown.directive import (
 from site_builder.markdown.parse_context import ParseContext
 from site_builder.markdown.scenes import find_scene, read_setting, read_tier
 from site_builder.page_model.blocks import Simulation
+from site_builder.page_model.passage import passage
 
 OWN_OPTIONS = ("tier", "workings")
 """Those that are no control of the scene."""
@@ -39,7 +40,7 @@ def read_simulation(
         values=_read_values(call, scene, context),
         tier=_read_tier(call, scene, context),
         workings_open=call.text("workings") == "open",
-        caption_html=context.html(body),
+        caption=passage(body),
         path=context.path,
         line=call.line,
     )

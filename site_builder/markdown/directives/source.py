@@ -9,14 +9,14 @@ from site_builder.diagnostics import unknown
 from site_builder.markdown.bodies import CAPTION
 from site_builder.markdown.directive import Argument, Directive, DirectiveCall
 from site_builder.markdown.parse_context import ParseContext
-from site_builder.markdown.text.code import code_html
 from site_builder.page_model.blocks import Source
+from site_builder.page_model.passage import Passage
 
 FORM = "package.module:function"
 type Definition = ast.FunctionDef | ast.ClassDef
 
 
-def read_source(call: DirectiveCall, caption_html: str, context: ParseContext) -> Source | None:
+def read_source(call: DirectiveCall, caption: Passage, context: ParseContext) -> Source | None:
     module, _, name = call.argument.partition(":")
     path = f"{module.replace('.', '/')}.py"
     source = _text_of(module, name, path, call, context)
@@ -34,7 +34,7 @@ def read_source(call: DirectiveCall, caption_html: str, context: ParseContext) -
         return None
     first, last = _span(definitions[name])
     code = dedent("\n".join(source.splitlines()[first - 1 : last])) + "\n"
-    return Source(module, name, path, first, code_html(code, "python"), caption_html)
+    return Source(module, name, path, first, code, caption)
 
 
 def _text_of(

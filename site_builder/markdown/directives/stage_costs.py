@@ -7,6 +7,7 @@ from site_builder.markdown.bodies import CAPTION
 from site_builder.markdown.directive import LABEL, Argument, Directive, DirectiveCall, Numbered
 from site_builder.markdown.parse_context import ParseContext
 from site_builder.markdown.scenes import find_scene
+from site_builder.page_model.passage import Passage
 
 
 @dataclass(frozen=True, slots=True)
@@ -14,17 +15,17 @@ class StageCostTable:
     """What each moved control costs of a whole frame of one scene."""
 
     costs: StageCosts
-    caption_html: str
+    caption: Passage
 
 
 def read_stage_cost_table(
-    call: DirectiveCall, caption_html: str, context: ParseContext
+    call: DirectiveCall, caption: Passage, context: ParseContext
 ) -> StageCostTable | None:
     scene = find_scene(call.argument, call.line, context)
     if scene is None:
         return None
     try:
-        return StageCostTable(read_stage_costs(context.root, scene), caption_html)
+        return StageCostTable(read_stage_costs(context.root, scene), caption)
     except StageCostError as error:
         context.problem(call.line, str(error))
         return None

@@ -15,28 +15,29 @@ from site_builder.markdown.directive import (
     Numbered,
 )
 from site_builder.markdown.headings import slug
-from site_builder.markdown.inline import inline_html
+from site_builder.markdown.inline import inline_passage
 from site_builder.markdown.parse_context import ParseContext
+from site_builder.page_model.passage import Passage, passage
 
 
 @dataclass(frozen=True, slots=True)
 class Table:
     """A table that has a caption."""
 
-    caption_html: str
-    html: str
+    caption: Passage
+    table: Passage
 
 
-def _one_table(call: DirectiveCall, tokens: Sequence[Token], context: ParseContext) -> str:
+def _one_table(call: DirectiveCall, tokens: Sequence[Token], context: ParseContext) -> Passage:
     margin = [token.type for token in tokens if token.level == tokens[0].level]
     if margin != ["table_open", "table_close"]:
         found = "more than a table" if "table_open" in margin else "no table"
         context.problem(call.line, f"{{table}} holds {found}; legal: one table, nothing else")
-    return context.html(plain_tokens(call, tokens, context))
+    return passage(plain_tokens(call, tokens, context))
 
 
-def read_table(call: DirectiveCall, html: str, context: ParseContext) -> Table:
-    return Table(inline_html(call.argument, call.line, context), html)
+def read_table(call: DirectiveCall, table: Passage, context: ParseContext) -> Table:
+    return Table(inline_passage(call.argument, call.line, context), table)
 
 
 TABLE = Directive(

@@ -12,9 +12,10 @@ from site_builder.markdown.blocks import read_blocks
 from site_builder.markdown.bodies import BLOCKS
 from site_builder.markdown.directive import Argument, Body, Directive, DirectiveCall
 from site_builder.markdown.headings import slug
-from site_builder.markdown.inline import inline_html
+from site_builder.markdown.inline import inline_passage
 from site_builder.markdown.parse_context import ParseContext
 from site_builder.page_model.blocks import Block
+from site_builder.page_model.passage import Passage
 
 LEGAL = "two or more ':::{tab} Title'"
 
@@ -30,7 +31,7 @@ class Tab:
 
     id: str
     """Element id."""
-    title_html: str
+    title: Passage
 
 
 def _read_tabs_body(
@@ -65,7 +66,7 @@ def read_tab(call: DirectiveCall, _body: Sequence[Block], context: ParseContext)
         context.problem(call.line, "{tab} outside of {tabs}; legal: inside ':::{tabs}'")
         return None
     name = context.free_id(f"tab-{slug(call.argument)}", call.line)
-    return Tab(name, inline_html(call.argument, call.line, context))
+    return Tab(name, inline_passage(call.argument, call.line, context))
 
 
 TABS = Directive(

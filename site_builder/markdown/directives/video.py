@@ -15,6 +15,7 @@ from site_builder.markdown.directive import (
 )
 from site_builder.markdown.files.content_files import PICTURES, Size, found, picture_size
 from site_builder.markdown.parse_context import ParseContext
+from site_builder.page_model.passage import Passage
 
 KINDS = {".mp4": "video/mp4", ".webm": "video/webm"}
 SILENT = "none"
@@ -36,10 +37,10 @@ class Video:
     captions: str
     """Nothing for a film without words."""
     language: str
-    caption_html: str
+    caption: Passage
 
 
-def read_video(call: DirectiveCall, caption_html: str, context: ParseContext) -> Video | None:
+def read_video(call: DirectiveCall, caption: Passage, context: ParseContext) -> Video | None:
     file = found(call.argument, call.line, context, "film", tuple(KINDS))
     poster = _file(call.options.get("poster"), context, "picture file", PICTURES)
     captions = call.options.get("captions")
@@ -65,7 +66,7 @@ def read_video(call: DirectiveCall, caption_html: str, context: ParseContext) ->
         size=picture_size(poster) if poster else None,
         captions=captions.text if words and captions else "",
         language=call.text("language") or context.words.language,
-        caption_html=caption_html,
+        caption=caption,
     )
 
 

@@ -3,7 +3,7 @@
 from collections.abc import Mapping, Sequence
 
 from site_builder.book import Book, Chapter
-from site_builder.markdown.inline import inline_html
+from site_builder.markdown.inline import inline_passage
 from site_builder.markdown.parse_context import ParseContext
 from site_builder.markdown.text.symbols import spelt
 from site_builder.page_model.places import Definition, Meaning
@@ -17,7 +17,7 @@ def read_definitions(glossary: Glossary, context: ParseContext) -> tuple[Definit
 
 
 def _definition(term: Term, context: ParseContext) -> Definition:
-    html = inline_html(term.says, term.line, context)
+    words = inline_passage(term.says, term.line, context)
     if context.citations or context.links:
         expected = "a {ref}, or a citation in the section that explains it"
         context.problem(
@@ -37,7 +37,7 @@ def _definition(term: Term, context: ParseContext) -> Definition:
         context.problem(
             term.line, f"{term.name!r} explained by {explained.name}; legal: {expected}"
         )
-    return Definition(term, html, explained)
+    return Definition(term, words, explained)
 
 
 def read_meanings(symbols: Symbols, context: ParseContext) -> Mapping[str, tuple[Meaning, ...]]:
@@ -49,14 +49,14 @@ def read_meanings(symbols: Symbols, context: ParseContext) -> Mapping[str, tuple
 
 
 def _meaning(symbol: Symbol, context: ParseContext) -> Meaning:
-    html = inline_html(f"${symbol.tex}$", symbol.line, context)
-    means_html = inline_html(symbol.means, symbol.line, context)
+    formula = inline_passage(f"${symbol.tex}$", symbol.line, context)
+    means = inline_passage(symbol.means, symbol.line, context)
     if context.links or context.citations:
         message = f"link or citation in the meaning of {symbol.tex!r}; legal: a {{ref}}"
         context.problem(symbol.line, message)
         context.links.clear()
         context.citations.clear()
-    return Meaning(symbol, html, means_html)
+    return Meaning(symbol, formula, means)
 
 
 def meanings_in(book: Book, chapter: Chapter) -> Sequence[Meaning]:

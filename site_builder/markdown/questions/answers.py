@@ -12,6 +12,7 @@ from markdown_it.token import Token
 from site_builder.markdown.directive import DirectiveCall
 from site_builder.markdown.parse_context import ParseContext
 from site_builder.markdown.text.tokens import plain_text
+from site_builder.page_model.passage import Passage, passage
 
 MARKS = {"[ ]": "wrong", "[x]": "right", "[X]": "right", "[?]": "computed"}
 LEGAL_MARKS = "'- [ ] …' or '- [x] …'"
@@ -43,9 +44,9 @@ class Answer:
     """``right``, ``wrong`` or ``computed``; nothing where the list carries no marks."""
     code: str
     """The expression that it begins with, where one is asked for."""
-    html: str
+    words: Passage
     text: str
-    reply_html: str
+    reply: Passage
     line: int
 
 
@@ -115,9 +116,9 @@ def read_answer(
     return Answer(
         mark=mark,
         code=code,
-        html=context.html([words]),
+        words=passage([words]),
         text=text,
-        reply_html=context.html([Token("inline", "", 0, children=reply)]),
+        reply=passage([Token("inline", "", 0, children=reply)]),
         line=item.line,
     )
 

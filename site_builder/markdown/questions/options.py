@@ -3,6 +3,8 @@
 import math
 from collections.abc import Sequence
 
+from markdown_it.token import Token
+
 from simulations.engine.frame import format_number
 from site_builder.benchmarks.quantities import with_unit
 from site_builder.languages.words import Words
@@ -10,6 +12,7 @@ from site_builder.markdown.calculation import number, truth
 from site_builder.markdown.directive import DirectiveCall, OptionLine
 from site_builder.markdown.parse_context import ParseContext
 from site_builder.markdown.questions.answers import Answer, Item, read_answer
+from site_builder.page_model.passage import Passage, passage
 from site_builder.page_model.questions import Option
 
 OTHERWISE = "otherwise"
@@ -23,7 +26,7 @@ def chosen_options(items: Sequence[Item], context: ParseContext) -> tuple[Option
     answers = (read_answer(item, context) for item in items)
     judged = ((answer, _is_right(answer, context)) for answer in answers if answer)
     return tuple(
-        Option(answer.html, answer.text, right, answer.reply_html)
+        Option(answer.words, answer.text, right, answer.reply)
         for answer, right in judged
         if right is not None
     )
@@ -44,7 +47,7 @@ def ordered_options(items: Sequence[Item], context: ParseContext) -> tuple[Optio
     """Things to put in order, in the right one."""
     answers = (read_answer(item, context, marked=False) for item in items)
     return tuple(
-        Option(answer.html, answer.text, True, answer.reply_html) for answer in answers if answer
+        Option(answer.words, answer.text, True, answer.reply) for answer in answers if answer
     )
 
 
@@ -54,7 +57,7 @@ def state_options(items: Sequence[Item], context: ParseContext) -> tuple[Option,
     for answer in (read_answer(item, context, coded=True) for item in items):
         if answer and (answer.code or answer.text == OTHERWISE):
             right = answer.mark == "right"
-            options.append(Option("", answer.code or OTHERWISE, right, answer.reply_html))
+            options.append(Option(Passage(), answer.code or OTHERWISE, right, answer.reply))
         elif answer:
             _not_coded(answer, context)
     return tuple(options)
@@ -87,7 +90,7 @@ def _number_option(
 ) -> Option:
     text = OTHERWISE if value is None else number_text(value, tolerance, call.text("unit"), words)
     right = answer.mark == "right"
-    return Option(text, text, right, answer.reply_html, value)
+    return Option(passage([_text(text)]), text, right, answer.reply, value)
 
 
 def number_text(value: float, tolerance: float, unit: str, words: Words) -> str:
@@ -134,3 +137,7 @@ def _check_apart(
 def _not_coded(answer: Answer, context: ParseContext) -> None:
     expected = f"an expression between backticks, or '- [ ] {OTHERWISE}'"
     context.problem(answer.line, f"answer {answer.text!r} is not computed; legal: {expected}")
+
+
+def _text(words: str) -> Token:
+    return Token("inline", "", 0, children=[Token("text", "", 0, content=words)])

@@ -17,6 +17,12 @@ class UnknownLanguageError(ValueError):
     """A code fence names a language that nothing can colour."""
 
 
+def check_language(language: str) -> None:
+    """Raises `UnknownLanguageError`."""
+    if language:
+        highlighted_lines("", language)
+
+
 def code_html(code: str, language: str) -> str:
     """``code`` as a ``<pre>``; plain where ``language`` is empty."""
     if not language:

@@ -6,7 +6,6 @@ or its unit, even at a no-break space.
 
 import re
 from collections.abc import Sequence
-from html import escape
 from itertools import pairwise
 
 from markdown_it.token import Token
@@ -37,15 +36,13 @@ def glue_formulae(tokens: Sequence[Token]) -> None:
 
 
 def _take(formula: Token, text: Token, pattern: re.Pattern[str]) -> None:
-    """Move what ``pattern`` finds in the neighbouring text into the formula's own span."""
+    """Move what ``pattern`` finds in the neighbouring text to the formula: renderers keep both on
+    one line."""
     found = pattern.search(text.content)
     if not found or not found[0] or "mathml" not in formula.meta:
         return
     text.content = text.content[: found.start()] + text.content[found.end() :]
-    found_html = escape(found[0].replace(" ", "\u00a0"))
-    inner = formula.meta["mathml"].removeprefix('<span class="nowrap">').removesuffix("</span>")
-    outer = inner + found_html if pattern is not OPENING else found_html + inner
-    formula.meta["mathml"] = f'<span class="nowrap">{outer}</span>'
+    formula.meta["before" if pattern is OPENING else "after"] = found[0].replace(" ", "\u00a0")
 
 
 def displayed_parts(tex: str) -> list[str]:

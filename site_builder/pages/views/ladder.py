@@ -63,7 +63,7 @@ def view_ladder(figure: LadderFigure, words: Words = ENGLISH) -> LadderView:
     measured = figure.measured
     chart = pareto_chart(measured, words)
     metrics = _metrics(measured)
-    choice = default_choice(measured, words) if figure.default_html else None
+    choice = default_choice(measured, words) if figure.default_reason else None
     return LadderView(
         chart=chart,
         metrics=tuple((metric.label, metric.unit) for metric in metrics),

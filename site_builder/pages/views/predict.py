@@ -2,6 +2,8 @@
 
 from dataclasses import dataclass
 
+from jinja2 import pass_context
+from jinja2.runtime import Context
 from markupsafe import Markup
 
 from simulations.engine.drawing import coordinate
@@ -43,13 +45,14 @@ class SketchView:
     step: str
 
 
-def predict_data(prediction: Prediction) -> Markup:
+@pass_context
+def predict_data(context: Context, prediction: Prediction) -> Markup:
     """JSON that is safe inside a script element."""
     data: dict[str, object] = {
         "id": prediction.id,
         "kind": prediction.kind,
         "edition": prediction.edition,
-        "options": option_data(prediction.options),
+        "options": option_data(prediction.options, context["renderer"]),
     }
     if prediction.kind == "number":
         data |= {"tolerance": prediction.tolerance, "truth": truth_text(prediction)}

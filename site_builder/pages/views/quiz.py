@@ -3,20 +3,24 @@
 import hashlib
 from collections.abc import Sequence
 
+from jinja2 import pass_context
+from jinja2.runtime import Context
 from markupsafe import Markup
 
 from site_builder.markdown.questions.options import OTHERWISE
 from site_builder.page_model.questions import Option, Quiz
 from site_builder.pages.embedding import json_for_html
+from site_builder.render.screen import PassageRenderer
 
 
-def quiz_data(quiz: Quiz) -> Markup:
+@pass_context
+def quiz_data(context: Context, quiz: Quiz) -> Markup:
     """JSON that is safe inside a script element."""
     data: dict[str, object] = {
         "id": quiz.id,
         "kind": quiz.kind,
         "edition": quiz.edition,
-        "options": option_data(quiz.options),
+        "options": option_data(quiz.options, context["renderer"]),
     }
     if quiz.kind == "number":
         data["tolerance"] = quiz.tolerance
@@ -25,10 +29,10 @@ def quiz_data(quiz: Quiz) -> Markup:
     return json_for_html(data)
 
 
-def option_data(options: Sequence[Option]) -> list[dict[str, object]]:
+def option_data(options: Sequence[Option], render: PassageRenderer) -> list[dict[str, object]]:
     """What is said of each answer, and the number that it is, where it is one."""
     return [
-        {"correct": option.correct, "explanation_html": option.explanation_html}
+        {"correct": option.correct, "explanation_html": render(option.explanation)}
         | ({} if option.value is None else {"value": option.value})
         for option in options
     ]

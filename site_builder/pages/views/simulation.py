@@ -13,6 +13,7 @@ from simulations.registry import load_ladder
 from site_builder.figures.initial_frames import InitialFrame
 from site_builder.languages.words import ENGLISH, Words
 from site_builder.page_model.blocks import Simulation
+from site_builder.page_model.passage import Passage
 from site_builder.pages.embedding import json_for_html
 from site_builder.pages.figure_grid import even_columns
 from site_builder.pages.views.control import CellView, control_cells, value_text
@@ -54,7 +55,7 @@ class SimulationView:
     name: str
     """The scene's title, numbered where the page shows the scene again."""
     description: str
-    caption_html: str
+    caption: Passage
     panels: tuple[PanelView, ...]
     readouts: tuple[Readout, ...]
     cells: tuple[CellView, ...]
@@ -89,7 +90,7 @@ def view_simulation(still: InitialFrame, assets: str, words: Words = ENGLISH) ->
         scene_id=scene.id,
         name=_name(figure),
         description=frame.description,
-        caption_html=figure.caption_html,
+        caption=figure.caption,
         panels=tuple(
             PanelView(
                 panel, *_picture(still, panel.name, assets), _handles(still, panel.name, words)

@@ -6,9 +6,12 @@ import pytest
 
 from simulations.engine.scene import Scene
 from site_builder.diagnostics import Diagnostics
+from site_builder.languages.words import ENGLISH
 from site_builder.markdown.inline import annotate
 from site_builder.markdown.parse_context import ParseContext
 from site_builder.markdown.parser import make_parser
+from site_builder.page_model.passage import passage
+from site_builder.render.screen import screen_renderer
 
 
 def load_scene(name: str) -> Scene[object]:
@@ -20,7 +23,7 @@ def rendered(text: str) -> str:
     tokens = context.parser.parse(text, context.env)
     annotate(tokens, context)
     assert not context.problems.found
-    return context.html(tokens)
+    return screen_renderer(ENGLISH)(passage(tokens))
 
 
 @pytest.mark.parametrize(

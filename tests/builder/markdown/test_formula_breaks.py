@@ -2,8 +2,11 @@
 
 import pytest
 
+from site_builder.languages.words import ENGLISH
 from site_builder.markdown.parser import make_parser
 from site_builder.markdown.text.formula_breaks import displayed_parts, glue_formulae
+from site_builder.page_model.passage import passage
+from site_builder.render.screen import screen_renderer
 
 
 def glued(text: str) -> str:
@@ -14,7 +17,7 @@ def glued(text: str) -> str:
             if child.type == "math_inline":
                 child.meta["mathml"] = f"<math>{child.content}</math>"
     glue_formulae(tokens)
-    return str(parser.renderer.render(tokens, parser.options, {})).strip()
+    return screen_renderer(ENGLISH)(passage(tokens))
 
 
 @pytest.mark.parametrize(

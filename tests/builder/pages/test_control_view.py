@@ -9,6 +9,7 @@ from simulations.engine.settings import choice, slider
 from simulations.engine.stages import Outputs
 from site_builder.figures.initial_frames import InitialFrame
 from site_builder.page_model.blocks import Simulation
+from site_builder.page_model.passage import Passage
 from site_builder.pages.views.control import control_cells
 
 
@@ -20,7 +21,7 @@ def still(settings: type) -> InitialFrame:
     scene = Scene("s", "S", settings, draw)
     values = {control.name: control.default for control in scene.controls}
     return InitialFrame(
-        Simulation(scene, "figure-s", {}, "", "", "", 1), values, draw(None, {}), {}
+        Simulation(scene, "figure-s", {}, "", Passage(), "", 1), values, draw(None, {}), {}
     )
 
 

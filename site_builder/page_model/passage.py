@@ -1,0 +1,49 @@
+"""A run of Markdown between parsing and rendering: the parser's tokens, the same for each medium.
+
+The renderers in ``site_builder/render/`` make HTML, XHTML or plain words of it.
+"""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+from markdown_it.token import Token
+
+KEPT = ("mathml", "before", "after", "target", "id", "subId", "label")
+"""What renderers ask of a token's ``meta``: a formula as MathML and the text that stays on its
+line, the target that a heading or an equation is, and what footnotes are counted by."""
+
+
+@dataclass(frozen=True, slots=True)
+class Passage:
+    """Inline words, or paragraphs, lists, headings, formulae: what plain Markdown makes."""
+
+    tokens: tuple[Token, ...] = ()
+
+    def __bool__(self) -> bool:
+        return bool(self.tokens)
+
+
+def passage(tokens: Sequence[Token]) -> Passage:
+    """Of tokens without directives; copies, without what only reading needed."""
+    return Passage(tuple(_copy(token) for token in tokens if not _is_empty(token)))
+
+
+def _is_empty(token: Token) -> bool:
+    if token.type == "inline":
+        return not token.children
+    return token.type in ("html_block", "html_inline") and not token.content.strip()
+
+
+def _copy(token: Token) -> Token:
+    return Token(
+        token.type,
+        token.tag,
+        token.nesting,
+        attrs=dict(token.attrs),
+        children=None if token.children is None else [_copy(child) for child in token.children],
+        content=token.content,
+        info=token.info,
+        meta={name: token.meta[name] for name in KEPT if name in token.meta},
+        block=token.block,
+        hidden=token.hidden,
+    )

@@ -1,0 +1,138 @@
+"""Passages as HTML for the screen. Only tokens that markdown-it renders otherwise have a rule."""
+
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass
+from functools import partial
+from html import escape
+
+from markdown_it import MarkdownIt
+from markdown_it.renderer import RendererProtocol
+from markdown_it.token import Token
+from markdown_it.utils import EnvType, OptionsDict
+from markupsafe import Markup
+from mdit_py_plugins.footnote import footnote_plugin
+
+from site_builder.languages.words import Words
+from site_builder.markdown.text.code import code_html
+from site_builder.page_model.passage import Passage
+from site_builder.page_model.places import Target
+
+type Rules = Mapping[str, Callable[[Token], str]]
+"""HTML of a token by its type."""
+
+
+@dataclass(frozen=True, slots=True)
+class PassageRenderer:
+    """A renderer of markdown-it with rules of one medium."""
+
+    markdown: MarkdownIt
+
+    def __call__(self, passage: Passage) -> Markup:
+        tokens, options = list(passage.tokens), self.markdown.options
+        return Markup(str(self.markdown.renderer.render(tokens, options, {})).strip())
+
+
+def screen_renderer(words: Words) -> PassageRenderer:
+    """``words`` are those of the interface."""
+    return renderer_with(
+        {
+            "math_inline": formula,
+            "math_block": equation,
+            "math_block_label": equation,
+            "fence": code,
+            "heading_open": heading_open,
+            "heading_close": partial(heading_close, words),
+            "table_open": partial(table_open, words),
+            "table_close": table_close,
+        }
+    )
+
+
+def renderer_with(rules: Rules) -> PassageRenderer:
+    markdown = MarkdownIt("commonmark").use(footnote_plugin)
+    for kind, html in rules.items():
+        markdown.add_render_rule(kind, _render_rule(html))
+    markdown.add_render_rule("role", role)
+    return PassageRenderer(markdown)
+
+
+def _render_rule(html: Callable[[Token], str]) -> Callable[..., str]:
+    """``html`` with the signature that markdown-it wants."""
+
+    def rule(
+        _renderer: RendererProtocol,
+        tokens: Sequence[Token],
+        index: int,
+        _o: OptionsDict,
+        _e: EnvType,
+    ) -> str:
+        return html(tokens[index])
+
+    return rule
+
+
+def formula(token: Token) -> str:
+    """In a line of text; nothing where it could not be set, which is reported. Browsers take a
+    formula for a picture, so the stop, bracket or unit beside it is kept on its line."""
+    mathml, meta = mathml_of(token), token.meta
+    if "before" not in meta and "after" not in meta:
+        return mathml
+    before, after = escape(meta.get("before", "")), escape(meta.get("after", ""))
+    return f'<span class="nowrap">{before}{mathml}{after}</span>'
+
+
+def mathml_of(token: Token) -> str:
+    return str(token.meta.get("mathml", ""))
+
+
+def equation(token: Token) -> str:
+    """Its number is the link to it."""
+    target: Target | None = token.meta.get("target")
+    formula = f'<div class="formula">{mathml_of(token)}</div>'
+    if target is None:
+        return f'<div class="equation">{formula}</div>\n'
+    return (
+        f'<div class="equation" id="{target.id}">{formula}'
+        f'<a class="numbered" href="#{target.id}" aria-label="{target.name}">({target.number})</a>'
+        "</div>\n"
+    )
+
+
+def heading_open(token: Token) -> str:
+    return f'<div class="heading"><{token.tag} id="{token.attrGet("id")}">'
+
+
+def heading_close(words: Words, token: Token) -> str:
+    """With a link to the section beside it, which is no part of the heading's name."""
+    target: Target = token.meta["target"]
+    label = escape(words("frame.link_to", title=target.title))
+    link = f'<a class="anchor" href="#{target.id}" aria-label="{label}"></a>'
+    return f"</{token.tag}>{link}</div>\n"
+
+
+def code(token: Token) -> str:
+    return code_html(token.content, token.info.strip())
+
+
+def table_open(words: Words, _token: Token) -> str:
+    """A wrapper that scrolls on narrow screens; focusable, so that it can by keyboard."""
+    label = escape(words("frame.table"))
+    return f'<div class="table-wrapper" tabindex="0" role="group" aria-label="{label}"><table>\n'
+
+
+def table_close(_token: Token) -> str:
+    return "</table></div>\n"
+
+
+def role(
+    renderer: RendererProtocol,
+    tokens: Sequence[Token],
+    index: int,
+    options: OptionsDict,
+    env: EnvType,
+) -> str:
+    """What a role put in the place of its words."""
+    token = tokens[index]
+    if token.children:
+        return str(renderer.render(token.children, options, env))
+    return escape(token.content)
