@@ -24,7 +24,7 @@ from site_builder.checks.pictures import check_pictures
 from site_builder.checks.purity import check_purity
 from site_builder.checks.whole_book import check_book
 from site_builder.diagnostics import BuildError, Diagnostic, Diagnostics
-from site_builder.figures.initial_frames import InitialFrames, render_initial_frames
+from site_builder.figures.initial_frames import InitialFrames, describing, render_initial_frames
 from site_builder.files import file_hash, folder_hash
 from site_builder.offline.manifest import MANIFEST, manifest
 from site_builder.offline.release import no_release, release_files
@@ -39,7 +39,7 @@ from site_builder.publishing.icons import make_icons
 from site_builder.publishing.listings import make_listings
 from site_builder.search.index import ADDRESS as SEARCH_INDEX
 from site_builder.search.index import index_of, indexing
-from site_builder.search.records import explained_terms, make_records
+from site_builder.search.records import make_records
 from site_builder.site_assets import (
     NOW,
     Files,
@@ -238,8 +238,9 @@ def _searched(site: RenderedSite, _files: Files) -> Files:
     book, library = site.checked.book, site.parts.search
     if not library.scripts:
         return {}
+    describe = describing(site.checked.initial_frames)
     means = indexing(library, own_or_engine(site.options.root, "static"), book.words)
-    return {SEARCH_INDEX: index_of(make_records(site.pages, explained_terms(book)), means)}
+    return {SEARCH_INDEX: index_of(make_records(book, describe), means)}
 
 
 def _released(site: RenderedSite, files: Files) -> Files:

@@ -1,6 +1,6 @@
 """The first frame of every figure, computed at build time by the code that runs in the page."""
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from functools import partial
 
@@ -42,6 +42,11 @@ class InitialFrame:
 
 type InitialFrames = dict[tuple[str, int], InitialFrame]
 """By the place of the directive: path and line."""
+
+
+def describing(initial_frames: InitialFrames) -> Callable[[Simulation], str]:
+    """What says in a sentence what a figure shows at first."""
+    return lambda figure: initial_frames[figure.path, figure.line].frame.description
 
 
 def render_initial_frames(

@@ -6,10 +6,12 @@ values; ``directives/__init__.py`` lists them.
 
 from collections.abc import Callable, Collection, Mapping, Sequence
 from dataclasses import dataclass
+from typing import Any
 
 from markdown_it.token import Token
 
 from site_builder.markdown.parse_context import ParseContext
+from site_builder.page_model.passage import Plain
 
 
 @dataclass(frozen=True, slots=True)
@@ -109,5 +111,7 @@ class Directive[B]:
     options: tuple[OptionLine, ...] = ()
     numbered: Numbered | None = None
     """None where it carries no number."""
+    plain: Callable[[Any], Plain] | None = None
+    """What it is in plain words, for the search; None where it is not searched."""
     more_options: str = ""
     """Options that only the reader can judge, in words: ``the controls of the scene``."""

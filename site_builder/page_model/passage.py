@@ -5,6 +5,7 @@ The renderers in ``site_builder/render/`` make HTML, XHTML or plain words of it.
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from typing import Literal
 
 from markdown_it.token import Token
 
@@ -21,6 +22,18 @@ class Passage:
 
     def __bool__(self) -> bool:
         return bool(self.tokens)
+
+
+type Channel = Literal["text", "figure", "question"]
+
+
+@dataclass(frozen=True, slots=True)
+class Plain:
+    """What a directive is in plain words, before those of the blocks inside it."""
+
+    words: tuple[str | Passage, ...] = ()
+    channel: Channel = "text"
+    """What the search takes them for."""
 
 
 def passage(tokens: Sequence[Token]) -> Passage:

@@ -21,18 +21,18 @@ from platformdirs import user_cache_path
 from site_builder.book import Book, Chapter
 from site_builder.book_root import own_or_engine
 from site_builder.cache import cached_result, hash_of
-from site_builder.figures.initial_frames import InitialFrames
+from site_builder.figures.initial_frames import InitialFrames, describing
 from site_builder.files import folder_hash
 from site_builder.markdown.directives.simulation import SIMULATION
 from site_builder.markdown.text.code import code_html, highlighted_lines
 from site_builder.page_model.blocks import Block, Simulation
 from site_builder.page_model.passage import Passage
 from site_builder.page_model.places import Heading
-from site_builder.pages.common import BEFORE, BEHIND, STYLES, Common, common_parts
 from site_builder.pages.licences import Licence
 from site_builder.pages.outside import card_path, origin, page_address
 from site_builder.pages.places import card
 from site_builder.pages.policy import page_policy
+from site_builder.pages.reading_time import reading_minutes
 from site_builder.pages.views.glossary import marked_terms, view_glossary
 from site_builder.pages.views.index import view_index
 from site_builder.pages.views.ladder import summary_row, view_ladder
@@ -44,7 +44,6 @@ from site_builder.pages.views.simulation import SimulationView, view_simulation
 from site_builder.pages.views.symbols import view_symbols
 from site_builder.references.bibliography import EMPTY
 from site_builder.render.screen import PassageRenderer, screen_renderer
-from site_builder.search.page_text import reading_minutes
 from site_builder.settings.reading import storage_prefix
 from site_builder.settings.theme import colours
 
@@ -72,7 +71,6 @@ FILTERS: Mapping[str, Callable[..., object]] = {
     "view_sketch": view_sketch,
     "view_ladder": view_ladder,
     "summary_row": summary_row,
-    "reading_minutes": reading_minutes,
     "marked_terms": marked_terms,
     "passage": passage_html,
     "code": lambda code: Markup(code_html(code, "python")),
@@ -179,13 +177,6 @@ def _renderer(site: Site) -> Callable[..., bytes]:
     follows = back_matter(site.book)
     shared_hash = hash_of(shared, follows, folder_hash(TEMPLATES))
     seen = replace(shared, initial_frames=site.initial_frames)
-    cards = [card(chapter) for chapter in site.book.chapters]
-    line = _environment().get_template("frame/contents-entry.html")
-
-    @cache
-    def common(root: str) -> Common:
-        styles = page_styles(site, root)
-        return common_parts(styles, cards, lambda entry: line.render(root=root, entry=entry))
 
     def render(template: str, path: str = "", **context: object) -> bytes:
         root = "../" * path.count("/") or "./"
@@ -195,10 +186,9 @@ def _renderer(site: Site) -> Callable[..., bytes]:
             return html.encode()
 
         chapter = context.get("chapter")
-        own = chapter if isinstance(chapter, Chapter) else None
-        given = (shared_hash, template, path, context)
-        page = cached_result("page", given, make) if own else make()
-        return common(root).put_into(page, own)
+        if not isinstance(chapter, Chapter):
+            return make()
+        return cached_result("page", (shared_hash, template, path, context), make)
 
     return render
 
@@ -254,6 +244,7 @@ def render_page(site: Site, template: str, root: str, path: str = "", **context:
         "code_editor": site.code_editor,
         "block_html": block_html,
         "simulation_view": simulation_view,
+        "minutes": reading_minutes(chapter, describing(site.initial_frames)) if chapter else 0,
     }
     return environment.get_template(template).render(
         shared,
@@ -261,14 +252,11 @@ def render_page(site: Site, template: str, root: str, path: str = "", **context:
         runtime=f"{root}{site.runtime}" if site.runtime else "",
         first_faces=FIRST_FACES,
         styles=page_styles(site, root),
-        styles_place=Markup(STYLES),
         integrity=integrity,
         address=page_address(path) if path and site.book.address else None,
         card=card_path(chapter),
         scenes=_scenes(chapter, context.get("cover")) if site.runtime else (),
         origin=origin(site.book, path, chapter),
-        entries_before=Markup(BEFORE),
-        entries_behind=Markup(BEHIND),
         **{"chapter": None, "here": "", "sections": (), "back_matter": (), **context},
     )
 

@@ -5,7 +5,7 @@ from dataclasses import dataclass, field
 from itertools import count
 
 from site_builder.book import Book
-from site_builder.search.page_text import Section, read_sections
+from site_builder.render.sections import Describe, Section, chapter_sections, glossary_sections
 
 
 @dataclass(frozen=True, slots=True)
@@ -64,10 +64,17 @@ type PageRecords = tuple[tuple[Record, ...], ...]
 """Of each page, in the order of the pages."""
 
 
-def make_records(pages: Mapping[str, bytes], explained: Mapping[str, Sequence[str]]) -> PageRecords:
-    """The records of pages by their path; ``explained`` as `Records` has it."""
-    records = Records(explained)
-    return tuple(records.of_page(path, read_page(page)) for path, page in pages.items())
+def make_records(book: Book, describe: Describe) -> PageRecords:
+    """The records of all chapters, then those of the glossary."""
+    records = Records(explained_terms(book))
+    pages = [
+        (f"{chapter.url}index.html", chapter_sections(chapter, describe))
+        for chapter in book.chapters
+    ]
+    if book.glossary:
+        summary = book.words("glossary.summary", count=len(book.glossary))
+        pages.append(("glossary/index.html", tuple(glossary_sections(book, summary))))
+    return tuple(records.of_page(path, sections) for path, sections in pages)
 
 
 def explained_terms(book: Book) -> Mapping[str, Sequence[str]]:
@@ -83,14 +90,6 @@ def explained_terms(book: Book) -> Mapping[str, Sequence[str]]:
             address = _address(f"{chapter.url}index.html", mark.section)
             explained.setdefault(address, []).append(mark.entry)
     return explained
-
-
-def read_page(page: bytes) -> tuple[Section, ...]:
-    """What it says; cached by what stands in the middle: the contents around it are as long as the
-    book."""
-    begin = max(page.find(b"<main"), 0)
-    end = page.find(b"</main>", begin)
-    return read_sections(page[begin : end if end >= 0 else None].decode())
 
 
 def _address(path: str, anchor: str) -> str:

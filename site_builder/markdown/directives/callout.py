@@ -8,7 +8,7 @@ from site_builder.markdown.directive import Argument, Directive, DirectiveCall, 
 from site_builder.markdown.inline import inline_passage
 from site_builder.markdown.parse_context import ParseContext
 from site_builder.page_model.blocks import Block
-from site_builder.page_model.passage import Passage
+from site_builder.page_model.passage import Passage, Plain
 
 
 @dataclass(frozen=True, slots=True)
@@ -65,6 +65,7 @@ CALLOUTS = (
             body=BLOCKS,
             read=read_callout,
             template="callout",
+            plain=lambda _callout: Plain(),
         )
         for name, kind in KINDS.items()
     ),
@@ -76,5 +77,6 @@ CALLOUTS = (
         body=BLOCKS,
         read=read_admonition,
         template="callout",
+        plain=lambda _callout: Plain(),
     ),
 )

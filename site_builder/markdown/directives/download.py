@@ -8,7 +8,7 @@ from site_builder.markdown.bodies import CAPTION
 from site_builder.markdown.directive import Argument, Directive, DirectiveCall
 from site_builder.markdown.files.content_files import found
 from site_builder.markdown.parse_context import ParseContext
-from site_builder.page_model.passage import Passage
+from site_builder.page_model.passage import Passage, Plain
 
 ACTIVE = (
     ".html", ".htm", ".xhtml", ".xht", ".shtml", ".mht", ".mhtml", ".xml", ".xsl", ".xslt", ".svgz",
@@ -68,4 +68,5 @@ DOWNLOAD = Directive(
     body=CAPTION,
     read=read_download,
     template="download",
+    plain=lambda download: Plain((download.name, download.words)),
 )

@@ -9,7 +9,7 @@ from site_builder.markdown.headings import slug
 from site_builder.markdown.inline import inline_passage
 from site_builder.markdown.parse_context import ParseContext
 from site_builder.page_model.blocks import Block
-from site_builder.page_model.passage import Passage
+from site_builder.page_model.passage import Passage, Plain
 
 
 @dataclass(frozen=True, slots=True)
@@ -32,4 +32,5 @@ EXAMPLE = Directive(
     read=read_example,
     template="example",
     numbered=Numbered("Example", lambda call: f"example-{slug(call.argument)}"),
+    plain=lambda example: Plain((example.title,)),
 )

@@ -15,7 +15,7 @@ from site_builder.markdown.directive import (
 )
 from site_builder.markdown.files.content_files import PICTURES, Size, found, picture_size
 from site_builder.markdown.parse_context import ParseContext
-from site_builder.page_model.passage import Passage
+from site_builder.page_model.passage import Passage, Plain
 
 SUFFIXES = PICTURES
 WIDTH = re.compile(r"([1-9]\d?|100)%|([1-9]\d{1,3})px")
@@ -87,4 +87,5 @@ FIGURE = Directive(
     numbered=Numbered(
         "Figure", lambda call: f"figure-{PurePosixPath(call.argument).stem}", again=True
     ),
+    plain=lambda figure: Plain((figure.alt, figure.caption), "figure"),
 )

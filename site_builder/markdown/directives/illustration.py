@@ -18,7 +18,7 @@ from site_builder.markdown.directive import (
     OptionLine,
 )
 from site_builder.markdown.parse_context import ParseContext
-from site_builder.page_model.passage import Passage
+from site_builder.page_model.passage import Passage, Plain
 from site_builder.sandbox import run_limited
 
 MODULES = found("illustrations")
@@ -75,4 +75,5 @@ ILLUSTRATION = Directive(
     read=read_illustration,
     template="illustration",
     numbered=Numbered("Figure", lambda call: f"figure-{call.argument}", again=True),
+    plain=lambda drawn: Plain((drawn.description, drawn.caption), "figure"),
 )

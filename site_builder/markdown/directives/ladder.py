@@ -7,7 +7,7 @@ from site_builder.markdown.bodies import CAPTION
 from site_builder.markdown.directive import Argument, Directive, DirectiveCall, Numbered, OptionLine
 from site_builder.markdown.inline import inline_passage
 from site_builder.markdown.parse_context import ParseContext
-from site_builder.page_model.passage import Passage
+from site_builder.page_model.passage import Passage, Plain
 
 
 @dataclass(frozen=True, slots=True)
@@ -57,6 +57,11 @@ def _read_default(call: DirectiveCall, measured: MeasuredLadder, context: ParseC
     return inline_passage(option.text, option.line, context) if option else Passage()
 
 
+def _plain(figure: LadderFigure) -> Plain:
+    ladder = figure.measured.ladder
+    return Plain((ladder.title, ladder.workload, figure.caption), "figure")
+
+
 LADDER = Directive(
     name="ladder",
     doc="a measured speed/accuracy ladder",
@@ -70,4 +75,5 @@ LADDER = Directive(
     read=read_ladder,
     template="ladder",
     numbered=Numbered("Figure", lambda call: f"ladder-{call.argument}", again=True),
+    plain=_plain,
 )

@@ -29,7 +29,7 @@ from site_builder.markdown.questions.question import (
     prompt_text,
 )
 from site_builder.markdown.questions.sketches import read_curve
-from site_builder.page_model.passage import passage
+from site_builder.page_model.passage import Plain, passage
 from site_builder.page_model.questions import Option, Prediction
 
 KINDS = ("choice", "number", "sketch")
@@ -102,4 +102,5 @@ PREDICT = Directive(
     read=read_predict,
     template="predict",
     numbered=Numbered("Prediction", prediction_id),
+    plain=lambda prediction: Plain((prediction.prompt,), "question"),
 )

@@ -30,7 +30,7 @@ from site_builder.markdown.questions.question import (
     check_options_belong,
     prompt_text,
 )
-from site_builder.page_model.passage import Passage, passage
+from site_builder.page_model.passage import Passage, Plain, passage
 from site_builder.page_model.questions import Option, Quiz
 
 KINDS = ("single", "multiple", "number", "order", "figure")
@@ -141,4 +141,5 @@ QUIZ = Directive(
     read=read_quiz,
     template="quiz",
     numbered=Numbered("Question", lambda call: f"quiz-{call.argument}"),
+    plain=lambda quiz: Plain((quiz.prompt,), "question"),
 )

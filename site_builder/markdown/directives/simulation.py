@@ -20,7 +20,7 @@ from site_builder.markdown.directive import (
 from site_builder.markdown.parse_context import ParseContext
 from site_builder.markdown.scenes import find_scene, read_setting, read_tier
 from site_builder.page_model.blocks import Simulation
-from site_builder.page_model.passage import passage
+from site_builder.page_model.passage import Plain, passage
 
 OWN_OPTIONS = ("tier", "workings")
 """Those that are no control of the scene."""
@@ -87,4 +87,5 @@ SIMULATION = Directive(
     read=read_simulation,
     template="simulation",
     numbered=Numbered("Figure", lambda call: f"figure-{call.argument}", again=True),
+    plain=lambda figure: Plain((figure.scene.title, figure.caption), "figure"),
 )

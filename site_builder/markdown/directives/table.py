@@ -17,7 +17,7 @@ from site_builder.markdown.directive import (
 from site_builder.markdown.headings import slug
 from site_builder.markdown.inline import inline_passage
 from site_builder.markdown.parse_context import ParseContext
-from site_builder.page_model.passage import Passage, passage
+from site_builder.page_model.passage import Passage, Plain, passage
 
 
 @dataclass(frozen=True, slots=True)
@@ -49,4 +49,5 @@ TABLE = Directive(
     read=read_table,
     template="table",
     numbered=Numbered("Table", lambda call: f"table-{slug(call.argument)}"),
+    plain=lambda table: Plain((table.caption, table.table)),
 )

@@ -15,7 +15,7 @@ from site_builder.markdown.headings import slug
 from site_builder.markdown.inline import inline_passage
 from site_builder.markdown.parse_context import ParseContext
 from site_builder.page_model.blocks import Block
-from site_builder.page_model.passage import Passage
+from site_builder.page_model.passage import Passage, Plain
 
 LEGAL = "two or more ':::{tab} Title'"
 
@@ -76,6 +76,7 @@ TABS = Directive(
     body=Body(LEGAL.replace("':::{tab} Title'", "`{tab}`"), _read_tabs_body, nests=True),
     read=read_tabs,
     template="tabs",
+    plain=lambda _tabs: Plain(),
 )
 TAB = Directive(
     name="tab",
@@ -84,4 +85,5 @@ TAB = Directive(
     body=BLOCKS,
     read=read_tab,
     template="tab",
+    plain=lambda tab: Plain((tab.title,)),
 )

@@ -15,7 +15,7 @@ from site_builder.markdown.directive import (
 )
 from site_builder.markdown.files.content_files import PICTURES, Size, found, picture_size
 from site_builder.markdown.parse_context import ParseContext
-from site_builder.page_model.passage import Passage
+from site_builder.page_model.passage import Passage, Plain
 
 KINDS = {".mp4": "video/mp4", ".webm": "video/webm"}
 SILENT = "none"
@@ -108,4 +108,5 @@ VIDEO = Directive(
     numbered=Numbered(
         "Figure", lambda call: f"figure-{PurePosixPath(call.argument).stem}", again=True
     ),
+    plain=lambda video: Plain((video.alt, video.caption), "figure"),
 )

@@ -8,13 +8,13 @@ import pytest
 from PIL import Image
 from support.html_outline import read_html
 
-from site_builder.build import Options, render_site
+from site_builder.build import Options, check_site, render_site
 from site_builder.editions.reduce import article
 from site_builder.editions.tree import elements
 from site_builder.markdown.directives.download import size_words
 from site_builder.markdown.files.content_files import picture_size
 from site_builder.output.assets import content_bytes
-from site_builder.search.page_text import read_sections
+from site_builder.render.sections import chapter_sections
 
 type Find = Callable[..., list[str]]
 type MakeBook = Callable[..., Options]
@@ -196,9 +196,8 @@ def test_on_paper_a_film_is_its_still(make_book: MakeBook) -> None:
 
 
 def test_a_film_is_found_by_what_it_shows(make_book: MakeBook) -> None:
-    sections = read_sections(
-        content_bytes(render_site(make_book(FILM, FILES))["first/index.html"]).decode()
-    )
+    book, *_ = check_site(make_book(FILM, FILES))
+    sections = chapter_sections(book.chapters[0], lambda _figure: "")
     assert sum("pans over a checkerboard" in section.figures for section in sections) == 1
 
 
