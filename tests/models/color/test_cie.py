@@ -23,16 +23,11 @@ def test_xyz_comes_back() -> None:
     np.testing.assert_allclose(cie.xyz_to_linear_rgb(there), RGB, atol=1e-12)
 
 
-def test_lab_agrees_with_scikit_image() -> None:
-    theirs = skimage.color.rgb2lab(RGB[None])[0]
-    ours = cie.linear_rgb_to_lab(srgb.decode_srgb(RGB))
+@pytest.mark.parametrize("scale", [1.0, 0.08])
+def test_lab_agrees_with_scikit_image(scale: float) -> None:
+    theirs = skimage.color.rgb2lab(scale * RGB[None])[0]
+    ours = cie.linear_rgb_to_lab(srgb.decode_srgb(scale * RGB))
     np.testing.assert_allclose(ours, theirs, atol=0.02)
-
-
-def test_dark_and_bright_colours_of_lab_agree_with_scikit_image() -> None:
-    dark = RGB * 0.08
-    theirs = skimage.color.rgb2lab(dark[None])[0]
-    np.testing.assert_allclose(cie.linear_rgb_to_lab(srgb.decode_srgb(dark)), theirs, atol=0.02)
     np.testing.assert_allclose(cie.linear_rgb_to_lab([1.0, 1, 1]), [100, 0, 0], atol=1e-10)
 
 
@@ -68,12 +63,6 @@ def test_other_primaries_and_another_white_keep_their_promise() -> None:
     np.testing.assert_allclose(adobe, published, atol=1e-4)
     equal_energy = cie.rgb_to_xyz_matrix(white_xy=(1 / 3, 1 / 3))
     np.testing.assert_allclose(equal_energy.sum(axis=1), [1, 1, 1])
-
-
-@pytest.mark.parametrize("shape", [(4,), (3, 4), ()])
-def test_what_is_no_colour_is_refused(shape: tuple[int, ...]) -> None:
-    with pytest.raises(ValueError, match=r"legal: \(\.\.\., 3\)"):
-        cie.linear_rgb_to_xyz(np.zeros(shape))
 
 
 def test_primaries_may_be_given_in_any_order_and_lie_close_together() -> None:
@@ -129,8 +118,8 @@ def test_single_precision_stays() -> None:
     assert cie.linear_rgb_to_xyz(colour).dtype == np.float32
 
 
-@pytest.mark.parametrize("function", [cie.luminance, cie.xyz_to_lab])
+@pytest.mark.parametrize("function", [cie.linear_rgb_to_xyz, cie.luminance, cie.xyz_to_lab])
 def test_three_channels_are_asked_for_and_no_alpha(function: Callable[[Floats], object]) -> None:
-    for shape in ((5, 5, 4), (5, 1)):
+    for shape in ((4,), (3, 4), (), (5, 5, 4), (5, 1)):
         with pytest.raises(ValueError, match=r"legal: \(\.\.\., 3\)"):
             function(np.ones(shape))

@@ -34,12 +34,6 @@ def test_cells_are_averaged_as_by_scikit_image(factor: tuple[int, int]) -> None:
     np.testing.assert_allclose(coarsen(plane, factor), theirs, rtol=1e-12)
 
 
-def test_means_by_hand() -> None:
-    plane = np.array([[1.0, 3, 5, 7], [1, 3, 5, 7]])
-    assert coarsen(plane, (2, 2)).tolist() == [[2, 6]]
-    assert coarsen(plane, (1, 2)).tolist() == [[2, 6], [2, 6]]
-
-
 def test_a_cell_over_the_border_repeats_it() -> None:
     plane = np.array([[1.0, 3, 5], [1, 3, 9], [8, 8, 2]])
     assert coarsen(plane, (2, 2)).tolist() == [[2, 7], [8, 2]]

@@ -73,12 +73,6 @@ def test_strong_colours_are_filled_in_as_by_pillow(subsampling: str, quality: in
     assert off["repeated"] > 2 * off["triangle"]
 
 
-def test_lower_quality_leaves_more_zeros() -> None:
-    zeros = [jpeg.compress(PHOTO[:64, :64] / 255, quality)[1] for quality in (95, 50, 5)]
-    assert zeros == sorted(zeros)
-    assert zeros[2] > 0.9
-
-
 @pytest.mark.parametrize("subsampling", PILLOW_SUBSAMPLING)
 @pytest.mark.parametrize("shape", [(1, 1), (9, 17), (8, 8)])
 def test_any_size_keeps_its_size_and_grey_stays_grey(
@@ -151,13 +145,6 @@ def test_the_picture_is_clipped_and_its_zeros_are_those_of_all_channels() -> Non
 def test_another_transform_reaches_all_planes() -> None:
     coded = jpeg.encode(np.ones((3, 8, 8)), 100, transform=np.zeros_like)
     assert not any(codes.any() for codes in coded.planes)
-
-
-def test_an_unknown_subsampling_and_an_unknown_quality_are_refused() -> None:
-    with pytest.raises(ValueError, match="subsampling"):
-        jpeg.compress(np.zeros((8, 8, 3)), 50, "4:1:1")
-    with pytest.raises(ValueError, match="quality 0"):
-        jpeg.compress(np.zeros((8, 8, 3)), 0)
 
 
 def test_light_beyond_all_numbers_is_refused() -> None:

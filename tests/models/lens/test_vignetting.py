@@ -45,7 +45,8 @@ def test_the_cats_eye_has_the_area_counted_on_a_fine_grid() -> None:
     x, y = np.meshgrid(axis, axis)
     pupil = np.hypot(x, y) <= 5
     counted = (pupil & (np.hypot(x - 4, y) <= 6)).sum() / pupil.sum()
-    assert mechanical_vignetting(0.4, 5.0, 6.0, 10.0) == pytest.approx(counted, abs=1e-3)
+    left, right = mechanical_vignetting([-0.4, 0.4], 5.0, 6.0, 10.0)
+    assert left == right == pytest.approx(counted, abs=1e-3)
 
 
 def test_a_rim_narrower_than_the_pupil_stops_the_lens_down_on_the_axis() -> None:
@@ -60,16 +61,6 @@ def test_a_rim_narrower_than_the_pupil_stops_the_lens_down_on_the_axis() -> None
         (lambda: refractive_index(GLASS, [0.5, 0.0]), "wavelength_um"),
         (lambda: mechanical_vignetting(0.1, 0.0, 1.0, 1.0), "pupil_radius_mm"),
         (lambda: mechanical_vignetting(0.1, 1.0, 1.0, -1.0), "separation_mm"),
-    ],
-)
-def test_meaningless_parameters_are_refused_by_name(call: Callable[[], object], name: str) -> None:
-    with pytest.raises(ValueError, match=name):
-        call()
-
-
-@pytest.mark.parametrize(
-    ("call", "name"),
-    [
         (lambda: Glass(index_d=10.5), "index_d"),
         (lambda: Glass(index_d=np.nan), "index_d"),
         (lambda: Glass(abbe_number=0.99), "abbe_number"),
@@ -87,9 +78,7 @@ def test_meaningless_parameters_are_refused_by_name(call: Callable[[], object], 
         (lambda: mechanical_vignetting(0.1, 1.0, 1.0, np.inf), "separation_mm"),
     ],
 )
-def test_what_lies_beyond_the_range_of_glass_and_lenses_is_refused(
-    call: Callable[[], object], name: str
-) -> None:
+def test_parameters_out_of_range_are_refused_by_name(call: Callable[[], object], name: str) -> None:
     with pytest.raises(ValueError, match=name):
         call()
 
@@ -202,11 +191,6 @@ def test_discs_share_as_much_to_either_side_of_each_other() -> None:
 def test_discs_of_no_size_are_refused(a: float, b: float) -> None:
     with pytest.raises(ValueError, match="legal: 1e-70 to 1e70"):
         disc_overlap_area(0.5, a, b)
-
-
-def test_the_cats_eye_is_the_same_on_both_sides_of_the_axis() -> None:
-    left, right = mechanical_vignetting([-0.7, 0.7], 5.0, 6.0, 10.0)
-    assert left == right < 0.6
 
 
 @pytest.mark.parametrize("apart", [1e-5, 1e-10])
