@@ -7,7 +7,6 @@ import pytest
 from scipy import ndimage
 from scipy.interpolate import BSpline
 
-from simulations.models.arrays import Floats
 from simulations.models.sampling.bspline import coefficients, weigh
 from simulations.models.sampling.resampling import gather, gather_table, sample
 
@@ -48,18 +47,6 @@ def test_values_between_pixels_are_scipy_s_at_the_border_too() -> None:
     np.testing.assert_allclose(
         sample(PICTURE, ANYWHERE[inner], "spline"), oracle[inner], atol=1e-12
     )
-
-
-def test_cubics_are_reproduced() -> None:
-    y, x = np.mgrid[:60, :60] / 20.0
-    px, py = RNG.uniform(25, 35, (2, 100))
-
-    def surface(x: Floats, y: Floats) -> Floats:
-        return x**3 - 2 * y**3 + x * x * y - y + 3
-
-    places = np.stack((px, py), axis=-1)
-    found = sample(surface(x, y), places, "spline")
-    np.testing.assert_allclose(found, surface(px / 20, py / 20), atol=1e-9)
 
 
 def test_float32_stays_single_and_near() -> None:

@@ -13,7 +13,6 @@ RNG = np.random.default_rng(11)
 HEIGHT, WIDTH = 23, 31
 PLANES = RNG.random((3, HEIGHT, WIDTH)).astype(np.float32)
 X, Y = RNG.uniform(1, WIDTH - 2, (9, 14)), RNG.uniform(1, HEIGHT - 2, (9, 14))
-ROW, COLUMN = np.mgrid[:HEIGHT, :WIDTH].astype(np.float32)
 
 
 def read(planes: Floats, x: ArrayLike = X, y: ArrayLike = Y) -> Floats:
@@ -36,14 +35,6 @@ def test_an_integer_shift_agrees_with_opencv_to_the_last_bit() -> None:
     x, y = np.meshgrid(np.arange(2, 20), np.arange(1, 15))
     expected = cv2.remap(PLANES[1], x.astype(np.float32), y.astype(np.float32), cv2.INTER_NEAREST)
     np.testing.assert_array_equal(read(PLANES, x, y)[1], expected)
-
-
-def test_quadratics_are_reproduced() -> None:
-    def surface(x: Floats, y: Floats) -> Floats:
-        return 0.02 * x * x - 0.03 * y * y + 0.01 * x * y + 0.1 * x - 0.2 * y + 3
-
-    plane = surface(COLUMN, ROW)[None]
-    np.testing.assert_allclose(read(plane)[0], surface(X, Y), atol=2e-5)
 
 
 def test_the_last_legal_place_is_a_pixel_of_the_picture() -> None:

@@ -24,13 +24,6 @@ def test_grey_shares_all_of_it_and_a_negative_its_opposite() -> None:
     )
 
 
-def test_broad_brightness_does_not_count() -> None:
-    """A slope common to all colours has no fine detail; the grain on it is what is compared."""
-    grain = np.random.default_rng(2).normal(0, 0.01, (60, 60, 3))
-    slope = np.linspace(0, 10, 60)[:, None, None]
-    assert np.abs(shared_detail(grain + slope)).max() < 0.1
-
-
 def test_a_colour_without_detail_shares_an_undefined_amount() -> None:
     picture = np.random.default_rng(3).random((8, 8, 3))
     picture[..., 0] = 0.25
