@@ -7,13 +7,12 @@ from xml.etree.ElementTree import Element
 from site_builder.book import Book, Chapter
 from site_builder.build import Options, check_site
 from site_builder.editions.multiples import Row, render_rows
-from site_builder.editions.reduce import article, put_rows
-from site_builder.editions.tree import parse_fragment
-from site_builder.page_model.blocks import Block
+from site_builder.editions.tree import parse
+from site_builder.page_model.blocks import Block, Simulation
 from site_builder.page_model.questions import Quiz
 from site_builder.pages.licences import Licence, gather_licences
-from site_builder.pages.render import BACK_MATTER, Site, render_page, render_pages
-from site_builder.render.screen import screen_renderer
+from site_builder.pages.render import BACK_MATTER, Site, back_matter_pages, render_page
+from site_builder.render.paper import paper_renderer
 from site_builder.runtime.pinned import Versions
 from site_builder.site_assets import Files, gather_assets
 
@@ -60,11 +59,10 @@ def compose(options: Options) -> Composed:
     assets, files = gather_assets(book, options.root, {**pictures, **row_pictures}, {})
     site = Site(options.root, book, initial_frames, assets, "")
     licences = gather_licences(options.root, Versions(), settings=book.settings, words=book.words)
-    pages = render_pages(site, licences)
     sections = [
-        *(_chapter(site, chapter, pages, rows) for chapter in book.chapters),
+        *(_chapter(site, chapter, rows) for chapter in book.chapters),
         *_answers(site),
-        *_back_matter(book, pages),
+        *_back_matter(site),
     ]
     cover = ""
     if book.hero:
@@ -73,30 +71,25 @@ def compose(options: Options) -> Composed:
     return Composed(book, tuple(sections), cover, assets, files, licences)
 
 
-def _chapter(
-    site: Site, chapter: Chapter, pages: Mapping[str, bytes], rows: Mapping[tuple[str, str], Row]
-) -> Section:
-    content = article(pages[f"{chapter.url}index.html"])
-    own = {
-        figure: parse_fragment(render_page(site, "editions/multiples.html", "../", row=row))
-        for (page, figure), row in rows.items()
-        if page == chapter.id
-    }
-    put_rows(content, own)
-    headings = tuple(
-        (item.id, str(screen_renderer(site.book.words)(item.words)))
-        for item in chapter.headings
-        if item.level == 2
-    )
-    return Section(chapter.id, chapter.title, chapter.name, content, headings)
+def _chapter(site: Site, chapter: Chapter, rows: Mapping[tuple[str, str], Row]) -> Section:
+    def row_of(figure: Simulation) -> Row | None:
+        return rows.get((chapter.id, figure.id))
+
+    html = render_page(site, "chapter.html", "../", rows=row_of, chapter=chapter, sections=())
+    words = paper_renderer()
+    headings = tuple((item.id, words(item.words)) for item in chapter.headings if item.level == 2)
+    return Section(chapter.id, chapter.title, chapter.name, parse(html), headings)
 
 
-def _back_matter(book: Book, pages: Mapping[str, bytes]) -> Iterator[Section]:
+def _back_matter(site: Site) -> Iterator[Section]:
     """What the site has of it."""
-    for id, key in BACK_MATTER.items():
-        page = pages.get(f"{id}/index.html")
-        if page is not None:
-            yield Section(id, book.words(key), "", article(page))
+    for id, context in back_matter_pages(site.book).items():
+        html = render_page(site, f"{id}.html", "../", rows=_no_rows, **context)
+        yield Section(id, site.book.words(BACK_MATTER[id]), "", parse(html))
+
+
+def _no_rows(_figure: Simulation) -> None:
+    return None
 
 
 def _answers(site: Site) -> Iterator[Section]:
@@ -106,9 +99,8 @@ def _answers(site: Site) -> Iterator[Section]:
         if (questions := list(numbered_quizzes(chapter.body)))
     ]
     if chapters:
-        html = render_page(site, "editions/answers.html", "../", chapters=chapters)
-        title = site.book.words("edition.answers")
-        yield Section(ANSWERS, title, "", parse_fragment(html))
+        html = render_page(site, "editions/answers.html", "../", rows=_no_rows, chapters=chapters)
+        yield Section(ANSWERS, site.book.words("edition.answers"), "", parse(html))
 
 
 def numbered_quizzes(blocks: Iterable[Block]) -> Iterator[tuple[str, Quiz]]:
@@ -128,8 +120,3 @@ def _solution(chapter: Chapter, quiz: Quiz) -> str:
         for control in figure.scene.controls
     }
     return ", ".join(f"{labels.get(name, name)} {value}" for name, value in quiz.solution.items())
-
-
-def answer_id(chapter: str, quiz: str) -> str:
-    """Element id of an answer, as ``editions/answers.html`` writes it."""
-    return f"{chapter}--{quiz}"

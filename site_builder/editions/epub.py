@@ -13,11 +13,10 @@ from xml.etree.ElementTree import Element
 
 from site_builder.book import Book
 from site_builder.book_root import own_or_engine
-from site_builder.editions.compose import ANSWERS, Composed, Section, answer_id
+from site_builder.editions.compose import Composed, Section
 from site_builder.editions.epub_style import book_style
 from site_builder.editions.places import is_external, place_of
 from site_builder.editions.plain_markup import plain
-from site_builder.editions.reduce import note
 from site_builder.editions.tree import elements, first, parse, xhtml
 from site_builder.figures.frames import as_png
 from site_builder.output.assets import content_bytes
@@ -63,10 +62,6 @@ def make_epub(composed: Composed, root: Path) -> bytes:
 def _part(section: Section, composed: Composed) -> Element:
     """One file of the book's text."""
     content = deepcopy(section.article)
-    for question in elements(content, "form", "quiz"):
-        place = answer_id(section.id, question.get("id", "").removeprefix("quiz-"))
-        note(question, "to-answer").append(Element("a", {"href": f"../{ANSWERS}/#{place}"}))
-        first(question, kind="to-answer")[0].text = composed.book.words("edition.answer")
     for link in elements(content, "a"):
         _lead(link, section.id, composed)
     frame = parse(render_template("editions/epub-part.html", composed.book, title=section.title))

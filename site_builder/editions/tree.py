@@ -1,4 +1,4 @@
-"""Pages as trees: read as a browser reads them, changed, and written as XHTML."""
+"""Pages for paper as trees of XML: changed, and written as XHTML."""
 
 import re
 from collections.abc import Iterator
@@ -6,37 +6,28 @@ from copy import deepcopy
 from xml.etree import ElementTree
 from xml.etree.ElementTree import Element
 
-import html5lib
-
 XHTML = "http://www.w3.org/1999/xhtml"
 MATHML = "http://www.w3.org/1998/Math/MathML"
 SVG = "http://www.w3.org/2000/svg"
+SCREEN_ONLY = frozenset(
+    {
+        *("autocomplete", "data-kind", "data-panel", "data-predict", "data-quiz", "data-figure"),
+        *("aria-describedby", "aria-labelledby", "aria-live", "name", "tabindex"),
+    }
+)
+"""Attributes that speak to scripts, to forms, or of ids that are others on paper."""
+ElementTree.register_namespace("epub", "http://www.idpf.org/2007/ops")
 ROOTS = {"html": XHTML, "math": MATHML, "svg": SVG}
 """Elements that say to which language they and what is in them belong."""
 
 
-def parse(page: str) -> Element:
-    """The whole page, with plain names; comments are left out."""
-    return _plain(html5lib.parse(page, treebuilder="etree"))
-
-
-def parse_fragment(html: str) -> Element:
-    """The one element that a template has made."""
-    body = first(parse(f"<!DOCTYPE html><body>{html}"), "body")
-    if len(body) != 1:
-        raise ValueError(f"{len(body)} elements; legal: one")
-    return body[0]
-
-
-def _plain(element: Element) -> Element:
-    """Namespaces go by the names of their roots: no name occurs in two of them but ``a``."""
-    for parent in element.iter():
-        parent.tag = parent.tag.rpartition("}")[2]
-        for name in [name for name in parent.attrib if name.startswith("{")]:
-            parent.set(name.rpartition("}")[2], parent.attrib.pop(name))
-        for child in [child for child in parent if not isinstance(child.tag, str)]:
-            remove(parent, child)
-    return element
+def parse(xhtml: str) -> Element:
+    """What a template for paper has made. Raises `ElementTree.ParseError` where it is no XML."""
+    root = ElementTree.fromstring(xhtml.partition("<!DOCTYPE html>")[2] or xhtml)
+    for element in root.iter():
+        for name in [name for name in element.attrib if name in SCREEN_ONLY]:
+            del element.attrib[name]
+    return root
 
 
 def classes(element: Element) -> set[str]:

@@ -4,10 +4,9 @@ import re
 from copy import deepcopy
 from xml.etree.ElementTree import Element
 
-from site_builder.editions.compose import ANSWERS, Composed, Section, answer_id
+from site_builder.editions.compose import Composed, Section
 from site_builder.editions.page_numbers import page_number
 from site_builder.editions.places import Place, is_external, place_of
-from site_builder.editions.reduce import note
 from site_builder.editions.tree import elements, first, insert_after, parents, parse
 from site_builder.pages.render import BACK_MATTER, render_template
 
@@ -41,7 +40,6 @@ def volume(composed: Composed) -> Element:
 def _bound(section: Section, composed: Composed) -> Element:
     """A section as part of the whole."""
     content = deepcopy(section.article)
-    _lead_to_answers(content, section.id, composed.book.words("edition.answer"))
     for element in content.iter():
         if "id" in element.attrib:
             element.set("id", anchor(Place(section.id, element.attrib["id"])))
@@ -51,14 +49,6 @@ def _bound(section: Section, composed: Composed) -> Element:
     content.set("id", section.id)
     content.set("style", f"page: {section.id}")
     return content
-
-
-def _lead_to_answers(content: Element, page: str, word: str) -> None:
-    for question in elements(content, "form", "quiz"):
-        line = note(question, "to-answer")
-        place = answer_id(page, question.get("id", "").removeprefix("quiz-"))
-        line.append(Element("a", {"href": f"../{ANSWERS}/#{place}"}))
-        line[0].text = word
 
 
 def _bind_links(content: Element, page: str, composed: Composed) -> None:

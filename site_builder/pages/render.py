@@ -43,6 +43,7 @@ from site_builder.pages.views.references import cited_works
 from site_builder.pages.views.simulation import SimulationView, view_simulation
 from site_builder.pages.views.symbols import view_symbols
 from site_builder.references.bibliography import EMPTY
+from site_builder.render.paper import paper_renderer
 from site_builder.render.screen import PassageRenderer, screen_renderer
 from site_builder.settings.reading import storage_prefix
 from site_builder.settings.theme import colours
@@ -135,10 +136,10 @@ def render_pages(site: Site, licences: tuple[Licence, ...]) -> dict[str, bytes]:
         path = f"{name}/index.html"
         pages[path] = partial(render, f"{name}.html", path, here=name, **context)
 
-    if book.bibliography.works:
-        follow("references", works=cited_works(book))
-    if book.lecture_plan:
-        follow("lecture-plan", plan=book.lecture_plan)
+    behind = back_matter_pages(book)
+    for name in ("references", "lecture-plan"):
+        if name in behind:
+            follow(name, **behind.pop(name))
     cards = [None, *map(card, book.chapters), None]
     for index, chapter in enumerate(book.chapters):
         pages[f"{chapter.url}index.html"] = partial(
@@ -151,12 +152,8 @@ def render_pages(site: Site, licences: tuple[Licence, ...]) -> dict[str, bytes]:
             previous=cards[index],
             following=cards[index + 2],
         )
-    if book.glossary:
-        follow("glossary", letters=view_glossary(book))
-    if book.symbols:
-        follow("symbols", chapters=view_symbols(book))
-    if letters := view_index(book):
-        follow("index-of-terms", letters=letters)
+    for name, context in behind.items():
+        follow(name, **context)
     for path in sorted({item.path for chapter in book.chapters for item in chapter.sources}):
         address = f"source/{path.removesuffix('.py')}/index.html"
         pages[address] = partial(
@@ -170,6 +167,18 @@ def render_pages(site: Site, licences: tuple[Licence, ...]) -> dict[str, bytes]:
     return {path: make() for path, make in pages.items()}
 
 
+def back_matter_pages(book: Book) -> dict[str, dict[str, Any]]:
+    """What the templates of the pages behind the chapters show, by address."""
+    found: dict[str, dict[str, Any]] = {
+        "glossary": {"letters": view_glossary(book)} if book.glossary else {},
+        "symbols": {"chapters": view_symbols(book)} if book.symbols else {},
+        "references": {"works": cited_works(book)} if book.bibliography.works else {},
+        "index-of-terms": {"letters": letters} if (letters := view_index(book)) else {},
+        "lecture-plan": {"plan": book.lecture_plan} if book.lecture_plan else {},
+    }
+    return {name: context for name, context in found.items() if context}
+
+
 def _renderer(site: Site) -> Callable[..., bytes]:
     """Makes the pages of a site. Those of chapters are cached by what all share and what they are
     given; their initial frames follow from their figures."""
@@ -178,7 +187,7 @@ def _renderer(site: Site) -> Callable[..., bytes]:
     shared_hash = hash_of(shared, follows, folder_hash(TEMPLATES))
     seen = replace(shared, initial_frames=site.initial_frames)
 
-    def render(template: str, path: str = "", **context: object) -> bytes:
+    def render(template: str, path: str = "", **context: Any) -> bytes:
         root = "../" * path.count("/") or "./"
 
         def make() -> bytes:
@@ -211,9 +220,17 @@ def _bare(book: Book) -> Book:
     )
 
 
-def render_page(site: Site, template: str, root: str, path: str = "", **context: object) -> str:
+def render_page(
+    site: Site,
+    template: str,
+    root: str,
+    path: str = "",
+    rows: Callable[[Simulation], object] | None = None,
+    **context: object,
+) -> str:
     """One page, or a part of one. ``root`` is the site's root relative to it, ``path`` its own
-    place below that; nothing where it has none to be known by."""
+    place below that; nothing where it has none to be known by. With ``rows``, which finds the small
+    multiples of a figure, it is XHTML for paper."""
     environment = _environment()
     assets = f"{root}{site.assets}"
     given = context.get("chapter")
@@ -227,7 +244,13 @@ def render_page(site: Site, template: str, root: str, path: str = "", **context:
     def block_html(block: Block) -> Markup:
         template = environment.get_template(f"blocks/{block.template}.html")
         return Markup(
-            template.render(shared, block=block.content, inside=block.inside, target=block.target)
+            template.render(
+                shared,
+                block=block.content,
+                inside=block.inside,
+                target=block.target,
+                chapter=chapter,
+            )
         )
 
     def integrity(name: str) -> Markup:
@@ -236,14 +259,17 @@ def render_page(site: Site, template: str, root: str, path: str = "", **context:
 
     shared = {
         **in_words(site.book),
+        **({} if rows is None else {"renderer": paper_renderer()}),
         "root": root,
         "assets": assets,
         "anchors": chapter.anchors if chapter else (),
-        "later_figures": [figure.id for figure in chapter.simulations[1:]] if chapter else (),
+        "later_figures": _later_figures(chapter) if rows is None else (),
         "python": bool(site.runtime),
         "code_editor": site.code_editor,
         "block_html": block_html,
         "simulation_view": simulation_view,
+        "paper": rows is not None,
+        "row_of": rows,
         "minutes": reading_minutes(chapter, describing(site.initial_frames)) if chapter else 0,
     }
     return environment.get_template(template).render(
@@ -259,6 +285,11 @@ def render_page(site: Site, template: str, root: str, path: str = "", **context:
         origin=origin(site.book, path, chapter),
         **{"chapter": None, "here": "", "sections": (), "back_matter": (), **context},
     )
+
+
+def _later_figures(chapter: Chapter | None) -> list[str]:
+    """Element ids of those that a page does not begin with."""
+    return [figure.id for figure in chapter.simulations[1:]] if chapter else []
 
 
 @lru_cache(maxsize=64)

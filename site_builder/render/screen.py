@@ -36,14 +36,9 @@ def screen_renderer(words: Words) -> PassageRenderer:
     """``words`` are those of the interface."""
     return renderer_with(
         {
-            "math_inline": formula,
-            "math_block": equation,
-            "math_block_label": equation,
-            "fence": code,
-            "heading_open": heading_open,
+            **RULES,
             "heading_close": partial(heading_close, words),
             "table_open": partial(table_open, words),
-            "table_close": table_close,
         }
     )
 
@@ -136,3 +131,14 @@ def role(
     if token.children:
         return str(renderer.render(token.children, options, env))
     return escape(token.content)
+
+
+RULES: Rules = {
+    "math_inline": formula,
+    "math_block": equation,
+    "math_block_label": equation,
+    "fence": code,
+    "heading_open": heading_open,
+    "table_close": table_close,
+}
+"""Those of every medium that knows HTML."""

@@ -9,7 +9,7 @@ from PIL import Image
 from support.html_outline import read_html
 
 from site_builder.build import Options, check_site, render_site
-from site_builder.editions.reduce import article
+from site_builder.editions.compose import compose
 from site_builder.editions.tree import elements
 from site_builder.markdown.directives.download import size_words
 from site_builder.markdown.files.content_files import picture_size
@@ -188,11 +188,11 @@ def test_a_film_has_controls_captions_and_a_still_and_waits(make_book: MakeBook)
 
 
 def test_on_paper_a_film_is_its_still(make_book: MakeBook) -> None:
-    reduced = article(content_bytes(render_site(make_book(FILM, FILES))["first/index.html"]))
-    (still,) = elements(reduced, "img")
+    article = compose(make_book(FILM, FILES)).sections[0].article
+    (still,) = elements(article, "img")
     assert still.get("src", "").endswith("images/plan.svg")
     assert still.get("alt") == "A camera that pans over a checkerboard"
-    assert not list(elements(reduced, "video"))
+    assert not list(elements(article, "video"))
 
 
 def test_a_film_is_found_by_what_it_shows(make_book: MakeBook) -> None:
@@ -261,9 +261,8 @@ def test_a_picture_keeps_its_room_and_has_its_width(make_book: MakeBook) -> None
 
 def test_on_paper_the_dark_variant_is_left_out(make_book: MakeBook) -> None:
     body = ":::{figure} images/plan.svg\n:alt: A plan\n:dark: images/night.svg\n:::\n"
-    html = content_bytes(render_site(make_book(body, FILES))["first/index.html"])
-    assert len(re.findall(r'<img class="on-(?:light|dark)"', html.decode())) == 2
-    (shown,) = elements(article(html), "img")
+    assert len(re.findall(r'<img class="on-(?:light|dark)"', page(make_book(body, FILES)))) == 2
+    (shown,) = elements(compose(make_book(body, FILES)).sections[0].article, "img")
     assert shown.get("src", "").endswith("plan.svg")
 
 
