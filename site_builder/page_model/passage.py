@@ -44,7 +44,9 @@ def passage(tokens: Sequence[Token]) -> Passage:
 def _is_empty(token: Token) -> bool:
     if token.type == "inline":
         return not token.children
-    return token.type in ("html_block", "html_inline") and not token.content.strip()
+    if token.type in ("html_block", "html_inline"):
+        return not token.content.strip()
+    return token.type == "front_matter"
 
 
 def _copy(token: Token) -> Token:
