@@ -7,9 +7,10 @@ from functools import partial
 import numpy as np
 import pytest
 import skimage.data
+from support.ladder_run import LadderRun
 
 from simulations.engine.ladder import pareto_front
-from simulations.ladders.demosaicing import CROP, LADDER, PICTURES, prepare, reference
+from simulations.ladders.demosaicing import CROP, LADDER, PICTURES
 from simulations.models.arrays import Floats
 from simulations.models.color.srgb import decode_srgb, encode_srgb
 from simulations.models.error_measures import psnr_db
@@ -20,16 +21,14 @@ with warnings.catch_warnings():
     warnings.simplefilter("ignore")  # the oracle warns that it cannot plot
     import colour_demosaicing as oracle
 
-WORK = prepare()
-TRUTH = reference(WORK)
-RESULTS = {tier.id: tier.run(WORK) for tier in LADDER.tiers}
+RUN = LadderRun(LADDER)
 METHODS = ("nearest", "bilinear", "malvar", "menon-unrefined", "menon", "menon-encoded")
 ROOM, SOFT = PICTURES.index("room"), PICTURES.index("soft")
 
 
 def psnr(metric: str) -> dict[str, float]:
     (chosen,) = (each for each in LADDER.metrics if each.id == metric)
-    return {method: chosen.measure(RESULTS[method], TRUTH, WORK) for method in METHODS}
+    return {method: chosen.measure(RUN.results[method], RUN.truth, RUN.work) for method in METHODS}
 
 
 def test_the_tiers_stand_in_order_of_their_work() -> None:
@@ -53,10 +52,10 @@ def test_the_order_is_reversed_where_the_colours_have_nothing_in_common() -> Non
 def test_bilinear_errs_on_a_wave_by_what_its_mean_of_neighbours_leaves() -> None:
     """Midway between two samples of a wave the mean is the wave times cos(its phase step)."""
     rows, columns = 96, 120  # a red pixel; its right neighbour lacks red
-    measured = RESULTS["bilinear"][SOFT][rows, columns + 1, 0] - 0.5
+    measured = RUN.results["bilinear"][SOFT][rows, columns + 1, 0] - 0.5
     step = 2 * np.pi * np.cos(0.2) / 12.0
     assert measured == pytest.approx(
-        (TRUTH[SOFT][rows, columns + 1, 0] - 0.5) * np.cos(step), abs=1e-6
+        (RUN.truth[SOFT][rows, columns + 1, 0] - 0.5) * np.cos(step), abs=1e-6
     )
 
 
@@ -123,15 +122,17 @@ def test_an_independent_implementation_reaches_the_same_figure(
     method: str, theirs: Callable[[Floats, str], Floats]
 ) -> None:
     metric = LADDER.metrics[ROOM]
-    picture = np.clip(theirs(WORK.mosaics[ROOM], "RGGB"), 0, 1)
-    expected = metric.measure((picture,), TRUTH, WORK)
-    assert metric.measure(RESULTS[method], TRUTH, WORK) == pytest.approx(expected, abs=0.05)
+    picture = np.clip(theirs(RUN.work.mosaics[ROOM], "RGGB"), 0, 1)
+    expected = metric.measure((picture,), RUN.truth, RUN.work)
+    assert metric.measure(RUN.results[method], RUN.truth, RUN.work) == pytest.approx(
+        expected, abs=0.05
+    )
 
 
 def test_the_metric_notices_a_picture_that_has_moved_by_a_pixel() -> None:
-    moved = tuple(np.roll(picture, 1, axis=1) for picture in TRUTH)
-    assert all(metric.measure(moved, TRUTH, WORK) < 40 for metric in LADDER.metrics)
-    assert LADDER.metrics[0].measure(TRUTH, TRUTH, WORK) == np.inf
+    moved = tuple(np.roll(picture, 1, axis=1) for picture in RUN.truth)
+    assert all(metric.measure(moved, RUN.truth, RUN.work) < 40 for metric in LADDER.metrics)
+    assert LADDER.metrics[0].measure(RUN.truth, RUN.truth, RUN.work) == np.inf
 
 
 def test_the_default_is_not_beaten_in_both_work_and_error() -> None:

@@ -4,28 +4,26 @@ import cv2
 import numpy as np
 import pytest
 from scipy.optimize import least_squares
+from support.ladder_run import LadderRun
 
 from simulations.ladders.homography_estimation.estimators import one_sided, two_sided
-from simulations.ladders.homography_estimation.ladder import LADDER, reference, rms_px
+from simulations.ladders.homography_estimation.ladder import LADDER, rms_px
 from simulations.ladders.homography_estimation.matches import (
     NOISE_PX,
     VIEWS,
     Matches,
     View,
     mapped,
-    prepare,
     true_map,
 )
 from simulations.models.geometry.homography_estimation import estimate_homography
 
-WORK = prepare()
-TRUTH = reference(WORK)
-RESULT = {tier.id: tier.run(WORK) for tier in LADDER.tiers}
+RUN = LadderRun(LADDER)
 NAMES = [view.name for view in VIEWS]
 
 
 def error_px(tier: str, *views: str) -> float:
-    return rms_px(RESULT[tier], TRUTH, WORK, views=views)
+    return rms_px(RUN.results[tier], RUN.truth, RUN.work, views=views)
 
 
 def by_entries(view: View, points: np.ndarray) -> np.ndarray:
@@ -68,13 +66,13 @@ def least_error_px(view: View, matches: Matches) -> float:
 @pytest.mark.parametrize("index", range(len(VIEWS)))
 def test_the_reference_is_opencvs_perspective_map(index: int) -> None:
     H = np.append(VIEWS[index].homography, 1.0).reshape(3, 3)
-    oracle = cv2.perspectiveTransform(WORK[index].check[None], H)[0]
-    np.testing.assert_allclose(TRUTH[index], oracle, atol=1e-9)
+    oracle = cv2.perspectiveTransform(RUN.work[index].check[None], H)[0]
+    np.testing.assert_allclose(RUN.truth[index], oracle, atol=1e-9)
 
 
 @pytest.mark.parametrize("index", [0, 1])
 def test_both_pictures_are_noisy_and_alike(index: int) -> None:
-    matches = WORK[index]
+    matches = RUN.work[index]
     for found, exact in (
         (matches.source, matches.exact),
         (matches.target, true_map(VIEWS[index], matches.exact)),
@@ -87,13 +85,13 @@ def test_both_pictures_are_noisy_and_alike(index: int) -> None:
 @pytest.mark.parametrize("name", ["poster", "wall"])
 def test_least_squares_in_both_pictures_reaches_the_least_error_there_can_be(name: str) -> None:
     index = NAMES.index(name)
-    bound = least_error_px(VIEWS[index], WORK[index])
+    bound = least_error_px(VIEWS[index], RUN.work[index])
     assert error_px("two-sided", name) == pytest.approx(bound, rel=0.2)
 
 
 def test_least_squares_in_the_second_picture_agrees_with_opencvs_refined_estimate() -> None:
     for index, name in enumerate(("poster", "wall")):
-        matches, ours = WORK[index], RESULT["one-sided"][index][0]
+        matches, ours = RUN.work[index], RUN.results["one-sided"][index][0]
         H, _ = cv2.findHomography(matches.source[0], matches.target[0], 0)
         oracle = cv2.perspectiveTransform(matches.check[None], H)[0]
         off = mapped(ours.ravel(), matches.check) - oracle
@@ -103,7 +101,7 @@ def test_least_squares_in_the_second_picture_agrees_with_opencvs_refined_estimat
 
 def test_weighing_by_both_noises_agrees_with_moving_the_points_themselves() -> None:
     """The gold standard: unknown are the map and where each point of the first picture is."""
-    matches, view = WORK[1], VIEWS[1]
+    matches, view = RUN.work[1], VIEWS[1]
     source, target = matches.source[0], matches.target[0]
     size = np.abs(view.homography)
 
@@ -114,7 +112,7 @@ def test_weighing_by_both_noises_agrees_with_moving_the_points_themselves() -> N
     start = np.concatenate((np.array(view.homography) / size, source.ravel() / 1e3))
     best = least_squares(residuals, start, method="lm", xtol=1e-12, ftol=1e-12).x
     gold = mapped(np.append(best[:8] * size, 1.0), matches.check)
-    ours = mapped(RESULT["two-sided"][1][0].ravel(), matches.check)
+    ours = mapped(RUN.results["two-sided"][1][0].ravel(), matches.check)
     scatter = error_px("two-sided", "wall")
     assert np.sqrt(((ours - gold) ** 2).sum(axis=1).mean()) < 0.1 * scatter
 
@@ -135,7 +133,7 @@ def test_distances_in_the_second_picture_alone_are_worse_than_none_where_it_enla
 
 
 def test_if_the_first_picture_were_exact_they_would_be_the_best() -> None:
-    matches, view = WORK[1], VIEWS[1]
+    matches, view = RUN.work[1], VIEWS[1]
     truth = true_map(view, matches.check)
     noise = matches.target - true_map(view, matches.exact)
     errors = {}
@@ -154,7 +152,7 @@ def test_four_points_waste_the_other_thirty_six() -> None:
 
 @pytest.mark.parametrize("tier", ["squared", "normalised"])
 def test_without_its_checks_the_normalised_transform_is_the_model_s(tier: str) -> None:
-    for matches, ours in zip(WORK, RESULT[tier], strict=True):
+    for matches, ours in zip(RUN.work, RUN.results[tier], strict=True):
         for source, target, H in zip(matches.source, matches.target, ours, strict=True):
             theirs, valid = estimate_homography(source, target)
             assert valid
@@ -174,8 +172,8 @@ def test_the_default_is_better_than_everything_cheaper() -> None:
 
 
 def test_a_lost_point_counts_a_thousand_pixels() -> None:
-    lost = tuple(np.full_like(each, np.nan) for each in RESULT["two-sided"])
-    assert rms_px(lost, TRUTH, WORK, views=("poster",)) == pytest.approx(1000.0)
+    lost = tuple(np.full_like(each, np.nan) for each in RUN.results["two-sided"])
+    assert rms_px(lost, RUN.truth, RUN.work, views=("poster",)) == pytest.approx(1000.0)
 
 
 @pytest.mark.parametrize("factor", [1.0, -3.0])
@@ -184,4 +182,4 @@ def test_the_metric_measures_a_known_shift_whatever_multiple_is_given(factor: fl
     shifted = tuple(
         factor * (shift @ np.append(view.homography, 1.0).reshape(3, 3))[None] for view in VIEWS
     )
-    assert rms_px(shifted, TRUTH, WORK, views=("poster", "wall")) == pytest.approx(5.0)
+    assert rms_px(shifted, RUN.truth, RUN.work, views=("poster", "wall")) == pytest.approx(5.0)

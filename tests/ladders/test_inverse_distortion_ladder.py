@@ -1,14 +1,16 @@
 """The ways to undo a lens stand in the order that theory gives them."""
 
 from dataclasses import replace
+from functools import cache
 
 import cv2
 import numpy as np
 import pytest
+from support.ladder_run import LadderRun
 
 from simulations.engine.ladder import pareto_front
 from simulations.ladders import inverse_strong
-from simulations.ladders.inverse_distortion import LADDER, prepare, reference, rms_px
+from simulations.ladders.inverse_distortion import LADDER, rms_px
 from simulations.models.distortion.lens_model import (
     Distortion,
     distort,
@@ -17,21 +19,24 @@ from simulations.models.distortion.lens_model import (
 )
 from simulations.models.distortion.undistortion import undistort_table
 
-WORK = prepare()
-TRUTH = reference(WORK)
-RMS_PX = {tier.id: rms_px(tier.run(WORK), TRUTH, WORK) for tier in LADDER.tiers}
+RUN = LadderRun(LADDER)
+
+
+@cache
+def errors_px() -> dict[str, float]:
+    return RUN.measured(rms_px)
 
 
 def test_the_reference_is_imaged_back_onto_the_pixels() -> None:
-    image = distort(TRUTH, WORK.lens)
-    assert WORK.focal_px * np.abs(image - WORK.seen).max() < 1e-12
+    image = distort(RUN.truth, RUN.work.lens)
+    assert RUN.work.focal_px * np.abs(image - RUN.work.seen).max() < 1e-12
 
 
 def test_the_reference_agrees_with_opencv() -> None:
     coefficients = np.array([-0.3, 0.1, 0.0, 0.0])
     until = (cv2.TERM_CRITERIA_COUNT + cv2.TERM_CRITERIA_EPS, 100, 1e-16)
-    oracle = cv2.undistortPoints(WORK.seen[:, None], np.eye(3), coefficients, criteria=until)
-    assert WORK.focal_px * np.abs(oracle[:, 0, :] - TRUTH).max() < 1e-9
+    oracle = cv2.undistortPoints(RUN.work.seen[:, None], np.eye(3), coefficients, criteria=until)
+    assert RUN.work.focal_px * np.abs(oracle[:, 0, :] - RUN.truth).max() < 1e-9
 
 
 @pytest.mark.parametrize(
@@ -45,12 +50,12 @@ def test_the_reference_agrees_with_opencv() -> None:
     ],
 )
 def test_more_steps_buy_orders_of_magnitude(better: str, worse: str, at_least: float) -> None:
-    assert RMS_PX[worse] > at_least * RMS_PX[better]
+    assert errors_px()[worse] > at_least * errors_px()[better]
 
 
 def test_a_table_twice_as_long_errs_a_quarter_as_much() -> None:
     errors = [
-        rms_px(undistort_table(WORK.seen, WORK.lens, entries), TRUTH, WORK)
+        rms_px(undistort_table(RUN.work.seen, RUN.work.lens, entries), RUN.truth, RUN.work)
         for entries in (257, 513, 1025)
     ]
     assert errors[0] / errors[1] == pytest.approx(4.0, rel=0.1)
@@ -63,37 +68,36 @@ def test_the_default_is_not_beaten_in_both_work_and_error() -> None:
     polynomials |= {f"fixed-point-{steps}": steps for steps in (5, 10, 20)}
     polynomials |= {"checked-table": 11}  # two roots, five look-ups, a quartic
     polynomials |= {"newton-bracketed": 14}  # 7, and choices in three steps as dear as one each
-    points = [(polynomials[tier.id], RMS_PX[tier.id]) for tier in LADDER.tiers]
-    front = dict(zip(RMS_PX, pareto_front(points), strict=True))
+    points = [(polynomials[tier.id], errors_px()[tier.id]) for tier in LADDER.tiers]
+    front = dict(zip(errors_px(), pareto_front(points), strict=True))
     assert front[LADDER.default_tier]
 
 
 def test_the_metric_notices_another_lens() -> None:
-    other = replace(WORK, lens=Distortion(k1=-0.3001, k2=0.1))
+    other = replace(RUN.work, lens=Distortion(k1=-0.3001, k2=0.1))
     moved = LADDER.tier("newton-4").run(other)
-    assert rms_px(moved, TRUTH, WORK) > 1e-3
+    assert rms_px(moved, RUN.truth, RUN.work) > 1e-3
 
 
-STRONG = inverse_strong.prepare()
-STRONG_TRUTH = inverse_strong.reference(STRONG)
+STRONG_RUN = LadderRun(inverse_strong.LADDER)
 METRICS = {metric.id: metric.measure for metric in inverse_strong.LADDER.metrics}
 
 
 def strong_worst_px(tier: str, metric: str) -> float:
     run = inverse_strong.LADDER.tier(tier).run
-    return METRICS[metric](run(STRONG), STRONG_TRUTH, STRONG)
+    return METRICS[metric](run(STRONG_RUN.work), STRONG_RUN.truth, STRONG_RUN.work)
 
 
 def test_the_reference_of_strong_lenses_is_imaged_back_onto_the_pixels() -> None:
-    for part, truth in zip(STRONG, STRONG_TRUTH, strict=True):
+    for part, truth in zip(STRONG_RUN.work, STRONG_RUN.truth, strict=True):
         assert part.focal_px * np.abs(distort(truth, part.lens) - part.seen).max() < 1e-12
 
 
 def test_the_barrel_is_seen_nearly_out_to_its_fold_and_not_beyond() -> None:
-    barrel = STRONG[inverse_strong.BARREL]
+    barrel = STRONG_RUN.work[inverse_strong.BARREL]
     share = np.hypot(*barrel.seen.T).max() / largest_distorted_radius(barrel.lens)
     assert 0.998 < share < 0.999
-    ideal = np.hypot(*STRONG_TRUTH[inverse_strong.BARREL].T)
+    ideal = np.hypot(*STRONG_RUN.truth[inverse_strong.BARREL].T)
     assert ideal.max() < fold_radius(barrel.lens)
 
 
@@ -118,9 +122,9 @@ def test_both_ladders_climb_the_same_tiers_but_for_the_formula_over_as_many_poin
     strong = [tier.id for tier in inverse_strong.LADDER.tiers]
     strong.remove("closed-form")
     assert strong == [tier.id for tier in LADDER.tiers]
-    assert sum(len(part.seen) for part in STRONG) == len(WORK.seen) == 76_800
-    assert np.abs(WORK.seen).max(axis=0) == pytest.approx([319.5 / 400, 239.5 / 400])
-    for part, focal_px in zip(STRONG, (200.0, 569.0), strict=True):
+    assert sum(len(part.seen) for part in STRONG_RUN.work) == len(RUN.work.seen) == 76_800
+    assert np.abs(RUN.work.seen).max(axis=0) == pytest.approx([319.5 / 400, 239.5 / 400])
+    for part, focal_px in zip(STRONG_RUN.work, (200.0, 569.0), strict=True):
         corner = np.array([319.5, 239.5]) / focal_px
         assert np.abs(part.seen).max(axis=0) == pytest.approx(corner, rel=0.01)
 
@@ -128,9 +132,11 @@ def test_both_ladders_climb_the_same_tiers_but_for_the_formula_over_as_many_poin
 def test_the_metric_over_both_lenses_is_their_root_mean_square() -> None:
     moved = tuple(
         truth + np.array([3.0 / part.focal_px, 0.0])
-        for truth, part in zip(STRONG_TRUTH, STRONG, strict=True)
+        for truth, part in zip(STRONG_RUN.truth, STRONG_RUN.work, strict=True)
     )
-    assert METRICS["rms"](moved, STRONG_TRUTH, STRONG) == pytest.approx(3.0)
-    half = (moved[0], STRONG_TRUTH[1])
-    assert METRICS["rms"](half, STRONG_TRUTH, STRONG) == pytest.approx(3.0 / np.sqrt(2.0))
-    assert METRICS["fold"](half, STRONG_TRUTH, STRONG) == 0.0
+    assert METRICS["rms"](moved, STRONG_RUN.truth, STRONG_RUN.work) == pytest.approx(3.0)
+    half = (moved[0], STRONG_RUN.truth[1])
+    assert METRICS["rms"](half, STRONG_RUN.truth, STRONG_RUN.work) == pytest.approx(
+        3.0 / np.sqrt(2.0)
+    )
+    assert METRICS["fold"](half, STRONG_RUN.truth, STRONG_RUN.work) == 0.0

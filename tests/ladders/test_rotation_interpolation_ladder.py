@@ -1,23 +1,26 @@
 """Straight lines between orientations lag by a known angle; great circles do not."""
 
+from functools import cache
+
 import numpy as np
 import pytest
 from scipy.spatial.transform import Rotation, Slerp
+from support.ladder_run import LadderRun
 
 from simulations.ladders.rotation_interpolation import (
     LADDER,
     errors_deg,
-    prepare,
-    reference,
     worst_deg,
     worst_small_deg,
 )
 from simulations.models.geometry.quaternion_blends import STRAIGHT
 
-WORK = prepare()
-TRUTH = reference(WORK)
-RESULT = {tier.id: tier.run(WORK) for tier in LADDER.tiers}
-WORST = {name: worst_deg(result, TRUTH, WORK) for name, result in RESULT.items()}
+RUN = LadderRun(LADDER)
+
+
+@cache
+def worst() -> dict[str, float]:
+    return RUN.measured(worst_deg)
 
 
 def straight_line_error_deg(angle_deg: np.ndarray, share: np.ndarray) -> np.ndarray:
@@ -30,58 +33,60 @@ def straight_line_error_deg(angle_deg: np.ndarray, share: np.ndarray) -> np.ndar
 
 @pytest.mark.parametrize("pair", [1, 10, 90, 179])
 def test_the_reference_is_scipys_slerp(pair: int) -> None:
-    ends = np.stack([WORK.start[pair, 0], WORK.end[pair, 0]])
+    ends = np.stack([RUN.work.start[pair, 0], RUN.work.end[pair, 0]])
     path = Slerp([0.0, 1.0], Rotation.from_quat(ends, scalar_first=True))
-    between = path(WORK.share).inv() * Rotation.from_quat(
-        TRUTH[pair].astype(float), scalar_first=True
+    between = path(RUN.work.share).inv() * Rotation.from_quat(
+        RUN.truth[pair].astype(float), scalar_first=True
     )
     assert between.magnitude().max() < 1e-14
 
 
 def test_the_reference_moves_at_an_even_speed() -> None:
-    steps = np.diff(TRUTH.astype(float), axis=1)
+    steps = np.diff(RUN.truth.astype(float), axis=1)
     chords = np.linalg.norm(steps, axis=-1)
     np.testing.assert_allclose(chords, np.broadcast_to(chords[:, :1], chords.shape), atol=1e-14)
 
 
 def test_the_straight_line_errs_as_the_chord_of_the_arc() -> None:
-    theory = straight_line_error_deg(WORK.angle_deg, WORK.share)
-    np.testing.assert_allclose(errors_deg(RESULT["nlerp"], TRUTH), theory, atol=1e-12)
-    assert WORST["nlerp"] == pytest.approx(7.98, abs=0.01)
-    assert worst_small_deg(RESULT["nlerp"], TRUTH, WORK) == pytest.approx(0.00122, abs=1e-5)
+    theory = straight_line_error_deg(RUN.work.angle_deg, RUN.work.share)
+    np.testing.assert_allclose(errors_deg(RUN.results["nlerp"], RUN.truth), theory, atol=1e-12)
+    assert worst()["nlerp"] == pytest.approx(7.98, abs=0.01)
+    assert worst_small_deg(RUN.results["nlerp"], RUN.truth, RUN.work) == pytest.approx(
+        0.00122, abs=1e-5
+    )
 
 
 def test_the_straight_lines_error_grows_with_the_cube_of_the_angle() -> None:
-    small = straight_line_error_deg(np.array([5.0, 10.0]), WORK.share).max(axis=1)
+    small = straight_line_error_deg(np.array([5.0, 10.0]), RUN.work.share).max(axis=1)
     assert small[1] / small[0] == pytest.approx(8.0, rel=0.01)
-    measured = errors_deg(RESULT["nlerp"], TRUTH).max(axis=1)[[5, 10]]
+    measured = errors_deg(RUN.results["nlerp"], RUN.truth).max(axis=1)[[5, 10]]
     np.testing.assert_allclose(measured, small, rtol=1e-6)
 
 
 def test_pacing_takes_out_99_parts_of_a_hundred() -> None:
-    assert 100 * WORST["paced-nlerp"] < WORST["nlerp"]
+    assert 100 * worst()["paced-nlerp"] < worst()["nlerp"]
 
 
 def test_the_customary_threshold_costs_what_the_straight_line_errs_just_below_it() -> None:
-    below = WORK.angle_deg[np.cos(np.radians(WORK.angle_deg / 2.0)) > STRAIGHT]
+    below = RUN.work.angle_deg[np.cos(np.radians(RUN.work.angle_deg / 2.0)) > STRAIGHT]
     assert below.max() == 3.0
-    theory = straight_line_error_deg(below, WORK.share).max()
-    assert WORST["slerp-threshold"] == pytest.approx(theory, rel=1e-6)
+    theory = straight_line_error_deg(below, RUN.work.share).max()
+    assert worst()["slerp-threshold"] == pytest.approx(theory, rel=1e-6)
 
 
 def test_the_great_circle_errs_by_rounding_even_where_the_two_are_one() -> None:
-    assert WORK.angle_deg[0] == 0.0
-    assert WORST["slerp"] < 1e-12
+    assert RUN.work.angle_deg[0] == 0.0
+    assert worst()["slerp"] < 1e-12
 
 
 def test_the_default_is_better_than_everything_cheaper() -> None:
     default = [tier.id for tier in LADDER.tiers].index(LADDER.default_tier)
-    assert all(WORST[tier.id] > WORST[LADDER.default_tier] for tier in LADDER.tiers[:default])
+    assert all(worst()[tier.id] > worst()[LADDER.default_tier] for tier in LADDER.tiers[:default])
 
 
 def test_the_metric_is_the_angle_of_rotation_and_takes_q_for_minus_q() -> None:
     identity = np.array([[[1.0, 0.0, 0.0, 0.0]]])
     half = np.radians(30.0) / 2.0
     turned = np.array([[[np.cos(half), 0.0, np.sin(half), 0.0]]])
-    assert worst_deg(turned, identity, WORK) == pytest.approx(30.0)
-    assert worst_deg(-turned, identity, WORK) == pytest.approx(30.0)
+    assert worst_deg(turned, identity, RUN.work) == pytest.approx(30.0)
+    assert worst_deg(-turned, identity, RUN.work) == pytest.approx(30.0)
