@@ -147,21 +147,6 @@ TABLE = HardCases(
             naive="np.arange(-1e300, 1e300)",
         ),
         HardCase(
-            id="factor-one",
-            call="box_filter(np.eye(2), 1)",
-            why="Blocks of one pixel.",
-            returns="The picture itself.",
-            expected=exactly(np.eye(2)),
-        ),
-        HardCase(
-            id="indivisible",
-            call="box_filter(np.eye(3), 2)",
-            why="Three pixels do not make blocks of two.",
-            returns="Refused: dropping a column would move the picture.",
-            expected=refused("factor 2"),
-            naive="np.eye(3).reshape(1, 2, 1, 2)",
-        ),
-        HardCase(
             id="pixel-nulls-its-own-frequency",
             call="box_mtf(1.0)",
             why="Stripes exactly as fine as a pixel is wide.",
@@ -191,14 +176,6 @@ TABLE = HardCases(
             returns="Refused: light has no sign.",
             expected=refused("-0.5"),
             naive="np.divide(1.0, 0.0)",
-        ),
-        HardCase(
-            id="rings-finer-than-numbers",
-            call="zone_plate_area(inf, 0.0, 9.0)",
-            why="The mean over a pixel contains sin(∞).",
-            returns="1/2: the rings average out.",
-            expected=exactly(0.5),
-            naive="np.sinc(np.inf)",
         ),
         HardCase(
             id="film-of-23.976",

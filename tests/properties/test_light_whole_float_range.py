@@ -72,12 +72,12 @@ def test_srgb_there_and_back_is_where_it_was(colours: Floats) -> None:
     assert np.allclose(srgb.decode_srgb(srgb.encode_srgb(colours)), colours, rtol=1e-9)
 
 
-@given(arrays(2, 3), any_float)
-def test_colour_spaces_take_any_number(colours: Floats, gamma: float) -> None:
+@given(arrays(2, 3))
+def test_colour_spaces_take_any_number(colours: Floats) -> None:
     cie.linear_rgb_to_lab(colours)
     ycbcr.ycbcr_to_rgb(ycbcr.rgb_to_ycbcr(colours))
     cie.luminance(colours)
-    ask(srgb.encode_gamma, colours, gamma)
+    srgb.decode_srgb(srgb.encode_srgb(colours))
     ask(white_balance.white_balance, colours, colours[0])
 
 

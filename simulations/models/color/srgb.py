@@ -14,7 +14,6 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from simulations.models.arrays import Floats, as_floats
-from simulations.models.require import require_positive
 
 
 def encode_srgb(linear: ArrayLike) -> Floats:
@@ -37,16 +36,6 @@ def decode_srgb(srgb: ArrayLike) -> Floats:
     with np.errstate(over="ignore"):
         curve = ((np.maximum(size, 0.04045) + 0.055) / 1.055) ** 2.4
     return np.copysign(np.where(size <= 0.04045, size / 12.92, curve), x)
-
-
-def encode_gamma(linear: ArrayLike, gamma: float = 2.2) -> Floats:
-    """The common stand-in for sRGB, ``linear^(1/gamma)``: up to 8.5 codes of 255 off.
-
-    Negative light is taken as none. Raises `ValueError` for a gamma of 0 or less.
-    """
-    require_positive("gamma", gamma)
-    with np.errstate(over="ignore"):
-        return np.maximum(as_floats(linear), 0) ** (1 / gamma)
 
 
 @cache

@@ -64,35 +64,6 @@ def zone_plate(x: ArrayLike, y: ArrayLike, scale: float) -> Floats:
     return np.where(known, 0.5 + 0.5 * np.cos(np.where(known, phase, 0)), 0.5)
 
 
-def zone_plate_area(x: ArrayLike, y: ArrayLike, scale: float) -> Floats:
-    """Mean of the `zone_plate` over a pixel of unit size around (x, y), without supersampling.
-
-    Within a pixel the rings are nearly a plane wave of (x, y) / scale cycles, whose mean is its
-    value at the centre times ``sinc(x / scale) sinc(y / scale)``. What is left out is the change
-    of frequency across the pixel, a fraction of about ``pi / (12 scale)`` of the contrast.
-    """
-    across, down = as_floats(x), as_floats(y)
-    rings = zone_plate(across, down, scale) - 0.5
-    with np.errstate(over="ignore"):
-        # Clipped where the rings average out to all digits, short of where a sine is undefined.
-        turns, turns_down = (np.clip(part / scale, -1e30, 1e30) for part in (across, down))
-    return 0.5 + rings * (np.sinc(turns) * np.sinc(turns_down))
-
-
-def box_filter(fine: ArrayLike, factor: int) -> Floats:
-    """Mean of each ``factor`` x ``factor`` block of (H, W, ...): what a pixel's area does."""
-    image = _divisible(fine, factor)
-    height, width, *rest = image.shape
-    with np.errstate(over="ignore", invalid="ignore"):
-        # Along whole rows, then column by column: many times as quick as both axes at once.
-        rows = image.reshape(height // factor, factor, width, *rest).mean(axis=1)
-        total: Floats = rows[:, ::factor].copy()
-        for column in range(1, factor):
-            total += rows[:, column::factor]
-        total /= factor
-    return total
-
-
 def gaussian_kernel(sigma: float) -> Floats:
     """Normalised samples of a Gaussian out to 4 sigma; sigma 0 is the single tap 1.
 
@@ -129,22 +100,11 @@ def _ratio_of_neighbours(sigma: float) -> float:
     return max(ratio, 0.0)
 
 
-def sinc_kernel(factor: int, lobes: int = 4) -> Floats:
-    """A low-pass for keeping every ``factor``-th sample: sinc under a Lanczos window."""
-    factor, lobes = as_whole("factor", factor, 1), as_whole("lobes", lobes, 1)
-    reach = factor * lobes
-    # Blocks of an even count of samples have their centre between two of them.
-    shift = 0.5 * (1 - factor % 2)
-    offsets = (np.arange(-reach, reach + 1) + shift) / factor
-    taps = np.sinc(offsets) * np.sinc(np.clip(offsets / lobes, -1, 1))
-    return taps / taps.sum()
-
-
 def filter_and_sample(fine: ArrayLike, factor: int, kernel: ArrayLike) -> Floats:
     """Low-pass (H, W) by a separable kernel of odd length, then keep the centre of each block.
 
     The border is mirrored. With an even factor the centre lies half a sample off the grid:
-    the kernel's samples must allow for it, as those of `sinc_kernel` do.
+    the kernel's samples must allow for it.
     """
     image, taps = _divisible(fine, factor), as_floats(kernel)
     if taps.ndim != 1 or taps.size % 2 == 0:

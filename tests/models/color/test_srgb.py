@@ -31,12 +31,6 @@ def test_the_table_takes_nan_as_black_and_clips() -> None:
     assert srgb.encode_srgb_table(np.empty((0, 3))).shape == (0, 3)
 
 
-def test_gamma_2_2_is_up_to_8_5_codes_off() -> None:
-    light = np.linspace(0, 1, 100_001)
-    off = 255 * np.abs(srgb.encode_gamma(light) - srgb.encode_srgb(light)).max()
-    assert off == pytest.approx(8.5, abs=0.2)
-
-
 @pytest.mark.parametrize(
     ("linear", "encoded"),
     [(0.001, 0.01292), (0.0031, 0.040052), (0.18, 0.461356), (0.5, 0.735357), (1.0, 1.0)],
@@ -53,14 +47,6 @@ def test_the_curve_does_not_break_where_its_pieces_meet() -> None:
     assert np.diff(srgb.decode_srgb(np.array([0.04045, 0.04045 + 1e-9]))) == pytest.approx(
         0, abs=1e-8
     )
-
-
-def test_gamma_is_a_plain_power_and_negative_light_is_none() -> None:
-    np.testing.assert_allclose(srgb.encode_gamma([0.25, -0.3], 2.0), [0.5, 0.0])
-    assert srgb.encode_gamma(0.5) == pytest.approx(0.5 ** (1 / 2.2))
-    for gamma in (0.0, -1.0, np.inf, np.nan):
-        with pytest.raises(ValueError, match="gamma"):
-            srgb.encode_gamma(0.5, gamma)
 
 
 def test_single_precision_stays_and_whole_numbers_become_double() -> None:
@@ -80,7 +66,3 @@ def test_the_table_takes_the_nearest_of_its_entries() -> None:
         entry = np.float32(srgb.encode_srgb(k / 65535))
         assert srgb.encode_srgb_table((k + 0.49) / 65535) == entry
         assert srgb.encode_srgb_table((k + 0.51) / 65535) > entry
-
-
-def test_a_gamma_below_one_brightens_as_well_as_any() -> None:
-    np.testing.assert_allclose(srgb.encode_gamma([0.25, 0.5], 0.5), [0.0625, 0.25])

@@ -1,6 +1,7 @@
 """Aliasing, pre-filters and contrast against their analytic values."""
 
 from collections.abc import Callable
+from typing import Any
 
 import numpy as np
 import pytest
@@ -21,10 +22,6 @@ def test_an_alias_has_the_same_samples(frequency: float) -> None:
     np.testing.assert_allclose(np.exp(2j * np.pi * alias * n), turns, atol=1e-9)
 
 
-def test_seven_tenths_fold_to_minus_three_tenths() -> None:
-    np.testing.assert_allclose(aliasing.alias_frequency([0.7, 0.5, 0, -0.2]), [-0.3, -0.5, 0, -0.2])
-
-
 def test_a_wagon_wheel_stands_still_or_turns_back() -> None:
     speed, certain = aliasing.apparent_wheel_speed([3.0, 2.9, 1.5, 0.2], 8, 24.0)
     np.testing.assert_allclose(speed[[0, 1, 3]], [0, -0.1, 0.2], atol=1e-12)
@@ -36,25 +33,6 @@ def test_zone_plate_rings_have_the_stated_frequency() -> None:
     ring = aliasing.zone_plate(r, 0, 10.0)
     crossings = np.count_nonzero(np.diff(np.sign(ring - 0.5)))
     assert crossings / 2 == pytest.approx(3.0, abs=0.5)
-
-
-@pytest.mark.parametrize("factor", [2, 4, 8])
-def test_box_filter_takes_the_mean_of_blocks(factor: int) -> None:
-    image = np.random.default_rng(0).random((16, 24))
-    block = image[:factor, factor : 2 * factor].mean()
-    assert aliasing.box_filter(image, factor)[0, 1] == pytest.approx(block)
-
-
-def test_more_filtering_leaves_less_alias() -> None:
-    y, x = (np.mgrid[: 64 * 8, : 64 * 8] + 0.5) / 8
-    phase = 2 * np.pi * 0.8 * x  # beyond Nyquist: nothing of it should remain
-    fine = 0.5 + 0.5 * np.cos(phase) + 0 * y
-    left = [
-        np.std(fine[4::8, 4::8]),
-        np.std(aliasing.box_filter(fine, 8)),
-        np.std(aliasing.filter_and_sample(fine, 8, aliasing.sinc_kernel(8))[:, 6:-6]),
-    ]
-    assert left[0] > 3 * left[1] > 9 * left[2]
 
 
 def test_filtering_agrees_with_scipy() -> None:
@@ -69,20 +47,9 @@ def test_filtering_agrees_with_scipy() -> None:
 
 def test_flat_light_passes_every_filter_unchanged() -> None:
     flat = np.full((16, 16), 0.7)
-    for kernel in (
-        aliasing.gaussian_kernel(0),
-        aliasing.gaussian_kernel(2),
-        aliasing.sinc_kernel(4),
-    ):
+    for sigma in (0, 2):
+        kernel = aliasing.gaussian_kernel(sigma)
         np.testing.assert_allclose(aliasing.filter_and_sample(flat, 4, kernel), 0.7)
-
-
-@pytest.mark.parametrize("factor", [3, 4])
-def test_the_sinc_filter_samples_at_the_centre_of_each_block(factor: int) -> None:
-    ramp = np.arange(40.0 * factor) + np.zeros((factor, 1))
-    kept = aliasing.filter_and_sample(ramp, factor, aliasing.sinc_kernel(factor))
-    centres = aliasing.box_filter(ramp, factor)
-    np.testing.assert_allclose(kept[:, 6:-6], centres[:, 6:-6], atol=1e-9)
 
 
 def test_a_pixel_passes_two_over_pi_at_nyquist() -> None:
@@ -98,19 +65,31 @@ def test_a_gaussian_blur_leaves_the_contrast_of_its_fourier_transform() -> None:
     assert aliasing.contrast(blurred) == pytest.approx(left, abs=1e-3)
 
 
+REFUSED: list[tuple[str, Callable[[Any], object], list[float]]] = [
+    ("rate", lambda rate: aliasing.alias_frequency(1.0, rate), [0.0, -1.0, np.inf, np.nan]),
+    ("frequency", lambda f: aliasing.alias_frequency([0.1, f]), [np.nan, np.inf]),
+    ("spokes", lambda spokes: aliasing.apparent_wheel_speed(1.0, spokes, 24.0), [0]),
+    ("scale", lambda scale: aliasing.zone_plate(0, 0, scale), [0.0, -1.0, np.inf, np.nan]),
+    ("sigma", aliasing.gaussian_kernel, [-1e-9, 1.1e6, np.nan, np.inf]),
+    ("light of 0 or more, finite", lambda light: aliasing.contrast([0.1, light]), [-1.0, np.inf]),
+    ("finite", lambda frequency: aliasing.box_mtf([0.5, frequency]), [np.nan]),
+    ("finite", lambda width: aliasing.box_mtf([0.5], width), [np.inf, np.nan]),
+    ("a divisor", lambda f: aliasing.filter_and_sample(np.zeros((8, 9)), f, [1.0]), [0, 2]),
+    ("a divisor", lambda f: aliasing.filter_and_sample(np.zeros((9, 8)), f, [1.0]), [2]),
+    ("a divisor", lambda f: aliasing.filter_and_sample(np.zeros(8), f, [1.0]), [2]),
+]
+
+
 @pytest.mark.parametrize(
-    "call",
-    [
-        lambda: aliasing.alias_frequency(1, rate=0),
-        lambda: aliasing.zone_plate(0, 0, 0),
-        lambda: aliasing.box_filter(np.zeros((9, 8)), 2),
-        lambda: aliasing.gaussian_kernel(-1),
-        lambda: aliasing.contrast([-1.0, 1.0]),
-    ],
+    ("says", "call", "value"),
+    [(says, call, each) for says, call, values in REFUSED for each in values],
 )
-def test_meaningless_parameters_are_refused(call: Callable[[], object]) -> None:
-    with pytest.raises(ValueError, match="legal"):
-        call()
+def test_what_has_no_meaning_is_refused(
+    says: str, call: Callable[[Any], object], value: float
+) -> None:
+    with pytest.raises(ValueError, match=says) as refusal:
+        call(value)
+    assert "legal: " in str(refusal.value)
 
 
 def test_aliasing_folds_at_any_rate() -> None:
@@ -120,24 +99,10 @@ def test_aliasing_folds_at_any_rate() -> None:
     assert aliasing.alias_frequency(smallest, 3 * smallest) == smallest
 
 
-@pytest.mark.parametrize("rate", [0.0, -1.0, np.inf, np.nan])
-def test_a_rate_that_is_none_is_refused(rate: float) -> None:
-    with pytest.raises(ValueError, match="rate"):
-        aliasing.alias_frequency(1.0, rate)
-
-
-@pytest.mark.parametrize("frequency", [np.nan, np.inf])
-def test_a_frequency_that_is_none_is_refused(frequency: float) -> None:
-    with pytest.raises(ValueError, match="frequency"):
-        aliasing.alias_frequency([0.1, frequency])
-
-
-def test_a_wheel_of_one_spoke_is_legal_and_of_none_is_not() -> None:
+def test_a_wheel_may_have_one_spoke() -> None:
     speed, certain = aliasing.apparent_wheel_speed([25.0, 12.0, 36.0, 12.1], 1, 24.0)
     np.testing.assert_allclose(speed, [1, -12, -12, -11.9], atol=1e-12)
     assert certain.tolist() == [True, False, False, True]
-    with pytest.raises(ValueError, match="spokes 0"):
-        aliasing.apparent_wheel_speed(1.0, 0, 24.0)
 
 
 def test_half_a_spacing_per_frame_is_uncertain_to_a_billionth() -> None:
@@ -151,32 +116,6 @@ def test_the_zone_plate_is_its_formula() -> None:
     expected = 0.5 + 0.5 * np.cos(np.pi * np.array([0, 9, 4, 5]) / 8.0)
     np.testing.assert_allclose(aliasing.zone_plate(x, y, 8.0), expected, atol=1e-15)
     assert aliasing.zone_plate(1e200, 0, 8.0) == 0.5
-    for scale in (0.0, -1.0, np.inf, np.nan):
-        with pytest.raises(ValueError, match="scale"):
-            aliasing.zone_plate(0, 0, scale)
-
-
-@pytest.mark.parametrize(("x", "y"), [(0.0, 0.0), (7.3, -2.0), (-12.2, 20.1), (4.0, 33.0)])
-def test_the_mean_over_a_pixel_is_that_of_a_fine_grid(x: float, y: float) -> None:
-    scale, line = 40.0, (np.arange(100) + 0.5) / 100 - 0.5
-    fine = aliasing.zone_plate(x + line, y + line[:, None], scale).mean()
-    assert aliasing.zone_plate_area(x, y, scale) == pytest.approx(fine, abs=np.pi / 12 / scale)
-
-
-def test_box_filter_takes_every_block_and_every_channel() -> None:
-    image = np.arange(4 * 6 * 2.0).reshape(4, 6, 2)
-    expected = [
-        [image[2 * i : 2 * i + 2, 3 * 0 + 2 * j : 2 * j + 2].mean((0, 1)) for j in range(3)]
-        for i in range(2)
-    ]
-    np.testing.assert_allclose(aliasing.box_filter(image, 2), expected)
-    np.testing.assert_array_equal(aliasing.box_filter(image, 1), image)
-
-
-@pytest.mark.parametrize(("shape", "factor"), [((8, 9), 2), ((9, 8), 2), ((8,), 2), ((8, 8), 0)])
-def test_only_whole_blocks_are_filtered(shape: tuple[int, ...], factor: int) -> None:
-    with pytest.raises(ValueError, match="legal: a divisor"):
-        aliasing.box_filter(np.zeros(shape), factor)
 
 
 @pytest.mark.parametrize("sigma", [0.3, 0.8, 1.0, 2.0])
@@ -203,31 +142,8 @@ def test_the_gaussian_changes_with_sigma_without_a_jump() -> None:
     np.testing.assert_allclose(below, above, atol=1e-6)
 
 
-@pytest.mark.parametrize("sigma", [-1e-9, 1.1e6, np.nan, np.inf])
-def test_a_sigma_that_is_none_is_refused(sigma: float) -> None:
-    with pytest.raises(ValueError, match="sigma"):
-        aliasing.gaussian_kernel(sigma)
-
-
 def test_the_widest_gaussian_is_legal() -> None:
     assert aliasing.gaussian_kernel(1e6).size == 8_000_001
-
-
-@pytest.mark.parametrize(("factor", "lobes"), [(1, 4), (3, 2), (4, 3), (2, 1)])
-def test_the_sinc_is_windowed_by_its_own_widest_lobe(factor: int, lobes: int) -> None:
-    """Lanczos' window; for an even factor the samples lie half a step beside the centre."""
-    reach = factor * lobes
-    x = (np.arange(-reach, reach + 1) + (0 if factor % 2 else 0.5)) / factor
-    expected = np.where(np.abs(x) < lobes, np.sinc(x) * np.sinc(x / lobes), 0)
-    found = aliasing.sinc_kernel(factor, lobes)
-    np.testing.assert_allclose(found, expected / expected.sum(), atol=1e-15)
-
-
-def test_four_lobes_unless_told_otherwise_and_at_least_one_of_each() -> None:
-    np.testing.assert_array_equal(aliasing.sinc_kernel(3), aliasing.sinc_kernel(3, 4))
-    for factor, lobes in ((0, 4), (1, 0)):
-        with pytest.raises(ValueError, match="legal: whole numbers, 1 or more"):
-            aliasing.sinc_kernel(factor, lobes)
 
 
 @pytest.mark.parametrize("factor", [1, 2, 3, 4])
@@ -260,17 +176,6 @@ def test_contrasts_are_those_of_the_textbook() -> None:
     assert aliasing.contrast([0.0, 2.0]) == 1
 
 
-def test_one_frequency_without_a_number_spoils_the_field_and_so_does_such_a_width() -> None:
-    for frequency, width in (([0.5, np.nan], 1.0), ([0.5], np.inf), ([0.5], np.nan)):
-        with pytest.raises(ValueError, match="legal: finite"):
-            aliasing.box_mtf(frequency, width)
-
-
-def test_endless_light_has_no_contrast() -> None:
-    with pytest.raises(ValueError, match="legal: light of 0 or more, finite"):
-        aliasing.contrast([0.1, np.inf])
-
-
 def test_the_rings_of_a_zone_plate_may_be_finer_than_a_sample() -> None:
     """Scale 1/2: the phase at r = 1/2 is half a turn."""
     assert aliasing.zone_plate([0.0, 0.5], [0.0, 0.0], 0.5) == pytest.approx([1.0, 0.5])
@@ -287,14 +192,6 @@ def test_single_precision_frequencies_are_treated_as_double_ones(frequency: floa
         np.testing.assert_array_equal(function(single), function([frequency]))
 
 
-@pytest.mark.parametrize("scale", [5e-324, 9.0])
-def test_rings_finer_than_all_numbers_are_grey_also_over_a_pixel(scale: float) -> None:
-    np.testing.assert_array_equal(
-        aliasing.zone_plate_area([np.inf, -np.inf, 1e300], 0.0, scale), 0.5
-    )
-
-
 def test_sums_beyond_all_numbers_are_infinite_without_a_warning() -> None:
     bright = np.full((4, 4), 1e308)
-    assert (aliasing.box_filter(bright, 4) == np.inf).all()
     assert (aliasing.filter_and_sample(bright, 2, np.ones(3)) == np.inf).all()
