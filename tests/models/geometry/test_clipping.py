@@ -63,11 +63,6 @@ def test_whoever_stands_on_the_line_sees_nothing(seen: tuple[float, float]) -> N
         clip_to_visible(TILTED, SQUARE, seen=seen)
 
 
-def test_the_margin_of_clipping_must_be_a_small_share() -> None:
-    with pytest.raises(ValueError, match="w_minimum"):
-        clip_to_visible(TILTED, SQUARE, w_minimum=0.0)
-
-
 def test_an_open_line_is_not_joined_at_its_ends() -> None:
     ends = clip_half_plane([(-1, 0), (1, 0)], (1, 0, 0), closed=False)
     assert ends == pytest.approx(np.array([(0, 0), (1, 0)]))
@@ -100,7 +95,12 @@ def test_a_polyline_keeps_its_order_and_its_parts_in_front() -> None:
 
 @pytest.mark.parametrize(
     ("polygon", "line"),
-    [([(1.1e150, 0)], (1, 0, 0)), ([(math.nan, 0)], (1, 0, 0)), ([(0, 0)], (1, math.inf, 0))],
+    [
+        ([(1.1e150, 0)], (1, 0, 0)),
+        ([(0, 0), (-1.1e150, 0)], (1, 0, 0)),
+        ([(math.nan, 0)], (1, 0, 0)),
+        ([(0, 0)], (1, math.inf, 0)),
+    ],
 )
 def test_only_coordinates_within_the_range_are_clipped(
     polygon: ArrayLike, line: Sequence[float]
@@ -110,7 +110,7 @@ def test_only_coordinates_within_the_range_are_clipped(
     assert clip_half_plane([(1e150, 0.0)], (1, 0, 0)).tolist() == [[1e150, 0]]
 
 
-@pytest.mark.parametrize("w_minimum", [1e-12, 1.0, -0.1, math.nan])
+@pytest.mark.parametrize("w_minimum", [0.0, 1e-12, 1.0, -0.1, math.nan])
 def test_the_margin_lies_between_rounding_and_all(w_minimum: float) -> None:
     with pytest.raises(ValueError, match="w_minimum"):
         clip_to_visible(TILTED, SQUARE, w_minimum=w_minimum)
@@ -128,12 +128,6 @@ def test_a_figure_is_closed_unless_told_otherwise() -> None:
     triangle = [(0.0, 0.0), (0.0, 1.0), (-3.0, 0.5)]
     assert len(clip_to_visible(TILTED, triangle)) == 4
     assert len(clip_to_visible(TILTED, triangle, closed=False)) == 3
-
-
-def test_coordinates_beyond_the_range_are_refused_on_either_side() -> None:
-    for far in (1.1e150, -1.1e150):
-        with pytest.raises(ValueError, match="polygon"):
-            clip_half_plane([(0.0, 0.0), (far, 0.0)], (1, 0, 0))
 
 
 def test_the_margin_of_clipping_is_a_share_of_the_largest_terms_hidden_ones_too() -> None:

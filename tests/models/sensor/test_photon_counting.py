@@ -64,7 +64,7 @@ def test_each_property_of_a_sensor_has_its_range(
     for value in legal:
         assert getattr(Sensor(**{field: value}), field) == value
     for value in illegal:
-        with pytest.raises(ValueError, match=field):
+        with pytest.raises(ValueError, match=rf"^{field} .*; legal: "):
             Sensor(**{field: value})
 
 
@@ -84,7 +84,7 @@ def test_iso_divides_the_electrons_per_code() -> None:
     assert with_iso(Sensor(gain_e_per_dn=6.0), 400).gain_e_per_dn == 1.5
     assert with_iso(Sensor(gain_e_per_dn=6.0), 400, 200).gain_e_per_dn == 3.0
     for iso in (0.0, -100.0):
-        with pytest.raises(ValueError, match="iso"):
+        with pytest.raises(ValueError, match=f"^iso {iso}; legal: above 0$"):
             with_iso(Sensor(), iso)
 
 
@@ -92,7 +92,7 @@ def test_exposure_may_be_nothing_but_not_endless_and_light_may_be_endless() -> N
     assert expose(100.0, 0.0, Sensor()) == 0
     assert expose(np.inf, 0.0, Sensor()) == 0
     for exposure in (np.inf, np.nan):
-        with pytest.raises(ValueError, match="exposure_s"):
+        with pytest.raises(ValueError, match=f"^exposure_s {exposure}; legal: "):
             expose(1.0, exposure, Sensor())
     with pytest.raises(ValueError, match="photons_per_s"):
         expose([1.0, -1.0], 1.0, Sensor())
@@ -126,22 +126,6 @@ def test_signal_to_noise_adds_all_variances() -> None:
     """Of 400 + 3² + 6²/12 the root is √412."""
     sensor = Sensor(read_noise_e=3.0, gain_e_per_dn=6.0)
     assert signal_to_noise(400.0, sensor) == pytest.approx(400 / np.sqrt(412))
-
-
-@pytest.mark.parametrize(
-    ("name", "wrong"),
-    [
-        ("full_well_e", 0.0),
-        ("read_noise_e", -1.0),
-        ("dark_current_e_per_s", -0.1),
-        ("gain_e_per_dn", 0.0),
-        ("black_level_dn", 4095.0),
-        ("quantum_efficiency", 1.1),
-    ],
-)
-def test_a_sensor_says_which_of_its_numbers_is_illegal(name: str, wrong: Any) -> None:
-    with pytest.raises(ValueError, match=rf"^{name} {wrong}; legal: "):
-        Sensor(**{name: wrong})
 
 
 def test_an_iso_below_one_is_a_slow_film_and_legal() -> None:

@@ -3,10 +3,9 @@
 import numpy as np
 import pytest
 from numpy.typing import ArrayLike
-from scipy import stats
 
 from simulations.models.arrays import Floats
-from simulations.models.sensor.photon_counting import Sensor, expose, with_iso
+from simulations.models.sensor.photon_counting import Sensor
 from simulations.models.sensor.photon_transfer import estimate_gain, photon_transfer, straight_part
 
 
@@ -81,18 +80,6 @@ def test_levels_on_the_straight_part_are_those_of_the_standard() -> None:
     assert straight_part([], []).tolist() == []
 
 
-@pytest.mark.parametrize("offset", np.linspace(0, 1, 9))
-def test_above_the_least_variance_rounding_adds_a_twelfth_wherever_the_mean_lies(
-    offset: float,
-) -> None:
-    """The exact variance of a rounded normal, by its probabilities."""
-    sigma = np.sqrt(0.5 - 1 / 12)
-    codes = np.arange(-12, 13)
-    share = np.diff(stats.norm.cdf(np.arange(-12.5, 13), offset, sigma))
-    mean = share @ codes
-    assert share @ (codes - mean) ** 2 == pytest.approx(0.5, rel=1.1e-3)
-
-
 def test_the_photon_transfer_curve_has_the_variances_of_its_sources() -> None:
     sensor = Sensor(read_noise_e=10.0, gain_e_per_dn=2.0, full_well_e=1e6, black_level_dn=50)
     levels = np.array([0.0, 100.0, 4000.0])
@@ -100,7 +87,7 @@ def test_the_photon_transfer_curve_has_the_variances_of_its_sources() -> None:
     np.testing.assert_allclose(mean, levels / 2, atol=0.2)
     np.testing.assert_allclose(variance, (levels + 100) / 4 + 1 / 12, rtol=0.02)
     assert photon_transfer(5.0, sensor, rng(), samples=2)[0].shape == (1,)
-    with pytest.raises(ValueError, match="samples"):
+    with pytest.raises(ValueError, match=r"^samples 1; legal: whole numbers, 2 or more$"):
         photon_transfer(levels, sensor, rng(), samples=1)
 
 
@@ -137,15 +124,6 @@ def test_both_exposures_of_a_transfer_curve_count() -> None:
     mean, variance = photon_transfer(np.full(20_000, 400.0), sensor, rng(), samples=2)
     assert mean.var() == pytest.approx(400 / 4, rel=0.05)
     assert variance.mean() == pytest.approx(400, rel=0.05)
-
-
-def test_what_is_asked_of_a_sensor_is_refused_by_name() -> None:
-    with pytest.raises(ValueError, match=r"^iso 0; legal: above 0$"):
-        with_iso(Sensor(), 0)
-    with pytest.raises(ValueError, match=r"^exposure_s inf; legal: "):
-        expose(1.0, np.inf, Sensor())
-    with pytest.raises(ValueError, match=r"^samples 1; legal: whole numbers, 2 or more$"):
-        photon_transfer([1.0], Sensor(), rng(), samples=1)
 
 
 def test_a_transfer_curve_has_twenty_thousand_samples_a_level_unless_told_otherwise() -> None:

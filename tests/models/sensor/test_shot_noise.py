@@ -15,7 +15,6 @@ from simulations.models.sensor.photon_counting import (
     Sensor,
     ShotModel,
     expose,
-    quantise,
     read_out,
     shot_noise,
     shot_noise_from_normal,
@@ -40,15 +39,6 @@ def test_shot_noise_follows_the_poisson_distribution(mean: float) -> None:
     assert ks_distance(samples, mean) < 1.63 / np.sqrt(50_000)  # the 1 % bound of the test
 
 
-def test_the_skewed_normal_is_nearer_to_poisson_than_the_plain_one() -> None:
-    gaps = {
-        model: ks_distance(shot_noise(np.full(200_000, 9.0), rng(), model=model), 9.0)
-        for model in ("gaussian", "skewed")
-    }
-    assert gaps["skewed"] < 0.5 * gaps["gaussian"]
-    assert gaps["gaussian"] == pytest.approx(0.0665 / 3, rel=0.3)
-
-
 def test_no_light_frees_no_electron_and_any_light_is_held_by_the_well() -> None:
     for model in SHOT_MODELS:
         held = shot_noise([0.0, 1e300, np.inf], rng(), 1000.0, model)
@@ -67,9 +57,7 @@ def test_signal_to_noise_of_shot_noise_is_the_root_of_the_electrons() -> None:
         (lambda: shot_noise([-1.0], rng()), "mean_e"),
         (lambda: shot_noise([np.nan], rng()), "mean_e"),
         (lambda: shot_noise([1.0], rng(), model=cast(ShotModel, "fast")), "fast"),
-        (lambda: Sensor(bits=17), "bits"),
         (lambda: Sensor(bits=4), "black_level_dn"),
-        (lambda: quantise(1.0, 0), "bits"),
         (lambda: expose(1.0, -1.0, Sensor()), "exposure_s"),
     ],
 )
@@ -89,13 +77,6 @@ def test_every_model_of_shot_noise_has_the_mean_and_variance_of_poisson(
     assert np.array_equal(counted, np.rint(counted))
     assert counted.mean() == pytest.approx(mean, abs=5 * np.sqrt(mean / 200_000))
     assert counted.var() == pytest.approx(mean, rel=0.02)
-
-
-def test_the_skewed_model_leans_as_poisson_does() -> None:
-    mean = 100.0
-    counted = shot_noise(np.full(1_000_000, mean), rng(), model="skewed")
-    skewness = np.mean((counted - mean) ** 3) / mean**1.5
-    assert skewness == pytest.approx(mean**-0.5, rel=0.1)
 
 
 @pytest.mark.parametrize("model", ["skewed", "gaussian"])
@@ -121,6 +102,9 @@ def test_single_precision_stays_single() -> None:
     few = np.full(4, 10.0, np.float32)
     for model in SHOT_MODELS:
         assert shot_noise(few, rng(), model=model).dtype == np.float32
+    assert shot_noise(few, rng(), 1000.0).dtype == np.float32
+    assert shot_noise_from_normal(few, np.ones_like(few), 1000.0).dtype == np.float32
+    assert shot_noise_from_normal(few, np.zeros_like(few)).dtype == np.float32
     assert read_out(few, Sensor(), rng()).dtype == np.float32
     assert read_out(few.astype(float), Sensor(), rng()).dtype == np.float64
 
@@ -132,13 +116,6 @@ def test_normals_drawn_beforehand_give_the_counts_of_the_same_draws() -> None:
     np.testing.assert_array_equal(counted, shot_noise(mean, rng(), 1000.0, model="quantile"))
     assert counted[0] == 0
     assert counted.max() == 1000
-
-
-def test_counts_of_a_float32_picture_stay_float32() -> None:
-    mean = np.full((2, 3), 40, np.float32)
-    assert shot_noise(mean, rng(), 1000.0).dtype == np.float32
-    assert shot_noise_from_normal(mean, np.ones_like(mean), 1000.0).dtype == np.float32
-    assert shot_noise_from_normal(mean, np.zeros_like(mean)).dtype == np.float32
 
 
 def test_the_second_term_leans_counts_to_the_right() -> None:
