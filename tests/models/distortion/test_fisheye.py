@@ -54,20 +54,6 @@ def test_each_ideal_model_is_undone_by_its_inverse(model: str) -> None:
     np.testing.assert_allclose(back, directions, atol=1e-9)
 
 
-@pytest.mark.parametrize(
-    ("model", "radius"),
-    [
-        ("stereographic", 2.0),
-        ("equidistant", np.pi / 2),
-        ("equisolid", np.sqrt(2.0)),
-    ],
-)
-def test_where_ninety_degrees_lands(model: str, radius: float) -> None:
-    image, valid = project_ideal([1.0, 0.0, 0.0], model)
-    assert valid
-    np.testing.assert_allclose(image, [radius, 0.0], atol=1e-12)
-
-
 @pytest.mark.parametrize("model", ["perspective", "orthographic"])
 def test_models_of_one_half_space_refuse_what_lies_beside_the_camera(model: str) -> None:
     image, valid = project_ideal([1.0, 0.0, -0.01], model)
@@ -95,13 +81,6 @@ def test_what_is_no_direction_has_no_image(bad: Sequence[float]) -> None:
     image, valid = project_fisheye(np.array(bad, float), Fisheye())
     assert not valid
     assert np.isnan(image).all()
-
-
-@pytest.mark.parametrize(("model", "radius"), [("equisolid", 2.01), ("orthographic", 1.01)])
-def test_radii_outside_the_image_circle_have_no_direction(model: str, radius: float) -> None:
-    direction, valid = unproject_ideal([radius, 0.0], model)
-    assert not valid
-    assert np.isnan(direction).all()
 
 
 def test_an_unknown_model_is_named() -> None:

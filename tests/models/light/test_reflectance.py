@@ -46,20 +46,6 @@ def test_normalise_neither_overflows_nor_vanishes(scale: float) -> None:
     np.testing.assert_allclose(normalise(scale * np.array([3.0, 0, 4])), [0.6, 0, 0.8])
 
 
-def test_phong_highlight_is_half_as_high_at_the_half_width() -> None:
-    phi = math.acos(2 ** (-1 / 100))
-    view = [math.sin(phi), 0, math.cos(phi)]
-    shade = phong(FRONT, FRONT, view, 0.0, specular=1.0, shininess=100)
-    assert shade == pytest.approx(0.5)
-
-
-def test_blinn_with_fourfold_shininess_looks_like_phong_near_the_peak() -> None:
-    angles = np.radians(np.arange(0, 9))
-    view = np.stack([np.sin(angles), 0 * angles, np.cos(angles)], axis=-1)
-    ours = phong(FRONT, FRONT, view, shininess=50)
-    np.testing.assert_allclose(blinn_phong(FRONT, FRONT, view, shininess=200), ours, atol=0.01)
-
-
 @pytest.mark.parametrize("model", [phong, blinn_phong])
 @pytest.mark.parametrize("shininess", [0, 1, 1e6])
 def test_no_highlight_where_the_light_is_below_the_horizon(
@@ -170,23 +156,6 @@ def test_lights_add_up() -> None:
     np.testing.assert_allclose(irradiance([0, 0, 0], FRONT, lamps), [1, 2, 0])
 
 
-@pytest.mark.parametrize(
-    ("call", "message"),
-    [
-        (lambda: lambert(FRONT, [0, 0, 2]), "light"),
-        (lambda: lambert(FRONT, FRONT, 1.2), "albedo"),
-        (lambda: phong(FRONT, FRONT, FRONT, shininess=-1), "shininess"),
-        (lambda: attenuation(-1), "distance"),
-        (lambda: attenuation(1, radius=0), "radius"),
-    ],
-)
-def test_meaningless_parameters_are_refused_by_name(
-    call: Callable[[], object], message: str
-) -> None:
-    with pytest.raises(ValueError, match=message):
-        call()
-
-
 def test_lamps_are_white_and_a_centimetre_wide_unless_told_otherwise() -> None:
     sun, lamp = DirectionalLight((0, 0, 1)), PointLight((0, 0, 1))
     assert irradiance([0, 0, 0], FRONT, [sun]).tolist() == [1, 1, 1]
@@ -251,10 +220,6 @@ def test_fields_of_normals_lights_and_eyes_are_shaded_one_by_one() -> None:
 def test_vectors_without_direction_become_zero_and_spoil_no_other() -> None:
     found = normalise([[0.0, 0, 0], [np.inf, 0, 0], [np.nan, 1, 0], [0, -3e200, 4e200]])
     np.testing.assert_allclose(found, [[0.0, 0, 0], [0.0, 0, 0], [0.0, 0, 0], [0, -0.6, 0.8]])
-
-
-def test_huge_vectors_keep_their_direction_into_the_negative() -> None:
-    np.testing.assert_allclose(normalise([-3e200, 0, -4e200]), [-0.6, 0, -0.8])
 
 
 @pytest.mark.parametrize(("off", "legal"), [(0.9e-4, True), (1.05e-4, False), (-1.05e-4, False)])

@@ -49,11 +49,6 @@ def test_covered_area_of_a_box_face_is_exact() -> None:
     assert edge_coverage(hit.margin).sum() == pytest.approx(area, rel=2e-3)
 
 
-def test_coverage_needs_a_picture() -> None:
-    with pytest.raises(ValueError, match=r"legal: \(H, W\)"):
-        edge_coverage(np.ones((1, 5)))
-
-
 def test_a_ray_past_a_sphere_is_measured_at_its_closest_approach() -> None:
     hit = intersect(Sphere((0.0, 5.0, 3.0), 2.0), ORIGIN, AHEAD)
     assert not hit.valid
