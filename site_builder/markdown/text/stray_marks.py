@@ -3,52 +3,53 @@ prints the former, or drops what it cannot place, in silence; in a book either i
 
 import re
 from collections.abc import Iterator, Sequence
+from itertools import pairwise
 
 from markdown_it.rules_block.table import escapedSplit
 from markdown_it.rules_core import StateCore
 from markdown_it.token import Token
 
-from site_builder.markdown.text.foreign_marks import foreign_marks
-from site_builder.markdown.text.suspects import (
-    Suspect,
-    has_one,
-    marks_of,
-    possible,
-    suspicious,
-)
 from site_builder.markdown.text.tokens import children_located
 
-STRAY = (
-    (("$",), r"(\$\$?)", r"opens or closes no formula; legal: '$…$', or '\$' for the sign itself"),
-    (
-        ("`",),
-        r"((?:\{[\w-]+\})?`+)",
-        "is never closed; legal: a second '`' in the same paragraph",
-    ),
-    (
-        ("*",),
-        r"(\*\*)",
-        r"opens or closes no bold text; legal: '**…**', or '\*\*' for the stars",
-    ),
-    (("[",), r"(\[\^[^\]\n]*\])", "has no footnote; legal: a line '[^…]: the note' in this file"),
-    (
-        ("[",),
-        r"(\[[^\]\n]*\][(\[][^\n]*?[)\]])",
-        "leads nowhere; legal: '[words](NN-slug.md)'",
-    ),
-    ((":",), r"^(::?\{[\w-]+\}.*)", "is no directive; legal: ':::{name} argument'"),
-    (
-        (*"0123456789", "ppendix "),
-        r"\b([Cc]hapters? \d+|[Aa]ppendix [A-Z]\b"
-        r"|(?:[Ff]igure|[Tt]able|[Ee]quation|[Ee]xample|[Qq]uestion) \(?[A-Z\d]+\.\d+\)?)",
-        "is a number that may change; legal: '{ref}`TARGET`', or a citation",
-    ),
+SLIPS = tuple(
+    (re.compile(pattern), expected)
+    for pattern, expected in (
+        (r"(\$\$?)", r"opens or closes no formula; legal: '$…$', or '\$' for the sign itself"),
+        (r"((?:\{[\w-]+\})?`+)", "is never closed; legal: a second '`' in the same paragraph"),
+        (r"(\*\*)", r"opens or closes no bold text; legal: '**…**', or '\*\*' for the stars"),
+        (r"(\[\^[^\]\n]*\])", "has no footnote; legal: a line '[^…]: the note' in this file"),
+        (
+            r"(\[[^\]\n]*\][(\[][^\n]*?[)\]])",
+            "leads nowhere; legal: '[words](NN-slug.md)'",
+        ),
+        (
+            r"\b([Cc]hapters? \d+|[Aa]ppendix [A-Z]\b"
+            r"|(?:[Ff]igure|[Tt]able|[Ee]quation|[Ee]xample|[Qq]uestion) \(?[A-Z\d]+\.\d+\)?)",
+            "is a number that may change; legal: '{ref}`TARGET`', or a citation",
+        ),
+        (
+            r"(\[-?@[^\]\n]+\]|\{\{[^}\n]*\}\}|(?<!\\)\{[#.][\w:-]+[^}\n]*\}"
+            r"|~~[^~\s][^~\n]*~~|==[^=\s](?:[^=\n]*[^=\s])?==|\[\[[^\]\n]+\]\]|\[!\w+\]"
+            r"|&[A-Za-z][A-Za-z0-9]+;)",
+            "means nothing here; legal: CommonMark, directives and roles",
+        ),
+    )
 )
-"""What stands in running text only by mistake, and what would be legal; first what all that a
-pattern fits has in it."""
-SUSPECTS = tuple(
-    Suspect(marks, re.compile(pattern), expected) for marks, pattern, expected in STRAY
+"""What stands in running text only by mistake, and what would be legal. The last is the syntax of
+other kinds of Markdown."""
+LINE_SLIPS = tuple(
+    (re.compile(pattern), expected)
+    for pattern, expected in (
+        (r"(::?\{[\w-]+\}.*)", "is no directive; legal: ':::{name} argument'"),
+        (r"(#{2,6}\w[^\n]*|#[A-Za-z][^\n]*)", "is no heading; legal: a space behind the '#'"),
+        (
+            r"(:[a-z][\w-]*:)(?:$|\s+\S+\s)",
+            "is no option here; legal: directly below the line that opens the directive",
+        ),
+    )
 )
+"""Likewise at the beginning of a line."""
+OLD_ROLE = re.compile(r"(:[a-z]+:)$")
 FOOTNOTE = re.compile(r"[ >]*\[\^([^\]]+)\]:")
 
 
@@ -56,8 +57,6 @@ def stray_marks_rule(state: StateCore) -> None:
     """Report what looks as if it were missing its other half."""
     lines = state.src.split("\n")
     problems = state.env.setdefault("problems", [])
-    suspects = possible(SUSPECTS, state.src)
-    marks = marks_of(suspects)
     line = 1
     for token in state.tokens:
         line = token.map[0] + 1 if token.map else line
@@ -67,8 +66,7 @@ def stray_marks_rule(state: StateCore) -> None:
                     head = token.content.partition("\n")[0]
                     expected = "one '---' below each of its heads"
                     problems.append((line, f"{head!r} begins no table; legal: {expected}"))
-                if has_one(token.content, marks):
-                    problems += _in_paragraph(token, line, suspects, marks)
+                problems += _in_paragraph(token, line)
             case "code_block":
                 problems.append((line, "indented text; legal: at the margin, or between '```'"))
             case "fence" if not _is_closed(token, lines):
@@ -76,18 +74,25 @@ def stray_marks_rule(state: StateCore) -> None:
                 problems.append((line, message))
             case "table_open":
                 problems += _in_table(token, lines)
-    problems += foreign_marks(state.tokens, state.src)
     problems += _lost_footnotes(state, lines)
     problems += _lost_addresses(state)
 
 
-def _in_paragraph(
-    inline: Token, line: int, suspects: Sequence[Suspect], marks: Sequence[str]
-) -> Iterator[tuple[int, str]]:
-    for child, place in children_located(inline, line):
+def _in_paragraph(inline: Token, line: int) -> Iterator[tuple[int, str]]:
+    children = list(children_located(inline, line))
+    above = 0
+    for child, place in children:
         if child.type == "text":
-            for what, expected in suspicious(child.content, suspects, marks):
-                yield place, f"{what!r} {expected}"
+            found = [(pattern.search(child.content), expected) for pattern, expected in SLIPS]
+            if place > above:
+                found += [(start.match(child.content), expected) for start, expected in LINE_SLIPS]
+            yield from ((place, f"{slip[1]!r} {expected}") for slip, expected in found if slip)
+        above = place
+    for (child, place), (following, _) in pairwise(children):
+        role = OLD_ROLE.search(child.content) if child.type == "text" else None
+        if role and following.type == "code_inline":
+            name = role[1].strip(":")
+            yield place, f"'{role[1]}`…`' is no role; legal: '{{{name}}}`…`'"
 
 
 def _is_closed(fence: Token, lines: Sequence[str]) -> bool:
