@@ -1,4 +1,4 @@
-"""The place in the author's code at which an exception was raised."""
+"""What an exception of an author's code says, and the place in that code where it was raised."""
 
 import sysconfig
 import traceback
@@ -6,6 +6,7 @@ from pathlib import Path
 
 HERE = Path(__file__).resolve().parent
 REMEMBERED = "place_in_the_book"
+REMEMBERED_WORDS = "words_of_the_book"
 LIBRARIES = tuple(Path(sysconfig.get_path(name)).resolve() for name in ("stdlib", "purelib"))
 
 
@@ -13,6 +14,23 @@ def remember_place[E: BaseException](error: E, place: str) -> E:
     """The error with its place, since a traceback does not pass between processes."""
     setattr(error, REMEMBERED, place)
     return error
+
+
+def remember_words[E: BaseException](error: E, words: str) -> E:
+    """The error with its words, likewise."""
+    setattr(error, REMEMBERED_WORDS, words)
+    return error
+
+
+def words_of(error: BaseException) -> str:
+    """What Python prints of it behind its name, with the names that may have been meant."""
+    remembered = getattr(error, REMEMBERED_WORDS, None)
+    if remembered is not None:
+        return str(remembered)
+    if type(error).__module__ != "builtins":
+        return str(error)
+    *_, last = traceback.TracebackException.from_exception(error).format_exception_only()
+    return last.strip().partition(": ")[2]
 
 
 def place_of(error: BaseException) -> str:

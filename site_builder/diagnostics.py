@@ -7,8 +7,7 @@ import difflib
 from collections.abc import Iterable, Sequence, Sized
 from dataclasses import dataclass, field
 
-from site_builder.blame import place_of
-from site_builder.raised import words_of
+from site_builder.blame import place_of, words_of
 
 MOST_LISTED = 20
 """Legal names that a message lists before it only counts them."""

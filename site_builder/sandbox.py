@@ -19,8 +19,7 @@ from typing import Any, Never
 
 from pebble import ProcessExpired, ProcessPool
 
-from site_builder.blame import place_of, remember_place
-from site_builder.raised import remember_words, words_of
+from site_builder.blame import place_of, remember_place, remember_words, words_of
 
 GRACE_S = 2.0
 """How long the code may ignore that its time is over, as a call into numpy does, until its process

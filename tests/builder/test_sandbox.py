@@ -108,7 +108,7 @@ def test_the_place_and_the_words_of_an_error_come_back_with_it(
     monkeypatch.syspath_prepend(tmp_path)
     with limited(Limits()), pytest.raises(NameError) as raised:
         run_limited(import_module("sandboxed.optics").focus)
-    said = "NameError: nothing is called 'heigth'; did you mean 'height'?"
+    said = "NameError: name 'heigth' is not defined. Did you mean: 'height'?"
     assert cause(raised.value) == f"{said}, at sandboxed/optics.py:3"
 
 

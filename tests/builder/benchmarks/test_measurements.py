@@ -157,7 +157,7 @@ def test_an_entry_that_lacks_a_part_says_how_to_measure_again(find: Find, lost: 
     del data["ladders"]["toy"][lost]
     assert find("A {measured}`toy fine rms`.\n", data) == [
         f"content/00-first.md:5: {FILE}: ladder 'toy' is not as `make bench` writes it "
-        f"(KeyError: there is no '{lost}'); run `make bench LADDER=toy`"
+        f"(KeyError: '{lost}'); run `make bench LADDER=toy`"
     ]
 
 

