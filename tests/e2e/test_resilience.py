@@ -69,11 +69,18 @@ def harm(visitor: Reader, code: str) -> Locator:
 @pytest.mark.parametrize(
     "code",
     [
-        "import js; js.self.postMessage = lambda *_: None; js.self.close(); return asked(*given)",
-        "while True: pass",
-        "import numpy; kept = book.kept = []\n    while True: kept.append(numpy.empty(2**24))",
+        pytest.param(
+            "import js; js.self.postMessage = lambda *_: None; js.self.close(); "
+            "return asked(*given)",
+            id="ended",
+        ),
+        pytest.param("while True: pass", id="endless loop", marks=pytest.mark.deep),
+        pytest.param(
+            "import numpy; kept = book.kept = []\n    while True: kept.append(numpy.empty(2**24))",
+            id="memory exhausted",
+            marks=pytest.mark.deep,
+        ),
     ],
-    ids=["ended", "endless loop", "memory exhausted"],
 )
 def test_a_worker_lost_in_the_midst_of_a_frame_is_replaced_and_the_values_are_kept(
     visitor: Reader, code: str

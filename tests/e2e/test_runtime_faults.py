@@ -72,7 +72,12 @@ def told(reader: Reader) -> str:
 
 
 @pytest.mark.parametrize(
-    ("name", "kind"), [(name, kind) for name, kinds in FAULTS.items() for kind in kinds]
+    ("name", "kind"),
+    [
+        pytest.param(name, kind, marks=[pytest.mark.deep] if place else [])
+        for name, kinds in FAULTS.items()
+        for place, kind in enumerate(kinds)
+    ],
 )
 def test_what_is_wrong_with_a_file_is_told(
     reader: Reader, host: StaticServer, name: str, kind: str

@@ -93,14 +93,18 @@ def test_figures_show_what_they_show_after_a_plain_start(
 @pytest.mark.parametrize(
     "fault",
     [
-        Fault(status=404),
-        Fault(cut=True),
-        Fault(lambda content: content[: len(content) // 2]),
-        Fault(changed),
-        Fault(lambda _: LOGIN, media_type="text/html"),
-        Fault(lambda _: LOGIN),
+        pytest.param(Fault(status=404), id="missing"),
+        pytest.param(Fault(changed), id="changed"),
+        *(
+            pytest.param(fault, id=name, marks=pytest.mark.deep)
+            for name, fault in {
+                "cut": Fault(cut=True),
+                "half": Fault(lambda content: content[: len(content) // 2]),
+                "login": Fault(lambda _: LOGIN, media_type="text/html"),
+                "login as file": Fault(lambda _: LOGIN),
+            }.items()
+        ),
     ],
-    ids=["missing", "cut", "half", "changed", "login", "login as file"],
 )
 def test_without_a_whole_snapshot_python_starts_plainly_and_the_page_says_nothing(
     reader: Reader, host: StaticServer, fault: Fault
@@ -122,7 +126,10 @@ def test_a_snapshot_that_comes_late_and_by_another_type_is_used(
     expect(reader.figure(SCENE)).to_have_attribute("data-state", "live", timeout=START_MS)
 
 
-@pytest.mark.parametrize("name", BUILT_ON)
+@pytest.mark.parametrize(
+    "name",
+    [BUILT_ON[0], *(pytest.param(name, marks=pytest.mark.deep) for name in BUILT_ON[1:])],
+)
 def test_what_a_frame_lacks_is_told_and_asked_for_again(
     reader: Reader, host: StaticServer, name: str
 ) -> None:

@@ -5,6 +5,8 @@ import subprocess
 import sys
 from pathlib import Path
 
+import pytest
+
 ROOT = Path(__file__).resolve().parents[3]
 BOOK = """\
 title = "Small Book"
@@ -72,6 +74,7 @@ def build(how: list[str], folder: Path, settings: dict[str, str], umask: int) ->
     return {file.relative_to(folder).as_posix(): file.read_bytes() for file in files}
 
 
+@pytest.mark.deep
 def test_two_machines_build_the_same_bytes(tmp_path: Path) -> None:
     one, other = tmp_path / "one", tmp_path / "an öther" / "place"
     write_book(one, sorted(FILES))
